@@ -1,0 +1,1 @@
+"""Rigid bodies and the spinning top: derived, proved, typeset, computed."""

@@ -1,0 +1,123 @@
+"""What a derivation page is made of: claims, and the evidence that each one yields.
+
+A claim is a function.  Its docstring is the reason, in one sentence; its body types the equation
+as the notes print it, lets the engine go its own way, and yields what there is to see: a `Step` of
+the engine's derivation, a `Check` of the typed equation against the engine, a `Correction`, or a
+`Measure` of a computed motion.  `rigidtop.proof.verdict.judge` runs it.
+
+    @claim("3.45", "φ̇ from the two conserved momenta")
+    def azimuthal_rate():
+        '''(3.43) resolved along ẑ and e₃, solved for φ̇; sin²θ is divided out.'''
+        with as_printed():
+            printed = Equation(phidot, (L_z - L3*cos(theta))/(lambda1*sin(theta)**2), tag="3.45")
+        yield Check(printed, {L_z: …, L3: …}, assuming=(Assumption(Ne(sin(theta), 0)),))
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+from sympy import Expr
+
+from rigidtop.proof.equation import Equation, Meaning
+
+
+@dataclass(frozen=True)
+class Assumption:
+    """A condition under which a check holds.
+
+    `condition` is a SymPy relation.  ``Eq(symbol, value)`` is applied by substitution, also for a
+    limit such as ``Eq(epsilon, 0)``; other relations decide signs and record divisions.  `stated`
+    says that the notes state it too.  `words` is said instead of the bare relation, or beside it.
+    """
+
+    condition: Any
+    words: str = ""
+    stated: bool = False
+
+
+@dataclass(frozen=True)
+class Check:
+    """A typed equation held against the engine's `meaning` of its symbols.
+
+    `given` are expressions known to vanish (an equation from which this one is said to follow).
+    `other_reading` is the meaning under which the same content is right although the notes' own
+    definitions say otherwise.  `reason` is the sentence beside the line; `printed` is False for a
+    formal version of what the notes say in words.
+    """
+
+    claimed: Equation
+    meaning: Meaning = field(default_factory=dict)
+    assuming: tuple[Assumption, ...] = ()
+    reason: str = ""
+    given: tuple[Expr, ...] = ()
+    other_reading: Meaning | None = None
+    printed: bool = True
+
+
+@dataclass(frozen=True)
+class Correction(Check):
+    """The corrected form that stands beside a claim that is false or at odds with a definition."""
+
+
+@dataclass(frozen=True)
+class Definition:
+    """An equation that introduces its left side: nothing to prove."""
+
+    equation: Equation
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class Step:
+    """An equation of the engine's own derivation, shown with its reason."""
+
+    equation: Equation
+    reason: str
+
+
+@dataclass(frozen=True)
+class Measure:
+    """A number from a computed motion: what was compared, its error, and what is allowed."""
+
+    what: str
+    error: float
+    tolerance: float
+
+    @property
+    def passed(self) -> bool:
+        return self.error <= self.tolerance  # False for NaN
+
+
+Evidence = Step | Check | Definition | Measure
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A row of the lecture.  `says` is what the notes assert, in our own words."""
+
+    name: str
+    says: str
+    evidence: Callable[[], Iterable[Evidence]]
+
+    @property
+    def reason(self) -> str:
+        """The docstring of the evidence, as one paragraph."""
+        return " ".join((self.evidence.__doc__ or "").split())
+
+
+def claim(name: str, says: str) -> Callable[[Callable[[], Iterable[Evidence]]], Claim]:
+    """Make the decorated generator function a `Claim`."""
+    return lambda evidence: Claim(name, says, evidence)
+
+
+@dataclass(frozen=True)
+class Page:
+    """One section of the notes: its number, its title, what it is about, its claims in order."""
+
+    section: str
+    title: str
+    about: str
+    claims: tuple[Claim, ...]

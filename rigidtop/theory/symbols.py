@@ -1,0 +1,188 @@
+"""The vocabulary: every symbol of the lecture, how it is written, what it means, its unit.
+
+A symbol's *name* is a Python identifier, so that generated code is readable; its `Glyph` says how
+it is written, from which LaTeX, MathML and terminal text are all made.  Velocities are plain
+symbols (`thetadot`), not derivatives of functions: `rigidtop.theory.kinematics.total_derivative`
+knows which symbol is whose rate.  The order of `VOCABULARY` is the order in which factors are
+printed: constants, parameters, momenta, rates, angles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from sympy import Symbol
+
+
+@dataclass(frozen=True)
+class Glyph:
+    """How a symbol is written: ``Glyph("ω", sub="3", accent="dot")`` is ω̇₃."""
+
+    base: str
+    sub: str = ""
+    accent: str = ""  # "", "dot", "ddot" or "hat"
+    bold: bool = False
+    prime: bool = False
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A row of the vocabulary.  `unit` is SI; "1" for a pure number, "" for a label."""
+
+    glyph: Glyph
+    meaning: str
+    unit: str
+
+
+def _real(name: str) -> Symbol:
+    return Symbol(name, real=True)
+
+
+def _positive(name: str) -> Symbol:
+    return Symbol(name, positive=True)
+
+
+# Parameters
+lambda1, lambda2, lambda3 = map(_positive, ("lambda1", "lambda2", "lambda3"))
+M, g, R = map(_positive, ("M", "g", "R"))
+R1, R2, R3 = map(_real, ("R1", "R2", "R3"))
+epsilon = _real("epsilon")
+
+# Euler angles z–y′–z″ with their rates
+t = _real("t")
+theta, phi, psi = map(_real, ("theta", "phi", "psi"))
+thetadot, phidot, psidot = map(_real, ("thetadot", "phidot", "psidot"))
+thetaddot, phiddot, psiddot = map(_real, ("thetaddot", "phiddot", "psiddot"))
+
+# Attitude as a unit quaternion, scalar first
+q0, q1, q2, q3 = map(_real, ("q0", "q1", "q2", "q3"))
+
+# Rotational velocity in the body frame
+omega1, omega2, omega3 = map(_real, ("omega1", "omega2", "omega3"))
+omega1p, omega2p = map(_real, ("omega1p", "omega2p"))
+omega1dot, omega2dot, omega3dot = map(_real, ("omega1dot", "omega2dot", "omega3dot"))
+omega1ddot, omega2ddot = map(_real, ("omega1ddot", "omega2ddot"))
+omega_0 = _real("omega_0")
+Omega, Omega_b, Omega_s, tau_b = map(_real, ("Omega", "Omega_b", "Omega_s", "tau_b"))
+Omega_minus, Omega_plus = map(_real, ("Omega_minus", "Omega_plus"))
+
+# Momenta, energies, torque
+L, L_x, L_y, L_z = map(_real, ("L", "L_x", "L_y", "L_z"))
+L1, L2, L3 = map(_real, ("L1", "L2", "L3"))
+p_theta, p_phi, p_psi = map(_real, ("p_theta", "p_phi", "p_psi"))
+N1, N2, N3 = map(_real, ("N1", "N2", "N3"))
+T, V, E, Lagrangian = map(_real, ("T", "V", "E", "Lagrangian"))
+const = _real("const")
+
+# Vectors and matrices, as they stand in printed equations
+xhat, yhat, zhat = map(_real, ("xhat", "yhat", "zhat"))
+e1, e2, e3 = map(_real, ("e1", "e2", "e3"))
+e1p, e2p = map(_real, ("e1p", "e2p"))
+e3dot = _real("e3dot")
+omega_vec, Omega_vec = map(_real, ("omega_vec", "Omega_vec"))
+L_vec, L_vecdot, N_vec, N_ext = map(_real, ("L_vec", "L_vecdot", "N_vec", "N_ext"))
+r_vec, r_vecp, r_k, F_k, f_r, R_CM, g_vec, F_grav = map(
+    _real, ("r_vec", "r_vecp", "r_k", "F_k", "f_r", "R_CM", "g_vec", "F_grav")
+)
+inertia, O_matrix = map(_real, ("inertia", "O_matrix"))
+m_k, rho = map(_positive, ("m_k", "rho"))
+
+VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
+    {
+        lambda1: Quantity(Glyph("λ", "1"), "principal moment of inertia about e₁", "kg m²"),
+        lambda2: Quantity(Glyph("λ", "2"), "principal moment of inertia about e₂", "kg m²"),
+        lambda3: Quantity(Glyph("λ", "3"), "principal moment of inertia about e₃", "kg m²"),
+        M: Quantity(Glyph("M"), "mass of the body", "kg"),
+        m_k: Quantity(Glyph("m", "k"), "mass of particle k", "kg"),
+        rho: Quantity(Glyph("ρ"), "mass density", "kg/m³"),
+        g: Quantity(Glyph("g"), "acceleration of gravity", "m/s²"),
+        R: Quantity(Glyph("R"), "distance from the pivot to the centre of mass", "m"),
+        R1: Quantity(Glyph("R", "1"), "centre of mass from the pivot, along e₁", "m"),
+        R2: Quantity(Glyph("R", "2"), "centre of mass from the pivot, along e₂", "m"),
+        R3: Quantity(Glyph("R", "3"), "centre of mass from the pivot, along e₃", "m"),
+        epsilon: Quantity(Glyph("ε"), "gravity against spin, λ₁MgR cosθ/(λ₃ω₃)²", "1"),
+        inertia: Quantity(Glyph("I"), "inertia tensor", "kg m²"),
+        O_matrix: Quantity(Glyph("O"), "matrix whose columns are e₁, e₂, e₃", "1"),
+        T: Quantity(Glyph("T"), "kinetic energy", "J"),
+        V: Quantity(Glyph("V"), "potential energy", "J"),
+        E: Quantity(Glyph("E"), "energy", "J"),
+        Lagrangian: Quantity(Glyph("ℒ"), "Lagrangian T − V", "J"),
+        L: Quantity(Glyph("L"), "magnitude of the angular momentum", "J s"),
+        L_x: Quantity(Glyph("L", "x"), "angular momentum along x̂ of the space frame", "J s"),
+        L_y: Quantity(Glyph("L", "y"), "angular momentum along ŷ of the space frame", "J s"),
+        L_z: Quantity(Glyph("L", "z"), "angular momentum along ẑ of the space frame", "J s"),
+        L1: Quantity(Glyph("L", "1"), "angular momentum along e₁", "J s"),
+        L2: Quantity(Glyph("L", "2"), "angular momentum along e₂", "J s"),
+        L3: Quantity(Glyph("L", "3"), "angular momentum along e₃", "J s"),
+        p_theta: Quantity(Glyph("p", "θ"), "momentum conjugate to θ", "J s"),
+        p_phi: Quantity(Glyph("p", "φ"), "momentum conjugate to φ", "J s"),
+        p_psi: Quantity(Glyph("p", "ψ"), "momentum conjugate to ψ", "J s"),
+        N1: Quantity(Glyph("N", "1"), "torque along e₁", "N m"),
+        N2: Quantity(Glyph("N", "2"), "torque along e₂", "N m"),
+        N3: Quantity(Glyph("N", "3"), "torque along e₃", "N m"),
+        omega_0: Quantity(Glyph("ω", "0"), "amplitude of ω across e₃", "rad/s"),
+        omega1: Quantity(Glyph("ω", "1"), "rotational velocity along e₁", "rad/s"),
+        omega2: Quantity(Glyph("ω", "2"), "rotational velocity along e₂", "rad/s"),
+        omega3: Quantity(Glyph("ω", "3"), "rotational velocity along e₃", "rad/s"),
+        omega1p: Quantity(Glyph("ω", "1′"), "rotational velocity along e₁′", "rad/s"),
+        omega2p: Quantity(Glyph("ω", "2′"), "rotational velocity along e₂′", "rad/s"),
+        omega1dot: Quantity(Glyph("ω", "1", "dot"), "time derivative of ω₁", "rad/s²"),
+        omega2dot: Quantity(Glyph("ω", "2", "dot"), "time derivative of ω₂", "rad/s²"),
+        omega3dot: Quantity(Glyph("ω", "3", "dot"), "time derivative of ω₃", "rad/s²"),
+        omega1ddot: Quantity(Glyph("ω", "1", "ddot"), "second derivative of ω₁", "rad/s³"),
+        omega2ddot: Quantity(Glyph("ω", "2", "ddot"), "second derivative of ω₂", "rad/s³"),
+        thetaddot: Quantity(Glyph("θ", accent="ddot"), "second derivative of θ", "rad/s²"),
+        phiddot: Quantity(Glyph("φ", accent="ddot"), "second derivative of φ", "rad/s²"),
+        psiddot: Quantity(Glyph("ψ", accent="ddot"), "second derivative of ψ", "rad/s²"),
+        phidot: Quantity(Glyph("φ", accent="dot"), "rate of φ: precession", "rad/s"),
+        thetadot: Quantity(Glyph("θ", accent="dot"), "rate of θ: nutation", "rad/s"),
+        psidot: Quantity(Glyph("ψ", accent="dot"), "rate of ψ: spin", "rad/s"),
+        Omega: Quantity(Glyph("Ω"), "rate of steady precession", "rad/s"),
+        Omega_minus: Quantity(Glyph("Ω", "−"), "slow steady precession", "rad/s"),
+        Omega_plus: Quantity(Glyph("Ω", "+"), "fast steady precession", "rad/s"),
+        Omega_b: Quantity(Glyph("Ω", "b"), "free precession in the body frame", "rad/s"),
+        Omega_s: Quantity(Glyph("Ω", "s"), "free precession in the space frame", "rad/s"),
+        tau_b: Quantity(Glyph("τ", "b"), "period of the free precession in the body", "s"),
+        t: Quantity(Glyph("t"), "time", "s"),
+        q0: Quantity(Glyph("q", "0"), "scalar part of the attitude quaternion", "1"),
+        q1: Quantity(Glyph("q", "1"), "first vector part of the attitude quaternion", "1"),
+        q2: Quantity(Glyph("q", "2"), "second vector part of the attitude quaternion", "1"),
+        q3: Quantity(Glyph("q", "3"), "third vector part of the attitude quaternion", "1"),
+        phi: Quantity(Glyph("φ"), "first Euler angle: azimuth of e₃", "rad"),
+        theta: Quantity(Glyph("θ"), "second Euler angle: polar angle of e₃", "rad"),
+        psi: Quantity(Glyph("ψ"), "third Euler angle: turn about e₃", "rad"),
+        const: Quantity(Glyph("const"), "a value that does not change in time", ""),
+        xhat: Quantity(Glyph("x", accent="hat", bold=True), "first axis of the space frame", ""),
+        yhat: Quantity(Glyph("y", accent="hat", bold=True), "second axis of the space frame", ""),
+        zhat: Quantity(Glyph("z", accent="hat", bold=True), "vertical of the space frame", ""),
+        e1: Quantity(Glyph("e", "1", bold=True), "first principal axis of the body", ""),
+        e2: Quantity(Glyph("e", "2", bold=True), "second principal axis of the body", ""),
+        e1p: Quantity(
+            Glyph("e", "1", bold=True, prime=True), "e₁ before the last Euler rotation", ""
+        ),
+        e2p: Quantity(Glyph("e", "2", bold=True, prime=True), "line of nodes: e₂ after φ", ""),
+        e3: Quantity(Glyph("e", "3", bold=True), "third principal axis: figure axis", ""),
+        e3dot: Quantity(
+            Glyph("e", "3", accent="dot", bold=True), "velocity of the tip of e₃", "1/s"
+        ),
+        omega_vec: Quantity(Glyph("ω", bold=True), "rotational velocity", "rad/s"),
+        Omega_vec: Quantity(Glyph("Ω", bold=True), "rotational velocity of precession", "rad/s"),
+        L_vec: Quantity(Glyph("L", bold=True), "angular momentum", "J s"),
+        L_vecdot: Quantity(
+            Glyph("L", accent="dot", bold=True), "rate of the angular momentum", "N m"
+        ),
+        N_vec: Quantity(Glyph("N", bold=True), "torque", "N m"),
+        N_ext: Quantity(Glyph("N", "ext", bold=True), "external torque", "N m"),
+        r_vec: Quantity(Glyph("r", bold=True), "position in space components", "m"),
+        r_vecp: Quantity(Glyph("r", bold=True, prime=True), "position in body components", "m"),
+        r_k: Quantity(Glyph("r", "k", bold=True), "position of particle k", "m"),
+        F_k: Quantity(Glyph("F", "k", bold=True), "external force on particle k", "N"),
+        f_r: Quantity(Glyph("f", bold=True), "force density", "N/m³"),
+        R_CM: Quantity(Glyph("R", "CM", bold=True), "centre of mass from the pivot", "m"),
+        g_vec: Quantity(Glyph("g", bold=True), "acceleration of gravity as a vector", "m/s²"),
+        F_grav: Quantity(Glyph("F", "grav", bold=True), "weight", "N"),
+    }
+)
+"""Every symbol with its glyph, meaning and unit, in the order of print."""
