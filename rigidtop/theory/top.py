@@ -1,0 +1,189 @@
+"""The heavy top: one argument to the Lagrangian and to Euler's equations.
+
+The general heavy body comes first (three moments about the pivot, centre of mass anywhere); the
+lecture's symmetric top is λ₂ = λ₁ with the centre of mass on e₃.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy
+from sympy import Expr, ImmutableMatrix, Matrix, Rational, cos, diag, sin
+
+from rigidtop.theory import symbols as s
+from rigidtop.theory.euler import MOMENTS, OMEGA, body_accelerations
+from rigidtop.theory.lagrangian import (
+    accelerations,
+    effective_potential,
+    euler_lagrange,
+    momenta,
+)
+from rigidtop.theory.rotation import (
+    Z_AXIS,
+    euler_matrix,
+    euler_omega,
+    quaternion_matrix,
+    quaternion_rates,
+)
+from rigidtop.theory.trig import reduce_ratio, reduce_trig
+
+ANGLES = (s.theta, s.phi, s.psi)
+RATES = (s.thetadot, s.phidot, s.psidot)
+ACCELERATIONS = (s.thetaddot, s.phiddot, s.psiddot)
+CENTRE_OF_MASS = (s.R1, s.R2, s.R3)
+QUATERNION = (s.q0, s.q1, s.q2, s.q3)
+
+SYMMETRIC = {s.lambda2: s.lambda1, s.R1: 0, s.R2: 0, s.R3: s.R}
+"""What makes a heavy body the lecture's top."""
+
+
+@cache
+def kinetic_energy() -> Expr:
+    """½ Σ λₖωₖ² of any rigid body in Euler angles and rates (J)."""
+    omega = euler_omega("body")
+    return Rational(1, 2) * omega.dot(diag(*MOMENTS) * omega)
+
+
+@cache
+def potential_energy() -> Expr:
+    """Mg times the height of the centre of mass above the pivot (J)."""
+    return s.M * s.g * reduce_trig(Z_AXIS.dot(euler_matrix() * Matrix(CENTRE_OF_MASS)))
+
+
+@cache
+def lagrangian() -> Expr:
+    """T − V of a heavy body: any three moments, centre of mass anywhere in it (J)."""
+    return kinetic_energy() - potential_energy()
+
+
+@cache
+def symmetric_lagrangian() -> Expr:
+    """T − V of the heavy symmetric top (J), which is (3.53)."""
+    omega1, omega2, omega3 = euler_omega("body")
+    # Collected by moment before anything is expanded: λ₁ multiplies ω₁² + ω₂², free of ψ.
+    across = reduce_trig(omega1**2 + omega2**2, keep="sin")
+    kinetic = Rational(1, 2) * s.lambda1 * across + Rational(1, 2) * s.lambda3 * omega3**2
+    return kinetic - potential_energy().subs(SYMMETRIC)
+
+
+@cache
+def symmetric_equations() -> ImmutableMatrix:
+    """d/dt ∂L/∂q̇ − ∂L/∂q of the symmetric top for θ, φ, ψ (3×1, N m)."""
+    return ImmutableMatrix(euler_lagrange(symmetric_lagrangian(), ANGLES, RATES, ACCELERATIONS))
+
+
+@cache
+def symmetric_momenta() -> ImmutableMatrix:
+    """p_θ, p_φ, p_ψ of the symmetric top (3×1, J s)."""
+    return ImmutableMatrix(momenta(symmetric_lagrangian(), RATES))
+
+
+@cache
+def symmetric_top_accelerations() -> ImmutableMatrix:
+    """θ̈, φ̈, ψ̈ of the symmetric top (3×1, rad/s²); singular where sin θ = 0."""
+    return ImmutableMatrix(accelerations(symmetric_lagrangian(), ANGLES, RATES).applyfunc(_tidy))
+
+
+def _tidy(ratio: Expr) -> Expr:
+    """The spin's terms, with λ₃, as one product; then the rest over λ₁ term by term."""
+    rest, spin = sympy.expand(ratio).as_independent(s.lambda3, as_Add=True)
+    return sympy.factor(spin) + rest
+
+
+@cache
+def top_effective_potential() -> Expr:
+    """(p_φ − p_ψ cos θ)²/(2λ₁ sin²θ) + p_ψ²/(2λ₃) + MgR cos θ (J)."""
+    cyclic, p = (s.phidot, s.psidot), (s.p_phi, s.p_psi)
+    derived = effective_potential(symmetric_lagrangian(), cyclic, p, (s.thetadot,))
+    spin = s.p_psi**2 / (2 * s.lambda3)
+    gravity = s.M * s.g * s.R * cos(s.theta)
+    return reduce_ratio(derived - spin - gravity) + spin + gravity
+
+
+def gravity_torque(vertical: Matrix) -> Matrix:
+    """R_CM × (−Mg ẑ) in body components (3×1, N m); `vertical` is ẑ in body components."""
+    return Matrix(CENTRE_OF_MASS).cross(-s.M * s.g * vertical)
+
+
+@cache
+def heavy_body_rates() -> ImmutableMatrix:
+    """(q̇₀ … q̇₃, ω̇₁, ω̇₂, ω̇₃) of a heavy body about a fixed pivot (7×1).
+
+    Attitude as unit quaternion, ω in body components: polynomial, without a coordinate
+    singularity, for any three moments and a centre of mass anywhere in the body.
+    """
+    q = Matrix(QUATERNION)
+    vertical = quaternion_matrix(q).T * Z_AXIS
+    rates = quaternion_rates(q, Matrix(OMEGA))
+    return ImmutableMatrix([*rates, *body_accelerations_with(gravity_torque(vertical))])
+
+
+def body_accelerations_with(torque: Matrix) -> Matrix:
+    """ω̇ with the torque kept as a product of factors, so that it stays small."""
+    free = body_accelerations()
+    return Matrix([a + n / m for a, n, m in zip(free, torque, MOMENTS, strict=True)])
+
+
+@cache
+def steady_balance() -> Expr:
+    """The θ equation of a steady precession: minus d/dt ∂L/∂θ̇ − ∂L/∂θ at θ̈ = θ̇ = 0 (N m).
+
+    φ̇ = Ω and ψ̇ = ω₃ − Ω cos θ are put in; sin θ is still a factor.
+    """
+    steady = {
+        s.thetaddot: 0,
+        s.thetadot: 0,
+        s.phidot: s.Omega,
+        s.psidot: s.omega3 - s.Omega * cos(s.theta),
+    }
+    return sympy.factor(reduce_trig(-symmetric_equations()[0].subs(steady)))
+
+
+@cache
+def steady_quadratic() -> Expr:
+    """(λ₁ cos θ)Ω² − (λ₃ω₃)Ω + MgR, the balance over sin θ: (3.57); the branch sin θ = 0 is lost."""
+    return sympy.collect(sympy.expand(sympy.cancel(steady_balance() / sin(s.theta))), s.Omega)
+
+
+@cache
+def discriminant() -> Expr:
+    """(λ₃ω₃)² − 4λ₁MgR cos θ: steady precession needs it not negative (J² s²)."""
+    return sympy.discriminant(steady_quadratic(), s.Omega)
+
+
+def steady_roots() -> tuple[Expr, Expr]:
+    """(Ω₋, Ω₊) for ω₃ > 0, written so that neither cancels for large ω₃ (rad/s).
+
+    Ω₋ = 2MgR/(λ₃ω₃ + √D) is regular at cos θ = 0; Ω₊ = (λ₃ω₃ + √D)/(2λ₁ cos θ) is not: there the
+    quadratic has one root only.  For ω₃ < 0 both change sign with ω₃.
+    """
+    quadratic = sympy.Poly(steady_quadratic(), s.Omega)
+    a, b, c = quadratic.all_coeffs()
+    larger = -b + sympy.sqrt(discriminant())
+    return 2 * c / larger, larger / (2 * a)
+
+
+def smallness() -> Expr:
+    """ε = λ₁MgR cos θ/(λ₃ω₃)², the one number on which both roots depend: D = (λ₃ω₃)²(1 − 4ε)."""
+    a, b, c = sympy.Poly(steady_quadratic(), s.Omega).all_coeffs()
+    return a * c / b**2
+
+
+def steady_expansions(order: int = 2) -> tuple[Expr, Expr]:
+    """Ω₋ and Ω₊ for large ω₃: power series in ε, `order` terms each (rad/s).
+
+    >>> slow, fast = steady_expansions(1)
+    >>> slow, fast
+    (M*R*g/(lambda3*omega3), lambda3*omega3/(lambda1*cos(theta)))
+    """
+    a, b, c = sympy.Poly(steady_quadratic(), s.Omega).all_coeffs()
+    larger = (1 + sympy.sqrt(1 - 4 * s.epsilon)) / 2
+
+    def expanded(lead: Expr, shape: Expr) -> Expr:
+        series = sympy.series(shape, s.epsilon, 0, order + 1).removeO()
+        powers = sympy.Poly(series, s.epsilon).all_coeffs()[::-1]
+        kept = [(n, k) for n, k in enumerate(powers) if k != 0][:order]
+        return sum(sympy.cancel(lead * k * smallness() ** n) for n, k in kept)
+
+    return expanded(-c / b, 1 / larger), expanded(-b / a, larger)

@@ -1,0 +1,72 @@
+"""Normal forms of trigonometric polynomials and their ratios, without `simplify`."""
+
+from __future__ import annotations
+
+from typing import TypeVar
+
+import sympy
+from sympy import Add, Expr, MatrixBase, Mul, cos, sin
+
+ExprOrMatrix = TypeVar("ExprOrMatrix", Expr, MatrixBase)
+
+
+def reduce_trig(expression: ExprOrMatrix, keep: str = "cos") -> ExprOrMatrix:
+    """Expand a polynomial in sines and cosines and eliminate sin² by sin² = 1 − cos².
+
+    The result is unique, so two polynomials that agree for all angles get the same form.  With
+    ``keep="sin"`` it is cos² that goes.  Works entry by entry on a matrix.
+
+    >>> from sympy.abc import x, y
+    >>> reduce_trig(y*sin(x)**2 + y*cos(x)**2)
+    y
+    """
+    if isinstance(expression, MatrixBase):
+        return expression.applyfunc(lambda entry: reduce_trig(entry, keep))
+    gone, kept = (sin, cos) if keep == "cos" else (cos, sin)
+    expanded = sympy.expand(expression)
+    while True:
+        terms = [_lower(term, gone, kept) for term in Add.make_args(expanded)]
+        if all(new is None for new in terms):
+            return expanded
+        old = Add.make_args(expanded)
+        expanded = sympy.expand(
+            Add(*(term if new is None else new for term, new in zip(old, terms, strict=True)))
+        )
+
+
+def _lower(term: Expr, gone: type, kept: type) -> Expr | None:
+    """The term with every gone(x)ⁿ, n ≥ 2, rewritten; None where there is none."""
+    factors, changed = [], False
+    for factor in Mul.make_args(term):
+        base, power = factor.as_base_exp()
+        if isinstance(base, gone) and power.is_Integer and power >= 2:
+            pairs, single = divmod(int(power), 2)
+            factors += [(1 - kept(*base.args) ** 2) ** pairs, base**single]
+            changed = True
+        else:
+            factors.append(factor)
+    return Mul(*factors) if changed else None
+
+
+def reduce_ratio(expression: Expr) -> Expr:
+    """A ratio of trigonometric polynomials in lowest terms, sin² wherever 1 − cos² is a factor.
+
+    >>> from sympy.abc import x
+    >>> reduce_ratio((1 - cos(x)**2)*cos(x)/sin(x)**3)
+    cos(x)/sin(x)
+    """
+    numerator, denominator = sympy.fraction(sympy.together(expression))
+    return _factored(numerator) / _factored(denominator)
+
+
+def _factored(polynomial: Expr) -> Expr:
+    """Factored, with (cos x − 1)(cos x + 1) written as −sin² x."""
+    factored = sympy.factor(reduce_trig(polynomial))
+    powers = factored.as_powers_dict()
+    result = factored
+    for base in list(powers):
+        if isinstance(base, Add) and (base + 2) in powers and isinstance(base + 1, cos):
+            n = min(powers[base], powers[base + 2])
+            sine = sin(*(base + 1).args)
+            result = result / (base * (base + 2)) ** n * (-(sine**2)) ** n
+    return result
