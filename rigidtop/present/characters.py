@@ -1,0 +1,123 @@
+"""Which LaTeX command writes which character.
+
+The tables are closed: a character that none of them knows is an error that names it.
+"""
+
+from __future__ import annotations
+
+import re
+
+from rigidtop.present.layout import GREEK
+
+TEX_GREEK = {letter: "\\" + name for name, letter in GREEK.items()} | {
+    "ε": r"\epsilon",
+    "ο": "o",
+    "ϕ": r"\varphi",
+    "ϑ": r"\vartheta",
+}
+LETTERS = TEX_GREEK | {"ℒ": r"\mathcal{L}", "∞": r"\infty"}
+SIGNS = {
+    "=": "=",
+    "≡": r"\equiv",
+    "≠": r"\neq",
+    ">": ">",
+    "<": "<",
+    "≥": r"\geq",
+    "≤": r"\leq",
+    "≈": r"\approx",
+    "×": r"\times",
+    "·": r"\cdot",
+    "∥": r"\parallel",
+    "⇒": r"\Rightarrow",
+    "→": r"\to",
+    "∑": r"\sum",
+    "∫": r"\int",
+}
+
+ESCAPES = {
+    "%": r"\%",
+    "&": r"\&",
+    "_": r"\_",
+    "#": r"\#",
+    "{": r"\{",
+    "}": r"\}",
+    "$": r"\$",
+    "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
+    "\\": r"\textbackslash{}",
+    "<": r"\textless{}",
+    ">": r"\textgreater{}",
+    "|": r"\textbar{}",
+}
+PUNCTUATION = {
+    "–": "--",
+    "—": "---",
+    "‘": "`",
+    "’": "'",
+    "“": "``",
+    "”": "''",
+    "…": r"\ldots{}",
+    "§": r"\S{}",
+    "\u00a0": "~",
+    "\u202f": r"\,",
+    "\u2009": r"\,",
+    "\u2011": "-",
+}
+SUBSCRIPTS = dict(zip("₀₁₂₃₄₅₆₇₈₉₊₋ₖᵢⱼₙₓ", "0123456789+-kijnx", strict=True))
+SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ᵀⁿᵏ", "0123456789+-Tnk", strict=True))
+HALVES = {
+    "½": r"\tfrac{1}{2}",
+    "⅓": r"\tfrac{1}{3}",
+    "⅔": r"\tfrac{2}{3}",
+    "¼": r"\tfrac{1}{4}",
+    "¾": r"\tfrac{3}{4}",
+    "⅛": r"\tfrac{1}{8}",
+}
+MARKS = {"\u0307": r"\dot{%s}", "\u0308": r"\ddot{%s}", "\u0302": r"\hat{%s}"}
+MATHS = {
+    **LETTERS,
+    **HALVES,
+    **{sign: tex for sign, tex in SIGNS.items() if not sign.isascii()},
+    "±": r"\pm",
+    "∓": r"\mp",
+    "⟂": r"\perp",
+    "⊥": r"\perp",
+    "∝": r"\propto",
+    "≪": r"\ll",
+    "≫": r"\gg",
+    "≲": r"\lesssim",
+    "≳": r"\gtrsim",
+    "≃": r"\simeq",
+    "≅": r"\cong",
+    "∼": r"\sim",
+    "∂": r"\partial",
+    "∇": r"\nabla",
+    "∈": r"\in",
+    "∧": r"\wedge",
+    "√": r"\sqrt",
+    "Σ": r"\sum",
+    "∘": r"\circ",
+    "°": r"^{\circ}",
+    "′": "'",
+    "″": "''",
+    "↦": r"\mapsto",
+    "↔": r"\leftrightarrow",
+    "⇔": r"\Leftrightarrow",
+    "←": r"\leftarrow",
+    "⁄": "/",
+    "∣": r"\mid",
+    "⟨": r"\langle",
+    "⟩": r"\rangle",
+    "⋅": r"\cdot",
+    "−": "-",
+    "ℝ": r"\mathbb{R}",
+    "†": r"\dagger",
+    "∀": r"\forall",
+    "∃": r"\exists",
+}
+
+
+def joined(left: str, right: str) -> str:
+    """Two pieces of LaTeX, with a space where a command would otherwise swallow a letter."""
+    command = re.search(r"\\[A-Za-z]+$", left)
+    return left + (" " if command and right[:1].isalpha() else "") + right

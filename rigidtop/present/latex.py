@@ -1,0 +1,269 @@
+r"""LaTeX, for amsmath and amssymb.
+
+>>> from sympy import cos, sin
+>>> from rigidtop.theory.symbols import lambda1, phidot, theta, thetadot
+>>> latex(lambda1 * (phidot**2 * sin(theta) ** 2 + thetadot**2) / 2)
+'\\tfrac{1}{2}\\lambda_{1}(\\dot{\\phi}^{2}\\sin^{2}\\theta + \\dot{\\theta}^{2})'
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import singledispatch
+from typing import Any
+
+from rigidtop.present import layout as lay
+from rigidtop.present.characters import LETTERS, MATHS, SIGNS, TEX_GREEK, joined
+from rigidtop.present.layout import Line, Node, Order
+from rigidtop.present.prose import escape, prose
+from rigidtop.proof.equation import Equation
+from rigidtop.theory.symbols import Glyph
+
+_ACCENTS = {"dot": r"\dot{%s}", "ddot": r"\ddot{%s}", "hat": r"\hat{%s}"}
+_KNOWN = frozenset(
+    ("sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "log", "det")
+)
+
+
+def latex(tree: Any, order: Order = "auto") -> str:
+    r"""An expression, a matrix, a condition, or an `Equation` on one line, without its tag."""
+    return _tex(tree if _is_node(tree) else lay.layout(tree, order))
+
+
+def aligned(
+    equations: Sequence[Equation],
+    *,
+    order: Order = "auto",
+    reasons: Sequence[str] = (),
+    limit: float = lay.LINE,
+) -> str:
+    r"""An ``align`` with a line for each equation, more where it is long, and tags behind.
+
+    ``reasons[i]`` is prose that stands beside equation i where it fits, else below it.
+    """
+    rows: list[str] = []
+    for i, equation in enumerate(equations):
+        reason = reasons[i] if i < len(reasons) else ""
+        broken = lay.lines(equation, order, limit)
+        for j, line in enumerate(broken):
+            last = j == len(broken) - 1
+            row = align_row(line)
+            below = ""
+            if last and reason:
+                if _line_width(line) + 0.8 * len(reason) < limit - 8:
+                    row += rf" && \text{{{prose(reason)}}}"
+                else:
+                    below = rf"\intertext{{{prose(reason)}}}"
+            if last and equation.tag:
+                row += rf" \tag{{{equation.tag}}}"
+            elif not (last and equation.tag):
+                row += r" \notag"
+            final = last and i == len(equations) - 1
+            rows.append(row + ("" if final else r" \\") + ("\n" + below if below else ""))
+    return "\\begin{align}\n" + "\n".join(rows) + "\n\\end{align}"
+
+
+def align_row(line: Line) -> str:
+    """One line with its alignment mark."""
+    left = _tex(line.left) + " " if line.left is not None else ""
+    sign = SIGNS[line.sign] + " " if line.sign else r"\quad {}"
+    return f"{left}&{sign}{_tex(line.right)}"
+
+
+def _line_width(line: Line) -> float:
+    left = lay.width(line.left) if line.left is not None else 0
+    return left + 3 + lay.width(line.right)
+
+
+def _is_node(tree: Any) -> bool:
+    return type(tree).__module__ == lay.__name__
+
+
+# --- Letters -------------------------------------------------------------------------------------
+
+
+def letter(glyph: Glyph) -> str:
+    r"""A symbol: ``\dot{\omega}_{1}``, ``\mathbf{e}_{1}'``.
+
+    >>> print(letter(Glyph("ω", "1", "dot")), letter(Glyph("e", "2", bold=True, prime=True)))
+    \dot{\omega}_{1} \mathbf{e}_{2}'
+    """
+    base = LETTERS.get(glyph.base, glyph.base)
+    if len(glyph.base) > 1:
+        base = rf"\text{{{escape(glyph.base)}}}"
+    elif glyph.bold:
+        base = rf"\boldsymbol{{{base}}}" if glyph.base in TEX_GREEK else rf"\mathbf{{{base}}}"
+    if glyph.accent:
+        base = _ACCENTS[glyph.accent] % base
+    if glyph.sub:
+        base += f"_{{{_subscript(glyph.sub)}}}"
+    return base + ("'" if glyph.prime else "")
+
+
+def _subscript(sub: str) -> str:
+    plain = sub.rstrip("′")
+    primes = "'" * (len(sub) - len(plain))
+    if len(plain) > 1 and plain.isalpha() and not set(plain) <= set("xyzijk"):
+        return rf"\text{{{plain}}}" + primes
+    return "".join(MATHS.get(c, c) for c in plain) + primes
+
+
+# --- Nodes ---------------------------------------------------------------------------------------
+
+
+@singledispatch
+def _tex(node: Any) -> str:
+    raise TypeError(f"no LaTeX for {type(node).__name__}")
+
+
+@_tex.register
+def _(node: lay.Number) -> str:
+    return LETTERS.get(node.text, node.text)
+
+
+@_tex.register
+def _(node: lay.Letter) -> str:
+    return letter(node.glyph)
+
+
+@_tex.register
+def _(node: lay.Sum) -> str:
+    first, *rest = node.terms
+    text = ("-" if first.negative else "") + _tex(first.body)
+    if isinstance(node, lay.Continued):
+        text = ("- " if first.negative else "+ ") + _tex(first.body)
+    return text + "".join((" - " if t.negative else " + ") + _tex(t.body) for t in rest)
+
+
+_JOINTS = {"": "", "function": "", "thin": r"\,", "dot": r" \cdot "}
+
+
+@_tex.register
+def _(node: lay.Product) -> str:
+    text = _tex(node.factors[0])
+    for joint, factor in zip(node.joints, node.factors[1:], strict=True):
+        text = joined(text + _JOINTS[joint], _tex(factor))
+    return text
+
+
+@_tex.register
+def _(node: lay.Fraction) -> str:
+    command = r"\tfrac" if node.small else r"\frac"
+    return rf"{command}{{{_tex(node.over)}}}{{{_tex(node.under)}}}"
+
+
+@_tex.register
+def _(node: lay.Power) -> str:
+    return f"{_tex(node.base)}^{{{_tex(node.exponent)}}}"
+
+
+@_tex.register
+def _(node: lay.Root) -> str:
+    index = f"[{node.index}]" if node.index else ""
+    return rf"\sqrt{index}{{{_tex(node.body)}}}"
+
+
+@_tex.register
+def _(node: lay.Apply) -> str:
+    if isinstance(node.name, lay.Letter):
+        name = _tex(node.name)
+    else:
+        name = "\\" + node.name if node.name in _KNOWN else rf"\operatorname{{{node.name}}}"
+    if node.power is not None:
+        name += f"^{{{_tex(node.power)}}}"
+    inside = ", ".join(map(_tex, node.arguments))
+    return name + _enclosed(inside, "()", node.arguments) if node.brackets else joined(name, inside)
+
+
+_TALL = (lay.Fraction, lay.Braced, lay.Big, lay.Derivative, lay.Grid, lay.Root)
+
+
+def _is_tall(node: Any) -> bool:
+    if isinstance(node, lay.Fraction):
+        return not node.small
+    if isinstance(node, _TALL):
+        return True
+    if isinstance(node, lay.Sum):
+        return any(_is_tall(term.body) for term in node.terms)
+    if isinstance(node, lay.Product):
+        return any(map(_is_tall, node.factors))
+    if isinstance(node, lay.Listed):
+        return any(map(_is_tall, node.items))
+    if isinstance(node, (lay.Power, lay.Brackets, lay.TransposeOf)):
+        return _is_tall(node.base if isinstance(node, lay.Power) else node.body)
+    if isinstance(node, lay.Infix):
+        return _is_tall(node.left) or _is_tall(node.right)
+    return False
+
+
+def _enclosed(inside: str, shape: str, nodes: Sequence[Node]) -> str:
+    if any(map(_is_tall, nodes)):
+        return rf"\left{shape[0]}{inside}\right{shape[1]}"
+    left, right = (r"\lvert ", r"\rvert") if shape == "||" else (shape[0], shape[1])
+    return left + inside + right
+
+
+@_tex.register
+def _(node: lay.Brackets) -> str:
+    return _enclosed(_tex(node.body), node.shape, [node.body])
+
+
+@_tex.register
+def _(node: lay.Braced) -> str:
+    return rf"\underbrace{{{_tex(node.body)}}}_{{\equiv {_tex(node.label)}}}"
+
+
+@_tex.register
+def _(node: lay.Infix) -> str:
+    return f"{_tex(node.left)} {SIGNS[node.sign]} {_tex(node.right)}"
+
+
+@_tex.register
+def _(node: lay.TransposeOf) -> str:
+    return f"{_tex(node.body)}^{{T}}"
+
+
+@_tex.register
+def _(node: lay.Derivative) -> str:
+    d = r"\partial" if node.partial else "d"
+    order = f"^{{{node.order}}}" if node.order > 1 else ""
+    over, under = d + order, joined(d, _tex(node.by)) + order
+    if node.inside:
+        text = rf"\frac{{{joined(over, _tex(node.body))}}}{{{under}}}"
+    else:
+        text = rf"\frac{{{over}}}{{{under}}}{_tex(node.body)}"
+    if node.frame:
+        return rf"\left({text}\right)_{{\text{{{escape(node.frame)}}}}}"
+    return text
+
+
+@_tex.register
+def _(node: lay.Big) -> str:
+    if node.sign == "∫":
+        return rf"\int {_tex(node.index)}\,{_tex(node.body)}"
+    return rf"\sum_{{{_tex(node.index)}}} {_tex(node.body)}"
+
+
+@_tex.register
+def _(node: lay.Measure) -> str:
+    return f"d^{{{node.dimension}}}{_tex(node.variable)}"
+
+
+@_tex.register
+def _(node: lay.Grid) -> str:
+    rows = r" \\ ".join(" & ".join(map(_tex, row)) for row in node.rows)
+    return rf"\begin{{bmatrix}} {rows} \end{{bmatrix}}"
+
+
+@_tex.register
+def _(node: lay.Listed) -> str:
+    between = ", " if node.between == "," else rf" \quad\text{{{node.between}}}\quad "
+    return between.join(map(_tex, node.items))
+
+
+@_tex.register
+def _(node: lay.Chain) -> str:
+    text = _tex(node.sides[0])
+    for sign, side in zip(node.signs, node.sides[1:], strict=True):
+        text += f" {SIGNS[sign]} {_tex(side)}"
+    return text

@@ -1,0 +1,262 @@
+"""Native presentation MathML, within what browsers share (MathML Core).
+
+Bold upright vectors carry their style with them, so that a fragment needs no style sheet and no
+font with a bold alphabet.  ``alttext`` is the equation as `rigidtop.present.text` writes it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import singledispatch
+from html import escape
+from typing import Any
+
+from rigidtop.present import layout as lay
+from rigidtop.present.layout import Line, Order
+from rigidtop.present.text import text
+from rigidtop.proof.equation import Equation
+from rigidtop.theory.symbols import Glyph
+
+_ACCENTS = {"dot": "˙", "ddot": "¨", "hat": "^"}
+_VECTOR = ' mathvariant="normal" style="font-weight:bold"'
+_BOLD_GREEK = ' style="font-weight:bold"'
+_THIN = '<mspace width="0.1667em"/>'
+_APPLY = "<mo>&#x2061;</mo>"
+
+
+def mathml(tree: Any, order: Order = "auto", *, display: bool = False) -> str:
+    """A ``<math>`` element for an expression, a condition, or an `Equation` without its tag."""
+    node = tree if type(tree).__module__ == lay.__name__ else lay.layout(tree, order)
+    return _math(_ml(node), text(node), display)
+
+
+def display(equations: Sequence[Equation], order: Order = "auto", limit: float = lay.LINE) -> str:
+    """A block ``<math>``: the lines of the equations, aligned at their relation signs."""
+    broken = [line for equation in equations for line in lay.lines(equation, order, limit)]
+    alt = "; ".join(text(equation, order) for equation in equations)
+    if len(broken) == 1:
+        return _math(_ml(lay.layout(equations[0], order)), alt, True)
+    rows = "".join(map(_row, broken))
+    return _math(f'<mtable displaystyle="true">{rows}</mtable>', alt, True)
+
+
+def _row(line: Line) -> str:
+    left = _ml(line.left) if line.left is not None else ""
+    sign = f"<mo>{escape(line.sign)}</mo>" if line.sign else '<mspace width="2em"/>'
+    start, end = (f'<mtd style="text-align:{side};padding:0.25em 0">' for side in ("right", "left"))
+    return f"<mtr>{start}{left}</mtd>{end}<mrow><mi></mi>{sign}{_ml(line.right)}</mrow></mtd></mtr>"
+
+
+def _math(inside: str, alt: str, block: bool) -> str:
+    shown = ' display="block"' if block else ""
+    return (
+        f'<math xmlns="http://www.w3.org/1998/Math/MathML"{shown} alttext="{escape(alt)}">'
+        f"{inside}</math>"
+    )
+
+
+def letter(glyph: Glyph) -> str:
+    """A symbol."""
+    if len(glyph.base) > 1:
+        base = f"<mtext>{escape(glyph.base)}</mtext>"
+    else:
+        greek = glyph.base in lay.GREEK.values()
+        style = (_BOLD_GREEK if greek else _VECTOR) if glyph.bold else ""
+        if not style and greek and glyph.base.isupper():
+            style = ' mathvariant="normal"'
+        base = f"<mi{style}>{escape(glyph.base)}</mi>"
+    if glyph.accent:
+        mark = f'<mo stretchy="false">{_ACCENTS[glyph.accent]}</mo>'
+        base = f'<mover accent="true">{base}{mark}</mover>'
+    prime = "<mo>′</mo>" if glyph.prime else ""
+    if glyph.sub:
+        sub = _subscript(glyph.sub)
+        return f"<msubsup>{base}{sub}{prime}</msubsup>" if prime else f"<msub>{base}{sub}</msub>"
+    return f"<msup>{base}{prime}</msup>" if prime else base
+
+
+def _subscript(sub: str) -> str:
+    plain = sub.rstrip("′")
+    if plain.isdigit():
+        made = f"<mn>{plain}</mn>"
+    elif plain in ("+", "−", "⊥"):
+        made = f"<mo>{plain}</mo>"
+    elif not plain.isalpha():
+        made = f"<mn>{escape(plain)}</mn>"
+    elif len(plain) > 1 and set(plain) <= set("xyzijk"):
+        made = _group("".join(f"<mi>{c}</mi>" for c in plain))
+    elif len(plain) > 1:
+        made = f"<mtext>{escape(plain)}</mtext>"
+    else:
+        made = f"<mi>{escape(plain)}</mi>"
+    return f"<msup>{made}<mo>′</mo></msup>" if plain != sub else made
+
+
+def _group(inside: str) -> str:
+    return f"<mrow>{inside}</mrow>"
+
+
+@singledispatch
+def _ml(node: Any) -> str:
+    raise TypeError(f"no MathML for {type(node).__name__}")
+
+
+@_ml.register
+def _(node: lay.Number) -> str:
+    return f"<mn>{node.text}</mn>" if node.text != "∞" else "<mi>∞</mi>"
+
+
+@_ml.register
+def _(node: lay.Letter) -> str:
+    return letter(node.glyph)
+
+
+@_ml.register
+def _(node: lay.Sum) -> str:
+    first, *rest = node.terms
+    made = ""
+    if isinstance(node, lay.Continued):  # as an infix, with the space of one
+        made = f'<mo form="infix">{"−" if first.negative else "+"}</mo>'
+    elif first.negative:
+        made = '<mo form="prefix">−</mo>'
+    made += _ml(first.body)
+    made += "".join(f"<mo>{'−' if t.negative else '+'}</mo>{_ml(t.body)}" for t in rest)
+    return _group(made)
+
+
+_JOINTS = {
+    "": "<mo>&#x2062;</mo>",
+    "function": f"<mo>&#x2062;</mo>{_THIN}",
+    "thin": f"<mo>&#x2062;</mo>{_THIN}",
+    "dot": "<mo>·</mo>",
+}
+
+
+@_ml.register
+def _(node: lay.Product) -> str:
+    made = _ml(node.factors[0])
+    for joint, factor in zip(node.joints, node.factors[1:], strict=True):
+        made += _JOINTS[joint] + _ml(factor)
+    return _group(made)
+
+
+@_ml.register
+def _(node: lay.Fraction) -> str:
+    made = f"<mfrac>{_ml(node.over)}{_ml(node.under)}</mfrac>"
+    return f'<mstyle displaystyle="false">{made}</mstyle>' if node.small else made
+
+
+@_ml.register
+def _(node: lay.Power) -> str:
+    return _with_superscript(_ml(node.base), _ml(node.exponent))
+
+
+def _with_superscript(base: str, exponent: str) -> str:
+    """An index and an exponent of one letter stand above each other."""
+    if base.startswith("<msub>") and base.endswith("</msub>"):
+        return f"<msubsup>{base[6:-7]}{exponent}</msubsup>"
+    return f"<msup>{base}{exponent}</msup>"
+
+
+@_ml.register
+def _(node: lay.Root) -> str:
+    if node.index:
+        return f"<mroot>{_ml(node.body)}<mn>{node.index}</mn></mroot>"
+    return f"<msqrt>{_ml(node.body)}</msqrt>"
+
+
+@_ml.register
+def _(node: lay.Apply) -> str:
+    name = f"<mi>{node.name}</mi>" if isinstance(node.name, str) else _ml(node.name)
+    if node.power is not None:
+        name = f"<msup>{name}{_ml(node.power)}</msup>"
+    inside = "<mo>,</mo>".join(map(_ml, node.arguments))
+    if node.brackets:
+        return _group(name + _APPLY + _fenced(inside, "()"))
+    return _group(name + _APPLY + _THIN + inside)
+
+
+def _fenced(inside: str, shape: str) -> str:
+    left, right = (
+        f'<mo form="{form}" fence="true">{mark}</mo>'
+        for form, mark in zip(("prefix", "postfix"), shape, strict=True)
+    )
+    return _group(left + inside + right)
+
+
+@_ml.register
+def _(node: lay.Brackets) -> str:
+    return _fenced(_ml(node.body), node.shape)
+
+
+@_ml.register
+def _(node: lay.Braced) -> str:
+    brace = '<mo stretchy="true">⏟</mo>'
+    label = _group(f"<mo>≡</mo>{_ml(node.label)}")
+    return f"<munder><munder>{_ml(node.body)}{brace}</munder>{label}</munder>"
+
+
+@_ml.register
+def _(node: lay.Infix) -> str:
+    return _group(f"{_ml(node.left)}<mo>{node.sign}</mo>{_ml(node.right)}")
+
+
+@_ml.register
+def _(node: lay.TransposeOf) -> str:
+    return f"<msup>{_ml(node.body)}<mi>T</mi></msup>"
+
+
+@_ml.register
+def _(node: lay.Derivative) -> str:
+    d = "<mo>∂</mo>" if node.partial else "<mi>d</mi>"
+    over = under_order = d
+    by = _ml(node.by)
+    if node.order > 1:
+        over = f"<msup>{d}<mn>{node.order}</mn></msup>"
+        by = _with_superscript(by, f"<mn>{node.order}</mn>")
+    under = _group(under_order + by)
+    if node.inside:
+        made = f"<mfrac>{_group(over + _ml(node.body))}{under}</mfrac>"
+    else:
+        made = _group(f"<mfrac>{over}{under}</mfrac>{_ml(node.body)}")
+    if node.frame:
+        return f"<msub>{_fenced(made, '()')}<mtext>{escape(node.frame)}</mtext></msub>"
+    return made
+
+
+@_ml.register
+def _(node: lay.Big) -> str:
+    if node.sign == "∫":
+        return _group(f"<mo>∫</mo>{_ml(node.index)}{_THIN}{_ml(node.body)}")
+    big = '<mo largeop="true" movablelimits="true">∑</mo>'
+    return _group(f"<munder>{big}{_ml(node.index)}</munder>{_ml(node.body)}")
+
+
+@_ml.register
+def _(node: lay.Measure) -> str:
+    return _group(f"<msup><mi>d</mi><mn>{node.dimension}</mn></msup>{_ml(node.variable)}")
+
+
+@_ml.register
+def _(node: lay.Grid) -> str:
+    rows = "".join(
+        "<mtr>" + "".join(f"<mtd>{_ml(entry)}</mtd>" for entry in row) + "</mtr>"
+        for row in node.rows
+    )
+    return _fenced(f"<mtable>{rows}</mtable>", "[]")
+
+
+@_ml.register
+def _(node: lay.Listed) -> str:
+    if node.between == ",":
+        return _group("<mo>,</mo>".join(map(_ml, node.items)))
+    word = f'<mspace width="1em"/><mtext>{node.between}</mtext><mspace width="1em"/>'
+    return _group(word.join(map(_ml, node.items)))
+
+
+@_ml.register
+def _(node: lay.Chain) -> str:
+    made = _ml(node.sides[0])
+    for sign, side in zip(node.signs, node.sides[1:], strict=True):
+        made += f"<mo>{escape(sign)}</mo>{_ml(side)}"
+    return _group(made)
