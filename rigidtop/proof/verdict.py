@@ -2,31 +2,54 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+import math
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Any
 
-from sympy import Symbol
+import sympy
+from sympy import Eq, Expr, Symbol
+from sympy.core.relational import Relational
 
-from rigidtop.proof.page import Assumption, Check, Claim, Definition, Measure, Step
+from rigidtop.proof import decide
+from rigidtop.proof.equation import Equation, Meaning, Underbrace, value
+from rigidtop.proof.page import (
+    Assumption,
+    Check,
+    Claim,
+    Correction,
+    Definition,
+    Evidence,
+    Measure,
+    Page,
+    Step,
+)
+from rigidtop.theory.symbols import const
 
 
 class Verdict(StrEnum):
+    """From what needs nothing to what can't be let pass; a claim gets the last of its checks'."""
+
+    DEFINITION = "definition"
     PROVED = "proved"
     SAMPLED = "sampled"
     ASSUMING = "assuming"
     CONVENTION = "convention"
     FALSE = "false"
-    DEFINITION = "definition"
     UNDECIDED = "undecided"
+
+
+class UnneededAssumptionError(Exception):
+    """An assumption without which the check holds just as well."""
 
 
 @dataclass(frozen=True)
 class Counterexample:
-    """Values at which two neighbouring sides of an equation differ, and what the sides are there."""
+    """Values at which a claimed relation fails, and its two sides there (None: undefined)."""
 
-    values: Mapping[Symbol, Any]
+    values: Mapping[Symbol, Expr]
     left: Any
     right: Any
 
@@ -49,6 +72,9 @@ class Finding:
     counterexample: Counterexample | None = None
 
 
+Item = Step | Definition | Measure | Finding
+
+
 @dataclass(frozen=True)
 class Judgement:
     """A claim with its verdict and everything that its evidence showed, in order."""
@@ -56,7 +82,380 @@ class Judgement:
     claim: Claim
     section: str
     verdict: Verdict
-    items: tuple[Step | Definition | Measure | Finding, ...]
+    items: tuple[Item, ...]
     seconds: float
-    passed: bool
-    problem: str = ""  # why it did not pass; empty when it did
+    problem: str = ""
+
+    @property
+    def passed(self) -> bool:
+        """False if undecided, or if something failed that the notes get right."""
+        return not self.problem
+
+    def findings(self) -> tuple[Finding, ...]:
+        """What became of the checks of what the notes assert, corrections left out."""
+        return tuple(
+            item
+            for item in self.items
+            if isinstance(item, Finding) and not isinstance(item.check, Correction)
+        )
+
+    def corrections(self) -> tuple[Finding, ...]:
+        """The corrected forms, judged."""
+        return tuple(
+            item
+            for item in self.items
+            if isinstance(item, Finding) and isinstance(item.check, Correction)
+        )
+
+
+def judge_page(page: Page) -> tuple[Judgement, ...]:
+    """Judge every claim of a page, in order."""
+    return tuple(judge(claim, page.section) for claim in page.claims)
+
+
+def judge(claim: Claim, section: str = "") -> Judgement:
+    """Run the evidence of a claim and compute its verdict."""
+    start = time.perf_counter()
+    items: list[Item] = []
+    problem = ""
+    try:
+        items.extend(_item(evidence) for evidence in claim.evidence())
+    except Exception as error:  # a claim that breaks is shown as undecided, never as a pass
+        problem = f"{type(error).__name__}: {error}"
+    judgement = Judgement(claim, section, Verdict.UNDECIDED, tuple(items), 0.0, problem)
+    if not problem:
+        verdict = _overall(judgement)
+        judgement = replace(judgement, verdict=verdict)
+        judgement = replace(judgement, problem=_problem(judgement))
+    return replace(judgement, seconds=time.perf_counter() - start)
+
+
+def _item(evidence: Evidence) -> Item:
+    return judge_check(evidence) if isinstance(evidence, Check) else evidence
+
+
+def _overall(judgement: Judgement) -> Verdict:
+    order = list(Verdict)
+    verdicts = [finding.verdict for finding in judgement.findings()]
+    if any(isinstance(item, Definition) for item in judgement.items):
+        verdicts.append(Verdict.DEFINITION)
+    if not verdicts:
+        return Verdict.UNDECIDED
+    return max(verdicts, key=order.index)
+
+
+def _problem(judgement: Judgement) -> str:
+    """One line that says why the claim does not pass, or nothing."""
+    for item in judgement.items:
+        if isinstance(item, Measure) and not item.passed:
+            return f"{item.what}: error {item.error:.1e} exceeds {item.tolerance:.1e}"
+    corrections = judgement.corrections()
+    sound = (Verdict.PROVED, Verdict.SAMPLED, Verdict.ASSUMING)
+    if any(correction.verdict not in sound for correction in corrections):
+        return "the corrected form does not hold either"
+    wrong = judgement.verdict in (Verdict.FALSE, Verdict.CONVENTION)
+    if wrong and not corrections:
+        return "it fails, and no corrected form stands beside it"
+    if corrections and not wrong:
+        return "a corrected form stands beside a claim that needs none"
+    if judgement.verdict is Verdict.UNDECIDED:
+        return "neither shown nor refuted"
+    return ""
+
+
+# --- one check ---------------------------------------------------------------------------------
+
+
+def judge_check(check: Check) -> Finding:
+    """The verdict on one check.  Raises UnneededAssumptionError."""
+    shown = _shown(check, check.meaning, check.assuming)
+    if shown is not None:
+        tested = tuple(_tested(check, assumption) for assumption in check.assuming)
+        unstated = any(not assumption.stated for assumption in check.assuming)
+        return Finding(check, Verdict.ASSUMING if unstated else shown, tested)
+    counterexample = refute(check, check.assuming)
+    if counterexample is None:
+        return Finding(check, Verdict.UNDECIDED)
+    if check.other_reading is not None and _shown(check, check.other_reading, check.assuming):
+        return Finding(check, Verdict.CONVENTION, (), counterexample)
+    return Finding(check, Verdict.FALSE, (), counterexample)
+
+
+def _tested(check: Check, assumption: Assumption) -> TestedAssumption:
+    others = tuple(other for other in check.assuming if other is not assumption)
+    without = refute(check, others, dropped=assumption)
+    if without is None:
+        raise UnneededAssumptionError(
+            f"{assumption.condition} is not needed, or no counterexample to dropping it was found"
+        )
+    return TestedAssumption(assumption, without)
+
+
+def _shown(check: Check, meaning: Meaning, assuming: Sequence[Assumption]) -> Verdict | None:
+    """PROVED or SAMPLED where the relation holds under the assumptions, else None."""
+    relations = _relations(check.claimed, meaning)
+    equal, conditions = _split(assuming)
+    # Cheap refutation first: most claims that fail, fail at the first point.
+    if refute(check, assuming, meaning=meaning, tries=8) is not None:
+        return None
+    sampled = False
+    for relation, left, right in relations:
+        differences = [_without_bars(_impose(d, equal), conditions) for d in _entries(left, right)]
+        if relation in ("=", "≡"):
+            given = [_impose(h, equal) for h in check.given]
+            for difference in differences:
+                if decide.vanishes(difference):
+                    continue
+                if any(decide.follows(difference, h, conditions) for h in given):
+                    continue
+                if given or not decide.digits_vanish([difference]):
+                    return None
+                sampled = True
+        elif relation == "≠":
+            if not any(decide.nonzero(d, conditions) for d in differences):
+                return None
+        elif relation in (">", "<"):
+            sign = 1 if relation == ">" else -1
+            if not all(decide.positive(sign * d, conditions) for d in differences):
+                return None
+        else:
+            raise ValueError(f"a check can't judge the relation {relation!r}")
+    return Verdict.SAMPLED if sampled else Verdict.PROVED
+
+
+def _relations(claimed: Equation, meaning: Meaning) -> list[tuple[str, Any, Any]]:
+    """Neighbouring sides of the chain with their meanings; "= const" as a rate that vanishes."""
+    values: list[Any] = []
+    for side in claimed.sides:
+        values.append(
+            meaning[const](values[-1]) * 0 + values[-1] if side == const else value(side, meaning)
+        )
+    pairs = []
+    for side, left, right in zip(claimed.sides[1:], values, values[1:], strict=False):
+        if side == const:
+            pairs.append(("=", meaning[const](left), sympy.Integer(0)))
+        else:
+            pairs.append((claimed.relation, left, right))
+    # What stands under a brace is a claim too, where its label has a meaning of its own.
+    for brace in set().union(*(side.atoms(Underbrace) for side in claimed.sides)):
+        body, label = brace.args
+        if label in meaning:
+            pairs.append(("=", value(body, meaning), meaning[label]))
+    return pairs
+
+
+def _entries(left: Any, right: Any) -> list[Expr]:
+    """The differences that decide: entry by entry for matrices; 0 fits every shape."""
+    if isinstance(left, sympy.MatrixBase) and isinstance(right, sympy.MatrixBase):
+        return list(left - right)
+    if isinstance(left, sympy.MatrixBase):
+        return _fitting(left, right)
+    if isinstance(right, sympy.MatrixBase):
+        return [-entry for entry in _fitting(right, left)]
+    return [sympy.sympify(left - right)]
+
+
+def _fitting(matrix: sympy.MatrixBase, scalar: Any) -> list[Expr]:
+    if scalar != 0:
+        raise TypeError("a vector can't equal a number other than 0")
+    return list(matrix)
+
+
+def _split(assuming: Sequence[Assumption]) -> tuple[dict[Any, Any], list[Relational]]:
+    """Assumptions that are put in (equalities) and those that decide signs."""
+    equal: dict[Any, Any] = {}
+    conditions: list[Relational] = []
+    for assumption in assuming:
+        condition = assumption.condition
+        if isinstance(condition, Eq):
+            equal[condition.lhs] = condition.rhs
+        else:
+            conditions.append(condition)
+    return equal, conditions
+
+
+def _impose(expression: Any, equal: Mapping[Any, Any]) -> Any:
+    """Put the equalities in, twice, since one may bring in the symbol of another."""
+    return expression.subs(equal).subs(equal) if equal else expression
+
+
+def _without_bars(expression: Expr, conditions: Sequence[Relational]) -> Expr:
+    """|x| as x or −x where the conditions give its sign."""
+    for bars in expression.atoms(sympy.Abs):
+        for sign in (1, -1):
+            if decide.positive(sign * bars.args[0], conditions):
+                expression = expression.subs(bars, sign * bars.args[0])
+    return expression
+
+
+def refute(
+    check: Check,
+    assuming: Sequence[Assumption],
+    dropped: Assumption | None = None,
+    meaning: Meaning | None = None,
+    tries: int = 600,
+) -> Counterexample | None:
+    """A point where the assumptions hold, `dropped` does not, and the claimed relation fails."""
+    meaning = check.meaning if meaning is None else meaning
+    given = [_impose(h, _split(assuming)[0]) for h in check.given]
+    solved, left_over = _solve_given(given)
+    found = _search(check, meaning, assuming, dropped, tries, solved, left_over)
+    if found is None and solved:
+        # Solving divided by something; where that vanishes the equation may hold all the same.
+        found = _search(check, meaning, assuming, dropped, tries, {}, given)
+    return found
+
+
+def _search(
+    check: Check,
+    meaning: Meaning,
+    assuming: Sequence[Assumption],
+    dropped: Assumption | None,
+    tries: int,
+    solved: Mapping[Symbol, Expr],
+    given: Sequence[Expr],
+) -> Counterexample | None:
+    meaning, hidden = _opaque(meaning)
+    relations = _relations(check.claimed, meaning)
+    equal, conditions = _split(assuming)
+
+    def both(expression: Any) -> Any:
+        return _impose(_impose(expression, equal), solved)
+
+    hidden = {dummy: both(expression) for dummy, expression in hidden.items()}
+    sides = [
+        (relation, [(both(a), both(b)) for a, b in _side_entries(left, right)])
+        for relation, left, right in relations
+    ]
+    conditions = [c for c in map(both, conditions) if c != sympy.true]
+    violated = None if dropped is None else both(dropped.condition)
+    if violated == sympy.true or sympy.false in conditions:
+        return None
+    flat = [e for _, pairs in sides for pair in pairs for e in pair]
+    extra = [*conditions, *([] if violated in (None, sympy.false) else [violated])]
+    gaps = [c.lhs - c.rhs for c in extra]
+    everything = [*flat, *gaps, *given]
+    seen = [*everything, *hidden.values()]
+    symbols = sorted(set().union(*(e.free_symbols for e in seen)) - set(hidden), key=str)
+    evaluate = decide.evaluator(symbols, everything, hidden)
+    for point in decide.points(symbols, decide.angle_symbols(seen), tries):
+        numbers = evaluate(point)
+        values = numbers[: len(flat)]
+        gap = numbers[len(flat) : len(flat) + len(gaps)]
+        zero = numbers[len(flat) + len(gaps) :]
+        if not all(abs(h) < decide.TOLERANCE for h in zero):
+            continue
+        holds = [_holds(c, x) for c, x in zip(extra, gap, strict=True)]
+        wanted = [True] * len(conditions) + [False] * (len(extra) - len(conditions))
+        if holds != wanted:
+            continue
+        if _fails(sides, values, undefined_counts=dropped is not None):
+            return _counterexample(sides, point, hidden)
+    return None
+
+
+def _opaque(meaning: Meaning) -> tuple[Meaning, dict[Symbol, Expr]]:
+    """The meaning with a dummy for every expression, so that typed divisions do not cancel.
+
+    A claim divides where it is typed to divide, also by what its symbols' meanings make zero.
+    Sums, integrals and rates need the expressions themselves; with those nothing is hidden.
+    """
+    if any(callable(m) or isinstance(m, (list, tuple)) for m in meaning.values()):
+        return meaning, {}
+    hidden: dict[Symbol, Expr] = {}
+
+    def dummy(expression: Any) -> Any:
+        expression = sympy.sympify(expression)
+        if expression.is_Atom:
+            return expression
+        stand_in = sympy.Dummy(real=True)
+        hidden[stand_in] = expression
+        return stand_in
+
+    used = {
+        key: m.applyfunc(dummy) if isinstance(m, sympy.MatrixBase) else dummy(m)
+        for key, m in meaning.items()
+    }
+    return used, hidden
+
+
+def _solve_given(given: list[Expr]) -> tuple[dict[Symbol, Expr], list[Expr]]:
+    """Solve the first equation for a symbol that enters linearly, so that points satisfy it."""
+    for equation in given:
+        for symbol in sorted(equation.free_symbols, key=str):
+            if symbol.is_positive:
+                continue
+            coefficient = equation.diff(symbol)
+            if coefficient != 0 and not coefficient.has(symbol):
+                rest = equation.subs(symbol, 0)
+                return {symbol: -rest / coefficient}, [h for h in given if h is not equation]
+    return {}, given
+
+
+def _side_entries(left: Any, right: Any) -> list[tuple[Expr, Expr]]:
+    matrices = [side for side in (left, right) if isinstance(side, sympy.MatrixBase)]
+    if not matrices:
+        return [(sympy.sympify(left), sympy.sympify(right))]
+    count = len(matrices[0])
+    rows = [
+        list(side) if isinstance(side, sympy.MatrixBase) else [sympy.sympify(side)] * count
+        for side in (left, right)
+    ]
+    return list(zip(*rows, strict=True))
+
+
+def _holds(condition: Relational, gap: float) -> bool:
+    zero = abs(gap) < decide.TOLERANCE
+    if isinstance(condition, Eq):
+        return zero
+    if isinstance(condition, sympy.Ne):
+        return not zero and not math.isnan(gap)
+    if isinstance(condition, sympy.Gt):
+        return gap > decide.TOLERANCE
+    if isinstance(condition, sympy.Lt):
+        return gap < -decide.TOLERANCE
+    if isinstance(condition, sympy.Ge):
+        return gap > -decide.TOLERANCE
+    if isinstance(condition, sympy.Le):
+        return gap < decide.TOLERANCE
+    raise ValueError(f"an assumption can't be {condition}")
+
+
+def _fails(sides: Any, values: Sequence[float], undefined_counts: bool) -> bool:
+    numbers = iter(values)
+    for relation, pairs in sides:
+        differences = []
+        for _ in pairs:
+            left, right = next(numbers), next(numbers)
+            if math.isnan(left) or math.isnan(right):
+                # Where an assumption is dropped, a side that stops being a number is the failure.
+                if undefined_counts and math.isnan(left) != math.isnan(right):
+                    return True
+                return False
+            scale = 1 + abs(left) + abs(right)
+            differences.append((left - right) / scale)
+        small = [abs(d) < decide.TOLERANCE for d in differences]
+        if relation in ("=", "≡") and not all(small):
+            return True
+        if relation == "≠" and all(small):
+            return True
+        if relation == ">" and any(d < decide.TOLERANCE for d in differences):
+            return True
+        if relation == "<" and any(d > -decide.TOLERANCE for d in differences):
+            return True
+    return False
+
+
+def _counterexample(
+    sides: Any, point: Mapping[Symbol, Expr], hidden: Mapping[Symbol, Expr]
+) -> Counterexample:
+    """The first pair of sides that differ, exactly; else the first pair."""
+    at = {**point, **{dummy: expression.subs(point) for dummy, expression in hidden.items()}}
+    exact = [(_at(left, at), _at(right, at)) for _, pairs in sides for left, right in pairs]
+    left, right = next(((a, b) for a, b in exact if a != b), exact[0])
+    return Counterexample(dict(point), left, right)
+
+
+def _at(expression: Expr, point: Mapping[Symbol, Expr]) -> Expr | None:
+    number = expression.subs(point)
+    return None if number.has(sympy.nan, sympy.zoo, sympy.oo) else number

@@ -64,7 +64,7 @@ def cuboid(a: Expr, b: Expr, c: Expr) -> Solid:
 
     >>> a, b, c, M = sympy.symbols("a b c M", positive=True)
     >>> cuboid(a, b, c).inertia(M)[2, 2]
-    M*(a**2 + b**2)/12
+    M*a**2/12 + M*b**2/12
     """
     limits = ((_u, -a / 2, a / 2), (_v, -b / 2, b / 2), (_w, -c / 2, c / 2))
     return Solid(Matrix([_u, _v, _w]), limits)

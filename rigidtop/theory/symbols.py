@@ -86,8 +86,23 @@ L_vec, L_vecdot, N_vec, N_ext = map(_real, ("L_vec", "L_vecdot", "N_vec", "N_ext
 r_vec, r_vecp, r_k, F_k, f_r, R_CM, g_vec, F_grav = map(
     _real, ("r_vec", "r_vecp", "r_k", "F_k", "f_r", "R_CM", "g_vec", "F_grav")
 )
-inertia, O_matrix = map(_real, ("inertia", "O_matrix"))
+inertia, Lambda, O_matrix, det_O = map(_real, ("inertia", "Lambda", "O_matrix", "det_O"))
+I_xz = _real("I_xz")
 m_k, rho = map(_positive, ("m_k", "rho"))
+
+# What the pages need besides: a stick with two masses, starts, deviations, contact
+M_1, M_2, a, b = map(_positive, ("M_1", "M_2", "a", "b"))
+alpha, beta, delta, theta_0, omega, omega_20 = map(
+    _real, ("alpha", "beta", "delta", "theta_0", "omega", "omega_20")
+)
+sigma2, omega_n2, D, kappa, A, F = map(_real, ("sigma2", "omega_n2", "D", "kappa", "A", "F"))
+mu, n = map(_positive, ("mu", "n"))
+slip, Edot, dissipation = map(_real, ("slip", "Edot", "dissipation"))
+r_1, g_k, v_tip, omega_perp, L_later = map(_real, ("r_1", "g_k", "v_tip", "omega_perp", "L_later"))
+A_matrix, B_matrix, C_matrix, unit = map(_real, ("A_matrix", "B_matrix", "C_matrix", "unit"))
+c_phi, s_phi, c_theta, s_theta, c_psi, s_psi = map(
+    _real, ("c_phi", "s_phi", "c_theta", "s_theta", "c_psi", "s_psi")
+)
 
 VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
     {
@@ -103,7 +118,21 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         R2: Quantity(Glyph("R", "2"), "centre of mass from the pivot, along e₂", "m"),
         R3: Quantity(Glyph("R", "3"), "centre of mass from the pivot, along e₃", "m"),
         epsilon: Quantity(Glyph("ε"), "gravity against spin, λ₁MgR cosθ/(λ₃ω₃)²", "1"),
+        M_1: Quantity(Glyph("M", "1"), "mass of the first point", "kg"),
+        M_2: Quantity(Glyph("M", "2"), "mass of the second point", "kg"),
+        a: Quantity(Glyph("a"), "distance of the first mass from the origin", "m"),
+        b: Quantity(Glyph("b"), "distance of the second mass from the origin", "m"),
+        mu: Quantity(Glyph("μ"), "coefficient of sliding friction", "1"),
+        n: Quantity(Glyph("n"), "normal force at the contact", "N"),
+        kappa: Quantity(Glyph("κ"), "gradient of gravity across the body", "1/s²"),
         inertia: Quantity(Glyph("I"), "inertia tensor", "kg m²"),
+        Lambda: Quantity(Glyph("Λ"), "diagonal matrix of the principal moments", "kg m²"),
+        I_xz: Quantity(Glyph("I", "xz"), "component of the inertia tensor", "kg m²"),
+        A_matrix: Quantity(Glyph("A"), "a square matrix", "1"),
+        B_matrix: Quantity(Glyph("B"), "a square matrix", "1"),
+        C_matrix: Quantity(Glyph("C"), "a square matrix", "1"),
+        unit: Quantity(Glyph("1"), "the unit matrix", "1"),
+        det_O: Quantity(Glyph("det O"), "determinant of O", "1"),
         O_matrix: Quantity(Glyph("O"), "matrix whose columns are e₁, e₂, e₃", "1"),
         T: Quantity(Glyph("T"), "kinetic energy", "J"),
         V: Quantity(Glyph("V"), "potential energy", "J"),
@@ -122,6 +151,17 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         N1: Quantity(Glyph("N", "1"), "torque along e₁", "N m"),
         N2: Quantity(Glyph("N", "2"), "torque along e₂", "N m"),
         N3: Quantity(Glyph("N", "3"), "torque along e₃", "N m"),
+        D: Quantity(Glyph("D"), "discriminant of the steady-precession quadratic", "J² s²"),
+        F: Quantity(Glyph("F"), "external force", "N"),
+        Edot: Quantity(Glyph("E", accent="dot"), "rate of the energy", "W"),
+        dissipation: Quantity(Glyph("P"), "power lost inside the body", "W"),
+        sigma2: Quantity(Glyph("σ²"), "square of a growth rate", "1/s²"),
+        omega_n2: Quantity(Glyph("ω²", "n"), "square of the nutation frequency", "1/s²"),
+        A: Quantity(Glyph("A"), "amplitude of the nutation", "rad"),
+        delta: Quantity(Glyph("δ"), "a deviation: of a shape, an angle, a start", "1"),
+        slip: Quantity(Glyph("v"), "speed of the contact point over the table", "m/s"),
+        omega: Quantity(Glyph("ω"), "magnitude of the rotational velocity", "rad/s"),
+        omega_20: Quantity(Glyph("ω", "2,0"), "ω₂ at t = 0", "rad/s"),
         omega_0: Quantity(Glyph("ω", "0"), "amplitude of ω across e₃", "rad/s"),
         omega1: Quantity(Glyph("ω", "1"), "rotational velocity along e₁", "rad/s"),
         omega2: Quantity(Glyph("ω", "2"), "rotational velocity along e₂", "rad/s"),
@@ -150,6 +190,15 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         q1: Quantity(Glyph("q", "1"), "first vector part of the attitude quaternion", "1"),
         q2: Quantity(Glyph("q", "2"), "second vector part of the attitude quaternion", "1"),
         q3: Quantity(Glyph("q", "3"), "third vector part of the attitude quaternion", "1"),
+        c_phi: Quantity(Glyph("c", "φ"), "cos φ", "1"),
+        s_phi: Quantity(Glyph("s", "φ"), "sin φ", "1"),
+        c_theta: Quantity(Glyph("c", "θ"), "cos θ", "1"),
+        s_theta: Quantity(Glyph("s", "θ"), "sin θ", "1"),
+        c_psi: Quantity(Glyph("c", "ψ"), "cos ψ", "1"),
+        s_psi: Quantity(Glyph("s", "ψ"), "sin ψ", "1"),
+        alpha: Quantity(Glyph("α"), "tilt of the stick against ω", "rad"),
+        beta: Quantity(Glyph("β"), "angle between L and e₃", "rad"),
+        theta_0: Quantity(Glyph("θ", "0"), "polar angle at which φ̇ vanishes", "rad"),
         phi: Quantity(Glyph("φ"), "first Euler angle: azimuth of e₃", "rad"),
         theta: Quantity(Glyph("θ"), "second Euler angle: polar angle of e₃", "rad"),
         psi: Quantity(Glyph("ψ"), "third Euler angle: turn about e₃", "rad"),
@@ -182,6 +231,13 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         f_r: Quantity(Glyph("f", bold=True), "force density", "N/m³"),
         R_CM: Quantity(Glyph("R", "CM", bold=True), "centre of mass from the pivot", "m"),
         g_vec: Quantity(Glyph("g", bold=True), "acceleration of gravity as a vector", "m/s²"),
+        r_1: Quantity(Glyph("r", "1", bold=True), "position of the first mass", "m"),
+        g_k: Quantity(Glyph("g", "k", bold=True), "gravity at particle k", "m/s²"),
+        v_tip: Quantity(Glyph("v", "tip", bold=True), "velocity of the contact point", "m/s"),
+        omega_perp: Quantity(
+            Glyph("ω", "⊥", bold=True), "rotational velocity across the stick", "rad/s"
+        ),
+        L_later: Quantity(Glyph("L", "½", bold=True), "angular momentum half a turn later", "J s"),
         F_grav: Quantity(Glyph("F", "grav", bold=True), "weight", "N"),
     }
 )

@@ -142,7 +142,7 @@ def steady_balance() -> Expr:
 
 @cache
 def steady_quadratic() -> Expr:
-    """(λ₁ cos θ)Ω² − (λ₃ω₃)Ω + MgR, the balance over sin θ: (3.57); the branch sin θ = 0 is lost."""
+    """(λ₁ cos θ)Ω² − (λ₃ω₃)Ω + MgR: the balance over sin θ (3.57), which loses sin θ = 0."""
     return sympy.collect(sympy.expand(sympy.cancel(steady_balance() / sin(s.theta))), s.Omega)
 
 
@@ -170,6 +170,18 @@ def smallness() -> Expr:
     return a * c / b**2
 
 
+def leading_roots() -> tuple[Expr, Expr]:
+    """What Ω₋ and Ω₊ tend to for ε → 0: MgR/(λ₃ω₃) and λ₃ω₃/(λ₁ cos θ) (rad/s)."""
+    a, b, c = sympy.Poly(steady_quadratic(), s.Omega).all_coeffs()
+    return -c / b, -b / a
+
+
+def root_factors() -> tuple[Expr, Expr]:
+    """Ω₋ and Ω₊ over what they tend to: 2/(1 + √(1 − 4ε)) and (1 + √(1 − 4ε))/2."""
+    larger = (1 + sympy.sqrt(1 - 4 * s.epsilon)) / 2
+    return 1 / larger, larger
+
+
 def steady_expansions(order: int = 2) -> tuple[Expr, Expr]:
     """Ω₋ and Ω₊ for large ω₃: power series in ε, `order` terms each (rad/s).
 
@@ -177,13 +189,12 @@ def steady_expansions(order: int = 2) -> tuple[Expr, Expr]:
     >>> slow, fast
     (M*R*g/(lambda3*omega3), lambda3*omega3/(lambda1*cos(theta)))
     """
-    a, b, c = sympy.Poly(steady_quadratic(), s.Omega).all_coeffs()
-    larger = (1 + sympy.sqrt(1 - 4 * s.epsilon)) / 2
 
-    def expanded(lead: Expr, shape: Expr) -> Expr:
-        series = sympy.series(shape, s.epsilon, 0, order + 1).removeO()
+    def expanded(lead: Expr, factor: Expr) -> Expr:
+        series = sympy.series(factor, s.epsilon, 0, order + 1).removeO()
         powers = sympy.Poly(series, s.epsilon).all_coeffs()[::-1]
         kept = [(n, k) for n, k in enumerate(powers) if k != 0][:order]
         return sum(sympy.cancel(lead * k * smallness() ** n) for n, k in kept)
 
-    return expanded(-c / b, 1 / larger), expanded(-b / a, larger)
+    slow, fast = map(expanded, leading_roots(), root_factors())
+    return slow, fast

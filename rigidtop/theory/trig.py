@@ -56,17 +56,27 @@ def reduce_ratio(expression: Expr) -> Expr:
     cos(x)/sin(x)
     """
     numerator, denominator = sympy.fraction(sympy.together(expression))
-    return _factored(numerator) / _factored(denominator)
+    powers = _factors(numerator)
+    for base, power in _factors(denominator).items():
+        powers[base] = powers.get(base, 0) - power
+    return Mul(*(base**power for base, power in powers.items()))
 
 
-def _factored(polynomial: Expr) -> Expr:
-    """Factored, with (cos x − 1)(cos x + 1) written as −sin² x."""
-    factored = sympy.factor(reduce_trig(polynomial))
-    powers = factored.as_powers_dict()
-    result = factored
+def _factors(polynomial: Expr) -> dict[Expr, int]:
+    """Bases and powers, each base with one choice of sign, (cos x − 1)(cos x + 1) as −sin² x."""
+    powers: dict[Expr, int] = {}
+    for factor in Mul.make_args(sympy.factor(reduce_trig(polynomial))):
+        base, power = factor.as_base_exp()
+        if isinstance(base, Add) and base.could_extract_minus_sign() and power.is_Integer:
+            base = -base
+            powers[sympy.S.NegativeOne] = powers.get(sympy.S.NegativeOne, 0) + power
+        powers[base] = powers.get(base, 0) + power
     for base in list(powers):
-        if isinstance(base, Add) and (base + 2) in powers and isinstance(base + 1, cos):
-            n = min(powers[base], powers[base + 2])
+        upper = base + 2
+        if isinstance(base + 1, cos) and upper in powers:
             sine = sin(*(base + 1).args)
-            result = result / (base * (base + 2)) ** n * (-(sine**2)) ** n
-    return result
+            paired = min(powers[base], powers[upper])
+            for key, change in ((base, -paired), (upper, -paired), (sine, 2 * paired)):
+                powers[key] = powers.get(key, 0) + change
+            powers[sympy.S.NegativeOne] = powers.get(sympy.S.NegativeOne, 0) + paired
+    return powers

@@ -1,0 +1,227 @@
+"""Does an expression vanish, differ from zero, or exceed it?  And where does it not?
+
+Every answer but "unknown" is a proof: normal forms of rational expressions in symbols, sines,
+cosines and square roots decide zero; factors of known sign decide the rest; a point with numbers
+refutes.  Forty digits at random points are evidence, and are called so.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import lru_cache
+from typing import Any
+
+import sympy
+from sympy import Expr, Integer, Rational, Symbol, cos, pi, sin
+from sympy.core.relational import Relational
+
+from rigidtop.theory.trig import reduce_ratio, reduce_trig
+
+Point = Mapping[Symbol, Expr]
+
+TOLERANCE = 1e-9
+"""Below this, relative to the values compared, a difference in double precision counts as zero."""
+
+_ANGLES = tuple(pi * Rational(*pair) for pair in ((1, 3), (1, 6), (1, 4), (1, 2), (2, 3), (1, 1)))
+_POSITIVE = tuple(Rational(n, d) for n, d in ((1, 1), (2, 1), (3, 1), (1, 2), (5, 1), (1, 3)))
+_REAL = tuple(Rational(n, d) for n, d in ((1, 1), (2, 1), (-1, 1), (3, 1), (1, 2), (-2, 1), (1, 5)))
+
+
+def vanishes(expression: Expr) -> bool:
+    """True only if the expression is identically zero, shown by its normal form.
+
+    >>> from sympy.abc import x, y
+    >>> vanishes(sin(x)**2/(1 - cos(x)) - 1 - cos(x)), vanishes(x - y)
+    (True, False)
+    """
+    if expression == 0:
+        return True
+    plain = sympy.expand_trig(expression.rewrite(sympy.tan, sin))
+    numerator, denominator = sympy.fraction(sympy.together(plain))
+    return reduce_trig(numerator) == 0 and reduce_trig(denominator) != 0
+
+
+def nonzero(expression: Expr, conditions: Sequence[Relational] = ()) -> bool:
+    """True only if every factor is known to differ from zero, by its symbols or a condition.
+
+    >>> x, m = sympy.Symbol("x", real=True), sympy.Symbol("m", positive=True)
+    >>> nonzero(m*sin(x)**2), nonzero(m*sin(x)**2, [sympy.Ne(sin(x), 0)])
+    (False, True)
+    """
+    known = [condition.lhs - condition.rhs for condition in conditions if _strict(condition)]
+    known_factors = [f for k in known for f in _factors(reduce_ratio(k))]
+    return all(
+        factor.is_nonzero or any(vanishes(factor**2 - k**2) for k in known_factors)
+        for factor in _factors(reduce_ratio(expression))
+    )
+
+
+def positive(expression: Expr, conditions: Sequence[Relational] = ()) -> bool:
+    """True only if the sign of every factor is known and their product is positive.
+
+    >>> a, b = sympy.symbols("a b", real=True)
+    >>> positive((a - b)**3, [sympy.Gt(a, b)]), positive(a - b)
+    (True, False)
+    """
+    ratio = reduce_ratio(expression)
+    if ratio.is_positive or _sign(ratio, conditions) == 1:
+        return True
+    # A condition may bound a product that stands in the ratio as a whole.
+    return any(_sign(reduce_ratio(ratio / fact), conditions) == 1 for fact in _facts(conditions))
+
+
+def _facts(conditions: Sequence[Relational]) -> list[Expr]:
+    """What the conditions say to be positive."""
+    return [c.gts - c.lts for c in conditions if isinstance(c, (sympy.Gt, sympy.Lt))]
+
+
+def _sign(ratio: Expr, conditions: Sequence[Relational]) -> int:
+    """1 or −1 where the sign of a product is known, else 0."""
+    sign = 1
+    for factor in sympy.Mul.make_args(ratio):
+        base, power = factor.as_base_exp()
+        if power.is_even:
+            known = 1 if nonzero(base, conditions) else 0
+        else:
+            known = _base_sign(base, conditions)
+        if known == 0:
+            return 0
+        sign *= known
+    return sign
+
+
+def _base_sign(base: Expr, conditions: Sequence[Relational]) -> int:
+    if base.is_positive:
+        return 1
+    if base.is_negative:
+        return -1
+    for fact in _facts(conditions):
+        quotient = reduce_ratio(base / fact)
+        if quotient.is_number:
+            return 1 if quotient > 0 else -1
+        if quotient.is_positive:
+            return 1
+    if isinstance(base, sympy.Add):
+        for sign in (1, -1):
+            terms = [sign * term for term in _grouped(base)]
+            if all(_at_least_zero(t, conditions) for t in terms) and any(
+                t.is_positive or _sign(reduce_ratio(t), conditions) == 1 for t in terms
+            ):
+                return sign
+    return 0
+
+
+def _grouped(total: Expr) -> list[Expr]:
+    """The terms of a sum, those with a common square of a symbol taken together."""
+    squares = {f for t in total.args for f in t.args if f.is_Pow and f.exp == 2}
+    for square in sorted(squares, key=str):
+        grouped = sympy.collect(total, [square, *sorted(squares - {square}, key=str)])
+        if isinstance(grouped, sympy.Add):
+            return list(grouped.args)
+    return list(total.args)
+
+
+def _at_least_zero(term: Expr, conditions: Sequence[Relational]) -> bool:
+    factored = reduce_ratio(term)
+    bases = [f.as_base_exp() for f in sympy.Mul.make_args(factored)]
+    odd = sympy.Mul(*(b**p for b, p in bases if not p.is_even))
+    return bool(odd.is_nonnegative) or _sign(odd, conditions) == 1
+
+
+def _strict(condition: Relational) -> bool:
+    return isinstance(condition, (sympy.Ne, sympy.Gt, sympy.Lt))
+
+
+def _factors(ratio: Expr) -> list[Expr]:
+    numerator, _ = sympy.fraction(ratio)
+    return [f.as_base_exp()[0] for f in sympy.Mul.make_args(sympy.factor(numerator))]
+
+
+def follows(residual: Expr, given: Expr, conditions: Sequence[Relational] = ()) -> bool:
+    """True only if given = 0 implies residual = 0: their ratio is a factor known to be nonzero.
+
+    >>> x, y = sympy.symbols("x y", real=True)
+    >>> follows(y - 1, x*(y - 1)), follows(y - 1, x*(y - 1), [sympy.Ne(x, 0)])
+    (False, True)
+    """
+    if vanishes(residual):
+        return True
+    factor = reduce_ratio(given / residual)
+    return factor.is_number or nonzero(factor, conditions)
+
+
+def digits_vanish(expressions: Sequence[Expr], points: int = 5, digits: int = 40) -> bool:
+    """True if every expression is zero to `digits` digits at random rational points."""
+    rng = random.Random(7)
+    symbols = sorted(set().union(*(e.free_symbols for e in expressions)), key=str)
+    found = 0
+    for _ in range(20 * points):
+        point = {x: Rational(rng.randint(1, 997), rng.randint(499, 997)) for x in symbols}
+        values = [sympy.N(e.subs(point), digits + 10) for e in expressions]
+        if not all(v.is_number and v.is_finite and v.is_real for v in values):
+            continue
+        if any(abs(v) > Rational(10) ** -digits for v in values):
+            return False
+        found += 1
+        if found == points:
+            return True
+    return False
+
+
+def points(symbols: Sequence[Symbol], angles: set[Symbol], tries: int = 600) -> Iterator[Point]:
+    """Points with short numbers, the shortest first: where a counterexample is looked for."""
+    rng = random.Random(1)
+    for attempt in range(tries):
+        # The choice widens slowly, so that what is found first can be read aloud.
+        width = 2 + attempt // 60
+
+        def draw(x: Symbol, width: int = width) -> Expr:
+            if x in angles:
+                pool = (*_ANGLES[:width], Integer(0), *(-a for a in _ANGLES[: width - 2]))
+            elif x.is_positive:
+                pool = _POSITIVE[:width]
+            else:
+                pool = (*_REAL[:width], Integer(0))
+            return rng.choice(pool)
+
+        yield {x: draw(x) for x in symbols}
+
+
+def angle_symbols(expressions: Sequence[Expr]) -> set[Symbol]:
+    """The symbols that stand inside a sine or a cosine."""
+    inside = [f.args[0] for e in expressions for f in e.atoms(sin, cos)]
+    return set().union(*(argument.free_symbols for argument in inside)) if inside else set()
+
+
+def evaluator(
+    symbols: Sequence[Symbol], expressions: Sequence[Expr], hidden: Mapping[Symbol, Expr]
+) -> Callable[[Point], list[float]]:
+    """A function of a point that gives floats; NaN where a value is undefined or not real.
+
+    `hidden` are symbols of the expressions that are themselves expressions in `symbols`.
+    """
+    names = list(hidden)
+    inner = [_compiled(tuple(symbols), e) for e in hidden.values()]
+    outer = [_compiled((*symbols, *names), e) for e in expressions]
+
+    def evaluate(point: Point) -> list[float]:
+        numbers = [float(point[x]) for x in symbols]
+        numbers += [_number(function, numbers) for function in inner]
+        return [_number(function, numbers) for function in outer]
+
+    return evaluate
+
+
+@lru_cache(maxsize=4096)
+def _compiled(symbols: tuple[Symbol, ...], expression: Expr) -> Callable[..., float]:
+    return sympy.lambdify(list(symbols), expression, modules="math")
+
+
+def _number(function: Any, numbers: Sequence[float]) -> float:
+    try:
+        result = function(*numbers)
+    except (ArithmeticError, ValueError):
+        return math.nan
+    return float(result) if not isinstance(result, complex) else math.nan
