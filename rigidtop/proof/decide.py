@@ -115,7 +115,8 @@ def _base_sign(base: Expr, conditions: Sequence[Relational]) -> int:
 
 def _grouped(total: Expr) -> list[Expr]:
     """The terms of a sum, those with a common square of a symbol taken together."""
-    squares = {f for t in total.args for f in t.args if f.is_Pow and f.exp == 2}
+    factors = {f for term in total.args for f in term.args}
+    squares = {f for f in factors if f.is_Pow and f.exp == 2 and not f.base.is_positive}
     for square in sorted(squares, key=str):
         grouped = sympy.collect(total, [square, *sorted(squares - {square}, key=str)])
         if isinstance(grouped, sympy.Add):
@@ -198,7 +199,7 @@ def angle_symbols(expressions: Sequence[Expr]) -> set[Symbol]:
 def evaluator(
     symbols: Sequence[Symbol], expressions: Sequence[Expr], hidden: Mapping[Symbol, Expr]
 ) -> Callable[[Point], list[float]]:
-    """A function of a point that gives floats; NaN where a value is undefined or not real.
+    """A function of a point that gives floats, infinite where divided by zero, NaN if not real.
 
     `hidden` are symbols of the expressions that are themselves expressions in `symbols`.
     """
@@ -209,6 +210,8 @@ def evaluator(
     def evaluate(point: Point) -> list[float]:
         numbers = [float(point[x]) for x in symbols]
         numbers += [_number(function, numbers) for function in inner]
+        if not all(map(math.isfinite, numbers)):
+            return [math.nan] * len(outer)
         return [_number(function, numbers) for function in outer]
 
     return evaluate
@@ -219,9 +222,12 @@ def _compiled(symbols: tuple[Symbol, ...], expression: Expr) -> Callable[..., fl
     return sympy.lambdify(list(symbols), expression, modules="math")
 
 
-def _number(function: Any, numbers: Sequence[float]) -> float:
+def _number(function: Callable[..., float], numbers: Sequence[float]) -> float:
+    """The value; infinite where it divides by zero, NaN where it is not real."""
     try:
         result = function(*numbers)
+    except ZeroDivisionError:
+        return math.inf
     except (ArithmeticError, ValueError):
         return math.nan
-    return float(result) if not isinstance(result, complex) else math.nan
+    return math.nan if isinstance(result, complex) else float(result)

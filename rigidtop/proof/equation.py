@@ -67,6 +67,9 @@ class VolumeIntegral(Printed):
     """``VolumeIntegral(d3r, body)``: ∫ d³r body.  The meaning of d3r does the integration."""
 
 
+SPACE, BODY = Symbol("space"), Symbol("body")
+"""The frames in which a `Rate` is seen."""
+
 Side = Any
 """A SymPy expression or a Matrix of them."""
 

@@ -28,14 +28,17 @@ from rigidtop.proof.equation import Equation, Meaning
 class Assumption:
     """A condition under which a check holds.
 
-    `condition` is a SymPy relation.  ``Eq(symbol, value)`` is applied by substitution, also for a
-    limit such as ``Eq(epsilon, 0)``; other relations decide signs and record divisions.  `stated`
-    says that the notes state it too.  `words` is said instead of the bare relation, or beside it.
+    `condition` is a SymPy relation.  ``Eq(symbol, value)`` is applied by substitution; other
+    relations decide signs and record divisions.  `stated` says that the notes state it too.
+    `words` say what it means.  For a limit such as ``Eq(epsilon, 0)``, `otherwise` is what the
+    symbol stands for where the limit is not taken, so that a counterexample is one in numbers
+    that go together.
     """
 
     condition: Any
     words: str = ""
     stated: bool = False
+    otherwise: Expr | None = None
 
 
 @dataclass(frozen=True)

@@ -227,9 +227,7 @@ def _relations(claimed: Equation, meaning: Meaning) -> list[tuple[str, Any, Any]
     """Neighbouring sides of the chain with their meanings; "= const" as a rate that vanishes."""
     values: list[Any] = []
     for side in claimed.sides:
-        values.append(
-            meaning[const](values[-1]) * 0 + values[-1] if side == const else value(side, meaning)
-        )
+        values.append(values[-1] if side == const else value(side, meaning))
     pairs = []
     for side, left, right in zip(claimed.sides[1:], values, values[1:], strict=False):
         if side == const:
@@ -318,6 +316,8 @@ def _search(
     meaning, hidden = _opaque(meaning)
     relations = _relations(check.claimed, meaning)
     equal, conditions = _split(assuming)
+    if dropped is not None and dropped.otherwise is not None:
+        equal = {**equal, dropped.condition.lhs: dropped.otherwise}
 
     def both(expression: Any) -> Any:
         return _impose(_impose(expression, equal), solved)
@@ -428,10 +428,10 @@ def _fails(sides: Any, values: Sequence[float], undefined_counts: bool) -> bool:
         for _ in pairs:
             left, right = next(numbers), next(numbers)
             if math.isnan(left) or math.isnan(right):
-                # Where an assumption is dropped, a side that stops being a number is the failure.
-                if undefined_counts and math.isnan(left) != math.isnan(right):
-                    return True
                 return False
+            if math.isinf(left) or math.isinf(right):
+                # Where an assumption is dropped, a side that stops being a number is the failure.
+                return undefined_counts and math.isinf(left) != math.isinf(right)
             scale = 1 + abs(left) + abs(right)
             differences.append((left - right) / scale)
         small = [abs(d) < decide.TOLERANCE for d in differences]
@@ -450,12 +450,12 @@ def _counterexample(
     sides: Any, point: Mapping[Symbol, Expr], hidden: Mapping[Symbol, Expr]
 ) -> Counterexample:
     """The first pair of sides that differ, exactly; else the first pair."""
-    at = {**point, **{dummy: expression.subs(point) for dummy, expression in hidden.items()}}
+    at = {**point, **{dummy: expression.xreplace(dict(point)) for dummy, expression in hidden.items()}}
     exact = [(_at(left, at), _at(right, at)) for _, pairs in sides for left, right in pairs]
     left, right = next(((a, b) for a, b in exact if a != b), exact[0])
     return Counterexample(dict(point), left, right)
 
 
 def _at(expression: Expr, point: Mapping[Symbol, Expr]) -> Expr | None:
-    number = expression.subs(point)
+    number = expression.xreplace(dict(point))
     return None if number.has(sympy.nan, sympy.zoo, sympy.oo) else number

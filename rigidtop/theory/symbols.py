@@ -86,7 +86,8 @@ L_vec, L_vecdot, N_vec, N_ext = map(_real, ("L_vec", "L_vecdot", "N_vec", "N_ext
 r_vec, r_vecp, r_k, F_k, f_r, R_CM, g_vec, F_grav = map(
     _real, ("r_vec", "r_vecp", "r_k", "F_k", "f_r", "R_CM", "g_vec", "F_grav")
 )
-inertia, Lambda, O_matrix, det_O = map(_real, ("inertia", "Lambda", "O_matrix", "det_O"))
+inertia, Lambda, O_matrix = map(_real, ("inertia", "Lambda", "O_matrix"))
+det_O, det_A, det_B = map(_real, ("det_O", "det_A", "det_B"))
 I_xz = _real("I_xz")
 m_k, rho = map(_positive, ("m_k", "rho"))
 
@@ -133,6 +134,8 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         C_matrix: Quantity(Glyph("C"), "a square matrix", "1"),
         unit: Quantity(Glyph("1"), "the unit matrix", "1"),
         det_O: Quantity(Glyph("det O"), "determinant of O", "1"),
+        det_A: Quantity(Glyph("det A"), "determinant of A", "1"),
+        det_B: Quantity(Glyph("det B"), "determinant of B", "1"),
         O_matrix: Quantity(Glyph("O"), "matrix whose columns are e₁, e₂, e₃", "1"),
         T: Quantity(Glyph("T"), "kinetic energy", "J"),
         V: Quantity(Glyph("V"), "potential energy", "J"),

@@ -1,0 +1,120 @@
+"""Section 3.2: free precession."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sympy import Eq, Matrix, cos, diag, sin, symbols
+
+from rigidtop.proof.equation import Equation, Group, Rate, Transposed, as_printed
+from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Page, Step, claim
+from rigidtop.theory.euler import MOMENTS
+from rigidtop.theory.inertia import point_masses
+from rigidtop.theory.rotation import euler_matrix, total_derivative
+from rigidtop.theory.symbols import (
+    M_1,
+    M_2,
+    F,
+    I_xz,
+    L_vec,
+    L_vecdot,
+    Lambda,
+    O_matrix,
+    inertia,
+    kappa,
+    lambda1,
+    lambda2,
+    lambda3,
+    omega_vec,
+    phi,
+    theta,
+)
+from rigidtop.theory.trig import reduce_trig
+
+POSITIONS = tuple(Matrix(symbols(f"x{k} y{k} z{k}", real=True)) for k in (1, 2))
+VELOCITIES = tuple(Matrix(symbols(f"u{k} v{k} w{k}", real=True)) for k in (1, 2))
+SPIN = Matrix(symbols("omega_x omega_y omega_z", real=True))
+MASSES = (M_1, M_2)
+
+TORQUE_FREE = Assumption(Eq(F, 0), "no external torque", stated=True)
+
+
+def newton_rate() -> Matrix:
+    """d/dt Σ r × m ṙ of two particles: a central force κ(r₁ − r₂) between them, F x̂ on one."""
+    between = kappa * (POSITIONS[0] - POSITIONS[1])
+    forces = (-between + F * Matrix([1, 0, 0]), between)
+    momentum = sum(
+        (m * r.cross(v) for m, r, v in zip(MASSES, POSITIONS, VELOCITIES, strict=True)),
+        Matrix([0, 0, 0]),
+    )
+    rates: dict = {}
+    for m, r, v, force in zip(MASSES, POSITIONS, VELOCITIES, forces, strict=True):
+        rates |= dict(zip(r, v, strict=True)) | dict(zip(v, force / m, strict=True))
+    return total_derivative(momentum, rates).expand()
+
+
+@claim("3.33", "In the space frame L = Iω is conserved without external torque.")
+def conservation() -> Iterator[Evidence]:
+    """L̇ = N (1.20) with L = Iω (3.26); the forces inside the body are central and cancel."""
+    with as_printed():
+        linear = Equation(L_vec, inertia * omega_vec)
+        printed = Equation(0, L_vecdot, Rate(inertia * omega_vec), tag="3.33")
+    pairs = list(zip(MASSES, POSITIONS, strict=True))
+    momentum = sum((m * r.cross(SPIN.cross(r)) for m, r in pairs), Matrix([0, 0, 0]))
+    yield Check(
+        linear,
+        {L_vec: momentum, inertia: point_masses(pairs), omega_vec: SPIN},
+        reason="Every particle moves with v = ω × r (3.12).",
+        printed=False,
+    )
+    # İω + Iω̇, with İ from ṙ = ω × r and ω̇ left open, is Σ r × m r̈: both are d(Iω)/dt.
+    acceleration = Matrix(symbols("alpha_x alpha_y alpha_z", real=True))
+    rates = dict(zip(SPIN, acceleration, strict=True))
+    moved: list[Matrix] = []
+    for _, r in pairs:
+        velocity = SPIN.cross(r)
+        rates |= dict(zip(r, velocity, strict=True))
+        moved.append(acceleration.cross(r) + SPIN.cross(velocity))
+    with as_printed():
+        product = Equation(Rate(inertia * omega_vec), L_vecdot)
+    yield Check(
+        product,
+        {
+            product.sides[0]: total_derivative(point_masses(pairs) * SPIN, rates),
+            L_vecdot: sum(
+                (m * r.cross(s) for (m, r), s in zip(pairs, moved, strict=True)),
+                Matrix([0, 0, 0]),
+            ),
+        },
+        reason="I turns with the body; its rate belongs to d(Iω)/dt.",
+        printed=False,
+    )
+    rate = newton_rate()
+    yield Check(printed, {L_vecdot: rate, printed.sides[2]: rate}, (TORQUE_FREE,))
+
+
+@claim("inertia-full", "In the space frame all components of I are nonzero.")
+def inertia_full() -> Iterator[Evidence]:
+    """I = OΛOᵀ turns with the body, and its off-diagonal components pass through zero."""
+    tensor = reduce_trig(euler_matrix() * diag(*MOMENTS) * euler_matrix().T)
+    with as_printed():
+        full = Equation(I_xz, 0, relation="≠")
+        turning = Equation(inertia, O_matrix * Lambda * Transposed(O_matrix))
+        symmetric = Equation(I_xz, Group(lambda3 - lambda1) * sin(theta) * cos(theta) * cos(phi))
+    yield Check(full, {I_xz: tensor[0, 2]}, printed=False)
+    yield Step(turning, "Λ is the diagonal form (3.29), O the matrix of (3.34).")
+    yield Correction(
+        symmetric,
+        {I_xz: tensor[0, 2]},
+        (Assumption(Eq(lambda2, lambda1), "a symmetric top"),),
+        "It vanishes for every upright top, and at all times for a sphere. What holds in general "
+        "is that I is not constant in the space frame.",
+    )
+
+
+page = Page(
+    "3.2",
+    "Free precession",
+    "Without external torque L is constant in the space frame, where I is not.",
+    (conservation, inertia_full),
+)

@@ -1,0 +1,181 @@
+"""Section 3.5.1: net torque."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from sympy import Eq, Integer, Matrix, Symbol, cos, symbols
+
+from rigidtop.proof.equation import (
+    Cross,
+    Dot,
+    Equation,
+    Group,
+    SumOver,
+    Underbrace,
+    VolumeIntegral,
+    as_printed,
+)
+from rigidtop.proof.page import Assumption, Check, Evidence, Page, claim
+from rigidtop.theory.rotation import Z_AXIS, euler_matrix, total_derivative
+from rigidtop.theory.symbols import (
+    M_1,
+    M_2,
+    R1,
+    R2,
+    R3,
+    R_CM,
+    F_grav,
+    F_k,
+    M,
+    N_ext,
+    R,
+    V,
+    f_r,
+    g,
+    kappa,
+    r_k,
+    r_vec,
+    rho,
+    theta,
+    zhat,
+)
+
+POSITION = Matrix(symbols("x y z", real=True))
+D3R = Symbol("d3r")
+K = Symbol("k")
+
+
+def over_particles(places: list[tuple[Matrix, Matrix]], density: Matrix) -> Callable[[Any], Any]:
+    """∫ d³r of what is linear in a force density that sits on particles: its sifting property."""
+
+    def integral(integrand: Matrix) -> Matrix:
+        total = Matrix([0, 0, 0])
+        for place, force in places:
+            here = dict(zip(POSITION, place, strict=True))
+            total += integrand.subs({**here, **dict(zip(density, force, strict=True))})
+        return total
+
+    return integral
+
+
+def over_body(centre: Matrix) -> Callable[[Any], Any]:
+    """∫ d³r of ρ times what is linear in r, for any ρ: its mass M and centre of mass decide."""
+
+    def integral(integrand: Any) -> Any:
+        if isinstance(integrand, Matrix):
+            return integrand.applyfunc(integral)
+        linear = integrand.expand()
+        moments = [M * component for component in centre]
+        first = sum(
+            (linear.coeff(x, 1).coeff(rho, 1) * m for x, m in zip(POSITION, moments, strict=True)),
+            Integer(0),
+        )
+        constant = linear.subs(dict.fromkeys(POSITION, 0))
+        rest = linear - constant - sum(rho * x * linear.coeff(x, 1).coeff(rho, 1) for x in POSITION)
+        if rest.expand() != 0:
+            raise ValueError("the integrand is not ρ times something linear in r")
+        return first + constant.coeff(rho, 1) * M
+
+    return integral
+
+
+@claim("3.48", "Torque as a sum over particles and as an integral over the force density.")
+def torque() -> Iterator[Evidence]:
+    """d/dt Σ r × m ṙ (1.20): forces along the line between two particles drop out.
+
+    A force density that sits on the particles makes the integral the sum.
+    """
+    positions = [Matrix(symbols(f"x{k} y{k} z{k}", real=True)) for k in (1, 2)]
+    velocities = [Matrix(symbols(f"u{k} v{k} w{k}", real=True)) for k in (1, 2)]
+    forces = [Matrix(symbols(f"F{k}x F{k}y F{k}z", real=True)) for k in (1, 2)]
+    inner = kappa * (positions[0] - positions[1])
+    rates: dict = {}
+    momentum = Matrix([0, 0, 0])
+    for m, r, v, force in zip(
+        (M_1, M_2), positions, velocities, (forces[0] - inner, forces[1] + inner), strict=True
+    ):
+        rates |= dict(zip(r, v, strict=True)) | dict(zip(v, force / m, strict=True))
+        momentum += m * r.cross(v)
+    density = Matrix(symbols("f_x f_y f_z", real=True))
+    with as_printed():
+        printed = Equation(
+            N_ext,
+            SumOver(K, Cross(r_k, F_k)),
+            VolumeIntegral(D3R, Cross(r_vec, f_r)),
+            tag="3.48",
+        )
+    yield Check(
+        printed,
+        {
+            N_ext: total_derivative(momentum, rates).expand(),
+            K: [{r_k: r, F_k: force} for r, force in zip(positions, forces, strict=True)],
+            D3R: over_particles(list(zip(positions, forces, strict=True)), density),
+            r_vec: POSITION,
+            f_r: density,
+        },
+    )
+
+
+@claim("3.49", "Gravity turns a body as if all its mass sat at the centre of mass.")
+def gravity() -> Iterator[Evidence]:
+    """The integral is linear in r, and ∫ρ r is M R_CM; the same g everywhere is part of f."""
+    centre = Matrix(symbols("X Y Z", real=True))
+    with as_printed():
+        whole = VolumeIntegral(D3R, rho * r_vec)
+        printed = Equation(
+            N_ext,
+            -g * VolumeIntegral(D3R, rho * Cross(r_vec, zhat)),
+            -g * Cross(Group(whole), zhat),
+            -g * M * Cross(Group(whole) / M, zhat),
+            -g * M * Cross(R_CM, zhat),
+            Cross(R_CM, Underbrace(-g * M * zhat, F_grav)),
+            tag="3.49",
+        )
+    weight = -rho * g * Z_AXIS
+    measure = over_body(centre)
+    yield Check(
+        printed,
+        {
+            N_ext: measure(POSITION.cross(weight)),
+            D3R: measure,
+            r_vec: POSITION,
+            zhat: Matrix(Z_AXIS),
+            R_CM: centre,
+            F_grav: -g * M * Matrix(Z_AXIS),
+        },
+    )
+
+
+@claim("potential", "The potential energy is that of the mass at its centre: MgR cos θ.")
+def potential() -> Iterator[Evidence]:
+    """∫ρ g z is Mg times the height of the centre of mass, which lies on e₃ at R from the pivot."""
+    centre = euler_matrix() * Matrix([R1, R2, R3])
+    on_axis = "the centre of mass lies on e₃, at R from the pivot"
+    with as_printed():
+        printed = Equation(
+            V, VolumeIntegral(D3R, rho * g * Dot(zhat, r_vec)), M * g * R * cos(theta)
+        )
+    yield Check(
+        printed,
+        {
+            V: M * g * (Z_AXIS.T * centre)[0],
+            D3R: over_body(centre),
+            zhat: Matrix(Z_AXIS),
+            r_vec: POSITION,
+        },
+        tuple(
+            Assumption(Eq(x, value), on_axis, stated=True)
+            for x, value in ((R1, 0), (R2, 0), (R3, R))
+        ),
+        printed=True,
+    )
+
+
+page = Page(
+    "3.5.1",
+    "Net torque",
+    "What gravity does to an extended body.",
+    (torque, gravity, potential),
+)

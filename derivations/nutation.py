@@ -1,0 +1,217 @@
+"""Section 3.5.4: nutation in the Lagrange formalism."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sympy import Eq, Expr, Gt, Matrix, Ne, cos, sin, symbols
+
+from rigidtop.proof.equation import Dot, Equation, Group, as_printed
+from rigidtop.proof.page import Assumption, Check, Evidence, Page, Step, claim
+from rigidtop.theory import top
+from rigidtop.theory.euler import OMEGA, along_flow, kinetic_energy
+from rigidtop.theory.lagrangian import cyclic_velocities
+from rigidtop.theory.symbols import (
+    A,
+    Edot,
+    F,
+    M,
+    Omega,
+    R,
+    V,
+    delta,
+    g,
+    lambda1,
+    lambda3,
+    mu,
+    n,
+    omega3,
+    omega_n2,
+    p_phi,
+    p_psi,
+    phidot,
+    psidot,
+    slip,
+    theta,
+    theta_0,
+    v_tip,
+)
+from rigidtop.theory.trig import reduce_ratio
+
+from . import evidence
+from .euler_angles import TILTED
+
+SMALL = Assumption(Eq(A, 0), "small oscillations, A → 0", stated=True)
+
+
+def steady_state() -> dict:
+    """p_φ, p_ψ and g of a steady precession at θ with ω₃ and Ω."""
+    rates = {phidot: Omega, psidot: omega3 - Omega * cos(theta)}
+    weight = (lambda3 * omega3 * Omega - lambda1 * cos(theta) * Omega**2) / (M * R)
+    momenta = top.symmetric_momenta()
+    return {p_phi: momenta[1].subs(rates), p_psi: momenta[2].subs(rates), g: weight}
+
+
+def potential_slope(order: int) -> Expr:
+    """The derivative of the effective potential by θ at a steady precession (J)."""
+    return reduce_ratio(top.top_effective_potential().diff(theta, order).subs(steady_state()))
+
+
+@claim(
+    "nutation",
+    "When started a little off, θ oscillates about the value where it could be constant.",
+)
+def nutation() -> Iterator[Evidence]:
+    """θ moves in the effective potential of its p_φ and p_ψ, whose minimum is the steady angle.
+
+    The frequency is √(U″/λ₁), for a fast top λ₃ω₃/λ₁; released at rest, a fast top swings with the
+    amplitude λ₁MgR sin θ/(λ₃ω₃)² about an angle that much below the release. With finite
+    amplitude A the mean lies off the steady angle, by −A²U‴/(4U″).
+    """
+    with as_printed():
+        frequency = Equation(
+            lambda1**2 * omega_n2,
+            Group(lambda3 * omega3) ** 2
+            - 4 * lambda1 * M * g * R * cos(theta)
+            + Group(lambda1 * Omega * sin(theta)) ** 2,
+        )
+        squares = Equation(
+            lambda1**2 * omega_n2,
+            Group(lambda3 * omega3 - 2 * lambda1 * Omega * cos(theta)) ** 2
+            + Group(lambda1 * Omega * sin(theta)) ** 2,
+        )
+        centre = Equation(delta, 0)
+    curvature = potential_slope(2)
+    meaning = {omega_n2: curvature / lambda1, g: steady_state()[g]}
+    yield Step(Equation(V, top.top_effective_potential()), "Minus the Routhian at θ̇ = 0.")
+    yield Check(
+        Equation(delta, 0),
+        {delta: potential_slope(1)},
+        reason="The slope of the potential, here δ, vanishes at the steady angle.",
+        printed=False,
+    )
+    yield Check(frequency, meaning, reason="λ₁U″ at the steady angle.", printed=False)
+    yield Check(
+        squares,
+        meaning,
+        reason="A sum of squares: every steady precession is stable.",
+        printed=False,
+    )
+    yield Check(
+        centre,
+        {delta: -(A**2) * potential_slope(3) / (4 * curvature)},
+        (SMALL,),
+        "The mean of θ from the steady angle, here δ.",
+        printed=False,
+    )
+    yield from evidence.nutation()
+
+
+@claim("azimuth", "φ̇ then varies by (3.45): waves, cusps, loops.")
+def azimuth() -> Iterator[Evidence]:
+    """φ̇ has the sign of p_φ − p_ψ cos θ, which changes at cos θ₀ = p_φ/p_ψ.
+
+    θ₀ between the turning points makes loops, on one of them cusps, outside them waves. A top that
+    is released at rest has θ₀ where it is released: cusps. With p_φ = p_ψ = 0 (example 34) φ rests
+    although θ changes.
+    """
+    rate = cyclic_velocities(top.symmetric_lagrangian(), (phidot, psidot), (p_phi, p_psi))[phidot]
+    momenta = top.symmetric_momenta()
+    with as_printed():
+        printed = Equation(phidot, (p_phi - p_psi * cos(theta)) / (lambda1 * sin(theta) ** 2))
+        changes_sign = Equation(
+            lambda1 * sin(theta) ** 2 * phidot, p_psi * Group(cos(theta_0) - cos(theta))
+        )
+        released = Equation(p_phi, p_psi * cos(theta))
+        varies = Equation(delta, 0, relation="≠")
+    yield Check(
+        printed,
+        {p_phi: momenta[1], p_psi: momenta[2]},
+        (TILTED,),
+        "(3.45) with the momenta.",
+        printed=False,
+    )
+    yield Check(
+        changes_sign,
+        {phidot: rate.subs(p_phi, p_psi * cos(theta_0))},
+        reason="With p_φ = p_ψ cos θ₀.",
+        printed=False,
+    )
+    yield Check(
+        released,
+        {p_phi: momenta[1].subs(phidot, 0), p_psi: momenta[2].subs(phidot, 0)},
+        reason="At φ̇ = 0: a release at rest.",
+        printed=False,
+    )
+    turning = p_psi * (1 + cos(theta) ** 2) - 2 * p_phi * cos(theta)
+    yield Check(
+        varies,
+        {delta: rate.diff(theta)},
+        (
+            Assumption(
+                Ne(turning, 0), "p_φ and p_ψ do not both vanish, and θ is not the one extremum"
+            ),
+        ),
+        "The slope of φ̇ against θ, here δ.",
+        printed=False,
+    )
+    yield from evidence.waves_cusps_loops()
+
+
+@claim("friction", "Friction moves the point of contact and takes energy from the rotation.")
+def friction() -> Iterator[Evidence]:
+    """Ė is the contact force times the velocity of the contact point: only slip costs energy.
+
+    A sharp tip that static friction holds in place loses nothing: that is the fixed pivot. Nor does
+    the contact point need friction to move: on a smooth table the tip slides round at RΩ sin θ,
+    while the centre of mass stays above one spot.
+    """
+    contact, force, velocity = (
+        Matrix(symbols(f"{x}_1 {x}_2 {x}_3", real=True)) for x in ("r", "f", "v")
+    )
+    with as_printed():
+        power = Equation(Edot, Dot(F, v_tip))
+        loss = Equation(Edot, -mu * n * slip)
+        falls = Equation(Edot, 0, relation="<")
+        slides = Equation(Dot(v_tip, v_tip), Group(R * Omega * sin(theta)) ** 2)
+    torque = contact.cross(force)
+    # In body components about the centre of mass: v·F for the motion of the centre, gravity's
+    # power cancels against the potential energy, and Euler's equations give the rest.
+    rate = velocity.dot(force) + along_flow(kinetic_energy(), torque)
+    tip = velocity + Matrix(OMEGA).cross(contact)
+    yield Check(
+        power,
+        {Edot: rate, F: force, v_tip: tip},
+        reason="Newton for the centre, Euler about it; F is the contact force.",
+        printed=False,
+    )
+    direction = Matrix([cos(theta), sin(theta), 0])
+    sliding = {F: -mu * n * direction, v_tip: slip * direction}
+    yield Check(
+        loss,
+        {Edot: sliding[F].dot(sliding[v_tip])},
+        reason="Sliding friction μn against the slip v.",
+        printed=False,
+    )
+    yield Check(
+        falls,
+        {Edot: sliding[F].dot(sliding[v_tip])},
+        (Assumption(Gt(slip, 0), "the contact point slips over the table"),),
+        printed=False,
+    )
+    figure_axis = Matrix([sin(theta), 0, cos(theta)])
+    turning = Omega * Matrix([0, 0, 1])
+    yield Check(
+        slides,
+        {v_tip: -R * turning.cross(figure_axis)},
+        reason="Without friction the centre keeps its place and the tip, at −R e₃, goes round.",
+        printed=False,
+    )
+
+
+page = Page(
+    "3.5.4",
+    "Nutation in the Lagrange formalism",
+    "What θ and φ do when the precession is not quite steady.",
+    (nutation, azimuth, friction),
+)

@@ -1,0 +1,245 @@
+"""Section 3.5.2: precession in a simplified picture."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sympy import Eq, Expr, Gt, Matrix, Ne, cos, sin
+
+from rigidtop.proof.equation import Cross, Dot, Equation, as_printed
+from rigidtop.proof.page import Assumption, Check, Evidence, Page, Step, claim
+from rigidtop.theory import top
+from rigidtop.theory.rotation import Z_AXIS, euler_omega, primed_matrix
+from rigidtop.theory.symbols import (
+    R_CM,
+    L_vec,
+    L_vecdot,
+    M,
+    N_vec,
+    Omega_minus,
+    Omega_vec,
+    R,
+    e2p,
+    e3,
+    e3dot,
+    epsilon,
+    g,
+    g_vec,
+    kappa,
+    lambda1,
+    lambda3,
+    omega3,
+    omega_vec,
+    phi,
+    phidot,
+    psidot,
+    theta,
+    thetaddot,
+    thetadot,
+    yhat,
+    zhat,
+)
+from rigidtop.theory.trig import reduce_trig
+
+WEAK = Assumption(
+    Eq(epsilon, 0),
+    "to leading order in ε = λ₁MgR cos θ/(λ₃ω₃)²: weak torque",
+    stated=True,
+    otherwise=top.smallness(),
+)
+NO_NUTATION = Assumption(Eq(thetadot, 0), "the top is started without nutation")
+
+
+def slow_precession() -> Expr:
+    """The exact Ω₋, written with ε (rad/s)."""
+    return top.leading_roots()[0] * top.root_factors()[0]
+
+
+def picture() -> dict:
+    """e₃ at angle θ in the plane of x̂ and ẑ, precessing at the exact Ω₋ (space components).
+
+    θ̇ is left in: a top that nutates.
+    """
+    axis = Matrix([sin(theta), 0, cos(theta)])
+    vertical = Matrix(Z_AXIS)
+    turning = slow_precession() * vertical
+    down = -g * vertical
+    centre = R * axis
+    torque = M * centre.cross(down)
+    return {
+        e3: axis,
+        e3dot: turning.cross(axis) + thetadot * axis.diff(theta),
+        zhat: vertical,
+        yhat: Matrix([0, 1, 0]),
+        g_vec: down,
+        R_CM: centre,
+        N_vec: torque,
+        L_vecdot: torque,
+        Omega_vec: turning,
+    }
+
+
+@claim("3.50", "λ₃ω₃ ė₃ = M R_CM × g, from L ∥ ω.")
+def torque_balance() -> Iterator[Evidence]:
+    """L = λ₃ω₃e₃ put into L̇ = N; exactly, L = λ₃ω₃e₃ + λ₁ e₃ × ė₃.
+
+    With L along e₃ at all times ω would be along e₃ too, and e₃ could not move: the equation can
+    only hold to leading order, and exactly where cos θ = 0.
+    """
+    with as_printed():
+        printed = Equation(
+            L_vecdot, lambda3 * omega3 * e3dot, M * Cross(R_CM, g_vec), N_vec, tag="3.50"
+        )
+        momentum = Equation(L_vec, lambda3 * omega3 * e3 + lambda1 * Cross(e3, e3dot))
+    axes = primed_matrix()
+    omega = euler_omega("primed")
+    spin = reduce_trig(axes * Matrix([lambda1 * omega[0], lambda1 * omega[1], lambda3 * omega[2]]))
+    moving = axes[:, 2].diff(theta) * thetadot + axes[:, 2].diff(phi) * phidot
+    yield Check(
+        momentum,
+        {L_vec: spin, omega3: omega[2], e3: axes[:, 2], e3dot: moving},
+        reason="What L is without the simplification.",
+        printed=False,
+    )
+    yield Check(printed, picture(), (WEAK, NO_NUTATION))
+
+
+@claim("torque-perpendicular", "The torque is orthogonal to L and turns it at constant length.")
+def perpendicular() -> Iterator[Evidence]:
+    """N = MgR ẑ × e₃ is orthogonal to e₃; L has a part λ₁ e₃ × ė₃ besides, and N·L = λ₁MgR θ̇ sin θ.
+
+    So |L| is constant while θ is, and pulsates with the nutation.
+    """
+    axes = primed_matrix()
+    omega = euler_omega("primed")
+    exact = axes * Matrix([lambda1 * omega[0], lambda1 * omega[1], lambda3 * omega[2]])
+    figure_axis = axes[:, 2]
+    torque = M * g * R * Matrix(Z_AXIS).cross(figure_axis)
+    with as_printed():
+        power = Equation(Dot(N_vec, L_vec), lambda1 * M * g * R * thetadot * sin(theta))
+        orthogonal = Equation(Dot(N_vec, L_vec), 0)
+    meaning = {N_vec: torque, L_vec: exact}
+    yield Check(power, meaning, reason="Half the rate of |L|².", printed=False)
+    yield Check(
+        orthogonal,
+        meaning,
+        (Assumption(Eq(thetadot, 0), "θ does not change: steady precession, or the start"),),
+        printed=False,
+    )
+
+
+@claim("3.51", "e₃ turns about a vertical Ω.")
+def axis_turns() -> Iterator[Evidence]:
+    """R_CM = R e₃ and g = −g ẑ put into (3.50); λ₃ω₃ is divided out."""
+    with as_printed():
+        printed = Equation(
+            e3dot,
+            M * g * R / (lambda3 * omega3) * Cross(zhat, e3),
+            Cross(Omega_vec, e3),
+            tag="3.51",
+        )
+    yield Check(printed, picture(), (WEAK, NO_NUTATION))
+
+
+@claim("3.52", "The precession vector Ω.")
+def precession_vector() -> Iterator[Evidence]:
+    """Read off (3.51); the engine's Ω is the slow root of (3.57), exact for every spin."""
+    with as_printed():
+        printed = Equation(Omega_vec, M * g * R / (lambda3 * omega3) * zhat, tag="3.52")
+    yield Step(
+        Equation(Omega_minus, top.steady_expansions(2)[0]), "The slow root to the next order."
+    )
+    yield Check(printed, picture(), (WEAK,))
+
+
+@claim("torque-direction", "The torque of gravity points into the paper.")
+def torque_direction() -> Iterator[Evidence]:
+    """N = R_CM × Mg for e₃ in the paper: x̂ to the right, ẑ up, so ŷ points into it."""
+    with as_printed():
+        across = Equation(N_vec, M * g * R * sin(theta) * yhat)
+        into = Equation(Dot(N_vec, yhat), 0, relation=">")
+    yield Check(across, picture(), reason="Sideways, never out of the horizontal.", printed=False)
+    yield Check(
+        into,
+        picture(),
+        (Assumption(Gt(sin(theta), 0), "the top leans to the right"),),
+        printed=False,
+    )
+
+
+@claim("parallel-approximation", "L ∥ ω is a good approximation for a weak torque.")
+def parallel() -> Iterator[Evidence]:
+    """cos² of their angle, along e₁′ and e₃, for a precession at φ̇ without nutation.
+
+    It tends to 1 on the slow branch. A top in free precession has no torque at all, and its L and
+    ω are not parallel: a weak torque alone is not enough.
+    """
+    with as_printed():
+        aligned = Equation(
+            Dot(L_vec, omega_vec) ** 2 / (Dot(L_vec, L_vec) * Dot(omega_vec, omega_vec)), 1
+        )
+    omega = euler_omega("primed").subs(psidot, omega3 - phidot * cos(theta))
+    momentum = Matrix([lambda1 * omega[0], lambda1 * omega[1], lambda3 * omega[2]])
+    slow = top.steady_roots()[0].subs(g, kappa * g)
+    weak = Assumption(Eq(kappa, 0), "the torque is weak: κMgR with κ → 0", stated=True)
+    yield Check(
+        aligned,
+        {L_vec: momentum.expand(), omega_vec: omega.expand()},
+        (
+            Assumption(Eq(phidot, slow), "the precession is the slow steady one, Ω₋"),
+            NO_NUTATION,
+            weak,
+            Assumption(Gt(omega3, 0), "the top spins about e₃", stated=True),
+        ),
+        printed=False,
+    )
+
+
+@claim("example-34", "A top released tilted with L = 0: how L evolves, and what motion it is.")
+def toppling() -> Iterator[Evidence]:
+    """L_z = L₃ = 0 stay zero, so φ and ψ rest: a plane pendulum that falls over.
+
+    L grows along the fixed horizontal axis e₂′, which the torque has too; nothing precesses.
+    """
+    rest = {phidot: 0, psidot: 0}
+    momentum = reduce_trig(
+        primed_matrix()
+        * Matrix([lambda1, lambda1, lambda3]).multiply_elementwise(euler_omega("primed"))
+    ).subs(rest)
+    accelerations = top.symmetric_top_accelerations().subs(rest)
+    with as_printed():
+        pendulum = Equation(lambda1 * thetaddot, M * g * R * sin(theta))
+        along_nodes = Equation(L_vec, lambda1 * thetadot * e2p)
+        azimuth_rests = Equation(Matrix([phidot, psidot]), Matrix([0, 0]))
+        torque_along = Equation(N_vec, M * g * R * sin(theta) * e2p)
+    nodes = primed_matrix()[:, 1]
+    yield Check(
+        azimuth_rests,
+        {phidot: accelerations[1], psidot: accelerations[2]},
+        reason="φ̇ and ψ̇ start at zero and have no rate: here φ̈ and ψ̈ stand in their place.",
+        printed=False,
+    )
+    yield Check(along_nodes, {L_vec: momentum, e2p: nodes}, printed=False)
+    figure_axis = primed_matrix()[:, 2]
+    yield Check(
+        torque_along,
+        {N_vec: M * g * R * Matrix(Z_AXIS).cross(figure_axis), e2p: nodes},
+        printed=False,
+    )
+    yield Check(pendulum, {thetaddot: accelerations[0]}, printed=False)
+
+
+page = Page(
+    "3.5.2",
+    "Precession in a simplified picture",
+    "A fast top under a weak torque.",
+    (
+        torque_balance,
+        perpendicular,
+        axis_turns,
+        precession_vector,
+        torque_direction,
+        parallel,
+        toppling,
+    ),
+)
