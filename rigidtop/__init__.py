@@ -1,1 +1,53 @@
-"""Rigid bodies and the spinning top: derived, proved, typeset, computed."""
+"""Rigid bodies and the spinning top: derived, proved, typeset, computed.
+
+Names are loaded at first use, so that ``import rigidtop`` loads nothing heavy.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from rigidtop.errors import NoSteadyPrecession, RigidtopError
+    from rigidtop.motion.body import FreeBody, HeavyBody
+    from rigidtop.motion.motion import Motion
+    from rigidtop.motion.top import HeavyTop
+    from rigidtop.motion.trajectory import Trajectory
+
+    __version__: str
+
+__all__ = [
+    "FreeBody",
+    "HeavyBody",
+    "HeavyTop",
+    "Motion",
+    "NoSteadyPrecession",
+    "RigidtopError",
+    "Trajectory",
+    "__version__",
+]
+
+_HOMES = {
+    "FreeBody": "rigidtop.motion.body",
+    "HeavyBody": "rigidtop.motion.body",
+    "HeavyTop": "rigidtop.motion.top",
+    "Motion": "rigidtop.motion.motion",
+    "NoSteadyPrecession": "rigidtop.errors",
+    "RigidtopError": "rigidtop.errors",
+    "Trajectory": "rigidtop.motion.trajectory",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("rigidtop")
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -1,0 +1,1 @@
+"""The bridge, the only one, from derived expressions to functions of numbers."""

@@ -1,0 +1,1 @@
+"""Motions of rigid bodies, by numbers: NumPy and SciPy alone, never SymPy."""

@@ -1,0 +1,94 @@
+"""Derived expressions become functions: of floats through `math`, of arrays through NumPy.
+
+>>> from sympy import sin, symbols
+>>> theta, thetadot = symbols("theta thetadot")
+>>> pendulum = function([thetadot, -sin(theta) / 2], (theta, thetadot), "pendulum")
+>>> print(pendulum.source)
+def pendulum(theta, thetadot):
+    return (
+        thetadot,
+        -sin(theta) / 2,
+    )
+>>> pendulum.scalar(0.5, 3.0)
+[3.0, -0.2397127693021015]
+>>> pendulum.array([[0.0, 0.5]], 1.0).shape    # two expressions, each of shape (1, 2)
+(2, 1, 2)
+>>> pendulum.operations                        # a sine, a sign and a division
+3
+"""
+
+from __future__ import annotations
+
+import ast
+import keyword
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy
+from numpy.typing import NDArray
+from sympy import Symbol
+
+from rigidtop.codegen import source
+
+
+@dataclass(frozen=True)
+class Function:
+    """Expressions as a function of numbers, made by `function`."""
+
+    scalar: Callable[..., list[float]]
+    """Floats in, a list of floats out, one for each expression; through `math`."""
+
+    array: Callable[..., NDArray[np.float64]]
+    """Arrays in, one array out, of shape (expressions, *shape to which the arguments broadcast)."""
+
+    source: str
+    """The Python that both run, as text for a reader."""
+
+    operations: int
+    """Sums, products, powers, signs and calls in one evaluation, shared subexpressions once."""
+
+    definition: ast.FunctionDef
+    """The syntax tree behind `source`."""
+
+
+def function(expressions: Iterable[Any], arguments: Sequence[Symbol], name: str) -> Function:
+    """Make a function of `arguments`, in this order, that returns the values of `expressions`.
+
+    `expressions` is any iterable of SymPy expressions, also a column matrix.  The names of the
+    symbols become the names of the parameters.  Nothing is simplified; what the expressions have
+    in common is computed once.
+
+    Raises ValueError if an expression contains a symbol that is not an argument, or if a name is
+    no Python identifier.
+    """
+    wanted = [sympy.sympify(expression) for expression in expressions]
+    unbound = set().union(*(e.free_symbols for e in wanted)) - set(arguments)
+    if unbound:
+        raise ValueError(f"{name}: {', '.join(sorted(map(str, unbound)))} missing in the arguments")
+    for word in (name, *(a.name for a in arguments)):
+        if not word.isidentifier() or keyword.iskeyword(word):
+            raise ValueError(f"{word!r} cannot be a name in Python")
+    scalar = _lambdified(wanted, arguments, "math")
+    over_arrays = _lambdified(wanted, arguments, "numpy")
+    definition = source.syntax_tree(scalar)
+
+    def array(*values: Any) -> NDArray[np.float64]:
+        inputs = [np.asarray(value, dtype=float) for value in values]
+        shape = np.broadcast_shapes(*(value.shape for value in inputs))
+        # An expression that is constant comes back as one number, whatever the shape.
+        return np.stack([np.broadcast_to(value, shape) for value in over_arrays(*inputs)])
+
+    header = source.signature(name, [a.name for a in arguments])
+    return Function(
+        scalar=scalar,
+        array=array,
+        source="\n".join([*header, *source.body(definition)]),
+        operations=source.operations(definition),
+        definition=definition,
+    )
+
+
+def _lambdified(expressions: list[Any], arguments: Sequence[Symbol], module: str) -> Any:
+    return sympy.lambdify(list(arguments), expressions, modules=module, cse=True)

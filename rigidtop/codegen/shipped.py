@@ -1,0 +1,215 @@
+"""The right-hand sides that the numeric rooms run, and the module that holds them.
+
+`rigidtop.motion` never loads SymPy, so its right-hand sides are written out, once, into
+`rigidtop/motion/equations.py`, from the expressions that `rigidtop.theory` derives.
+``python -m rigidtop.codegen`` rewrites that module; `symbolic` runs what is shipped on symbols, so
+that a derivation page can show that it equals what was derived.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import sympy
+from sympy import Expr, Symbol
+
+from rigidtop.codegen import source
+from rigidtop.codegen.numpy import Function, function
+from rigidtop.theory import euler, top
+from rigidtop.theory import symbols as s
+
+PATH = Path(__file__).parents[1] / "motion" / "equations.py"
+"""The generated module."""
+
+
+def top_without_spin() -> tuple[Expr, ...]:
+    """q̇₀ … q̇₃, ω̇₁, ω̇₂ of the symmetric top in the frame that follows e₃ without turning about it.
+
+    The frame turns by −ω₃ about e₃ against the body, and ω₃ is constant.  q̇ = ½ q∘ω loses ω₃; the
+    components of ω in the frame gain ω₃ e₃ × ω.  The symmetry about e₃ lets the equations stand for
+    every angle between frame and body when they are written where the two coincide.
+    """
+    *attitude, rate1, rate2, _ = top.heavy_body_rates().subs(top.SYMMETRIC)
+    return (
+        *(rate.subs(s.omega3, 0) for rate in attitude),
+        rate1 - s.omega3 * s.omega2,
+        rate2 + s.omega3 * s.omega1,
+    )
+
+
+@dataclass(frozen=True)
+class RightHandSide:
+    """A system ẋ = f(x; parameters) that is shipped."""
+
+    name: str
+    about: str
+    state: tuple[Symbol, ...]
+    parameters: tuple[Symbol, ...]
+    derive: Callable[[], Iterable[Expr]]
+
+
+SHIPPED = (
+    RightHandSide(
+        "free_body",
+        "ω̇₁, ω̇₂, ω̇₃ of a free body: Euler's equations (3.36).",
+        (s.omega1, s.omega2, s.omega3),
+        (s.lambda1, s.lambda2, s.lambda3),
+        euler.body_accelerations,
+    ),
+    RightHandSide(
+        "top_in_euler_angles",
+        "θ̈, φ̈, ψ̈ of the heavy symmetric top: (3.54)-(3.56).  Singular where sin θ = 0.",
+        (s.theta, s.thetadot, s.phidot, s.psidot),
+        (s.lambda1, s.lambda3, s.M, s.g, s.R),
+        top.symmetric_top_accelerations,
+    ),
+    RightHandSide(
+        "heavy_body",
+        "q̇₀ … q̇₃, ω̇₁, ω̇₂, ω̇₃ of a heavy body about a pivot, centre of mass anywhere in it.",
+        (*top.QUATERNION, s.omega1, s.omega2, s.omega3),
+        (s.lambda1, s.lambda2, s.lambda3, s.M, s.g, s.R1, s.R2, s.R3),
+        top.heavy_body_rates,
+    ),
+    RightHandSide(
+        "heavy_top",
+        "q̇₀ … q̇₃, ω̇₁, ω̇₂ of the symmetric top, in the frame that does not turn about e₃.",
+        (*top.QUATERNION, s.omega1, s.omega2),
+        (s.lambda1, s.lambda3, s.M, s.g, s.R, s.omega3),
+        top_without_spin,
+    ),
+)
+
+
+def named(name: str) -> RightHandSide:
+    """The right-hand side of that name; ValueError with the names there are for another."""
+    for side in SHIPPED:
+        if side.name == name:
+            return side
+    raise ValueError(f"no right-hand side {name!r}: {', '.join(side.name for side in SHIPPED)}")
+
+
+def derived(name: str) -> tuple[Expr, ...]:
+    """What `rigidtop.theory` derives."""
+    return tuple(named(name).derive())
+
+
+def symbolic(name: str, text: str | None = None) -> tuple[Expr, ...]:
+    """What is shipped: the source run on symbols, with SymPy's sine and cosine.
+
+    >>> symbolic("free_body")[2]
+    omega1*omega2*(lambda1 - lambda2)/lambda3
+    """
+    side = named(name)
+    module: dict[str, Any] = {"__name__": "equations"}
+    exec(PATH.read_text("utf-8") if text is None else text, module)
+    trigonometry = {
+        word: getattr(sympy, word)
+        for word in module[name].__kwdefaults__ or ()  # the keyword-only sin and cos
+    }
+    return tuple(module[name](*side.parameters, **trigonometry)(side.state))
+
+
+@dataclass(frozen=True)
+class Split:
+    """A right-hand side as it is computed: constants once for a motion, rates at every call."""
+
+    constants: Mapping[Symbol, Expr]
+    rates: Function
+
+    @property
+    def operations(self) -> int:
+        """In one call of the rates."""
+        return self.rates.operations
+
+    @property
+    def operations_once(self) -> int:
+        """In the constants."""
+        return sum(source.operations(source.expression(c)) for c in self.constants.values())
+
+
+def split(side: RightHandSide) -> Split:
+    """Take everything that depends on parameters alone out of the rates."""
+    names: dict[Expr, Symbol] = {}
+    rates = [_by_constants(rate, side.state, names) for rate in side.derive()]
+    constants = {name: constant for constant, name in names.items()}
+    return Split(constants, function(rates, (*side.state, *constants), "rates"))
+
+
+def _by_constants(rate: Expr, state: Sequence[Symbol], names: dict[Expr, Symbol]) -> Expr:
+    """Σ constant × (something of the state), with each constant a symbol from `names`."""
+    factors: dict[Expr, Expr] = defaultdict(lambda: sympy.S.Zero)
+    for term in sympy.Add.make_args(sympy.expand(rate)):
+        factor, of_state = term.as_independent(*state, as_Add=False)
+        factors[of_state] += factor
+    grouped: dict[Expr, Expr] = defaultdict(lambda: sympy.S.Zero)
+    for of_state, factor in factors.items():
+        number, constant = sympy.factor(factor).as_coeff_Mul()
+        grouped[constant] += number * of_state
+    total = sympy.S.Zero
+    for constant, of_state in grouped.items():
+        number, rest = sympy.factor_terms(of_state).as_coeff_Mul()
+        if constant == 1:
+            total += number * rest
+            continue
+        # One constant serves both signs.
+        sign = -1 if (number * constant).could_extract_minus_sign() else 1
+        name = names.setdefault(sign * number * constant, Symbol(f"c{len(names)}"))
+        total += sign * name * rest
+    return total
+
+
+HEADER = '''\
+"""Right-hand sides of rigid-body motion, as derived.
+
+Written by `python -m rigidtop.codegen` from `rigidtop.theory`: do not edit.
+
+Each function takes the parameters once and returns the rates as a function of the state.  The
+numbers may be floats, NumPy arrays that broadcast, or symbols; where angles occur, `sin` and `cos`
+are those of `math` unless others are given.  SI units and radians; λ₁, λ₂, λ₃ are the moments of
+inertia about the pivot (for a free body about the centre of mass), and ω₁, ω₂, ω₃ are components
+in the body frame unless said otherwise.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from typing import Any
+
+Number = Any  # a float, an array or a symbol
+Rates = Callable[[Sequence[Number]], tuple[Number, ...]]
+'''
+
+
+def module_text() -> str:
+    """The whole text of the generated module."""
+    return "\n".join([HEADER, *("\n" + _text(side) + "\n" for side in SHIPPED)])
+
+
+def _text(side: RightHandSide) -> str:
+    parts = split(side)
+    parameters = [f"{p.name}: Number" for p in side.parameters]
+    called = sorted(source.names_called(parts.rates.definition))
+    if called:
+        parameters += ["*", *(f"{word}: Callable[[Any], Any] = math.{word}" for word in called)]
+    state = ", ".join(x.name for x in side.state)
+    lines = [
+        *source.signature(side.name, parameters, returns="Rates"),
+        f'    """{side.about}',
+        "",
+        f"    The state is ({state}).",
+        '    """',
+    ]
+    for name, constant in parts.constants.items():
+        lines += source.assignment(name.name, source.expression(constant))
+    lines += [
+        "",
+        "    def rates(state: Sequence[Number]) -> tuple[Number, ...]:",
+        f"        {state} = state",
+        *source.body(parts.rates.definition, depth=2),
+        "",
+        "    return rates",
+    ]
+    return "\n".join(lines)

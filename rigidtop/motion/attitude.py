@@ -1,0 +1,85 @@
+"""Attitudes: unit quaternions and Euler angles, at and near the poles too.
+
+R = Rz(φ) Ry(θ) Rz(ψ) takes body components to space components (section 3.3).  Its quaternion,
+scalar first, is two complex numbers,
+
+    α = q₀ + i q₃ = cos(θ/2) exp(i(φ + ψ)/2),    β = q₂ − i q₁ = sin(θ/2) exp(i(φ − ψ)/2).
+
+θ from their magnitudes is as accurate near 0 and π as elsewhere.  The phase of α is lost only at
+θ = π and that of β only at θ = 0.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+Floats = NDArray[np.float64]
+Complexes = NDArray[np.complex128]
+
+
+def from_euler_angles(theta: float, phi: float, psi: float) -> Rotation:
+    """R = Rz(φ) Ry(θ) Rz(ψ), body to space; angles in radians.
+
+    >>> from_euler_angles(np.pi / 2, 0.0, 0.0).apply([0, 0, 1]).round(12)    # e₃ lies along x̂
+    array([1., 0., 0.])
+    """
+    half_sum, half_difference = (phi + psi) / 2, (phi - psi) / 2
+    # The float nearest to π means π: a top that hangs straight down, exactly.
+    c, s = 0.0 if theta == math.pi else math.cos(theta / 2), math.sin(theta / 2)
+    x, y = -s * math.sin(half_difference), s * math.cos(half_difference)
+    return Rotation.from_quat([x, y, c * math.sin(half_sum), c * math.cos(half_sum)])
+
+
+def quaternions(rotation: Rotation) -> Floats:
+    """(…, 4), scalar first."""
+    return np.roll(rotation.as_quat(), 1, axis=-1)
+
+
+def spinors(q: Floats) -> tuple[Complexes, Complexes]:
+    """α and β of quaternions (4, …), scalar first."""
+    return q[0] + 1j * q[3], q[2] - 1j * q[1]
+
+
+def polar_angle(alpha: Complexes, beta: Complexes) -> Floats:
+    """θ in [0, π]."""
+    return 2 * np.arctan2(np.abs(beta), np.abs(alpha))
+
+
+def body_rates(
+    theta: float, psi: float, theta_dot: float, phi_dot: float, psi_dot: float
+) -> tuple[float, float, float]:
+    """ω in body components (rad/s) from Euler angles and their rates: (3.42) turned by ψ."""
+    sine = 0.0 if theta == math.pi else math.sin(theta)
+    omega1p, omega2p = -phi_dot * sine, theta_dot
+    c, s = math.cos(psi), math.sin(psi)
+    spin = psi_dot + phi_dot * math.cos(theta)
+    return omega1p * c + omega2p * s, omega2p * c - omega1p * s, spin
+
+
+def azimuth_and_spin(rotation: Rotation, omega: tuple[float, float, float]) -> tuple[float, float]:
+    """φ and ψ in (−π, π] of an attitude.
+
+    An upright body has no φ and ψ of its own, only their sum (θ = 0) or difference (θ = π).  Then
+    they are those that it has as soon as it moves: φ points where e₃ is about to go.  A body that
+    stays upright gets ψ = 0.
+    """
+    alpha, beta = (complex(z) for z in spinors(quaternions(rotation)))
+    if alpha != 0 and beta != 0:
+        half_sum, half_difference = cmath.phase(alpha), cmath.phase(beta)
+        phi, psi = half_sum + half_difference, half_sum - half_difference
+    else:
+        # θ leaves 0 upwards and π downwards, and θ̇ is the component of ω along e₂′.
+        sign = 1.0 if beta == 0 else -1.0
+        psi = math.atan2(sign * omega[0], sign * omega[1]) if omega[0] or omega[1] else 0.0
+        phi = 2 * cmath.phase(alpha) - psi if beta == 0 else 2 * cmath.phase(beta) + psi
+    return _principal(phi), _principal(psi)
+
+
+def _principal(angle: float) -> float:
+    """The same angle in (−π, π]."""
+    return -math.remainder(-angle, 2 * math.pi)

@@ -1,0 +1,139 @@
+"""Rigid bodies with any three moments: free, or heavy with one point held."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from rigidtop.errors import RigidtopError
+from rigidtop.motion import checks
+from rigidtop.motion.motion import Motion
+
+Triple = tuple[float, float, float]
+
+
+class RigidBody(ABC):
+    """What a motion needs to know of a body."""
+
+    @property
+    @abstractmethod
+    def moments(self) -> Triple:
+        """λ₁, λ₂, λ₃ about the point that stays at rest (kg m²)."""
+
+    @property
+    @abstractmethod
+    def weight(self) -> Triple:
+        """Mg (R₁, R₂, R₃) in body components (N m): the potential energy is this · ẑ."""
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether e₃ is an axis of symmetry, also for the weight; then ω₃ is constant."""
+        return self.moments[0] == self.moments[1] and self.weight[:2] == (0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class FreeBody(RigidBody):
+    """A body without torque; moments about its centre of mass (kg m²).
+
+    >>> FreeBody(2.0, 2.0, 1.0).motion(omega=(0.1, 0.0, 3.0)).integrate(1.0).omega.round(6)
+    array([[ 0.007074, -0.099749,  3.      ]])
+    >>> FreeBody(1.0, 1.0, 3.0)
+    Traceback (most recent call last):
+    ...
+    rigidtop.errors.RigidtopError: lambda3 = 3 exceeds the sum of the other two moments, 2: no \
+body has such moments about its centre of mass
+    """
+
+    lambda1: float
+    lambda2: float
+    lambda3: float
+
+    def __post_init__(self) -> None:
+        for name in ("lambda1", "lambda2", "lambda3"):
+            object.__setattr__(self, name, checks.positive(name, getattr(self, name)))
+        if not checks.triangle(self.moments, max(self.moments)):
+            largest = int(np.argmax(self.moments))
+            rest = sum(self.moments) - self.moments[largest]
+            raise RigidtopError(
+                f"lambda{largest + 1} = {self.moments[largest]:g} exceeds the sum of the other two "
+                f"moments, {rest:g}: no body has such moments about its centre of mass"
+            )
+
+    @property
+    def moments(self) -> Triple:
+        return self.lambda1, self.lambda2, self.lambda3
+
+    @property
+    def weight(self) -> Triple:
+        return 0.0, 0.0, 0.0
+
+    def motion(self, omega: Sequence[float], attitude: Rotation | None = None) -> Motion:
+        """The motion from ω in body components (rad/s) and an attitude, body to space.
+
+        The attitude at t = 0 is the identity unless given.  Raises RigidtopError if `omega` is not
+        three finite numbers or `attitude` not a single rotation.
+        """
+        start = Rotation.identity() if attitude is None else attitude
+        return Motion(self, start, checks.vector("omega", omega))
+
+
+@dataclass(frozen=True)
+class HeavyBody(RigidBody):
+    """A body with one point held, in uniform gravity g ≥ 0 along −ẑ (m/s²).
+
+    λ₁, λ₂, λ₃ are the moments about the pivot (kg m²) along principal axes there; `centre_of_mass`
+    is (R₁, R₂, R₃), from the pivot, along the same axes (m); M is the mass (kg).
+
+    Raises RigidtopError for moments that no such body can have: those about the centre of mass,
+    λ − M(R² − R⊗R), must obey the triangle inequality.
+    """
+
+    lambda1: float
+    lambda2: float
+    lambda3: float
+    M: float
+    centre_of_mass: Triple
+    g: float = 9.81
+
+    def __post_init__(self) -> None:
+        for name in ("lambda1", "lambda2", "lambda3", "M"):
+            object.__setattr__(self, name, checks.positive(name, getattr(self, name)))
+        object.__setattr__(self, "g", checks.not_negative("g", self.g))
+        centre = checks.vector("centre_of_mass", self.centre_of_mass)
+        object.__setattr__(self, "centre_of_mass", centre)
+        arm = np.array(centre)
+        shift = self.M * (arm @ arm * np.eye(3) - np.outer(arm, arm))
+        central = np.linalg.eigvalsh(np.diag(self.moments) - shift)
+        if not checks.triangle(central.tolist(), max(self.moments)):
+            found = ", ".join(f"{moment:.4g}" for moment in central)
+            raise RigidtopError(
+                f"the moments about the centre of mass would be {found}, the largest more than the "
+                "sum of the other two: larger moments about the pivot or a nearer centre of mass"
+            )
+
+    @property
+    def moments(self) -> Triple:
+        return self.lambda1, self.lambda2, self.lambda3
+
+    @property
+    def weight(self) -> Triple:
+        first, second, third = (self.M * self.g * arm for arm in self.centre_of_mass)
+        return first, second, third
+
+    def motion(self, omega: Sequence[float], attitude: Rotation | None = None) -> Motion:
+        """The motion from ω in body components (rad/s) and an attitude, body to space.
+
+        The attitude at t = 0 is the identity (e₃ upright) unless given.  Raises RigidtopError if
+        `omega` is not three finite numbers or `attitude` not a single rotation.
+
+        >>> brick = HeavyBody(3.0, 2.0, 1.5, M=1.0, centre_of_mass=(0.2, 0.3, 0.4))
+        >>> run = brick.motion(omega=(1.0, 2.0, 3.0)).integrate([0.0, 5.0])
+        >>> all(change < 1e-9 for change in run.drift().values())
+        True
+        """
+        start = Rotation.identity() if attitude is None else attitude
+        return Motion(self, start, checks.vector("omega", omega))

@@ -1,0 +1,86 @@
+"""Input is checked where it enters; each message says what is wrong and what would be right."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.spatial.transform import Rotation
+
+from rigidtop.errors import RigidtopError
+
+TOLERANCE = 1e-12
+"""Relative slack in inequalities that a real body may satisfy with equality (a flat body)."""
+
+
+def number(name: str, value: Any) -> float:
+    """A finite float."""
+    try:
+        if isinstance(value, (str, bytes)):
+            raise TypeError
+        result = float(value)
+    except (TypeError, ValueError):
+        raise RigidtopError(f"{name} must be a number, not {value!r}") from None
+    if not math.isfinite(result):
+        raise RigidtopError(f"{name} must be finite, not {result}")
+    return result
+
+
+def positive(name: str, value: Any) -> float:
+    result = number(name, value)
+    if result <= 0:
+        raise RigidtopError(f"{name} must be positive, not {result:g}")
+    return result
+
+
+def not_negative(name: str, value: Any) -> float:
+    result = number(name, value)
+    if result < 0:
+        raise RigidtopError(f"{name} must be zero or positive, not {result:g}")
+    return result
+
+
+def vector(name: str, value: Any) -> tuple[float, float, float]:
+    """Three finite floats."""
+    if isinstance(value, (str, bytes)) or np.shape(value) != (3,):
+        raise RigidtopError(f"{name} must be three numbers, not {value!r}")
+    first, second, third = (number(f"{name}[{k}]", x) for k, x in enumerate(value))
+    return first, second, third
+
+
+def polar_angle(value: Any) -> float:
+    result = number("theta", value)
+    if not 0 <= result <= math.pi:
+        raise RigidtopError(f"theta must lie between 0 and pi radians, not at {result:g}")
+    return result
+
+
+def single_rotation(value: Any) -> Rotation:
+    if not isinstance(value, Rotation):
+        raise RigidtopError(f"attitude must be a scipy Rotation, not {type(value).__name__}")
+    if not value.single:
+        raise RigidtopError(f"attitude must be one rotation, not a stack of {len(value)}")
+    if not np.all(np.isfinite(value.as_quat())):
+        raise RigidtopError("attitude must be finite: its quaternion is not")
+    return value
+
+
+def triangle(moments: Sequence[float], scale: float) -> bool:
+    """No moment about the centre of mass exceeds the sum of the other two (equal: a flat body)."""
+    return 2 * max(moments) <= sum(moments) + TOLERANCE * scale
+
+
+def times(value: ArrayLike) -> NDArray[np.float64]:
+    """Finite times, shape (N,) with N ≥ 1."""
+    try:
+        result = np.atleast_1d(np.asarray(value, dtype=float))
+    except (TypeError, ValueError):
+        raise RigidtopError(f"t must be a number or an array of numbers, not {value!r}") from None
+    if result.ndim != 1 or result.size == 0:
+        raise RigidtopError(f"t must be a number or a row of numbers, not of shape {result.shape}")
+    if not np.all(np.isfinite(result)):
+        raise RigidtopError("t must be finite: it contains NaN or infinity")
+    return result

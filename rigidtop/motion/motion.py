@@ -1,0 +1,159 @@
+"""A motion: a body, and its attitude and rotational velocity at t = 0."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.spatial.transform import Rotation
+
+from rigidtop.errors import RigidtopError
+from rigidtop.motion import attitude as attitudes
+from rigidtop.motion import checks, equations
+from rigidtop.motion.attitude import Floats
+from rigidtop.motion.integrate import Accuracy, Flow, counted_phases, on_both_sides
+from rigidtop.motion.trajectory import TopTrajectory, Trajectory
+
+if TYPE_CHECKING:
+    from rigidtop.motion.body import RigidBody
+    from rigidtop.motion.top import HeavyTop
+
+
+MOST_TURNS = 1e7
+"""No integration goes on for longer: it would run for hours and fill the memory."""
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """The motion of a free or heavy body from its initial state; made by the body's `motion`."""
+
+    body: RigidBody
+
+    attitude: Rotation
+    """At t = 0, body components to space components."""
+
+    omega: tuple[float, float, float]
+    """Rotational velocity at t = 0, body components, rad/s."""
+
+    def __post_init__(self) -> None:
+        checks.single_rotation(self.attitude)
+        object.__setattr__(self, "omega", checks.vector("omega", self.omega))
+
+    def start(self) -> Trajectory:
+        """The initial state, as a trajectory of one row."""
+        return Trajectory(self, np.zeros(1), *self._attitudes(self._initial(), np.zeros(1)))
+
+    def integrate(
+        self, t: ArrayLike, method: str = "DOP853", rtol: float = 1e-10, atol: float = 1e-12
+    ) -> Trajectory:
+        """The motion at the times `t`, integrated from the initial state at t = 0.
+
+        `t` (s) is a float or a row of N floats in any order, also negative; the result has one row
+        for each, in that order.  `method` is one of `scipy.integrate.solve_ivp`, `rtol` and `atol`
+        are its tolerances for one step, on the components of the unit quaternion and of ω (rad/s).
+
+        Raises RigidtopError for times that are not finite or too late, for an unknown method, and,
+        with the solver's message, when the solver does not reach the last time.
+        """
+        times = self._times(t)
+        states = on_both_sides(
+            self._rates(),
+            self._initial(),
+            times,
+            Accuracy(method, rtol, atol),
+            lambda flow, ordered: flow.path(ordered),
+        )
+        return Trajectory(self, times, *self._attitudes(states, times))
+
+    def _times(self, t: ArrayLike) -> Floats:
+        times = checks.times(t)
+        moments, weight = self.body.moments, self.body.weight
+        rate = math.hypot(*self.omega) + math.sqrt(math.hypot(*weight) / min(moments))
+        turns = rate * float(np.abs(times).max()) / (2 * math.pi)
+        if turns > MOST_TURNS:
+            raise RigidtopError(
+                f"about {turns:.0e} turns: at most {MOST_TURNS:.0e} can be integrated, "
+                "so ask for earlier times"
+            )
+        return times
+
+    def _rates(self) -> equations.Rates:
+        moments, weight = self.body.moments, self.body.weight
+        # M and g occur in nothing but the product M g R, which `weight` is.
+        if self.body.symmetric:
+            return equations.heavy_top(moments[0], moments[2], 1.0, 1.0, weight[2], self.omega[2])
+        return equations.heavy_body(*moments, 1.0, 1.0, *weight)
+
+    def _initial(self) -> Floats:
+        """The state at t = 0: q and ω, or ω₁ and ω₂ alone for a symmetric body."""
+        omega = self.omega[:2] if self.body.symmetric else self.omega
+        return np.concatenate([attitudes.quaternions(self.attitude), omega])
+
+    def _attitudes(self, states: Floats, times: Floats) -> tuple[Rotation, Floats]:
+        """Attitudes and ω of states (n, N), with the turn about e₃ put back."""
+        frame = Rotation.from_quat(np.roll(states[:4].reshape(4, -1).T, -1, axis=1))
+        if not self.body.symmetric:
+            return frame, states[4:].reshape(3, -1).T
+        spin = self.omega[2]
+        omega1, omega2 = states[4:].reshape(2, -1)
+        across = (omega1 + 1j * omega2) * np.exp(-1j * spin * times)
+        turn = np.zeros((len(times), 4))
+        turn[:, 2], turn[:, 3] = np.sin(spin * times / 2), np.cos(spin * times / 2)
+        omega = np.stack([across.real, across.imag, np.full(len(times), spin)], axis=1)
+        return frame * Rotation.from_quat(turn), omega
+
+
+@dataclass(frozen=True, eq=False)
+class TopMotion(Motion):
+    """The motion of a symmetric top; made by `HeavyTop.motion`."""
+
+    body: HeavyTop
+
+    phi: float = 0.0
+    """φ at t = 0, from which φ(t) continues (rad)."""
+
+    psi: float = 0.0
+    """ψ at t = 0, from which ψ(t) continues (rad)."""
+
+    def start(self) -> TopTrajectory:
+        """The initial state, as a trajectory of one row."""
+        state = self._attitudes(self._initial(), np.zeros(1))
+        return TopTrajectory(self, np.zeros(1), *state, np.array([self.phi]), np.array([self.psi]))
+
+    def integrate(
+        self, t: ArrayLike, method: str = "DOP853", rtol: float = 1e-10, atol: float = 1e-12
+    ) -> TopTrajectory:
+        """The motion at the times `t`, with Euler angles: see `Motion.integrate`.
+
+        >>> from rigidtop import HeavyTop
+        >>> top = HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5)
+        >>> slow, fast = top.steady_precession(theta=0.5, omega3=40.0)
+        >>> run = top.motion(theta=0.5, phi_dot=slow, omega3=40.0).integrate([0.0, 10.0])
+        >>> bool(abs(run.theta[1] - 0.5) < 1e-9), bool(abs(run.phi[1] - 10 * slow) < 1e-9)
+        (True, True)
+        """
+        times = self._times(t)
+        spin = self.omega[2]
+        # Halves of φ ± (ψ − ω₃t), the phases in the frame that does not turn about e₃.
+        phases = (self.phi + self.psi) / 2, (self.phi - self.psi) / 2
+        # φ̇ of a top that stays upright, hanging (α = 0) or standing (β = 0).
+        precession = self.body.lambda3 * spin / (2 * self.body.lambda1)
+        idle = -precession, precession
+
+        def sample(flow: Flow, ordered: Floats) -> Floats:
+            counted = counted_phases(flow, ordered, phases, idle)
+            return np.concatenate([flow.path(ordered), counted])
+
+        accuracy = Accuracy(method, rtol, atol)
+        states = on_both_sides(self._rates(), self._initial(), times, accuracy, sample)
+        half_sum, half_difference = states[6:]
+        return TopTrajectory(
+            self,
+            times,
+            *self._attitudes(states[:6], times),
+            phi=half_sum + half_difference,
+            psi=half_sum - half_difference + spin * times,
+        )

@@ -1,0 +1,159 @@
+"""Bad input gets one line that says what is wrong."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import rigidtop as rt
+
+GOOD = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "R": 0.5}
+TOP = rt.HeavyTop(**GOOD)
+TILTED = {"theta": 1.0, "omega3": 9.0}
+UP = Rotation.identity()
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        ({"lambda1": 0.0}, "lambda1 must be positive, not 0"),
+        ({"lambda3": -1.0}, "lambda3 must be positive, not -1"),
+        ({"lambda3": math.nan}, "lambda3 must be finite, not nan"),
+        ({"M": 0}, "M must be positive, not 0"),
+        ({"M": math.inf}, "M must be finite, not inf"),
+        ({"R": -0.1}, "R must be zero or positive, not -0.1"),
+        ({"g": -9.81}, "g must be zero or positive, not -9.81"),
+        ({"g": "big"}, "g must be a number, not 'big'"),
+        ({"g": None}, "g must be a number, not None"),
+        ({"R": 0.9}, "lambda1 = 1 is too small: .* leaves 0.19, .* at least .* = 1.06$"),
+    ],
+)
+def test_heavy_top(change, says):
+    with pytest.raises(rt.RigidtopError, match=says):
+        rt.HeavyTop(**{**GOOD, **change})
+
+
+def test_a_disc_about_its_pivot_is_allowed_and_no_more():
+    """A disc of M = 2, radius 0.3 at R = 0.4: moments about its centre ½λ₃, ½λ₃, λ₃."""
+    lambda3, shift = 0.5 * 2 * 0.3**2, 2 * 0.4**2
+    disc = rt.HeavyTop(lambda1=lambda3 / 2 + shift, lambda3=lambda3, M=2.0, R=0.4)
+    assert disc.moments == (lambda3 / 2 + shift, lambda3 / 2 + shift, lambda3)
+    with pytest.raises(rt.RigidtopError, match="too small"):
+        rt.HeavyTop(lambda1=(lambda3 / 2 + shift) * (1 - 1e-9), lambda3=lambda3, M=2.0, R=0.4)
+
+
+def test_free_body():
+    assert rt.FreeBody(1, 2, 3).moments == (1.0, 2.0, 3.0)  # flat
+    with pytest.raises(rt.RigidtopError, match="lambda2 = 3 exceeds the sum of the other two"):
+        rt.FreeBody(1.0, 3.0, 1.9)
+    with pytest.raises(rt.RigidtopError, match="lambda2 must be positive"):
+        rt.FreeBody(1.0, 0.0, 1.0)
+
+
+def test_heavy_body():
+    with pytest.raises(rt.RigidtopError, match="about the centre of mass would be 0, 0, 1, the"):
+        rt.HeavyBody(1, 1, 1, M=1, centre_of_mass=(1, 0, 0))
+    with pytest.raises(rt.RigidtopError, match="centre_of_mass must be three numbers"):
+        rt.HeavyBody(1, 1, 1, M=1, centre_of_mass=(0, 0))
+    # A stick along e₁, of M = 3 and length 2: 4, 4 about its end, 1, 1 about its middle.
+    stick = rt.HeavyBody(1e-3, 4, 4, M=3, centre_of_mass=(1, 0, 0))
+    assert stick.weight == (3 * 9.81, 0, 0)
+    with pytest.raises(rt.RigidtopError, match="largest more than the sum"):
+        rt.HeavyBody(1e-3, 4, 2.9, M=3, centre_of_mass=(1, 0, 0))
+
+
+@pytest.mark.parametrize("moments", [(1.0, 0.5), (2.0, 3.0)])
+def test_the_top_and_the_heavy_body_allow_the_same(moments):
+    """λ₁ − MR² ≥ λ₃/2 is what the eigenvalues of the shifted tensor say."""
+    least = moments[1] / 2
+    for mr2, allowed in ((moments[0] - least - 1e-6, True), (moments[0] - least + 1e-6, False)):
+        arm = math.sqrt(mr2)
+        for make in (
+            lambda arm=arm: rt.HeavyTop(lambda1=moments[0], lambda3=moments[1], M=1.0, R=arm),
+            lambda arm=arm: rt.HeavyBody(moments[0], *moments, 1.0, (0.0, 0.0, arm)),
+        ):
+            if allowed:
+                assert make().moments[2] == moments[1]
+            else:
+                with pytest.raises(rt.RigidtopError):
+                    make()
+
+
+@pytest.mark.parametrize(
+    ("start", "says"),
+    [
+        ({"theta": 1.0}, "give theta and the spin"),
+        ({"omega3": 9.0}, "give theta and the spin"),
+        ({}, "give theta and the spin"),
+        ({**TILTED, "psi_dot": 1.0}, "psi_dot or omega3, not both"),
+        ({**TILTED, "theta": -0.1}, "theta must lie between 0 and pi radians, not at -0.1"),
+        ({**TILTED, "theta": 3.2}, "theta must lie between 0 and pi"),
+        ({**TILTED, "phi_dot": math.inf}, "phi_dot must be finite"),
+        ({"attitude": UP}, "needed together"),
+        ({"omega": (1, 2, 3)}, "needed together"),
+        ({"attitude": UP, "omega": (1, 2, 3), "phi": 0.0}, "not both: phi too"),
+        ({"attitude": UP, "omega": (1, 2)}, "omega must be three numbers, not"),
+        ({"attitude": UP, "omega": (1, 2, math.nan)}, r"omega\[2\] must be finite"),
+        ({"attitude": np.eye(3), "omega": (1, 2, 3)}, "a scipy Rotation, not ndarray"),
+        (
+            {"attitude": Rotation.from_quat(np.eye(4)), "omega": (1, 2, 3)},
+            "one rotation, not a stack of 4",
+        ),
+    ],
+)
+def test_starts(start, says):
+    with pytest.raises(rt.RigidtopError, match=says) as caught:
+        TOP.motion(**start)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        ({"t": math.nan}, "t must be finite"),
+        ({"t": [0, math.inf]}, "t must be finite"),
+        ({"t": []}, r"not of shape \(0,\)"),
+        ({"t": [[1.0]]}, r"not of shape \(1, 1\)"),
+        ({"t": "soon"}, "t must be a number or an array of numbers, not 'soon'"),
+        ({"t": 1.0, "method": "Euler"}, "unknown method 'Euler': DOP853, RK45, RK23, Radau"),
+        ({"t": 1.0, "rtol": 0.0}, "rtol must be at least 2.3e-14, not 0"),
+        ({"t": 1.0, "atol": -1.0}, "atol must be zero or positive"),
+        ({"t": 1e20}, r"turns: at most 1e\+07"),
+    ],
+)
+def test_integrations(arguments, says):
+    with pytest.raises(rt.RigidtopError, match=says) as caught:
+        TOP.motion(**TILTED).integrate(**arguments)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_solver_that_gives_up_says_why(monkeypatch):
+    from scipy.integrate import OdeSolution
+
+    from rigidtop.motion import integrate
+
+    class Stopped:
+        status, message, t, y = -1, "Required step size is too small.", np.array([0, 0.5]), UP
+        sol = OdeSolution
+
+    monkeypatch.setattr(integrate, "solve_ivp", lambda *_, **__: Stopped)
+    with pytest.raises(
+        rt.RigidtopError, match=r"stopped at t = 0.5 on the way to 1: Required step"
+    ):
+        TOP.motion(**TILTED).integrate(1.0)
+
+
+def test_polar_angles_of_rates():
+    with pytest.raises(rt.RigidtopError, match="theta must lie"):
+        TOP.steady_precession(4.0, 9.0)
+    with pytest.raises(rt.RigidtopError, match="omega3 must be finite"):
+        TOP.steady_precession(1.0, math.nan)
+    with pytest.raises(rt.RigidtopError, match="theta must lie"):
+        TOP.smallest_spin(-1e-9)
+
+
+def test_bodies_are_values():
+    assert rt.FreeBody(1, 2, 2.5) == rt.FreeBody(1.0, 2.0, 2.5)
+    with pytest.raises(AttributeError):
+        TOP.R = 2.0
