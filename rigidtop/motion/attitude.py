@@ -82,4 +82,5 @@ def azimuth_and_spin(rotation: Rotation, omega: tuple[float, float, float]) -> t
 
 def _principal(angle: float) -> float:
     """The same angle in (−π, π]."""
-    return -math.remainder(-angle, 2 * math.pi)
+    remainder = math.remainder(angle, 2 * math.pi)
+    return math.pi if remainder == -math.pi else remainder

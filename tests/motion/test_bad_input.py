@@ -134,14 +134,31 @@ def test_a_solver_that_gives_up_says_why(monkeypatch):
     from rigidtop.motion import integrate
 
     class Stopped:
-        status, message, t, y = -1, "Required step size is too small.", np.array([0, 0.5]), UP
-        sol = OdeSolution
+        status, message, t = -1, "Required step size is too small.", np.array([0, 0.5])
+        y, sol = np.zeros((6, 2)), OdeSolution
 
     monkeypatch.setattr(integrate, "solve_ivp", lambda *_, **__: Stopped)
     with pytest.raises(
         rt.RigidtopError, match=r"stopped at t = 0.5 on the way to 1: Required step"
     ):
         TOP.motion(**TILTED).integrate(1.0)
+
+
+def test_what_is_not_a_number_is_not_passed_on(monkeypatch):
+    from rigidtop.motion import integrate
+
+    class Lost:
+        status, message, t = 0, "The solver says that it arrived.", np.array([0, 1.0])
+        y, sol = np.full((6, 2), np.nan), lambda t: np.full((6, len(t)), np.nan)
+
+    monkeypatch.setattr(integrate, "solve_ivp", lambda *_, **__: Lost)
+    with pytest.raises(rt.RigidtopError, match="the integration stopped at t = 1"):
+        TOP.motion(**TILTED).integrate(1.0)
+
+
+def test_rates_that_overflow():
+    with pytest.raises(rt.RigidtopError, match="the velocities are too large"):
+        TOP.motion(theta=1.0, theta_dot=1e200, omega3=1e200).integrate(1e-200)
 
 
 def test_polar_angles_of_rates():

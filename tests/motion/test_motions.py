@@ -123,7 +123,7 @@ def test_against_the_euler_angles_integrated_directly():
 angle = st.floats(-3.0, 3.0)
 
 
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 @given(st.floats(0.05, 3.09), angle, angle, angle, angle, st.floats(-20.0, 20.0))
 def test_accelerations_of_both_forms_agree(theta, phi, psi, theta_dot, phi_dot, psi_dot):
     """θ̈ etc. by (3.54)-(3.56) against differences of the rates along the quaternion form."""
