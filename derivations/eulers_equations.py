@@ -156,12 +156,24 @@ def with_torque() -> Iterator[Evidence]:
         )
 
 
+def right_sides() -> tuple[Equation, ...]:
+    """What (3.36) says of each rate."""
+    with as_printed():
+        return (
+            Equation(omega1dot, Group(lambda2 - lambda3) / lambda1 * omega2 * omega3),
+            Equation(omega2dot, Group(lambda3 - lambda1) / lambda2 * omega3 * omega1),
+            Equation(omega3dot, Group(lambda1 - lambda2) / lambda3 * omega1 * omega2),
+        )
+
+
 @claim("principal-stays", "ω along a principal axis stays constant.")
 def principal_stays() -> Iterator[Evidence]:
     """Two of the three ωₖ vanish, so every product on the right of (3.36) does."""
     with as_printed():
         constant = Equation(Matrix([omega1dot, omega2dot, omega3dot]), Matrix([0, 0, 0]))
     rates = dict(zip((omega1dot, omega2dot, omega3dot), body_accelerations(), strict=True))
+    for line in right_sides():
+        yield Check(line, rates, reason="A product of two components.", printed=False)
     for axis in range(3):
         others = [w for k, w in enumerate(OMEGA) if k != axis]
         yield Check(
@@ -186,6 +198,8 @@ def off_axis() -> Iterator[Evidence]:
             Matrix([omega1dot, omega2dot, omega3dot]), Matrix([0, 0, 0]), relation="≠"
         )
     rates = dict(zip((omega1dot, omega2dot, omega3dot), body_accelerations(), strict=True))
+    for line in right_sides():
+        yield Check(line, rates, reason="A difference of two moments.", printed=False)
     moments = (lambda1, lambda2, lambda3)
     for i, j in ((0, 1), (1, 2), (2, 0)):
         yield Check(

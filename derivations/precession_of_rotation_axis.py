@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from sympy import (
     Eq,
@@ -75,6 +76,7 @@ START = Assumption(
     Eq(omega_20, 0),
     "e₁, which is free to choose when λ₁ = λ₂, points along the part of ω across e₃ at t = 0",
 )
+FROM_START = replace(START, stated=True)  # (3.38) is given there
 RATES = dict(zip((omega1dot, omega2dot, omega3dot), body_accelerations(), strict=True))
 
 
@@ -183,25 +185,33 @@ def body_precession() -> Iterator[Evidence]:
 def constant_angle() -> Iterator[Evidence]:
     """ω·L = 2T and |L| are constant for every body; |ω| is too when λ₁ = λ₂."""
     with as_printed():
-        product = Equation(Dot(omega_vec, L_vec), 2 * T, const)
-        cosine = Equation(
-            Dot(omega_vec, L_vec) ** 2 / (Dot(omega_vec, omega_vec) * Dot(L_vec, L_vec)), const
-        )
+        product = Equation(Dot(omega_vec, L_vec), 2 * T)
+        conserved = Equation(T, const)
         on_cone = Equation(Dot(omega_vec, L_vec), lambda1 * omega_0**2 + lambda3 * omega3**2)
+        sizes = (
+            Equation(Dot(omega_vec, omega_vec), omega_0**2 + omega3**2),
+            Equation(Dot(L_vec, L_vec), lambda1**2 * omega_0**2 + lambda3**2 * omega3**2),
+        )
     meaning = {
         omega_vec: Matrix(OMEGA),
         L_vec: angular_momentum(),
         T: kinetic_energy(),
         const: along_flow,
     }
-    yield Check(product, meaning, printed=False)
-    yield Check(cosine, meaning, (SYMMETRIC,), "The square of the cosine.", printed=False)
-    solution = body_cone().subs(omega_20, 0)
+    yield Check(product, meaning, reason="For every body.", printed=False)
+    yield Check(conserved, meaning, reason="For every body.", printed=False)
+    solution = body_cone()
+    on_body_cone = {omega_vec: solution, L_vec: diag(lambda1, lambda2, lambda3) * solution}
     yield Check(
         on_cone,
-        {omega_vec: solution, L_vec: diag(lambda1, lambda1, lambda3) * solution},
-        reason="The scalar product of (3.38) and (3.39).",
+        on_body_cone,
+        (SYMMETRIC, FROM_START),
+        "The scalar product of (3.38) and (3.39): no t is left,",
         printed=False,
+    )
+    yield Check(sizes[0], on_body_cone, (FROM_START,), "nor in the square of |ω|,", printed=False)
+    yield Check(
+        sizes[1], on_body_cone, (SYMMETRIC, FROM_START), "nor in that of |L|.", printed=False
     )
 
 

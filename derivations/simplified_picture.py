@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sympy import Eq, Expr, Gt, Matrix, Ne, cos, sin
+from sympy import Eq, Expr, Gt, Matrix, cos, sin
 
 from rigidtop.proof.equation import Cross, Dot, Equation, as_printed
 from rigidtop.proof.page import Assumption, Check, Evidence, Page, Step, claim

@@ -59,7 +59,10 @@ def principal() -> Iterator[Evidence]:
     )
     moments, axes = principal_axes(body)
     meaning = {inertia: body, O_matrix: axes, Lambda: diag(*moments), unit: eye(3)}
-    yield Step(Equation(inertia, body), "Masses of 1, 2 and 3 kg at (1, 2, 2), (2, 1, −2) and (2, −2, 1) m.")
+    yield Step(
+        Equation(inertia, body),
+        "Masses of 1, 2 and 3 kg at (1, 2, 2), (2, 1, −2) and (2, −2, 1) m.",
+    )
     yield Check(diagonal, meaning, reason="O from its eigenvectors.", printed=False)
     yield Check(orthogonal, meaning, reason="The eigenvectors are orthonormal.", printed=False)
     yield Check(

@@ -9,9 +9,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import lru_cache
-from typing import Any
+from collections.abc import Iterator, Mapping, Sequence
 
 import sympy
 from sympy import Expr, Integer, Rational, Symbol, cos, pi, sin
@@ -20,6 +18,7 @@ from sympy.core.relational import Relational
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
 Point = Mapping[Symbol, Expr]
+Floats = list[float]
 
 TOLERANCE = 1e-9
 """Below this, relative to the values compared, a difference in double precision counts as zero."""
@@ -190,44 +189,60 @@ def points(symbols: Sequence[Symbol], angles: set[Symbol], tries: int = 600) -> 
         yield {x: draw(x) for x in symbols}
 
 
+_FUNCTIONS = {sin: math.sin, cos: math.cos, sympy.tan: math.tan, sympy.Abs: abs}
+
+ROUNDING = 1e-15
+"""Less than this is zero in double precision, for values of the size of those drawn."""
+
+
 def angle_symbols(expressions: Sequence[Expr]) -> set[Symbol]:
     """The symbols that stand inside a sine or a cosine."""
     inside = [f.args[0] for e in expressions for f in e.atoms(sin, cos)]
     return set().union(*(argument.free_symbols for argument in inside)) if inside else set()
 
 
-def evaluator(
-    symbols: Sequence[Symbol], expressions: Sequence[Expr], hidden: Mapping[Symbol, Expr]
-) -> Callable[[Point], list[float]]:
-    """A function of a point that gives floats, infinite where divided by zero, NaN if not real.
+def evaluate(expressions: Sequence[Expr], point: Point, hidden: Mapping[Symbol, Expr]) -> Floats:
+    """The expressions at a point, as floats: infinite where divided by zero, NaN if not real.
 
-    `hidden` are symbols of the expressions that are themselves expressions in `symbols`.
+    `hidden` are symbols of the expressions that are themselves expressions in the point's.
     """
-    names = list(hidden)
-    inner = [_compiled(tuple(symbols), e) for e in hidden.values()]
-    outer = [_compiled((*symbols, *names), e) for e in expressions]
-
-    def evaluate(point: Point) -> list[float]:
-        numbers = [float(point[x]) for x in symbols]
-        numbers += [_number(function, numbers) for function in inner]
-        if not all(map(math.isfinite, numbers)):
-            return [math.nan] * len(outer)
-        return [_number(function, numbers) for function in outer]
-
-    return evaluate
+    at = {x: float(v) for x, v in point.items()}
+    inner = {x: _number(e, at) for x, e in hidden.items()}
+    if not all(map(math.isfinite, inner.values())):
+        return [math.nan] * len(expressions)
+    at |= inner
+    return [_number(e, at) for e in expressions]
 
 
-@lru_cache(maxsize=4096)
-def _compiled(symbols: tuple[Symbol, ...], expression: Expr) -> Callable[..., float]:
-    return sympy.lambdify(list(symbols), expression, modules="math")
-
-
-def _number(function: Callable[..., float], numbers: Sequence[float]) -> float:
-    """The value; infinite where it divides by zero, NaN where it is not real."""
+def _number(expression: Expr, at: Mapping[Symbol, float]) -> float:
     try:
-        result = function(*numbers)
+        return _float(expression, at)
     except ZeroDivisionError:
         return math.inf
-    except (ArithmeticError, ValueError):
+    except (OverflowError, ValueError):
         return math.nan
-    return math.nan if isinstance(result, complex) else float(result)
+
+
+def _float(node: Expr, at: Mapping[Symbol, float]) -> float:
+    """A walk over the tree: for a few points cheaper by far than compiling it.
+
+    Raises ZeroDivisionError, and ValueError where a value is not real.
+    """
+    if isinstance(node, Symbol):
+        return at[node]
+    if isinstance(node, sympy.Add):
+        return math.fsum(_float(term, at) for term in node.args)
+    if isinstance(node, sympy.Mul):
+        return math.prod(_float(factor, at) for factor in node.args)
+    if isinstance(node, sympy.Pow):
+        base, exponent = (_float(argument, at) for argument in node.args)
+        if base < 0 and not exponent.is_integer():
+            raise ValueError("not real")
+        # A sine or cosine that is zero in exact numbers is 1e-16 here.
+        if abs(base) < ROUNDING and exponent < 0:
+            raise ZeroDivisionError
+        return base**exponent
+    function = _FUNCTIONS.get(node.func)
+    if function is not None:
+        return function(*(_float(argument, at) for argument in node.args))
+    return float(node)

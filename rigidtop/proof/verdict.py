@@ -200,7 +200,7 @@ def _shown(check: Check, meaning: Meaning, assuming: Sequence[Assumption]) -> Ve
         return None
     sampled = False
     for relation, left, right in relations:
-        differences = [_without_bars(_impose(d, equal), conditions) for d in _entries(left, right)]
+        differences = [_without_bars(_impose(d, equal), conditions) for d in entries(left, right)]
         if relation in ("=", "≡"):
             given = [_impose(h, equal) for h in check.given]
             for difference in differences:
@@ -242,7 +242,7 @@ def _relations(claimed: Equation, meaning: Meaning) -> list[tuple[str, Any, Any]
     return pairs
 
 
-def _entries(left: Any, right: Any) -> list[Expr]:
+def entries(left: Any, right: Any) -> list[Expr]:
     """The differences that decide: entry by entry for matrices; 0 fits every shape."""
     if isinstance(left, sympy.MatrixBase) and isinstance(right, sympy.MatrixBase):
         return list(left - right)
@@ -324,7 +324,7 @@ def _search(
 
     hidden = {dummy: both(expression) for dummy, expression in hidden.items()}
     sides = [
-        (relation, [(both(a), both(b)) for a, b in _side_entries(left, right)])
+        (relation, [(both(a), both(b)) for a, b in _sideentries(left, right)])
         for relation, left, right in relations
     ]
     conditions = [c for c in map(both, conditions) if c != sympy.true]
@@ -337,9 +337,8 @@ def _search(
     everything = [*flat, *gaps, *given]
     seen = [*everything, *hidden.values()]
     symbols = sorted(set().union(*(e.free_symbols for e in seen)) - set(hidden), key=str)
-    evaluate = decide.evaluator(symbols, everything, hidden)
     for point in decide.points(symbols, decide.angle_symbols(seen), tries):
-        numbers = evaluate(point)
+        numbers = decide.evaluate(everything, point, hidden)
         values = numbers[: len(flat)]
         gap = numbers[len(flat) : len(flat) + len(gaps)]
         zero = numbers[len(flat) + len(gaps) :]
@@ -392,7 +391,7 @@ def _solve_given(given: list[Expr]) -> tuple[dict[Symbol, Expr], list[Expr]]:
     return {}, given
 
 
-def _side_entries(left: Any, right: Any) -> list[tuple[Expr, Expr]]:
+def _sideentries(left: Any, right: Any) -> list[tuple[Expr, Expr]]:
     matrices = [side for side in (left, right) if isinstance(side, sympy.MatrixBase)]
     if not matrices:
         return [(sympy.sympify(left), sympy.sympify(right))]
@@ -450,7 +449,10 @@ def _counterexample(
     sides: Any, point: Mapping[Symbol, Expr], hidden: Mapping[Symbol, Expr]
 ) -> Counterexample:
     """The first pair of sides that differ, exactly; else the first pair."""
-    at = {**point, **{dummy: expression.xreplace(dict(point)) for dummy, expression in hidden.items()}}
+    at = {
+        **point,
+        **{dummy: expression.xreplace(dict(point)) for dummy, expression in hidden.items()},
+    }
     exact = [(_at(left, at), _at(right, at)) for _, pairs in sides for left, right in pairs]
     left, right = next(((a, b) for a, b in exact if a != b), exact[0])
     return Counterexample(dict(point), left, right)
