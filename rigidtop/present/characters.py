@@ -61,6 +61,7 @@ PUNCTUATION = {
     "\u00a0": "~",
     "\u202f": r"\,",
     "\u2009": r"\,",
+    "\u2002": r"\enspace{}",
     "\u2011": "-",
 }
 SUBSCRIPTS = dict(zip("₀₁₂₃₄₅₆₇₈₉₊₋ₖᵢⱼₙₓ", "0123456789+-kijnx", strict=True))
@@ -100,6 +101,7 @@ MATHS = {
     "°": r"^{\circ}",
     "′": "'",
     "″": "''",
+    "‴": "'''",
     "↦": r"\mapsto",
     "↔": r"\leftrightarrow",
     "⇔": r"\Leftrightarrow",

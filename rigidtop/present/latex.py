@@ -9,6 +9,7 @@ r"""LaTeX, for amsmath and amssymb.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import singledispatch
 from typing import Any
 
@@ -30,6 +31,20 @@ def latex(tree: Any, order: Order = "auto") -> str:
     return _tex(tree if _is_node(tree) else lay.layout(tree, order))
 
 
+@dataclass(frozen=True)
+class AlignRow:
+    """An equation of an ``align``: its lines, its tag, prose above it, prose beside or below it.
+
+    `mark` is a word that stands beside it in any case.
+    """
+
+    lines: tuple[Line, ...]
+    tag: str = ""
+    above: str = ""
+    beside: str = ""
+    mark: str = ""
+
+
 def aligned(
     equations: Sequence[Equation],
     *,
@@ -41,26 +56,56 @@ def aligned(
 
     ``reasons[i]`` is prose that stands beside equation i where it fits, else below it.
     """
-    rows: list[str] = []
-    for i, equation in enumerate(equations):
-        reason = reasons[i] if i < len(reasons) else ""
-        broken = lay.lines(equation, order, limit)
-        for j, line in enumerate(broken):
-            last = j == len(broken) - 1
-            row = align_row(line)
-            below = ""
-            if last and reason:
-                if _line_width(line) + 0.8 * len(reason) < limit - 8:
-                    row += rf" && \text{{{prose(reason)}}}"
-                else:
-                    below = rf"\intertext{{{prose(reason)}}}"
-            if last and equation.tag:
-                row += rf" \tag{{{equation.tag}}}"
-            elif not (last and equation.tag):
-                row += r" \notag"
-            final = last and i == len(equations) - 1
-            rows.append(row + ("" if final else r" \\") + ("\n" + below if below else ""))
-    return "\\begin{align}\n" + "\n".join(rows) + "\n\\end{align}"
+    return align(
+        [
+            AlignRow(
+                tuple(lay.lines(equation, order, limit)),
+                equation.tag,
+                beside=reasons[i] if i < len(reasons) else "",
+            )
+            for i, equation in enumerate(equations)
+        ],
+        limit,
+    )
+
+
+def align(rows: Sequence[AlignRow], limit: float = lay.LINE) -> str:
+    r"""The ``align`` environment of some rows; ``align*`` if none has a tag."""
+    star = "" if any(row.tag for row in rows) else "*"
+    beside = _all_fit_beside(rows, limit)
+    made: list[str] = []
+    for i, row in enumerate(rows):
+        if row.above and made:
+            made[-1] += _intertext(row.above)
+        for j, line in enumerate(row.lines):
+            last = j == len(row.lines) - 1
+            tex = align_row(line)
+            words = " ".join(filter(None, [row.beside if beside else "", row.mark]))
+            if last and words:
+                tex += rf" && \text{{{prose(words)}}}"
+            if last and row.tag:
+                tex += rf" \tag{{{row.tag}}}"
+            elif not star:
+                tex += r" \notag"
+            made.append(tex if last and i == len(rows) - 1 else tex + r" \\")
+        if row.beside and not beside and i < len(rows) - 1:
+            made[-1] += _intertext(row.beside)
+    # What stands before the first line or behind the last is a paragraph of its own.
+    before = prose(rows[0].above) + "\n" if rows[0].above else ""
+    behind = "\n" + prose(rows[-1].beside) if rows[-1].beside and not beside else ""
+    body = "\n".join(made)
+    return f"{before}\\begin{{align{star}}}\n{body}\n\\end{{align{star}}}{behind}"
+
+
+def _intertext(words: str) -> str:
+    return "\n" + rf"\intertext{{{prose(words)}}}"
+
+
+def _all_fit_beside(rows: Sequence[AlignRow], limit: float) -> bool:
+    """Whether all reasons fit into a column right of the widest line."""
+    widest = max(_line_width(line) for row in rows for line in row.lines)
+    longest = max(0.8 * len(row.beside + row.mark) + (8 if row.tag else 0) for row in rows)
+    return widest + longest + 4 < limit
 
 
 def align_row(line: Line) -> str:
@@ -175,29 +220,8 @@ def _(node: lay.Apply) -> str:
     return name + _enclosed(inside, "()", node.arguments) if node.brackets else joined(name, inside)
 
 
-_TALL = (lay.Fraction, lay.Braced, lay.Big, lay.Derivative, lay.Grid, lay.Root)
-
-
-def _is_tall(node: Any) -> bool:
-    if isinstance(node, lay.Fraction):
-        return not node.small
-    if isinstance(node, _TALL):
-        return True
-    if isinstance(node, lay.Sum):
-        return any(_is_tall(term.body) for term in node.terms)
-    if isinstance(node, lay.Product):
-        return any(map(_is_tall, node.factors))
-    if isinstance(node, lay.Listed):
-        return any(map(_is_tall, node.items))
-    if isinstance(node, (lay.Power, lay.Brackets, lay.TransposeOf)):
-        return _is_tall(node.base if isinstance(node, lay.Power) else node.body)
-    if isinstance(node, lay.Infix):
-        return _is_tall(node.left) or _is_tall(node.right)
-    return False
-
-
 def _enclosed(inside: str, shape: str, nodes: Sequence[Node]) -> str:
-    if any(map(_is_tall, nodes)):
+    if any(map(lay.is_tall, nodes)):
         return rf"\left{shape[0]}{inside}\right{shape[1]}"
     left, right = (r"\lvert ", r"\rvert") if shape == "||" else (shape[0], shape[1])
     return left + inside + right

@@ -41,7 +41,10 @@ from rigidtop.proof.equation import (
 )
 from rigidtop.theory.symbols import VOCABULARY, Glyph, Quantity
 
-Order = Literal["typed", "mechanics", "auto"]
+Order = Literal["typed", "printed", "mechanics", "auto"]
+"""``typed``: as typed.  ``printed``: as typed, but for a side that is certainly SymPy's own, as in
+an equation of the notes that takes one side from the engine.  ``mechanics``: the order of
+mechanics.  ``auto``: that too, but for a side that is certainly typed."""
 
 
 # --- The nodes -----------------------------------------------------------------------------------
@@ -439,18 +442,29 @@ def is_typed(tree: Any) -> bool:
     return any(is_typed(part) for part in tree.args)
 
 
-def layout(tree: Any, order: Order = "auto") -> Node:
-    """The layout of an expression, a matrix, a condition or an `Equation`.
+def is_evaluated(tree: Any) -> bool:
+    """Whether SymPy put a tree together: what is typed has two operands at each node."""
+    return not is_typed(tree) and _has_wide_node(tree)
 
-    With ``order="auto"`` each side is printed as typed when it has an order of its own, and in the
-    order of mechanics otherwise.
-    """
+
+def _has_wide_node(tree: Any) -> bool:
+    if isinstance(tree, sympy.MatrixBase):
+        return any(map(_has_wide_node, tree))
+    if isinstance(tree, (Add, Mul)) and len(tree.args) - (tree.args[0] == -1) > 2:
+        return True
+    return isinstance(tree, Basic) and any(map(_has_wide_node, tree.args))
+
+
+def layout(tree: Any, order: Order = "auto") -> Node:
+    """The layout of an expression, a matrix, a condition or an `Equation`, each side by itself."""
     if isinstance(tree, Equation):
         sides = tuple(layout(side, order) for side in tree.sides)
         return Chain(sides, (tree.relation,) * (len(sides) - 1))
     tree = sympy.sympify(tree)
     if order == "auto":
         order = "typed" if is_typed(tree) else "mechanics"
+    elif order == "printed":
+        order = "mechanics" if is_evaluated(tree) else "typed"
     return _node(tree, order)
 
 
@@ -497,12 +511,17 @@ def _(tree: sympy.Number, order: Order) -> Node:
     if tree.is_infinite:
         return Number("∞")
     if tree.is_Float:
-        return _decimal(float(tree))
+        return decimal(float(tree))
     return Number(str(tree))
 
 
-def _decimal(number: float) -> Node:
-    digits, _, exponent = f"{number:.6g}".partition("e")
+def decimal(number: float, digits_shown: int = 6) -> Node:
+    """A decimal number that is not negative, with a power of ten where it needs one.
+
+    >>> decimal(0.25)
+    Number(text='0.25')
+    """
+    digits, _, exponent = f"{number:.{digits_shown}g}".partition("e")
     if not exponent:
         return Number(digits)
     size = abs(int(exponent))
@@ -824,12 +843,14 @@ def _term_key(term: Expr) -> _Key:
     Terms of first degree with a bare rate stand before those with functions: ψ̇ + φ̇ cos θ.
     """
     degree = _degree(term)
+    root = any(isinstance(f, Pow) and not f.exp.is_integer and f.base.is_Add for f in term.args)
     keys = sorted(_factor_key(factor) for factor in Mul.make_args(term))
     symbols = sorted(map(_symbol_key, term.free_symbols))
     parameters = tuple(key[1:] for key in symbols if key[0] == _PARAMETER)
     functions = sum(key[0] == _FUNCTION for key in keys)
     return (
         -degree,
+        root,
         parameters,
         functions if degree == 1 else 0,
         [(key[0], key[1]) for key in keys if key[0] not in (_NUMBER, _PARAMETER)],
@@ -882,7 +903,29 @@ def _ordered_product(tree: Any) -> Node:
     return negated(node) if negative else node
 
 
-# --- Width, and breaking into lines --------------------------------------------------------------
+# --- Height, width, and breaking into lines -------------------------------------------------------
+
+
+_TALL = (Fraction, Braced, Big, Derivative, Grid, Root)
+
+
+def is_tall(node: Any) -> bool:
+    """Whether brackets round a node must grow."""
+    if isinstance(node, Fraction):
+        return not node.small
+    if isinstance(node, _TALL):
+        return True
+    if isinstance(node, Sum):
+        return any(is_tall(term.body) for term in node.terms)
+    if isinstance(node, Product):
+        return any(map(is_tall, node.factors))
+    if isinstance(node, Listed):
+        return any(map(is_tall, node.items))
+    if isinstance(node, (Power, Brackets, TransposeOf)):
+        return is_tall(node.base if isinstance(node, Power) else node.body)
+    if isinstance(node, Infix):
+        return is_tall(node.left) or is_tall(node.right)
+    return isinstance(node, Chain) and any(map(is_tall, node.sides))
 
 
 @singledispatch

@@ -17,7 +17,13 @@ from rigidtop.present.text import text
 from rigidtop.proof.equation import Equation
 from rigidtop.theory.symbols import Glyph
 
-_ACCENTS = {"dot": "˙", "ddot": "¨", "hat": "^"}
+# Not accent="true": browsers then lay a dot into the letter beneath it.
+_ACCENTS = {
+    "dot": '<mo scriptlevel="0">˙</mo>',
+    "ddot": '<mo scriptlevel="0">¨</mo>',
+    "hat": '<mo stretchy="false">^</mo>',
+}
+_SHAPES = {"φ": "ϕ", "ε": "ϵ"}  # as LaTeX draws them
 _VECTOR = ' mathvariant="normal" style="font-weight:bold"'
 _BOLD_GREEK = ' style="font-weight:bold"'
 _THIN = '<mspace width="0.1667em"/>'
@@ -61,18 +67,15 @@ def letter(glyph: Glyph) -> str:
         base = f"<mtext>{escape(glyph.base)}</mtext>"
     else:
         greek = glyph.base in lay.GREEK.values()
-        style = (_BOLD_GREEK if greek else _VECTOR) if glyph.bold else ""
+        style = (_BOLD_GREEK if greek and glyph.base.islower() else _VECTOR) if glyph.bold else ""
         if not style and greek and glyph.base.isupper():
             style = ' mathvariant="normal"'
-        base = f"<mi{style}>{escape(glyph.base)}</mi>"
+        base = f"<mi{style}>{_SHAPES.get(glyph.base, escape(glyph.base))}</mi>"
     if glyph.accent:
-        mark = f'<mo stretchy="false">{_ACCENTS[glyph.accent]}</mo>'
-        base = f'<mover accent="true">{base}{mark}</mover>'
-    prime = "<mo>′</mo>" if glyph.prime else ""
+        base = f"<mover>{base}{_ACCENTS[glyph.accent]}</mover>"
     if glyph.sub:
-        sub = _subscript(glyph.sub)
-        return f"<msubsup>{base}{sub}{prime}</msubsup>" if prime else f"<msub>{base}{sub}</msub>"
-    return f"<msup>{base}{prime}</msup>" if prime else base
+        base = f"<msub>{base}{_subscript(glyph.sub)}</msub>"
+    return _group(f"{base}<mo>′</mo>") if glyph.prime else base
 
 
 def _subscript(sub: str) -> str:
@@ -88,8 +91,8 @@ def _subscript(sub: str) -> str:
     elif len(plain) > 1:
         made = f"<mtext>{escape(plain)}</mtext>"
     else:
-        made = f"<mi>{escape(plain)}</mi>"
-    return f"<msup>{made}<mo>′</mo></msup>" if plain != sub else made
+        made = f"<mi>{_SHAPES.get(plain, escape(plain))}</mi>"
+    return _group(f"{made}<mo>′</mo>") if plain != sub else made
 
 
 def _group(inside: str) -> str:
@@ -172,13 +175,15 @@ def _(node: lay.Apply) -> str:
         name = f"<msup>{name}{_ml(node.power)}</msup>"
     inside = "<mo>,</mo>".join(map(_ml, node.arguments))
     if node.brackets:
-        return _group(name + _APPLY + _fenced(inside, "()"))
+        tall = any(map(lay.is_tall, node.arguments))
+        return _group(name + _APPLY + _fenced(inside, "()", tall))
     return _group(name + _APPLY + _THIN + inside)
 
 
-def _fenced(inside: str, shape: str) -> str:
+def _fenced(inside: str, shape: str, tall: bool) -> str:
+    stretchy = "true" if tall else "false"
     left, right = (
-        f'<mo form="{form}" fence="true">{mark}</mo>'
+        f'<mo form="{form}" fence="true" stretchy="{stretchy}">{mark}</mo>'
         for form, mark in zip(("prefix", "postfix"), shape, strict=True)
     )
     return _group(left + inside + right)
@@ -186,7 +191,7 @@ def _fenced(inside: str, shape: str) -> str:
 
 @_ml.register
 def _(node: lay.Brackets) -> str:
-    return _fenced(_ml(node.body), node.shape)
+    return _fenced(_ml(node.body), node.shape, lay.is_tall(node.body))
 
 
 @_ml.register
@@ -220,7 +225,7 @@ def _(node: lay.Derivative) -> str:
     else:
         made = _group(f"<mfrac>{over}{under}</mfrac>{_ml(node.body)}")
     if node.frame:
-        return f"<msub>{_fenced(made, '()')}<mtext>{escape(node.frame)}</mtext></msub>"
+        return f"<msub>{_fenced(made, '()', True)}<mtext>{escape(node.frame)}</mtext></msub>"
     return made
 
 
@@ -243,7 +248,7 @@ def _(node: lay.Grid) -> str:
         "<mtr>" + "".join(f"<mtd>{_ml(entry)}</mtd>" for entry in row) + "</mtr>"
         for row in node.rows
     )
-    return _fenced(f"<mtable>{rows}</mtable>", "[]")
+    return _fenced(f"<mtable>{rows}</mtable>", "[]", True)
 
 
 @_ml.register

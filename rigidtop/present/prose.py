@@ -42,7 +42,9 @@ def prose_html(text: str) -> str:
     'for <span class="m"><i>θ</i> = 0</span> &amp; <span class="m">sin <i>θ</i></span>'
     """
     return "".join(
-        f'<span class="m">{_italic(part)}</span>' if is_maths else escape_html(part, quote=False)
+        f'<span class="m">{_html_formula(part)}</span>'
+        if is_maths
+        else escape_html(part.replace("'", "’"), quote=False)
         for is_maths, part in segments(text)
     )
 
@@ -68,11 +70,10 @@ def _plain(character: str) -> str:
 _FORMAL = ("maths", "letter", "operator")
 _OPERATORS = frozenset("=+−×·≠≤≥<>→∥≡≈±/∝≪≫⇒⟂⊥∈⇔↦≃∼*")
 _FUNCTIONS = ("arcsin", "arccos", "arctan", "sin", "cos", "tan", "exp", "log", "det", "tr")
-_LONE = frozenset("LMRTVENFOgktqrmnvpxyz")
+_LONE = frozenset("BCDEFILMNOPRTVbgknpqrtuvwxyz")  # no a, A, and no m, the metre
 _IDENTIFIER = re.compile(r"\b[A-Za-z]_[A-Za-z0-9]{1,4}\b")
 _MARKED = re.compile(r"(?<![A-Za-z])[A-Za-z][\u0302\u0307\u0308](?![A-Za-z])")
-_NEIGHBOUR = re.compile(r"[-−]?[\d./]+(e[-+]?\d+)?|[-−]?\d*[A-Za-z]|const|MgR|[A-Z]{1,3}")
-_LEADING_NAME = re.compile("|".join([*_FUNCTIONS, "const", "[a-z]{3,}$"]))
+_NEIGHBOUR = re.compile(r"[-−]?[\d./]+(e[-+]?\d+)?|[-−]?\d*[A-Za-z]|const|[A-Z][A-Za-z]{1,2}")
 _UNIT = re.compile(r"((?:kg|rad|[msNJW])(?:[·/](?:kg|rad|[msNJW]))*)([²³])")
 
 
@@ -171,7 +172,7 @@ def _kind(token: str) -> str:
         return "operator"
     if core in _FUNCTIONS:
         return "function"
-    if any(c in MATHS or c in SUBSCRIPTS or c in SUPERSCRIPTS for c in core):
+    if core == "MgR" or any(c in MATHS or c in SUBSCRIPTS or c in SUPERSCRIPTS for c in core):
         return "maths"
     if _IDENTIFIER.search(core) or _MARKED.search(core):
         return "maths"
@@ -185,26 +186,8 @@ def _one_formula(tokens: list[str], kinds: list[str], i: int) -> bool:
         return False
     if tokens[i - 1][-1] in '.,;:!?”’"' or tokens[i + 1][0] in '“‘"':
         return False
-    return "operator" in (left, right) or (left == right == "maths")
-
-
-def _italic(part: str) -> str:
-    """Letters in italics, but for the names of functions and words."""
-
-    def styled(run: str) -> str:
-        name = _LEADING_NAME.match(run)
-        if name:  # cosθ
-            return name[0] + (f"<i>{run[name.end() :]}</i>" if run[name.end() :] else "")
-        return f"<i>{run}</i>"
-
-    unit = _UNIT.fullmatch(part)
-    if unit:
-        return part
-    pieces = re.split(r"((?:[^\W\d_₀-₉]\u0302?\u0307?\u0308?)+)", part)
-    return "".join(
-        styled(piece) if i % 2 else escape_html(piece, quote=False)
-        for i, piece in enumerate(pieces)
-    )
+    # Two formulas side by side stay two: "for ω₃ > 0 Ω is positive".
+    return "operator" in (left, right) or tokens[i - 1].endswith(_FUNCTIONS)
 
 
 # --- A formula in Unicode, as LaTeX --------------------------------------------------------------
@@ -273,6 +256,8 @@ def _read(text: str, i: int) -> tuple[str, int]:
         return _script(text, i)
     if c == "_":
         return _index(text, i + 1)
+    if c == "⊥" and i and text[i - 1].isalpha():
+        return r"_{\perp}", i + 1
     if c in _PLAIN_MATHS:
         return _PLAIN_MATHS[c], i + 1
     base = MATHS.get(c) or (c if c.isascii() else _plain(c))
@@ -323,7 +308,7 @@ def _is_vector(text: str, i: int, end: int) -> bool:
         return True
     if c in "xyz" and text[i + 1 : i + 2] == "\u0302":
         return True
-    if c not in "LNrRgvFfωΩ" or (behind and behind in SUBSCRIPTS) or behind == "_":
+    if c not in "LNrRgvFfωΩ" or (behind and behind in SUBSCRIPTS) or behind in ("_", "⊥"):
         return False
     before, after = text[:i].rstrip()[-1:], text[end:].lstrip("′").lstrip()[:1]
     return before in _CROSSING or after in _CROSSING
@@ -339,3 +324,53 @@ def _root(text: str, i: int) -> tuple[str, int]:
     if not whole:
         raise ValueError(f"a root of nothing in {text!r}")
     return rf"\sqrt{{{formula(whole[0])}}}", whole.end()
+
+
+# --- A formula in Unicode, as HTML ---------------------------------------------------------------
+
+
+def _html_formula(text: str) -> str:
+    """Letters in italics, vectors bold, indices and exponents as such."""
+    text = _opened(text)
+    if _UNIT.fullmatch(text):
+        return unicodedata.normalize("NFC", text)
+    made = ""
+    i = 0
+    while i < len(text):
+        part, i = _read_html(text, i)
+        made += part
+    return unicodedata.normalize("NFC", made)
+
+
+def _read_html(text: str, i: int) -> tuple[str, int]:
+    c = text[i]
+    word = _WORD.match(text, i)
+    if word and word[0][0] != "R":
+        space = "\u2009" if word[0] in _FUNCTIONS and text[word.end() :][:1].isalpha() else ""
+        return escape_html(word[0].replace("'", "’"), quote=False) + space, word.end()
+    for table, tag in ((SUBSCRIPTS, "sub"), (SUPERSCRIPTS, "sup")):
+        if c in table:
+            end = i
+            while end < len(text) and text[end] in table:
+                end += 1
+            inner = "".join(table[d] for d in text[i:end]).replace("-", "−")
+            return f"<{tag}>{inner}</{tag}>", end
+    named = _NAMED_INDEX.match(text, i + 1) if c == "_" else None
+    if named:
+        inner = GREEK.get(named[0], named[0])
+        return f"<sub>{inner if inner.isdigit() else f'<i>{inner}</i>'}</sub>", named.end()
+    if c == "⊥" and i and text[i - 1].isalpha():
+        return "<sub>⊥</sub>", i + 1
+    if not c.isalpha():
+        return escape_html(c, quote=False), i + 1
+    end = i + 1
+    while end < len(text) and text[end] in MARKS:
+        end += 1
+    letter = _SHAPES.get(c, c) + text[i + 1 : end]
+    if _is_vector(text, i, end):
+        return f"<b>{letter}</b>", end
+    return (f"<i>{letter}</i>" if c not in _UPRIGHT else letter), end
+
+
+_SHAPES = {"φ": "ϕ", "ε": "ϵ"}
+_UPRIGHT = frozenset("ΓΔΘΛΞΠΣΦΨΩℒℝ")

@@ -270,6 +270,14 @@ def test_typed_order_beats_canonical_order():
     assert text(side, "typed") == "θψ"
 
 
+def test_a_side_from_the_engine_among_printed_ones():
+    with as_printed():
+        side = Omega * omega3
+    engine = M * g * R * cos(theta) + lambda1 * phidot**2 * sin(theta)
+    equation = Equation(side, engine)
+    assert text(equation, "printed") == "Ωω₃ = λ₁φ̇² sin θ + MgR cos θ"
+
+
 def test_brackets_stand_where_the_meaning_needs_them():
     a, b, c = symbols("a b c")
     with as_printed():
@@ -389,12 +397,13 @@ def test_a_long_sum_is_broken_before_a_sign():
 def test_mathml_of_an_underbrace(printed):
     made = mathml(printed["3.57b"], "typed")
     brace = (
-        '<munder><munder><mrow><mo form="prefix" fence="true">(</mo><mrow>'
-        '<mover accent="true"><mi>ψ</mi><mo stretchy="false">˙</mo></mover><mo>+</mo><mrow>'
-        '<mover accent="true"><mi>φ</mi><mo stretchy="false">˙</mo></mover>'
+        '<munder><munder><mrow><mo form="prefix" fence="true" stretchy="false">(</mo><mrow>'
+        '<mover><mi>ψ</mi><mo scriptlevel="0">˙</mo></mover><mo>+</mo><mrow>'
+        '<mover><mi>ϕ</mi><mo scriptlevel="0">˙</mo></mover>'
         '<mo>&#x2062;</mo><mspace width="0.1667em"/><mrow><mi>cos</mi><mo>&#x2061;</mo>'
         '<mspace width="0.1667em"/><mi>θ</mi></mrow></mrow></mrow>'
-        '<mo form="postfix" fence="true">)</mo></mrow><mo stretchy="true">⏟</mo></munder>'
+        '<mo form="postfix" fence="true" stretchy="false">)</mo></mrow>'
+        '<mo stretchy="true">⏟</mo></munder>'
         "<mrow><mo>≡</mo><msub><mi>ω</mi><mn>3</mn></msub></mrow></munder>"
     )
     assert brace in made

@@ -24,13 +24,16 @@ CASES = {
     "Wüster, naïve — “so”": "Wüster, naïve --- ``so''",
     "the ẑ-axis, θ's rate": r"the $\hat{\mathbf{z}}\text{-axis}$, $\theta\text{'s}$ rate",
     "ω₃ → ∞": r"$\omega_{3} \to \infty$",
-    "Σₖ mₖ": r"$\sum_{k} m_{k}$",
-    "∫ρ d³r": r"$\int\rho d^{3}r$",
+    "Σₖ mₖ": r"$\sum_{k}$ $m_{k}$",
+    "∫ρ d³r": r"$\int\rho$ $d^{3}r$",
     "about 10⁻⁹": r"about $10^{-9}$",
-    "Rz(φ) Ry(θ)": r"$R_{z}(\phi) R_{y}(\theta)$",
+    "Rz(φ) Ry(θ)": r"$R_{z}(\phi)$ $R_{y}(\theta)$",
     "a top at rest": "a top at rest",
     "ṙ = Ω × r": r"$\dot{r} = \boldsymbol{\Omega} \times \mathbf{r}$",
     "L̇ = N": r"$\dot{L} = N$",
+    "for ω₃ > 0 Ω_b < 0": r"for $\omega_{3} > 0$ $\Omega_{b} < 0$",
+    "MgR sin θ": r"$MgR$ $\sin \theta$",
+    "ω⊥ across": r"$\omega_{\perp}$ across",
     "|ω|": r"$\vert\omega\vert$",
 }
 
@@ -64,11 +67,17 @@ def test_segments_lose_nothing():
         assert "".join(piece for _, piece in segments(text)) == text
 
 
-def test_html_keeps_unicode_and_escapes():
+def test_prose_as_html():
     assert prose_html("λ₁ < λ₃ & cosθ") == (
-        '<span class="m"><i>λ</i>₁ &lt; <i>λ</i>₃</span> &amp; <span class="m">cos<i>θ</i></span>'
+        '<span class="m"><i>λ</i><sub>1</sub> &lt; <i>λ</i><sub>3</sub></span> &amp; '
+        '<span class="m">cos\u2009<i>θ</i></span>'
     )
-    assert prose_html("a <b>") == "a &lt;b&gt;"
+    assert prose_html("a <b>'s") == "a &lt;b&gt;’s"
+    assert prose_html("p_φ, ω₃², ẑ, e₂′") == (
+        '<span class="m"><i>p</i><sub><i>φ</i></sub></span>, '
+        '<span class="m"><i>ω</i><sub>3</sub><sup>2</sup></span>, '
+        '<span class="m"><b>ẑ</b></span>, <span class="m"><b>e</b><sub>2</sub>′</span>'
+    )
 
 
 def test_escape_covers_what_tex_reserves():

@@ -1,0 +1,31 @@
+"""Files that are whole or not there: what is written is complete before it takes its name."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+
+from rigidtop.errors import RigidtopError
+
+
+def write_whole(path: Path, content: bytes) -> None:
+    """Replace `path` by the content, once all of it is on the disk beside it."""
+    part = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            part.write_bytes(content)
+            os.replace(part, path)
+        finally:
+            part.unlink(missing_ok=True)
+    except OSError as error:
+        raise RigidtopError(f"cannot write {path}: {error.strerror or error}") from error
+
+
+def write_all(folder: Path, contents: Mapping[str, bytes]) -> list[Path]:
+    """Write files by their names relative to the folder, each as a whole."""
+    paths = [folder / name for name in contents]
+    for path, content in zip(paths, contents.values(), strict=True):
+        write_whole(path, content)
+    return paths

@@ -1,0 +1,100 @@
+"""A claim as plain text for the terminal."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+from functools import singledispatch
+from typing import Any
+
+from rigidtop.present.report import (
+    ClaimHead,
+    Condition,
+    Conditions,
+    Display,
+    Measures,
+    Numbers,
+    Paragraph,
+    Rich,
+    Row,
+)
+from rigidtop.present.text import text
+
+
+def fragment(blocks: Sequence[Any], width: int = 88) -> str:
+    """The blocks of one claim, wrapped to `width` columns; equations are never wrapped."""
+    return "\n".join(line for block in blocks for line in _lines(block, width)) + "\n"
+
+
+def rich(content: Rich) -> str:
+    """Running text with formulas."""
+    return "".join(piece if isinstance(piece, str) else text(piece) for piece in content)
+
+
+def _wrapped(words: str, width: int, first: str = "", rest: str = "") -> list[str]:
+    return textwrap.wrap(
+        words, width, initial_indent=first, subsequent_indent=rest, break_on_hyphens=False
+    )
+
+
+@singledispatch
+def _lines(block: Any, width: int) -> list[str]:
+    raise TypeError(f"no text for {type(block).__name__}")
+
+
+@_lines.register
+def _(block: ClaimHead, width: int) -> list[str]:
+    return [f"{block.shown}  [{block.verdict}]", *_wrapped(block.says, width)]
+
+
+@_lines.register
+def _(block: Paragraph, width: int) -> list[str]:
+    label = f"{block.label}: " if block.label else ""
+    return ["", *_wrapped(label + rich(block.content), width)]
+
+
+@_lines.register
+def _(block: Display, width: int) -> list[str]:
+    made = ["", f"{block.label}:"] if block.label else [""]
+    for row in block.rows:
+        reason = _wrapped(_reason(row), width, "    ", "    ") if _reason(row) else []
+        equation = f"  {text(row.equation, row.order)}" + (f"  ({row.tag})" if row.tag else "")
+        made += [*reason, equation] if block.reasons_first else [equation, *reason]
+    return made
+
+
+def _reason(row: Row) -> str:
+    reason = ("⇒ " if row.follows and row.reason else "") + row.reason
+    return (reason + (f" [{row.verdict}]" if row.verdict is not None else "")).strip()
+
+
+@_lines.register
+def _(block: Conditions, width: int) -> list[str]:
+    made = ["", "Assumptions:"]
+    for item in block.items:
+        made += _wrapped(_condition(item), width, "  • ", "    ")
+    return made
+
+
+def _condition(item: Condition) -> str:
+    words = f", {item.words}" if item.words else ""
+    stated = "stated in the notes" if item.stated else "not stated"
+    return f"{text(item.relation)}{words} ({stated}). {_numbers(item.without)}"
+
+
+@_lines.register
+def _(block: Numbers, width: int) -> list[str]:
+    return ["", *_wrapped(_numbers(block), width)]
+
+
+def _numbers(block: Numbers) -> str:
+    values = ", ".join(f"{text(name)} = {text(value)}" for name, value in block.values)
+    return f"{block.label}: {block.said(text)}" + (f" at {values}." if values else ".")
+
+
+@_lines.register
+def _(block: Measures, width: int) -> list[str]:
+    rows = [
+        f"  {row.what}: error {row.error:.1e}, tolerance {row.tolerance:.1e}" for row in block.rows
+    ]
+    return ["", "Measured:", *rows]

@@ -1,0 +1,502 @@
+"""The lecture as one structure, which `tex`, `html` and `typst` write down.
+
+`document` turns judged pages into blocks; it decides what is said and in which order, the writers
+how it looks.  `write_lecture` leaves the finished files in a folder.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import sympy
+from sympy import Expr, Symbol
+
+from rigidtop.present import layout as lay
+from rigidtop.present.layout import Node, Order, layout, width
+from rigidtop.present.text import text
+from rigidtop.proof.equation import Equation, Printed
+from rigidtop.proof.page import Check, Correction, Definition, Measure, Page, Step
+from rigidtop.proof.verdict import Counterexample, Finding, Judgement, TestedAssumption, Verdict
+from rigidtop.theory.symbols import VOCABULARY
+
+Judged = Sequence[tuple[Page, Sequence[Judgement]]]
+
+TITLE = "Rigid rotation and the spinning top: derived and judged"
+SUBTITLE = "Free precession, Euler angles and the heavy symmetric top, equations (3.33) to (3.57)"
+SOURCE = (
+    "The numbered equations and the claims are those of the lecture notes of Sebastian Wüster, "
+    "PHY 305 Classical Mechanics, IISER Bhopal, 2020, week 8. The wording, the derivations and "
+    "the verdicts are ours. Every verdict on these pages was computed when they were written."
+)
+READING = (
+    "Each claim of the notes is typed as it is printed there and held against what a computer "
+    "algebra system derives by itself from the definitions. The residual between the two "
+    "decides. Nothing is judged by its looks, and no verdict is written by hand."
+)
+MEANINGS: Mapping[Verdict, str] = {
+    Verdict.PROVED: "the residual vanishes identically",
+    Verdict.SAMPLED: "the residual vanishes to 40 digits at random points; not shown in symbols",
+    Verdict.ASSUMING: "true only under conditions that the notes do not state beside the claim",
+    Verdict.CONVENTION: "right in content, at odds with the notes' own definitions",
+    Verdict.FALSE: "refuted by numbers",
+    Verdict.DEFINITION: "introduces a name; there is nothing to prove",
+    Verdict.UNDECIDED: "neither shown nor refuted",
+}
+MARKS: Mapping[Verdict, str] = {
+    Verdict.PROVED: "✓",
+    Verdict.SAMPLED: "≈",
+    Verdict.ASSUMING: "◐",
+    Verdict.CONVENTION: "⇄",
+    Verdict.FALSE: "✗",
+    Verdict.DEFINITION: "≔",
+    Verdict.UNDECIDED: "?",
+}
+
+Rich = tuple["str | Node", ...]
+"""Running text: prose, with formulas as layout nodes between."""
+
+
+# --- Blocks --------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Heading:
+    """A section, level 1 for 3.2, level 2 for 3.2.1."""
+
+    level: int
+    number: str
+    title: str
+    anchor: str
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    """Running text, with a short label before it ("Reason")."""
+
+    content: Rich
+    label: str = ""
+
+
+@dataclass(frozen=True)
+class Row:
+    """An equation of a display.
+
+    `reason` is the sentence that belongs to it; `follows` says that it follows from the line
+    above; `verdict` is shown where the verdicts of one claim differ.
+    """
+
+    equation: Equation
+    order: Order
+    tag: str = ""
+    reason: str = ""
+    follows: bool = False
+    verdict: Verdict | None = None
+
+
+@dataclass(frozen=True)
+class Display:
+    """Equations below each other, under a short label."""
+
+    rows: tuple[Row, ...]
+    label: str = ""
+    reasons_first: bool = False
+
+
+@dataclass(frozen=True)
+class ClaimHead:
+    """The name of a claim, what it asserts, and its verdict."""
+
+    name: str
+    anchor: str
+    says: str
+    verdict: Verdict
+
+    @property
+    def shown(self) -> str:
+        """(3.57) for an equation, the name itself for a slug."""
+        return f"({self.name})" if is_number(self.name) else self.name
+
+
+@dataclass(frozen=True)
+class Numbers:
+    """Values of symbols at which two sides differ."""
+
+    label: str
+    values: tuple[tuple[Node, Node], ...]
+    left: Node | None
+    right: Node | None
+
+    def said(self, written: Callable[[Node], str]) -> str:
+        """The two sides in words, each number `written` by the target."""
+        left, right = (
+            "undefined" if side is None else written(side) for side in (self.left, self.right)
+        )
+        if left == right:
+            return f"both sides are {left}"
+        return f"the left side is {left}, the right side {right}"
+
+
+@dataclass(frozen=True)
+class Condition:
+    """An assumption: the relation, words for it, and what happens without it."""
+
+    relation: Node
+    words: str
+    stated: bool
+    without: Numbers
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """The assumptions of a claim."""
+
+    items: tuple[Condition, ...]
+
+
+@dataclass(frozen=True)
+class Measures:
+    """What was measured on computed motions."""
+
+    rows: tuple[Measure, ...]
+
+
+@dataclass(frozen=True)
+class Summary:
+    """How many claims got which verdict."""
+
+    rows: tuple[tuple[Verdict, int, str], ...]
+
+
+@dataclass(frozen=True)
+class Found:
+    """A line of the list of what was found in the notes."""
+
+    section: str
+    name: str
+    anchor: str
+    verdict: Verdict
+    content: Rich
+
+
+@dataclass(frozen=True)
+class FoundList:
+    """What was found in the notes."""
+
+    rows: tuple[Found, ...]
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A figure by its name, with its caption, and its content in words."""
+
+    name: str
+    caption: str
+    alternative: str
+
+
+@dataclass(frozen=True)
+class Symbols:
+    """The list of symbols: glyph, meaning, unit."""
+
+    rows: tuple[tuple[Node, str, str], ...]
+
+
+Block = (
+    Heading
+    | Paragraph
+    | Display
+    | ClaimHead
+    | Numbers
+    | Conditions
+    | Measures
+    | Summary
+    | FoundList
+    | Figure
+    | Symbols
+)
+
+
+@dataclass(frozen=True)
+class Document:
+    """Title, subtitle, blocks, colophon."""
+
+    title: str
+    subtitle: str
+    blocks: tuple[Block, ...]
+    colophon: str
+
+
+# --- Building ------------------------------------------------------------------------------------
+
+
+def document(judged: Judged, figures: Iterable[tuple[str, Figure]] = ()) -> Document:
+    """The lecture.  `figures` come with the number of the section that they close."""
+    after: dict[str, list[Figure]] = {}
+    for section, figure in figures:
+        after.setdefault(section, []).append(figure)
+    blocks: list[Block] = [*_front(judged)]
+    for page, judgements in judged:
+        blocks.append(_heading(page))
+        blocks.append(Paragraph((page.about,)))
+        for judgement in judgements:
+            blocks.extend(claim_blocks(judgement))
+        blocks.extend(after.get(page.section, ()))
+    symbols = _used_symbols(blocks)
+    if symbols.rows:
+        blocks.append(Heading(1, "", "Symbols", "symbols"))
+        blocks.append(symbols)
+    return Document(TITLE, SUBTITLE, tuple(blocks), SOURCE)
+
+
+def groups(block: Display) -> list[list[Row]]:
+    """Rows between which no reason and no tag stands: they are aligned with each other."""
+    made: list[list[Row]] = []
+    for row in block.rows:
+        last = made[-1][-1] if made else None
+        if (
+            last is None
+            or last.tag
+            or last.verdict
+            or last.order != row.order
+            or (row.reason if block.reasons_first else last.reason)
+        ):
+            made.append([row])
+        else:
+            made[-1].append(row)
+    return made
+
+
+def is_number(name: str) -> bool:
+    """Whether a claim is named by its equation's number."""
+    return bool(re.fullmatch(r"\d+\.\d+[a-z]?", name))
+
+
+def anchor(name: str) -> str:
+    """A name for links: letters, digits and hyphens."""
+    return "claim-" + re.sub(r"[^A-Za-z0-9]+", "-", name).strip("-")
+
+
+def _heading(page: Page) -> Heading:
+    number = page.section if re.fullmatch(r"[\d.]+", page.section) else ""
+    level = 2 if page.section.count(".") >= 2 else 1
+    return Heading(level, number, page.title, "section-" + re.sub(r"\W+", "-", page.section))
+
+
+def _front(judged: Judged) -> Iterable[Block]:
+    everything = [judgement for _, judgements in judged for judgement in judgements]
+    yield Heading(1, "", "How to read the verdicts", "verdicts")
+    yield Paragraph((READING,))
+    counts = [(v, sum(j.verdict is v for j in everything)) for v in Verdict]
+    yield Summary(tuple((v, count, MEANINGS[v]) for v, count in counts if count))
+    found = tuple(_found(judgement) for judgement in everything if judgement.verdict in _NOTED)
+    if found:
+        yield Heading(1, "", "What was found in the notes", "found")
+        yield FoundList(found)
+
+
+_NOTED = (Verdict.ASSUMING, Verdict.CONVENTION, Verdict.FALSE, Verdict.UNDECIDED)
+
+
+def _found(judgement: Judgement) -> Found:
+    claim = judgement.claim
+    content: Rich
+    if judgement.verdict is Verdict.ASSUMING:
+        silent = [t for t in _tested(judgement) if not t.assumption.stated]
+        content = ("Not stated: ", *_joined(silent), ".")
+    else:
+        content = (claim.says,)
+        corrected = [c.check.claimed for c in judgement.corrections()]
+        shown = [layout(equation, "printed") for equation in corrected]
+        short = [node for node in shown if width(node) < 45 and not lay.is_tall(node)]
+        if short:
+            content = (*content, " Corrected: ", short[0], ".")
+    return Found(judgement.section, claim.name, anchor(claim.name), judgement.verdict, content)
+
+
+def _joined(tested: Sequence[TestedAssumption]) -> Rich:
+    pieces: list[str | Node] = []
+    for i, item in enumerate(tested):
+        pieces.append("; " if i else "")
+        pieces.append(layout(item.assumption.condition))
+        if item.assumption.words:
+            pieces.append(f" ({item.assumption.words.rstrip('.')})")
+    return tuple(piece for piece in pieces if piece != "")
+
+
+def claim_blocks(judgement: Judgement) -> list[Block]:
+    """A claim with all that its evidence showed."""
+    claim = judgement.claim
+    findings = judgement.findings()
+    blocks: list[Block] = [ClaimHead(claim.name, anchor(claim.name), claim.says, judgement.verdict)]
+    as_notes: list[Definition | Finding] = [
+        *(item for item in judgement.items if isinstance(item, Definition)),
+        *(finding for finding in findings if finding.check.printed),
+    ]
+    mixed = len({finding.verdict for finding in findings}) > 1
+    rows = [_notes_row(item, mixed) for item in as_notes]
+    if rows:
+        blocks.append(Display(_tagged(rows, claim.name), "The notes print"))
+    formal = [replace(_notes_row(f, mixed), tag="") for f in findings if not f.check.printed]
+    if formal:
+        blocks.append(Display(tuple(formal), "In symbols"))
+    if claim.reason:
+        blocks.append(Paragraph((claim.reason,), "Reason"))
+    steps = [item for item in judgement.items if isinstance(item, Step)]
+    if steps:
+        made = tuple(Row(step.equation, "auto", reason=step.reason) for step in steps)
+        blocks.append(Display(made, "Derivation", reasons_first=True))
+    meanings = _meanings([finding.check for finding in findings])
+    if meanings:
+        blocks.append(Display(meanings, "The engine's own expressions"))
+    tested = _tested(judgement)
+    if tested:
+        blocks.append(Conditions(tuple(map(_condition, tested))))
+    blocks.extend(
+        _numbers(finding.counterexample, "Counterexample")
+        for finding in findings
+        if finding.counterexample is not None
+    )
+    corrected = judgement.corrections()
+    if corrected:
+        made = tuple(replace(_notes_row(item, False), tag="") for item in corrected)
+        blocks.append(Display(made, "Corrected form"))
+        conditions = tuple(_condition(t) for c in corrected for t in c.assumptions)
+        if conditions:
+            blocks.append(Conditions(conditions))
+    measures = tuple(item for item in judgement.items if isinstance(item, Measure))
+    if measures:
+        blocks.append(Measures(measures))
+    if judgement.problem:
+        blocks.append(Paragraph((f"This claim does not pass. {_sentence(judgement.problem)}",), ""))
+    return blocks
+
+
+def _sentence(words: str) -> str:
+    return words[:1].upper() + words[1:].rstrip(".") + "."
+
+
+def _notes_row(item: Definition | Finding, mixed: bool) -> Row:
+    if isinstance(item, Definition):
+        return Row(item.equation, "printed", item.equation.tag, item.reason)
+    check = item.check
+    return Row(
+        check.claimed,
+        "printed",
+        check.claimed.tag,
+        check.reason,
+        bool(check.given) and not isinstance(check, Correction),
+        item.verdict if mixed else None,
+    )
+
+
+def _tagged(rows: Sequence[Row], name: str) -> tuple[Row, ...]:
+    """Each number once, behind the last of its lines; the claim's own if no line has one."""
+    tags = [row.tag for row in rows]
+    if not any(tags) and is_number(name):
+        tags[-1] = name
+    once = [tag if tag not in tags[i + 1 :] else "" for i, tag in enumerate(tags)]
+    return tuple(replace(row, tag=tag) for row, tag in zip(rows, once, strict=True))
+
+
+LONGEST = 110.0
+"""A meaning that is wider than this is not printed, nor one that does not go into two lines."""
+
+
+def _meanings(checks: Sequence[Check]) -> tuple[Row, ...]:
+    """What the symbols of the claim stand for in the engine, where that is short and the same
+    in all checks of what the notes print."""
+    found: dict[str, set[Row]] = {}
+    for check in [c for c in checks if c.printed] or checks:
+        for symbol, meaning in check.meaning.items():
+            used = any(side.has(symbol) for side in check.claimed.sides)
+            if used and _is_shown(symbol, meaning):
+                row = Row(Equation(symbol, meaning), "auto")
+                found.setdefault(text(symbol), set()).add(row)
+    rows = [
+        row for alternatives in found.values() if len(alternatives) == 1 for row in alternatives
+    ]
+    return tuple(row for row in rows if _is_short(row.equation))
+
+
+def _is_short(equation: Equation) -> bool:
+    if width(layout(equation)) > LONGEST:
+        return False
+    return all(width(line.right) <= lay.LINE for line in lay.lines(equation))
+
+
+def _is_shown(symbol: Any, meaning: Any) -> bool:
+    if not isinstance(symbol, (Symbol, Printed)):
+        return False
+    if isinstance(meaning, sympy.MatrixBase):  # an axis along itself says nothing
+        return bool(meaning.free_symbols)
+    return isinstance(meaning, Expr) and not meaning.is_Atom
+
+
+def _tested(judgement: Judgement) -> list[TestedAssumption]:
+    """The assumptions of all findings, each once."""
+    once: dict[tuple[str, str], TestedAssumption] = {}
+    for finding in judgement.findings():
+        for tested in finding.assumptions:
+            key = (str(tested.assumption.condition), tested.assumption.words)
+            once.setdefault(key, tested)
+    return list(once.values())
+
+
+def _condition(tested: TestedAssumption) -> Condition:
+    assumption = tested.assumption
+    return Condition(
+        layout(assumption.condition),
+        assumption.words.rstrip("."),
+        assumption.stated,
+        _numbers(tested.without, "Without it"),
+    )
+
+
+def _numbers(found: Counterexample, label: str) -> Numbers:
+    position = {symbol.name: i for i, symbol in enumerate(VOCABULARY)}
+    ordered = sorted(
+        found.values.items(), key=lambda kv: (position.get(kv[0].name, 999), str(kv[0]))
+    )
+    values = tuple((layout(symbol), short_number(value)) for symbol, value in ordered)
+    return Numbers(label, values, _real_number(found.left), _real_number(found.right))
+
+
+def _real_number(side: Any) -> Node | None:
+    """A side of a counterexample; None where it has no real value there."""
+    if side is None or not sympy.sympify(side).evalf(12).is_real:
+        return None
+    return short_number(side)
+
+
+def short_number(number: Any) -> Node:
+    """An exact number where it is short, else six digits of it.
+
+    >>> third = sympy.Rational(3, 7)
+    >>> text(short_number(third)), text(short_number(sympy.sin(third / 3 * 2)))
+    ('3/7', '0.281843')
+    """
+    number = sympy.sympify(number)
+    exact = layout(number)
+    if width(exact) <= 6 and not number.has(sympy.Function):
+        return exact
+    return layout(sympy.Float(number.evalf(12)))
+
+
+def _used_symbols(blocks: Sequence[Block]) -> Symbols:
+    names = {
+        symbol.name
+        for block in blocks
+        if isinstance(block, Display)
+        for row in block.rows
+        for side in row.equation.sides
+        for symbol in side.free_symbols
+    }
+    rows = tuple(
+        (layout(symbol), quantity.meaning, quantity.unit)
+        for symbol, quantity in VOCABULARY.items()
+        if symbol.name in names and quantity.glyph.base != "const"
+    )
+    return Symbols(rows)

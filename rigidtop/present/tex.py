@@ -1,0 +1,298 @@
+"""The lecture as a LaTeX document that needs no more than a basic TeX Live."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import singledispatch
+from typing import Any
+
+from rigidtop.present import layout as lay
+from rigidtop.present import plain
+from rigidtop.present.characters import SUPERSCRIPTS
+from rigidtop.present.latex import AlignRow, align, latex
+from rigidtop.present.prose import escape, prose
+from rigidtop.present.report import (
+    ClaimHead,
+    Condition,
+    Conditions,
+    Display,
+    Document,
+    Figure,
+    FoundList,
+    Heading,
+    Measures,
+    Numbers,
+    Paragraph,
+    Rich,
+    Row,
+    Summary,
+    Symbols,
+)
+
+_PREAMBLE = r"""\documentclass[10pt,a4paper,fleqn]{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage{lmodern}
+\usepackage{microtype}
+\usepackage[margin=27mm,bottom=30mm]{geometry}
+\usepackage{amsmath,amssymb}
+\usepackage{graphicx,booktabs,longtable,array}
+\usepackage{xcolor}
+\usepackage[unicode,hidelinks]{hyperref}
+\definecolor{proved}{HTML}{1E5B3A}
+\definecolor{sampled}{HTML}{3E5F2B}
+\definecolor{assuming}{HTML}{7A4B00}
+\definecolor{convention}{HTML}{5B2D83}
+\definecolor{false}{HTML}{8E1B1B}
+\definecolor{definition}{HTML}{2B4C7E}
+\definecolor{undecided}{HTML}{444444}
+\definecolor{muted}{HTML}{555555}
+\hypersetup{pdftitle={@TITLE@}}
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{0.45\baselineskip plus 1pt}
+\setlength{\mathindent}{2em}
+\allowdisplaybreaks[2]
+\AtBeginDocument{\setlength{\abovedisplayskip}{3pt plus 2pt}%
+  \setlength{\belowdisplayskip}{3pt plus 2pt}}
+\raggedbottom
+\emergencystretch=2em
+\newcommand{\verdict}[1]{\begingroup\setlength{\fboxsep}{2.5pt}%
+  \fcolorbox{#1}{white}{\textcolor{#1}{\footnotesize\textsc{#1}}}\endgroup}
+\newcommand{\lab}[1]{\textcolor{muted}{\footnotesize\textsc{#1}}\enspace}
+% No whatsit between the rule and the line beneath it, or a page could end there.
+\newcommand{\claim}[4]{\par\pagebreak[2]\vspace{1.1\baselineskip}%
+  {\color{muted}\hrule height 0.4pt}\nobreak\vskip 0.35\baselineskip\nobreak
+  \noindent\phantomsection\label{#2}\textbf{#1}\hfill\verdict{#4}\nopagebreak\par\nobreak
+  \textit{#3}\nopagebreak\par\nobreak}
+\makeatletter\@beginparpenalty=10000 \makeatother
+"""
+
+
+def write(document: Document, figures: Mapping[str, str]) -> str:
+    """The document.  `figures` says where the file of each figure lies, as seen from it."""
+    body = "\n\n".join(_shown(block, figures) for block in document.blocks)
+    title = prose(document.title)
+    return "\n".join(
+        [
+            _PREAMBLE.replace("@TITLE@", escape(document.title)),
+            r"\begin{document}",
+            rf"{{\Large\bfseries\raggedright {title}\par}}",
+            rf"{{\large {prose(document.subtitle)}\par}}",
+            r"\vspace{0.5\baselineskip}",
+            rf"{{\footnotesize\color{{muted}} {prose(document.colophon)}\par}}",
+            r"\vspace{0.5\baselineskip}",
+            body,
+            r"\end{document}",
+            "",
+        ]
+    )
+
+
+def _shown(block: Any, figures: Mapping[str, str]) -> str:
+    if isinstance(block, Figure):
+        return _figure(block, figures[block.name])
+    return tex_block(block)
+
+
+def _figure(block: Figure, path: str) -> str:
+    return "\n".join(
+        [
+            r"\begin{center}",
+            rf"\includegraphics[width=0.86\linewidth]{{{path}}}",
+            r"\par\vspace{2pt}",
+            r"\begin{minipage}{0.86\linewidth}\footnotesize",
+            prose(block.caption),
+            r"\end{minipage}",
+            r"\end{center}",
+        ]
+    )
+
+
+def fragment(blocks: Sequence[Any]) -> str:
+    """The equations of one claim, to be pasted; what else there is to say stands in comments."""
+    made: list[str] = []
+    for block in blocks:
+        if isinstance(block, Display):
+            made += [f"% {block.label}", display(block.rows, block.reasons_first)]
+        else:
+            made += [f"% {line}" for line in plain.fragment([block]).splitlines() if line]
+    return "\n".join(made) + "\n"
+
+
+def rich(content: Rich) -> str:
+    """Running text with formulas."""
+    return "".join(
+        prose(piece) if isinstance(piece, str) else f"${latex(piece)}$" for piece in content
+    )
+
+
+@singledispatch
+def tex_block(block: Any) -> str:
+    """A block as LaTeX."""
+    raise TypeError(f"no LaTeX for {type(block).__name__}")
+
+
+@tex_block.register
+def _(block: Heading) -> str:
+    command, level = ("section", 1) if block.level == 1 else ("subsection", 2)
+    title = prose(f"{block.number}\u2002{block.title}" if block.number else block.title)
+    plain = escape_for_bookmark(f"{block.number} {block.title}".strip())
+    return (
+        rf"\{command}*{{{title}}}\phantomsection\label{{{block.anchor}}}"
+        rf"\addcontentsline{{toc}}{{{'sub' * (level - 1)}section}}"
+        rf"{{\texorpdfstring{{{title}}}{{{plain}}}}}"
+    )
+
+
+def escape_for_bookmark(text: str) -> str:
+    """Bookmarks are Unicode, without mathematics."""
+    return "".join(c if c.isalnum() or c in " .,:()'-" else " " for c in text)
+
+
+@tex_block.register
+def _(block: Paragraph) -> str:
+    return (rf"\lab{{{prose(block.label)}}}" if block.label else "") + rich(block.content)
+
+
+@tex_block.register
+def _(block: ClaimHead) -> str:
+    parts = (prose(block.shown), block.anchor, prose(block.says), block.verdict)
+    return r"\claim" + "".join(f"{{{part}}}" for part in parts)
+
+
+@tex_block.register
+def _(block: Display) -> str:
+    label = rf"\lab{{{prose(block.label)}}}" + "\n" if block.label else ""
+    return label + display(block.rows, block.reasons_first)
+
+
+def display(rows: Sequence[Row], reasons_first: bool = False) -> str:
+    """The rows in one ``align``, smaller where a line is too wide for the page."""
+    made = [_align_row(row, reasons_first) for row in rows]
+    widest = max(_width(line) for row in made for line in row.lines)
+    size = (
+        r"\footnotesize"
+        if widest > 1.3 * lay.LINE
+        else r"\small"
+        if widest > 1.12 * lay.LINE
+        else ""
+    )
+    tex = align(made)
+    return rf"{{{size}" + "\n" + tex + "\n}" if size else tex
+
+
+def _width(line: lay.Line) -> float:
+    return (lay.width(line.left) + 3 if line.left else 3) + lay.width(line.right)
+
+
+def _align_row(row: Row, reasons_first: bool) -> AlignRow:
+    lines = tuple(lay.lines(row.equation, row.order))
+    mark = f"({row.verdict})" if row.verdict is not None else ""
+    if reasons_first:
+        return AlignRow(lines, row.tag, above=row.reason, mark=mark)
+    arrow = "⇒ " if row.follows and row.reason else ""
+    return AlignRow(lines, row.tag, beside=arrow + row.reason, mark=mark)
+
+
+@tex_block.register
+def _(block: Conditions) -> str:
+    items = "\n".join(r"\item " + _condition(item) for item in block.items)
+    return (
+        r"\lab{Assumptions}\vspace{-0.6\baselineskip}"
+        + "\n"
+        + r"\begin{itemize}\setlength{\itemsep}{1pt}\setlength{\parskip}{0pt}"
+        + f"\n{items}\n"
+        + r"\end{itemize}"
+    )
+
+
+def _condition(item: Condition) -> str:
+    words = f", {prose(item.words)}" if item.words else ""
+    stated = "stated in the notes" if item.stated else r"\textbf{not stated}"
+    return rf"${latex(item.relation)}${words} ({stated}). " + tex_block(item.without)
+
+
+@tex_block.register
+def _(block: Numbers) -> str:
+    values = ", ".join(rf"${latex(name)} = {latex(value)}$" for name, value in block.values)
+    sides = block.said(lambda node: f"${latex(node)}$")
+    return rf"\lab{{{prose(block.label)}}}{sides}" + (f" at {values}." if values else ".")
+
+
+@tex_block.register
+def _(block: Measures) -> str:
+    rows = "\n".join(
+        rf"{prose(row.what)} & {_power_of_ten(row.error)} & {_power_of_ten(row.tolerance)} \\"
+        for row in block.rows
+    )
+    return "\n".join(
+        [
+            r"\lab{Measured}\par\nopagebreak{\small\hspace*{2em}%",
+            r"\begin{tabular}{@{}p{0.62\linewidth}rr@{}}",
+            r"\toprule on a computed motion & error & tolerance \\ \midrule",
+            rows,
+            r"\bottomrule\end{tabular}\par}",
+        ]
+    )
+
+
+def _power_of_ten(number: float) -> str:
+    return f"${latex(lay.decimal(number, 2))}$"
+
+
+@tex_block.register
+def _(block: Summary) -> str:
+    rows = "\n".join(
+        rf"\verdict{{{verdict}}} & {count} & {prose(meaning)} \\[3pt]"
+        for verdict, count, meaning in block.rows
+    )
+    total = sum(count for _, count, _ in block.rows)
+    return "\n".join(
+        [
+            r"\begin{center}\begin{tabular}{@{}lr@{\quad}p{0.68\linewidth}@{}}",
+            r"\toprule verdict & claims & what it says \\ \midrule",
+            rows,
+            rf"\midrule & {total} & \\ \bottomrule",
+            r"\end{tabular}\end{center}",
+        ]
+    )
+
+
+@tex_block.register
+def _(block: FoundList) -> str:
+    rows = "\n".join(
+        rf"{prose(row.section)} & \hyperref[{row.anchor}]{{{escape(row.name)}}} & "
+        rf"\verdict{{{row.verdict}}} & {rich(row.content)} \\[3pt]"
+        for row in block.rows
+    )
+    return "\n".join(
+        [
+            r"{\small",
+            r"\begin{longtable}{@{}l>{\raggedright}p{0.17\linewidth}l"
+            r">{\raggedright\arraybackslash}p{0.50\linewidth}@{}}",
+            r"\toprule section & claim & verdict & what is amiss \\ \midrule \endhead",
+            rows,
+            r"\bottomrule\end{longtable}}",
+        ]
+    )
+
+
+def _unit(unit: str) -> str:
+    """A unit in upright letters."""
+    return "".join(f"$^{{{SUPERSCRIPTS[c]}}}$" if c in SUPERSCRIPTS else escape(c) for c in unit)
+
+
+@tex_block.register
+def _(block: Symbols) -> str:
+    rows = "\n".join(
+        rf"${latex(node)}$ & {prose(meaning)} & {_unit(unit)} \\"
+        for node, meaning, unit in block.rows
+    )
+    return "\n".join(
+        [
+            r"{\small\begin{longtable}{@{}lp{0.68\linewidth}l@{}}",
+            r"\toprule symbol & meaning & unit \\ \midrule \endhead",
+            rows,
+            r"\bottomrule\end{longtable}}",
+        ]
+    )
