@@ -1,0 +1,448 @@
+"""The command line: ``rigidtop list | check | derive | lecture | simulate``.
+
+Results go to stdout, progress and errors to stderr.  Exit codes: 0 for success, 1 for a check that
+failed, 2 for bad input.  Everything that takes time to load is loaded by the command that needs it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import re
+import sys
+import time
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, NoReturn
+
+from rigidtop.errors import RigidtopError
+
+if TYPE_CHECKING:
+    from rigidtop.motion.motion import Motion
+    from rigidtop.motion.trajectory import Trajectory
+    from rigidtop.proof.page import Claim, Page
+    from rigidtop.proof.verdict import Judgement
+
+FAILED, BAD_INPUT = 1, 2
+
+
+class Parser(argparse.ArgumentParser):
+    """Errors in one line, without the usage."""
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(BAD_INPUT, f"{self.prog}: {message} (see {self.prog} --help)\n")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command; returns its exit code."""
+    options = _parser().parse_args(arguments)
+    try:
+        return options.run(options)
+    except RigidtopError as error:
+        print(f"rigidtop {options.command}: {error}", file=sys.stderr)
+        return BAD_INPUT
+    except BrokenPipeError:
+        # The reader of our output has left, as `| head` does: nothing is wrong.
+        sys.stderr.close()
+        return 0
+
+
+# --- What can be asked ---------------------------------------------------------------------------
+
+
+def number(text: str) -> float:
+    """A finite number.
+
+    >>> number("2.5e-3")
+    0.0025
+    """
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a finite number")
+    return value
+
+
+def angle(text: str) -> float:
+    """Radians, or degrees with the suffix deg.
+
+    >>> angle("0.5"), round(angle("30deg"), 6)
+    (0.5, 0.523599)
+    """
+    degrees = re.fullmatch(r"(.*?)\s*(?:deg|°)", text.strip())
+    return math.radians(number(degrees[1])) if degrees else number(text)
+
+
+def _parser() -> Parser:
+    parser = Parser(
+        prog="rigidtop",
+        description="Rigid rotation and the spinning top: the lecture derived, judged, typeset "
+        "and computed.",
+    )
+    parser.add_argument("--version", action=_Version)
+    commands = parser.add_subparsers(dest="command", required=True, metavar="command")
+
+    def command(name: str, run: Callable[[Any], int], about: str) -> argparse.ArgumentParser:
+        sub = commands.add_parser(name, help=about, description=about[0].upper() + about[1:] + ".")
+        sub.add_argument("--json", action="store_true", help="print JSON instead of text")
+        sub.set_defaults(run=run)
+        return sub
+
+    command("list", _list, "list every claim of the lecture, by section")
+
+    check = command("check", _check, "judge every claim and compare the numbers")
+    check.add_argument("name", nargs="*", help="only these claims, such as 3.57 or axis-stability")
+
+    derive = command("derive", _derive, "derive one equation or claim and show every step")
+    derive.add_argument("name", help="an equation's number, such as 3.57, or a claim's name")
+    derive.add_argument(
+        "--format",
+        choices=("text", "latex", "html", "typst"),
+        default="text",
+        help="how to write it (default: text)",
+    )
+
+    lecture = command("lecture", _lecture, "write the lecture as LaTeX and HTML, with figures")
+    lecture.add_argument(
+        "-o", "--output", default="out", metavar="DIR", help="the folder (default: out)"
+    )
+    lecture.add_argument(
+        "--pdf", action="store_true", help="also a PDF, by latexmk or by the extra 'pdf'"
+    )
+
+    _add_simulate(command("simulate", _simulate, "compute a motion and the drift of what it keeps"))
+    return parser
+
+
+class _Version(argparse.Action):
+    """Looks the version up only when asked."""
+
+    def __init__(self, option_strings: Sequence[str], dest: str, **_: Any) -> None:
+        super().__init__(option_strings, dest, nargs=0, help="show the version and exit")
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: Any) -> NoReturn:
+        import rigidtop
+
+        print(f"rigidtop {rigidtop.__version__}")
+        parser.exit()
+
+
+# --- Claims --------------------------------------------------------------------------------------
+
+
+def _claims() -> list[tuple[Page, Claim]]:
+    from rigidtop.derivations import PAGES
+
+    return [(page, claim) for page in PAGES for claim in page.claims]
+
+
+def _named(names: Sequence[str]) -> list[tuple[Page, Claim]]:
+    """The claims of these names, in reading order; (3.57) is 3.57."""
+    claims = _claims()
+    known = [claim.name for _, claim in claims]
+    wanted = {name.strip("()") for name in names}
+    for name in sorted(wanted - set(known)):
+        from difflib import get_close_matches
+
+        near = get_close_matches(name, known, n=3, cutoff=0.5)
+        hint = f"did you mean {' or '.join(near)}?" if near else "`rigidtop list` names them all"
+        raise RigidtopError(f"no equation or claim {name!r}; {hint}")
+    return [(page, claim) for page, claim in claims if claim.name in wanted]
+
+
+def _judged(claims: Sequence[tuple[Page, Claim]]) -> Iterator[tuple[Page, Judgement]]:
+    from rigidtop.proof.verdict import judge
+
+    with Progress("judging", len(claims)) as progress:
+        for page, claim in claims:
+            progress.show(claim.name)
+            yield page, judge(claim, page.section)
+
+
+class Progress:
+    """A line on stderr that says where a long command is, once it has run for a second."""
+
+    def __init__(self, doing: str, total: int) -> None:
+        self.doing, self.total, self.done = doing, total, 0
+        self.start = self.last = time.monotonic()
+
+    def __enter__(self) -> Progress:
+        return self
+
+    def show(self, what: str) -> None:
+        """About to do `what`."""
+        now = time.monotonic()
+        live = sys.stderr.isatty()
+        if now - self.start > 1 and (live or now - self.last > 2):
+            end = "" if live else "\n"
+            line = f"{self.doing} {self.done + 1}/{self.total}: {what}"
+            print(f"\r\033[K{line}" if live else line, end=end, file=sys.stderr, flush=True)
+            self.last = now
+        self.done += 1
+
+    def __exit__(self, *_: object) -> None:
+        if sys.stderr.isatty():
+            print("\r\033[K", end="", file=sys.stderr, flush=True)
+
+
+def _list(options: argparse.Namespace) -> int:
+    from rigidtop.present.records import claim_record
+    from rigidtop.present.table import table
+
+    claims = _claims()
+    if options.json:
+        return _print_json([claim_record(claim, page.section) for page, claim in claims])
+    rows = [[page.section, claim.name, claim.says] for page, claim in claims]
+    print(table(rows, ("section", "claim", "what the notes assert")))
+    return 0
+
+
+def _check(options: argparse.Namespace) -> int:
+    from rigidtop.present.records import measures, record
+    from rigidtop.present.table import table, wants_color
+
+    claims = _named(options.name) if options.name else _claims()
+    judgements = [judgement for _, judgement in _judged(claims)]
+    passed = all(judgement.passed for judgement in judgements)
+    records = [record(judgement) for judgement in judgements]
+    if options.json:
+        _print_json(records)
+        return 0 if passed else FAILED
+    colors = VERDICT_COLORS if wants_color(sys.stdout) else None
+    rows = [[r["reference"], r["name"], r["verdict"], r["note"]] for r in records]
+    print(table(rows, ("section", "claim", "verdict", "note"), colors=colors))
+    measured = measures(judgements)
+    if measured:
+        numbers = [
+            [f"{m.error:.1e}", f"{m.tolerance:.1e}", "ok" if m.passed else "FAILED", m.what]
+            for m in measured
+        ]
+        print()
+        print(table(numbers, ("error", "tolerance", "", "compared with a computed motion")))
+    print()
+    print(_summary(judgements))
+    return 0 if passed else FAILED
+
+
+VERDICT_COLORS = {
+    "proved": "green",
+    "assuming": "yellow",
+    "convention": "magenta",
+    "false": "red",
+    "undecided": "red",
+    "sampled": "blue",
+    "definition": "dim",
+}
+
+
+def _summary(judgements: Sequence[Judgement]) -> str:
+    """Counts of the verdicts, and what did not pass."""
+    from rigidtop.proof.verdict import Verdict
+
+    counts = [(verdict.value, sum(j.verdict is verdict for j in judgements)) for verdict in Verdict]
+    shown = ", ".join(f"{count} {name}" for name, count in counts if count)
+    failed = [j.claim.name for j in judgements if not j.passed]
+    last = f"NOT PASSED: {', '.join(failed)}" if failed else "all passed"
+    return f"{len(judgements)} claims: {shown}; {last}"
+
+
+def _derive(options: argparse.Namespace) -> int:
+    from rigidtop.present.lecture import fragment
+    from rigidtop.present.records import record
+
+    [(_, judgement)] = _judged(_named([options.name]))
+    text = fragment(judgement, options.format)
+    if options.json:
+        _print_json({**record(judgement), "format": options.format, "text": text})
+    else:
+        print(text)
+    return 0 if judgement.passed else FAILED
+
+
+def _lecture(options: argparse.Namespace) -> int:
+    from rigidtop.present.files import check_folder
+    from rigidtop.present.lecture import write_lecture
+
+    check_folder(options.output)  # before half a minute of work, not after it
+    judged: list[tuple[Page, list[Judgement]]] = []
+    for page, judgement in _judged(_claims()):
+        if not judged or judged[-1][0] is not page:
+            judged.append((page, []))
+        judged[-1][1].append(judgement)
+    judgements = [judgement for _, section in judged for judgement in section]
+    with Progress("writing", 1) as progress:
+        progress.start -= 1
+        progress.show("lecture.tex, lecture.html" + (", lecture.pdf" if options.pdf else ""))
+        files = write_lecture(judged, options.output, pdf=options.pdf)
+    passed = all(judgement.passed for judgement in judgements)
+    if options.json:
+        _print_json({"files": [str(file) for file in files], "passed": passed})
+    else:
+        for file in files:
+            print(file)
+        print(_summary(judgements))
+    return 0 if passed else FAILED
+
+
+# --- Motions -------------------------------------------------------------------------------------
+
+
+def _add_simulate(sub: argparse.ArgumentParser) -> None:
+    sub.formatter_class = argparse.RawDescriptionHelpFormatter
+    sub.epilog = (
+        "Angles are in radians, or in degrees with the suffix deg; everything else is SI.\n"
+        "Attitudes are R = Rz(φ) Ry(θ) Rz(ψ), body to space.\n\n"
+        "examples:\n"
+        "  rigidtop simulate top --theta 30deg --omega3 40 --phi-dot 0\n"
+        "  rigidtop simulate top --theta 0.5 --omega3 40 --steady slow --time 20\n"
+        "  rigidtop simulate free --moments 1 2 3 --omega 0.01 2 0.01 -o flip.csv"
+    )
+    sub.add_argument("body", choices=("top", "free"), help="a heavy symmetric top or a free body")
+    top = sub.add_argument_group("the top (defaults: the example top)")
+    for flag, default, about in (
+        ("--lambda1", 1.0, "moment across the axis, about the pivot, kg m²"),
+        ("--lambda3", 0.5, "moment about the axis, kg m²"),
+        ("--mass", 1.0, "mass M, kg"),
+        ("--arm", 0.5, "distance R from the pivot to the centre of mass, m"),
+        ("--gravity", 9.81, "g, m/s²"),
+    ):
+        top.add_argument(flag, type=number, default=None, help=f"{about} (default {default:g})")
+    top.add_argument("--theta", type=angle, help="θ at t = 0 (default 0.5)")
+    top.add_argument("--phi", type=angle, help="φ at t = 0")
+    top.add_argument("--psi", type=angle, help="ψ at t = 0")
+    top.add_argument("--theta-dot", type=angle, help="θ̇ at t = 0, per second")
+    top.add_argument("--phi-dot", type=angle, help="φ̇ at t = 0, per second")
+    spin = top.add_mutually_exclusive_group()
+    spin.add_argument("--omega3", type=angle, help="ω₃, per second (default 40)")
+    spin.add_argument("--psi-dot", type=angle, help="ψ̇ at t = 0, per second, instead of ω₃")
+    top.add_argument("--steady", choices=("slow", "fast"), help="start with φ̇ = Ω₋ or Ω₊")
+    free = sub.add_argument_group("the free body")
+    free.add_argument("--moments", type=number, nargs=3, metavar="λ", help="λ₁ λ₂ λ₃, kg m²")
+    free.add_argument("--omega", type=angle, nargs=3, metavar="ω", help="ω in the body, per second")
+    run = sub.add_argument_group("the computation")
+    run.add_argument("--time", type=number, default=10.0, help="from 0 to this time, s (10)")
+    run.add_argument("--samples", type=_count, default=21, help="rows, at least 2 (21)")
+    run.add_argument("--method", default="DOP853", help="of scipy's solve_ivp (DOP853)")
+    run.add_argument("--rtol", type=number, default=1e-10, help="relative tolerance (1e-10)")
+    run.add_argument("--atol", type=number, default=1e-12, help="absolute tolerance (1e-12)")
+    run.add_argument("-o", "--output", metavar="FILE", help="write the table as CSV instead")
+
+
+def _count(text: str) -> int:
+    if not re.fullmatch(r"\d{1,7}", text) or int(text) < 2:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 2 to 9999999")
+    return int(text)
+
+
+TOP_OPTIONS = ("lambda1", "lambda3", "mass", "arm", "gravity", "theta", "phi", "psi", "theta_dot")
+TOP_RATES = ("phi_dot", "omega3", "psi_dot", "steady")
+FREE_OPTIONS = ("moments", "omega")
+
+
+def _simulate(options: argparse.Namespace) -> int:
+    import numpy as np
+
+    foreign = FREE_OPTIONS if options.body == "top" else TOP_OPTIONS + TOP_RATES
+    for name in foreign:
+        if getattr(options, name) is not None:
+            flag = name.replace("_", "-")
+            raise RigidtopError(f"--{flag} does not go with `simulate {options.body}`")
+    motion = _top(options) if options.body == "top" else _free(options)
+    times = np.linspace(0.0, options.time, options.samples)
+    with Progress("integrating", 1):
+        path = motion.integrate(times, method=options.method, rtol=options.rtol, atol=options.atol)
+    return _print_motion(options, path)
+
+
+def _top(options: argparse.Namespace) -> Motion:
+    import rigidtop
+
+    given = {name: value for name, value in vars(options).items() if value is not None}
+    top = rigidtop.HeavyTop(
+        lambda1=given.get("lambda1", 1.0),
+        lambda3=given.get("lambda3", 0.5),
+        M=given.get("mass", 1.0),
+        R=given.get("arm", 0.5),
+        g=given.get("gravity", 9.81),
+    )
+    names = ("phi", "psi", "theta_dot", "phi_dot", "omega3", "psi_dot")
+    start = {name: given[name] for name in names if name in given}
+    theta = given.get("theta", 0.5)
+    if "omega3" not in start and "psi_dot" not in start:
+        start["omega3"] = 40.0
+    if options.steady:
+        for other in ("phi_dot", "psi_dot", "theta_dot"):
+            if other in start:
+                flag = other.replace("_", "-")
+                raise RigidtopError(f"--steady sets the rates: leave --{flag} out, give --omega3")
+        slow, fast = top.steady_precession(theta, start["omega3"])
+        start["phi_dot"] = slow if options.steady == "slow" else fast
+        if not math.isfinite(start["phi_dot"]):
+            raise RigidtopError("a horizontal top has no fast steady precession: use --steady slow")
+    return top.motion(theta=theta, **start)
+
+
+def _free(options: argparse.Namespace) -> Motion:
+    import rigidtop
+
+    if options.moments is None or options.omega is None:
+        raise RigidtopError("a free body needs --moments λ₁ λ₂ λ₃ and --omega ω₁ ω₂ ω₃")
+    return rigidtop.FreeBody(*options.moments).motion(omega=tuple(options.omega))
+
+
+def _columns(path: Trajectory) -> dict[str, Any]:
+    """The columns of the table, by name and unit."""
+    if hasattr(path, "theta"):
+        return {
+            "t/s": path.t,
+            "theta/rad": path.theta,
+            "phi/rad": path.phi,
+            "psi/rad": path.psi,
+            "theta_dot/(rad/s)": path.theta_dot,
+            "phi_dot/(rad/s)": path.phi_dot,
+            "psi_dot/(rad/s)": path.psi_dot,
+            "energy/J": path.energy,
+        }
+    columns = {"t/s": path.t}
+    columns |= {f"omega{k + 1}/(rad/s)": path.omega[:, k] for k in range(3)}
+    columns |= {f"e3_{axis}": path.e3[:, k] for k, axis in enumerate("xyz")}
+    return columns | {"energy/J": path.energy}
+
+
+def _print_motion(options: argparse.Namespace, path: Trajectory) -> int:
+    columns = _columns(path)
+    drift = path.drift()
+    if options.output:
+        from pathlib import Path
+
+        from rigidtop.present.files import write_whole
+
+        lines = [",".join(columns)]
+        lines += [",".join(map(repr, map(float, row))) for row in zip(*columns.values(), strict=True)]
+        write_whole(Path(options.output), ("\n".join(lines) + "\n").encode())
+    if options.json:
+        values = {name: [float(x) for x in column] for name, column in columns.items()}
+        return _print_json({"columns": values, "drift": drift})
+    if options.output:
+        print(options.output)
+    else:
+        from rigidtop.present.table import table
+
+        # + 0.0 writes −0 as 0
+        rows = [[f"{x + 0.0:.6g}" for x in row] for row in zip(*columns.values(), strict=True)]
+        print(table(rows, tuple(columns), right=range(len(columns))))
+        print()
+    kept = ", ".join(f"{name} {value:.1e}" for name, value in drift.items())
+    print(f"relative drift of what the exact motion keeps: {kept}")
+    return 0
+
+
+def _print_json(value: Any) -> int:
+    print(json.dumps(value, ensure_ascii=False, indent=1, allow_nan=False))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,189 @@
+"""The command line as a user meets it: output, exit codes, and one line for bad input."""
+
+from __future__ import annotations
+
+import csv
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from rigidtop.cli import main
+
+
+def run(*arguments: str, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "rigidtop", *arguments],
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        cwd=cwd,
+        check=False,
+        timeout=120,
+    )
+
+
+def test_list_names_every_claim_once(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["list", "--json"]) == 0
+    records = json.loads(capsys.readouterr().out)
+    names = [record["name"] for record in records]
+    assert len(names) == len(set(names)) == 57
+    assert names[0] == "two-mass-points"
+    assert names[-1] == "friction"
+    assert {record["reference"] for record in records} >= {"3.2", "3.3", "3.4", "3.5.4"}
+
+
+def test_check_prints_verdicts_and_numbers(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", "3.57", "(3.47)", "z-hat"]) == 0
+    out = capsys.readouterr().out
+    assert "3.57       assuming    holds if sin θ ≠ 0" in out
+    assert "3.47       convention" in out
+    assert "z-hat      proved" in out
+    assert "θ held over 100 turns at Ω₋" in out
+    assert out.endswith("3 claims: 1 proved, 1 assuming, 1 convention; all passed\n")
+
+
+def test_check_json_is_the_contract(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", "3.45", "--json"]) == 0
+    [record] = json.loads(capsys.readouterr().out)
+    assert record["name"] == "3.45"
+    assert record["reference"] == "3.3"
+    assert record["verdict"] == "assuming"
+    assert record["assumptions"] == ["sin θ ≠ 0 (the top is not upright and does not hang)"]
+    assert record["note"].startswith("holds if sin θ ≠ 0")
+    assert 0 < record["seconds"] < 60
+
+
+def test_a_failed_check_exits_with_1(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from sympy import Integer
+
+    from rigidtop import derivations
+    from rigidtop.proof.equation import Equation
+    from rigidtop.proof.page import Check, Page, claim
+
+    @claim("broken", "0 = 1")
+    def broken():  # type: ignore[no-untyped-def]
+        yield Check(Equation(Integer(0), Integer(1)))
+
+    monkeypatch.setattr(derivations, "PAGES", (Page("9", "Broken", "A false claim.", (broken,)),))
+    assert main(["check"]) == 1
+    out = capsys.readouterr().out
+    assert "it fails, and no corrected form stands beside it" in out
+    assert out.endswith("1 claims: 1 false; NOT PASSED: broken\n")
+
+
+@pytest.mark.parametrize(
+    ("format", "part"),
+    [
+        ("text", "0 = (λ₁ cos θ)Ω² − (λ₃ω₃)Ω + MgR"),
+        ("latex", r"(\lambda_{1}\cos\theta)\Omega^{2} - (\lambda_{3}\omega_{3})\Omega + MgR"),
+        ("latex", r"\tag{3.57}"),
+        ("html", "<math"),
+        ("typst", "math.equation"),
+    ],
+)
+def test_derive_in_every_format(
+    format: str, part: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["derive", "3.57", "--format", format]) == 0
+    assert part in capsys.readouterr().out
+
+
+def test_simulate_prints_the_drift(capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = "simulate top --theta 30deg --omega3 40 --time 1 --samples 3 --json"
+    assert main(arguments.split()) == 0
+    out = json.loads(capsys.readouterr().out)
+    assert out["columns"]["theta/rad"][0] == pytest.approx(0.5235987755982988, abs=1e-15)
+    assert set(out["drift"]) == {"energy", "p_phi", "p_psi"}
+    assert max(out["drift"].values()) < 1e-10
+
+
+def test_simulate_steady_keeps_theta(capsys: pytest.CaptureFixture[str]) -> None:
+    for root in ("slow", "fast"):
+        arguments = f"simulate top --theta 0.5 --omega3 12 --steady {root} --time 5 --json"
+        assert main(arguments.split()) == 0
+        theta = json.loads(capsys.readouterr().out)["columns"]["theta/rad"]
+        assert max(abs(value - 0.5) for value in theta) < 1e-9
+
+
+def test_simulate_writes_csv(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "flip.csv"
+    arguments = f"simulate free --moments 1 2 3 --omega 0.01 2 0.01 --samples 4 -o {file}"
+    assert main(arguments.split()) == 0
+    assert str(file) in capsys.readouterr().out
+    rows = list(csv.DictReader(file.open(encoding="utf-8")))
+    assert [float(row["t/s"]) for row in rows] == pytest.approx([0, 10 / 3, 20 / 3, 10])
+    assert float(rows[0]["omega2/(rad/s)"]) == 2.0
+    assert [path.name for path in tmp_path.iterdir()] == ["flip.csv"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ("derive 3.58", "rigidtop derive: no equation or claim '3.58'; did you mean 3.5"),
+        ("check zzz", "no equation or claim 'zzz'; `rigidtop list` names them all"),
+        ("simulate top --lambda1 0.1", "lambda1 = 0.1 is too small"),
+        ("simulate top --lambda3 -1", "lambda3"),
+        ("simulate top --mass 0", "M"),
+        ("simulate top --gravity nan", "'nan' is not a finite number"),
+        ("simulate top --theta inf", "'inf' is not a finite number"),
+        ("simulate top --theta 30grad", "'30grad' is not a finite number"),
+        ("simulate top --theta 4", "theta"),
+        ("simulate top --omega3 1 --steady slow", "|omega3| must be at least 8.29"),
+        ("simulate top --steady slow --phi-dot 1", "--steady sets the rates"),
+        ("simulate top --moments 1 2 3", "--moments does not go with `simulate top`"),
+        ("simulate free --theta 1", "--theta does not go with `simulate free`"),
+        ("simulate free --moments 1 2 3", "a free body needs --moments λ₁ λ₂ λ₃ and --omega"),
+        ("simulate free --moments 1 1 3 --omega 1 0 0", "3"),
+        ("simulate top --samples 1", "'1' is not a whole number from 2"),
+        ("simulate top --method Euler", "DOP853"),
+        ("simulate top -o /dev/null/x.csv", "cannot write /dev/null/x.csv"),
+        ("lecture -o /dev/null/x", "cannot write into /dev/null/x: /dev/null is not a folder"),
+    ],
+)
+def test_bad_input_is_one_line(
+    arguments: str, message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    try:
+        code = main(arguments.split())
+    except SystemExit as stop:
+        code = stop.code
+    captured = capsys.readouterr()
+    assert code == 2
+    assert captured.out == ""
+    assert captured.err.count("\n") == 1
+    assert message in captured.err
+
+
+def test_both_spins_are_refused() -> None:
+    result = run("simulate", "top", "--omega3", "1", "--psi-dot", "2")
+    assert result.returncode == 2
+    assert "--psi-dot: not allowed with argument --omega3" in result.stderr
+    assert "Traceback" not in result.stderr
+
+
+def test_help_loads_nothing_heavy() -> None:
+    code = (
+        "import sys, rigidtop.cli\n"
+        "try: rigidtop.cli.main(['--help'])\n"
+        "except SystemExit: pass\n"
+        "heavy = {'numpy', 'scipy', 'sympy', 'matplotlib'} & set(sys.modules)\n"
+        "assert not heavy, heavy"
+    )
+    result = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False
+    )
+    assert result.returncode == 0, result.stderr
+    for command in ("list", "check", "derive", "lecture", "simulate"):
+        assert f"\n    {command} " in result.stdout
+
+
+def test_a_reader_that_leaves_is_no_error() -> None:
+    shell = f"{sys.executable} -m rigidtop list | head -n 1"
+    result = subprocess.run(shell, shell=True, capture_output=True, text=True, check=False)
+    assert result.stdout.startswith("section")
+    assert result.stderr == ""
