@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sympy import Eq, Expr, Gt, Lt, Matrix, Ne, S
+from sympy import Eq, Expr, Ge, Le, Matrix, Ne, S
 
 from rigidtop.codegen import shipped
 from rigidtop.proof.equation import BODY, SPACE, Cross, Equation, Group, Rate, as_printed
@@ -248,40 +248,22 @@ def axis_stability() -> Iterator[Evidence]:
     }
     yield Check(growth, {sigma2: axis_growth(3)}, printed=False)
     spins = Assumption(Ne(omega3, 0), "the body rotates", stated=True)
-    strictly = "no other moment is equal to it"
-    yield Check(
-        stable,
-        meaning,
-        (
-            Assumption(Gt(lambda3, lambda1), strictly),
-            Assumption(Gt(lambda3, lambda2), strictly),
-            spins,
-        ),
-        "Largest moment.",
-        printed=False,
+    differs = "no other moment equals that of the axis"
+    unequal = (
+        Assumption(Ne(lambda3, lambda1), differs),
+        Assumption(Ne(lambda3, lambda2), differs),
     )
-    yield Check(
-        stable,
-        meaning,
-        (
-            Assumption(Lt(lambda3, lambda1), strictly),
-            Assumption(Lt(lambda3, lambda2), strictly),
-            spins,
-        ),
-        "Smallest moment.",
-        printed=False,
-    )
-    yield Check(
-        unstable,
-        meaning,
-        (
-            Assumption(Gt(lambda3, lambda1), strictly),
-            Assumption(Lt(lambda3, lambda2), strictly),
-            spins,
-        ),
-        "The moment between.",
-        printed=False,
-    )
+
+    def ordered(*conditions: Expr) -> tuple[Assumption, ...]:
+        return tuple(Assumption(condition, stated=True) for condition in conditions)
+
+    largest = ordered(Ge(lambda3, lambda1), Ge(lambda3, lambda2))
+    smallest = ordered(Le(lambda3, lambda1), Le(lambda3, lambda2))
+    between = ordered(Ge(lambda3, lambda1), Le(lambda3, lambda2))
+    extreme = (*unequal, spins)
+    yield Check(stable, meaning, (*largest, *extreme), "Largest moment.", printed=False)
+    yield Check(stable, meaning, (*smallest, *extreme), "Smallest moment.", printed=False)
+    yield Check(unstable, meaning, (*between, *extreme), "The moment between.", printed=False)
     yield Check(energy, meaning, reason="Conserved along (3.36).", printed=False)
     yield Check(momentum, meaning, reason="Conserved along (3.36).", printed=False)
     yield Check(integral, meaning, reason="A definite form if λ₃ is extreme.", printed=False)

@@ -8,7 +8,7 @@ from sympy import Eq, Expr, Gt, Lt, Matrix, Ne, Poly, cos, diag, sin, sqrt
 
 from rigidtop.codegen import shipped
 from rigidtop.proof.equation import Dot, Equation, Group, Underbrace, as_printed
-from rigidtop.proof.page import Assumption, Check, Evidence, Page, Step, claim
+from rigidtop.proof.page import Assumption, Check, Evidence, Page, Remark, Step, claim
 from rigidtop.theory import top
 from rigidtop.theory.euler import MOMENTS
 from rigidtop.theory.lagrangian import momenta
@@ -294,7 +294,7 @@ def two_roots() -> Iterator[Evidence]:
         "The roots are real and differ.",
         printed=False,
     )
-    yield Check(
+    yield Remark(
         two,
         meaning,
         (Assumption(Lt(cos(theta), 0), "the top hangs below the horizontal"),),

@@ -72,8 +72,11 @@ def positive(expression: Expr, conditions: Sequence[Relational] = ()) -> bool:
 
 
 def _facts(conditions: Sequence[Relational]) -> list[Expr]:
-    """What the conditions say to be positive."""
-    return [c.gts - c.lts for c in conditions if isinstance(c, (sympy.Gt, sympy.Lt))]
+    """What the conditions say to be positive; a ≥ b together with a ≠ b is a > b."""
+    strict = [c.gts - c.lts for c in conditions if isinstance(c, (sympy.Gt, sympy.Lt))]
+    weak = [c.gts - c.lts for c in conditions if isinstance(c, (sympy.Ge, sympy.Le))]
+    unequal = [c.lhs - c.rhs for c in conditions if isinstance(c, sympy.Ne)]
+    return strict + [w for w in weak if any(sympy.expand(w**2 - u**2) == 0 for u in unequal)]
 
 
 def _sign(ratio: Expr, conditions: Sequence[Relational]) -> int:

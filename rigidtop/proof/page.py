@@ -66,6 +66,11 @@ class Correction(Check):
 
 
 @dataclass(frozen=True)
+class Remark(Check):
+    """What is true besides: judged, and it must hold, but its conditions are not the claim's."""
+
+
+@dataclass(frozen=True)
 class Definition:
     """An equation that introduces its left side: nothing to prove."""
 

@@ -24,6 +24,7 @@ from rigidtop.proof.page import (
     Evidence,
     Measure,
     Page,
+    Remark,
     Step,
 )
 from rigidtop.theory.symbols import const
@@ -92,20 +93,19 @@ class Judgement:
         return not self.problem
 
     def findings(self) -> tuple[Finding, ...]:
-        """What became of the checks of what the notes assert, corrections left out."""
-        return tuple(
-            item
-            for item in self.items
-            if isinstance(item, Finding) and not isinstance(item.check, Correction)
-        )
+        """What became of the checks of what the notes assert."""
+        return tuple(f for f in self._all() if not isinstance(f.check, (Correction, Remark)))
 
     def corrections(self) -> tuple[Finding, ...]:
         """The corrected forms, judged."""
-        return tuple(
-            item
-            for item in self.items
-            if isinstance(item, Finding) and isinstance(item.check, Correction)
-        )
+        return tuple(f for f in self._all() if isinstance(f.check, Correction))
+
+    def remarks(self) -> tuple[Finding, ...]:
+        """What is true besides, judged."""
+        return tuple(f for f in self._all() if isinstance(f.check, Remark))
+
+    def _all(self) -> tuple[Finding, ...]:
+        return tuple(item for item in self.items if isinstance(item, Finding))
 
 
 def judge_page(page: Page) -> tuple[Judgement, ...]:
@@ -153,6 +153,8 @@ def _problem(judgement: Judgement) -> str:
     sound = (Verdict.PROVED, Verdict.SAMPLED, Verdict.ASSUMING)
     if any(correction.verdict not in sound for correction in corrections):
         return "the corrected form does not hold either"
+    if any(remark.verdict not in sound for remark in judgement.remarks()):
+        return "what is remarked besides does not hold"
     wrong = judgement.verdict in (Verdict.FALSE, Verdict.CONVENTION)
     if wrong and not corrections:
         return "it fails, and no corrected form stands beside it"
@@ -193,7 +195,7 @@ def _tested(check: Check, assumption: Assumption) -> TestedAssumption:
 
 def _shown(check: Check, meaning: Meaning, assuming: Sequence[Assumption]) -> Verdict | None:
     """PROVED or SAMPLED where the relation holds under the assumptions, else None."""
-    relations = _relations(check.claimed, meaning)
+    relations = assertions(check.claimed, meaning)
     equal, conditions = _split(assuming)
     # Cheap refutation first: most claims that fail, fail at the first point.
     if refute(check, assuming, meaning=meaning, tries=8) is not None:
@@ -223,7 +225,7 @@ def _shown(check: Check, meaning: Meaning, assuming: Sequence[Assumption]) -> Ve
     return Verdict.SAMPLED if sampled else Verdict.PROVED
 
 
-def _relations(claimed: Equation, meaning: Meaning) -> list[tuple[str, Any, Any]]:
+def assertions(claimed: Equation, meaning: Meaning) -> list[tuple[str, Any, Any]]:
     """Neighbouring sides of the chain with their meanings; "= const" as a rate that vanishes."""
     values: list[Any] = []
     for side in claimed.sides:
@@ -314,7 +316,7 @@ def _search(
     given: Sequence[Expr],
 ) -> Counterexample | None:
     meaning, hidden = _opaque(meaning)
-    relations = _relations(check.claimed, meaning)
+    relations = assertions(check.claimed, meaning)
     equal, conditions = _split(assuming)
     if dropped is not None and dropped.otherwise is not None:
         equal = {**equal, dropped.condition.lhs: dropped.otherwise}

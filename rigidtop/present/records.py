@@ -1,0 +1,74 @@
+"""Judgements as rows of a table and as records for programs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from rigidtop.present.report import Numbers, numbers, tested
+from rigidtop.present.text import text
+from rigidtop.proof.page import Claim, Measure
+from rigidtop.proof.verdict import Judgement, TestedAssumption
+
+
+def record(judgement: Judgement) -> dict[str, Any]:
+    """What `rigidtop check --json` says of a claim."""
+    return {
+        "name": judgement.claim.name,
+        "reference": judgement.section,
+        "verdict": judgement.verdict.value,
+        "assumptions": [_assumption(item) for item in tested(judgement)],
+        "note": note(judgement),
+        "seconds": round(judgement.seconds, 4),
+        "passed": judgement.passed,
+        "measures": [
+            {
+                "what": measure.what,
+                "error": float(measure.error),
+                "tolerance": float(measure.tolerance),
+                "passed": measure.passed,
+            }
+            for measure in measures([judgement])
+        ],
+    }
+
+
+def claim_record(claim: Claim, section: str) -> dict[str, Any]:
+    """What `rigidtop list --json` says of a claim."""
+    return {"name": claim.name, "reference": section, "says": claim.says, "reason": claim.reason}
+
+
+def measures(judgements: Iterable[Judgement]) -> list[Measure]:
+    """What was measured on computed motions, in order."""
+    return [item for j in judgements for item in j.items if isinstance(item, Measure)]
+
+
+def note(judgement: Judgement) -> str:
+    """One line: why it does not pass, or what is silently assumed, or what refutes it."""
+    if judgement.problem:
+        return judgement.problem
+    parts = [
+        f"at {_point(numbers(finding.counterexample))}"
+        for finding in judgement.findings()
+        if finding.counterexample is not None
+    ][:1]
+    silent = [item for item in tested(judgement) if not item.assumption.stated]
+    if silent:
+        parts.append("holds if " + "; ".join(_assumption(item) for item in silent))
+    corrected = [text(finding.check.claimed) for finding in judgement.corrections()]
+    if corrected:
+        parts.append(f"corrected: {corrected[0]}")
+    return "; ".join(parts)
+
+
+def _assumption(item: TestedAssumption) -> str:
+    condition = text(item.assumption.condition)
+    words = item.assumption.words.rstrip(".")
+    said = f"{condition} ({words})" if words else condition
+    return f"{said} [stated]" if item.assumption.stated else said
+
+
+def _point(found: Numbers) -> str:
+    values = ", ".join(f"{text(symbol)} = {text(value)}" for symbol, value in found.values)
+    said = found.said(text)
+    return f"{values}: {said}" if values else said
