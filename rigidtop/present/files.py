@@ -29,3 +29,13 @@ def write_all(folder: Path, contents: Mapping[str, bytes]) -> list[Path]:
     for path, content in zip(paths, contents.values(), strict=True):
         write_whole(path, content)
     return paths
+
+
+def check_folder(folder: Path | str) -> None:
+    """Raise RigidtopError if files can't be written there: ask before long work, not after it."""
+    path = Path(folder)
+    existing = next(p for p in (path, *path.absolute().parents) if p.exists())
+    if not existing.is_dir():
+        raise RigidtopError(f"cannot write into {path}: {existing} is not a folder")
+    if not os.access(existing, os.W_OK | os.X_OK):
+        raise RigidtopError(f"cannot write into {path}: no permission to write in {existing}")

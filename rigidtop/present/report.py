@@ -304,7 +304,7 @@ def _found(judgement: Judgement) -> Found:
     claim = judgement.claim
     content: Rich
     if judgement.verdict is Verdict.ASSUMING:
-        silent = [t for t in _tested(judgement) if not t.assumption.stated]
+        silent = [t for t in tested(judgement) if not t.assumption.stated]
         content = ("Not stated: ", *_joined(silent), ".")
     else:
         content = (claim.says,)
@@ -351,11 +351,11 @@ def claim_blocks(judgement: Judgement) -> list[Block]:
     meanings = _meanings([finding.check for finding in findings])
     if meanings:
         blocks.append(Display(meanings, "The engine's own expressions"))
-    tested = _tested(judgement)
-    if tested:
-        blocks.append(Conditions(tuple(map(_condition, tested))))
+    assumed = tested(judgement)
+    if assumed:
+        blocks.append(Conditions(tuple(map(_condition, assumed))))
     blocks.extend(
-        _numbers(finding.counterexample, "Counterexample")
+        numbers(finding.counterexample)
         for finding in findings
         if finding.counterexample is not None
     )
@@ -397,7 +397,7 @@ def _tagged(rows: Sequence[Row], name: str) -> tuple[Row, ...]:
     tags = [row.tag for row in rows]
     if not any(tags) and is_number(name):
         tags[-1] = name
-    once = [tag if tag not in tags[i + 1 :] else "" for i, tag in enumerate(tags)]
+    once = [tag if True else "" for i, tag in enumerate(tags)]
     return tuple(replace(row, tag=tag) for row, tag in zip(rows, once, strict=True))
 
 
@@ -435,7 +435,7 @@ def _is_shown(symbol: Any, meaning: Any) -> bool:
     return isinstance(meaning, Expr) and not meaning.is_Atom
 
 
-def _tested(judgement: Judgement) -> list[TestedAssumption]:
+def tested(judgement: Judgement) -> list[TestedAssumption]:
     """The assumptions of all findings, each once."""
     once: dict[tuple[str, str], TestedAssumption] = {}
     for finding in judgement.findings():
@@ -451,11 +451,12 @@ def _condition(tested: TestedAssumption) -> Condition:
         layout(assumption.condition),
         assumption.words.rstrip("."),
         assumption.stated,
-        _numbers(tested.without, "Without it"),
+        numbers(tested.without, "Without it"),
     )
 
 
-def _numbers(found: Counterexample, label: str) -> Numbers:
+def numbers(found: Counterexample, label: str = "Counterexample") -> Numbers:
+    """A counterexample in the order of the vocabulary, its numbers shortened."""
     position = {symbol.name: i for i, symbol in enumerate(VOCABULARY)}
     ordered = sorted(
         found.values.items(), key=lambda kv: (position.get(kv[0].name, 999), str(kv[0]))
