@@ -50,7 +50,7 @@ from rigidtop.theory.symbols import (
     psiddot,
     sigma2,
 )
-from rigidtop.theory.symbols import L as L_magnitude
+from rigidtop.theory.symbols import L as L_magnitude  # noqa: N811
 
 from . import evidence
 

@@ -192,10 +192,19 @@ def constant_rate() -> Iterator[Evidence]:
     equations = top.symmetric_equations()
     balance = equations[1] - cos(theta) * equations[2]
     with as_printed():
+        rates = Equation(
+            0,
+            lambda1 * phiddot * sin(theta) ** 2
+            + 2 * lambda1 * phidot * thetadot * sin(theta) * cos(theta)
+            - lambda3 * (psidot + phidot * cos(theta)) * thetadot * sin(theta),
+        )
         constant = Equation(phiddot, 0)
-    yield Step(
-        Equation(0, balance.subs(thetadot, 0).expand()),
-        "Lagrange's equation for φ less cos θ times that for ψ, at θ̇ = 0.",
+    yield Check(
+        rates,
+        {},
+        reason="Lagrange's equation for φ less cos θ times that for ψ.",
+        given=(balance.expand(),),
+        printed=False,
     )
     yield Check(
         constant,

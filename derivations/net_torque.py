@@ -12,6 +12,7 @@ from rigidtop.proof.equation import (
     Dot,
     Equation,
     Group,
+    NoMeaningError,
     SumOver,
     Underbrace,
     VolumeIntegral,
@@ -75,7 +76,7 @@ def over_body(centre: Matrix) -> Callable[[Any], Any]:
         constant = linear.subs(dict.fromkeys(POSITION, 0))
         rest = linear - constant - sum(rho * x * linear.coeff(x, 1).coeff(rho, 1) for x in POSITION)
         if rest.expand() != 0:
-            raise ValueError("the integrand is not ρ times something linear in r")
+            raise NoMeaningError("the integrand is not ρ times something linear in r")
         return first + constant.coeff(rho, 1) * M
 
     return integral

@@ -20,7 +20,17 @@ from sympy import (
     symbols,
 )
 
-from rigidtop.proof.equation import Cross, Dot, Equation, Group, SumOver, Underbrace, as_printed
+from rigidtop.proof.equation import (
+    SPACE,
+    Cross,
+    Dot,
+    Equation,
+    Group,
+    Rate,
+    SumOver,
+    Underbrace,
+    as_printed,
+)
 from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Page, claim
 from rigidtop.theory.euler import (
     OMEGA,
@@ -93,7 +103,6 @@ def body_cone() -> Matrix:
 @claim("3.37", "ω̇₁ = Ω_b ω₂, ω̇₂ = −Ω_b ω₁, and ω₃ is constant.")
 def oscillating_pair() -> Iterator[Evidence]:
     """λ₂ = λ₁ in (3.36): the third equation has no right side left, and ω₃ is a number."""
-    coefficient = Group(lambda1 - lambda3) * omega3 / lambda1
     with as_printed():
         coefficient = Group(lambda1 - lambda3) * omega3 / lambda1
         first = Equation(omega1dot, Underbrace(coefficient, Omega_b) * omega2, Omega_b * omega2)
@@ -283,9 +292,7 @@ def space_cone() -> Iterator[Evidence]:
     """
     with as_printed():
         axis = Equation(e3dot, Cross(L_vec / lambda1, e3))
-        omega_rate = Equation(
-            Matrix([omega1dot, omega2dot, omega3dot]), Cross(L_vec / lambda1, omega_vec)
-        )
+        omega_rate = Equation(Rate(omega_vec, SPACE), Cross(L_vec / lambda1, omega_vec))
         rate = Equation(Omega_s, L / lambda1)
     momentum = angular_momentum()
     meaning = {
@@ -293,7 +300,7 @@ def space_cone() -> Iterator[Evidence]:
         e3dot: Matrix(OMEGA).cross(Matrix(Z_AXIS)),
         L_vec: momentum,
         omega_vec: Matrix(OMEGA),
-        **RATES,
+        omega_rate.sides[0]: body_accelerations(),
     }
     yield Check(axis, meaning, (SYMMETRIC,), "e₃ is carried along by ω × e₃.", printed=False)
     yield Check(

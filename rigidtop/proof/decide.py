@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
 
 import sympy
 from sympy import Expr, Integer, Rational, Symbol, cos, pi, sin
@@ -192,7 +193,12 @@ def points(symbols: Sequence[Symbol], angles: set[Symbol], tries: int = 600) -> 
         yield {x: draw(x) for x in symbols}
 
 
-_FUNCTIONS = {sin: math.sin, cos: math.cos, sympy.tan: math.tan, sympy.Abs: abs}
+_FUNCTIONS: Mapping[Any, Callable[[float], float]] = {
+    sin: math.sin,
+    cos: math.cos,
+    sympy.tan: math.tan,
+    sympy.Abs: abs,
+}
 
 ROUNDING = 1e-15
 """Less than this is zero in double precision, for values of the size of those drawn."""
@@ -247,5 +253,5 @@ def _float(node: Expr, at: Mapping[Symbol, float]) -> float:
         return base**exponent
     function = _FUNCTIONS.get(node.func)
     if function is not None:
-        return function(*(_float(argument, at) for argument in node.args))
+        return function(_float(node.args[0], at))
     return float(node)

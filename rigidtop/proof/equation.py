@@ -29,6 +29,10 @@ def as_printed() -> AbstractContextManager[Any]:
     return sympy.evaluate(False)
 
 
+class NoMeaningError(ValueError):
+    """An expression that says nothing with the meanings given."""
+
+
 class Printed(Expr):
     """A node that exists for the page.  `value` replaces it by what it means."""
 
@@ -129,7 +133,7 @@ def _printed_value(node: Printed, meaning: Meaning) -> Any:
         measure, body = node.args
         return meaning[measure](value(body, meaning))
     if isinstance(node, Rate):
-        raise KeyError(f"{node} has no meaning here: give it one")
+        raise NoMeaningError(f"{node} has no meaning here: give it one")
     operands = [value(argument, meaning) for argument in node.args]
     if isinstance(node, Cross):
         return operands[0].cross(operands[1])

@@ -1,8 +1,10 @@
 """Small changes of a printed equation, each of which must make it fall.
 
 A claim that still passes with a sign, a factor, an exponent, an index or a function changed is not
-being checked.  Changes that leave an equation saying the same are not among them: two changed
-signs, or λ₂ for λ₁ where the two are assumed equal.
+being checked.  A change is left out only where the changed equation follows from the printed one
+whatever its symbols mean: two changed signs, λ₂ for λ₁ where the two are assumed equal, ẋ = 0 with
+a factor.  That is found at random meanings of the symbols, which know nothing of the engine, so a
+hole in the engine can't make a change look harmless.
 """
 
 from __future__ import annotations
@@ -13,12 +15,14 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy
-from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol, cos, sin
+from sympy import Add, Integer, Mul, Pow, Symbol, cos, sin
 from sympy.matrices.exceptions import ShapeError
 
 from rigidtop.proof.equation import (
     Cross,
     Equation,
+    Meaning,
+    NoMeaningError,
     Rate,
     SumOver,
     Transposed,
@@ -28,7 +32,15 @@ from rigidtop.proof.equation import (
     value,
 )
 from rigidtop.proof.page import Check
-from rigidtop.proof.verdict import entries
+from rigidtop.proof.verdict import (
+    Finding,
+    UnneededAssumptionError,
+    Verdict,
+    assertions,
+    entries,
+    is_refuted,
+    judge_check,
+)
 from rigidtop.theory import symbols as s
 
 _FAMILIES: tuple[tuple[Symbol, ...], ...] = (
@@ -61,107 +73,103 @@ class Perturbation:
     change: str
 
 
+def upheld(finding: Finding) -> Check | None:
+    """The check of a finding in the reading in which it holds; None where it does not hold."""
+    if finding.verdict is Verdict.CONVENTION and finding.check.other_reading is not None:
+        return replace(finding.check, meaning=finding.check.other_reading, other_reading=None)
+    held = (Verdict.PROVED, Verdict.SAMPLED, Verdict.ASSUMING)
+    return finding.check if finding.verdict in held else None
+
+
+def telling(check: Check) -> Iterator[Perturbation]:
+    """The perturbations of a check's equation that do not follow from it.
+
+    An inequality stays true under many changes; of it only the relation is turned round.
+    """
+    claimed = check.claimed
+    opposite = {"≠": "=", ">": "<", "<": ">"}.get(claimed.relation)
+    if opposite is not None:
+        turned = Equation(*claimed.sides, relation=opposite, tag=claimed.tag)
+        yield Perturbation(turned, f"{opposite} for {claimed.relation}")
+        return
+    trials = _Trials(check)
+    for perturbation in perturbations(claimed):
+        try:
+            follows = trials.follows(perturbation.equation)
+        except (ShapeError, TypeError, AttributeError):
+            continue  # the square of a vector and the like: not an equation any more
+        if not follows:
+            yield perturbation
+
+
+def falls(check: Check, perturbation: Perturbation) -> bool:
+    """Whether the check no longer passes with the changed equation in place of its own."""
+    changed = replace(check, claimed=perturbation.equation)
+    try:
+        # Nearly all fall at one of the first points, long before anything has to be shown.
+        if is_refuted(changed, changed.assuming, tries=40):
+            return True
+        return judge_check(changed).verdict in (Verdict.FALSE, Verdict.UNDECIDED)
+    except NoMeaningError:
+        return True  # ∫ρ² d³r is nothing that a body has
+    except UnneededAssumptionError:
+        return False  # it holds even without an assumption
+
+
+# --- the changes -------------------------------------------------------------------------------
+
+
 def perturbations(equation: Equation) -> Iterator[Perturbation]:
     """Every single change of sign, factor, exponent, index, function or term, side by side."""
     for position, side in enumerate(equation.sides):
-        neighbours = equation.sides[max(position - 1, 0) : position + 2]
-        to_vanish = any(_is_zero(other) for other in neighbours if other is not side)
-        for changed, change in _changed_side(side, to_vanish):
+        for changed, change in _changed_side(side):
             sides = (*equation.sides[:position], changed, *equation.sides[position + 1 :])
             new = Equation(*sides, relation=equation.relation, tag=equation.tag)
             yield Perturbation(new, change)
 
 
-def _is_zero(side: Any) -> bool:
-    if isinstance(side, sympy.MatrixBase):
-        return bool(side.is_zero_matrix)
-    return bool(side in (0, s.const))
-
-
-def telling(check: Check) -> Iterator[Perturbation]:
-    """The perturbations of a check's equation that do not say the same thing.
-
-    An inequality stays true under many changes; of it only the relation is turned round.
-    """
-    claimed = check.claimed
-    if claimed.relation in _OPPOSITE:
-        opposite = _OPPOSITE[claimed.relation]
-        yield Perturbation(
-            replace_relation(claimed, opposite), f"{opposite} for {claimed.relation}"
-        )
+def _changed_side(side: Any) -> Iterator[tuple[Any, str]]:
+    """A side with one change in it; of a matrix one entry is changed."""
+    if not isinstance(side, sympy.MatrixBase):
+        yield from _changed(side)
         return
-    for perturbation in perturbations(claimed):
-        try:
-            same = _same(check, perturbation.equation)
-        except (ShapeError, TypeError, AttributeError):
-            continue  # the square of a vector and the like: not an equation any more
-        if not same:
-            yield perturbation
+    for k, entry in enumerate(side):
+        for changed, change in _changed(entry):
+            new = [*side[:k], changed, *side[k + 1 :]]
+            yield sympy.ImmutableMatrix(*side.shape, new), f"entry {k + 1}: {change}"
 
 
-_OPPOSITE = {"≠": "=", ">": "<", "<": ">"}
-
-
-def replace_relation(equation: Equation, relation: str) -> Equation:
-    """The same sides with another relation between them."""
-    return Equation(*equation.sides, relation=relation, tag=equation.tag)
-
-
-def perturbed(check: Check, perturbation: Perturbation) -> Check:
-    """The check with the changed equation in place of its own."""
-    return replace(check, claimed=perturbation.equation)
-
-
-def _changed_side(side: Any, to_vanish: bool) -> Iterator[tuple[Any, str]]:
-    """`to_vanish`: the side is said to be zero or constant, and a bare name is so at any scale."""
-    if isinstance(side, sympy.MatrixBase):
-        entries = list(side)
-        for k, entry in enumerate(entries):
-            if to_vanish and entry.is_Atom:
-                continue
-            for changed, change in _changed(entry, entry.is_Atom):
-                new = [*entries[:k], changed, *entries[k + 1 :]]
-                yield sympy.ImmutableMatrix(*side.shape, new), f"entry {k + 1}: {change}"
-    elif not (to_vanish and _is_name(side)):
-        yield from _changed(side, False)
-
-
-def _is_name(side: Any) -> bool:
-    base, exponent = side.as_base_exp()
-    return bool(base.is_Symbol and exponent.is_number) or isinstance(side, Rate)
-
-
-def _changed(node: Any, only_names: bool) -> Iterator[tuple[Any, str]]:
+def _changed(node: Any) -> Iterator[tuple[Any, str]]:
+    """The tree with one change at this node or below it."""
     # Built as lists: a generator that pauses inside the context would leave it on for its caller.
     with as_printed():
-        here = list(_exchanged(node) if only_names else _changed_here(node))
+        here = list(_changed_here(node))
     yield from here
-    if isinstance(node, Rate):
-        return  # one thing with a meaning of its own
     for k, argument in enumerate(node.args):
-        if _is_label(node, k):
+        if _stands(node, k):
             continue
-        for changed, change in _changed(argument, only_names):
+        for changed, change in _changed(argument):
             with as_printed():
                 rebuilt = node.func(*node.args[:k], changed, *node.args[k + 1 :])
             yield rebuilt, change
 
 
-def _is_label(node: Any, k: int) -> bool:
-    """The label of a brace, the index of a sum and the measure of an integral assert nothing."""
-    return (isinstance(node, Underbrace) and k == 1) or (
-        isinstance(node, (SumOver, VolumeIntegral)) and k == 0
+def _stands(node: Any, k: int) -> bool:
+    """Whether argument k is left alone.
+
+    The label of a brace, the index of a sum and the measure of an integral assert nothing; a rate
+    is one thing with a meaning of its own; a power changes its exponent itself.
+    """
+    return (
+        isinstance(node, Rate)
+        or (isinstance(node, (Underbrace, Pow)) and k == 1 and not node.args[1].args)
+        or (isinstance(node, (SumOver, VolumeIntegral)) and k == 0)
     )
 
 
-def _exchanged(node: Any) -> Iterator[tuple[Any, str]]:
-    for family in _FAMILIES:
-        if node in family:
-            yield from ((other, f"{other} for {node}") for other in family if other != node)
-
-
 def _changed_here(node: Any) -> Iterator[tuple[Any, str]]:
-    if node == 0 or node == s.const:
+    """The changes of a node itself, typed as printed."""
+    if node in (0, s.const):
         return
     if isinstance(node, Add):
         for k, term in enumerate(node.args):
@@ -174,7 +182,9 @@ def _changed_here(node: Any) -> Iterator[tuple[Any, str]]:
         yield Pow(base, exponent + 1), f"exponent of {base}"
         yield Mul(node, Integer(-1)), f"sign of {node}"
     elif isinstance(node, Symbol):
-        yield from _exchanged(node)
+        for family in _FAMILIES:
+            if node in family:
+                yield from ((other, f"{other} for {node}") for other in family if other != node)
         yield Mul(Integer(2), node), f"twice {node}"
         yield Mul(Integer(-1), node), f"sign of {node}"
         yield Mul(node, node), f"square of {node}"
@@ -193,64 +203,136 @@ def _changed_here(node: Any) -> Iterator[tuple[Any, str]]:
         yield Mul(Integer(-1), node), f"sign of {node}"
 
 
-def _same(check: Check, changed: Equation) -> bool:
-    """Whether the changed equation says the same: its differences are a multiple of the old ones.
+# --- whether a change says anything ------------------------------------------------------------
 
-    Compared at random meanings of the symbols, vectors for vectors and matrices for matrices, that
-    know nothing of the engine; so a hole in the engine can't make a change look harmless.
+_TRIALS = 3
+_TOLERANCE = 1e-9
+
+
+class _Trials:
+    """Random meanings of a check's symbols, at which changed equations are compared with its own.
+
+    Each symbol gets a value of the shape that it has in the check: vectors for vectors, matrices
+    for matrices; a sum gets random terms, and an integral and the rate behind "= const" a random
+    multiple of what they are applied to.
     """
-    rng = random.Random(3)
-    factors: list[set[Expr]] = []
-    for _ in range(3):
-        meaning = _random_meaning(check, rng)
-        old = _differences(check.claimed, meaning)
-        new = _differences(changed, meaning)
-        if len(old) != len(new):
-            return False
-        pairs = [(a, b) for a, b in zip(old, new, strict=True) if (a, b) != (0, 0)]
-        if any(a == 0 or b == 0 for a, b in pairs):
-            return False
-        factors.append({b / a for a, b in pairs})
-    return factors[0] == factors[1] == factors[2] and len(factors[0]) <= 1
+
+    def __init__(self, check: Check) -> None:
+        rng = random.Random(3)
+        self._meanings = [_random_meaning(check, rng) for _ in range(_TRIALS)]
+        self._differences = [_differences(check.claimed, m) for m in self._meanings]
+        solved = [_made_true(check.claimed, meaning) for meaning in self._meanings]
+        self._made_true = [meaning for meaning in solved if meaning is not None]
+
+    def follows(self, changed: Equation) -> bool:
+        """Whether the changed equation holds wherever the check's own does."""
+        return self._is_multiple(changed) or self._is_implied(changed)
+
+    def _is_multiple(self, changed: Equation) -> bool:
+        """Its differences are a constant multiple of the old ones."""
+        factors: list[complex] = []
+        for meaning, old in zip(self._meanings, self._differences, strict=True):
+            new = _differences(changed, meaning)
+            if len(old) != len(new):
+                return False
+            for a, b in zip(old, new, strict=True):
+                if a == b == 0:
+                    continue
+                if abs(a) < _TOLERANCE or abs(b) < _TOLERANCE:
+                    return False
+                factors.append(b / a)
+        return all(abs(f - factors[0]) < _TOLERANCE * abs(f) for f in factors)
+
+    def _is_implied(self, changed: Equation) -> bool:
+        """It holds with the names on the old one's sides given the values that make that true."""
+        return bool(self._made_true) and all(
+            abs(difference) < _TOLERANCE
+            for meaning in self._made_true
+            for difference in _differences(changed, meaning)
+        )
 
 
 def _random_meaning(check: Check, rng: random.Random) -> dict[Any, Any]:
     """A random value for every symbol, of the shape that its meaning in the check has."""
 
-    def number() -> Rational:
-        return Rational(rng.randint(2, 97), rng.randint(2, 97))
+    def number() -> sympy.Float:
+        return sympy.Float(rng.uniform(0.4, 1.9))
 
     def like(meant: Any) -> Any:
         if isinstance(meant, sympy.MatrixBase):
             return sympy.Matrix(*meant.shape, [number() for _ in meant])
         if isinstance(meant, (list, tuple)):
             return [{key: like(part) for key, part in term.items()} for term in meant]
-        return meant if callable(meant) else number()
+        return _multiple(number()) if callable(meant) else number()
 
-    inside = {
-        symbol
-        for m in check.meaning.values()
-        if isinstance(m, (list, tuple))
-        for term in m
-        for symbol in term
-    }
-    plain = {x for side in check.claimed.sides for x in side.free_symbols} - inside
-    family = {x for row in _FAMILIES for x in row}
-    meaning: dict[Any, Any] = {x: number() for x in sorted(plain | family, key=str)}
+    conditions = [assumption.condition for assumption in check.assuming]
+    symbols = {x for part in (*check.claimed.sides, *conditions) for x in part.free_symbols}
+    symbols |= {x for family in _FAMILIES for x in family}
+    meaning: dict[Any, Any] = {x: number() for x in sorted(symbols, key=str)}
     meaning |= {key: like(meant) for key, meant in check.meaning.items()}
-    for assumption in check.assuming:
-        condition = assumption.condition
-        if isinstance(condition, sympy.Eq) and condition.lhs in meaning:
+    if s.unit in check.meaning:
+        meaning[s.unit] = check.meaning[s.unit]  # as little a variable as the number 1 is
+    for condition in conditions:
+        if isinstance(condition, sympy.Eq):
             meaning[condition.lhs] = value(condition.rhs, meaning)
     return meaning
 
 
-def _differences(equation: Equation, meaning: dict[Any, Any]) -> list[Expr]:
-    values = [side if side == s.const else value(side, meaning) for side in equation.sides]
-    differences: list[Expr] = []
-    for left, right in zip(values, values[1:], strict=False):
-        if right == s.const:
-            differences += list(left) if isinstance(left, sympy.MatrixBase) else [left]
-        else:
-            differences += [sympy.nsimplify(d) for d in entries(left, right)]
-    return differences
+def _multiple(factor: Any) -> Any:
+    """A function that is linear, as rates and integrals are."""
+    return lambda argument: factor * argument
+
+
+def _differences(equation: Equation, meaning: Meaning) -> list[complex]:
+    """What an equation and the braces in it say to be zero, in numbers."""
+    return [
+        complex(difference)
+        for _, left, right in assertions(equation, meaning)
+        for difference in entries(left, right)
+    ]
+
+
+def _made_true(equation: Equation, meaning: dict[Any, Any]) -> dict[Any, Any] | None:
+    """The meaning with the names that are sides, or labels, set to what makes the equation true.
+
+    None where no choice of these alone makes it true.
+    """
+    true = dict(meaning)
+    for brace in set().union(*(side.atoms(Underbrace) for side in equation.sides)):
+        body, label = brace.args
+        true[label] = value(body, true)
+    # What can't be solved for gives the value; a rate behind "= const" vanishes.
+    fixed = [side for side in equation.sides if side != s.const and not _unknowns(side)]
+    if s.const in equation.sides:
+        fixed = [Integer(0)]
+    target = value(fixed[0] if fixed else equation.sides[0], true)
+    for side in equation.sides:
+        _solve(side, target, true)
+    small = all(abs(difference) < _TOLERANCE for difference in _differences(equation, true))
+    return true if small else None
+
+
+def _unknowns(side: Any) -> list[Any]:
+    """The names that a side can be solved for: one, or one an entry, or a rate in a sum."""
+    if isinstance(side, sympy.MatrixBase):
+        return list(side) if all(entry.is_Symbol for entry in side) else []
+    if isinstance(side, Add):
+        return [term for term in side.args if isinstance(term, Rate)][:1]
+    base, exponent = side.as_base_exp()
+    is_name = side != s.const and isinstance(base, (Symbol, Rate)) and exponent.is_number
+    return [base] if is_name else []
+
+
+def _solve(side: Any, target: Any, meaning: dict[Any, Any]) -> None:
+    """Set the unknowns of a side so that it has the target's value (0 fits every shape)."""
+    unknowns = [name for name in _unknowns(side) if name != s.unit]
+    if isinstance(side, sympy.MatrixBase):
+        is_vector = isinstance(target, sympy.MatrixBase)
+        meaning |= zip(unknowns, target if is_vector else [target] * len(side), strict=False)
+        return
+    for name in unknowns:
+        old = meaning[name]
+        if isinstance(old, sympy.MatrixBase) and not isinstance(target, sympy.MatrixBase):
+            target = target * sympy.ones(*old.shape)
+        # A power has the target's value only where that is 0 or 1, as in "L² = const".
+        meaning[name] = old + (target - value(side, meaning)) if isinstance(side, Add) else target

@@ -198,7 +198,7 @@ def _shown(check: Check, meaning: Meaning, assuming: Sequence[Assumption]) -> Ve
     relations = assertions(check.claimed, meaning)
     equal, conditions = _split(assuming)
     # Cheap refutation first: most claims that fail, fail at the first point.
-    if refute(check, assuming, meaning=meaning, tries=8) is not None:
+    if is_refuted(check, assuming, meaning=meaning, tries=8):
         return None
     sampled = False
     for relation, left, right in relations:
@@ -296,6 +296,28 @@ def refute(
     tries: int = 600,
 ) -> Counterexample | None:
     """A point where the assumptions hold, `dropped` does not, and the claimed relation fails."""
+    failure = _failure(check, assuming, dropped, meaning, tries)
+    return None if failure is None else _counterexample(*failure)
+
+
+def is_refuted(
+    check: Check, assuming: Sequence[Assumption], tries: int, meaning: Meaning | None = None
+) -> bool:
+    """Whether `refute` finds a point; cheaper, since no exact numbers are made of it."""
+    return _failure(check, assuming, None, meaning, tries) is not None
+
+
+Failure = tuple[Any, Mapping[Symbol, Expr], Mapping[Symbol, Expr]]
+"""The sides of all relations, a point at which one fails, and what the sides' dummies stand for."""
+
+
+def _failure(
+    check: Check,
+    assuming: Sequence[Assumption],
+    dropped: Assumption | None,
+    meaning: Meaning | None,
+    tries: int,
+) -> Failure | None:
     meaning = check.meaning if meaning is None else meaning
     given = [_impose(h, _split(assuming)[0]) for h in check.given]
     solved, left_over = _solve_given(given)
@@ -314,7 +336,7 @@ def _search(
     tries: int,
     solved: Mapping[Symbol, Expr],
     given: Sequence[Expr],
-) -> Counterexample | None:
+) -> Failure | None:
     meaning, hidden = _opaque(meaning)
     relations = assertions(check.claimed, meaning)
     equal, conditions = _split(assuming)
@@ -351,7 +373,7 @@ def _search(
         if holds != wanted:
             continue
         if _fails(sides, values, undefined_counts=dropped is not None):
-            return _counterexample(sides, point, hidden)
+            return sides, point, hidden
     return None
 
 
