@@ -754,9 +754,7 @@ def _typed_parts(tree: Any) -> tuple[bool, list[tuple[bool, Node]]]:
                 negative, parts = _typed_parts(factor)
                 continue
             minus, inner = _typed_parts(factor)
-            if minus:
-                parts.append((False, Brackets(_node(factor, "typed"))))
-            elif any(divides for divides, _ in inner):
+            if minus or any(divides for divides, _ in inner):
                 parts.append((False, _node(factor, "typed")))
             else:
                 parts.extend(inner)

@@ -438,7 +438,7 @@ def rendered(draw: Callable[[], Canvas], kind: str) -> bytes:
         canvas = draw()
         buffer = BytesIO()
         metadata: dict[str, Any] = {
-            "svg": {"Date": None, "Creator": None, "Format": None, "Type": None},
+            "svg": {},  # goes below
             "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
             "png": {"Software": None},
         }[kind]

@@ -397,7 +397,7 @@ def _tagged(rows: Sequence[Row], name: str) -> tuple[Row, ...]:
     tags = [row.tag for row in rows]
     if not any(tags) and is_number(name):
         tags[-1] = name
-    once = [tag if True else "" for i, tag in enumerate(tags)]
+    once = [tag if tag not in tags[i + 1 :] else "" for i, tag in enumerate(tags)]
     return tuple(replace(row, tag=tag) for row, tag in zip(rows, once, strict=True))
 
 

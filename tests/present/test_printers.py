@@ -258,6 +258,10 @@ def test_what_is_typed_and_what_is_not():
     with as_printed():
         typed = omega3 * omega1 * lambda1
     assert is_typed(typed)
+    with as_printed():
+        assert is_typed(omega3 * omega1)
+        assert is_typed(psidot + phidot)
+        assert is_typed((omega1 * omega3) ** 2)
     assert text(typed) == "ω₃ω₁λ₁"
     assert not is_typed(lambda1 * omega3 * omega1 + 2 * (omega1 + omega2))
     assert text(omega3 * omega1 * lambda1) == "λ₁ω₁ω₃"
@@ -289,6 +293,7 @@ def test_brackets_stand_where_the_meaning_needs_them():
             (a + b) / (b * c): "(a + b)/(bc)",
             a / b / c: "a/(bc)",
             a / (b / c): "a/(b/c)",
+            Rational(1, 2) * a / b / c: "½ (a/(bc))",
             (-a) ** 2: "(−a)²",
             -(a**2): "−a²",
             (a * b) ** 2: "(ab)²",

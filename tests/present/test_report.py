@@ -172,6 +172,18 @@ def test_the_tag_stands_once_behind_the_last_line(judged):
     assert [row.verdict for row in shown.rows] == ["proved", "assuming", "proved"]
 
 
+def test_a_number_that_several_lines_bear_stands_behind_the_last(printed):
+    lines = [Equation(*printed[n].sides, tag="3.37") for n in ("3.37", "3.37b")]
+    judgement = Judgement(
+        _claim("3.37", ""),
+        "",
+        Verdict.PROVED,
+        tuple(Finding(Check(line), Verdict.PROVED) for line in lines),
+        0.0,
+    )
+    assert [row.tag for row in _labelled(judgement, "The notes print").rows] == ["", "3.37"]
+
+
 def test_a_claim_of_one_verdict_repeats_it_nowhere(judged):
     (shown,) = [
         b for b in claim_blocks(judged[0][1][2]) if getattr(b, "label", "") == "The notes print"
