@@ -148,7 +148,7 @@ figcaption { font-size: 0.93rem; color: var(--muted); margin-top: 0.5rem; }
   :root { --ink: #000; --paper: #fff; --muted: #444; --rule: #999; --link: #000; }
   body { display: block; font-size: 10.5pt; } .toc, .skip { display: none; }
   .page { max-width: none; padding: 0; } a { text-decoration: none; }
-  .head, .label, h2, h3, h4 { break-after: avoid; } .row, figure, li { break-inside: avoid; }
+  .head, .says, .label, h2, h3, h4 { break-after: avoid; } .row, figure, li { break-inside: avoid; }
 }
 @page { margin: 20mm; }
 """
