@@ -420,7 +420,9 @@ def _print_motion(options: argparse.Namespace, path: Trajectory) -> int:
         from rigidtop.present.files import write_whole
 
         lines = [",".join(columns)]
-        lines += [",".join(map(repr, map(float, row))) for row in zip(*columns.values(), strict=True)]
+        lines += [
+            ",".join(map(repr, map(float, row))) for row in zip(*columns.values(), strict=True)
+        ]
         write_whole(Path(options.output), ("\n".join(lines) + "\n").encode())
     if options.json:
         values = {name: [float(x) for x in column] for name, column in columns.items()}

@@ -87,9 +87,7 @@ def test_a_failed_check_exits_with_1(
         ("typst", "math.equation"),
     ],
 )
-def test_derive_in_every_format(
-    format: str, part: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_derive_in_every_format(format: str, part: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["derive", "3.57", "--format", format]) == 0
     assert part in capsys.readouterr().out
 

@@ -114,9 +114,8 @@ p .label { margin-right: 0.5em; }
 .eq { overflow-x: auto; overflow-y: hidden; padding: 0.15rem 0 0.3rem 1.6rem; }
 .eq math { display: inline math; math-style: normal; }
 .tag { font-variant-numeric: tabular-nums; }
-.why { grid-column: 1 / -1; margin: 0.15rem 0 0.3rem 1.6rem; font-size: 0.95rem;
+.why { grid-column: 1 / -1; margin: 0.5rem 0 0; font-size: 0.95rem;
   color: var(--muted); }
-.first .why { margin: 0.5rem 0 0; color: inherit; font-size: 1rem; }
 .eq .narrow { display: none; }
 @media (max-width: 40rem) {
   .eq .wide { display: none; } .eq .narrow { display: inline math; }
@@ -275,13 +274,13 @@ def _(block: ClaimHead) -> str:
 @html_block.register
 def _(block: Display) -> str:
     label = f'<p class="label">{prose_html(block.label)}</p>\n' if block.label else ""
-    rows = "\n".join(_row(group, block.reasons_first) for group in groups(block))
-    return f'{label}<div class="display{" first" if block.reasons_first else ""}">\n{rows}\n</div>'
+    rows = "\n".join(_row(group) for group in groups(block))
+    return f'{label}<div class="display">\n{rows}\n</div>'
 
 
-def _row(group: Sequence[Row], reasons_first: bool) -> str:
+def _row(group: Sequence[Row]) -> str:
     last = group[-1]
-    speaker = group[0] if reasons_first else last
+    speaker = group[0]
     words = prose_html(("⇒ " if speaker.follows else "") + speaker.reason) if speaker.reason else ""
     why = f'<p class="why">{words}</p>' if words else ""
     equations = [row.equation for row in group]
@@ -290,11 +289,7 @@ def _row(group: Sequence[Row], reasons_first: bool) -> str:
     side = badge(last.verdict) if last.verdict is not None else ""
     side += f' <span class="tag">({last.tag})</span>' if last.tag else ""
     line = f'<div class="eq">{shown}</div>' + (f"<div>{side.strip()}</div>" if side else "")
-    return (
-        f'<div class="row">{why}{line}</div>'
-        if reasons_first
-        else f'<div class="row">{line}{why}</div>'
-    )
+    return f'<div class="row">{why}{line}</div>'
 
 
 def _classed(math: str, name: str) -> str:

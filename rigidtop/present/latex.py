@@ -33,15 +33,14 @@ def latex(tree: Any, order: Order = "auto") -> str:
 
 @dataclass(frozen=True)
 class AlignRow:
-    """An equation of an ``align``: its lines, its tag, prose above it, prose beside or below it.
+    """An equation of an ``align``: its lines, its tag, the reason for it.
 
     `mark` is a word that stands beside it in any case.
     """
 
     lines: tuple[Line, ...]
     tag: str = ""
-    above: str = ""
-    beside: str = ""
+    reason: str = ""
     mark: str = ""
 
 
@@ -54,14 +53,14 @@ def aligned(
 ) -> str:
     r"""An ``align`` with a line for each equation, more where it is long, and tags behind.
 
-    ``reasons[i]`` is prose that stands beside equation i where it fits, else below it.
+    ``reasons[i]`` is prose that stands beside equation i if all fit there, else above it.
     """
     return align(
         [
             AlignRow(
                 tuple(lay.lines(equation, order, limit)),
                 equation.tag,
-                beside=reasons[i] if i < len(reasons) else "",
+                reasons[i] if i < len(reasons) else "",
             )
             for i, equation in enumerate(equations)
         ],
@@ -75,12 +74,12 @@ def align(rows: Sequence[AlignRow], limit: float = lay.LINE) -> str:
     beside = _all_fit_beside(rows, limit)
     made: list[str] = []
     for i, row in enumerate(rows):
-        if row.above and made:
-            made[-1] += _intertext(row.above)
+        if row.reason and not beside and made:
+            made[-1] += _intertext(row.reason)
         for j, line in enumerate(row.lines):
             last = j == len(row.lines) - 1
             tex = align_row(line)
-            words = " ".join(filter(None, [row.beside if beside else "", row.mark]))
+            words = " ".join(filter(None, [row.reason if beside else "", row.mark]))
             if last and words:
                 tex += rf" && \text{{{prose(words)}}}"
             if last and row.tag:
@@ -88,13 +87,10 @@ def align(rows: Sequence[AlignRow], limit: float = lay.LINE) -> str:
             elif not star:
                 tex += r" \notag"
             made.append(tex if last and i == len(rows) - 1 else tex + r" \\")
-        if row.beside and not beside and i < len(rows) - 1:
-            made[-1] += _intertext(row.beside)
-    # What stands before the first line or behind the last is a paragraph of its own.
-    before = prose(rows[0].above) + "\n" if rows[0].above else ""
-    behind = "\n" + prose(rows[-1].beside) if rows[-1].beside and not beside else ""
+    # What stands above the first line is a paragraph of its own.
+    before = prose(rows[0].reason) + "\n" if rows[0].reason and not beside else ""
     body = "\n".join(made)
-    return f"{before}\\begin{{align{star}}}\n{body}\n\\end{{align{star}}}{behind}"
+    return f"{before}\\begin{{align{star}}}\n{body}\n\\end{{align{star}}}"
 
 
 def _intertext(words: str) -> str:
@@ -104,7 +100,7 @@ def _intertext(words: str) -> str:
 def _all_fit_beside(rows: Sequence[AlignRow], limit: float) -> bool:
     """Whether all reasons fit into a column right of the widest line."""
     widest = max(_line_width(line) for row in rows for line in row.lines)
-    longest = max(0.8 * len(row.beside + row.mark) + (8 if row.tag else 0) for row in rows)
+    longest = max(0.8 * len(row.reason + row.mark) + (8 if row.tag else 0) for row in rows)
     return widest + longest + 4 < limit
 
 

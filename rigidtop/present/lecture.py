@@ -17,7 +17,7 @@ FORMATS = ("text", "latex", "html", "typst")
 
 def fragment(judgement: Judgement, format: str) -> str:
     """A claim as "text", "latex", "html" or "typst", with its derivation and its verdict."""
-    blocks = claim_blocks(judgement)
+    blocks = claim_blocks(judgement, marks=format == "text")
     if format == "text":
         return plain.fragment(blocks)
     if format == "latex":

@@ -58,14 +58,14 @@ def _(block: Display, width: int) -> list[str]:
     made = ["", f"{block.label}:"] if block.label else [""]
     for row in block.rows:
         reason = _wrapped(_reason(row), width, "    ", "    ") if _reason(row) else []
-        equation = f"  {text(row.equation, row.order)}" + (f"  ({row.tag})" if row.tag else "")
-        made += [*reason, equation] if block.reasons_first else [equation, *reason]
+        marks = (f"({row.tag})" if row.tag else "", f"[{row.verdict}]" if row.verdict else "")
+        equation = "  ".join(filter(None, (f"  {text(row.equation, row.order)}", *marks)))
+        made += [*reason, equation]
     return made
 
 
 def _reason(row: Row) -> str:
-    reason = ("⇒ " if row.follows and row.reason else "") + row.reason
-    return (reason + (f" [{row.verdict}]" if row.verdict is not None else "")).strip()
+    return ("⇒ " if row.follows and row.reason else "") + row.reason
 
 
 @_lines.register

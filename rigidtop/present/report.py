@@ -98,11 +98,10 @@ class Row:
 
 @dataclass(frozen=True)
 class Display:
-    """Equations below each other, under a short label."""
+    """Equations below each other, each after its reason, under a short label."""
 
     rows: tuple[Row, ...]
     label: str = ""
-    reasons_first: bool = False
 
 
 @dataclass(frozen=True)
@@ -256,13 +255,7 @@ def groups(block: Display) -> list[list[Row]]:
     made: list[list[Row]] = []
     for row in block.rows:
         last = made[-1][-1] if made else None
-        if (
-            last is None
-            or last.tag
-            or last.verdict
-            or last.order != row.order
-            or (row.reason if block.reasons_first else last.reason)
-        ):
+        if last is None or last.tag or last.verdict or last.order != row.order or row.reason:
             made.append([row])
         else:
             made[-1].append(row)
@@ -326,8 +319,8 @@ def _joined(tested: Sequence[TestedAssumption]) -> Rich:
     return tuple(piece for piece in pieces if piece != "")
 
 
-def claim_blocks(judgement: Judgement) -> list[Block]:
-    """A claim with all that its evidence showed."""
+def claim_blocks(judgement: Judgement, *, marks: bool = True) -> list[Block]:
+    """A claim with all that its evidence showed; `marks` puts verdicts that differ beside lines."""
     claim = judgement.claim
     findings = judgement.findings()
     blocks: list[Block] = [ClaimHead(claim.name, anchor(claim.name), claim.says, judgement.verdict)]
@@ -335,25 +328,19 @@ def claim_blocks(judgement: Judgement) -> list[Block]:
         *(item for item in judgement.items if isinstance(item, Definition)),
         *(finding for finding in findings if finding.check.printed),
     ]
-    mixed = len({finding.verdict for finding in findings}) > 1
+    mixed = marks and len({finding.verdict for finding in findings}) > 1
     rows = [_notes_row(item, mixed) for item in as_notes]
     if rows:
         blocks.append(Display(_tagged(rows, claim.name), "The notes print"))
-    formal = [replace(_notes_row(f, mixed), tag="") for f in findings if not f.check.printed]
-    if formal:
-        blocks.append(Display(tuple(formal), "In symbols"))
     if claim.reason:
         blocks.append(Paragraph((claim.reason,), "Reason"))
-    steps = [item for item in judgement.items if isinstance(item, Step)]
-    if steps:
-        made = tuple(Row(step.equation, "auto", reason=step.reason) for step in steps)
-        blocks.append(Display(made, "Derivation", reasons_first=True))
-    meanings = _meanings([finding.check for finding in findings])
+    blocks.extend(_derivation(judgement, mixed))
+    meanings = _meanings(judgement)
     if meanings:
         blocks.append(Display(meanings, "The engine's own expressions"))
     assumed = tested(judgement)
     if assumed:
-        blocks.append(Conditions(tuple(map(_condition, assumed))))
+        blocks.append(Conditions(_conditions(assumed)))
     blocks.extend(
         numbers(finding.counterexample)
         for finding in findings
@@ -363,7 +350,14 @@ def claim_blocks(judgement: Judgement) -> list[Block]:
     if corrected:
         made = tuple(replace(_notes_row(item, False), tag="") for item in corrected)
         blocks.append(Display(made, "Corrected form"))
-        conditions = tuple(_condition(t) for c in corrected for t in c.assumptions)
+        conditions = _conditions([t for c in corrected for t in c.assumptions])
+        if conditions:
+            blocks.append(Conditions(conditions))
+    remarks = judgement.remarks()
+    if remarks:
+        made = tuple(replace(_notes_row(item, False), tag="") for item in remarks)
+        blocks.append(Display(made, "Besides"))
+        conditions = _conditions([t for r in remarks for t in r.assumptions])
         if conditions:
             blocks.append(Conditions(conditions))
     measures = tuple(item for item in judgement.items if isinstance(item, Measure))
@@ -372,6 +366,31 @@ def claim_blocks(judgement: Judgement) -> list[Block]:
     if judgement.problem:
         blocks.append(Paragraph((f"This claim does not pass. {_sentence(judgement.problem)}",), ""))
     return blocks
+
+
+def _derivation(judgement: Judgement, mixed: bool) -> Iterable[Block]:
+    """Steps and formal checks in their order; an equation that stands already is not repeated."""
+    rows: list[Row] = []
+    again: list[str] = []
+    seen = {f.check.claimed.sides for f in judgement.findings() if f.check.printed}
+    for item in judgement.items:
+        if isinstance(item, Step):
+            rows.append(Row(item.equation, "auto", reason=item.reason))
+            seen.add(item.equation.sides)
+        elif isinstance(item, Finding) and item in judgement.findings():
+            if item.check.printed:
+                continue
+            sides = item.check.claimed.sides
+            if sides in seen and item.verdict in (Verdict.PROVED, judgement.verdict):
+                again.append(item.check.reason)
+                continue
+            seen.add(sides)
+            rows.append(replace(_notes_row(item, mixed), tag=""))
+    if rows:
+        yield Display(tuple(rows), "Derivation")
+    sentences = list(dict.fromkeys(filter(None, again)))
+    if sentences:
+        yield Paragraph((" ".join(map(_sentence, sentences)),), "Checked again")
 
 
 def _sentence(words: str) -> str:
@@ -405,9 +424,11 @@ LONGEST = 110.0
 """A meaning that is wider than this is not printed, nor one that does not go into two lines."""
 
 
-def _meanings(checks: Sequence[Check]) -> tuple[Row, ...]:
+def _meanings(judgement: Judgement) -> tuple[Row, ...]:
     """What the symbols of the claim stand for in the engine, where that is short and the same
-    in all checks of what the notes print."""
+    in all checks of what the notes print, and not shown as a step."""
+    checks = [finding.check for finding in judgement.findings()]
+    shown = {item.equation.sides for item in judgement.items if isinstance(item, Step)}
     found: dict[str, set[Row]] = {}
     for check in [c for c in checks if c.printed] or checks:
         for symbol, meaning in check.meaning.items():
@@ -418,7 +439,7 @@ def _meanings(checks: Sequence[Check]) -> tuple[Row, ...]:
     rows = [
         row for alternatives in found.values() if len(alternatives) == 1 for row in alternatives
     ]
-    return tuple(row for row in rows if _is_short(row.equation))
+    return tuple(row for row in rows if row.equation.sides not in shown and _is_short(row.equation))
 
 
 def _is_short(equation: Equation) -> bool:
@@ -445,13 +466,24 @@ def tested(judgement: Judgement) -> list[TestedAssumption]:
     return list(once.values())
 
 
-def _condition(tested: TestedAssumption) -> Condition:
-    assumption = tested.assumption
+def _conditions(assumed: Sequence[TestedAssumption]) -> tuple[Condition, ...]:
+    """Assumptions as they are listed: those with the same words together, one counterexample."""
+    together: dict[tuple[str, bool], list[TestedAssumption]] = {}
+    for item in assumed:
+        words = item.assumption.words.rstrip(".")
+        key = (words or str(item.assumption.condition), item.assumption.stated)
+        together.setdefault(key, []).append(item)
+    return tuple(map(_condition, together.values()))
+
+
+def _condition(items: Sequence[TestedAssumption]) -> Condition:
+    relations = tuple(dict.fromkeys(layout(item.assumption.condition) for item in items))
+    first = items[0].assumption
     return Condition(
-        layout(assumption.condition),
-        assumption.words.rstrip("."),
-        assumption.stated,
-        numbers(tested.without, "Without it"),
+        relations[0] if len(relations) == 1 else lay.Listed(relations),
+        first.words.rstrip("."),
+        first.stated,
+        numbers(items[0].without, "Without it" if len(relations) == 1 else "Without the first"),
     )
 
 

@@ -113,7 +113,7 @@ def fragment(blocks: Sequence[Any]) -> str:
     made: list[str] = []
     for block in blocks:
         if isinstance(block, Display):
-            made += [f"% {block.label}", display(block.rows, block.reasons_first)]
+            made += [f"% {block.label}", display(block.rows)]
         else:
             made += [f"% {line}" for line in plain.fragment([block]).splitlines() if line]
     return "\n".join(made) + "\n"
@@ -163,12 +163,12 @@ def _(block: ClaimHead) -> str:
 @tex_block.register
 def _(block: Display) -> str:
     label = rf"\lab{{{prose(block.label)}}}" + "\n" if block.label else ""
-    return label + display(block.rows, block.reasons_first)
+    return label + display(block.rows)
 
 
-def display(rows: Sequence[Row], reasons_first: bool = False) -> str:
+def display(rows: Sequence[Row]) -> str:
     """The rows in one ``align``, smaller where a line is too wide for the page."""
-    made = [_align_row(row, reasons_first) for row in rows]
+    made = [_align_row(row) for row in rows]
     widest = max(_width(line) for row in made for line in row.lines)
     size = (
         r"\footnotesize"
@@ -185,13 +185,11 @@ def _width(line: lay.Line) -> float:
     return (lay.width(line.left) + 3 if line.left else 3) + lay.width(line.right)
 
 
-def _align_row(row: Row, reasons_first: bool) -> AlignRow:
-    lines = tuple(lay.lines(row.equation, row.order))
+def _align_row(row: Row) -> AlignRow:
     mark = f"({row.verdict})" if row.verdict is not None else ""
-    if reasons_first:
-        return AlignRow(lines, row.tag, above=row.reason, mark=mark)
     arrow = "⇒ " if row.follows and row.reason else ""
-    return AlignRow(lines, row.tag, beside=arrow + row.reason, mark=mark)
+    lines = tuple(lay.lines(row.equation, row.order))
+    return AlignRow(lines, row.tag, arrow + row.reason, mark)
 
 
 @tex_block.register

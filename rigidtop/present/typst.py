@@ -65,7 +65,7 @@ _PREAMBLE = """#set document(title: "@TITLE@")
 #let eq(tag, state, body) = math.equation(
   block: true, numbering: if tag + state == "" { none } else { _ => side(tag, state) }, body,
 )
-#let why(body) = pad(left: 2em, text(size: 9.5pt, fill: muted, body))
+#let why(body) = text(size: 9.5pt, fill: muted, body)
 #let head(words) = block(sticky: true, above: 0.9em, below: 0.5em, lab(words))
 """
 
@@ -176,18 +176,16 @@ def _(block: ClaimHead) -> str:
 @typst_block.register
 def _(block: Display) -> str:
     label = _head(block.label) + "\n\n" if block.label else ""
-    return label + "\n\n".join(_rows(group, block.reasons_first) for group in groups(block))
+    return label + "\n\n".join(_rows(group) for group in groups(block))
 
 
-def _rows(group: Sequence[Row], reasons_first: bool) -> str:
+def _rows(group: Sequence[Row]) -> str:
     last = group[-1]
-    reason = _reason(group[0] if reasons_first else last)
+    reason = _reason(group[0])
     rows = [align_row(line) for row in group for line in lay.lines(row.equation, row.order)]
     body = maths(r" \\ ".join(rows))
     shown = f'#eq("{last.tag}", "{last.verdict or ""}", $ {body} $)'
-    if not reason:
-        return shown
-    return f"{reason}\n\n{shown}" if reasons_first else f"{shown}\n#why[{reason}]"
+    return f"#why[{reason}]\n{shown}" if reason else shown
 
 
 def _reason(row: Row) -> str:
