@@ -189,11 +189,11 @@ def azimuthal_rate() -> Iterator[Evidence]:
             phidot, (L_z - L3 * cos(theta)) / (lambda1 * sin(theta) ** 2), tag="3.45"
         )
         projected = Equation(L_z, lambda1 * phidot * sin(theta) ** 2 + L3 * cos(theta))
-    components = momentum_primed().subs(lambda2, lambda1)
+    components = momentum_primed()
     vertical_primed = primed_matrix().T * Z_AXIS
     meaning = {L_z: reduce_trig(vertical_primed.dot(components)), L3: components[2]}
-    yield Check(projected, meaning, reason="L along ẑ.", printed=False)
-    yield Check(printed, meaning, (TILTED,))
+    yield Check(projected, meaning, (SYMMETRIC,), reason="L along ẑ.", printed=False)
+    yield Check(printed, meaning, (SYMMETRIC, TILTED))
 
 
 page = Page(

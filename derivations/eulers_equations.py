@@ -191,7 +191,8 @@ def off_axis() -> Iterator[Evidence]:
     """Two components of ω differ from zero, so one right side of (3.36) does.
 
     It does if the two moments that go with them differ. Of equal moments λ₁ = λ₂ every axis in the
-    plane of e₁ and e₂ is a principal axis, and ω rests on it.
+    plane of e₁ and e₂ is a principal axis, and ω rests on it. Without naming axes: ω rests where
+    ω × L = 0, that is along any eigenvector of I.
     """
     with as_printed():
         changes = Equation(

@@ -324,8 +324,8 @@ def space_cone() -> Iterator[Evidence]:
 def free_fall() -> Iterator[Evidence]:
     """Σ m(r − R_CM) × g = 0 when g is the same for all particles.
 
-    That holds on the ground as well as in free fall; a field that varies across the body (κ, the
-    tide) turns it.
+    So gravity does not turn a body about its centre of mass on the ground either: there the support
+    does, and in free fall there is none. A field that varies across the body (κ, the tide) does.
     """
     positions = [Matrix(symbols(f"x{k} y{k} z{k}", real=True)) for k in (1, 2)]
     masses = (M_1, M_2)

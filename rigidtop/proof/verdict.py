@@ -359,6 +359,9 @@ def _search(
     extra = [*conditions, *([] if violated in (None, sympy.false) else [violated])]
     gaps = [c.lhs - c.rhs for c in extra]
     everything = [*flat, *gaps, *given]
+    # What the relation does not contain is no part of a counterexample to it.
+    contained = set().union(*(e.free_symbols for e in everything))
+    hidden = {dummy: expression for dummy, expression in hidden.items() if dummy in contained}
     seen = [*everything, *hidden.values()]
     symbols = sorted(set().union(*(e.free_symbols for e in seen)) - set(hidden), key=str)
     for point in decide.points(symbols, decide.angle_symbols(seen), tries):
