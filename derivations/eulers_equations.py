@@ -255,12 +255,12 @@ def axis_stability() -> Iterator[Evidence]:
         Assumption(Ne(lambda3, lambda2), differs),
     )
 
-    def ordered(*conditions: Expr) -> tuple[Assumption, ...]:
-        return tuple(Assumption(condition, stated=True) for condition in conditions)
+    def ordered(words: str, *conditions: Expr) -> tuple[Assumption, ...]:
+        return tuple(Assumption(condition, words, stated=True) for condition in conditions)
 
-    largest = ordered(Ge(lambda3, lambda1), Ge(lambda3, lambda2))
-    smallest = ordered(Le(lambda3, lambda1), Le(lambda3, lambda2))
-    between = ordered(Ge(lambda3, lambda1), Le(lambda3, lambda2))
+    largest = ordered("λ₃ is the largest moment", Ge(lambda3, lambda1), Ge(lambda3, lambda2))
+    smallest = ordered("λ₃ is the smallest moment", Le(lambda3, lambda1), Le(lambda3, lambda2))
+    between = ordered("λ₃ is the middle moment", Ge(lambda3, lambda1), Le(lambda3, lambda2))
     extreme = (*unequal, spins)
     yield Check(stable, meaning, (*largest, *extreme), "Largest moment.", printed=False)
     yield Check(stable, meaning, (*smallest, *extreme), "Smallest moment.", printed=False)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 from math import cos, pi, sin, sqrt
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +18,7 @@ from rigidtop.proof.page import Measure
 # The example top: a disc on a short stem, its moments about the pivot.
 TOP = HeavyTop(lambda1=1.0, lambda3=1.0, M=1.0, R=0.5, g=9.81)
 THETA, SPIN = 0.5, 4.5
-TIGHT = {"method": "DOP853", "rtol": 1e-13, "atol": 1e-14}
+TIGHT: Any = {"method": "DOP853", "rtol": 1e-13, "atol": 1e-14}
 
 
 def axis_rates() -> Iterator[Measure]:

@@ -242,7 +242,9 @@ def steady_precession() -> Iterator[Evidence]:
     resting = top.symmetric_equations()[0].subs({thetaddot: 0, thetadot: 0})
     steady = {phidot: Omega, psidot: omega3 - Omega * cos(theta), omega3: omega3}
     yield Check(balance, {}, reason="θ̇ = θ̈ = 0 in (3.54)", given=(resting,))
-    yield Check(divided, steady, (TILTED,), "divided by sin θ, with φ̇ = Ω", given=(top.steady_balance(),))
+    yield Check(
+        divided, steady, (TILTED,), "divided by sin θ, with φ̇ = Ω", given=(top.steady_balance(),)
+    )
     yield Check(printed, {}, (TILTED,), "ordered by powers of Ω", given=(top.steady_balance(),))
     yield from evidence.steady_precession()
 

@@ -394,7 +394,9 @@ def _free(options: argparse.Namespace) -> Motion:
 
 def _columns(path: Trajectory) -> dict[str, Any]:
     """The columns of the table, by name and unit."""
-    if hasattr(path, "theta"):
+    from rigidtop.motion.trajectory import TopTrajectory
+
+    if isinstance(path, TopTrajectory):
         return {
             "t/s": path.t,
             "theta/rad": path.theta,

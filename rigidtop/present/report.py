@@ -18,7 +18,7 @@ from rigidtop.present import layout as lay
 from rigidtop.present.layout import Node, Order, layout, width
 from rigidtop.present.text import text
 from rigidtop.proof.equation import Equation, Printed
-from rigidtop.proof.page import Check, Correction, Definition, Measure, Page, Step
+from rigidtop.proof.page import Correction, Definition, Measure, Page, Step
 from rigidtop.proof.verdict import Counterexample, Finding, Judgement, TestedAssumption, Verdict
 from rigidtop.theory.symbols import VOCABULARY
 
@@ -372,25 +372,30 @@ def _derivation(judgement: Judgement, mixed: bool) -> Iterable[Block]:
     """Steps and formal checks in their order; an equation that stands already is not repeated."""
     rows: list[Row] = []
     again: list[str] = []
-    seen = {f.check.claimed.sides for f in judgement.findings() if f.check.printed}
+    seen = {_said(f) for f in judgement.findings() if f.check.printed}
     for item in judgement.items:
         if isinstance(item, Step):
             rows.append(Row(item.equation, "auto", reason=item.reason))
-            seen.add(item.equation.sides)
         elif isinstance(item, Finding) and item in judgement.findings():
             if item.check.printed:
                 continue
-            sides = item.check.claimed.sides
-            if sides in seen and item.verdict in (Verdict.PROVED, judgement.verdict):
+            if _said(item) in seen:
                 again.append(item.check.reason)
                 continue
-            seen.add(sides)
+            seen.add(_said(item))
             rows.append(replace(_notes_row(item, mixed), tag=""))
     if rows:
         yield Display(tuple(rows), "Derivation")
     sentences = list(dict.fromkeys(filter(None, again)))
     if sentences:
         yield Paragraph((" ".join(map(_sentence, sentences)),), "Checked again")
+
+
+def _said(finding: Finding) -> tuple[Any, ...]:
+    """What a line says: the equation, its verdict, and, where a reason tells, under what."""
+    check = finding.check
+    conditions = {str(a.condition) for a in check.assuming} if check.reason else ()
+    return (*check.claimed.sides, check.claimed.relation, finding.verdict, frozenset(conditions))
 
 
 def _sentence(words: str) -> str:

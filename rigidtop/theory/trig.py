@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import sympy
 from sympy import Add, Expr, MatrixBase, Mul, cos, sin
@@ -34,7 +34,7 @@ def reduce_trig(expression: ExprOrMatrix, keep: str = "cos") -> ExprOrMatrix:
         )
 
 
-def _lower(term: Expr, gone: type, kept: type) -> Expr | None:
+def _lower(term: Expr, gone: Any, kept: Any) -> Expr | None:
     """The term with every gone(x)ⁿ, n ≥ 2, rewritten; None where there is none."""
     factors, changed = [], False
     for factor in Mul.make_args(term):
