@@ -38,8 +38,11 @@ def vanishes(expression: Expr) -> bool:
     """
     if expression == 0:
         return True
-    plain = sympy.expand_trig(expression.rewrite(sympy.tan, sin))
-    numerator, denominator = sympy.fraction(sympy.together(plain))
+    if any(not f.args[0].is_Symbol for f in expression.atoms(sin, cos)) or expression.has(sympy.tan):
+        expression = sympy.expand_trig(expression.rewrite(sympy.tan, sin))
+    if all(power.exp.is_nonnegative for power in expression.atoms(sympy.Pow)):
+        return reduce_trig(expression) == 0
+    numerator, denominator = sympy.fraction(sympy.together(expression))
     return reduce_trig(numerator) == 0 and reduce_trig(denominator) != 0
 
 
@@ -254,4 +257,8 @@ def _float(node: Expr, at: Mapping[Symbol, float]) -> float:
     function = _FUNCTIONS.get(node.func)
     if function is not None:
         return function(_float(node.args[0], at))
+    if node.args:
+        node = node.func(*(sympy.Float(_float(argument, at)) for argument in node.args))
+    if not node.is_real:
+        raise ValueError("not real")
     return float(node)
