@@ -38,7 +38,9 @@ def vanishes(expression: Expr) -> bool:
     """
     if expression == 0:
         return True
-    if any(not f.args[0].is_Symbol for f in expression.atoms(sin, cos)) or expression.has(sympy.tan):
+    if any(not f.args[0].is_Symbol for f in expression.atoms(sin, cos)) or expression.has(
+        sympy.tan
+    ):
         expression = sympy.expand_trig(expression.rewrite(sympy.tan, sin))
     if all(power.exp.is_nonnegative for power in expression.atoms(sympy.Pow)):
         return reduce_trig(expression) == 0

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy
-from sympy import Add, Integer, Mul, Pow, Symbol, cos, sin
+from sympy import Add, Integer, Mul, Pow, Rational, Symbol, cos, sin
 from sympy.matrices.exceptions import ShapeError
 
 from rigidtop.proof.equation import (
@@ -199,7 +199,8 @@ def _changed_here(node: Any) -> Iterator[tuple[Any, str]]:
     elif isinstance(node, Transposed):
         yield node.args[0], "transposition dropped"
     elif node.is_Number:
-        yield node + 1, f"{node + 1} for {node}"
+        larger = Rational(node.p + node.q, node.q)
+        yield larger, f"{larger} for {node}"
         yield Mul(Integer(-1), node), f"sign of {node}"
 
 

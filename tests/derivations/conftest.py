@@ -1,8 +1,8 @@
 """Every claim of the lecture, judged once for all tests."""
 
 import pytest
-from rigidtop.derivations import PAGES
 
+from rigidtop.derivations import PAGES
 from rigidtop.proof.verdict import Judgement, judge_page
 
 

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy
+
 from rigidtop.derivations import PAGES
 from rigidtop.derivations.euler_angles import page as euler_angles
-
 from rigidtop.proof.page import Check, Correction, Definition, Measure, Step
 from rigidtop.proof.verdict import Finding, Verdict, judge
 from rigidtop.theory import symbols as s

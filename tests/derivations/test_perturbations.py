@@ -1,8 +1,8 @@
 """Every claim falls when what it prints is changed."""
 
 import pytest
-from rigidtop.derivations import PAGES
 
+from rigidtop.derivations import PAGES
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.perturb import Perturbation, falls, telling, upheld
 from rigidtop.proof.verdict import Finding

@@ -1,0 +1,125 @@
+"""The arrow of imports: each room reads only the rooms before it."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+import rigidtop
+
+PACKAGE = Path(rigidtop.__file__).parent
+DERIVATIONS = PACKAGE.parent / "derivations"
+
+READS = {
+    "errors": set(),
+    "theory": set(),
+    "proof": {"theory"},
+    "codegen": {"theory", "proof"},
+    "motion": {"errors"},
+    "derivations": {"theory", "proof", "codegen", "motion"},
+    "present": {"errors", "theory", "proof", "codegen", "motion", "derivations"},
+    "cli": {"errors", "theory", "proof", "codegen", "motion", "present", "derivations"},
+    "__main__": {"cli"},
+    "__init__": {"errors", "motion"},
+}
+"""What a room may import of the others; motion, which never loads SymPy, stands apart."""
+
+SYMBOLIC = {"sympy", "mpmath"}
+NUMERIC = {"numpy", "scipy", "matplotlib"}
+FORBIDDEN = {
+    "errors": SYMBOLIC | NUMERIC,
+    "theory": NUMERIC,
+    "proof": NUMERIC,
+    "motion": SYMBOLIC | {"matplotlib"},
+    "codegen": {"scipy", "matplotlib"},
+    "derivations": {"matplotlib"},
+    "__init__": SYMBOLIC | NUMERIC,
+    "__main__": SYMBOLIC | NUMERIC,
+}
+"""What a room may not import from outside."""
+
+
+def files(room):
+    if room == "derivations":
+        return sorted(DERIVATIONS.glob("*.py"))
+    single = PACKAGE / f"{room}.py"
+    return [single] if single.exists() else sorted((PACKAGE / room).rglob("*.py"))
+
+
+def imported(tree, package):
+    """The modules that a tree imports, anywhere in it, as absolute dotted names."""
+    names = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            parts = package.split(".")
+            base = parts[: len(parts) - node.level + 1] if node.level else []
+            module = ".".join([*base, *([node.module] if node.module else [])])
+            # `from rigidtop import theory` names a room too.
+            names |= {module, *(f"{module}.{alias.name}" for alias in node.names)}
+    return names
+
+
+def complaints(room, text, package):
+    """What is wrong with the imports and calls of a module of a room."""
+    tree = ast.parse(text)
+    found = []
+    for name in sorted(imported(tree, package)):
+        top, *rest = name.split(".")
+        if top in FORBIDDEN.get(room, set()):
+            found.append(f"{room} imports {top}")
+        if top == "rigidtop" and rest and rest[0] in READS and rest[0] not in {room} | READS[room]:
+            found.append(f"{room} imports {rest[0]}")
+    if room != "codegen":
+        found += [
+            f"{room} calls {node.func.id}"
+            for node in ast.walk(tree)
+            if isinstance(node, ast.Call)
+            and isinstance(node.func, ast.Name)
+            and node.func.id in ("eval", "exec", "compile")
+        ]
+    return sorted(set(found))
+
+
+def package_of(room):
+    return "rigidtop" if (PACKAGE / f"{room}.py").exists() else f"rigidtop.{room}"
+
+
+@pytest.mark.parametrize("room", READS)
+def test_arrow_of_imports(room):
+    for file in files(room):
+        assert complaints(room, file.read_text("utf-8"), package_of(room)) == [], file.name
+
+
+def test_every_room_is_known_and_has_modules():
+    rooms = {p.stem for p in PACKAGE.iterdir() if p.suffix == ".py" or (p / "__init__.py").exists()}
+    assert rooms | {"derivations"} == set(READS)
+    assert all(files(room) for room in READS)
+
+
+@pytest.mark.parametrize(
+    ("room", "text", "complaint"),
+    [
+        ("theory", "import numpy as np", "theory imports numpy"),
+        ("theory", "from rigidtop.proof import decide", "theory imports proof"),
+        ("theory", "from rigidtop import proof", "theory imports proof"),
+        ("theory", "from ..motion import top", "theory imports motion"),
+        ("proof", "def f():\n    from scipy import linalg", "proof imports scipy"),
+        ("proof", "from rigidtop.derivations import PAGES", "proof imports derivations"),
+        ("motion", "import sympy", "motion imports sympy"),
+        ("motion", "from rigidtop.codegen import shipped", "motion imports codegen"),
+        ("codegen", "from rigidtop.motion import top", "codegen imports motion"),
+        ("derivations", "from rigidtop.present import html", "derivations imports present"),
+        ("present", "from rigidtop import cli", "present imports cli"),
+        ("present", "eval('1')", "present calls eval"),
+        ("derivations", "exec('x = 1')", "derivations calls exec"),
+    ],
+)
+def test_a_breach_is_seen(room, text, complaint):
+    assert complaints(room, text, f"rigidtop.{room}") == [complaint]
+
+
+def test_neighbours_in_a_room_are_allowed():
+    assert complaints("derivations", "from . import evidence", "rigidtop.derivations") == []
+    assert complaints("codegen", "exec('x = 1')", "rigidtop.codegen") == []
