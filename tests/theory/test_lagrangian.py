@@ -1,0 +1,222 @@
+"""Lagrangian mechanics on systems that are no tops."""
+
+import numpy as np
+import pytest
+import sympy
+from sympy import Function, Matrix, Rational, cos, sin, symbols
+from sympy.physics.mechanics import LagrangesMethod
+
+from rigidtop.theory import lagrangian as mechanics
+
+m, M, l1, l2, k, g, B, e, p = symbols("m M l1 l2 k g B e p", positive=True)
+x, y, z, u, v, w = symbols("x y z u v w", real=True)
+a, b, c = symbols("a b c", real=True)
+
+
+def double_pendulum():
+    """Angles x, y from the vertical, velocities u, v."""
+    kinetic = (m + M) * l1**2 * u**2 / 2 + M * l2**2 * v**2 / 2
+    kinetic += M * l1 * l2 * u * v * cos(x - y)
+    return kinetic + (m + M) * g * l1 * cos(x) + M * g * l2 * cos(y)
+
+
+def spherical_pendulum():
+    """Polar angle x from the upward vertical, azimuth y."""
+    return m * l1**2 * (u**2 + v**2 * sin(x) ** 2) / 2 - m * g * l1 * cos(x)
+
+
+def charge():
+    """A charge in a magnetic field B along z, on a spring of stiffness k."""
+    return m * (u**2 + v**2) / 2 + e * B * (x * v - y * u) / 2 - k * (x**2 + y**2) / 2
+
+
+SYSTEMS = {
+    "double pendulum": (double_pendulum(), (x, y), (u, v)),
+    "spherical pendulum": (spherical_pendulum(), (x, y), (u, v)),
+    "charge": (charge(), (x, y), (u, v)),
+    "pendulum on a cart": (
+        (m + M) * u**2 / 2 + m * l1 * u * v * cos(y) + m * l1**2 * v**2 / 2 + m * g * l1 * cos(y),
+        (x, y),
+        (u, v),
+    ),
+    "bead on a helix": (
+        m * (u**2 + v**2 * x**2 + w**2) / 2 - k * (x - l1) ** 2 / 2 - m * g * z * cos(y),
+        (x, y, z),
+        (u, v, w),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_accelerations_are_those_of_lagranges_method(name):
+    L, q, qdot = SYSTEMS[name]
+    ours = mechanics.accelerations(L, q, qdot)
+    t = symbols("t")
+    dynamic = [Function(f"f{n}")(t) for n in range(len(q))]
+    functions = dict(zip(q, dynamic, strict=True))
+    rates = {old: f.diff(t) for old, f in zip(qdot, dynamic, strict=True)}
+    method = LagrangesMethod(L.subs(rates).subs(functions), dynamic)
+    method.form_lagranges_equations()
+    rng = np.random.default_rng(11)
+    parameters = {n: Rational(int(rng.integers(5, 30)), 10) for n in (m, M, l1, l2, k, g, B, e)}
+    for _ in range(3):
+        at = {n: Rational(int(rng.integers(-30, 30)), 17) for n in (*q, *qdot)}
+        back = {f.diff(t): at[d] for f, d in zip(dynamic, qdot, strict=True)}
+        back |= {f: at[n] for n, f in functions.items()}
+        mass = np.array(method.mass_matrix.subs(back).subs(parameters).evalf(), dtype=float)
+        force = np.array(method.forcing.subs(back).subs(parameters).evalf(), dtype=float)
+        found = np.array(ours.subs(at).subs(parameters).evalf(), dtype=float)
+        assert found == pytest.approx(np.linalg.solve(mass, force), rel=1e-10, abs=1e-12)
+
+
+def test_double_pendulum_is_newtons():
+    # Tensions from the accelerations of the two bobs, solved as a linear system: no Lagrangian.
+    values = {m: 1.3, M: 0.7, l1: 0.9, l2: 1.1, g: 9.81, x: 0.4, y: -1.2, u: 0.8, v: 2.5}
+    ours = mechanics.accelerations(double_pendulum(), (x, y), (u, v)).subs(values)
+    one, two, up, down = values[x], values[y], values[u], values[v]
+
+    def along(angle):
+        return np.array([np.sin(angle), -np.cos(angle)])
+
+    def across(angle):
+        return np.array([np.cos(angle), np.sin(angle)])
+
+    # m r̈₁ = −T₁ n₁ + T₂ n₂ + m g, M r̈₂ = −T₂ n₂ + M g; unknowns ẍ, ÿ, T₁, T₂.
+    weight = np.array([0.0, -values[g]])
+    first = values[l1] * np.array([across(one), -(up**2) * along(one)])
+    second = values[l2] * np.array([across(two), -(down**2) * along(two)])
+    system, right = np.zeros((4, 4)), np.zeros(4)
+    system[:2, 0] = values[m] * first[0]
+    system[:2, 2], system[:2, 3] = along(one), -along(two)
+    right[:2] = values[m] * (weight - first[1])
+    system[2:, 0], system[2:, 1] = values[M] * first[0], values[M] * second[0]
+    system[2:, 3] = along(two)
+    right[2:] = values[M] * (weight - first[1] - second[1])
+    assert np.array(ours, dtype=float)[:, 0] == pytest.approx(np.linalg.solve(system, right)[:2])
+
+
+def test_accelerations_solve_the_equations():
+    for L, q, qdot in SYSTEMS.values():
+        accelerations = symbols("a:3")[: len(q)]
+        equations = mechanics.euler_lagrange(L, q, qdot, accelerations)
+        solution = mechanics.accelerations(L, q, qdot)
+        residual = equations.subs(dict(zip(accelerations, solution, strict=True)))
+        at = {n: 0.1 * n_th + 0.3 for n_th, n in enumerate((*q, *qdot, m, M, l1, l2, k, g, B, e))}
+        assert np.array(residual.subs(at).evalf(), dtype=float) == pytest.approx(0, abs=1e-11)
+
+
+def test_mass_matrix_and_momenta():
+    mass = mechanics.mass_matrix(double_pendulum(), (u, v))
+    coupling = M * l1 * l2 * cos(x - y)
+    wanted = Matrix([[(m + M) * l1**2, coupling], [coupling, M * l2**2]])
+    assert sympy.simplify(mass - wanted) == sympy.zeros(2)
+    assert mechanics.momenta(charge(), (u, v)).expand() == Matrix(
+        [m * u - B * e * y / 2, m * v + B * e * x / 2]
+    )
+
+
+def test_a_velocity_that_does_not_enter():
+    with pytest.raises(ValueError, match="the mass matrix is singular: some velocity does not"):
+        mechanics.accelerations(m * u**2 / 2 - k * (x**2 + y**2), (x, y), (u, v))
+
+
+def test_a_velocity_that_enters_only_with_another():
+    with pytest.raises(ValueError, match="the mass matrix is singular"):
+        mechanics.accelerations(m * (u + v) ** 2 / 2, (x, y), (u, v))
+
+
+def test_energy_of_a_natural_system_and_of_a_charge():
+    potential = m * g * l1 * cos(x)
+    assert (
+        sympy.expand(
+            mechanics.energy(spherical_pendulum(), (u, v)) - spherical_pendulum() - 2 * potential
+        )
+        == 0
+    )
+    # The magnetic field does no work.
+    wanted = m * (u**2 + v**2) / 2 + k * (x**2 + y**2) / 2
+    assert sympy.expand(mechanics.energy(charge(), (u, v)) - wanted) == 0
+
+
+def test_energy_is_conserved_along_the_accelerations():
+    L, q, qdot = SYSTEMS["double pendulum"]
+    accelerations = mechanics.accelerations(L, q, qdot)
+    energy = mechanics.energy(L, qdot)
+    rate = sum(energy.diff(n) * d for n, d in zip(q, qdot, strict=True))
+    rate += sum(energy.diff(d) * n for d, n in zip(qdot, accelerations, strict=True))
+    at = {m: 1.3, M: 0.7, l1: 0.9, l2: 1.1, g: 9.81, x: 0.4, y: -1.2, u: 0.8, v: 2.5}
+    assert float(rate.subs(at)) == pytest.approx(0, abs=1e-12)
+
+
+def test_cyclic_coordinates():
+    assert mechanics.cyclic(spherical_pendulum(), (x, y)) == (y,)
+    assert mechanics.cyclic(double_pendulum(), (x, y)) == ()
+    assert mechanics.cyclic(double_pendulum().subs(g, 0), (x, y)) == ()
+    assert mechanics.cyclic(m * (u**2 + v**2) / 2, (x, y)) == (x, y)
+    assert mechanics.cyclic((x + 1) ** 2 - x**2 - 2 * x + u**2, (x,)) == (x,)
+
+
+def test_routhian_of_a_spherical_pendulum():
+    L = spherical_pendulum()
+    assert mechanics.cyclic_velocities(L, (v,), (p,)) == {v: p / (m * l1**2 * sin(x) ** 2)}
+    effective = mechanics.effective_potential(L, (v,), (p,), (u,))
+    wanted = p**2 / (2 * m * l1**2 * sin(x) ** 2) + m * g * l1 * cos(x)
+    assert sympy.simplify(effective - wanted) == 0
+    routhian = mechanics.routhian(L, (v,), (p,))
+    assert sympy.simplify(routhian - (m * l1**2 * u**2 / 2 - wanted)) == 0
+
+
+def test_routhian_gives_the_motion_that_is_left():
+    L = spherical_pendulum()
+    reduced = mechanics.accelerations(mechanics.routhian(L, (v,), (p,)), (x,), (u,))[0]
+    full = mechanics.accelerations(L, (x, y), (u, v))[0]
+    full = full.subs(v, p / (m * l1**2 * sin(x) ** 2))
+    at = {x: 1.1, u: 0.4, m: 1.3, l1: 0.8, g: 9.81, p: 0.7}
+    assert float(reduced.subs(at)) == pytest.approx(float(full.subs(at)), rel=1e-13)
+
+
+def test_frequency_of_a_conical_pendulum():
+    # Landau and Lifshitz would find it from U″: ω² = v² (1 + 3 cos²x), with cos x = −g/(l v²).
+    rate = sympy.sqrt(g / (-l1 * cos(x)))
+    L = spherical_pendulum()
+    effective = mechanics.effective_potential(L, (v,), (p,), (u,))
+    steady = {p: m * l1**2 * sin(x) ** 2 * rate}
+    frequency = (effective.diff(x, 2) / (m * l1**2)).subs(steady)
+    at = {x: 2.3, g: 9.81, l1: 0.7, m: 1.1}
+    wanted = float((rate**2).subs(at)) * (1 + 3 * np.cos(2.3) ** 2)
+    assert float(frequency.subs(at)) == pytest.approx(wanted, rel=1e-13)
+
+
+def test_linearised_about_the_conical_pendulum_too():
+    rate = sympy.sqrt(g / (-l1 * cos(x)))
+    small = mechanics.linearise(spherical_pendulum(), (x, y), (u, v), {u: 0, v: rate})
+    f = symbols("f")
+    at = {x: 2.3, g: 9.81, l1: 0.7, m: 1.1}
+    polynomial = sympy.Poly(sympy.expand(small.characteristic(f).subs(at)), f)
+    roots = np.sort_complex(np.roots([complex(n) for n in polynomial.all_coeffs()]))
+    wanted = np.sqrt(9.81 / (-0.7 * np.cos(2.3)) * (1 + 3 * np.cos(2.3) ** 2))
+    assert roots.real == pytest.approx([-wanted, 0, 0, wanted], abs=1e-6)
+    assert roots.imag == pytest.approx(0, abs=1e-6)
+
+
+def test_gyroscopic_forces_of_a_charge():
+    small = mechanics.linearise(charge(), (x, y), (u, v), {x: 0, y: 0, u: 0, v: 0})
+    assert small.mass == m * sympy.eye(2)
+    assert small.stiffness == k * sympy.eye(2)
+    assert small.gyroscopic == Matrix([[0, -B * e], [B * e, 0]])
+    # ω = (±ω_c + √(ω_c² + 4k/m))/2 with the cyclotron frequency ω_c = eB/m.
+    f = symbols("f")
+    at = {m: 2, k: 3, B: 5, e: 1}
+    roots = np.roots(
+        [float(n) for n in sympy.Poly(small.characteristic(f).subs(at), f).all_coeffs()]
+    )
+    cyclotron, root = 2.5, np.sqrt(2.5**2 + 6)
+    wanted = [(s1 * cyclotron + s2 * root) / 2 for s1 in (1, -1) for s2 in (1, -1)]
+    assert np.sort(roots.real) == pytest.approx(np.sort(wanted))
+
+
+def test_sign_of_the_gyroscopic_force_is_newtons():
+    # m r̈ = e ṙ × B ẑ − k r: to the right of its way goes a positive charge.
+    found = mechanics.accelerations(charge(), (x, y), (u, v))
+    wanted = Matrix([(e * B * v - k * x) / m, (-e * B * u - k * y) / m])
+    assert (found - wanted).applyfunc(sympy.simplify) == sympy.zeros(2, 1)
