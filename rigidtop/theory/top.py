@@ -192,9 +192,8 @@ def steady_expansions(order: int = 2) -> tuple[Expr, Expr]:
 
     def expanded(lead: Expr, factor: Expr) -> Expr:
         series = sympy.series(factor, s.epsilon, 0, order + 1).removeO()
-        powers = sympy.Poly(series, s.epsilon).all_coeffs()[::-1]
-        kept = [(n, k) for n, k in enumerate(powers) if k != 0][:order]
-        return sum(sympy.cancel(lead * k * smallness() ** n) for n, k in kept)
+        powers = sympy.Poly(series, s.epsilon).all_coeffs()[::-1][:order]
+        return sum(sympy.cancel(lead * k * smallness() ** n) for n, k in enumerate(powers))
 
     slow, fast = map(expanded, leading_roots(), root_factors())
     return slow, fast
