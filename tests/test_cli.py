@@ -52,7 +52,10 @@ def test_check_json_is_the_contract(capsys: pytest.CaptureFixture[str]) -> None:
     assert record["name"] == "3.45"
     assert record["reference"] == "3.3"
     assert record["verdict"] == "assuming"
-    assert record["assumptions"] == ["sin θ ≠ 0 (the top is not upright and does not hang)"]
+    assert record["assumptions"] == [
+        "λ₂ = λ₁ (a symmetric top) [stated]",
+        "sin θ ≠ 0 (the top is not upright and does not hang)",
+    ]
     assert record["note"].startswith("holds if sin θ ≠ 0")
     assert 0 < record["seconds"] < 60
 

@@ -8,8 +8,8 @@ from xml.etree import ElementTree
 
 import pypdf
 import pytest
-from rigidtop.derivations import PAGES
 
+from rigidtop.derivations import PAGES
 from rigidtop.present import html, pdf, tex, typst
 from rigidtop.present.lecture import FORMATS, fragment
 from rigidtop.present.plots import FIGURES, rendered
