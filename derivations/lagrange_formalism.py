@@ -360,6 +360,8 @@ def slow_agrees() -> Iterator[Evidence]:
 def fast_is_free() -> Iterator[Evidence]:
     """Without weight the top turns about L at Ω_s = L/λ₁ (not Ω_b); it is steady if L is vertical.
 
+    3.2.3 holds for the body about its fixed point too, with the moments about that point.
+
     Then L₃ = L cos θ, and L/λ₁ is λ₃ω₃/(λ₁ cos θ). With weight Ω₊ does depend on g: by the next
     term, −MgR/(λ₃ω₃).
     """

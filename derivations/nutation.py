@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sympy import Eq, Expr, Gt, Matrix, Ne, cos, sin, symbols
+from sympy import Eq, Expr, Gt, Matrix, Ne, cos, integrate, pi, sin, solve, symbols
 
-from rigidtop.proof.equation import Dot, Equation, Group, as_printed
-from rigidtop.proof.page import Assumption, Check, Evidence, Page, Step, claim
+from rigidtop.proof.equation import Cross, Dot, Equation, Group, as_printed
+from rigidtop.proof.page import Assumption, Check, Evidence, Page, Remark, Step, claim
 from rigidtop.theory import top
 from rigidtop.theory.euler import OMEGA, along_flow, kinetic_energy
 from rigidtop.theory.lagrangian import cyclic_velocities
@@ -25,8 +25,11 @@ from rigidtop.theory.symbols import (
     lambda3,
     mu,
     n,
+    omega1,
+    omega2,
     omega3,
     omega_n2,
+    omega_vec,
     p_phi,
     p_psi,
     phidot,
@@ -35,6 +38,7 @@ from rigidtop.theory.symbols import (
     theta,
     theta_0,
     v_tip,
+    zhat,
 )
 from rigidtop.theory.trig import reduce_ratio
 
@@ -55,6 +59,21 @@ def steady_state() -> dict:
 def potential_slope(order: int) -> Expr:
     """The derivative of the effective potential by θ at a steady precession (J)."""
     return reduce_ratio(top.top_effective_potential().diff(theta, order).subs(steady_state()))
+
+
+def mean_shift(second: Expr, third: Expr) -> Expr:
+    """The mean of a swing A cos x about the minimum of a potential, to second order in A.
+
+    λ₁θ̈ = −U′ with U′ = U″δ + ½U‴δ² and λ₁ times the square of the frequency = U″: the constant
+    term of what is of order A² has to vanish.
+    """
+    phase, shift, overtone = symbols("x c_0 c_2")
+    swing = A * cos(phase) + A**2 * (shift + overtone * cos(2 * phase))
+    balance = second * (swing.diff(phase, 2) + swing) + third * swing**2 / 2
+    order = (balance.diff(A, 2) / 2).subs(A, 0)
+    constant = integrate(order.expand(), (phase, 0, 2 * pi))
+    [solution] = solve(constant, shift)
+    return A**2 * solution
 
 
 @claim(
@@ -99,7 +118,7 @@ def nutation() -> Iterator[Evidence]:
     )
     yield Check(
         centre,
-        {delta: -(A**2) * potential_slope(3) / (4 * curvature)},
+        {delta: mean_shift(curvature, potential_slope(3))},
         (SMALL,),
         "The mean of θ from the steady angle, here δ.",
         printed=False,
@@ -160,11 +179,11 @@ def azimuth() -> Iterator[Evidence]:
 
 @claim("friction", "Friction moves the point of contact and takes energy from the rotation.")
 def friction() -> Iterator[Evidence]:
-    """Ė is the contact force times the velocity of the contact point: only slip costs energy.
+    """Ė is the contact force times the velocity of the tip where it touches: slip costs energy.
 
-    A sharp tip that static friction holds in place loses nothing: that is the fixed pivot. Nor does
-    the contact point need friction to move: on a smooth table the tip slides round at RΩ sin θ,
-    while the centre of mass stays above one spot.
+    Where static friction holds a sharp tip nothing moves and nothing is lost: that is the fixed
+    pivot. Held so, a round tip rolls over the table. Without any friction the contact moves as
+    well: the tip slides round at RΩ sin θ, while the centre of mass stays above one spot.
     """
     contact, force, velocity = (
         Matrix(symbols(f"{x}_1 {x}_2 {x}_3", real=True)) for x in ("r", "f", "v")
@@ -174,6 +193,7 @@ def friction() -> Iterator[Evidence]:
         loss = Equation(Edot, -mu * n * slip)
         falls = Equation(Edot, 0, relation="<")
         slides = Equation(Dot(v_tip, v_tip), Group(R * Omega * sin(theta)) ** 2)
+        rolls = Equation(Cross(omega_vec, delta * zhat), Matrix([0, 0, 0]), relation="≠")
     torque = contact.cross(force)
     # In body components about the centre of mass: v·F for the motion of the centre, gravity's
     # power cancels against the potential energy, and Euler's equations give the rest.
@@ -202,6 +222,17 @@ def friction() -> Iterator[Evidence]:
     figure_axis = Matrix([sin(theta), 0, cos(theta)])
     turning = Omega * Matrix([0, 0, 1])
     yield Check(
+        rolls,
+        {omega_vec: Matrix([omega1, omega2, omega3]), zhat: Matrix([0, 0, 1])},
+        (
+            Assumption(Ne(delta, 0), "the tip is round, with radius δ: held by friction it rolls"),
+            Assumption(Ne(omega1, 0), "the top does not turn about the vertical alone"),
+        ),
+        "The velocity of the middle of a round tip that rolls, ω here along x̂, ŷ, ẑ; the contact "
+        "follows below it.",
+        printed=False,
+    )
+    yield Remark(
         slides,
         {v_tip: -R * turning.cross(figure_axis)},
         reason="Without friction the centre keeps its place and the tip, at −R e₃, goes round.",

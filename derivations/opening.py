@@ -18,6 +18,7 @@ from rigidtop.theory.symbols import (
     a,
     alpha,
     b,
+    delta,
     omega,
     omega_perp,
     omega_vec,
@@ -49,7 +50,11 @@ def angular_momentum(turn: Matrix) -> Matrix:
     "the masses and ω; with ω constant L would turn, so ω must change when the body is free.",
 )
 def two_mass_points() -> Iterator[Evidence]:
-    """L = Σ m r × (ω × r) has a part across ω, which half a turn with constant ω would reverse."""
+    """L = Σ m r × (ω × r) has a part across ω, which half a turn with constant ω would reverse.
+
+    For points exactly on a line that does not make ω change: the part of ω along the stick moves
+    nothing, and the rest can stay constant along L.
+    """
     before = angular_momentum(rotation_z(Integer(0)))
     meaning = {
         L_vec: before,
@@ -73,6 +78,7 @@ def two_mass_points() -> Iterator[Evidence]:
         not_parallel = Equation(Cross(L_vec, omega_vec), 0, relation="≠")
         turned = Equation(L_later, L_vec, relation="≠")
         same_motion = Equation(Cross(omega_vec, r_1), Cross(omega_perp, r_1))
+        told_apart = Equation(Cross(omega_vec, r_1), Cross(omega_perp, r_1), relation="≠")
     yield Check(momentum, meaning, reason="Masses in the yz plane, ω along ẑ.", printed=False)
     tensor = point_masses([(M_1, a * STICK), (M_2, -b * STICK)]) * meaning[omega_vec]
     yield Check(
@@ -90,9 +96,21 @@ def two_mass_points() -> Iterator[Evidence]:
     yield Check(
         same_motion,
         {**meaning, omega_perp: before / moment},
-        reason="Points on a line do not feel the part of ω along the stick: the constant "
-        "ω⊥ = L/(M₁a² + M₂b²) moves them just so. It is a stick with a moment about itself "
-        "whose ω has to turn.",
+        reason="Points on a line do not feel the part of ω along it: the constant "
+        "ω⊥ = L/(M₁a² + M₂b²), which is parallel to L, moves them just so.",
+        printed=False,
+    )
+    yield Check(
+        told_apart,
+        {**meaning, omega_perp: before / moment, r_1: a * STICK + delta * Matrix([1, 0, 0])},
+        (
+            TURNING,
+            OBLIQUE,
+            Assumption(
+                Ne(delta, 0), "the stick has a thickness δ, so that it shows a turn about itself"
+            ),
+        ),
+        "Only beside the line does the motion tell ω from ω⊥, so that it is ω that must change.",
         printed=False,
     )
 

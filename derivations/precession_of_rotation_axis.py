@@ -51,9 +51,10 @@ from rigidtop.theory.symbols import (
     Omega_b,
     Omega_s,
     T,
+    Tdot,
     const,
+    damping,
     delta,
-    dissipation,
     e3,
     e3dot,
     g,
@@ -378,7 +379,9 @@ def example_33() -> Iterator[Evidence]:
             / (2 * lambda3),
         )
         least = Equation(T, L**2 / (2 * lambda3), relation=">")
-        falls = Equation(-dissipation, 0, relation="<")
+        lost = Equation(Tdot, -damping * Dot(Cross(L_vec, omega_vec), Cross(L_vec, omega_vec)))
+        kept = Equation(L**2, const)
+        falls = Equation(Tdot, 0, relation="<")
     for line in different:
         yield Check(line, observed, printed=False)
     yield Check(off_axis, {omega_vec: spin, L_vec: momentum}, printed=False)
@@ -389,6 +392,7 @@ def example_33() -> Iterator[Evidence]:
     )
     squared = angular_momentum().dot(angular_momentum())
     meaning = {T: kinetic_energy(), L: squared ** Rational(1, 2)}
+    vectors = {L_vec: angular_momentum(), omega_vec: Matrix(OMEGA)}
     yield Check(excess, meaning, reason="For any body,", printed=False)
     largest = "λ₃ is the largest moment"
     yield Check(
@@ -397,16 +401,34 @@ def example_33() -> Iterator[Evidence]:
         (
             Assumption(Gt(lambda3, lambda1), largest, stated=True),
             Assumption(Gt(lambda3, lambda2), largest, stated=True),
-            Assumption(Ne(omega1, 0), "ω is not along e₃", stated=True),
+            Assumption(Ne(omega1, 0), "the rotation is another than about e₃", stated=True),
         ),
         "so every other rotation with the same L has more energy.",
         printed=False,
     )
+    # Friction inside the body exerts no torque on the whole: of what leaves |L| alone and brings
+    # ω towards L, the simplest adds c L × (L × ω) to L̇ as the body sees it.
+    inside = damping * angular_momentum().cross(angular_momentum().cross(Matrix(OMEGA)))
+    yield Check(
+        lost,
+        {Tdot: along_flow(kinetic_energy(), inside), **vectors},
+        reason="A friction c L × (L × ω) in the body frame takes energy unless L ∥ ω",
+        printed=False,
+    )
+    yield Check(
+        kept,
+        {**meaning, const: lambda momentum: along_flow(momentum, inside)},
+        reason="and leaves |L| as it is,",
+        printed=False,
+    )
     yield Check(
         falls,
-        {},
-        (Assumption(Gt(dissipation, 0), "energy is lost inside the body"),),
-        "Ṫ at constant L, where P is the power lost: without it the tumbling lasts.",
+        {Tdot: -damping * delta**2},
+        (
+            Assumption(Gt(damping, 0), "energy is lost inside the body"),
+            Assumption(Ne(delta, 0), "ω is not along a principal axis", stated=True),
+        ),
+        "so T falls as long as |L × ω|, here δ, is not zero; without friction the tumbling lasts.",
         printed=False,
     )
 

@@ -8,7 +8,7 @@ from typing import Any
 from rigidtop.present.report import Numbers, numbers, tested
 from rigidtop.present.text import text
 from rigidtop.proof.page import Claim, Measure
-from rigidtop.proof.verdict import Judgement, TestedAssumption
+from rigidtop.proof.verdict import Finding, Judgement, TestedAssumption, Verdict
 
 
 def record(judgement: Judgement) -> dict[str, Any]:
@@ -48,7 +48,7 @@ def note(judgement: Judgement) -> str:
     if judgement.problem:
         return judgement.problem
     parts = [
-        f"at {_point(numbers(finding.counterexample))}"
+        f"{_where(finding)}at {_point(numbers(finding.counterexample))}"
         for finding in judgement.findings()
         if finding.counterexample is not None
     ][:1]
@@ -59,6 +59,12 @@ def note(judgement: Judgement) -> str:
     if corrected:
         parts.append(f"corrected: {corrected[0]}")
     return "; ".join(parts)
+
+
+def _where(finding: Finding) -> str:
+    """The line that fails, in the words beside it."""
+    reason = finding.check.reason.rstrip(".,")
+    return f"“{reason}” " if reason and finding.verdict is Verdict.FALSE else ""
 
 
 def _assumption(item: TestedAssumption) -> str:

@@ -98,7 +98,7 @@ alpha, beta, delta, theta_0, omega, omega_20 = map(
 )
 sigma2, omega_n2, D, kappa, A, F = map(_real, ("sigma2", "omega_n2", "D", "kappa", "A", "F"))
 mu, n = map(_positive, ("mu", "n"))
-slip, Edot, dissipation = map(_real, ("slip", "Edot", "dissipation"))
+slip, Edot, Tdot, damping = map(_real, ("slip", "Edot", "Tdot", "damping"))
 r_1, g_k, v_tip, omega_perp, L_later = map(_real, ("r_1", "g_k", "v_tip", "omega_perp", "L_later"))
 A_matrix, B_matrix, C_matrix, unit = map(_real, ("A_matrix", "B_matrix", "C_matrix", "unit"))
 c_phi, s_phi, c_theta, s_theta, c_psi, s_psi = map(
@@ -157,7 +157,8 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         D: Quantity(Glyph("D"), "discriminant of the steady-precession quadratic", "J² s²"),
         F: Quantity(Glyph("F"), "external force", "N"),
         Edot: Quantity(Glyph("E", accent="dot"), "rate of the energy", "W"),
-        dissipation: Quantity(Glyph("P"), "power lost inside the body", "W"),
+        Tdot: Quantity(Glyph("T", accent="dot"), "rate of the kinetic energy", "W"),
+        damping: Quantity(Glyph("c"), "strength of the friction inside the body", "1/(J s)"),
         sigma2: Quantity(Glyph("σ²"), "square of a growth rate", "1/s²"),
         omega_n2: Quantity(Glyph("ω²", "n"), "square of the nutation frequency", "1/s²"),
         A: Quantity(Glyph("A"), "amplitude of the nutation", "rad"),

@@ -11,6 +11,7 @@ from rigidtop.theory.symbols import VOCABULARY
 
 MODULE = {name: x for name, x in vars(symbols).items() if isinstance(x, Symbol)}
 UNITS = {
+    "1/(J s)",
     *("", "1", "rad", "s", "m", "kg", "N", "J", "W"),
     *("1/s", "1/s²", "rad/s", "rad/s²", "rad/s³", "m/s", "m/s²", "kg m²", "kg/m³", "N m", "J s"),
     *("N/m³", "J² s²"),
