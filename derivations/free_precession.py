@@ -107,14 +107,15 @@ def inertia_full() -> Iterator[Evidence]:
         symmetric,
         {I_xz: tensor[0, 2]},
         (Assumption(Eq(lambda2, lambda1), "a symmetric top"),),
-        "It vanishes for every upright top, and at all times for a sphere. What holds in general "
-        "is that I is not constant in the space frame.",
+        "It vanishes for every upright top, and at all times for a sphere. What makes (3.33) hard "
+        "to use is that I changes in the space frame, unless the body turns about an axis of "
+        "symmetry.",
     )
 
 
 page = Page(
     "3.2",
     "Free precession",
-    "Without external torque L is constant in the space frame, where I is not.",
+    "Without external torque L is constant in the space frame, where I as a rule is not.",
     (conservation, inertia_full),
 )

@@ -26,16 +26,15 @@ from rigidtop.theory.symbols import (
     R2,
     R3,
     D,
+    L_vec,
     L_z,
     Lagrangian,
     M,
     Omega,
     Omega_minus,
     Omega_plus,
-    Omega_s,
     Omega_vec,
     R,
-    beta,
     const,
     delta,
     epsilon,
@@ -65,6 +64,8 @@ FAST = Assumption(
     stated=True,
     otherwise=top.smallness(),
 )
+SPINNING = Assumption(Ne(omega3, 0), "the top spins about e₃", stated=True)
+HORIZONTAL = Assumption(Ne(cos(theta), 0), "the top is not horizontal: else there is one root")
 SYMMETRIC = Assumption(Eq(lambda2, lambda1), "a symmetric top", stated=True)
 ON_AXIS = (
     Assumption(Eq(R1, 0), "the centre of mass lies on e₃, at R from the pivot", stated=True),
@@ -289,7 +290,7 @@ def two_roots() -> Iterator[Evidence]:
     yield Check(
         quadratic,
         {},
-        (Assumption(Ne(cos(theta), 0), "the top is not horizontal: else there is one root"),),
+        (HORIZONTAL,),
         "(3.57) is quadratic.",
         printed=False,
     )
@@ -312,8 +313,8 @@ def two_roots() -> Iterator[Evidence]:
         "No threshold there.",
         printed=False,
     )
-    yield Check(slow_root, {Omega_minus: lead[0] * factor[0]}, (FAST,))
-    yield Check(fast_root, {Omega_plus: lead[1] * factor[1]}, (FAST,))
+    yield Check(slow_root, {Omega_minus: lead[0] * factor[0]}, (FAST, SPINNING))
+    yield Check(fast_root, {Omega_plus: lead[1] * factor[1]}, (FAST, HORIZONTAL))
     for symbol, series in zip((Omega_minus, Omega_plus), top.steady_expansions(2), strict=True):
         yield Step(Equation(symbol, series), "To the next order.")
 
@@ -323,59 +324,54 @@ def two_roots() -> Iterator[Evidence]:
     "Ω₋ agrees with (3.52); that ω₃ is large means the same as that the torque is weak.",
 )
 def slow_agrees() -> Iterator[Evidence]:
-    """Ω₋ λ₃ω₃/(MgR) depends on ε alone: s times the spin is 1/s² times the weight.
+    """Ω₋ λ₃ω₃/(MgR) depends on ε alone: δ times the spin does what 1/δ² times the weight does.
 
-    The weight MgR counts, not the torque MgR sin θ, which is as small as one likes near the
-    vertical at any spin.
+    What has to be small is the weight MgR against (λ₃ω₃)²/λ₁. The torque MgR sin θ does not tell:
+    near the vertical it is as small as one likes at any spin.
     """
     slow = top.leading_roots()[0] * top.root_factors()[0]
-    simple = M * g * R / (lambda3 * omega3)
     with as_printed():
         agrees = Equation(Omega_minus, Dot(Omega_vec, zhat))
+        vector = Equation(Omega_vec, M * g * R / (lambda3 * omega3) * zhat)
         equivalent = Equation(
             epsilon, lambda1 * (M * g * R / delta**2) * cos(theta) / Group(lambda3 * omega3) ** 2
         )
-    meaning = {Omega_minus: slow, Omega_vec: simple * Matrix(Z_AXIS), zhat: Matrix(Z_AXIS)}
+    # (3.50) without its first side: λ₃ω₃ Ω × e₃ = N.
+    figure_axis = Matrix([sin(theta), 0, cos(theta)])
+    torque = M * g * R * Matrix(Z_AXIS).cross(figure_axis)
+    simple = torque[1] / figure_axis[0] / (lambda3 * omega3) * Matrix(Z_AXIS)
+    meaning = {Omega_minus: slow, Omega_vec: simple, zhat: Matrix(Z_AXIS)}
+    scaled = Assumption(Ne(delta, 0), "the spin is multiplied by δ", stated=True)
     yield Check(
         equivalent,
         {epsilon: top.smallness().subs(omega3, delta * omega3)},
-        reason="δ times the spin does what 1/δ² times the weight does.",
+        (scaled, SPINNING),
+        "The footnote: large ω₃ and weak torque are the same.",
         printed=False,
     )
-    yield Check(
-        agrees,
-        meaning,
-        (
-            Assumption(
-                Eq(epsilon, 0),
-                "“weak” is measured by ε = λ₁MgR cos θ/(λ₃ω₃)², not by the torque MgR sin θ",
-                otherwise=top.smallness(),
-            ),
-        ),
-        printed=False,
-    )
+    yield Check(vector, meaning, (SPINNING,), "(3.52),", printed=False)
+    yield Check(agrees, meaning, (FAST,), "which Ω₋ tends to.", printed=False)
 
 
 @claim("fast-is-free", "Ω₊ does not depend on g and is the free precession of 3.2.3.")
 def fast_is_free() -> Iterator[Evidence]:
-    """Without weight the top turns about L at Ω_s = L/λ₁ (not Ω_b); it is steady if L is vertical.
+    """Without weight the top turns about L at Ω_s = L/λ₁ (not Ω_b), L vertical if θ is constant.
 
-    3.2.3 holds for the body about its fixed point too, with the moments about that point.
-
-    Then L₃ = L cos θ, and L/λ₁ is λ₃ω₃/(λ₁ cos θ). With weight Ω₊ does depend on g: by the next
-    term, −MgR/(λ₃ω₃).
+    At Ω₊ the L of (3.43) is λ₁Ω₊ẑ, to leading order. 3.2.3 holds about the fixed point too, with
+    the moments about that point. With weight Ω₊ does depend on g: by its next term, −MgR/(λ₃ω₃).
     """
     fast = top.leading_roots()[1] * top.root_factors()[1]
-    momentum = lambda3 * omega3 / cos(beta)
+    momentum = primed_matrix() * Matrix([-lambda1 * fast * sin(theta), 0, lambda3 * omega3])
     with as_printed():
         without_g = Equation(Omega_plus, lambda3 * omega3 / (lambda1 * cos(theta)))
-        free = Equation(Omega_plus, Omega_s)
-    yield Check(without_g, {Omega_plus: fast}, (FAST,), "No g on the right.", printed=False)
+        free = Equation(Omega_plus * zhat, L_vec / lambda1)
+    meaning = {Omega_plus: fast, L_vec: momentum, zhat: Matrix(Z_AXIS)}
+    yield Check(without_g, meaning, (FAST, HORIZONTAL), "No g on the right.", printed=False)
     yield Check(
         free,
-        {Omega_plus: fast, Omega_s: momentum / lambda1},
-        (FAST, Assumption(Eq(beta, theta), "L is vertical: its angle β with e₃ is θ")),
-        "With L₃ = L cos β.",
+        meaning,
+        (FAST,),
+        "The rotational velocity of the free precession in space, L/λ₁.",
         printed=False,
     )
     yield from evidence.fast_root_is_free()

@@ -4,15 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sympy import Eq, Expr, Gt, Matrix, Ne, cos, integrate, pi, sin, solve, symbols
+from sympy import (
+    Eq,
+    Expr,
+    Gt,
+    Matrix,
+    Ne,
+    cos,
+    factor_list,
+    pi,
+    sin,
+    solve,
+    sqrt,
+    symbols,
+)
 
 from rigidtop.proof.equation import Cross, Dot, Equation, Group, as_printed
 from rigidtop.proof.page import Assumption, Check, Evidence, Page, Remark, Step, claim
 from rigidtop.theory import top
 from rigidtop.theory.euler import OMEGA, along_flow, kinetic_energy
-from rigidtop.theory.lagrangian import cyclic_velocities
+from rigidtop.theory.lagrangian import Linearisation, cyclic_velocities, linearise
 from rigidtop.theory.symbols import (
     A,
+    D,
     Edot,
     F,
     M,
@@ -67,13 +81,27 @@ def mean_shift(second: Expr, third: Expr) -> Expr:
     λ₁θ̈ = −U′ with U′ = U″δ + ½U‴δ² and λ₁ times the square of the frequency = U″: the constant
     term of what is of order A² has to vanish.
     """
-    phase, shift, overtone = symbols("x c_0 c_2")
+    phase, shift, overtone, u2, u3 = symbols("x c_0 c_2 u_2 u_3")
     swing = A * cos(phase) + A**2 * (shift + overtone * cos(2 * phase))
-    balance = second * (swing.diff(phase, 2) + swing) + third * swing**2 / 2
+    balance = u2 * (swing.diff(phase, 2) + swing) + u3 * swing**2 / 2
     order = (balance.diff(A, 2) / 2).subs(A, 0)
-    constant = integrate(order.expand(), (phase, 0, 2 * pi))
+    # The mean over four quarters of a turn is exact: there is no harmonic above the third.
+    constant = sum(order.subs(phase, k * pi / 2) for k in range(4)) / 4
     [solution] = solve(constant, shift)
-    return A**2 * solution
+    return A**2 * solution.subs({u2: second, u3: third})
+
+
+def upright() -> Linearisation:
+    """The symmetric top near θ = 0, in e₃ = (x, y, z): regular there, as φ and θ are not.
+
+    The Routhian with p_ψ = λ₃ω₃ constant; φ̇ cos θ is φ̇, the rate of an angle, which changes no
+    equation, less (1 − z)φ̇ = (xẏ − yẋ)/(1 + z).
+    """
+    x, y, u, v = symbols("x y u v", real=True)
+    z = sqrt(1 - x**2 - y**2)
+    kinetic = lambda1 / 2 * (u**2 + v**2 + (x * u + y * v) ** 2 / z**2)
+    routhian = kinetic - p_psi * (x * v - y * u) / (1 + z) - M * g * R * z
+    return linearise(routhian, (x, y), (u, v), {x: 0, y: 0, u: 0, v: 0})
 
 
 @claim(
@@ -113,7 +141,7 @@ def nutation() -> Iterator[Evidence]:
     yield Check(
         squares,
         meaning,
-        reason="A sum of squares: every steady precession is stable.",
+        reason="A sum of squares: every steady precession with sin θ ≠ 0 is stable.",
         printed=False,
     )
     yield Check(
@@ -121,6 +149,32 @@ def nutation() -> Iterator[Evidence]:
         {delta: mean_shift(curvature, potential_slope(3))},
         (SMALL,),
         "The mean of θ from the steady angle, here δ.",
+        printed=False,
+    )
+    characteristic = upright().characteristic(Omega)
+    [factor, _] = [f for f in factor_list(characteristic)[1] if f[0].has(p_psi)][:2]
+    spin = {p_psi: lambda3 * omega3}
+    with as_printed():
+        discriminant = Equation(D, Group(lambda3 * omega3) ** 2 - 4 * lambda1 * M * g * R)
+        sleeps = Equation(D, 0, relation=">")
+    meaning = {D: factor[0].as_poly(Omega).discriminant().subs(spin)}
+    yield Check(
+        discriminant,
+        meaning,
+        reason="Upright, θ = 0 is constant too. There the frequencies Ω solve λ₁Ω² − λ₃ω₃Ω + MgR "
+        "= 0, with the discriminant D,",
+        printed=False,
+    )
+    yield Check(
+        sleeps,
+        meaning,
+        (
+            Assumption(
+                Gt(lambda3**2 * omega3**2, 4 * lambda1 * M * g * R),
+                "an upright top spins faster than the sleeping spin, else it falls away from θ = 0",
+            ),
+        ),
+        "and they are real, so that θ stays small, only for a sleeping top.",
         printed=False,
     )
     yield from evidence.nutation()

@@ -75,6 +75,7 @@ from rigidtop.theory.symbols import (
     omega_0,
     omega_20,
     omega_vec,
+    phi,
     r_k,
     t,
     tau_b,
@@ -187,7 +188,7 @@ def body_precession() -> Iterator[Evidence]:
     yield Check(
         period,
         {tau_b: periodicity(cos(Omega_b * t), t)},
-        (Assumption(Gt(Omega_b, 0), "a prolate body (λ₁ > λ₃) with ω₃ > 0"),),
+        (Assumption(Gt(Omega_b, 0), "(λ₁ − λ₃)ω₃ > 0: a prolate body with ω₃ > 0"),),
     )
 
 
@@ -227,10 +228,11 @@ def constant_angle() -> Iterator[Evidence]:
 
 @claim("coplanar", "e₃, ω and L remain in one plane, because the angle of ω and L is constant.")
 def coplanar() -> Iterator[Evidence]:
-    """They do, since L = λ₁ω + (λ₃ − λ₁)ω₃e₃; the reason given does not show it.
+    """They do, since L = λ₁ω + (λ₃ − λ₁)ω₃e₃; but the reason given does not show it.
 
     Two vectors that turn about e₃ together, one behind the other, keep their angle and span no
-    plane with e₃.
+    plane with e₃. That is a counterexample to the inference, not a body. It takes all three angles
+    and one time at which the plane is there, as (3.38) and (3.39) have it at t = 0.
     """
     with as_printed():
         plane = Equation(Dot(e3, Cross(omega_vec, L_vec)), 0)
@@ -239,26 +241,37 @@ def coplanar() -> Iterator[Evidence]:
     meaning = {e3: axis, omega_vec: Matrix(OMEGA), L_vec: angular_momentum()}
     yield Check(combination, meaning, (SYMMETRIC,), printed=False)
     yield Check(plane, meaning, (SYMMETRIC,), "So the three are in one plane.", printed=False)
-    angle = Omega_b * t
     behind = {
         e3: axis,
-        omega_vec: Matrix([omega_0 * cos(angle), -omega_0 * sin(angle), omega3]),
-        L_vec: Matrix([L1 * cos(angle + delta), -L1 * sin(angle + delta), L3]),
+        omega_vec: Matrix([omega_0 * cos(phi), -omega_0 * sin(phi), omega3]),
+        L_vec: Matrix([L1 * cos(phi + delta), -L1 * sin(phi + delta), L3]),
     }
     with as_printed():
         same_angle = Equation(Dot(omega_vec, L_vec), const)
+        angles_decide = Equation(
+            Dot(e3, Cross(omega_vec, L_vec)) ** 2,
+            Dot(omega_vec, omega_vec) * Dot(L_vec, L_vec)
+            + 2 * Dot(omega_vec, L_vec) * Dot(e3, omega_vec) * Dot(e3, L_vec)
+            - Dot(omega_vec, L_vec) ** 2
+            - Dot(omega_vec, omega_vec) * Dot(e3, L_vec) ** 2
+            - Dot(L_vec, L_vec) * Dot(e3, omega_vec) ** 2,
+        )
     yield Check(
         same_angle,
-        {**behind, const: lambda product: product.diff(t)},
-        reason="ω and a vector that follows it by δ keep their angle,",
+        {**behind, const: lambda product: product.diff(phi)},
+        reason="ω and a vector that follows it by δ keep their angle as φ grows,",
         printed=False,
     )
     yield Check(plane, behind, reason="yet they are not in one plane with e₃.", printed=False)
     yield Correction(
-        plane,
-        behind,
-        (Assumption(Eq(delta, 0), "the three are in one plane at one time"),),
-        "With all three angles constant, what is in one plane once stays so.",
+        angles_decide,
+        {
+            e3: axis,
+            omega_vec: Matrix(OMEGA),
+            L_vec: Matrix(symbols("l_1 l_2 l_3", real=True)),
+        },
+        reason="The three angles and the lengths decide how far the three are from one plane: with "
+        "all of them constant, what is in one plane once stays so.",
         printed=False,
     )
 

@@ -63,7 +63,11 @@ def rotated_components() -> Iterator[Evidence]:
     yield Check(
         proper,
         {det_O: reduce_trig((handed * attitude).det())},
-        (Assumption(Eq(handed, 1), "O is not a mirror image, which s = −1 makes it"),),
+        (
+            Assumption(
+                Eq(handed, 1), "O is not a mirror image (s = −1): the S of SO(N)", stated=True
+            ),
+        ),
         "For s R with s² = 1, which is orthogonal for both signs.",
         given=(handed**2 - 1,),
         printed=False,

@@ -4,12 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sympy import Eq, Expr, Gt, Matrix, cos, sin
+from sympy import Eq, Expr, Gt, Matrix, Ne, cos, sin, sqrt
 
 from rigidtop.proof.equation import Cross, Dot, Equation, as_printed
 from rigidtop.proof.page import Assumption, Check, Evidence, Page, Step, claim
 from rigidtop.theory import top
-from rigidtop.theory.rotation import Z_AXIS, euler_omega, primed_matrix
+from rigidtop.theory.rotation import (
+    EULER_RATES,
+    Z_AXIS,
+    euler_omega,
+    primed_matrix,
+    total_derivative,
+)
 from rigidtop.theory.symbols import (
     R_CM,
     L_vec,
@@ -20,6 +26,8 @@ from rigidtop.theory.symbols import (
     Omega_minus,
     Omega_vec,
     R,
+    Tdot,
+    delta,
     e2p,
     e3,
     e3dot,
@@ -30,6 +38,7 @@ from rigidtop.theory.symbols import (
     lambda1,
     lambda3,
     omega3,
+    omega_0,
     omega_vec,
     phi,
     phiddot,
@@ -44,13 +53,16 @@ from rigidtop.theory.symbols import (
 )
 from rigidtop.theory.trig import reduce_trig
 
+from . import evidence
+
 WEAK = Assumption(
     Eq(epsilon, 0),
     "to leading order in ε = λ₁MgR cos θ/(λ₃ω₃)²: weak torque",
     stated=True,
     otherwise=top.smallness(),
 )
-NO_NUTATION = Assumption(Eq(thetadot, 0), "the top is started without nutation")
+NO_NUTATION = Assumption(Eq(thetadot, 0), "θ does not change: there is no nutation")
+SPINNING = Assumption(Ne(omega3, 0), "the top spins about e₃", stated=True)
 
 
 def slow_precession() -> Expr:
@@ -60,8 +72,8 @@ def slow_precession() -> Expr:
 
 SLOW = Assumption(
     Eq(Omega, slow_precession()),
-    "L stays along ω as nearly as it can: the slow steady precession, not the fast one",
-    stated=True,
+    "the top is set going at the slow steady precession; released with ω along e₃ it nutates, and "
+    "the equation holds on average",
 )
 
 
@@ -94,7 +106,9 @@ def torque_balance() -> Iterator[Evidence]:
     """L = λ₃ω₃e₃ put into L̇ = N; exactly, L = λ₃ω₃e₃ + λ₁ e₃ × ė₃.
 
     With L along e₃ at all times ω would be along e₃ too, and e₃ could not move: the equation can
-    only hold to leading order, and exactly where cos θ = 0.
+    only hold to leading order, and exactly where cos θ = 0. A top that is released with ω along
+    e₃, as the notes have it, starts with ė₃ = 0 and makes cusps; the equation is then that of its
+    mean motion.
     """
     with as_printed():
         printed = Equation(
@@ -112,6 +126,7 @@ def torque_balance() -> Iterator[Evidence]:
         printed=False,
     )
     yield Check(printed, picture(), (SLOW, WEAK, NO_NUTATION))
+    yield from evidence.mean_precession()
 
 
 @claim("torque-perpendicular", "The torque is orthogonal to L and turns it at constant length.")
@@ -133,7 +148,7 @@ def perpendicular() -> Iterator[Evidence]:
     yield Check(
         orthogonal,
         meaning,
-        (Assumption(Eq(thetadot, 0), "θ does not change: steady precession, or the start"),),
+        (Assumption(Eq(thetadot, 0), "θ does not change, as in steady precession"),),
         printed=False,
     )
 
@@ -148,7 +163,7 @@ def axis_turns() -> Iterator[Evidence]:
             Cross(Omega_vec, e3),
             tag="3.51",
         )
-    yield Check(printed, picture(), (SLOW, WEAK, NO_NUTATION))
+    yield Check(printed, picture(), (SLOW, WEAK, NO_NUTATION, SPINNING))
 
 
 @claim("3.52", "The precession vector Ω.")
@@ -159,7 +174,7 @@ def precession_vector() -> Iterator[Evidence]:
     yield Step(
         Equation(Omega_minus, top.steady_expansions(2)[0]), "The slow root to the next order."
     )
-    yield Check(printed, picture(), (SLOW, WEAK))
+    yield Check(printed, picture(), (SLOW, WEAK, SPINNING))
 
 
 @claim("torque-direction", "The torque of gravity points into the paper.")
@@ -172,37 +187,51 @@ def torque_direction() -> Iterator[Evidence]:
     yield Check(
         into,
         picture(),
-        (Assumption(Gt(sin(theta), 0), "the top leans to the right"),),
+        (Assumption(Gt(sin(theta), 0), "the top leans to the right of the figure"),),
         printed=False,
     )
 
 
 @claim("parallel-approximation", "L ∥ ω is a good approximation for a weak torque.")
 def parallel() -> Iterator[Evidence]:
-    """cos² of their angle, along e₁′ and e₃, for a precession at φ̇ without nutation.
+    """The part of ω across e₃ gains its energy from the weight alone: ½λ₁ω⊥² = MgR(cos θ₀ − cos θ).
 
-    It tends to 1 on the slow branch. A top in free precession has no torque at all, and its L and
-    ω are not parallel: a weak torque alone is not enough.
+    Started with ω along e₃, it stays of the order of the root of the torque, and cos² of the angle
+    between L and ω tends to 1. A weak torque alone is not enough: a top in free precession has
+    none, and its L and ω are not parallel.
     """
     with as_printed():
         aligned = Equation(
             Dot(L_vec, omega_vec) ** 2 / (Dot(L_vec, L_vec) * Dot(omega_vec, omega_vec)), 1
         )
-    omega = euler_omega("primed").subs(psidot, omega3 - phidot * cos(theta))
-    momentum = Matrix([lambda1 * omega[0], lambda1 * omega[1], lambda3 * omega[2]])
-    slow = top.steady_roots()[0].subs(g, kappa * g)
-    weak = Assumption(Eq(kappa, 0), "the torque is weak: κMgR with κ → 0", stated=True)
+        balance = Equation(Tdot, M * g * R * thetadot * sin(theta))
+    # Along the motion d/dt ½λ₁(φ̇² sin²θ + θ̇²) is the power of the weight.
+    rates = euler_omega("primed")
+    across = (rates[0] ** 2 + rates[1] ** 2) / 2
+    accelerations = dict(zip(top.ACCELERATIONS, top.symmetric_top_accelerations(), strict=True))
+    power = total_derivative(across, EULER_RATES).subs(accelerations)
     yield Check(
-        aligned,
-        {L_vec: momentum.expand(), omega_vec: omega.expand()},
-        (
-            Assumption(Eq(phidot, slow), "the precession is the slow steady one, Ω₋"),
-            NO_NUTATION,
-            weak,
-            Assumption(Gt(omega3, 0), "the top spins about e₃", stated=True),
-        ),
+        balance,
+        {Tdot: lambda1 * power},
+        reason="The rate of ½λ₁ω⊥²: gravity does the work, and ω₃ is constant.",
         printed=False,
     )
+    transverse = sqrt(omega_0**2 + 2 * kappa * M * g * R / lambda1 * delta)
+    yield Check(
+        aligned,
+        {
+            L_vec: Matrix([lambda1 * transverse, 0, lambda3 * omega3]),
+            omega_vec: Matrix([transverse, 0, omega3]),
+        },
+        (
+            Assumption(Eq(omega_0, 0), "the top starts with ω along e₃", stated=True),
+            Assumption(Eq(kappa, 0), "the torque is weak: κMgR with κ → 0", stated=True),
+            SPINNING,
+        ),
+        "With δ = cos θ₀ − cos θ, along ω⊥ and e₃.",
+        printed=False,
+    )
+    yield from evidence.parallel()
 
 
 @claim("example-34", "A top released tilted with L = 0: how L evolves, and what motion it is.")

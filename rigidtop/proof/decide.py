@@ -16,6 +16,7 @@ import sympy
 from sympy import Expr, Integer, Rational, Symbol, cos, pi, sin
 from sympy.core.relational import Relational
 
+from rigidtop.theory import symbols as s
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
 Point = Mapping[Symbol, Expr]
@@ -167,7 +168,7 @@ def digits_vanish(expressions: Sequence[Expr], points: int = 5, digits: int = 40
     symbols = sorted(set().union(*(e.free_symbols for e in expressions)), key=str)
     found = 0
     for _ in range(20 * points):
-        point = {x: Rational(rng.randint(1, 997), rng.randint(499, 997)) for x in symbols}
+        point = {x: _anywhere(x, rng) for x in symbols}
         values = [sympy.N(e.subs(point), digits + 10) for e in expressions]
         if not all(v.is_number and v.is_finite and v.is_real for v in values):
             continue
@@ -179,8 +180,17 @@ def digits_vanish(expressions: Sequence[Expr], points: int = 5, digits: int = 40
     return False
 
 
+def _anywhere(x: Symbol, rng: random.Random) -> Expr:
+    """A rational number, of either sign if the symbol allows, from a hundredth to a thousand."""
+    size = Rational(rng.randint(1, 997), rng.choice((1, 31, 499, 997)))
+    return size if x.is_positive or rng.random() < 0.5 else -size
+
+
 def points(symbols: Sequence[Symbol], angles: set[Symbol], tries: int = 600) -> Iterator[Point]:
-    """Points with short numbers, the shortest first: where a counterexample is looked for."""
+    """Points with short numbers, the shortest first: where a counterexample is looked for.
+
+    A body with the moments, the mass and the arm of a point exists.
+    """
     rng = random.Random(1)
     for attempt in range(tries):
         # The choice widens slowly, so that what is found first can be read aloud.
@@ -195,7 +205,39 @@ def points(symbols: Sequence[Symbol], angles: set[Symbol], tries: int = 600) -> 
                 pool = (*_REAL[:width], Integer(0))
             return rng.choice(pool)
 
-        yield {x: draw(x) for x in symbols}
+        for _ in range(_REDRAWS):
+            point = {x: draw(x) for x in symbols}
+            if _is_a_body(point):
+                yield point
+                break
+
+
+_REDRAWS = 200
+"""So often a point is drawn again when no body has its moments, mass and arm."""
+
+
+def _is_a_body(point: Point) -> bool:
+    """The triangle inequality for the moments about the centre of mass, as far as they are there.
+
+    A symmetric body has λ₂ = λ₁; with M and R the moments are those about the pivot, and λ₁ (and
+    λ₂) are less by MR² about the centre.
+    """
+    shift = point[s.M] * point[s.R] ** 2 if s.M in point and s.R in point else 0
+    first = point.get(s.lambda1)
+    second = point.get(s.lambda2, first)
+    third = point.get(s.lambda3)
+    if first is None or second is None:
+        return True
+    first, second = first - shift, second - shift
+    if third is None:
+        return bool(first > 0 and second > 0)
+    return bool(
+        first > 0
+        and second > 0
+        and first + second >= third
+        and second + third >= first
+        and third + first >= second
+    )
 
 
 _FUNCTIONS: Mapping[Any, Callable[[float], float]] = {
@@ -210,8 +252,8 @@ ROUNDING = 1e-15
 
 
 def angle_symbols(expressions: Sequence[Expr]) -> set[Symbol]:
-    """The symbols that stand inside a sine or a cosine."""
-    inside = [f.args[0] for e in expressions for f in e.atoms(sin, cos)]
+    """The symbols that stand inside a sine or a cosine, but for factors of the time."""
+    inside = [f.args[0].subs(s.t, 0) for e in expressions for f in e.atoms(sin, cos)]
     return set().union(*(argument.free_symbols for argument in inside)) if inside else set()
 
 
@@ -222,9 +264,7 @@ def evaluate(expressions: Sequence[Expr], point: Point, hidden: Mapping[Symbol, 
     """
     at = {x: float(v) for x, v in point.items()}
     inner = {x: _number(e, at) for x, e in hidden.items()}
-    if not all(map(math.isfinite, inner.values())):
-        return [math.nan] * len(expressions)
-    at |= inner
+    at |= {x: v if math.isfinite(v) else math.nan for x, v in inner.items()}
     return [_number(e, at) for e in expressions]
 
 

@@ -200,6 +200,8 @@ def _shown(check: Check, meaning: Meaning, assuming: Sequence[Assumption]) -> Ve
     # Cheap refutation first: most claims that fail, fail at the first point.
     if is_refuted(check, assuming, meaning=meaning, tries=8):
         return None
+    if not all(_covered(d, equal, conditions) for d in typed_divisors(check.claimed, meaning)):
+        return None
     sampled = False
     for relation, left, right in relations:
         differences = [_without_bars(_impose(d, equal), conditions) for d in entries(left, right)]
@@ -210,7 +212,10 @@ def _shown(check: Check, meaning: Meaning, assuming: Sequence[Assumption]) -> Ve
                     continue
                 if any(decide.follows(difference, h, conditions) for h in given):
                     continue
+                # Digits are evidence only where a wide search for a counterexample failed.
                 if given or not decide.digits_vanish([difference]):
+                    return None
+                if is_refuted(check, assuming, meaning=meaning, tries=600):
                     return None
                 sampled = True
         elif relation == "≠":
@@ -223,6 +228,26 @@ def _shown(check: Check, meaning: Meaning, assuming: Sequence[Assumption]) -> Ve
         else:
             raise ValueError(f"a check can't judge the relation {relation!r}")
     return Verdict.SAMPLED if sampled else Verdict.PROVED
+
+
+def typed_divisors(claimed: Equation, meaning: Meaning) -> list[Any]:
+    """What the equation divides by as it is typed: a division has a condition, loses a branch."""
+    sides = [e for side in claimed.sides for e in (side if _is_matrix(side) else [side])]
+    powers = set().union(*(side.atoms(sympy.Pow) for side in sides))
+    typed = {p.base for p in powers if p.exp.is_number and p.exp < 0 and not p.base.is_number}
+    return [value(base, meaning) for base in sorted(typed, key=str)]
+
+
+def _is_matrix(side: Any) -> bool:
+    return isinstance(side, sympy.MatrixBase)
+
+
+def _covered(divisor: Any, equal: Mapping[Any, Any], conditions: Sequence[Relational]) -> bool:
+    """Whether the symbols or the conditions keep a divisor from vanishing."""
+    imposed = _without_bars(_impose(divisor, equal), conditions)
+    return decide.nonzero(imposed, conditions) or any(
+        decide.positive(sign * imposed, conditions) for sign in (1, -1)
+    )
 
 
 def assertions(claimed: Equation, meaning: Meaning) -> list[tuple[str, Any, Any]]:
@@ -356,28 +381,39 @@ def _search(
     if violated == sympy.true or sympy.false in conditions:
         return None
     flat = [e for _, pairs in sides for pair in pairs for e in pair]
+    # Where an assumption is dropped, what is then divided by may vanish: the claim says nothing.
+    divisors = [] if dropped is None else [both(d) for d in typed_divisors(check.claimed, meaning)]
     extra = [*conditions, *([] if violated in (None, sympy.false) else [violated])]
     gaps = [c.lhs - c.rhs for c in extra]
-    everything = [*flat, *gaps, *given]
+    everything = [*flat, *gaps, *given, *divisors]
     # What the relation does not contain is no part of a counterexample to it.
     contained = set().union(*(e.free_symbols for e in everything))
     hidden = {dummy: expression for dummy, expression in hidden.items() if dummy in contained}
     seen = [*everything, *hidden.values()]
     symbols = sorted(set().union(*(e.free_symbols for e in seen)) - set(hidden), key=str)
+    undefined: Failure | None = None
+    patience = 20
     for point in decide.points(symbols, decide.angle_symbols(seen), tries):
         numbers = decide.evaluate(everything, point, hidden)
         values = numbers[: len(flat)]
         gap = numbers[len(flat) : len(flat) + len(gaps)]
-        zero = numbers[len(flat) + len(gaps) :]
+        rest = numbers[len(flat) + len(gaps) :]
+        zero, divided_by = rest[: len(given)], rest[len(given) :]
         if not all(abs(h) < decide.TOLERANCE for h in zero):
             continue
         holds = [_holds(c, x) for c, x in zip(extra, gap, strict=True)]
         wanted = [True] * len(conditions) + [False] * (len(extra) - len(conditions))
         if holds != wanted:
             continue
-        if _fails(sides, values, undefined_counts=dropped is not None):
+        if any(abs(d) < decide.TOLERANCE for d in divided_by):
+            # Numbers that differ say more than a division by zero: look on for a while.
+            undefined = undefined or (sides, point, hidden)
+        elif _fails(sides, values, undefined_counts=dropped is not None):
             return sides, point, hidden
-    return None
+        patience -= undefined is not None
+        if patience == 0:
+            break
+    return undefined
 
 
 def _opaque(meaning: Meaning) -> tuple[Meaning, dict[Symbol, Expr]]:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy
-from sympy import Expr, Matrix, MatrixBase, Symbol, diag, zeros
+from sympy import Expr, ImmutableMatrix, Matrix, MatrixBase, Symbol, diag
 
 from rigidtop.theory import symbols as s
 
@@ -25,8 +27,18 @@ def body_accelerations(torque: MatrixBase | None = None) -> Matrix:
     >>> body_accelerations()[0]
     omega2*omega3*(lambda2 - lambda3)/lambda1
     """
-    turning = Matrix(OMEGA).cross(angular_momentum())
-    balance = (zeros(3, 1) if torque is None else torque) - turning
+    if torque is None:
+        return Matrix(_free_accelerations())
+    balance = torque - Matrix(OMEGA).cross(angular_momentum())
+    return _over_moments(balance)
+
+
+@cache
+def _free_accelerations() -> ImmutableMatrix:
+    return ImmutableMatrix(_over_moments(-Matrix(OMEGA).cross(angular_momentum())))
+
+
+def _over_moments(balance: MatrixBase) -> Matrix:
     return Matrix([sympy.factor(n) / moment for n, moment in zip(balance, MOMENTS, strict=True)])
 
 

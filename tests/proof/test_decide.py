@@ -172,9 +172,25 @@ def test_follows(residual, given_, conditions, known):
 
 
 def test_digits_of_an_identity_without_a_normal_form():
-    identity = sympy.atan(x) + sympy.atan(1 / x) - pi / 2  # for x > 0, as the points are
+    p = sympy.Symbol("p", positive=True)
+    identity = sympy.atan(p) + sympy.atan(1 / p) - pi / 2  # for p > 0 only
     assert not decide.vanishes(identity)
     assert decide.digits_vanish([identity])
+    assert not decide.digits_vanish([identity.subs(p, x)])
+
+
+@pytest.mark.parametrize(
+    "false",
+    [
+        sympy.sqrt(x**2) - x,
+        sympy.Abs(x + 7) - (x + 7),
+        sympy.sqrt(sympy.sin(x) ** 2) - sympy.sin(x),
+        sympy.asin(sympy.sin(x)) - x,
+        sympy.log(x**2) - 2 * sympy.log(sympy.Abs(x)) + sympy.Abs(x) - x,
+    ],
+)
+def test_digits_look_at_both_signs_and_far_away(false):
+    assert not decide.digits_vanish([false])
 
 
 def test_digits_see_the_thirty_fifth():
@@ -222,7 +238,10 @@ def test_evaluate_knows_every_function_of_sympy():
 def test_evaluate_puts_in_what_is_hidden():
     dummy = sympy.Dummy(real=True)
     assert decide.evaluate([dummy**2 + x], {x: sympy.Integer(3)}, {dummy: 2 * x}) == [39.0]
-    assert math.isnan(decide.evaluate([x], {x: sympy.Integer(0)}, {dummy: 1 / x})[0])
+    values = decide.evaluate([x, dummy, 1 / dummy], {x: sympy.Integer(0)}, {dummy: 1 / x})
+    assert values[0] == 0.0
+    assert math.isnan(values[1])
+    assert math.isnan(values[2])
 
 
 def test_points_can_be_read_aloud():

@@ -330,3 +330,35 @@ def test_a_page_is_judged_in_order():
 
 def test_the_reason_is_the_docstring():
     assert claim().reason == "Since it is so."
+
+
+def test_a_typed_division_needs_its_condition():
+    """Without the condition nothing is proved, though the division cancels for the engine."""
+    from rigidtop.theory import symbols as s
+
+    with as_printed():
+        divided = Equation(s.phidot, s.L_z / sympy.sin(s.theta) ** 2)
+    meaning = {s.L_z: s.phidot * sympy.sin(s.theta) ** 2}
+    assert judge_check(Check(divided, meaning)).verdict is Verdict.UNDECIDED
+    condition = Assumption(sympy.Ne(sympy.sin(s.theta), 0))
+    finding = judge_check(Check(divided, meaning, (condition,)))
+    assert finding.verdict is Verdict.ASSUMING
+    assert sympy.sin(finding.assumptions[0].without.values[s.theta]) == 0
+
+
+def test_counterexamples_are_of_bodies_that_exist():
+    """λ₃ ≤ 2(λ₁ − MR²): what `HeavyTop` accepts."""
+    from rigidtop.motion.top import HeavyTop
+    from rigidtop.proof import decide
+    from rigidtop.theory import symbols as s
+
+    names = (s.lambda1, s.lambda3, s.M, s.R, s.omega3)
+    points = list(decide.points(names, set(), 200))
+    assert len(points) == 200
+    for point in points:
+        HeavyTop(
+            lambda1=float(point[s.lambda1]),
+            lambda3=float(point[s.lambda3]),
+            M=float(point[s.M]),
+            R=float(point[s.R]),
+        )
