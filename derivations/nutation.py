@@ -15,7 +15,6 @@ from sympy import (
     pi,
     sin,
     solve,
-    sqrt,
     symbols,
 )
 
@@ -98,8 +97,8 @@ def upright() -> Linearisation:
     equation, less (1 − z)φ̇ = (xẏ − yẋ)/(1 + z).
     """
     x, y, u, v = symbols("x y u v", real=True)
-    z = sqrt(1 - x**2 - y**2)
-    kinetic = lambda1 / 2 * (u**2 + v**2 + (x * u + y * v) ** 2 / z**2)
+    z = 1 - (x**2 + y**2) / 2  # and smaller terms, which no second derivative at 0 sees
+    kinetic = lambda1 / 2 * (u**2 + v**2 + (x * u + y * v) ** 2)
     routhian = kinetic - p_psi * (x * v - y * u) / (1 + z) - M * g * R * z
     return linearise(routhian, (x, y), (u, v), {x: 0, y: 0, u: 0, v: 0})
 
