@@ -31,11 +31,13 @@ from rigidtop.theory.symbols import (
     M,
     Omega,
     R,
-    V,
+    U,
+    U_slope,
     delta,
     g,
     lambda1,
     lambda3,
+    mean_theta,
     mu,
     n,
     omega1,
@@ -46,6 +48,7 @@ from rigidtop.theory.symbols import (
     p_phi,
     p_psi,
     phidot,
+    phidot_slope,
     psidot,
     slip,
     theta,
@@ -58,7 +61,7 @@ from rigidtop.theory.trig import reduce_ratio
 from . import evidence
 from .euler_angles import TILTED
 
-SMALL = Assumption(Eq(A, 0), "small oscillations, A → 0", stated=True)
+SMALL = Assumption(Eq(A, 0), "small oscillations", stated=True, otherwise=A)
 
 
 def steady_state() -> dict:
@@ -126,14 +129,14 @@ def nutation() -> Iterator[Evidence]:
             Group(lambda3 * omega3 - 2 * lambda1 * Omega * cos(theta)) ** 2
             + Group(lambda1 * Omega * sin(theta)) ** 2,
         )
-        centre = Equation(delta, 0)
+        centre = Equation(mean_theta, 0)
     curvature = potential_slope(2)
     meaning = {omega_n2: curvature / lambda1, g: steady_state()[g]}
-    yield Step(Equation(V, top.top_effective_potential()), "Minus the Routhian at θ̇ = 0.")
+    yield Step(Equation(U, top.top_effective_potential()), "Minus the Routhian at θ̇ = 0.")
     yield Check(
-        Equation(delta, 0),
-        {delta: potential_slope(1)},
-        reason="The slope of the potential, here δ, vanishes at the steady angle.",
+        Equation(U_slope, 0),
+        {U_slope: potential_slope(1)},
+        reason="The slope of the potential vanishes at the steady angle.",
         printed=False,
     )
     yield Check(frequency, meaning, reason="λ₁U″ at the steady angle.", printed=False)
@@ -145,9 +148,9 @@ def nutation() -> Iterator[Evidence]:
     )
     yield Check(
         centre,
-        {delta: mean_shift(curvature, potential_slope(3))},
+        {mean_theta: mean_shift(curvature, potential_slope(3))},
         (SMALL,),
-        "The mean of θ from the steady angle, here δ.",
+        "The mean of θ less the steady angle.",
         printed=False,
     )
     characteristic = upright().characteristic(Omega)
@@ -195,7 +198,7 @@ def azimuth() -> Iterator[Evidence]:
             lambda1 * sin(theta) ** 2 * phidot, p_psi * Group(cos(theta_0) - cos(theta))
         )
         released = Equation(p_phi, p_psi * cos(theta))
-        varies = Equation(delta, 0, relation="≠")
+        varies = Equation(phidot_slope, 0, relation="≠")
     yield Check(
         printed,
         {p_phi: momenta[1], p_psi: momenta[2]},
@@ -218,13 +221,13 @@ def azimuth() -> Iterator[Evidence]:
     turning = p_psi * (1 + cos(theta) ** 2) - 2 * p_phi * cos(theta)
     yield Check(
         varies,
-        {delta: rate.diff(theta)},
+        {phidot_slope: rate.diff(theta)},
         (
             Assumption(
                 Ne(turning, 0), "p_φ and p_ψ do not both vanish, and θ is not the one extremum"
             ),
         ),
-        "The slope of φ̇ against θ, here δ.",
+        "The slope of φ̇ against θ.",
         printed=False,
     )
     yield from evidence.waves_cusps_loops()

@@ -42,6 +42,7 @@ from rigidtop.theory.euler import (
 from rigidtop.theory.rotation import Z_AXIS, rotation_z
 from rigidtop.theory.symbols import (
     L1,
+    L2,
     L3,
     M_1,
     M_2,
@@ -57,6 +58,7 @@ from rigidtop.theory.symbols import (
     delta,
     e3,
     e3dot,
+    follower,
     g,
     g_k,
     kappa,
@@ -244,25 +246,26 @@ def coplanar() -> Iterator[Evidence]:
     behind = {
         e3: axis,
         omega_vec: Matrix([omega_0 * cos(phi), -omega_0 * sin(phi), omega3]),
-        L_vec: Matrix([L1 * cos(phi + delta), -L1 * sin(phi + delta), L3]),
+        follower: Matrix([L1 * cos(phi + delta), -L1 * sin(phi + delta), L3]),
     }
     with as_printed():
-        same_angle = Equation(Dot(omega_vec, L_vec), const)
+        same_angle = Equation(Dot(omega_vec, follower), const)
+        same_plane = Equation(Dot(e3, Cross(omega_vec, follower)), 0)
         angles_decide = Equation(
             Dot(e3, Cross(omega_vec, L_vec)) ** 2,
-            Dot(omega_vec, omega_vec) * Dot(L_vec, L_vec)
-            + 2 * Dot(omega_vec, L_vec) * Dot(e3, omega_vec) * Dot(e3, L_vec)
-            - Dot(omega_vec, L_vec) ** 2
-            - Dot(omega_vec, omega_vec) * Dot(e3, L_vec) ** 2
-            - Dot(L_vec, L_vec) * Dot(e3, omega_vec) ** 2,
+            Group(Dot(omega_vec, omega_vec)) * Group(Dot(L_vec, L_vec))
+            + 2 * Group(Dot(omega_vec, L_vec)) * Group(Dot(e3, omega_vec)) * Group(Dot(e3, L_vec))
+            - Group(Dot(omega_vec, L_vec)) ** 2
+            - Group(Dot(omega_vec, omega_vec)) * Group(Dot(e3, L_vec)) ** 2
+            - Group(Dot(L_vec, L_vec)) * Group(Dot(e3, omega_vec)) ** 2,
         )
     yield Check(
         same_angle,
         {**behind, const: lambda product: product.diff(phi)},
-        reason="ω and a vector that follows it by δ keep their angle as φ grows,",
+        reason="But ω and any vector w that follows it by δ keep their angle as φ grows,",
         printed=False,
     )
-    yield Check(plane, behind, reason="yet they are not in one plane with e₃.", printed=False)
+    yield Check(same_plane, behind, reason="yet they are not in one plane with e₃.", printed=False)
     yield Correction(
         angles_decide,
         {
@@ -281,9 +284,9 @@ def same_frequency() -> Iterator[Evidence]:
     """The parts of L and ω across e₃ are parallel; the slopes against e₃ differ by λ₁/λ₃."""
     momentum = angular_momentum()
     with as_printed():
-        parallel = Equation(L1 * omega2, momentum[1] * omega1)
+        parallel = Equation(L1 * omega2, L2 * omega1)
         slopes = Equation(L1 * omega3, L3 * omega1, relation="≠")
-    meaning = {L1: momentum[0], L3: momentum[2]}
+    meaning = {L1: momentum[0], L2: momentum[1], L3: momentum[2]}
     yield Check(parallel, meaning, (SYMMETRIC,), "The same azimuth about e₃.", printed=False)
     yield Check(
         slopes,

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from sympy import Eq, Matrix, cos, eye, sin, symbols
 
-from rigidtop.proof.equation import Equation, Transposed, as_printed
+from rigidtop.proof.equation import Equation, Group, Transposed, as_printed
 from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Page, claim
 from rigidtop.theory.rotation import euler_matrix
 from rigidtop.theory.symbols import (
@@ -68,7 +68,7 @@ def rotated_components() -> Iterator[Evidence]:
                 Eq(handed, 1), "O is not a mirror image (s = −1): the S of SO(N)", stated=True
             ),
         ),
-        "For s R with s² = 1, which is orthogonal for both signs.",
+        "A rotation times s with s² = 1 is orthogonal for both signs of s.",
         given=(handed**2 - 1,),
         printed=False,
     )
@@ -133,7 +133,9 @@ def rotation_group() -> Iterator[Evidence]:
                 Transposed(B_matrix) * (Transposed(A_matrix) * A_matrix - unit) * B_matrix
                 + (Transposed(B_matrix) * B_matrix - unit),
             )
-            associative = Equation(A_matrix * B_matrix * C_matrix, A_matrix * (B_matrix * C_matrix))
+            associative = Equation(
+                Group(A_matrix * B_matrix) * C_matrix, A_matrix * Group(B_matrix * C_matrix)
+            )
             determinants = Equation(det_O, det_A * det_B)
         yield Check(
             closed,

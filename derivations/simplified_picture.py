@@ -225,7 +225,7 @@ def parallel() -> Iterator[Evidence]:
         },
         (
             Assumption(Eq(omega_0, 0), "the top starts with ω along e₃", stated=True),
-            Assumption(Eq(kappa, 0), "the torque is weak: κMgR with κ → 0", stated=True),
+            Assumption(Eq(kappa, 0), "the torque κMgR is weak", stated=True, otherwise=kappa),
             SPINNING,
         ),
         "With δ = cos θ₀ − cos θ, along ω⊥ and e₃.",

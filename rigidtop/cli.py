@@ -7,8 +7,10 @@ failed, 2 for bad input.  Everything that takes time to load is loaded by the co
 from __future__ import annotations
 
 import argparse
+import io
 import json
 import math
+import os
 import re
 import sys
 import time
@@ -23,7 +25,7 @@ if TYPE_CHECKING:
     from rigidtop.proof.page import Claim, Page
     from rigidtop.proof.verdict import Judgement
 
-FAILED, BAD_INPUT = 1, 2
+FAILED, BAD_INPUT, INTERRUPTED = 1, 2, 130
 
 
 class Parser(argparse.ArgumentParser):
@@ -35,9 +37,14 @@ class Parser(argparse.ArgumentParser):
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command; returns its exit code."""
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        # A terminal that can't show θ gets an escape in its place, not an error.
+        sys.stdout.reconfigure(errors="backslashreplace")
     options = _parser().parse_args(arguments)
     try:
-        return options.run(options)
+        code = options.run(options)
+        sys.stdout.flush()
+        return int(code)
     except RigidtopError as error:
         print(f"rigidtop {options.command}: {error}", file=sys.stderr)
         return BAD_INPUT
@@ -45,6 +52,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # The reader of our output has left, as `| head` does: nothing is wrong.
         sys.stderr.close()
         return 0
+    except KeyboardInterrupt:
+        print(f"\nrigidtop {options.command}: interrupted", file=sys.stderr)
+        return INTERRUPTED
+    except OSError as error:
+        print(f"rigidtop {options.command}: {error.strerror or error}", file=sys.stderr)
+        os.close(sys.stdout.fileno())  # what can't be written is not tried again at exit
+        return BAD_INPUT
 
 
 # --- What can be asked ---------------------------------------------------------------------------
@@ -93,7 +107,11 @@ def _parser() -> Parser:
     command("list", _list, "list every claim of the lecture, by section")
 
     check = command("check", _check, "judge every claim and compare the numbers")
-    check.add_argument("name", nargs="*", help="only these claims, such as 3.57 or axis-stability")
+    check.add_argument(
+        "name",
+        nargs="*",
+        help="only these claims or sections, such as 3.57, axis-stability or 3.5.4",
+    )
 
     derive = command("derive", _derive, "derive one equation or claim and show every step")
     derive.add_argument("name", help="an equation's number, such as 3.57, or a claim's name")
@@ -142,7 +160,11 @@ def _named(names: Sequence[str]) -> list[tuple[Page, Claim]]:
     """The claims of these names, in reading order; (3.57) is 3.57."""
     claims = _claims()
     known = [claim.name for _, claim in claims]
-    wanted = {name.strip("()") for name in names}
+    for page, claim in claims:
+        if page.section in names:  # a section stands for its claims
+            names = [*names, claim.name]
+    sections = {page.section for page, _ in claims}
+    wanted = {name.strip("()") for name in names if name not in sections or name in known}
     for name in sorted(wanted - set(known)):
         from difflib import get_close_matches
 
@@ -244,15 +266,21 @@ def _summary(judgements: Sequence[Judgement]) -> str:
     counts = [(verdict.value, sum(j.verdict is verdict for j in judgements)) for verdict in Verdict]
     shown = ", ".join(f"{count} {name}" for name, count in counts if count)
     failed = [j.claim.name for j in judgements if not j.passed]
-    last = f"NOT PASSED: {', '.join(failed)}" if failed else "all passed"
-    return f"{len(judgements)} claims: {shown}; {last}"
+    last = (
+        f"NOT PASSED: {', '.join(failed)}" if failed else "nothing failed that the notes get right"
+    )
+    return f"{len(judgements)} claim{'s' * (len(judgements) != 1)}: {shown}; {last}"
 
 
 def _derive(options: argparse.Namespace) -> int:
     from rigidtop.present.lecture import fragment
     from rigidtop.present.records import record
 
-    [(_, judgement)] = _judged(_named([options.name]))
+    found = _named([options.name])
+    if len(found) != 1:
+        names = " ".join(claim.name for _, claim in found)
+        raise RigidtopError(f"{options.name} is a section; derive one of its claims: {names}")
+    [(_, judgement)] = _judged(found)
     text = fragment(judgement, options.format)
     if options.json:
         _print_json({**record(judgement), "format": options.format, "text": text})
@@ -265,6 +293,8 @@ def _lecture(options: argparse.Namespace) -> int:
     from rigidtop.present.files import check_folder
     from rigidtop.present.lecture import write_lecture
 
+    if not options.output:
+        raise RigidtopError("--output wants the name of a folder")
     check_folder(options.output)  # before half a minute of work, not after it
     judged: list[tuple[Page, list[Judgement]]] = []
     for page, judgement in _judged(_claims()):
@@ -295,7 +325,7 @@ def _add_simulate(sub: argparse.ArgumentParser) -> None:
         "Angles are in radians, or in degrees with the suffix deg; everything else is SI.\n"
         "Attitudes are R = Rz(φ) Ry(θ) Rz(ψ), body to space.\n\n"
         "examples:\n"
-        "  rigidtop simulate top --theta 30deg --omega3 40 --phi-dot 0\n"
+        "  rigidtop simulate top --theta 30deg --omega3 40 --time 2 --samples 81\n"
         "  rigidtop simulate top --theta 0.5 --omega3 40 --steady slow --time 20\n"
         "  rigidtop simulate free --moments 1 2 3 --omega 0.01 2 0.01 -o flip.csv"
     )
@@ -327,7 +357,12 @@ def _add_simulate(sub: argparse.ArgumentParser) -> None:
     run.add_argument("--method", default="DOP853", help="of scipy's solve_ivp (DOP853)")
     run.add_argument("--rtol", type=number, default=1e-10, help="relative tolerance (1e-10)")
     run.add_argument("--atol", type=number, default=1e-12, help="absolute tolerance (1e-12)")
-    run.add_argument("-o", "--output", metavar="FILE", help="write the table as CSV instead")
+    run.add_argument(
+        "-o",
+        "--output",
+        metavar="FILE",
+        help="write the table as CSV; an existing file is replaced",
+    )
 
 
 def _count(text: str) -> int:
@@ -349,6 +384,10 @@ def _simulate(options: argparse.Namespace) -> int:
         if getattr(options, name) is not None:
             flag = name.replace("_", "-")
             raise RigidtopError(f"--{flag} does not go with `simulate {options.body}`")
+    if options.time == 0:
+        raise RigidtopError("--time 0 leaves nothing to compute: give a time in seconds")
+    if options.output == "":
+        raise RigidtopError("--output wants the name of a file")
     motion = _top(options) if options.body == "top" else _free(options)
     times = np.linspace(0.0, options.time, options.samples)
     with Progress("integrating", 1):
@@ -377,6 +416,8 @@ def _top(options: argparse.Namespace) -> Motion:
             if other in start:
                 flag = other.replace("_", "-")
                 raise RigidtopError(f"--steady sets the rates: leave --{flag} out, give --omega3")
+        if math.sin(theta) < 1e-9:
+            raise RigidtopError("--steady wants a tilt: upright or hanging, every rate is steady")
         slow, fast = top.steady_precession(theta, start["omega3"])
         start["phi_dot"] = slow if options.steady == "slow" else fast
         if not math.isfinite(start["phi_dot"]):
@@ -438,9 +479,29 @@ def _print_motion(options: argparse.Namespace, path: Trajectory) -> int:
         rows = [[f"{x + 0.0:.6g}" for x in row] for row in zip(*columns.values(), strict=True)]
         print(table(rows, tuple(columns), right=range(len(columns))))
         print()
+    period = _nutation_period(path)
+    spacing = abs(options.time) / (options.samples - 1)
+    if period is not None and spacing > period / 4:
+        print(
+            f"a row every {spacing:.2g} s, but a top with this spin nutates in about "
+            f"{period:.2g} s: for a plot use --samples "
+            f"{math.ceil(abs(options.time) / period * 20) + 1}",
+            file=sys.stderr,
+        )
     kept = ", ".join(f"{name} {value:.1e}" for name, value in drift.items())
     print(f"relative drift of what the exact motion keeps: {kept}")
     return 0
+
+
+def _nutation_period(path: Trajectory) -> float | None:
+    """2πλ₁/(λ₃|ω₃|), for a top that spins (s)."""
+    from rigidtop.motion.top import HeavyTop
+
+    body = path.motion.body
+    spin = abs(path.motion.omega[2])
+    if not isinstance(body, HeavyTop) or spin == 0:
+        return None
+    return 2 * math.pi * body.lambda1 / (body.lambda3 * spin)
 
 
 def _print_json(value: Any) -> int:

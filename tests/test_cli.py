@@ -43,7 +43,9 @@ def test_check_prints_verdicts_and_numbers(capsys: pytest.CaptureFixture[str]) -
     assert any(row.startswith("3.4 3.47 convention at φ = ") for row in rows)
     assert "3.3 z-hat proved" in rows
     assert "θ held over 100 turns at Ω₋" in out
-    assert out.endswith("3 claims: 1 proved, 1 assuming, 1 convention; all passed\n")
+    assert out.endswith(
+        "3 claims: 1 proved, 1 assuming, 1 convention; nothing failed that the notes get right\n"
+    )
 
 
 def test_check_json_is_the_contract(capsys: pytest.CaptureFixture[str]) -> None:
@@ -77,7 +79,7 @@ def test_a_failed_check_exits_with_1(
     assert main(["check"]) == 1
     out = capsys.readouterr().out
     assert "it fails, and no corrected form stands beside it" in out
-    assert out.endswith("1 claims: 1 false; NOT PASSED: broken\n")
+    assert out.endswith("1 claim: 1 false; NOT PASSED: broken\n")
 
 
 @pytest.mark.parametrize(
@@ -144,6 +146,10 @@ def test_simulate_writes_csv(tmp_path: Path, capsys: pytest.CaptureFixture[str])
         ("simulate top --samples 1", "'1' is not a whole number from 2"),
         ("simulate top --method Euler", "DOP853"),
         ("simulate top -o /dev/null/x.csv", "cannot write /dev/null/x.csv"),
+        ("simulate top -o /dev/null", "is not an ordinary file"),
+        ("simulate top --time 0", "--time 0 leaves nothing to compute"),
+        ("simulate top --theta 0 --steady slow", "--steady wants a tilt"),
+        ("derive 3.5.4", "is a section; derive one of its claims: nutation azimuth friction"),
         ("lecture -o /dev/null/x", "cannot write into /dev/null/x: /dev/null is not a folder"),
     ],
 )
@@ -189,3 +195,55 @@ def test_a_reader_that_leaves_is_no_error() -> None:
     result = subprocess.run(shell, shell=True, capture_output=True, text=True, check=False)
     assert result.stdout.startswith("section")
     assert result.stderr == ""
+
+
+def test_a_link_keeps_its_place(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    target, link = tmp_path / "target.csv", tmp_path / "link.csv"
+    target.write_text("old")
+    link.symlink_to(target)
+    assert main(f"simulate top --time 0.1 --samples 3 -o {link}".split()) == 0
+    assert link.is_symlink()
+    assert target.read_text().startswith("t/s,theta/rad,")
+
+
+def test_a_section_stands_for_its_claims(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", "3.5.4", "--json"]) == 0
+    records = json.loads(capsys.readouterr().out)
+    assert [record["name"] for record in records] == ["nutation", "azimuth", "friction"]
+
+
+def test_rows_too_far_apart_are_said_to_be(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["simulate", "top", "--omega3", "40", "--time", "20"]) == 0
+    assert "a row every 1 s, but a top with this spin nutates in about 0.31 s" in (
+        capsys.readouterr().err
+    )
+    assert main(["simulate", "top", "--omega3", "40", "--time", "1", "--samples", "81"]) == 0
+    assert capsys.readouterr().err == ""
+
+
+def test_interrupt_is_one_line() -> None:
+    code = (
+        "import rigidtop.cli as cli\n"
+        "def stop(options): raise KeyboardInterrupt\n"
+        "cli._list = stop\n"
+        "raise SystemExit(cli.main(['list']))"
+    )
+    result = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False
+    )
+    assert result.returncode == 130
+    assert result.stderr == "\nrigidtop list: interrupted\n"
+
+
+def test_a_full_disk_is_one_line() -> None:
+    if not Path("/dev/full").is_char_device():
+        pytest.skip("there is no /dev/full")
+    result = subprocess.run(
+        f"{sys.executable} -m rigidtop list > /dev/full",
+        shell=True,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert result.returncode == 2
+    assert result.stderr == "rigidtop list: No space left on device\n"

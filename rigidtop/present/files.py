@@ -10,7 +10,14 @@ from rigidtop.errors import RigidtopError
 
 
 def write_whole(path: Path, content: bytes) -> None:
-    """Replace `path` by the content, once all of it is on the disk beside it."""
+    """Replace `path` by the content, once all of it is on the disk beside it.
+
+    A link keeps its place and its target is replaced.  Raises RigidtopError for what is there and
+    is no ordinary file, such as a folder or a device, and where the system refuses.
+    """
+    path = path.resolve()
+    if path.exists() and not path.is_file():
+        raise RigidtopError(f"cannot write {path}: it is there, and is not an ordinary file")
     part = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -32,10 +39,14 @@ def write_all(folder: Path, contents: Mapping[str, bytes]) -> list[Path]:
 
 
 def check_folder(folder: Path | str) -> None:
-    """Raise RigidtopError if files can't be written there: ask before long work, not after it."""
+    """Make the folder, or raise RigidtopError: ask before long work, not after it."""
     path = Path(folder)
     existing = next(p for p in (path, *path.absolute().parents) if p.exists())
     if not existing.is_dir():
         raise RigidtopError(f"cannot write into {path}: {existing} is not a folder")
-    if not os.access(existing, os.W_OK | os.X_OK):
-        raise RigidtopError(f"cannot write into {path}: no permission to write in {existing}")
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise RigidtopError(f"cannot write into {path}: {error.strerror or error}") from error
+    if not os.access(path, os.W_OK | os.X_OK):
+        raise RigidtopError(f"cannot write into {path}: no permission")

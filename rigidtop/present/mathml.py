@@ -196,9 +196,10 @@ def _(node: lay.Brackets) -> str:
 
 @_ml.register
 def _(node: lay.Braced) -> str:
-    brace = '<mo stretchy="true">⏟</mo>'
+    # A stretched ⏟ comes out too short in the cells of a table; a border never does.
+    brace = "border:1px solid;border-top:0;border-radius:0 0 0.35em 0.35em;padding:0 0.1em 0.12em"
     label = _group(f"<mo>≡</mo>{_ml(node.label)}")
-    return f"<munder><munder>{_ml(node.body)}{brace}</munder>{label}</munder>"
+    return f'<munder><mrow style="{brace}">{_ml(node.body)}</mrow>{label}</munder>'
 
 
 @_ml.register

@@ -407,9 +407,9 @@ FIGURES: Sequence[tuple[str, Figure, Callable[[], Canvas]]] = (
         "3.5.4",
         Figure(
             "effective-potential",
-            "The effective potential of a top that is let go at θ₁ = 60° with φ̇ = θ̇ = 0 and "
-            "ω₃ = 40 rad/s. θ runs between the turning points θ₁ and θ₂; the square marks the "
-            "steady precession with the same momenta.",
+            "The effective potential U, less the constant p_ψ²/(2λ₃), of a top that is let go at "
+            "θ₁ = 60° with φ̇ = θ̇ = 0 and ω₃ = 40 rad/s. θ runs between the turning points θ₁ and "
+            "θ₂; the square marks the steady precession with the same momenta.",
             "A valley-shaped curve of the effective potential against theta. A horizontal line at "
             "the energy E meets it at two turning points, 60 degrees and about 74 degrees; the "
             "lowest point lies between them.",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from rigidtop.present.report import Numbers, numbers, tested
+from rigidtop.present.report import Numbers, condition, numbers, tested
 from rigidtop.present.text import text
 from rigidtop.proof.page import Claim, Measure
 from rigidtop.proof.verdict import Finding, Judgement, TestedAssumption, Verdict
@@ -68,9 +68,9 @@ def _where(finding: Finding) -> str:
 
 
 def _assumption(item: TestedAssumption) -> str:
-    condition = text(item.assumption.condition)
+    relation = text(condition(item.assumption))
     words = item.assumption.words.rstrip(".")
-    said = f"{condition} ({words})" if words else condition
+    said = f"{relation} ({words})" if words else relation
     return f"{said} [stated]" if item.assumption.stated else said
 
 

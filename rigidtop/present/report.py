@@ -18,7 +18,7 @@ from rigidtop.present import layout as lay
 from rigidtop.present.layout import Node, Order, layout, width
 from rigidtop.present.text import text
 from rigidtop.proof.equation import Equation, Printed
-from rigidtop.proof.page import Correction, Definition, Measure, Page, Step
+from rigidtop.proof.page import Assumption, Correction, Definition, Measure, Page, Step
 from rigidtop.proof.verdict import Counterexample, Finding, Judgement, TestedAssumption, Verdict
 from rigidtop.theory.symbols import VOCABULARY
 
@@ -313,7 +313,7 @@ def _joined(tested: Sequence[TestedAssumption]) -> Rich:
     pieces: list[str | Node] = []
     for i, item in enumerate(tested):
         pieces.append("; " if i else "")
-        pieces.append(layout(item.assumption.condition))
+        pieces.append(condition(item.assumption))
         if item.assumption.words:
             pieces.append(f" ({item.assumption.words.rstrip('.')})")
     return tuple(piece for piece in pieces if piece != "")
@@ -471,6 +471,14 @@ def tested(judgement: Judgement) -> list[TestedAssumption]:
     return list(once.values())
 
 
+def condition(assumption: Assumption) -> Node:
+    """The relation as it is written; a limit, ε = 0 for the engine, as ε → 0."""
+    relation = layout(assumption.condition)
+    if assumption.otherwise is not None and isinstance(relation, lay.Chain):
+        return replace(relation, signs=("→",))
+    return relation
+
+
 def _conditions(assumed: Sequence[TestedAssumption]) -> tuple[Condition, ...]:
     """Assumptions as they are listed: those with the same words together, one counterexample."""
     together: dict[tuple[str, bool], list[TestedAssumption]] = {}
@@ -482,7 +490,7 @@ def _conditions(assumed: Sequence[TestedAssumption]) -> tuple[Condition, ...]:
 
 
 def _condition(items: Sequence[TestedAssumption]) -> Condition:
-    relations = tuple(dict.fromkeys(layout(item.assumption.condition) for item in items))
+    relations = tuple(dict.fromkeys(condition(item.assumption) for item in items))
     first = items[0].assumption
     return Condition(
         relations[0] if len(relations) == 1 else lay.Listed(relations),

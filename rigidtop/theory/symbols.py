@@ -98,6 +98,8 @@ alpha, beta, delta, theta_0, omega, omega_20 = map(
 )
 sigma2, omega_n2, D, kappa, A, F = map(_real, ("sigma2", "omega_n2", "D", "kappa", "A", "F"))
 mu, n = map(_positive, ("mu", "n"))
+U, U_slope, mean_theta, phidot_slope = map(_real, ("U", "U_slope", "mean_theta", "phidot_slope"))
+follower = _real("follower")
 slip, Edot, Tdot, damping = map(_real, ("slip", "Edot", "Tdot", "damping"))
 r_1, g_k, v_tip, omega_perp, L_later = map(_real, ("r_1", "g_k", "v_tip", "omega_perp", "L_later"))
 A_matrix, B_matrix, C_matrix, unit = map(_real, ("A_matrix", "B_matrix", "C_matrix", "unit"))
@@ -139,6 +141,8 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         O_matrix: Quantity(Glyph("O"), "matrix whose columns are e₁, e₂, e₃", "1"),
         T: Quantity(Glyph("T"), "kinetic energy", "J"),
         V: Quantity(Glyph("V"), "potential energy", "J"),
+        U: Quantity(Glyph("U"), "effective potential of θ", "J"),
+        U_slope: Quantity(Glyph("U", prime=True), "slope of the effective potential", "J"),
         E: Quantity(Glyph("E"), "energy", "J"),
         Lagrangian: Quantity(Glyph("ℒ"), "Lagrangian T − V", "J"),
         L: Quantity(Glyph("L"), "magnitude of the angular momentum", "J s"),
@@ -163,6 +167,8 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         omega_n2: Quantity(Glyph("ω²", "n"), "square of the nutation frequency", "1/s²"),
         A: Quantity(Glyph("A"), "amplitude of the nutation", "rad"),
         delta: Quantity(Glyph("δ"), "a deviation: of a shape, an angle, a start", "1"),
+        mean_theta: Quantity(Glyph("δ", "θ"), "mean of θ less the steady angle", "rad"),
+        phidot_slope: Quantity(Glyph("φ", "θ", "dot"), "slope of φ̇ against θ", "1/s"),
         slip: Quantity(Glyph("v"), "speed of the contact point over the table", "m/s"),
         omega: Quantity(Glyph("ω"), "magnitude of the rotational velocity", "rad/s"),
         omega_20: Quantity(Glyph("ω", "2,0"), "ω₂ at t = 0", "rad/s"),
@@ -235,13 +241,16 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         f_r: Quantity(Glyph("f", bold=True), "force density", "N/m³"),
         R_CM: Quantity(Glyph("R", "CM", bold=True), "centre of mass from the pivot", "m"),
         g_vec: Quantity(Glyph("g", bold=True), "acceleration of gravity as a vector", "m/s²"),
+        follower: Quantity(Glyph("w", bold=True), "a vector that turns along behind ω", ""),
         r_1: Quantity(Glyph("r", "1", bold=True), "position of the first mass", "m"),
         g_k: Quantity(Glyph("g", "k", bold=True), "gravity at particle k", "m/s²"),
         v_tip: Quantity(Glyph("v", "tip", bold=True), "velocity of the contact point", "m/s"),
         omega_perp: Quantity(
             Glyph("ω", "⊥", bold=True), "rotational velocity across the stick", "rad/s"
         ),
-        L_later: Quantity(Glyph("L", "½", bold=True), "angular momentum half a turn later", "J s"),
+        L_later: Quantity(
+            Glyph("L", "later", bold=True), "angular momentum half a turn later", "J s"
+        ),
         F_grav: Quantity(Glyph("F", "grav", bold=True), "weight", "N"),
     }
 )

@@ -402,13 +402,15 @@ def test_a_long_sum_is_broken_before_a_sign():
 def test_mathml_of_an_underbrace(printed):
     made = mathml(printed["3.57b"], "typed")
     brace = (
-        '<munder><munder><mrow><mo form="prefix" fence="true" stretchy="false">(</mo><mrow>'
+        '<munder><mrow style="border:1px solid;border-top:0;border-radius:0 0 0.35em 0.35em;'
+        'padding:0 0.1em 0.12em">'
+        '<mrow><mo form="prefix" fence="true" stretchy="false">(</mo><mrow>'
         '<mover><mi>ψ</mi><mo scriptlevel="0">˙</mo></mover><mo>+</mo><mrow>'
         '<mover><mi>ϕ</mi><mo scriptlevel="0">˙</mo></mover>'
         '<mo>&#x2062;</mo><mspace width="0.1667em"/><mrow><mi>cos</mi><mo>&#x2061;</mo>'
         '<mspace width="0.1667em"/><mi>θ</mi></mrow></mrow></mrow>'
         '<mo form="postfix" fence="true" stretchy="false">)</mo></mrow>'
-        '<mo stretchy="true">⏟</mo></munder>'
+        "</mrow>"
         "<mrow><mo>≡</mo><msub><mi>ω</mi><mn>3</mn></msub></mrow></munder>"
     )
     assert brace in made
