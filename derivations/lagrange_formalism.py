@@ -315,8 +315,9 @@ def two_roots() -> Iterator[Evidence]:
     )
     yield Check(slow_root, {Omega_minus: lead[0] * factor[0]}, (FAST, SPINNING))
     yield Check(fast_root, {Omega_plus: lead[1] * factor[1]}, (FAST, HORIZONTAL))
-    for symbol, series in zip((Omega_minus, Omega_plus), top.steady_expansions(2), strict=True):
-        yield Step(Equation(symbol, series), "To the next order.")
+    slow_series, fast_series = top.steady_expansions(2)
+    yield Step(Equation(Omega_minus, slow_series), "The slow root to the next order.")
+    yield Step(Equation(Omega_plus, fast_series), "The fast root to the next order.")
 
 
 @claim(

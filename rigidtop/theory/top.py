@@ -178,8 +178,8 @@ def leading_roots() -> tuple[Expr, Expr]:
 
 def root_factors() -> tuple[Expr, Expr]:
     """Ω₋ and Ω₊ over what they tend to: 2/(1 + √(1 − 4ε)) and (1 + √(1 − 4ε))/2."""
-    larger = (1 + sympy.sqrt(1 - 4 * s.epsilon)) / 2
-    return 1 / larger, larger
+    larger = 1 + sympy.sqrt(1 - 4 * s.epsilon)
+    return 2 / larger, larger / 2
 
 
 def steady_expansions(order: int = 2) -> tuple[Expr, Expr]:
