@@ -196,8 +196,9 @@ def _(node: lay.Brackets) -> str:
 
 @_ml.register
 def _(node: lay.Braced) -> str:
-    # A stretched ⏟ comes out too short in the cells of a table; a border never does.
-    brace = "border:1px solid;border-top:0;border-radius:0 0 0.35em 0.35em;padding:0 0.1em 0.12em"
+    # A stretched ⏟ comes out too short in the cells of a table; a border never does, and dots are
+    # no fraction bar.
+    brace = "border-bottom:2px dotted;padding-bottom:0.15em"
     label = _group(f"<mo>≡</mo>{_ml(node.label)}")
     return f'<munder><mrow style="{brace}">{_ml(node.body)}</mrow>{label}</munder>'
 

@@ -367,10 +367,15 @@ def _read_html(text: str, i: int) -> tuple[str, int]:
     while end < len(text) and text[end] in MARKS:
         end += 1
     letter = _SHAPES.get(c, c) + text[i + 1 : end]
+    if c.isascii() and text[i + 1 : end] in _DOTS:
+        # Many fonts have no Ṙ, and show an R.
+        dots = _DOTS[text[i + 1 : end]]
+        return f"<math><mover><mi>{c}</mi><mo>{dots}</mo></mover></math>", end
     if _is_vector(text, i, end):
         return f"<b>{letter}</b>", end
     return (f"<i>{letter}</i>" if c not in _UPRIGHT else letter), end
 
 
+_DOTS = {"\u0307": "˙", "\u0308": "¨"}
 _SHAPES = {"φ": "ϕ", "ε": "ϵ"}
 _UPRIGHT = frozenset("ΓΔΘΛΞΠΣΦΨΩℒℝ")

@@ -402,8 +402,7 @@ def test_a_long_sum_is_broken_before_a_sign():
 def test_mathml_of_an_underbrace(printed):
     made = mathml(printed["3.57b"], "typed")
     brace = (
-        '<munder><mrow style="border:1px solid;border-top:0;border-radius:0 0 0.35em 0.35em;'
-        'padding:0 0.1em 0.12em">'
+        '<munder><mrow style="border-bottom:2px dotted;padding-bottom:0.15em">'
         '<mrow><mo form="prefix" fence="true" stretchy="false">(</mo><mrow>'
         '<mover><mi>ψ</mi><mo scriptlevel="0">˙</mo></mover><mo>+</mo><mrow>'
         '<mover><mi>ϕ</mi><mo scriptlevel="0">˙</mo></mover>'
