@@ -15,9 +15,15 @@ from rigidtop.errors import RigidtopError
 TOLERANCE = 1e-12
 """Relative slack in inequalities that a real body may satisfy with equality (a flat body)."""
 
+LARGEST = 1e100
+"""Products of the few numbers that make an energy or a rate stay below the largest float."""
+
+SMALLEST = 1e-100
+"""Their quotients too, when moments, masses, lengths and the like are above this."""
+
 
 def number(name: str, value: Any) -> float:
-    """A finite float."""
+    """A finite float of at most `LARGEST` in magnitude."""
     try:
         if isinstance(value, (str, bytes)):
             raise TypeError
@@ -26,6 +32,10 @@ def number(name: str, value: Any) -> float:
         raise RigidtopError(f"{name} must be a number, not {value!r}") from None
     if not math.isfinite(result):
         raise RigidtopError(f"{name} must be finite, not {result}")
+    if abs(result) > LARGEST:
+        raise RigidtopError(
+            f"{name} must be at most {LARGEST:g} in magnitude, not {result:g}: use other units"
+        )
     return result
 
 
@@ -33,14 +43,20 @@ def positive(name: str, value: Any) -> float:
     result = number(name, value)
     if result <= 0:
         raise RigidtopError(f"{name} must be positive, not {result:g}")
-    return result
+    return _not_tiny(name, result)
 
 
 def not_negative(name: str, value: Any) -> float:
     result = number(name, value)
     if result < 0:
         raise RigidtopError(f"{name} must be zero or positive, not {result:g}")
-    return result
+    return _not_tiny(name, result) if result else result
+
+
+def _not_tiny(name: str, value: float) -> float:
+    if value < SMALLEST:
+        raise RigidtopError(f"{name} must be at least {SMALLEST:g}, not {value:g}: use other units")
+    return value
 
 
 def vector(name: str, value: Any) -> tuple[float, float, float]:
@@ -83,4 +99,6 @@ def times(value: ArrayLike) -> NDArray[np.float64]:
         raise RigidtopError(f"t must be a number or a row of numbers, not of shape {result.shape}")
     if not np.all(np.isfinite(result)):
         raise RigidtopError("t must be finite: it contains NaN or infinity")
+    if np.abs(result).max() > LARGEST:
+        raise RigidtopError(f"t must be at most {LARGEST:g} in magnitude: use other units")
     return result

@@ -7,12 +7,17 @@ a steady precession, although 10⁴ turns of the body, is nothing but a slowly t
 
 The norm of the quaternion is conserved by the equations and not enforced while integrating; the
 attitudes that come out are normalised.
+
+The absolute tolerance is a fraction of what moves: a top that starts 10⁻¹² from the vertical is
+followed as accurately, relative to that, as one that starts at 1.  Should the motion then grow, the
+solver starts afresh with a tolerance to match, before what has been negligible rounding drives its
+steps to nothing.
 """
 
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Literal, cast, get_args
 
@@ -29,6 +34,12 @@ METHODS = get_args(Method)
 
 SMALLEST_RTOL = 2.3e-14
 """`solve_ivp` warns below this, a hundred times the rounding of floats, and does not go lower."""
+
+LARGEST_TOLERANCE = 0.1
+"""A step that is wrong by more than this, in a unit quaternion, is no approximation."""
+
+GROWTH = 100.0
+"""Absolute tolerances are set anew when what they are measured against has grown so much."""
 
 SUBSTEPS = 8
 """A step of the solver is looked at this many times when turns are counted."""
@@ -50,8 +61,14 @@ class Accuracy:
             raise RigidtopError(f"unknown method {self.method!r}: {', '.join(METHODS)}")
         if checks.number("rtol", self.rtol) < SMALLEST_RTOL:
             raise RigidtopError(f"rtol must be at least {SMALLEST_RTOL:g}, not {self.rtol:g}")
-        checks.not_negative("atol", self.atol)
+        checks.positive("atol", self.atol)
+        for name, value in (("rtol", self.rtol), ("atol", self.atol)):
+            if value > LARGEST_TOLERANCE:
+                raise RigidtopError(f"{name} must be at most {LARGEST_TOLERANCE:g}, not {value:g}")
 
+
+Sizes = Callable[[Floats], Floats]
+"""A state (n,) in, what multiplies `atol` for each component (n,) out, none of them zero."""
 
 Path = Callable[[Floats], Floats]
 """Times (N,) in, states (n, N) out."""
@@ -65,33 +82,61 @@ class Flow:
     steps: Floats
 
 
-def flow(rates: Rates, start: Floats, end: float, accuracy: Accuracy) -> Flow:
+def flow(rates: Rates, start: Floats, end: float, accuracy: Accuracy, sizes: Sizes) -> Flow:
     """Integrate ẋ = rates(x) from t = 0 to `end`, which may be negative.
 
     Raises RigidtopError with the solver's message when it does not arrive.
     """
+    stages = list(_stages(rates, start, end, accuracy, sizes))
+    # Where each stage but the last hands over to the next.
+    breaks = np.abs([steps[-1] for _, steps in stages[:-1]])
+
+    def path(times: Floats) -> Floats:
+        stage = np.searchsorted(breaks, np.abs(times))
+        states = np.empty((len(start), len(times)))
+        for k in np.unique(stage):
+            states[:, stage == k] = stages[k][0](times[stage == k])
+        return states
+
+    return Flow(path, np.concatenate([np.zeros(1), *(steps[1:] for _, steps in stages)]))
+
+
+def _stages(
+    rates: Rates, start: Floats, end: float, accuracy: Accuracy, sizes: Sizes
+) -> Iterator[tuple[Path, Floats]]:
+    """The motion from 0 to `end` as paths, each with the times of its steps; usually one."""
 
     def right_hand_side(_: float, state: Floats) -> tuple[float, ...]:
         return rates(state.tolist())  # plain floats: several times faster than NumPy's
 
     if not np.all(np.isfinite(right_hand_side(0.0, start))):
         raise RigidtopError("the rates overflow at the start: the velocities are too large")
-    with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", category=UserWarning, message="lsoda")
-        solution = solve_ivp(
-            right_hand_side,
-            (0.0, end),
-            start,
-            method=cast(Method, accuracy.method),
-            rtol=accuracy.rtol,
-            atol=accuracy.atol,
-            dense_output=True,
-        )
-    path = solution.sol
-    if path is None or solution.status != 0 or not np.all(np.isfinite(solution.y[:, -1])):
-        reached = f"t = {solution.t[-1]:g} on the way to {end:g}"
-        raise RigidtopError(f"the integration stopped at {reached}: {solution.message}")
-    return Flow(path, solution.t)
+    time, state = 0.0, start
+    while time != end:
+        unit = sizes(state)
+
+        def growth(_: float, state: Floats, unit: Floats = unit) -> float:
+            return float(np.max(sizes(state) / unit)) - GROWTH
+
+        growth.terminal = True  # type: ignore[attr-defined]
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", category=UserWarning, message="lsoda")
+            solution = solve_ivp(
+                right_hand_side,
+                (time, end),
+                state,
+                method=cast(Method, accuracy.method),
+                rtol=accuracy.rtol,
+                atol=accuracy.atol * unit,
+                dense_output=True,
+                events=growth,
+            )
+        time, state = float(solution.t[-1]), solution.y[:, -1]
+        path = solution.sol
+        if path is None or solution.status < 0 or not np.all(np.isfinite(state)):
+            reached = f"t = {time:g} on the way to {end:g}"
+            raise RigidtopError(f"the integration stopped at {reached}: {solution.message}")
+        yield path, solution.t
 
 
 def on_both_sides(
@@ -99,6 +144,7 @@ def on_both_sides(
     start: Floats,
     times: Floats,
     accuracy: Accuracy,
+    sizes: Sizes,
     sample: Callable[[Flow, Floats], Floats],
 ) -> Floats:
     """`sample`, of the flows to the latest and to the earliest time, in the order of `times`.
@@ -115,7 +161,7 @@ def on_both_sides(
         if end == 0:
             motion = Flow(lambda t: np.repeat(start[:, None], len(t), axis=1), np.zeros(1))
         else:
-            motion = flow(rates, start, end, accuracy)
+            motion = flow(rates, start, end, accuracy, sizes)
         values = sample(motion, ordered)
         if rows is None:
             rows = np.empty((len(values), len(times)))

@@ -25,6 +25,9 @@ if TYPE_CHECKING:
 MOST_TURNS = 1e7
 """No integration goes on for longer: it would run for hours and fill the memory."""
 
+SMALLEST_SIZE = 1e-150
+"""Motions smaller than this are not resolved: tolerances and squares would be near underflow."""
+
 
 @dataclass(frozen=True, eq=False)
 class Motion:
@@ -52,11 +55,27 @@ class Motion:
         """The motion at the times `t`, integrated from the initial state at t = 0.
 
         `t` (s) is a float or a row of N floats in any order, also negative; the result has one row
-        for each, in that order.  `method` is one of `scipy.integrate.solve_ivp`, `rtol` and `atol`
-        are its tolerances for one step, on the components of the unit quaternion and of ω (rad/s).
+        for each, in that order.  `method` is one of `scipy.integrate.solve_ivp`.
 
-        Raises RigidtopError for times that are not finite or too late, for an unknown method, and,
-        with the solver's message, when the solver does not reach the last time.
+        `rtol` and `atol` are its tolerances for one step, on the components of the unit quaternion
+        and of ω: at most rtol |x| + atol s for a component x.  The size s is 1 (1 rad/s for ω), or
+        less where less moves, so that a small motion is as accurate, relative to itself, as a large
+        one.  With ν the rate of the motion, √(Mg|R|/λ) plus the rotational velocity, s for ω is
+
+        - of a symmetric body under gravity, a times the smaller of 1 and ν, and a also for the
+          quaternion, where a ≤ 1 is how far the axis is from the vertical, or soon will be: the
+          larger of sin θ (about) and |(ω₁, ω₂)|/ν;
+        - of a free body, |ω| or, if that is less, the part of ω across the nearest principal axis;
+          the quaternion of one that is symmetric about e₃ has a as above;
+        - of any other heavy body ν.  A small motion about an upright or hanging axis is resolved to
+          `atol` there, not relative to its own size: such a motion needs a smaller `atol`.
+
+        s follows a motion that grows, and not one that shrinks: what is small only in passing has
+        the errors of the large motion around it.
+
+        Raises RigidtopError for times that are not finite or too late, for an unknown method, for
+        tolerances that are zero or above 0.1, when they turn out too coarse, and, with the solver's
+        message, when the solver does not reach the last time.
         """
         times = self._times(t)
         states = on_both_sides(
@@ -64,6 +83,7 @@ class Motion:
             self._initial(),
             times,
             Accuracy(method, rtol, atol),
+            self._sizes,
             lambda flow, ordered: flow.path(ordered),
         )
         return Trajectory(self, times, *self._attitudes(states, times))
@@ -92,8 +112,34 @@ class Motion:
         omega = self.omega[:2] if self.body.symmetric else self.omega
         return np.concatenate([attitudes.quaternions(self.attitude), omega])
 
+    def _sizes(self, state: Floats) -> Floats:
+        """What `atol` is measured against, for each component of the state: see `integrate`."""
+        moments, weight = self.body.moments, math.hypot(*self.body.weight)
+        rates = [abs(rate) for rate in state[4:].tolist()]
+        speed = math.hypot(*rates)
+        if self.body.symmetric:
+            q0, q1, q2, q3 = state[:4].tolist()
+            nu = moments[2] / moments[0] * abs(self.omega[2]) + math.sqrt(weight / moments[0])
+            nu += speed
+            sine = 2 * min(math.hypot(q0, q3), math.hypot(q1, q2))
+            tilt = min(1.0, max(sine, speed / nu if nu else 0.0))
+            across = speed
+        else:
+            nu = speed + math.sqrt(weight / min(moments))
+            tilt, across = 1.0, math.hypot(*sorted(rates)[:2])
+        turning = tilt * min(1.0, nu) if weight else min(1.0, across)
+        # Where nothing moves, nothing will: any size does.
+        sizes = [tilt or 1.0] * 4 + [turning or 1.0] * len(rates)
+        return np.maximum(sizes, SMALLEST_SIZE)
+
     def _attitudes(self, states: Floats, times: Floats) -> tuple[Rotation, Floats]:
         """Attitudes and ω of states (n, N), with the turn about e₃ put back."""
+        norms = np.linalg.norm(states[:4].reshape(4, -1), axis=0)
+        if not np.all((norms > 0.5) & (norms < 2)):  # also NaN
+            raise RigidtopError(
+                "the integration lost the attitude, its quaternion is far from a unit: "
+                "smaller rtol and atol are needed"
+            )
         frame = Rotation.from_quat(np.roll(states[:4].reshape(4, -1).T, -1, axis=1))
         if not self.body.symmetric:
             return frame, states[4:].reshape(3, -1).T
@@ -148,7 +194,7 @@ class TopMotion(Motion):
             return np.concatenate([flow.path(ordered), counted])
 
         accuracy = Accuracy(method, rtol, atol)
-        states = on_both_sides(self._rates(), self._initial(), times, accuracy, sample)
+        states = on_both_sides(self._rates(), self._initial(), times, accuracy, self._sizes, sample)
         half_sum, half_difference = states[6:]
         return TopTrajectory(
             self,

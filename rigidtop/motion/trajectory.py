@@ -77,13 +77,14 @@ class Trajectory:
         kinetic = float(np.dot(body.moments, np.square(self.motion.omega))) / 2
         energy = kinetic + float(np.linalg.norm(body.weight))
         scales = {"energy": energy or 1.0}
-        momentum = float(np.sqrt(2 * max(body.moments) * energy)) or 1.0
+        # As a product of roots it does not overflow.
+        momentum = float(np.sqrt(2 * max(body.moments)) * np.sqrt(energy)) or 1.0
         initial = start.conserved()
         drifts = {}
         for name, values in self.conserved().items():
             change = (values - initial[name]).reshape(len(self.t), -1)
-            scale = scales.get(name, momentum)
-            drifts[name] = float(np.linalg.norm(change, axis=1).max() / scale)
+            relative = change / scales.get(name, momentum)  # before it is squared: no overflow
+            drifts[name] = float(np.linalg.norm(relative, axis=1).max())
         return drifts
 
 

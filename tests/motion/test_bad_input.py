@@ -118,7 +118,12 @@ def test_starts(start, says):
         ({"t": "soon"}, "t must be a number or an array of numbers, not 'soon'"),
         ({"t": 1.0, "method": "Euler"}, "unknown method 'Euler': DOP853, RK45, RK23, Radau"),
         ({"t": 1.0, "rtol": 0.0}, "rtol must be at least 2.3e-14, not 0"),
-        ({"t": 1.0, "atol": -1.0}, "atol must be zero or positive"),
+        ({"t": 1.0, "rtol": 1e5, "atol": 1e5}, "rtol must be at most 0.1, not 100000"),
+        ({"t": 1.0, "atol": -1.0}, "atol must be positive, not -1"),
+        ({"t": 1.0, "atol": 0.0}, "atol must be positive, not 0"),
+        ({"t": 1.0, "atol": 1e-120}, "atol must be at least 1e-100, not 1e-120"),
+        ({"t": 1.0, "atol": 0.2}, "atol must be at most 0.1, not 0.2"),
+        ({"t": [0, -1e101]}, r"t must be at most 1e\+100 in magnitude: use other units"),
         ({"t": 1e20}, r"turns: at most 1e\+07"),
     ],
 )
@@ -156,9 +161,68 @@ def test_what_is_not_a_number_is_not_passed_on(monkeypatch):
         TOP.motion(**TILTED).integrate(1.0)
 
 
+@pytest.mark.parametrize("norm", [0.0, 1e-3, 1e3, math.nan])
+def test_a_quaternion_that_is_no_attitude(monkeypatch, norm):
+    from rigidtop.motion import integrate
+
+    class Coarse:
+        status, message, t = 0, "The solver says that it arrived.", np.array([0, 1.0])
+        y = np.full((6, 2), 0.5)
+
+        @staticmethod
+        def sol(t):
+            return np.full((6, len(t)), norm / 2)
+
+    monkeypatch.setattr(integrate, "solve_ivp", lambda *_, **__: Coarse)
+    with pytest.raises(rt.RigidtopError, match="smaller rtol and atol are needed") as caught:
+        TOP.motion(**TILTED).integrate(1.0)
+    assert "\n" not in str(caught.value)
+
+
 def test_rates_that_overflow():
+    from rigidtop.motion.integrate import Accuracy, flow
+
     with pytest.raises(rt.RigidtopError, match="the velocities are too large"):
-        TOP.motion(theta=1.0, theta_dot=1e200, omega3=1e200).integrate(1e-200)
+        flow(lambda _: (math.inf,), np.ones(1), 1.0, Accuracy(), np.ones_like)
+
+
+@pytest.mark.parametrize(
+    ("make", "says"),
+    [
+        (lambda: rt.FreeBody(1e300, 1e300, 1e300), r"lambda1 must be at most 1e\+100 in magnitude"),
+        (lambda: rt.FreeBody(1e-300, 1.0, 1.0), "lambda1 must be at least 1e-100, not 1e-300"),
+        (lambda: rt.HeavyTop(**{**GOOD, "M": 1e101}), r"M must be at most 1e\+100"),
+        (lambda: rt.HeavyTop(**{**GOOD, "R": 1e-101}), "R must be at least 1e-100"),
+        (
+            lambda: rt.HeavyBody(1, 1, 1, 1.0, (0, -1e200, 0)),
+            r"centre_of_mass\[1\] must be at most",
+        ),
+        (
+            lambda: TOP.motion(theta=1.0, omega3=1e200),
+            r"omega3 must be at most 1e\+100 in .* 1e\+200",
+        ),
+        (lambda: rt.FreeBody(1, 1, 1).motion(omega=(0, 0, -1e101)), r"omega\[2\] must be at most"),
+        (lambda: TOP.steady_precession(1.0, 1e101), "omega3 must be at most"),
+    ],
+)
+def test_absurd_sizes(make, says):
+    with pytest.raises(rt.RigidtopError, match=says) as caught:
+        make()
+    assert str(caught.value).endswith(": use other units")
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("moment", [2e-100, 5e99])
+@pytest.mark.parametrize("rate", [1e-100, 1e100])
+@pytest.mark.filterwarnings("error")
+def test_sizes_that_are_not_refused_do_not_overflow(moment, rate):
+    for moments in ((moment, moment, moment), (moment, moment, 1.5 * moment)):
+        motion = rt.FreeBody(*moments).motion(omega=(rate, rate / 2, rate / 3))
+        run = motion.integrate(min(3 / rate, 1e100))
+        assert max(run.drift().values()) < 1e-9
+    top = rt.HeavyTop(lambda1=moment, lambda3=moment, M=moment, R=0.5)
+    run = top.motion(theta=0.5, omega3=rate).integrate(min(3 / rate, 3.0))
+    assert max(run.drift().values()) < 1e-9
 
 
 def test_polar_angles_of_rates():
