@@ -58,17 +58,12 @@ class Motion:
         for each, in that order.  `method` is one of `scipy.integrate.solve_ivp`.
 
         `rtol` and `atol` are its tolerances for one step, on the components of the unit quaternion
-        and of ω: at most rtol |x| + atol s for a component x.  The size s is 1 (1 rad/s for ω), or
-        less where less moves, so that a small motion is as accurate, relative to itself, as a large
-        one.  With ν the rate of the motion, √(Mg|R|/λ) plus the rotational velocity, s for ω is
-
-        - of a symmetric body under gravity, a times the smaller of 1 and ν, and a also for the
-          quaternion, where a ≤ 1 is how far the axis is from the vertical, or soon will be: the
-          larger of sin θ (about) and |(ω₁, ω₂)|/ν;
-        - of a free body, |ω| or, if that is less, the part of ω across the nearest principal axis;
-          the quaternion of one that is symmetric about e₃ has a as above;
-        - of any other heavy body ν.  A small motion about an upright or hanging axis is resolved to
-          `atol` there, not relative to its own size: such a motion needs a smaller `atol`.
+        and of ω (rad/s): rtol |x| + atol s for a component x.  The size s is 1, but for a symmetric
+        body s is less where less moves, so that a small motion is as accurate, relative to itself,
+        as a large one.  It is the larger of sin θ and |(ω₁, ω₂)|/ν, at most 1, with
+        ν = λ₃|ω₃|/λ₁ + √(MgR/λ₁) + |(ω₁, ω₂)|: how far the axis is from the vertical, or soon will
+        be.  For ω of a free body it is |(ω₁, ω₂)|, at most 1.  A small motion about the vertical of
+        a heavy body without symmetry is resolved to `atol`, and needs a smaller one.
 
         s follows a motion that grows, and not one that shrinks: what is small only in passing has
         the errors of the large motion around it.
@@ -114,22 +109,17 @@ class Motion:
 
     def _sizes(self, state: Floats) -> Floats:
         """What `atol` is measured against, for each component of the state: see `integrate`."""
-        moments, weight = self.body.moments, math.hypot(*self.body.weight)
-        rates = [abs(rate) for rate in state[4:].tolist()]
-        speed = math.hypot(*rates)
-        if self.body.symmetric:
-            q0, q1, q2, q3 = state[:4].tolist()
-            nu = moments[2] / moments[0] * abs(self.omega[2]) + math.sqrt(weight / moments[0])
-            nu += speed
-            sine = 2 * min(math.hypot(q0, q3), math.hypot(q1, q2))
-            tilt = min(1.0, max(sine, speed / nu if nu else 0.0))
-            across = speed
-        else:
-            nu = speed + math.sqrt(weight / min(moments))
-            tilt, across = 1.0, math.hypot(*sorted(rates)[:2])
-        turning = tilt * min(1.0, nu) if weight else min(1.0, across)
+        if not self.body.symmetric:
+            return np.ones(len(state))
+        (across, _, along), weight = self.body.moments, self.body.weight[2]
+        q0, q1, q2, q3, omega1, omega2 = state.tolist()
+        speed = math.hypot(omega1, omega2)
+        nu = along / across * abs(self.omega[2]) + math.sqrt(abs(weight) / across) + speed
+        sine = 2 * min(math.hypot(q0, q3), math.hypot(q1, q2))
+        tilt = min(1.0, max(sine, speed / nu if nu else 0.0))
+        turning = tilt if weight else min(1.0, speed)
         # Where nothing moves, nothing will: any size does.
-        sizes = [tilt or 1.0] * 4 + [turning or 1.0] * len(rates)
+        sizes = [tilt or 1.0] * 4 + [turning or 1.0] * 2
         return np.maximum(sizes, SMALLEST_SIZE)
 
     def _attitudes(self, states: Floats, times: Floats) -> tuple[Rotation, Floats]:

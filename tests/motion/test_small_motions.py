@@ -140,3 +140,14 @@ def test_a_free_body_close_to_its_stable_axis(small):
     run = rt.FreeBody(1.0, 2.0, 2.5).motion(omega=(small, 0.0, 2.0)).integrate(t)
     rate = 2 * math.sqrt(1.5 * 0.5 / 2)
     assert run.omega[:, 0] == pytest.approx(small * np.cos(rate * t), abs=2e-8 * small)
+
+
+@pytest.mark.parametrize("small", [1e-6, 1e-10, 1e-14])
+def test_a_free_symmetric_body_far_from_the_vertical(small):
+    """(ω₁, ω₂) goes round at the rate ω₃(λ₃ − λ₁)/λ₁, however small it is."""
+    t = np.linspace(0, 20, 101)
+    attitude = Rotation.from_rotvec([0.3, 1.0, -0.5])
+    body = rt.FreeBody(2.0, 2.0, 1.0)
+    run = body.motion(omega=(small, 0.0, 3.0), attitude=attitude).integrate(t)
+    across = small * np.exp(-1.5j * t)
+    assert np.max(abs(run.omega[:, 0] + 1j * run.omega[:, 1] - across)) < 1e-9 * small
