@@ -310,7 +310,7 @@ def space_cone() -> Iterator[Evidence]:
     with as_printed():
         axis = Equation(e3dot, Cross(L_vec / lambda1, e3))
         omega_rate = Equation(Rate(omega_vec, SPACE), Cross(L_vec / lambda1, omega_vec))
-        rate = Equation(Omega_s, L / lambda1)
+        rate = Equation(Omega_s**2, Group(L / lambda1) ** 2)
     momentum = angular_momentum()
     meaning = {
         e3: Matrix(Z_AXIS),
@@ -327,12 +327,16 @@ def space_cone() -> Iterator[Evidence]:
         "The rate of ω is the same in both frames, since ω × ω = 0.",
         printed=False,
     )
-    # ω = (Ω_s/L) L + (…) e₃: the first component decides Ω_s.
-    magnitude = momentum.dot(momentum) ** Rational(1, 2)
+    # A vector that turns about L at Ω_s moves with Ω_s times its distance from the axis.
+    axis_rate, across = Matrix(OMEGA).cross(Matrix(Z_AXIS)), momentum.cross(Matrix(Z_AXIS))
+    squared = momentum.dot(momentum)
+    turning = squared * axis_rate.dot(axis_rate) / across.dot(across)
     yield Check(
         rate,
-        {Omega_s: magnitude * omega1 / momentum[0], L: magnitude},
-        reason="Its magnitude.",
+        {Omega_s: turning ** Rational(1, 2), L: squared ** Rational(1, 2)},
+        (SYMMETRIC,),
+        "The speed of e₃ over its distance from the axis L, squared.",
+        printed=False,
     )
     yield from evidence.space_cone()
 
