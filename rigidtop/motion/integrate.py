@@ -1,5 +1,7 @@
 """Motions by `scipy.integrate.solve_ivp`, in quaternions: no attitude is a special place.
 
+`rigidtop.motion.taylor` does the same by Taylor series.
+
 A body that is symmetric about e₃, with its centre of mass on e₃, is integrated in the frame that
 follows e₃ without turning about it (`rigidtop.motion.equations.heavy_top`); the turn about e₃,
 which is ω₃t exactly, is put back afterwards.  A fast spin then costs no steps and no accuracy, and
@@ -17,23 +19,30 @@ steps to nothing.
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Literal, cast, get_args
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks
 from rigidtop.motion.attitude import Complexes, Floats, spinors
 from rigidtop.motion.equations import Rates
+from rigidtop.motion.systems import Sizes, System
 
 Method = Literal["DOP853", "RK45", "RK23", "Radau", "BDF", "LSODA"]
-METHODS = get_args(Method)
+TAYLOR = "taylor"
+METHODS = (*get_args(Method), TAYLOR)
 
 SMALLEST_RTOL = 2.3e-14
 """`solve_ivp` warns below this, a hundred times the rounding of floats, and does not go lower."""
+
+ROUNDING = 2.3e-16
+"""No series is better than the rounding of floats, 2⁻⁵²."""
 
 LARGEST_TOLERANCE = 0.1
 """A step that is wrong by more than this, in a unit quaternion, is no approximation."""
@@ -50,7 +59,7 @@ BISECTIONS = 40
 
 @dataclass(frozen=True)
 class Accuracy:
-    """How `solve_ivp` is to work."""
+    """How a solver is to work; what `atol` is to `solve_ivp`, Taylor series do not need."""
 
     method: str = "DOP853"
     rtol: float = 1e-10
@@ -59,16 +68,14 @@ class Accuracy:
     def __post_init__(self) -> None:
         if self.method not in METHODS:
             raise RigidtopError(f"unknown method {self.method!r}: {', '.join(METHODS)}")
-        if checks.number("rtol", self.rtol) < SMALLEST_RTOL:
-            raise RigidtopError(f"rtol must be at least {SMALLEST_RTOL:g}, not {self.rtol:g}")
+        smallest = ROUNDING if self.method == TAYLOR else SMALLEST_RTOL
+        if checks.number("rtol", self.rtol) < smallest:
+            raise RigidtopError(f"rtol must be at least {smallest:g}, not {self.rtol:g}")
         checks.positive("atol", self.atol)
         for name, value in (("rtol", self.rtol), ("atol", self.atol)):
             if value > LARGEST_TOLERANCE:
                 raise RigidtopError(f"{name} must be at most {LARGEST_TOLERANCE:g}, not {value:g}")
 
-
-Sizes = Callable[[Floats], Floats]
-"""A state (n,) in, what multiplies `atol` for each component (n,) out, none of them zero."""
 
 Path = Callable[[Floats], Floats]
 """Times (N,) in, states (n, N) out."""
@@ -82,29 +89,42 @@ class Flow:
     steps: Floats
 
 
+Flows = Callable[[float], Flow]
+"""The last time in, the flow up to there out."""
+
+Progress = Callable[[int, int], None]
+"""Is told how many motions of how many are done."""
+
+
 def flow(rates: Rates, start: Floats, end: float, accuracy: Accuracy, sizes: Sizes) -> Flow:
     """Integrate ẋ = rates(x) from t = 0 to `end`, which may be negative.
 
     Raises RigidtopError with the solver's message when it does not arrive.
     """
-    stages = list(_stages(rates, start, end, accuracy, sizes))
-    # Where each stage but the last hands over to the next.
-    breaks = np.abs([steps[-1] for _, steps in stages[:-1]])
+    return joined(list(_stages(rates, start, end, accuracy, sizes)))
+
+
+def joined(pieces: Sequence[Flow]) -> Flow:
+    """Flows that follow one another, the first from t = 0, as one."""
+    # Where each piece but the last hands over to the next.
+    breaks = np.abs([piece.steps[-1] for piece in pieces[:-1]])
 
     def path(times: Floats) -> Floats:
-        stage = np.searchsorted(breaks, np.abs(times))
-        states = np.empty((len(start), len(times)))
-        for k in np.unique(stage):
-            states[:, stage == k] = stages[k][0](times[stage == k])
+        at = np.searchsorted(breaks, np.abs(times))
+        # In no piece without a time: none is evaluated for nothing.
+        parts = {k: pieces[k].path(times[at == k]) for k in np.unique(at)}
+        states = np.empty((len(next(iter(parts.values()))), len(times)))
+        for k, part in parts.items():
+            states[:, at == k] = part
         return states
 
-    return Flow(path, np.concatenate([np.zeros(1), *(steps[1:] for _, steps in stages)]))
+    return Flow(path, np.concatenate([np.zeros(1), *(piece.steps[1:] for piece in pieces)]))
 
 
 def _stages(
     rates: Rates, start: Floats, end: float, accuracy: Accuracy, sizes: Sizes
-) -> Iterator[tuple[Path, Floats]]:
-    """The motion from 0 to `end` as paths, each with the times of its steps; usually one."""
+) -> Iterator[Flow]:
+    """The motion from 0 to `end` in pieces; usually one."""
 
     def right_hand_side(_: float, state: Floats) -> tuple[float, ...]:
         return rates(state.tolist())  # plain floats: several times faster than NumPy's
@@ -136,38 +156,66 @@ def _stages(
         if path is None or solution.status < 0 or not np.all(np.isfinite(state)):
             reached = f"t = {time:g} on the way to {end:g}"
             raise RigidtopError(f"the integration stopped at {reached}: {solution.message}")
-        yield path, solution.t
+        yield Flow(path, solution.t)
+
+
+def sides(times: Floats) -> Iterator[tuple[NDArray[np.intp], Floats]]:
+    """`times` ≥ 0 and then those < 0, each with where they stood, increasing in magnitude."""
+    for side in (times >= 0, times < 0):
+        rows = np.flatnonzero(side)
+        if len(rows):
+            rows = rows[np.argsort(np.abs(times[rows]), kind="stable")]
+            yield rows, times[rows]
 
 
 def on_both_sides(
-    rates: Rates,
-    start: Floats,
-    times: Floats,
-    accuracy: Accuracy,
-    sizes: Sizes,
-    sample: Callable[[Flow, Floats], Floats],
+    flows: Flows, start: Floats, times: Floats, sample: Callable[[Flow, Floats], Floats]
 ) -> Floats:
     """`sample`, of the flows to the latest and to the earliest time, in the order of `times`.
 
     `sample` gives (n, N) for N times, which increase in magnitude from 0.
     """
-    rows: Floats | None = None
-    for side in (times >= 0, times < 0):
-        if not side.any():
-            continue
-        order = np.argsort(np.abs(times[side]), kind="stable")
-        ordered = times[side][order]
+    parts = []
+    for rows, ordered in sides(times):
         end = float(ordered[-1])
         if end == 0:
             motion = Flow(lambda t: np.repeat(start[:, None], len(t), axis=1), np.zeros(1))
         else:
-            motion = flow(rates, start, end, accuracy, sizes)
-        values = sample(motion, ordered)
-        if rows is None:
-            rows = np.empty((len(values), len(times)))
-        rows[:, np.flatnonzero(side)[order]] = values
-    assert rows is not None  # times is not empty
-    return rows
+            motion = flows(end)
+        parts.append((rows, sample(motion, ordered)))
+    states = np.empty((len(parts[0][1]), len(times)))
+    for rows, part in parts:
+        states[:, rows] = part
+    return states
+
+
+def grid(
+    system: System,
+    parameters: Floats,
+    start: Floats,
+    times: Floats,
+    accuracy: Accuracy,
+    progress: Progress | None = None,
+) -> Floats:
+    """The states (T, n, N) of N motions at common `times` (T,), in any order, also negative.
+
+    `parameters` (P, N) are those of the system's equations, `start` (n, N) the states at t = 0.
+    One motion after the other; `progress` is called with the number of those done, and N.
+    """
+    total = start.shape[1]
+    states = np.empty((len(times), system.variables, total))
+    for k, (constants, first) in enumerate(zip(parameters.T.tolist(), start.T, strict=True)):
+        flows = partial(
+            flow,
+            system.equations(*constants),
+            first,
+            accuracy=accuracy,
+            sizes=system.sizes(constants),
+        )
+        states[..., k] = on_both_sides(flows, first, times, lambda motion, t: motion.path(t)).T
+        if progress is not None:
+            progress(k + 1, total)
+    return states
 
 
 def counted_phases(

@@ -12,9 +12,17 @@ from scipy.spatial.transform import Rotation
 
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
-from rigidtop.motion import checks, equations
+from rigidtop.motion import checks, systems, taylor
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.integrate import Accuracy, Flow, counted_phases, on_both_sides
+from rigidtop.motion.integrate import (
+    TAYLOR,
+    Accuracy,
+    Flow,
+    Flows,
+    counted_phases,
+    flow,
+    on_both_sides,
+)
 from rigidtop.motion.trajectory import TopTrajectory, Trajectory
 
 if TYPE_CHECKING:
@@ -24,9 +32,6 @@ if TYPE_CHECKING:
 
 MOST_TURNS = 1e7
 """No integration goes on for longer: it would run for hours and fill the memory."""
-
-SMALLEST_SIZE = 1e-150
-"""Motions smaller than this are not resolved: tolerances and squares would be near underflow."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +60,8 @@ class Motion:
         """The motion at the times `t`, integrated from the initial state at t = 0.
 
         `t` (s) is a float or a row of N floats in any order, also negative; the result has one row
-        for each, in that order.  `method` is one of `scipy.integrate.solve_ivp`.
+        for each, in that order.  `method` is one of `scipy.integrate.solve_ivp`, or
+        "taylor", the Taylor series of heyoka (``pip install 'rigidtop[taylor]'``).
 
         `rtol` and `atol` are its tolerances for one step, on the components of the unit quaternion
         and of ω (rad/s): rtol |x| + atol s for a component x.  The size s is 1, but for a symmetric
@@ -68,18 +74,20 @@ class Motion:
         s follows a motion that grows, and not one that shrinks: what is small only in passing has
         the errors of the large motion around it.
 
+        For "taylor" `rtol`, down to 2.3e-16, bounds what a step leaves out of the series, relative
+        to 1 in the quaternion and to a rate of the motion (1/s) in ω; steps are short enough for
+        small motions to be as accurate, relative to themselves.  `atol` plays no part.
+
         Raises RigidtopError for times that are not finite or too late, for an unknown method, for
         tolerances that are zero or above 0.1, when they turn out too coarse, and, with the solver's
         message, when the solver does not reach the last time.
         """
         times = self._times(t)
         states = on_both_sides(
-            self._rates(),
+            self._flows(Accuracy(method, rtol, atol)),
             self._initial(),
             times,
-            Accuracy(method, rtol, atol),
-            self._sizes,
-            lambda flow, ordered: flow.path(ordered),
+            lambda motion, ordered: motion.path(ordered),
         )
         return Trajectory(self, times, *self._attitudes(states, times))
 
@@ -95,32 +103,24 @@ class Motion:
             )
         return times
 
-    def _rates(self) -> equations.Rates:
+    def _flows(self, accuracy: Accuracy) -> Flows:
+        """The motion from t = 0 on, as `accuracy` says."""
+        system = systems.TOP if self.body.symmetric else systems.BODY
         moments, weight = self.body.moments, self.body.weight
         # M and g occur in nothing but the product M g R, which `weight` is.
+        parameters: tuple[float, ...] = (*moments, 1.0, 1.0, *weight)
         if self.body.symmetric:
-            return equations.heavy_top(moments[0], moments[2], 1.0, 1.0, weight[2], self.omega[2])
-        return equations.heavy_body(*moments, 1.0, 1.0, *weight)
+            parameters = moments[0], moments[2], 1.0, 1.0, weight[2], self.omega[2]
+        start = self._initial()
+        if accuracy.method == TAYLOR:
+            return lambda end: taylor.flow(system, parameters, start, end, accuracy)
+        rates, sizes = system.equations(*parameters), system.sizes(parameters)
+        return lambda end: flow(rates, start, end, accuracy, sizes)
 
     def _initial(self) -> Floats:
         """The state at t = 0: q and ω, or ω₁ and ω₂ alone for a symmetric body."""
         omega = self.omega[:2] if self.body.symmetric else self.omega
         return np.concatenate([attitudes.quaternions(self.attitude), omega])
-
-    def _sizes(self, state: Floats) -> Floats:
-        """What `atol` is measured against, for each component of the state: see `integrate`."""
-        if not self.body.symmetric:
-            return np.ones(len(state))
-        (across, _, along), weight = self.body.moments, self.body.weight[2]
-        q0, q1, q2, q3, omega1, omega2 = state.tolist()
-        speed = math.hypot(omega1, omega2)
-        nu = along / across * abs(self.omega[2]) + math.sqrt(abs(weight) / across) + speed
-        sine = 2 * min(math.hypot(q0, q3), math.hypot(q1, q2))
-        tilt = min(1.0, max(sine, speed / nu if nu else 0.0))
-        turning = tilt if weight else min(1.0, speed)
-        # Where nothing moves, nothing will: any size does.
-        sizes = [tilt or 1.0] * 4 + [turning or 1.0] * 2
-        return np.maximum(sizes, SMALLEST_SIZE)
 
     def _attitudes(self, states: Floats, times: Floats) -> tuple[Rotation, Floats]:
         """Attitudes and ω of states (n, N), with the turn about e₃ put back."""
@@ -179,12 +179,12 @@ class TopMotion(Motion):
         precession = self.body.lambda3 * spin / (2 * self.body.lambda1)
         idle = -precession, precession
 
-        def sample(flow: Flow, ordered: Floats) -> Floats:
-            counted = counted_phases(flow, ordered, phases, idle)
-            return np.concatenate([flow.path(ordered), counted])
+        def sample(motion: Flow, ordered: Floats) -> Floats:
+            counted = counted_phases(motion, ordered, phases, idle)
+            return np.concatenate([motion.path(ordered), counted])
 
-        accuracy = Accuracy(method, rtol, atol)
-        states = on_both_sides(self._rates(), self._initial(), times, accuracy, self._sizes, sample)
+        flows = self._flows(Accuracy(method, rtol, atol))
+        states = on_both_sides(flows, self._initial(), times, sample)
         half_sum, half_difference = states[6:]
         return TopTrajectory(
             self,

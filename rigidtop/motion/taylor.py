@@ -1,0 +1,148 @@
+"""Motions by Taylor series, compiled: needs heyoka, which is loaded at the first use.
+
+A step expands the motion in powers of time, to an order that the tolerance sets (20 for the
+smallest), with coefficients by recurrence from the shipped equations; what comes out is exact to
+rounding, and dense.  Parameters of the body are parameters of the compiled code, and heyoka keeps
+what it has compiled: one compilation for each tolerance serves all motions of a process.
+
+Time is measured in units near the inverse of `System.rate`, so that a slow motion is integrated
+like a fast one: those units are powers of two, and cost no digit.  Solvers of Taylor series
+choose their steps by an error relative to the largest component; no step is longer than the unit,
+because for such steps the series of what is small, which is linear, converges as fast as the order
+allows.  A motion near the vertical is thus as accurate, relative to itself, as a large one.
+(heyoka itself loads SymPy where that is installed; nothing here does.)
+"""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from rigidtop.errors import RigidtopError
+from rigidtop.motion.attitude import Floats
+from rigidtop.motion.integrate import Accuracy, Flow, Progress, joined, sides
+from rigidtop.motion.systems import SMALLEST_SIZE, System
+
+STEPS_AT_ONCE = 20_000
+"""Between so many steps, some milliseconds, an interrupt from the keyboard is heard."""
+
+
+def flow(
+    system: System, parameters: Sequence[float], start: Floats, end: float, accuracy: Accuracy
+) -> Flow:
+    """Integrate from t = 0 to `end` (s), which may be negative; `accuracy.atol` plays no part.
+
+    Raises RigidtopError without heyoka, and where the motion overflows.
+    """
+    heyoka = _heyoka()
+    rate, unit = _rate_and_unit(system, np.array(parameters), start)
+    of_state, of_parameters = _units(system, unit)
+    integrator = heyoka.taylor_adaptive(
+        _symbolic(heyoka, system),
+        start / of_state,
+        pars=parameters / of_parameters,
+        tol=accuracy.rtol,
+    )
+    pieces: list[Flow] = []
+    while not pieces or integrator.time != end * unit:
+        outcome, _, _, _, series, _ = integrator.propagate_until(
+            end * unit,
+            max_delta_t=float(unit / rate),
+            max_steps=STEPS_AT_ONCE,
+            c_output=True,
+        )
+        _check(heyoka, outcome, float(integrator.time / unit), end, integrator.state)
+        pieces.append(Flow(_path(series, unit, of_state), np.asarray(series.times) / unit))
+    return joined(pieces)
+
+
+def _path(series: Any, unit: Floats, of_state: Floats) -> Callable[[Floats], Floats]:
+    return lambda times: series(times * unit).T * of_state[:, None]
+
+
+def grid(
+    system: System,
+    parameters: Floats,
+    start: Floats,
+    times: Floats,
+    accuracy: Accuracy,
+    progress: Progress | None = None,
+) -> Floats:
+    """Many motions at once: see `rigidtop.motion.integrate.grid`, which this is a fast one of.
+
+    A processor that adds eight numbers at once integrates eight motions at once.
+    """
+    heyoka = _heyoka()
+    lanes, total = heyoka.recommended_simd_size(), start.shape[1]
+    rate, unit = _rate_and_unit(system, parameters, start)
+    of_state, of_parameters = _units(system, unit)
+    scaled, scaled_parameters = start / of_state, parameters / of_parameters
+    integrator = heyoka.taylor_adaptive_batch(
+        _symbolic(heyoka, system),
+        np.zeros((system.variables, lanes)),
+        pars=np.zeros((len(parameters), lanes)),
+        tol=accuracy.rtol,
+    )
+    states = np.empty((len(times), system.variables, total))
+    for first in range(0, total, lanes):
+        # The last batch is filled up with its last motion.
+        batch = np.minimum(np.arange(first, first + lanes), total - 1)
+        for rows, ordered in sides(times):
+            # The solver's grid starts at 0 and has every time once.
+            nodes, at = np.unique(np.abs([0.0, *ordered]), return_inverse=True)
+            integrator.set_time(0.0)
+            integrator.state[:] = scaled[:, batch]
+            integrator.pars[:] = scaled_parameters[:, batch]
+            _, values = integrator.propagate_grid(
+                np.copysign(nodes, ordered[-1])[:, None] * unit[batch],
+                max_delta_t=(unit / rate)[batch],
+            )
+            for lane, (outcome, *_) in enumerate(integrator.propagate_res):
+                reached = float(integrator.time[lane] / unit[batch[lane]])
+                _check(heyoka, outcome, reached, ordered[-1], values[..., lane])
+            states[np.ix_(rows, np.arange(system.variables), batch)] = values[at[1:]]
+        if progress is not None:
+            progress(min(first + lanes, total), total)
+    return states * of_state
+
+
+def _heyoka() -> Any:
+    try:
+        return importlib.import_module("heyoka")
+    except ImportError:
+        raise RigidtopError(
+            "method 'taylor' needs heyoka: pip install 'rigidtop[taylor]' (wheels for Linux only)"
+        ) from None
+
+
+def _symbolic(heyoka: Any, system: System) -> list[Any]:
+    """The shipped equations, run on heyoka's symbols."""
+    state = heyoka.make_vars(*(f"x{k}" for k in range(system.variables)))
+    parameters = [heyoka.par[k] for k in range(len(system.per_time))]
+    return list(zip(state, system.equations(*parameters)(state), strict=True))
+
+
+def _rate_and_unit(system: System, parameters: Floats, start: Floats) -> tuple[Floats, Floats]:
+    """The rate (…) of each motion, and the power of two next below it."""
+    rate = np.maximum(system.rate(list(parameters), start), SMALLEST_SIZE)
+    if not np.all(np.isfinite(rate)):
+        raise RigidtopError("the rates overflow at the start: the velocities are too large")
+    return rate, np.exp2(np.floor(np.log2(rate)))
+
+
+def _units(system: System, unit: Floats) -> tuple[Floats, Floats]:
+    """By what states (n, …) and parameters (P, …) are divided when 1/unit is the unit of time."""
+    of_state = [np.ones_like(unit)] * 4 + [unit] * (system.variables - 4)
+    return np.stack(of_state), np.stack([unit**power for power in system.per_time])
+
+
+def _check(heyoka: Any, outcome: Any, reached: float, end: float, states: Floats) -> None:
+    arrived = heyoka.taylor_outcome.time_limit, heyoka.taylor_outcome.step_limit
+    if outcome not in arrived or not np.all(np.isfinite(states)):
+        raise RigidtopError(
+            f"the integration stopped at t = {reached:g} on the way to {end:g}: "
+            "the Taylor series overflows"
+        )
