@@ -40,6 +40,45 @@ def quaternions(rotation: Rotation) -> Floats:
     return np.roll(rotation.as_quat(), 1, axis=-1)
 
 
+def rotation(q: Floats) -> Rotation:
+    """Of quaternions (…, 4), scalar first; they need not be units."""
+    return Rotation.from_quat(np.roll(q, -1, axis=-1))
+
+
+def from_spinors(cos_half: Floats, sin_half: Floats, phi: Floats, psi: Floats) -> Floats:
+    """Quaternions (…, 4), scalar first, from cos(θ/2), sin(θ/2), φ and ψ."""
+    half_sum, half_difference = (phi + psi) / 2, (phi - psi) / 2
+    return np.stack(
+        [
+            cos_half * np.cos(half_sum),
+            -sin_half * np.sin(half_difference),
+            sin_half * np.cos(half_difference),
+            cos_half * np.sin(half_sum),
+        ],
+        axis=-1,
+    )
+
+
+def product(p: Floats, q: Floats) -> Floats:
+    """The quaternion of rotation q followed by p; (…, 4), scalar first."""
+    p0, p1, p2, p3 = np.moveaxis(p, -1, 0)
+    q0, q1, q2, q3 = np.moveaxis(q, -1, 0)
+    return np.stack(
+        [
+            p0 * q0 - p1 * q1 - p2 * q2 - p3 * q3,
+            p0 * q1 + p1 * q0 + p2 * q3 - p3 * q2,
+            p0 * q2 - p1 * q3 + p2 * q0 + p3 * q1,
+            p0 * q3 + p1 * q2 - p2 * q1 + p3 * q0,
+        ],
+        axis=-1,
+    )
+
+
+def conjugate(q: Floats) -> Floats:
+    """The inverse of unit quaternions (…, 4), scalar first."""
+    return q * np.array([1.0, -1.0, -1.0, -1.0])
+
+
 def spinors(q: Floats) -> tuple[Complexes, Complexes]:
     """α and β of quaternions (4, …), scalar first."""
     return q[0] + 1j * q[3], q[2] - 1j * q[1]

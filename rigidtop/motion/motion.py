@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,8 +13,9 @@ from scipy.spatial.transform import Rotation
 
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
-from rigidtop.motion import checks, systems, taylor
+from rigidtop.motion import checks, closed, systems, taylor
 from rigidtop.motion.attitude import Floats
+from rigidtop.motion.exact import free, heavy
 from rigidtop.motion.integrate import (
     TAYLOR,
     Accuracy,
@@ -23,7 +25,7 @@ from rigidtop.motion.integrate import (
     flow,
     on_both_sides,
 )
-from rigidtop.motion.trajectory import TopTrajectory, Trajectory
+from rigidtop.motion.trajectory import BodyTrajectory, TopTrajectory, Trajectory
 
 if TYPE_CHECKING:
     from rigidtop.motion.body import RigidBody
@@ -52,7 +54,20 @@ class Motion:
 
     def start(self) -> Trajectory:
         """The initial state, as a trajectory of one row."""
-        return Trajectory(self, np.zeros(1), *self._attitudes(self._initial(), np.zeros(1)))
+        return BodyTrajectory(self, np.zeros(1), *self._attitudes(self._initial(), np.zeros(1)))
+
+    def exact(self, t: ArrayLike) -> Trajectory:
+        """The motion at the times `t`, in closed form.
+
+        `t` (s) is a float or a row of N floats in any order, also negative; the result has one row
+        for each.  A late time costs what an early one costs.
+
+        Closed forms exist for every free body and for a heavy body that is symmetric about e₃ with
+        its centre of mass on e₃.  Raises RigidtopError for other bodies, and for times that are not
+        finite.
+        """
+        times = checks.times(t)
+        return BodyTrajectory(self, times, *closed.states(self, times))
 
     def integrate(
         self, t: ArrayLike, method: str = "DOP853", rtol: float = 1e-10, atol: float = 1e-12
@@ -89,7 +104,52 @@ class Motion:
             times,
             lambda motion, ordered: motion.path(ordered),
         )
-        return Trajectory(self, times, *self._attitudes(states, times))
+        return BodyTrajectory(self, times, *self._attitudes(states, times))
+
+    @cached_property
+    def orbit(self) -> free.Orbit | heavy.Orbit:
+        """The closed form: its periods, its turning points and its state at any time."""
+        return closed.orbit(self.body, self.attitude, self.omega)
+
+    @property
+    def regime(self) -> str:
+        """What kind of motion it is, to rounding of the initial state.
+
+        Of a free body: "short axis" or "long axis" (the largest or the smallest moment's, about
+        which ω circles in the body), "separatrix", "regular precession" (two equal moments) or
+        "steady" (ω constant).  Of a top: "sleeping", "hanging", "free precession" (no weight),
+        "steady", "asymptotic" (to the upright), "plane" (a pendulum), "through the vertical",
+        "waves", "cusps", "loops".
+        """
+        return str(self.orbit.regime)
+
+    @property
+    def turning_points(self) -> tuple[float, float]:
+        """The smallest and the largest θ (rad).
+
+        Of a top θ is the angle between e₃ and the vertical; of a free body that between L and the
+        principal axis about which ω circles, towards the side on which it is.
+        """
+        smallest, largest = self.orbit.turning_points
+        return float(smallest), float(largest)
+
+    @property
+    def nutation_period(self) -> float:
+        """The time from one smallest θ to the next (s).
+
+        Where θ is constant, that of a small nutation; infinite where there is no next.
+        """
+        return float(self.orbit.nutation_period)
+
+    @property
+    def precession_per_period(self) -> float:
+        """The angle by which the axis turns about the vertical, or about L, in that time (rad)."""
+        return float(self.orbit.precession_per_period)
+
+    @property
+    def mean_precession(self) -> float:
+        """The mean rate of that turning (rad/s)."""
+        return float(self.orbit.mean_precession)
 
     def _times(self, t: ArrayLike) -> Floats:
         times = checks.times(t)
@@ -122,24 +182,30 @@ class Motion:
         omega = self.omega[:2] if self.body.symmetric else self.omega
         return np.concatenate([attitudes.quaternions(self.attitude), omega])
 
-    def _attitudes(self, states: Floats, times: Floats) -> tuple[Rotation, Floats]:
-        """Attitudes and ω of states (n, N), with the turn about e₃ put back."""
-        norms = np.linalg.norm(states[:4].reshape(4, -1), axis=0)
-        if not np.all((norms > 0.5) & (norms < 2)):  # also NaN
-            raise RigidtopError(
-                "the integration lost the attitude, its quaternion is far from a unit: "
-                "smaller rtol and atol are needed"
-            )
-        frame = Rotation.from_quat(np.roll(states[:4].reshape(4, -1).T, -1, axis=1))
+    def _attitudes(self, states: Floats, times: Floats) -> tuple[Floats, Floats]:
+        """Unit quaternions (N, 4) and ω (N, 3) of states (n, N), with the turn about e₃ back."""
+        frame = _units(states)
         if not self.body.symmetric:
             return frame, states[4:].reshape(3, -1).T
         spin = self.omega[2]
         omega1, omega2 = states[4:].reshape(2, -1)
         across = (omega1 + 1j * omega2) * np.exp(-1j * spin * times)
         turn = np.zeros((len(times), 4))
-        turn[:, 2], turn[:, 3] = np.sin(spin * times / 2), np.cos(spin * times / 2)
+        turn[:, 0], turn[:, 3] = np.cos(spin * times / 2), np.sin(spin * times / 2)
         omega = np.stack([across.real, across.imag, np.full(len(times), spin)], axis=1)
-        return frame * Rotation.from_quat(turn), omega
+        return attitudes.product(frame, turn), omega
+
+
+def _units(states: Floats) -> Floats:
+    """The quaternions (N, 4) of states (n, N), with norm 1."""
+    quaternions = states[:4].reshape(4, -1)
+    norms = np.linalg.norm(quaternions, axis=0)
+    if not np.all((norms > 0.5) & (norms < 2)):  # also NaN
+        raise RigidtopError(
+            "the integration lost the attitude, its quaternion is far from a unit: "
+            "smaller rtol and atol are needed"
+        )
+    return (quaternions / norms).T
 
 
 @dataclass(frozen=True, eq=False)
@@ -156,8 +222,50 @@ class TopMotion(Motion):
 
     def start(self) -> TopTrajectory:
         """The initial state, as a trajectory of one row."""
-        state = self._attitudes(self._initial(), np.zeros(1))
-        return TopTrajectory(self, np.zeros(1), *state, np.array([self.phi]), np.array([self.psi]))
+        return self._trajectory(
+            self._initial()[:, None], np.zeros(1), np.array([self.phi]), np.array([self.psi])
+        )
+
+    def exact(self, t: ArrayLike) -> TopTrajectory:
+        """The motion at the times `t`, in closed form, with Euler angles: see `Motion.exact`.
+
+        φ and ψ count every turn, however far apart the times are.
+
+        >>> from rigidtop import HeavyTop
+        >>> top = HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5)
+        >>> run = top.motion(theta=0.5, phi_dot=1.0, omega3=40.0).exact([0.0, 1e6])
+        >>> run.theta.round(6), run.phi.round(3)
+        (array([0.5     , 0.463232]), array([     0.   , 247889.744]))
+        """
+        times = checks.times(t)
+        state = self.orbit.at(times)
+        return TopTrajectory(
+            self,
+            times,
+            cos_half=state.cos_half,
+            sin_half=state.sin_half,
+            phi=state.phi,
+            psi=state.psi,
+            theta_dot=state.v_theta,
+            v_phi=state.v_phi,
+        )
+
+    @cached_property
+    def orbit(self) -> heavy.Orbit:
+        start = self.start()
+        return heavy.solve(
+            heavy.Start(
+                mu=np.asarray(self.body.weight[2] / self.body.lambda1),
+                b=np.asarray(self.body.lambda3 * self.omega[2] / self.body.lambda1),
+                omega3=np.asarray(self.omega[2]),
+                cos_half=start.cos_half[0],
+                sin_half=start.sin_half[0],
+                v_theta=start.theta_dot[0],
+                v_phi=start.v_phi[0],
+                phi=np.asarray(self.phi),
+                psi=np.asarray(self.psi),
+            )
+        )
 
     def integrate(
         self, t: ArrayLike, method: str = "DOP853", rtol: float = 1e-10, atol: float = 1e-12
@@ -186,10 +294,27 @@ class TopMotion(Motion):
         flows = self._flows(Accuracy(method, rtol, atol))
         states = on_both_sides(flows, self._initial(), times, sample)
         half_sum, half_difference = states[6:]
+        return self._trajectory(
+            states[:6], times, half_sum + half_difference, half_sum - half_difference
+        )
+
+    def _trajectory(
+        self, states: Floats, times: Floats, phi: Floats, psi_in_frame: Floats
+    ) -> TopTrajectory:
+        """From states (6, N) and continuous angles in the frame that does not turn about e₃."""
+        alpha, beta = attitudes.spinors(_units(states).T)
+        # cos ψ + i sin ψ: from the attitude, and where that has no ψ, from the counted one.
+        product = alpha * beta.conj()
+        size = np.abs(product)
+        nodes = np.divide(product, size, out=np.exp(1j * psi_in_frame), where=size > 0)
+        omega1, omega2 = states[4:]
         return TopTrajectory(
             self,
             times,
-            *self._attitudes(states[:6], times),
-            phi=half_sum + half_difference,
-            psi=half_sum - half_difference + spin * times,
+            cos_half=np.abs(alpha),
+            sin_half=np.abs(beta),
+            phi=phi,
+            psi=psi_in_frame + self.omega[2] * times,
+            theta_dot=omega1 * nodes.imag + omega2 * nodes.real,
+            v_phi=omega2 * nodes.imag - omega1 * nodes.real,
         )

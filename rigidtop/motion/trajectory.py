@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,8 +18,7 @@ if TYPE_CHECKING:
     from rigidtop.motion.motion import Motion, TopMotion
 
 
-@dataclass(frozen=True, eq=False)
-class Trajectory:
+class Trajectory(ABC):
     """A motion at N times, one row each, in the order in which the times were asked for."""
 
     motion: Motion
@@ -26,11 +27,15 @@ class Trajectory:
     t: Floats
     """Times, shape (N,), in s."""
 
-    rotation: Rotation
-    """Attitudes, N of them: body components to space components."""
+    @property
+    @abstractmethod
+    def rotation(self) -> Rotation:
+        """Attitudes, N of them: body components to space components."""
 
-    omega: Floats
-    """Rotational velocity in body components, shape (N, 3), in rad/s."""
+    @property
+    @abstractmethod
+    def omega(self) -> Floats:
+        """Rotational velocity in body components, shape (N, 3), in rad/s."""
 
     @property
     def omega_space(self) -> Floats:
@@ -89,6 +94,28 @@ class Trajectory:
 
 
 @dataclass(frozen=True, eq=False)
+class BodyTrajectory(Trajectory):
+    """The motion of any body, known by its quaternion and ω."""
+
+    motion: Motion
+    t: Floats
+
+    quaternion: Floats
+    """Unit quaternions, scalar first, shape (N, 4), body to space."""
+
+    body_rates: Floats
+    """ω in body components, shape (N, 3), rad/s."""
+
+    @cached_property
+    def rotation(self) -> Rotation:
+        return attitude.rotation(self.quaternion)
+
+    @property
+    def omega(self) -> Floats:
+        return self.body_rates
+
+
+@dataclass(frozen=True, eq=False)
 class TopTrajectory(Trajectory):
     """The motion of a symmetric top, with its Euler angles R = Rz(φ) Ry(θ) Rz(ψ).
 
@@ -98,6 +125,13 @@ class TopTrajectory(Trajectory):
     """
 
     motion: TopMotion
+    t: Floats
+
+    cos_half: Floats
+    """cos(θ/2) ≥ 0, shape (N,)."""
+
+    sin_half: Floats
+    """sin(θ/2) ≥ 0, shape (N,)."""
 
     phi: Floats
     """Azimuth of e₃, shape (N,), in rad; continuous."""
@@ -105,16 +139,34 @@ class TopTrajectory(Trajectory):
     psi: Floats
     """Turn about e₃, shape (N,), in rad; continuous."""
 
+    theta_dot: Floats
+    """θ̇, the component of ω along e₂′, shape (N,), in rad/s."""
+
+    v_phi: Floats
+    """φ̇ sin θ, minus the component of ω along e₁′ (3.42), shape (N,), in rad/s."""
+
+    @cached_property
+    def rotation(self) -> Rotation:
+        return attitude.rotation(
+            attitude.from_spinors(self.cos_half, self.sin_half, self.phi, self.psi)
+        )
+
+    @cached_property
+    def omega(self) -> Floats:
+        sin_psi, cos_psi = np.sin(self.psi), np.cos(self.psi)
+        return np.stack(
+            [
+                self.theta_dot * sin_psi - self.v_phi * cos_psi,
+                self.theta_dot * cos_psi + self.v_phi * sin_psi,
+                np.full(len(self.t), self.motion.omega[2]),
+            ],
+            axis=1,
+        )
+
     @property
     def theta(self) -> Floats:
         """Polar angle of e₃ in [0, π], shape (N,), in rad."""
-        return attitude.polar_angle(*self._spinors)
-
-    @property
-    def theta_dot(self) -> Floats:
-        """θ̇, the component of ω along e₂′, shape (N,), in rad/s."""
-        sin_psi, cos_psi = self._along_nodes.imag, self._along_nodes.real
-        return self.omega[:, 0] * sin_psi + self.omega[:, 1] * cos_psi
+        return 2 * np.arctan2(self.sin_half, self.cos_half)
 
     @property
     def phi_dot(self) -> Floats:
@@ -122,21 +174,15 @@ class TopTrajectory(Trajectory):
 
         Exactly at θ = 0 or π it is the limit along a motion through it, ±λ₃ω₃/(2λ₁).
         """
-        # ẑ = −sin θ e₁′ + cos θ e₃, so ω·e₁′ = −φ̇ sin θ (3.42); products of the spinors keep
-        # their digits where the entries of a rotation matrix would lose them.
-        alpha, beta = self._spinors
-        sine = 2 * np.abs(alpha) * np.abs(beta)
-        across = (
-            self.omega[:, 0] * self._along_nodes.real - self.omega[:, 1] * self._along_nodes.imag
-        )
-        body = self.motion.body
-        limit = np.copysign(1.0, np.abs(alpha) - np.abs(beta)) * self.p_psi / (2 * body.lambda1)
-        return np.divide(-across, sine, out=limit, where=sine > 0)
+        sine = 2 * self.sin_half * self.cos_half
+        limit = np.copysign(1.0, self.cos_half - self.sin_half) * self.p_psi
+        limit /= 2 * self.motion.body.lambda1
+        return np.divide(self.v_phi, sine, out=limit, where=sine > 0)
 
     @property
     def psi_dot(self) -> Floats:
         """ψ̇ = ω₃ − φ̇ cos θ, shape (N,), in rad/s."""
-        return self.omega[:, 2] - self.phi_dot * np.cos(self.theta)
+        return self.motion.omega[2] - self.phi_dot * np.cos(self.theta)
 
     @property
     def p_phi(self) -> Floats:
@@ -146,20 +192,8 @@ class TopTrajectory(Trajectory):
     @property
     def p_psi(self) -> Floats:
         """Momentum conjugate to ψ (3.56), which is L₃, shape (N,), in J s."""
-        return self.motion.body.lambda3 * self.omega[:, 2]
+        return np.full(len(self.t), self.motion.body.lambda3 * self.motion.omega[2])
 
     def conserved(self) -> Mapping[str, Floats]:
         """The energy, p_φ and p_ψ."""
         return {"energy": self.energy, "p_phi": self.p_phi, "p_psi": self.p_psi}
-
-    @property
-    def _spinors(self) -> tuple[attitude.Complexes, attitude.Complexes]:
-        return attitude.spinors(attitude.quaternions(self.rotation).T)
-
-    @property
-    def _along_nodes(self) -> attitude.Complexes:
-        """cos ψ + i sin ψ: from the attitude, and where that has no ψ, from `psi`."""
-        alpha, beta = self._spinors
-        product = alpha * beta.conj()
-        size = np.abs(product)
-        return np.divide(product, size, out=np.exp(1j * self.psi), where=size > 0)

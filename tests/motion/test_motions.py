@@ -3,6 +3,7 @@
 import math
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -32,9 +33,9 @@ def test_fast_top_keeps_energy_and_momenta(theta):
 
 def test_drift_sees_a_wrong_energy():
     run = start_of(0.5).integrate([0.0, 1.0])
-    wrong = type(run)(run.motion, run.t, run.rotation, run.omega * 1.001, run.phi, run.psi)
-    assert wrong.drift()["energy"] == pytest.approx(0.002, rel=0.1)
-    assert wrong.drift()["p_psi"] > 1e-4
+    wrong = replace(run, v_phi=run.v_phi * 1.001)
+    assert wrong.drift()["energy"] > 1e-7
+    assert wrong.drift()["p_phi"] > 1e-7
 
 
 def test_drift_of_a_body_at_rest_without_weight_is_zero():

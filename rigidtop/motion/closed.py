@@ -1,0 +1,83 @@
+"""Closed forms of the bodies that have one, as attitudes and ω of a motion."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from rigidtop.errors import RigidtopError
+from rigidtop.motion import attitude as attitudes
+from rigidtop.motion.attitude import Floats
+from rigidtop.motion.exact import free, heavy
+
+if TYPE_CHECKING:
+    from rigidtop.motion.body import RigidBody
+    from rigidtop.motion.motion import Motion
+
+UPSIDE_DOWN = np.array([0.0, 1.0, 0.0, 0.0])
+"""Half a turn about x̂, as a quaternion: ẑ becomes −ẑ."""
+
+
+def orbit(
+    body: RigidBody, attitude: Rotation, omega: tuple[float, float, float]
+) -> free.Orbit | heavy.Orbit:
+    """The closed form of a motion; RigidtopError for a body that has none here."""
+    if not any(body.weight):
+        return free.solve(np.array(body.moments), np.array(omega))
+    if not body.symmetric:
+        raise RigidtopError(
+            "no closed form: a heavy body has one only if lambda1 = lambda2 and its centre of mass "
+            "lies on e3; integrate the motion instead"
+        )
+    return _heavy_orbit(body, attitude, omega)
+
+
+def _heavy_orbit(
+    body: RigidBody, attitude: Rotation, omega: tuple[float, float, float]
+) -> heavy.Orbit:
+    """Of a body that is symmetric about e₃, its centre of mass on e₃ above or below the pivot."""
+    (lambda1, _, lambda3), weight = body.moments, body.weight[2]
+    q = attitudes.quaternions(attitude)
+    if weight < 0:
+        q = attitudes.product(UPSIDE_DOWN, q)
+    phi, psi = attitudes.azimuth_and_spin(attitudes.rotation(q), omega)
+    alpha, beta = attitudes.spinors(q)
+    # ω = −φ̇ sin θ e₁′ + θ̇ e₂′ + ω₃e₃, and the body is turned by ψ about e₃ (3.42).
+    sin_psi, cos_psi = np.sin(psi), np.cos(psi)
+    return heavy.solve(
+        heavy.Start(
+            mu=np.asarray(abs(weight) / lambda1),
+            b=np.asarray(lambda3 * omega[2] / lambda1),
+            omega3=np.asarray(omega[2]),
+            cos_half=np.abs(alpha),
+            sin_half=np.abs(beta),
+            v_theta=np.asarray(omega[0] * sin_psi + omega[1] * cos_psi),
+            v_phi=np.asarray(omega[1] * sin_psi - omega[0] * cos_psi),
+            phi=np.asarray(phi),
+            psi=np.asarray(psi),
+        )
+    )
+
+
+def states(motion: Motion, times: Floats) -> tuple[Floats, Floats]:
+    """Quaternions (N, 4), scalar first, body to space, and ω (N, 3) in body components (rad/s)."""
+    solved = motion.orbit
+    if isinstance(solved, free.Orbit):
+        turned, rates = solved.at(times)
+        return attitudes.product(attitudes.quaternions(motion.attitude), turned), rates
+    s = solved.at(times)
+    q = attitudes.from_spinors(s.cos_half, s.sin_half, s.phi, s.psi)
+    if motion.body.weight[2] < 0:
+        q = attitudes.product(attitudes.conjugate(UPSIDE_DOWN), q)
+    sin_psi, cos_psi = np.sin(s.psi), np.cos(s.psi)
+    rates = np.stack(
+        [
+            s.v_theta * sin_psi - s.v_phi * cos_psi,
+            s.v_theta * cos_psi + s.v_phi * sin_psi,
+            np.full(len(times), motion.omega[2]),
+        ],
+        axis=-1,
+    )
+    return q, rates

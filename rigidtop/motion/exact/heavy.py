@@ -1,0 +1,496 @@
+"""The heavy symmetric top, solved.
+
+With u = cos θ, φ̇ sin²θ + bu = a and ½(θ̇² + φ̇² sin²θ) + μu = ε are constant, where
+
+    b = λ₃ω₃/λ₁,  μ = MgR/λ₁,  a = p_φ/λ₁,
+
+so u̇² is a cubic in u (Goldstein 5.7; Whittaker, Analytical Dynamics §71).  In x = 1 − u and
+y = 1 + u, which are known to all their digits near the upright and the hanging top, it is
+
+    ẋ² = 2μ (x − x₁)(x₂ − x)(x − x₃),    x₃ ≤ 0 ≤ x₁ ≤ x ≤ x₂ ≤ 2,
+    x = x₁ sn²τ + x₂ cn²τ,    τ = τ₀ + νt,    ν² = ½μ(x₂ − x₃),
+
+and φ ± ψ follow from one integral of the third kind each: 2φ = X + Y and 2(ψ − ω₃t) = Y − X with
+
+    Ẋ = (1 + u)φ̇ = b + (a − b)/x,    Ẏ = (1 − u)φ̇ = (a + b)/y − b.
+
+What decides the accuracy is how the roots are found.  Differences from the initial value,
+δ = x − x₀, keep the digits of a small nutation; the product of the roots, (a − b)² at x = 0 and
+(a + b)² at y = 0, keeps those of the distance from a pole; and at a separatrix x₁ and x₃ are the
+roots of a quadratic whose discriminant is a sum.  Where steady precession and separatrix meet, the
+root that stands alone is found first.
+
+All quantities are arrays that broadcast.  `Start` and `Orbit` are in units of time 1/σ.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import elliprj
+
+from rigidtop.motion.attitude import Floats
+from rigidtop.motion.exact.elliptic import Jacobi, first_kind, jacobi, quarter_period
+
+ROUNDING = 16 * float(np.finfo(float).eps)
+"""What rounding of the initial state does to quantities that decide the regime."""
+
+NEWTON_STEPS = 4
+"""From roots by cosines, which are good to 1e-8 at worst, to rounding."""
+
+NEAR_POLE = 0.25
+"""A turning point nearer to a pole than this part of where the motion starts is known by a
+product of roots; a difference would lose digits."""
+
+
+@dataclass(frozen=True)
+class Start:
+    """A top and its state at t = 0, arrays that broadcast; rates in rad/s, μ in 1/s²."""
+
+    mu: Floats
+    """MgR/λ₁ ≥ 0."""
+
+    b: Floats
+    """λ₃ω₃/λ₁."""
+
+    omega3: Floats
+
+    cos_half: Floats
+    """cos(θ/2) ≥ 0."""
+
+    sin_half: Floats
+    """sin(θ/2) ≥ 0."""
+
+    v_theta: Floats
+    """θ̇."""
+
+    v_phi: Floats
+    """φ̇ sin θ."""
+
+    phi: Floats
+    psi: Floats
+
+
+@dataclass(frozen=True)
+class State:
+    """A top at given times."""
+
+    cos_half: Floats
+    sin_half: Floats
+    v_theta: Floats
+    v_phi: Floats
+    phi: Floats
+    psi: Floats
+
+
+@dataclass(frozen=True)
+class _Roots:
+    """The turning points: x₁, x₂ and their distances; 2μ times those from x₃, finite for μ = 0."""
+
+    delta1: Floats
+    delta2: Floats
+    x1: Floats
+    x2: Floats
+    m13: Floats
+    """2μ(x₁ − x₃)."""
+    m03: Floats
+    """−2μx₃."""
+
+
+@dataclass(frozen=True)
+class Orbit:
+    """The motion from a start, made by `solve`; rates and times in the unit of `sigma`."""
+
+    start: Start
+    sigma: Floats
+    """The unit of rates (1/s)."""
+    mu: Floats
+    b: Floats
+    c_up: Floats
+    """a − b, zero for an axis that passes through the upright."""
+    c_down: Floats
+    """a + b, zero for an axis that passes through straight down."""
+    x1: Floats
+    x2: Floats
+    y1: Floats
+    y2: Floats
+    range: Floats
+    """x₂ − x₁."""
+    a1: Floats
+    """φ̇ sin²θ at x₁."""
+    a2: Floats
+    """φ̇ sin²θ at x₂."""
+    m: Floats
+    m1: Floats
+    ratio: Floats
+    """(x₂ − x₃)/(2 − x₃)."""
+    nu: Floats
+    tau0: Floats
+    still: NDArray[np.bool_]
+    """Whether θ stays where it is because the axis is vertical and at rest."""
+    steady: NDArray[np.bool_]
+    """Whether θ is constant, to rounding of the initial state."""
+
+    # --- Turning points and periods ---
+
+    @cached_property
+    def quarter(self) -> Floats:
+        """K, the half of a nutation in τ."""
+        return quarter_period(self.m1)
+
+    @property
+    def turning_points(self) -> tuple[Floats, Floats]:
+        """The smallest and the largest θ (rad)."""
+        return (
+            2 * np.arctan2(np.sqrt(self.x1), np.sqrt(self.y1)),
+            2 * np.arctan2(np.sqrt(self.x2), np.sqrt(self.y2)),
+        )
+
+    @property
+    def nutation_period(self) -> Floats:
+        """The time from one smallest θ to the next (s); infinite where there is no next."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return 2 * self.quarter / (self.nu * self.sigma)
+
+    @property
+    def precession_per_period(self) -> Floats:
+        """By how much φ grows in a nutation period (rad)."""
+        with np.errstate(all="ignore"):
+            return self.mean_precession * self.nutation_period
+
+    @property
+    def mean_precession(self) -> Floats:
+        """The mean of φ̇ over a nutation (rad/s)."""
+        with np.errstate(all="ignore"):
+            turned = sum(np.where(self.m1 > 0, part, 0.0) for part in self._complete)
+            share = np.where(self.m1 > 0, turned * self.nu / (2 * self.quarter), 0.0)
+            return (self._drift_x + self._drift_y + share) / 2 * self.sigma
+
+    @cached_property
+    def regime(self) -> NDArray[np.str_]:
+        """What the axis does, to rounding of the initial state.
+
+        "sleeping" and "hanging" (vertical, at rest), "free precession" (no weight), "steady",
+        "asymptotic" (to the upright, which it never reaches), "plane" (a pendulum without spin),
+        "through the vertical", and by the sign of φ̇ "waves", "cusps" and "loops".
+        """
+        upright = self.x1 < self.y1
+        return np.select(
+            [
+                self.mu == 0,
+                self.still & upright,
+                self.still,
+                self.steady,
+                self.m1 <= ROUNDING,
+                (self.b == 0) & (np.abs(self.a1) + np.abs(self.a2) <= ROUNDING),
+                (self.x1 <= ROUNDING**2) | (self.y2 <= ROUNDING**2),
+                np.abs(self.a1) <= ROUNDING * (np.abs(self.a2) + np.abs(self.b) * self.range),
+                self.a1 * self.a2 < 0,
+            ],
+            [
+                "free precession",
+                "sleeping",
+                "hanging",
+                "steady",
+                "asymptotic",
+                "plane",
+                "through the vertical",
+                "cusps",
+                "loops",
+            ],
+            "waves",
+        )
+
+    # --- Third-kind integrals ---
+
+    @cached_property
+    def _drift_x(self) -> Floats:
+        """Ẋ at x₂; of a top that stays upright, the limit of its neighbours."""
+        a2 = np.where(self.x2 > 0, self.a2, self.b)
+        return a2 / np.where(self.x2 > 0, self.x2, 1.0)
+
+    @cached_property
+    def _far_from_down(self) -> NDArray[np.bool_]:
+        """Whether y varies little; else x₂ is near y = 0, where Ẏ has a peak."""
+        return (self.range <= self.y2) & (self.y2 > 0)
+
+    @cached_property
+    def _drift_y(self) -> Floats:
+        """The part of Ẏ that is constant."""
+        return np.where(self._far_from_down, self.a2 / np.where(self.y2 > 0, self.y2, 1.0), -self.b)
+
+    def _third_kinds(self, f: Jacobi, tau: Floats) -> tuple[Floats, Floats]:
+        """X and Y without their constant parts, from τ = 0 to |τ| ≤ K."""
+        per_rate = 1 / np.where(self.nu > 0, self.nu, np.inf)
+        # X: x = x₂(1 − n sn²) is smallest at K.
+        factor = self.range * self.c_up / np.where(self.x2 > 0, self.x2, 1.0) ** 2 * per_rate
+        x = self.x1 * f.sn**2 + self.x2 * f.cn**2
+        p = np.where(factor != 0, x, 1.0) / np.where(factor != 0, self.x2, 1.0)
+        p = np.where(p > 0, p, 1.0)
+        upper = factor * f.third_kind(p)
+        # Y the same way where y does not vary much.
+        y2 = np.where(self._far_from_down, self.y2, 1.0)
+        factor = np.where(self._far_from_down, -self.range * self.c_down / y2**2 * per_rate, 0.0)
+        lower = factor * f.third_kind(1 + self.range / y2 * f.sn**2)
+        if np.all(self._far_from_down):
+            return upper, lower
+        # Else by the transformation that takes the peak of 1/y at τ = 0 into an arc tangent.
+        y1, y2 = np.where(self.y1 > 0, self.y1, 1.0), self.y2
+        n = self.range / (self.ratio * y1)
+        p = f.cn**2 + self.m1 * y2 / y1 * f.sn**2
+        weight = self.m1 * np.sqrt(self.ratio * y2 / y1)
+        with np.errstate(invalid="ignore", over="ignore"):
+            tail = n / 3 * f.sn**3 * elliprj(f.cn**2, f.dn**2, 1.0, np.where(p > 0, p, 1.0))
+        arc = np.arctan2(self.range * f.sn * f.cn, f.dn * np.sqrt(self.ratio * y1 * y2))
+        # From the product of the roots at y = 0; through y = 0 itself the phase jumps by π.
+        straight = 2 * self.mu * np.sqrt(y1 * y2) / self._root_of_distances
+        around = 2 * np.copysign(1.0, self.c_down) * (weight * (tau + tail) + straight * tau + arc)
+        through = np.copysign(np.pi, f.sn)  # the zero is signed: before or after
+        moving = np.where(self.y2 > 0, around, through)
+        return upper, np.where(self._far_from_down | self.still, lower, moving)
+
+    @cached_property
+    def _root_of_distances(self) -> Floats:
+        """√(2μ(x₂ − x₃) · 2μ(2 − x₃)): 4ν²/√ratio."""
+        return np.where(self.nu > 0, 4 * self.nu**2 / np.sqrt(self.ratio), 1.0)
+
+    @cached_property
+    def _complete(self) -> tuple[Floats, Floats]:
+        """X and Y without their constant parts over a nutation, 2K."""
+        zero = np.zeros_like(self.m1)
+        f = Jacobi(zero + 1, zero, np.sqrt(self.m1))
+        with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
+            upper, lower = self._third_kinds(f, np.where(self.m1 > 0, self.quarter, 0.0))
+        # An axis that passes through the vertical turns φ by π there, as its neighbours do.
+        upper = np.where((self.x1 == 0) & ~self.still, 2 * np.pi, 2 * upper)
+        lower = np.where((self.y2 == 0) & ~self.still, 2 * np.pi, 2 * lower)
+        return upper, lower
+
+    # --- The state ---
+
+    def at(self, t: ArrayLike) -> State:
+        """The state at times t (s), which broadcast against the orbit."""
+        scaled = np.asarray(t, dtype=float) * self.sigma
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
+            return self._at(scaled, np.asarray(t, dtype=float))
+
+    def _at(self, scaled: Floats, t: Floats) -> State:
+        # At t = 0 the sign of a zero τ₀ counts.
+        tau = np.where(scaled == 0, self.tau0, self.tau0 + self.nu * scaled)
+        bounded = np.isfinite(self.quarter)
+        period = np.where(bounded, 2 * self.quarter, 1.0)
+        turns = np.where(bounded, np.round(tau / period), 0.0)
+        first = np.where(bounded, np.round(self.tau0 / period), 0.0)
+        reduced = np.where(turns == 0, tau, tau - turns * period)
+        f = jacobi(reduced, self.m1)
+        begin = np.where(first == 0, self.tau0, self.tau0 - first * period)
+        x_kind, y_kind = self._third_kinds(f, reduced)
+        x_begin, y_begin = self._third_kinds(jacobi(begin, self.m1), begin)
+        x_turn, y_turn = (np.where(bounded, part, 0.0) for part in self._complete)
+        big_x = self._drift_x * scaled + (turns - first) * x_turn + (x_kind - x_begin)
+        big_y = self._drift_y * scaled + (turns - first) * y_turn + (y_kind - y_begin)
+        x = self.x1 * f.sn**2 + self.x2 * f.cn**2
+        y = self.y1 * f.sn**2 + self.y2 * f.cn**2
+        sine = np.sqrt(x * y)
+        root = np.sqrt(self.range)
+        # cos and sin of an angle that is 0 or π/2 where the axis passes through a pole.
+        toward_up = np.where(x > 0, root * f.cn / np.sqrt(x), 1.0)
+        toward_down = np.where(y > 0, root * f.sn / np.sqrt(y), np.copysign(1.0, f.sn))
+        v_theta = np.where(
+            self.range > 0, -2 * self.nu * self.sigma * f.dn * toward_up * toward_down, 0.0
+        )
+        momentum = self.a1 * f.sn**2 + self.a2 * f.cn**2
+        v_phi = np.where(sine > 0, momentum / np.where(sine > 0, sine, 1.0), 0.0) * self.sigma
+        s = self.start
+        return State(
+            cos_half=np.sqrt(y / 2),
+            sin_half=np.sqrt(x / 2),
+            v_theta=v_theta,
+            v_phi=v_phi,
+            phi=s.phi + (big_x + big_y) / 2,
+            psi=s.psi + s.omega3 * t + (big_y - big_x) / 2,
+        )
+
+
+def solve(start: Start) -> Orbit:
+    """The orbit from a start; arrays broadcast."""
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
+        return _solve(start)
+
+
+def _solve(start: Start) -> Orbit:
+    speed = np.hypot(start.v_theta, start.v_phi)
+    sigma = np.sqrt(start.mu) + np.abs(start.b) + speed
+    sigma = np.where(sigma > 0, sigma, 1.0)
+    mu, b = start.mu / sigma / sigma, start.b / sigma
+    v_theta, v_phi, w = start.v_theta / sigma, start.v_phi / sigma, speed / sigma
+    x0, y0 = 2 * start.sin_half**2, 2 * start.cos_half**2
+    s = 2 * start.sin_half * start.cos_half
+    momentum = s * v_phi
+    c_up, c_down = momentum - b * x0, momentum + b * y0
+    still = (w == 0) & ((x0 == 0) | (y0 == 0))
+    pull, sizes = _pull(mu, b, w, x0, y0, s, momentum)
+    steady = (np.abs(pull) <= ROUNDING * sizes) & (np.abs(v_theta) <= ROUNDING * w)
+    roots = _roots(mu, b, w, s * v_theta, pull, x0, y0, c_up)
+    delta1, delta2 = roots.delta1, roots.delta2
+    x1, x2, y1 = roots.x1, x0 + delta2, y0 - delta1
+    m23 = roots.m13 + 2 * mu * (delta2 - delta1)
+    from_down = 4 * mu + roots.m03
+    y2 = y0 - delta2
+    product = c_down**2 / (y1 * np.where(from_down > 0, from_down, np.inf))
+    near_down = (y2 < NEAR_POLE * y0) & (from_down > 0)
+    y2 = np.where(near_down, product, y2)
+    near_up = x1 < NEAR_POLE * x0
+    a1 = np.where(near_up, c_up + b * x1, momentum + b * delta1)
+    a2 = np.where(near_down, c_down - b * y2, momentum + b * delta2)
+    # A vertical axis at rest stays: unstable if a root lies below.
+    span = np.where(still, 0.0, delta2 - delta1)
+    delta1, delta2 = np.where(still, 0.0, delta1), np.where(still, 0.0, delta2)
+    x1, x2 = np.where(still, x0, x1), np.where(still, x0, x2)
+    y1, y2 = np.where(still, y0, y1), np.where(still, y0, y2)
+    a1, a2 = np.where(still, 0.0, a1), np.where(still, 0.0, a2)
+    # The frequency of small nutations about the vertical: b² − 4μ cos θ.
+    m23 = np.where(still, np.maximum(b**2 - 4 * mu * np.sign(y0 - x0), 0.0), m23)
+    nu = np.sqrt(m23) / 2
+    safe = np.where(m23 > 0, m23, 1.0)
+    m = 2 * mu * span / safe
+    m1 = np.where(still | (m23 == 0), 1.0, roots.m13 / safe)
+    down = np.where(span > 0, span, 1.0)
+    sn = np.where(span > 0, np.sqrt(delta2 / down), 0.0)
+    cn = np.where(span > 0, np.sqrt(-delta1 / down), 1.0)
+    dn = np.sqrt(m1 + m * cn**2)
+    tau0 = -np.copysign(1.0, v_theta) * first_kind(sn, cn, dn)
+    return Orbit(
+        start=start,
+        sigma=sigma,
+        mu=mu,
+        b=b,
+        c_up=c_up,
+        c_down=c_down,
+        x1=x1,
+        x2=x2,
+        y1=y1,
+        y2=y2,
+        range=span,
+        a1=a1,
+        a2=a2,
+        m=m,
+        m1=m1,
+        ratio=np.where(from_down > 0, m23 / np.where(from_down > 0, from_down, 1.0), 1.0),
+        nu=nu,
+        tau0=tau0,
+        still=still,
+        steady=steady,
+    )
+
+
+def _pull(
+    mu: Floats, b: Floats, w: Floats, x0: Floats, y0: Floats, s: Floats, momentum: Floats
+) -> tuple[Floats, Floats]:
+    """g, half the slope of ẋ² at x₀, which steady precession makes zero; and its terms' sizes."""
+    terms = (y0 - x0) / 2 * w**2, mu * s**2, -b * momentum
+    first, second, third = terms
+    return first + second + third, np.abs(first) + np.abs(second) + np.abs(third)
+
+
+def _roots(
+    mu: Floats,
+    b: Floats,
+    w: Floats,
+    x_dot: Floats,
+    g: Floats,
+    x0: Floats,
+    y0: Floats,
+    c_up: Floats,
+) -> _Roots:
+    """Where ẋ² = c₀ + 2gδ − hδ² − 2μδ³ vanishes, δ = x − x₀."""
+    c0 = x_dot**2
+    u0 = (y0 - x0) / 2
+    h = w**2 + b**2 - 4 * mu * u0
+    # The cubic for P = −2μδ, whose roots stay finite for μ = 0: P³ − hP² − 4μgP + 4μ²c₀.
+    q = np.maximum((h**2 + 12 * mu * g) / 9, 0.0)
+    r = (h**3 + 18 * h * mu * g - 54 * mu**2 * c0) / 27
+    root = np.sqrt(q)
+    third = np.arccos(np.clip(r / np.where(q > 0, q * root, 1.0), -1.0, 1.0)) / 3
+    high, middle, low = (
+        h / 3 + 2 * root * np.cos(third + turn) for turn in (0.0, -2 * np.pi / 3, 2 * np.pi / 3)
+    )
+    alone = high - middle >= middle - low  # x₃ is
+    first = _third_root_alone(mu, g, h, c0, x0, high)
+    near = first.x1 < NEAR_POLE * x0
+    product = c_up**2 / (first.x2 * np.where(first.m03 > 0, first.m03, np.inf))
+    x1 = np.where(near, product, first.x1)
+    first = replace(first, x1=x1)
+    if np.all(alone):
+        return first
+    second = _second_root_alone(mu, b, g, h, c0, w, x0, c_up, low)
+    return _Roots(
+        *(
+            np.where(alone, getattr(first, each.name), getattr(second, each.name))
+            for each in fields(_Roots)
+        )
+    )
+
+
+def _third_root_alone(
+    mu: Floats, g: Floats, h: Floats, c0: Floats, x0: Floats, guess: Floats
+) -> _Roots:
+    """P for x₃ first; δ₁ and δ₂ are then −δ² + Sδ + Q = 0."""
+    p = guess
+    for _ in range(NEWTON_STEPS):
+        value = ((p - h) * p - 4 * mu * g) * p + 4 * mu**2 * c0
+        slope = (3 * p - 2 * h) * p - 4 * mu * g
+        p = p - np.where(slope > 0, value / np.where(slope > 0, slope, 1.0), 0.0)
+    safe = np.where(p > 0, p, 1.0)
+    q = c0 / safe
+    sum_ = (2 * g - 2 * mu * q) / safe
+    span = np.sqrt(sum_**2 + 4 * q)
+    larger = (np.abs(sum_) + span) / 2
+    smaller = np.where(larger > 0, q / np.where(larger > 0, larger, 1.0), 0.0)
+    delta1 = np.where(sum_ >= 0, -smaller, -larger)
+    delta2 = np.where(sum_ >= 0, larger, smaller)
+    return _Roots(
+        delta1=delta1,
+        delta2=delta2,
+        x1=np.maximum(x0 + delta1, 0.0),
+        x2=x0 + delta2,
+        m13=np.maximum(p + 2 * mu * delta1, 0.0),
+        m03=np.maximum(p - 2 * mu * x0, 0.0),
+    )
+
+
+def _second_root_alone(
+    mu: Floats,
+    b: Floats,
+    g: Floats,
+    h: Floats,
+    c0: Floats,
+    w: Floats,
+    x0: Floats,
+    c_up: Floats,
+    guess: Floats,
+) -> _Roots:
+    """δ₂ first; x₁ and x₃ are then 2μx² + Bx − C = 0, with a discriminant that is a sum."""
+    safe_mu = np.where(mu > 0, mu, 1.0)
+    delta2 = np.maximum(-guess / (2 * safe_mu), 0.0)
+    for _ in range(NEWTON_STEPS):
+        value = ((-2 * mu * delta2 - h) * delta2 + 2 * g) * delta2 + c0
+        slope = (-6 * mu * delta2 - 2 * h) * delta2 + 2 * g
+        step = np.where(slope < 0, value / np.where(slope < 0, slope, 1.0), 0.0)
+        delta2 = np.maximum(delta2 - step, 0.0)
+    x2 = x0 + delta2
+    safe = np.where(x2 > 0, x2, 1.0)
+    c = c_up**2 / safe
+    w_up = w**2 - 2 * mu * x0  # ẋ² sin⁻²θ there, were the axis upright
+    linear = (2 * (w_up - b * c_up) - c) / safe
+    root = np.sqrt(linear**2 + 8 * mu * c)
+    larger = (np.abs(linear) + root) / 2
+    other = 2 * mu * c / np.where(larger > 0, larger, 1.0)
+    m01, m03 = np.where(linear > 0, other, larger), np.where(linear > 0, larger, other)
+    x1 = m01 / (2 * safe_mu)
+    from_third = (m03 + 2 * mu * x0) * delta2
+    delta1 = np.where(from_third > 0, -c0 / np.where(from_third > 0, from_third, 1.0), x1 - x0)
+    return _Roots(delta1=delta1, delta2=delta2, x1=x1, x2=x2, m13=root, m03=m03)
