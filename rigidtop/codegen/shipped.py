@@ -41,6 +41,18 @@ def top_without_spin() -> tuple[Expr, ...]:
     )
 
 
+def top_by_hamilton() -> tuple[Expr, ...]:
+    """θ̇, φ̇, ψ̇, ṗ_θ of the symmetric top; p_φ and p_ψ are constants, as parameters are."""
+    *rates, _, _ = top.symmetric_hamilton_equations()
+    return tuple(rates)
+
+
+def body_by_hamilton() -> tuple[Expr, ...]:
+    """θ̇, φ̇, ψ̇, ṗ_θ, ṗ_ψ of a heavy body; p_φ is a constant."""
+    *rates, _, along = top.body_hamilton_equations()
+    return *rates, along
+
+
 @dataclass(frozen=True)
 class RightHandSide:
     """A system ẋ = f(x; parameters) that is shipped."""
@@ -50,6 +62,9 @@ class RightHandSide:
     state: tuple[Symbol, ...]
     parameters: tuple[Symbol, ...]
     derive: Callable[[], Iterable[Expr]]
+
+    expand: bool = True
+    """Whether sums are multiplied out, which is fewer operations but loses small differences."""
 
 
 SHIPPED = (
@@ -80,6 +95,37 @@ SHIPPED = (
         (*top.QUATERNION, s.omega1, s.omega2),
         (s.lambda1, s.lambda3, s.M, s.g, s.R, s.omega3),
         top_without_spin,
+    ),
+    RightHandSide(
+        "top_by_routh",
+        "θ̈, φ̇, ψ̇ of the heavy symmetric top from its Routhian.  Singular where sin θ = 0.",
+        (s.theta,),
+        (s.lambda1, s.lambda3, s.M, s.g, s.R, s.p_phi, s.p_psi),
+        top.reduced_rates,
+        expand=False,
+    ),
+    RightHandSide(
+        "top_by_hamilton",
+        "θ̇, φ̇, ψ̇, ṗ_θ of the heavy symmetric top: Hamilton's equations, singular at sin θ = 0.",
+        (s.theta, s.p_theta),
+        (s.lambda1, s.lambda3, s.M, s.g, s.R, s.p_phi, s.p_psi),
+        top_by_hamilton,
+        expand=False,
+    ),
+    RightHandSide(
+        "body_in_euler_angles",
+        "θ̈, φ̈, ψ̈ of a heavy body about a pivot: Lagrange's equations, singular at sin θ = 0.",
+        (s.theta, s.psi, s.thetadot, s.phidot, s.psidot),
+        (s.lambda1, s.lambda2, s.lambda3, s.M, s.g, s.R1, s.R2, s.R3),
+        top.accelerations_in_euler_angles,
+    ),
+    RightHandSide(
+        "body_by_hamilton",
+        "θ̇, φ̇, ψ̇, ṗ_θ, ṗ_ψ of a heavy body: Hamilton's equations, singular at sin θ = 0.",
+        (s.theta, s.psi, s.p_theta, s.p_psi),
+        (s.lambda1, s.lambda2, s.lambda3, s.M, s.g, s.R1, s.R2, s.R3, s.p_phi),
+        body_by_hamilton,
+        expand=False,
     ),
 )
 
@@ -134,9 +180,12 @@ class Split:
 def split(side: RightHandSide) -> Split:
     """Take everything that depends on parameters alone out of the rates."""
     names: dict[Expr, Symbol] = {}
-    rates = [_by_constants(rate, side.state, names) for rate in side.derive()]
+    collect = _by_constants if side.expand else _as_they_stand
+    rates = [collect(rate, side.state, names) for rate in side.derive()]
     constants = {name: constant for constant, name in names.items()}
-    return Split(constants, function(rates, (*side.state, *constants), "rates"))
+    used = set[Symbol]().union(*(rate.free_symbols for rate in rates))
+    alone = [parameter for parameter in side.parameters if parameter in used]
+    return Split(constants, function(rates, (*side.state, *constants, *alone), "rates"))
 
 
 def _by_constants(rate: Expr, state: Sequence[Symbol], names: dict[Expr, Symbol]) -> Expr:
@@ -160,6 +209,19 @@ def _by_constants(rate: Expr, state: Sequence[Symbol], names: dict[Expr, Symbol]
         name = names.setdefault(sign * number * constant, Symbol(f"c{len(names)}"))
         total += sign * name * rest
     return total
+
+
+def _as_they_stand(rate: Expr, state: Sequence[Symbol], names: dict[Expr, Symbol]) -> Expr:
+    """The same sums and products, with each part that the state does not enter a symbol."""
+    if rate.is_Add or rate.is_Mul:
+        constant, of_state = rate.as_independent(*state)
+        sign = -1 if constant.could_extract_minus_sign() else 1
+        if not constant.is_Number and (constant * sign) not in rate.free_symbols:
+            name = names.setdefault(sign * constant, Symbol(f"c{len(names)}"))
+            return rate.func(sign * name, _as_they_stand(of_state, state, names))
+    if rate.is_Atom:
+        return rate
+    return rate.func(*(_as_they_stand(part, state, names) for part in rate.args))
 
 
 HEADER = '''\
@@ -195,6 +257,7 @@ def _text(side: RightHandSide) -> str:
     if called:
         parameters += ["*", *(f"{word}: Callable[[Any], Any] = math.{word}" for word in called)]
     state = ", ".join(x.name for x in side.state)
+    unpacked = state if len(side.state) > 1 else f"({state},)"
     lines = [
         *source.signature(side.name, parameters, returns="Rates"),
         f'    """{side.about}',
@@ -207,7 +270,7 @@ def _text(side: RightHandSide) -> str:
     lines += [
         "",
         "    def rates(state: Sequence[Number]) -> tuple[Number, ...]:",
-        f"        {state} = state",
+        f"        {unpacked} = state",
         *source.body(parts.rates.definition, depth=2),
         "",
         "    return rates",

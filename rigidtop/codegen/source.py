@@ -88,11 +88,24 @@ def _entry(value: ast.expr, depth: int) -> list[str]:
 
 
 def _terms(value: ast.expr) -> list[str]:
-    """A sum as lines that begin with their sign; anything else as one line."""
-    if isinstance(value, ast.BinOp) and isinstance(value.op, (ast.Add, ast.Sub)):
-        sign = "+" if isinstance(value.op, ast.Add) else "-"
-        return [*_terms(value.left), f"{sign} {_text(value.right)}"]
+    """A sum as lines that begin with their sign, a product likewise; anything else as one line."""
+    for kind in ((ast.Add, ast.Sub), (ast.Mult, ast.Div)):
+        if isinstance(value, ast.BinOp) and isinstance(value.op, kind):
+            return _operands(value, kind)
     return [_text(value)]
+
+
+def _operands(value: ast.expr, kind: tuple[type[ast.operator], ...]) -> list[str]:
+    if isinstance(value, ast.BinOp) and isinstance(value.op, kind):
+        sign = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}[type(value.op)]
+        return [*_operands(value.left, kind), f"{sign} {_operand(value.right, value.op)}"]
+    return [_operand(value, kind[0]())]
+
+
+def _operand(value: ast.expr, beside: ast.operator) -> str:
+    """The text of an operand, in the parentheses that it has as the right one of `beside`."""
+    whole = _text(ast.BinOp(ast.Name("_"), beside, value))
+    return whole.split(" ", 2)[2]
 
 
 def _text(node: ast.expr) -> str:

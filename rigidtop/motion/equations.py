@@ -144,3 +144,236 @@ def heavy_top(
         )
 
     return rates
+
+
+def top_by_routh(
+    lambda1: Number,
+    lambda3: Number,
+    M: Number,
+    g: Number,
+    R: Number,
+    p_phi: Number,
+    p_psi: Number,
+    *,
+    cos: Callable[[Any], Any] = math.cos,
+    sin: Callable[[Any], Any] = math.sin,
+) -> Rates:
+    """θ̈, φ̇, ψ̇ of the heavy symmetric top from its Routhian.  Singular where sin θ = 0.
+
+    The state is (theta).
+    """
+    c0 = 1 / lambda1
+    c1 = M * R * g
+    c2 = p_psi / lambda1
+    c3 = p_psi / lambda3
+
+    def rates(state: Sequence[Number]) -> tuple[Number, ...]:
+        (theta,) = state
+        x0 = sin(theta)
+        x1 = cos(theta)
+        x2 = p_phi - p_psi * x1
+        x3 = c0 * x2 / x0**2
+        return (
+            c0 * (c0 * x1 * x2**2 / x0**3 + c1 * x0 - c2 * x2 / x0),
+            x3,
+            c3 - x1 * x3,
+        )
+
+    return rates
+
+
+def top_by_hamilton(
+    lambda1: Number,
+    lambda3: Number,
+    M: Number,
+    g: Number,
+    R: Number,
+    p_phi: Number,
+    p_psi: Number,
+    *,
+    cos: Callable[[Any], Any] = math.cos,
+    sin: Callable[[Any], Any] = math.sin,
+) -> Rates:
+    """θ̇, φ̇, ψ̇, ṗ_θ of the heavy symmetric top: Hamilton's equations, singular at sin θ = 0.
+
+    The state is (theta, p_theta).
+    """
+    c0 = 1 / lambda1
+    c1 = p_psi / lambda3
+    c2 = M * R * g
+    c3 = p_psi / lambda1
+
+    def rates(state: Sequence[Number]) -> tuple[Number, ...]:
+        theta, p_theta = state
+        x0 = sin(theta)
+        x1 = cos(theta)
+        x2 = p_phi - p_psi * x1
+        x3 = c0 * x2 / x0**2
+        return (
+            c0 * p_theta,
+            x3,
+            c1 - x1 * x3,
+            c0 * x1 * x2**2 / x0**3 + c2 * x0 - c3 * x2 / x0,
+        )
+
+    return rates
+
+
+def body_in_euler_angles(
+    lambda1: Number,
+    lambda2: Number,
+    lambda3: Number,
+    M: Number,
+    g: Number,
+    R1: Number,
+    R2: Number,
+    R3: Number,
+    *,
+    cos: Callable[[Any], Any] = math.cos,
+    sin: Callable[[Any], Any] = math.sin,
+) -> Rates:
+    """θ̈, φ̈, ψ̈ of a heavy body about a pivot: Lagrange's equations, singular at sin θ = 0.
+
+    The state is (theta, psi, thetadot, phidot, psidot).
+    """
+    c0 = (lambda1 - lambda2 + lambda3) / lambda1
+    c1 = M * R3 * g / lambda1
+    c2 = (lambda2 - lambda3) / lambda1
+    c3 = M * R1 * g / lambda2
+    c4 = M * R3 * g * (lambda1 - lambda2) / (lambda1 * lambda2)
+    c5 = (lambda1 - lambda2) * (lambda1 + lambda2 - lambda3) / (lambda1 * lambda2)
+    c6 = M * R2 * g / lambda1
+    c7 = (lambda1 - lambda2 - lambda3) / lambda2
+    c8 = (lambda1 + lambda2 - lambda3) / lambda2
+    c9 = (lambda1 - lambda2 + lambda3) / lambda3
+    c10 = (lambda2 - lambda3) * (lambda1 - lambda2 - lambda3) / (lambda2 * lambda3)
+    c11 = (lambda1 - lambda2) / lambda3
+    c12 = M * R1 * g / lambda3
+    c13 = M * R2 * g / lambda3
+    c14 = M * R1 * g * (lambda2 - lambda3) / (lambda2 * lambda3)
+    c15 = M * R2 * g * (lambda1 - lambda3) / (lambda1 * lambda3)
+    c16 = (
+        (lambda1 - lambda2)
+        * (2 * lambda1 * lambda2 - lambda1 * lambda3 - lambda2 * lambda3 + lambda3**2)
+        / (lambda1 * lambda2 * lambda3)
+    )
+    c17 = (
+        (lambda1 - lambda2)
+        * (lambda1 - lambda3)
+        * (lambda2 - lambda3)
+        / (lambda1 * lambda2 * lambda3)
+    )
+
+    def rates(state: Sequence[Number]) -> tuple[Number, ...]:
+        theta, psi, thetadot, phidot, psidot = state
+        x0 = sin(theta)
+        x1 = cos(psi)
+        x2 = cos(theta)
+        x3 = x1 * x2
+        x4 = sin(psi)
+        x5 = x2 * x4
+        x6 = phidot * psidot * x0
+        x7 = phidot**2
+        x8 = x0 * x7
+        x9 = thetadot * x4
+        x10 = phidot * x2
+        x11 = c5 * x1
+        x12 = 1 / x0
+        x13 = thetadot * x12
+        x14 = c7 * psidot * x13
+        x15 = x12 * x5
+        x16 = x12 * x3
+        x17 = x2**2
+        x18 = x17 - 1
+        x19 = x0 ** (-2)
+        x20 = c4 * x19 * x4
+        x21 = thetadot * x1
+        x22 = x12 * x4
+        x23 = phidot * x22
+        x24 = psidot * x23
+        x25 = x22 * x7
+        x26 = phidot * x13
+        x27 = x1 * x12
+        x28 = x17 * x27
+        x29 = x21 + x23
+        x30 = thetadot**2
+        return (
+            -c0 * x6
+            + c1 * x0
+            + c2 * x2 * x8
+            + c3 * x3
+            + c4 * x0 * x1**2
+            - c6 * x5
+            + x11 * (-psidot * x9 + x1 * x6 - x10 * x9 + x3 * x8),
+            c3 * x15
+            + c6 * x16
+            - c8 * x10 * x13
+            - x1 * x18 * x20
+            + x11 * x12 * (psidot * x21 + x10 * x21 + x15 * x7 - x17 * x24 - x2**3 * x25 + x24)
+            - x14,
+            -c10 * x17 * x26
+            + c11 * x27 * (-2 * phidot * x21 + x12 * x30 * x4 - x17 * x22 * x30 - x25)
+            - c12 * x22
+            - c13 * x27
+            + c14 * x17 * x22
+            + c15 * x28
+            + c16 * phidot * x28 * x29
+            - c17 * x1 * x19 * x2**4 * x4 * x7
+            + c5 * psidot * x16 * (phidot * x12 * x17 * x4 - x29)
+            + c9 * x26
+            + x14 * x2
+            + x18 * x20 * x3,
+        )
+
+    return rates
+
+
+def body_by_hamilton(
+    lambda1: Number,
+    lambda2: Number,
+    lambda3: Number,
+    M: Number,
+    g: Number,
+    R1: Number,
+    R2: Number,
+    R3: Number,
+    p_phi: Number,
+    *,
+    cos: Callable[[Any], Any] = math.cos,
+    sin: Callable[[Any], Any] = math.sin,
+) -> Rates:
+    """θ̇, φ̇, ψ̇, ṗ_θ, ṗ_ψ of a heavy body: Hamilton's equations, singular at sin θ = 0.
+
+    The state is (theta, psi, p_theta, p_psi).
+    """
+    c0 = 1 / lambda1
+    c1 = 1 / lambda2
+    c2 = 1 / lambda3
+    c3 = M * g
+
+    def rates(state: Sequence[Number]) -> tuple[Number, ...]:
+        theta, psi, p_theta, p_psi = state
+        x0 = sin(psi)
+        x1 = cos(psi)
+        x2 = sin(theta)
+        x3 = 1 / x2
+        x4 = cos(theta)
+        x5 = -p_phi + p_psi * x4
+        x6 = x3 * x5
+        x7 = p_theta * x0 + x1 * x6
+        x8 = c0 * x7
+        x9 = p_theta * x1 - x0 * x6
+        x10 = c1 * x9
+        x11 = x1 * x8
+        x12 = x3 * x4
+        x13 = x0 * x10
+        x14 = p_psi + x4 * x5 / x2**2
+        return (
+            x0 * x8 + x1 * x10,
+            x3 * (c1 * x0 * x9 - x11),
+            c2 * p_psi + x11 * x12 - x12 * x13,
+            c0 * x1 * x14 * x7 - c3 * (-R1 * x1 * x4 + R2 * x0 * x4 - R3 * x2) - x13 * x14,
+            c1 * x7 * x9 - c3 * x2 * (R1 * x0 + R2 * x1) - x8 * x9,
+        )
+
+    return rates

@@ -1,4 +1,6 @@
-"""Lagrangian mechanics for any L(q, q̇): pure functions, of which the top is one argument.
+"""Mechanics for any L(q, q̇), and by its Legendre transform for any H(q, p): pure functions.
+
+The top is one argument of many.
 
 Coordinates and velocities are sequences of plain symbols in the same order.
 
@@ -18,6 +20,7 @@ from dataclasses import dataclass
 
 import sympy
 from sympy import Expr, Matrix, Symbol, hessian
+from sympy.solvers.solveset import NonlinearError
 
 from rigidtop.theory.rotation import total_derivative
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
@@ -66,11 +69,30 @@ def cyclic(L: Expr, q: Symbols) -> tuple[Symbol, ...]:
     return tuple(x for x in q if sympy.expand(L.diff(x)) == 0)
 
 
+def inverse_momenta(L: Expr, qdot: Symbols, p: Symbols) -> dict[Symbol, Expr]:
+    """q̇(q, p), which p = ∂L/∂q̇ defines.
+
+    Raises ValueError where it does not: some velocity does not enter L, or several velocities have
+    the same momentum.
+
+    >>> from sympy import sqrt, symbols
+    >>> m, v, P = symbols("m v P", positive=True)
+    >>> inverse_momenta(-m*sqrt(1 - v**2), [v], [P])     # a relativistic particle, c = 1
+    {v: P/sqrt(P**2 + m**2)}
+    """
+    equations = list(momenta(L, qdot) - Matrix(p))
+    try:
+        found = [dict(zip(qdot, x, strict=True)) for x in sympy.linsolve(equations, *qdot)]
+    except NonlinearError:
+        found = sympy.solve(equations, list(qdot), dict=True)
+    if len(found) != 1 or any(x.free_symbols & set(qdot) for x in found[0].values()):
+        raise ValueError("the momenta do not determine the velocities")
+    return {v: reduce_ratio(x) for v, x in found[0].items()}
+
+
 def cyclic_velocities(L: Expr, velocities: Symbols, p: Symbols) -> dict[Symbol, Expr]:
     """The velocities of cyclic coordinates in terms of their constant momenta `p`."""
-    equations = momenta(L, velocities) - Matrix(p)
-    [solution] = sympy.linsolve(list(equations), *velocities)
-    return {v: reduce_ratio(x) for v, x in zip(velocities, solution, strict=True)}
+    return inverse_momenta(L, velocities, p)
 
 
 def routhian(L: Expr, velocities: Symbols, p: Symbols) -> Expr:
@@ -87,6 +109,34 @@ def routhian(L: Expr, velocities: Symbols, p: Symbols) -> Expr:
 def effective_potential(L: Expr, velocities: Symbols, p: Symbols, rest: Symbols) -> Expr:
     """Minus the Routhian where the velocities `rest` that are left vanish."""
     return -routhian(L, velocities, p).subs(dict.fromkeys(rest, 0))
+
+
+def hamiltonian(L: Expr, qdot: Symbols, p: Symbols) -> Expr:
+    """H(q, p) = Σ p q̇ − L, the Legendre transform of L; it undoes itself.
+
+    >>> from sympy import symbols
+    >>> m, k, x, v, P = symbols("m k x v P", positive=True)
+    >>> H = hamiltonian(m*v**2/2 - k*x**2/2, [v], [P])
+    >>> H
+    P**2/(2*m) + k*x**2/2
+    >>> hamiltonian(H, [P], [v])
+    -k*x**2/2 + m*v**2/2
+    """
+    transform = sum(pk * v for v, pk in zip(qdot, p, strict=True)) - L
+    return sympy.expand(transform.subs(inverse_momenta(L, qdot, p), simultaneous=True))
+
+
+def hamilton_equations(H: Expr, q: Symbols, p: Symbols) -> Matrix:
+    """q̇ = ∂H/∂p and ṗ = −∂H/∂q (2n×1), the coordinates first.
+
+    >>> from sympy import symbols
+    >>> m, k, x, P = symbols("m k x P", positive=True)
+    >>> hamilton_equations(P**2/(2*m) + k*x**2/2, [x], [P])
+    Matrix([
+    [ P/m],
+    [-k*x]])
+    """
+    return Matrix([*(H.diff(pk) for pk in p), *(-H.diff(x) for x in q)])
 
 
 @dataclass(frozen=True)

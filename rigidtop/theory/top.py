@@ -17,7 +17,11 @@ from rigidtop.theory.lagrangian import (
     accelerations,
     effective_potential,
     euler_lagrange,
+    hamilton_equations,
+    hamiltonian,
+    mass_matrix,
     momenta,
+    routhian,
 )
 from rigidtop.theory.rotation import (
     Z_AXIS,
@@ -31,6 +35,7 @@ from rigidtop.theory.trig import reduce_ratio, reduce_trig
 ANGLES = (s.theta, s.phi, s.psi)
 RATES = (s.thetadot, s.phidot, s.psidot)
 ACCELERATIONS = (s.thetaddot, s.phiddot, s.psiddot)
+CONJUGATE = (s.p_theta, s.p_phi, s.p_psi)
 CENTRE_OF_MASS = (s.R1, s.R2, s.R3)
 QUATERNION = (s.q0, s.q1, s.q2, s.q3)
 
@@ -99,6 +104,74 @@ def top_effective_potential() -> Expr:
     spin = s.p_psi**2 / (2 * s.lambda3)
     gravity = s.M * s.g * s.R * cos(s.theta)
     return reduce_ratio(derived - spin - gravity) + spin + gravity
+
+
+@cache
+def reduced_rates() -> ImmutableMatrix:
+    """θ̈, φ̇, ψ̇ from the Routhian, p_φ and p_ψ constant (3×1): a motion of θ alone, and integrals.
+
+    (p_φ − p_ψ cos θ) stays one factor: multiplied out it would lose digits near the vertical.
+    """
+    L, cyclic, p = symmetric_lagrangian(), (s.phidot, s.psidot), (s.p_phi, s.p_psi)
+    [mass] = mass_matrix(routhian(L, cyclic, p), (s.thetadot,))
+    potential = top_effective_potential()
+    rates = Matrix([-potential.diff(s.theta) / mass, *(potential.diff(pk) for pk in p)])
+    return ImmutableMatrix(rates.applyfunc(sympy.factor_terms))
+
+
+@cache
+def symmetric_hamiltonian() -> Expr:
+    """p_θ²/(2λ₁) + (p_φ − p_ψ cos θ)²/(2λ₁ sin²θ) + p_ψ²/(2λ₃) + MgR cos θ (J)."""
+    derived = hamiltonian(symmetric_lagrangian(), RATES, CONJUGATE)
+    nutation, spin = s.p_theta**2 / (2 * s.lambda1), s.p_psi**2 / (2 * s.lambda3)
+    rest = nutation + spin + s.M * s.g * s.R * cos(s.theta)
+    return reduce_ratio(derived - rest) + rest
+
+
+@cache
+def symmetric_hamilton_equations() -> ImmutableMatrix:
+    """θ̇, φ̇, ψ̇, ṗ_θ, ṗ_φ, ṗ_ψ of the symmetric top (6×1); the last two vanish."""
+    rates = hamilton_equations(symmetric_hamiltonian(), ANGLES, CONJUGATE)
+    return ImmutableMatrix(rates.applyfunc(sympy.factor_terms))
+
+
+@cache
+def accelerations_in_euler_angles() -> ImmutableMatrix:
+    """θ̈, φ̈, ψ̈ of any heavy body (3×1, rad/s²); singular where sin θ = 0."""
+    return ImmutableMatrix(accelerations(lagrangian(), ANGLES, RATES))
+
+
+@cache
+def angular_momentum_from_conjugate() -> ImmutableMatrix:
+    """L₁, L₂, L₃ of any body from the angles and p_θ, p_φ, p_ψ (3×1, J s).
+
+    ω = B q̇, so p = ∂T/∂q̇ = Bᵀ L.
+
+    >>> angular_momentum_from_conjugate()[1]
+    p_theta*cos(psi) - (-p_phi + p_psi*cos(theta))*sin(psi)/sin(theta)
+    """
+    B = euler_omega("body").jacobian(RATES)
+    solved = (B.T.inv() * Matrix(CONJUGATE)).applyfunc(reduce_ratio)
+    parts = (sympy.expand(entry).as_independent(s.p_theta, as_Add=True) for entry in solved)
+    return ImmutableMatrix([sympy.factor(rest) + sympy.factor(part) for rest, part in parts])
+
+
+@cache
+def body_hamiltonian() -> Expr:
+    """Σ Lₖ²/(2λₖ) + V of any heavy body, in angles and conjugate momenta (J).
+
+    This is its Lagrangian's Legendre transform, of which it keeps the squares.
+    """
+    momentum = angular_momentum_from_conjugate()
+    kinetic = sum(Lk**2 / (2 * moment) for Lk, moment in zip(momentum, MOMENTS, strict=True))
+    return kinetic + potential_energy()
+
+
+@cache
+def body_hamilton_equations() -> ImmutableMatrix:
+    """θ̇, φ̇, ψ̇, ṗ_θ, ṗ_φ, ṗ_ψ of any heavy body (6×1); ṗ_φ vanishes."""
+    rates = hamilton_equations(body_hamiltonian(), ANGLES, CONJUGATE)
+    return ImmutableMatrix(rates.applyfunc(sympy.factor_terms))
 
 
 def gravity_torque(vertical: Matrix) -> Matrix:

@@ -220,3 +220,81 @@ def test_sign_of_the_gyroscopic_force_is_newtons():
     found = mechanics.accelerations(charge(), (x, y), (u, v))
     wanted = Matrix([(e * B * v - k * x) / m, (-e * B * u - k * y) / m])
     assert (found - wanted).applyfunc(sympy.simplify) == sympy.zeros(2, 1)
+
+
+# --- Hamilton -------------------------------------------------------------------------------------
+
+P, Q, S = symbols("P Q S", real=True)
+
+
+def test_hamiltonian_of_a_pendulum():
+    H = mechanics.hamiltonian(m * l1**2 * u**2 / 2 + m * g * l1 * cos(x), (u,), (P,))
+    assert H.expand() == P**2 / (2 * m * l1**2) - m * g * l1 * cos(x)
+    rates = mechanics.hamilton_equations(H, (x,), (P,))
+    assert rates == Matrix([P / (m * l1**2), -m * g * l1 * sin(x)])
+
+
+def test_hamiltonian_of_keplers_problem():
+    r = symbols("r", positive=True)
+    H = mechanics.hamiltonian(m * (u**2 + r**2 * v**2) / 2 + k / r, (u, v), (P, Q))
+    assert sympy.expand(H - (P**2 / (2 * m) + Q**2 / (2 * m * r**2) - k / r)) == 0
+    rates = mechanics.hamilton_equations(H, (r, y), (P, Q))
+    wanted = Matrix([P / m, Q / (m * r**2), Q**2 / (m * r**3) - k / r**2, 0])
+    assert (rates - wanted).applyfunc(sympy.expand) == sympy.zeros(4, 1)
+
+
+def test_hamiltonian_of_a_charge_has_the_kinetic_momentum():
+    H = mechanics.hamiltonian(charge(), (u, v), (P, Q))
+    kinetic = ((P + B * e * y / 2) ** 2 + (Q - B * e * x / 2) ** 2) / (2 * m)
+    assert sympy.expand(H - kinetic - k * (x**2 + y**2) / 2) == 0
+
+
+def test_hamiltonian_of_a_relativistic_particle():
+    fast = symbols("fast", positive=True)
+    H = mechanics.hamiltonian(-m * sympy.sqrt(1 - fast**2) - k * x**2 / 2, (fast,), (p,))
+    wanted = sympy.sqrt(p**2 + m**2) + k * x**2 / 2
+    at = {m: 1.3, k: 0.4, x: 0.7, p: 2.1}
+    assert float(H.subs(at)) == pytest.approx(float(wanted.subs(at)), rel=1e-14)
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_legendre_transform_undoes_itself_and_hamilton_agrees_with_lagrange(name):
+    L, q, qdot = SYSTEMS[name]
+    conjugate = (P, Q, S)[: len(q)]
+    H = mechanics.hamiltonian(L, qdot, conjugate)
+    rng = np.random.default_rng(5)
+    at = {n: Rational(int(rng.integers(5, 30)), 11) for n in (*q, *qdot, m, M, l1, l2, k, g, B, e)}
+    momenta = dict(zip(conjugate, mechanics.momenta(L, qdot).subs(at), strict=True))
+    there = {**at, **momenta}
+    back = mechanics.hamiltonian(H, conjugate, qdot)
+    assert float(back.subs(at)) == pytest.approx(float(L.subs(at)), rel=1e-12)
+    assert float(H.subs(there)) == pytest.approx(float(mechanics.energy(L, qdot).subs(at)))
+    rates = mechanics.hamilton_equations(H, q, conjugate).subs(there)
+    n = len(q)
+    # ∂H/∂p = q̇, and ṗ is Lagrange's: ∂L/∂q.
+    assert [float(r) for r in rates[:n]] == pytest.approx([float(at[d]) for d in qdot])
+    assert [float(r) for r in rates[n:]] == pytest.approx([float(L.diff(c).subs(at)) for c in q])
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_hamiltonian_is_conserved(name):
+    L, q, qdot = SYSTEMS[name]
+    conjugate = (P, Q, S)[: len(q)]
+    H = mechanics.hamiltonian(L, qdot, conjugate)
+    rates = mechanics.hamilton_equations(H, q, conjugate)
+    change = sum(H.diff(z) * rate for z, rate in zip((*q, *conjugate), rates, strict=True))
+    assert sympy.expand(change) == 0
+
+
+@pytest.mark.parametrize(
+    "L", [m * u**2 / 2 - k * (x**2 + y**2), m * (u + v) ** 2 / 2, m * (u**4 - v**4)]
+)
+def test_momenta_that_do_not_determine_the_velocities(L):
+    with pytest.raises(ValueError, match=r"^the momenta do not determine the velocities$"):
+        mechanics.hamiltonian(L, (u, v), (P, Q))
+
+
+def test_routhian_is_the_legendre_transform_of_the_cyclic_part():
+    L = spherical_pendulum()
+    partial = mechanics.hamiltonian(L, (v,), (p,))
+    assert sympy.expand(mechanics.routhian(L, (v,), (p,)) + partial) == 0
