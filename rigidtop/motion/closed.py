@@ -68,16 +68,6 @@ def states(motion: Motion, times: Floats) -> tuple[Floats, Floats]:
         turned, rates = solved.at(times)
         return attitudes.product(attitudes.quaternions(motion.attitude), turned), rates
     s = solved.at(times)
-    q = attitudes.from_spinors(s.cos_half, s.sin_half, s.phi, s.psi)
     if motion.body.weight[2] < 0:
-        q = attitudes.product(attitudes.conjugate(UPSIDE_DOWN), q)
-    sin_psi, cos_psi = np.sin(s.psi), np.cos(s.psi)
-    rates = np.stack(
-        [
-            s.v_theta * sin_psi - s.v_phi * cos_psi,
-            s.v_theta * cos_psi + s.v_phi * sin_psi,
-            np.full(len(times), motion.omega[2]),
-        ],
-        axis=-1,
-    )
-    return q, rates
+        return attitudes.product(attitudes.conjugate(UPSIDE_DOWN), s.quaternion), s.omega
+    return s.quaternion, s.omega

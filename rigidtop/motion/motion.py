@@ -238,17 +238,7 @@ class TopMotion(Motion):
         (array([0.5     , 0.463232]), array([     0.   , 247889.744]))
         """
         times = checks.times(t)
-        state = self.orbit.at(times)
-        return TopTrajectory(
-            self,
-            times,
-            cos_half=state.cos_half,
-            sin_half=state.sin_half,
-            phi=state.phi,
-            psi=state.psi,
-            theta_dot=state.v_theta,
-            v_phi=state.v_phi,
-        )
+        return TopTrajectory(motion=self, t=times, **vars(self.orbit.at(times)))
 
     @cached_property
     def orbit(self) -> heavy.Orbit:
@@ -308,13 +298,16 @@ class TopMotion(Motion):
         size = np.abs(product)
         nodes = np.divide(product, size, out=np.exp(1j * psi_in_frame), where=size > 0)
         omega1, omega2 = states[4:]
+        spin = np.asarray(self.omega[2])
         return TopTrajectory(
-            self,
-            times,
+            motion=self,
+            t=times,
             cos_half=np.abs(alpha),
             sin_half=np.abs(beta),
             phi=phi,
-            psi=psi_in_frame + self.omega[2] * times,
+            psi=psi_in_frame + spin * times,
             theta_dot=omega1 * nodes.imag + omega2 * nodes.real,
             v_phi=omega2 * nodes.imag - omega1 * nodes.real,
+            omega3=spin,
+            upright_phi_dot=self.body.lambda3 * spin / (2 * self.body.lambda1),
         )

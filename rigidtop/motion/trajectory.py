@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
+from rigidtop.motion.state import TopState
 
 if TYPE_CHECKING:
     from rigidtop.motion.motion import Motion, TopMotion
@@ -115,9 +116,9 @@ class BodyTrajectory(Trajectory):
         return self.body_rates
 
 
-@dataclass(frozen=True, eq=False)
-class TopTrajectory(Trajectory):
-    """The motion of a symmetric top, with its Euler angles R = Rz(φ) Ry(θ) Rz(ψ).
+@dataclass(frozen=True, eq=False, kw_only=True)
+class TopTrajectory(TopState, Trajectory):
+    """The motion of a symmetric top, with its Euler angles; each array has shape (N,).
 
     φ and ψ are continuous in t, from the values at t = 0 that the motion was given: they count
     turns.  Only a top whose axis goes exactly through the vertical makes φ jump by ±π and ψ by ∓π
@@ -127,62 +128,13 @@ class TopTrajectory(Trajectory):
     motion: TopMotion
     t: Floats
 
-    cos_half: Floats
-    """cos(θ/2) ≥ 0, shape (N,)."""
-
-    sin_half: Floats
-    """sin(θ/2) ≥ 0, shape (N,)."""
-
-    phi: Floats
-    """Azimuth of e₃, shape (N,), in rad; continuous."""
-
-    psi: Floats
-    """Turn about e₃, shape (N,), in rad; continuous."""
-
-    theta_dot: Floats
-    """θ̇, the component of ω along e₂′, shape (N,), in rad/s."""
-
-    v_phi: Floats
-    """φ̇ sin θ, minus the component of ω along e₁′ (3.42), shape (N,), in rad/s."""
-
     @cached_property
     def rotation(self) -> Rotation:
-        return attitude.rotation(
-            attitude.from_spinors(self.cos_half, self.sin_half, self.phi, self.psi)
-        )
+        return attitude.rotation(self.quaternion)
 
     @cached_property
     def omega(self) -> Floats:
-        sin_psi, cos_psi = np.sin(self.psi), np.cos(self.psi)
-        return np.stack(
-            [
-                self.theta_dot * sin_psi - self.v_phi * cos_psi,
-                self.theta_dot * cos_psi + self.v_phi * sin_psi,
-                np.full(len(self.t), self.motion.omega[2]),
-            ],
-            axis=1,
-        )
-
-    @property
-    def theta(self) -> Floats:
-        """Polar angle of e₃ in [0, π], shape (N,), in rad."""
-        return 2 * np.arctan2(self.sin_half, self.cos_half)
-
-    @property
-    def phi_dot(self) -> Floats:
-        """φ̇, shape (N,), in rad/s.
-
-        Exactly at θ = 0 or π it is the limit along a motion through it, ±λ₃ω₃/(2λ₁).
-        """
-        sine = 2 * self.sin_half * self.cos_half
-        limit = np.copysign(1.0, self.cos_half - self.sin_half) * self.p_psi
-        limit /= 2 * self.motion.body.lambda1
-        return np.divide(self.v_phi, sine, out=limit, where=sine > 0)
-
-    @property
-    def psi_dot(self) -> Floats:
-        """ψ̇ = ω₃ − φ̇ cos θ, shape (N,), in rad/s."""
-        return self.motion.omega[2] - self.phi_dot * np.cos(self.theta)
+        return super().omega
 
     @property
     def p_phi(self) -> Floats:
@@ -192,7 +144,7 @@ class TopTrajectory(Trajectory):
     @property
     def p_psi(self) -> Floats:
         """Momentum conjugate to ψ (3.56), which is L₃, shape (N,), in J s."""
-        return np.full(len(self.t), self.motion.body.lambda3 * self.motion.omega[2])
+        return self.motion.body.lambda3 * self.omega[:, 2]
 
     def conserved(self) -> Mapping[str, Floats]:
         """The energy, p_φ and p_ψ."""

@@ -34,6 +34,7 @@ from scipy.special import elliprj
 
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact.elliptic import Jacobi, first_kind, jacobi, quarter_period
+from rigidtop.motion.state import TopState
 
 ROUNDING = 16 * float(np.finfo(float).eps)
 """What rounding of the initial state does to quantities that decide the regime."""
@@ -70,18 +71,6 @@ class Start:
     v_phi: Floats
     """φ̇ sin θ."""
 
-    phi: Floats
-    psi: Floats
-
-
-@dataclass(frozen=True)
-class State:
-    """A top at given times."""
-
-    cos_half: Floats
-    sin_half: Floats
-    v_theta: Floats
-    v_phi: Floats
     phi: Floats
     psi: Floats
 
@@ -271,13 +260,13 @@ class Orbit:
 
     # --- The state ---
 
-    def at(self, t: ArrayLike) -> State:
+    def at(self, t: ArrayLike) -> TopState:
         """The state at times t (s), which broadcast against the orbit."""
         scaled = np.asarray(t, dtype=float) * self.sigma
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
             return self._at(scaled, np.asarray(t, dtype=float))
 
-    def _at(self, scaled: Floats, t: Floats) -> State:
+    def _at(self, scaled: Floats, t: Floats) -> TopState:
         # At t = 0 the sign of a zero τ₀ counts.
         tau = np.where(scaled == 0, self.tau0, self.tau0 + self.nu * scaled)
         bounded = np.isfinite(self.quarter)
@@ -305,13 +294,15 @@ class Orbit:
         momentum = self.a1 * f.sn**2 + self.a2 * f.cn**2
         v_phi = np.where(sine > 0, momentum / np.where(sine > 0, sine, 1.0), 0.0) * self.sigma
         s = self.start
-        return State(
+        return TopState(
             cos_half=np.sqrt(y / 2),
             sin_half=np.sqrt(x / 2),
-            v_theta=v_theta,
-            v_phi=v_phi,
             phi=s.phi + (big_x + big_y) / 2,
             psi=s.psi + s.omega3 * t + (big_y - big_x) / 2,
+            theta_dot=v_theta,
+            v_phi=v_phi,
+            omega3=s.omega3,
+            upright_phi_dot=s.b / 2,
         )
 
 

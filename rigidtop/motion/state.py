@@ -1,0 +1,73 @@
+"""What a symmetric top is doing, at one time or at many, one top or many."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rigidtop.motion import attitude
+from rigidtop.motion.attitude import Floats
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class TopState:
+    """Attitude and rates of symmetric tops: arrays of one shape S, or such as broadcast to it.
+
+    R = Rz(φ) Ry(θ) Rz(ψ).  Half angles and the components of ė₃ are known to all their digits near
+    the vertical too, where φ̇ and the digits of θ close to π are not.
+    """
+
+    cos_half: Floats
+    """cos(θ/2) ≥ 0."""
+
+    sin_half: Floats
+    """sin(θ/2) ≥ 0."""
+
+    phi: Floats
+    """Azimuth of e₃ (rad)."""
+
+    psi: Floats
+    """Turn about e₃ (rad)."""
+
+    theta_dot: Floats
+    """θ̇, the component of ω along e₂′ (rad/s)."""
+
+    v_phi: Floats
+    """φ̇ sin θ, minus the component of ω along e₁′ (3.42) (rad/s)."""
+
+    omega3: Floats
+    """ω₃ (rad/s)."""
+
+    upright_phi_dot: Floats
+    """λ₃ω₃/(2λ₁): the limit of φ̇ where e₃ goes through the upright; minus that, hanging (rad/s)."""
+
+    @property
+    def theta(self) -> Floats:
+        """Polar angle of e₃ in [0, π] (rad)."""
+        return 2 * np.arctan2(self.sin_half, self.cos_half)
+
+    @property
+    def phi_dot(self) -> Floats:
+        """φ̇ (rad/s).  Exactly at θ = 0 or π it is the limit along a motion through it."""
+        sine = 2 * self.sin_half * self.cos_half
+        limit = np.copysign(1.0, self.cos_half - self.sin_half) * self.upright_phi_dot
+        return np.where(sine > 0, self.v_phi / np.where(sine > 0, sine, 1.0), limit)
+
+    @property
+    def psi_dot(self) -> Floats:
+        """ψ̇ = ω₃ − φ̇ cos θ (rad/s)."""
+        return self.omega3 - self.phi_dot * np.cos(self.theta)
+
+    @property
+    def quaternion(self) -> Floats:
+        """Unit quaternions, scalar first, body to space, shape (*S, 4)."""
+        return attitude.from_spinors(self.cos_half, self.sin_half, self.phi, self.psi)
+
+    @property
+    def omega(self) -> Floats:
+        """Rotational velocity in body components, shape (*S, 3) (rad/s)."""
+        sin_psi, cos_psi = np.sin(self.psi), np.cos(self.psi)
+        first = self.theta_dot * sin_psi - self.v_phi * cos_psi
+        second = self.theta_dot * cos_psi + self.v_phi * sin_psi
+        return np.stack([first, second, np.broadcast_to(self.omega3, first.shape)], axis=-1)
