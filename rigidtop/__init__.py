@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from rigidtop.errors import NoSteadyPrecession, RigidtopError
     from rigidtop.motion.body import FreeBody, HeavyBody
+    from rigidtop.motion.many import FreeMotions, TopMotions, free_motions, top_motions
     from rigidtop.motion.motion import Motion
     from rigidtop.motion.top import HeavyTop
     from rigidtop.motion.trajectory import Trajectory
@@ -19,23 +20,31 @@ if TYPE_CHECKING:
 
 __all__ = [
     "FreeBody",
+    "FreeMotions",
     "HeavyBody",
     "HeavyTop",
     "Motion",
     "NoSteadyPrecession",
     "RigidtopError",
+    "TopMotions",
     "Trajectory",
     "__version__",
+    "free_motions",
+    "top_motions",
 ]
 
 _HOMES = {
     "FreeBody": "rigidtop.motion.body",
+    "FreeMotions": "rigidtop.motion.many",
     "HeavyBody": "rigidtop.motion.body",
     "HeavyTop": "rigidtop.motion.top",
     "Motion": "rigidtop.motion.motion",
     "NoSteadyPrecession": "rigidtop.errors",
     "RigidtopError": "rigidtop.errors",
+    "TopMotions": "rigidtop.motion.many",
     "Trajectory": "rigidtop.motion.trajectory",
+    "free_motions": "rigidtop.motion.many",
+    "top_motions": "rigidtop.motion.many",
 }
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -87,6 +87,44 @@ def single_rotation(value: Any) -> Rotation:
 def triangle(moments: Sequence[float], scale: float) -> bool:
     """No moment about the centre of mass exceeds the sum of the other two (equal: a flat body)."""
     return 2 * max(moments) <= sum(moments) + TOLERANCE * scale
+
+
+def numbers(
+    name: str,
+    value: ArrayLike,
+    above: float = -math.inf,
+    least: float = -math.inf,
+    most: float = math.inf,
+) -> NDArray[np.float64]:
+    """An array of finite floats of at most `LARGEST` in magnitude, in a range."""
+    try:
+        result = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise RigidtopError(f"{name} must be numbers, not {value!r}") from None
+    if not np.all(np.isfinite(result)):
+        raise RigidtopError(f"{name} must be finite: it contains NaN or infinity")
+    size = np.abs(result)
+    limits = (
+        (size > LARGEST, f"at most {LARGEST:g} in magnitude: use other units"),
+        (result <= above, f"more than {above:g}"),
+        (result < least, f"at least {least:g}"),
+        (result > most, f"at most {most:g}"),
+        # Like `positive` and `not_negative`, for what multiplies and divides.
+        ((size > 0) & (size < SMALLEST) & (max(above, least) == 0), "0 or not so tiny"),
+    )
+    for wrong, right in limits:
+        if np.any(wrong):
+            raise RigidtopError(f"{name} must be {right}, not {result[wrong][0]:g}")
+    return result
+
+
+def common_shape(values: Mapping[str, NDArray[np.float64]]) -> tuple[int, ...]:
+    """The shape to which arrays broadcast."""
+    try:
+        return np.broadcast_shapes(*(value.shape for value in values.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {value.shape}" for name, value in values.items() if value.ndim)
+        raise RigidtopError(f"these shapes do not broadcast: {shapes}") from None
 
 
 def times(value: ArrayLike) -> NDArray[np.float64]:

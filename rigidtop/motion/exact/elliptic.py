@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import elliprf, elliprj
+from scipy.special import ellipkm1, elliprf, elliprj
 
 from rigidtop.motion.attitude import Floats
 
@@ -42,7 +42,7 @@ def quarter_period(m1: Floats) -> Floats:
     >>> float(quarter_period(1.0)) * 2
     3.141592653589793
     """
-    return np.asarray(elliprf(0.0, m1, 1.0), dtype=float)
+    return np.asarray(ellipkm1(m1), dtype=float)
 
 
 def first_kind(sn: Floats, cn: Floats, dn: Floats) -> Floats:

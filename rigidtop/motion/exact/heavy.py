@@ -30,7 +30,6 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import elliprj
 
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact.elliptic import Jacobi, first_kind, jacobi, quarter_period
@@ -118,6 +117,8 @@ class Orbit:
     """(x₂ − x₃)/(2 − x₃)."""
     nu: Floats
     tau0: Floats
+    begin: Jacobi
+    """At τ₀."""
     still: NDArray[np.bool_]
     """Whether θ stays where it is because the axis is vertical and at rest."""
     steady: NDArray[np.bool_]
@@ -213,33 +214,44 @@ class Orbit:
 
     def _third_kinds(self, f: Jacobi, tau: Floats) -> tuple[Floats, Floats]:
         """X and Y without their constant parts, from τ = 0 to |τ| ≤ K."""
-        per_rate = 1 / np.where(self.nu > 0, self.nu, np.inf)
         # X: x = x₂(1 − n sn²) is smallest at K.
-        factor = self.range * self.c_up / np.where(self.x2 > 0, self.x2, 1.0) ** 2 * per_rate
-        x = self.x1 * f.sn**2 + self.x2 * f.cn**2
-        p = np.where(factor != 0, x, 1.0) / np.where(factor != 0, self.x2, 1.0)
-        p = np.where(p > 0, p, 1.0)
-        upper = factor * f.third_kind(p)
+        moving = self._factor_x != 0
+        x = np.where(moving, self.x1 * f.sn**2 + self.x2 * f.cn**2, 1.0)
+        p = x / np.where(moving, self.x2, 1.0)
+        upper = self._factor_x * f.third_kind(np.where(p > 0, p, 1.0))
         # Y the same way where y does not vary much.
-        y2 = np.where(self._far_from_down, self.y2, 1.0)
-        factor = np.where(self._far_from_down, -self.range * self.c_down / y2**2 * per_rate, 0.0)
-        lower = factor * f.third_kind(1 + self.range / y2 * f.sn**2)
-        if np.all(self._far_from_down):
-            return upper, lower
+        far, y1, y2 = self._far_from_down, self.y1, self.y2
+        if np.all(far):
+            return upper, self._factor_y * f.third_kind(1 + self.range / y2 * f.sn**2)
         # Else by the transformation that takes the peak of 1/y at τ = 0 into an arc tangent.
-        y1, y2 = np.where(self.y1 > 0, self.y1, 1.0), self.y2
-        n = self.range / (self.ratio * y1)
-        p = f.cn**2 + self.m1 * y2 / y1 * f.sn**2
+        y1, safe_y2 = np.where(y1 > 0, y1, 1.0), np.where(y2 > 0, y2, 1.0)
+        p = np.where(far, 1 + self.range / safe_y2 * f.sn**2, f.cn**2 + self.m1 * y2 / y1 * f.sn**2)
+        tail = f.third_kind(np.where(p > 0, p, 1.0))
         weight = self.m1 * np.sqrt(self.ratio * y2 / y1)
-        with np.errstate(invalid="ignore", over="ignore"):
-            tail = n / 3 * f.sn**3 * elliprj(f.cn**2, f.dn**2, 1.0, np.where(p > 0, p, 1.0))
-        arc = np.arctan2(self.range * f.sn * f.cn, f.dn * np.sqrt(self.ratio * y1 * y2))
+        across = np.sqrt(self.ratio * y1 * y2)
+        arc = np.arctan2(self.range * f.sn * f.cn, f.dn * across)
         # From the product of the roots at y = 0; through y = 0 itself the phase jumps by π.
         straight = 2 * self.mu * np.sqrt(y1 * y2) / self._root_of_distances
-        around = 2 * np.copysign(1.0, self.c_down) * (weight * (tau + tail) + straight * tau + arc)
+        n = self.range / (self.ratio * y1)
+        bent = np.where(weight > 0, weight * (tau + n * tail), 0.0) + straight * tau + arc
+        around = 2 * np.copysign(1.0, self.c_down) * bent
         through = np.copysign(np.pi, f.sn)  # the zero is signed: before or after
-        moving = np.where(self.y2 > 0, around, through)
-        return upper, np.where(self._far_from_down | self.still, lower, moving)
+        near = np.where(self.still, 0.0, np.where(y2 > 0, around, through))
+        return upper, np.where(far, self._factor_y * tail, near)
+
+    @cached_property
+    def _per_rate(self) -> Floats:
+        return 1 / np.where(self.nu > 0, self.nu, np.inf)
+
+    @cached_property
+    def _factor_x(self) -> Floats:
+        x2 = np.where(self.x2 > 0, self.x2, 1.0)
+        return self.range * self.c_up / x2**2 * self._per_rate
+
+    @cached_property
+    def _factor_y(self) -> Floats:
+        y2 = np.where(self._far_from_down, self.y2, 1.0)
+        return -self.range * self.c_down / y2**2 * self._per_rate
 
     @cached_property
     def _root_of_distances(self) -> Floats:
@@ -258,6 +270,10 @@ class Orbit:
         lower = np.where((self.y2 == 0) & ~self.still, 2 * np.pi, 2 * lower)
         return upper, lower
 
+    @cached_property
+    def _at_start(self) -> tuple[Floats, Floats]:
+        return self._third_kinds(self.begin, self.tau0)
+
     # --- The state ---
 
     def at(self, t: ArrayLike) -> TopState:
@@ -272,15 +288,15 @@ class Orbit:
         bounded = np.isfinite(self.quarter)
         period = np.where(bounded, 2 * self.quarter, 1.0)
         turns = np.where(bounded, np.round(tau / period), 0.0)
-        first = np.where(bounded, np.round(self.tau0 / period), 0.0)
         reduced = np.where(turns == 0, tau, tau - turns * period)
         f = jacobi(reduced, self.m1)
-        begin = np.where(first == 0, self.tau0, self.tau0 - first * period)
         x_kind, y_kind = self._third_kinds(f, reduced)
-        x_begin, y_begin = self._third_kinds(jacobi(begin, self.m1), begin)
-        x_turn, y_turn = (np.where(bounded, part, 0.0) for part in self._complete)
-        big_x = self._drift_x * scaled + (turns - first) * x_turn + (x_kind - x_begin)
-        big_y = self._drift_y * scaled + (turns - first) * y_turn + (y_kind - y_begin)
+        x_begin, y_begin = self._at_start
+        big_x = self._drift_x * scaled + (x_kind - x_begin)
+        big_y = self._drift_y * scaled + (y_kind - y_begin)
+        if np.any(turns):
+            x_turn, y_turn = (np.where(bounded, part, 0.0) for part in self._complete)
+            big_x, big_y = big_x + turns * x_turn, big_y + turns * y_turn
         x = self.x1 * f.sn**2 + self.x2 * f.cn**2
         y = self.y1 * f.sn**2 + self.y2 * f.cn**2
         sine = np.sqrt(x * y)
@@ -353,7 +369,7 @@ def _solve(start: Start) -> Orbit:
     sn = np.where(span > 0, np.sqrt(delta2 / down), 0.0)
     cn = np.where(span > 0, np.sqrt(-delta1 / down), 1.0)
     dn = np.sqrt(m1 + m * cn**2)
-    tau0 = -np.copysign(1.0, v_theta) * first_kind(sn, cn, dn)
+    sn = -np.copysign(1.0, v_theta) * sn
     return Orbit(
         start=start,
         sigma=sigma,
@@ -372,7 +388,8 @@ def _solve(start: Start) -> Orbit:
         m1=m1,
         ratio=np.where(from_down > 0, m23 / np.where(from_down > 0, from_down, 1.0), 1.0),
         nu=nu,
-        tau0=tau0,
+        tau0=first_kind(sn, cn, dn),
+        begin=Jacobi(sn, cn, dn),
         still=still,
         steady=steady,
     )

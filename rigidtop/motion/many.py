@@ -1,0 +1,342 @@
+"""Many motions at once: arrays of parameters and initial states that broadcast, in closed form.
+
+Work goes in chunks that fit the processor's cache, so memory is what the results take.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, fields
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rigidtop.errors import RigidtopError
+from rigidtop.motion import attitude as attitudes
+from rigidtop.motion import checks, integrate, systems, taylor
+from rigidtop.motion.attitude import Floats
+from rigidtop.motion.exact import free, heavy
+from rigidtop.motion.integrate import TAYLOR, Accuracy, Progress
+from rigidtop.motion.state import TopState
+
+CHUNK = 1 << 13
+"""States at a time: arrays of these, some dozens, stay in the cache."""
+
+
+def top_motions(
+    *,
+    lambda1: ArrayLike,
+    lambda3: ArrayLike,
+    M: ArrayLike,
+    R: ArrayLike,
+    theta: ArrayLike,
+    g: ArrayLike = 9.81,
+    theta_dot: ArrayLike = 0.0,
+    phi: ArrayLike = 0.0,
+    phi_dot: ArrayLike = 0.0,
+    psi: ArrayLike = 0.0,
+    psi_dot: ArrayLike | None = None,
+    omega3: ArrayLike | None = None,
+) -> TopMotions:
+    """Motions of heavy symmetric tops, as of `HeavyTop` and its `motion`; the arrays broadcast.
+
+    Raises RigidtopError as these do, for the first value that makes no sense.
+
+    >>> tops = top_motions(lambda1=1, lambda3=0.5, M=1, R=0.5, theta=0.5, omega3=[0, 20, 40])
+    >>> tops.regime.tolist(), tops.exact(1.0).theta.round(6)
+    (['plane', 'cusps', 'cusps'], array([1.983216, 0.527107, 0.500743]))
+    """
+    if (psi_dot is None) == (omega3 is None):
+        raise RigidtopError("give omega3 or psi_dot, one of them")
+    positive = {"lambda1": lambda1, "lambda3": lambda3, "M": M}
+    values = {name: checks.numbers(name, value, above=0.0) for name, value in positive.items()}
+    for name, value in {"R": R, "g": g}.items():
+        values[name] = checks.numbers(name, value, least=0.0)
+    values["theta"] = checks.numbers("theta", theta, least=0.0, most=math.pi)
+    rates = {"theta_dot": theta_dot, "phi": phi, "phi_dot": phi_dot, "psi": psi}
+    rates |= {"omega3": omega3} if psi_dot is None else {"psi_dot": psi_dot}
+    values |= {name: checks.numbers(name, value) for name, value in rates.items()}
+    shape = checks.common_shape(values)
+    central = values["lambda1"] - values["M"] * values["R"] ** 2
+    slack = checks.TOLERANCE * np.maximum(values["lambda1"], values["lambda3"])
+    wrong = 2 * np.maximum(central, values["lambda3"]) > 2 * central + values["lambda3"] + slack
+    if np.any(wrong):
+        raise RigidtopError(
+            f"lambda1 is too small in {np.count_nonzero(wrong)} of {wrong.size}: "
+            "it must be at least MR² + lambda3/2"
+        )
+    if psi_dot is not None:
+        values["omega3"] = values.pop("psi_dot") + values["phi_dot"] * np.cos(values["theta"])
+    return TopMotions(shape=shape, **values)
+
+
+def free_motions(*, moments: ArrayLike, omega: ArrayLike) -> FreeMotions:
+    """Motions of free bodies: `moments` and `omega` (body components, rad/s) of shape (…, 3).
+
+    All but the last axis broadcast.  Raises RigidtopError as `FreeBody` and its `motion` do.
+
+    >>> bodies = free_motions(moments=[1.0, 2.0, 2.5], omega=[[1.0, 0.1, 0.0], [0.1, 0.0, 1.0]])
+    >>> bodies.regime.tolist(), bodies.exact(1.0)[1].shape
+    (['long axis', 'short axis'], (2, 3))
+    """
+    inertia = checks.numbers("moments", moments, above=0.0)
+    rates = checks.numbers("omega", omega)
+    for name, value in (("moments", inertia), ("omega", rates)):
+        if value.shape[-1:] != (3,):
+            raise RigidtopError(f"{name} must have shape (…, 3), not {value.shape}")
+    largest = inertia.max(axis=-1)
+    wrong = 2 * largest > inertia.sum(axis=-1) + checks.TOLERANCE * largest
+    if np.any(wrong):
+        raise RigidtopError(
+            f"moments: the largest exceeds the sum of the other two in {np.count_nonzero(wrong)} "
+            f"of {wrong.size}, and no body has such moments about its centre of mass"
+        )
+    shape = checks.common_shape({"moments": inertia[..., 0], "omega": rates[..., 0]})
+    return FreeMotions(inertia, rates, shape)
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class TopMotions:
+    """Motions of heavy symmetric tops, made by `top_motions`; each array broadcasts to `shape`."""
+
+    lambda1: Floats
+    lambda3: Floats
+    M: Floats
+    R: Floats
+    g: Floats
+    theta: Floats
+    theta_dot: Floats
+    phi: Floats
+    phi_dot: Floats
+    psi: Floats
+    omega3: Floats
+    shape: tuple[int, ...]
+
+    @cached_property
+    def _start(self) -> heavy.Start:
+        hanging = self.theta == math.pi
+        sine = np.where(hanging, 0.0, np.sin(self.theta))
+        return heavy.Start(
+            mu=self.M * self.g * self.R / self.lambda1,
+            b=self.lambda3 * self.omega3 / self.lambda1,
+            omega3=self.omega3,
+            cos_half=np.where(hanging, 0.0, np.cos(self.theta / 2)),
+            sin_half=np.sin(self.theta / 2),
+            v_theta=self.theta_dot,
+            v_phi=self.phi_dot * sine,
+            phi=self.phi,
+            psi=self.psi,
+        )
+
+    def _orbits(self, index: NDArray[np.intp]) -> heavy.Orbit:
+        """Of the motions whose place in the flattened array is `index`."""
+        return heavy.solve(heavy.Start(**_taken(vars(self._start), self.shape, index)))
+
+    def exact(self, t: ArrayLike, progress: Progress | None = None) -> TopState:
+        """The states at the times `t` (s), which broadcast against `shape`.
+
+        `progress` is called with the number of states that are done, and of all.
+        """
+        times = checks.numbers("t", t)
+
+        def states(index: NDArray[np.intp], at: Floats) -> list[Floats]:
+            state = self._orbits(index).at(at)
+            return [getattr(state, each.name) for each in fields(TopState)]
+
+        found = _in_chunks(states, times, self.shape, progress)
+        return TopState(**dict(zip((each.name for each in fields(TopState)), found, strict=True)))
+
+    def integrate(
+        self,
+        t: ArrayLike,
+        method: str = TAYLOR,
+        rtol: float = 1e-15,
+        atol: float = 1e-15,
+        progress: Progress | None = None,
+    ) -> TopState:
+        """The states at the times `t` (T,) of all motions, of shape (T, *shape), integrated.
+
+        See `Motion.integrate`.  φ and ψ are those in (−π, π].  `progress` is called with the number
+        of motions that are done, and of all.
+        """
+        times = checks.times(t)
+        start = {
+            name: np.broadcast_to(value, self.shape).ravel()
+            for name, value in vars(self._start).items()
+        }
+        q = attitudes.from_spinors(
+            start["cos_half"], start["sin_half"], start["phi"], start["psi"]
+        ).T
+        sin_psi, cos_psi = np.sin(start["psi"]), np.cos(start["psi"])
+        across = (
+            start["v_theta"] * sin_psi - start["v_phi"] * cos_psi,
+            start["v_theta"] * cos_psi + start["v_phi"] * sin_psi,
+        )
+        names = ("lambda1", "lambda3", "M", "g", "R", "omega3")
+        parameters = np.array(
+            [np.broadcast_to(getattr(self, n), self.shape).ravel() for n in names]
+        )
+        accuracy = Accuracy(method, rtol, atol)
+        solver = taylor.grid if method == TAYLOR else integrate.grid
+        states = solver(
+            systems.TOP, parameters, np.concatenate([q, across]), times, accuracy, progress
+        )
+        states = np.moveaxis(states, 1, 0).reshape(6, len(times), *self.shape)
+        alpha, beta = attitudes.spinors(states[:4])
+        turn = np.exp(0.5j * self.omega3 * times.reshape(-1, *[1] * len(self.shape)))
+        alpha, beta = alpha * turn, beta * turn.conj()
+        product = alpha * beta.conj()
+        nodes = np.where(product == 0, 1.0, product / np.where(product == 0, 1.0, np.abs(product)))
+        half_sum, half_difference = np.angle(alpha), np.angle(beta)
+        omega = (states[4] + 1j * states[5]) * turn.conj() ** 2
+        return TopState(
+            cos_half=np.abs(alpha),
+            sin_half=np.abs(beta),
+            phi=_principal(half_sum + half_difference),
+            psi=_principal(half_sum - half_difference),
+            theta_dot=omega.real * nodes.imag + omega.imag * nodes.real,
+            v_phi=omega.imag * nodes.imag - omega.real * nodes.real,
+            omega3=self.omega3,
+            upright_phi_dot=self.lambda3 * self.omega3 / (2 * self.lambda1),
+        )
+
+    def _each(self, quantity: Callable[[heavy.Orbit], tuple[Any, ...]]) -> list[Any]:
+        """Something of every orbit, of shape `shape`."""
+        return _in_chunks(
+            lambda index, _: list(quantity(self._orbits(index))), np.zeros(()), self.shape, None
+        )
+
+    @property
+    def regime(self) -> NDArray[np.str_]:
+        """What kind of motion each is: see `Motion.regime`."""
+        return np.asarray(self._each(lambda orbit: (orbit.regime,))[0])
+
+    @property
+    def turning_points(self) -> tuple[Floats, Floats]:
+        """The smallest and the largest θ (rad)."""
+        smallest, largest = self._each(lambda orbit: orbit.turning_points)
+        return smallest, largest
+
+    @property
+    def nutation_period(self) -> Floats:
+        """The time from one smallest θ to the next (s): see `Motion.nutation_period`."""
+        return np.asarray(self._each(lambda orbit: (orbit.nutation_period,))[0])
+
+    @property
+    def precession_per_period(self) -> Floats:
+        """By how much φ grows in that time (rad)."""
+        return np.asarray(self._each(lambda orbit: (orbit.precession_per_period,))[0])
+
+    @property
+    def mean_precession(self) -> Floats:
+        """The mean of φ̇ (rad/s)."""
+        return np.asarray(self._each(lambda orbit: (orbit.mean_precession,))[0])
+
+
+@dataclass(frozen=True, eq=False)
+class FreeMotions:
+    """Motions of free bodies, made by `free_motions`."""
+
+    moments: Floats
+    omega: Floats
+    shape: tuple[int, ...]
+
+    def _orbits(self, index: NDArray[np.intp]) -> free.Orbit:
+        of = {"moments": self.moments, "omega": self.omega}
+        return free.solve(
+            *(np.broadcast_to(x, (*self.shape, 3)).reshape(-1, 3)[index] for x in of.values())
+        )
+
+    def exact(self, t: ArrayLike, progress: Progress | None = None) -> tuple[Floats, Floats]:
+        """Attitudes and ω at the times `t` (s), which broadcast against `shape`.
+
+        Returns unit quaternions (…, 4), scalar first, from the body at t to the body at t = 0, and
+        ω (…, 3) in body components (rad/s).
+        """
+        times = checks.numbers("t", t)
+
+        def states(index: NDArray[np.intp], at: Floats) -> list[Floats]:
+            return list(self._orbits(index).at(at))
+
+        quaternion, omega = _in_chunks(states, times, self.shape, progress)
+        return quaternion, omega
+
+    def _each(self, quantity: Callable[[free.Orbit], tuple[Any, ...]]) -> list[Any]:
+        return _in_chunks(
+            lambda index, _: list(quantity(self._orbits(index))), np.zeros(()), self.shape, None
+        )
+
+    @property
+    def regime(self) -> NDArray[np.str_]:
+        """What kind of motion each is: see `Motion.regime`."""
+        return np.asarray(self._each(lambda orbit: (orbit.regime,))[0])
+
+    @property
+    def nutation_period(self) -> Floats:
+        """The time from one smallest θ to the next (s): see `Motion.nutation_period`."""
+        return np.asarray(self._each(lambda orbit: (orbit.nutation_period,))[0])
+
+    @property
+    def mean_precession(self) -> Floats:
+        """The mean rate at which the axis turns about L (rad/s)."""
+        return np.asarray(self._each(lambda orbit: (orbit.mean_precession,))[0])
+
+
+def _principal(angle: Floats) -> Floats:
+    """The same angle in (−π, π]."""
+    return np.pi - np.mod(np.pi - angle, 2 * np.pi)
+
+
+def _taken(
+    arrays: dict[str, Floats], shape: tuple[int, ...], index: NDArray[np.intp]
+) -> dict[str, Floats]:
+    """The elements `index` of the flattened arrays; what is one number stays so."""
+    return {
+        name: value if np.ndim(value) == 0 else np.broadcast_to(value, shape).reshape(-1)[index]
+        for name, value in arrays.items()
+    }
+
+
+def _in_chunks(
+    states: Callable[[NDArray[np.intp], Floats], list[Any]],
+    times: Floats,
+    shape: tuple[int, ...],
+    progress: Progress | None,
+) -> list[Any]:
+    """`states` of motions and times, chunk by chunk; each result of the common shape, and more."""
+    try:
+        whole = np.broadcast_shapes(times.shape, shape)
+    except ValueError:
+        raise RigidtopError(
+            f"t of shape {times.shape} does not broadcast against motions of shape {shape}"
+        ) from None
+    total = math.prod(whole)
+    results: list[Any] = []
+    of_motion = np.arange(math.prod(shape)).reshape(shape)
+    every, at = (np.broadcast_to(x, whole) for x in (of_motion, times))
+
+    def work(chunk: slice) -> list[Any]:
+        place = np.unravel_index(np.arange(chunk.start, chunk.stop), whole)
+        return states(every[place], at[place])
+
+    chunks = [slice(first, min(first + CHUNK, total)) for first in range(0, total, CHUNK)]
+    # NumPy's loops run beside each other in threads.
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        for chunk, parts in zip(chunks, pool.map(work, chunks), strict=True):
+            if not results:
+                results = [np.empty((total, *np.shape(part)[1:]), _kind(part)) for part in parts]
+            for result, part in zip(results, parts, strict=True):
+                result[chunk] = part
+            if progress is not None:
+                progress(chunk.stop, total)
+    return [result.reshape(*whole, *result.shape[1:]) for result in results]
+
+
+def _kind(part: Any) -> Any:
+    # Names of regimes have different lengths in different chunks.
+    return np.dtype("U32") if np.asarray(part).dtype.kind == "U" else np.asarray(part).dtype
