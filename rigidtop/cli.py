@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from rigidtop.proof.verdict import Judgement
 
 FAILED, BAD_INPUT, INTERRUPTED = 1, 2, 130
+PROSE = ("text", "latex", "html", "typst")
+SOURCES = ("python", "c", "fortran", "julia", "javascript", "octave")
 
 
 class Parser(argparse.ArgumentParser):
@@ -117,9 +119,10 @@ def _parser() -> Parser:
     derive.add_argument("name", help="an equation's number, such as 3.57, or a claim's name")
     derive.add_argument(
         "--format",
-        choices=("text", "latex", "html", "typst"),
+        choices=(*PROSE, *SOURCES),
         default="text",
-        help="how to write it (default: text)",
+        help="how to write it (default: text); in a programming language, a function that "
+        "evaluates its right-hand sides",
     )
 
     lecture = command("lecture", _lecture, "write the lecture as LaTeX and HTML, with figures")
@@ -281,11 +284,37 @@ def _derive(options: argparse.Namespace) -> int:
         names = " ".join(claim.name for _, claim in found)
         raise RigidtopError(f"{options.name} is a section; derive one of its claims: {names}")
     [(_, judgement)] = _judged(found)
+    if options.format in SOURCES:
+        return _derive_source(options, judgement)
     text = fragment(judgement, options.format)
     if options.json:
         _print_json({**record(judgement), "format": options.format, "text": text})
     else:
         print(text)
+    return 0 if judgement.passed else FAILED
+
+
+def _derive_source(options: argparse.Namespace, judgement: Judgement) -> int:
+    from rigidtop.codegen.languages import source
+    from rigidtop.codegen.values import NothingToEvaluateError, values
+    from rigidtop.present.text import text
+
+    try:
+        made = source(values(judgement), options.format, text)
+    except NothingToEvaluateError as error:
+        raise RigidtopError(str(error)) from None
+    if options.json:
+        _print_json(
+            {
+                "name": made.name,
+                "language": made.language,
+                "arguments": made.arguments,
+                "returns": made.returns,
+                "source": made.text,
+            }
+        )
+    else:
+        print(made.text, end="")
     return 0 if judgement.passed else FAILED
 
 

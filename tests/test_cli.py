@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -97,6 +99,43 @@ def test_derive_in_every_format(format: str, part: str, capsys: pytest.CaptureFi
     assert part in capsys.readouterr().out
 
 
+@pytest.mark.parametrize(
+    ("format", "part"),
+    [
+        ("python", "def equation_3_57(theta, omega3, Omega, lambda1, lambda3, M, g, R):"),
+        ("c", "    out[0] = M*R*g + Omega*Omega*lambda1*cos(theta) - Omega*lambda3*omega3;"),
+        ("fortran", "    out(1) = M*R*g + Omega**2*lambda1*cos(theta) - Omega*lambda3*omega3"),
+        ("julia", "        M*R*g + Omega^2*lambda1*cos(theta) - Omega*lambda3*omega3,"),
+        ("javascript", "    M*R*g + Omega*Omega*lambda1*Math.cos(theta) - Omega*lambda3*omega3,"),
+        (
+            "octave",
+            "  residual = M.*R.*g + Omega.^2.*lambda1.*cos(theta) - Omega.*lambda3.*omega3;",
+        ),
+    ],
+)
+def test_derive_as_source(format: str, part: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["derive", "3.57", "--format", format]) == 0
+    out = capsys.readouterr().out
+    assert part in out.splitlines()
+    assert "0 = (λ₁ cos θ)Ω² − (λ₃ω₃)Ω + MgR" in out
+    assert "Holds if sin θ ≠ 0 (the top is not upright and does not hang)." in out
+
+
+def test_derive_as_source_in_json(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["derive", "(3.45)", "--format", "python", "--json"]) == 0
+    record = json.loads(capsys.readouterr().out)
+    source = record.pop("source")
+    assert record == {
+        "name": "3.45",
+        "language": "python",
+        "arguments": ["theta", "L_z", "L3", "lambda1"],
+        "returns": ["phidot"],
+    }
+    names: dict[str, Any] = {}
+    exec(source, names)
+    assert names["equation_3_45"](math.pi / 2, 3.0, 7.0, 2.0)[0] == pytest.approx(1.5, rel=1e-15)
+
+
 def test_simulate_prints_the_drift(capsys: pytest.CaptureFixture[str]) -> None:
     arguments = "simulate top --theta 30deg --omega3 40 --time 1 --samples 3 --json"
     assert main(arguments.split()) == 0
@@ -149,6 +188,8 @@ def test_simulate_writes_csv(tmp_path: Path, capsys: pytest.CaptureFixture[str])
         ("simulate top -o /dev/null", "is not an ordinary file"),
         ("simulate top --time 0", "--time 0 leaves nothing to compute"),
         ("simulate top --theta 0 --steady slow", "--steady wants a tilt"),
+        ("derive 3.35 --format c", "derive: 3.35 has no expression to evaluate; it holds between"),
+        ("derive 3.54 --format cobol", "invalid choice: 'cobol'"),
         ("derive 3.5.4", "is a section; derive one of its claims: nutation azimuth friction"),
         ("lecture -o /dev/null/x", "cannot write into /dev/null/x: /dev/null is not a folder"),
     ],

@@ -1,0 +1,517 @@
+"""A claim's right-hand sides as source for others: a whole file with one function.
+
+SymPy's printers write the expressions.  Here are the names, which every language restricts in its
+own way, the comment that says what goes in and what comes out, and the text around them.  What
+several values share is computed once, and small powers are products.
+
+>>> from rigidtop.codegen.values import values
+>>> from rigidtop.derivations.lagrange_formalism import momentum_psi
+>>> from rigidtop.proof.verdict import judge
+>>> made = source(values(judge(momentum_psi)), "javascript")
+>>> made.arguments, made.returns
+(('theta', 'phidot', 'psidot', 'lambda3'), ('p_psi',))
+>>> print(made.text[made.text.index("function"):])
+function equation_3_56(theta, phidot, psidot, lambda3) {
+  return [
+    lambda3*(phidot*Math.cos(theta) + psidot),
+  ];
+}
+<BLANKLINE>
+"""
+
+from __future__ import annotations
+
+import ast
+import keyword
+import math
+import re
+import textwrap
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+from sympy import Expr, Pow, Symbol
+from sympy.core.relational import Relational
+from sympy.printing.c import C99CodePrinter
+from sympy.printing.codeprinter import CodePrinter
+from sympy.printing.fortran import FCodePrinter
+from sympy.printing.jscode import JavascriptCodePrinter
+from sympy.printing.julia import JuliaCodePrinter
+from sympy.printing.octave import OctaveCodePrinter
+from sympy.printing.precedence import PRECEDENCE
+
+from rigidtop.codegen import numpy
+from rigidtop.codegen.source import INDENT, WIDTH, body, signature
+from rigidtop.codegen.values import Value, Values
+from rigidtop.proof.equation import Equation
+from rigidtop.proof.page import Assumption
+from rigidtop.theory.symbols import VOCABULARY
+
+
+@dataclass(frozen=True)
+class Source:
+    """A file in another language.  The text ends with a line feed."""
+
+    name: str
+    language: str
+    arguments: tuple[str, ...]
+    returns: tuple[str, ...]
+    text: str
+
+
+def plain(tree: Any) -> str:
+    """Equations, conditions and symbols in SymPy's own words."""
+    if isinstance(tree, Equation):
+        return f" {tree.relation} ".join(map(str, tree.sides))
+    return f"{tree.lhs} {tree.rel_op} {tree.rhs}" if isinstance(tree, Relational) else str(tree)
+
+
+def source(made: Values, language: str, shown: Callable[[Any], str] = plain) -> Source:
+    """What a claim has to evaluate, as a file in one of `LANGUAGES`.
+
+    `shown` writes equations, conditions and symbols in the comment.  Names that a language
+    reserves, or can't tell from another, get an underscore behind them.
+    """
+    if language not in LANGUAGES:
+        raise ValueError(f"no language {language!r}: {', '.join(LANGUAGES)}")
+    write = LANGUAGES[language]
+    program = _program(made, write, shown)
+    lines = [line.rstrip() for line in write.file(program)]
+    returns = tuple(name for name, _ in program.results)
+    return Source(made.claim, language, program.arguments, returns, "\n".join(lines) + "\n")
+
+
+def function_name(claim: str) -> str:
+    """3.54 is equation_3_54, two-roots is two_roots."""
+    name = re.sub(r"\W", "_", claim)
+    return f"equation_{name}" if name[0].isdigit() else name
+
+
+# --- Names and comments --------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Program:
+    """A function before it is written: names that the language takes, and expressions in them."""
+
+    name: str
+    about: tuple[str, ...]
+    takes: tuple[str, ...]
+    gives: tuple[str, ...]
+    arguments: tuple[str, ...]
+    shared: tuple[tuple[str, Expr], ...]
+    results: tuple[tuple[str, Expr], ...]
+
+
+@dataclass(frozen=True)
+class Language:
+    """What `source` has to know of a language."""
+
+    file: Callable[[Program], Iterable[str]]
+    reserved: frozenset[str]
+    ignores_case: bool = False
+
+
+def _program(made: Values, language: Language, shown: Callable[[Any], str]) -> Program:
+    taken = set(language.reserved)
+    name = _free_name(function_name(made.claim), taken, language.ignores_case)
+    taken.add(f"{name}_module")
+    symbols = {x: _free_name(x.name, taken, language.ignores_case) for x in made.arguments}
+    outputs = [_free_name(v.name, taken, language.ignores_case) for v in made.outputs]
+    # Plain symbols: two of one name are one, whatever a page assumes of them.
+    renamed = {
+        x: Symbol(symbols[y])
+        for v in made.outputs
+        for x in v.expression.free_symbols
+        for y in made.arguments
+        if x.name == y.name
+    }
+    expressions = [v.expression.xreplace(renamed) for v in made.outputs]
+    shared, reduced = _shared(expressions, _fresh(taken, language.ignores_case))
+    arguments = [(symbols[x], _argument(x, shown)) for x in made.arguments]
+    results = [(o, _output(v, shown)) for o, v in zip(outputs, made.outputs, strict=True)]
+    return Program(
+        name,
+        tuple(_about(made, name, shown)),
+        tuple(_aligned(arguments)),
+        tuple(_aligned(results)),
+        tuple(symbols.values()),
+        tuple((x.name, e) for x, e in shared),
+        tuple(zip(outputs, reduced, strict=True)),
+    )
+
+
+def _free_name(wanted: str, taken: set[str], ignores_case: bool) -> str:
+    """`wanted`, with underscores behind it until it is free; it is taken from then on."""
+    spoken_for = {name.lower() for name in taken} if ignores_case else taken
+    name = re.sub(r"\W", "_", wanted, flags=re.ASCII)
+    while (name.lower() if ignores_case else name) in spoken_for:
+        name += "_"
+    taken.add(name)
+    return name
+
+
+def _fresh(taken: set[str], ignores_case: bool) -> Iterator[Symbol]:
+    spoken_for = {name.lower() for name in taken} if ignores_case else set(taken)
+    return (x for x in sympy.numbered_symbols("x") if x.name not in spoken_for)
+
+
+def _shared(
+    expressions: Sequence[Expr], names: Iterator[Symbol]
+) -> tuple[list[tuple[Symbol, Expr]], list[Expr]]:
+    """What is computed once, and the values in terms of it.
+
+    What is squared counts twice, so that sin²θ is a product of a name with itself.
+    """
+    powers = set().union(*(e.atoms(Pow) for e in expressions))
+    squared = {p.base for p in powers if p.exp.is_Integer and abs(p.exp) > 1 and p.base.args}
+    bases = sorted(squared, key=sympy.default_sort_key)
+    shared, reduced = sympy.cse([*expressions, *bases], symbols=names)
+    return shared, reduced[: len(expressions)]
+
+
+def _about(made: Values, name: str, shown: Callable[[Any], str]) -> Iterator[str]:
+    """Name, claim, equations, axes, conditions."""
+    yield from textwrap.wrap(f"{name}: {made.says}", WIDTH - 8)
+    yield ""
+    equations = list(dict.fromkeys(shown(v.equation) for v in made.outputs))
+    for equation in equations:
+        yield from _hanging(equation)
+    if made.vectors:
+        said = ", ".join(
+            f"{shown(vector)} = ({', '.join(map(shown, components))})"
+            for vector, components in made.vectors
+        )
+        yield from _hanging(f"Components with {said}.")
+    if made.conditions:
+        said = "; ".join(dict.fromkeys(_condition(c, shown) for c in made.conditions))
+        yield from _hanging(f"Holds if {said}.")
+    if any(v.name == "residual" for v in made.outputs):
+        yield "The value is the right-hand side, which vanishes where the equation holds."
+    for note in made.notes:
+        yield from _hanging(note)
+    yield ""
+
+
+def _hanging(text: str) -> list[str]:
+    return textwrap.wrap(text, WIDTH - 8, subsequent_indent="  ", break_long_words=False)
+
+
+def _condition(assumption: Assumption, shown: Callable[[Any], str]) -> str:
+    relation = shown(assumption.condition)
+    if assumption.otherwise is not None:
+        relation = relation.replace(" = ", " → ", 1).replace(" == ", " → ", 1)
+    words = assumption.words.rstrip(".")
+    return f"{relation} ({words})" if words else relation
+
+
+def _argument(symbol: Symbol, shown: Callable[[Any], str]) -> str:
+    quantity = VOCABULARY.get(symbol)
+    letter = "" if shown(symbol) == symbol.name else shown(symbol)
+    if quantity is None:
+        return letter
+    unit = f" ({quantity.unit})" if quantity.unit else ""
+    return ", ".join(filter(None, [letter, quantity.meaning])) + unit
+
+
+def _output(value: Value, shown: Callable[[Any], str]) -> str:
+    if value.symbol is None:
+        return "" if value.name == "residual" else shown(value.equation.sides[0])
+    place = ", ".join(map(str, value.index))
+    which = f"{'component' if len(value.index) == 1 else 'entry'} {place} of " if place else ""
+    return which + _argument(value.symbol, shown)
+
+
+def _aligned(rows: Sequence[tuple[str, str]]) -> Iterator[str]:
+    width = max(len(name) for name, _ in rows)
+    return (f"  {name:{width}}  {about}".rstrip() for name, about in rows)
+
+
+# --- Expressions ---------------------------------------------------------------------------------
+
+
+class _Printer(CodePrinter):
+    """A quotient with one stroke, numbers in front: a*b/2 for (1.0/2.0)*a*b."""
+
+    times, over = "*", "/"
+    powers_as_products = False
+
+    def text(self, expression: Expr) -> str:
+        """One expression on one line."""
+        self._not_supported: set[Any] = set()
+        self._number_symbols: set[Any] = set()
+        text = str(self._print(expression))
+        unknown = self._not_supported | self._number_symbols
+        if unknown:
+            raise ValueError(f"{type(self).__name__} has no words for {expression}")
+        return text
+
+    def _print_Mul(self, expr: Expr) -> str:
+        number, rest = expr.as_coeff_Mul()
+        if not number.is_Rational:
+            number, rest = sympy.S.One, expr
+        above, below = [], []
+        for factor in rest.as_ordered_factors():
+            if factor.is_Pow and factor.exp.is_Rational and factor.exp < 0:
+                below += self._factors(Pow(factor.base, -factor.exp))
+            elif factor != 1:
+                above += self._factors(factor)
+        if abs(number.p) != 1 or not above:
+            above = [str(abs(number.p)), *above]
+        if number.q != 1:
+            below = [str(number.q), *below]
+        sign = "-" if number < 0 else ""
+        if not below:
+            return sign + self._product(above)
+        under = below[0] if len(below) == 1 else f"({self._product(below)})"
+        stroke = "/" if under.isdigit() else self.over
+        return f"{sign}{self._product(above)}{stroke}{under}"
+
+    def _factors(self, factor: Expr) -> list[str]:
+        if self._is_small_power(factor):
+            return [self.parenthesize(factor.base, PRECEDENCE["Mul"])] * int(factor.exp)
+        return [self.parenthesize(factor, PRECEDENCE["Mul"])]
+
+    def _is_small_power(self, factor: Expr) -> bool:
+        whole = self.powers_as_products and factor.is_Pow and factor.exp.is_Integer
+        return bool(whole and 2 <= factor.exp <= 4)
+
+    def _product(self, factors: Sequence[str]) -> str:
+        first, *others = factors
+        times = "*" if first.isdigit() else self.times
+        return times.join([first, self.times.join(others)]) if others else first
+
+    def _print_Pow(self, expr: Expr) -> str:
+        if expr.exp.is_Rational and expr.exp < 0:
+            return self._print_Mul(expr)
+        if self._is_small_power(expr):
+            return self._product(self._factors(expr))
+        return str(super()._print_Pow(expr))
+
+
+class _C(_Printer, C99CodePrinter):
+    powers_as_products = True
+
+    def _print_Pi(self, expr: Expr) -> str:
+        return repr(math.pi)
+
+
+class _Fortran(_Printer, FCodePrinter):
+    def _print_Pi(self, expr: Expr) -> str:
+        return f"{math.pi!r}d0"
+
+
+class _JavaScript(_Printer, JavascriptCodePrinter):
+    powers_as_products = True
+
+
+class _Julia(_Printer, JuliaCodePrinter):
+    def _print_Pow(self, expr: Expr) -> str:
+        return super()._print_Pow(expr).replace(" .^ ", "^").replace(" ^ ", "^")
+
+
+class _Octave(_Printer, OctaveCodePrinter):
+    times, over = ".*", "./"
+
+
+def _printed(program: Program, printer: _Printer) -> tuple[list[tuple[str, str]], ...]:
+    """Shared parts and results as text."""
+    return tuple(
+        [(name, printer.text(expression)) for name, expression in pairs]
+        for pairs in (program.shared, program.results)
+    )
+
+
+_BREAKS = re.compile(r"(?<= [-+] )|(?<=, )|(?<=[\w)][*/])(?=[\w(])|(?<=\.[*/])")
+
+
+def _broken(line: str, more: str = "", width: int = WIDTH) -> list[str]:
+    """A long line, broken behind operators and commas; `more` says that it goes on."""
+    indent = " " * (len(line) - len(line.lstrip()) + 4)
+    lines = [""]
+    for piece in _BREAKS.split(line):
+        if lines[-1].strip() and len(lines[-1]) + len(piece.rstrip()) + len(more) > width:
+            lines[-1] = lines[-1].rstrip() + more
+            lines.append(indent)
+        lines[-1] += piece
+    return lines
+
+
+# --- Files ---------------------------------------------------------------------------------------
+
+
+def _comment(program: Program, mark: str, returns: str) -> list[str]:
+    takes = "Takes numbers, in this order:"
+    lines = [*program.about, takes, *program.takes, f"{returns}:", *program.gives]
+    return [f"{mark} {line}" for line in lines]
+
+
+def _c(program: Program) -> Iterator[str]:
+    shared, results = _printed(program, _C({"math_macros": {}}))
+    count = len(results)
+    yield "/*"
+    for line in _comment(program, " *", f"Puts {_numbers(count)} into out, in this order"):
+        yield line.replace("*/", "* /")
+    yield " */"
+    yield "#include <math.h>"
+    yield ""
+    parameters = ", ".join(f"double {name}" for name in program.arguments)
+    yield from _broken(f"void {program.name}({parameters}, double *out)")
+    yield "{"
+    for name, text in shared:
+        yield from _broken(f"    const double {name} = {text};")
+    for i, (_, text) in enumerate(results):
+        yield from _broken(f"    out[{i}] = {text};")
+    yield "}"
+
+
+def _fortran(program: Program) -> Iterator[str]:
+    printer = _Fortran({"source_format": "free", "standard": 2008})
+    shared, results = _printed(program, printer)
+    count = len(results)
+    yield from _comment(program, "!", f"Puts {_numbers(count)} into out, in this order")
+    yield f"module {program.name}_module"
+    yield "  use, intrinsic :: iso_fortran_env, only: real64"
+    yield "  implicit none"
+    yield "  private"
+    yield f"  public :: {program.name}"
+    yield "contains"
+    names = ", ".join(program.arguments)
+    yield from _broken(f"  pure subroutine {program.name}({names}, out)", " &")
+    yield from _broken(f"    real(real64), intent(in) :: {names}", " &")
+    yield f"    real(real64), intent(out) :: out({count})"
+    if shared:
+        yield from _broken(f"    real(real64) :: {', '.join(name for name, _ in shared)}", " &")
+    yield ""
+    for name, text in shared:
+        yield from _broken(f"    {name} = {text}", " &")
+    for i, (_, text) in enumerate(results):
+        yield from _broken(f"    out({i + 1}) = {text}", " &")
+    yield f"  end subroutine {program.name}"
+    yield f"end module {program.name}_module"
+
+
+def _javascript(program: Program) -> Iterator[str]:
+    shared, results = _printed(program, _JavaScript())
+    yield from _comment(program, "//", f"Returns an array of {_numbers(len(results))}")
+    yield from _broken(f"function {program.name}({', '.join(program.arguments)}) {{")
+    for name, text in shared:
+        yield from _broken(f"  const {name} = {text};")
+    yield "  return ["
+    for _, text in results:
+        yield from _broken(f"    {text},")
+    yield "  ];"
+    yield "}"
+
+
+def _julia(program: Program) -> Iterator[str]:
+    shared, results = _printed(program, _Julia())
+    yield from _comment(program, "#", f"Returns a tuple of {_numbers(len(results))}")
+    yield f"# Over arrays it broadcasts: {program.name}.(…)"
+    yield from _broken(f"function {program.name}({', '.join(program.arguments)})")
+    for name, text in shared:
+        yield from _broken(f"    {name} = {text}")
+    yield "    return ("
+    for _, text in results:
+        yield from _broken(f"        {text},")
+    yield "    )"
+    yield "end"
+
+
+def _octave(program: Program) -> Iterator[str]:
+    shared, results = _printed(program, _Octave())
+    names = ", ".join(name for name, _ in results)
+    yield from _broken(
+        f"function [{names}] = {program.name}({', '.join(program.arguments)})", " ..."
+    )
+    yield from _comment(program, "  %", f"Returns {_numbers(len(results))}")
+    yield "  % Elementwise: arrays of one shape may stand for numbers, in Octave and in MATLAB."
+    if any(not expression.free_symbols for _, expression in program.results):
+        yield "  % What is constant stays one number."
+    for name, text in (*shared, *results):
+        yield from _broken(f"  {name} = {text};", " ...")
+    yield "end"
+
+
+def _python(program: Program) -> Iterator[str]:
+    values = dict(program.shared)
+    unfolded = [_unfolded(expression, values) for _, expression in program.results]
+    symbols = [Symbol(name) for name in program.arguments]
+    made = numpy.function(unfolded, symbols, program.name)
+    imported = sorted(_from_math(made.definition))
+    if imported:
+        yield f"from math import {', '.join(imported)}  # from numpy, and it takes arrays"
+        yield ""
+        yield ""
+    yield from signature(program.name, list(program.arguments))
+    about = _comment(program, "", f"Returns a tuple of {_numbers(len(program.results))}")
+    first, *others = (line.removeprefix(" ") for line in about)
+    yield f'{INDENT}"""{first.removeprefix(program.name + ": ")}'
+    yield from (INDENT + line for line in others)
+    yield f'{INDENT}"""'
+    yield from body(made.definition)
+
+
+def _unfolded(expression: Expr, shared: dict[str, Expr]) -> Expr:
+    for name, meaning in reversed(shared.items()):
+        expression = expression.xreplace({Symbol(name): meaning})
+    return expression
+
+
+def _from_math(definition: ast.FunctionDef) -> set[str]:
+    """The functions and constants that come from `math`; abs does not."""
+    used = {node.id for node in ast.walk(definition) if isinstance(node, ast.Name)}
+    own = {argument.arg for argument in definition.args.args}
+    return {name for name in used - own if hasattr(math, name)}
+
+
+def _numbers(count: int) -> str:
+    return "1 number" if count == 1 else f"{count} numbers"
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+_FUNCTIONS = "sin cos tan asin acos atan atan2 exp log sqrt abs pow pi"
+
+LANGUAGES = {
+    "python": Language(_python, frozenset(keyword.kwlist) | _words(_FUNCTIONS)),
+    "c": Language(
+        _c,
+        _words(
+            "auto break case char const continue default do double else enum extern float for "
+            "goto if inline int long main register restrict return short signed sizeof static "
+            "struct switch typedef union unsigned void volatile while fabs out " + _FUNCTIONS
+        ),
+    ),
+    "fortran": Language(_fortran, _words("real real64 out " + _FUNCTIONS), ignores_case=True),
+    "julia": Language(
+        _julia,
+        _words(
+            "baremodule begin break catch const continue do else elseif end export false "
+            "finally for function global if import in isa let local macro module quote return "
+            "struct true try using where while " + _FUNCTIONS
+        ),
+    ),
+    "javascript": Language(
+        _javascript,
+        _words(
+            "arguments await break case catch class const continue debugger default delete do else "
+            "enum eval export extends false finally for function if implements import in "
+            "instanceof interface let new null package private protected public return static "
+            "super switch this throw true try typeof var void while with yield Math"
+        ),
+    ),
+    "octave": Language(
+        _octave,
+        _words(
+            "break case catch continue do else elseif end end_try_catch end_unwind_protect endfor "
+            "endfunction endif endparfor endswitch endwhile for function global if otherwise "
+            "parfor persistent return switch try until unwind_protect unwind_protect_cleanup while "
+            + _FUNCTIONS
+        ),
+    ),
+}
+"""How each language is written, by its name on the command line."""
