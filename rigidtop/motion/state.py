@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -47,7 +48,7 @@ class TopState:
         """Polar angle of e₃ in [0, π] (rad)."""
         return 2 * np.arctan2(self.sin_half, self.cos_half)
 
-    @property
+    @cached_property
     def phi_dot(self) -> Floats:
         """φ̇ (rad/s).  Exactly at θ = 0 or π it is the limit along a motion through it."""
         sine = 2 * self.sin_half * self.cos_half
@@ -57,7 +58,8 @@ class TopState:
     @property
     def psi_dot(self) -> Floats:
         """ψ̇ = ω₃ − φ̇ cos θ (rad/s)."""
-        return self.omega3 - self.phi_dot * np.cos(self.theta)
+        c, s = self.cos_half, self.sin_half
+        return self.omega3 - self.phi_dot * ((c - s) * (c + s))
 
     @property
     def quaternion(self) -> Floats:

@@ -33,6 +33,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact.elliptic import Jacobi, first_kind, jacobi, quarter_period
+from rigidtop.motion.exact.series import Series, series
 from rigidtop.motion.state import TopState
 
 ROUNDING = 16 * float(np.finfo(float).eps)
@@ -40,6 +41,9 @@ ROUNDING = 16 * float(np.finfo(float).eps)
 
 NEWTON_STEPS = 4
 """From roots by cosines, which are good to 1e-8 at worst, to rounding."""
+
+MANY = 400
+"""From so many samples of one motion on, its Fourier series is worth its making."""
 
 NEAR_POLE = 0.25
 """A turning point nearer to a pole than this part of where the motion starts is known by a
@@ -278,11 +282,16 @@ class Orbit:
 
     def at(self, t: ArrayLike) -> TopState:
         """The state at times t (s), which broadcast against the orbit."""
-        scaled = np.asarray(t, dtype=float) * self.sigma
+        times = np.asarray(t, dtype=float)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
-            return self._at(scaled, np.asarray(t, dtype=float))
+            if self.m1.ndim == 0 and times.ndim == 1 and times.size >= MANY:
+                periodic = self._series
+                if periodic is not None:
+                    return self._by_series(periodic, times)
+            return self._at(times)
 
-    def _at(self, scaled: Floats, t: Floats) -> TopState:
+    def _at(self, t: Floats) -> TopState:
+        scaled = t * self.sigma
         # At t = 0 the sign of a zero τ₀ counts.
         tau = np.where(scaled == 0, self.tau0, self.tau0 + self.nu * scaled)
         bounded = np.isfinite(self.quarter)
@@ -297,6 +306,21 @@ class Orbit:
         if np.any(turns):
             x_turn, y_turn = (np.where(bounded, part, 0.0) for part in self._complete)
             big_x, big_y = big_x + turns * x_turn, big_y + turns * y_turn
+        cos_half, sin_half, theta_dot, v_phi = self._axis(f)
+        s = self.start
+        return TopState(
+            cos_half=cos_half,
+            sin_half=sin_half,
+            phi=s.phi + (big_x + big_y) / 2,
+            psi=s.psi + s.omega3 * t + (big_y - big_x) / 2,
+            theta_dot=theta_dot,
+            v_phi=v_phi,
+            omega3=s.omega3,
+            upright_phi_dot=s.b / 2,
+        )
+
+    def _axis(self, f: Jacobi) -> tuple[Floats, Floats, Floats, Floats]:
+        """cos(θ/2), sin(θ/2), θ̇ and φ̇ sin θ."""
         x = self.x1 * f.sn**2 + self.x2 * f.cn**2
         y = self.y1 * f.sn**2 + self.y2 * f.cn**2
         sine = np.sqrt(x * y)
@@ -304,19 +328,61 @@ class Orbit:
         # cos and sin of an angle that is 0 or π/2 where the axis passes through a pole.
         toward_up = np.where(x > 0, root * f.cn / np.sqrt(x), 1.0)
         toward_down = np.where(y > 0, root * f.sn / np.sqrt(y), np.copysign(1.0, f.sn))
-        v_theta = np.where(
+        theta_dot = np.where(
             self.range > 0, -2 * self.nu * self.sigma * f.dn * toward_up * toward_down, 0.0
         )
         momentum = self.a1 * f.sn**2 + self.a2 * f.cn**2
         v_phi = np.where(sine > 0, momentum / np.where(sine > 0, sine, 1.0), 0.0) * self.sigma
+        return np.sqrt(y / 2), np.sqrt(x / 2), theta_dot, v_phi
+
+    # --- Many states of one motion ---
+
+    @cached_property
+    def _per_turn(self) -> tuple[Floats, Floats]:
+        """By how much X and Y grow in a unit of τ, on average, without their constant parts."""
+        upper, lower = self._complete
+        return upper / (2 * self.quarter), lower / (2 * self.quarter)
+
+    @cached_property
+    def _series(self) -> Series | None:
+        """Of the motion's periodic part, if a few harmonics give it to rounding."""
+        if not (self.m1 > 0 and self.x1 > 0 and self.y2 > 0):
+            return None
+        x_rate, y_rate = self._per_turn
+
+        def periodic(u: Floats) -> tuple[Floats, Floats]:
+            tau = 2 * self.quarter * u
+            f = jacobi(tau, self.m1)
+            cos_half, sin_half, theta_dot, v_phi = self._axis(f)
+            upper, lower = self._third_kinds(f, tau)
+            upper, lower = upper - x_rate * tau, lower - y_rate * tau
+            odd = theta_dot, (upper + lower) / 2, (lower - upper) / 2
+            return np.stack([cos_half, sin_half, v_phi]), np.stack(odd)
+
+        return series(periodic)
+
+    def _by_series(self, periodic: Series, t: Floats) -> TopState:
+        x_rate, y_rate = self._per_turn
+        x_begin, y_begin = self._at_start
+        even, odd = np.empty((2, 3, len(t)))
+        per_period = self.nu * self.sigma / (2 * self.quarter)
+        periodic.evaluate(self.tau0 / (2 * self.quarter) + per_period * t, even, odd)
+        theta_dot, phi, psi = odd
+        x_drift, y_drift = self._drift_x + x_rate * self.nu, self._drift_y + y_rate * self.nu
+        # X and Y at t = 0, where the periodic part is not zero.
+        x_first, y_first = x_rate * self.tau0 - x_begin, y_rate * self.tau0 - y_begin
         s = self.start
+        phi += (x_drift + y_drift) / 2 * self.sigma * t
+        phi += s.phi + (x_first + y_first) / 2
+        psi += (s.omega3 + (y_drift - x_drift) / 2 * self.sigma) * t
+        psi += s.psi + (y_first - x_first) / 2
         return TopState(
-            cos_half=np.sqrt(y / 2),
-            sin_half=np.sqrt(x / 2),
-            phi=s.phi + (big_x + big_y) / 2,
-            psi=s.psi + s.omega3 * t + (big_y - big_x) / 2,
-            theta_dot=v_theta,
-            v_phi=v_phi,
+            cos_half=even[0],
+            sin_half=even[1],
+            phi=phi,
+            psi=psi,
+            theta_dot=theta_dot,
+            v_phi=even[2],
             omega3=s.omega3,
             upright_phi_dot=s.b / 2,
         )
