@@ -14,7 +14,7 @@ READS = {
     "errors": set(),
     "theory": set(),
     "proof": {"theory"},
-    "codegen": {"theory", "proof"},
+    "codegen": {"errors", "theory", "proof"},
     "motion": {"errors"},
     "derivations": {"theory", "proof", "codegen", "motion"},
     "present": {"errors", "theory", "proof", "codegen", "motion", "derivations"},

@@ -37,8 +37,8 @@ from rigidtop.codegen import source
 class Function:
     """Expressions as a function of numbers, made by `function`."""
 
-    scalar: Callable[..., list[float]]
-    """Floats in, a list of floats out, one for each expression; through `math`."""
+    scalar: Callable[..., Sequence[float]]
+    """Floats in, floats out, one for each expression; through `math`."""
 
     array: Callable[..., NDArray[np.float64]]
     """Arrays in, one array out, of shape (expressions, *shape to which the arguments broadcast)."""
