@@ -1,0 +1,1 @@
+"""Commands of the shell, one a module: `add_options` to a parser, `run` what was parsed."""

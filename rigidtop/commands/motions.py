@@ -1,0 +1,131 @@
+"""Motions from options: what every command that computes one asks for."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import re
+from typing import TYPE_CHECKING
+
+from rigidtop.errors import RigidtopError
+
+if TYPE_CHECKING:
+    from rigidtop.motion.motion import Motion
+
+TOP_OPTIONS = ("lambda1", "lambda3", "mass", "arm", "gravity", "theta", "phi", "psi", "theta_dot")
+TOP_RATES = ("phi_dot", "omega3", "psi_dot", "steady")
+FREE_OPTIONS = ("moments", "omega")
+
+
+def number(text: str) -> float:
+    """A finite number.
+
+    >>> number("2.5e-3")
+    0.0025
+    """
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a finite number")
+    return value
+
+
+def angle(text: str) -> float:
+    """Radians, or degrees with the suffix deg.
+
+    >>> angle("0.5"), round(angle("30deg"), 6)
+    (0.5, 0.523599)
+    """
+    degrees = re.fullmatch(r"(.*?)\s*(?:deg|°)", text.strip())
+    return math.radians(number(degrees[1])) if degrees else number(text)
+
+
+def count(text: str) -> int:
+    """A number of rows.
+
+    >>> count("21")
+    21
+    """
+    if not re.fullmatch(r"\d{1,7}", text) or int(text) < 2:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 2 to 9999999")
+    return int(text)
+
+
+def add_motion(parser: argparse.ArgumentParser) -> None:
+    """The body and its start."""
+    parser.add_argument(
+        "body", choices=("top", "free"), help="a heavy symmetric top or a free body"
+    )
+    top = parser.add_argument_group("the top (defaults: the example top)")
+    for flag, default, about in (
+        ("--lambda1", 1.0, "moment across the axis, about the pivot, kg m²"),
+        ("--lambda3", 0.5, "moment about the axis, kg m²"),
+        ("--mass", 1.0, "mass M, kg"),
+        ("--arm", 0.5, "distance R from the pivot to the centre of mass, m"),
+        ("--gravity", 9.81, "g, m/s²"),
+    ):
+        top.add_argument(flag, type=number, default=None, help=f"{about} (default {default:g})")
+    top.add_argument("--theta", type=angle, help="θ at t = 0 (default 0.5)")
+    top.add_argument("--phi", type=angle, help="φ at t = 0")
+    top.add_argument("--psi", type=angle, help="ψ at t = 0")
+    top.add_argument("--theta-dot", type=angle, help="θ̇ at t = 0, per second")
+    top.add_argument("--phi-dot", type=angle, help="φ̇ at t = 0, per second")
+    spin = top.add_mutually_exclusive_group()
+    spin.add_argument("--omega3", type=angle, help="ω₃, per second (default 40)")
+    spin.add_argument("--psi-dot", type=angle, help="ψ̇ at t = 0, per second, instead of ω₃")
+    top.add_argument("--steady", choices=("slow", "fast"), help="start with φ̇ = Ω₋ or Ω₊")
+    free = parser.add_argument_group("the free body")
+    free.add_argument("--moments", type=number, nargs=3, metavar="λ", help="λ₁ λ₂ λ₃, kg m²")
+    free.add_argument("--omega", type=angle, nargs=3, metavar="ω", help="ω in the body, per second")
+
+
+def motion(options: argparse.Namespace, command: str) -> Motion:
+    """What was asked for, in the words of that command where it makes no sense."""
+    foreign = FREE_OPTIONS if options.body == "top" else TOP_OPTIONS + TOP_RATES
+    for name in foreign:
+        if getattr(options, name) is not None:
+            flag = name.replace("_", "-")
+            raise RigidtopError(f"--{flag} does not go with `{command} {options.body}`")
+    if options.time == 0:
+        raise RigidtopError("--time 0 leaves nothing to compute: give a time in seconds")
+    return _top(options) if options.body == "top" else _free(options)
+
+
+def _top(options: argparse.Namespace) -> Motion:
+    import rigidtop
+
+    given = {name: value for name, value in vars(options).items() if value is not None}
+    top = rigidtop.HeavyTop(
+        lambda1=given.get("lambda1", 1.0),
+        lambda3=given.get("lambda3", 0.5),
+        M=given.get("mass", 1.0),
+        R=given.get("arm", 0.5),
+        g=given.get("gravity", 9.81),
+    )
+    names = ("phi", "psi", "theta_dot", "phi_dot", "omega3", "psi_dot")
+    start = {name: given[name] for name in names if name in given}
+    theta = given.get("theta", 0.5)
+    if "omega3" not in start and "psi_dot" not in start:
+        start["omega3"] = 40.0
+    if options.steady:
+        for other in ("phi_dot", "psi_dot", "theta_dot"):
+            if other in start:
+                flag = other.replace("_", "-")
+                raise RigidtopError(f"--steady sets the rates: leave --{flag} out, give --omega3")
+        if math.sin(theta) < 1e-9:
+            raise RigidtopError("--steady wants a tilt: upright or hanging, every rate is steady")
+        slow, fast = top.steady_precession(theta, start["omega3"])
+        start["phi_dot"] = slow if options.steady == "slow" else fast
+        if not math.isfinite(start["phi_dot"]):
+            raise RigidtopError("a horizontal top has no fast steady precession: use --steady slow")
+    return top.motion(theta=theta, **start)
+
+
+def _free(options: argparse.Namespace) -> Motion:
+    import rigidtop
+
+    if options.moments is None or options.omega is None:
+        raise RigidtopError("a free body needs --moments λ₁ λ₂ λ₃ and --omega ω₁ ω₂ ω₃")
+    return rigidtop.FreeBody(*options.moments).motion(omega=tuple(options.omega))

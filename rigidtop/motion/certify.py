@@ -1,0 +1,515 @@
+"""One motion, several ways: laws that share no equation must give the same attitudes.
+
+======== ======================================================================================
+way      what is solved
+======== ======================================================================================
+Euler    L̇ + ω × L = N and q̇ = ½ q∘ω, attitude as a quaternion: `Motion.integrate`
+Lagrange θ̈, φ̈, ψ̈ from Lagrange's equations in Euler angles
+Routh    θ̈ from the Routhian, p_φ and p_ψ constant; φ and ψ by Gauss's quadrature along it
+Hamilton the angles and their momenta from Hamilton's equations
+exact    the closed form: `Motion.exact`
+======== ======================================================================================
+
+Routh's way needs a body that is symmetric about e₃.  In Euler angles a motion through θ = 0 or π
+has no equations: that way is left out, with the time at which it ends.  The space frame of a free
+body without symmetry is no one's choice, so it is turned to where e₃ keeps clear of its poles.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.integrate import solve_ivp
+from scipy.spatial.transform import Rotation
+
+from rigidtop.errors import RigidtopError
+from rigidtop.motion import attitude as attitudes
+from rigidtop.motion import checks, equations
+from rigidtop.motion.attitude import Floats
+from rigidtop.motion.integrate import SMALLEST_RTOL, Accuracy, Flow, on_both_sides
+from rigidtop.motion.motion import Motion, TopMotion
+from rigidtop.motion.orders import LEFT_OUT, Order, orders
+from rigidtop.motion.trajectory import BodyTrajectory, Trajectory
+
+POLE = 1e-3
+"""Nearer than this to θ = 0 or π (sin θ) the terms with 1/sin²θ leave too few digits."""
+
+GAUSS_NODES = 8
+"""Exact for polynomials of degree 15 on each piece of a step: more than the solver's own 7."""
+
+PIECES = 4
+"""Of a step of the solver, for the quadrature."""
+
+DIRECTIONS = 200
+"""Candidates for the pole of the space frame of a free body."""
+
+SAMPLES = 2000
+"""Of the way of e₃, to find the one that it keeps away from."""
+
+NUDGE = 1e-7
+"""By how much a start is changed to see how a motion amplifies errors."""
+
+ROUNDING = 1e-12
+"""What rounding makes of tolerances below it, in Euler angles that pass a pole."""
+
+LOOSEST = 1e-4
+"""No bound is above this (rad): so far apart two motions are not called the same."""
+
+
+@dataclass(frozen=True, eq=False)
+class Certificate:
+    """What came out; made by `certify`."""
+
+    motion: Motion
+
+    t: Floats
+    """Times, shape (N,), s."""
+
+    ways: tuple[str, ...]
+    """The names of the k ways that were gone."""
+
+    differences: Floats
+    """Between two ways the largest angle from one attitude to the other, shape (k, k), in rad."""
+
+    drifts: Mapping[str, Mapping[str, float]]
+    """For each way what the motion keeps, and by how much that strays at most, relative.
+
+    Energy and momenta are relative to what `Trajectory.drift` says; "L" is |L|, which a motion
+    without torque keeps.
+    """
+
+    bound: float
+    """Ways that agree differ by less (rad): see `certify`."""
+
+    amplification: float
+    """The largest factor by which the motion amplifies a small error."""
+
+    orders: tuple[Order, ...]
+    """The observed orders of the integrators."""
+
+    left_out: Mapping[str, str]
+    """Ways and integrators that were not gone, and why."""
+
+    stray: tuple[str, ...]
+    """Those of `left_out` that end where, by Euler's equations, e₃ is near no pole: wrong ones."""
+
+    @property
+    def passed(self) -> bool:
+        """Whether two ways at least were gone, all agree to `bound`, and none is `stray`."""
+        agree = bool(np.all(self.differences < self.bound))  # not NaN
+        return len(self.ways) > 1 and agree and not self.stray
+
+    @property
+    def largest(self) -> float:
+        """The largest difference (rad)."""
+        return float(self.differences.max())
+
+
+def certify(motion: Motion, t: ArrayLike, rtol: float = 1e-12) -> Certificate:
+    """Compute a motion in every way that there is, and compare.
+
+    `t` (s) is a float or a row of floats.  Solvers are asked for `rtol`, and rtol/100 absolute.
+
+    The bound is 10 ε √(1 + n) A, at most 10⁻⁴ rad.  A solver makes an error of about ε in a step
+    and a few steps a radian: ε is rtol, or 10⁻¹² if that is more, for near the poles of the Euler
+    angles rounding decides.  n is the number of radians through which the motion turns,
+    |ω| + √(MgR/λ) with the smallest moment, times the longest time; n errors of either sign add up
+    as √n.  A is by how much the motion amplifies an error until then, found from closed forms (or
+    integrations, if there are none) that start 10⁻⁷ aside, in all six directions.  So a wrong law,
+    which is off by a fixed amount, does not pass, and a motion near a separatrix is not blamed for
+    its nature.
+
+    Raises RigidtopError for bad times and tolerances.
+
+    >>> from rigidtop import HeavyTop
+    >>> top = HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5)
+    >>> found = certify(top.motion(theta=0.5, omega3=10.0), [0.5, 1.0])
+    >>> found.ways, found.passed
+    (('Euler', 'Lagrange', 'Routh', 'Hamilton', 'exact'), True)
+    """
+    times = checks.times(t)
+    Accuracy(rtol=rtol)  # complains
+    found: dict[str, Trajectory] = {}
+    left_out: dict[str, str] = {}
+    stray = []
+    for name, way in WAYS.items():
+        try:
+            found[name] = _finite(way(motion, times, rtol))
+        except RigidtopError as reason:
+            left_out[name] = str(reason)
+            if isinstance(reason, Ended) and not reason.confirmed(motion, times):
+                left_out[name] += "; by Euler's equations e₃ is near no pole there"
+                stray.append(name)
+    paths = list(found.values())
+    differences = np.array([[angle(one, other) for other in paths] for one in paths])
+    span = float(np.abs(times).max())
+    amplification = _amplification(motion, times, rtol)
+    turned = _rate(motion) * span
+    measured, unmeasured = orders(motion)
+    return Certificate(
+        motion,
+        times,
+        tuple(found),
+        differences.reshape(len(paths), len(paths)),
+        {name: _drift(path) for name, path in found.items()},
+        min(10 * max(rtol, ROUNDING) * math.sqrt(1 + turned) * amplification, LOOSEST),
+        amplification,
+        measured,
+        {**left_out, **unmeasured, **LEFT_OUT},
+        tuple(stray),
+    )
+
+
+def angle(one: Trajectory, other: Trajectory) -> float:
+    """The largest angle from the attitudes of one to those of the other (rad)."""
+    turns: Rotation = one.rotation.inv() * other.rotation
+    return float(np.max(turns.magnitude()))
+
+
+def _finite(path: Trajectory) -> Trajectory:
+    if not np.all(np.isfinite(path.omega)) or not np.all(np.isfinite(path.rotation.as_quat())):
+        raise RigidtopError("it leaves the numbers")
+    return path
+
+
+def _rate(motion: Motion) -> float:
+    """A rate that the motion does not much exceed (1/s)."""
+    moments, weight = motion.body.moments, motion.body.weight
+    return math.hypot(*motion.omega) + math.sqrt(math.hypot(*weight) / min(moments))
+
+
+def _drift(path: Trajectory) -> dict[str, float]:
+    """Of energy, p_φ, p_ψ and |L|, those that the motion keeps, relative as in `drift`."""
+    body, start = path.motion.body, path.motion.start()
+    kinetic = float(np.dot(body.moments, np.square(path.motion.omega))) / 2
+    energy = (kinetic + float(np.linalg.norm(body.weight))) or 1.0
+    momentum = math.sqrt(2 * max(body.moments)) * math.sqrt(energy)
+    kept: dict[str, tuple[Callable[[Trajectory], Floats], float]] = {
+        "energy": (lambda path: path.energy, energy),
+        "p_phi": (lambda path: path.angular_momentum[:, 2], momentum),
+    }
+    if body.symmetric:
+        kept["p_psi"] = (lambda path: path.omega[:, 2] * body.moments[2], momentum)
+    if not any(body.weight):
+        kept["L"] = (lambda path: np.linalg.norm(path.angular_momentum, axis=1), momentum)
+    return {
+        name: float(np.max(np.abs((value(path) - value(start)) / scale)))
+        for name, (value, scale) in kept.items()
+    }
+
+
+def _amplification(motion: Motion, times: Floats, rtol: float) -> float:
+    """The largest change of the attitude at `times`, over the change of the start, at least 1."""
+
+    def followed(attitude: Rotation, omega: Floats) -> Trajectory:
+        changed = Motion(motion.body, attitude, (omega[0], omega[1], omega[2]))
+        try:
+            return changed.exact(times)
+        except RigidtopError:
+            return changed.integrate(times, rtol=rtol, atol=rtol / 100)
+
+    omega = np.array(motion.omega)
+    reference = followed(motion.attitude, omega)
+    nudges = NUDGE * np.eye(3)
+    nearby = [followed(motion.attitude * Rotation.from_rotvec(turn), omega) for turn in nudges]
+    nearby += [followed(motion.attitude, omega + _rate(motion) * push) for push in nudges]
+    return max(1.0, *(angle(reference, other) / NUDGE for other in nearby))
+
+
+# --- The ways -------------------------------------------------------------------------------------
+
+Way = Callable[[Motion, Floats, float], Trajectory]
+
+
+def by_euler(motion: Motion, times: Floats, rtol: float) -> Trajectory:
+    """Euler's equations with torque, on quaternions."""
+    return motion.integrate(times, rtol=rtol, atol=rtol / 100)
+
+
+def in_closed_form(motion: Motion, times: Floats, _: float) -> Trajectory:
+    """The exact motion."""
+    return motion.exact(times)
+
+
+def by_lagrange(motion: Motion, times: Floats, rtol: float) -> Trajectory:
+    """Lagrange's equations: state θ, φ, ψ, θ̇, φ̇, ψ̇."""
+    start = _start(motion, times)
+    if motion.body.symmetric:
+        rates = equations.top_in_euler_angles(*_top(motion))
+
+        def right_hand_side(state: Sequence[float]) -> tuple[float, ...]:
+            theta, _, _, *velocities = state
+            return *velocities, *rates((theta, *velocities))
+    else:
+        of_body = equations.body_in_euler_angles(*_body(motion))
+
+        def right_hand_side(state: Sequence[float]) -> tuple[float, ...]:
+            theta, _, psi, *velocities = state
+            return *velocities, *of_body((theta, psi, *velocities))
+
+    first = np.array([*start.angles, *start.velocities])
+    units = np.repeat([1.0, _rate(motion) or 1.0], 3)
+    states = _solved(right_hand_side, first, times, rtol, units)
+    return start.trajectory(motion, times, states[:3], states[3:])
+
+
+def by_hamilton(motion: Motion, times: Floats, rtol: float) -> Trajectory:
+    """Hamilton's equations: state θ, φ, ψ, p_θ and, without symmetry, p_ψ; p_φ is constant."""
+    start = _start(motion, times)
+    p_theta, p_phi, p_psi = start.momenta
+    if motion.body.symmetric:
+        parameters = (*_top(motion), p_phi, p_psi)
+        rates = equations.top_by_hamilton(*parameters)
+        over_arrays = equations.top_by_hamilton(*parameters, sin=np.sin, cos=np.cos)
+        first, at = np.array([*start.angles, p_theta]), [0, 3]
+    else:
+        parameters = (*_body(motion), p_phi)
+        rates = equations.body_by_hamilton(*parameters)
+        over_arrays = equations.body_by_hamilton(*parameters, sin=np.sin, cos=np.cos)
+        first, at = np.array([*start.angles, p_theta, p_psi]), [0, 2, 3, 4]
+    units = np.full(len(first), max(motion.body.moments) * (_rate(motion) or 1.0))
+    units[:3] = 1.0
+    if motion.body.symmetric:
+
+        def right_hand_side(state: Sequence[float]) -> tuple[float, ...]:
+            return rates((state[0], state[3]))
+    else:
+
+        def right_hand_side(state: Sequence[float]) -> tuple[float, ...]:
+            return rates((state[0], *state[2:]))
+
+    states = _solved(right_hand_side, first, times, rtol, units)
+    velocities = np.array(over_arrays(list(states[at]))[:3])
+    return start.trajectory(motion, times, states[:3], velocities)
+
+
+def by_routh(motion: Motion, times: Floats, rtol: float) -> Trajectory:
+    """θ from the Routhian: state θ, θ̇; then φ and ψ as integrals of functions of θ."""
+    if not motion.body.symmetric:
+        raise RigidtopError("ψ is not cyclic: the body has no symmetry about e₃")
+    start = _start(motion, times)
+    parameters = (*_top(motion), *start.momenta[1:])
+    rates = equations.top_by_routh(*parameters)
+    over_arrays = equations.top_by_routh(*parameters, sin=np.sin, cos=np.cos)
+    theta, phi, psi = start.angles
+
+    def right_hand_side(state: Sequence[float]) -> tuple[float, ...]:
+        return state[1], rates(state[:1])[0]
+
+    def sample(motion: Flow, ordered: Floats) -> Floats:
+        def precession_and_spin(times: Floats) -> Floats:
+            return np.array(over_arrays(list(motion.path(times)[:1]))[1:])
+
+        integrals = _quadrature(precession_and_spin, motion.steps, ordered)
+        return np.concatenate([motion.path(ordered), integrals])
+
+    first = np.array([theta, start.velocities[0]])
+    units = np.array([1.0, _rate(motion) or 1.0])
+    states = _solved(right_hand_side, first, times, rtol, units, sample)
+    angles = np.stack([states[0], phi + states[2], psi + states[3]])
+    velocities = np.stack([states[1], *over_arrays(list(states[:1]))[1:]])
+    return start.trajectory(motion, times, angles, velocities)
+
+
+WAYS: Mapping[str, Way] = MappingProxyType(
+    {
+        "Euler": by_euler,
+        "Lagrange": by_lagrange,
+        "Routh": by_routh,
+        "Hamilton": by_hamilton,
+        "exact": in_closed_form,
+    }
+)
+
+
+# --- Euler angles ---------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Start:
+    """A motion's start in Euler angles, in a frame that is turned against the space frame."""
+
+    frame: Rotation
+    """From the frame in which the angles are to the space frame."""
+
+    angles: tuple[float, float, float]
+    velocities: tuple[float, float, float]
+    momenta: tuple[float, float, float]
+    """θ, φ, ψ; their rates; p_θ, p_φ, p_ψ."""
+
+    def trajectory(
+        self, motion: Motion, times: Floats, angles: Floats, velocities: Floats
+    ) -> Trajectory:
+        """From θ, φ, ψ (3, N) and their rates (3, N)."""
+        theta, phi, psi = angles
+        theta_dot, phi_dot, psi_dot = velocities
+        turned = attitudes.from_spinors(np.cos(theta / 2), np.sin(theta / 2), phi, psi)
+        across, sin_psi, cos_psi = phi_dot * np.sin(theta), np.sin(psi), np.cos(psi)
+        omega = [
+            theta_dot * sin_psi - across * cos_psi,
+            theta_dot * cos_psi + across * sin_psi,
+            psi_dot + phi_dot * np.cos(theta),
+        ]
+        rotation = self.frame * attitudes.rotation(turned)
+        return BodyTrajectory(motion, times, attitudes.quaternions(rotation), np.stack(omega, 1))
+
+
+def _start(motion: Motion, times: Floats) -> _Start:
+    """RigidtopError where there are no Euler angles."""
+    frame = _frame(motion, times)
+    attitude = frame.inv() * motion.attitude
+    theta = float(attitudes.polar_angle(*attitudes.spinors(attitudes.quaternions(attitude))))
+    if math.sin(theta) < POLE:
+        raise _at_pole(theta, 0.0)
+    phi, psi = attitudes.azimuth_and_spin(attitude, motion.omega)
+    sine, cosine = math.sin(theta), math.cos(theta)
+    sin_psi, cos_psi = math.sin(psi), math.cos(psi)
+    omega1, omega2, omega3 = motion.omega
+    theta_dot, phi_dot = (
+        omega1 * sin_psi + omega2 * cos_psi,
+        (omega2 * sin_psi - omega1 * cos_psi) / sine,
+    )
+    L1, L2, L3 = (
+        moment * rate for moment, rate in zip(motion.body.moments, motion.omega, strict=True)
+    )
+    momenta = (
+        L1 * sin_psi + L2 * cos_psi,
+        (L2 * sin_psi - L1 * cos_psi) * sine + L3 * cosine,
+        L3,
+    )
+    return _Start(
+        frame, (theta, phi, psi), (theta_dot, phi_dot, omega3 - phi_dot * cosine), momenta
+    )
+
+
+def _top(motion: Motion) -> tuple[float, ...]:
+    """λ₁, λ₃, M, g, R; M and g occur in nothing but the product M g R, which `weight` is."""
+    return motion.body.moments[0], motion.body.moments[2], 1.0, 1.0, motion.body.weight[2]
+
+
+def _body(motion: Motion) -> tuple[float, ...]:
+    """λ₁, λ₂, λ₃, M, g, R₁, R₂, R₃."""
+    return *motion.body.moments, 1.0, 1.0, *motion.body.weight
+
+
+def _frame(motion: Motion, times: Floats) -> Rotation:
+    """The space frame, but for a free body one whose z-axis e₃ never comes near."""
+    if any(motion.body.weight) or isinstance(motion, TopMotion):
+        return Rotation.identity()
+    first, last = min(0.0, float(times.min())), max(0.0, float(times.max()))
+    e3 = motion.exact(np.linspace(first, last, SAMPLES)).e3
+    # Points on half a sphere along a spiral, evenly: at the golden angle from one to the next.
+    k = np.arange(DIRECTIONS)
+    polar, azimuth = np.arccos((k + 0.5) / DIRECTIONS), k * math.pi * (3 - math.sqrt(5))
+    poles = np.stack(
+        [np.sin(polar) * np.cos(azimuth), np.sin(polar) * np.sin(azimuth), np.cos(polar)]
+    )
+    best = int(np.argmin(np.max(np.abs(e3 @ poles), axis=0)))
+    return attitudes.from_euler_angles(float(polar[best]), float(azimuth[best]), 0.0)
+
+
+class Ended(RigidtopError):  # noqa: N818 - it says what happened
+    """A way in Euler angles ends before the last time."""
+
+    def __init__(self, message: str, time: float) -> None:
+        super().__init__(message)
+        self.time = time
+
+    def confirmed(self, motion: Motion, times: Floats) -> bool:
+        """Whether e₃ is there near a pole by Euler's equations on quaternions too."""
+        e3 = motion.integrate(self.time).e3[0]
+        z = _frame(motion, times).apply([0.0, 0.0, 1.0])
+        return float(np.linalg.norm(np.cross(e3, z))) < 2 * POLE
+
+
+def _at_pole(theta: float, time: float) -> Ended:
+    pole = "0" if math.cos(theta) > 0 else "π"
+    return Ended(f"θ reaches {pole} at t = {time:.6g}, where Euler angles are not defined", time)
+
+
+# --- Solving --------------------------------------------------------------------------------------
+
+
+def _solved(
+    rates: equations.Rates,
+    first: Floats,
+    times: Floats,
+    rtol: float,
+    units: Floats,
+    sample: Callable[[Flow, Floats], Floats] = lambda flow, ordered: flow.path(ordered),
+) -> Floats:
+    """The states at `times` from `first`, whose component 0 is θ; `units` are their sizes.
+
+    RigidtopError where θ reaches a pole or the solver stops.
+    """
+    # φ and ψ, components 1 and 2 where there are so many, grow without an end: a tolerance relative
+    # to them would be none.
+    relative = np.full(len(first), rtol)
+    if len(first) > 2:
+        relative[1:3] = SMALLEST_RTOL
+
+    def right_hand_side(time: float, state: Floats) -> tuple[float, ...]:
+        try:
+            return rates(state.tolist())
+        except ArithmeticError:  # 1/sin θ
+            raise _at_pole(float(state[0]), time) from None
+
+    def clearance(_: float, state: Floats) -> float:
+        return math.sin(state[0]) - POLE  # negative beyond the pole too: no step jumps over it
+
+    clearance.terminal = True  # type: ignore[attr-defined]
+
+    def flow(end: float) -> Flow:
+        solution = solve_ivp(
+            right_hand_side,
+            (0.0, end),
+            first,
+            method="DOP853",
+            rtol=relative,
+            atol=rtol / 100 * units,
+            dense_output=True,
+            events=clearance,
+        )
+        time, theta = float(solution.t[-1]), float(solution.y[0, -1])
+        if solution.status == 1:
+            raise _at_pole(theta, time)
+        if solution.sol is None or solution.status < 0 or not np.all(np.isfinite(solution.y)):
+            raise Ended(f"the solver stops at t = {time:.6g}, θ = {theta:.6g}", time)
+        between = _between(solution.t)
+        passed = np.flatnonzero(np.sin(solution.sol(between)[0]) < POLE)
+        if len(passed):  # there and back in one step
+            raise _at_pole(float(solution.sol(between[passed[0]])[0]), float(between[passed[0]]))
+        return Flow(solution.sol, solution.t)
+
+    return on_both_sides(flow, first, times, sample)
+
+
+def _between(steps: Floats) -> Floats:
+    """The steps, each cut into `PIECES`."""
+    inner = steps[:-1, None] + np.diff(steps)[:, None] * np.arange(PIECES) / PIECES
+    return np.concatenate([inner.ravel(), steps[-1:]])
+
+
+def _quadrature(f: Callable[[Floats], Floats], steps: Floats, times: Floats) -> Floats:
+    """∫ f dt from 0 to each of `times`, which increase in magnitude; f is smooth in each step.
+
+    f takes times (N,) and gives (n, N).
+
+    >>> _quadrature(lambda t: np.stack([np.cos(t), t]), np.array([0.0, 1.0]), np.array([0.5, 1.0]))
+    array([[0.47942554, 0.84147098],
+           [0.125     , 0.5       ]])
+    """
+    direction = -1.0 if times[-1] < 0 else 1.0
+    nodes = direction * np.unique(np.abs(np.concatenate([_between(steps), times])))
+    points, weights = np.polynomial.legendre.leggauss(GAUSS_NODES)
+    half = np.diff(nodes) / 2
+    at = (nodes[:-1] + half)[:, None] + half[:, None] * points
+    values = f(at.ravel())
+    pieces = np.sum(values.reshape(len(values), *at.shape) * weights, axis=2) * half
+    total = np.cumsum(np.pad(pieces, ((0, 0), (1, 0))), axis=1)
+    return total[:, np.searchsorted(np.abs(nodes), np.abs(times))]

@@ -1,0 +1,79 @@
+"""`rigidtop certify` on parsed options."""
+
+import argparse
+import json
+
+import pytest
+
+from rigidtop.commands import certify
+from rigidtop.errors import RigidtopError
+from rigidtop.motion import certify as motions
+from rigidtop.motion import equations
+
+EXAMPLE = ["top", "--theta-dot", "0.1", "--phi-dot", "1", "--psi-dot", "40", "--time", "1"]
+FREE = ["free", "--moments", "1", "2", "3", "--omega", "0.01", "2", "0.01", "--time", "1"]
+
+
+def run(*arguments):
+    parser = argparse.ArgumentParser(exit_on_error=False)
+    parser.add_argument("--json", action="store_true")
+    certify.add_options(parser)
+    return certify.run(parser.parse_args(arguments))
+
+
+@pytest.fixture
+def without_orders(monkeypatch):
+    monkeypatch.setattr(motions, "orders", lambda motion: ((), {}))
+
+
+def test_table(capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "100")
+    assert run(*EXAMPLE) == 0
+    shown = capsys.readouterr().out
+    assert shown.startswith("One motion in 5 ways, 21 times from 0 to 1 s, rtol 1e-12\n")
+    for word in ("Lagrange", "Routh", "Hamilton", "p_φ", "DOP853", "LSODA"):
+        assert word in shown
+    assert shown.splitlines()[-1].startswith("the ways agree: largest difference ")
+    assert max(map(len, shown.splitlines())) <= 100
+
+
+@pytest.mark.usefixtures("without_orders")
+def test_json(capsys):
+    assert run("--json", *FREE) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["passed"] is True
+    assert found["ways"] == ["Euler", "Lagrange", "Hamilton", "exact"]
+    assert len(found["differences"]) == len(found["differences"][0]) == 4
+    assert set(found["drifts"]["exact"]) == {"energy", "p_phi", "L"}
+    assert "Routh" in found["left_out"]
+
+
+@pytest.mark.usefixtures("without_orders")
+def test_exit_code_of_a_disagreement(capsys, monkeypatch):
+    right = equations.top_by_routh
+    monkeypatch.setattr(
+        equations, "top_by_routh", lambda first, *rest, **f: right(first * 1.01, *rest, **f)
+    )
+    assert run(*EXAMPLE) == 1
+    assert "THE WAYS DISAGREE: largest" in capsys.readouterr().out
+
+
+@pytest.mark.usefixtures("without_orders")
+def test_ways_that_do_not_exist_are_named(capsys):
+    assert run("top", "--theta", "0", "--time", "1") == 0
+    assert "Hamilton  θ reaches 0 at t = 0, where Euler angles" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["top", "--moments", "1", "2", "3"], "--moments does not go with `certify top`"),
+        (["free", "--theta", "0.5"], "--theta does not go with `certify free`"),
+        (["free"], "a free body needs --moments"),
+        (["top", "--time", "0"], "--time 0 leaves nothing to compute"),
+        (["top", "--rtol", "1e-20"], "rtol must be at least"),
+    ],
+)
+def test_bad_input(arguments, message):
+    with pytest.raises(RigidtopError, match=f"^{message}"):
+        run(*arguments)
