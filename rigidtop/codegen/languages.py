@@ -43,7 +43,7 @@ from sympy.printing.precedence import PRECEDENCE
 
 from rigidtop.codegen import numpy
 from rigidtop.codegen.source import INDENT, WIDTH, body, signature
-from rigidtop.codegen.values import Value, Values
+from rigidtop.codegen.values import Line, Value, Values
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.page import Assumption
 from rigidtop.theory.symbols import VOCABULARY
@@ -175,27 +175,36 @@ def _about(made: Values, name: str, shown: Callable[[Any], str]) -> Iterator[str
     """Name, claim, equations, axes, conditions."""
     yield from textwrap.wrap(f"{name}: {made.says}", WIDTH - 8)
     yield ""
-    equations = list(dict.fromkeys(shown(v.equation) for v in made.outputs))
-    for equation in equations:
-        yield from _hanging(equation)
+    conditions = [_conditions(line, shown) for line in made.lines]
+    alike = len(set(conditions)) == 1
+    for line, said in zip(made.lines, conditions, strict=True):
+        yield from _hanging(shown(line.equation))
+        if said and not alike:
+            yield from _hanging(f"  if {said}")
+        if line.reason:
+            yield from _hanging(f"  {line.reason}")
     if made.vectors:
         said = ", ".join(
             f"{shown(vector)} = ({', '.join(map(shown, components))})"
             for vector, components in made.vectors
         )
         yield from _hanging(f"Components with {said}.")
-    if made.conditions:
-        said = "; ".join(dict.fromkeys(_condition(c, shown) for c in made.conditions))
-        yield from _hanging(f"Holds if {said}.")
+    if alike and conditions[0]:
+        yield from _hanging(f"Holds if {conditions[0]}.")
     if any(v.name == "residual" for v in made.outputs):
         yield "The value is the right-hand side, which vanishes where the equation holds."
-    for note in made.notes:
-        yield from _hanging(note)
+    if made.note:
+        yield from _hanging(made.note)
     yield ""
 
 
+def _conditions(line: Line, shown: Callable[[Any], str]) -> str:
+    return "; ".join(dict.fromkeys(_condition(c, shown) for c in line.assuming))
+
+
 def _hanging(text: str) -> list[str]:
-    return textwrap.wrap(text, WIDTH - 8, subsequent_indent="  ", break_long_words=False)
+    indent = " " * (len(text) - len(text.lstrip()) + 2)
+    return textwrap.wrap(text, WIDTH - 8, subsequent_indent=indent, break_long_words=False)
 
 
 def _condition(assumption: Assumption, shown: Callable[[Any], str]) -> str:
@@ -211,7 +220,7 @@ def _argument(symbol: Symbol, shown: Callable[[Any], str]) -> str:
     letter = "" if shown(symbol) == symbol.name else shown(symbol)
     if quantity is None:
         return letter
-    unit = f" ({quantity.unit})" if quantity.unit else ""
+    unit = "" if quantity.unit in ("", "1") else f" ({quantity.unit})"
     return ", ".join(filter(None, [letter, quantity.meaning])) + unit
 
 

@@ -17,7 +17,7 @@ import sympy
 from sympy import Eq, Expr, Mul, Symbol
 
 from rigidtop.proof.equation import Dot, Equation, Meaning, NoMeaningError, value
-from rigidtop.proof.page import Assumption, Step
+from rigidtop.proof.page import Assumption, Correction, Step
 from rigidtop.proof.verdict import Finding, Judgement, Verdict
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
@@ -43,6 +43,15 @@ class Value:
 
 
 @dataclass(frozen=True)
+class Line:
+    """An equation of a claim with what it assumes, and a sentence about it, such as a step's."""
+
+    equation: Equation
+    assuming: tuple[Assumption, ...] = ()
+    reason: str = ""
+
+
+@dataclass(frozen=True)
 class Values:
     """All that a claim gives, with what it takes."""
 
@@ -50,26 +59,27 @@ class Values:
     says: str
     outputs: tuple[Value, ...]
     arguments: tuple[Symbol, ...]
-    conditions: tuple[Assumption, ...]
-    vectors: tuple[tuple[Symbol, Any], ...]
+    lines: tuple[Line, ...]
+    vectors: tuple[tuple[Symbol, Any], ...] = ()
     """The axes and vectors of the equations with their components, where these are short."""
 
-    notes: tuple[str, ...] = ()
+    note: str = ""
 
 
 @dataclass(frozen=True)
 class _Source:
-    """An equation of a claim with what its symbols mean and under what it holds."""
+    """A line with what its symbols mean."""
 
-    equation: Equation
+    line: Line
     meaning: Meaning
-    assuming: tuple[Assumption, ...] = ()
-    reason: str = ""
-    """Of a step: where the engine's expression holds."""
+
+    @property
+    def equation(self) -> Equation:
+        return self.line.equation
 
     @property
     def is_limit(self) -> bool:
-        return any(a.otherwise is not None for a in self.assuming)
+        return any(a.otherwise is not None for a in self.line.assuming)
 
 
 def values(judgement: Judgement) -> Values:
@@ -117,8 +127,10 @@ def _sources(judgement: Judgement) -> tuple[list[_Source], list[_Source]]:
 
 def _source(item: Finding | Step) -> _Source:
     if isinstance(item, Step):
-        return _Source(item.equation, {}, reason=item.reason)
-    return _Source(item.check.claimed, item.check.meaning, item.check.assuming)
+        return _Source(Line(item.equation, reason=item.reason), {})
+    check = item.check
+    said = "Corrected: the notes have it otherwise." if isinstance(check, Correction) else ""
+    return _Source(Line(check.claimed, check.assuming, said), check.meaning)
 
 
 # --- From equations to expressions ---------------------------------------------------------------
@@ -237,7 +249,7 @@ def _evaluated(
     """A side as numbers would go into it; None if it stays one of vectors."""
     try:
         made = value(side, meaning)
-        for assumption in source.assuming:
+        for assumption in source.line.assuming:
             if isinstance(assumption.condition, Eq):
                 made = made.subs(assumption.condition.lhs, _imposed(assumption))
     except (NoMeaningError, AttributeError, TypeError, KeyError, sympy.ShapeError):
@@ -309,35 +321,32 @@ def _solved(residual: Expr, equation: Equation) -> Iterator[Value]:
 
 
 def _values(judgement: Judgement, found: Sequence[tuple[_Source, list[Value]]]) -> Values:
-    outputs, notes = _complete([v for _, made in found for v in made], found)
+    outputs, note = _complete([v for _, made in found for v in made], found)
     takes = arguments(v.expression for v in outputs)
-    reasons = [f"{x.equation.sides[0]}: {x.reason}" for x, _ in found if x.reason]
-    assuming = [a for source, _ in found for a in source.assuming]
-    once = {(str(a.condition), a.words): a for a in assuming}
     return Values(
         judgement.claim.name,
         judgement.claim.says,
         tuple(outputs),
         takes,
-        tuple(once.values()),
+        tuple(source.line for source, _ in found),
         tuple(_vectors((source for source, _ in found), {x.name for x in takes})),
-        (*reasons, *notes),
+        note,
     )
 
 
 def _complete(
     outputs: list[Value], found: Sequence[tuple[_Source, list[Value]]]
-) -> tuple[list[Value], tuple[str, ...]]:
+) -> tuple[list[Value], str]:
     """θ̈ of the heavy top with φ̈ and ψ̈, which an integrator needs besides."""
     system = dict(zip(top.ACCELERATIONS, top.symmetric_top_accelerations(), strict=True))
     (source, _), *_ = found
     output, *others = outputs
     if others or output.symbol not in system:
-        return outputs, ()
+        return outputs, ""
     if source.meaning.get(output.symbol) != system[output.symbol]:
-        return outputs, ()
+        return outputs, ""
     complete = [Value(x.name, e, output.equation, x) for x, e in system.items()]
-    return complete, ("Solved together with (3.55) and (3.56); singular where sin θ = 0.",)
+    return complete, "Solved together with (3.55) and (3.56); singular where sin θ = 0."
 
 
 def _vectors(sources: Iterable[_Source], takes: set[str]) -> Iterator[tuple[Symbol, Any]]:

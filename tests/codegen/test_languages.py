@@ -31,10 +31,11 @@ from sympy import (
 from rigidtop.cli import SOURCES
 from rigidtop.codegen import shipped
 from rigidtop.codegen.languages import LANGUAGES, Source, function_name, source
-from rigidtop.codegen.values import NothingToEvaluateError, Value, Values, values
+from rigidtop.codegen.values import Line, NothingToEvaluateError, Value, Values, values
 from rigidtop.derivations import PAGES
 from rigidtop.present.text import text
 from rigidtop.proof.equation import Equation
+from rigidtop.proof.page import Check, Correction, claim
 from rigidtop.proof.verdict import judge
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
@@ -52,11 +53,11 @@ def everything() -> dict[str, Values]:
     """Every claim that has something to evaluate, by name."""
     found = {}
     for page in PAGES:
-        for claim in page.claims:
+        for each in page.claims:
             try:
-                found[claim.name] = values(judge(claim, page.section))
+                found[each.name] = values(judge(each, page.section))
             except NothingToEvaluateError:
-                assert claim.name in NOTHING
+                assert each.name in NOTHING
     return found
 
 
@@ -64,10 +65,11 @@ def by_hand(expressions, name="by-hand"):
     """Expressions that no claim has."""
     made = [Value(f"y{i}", e, Equation(s.E, e)) for i, e in enumerate(expressions, 1)]
     free = sorted(set().union(*(e.free_symbols for e in expressions)), key=str)
-    return Values(name, "Made for a test.", tuple(made), tuple(free), (), ())
+    lines = tuple(Line(v.equation) for v in made)
+    return Values(name, "Made for a test.", tuple(made), tuple(free), lines)
 
 
-a, b, M, m, out, lambda_, x0 = symbols("a b M m out lambda x0")
+a, b, M, m, out, lambda_, x0 = symbols("a b M m out lambda X0")
 AWKWARD = by_hand(
     [
         a**2 / 2 - b / 3 + Rational(1, 3),
@@ -322,7 +324,33 @@ def test_both_roots_make_the_residual_vanish():
     residual = expressions("3.57")["residual"]
     for root in expressions("two-roots").values():
         assert simplify(residual.subs(s.Omega, root)) == 0
-    assert "Omega_minus: For ω₃ > 0" in source(everything()["two-roots"], "c").text
+    lines = source(everything()["two-roots"], "julia", text).text.splitlines()
+    [slow] = [i for i, line in enumerate(lines) if line.startswith("# Ω₋ = ")]
+    assert lines[slow + 1] == "#   For ω₃ > 0; regular at cos θ = 0."
+
+
+def test_a_condition_stands_with_the_line_that_needs_it():
+    made = source(everything()["3.40"], "julia", text).text
+    assert "# τ_b = 2π/Ω_b\n#   if Ω_b > 0 ((λ₁ − λ₃)ω₃ > 0: a prolate body" in made
+    assert "Holds if" not in made
+
+
+def test_a_limit_is_said_to_be_one():
+    made = source(everything()["fast-is-free"], "c", text).text
+    assert "ε → 0 (ω₃ very large: to leading order in ε" in " ".join(made.split())
+    assert "epsilon → 0 (ω₃ very large" in source(everything()["fast-is-free"], "c").text
+
+
+@claim("corrected", "E = 2T, which is false.")
+def corrected():
+    meaning = {s.E: s.T}
+    yield Check(Equation(s.E, 2 * s.T), meaning)
+    yield Correction(Equation(s.E, s.T + s.V - s.V), meaning)
+
+
+def test_what_is_refuted_is_not_written():
+    [energy] = values(judge(corrected)).outputs
+    assert energy.expression == s.T
 
 
 def test_a_refuted_matrix_gives_way_to_the_corrected_one():
@@ -334,6 +362,9 @@ def test_a_refuted_matrix_gives_way_to_the_corrected_one():
         "O_matrix13",
         "O_matrix21",
     ]
+    for name in everything():
+        corrected = name in ("3.47", "inertia-full")
+        assert ("Corrected: the notes" in source(everything()[name], "c").text) == corrected
 
 
 def test_body_to_space_and_back():
@@ -348,11 +379,11 @@ def test_scalars_that_a_page_defines_by_each_other_stay_arguments():
 
 @pytest.mark.parametrize("name", sorted(NOTHING))
 def test_nothing_to_evaluate_is_said_in_one_line(name):
-    [claim] = [claim for page in PAGES for claim in page.claims if claim.name == name]
+    [wanted] = [each for page in PAGES for each in page.claims if each.name == name]
     with pytest.raises(
         NothingToEvaluateError, match=rf"^{name} has no expression to evaluate; .*$"
     ):
-        values(judge(claim))
+        values(judge(wanted))
 
 
 # --- How it is written ---------------------------------------------------------------------------
@@ -365,11 +396,11 @@ def test_the_command_line_knows_the_languages():
 
 
 def test_names_that_a_language_cannot_tell_apart_or_reserves():
-    plain = ("M", "a", "b", "lambda", "m", "out", "x0")
+    plain = ("M", "X0", "a", "b", "lambda", "m", "out")
     assert source(AWKWARD, "javascript").arguments == plain
-    assert source(AWKWARD, "fortran").arguments == ("M", "a", "b", "lambda", "m_", "out_", "x0")
-    assert source(AWKWARD, "python").arguments == ("M", "a", "b", "lambda_", "m", "out", "x0")
-    assert source(AWKWARD, "c").arguments == ("M", "a", "b", "lambda", "m", "out_", "x0")
+    assert source(AWKWARD, "fortran").arguments == ("M", "X0", "a", "b", "lambda", "m_", "out_")
+    assert source(AWKWARD, "python").arguments == ("M", "X0", "a", "b", "lambda_", "m", "out")
+    assert source(AWKWARD, "c").arguments == ("M", "X0", "a", "b", "lambda", "m", "out_")
     made = by_hand([Symbol("end") + Symbol("in") + Symbol("double") + Symbol("\u03b8")])
     for language, words in (
         ("julia", ("double", "end_", "in_", "_")),
