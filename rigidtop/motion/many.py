@@ -197,9 +197,12 @@ class TopMotions:
         alpha, beta = attitudes.spinors(states[:4])
         turn = np.exp(0.5j * self.omega3 * times.reshape(-1, *[1] * len(self.shape)))
         alpha, beta = alpha * turn, beta * turn.conj()
-        product = alpha * beta.conj()
-        nodes = np.where(product == 0, 1.0, product / np.where(product == 0, 1.0, np.abs(product)))
         half_sum, half_difference = np.angle(alpha), np.angle(beta)
+        product = alpha * beta.conj()
+        size = np.abs(product)
+        vertical = size < systems.SMALLEST_SIZE  # there ψ is what one says it is
+        by_angle = np.exp(1j * (half_sum - half_difference))
+        nodes = np.where(vertical, by_angle, product / np.where(vertical, 1.0, size))
         omega = (states[4] + 1j * states[5]) * turn.conj() ** 2
         return TopState(
             cos_half=np.abs(alpha),

@@ -16,6 +16,12 @@ from rigidtop.motion.attitude import Floats
 SMALLEST_ARGUMENT = 1e-150
 """Below this sn u = u and cn u = dn u = 1 to all digits, and cn/sn need not be formed."""
 
+SMALLEST_PART = 1e-100
+"""Of squares: the integral of the third kind is out of range for parameters of 1e-200.
+
+Deviations from a separatrix or a pole of 1e-50 and less thus count as none.
+"""
+
 MEANS = 16
 """Arithmetic-geometric means converge in 9 steps for m₁ = 1e-300, in 4 for m₁ > 0.1."""
 

@@ -33,7 +33,13 @@ from scipy.spatial.transform import Rotation
 
 from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.exact.elliptic import Jacobi, first_kind, jacobi, quarter_period
+from rigidtop.motion.exact.elliptic import (
+    SMALLEST_PART,
+    Jacobi,
+    first_kind,
+    jacobi,
+    quarter_period,
+)
 
 ROUNDING = 16 * float(np.finfo(float).eps)
 """What rounding of the initial state does to the distance from the separatrix."""
@@ -241,6 +247,7 @@ def _solve(moments: Floats, omega: Floats) -> Orbit:
         [np.sqrt(i1 * b / i13), np.sqrt(i2 * b / i23), np.sqrt(i3 * a / i13)], axis=-1
     )
     m, m1 = i12 * b / (i23 * a), i13 * d / (i23 * a)
+    m1 = np.where(m1 < SMALLEST_PART, 0.0, m1)
     n = i3 * i12 / (i1 * i23)
     still = b == 0
     cn = np.where(still, 1.0, i1 * w1 / np.where(still, 1.0, amplitudes[..., 0]))

@@ -32,7 +32,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.exact.elliptic import Jacobi, first_kind, jacobi, quarter_period
+from rigidtop.motion.exact.elliptic import (
+    SMALLEST_PART,
+    Jacobi,
+    first_kind,
+    jacobi,
+    quarter_period,
+)
 from rigidtop.motion.exact.series import Series, series
 from rigidtop.motion.state import TopState
 
@@ -250,17 +256,18 @@ class Orbit:
     @cached_property
     def _factor_x(self) -> Floats:
         x2 = np.where(self.x2 > 0, self.x2, 1.0)
-        return self.range * self.c_up / x2**2 * self._per_rate
+        return self.range / x2 * (self.c_up / x2) * self._per_rate
 
     @cached_property
     def _factor_y(self) -> Floats:
         y2 = np.where(self._far_from_down, self.y2, 1.0)
-        return -self.range * self.c_down / y2**2 * self._per_rate
+        return -self.range / y2 * (self.c_down / y2) * self._per_rate
 
     @cached_property
     def _root_of_distances(self) -> Floats:
         """√(2μ(x₂ − x₃) · 2μ(2 − x₃)): 4ν²/√ratio."""
-        return np.where(self.nu > 0, 4 * self.nu**2 / np.sqrt(self.ratio), 1.0)
+        moving = self.nu > 0
+        return np.where(moving, 4 * self.nu**2 / np.sqrt(np.where(moving, self.ratio, 1.0)), 1.0)
 
     @cached_property
     def _complete(self) -> tuple[Floats, Floats]:
@@ -404,38 +411,39 @@ def _solve(start: Start) -> Orbit:
     s = 2 * start.sin_half * start.cos_half
     momentum = s * v_phi
     c_up, c_down = momentum - b * x0, momentum + b * y0
-    still = (w == 0) & ((x0 == 0) | (y0 == 0))
     pull, sizes = _pull(mu, b, w, x0, y0, s, momentum)
     steady = (np.abs(pull) <= ROUNDING * sizes) & (np.abs(v_theta) <= ROUNDING * w)
     roots = _roots(mu, b, w, s * v_theta, pull, x0, y0, c_up)
     delta1, delta2 = roots.delta1, roots.delta2
     x1, x2, y1 = roots.x1, x0 + delta2, y0 - delta1
-    m23 = roots.m13 + 2 * mu * (delta2 - delta1)
     from_down = 4 * mu + roots.m03
     y2 = y0 - delta2
-    product = c_down**2 / (y1 * np.where(from_down > 0, from_down, np.inf))
-    near_down = (y2 < NEAR_POLE * y0) & (from_down > 0)
+    product = c_down * (c_down / y1) / np.where(from_down > 0, from_down, np.inf)
+    near_up, near_down = x1 < NEAR_POLE * x0, (y2 < NEAR_POLE * y0) & (from_down > 0)
     y2 = np.where(near_down, product, y2)
-    near_up = x1 < NEAR_POLE * x0
     a1 = np.where(near_up, c_up + b * x1, momentum + b * delta1)
     a2 = np.where(near_down, c_down - b * y2, momentum + b * delta2)
-    # A vertical axis at rest stays: unstable if a root lies below.
-    span = np.where(still, 0.0, delta2 - delta1)
-    delta1, delta2 = np.where(still, 0.0, delta1), np.where(still, 0.0, delta2)
-    x1, x2 = np.where(still, x0, x1), np.where(still, x0, x2)
-    y1, y2 = np.where(still, y0, y1), np.where(still, y0, y2)
-    a1, a2 = np.where(still, 0.0, a1), np.where(still, 0.0, a2)
+    through_up, through_down = x1 <= SMALLEST_PART * x2, y2 <= SMALLEST_PART * y1
+    x1, c_up = np.where(through_up, 0.0, x1), np.where(through_up, 0.0, c_up)
+    y2 = np.where(through_down, 0.0, y2)
+    span = delta2 - delta1
+    m23 = roots.m13 + 2 * mu * span
+    safe = np.where(m23 > 0, m23, 1.0)
+    m, m1 = 2 * mu * span / safe, np.where(m23 > 0, roots.m13 / safe, 1.0)
+    m1 = np.where(m1 < SMALLEST_PART, 0.0, m1)
+    down = np.where(span > 0, span, 1.0)
+    sn = -np.copysign(np.where(span > 0, np.sqrt(delta2 / down), 0.0), v_theta)
+    cn = np.where(span > 0, np.sqrt(-delta1 / down), 1.0)
+    tau0 = first_kind(sn, cn, np.sqrt(m1 + m * cn**2))
+    # A vertical axis at rest stays, also where it is not stable.
+    still = (span == 0) & ((x0 == 0) | (y0 == 0)) | ~np.isfinite(tau0)
+    x1, x2, y1, y2 = (
+        np.where(still, now, part) for now, part in ((x0, x1), (x0, x2), (y0, y1), (y0, y2))
+    )
+    span, a1, a2, sn, tau0 = (np.where(still, 0.0, part) for part in (span, a1, a2, sn, tau0))
+    cn, m1 = np.where(still, 1.0, cn), np.where(still, 1.0, m1)
     # The frequency of small nutations about the vertical: b² − 4μ cos θ.
     m23 = np.where(still, np.maximum(b**2 - 4 * mu * np.sign(y0 - x0), 0.0), m23)
-    nu = np.sqrt(m23) / 2
-    safe = np.where(m23 > 0, m23, 1.0)
-    m = 2 * mu * span / safe
-    m1 = np.where(still | (m23 == 0), 1.0, roots.m13 / safe)
-    down = np.where(span > 0, span, 1.0)
-    sn = np.where(span > 0, np.sqrt(delta2 / down), 0.0)
-    cn = np.where(span > 0, np.sqrt(-delta1 / down), 1.0)
-    dn = np.sqrt(m1 + m * cn**2)
-    sn = -np.copysign(1.0, v_theta) * sn
     return Orbit(
         start=start,
         sigma=sigma,
@@ -453,9 +461,9 @@ def _solve(start: Start) -> Orbit:
         m=m,
         m1=m1,
         ratio=np.where(from_down > 0, m23 / np.where(from_down > 0, from_down, 1.0), 1.0),
-        nu=nu,
-        tau0=first_kind(sn, cn, dn),
-        begin=Jacobi(sn, cn, dn),
+        nu=np.sqrt(m23) / 2,
+        tau0=tau0,
+        begin=Jacobi(sn, cn, np.sqrt(m1 + m * cn**2)),
         still=still,
         steady=steady,
     )
@@ -495,7 +503,7 @@ def _roots(
     alone = high - middle >= middle - low  # x₃ is
     first = _third_root_alone(mu, g, h, c0, x0, high)
     near = first.x1 < NEAR_POLE * x0
-    product = c_up**2 / (first.x2 * np.where(first.m03 > 0, first.m03, np.inf))
+    product = c_up * (c_up / first.x2) / np.where(first.m03 > 0, first.m03, np.inf)
     x1 = np.where(near, product, first.x1)
     first = replace(first, x1=x1)
     if np.all(alone):
@@ -557,7 +565,7 @@ def _second_root_alone(
         delta2 = np.maximum(delta2 - step, 0.0)
     x2 = x0 + delta2
     safe = np.where(x2 > 0, x2, 1.0)
-    c = c_up**2 / safe
+    c = c_up * (c_up / safe)
     w_up = w**2 - 2 * mu * x0  # ẋ² sin⁻²θ there, were the axis upright
     linear = (2 * (w_up - b * c_up) - c) / safe
     root = np.sqrt(linear**2 + 8 * mu * c)

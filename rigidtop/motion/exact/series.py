@@ -23,7 +23,7 @@ NEGLIGIBLE = 1e-17
 CONVERGED = 4e-16
 """So small, of the largest value, the last third of the coefficients must be."""
 
-BLOCK = 4096
+BLOCK = 8192
 """Samples at a time: the harmonics of these fit the processor's cache."""
 
 

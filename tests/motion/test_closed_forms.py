@@ -1,0 +1,390 @@
+"""Closed forms: periods, turning points, regimes, late times, many samples and many motions.
+
+`test_exact.py` judges the states themselves by 40-digit references.
+"""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from numpy.testing import assert_allclose
+from scipy.integrate import solve_ivp
+from scipy.spatial.transform import Rotation
+from scipy.special import ellipk
+
+import rigidtop as rt
+from rigidtop.motion import equations, many
+from rigidtop.motion.exact import heavy
+
+TOP = rt.HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5)
+STEADY = TOP.steady_precession(theta=0.5, omega3=40.0)[0]
+
+angles = st.floats(0.05, 3.09)
+rates = st.floats(-5.0, 5.0)
+spins = st.floats(-40.0, 40.0)
+
+
+def differences(run, other):
+    """Angles between attitudes, and distances of ω, at each time."""
+    turned = (run.rotation.inv() * other.rotation).magnitude()
+    return turned, np.linalg.norm(run.omega - other.omega, axis=1)
+
+
+# --- Periods and turning points ---
+
+
+@given(theta=angles, theta_dot=rates, phi_dot=rates, omega3=spins)
+@settings(deadline=None)
+def test_after_a_nutation_everything_repeats_but_phi_and_psi(theta, theta_dot, phi_dot, omega3):
+    motion = TOP.motion(theta=theta, theta_dot=theta_dot, phi_dot=phi_dot, omega3=omega3)
+    assume(motion.nutation_period < 20 and motion.turning_points[0] > 1e-3)
+    assume(motion.turning_points[1] < math.pi - 1e-3)
+    times = np.array([0.0, 0.4, 1.3])
+    now, later = motion.exact(times), motion.exact(times + motion.nutation_period)
+    assert_allclose(later.theta, now.theta, atol=1e-10)
+    assert_allclose(later.theta_dot, now.theta_dot, atol=1e-9)
+    assert_allclose(later.phi - now.phi, motion.precession_per_period, atol=1e-9)
+    assert motion.mean_precession * motion.nutation_period == pytest.approx(
+        motion.precession_per_period
+    )
+
+
+@given(theta=angles, theta_dot=rates, phi_dot=rates, omega3=spins)
+@settings(deadline=None)
+def test_theta_goes_from_one_turning_point_to_the_other(theta, theta_dot, phi_dot, omega3):
+    motion = TOP.motion(theta=theta, theta_dot=theta_dot, phi_dot=phi_dot, omega3=omega3)
+    assume(motion.nutation_period < 50)
+    smallest, largest = motion.turning_points
+    path = motion.exact(np.linspace(0, motion.nutation_period, 20_001)).theta
+    assert path.min() >= smallest - 1e-12
+    assert path.max() <= largest + 1e-12
+    # The extremes are seen to second order in the spacing.
+    near_pole = 1e-2 * (smallest < 0.1), 1e-2 * (largest > math.pi - 0.1)
+    reach = 1e-6 * max(1.0, largest - smallest)
+    assert path.min() <= smallest + max(reach, near_pole[0])
+    assert path.max() >= largest - max(reach, near_pole[1])
+
+
+def test_nutation_period_and_precession_against_integration_with_events():
+    motion = TOP.motion(theta=0.5, theta_dot=0.1, phi_dot=1.0, psi_dot=40.0)
+    rates_of = equations.top_in_euler_angles(1.0, 0.5, 1.0, 9.81, 0.5)
+
+    def right_hand_side(_, y):
+        return [y[1], rates_of((y[0], *y[1:4]))[0], *rates_of((y[0], *y[1:4]))[1:], y[2]]
+
+    def highest(_, y):
+        return y[1]
+
+    highest.direction = 1.0  # θ̇ from below zero to above: smallest θ
+    found = solve_ivp(
+        right_hand_side,
+        (0, 3),
+        [0.5, 0.1, 1.0, 40.0, 0.0],
+        method="DOP853",
+        rtol=1e-12,
+        atol=1e-12,
+        events=highest,
+    )
+    times, phi = found.t_events[0], found.y_events[0][:, 4]
+    assert_allclose(np.diff(times), motion.nutation_period, rtol=1e-9)
+    assert_allclose(np.diff(phi), motion.precession_per_period, rtol=1e-8)
+
+
+def test_plane_pendulum_has_the_period_of_the_textbook():
+    motion = TOP.motion(theta=1.0, omega3=0.0)  # released at rest, 1 rad from the upright
+    omega0 = math.sqrt(9.81 * 0.5)
+    amplitude = math.pi - 1.0
+    # T = 4K(sin²(amplitude/2))/ω₀, and θ takes each value twice in it.
+    assert motion.nutation_period == pytest.approx(
+        2 * ellipk(math.sin(amplitude / 2) ** 2) / omega0, rel=1e-14
+    )
+    assert motion.regime == "plane"
+
+
+def test_small_nutation_about_steady_precession():
+    motion = TOP.motion(theta=0.5, phi_dot=STEADY, omega3=40.0)
+    assert motion.regime == "steady"
+    # Ω² of small nutations, from the effective potential: b² − 4μ cos θ + …, all from (3.54).
+    b, mu, c, s2 = 20.0, 9.81 * 0.5, math.cos(0.5), math.sin(0.5) ** 2
+    frequency = math.sqrt((b - 2 * STEADY * c) ** 2 + STEADY**2 * s2)
+    assert motion.nutation_period == pytest.approx(2 * math.pi / frequency, rel=1e-12)
+    assert motion.mean_precession == pytest.approx(STEADY, rel=1e-12)
+    assert mu == pytest.approx(STEADY * (b - STEADY * c))
+
+
+def test_free_body_with_two_equal_moments_precesses_as_in_the_notes():
+    body = rt.FreeBody(2.0, 2.0, 1.0)
+    motion = body.motion(omega=(0.3, 0.4, 2.0))
+    length = math.hypot(2 * 0.5, 2.0)
+    assert motion.regime == "regular precession"
+    assert motion.mean_precession == pytest.approx(length / 2.0, rel=1e-14)  # Ω_s = L/λ₁
+    assert motion.turning_points == pytest.approx((math.atan2(1.0, 2.0),) * 2, rel=1e-14)
+    body_cone = abs((2.0 - 1.0) / 2.0 * 2.0)  # Ω_b, once round in two of them
+    assert motion.nutation_period == pytest.approx(math.pi / body_cone, rel=1e-14)
+
+
+@given(
+    moments=st.tuples(*[st.floats(1.0, 1.9)] * 3),
+    omega=st.tuples(*[st.floats(-3.0, 3.0)] * 3),
+)
+@settings(deadline=None)
+def test_omega_of_a_free_body_returns_after_two_nutations(moments, omega):
+    motion = rt.FreeBody(*moments).motion(omega=omega)
+    assume(0 < motion.nutation_period < 200)
+    times = np.array([0.0, 0.7])
+    now, later = (motion.exact(times + shift) for shift in (0.0, 2 * motion.nutation_period))
+    assert_allclose(later.omega, now.omega, atol=1e-8)
+    # The attitude has turned about L by the mean precession.
+    momentum = now.angular_momentum[0]
+    turned = later.rotation * now.rotation.inv()
+    axis = momentum / np.linalg.norm(momentum)
+    angle = 2 * motion.precession_per_period
+    assert_allclose(
+        turned.as_matrix()[0], Rotation.from_rotvec(angle * axis).as_matrix(), atol=1e-7
+    )
+
+
+# --- Regimes ---
+
+
+@pytest.mark.parametrize(
+    ("start", "regime"),
+    [
+        ({"theta": 0.5, "phi_dot": 1.0, "omega3": 40.0}, "loops"),
+        ({"theta": 0.5, "omega3": 40.0}, "cusps"),
+        ({"theta": 0.5, "phi_dot": 0.1, "omega3": 40.0}, "waves"),
+        ({"theta": 0.5, "phi_dot": STEADY, "omega3": 40.0}, "steady"),
+        ({"theta": 0.5, "phi_dot": STEADY, "psi": 0.3, "omega3": 40.0}, "steady"),
+        ({"theta": 0.0, "omega3": 40.0}, "sleeping"),
+        ({"theta": 0.0, "omega3": 1.0}, "sleeping"),
+        ({"theta": math.pi, "omega3": 1.0}, "hanging"),
+        ({"theta": 0.5, "omega3": 0.0}, "plane"),
+        ({"theta": 0.5, "theta_dot": 9.0, "omega3": 0.0}, "plane"),
+        ({"theta": 0.5, "phi_dot": 9.0, "omega3": 0.0}, "waves"),
+        ({"theta": 0.0, "theta_dot": 1.0, "omega3": 10.0}, "through the vertical"),
+        ({"theta": math.pi, "theta_dot": 1.0, "omega3": 10.0}, "through the vertical"),
+    ],
+)
+def test_regimes(start, regime):
+    assert TOP.motion(**start).regime == regime
+
+
+def test_regime_of_a_top_without_weight():
+    top = rt.HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5, g=0.0)
+    assert top.motion(theta=0.5, phi_dot=1.0, omega3=3.0).regime == "free precession"
+
+
+def test_asymptotic_to_the_upright():
+    """p_φ = p_ψ and the energy of the upright: a slow top that climbs for ever."""
+    theta, omega3 = 1.0, 2.0
+    b, mu, u = 0.5 * omega3, 9.81 * 0.5, math.cos(1.0)
+    phi_dot = b / (1 + u)  # p_φ = p_ψ
+    theta_dot = -math.sqrt(2 * mu * (1 - u) - (phi_dot * math.sin(theta)) ** 2)
+    motion = TOP.motion(theta=theta, theta_dot=theta_dot, phi_dot=phi_dot, omega3=omega3)
+    assert motion.regime == "asymptotic"
+    path = motion.exact([0.0, 2.0, 4.0, 6.0]).theta
+    assert np.all(np.diff(path) < 0)
+    assert path[-1] < 1e-4
+
+
+@pytest.mark.parametrize(
+    ("omega", "regime"),
+    [
+        ((1.0, 0.1, 0.0), "long axis"),
+        ((0.0, 0.1, 1.0), "short axis"),
+        ((0.0, 1.0, 0.0), "steady"),
+        ((0.0, 0.0, 0.0), "steady"),
+        ((0.0, 0.0, -2.0), "steady"),
+        ((1.0, 0.3, math.sqrt(0.8)), "separatrix"),
+    ],
+)
+def test_regimes_of_a_free_body(omega, regime):
+    # λ₁(λ₂ − λ₁)ω₁² = λ₃(λ₃ − λ₂)ω₃² on the separatrix: 1 = 1.25 ω₃².
+    assert rt.FreeBody(1.0, 2.0, 2.5).motion(omega=omega).regime == regime
+
+
+# --- Late times, many samples, other bodies ---
+
+
+def test_late_times_cost_no_accuracy_beyond_that_of_the_time():
+    motion = TOP.motion(theta=0.5, theta_dot=0.1, phi_dot=1.0, omega3=40.0)
+    turns = 3_000_000
+    late = motion.exact([turns * motion.nutation_period + 0.1, -turns * motion.nutation_period])
+    early = motion.exact([0.1, 0.0])
+    assert_allclose(late.theta, early.theta, atol=1e-8)
+    assert_allclose(
+        late.phi, early.phi + np.array([turns, -turns]) * motion.precession_per_period, rtol=1e-13
+    )
+
+
+@given(theta=angles, theta_dot=rates, phi_dot=rates, omega3=spins)
+@settings(deadline=None, max_examples=150)
+def test_many_samples_are_those_of_few(theta, theta_dot, phi_dot, omega3):
+    motion = TOP.motion(theta=theta, theta_dot=theta_dot, phi_dot=phi_dot, omega3=omega3)
+    times = np.linspace(-20.0, 30.0, heavy.MANY + 1)
+    run, few = motion.exact(times), motion.exact(times[::50])
+    scale = 1 + np.abs(few.psi).max()
+    for name in ("cos_half", "sin_half", "theta_dot", "v_phi", "phi", "psi"):
+        size = np.abs(getattr(few, name)).max()
+        assert_allclose(
+            getattr(run, name)[::50], getattr(few, name), atol=1e-14 * scale * (1 + size)
+        )
+
+
+def test_phi_and_psi_are_continuous():
+    motion = TOP.motion(theta=0.2, theta_dot=1.0, phi_dot=9.0, psi_dot=10.0)
+    run = motion.exact(np.linspace(-10, 10, 200_001))
+    assert np.abs(np.diff(run.phi)).max() < 0.1
+    assert np.abs(np.diff(run.psi)).max() < 0.1
+    assert abs(run.phi[100_000]) < 1e-14
+
+
+@pytest.mark.parametrize("arm", [0.5, -0.5])
+def test_a_body_with_its_centre_of_mass_below_the_pivot(arm):
+    body = rt.HeavyBody(1.0, 1.0, 0.5, M=1.0, centre_of_mass=(0.0, 0.0, arm))
+    motion = body.motion(omega=(1.0, -2.0, 5.0), attitude=Rotation.from_rotvec([0.4, 0.5, -0.3]))
+    times = [0.0, 1.0, -2.0, 5.0]
+    exact, solved = motion.exact(times), motion.integrate(times, rtol=1e-12, atol=1e-13)
+    turned, apart = differences(exact, solved)
+    assert turned.max() < 1e-10
+    assert apart.max() < 1e-9
+    assert max(exact.drift().values()) < 1e-14
+
+
+def test_a_body_without_closed_form_says_so():
+    body = rt.HeavyBody(3.0, 2.0, 1.5, M=1.0, centre_of_mass=(0.2, 0.3, 0.4))
+    with pytest.raises(rt.RigidtopError, match=r"no closed form: .* integrate the motion instead"):
+        body.motion(omega=(1.0, 2.0, 3.0)).exact(1.0)
+
+
+@given(theta=st.floats(0, math.pi), theta_dot=rates, phi_dot=rates, omega3=spins)
+@settings(deadline=None)
+def test_the_closed_form_conserves(theta, theta_dot, phi_dot, omega3):
+    motion = TOP.motion(theta=theta, theta_dot=theta_dot, phi_dot=phi_dot, omega3=omega3)
+    run = motion.exact(np.linspace(-50, 100, 301))
+    assert max(run.drift().values()) < 1e-13
+
+
+@pytest.mark.parametrize("speed", [1e-40, 1e-60, 1e-90, 1e-149, 1e-151, 1e-200, 1e-310])
+@pytest.mark.parametrize("theta", [0.0, math.pi])
+def test_motions_too_small_for_a_square_are_none_or_right(theta, speed):
+    run = TOP.motion(theta=theta, theta_dot=speed, omega3=0.0).exact([0.0, 1.0])
+    assert np.all(np.isfinite(run.rotation.as_quat()))
+    assert_allclose(run.theta, theta, atol=1e-35)
+
+
+# --- Many motions ---
+
+
+def spread(count):
+    random = np.random.default_rng(7)
+    return {
+        "lambda1": random.uniform(0.8, 1.2, count),
+        "lambda3": 0.5,
+        "M": 1.0,
+        "R": random.uniform(0.1, 0.5, count),
+        "theta": random.choice([0.0, math.pi, 0.3, 1.0, 3.0], count),
+        "theta_dot": random.choice([0.0, 0.1, -1.0], count),
+        "phi": random.uniform(-3, 3, count),
+        "phi_dot": random.choice([0.0, 1.0], count),
+        "psi": 0.1,
+        "omega3": random.choice([0.0, 1.0, 30.0], count),
+    }
+
+
+def one_of(values, k):
+    chosen = {name: float(np.broadcast_to(value, 40)[k]) for name, value in values.items()}
+    body = {name: chosen.pop(name) for name in ("lambda1", "lambda3", "M", "R")}
+    return rt.HeavyTop(**body).motion(**chosen)
+
+
+def test_many_tops_are_each_alone(monkeypatch):
+    monkeypatch.setattr(many, "CHUNK", 7)
+    values, times = spread(40), np.array([[0.0], [1.5], [-4.0]])
+    told = []
+    motions = rt.top_motions(**values)
+    states = motions.exact(times, progress=lambda done, total: told.append((done, total)))
+    assert states.theta.shape == (3, 40)
+    assert told[-1] == (120, 120)
+    assert len(told) == 18
+    for k in range(40):
+        alone = one_of(values, k)
+        run = alone.exact(times[:, 0])
+        assert_allclose(states.theta[:, k], run.theta, atol=1e-13)
+        # Where the axis passes through the vertical φ and ψ jump by π, to rounding.
+        turned = (Rotation.from_quat(np.roll(states.quaternion[:, k], -1, axis=-1)).inv()) * (
+            run.rotation
+        )
+        assert turned.magnitude().max() < 1e-12
+        assert_allclose(states.omega[:, k], run.omega, atol=1e-11)
+        assert motions.regime[k] == alone.regime
+        assert motions.nutation_period[k] == pytest.approx(alone.nutation_period, rel=1e-12)
+        smallest, largest = motions.turning_points
+        assert_allclose((smallest[k], largest[k]), alone.turning_points, atol=1e-12)
+
+
+@pytest.mark.parametrize("method", ["DOP853", "taylor"])
+def test_many_tops_integrated_agree_with_the_closed_form(method):
+    if method == "taylor":
+        pytest.importorskip("heyoka", reason="heyoka has no wheel here")
+    values = {name: np.broadcast_to(value, 40)[:6] for name, value in spread(40).items()}
+    motions, times = rt.top_motions(**values), np.array([0.0, 2.0, -1.0])
+    solved = motions.integrate(times, method, rtol=1e-13, atol=1e-13)
+    exact = motions.exact(times[:, None])
+    overlap = np.abs(np.sum(solved.quaternion * exact.quaternion, axis=-1))
+    assert_allclose(overlap, 1.0, atol=1e-13)
+    assert_allclose(solved.omega, exact.omega, atol=1e-9)
+
+
+def test_many_free_bodies_are_each_alone():
+    moments = np.array([[1.0, 2.0, 2.5], [2.0, 2.0, 1.0], [1.5, 1.5, 1.5], [2.5, 1.0, 2.0]])
+    omega = np.array([[1.0, 0.1, 0.3], [0.1, -2.0, 1.0], [1.0, 2.0, 3.0], [0.0, 0.0, 1.0]])
+    motions = rt.free_motions(moments=moments, omega=omega)
+    quaternion, rates = motions.exact(np.array([[0.3], [5.0]]))
+    assert quaternion.shape == (2, 4, 4)
+    for k in range(4):
+        alone = rt.FreeBody(*moments[k]).motion(omega=omega[k])
+        run = alone.exact([0.3, 5.0])
+        assert_allclose(rates[:, k], run.omega, atol=1e-14)
+        overlap = np.sum(quaternion[:, k] * np.roll(run.rotation.as_quat(), 1, axis=-1), axis=-1)
+        assert_allclose(np.abs(overlap), 1.0, atol=1e-14)
+        assert motions.regime[k] == alone.regime
+        assert motions.mean_precession[k] == pytest.approx(alone.mean_precession)
+        assert motions.nutation_period[k] == pytest.approx(alone.nutation_period)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"lambda1": [1.0, -1.0]}, "lambda1 must be more than 0, not -1"),
+        ({"theta": [0.1, 4.0]}, r"theta must be at most 3.14159, not 4"),
+        ({"theta": [0.1, math.nan]}, "theta must be finite: it contains NaN or infinity"),
+        ({"omega3": "fast"}, "omega3 must be numbers, not 'fast'"),
+        ({"omega3": [1.0, 2.0, 3.0]}, r"these shapes do not broadcast: .*omega3 \(3,\)"),
+        (
+            {"R": [0.5, 2.0]},
+            r"lambda1 is too small in 1 of 2: it must be at least MR² \+ lambda3/2",
+        ),
+        ({"psi_dot": 1.0}, "give omega3 or psi_dot, one of them"),
+        ({"g": 1e-200}, "g must be 0 or not so tiny, not 1e-200"),
+    ],
+)
+def test_bad_arrays_say_what_is_wrong(change, message):
+    values = {
+        "lambda1": [1.0, 1.1],
+        "lambda3": 0.5,
+        "M": 1.0,
+        "R": 0.5,
+        "theta": 0.5,
+        "omega3": 1.0,
+    }
+    with pytest.raises(rt.RigidtopError, match=message):
+        rt.top_motions(**{**values, **change})
+
+
+def test_times_that_do_not_fit_the_motions():
+    motions = rt.top_motions(lambda1=1, lambda3=0.5, M=1, R=0.5, theta=[0.1, 0.2], omega3=1)
+    with pytest.raises(rt.RigidtopError, match=r"t of shape \(3,\) does not broadcast"):
+        motions.exact([1.0, 2.0, 3.0])
