@@ -429,7 +429,8 @@ class Ended(RigidtopError):  # noqa: N818 - it says what happened
 
 def _at_pole(theta: float, time: float) -> Ended:
     pole = "0" if math.cos(theta) > 0 else "π"
-    return Ended(f"θ reaches {pole} at t = {time:.6g}, where Euler angles are not defined", time)
+    near = f"θ comes within {POLE:g} of {pole} at t = {time:.6g}"
+    return Ended(f"{near}: Euler angles are not defined there", time)
 
 
 # --- Solving --------------------------------------------------------------------------------------

@@ -61,7 +61,7 @@ def test_exit_code_of_a_disagreement(capsys, monkeypatch):
 @pytest.mark.usefixtures("without_orders")
 def test_ways_that_do_not_exist_are_named(capsys):
     assert run("top", "--theta", "0", "--time", "1") == 0
-    assert "Hamilton  θ reaches 0 at t = 0, where Euler angles" in capsys.readouterr().out
+    assert "Hamilton  θ comes within 0.001 of 0 at t = 0: Euler angles" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
