@@ -187,6 +187,17 @@ def test_asymptotic_to_the_upright():
     path = motion.exact([0.0, 2.0, 4.0, 6.0]).theta
     assert np.all(np.diff(path) < 0)
     assert path[-1] < 1e-4
+    assert motion.nutation_period == math.inf
+    # All the time but a little it is next to upright, where φ̇ = p_ψ/(2λ₁).
+    assert motion.mean_precession == pytest.approx(b / 2, rel=1e-14)
+    assert motion.exact([40.0]).phi[0] / 40.0 == pytest.approx(b / 2, rel=0.05)
+
+
+def test_a_pendulum_that_never_arrives_does_not_precess():
+    motion = TOP.motion(theta=math.pi, theta_dot=2 * math.sqrt(9.81 * 0.5), omega3=0.0)
+    assert motion.nutation_period > 10 * math.pi / math.sqrt(9.81 * 0.5)
+    assert TOP.motion(theta=0.0, omega3=0.0).precession_per_period == 0.0
+    assert rt.FreeBody(1.0, 2.0, 2.5).motion(omega=(0, 0, 0)).precession_per_period == 0.0
 
 
 @pytest.mark.parametrize(

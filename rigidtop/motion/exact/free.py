@@ -111,8 +111,8 @@ class Orbit:
     def precession_per_period(self) -> Floats:
         """By how much e₃ turns about L in it (rad)."""
         with np.errstate(all="ignore"):
-            turned = self.mean_precession * self.nutation_period
-            return np.where(self.length > 0, turned, 0.0)
+            mean = self.mean_precession
+            return np.where(mean == 0, 0.0, mean * self.nutation_period)
 
     @property
     def mean_precession(self) -> Floats:

@@ -159,15 +159,17 @@ class Orbit:
     def precession_per_period(self) -> Floats:
         """By how much φ grows in a nutation period (rad)."""
         with np.errstate(all="ignore"):
-            return self.mean_precession * self.nutation_period
+            mean = self.mean_precession
+            return np.where(mean == 0, 0.0, mean * self.nutation_period)
 
     @property
     def mean_precession(self) -> Floats:
-        """The mean of φ̇ over a nutation (rad/s)."""
+        """The mean of φ̇ over a nutation, or for all times if that never ends (rad/s)."""
         with np.errstate(all="ignore"):
             turned = sum(np.where(self.m1 > 0, part, 0.0) for part in self._complete)
             share = np.where(self.m1 > 0, turned * self.nu / (2 * self.quarter), 0.0)
-            return (self._drift_x + self._drift_y + share) / 2 * self.sigma
+            mean = (self._drift_x + self._drift_y + share) / 2
+            return np.where(self.m1 > 0, mean, self.b / 2) * self.sigma
 
     @cached_property
     def regime(self) -> NDArray[np.str_]:
