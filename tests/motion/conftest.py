@@ -1,6 +1,12 @@
-"""Times are measured by the benchmarks, never by a test."""
+"""Times are measured by the benchmarks, never by a test; and where the reference is found."""
+
+import sys
+from pathlib import Path
 
 from hypothesis import settings
 
 settings.register_profile("untimed", deadline=None)
 settings.load_profile("untimed")
+
+# The modules of the reference are scripts too, so they import each other by their bare names.
+sys.path.insert(0, str(Path(__file__).parent / "reference"))
