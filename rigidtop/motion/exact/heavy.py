@@ -126,7 +126,10 @@ class Orbit:
     ratio: Floats
     """(x₂ − x₃)/(2 − x₃)."""
     nu: Floats
-    tau0: Floats
+    quarters: Floats
+    """Which of −K, 0, K is nearest to τ₀: −1, 0 or 1."""
+    offset: Floats
+    """τ₀ from there."""
     begin: Jacobi
     """At τ₀."""
     still: NDArray[np.bool_]
@@ -140,6 +143,11 @@ class Orbit:
     def quarter(self) -> Floats:
         """K, the half of a nutation in τ."""
         return quarter_period(self.m1)
+
+    @cached_property
+    def tau0(self) -> Floats:
+        """τ at t = 0."""
+        return np.where(self.quarters == 0, 0.0, self.quarters * self.quarter) + self.offset
 
     @property
     def turning_points(self) -> tuple[Floats, Floats]:
@@ -301,19 +309,13 @@ class Orbit:
 
     def _at(self, t: Floats) -> TopState:
         scaled = t * self.sigma
-        # At t = 0 the sign of a zero τ₀ counts.
-        tau = np.where(scaled == 0, self.tau0, self.tau0 + self.nu * scaled)
-        bounded = np.isfinite(self.quarter)
-        period = np.where(bounded, 2 * self.quarter, 1.0)
-        turns = np.where(bounded, np.round(tau / period), 0.0)
-        reduced = np.where(turns == 0, tau, tau - turns * period)
-        f = jacobi(reduced, self.m1)
+        turns, reduced, f = self._phase(scaled)
         x_kind, y_kind = self._third_kinds(f, reduced)
         x_begin, y_begin = self._at_start
         big_x = self._drift_x * scaled + (x_kind - x_begin)
         big_y = self._drift_y * scaled + (y_kind - y_begin)
         if np.any(turns):
-            x_turn, y_turn = (np.where(bounded, part, 0.0) for part in self._complete)
+            x_turn, y_turn = (np.where(self.m1 > 0, part, 0.0) for part in self._complete)
             big_x, big_y = big_x + turns * x_turn, big_y + turns * y_turn
         cos_half, sin_half, theta_dot, v_phi = self._axis(f)
         s = self.start
@@ -326,6 +328,34 @@ class Orbit:
             v_phi=v_phi,
             omega3=s.omega3,
             upright_phi_dot=s.b / 2,
+        )
+
+    def _phase(self, scaled: Floats) -> tuple[Floats, Floats, Jacobi]:
+        """Nutations since τ = 0, what remains of τ, and Jacobi's functions of that.
+
+        τ is counted from the nearest multiple of K, so that x − x₁ keeps its digits near x₁ too.
+        """
+        # At t = 0 the sign of a zero counts.
+        since = np.where(scaled == 0, self.offset, self.offset + self.nu * scaled)
+        bounded = self.m1 > 0
+        quarter = np.where(bounded, self.quarter, 1.0)
+        passed = np.where(bounded, np.rint(since / quarter), 0.0)
+        rest = np.where(passed == 0, since, since - passed * quarter)
+        count = self.quarters + passed
+        near_k = np.mod(count, 2) == 1
+        side = np.where(rest == 0, np.sign(count), -np.sign(rest))
+        f, k1 = jacobi(rest, self.m1), np.sqrt(self.m1)
+        if not np.any(near_k):
+            return count / 2, rest, f
+        around_k = side * f.cn / f.dn, k1 * np.abs(f.sn) / f.dn, k1 / f.dn
+        shifted = (
+            np.where(near_k, one, other)
+            for one, other in zip(around_k, vars(f).values(), strict=True)
+        )
+        return (
+            np.where(near_k, count - side, count) / 2,
+            np.where(near_k, side * quarter + rest, rest),
+            Jacobi(*shifted),
         )
 
     def _axis(self, f: Jacobi) -> tuple[Floats, Floats, Floats, Floats]:
@@ -436,14 +466,19 @@ def _solve(start: Start) -> Orbit:
     down = np.where(span > 0, span, 1.0)
     sn = -np.copysign(np.where(span > 0, np.sqrt(delta2 / down), 0.0), v_theta)
     cn = np.where(span > 0, np.sqrt(-delta1 / down), 1.0)
-    tau0 = first_kind(sn, cn, np.sqrt(m1 + m * cn**2))
-    # A vertical axis at rest stays, also where it is not stable.
-    still = (span == 0) & ((x0 == 0) | (y0 == 0)) | ~np.isfinite(tau0)
+    dn, k1 = np.sqrt(m1 + m * cn**2), np.sqrt(m1)
+    near_k = cn**2 < k1 * sn**2
+    back = -np.copysign(first_kind(cn / dn, k1 * np.abs(sn) / dn, k1 / dn), sn)
+    offset = np.where(near_k, back, first_kind(sn, cn, dn))
+    # A vertical axis at rest stays, also where it is not stable; so does one whose motion is too
+    # small for the square of its square, 1e-75 rad.
+    still = (span == 0) & ((x0 == 0) | (y0 == 0)) | ~np.isfinite(offset)
     x1, x2, y1, y2 = (
         np.where(still, now, part) for now, part in ((x0, x1), (x0, x2), (y0, y1), (y0, y2))
     )
-    span, a1, a2, sn, tau0 = (np.where(still, 0.0, part) for part in (span, a1, a2, sn, tau0))
-    cn, m1 = np.where(still, 1.0, cn), np.where(still, 1.0, m1)
+    span, a1, a2, sn = (np.where(still, 0.0, part) for part in (span, a1, a2, sn))
+    offset, near_k = np.where(still, 0.0, offset), near_k & ~still
+    cn, m, m1 = np.where(still, 1.0, cn), np.where(still, 0.0, m), np.where(still, 1.0, m1)
     # The frequency of small nutations about the vertical: b² − 4μ cos θ.
     m23 = np.where(still, np.maximum(b**2 - 4 * mu * np.sign(y0 - x0), 0.0), m23)
     return Orbit(
@@ -464,7 +499,8 @@ def _solve(start: Start) -> Orbit:
         m1=m1,
         ratio=np.where(from_down > 0, m23 / np.where(from_down > 0, from_down, 1.0), 1.0),
         nu=np.sqrt(m23) / 2,
-        tau0=tau0,
+        quarters=np.where(near_k, np.sign(sn), 0.0),
+        offset=offset,
         begin=Jacobi(sn, cn, np.sqrt(m1 + m * cn**2)),
         still=still,
         steady=steady,
