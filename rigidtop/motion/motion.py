@@ -64,7 +64,7 @@ class Motion:
 
         The error is a few units in the last place of what the motion does when the initial state,
         the body and t change by theirs, near separatrices, poles and steady precession too, and of
-        a small tilt it is relative to the tilt, down to 1e-60.  A deviation of less than 1e-50 from
+        a small tilt it is relative to the tilt, down to 1e-50.  A deviation of less than 1e-50 from
         a separatrix counts as none: such a top stays upright.
 
         Closed forms exist for every free body and for a heavy body that is symmetric about e₃ with

@@ -31,7 +31,7 @@ HERE = Path(__file__).parent
 FILES = {"tops": "tops.npz", "bodies": "bodies.npz", "far": "far.npz"}
 ERROR = 2e-13
 UNITS = 50.0
-SMALLEST_TILT = 1e-60
+SMALLEST_TILT = 1e-50
 """Below this the closed form claims nothing relative to the tilt: see `Motion.exact`."""
 
 
