@@ -52,8 +52,11 @@ class TopState:
     def phi_dot(self) -> Floats:
         """φ̇ (rad/s).  Exactly at θ = 0 or π it is the limit along a motion through it."""
         sine = 2 * self.sin_half * self.cos_half
+        vertical = sine == 0
+        if not np.any(vertical):
+            return self.v_phi / sine
         limit = np.copysign(1.0, self.cos_half - self.sin_half) * self.upright_phi_dot
-        return np.where(sine > 0, self.v_phi / np.where(sine > 0, sine, 1.0), limit)
+        return np.where(vertical, limit, self.v_phi / np.where(vertical, 1.0, sine))
 
     @property
     def psi_dot(self) -> Floats:

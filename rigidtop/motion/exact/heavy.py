@@ -302,9 +302,9 @@ class Orbit:
         times = np.asarray(t, dtype=float)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
             if self.m1.ndim == 0 and times.ndim == 1 and times.size >= MANY:
-                periodic = self._series
-                if periodic is not None:
-                    return self._by_series(periodic, times)
+                samples = self._samples
+                if samples is not None:
+                    return self._by_series(samples, times)
             return self._at(times)
 
     def _at(self, t: Floats) -> TopState:
@@ -377,44 +377,44 @@ class Orbit:
     # --- Many states of one motion ---
 
     @cached_property
-    def _per_turn(self) -> tuple[Floats, Floats]:
-        """By how much X and Y grow in a unit of τ, on average, without their constant parts."""
-        upper, lower = self._complete
-        return upper / (2 * self.quarter), lower / (2 * self.quarter)
-
-    @cached_property
-    def _series(self) -> Series | None:
-        """Of the motion's periodic part, if a few harmonics give it to rounding."""
+    def _samples(self) -> _Samples | None:
+        """The motion's periodic part, if a few harmonics give it to rounding."""
         if not (self.m1 > 0 and self.x1 > 0 and self.y2 > 0):
             return None
-        x_rate, y_rate = self._per_turn
+        k = self.quarter
+        ends = np.array([self.tau0, k])
+
+        def phases(tau: Floats) -> tuple[Jacobi, Floats]:
+            f = jacobi(tau, self.m1)
+            x_kind, y_kind = self._third_kinds(f, tau)
+            return f, np.stack([x_kind + y_kind, y_kind - x_kind]) / 2
+
+        start, rate = phases(ends)[1].T
+        rate = rate / k
 
         def periodic(u: Floats) -> tuple[Floats, Floats]:
-            tau = 2 * self.quarter * u
-            f = jacobi(tau, self.m1)
+            tau = 2 * k * u
+            f, angles = phases(tau)
             cos_half, sin_half, theta_dot, v_phi = self._axis(f)
-            upper, lower = self._third_kinds(f, tau)
-            upper, lower = upper - x_rate * tau, lower - y_rate * tau
-            odd = theta_dot, (upper + lower) / 2, (lower - upper) / 2
-            return np.stack([cos_half, sin_half, v_phi]), np.stack(odd)
+            even = np.stack([cos_half, sin_half, v_phi])
+            return even, np.stack([theta_dot, *(angles - rate[:, None] * tau)])
 
-        return series(periodic)
+        found = series(periodic)
+        return None if found is None else _Samples(found, rate, rate * self.tau0 - start)
 
-    def _by_series(self, periodic: Series, t: Floats) -> TopState:
-        x_rate, y_rate = self._per_turn
-        x_begin, y_begin = self._at_start
+    def _by_series(self, samples: _Samples, t: Floats) -> TopState:
         even, odd = np.empty((2, 3, len(t)))
-        per_period = self.nu * self.sigma / (2 * self.quarter)
-        periodic.evaluate(self.tau0 / (2 * self.quarter) + per_period * t, even, odd)
+        nu = self.nu * self.sigma
+        period = 2 * self.quarter
+        samples.periodic.evaluate(self.tau0 / period + nu / period * t, even, odd)
         theta_dot, phi, psi = odd
-        x_drift, y_drift = self._drift_x + x_rate * self.nu, self._drift_y + y_rate * self.nu
-        # X and Y at t = 0, where the periodic part is not zero.
-        x_first, y_first = x_rate * self.tau0 - x_begin, y_rate * self.tau0 - y_begin
+        phi_drift = (self._drift_x + self._drift_y) / 2 * self.sigma + samples.rates[0] * nu
+        psi_drift = (self._drift_y - self._drift_x) / 2 * self.sigma + samples.rates[1] * nu
         s = self.start
-        phi += (x_drift + y_drift) / 2 * self.sigma * t
-        phi += s.phi + (x_first + y_first) / 2
-        psi += (s.omega3 + (y_drift - x_drift) / 2 * self.sigma) * t
-        psi += s.psi + (y_first - x_first) / 2
+        phi += phi_drift * t
+        phi += s.phi + samples.first[0]
+        psi += (s.omega3 + psi_drift) * t
+        psi += s.psi + samples.first[1]
         return TopState(
             cos_half=even[0],
             sin_half=even[1],
@@ -425,6 +425,17 @@ class Orbit:
             omega3=s.omega3,
             upright_phi_dot=s.b / 2,
         )
+
+
+@dataclass(frozen=True)
+class _Samples:
+    """A motion as a Fourier series: θ̇, φ and ψ odd in τ, the rest even."""
+
+    periodic: Series
+    rates: Floats
+    """By how much φ and ψ grow in a unit of τ, on average, beside their constant parts."""
+    first: Floats
+    """What is added to φ and ψ, whose periodic part is not zero at t = 0."""
 
 
 def solve(start: Start) -> Orbit:
