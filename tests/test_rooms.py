@@ -18,7 +18,17 @@ READS = {
     "motion": {"errors"},
     "derivations": {"theory", "proof", "codegen", "motion"},
     "present": {"errors", "theory", "proof", "codegen", "motion", "derivations"},
-    "commands": {"errors", "theory", "proof", "codegen", "motion", "present", "derivations"},
+    "progress": set(),
+    "commands": {
+        "errors",
+        "theory",
+        "proof",
+        "codegen",
+        "motion",
+        "present",
+        "derivations",
+        "progress",
+    },
     "cli": {
         "errors",
         "theory",

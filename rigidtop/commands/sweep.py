@@ -1,0 +1,284 @@
+"""``rigidtop sweep``: a quantity of the heavy top on a grid, in as many runs as it takes."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import multiprocessing
+import os
+import re
+import signal
+import sys
+import threading
+import time
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Executor, ProcessPoolExecutor
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from rigidtop.commands import motions
+from rigidtop.errors import RigidtopError
+
+if TYPE_CHECKING:
+    from rigidtop.motion.sweep import Axis, Map
+
+ABOUT = "map a grid of tops into a file, on one machine or a cluster"
+
+EXAMPLE_TOP = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "R": 0.5, "g": 9.81, "theta": 0.5}
+"""What is neither set nor an axis; ω₃ is 40 rad/s then."""
+
+OTHER_NAMES = {"mass": "M", "arm": "R", "gravity": "g"}
+"""As the options of `rigidtop simulate`."""
+
+LENGTHS = ("lambda1", "lambda3", "M", "R", "g", "t")
+"""What is no angle, nor the rate of one."""
+
+CONNECT_SECONDS = 10
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What can be asked."""
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.epilog = (
+        "quantities: regime (codes; their names are in FILE.json), nutation_period,\n"
+        "  mean_precession, precession_per_period, theta_min, theta_max; and at a time t: theta,\n"
+        "  phi, psi, theta_dot, phi_dot, psi_dot\n"
+        "names: lambda1, lambda3, M, R, g, theta, theta_dot, phi, phi_dot, psi, t, and omega3 or\n"
+        "  psi_dot; angles and their rates in radians, or degrees with the suffix deg\n\n"
+        "FILE can be read by numpy.load.  Interrupted, the same command goes on from there.\n\n"
+        "examples:\n"
+        "  rigidtop sweep -o map.npy --axis omega3=0:60:10000 --axis phi_dot=-5:5:10000\n"
+        "  rigidtop sweep -o tilt.npy --quantity theta --axis t=0:10:1001 --axis omega3=10,20,40\n"
+        "  rigidtop sweep -o map.npy --axis theta=1deg:179deg:2000 --axis omega3=0:60:2000 "
+        "--scheduler tcp://host:8786"
+    )
+    parser.add_argument(
+        "-o", "--output", metavar="FILE", required=True, help="the file, an array in NumPy's format"
+    )
+    parser.add_argument("--quantity", default="regime", metavar="NAME", help="(default: regime)")
+    parser.add_argument(
+        "--axis",
+        action="append",
+        default=[],
+        type=axis,
+        metavar="NAME=START:STOP:COUNT",
+        help="numbers along an axis of the array, or NAME=A,B,…; may be repeated",
+    )
+    parser.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        type=setting,
+        metavar="NAME=NUMBER",
+        help="a number that is the same everywhere (default: the example top); may be repeated",
+    )
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument(
+        "--workers",
+        type=_whole,
+        metavar="N",
+        help="compute in processes (default: in threads, which are enough for a few cores)",
+    )
+    where.add_argument(
+        "--scheduler", metavar="ADDRESS", help="compute on a Dask cluster; wants the extra cluster"
+    )
+    parser.add_argument(
+        "--block", type=_whole, metavar="POINTS", help="computed at a time (default: 131072)"
+    )
+
+
+def axis(text: str) -> tuple[str, str]:
+    """The name and the numbers of an axis, as they are typed.
+
+    >>> axis("phi-dot=-5:5:11")
+    ('phi_dot', '-5:5:11')
+    """
+    name, _, value = (part.strip() for part in text.partition("="))
+    if not name or not value:
+        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE")
+    name = name.replace("-", "_")
+    return OTHER_NAMES.get(name, name), value
+
+
+setting = axis
+
+
+def numbers(name: str, text: str) -> Axis:
+    """An axis.
+
+    >>> numbers("theta", "0:180deg:3"), numbers("M", "1,2")
+    (Span(start=0.0, stop=3.141592653589793, count=3), Listed(values=(1.0, 2.0)))
+    """
+    from rigidtop.motion.sweep import Listed, Span
+
+    parts = text.split(":")
+    if len(parts) == 1:
+        return Listed(tuple(one(name, part) for part in text.split(",")))
+    if len(parts) != 3 or not parts[2].strip().isdecimal():
+        raise RigidtopError(f"--axis {name}={text} is not {name}=START:STOP:COUNT or {name}=A,B,…")
+    return Span(one(name, parts[0]), one(name, parts[1]), int(parts[2]))
+
+
+def one(name: str, text: str) -> float:
+    """A number, or an angle, by what it is for.
+
+    >>> round(one("omega3", "180deg"), 6)
+    3.141593
+    """
+    try:
+        return motions.number(text) if name in LENGTHS else motions.angle(text)
+    except argparse.ArgumentTypeError as error:
+        raise RigidtopError(f"{name}: {error}") from None
+
+
+def run(options: argparse.Namespace) -> int:
+    """Compute what is missing in the file, and say what it holds."""
+    from rigidtop.motion import sweep
+    from rigidtop.progress import bar
+
+    if not options.output:
+        raise RigidtopError("--output wants the name of a file")
+    axes = {name: numbers(name, text) for name, text in _once("--axis", options.axis).items()}
+    given = {name: one(name, text) for name, text in _once("--set", options.set).items()}
+    fixed = {name: value for name, value in EXAMPLE_TOP.items() if name not in axes} | given
+    if not {"omega3", "psi_dot"} & {*axes, *fixed}:
+        fixed["omega3"] = 40.0
+    asked = sweep.Sweep(options.quantity, axes, fixed)
+    size = options.block or sweep.BLOCK
+    show = bar("sweeping")
+    first: int | None = None
+    last = 0
+
+    def progress(done: int, total: int) -> None:
+        nonlocal first, last
+        first, last = done if first is None else first, done
+        show(done, total)
+
+    start = time.monotonic()
+    try:
+        with executor(options) as (pool, ahead):
+            found = sweep.run(
+                asked, options.output, pool, block_size=size, ahead=ahead, progress=progress
+            )
+    except KeyboardInterrupt:
+        if last:
+            print(
+                f"\n{last} of {asked.size} points are in {options.output}; "
+                "the same command goes on from there",
+                end="",
+                file=sys.stderr,
+            )
+        raise
+    record = summary(found) | {
+        "computed": last - (first or 0),
+        "seconds": round(time.monotonic() - start, 3),
+    }
+    if options.json:
+        print(json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False))
+    else:
+        print(text(record))
+    return 0
+
+
+def summary(found: Map) -> dict[str, Any]:
+    """What a map holds, as plain values, read piece by piece."""
+    import numpy as np
+
+    from rigidtop.motion.sweep import REGIMES
+
+    record: dict[str, Any] = {
+        "file": str(found.path),
+        "quantity": found.sweep.quantity,
+        "axes": list(found.sweep.axes),
+        "shape": list(found.sweep.shape),
+        "points": found.sweep.size,
+    }
+    if found.sweep.quantity == "regime":
+        counts = sum(np.bincount(piece, minlength=len(REGIMES)) for piece in found.pieces())
+        pairs = zip(REGIMES, np.atleast_1d(counts).tolist(), strict=True)
+        return record | {"regimes": {name: count for name, count in pairs if count}}
+    least, largest = math.inf, -math.inf
+    for piece in found.pieces():
+        finite = piece[np.isfinite(piece)]
+        if finite.size:
+            least, largest = min(least, float(finite.min())), max(largest, float(finite.max()))
+    known = least <= largest
+    return record | {"least": least if known else None, "largest": largest if known else None}
+
+
+def text(record: dict[str, Any]) -> str:
+    """A summary in lines."""
+    shape = " × ".join(
+        f"{n} {name}" for n, name in zip(record["shape"], record["axes"], strict=True)
+    )
+    lines = [f"{record['file']}: {record['quantity']}, {shape}"]
+    if "regimes" in record:
+        shares = sorted(record["regimes"].items(), key=lambda item: -item[1])
+        lines.append(", ".join(f"{name} {n / record['points']:.3%}" for name, n in shares))
+    elif record["least"] is not None:
+        lines.append(f"from {record['least']:.6g} to {record['largest']:.6g}, where finite")
+    lines.append(f"{record['computed']} points computed in {record['seconds']:.1f} s")
+    return "\n".join(lines)
+
+
+@contextmanager
+def executor(options: argparse.Namespace) -> Iterator[tuple[Executor | None, int]]:
+    """Where to compute, and how many blocks to send ahead; none means threads of this process."""
+    from rigidtop.motion.sweep import AHEAD
+
+    if options.scheduler is not None:
+        with _cluster(options.scheduler) as client:
+            threads = sum(client.nthreads().values())
+            yield client.get_executor(), max(AHEAD, 2 * threads)
+    elif options.workers:
+        # A fresh interpreter each: a fork of a process with threads may hang.
+        context = multiprocessing.get_context("spawn")
+        with ProcessPoolExecutor(options.workers, context, initializer=follow) as pool:
+            yield pool, max(AHEAD, 2 * options.workers)
+    else:
+        yield None, AHEAD
+
+
+@contextmanager
+def _cluster(address: str) -> Iterator[Any]:
+    try:
+        from distributed import Client
+    except ImportError:
+        raise RigidtopError("--scheduler wants Dask: pip install 'rigidtop[cluster]'") from None
+    if not re.fullmatch(r"(\w+://)?[^\s:/]+:\d{1,5}", address):
+        raise RigidtopError(f"--scheduler wants an address like tcp://host:8786, not {address!r}")
+    try:
+        client = Client(address, timeout=CONNECT_SECONDS, set_as_default=False)
+    except OSError as error:
+        raise RigidtopError(f"no Dask scheduler at {address!r}: {error}") from None
+    with client:
+        yield client
+
+
+def follow() -> None:
+    """In a worker process: end with the process that asked, and leave the interrupts to it."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        threading.Thread(target=_leave_after, args=(parent,), daemon=True).start()
+
+
+def _leave_after(parent: Any) -> None:
+    parent.join()
+    os._exit(1)
+
+
+def _once(option: str, pairs: Sequence[tuple[str, str]]) -> dict[str, str]:
+    found: dict[str, str] = {}
+    for name, value in pairs:
+        if name in found:
+            raise RigidtopError(f"{option} {name} is given twice")
+        found[name] = value
+    return found
+
+
+def _whole(text: str) -> int:
+    if not text.isdecimal() or len(text) > 12 or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 1")
+    return int(text)
