@@ -1,4 +1,4 @@
-"""The command line: ``rigidtop list | check | derive | lecture | simulate``.
+"""The command line: ``rigidtop list | check | derive | lecture | simulate | certify | …``.
 
 Results go to stdout, progress and errors to stderr.  Exit codes: 0 for success, 1 for a check that
 failed, 2 for bad input.  Everything that takes time to load is loaded by the command that needs it.
@@ -9,19 +9,16 @@ from __future__ import annotations
 import argparse
 import io
 import json
-import math
 import os
-import re
 import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from rigidtop.commands import bench, certify, simulate, sweep
 from rigidtop.errors import RigidtopError
 
 if TYPE_CHECKING:
-    from rigidtop.motion.motion import Motion
-    from rigidtop.motion.trajectory import Trajectory
     from rigidtop.proof.page import Claim, Page
     from rigidtop.proof.verdict import Judgement
 
@@ -66,31 +63,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
 # --- What can be asked ---------------------------------------------------------------------------
 
 
-def number(text: str) -> float:
-    """A finite number.
-
-    >>> number("2.5e-3")
-    0.0025
-    """
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"{text!r} is not a finite number")
-    return value
-
-
-def angle(text: str) -> float:
-    """Radians, or degrees with the suffix deg.
-
-    >>> angle("0.5"), round(angle("30deg"), 6)
-    (0.5, 0.523599)
-    """
-    degrees = re.fullmatch(r"(.*?)\s*(?:deg|°)", text.strip())
-    return math.radians(number(degrees[1])) if degrees else number(text)
-
-
 def _parser() -> Parser:
     parser = Parser(
         prog="rigidtop",
@@ -133,7 +105,13 @@ def _parser() -> Parser:
         "--pdf", action="store_true", help="also a PDF, by latexmk or by the extra 'pdf'"
     )
 
-    _add_simulate(command("simulate", _simulate, "compute a motion and the drift of what it keeps"))
+    for name, module in (
+        ("simulate", simulate),
+        ("certify", certify),
+        ("sweep", sweep),
+        ("bench", bench),
+    ):
+        module.add_options(command(name, module.run, module.ABOUT))
     return parser
 
 
@@ -343,194 +321,6 @@ def _lecture(options: argparse.Namespace) -> int:
             print(file)
         print(_summary(judgements))
     return 0 if passed else FAILED
-
-
-# --- Motions -------------------------------------------------------------------------------------
-
-
-def _add_simulate(sub: argparse.ArgumentParser) -> None:
-    sub.formatter_class = argparse.RawDescriptionHelpFormatter
-    sub.epilog = (
-        "Angles are in radians, or in degrees with the suffix deg; everything else is SI.\n"
-        "Attitudes are R = Rz(φ) Ry(θ) Rz(ψ), body to space.\n\n"
-        "examples:\n"
-        "  rigidtop simulate top --theta 30deg --omega3 40 --time 2 --samples 81\n"
-        "  rigidtop simulate top --theta 0.5 --omega3 40 --steady slow --time 20\n"
-        "  rigidtop simulate free --moments 1 2 3 --omega 0.01 2 0.01 -o flip.csv"
-    )
-    sub.add_argument("body", choices=("top", "free"), help="a heavy symmetric top or a free body")
-    top = sub.add_argument_group("the top (defaults: the example top)")
-    for flag, default, about in (
-        ("--lambda1", 1.0, "moment across the axis, about the pivot, kg m²"),
-        ("--lambda3", 0.5, "moment about the axis, kg m²"),
-        ("--mass", 1.0, "mass M, kg"),
-        ("--arm", 0.5, "distance R from the pivot to the centre of mass, m"),
-        ("--gravity", 9.81, "g, m/s²"),
-    ):
-        top.add_argument(flag, type=number, default=None, help=f"{about} (default {default:g})")
-    top.add_argument("--theta", type=angle, help="θ at t = 0 (default 0.5)")
-    top.add_argument("--phi", type=angle, help="φ at t = 0")
-    top.add_argument("--psi", type=angle, help="ψ at t = 0")
-    top.add_argument("--theta-dot", type=angle, help="θ̇ at t = 0, per second")
-    top.add_argument("--phi-dot", type=angle, help="φ̇ at t = 0, per second")
-    spin = top.add_mutually_exclusive_group()
-    spin.add_argument("--omega3", type=angle, help="ω₃, per second (default 40)")
-    spin.add_argument("--psi-dot", type=angle, help="ψ̇ at t = 0, per second, instead of ω₃")
-    top.add_argument("--steady", choices=("slow", "fast"), help="start with φ̇ = Ω₋ or Ω₊")
-    free = sub.add_argument_group("the free body")
-    free.add_argument("--moments", type=number, nargs=3, metavar="λ", help="λ₁ λ₂ λ₃, kg m²")
-    free.add_argument("--omega", type=angle, nargs=3, metavar="ω", help="ω in the body, per second")
-    run = sub.add_argument_group("the computation")
-    run.add_argument("--time", type=number, default=10.0, help="from 0 to this time, s (10)")
-    run.add_argument("--samples", type=_count, default=21, help="rows, at least 2 (21)")
-    run.add_argument("--method", default="DOP853", help="of scipy's solve_ivp (DOP853)")
-    run.add_argument("--rtol", type=number, default=1e-10, help="relative tolerance (1e-10)")
-    run.add_argument("--atol", type=number, default=1e-12, help="absolute tolerance (1e-12)")
-    run.add_argument(
-        "-o",
-        "--output",
-        metavar="FILE",
-        help="write the table as CSV; an existing file is replaced",
-    )
-
-
-def _count(text: str) -> int:
-    if not re.fullmatch(r"\d{1,7}", text) or int(text) < 2:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 2 to 9999999")
-    return int(text)
-
-
-TOP_OPTIONS = ("lambda1", "lambda3", "mass", "arm", "gravity", "theta", "phi", "psi", "theta_dot")
-TOP_RATES = ("phi_dot", "omega3", "psi_dot", "steady")
-FREE_OPTIONS = ("moments", "omega")
-
-
-def _simulate(options: argparse.Namespace) -> int:
-    import numpy as np
-
-    foreign = FREE_OPTIONS if options.body == "top" else TOP_OPTIONS + TOP_RATES
-    for name in foreign:
-        if getattr(options, name) is not None:
-            flag = name.replace("_", "-")
-            raise RigidtopError(f"--{flag} does not go with `simulate {options.body}`")
-    if options.time == 0:
-        raise RigidtopError("--time 0 leaves nothing to compute: give a time in seconds")
-    if options.output == "":
-        raise RigidtopError("--output wants the name of a file")
-    motion = _top(options) if options.body == "top" else _free(options)
-    times = np.linspace(0.0, options.time, options.samples)
-    with Progress("integrating", 1):
-        path = motion.integrate(times, method=options.method, rtol=options.rtol, atol=options.atol)
-    return _print_motion(options, path)
-
-
-def _top(options: argparse.Namespace) -> Motion:
-    import rigidtop
-
-    given = {name: value for name, value in vars(options).items() if value is not None}
-    top = rigidtop.HeavyTop(
-        lambda1=given.get("lambda1", 1.0),
-        lambda3=given.get("lambda3", 0.5),
-        M=given.get("mass", 1.0),
-        R=given.get("arm", 0.5),
-        g=given.get("gravity", 9.81),
-    )
-    names = ("phi", "psi", "theta_dot", "phi_dot", "omega3", "psi_dot")
-    start = {name: given[name] for name in names if name in given}
-    theta = given.get("theta", 0.5)
-    if "omega3" not in start and "psi_dot" not in start:
-        start["omega3"] = 40.0
-    if options.steady:
-        for other in ("phi_dot", "psi_dot", "theta_dot"):
-            if other in start:
-                flag = other.replace("_", "-")
-                raise RigidtopError(f"--steady sets the rates: leave --{flag} out, give --omega3")
-        if math.sin(theta) < 1e-9:
-            raise RigidtopError("--steady wants a tilt: upright or hanging, every rate is steady")
-        slow, fast = top.steady_precession(theta, start["omega3"])
-        start["phi_dot"] = slow if options.steady == "slow" else fast
-        if not math.isfinite(start["phi_dot"]):
-            raise RigidtopError("a horizontal top has no fast steady precession: use --steady slow")
-    return top.motion(theta=theta, **start)
-
-
-def _free(options: argparse.Namespace) -> Motion:
-    import rigidtop
-
-    if options.moments is None or options.omega is None:
-        raise RigidtopError("a free body needs --moments λ₁ λ₂ λ₃ and --omega ω₁ ω₂ ω₃")
-    return rigidtop.FreeBody(*options.moments).motion(omega=tuple(options.omega))
-
-
-def _columns(path: Trajectory) -> dict[str, Any]:
-    """The columns of the table, by name and unit."""
-    from rigidtop.motion.trajectory import TopTrajectory
-
-    if isinstance(path, TopTrajectory):
-        return {
-            "t/s": path.t,
-            "theta/rad": path.theta,
-            "phi/rad": path.phi,
-            "psi/rad": path.psi,
-            "theta_dot/(rad/s)": path.theta_dot,
-            "phi_dot/(rad/s)": path.phi_dot,
-            "psi_dot/(rad/s)": path.psi_dot,
-            "energy/J": path.energy,
-        }
-    columns = {"t/s": path.t}
-    columns |= {f"omega{k + 1}/(rad/s)": path.omega[:, k] for k in range(3)}
-    columns |= {f"e3_{axis}": path.e3[:, k] for k, axis in enumerate("xyz")}
-    return columns | {"energy/J": path.energy}
-
-
-def _print_motion(options: argparse.Namespace, path: Trajectory) -> int:
-    columns = _columns(path)
-    drift = path.drift()
-    if options.output:
-        from pathlib import Path
-
-        from rigidtop.present.files import write_whole
-
-        lines = [",".join(columns)]
-        lines += [
-            ",".join(map(repr, map(float, row))) for row in zip(*columns.values(), strict=True)
-        ]
-        write_whole(Path(options.output), ("\n".join(lines) + "\n").encode())
-    if options.json:
-        values = {name: [float(x) for x in column] for name, column in columns.items()}
-        return _print_json({"columns": values, "drift": drift})
-    if options.output:
-        print(options.output)
-    else:
-        from rigidtop.present.table import table
-
-        # + 0.0 writes −0 as 0
-        rows = [[f"{x + 0.0:.6g}" for x in row] for row in zip(*columns.values(), strict=True)]
-        print(table(rows, tuple(columns), right=range(len(columns))))
-        print()
-    period = _nutation_period(path)
-    spacing = abs(options.time) / (options.samples - 1)
-    if period is not None and spacing > period / 4:
-        print(
-            f"a row every {spacing:.2g} s, but a top with this spin nutates in about "
-            f"{period:.2g} s: for a plot use --samples "
-            f"{math.ceil(abs(options.time) / period * 20) + 1}",
-            file=sys.stderr,
-        )
-    kept = ", ".join(f"{name} {value:.1e}" for name, value in drift.items())
-    print(f"relative drift of what the exact motion keeps: {kept}")
-    return 0
-
-
-def _nutation_period(path: Trajectory) -> float | None:
-    """2πλ₁/(λ₃|ω₃|), for a top that spins (s)."""
-    from rigidtop.motion.top import HeavyTop
-
-    body = path.motion.body
-    spin = abs(path.motion.omega[2])
-    if not isinstance(body, HeavyTop) or spin == 0:
-        return None
-    return 2 * math.pi * body.lambda1 / (body.lambda3 * spin)
 
 
 def _print_json(value: Any) -> int:

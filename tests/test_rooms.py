@@ -19,6 +19,7 @@ READS = {
     "derivations": {"theory", "proof", "codegen", "motion"},
     "present": {"errors", "theory", "proof", "codegen", "motion", "derivations"},
     "progress": set(),
+    "bench": {"errors", "theory", "codegen", "motion"},
     "commands": {
         "errors",
         "theory",
@@ -28,6 +29,7 @@ READS = {
         "present",
         "derivations",
         "progress",
+        "bench",
     },
     "cli": {
         "errors",

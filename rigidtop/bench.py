@@ -1,0 +1,515 @@
+"""What the numbers cost, beside what a user would otherwise take: medians of rounds in one run.
+
+The example top: λ₁ = 1, λ₃ = 0.5, M = 1, g = 9.81, R = 0.5, θ = 0.5, θ̇ = 0.1, φ̇ = 1, ψ̇ = 40, over
+10 s.  Every way gives θ, φ, ψ and their rates at every sample.  Compilation and derivation are not
+in the times of a motion; a closed form is solved anew each time.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import importlib
+import math
+import statistics
+import subprocess
+import sys
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Floats = NDArray[np.float64]
+Progress = Callable[[int, int], None]
+
+TOP = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "g": 9.81, "R": 0.5}
+START = {"theta": 0.5, "theta_dot": 0.1, "phi_dot": 1.0, "psi_dot": 40.0}
+STATE = (0.5, 0.0, 0.0, 0.1, 1.0, 40.0)
+"""θ, φ, ψ and their rates at t = 0."""
+
+END = 10.0
+TRUTH = (0.4888053728390981437, 2.397747377595791806, 406.6868628059444844)
+"""θ, φ and ψ at the end, by Taylor series with 50 digits (tests/motion/reference/taylor.py)."""
+
+TOLERANCE = 1e-12
+ROUNDS = 5
+TOPS = 100_000
+SHORTEST = 0.02
+"""A round repeats what is shorter than this (s)."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """One way of doing something."""
+
+    task: str
+    way: str
+    seconds: float | None
+    """Median of one go; None where a package is missing, which `note` says."""
+
+    per: int = 1
+    """How many samples, tops or evaluations that is."""
+
+    error: float | None = None
+    """The largest error of θ, φ, ψ at the end, rad."""
+
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Way:
+    """A way that can be run: `go` returns what was computed."""
+
+    name: str
+    go: Callable[[], Any] | None
+    error: Callable[[Any], float] | None = None
+    note: str = ""
+    rounds: int = ROUNDS
+    clock: Callable[[], float] | None = None
+    """Instead of `go`: runs and returns the seconds."""
+    of_all: float = 1.0
+    """The part of the task that `go` does; its time is divided by it."""
+
+
+def measure(quick: bool = False, progress: Progress | None = None) -> list[Row]:
+    """Run everything; `quick` has a tenth of the samples, and one round.
+
+    `progress` is called with the number of tasks done, and of all.
+    """
+    scale, rounds = (10, 1) if quick else (1, ROUNDS)
+    tasks: list[tuple[str, int, Callable[[], list[Way]]]] = [
+        *(
+            (f"{n:,} samples of one motion", n, lambda n=n: _trajectory(n))
+            for n in (10_000 // scale, 1_000_000 // scale)
+        ),
+        (f"{TOPS // scale:,} tops, each at one time", TOPS // scale, lambda: _tops(TOPS // scale)),
+        ("one right-hand side", 1, _one_call),
+        (f"{TOPS:,} right-hand sides", TOPS, _batch),
+        ("derive the equations of motion", 1, _derivations),
+    ]
+    rows: list[Row] = []
+    for done, (task, per, ways) in enumerate(tasks):
+        rows += _rows(task, per, ways(), rounds)
+        if progress is not None:
+            progress(done + 1, len(tasks))
+    return rows
+
+
+def _rows(task: str, per: int, ways: Sequence[Way], rounds: int) -> list[Row]:
+    """The first way is the one that the others are measured against."""
+    seconds: dict[str, list[float]] = {way.name: [] for way in ways}
+    errors: dict[str, float] = {}
+    for way in ways:
+        if way.go is not None:
+            result = way.go()  # the first go pays for imports and compilation
+            if way.error is not None:
+                errors[way.name] = way.error(result)
+    for k in range(rounds):
+        for way in ways:
+            if k < way.rounds and (way.go or way.clock):
+                taken = way.clock() if way.clock else _once(way.go)
+                seconds[way.name].append(taken / way.of_all)
+    return [
+        Row(
+            task,
+            way.name,
+            statistics.median(seconds[way.name]) if seconds[way.name] else None,
+            per,
+            errors.get(way.name),
+            way.note,
+        )
+        for way in ways
+    ]
+
+
+def _once(go: Callable[[], Any] | None) -> float:
+    """Seconds of one go, of several if it is short."""
+    assert go is not None
+    begin, count = perf_counter(), 0
+    while True:
+        go()
+        count += 1
+        passed = perf_counter() - begin
+        if passed > SHORTEST:
+            return passed / count
+
+
+def _module(name: str) -> Any:
+    """A package that may be missing."""
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        return None
+
+
+def _missing(name: str, package: str) -> Way:
+    return Way(name, None, note=f"{package} is not installed")
+
+
+# --- One motion -----------------------------------------------------------------------------------
+
+
+def _by_hand(theta: float, theta_dot: float, phi_dot: float, psi_dot: float) -> tuple[float, ...]:
+    """θ̈, φ̈, ψ̈ as one writes them who solves (3.54)–(3.56) for them."""
+    weight = TOP["M"] * TOP["g"] * TOP["R"]
+    s, c = math.sin(theta), math.cos(theta)
+    momentum = TOP["lambda3"] * (psi_dot + phi_dot * c)
+    phi_ddot = theta_dot * (momentum - 2 * TOP["lambda1"] * phi_dot * c) / (TOP["lambda1"] * s)
+    return (
+        s * (phi_dot * (TOP["lambda1"] * phi_dot * c - momentum) + weight) / TOP["lambda1"],
+        phi_ddot,
+        theta_dot * phi_dot * s - phi_ddot * c,
+    )
+
+
+def _system(state: Sequence[float]) -> tuple[float, ...]:
+    theta, _, _, theta_dot, phi_dot, psi_dot = state
+    return theta_dot, phi_dot, psi_dot, *_by_hand(theta, theta_dot, phi_dot, psi_dot)
+
+
+def _error(last: Sequence[float]) -> float:
+    return max(abs(found - true) for found, true in zip(last, TRUTH, strict=True))
+
+
+def _trajectory(samples: int) -> list[Way]:
+    from scipy.integrate import odeint, solve_ivp
+
+    from rigidtop.motion.top import HeavyTop
+
+    t = np.linspace(0.0, END, samples)
+
+    def exact() -> Any:
+        run = HeavyTop(**TOP).motion(**START).exact(t)
+        return run.theta, run.phi, run.psi, run.theta_dot, run.phi_dot, run.psi_dot
+
+    def dop853() -> Any:
+        return solve_ivp(
+            lambda _, state: _system(state.tolist()),
+            (0.0, END),
+            STATE,
+            method="DOP853",
+            t_eval=t,
+            rtol=TOLERANCE,
+            atol=TOLERANCE,
+        ).y
+
+    def lsoda() -> Any:
+        return odeint(
+            lambda state, _: _system(state.tolist()),
+            STATE,
+            t,
+            rtol=TOLERANCE,
+            atol=TOLERANCE,
+            mxstep=100_000,
+        ).T
+
+    def last(rows: Any) -> float:
+        return _error([row[-1] for row in rows[:3]])
+
+    return [
+        Way("exact", exact, last),
+        _heyoka_grid(t, last),
+        Way("solve_ivp DOP853, 1e-12", dop853, last),
+        Way("odeint, 1e-12", lsoda, last, rounds=2 if samples > 100_000 else ROUNDS),
+        _pydy(t, last),
+    ]
+
+
+def _heyoka_grid(t: Floats, last: Callable[[Any], float]) -> Way:
+    from rigidtop.motion import equations
+
+    name = "heyoka propagate_grid"
+    heyoka = _module("heyoka")
+    if heyoka is None:
+        return _missing(name, "heyoka")
+    state = heyoka.make_vars("theta", "phi", "psi", "thetadot", "phidot", "psidot")
+    rates = equations.top_in_euler_angles(*TOP.values(), sin=heyoka.sin, cos=heyoka.cos)
+    accelerations = rates([state[0], *state[3:]])
+    system = zip(state, [*state[3:], *accelerations], strict=True)
+    integrator = heyoka.taylor_adaptive(list(system), list(STATE))
+
+    def go() -> Any:
+        integrator.time = 0.0
+        integrator.state[:] = STATE
+        return integrator.propagate_grid(t)[-1].T
+
+    return Way(name, go, last)
+
+
+def _pydy(t: Floats, last: Callable[[Any], float]) -> Way:
+    """The same top from Kane's equations, as PyDy's manual has it."""
+    name = "PyDy System.integrate, 1e-12"
+    with _quiet():
+        system_module = _module("pydy.system")
+    if system_module is None:
+        return _missing(name, "pydy")
+    import sympy
+    from sympy.physics import mechanics
+
+    lambda1, lambda3, M, g, R = parameters = sympy.symbols(list(TOP))
+    theta, phi, psi = angles = mechanics.dynamicsymbols("theta phi psi")
+    speeds = mechanics.dynamicsymbols("u_theta u_phi u_psi")
+    space = mechanics.ReferenceFrame("N")
+    turned = space.orientnew("A", "Axis", [phi, space.z])
+    tilted = turned.orientnew("B", "Axis", [theta, turned.y])
+    body = tilted.orientnew("C", "Axis", [psi, tilted.z])
+    kinematic = [
+        u - q.diff(mechanics.dynamicsymbols._t) for q, u in zip(angles, speeds, strict=True)
+    ]
+    pivot = mechanics.Point("O")
+    pivot.set_vel(space, 0)
+    centre = pivot.locatenew("G", R * body.z)
+    centre.v2pt_theory(pivot, space, body)
+    across = lambda1 - M * R**2
+    inertia = mechanics.inertia(body, across, across, lambda3)
+    top = mechanics.RigidBody("top", centre, body, M, (inertia, centre))
+    kane = mechanics.KanesMethod(space, q_ind=angles, u_ind=speeds, kd_eqs=kinematic)
+    with _quiet():
+        kane.kanes_equations([top], [(centre, -M * g * space.z)])
+        system = system_module.System(
+            kane,
+            constants=dict(zip(parameters, TOP.values(), strict=True)),
+            initial_conditions=dict(zip([*angles, *speeds], STATE, strict=True)),
+            times=t,
+        )
+        system.generate_ode_function(generator="lambdify")
+    order = [system.states.index(x) for x in (*angles, *speeds)]
+
+    def go() -> Any:
+        with _quiet():
+            return system.integrate(rtol=TOLERANCE, atol=TOLERANCE, mxstep=100_000).T[order]
+
+    return Way(name, go, last, rounds=1)
+
+
+@contextlib.contextmanager
+def _quiet() -> Iterator[None]:
+    """PyDy warns of what it will change."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        yield
+
+
+# --- Many motions ---------------------------------------------------------------------------------
+
+
+def _tops(count: int) -> list[Way]:
+    from scipy.integrate import solve_ivp
+
+    from rigidtop.motion.many import top_motions
+    from rigidtop.motion.top import HeavyTop
+
+    random = np.random.default_rng(1)
+    spread = {name: value * random.uniform(0.95, 1.05, count) for name, value in START.items()}
+    times = random.uniform(0.0, END, count)
+
+    def exact() -> Any:
+        return top_motions(**TOP, **spread).exact(times)
+
+    few = 5
+
+    def one_by_one() -> Any:
+        body = HeavyTop(**TOP)
+        for k in range(few):
+            body.motion(**{name: float(values[k]) for name, values in spread.items()}).exact(
+                times[k]
+            )
+
+    def dop853() -> Any:
+        for k in range(few):
+            state = [spread["theta"][k], 0.0, 0.0, *(spread[n][k] for n in list(START)[1:])]
+            solve_ivp(
+                lambda _, x: _system(x.tolist()),
+                (0.0, times[k]),
+                state,
+                method="DOP853",
+                rtol=TOLERANCE,
+                atol=TOLERANCE,
+            )
+
+    return [
+        Way("exact, in one call", exact),
+        Way("exact, one by one", one_by_one, of_all=few / count, note=f"{few} run, scaled"),
+        Way("solve_ivp DOP853, 1e-12", dop853, of_all=few / count, note=f"{few} run, scaled"),
+    ]
+
+
+# --- Right-hand sides -----------------------------------------------------------------------------
+
+_RATES = (0.5, 0.1, 1.0, 40.0)
+"""θ, θ̇, φ̇, ψ̇."""
+
+
+def _one_call() -> list[Way]:
+    from rigidtop.motion import equations
+
+    shipped = equations.top_in_euler_angles(*TOP.values())
+    ways = [
+        Way("derived, Python", _many(lambda: shipped(_RATES)), of_all=1000),
+        Way("by hand, Python", _many(lambda: _by_hand(*_RATES)), of_all=1000),
+    ]
+    compiled = _compiled("numba")
+    if compiled is None:
+        return [*ways, _missing("derived, numba", "numba")]
+    arguments = (*_RATES, *TOP.values())
+    return [*ways, Way("derived, numba", _many(lambda: compiled.scalar(*arguments)), of_all=1000)]
+
+
+def _many(call: Callable[[], Any], times: int = 1000) -> Callable[[], None]:
+    def go() -> None:
+        for _ in range(times):
+            call()
+
+    return go
+
+
+def _batch() -> list[Way]:
+    from rigidtop.motion import equations
+
+    states = np.array(_RATES)[:, None] * np.random.default_rng(0).uniform(0.9, 1.1, (4, TOPS))
+    shipped = equations.top_in_euler_angles(*TOP.values(), sin=np.sin, cos=np.cos)
+    rows = list(states)
+    ways = [Way("derived, NumPy", lambda: shipped(rows))]
+    numba, heyoka = _compiled("numba"), _compiled("heyoka")
+    if numba is None:
+        ways.append(_missing("derived, numba", "numba"))
+    else:
+        ways.append(Way("derived, numba", lambda: numba.array(*rows, *TOP.values())))
+    if heyoka is None:
+        ways.append(_missing("derived, heyoka", "heyoka"))
+    else:
+        arguments = np.empty((9, TOPS))
+        arguments[:4] = states
+        arguments[4:] = np.array(list(TOP.values()))[:, None]
+        results = np.empty((3, TOPS))
+        ways.append(Way("derived, heyoka", lambda: heyoka.batch(arguments, outputs=results)))
+    return ways
+
+
+def _compiled(backend: str) -> Any:
+    """The derived right-hand side by a backend; None without its package."""
+    if _module(backend) is None:
+        return None
+    module = importlib.import_module(f"rigidtop.codegen.{backend}")
+    shipped = importlib.import_module("rigidtop.codegen.shipped")
+    side = shipped.named("top_in_euler_angles")
+    return module.function(side.derive(), (*side.state, *side.parameters), "rates")
+
+
+def _derivations() -> list[Way]:
+    """Each in a process of its own, SymPy's import not counted: nothing is in its caches."""
+    ours = "from rigidtop.theory import top", "top.symmetric_top_accelerations()"
+    sympy_s = (
+        "from rigidtop.bench import lagranges_method; from sympy.physics import mechanics",
+        "lagranges_method()",
+    )
+    return [
+        Way("rigidtop.theory", None, clock=lambda: _fresh(*ours), rounds=3),
+        Way("sympy LagrangesMethod.rhs", None, clock=lambda: _fresh(*sympy_s), rounds=3),
+    ]
+
+
+def _fresh(imports: str, statement: str) -> float:
+    """Seconds of a statement in a new process."""
+    code = (
+        f"from time import perf_counter\n{imports}\nbegin = perf_counter()\n{statement}\n"
+        "print(perf_counter() - begin)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    return float(done.stdout)
+
+
+def lagranges_method() -> Any:
+    """θ̈, φ̈, ψ̈ of the symmetric top as SymPy's manual has it."""
+    import sympy
+    from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
+
+    lambda1, lambda3, M, g, R = sympy.symbols(list(TOP))
+    angles = dynamicsymbols("theta phi psi")
+    theta, theta_dot, phi_dot, psi_dot = angles[0], *(angle.diff() for angle in angles)
+    across = lambda1 * (phi_dot**2 * sympy.sin(theta) ** 2 + theta_dot**2)
+    along = lambda3 * (psi_dot + phi_dot * sympy.cos(theta)) ** 2
+    method = LagrangesMethod((across + along) / 2 - M * g * R * sympy.cos(theta), angles)
+    method.form_lagranges_equations()
+    return method.rhs()
+
+
+# --- The table and the plot -----------------------------------------------------------------------
+
+
+def table(rows: Sequence[Row]) -> str:
+    """Each task with its ways: seconds, per item, ratio to the first way, error at the end."""
+    blocks = []
+    for task, ways in _by_task(rows):
+        lines = [task]
+        for row, ratio in ways:
+            if row.seconds is None:
+                lines.append(f"  {row.way:29}{row.note}")
+                continue
+            cells = [
+                f"{_time(row.seconds):>10}",
+                f"{_time(row.seconds / row.per):>10} each" if row.per > 1 else " " * 15,
+                f"{ratio:>9.3g} ×",
+                f"  error {row.error:.0e} rad" if row.error is not None else "",
+                f"  ({row.note})" if row.note else "",
+            ]
+            lines.append(f"  {row.way:29}" + "".join(cells).rstrip())
+        blocks.append("\n".join(lines))
+    return "\n\n".join(blocks)
+
+
+def records(rows: Sequence[Row]) -> list[dict[str, Any]]:
+    """The rows for JSON, with the ratio to the first way of the task."""
+    return [{**vars(row), "ratio": ratio} for _, ways in _by_task(rows) for row, ratio in ways]
+
+
+def _by_task(rows: Sequence[Row]) -> list[tuple[str, list[tuple[Row, float | None]]]]:
+    """Tasks in order, their rows with the ratio to the first of them."""
+    tasks: dict[str, list[Row]] = {}
+    for row in rows:
+        tasks.setdefault(row.task, []).append(row)
+    found = []
+    for task, ways in tasks.items():
+        unit = ways[0].seconds or math.nan
+        found.append((task, [(w, w.seconds / unit if w.seconds else None) for w in ways]))
+    return found
+
+
+def figure(rows: Sequence[Row]) -> Figure:
+    """The ratios as bars, on a logarithmic scale."""
+    from matplotlib.figure import Figure
+
+    tasks = _by_task(rows)
+    heights = [sum(ratio is not None for _, ratio in ways) for _, ways in tasks]
+    drawing = Figure(figsize=(7.2, 0.32 * sum(heights) + 0.75 * len(tasks)), layout="constrained")
+    axes = drawing.subplots(len(tasks), 1, height_ratios=[h + 0.6 for h in heights])
+    for axis, (task, ways) in zip(axes, tasks, strict=True):
+        known = [(row, ratio) for row, ratio in ways if ratio is not None]
+        names = [row.way for row, _ in known]
+        ratios = [ratio for _, ratio in known]
+        grey = ["0.25"] + ["0.7"] * (len(known) - 1)
+        axis.barh(names, ratios, color=grey, height=0.7, left=0)
+        axis.set_xscale("log")
+        axis.set_xlim(min(0.1, *ratios) / 2, max(ratios) * 60)
+        axis.invert_yaxis()
+        axis.set_title(task, loc="left", fontsize=9)
+        axis.tick_params(labelsize=8)
+        axis.spines[["top", "right"]].set_visible(False)
+        for place, (row, ratio) in enumerate(known):
+            label = f" {ratio:.3g} ×  ({_time(row.seconds or 0)})"
+            axis.text(ratio, place, label, va="center", fontsize=8)
+    axes[-1].set_xlabel("time, relative to the first way", fontsize=8)
+    return drawing
+
+
+def _time(seconds: float) -> str:
+    for unit, size in (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)):
+        if seconds >= size:
+            return f"{seconds / size:.3g} {unit}"
+    return f"{seconds * 1e9:.3g} ns"

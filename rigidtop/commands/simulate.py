@@ -1,0 +1,154 @@
+"""``rigidtop simulate``: one motion as a table, in closed form or integrated."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import sys
+from typing import TYPE_CHECKING, Any
+
+from rigidtop.commands import motions
+from rigidtop.errors import RigidtopError
+
+if TYPE_CHECKING:
+    from rigidtop.motion.motion import Motion
+    from rigidtop.motion.trajectory import Trajectory
+
+ABOUT = "compute a motion, its periods and the drift of what it keeps"
+
+EXACT = "exact"
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What can be asked."""
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.epilog = (
+        "Angles are in radians, or in degrees with the suffix deg; everything else is SI.\n"
+        "Attitudes are R = Rz(φ) Ry(θ) Rz(ψ), body to space.\n\n"
+        "examples:\n"
+        "  rigidtop simulate top --theta 30deg --omega3 40 --time 2 --samples 81\n"
+        "  rigidtop simulate top --theta 0.5 --omega3 40 --steady slow --time 20\n"
+        "  rigidtop simulate free --moments 1 2 3 --omega 0.01 2 0.01 -o flip.csv"
+    )
+    motions.add_motion(parser)
+    run = parser.add_argument_group("the computation")
+    run.add_argument("--time", type=motions.number, default=10.0, help="to this time, s (10)")
+    run.add_argument("--samples", type=motions.count, default=21, help="rows, at least 2 (21)")
+    run.add_argument(
+        "--method",
+        default=EXACT,
+        help="exact (the closed form, default), taylor, or one of scipy's solve_ivp",
+    )
+    run.add_argument("--rtol", type=motions.number, help="relative tolerance (1e-10), not exact")
+    run.add_argument("--atol", type=motions.number, help="absolute tolerance (1e-12), not exact")
+    run.add_argument(
+        "-o",
+        "--output",
+        metavar="FILE",
+        help="write the table as CSV; an existing file is replaced",
+    )
+
+
+def run(options: argparse.Namespace) -> int:
+    """Compute and print."""
+    import numpy as np
+
+    if options.output == "":
+        raise RigidtopError("--output wants the name of a file")
+    motion = motions.motion(options, "simulate")
+    path = _computed(motion, np.linspace(0.0, options.time, options.samples), options)
+    columns, drift, about = _columns(path), path.drift(), _about(motion)
+    if options.output:
+        _write(options.output, columns)
+    if options.json:
+        values = {name: [float(x) for x in column] for name, column in columns.items()}
+        record = {"columns": values, "drift": drift, **about}
+        print(json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False))
+        return 0
+    if options.output:
+        print(options.output)
+    else:
+        from rigidtop.present.table import table
+
+        # + 0.0 writes −0 as 0
+        rows = [[f"{x + 0.0:.6g}" for x in row] for row in zip(*columns.values(), strict=True)]
+        print(table(rows, tuple(columns), right=range(len(columns))))
+        print()
+    print(_sentence(about))
+    kept = ", ".join(f"{name} {value:.1e}" for name, value in drift.items())
+    print(f"relative drift of what the exact motion keeps: {kept}")
+    _warn_of_few_samples(about["nutation_period"], options)
+    return 0
+
+
+def _computed(motion: Motion, times: Any, options: argparse.Namespace) -> Trajectory:
+    given = {name: getattr(options, name) for name in ("rtol", "atol")}
+    tolerances = {name: value for name, value in given.items() if value is not None}
+    if options.method == EXACT:
+        for name in tolerances:
+            raise RigidtopError(f"--{name} is for integration: give a --method too")
+        return motion.exact(times)
+    return motion.integrate(times, method=options.method, **tolerances)
+
+
+def _columns(path: Trajectory) -> dict[str, Any]:
+    """The columns of the table, by name and unit."""
+    from rigidtop.motion.trajectory import TopTrajectory
+
+    if isinstance(path, TopTrajectory):
+        return {
+            "t/s": path.t,
+            "theta/rad": path.theta,
+            "phi/rad": path.phi,
+            "psi/rad": path.psi,
+            "theta_dot/(rad/s)": path.theta_dot,
+            "phi_dot/(rad/s)": path.phi_dot,
+            "psi_dot/(rad/s)": path.psi_dot,
+            "energy/J": path.energy,
+        }
+    columns = {"t/s": path.t}
+    columns |= {f"omega{k + 1}/(rad/s)": path.omega[:, k] for k in range(3)}
+    columns |= {f"e3_{axis}": path.e3[:, k] for k, axis in enumerate("xyz")}
+    return columns | {"energy/J": path.energy}
+
+
+def _about(motion: Motion) -> dict[str, Any]:
+    """Regime, turning points and periods; what is infinite is None."""
+    periods = {
+        name: getattr(motion, name)
+        for name in ("nutation_period", "precession_per_period", "mean_precession")
+    }
+    finite = {name: x if math.isfinite(x) else None for name, x in periods.items()}
+    return {"regime": motion.regime, "turning_points": list(motion.turning_points), **finite}
+
+
+def _sentence(about: dict[str, Any]) -> str:
+    smallest, largest = about["turning_points"]
+    period = about["nutation_period"]
+    parts = [about["regime"], f"θ from {smallest:.6g} to {largest:.6g} rad"]
+    parts.append("no nutation period" if period is None else f"nutation period {period:.6g} s")
+    if about["mean_precession"] is not None:
+        parts.append(f"mean precession {about['mean_precession']:.6g} rad/s")
+    return ", ".join(parts)
+
+
+def _write(name: str, columns: dict[str, Any]) -> None:
+    from pathlib import Path
+
+    from rigidtop.present.files import write_whole
+
+    lines = [",".join(columns)]
+    lines += [",".join(map(repr, map(float, row))) for row in zip(*columns.values(), strict=True)]
+    write_whole(Path(name), ("\n".join(lines) + "\n").encode())
+
+
+def _warn_of_few_samples(period: float | None, options: argparse.Namespace) -> None:
+    spacing = abs(options.time) / (options.samples - 1)
+    if period and spacing > period / 4:
+        enough = math.ceil(abs(options.time) / period * 20) + 1
+        print(
+            f"a row every {spacing:.2g} s, but the nutation takes {period:.2g} s: "
+            f"for a plot use --samples {enough}",
+            file=sys.stderr,
+        )

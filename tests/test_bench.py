@@ -1,0 +1,93 @@
+"""The benchmark measures what it says: right answers, ratios, and packages that are missing."""
+
+import json
+import math
+from pathlib import Path
+
+import pytest
+
+from rigidtop import bench
+from rigidtop.motion import equations
+
+ROWS = [
+    bench.Row("walk", "exact", 2e-3, 1000, 1e-15),
+    bench.Row("walk", "other", 8e-3, 1000, 1e-12, "5 run, scaled"),
+    bench.Row("walk", "absent", None, 1000, None, "absent is not installed"),
+    bench.Row("run", "only", 4.2e-7),
+]
+
+
+def test_table():
+    assert bench.table(ROWS) == (
+        "walk\n"
+        "  exact                              2 ms      2 µs each        1 ×  error 1e-15 rad\n"
+        "  other                              8 ms      8 µs each        4 ×  error 1e-12 rad"
+        "  (5 run, scaled)\n"
+        "  absent                       absent is not installed\n"
+        "\n"
+        "run\n"
+        "  only                             420 ns                       1 ×"
+    )
+
+
+def test_records_are_json():
+    records = json.loads(json.dumps(bench.records(ROWS)))
+    assert [record["ratio"] for record in records] == [1.0, 4.0, None, 1.0]
+    assert records[2]["note"] == "absent is not installed"
+
+
+def test_figure_has_a_bar_for_each_way_that_ran():
+    drawn = bench.figure(ROWS)
+    assert [len(axes.patches) for axes in drawn.axes] == [2, 1]
+    assert [bar.get_width() for bar in drawn.axes[0].patches] == [1.0, 4.0]
+
+
+def test_rows_are_medians_of_rounds():
+    ways = [
+        bench.Way("clock", None, clock=iter([3.0, 1.0, 2.0]).__next__),
+        bench.Way("part", None, clock=lambda: 0.5, of_all=0.1, rounds=1),
+        bench.Way("absent", None, note="absent is not installed"),
+    ]
+    rows = bench._rows("task", 1, ways, 3)
+    assert [row.seconds for row in rows] == [2.0, 5.0, None]
+
+
+def test_the_hand_written_equations_are_the_derived_ones():
+    derived = equations.top_in_euler_angles(*bench.TOP.values())
+    for state in [(0.5, 0.1, 1.0, 40.0), (2.0, -1.0, 0.3, -7.0)]:
+        assert bench._by_hand(*state) == pytest.approx(derived(state), rel=1e-13)
+
+
+@pytest.mark.parametrize("k", range(5))
+def test_every_way_arrives_at_the_truth(k):
+    """θ, φ and ψ after 10 s, which the reference code of the tests gives with 50 digits."""
+    way = bench._trajectory(50)[k]
+    if way.go is None:
+        pytest.skip(way.note)
+    error = way.error(way.go())
+    assert error < (1e-13 if way.name == "exact" else 1e-8)
+
+
+def test_the_truth_is_that_of_the_reference(monkeypatch):
+    monkeypatch.syspath_prepend(str(Path(__file__).parent / "motion" / "reference"))
+    import taylor
+
+    numbers = taylor.mpmath_numbers(40)
+    real = numbers.real
+    start = taylor.Top(
+        lambda1=real(1),
+        lambda3=real(0.5),
+        weight=real(9.81) * real(0.5),
+        theta=real(0.5),
+        theta_dot=real(0.1),
+        phi=real(0),
+        phi_dot=real(1),
+        psi=real(0),
+        omega3=real(40) + numbers.cos(real(0.5)),
+    )
+    [state] = taylor.follow_top(numbers, start, [real(10)])
+    alpha, beta = complex(state.alpha), complex(state.beta)
+    theta, phi, psi = bench.TRUTH
+    assert 2 * math.atan2(abs(beta), abs(alpha)) == pytest.approx(theta, rel=1e-15)
+    for z, half in ((alpha, (phi + psi) / 2), (beta, (phi - psi) / 2)):
+        assert z / abs(z) == pytest.approx(complex(math.cos(half), math.sin(half)), abs=1e-13)
