@@ -1,6 +1,7 @@
 """`rigidtop sweep` as a user meets it: a file, a summary, one line for bad input, and no loss."""
 
 import json
+import os
 import signal
 import subprocess
 import sys
@@ -140,11 +141,13 @@ def test_an_interrupt_is_answered_and_the_same_command_goes_on(tmp_path, capsys,
     asked = ("--quantity", "phi", "--set", "t=2", "--axis", "omega3=1:60:1000",
              "--axis", "phi_dot=-5:5:400", "--block", "1000", "--json")  # fmt: skip
     command = [sys.executable, "-m", "rigidtop", "sweep", "-o", str(path), *asked, *where]
-    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+    with subprocess.Popen(
+        command, stderr=subprocess.PIPE, text=True, start_new_session=True
+    ) as process:
         journal = store.journal_path(path)
         while process.poll() is None and not (journal.exists() and journal.stat().st_size):
             pass
-        process.send_signal(signal.SIGINT)
+        os.killpg(process.pid, signal.SIGINT)  # Ctrl-C reaches the worker processes too
         _, errors = process.communicate(timeout=60)
     assert process.returncode == 130
     where_it_is, said = errors.splitlines()[-2:]
