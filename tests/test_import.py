@@ -2,9 +2,12 @@
 
 import subprocess
 import sys
+import tomllib
+from pathlib import Path
 
 import pytest
 
+import rigidtop
 import rigidtop as rt
 
 
@@ -34,3 +37,14 @@ def test_unknown_name():
 def test_errors_are_value_errors():
     assert issubclass(rt.NoSteadyPrecession, rt.RigidtopError)
     assert issubclass(rt.RigidtopError, ValueError)
+
+
+def test_every_package_is_installed():
+    """An editable install finds folders that a wheel would lack."""
+    root = Path(rigidtop.__file__).parents[1]
+    listed = tomllib.loads((root / "pyproject.toml").read_text("utf-8"))["tool"]["setuptools"]
+    found = {
+        ".".join(file.parent.relative_to(root).parts)
+        for file in (root / "rigidtop").rglob("__init__.py")
+    }
+    assert set(listed["packages"]) == found | {"rigidtop.derivations"}

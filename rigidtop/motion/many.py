@@ -328,13 +328,16 @@ def _in_chunks(
     total = math.prod(whole)
     results: list[Any] = []
     of_motion = np.arange(math.prod(shape)).reshape(shape)
-    every, at = np.broadcast_to(of_motion, whole), np.broadcast_to(times, whole)
+    rows = whole or (1,)  # a single number has no place in an array
+    every, at = np.broadcast_to(of_motion, rows), np.broadcast_to(times, rows)
 
     def work(chunk: slice) -> list[Any]:
-        place = np.unravel_index(np.arange(chunk.start, chunk.stop), whole)
+        place = np.unravel_index(np.arange(chunk.start, chunk.stop), rows)
         return states(every[place], at[place])
 
-    chunks = [slice(first, min(first + CHUNK, total)) for first in range(0, total, CHUNK)]
+    # One chunk also of nothing, which says what kinds of arrays there are.
+    firsts = range(0, max(total, 1), CHUNK)
+    chunks = [slice(first, min(first + CHUNK, total)) for first in firsts]
     # NumPy's loops run beside each other in threads.
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         for chunk, parts in zip(chunks, pool.map(work, chunks), strict=True):
@@ -344,7 +347,7 @@ def _in_chunks(
                 result[chunk] = part
             if progress is not None:
                 progress(chunk.stop, total)
-    return [result.reshape(*whole, *result.shape[1:]) for result in results]
+    return [result.reshape((*whole, *result.shape[1:])) for result in results]
 
 
 def _kind(part: Any) -> Any:

@@ -336,6 +336,18 @@ def test_many_tops_are_each_alone(monkeypatch):
         assert_allclose((smallest[k], largest[k]), alone.turning_points, atol=1e-12)
 
 
+def test_one_top_and_none_are_many_too():
+    body = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "R": 0.5}
+    one = rt.top_motions(**body, theta=0.5, omega3=40.0)
+    assert (one.shape, one.regime.shape, str(one.regime)) == ((), (), "cusps")
+    alone = rt.HeavyTop(**body).motion(theta=0.5, omega3=40.0)
+    assert one.exact(2.0).theta == alone.exact(2.0).theta[0]
+    assert one.nutation_period == alone.nutation_period
+    none = rt.top_motions(**body, theta=[], omega3=40.0)
+    assert none.exact(2.0).theta.shape == (0,)
+    assert none.regime.shape == (0,)
+
+
 @pytest.mark.parametrize("method", ["DOP853", "taylor"])
 def test_many_tops_integrated_agree_with_the_closed_form(method):
     if method == "taylor":
