@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 
-import rigidtop
 import rigidtop as rt
 
 
@@ -41,7 +40,7 @@ def test_errors_are_value_errors():
 
 def test_every_package_is_installed():
     """An editable install finds folders that a wheel would lack."""
-    root = Path(rigidtop.__file__).parents[1]
+    root = Path(rt.__file__).parents[1]
     listed = tomllib.loads((root / "pyproject.toml").read_text("utf-8"))["tool"]["setuptools"]
     found = {
         ".".join(file.parent.relative_to(root).parts)

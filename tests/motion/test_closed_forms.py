@@ -252,6 +252,19 @@ def test_phi_and_psi_are_continuous():
     assert abs(run.phi[100_000]) < 1e-14
 
 
+@given(theta=st.floats(0, math.pi), theta_dot=rates, phi_dot=rates, omega3=spins)
+@settings(deadline=None)
+def test_both_closed_forms_agree_on_a_top_without_weight(theta, theta_dot, phi_dot, omega3):
+    """One solves for e₃ about the vertical, the other for e₃ about L."""
+    top = rt.HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5, g=0.0)
+    motion = top.motion(theta=theta, theta_dot=theta_dot, phi=0.4, phi_dot=phi_dot, omega3=omega3)
+    body = rt.FreeBody(1.0, 1.0, 0.5).motion(omega=motion.omega, attitude=motion.attitude)
+    times = [0.0, 0.3, -7.0, 20.0]
+    turned, apart = differences(motion.exact(times), body.exact(times))
+    assert turned.max() < 1e-12
+    assert apart.max() < 1e-11
+
+
 @pytest.mark.parametrize("arm", [0.5, -0.5])
 def test_a_body_with_its_centre_of_mass_below_the_pivot(arm):
     body = rt.HeavyBody(1.0, 1.0, 0.5, M=1.0, centre_of_mass=(0.0, 0.0, arm))
