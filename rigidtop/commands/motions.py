@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
 TOP_OPTIONS = ("lambda1", "lambda3", "mass", "arm", "gravity", "theta", "phi", "psi", "theta_dot")
 TOP_RATES = ("phi_dot", "omega3", "psi_dot", "steady")
+MOST_ROWS = 10_000_000
+
 FREE_OPTIONS = ("moments", "omega")
 
 

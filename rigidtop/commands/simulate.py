@@ -147,8 +147,9 @@ def _warn_of_few_samples(period: float | None, options: argparse.Namespace) -> N
     spacing = abs(options.time) / (options.samples - 1)
     if period and spacing > period / 4:
         enough = math.ceil(abs(options.time) / period * 20) + 1
+        advice = f"--samples {enough}" if enough < motions.MOST_ROWS else "an earlier --time"
         print(
             f"a row every {spacing:.2g} s, but the nutation takes {period:.2g} s: "
-            f"for a plot use --samples {enough}",
+            f"for a plot use {advice}",
             file=sys.stderr,
         )

@@ -95,8 +95,12 @@ def numbers(
     above: float = -math.inf,
     least: float = -math.inf,
     most: float = math.inf,
+    tiny: bool = False,
 ) -> NDArray[np.float64]:
-    """An array of finite floats of at most `LARGEST` in magnitude, in a range."""
+    """An array of finite floats of at most `LARGEST` in magnitude, in a range; may they be `tiny`?
+
+    What multiplies and divides may not, like `positive` and `not_negative`.
+    """
     try:
         result = np.asarray(value, dtype=float)
     except (TypeError, ValueError):
@@ -108,13 +112,15 @@ def numbers(
         (size > LARGEST, f"at most {LARGEST:g} in magnitude: use other units"),
         (result <= above, f"more than {above:g}"),
         (result < least, f"at least {least:g}"),
-        (result > most, f"at most {most:g}"),
-        # Like `positive` and `not_negative`, for what multiplies and divides.
-        ((size > 0) & (size < SMALLEST) & (max(above, least) == 0), "0 or not so tiny"),
+        (result > most, f"at most {most!r}"),
+        (
+            (size > 0) & (size < SMALLEST) & (max(above, least) == 0) & (not tiny),
+            "0 or not so tiny",
+        ),
     )
     for wrong, right in limits:
         if np.any(wrong):
-            raise RigidtopError(f"{name} must be {right}, not {result[wrong][0]:g}")
+            raise RigidtopError(f"{name} must be {right}, not {float(result[wrong][0])!r}")
     return result
 
 

@@ -56,7 +56,7 @@ def top_motions(
     positive: dict[str, ArrayLike] = {"lambda1": lambda1, "lambda3": lambda3, "M": M}
     values = {name: checks.numbers(name, value, above=0.0) for name, value in positive.items()}
     values["R"], values["g"] = checks.numbers("R", R, least=0.0), checks.numbers("g", g, least=0.0)
-    values["theta"] = checks.numbers("theta", theta, least=0.0, most=math.pi)
+    values["theta"] = checks.numbers("theta", theta, least=0.0, most=math.pi, tiny=True)
     rates: dict[str, ArrayLike] = {
         "theta_dot": theta_dot,
         "phi": phi,

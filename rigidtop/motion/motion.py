@@ -122,9 +122,10 @@ class Motion:
 
         Of a free body: "short axis" or "long axis" (the largest or the smallest moment's, about
         which ω circles in the body), "separatrix", "regular precession" (two equal moments) or
-        "steady" (ω constant).  Of a top: "sleeping", "hanging", "free precession" (no weight),
-        "steady", "asymptotic" (to the upright), "plane" (a pendulum), "through the vertical",
-        "waves", "cusps", "loops".
+        "steady" (ω constant).  Of a heavy symmetric body: "sleeping" and "hanging" (at rest, the
+        centre of mass above or below the pivot), "free precession" (no weight), "steady",
+        "asymptotic" (to the upright), "plane" (a pendulum), "through the vertical", "waves",
+        "cusps", "loops".
         """
         return str(self.orbit.regime)
 
@@ -135,8 +136,8 @@ class Motion:
         Of a top θ is the angle between e₃ and the vertical; of a free body that between L and the
         principal axis about which ω circles, towards the side on which it is.
         """
-        smallest, largest = self.orbit.turning_points
-        return float(smallest), float(largest)
+        smallest, largest = (float(angle) for angle in self.orbit.turning_points)
+        return (math.pi - largest, math.pi - smallest) if self._from_above else (smallest, largest)
 
     @property
     def nutation_period(self) -> float:
@@ -149,12 +150,24 @@ class Motion:
     @property
     def precession_per_period(self) -> float:
         """The angle by which the axis turns about the vertical, or about L, in that time (rad)."""
-        return float(self.orbit.precession_per_period)
+        turned = float(self.orbit.precession_per_period)
+        return -turned if self._from_above else turned
 
     @property
     def mean_precession(self) -> float:
-        """The mean rate of that turning (rad/s)."""
-        return float(self.orbit.mean_precession)
+        """The mean rate of that turning (rad/s).
+
+        Where the axis is constant, that of its neighbours.  An axis that passes exactly through the
+        vertical comes out on the other side; this half turn is none of precession, so a pendulum
+        that swings in a plane has 0.
+        """
+        mean = float(self.orbit.mean_precession)
+        return -mean if self._from_above else mean
+
+    @property
+    def _from_above(self) -> bool:
+        """Whether the closed form sees it upside down: the centre of mass is below the pivot."""
+        return self.body.weight[2] < 0
 
     def _times(self, t: ArrayLike) -> Floats:
         times = checks.times(t)

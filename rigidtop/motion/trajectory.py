@@ -118,11 +118,12 @@ class BodyTrajectory(Trajectory):
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class TopTrajectory(TopState, Trajectory):
-    """The motion of a symmetric top, with its Euler angles; each array has shape (N,).
+    """The motion of a symmetric top, with its Euler angles, of shape (N,).
 
     φ and ψ are continuous in t, from the values at t = 0 that the motion was given: they count
-    turns.  Only a top whose axis goes exactly through the vertical makes φ jump by ±π and ψ by ∓π
-    there (φ ± ψ does not); rounding then decides the sign.
+    turns.  Only a top whose axis goes exactly through the vertical makes φ jump by ±π there, and ψ
+    by ∓π at the upright (φ + ψ does not jump) or by ±π hanging (φ − ψ does not).  In closed form
+    the jumps take turns; in an integrated motion rounding decides the signs.
     """
 
     motion: TopMotion

@@ -82,6 +82,8 @@ class Orbit:
     tau0: Floats
     uniform: NDArray[np.bool_]
     """Whether ω is constant."""
+    on_separatrix: NDArray[np.bool_]
+    """To rounding of the initial state."""
 
     # --- Periods ---
 
@@ -104,7 +106,7 @@ class Orbit:
     @property
     def nutation_period(self) -> Floats:
         """The time from one smallest value of that angle to the next (s); ω returns after two."""
-        with np.errstate(divide="ignore", invalid="ignore"):
+        with np.errstate(all="ignore"):
             return 2 * self.quarter / (np.abs(self.nu) * self.sigma)
 
     @property
@@ -132,7 +134,7 @@ class Orbit:
         To rounding.  Only a body with two equal moments precesses regularly.
         """
         return np.select(
-            [self.uniform, self.m == 0, self.m1 <= ROUNDING, self.nu > 0],
+            [self.uniform, self.m == 0, self.on_separatrix, self.nu > 0],
             ["steady", "regular precession", "separatrix", "short axis"],
             "long axis",
         )
@@ -281,4 +283,5 @@ def _solve(moments: Floats, omega: Floats) -> Orbit:
         nu=direction * nu,
         tau0=tau0,
         uniform=uniform,
+        on_separatrix=np.abs(short - long) <= ROUNDING * (short + long),
     )

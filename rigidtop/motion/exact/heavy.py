@@ -92,10 +92,10 @@ class _Roots:
     delta2: Floats
     x1: Floats
     x2: Floats
-    m13: Floats
-    """2μ(x₁ − x₃)."""
     m03: Floats
     """−2μx₃."""
+    by_product: NDArray[np.bool_]
+    """Whether x₁ is known by the product of the roots, and not as x₀ + δ₁."""
 
 
 @dataclass(frozen=True)
@@ -136,6 +136,10 @@ class Orbit:
     """Whether θ stays where it is because the axis is vertical and at rest."""
     steady: NDArray[np.bool_]
     """Whether θ is constant, to rounding of the initial state."""
+    asymptotic: NDArray[np.bool_]
+    """Whether it climbs to the upright for ever, to rounding of the initial state."""
+    through: NDArray[np.bool_]
+    """Whether its axis passes through the vertical, to rounding of the initial state."""
 
     # --- Turning points and periods ---
 
@@ -160,12 +164,12 @@ class Orbit:
     @property
     def nutation_period(self) -> Floats:
         """The time from one smallest θ to the next (s); infinite where there is no next."""
-        with np.errstate(divide="ignore", invalid="ignore"):
+        with np.errstate(all="ignore"):
             return 2 * self.quarter / (self.nu * self.sigma)
 
     @property
     def precession_per_period(self) -> Floats:
-        """By how much φ grows in a nutation period (rad)."""
+        """By how much φ grows in a nutation period (rad), its jumps at the vertical not counted."""
         with np.errstate(all="ignore"):
             mean = self.mean_precession
             return np.where(mean == 0, 0.0, mean * self.nutation_period)
@@ -194,9 +198,9 @@ class Orbit:
                 self.still & upright,
                 self.still,
                 self.steady,
-                self.m1 <= ROUNDING,
+                self.asymptotic,
                 (self.b == 0) & (np.abs(self.a1) + np.abs(self.a2) <= ROUNDING),
-                (self.x1 <= ROUNDING**2) | (self.y2 <= ROUNDING**2),
+                self.through,
                 np.abs(self.a1) <= ROUNDING * (np.abs(self.a2) + np.abs(self.b) * self.range),
                 self.a1 * self.a2 < 0,
             ],
@@ -286,10 +290,19 @@ class Orbit:
         f = Jacobi(zero + 1, zero, np.sqrt(self.m1))
         with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
             upper, lower = self._third_kinds(f, np.where(self.m1 > 0, self.quarter, 0.0))
-        # An axis that passes through the vertical turns φ by π there, as its neighbours do.
-        upper = np.where((self.x1 == 0) & ~self.still, 2 * np.pi, 2 * upper)
-        lower = np.where((self.y2 == 0) & ~self.still, 2 * np.pi, 2 * lower)
+        # An axis that passes through the vertical comes out on the other side: φ jumps, by π and
+        # back, which is no precession.
+        upper = np.where(self._through_up, 0.0, 2 * upper)
+        lower = np.where(self._through_down, 0.0, 2 * lower)
         return upper, lower
+
+    @property
+    def _through_up(self) -> NDArray[np.bool_]:
+        return (self.x1 == 0) & ~self.still
+
+    @property
+    def _through_down(self) -> NDArray[np.bool_]:
+        return (self.y2 == 0) & ~self.still
 
     @cached_property
     def _at_start(self) -> tuple[Floats, Floats]:
@@ -317,6 +330,9 @@ class Orbit:
         if np.any(turns):
             x_turn, y_turn = (np.where(self.m1 > 0, part, 0.0) for part in self._complete)
             big_x, big_y = big_x + turns * x_turn, big_y + turns * y_turn
+            odd = np.mod(turns, 2) == 1
+            big_x = np.where(odd & self._through_up, big_x + 2 * np.pi, big_x)
+            big_y = np.where(odd & self._through_down, big_y - 2 * y_kind, big_y)
         cos_half, sin_half, theta_dot, v_phi = self._axis(f)
         s = self.start
         return TopState(
@@ -454,6 +470,11 @@ def _solve(start: Start) -> Orbit:
     s = 2 * start.sin_half * start.cos_half
     momentum = s * v_phi
     c_up, c_down = momentum - b * x0, momentum + b * y0
+    # What rounding of the initial state cannot tell from the special cases.
+    passes_up = np.abs(c_up) <= ROUNDING * (np.abs(momentum) + np.abs(b) * x0)
+    passes_down = np.abs(c_down) <= ROUNDING * (np.abs(momentum) + np.abs(b) * y0)
+    w_up = w**2 - 2 * mu * x0  # speed² of the axis, were it upright
+    arrives = passes_up & (np.abs(w_up) <= ROUNDING * (w**2 + 2 * mu * x0)) & (b**2 < 4 * mu)
     pull, sizes = _pull(mu, b, w, x0, y0, s, momentum)
     steady = (np.abs(pull) <= ROUNDING * sizes) & (np.abs(v_theta) <= ROUNDING * w)
     roots = _roots(mu, b, w, s * v_theta, pull, x0, y0, c_up)
@@ -462,7 +483,7 @@ def _solve(start: Start) -> Orbit:
     from_down = 4 * mu + roots.m03
     y2 = y0 - delta2
     product = c_down * (c_down / y1) / np.where(from_down > 0, from_down, np.inf)
-    near_up, near_down = x1 < NEAR_POLE * x0, (y2 < NEAR_POLE * y0) & (from_down > 0)
+    near_up, near_down = roots.by_product, (y2 < NEAR_POLE * y0) & (from_down > 0)
     y2 = np.where(near_down, product, y2)
     a1 = np.where(near_up, c_up + b * x1, momentum + b * delta1)
     a2 = np.where(near_down, c_down - b * y2, momentum + b * delta2)
@@ -470,9 +491,10 @@ def _solve(start: Start) -> Orbit:
     x1, c_up = np.where(through_up, 0.0, x1), np.where(through_up, 0.0, c_up)
     y2 = np.where(through_down, 0.0, y2)
     span = delta2 - delta1
-    m23 = roots.m13 + 2 * mu * span
+    m13 = roots.m03 + 2 * mu * x1  # a sum, also next to the separatrix
+    m23 = m13 + 2 * mu * span
     safe = np.where(m23 > 0, m23, 1.0)
-    m, m1 = 2 * mu * span / safe, np.where(m23 > 0, roots.m13 / safe, 1.0)
+    m, m1 = 2 * mu * span / safe, np.where(m23 > 0, m13 / safe, 1.0)
     m1 = np.where(m1 < SMALLEST_PART, 0.0, m1)
     down = np.where(span > 0, span, 1.0)
     sn = -np.copysign(np.where(span > 0, np.sqrt(delta2 / down), 0.0), v_theta)
@@ -515,6 +537,8 @@ def _solve(start: Start) -> Orbit:
         begin=Jacobi(sn, cn, np.sqrt(m1 + m * cn**2)),
         still=still,
         steady=steady,
+        asymptotic=arrives,
+        through=passes_up | passes_down,
     )
 
 
@@ -551,18 +575,32 @@ def _roots(
     )
     alone = high - middle >= middle - low  # x₃ is
     first = _third_root_alone(mu, g, h, c0, x0, high)
-    near = first.x1 < NEAR_POLE * x0
     product = c_up * (c_up / first.x2) / np.where(first.m03 > 0, first.m03, np.inf)
-    x1 = np.where(near, product, first.x1)
-    first = replace(first, x1=x1)
+    first = _nearer_the_pole(first, product, x0, np.ones_like(x0))
     if np.all(alone):
-        return first
+        return _from_the_start(first, mu, x0, c0)
     second = _second_root_alone(mu, b, g, h, c0, w, x0, c_up, low)
-    return _Roots(
-        *(
-            np.where(alone, getattr(first, each.name), getattr(second, each.name))
-            for each in fields(_Roots)
-        )
+    either = (
+        np.where(alone, getattr(first, each.name), getattr(second, each.name))
+        for each in fields(_Roots)
+    )
+    return _from_the_start(_Roots(*either), mu, x0, c0)
+
+
+def _from_the_start(roots: _Roots, mu: Floats, x0: Floats, c0: Floats) -> _Roots:
+    """With δ₁ and x₃ such that the motion starts where and as fast as it does.
+
+    Near the critical spin, where all three roots are close, rounding of the coefficients moves
+    them by more than their distances.
+    """
+    off = np.abs(x0 + roots.delta1 - roots.x1) > ROUNDING * x0
+    between = np.maximum(x0 - roots.x1, 0.0)
+    product = roots.delta2 * between
+    from_third = c0 / np.where(product > 0, product, np.inf)
+    return replace(
+        roots,
+        delta1=np.where(off, -between, roots.delta1),
+        m03=np.where(off, np.maximum(from_third - 2 * mu * x0, 0.0), roots.m03),
     )
 
 
@@ -588,9 +626,21 @@ def _third_root_alone(
         delta2=delta2,
         x1=np.maximum(x0 + delta1, 0.0),
         x2=x0 + delta2,
-        m13=np.maximum(p + 2 * mu * delta1, 0.0),
         m03=np.maximum(p - 2 * mu * x0, 0.0),
+        by_product=np.zeros_like(p, dtype=bool),
     )
+
+
+def _nearer_the_pole(roots: _Roots, product: Floats, x0: Floats, terms: Floats) -> _Roots:
+    """With x₁ by the product of the roots, where that is the more accurate.
+
+    x₀ + δ₁ is known to rounding of x₀; the product as well as −2μx₃, which is known to rounding of
+    the `terms` that it was made of.
+    """
+    known = np.minimum(roots.m03 / np.where(terms > 0, terms, 1.0), 1.0)
+    by_product = (roots.x1 < NEAR_POLE * x0 * known) & (roots.m03 > 0)
+    x1 = np.where(by_product, product, roots.x1)
+    return replace(roots, x1=x1, by_product=by_product)
 
 
 def _second_root_alone(
@@ -604,7 +654,12 @@ def _second_root_alone(
     c_up: Floats,
     guess: Floats,
 ) -> _Roots:
-    """δ₂ first; x₁ and x₃ are then 2μx² + Bx − C = 0, with a discriminant that is a sum."""
+    """δ₂ first, and then the other two.
+
+    Where they are apart, as roots of 2μδ² + Bδ + C, with the coefficients that gave δ₂.  Next to
+    the separatrix, where they meet at the pole, as roots of 2μx² + Bx − C: its discriminant is a
+    sum, but its coefficients are others, to rounding, and only there this does not matter.
+    """
     safe_mu = np.where(mu > 0, mu, 1.0)
     delta2 = np.maximum(-guess / (2 * safe_mu), 0.0)
     for _ in range(NEWTON_STEPS):
@@ -612,16 +667,37 @@ def _second_root_alone(
         slope = (-6 * mu * delta2 - 2 * h) * delta2 + 2 * g
         step = np.where(slope < 0, value / np.where(slope < 0, slope, 1.0), 0.0)
         delta2 = np.maximum(delta2 - step, 0.0)
+    lowest = delta2 == 0
+    safe_delta2 = np.where(lowest, 1.0, delta2)
+    linear = h + 2 * mu * delta2
+    last = np.maximum(np.where(lowest, -2 * g, c0 / safe_delta2), 0.0)
+    square = linear**2 - 8 * mu * last
+    apart = (square > linear**2 / 4) & (linear > 0)
+    from_third = (linear + np.sqrt(np.maximum(square, 0.0))) / 2  # 2μ(x₀ − x₃)
+    delta1 = -last / np.where(from_third > 0, from_third, 1.0)
     x2 = x0 + delta2
     safe = np.where(x2 > 0, x2, 1.0)
     c = c_up * (c_up / safe)
-    w_up = w**2 - 2 * mu * x0  # ẋ² sin⁻²θ there, were the axis upright
+    w_up = w**2 - 2 * mu * x0  # speed² of the axis, were it upright
+    # Where these coefficients are known no better than the others.
+    terms = (w**2 + 2 * mu * x0 + np.abs(b * c_up) + c) / safe
+    apart &= terms > (w**2 + b**2 + 4 * mu) / 10
     linear = (2 * (w_up - b * c_up) - c) / safe
     root = np.sqrt(linear**2 + 8 * mu * c)
     larger = (np.abs(linear) + root) / 2
     other = 2 * mu * c / np.where(larger > 0, larger, 1.0)
     m01, m03 = np.where(linear > 0, other, larger), np.where(linear > 0, larger, other)
+    meeting = (m03 + 2 * mu * x0) * delta2
     x1 = m01 / (2 * safe_mu)
-    from_third = (m03 + 2 * mu * x0) * delta2
-    delta1 = np.where(from_third > 0, -c0 / np.where(from_third > 0, from_third, 1.0), x1 - x0)
-    return _Roots(delta1=delta1, delta2=delta2, x1=x1, x2=x2, m13=root, m03=m03)
+    by_pole = np.where(meeting > 0, -c0 / np.where(meeting > 0, meeting, 1.0), x1 - x0)
+    delta1 = np.where(apart, delta1, by_pole)
+    roots = _Roots(
+        delta1=delta1,
+        delta2=delta2,
+        x1=np.maximum(x0 + delta1, 0.0),
+        x2=x2,
+        m03=np.where(apart, np.maximum(from_third - 2 * mu * x0, 0.0), m03),
+        by_product=np.zeros_like(x1, dtype=bool),
+    )
+    x1 = np.where(apart, c / np.where(roots.m03 > 0, roots.m03, np.inf), x1)
+    return _nearer_the_pole(roots, x1, x0, np.where(apart, 1.0, terms))
