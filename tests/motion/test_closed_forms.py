@@ -430,6 +430,46 @@ def test_many_tops_integrated_agree_with_the_closed_form(method):
     assert_allclose(solved.omega, exact.omega, atol=1e-9)
 
 
+def test_thousands_of_tops_by_taylor_series():
+    """Drawn to start at and near the poles, at rest, near steady precession and critical spin."""
+    pytest.importorskip("heyoka", reason="heyoka has no wheel here")
+    random, count = np.random.default_rng(12), 4000
+
+    def one_of(*choices):
+        return np.choose(random.integers(len(choices), size=count), choices)
+
+    def size(low, high):
+        return 10.0 ** random.uniform(low, high, count)
+
+    lambda1, lambda3 = random.uniform(0.7, 2.0, count), random.uniform(0.1, 1.0, count)
+    R, g = random.uniform(0.05, 0.4, count), one_of(9.81, 0.0, 1.0)
+    normal = random.normal(size=(4, count))
+    critical = 2 * np.sqrt(lambda1 * g * R) / lambda3
+    near = one_of(0.0, 1.0, 1e-3, 1e-8, 1e-14) * normal[0]
+    omega3 = one_of(critical * (1 + near), -critical * (1 + near), 0.0, normal[0], 40 * normal[0])
+    tilt = size(-12, -1)
+    theta = one_of(0.0, math.pi, math.pi / 2, tilt, tilt, math.pi - size(-7, -1), 1.0, 0.3)
+    along = lambda3 * omega3 / (2 * lambda1)  # φ̇ of a top that goes through the upright
+    motions = rt.top_motions(
+        lambda1=lambda1,
+        lambda3=lambda3,
+        M=1.0,
+        R=R,
+        g=g,
+        theta=theta,
+        theta_dot=one_of(0.0, normal[1], 1e-6 * normal[1], theta * normal[1]),
+        phi_dot=one_of(0.0, along, along * (1 + 1e-9), 3 * normal[2]),
+        omega3=omega3,
+    )
+    times = np.array([0.0, 0.5, -2.0, 5.0])
+    exact, solved = motions.exact(times[:, None]), motions.integrate(times)
+    overlap = np.sum(exact.quaternion * solved.quaternion, axis=-1)[..., None]
+    apart = np.linalg.norm(exact.quaternion - np.sign(overlap) * solved.quaternion, axis=-1)
+    assert apart.max() < 1e-12
+    speeds = 1 + np.linalg.norm(solved.omega, axis=-1)
+    assert (np.linalg.norm(exact.omega - solved.omega, axis=-1) / speeds).max() < 2e-12
+
+
 def test_many_free_bodies_are_each_alone():
     moments = np.array([[1.0, 2.0, 2.5], [2.0, 2.0, 1.0], [1.5, 1.5, 1.5], [2.5, 1.0, 2.0]])
     omega = np.array([[1.0, 0.1, 0.3], [0.1, -2.0, 1.0], [1.0, 2.0, 3.0], [0.0, 0.0, 1.0]])

@@ -51,6 +51,9 @@ NEWTON_STEPS = 4
 MANY = 400
 """From so many samples of one motion on, its Fourier series is worth its making."""
 
+APART = 1e-13
+"""Of x₀: two ways to x₁ that differ by more come from different cubics."""
+
 NEAR_POLE = 0.25
 """A turning point nearer to a pole than this part of where the motion starts is known by a
 product of roots; a difference would lose digits."""
@@ -593,14 +596,15 @@ def _from_the_start(roots: _Roots, mu: Floats, x0: Floats, c0: Floats) -> _Roots
     Near the critical spin, where all three roots are close, rounding of the coefficients moves
     them by more than their distances.
     """
-    off = np.abs(x0 + roots.delta1 - roots.x1) > ROUNDING * x0
+    off = np.abs(x0 + roots.delta1 - roots.x1) > APART * x0
     between = np.maximum(x0 - roots.x1, 0.0)
     product = roots.delta2 * between
-    from_third = c0 / np.where(product > 0, product, np.inf)
+    moving = off & (c0 > 0) & (product > 0)  # else the motion starts at x₁ or x₂
+    from_third = c0 / np.where(moving, product, 1.0)
     return replace(
         roots,
         delta1=np.where(off, -between, roots.delta1),
-        m03=np.where(off, np.maximum(from_third - 2 * mu * x0, 0.0), roots.m03),
+        m03=np.where(moving, np.maximum(from_third - 2 * mu * x0, 0.0), roots.m03),
     )
 
 
