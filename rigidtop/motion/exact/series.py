@@ -63,16 +63,11 @@ def series(functions: Callable[[Floats], tuple[Floats, Floats]]) -> Series | Non
         even, odd = functions(u - np.rint(u))
         spectra = np.fft.rfft(even).real * (2 / nodes), np.fft.rfft(odd).imag * (-2 / nodes)
         spectra[0][:, 0] /= 2
-        if not (np.all(np.isfinite(even)) and np.all(np.isfinite(odd))):
-            return None
-        sizes = [
-            np.abs(spectrum) / np.maximum(np.abs(rows).max(axis=1, keepdims=True), 1e-300)
-            for spectrum, rows in zip(spectra, (even, odd), strict=True)
-        ]
-        largest = np.max([size.max(axis=0) for size in sizes], axis=0)
-        if largest[nodes // 3 :].max() < CONVERGED:
-            # What remains of a converged spectrum is rounding.
-            floor = max(NEGLIGIBLE, 2 * float(np.median(largest[nodes // 3 :])))
-            harmonics = 1 + int(np.flatnonzero(largest > floor)[-1])
-            return Series(*(np.ascontiguousarray(part[:, :harmonics]) for part in spectra))
+        rows = np.concatenate([even, odd])
+        scale = np.maximum(np.abs(rows).max(axis=1), 1e-300)
+        largest = (np.abs(np.concatenate(spectra)) / scale[:, None]).max(axis=0)
+        rounding = largest[nodes // 3 :].max()  # of a converged spectrum, else NaN or more
+        if rounding < CONVERGED:
+            last = np.flatnonzero(largest > max(NEGLIGIBLE, rounding))[-1]
+            return Series(*(np.ascontiguousarray(part[:, : last + 1]) for part in spectra))
     return None
