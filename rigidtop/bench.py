@@ -455,7 +455,7 @@ def table(rows: Sequence[Row]) -> str:
             cells = [
                 f"{_time(row.seconds):>10}",
                 f"{_time(row.seconds / row.per):>10} each" if row.per > 1 else " " * 15,
-                f"{ratio:>9.3g} ×",
+                f"{_digits(ratio or math.nan):>9} ×",
                 f"  error {row.error:.0e} rad" if row.error is not None else "",
                 f"  ({row.note})" if row.note else "",
             ]
@@ -502,7 +502,7 @@ def figure(rows: Sequence[Row]) -> Figure:
         axis.tick_params(labelsize=8)
         axis.spines[["top", "right"]].set_visible(False)
         for place, (row, ratio) in enumerate(known):
-            label = f" {ratio:.3g} ×  ({_time(row.seconds or 0)})"
+            label = f" {_digits(ratio)} ×  ({_time(row.seconds or 0)})"
             axis.text(ratio, place, label, va="center", fontsize=8)
     axes[-1].set_xlabel("time, relative to the first way", fontsize=8)
     return drawing
@@ -511,5 +511,14 @@ def figure(rows: Sequence[Row]) -> Figure:
 def _time(seconds: float) -> str:
     for unit, size in (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)):
         if seconds >= size:
-            return f"{seconds / size:.3g} {unit}"
+            return f"{_digits(seconds / size)} {unit}"
     return f"{seconds * 1e9:.3g} ns"
+
+
+def _digits(value: float) -> str:
+    """Three digits, and no power of ten.
+
+    >>> _digits(0.4321), _digits(15734.2)
+    ('0.432', '15,734')
+    """
+    return f"{value:.3g}" if value < 1000 else f"{value:,.0f}"

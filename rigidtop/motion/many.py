@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import os
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, fields
@@ -107,8 +108,54 @@ def free_motions(*, moments: ArrayLike, omega: ArrayLike) -> FreeMotions:
     return FreeMotions(inertia, rates, shape)
 
 
+class _Motions(ABC):
+    """What motions of tops and of free bodies have in common: one number each, of shape `shape`."""
+
+    shape: tuple[int, ...]
+
+    @abstractmethod
+    def _orbits(self, index: NDArray[np.intp]) -> free.Orbit | heavy.Orbit:
+        """Of the motions whose place in the flattened array is `index`."""
+
+    def _each(self, name: str) -> Any:
+        """A quantity of every orbit; of those that are pairs, a pair."""
+
+        def quantities(index: NDArray[np.intp], _: Floats) -> list[Any]:
+            found = getattr(self._orbits(index), name)
+            return list(found) if isinstance(found, tuple) else [found]
+
+        results = _in_chunks(quantities, np.zeros(()), self.shape, None)
+        return tuple(results) if len(results) > 1 else results[0]
+
+    @property
+    def regime(self) -> NDArray[np.str_]:
+        """What kind of motion each is: see `Motion.regime`."""
+        return np.asarray(self._each("regime"))
+
+    @property
+    def turning_points(self) -> tuple[Floats, Floats]:
+        """The smallest and the largest θ (rad): see `Motion.turning_points`."""
+        smallest, largest = self._each("turning_points")
+        return smallest, largest
+
+    @property
+    def nutation_period(self) -> Floats:
+        """The time from one smallest θ to the next (s): see `Motion.nutation_period`."""
+        return np.asarray(self._each("nutation_period"))
+
+    @property
+    def precession_per_period(self) -> Floats:
+        """The angle of precession in that time (rad): see `Motion.precession_per_period`."""
+        return np.asarray(self._each("precession_per_period"))
+
+    @property
+    def mean_precession(self) -> Floats:
+        """The mean rate of precession (rad/s): see `Motion.mean_precession`."""
+        return np.asarray(self._each("mean_precession"))
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
-class TopMotions:
+class TopMotions(_Motions):
     """Motions of heavy symmetric tops, made by `top_motions`; each array broadcasts to `shape`."""
 
     lambda1: Floats
@@ -141,7 +188,6 @@ class TopMotions:
         )
 
     def _orbits(self, index: NDArray[np.intp]) -> heavy.Orbit:
-        """Of the motions whose place in the flattened array is `index`."""
         return heavy.solve(heavy.Start(**_taken(vars(self._start), self.shape, index)))
 
     def exact(self, t: ArrayLike, progress: Progress | None = None) -> TopState:
@@ -215,41 +261,9 @@ class TopMotions:
             upright_phi_dot=self.lambda3 * self.omega3 / (2 * self.lambda1),
         )
 
-    def _each(self, quantity: Callable[[heavy.Orbit], tuple[Any, ...]]) -> list[Any]:
-        """Something of every orbit, of shape `shape`."""
-        return _in_chunks(
-            lambda index, _: list(quantity(self._orbits(index))), np.zeros(()), self.shape, None
-        )
-
-    @property
-    def regime(self) -> NDArray[np.str_]:
-        """What kind of motion each is: see `Motion.regime`."""
-        return np.asarray(self._each(lambda orbit: (orbit.regime,))[0])
-
-    @property
-    def turning_points(self) -> tuple[Floats, Floats]:
-        """The smallest and the largest θ (rad)."""
-        smallest, largest = self._each(lambda orbit: orbit.turning_points)
-        return smallest, largest
-
-    @property
-    def nutation_period(self) -> Floats:
-        """The time from one smallest θ to the next (s): see `Motion.nutation_period`."""
-        return np.asarray(self._each(lambda orbit: (orbit.nutation_period,))[0])
-
-    @property
-    def precession_per_period(self) -> Floats:
-        """By how much φ grows in that time (rad)."""
-        return np.asarray(self._each(lambda orbit: (orbit.precession_per_period,))[0])
-
-    @property
-    def mean_precession(self) -> Floats:
-        """The mean of φ̇ (rad/s)."""
-        return np.asarray(self._each(lambda orbit: (orbit.mean_precession,))[0])
-
 
 @dataclass(frozen=True, eq=False)
-class FreeMotions:
+class FreeMotions(_Motions):
     """Motions of free bodies, made by `free_motions`."""
 
     moments: Floats
@@ -275,26 +289,6 @@ class FreeMotions:
 
         quaternion, omega = _in_chunks(states, times, self.shape, progress)
         return quaternion, omega
-
-    def _each(self, quantity: Callable[[free.Orbit], tuple[Any, ...]]) -> list[Any]:
-        return _in_chunks(
-            lambda index, _: list(quantity(self._orbits(index))), np.zeros(()), self.shape, None
-        )
-
-    @property
-    def regime(self) -> NDArray[np.str_]:
-        """What kind of motion each is: see `Motion.regime`."""
-        return np.asarray(self._each(lambda orbit: (orbit.regime,))[0])
-
-    @property
-    def nutation_period(self) -> Floats:
-        """The time from one smallest θ to the next (s): see `Motion.nutation_period`."""
-        return np.asarray(self._each(lambda orbit: (orbit.nutation_period,))[0])
-
-    @property
-    def mean_precession(self) -> Floats:
-        """The mean rate at which the axis turns about L (rad/s)."""
-        return np.asarray(self._each(lambda orbit: (orbit.mean_precession,))[0])
 
 
 def _principal(angle: Floats) -> Floats:

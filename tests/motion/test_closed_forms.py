@@ -484,6 +484,8 @@ def test_many_free_bodies_are_each_alone():
         assert_allclose(np.abs(overlap), 1.0, atol=1e-14)
         assert motions.regime[k] == alone.regime
         assert motions.mean_precession[k] == pytest.approx(alone.mean_precession)
+        assert motions.precession_per_period[k] == pytest.approx(alone.precession_per_period)
+        assert [x[k] for x in motions.turning_points] == pytest.approx(alone.turning_points)
         assert motions.nutation_period[k] == pytest.approx(alone.nutation_period)
 
 

@@ -129,9 +129,10 @@ class Orbit:
 
     @cached_property
     def regime(self) -> NDArray[np.str_]:
-        """ "steady" (ω constant), "regular precession", "separatrix", "short axis", "long axis".
+        """How ω moves in the body, to rounding of the initial state.
 
-        To rounding.  Only a body with two equal moments precesses regularly.
+        "steady" (not at all), "regular precession" (two equal moments), "separatrix", and about
+        the "short axis" or the "long axis".
         """
         return np.select(
             [self.uniform, self.m == 0, self.on_separatrix, self.nu > 0],

@@ -45,6 +45,20 @@ from rigidtop.motion.state import TopState
 ROUNDING = 16 * float(np.finfo(float).eps)
 """What rounding of the initial state does to quantities that decide the regime."""
 
+REGIMES = (
+    "free precession",
+    "sleeping",
+    "hanging",
+    "steady",
+    "asymptotic",
+    "plane",
+    "through the vertical",
+    "cusps",
+    "loops",
+    "waves",
+)
+"""What an axis can do: see `Orbit.regime`, which takes the first that holds."""
+
 NEWTON_STEPS = 4
 """From roots by cosines, which are good to 1e-8 at worst, to rounding."""
 
@@ -207,18 +221,8 @@ class Orbit:
                 np.abs(self.a1) <= ROUNDING * (np.abs(self.a2) + np.abs(self.b) * self.range),
                 self.a1 * self.a2 < 0,
             ],
-            [
-                "free precession",
-                "sleeping",
-                "hanging",
-                "steady",
-                "asymptotic",
-                "plane",
-                "through the vertical",
-                "cusps",
-                "loops",
-            ],
-            "waves",
+            REGIMES[:-1],
+            REGIMES[-1],
         )
 
     # --- Third-kind integrals ---
