@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from scipy.integrate import solve_ivp
@@ -340,6 +340,8 @@ def test_a_body_without_closed_form_says_so():
 
 
 @given(theta=st.floats(0, math.pi), theta_dot=rates, phi_dot=rates, omega3=spins)
+@example(theta=3.972981280204418e-161, theta_dot=1.0, phi_dot=0.0, omega3=1.0)
+@example(theta=1e-155, theta_dot=-1.0, phi_dot=2.0, omega3=10.0)
 @settings(deadline=None)
 def test_the_closed_form_conserves(theta, theta_dot, phi_dot, omega3):
     motion = TOP.motion(theta=theta, theta_dot=theta_dot, phi_dot=phi_dot, omega3=omega3)

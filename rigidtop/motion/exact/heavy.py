@@ -33,6 +33,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact.elliptic import (
+    SMALLEST_ARGUMENT,
     SMALLEST_PART,
     Jacobi,
     first_kind,
@@ -473,8 +474,13 @@ def _solve(start: Start) -> Orbit:
     sigma = np.where(sigma > 0, sigma, 1.0)
     mu, b = start.mu / sigma / sigma, start.b / sigma
     v_theta, v_phi, w = start.v_theta / sigma, start.v_phi / sigma, speed / sigma
-    x0, y0 = 2 * start.sin_half**2, 2 * start.cos_half**2
-    s = 2 * start.sin_half * start.cos_half
+    # Squares of less would lose digits; an attitude does not notice.
+    sin_half, cos_half = (
+        np.where((half > 0) & (half < SMALLEST_ARGUMENT), SMALLEST_ARGUMENT, half)
+        for half in (start.sin_half, start.cos_half)
+    )
+    x0, y0 = 2 * sin_half**2, 2 * cos_half**2
+    s = 2 * sin_half * cos_half
     momentum = s * v_phi
     c_up, c_down = momentum - b * x0, momentum + b * y0
     # What rounding of the initial state cannot tell from the special cases.
