@@ -13,12 +13,22 @@ DERIVATIONS = PACKAGE.parent / "derivations"
 READS = {
     "errors": set(),
     "theory": set(),
-    "proof": {"theory"},
+    "proof": {"theory", "parameters"},
     "codegen": {"errors", "theory", "proof"},
     "motion": {"errors"},
-    "derivations": {"theory", "proof", "codegen", "motion"},
-    "present": {"errors", "theory", "proof", "codegen", "motion", "derivations"},
+    "derivations": {"errors", "theory", "parameters", "proof", "codegen", "motion"},
+    "present": {
+        "errors",
+        "theory",
+        "parameters",
+        "proof",
+        "codegen",
+        "motion",
+        "derivations",
+        "progress",
+    },
     "progress": set(),
+    "parameters": {"errors"},
     "bench": {"errors", "theory", "codegen", "motion"},
     "commands": {
         "errors",
@@ -29,6 +39,7 @@ READS = {
         "present",
         "derivations",
         "progress",
+        "parameters",
         "bench",
     },
     "cli": {

@@ -8,6 +8,7 @@ import re
 from typing import TYPE_CHECKING
 
 from rigidtop.errors import RigidtopError
+from rigidtop.parameters import quantity
 
 if TYPE_CHECKING:
     from rigidtop.motion.motion import Motion
@@ -35,13 +36,15 @@ def number(text: str) -> float:
 
 
 def angle(text: str) -> float:
-    """Radians, or degrees with the suffix deg.
+    """Radians, or degrees with the suffix deg; rad/s, or turns a minute with the suffix rpm.
 
     >>> angle("0.5"), round(angle("30deg"), 6)
     (0.5, 0.523599)
     """
-    degrees = re.fullmatch(r"(.*?)\s*(?:deg|°)", text.strip())
-    return math.radians(number(degrees[1])) if degrees else number(text)
+    try:
+        return quantity(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a finite number") from None
 
 
 def count(text: str) -> int:

@@ -1,0 +1,102 @@
+"""What an exercise is made of: a question, its solution in symbols, its solution in numbers.
+
+An exercise is a function of its parameters that yields what they lead to: an `Answer`, a `Table`,
+or a `Measure` where two independent ways to a number are compared.  Its docstring says how the
+numbers are found.  The solution in symbols are claims, judged like those of the lecture.
+
+    @exercise(
+        "toppling-top",
+        "The toppling top",
+        section="3.5.2",
+        asks="example 34",
+        statement="A top leans at θ and is let go without rotation. …",
+        claims=(example_34, time_to_fall),
+        parameters=(Parameter("theta", 0.5, "θ at the start", "rad", above=0, most=pi / 2), …),
+        figure="toppling",
+    )
+    def toppling_top(theta, …):
+        '''The time is an elliptic integral; the fall is integrated besides.'''
+        yield Answer("time_to_fall", "time until e₃ is horizontal", seconds, "s")
+        yield Measure("time to fall, closed form against integration (s)", error, 1e-9)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+from rigidtop.parameters import Parameter
+from rigidtop.proof.page import Claim, Measure
+
+
+@dataclass(frozen=True)
+class Answer:
+    """A number of the solution, in SI units and radians unless `unit` says otherwise.
+
+    `name` is a Python name, by which programs and tests find it; `what` says it in words.
+    """
+
+    name: str
+    what: str
+    value: float | str
+    unit: str = "1"
+
+
+@dataclass(frozen=True)
+class Table:
+    """Many numbers; every row has as many cells as there are `columns`."""
+
+    name: str
+    title: str
+    columns: tuple[str, ...]
+    rows: tuple[tuple[float | str, ...], ...]
+
+    def __post_init__(self) -> None:
+        if any(len(row) != len(self.columns) for row in self.rows):
+            raise ValueError(f"table {self.name}: not every row has {len(self.columns)} cells")
+
+
+Outcome = Answer | Table | Measure
+Solve = Callable[..., Iterable[Outcome]]
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """A question that the notes leave to their reader, and its solution.
+
+    `asks` is where they do ("example 34"), `statement` the question in our own words, paragraphs
+    separated by blank lines.  `figure` is the name of a figure; it is drawn with those parameters
+    of the exercise that it has too.
+    """
+
+    name: str
+    title: str
+    section: str
+    asks: str
+    statement: str
+    claims: tuple[Claim, ...]
+    parameters: tuple[Parameter, ...]
+    solve: Solve
+    figure: str = ""
+
+    @property
+    def method(self) -> str:
+        """The docstring of the numeric solution, as one paragraph."""
+        return " ".join((self.solve.__doc__ or "").split())
+
+
+def exercise(
+    name: str,
+    title: str,
+    *,
+    section: str,
+    asks: str,
+    statement: str,
+    claims: tuple[Claim, ...],
+    parameters: tuple[Parameter, ...],
+    figure: str = "",
+) -> Callable[[Solve], Exercise]:
+    """Make the decorated generator function an `Exercise`."""
+    return lambda solve: Exercise(
+        name, title, section, asks, statement, claims, parameters, solve, figure
+    )
