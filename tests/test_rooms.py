@@ -74,7 +74,7 @@ FORBIDDEN = {
 
 def files(room):
     if room == "derivations":
-        return sorted(DERIVATIONS.glob("*.py"))
+        return sorted(DERIVATIONS.rglob("*.py"))
     single = PACKAGE / f"{room}.py"
     return [single] if single.exists() else sorted((PACKAGE / room).rglob("*.py"))
 

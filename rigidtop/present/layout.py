@@ -695,7 +695,15 @@ def _matrix(tree: Any, order: Order) -> Node:
     return Grid(tuple(tuple(entries[r * columns : (r + 1) * columns]) for r in range(rows)))
 
 
-_NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
+_NAMES = {
+    "asin": "arcsin",
+    "acos": "arccos",
+    "atan": "arctan",
+    "elliptic_k": "K",
+    "elliptic_f": "F",
+    "elliptic_pi": "Π",
+}
+"""Elliptic integrals as in DLMF 19.2, with the parameter m = k², not the modulus."""
 
 
 def _function(tree: Any, order: Order) -> Node:

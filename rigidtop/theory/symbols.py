@@ -65,6 +65,7 @@ omega1p, omega2p = map(_real, ("omega1p", "omega2p"))
 omega1dot, omega2dot, omega3dot = map(_real, ("omega1dot", "omega2dot", "omega3dot"))
 omega1ddot, omega2ddot = map(_real, ("omega1ddot", "omega2ddot"))
 omega_0 = _real("omega_0")
+theta_i, chi, t_chi2, m = map(_real, ("theta_i", "chi", "t_chi2", "m"))
 Omega, Omega_b, Omega_s, tau_b = map(_real, ("Omega", "Omega_b", "Omega_s", "tau_b"))
 Omega_minus, Omega_plus = map(_real, ("Omega_minus", "Omega_plus"))
 
@@ -209,6 +210,10 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         alpha: Quantity(Glyph("α"), "tilt of the stick against ω", "rad"),
         beta: Quantity(Glyph("β"), "angle between L and e₃", "rad"),
         theta_0: Quantity(Glyph("θ", "0"), "polar angle at which φ̇ vanishes", "rad"),
+        m: Quantity(Glyph("m"), "parameter of an elliptic integral", "1"),
+        chi: Quantity(Glyph("χ"), "amplitude of an elliptic integral", "rad"),
+        t_chi2: Quantity(Glyph("t²", "χ"), "square of dt/dχ", "s²"),
+        theta_i: Quantity(Glyph("θ", "i"), "polar angle at the start", "rad"),
         phi: Quantity(Glyph("φ"), "first Euler angle: azimuth of e₃", "rad"),
         theta: Quantity(Glyph("θ"), "second Euler angle: polar angle of e₃", "rad"),
         psi: Quantity(Glyph("ψ"), "third Euler angle: turn about e₃", "rad"),

@@ -1,0 +1,96 @@
+"""Every exercise: claims hold and can fall, measures pass, numbers depend on what is set."""
+
+import math
+
+import pytest
+
+from rigidtop.derivations import PAGES
+from rigidtop.derivations.exercises import EXERCISES
+from rigidtop.parameters import settings
+from rigidtop.proof.exercise import Answer, Table
+from rigidtop.proof.page import Measure
+from rigidtop.proof.perturb import falls, telling, upheld
+from rigidtop.proof.verdict import Finding, Verdict, judge
+
+NAMES = [exercise.name for exercise in EXERCISES]
+OF_THE_NOTES = {claim.name for page in PAGES for claim in page.claims}
+NEW_CLAIMS = {
+    claim.name: claim
+    for exercise in EXERCISES
+    for claim in exercise.claims
+    if claim.name not in OF_THE_NOTES
+}
+
+
+def numbers(outcomes):
+    """Every number of a solution."""
+    for outcome in outcomes:
+        if isinstance(outcome, Answer):
+            yield outcome.value
+        elif isinstance(outcome, Table):
+            yield from (cell for row in outcome.rows for cell in row)
+
+
+def test_names_are_told_apart_and_claims_have_one_home():
+    assert len(set(NAMES)) == len(NAMES)
+    assert not set(NAMES) & (OF_THE_NOTES | set(NEW_CLAIMS))
+    of_pages = {id(claim) for page in PAGES for claim in page.claims}
+    for exercise in EXERCISES:
+        for claim in exercise.claims:
+            assert id(claim) in of_pages or claim is NEW_CLAIMS[claim.name]
+
+
+@pytest.mark.parametrize("exercise", EXERCISES, ids=NAMES)
+def test_is_stated_and_explained(exercise):
+    assert len(exercise.statement) > 80
+    assert exercise.method.endswith(".")
+    assert exercise.title
+    assert exercise.asks
+    assert exercise.claims
+    sections = {page.section for page in PAGES}
+    assert exercise.section in sections
+
+
+@pytest.mark.parametrize("name", NEW_CLAIMS)
+def test_claim_holds(name):
+    judged = judge(NEW_CLAIMS[name])
+    assert judged.problem == ""
+    assert judged.verdict in (Verdict.PROVED, Verdict.ASSUMING)
+
+
+@pytest.mark.parametrize("name", NEW_CLAIMS)
+def test_claim_falls_when_it_is_changed(name):
+    findings = [i for i in judge(NEW_CLAIMS[name]).items if isinstance(i, Finding)]
+    checks = [check for check in map(upheld, findings) if check is not None]
+    changes = [(check, change) for check in checks for change in telling(check)]
+    assert len(changes) >= 10
+    survived = [
+        f"{change.change} in {check.claimed.sides}"
+        for check, change in changes
+        if not falls(check, change)
+    ]
+    assert survived == []
+
+
+@pytest.mark.parametrize("exercise", EXERCISES, ids=NAMES)
+def test_numbers_are_finite_and_agree(exercise):
+    outcomes = list(exercise.solve(**settings(exercise.parameters)))
+    named = [o.name for o in outcomes if not isinstance(o, Measure)]
+    assert len(set(named)) == len(named)
+    assert any(isinstance(outcome, Measure) for outcome in outcomes)
+    for outcome in outcomes:
+        if isinstance(outcome, Measure):
+            assert outcome.passed, outcome
+            assert outcome.tolerance > 0
+    assert all(math.isfinite(x) for x in numbers(outcomes) if not isinstance(x, str))
+
+
+@pytest.mark.parametrize(
+    ("exercise", "parameter"),
+    [pytest.param(e, p, id=f"{e.name}-{p.name}") for e in EXERCISES for p in e.parameters],
+)
+def test_every_parameter_matters(exercise, parameter):
+    before = list(numbers(exercise.solve(**settings(exercise.parameters))))
+    changed = parameter.default * 1.03 or 0.03
+    after = exercise.solve(**settings(exercise.parameters, {parameter.name: changed}))
+    assert list(numbers(after)) != before
