@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 from rigidtop.errors import RigidtopError
 from rigidtop.present import html, plain, tex, typst
+from rigidtop.present.figures.catalog import FIGURES
+from rigidtop.present.figures.drawing import Drawing, rendered
 from rigidtop.present.files import write_all
 from rigidtop.present.pdf import make_pdf
-from rigidtop.present.plots import FIGURES, rendered
-from rigidtop.present.report import Judged, claim_blocks, document
+from rigidtop.present.report import Figure, Judged, claim_blocks, document
 from rigidtop.proof.verdict import Judgement
 
 FORMATS = ("text", "latex", "html", "typst")
@@ -29,6 +31,12 @@ def fragment(judgement: Judgement, format: str) -> str:
     raise RigidtopError(f"unknown format {format!r}: choose from {', '.join(FORMATS)}")
 
 
+def described(drawing: Drawing, given: Mapping[str, float] | None = None) -> Figure:
+    """A figure as the lecture's blocks know it, with parameters as `given` or by default."""
+    values = drawing.values(given)
+    return Figure(drawing.name, drawing.caption(**values), drawing.alternative(**values))
+
+
 def write_lecture(judged: Judged, out: Path | str, *, pdf: bool = False) -> list[Path]:
     """Write lecture.tex, lecture.html and figures/ into `out`, with `pdf` also lecture.pdf.
 
@@ -37,11 +45,11 @@ def write_lecture(judged: Judged, out: Path | str, *, pdf: bool = False) -> list
     """
     folder = Path(out)
     sections = {page.section for page, _ in judged}
-    wanted = [(section, figure, draw) for section, figure, draw in FIGURES if section in sections]
-    lecture = document(judged, [(section, figure) for section, figure, _ in wanted])
-    names = [figure.name for _, figure, _ in wanted]
-    svg = {figure.name: rendered(draw, "svg") for _, figure, draw in wanted}
-    drawn = {f"figures/{figure.name}.pdf": rendered(draw, "pdf") for _, figure, draw in wanted}
+    wanted = [drawing for drawing in FIGURES if drawing.section in sections]
+    lecture = document(judged, [(drawing.section, described(drawing)) for drawing in wanted])
+    names = [drawing.name for drawing in wanted]
+    svg = {drawing.name: rendered(drawing, "svg") for drawing in wanted}
+    drawn = {f"figures/{drawing.name}.pdf": rendered(drawing, "pdf") for drawing in wanted}
     vectors = {f"figures/{name}.svg": content for name, content in svg.items()}
     source = tex.write(lecture, {name: f"figures/{name}.pdf" for name in names})
     page = html.write(lecture, {name: content.decode() for name, content in svg.items()})

@@ -11,8 +11,9 @@ import pytest
 
 from rigidtop.derivations import PAGES
 from rigidtop.present import html, pdf, tex, typst
-from rigidtop.present.lecture import FORMATS, fragment
-from rigidtop.present.plots import FIGURES, rendered
+from rigidtop.present.figures.catalog import FIGURES
+from rigidtop.present.figures.drawing import rendered
+from rigidtop.present.lecture import FORMATS, described, fragment
 from rigidtop.present.report import document
 from rigidtop.proof.verdict import judge_page
 
@@ -24,16 +25,16 @@ def judged():
 
 @pytest.fixture(scope="module")
 def lecture(judged):
-    return document(judged, [(section, figure) for section, figure, _ in FIGURES])
+    return document(judged, [(each.section, described(each)) for each in FIGURES if each.section])
 
 
 @pytest.fixture(scope="module")
 def drawn():
-    return {figure.name: draw for _, figure, draw in FIGURES}
+    return {each.name: each for each in FIGURES if each.section}
 
 
 def test_every_figure_has_its_section():
-    assert {section for section, _, _ in FIGURES} <= {page.section for page in PAGES}
+    assert {each.section for each in FIGURES} - {""} <= {page.section for page in PAGES}
 
 
 def test_every_claim_has_every_fragment(judged):
@@ -45,7 +46,7 @@ def test_every_claim_has_every_fragment(judged):
 
 def test_html_of_all_pages(lecture, drawn):
     made = html.write(
-        lecture, {name: rendered(draw, "svg").decode() for name, draw in drawn.items()}
+        lecture, {name: rendered(drawing, "svg").decode() for name, drawing in drawn.items()}
     )
     root = ElementTree.fromstring(made.removeprefix("<!DOCTYPE html>\n"))
     names = [e.get("id") for e in root.iter() if e.get("id")]
@@ -59,8 +60,8 @@ def test_html_of_all_pages(lecture, drawn):
 @pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
 def test_no_line_leaves_the_page(lecture, drawn, tmp_path):
     (tmp_path / "figures").mkdir()
-    for name, draw in drawn.items():
-        (tmp_path / "figures" / f"{name}.pdf").write_bytes(rendered(draw, "pdf"))
+    for name, drawing in drawn.items():
+        (tmp_path / "figures" / f"{name}.pdf").write_bytes(rendered(drawing, "pdf"))
     source = tex.write(lecture, {name: f"figures/{name}.pdf" for name in drawn})
     (tmp_path / "lecture.tex").write_text(source, encoding="utf-8")
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "lecture.tex"]
@@ -72,7 +73,7 @@ def test_no_line_leaves_the_page(lecture, drawn, tmp_path):
 
 def test_typst_of_all_pages(lecture, drawn):
     source = typst.write(lecture, {name: f"figures/{name}.svg" for name in drawn})
-    figures = {f"figures/{name}.svg": rendered(draw, "svg") for name, draw in drawn.items()}
+    figures = {f"figures/{name}.svg": rendered(drawing, "svg") for name, drawing in drawn.items()}
     made = pypdf.PdfReader(io.BytesIO(pdf.by_typst(source, figures)))
     words = "\n".join(page.extract_text() for page in made.pages)
     for number in range(33, 58):

@@ -15,8 +15,8 @@ from sympy import Eq, Integer, Ne, Rational, cos, sin, sqrt
 
 from rigidtop.errors import RigidtopError
 from rigidtop.present import files, html, pdf, plain, tex, typst
-from rigidtop.present.lecture import FORMATS, fragment, write_lecture
-from rigidtop.present.plots import FIGURES
+from rigidtop.present.figures.catalog import FIGURES
+from rigidtop.present.lecture import FORMATS, described, fragment, write_lecture
 from rigidtop.present.report import (
     ClaimHead,
     Conditions,
@@ -498,7 +498,7 @@ def test_the_printers_load_neither_matplotlib_nor_scipy():
 
 
 def test_every_figure_of_the_lecture_has_words():
-    for _, figure, _ in FIGURES:
+    for figure in map(described, FIGURES):
         assert len(figure.alternative) > 80
         assert figure.alternative.isascii()  # it is spoken
         assert tex.rich((figure.caption,))

@@ -1,0 +1,34 @@
+"""The bodies of the figures, and the parameters that say which."""
+
+from __future__ import annotations
+
+import math
+
+from rigidtop.motion.top import HeavyTop
+from rigidtop.parameters import Parameter
+from rigidtop.present.figures.style import degrees, said
+
+TOP = (
+    Parameter("lambda1", 0.02, "moment across the axis, about the pivot", "kg m²", above=0),
+    Parameter("lambda3", 0.01, "moment about the axis", "kg m²", above=0),
+    Parameter("M", 1.0, "mass", "kg", above=0),
+    Parameter("R", 0.1, "distance from the pivot to the centre of mass", "m", above=0),
+    Parameter("g", 9.81, "acceleration of gravity", "m/s²", above=0),
+)
+"""A heavy top: MgR = 0.981 J, and about the centre of mass 0.01 kg m² each way."""
+
+THETA = Parameter("theta", math.pi / 3, "θ at the start", "rad", above=0, most=3.1415)
+SPIN = Parameter("omega3", 40.0, "ω₃", "rad/s", above=0)
+
+
+def top_in_words(top: HeavyTop) -> str:
+    """λ₁ = …, λ₃ = …, MgR = …."""
+    return (
+        f"λ₁ = {said(top.lambda1)} kg m², λ₃ = {said(top.lambda3)} kg m² and "
+        f"MgR = {said(top.M * top.g * top.R)} J"
+    )
+
+
+def start_in_words(theta: float, omega3: float) -> str:
+    """θ = … and ω₃ = …."""
+    return f"θ = {degrees(theta)} and ω₃ = {said(omega3)} rad/s"

@@ -1,0 +1,37 @@
+"""Every figure by its name.
+
+>>> [drawing.name for drawing in FIGURES][:2]
+['cones', 'precession-rates']
+"""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+
+from rigidtop.errors import RigidtopError
+from rigidtop.present.figures import cones, nutation, potential, precession
+from rigidtop.present.figures.drawing import Drawing
+
+FIGURES: tuple[Drawing, ...] = (
+    cones.CONES,
+    precession.PRECESSION_RATES,
+    potential.EFFECTIVE_POTENTIAL,
+    nutation.PATHS,
+)
+"""In the order of the notes."""
+
+
+def named(name: str) -> Drawing:
+    """The figure of this name; RigidtopError, with the names that are near, if there is none.
+
+    >>> named("path")
+    Traceback (most recent call last):
+    ...
+    rigidtop.errors.RigidtopError: no figure 'path'; did you mean paths?
+    """
+    known = {drawing.name: drawing for drawing in FIGURES}
+    if name in known:
+        return known[name]
+    near = get_close_matches(name, known, n=3, cutoff=0.5)
+    hint = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(known)}"
+    raise RigidtopError(f"no figure {name!r}; {hint}")

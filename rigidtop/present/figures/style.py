@@ -1,0 +1,133 @@
+"""What the figures look like: one column or two, letters of 8 points or more, the same symbols as
+the equations, and colours that differ in grey too."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure as Canvas
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+COLUMN, WIDE = 3.4, 7.0
+"""Widths of a figure (inches): one column, 8.6 cm, and two."""
+
+SMALL = 8
+"""The smallest letters (points)."""
+
+STYLE: Any = {
+    "font.family": "STIXGeneral",
+    "mathtext.fontset": "stix",
+    "font.size": 9,
+    "axes.titlesize": 9,
+    "axes.labelsize": 9,
+    "xtick.labelsize": SMALL,
+    "ytick.labelsize": SMALL,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.linewidth": 0.7,
+    "xtick.major.width": 0.7,
+    "ytick.major.width": 0.7,
+    "lines.linewidth": 1.3,
+    "hatch.linewidth": 0.5,
+    "legend.frameon": False,
+    "svg.fonttype": "path",
+    "svg.hashsalt": "rigidtop",
+    "pdf.fonttype": 42,
+    "path.simplify_threshold": 0.3,
+}
+
+INK, FIRST, SECOND, THIRD = "#1a1a1a", "#0b4f8a", "#cf5b2e", "#86b56b"
+"""Lines of one picture, from dark to light."""
+
+GREY, RULE, NOTE = "#8a8a8a", "#bdbdbd", "#4d4d4d"
+"""What is beside the matter: marks, the outline of a sphere, words."""
+
+AXIS, OMEGA, MOMENTUM, TORQUE = SECOND, FIRST, INK, "#7d4e1d"
+"""Arrows as the notes colour them: principal axes, ω, L, N."""
+
+DASHED: tuple[float, Sequence[float]] = (0, (4, 2))
+HIDDEN: tuple[float, Sequence[float]] = (0, (2.5, 2))
+DOTTED: tuple[float, Sequence[float]] = (0, (1, 1.6))
+
+E3, OMEGA_VEC, L_VEC, Z = (
+    r"$\mathbf{e}_3$",
+    r"$\boldsymbol{\omega}$",
+    r"$\mathbf{L}$",
+    r"$\hat{\mathbf{z}}$",
+)
+
+
+def canvas(width: float, height: float) -> Canvas:
+    """An empty figure (inches), whose parts make room for each other."""
+    return Canvas(figsize=(width, height), layout="constrained")
+
+
+def name_at(
+    axes: Axes,
+    x: float,
+    y: float,
+    words: str,
+    shift: tuple[float, float] = (0, 0),
+    **style: Any,
+) -> None:
+    """Words beside a point, `shift` points away; nothing is cut off at the frame."""
+    axes.annotate(
+        words,
+        (x, y),
+        xytext=shift,
+        textcoords="offset points",
+        annotation_clip=False,
+        **{"color": NOTE, **style},
+    )
+
+
+def below(axes: Axes, words: str) -> None:
+    """Words in the margin above the frame, to the left, as a short title."""
+    axes.set_title(words, loc="left", fontsize=9, color=INK)
+
+
+# --- Numbers in words ----------------------------------------------------------------------------
+
+
+def said(value: float, digits: int = 3) -> str:
+    """A number as captions print it.
+
+    >>> said(-2.5), said(40.0), said(1.2345e-7), said(1e20)
+    ('−2.5', '40', '1.23·10⁻⁷', '10²⁰')
+    """
+    if not math.isfinite(value):
+        return "∞" if value > 0 else "−∞"
+    text = f"{value:.{digits}g}"
+    mantissa, power, exponent = text.partition("e")
+    if not power and value and not 1e-3 <= abs(value) < 1e4:
+        mantissa, _, exponent = f"{value:.{digits - 1}e}".partition("e")
+        mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
+    if not exponent:
+        return text.replace("-", "−")
+    raised = str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    factor = "" if mantissa == "1" else f"{mantissa}·".replace("-", "−")
+    return f"{factor}10{raised}"
+
+
+def spoken(value: float) -> str:
+    """The same for a screen reader, in ASCII.
+
+    >>> spoken(-2.5), spoken(1.2345e-7)
+    ('minus 2.5', '1.23e-07')
+    """
+    return f"{value:.3g}".replace("inf", "infinity").replace("-", "minus ", int(value < 0))
+
+
+def degrees(angle: float) -> str:
+    """An angle (rad) in degrees.
+
+    >>> degrees(math.pi / 3)
+    '60°'
+    """
+    return f"{said(math.degrees(angle))}°"
