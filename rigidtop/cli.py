@@ -15,7 +15,7 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from rigidtop.commands import bench, certify, simulate, sweep
+from rigidtop.commands import bench, certify, figure, simulate, sweep
 from rigidtop.errors import RigidtopError
 
 if TYPE_CHECKING:
@@ -109,6 +109,7 @@ def _parser() -> Parser:
         ("simulate", simulate),
         ("certify", certify),
         ("sweep", sweep),
+        ("figure", figure),
         ("bench", bench),
     ):
         module.add_options(command(name, module.run, module.ABOUT))

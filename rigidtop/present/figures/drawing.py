@@ -23,16 +23,13 @@ DOTS = 300
 
 @dataclass(frozen=True)
 class Film:
-    """A figure that moves: `show` draws one of the `frames`, which are played in `seconds`.
+    """A figure that moves: `show` draws what it is at a share of its time, from 0 to 1.
 
-    It is played again and again, so the frame after the last is like the first where the motion
-    has a period.
+    It is played again and again: where the motion has a period, 1 is like 0.
     """
 
     canvas: Canvas
-    frames: int
-    seconds: float
-    show: Callable[[int], None]
+    show: Callable[[float], None]
 
 
 @dataclass(frozen=True)

@@ -45,7 +45,7 @@ def draw_path(axes: Axes, e3: ArrayLike, title: str = "") -> None:
     polar = np.arccos(np.clip(path[:, 2], -1, 1))
     for theta in (polar.min(), polar.max()):
         on_sphere(axes, view, circle(UPRIGHT, float(theta)), color=GREY, lw=0.7)
-    on_sphere(axes, view, path, color=FIRST, lw=1.3, gid="path")
+    on_sphere(axes, view, path, color=FIRST, lw=1.3, label="_path")
     arrow(axes, view, 1.45 * UPRIGHT, Z, start=UPRIGHT, lw=0.9, shift=(7, -3))
     paper(axes, (-1.04, 1.04), (-1.04, 1.34))
     if title:

@@ -56,7 +56,7 @@ def draw_effective_potential(axes: Axes, motion: TopMotion) -> None:
     low = int(np.argmin(potential))
     depth = max(energy - float(potential[low]), 1e-3 * top.M * top.g * top.R)
     bottom = float(potential[low]) - 1.0 * depth
-    axes.plot(np.degrees(angles), potential, color=FIRST, gid="potential")
+    axes.plot(np.degrees(angles), potential, color=FIRST, label="_potential")
     inside = np.clip(np.linspace(turns[0], turns[1], 300), *shown)
     axes.fill_between(
         np.degrees(inside),
@@ -67,7 +67,7 @@ def draw_effective_potential(axes: Axes, motion: TopMotion) -> None:
         lw=0,
     )
     at = np.degrees(turns)
-    axes.plot(at, [energy, energy], "-o", color=INK, lw=1.0, ms=3.5, gid="energy")
+    axes.plot(at, [energy, energy], "-o", color=INK, lw=1.0, ms=3.5, label="_energy")
     same = float(turns[1] - turns[0]) < 1e-6
     names = (r"$\theta_1=\theta_2$",) if same else (r"$\theta_1$", r"$\theta_2$")
     for turn, name in zip(at, names, strict=False):

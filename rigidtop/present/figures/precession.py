@@ -50,10 +50,10 @@ def draw_precession_rates(axes: Axes, top: HeavyTop, theta: float, omega3: float
     if leaning:
         fast = top.lambda3 * spins / (top.lambda1 * cosine)
         axes.plot(spins, fast, color=GREY, lw=1.0, ls=DASHED)
-        axes.plot(spins, rates[:, 1], color=SECOND, gid="fast")
+        axes.plot(spins, rates[:, 1], color=SECOND, label="_fast")
         axes.plot(omega3, marked[1], "o", color=SECOND, ms=4)
         name_at(axes, last, rates[-1, 1], r"$\Omega_+$", (3, 0), va="center", color=SECOND)
-    axes.plot(spins, rates[:, 0], color=FIRST, gid="slow")
+    axes.plot(spins, rates[:, 0], color=FIRST, label="_slow")
     axes.plot(omega3, marked[0], "o", color=FIRST, ms=4)
     name_at(axes, last, rates[-1, 0], r"$\Omega_-$", (3, 0), va="center", color=FIRST)
     top_edge = max(rates[-1, 1] if leaning else 0.0, 0.0) or 4 * float(marked[0])

@@ -1,0 +1,155 @@
+"""``rigidtop figure``: a figure as a file, still or moving, with numbers of one's own."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rigidtop.errors import RigidtopError
+from rigidtop.parameters import settings
+
+if TYPE_CHECKING:
+    from rigidtop.present.figures.drawing import Drawing
+
+ABOUT = "draw a figure as SVG, PDF or PNG, or let it move as GIF or MP4"
+
+STILL, MOVING = ("svg", "pdf", "png"), ("gif", "mp4")
+MOST_FRAMES = 2000
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What can be asked."""
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.epilog = (
+        "Without NAME it lists the figures and what can be set in each.  Angles are radians, or\n"
+        "degrees with the suffix deg; rates rad/s, or turns a minute with the suffix rpm.\n\n"
+        "examples:\n"
+        "  rigidtop figure\n"
+        "  rigidtop figure torque -o torque.pdf\n"
+        "  rigidtop figure paths --set theta=30deg --set omega3=400rpm -o paths.svg\n"
+        "  rigidtop figure rolling-cones -o cones.gif"
+    )
+    parser.add_argument("name", nargs="?", metavar="NAME", help="the figure")
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="FILE",
+        help="its suffix says what it becomes: svg, pdf, png; gif, mp4 (default: NAME.svg)",
+    )
+    parser.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="NAME=NUMBER",
+        help="a parameter of the figure; may be repeated",
+    )
+    parser.add_argument(
+        "--frames", type=_frames, metavar="N", help="of a gif or mp4, 20 a second (default: 80)"
+    )
+
+
+def run(options: argparse.Namespace) -> int:
+    """List the figures, or write one."""
+    from rigidtop.present.figures.catalog import FIGURES, named
+
+    if options.name is None:
+        if options.output is not None or options.set or options.frames:
+            raise RigidtopError("which figure?  `rigidtop figure` lists them")
+        _print_list(FIGURES, options.json)
+        return 0
+    drawing = named(options.name)
+    values = settings(drawing.parameters, options.set)
+    path = Path(f"{drawing.name}.svg" if options.output is None else options.output)
+    kind = path.suffix.removeprefix(".").lower()
+    _check(options, drawing, path, kind)
+    record: dict[str, Any] = {
+        "file": str(path),
+        "name": drawing.name,
+        "parameters": values,
+        "caption": drawing.caption(**values),
+        "alternative": drawing.alternative(**values),
+    }
+    if kind in MOVING:
+        from rigidtop.present.figures.animation import FRAMES
+
+        record["frames"] = options.frames or FRAMES
+    _write(drawing, path, kind, values, record.get("frames", 0))
+    if options.json:
+        print(json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False))
+    else:
+        print(f"{record['file']}\n{record['caption']}")
+    return 0
+
+
+def _check(options: argparse.Namespace, drawing: Drawing, path: Path, kind: str) -> None:
+    """Refuse what can't be written before anything is drawn."""
+    from rigidtop.present.figures.catalog import FIGURES
+    from rigidtop.present.files import check_folder
+
+    if kind not in STILL + MOVING:
+        found = f"not .{kind}" if kind else f"and {str(path)!r} has none"
+        raise RigidtopError(
+            f"--output wants a file with the suffix .svg, .pdf, .png, .gif or .mp4, {found}"
+        )
+    if kind in MOVING and drawing.animate is None:
+        those = ", ".join(each.name for each in FIGURES if each.animate is not None)
+        raise RigidtopError(
+            f"{drawing.name} does not move: write it as .svg, .pdf or .png (what moves: {those})"
+        )
+    if kind in STILL and options.frames:
+        raise RigidtopError(f"--frames goes with a .gif or .mp4, not with a .{kind}")
+    check_folder(path.parent)
+
+
+def _write(drawing: Drawing, path: Path, kind: str, values: dict[str, float], frames: int) -> None:
+    from rigidtop.present.files import write_whole
+    from rigidtop.progress import bar
+
+    if kind in STILL:
+        from rigidtop.present.figures.drawing import rendered
+
+        content = rendered(drawing, kind, values)
+    else:
+        from rigidtop.present.figures.animation import animated
+
+        content = animated(drawing, kind, values, frames=frames, progress=bar("drawing"))
+    write_whole(path, content)
+
+
+def _print_list(figures: tuple[Drawing, ...], as_json: bool) -> None:
+    from rigidtop.present.table import table
+
+    if as_json:
+        print(json.dumps([_record(each) for each in figures], ensure_ascii=False, indent=1))
+        return
+    rows = [
+        [
+            each.name,
+            each.title + (" (moves)" if each.animate else ""),
+            " ".join(p.name for p in each.parameters),
+        ]
+        for each in figures
+    ]
+    print(table(rows, ("figure", "what it shows", "what can be set")))
+
+
+def _record(drawing: Drawing) -> dict[str, Any]:
+    """A figure as plain values."""
+    return {
+        "name": drawing.name,
+        "title": drawing.title,
+        "section": drawing.section,
+        "kinds": [*STILL, *(MOVING if drawing.animate else ())],
+        "parameters": [
+            {"name": p.name, "default": p.default, "unit": p.unit, "about": p.about}
+            for p in drawing.parameters
+        ],
+    }
+
+
+def _frames(text: str) -> int:
+    if not text.isdecimal() or len(text) > 6 or not 2 <= int(text) <= MOST_FRAMES:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 2 to {MOST_FRAMES}")
+    return int(text)

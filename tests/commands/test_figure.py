@@ -1,0 +1,95 @@
+"""`rigidtop figure` on parsed options: what it writes, and what it refuses."""
+
+import argparse
+import json
+import re
+
+import pytest
+
+from rigidtop.commands import figure
+from rigidtop.errors import RigidtopError
+from rigidtop.present.figures.catalog import FIGURES
+from rigidtop.present.figures.drawing import KINDS, rendered
+
+
+def run(*arguments):
+    parser = argparse.ArgumentParser(exit_on_error=False)
+    parser.add_argument("--json", action="store_true")
+    figure.add_options(parser)
+    return figure.run(parser.parse_args(arguments))
+
+
+@pytest.fixture(autouse=True)
+def in_an_empty_folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+
+
+def test_list_names_every_figure(capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "120")
+    assert run() == 0
+    shown = capsys.readouterr().out
+    for drawing in FIGURES:
+        assert re.search(rf"^{drawing.name} ", shown, re.MULTILINE)
+
+
+def test_list_as_json(capsys):
+    assert run("--json") == 0
+    records = json.loads(capsys.readouterr().out)
+    assert [record["name"] for record in records] == [drawing.name for drawing in FIGURES]
+    assert {kind for record in records for kind in record["kinds"]} <= {*KINDS, "gif", "mp4"}
+    [paths] = [record for record in records if record["name"] == "paths"]
+    assert {"name": "omega3", "default": 40.0, "unit": "rad/s", "about": "ω₃"} in paths[
+        "parameters"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("suffix", "opening"),
+    [("svg", b"<?xml"), ("pdf", b"%PDF-"), ("png", b"\x89PNG"), ("PNG", b"\x89PNG")],
+)
+def test_kind_by_suffix(suffix, opening, tmp_path, capsys):
+    assert run("effective-potential", "-o", f"new/figure.{suffix}") == 0
+    path = tmp_path / "new" / f"figure.{suffix}"
+    assert path.read_bytes().startswith(opening)
+    assert capsys.readouterr().out.startswith(f"new/figure.{suffix}\nThe effective potential")
+    assert [p.name for p in path.parent.iterdir()] == [path.name]  # nothing half-written is left
+
+
+def test_svg_by_default_and_settings(tmp_path, capsys):
+    assert run("paths", "--set", "theta=30deg", "--set", "omega3 = 600rpm", "--json") == 0
+    record = json.loads(capsys.readouterr().out)
+    assert record["file"] == "paths.svg"
+    assert record["parameters"]["theta"] == pytest.approx(0.5235987755982988)
+    assert record["parameters"]["omega3"] == pytest.approx(62.83185307179586)
+    assert "θ = 30° and ω₃ = 62.8 rad/s" in record["caption"]
+    [drawing] = [drawing for drawing in FIGURES if drawing.name == "paths"]
+    assert (tmp_path / "paths.svg").read_bytes() == rendered(drawing, "svg", record["parameters"])
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("cone",), "no figure 'cone'; did you mean cones"),
+        (("cones", "-o", "x.jpg"), "--output wants a file with the suffix .svg, .pdf, .png, .gif"),
+        (("cones", "-o", "x"), "and 'x' has none"),
+        (("cones", "-o", "x.gif"), "cones does not move: write it as .svg, .pdf or .png"),
+        (("cones", "--frames", "5"), "--frames goes with a .gif or .mp4, not with a .svg"),
+        (("cones", "--set", "theta=1"), "no parameter 'theta'; there are lambda1, lambda3,"),
+        (("cones", "--set", "lambda1"), "'lambda1' is not of the form name=value"),
+        (("cones", "--set", "lambda1=-1"), "lambda1 must be more than 0 kg m², not -1"),
+        (("cones", "--set", "lambda3=9"), "lambda3 = 9 exceeds the sum of the other two moments"),
+        (("precession-rates", "--set", "omega3=1"), "|omega3| must be at least"),
+        (("-o", "x.svg"), "which figure?"),
+    ],
+)
+def test_refusals_are_one_line(arguments, message, tmp_path):
+    with pytest.raises(RigidtopError, match=re.escape(message)) as refusal:
+        run(*arguments)
+    assert "\n" not in str(refusal.value)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_frames_are_a_whole_number():
+    for text in ("1", "x", "1e3", "99999"):
+        with pytest.raises(argparse.ArgumentError, match="not a whole number from 2"):
+            run("cones", "--frames", text)
