@@ -15,10 +15,11 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from rigidtop.commands import bench, certify, figure, simulate, sweep
+from rigidtop.commands import bench, certify, exercise, figure, simulate, sweep
 from rigidtop.errors import RigidtopError
 
 if TYPE_CHECKING:
+    from rigidtop.present.solutions import Solution
     from rigidtop.proof.page import Claim, Page
     from rigidtop.proof.verdict import Judgement
 
@@ -97,15 +98,21 @@ def _parser() -> Parser:
         "evaluates its right-hand sides",
     )
 
-    lecture = command("lecture", _lecture, "write the lecture as LaTeX and HTML, with figures")
+    lecture = command(
+        "lecture", _lecture, "write the lecture as LaTeX and HTML, with figures and exercises"
+    )
     lecture.add_argument(
         "-o", "--output", default="out", metavar="DIR", help="the folder (default: out)"
     )
     lecture.add_argument(
         "--pdf", action="store_true", help="also a PDF, by latexmk or by the extra 'pdf'"
     )
+    lecture.add_argument(
+        "--student", action="store_true", help="leave the solutions of the exercises out"
+    )
 
     for name, module in (
+        ("exercise", exercise),
         ("simulate", simulate),
         ("certify", certify),
         ("sweep", sweep),
@@ -142,6 +149,9 @@ def _named(names: Sequence[str]) -> list[tuple[Page, Claim]]:
     """The claims of these names, in reading order; (3.57) is 3.57."""
     claims = _claims()
     known = [claim.name for _, claim in claims]
+    if not set(names) <= {*known, *(page.section for page, _ in claims)}:
+        claims += _of_exercises(claims)
+        known = [claim.name for _, claim in claims]
     for page, claim in claims:
         if page.section in names:  # a section stands for its claims
             names = [*names, claim.name]
@@ -154,6 +164,20 @@ def _named(names: Sequence[str]) -> list[tuple[Page, Claim]]:
         hint = f"did you mean {' or '.join(near)}?" if near else "`rigidtop list` names them all"
         raise RigidtopError(f"no equation or claim {name!r}; {hint}")
     return [(page, claim) for page, claim in claims if claim.name in wanted]
+
+
+def _of_exercises(claims: Sequence[tuple[Page, Claim]]) -> list[tuple[Page, Claim]]:
+    """The claims that only exercises make, each with the page of its section."""
+    from rigidtop.derivations.exercises import EXERCISES
+
+    pages = {page.section: page for page, _ in claims}
+    made = {claim.name for _, claim in claims}
+    return [
+        (pages[exercise.section], claim)
+        for exercise in EXERCISES
+        for claim in exercise.claims
+        if claim.name not in made
+    ]
 
 
 def _judged(claims: Sequence[tuple[Page, Claim]]) -> Iterator[tuple[Page, Judgement]]:
@@ -310,18 +334,40 @@ def _lecture(options: argparse.Namespace) -> int:
             judged.append((page, []))
         judged[-1][1].append(judgement)
     judgements = [judgement for _, section in judged for judgement in section]
+    solutions = _solutions(judgements)
     with Progress("writing", 1) as progress:
         progress.start -= 1
         progress.show("lecture.tex, lecture.html" + (", lecture.pdf" if options.pdf else ""))
-        files = write_lecture(judged, options.output, pdf=options.pdf)
-    passed = all(judgement.passed for judgement in judgements)
+        files = write_lecture(
+            judged, solutions, options.output, pdf=options.pdf, student=options.student
+        )
+    unsolved = [solution.exercise.name for solution in solutions if not solution.passed]
+    passed = all(judgement.passed for judgement in judgements) and not unsolved
     if options.json:
         _print_json({"files": [str(file) for file in files], "passed": passed})
     else:
         for file in files:
             print(file)
         print(_summary(judgements))
+        confirmed = (
+            f"NOT CONFIRMED: {', '.join(unsolved)}" if unsolved else "every number confirmed"
+        )
+        print(f"{len(solutions)} exercises solved; {confirmed}")
     return 0 if passed else FAILED
+
+
+def _solutions(judgements: Sequence[Judgement]) -> list[Solution]:
+    """Every exercise, solved; claims that were judged already are not judged again."""
+    from rigidtop.derivations.exercises import EXERCISES
+    from rigidtop.present.solutions import solved
+
+    known = {judgement.claim.name: judgement for judgement in judgements}
+    solutions = []
+    with Progress("solving", len(EXERCISES)) as progress:
+        for each in EXERCISES:
+            progress.show(each.name)
+            solutions.append(solved(each, judged=known))
+    return solutions
 
 
 def _print_json(value: Any) -> int:

@@ -105,8 +105,8 @@ def fall(top: HeavyTop, start: float, end: float) -> tuple[float, float]:
     asks="example 34",
     statement="A top leans at the angle θ and is let go without any rotation, so that L = 0. How "
     "does L evolve, and what motion is this? How long does the top take to fall to the angle "
-    "“until”, and how fast does it fall then? Compare with the time that the formula e^{κt} for "
-    "small angles would give.",
+    "“until”, and how fast does it fall then? Compare with the "
+    "time that exponential growth, which holds for small angles, would give.",
     claims=(toppling, time_to_fall),
     parameters=(
         Parameter("theta", pi / 18, "θ at the start", "rad", above=0, most=pi),

@@ -16,16 +16,20 @@ from rigidtop.present.report import (
     ClaimHead,
     Condition,
     Conditions,
+    DataTable,
     Display,
     Document,
+    ExerciseHead,
     Figure,
     FoundList,
     Heading,
     Measures,
     Numbers,
     Paragraph,
+    Quantities,
     Rich,
     Row,
+    Subhead,
     Summary,
     Symbols,
     groups,
@@ -91,6 +95,10 @@ p { margin: 0.55rem 0; }
 .claim { border-top: 1px solid var(--rule); margin-top: 2.2rem; padding-top: 0.8rem; }
 .head { display: flex; justify-content: space-between; align-items: baseline; gap: 1rem; }
 .head h4 { font-size: 1.04rem; font-weight: 600; margin: 0; }
+.exercise { border-top: 3px solid var(--rule); margin-top: 2.6rem; padding-top: 0.8rem; }
+.asks { color: var(--muted); font-size: 0.93rem; }
+h5 { font-size: 1rem; font-weight: 600; margin: 1.6rem 0 0.3rem; }
+.unseen { position: absolute; left: -99rem; }
 .says { font-style: italic; margin: 0.25rem 0 0.7rem; }
 .m { font-family: var(--maths); white-space: nowrap; }
 sub, sup { font-size: 0.72em; line-height: 0; }
@@ -200,11 +208,12 @@ def _sections(document: Document, figures: Mapping[str, str]) -> list[str]:
     made: list[str] = []
     inside = False
     for block in document.blocks:
-        if inside and isinstance(block, (ClaimHead, Heading, Figure)):
+        if inside and isinstance(block, (ClaimHead, ExerciseHead, Heading, Figure, Subhead)):
             made.append("</section>")
             inside = False
-        if isinstance(block, ClaimHead):
-            made.append(f'<section class="claim" id="{block.anchor}">')
+        if isinstance(block, (ClaimHead, ExerciseHead)):
+            kind = "claim" if isinstance(block, ClaimHead) else "exercise"
+            made.append(f'<section class="{kind}" id="{block.anchor}">')
             inside = True
         made.append(_figure(block, figures) if isinstance(block, Figure) else html_block(block))
     return [*made, "</section>"] if inside else made
@@ -386,3 +395,52 @@ def _(block: Symbols) -> str:
         '<th scope="col">meaning</th><th scope="col">unit</th></tr></thead>\n'
         f"<tbody>\n{rows}\n</tbody>\n</table></div>"
     )
+
+
+@html_block.register
+def _(block: ExerciseHead) -> str:
+    return (
+        f'<div class="head"><h4>Exercise: {prose_html(block.title)}</h4>'
+        f'<span class="asks">{prose_html(block.asks)}</span></div>'
+    )
+
+
+@html_block.register
+def _(block: Subhead) -> str:
+    return f"<h5>{prose_html(block.words)}</h5>"
+
+
+@html_block.register
+def _(block: Quantities) -> str:
+    rows = "\n".join(
+        f'<tr><th scope="row">{prose_html(what)}</th><td class="num">{_cell(value)}</td>'
+        f"<td>{'' if unit == '1' else escape(unit)}</td></tr>"
+        for what, value, unit in block.rows
+    )
+    return (
+        f'<p class="label">{prose_html(block.label)}</p>\n<div class="scroll"><table>\n'
+        '<thead class="unseen"><tr><th scope="col">what</th><th scope="col">value</th>'
+        f'<th scope="col">unit</th></tr></thead>\n<tbody>\n{rows}\n</tbody>\n</table></div>'
+    )
+
+
+@html_block.register
+def _(block: DataTable) -> str:
+    first, *others = map(prose_html, block.columns)
+    head = f'<th scope="col">{first}</th>' + "".join(
+        f'<th scope="col" class="num">{words}</th>' for words in others
+    )
+    rows = "\n".join(
+        f'<tr><th scope="row">{_cell(row[0])}</th>'
+        + "".join(f'<td class="num">{_cell(value)}</td>' for value in row[1:])
+        + "</tr>"
+        for row in block.rows
+    )
+    return (
+        f'<p class="label">{prose_html(block.title)}</p>\n<div class="scroll"><table>\n'
+        f"<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}\n</tbody>\n</table></div>"
+    )
+
+
+def _cell(value: str | lay.Node) -> str:
+    return prose_html(value) if isinstance(value, str) else mathml.mathml(value)

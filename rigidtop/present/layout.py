@@ -712,7 +712,8 @@ def _function(tree: Any, order: Order) -> Node:
         return Apply(Letter(glyph(tree.func.__name__)), arguments, brackets=True)
     name = type(tree).__name__
     bare = len(arguments) == 1 and isinstance(arguments[0], (Letter, Number))
-    return Apply(_NAMES.get(name, name), arguments, brackets=not bare)
+    elliptic = name.startswith("elliptic")  # sin θ, but K(m)
+    return Apply(_NAMES.get(name, name), arguments, brackets=elliptic or not bare)
 
 
 # --- Products as typed ---------------------------------------------------------------------------

@@ -1,17 +1,28 @@
-"""The lecture as files, and one claim of it as a fragment to paste."""
+"""The lecture and sheets of exercises as files, and one claim as a fragment to paste."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from rigidtop.errors import RigidtopError
 from rigidtop.present import html, plain, tex, typst
-from rigidtop.present.figures.catalog import FIGURES
+from rigidtop.present.figures.catalog import FIGURES, named
 from rigidtop.present.figures.drawing import Drawing, rendered
 from rigidtop.present.files import write_all
 from rigidtop.present.pdf import make_pdf
-from rigidtop.present.report import Figure, Judged, claim_blocks, document
+from rigidtop.present.report import (
+    SOURCE,
+    Block,
+    Document,
+    Figure,
+    Judged,
+    claim_blocks,
+    document,
+    symbol_list,
+)
+from rigidtop.present.solutions import Solution, blocks, question
 from rigidtop.proof.verdict import Judgement
 
 FORMATS = ("text", "latex", "html", "typst")
@@ -19,44 +30,123 @@ FORMATS = ("text", "latex", "html", "typst")
 
 def fragment(judgement: Judgement, format: str) -> str:
     """A claim as "text", "latex", "html" or "typst", with its derivation and its verdict."""
-    blocks = claim_blocks(judgement, marks=format == "text")
+    made = claim_blocks(judgement, marks=format == "text")
     if format == "text":
-        return plain.fragment(blocks)
+        return plain.fragment(made)
     if format == "latex":
-        return tex.fragment(blocks)
+        return tex.fragment(made)
     if format == "html":
-        return html.fragment(blocks)
+        return html.fragment(made)
     if format == "typst":
-        return typst.fragment(blocks)
+        return typst.fragment(made)
     raise RigidtopError(f"unknown format {format!r}: choose from {', '.join(FORMATS)}")
 
 
-def described(drawing: Drawing, given: Mapping[str, float] | None = None) -> Figure:
-    """A figure as the lecture's blocks know it, with parameters as `given` or by default."""
-    values = drawing.values(given)
-    return Figure(drawing.name, drawing.caption(**values), drawing.alternative(**values))
+@dataclass(frozen=True)
+class Picture:
+    """A figure of the catalogue in a document: under a name of its own, with these parameters."""
+
+    name: str
+    drawing: Drawing
+    given: Mapping[str, float]
+
+    def described(self) -> Figure:
+        """As the blocks of a document know it."""
+        values = self.drawing.values(self.given)
+        return Figure(self.name, self.drawing.caption(**values), self.drawing.alternative(**values))
 
 
-def write_lecture(judged: Judged, out: Path | str, *, pdf: bool = False) -> list[Path]:
+def picture(solution: Solution) -> Picture | None:
+    """The figure of an exercise, with those of its settings that the figure has too."""
+    if not solution.exercise.figure:
+        return None
+    drawing = named(solution.exercise.figure)
+    known = {parameter.name for parameter in drawing.parameters}
+    given = {name: value for name, value in solution.settings.items() if name in known}
+    return Picture(f"exercise-{solution.exercise.name}", drawing, given)
+
+
+def write_lecture(
+    judged: Judged,
+    solutions: Sequence[Solution],
+    out: Path | str,
+    *,
+    pdf: bool = False,
+    student: bool = False,
+) -> list[Path]:
     """Write lecture.tex, lecture.html and figures/ into `out`, with `pdf` also lecture.pdf.
 
-    Everything is made before anything is written, and each file is replaced only by a whole one.
-    Raises RigidtopError, with one line, where the PDF cannot be made or the folder not written.
+    The exercises are without solutions for a `student`.  Everything is made before anything is
+    written, and each file is replaced only by a whole one.  Raises RigidtopError, with one line,
+    where the PDF cannot be made or the folder not written.
     """
-    folder = Path(out)
+    return _write("lecture", *lecture(judged, solutions, student=student), out, pdf)
+
+
+Illustrated = tuple[Document, Sequence[Picture]]
+"""A document and its figures."""
+
+
+def lecture(
+    judged: Judged, solutions: Sequence[Solution] = (), *, student: bool = False
+) -> Illustrated:
+    """The lecture: figures and exercises close the sections that they belong to."""
     sections = {page.section for page, _ in judged}
-    wanted = [drawing for drawing in FIGURES if drawing.section in sections]
-    lecture = document(judged, [(drawing.section, described(drawing)) for drawing in wanted])
-    names = [drawing.name for drawing in wanted]
-    svg = {drawing.name: rendered(drawing, "svg") for drawing in wanted}
-    drawn = {f"figures/{drawing.name}.pdf": rendered(drawing, "pdf") for drawing in wanted}
+    pictures = [Picture(each.name, each, {}) for each in FIGURES if each.section in sections]
+    closing: list[tuple[str, Block]] = [
+        (picture.drawing.section, picture.described()) for picture in pictures
+    ]
+    elsewhere = {judgement.claim.name for _, judgements in judged for judgement in judgements}
+    for solution in solutions:
+        own = None if student else picture(solution)
+        made = _exercise(solution, own, student, elsewhere)
+        closing += [(solution.exercise.section, block) for block in made]
+        pictures += [own] if own else []
+    return document(judged, closing), pictures
+
+
+def write_sheet(
+    solutions: Sequence[Solution], out: Path | str, *, pdf: bool = False, student: bool = False
+) -> list[Path]:
+    """Write exercises.tex, exercises.html and figures/ into `out`: see `write_lecture`."""
+    return _write("exercises", *sheet(solutions, student=student), out, pdf)
+
+
+def sheet(solutions: Sequence[Solution], *, student: bool = False) -> Illustrated:
+    """Exercises one after the other, for a `student` without solutions."""
+    pictures: list[Picture] = []
+    made: list[Block] = []
+    for solution in solutions:
+        own = None if student else picture(solution)
+        made += _exercise(solution, own, student, ())
+        pictures += [own] if own else []
+    subtitle = "Questions" if student else "Questions and solutions"
+    title = "Rigid rotation and the spinning top: exercises"
+    return Document(title, subtitle, (*made, *symbol_list(made)), SOURCE), pictures
+
+
+def _exercise(
+    solution: Solution, own: Picture | None, student: bool, elsewhere: Iterable[str]
+) -> list[Block]:
+    if student:
+        return question(solution.exercise, solution.settings)
+    return blocks(solution, own.described() if own else None, elsewhere=set(elsewhere))
+
+
+def _write(
+    stem: str, whole: Document, pictures: Sequence[Picture], out: Path | str, pdf: bool
+) -> list[Path]:
+    svg = {each.name: rendered(each.drawing, "svg", each.given) for each in pictures}
+    drawn = {
+        f"figures/{each.name}.pdf": rendered(each.drawing, "pdf", each.given) for each in pictures
+    }
     vectors = {f"figures/{name}.svg": content for name, content in svg.items()}
-    source = tex.write(lecture, {name: f"figures/{name}.pdf" for name in names})
-    page = html.write(lecture, {name: content.decode() for name, content in svg.items()})
-    contents = {**drawn, **vectors, "lecture.tex": source.encode(), "lecture.html": page.encode()}
+    source = tex.write(whole, {name: f"figures/{name}.pdf" for name in svg})
+    page = html.write(whole, {name: content.decode() for name, content in svg.items()})
+    contents = {**drawn, **vectors, f"{stem}.tex": source.encode(), f"{stem}.html": page.encode()}
     if pdf:
-        paths = {name: f"figures/{name}.svg" for name in names}
-        contents["lecture.pdf"] = make_pdf(
-            lambda: source, lambda: typst.write(lecture, paths), {**drawn, **vectors}
+        paths = {name: f"figures/{name}.svg" for name in svg}
+        contents[f"{stem}.pdf"] = make_pdf(
+            lambda: source, lambda: typst.write(whole, paths), {**drawn, **vectors}
         )
-    return write_all(folder, contents)
+    return write_all(Path(out), contents)

@@ -7,23 +7,30 @@ from collections.abc import Sequence
 from functools import singledispatch
 from typing import Any
 
+from rigidtop.present.layout import Node
 from rigidtop.present.report import (
     ClaimHead,
     Condition,
     Conditions,
+    DataTable,
     Display,
+    ExerciseHead,
     Measures,
     Numbers,
     Paragraph,
+    Quantities,
     Rich,
     Row,
+    Subhead,
 )
+from rigidtop.present.table import table
 from rigidtop.present.text import text
 
 
 def fragment(blocks: Sequence[Any], width: int = 88) -> str:
-    """The blocks of one claim, wrapped to `width` columns; equations are never wrapped."""
-    return "\n".join(line for block in blocks for line in _lines(block, width)) + "\n"
+    """The blocks of a claim or an exercise in `width` columns; equations are never wrapped."""
+    made = "\n".join(line for block in blocks for line in _lines(block, width))
+    return made.lstrip("\n") + "\n"
 
 
 def rich(content: Rich) -> str:
@@ -44,7 +51,7 @@ def _lines(block: Any, width: int) -> list[str]:
 
 @_lines.register
 def _(block: ClaimHead, width: int) -> list[str]:
-    return [f"{block.shown}  [{block.verdict}]", *_wrapped(block.says, width)]
+    return ["", f"{block.shown}  [{block.verdict}]", *_wrapped(block.says, width)]
 
 
 @_lines.register
@@ -98,3 +105,37 @@ def _(block: Measures, width: int) -> list[str]:
         f"  {row.what}: error {row.error:.1e}, tolerance {row.tolerance:.1e}" for row in block.rows
     ]
     return ["", "Measured:", *rows]
+
+
+@_lines.register
+def _(block: ExerciseHead, width: int) -> list[str]:
+    return _wrapped(f"{block.title}  ({block.asks})", width)
+
+
+@_lines.register
+def _(block: Subhead, width: int) -> list[str]:
+    return ["", f"── {block.words} ".ljust(width, "─")]
+
+
+@_lines.register
+def _(block: Quantities, width: int) -> list[str]:
+    rows = [(cell(value), "" if unit == "1" else unit, what) for what, value, unit in block.rows]
+    return ["", f"{block.label}:", *_indented(table(rows, right=(0,), width=width - 2))]
+
+
+@_lines.register
+def _(block: DataTable, width: int) -> list[str]:
+    # The last column of a table is text: here one without any.
+    rows = [(*map(cell, row), "") for row in block.rows]
+    right = range(1, len(block.columns))
+    made = table(rows, (*block.columns, ""), right=right, width=width - 2)
+    return ["", *_wrapped(f"{block.title}:", width), *_indented(made)]
+
+
+def cell(value: str | Node) -> str:
+    """A cell of a table."""
+    return value if isinstance(value, str) else text(value)
+
+
+def _indented(lines: str) -> list[str]:
+    return [f"  {line}" for line in lines.splitlines()]

@@ -21,15 +21,17 @@ def record(judgement: Judgement) -> dict[str, Any]:
         "note": note(judgement),
         "seconds": round(judgement.seconds, 4),
         "passed": judgement.passed,
-        "measures": [
-            {
-                "what": measure.what,
-                "error": float(measure.error),
-                "tolerance": float(measure.tolerance),
-                "passed": measure.passed,
-            }
-            for measure in measures([judgement])
-        ],
+        "measures": [measure_record(measure) for measure in measures([judgement])],
+    }
+
+
+def measure_record(measure: Measure) -> dict[str, Any]:
+    """A measure as plain values."""
+    return {
+        "what": measure.what,
+        "error": float(measure.error),
+        "tolerance": float(measure.tolerance),
+        "passed": measure.passed,
     }
 
 

@@ -197,6 +197,39 @@ class Figure:
 
 
 @dataclass(frozen=True)
+class ExerciseHead:
+    """The title of an exercise, and where the notes ask for it."""
+
+    title: str
+    anchor: str
+    asks: str
+
+
+@dataclass(frozen=True)
+class Subhead:
+    """The name of a part of an exercise."""
+
+    words: str
+
+
+@dataclass(frozen=True)
+class Quantities:
+    """What was given or found: words, value, unit."""
+
+    label: str
+    rows: tuple[tuple[str, str | Node, str], ...]
+
+
+@dataclass(frozen=True)
+class DataTable:
+    """Many numbers, under their columns."""
+
+    title: str
+    columns: tuple[str, ...]
+    rows: tuple[tuple[str | Node, ...], ...]
+
+
+@dataclass(frozen=True)
 class Symbols:
     """The list of symbols: glyph, meaning, unit."""
 
@@ -214,6 +247,10 @@ Block = (
     | Summary
     | FoundList
     | Figure
+    | ExerciseHead
+    | Subhead
+    | Quantities
+    | DataTable
     | Symbols
 )
 
@@ -231,11 +268,11 @@ class Document:
 # --- Building ------------------------------------------------------------------------------------
 
 
-def document(judged: Judged, figures: Iterable[tuple[str, Figure]] = ()) -> Document:
-    """The lecture.  `figures` come with the number of the section that they close."""
-    after: dict[str, list[Figure]] = {}
-    for section, figure in figures:
-        after.setdefault(section, []).append(figure)
+def document(judged: Judged, closing: Iterable[tuple[str, Block]] = ()) -> Document:
+    """The lecture.  The blocks `closing` a section come with its number: figures, exercises."""
+    after: dict[str, list[Block]] = {}
+    for section, block in closing:
+        after.setdefault(section, []).append(block)
     blocks: list[Block] = [*_front(judged)]
     for page, judgements in judged:
         blocks.append(_heading(page))
@@ -243,11 +280,7 @@ def document(judged: Judged, figures: Iterable[tuple[str, Figure]] = ()) -> Docu
         for judgement in judgements:
             blocks.extend(claim_blocks(judgement))
         blocks.extend(after.get(page.section, ()))
-    symbols = _used_symbols(blocks)
-    if symbols.rows:
-        blocks.append(Heading(1, "", "Symbols", "symbols"))
-        blocks.append(symbols)
-    return Document(TITLE, SUBTITLE, tuple(blocks), SOURCE)
+    return Document(TITLE, SUBTITLE, (*blocks, *symbol_list(blocks)), SOURCE)
 
 
 def groups(block: Display) -> list[list[Row]]:
@@ -531,7 +564,8 @@ def short_number(number: Any) -> Node:
     return layout(sympy.Float(number.evalf(12)))
 
 
-def _used_symbols(blocks: Sequence[Block]) -> Symbols:
+def symbol_list(blocks: Sequence[Block]) -> tuple[Block, ...]:
+    """The symbols of all displays under a heading; nothing where there are none."""
     names = {
         symbol.name
         for block in blocks
@@ -545,4 +579,4 @@ def _used_symbols(blocks: Sequence[Block]) -> Symbols:
         for symbol, quantity in VOCABULARY.items()
         if symbol.name in names and quantity.glyph.base != "const"
     )
-    return Symbols(rows)
+    return (Heading(1, "", "Symbols", "symbols"), Symbols(rows)) if rows else ()

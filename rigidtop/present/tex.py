@@ -15,16 +15,20 @@ from rigidtop.present.report import (
     ClaimHead,
     Condition,
     Conditions,
+    DataTable,
     Display,
     Document,
+    ExerciseHead,
     Figure,
     FoundList,
     Heading,
     Measures,
     Numbers,
     Paragraph,
+    Quantities,
     Rich,
     Row,
+    Subhead,
     Summary,
     Symbols,
 )
@@ -64,6 +68,12 @@ _PREAMBLE = r"""\documentclass[10pt,a4paper,fleqn]{article}
   {\color{muted}\hrule height 0.4pt}\nobreak\vskip 0.35\baselineskip\nobreak
   \noindent\phantomsection\label{#2}\textbf{#1}\hfill\verdict{#4}\nopagebreak\par\nobreak
   \textit{#3}\nopagebreak\par\nobreak}
+\newcommand{\exercise}[3]{\par\pagebreak[2]\vspace{1.3\baselineskip}%
+  {\color{muted}\hrule height 1.2pt}\nobreak\vskip 0.35\baselineskip\nobreak
+  \noindent\phantomsection\label{#2}\textbf{Exercise: #1}\hfill\textcolor{muted}{\small #3}%
+  \nopagebreak\par\nobreak}
+\newcommand{\subhead}[1]{\par\pagebreak[1]\vspace{0.6\baselineskip}%
+  \noindent\textbf{\small #1}\nopagebreak\par\nobreak}
 \makeatletter\@beginparpenalty=10000 \makeatother
 """
 
@@ -294,3 +304,50 @@ def _(block: Symbols) -> str:
             r"\bottomrule\end{longtable}}",
         ]
     )
+
+
+@tex_block.register
+def _(block: ExerciseHead) -> str:
+    return rf"\exercise{{{prose(block.title)}}}{{{block.anchor}}}{{{prose(block.asks)}}}"
+
+
+@tex_block.register
+def _(block: Subhead) -> str:
+    return rf"\subhead{{{prose(block.words)}}}"
+
+
+@tex_block.register
+def _(block: Quantities) -> str:
+    rows = "\n".join(
+        rf"{prose(what)} & {_cell(value)} & {_unit('' if unit == '1' else unit)} \\"
+        for what, value, unit in block.rows
+    )
+    return "\n".join(
+        [
+            rf"\lab{{{prose(block.label)}}}\par\nopagebreak{{\small\hspace*{{2em}}%",
+            r"\begin{tabular}{@{}p{0.62\linewidth}r@{\ }l@{}}",
+            r"\toprule",
+            rows,
+            r"\bottomrule\end{tabular}\par}",
+        ]
+    )
+
+
+@tex_block.register
+def _(block: DataTable) -> str:
+    head = " & ".join(prose(words) for words in block.columns)
+    right = len(block.columns) - 1
+    rows = "\n".join(" & ".join(map(_cell, row)) + r" \\" for row in block.rows)
+    return "\n".join(
+        [
+            rf"\lab{{{prose(block.title)}}}\par\nopagebreak{{\footnotesize",
+            rf"\begin{{longtable}}[l]{{@{{\hspace*{{2em}}}}l*{{{right}}}{{r}}@{{}}}}",
+            rf"\toprule {head} \\ \midrule \endhead",
+            rows,
+            r"\bottomrule\end{longtable}}",
+        ]
+    )
+
+
+def _cell(value: str | lay.Node) -> str:
+    return prose(value) if isinstance(value, str) else f"${latex(value)}$"

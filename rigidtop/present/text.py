@@ -19,7 +19,7 @@ from rigidtop.proof.equation import Equation
 from rigidtop.theory.symbols import Glyph
 
 _ACCENTS = {"": "", "dot": "\u0307", "ddot": "\u0308", "hat": "\u0302"}
-_SUBSCRIPTS = str.maketrans("0123456789−+", "₀₁₂₃₄₅₆₇₈₉₋₊")
+_SUBSCRIPTS = str.maketrans("0123456789−+i", "₀₁₂₃₄₅₆₇₈₉₋₊ᵢ")
 _SUPERSCRIPTS = str.maketrans("0123456789−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _VULGAR = {"1/2": "½", "1/3": "⅓", "2/3": "⅔", "1/4": "¼", "3/4": "¾", "1/8": "⅛"}
 _JOINTS = {"": "", "function": " ", "thin": " ", "dot": "·"}
@@ -38,7 +38,7 @@ def letter(glyph: Glyph) -> str:
     """A symbol: ω̇₁, e₁′, L_z."""
     shown = glyph.base[0] + _ACCENTS[glyph.accent] + glyph.base[1:]
     plain = glyph.sub.rstrip("′")
-    if plain and all(c in "0123456789−+" for c in plain):
+    if plain and all(c in "0123456789−+i" for c in plain):
         shown += glyph.sub.translate(_SUBSCRIPTS)
     elif glyph.sub:
         shown += "_" + glyph.sub

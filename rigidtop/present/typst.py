@@ -14,16 +14,20 @@ from rigidtop.present.report import (
     ClaimHead,
     Condition,
     Conditions,
+    DataTable,
     Display,
     Document,
+    ExerciseHead,
     Figure,
     FoundList,
     Heading,
     Measures,
     Numbers,
     Paragraph,
+    Quantities,
     Rich,
     Row,
+    Subhead,
     Summary,
     Symbols,
     groups,
@@ -58,6 +62,15 @@ _PREAMBLE = """#set document(title: "@TITLE@")
   })
   block(sticky: true, above: 0.6em, emph(says))
 }
+#let exercise(title, anchor, asks) = {
+  block(above: 1.9em, below: 0.7em, sticky: true, {
+    line(length: 100%, stroke: 1.2pt + muted)
+    v(-0.35em)
+    [#grid(columns: (1fr, auto), strong[Exercise: #title], text(fill: muted, size: 9.5pt, asks))
+      #label(anchor)]
+  })
+}
+#let subhead(words) = block(above: 1.2em, below: 0.7em, sticky: true, strong(text(9.5pt, words)))
 #let side(tag, state) = {
   if state != "" { verdict(state) }
   if tag != "" { h(0.6em) + "(" + tag + ")" }
@@ -214,10 +227,11 @@ def _(block: Numbers) -> str:
 def _table(columns: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     cells = "\n".join("  " + ", ".join(f"[{cell}]" for cell in row) + "," for row in rows)
     heads = ", ".join(f"text(fill: muted)[{words}]" for words in head)
+    header = f"table.header({heads}), table.hline(stroke: 0.4pt)," if head else ""
     return (
         "#block(text(size: 9.5pt)[#set par(justify: false)\n"
         f"#table(columns: {columns}, stroke: none, inset: (x: 5pt, y: 3.5pt),\n"
-        f"  table.hline(stroke: 0.8pt), table.header({heads}), table.hline(stroke: 0.4pt),\n"
+        f"  table.hline(stroke: 0.8pt), {header}\n"
         f"{cells}\n  table.hline(stroke: 0.8pt))])"
     )
 
@@ -262,3 +276,34 @@ def _(block: Symbols) -> str:
         for node, meaning, unit in block.rows
     ]
     return _table("(auto, 1fr, auto)", ("symbol", "meaning", "unit"), rows)
+
+
+@typst_block.register
+def _(block: ExerciseHead) -> str:
+    return f'#exercise([{prose(block.title)}], "{block.anchor}", [{prose(block.asks)}])'
+
+
+@typst_block.register
+def _(block: Subhead) -> str:
+    return f"#subhead[{prose(block.words)}]"
+
+
+@typst_block.register
+def _(block: Quantities) -> str:
+    rows = [
+        (prose(what), f"#align(right)[{_cell(value)}]", plain("" if unit == "1" else unit))
+        for what, value, unit in block.rows
+    ]
+    return _head(block.label) + "\n" + _table("(1fr, auto, auto)", (), rows)
+
+
+@typst_block.register
+def _(block: DataTable) -> str:
+    rows = [(_cell(row[0]), *(f"#align(right)[{_cell(x)}]" for x in row[1:])) for row in block.rows]
+    columns = ", ".join(["auto"] * len(block.columns))
+    head = [prose(words) for words in block.columns]
+    return _head(block.title) + "\n" + _table(f"({columns},)", head, rows)
+
+
+def _cell(value: str | lay.Node) -> str:
+    return prose(value) if isinstance(value, str) else f"${maths(latex(value))}$"

@@ -10,11 +10,20 @@ import pypdf
 import pytest
 
 from rigidtop.derivations import PAGES
+from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.present import html, pdf, tex, typst
 from rigidtop.present.figures.catalog import FIGURES
 from rigidtop.present.figures.drawing import rendered
-from rigidtop.present.lecture import FORMATS, described, fragment
-from rigidtop.present.report import document
+from rigidtop.present.lecture import FORMATS, fragment, lecture, sheet
+from rigidtop.present.report import (
+    ClaimHead,
+    DataTable,
+    ExerciseHead,
+    Measures,
+    Paragraph,
+    Quantities,
+)
+from rigidtop.present.solutions import solved
 from rigidtop.proof.verdict import judge_page
 
 
@@ -24,13 +33,24 @@ def judged():
 
 
 @pytest.fixture(scope="module")
-def lecture(judged):
-    return document(judged, [(each.section, described(each)) for each in FIGURES if each.section])
+def solutions(judged):
+    known = {j.claim.name: j for _, judgements in judged for j in judgements}
+    return [solved(exercise, judged=known) for exercise in EXERCISES]
 
 
 @pytest.fixture(scope="module")
-def drawn():
-    return {each.name: each for each in FIGURES if each.section}
+def whole(judged, solutions):
+    return lecture(judged, solutions)
+
+
+@pytest.fixture(scope="module")
+def document(whole):
+    return whole[0]
+
+
+@pytest.fixture(scope="module")
+def pictures(whole):
+    return whole[1]
 
 
 def test_every_figure_has_its_section():
@@ -44,10 +64,9 @@ def test_every_claim_has_every_fragment(judged):
                 assert fragment(judgement, kind).strip()
 
 
-def test_html_of_all_pages(lecture, drawn):
-    made = html.write(
-        lecture, {name: rendered(drawing, "svg").decode() for name, drawing in drawn.items()}
-    )
+def test_html_of_all_pages(document, pictures):
+    svg = {p.name: rendered(p.drawing, "svg", p.given).decode() for p in pictures}
+    made = html.write(document, svg)
     root = ElementTree.fromstring(made.removeprefix("<!DOCTYPE html>\n"))
     names = [e.get("id") for e in root.iter() if e.get("id")]
     assert len(set(names)) == len(names)
@@ -58,11 +77,11 @@ def test_html_of_all_pages(lecture, drawn):
 
 
 @pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
-def test_no_line_leaves_the_page(lecture, drawn, tmp_path):
+def test_no_line_leaves_the_page(document, pictures, tmp_path):
     (tmp_path / "figures").mkdir()
-    for name, drawing in drawn.items():
-        (tmp_path / "figures" / f"{name}.pdf").write_bytes(rendered(drawing, "pdf"))
-    source = tex.write(lecture, {name: f"figures/{name}.pdf" for name in drawn})
+    for p in pictures:
+        (tmp_path / "figures" / f"{p.name}.pdf").write_bytes(rendered(p.drawing, "pdf", p.given))
+    source = tex.write(document, {p.name: f"figures/{p.name}.pdf" for p in pictures})
     (tmp_path / "lecture.tex").write_text(source, encoding="utf-8")
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "lecture.tex"]
     subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, timeout=120)
@@ -71,11 +90,56 @@ def test_no_line_leaves_the_page(lecture, drawn, tmp_path):
     assert max(wide, default=0) < 12  # of the 444 points of a line, and of 77 points of margin
 
 
-def test_typst_of_all_pages(lecture, drawn):
-    source = typst.write(lecture, {name: f"figures/{name}.svg" for name in drawn})
-    figures = {f"figures/{name}.svg": rendered(drawing, "svg") for name, drawing in drawn.items()}
+def test_typst_of_all_pages(document, pictures):
+    source = typst.write(document, {p.name: f"figures/{p.name}.svg" for p in pictures})
+    figures = {f"figures/{p.name}.svg": rendered(p.drawing, "svg", p.given) for p in pictures}
     made = pypdf.PdfReader(io.BytesIO(pdf.by_typst(source, figures)))
     words = "\n".join(page.extract_text() for page in made.pages)
     for number in range(33, 58):
         assert f"(3.{number})" in words
     assert len(made.pages) > 20
+    for exercise in EXERCISES:
+        assert exercise.title.split()[-1] in words
+
+
+# --- Exercises ------------------------------------------------------------------------------------
+
+
+def test_every_exercise_stands_once_in_its_section(document):
+    titles = [block.title for block in document.blocks if isinstance(block, ExerciseHead)]
+    assert sorted(titles) == sorted(exercise.title for exercise in EXERCISES)
+
+
+def test_a_claim_of_the_lecture_is_named_and_not_repeated(document, solutions):
+    heads = [block.name for block in document.blocks if isinstance(block, ClaimHead)]
+    assert len(set(heads)) == len(heads)
+    assert {j.claim.name for solution in solutions for j in solution.judgements} <= set(heads)
+    assert ("See the claim example-34 of the lecture.",) in [
+        block.content for block in document.blocks if isinstance(block, Paragraph)
+    ]
+
+
+def test_a_student_sees_no_solution(judged, solutions):
+    (document, pictures), (whole, _) = (
+        lecture(judged, solutions, student=student) for student in (True, False)
+    )
+    assert not any(picture.name.startswith("exercise-") for picture in pictures)
+    assert not any(isinstance(block, DataTable) for block in document.blocks)
+    labels = {block.label for block in document.blocks if isinstance(block, Quantities)}
+    assert labels == {"Given"}
+    new = {j.claim.name for s in solutions for j in s.judgements} - {
+        claim.name for page in PAGES for claim in page.claims
+    }
+    assert new
+    assert not new & {b.name for b in document.blocks if isinstance(b, ClaimHead)}
+    assert len(document.blocks) < len(whole.blocks)
+
+
+def test_a_sheet_has_the_claims_in_full(solutions):
+    document, pictures = sheet(solutions)
+    heads = {block.name for block in document.blocks if isinstance(block, ClaimHead)}
+    assert heads == {j.claim.name for solution in solutions for j in solution.judgements}
+    assert sum(isinstance(block, Measures) for block in document.blocks) >= len(solutions)
+    assert {p.name for p in pictures} == {
+        f"exercise-{exercise.name}" for exercise in EXERCISES if exercise.figure
+    }

@@ -16,7 +16,7 @@ from sympy import Eq, Integer, Ne, Rational, cos, sin, sqrt
 from rigidtop.errors import RigidtopError
 from rigidtop.present import files, html, pdf, plain, tex, typst
 from rigidtop.present.figures.catalog import FIGURES
-from rigidtop.present.lecture import FORMATS, described, fragment, write_lecture
+from rigidtop.present.lecture import FORMATS, Picture, fragment, write_lecture
 from rigidtop.present.report import (
     ClaimHead,
     Conditions,
@@ -438,7 +438,7 @@ def test_without_either_one_line_names_both(monkeypatch, judged, tmp_path):
     monkeypatch.setattr(pdf.shutil, "which", lambda name: None)
     monkeypatch.setattr(pdf, "find_spec", lambda name: None)
     with pytest.raises(RigidtopError, match=r"latexmk.*typst and tylax") as caught:
-        write_lecture(judged, tmp_path / "out", pdf=True)
+        write_lecture(judged, (), tmp_path / "out", pdf=True)
     assert "\n" not in str(caught.value)
     assert not (tmp_path / "out").exists()  # nothing half-written
 
@@ -447,7 +447,7 @@ def test_without_either_one_line_names_both(monkeypatch, judged, tmp_path):
 
 
 def test_the_lecture_is_written_whole(judged, tmp_path):
-    written = write_lecture(judged, tmp_path / "deep" / "out")
+    written = write_lecture(judged, (), tmp_path / "deep" / "out")
     folder = tmp_path / "deep" / "out"
     names = sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*.*"))
     assert names == sorted(path.relative_to(folder).as_posix() for path in written)
@@ -463,7 +463,7 @@ def test_the_lecture_is_written_whole(judged, tmp_path):
 
 
 def test_the_lecture_is_the_same_each_time(judged, tmp_path):
-    once, again = (write_lecture(judged, tmp_path / name) for name in "ab")
+    once, again = (write_lecture(judged, (), tmp_path / name) for name in "ab")
     assert [path.read_bytes() for path in once] == [path.read_bytes() for path in again]
 
 
@@ -484,7 +484,7 @@ def test_a_failure_leaves_the_old_file(tmp_path, monkeypatch):
 def test_a_folder_that_is_a_file_is_one_line(judged, tmp_path):
     (tmp_path / "out").write_text("a file")
     with pytest.raises(RigidtopError, match=r"^cannot write [^\n]*$"):
-        write_lecture(judged, tmp_path / "out")
+        write_lecture(judged, (), tmp_path / "out")
     assert (tmp_path / "out").read_text() == "a file"
 
 
@@ -498,7 +498,7 @@ def test_the_printers_load_neither_matplotlib_nor_scipy():
 
 
 def test_every_figure_of_the_lecture_has_words():
-    for figure in map(described, FIGURES):
+    for figure in (Picture(each.name, each, {}).described() for each in FIGURES):
         assert len(figure.alternative) > 80
         assert figure.alternative.isascii()  # it is spoken
         assert tex.rich((figure.caption,))

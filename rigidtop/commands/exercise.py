@@ -1,0 +1,150 @@
+"""``rigidtop exercise``: what the notes leave to their reader, solved for any settings."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from rigidtop.errors import RigidtopError
+from rigidtop.progress import bar
+
+if TYPE_CHECKING:
+    from rigidtop.present.solutions import Solution
+    from rigidtop.proof.exercise import Exercise
+
+ABOUT = "solve the exercises that the notes leave to their reader, in symbols and in numbers"
+
+FAILED = 1
+"""The exit code."""
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What can be asked."""
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.epilog = (
+        "Without a name the exercises are listed.  Angles are radians, or degrees with the suffix\n"
+        "deg; rates are rad/s, or turns a minute with the suffix rpm.\n\n"
+        "examples:\n"
+        "  rigidtop exercise toppling-top --set theta=30deg\n"
+        "  rigidtop exercise toppling-top --student\n"
+        "  rigidtop exercise --sheet out --student --pdf     # all of them, without solutions"
+    )
+    parser.add_argument("name", nargs="*", help="an exercise, such as toppling-top")
+    parser.add_argument(
+        "--set",
+        nargs="+",
+        action="extend",
+        default=[],
+        metavar="name=value",
+        help="change its settings, such as theta=30deg",
+    )
+    parser.add_argument(
+        "--student", action="store_true", help="the question alone, without its solution"
+    )
+    parser.add_argument(
+        "--sheet", metavar="DIR", help="write exercises.tex, exercises.html and figures there"
+    )
+    parser.add_argument("--pdf", action="store_true", help="with --sheet, also a PDF")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Solve, print or write; 0 if every claim holds and every number is confirmed."""
+    if options.pdf and not options.sheet:
+        raise RigidtopError("--pdf goes with --sheet DIR")
+    if options.json and options.student:
+        raise RigidtopError("--json gives the solutions: leave --student out")
+    if options.set and len(options.name) != 1:
+        raise RigidtopError("--set wants one exercise: rigidtop exercise NAME --set name=value")
+    if not options.name and not options.sheet:
+        return _list(options.json)
+    if options.student:
+        return _questions(options)
+    solutions = _solved(chosen(options.name), options.set)
+    if options.sheet:
+        _write(solutions, options)
+    elif options.json:
+        from rigidtop.present.solutions import record
+
+        records = [record(solution) for solution in solutions]
+        _print_json(records[0] if len(records) == 1 else records)
+    else:
+        from rigidtop.present.plain import fragment
+        from rigidtop.present.solutions import blocks
+
+        print("\n\n".join(fragment(blocks(solution)) for solution in solutions), end="")
+    return 0 if all(solution.passed for solution in solutions) else FAILED
+
+
+def chosen(names: Sequence[str]) -> list[Exercise]:
+    """The exercises of these names, or all of them; RigidtopError with near names for another."""
+    from rigidtop.derivations.exercises import EXERCISES
+
+    by_name = {exercise.name: exercise for exercise in EXERCISES}
+    for name in names:
+        if name not in by_name:
+            from difflib import get_close_matches
+
+            near = get_close_matches(name, by_name, n=3, cutoff=0.5)
+            hint = f"did you mean {' or '.join(near)}?" if near else "`rigidtop exercise` lists all"
+            raise RigidtopError(f"no exercise {name!r}; {hint}")
+    return [by_name[name] for name in names] if names else list(EXERCISES)
+
+
+def _solved(exercises: Sequence[Exercise], given: Sequence[str]) -> list[Solution]:
+    from rigidtop.present.solutions import solved
+
+    show = bar("solving")
+    solutions = []
+    for done, exercise in enumerate(exercises):
+        show(done, len(exercises))
+        solutions.append(solved(exercise, given))
+    show(len(exercises), len(exercises))
+    return solutions
+
+
+def _questions(options: argparse.Namespace) -> int:
+    from rigidtop.parameters import settings
+    from rigidtop.present.plain import fragment
+    from rigidtop.present.solutions import Solution, question
+
+    asked = [(each, settings(each.parameters, options.set)) for each in chosen(options.name)]
+    if options.sheet:
+        # A sheet of questions needs nothing solved.
+        _write([Solution(exercise, values, (), (), 0.0) for exercise, values in asked], options)
+    else:
+        print("\n\n".join(fragment(question(*each)) for each in asked), end="")
+    return 0
+
+
+def _write(solutions: Sequence[Solution], options: argparse.Namespace) -> None:
+    from rigidtop.present.files import check_folder
+    from rigidtop.present.lecture import write_sheet
+
+    check_folder(options.sheet)
+    files = write_sheet(solutions, options.sheet, pdf=options.pdf, student=options.student)
+    if options.json:
+        passed = all(solution.passed for solution in solutions)
+        _print_json({"files": [str(file) for file in files], "passed": passed})
+    else:
+        print("\n".join(map(str, files)))
+
+
+def _list(as_json: bool) -> int:
+    from rigidtop.derivations.exercises import EXERCISES
+
+    if as_json:
+        from rigidtop.present.solutions import listed
+
+        _print_json([listed(exercise) for exercise in EXERCISES])
+        return 0
+    from rigidtop.present.table import table
+
+    rows = [[each.section, each.name, f"{each.title} ({each.asks})"] for each in EXERCISES]
+    print(table(rows, ("section", "exercise", "what it is about")))
+    return 0
+
+
+def _print_json(value: object) -> None:
+    print(json.dumps(value, ensure_ascii=False, indent=1, allow_nan=False))

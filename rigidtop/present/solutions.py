@@ -1,0 +1,190 @@
+"""Exercises solved: as blocks of a page, as records for programs."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from rigidtop.errors import RigidtopError
+from rigidtop.parameters import settings
+from rigidtop.present.layout import Node, decimal, negated
+from rigidtop.present.records import measure_record
+from rigidtop.present.records import record as judgement_record
+from rigidtop.present.report import (
+    Block,
+    DataTable,
+    ExerciseHead,
+    Figure,
+    Measures,
+    Paragraph,
+    Quantities,
+    Subhead,
+    anchor,
+    claim_blocks,
+    is_number,
+)
+from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table
+from rigidtop.proof.page import Measure
+from rigidtop.proof.verdict import Judgement, judge
+
+DIGITS = 6
+"""Of a number in print."""
+
+
+@dataclass(frozen=True)
+class Solution:
+    """An exercise, solved for its settings."""
+
+    exercise: Exercise
+    settings: Mapping[str, float]
+    judgements: tuple[Judgement, ...]
+    outcomes: tuple[Outcome, ...]
+    seconds: float
+
+    @property
+    def measures(self) -> tuple[Measure, ...]:
+        return tuple(outcome for outcome in self.outcomes if isinstance(outcome, Measure))
+
+    @property
+    def passed(self) -> bool:
+        """Whether every claim holds and every number is confirmed by a second way to it."""
+        return all(j.passed for j in self.judgements) and all(m.passed for m in self.measures)
+
+
+def solved(
+    exercise: Exercise,
+    given: Mapping[str, float] | Sequence[str] = (),
+    judged: Mapping[str, Judgement] | None = None,
+) -> Solution:
+    """Solve an exercise; `judged` are judgements of claims, by name, that need not be made again.
+
+    Raises RigidtopError for settings that make no sense, and for a number that is not finite.
+    """
+    start = time.perf_counter()
+    values = settings(exercise.parameters, given)
+    outcomes = tuple(exercise.solve(**values))
+    for outcome in outcomes:
+        if any(isinstance(x, float) and not math.isfinite(x) for x in _numbers(outcome)):
+            raise RigidtopError(f"{exercise.name} has no finite answer for these settings")
+    known = judged or {}
+    judgements = tuple(known.get(claim.name) or judge(claim) for claim in exercise.claims)
+    return Solution(exercise, values, judgements, outcomes, time.perf_counter() - start)
+
+
+def _numbers(outcome: Outcome) -> list[float | str]:
+    if isinstance(outcome, Answer):
+        return [outcome.value]
+    if isinstance(outcome, Table):
+        return [cell for row in outcome.rows for cell in row]
+    return []
+
+
+def blocks(
+    solution: Solution,
+    figure: Figure | None = None,
+    *,
+    elsewhere: Collection[str] = (),
+) -> list[Block]:
+    """The exercise and its solution; claims that stand `elsewhere` on the page are named only."""
+    exercise = solution.exercise
+    made = question(exercise, solution.settings)
+    made.append(Subhead("Solution in symbols"))
+    there = [
+        judgement.claim for judgement in solution.judgements if judgement.claim.name in elsewhere
+    ]
+    if there:
+        names = ", ".join(f"({c.name})" if is_number(c.name) else c.name for c in there)
+        kind = "claim" if len(there) == 1 else "claims"
+        made.append(Paragraph((f"See the {kind} {names} of the lecture.",)))
+    for judgement in solution.judgements:
+        if judgement.claim.name not in elsewhere:
+            made.extend(claim_blocks(judgement))
+    made.append(Subhead("Solution in numbers"))
+    made.append(Paragraph((exercise.method,)))
+    answers = [outcome for outcome in solution.outcomes if isinstance(outcome, Answer)]
+    if answers:
+        rows = tuple((a.what, shown(a.value), _unit(a.unit, a.value)) for a in answers)
+        made.append(Quantities("Found", rows))
+    for outcome in solution.outcomes:
+        if isinstance(outcome, Table):
+            cells = tuple(tuple(map(shown, row)) for row in outcome.rows)
+            made.append(DataTable(outcome.title, outcome.columns, cells))
+    if solution.measures:
+        made.append(Measures(solution.measures))
+    if figure is not None:
+        made.append(figure)
+    return made
+
+
+def question(exercise: Exercise, values: Mapping[str, float]) -> list[Block]:
+    """The exercise as a student gets it, with nothing of its solution."""
+    head = ExerciseHead(exercise.title, anchor(exercise.name), exercise.asks)
+    paragraphs = [" ".join(part.split()) for part in exercise.statement.split("\n\n")]
+    given = tuple(
+        (f"{p.about} ({p.name})", shown(values[p.name]), _unit(p.unit, values[p.name]))
+        for p in exercise.parameters
+    )
+    made: list[Block] = [head, *(Paragraph((part,)) for part in paragraphs)]
+    return [*made, Quantities("Given", given)] if given else made
+
+
+def shown(value: float | str) -> str | Node:
+    """A cell as it is printed.
+
+    >>> from rigidtop.present.text import text
+    >>> text(shown(-0.25)), shown("waves")
+    ('−0.25', 'waves')
+    """
+    if isinstance(value, str):
+        return value
+    node = decimal(abs(value), DIGITS)
+    return negated(node) if value < 0 else node
+
+
+def _unit(unit: str, value: float | str) -> str:
+    """The unit, and degrees beside radians."""
+    if unit != "rad" or isinstance(value, str):
+        return unit
+    return f"rad = {math.degrees(value):.4g}°"
+
+
+def record(solution: Solution) -> dict[str, Any]:
+    """What `rigidtop exercise --json` says."""
+    exercise = solution.exercise
+    return {
+        **listed(exercise),
+        "statement": exercise.statement,
+        "settings": dict(solution.settings),
+        "answers": [
+            {"name": o.name, "what": o.what, "value": o.value, "unit": o.unit}
+            for o in solution.outcomes
+            if isinstance(o, Answer)
+        ],
+        "tables": [
+            {"name": o.name, "title": o.title, "columns": o.columns, "rows": o.rows}
+            for o in solution.outcomes
+            if isinstance(o, Table)
+        ],
+        "measures": [measure_record(measure) for measure in solution.measures],
+        "claims": [judgement_record(judgement) for judgement in solution.judgements],
+        "passed": solution.passed,
+        "seconds": round(solution.seconds, 4),
+    }
+
+
+def listed(exercise: Exercise) -> dict[str, Any]:
+    """What `rigidtop exercise --json` says where none is named."""
+    return {
+        "name": exercise.name,
+        "title": exercise.title,
+        "reference": exercise.section,
+        "asks": exercise.asks,
+        "figure": exercise.figure,
+        "parameters": [
+            {"name": p.name, "default": p.default, "unit": p.unit, "about": p.about}
+            for p in exercise.parameters
+        ],
+    }
