@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rigidtop.derivations.exercises import simplified_picture
+from rigidtop.derivations.exercises import lagrange_formalism, simplified_picture
 
-EXERCISES = (*simplified_picture.EXERCISES,)
+EXERCISES = (*simplified_picture.EXERCISES, *lagrange_formalism.EXERCISES)
 """Every exercise."""

@@ -1,0 +1,242 @@
+"""Section 3.5.3: both rates of precession of a fast top."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from math import comb, cos, sqrt
+
+import numpy as np
+import sympy
+from scipy.optimize import brentq
+from sympy import Expr
+
+from rigidtop.derivations.lagrange_formalism import HORIZONTAL, SPINNING, two_roots
+from rigidtop.errors import RigidtopError
+from rigidtop.motion.top import HeavyTop
+from rigidtop.parameters import Parameter
+from rigidtop.proof.equation import Equation, Group, as_printed
+from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
+from rigidtop.proof.page import Check, Evidence, Measure, claim
+from rigidtop.theory import top as theory
+from rigidtop.theory.symbols import (
+    M,
+    Omega,
+    Omega_minus,
+    Omega_plus,
+    R,
+    delta,
+    epsilon,
+    g,
+    lambda1,
+    lambda3,
+    omega3,
+    theta,
+)
+
+from .bodies import HEAVY_TOP, SPIN, TILT
+
+
+@claim("roots-in-powers", "Both rates of a fast top as power series in ε = λ₁MgR cos θ/(λ₃ω₃)².")
+def roots_in_powers() -> Iterator[Evidence]:
+    """The roots are expanded in ε; the coefficients of the slow one are Catalan's numbers.
+
+    The sum of the roots says why: Ω₋ = (MgR + λ₁ cos θ Ω₋²)/(λ₃ω₃) builds every coefficient from
+    products of those before, and what the slow root has more than its leading term, the fast one
+    has less. Both series converge for |ε| < ¼, which for cos θ > 0 is the spin above its threshold.
+    """
+    slow_root, fast_root = theory.steady_roots()
+    slow_series, fast_series = theory.steady_expansions(4)
+    with as_printed():
+        total = Equation(
+            lambda1 * sympy.cos(theta) * Group(Omega_minus + Omega_plus), lambda3 * omega3
+        )
+        product = Equation(lambda1 * sympy.cos(theta) * Omega_minus * Omega_plus, M * g * R)
+        slow = Equation(
+            Omega_minus,
+            M * g * R / (lambda3 * omega3) * Group(1 + epsilon + 2 * epsilon**2 + 5 * epsilon**3),
+        )
+        fast = Equation(
+            Omega_plus,
+            lambda3
+            * omega3
+            / (lambda1 * sympy.cos(theta))
+            * Group(1 - epsilon - epsilon**2 - 2 * epsilon**3),
+        )
+    roots = {Omega_minus: slow_root, Omega_plus: fast_root}
+    yield Check(total, roots, reason="The sum of the roots of (3.57),", printed=False)
+    yield Check(product, roots, reason="and their product.", printed=False)
+    yield Check(
+        slow,
+        {Omega_minus: slow_series, epsilon: theory.smallness()},
+        (SPINNING,),
+        "The slow root, without terms of order ε⁴,",
+        printed=False,
+    )
+    yield Check(
+        fast,
+        {Omega_plus: fast_series, epsilon: theory.smallness()},
+        (HORIZONTAL,),
+        "and the fast one.",
+        printed=False,
+    )
+
+
+def gravity_with(lead: Expr, ratio: Expr) -> Expr:
+    """g at which the leading term of a root of (3.57) is `ratio` times the root itself (m/s²)."""
+    [gravity] = sympy.solve(theory.steady_quadratic().subs(Omega, lead / ratio), g)
+    return gravity
+
+
+@claim(
+    "fast-enough", "From which spin on the leading terms of both rates are as good as one wants."
+)
+def fast_enough() -> Iterator[Evidence]:
+    """A root that differs from its leading term by the factor 1 ∓ δ is put into (3.57).
+
+    The leading term of the slow rate is too small by δ of that rate, that of the fast one too
+    large by δ; below the horizontal, where cos θ < 0, both δ are negative.
+    """
+    slow_lead, fast_lead = theory.leading_roots()
+    with as_printed():
+        weight = lambda1 * M * g * R * sympy.cos(theta)
+        slow = Equation(weight, delta * Group(1 - delta) * Group(lambda3 * omega3) ** 2)
+        fast = Equation(weight * Group(1 + delta) ** 2, delta * Group(lambda3 * omega3) ** 2)
+    yield Check(
+        slow,
+        {g: gravity_with(slow_lead, 1 - delta)},
+        reason="Where MgR/(λ₃ω₃) = (1 − δ)Ω₋,",
+        printed=False,
+    )
+    yield Check(
+        fast,
+        {g: gravity_with(fast_lead, 1 + delta)},
+        reason="and where λ₃ω₃/(λ₁ cos θ) = (1 + δ)Ω₊.",
+        printed=False,
+    )
+
+
+def catalan(n: int) -> int:
+    """1, 1, 2, 5, 14, 42, …"""
+    return comb(2 * n, n) // (n + 1)
+
+
+def series_factors(terms: int, smallness: float) -> tuple[float, float]:
+    """Ω₋ and Ω₊ over their leading terms, to as many terms of the series in ε."""
+    slow = sum(catalan(n) * smallness**n for n in range(terms))
+    fast = 1 - sum(catalan(n - 1) * smallness**n for n in range(1, terms))
+    return slow, fast
+
+
+def leading(top: HeavyTop, tilt: float, spin: float) -> tuple[float, float]:
+    """MgR/(λ₃ω₃) and λ₃ω₃/(λ₁ cos θ) (rad/s)."""
+    return top.weight[2] / (top.lambda3 * spin), top.lambda3 * spin / (top.lambda1 * cos(tilt))
+
+
+def spin_for(top: HeavyTop, tilt: float, accuracy: float) -> tuple[float, float]:
+    """From which |ω₃| on each leading term is that accurate, relative to the rate (rad/s)."""
+    delta = accuracy if cos(tilt) > 0 else -accuracy
+    weight = top.lambda1 * top.weight[2] * cos(tilt)
+    slow, fast = weight / (delta * (1 - delta)), (1 + delta) ** 2 * weight / delta
+    return sqrt(slow) / top.lambda3, sqrt(fast) / top.lambda3
+
+
+def spin_by_search(top: HeavyTop, tilt: float, accuracy: float) -> tuple[float, float]:
+    """The same by a search for the spin at which the error has that size."""
+
+    def excess(root: int) -> Callable[[float], float]:
+        def of(spin: float) -> float:
+            exact = top.steady_precession(tilt, spin)[root]
+            return abs(leading(top, tilt, spin)[root] / exact - 1) - accuracy
+
+        return of
+
+    scale = sqrt(top.lambda1 * top.weight[2]) / top.lambda3
+    low = top.smallest_spin(tilt) * (1 + 1e-9) or 1e-6 * sqrt(-cos(tilt)) * scale
+    found = []
+    for root in (0, 1):
+        high = 2 * low
+        while excess(root)(high) > 0:
+            high *= 2
+        found.append(float(brentq(excess(root), low, high, xtol=1e-300, rtol=1e-14)))
+    return found[0], found[1]
+
+
+@exercise(
+    "fast-spin-roots",
+    "Both rates of precession of a fast top",
+    section="3.5.3",
+    asks="the exercise below (3.57)",
+    statement="Solve the quadratic (3.57) for the rate Ω of steady precession and find both "
+    "solutions for very large ω₃. What is the next term of each, and how good is each order for "
+    "the given top?\n\n"
+    "How fast must the top spin for the leading terms to be right within the given accuracy?",
+    claims=(two_roots, roots_in_powers, fast_enough),
+    parameters=(
+        *HEAVY_TOP,
+        TILT,
+        SPIN,
+        Parameter("accuracy", 0.01, "error allowed, relative to Ω", least=1e-9, most=0.4),
+    ),
+    figure="asymptotics",
+)
+def fast_spin_roots(
+    lambda1: float,
+    lambda3: float,
+    M: float,
+    R: float,
+    g: float,
+    theta: float,
+    omega3: float,
+    accuracy: float,
+) -> Iterator[Outcome]:
+    """Both roots are compared order by order with the series in ε; the spin from which the leading
+    terms suffice is known in closed form, and found once more by searching for it."""
+    top = HeavyTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g)
+    if abs(cos(theta)) < 1e-9:
+        raise RigidtopError(
+            f"theta = {theta:g}: a horizontal axis has the slow rate alone, MgR/(λ₃ω₃) exactly"
+        )
+    exact = top.steady_precession(theta, omega3)
+    if omega3 == 0:
+        raise RigidtopError("omega3 = 0: the leading terms are those of a top that spins")
+    smallness = lambda1 * top.weight[2] * cos(theta) / (lambda3 * omega3) ** 2
+    lead = leading(top, theta, omega3)
+    yield Answer("epsilon", "ε = λ₁MgR cos θ/(λ₃ω₃)²", smallness)
+    rows = []
+    for terms in range(1, 6):
+        pair = [x * f for x, f in zip(lead, series_factors(terms, smallness), strict=True)]
+        errors = [x / root - 1 for x, root in zip(pair, exact, strict=True)]
+        rows.append((terms, pair[0], errors[0], pair[1], errors[1]))
+    for k, name, sign in ((0, "slow", "₋"), (1, "fast", "₊")):
+        yield Answer(f"{name}", f"Ω{sign}, root of (3.57)", exact[k], "rad/s")
+        yield Answer(f"{name}_leading", f"Ω{sign}, leading term", lead[k], "rad/s")
+        yield Answer(f"{name}_error", "its error, relative to the root", rows[0][2 + 2 * k])
+        yield Answer(f"{name}_next", f"Ω{sign} with the next term", rows[1][1 + 2 * k], "rad/s")
+        yield Answer(f"{name}_next_error", "its error", rows[1][2 + 2 * k])
+    yield Table(
+        "orders",
+        "Both series, order by order",
+        ("terms", "Ω₋ (rad/s)", "relative error", "Ω₊ (rad/s)", "relative error"),
+        tuple(rows),
+    )
+    spins = spin_for(top, theta, accuracy)
+    yield Answer(
+        "threshold", "smallest |ω₃| of steady precession", top.smallest_spin(theta), "rad/s"
+    )
+    yield Answer("slow_spin", "|ω₃| from which MgR/(λ₃ω₃) is accurate enough", spins[0], "rad/s")
+    yield Answer("fast_spin", "|ω₃| from which λ₃ω₃/(λ₁ cos θ) is", spins[1], "rad/s")
+    coefficients = [lambda1 * cos(theta), -lambda3 * omega3, top.weight[2]]
+    companion = sorted(np.roots(coefficients).real, key=abs)
+    difference = max(abs(a / b - 1) for a, b in zip(companion, exact, strict=True))
+    scale = max(1.0, abs(exact[1] / exact[0]))  # eigenvalues have errors of the size of the larger
+    yield Measure(
+        "roots as eigenvalues of the companion matrix, relative", difference, 1e-7 * scale
+    )
+    searched = spin_by_search(top, theta, accuracy)
+    for name, found, closed in zip(("slow", "fast"), searched, spins, strict=True):
+        what = f"spin from which the leading term of the {name} rate suffices, searched, relative"
+        yield Measure(what, abs(found / closed - 1), 1e-11 + 1e-14 / accuracy)
+
+
+EXERCISES: tuple[Exercise, ...] = (fast_spin_roots,)
+"""In the order of the notes."""
