@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from rigidtop.derivations.exercises import lagrange_formalism, simplified_picture
+from rigidtop.derivations.exercises import euler_angles, lagrange_formalism, simplified_picture
 
-EXERCISES = (*simplified_picture.EXERCISES, *lagrange_formalism.EXERCISES)
+EXERCISES = (
+    *euler_angles.EXERCISES,
+    *simplified_picture.EXERCISES,
+    *lagrange_formalism.EXERCISES,
+)
 """Every exercise."""

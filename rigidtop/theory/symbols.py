@@ -103,6 +103,10 @@ U, U_slope, mean_theta, phidot_slope = map(_real, ("U", "U_slope", "mean_theta",
 follower = _real("follower")
 slip, Edot, Tdot, damping = map(_real, ("slip", "Edot", "Tdot", "damping"))
 r_1, g_k, v_tip, omega_perp, L_later = map(_real, ("r_1", "g_k", "v_tip", "omega_perp", "L_later"))
+alpha1, alpha2, gamma = map(_real, ("alpha1", "alpha2", "gamma"))
+n_1, n_2, s_vec, trace_O = map(_real, ("n_1", "n_2", "s_vec", "trace_O"))
+epsilon_0, tau, radius, height = map(_real, ("epsilon_0", "tau", "radius", "height"))
+ellipticity, follows = map(_real, ("ellipticity", "follows"))
 A_matrix, B_matrix, C_matrix, unit = map(_real, ("A_matrix", "B_matrix", "C_matrix", "unit"))
 c_phi, s_phi, c_theta, s_theta, c_psi, s_psi = map(
     _real, ("c_phi", "s_phi", "c_theta", "s_theta", "c_psi", "s_psi")
@@ -122,6 +126,10 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         R2: Quantity(Glyph("R", "2"), "centre of mass from the pivot, along e₂", "m"),
         R3: Quantity(Glyph("R", "3"), "centre of mass from the pivot, along e₃", "m"),
         epsilon: Quantity(Glyph("ε"), "gravity against spin, λ₁MgR cosθ/(λ₃ω₃)²", "1"),
+        epsilon_0: Quantity(Glyph("ε", "0"), "gravity against spin, λ₁MgR/(λ₃ω₃)²", "1"),
+        tau: Quantity(Glyph("τ"), "relative error of an approximation", "1"),
+        radius: Quantity(Glyph("r"), "radius of a solid", "m"),
+        height: Quantity(Glyph("h"), "height of a solid", "m"),
         M_1: Quantity(Glyph("M", "1"), "mass of the first point", "kg"),
         M_2: Quantity(Glyph("M", "2"), "mass of the second point", "kg"),
         a: Quantity(Glyph("a"), "distance of the first mass from the origin", "m"),
@@ -131,11 +139,14 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         kappa: Quantity(Glyph("κ"), "gradient of gravity across the body", "1/s²"),
         inertia: Quantity(Glyph("I"), "inertia tensor", "kg m²"),
         Lambda: Quantity(Glyph("Λ"), "diagonal matrix of the principal moments", "kg m²"),
+        ellipticity: Quantity(Glyph("H"), "dynamical ellipticity (λ₃ − λ₁)/λ₃", "1"),
+        follows: Quantity(Glyph("k"), "share of the equatorial bulge that follows ω", "1"),
         I_xz: Quantity(Glyph("I", "xz"), "component of the inertia tensor", "kg m²"),
         A_matrix: Quantity(Glyph("A"), "a square matrix", "1"),
         B_matrix: Quantity(Glyph("B"), "a square matrix", "1"),
         C_matrix: Quantity(Glyph("C"), "a square matrix", "1"),
         unit: Quantity(Glyph("1"), "the unit matrix", "1"),
+        trace_O: Quantity(Glyph("tr O"), "trace of O: 1 + 2 × cosine of its angle", "1"),
         det_O: Quantity(Glyph("det O"), "determinant of O", "1"),
         det_A: Quantity(Glyph("det A"), "determinant of A", "1"),
         det_B: Quantity(Glyph("det B"), "determinant of B", "1"),
@@ -209,6 +220,9 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         s_psi: Quantity(Glyph("s", "ψ"), "sin ψ", "1"),
         alpha: Quantity(Glyph("α"), "tilt of the stick against ω", "rad"),
         beta: Quantity(Glyph("β"), "angle between L and e₃", "rad"),
+        alpha1: Quantity(Glyph("α", "1"), "half the angle of the first rotation", "rad"),
+        alpha2: Quantity(Glyph("α", "2"), "half the angle of the second rotation", "rad"),
+        gamma: Quantity(Glyph("γ"), "angle between the axes of two rotations", "rad"),
         theta_0: Quantity(Glyph("θ", "0"), "polar angle at which φ̇ vanishes", "rad"),
         m: Quantity(Glyph("m"), "parameter of an elliptic integral", "1"),
         chi: Quantity(Glyph("χ"), "amplitude of an elliptic integral", "rad"),
@@ -231,6 +245,9 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         e3dot: Quantity(
             Glyph("e", "3", accent="dot", bold=True), "velocity of the tip of e₃", "1/s"
         ),
+        n_1: Quantity(Glyph("n", "1", bold=True), "axis of the first rotation", ""),
+        n_2: Quantity(Glyph("n", "2", bold=True), "axis of the second rotation", ""),
+        s_vec: Quantity(Glyph("s", bold=True), "axis of a rotation times sine of its angle", ""),
         omega_vec: Quantity(Glyph("ω", bold=True), "rotational velocity", "rad/s"),
         Omega_vec: Quantity(Glyph("Ω", bold=True), "rotational velocity of precession", "rad/s"),
         L_vec: Quantity(Glyph("L", bold=True), "angular momentum", "J s"),
