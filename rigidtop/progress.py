@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable
-from typing import TextIO
+from collections.abc import Callable, Iterator, Sequence
+from typing import TextIO, TypeVar
+
+Item = TypeVar("Item")
 
 EVERY_SECONDS = 0.1
 """Between two lines; the first waits as long, so what is quick shows none."""
@@ -38,6 +40,15 @@ def bar(label: str, stream: TextIO | None = None) -> Callable[[int, int], None]:
             print(f"\r\033[K{text}", end="", file=out, flush=True)
 
     return show
+
+
+def over(label: str, items: Sequence[Item], stream: TextIO | None = None) -> Iterator[Item]:
+    """The items one after the other, with a bar for those that are done."""
+    show = bar(label, stream)
+    for done, item in enumerate(items):
+        show(done, len(items))
+        yield item
+    show(len(items), len(items))
 
 
 def line(label: str, done: int, total: int, new: int, seconds: float) -> str:

@@ -307,7 +307,7 @@ def test_interrupt_is_one_line() -> None:
     code = (
         "import rigidtop.cli as cli\n"
         "def stop(options): raise KeyboardInterrupt\n"
-        "cli._list = stop\n"
+        "cli.listing.run = stop\n"
         "raise SystemExit(cli.main(['list']))"
     )
     result = subprocess.run(

@@ -37,3 +37,12 @@ def test_hours():
     text = progress.line("x", 1, 10**9, 1, 0.001)
     assert text.endswith(" 1 of 1000000000, 1k/s, 277:46:40 left")
     assert progress.line("x", 0, 10, 0, 5.0).endswith("0%  0 of 10")
+
+
+def test_items_pass_through_with_a_bar(monkeypatch):
+    clock(monkeypatch, [0.0, 1.0, 2.0, 3.0, 4.0])
+    out = Terminal()
+    assert list(progress.over("judging", ["a", "b", "c"], out)) == ["a", "b", "c"]
+    lines = out.getvalue().split("\r\033[K")
+    assert [line[:7] for line in lines] == ["", "judging", "judging", "judging", ""]
+    assert lines[2].startswith("judging [######              ]  33%  1 of 3, ")

@@ -42,16 +42,7 @@ READS = {
         "parameters",
         "bench",
     },
-    "cli": {
-        "errors",
-        "theory",
-        "proof",
-        "codegen",
-        "motion",
-        "present",
-        "derivations",
-        "commands",
-    },
+    "cli": {"errors", "commands"},
     "__main__": {"cli"},
     "__init__": {"errors", "motion"},
 }

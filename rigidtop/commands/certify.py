@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import json
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands import motions
+from rigidtop.commands.output import print_json
 
 if TYPE_CHECKING:
     from rigidtop.motion.certify import Certificate
@@ -51,7 +51,7 @@ def run(options: argparse.Namespace) -> int:
     times = np.linspace(0.0, options.time, options.samples)
     found = certify(motion, times, rtol=options.rtol)
     if options.json:
-        print(json.dumps(record(found), ensure_ascii=False, indent=1, allow_nan=False))
+        print_json(record(found))
     else:
         asked = f"{options.samples} times from 0 to {options.time:g} s, rtol {options.rtol:g}"
         print(text(found, asked))

@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 import argparse
-import json
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from rigidtop.commands.claims import FAILED
+from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
-from rigidtop.progress import bar
+from rigidtop.progress import over
 
 if TYPE_CHECKING:
     from rigidtop.present.solutions import Solution
     from rigidtop.proof.exercise import Exercise
 
 ABOUT = "solve the exercises that the notes leave to their reader, in symbols and in numbers"
-
-FAILED = 1
-"""The exit code."""
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -68,7 +66,7 @@ def run(options: argparse.Namespace) -> int:
         from rigidtop.present.solutions import record
 
         records = [record(solution) for solution in solutions]
-        _print_json(records[0] if len(records) == 1 else records)
+        print_json(records[0] if len(records) == 1 else records)
     else:
         from rigidtop.present.plain import fragment
         from rigidtop.present.solutions import blocks
@@ -95,13 +93,7 @@ def chosen(names: Sequence[str]) -> list[Exercise]:
 def _solved(exercises: Sequence[Exercise], given: Sequence[str]) -> list[Solution]:
     from rigidtop.present.solutions import solved
 
-    show = bar("solving")
-    solutions = []
-    for done, exercise in enumerate(exercises):
-        show(done, len(exercises))
-        solutions.append(solved(exercise, given))
-    show(len(exercises), len(exercises))
-    return solutions
+    return [solved(exercise, given) for exercise in over("solving", exercises)]
 
 
 def _questions(options: argparse.Namespace) -> int:
@@ -126,7 +118,7 @@ def _write(solutions: Sequence[Solution], options: argparse.Namespace) -> None:
     files = write_sheet(solutions, options.sheet, pdf=options.pdf, student=options.student)
     if options.json:
         passed = all(solution.passed for solution in solutions)
-        _print_json({"files": [str(file) for file in files], "passed": passed})
+        print_json({"files": [str(file) for file in files], "passed": passed})
     else:
         print("\n".join(map(str, files)))
 
@@ -137,14 +129,10 @@ def _list(as_json: bool) -> int:
     if as_json:
         from rigidtop.present.solutions import listed
 
-        _print_json([listed(exercise) for exercise in EXERCISES])
+        print_json([listed(exercise) for exercise in EXERCISES])
         return 0
     from rigidtop.present.table import table
 
     rows = [[each.section, each.name, f"{each.title} ({each.asks})"] for each in EXERCISES]
     print(table(rows, ("section", "exercise", "what it is about")))
     return 0
-
-
-def _print_json(value: object) -> None:
-    print(json.dumps(value, ensure_ascii=False, indent=1, allow_nan=False))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import json
 import math
 import multiprocessing
 import os
@@ -18,6 +17,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands import motions
+from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
 
 if TYPE_CHECKING:
@@ -175,7 +175,7 @@ def run(options: argparse.Namespace) -> int:
         "seconds": round(time.monotonic() - start, 3),
     }
     if options.json:
-        print(json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False))
+        print_json(record)
     else:
         print(text(record))
     return 0

@@ -1,0 +1,58 @@
+"""``rigidtop check``: every claim judged, every number compared."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from rigidtop.commands import claims
+from rigidtop.commands.output import print_json
+
+ABOUT = "judge every claim and compare the numbers"
+
+VERDICT_COLORS = {
+    "proved": "green",
+    "assuming": "yellow",
+    "convention": "magenta",
+    "false": "red",
+    "undecided": "red",
+    "sampled": "blue",
+    "definition": "dim",
+}
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What can be asked."""
+    parser.add_argument(
+        "name",
+        nargs="*",
+        help="only these claims or sections, such as 3.57, axis-stability or 3.5.4",
+    )
+
+
+def run(options: argparse.Namespace) -> int:
+    """Judge and print; 0 if nothing failed that the notes get right."""
+    from rigidtop.present.records import measures, record
+    from rigidtop.present.table import table, wants_color
+
+    found = claims.named(options.name) if options.name else claims.every()
+    judgements = [judgement for _, judgement in claims.judged(found)]
+    passed = all(judgement.passed for judgement in judgements)
+    records = [record(judgement) for judgement in judgements]
+    if options.json:
+        print_json(records)
+        return 0 if passed else claims.FAILED
+    colors = VERDICT_COLORS if wants_color(sys.stdout) else None
+    rows = [[r["reference"], r["name"], r["verdict"], r["note"]] for r in records]
+    print(table(rows, ("section", "claim", "verdict", "note"), colors=colors))
+    measured = measures(judgements)
+    if measured:
+        numbers = [
+            [f"{m.error:.1e}", f"{m.tolerance:.1e}", "ok" if m.passed else "FAILED", m.what]
+            for m in measured
+        ]
+        print()
+        print(table(numbers, ("error", "tolerance", "", "compared with a computed motion")))
+    print()
+    print(claims.summary(judgements))
+    return 0 if passed else claims.FAILED

@@ -1,0 +1,73 @@
+"""``rigidtop derive``: one equation or claim with every step, to read, to paste or to run."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+from rigidtop.commands import claims
+from rigidtop.commands.output import print_json
+from rigidtop.errors import RigidtopError
+
+if TYPE_CHECKING:
+    from rigidtop.proof.verdict import Judgement
+
+ABOUT = "derive one equation or claim and show every step"
+PROSE = ("text", "latex", "html", "typst")
+SOURCES = ("python", "c", "fortran", "julia", "javascript", "octave")
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What can be asked."""
+    parser.add_argument("name", help="an equation's number, such as 3.57, or a claim's name")
+    parser.add_argument(
+        "--format",
+        choices=(*PROSE, *SOURCES),
+        default="text",
+        help="how to write it (default: text); in a programming language, a function that "
+        "evaluates its right-hand sides",
+    )
+
+
+def run(options: argparse.Namespace) -> int:
+    """Judge the claim and print it; 0 if it passes."""
+    from rigidtop.present.lecture import fragment
+    from rigidtop.present.records import record
+
+    found = claims.named([options.name])
+    if len(found) != 1:
+        names = " ".join(claim.name for _, claim in found)
+        raise RigidtopError(f"{options.name} is a section; derive one of its claims: {names}")
+    [(_, judgement)] = claims.judged(found)
+    if options.format in SOURCES:
+        return _source(options, judgement)
+    text = fragment(judgement, options.format)
+    if options.json:
+        print_json({**record(judgement), "format": options.format, "text": text})
+    else:
+        print(text)
+    return 0 if judgement.passed else claims.FAILED
+
+
+def _source(options: argparse.Namespace, judgement: Judgement) -> int:
+    from rigidtop.codegen.languages import source
+    from rigidtop.codegen.values import NothingToEvaluateError, values
+    from rigidtop.present.text import text
+
+    try:
+        made = source(values(judgement), options.format, text)
+    except NothingToEvaluateError as error:
+        raise RigidtopError(str(error)) from None
+    if options.json:
+        print_json(
+            {
+                "name": made.name,
+                "language": made.language,
+                "arguments": made.arguments,
+                "returns": made.returns,
+                "source": made.text,
+            }
+        )
+    else:
+        print(made.text, end="")
+    return 0 if judgement.passed else claims.FAILED

@@ -1,0 +1,64 @@
+"""``rigidtop lecture``: the whole lecture as files, with figures and exercises."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+from rigidtop.commands import claims
+from rigidtop.commands.output import print_json
+from rigidtop.errors import RigidtopError
+from rigidtop.progress import over
+
+if TYPE_CHECKING:
+    from rigidtop.proof.page import Page
+    from rigidtop.proof.verdict import Judgement
+
+ABOUT = "write the lecture as LaTeX and HTML, with figures and exercises"
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What can be asked."""
+    parser.add_argument(
+        "-o", "--output", default="out", metavar="DIR", help="the folder (default: out)"
+    )
+    parser.add_argument(
+        "--pdf", action="store_true", help="also a PDF, by latexmk or by the extra 'pdf'"
+    )
+    parser.add_argument(
+        "--student", action="store_true", help="leave the solutions of the exercises out"
+    )
+
+
+def run(options: argparse.Namespace) -> int:
+    """Judge, solve and write; 0 if every claim passes and every number is confirmed."""
+    from rigidtop.derivations.exercises import EXERCISES
+    from rigidtop.present.files import check_folder
+    from rigidtop.present.lecture import write_lecture
+    from rigidtop.present.solutions import solved
+
+    if not options.output:
+        raise RigidtopError("--output wants the name of a folder")
+    check_folder(options.output)  # before half a minute of work, not after it
+    judged: list[tuple[Page, list[Judgement]]] = []
+    for page, judgement in claims.judged(claims.every()):
+        if not judged or judged[-1][0] is not page:
+            judged.append((page, []))
+        judged[-1][1].append(judgement)
+    judgements = [judgement for _, section in judged for judgement in section]
+    known = {judgement.claim.name: judgement for judgement in judgements}
+    solutions = [solved(each, judged=known) for each in over("solving", EXERCISES)]
+    files = write_lecture(
+        judged, solutions, options.output, pdf=options.pdf, student=options.student
+    )
+    unsolved = [solution.exercise.name for solution in solutions if not solution.passed]
+    passed = all(judgement.passed for judgement in judgements) and not unsolved
+    if options.json:
+        print_json({"files": [str(file) for file in files], "passed": passed})
+    else:
+        for file in files:
+            print(file)
+        print(claims.summary(judgements))
+        said = f"NOT CONFIRMED: {', '.join(unsolved)}" if unsolved else "every number confirmed"
+        print(f"{len(solutions)} exercise{'s' * (len(solutions) != 1)} solved; {said}")
+    return 0 if passed else claims.FAILED
