@@ -112,6 +112,10 @@ c_phi, s_phi, c_theta, s_theta, c_psi, s_psi = map(
     _real, ("c_phi", "s_phi", "c_theta", "s_theta", "c_psi", "s_psi")
 )
 
+# Turning points, and a toy top: a disc on a stem
+theta_m = _real("theta_m")
+M_d, M_s, r_d, h_d, z_d, l_s = map(_real, ("M_d", "M_s", "r_d", "h_d", "z_d", "l_s"))
+
 VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
     {
         lambda1: Quantity(Glyph("λ", "1"), "principal moment of inertia about e₁", "kg m²"),
@@ -134,6 +138,12 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         M_2: Quantity(Glyph("M", "2"), "mass of the second point", "kg"),
         a: Quantity(Glyph("a"), "distance of the first mass from the origin", "m"),
         b: Quantity(Glyph("b"), "distance of the second mass from the origin", "m"),
+        M_d: Quantity(Glyph("M", "d"), "mass of the disc", "kg"),
+        M_s: Quantity(Glyph("M", "s"), "mass of the stem", "kg"),
+        r_d: Quantity(Glyph("r", "d"), "radius of the disc", "m"),
+        h_d: Quantity(Glyph("h", "d"), "thickness of the disc", "m"),
+        z_d: Quantity(Glyph("z", "d"), "height of the disc above the tip, along the stem", "m"),
+        l_s: Quantity(Glyph("l", "s"), "length of the stem", "m"),
         mu: Quantity(Glyph("μ"), "coefficient of sliding friction", "1"),
         n: Quantity(Glyph("n"), "normal force at the contact", "N"),
         kappa: Quantity(Glyph("κ"), "gradient of gravity across the body", "1/s²"),
@@ -228,6 +238,7 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         chi: Quantity(Glyph("χ"), "amplitude of an elliptic integral", "rad"),
         t_chi2: Quantity(Glyph("t²", "χ"), "square of dt/dχ", "s²"),
         theta_i: Quantity(Glyph("θ", "i"), "polar angle at the start", "rad"),
+        theta_m: Quantity(Glyph("θ", "m"), "polar angle of the other turning point", "rad"),
         phi: Quantity(Glyph("φ"), "first Euler angle: azimuth of e₃", "rad"),
         theta: Quantity(Glyph("θ"), "second Euler angle: polar angle of e₃", "rad"),
         psi: Quantity(Glyph("ψ"), "third Euler angle: turn about e₃", "rad"),
