@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
-from rigidtop.derivations.exercises import euler_angles, lagrange_formalism, simplified_picture
+from rigidtop.derivations.exercises import (
+    euler_angles,
+    lagrange_formalism,
+    rotation_matrices,
+    simplified_picture,
+)
 
 EXERCISES = (
     *euler_angles.EXERCISES,
+    *rotation_matrices.EXERCISES,
     *simplified_picture.EXERCISES,
     *lagrange_formalism.EXERCISES,
 )

@@ -1,0 +1,213 @@
+"""Section 3.4: rotations form a group, and their order matters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import atan2, pi, sin
+
+import numpy as np
+import sympy
+from numpy.typing import NDArray
+from scipy.linalg import expm
+from scipy.spatial.transform import Rotation
+from sympy import Matrix, cos
+
+from rigidtop.derivations.rotation_matrices import rotation_group
+from rigidtop.parameters import Parameter
+from rigidtop.proof.equation import Cross, Dot, Equation, Group, as_printed
+from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
+from rigidtop.proof.page import Check, Evidence, Measure, claim
+from rigidtop.theory.rotation import rotation, vee
+from rigidtop.theory.symbols import alpha1, alpha2, gamma, n_1, n_2, s_vec, trace_O
+from rigidtop.theory.trig import reduce_trig
+
+FIRST_AXIS = Matrix([0, 0, 1])
+SECOND_AXIS = Matrix([sympy.sin(gamma), 0, cos(gamma)])
+"""Two axes at the angle γ: any two are these, seen in a frame that suits them."""
+
+
+def turn(axis: Matrix, half: sympy.Expr) -> Matrix:
+    """Rodrigues' matrix of a turn by twice `half` about the unit vector `axis`."""
+    return rotation(axis, 2 * half).applyfunc(sympy.expand_trig)
+
+
+def axis_and_sine(matrix: Matrix) -> Matrix:
+    """The axis of a rotation times the sine of its angle: (O − Oᵀ)/2 as a vector (3×1)."""
+    return vee((matrix - matrix.T) / 2)
+
+
+@claim("product-of-rotations", "Two rotations in turn are one, by Rodrigues' half-angle formula.")
+def product_of_rotations() -> Iterator[Evidence]:
+    """First by 2α₂ about n₂, then by 2α₁ about n₁: trace and antisymmetric part give the result.
+
+    A rotation by 2α₃ about n₃ has the trace 4cos²α₃ − 1 and the vector 2cos α₃ sin α₃ n₃, so the
+    brackets are cos α₃ and sin α₃ n₃. The product n₁ × n₂ alone knows which came first.
+    """
+    matrix = reduce_trig(turn(FIRST_AXIS, alpha1) * turn(SECOND_AXIS, alpha2))
+    meaning = {
+        n_1: FIRST_AXIS,
+        n_2: SECOND_AXIS,
+        trace_O: matrix.trace(),
+        s_vec: axis_and_sine(matrix),
+    }
+    sine = sympy.sin
+    with as_printed():
+        scalar = Group(cos(alpha1) * cos(alpha2) - sine(alpha1) * sine(alpha2) * Dot(n_1, n_2))
+        vector = Group(
+            sine(alpha1) * cos(alpha2) * n_1
+            + cos(alpha1) * sine(alpha2) * n_2
+            + sine(alpha1) * sine(alpha2) * Cross(n_1, n_2)
+        )
+        trace = Equation(trace_O, 4 * scalar**2 - 1)
+        axis = Equation(s_vec, 2 * scalar * vector)
+    yield Check(trace, meaning, reason="The angle of the product,", printed=False)
+    yield Check(axis, meaning, reason="and its axis.", printed=False)
+
+
+@claim("commutator-of-rotations", "Two small rotations fail to commute by the product of both.")
+def commutator_of_rotations() -> Iterator[Evidence]:
+    """O = A B A⁻¹ B⁻¹ undoes both turns in the wrong order; what is left is a rotation too.
+
+    Its angle is exact for turns of any size: sin(χ/4) = |sin α₁ sin α₂ sin γ|. O is 1 where either
+    angle vanishes, so its series starts with the product of both: for small turns about x̂ and ŷ, a
+    turn about ẑ.
+    """
+    first, second = turn(FIRST_AXIS, alpha1), turn(SECOND_AXIS, alpha2)
+    matrix = first * second * first.T * second.T
+    vector = (matrix - matrix.T) / 2
+    lowest = vector.applyfunc(lambda x: x.diff(alpha1).subs(alpha1, 0))
+    lowest = reduce_trig(lowest.applyfunc(lambda x: x.diff(alpha2).subs(alpha2, 0)))
+    sine = sympy.sin
+    with as_printed():
+        trace = Equation(
+            trace_O,
+            4 * Group(1 - 2 * sine(alpha1) ** 2 * sine(alpha2) ** 2 * sine(gamma) ** 2) ** 2 - 1,
+        )
+        small = Equation(s_vec, 2 * alpha1 * Group(2 * alpha2) * Cross(n_1, n_2))
+    yield Check(
+        trace,
+        {trace_O: reduce_trig(matrix.trace())},
+        reason="cos(χ/2) = 1 − 2 sin²(χ/4) of the angle χ stands in the bracket.",
+        printed=False,
+    )
+    yield Check(
+        small,
+        {s_vec: alpha1 * alpha2 * vee(lowest), n_1: FIRST_AXIS, n_2: SECOND_AXIS},
+        reason="To lowest order in both angles.",
+        printed=False,
+    )
+
+
+Square = NDArray[np.float64]
+
+
+def about(axis: NDArray[np.float64], angle: float) -> Square:
+    """The matrix of a turn, as the exponential of its generator."""
+    x, y, z = angle * axis
+    return np.asarray(expm(np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])))
+
+
+def angle_of(matrix: Square) -> float:
+    """The angle of a rotation matrix, in [0, π]; as good for small ones."""
+    sine = np.linalg.norm(matrix - matrix.T) / np.sqrt(8)
+    return atan2(float(sine), float(np.trace(matrix) - 1) / 2)
+
+
+HALVINGS = 6
+
+
+@exercise(
+    "rotations-form-a-group",
+    "Rotations form a group, but their order matters",
+    section="3.4",
+    asks="“these matrices form a group (see math)”",
+    statement="A is a turn by the angle alpha about n₁, B one by the angle beta about n₂, and "
+    "gamma is the angle between these axes. Show that A B is a rotation, and find its angle and "
+    "axis. Convince yourself of what else makes a group: a neutral element, inverses, "
+    "(A B)C = A(B C).\n\n"
+    "The order matters: by what angle do A B and B A differ? Halve both angles again and again: "
+    "what is that angle for small turns, and about which axis?",
+    claims=(rotation_group, product_of_rotations, commutator_of_rotations),
+    parameters=(
+        Parameter("alpha", pi / 2, "angle of A", "rad", least=-pi, most=pi),
+        Parameter("beta", pi / 2, "angle of B", "rad", least=-pi, most=pi),
+        Parameter("gamma", pi / 2, "angle between the axes", "rad", least=0, most=pi),
+    ),
+)
+def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[Outcome]:
+    """The matrices are exponentials of their generators; the angle and the axis of A B come from
+    the half-angle formula, and from SciPy, which multiplies the matrices. n₁ is x̂ and n₂ lies in
+    the plane of x̂ and ŷ. For (A B)C, C is the turn that the half-angle formula gives."""
+    first, second = np.array([1.0, 0.0, 0.0]), np.array([np.cos(gamma), np.sin(gamma), 0.0])
+    A, B = about(first, alpha), about(second, beta)
+    one = np.eye(3)
+
+    # Rodrigues: half angles, and the axes' products.
+    sines, cosines = np.sin([alpha / 2, beta / 2]), np.cos([alpha / 2, beta / 2])
+    half_cosine = cosines[0] * cosines[1] - sines[0] * sines[1] * (first @ second)
+    half_sine = (
+        sines[0] * cosines[1] * first
+        + cosines[0] * sines[1] * second
+        + sines[0] * sines[1] * np.cross(first, second)
+    )
+    size = float(np.linalg.norm(half_sine))
+    # −q is the same rotation as q: of the two, the one by less than half a turn.
+    sign = 1.0 if half_cosine >= 0 else -1.0
+    angle = 2 * atan2(size, abs(float(half_cosine)))
+    axis = sign * half_sine / size if size else first
+    C = about(axis, angle)
+
+    apart = 4 * np.arcsin(abs(sines[0] * sines[1] * sin(gamma)))
+    yield Answer("angle", "angle of A B", angle, "rad")
+    for letter, component in zip("xyz", axis, strict=True):
+        yield Answer(f"axis_{letter}", f"axis of A B, along {letter}", float(component))
+    # 4 arcsin is at most 2π; a turn by more than π is one by less the other way.
+    yield Answer(
+        "commutator",
+        "angle by which A B and B A differ",
+        float(min(apart, 2 * pi - apart)),
+        "rad",
+    )
+    yield Table(
+        "small_turns",
+        "both angles halved: the angle of A B A⁻¹B⁻¹ and its axis",
+        ("alpha (rad)", "beta (rad)", "angle (rad)", "angle/(alpha beta)", "x", "y", "z"),
+        tuple(_commutator(first, second, alpha / 2**k, beta / 2**k) for k in range(HALVINGS + 1)),
+    )
+
+    by_scipy = Rotation.from_matrix(A @ B).as_rotvec()
+    apart_by_scipy = (Rotation.from_matrix(A @ B) * Rotation.from_matrix(B @ A).inv()).magnitude()
+    product = about(axis, angle)
+    errors = {
+        "A B by the half-angle formula, against the product": product - A @ B,
+        "A B is orthogonal": (A @ B).T @ (A @ B) - one,
+        "det A B − 1": np.linalg.det(A @ B) - 1,
+        "A⁻¹ is a turn by the opposite angle": about(first, -alpha) @ A - one,
+        "(A B)C − A(B C)": (A @ B) @ C - A @ (B @ C),
+        "angle of A B against SciPy (rad)": np.linalg.norm(by_scipy) - angle,
+    }
+    for what, error in errors.items():
+        yield Measure(what, float(np.max(np.abs(error))), 1e-14)
+    # Near half a turn the angle of a matrix has half of its digits.
+    cosine = np.cos(apart_by_scipy) - np.cos(apart)
+    yield Measure("cosine of the angle between A B and B A, against SciPy", abs(cosine), 1e-14)
+
+
+def _commutator(
+    first: NDArray[np.float64], second: NDArray[np.float64], alpha: float, beta: float
+) -> tuple[float, ...]:
+    """Both angles, the angle of A B A⁻¹B⁻¹, that over their product, and its axis."""
+    A, B = about(first, alpha), about(second, beta)
+    matrix = A @ B @ A.T @ B.T
+    vector = np.array([matrix[2, 1], matrix[0, 2], matrix[1, 0]]) - [
+        matrix[1, 2],
+        matrix[2, 0],
+        matrix[0, 1],
+    ]
+    size, angle = float(np.linalg.norm(vector)), angle_of(matrix)
+    axis = vector / size if size else vector
+    share = angle / (alpha * beta) if alpha * beta else 0.0
+    return alpha, beta, angle, share, *map(float, axis)
+
+
+EXERCISES: tuple[Exercise, ...] = (rotations_form_a_group,)
