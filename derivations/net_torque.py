@@ -179,4 +179,5 @@ page = Page(
     "Net torque",
     "What gravity does to an extended body.",
     (torque, gravity, potential),
+    opens="Dynamics of a spinning top",
 )

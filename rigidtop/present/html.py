@@ -72,6 +72,7 @@ a { color: var(--link); text-underline-offset: 0.15em; }
 .toc ul { list-style: none; margin: 0.4rem 0 0; padding: 0; }
 .toc li { margin: 0.25rem 0; padding-left: 2.9rem; text-indent: -2.9rem; }
 .toc .deep { margin-left: 0.9rem; }
+.toc .ask { font-size: 0.93em; }
 .toc .n { display: inline-block; width: 2.9rem; text-indent: 0; color: var(--muted); }
 .toc a { color: inherit; text-decoration: none; }
 .toc a:hover { text-decoration: underline; }
@@ -146,6 +147,8 @@ thead th { font-weight: 400; color: var(--muted); border-top: 1.5px solid var(--
   border-bottom: 1px solid var(--rule); }
 tbody tr:last-child > * { border-bottom: 1.5px solid var(--ink); }
 tbody th { font-weight: 400; }
+caption { text-align: left; color: var(--muted); padding-bottom: 0.35rem; }
+.unseen + tbody tr:first-child > * { border-top: 1.5px solid var(--ink); }
 .num { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 figure { margin: 1.8rem 0; }
 figure svg { display: block; width: 100%; height: auto; max-width: 40rem; margin: 0 auto;
@@ -191,16 +194,23 @@ def write(document: Document, figures: Mapping[str, str]) -> str:
 
 def _contents(document: Document) -> str:
     items = "\n".join(
-        f"<li{' class=' + chr(34) + 'deep' + chr(34) if block.level > 1 else ''}>"
-        f'<a href="#{block.anchor}"><span class="n">{block.number}</span>'
-        f"{prose_html(block.title)}</a></li>"
-        for block in document.blocks
-        if isinstance(block, Heading)
+        _entry(block) for block in document.blocks if isinstance(block, (Heading, ExerciseHead))
     )
     return (
         '<nav class="toc" aria-label="Contents"><details open="open"><summary>Contents</summary>'
         f"<ul>\n{items}\n</ul></details></nav>"
     )
+
+
+def _entry(block: Heading | ExerciseHead) -> str:
+    """A line of the contents."""
+    if isinstance(block, ExerciseHead):
+        kind, number = "deep ask", "Ex."
+    else:
+        kind, number = "deep" if block.level > 1 else "", block.number
+    name = f' class="{kind}"' if kind else ""
+    title = f'<span class="n">{number}</span>{prose_html(block.title)}'
+    return f'<li{name}><a href="#{block.anchor}">{title}</a></li>'
 
 
 def _sections(document: Document, figures: Mapping[str, str]) -> list[str]:
@@ -341,8 +351,8 @@ def _(block: Measures) -> str:
         for row in block.rows
     )
     return (
-        '<p class="label">Measured</p>\n<div class="scroll"><table>\n<thead><tr>'
-        '<th scope="col">on a computed motion</th><th scope="col" class="num">error</th>'
+        f'<p class="label">{prose_html(block.label)}</p>\n<div class="scroll"><table>\n<thead><tr>'
+        f'<th scope="col">{prose_html(block.compared)}</th><th scope="col" class="num">error</th>'
         f'<th scope="col" class="num">tolerance</th></tr></thead>\n<tbody>\n{rows}\n</tbody>\n'
         "</table></div>"
     )
@@ -437,7 +447,7 @@ def _(block: DataTable) -> str:
         for row in block.rows
     )
     return (
-        f'<p class="label">{prose_html(block.title)}</p>\n<div class="scroll"><table>\n'
+        f'<div class="scroll"><table>\n<caption>{prose_html(block.title)}</caption>\n'
         f"<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}\n</tbody>\n</table></div>"
     )
 

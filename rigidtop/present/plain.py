@@ -104,7 +104,7 @@ def _(block: Measures, width: int) -> list[str]:
     rows = [
         f"  {row.what}: error {row.error:.1e}, tolerance {row.tolerance:.1e}" for row in block.rows
     ]
-    return ["", "Measured:", *rows]
+    return ["", f"{block.label}:", *rows]
 
 
 @_lines.register

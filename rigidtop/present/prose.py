@@ -72,7 +72,8 @@ _OPERATORS = frozenset("=+−×·≠≤≥<>→∥≡≈±/∝≪≫⇒⟂⊥∈
 _FUNCTIONS = ("arcsin", "arccos", "arctan", "sin", "cos", "tan", "exp", "log", "det", "tr")
 _LONE = frozenset("BCDEFILMNOPRTVbgknpqrtuvwxyz")  # no a, A, and no m, the metre
 _IDENTIFIER = re.compile(r"\b[A-Za-z]_[A-Za-z0-9]{1,4}\b")
-_MARKED = re.compile(r"(?<![A-Za-z])[A-Za-z][\u0302\u0307\u0308](?![A-Za-z])")
+# No English word has a dot above a letter; xẏ is a product.
+_MARKED = re.compile(r"(?<![A-Za-z])[A-Za-z][\u0302\u0307\u0308](?![A-Za-z])|\u0307")
 _NEIGHBOUR = re.compile(r"[-−]?[\d./]+(e[-+]?\d+)?|[-−]?\d*[A-Za-z]|const|[A-Z][A-Za-z]{1,2}")
 _UNIT = re.compile(r"((?:kg|rad|[msNJW])(?:[·/](?:kg|rad|[msNJW]))*)([²³])")
 

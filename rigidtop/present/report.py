@@ -157,9 +157,11 @@ class Conditions:
 
 @dataclass(frozen=True)
 class Measures:
-    """What was measured on computed motions."""
+    """What was compared: on computed motions, or by a second way to the same number."""
 
     rows: tuple[Measure, ...]
+    label: str = "Measured"
+    compared: str = "on a computed motion"
 
 
 @dataclass(frozen=True)
@@ -275,7 +277,7 @@ def document(judged: Judged, closing: Iterable[tuple[str, Block]] = ()) -> Docum
         after.setdefault(section, []).append(block)
     blocks: list[Block] = [*_front(judged)]
     for page, judgements in judged:
-        blocks.append(_heading(page))
+        blocks.extend(_headings(page))
         blocks.append(Paragraph((page.about,)))
         for judgement in judgements:
             blocks.extend(claim_blocks(judgement))
@@ -305,10 +307,17 @@ def anchor(name: str) -> str:
     return "claim-" + re.sub(r"[^A-Za-z0-9]+", "-", name).strip("-")
 
 
-def _heading(page: Page) -> Heading:
+def _headings(page: Page) -> Iterable[Heading]:
     number = page.section if re.fullmatch(r"[\d.]+", page.section) else ""
+    if page.opens:
+        above = number.rpartition(".")[0]
+        yield Heading(1, above, page.opens, _section_anchor(above))
     level = 2 if page.section.count(".") >= 2 else 1
-    return Heading(level, number, page.title, "section-" + re.sub(r"\W+", "-", page.section))
+    yield Heading(level, number, page.title, _section_anchor(page.section))
+
+
+def _section_anchor(section: str) -> str:
+    return "section-" + re.sub(r"\W+", "-", section)
 
 
 def _front(judged: Judged) -> Iterable[Block]:

@@ -113,7 +113,7 @@ def blocks(
             cells = tuple(tuple(map(shown, row)) for row in outcome.rows)
             made.append(DataTable(outcome.title, outcome.columns, cells))
     if solution.measures:
-        made.append(Measures(solution.measures))
+        made.append(Measures(solution.measures, "Confirmed", "by a second way"))
     if figure is not None:
         made.append(figure)
     return made

@@ -68,11 +68,14 @@ _PREAMBLE = r"""\documentclass[10pt,a4paper,fleqn]{article}
   {\color{muted}\hrule height 0.4pt}\nobreak\vskip 0.35\baselineskip\nobreak
   \noindent\phantomsection\label{#2}\textbf{#1}\hfill\verdict{#4}\nopagebreak\par\nobreak
   \textit{#3}\nopagebreak\par\nobreak}
-\newcommand{\exercise}[3]{\par\pagebreak[2]\vspace{1.3\baselineskip}%
+% A heading does not stand alone at the end of a page.
+\newcommand{\room}{\par\ifdim\dimexpr\pagegoal-\pagetotal<7\baselineskip\newpage\fi}
+\newcommand{\exercise}[3]{\room\pagebreak[2]\vspace{1.3\baselineskip}%
   {\color{muted}\hrule height 1.2pt}\nobreak\vskip 0.35\baselineskip\nobreak
-  \noindent\phantomsection\label{#2}\textbf{Exercise: #1}\hfill\textcolor{muted}{\small #3}%
+  \noindent\phantomsection\label{#2}\addcontentsline{toc}{subsubsection}{Exercise: #1}%
+  \textbf{Exercise: #1}\hfill\textcolor{muted}{\small #3}%
   \nopagebreak\par\nobreak}
-\newcommand{\subhead}[1]{\par\pagebreak[1]\vspace{0.6\baselineskip}%
+\newcommand{\subhead}[1]{\room\pagebreak[1]\vspace{0.6\baselineskip}%
   \noindent\textbf{\small #1}\nopagebreak\par\nobreak}
 \makeatletter\@beginparpenalty=10000 \makeatother
 """
@@ -91,6 +94,7 @@ def write(document: Document, figures: Mapping[str, str]) -> str:
             r"\vspace{0.5\baselineskip}",
             rf"{{\footnotesize\color{{muted}} {prose(document.colophon)}\par}}",
             r"\vspace{0.5\baselineskip}",
+            r"{\small\setlength{\parskip}{0pt}\tableofcontents}",
             body,
             r"\end{document}",
             "",
@@ -148,7 +152,7 @@ def _(block: Heading) -> str:
     title = prose(f"{block.number}\u2002{block.title}" if block.number else block.title)
     plain = escape_for_bookmark(f"{block.number} {block.title}".strip())
     return (
-        rf"\{command}*{{{title}}}\phantomsection\label{{{block.anchor}}}"
+        rf"\room\{command}*{{{title}}}\phantomsection\label{{{block.anchor}}}"
         rf"\addcontentsline{{toc}}{{{'sub' * (level - 1)}section}}"
         rf"{{\texorpdfstring{{{title}}}{{{plain}}}}}"
     )
@@ -235,9 +239,9 @@ def _(block: Measures) -> str:
     )
     return "\n".join(
         [
-            r"\lab{Measured}\par\nopagebreak{\small\hspace*{2em}%",
+            rf"\lab{{{prose(block.label)}}}\par\nopagebreak{{\small\hspace*{{2em}}%",
             r"\begin{tabular}{@{}p{0.62\linewidth}rr@{}}",
-            r"\toprule on a computed motion & error & tolerance \\ \midrule",
+            rf"\toprule {prose(block.compared)} & error & tolerance \\ \midrule",
             rows,
             r"\bottomrule\end{tabular}\par}",
         ]
@@ -340,7 +344,7 @@ def _(block: DataTable) -> str:
     rows = "\n".join(" & ".join(map(_cell, row)) + r" \\" for row in block.rows)
     return "\n".join(
         [
-            rf"\lab{{{prose(block.title)}}}\par\nopagebreak{{\footnotesize",
+            rf"{{\footnotesize\textcolor{{muted}}{{{prose(block.title)}}}\par\nopagebreak",
             rf"\begin{{longtable}}[l]{{@{{\hspace*{{2em}}}}l*{{{right}}}{{r}}@{{}}}}",
             rf"\toprule {head} \\ \midrule \endhead",
             rows,

@@ -43,6 +43,8 @@ _PREAMBLE = """#set document(title: "@TITLE@")
 #show math.equation.where(block: true): set block(breakable: false)
 #show heading.where(level: 1): it => block(above: 2em, below: 0.9em, text(size: 15pt, it.body))
 #show heading.where(level: 2): it => block(above: 1.7em, below: 0.8em, text(size: 12.5pt, it.body))
+#show heading.where(level: 3): it => strong(text(size: 10.5pt, it.body))
+#show outline.entry.where(level: 1): it => { v(0.3em, weak: true); strong(it) }
 #let muted = rgb("#555555")
 #let colors = (
   proved: rgb("#1e5b3a"), sampled: rgb("#3e5f2b"), assuming: rgb("#7a4b00"),
@@ -66,8 +68,8 @@ _PREAMBLE = """#set document(title: "@TITLE@")
   block(above: 1.9em, below: 0.7em, sticky: true, {
     line(length: 100%, stroke: 1.2pt + muted)
     v(-0.35em)
-    [#grid(columns: (1fr, auto), strong[Exercise: #title], text(fill: muted, size: 9.5pt, asks))
-      #label(anchor)]
+    grid(columns: (1fr, auto),
+      [#heading(level: 3)[Exercise: #title] #label(anchor)], text(fill: muted, size: 9.5pt, asks))
   })
 }
 #let subhead(words) = block(above: 1.2em, below: 0.7em, sticky: true, strong(text(9.5pt, words)))
@@ -96,6 +98,7 @@ def write(document: Document, figures: Mapping[str, str]) -> str:
             f'#text(size: 17pt, weight: "bold")[{prose(document.title)}]',
             f"#v(-0.4em)\n#text(size: 12pt, fill: muted)[{prose(document.subtitle)}]\n",
             f"#text(size: 9pt, fill: muted)[{prose(document.colophon)}]",
+            "#text(size: 9.5pt)[#outline(title: [Contents], depth: 3)]",
             body,
             "",
         ]
@@ -239,8 +242,8 @@ def _table(columns: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> 
 @typst_block.register
 def _(block: Measures) -> str:
     rows = [(prose(r.what), _power(r.error), _power(r.tolerance)) for r in block.rows]
-    head = ("on a computed motion", "error", "tolerance")
-    return _head("Measured") + "\n" + _table("(1fr, auto, auto)", head, rows)
+    head = (prose(block.compared), "error", "tolerance")
+    return _head(block.label) + "\n" + _table("(1fr, auto, auto)", head, rows)
 
 
 def _power(number: float) -> str:
@@ -302,7 +305,8 @@ def _(block: DataTable) -> str:
     rows = [(_cell(row[0]), *(f"#align(right)[{_cell(x)}]" for x in row[1:])) for row in block.rows]
     columns = ", ".join(["auto"] * len(block.columns))
     head = [prose(words) for words in block.columns]
-    return _head(block.title) + "\n" + _table(f"({columns},)", head, rows)
+    title = f"#block(sticky: true, below: 0.4em, why[{prose(block.title)}])"
+    return title + "\n" + _table(f"({columns},)", head, rows)
 
 
 def _cell(value: str | lay.Node) -> str:

@@ -123,9 +123,14 @@ def claim(name: str, says: str) -> Callable[[Callable[[], Iterable[Evidence]]], 
 
 @dataclass(frozen=True)
 class Page:
-    """One section of the notes: its number, its title, what it is about, its claims in order."""
+    """One section of the notes: its number, its title, what it is about, its claims in order.
+
+    `opens` is the title of the section above, such as 3.5 for 3.5.1, where this is its first page
+    and there is none of its own.
+    """
 
     section: str
     title: str
     about: str
     claims: tuple[Claim, ...]
+    opens: str = ""

@@ -7,6 +7,7 @@ import pytest
 from rigidtop.derivations import PAGES
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.parameters import settings
+from rigidtop.present.prose import prose
 from rigidtop.proof.exercise import Answer, Table
 from rigidtop.proof.page import Measure
 from rigidtop.proof.perturb import falls, telling, upheld
@@ -49,6 +50,18 @@ def test_is_stated_and_explained(exercise):
     assert exercise.claims
     sections = {page.section for page in PAGES}
     assert exercise.section in sections
+
+
+@pytest.mark.parametrize("exercise", EXERCISES, ids=NAMES)
+def test_every_word_can_be_printed(exercise):
+    outcomes = list(exercise.solve(**settings(exercise.parameters)))
+    words = [exercise.title, exercise.asks, exercise.statement, exercise.method]
+    words += [parameter.about for parameter in exercise.parameters]
+    words += [o.title if isinstance(o, Table) else o.what for o in outcomes]
+    tables = [o for o in outcomes if isinstance(o, Table)]
+    words += [cell for t in tables for row in (t.columns, *t.rows) for cell in row]
+    for text in words:
+        assert isinstance(text, float | int) or prose(text)
 
 
 @pytest.mark.parametrize("name", NEW_CLAIMS)
