@@ -19,7 +19,7 @@ from sympy import Expr, Symbol
 
 from rigidtop.codegen import source
 from rigidtop.codegen.numpy import Function, function
-from rigidtop.theory import euler, top
+from rigidtop.theory import euler, sliding, top
 from rigidtop.theory import symbols as s
 
 PATH = Path(__file__).parents[1] / "motion" / "equations.py"
@@ -130,12 +130,68 @@ SHIPPED = (
 )
 
 
+_DRAG = (sliding.drag, sliding.drag1, sliding.drag3)
+
+
+def contact_kinematics() -> tuple[Expr, ...]:
+    """e₃, V and a of a top on a table, a with V put in."""
+    axis, velocity = sliding.kinematics()
+    moving = dict(zip(sliding.VELOCITY, velocity, strict=True))
+    return *axis, *velocity, *sliding.free_slip().subs(moving)
+
+
+SLIDING = (
+    RightHandSide(
+        "contact_kinematics",
+        "Of a top on a table e₃, the velocity of its centre of mass, and a (see `theory.sliding`).",
+        (*top.QUATERNION, s.omega1, s.omega2, s.omega3, *sliding.SLIP),
+        (s.lambda1, s.lambda3, s.M, s.g, s.R, sliding.tip, *_DRAG),
+        contact_kinematics,
+    ),
+    RightHandSide(
+        "sliding_force",
+        "F_x, F_y, N of a tip that slides in the direction d, v̇, and by what N was divided.",
+        (*sliding.AXIS, *sliding.SLIP, *sliding.DIRECTION, *sliding.FREE_SLIP),
+        (s.lambda1, s.lambda3, s.M, s.R, sliding.tip, s.mu, sliding.viscosity),
+        sliding.sliding_force,
+        expand=False,
+    ),
+    RightHandSide(
+        "rolling_force",
+        "F_x, F_y, N that let the point of contact rest.",
+        (*sliding.AXIS, *sliding.FREE_SLIP),
+        (s.lambda1, s.lambda3, s.M, s.R, sliding.tip),
+        sliding.rolling_force,
+        expand=False,
+    ),
+    RightHandSide(
+        "sliding_top",
+        "Rates of q₀ … q₃, ω and what friction and air dissipate, from the contact force.",
+        (
+            *top.QUATERNION,
+            *(s.omega1, s.omega2, s.omega3),
+            *sliding.SLIP,
+            *sliding.VELOCITY,
+            *sliding.CONTACT_FORCE,
+        ),
+        (s.lambda1, s.lambda3, s.R, sliding.tip, *_DRAG),
+        sliding.rates,
+    ),
+)
+"""A top on a table, in four parts: what it does, the contact force by two laws, what that does.
+
+λ₁ and λ₃ are moments about the centre of mass here, and ω₁, ω₂ components in the frame that follows
+e₃ without turning about it.
+"""
+
+
 def named(name: str) -> RightHandSide:
     """The right-hand side of that name; ValueError with the names there are for another."""
-    for side in SHIPPED:
+    for side in (*SHIPPED, *SLIDING):
         if side.name == name:
             return side
-    raise ValueError(f"no right-hand side {name!r}: {', '.join(side.name for side in SHIPPED)}")
+    names = ", ".join(side.name for side in (*SHIPPED, *SLIDING))
+    raise ValueError(f"no right-hand side {name!r}: {names}")
 
 
 def derived(name: str) -> tuple[Expr, ...]:
@@ -232,8 +288,8 @@ Written by `python -m rigidtop.codegen` from `rigidtop.theory`: do not edit.
 Each function takes the parameters once and returns the rates as a function of the state.  The
 numbers may be floats, NumPy arrays that broadcast, or symbols; where angles occur, `sin` and `cos`
 are those of `math` unless others are given.  SI units and radians; λ₁, λ₂, λ₃ are the moments of
-inertia about the pivot (for a free body about the centre of mass), and ω₁, ω₂, ω₃ are components
-in the body frame unless said otherwise.
+inertia about the pivot (for a free body, and for a top on a table, about the centre of mass), and
+ω₁, ω₂, ω₃ are components in the body frame unless said otherwise.
 """
 
 import math
@@ -247,7 +303,7 @@ Rates = Callable[[Sequence[Number]], tuple[Number, ...]]
 
 def module_text() -> str:
     """The whole text of the generated module."""
-    return "\n".join([HEADER, *("\n" + _text(side) + "\n" for side in SHIPPED)])
+    return "\n".join([HEADER, *("\n" + _text(side) + "\n" for side in (*SHIPPED, *SLIDING))])
 
 
 def _text(side: RightHandSide) -> str:
