@@ -5,6 +5,7 @@ from __future__ import annotations
 from rigidtop.derivations.exercises import (
     euler_angles,
     lagrange_formalism,
+    net_torque,
     rotation_matrices,
     simplified_picture,
 )
@@ -12,6 +13,7 @@ from rigidtop.derivations.exercises import (
 EXERCISES = (
     *euler_angles.EXERCISES,
     *rotation_matrices.EXERCISES,
+    *net_torque.EXERCISES,
     *simplified_picture.EXERCISES,
     *lagrange_formalism.EXERCISES,
 )

@@ -1,0 +1,292 @@
+"""Section 3.5.1: torque and potential energy of gravity on points and on a solid."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import cache
+from math import cos, pi, sin
+from typing import Any
+
+import numpy as np
+import sympy
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+from sympy import Matrix, Rational
+
+from rigidtop.derivations.net_torque import D3R, POSITION, gravity, over_body, potential, torque
+from rigidtop.motion.attitude import from_euler_angles
+from rigidtop.motion.top import HeavyTop
+from rigidtop.parameters import Parameter
+from rigidtop.proof.equation import Cross, Dot, Equation, Group, VolumeIntegral, as_printed
+from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
+from rigidtop.proof.page import Check, Evidence, Measure, claim
+from rigidtop.theory.inertia import Solid, cone
+from rigidtop.theory.rotation import (
+    EULER_RATES,
+    Z_AXIS,
+    euler_omega,
+    primed_matrix,
+    total_derivative,
+)
+from rigidtop.theory.symbols import (
+    M,
+    N_ext,
+    R,
+    Tdot,
+    e2p,
+    g,
+    height,
+    lambda1,
+    lambda3,
+    omega_vec,
+    r_vec,
+    radius,
+    rho,
+    theta,
+    thetadot,
+    zhat,
+)
+
+from .bodies import GRAVITY
+
+Vectors = NDArray[np.float64]
+
+POINTS = 3
+PLACES: tuple[tuple[float, float, float, float], ...] = (
+    (1.0, 0.3, 0.0, 0.5),
+    (2.0, -0.1, 0.4, 0.7),
+    (0.5, 0.6, -0.2, 1.1),
+)
+"""Mass (kg) and x, y, z (m) of each point; no two sums of them are alike."""
+
+
+def point_parameters() -> Iterator[Parameter]:
+    """m1, x1, y1, z1, and so on."""
+    for k, (mass, *place) in enumerate(PLACES, start=1):
+        yield Parameter(f"m{k}", mass, f"mass of point {k}", "kg", above=0)
+        for axis, x in zip("xyz", place, strict=True):
+            yield Parameter(f"{axis}{k}", x, f"{axis} of point {k}", "m")
+
+
+@exercise(
+    "gravity-on-points",
+    "Gravity on a body of points",
+    section="3.5.1",
+    asks="(3.48) and (3.49)",
+    statement="Three masses are held together by light rods, and the body is held at the origin. "
+    "Add up the torque of gravity and the potential energy, mass by mass. Then put all the mass at "
+    "the centre of mass, and compare.\n\n"
+    "A third way: turn the body by a quarter to either side about x̂, about ŷ and about ẑ. What do "
+    "the potential energies say about the torque?",
+    claims=(torque, gravity, potential),
+    parameters=(*point_parameters(), GRAVITY),
+)
+def gravity_on_points(g: float, **given: float) -> Iterator[Outcome]:
+    """Both sums are taken point by point. For the third way V of the turned points is computed: a
+    turn by α changes V by terms in cos α and in sin α, so (V(90°) − V(−90°))/2 is its slope at
+    α = 0, and the torque about that axis is minus the slope."""
+    masses = np.array([given[f"m{k + 1}"] for k in range(POINTS)])
+    places = np.array([[given[f"{axis}{k + 1}"] for axis in "xyz"] for k in range(POINTS)])
+    weights = -g * masses[:, None] * np.array([0.0, 0.0, 1.0])
+    total, centre = masses.sum(), masses @ places / masses.sum()
+    summed = np.cross(places, weights).sum(axis=0)
+    energy = float(g * masses @ places[:, 2])
+
+    yield Answer("mass", "M", float(total), "kg")
+    for letter, x in zip("xyz", centre, strict=True):
+        yield Answer(f"centre_{letter}", f"centre of mass along {letter}", float(x), "m")
+    for letter, n in zip("xyz", summed, strict=True):
+        yield Answer(f"torque_{letter}", f"torque along {letter}", float(n), "N m")
+    yield Answer("potential", "potential energy", energy, "J")
+
+    size = float(np.linalg.norm(places, axis=1) @ np.linalg.norm(weights, axis=1)) or 1.0
+    lumped = np.cross(centre, [0.0, 0.0, -total * g])
+    yield Measure(
+        "torque of all the mass at its centre, over Σ|r||F|",
+        float(np.abs(lumped - summed).max()) / size,
+        1e-14,
+    )
+    yield Measure(
+        "potential energy of all the mass at its centre, over the same",
+        abs(float(total * g * centre[2]) - energy) / size,
+        1e-14,
+    )
+
+    def turned(axis: Vectors, angle: float) -> float:
+        return float(g * masses @ Rotation.from_rotvec(angle * axis).apply(places)[:, 2])
+
+    slopes = [(turned(axis, pi / 2) - turned(axis, -pi / 2)) / 2 for axis in np.eye(3)]
+    yield Measure(
+        "torque as minus the slope of the potential energy, over the same",
+        float(np.abs(summed + slopes).max()) / size,
+        1e-14,
+    )
+
+
+@claim("torque-along-the-nodes", "The torque MgR sin θ on a top lies along e₂′, and drives θ.")
+def torque_along_the_nodes() -> Iterator[Evidence]:
+    """R_CM = R e₃ put into (3.49): ẑ × e₃ is sin θ e₂′, the line of nodes.
+
+    It works on θ̇ alone, as MgR cos θ depends on θ alone: what V loses T gains.
+    """
+    axes = primed_matrix()
+    centre = R * axes[:, 2]
+    measure = over_body(centre)
+    acting = measure(POSITION.cross(-rho * g * Matrix(Z_AXIS)))
+    lost = -total_derivative(M * g * centre[2], EULER_RATES)
+    with as_printed():
+        along = Equation(N_ext, M * g * R * sympy.sin(theta) * e2p)
+        power = Equation(Tdot, Dot(N_ext, omega_vec), M * g * R * thetadot * sympy.sin(theta))
+    meaning = {N_ext: acting, e2p: axes[:, 1], omega_vec: Matrix(euler_omega("space")), Tdot: lost}
+    yield Check(along, meaning, reason="Horizontal, and across the axis.", printed=False)
+    yield Check(power, meaning, reason="The power of gravity.", printed=False)
+
+
+def over_solid(solid: Solid) -> Callable[[Any], Any]:
+    """∫ d³r over a solid, of an expression in its parameters or of a vector of them."""
+
+    def integral(integrand: Any) -> Any:
+        if isinstance(integrand, Matrix):
+            return integrand.applyfunc(solid.integral)
+        return solid.integral(integrand)
+
+    return integral
+
+
+@claim("cone-on-its-tip", "A cone on its tip: its centre, its moments, its torque and energy.")
+def cone_on_its_tip() -> Iterator[Evidence]:
+    """Integrals over a uniform cone that stands on its tip, upright for the moments.
+
+    Tilted by θ, every grain has its own arm and its own height; (3.49) and MgR cos θ come out.
+    """
+    solid = cone(radius, height)
+    tensor = solid.inertia(M)
+    with as_printed():
+        centre = Equation(R, Rational(3, 4) * height)
+        across = Equation(lambda1, Rational(3, 20) * M * Group(radius**2 + 4 * height**2))
+        along = Equation(lambda3, Rational(3, 10) * M * radius**2)
+        energy = Equation(
+            VolumeIntegral(D3R, rho * g * Dot(zhat, r_vec)),
+            Rational(3, 4) * M * g * height * sympy.cos(theta),
+        )
+        turning = Equation(
+            -g * VolumeIntegral(D3R, rho * Cross(r_vec, zhat)),
+            Rational(3, 4) * M * g * height * sympy.sin(theta) * e2p,
+        )
+    shape = {R: solid.centre()[2], lambda1: tensor[0, 0], lambda3: tensor[2, 2]}
+    for equation in (centre, across, along):
+        yield Check(equation, shape, printed=False)
+    axes = primed_matrix(sympy.Integer(0))
+    tilted = {
+        D3R: over_solid(solid),
+        rho: M / solid.volume(),
+        r_vec: axes * solid.position,
+        zhat: Matrix(Z_AXIS),
+        e2p: axes[:, 1],
+    }
+    yield Check(energy, tilted, reason="V of the cone,", printed=False)
+    yield Check(turning, tilted, reason="and N, where it leans towards x̂.", printed=False)
+
+
+def discs(radius: float, height: float, nodes: int = 8) -> tuple[Vectors, Vectors]:
+    """Points (n, 3) in a cone on its tip and their shares of ∫ d³r (n,): disc by disc.
+
+    Gauss's nodes along the axis and across it, and as many equal steps around: exact for
+    polynomials in x, y, z up to the degree `nodes` − 1.
+    """
+    x, weight = np.polynomial.legendre.leggauss(nodes)
+    x, weight = (x + 1) / 2, weight / 2
+    z, share, turn = np.meshgrid(height * x, x, 2 * pi * np.arange(nodes) / nodes, indexing="ij")
+    across = share * radius * z / height
+    points = np.stack([across * np.cos(turn), across * np.sin(turn), z], axis=-1)
+    # d³r = ϱ dϱ dφ dz, with ϱ from 0 to the edge of the disc.
+    sizes = (
+        (height * weight)[:, None, None]
+        * weight[None, :, None]
+        * across
+        * (radius * z / height)
+        * (2 * pi / nodes)
+    )
+    return points.reshape(-1, 3), sizes.ravel()
+
+
+@exercise(
+    "gravity-on-a-solid",
+    "Gravity on a cone that stands on its tip",
+    section="3.5.1",
+    asks="exercise: the potential energy is MgR cos θ",
+    statement="A solid cone of uniform density stands on its tip and leans at θ towards the "
+    "azimuth φ. Every bit of it has a weight, an arm and a height of its own. Find the torque and "
+    "the potential energy as integrals over the cone, and compare with one force Mg at the centre "
+    "of mass.\n\n"
+    "Find its moments about the tip too: then the cone is a top. How fast must it spin so that it "
+    "can stand upright, or go round steadily at θ?",
+    claims=(gravity, potential, torque_along_the_nodes, cone_on_its_tip),
+    parameters=(
+        Parameter("radius", 0.03, "radius of the base", "m", above=0),
+        Parameter("height", 0.06, "height", "m", above=0),
+        Parameter("density", 700.0, "density: that of beech", "kg/m³", above=0),
+        Parameter("theta", pi / 9, "θ, tilt of the axis", "rad", least=0, most=pi),
+        Parameter("phi", 0.7, "φ, azimuth of the axis", "rad"),
+        GRAVITY,
+    ),
+    figure="torque",
+)
+def gravity_on_a_solid(
+    radius: float, height: float, density: float, theta: float, phi: float, g: float
+) -> Iterator[Outcome]:
+    """Mass, centre and moments are the integrals of the claim, with numbers put in. Besides, the
+    tilted cone is summed disc by disc with Gauss's nodes, which is exact for these integrals."""
+    shape = dict(zip(_SHAPE, (radius, height, density), strict=True))
+    volume, centre, across, along = (float(x.subs(shape)) for x in _of_a_cone())
+    mass = density * volume
+    top = HeavyTop(lambda1=mass * across, lambda3=mass * along, M=mass, R=centre, g=g)
+    turning = top.weight[2] * sin(theta)
+    direction = np.array([-sin(phi), cos(phi), 0.0])
+    energy = top.weight[2] * cos(theta)
+
+    yield Answer("mass", "M", mass, "kg")
+    yield Answer("R", "R, from the tip to the centre of mass", centre, "m")
+    yield Answer("lambda1", "λ₁ about the tip", top.lambda1, "kg m²")
+    yield Answer("lambda3", "λ₃", top.lambda3, "kg m²")
+    yield Answer("torque", "torque MgR sin θ", turning, "N m")
+    yield Answer("torque_x", "torque along x̂", turning * direction[0], "N m")
+    yield Answer("torque_y", "torque along ŷ", turning * direction[1], "N m")
+    yield Answer("potential", "potential energy MgR cos θ", energy, "J")
+    yield Answer("sleeping_spin", "smallest ω₃ to stand upright", top.sleeping_spin(), "rad/s")
+    yield Answer(
+        "smallest_spin", "smallest ω₃ to go round steadily at θ", top.smallest_spin(theta), "rad/s"
+    )
+
+    points, sizes = discs(radius, height)
+    bits = density * sizes
+    standing = from_euler_angles(theta, phi, 0.0).apply(points)
+    summed = np.cross(standing, -g * bits[:, None] * np.array([0.0, 0.0, 1.0])).sum(axis=0)
+    scale = top.weight[2]
+    errors = {
+        "mass, disc by disc, relative": bits.sum() / mass - 1,
+        "torque, disc by disc, over MgR": (summed - turning * direction) / scale,
+        "potential energy, disc by disc, over MgR": (g * bits @ standing[:, 2] - energy) / scale,
+        "λ₁ about the tip, disc by disc, relative": bits
+        @ (points[:, 1] ** 2 + points[:, 2] ** 2)
+        / top.lambda1
+        - 1,
+        "λ₃, disc by disc, relative": bits @ (points[:, 0] ** 2 + points[:, 1] ** 2) / top.lambda3
+        - 1,
+    }
+    for what, error in errors.items():
+        yield Measure(what, float(np.max(np.abs(error))), 1e-12)
+
+
+_SHAPE = sympy.symbols("radius height density", positive=True)
+
+
+@cache
+def _of_a_cone() -> tuple[sympy.Expr, ...]:
+    """Volume (m³), R (m), and λ₁ and λ₃ of one kilogram (m²) of a cone on its tip."""
+    solid = cone(*_SHAPE[:2])
+    tensor = solid.inertia(sympy.Integer(1))
+    return solid.volume(), solid.centre()[2], tensor[0, 0], tensor[2, 2]
+
+
+EXERCISES: tuple[Exercise, ...] = (gravity_on_points, gravity_on_a_solid)
