@@ -1,7 +1,7 @@
 """Every figure by its name.
 
 >>> [drawing.name for drawing in FIGURES][:2]
-['cones', 'precession-rates']
+['polhodes', 'flip']
 """
 
 from __future__ import annotations
@@ -9,14 +9,37 @@ from __future__ import annotations
 from difflib import get_close_matches
 
 from rigidtop.errors import RigidtopError
-from rigidtop.present.figures import cones, nutation, potential, precession
+from rigidtop.present.figures import (
+    angles,
+    cones,
+    falling,
+    free,
+    nutation,
+    potential,
+    precession,
+    spinning,
+    torque,
+)
 from rigidtop.present.figures.drawing import Drawing
 
 FIGURES: tuple[Drawing, ...] = (
+    free.POLHODES,
+    free.FLIP,
     cones.CONES,
+    cones.ROLLING_CONES,
+    free.TUMBLING,
+    angles.EULER_ANGLES,
+    torque.TORQUE_ARROWS,
+    precession.PARALLEL,
+    falling.TOPPLING,
     precession.PRECESSION_RATES,
+    precession.ASYMPTOTICS,
+    falling.SLEEPING,
     potential.EFFECTIVE_POTENTIAL,
+    spinning.SPINNING_TOP,
     nutation.PATHS,
+    nutation.MOTION,
+    nutation.REGIMES,
 )
 """In the order of the notes."""
 

@@ -1,14 +1,18 @@
-"""Nutation: the path of the figure axis."""
+"""Nutation: the path of the figure axis, its angles in time, and what kinds of motion there are."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
-from numpy.typing import ArrayLike
+from matplotlib.lines import Line2D
+from numpy.typing import ArrayLike, NDArray
+from scipy.ndimage import distance_transform_edt, label
 
+from rigidtop.motion.many import TopMotions, top_motions
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
@@ -16,14 +20,21 @@ from rigidtop.present.figures.bodies import SPIN, THETA, TOP, start_in_words, to
 from rigidtop.present.figures.drawing import Drawing
 from rigidtop.present.figures.space import View, arrow, circle, on_sphere, paper, sphere
 from rigidtop.present.figures.style import (
+    COLUMN,
+    DASH_DOT,
+    DASHED,
+    DOTTED,
     FIRST,
     GREY,
     INK,
     RULE,
+    SECOND,
     WIDE,
     Floats,
     Z,
     canvas,
+    degrees,
+    name_at,
     said,
     spoken,
 )
@@ -112,4 +123,263 @@ PATHS = Drawing(
     _draw_paths,
     _paths_caption,
     _paths_in_words,
+)
+
+
+# --- θ(t), φ(t), energies ------------------------------------------------------------------------
+
+
+def draw_theta(axes: Axes, motion: TopMotion, t: Floats) -> None:
+    """θ(t) (degrees) between its turning points."""
+    axes.plot(t, np.degrees(motion.exact(t).theta), color=FIRST, label="_theta")
+    for angle, words in zip(
+        np.degrees(motion.turning_points), (r"$\theta_1$", r"$\theta_2$"), strict=True
+    ):
+        axes.axhline(float(angle), color=GREY, lw=0.8, ls=DOTTED)
+        name_at(axes, float(t[-1]), float(angle), words, (3, 0), va="center")
+    axes.set_ylabel(r"$\theta$  (degrees)")
+
+
+def draw_phi(axes: Axes, motion: TopMotion, t: Floats) -> None:
+    """φ(t) (degrees), and what it would be at its mean rate."""
+    phi = motion.exact(t).phi
+    mean = motion.mean_precession
+    if math.isfinite(mean):
+        axes.plot(t, np.degrees(phi[0] + mean * t), color=GREY, lw=0.9, ls=DASHED)
+    axes.plot(t, np.degrees(phi), color=FIRST, label="_phi")
+    axes.set_ylabel(r"$\phi$  (degrees)")
+
+
+def draw_energies(axes: Axes, motion: TopMotion, t: Floats) -> None:
+    """T, V and E = T + V (J), without the constant part p_ψ²/(2λ₃) of T and of E."""
+    run, top = motion.exact(t), motion.body
+    constant = run.p_psi**2 / (2 * top.lambda3)
+    potential = run.vertical @ np.array(top.weight)
+    energy = run.energy - constant
+    for values, words, color, style in (
+        (energy - potential, "$T$", SECOND, DASH_DOT),
+        (potential, "$V$", FIRST, "-"),
+        (energy, "$E$", INK, DASHED),
+    ):
+        axes.plot(t, values, color=color, ls=style, lw=1.2, label=words)
+    low, high = axes.get_ylim()
+    axes.set_ylim(low, high + 0.34 * (high - low))
+    axes.legend(loc="upper center", ncols=3, handlelength=2.6, borderaxespad=0.0)
+    axes.set_ylabel("energy  (J)")
+
+
+def _start(
+    theta: float, theta_dot: float, phi_dot: float, omega3: float, **top: float
+) -> TopMotion:
+    return HeavyTop(**top).motion(theta=theta, theta_dot=theta_dot, phi_dot=phi_dot, omega3=omega3)
+
+
+def _shown_time(motion: TopMotion) -> float:
+    period = motion.nutation_period
+    return 5 * period if math.isfinite(period) else float(nutation_times(motion, 2)[-1])
+
+
+def _draw_motion(**values: float) -> Canvas:
+    motion = _start(**values)
+    times = np.linspace(0.0, _shown_time(motion), 1201)
+    drawn = canvas(COLUMN, 4.3)
+    panels = drawn.subplots(3, 1, sharex=True)
+    for axes, draw in zip(panels, (draw_theta, draw_phi, draw_energies), strict=True):
+        draw(axes, motion, times)
+        axes.set_xlim(0, times[-1])
+    panels[-1].set_xlabel("$t$  (s)")
+    drawn.align_ylabels(panels)
+    return drawn
+
+
+def _motion_caption(
+    theta: float, theta_dot: float, phi_dot: float, omega3: float, **top: float
+) -> str:
+    motion = _start(theta, theta_dot, phi_dot, omega3, **top)
+    first, last = np.degrees(motion.turning_points)
+    period = motion.nutation_period
+    return (
+        f"A top with {top_in_words(motion.body)} from {start_in_words(theta, omega3)}, "
+        f"θ̇ = {said(theta_dot)} and φ̇ = {said(phi_dot)} rad/s ({motion.regime}): θ runs between "
+        f"{said(first)}° and {said(last)}° in {said(period)} s; dashed, φ at its mean rate, "
+        f"{said(motion.mean_precession)} rad/s. T and E are without the constant p_ψ²/(2λ₃)."
+    )
+
+
+def _motion_in_words(**values: float) -> str:
+    motion = _start(**values)
+    return (
+        "Three curves over time: theta goes up and down between its turning points with a period "
+        f"of {spoken(motion.nutation_period)} seconds; phi goes on, now faster, now slower, at a "
+        f"mean rate of {spoken(motion.mean_precession)} radians per second; of the energies T and "
+        "V mirror each other, and their sum E stays the same."
+    )
+
+
+RATE = Parameter("phi_dot", 0.0, "φ̇ at the start", "rad/s")
+
+MOTION = Drawing(
+    "motion",
+    "θ(t), φ(t) and the energies of a top",
+    "",
+    (*TOP, THETA, Parameter("theta_dot", 0.0, "θ̇ at the start", "rad/s"), RATE, SPIN),
+    _draw_motion,
+    _motion_caption,
+    _motion_in_words,
+)
+
+# --- A map of regimes ----------------------------------------------------------------------------
+
+COUNTS = 361, 301
+AREAS: Mapping[str, tuple[str, str]] = {
+    "waves": ("#ffffff", ""),
+    "loops": ("#c9d6e3", "////"),
+}
+"""Colour and hatching of the regimes that fill areas; the others are lines and points."""
+
+
+def regime_map(
+    top: HeavyTop, theta: float, spins: Floats, rates: Floats
+) -> tuple[NDArray[np.str_], TopMotions]:
+    """The regimes (rates, spins) of tops that start at θ with θ̇ = 0, and the motions."""
+    tops = top_motions(**vars(top), theta=theta, phi_dot=rates[:, None], omega3=spins[None, :])
+    return tops.regime, tops
+
+
+def draw_regimes(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_dot: float) -> None:
+    """What a top does that starts at θ with θ̇ = 0, over ω₃ up to `omega3` and |φ̇| to `phi_dot`.
+
+    Solid: steady precession.  Dashed: cusps, where φ̇ vanishes at a turning point.  Dotted: through
+    the vertical.
+    """
+    # No line of the grid lies on an axis, where the regimes are those of lines.
+    spins = omega3 * (np.arange(COUNTS[0]) + 0.5) / COUNTS[0]
+    rates = phi_dot * ((np.arange(COUNTS[1]) + 0.5) / COUNTS[1] * 2 - 1)
+    rates = rates + 1e-3 * phi_dot / COUNTS[1]
+    regimes, tops = regime_map(top, theta, spins, rates)
+    known = [name for name in AREAS if np.any(regimes == name)]
+    for name in known:
+        inside = (regimes == name).astype(float)
+        color, hatch = AREAS[name]
+        if inside.all():
+            axes.axhspan(-phi_dot, phi_dot, fc=color, ec=RULE, hatch=hatch or None, lw=0)
+            continue
+        axes.contourf(
+            spins, rates, inside, levels=[0.5, 1.5], colors=[color], hatches=[hatch or None]
+        )
+    start, weight = tops.exact(0.0), top.M * top.g * top.R
+    p_psi = top.lambda3 * np.broadcast_to(start.omega3, regimes.shape)
+    p_phi = top.lambda1 * start.v_phi * np.sin(start.theta) + p_psi * np.cos(start.theta)
+    energy = top.lambda1 * start.v_phi**2 / 2 + weight * np.cos(start.theta)
+    # At a cusp e₃ rests: cos θ = p_φ/p_ψ, and what energy there is, is potential.
+    at_rest = np.where(np.abs(p_phi) < p_psi, energy * p_psi - weight * p_phi, np.nan)
+    for field, style in ((at_rest, DASHED), (p_phi - p_psi, DOTTED), (p_phi + p_psi, DOTTED)):
+        if np.nanmin(field) < 0 < np.nanmax(field):
+            axes.contour(
+                spins, rates, field, levels=[0.0], colors=[INK], linewidths=1.0, linestyles=[style]
+            )
+    _steady_lines(axes, top, theta, omega3, phi_dot)
+    for name in known:
+        _name_area(axes, spins, rates, regimes == name, name)
+    axes.set_xlim(0, omega3)
+    axes.set_ylim(-phi_dot, phi_dot)
+    axes.set_xlabel(r"$\omega_3$  (rad/s)")
+    axes.set_ylabel(r"$\dot\phi$ at the start  (rad/s)")
+    handles = [
+        Line2D([], [], color=SECOND, lw=1.6, label="steady"),
+        Line2D([], [], color=INK, lw=0.9, ls=DASHED, label="cusps"),
+        Line2D([], [], color=INK, lw=0.9, ls=DOTTED, label="vertical"),
+    ]
+    axes.legend(
+        handles=handles,
+        loc="lower center",
+        bbox_to_anchor=(0.5, 1.0),
+        ncols=3,
+        handlelength=2.4,
+        borderpad=0,
+    )
+
+
+def _steady_lines(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_dot: float) -> None:
+    least = top.smallest_spin(theta)
+    if least >= omega3:
+        return
+    spins = least + (omega3 - least) * np.linspace(0.0, 1.0, 300)[1:] ** 2
+    roots = np.array([top.steady_precession(theta, spin) for spin in spins])
+    if least:  # both begin at one point
+        spins = np.concatenate([spins[::-1], spins])
+        axes.plot(spins, np.append(roots[::-1, 1], roots[:, 0]), color=SECOND, lw=1.6)
+        return
+    for root in roots.T:
+        axes.plot(spins, np.where(np.abs(root) < 10 * phi_dot, root, np.nan), color=SECOND, lw=1.6)
+
+
+def _name_area(
+    axes: Axes, spins: Floats, rates: Floats, inside: NDArray[np.bool_], name: str
+) -> None:
+    """The name of a regime, in the middle of each large part of its area."""
+    above, count = label(inside & (rates > 0)[:, None])
+    below, more = label(inside & (rates < 0)[:, None])
+    parts = above + np.where(below > 0, below + count, 0)
+    for part in range(1, count + more + 1):
+        here = parts == part
+        if here.mean() < 0.04:
+            continue
+        depth = distance_transform_edt(np.pad(here, 1))[1:-1, 1:-1]
+        row, column = np.unravel_index(int(np.argmax(depth)), depth.shape)
+        name_at(
+            axes,
+            float(spins[column]),
+            float(rates[row]),
+            name,
+            ha="center",
+            va="center",
+            color=INK,
+        )
+
+
+def _draw_regimes(theta: float, omega3: float, phi_dot: float, **top: float) -> Canvas:
+    drawn = canvas(COLUMN, 2.8)
+    draw_regimes(drawn.subplots(), HeavyTop(**top), theta, omega3, phi_dot)
+    return drawn
+
+
+def _regimes_caption(theta: float, omega3: float, phi_dot: float, **top: float) -> str:
+    body = HeavyTop(**top)
+    least = body.smallest_spin(theta)
+    begins = f" It begins at ω₃ = {said(least)} rad/s." if 0 < least < omega3 else ""
+    return (
+        f"What a top with {top_in_words(body)} does that starts at θ = {degrees(theta)} with "
+        "θ̇ = 0, for each ω₃ and φ̇: waves, or loops (hatched), with cusps between (dashed), or a "
+        f"way through the vertical (dotted). Solid: steady precession.{begins}"
+    )
+
+
+def _regimes_in_words(theta: float, omega3: float, phi_dot: float, **top: float) -> str:
+    body = HeavyTop(**top)
+    points = np.linspace(0.05, 1, 20) * omega3, np.linspace(-0.99, 0.99, 20) * phi_dot
+    regimes, _ = regime_map(body, theta, *points)
+    share = float(np.mean(regimes == "loops"))
+    return (
+        "A map over the spin and the first rate of precession. Areas of waves and hatched areas of "
+        f"loops, the latter {spoken(100 * share)} per cent of it, are parted by dashed lines of "
+        "cusps and dotted lines through the vertical. A solid curve of steady precession begins at "
+        f"the least spin, {spoken(body.smallest_spin(theta))} radians per second, and splits "
+        "into the slow and the fast one."
+    )
+
+
+REGIMES = Drawing(
+    "regimes",
+    "A map of regimes over ω₃ and φ̇",
+    "3.5.4",
+    (
+        *TOP,
+        THETA,
+        Parameter("omega3", 60.0, "largest ω₃", "rad/s", above=0),
+        Parameter("phi_dot", 30.0, "largest |φ̇|", "rad/s", above=0),
+    ),
+    _draw_regimes,
+    _regimes_caption,
+    _regimes_in_words,
 )

@@ -1,14 +1,20 @@
-"""Steady precession: its two rates."""
+"""Steady precession: its two rates, and what holds for large ω₃."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import cache
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
+from matplotlib.lines import Line2D
+from numpy.typing import ArrayLike
 
+from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
+from rigidtop.parameters import Parameter
 from rigidtop.present.figures.bodies import SPIN, THETA, TOP, top_in_words
 from rigidtop.present.figures.drawing import Drawing
 from rigidtop.present.figures.style import (
@@ -19,6 +25,7 @@ from rigidtop.present.figures.style import (
     GREY,
     INK,
     SECOND,
+    Floats,
     canvas,
     degrees,
     name_at,
@@ -144,4 +151,214 @@ PRECESSION_RATES = Drawing(
     _precession_rates,
     _precession_rates_caption,
     _precession_rates_in_words,
+)
+
+# --- How good the formulas for large ω₃ are ------------------------------------------------------
+
+WEAKEST, STRONGEST = 1e-5, 0.25
+"""ε from a fast spin to the threshold."""
+
+
+@cache
+def _large_spin_formula(order: int) -> Callable[..., Floats]:
+    """Ω₋ and Ω₊ as `order` terms of their derived expansions."""
+    from rigidtop.codegen.numpy import function
+    from rigidtop.theory import symbols as s
+    from rigidtop.theory.top import steady_expansions
+
+    arguments = (s.lambda1, s.lambda3, s.M, s.R, s.g, s.theta, s.omega3)
+    return function(steady_expansions(order), arguments, "large_spin").array
+
+
+def large_spin_formulas(top: HeavyTop, theta: float, spins: Floats) -> Floats:
+    """Ω₋ and Ω₊ (rad/s) to leading order in ε and to the next, shape (2 orders, 2 roots, N)."""
+    body = top.lambda1, top.lambda3, top.M, top.R, top.g
+    return np.array([_large_spin_formula(order)(*body, theta, spins) for order in (1, 2)])
+
+
+def weakness(top: HeavyTop, theta: float, omega3: float) -> float:
+    """ε = λ₁MgR cos θ/(λ₃ω₃)²: a quarter at the least spin with a steady precession."""
+    return (top.smallest_spin(theta) / omega3) ** 2 / 4
+
+
+def draw_asymptotics(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> None:
+    """The relative error of the formulas for large ω₃ against ε, to two orders.
+
+    The dots are those at the spin `omega3` (rad/s).
+    """
+    marked = top.smallest_spin(theta) / (2 * np.sqrt([weakness(top, theta, omega3)]))
+    epsilon = np.geomspace(min(WEAKEST, weakness(top, theta, omega3) / 2), STRONGEST, 240)
+    epsilon[-1] *= 1 - 1e-12
+    spins = top.smallest_spin(theta) / (2 * np.sqrt(epsilon))
+
+    def errors(at: Floats) -> Floats:
+        """Shape (order, root, N)."""
+        exact = np.array([top.steady_precession(theta, spin) for spin in at]).T
+        return np.abs(large_spin_formulas(top, theta, at) / exact - 1)
+
+    lines, dots = errors(spins), errors(marked)
+    for order, width in ((0, 1.5), (1, 1.0)):
+        for root, (color, style) in enumerate(((FIRST, "-"), (SECOND, DASHED))):
+            axes.plot(epsilon, lines[order, root], color=color, ls=style, lw=width)
+            axes.plot(weakness(top, theta, omega3), dots[order, root], "o", color=color, ms=3.5)
+    axes.axhline(0.01, color=GREY, lw=0.8, ls=DOTTED)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_xlim(epsilon[0], 0.4)
+    axes.set_ylim(float(lines[1].min()) / 3, 2.0)
+    name_at(axes, epsilon[0], 0.01, "1 %", (4, 3))
+    for order, words in ((0, "leading order"), (1, "next order")):
+        at = 90 + 40 * order
+        name_at(
+            axes,
+            float(epsilon[at]),
+            float(lines[order].max(axis=0)[at]),
+            words,
+            (-4, 4),
+            ha="right",
+            color=INK,
+        )
+    axes.set_xlabel(r"$\epsilon = \lambda_1 MgR\,\cos\theta/(\lambda_3\omega_3)^2$")
+    axes.set_ylabel("relative error")
+    handles = [
+        Line2D([], [], color=FIRST, label=r"$\Omega_-$"),
+        Line2D([], [], color=SECOND, ls=DASHED, label=r"$\Omega_+$"),
+    ]
+    axes.legend(handles=handles, loc="lower right", handlelength=2.2)
+
+
+def _asymptotics(theta: float, omega3: float, **top: float) -> Canvas:
+    drawn = canvas(COLUMN, 2.6)
+    body = HeavyTop(**top)
+    body.steady_precession(theta, omega3)  # says so where there is none
+    draw_asymptotics(drawn.subplots(), body, theta, omega3)
+    return drawn
+
+
+def _large_spin_errors(theta: float, omega3: float, **top: float) -> tuple[float, float, float]:
+    body = HeavyTop(**top)
+    exact = body.steady_precession(theta, omega3)
+    lead, _ = large_spin_formulas(body, theta, np.array([omega3]))
+    slow, fast = (abs(float(a[0]) / b - 1) for a, b in zip(lead, exact, strict=True))
+    return weakness(body, theta, omega3), slow, fast
+
+
+def _asymptotics_caption(theta: float, omega3: float, **top: float) -> str:
+    epsilon, slow, fast = _large_spin_errors(theta, omega3, **top)
+    return (
+        "The relative error of Ω₋ = MgR/(λ₃ω₃) and Ω₊ = λ₃ω₃/(λ₁ cos θ), and of the same with the "
+        "next term in ε, against ε; at ε = 1/4 the two roots of (3.57) meet. Dots: a top with "
+        f"{top_in_words(HeavyTop(**top))} at θ = {degrees(theta)} and ω₃ = {said(omega3)} rad/s, "
+        f"ε = {said(epsilon)}, where the first are off by {said(100 * slow)} and "
+        f"{said(100 * fast)} %."
+    )
+
+
+def _asymptotics_in_words(theta: float, omega3: float, **top: float) -> str:
+    epsilon, slow, fast = _large_spin_errors(theta, omega3, **top)
+    return (
+        "Relative errors against epsilon on logarithmic scales. To leading order the errors of "
+        "both rates are about epsilon itself; with the next term they are of the order of its "
+        f"square. At epsilon {spoken(epsilon)} they are {spoken(slow)} and {spoken(fast)}. A "
+        "dotted line marks one per cent."
+    )
+
+
+UPWARD = Parameter("theta", math.pi / 3, "θ", "rad", least=0, most=1.57)
+
+ASYMPTOTICS = Drawing(
+    "asymptotics",
+    "How good the formulas for large ω₃ are",
+    "",
+    (*TOP, UPWARD, SPIN),
+    _asymptotics,
+    _asymptotics_caption,
+    _asymptotics_in_words,
+)
+
+# --- L and ω of a fast top are nearly parallel ---------------------------------------------------
+
+NUTATIONS = 5
+
+
+def angle_to_momentum(motion: TopMotion, t: ArrayLike) -> Floats:
+    """The angle between L and ω (N,), rad."""
+    run = motion.exact(t)
+    momentum, omega = run.angular_momentum, run.omega_space
+    across = np.linalg.norm(np.cross(momentum, omega), axis=1)
+    return np.arctan2(across, np.sum(momentum * omega, axis=1))
+
+
+def weak_torque_bound(top: HeavyTop, theta: float, omega3: float) -> float:
+    """2|λ₁ − λ₃|MgR sin θ/(λ₃²ω₃²), rad: to leading order, of a top let go with ω along e₃.
+
+    ω across e₃ is at most twice that of the steady precession, MgR sin θ/(λ₃ω₃).
+    """
+    across = 2 * top.M * top.g * top.R * math.sin(theta) / (top.lambda3 * omega3)
+    return abs(top.lambda1 - top.lambda3) * across / (top.lambda3 * omega3)
+
+
+def draw_parallel(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> None:
+    """The angle between L and ω of a top that is let go with ω along e₃, and its bound."""
+    motion = top.motion(theta=theta, omega3=omega3)
+    times = np.linspace(0.0, NUTATIONS * motion.nutation_period, 1201)
+    angle = np.degrees(angle_to_momentum(motion, times))
+    bound = math.degrees(weak_torque_bound(top, theta, omega3))
+    axes.plot(times, angle, color=FIRST)
+    axes.axhline(bound, color=SECOND, lw=1.1, ls=DASHED)
+    highest = max(bound, float(angle.max()))
+    axes.set_xlim(0, times[-1])
+    axes.set_ylim(0, 1.3 * highest if highest else 1.0)
+    name_at(
+        axes,
+        0.0,
+        bound,
+        r"$2\,|\lambda_1-\lambda_3|\,MgR\,\sin\theta/(\lambda_3\omega_3)^2$",
+        (4, 7),
+        color=SECOND,
+    )
+    axes.set_xlabel("$t$  (s)")
+    axes.set_ylabel(r"angle of $\mathbf{L}$ and $\boldsymbol{\omega}$  (degrees)")
+
+
+def _parallel(theta: float, omega3: float, **top: float) -> Canvas:
+    drawn = canvas(COLUMN, 2.3)
+    draw_parallel(drawn.subplots(), HeavyTop(**top), theta, omega3)
+    return drawn
+
+
+def _largest_angle(theta: float, omega3: float, **top: float) -> float:
+    motion = HeavyTop(**top).motion(theta=theta, omega3=omega3)
+    return float(angle_to_momentum(motion, motion.nutation_period / 2)[0])
+
+
+def _parallel_caption(theta: float, omega3: float, **top: float) -> str:
+    largest = _largest_angle(theta, omega3, **top)
+    body = HeavyTop(**top)
+    return (
+        f"The angle between L and ω of a top with {top_in_words(body)} that is let go at "
+        f"θ = {degrees(theta)} with ω₃ = {said(omega3)} rad/s and ω along e₃. It is zero at every "
+        f"cusp and {degrees(largest)} between two; dashed: its largest value to leading order in "
+        f"the torque, {degrees(weak_torque_bound(body, theta, omega3))}."
+    )
+
+
+def _parallel_in_words(theta: float, omega3: float, **top: float) -> str:
+    largest = _largest_angle(theta, omega3, **top)
+    bound = weak_torque_bound(HeavyTop(**top), theta, omega3)
+    return (
+        "The angle between L and omega against time goes from zero up and back to zero, once in "
+        f"every nutation; half way it is {spoken(math.degrees(largest))} degrees. A dashed "
+        f"line is at the estimate for a weak torque, {spoken(math.degrees(bound))} degrees."
+    )
+
+
+PARALLEL = Drawing(
+    "parallel",
+    "L and ω of a fast top are nearly parallel",
+    "",
+    (*TOP, THETA, Parameter("omega3", 150.0, "ω₃", "rad/s", above=0)),
+    _parallel,
+    _parallel_caption,
+    _parallel_in_words,
 )

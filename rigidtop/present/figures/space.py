@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
+from scipy.spatial import ConvexHull
 
 from rigidtop.present.figures.style import HIDDEN, INK, RULE, Floats, name_at
 
@@ -157,3 +158,55 @@ def paper(axes: Axes, x: tuple[float, float], y: tuple[float, float]) -> None:
     axes.set_xlim(*x)
     axes.set_ylim(*y)
     axes.set_axis_off()
+
+
+# --- Things --------------------------------------------------------------------------------------
+
+
+def outline(view: View, points: Floats) -> Floats:
+    """The outline (K, 2) on paper of a convex body that `points` (N, 3) span."""
+    across, up, _ = view(points)
+    flat = np.column_stack([across, up])
+    return flat[ConvexHull(flat).vertices]
+
+
+def top_body(
+    axes: Axes,
+    view: View,
+    e3: ArrayLike,
+    height: float = 0.9,
+    radius: float = 0.36,
+    *,
+    psi_mark: ArrayLike | None = None,
+    alpha: float = 1.0,
+    zorder: float = 2,
+) -> None:
+    """A top on its tip at the origin, its axis along `e3`: a cone with a lid.
+
+    `psi_mark` is a vector fixed in the body and across the axis, towards which a line on the lid
+    points, so that the turning can be seen.
+    """
+    axis = unit(e3)
+    slant, angle = math.hypot(height, radius), math.atan2(radius, height)
+    rim = circle(axis, angle, 121, slant)
+    seen_from_above = float(view(axis)[2]) > 0
+    mantle = outline(view, np.vstack([rim, np.zeros((1, 3))]))
+    lid = np.column_stack(view(rim)[:2])
+    parts = [(mantle, "#dbe7cf"), (lid, "#c3d6b1")]
+    if not seen_from_above:
+        parts.reverse()
+    for step, (shape, color) in enumerate(parts):
+        axes.fill(*shape.T, fc="white", ec="none", zorder=zorder + 0.1 * step)
+        axes.fill(
+            *shape.T, fc=color, ec="#55703f", lw=0.7, alpha=alpha, zorder=zorder + 0.1 * step + 0.05
+        )
+    if psi_mark is not None and seen_from_above:
+        centre = height * axis
+        line = np.array([centre, centre + radius * unit(psi_mark)])
+        axes.plot(*view(line)[:2], color="#55703f", lw=1.2, alpha=alpha, zorder=zorder + 0.3)
+
+
+def table(axes: Axes, view: View, radius: float = 0.75) -> None:
+    """The table on which the tip stands: a disc about the origin."""
+    rim = circle([0.0, 0.0, 1.0], math.pi / 2, length=radius)
+    axes.fill(*view(rim)[:2], fc="#ececec", ec=RULE, lw=0.6, zorder=0)

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
+from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
@@ -53,6 +54,7 @@ AXIS, OMEGA, MOMENTUM, TORQUE = SECOND, FIRST, INK, "#7d4e1d"
 
 DASHED: tuple[float, Sequence[float]] = (0, (4, 2))
 HIDDEN: tuple[float, Sequence[float]] = (0, (2.5, 2))
+DASH_DOT: tuple[float, Sequence[float]] = (0, (6, 1.5, 1, 1.5))
 DOTTED: tuple[float, Sequence[float]] = (0, (1, 1.6))
 
 E3, OMEGA_VEC, L_VEC, Z = (
@@ -76,20 +78,16 @@ def name_at(
     shift: tuple[float, float] = (0, 0),
     **style: Any,
 ) -> None:
-    """Words beside a point, `shift` points away; nothing is cut off at the frame."""
+    """Words beside a point, `shift` points away, over what lies below; never cut off."""
     axes.annotate(
         words,
         (x, y),
         xytext=shift,
         textcoords="offset points",
         annotation_clip=False,
+        path_effects=[withStroke(linewidth=2.0, foreground="white")],
         **{"color": NOTE, **style},
     )
-
-
-def below(axes: Axes, words: str) -> None:
-    """Words in the margin above the frame, to the left, as a short title."""
-    axes.set_title(words, loc="left", fontsize=9, color=INK)
 
 
 # --- Numbers in words ----------------------------------------------------------------------------

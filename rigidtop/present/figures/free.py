@@ -1,0 +1,442 @@
+"""Free bodies with three moments: polhodes, the flip about the middle axis, Toutatis."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure as Canvas
+
+from rigidtop.errors import RigidtopError
+from rigidtop.motion.body import FreeBody
+from rigidtop.motion.motion import Motion
+from rigidtop.parameters import Parameter
+from rigidtop.present.figures.drawing import Drawing
+from rigidtop.present.figures.space import (
+    View,
+    arrow,
+    circle,
+    curve,
+    on_sphere,
+    paper,
+    sphere,
+    unit,
+)
+from rigidtop.present.figures.style import (
+    AXIS,
+    COLUMN,
+    DASH_DOT,
+    DASHED,
+    DOTTED,
+    FIRST,
+    GREY,
+    INK,
+    L_VEC,
+    RULE,
+    SECOND,
+    WIDE,
+    Floats,
+    canvas,
+    name_at,
+    said,
+    spoken,
+)
+
+MOMENTS = (
+    Parameter("lambda1", 1.0, "moment about e₁", "kg m²", above=0),
+    Parameter("lambda2", 2.0, "moment about e₂", "kg m²", above=0),
+    Parameter("lambda3", 2.5, "moment about e₃", "kg m²", above=0),
+)
+LATE = 14.0
+"""Of a motion on the separatrix, in units of its rate: from then on it rests, to 10⁻⁶."""
+
+# --- Polhodes on the energy ellipsoid ------------------------------------------------------------
+
+
+def on_separatrix(body: FreeBody) -> list[Motion]:
+    """The motions with L² = 2Tλ of the middle axis, 2T = 1 J, that start between the other two.
+
+    There are four, ± about either; none where two moments are equal.
+    """
+    small, middle, large = np.argsort(body.moments, kind="stable")
+    low, mid, high = (body.moments[k] for k in (small, middle, large))
+    if low == mid or mid == high:
+        return []
+    found = []
+    for first in (1.0, -1.0):
+        for second in (1.0, -1.0):
+            omega = np.zeros(3)
+            omega[large] = first * math.sqrt((mid - low) / ((high - low) * high))
+            omega[small] = second * math.sqrt((high - mid) / ((high - low) * low))
+            found.append(body.motion(omega=tuple(omega)))
+    return found
+
+
+def polhodes(body: FreeBody, between: int = 4) -> list[Motion]:
+    """Motions with 2T = 1 J, evenly between the axes: on both sides of the separatrix, and ±."""
+    small, middle, large = np.argsort(body.moments, kind="stable")
+    low, mid, high = (body.moments[k] for k in (small, middle, large))
+    edge = math.atan2(math.sqrt(high - mid), math.sqrt(mid - low))
+    around_large = [edge * (k + 0.5) / between for k in range(between)] if high > mid else []
+    rest = math.pi / 2 - edge
+    around_small = [math.pi / 2 - rest * (k + 0.5) / between for k in range(between) if mid > low]
+    found = []
+    for angles, axis in ((around_large, large), (around_small, small)):
+        for angle in angles:
+            for sign in (1.0, -1.0):
+                omega = np.zeros(3)
+                omega[large] = math.cos(angle) / math.sqrt(high)
+                omega[small] = math.sin(angle) / math.sqrt(low)
+                omega[axis] *= sign
+                found.append(body.motion(omega=tuple(omega)))
+    return found
+
+
+def polhode(motion: Motion, samples: int = 481) -> Floats:
+    """ω in the body (N, 3) once round, or on the separatrix from one end to the other."""
+    period = 2 * motion.nutation_period  # θ from L is smallest twice on the way
+    if math.isfinite(period):
+        return motion.exact(np.linspace(0.0, period, samples)).omega
+    low, mid, high = sorted(motion.body.moments)
+    rate = math.sqrt((high - mid) * (mid - low) / (high * low * mid))  # at 2T = 1 J
+    return motion.exact(np.linspace(-LATE, LATE, samples) / rate).omega
+
+
+def draw_polhodes(axes: Axes, body: FreeBody) -> None:
+    """Polhodes on the energy ellipsoid Σ λₖωₖ² = 1 J in the body frame, and the separatrix."""
+    moments = np.array(body.moments)
+    if np.ptp(moments) == 0:
+        raise RigidtopError("with three equal moments every ω is constant: there are no polhodes")
+    small, middle, large = np.argsort(moments, kind="stable")
+    # The middle axis comes towards the eye, the largest moment's is upright.
+    turn = np.zeros((3, 3))
+    turn[0, middle], turn[1, small], turn[2, large] = 1.0, 1.0, 1.0
+    turn[1, small] = np.linalg.det(turn)
+    view = View(azimuth=0.5 * turn[1, small], elevation=0.38)  # all three towards the eye
+    eye = view.axes[2] @ turn
+    scale = math.sqrt(moments.min())  # the longest half axis is 1 on paper
+
+    def draw(points: Floats, **style: object) -> None:
+        curve(axes, view, scale * points @ turn.T, (points * moments) @ eye < 0, **style)
+
+    rim = circle(unit(np.sqrt(1 / moments) * eye * moments), math.pi / 2) / np.sqrt(moments)
+    across, up, _ = view(scale * rim @ turn.T)
+    axes.fill(across, up, fc="#f4f4f4", ec=GREY, lw=0.8, zorder=0)
+    for motion in polhodes(body):
+        path = polhode(motion)
+        draw(path, color=FIRST, lw=0.9)
+        _head(axes, *view(scale * path @ turn.T)[:2], (path * moments) @ eye)
+    for motion in on_separatrix(body):
+        draw(polhode(motion), color=SECOND, lw=1.7)
+    for k in range(3):
+        end = np.zeros(3)
+        end[k] = 1 / math.sqrt(moments[k])
+        for sign in (1.0, -1.0):
+            shown = sign * eye[k] > 0
+            x, y, _ = view(scale * sign * turn @ end)
+            axes.plot(x, y, "o", ms=3.2, color=INK if shown else "none", mec=INK, zorder=6)
+        longer = 0.5 if k == middle else 0.28
+        tip = end * (1 + longer * math.sqrt(moments[k] / moments.min()))
+        arrow(
+            axes,
+            view,
+            scale * turn @ tip,
+            rf"$\omega_{k + 1}$",
+            start=scale * turn @ end,
+            lw=1.0,
+            color=INK,
+            zorder=5,
+        )
+
+
+def _head(axes: Axes, x: Floats, y: Floats, near: Floats) -> None:
+    """A head on a closed curve, where it is nearest to the eye, that says which way it goes."""
+    at = int(np.argmax(near[:-8]))
+    if near[at] <= 0:
+        return
+    axes.annotate(
+        "",
+        (x[at + 7], y[at + 7]),
+        xytext=(x[at], y[at]),
+        arrowprops={
+            "arrowstyle": "-|>,head_width=0.12,head_length=0.3",
+            "color": FIRST,
+            "lw": 0.5,
+            "shrinkA": 0,
+            "shrinkB": 0,
+        },
+        zorder=4,
+    )
+
+
+def _draw_polhodes(**moments: float) -> Canvas:
+    drawn = canvas(COLUMN, 2.7)
+    axes = drawn.subplots()
+    draw_polhodes(axes, FreeBody(**moments))
+    paper(axes, (-1.35, 1.35), (-0.98, 1.12))
+    return drawn
+
+
+def _three(lambda1: float, lambda2: float, lambda3: float) -> str:
+    values = ", ".join(map(said, (lambda1, lambda2, lambda3)))
+    return f"λ₁, λ₂, λ₃ = {values} kg m²"
+
+
+def _polhodes_caption(**moments: float) -> str:
+    middle = int(np.argsort(list(moments.values()), kind="stable")[1])
+    index = "₁₂₃"[middle]
+    if on_separatrix(FreeBody(**moments)):
+        which = (
+            "about the axes of the largest and the smallest moment they are closed, and the "
+            f"separatrix (thick) through the middle axis e{index} parts them"
+        )
+    else:
+        which = "two moments are equal, and all of them are circles"
+    return (
+        "Polhodes: the ways of ω in the body frame on the energy ellipsoid "
+        f"Σ λₖωₖ² = 2T, for {_three(**moments)}; {which}. Dashed: behind."
+    )
+
+
+def _polhodes_in_words(**moments: float) -> str:
+    through = (
+        "Two thick curves cross at the ends of the middle axis, here omega"
+        f"{int(np.argsort(list(moments.values()), kind='stable')[1]) + 1}, and part the others."
+        if on_separatrix(FreeBody(**moments))
+        else "Two moments are equal, and every curve is a circle about the third axis."
+    )
+    return (
+        "An ellipsoid with closed curves around the ends of its shortest and of its longest half "
+        f"axis, with heads that say which way omega goes. {through}"
+    )
+
+
+POLHODES = Drawing(
+    "polhodes",
+    "Polhodes on the energy ellipsoid, with the separatrix",
+    "3.2.2",
+    MOMENTS,
+    _draw_polhodes,
+    _polhodes_caption,
+    _polhodes_in_words,
+)
+
+# --- The flip about the middle axis --------------------------------------------------------------
+
+FLIPS = 4
+
+
+def draw_rates(axes: Axes, motion: Motion, t: Floats) -> None:
+    """ω₁, ω₂, ω₃ (rad/s) of a motion against the time (s)."""
+    omega = motion.exact(t).omega
+    for k, (color, style) in enumerate(((SECOND, DASH_DOT), (FIRST, "-"), (INK, DASHED))):
+        axes.plot(t, omega[:, k], color=color, ls=style, label=rf"$\omega_{k + 1}$", lw=1.2)
+    axes.axhline(0, color=RULE, lw=0.6, zorder=0)
+    axes.set_xlim(t[0], t[-1])
+    axes.set_xlabel("$t$  (s)")
+    axes.set_ylabel(r"$\omega_k$  (rad/s)")
+    axes.legend(
+        loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3, handlelength=2.4, borderpad=0
+    )
+
+
+def flip(lambda1: float, lambda2: float, lambda3: float, omega: float, kick: float) -> Motion:
+    """A spin `omega` about the middle axis, and `kick` (rad/s) about the other two."""
+    body = FreeBody(lambda1, lambda2, lambda3)
+    rates = [kick, kick, kick]
+    rates[_middle(body)] = omega
+    return body.motion(omega=rates)
+
+
+def _middle(body: FreeBody) -> int:
+    low, middle, high = sorted(body.moments)
+    if low == middle or middle == high:
+        raise RigidtopError("a flip wants three different moments: two of these are equal")
+    return int(np.argsort(body.moments)[1])
+
+
+def _flip_times(motion: Motion) -> Floats:
+    period = motion.nutation_period
+    if not math.isfinite(period):  # exactly on the separatrix: one flip, and no other
+        low, mid, high = sorted(motion.body.moments)
+        rate = math.sqrt((high - mid) * (mid - low) / (high * low)) * math.hypot(*motion.omega)
+        return np.linspace(0.0, 2 * LATE / rate, 1201)
+    return np.linspace(0.0, FLIPS * period, 1601)
+
+
+def _draw_flip(**values: float) -> Canvas:
+    motion = flip(**values)
+    times = _flip_times(motion)
+    drawn = canvas(COLUMN, 2.35)
+    axes = drawn.subplots()
+    draw_rates(axes, motion, times)
+    period = motion.nutation_period
+    if math.isfinite(period):
+        middle = _middle(FreeBody(*motion.body.moments))
+        run = motion.exact(times).omega[:, middle]
+        for i in np.flatnonzero(run[:-1] * run[1:] < 0):
+            axes.axvline(float(times[i]), color=GREY, lw=0.8, ls=DOTTED, zorder=0)
+    return drawn
+
+
+def _flip_caption(lambda1: float, lambda2: float, lambda3: float, omega: float, kick: float) -> str:
+    motion = flip(lambda1, lambda2, lambda3, omega, kick)
+    period, middle = motion.nutation_period, _middle(FreeBody(lambda1, lambda2, lambda3))
+    often = (
+        f"every {said(period)} s"
+        if math.isfinite(period)
+        else "once only, as it is exactly on the separatrix"
+    )
+    return (
+        f"The flip about the middle axis e{'₁₂₃'[middle]}: ω in the body frame for "
+        f"{_three(lambda1, lambda2, lambda3)}, from {said(omega)} rad/s about that axis and "
+        f"{said(kick)} rad/s about the other two. The body turns over {often} (dotted)."
+    )
+
+
+def _flip_in_words(**values: float) -> str:
+    motion = flip(**values)
+    middle = _middle(FreeBody(*motion.body.moments)) + 1
+    return (
+        f"The three components of omega against time. Omega {middle} stays near its first value, "
+        f"{spoken(values['omega'])} radians per second, then falls to the opposite value at once "
+        "and stays there, again and again; the other two are near zero but for a pulse at each "
+        f"turn. The time between turns is {spoken(motion.nutation_period)} seconds."
+    )
+
+
+FLIP = Drawing(
+    "flip",
+    "The flip about the middle axis",
+    "",
+    (
+        *MOMENTS,
+        Parameter("omega", 2.0, "ω about the middle axis", "rad/s", above=0),
+        Parameter("kick", 0.01, "ω about the other two axes", "rad/s", above=0),
+    ),
+    _draw_flip,
+    _flip_caption,
+    _flip_in_words,
+)
+
+# --- Toutatis ------------------------------------------------------------------------------------
+
+DAY = 86400.0
+NUTATIONS = 5
+
+
+def draw_tumbling(body_axes: Axes, space_axes: Axes, motion: Motion) -> None:
+    """L in the body frame, once round; e₃ and e₁ in space about L, some nutations long."""
+    view = View(azimuth=0.5, elevation=0.42)
+    period = 2 * motion.nutation_period
+    if not math.isfinite(period):
+        period = 2 * LATE / math.hypot(*motion.omega)
+    upright = np.array([0.0, 0.0, 1.0])
+    moments = np.array(motion.body.moments)
+    in_body = motion.exact(np.linspace(0.0, period, 601)).omega * moments
+    in_body /= np.linalg.norm(in_body, axis=1)[:, None]
+    sphere(body_axes)
+    on_sphere(body_axes, view, circle(upright, math.pi / 2), color=RULE, lw=0.8)
+    for k in range(3):
+        arrow(
+            body_axes,
+            view,
+            1.4 * np.eye(3)[k],
+            rf"$\mathbf{{e}}_{k + 1}$",
+            start=np.eye(3)[k],
+            color=AXIS,
+            lw=1.0,
+        )
+    on_sphere(body_axes, view, in_body, color=INK, lw=1.4, label="_momentum")
+    _mark(body_axes, view, in_body[0], L_VEC)
+    run = motion.exact(np.linspace(0.0, NUTATIONS * period / 2, 2401))
+    momentum = unit(run.angular_momentum[0])
+    across = unit(np.cross(momentum, [1.0, 0.0, 0.0] if abs(momentum[0]) < 0.9 else [0, 1.0, 0]))
+    frame = np.array([across, np.cross(momentum, across), momentum])
+    path = run.e3 @ frame.T
+    sphere(space_axes)
+    on_sphere(space_axes, view, circle(upright, math.pi / 2), color=RULE, lw=0.8)
+    arrow(space_axes, view, 1.4 * upright, L_VEC, start=upright, color=INK, lw=1.0)
+    first = run.rotation.as_matrix()[:, :, 0] @ frame.T
+    on_sphere(space_axes, view, first, color=GREY, lw=0.8)
+    on_sphere(space_axes, view, path, color=AXIS, lw=1.5, label="_axis")
+    _mark(space_axes, view, first[0], r"$\mathbf{e}_1$")
+    _mark(space_axes, view, path[0], r"$\mathbf{e}_3$")
+
+
+def _mark(axes: Axes, view: View, point: Floats, words: str) -> None:
+    """A dot with a name, open where it is behind."""
+    x, y, near = view(point)
+    axes.plot(x, y, "o", ms=4, color=INK if near > 0 else "white", mec=INK, zorder=6)
+    name_at(axes, float(x), float(y), words, (5, 4), color=INK, zorder=7)
+
+
+def _tumbling(omega1: float, omega2: float, omega3: float, **moments: float) -> Motion:
+    motion = FreeBody(**moments).motion(omega=(omega1, omega2, omega3))
+    if not any(motion.omega):
+        raise RigidtopError("omega1, omega2 and omega3 are all 0: the body is at rest")
+    return motion
+
+
+def _draw_tumbling(**values: float) -> Canvas:
+    drawn = canvas(WIDE, 2.9)
+    left, right = drawn.subplots(1, 2)
+    draw_tumbling(left, right, _tumbling(**values))
+    left.set_title(r"body frame: the way of $\mathbf{L}$")
+    right.set_title(r"space frame: the ways of $\mathbf{e}_3$ and $\mathbf{e}_1$")
+    for axes in (left, right):
+        paper(axes, (-1.3, 1.3), (-1.08, 1.45))
+    return drawn
+
+
+def _lasting(seconds: float) -> str:
+    if not math.isfinite(seconds):
+        return "an endless time"
+    return f"{said(seconds / DAY)} days" if seconds > DAY / 2 else f"{said(seconds)} s"
+
+
+def _tumbling_caption(omega1: float, omega2: float, omega3: float, **moments: float) -> str:
+    motion = _tumbling(omega1, omega2, omega3, **moments)
+    rates = ", ".join(map(said, motion.omega))
+    mean = abs(motion.mean_precession)
+    turn = _lasting(2 * math.pi / mean) if mean else "an endless time"
+    return (
+        f"A free body with {_three(**moments)} and at first ω₁, ω₂, ω₃ = {rates} rad/s. Left: in "
+        f"the body L comes back after {_lasting(2 * motion.nutation_period)} ({motion.regime}). "
+        f"Right: in space its axis turns about L, on the mean once in {turn}, and e₃ (thick) and "
+        f"e₁ never come back; {NUTATIONS} nutations are drawn. Dots: at first."
+    )
+
+
+def _tumbling_in_words(**values: float) -> str:
+    motion = _tumbling(**values)
+    return (
+        "Two spheres. On the left, in the body frame, the tip of L goes on a closed curve, of the "
+        f"kind {motion.regime}. On the right, in space, the tips of e3 and of e1 wind around the "
+        "upright L, and their paths do not close."
+    )
+
+
+def _per_day(degrees_a_day: float) -> float:
+    return math.radians(degrees_a_day) / DAY
+
+
+TUMBLING = Drawing(
+    "tumbling",
+    "A tumbling body such as Toutatis, in the body frame and in space",
+    "",
+    (
+        Parameter("lambda1", 3.0836, "moment about e₁", "kg m²", above=0),
+        Parameter("lambda2", 3.235, "moment about e₂", "kg m²", above=0),
+        Parameter("lambda3", 1.0, "moment about e₃", "kg m²", above=0),
+        Parameter("omega1", _per_day(14.51), "ω₁ at the start", "rad/s"),
+        Parameter("omega2", _per_day(33.529), "ω₂ at the start", "rad/s"),
+        Parameter("omega3", _per_day(-98.709), "ω₃ at the start", "rad/s"),
+    ),
+    _draw_tumbling,
+    _tumbling_caption,
+    _tumbling_in_words,
+)
+"""By default the asteroid of example 33: Takahashi, Busch & Scheeres 2013; moments in units of the
+smallest."""
