@@ -6,8 +6,11 @@ from rigidtop.derivations.exercises import (
     euler_angles,
     lagrange_formalism,
     net_torque,
+    nutation,
     rotation_matrices,
     simplified_picture,
+    sleeping_top,
+    toy_top,
 )
 
 EXERCISES = (
@@ -16,5 +19,8 @@ EXERCISES = (
     *net_torque.EXERCISES,
     *simplified_picture.EXERCISES,
     *lagrange_formalism.EXERCISES,
+    *nutation.EXERCISES,
+    *sleeping_top.EXERCISES,
+    *toy_top.EXERCISES,
 )
 """Every exercise."""

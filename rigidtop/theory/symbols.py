@@ -113,7 +113,7 @@ c_phi, s_phi, c_theta, s_theta, c_psi, s_psi = map(
 )
 
 # Turning points, and a toy top: a disc on a stem
-theta_m = _real("theta_m")
+theta_1 = _real("theta_1")
 M_d, M_s, r_d, h_d, z_d, l_s = map(_real, ("M_d", "M_s", "r_d", "h_d", "z_d", "l_s"))
 
 VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
@@ -238,7 +238,7 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         chi: Quantity(Glyph("χ"), "amplitude of an elliptic integral", "rad"),
         t_chi2: Quantity(Glyph("t²", "χ"), "square of dt/dχ", "s²"),
         theta_i: Quantity(Glyph("θ", "i"), "polar angle at the start", "rad"),
-        theta_m: Quantity(Glyph("θ", "m"), "polar angle of the other turning point", "rad"),
+        theta_1: Quantity(Glyph("θ", "1"), "polar angle of the other turning point", "rad"),
         phi: Quantity(Glyph("φ"), "first Euler angle: azimuth of e₃", "rad"),
         theta: Quantity(Glyph("θ"), "second Euler angle: polar angle of e₃", "rad"),
         psi: Quantity(Glyph("ψ"), "third Euler angle: turn about e₃", "rad"),

@@ -1,0 +1,346 @@
+"""Section 3.5.4: the upright top, asleep and awake."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from math import asin, cos, log, pi, sin, sqrt
+
+import numpy as np
+import sympy
+from scipy.optimize import brentq
+from scipy.special import ellipkm1
+from sympy import Expr, Integer, Symbol
+
+from rigidtop.derivations.nutation import nutation
+from rigidtop.errors import RigidtopError
+from rigidtop.motion.motion import TopMotion
+from rigidtop.motion.top import HeavyTop
+from rigidtop.parameters import Parameter
+from rigidtop.proof.equation import Equation, Group, as_printed
+from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
+from rigidtop.proof.page import Check, Evidence, Measure, Step, claim
+from rigidtop.theory import top as theory
+from rigidtop.theory.symbols import (
+    A,
+    M,
+    R,
+    U,
+    chi,
+    g,
+    lambda1,
+    lambda3,
+    m,
+    omega3,
+    p_phi,
+    p_psi,
+    sigma2,
+    t,
+    t_chi2,
+    theta,
+    theta_1,
+    theta_i,
+    thetadot,
+)
+from rigidtop.theory.trig import reduce_ratio
+
+from .bodies import HEAVY_TOP, SPIN
+from .nutation import TIGHT
+
+RPM = 30 / pi
+"""Turns a minute in 1 rad/s."""
+
+
+def potential_when_upright() -> Expr:
+    """U − p_ψ²/(2λ₃) of a top that is upright once in a while, p_φ = p_ψ = λ₃ω₃ (J)."""
+    spin = lambda3 * omega3
+    potential = theory.top_effective_potential() - p_psi**2 / (2 * lambda3)
+    same = potential.subs({p_phi: spin, p_psi: spin})
+    # Regular at θ = 0 once sin² is written as (1 − cos)(1 + cos).
+    return sympy.cancel(same.subs(sympy.sin(theta) ** 2, 1 - sympy.cos(theta) ** 2))
+
+
+def waking_rate(start: Expr) -> Expr:
+    """θ̇² of such a top with θ̇ = 0 at θ = `start` (rad²/s²)."""
+    potential = potential_when_upright()
+    return 2 * (potential.subs(theta, start) - potential) / lambda1
+
+
+def spin_that_wakes(start: Expr, end: Expr) -> dict[Expr, Expr]:
+    """ω₃² with which a top that has θ̇ = 0 at θ = `start` has it at `end` too."""
+    square = Symbol("square")
+    balance = waking_rate(start).subs(theta, end).subs(omega3**2, square)
+    [solution] = sympy.solve(balance, square)
+    return {omega3**2: solution}
+
+
+def linear_growth() -> Expr:
+    """σ² of a small tilt e^{σt} that turns at λ₃ω₃/(2λ₁), from the quadratic at θ = 0 (1/s²)."""
+    return -theory.discriminant().subs(theta, 0) / (2 * lambda1) ** 2
+
+
+@claim("upright-potential", "The upright top is stable if (λ₃ω₃)² is at least 4λ₁MgR.")
+def upright_potential() -> Iterator[Evidence]:
+    """With p_φ = p_ψ the potential of θ is regular at θ = 0, and its curvature there decides.
+
+    A tilt grows as e^{σt} where σ² is positive. At the threshold itself the curvature vanishes, but
+    what is left of the potential has its minimum there: that top still sleeps.
+    """
+    upright = potential_when_upright()
+    with as_printed():
+        regular = Equation(
+            2 * lambda1 * Group(1 + sympy.cos(theta)) * U,
+            Group(lambda3 * omega3) ** 2 * Group(1 - sympy.cos(theta))
+            + 2 * lambda1 * M * g * R * sympy.cos(theta) * Group(1 + sympy.cos(theta)),
+        )
+        growth = Equation(
+            4 * lambda1**2 * sigma2, 4 * lambda1 * M * g * R - Group(lambda3 * omega3) ** 2
+        )
+        threshold = Equation(
+            Group(1 + sympy.cos(theta)) * Group(U - M * g * R),
+            M * g * R * Group(1 - sympy.cos(theta)) ** 2,
+        )
+    yield Check(regular, {U: upright}, reason="Less the energy of the spin.", printed=False)
+    yield Check(
+        growth,
+        {sigma2: -upright.diff(theta, 2).subs(theta, 0) / lambda1},
+        reason="λ₁σ² = −U″ at θ = 0,",
+        printed=False,
+    )
+    yield Check(
+        growth,
+        {sigma2: linear_growth()},
+        reason="and the same from the quadratic for the frequencies Ω, where these are not real.",
+        printed=False,
+    )
+    [critical] = sympy.solve(linear_growth().subs(omega3**2, A), A)
+    yield Check(
+        threshold,
+        {U: upright.subs(omega3**2, critical)},
+        reason="At the threshold, (λ₃ω₃)² = 4λ₁MgR.",
+        printed=False,
+    )
+
+
+@claim("waking", "A top that spins more slowly wakes up to a known tilt, in a known time.")
+def waking() -> Iterator[Evidence]:
+    """The energy of a top with p_φ = p_ψ that has θ̇ = 0 at θᵢ; the last factor is the turn at θ₁.
+
+    Without disturbance, θᵢ = 0, the factor of the upright is double: the top could stay. With
+    sin(θ/2) = sin(θ₁/2) √(1 − m sin²χ) and 1 − m = sin²(θᵢ/2)/sin²(θ₁/2) the time is Legendre's
+    integral of the first kind; it grows with the logarithm of 1/θᵢ.
+    """
+    with as_printed():
+        disturbed = Equation(
+            lambda1**2 * Group(1 + sympy.cos(theta_i)) * Group(thetadot * sympy.sin(theta)) ** 2,
+            2
+            * Group(1 - sympy.cos(theta))
+            * Group(sympy.cos(theta_i) - sympy.cos(theta))
+            * Group(
+                lambda1 * M * g * R * Group(1 + sympy.cos(theta_i)) * Group(1 + sympy.cos(theta))
+                - Group(lambda3 * omega3) ** 2
+            ),
+        )
+        asleep = Equation(
+            lambda1**2 * Group(thetadot * sympy.sin(theta)) ** 2,
+            Group(1 - sympy.cos(theta)) ** 2
+            * Group(
+                2 * lambda1 * M * g * R * Group(1 + sympy.cos(theta)) - Group(lambda3 * omega3) ** 2
+            ),
+        )
+        growth = Equation(2 * lambda1 * sigma2, M * g * R * Group(1 - sympy.cos(theta_1)))
+        legendre = Equation(
+            Group(1 - m * sympy.sin(chi) ** 2) * M * g * R * Group(1 - sympy.cos(theta_1)) * t_chi2,
+            2 * lambda1,
+        )
+        period = Equation(
+            t,
+            2
+            * sympy.sqrt(2 * lambda1 / (M * g * R * Group(1 - sympy.cos(theta_1))))
+            * sympy.elliptic_k(m),
+        )
+    rate, undisturbed = waking_rate(theta_i), waking_rate(Integer(0))
+    yield Check(disturbed, {thetadot: sympy.sqrt(rate)}, reason="By energy.", printed=False)
+    yield Check(
+        asleep, {thetadot: sympy.sqrt(undisturbed)}, reason="Started upright.", printed=False
+    )
+    yield Check(
+        growth,
+        {sigma2: linear_growth().subs(spin_that_wakes(Integer(0), theta_1))},
+        reason="The rate of growth and the tilt to which it leads.",
+        printed=False,
+    )
+    width = 1 - sympy.cos(theta_1)
+    cosine, smallest = 1 - width * (1 - m * sympy.sin(chi) ** 2), 1 - width * (1 - m)
+    speed = rate.subs(spin_that_wakes(theta_i, theta_1)) * sympy.sin(theta) ** 2
+    along = speed.subs(sympy.sin(theta) ** 2, 1 - sympy.cos(theta) ** 2)
+    along = along.subs({sympy.cos(theta): cosine, sympy.cos(theta_i): smallest})
+    yield Check(
+        legendre,
+        {t_chi2: reduce_ratio(cosine.diff(chi) ** 2 / along)},
+        reason="(d cos θ/dχ)² over (θ̇ sin θ)² is the square of dt/dχ.",
+        printed=False,
+    )
+    yield Step(period, "From one smallest θ to the next: χ goes from −π/2 to π/2.")
+
+
+@dataclass(frozen=True)
+class Waking:
+    """A top that was upright with ω₃ and is tilted by a disturbance that leaves p_φ = p_ψ."""
+
+    top: HeavyTop
+    spin: float
+    disturbance: float
+
+    @property
+    def phi_dot(self) -> float:
+        """φ̇ at which p_φ = p_ψ, where the disturbed top has θ̇ = 0 (rad/s)."""
+        turning = self.top.lambda1 * 2 * cos(self.disturbance / 2) ** 2
+        return self.top.lambda3 * self.spin / turning
+
+    @property
+    def sine2(self) -> float:
+        """sin² of half the tilt to which it wakes; less than that of the disturbance: it sleeps."""
+        w = self.top.lambda1 * self.top.weight[2]
+        ratio = self.top.lambda3 * self.spin / (2 * sqrt(w) * cos(self.disturbance / 2))
+        return (1 - ratio) * (1 + ratio)
+
+    @property
+    def wakes(self) -> bool:
+        return self.sine2 > sin(self.disturbance / 2) ** 2
+
+    @property
+    def tilt(self) -> float:
+        """θ to which it wakes (rad)."""
+        return 2 * asin(sqrt(self.sine2))
+
+    @property
+    def growth(self) -> float:
+        """σ of a small tilt e^{σt} (1/s)."""
+        unstable = 4 * self.top.lambda1 * self.top.weight[2] - (self.top.lambda3 * self.spin) ** 2
+        return sqrt(unstable) / (2 * self.top.lambda1)
+
+    @property
+    def period(self) -> float:
+        """From one smallest θ to the next: 2√(2λ₁/(MgR(1 − cos θ₁))) K(m) (s)."""
+        slowness = sqrt(self.top.lambda1 / self.top.weight[2] / self.sine2)
+        return 2 * slowness * float(ellipkm1(sin(self.disturbance / 2) ** 2 / self.sine2))
+
+    def motion(self) -> TopMotion:
+        return self.top.motion(theta=self.disturbance, phi_dot=self.phi_dot, omega3=self.spin)
+
+
+@exercise(
+    "sleeping-top",
+    "The sleeping top, and how it wakes",
+    section="3.5.4",
+    asks="θ = 0 is a value where θ “could be constant” too",
+    statement="A top stands upright and spins with ω₃. How fast must it spin for the upright to be "
+    "stable? How does a faster top answer a small disturbance?\n\n"
+    "A slower top is disturbed by a tiny tilt. How fast does the tilt grow, how far does the axis "
+    "fall, and after which time is it back?",
+    claims=(nutation, upright_potential, waking),
+    parameters=(
+        *HEAVY_TOP,
+        replace(SPIN, default=6.0),
+        Parameter("disturbance", 1e-8, "θ of the disturbed top", "rad", least=1e-12, most=0.01),
+    ),
+    figure="sleeping",
+)
+def sleeping_top(
+    lambda1: float,
+    lambda3: float,
+    M: float,
+    R: float,
+    g: float,
+    omega3: float,
+    disturbance: float,
+) -> Iterator[Outcome]:
+    """Threshold, growth and tilt are closed forms, the time of waking is a complete elliptic
+    integral. The motion from the disturbance is integrated and compared, and so is a search for
+    the spin at which the potential of θ changes its curvature."""
+    top = HeavyTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g)
+    threshold = top.sleeping_spin()
+    waking = Waking(top, omega3, disturbance)
+    asleep = abs(omega3) >= threshold
+    if not asleep and not waking.wakes:
+        raise RigidtopError(
+            f"omega3 = {omega3:g} is so close to the sleeping spin {threshold:.12g} that a "
+            f"disturbance of {disturbance:g} rad does not show whether the top sleeps"
+        )
+    yield Answer(
+        "sleeping_spin", "smallest |ω₃| at which the upright is stable", threshold, "rad/s"
+    )
+    yield Answer("sleeping_rpm", "the same in turns a minute", threshold * RPM, "rpm")
+    yield Measure(
+        "sleeping spin by the curvature of the potential at small θ, relative",
+        abs(_curvature_changes(top) / threshold - 1),
+        1e-5,
+    )
+    if asleep:
+        yield from _asleep(waking)
+    else:
+        yield from _awake(waking)
+    slower = [Waking(top, share * threshold, disturbance) for share in (0.25, 0.5, 0.75, 0.9, 0.99)]
+    yield Table(
+        "waking",
+        "Slower than the sleeping spin",
+        ("ω₃ (rad/s)", "growth rate (1/s)", "tilt (rad)", "time to the largest tilt (s)"),
+        tuple((x.spin, x.growth, x.tilt, x.period / 2) for x in slower if x.wakes),
+    )
+    faster = [share * threshold for share in (1.01, 1.25, 1.5, 2, 4)]
+    yield Table(
+        "wobble",
+        "Faster than the sleeping spin",
+        ("ω₃ (rad/s)", "slow wobble (rad/s)", "fast wobble (rad/s)"),
+        tuple((spin, *top.steady_precession(0.0, spin)) for spin in faster),
+    )
+
+
+def _awake(waking: Waking) -> Iterator[Outcome]:
+    motion = waking.motion()
+    back = 2 / waking.growth * log(8 * sqrt(waking.sine2) / waking.disturbance)
+    yield Answer("growth_rate", "growth rate σ of a small tilt", waking.growth, "1/s")
+    yield Answer("tilt", "θ to which the top wakes", waking.tilt, "rad")
+    yield Answer("period", "time until it is upright again", waking.period, "s")
+    yield Answer("period_log", "the same by (2/σ) ln(8 sin(θ₁/2)/disturbance)", back, "s")
+    error = abs(motion.turning_points[1] - waking.tilt)
+    yield Measure("largest θ of the disturbed top, in closed form (rad)", error, 1e-9)
+    error = abs(motion.nutation_period / waking.period - 1)
+    yield Measure("its period, in closed form, relative", error, 1e-9)
+    path = motion.integrate([waking.period / 2, waking.period], **TIGHT)
+    error = abs(float(path.theta[0]) - waking.tilt)
+    yield Measure("θ half a period later, integrated (rad)", error, 1e-6)
+
+
+def _asleep(waking: Waking) -> Iterator[Outcome]:
+    slow, fast = waking.top.steady_precession(0.0, waking.spin)
+    yield Answer("slow_wobble", "slow frequency of a disturbance", slow, "rad/s")
+    yield Answer("fast_wobble", "fast frequency of a disturbance", fast, "rad/s")
+    yield Answer("tilt", "largest θ of the disturbed top", waking.disturbance, "rad")
+    # Not for longer than small differences in frequency stay small differences in angle.
+    times = np.linspace(0, min(2 * pi / abs(slow), 60 * pi / abs(fast)), 41)
+    path = waking.motion().integrate(times, **TIGHT).theta
+    expected = waking.disturbance * np.abs(np.cos((fast - slow) / 2 * times))
+    error = float(np.max(np.abs(path - expected))) / waking.disturbance
+    allowed = 1e-6 + 100 * waking.disturbance**2
+    yield Measure("θ(t) as the sum of both, integrated, relative", error, allowed)
+
+
+def _curvature_changes(top: HeavyTop) -> float:
+    """|ω₃| at which the upright stops being lower in the potential than its neighbours (rad/s)."""
+    tilt = 1e-3
+
+    def rise(spin: float) -> float:
+        momentum = top.lambda3 * spin
+        turning = (momentum * (1 - cos(tilt))) ** 2 / (2 * top.lambda1 * sin(tilt) ** 2)
+        return turning - top.weight[2] * (1 - cos(tilt))
+
+    high = 1.0
+    while rise(high) < 0:
+        high *= 2
+    return float(brentq(rise, 0.0, high, rtol=1e-12))
+
+
+EXERCISES: tuple[Exercise, ...] = (sleeping_top,)
+"""In the order of the notes."""

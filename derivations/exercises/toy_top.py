@@ -1,0 +1,171 @@
+"""Section 3.5.4: a top from the toy box."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from math import atan2, pi
+
+import numpy as np
+from sympy import Matrix, Rational
+
+from rigidtop.derivations.euler_angles import HALF
+from rigidtop.derivations.lagrange_formalism import two_roots
+from rigidtop.errors import RigidtopError
+from rigidtop.motion.top import HeavyTop
+from rigidtop.parameters import Parameter
+from rigidtop.proof.equation import Equation, as_printed
+from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
+from rigidtop.proof.page import Check, Evidence, Measure, claim
+from rigidtop.theory.inertia import cylinder, parallel_axis
+from rigidtop.theory.symbols import (
+    M,
+    M_d,
+    M_s,
+    R,
+    h_d,
+    l_s,
+    lambda1,
+    lambda3,
+    r_d,
+    z_d,
+)
+
+from .bodies import GRAVITY, SPIN
+from .nutation import INCLINED, TIGHT, small_frequency
+from .sleeping_top import RPM, upright_potential
+
+
+@claim("disc-on-a-stem", "Mass, centre of mass and moments of a disc on a thin stem.")
+def disc_on_a_stem() -> Iterator[Evidence]:
+    """Both are cylinders about their own centres, the stem without thickness; then Steiner."""
+    disc_height, stem_height = Matrix([0, 0, z_d]), Matrix([0, 0, l_s / 2])
+    stem = cylinder(r_d, l_s).inertia(M_s).subs(r_d, 0)
+    about_tip = parallel_axis(cylinder(r_d, h_d).inertia(M_d), M_d, disc_height) + parallel_axis(
+        stem, M_s, stem_height
+    )
+    centre = (M_d * disc_height + M_s * stem_height) / (M_d + M_s)
+    with as_printed():
+        arm = Equation(M * R, M_d * z_d + HALF * M_s * l_s)
+        along = Equation(lambda3, HALF * M_d * r_d**2)
+        across = Equation(
+            lambda1,
+            Rational(1, 4) * M_d * r_d**2
+            + Rational(1, 12) * M_d * h_d**2
+            + M_d * z_d**2
+            + Rational(1, 3) * M_s * l_s**2,
+        )
+    yield Check(arm, {M: M_d + M_s, R: centre[2]}, reason="From the tip.", printed=False)
+    yield Check(along, {lambda3: about_tip[2, 2]}, reason="The disc alone.", printed=False)
+    yield Check(across, {lambda1: about_tip[0, 0]}, reason="About the tip.", printed=False)
+
+
+def quadrature_moments(
+    disc_mass: float, radius: float, thickness: float, height: float, stem_mass: float, stem: float
+) -> tuple[float, float]:
+    """λ₁ and λ₃ about the tip from Gauss points in the disc and on the stem (kg m²)."""
+    nodes, weights = np.polynomial.legendre.leggauss(4)
+    across, along = (nodes + 1) / 2, nodes / 2
+    r = radius * across
+    ring = weights * across  # ∫ 2 x dx from 0 to 1, with half the weights
+    r2 = float(ring @ r**2)
+    z2 = float(weights / 2 @ (height + thickness * along) ** 2)
+    stem2 = float(weights / 2 @ (stem * across) ** 2)
+    return disc_mass * (r2 / 2 + z2) + stem_mass * stem2, disc_mass * r2
+
+
+def _length(name: str, default: float, about: str) -> Parameter:
+    return Parameter(name, default, about, "m", above=0)
+
+
+@exercise(
+    "top-from-the-toy-box",
+    "A top from the toy box",
+    section="3.5.4",
+    asks="“get your own toy-top and play with it”",
+    statement="Weigh and measure a top that is a disc on a thin stem; the stem's lower end is the "
+    "tip, and it may be held in place by a small hole in the table. From which spin on does it "
+    "sleep? How fast does it precess and nutate with the spin and the tilt that you give it, and "
+    "how much energy is in the spin?\n\n"
+    "Film your top and compare: the spin in turns a minute, the time for one turn of the axis.",
+    claims=(disc_on_a_stem, two_roots, upright_potential),
+    parameters=(
+        Parameter("disc_mass", 0.05, "mass of the disc", "kg", above=0),
+        _length("disc_radius", 0.03, "radius of the disc"),
+        _length("disc_thickness", 0.008, "thickness of the disc"),
+        _length("disc_height", 0.02, "height of the middle of the disc above the tip"),
+        Parameter("stem_mass", 0.005, "mass of the stem", "kg", above=0),
+        _length("stem_length", 0.05, "length of the stem from the tip"),
+        GRAVITY,
+        replace(INCLINED, default=pi / 12),
+        replace(SPIN, default=150.0),
+    ),
+    figure="precession-rates",
+)
+def top_from_the_toy_box(
+    disc_mass: float,
+    disc_radius: float,
+    disc_thickness: float,
+    disc_height: float,
+    stem_mass: float,
+    stem_length: float,
+    g: float,
+    theta: float,
+    omega3: float,
+) -> Iterator[Outcome]:
+    """The moments are put together from disc and stem, and summed once more over points in both;
+    precession and nutation come from the formulas and from the integrated motion."""
+    lowest = disc_height - disc_thickness / 2
+    if lowest <= 0 or disc_height + disc_thickness / 2 > stem_length:
+        raise RigidtopError(
+            f"disc_height = {disc_height:g}: the disc must be on the stem, above the tip and "
+            f"below the end at stem_length = {stem_length:g}"
+        )
+    touching = atan2(lowest, disc_radius)
+    if theta >= touching:
+        raise RigidtopError(
+            f"theta = {theta:g}: the rim of the disc touches the table at {touching:g} rad"
+        )
+    mass = disc_mass + stem_mass
+    arm = (disc_mass * disc_height + stem_mass * stem_length / 2) / mass
+    lambda3 = disc_mass * disc_radius**2 / 2
+    lambda1 = disc_mass * (disc_radius**2 / 4 + disc_thickness**2 / 12 + disc_height**2)
+    lambda1 += stem_mass * stem_length**2 / 3
+    top = HeavyTop(lambda1=lambda1, lambda3=lambda3, M=mass, R=arm, g=g)
+    slow, fast = top.steady_precession(theta, omega3)
+    if omega3 == 0:
+        raise RigidtopError("omega3 = 0: the top has to spin")
+    frequency = small_frequency(top, theta, slow, omega3)
+    energy = lambda3 * omega3**2 / 2
+    yield Answer("M", "mass", mass, "kg")
+    yield Answer("R", "distance from the tip to the centre of mass", arm, "m")
+    yield Answer("lambda1", "λ₁ about the tip", lambda1, "kg m²")
+    yield Answer("lambda3", "λ₃", lambda3, "kg m²")
+    yield Answer("touching", "tilt at which the rim touches the table", touching, "rad")
+    yield Answer("sleeping_rpm", "spin from which on it sleeps", top.sleeping_spin() * RPM, "rpm")
+    yield Answer("least_rpm", "least spin at this tilt", top.smallest_spin(theta) * RPM, "rpm")
+    yield Answer("spin_rpm", "the given spin", omega3 * RPM, "rpm")
+    yield Answer("slow", "slow precession Ω₋", slow, "rad/s")
+    yield Answer("slow_leading", "by MgR/(λ₃ω₃)", top.weight[2] / (lambda3 * omega3), "rad/s")
+    yield Answer("slow_turn", "time for one turn of the axis", 2 * pi / abs(slow), "s")
+    yield Answer("fast", "fast precession Ω₊", fast, "rad/s")
+    yield Answer("nutation", "nutations in a second", frequency / (2 * pi), "1/s")
+    yield Answer("energy", "energy of the spin", energy, "J")
+    yield Answer("height", "height to which it could lift the top", energy / (mass * g), "m")
+    summed = quadrature_moments(
+        disc_mass, disc_radius, disc_thickness, disc_height, stem_mass, stem_length
+    )
+    error = max(abs(a / b - 1) for a, b in zip(summed, (lambda1, lambda3), strict=True))
+    yield Measure("moments summed over points, relative", error, 1e-12)
+    # A turn, or as many nutations as are enough to tell.
+    seconds = min(2 * pi / abs(slow), 100 * pi / frequency)
+    turn = top.motion(theta=theta, phi_dot=slow, omega3=omega3).integrate(seconds, **TIGHT)
+    error = abs(float(turn.phi[0]) - slow * seconds)
+    yield Measure("φ = Ω₋t, integrated (rad)", error, 1e-6)
+    kicked = top.motion(theta=theta, theta_dot=1e-6 * frequency, phi_dot=slow, omega3=omega3)
+    error = abs(2 * pi / kicked.nutation_period / frequency - 1)
+    yield Measure("frequency of a nutation of 10⁻⁶ rad in closed form, relative", error, 1e-8)
+
+
+EXERCISES: tuple[Exercise, ...] = (top_from_the_toy_box,)
+"""In the order of the notes."""
