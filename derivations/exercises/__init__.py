@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from rigidtop.derivations.exercises import (
     euler_angles,
+    eulers_equations,
     lagrange_formalism,
     net_torque,
     nutation,
+    opening,
     rotation_matrices,
     simplified_picture,
     sleeping_top,
@@ -14,6 +16,8 @@ from rigidtop.derivations.exercises import (
 )
 
 EXERCISES = (
+    *opening.EXERCISES,
+    *eulers_equations.EXERCISES,
     *euler_angles.EXERCISES,
     *rotation_matrices.EXERCISES,
     *net_torque.EXERCISES,

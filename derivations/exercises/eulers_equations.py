@@ -1,0 +1,298 @@
+"""Section 3.2.2: about which axes a free body rotates stably, and the flip about the middle one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import acosh, log, pi, sqrt
+
+import numpy as np
+import sympy
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
+from scipy.special import ellipkm1
+from sympy import Expr
+
+from rigidtop.derivations.eulers_equations import axis_stability, principal_stays
+from rigidtop.errors import RigidtopError
+from rigidtop.motion.body import FreeBody
+from rigidtop.parameters import Parameter
+from rigidtop.proof.equation import Equation, Group, as_printed
+from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
+from rigidtop.proof.page import Check, Evidence, Measure, Step, claim
+from rigidtop.theory.euler import (
+    angular_momentum,
+    body_accelerations,
+    kinetic_energy,
+)
+from rigidtop.theory.symbols import (
+    L,
+    T,
+    chi,
+    lambda1,
+    lambda2,
+    lambda3,
+    m,
+    omega,
+    omega1,
+    omega2,
+    omega2dot,
+    omega3,
+    omega_0,
+    t,
+    t_chi2,
+)
+
+START = {omega1: omega_0, omega2: omega, omega3: sympy.S.Zero}
+"""ω₂ at its largest: ω off the middle axis by ω₀ towards e₁."""
+
+
+def middle_rate_squared() -> Expr:
+    """ω̇₂² of the motion from `START`, as a function of ω₂ (rad²/s⁴).
+
+    By Euler's second equation, ω₁² and ω₃² eliminated by the two first integrals.
+    """
+    twice_energy, squared = 2 * kinetic_energy(), angular_momentum().dot(angular_momentum())
+    kept = [integral - integral.subs(START) for integral in (twice_energy, squared)]
+    squares = sympy.symbols("square1 square3")
+    in_squares = [
+        sympy.expand(k).subs({omega1**2: squares[0], omega3**2: squares[1]}) for k in kept
+    ]
+    solution = sympy.solve(in_squares, squares, dict=True)[0]
+    rate = body_accelerations()[1] ** 2
+    return sympy.factor(rate.subs({omega1**2: squares[0], omega3**2: squares[1]}).subs(solution))
+
+
+@claim("flip-time", "The time in which ω turns over about the middle axis is an elliptic integral.")
+def flip_time() -> Iterator[Evidence]:
+    """T and L² leave ω̇₂² as a polynomial in ω₂², and the time is the integral of dω₂/ω̇₂.
+
+    With ω₂ = ω sin χ it is Legendre's integral of the first kind: sin χ is sn(νt), so ω₂ goes from
+    ω to −ω in 2K(m)/ν and is back in 4K(m)/ν. As ω₀ goes to zero m goes to 1 and K to infinity.
+    """
+    rates_of = angular_momentum().dot(angular_momentum())
+    with as_printed():
+        first = Equation(
+            lambda1 * Group(lambda3 - lambda1) * omega1**2,
+            2 * lambda3 * T - L**2 - lambda2 * Group(lambda3 - lambda2) * omega2**2,
+        )
+        third = Equation(
+            lambda3 * Group(lambda3 - lambda1) * omega3**2,
+            L**2 - 2 * lambda1 * T - lambda2 * Group(lambda2 - lambda1) * omega2**2,
+        )
+        rate = Equation(
+            lambda1 * lambda2**2 * lambda3 * omega2dot**2,
+            Group(2 * lambda3 * T - L**2 - lambda2 * Group(lambda3 - lambda2) * omega2**2)
+            * Group(L**2 - 2 * lambda1 * T - lambda2 * Group(lambda2 - lambda1) * omega2**2),
+        )
+        parameter = Equation(
+            m
+            * Group(
+                lambda1 * Group(lambda3 - lambda1) * omega_0**2
+                + lambda2 * Group(lambda3 - lambda2) * omega**2
+            ),
+            lambda2 * Group(lambda3 - lambda2) * omega**2,
+        )
+        legendre = Equation(
+            Group(
+                lambda1 * Group(lambda3 - lambda1) * omega_0**2
+                + lambda2 * Group(lambda3 - lambda2) * omega**2
+            )
+            * Group(lambda2 - lambda1)
+            * Group(1 - m * sympy.sin(chi) ** 2)
+            * t_chi2,
+            lambda1 * lambda2 * lambda3,
+        )
+        flip = Equation(
+            t,
+            2
+            * sympy.sqrt(
+                lambda1
+                * lambda2
+                * lambda3
+                / (
+                    Group(lambda2 - lambda1)
+                    * Group(
+                        lambda1 * Group(lambda3 - lambda1) * omega_0**2
+                        + lambda2 * Group(lambda3 - lambda2) * omega**2
+                    )
+                )
+            )
+            * sympy.elliptic_k(m),
+        )
+    meaning = {T: kinetic_energy(), L: rates_of**sympy.S.Half, omega2dot: body_accelerations()[1]}
+    yield Check(first, meaning, reason="Without ω₃,", printed=False)
+    yield Check(third, meaning, reason="and without ω₁:", printed=False)
+    yield Check(rate, meaning, reason="the square of ω̇₂ has no other rate in it.", printed=False)
+    # (dω₂/dχ)² over ω̇₂² is the square of dt/dχ; it has the form 1/(c − s sin² χ), and m = s/c.
+    sine = sympy.Symbol("sine")
+    against_chi = sympy.cancel(
+        middle_rate_squared().subs(omega2, omega * sine) / (omega**2 * (1 - sine**2))
+    )
+    start, end = against_chi.subs(sine, 0), against_chi.subs(sine, 1)
+    derived = sympy.cancel(1 - end / start)
+    yield Check(
+        parameter,
+        {m: derived},
+        reason="With ω₂ = ω sin χ, from ω₂ = ω and ω₁ = ω₀ at the start,",
+        printed=False,
+    )
+    yield Check(
+        legendre,
+        {m: derived, t_chi2: 1 / against_chi.subs(sine, sympy.sin(chi))},
+        reason="(dω₂/dχ)² over ω̇₂² is the square of dt/dχ.",
+        printed=False,
+    )
+    yield Step(flip, "Integrated from χ = π/2 to −π/2.")
+    yield from flip_measured()
+
+
+def flip_measured() -> Iterator[Measure]:
+    """The time of the claim against a motion of the product."""
+    moments, spin, kick = (1.0, 1.7, 2.3), 2.0, 0.01
+    seconds = flip_seconds(moments, spin, kick)
+    path = (
+        FreeBody(*moments)
+        .motion(omega=(kick, spin, 0.0))
+        .integrate([seconds / 2, seconds], rtol=1e-13, atol=1e-15)
+    )
+    error = max(abs(float(path.omega[0, 1])), abs(float(path.omega[1, 1]) + spin))
+    yield Measure("ω₂ after half of that time and at its end, integrated (rad/s)", error, 1e-9)
+
+
+def flip_seconds(moments: tuple[float, float, float], spin: float, kick: float) -> float:
+    """The time (s) from ω = (kick, spin, 0) to ω = (kick, −spin, 0), in rad/s."""
+    m1, rate = flip_constants(moments, spin, kick)
+    return 2 * float(ellipkm1(m1)) / rate
+
+
+def flip_constants(
+    moments: tuple[float, float, float], spin: float, kick: float
+) -> tuple[float, float]:
+    """1 − m and ν (1/s) of the claim.
+
+    Not m: K is infinite at m = 1, and a small kick would be lost in the difference.
+    """
+    i1, i2, i3 = moments
+    kicked, spinning = i1 * (i3 - i1) * kick**2, i2 * (i3 - i2) * spin**2
+    nu = sqrt((i2 - i1) * (kicked + spinning) / (i1 * i2 * i3))
+    return kicked / (kicked + spinning), nu
+
+
+def flip_integrated(moments: tuple[float, float, float], spin: float, kick: float) -> float:
+    """The same by (3.36): twice the time until ω₂ passes through zero (s)."""
+    inertia = np.array(moments)
+
+    def rates(_: float, w: NDArray[np.float64]) -> NDArray[np.float64]:
+        return -np.cross(w, inertia * w) / inertia
+
+    def crossing(_: float, w: NDArray[np.float64]) -> float:
+        return float(w[1])
+
+    crossing.terminal = True  # type: ignore[attr-defined]
+    # ω₁ and ω₃ start small and grow: what counts is their error relative to themselves.
+    path = solve_ivp(
+        rates,
+        (0.0, 10 * flip_seconds(moments, spin, kick)),
+        (kick, spin, 0.0),
+        method="DOP853",
+        rtol=1e-12,
+        atol=1e-16 * kick,
+        events=crossing,
+    )
+    [crossings] = path.t_events or []
+    return 2 * float(crossings[0])
+
+
+@exercise(
+    "stable-axes",
+    "Which axes are stable, and the flip about the middle one",
+    section="3.2.2",
+    asks="assignment 5",
+    statement="A body with three different moments λ₁ < λ₂ < λ₃, thrown in the air, turns with the "
+    "same speed ω about one principal axis after the other. Show that a small kick makes ω "
+    "oscillate about two of the axes and run away from the third. How fast does it oscillate, how "
+    "fast run away?\n\n"
+    "About the middle axis, and with a kick that adds ω₁ = kick, how long does it take until ω is "
+    "well away from the axis? In the end the body turns over: how long does one flip take, and "
+    "after what time is ω in the body what it was?",
+    claims=(principal_stays, axis_stability, flip_time),
+    parameters=(
+        Parameter("lambda1", 1.0, "λ₁, the smallest moment", "kg m²", above=0),
+        Parameter("lambda2", 1.7, "λ₂, the middle moment", "kg m²", above=0),
+        Parameter("lambda3", 2.3, "λ₃, the largest moment", "kg m²", above=0),
+        Parameter("omega", 6.0, "spin about the axis", "rad/s", above=0),
+        Parameter("kick", 0.006, "ω₁ that the kick adds", "rad/s", above=0),
+    ),
+    figure="flip",
+)
+def stable_axes(
+    lambda1: float, lambda2: float, lambda3: float, omega: float, kick: float
+) -> Iterator[Outcome]:
+    """Growth rates and frequencies are those of (3.36) linearised about each axis. The flip is a
+    complete elliptic integral; the period of the product's closed form must agree with it, and so
+    must (3.36), integrated until ω₂ passes through zero."""
+    moments = (lambda1, lambda2, lambda3)
+    if not lambda1 < lambda2 < lambda3:
+        raise RigidtopError(
+            f"the moments must grow, lambda1 < lambda2 < lambda3, not {lambda1:g}, {lambda2:g}, "
+            f"{lambda3:g}"
+        )
+    if not 1e-8 * omega <= kick < omega:
+        raise RigidtopError(
+            f"kick must be less than omega = {omega:g} and at least 1e-08 of it, not {kick:g}"
+        )
+    body = FreeBody(*moments)
+    growths = [_growth_squared(moments, axis) * omega**2 for axis in range(3)]
+    rows = []
+    for axis, growth in enumerate(growths):
+        rate = sqrt(abs(growth))
+        kind, time = ("runs away", 1 / rate) if growth > 0 else ("oscillates", 2 * pi / rate)
+        rows.append((f"e{'₁₂₃'[axis]}", moments[axis], kind, rate, time))
+    yield Table(
+        "axes",
+        "A small kick: rate of growth and time to grow by e, or frequency and period",
+        ("axis", "moment (kg m²)", "ω", "rate (1/s)", "time (s)"),
+        tuple(rows),
+    )
+    rate = sqrt(growths[1])
+    seconds = flip_seconds(moments, omega, kick)
+    part, _ = flip_constants(moments, omega, kick)
+    yield Answer("growth_rate", "rate σ at which ω leaves the middle axis", rate, "1/s")
+    yield Answer(
+        "time_to_leave", "time until ω₁ = ω by kick · cosh σt", acosh(omega / kick) / rate, "s"
+    )
+    yield Answer("flip_time", "time of one flip, from ω to −ω about e₂", seconds, "s")
+    yield Answer("period", "time until ω in the body is what it was", 2 * seconds, "s")
+    yield Answer(
+        "flip_estimate",
+        "the flip for a small kick, (2/σ) ln(4/√m₁), for comparison",
+        2 / rate * log(4 / sqrt(part)),
+        "s",
+    )
+    motion = body.motion(omega=(kick, omega, 0.0))
+    yield Measure(
+        "flip by the closed form of the motion, relative",
+        abs(motion.nutation_period / seconds - 1),
+        1e-12 * lambda3 / min(lambda2 - lambda1, lambda3 - lambda2),
+    )
+    numeric = flip_integrated(moments, omega, kick)
+    yield Measure("flip by (3.36), integrated, relative", abs(numeric / seconds - 1), 1e-9)
+    # A kick that is small even against the differences of the moments.
+    gap = min(lambda2 - lambda1, lambda3 - lambda2) / lambda3
+    for axis in (0, 2):
+        spin = [1e-5 * gap * omega * (k == (axis + 1) % 3) + omega * (k == axis) for k in range(3)]
+        period = 2 * body.motion(omega=spin).nutation_period
+        yield Measure(
+            f"period about e{'₁₂₃'[axis]} by the closed form, relative",
+            abs(period * sqrt(-growths[axis]) / (2 * pi) - 1),
+            1e-8,
+        )
+
+
+def _growth_squared(moments: tuple[float, float, float], axis: int) -> float:
+    """σ²/ω² of a deviation from rotation about an axis."""
+    i, j, k = (moments[(axis + shift) % 3] for shift in range(3))
+    return (i - j) * (k - i) / (j * k)
+
+
+EXERCISES: tuple[Exercise, ...] = (stable_axes,)

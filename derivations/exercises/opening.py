@@ -1,0 +1,183 @@
+"""Opening of chapter 3.2: two masses on a stick, held by a bearing and let go."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import cos, pi, sin
+
+import numpy as np
+import sympy
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
+from sympy import Integer, Matrix
+
+from rigidtop.derivations.opening import STICK, angular_momentum, two_mass_points
+from rigidtop.parameters import Parameter
+from rigidtop.proof.equation import Cross, Equation, Group, as_printed
+from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
+from rigidtop.proof.page import Assumption, Check, Evidence, Measure, claim
+from rigidtop.theory.rotation import Z_AXIS, rotation_z
+from rigidtop.theory.symbols import (
+    M_1,
+    M_2,
+    F,
+    L_vec,
+    L_vecdot,
+    N_vec,
+    a,
+    alpha,
+    b,
+    omega,
+    omega_vec,
+    t,
+    xhat,
+    yhat,
+)
+
+
+@claim("bearing-torque", "What keeps ω constant is a torque ω × L across the plane of ω and stick.")
+def bearing_torque() -> Iterator[Evidence]:
+    """L̇ = N with L turned along with the stick; it is also the sum of r × F over both masses.
+
+    Torque and force turn with the stick. The force vanishes when the bearing holds the centre of
+    mass, the torque does not: that is the difference between static and dynamic balance.
+    """
+    with as_printed():
+        carried = Equation(L_vecdot, Cross(omega_vec, L_vec))
+        size = Equation(
+            N_vec,
+            Group(M_1 * a**2 + M_2 * b**2) * omega**2 * sympy.sin(alpha) * sympy.cos(alpha) * xhat,
+        )
+        force = Equation(F, -(Group(M_1 * a - M_2 * b) * omega**2 * sympy.sin(alpha) * yhat))
+        balanced = Equation(F, 0)
+    turned = angular_momentum(rotation_z(omega * t)).diff(t).subs(t, 0)
+    positions = [(m, arm * rotation_z(omega * t) * STICK) for m, arm in ((M_1, a), (M_2, -b))]
+    pushes = [(r.subs(t, 0), m * r.diff(t, 2).subs(t, 0)) for m, r in positions]
+    axes = {xhat: Matrix([1, 0, 0]), yhat: Matrix([0, 1, 0])}
+    spin = {omega_vec: omega * Matrix(Z_AXIS), L_vec: angular_momentum(rotation_z(Integer(0)))}
+    yield Check(
+        carried, {**spin, L_vecdot: turned}, reason="L turns with the stick.", printed=False
+    )
+    yield Check(
+        size,
+        {**axes, N_vec: turned},
+        reason="Masses in the yz plane, ω along ẑ: x̂ is across both.",
+        printed=False,
+    )
+    yield Check(
+        size,
+        {**axes, N_vec: sum((r.cross(f) for r, f in pushes), Matrix([0, 0, 0]))},
+        reason="The forces that hold the masses on their circles give the same.",
+        printed=False,
+    )
+    total = sum((f for _, f in pushes), Matrix([0, 0, 0]))
+    yield Check(force, {**axes, F: total}, reason="And what they add up to.", printed=False)
+    yield Check(
+        balanced,
+        {F: total},
+        (
+            Assumption(
+                sympy.Eq(M_1, M_2 * b / a), "the bearing holds the centre of mass", stated=True
+            ),
+        ),
+        "Static balance: no force is left.",
+        printed=False,
+    )
+
+
+def free_flight(
+    positions: NDArray[np.float64],
+    velocities: NDArray[np.float64],
+    masses: NDArray[np.float64],
+    time: float,
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Positions and velocities (2, 3) of two masses that a massless stick joins, after `time` (s).
+
+    Newton's law with the one force F that keeps the distance d: F d = −m₁m₂/(m₁+m₂) |ḋ|² along d.
+    """
+    reduced = masses.prod() / masses.sum()
+
+    def rates(_: float, state: NDArray[np.float64]) -> NDArray[np.float64]:
+        r, v = state.reshape(2, 2, 3)
+        apart, opening = r[0] - r[1], v[0] - v[1]
+        pull = -reduced * (opening @ opening) / (apart @ apart) * apart
+        return np.concatenate([v.ravel(), pull / masses[0], -pull / masses[1]])
+
+    start = np.concatenate([positions.ravel(), velocities.ravel()])
+    size = float(np.abs(velocities).max()) * time
+    path = solve_ivp(rates, (0, time), start, method="DOP853", rtol=1e-12, atol=1e-13 * size)
+    r, v = path.y[:, -1].reshape(2, 2, 3)
+    return r, v
+
+
+@exercise(
+    "two-masses",
+    "Two masses on a stick",
+    section="3.2 (opening)",
+    asks="opening example",
+    statement="The masses M₁ and M₂ sit at the distances a and b on either side of the origin on a "
+    "stick without mass, which a bearing at the origin turns at constant ω, tilted to ω by the "
+    "angle α. Which direction has L, and how far is it from ω?\n\n"
+    "What torque, and what force, must the bearing exert, and in which directions? What do stick "
+    "and masses do when the bearing lets go?",
+    claims=(two_mass_points, bearing_torque),
+    parameters=(
+        Parameter("M_1", 1.5, "first mass", "kg", above=0),
+        Parameter("M_2", 0.8, "second mass", "kg", above=0),
+        Parameter("a", 0.4, "distance of the first mass from the bearing", "m", above=0),
+        Parameter("b", 0.5, "distance of the second mass from the bearing", "m", above=0),
+        Parameter("alpha", pi / 6, "tilt of the stick against ω", "rad", above=0, most=pi / 2),
+        Parameter("omega", 3.0, "ω", "rad/s", above=0),
+    ),
+)
+def two_masses(
+    M_1: float, M_2: float, a: float, b: float, alpha: float, omega: float
+) -> Iterator[Outcome]:
+    """L and N are the closed forms of the claims, held against sums over the masses. The flight is
+    integrated by Newton's law for each mass with the pull of the stick: about its centre of mass
+    the stick turns with the part of ω across it, about an axis parallel to the L of then."""
+    moment = M_1 * a**2 + M_2 * b**2
+    momentum = moment * omega * sin(alpha)
+    torque = moment * omega**2 * sin(alpha) * cos(alpha)
+    force = abs(M_1 * a - M_2 * b) * omega**2 * sin(alpha)
+    free_rate = omega * sin(alpha)
+    drift = omega * sin(alpha) * abs(M_1 * a - M_2 * b) / (M_1 + M_2)
+    yield Answer("angular_momentum", "L, at right angles to the stick", momentum, "J s")
+    yield Answer("angle", "angle between L and ω, π/2 − α", pi / 2 - alpha, "rad")
+    yield Answer("torque", "torque of the bearing, across the plane of stick and ω", torque, "N m")
+    yield Answer("force", "force of the bearing, from the centre of mass to the axis", force, "N")
+    yield Answer("free_rate", "|ω| after it lets go, ω sin α", free_rate, "rad/s")
+    yield Answer("free_period", "time of one turn then", 2 * pi / free_rate, "s")
+    yield Answer("drift", "speed of the centre of mass then", drift, "m/s")
+
+    masses = np.array([M_1, M_2])
+    stick = np.array([0.0, sin(alpha), cos(alpha)])
+    axis = np.array([0.0, 0.0, omega])
+    positions = np.outer([a, -b], stick)
+    velocities = np.cross(axis, positions)
+    summed = np.cross(positions, masses[:, None] * velocities).sum(axis=0)
+    direction = np.arctan2(np.linalg.norm(np.cross(summed, axis)), summed @ axis)
+    yield Measure(
+        "L as a sum over the masses, relative",
+        abs(float(np.linalg.norm(summed)) / momentum - 1),
+        1e-12,
+    )
+    yield Measure("its angle to ω (rad)", abs(float(direction) - (pi / 2 - alpha)), 1e-12)
+    pushes = masses[:, None] * np.cross(axis, velocities)
+    held = np.cross(positions, pushes).sum(axis=0) - np.array([torque, 0.0, 0.0])
+    across = float(np.linalg.norm(held)) / (moment * omega**2)
+    yield Measure("N as a sum of r × F over the masses, relative to Iω²", across, 1e-12)
+    period = 2 * pi / free_rate
+    later, _ = free_flight(positions, velocities, masses, period / 4)
+    turned = (later[0] - later[1]) / (a + b)
+    # A quarter of a turn about L later the stick points along ω × r of the first mass.
+    expected = np.array([-1.0, 0.0, 0.0])
+    yield Measure(
+        "direction of the stick a quarter of a turn after it is let go, by Newton's law",
+        float(np.linalg.norm(turned - expected)),
+        1e-9,
+    )
+
+
+EXERCISES: tuple[Exercise, ...] = (two_masses,)
+"""Exercises, solved for the settings of a test."""
