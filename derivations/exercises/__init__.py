@@ -9,6 +9,7 @@ from rigidtop.derivations.exercises import (
     net_torque,
     nutation,
     opening,
+    precession_of_rotation_axis,
     rotation_matrices,
     simplified_picture,
     sleeping_top,
@@ -18,6 +19,7 @@ from rigidtop.derivations.exercises import (
 EXERCISES = (
     *opening.EXERCISES,
     *eulers_equations.EXERCISES,
+    *precession_of_rotation_axis.EXERCISES,
     *euler_angles.EXERCISES,
     *rotation_matrices.EXERCISES,
     *net_torque.EXERCISES,
