@@ -13,6 +13,7 @@ from rigidtop.derivations.exercises import (
     rotation_matrices,
     simplified_picture,
     sleeping_top,
+    toutatis,
     toy_top,
 )
 
@@ -20,6 +21,7 @@ EXERCISES = (
     *opening.EXERCISES,
     *eulers_equations.EXERCISES,
     *precession_of_rotation_axis.EXERCISES,
+    *toutatis.EXERCISES,
     *euler_angles.EXERCISES,
     *rotation_matrices.EXERCISES,
     *net_torque.EXERCISES,

@@ -1,0 +1,273 @@
+"""Section 3.2.3, example 33: the asteroid Toutatis, computed and observed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from datetime import datetime
+from math import degrees, inf, pi, radians
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
+from scipy.spatial.transform import Rotation
+
+from rigidtop.derivations.precession_of_rotation_axis import example_33
+from rigidtop.derivations.toutatis import MOMENTS, OBSERVATIONS, PERIODS, START, SpinState
+from rigidtop.errors import RigidtopError
+from rigidtop.motion.body import FreeBody
+from rigidtop.motion.exact import free
+from rigidtop.motion.motion import Motion
+from rigidtop.parameters import Parameter
+from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
+from rigidtop.proof.page import Measure
+
+from .precession_of_rotation_axis import angles, turned
+
+Vectors = NDArray[np.float64]
+
+
+def attitude(state: SpinState) -> Rotation:
+    """R = Rz(α) Rx(β) Rz(γ), body to inertial."""
+    return Rotation.from_euler("ZXZ", state.angles, degrees=True)
+
+
+def days(state: SpinState) -> float:
+    """Since the start."""
+    passed = datetime.fromisoformat(state.time) - datetime.fromisoformat(START.time)
+    return passed.total_seconds() / 86400
+
+
+def split(error: Rotation) -> tuple[float, float, float]:
+    """A rotation in body components: its angle, that by which it moves e₃, and the turn about e₃.
+
+    In degrees; first about e₃ and then about an axis across it makes the whole.
+    """
+    x, y, z, w = np.abs(error.as_quat())
+    return (
+        degrees(float(error.magnitude())),
+        degrees(2 * np.arctan2(np.hypot(x, y), np.hypot(z, w))),
+        degrees(2 * np.arctan2(z, w)),
+    )
+
+
+def comparison(motion: Motion, seen: SpinState) -> tuple[float | str, ...]:
+    """A row: the computed state against an observed one."""
+    path = motion.exact(days(seen))
+    whole, axis, twist = split(path.rotation[0].inv() * attitude(seen))
+    rates = np.radians(seen.rates)
+    turn = degrees(float(angles(path.omega, rates[None, :])[0]))
+    size = degrees(float(np.linalg.norm(path.omega[0] - rates)))
+    # L, which a free body keeps, as the observation alone has it.
+    momentum = attitude(seen).apply(np.array(motion.body.moments) * rates)[None, :]
+    expected = path.angular_momentum
+    strayed = degrees(float(angles(momentum, expected)[0]))
+    ratio = float(np.linalg.norm(momentum) / np.linalg.norm(expected))
+    return seen.time[:10], days(seen), whole, axis, twist, turn, size, strayed, ratio
+
+
+def relaxed(
+    moments: Vectors, momentum: Vectors, friction: float, times: Vectors
+) -> tuple[Vectors, Vectors]:
+    """L in body components (N, 3) and the energy lost (N,) with friction inside the body.
+
+    L̇ + ω × L = (friction/L) L × (L × ω), as the claim has it with c = friction/L: |L| is kept.
+    """
+    size = float(np.linalg.norm(momentum))
+    c = friction / size
+
+    def rates(_: float, state: Vectors) -> Vectors:
+        across = np.cross(state[:3], state[:3] / moments)  # L × ω
+        return np.append(across + c * np.cross(state[:3], across), c * across @ across)
+
+    path = solve_ivp(
+        rates,
+        (0.0, float(times[-1])),
+        np.append(momentum, 0.0),
+        method="DOP853",
+        t_eval=times,
+        rtol=1e-10,
+        atol=1e-12 * size,
+    )
+    return path.y[:3].T, path.y[3]
+
+
+DAY = 86400.0
+"""In seconds."""
+
+
+@exercise(
+    "toutatis",
+    "Toutatis, computed and observed",
+    section="3.2.3",
+    asks="example 33",
+    statement="Takahashi, Busch & Scheeres (AJ 146:95, 2013) give the moments of the asteroid "
+    "Toutatis and its state of rotation on 9 November 1992; our e₃ is its long axis. About which "
+    "axis does ω circle, how long does one turn about the long axis take, and how long one turn of "
+    "that axis about L? Compute its attitude for every time at which radar saw it and compare.\n\n"
+    "How much of its energy could friction inside the body still take, and about which axis would "
+    "it then rotate? Why do most asteroids rotate so already? (One degree per day is 2.02·10⁻⁷ "
+    "rad/s; moments are in units of any one of them.)",
+    claims=(example_33,),
+    parameters=(
+        Parameter("lambda1", float(MOMENTS[0]), "λ₁, about the body's x axis", above=0),
+        Parameter("lambda2", float(MOMENTS[1]), "λ₂, about its y axis", above=0),
+        Parameter("lambda3", float(MOMENTS[2]), "λ₃, about its long axis", above=0),
+        *(
+            Parameter(f"omega{k + 1}", radians(rate) / DAY, f"ω{'₁₂₃'[k]} at the start", "rad/s")
+            for k, rate in enumerate(START.rates)
+        ),
+        Parameter("friction", 0.2, "cL, strength of the friction inside", least=0.05, most=2),
+    ),
+    figure="tumbling",
+)
+def toutatis(
+    lambda1: float,
+    lambda2: float,
+    lambda3: float,
+    omega1: float,
+    omega2: float,
+    omega3: float,
+    friction: float,
+) -> Iterator[Outcome]:
+    """The start is carried on in closed form as a free body without friction; integration must
+    agree with it, and counted turns with the closed forms of the periods. In December 1992 the
+    radar attitudes agree to a few degrees, and two of the observed ω, of 7 and 14 December, do not
+    go with the L of all others. In 2008 L still points where it did, but the phase is lost: over a
+    thousand turns the last printed digits of the start add up to some ten degrees, as a table
+    shows, and the tides of the Sun and the Earth, which are left out here, to far more. With
+    friction (3.36) gets the torque of the claim, far stronger than in a rock, and is integrated;
+    the energy that its power takes must be what is missing at the end."""
+    moments = np.array([lambda1, lambda2, lambda3])
+    omega = np.array([omega1, omega2, omega3]) * DAY  # the unit of time from here on: a day
+    if not omega.any():
+        raise RigidtopError("omega1, omega2 and omega3 are all zero: nothing rotates")
+    body = FreeBody(lambda1, lambda2, lambda3)
+    motion = body.motion(omega=omega.tolist(), attitude=attitude(START))
+    half = motion.nutation_period
+    if not half < inf:
+        raise RigidtopError("ω has no period, as on the separatrix: change it a little")
+    yield Answer("mode", "ω circles about the", motion.regime)
+    yield Answer("rotation", "turn about the axis about which ω circles", 2 * half, "days")
+    precession = 2 * pi / abs(motion.mean_precession)
+    yield Answer("precession", "turn of this axis about L, on average", precession, "days")
+    least, greatest = motion.turning_points
+    yield Answer("least_tilt", "smallest angle between L and this axis", least, "rad")
+    yield Answer("greatest_tilt", "largest angle between L and this axis", greatest, "rad")
+    yield Table(
+        "periods",
+        "Periods of Toutatis, computed and published",
+        ("source", "about the long axis (days)", "about L (days)"),
+        (("this motion", 2 * half, precession), *PERIODS),
+    )
+    rows = tuple(comparison(motion, seen) for seen in OBSERVATIONS)
+    yield Table(
+        "observations",
+        "Computed against observed: how far apart",
+        (
+            "date",
+            "days",
+            "attitude (°)",
+            "of it the long axis (°)",
+            "and about it (°)",
+            "ω, direction (°)",
+            "ω (°/day)",
+            "L, direction (°)",
+            "|L|, observed over computed",
+        ),
+        rows,
+    )
+    early = [float(row[2]) for row, seen in zip(rows, OBSERVATIONS, strict=True) if days(seen) < 60]
+    yield Answer(
+        "median_error", "median error of the attitude in 1992", float(np.median(early)), "°"
+    )
+    yield Answer("largest_error", "largest error of the attitude in 1992", max(early), "°")
+    yield _last_digits(motion)
+    yield from _energies(moments, omega, friction)
+
+    far = np.linspace(0.0, days(OBSERVATIONS[-2]), 101)
+    exact, integrated = motion.exact(far), motion.integrate(far, rtol=1e-12, atol=1e-14)
+    apart = float((exact.rotation.inv() * integrated.rotation).magnitude().max())
+    yield Measure("attitude until 18 December 1992, integrated (rad)", apart, 1e-8)
+    ten = motion.integrate(np.linspace(0, 20 * half, 2001), rtol=1e-12, atol=1e-14)
+    back = float(np.linalg.norm(ten.omega[-1] - omega) / np.linalg.norm(omega))
+    yield Measure("ω after ten of its periods, integrated, relative", back, 1e-8)
+    axis = ten.rotation.apply(np.eye(3)[int(free.solve(moments, omega).axes[2])])
+    counted = abs(turned(axis, ten.angular_momentum[0]))
+    yield Measure(
+        "turns of the axis about L meanwhile (rad)",
+        abs(counted - abs(motion.mean_precession) * 20 * half),
+        1e-7,
+    )
+
+
+def _last_digits(motion: Motion) -> Table:
+    """What half of the last printed digit of the start does to the last attitude."""
+    halves = {"lambda1": 5e-5, "lambda2": 5e-4, "omega1": 5e-3, "omega2": 5e-4, "omega3": 5e-4}
+    time = days(OBSERVATIONS[-1])
+    there = motion.exact(time).rotation[0]
+    values = dict(zip(("lambda1", "lambda2", "lambda3"), motion.body.moments, strict=True))
+    values |= dict(zip(("omega1", "omega2", "omega3"), motion.omega, strict=True))
+    rows = []
+    for name, change in halves.items():
+        added = radians(change) if name.startswith("omega") else change
+        lambda1, lambda2, lambda3, *omega = (values | {name: values[name] + added}).values()
+        moved = FreeBody(lambda1, lambda2, lambda3).motion(omega=omega, attitude=motion.attitude)
+        turn = float((there.inv() * moved.exact(time).rotation[0]).magnitude())
+        rows.append((name, change, degrees(turn)))
+    return Table(
+        "last_digits",
+        "Half of the last printed digit of the start, and the attitude of 2008",
+        ("changed", "by (°/day for ω)", "attitude (°)"),
+        tuple(rows),
+    )
+
+
+def _energies(moments: Vectors, omega: Vectors, friction: float) -> Iterator[Outcome]:
+    """Energies at this L, and the end to which friction leads."""
+    momentum = moments * omega
+    size = float(np.linalg.norm(momentum))
+    energy = float(momentum @ omega) / 2
+    alone = size**2 / (2 * moments)
+    yield Table(
+        "energies",
+        "Rotation with this L about one axis",
+        ("axis", "moment", "energy over that of now", "period (days)"),
+        tuple(
+            (f"e{'₁₂₃'[k]}", float(moment), float(alone[k]) / energy, float(2 * pi * moment / size))
+            for k, moment in enumerate(moments)
+        ),
+    )
+    lost = 1 - float(alone.min()) / energy
+    yield Answer("energy_to_lose", "share of the energy that friction can take", lost)
+    # Close to the end L̇ is linear in the two small components: x² + f(p + q)x + (1 + f²)pq = 0.
+    smallest, middle, greatest = np.sort(moments)
+    p, q = 1 / smallest - 1 / greatest, 1 / middle - 1 / greatest
+    split_up = np.emath.sqrt((friction * (p - q) / 2) ** 2 - p * q).real
+    slowest = size * (friction * (p + q) / 2 - float(split_up))
+    longest = 4000 * smallest / size
+    times = np.linspace(0.0, min(12 / slowest, longest) if slowest > 0 else longest, 13)
+    path, spent = relaxed(moments, momentum, friction, times)
+    energies = (path**2 / moments).sum(axis=1) / 2
+    largest = np.eye(3)[int(moments.argmax())]
+    tilts = np.arctan2(np.linalg.norm(np.cross(path, largest), axis=1), np.abs(path @ largest))
+    yield Table(
+        "friction",
+        "With friction inside: the way to the axis of the largest moment",
+        ("time (days)", "energy over that of now", "L from that axis (rad)"),
+        tuple(
+            (float(time), float(part), float(tilt))
+            for time, part, tilt in zip(times, energies / energy, tilts, strict=True)
+        ),
+    )
+    yield Answer("tilt_at_end", "angle of L and that axis at the end", float(tilts[-1]), "rad")
+    kept = np.linalg.norm(path, axis=1) / size - 1
+    yield Measure("|L| with friction, relative", float(np.abs(kept).max()), 1e-7)
+    balance = energies + spent - energy
+    yield Measure(
+        "energy lost against the power of the friction, relative",
+        float(np.abs(balance).max()) / energy,
+        1e-7,
+    )
+
+
+EXERCISES: tuple[Exercise, ...] = (toutatis,)
