@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from rigidtop.motion.body import FreeBody, HeavyBody
     from rigidtop.motion.many import FreeMotions, TopMotions, free_motions, top_motions
     from rigidtop.motion.motion import Motion
+    from rigidtop.motion.sliding import SlidingMotion, SlidingTop
+    from rigidtop.motion.sliding_trajectory import SlidingTrajectory
     from rigidtop.motion.top import HeavyTop
     from rigidtop.motion.trajectory import Trajectory
 
@@ -26,6 +28,9 @@ __all__ = [
     "Motion",
     "NoSteadyPrecession",
     "RigidtopError",
+    "SlidingMotion",
+    "SlidingTop",
+    "SlidingTrajectory",
     "TopMotions",
     "Trajectory",
     "__version__",
@@ -41,6 +46,9 @@ _HOMES = {
     "Motion": "rigidtop.motion.motion",
     "NoSteadyPrecession": "rigidtop.errors",
     "RigidtopError": "rigidtop.errors",
+    "SlidingMotion": "rigidtop.motion.sliding",
+    "SlidingTop": "rigidtop.motion.sliding",
+    "SlidingTrajectory": "rigidtop.motion.sliding_trajectory",
     "TopMotions": "rigidtop.motion.many",
     "Trajectory": "rigidtop.motion.trajectory",
     "free_motions": "rigidtop.motion.many",

@@ -1,0 +1,384 @@
+"""A symmetric top with a round tip on a table: friction moves its contact and takes its energy.
+
+The moments are those about the **centre of mass**: `HeavyTop` has them about the pivot, λ₁ + MR².
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.spatial.transform import Rotation
+
+from rigidtop.errors import RigidtopError
+from rigidtop.motion import attitude as attitudes
+from rigidtop.motion import checks, systems
+from rigidtop.motion.attitude import Floats
+from rigidtop.motion.body import Triple
+from rigidtop.motion.exact import smooth
+from rigidtop.motion.integrate import TAYLOR, Accuracy, counted_phases, joined
+from rigidtop.motion.motion import MOST_TURNS
+from rigidtop.motion.sliding_contact import VARIABLES, Contact, Course, course
+from rigidtop.motion.sliding_trajectory import SlidingTrajectory
+
+Pair = tuple[float, float]
+
+
+@dataclass(frozen=True, kw_only=True)
+class SlidingTop:
+    """A symmetric top that stands with a round tip on a horizontal table, in gravity g > 0 (m/s²).
+
+    λ₁ = λ₂ and λ₃ are moments about the **centre of mass** (kg m²), not about a pivot.  M is the
+    mass (kg), R > 0 the distance of the centre of mass from the lowest point of the upright top
+    (m).  The tip is part of a sphere of radius `tip` = r ≥ 0 (m), its centre on the axis at R − r
+    below the centre of mass; r > R puts the centre of mass below it, as in a tippe top.
+
+    The table pushes with N upwards and rubs with F = −(μN/|v| + γ) v against the slip v of the
+    contact: `mu` = μ ≥ 0 is Coulomb's coefficient, sliding and static, `viscosity` = γ ≥ 0 that of
+    viscous friction (N s/m).  It exerts no torque at the contact.  The air pulls the centre of mass
+    with −c V and turns against ω with −(c₁ω₁, c₁ω₂, c₃ω₃): `drag` = c (N s/m), `drag1` and `drag3`
+    (N m s).  At θ = `fall` the body touches the table with more than its tip (π: it never does).
+
+    Raises RigidtopError for what no such body can have, as λ₃ > 2λ₁.
+
+    >>> top = SlidingTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5, tip=0.1, mu=0.3)
+    >>> run = top.motion(theta=0.3, omega3=60.0).integrate([0.0, 5.0])
+    >>> bool(run.theta[1] < 0.3), run.budget() < 1e-8        # friction raises a fast top
+    (True, True)
+    """
+
+    lambda1: float
+    lambda3: float
+    M: float
+    R: float
+    tip: float = 0.0
+    g: float = 9.81
+    mu: float = 0.0
+    viscosity: float = 0.0
+    drag: float = 0.0
+    drag1: float = 0.0
+    drag3: float = 0.0
+    fall: float = math.pi / 2
+
+    def __post_init__(self) -> None:
+        for name in ("lambda1", "lambda3", "M", "R", "g"):
+            object.__setattr__(self, name, checks.positive(name, getattr(self, name)))
+        for name in ("tip", "mu", "viscosity", "drag", "drag1", "drag3"):
+            object.__setattr__(self, name, checks.not_negative(name, getattr(self, name)))
+        object.__setattr__(self, "fall", checks.number("fall", self.fall))
+        if not 0 < self.fall <= math.pi:
+            raise RigidtopError(
+                f"fall must be an angle of more than 0 and at most pi radians, not {self.fall:g}"
+            )
+        if not checks.triangle(self.moments, max(self.moments)):
+            raise RigidtopError(
+                f"lambda3 = {self.lambda3:g} exceeds 2 lambda1 = {2 * self.lambda1:g}: no body has "
+                "such moments about its centre of mass, which are meant here"
+            )
+
+    @property
+    def moments(self) -> Triple:
+        """λ₁, λ₁, λ₃ about the centre of mass (kg m²)."""
+        return self.lambda1, self.lambda1, self.lambda3
+
+    @property
+    def smooth(self) -> bool:
+        """Whether nothing takes energy: neither friction nor air."""
+        return not any((self.mu, self.viscosity, self.drag, self.drag1, self.drag3))
+
+    def motion(
+        self,
+        *,
+        theta: float,
+        theta_dot: float = 0.0,
+        phi: float = 0.0,
+        phi_dot: float = 0.0,
+        psi: float = 0.0,
+        psi_dot: float | None = None,
+        omega3: float | None = None,
+        velocity: Sequence[float] | None = None,
+        slip: Sequence[float] | None = None,
+    ) -> SlidingMotion:
+        """The motion from Euler angles and rates at t = 0, the centre of mass above the origin.
+
+        R = Rz(φ) Ry(θ) Rz(ψ) takes body components to space components; 0 ≤ θ < `fall`.  The spin
+        is `psi_dot` or `omega3` = ψ̇ + φ̇ cos θ.  `velocity` is that of the centre of mass along x̂
+        and ŷ, (0, 0) unless given (m/s); or `slip` that of the contact, of which (0, 0) lets the
+        tip start at rest on the table.  Radians and rad/s.
+
+        Raises RigidtopError for anything else.
+
+        >>> top = SlidingTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5)
+        >>> top.motion(theta=0.5, omega3=40.0, phi_dot=1.0, slip=(0.0, 0.0)).velocity.round(6) + 0.0
+        array([0.      , 0.239713])
+        """
+        if psi_dot is not None and omega3 is not None:
+            raise RigidtopError("give psi_dot or omega3, not both")
+        if psi_dot is None and omega3 is None:
+            raise RigidtopError("give the spin, as omega3 or psi_dot")
+        if velocity is not None and slip is not None:
+            raise RigidtopError("give velocity (of the centre of mass) or slip, not both")
+        tilt = checks.polar_angle(theta)
+        if tilt >= self.fall and self.fall < math.pi:
+            raise RigidtopError(
+                f"theta = {tilt:g} is no start: the top lies on the table from fall = {self.fall:g}"
+            )
+        start = {
+            "theta_dot": theta_dot,
+            "phi": phi,
+            "phi_dot": phi_dot,
+            "psi": psi,
+            "spin": omega3 if psi_dot is None else psi_dot,
+        }
+        known = {name: checks.number(name, value) for name, value in start.items()}
+        turn = known["psi"]
+        rates = attitudes.body_rates(
+            tilt, turn, known["theta_dot"], known["phi_dot"], known["spin"]
+        )
+        omega = *rates[:2], known["spin"] if psi_dot is None else rates[2]
+        attitude = attitudes.from_euler_angles(tilt, known["phi"], turn)
+        if slip is not None:
+            sliding = _pair("slip", slip)
+        else:
+            wanted = (0.0, 0.0) if velocity is None else _pair("velocity", velocity)
+            without = _without_slip(self, attitude, omega)
+            sliding = wanted[0] - without[0], wanted[1] - without[1]
+        return SlidingMotion(self, attitude, omega, known["phi"], turn, sliding)
+
+
+def _pair(name: str, value: Sequence[float]) -> Pair:
+    if isinstance(value, (str, bytes)) or np.shape(value) != (2,):
+        raise RigidtopError(f"{name} must be two numbers, along x and y, not {value!r}")
+    first, second = (checks.number(f"{name}[{k}]", x) for k, x in enumerate(value))
+    return first, second
+
+
+def _without_slip(body: SlidingTop, attitude: Rotation, omega: Triple) -> Pair:
+    """The velocity of the centre of mass along x̂ and ŷ, −ω × ρ, if the contact does not slip."""
+    state = [*attitudes.quaternions(attitude).tolist(), *omega, 0.0, 0.0]
+    known = Contact(body).kinematics(state)
+    return float(known[3]), float(known[4])
+
+
+@dataclass(frozen=True, eq=False)
+class SlidingMotion:
+    """The motion of a top on a table from its initial state; made by `SlidingTop.motion`."""
+
+    body: SlidingTop
+
+    attitude: Rotation
+    """At t = 0, body components to space components."""
+
+    omega: Triple
+    """Rotational velocity at t = 0, body components, rad/s."""
+
+    phi: float
+    """φ at t = 0, from which φ(t) continues (rad)."""
+
+    psi: float
+    """ψ at t = 0, from which ψ(t) continues (rad)."""
+
+    slip: Pair
+    """Velocity of the contact over the table at t = 0 (m/s)."""
+
+    @property
+    def velocity(self) -> Floats:
+        """Of the centre of mass along x̂ and ŷ at t = 0, shape (2,), in m/s."""
+        return np.array(_without_slip(self.body, self.attitude, self.omega)) + self.slip
+
+    def start(self) -> SlidingTrajectory:
+        """The initial state, as a trajectory of one row."""
+        contact, state = Contact(self.body), self._initial()
+        rolling = not any(self.slip) and contact.holds(state)
+        return self._trajectory(
+            np.array(state)[:, None],
+            np.zeros(1),
+            np.array([[self.phi], [self.psi]]),
+            np.array([rolling]),
+            Course((), ()),
+        )
+
+    def exact(self, t: ArrayLike) -> SlidingTrajectory:
+        """The motion on a smooth table without air at the times `t`, in closed form.
+
+        `t` (s) is a float or a row of N floats in any order, also negative.  The nutation is one
+        quadrature, whose integrand is smooth over a period and so a Fourier series to rounding;
+        then a late time costs what an early one costs.
+
+        Raises RigidtopError where friction or air take energy, where the top would fall or leave
+        the table, and where it goes through the vertical or comes so near to it, or to a motion
+        without period, that the series does not converge: integrate those.
+        """
+        body = self.body
+        if not body.smooth:
+            raise RigidtopError(
+                "no closed form: friction or air take energy; integrate the motion, or leave mu, "
+                "viscosity and drag out"
+            )
+        times = checks.times(t)
+        start = self.start()
+        orbit = smooth.solve(
+            lambda1=body.lambda1,
+            lambda3=body.lambda3,
+            M=body.M,
+            g=body.g,
+            h=body.R - body.tip,
+            theta=float(start.theta[0]),
+            theta_dot=float(start.theta_dot[0]),
+            v_phi=float(start.v_phi[0]),
+            omega3=self.omega[2],
+        )
+        if orbit.turning_points[1] >= body.fall:
+            raise RigidtopError(
+                f"no closed form: the top falls, its theta reaches fall = {body.fall:g}; "
+                "integrate the motion"
+            )
+        if orbit.smallest_normal_force <= 0:
+            raise RigidtopError(
+                "no closed form: the top leaves the table in the course of its nutation; "
+                "integrate the motion"
+            )
+        at = orbit.at(times)
+        velocity = self.velocity
+        found = SlidingTrajectory(
+            motion=self,
+            t=times,
+            cos_half=np.cos(at.theta / 2),
+            sin_half=np.sin(at.theta / 2),
+            phi=self.phi + at.phi,
+            psi=self.psi + at.psi,
+            theta_dot=at.theta_dot,
+            v_phi=at.v_phi,
+            omega3=np.asarray(self.omega[2]),
+            upright_phi_dot=np.asarray(body.lambda3 * self.omega[2] / (2 * body.lambda1)),
+            centre=times[:, None] * velocity,
+            slip=np.zeros((len(times), 2)),
+            dissipated_by_friction=np.zeros(len(times)),
+            dissipated_by_air=np.zeros(len(times)),
+            rolling=np.zeros(len(times), dtype=bool),
+        )
+        # Without slip the velocity would be −ω × ρ.
+        return replace(found, slip=velocity - found.velocity[:, :2])
+
+    def integrate(
+        self, t: ArrayLike, method: str = "DOP853", rtol: float = 1e-10, atol: float = 1e-12
+    ) -> SlidingTrajectory:
+        """The motion at the times `t` ≥ 0, integrated from the initial state at t = 0.
+
+        `t` (s) is a float or a row of N floats in any order.  `method` is one of
+        `scipy.integrate.solve_ivp`; an implicit one, "Radau", where viscous friction is strong.
+        `rtol` and `atol` are tolerances for one step, the absolute one in units of 1 for the unit
+        quaternion and the turn about e₃, √(g/R) for ω, R for lengths, √(gR) for the slip and MgR
+        for what is dissipated.
+
+        The trajectory has one row for each time that the motion reaches.  A motion ends where the
+        top falls (θ = `fall`) or lifts off (N = 0): **later times have no row**, and
+        `SlidingTrajectory.ended` says why.
+
+        Raises RigidtopError for times that are negative, not finite, too late, or all after the
+        end; for an unknown method or tolerance; where the top does not stay on the table from the
+        start; where friction jams it (Painlevé); and when the solver gives up.
+        """
+        times = self._times(t)
+        if method == TAYLOR:
+            raise RigidtopError(
+                "Taylor series do not see friction change: use another method, such as DOP853"
+            )
+        accuracy = Accuracy(method, rtol, atol)
+        contact, start, last = Contact(self.body), self._initial(), float(times.max())
+        found = course(contact, start, last, accuracy) if last else Course((), ())
+        if found.ended is not None:
+            end = found.ended
+            times = times[times <= end.time]
+            if len(times) == 0:
+                raise RigidtopError(
+                    f"the motion ends at t = {end.time:g} ({end.kind}): ask for earlier times"
+                )
+        if not found.phases or not np.any(times):
+            return self._repeated(len(times), found)
+        order = np.argsort(times, kind="stable")
+        ordered = times[order]
+        flow = joined([phase.flow for phase in found.phases])
+        halves = (self.phi + self.psi) / 2, (self.phi - self.psi) / 2
+        precession = self.body.lambda3 * self.omega[2] / (2 * self.body.lambda1)
+        counted = counted_phases(flow, ordered, halves, (-precession, precession))
+        ends = np.array([phase.flow.steps[-1] for phase in found.phases[:-1]])
+        laws = np.array([phase.rolling for phase in found.phases])
+        back = np.argsort(order, kind="stable")
+        half_sum, half_difference = counted[:, back]
+        return self._trajectory(
+            flow.path(ordered)[:, back],
+            times,
+            np.stack([half_sum + half_difference, half_sum - half_difference]),
+            laws[np.searchsorted(ends, times, side="right")],
+            found,
+        )
+
+    def _times(self, t: ArrayLike) -> Floats:
+        times = checks.times(t)
+        if times.min() < 0:
+            raise RigidtopError(
+                f"t must not be negative, as {times.min():g}: what friction has done has no past"
+            )
+        rate = math.hypot(*self.omega) + math.sqrt(self.body.g / self.body.R)
+        turns = rate * float(times.max()) / (2 * math.pi)
+        if turns > MOST_TURNS:
+            raise RigidtopError(
+                f"about {turns:.0e} turns: at most {MOST_TURNS:.0e} can be integrated, "
+                "so ask for earlier times"
+            )
+        return times
+
+    def _initial(self) -> list[float]:
+        q = attitudes.quaternions(self.attitude).tolist()
+        return [*q, *self.omega, *self.slip, *[0.0] * (VARIABLES - 9)]
+
+    def _repeated(self, rows: int, found: Course) -> SlidingTrajectory:
+        """The initial state alone was asked for."""
+        contact, state = Contact(self.body), self._initial()
+        rolling = not any(self.slip) and contact.holds(state)
+        return self._trajectory(
+            np.repeat(np.array(state)[:, None], rows, axis=1),
+            np.zeros(rows),
+            np.array([[self.phi] * rows, [self.psi] * rows]),
+            np.full(rows, rolling),
+            found,
+        )
+
+    def _trajectory(
+        self,
+        states: Floats,
+        times: Floats,
+        angles: Floats,
+        rolling: NDArray[np.bool_],
+        found: Course,
+    ) -> SlidingTrajectory:
+        """From states (14, N) and continuous φ and ψ in the frame that does not turn about e₃."""
+        alpha, beta = attitudes.spinors(states[:4] / np.linalg.norm(states[:4], axis=0))
+        phi, psi_in_frame = angles
+        product = alpha * beta.conj()
+        size = np.abs(product)
+        seen = size > systems.SMALLEST_SIZE
+        nodes = np.divide(product, size, out=np.exp(1j * psi_in_frame), where=seen)
+        omega1, omega2, omega3, slip_x, slip_y, turned, x, y, friction, air = states[4:]
+        return SlidingTrajectory(
+            motion=self,
+            t=times,
+            cos_half=np.abs(alpha),
+            sin_half=np.abs(beta),
+            phi=phi,
+            psi=psi_in_frame + turned,
+            theta_dot=omega1 * nodes.imag + omega2 * nodes.real,
+            v_phi=omega2 * nodes.imag - omega1 * nodes.real,
+            omega3=omega3,
+            upright_phi_dot=self.body.lambda3 * omega3 / (2 * self.body.lambda1),
+            centre=np.column_stack([x, y]),
+            slip=np.column_stack([slip_x, slip_y]),
+            dissipated_by_friction=friction,
+            dissipated_by_air=air,
+            rolling=rolling,
+            events=found.events,
+        )
