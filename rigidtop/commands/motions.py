@@ -12,12 +12,19 @@ from rigidtop.parameters import quantity
 
 if TYPE_CHECKING:
     from rigidtop.motion.motion import Motion
+    from rigidtop.motion.sliding import SlidingMotion
 
 TOP_OPTIONS = ("lambda1", "lambda3", "mass", "arm", "gravity", "theta", "phi", "psi", "theta_dot")
 TOP_RATES = ("phi_dot", "omega3", "psi_dot", "steady")
 MOST_ROWS = 10_000_000
 
 FREE_OPTIONS = ("moments", "omega")
+TABLE_OPTIONS = (
+    *("tip", "mu", "viscosity", "drag", "drag1", "drag3", "fall"),
+    *("velocity", "slip"),
+)
+
+START = ("phi", "psi", "theta_dot", "phi_dot", "omega3", "psi_dot")
 
 
 def number(text: str) -> float:
@@ -58,11 +65,13 @@ def count(text: str) -> int:
     return int(text)
 
 
-def add_motion(parser: argparse.ArgumentParser) -> None:
-    """The body and its start."""
-    parser.add_argument(
-        "body", choices=("top", "free"), help="a heavy symmetric top or a free body"
-    )
+def add_motion(parser: argparse.ArgumentParser, table: bool = False) -> None:
+    """The body and its start; with `table`, also a top that slides on one."""
+    bodies, about = ["top", "free"], "a heavy symmetric top or a free body"
+    if table:
+        bodies.append("sliding")
+        about = "a heavy symmetric top with its tip held, a free body, or a top on a table"
+    parser.add_argument("body", choices=bodies, help=about)
     top = parser.add_argument_group("the top (defaults: the example top)")
     for flag, default, about in (
         ("--lambda1", 1.0, "moment across the axis, about the pivot, kg m²"),
@@ -84,18 +93,83 @@ def add_motion(parser: argparse.ArgumentParser) -> None:
     free = parser.add_argument_group("the free body")
     free.add_argument("--moments", type=number, nargs=3, metavar="λ", help="λ₁ λ₂ λ₃, kg m²")
     free.add_argument("--omega", type=angle, nargs=3, metavar="ω", help="ω in the body, per second")
+    if table:
+        _add_table(parser)
+
+
+def _add_table(parser: argparse.ArgumentParser) -> None:
+    """What a top on a table has besides."""
+    sliding = parser.add_argument_group(
+        "the top on a table, `sliding`",
+        "The options of the top, but --lambda1 (default 0.75) and --lambda3 are about the centre "
+        "of mass, and --arm is its distance from the lowest point of the upright top.",
+    )
+    for flag, about in (
+        ("--tip", "radius of the round tip, m"),
+        ("--mu", "coefficient of Coulomb friction"),
+        ("--viscosity", "viscous friction force over slip, N s/m"),
+        ("--drag", "drag of the air over the velocity of the centre of mass, N s/m"),
+        ("--drag1", "torque of the air over ω₁ and ω₂, N m s"),
+        ("--drag3", "torque of the air over ω₃, N m s"),
+    ):
+        sliding.add_argument(flag, type=number, help=f"{about} (default 0)")
+    sliding.add_argument("--fall", type=angle, help="θ at which it lies on its rim (default 90deg)")
+    start = sliding.add_mutually_exclusive_group()
+    start.add_argument(
+        "--velocity",
+        type=number,
+        nargs=2,
+        metavar=("X", "Y"),
+        help="of the centre of mass at t = 0, m/s (default 0 0)",
+    )
+    start.add_argument(
+        "--slip",
+        type=number,
+        nargs=2,
+        metavar=("X", "Y"),
+        help="of the contact at t = 0, m/s, instead; 0 0 if it starts at rest",
+    )
 
 
 def motion(options: argparse.Namespace, command: str) -> Motion:
     """What was asked for, in the words of that command where it makes no sense."""
-    foreign = FREE_OPTIONS if options.body == "top" else TOP_OPTIONS + TOP_RATES
-    for name in foreign:
-        if getattr(options, name) is not None:
+    _check(options, command, FREE_OPTIONS if options.body == "top" else TOP_OPTIONS + TOP_RATES)
+    return _top(options) if options.body == "top" else _free(options)
+
+
+def on_table(options: argparse.Namespace, command: str) -> SlidingMotion:
+    """A top on a table, from the options of `add_motion` with `table`."""
+    import rigidtop
+
+    _check(options, command, (*FREE_OPTIONS, "steady"), TABLE_OPTIONS)
+    given = {name: value for name, value in vars(options).items() if value is not None}
+    properties = ("lambda1", "lambda3", *TABLE_OPTIONS[:-2])
+    top = rigidtop.SlidingTop(
+        M=given.get("mass", 1.0),
+        R=given.get("arm", 0.5),
+        g=given.get("gravity", 9.81),
+        **{"lambda1": 0.75, "lambda3": 0.5}
+        | {name: given[name] for name in properties if name in given},
+    )
+    start = {name: given[name] for name in (*START, "velocity", "slip") if name in given}
+    if "omega3" not in start and "psi_dot" not in start:
+        start["omega3"] = 40.0
+    return top.motion(theta=given.get("theta", 0.5), **start)
+
+
+def _check(
+    options: argparse.Namespace,
+    command: str,
+    foreign: tuple[str, ...],
+    own: tuple[str, ...] = (),
+) -> None:
+    """RigidtopError for an option that is not this body's, and where nothing is asked."""
+    for name in (*foreign, *(name for name in TABLE_OPTIONS if name not in own)):
+        if getattr(options, name, None) is not None:
             flag = name.replace("_", "-")
             raise RigidtopError(f"--{flag} does not go with `{command} {options.body}`")
     if options.time == 0:
         raise RigidtopError("--time 0 leaves nothing to compute: give a time in seconds")
-    return _top(options) if options.body == "top" else _free(options)
 
 
 def _top(options: argparse.Namespace) -> Motion:
@@ -109,8 +183,7 @@ def _top(options: argparse.Namespace) -> Motion:
         R=given.get("arm", 0.5),
         g=given.get("gravity", 9.81),
     )
-    names = ("phi", "psi", "theta_dot", "phi_dot", "omega3", "psi_dot")
-    start = {name: given[name] for name in names if name in given}
+    start = {name: given[name] for name in START if name in given}
     theta = given.get("theta", 0.5)
     if "omega3" not in start and "psi_dot" not in start:
         start["omega3"] = 40.0

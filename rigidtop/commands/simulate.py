@@ -13,11 +13,13 @@ from rigidtop.errors import RigidtopError
 
 if TYPE_CHECKING:
     from rigidtop.motion.motion import Motion
-    from rigidtop.motion.trajectory import Trajectory
+    from rigidtop.motion.sliding_trajectory import SlidingTrajectory
+    from rigidtop.motion.trajectory import TopTrajectory, Trajectory
 
 ABOUT = "compute a motion, its periods and the drift of what it keeps"
 
 EXACT = "exact"
+INTEGRATED = "DOP853"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -29,16 +31,17 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "examples:\n"
         "  rigidtop simulate top --theta 30deg --omega3 40 --time 2 --samples 81\n"
         "  rigidtop simulate top --theta 0.5 --omega3 40 --steady slow --time 20\n"
-        "  rigidtop simulate free --moments 1 2 3 --omega 0.01 2 0.01 -o flip.csv"
+        "  rigidtop simulate free --moments 1 2 3 --omega 0.01 2 0.01 -o flip.csv\n"
+        "  rigidtop simulate sliding --theta 0.3 --omega3 60 --tip 0.02 --mu 0.3"
     )
-    motions.add_motion(parser)
+    motions.add_motion(parser, table=True)
     run = parser.add_argument_group("the computation")
     run.add_argument("--time", type=motions.number, default=10.0, help="to this time, s (10)")
     run.add_argument("--samples", type=motions.count, default=21, help="rows, at least 2 (21)")
     run.add_argument(
         "--method",
-        default=EXACT,
-        help="exact (the closed form, default), taylor, or one of scipy's solve_ivp",
+        help="exact (the closed form, default where there is one), taylor, or one of scipy's "
+        "solve_ivp (DOP853, default with friction)",
     )
     run.add_argument("--rtol", type=motions.number, help="relative tolerance (1e-10), not exact")
     run.add_argument("--atol", type=motions.number, help="absolute tolerance (1e-12), not exact")
@@ -56,25 +59,17 @@ def run(options: argparse.Namespace) -> int:
 
     if options.output == "":
         raise RigidtopError("--output wants the name of a file")
+    if options.body == "sliding":
+        return _run_on_table(options)
     motion = motions.motion(options, "simulate")
     path = _computed(motion, np.linspace(0.0, options.time, options.samples), options)
     columns, drift, about = _columns(path), path.drift(), _about(motion)
     if options.output:
         _write(options.output, columns)
     if options.json:
-        values = {name: [float(x) for x in column] for name, column in columns.items()}
-        record = {"columns": values, "drift": drift, **about}
-        print(json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False))
+        _print_json(columns, {"drift": drift, **about})
         return 0
-    if options.output:
-        print(options.output)
-    else:
-        from rigidtop.present.table import table
-
-        # + 0.0 writes −0 as 0
-        rows = [[f"{x + 0.0:.6g}" for x in row] for row in zip(*columns.values(), strict=True)]
-        print(table(rows, tuple(columns), right=range(len(columns))))
-        print()
+    _print_table(columns, options)
     print(_sentence(about))
     kept = ", ".join(f"{name} {value:.1e}" for name, value in drift.items())
     print(f"relative drift of what the exact motion keeps: {kept}")
@@ -82,10 +77,56 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def _computed(motion: Motion, times: Any, options: argparse.Namespace) -> Trajectory:
+def _run_on_table(options: argparse.Namespace) -> int:
+    """The same for a top that slides, rolls, and may fall before the time is over."""
+    import numpy as np
+
+    motion = motions.on_table(options, "simulate")
+    options.method = options.method or (EXACT if motion.body.smooth else INTEGRATED)
+    path = _computed(motion, np.linspace(0.0, options.time, options.samples), options)
+    columns = _columns_on_table(path)
+    events = [{"time": event.time, "kind": event.kind} for event in path.events]
+    if options.output:
+        _write(options.output, columns)
+    if options.json:
+        ended = path.ended.kind if path.ended else None
+        _print_json(columns, {"budget": path.budget(), "events": events, "ended": ended})
+        return 0
+    _print_table(columns, options)
+    taken = path.dissipated_by_friction[-1] + 0.0, path.dissipated_by_air[-1] + 0.0
+    print(f"dissipated by friction {taken[0]:.6g} J, by the air {taken[1]:.6g} J")
+    print(f"relative gap in the budget of the energy: {path.budget():.1e}")
+    for event in path.events:
+        print(f"{event.kind} at t = {event.time:.6g} s", file=sys.stderr)
+    if path.ended:
+        print(f"the motion ends there: {len(path.t)} of {options.samples} rows", file=sys.stderr)
+    return 0
+
+
+def _print_json(columns: dict[str, Any], about: dict[str, Any]) -> None:
+    values = {name: [float(x) for x in column] for name, column in columns.items()}
+    record = {"columns": values, **about}
+    print(json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False))
+
+
+def _print_table(columns: dict[str, Any], options: argparse.Namespace) -> None:
+    """The table, or the name of the file where it is."""
+    if options.output:
+        print(options.output)
+        return
+    from rigidtop.present.table import table
+
+    # + 0.0 writes −0 as 0
+    rows = [[f"{x + 0.0:.6g}" for x in row] for row in zip(*columns.values(), strict=True)]
+    print(table(rows, tuple(columns), right=range(len(columns))))
+    print()
+
+
+def _computed(motion: Any, times: Any, options: argparse.Namespace) -> Any:
+    """The trajectory of any motion, as asked."""
     given = {name: getattr(options, name) for name in ("rtol", "atol")}
     tolerances = {name: value for name, value in given.items() if value is not None}
-    if options.method == EXACT:
+    if options.method in (None, EXACT):
         for name in tolerances:
             raise RigidtopError(f"--{name} is for integration: give a --method too")
         return motion.exact(times)
@@ -97,20 +138,37 @@ def _columns(path: Trajectory) -> dict[str, Any]:
     from rigidtop.motion.trajectory import TopTrajectory
 
     if isinstance(path, TopTrajectory):
-        return {
-            "t/s": path.t,
-            "theta/rad": path.theta,
-            "phi/rad": path.phi,
-            "psi/rad": path.psi,
-            "theta_dot/(rad/s)": path.theta_dot,
-            "phi_dot/(rad/s)": path.phi_dot,
-            "psi_dot/(rad/s)": path.psi_dot,
-            "energy/J": path.energy,
-        }
+        return _euler_columns(path) | {"energy/J": path.energy}
     columns = {"t/s": path.t}
     columns |= {f"omega{k + 1}/(rad/s)": path.omega[:, k] for k in range(3)}
     columns |= {f"e3_{axis}": path.e3[:, k] for k, axis in enumerate("xyz")}
     return columns | {"energy/J": path.energy}
+
+
+def _euler_columns(path: TopTrajectory | SlidingTrajectory) -> dict[str, Any]:
+    return {
+        "t/s": path.t,
+        "theta/rad": path.theta,
+        "phi/rad": path.phi,
+        "psi/rad": path.psi,
+        "theta_dot/(rad/s)": path.theta_dot,
+        "phi_dot/(rad/s)": path.phi_dot,
+        "psi_dot/(rad/s)": path.psi_dot,
+    }
+
+
+def _columns_on_table(path: SlidingTrajectory) -> dict[str, Any]:
+    centre = {f"{axis}/m": path.position[:, k] for k, axis in enumerate("xyz")}
+    slip = {f"slip_{axis}/(m/s)": path.slip[:, k] for k, axis in enumerate("xy")}
+    return {
+        **_euler_columns(path),
+        **centre,
+        **slip,
+        "rolling": path.rolling,
+        "normal_force/N": path.normal_force,
+        "energy/J": path.energy,
+        "dissipated/J": path.dissipated_by_friction + path.dissipated_by_air,
+    }
 
 
 def _about(motion: Motion) -> dict[str, Any]:
