@@ -98,6 +98,10 @@ def _check(options: argparse.Namespace, drawing: Drawing, path: Path, kind: str)
         raise RigidtopError(
             f"{drawing.name} does not move: write it as .svg, .pdf or .png (what moves: {those})"
         )
+    if kind in MOVING:
+        from rigidtop.present.figures.animation import writer
+
+        writer(kind)  # an mp4 wants ffmpeg
     if kind in STILL and options.frames:
         raise RigidtopError(f"--frames goes with a .gif or .mp4, not with a .{kind}")
     check_folder(path.parent)

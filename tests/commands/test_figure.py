@@ -72,7 +72,10 @@ def test_svg_by_default_and_settings(tmp_path, capsys):
         (("cone",), "no figure 'cone'; did you mean cones"),
         (("cones", "-o", "x.jpg"), "--output wants a file with the suffix .svg, .pdf, .png, .gif"),
         (("cones", "-o", "x"), "and 'x' has none"),
-        (("cones", "-o", "x.gif"), "cones does not move: write it as .svg, .pdf or .png"),
+        (
+            ("cones", "-o", "x.gif"),
+            "cones does not move: write it as .svg, .pdf or .png (what moves:",
+        ),
         (("cones", "--frames", "5"), "--frames goes with a .gif or .mp4, not with a .svg"),
         (("cones", "--set", "theta=1"), "no parameter 'theta'; there are lambda1, lambda3,"),
         (("cones", "--set", "lambda1"), "'lambda1' is not of the form name=value"),
@@ -87,6 +90,20 @@ def test_refusals_are_one_line(arguments, message, tmp_path):
         run(*arguments)
     assert "\n" not in str(refusal.value)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_film(tmp_path, capsys):
+    assert run("top", "-o", "top.gif", "--frames", "3", "--json") == 0
+    record = json.loads(capsys.readouterr().out)
+    assert record["frames"] == 3
+    assert (tmp_path / "top.gif").read_bytes().startswith(b"GIF89a")
+    assert [path.name for path in tmp_path.iterdir()] == ["top.gif"]
+
+
+def test_a_folder_that_cannot_be_written(tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(RigidtopError, match="is not a folder"):
+        run("cones", "-o", "file/cones.svg")
 
 
 def test_frames_are_a_whole_number():

@@ -17,7 +17,7 @@ TOP = (
 )
 """A heavy top: MgR = 0.981 J, and about the centre of mass 0.01 kg m² each way."""
 
-THETA = Parameter("theta", math.pi / 3, "θ at the start", "rad", above=0, most=3.1415)
+THETA = Parameter("theta", math.pi / 3, "θ at the start", "rad", least=0, most=math.pi)
 SPIN = Parameter("omega3", 40.0, "ω₃", "rad/s", above=0)
 
 

@@ -46,7 +46,7 @@ from rigidtop.present.figures.style import (
 MOMENTS = (
     Parameter("lambda1", 1.0, "moment about e₁", "kg m²", above=0),
     Parameter("lambda2", 2.0, "moment about e₂", "kg m²", above=0),
-    Parameter("lambda3", 2.5, "moment about e₃", "kg m²", above=0),
+    Parameter("lambda3", 2.9, "moment about e₃", "kg m²", above=0),
 )
 LATE = 14.0
 """Of a motion on the separatrix, in units of its rate: from then on it rests, to 10⁻⁶."""

@@ -274,7 +274,7 @@ def draw_regimes(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_dot
     # At a cusp e₃ rests: cos θ = p_φ/p_ψ, and what energy there is, is potential.
     at_rest = np.where(np.abs(p_phi) < p_psi, energy * p_psi - weight * p_phi, np.nan)
     for field, style in ((at_rest, DASHED), (p_phi - p_psi, DOTTED), (p_phi + p_psi, DOTTED)):
-        if np.nanmin(field) < 0 < np.nanmax(field):
+        if np.any(field < 0) and np.any(field > 0):
             axes.contour(
                 spins, rates, field, levels=[0.0], colors=[INK], linewidths=1.0, linestyles=[style]
             )

@@ -142,8 +142,9 @@ def _caption(theta: float, phi_dot: float, omega3: float, **top: float) -> str:
     last = float(_times(motion, 2)[-1])
     return (
         f"A top with {top_in_words(motion.body)} from {start_in_words(theta, omega3)}, θ̇ = 0 and "
-        f"φ̇ = {said(phi_dot)} rad/s in {FLASHES} flashes of light, {said(last / (FLASHES - 1))} s "
-        f"apart, with the path of its axis ({motion.regime}). The line on the lid is e₁."
+        f"φ̇ = {said(phi_dot)} rad/s, and the path of its axis ({motion.regime}); the line on the "
+        f"lid is e₁. In {FLASHES} flashes of light, {said(last / (FLASHES - 1))} s apart, where it "
+        "does not move."
     )
 
 
@@ -159,11 +160,11 @@ def _in_words(**values: float) -> str:
 
 SPINNING_TOP = Drawing(
     "top",
-    "A top in flashes of light",
+    "A top going round, in flashes of light",
     "",
     (
         *TOP,
-        Parameter("theta", 0.85, "θ at the start", "rad", above=0, most=3.1415),
+        Parameter("theta", 0.85, "θ at the start", "rad", least=0, most=math.pi),
         Parameter("phi_dot", 0.0, "φ̇ at the start", "rad/s"),
         Parameter("omega3", 40.0, "ω₃", "rad/s", above=0),
     ),

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 
+from rigidtop.errors import NoSteadyPrecession
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
@@ -54,6 +55,13 @@ def torque(motion: TopMotion) -> Floats:
     return np.cross(centre, [0.0, 0.0, -top.M * top.g])
 
 
+def direction_of_torque(motion: TopMotion) -> Floats:
+    """N as a unit vector; zero for a top that is upright or hangs, to rounding."""
+    found, top = torque(motion), motion.body
+    vertical = float(np.linalg.norm(found)) <= 1e-12 * top.M * top.g * top.R
+    return np.zeros(3) if vertical else unit(found)
+
+
 def draw_torque(axes: Axes, motion: TopMotion) -> None:
     """R_CM, Mg, N, L and ω of a top at the start of a motion; each has a length of its own.
 
@@ -61,7 +69,7 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
     """
     start = motion.start()
     e3, momentum, omega = start.e3[0], unit(start.angular_momentum[0]), unit(start.omega_space[0])
-    couple = unit(torque(motion))
+    couple = direction_of_torque(motion)
     view, centre = VIEW, 0.62 * e3
     lean = math.acos(float(np.clip(e3[2], -1, 1)))
     if lean < 1.2:
@@ -73,26 +81,15 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
     rim = circle([0.0, 0.0, 1.0], tilt, length=length)
     _, _, near = view(rim)
     curve(axes, view, rim, near < near.mean(), color=OMEGA, lw=0.9, ls=DASHED)
-    arrow(axes, view, [0, 0, 1.72], Z, lw=0.8, color=GREY, shift=(7, 2))
+    arrow(axes, view, [0, 0, 1.95], Z, lw=0.8, color=GREY, shift=(7, 2))
     arrow(axes, view, centre, start=(0, 0, 0), color=INK, lw=2.0)
     arrow(axes, view, 1.62 * e3, E3, color=AXIS, lw=1.0, shift=(9, 0))
     arrow(axes, view, length * momentum, L_VEC, color=MOMENTUM, lw=1.7, shift=(9, 2))
     arrow(axes, view, 1.2 * omega, OMEGA_VEC, color=OMEGA, lw=1.7, shift=(9, -3))
-    arrow(axes, view, 0.95 * couple, r"$\mathbf{N}$", color=TORQUE, lw=1.9)
-    # L̇ = N: the tip of L moves with the torque.
-    tip = length * momentum
-    arrow(axes, view, tip + 0.42 * couple, start=tip, color=TORQUE, lw=1.2, ls="-")
-    beyond = tip + 0.42 * couple
-    x, y, _ = view(beyond)
-    name_at(
-        axes,
-        float(x),
-        float(y),
-        r"$\dot{\mathbf{L}}=\mathbf{N}$",
-        (2, 4),
-        color=TORQUE,
-        ha="center",
-    )
+    if np.any(couple):
+        _draw_couple(axes, length * momentum, couple)
+    else:
+        name_at(axes, 0.0, 0.0, r"$\mathbf{N} = 0$", (-6, -10), color=TORQUE, ha="right")
     arrow(axes, view, centre - [0, 0, 0.46], start=centre, color=INK, lw=1.4)
     x, y, _ = view(centre - [0, 0, 0.46])
     name_at(axes, float(x), float(y), r"$M\mathbf{g}$", (6, 2), color=INK)
@@ -103,11 +100,27 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
     name_at(axes, float(x), float(y), "$O$", (5, -10), color=INK)
 
 
+def _draw_couple(axes: Axes, tip: Floats, couple: Floats) -> None:
+    """N at the origin, and at the tip of L, which moves with it."""
+    arrow(axes, VIEW, 0.95 * couple, r"$\mathbf{N}$", color=TORQUE, lw=1.9)
+    beyond = tip + 0.42 * couple
+    arrow(axes, VIEW, beyond, start=tip, color=TORQUE, lw=1.2)
+    x, y, _ = VIEW(beyond)
+    words = r"$\dot{\mathbf{L}}=\mathbf{N}$"
+    name_at(axes, float(x), float(y), words, (2, 4), color=TORQUE, ha="center")
+
+
 def _motion(theta: float, omega3: float, **top: float) -> TopMotion:
-    """Steady, slow, with e₃ leaning to the right in the plane of the paper, the yz plane."""
+    """With e₃ leaning to the right in the plane of the paper, the yz plane.
+
+    Steady and slow; where there is no steady precession, let go with ω along e₃.
+    """
     body = HeavyTop(**top)
-    slow, _ = body.steady_precession(theta, omega3)
-    return body.motion(theta=theta, phi=math.pi / 2, phi_dot=slow, omega3=omega3)
+    try:
+        rate, _ = body.steady_precession(theta, omega3)
+    except NoSteadyPrecession:
+        rate = 0.0
+    return body.motion(theta=theta, phi=math.pi / 2, phi_dot=rate, omega3=omega3)
 
 
 def _draw(**values: float) -> Canvas:
@@ -115,34 +128,42 @@ def _draw(**values: float) -> Canvas:
     axes = drawn.subplots()
     draw_torque(axes, _motion(**values))
     low = min(-0.3, 1.75 * math.cos(values["theta"]))
-    paper(axes, (-1.45, 1.7), (low, 1.7))
+    paper(axes, (-1.45, 1.7), (low, 1.92))
     return drawn
 
 
 def _caption(theta: float, omega3: float, **top: float) -> str:
     motion = _motion(theta, omega3, **top)
     size = float(np.linalg.norm(torque(motion)))
-    rate = motion.start().phi_dot[0]
+    steady = motion.start().phi_dot[0]
+    goes = f"Ω₋ = {said(steady)} rad/s" if steady else "ω is along e₃ at first"
+    where = "it points into the paper, and the tip of L follows it round ẑ"
+    if not np.any(direction_of_torque(motion)):
+        where = "on the vertical there is none"
     return (
         "The torque N = R_CM × Mg of the weight, with e₃ leaning to the right in the plane of the "
-        f"paper: it points into the paper, and the tip of L follows it round ẑ. At "
-        f"{start_in_words(theta, omega3)}, with {top_in_words(motion.body)}, its magnitude is "
-        f"{said(size)} N m, and Ω₋ = {said(rate)} rad/s. Directions are computed, lengths are not "
+        f"paper: {where}. At {start_in_words(theta, omega3)}, with {top_in_words(motion.body)}, "
+        f"its magnitude is {said(size)} N m, and {goes}. Directions are computed, lengths are not "
         "to one scale."
     )
 
 
 def _in_words(**values: float) -> str:
     motion = _motion(**values)
-    into_the_eye = unit(torque(motion))[0]
+    into_the_eye = direction_of_torque(motion)[0]
     start = motion.start()
     momentum = unit(start.angular_momentum[0])
     lean = math.degrees(math.acos(float(np.clip(momentum @ start.e3[0], -1, 1))))
-    into = "into" if into_the_eye < 0 else "out of"
-    return (
+    seen = (
         "A top on a table, its axis e3 leaning to the right. From the contact point O the arrows "
         f"e3, omega and L, L {spoken(lean)} degrees from e3. The weight points down from the "
-        f"centre of mass. The torque N points horizontally {into} the paper, at right angles to "
+        "centre of mass. "
+    )
+    if not into_the_eye:
+        return seen + "There is no torque, as the axis is vertical."
+    into = "into" if into_the_eye < 0 else "out of"
+    return (
+        f"{seen}The torque N points horizontally {into} the paper, at right angles to "
         "e3 and to z, and so does the change of L at its tip, along a dashed circle around z."
     )
 
@@ -153,8 +174,8 @@ TORQUE_ARROWS = Drawing(
     "3.5.2",
     (
         *TOP,
-        Parameter("theta", math.pi / 4, "θ", "rad", above=0, most=3.1415),
-        Parameter("omega3", 24.5, "ω₃", "rad/s", above=0),
+        Parameter("theta", math.pi / 4, "θ", "rad", least=0, most=math.pi),
+        Parameter("omega3", 30.0, "ω₃", "rad/s", above=0),
     ),
     _draw,
     _caption,
