@@ -1,6 +1,6 @@
 """Section 3.2.3, with the Earth and the plate."""
 
-from math import acos, atan2, cos, hypot, pi, radians, sin, sqrt
+from math import acos, atan2, cos, hypot, pi, radians, sin, sqrt, tan
 
 import numpy as np
 import pytest
@@ -135,6 +135,19 @@ def test_polar_motion_of_a_tenth_of_a_second(solve):
     """One second of arc is 30.8 m on the ground (1′ is a nautical mile, 1852 m, to 1 in 200)."""
     found = solve("earth-euler-period")
     assert found["ground"] == pytest.approx(1852 / 600, rel=5e-3)
+
+
+def test_the_earth_in_space(solve):
+    """The speed of e₃ over its distance from L, and a scalar product; bulge and tilt are large."""
+    found = solve("earth-euler-period", H=0.2, angle=0.1)
+    omega = 7.292115e-5 * np.array([tan(0.1), 0, 1])
+    momentum = omega * np.array([0.8, 0.8, 1])
+    unit = momentum / np.linalg.norm(momentum)
+    rate = np.linalg.norm(np.cross(omega, [0, 0, 1])) / np.linalg.norm(np.cross(unit, [0, 0, 1]))
+    assert found["space_period"] == pytest.approx(2 * pi / rate / 86400, rel=1e-12)
+    assert found["space_cone"] == pytest.approx(
+        acos(omega @ unit / np.linalg.norm(omega)), rel=1e-9
+    )
 
 
 def test_share_of_the_bulge_is_a_ratio_of_love_numbers(solve):

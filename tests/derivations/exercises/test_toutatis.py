@@ -9,9 +9,10 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
-from rigidtop.derivations.exercises.toutatis import attitude, days, split
+from rigidtop.derivations.exercises.toutatis import attitude, days, relaxed, split
 from rigidtop.derivations.toutatis import OBSERVATIONS, START
 from rigidtop.errors import RigidtopError
+from rigidtop.motion.body import FreeBody
 
 MOMENTS = np.array([3.0836, 3.235, 1.0])
 OMEGA = np.radians([14.51, 33.529, -98.709])
@@ -136,6 +137,15 @@ def test_friction_ends_about_the_largest_axis(solve, friction):
     assert all(a > b for a, b in pairwise(energies))
     assert energies[-1] == pytest.approx(1 - found["energy_to_lose"], abs=1e-6)
     assert found["tilt_at_end"] < 0.01
+
+
+def test_without_friction_it_is_the_free_motion():
+    """L in the body from the closed form of the motion."""
+    times = np.linspace(0, 20, 5)
+    path, spent = relaxed(MOMENTS, MOMENTS * OMEGA, 0.0, times)
+    free = FreeBody(*MOMENTS).motion(omega=tuple(OMEGA)).exact(times).omega * MOMENTS
+    assert path == pytest.approx(free, abs=1e-7)
+    assert not spent.any()
 
 
 def test_a_short_axis_rotator(solve):
