@@ -112,8 +112,9 @@ c_phi, s_phi, c_theta, s_theta, c_psi, s_psi = map(
     _real, ("c_phi", "s_phi", "c_theta", "s_theta", "c_psi", "s_psi")
 )
 
-# Turning points, and a toy top: a disc on a stem
+# Turning points, a round tip in air, and a toy top: a disc on a stem
 theta_1 = _real("theta_1")
+r_t, c_3, omega_30 = map(_real, ("r_t", "c_3", "omega_30"))
 M_d, M_s, r_d, h_d, z_d, l_s = map(_real, ("M_d", "M_s", "r_d", "h_d", "z_d", "l_s"))
 
 VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
@@ -138,6 +139,7 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         M_2: Quantity(Glyph("M", "2"), "mass of the second point", "kg"),
         a: Quantity(Glyph("a"), "distance of the first mass from the origin", "m"),
         b: Quantity(Glyph("b"), "distance of the second mass from the origin", "m"),
+        r_t: Quantity(Glyph("r", "0"), "radius of a round tip", "m"),
         M_d: Quantity(Glyph("M", "d"), "mass of the disc", "kg"),
         M_s: Quantity(Glyph("M", "s"), "mass of the stem", "kg"),
         r_d: Quantity(Glyph("r", "d"), "radius of the disc", "m"),
@@ -185,6 +187,7 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         Edot: Quantity(Glyph("E", accent="dot"), "rate of the energy", "W"),
         Tdot: Quantity(Glyph("T", accent="dot"), "rate of the kinetic energy", "W"),
         damping: Quantity(Glyph("c"), "strength of the friction inside the body", "1/(J s)"),
+        c_3: Quantity(Glyph("c", "3"), "drag torque of the air along e₃ over ω₃", "J s"),
         sigma2: Quantity(Glyph("σ²"), "square of a growth rate", "1/s²"),
         omega_n2: Quantity(Glyph("ω²", "n"), "square of the nutation frequency", "1/s²"),
         A: Quantity(Glyph("A"), "amplitude of the nutation", "rad"),
@@ -194,6 +197,7 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         slip: Quantity(Glyph("v"), "speed of the contact point over the table", "m/s"),
         omega: Quantity(Glyph("ω"), "magnitude of the rotational velocity", "rad/s"),
         omega_20: Quantity(Glyph("ω", "2,0"), "ω₂ at t = 0", "rad/s"),
+        omega_30: Quantity(Glyph("ω", "3,0"), "ω₃ at t = 0", "rad/s"),
         omega_0: Quantity(Glyph("ω", "0"), "amplitude of ω across e₃", "rad/s"),
         omega1: Quantity(Glyph("ω", "1"), "rotational velocity along e₁", "rad/s"),
         omega2: Quantity(Glyph("ω", "2"), "rotational velocity along e₂", "rad/s"),
