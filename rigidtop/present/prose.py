@@ -67,7 +67,7 @@ def _plain(character: str) -> str:
 
 # --- Finding the mathematics ---------------------------------------------------------------------
 
-_FORMAL = ("maths", "letter", "operator")
+_FORMAL = ("maths", "letter", "operator", "inner")
 _OPERATORS = frozenset("=+−×·≠≤≥<>→∥≡≈±/∝≪≫⇒⟂⊥∈⇔↦≃∼*")
 _FUNCTIONS = ("arcsin", "arccos", "arctan", "sin", "cos", "tan", "exp", "log", "det", "tr")
 _LONE = frozenset("BCDEFILMNOPRTVbgknpqrtuvwxyz")  # no a, A, and no m, the metre
@@ -94,12 +94,13 @@ def segments(text: str) -> list[tuple[bool, str]]:
             for j in (i - 2, i + 2):
                 if 0 <= j < len(kinds) and _NEIGHBOUR.fullmatch(_stripped(tokens[j])[1]):
                     kinds[j] = "maths"
+    _close(tokens, kinds)
     pieces: list[tuple[bool, str]] = []
     for i, token in enumerate(tokens):
         formal = kinds[i] in _FORMAL
         if kinds[i] == "space":
             formal = 0 < i < len(tokens) - 1 and _one_formula(tokens, kinds, i)
-        _append(pieces, formal, " " if kinds[i] == "space" else token)
+        _append(pieces, formal, " " if token.isspace() else token)
     bare: list[tuple[bool, str]] = []
     for formal, piece in pieces:
         before, core, behind = _stripped(piece) if formal else ("", "", piece)
@@ -107,6 +108,18 @@ def segments(text: str) -> list[tuple[bool, str]]:
         _append(bare, True, core)
         _append(bare, False, behind)
     return [(kind, unicodedata.normalize("NFC", piece)) for kind, piece in bare]
+
+
+def _close(tokens: list[str], kinds: list[str]) -> None:
+    """What stands in the brackets of a formula belongs to it: the m of √(1 − m sin² χ)."""
+    depth = 0
+    for i, token in enumerate(tokens):
+        if depth:
+            kinds[i] = "inner" if kinds[i] == "space" else "maths"
+        # A bracket behind a letter or a root; one that a token begins with may be the sentence's.
+        inside = token if depth else token.lstrip("([")
+        if depth or (kinds[i] == "maths" and inside.count("(") > inside.count(")")):
+            depth = max(0, depth + inside.count("(") - inside.count(")"))
 
 
 def _opened(text: str) -> str:

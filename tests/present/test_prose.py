@@ -28,6 +28,8 @@ CASES = {
     "∫ρ d³r": r"$\int\rho$ $d^{3}r$",
     "about 10⁻⁹": r"about $10^{-9}$",
     "Rz(φ) Ry(θ)": r"$R_{z}(\phi)$ $R_{y}(\theta)$",
+    "((λ₁ − λ₃)ω₃ > 0: a word)": r"($(\lambda_{1} - \lambda_{3})\omega_{3} > 0$: a word)",
+    "√(1 − m sin² χ) of m": r"$\sqrt{1 - m \sin^{2} \chi}$ of m",
     "a top at rest": "a top at rest",
     "ṙ = Ω × r": r"$\dot{r} = \boldsymbol{\Omega} \times \mathbf{r}$",
     "L̇ = N": r"$\dot{L} = N$",
