@@ -1,0 +1,217 @@
+"""The notebooks run, are what their sources make, and keep solutions from students."""
+
+from __future__ import annotations
+
+import importlib.util
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import jupytext
+import nbformat
+import pytest
+
+NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
+SOURCES = sorted(NOTEBOOKS.glob("[0-9]-*.py"))
+BUILD = NOTEBOOKS / "build.py"
+LARGEST = 3_000_000
+"""Bytes, of all copies together."""
+
+each = pytest.mark.parametrize("source", SOURCES, ids=lambda source: source.stem)
+
+
+@pytest.fixture(scope="module")
+def build():
+    spec = importlib.util.spec_from_file_location("build_notebooks", BUILD)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def shipped(kind: str, source: Path):
+    return nbformat.read(NOTEBOOKS / kind / f"{source.stem}.ipynb", as_version=4)
+
+
+def test_there_are_five_or_six():
+    assert 5 <= len(SOURCES) <= 6
+    assert [source.name[0] for source in SOURCES] == [str(n + 1) for n in range(len(SOURCES))]
+
+
+@each
+def test_it_runs_and_the_copies_are_what_it_makes(source):
+    """In a process of its own, as `python notebooks/build.py --check` is meant to be run.
+
+    It fails where a cell fails, warns, shows an address or takes the notebook over its limit.
+    """
+    done = subprocess.run(
+        [sys.executable, str(BUILD), "--check", source.name], capture_output=True, text=True
+    )
+    assert done.returncode == 0, f"{done.stderr}\nmend it, or run python notebooks/build.py"
+    seconds = re.search(r": ([\d.]+) s", done.stdout)
+    assert seconds is not None
+    assert float(seconds[1]) < 30
+
+
+@each
+def test_only_the_teacher_has_solutions(source):
+    cells = jupytext.read(source).cells
+    solutions = [cell for cell in cells if "solution" in cell.metadata.get("tags", [])]
+    of_teacher, of_student = ((NOTEBOOKS / kind / f"{source.stem}.ipynb") for kind in COPIES)
+    teacher = {cell.source for cell in nbformat.read(of_teacher, as_version=4).cells}
+    student = of_student.read_text("utf-8")
+    everything = "\n".join(cell.source for cell in nbformat.reads(student, as_version=4).cells)
+    lecture = "\n".join(cell.source for cell in cells if cell not in solutions)
+    assert len(solutions) >= 3
+    assert '"solution"' not in student
+    for solution in solutions:
+        assert solution.source in teacher
+        for line in solution.source.splitlines():
+            # A line that the lecture has too ("axes.set_xlabel…") gives nothing away.
+            if len(line.strip()) > 12 and line not in lecture:
+                assert line not in everything
+
+
+COPIES = ("teacher", "student")
+
+
+@each
+def test_exercises_are_numbered_and_have_room_for_an_answer(source):
+    cells = shipped("student", source).cells
+    chapter = source.name[0]
+    found = [i for i, c in enumerate(cells) if c.source.find("### Exercise") >= 0]
+    assert 3 <= len(found) <= 5
+    for number, i in enumerate(found, 1):
+        assert f"### Exercise {chapter}.{number}\n" in cells[i].source
+        assert cells[i + 1].cell_type == "code"
+        assert cells[i + 1].source == ""
+        assert cells[i + 1].outputs == []
+
+
+@each
+def test_the_students_copy_is_executed(source):
+    cells = [c for c in shipped("student", source).cells if c.cell_type == "code" and c.source]
+    assert [c.execution_count for c in cells] == list(range(1, len(cells) + 1))
+    assert 12 <= len(shipped("student", source).cells) <= 60
+    assert any("image/png" in o.get("data", {}) for c in cells for o in c.outputs)
+    assert any("$" in o.get("data", {}).get("text/latex", "") for c in cells for o in c.outputs)
+
+
+@pytest.mark.parametrize("kind", COPIES)
+@each
+def test_nothing_in_a_copy_changes_by_itself(source, kind):
+    text = (NOTEBOOKS / kind / f"{source.stem}.ipynb").read_text("utf-8")
+    for word in ("iopub", "model_id", "widget-state", "stderr", "Traceback", "/tmp/", "/home/"):
+        assert word not in text
+    ids = [cell.id for cell in nbformat.reads(text, as_version=4).cells]
+    assert all(re.fullmatch(r"(cell|answer)-\d+", name) for name in ids)
+    assert len(set(ids)) == len(ids)
+
+
+def test_they_are_small():
+    assert sum(path.stat().st_size for path in NOTEBOOKS.glob("*/*.ipynb")) < LARGEST
+
+
+def test_every_copy_has_a_source():
+    stems = {source.stem for source in SOURCES}
+    for kind in COPIES:
+        assert {path.stem for path in (NOTEBOOKS / kind).glob("*.ipynb")} == stems
+
+
+def test_symbols_print_as_in_the_notes():
+    """λ₁, ω̇₂ and φ̇ of three notebooks, in what their cells show."""
+    shown = {
+        source.name[0]: "\n".join(
+            output.data.get("text/latex", "")
+            for cell in shipped("teacher", source).cells
+            for output in cell.get("outputs", [])
+            if "data" in output
+        )
+        for source in SOURCES
+    }
+    assert r"\lambda_{1}\dot{\omega}_{1} &= (\lambda_{2} - \lambda_{3})" in shown["1"]
+    assert r"\dot{\psi} + \dot{\phi}\cos\theta" in shown["3"]
+    assert r"\lambda_{1}\ddot{\theta} &= \lambda_{1}\dot{\phi}^{2}" in shown["4"]
+    assert "lambda1" not in "".join(shown.values())
+    assert "varphi" not in "".join(shown.values())
+
+
+# --- What the builder refuses --------------------------------------------------------------------
+
+
+def tiny(tmp_path, build, text):
+    source = tmp_path / "1-tiny.py"
+    source.write_text(text, "utf-8")
+    return build.read(source)
+
+
+LESSON = """# %% [markdown]
+# Hello
+
+# %%
+x = 1
+
+# %% [markdown]
+# ### Exercise 1.1
+#
+# Why?
+"""
+SOLVED = (
+    LESSON
+    + """
+# %% tags=["solution"]
+x + 1
+
+# %% [markdown] tags=["solution"]
+# So.
+"""
+)
+
+
+def test_solutions_are_cut(tmp_path, build):
+    teacher = tiny(tmp_path, build, SOLVED)
+    student = build.student(teacher)
+    assert [c.source for c in teacher.cells][-2:] == ["x + 1", "So."]
+    assert [c.source for c in student.cells] == ["Hello", "x = 1", "### Exercise 1.1\n\nWhy?", ""]
+
+
+def test_an_exercise_needs_a_solution(tmp_path, build):
+    with pytest.raises(build.BuildError, match="an exercise without a solution"):
+        tiny(tmp_path, build, LESSON)
+
+
+def test_no_code_behind_a_solution(tmp_path, build):
+    with pytest.raises(build.BuildError, match="stands behind one"):
+        tiny(tmp_path, build, SOLVED + "\n# %%\ny = x\n")
+
+
+def test_a_stale_copy_is_seen(tmp_path, build):
+    """Another source, another output, another number of cells; but not other pixels."""
+    source = SOURCES[0]
+    fresh, old = shipped("teacher", source), shipped("teacher", source)
+    assert build.differences(fresh, old) == []
+    picture = next(
+        o for c in old.cells for o in c.get("outputs", []) if "image/png" in o.get("data", {})
+    )
+    picture.data["image/png"] = "other pixels"
+    assert build.differences(fresh, old) == []
+    said = next(c for c in old.cells for o in c.get("outputs", []) if o.get("text"))
+    said.outputs[0].text += "!"
+    assert build.differences(fresh, old) == [said.id]
+    old.cells[0].source += " "
+    assert build.differences(fresh, old) == [old.cells[0].id, said.id]
+    del old.cells[-1]
+    assert len(build.differences(fresh, old)) == 1
+
+
+@pytest.mark.parametrize(
+    ("output", "complaint"),
+    [
+        ({"output_type": "stream", "name": "stderr", "text": "Warning: old"}, "complains"),
+        ({"output_type": "stream", "name": "stdout", "text": "<A at 0x7f00>"}, "an address"),
+    ],
+)
+def test_what_an_output_must_not_have(build, output, complaint):
+    cell = nbformat.v4.new_code_cell("x", id="cell-01")
+    with pytest.raises(build.BuildError, match=complaint):
+        build._settled("1-tiny.py", cell, nbformat.from_dict(output))
