@@ -230,7 +230,7 @@ MOTION = Drawing(
 
 # --- A map of regimes ----------------------------------------------------------------------------
 
-COUNTS = 361, 301
+COUNTS = 241, 201
 AREAS: Mapping[str, tuple[str, str]] = {
     "waves": ("#ffffff", ""),
     "loops": ("#c9d6e3", "////"),

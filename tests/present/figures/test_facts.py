@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure as Canvas
+from scipy.spatial.transform import Rotation
 
 import rigidtop as rt
 from rigidtop.motion.attitude import from_euler_angles
@@ -208,6 +209,15 @@ def test_rolling_cones_as_they_are_drawn(lambda3):
             assert distance.min() < 0.01
         [up] = [x.xy for x in panel.texts if x.get_text() == style.L_VEC]
         assert up[0] == pytest.approx(0, abs=1e-12)  # L stays upright
+        # e₃ has gone round it by Lt/λ₁, from the left of the paper.
+        momentum = math.hypot(1.0 * 0.7, lambda3 * 1.0)
+        turned = Rotation.from_rotvec([0, 0, momentum / 1.0 * t])
+        lean = math.atan2(0.7, lambda3)
+        x, y, _ = space.View(elevation=0.34)(
+            1.25 * turned.apply([0, -math.sin(lean), math.cos(lean)])
+        )
+        [tip] = [text.xy for text in panel.texts if text.get_text() == style.E3]
+        assert tip == pytest.approx((x, y), abs=1e-9)
 
 
 def test_the_cones_share_a_plane(axes):
