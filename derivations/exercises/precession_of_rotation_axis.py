@@ -549,8 +549,10 @@ def wobble_to_spin() -> Iterator[Evidence]:
 def wobbling_plate(
     theta: float, radius: float, thickness: float, omega3: float
 ) -> Iterator[Outcome]:
-    """Moments of a disc, and the rates of the claim. The motion is integrated over five wobbles:
-    the turns of e₃ about L are counted, and those of a mark on the rim as seen along L."""
+    """Moments of a disc, and the rates of the claim: it is the wobble that is twice as fast, and
+    Feynman remembered the two exchanged (Chao 1989, Physics Today 42:15). The motion is integrated
+    over five wobbles: the turns of e₃ about L are counted, and those of a mark on the rim as seen
+    along L."""
     # Of a unit mass; the mass has no part in it.
     lambda1, lambda3 = (3 * radius**2 + thickness**2) / 12, radius**2 / 2
     ratio = lambda3 / (lambda1 * cos(theta))
