@@ -125,12 +125,12 @@ def bound_on_the_axis() -> Iterator[Evidence]:
     yield Check(bound, state, (moving, TILTED), "The square of the bound.", printed=False)
 
 
-@claim("bound-on-the-tilt", "Released above the horizontal, sin²θ ≤ sin²θᵢ/(1 − 4ε₀ cos θᵢ).")
+@claim("bound-on-the-tilt", "Where it is lowest, sin²θ < sin²θᵢ/(1 − 4ε₀ cos θᵢ).")
 def bound_on_the_tilt() -> Iterator[Evidence]:
-    """The cubic of the turning points: δ ≤ 2ε₀ sin²θ, equal at the lower one.
+    """|ω⊥| is largest where the top is lowest, by energy; there θ̇ = ω₂′ = 0 and δ = 2ε₀ sin²θ.
 
-    So sin θ stays near its start if 4ε₀ cos θᵢ < 1: the spin at which steady precession begins.
-    Released below the horizontal the top only gets nearer to hanging, and sin θ ≤ sin θᵢ.
+    So the top that starts at θᵢ stays near it, and |ω⊥| near 2Ω sin θᵢ at most, if 4ε₀ cos θᵢ is
+    small. It says nothing where that exceeds 1: below the spin of a steady precession at θᵢ.
     """
     sine2 = 1 - (sympy.cos(theta_i) - delta) ** 2
     sunk = {sympy.sin(theta): sympy.sqrt(sine2)}
@@ -142,16 +142,15 @@ def bound_on_the_tilt() -> Iterator[Evidence]:
             sympy.sin(theta_i) ** 2 - narrowed, delta**2 + 2 * sympy.cos(theta_i) * reach
         )
         bound = Equation(narrowed, sympy.sin(theta_i) ** 2, relation="<")
-    yield Check(lowest, released(), reason="ω₂′ = θ̇ is zero at the turning points.", printed=False)
+    yield Check(
+        lowest, released(), reason="The bracket is zero at the lowest point.", printed=False
+    )
     yield Check(tilts, sunk, reason="With cos θ = cos θᵢ − δ.", printed=False)
     yield Check(
         bound,
-        {**sunk, epsilon_0: (delta + kappa) / (2 * sine2)},
-        (
-            Assumption(Gt(sympy.cos(theta_i), 0), "the top is released above the horizontal"),
-            Assumption(Gt(kappa, 0), "κ = 2ε₀ sin²θ − δ, of which the first line gives the sign"),
-        ),
-        "Nothing on the right of the last line is negative.",
+        {**sunk, epsilon_0: delta / (2 * sine2)},
+        (Assumption(Ne(delta, 0), "the top has sunk: it is not at the start"),),
+        "With the bracket zero: δ² is left.",
         printed=False,
     )
 
@@ -272,7 +271,7 @@ def bound_of_angle(top: HeavyTop, start: float, spin: float) -> float:
     sin θ ≤ 1 besides, where the spin is too low for the bound on the tilt.
     """
     weak = smallness(top, spin)
-    narrowed = 1 - 4 * weak * max(cos(start), 0.0)
+    narrowed = 1 - 4 * weak * cos(start)
     sine = min(1.0, sin(start) / sqrt(narrowed)) if narrowed > 0 else 1.0
     return atan(2 * weak * abs(1 - top.lambda3 / top.lambda1) * sine)
 
