@@ -128,15 +128,11 @@ def _print_list(figures: tuple[Drawing, ...], as_json: bool) -> None:
     if as_json:
         print(json.dumps([_record(each) for each in figures], ensure_ascii=False, indent=1))
         return
-    rows = [
-        [
-            each.name,
-            each.title + (" (moves)" if each.animate else ""),
-            " ".join(p.name for p in each.parameters),
-        ]
-        for each in figures
-    ]
-    print(table(rows, ("figure", "what it shows", "what can be set")))
+    rows = []
+    for each in figures:
+        rows.append([each.name, each.title + (" (moves)" if each.animate else "")])
+        rows.append(["", " ".join(f"{p.name}={p.default:.4g}" for p in each.parameters)])
+    print(table(rows, ("figure", "what it shows, and what can be set")))
 
 
 def _record(drawing: Drawing) -> dict[str, Any]:

@@ -30,6 +30,8 @@ def test_list_names_every_figure(capsys, monkeypatch):
     shown = capsys.readouterr().out
     for drawing in FIGURES:
         assert re.search(rf"^{drawing.name} ", shown, re.MULTILINE)
+        for parameter in drawing.parameters:
+            assert f" {parameter.name}={parameter.default:.4g}" in shown
 
 
 def test_list_as_json(capsys):

@@ -296,6 +296,14 @@ def test_flips_are_seen_at_their_period(axes):
     assert shown == pytest.approx(later, abs=1e-6)
 
 
+@pytest.mark.parametrize("order", [(0, 1, 2), (1, 0, 2), (2, 0, 1)])
+def test_flips_are_about_the_middle_axis(order):
+    moments = np.array([1.0, 2.0, 2.9])[list(order)]
+    omega = free.flip(*moments, omega=2.0, kick=0.01).omega
+    assert moments[int(np.argmax(omega))] == 2.0
+    assert sorted(omega) == [0.01, 0.01, 2.0]
+
+
 def test_flip_wants_a_middle_axis():
     drawing = named("flip")
     with pytest.raises(rt.RigidtopError, match="three different moments"):
