@@ -313,7 +313,7 @@ class SlidingMotion:
             flow.path(ordered)[:, back],
             times,
             np.stack([half_sum + half_difference, half_sum - half_difference]),
-            laws[np.searchsorted(ends, times, side="right")],
+            laws[np.searchsorted(ends, times)],
             found,
         )
 

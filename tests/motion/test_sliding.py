@@ -513,3 +513,14 @@ def test_painleve_is_an_error():
     with pytest.raises(rt.RigidtopError, match=r"jams at t = 0.*Painlevé"):
         thin.motion(theta=1.0, omega3=0.0, velocity=(-1.0, 0.0)).integrate(1.0)
     assert thin.motion(theta=1.0, omega3=0.0, velocity=(1.0, 0.0)).integrate(0.1).theta[0] > 1
+
+
+def test_at_an_event_the_row_belongs_to_what_was_before():
+    motion = top(mu=0.3, tip=0.1).motion(theta=0.3, omega3=60.0)
+    [stands] = motion.integrate([1.0]).events
+    at, later = motion.integrate([stands.time, 1.0]), motion.integrate([stands.time + 1e-9, 1.0])
+    assert not at.rolling[0]
+    assert 0 < np.hypot(*at.slip[0]) < 1e-9
+    assert later.rolling[0]
+    assert later.slip[0].tolist() == [0, 0]
+    assert at.energy[0] == pytest.approx(later.energy[0], rel=1e-10)

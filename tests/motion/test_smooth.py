@@ -138,8 +138,13 @@ def test_where_there_is_none(start, changes, message):
         motion(start, **changes).exact(1.0)
 
 
-def test_smallest_normal_force_is_that_of_the_motion():
-    run = motion({"theta": 0.6, "theta_dot": 1.0, "omega3": 10.0}, 0.1)
+@pytest.mark.parametrize("tip", [0.1, 0.5, 0.9])
+def test_normal_force_over_a_nutation(tip):
+    run = motion({"theta": 0.6, "theta_dot": 1.0, "omega3": 10.0}, tip, lambda1=0.3)
     orbit = smooth_orbit(run)
-    times = np.linspace(0, orbit.nutation_period, 4001)
-    assert orbit.smallest_normal_force == pytest.approx(run.exact(times).normal_force.min(), 1e-5)
+    chi = np.linspace(0, np.pi, 51)
+    times = orbit.time.at(chi) - orbit.time.at(np.array([orbit.chi_0]))
+    forces = run.exact(times).normal_force  # from Newton's and Euler's equations
+    assert orbit.normal_force(chi) == pytest.approx(forces, rel=1e-10)
+    assert np.ptp(forces) > 0.1 or tip == 0.5
+    assert orbit.smallest_normal_force == pytest.approx(forces.min())

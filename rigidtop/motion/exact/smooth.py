@@ -83,6 +83,7 @@ class Orbit:
     kappa: float
     omega3: float
     weight: float  # Mg
+    lever: float  # Mh
     stiffness: float  # G's value at u = 0
 
     from_upright: float
@@ -131,18 +132,17 @@ class Orbit:
     @property
     def smallest_normal_force(self) -> float:
         """The least N in a period (N)."""
-        if self.beta == 0:
-            return self.weight
-        chi = np.linspace(0, np.pi, 2001)
+        return float(self.normal_force(np.linspace(0, np.pi, 2001)).min())
+
+    def normal_force(self, chi: Floats) -> Floats:
+        """N = Mg + Mh ü, with ü from u̇² = P/(1 + κ(1 − u²)) (N)."""
         upright, hanging = self.away(chi)
         u = (hanging - upright) / 2
         inertia, linear = 1 + self.kappa * upright * hanging, self.stiffness - self.beta * u
         width = self.amplitude**2 * np.sin(chi) ** 2  # (u − u₁)(u₂ − u)
-        cubic = width * linear
-        rising = 2 * self.amplitude * -np.cos(chi) * linear - self.beta * width  # dP/du
-        # N = Mg + Mh ü from u̇² = P/inertia, where h/g = 2κ/β.
-        acceleration = (rising + 2 * self.kappa * u * cubic / inertia) / (2 * inertia)
-        return float(np.min(self.weight * (1 + 2 * self.kappa / self.beta * acceleration)))
+        slope = -2 * self.amplitude * np.cos(chi) * linear - self.beta * width  # dP/du
+        acceleration = (slope + 2 * self.kappa * u * width * linear / inertia) / (2 * inertia)
+        return self.weight + self.lever * acceleration
 
     def at(self, times: Floats) -> State:
         """The state at `times` (N,)."""
@@ -231,6 +231,7 @@ def solve(
         kappa=kappa,
         omega3=omega3,
         weight=M * g,
+        lever=M * h,
         stiffness=stiffness,
         from_upright=upright - high,
         from_hanging=hanging + low,
