@@ -56,6 +56,7 @@ from rigidtop.theory.symbols import (
     omega3,
     omega_0,
     omega_vec,
+    phi,
     phidot,
     psidot,
     radius,
@@ -104,7 +105,7 @@ def released() -> dict[Expr, Expr]:
 def bound_on_the_axis() -> Iterator[Evidence]:
     """What the top has sunk, δ = cos θᵢ − cos θ, gives the energy of ω⊥, and L_z its direction.
 
-    Together: λ₃ω₃ |ω⊥| ≤ 2MgR sin θ at any spin, with both sides equal where θ is largest.
+    Together: |λ₃ω₃| |ω⊥| ≤ 2MgR sin θ at any spin, with both sides equal where θ is largest.
     """
     with as_printed():
         across = Group(omega1p**2 + omega2p**2)
@@ -162,7 +163,8 @@ def bound_on_the_angle() -> Iterator[Evidence]:
     """tan of the angle is |L × ω|/L·ω, and L·ω is at least λ₃ω₃².
 
     With ω⊥ = ω₀ as large as it may be it is 2|λ₁ − λ₃| MgR sin θ/(λ₃ω₃)² at most: first order in
-    the torque, ε₀ = λ₁MgR/(λ₃ω₃)².
+    the torque, ε₀ = λ₁MgR/(λ₃ω₃)². At the lowest point sin θ is at most sin θᵢ/√(1 − 4ε₀ cos θᵢ),
+    so that L ∥ ω is as good an approximation as ε₀ is small.
     """
     parts = {
         L_vec: Matrix([lambda1 * omega_0, 0, lambda3 * omega3]),
@@ -539,8 +541,7 @@ def wheel_on_an_axle() -> Iterator[Evidence]:
     that has no torque, and the rate is the same. Let go at rest, the axle dips by arcsin δ.
     """
     tensor = on_an_arm(torus(radius, height).inertia(M).subs(height, 0))
-    azimuth = sympy.Symbol("azimuth", real=True)
-    axle, vertical = Matrix([sympy.cos(azimuth), sympy.sin(azimuth), 0]), Matrix(Z_AXIS)
+    axle, vertical = Matrix([sympy.cos(phi), sympy.sin(phi), 0]), Matrix(Z_AXIS)
     pulled = (-R * axle).cross(M * g * vertical - F * axle)
     moments = {lambda1: tensor[0, 0], lambda3: tensor[2, 2]}
     horizontal = theory.steady_quadratic().subs(theta, sympy.pi / 2).subs(lambda3, tensor[2, 2])
