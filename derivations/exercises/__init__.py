@@ -5,6 +5,7 @@ from __future__ import annotations
 from rigidtop.derivations.exercises import (
     euler_angles,
     eulers_equations,
+    friction,
     lagrange_formalism,
     net_torque,
     nutation,
@@ -29,6 +30,7 @@ EXERCISES = (
     *lagrange_formalism.EXERCISES,
     *nutation.EXERCISES,
     *sleeping_top.EXERCISES,
+    *friction.EXERCISES,
     *toy_top.EXERCISES,
 )
 """Every exercise."""

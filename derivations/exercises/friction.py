@@ -1,0 +1,479 @@
+"""Section 3.5.4: what friction does to a top, on the table and in the air."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import cos, exp, log, pi, sqrt
+from typing import Any
+
+import numpy as np
+import sympy
+from scipy.integrate import quad, simpson
+from scipy.interpolate import CubicHermiteSpline
+from scipy.optimize import brentq
+from sympy import Expr, Function, Matrix, symbols
+
+from rigidtop.derivations.euler_angles import TILTED
+from rigidtop.derivations.nutation import friction
+from rigidtop.errors import RigidtopError
+from rigidtop.motion.sliding import SlidingTop
+from rigidtop.motion.sliding_trajectory import SlidingTrajectory
+from rigidtop.motion.top import HeavyTop
+from rigidtop.parameters import Parameter
+from rigidtop.proof.equation import Equation, Group, as_printed
+from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
+from rigidtop.proof.page import Check, Evidence, Measure, Step, claim
+from rigidtop.theory.euler import OMEGA, body_accelerations
+from rigidtop.theory.rotation import Z_AXIS, primed_matrix, total_derivative
+from rigidtop.theory.symbols import (
+    L3,
+    L_z,
+    M,
+    R,
+    c_3,
+    const,
+    e2p,
+    g,
+    lambda1,
+    lambda2,
+    lambda3,
+    mu,
+    n,
+    omega,
+    omega3,
+    omega3dot,
+    omega_30,
+    r_t,
+    t,
+    theta,
+    thetadot,
+    v_tip,
+)
+from rigidtop.theory.trig import reduce_trig
+
+from .bodies import GRAVITY
+from .sleeping_top import upright_potential
+
+TIGHT: Any = {"rtol": 1e-9, "atol": 1e-11}
+
+FORCE = Matrix(symbols("C_1 C_2 C_3", real=True))
+"""Any force at the contact."""
+
+
+def contact(figure_axis: Matrix, vertical: Matrix) -> Matrix:
+    """From the centre of mass to the point of a round tip that touches the table (3×1, m)."""
+    return -(R - r_t) * figure_axis - r_t * vertical
+
+
+def rate_under_contact_force(quantity: Expr, vertical: Matrix) -> Expr:
+    """d/dt in body components, with Euler's equations about the centre of mass and any force."""
+    torque = contact(Matrix(Z_AXIS), vertical).cross(FORCE)
+    turning = body_accelerations(torque).subs(lambda2, lambda1)
+    falling = -Matrix(OMEGA).cross(vertical)
+    rates = dict(zip([*OMEGA, *vertical], [*turning, *falling], strict=True))
+    return total_derivative(quantity, rates)
+
+
+@claim("jellett", "No force at the contact changes (R − r₀)L₃ + r₀L_z of a top with a round tip.")
+def jellett() -> Iterator[Evidence]:
+    """The sum is −L·ρ, with ρ from the centre of mass to the contact: the torque ρ × C is
+    orthogonal to ρ, and L, ω and e₃ lie in one plane, in which ρ does not move along L.
+
+    It is Jellett's integral. With it the spin of a top that has come upright is known.
+    """
+    vertical = Matrix(symbols("z_1 z_2 z_3", real=True))
+    momentum = Matrix([lambda1, lambda1, lambda3]).multiply_elementwise(Matrix(OMEGA))
+    with as_printed():
+        kept = Equation(Group(R - r_t) * L3 + r_t * L_z, const)
+        upright = Equation(R * omega, Group(R - r_t * Group(1 - sympy.cos(theta))) * omega3)
+    yield Check(
+        kept,
+        {
+            L3: momentum[2],
+            L_z: momentum.dot(vertical),
+            const: lambda integral: rate_under_contact_force(integral, vertical),
+        },
+        reason="In body components, with ẑ turning backwards.",
+        printed=False,
+    )
+    integral = (R - r_t) * L3 + r_t * L_z
+    start = integral.subs({L3: lambda3 * omega3, L_z: lambda3 * omega3 * sympy.cos(theta)})
+    end = integral.subs({L3: lambda3 * omega, L_z: lambda3 * omega})
+    [final] = sympy.solve(start - end, omega)
+    yield Check(
+        upright,
+        {omega: final},
+        reason="From ω₃ along e₃ at θ to a spin ω that is upright.",
+        printed=False,
+    )
+
+
+@claim("friction-raises", "Sliding friction at a round tip raises a fast top.")
+def friction_raises() -> Iterator[Evidence]:
+    """The spin drags the contact along e₂′, friction points the other way, and its torque about
+    the centre of mass brakes the spin and turns e₃ towards the vertical.
+
+    For a fast top L is along e₃, so that L_z − L₃ cos θ stays zero. A sharp tip, r₀ = 0, is not
+    dragged by the spin, and one that rolls is not rubbed: then nothing rises.
+    """
+    axes = primed_matrix()
+    vertical, figure_axis, nodes = Matrix(Z_AXIS), axes[:, 2], axes[:, 1]
+    torque = reduce_trig(contact(figure_axis, vertical).cross(-mu * n * nodes))
+    along_axis, along_vertical = figure_axis.dot(torque), vertical.dot(torque)
+    with as_printed():
+        slip = Equation(v_tip, r_t * omega3 * sympy.sin(theta) * e2p)
+        brakes = Equation(lambda3 * omega3dot, -mu * n * r_t * sympy.sin(theta))
+        raises = Equation(L3 * thetadot, -mu * n * Group(R - r_t + r_t * sympy.cos(theta)))
+    turned = (omega3 * figure_axis).cross(contact(figure_axis, vertical))
+    yield Check(
+        slip,
+        {v_tip: turned, e2p: nodes},
+        reason="What the spin adds to the velocity of the contact.",
+        printed=False,
+    )
+    yield Check(
+        brakes,
+        {omega3dot: reduce_trig(along_axis) / lambda3},
+        reason="The torque of −μn e₂′ along e₃,",
+        printed=False,
+    )
+    balance = along_vertical - along_axis * sympy.cos(theta) + L3 * sympy.sin(theta) * thetadot
+    yield Check(
+        raises,
+        {},
+        (TILTED,),
+        "and what it does to L_z − L₃ cos θ = 0.",
+        given=(reduce_trig(balance),),
+        printed=False,
+    )
+
+
+def spin_in_air() -> Expr:
+    """ω₃(t) of a symmetric body that the air brakes by the torque −c₃ω₃ (rad/s)."""
+    spin = Function("spin")
+    drag = Matrix([0, 0, -c_3 * omega3])
+    law = body_accelerations(drag)[2].subs(lambda2, lambda1).subs(omega3, spin(t))
+    return sympy.dsolve(spin(t).diff(t) - law, spin(t), ics={spin(0): omega_30}).rhs
+
+
+@claim(
+    "spin-in-air", "A sleeping top that the air brakes has its spin fall exponentially, and wakes."
+)
+def spin_falls() -> Iterator[Evidence]:
+    """Euler's third equation with the torque −c₃ω₃; no other torque is along e₃.
+
+    It wakes where ω₃ has come down to the sleeping spin; λ₁ is the moment about the tip.
+    """
+    with as_printed():
+        spin = Equation(omega3, omega_30 * sympy.exp(-c_3 * t / lambda3))
+        asleep = Equation(
+            Group(lambda3 * omega_30) ** 2 * sympy.exp(-2 * c_3 * t / lambda3),
+            4 * lambda1 * M * g * R,
+        )
+        moment = Equation(
+            t,
+            lambda3 / c_3 * sympy.log(lambda3 * omega_30 / (2 * sympy.sqrt(lambda1 * M * g * R))),
+        )
+    yield Check(spin, {omega3: spin_in_air()}, reason="Solved from ω₃ at t = 0.", printed=False)
+    threshold = 2 * sympy.sqrt(lambda1 * M * g * R) / lambda3
+    [time] = sympy.solve(spin_in_air() - threshold, t)
+    yield Check(asleep, {t: time}, reason="Down to the sleeping spin,", printed=False)
+    yield Step(moment, "which is at this time.")
+
+
+# --- a top that rises ----------------------------------------------------------------------------
+
+
+ABOUT_CENTRE = (
+    Parameter("lambda1", 4e-5, "λ₁ about the centre of mass", "kg m²", above=0),
+    Parameter("lambda3", 2.5e-5, "λ₃ about the axis", "kg m²", above=0),
+    Parameter("M", 0.1, "mass", "kg", above=0),
+    Parameter("R", 0.03, "height of the centre of mass of the upright top", "m", above=0),
+    GRAVITY,
+)
+"""What `SlidingTop` takes besides friction: a top of a hand's size."""
+
+
+def smooth_precession(top: SlidingTop, tilt: float, spin: float) -> float:
+    """The slow steady φ̇ on a smooth table (rad/s): (3.57) about the centre of mass.
+
+    There the table turns the top about its centre with the weight at the middle of the tip.
+    """
+    a, b = top.lambda1 * cos(tilt), top.lambda3 * spin
+    c = top.M * top.g * (top.R - top.tip)
+    if b**2 < 4 * a * c:
+        raise RigidtopError(
+            f"omega3 = {spin:g} is too slow for a steady precession on a smooth table: at least "
+            f"{2 * sqrt(a * c) / top.lambda3:g} rad/s"
+        )
+    return 2 * c / (b + sqrt(b**2 - 4 * a * c))
+
+
+def rise_by_gyroscope(top: SlidingTop, start: float, end: float, spin: float) -> float:
+    """The time to rise if L is along e₃ and the slip along e₂′ (s)."""
+
+    def arm(tilt: float) -> float:
+        return top.R - top.tip + top.tip * cos(tilt)
+
+    # Jellett's integral: the spin goes as 1/arm.
+    slowness, _ = quad(lambda tilt: arm(start) / arm(tilt) ** 2, end, start)
+    return float(slowness) * top.lambda3 * spin / (top.mu * top.M * top.g)
+
+
+def crossing(path: SlidingTrajectory, tilt: float) -> float | None:
+    """The first time at which θ is at `tilt`, None where it never is (s)."""
+    beyond = np.flatnonzero(np.diff(np.sign(path.theta - tilt)))
+    if not beyond.size:
+        return None
+    piece = slice(int(beyond[0]), int(beyond[0]) + 2)
+    curve = CubicHermiteSpline(path.t[piece], path.theta[piece], path.theta_dot[piece])
+    before, after = map(float, path.t[piece])
+    return float(brentq(lambda x: float(curve(x)) - tilt, before, after, xtol=1e-15))
+
+
+def risen(path: SlidingTrajectory, until: float) -> float:
+    """The first time at which θ has come down to `until` (s)."""
+    seconds = crossing(path, until)
+    if seconds is None:
+        ends = [f"{event.kind} at {event.time:.3g} s" for event in path.events[:1]]
+        raise RigidtopError(
+            f"until = {until:g} is not reached, theta gets down to {np.min(path.theta):.4g}: "
+            f"{(ends or ['the top rises no further'])[0]}"
+        )
+    return seconds
+
+
+def friction_impulse(path: SlidingTrajectory) -> float:
+    """∫ ẑ·(ρ × F) dt over a path with many rows (J s)."""
+    arm = -(path.motion.body.R - path.motion.body.tip) * path.e3
+    force = path.friction_force
+    torque = arm[:, 0] * force[:, 1] - arm[:, 1] * force[:, 0]
+    return float(simpson(torque, x=path.t))
+
+
+def energies(path: SlidingTrajectory, k: int) -> tuple[float, ...]:
+    """Of the spin, of all other motion, of the weight; heat by friction and by air; their sum."""
+    body = path.motion.body
+    spin = body.lambda3 * float(path.omega[k, 2]) ** 2 / 2
+    height = body.M * body.g * float(path.position[k, 2])
+    rest = float(path.energy[k]) - spin - height
+    heat = float(path.dissipated_by_friction[k]), float(path.dissipated_by_air[k])
+    return spin, rest, height, *heat, spin + rest + height + sum(heat)
+
+
+def budget(path: SlidingTrajectory, rows: int, last: int) -> Table:
+    """Where the energy is at so many times, up to the row `last` of the path."""
+    places = np.linspace(0, last, rows).round().astype(int)
+    return Table(
+        "budget",
+        "Where the energy is",
+        (
+            "t (s)",
+            "θ (rad)",
+            "spin ½λ₃ω₃² (J)",
+            "other motion (J)",
+            "weight (J)",
+            "heat by friction (J)",
+            "heat by air (J)",
+            "sum (J)",
+        ),
+        tuple((float(path.t[k]), float(path.theta[k]), *energies(path, int(k))) for k in places),
+    )
+
+
+@exercise(
+    "rising-top",
+    "A top that friction raises",
+    section="3.5.4",
+    asks="“friction … will cause the point of contact of the top on the table to move”",
+    statement="A fast top with a round tip stands at the tilt θ on a table and precesses slowly; "
+    "its tip slides with the friction μ. Show that friction raises the top although it brakes the "
+    "spin. Which quantity does no force at the contact change, and which spin does it leave to the "
+    "upright top?\n\n"
+    "How long does the top take to rise to the tilt “until”? How much energy has the spin lost by "
+    "then, and where has it gone?",
+    claims=(friction, jellett, friction_raises),
+    parameters=(
+        *ABOUT_CENTRE,
+        Parameter("tip", 0.01, "radius of the round tip", "m", above=0),
+        Parameter("mu", 0.1, "coefficient of sliding friction", above=0),
+        Parameter("theta", 0.5, "θ at the start", "rad", least=0.05, most=1.2),
+        Parameter("until", 0.25, "θ at the end", "rad", least=0.01, most=1.2),
+        Parameter("omega3", 200.0, "ω₃ at the start", "rad/s", above=0),
+    ),
+)
+def rising_top(
+    lambda1: float,
+    lambda3: float,
+    M: float,
+    R: float,
+    g: float,
+    tip: float,
+    mu: float,
+    theta: float,
+    until: float,
+    omega3: float,
+) -> Iterator[Outcome]:
+    """The motion with Coulomb friction is integrated. Jellett's integral and the sum of all
+    energies must keep their values, and L_z must grow by the time integral of the torque."""
+    if until >= theta:
+        raise RigidtopError(f"until = {until:g} must be less than theta = {theta:g}: the top rises")
+    if tip >= R:
+        raise RigidtopError(
+            f"tip = {tip:g} must be less than R = {R:g}: the centre of mass is above its middle"
+        )
+    top = SlidingTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g, tip=tip, mu=mu)
+    precession = smooth_precession(top, theta, omega3)
+    motion = top.motion(theta=theta, phi_dot=precession, omega3=omega3)
+    expected = rise_by_gyroscope(top, theta, until, omega3)
+    seconds = risen(motion.integrate(np.linspace(0, 3 * expected, 1201), **TIGHT), until)
+    path = motion.integrate(np.linspace(0, seconds, 801), **TIGHT)
+    before, after = energies(path, 0), energies(path, -1)
+    lost = before[0] - after[0]
+    yield Answer("time_to_rise", "time until θ has the value “until”", seconds, "s")
+    yield Answer(
+        "time_gyroscope", "by L₃θ̇ = −μMg(R − r₀ + r₀ cos θ), for comparison", expected, "s"
+    )
+    yield Answer("slip", "speed of the contact at the start", float(np.hypot(*path.slip[0])), "m/s")
+    yield Answer(
+        "slip_then", "speed of the contact at the end", float(np.hypot(*path.slip[-1])), "m/s"
+    )
+    yield Answer("omega3_then", "ω₃ at the end", float(path.omega[-1, 2]), "rad/s")
+    yield Answer(
+        "omega3_upright",
+        "ω₃ of the upright top, if it gets there",
+        omega3 * (1 - tip / R * (1 - cos(theta))),
+        "rad/s",
+    )
+    yield Answer("rise", "rise of the centre of mass", (after[2] - before[2]) / (M * g), "m")
+    yield Answer("spin_lost", "energy that the spin lost", lost, "J")
+    yield Answer("to_weight", "share of it in the weight", (after[2] - before[2]) / lost)
+    yield Answer("to_motion", "share of it in other motion", (after[1] - before[1]) / lost)
+    yield Answer("to_heat", "share of it in heat", after[3] / lost)
+    yield budget(path, 9, len(path.t) - 1)
+    integral = path.jellett
+    drift = float(np.max(np.abs(integral / integral[0] - 1)))
+    yield Measure("Jellett's integral against its value at the start, relative", drift, 1e-9)
+    yield Measure("sum of energies and heat, relative", path.budget(), 1e-8)
+    gained = float(path.angular_momentum[-1, 2] - path.angular_momentum[0, 2])
+    error = abs(friction_impulse(path) / gained - 1)
+    yield Measure("L_z gained, by the time integral of the torque, relative", error, 1e-3)
+    arms = R - tip + tip * cos(theta), R - tip + tip * cos(until)
+    ratio = float(path.omega[-1, 2]) * arms[1] / (omega3 * arms[0])
+    small = lambda1 * M * g * R / (lambda3 * omega3) ** 2
+    yield Measure("ω₃ at the end, by Jellett's integral with L along e₃", abs(ratio - 1), small)
+
+
+# --- a top that wakes ----------------------------------------------------------------------------
+
+HELD = 1.0
+"""Friction that holds the sharp tip of a top that is nearly upright."""
+
+MOST_TURNS = 1000
+"""No top is integrated here for longer."""
+
+
+def waking_time(decay: float, sleeping: float, size: float, folds: float) -> float:
+    """How long after the sleeping spin a tilt has grown by e^folds (s).
+
+    The growth rate is that of the spin at each moment, size √(sleeping² − ω₃²).
+    """
+
+    def grown(seconds: float) -> float:
+        # With ω₃ = sleeping e^{−decay t}.
+        total, _ = quad(lambda x: sqrt(-np.expm1(-2 * decay * x)), 0, seconds)
+        return size * sleeping * float(total) - folds
+
+    high = 1 / decay
+    while grown(high) < 0:
+        high *= 2
+    return float(brentq(grown, 0.0, high, rtol=1e-12))
+
+
+@exercise(
+    "waking-top",
+    "A sleeping top that the air wakes",
+    section="3.5.4",
+    asks="“the overall rotation to loose energy”",
+    statement="A top with a sharp tip that friction holds in place sleeps upright with the spin "
+    "ω₃. The air brakes its spin with the torque c₃ω₃. When has the spin come down to the sleeping "
+    "spin? When has a disturbance of the given size become visible, and how large is the spin "
+    "then? Where has the energy gone?",
+    claims=(upright_potential, spin_falls, friction),
+    parameters=(
+        *ABOUT_CENTRE,
+        Parameter("drag3", 5e-6, "c₃, drag torque over ω₃", "J s", above=0),
+        Parameter("omega3", 165.0, "ω₃ at the start", "rad/s", above=0),
+        Parameter("disturbance", 1e-6, "θ at the start", "rad", least=1e-9, most=1e-3),
+        Parameter(
+            "visible", 0.1, "θ at which the top is seen to wake", "rad", least=0.01, most=0.3
+        ),
+    ),
+)
+def waking_top(
+    lambda1: float,
+    lambda3: float,
+    M: float,
+    R: float,
+    g: float,
+    drag3: float,
+    omega3: float,
+    disturbance: float,
+    visible: float,
+) -> Iterator[Outcome]:
+    """The time to the sleeping spin is a closed form; from then on the growth rate of the spin at
+    each moment is summed. The top with its disturbance is integrated on the table and compared."""
+    about_tip = HeavyTop(lambda1=lambda1 + M * R**2, lambda3=lambda3, M=M, R=R, g=g)
+    sleeping = about_tip.sleeping_spin()
+    if omega3 <= sleeping:
+        raise RigidtopError(
+            f"omega3 = {omega3:g} must be more than the sleeping spin, {sleeping:g} rad/s"
+        )
+    decay, size = drag3 / lambda3, lambda3 / (2 * about_tip.lambda1)
+    asleep = log(omega3 / sleeping) / decay
+    growing = waking_time(decay, sleeping, size, log(visible / disturbance))
+    yield Answer("sleeping_spin", "smallest ω₃ at which the upright is stable", sleeping, "rad/s")
+    yield Answer("time_asleep", "time until ω₃ has come down to it", asleep, "s")
+    yield Answer("half_life", "time in which ω₃ halves", log(2) / decay, "s")
+    yield Answer(
+        "time_awake", "time until the tilt is visible, by the growth rate", asleep + growing, "s"
+    )
+    turns = (asleep + 1.5 * growing) * omega3 / (2 * pi)
+    if turns > MOST_TURNS:
+        raise RigidtopError(
+            f"about {turns:.0f} turns until the top wakes, at most {MOST_TURNS} are integrated "
+            "here: give a larger drag3 or a smaller omega3"
+        )
+    top = SlidingTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g, mu=HELD, drag3=drag3)
+    motion = top.motion(
+        theta=disturbance,
+        phi_dot=lambda3 * omega3 / (2 * about_tip.lambda1),
+        omega3=omega3,
+        slip=(0.0, 0.0),
+    )
+    # The tilt is known relative to what it was at first.
+    accuracy: Any = {"rtol": 1e-9, "atol": 1e-6 * disturbance}
+    path = motion.integrate(np.linspace(0, asleep + 1.5 * growing, 601), **accuracy)
+    seen = crossing(path, visible)
+    if seen is None:
+        raise RigidtopError(
+            f"the tilt does not become visible in time: drag3 = {drag3:g} brakes the spin so fast "
+            "that the growth rate of a moment says little"
+        )
+    yield Answer("seen", "time until the tilt is visible, integrated", seen, "s")
+    yield Answer("omega3_then", "ω₃ then", omega3 * exp(-decay * seen), "rad/s")
+    awake = int(np.searchsorted(path.t, seen))
+    largest = float(np.max(path.theta[path.t <= asleep]))
+    yield Answer("tilt_asleep", "largest θ before the sleeping spin", largest, "rad")
+    yield budget(path, 9, awake)
+    error = float(
+        np.max(np.abs(path.omega[:awake, 2] / omega3 * np.exp(decay * path.t[:awake]) - 1))
+    )
+    yield Measure("ω₃(t) on the table until then, relative", error, 1e-6)
+    yield Measure("sum of energies and heat, relative", path.budget(), 1e-7)
+    error = abs(seen - asleep - growing) / growing
+    yield Measure("time from the sleeping spin to the visible tilt, relative", error, 0.25)
+
+
+EXERCISES: tuple[Exercise, ...] = (rising_top, waking_top)
+"""In the order of the notes."""
