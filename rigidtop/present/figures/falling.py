@@ -181,7 +181,7 @@ SLEEPING = Drawing(
     "",
     (
         *TOP,
-        Parameter("theta", math.radians(2), "θ where it is let go", "rad", least=1e-6, most=1.5),
+        Parameter("theta", math.radians(2), "θ where it is let go", "rad", least=1e-6, most=0.5),
         Parameter("omega3", 22.0, "ω₃ that is marked", "rad/s", least=0),
     ),
     _draw_sleeping,

@@ -74,9 +74,9 @@ def draw_precession_rates(axes: Axes, top: HeavyTop, theta: float, omega3: float
             where,
             float(np.interp(where, spins, fast)),
             r"$\lambda_3\omega_3/(\lambda_1\cos\theta)$",
-            (-5, 5 * (1 if cosine > 0 else -1)),
-            ha="right",
-            va="bottom" if cosine > 0 else "top",
+            (-5, 5) if cosine > 0 else (5, 3),
+            ha="right" if cosine > 0 else "left",
+            va="bottom",
         )
     name_at(
         axes,

@@ -41,6 +41,8 @@ from rigidtop.present.figures.style import (
 
 VIEW = View(azimuth=0.0, elevation=0.3)
 FLASHES = 5
+STANDING = 1.4
+"""The largest tilt (rad) of a top on a table; others hang from their tip."""
 BODY = 0.95, 0.2
 """Height and radius of the top in flashes: thin, so that little is hidden."""
 
@@ -52,7 +54,8 @@ def draw_top(axes: Axes, motion: TopMotion, t: float, since: Floats) -> None:
     """The top at the time `t` (s) with e₃, ω and L, and the path of its axis at times `since`."""
     view, run = VIEW, motion.exact(t)
     e3 = run.e3[0]
-    table(axes, view, 0.6)
+    if motion.turning_points[1] < STANDING:
+        table(axes, view, 0.6)
     arrow(axes, view, [0, 0, 1.6], Z, lw=0.8, color=GREY, shift=(7, 2), zorder=1)
     path = TRAIL * motion.exact(since).e3
     curve(axes, view, path, path[:, 0] < 0, color=FIRST, lw=1.2)
@@ -66,7 +69,8 @@ def draw_top(axes: Axes, motion: TopMotion, t: float, since: Floats) -> None:
 def draw_stroboscopic(axes: Axes, motion: TopMotion, times: Floats) -> None:
     """The top in some flashes of light, and the path of its axis between them."""
     view = VIEW
-    table(axes, view, 0.6)
+    if motion.turning_points[1] < STANDING:
+        table(axes, view, 0.6)
     arrow(axes, view, [0, 0, 1.6], Z, lw=0.8, color=GREY, shift=(7, 2), zorder=8)
     path = TRAIL * motion.exact(times).e3
     curve(axes, view, path, path[:, 0] < 0, color=FIRST, lw=1.3, zorder=7)

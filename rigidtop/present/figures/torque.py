@@ -72,9 +72,10 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
     couple = direction_of_torque(motion)
     view, centre = VIEW, 0.62 * e3
     lean = math.acos(float(np.clip(e3[2], -1, 1)))
-    if lean < 1.2:
+    half = 0.37
+    if lean < 1.3:  # above the table, which it does not touch but with its tip
         table(axes, view, 0.62)
-    half = min(0.37, 0.8 * max(math.pi / 2 - lean, 0.12))
+        half = min(half, 0.8 * (math.pi / 2 - lean))
     top_body(axes, view, e3, 0.78, 0.78 * math.tan(half))
     length = 1.42
     tilt = math.acos(float(np.clip(momentum[2], -1, 1)))
@@ -127,7 +128,7 @@ def _draw(**values: float) -> Canvas:
     drawn = canvas(COLUMN, 2.75)
     axes = drawn.subplots()
     draw_torque(axes, _motion(**values))
-    low = min(-0.3, 1.75 * math.cos(values["theta"]))
+    low = min(-0.3, 1.6 * math.cos(values["theta"]) - 0.4)
     paper(axes, (-1.45, 1.7), (low, 1.92))
     return drawn
 

@@ -4,6 +4,7 @@ import sys
 from xml.etree import ElementTree
 
 import matplotlib
+import numpy as np
 import pytest
 
 from rigidtop.errors import RigidtopError
@@ -100,3 +101,19 @@ def test_captions_say_what_is_set(drawing):
             assert drawing.caption(**other) != caption, parameter.name
         except RigidtopError:
             assert drawing.name in ("polhodes", "flip", "tumbling", "torque")  # no such body
+
+
+@every_figure
+def test_what_is_legal_is_drawn_or_refused_in_one_line(drawing):
+    for parameter in drawing.parameters:
+        far = [50 * parameter.default, parameter.default / 50, parameter.least, parameter.most]
+        for value in far:
+            if not parameter.least <= value <= parameter.most or not np.isfinite(value):
+                continue
+            given = drawing.values({parameter.name: value})
+            try:
+                assert content(drawing, given)
+                said = drawing.caption(**given) + drawing.alternative(**given)
+                assert "nan" not in said.split()
+            except RigidtopError as refusal:
+                assert "\n" not in str(refusal)
