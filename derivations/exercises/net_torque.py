@@ -230,7 +230,6 @@ def discs(radius: float, height: float, nodes: int = 8) -> tuple[Vectors, Vector
         Parameter("phi", 0.7, "φ, azimuth of the axis", "rad"),
         GRAVITY,
     ),
-    figure="torque",
 )
 def gravity_on_a_solid(
     radius: float, height: float, density: float, theta: float, phi: float, g: float
