@@ -104,7 +104,6 @@ def arrow(
     lw: float = 1.4,
     ls: Any = "-",
     zorder: float = 5,
-    label: Any = None,
 ) -> None:
     """An arrow from `start` to `tip` (3,), with its name beyond the tip.
 
@@ -132,7 +131,6 @@ def arrow(
                 "joinstyle": "miter",
             },
             zorder=zorder,
-            label=label,
         )
     if words:
         if shift is None:
@@ -178,7 +176,6 @@ def top_body(
     radius: float = 0.36,
     *,
     psi_mark: ArrayLike | None = None,
-    alpha: float = 1.0,
     zorder: float = 2,
 ) -> None:
     """A top on its tip at the origin, its axis along `e3`: a cone with a lid.
@@ -197,13 +194,11 @@ def top_body(
         parts.reverse()
     for step, (shape, color) in enumerate(parts):
         axes.fill(*shape.T, fc="white", ec="none", zorder=zorder + 0.1 * step)
-        axes.fill(
-            *shape.T, fc=color, ec="#55703f", lw=0.7, alpha=alpha, zorder=zorder + 0.1 * step + 0.05
-        )
+        axes.fill(*shape.T, fc=color, ec="#55703f", lw=0.7, zorder=zorder + 0.1 * step + 0.05)
     if psi_mark is not None and seen_from_above:
         centre = height * axis
         line = np.array([centre, centre + radius * unit(psi_mark)])
-        axes.plot(*view(line)[:2], color="#55703f", lw=1.2, alpha=alpha, zorder=zorder + 0.3)
+        axes.plot(*view(line)[:2], color="#55703f", lw=1.2, zorder=zorder + 0.3)
 
 
 def table(axes: Axes, view: View, radius: float = 0.75) -> None:
