@@ -77,7 +77,7 @@ def rate_under_contact_force(quantity: Expr, vertical: Matrix) -> Expr:
 @claim("jellett", "No force at the contact changes (R − r₀)L₃ + r₀L_z of a top with a round tip.")
 def jellett() -> Iterator[Evidence]:
     """The sum is −L·ρ, with ρ from the centre of mass to the contact: the torque ρ × C is
-    orthogonal to ρ, and L, ω and e₃ lie in one plane, in which ρ does not move along L.
+    orthogonal to ρ, and ρ moves along ω × e₃, orthogonal to L, which lies in the plane of both.
 
     It is Jellett's integral. With it the spin of a top that has come upright is known.
     """

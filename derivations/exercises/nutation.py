@@ -211,9 +211,8 @@ class Swing:
     def steepness(self) -> float:
         """(3.57) with φ̇ for Ω: λ₁θ̈/sin θ at the start (N m); positive where the axis sinks."""
         top, rate = self.top, self.phi_dot
-        return (top.lambda1 * cos(self.tilt) * rate - top.lambda3 * self.spin) * rate + top.weight[
-            2
-        ]
+        square, linear = top.lambda1 * cos(self.tilt), top.lambda3 * self.spin
+        return (square * rate - linear) * rate + top.weight[2]
 
     @cached_property
     def _roots(self) -> tuple[float, float]:
@@ -222,10 +221,8 @@ class Swing:
         w = self.top.lambda1 * self.top.weight[2]
         spin, turn = self.top.lambda3 * self.spin, self.top.lambda1 * self.phi_dot * s
         # 2w x² − linear x − constant = 0 for x = u − u₀, without differences of large numbers.
-        linear, constant = (
-            spin**2 + turn**2 - 4 * w * u,
-            2 * self.top.lambda1 * s**2 * self.steepness,
-        )
+        linear = spin**2 + turn**2 - 4 * w * u
+        constant = 2 * self.top.lambda1 * s**2 * self.steepness
         root = sqrt(linear**2 + 8 * w * constant)
         if linear >= 0:
             return -2 * constant / (linear + root), (linear + root) / (4 * w)

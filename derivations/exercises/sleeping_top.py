@@ -104,13 +104,13 @@ def upright_potential() -> Iterator[Evidence]:
     yield Check(
         growth,
         {sigma2: -upright.diff(theta, 2).subs(theta, 0) / lambda1},
-        reason="λ₁σ² = −U″ at θ = 0,",
+        reason="λ₁σ² = −U″ at θ = 0.",
         printed=False,
     )
     yield Check(
         growth,
         {sigma2: linear_growth()},
-        reason="and the same from the quadratic for the frequencies Ω, where these are not real.",
+        reason="The same from the quadratic for the frequencies Ω, where these are not real.",
         printed=False,
     )
     [critical] = sympy.solve(linear_growth().subs(omega3**2, A), A)
