@@ -150,8 +150,9 @@ tbody th { font-weight: 400; }
 caption { text-align: left; color: var(--muted); padding-bottom: 0.35rem; }
 .unseen + tbody tr:first-child > * { border-top: 1.5px solid var(--ink); }
 .num { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+thead .num { white-space: normal; vertical-align: bottom; }
 figure { margin: 1.8rem 0; }
-figure svg { display: block; width: 100%; height: auto; max-width: 40rem; margin: 0 auto;
+figure svg { display: block; width: 100%; height: auto; margin: 0 auto;
   background: #fff; }
 figcaption { font-size: 0.93rem; color: var(--muted); margin-top: 0.5rem; }
 @media print {
@@ -243,7 +244,10 @@ def _figure(block: Figure, figures: Mapping[str, str]) -> str:
     svg = re.sub(r'\bid="', f'id="{block.name}-', svg)
     svg = re.sub(r'(href="#|url\(#)', rf"\g<1>{block.name}-", svg)
     label = escape(block.alternative)
-    svg = svg.replace("<svg", f'<svg role="img" aria-label="{label}"', 1)
+    # Larger than in print, where figures have their own size.
+    size = re.search(r'width="([\d.]+)pt"', svg)
+    room = f' style="max-width: {float(size[1]) / 8:.1f}rem"' if size else ""
+    svg = svg.replace("<svg", f'<svg role="img" aria-label="{label}"{room}', 1)
     return f"<figure>\n{svg}\n<figcaption>{prose_html(block.caption)}</figcaption>\n</figure>"
 
 
@@ -323,7 +327,7 @@ def _(block: Conditions) -> str:
 
 def _condition(item: Condition) -> str:
     words = f", {prose_html(item.words)}" if item.words else ""
-    kind, said = ("stated", "stated in the notes") if item.stated else ("unstated", "not stated")
+    kind, said = ("stated", "stated") if item.stated else ("unstated", "not stated")
     return (
         f'{mathml.mathml(item.relation)}{words} <span class="{kind}">({said})</span>. '
         f"{_numbers(item.without)}"

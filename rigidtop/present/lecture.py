@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -96,12 +96,13 @@ def lecture(
     closing: list[tuple[str, Block]] = [
         (picture.drawing.section, picture.described()) for picture in pictures
     ]
-    elsewhere = {judgement.claim.name for _, judgements in judged for judgement in judgements}
+    told = {judgement.claim.name for _, judgements in judged for judgement in judgements}
     for solution in solutions:
         own = None if student else picture(solution)
-        made = _exercise(solution, own, student, elsewhere)
+        made = _exercise(solution, own, student, told)
         closing += [(solution.exercise.section, block) for block in made]
         pictures += [own] if own else []
+        told |= {judgement.claim.name for judgement in solution.judgements}
     return document(judged, closing), pictures
 
 
@@ -116,21 +117,24 @@ def sheet(solutions: Sequence[Solution], *, student: bool = False) -> Illustrate
     """Exercises one after the other, for a `student` without solutions."""
     pictures: list[Picture] = []
     made: list[Block] = []
+    told: set[str] = set()
     for solution in solutions:
         own = None if student else picture(solution)
-        made += _exercise(solution, own, student, ())
+        made += _exercise(solution, own, student, told)
         pictures += [own] if own else []
+        told |= {judgement.claim.name for judgement in solution.judgements}
     subtitle = "Questions" if student else "Questions and solutions"
     title = "Rigid rotation and the spinning top: exercises"
     return Document(title, subtitle, (*made, *symbol_list(made)), SOURCE), pictures
 
 
 def _exercise(
-    solution: Solution, own: Picture | None, student: bool, elsewhere: Iterable[str]
+    solution: Solution, own: Picture | None, student: bool, told: Collection[str]
 ) -> list[Block]:
+    """The exercise; claims that were told before are named only."""
     if student:
         return question(solution.exercise, solution.settings)
-    return blocks(solution, own.described() if own else None, elsewhere=set(elsewhere))
+    return blocks(solution, own.described() if own else None, told=told)
 
 
 def _write(

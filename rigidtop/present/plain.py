@@ -85,7 +85,7 @@ def _(block: Conditions, width: int) -> list[str]:
 
 def _condition(item: Condition) -> str:
     words = f", {item.words}" if item.words else ""
-    stated = "stated in the notes" if item.stated else "not stated"
+    stated = "stated" if item.stated else "not stated"
     return f"{text(item.relation)}{words} ({stated}). {_numbers(item.without)}"
 
 

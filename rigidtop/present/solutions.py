@@ -33,6 +33,12 @@ from rigidtop.proof.verdict import Judgement, judge
 DIGITS = 6
 """Of a number in print."""
 
+SMALLEST_ANGLE = 1e-4
+"""Smaller angles say nothing in degrees (rad)."""
+
+TABLE_DIGITS = 4
+"""Of a number in a table."""
+
 
 @dataclass(frozen=True)
 class Solution:
@@ -86,21 +92,19 @@ def blocks(
     solution: Solution,
     figure: Figure | None = None,
     *,
-    elsewhere: Collection[str] = (),
+    told: Collection[str] = (),
 ) -> list[Block]:
-    """The exercise and its solution; claims that stand `elsewhere` on the page are named only."""
+    """The exercise and its solution; claims that were `told` before are named only."""
     exercise = solution.exercise
     made = question(exercise, solution.settings)
     made.append(Subhead("Solution in symbols"))
-    there = [
-        judgement.claim for judgement in solution.judgements if judgement.claim.name in elsewhere
-    ]
+    there = [judgement.claim for judgement in solution.judgements if judgement.claim.name in told]
     if there:
         names = ", ".join(f"({c.name})" if is_number(c.name) else c.name for c in there)
         kind = "claim" if len(there) == 1 else "claims"
-        made.append(Paragraph((f"See the {kind} {names} of the lecture.",)))
+        made.append(Paragraph((f"See the {kind} {names} above.",)))
     for judgement in solution.judgements:
-        if judgement.claim.name not in elsewhere:
+        if judgement.claim.name not in told:
             made.extend(claim_blocks(judgement))
     made.append(Subhead("Solution in numbers"))
     made.append(Paragraph((exercise.method,)))
@@ -110,7 +114,7 @@ def blocks(
         made.append(Quantities("Found", rows))
     for outcome in solution.outcomes:
         if isinstance(outcome, Table):
-            cells = tuple(tuple(map(shown, row)) for row in outcome.rows)
+            cells = tuple(tuple(shown(x, TABLE_DIGITS) for x in row) for row in outcome.rows)
             made.append(DataTable(outcome.title, outcome.columns, cells))
     if solution.measures:
         made.append(Measures(solution.measures, "Confirmed", "by a second way"))
@@ -131,7 +135,7 @@ def question(exercise: Exercise, values: Mapping[str, float]) -> list[Block]:
     return [*made, Quantities("Given", given)] if given else made
 
 
-def shown(value: float | str) -> str | Node:
+def shown(value: float | str, digits: int = DIGITS) -> str | Node:
     """A cell as it is printed.
 
     >>> from rigidtop.present.text import text
@@ -140,13 +144,13 @@ def shown(value: float | str) -> str | Node:
     """
     if isinstance(value, str):
         return value
-    node = decimal(abs(value), DIGITS)
+    node = decimal(abs(value), digits)
     return negated(node) if value < 0 else node
 
 
 def _unit(unit: str, value: float | str) -> str:
     """The unit, and degrees beside radians."""
-    if unit != "rad" or isinstance(value, str):
+    if unit != "rad" or isinstance(value, str) or abs(value) < SMALLEST_ANGLE:
         return unit
     return f"rad = {math.degrees(value):.4g}°"
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Mapping, Sequence
 from functools import singledispatch
 from typing import Any
@@ -68,6 +69,9 @@ _PREAMBLE = r"""\documentclass[10pt,a4paper,fleqn]{article}
   {\color{muted}\hrule height 0.4pt}\nobreak\vskip 0.35\baselineskip\nobreak
   \noindent\phantomsection\label{#2}\textbf{#1}\hfill\verdict{#4}\nopagebreak\par\nobreak
   \textit{#3}\nopagebreak\par\nobreak}
+% A figure in its own size, or as wide as the page.
+\newcommand{\drawn}[1]{\sbox0{\includegraphics{#1}}%
+  \ifdim\wd0>\linewidth\resizebox{\linewidth}{!}{\usebox0}\else\usebox0\fi}
 % A heading does not stand alone at the end of a page.
 \newcommand{\room}{\par\ifdim\dimexpr\pagegoal-\pagetotal<7\baselineskip\newpage\fi}
 \newcommand{\exercise}[3]{\room\pagebreak[2]\vspace{1.3\baselineskip}%
@@ -112,7 +116,7 @@ def _figure(block: Figure, path: str) -> str:
     return "\n".join(
         [
             r"\begin{center}",
-            rf"\includegraphics[width=0.86\linewidth]{{{path}}}",
+            rf"\drawn{{{path}}}",
             r"\par\vspace{2pt}",
             r"\begin{minipage}{0.86\linewidth}\footnotesize",
             prose(block.caption),
@@ -181,22 +185,39 @@ def _(block: Display) -> str:
 
 
 def display(rows: Sequence[Row]) -> str:
-    """The rows in one ``align``, smaller where a line is too wide for the page."""
-    made = [_align_row(row) for row in rows]
-    widest = max(_width(line) for row in made for line in row.lines)
-    size = (
-        r"\footnotesize"
-        if widest > 1.3 * lay.LINE
-        else r"\small"
-        if widest > 1.12 * lay.LINE
-        else ""
-    )
-    tex = align(made)
-    return rf"{{{size}" + "\n" + tex + "\n}" if size else tex
+    """The rows in ``align``, smaller where a line is too wide for the page.
+
+    Rows share their = sign as long as that does not make them too wide together.
+    """
+    together: list[list[AlignRow]] = []
+    for row in map(_align_row, rows):
+        if together and _width([*together[-1], row]) <= max(WIDE, _width(together[-1])):
+            together[-1].append(row)
+        else:
+            together.append([row])
+    return "\n".join(map(_sized, together))
 
 
-def _width(line: lay.Line) -> float:
-    return (lay.width(line.left) + 3 if line.left else 3) + lay.width(line.right)
+WIDE = 1.12 * lay.LINE
+"""A line that is wider than this does not fit in its usual size."""
+
+SIZES = ((1.55 * lay.LINE, "scriptsize"), (1.3 * lay.LINE, "footnotesize"), (WIDE, "small"))
+"""From which width on a display is set in which size."""
+
+
+def _sized(rows: Sequence[AlignRow]) -> str:
+    tex = align(rows)
+    for width, size in SIZES:
+        if _width(rows) > width:
+            return rf"{{\{size}" + f"\n{tex}\n}}"
+    return tex
+
+
+def _width(rows: Sequence[AlignRow]) -> float:
+    """What rows need that share their = sign, in letters."""
+    lines = [line for row in rows for line in row.lines]
+    left = max(lay.width(line.left) if line.left else 0 for line in lines)
+    return left + 3 + max(lay.width(line.right) for line in lines)
 
 
 def _align_row(row: Row) -> AlignRow:
@@ -220,7 +241,7 @@ def _(block: Conditions) -> str:
 
 def _condition(item: Condition) -> str:
     words = f", {prose(item.words)}" if item.words else ""
-    stated = "stated in the notes" if item.stated else r"\textbf{not stated}"
+    stated = "stated" if item.stated else r"\textbf{not stated}"
     return rf"${latex(item.relation)}${words} ({stated}). " + tex_block(item.without)
 
 
@@ -323,13 +344,13 @@ def _(block: Subhead) -> str:
 @tex_block.register
 def _(block: Quantities) -> str:
     rows = "\n".join(
-        rf"{prose(what)} & {_cell(value)} & {_unit('' if unit == '1' else unit)} \\"
+        rf"{prose(what)} & {_value(value, '' if unit == '1' else unit)} \\"
         for what, value, unit in block.rows
     )
     return "\n".join(
         [
             rf"\lab{{{prose(block.label)}}}\par\nopagebreak{{\small\hspace*{{2em}}%",
-            r"\begin{tabular}{@{}p{0.62\linewidth}r@{\ }l@{}}",
+            r"\begin{tabular}{@{}p{0.6\linewidth}r@{\ }l@{}}",
             r"\toprule",
             rows,
             r"\bottomrule\end{tabular}\par}",
@@ -337,20 +358,60 @@ def _(block: Quantities) -> str:
     )
 
 
+def _value(value: str | lay.Node, unit: str) -> str:
+    """A number before its unit, or words."""
+    if isinstance(value, str):
+        return rf"\multicolumn{{2}}{{l@{{}}}}{{{prose(value)}}}"
+    return f"${latex(value)}$ & {_unit(unit)}"
+
+
 @tex_block.register
 def _(block: DataTable) -> str:
-    head = " & ".join(prose(words) for words in block.columns)
+    first, *others = (_stacked(words) for words in block.columns)
+    head = " & ".join([_head(first, "l"), *(_head(lines, "r") for lines in others)])
     right = len(block.columns) - 1
     rows = "\n".join(" & ".join(map(_cell, row)) + r" \\" for row in block.rows)
     return "\n".join(
         [
             rf"{{\footnotesize\textcolor{{muted}}{{{prose(block.title)}}}\par\nopagebreak",
+            r"\scriptsize\setlength{\tabcolsep}{3pt}" if _is_wide(block) else "",
             rf"\begin{{longtable}}[l]{{@{{\hspace*{{2em}}}}l*{{{right}}}{{r}}@{{}}}}",
             rf"\toprule {head} \\ \midrule \endhead",
             rows,
             r"\bottomrule\end{longtable}}",
         ]
     )
+
+
+WIDEST = 84
+"""Letters of a table in its usual size; a wider one is set smaller."""
+
+
+def _is_wide(block: DataTable) -> bool:
+    heads = (max(_stacked(words), key=len) for words in block.columns)
+    columns = zip(heads, *block.rows, strict=True)
+    return sum(2 + max(_letters(value) for value in column) for column in columns) > WIDEST
+
+
+NARROW = 13
+"""Letters of a line in the head of a table, where its words allow it."""
+
+
+def _stacked(words: str) -> list[str]:
+    """The head of a column in lines."""
+    return textwrap.wrap(words, NARROW, break_long_words=False, break_on_hyphens=False) or [""]
+
+
+def _head(lines: Sequence[str], side: str) -> str:
+    shown = [prose(line) for line in lines]
+    if len(shown) == 1:
+        return shown[0]
+    inner = r" \\ ".join(shown)
+    return rf"\begin{{tabular}}[b]{{@{{}}{side}@{{}}}}{inner}\end{{tabular}}"
+
+
+def _letters(value: str | lay.Node) -> float:
+    return len(value) if isinstance(value, str) else lay.width(value)
 
 
 def _cell(value: str | lay.Node) -> str:

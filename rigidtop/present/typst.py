@@ -114,7 +114,7 @@ def fragment(blocks: Sequence[Any]) -> str:
 def _figure(block: Figure, path: str) -> str:
     alternative = block.alternative.replace('"', "'")
     return (
-        f'#figure(image("{path}", width: 86%, alt: "{alternative}"), numbering: none, '
+        f'#figure(image("{path}", alt: "{alternative}"), numbering: none, '
         f"caption: [{prose(block.caption)}])"
     )
 
@@ -216,7 +216,7 @@ def _(block: Conditions) -> str:
 
 def _condition(item: Condition) -> str:
     words = f", {prose(item.words)}" if item.words else ""
-    stated = "stated in the notes" if item.stated else "*not stated*"
+    stated = "stated" if item.stated else "*not stated*"
     return f"${maths(latex(item.relation))}${words} ({stated}). {typst_block(item.without)}"
 
 
