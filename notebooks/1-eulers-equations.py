@@ -185,8 +185,9 @@ with plot("curves of ω in the body: loops round e₁ and e₃, a crossing at e�
 # %% [markdown]
 # ## Play
 #
-# Change the middle moment. At either end of the slider it equals one of the others: what becomes of
-# the flips there? Then change the push, and see how long the body waits.
+# Change the middle moment. At the upper end of the slider it equals the largest: what becomes of
+# the flips there? (At the lower end the body is a flat plate, $\lambda_1 + \lambda_2 = \lambda_3$;
+# no body lies beyond.) Then change the push, and see how long the body waits.
 
 
 # %%
@@ -205,7 +206,7 @@ sliders(
     "ω₂ against time: the body turns over at equal intervals",
     height=2.2,
     lambda2=(2.0, 2.2, 3.0),
-    push=(0.0001, 0.01, 0.3),
+    push=(0.001, 0.01, 0.3),
 )
 
 # %% [markdown]

@@ -84,7 +84,7 @@ assert all(quadratic.subs(Omega, root).expand() == 0 for root in (minus, plus))
 # %% [markdown]
 # For a top above the horizontal there is a least spin, $\omega_3 =
 # \frac{2}{\lambda_3}\sqrt{\lambda_1 MgR\cos\theta}$; below it no steady precession exists. For
-# large $\omega_3$ everything depends on one small number, $\varepsilon = \lambda_1
+# large $\omega_3$ everything depends on one small number, $\epsilon = \lambda_1
 # MgR\cos\theta/(\lambda_3\omega_3)^2$. Measured by what the notes give, $MgR/(\lambda_3\omega_3)$
 # and $\lambda_3\omega_3/(\lambda_1\cos\theta)$, the roots are
 
@@ -263,7 +263,7 @@ for spin in (30.0, 60.0, 120.0, 240.0):
     print(f"ω₃ = {spin:5.0f} rad/s: {amplitude:7.3f}°, by the formula {formula:7.3f}°")
 
 # %% [markdown] tags=["solution"]
-# The relative error shrinks as $1/\omega_3^2$, with $\varepsilon$. A slow top nods further than the
+# The relative error shrinks as $1/\omega_3^2$, with $\epsilon$. A slow top nods further than the
 # formula says.
 
 # %% [markdown]

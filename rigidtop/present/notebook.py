@@ -12,6 +12,7 @@ print it, a `Claim` is judged and shown with its verdict, and an `Exercise` asks
 from __future__ import annotations
 
 import base64
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -304,7 +305,7 @@ class Sliders:
                 value=start,
                 min=least,
                 max=most,
-                step=(most - least) / 200,
+                step=10.0 ** math.floor(math.log10((most - least) / 100)),
                 description=slider_label(name),
                 readout_format=".3g",
                 style={"description_width": "7rem"},
