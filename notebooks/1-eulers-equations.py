@@ -15,7 +15,7 @@ from sympy import Matrix, diag, factor
 
 import rigidtop as rt
 from rigidtop.present.figures.style import FIRST, GREY, SECOND, THIRD
-from rigidtop.present.notebook import enable, plot, sliders
+from rigidtop.present.notebook import enable, figure, plot, sliders
 from rigidtop.proof.equation import Equation
 from rigidtop.theory.symbols import (
     L_vec,
@@ -177,10 +177,7 @@ print(f"σ = {sigma:.4f} /s; from the motion: {np.log(middle[1] / middle[0]):.3f
 # above.
 
 # %%
-from rigidtop.present.figures.free import draw_polhodes
-
-with plot("curves of ω in the body: loops round e₁ and e₃, a crossing at e₂", 4.2, 3.4) as axes:
-    draw_polhodes(axes, body)
+figure("polhodes", lambda1=1.0, lambda2=2.0, lambda3=3.0)
 
 # %% [markdown]
 # ## Play

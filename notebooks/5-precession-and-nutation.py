@@ -194,9 +194,9 @@ for spin in (32.0, 40.0, 80.0, 160.0):
 #
 # While $\theta$ nods, $\dot\phi$ varies by (3.45): it has the sign of $p_\phi - p_\psi\cos\theta$.
 # If that changes between the turning points the axis goes back for a while and draws loops; if it
-# vanishes just at one of them there are cusps; else there are waves. A top that is *let go at rest*
-# always makes cusps, since there $\dot\phi = 0$ at a turning point. The slider sets $\dot\phi$ at
-# the start.
+# vanishes just at one of them there are cusps; else there are waves. A spinning top whose axis is
+# *let go at rest* always makes cusps, since there $\dot\phi = 0$ at a turning point. The slider
+# sets $\dot\phi$ at the start.
 
 # %%
 from rigidtop.present.figures.nutation import draw_path, draw_regimes, nutation_times

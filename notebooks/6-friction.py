@@ -263,8 +263,8 @@ print(f"its energy stays: {np.ptp(path.energy[later]) < 1e-9 * path.energy[0]}")
 # ### Exercise 6.3
 #
 # A top slows down in the air as $\omega_3 = \omega_0e^{-c_3t/\lambda_3}$. How long does the wooden
-# top sleep if you start it with 250 rad/s? How much longer with twice the spin? Find the time also
-# in the motion above.
+# top stay above the sleeping spin if you start it with 250 rad/s? How much longer with twice the
+# spin? Find the time also in the motion above.
 
 # %% tags=["solution"]
 decay = toy["lambda3"] / 1e-6
@@ -279,9 +279,8 @@ print(f"in the motion {awake:.2f} s")
 # ### Exercise 6.4
 #
 # Film your own top. Count its turns per second at the start and note when it begins to wobble. From
-# its shape compute the sleeping spin, and from both the drag $c_3$. (No two tops agree; here is the
-# solution for a cone of 40 g, 25 mm in radius and 25 mm high, which starts with 30 turns a second
-# and wobbles after 12 s.)
+# its shape compute the sleeping spin, and from both the drag $c_3$. (No top at hand? Take a cone of
+# 40 g, 25 mm in radius and 25 mm high, which starts with 30 turns a second and wobbles after 12 s.)
 
 # %% tags=["solution"]
 values = {a: Rational("0.025"), b: Rational("0.025"), M: Rational("0.04"), g: Rational("9.81")}
