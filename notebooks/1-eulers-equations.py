@@ -245,6 +245,14 @@ conserved.expand().collect([omega1, omega2], factor), along_the_motion(conserved
 # $\omega_2^2$, each with a positive weight, have a constant sum: what starts small stays small. If
 # $\lambda_3$ is the middle moment the signs differ, and both terms may grow together.
 
+# %% [markdown] tags=["solution"]
+# The same with all steps, and numbers for the body of this notebook (assignment 5 of the notes):
+
+# %% tags=["solution"]
+from rigidtop.present.notebook import solution
+
+solution("stable-axes", lambda1=1.0, lambda2=2.0, lambda3=3.0)
+
 # %% [markdown]
 # ### Exercise 1.2
 #

@@ -280,6 +280,11 @@ for tilt in (0.3, 0.1, 0.01):
 # $\Omega_s = L/\lambda_1 = \lambda_3\omega_3/(\lambda_1\cos\beta)$, where $\beta$ is the angle from
 # $\mathbf{e}_3$ to $\mathbf{L}$. For a small wobble that is $2\omega_3$: two wobbles a turn.
 
+# %% tags=["solution"]
+from rigidtop.present.notebook import solution
+
+solution("wobbling-plate")
+
 # %% [markdown]
 # ### Exercise 2.3
 #

@@ -258,6 +258,14 @@ print(f"e₃ is horizontal after {time_to_fall:.4f} s, when L_y = {momentum_then
 # falls over. $\mathbf{L} = \lambda_1\dot\theta\,\mathbf{e}_2'$ grows along a fixed horizontal axis,
 # which the torque has too. Nothing precesses: there is no $\mathbf{L}$ that could be turned.
 
+# %% [markdown] tags=["solution"]
+# The time is an elliptic integral. The whole solution:
+
+# %% tags=["solution"]
+from rigidtop.present.notebook import solution
+
+solution("toppling-top", lambda1=0.02, M=1.0, R=0.1)
+
 # %% [markdown]
 # ### Exercise 4.2
 #

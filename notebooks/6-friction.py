@@ -289,3 +289,11 @@ own_lambda3 = float(about_apex[2, 2].subs(values))
 start = 2 * np.pi * 30
 print(f"it should wobble below {own_sleeping:.0f} rad/s; it starts with {start:.0f} rad/s")
 print(f"c₃ = {own_lambda3 * np.log(start / own_sleeping) / 12:.2e} N m s")
+
+# %% [markdown] tags=["solution"]
+# And a top from the toy box, measured with more care:
+
+# %% tags=["solution"]
+from rigidtop.present.notebook import solution
+
+solution("top-from-the-toy-box")

@@ -26,6 +26,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 from PIL import Image
 
+from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import settings
 from rigidtop.present import layout as lay
@@ -35,7 +36,7 @@ from rigidtop.present.figures.style import STYLE, WIDE, canvas
 from rigidtop.present.latex import align_row, latex
 from rigidtop.present.markdown import LINE, aligned, markdown
 from rigidtop.present.report import Display, Measures, claim_blocks
-from rigidtop.present.solutions import Solution, question
+from rigidtop.present.solutions import Solution, question, solved
 from rigidtop.present.solutions import blocks as solution_blocks
 from rigidtop.present.text import letter as text_letter
 from rigidtop.present.text import text
@@ -183,14 +184,31 @@ def shown_blocks(thing: Claim | Judgement | Exercise | Solution) -> list[Any]:
     if isinstance(thing, Exercise):
         return question(thing, settings(thing.parameters))
     if isinstance(thing, Solution):
-        return [block for block in solution_blocks(thing) if not isinstance(block, Measures)]
-    judgement = _judged(thing) if isinstance(thing, Claim) else thing
+        made = solution_blocks(thing)
+        left_out: tuple[str, ...] = OWN_WAY[1:]
+    else:
+        made = claim_blocks(_judged(thing) if isinstance(thing, Claim) else thing)
+        left_out = OWN_WAY
     return [
         block
-        for block in claim_blocks(judgement)
+        for block in made
         if not isinstance(block, Measures)
-        and not (isinstance(block, Display) and block.label in OWN_WAY)
+        and not (isinstance(block, Display) and block.label in left_out)
     ]
+
+
+def solution(name: str, **given: float) -> Solution:
+    """An exercise of the lecture by its name, solved, with parameters by name.
+
+    Raises RigidtopError for an unknown name or parameter, and for a value out of range.
+
+    >>> solution("toppling-top", until=2.0).settings["until"]
+    2.0
+    """
+    known = {exercise.name: exercise for exercise in EXERCISES}
+    if name not in known:
+        raise RigidtopError(f"no exercise {name!r}; there are {', '.join(known)}")
+    return solved(known[name], given)
 
 
 @cache

@@ -116,6 +116,16 @@ def test_a_solution_has_no_digits_of_this_machine(shown):
     assert all(measure.what not in made for measure in solved(exercise).measures)
 
 
+def test_a_solution_by_its_name(shown):
+    made = shown(notebook.solution("toppling-top", theta=0.3))["text/markdown"]
+    assert "$0.3$ | rad" in made
+    assert "The engine's own" not in made
+    with pytest.raises(RigidtopError, match=r"no exercise 'toppling'; there are .*toppling-top"):
+        notebook.solution("toppling")
+    with pytest.raises(RigidtopError, match="no parameter"):
+        notebook.solution("toppling-top", spin=1.0)
+
+
 # --- Pictures and sliders ------------------------------------------------------------------------
 
 
