@@ -249,7 +249,7 @@ def _touching(motion: Motion) -> str:
     body, space = (math.degrees(angle) for angle in _half_angles(motion))
     if lambda1 == lambda3:
         return "ω, L and the space cone are one line"
-    how = "rolls on the outside of" if lambda1 > lambda3 else "goes round, from outside,"
+    how = "rolls on the outside of" if lambda1 > lambda3 else "rolls with its inside on"
     return f"the body cone ({said(body)}°) {how} the space cone ({said(space)}°)"
 
 
