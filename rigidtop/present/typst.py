@@ -44,7 +44,8 @@ _PREAMBLE = """#set document(title: "@TITLE@")
 #show heading.where(level: 1): it => block(above: 2em, below: 0.9em, text(size: 15pt, it.body))
 #show heading.where(level: 2): it => block(above: 1.7em, below: 0.8em, text(size: 12.5pt, it.body))
 #show heading.where(level: 3): it => strong(text(size: 10.5pt, it.body))
-#show outline.entry.where(level: 1): it => { v(0.3em, weak: true); strong(it) }
+#show outline.entry.where(level: 1): it => block(above: 0.9em, strong(it))
+#show outline.entry: set block(above: 0.5em)
 #let muted = rgb("#555555")
 #let colors = (
   proved: rgb("#1e5b3a"), sampled: rgb("#3e5f2b"), assuming: rgb("#7a4b00"),
