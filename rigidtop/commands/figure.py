@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import json
+import shutil
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import settings
 
@@ -77,7 +78,7 @@ def run(options: argparse.Namespace) -> int:
         record["frames"] = options.frames or FRAMES
     _write(drawing, path, kind, values, record.get("frames", 0))
     if options.json:
-        print(json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False))
+        print_json(record)
     else:
         print(f"{record['file']}\n{record['caption']}")
     return 0
@@ -123,16 +124,22 @@ def _write(drawing: Drawing, path: Path, kind: str, values: dict[str, float], fr
 
 
 def _print_list(figures: tuple[Drawing, ...], as_json: bool) -> None:
-    from rigidtop.present.table import table
+    from rigidtop.present.table import columns, padded, wrapped
 
     if as_json:
-        print(json.dumps([_record(each) for each in figures], ensure_ascii=False, indent=1))
+        print_json([_record(each) for each in figures])
         return
-    rows = []
+    width = shutil.get_terminal_size((80, 24)).columns
+    room = max(columns(each.name) for each in figures) + 2
     for each in figures:
-        rows.append([each.name, each.title + (" (moves)" if each.animate else "")])
-        rows.append(["", " ".join(f"{p.name}={p.default:.4g}" for p in each.parameters)])
-    print(table(rows, ("figure", "what it shows, and what can be set")))
+        title = each.title + (" (moves)" if each.animate else "")
+        start = padded(each.name, room)
+        for line in wrapped(title, max(width - room, 12)):
+            print(start + line)
+            start = " " * room
+        defaults = " ".join(f"{p.name}={p.default:.4g}" for p in each.parameters)
+        for line in wrapped(defaults, max(width - 4, 12)):
+            print("    " + line)
 
 
 def _record(drawing: Drawing) -> dict[str, Any]:

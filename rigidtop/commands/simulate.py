@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import json
 import math
 import sys
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands import motions
+from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
 
 if TYPE_CHECKING:
@@ -105,8 +105,7 @@ def _run_on_table(options: argparse.Namespace) -> int:
 
 def _print_json(columns: dict[str, Any], about: dict[str, Any]) -> None:
     values = {name: [float(x) for x in column] for name, column in columns.items()}
-    record = {"columns": values, **about}
-    print(json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False))
+    print_json({"columns": values, **about})
 
 
 def _print_table(columns: dict[str, Any], options: argparse.Namespace) -> None:

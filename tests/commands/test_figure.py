@@ -10,6 +10,7 @@ from rigidtop.commands import figure
 from rigidtop.errors import RigidtopError
 from rigidtop.present.figures.catalog import FIGURES
 from rigidtop.present.figures.drawing import KINDS, rendered
+from rigidtop.present.table import columns
 
 
 def run(*arguments):
@@ -24,14 +25,21 @@ def in_an_empty_folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
 
 
-def test_list_names_every_figure(capsys, monkeypatch):
-    monkeypatch.setenv("COLUMNS", "120")
+@pytest.mark.parametrize("width", [80, 120])
+def test_list_names_every_figure(width, capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", str(width))
     assert run() == 0
     shown = capsys.readouterr().out
-    for drawing in FIGURES:
-        assert re.search(rf"^{drawing.name} ", shown, re.MULTILINE)
-        for parameter in drawing.parameters:
-            assert f" {parameter.name}={parameter.default:.4g}" in shown
+    assert max(map(columns, shown.splitlines())) <= width
+    of_each = re.split(r"^(?=\S)", shown, flags=re.MULTILINE)[1:]
+    assert len(of_each) == len(FIGURES)
+    for drawing, block in zip(FIGURES, of_each, strict=True):
+        name, words = block.split(maxsplit=1)
+        assert name == drawing.name
+        assert " ".join(words.split()).startswith(drawing.title)
+        below = block.splitlines()[1:]
+        defaults = " ".join(line.strip() for line in below if re.match(r" {4}\S", line))
+        assert defaults.split() == [f"{p.name}={p.default:.4g}" for p in drawing.parameters]
 
 
 def test_list_as_json(capsys):
