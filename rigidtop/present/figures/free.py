@@ -242,18 +242,21 @@ def draw_rates(axes: Axes, motion: Motion, t: Floats) -> None:
 
 
 def flip(lambda1: float, lambda2: float, lambda3: float, omega: float, kick: float) -> Motion:
-    """A spin `omega` about the middle axis, and `kick` (rad/s) about the other two."""
+    """A spin `omega` about the middle axis, and `kick` (rad/s) about that of the least moment."""
     body = FreeBody(lambda1, lambda2, lambda3)
-    rates = [kick, kick, kick]
-    rates[_middle(body)] = omega
+    least, middle = _order(body)
+    rates = [0.0, 0.0, 0.0]
+    rates[middle], rates[least] = omega, kick
     return body.motion(omega=rates)
 
 
-def _middle(body: FreeBody) -> int:
+def _order(body: FreeBody) -> tuple[int, int]:
+    """Where the least moment is among the three, and where the middle one."""
     low, middle, high = sorted(body.moments)
     if low == middle or middle == high:
         raise RigidtopError("a flip wants three different moments: two of these are equal")
-    return int(np.argsort(body.moments)[1])
+    least, between, _ = np.argsort(body.moments)
+    return int(least), int(between)
 
 
 def _flip_times(motion: Motion) -> Floats:
@@ -273,16 +276,14 @@ def _draw_flip(**values: float) -> Canvas:
     draw_rates(axes, motion, times)
     period = motion.nutation_period
     if math.isfinite(period):
-        middle = _middle(FreeBody(*motion.body.moments))
-        run = motion.exact(times).omega[:, middle]
-        for i in np.flatnonzero(run[:-1] * run[1:] < 0):
-            axes.axvline(float(times[i]), color=GREY, lw=0.8, ls=DOTTED, zorder=0)
+        for k in range(FLIPS):
+            axes.axvline((k + 0.5) * period, color=GREY, lw=0.8, ls=DOTTED, zorder=0, label="_flip")
     return drawn
 
 
 def _flip_caption(lambda1: float, lambda2: float, lambda3: float, omega: float, kick: float) -> str:
     motion = flip(lambda1, lambda2, lambda3, omega, kick)
-    period, middle = motion.nutation_period, _middle(FreeBody(lambda1, lambda2, lambda3))
+    period, (least, middle) = motion.nutation_period, _order(FreeBody(lambda1, lambda2, lambda3))
     often = (
         f"every {said(period)} s"
         if math.isfinite(period)
@@ -291,18 +292,18 @@ def _flip_caption(lambda1: float, lambda2: float, lambda3: float, omega: float, 
     return (
         f"The flip about the middle axis e{'₁₂₃'[middle]}: ω in the body frame for "
         f"{_three(lambda1, lambda2, lambda3)}, from {said(omega)} rad/s about that axis and "
-        f"{said(kick)} rad/s about the other two. The body turns over {often} (dotted)."
+        f"{said(kick)} rad/s about e{'₁₂₃'[least]}. The body turns over {often} (dotted)."
     )
 
 
 def _flip_in_words(**values: float) -> str:
     motion = flip(**values)
-    middle = _middle(FreeBody(*motion.body.moments)) + 1
+    _, middle = _order(FreeBody(*motion.body.moments))
     return (
-        f"The three components of omega against time. Omega {middle} stays near its first value, "
-        f"{spoken(values['omega'])} radians per second, then falls to the opposite value at once "
-        "and stays there, again and again; the other two are near zero but for a pulse at each "
-        f"turn. The time between turns is {spoken(motion.nutation_period)} seconds."
+        f"The three components of omega against time. Omega {middle + 1} stays near its first "
+        f"value, {spoken(values['omega'])} radians per second, then falls to the opposite value "
+        "at once and stays there, again and again; the other two are near zero but for a pulse at "
+        f"each turn. The time between turns is {spoken(motion.nutation_period)} seconds."
     )
 
 
@@ -313,7 +314,7 @@ FLIP = Drawing(
     (
         *MOMENTS,
         Parameter("omega", 2.0, "ω about the middle axis", "rad/s", above=0),
-        Parameter("kick", 0.01, "ω about the other two axes", "rad/s", above=0),
+        Parameter("kick", 0.01, "ω about the axis of the least moment", "rad/s", above=0),
     ),
     _draw_flip,
     _flip_caption,

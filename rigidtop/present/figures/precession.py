@@ -283,38 +283,54 @@ NUTATIONS = 5
 
 def angle_to_momentum(motion: TopMotion, t: ArrayLike) -> Floats:
     """The angle between L and ω (N,), rad."""
-    run = motion.exact(t)
-    momentum, omega = run.angular_momentum, run.omega_space
-    across = np.linalg.norm(np.cross(momentum, omega), axis=1)
-    return np.arctan2(across, np.sum(momentum * omega, axis=1))
+    top, omega = motion.body, motion.exact(t).omega
+    along, across = omega[:, 2], np.hypot(omega[:, 0], omega[:, 1])
+    # |L × ω| and L·ω in the body; in space the cross product of long vectors loses a small angle.
+    crossed = abs(top.lambda1 - top.lambda3) * np.abs(along) * across
+    return np.arctan2(crossed, top.lambda1 * across**2 + top.lambda3 * along**2)
 
 
-def weak_torque_bound(top: HeavyTop, theta: float, omega3: float) -> float:
-    """2|λ₁ − λ₃|MgR sin θ/(λ₃²ω₃²), rad: to leading order, of a top let go with ω along e₃.
+def bound_of_angle(motion: TopMotion) -> float:
+    """No angle between L and ω exceeds this (rad), for a top that is let go with ω along e₃.
 
-    ω across e₃ is at most twice that of the steady precession, MgR sin θ/(λ₃ω₃).
+    Its tangent is 2ε₀|1 − λ₃/λ₁| sin θ, with ε₀ = λ₁MgR/(λ₃ω₃)² and sin θ at its largest.
     """
-    across = 2 * top.M * top.g * top.R * math.sin(theta) / (top.lambda3 * omega3)
-    return abs(top.lambda1 - top.lambda3) * across / (top.lambda3 * omega3)
+    top = motion.body
+    across = 2 * top.M * top.g * top.R * largest_sine(motion) / (top.lambda3 * motion.omega[2])
+    return math.atan(abs(top.lambda1 - top.lambda3) * across / (top.lambda3 * motion.omega[2]))
+
+
+def largest_sine(motion: TopMotion) -> float:
+    """The largest sin θ between the turning points."""
+    first, last = motion.turning_points
+    return 1.0 if first <= math.pi / 2 <= last else max(math.sin(first), math.sin(last))
+
+
+def _over_nutations(motion: TopMotion) -> Floats:
+    """Times (s), of which one is half way through each of the nutations."""
+    period = motion.nutation_period
+    if not math.isfinite(period):  # upright or hanging, it stays
+        period = 2 * math.pi / motion.omega[2]
+    return np.linspace(0.0, NUTATIONS * period, 120 * 2 * NUTATIONS + 1)
 
 
 def draw_parallel(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> None:
     """The angle between L and ω of a top that is let go with ω along e₃, and its bound."""
     motion = top.motion(theta=theta, omega3=omega3)
-    times = np.linspace(0.0, NUTATIONS * motion.nutation_period, 1201)
+    times = _over_nutations(motion)
     angle = np.degrees(angle_to_momentum(motion, times))
-    bound = math.degrees(weak_torque_bound(top, theta, omega3))
-    axes.plot(times, angle, color=FIRST)
-    axes.axhline(bound, color=SECOND, lw=1.1, ls=DASHED)
-    highest = max(bound, float(angle.max()))
+    bound = math.degrees(bound_of_angle(motion))
+    axes.plot(times, angle, color=FIRST, label="_angle")
+    axes.axhline(bound, color=SECOND, lw=1.1, ls=DASHED, label="_bound")
     axes.set_xlim(0, times[-1])
-    axes.set_ylim(0, 1.3 * highest if highest else 1.0)
+    axes.set_ylim(0, 1.3 * bound or 1.0)
     name_at(
         axes,
         0.0,
         bound,
-        r"$2\,|\lambda_1-\lambda_3|\,MgR\,\sin\theta/(\lambda_3\omega_3)^2$",
-        (4, 7),
+        r"$\arctan(2\epsilon_0\,|1-\lambda_3/\lambda_1|\,\sin\theta_\mathrm{max})$",
+        (4, 5),
+        va="bottom",
         color=SECOND,
     )
     axes.set_xlabel("$t$  (s)")
@@ -327,29 +343,30 @@ def _parallel(theta: float, omega3: float, **top: float) -> Canvas:
     return drawn
 
 
-def _largest_angle(theta: float, omega3: float, **top: float) -> float:
-    motion = HeavyTop(**top).motion(theta=theta, omega3=omega3)
-    return float(angle_to_momentum(motion, motion.nutation_period / 2)[0])
+def _largest_angle(motion: TopMotion) -> float:
+    return float(angle_to_momentum(motion, _over_nutations(motion)).max())
 
 
 def _parallel_caption(theta: float, omega3: float, **top: float) -> str:
-    largest = _largest_angle(theta, omega3, **top)
     body = HeavyTop(**top)
+    motion = body.motion(theta=theta, omega3=omega3)
+    weak = body.lambda1 * body.M * body.g * body.R / (body.lambda3 * omega3) ** 2
     return (
         f"The angle between L and ω of a top with {top_in_words(body)} that is let go at "
         f"θ = {degrees(theta)} with ω₃ = {said(omega3)} rad/s and ω along e₃. It is zero at every "
-        f"cusp and {degrees(largest)} between two; dashed: its largest value to leading order in "
-        f"the torque, {degrees(weak_torque_bound(body, theta, omega3))}."
+        f"cusp and {degrees(_largest_angle(motion))} at most. Dashed: the bound that holds at any "
+        "spin, its tangent 2ε₀|1 − λ₃/λ₁| sin θ with the largest sin θ that occurs, here "
+        f"{degrees(bound_of_angle(motion))} with ε₀ = λ₁MgR/(λ₃ω₃)² = {said(weak)}."
     )
 
 
 def _parallel_in_words(theta: float, omega3: float, **top: float) -> str:
-    largest = _largest_angle(theta, omega3, **top)
-    bound = weak_torque_bound(HeavyTop(**top), theta, omega3)
+    motion = HeavyTop(**top).motion(theta=theta, omega3=omega3)
     return (
         "The angle between L and omega against time goes from zero up and back to zero, once in "
-        f"every nutation; half way it is {spoken(math.degrees(largest))} degrees. A dashed "
-        f"line is at the estimate for a weak torque, {spoken(math.degrees(bound))} degrees."
+        f"every nutation; it is {spoken(math.degrees(_largest_angle(motion)))} degrees at most. A "
+        "dashed line that it never crosses is at the bound, "
+        f"{spoken(math.degrees(bound_of_angle(motion)))} degrees."
     )
 
 

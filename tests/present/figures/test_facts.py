@@ -9,6 +9,7 @@ from matplotlib.figure import Figure as Canvas
 from scipy.spatial.transform import Rotation
 
 import rigidtop as rt
+from rigidtop.derivations.exercises.eulers_equations import flip_seconds, stable_axes
 from rigidtop.motion.attitude import from_euler_angles
 from rigidtop.present.figures import (
     angles,
@@ -106,6 +107,46 @@ def test_angle_between_momentum_and_velocity(axes):
     )
     assert np.cos(np.radians(angle[::40])) == pytest.approx(cosine, abs=1e-12)
     assert angle.max() == pytest.approx(axes.lines[1].get_ydata()[0], rel=0.02)
+
+
+def test_the_bound_on_the_angle_is_never_crossed():
+    drawing = named("parallel")
+    draws = np.random.default_rng(7)
+    near = []
+    for _ in range(60):
+        about_centre, lambda3, spin, weight = 10 ** draws.uniform(-2, 2, 4)
+        arm = 10 ** draws.uniform(-2, 1)
+        given = {
+            "lambda1": max(about_centre, lambda3 / 2) + arm**2,
+            "lambda3": lambda3,
+            "M": 1.0,
+            "R": arm,
+            "g": weight / arm,
+            "theta": draws.uniform(0, math.pi),
+            "omega3": spin,
+        }
+        panel = Canvas().subplots()
+        top = rt.HeavyTop(**{name: given[name] for name in ("lambda1", "lambda3", "M", "R", "g")})
+        precession.draw_parallel(panel, top, given["theta"], spin)
+        [bound] = {float(y) for y in line(panel, "_bound")[:, 1]}
+        t, angle = line(panel, "_angle").T
+        assert angle.max() <= bound * (1 + 1e-9), given
+        # By the vectors of an integrated motion, and without turning points.
+        run = top.motion(theta=given["theta"], omega3=spin).integrate(t[::100])
+        momentum, omega = run.angular_momentum, run.omega_space
+        crossed = np.linalg.norm(np.cross(momentum, omega), axis=1)
+        tangent = crossed / np.sum(momentum * omega, axis=1)
+        assert angle[::100] == pytest.approx(np.degrees(np.arctan(tangent)), abs=0.01)
+        assert bound >= np.degrees(np.arctan(tangent)).max() * (1 - 1e-6)
+        near.append(angle.max() / bound)
+        drawing.caption(**given)
+    assert max(near) > 0.99  # it is no larger than it must be
+
+
+@pytest.mark.parametrize("theta", [0.0, math.pi])
+def test_a_vertical_top_has_no_angle(axes, theta):
+    precession.draw_parallel(axes, TOP, theta, 1.0)
+    assert line(axes, "_angle")[:, 1] == pytest.approx(0, abs=1e-12)
 
 
 # --- Torque --------------------------------------------------------------------------------------
@@ -299,9 +340,23 @@ def test_flips_are_seen_at_their_period(axes):
 @pytest.mark.parametrize("order", [(0, 1, 2), (1, 0, 2), (2, 0, 1)])
 def test_flips_are_about_the_middle_axis(order):
     moments = np.array([1.0, 2.0, 2.9])[list(order)]
-    omega = free.flip(*moments, omega=2.0, kick=0.01).omega
-    assert moments[int(np.argmax(omega))] == 2.0
-    assert sorted(omega) == [0.01, 0.01, 2.0]
+    omega = np.array(free.flip(*moments, omega=2.0, kick=0.01).omega)
+    by_moment = dict(zip(moments, omega, strict=True))
+    assert by_moment == {1.0: 0.01, 2.0: 2.0, 2.9: 0.0}
+
+
+def test_figure_and_exercise_agree_on_the_flip():
+    given = {p.name: p.default for p in stable_axes.parameters}
+    seconds = flip_seconds((1.0, 1.7, 2.3), given["omega"], given["kick"])
+    assert (given["lambda1"], given["lambda2"], given["lambda3"]) == (1.0, 1.7, 2.3)
+    drawing = named("flip")
+    [panel] = drawing.draw(**drawing.values(given)).axes
+    dotted = [float(x.get_xdata()[0]) for x in panel.lines if x.get_label() == "_flip"]
+    assert dotted == pytest.approx(seconds * (np.arange(len(dotted)) + 0.5), rel=1e-9)
+    assert len(dotted) == 4
+    assert f"every {style.said(seconds)} s (dotted)" in drawing.caption(**drawing.values(given))
+    later = free.flip(**given).integrate(dotted, rtol=1e-12, atol=1e-15)
+    assert later.omega[:, 1] == pytest.approx(0, abs=1e-6)
 
 
 def test_flip_wants_a_middle_axis():
