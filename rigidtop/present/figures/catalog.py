@@ -14,6 +14,7 @@ from rigidtop.present.figures import (
     cones,
     falling,
     free,
+    friction,
     nutation,
     potential,
     precession,
@@ -40,6 +41,8 @@ FIGURES: tuple[Drawing, ...] = (
     nutation.PATHS,
     nutation.MOTION,
     nutation.REGIMES,
+    friction.RISING,
+    friction.WAKING,
 )
 """In the order of the notes."""
 
