@@ -304,6 +304,7 @@ def budget(path: SlidingTrajectory, rows: int, last: int) -> Table:
         Parameter("until", 0.25, "θ at the end", "rad", least=0.01, most=1.2),
         Parameter("omega3", 200.0, "ω₃ at the start", "rad/s", above=0),
     ),
+    figure="rising-top",
 )
 def rising_top(
     lambda1: float,
@@ -436,6 +437,7 @@ def small_tilt_time(top: HeavyTop, spin: float, decay: float, start: float, tilt
             "visible", 0.1, "θ at which the top is seen to wake", "rad", least=0.01, most=0.3
         ),
     ),
+    figure="waking-top",
 )
 def waking_top(
     lambda1: float,

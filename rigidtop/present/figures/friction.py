@@ -231,7 +231,7 @@ def _draw_rising(until: float, **values: float) -> Canvas:
         axes.set_xlim(0, path.t[-1])
         axes.set_xlabel("$t$  (s)")
         if rest is not None:
-            axes.axvline(rest, color=GREY, lw=0.9, ls=DOTTED, label="_standstill")
+            axes.axvline(rest, color=INK, lw=0.8, ls=DOTTED, label="_standstill")
     if rest is not None:
         name_at(slip, rest, slip.get_ylim()[1], "standstill", (4, -2), va="top", color=INK)
     energy.legend(
