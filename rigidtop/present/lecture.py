@@ -50,6 +50,11 @@ class Picture:
     drawing: Drawing
     given: Mapping[str, float]
 
+    def shows_what(self, other: Picture) -> bool:
+        """Whether the other picture is this one under another name."""
+        same = self.drawing is other.drawing
+        return same and self.drawing.values(self.given) == other.drawing.values(other.given)
+
     def described(self) -> Figure:
         """As the blocks of a document know it."""
         values = self.drawing.values(self.given)
@@ -99,6 +104,8 @@ def lecture(
     told = {judgement.claim.name for _, judgements in judged for judgement in judgements}
     for solution in solutions:
         own = None if student else picture(solution)
+        if own and any(own.shows_what(other) for other in pictures):
+            own = None  # the section has it
         made = _exercise(solution, own, student, told)
         closing += [(solution.exercise.section, block) for block in made]
         pictures += [own] if own else []

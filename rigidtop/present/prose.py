@@ -274,6 +274,8 @@ def _read(text: str, i: int) -> tuple[str, int]:
         return r"_{\perp}", i + 1
     if c in _PLAIN_MATHS:
         return _PLAIN_MATHS[c], i + 1
+    if c == "°" and i and text[i - 1] in SUPERSCRIPTS:  # 10⁻⁵°
+        return "{}" + MATHS[c], i + 1
     base = MATHS.get(c) or (c if c.isascii() else _plain(c))
     end = i + 1
     while end < len(text) and text[end] in MARKS:

@@ -72,8 +72,12 @@ _PREAMBLE = r"""\documentclass[10pt,a4paper,fleqn]{article}
 % A figure in its own size, or as wide as the page.
 \newcommand{\drawn}[1]{\sbox0{\includegraphics{#1}}%
   \ifdim\wd0>\linewidth\resizebox{\linewidth}{!}{\usebox0}\else\usebox0\fi}
-% A heading does not stand alone at the end of a page.
-\newcommand{\room}{\par\ifdim\dimexpr\pagegoal-\pagetotal<7\baselineskip\newpage\fi}
+% A heading does not stand alone at the end of a page: a break before it is cheap within the last
+% lines of the page, and one behind it dear.
+\makeatletter
+\newcommand{\room}{\par\if@nobreak\else\vskip0pt plus 7\baselineskip\penalty-100
+  \vskip0pt plus -7\baselineskip\vskip7\baselineskip\penalty9999\vskip-7\baselineskip\relax\fi}
+\makeatother
 \newcommand{\exercise}[3]{\room\pagebreak[2]\vspace{1.3\baselineskip}%
   {\color{muted}\hrule height 1.2pt}\nobreak\vskip 0.35\baselineskip\nobreak
   \noindent\phantomsection\label{#2}\addcontentsline{toc}{subsubsection}{Exercise: #1}%

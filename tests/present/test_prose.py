@@ -30,6 +30,7 @@ CASES = {
     "Rz(φ) Ry(θ)": r"$R_{z}(\phi)$ $R_{y}(\theta)$",
     "((λ₁ − λ₃)ω₃ > 0: a word)": r"($(\lambda_{1} - \lambda_{3})\omega_{3} > 0$: a word)",
     "√(1 − m sin² χ) of m": r"$\sqrt{1 - m \sin^{2} \chi}$ of m",
+    "5·10⁻⁵°": r"$5\cdot10^{-5}{}^{\circ}$",
     "a top at rest": "a top at rest",
     "ṙ = Ω × r": r"$\dot{r} = \boldsymbol{\Omega} \times \mathbf{r}$",
     "L̇ = N": r"$\dot{L} = N$",
