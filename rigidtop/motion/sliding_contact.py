@@ -10,14 +10,19 @@ The contact slides or rolls until an event; then the other law takes over, or th
 Coulomb friction has no direction where nothing slips, so a slip below `STANDSTILL` counts as none,
 and one that begins starts with twice that.  Either is done by the impulse that does just this, and
 what it does to the energy is booked under friction: what is neglected is of second order.
+
+Between that and `SLOW` the direction turns the faster the less slips.  There the slip is integrated
+implicitly, and to a fraction of `STANDSTILL` whatever the tolerance: a step that could miss the end
+of the slip by more than that goes through rest to the other side, and back, without end.
 """
 
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -27,7 +32,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import equations
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.equations import Number, Rates
-from rigidtop.motion.integrate import Accuracy, Flow, Method
+from rigidtop.motion.integrate import SUBSTEPS, Accuracy, Flow, Method, Path
 
 if TYPE_CHECKING:
     from rigidtop.motion.sliding import SlidingTop
@@ -37,18 +42,27 @@ VARIABLES = 14
 STANDSTILL = 1e-10
 """A slip below this, in units of √(gR), is none."""
 
-ONSET = 1e-4
-"""Below this slip, where friction turns quickly, a slip that begins is integrated implicitly."""
+SLOW = 1e-3
+"""Up to this slip, in units of √(gR), friction turns quickly and is integrated implicitly; a slip
+that dies out is so from half of that."""
+
+SLIP_TOLERANCE = 1e-2
+"""The absolute tolerance of a slip is at most this times the least one of its regime."""
 
 JAMMED = 1e-6
 """What the normal force is divided by is 1 for an upright top; below this it is as good as 0."""
 
-MOST_EVENTS = 10_000
-"""More changes between sliding and rolling than these are no motion of a top."""
+MOST_EVENTS = 500
+"""More changes between sliding and rolling than these are refused: a top whose tip sticks and slips
+with every nutation, a hundred times a second, takes as long to integrate as to play with."""
+
+MOST_RATES = 10_000
+"""LSODA asks for some hundreds of them for a slow slip, or fails to see that it is stiff and goes
+on for ever: then Radau, slower but always implicit, takes over."""
 
 STANDS, SLIPS, LIFTS, FALLS = "standstill", "slip", "lift-off", "fall"
 ENDINGS = (LIFTS, FALLS)
-BEGUN, JAM = "begun", "jam"
+SLOWS, QUICKENS, JAM = "slows", "quickens", "jam"
 
 
 @dataclass(frozen=True)
@@ -62,6 +76,9 @@ class Event:
     """"standstill" (the slip ends), "slip" (it begins), "lift-off" or "fall" (the motion ends)."""
 
 
+Watch = Callable[[Sequence[Number]], Number]
+"""A state, as floats or as rows of many, to what ends a phase where it falls to zero."""
+
 Direction = tuple[float, float]
 NOWHERE: Direction = 0.0, 0.0
 
@@ -74,6 +91,10 @@ class Moment:
     force: tuple[Number, Number, Number]
     slipping: tuple[Number, Number] = (0.0, 0.0)
     divisor: Number = 1.0
+
+
+class _TooManyError(Exception):
+    """Rates that a solver asks for."""
 
 
 class Contact:
@@ -100,10 +121,19 @@ class Contact:
         force, slipping = (found[0], found[1], found[2]), (found[3], found[4])
         return Moment(self._rate(state, velocity, force, slipping), force, slipping, found[5])
 
-    def slipping(self, state: Sequence[float], otherwise: Direction) -> Moment:
+    def slipping(self, state: Sequence[Number], otherwise: Direction) -> Moment:
         """In the direction of the slip, or `otherwise` where there is none."""
-        speed = math.hypot(state[7], state[8])
-        direction = (state[7] / speed, state[8] / speed) if speed else otherwise
+        direction: tuple[Number, Number]
+        if isinstance(state[7], float):
+            speed = math.hypot(state[7], state[8])
+            direction = (state[7] / speed, state[8] / speed) if speed else otherwise
+        else:
+            speed = np.hypot(state[7], state[8])
+            known = np.where(speed > 0, speed, 1.0)
+            direction = (
+                np.where(speed > 0, state[7] / known, otherwise[0]),
+                np.where(speed > 0, state[8] / known, otherwise[1]),
+            )
         return self.sliding(state, direction)
 
     def rolling(self, state: Sequence[Number]) -> Moment:
@@ -126,12 +156,12 @@ class Contact:
 
     def holds(self, state: Sequence[float]) -> bool:
         """Whether static friction can hold the contact, which does not slip now."""
-        return bool(self.body.mu > 0 and self.reserve(state) >= 0)
+        return bool(self.body.mu > 0 and self.reserve(self.rolling(state)) >= 0)
 
-    def reserve(self, state: Sequence[float]) -> float:
+    def reserve(self, rolling: Moment) -> Number:
         """μN − |F| of a contact that rolls."""
-        friction_x, friction_y, normal = self.rolling(state).force
-        return float(self.body.mu * normal - math.hypot(friction_x, friction_y))
+        friction_x, friction_y, normal = rolling.force
+        return self.body.mu * normal - np.hypot(friction_x, friction_y)
 
     def struck(self, state: Sequence[float], slip: Direction) -> list[float]:
         """The state after the impulse at the contact that makes the slip what it is to be."""
@@ -223,17 +253,21 @@ def course(contact: Contact, start: Sequence[float], end: float, accuracy: Accur
     at_rest = coulomb and not any(state[7:9])
     rolling, direction = _law(contact, state) if at_rest else (False, NOWHERE)
     onset = at_rest and not rolling
+    least = SLOW * contact.speed_unit
+    slow = coulomb and not rolling and math.hypot(*state[7:9]) < least
     while time < end:
         if len(events) > MOST_EVENTS:
-            raise RigidtopError(f"more than {MOST_EVENTS} changes of sliding and rolling")
+            raise RigidtopError(
+                f"more than {MOST_EVENTS} changes between sliding and rolling until t = {time:g}: "
+                "the tip sticks and slips all the time; ask for earlier times"
+            )
         if onset:
             state = contact.struck(state, (2 * small * direction[0], 2 * small * direction[1]))
-        flow, state, kind = _phase(contact, state, (time, end), accuracy, rolling, direction, onset)
+            slow = True
+        flow, state, kind = _phase(contact, state, (time, end), accuracy, rolling, direction, slow)
         time = float(flow.steps[-1])
         phases.append(Phase(flow, rolling))
-        if onset and kind == BEGUN and state[7] * direction[0] + state[8] * direction[1] <= 0:
-            raise RigidtopError(f"the slip that begins at t = {time:g} could not be followed")
-        onset = False
+        onset, slow = False, kind == SLOWS
         if kind in (STANDS, SLIPS, *ENDINGS):
             events.append(Event(time, kind))
         if kind in ENDINGS:
@@ -267,50 +301,50 @@ def _phase(
     accuracy: Accuracy,
     rolling: bool,
     direction: Direction,
-    onset: bool,
+    slow: bool,
 ) -> tuple[Flow, list[float], str]:
-    """One law of contact until an event, or a slip that begins until it is no longer small."""
+    """One law of contact until an event, or until the slip is no longer slow, or no longer fast."""
     body = contact.body
     floor = math.cos(body.fall)
 
-    def moment(state: Floats) -> Moment:
-        values = state.tolist()
-        return contact.rolling(values) if rolling else contact.slipping(values, direction)
+    # What is watched looks at the same state, often the one of the solver's last stage.
+    seen: tuple[Sequence[Number], Moment] | None = None
+    count, most = 0, math.inf
+
+    # Of a state as floats, or of many as rows.
+    def moment(state: Sequence[Number]) -> Moment:
+        nonlocal seen
+        if seen is None or not (state is seen[0] or _same(state, seen[0])):
+            seen = (
+                state,
+                contact.rolling(state) if rolling else contact.slipping(state, direction),
+            )
+        return seen[1]
 
     def rates(_: float, state: Floats) -> tuple[float, ...]:
-        return moment(state).rate
+        nonlocal count
+        count += 1
+        if count > most:
+            raise _TooManyError
+        return moment(state.tolist()).rate
 
-    def normal(_: float, state: Floats) -> float:
-        return float(moment(state).force[2])
+    def faster_than(slip: float) -> Watch:
+        return lambda state: np.hypot(state[7], state[8]) - slip * contact.speed_unit
 
-    def reserve(_: float, state: Floats) -> float:
-        return contact.reserve(state.tolist())
-
-    def speed(_: float, state: Floats) -> float:
-        return math.hypot(state[7], state[8]) - STANDSTILL * contact.speed_unit
-
-    def begun(_: float, state: Floats) -> float:
-        return ONSET * contact.speed_unit - math.hypot(state[7], state[8])
-
-    def upright(_: float, state: Floats) -> float:
-        return 1 - 2 * float(state[1] ** 2 + state[2] ** 2) - floor
-
-    def divisor(_: float, state: Floats) -> float:
-        return float(moment(state).divisor) - JAMMED
-
-    watched: list[tuple[str, Callable[[float, Floats], float]]] = [(LIFTS, normal)]
+    watched: dict[str, Watch] = {LIFTS: lambda state: moment(state).force[2]}
     if body.fall < math.pi:
-        watched.append((FALLS, upright))
+        watched[FALLS] = lambda state: 1 - 2 * (state[1] ** 2 + state[2] ** 2) - floor
     if rolling:
-        watched.append((SLIPS, reserve))
+        watched[SLIPS] = lambda state: contact.reserve(moment(state))
     else:
-        watched.append((JAM, divisor))
-        if body.mu > 0:
-            watched.append((STANDS, speed))
-        if onset:
-            watched.append((BEGUN, begun))
+        watched[JAM] = lambda state: moment(state).divisor - JAMMED
+        if slow:
+            watched[STANDS] = faster_than(STANDSTILL)
+            watched[QUICKENS] = lambda state: -faster_than(SLOW)(state)
+        elif body.mu > 0:
+            watched[SLOWS] = faster_than(SLOW / 2)
     first = np.array(start)
-    now = moment(first)
+    now = moment(start)
     _check_jam(float(now.divisor), span[0])
     if not np.all(np.isfinite(now.rate)):
         raise RigidtopError("the rates overflow: the velocities are too large")
@@ -325,21 +359,39 @@ def _phase(
             (list(start)),
             LIFTS,
         )
-    for _, watch in watched:
-        watch.terminal, watch.direction = True, -1  # type: ignore[attr-defined]
     # Its direction settles while the slip is still of the size with which it starts.
-    settling = math.hypot(*start[7:9]) / (body.mu * body.g) if onset else 0.0
-    solution = solve_ivp(
-        rates,
-        span,
-        first,
-        method=cast(Method, "Radau" if onset else accuracy.method),
-        rtol=accuracy.rtol,
-        atol=accuracy.atol * units(body),
-        dense_output=True,
-        events=[watch for _, watch in watched],
-        first_step=min(0.1 * settling, span[1] - span[0]) if onset else None,
-    )
+    settling = math.hypot(*start[7:9]) / (body.mu * body.g) if slow else 0.0
+    tolerances = accuracy.atol * units(body)
+    if body.mu > 0 and not rolling:
+        least = STANDSTILL if slow else SLOW
+        tolerances[7:9] = contact.speed_unit * min(accuracy.atol, SLIP_TOLERANCE * least)
+
+    def solved(method: str) -> Any:
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", category=UserWarning, message="lsoda")
+            return solve_ivp(
+                rates,
+                span,
+                first,
+                method=cast(Method, method),
+                rtol=accuracy.rtol,
+                atol=tolerances,
+                dense_output=True,
+                events=[_event(watch) for watch in watched.values()],
+                first_step=min(0.1 * settling, span[1] - span[0]) if slow else None,
+            )
+
+    if slow:
+        most = MOST_RATES
+        try:
+            solution = solved("LSODA")
+        except _TooManyError:
+            solution = None
+        if solution is None or solution.status < 0:
+            most = math.inf
+            solution = solved("Radau")
+    else:
+        solution = solved(accuracy.method)
     last = solution.y[:, -1]
     path = solution.sol
     if path is None or solution.status < 0 or not np.all(np.isfinite(last)):
@@ -349,10 +401,49 @@ def _phase(
     kind = ""
     if solution.status == 1 and solution.t_events is not None:
         at = [k for k, times in enumerate(solution.t_events) if len(times)]
-        kind = watched[at[0]][0]
+        kind = list(watched)[at[0]]
+    steps = solution.t
+    unseen = None if slow else _unseen(path, steps, watched)
+    if unseen is not None:
+        time, kind = unseen
+        steps = np.append(steps[steps < time], time)
+        last = path(time)
     if kind == JAM:
-        _check_jam(0.0, float(solution.t[-1]))
-    return Flow(path, solution.t), last.tolist(), kind
+        _check_jam(0.0, float(steps[-1]))
+    return Flow(path, steps), last.tolist(), kind
+
+
+def _same(one: Sequence[Number], other: Sequence[Number]) -> bool:
+    return isinstance(one[0], float) and isinstance(other[0], float) and one == other
+
+
+def _event(watch: Watch) -> Callable[[float, Floats], float]:
+    """For `solve_ivp`: to stop where it falls to zero."""
+
+    def event(_: float, state: Floats) -> float:
+        return float(watch(state.tolist()))
+
+    event.terminal, event.direction = True, -1  # type: ignore[attr-defined]
+    return event
+
+
+def _unseen(path: Path, steps: Floats, watched: dict[str, Watch]) -> tuple[float, str] | None:
+    """When, and which of them, first falls to zero within a step: the solver looks at its ends."""
+    fractions = np.arange(SUBSTEPS) / SUBSTEPS
+    nodes = np.append((steps[:-1, None] + np.diff(steps)[:, None] * fractions).ravel(), steps[-1])
+    rows = list(path(nodes))
+    values = np.stack([watch(rows) for watch in watched.values()])
+    # The last interval is the solver's own, up to an event that it has found.
+    falls = (values[:, :-2] > 0) & (values[:, 1:-1] < 0)
+    if not falls.any():
+        return None
+    k = int(np.flatnonzero(falls.any(axis=0))[0])
+
+    def moment(watch: Watch) -> float:
+        return float(brentq(lambda t: watch(path(t).tolist()), nodes[k], nodes[k + 1], xtol=1e-300))
+
+    there = [item for item, falling in zip(watched.items(), falls[:, k], strict=True) if falling]
+    return min((moment(watch), kind) for kind, watch in there)
 
 
 def _check_jam(divisor: float, time: float, least: float = JAMMED) -> None:

@@ -405,6 +405,70 @@ def test_slip_begins_where_static_friction_ends():
     assert after.friction_force[0] == pytest.approx(before.friction_force[0], rel=1e-2)
 
 
+TOY = {"lambda1": 5e-6, "lambda3": 6e-6, "M": 0.03, "R": 0.02, "tip": 0.003}
+LOOSE = {"rtol": 1e-8, "atol": 1e-10}
+
+
+@pytest.mark.parametrize(
+    ("changes", "end", "kinds"),
+    [
+        ({"mu": 0.03}, 3.0, ["standstill"]),
+        ({"mu": 0.2, "drag3": 1e-6}, 12.0, ["standstill", "slip", "standstill", "slip", "fall"]),
+    ],
+)
+def test_a_slip_dies_out_below_the_tolerance_of_the_solver(changes, end, kinds):
+    """It once stayed for ever at 1e-10, in steps of nanoseconds: as small as that tolerance."""
+    motion = rt.SlidingTop(**TOY, **changes).motion(theta=0.35, omega3=250)
+    run = motion.integrate(np.linspace(0, end, 50), **LOOSE)
+    assert [event.kind for event in run.events] == kinds
+    assert run.budget() < 1e-8
+
+
+def test_no_tolerance_is_too_large_for_a_slip_to_end():
+    motion = rt.SlidingTop(**TOY, mu=0.3).motion(theta=0.35, omega3=250)
+    [best] = motion.integrate([0.5], **TIGHT).events
+    for atol in (1e-8, 1e-4):
+        [event] = motion.integrate([0.5], rtol=1e-6, atol=atol).events
+        assert event.kind == "standstill"
+        assert event.time == pytest.approx(best.time, rel=1e-3)
+
+
+def test_a_slip_between_two_steps_is_seen():
+    """With every nutation the tip slips for a moment, shorter than a step while it rolls."""
+    body = rt.SlidingTop(
+        lambda1=4.47e-5, lambda3=3.34e-5, M=0.0317, R=0.0853, tip=0.0572, mu=0.62, drag3=7.7e-7
+    )
+    motion = body.motion(theta=1.3, omega3=112.7)
+    times = np.linspace(0, 1.4, 301)
+    coarse, fine = (motion.integrate(times, **accuracy) for accuracy in (LOOSE, {}))
+    assert [event.kind for event in coarse.events] == [event.kind for event in fine.events]
+    assert len(fine.events) > 14
+    assert [event.time for event in coarse.events] == pytest.approx(
+        [event.time for event in fine.events], abs=1e-4
+    )
+    friction = np.hypot(*fine.friction_force[fine.rolling].T)
+    assert np.all(friction <= body.mu * fine.normal_force[fine.rolling] * (1 + 1e-9))
+
+
+def test_a_slip_that_begins_so_slowly_that_it_is_stiff():
+    body = rt.SlidingTop(
+        lambda1=6.457150e-4, lambda3=1.16731e-4, M=0.0646864, R=0.0553158, mu=0.42764
+    )
+    motion = body.motion(theta=0.680256, omega3=12.2043, theta_dot=1.36132, slip=(0, 0))
+    run = motion.integrate(np.linspace(0, 0.192, 31))
+    assert [event.kind for event in run.events] == ["slip"]
+    assert run.budget() < 1e-8
+
+
+def test_more_changes_than_one_waits_for_are_refused(monkeypatch):
+    monkeypatch.setattr("rigidtop.motion.sliding_contact.MOST_EVENTS", 5)
+    motion = rt.SlidingTop(**TOY, mu=0.2, drag3=1e-6).motion(theta=0.35, omega3=250)
+    assert len(motion.integrate([8.4], **LOOSE).events) == 2
+    monkeypatch.setattr("rigidtop.motion.sliding_contact.MOST_EVENTS", 1)
+    with pytest.raises(rt.RigidtopError, match=r"more than 1 changes .* until t = 8\.3"):
+        motion.integrate([9.0], **LOOSE)
+
+
 def test_at_rest_on_too_smooth_a_table_it_slips_at_once():
     body = top(mu=0.02)
     motion = body.motion(theta=0.5, omega3=0.0, slip=(0, 0))
