@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from rigidtop.errors import RigidtopError
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.present.figures.style import degrees, said
@@ -32,3 +33,24 @@ def top_in_words(top: HeavyTop) -> str:
 def start_in_words(theta: float, omega3: float) -> str:
     """θ = … and ω₃ = …."""
     return f"θ = {degrees(theta)} and ω₃ = {said(omega3)} rad/s"
+
+
+def vertical(theta: float) -> bool:
+    """Whether e₃ is upright or straight down, where φ has no meaning."""
+    return theta in (0.0, math.pi)
+
+
+def has_phi(theta: float, phi_dot: float) -> None:
+    """Raises RigidtopError for a rate of φ where φ has no meaning."""
+    if vertical(theta) and phi_dot:
+        raise RigidtopError(
+            f"at theta = {theta:g} phi has no meaning: phi_dot must be 0, not {phi_dot:g}"
+        )
+
+
+def rates_in_words(theta: float, phi_dot: float, theta_dot: float = 0.0) -> str:
+    """θ̇ = … and φ̇ = …; without φ̇ where φ has no meaning."""
+    if vertical(theta):
+        unit = " rad/s" if theta_dot else ""
+        return f"θ̇ = {said(theta_dot)}{unit}, where φ has no meaning"
+    return f"θ̇ = {said(theta_dot)} and φ̇ = {said(phi_dot)} rad/s"

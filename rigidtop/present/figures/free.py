@@ -245,6 +245,10 @@ def flip(lambda1: float, lambda2: float, lambda3: float, omega: float, kick: flo
     """A spin `omega` about the middle axis, and `kick` (rad/s) about that of the least moment."""
     body = FreeBody(lambda1, lambda2, lambda3)
     least, middle = _order(body)
+    if not 1e-8 * omega <= kick < omega:
+        raise RigidtopError(
+            f"kick must be less than omega = {omega:g} and at least 1e-08 of it, not {kick:g}"
+        )
     rates = [0.0, 0.0, 0.0]
     rates[middle], rates[least] = omega, kick
     return body.motion(omega=rates)
@@ -260,12 +264,14 @@ def _order(body: FreeBody) -> tuple[int, int]:
 
 
 def _flip_times(motion: Motion) -> Floats:
-    period = motion.nutation_period
-    if not math.isfinite(period):  # exactly on the separatrix: one flip, and no other
-        low, mid, high = sorted(motion.body.moments)
-        rate = math.sqrt((high - mid) * (mid - low) / (high * low)) * math.hypot(*motion.omega)
-        return np.linspace(0.0, 2 * LATE / rate, 1201)
-    return np.linspace(0.0, FLIPS * period, 1601)
+    return np.linspace(0.0, FLIPS * motion.nutation_period, 1601)
+
+
+def share_near_ends(motion: Motion) -> float:
+    """The part of the time in which ω about the middle axis is above 0.9 of its largest value."""
+    _, middle = _order(FreeBody(*motion.body.moments))
+    rate = np.abs(motion.exact(_flip_times(motion)).omega[:, middle])
+    return float(np.mean(rate > 0.9 * rate.max()))
 
 
 def _draw_flip(**values: float) -> Canvas:
@@ -274,36 +280,41 @@ def _draw_flip(**values: float) -> Canvas:
     drawn = canvas(COLUMN, 2.35)
     axes = drawn.subplots()
     draw_rates(axes, motion, times)
-    period = motion.nutation_period
-    if math.isfinite(period):
-        for k in range(FLIPS):
-            axes.axvline((k + 0.5) * period, color=GREY, lw=0.8, ls=DOTTED, zorder=0, label="_flip")
+    for k in range(FLIPS):
+        at = (k + 0.5) * motion.nutation_period
+        axes.axvline(at, color=GREY, lw=0.8, ls=DOTTED, zorder=0, label="_flip")
     return drawn
 
 
 def _flip_caption(lambda1: float, lambda2: float, lambda3: float, omega: float, kick: float) -> str:
     motion = flip(lambda1, lambda2, lambda3, omega, kick)
-    period, (least, middle) = motion.nutation_period, _order(FreeBody(lambda1, lambda2, lambda3))
-    often = (
-        f"every {said(period)} s"
-        if math.isfinite(period)
-        else "once only, as it is exactly on the separatrix"
-    )
+    least, middle = _order(FreeBody(lambda1, lambda2, lambda3))
     return (
         f"The flip about the middle axis e{'₁₂₃'[middle]}: ω in the body frame for "
         f"{_three(lambda1, lambda2, lambda3)}, from {said(omega)} rad/s about that axis and "
-        f"{said(kick)} rad/s about e{'₁₂₃'[least]}. The body turns over {often} (dotted)."
+        f"{said(kick)} rad/s about e{'₁₂₃'[least]}. The body turns over every "
+        f"{said(motion.nutation_period)} s (dotted)."
     )
 
 
 def _flip_in_words(**values: float) -> str:
     motion = flip(**values)
     _, middle = _order(FreeBody(*motion.body.moments))
+    value = spoken(values["omega"])
+    if share_near_ends(motion) > 0.5:
+        course = (
+            f"stays near its first value, {value} radians per second, then falls to the opposite "
+            "value at once and stays there, again and again; the other two are near zero but for a "
+            "pulse at each turn"
+        )
+    else:
+        course = (
+            f"swings between its first value, {value} radians per second, and the opposite one; "
+            "the other two are never small together"
+        )
     return (
-        f"The three components of omega against time. Omega {middle + 1} stays near its first "
-        f"value, {spoken(values['omega'])} radians per second, then falls to the opposite value "
-        "at once and stays there, again and again; the other two are near zero but for a pulse at "
-        f"each turn. The time between turns is {spoken(motion.nutation_period)} seconds."
+        f"The three components of omega against time. Omega {middle + 1} {course}. The time "
+        f"between turns is {spoken(motion.nutation_period)} seconds."
     )
 
 
@@ -330,8 +341,9 @@ NUTATIONS = 5
 def draw_tumbling(body_axes: Axes, space_axes: Axes, motion: Motion) -> None:
     """L in the body frame, once round; e₃ and e₁ in space about L, some nutations long."""
     view = View(azimuth=0.5, elevation=0.42)
+    steady = motion.regime == "steady"
     period = 2 * motion.nutation_period
-    if not math.isfinite(period):
+    if steady or not math.isfinite(period):
         period = 2 * LATE / math.hypot(*motion.omega)
     upright = np.array([0.0, 0.0, 1.0])
     moments = np.array(motion.body.moments)
@@ -351,7 +363,8 @@ def draw_tumbling(body_axes: Axes, space_axes: Axes, motion: Motion) -> None:
         )
     on_sphere(body_axes, view, in_body, color=INK, lw=1.4, label="_momentum")
     _mark(body_axes, view, in_body[0], L_VEC)
-    run = motion.exact(np.linspace(0.0, NUTATIONS * period / 2, 2401))
+    turn = 2 * math.pi / math.hypot(*motion.omega)  # once round, if ω is constant
+    run = motion.exact(np.linspace(0.0, turn if steady else NUTATIONS * period / 2, 2401))
     momentum = unit(run.angular_momentum[0])
     across = unit(np.cross(momentum, [1.0, 0.0, 0.0] if abs(momentum[0]) < 0.9 else [0, 1.0, 0]))
     frame = np.array([across, np.cross(momentum, across), momentum])
@@ -392,31 +405,88 @@ def _draw_tumbling(**values: float) -> Canvas:
 
 
 def _lasting(seconds: float) -> str:
-    if not math.isfinite(seconds):
-        return "an endless time"
     return f"{said(seconds / DAY)} days" if seconds > DAY / 2 else f"{said(seconds)} s"
+
+
+def _own_axis(body: FreeBody) -> int:
+    """Which axis is that of symmetry, where two moments are equal."""
+    first, second, third = body.moments
+    return 2 if first == second else 1 if first == third else 0
+
+
+def _tumbling_course(motion: Motion) -> tuple[str, str]:
+    """What L does in the body, and what the axes do in space, in this kind of motion."""
+    kind, back = motion.regime, _lasting(2 * motion.nutation_period)
+    if kind == "steady":
+        turn = _lasting(2 * math.pi / math.hypot(*motion.omega))
+        still = np.abs(motion.omega) == np.linalg.norm(motion.omega)
+        if still[2] or still[0]:
+            rests, moves = ("e₃", "e₁") if still[2] else ("e₁", "e₃ (thick)")
+            ways = f"{rests} rests and {moves} goes round a circle"
+        else:
+            ways = "e₃ (thick) and e₁ go round circles"
+        return (
+            "L rests (steady)",
+            f"the body turns about L, and {ways}, back after {turn}; one turn is drawn",
+        )
+    drawn = f"{NUTATIONS} nutations are drawn"
+    if kind == "separatrix":
+        return (
+            "L tends to the middle axis and never comes back (separatrix)",
+            "e₃ (thick) and e₁ turn about L and never come back, as the body comes to turn about "
+            "its middle axis",
+        )
+    turn = _lasting(2 * math.pi / abs(motion.mean_precession))
+    if kind == "regular precession":
+        own = _own_axis(FreeBody(*motion.body.moments))
+        circles = ("e₁", "e₂", "e₃ (thick)")[own]
+        rest = ("e₃ (thick) does", "e₃ (thick) and e₁ do", "e₁ does")[own]
+        return (
+            f"L goes round a circle and comes back after {back} ({kind})",
+            f"{circles} goes round a circle about L, back after {turn}, and {rest} not in general "
+            f"come back; {drawn}",
+        )
+    return (
+        f"L comes back after {back} ({kind})",
+        f"its axis turns about L, on the mean once in {turn}, and e₃ (thick) and e₁ never come "
+        f"back; {drawn}",
+    )
 
 
 def _tumbling_caption(omega1: float, omega2: float, omega3: float, **moments: float) -> str:
     motion = _tumbling(omega1, omega2, omega3, **moments)
     rates = ", ".join(map(said, motion.omega))
-    mean = abs(motion.mean_precession)
-    turn = _lasting(2 * math.pi / mean) if mean else "an endless time"
+    in_body, in_space = _tumbling_course(motion)
     return (
         f"A free body with {_three(**moments)} and at first ω₁, ω₂, ω₃ = {rates} rad/s. Left: in "
-        f"the body L comes back after {_lasting(2 * motion.nutation_period)} ({motion.regime}). "
-        f"Right: in space its axis turns about L, on the mean once in {turn}, and e₃ (thick) and "
-        f"e₁ never come back; {NUTATIONS} nutations are drawn. Dots: at first."
+        f"the body {in_body}. Right: in space {in_space}. Dots: at first."
     )
 
 
 def _tumbling_in_words(**values: float) -> str:
     motion = _tumbling(**values)
-    return (
-        "Two spheres. On the left, in the body frame, the tip of L goes on a closed curve, of the "
-        f"kind {motion.regime}. On the right, in space, the tips of e3 and of e1 wind around the "
-        "upright L, and their paths do not close."
+    left, right = {
+        "steady": (
+            "L rests at a point",
+            "the tips of e3 and of e1 go round circles about the upright L, or rest on it",
+        ),
+        "separatrix": (
+            "the tip of L goes on a curve to the middle axis, which does not close",
+            "the tips of e3 and of e1 wind around the upright L, and their paths do not close",
+        ),
+        "regular precession": (
+            "the tip of L goes round a circle about the axis of symmetry",
+            "the tips of e3 and of e1 go around the upright L; that of the axis of symmetry, where "
+            "it is one of them, goes round a circle",
+        ),
+    }.get(
+        motion.regime,
+        (
+            f"the tip of L goes on a closed curve, of the kind {motion.regime}",
+            "the tips of e3 and of e1 wind around the upright L, and their paths do not close",
+        ),
     )
+    return f"Two spheres. On the left, in the body frame, {left}. On the right, in space, {right}."
 
 
 def _per_day(degrees_a_day: float) -> float:

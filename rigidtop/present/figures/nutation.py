@@ -12,11 +12,21 @@ from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 from scipy.ndimage import distance_transform_edt, label
 
+from rigidtop.errors import RigidtopError
 from rigidtop.motion.many import TopMotions, top_motions
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
-from rigidtop.present.figures.bodies import SPIN, THETA, TOP, start_in_words, top_in_words
+from rigidtop.present.figures.bodies import (
+    SPIN,
+    THETA,
+    TOP,
+    has_phi,
+    rates_in_words,
+    start_in_words,
+    top_in_words,
+    vertical,
+)
 from rigidtop.present.figures.drawing import Drawing
 from rigidtop.present.figures.space import View, arrow, circle, on_sphere, paper, sphere
 from rigidtop.present.figures.style import (
@@ -75,8 +85,17 @@ def nutation_times(motion: TopMotion, samples: int = 2400) -> Floats:
     return np.linspace(0.0, min(max(wanted, 2 * period), MOST_NUTATIONS * period), samples)
 
 
+def _leaning(theta: float) -> None:
+    if vertical(theta):
+        raise RigidtopError(
+            f"at theta = {theta:g} phi has no meaning, and what phi_dot does cannot be shown: "
+            "give a theta between 0 and 180 degrees"
+        )
+
+
 def _paths(theta: float, phi_dot: float, omega3: float, **top: float) -> list[TopMotion]:
     """φ̇ at the start positive, zero, negative; the middle of the picture faces the reader."""
+    _leaning(theta)
     body = HeavyTop(**top)
     return [
         body.motion(theta=theta, phi=-1.25, phi_dot=rate, omega3=omega3)
@@ -93,6 +112,7 @@ def _draw_paths(**values: float) -> Canvas:
 
 
 def _paths_caption(theta: float, phi_dot: float, omega3: float, **top: float) -> str:
+    _leaning(theta)
     body = HeavyTop(**top)
     return (
         f"The path of e₃ on the sphere from {start_in_words(theta, omega3)} with θ̇ = 0 and "
@@ -171,6 +191,7 @@ def draw_energies(axes: Axes, motion: TopMotion, t: Floats) -> None:
 def _start(
     theta: float, theta_dot: float, phi_dot: float, omega3: float, **top: float
 ) -> TopMotion:
+    has_phi(theta, phi_dot)
     return HeavyTop(**top).motion(theta=theta, theta_dot=theta_dot, phi_dot=phi_dot, omega3=omega3)
 
 
@@ -197,22 +218,41 @@ def _motion_caption(
 ) -> str:
     motion = _start(theta, theta_dot, phi_dot, omega3, **top)
     first, last = np.degrees(motion.turning_points)
-    period = motion.nutation_period
+    mean = f"{said(motion.mean_precession)} rad/s"
+    if motion.regime in AT_REST:
+        course = f"θ stays {said(first)}°; φ is drawn at the rate of a top nearby, {mean}."
+    elif motion.regime == "steady":
+        course = f"θ stays {said(first)}°, and φ goes on at {mean}."
+    else:
+        course = (
+            f"θ runs between {said(first)}° and {said(last)}° in {said(motion.nutation_period)} s; "
+            f"dashed, φ at its mean rate, {mean}."
+        )
     return (
         f"A top with {top_in_words(motion.body)} from {start_in_words(theta, omega3)}, "
-        f"θ̇ = {said(theta_dot)} and φ̇ = {said(phi_dot)} rad/s ({motion.regime}): θ runs between "
-        f"{said(first)}° and {said(last)}° in {said(period)} s; dashed, φ at its mean rate, "
-        f"{said(motion.mean_precession)} rad/s. T and E are without the constant p_ψ²/(2λ₃)."
+        f"{rates_in_words(theta, phi_dot, theta_dot)} ({motion.regime}): {course} T and E are "
+        "without the constant p_ψ²/(2λ₃)."
     )
+
+
+AT_REST = ("sleeping", "hanging")
+"""Regimes in which e₃ stays on the vertical."""
 
 
 def _motion_in_words(**values: float) -> str:
     motion = _start(**values)
+    mean = f"{spoken(motion.mean_precession)} radians per second"
+    if motion.regime in (*AT_REST, "steady"):
+        phi = "phi, which has no meaning there, is drawn" if motion.regime in AT_REST else "phi is"
+        return (
+            f"Three panels over time: theta stays {spoken(math.degrees(values['theta']))} degrees; "
+            f"{phi} as a straight line at {mean}; the energies T, V and their sum E are constant."
+        )
     return (
         "Three curves over time: theta goes up and down between its turning points with a period "
         f"of {spoken(motion.nutation_period)} seconds; phi goes on, now faster, now slower, at a "
-        f"mean rate of {spoken(motion.mean_precession)} radians per second; of the energies T and "
-        "V mirror each other, and their sum E stays the same."
+        f"mean rate of {mean}; of the energies T and V mirror each other, and their sum E stays "
+        "the same."
     )
 
 
@@ -339,12 +379,14 @@ def _name_area(
 
 
 def _draw_regimes(theta: float, omega3: float, phi_dot: float, **top: float) -> Canvas:
+    _leaning(theta)
     drawn = canvas(COLUMN, 2.8)
     draw_regimes(drawn.subplots(), HeavyTop(**top), theta, omega3, phi_dot)
     return drawn
 
 
 def _regimes_caption(theta: float, omega3: float, phi_dot: float, **top: float) -> str:
+    _leaning(theta)
     body = HeavyTop(**top)
     least = body.smallest_spin(theta)
     begins = f" It begins at ω₃ = {said(least)} rad/s." if 0 < least < omega3 else ""
@@ -356,6 +398,7 @@ def _regimes_caption(theta: float, omega3: float, phi_dot: float, **top: float) 
 
 
 def _regimes_in_words(theta: float, omega3: float, phi_dot: float, **top: float) -> str:
+    _leaning(theta)
     body = HeavyTop(**top)
     points = np.linspace(0.05, 1, 20) * omega3, np.linspace(-0.99, 0.99, 20) * phi_dot
     regimes, _ = regime_map(body, theta, *points)

@@ -12,7 +12,16 @@ from numpy.typing import ArrayLike
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
-from rigidtop.present.figures.bodies import SPIN, THETA, TOP, start_in_words, top_in_words
+from rigidtop.present.figures.bodies import (
+    SPIN,
+    THETA,
+    TOP,
+    has_phi,
+    rates_in_words,
+    start_in_words,
+    top_in_words,
+    vertical,
+)
 from rigidtop.present.figures.drawing import Drawing
 from rigidtop.present.figures.style import (
     COLUMN,
@@ -25,7 +34,6 @@ from rigidtop.present.figures.style import (
     canvas,
     degrees,
     name_at,
-    said,
     spoken,
 )
 
@@ -85,6 +93,7 @@ def draw_effective_potential(axes: Axes, motion: TopMotion) -> None:
 
 
 def _motion(theta: float, phi_dot: float, omega3: float, **top: float) -> TopMotion:
+    has_phi(theta, phi_dot)
     return HeavyTop(**top).motion(theta=theta, phi_dot=phi_dot, omega3=omega3)
 
 
@@ -97,7 +106,9 @@ def _draw(**values: float) -> Canvas:
 def _caption(theta: float, phi_dot: float, omega3: float, **top: float) -> str:
     motion = _motion(theta, phi_dot, omega3, **top)
     first, last = motion.turning_points
-    rates = "φ̇ = θ̇ = 0" if phi_dot == 0 else f"θ̇ = 0 and φ̇ = {said(phi_dot)} rad/s"
+    rates = rates_in_words(theta, phi_dot)
+    if phi_dot == 0 and not vertical(theta):
+        rates = "φ̇ = θ̇ = 0"
     return (
         "The effective potential U, with E less the constant p_ψ²/(2λ₃), of a top with "
         f"{top_in_words(motion.body)} that starts at {start_in_words(theta, omega3)} with {rates}. "

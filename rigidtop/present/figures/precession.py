@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike
+from scipy.optimize import brentq
 
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
@@ -306,12 +307,54 @@ def largest_sine(motion: TopMotion) -> float:
     return 1.0 if first <= math.pi / 2 <= last else max(math.sin(first), math.sin(last))
 
 
+def _at_lowest(motion: TopMotion) -> float:
+    """ω across e₃ (rad/s) at the lowest point of a top that is let go with ω along e₃."""
+    top = motion.body
+    height = top.M * top.g * top.R
+    return 2 * height * math.sin(motion.turning_points[1]) / (top.lambda3 * abs(motion.omega[2]))
+
+
+def _widest_across(motion: TopMotion) -> float:
+    """ω across e₃ (rad/s) for which the angle between L and ω is largest: √(λ₃/λ₁)|ω₃|."""
+    return math.sqrt(motion.body.lambda3 / motion.body.lambda1) * abs(motion.omega[2])
+
+
+def largest_angle(motion: TopMotion) -> float:
+    """The largest angle between L and ω (rad) of a top that is let go with ω along e₃.
+
+    Its tangent is |λ₁ − λ₃||ω₃|ω⊥/(λ₁ω⊥² + λ₃ω₃²), and ω⊥ grows from 0 to its value at the lowest
+    point: the largest is there, or where λ₁ω⊥² = λ₃ω₃² if ω⊥ grows so far.
+    """
+    across = min(_at_lowest(motion), _widest_across(motion))
+    top, spin = motion.body, abs(motion.omega[2])
+    crossed = abs(top.lambda1 - top.lambda3) * spin * across
+    return math.atan2(crossed, top.lambda1 * across**2 + top.lambda3 * spin**2)
+
+
+def widest_between(motion: TopMotion) -> bool:
+    """Whether the angle is largest on the way down, not at the lowest point."""
+    return _at_lowest(motion) > _widest_across(motion)
+
+
 def _over_nutations(motion: TopMotion) -> Floats:
-    """Times (s), of which one is half way through each of the nutations."""
+    """Times (s), of which one is half way through each of the nutations, dense about the cusps."""
     period = motion.nutation_period
     if not math.isfinite(period):  # upright or hanging, it stays
-        period = 2 * math.pi / motion.omega[2]
-    return np.linspace(0.0, NUTATIONS * period, 120 * 2 * NUTATIONS + 1)
+        return np.linspace(0.0, NUTATIONS * 2 * math.pi / motion.omega[2], 201)
+    if not widest_between(motion):
+        return np.linspace(0.0, NUTATIONS * period, 120 * 2 * NUTATIONS + 1)
+
+    def wanting(t: float) -> float:
+        return math.hypot(*motion.exact(t).omega[0, :2]) - _widest_across(motion)
+
+    # A slow top falls to its largest angle in a small part of the period.
+    first = float(brentq(wanting, 0.0, period / 2, xtol=1e-300, rtol=1e-12))
+    dense = np.append(np.geomspace(first / 50, period / 2, 160), first)
+    even = np.linspace(0.0, period / 2, 121)
+    half = np.unique(np.concatenate([even, np.minimum(dense, period / 2)]))
+    once = np.concatenate([half[:-1], period - half[:0:-1]])
+    starts = period * np.arange(NUTATIONS)
+    return np.append((starts[:, None] + once).ravel(), NUTATIONS * period)
 
 
 def draw_parallel(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> None:
@@ -343,30 +386,43 @@ def _parallel(theta: float, omega3: float, **top: float) -> Canvas:
     return drawn
 
 
-def _largest_angle(motion: TopMotion) -> float:
-    return float(angle_to_momentum(motion, _over_nutations(motion)).max())
-
-
 def _parallel_caption(theta: float, omega3: float, **top: float) -> str:
     body = HeavyTop(**top)
     motion = body.motion(theta=theta, omega3=omega3)
     weak = body.lambda1 * body.M * body.g * body.R / (body.lambda3 * omega3) ** 2
+    largest = largest_angle(motion)
+    if not largest:
+        course = "It is zero all the time."
+    elif widest_between(motion):
+        course = (
+            f"It is zero at every cusp and {degrees(largest)} at most, "
+            "arcsin(|λ₁ − λ₃|/(λ₁ + λ₃)), on the way down and again on the way up."
+        )
+    else:
+        course = f"It is zero at every cusp and {degrees(largest)} at most."
     return (
         f"The angle between L and ω of a top with {top_in_words(body)} that is let go at "
-        f"θ = {degrees(theta)} with ω₃ = {said(omega3)} rad/s and ω along e₃. It is zero at every "
-        f"cusp and {degrees(_largest_angle(motion))} at most. Dashed: the bound that holds at any "
-        "spin, its tangent 2ε₀|1 − λ₃/λ₁| sin θ with the largest sin θ that occurs, here "
-        f"{degrees(bound_of_angle(motion))} with ε₀ = λ₁MgR/(λ₃ω₃)² = {said(weak)}."
+        f"θ = {degrees(theta)} with ω₃ = {said(omega3)} rad/s and ω along e₃. {course} Dashed: the "
+        "bound that holds at any spin, its tangent 2ε₀|1 − λ₃/λ₁| sin θ with the largest sin θ "
+        f"that occurs, here {degrees(bound_of_angle(motion))} with ε₀ = λ₁MgR/(λ₃ω₃)² = "
+        f"{said(weak)}."
     )
 
 
 def _parallel_in_words(theta: float, omega3: float, **top: float) -> str:
     motion = HeavyTop(**top).motion(theta=theta, omega3=omega3)
+    largest = largest_angle(motion)
+    if not largest:
+        course = "is zero all the time"
+    else:
+        often = "twice" if widest_between(motion) else "once"
+        course = (
+            f"goes from zero up and comes down again, {often} in every nutation; it is "
+            f"{spoken(math.degrees(largest))} degrees at most"
+        )
     return (
-        "The angle between L and omega against time goes from zero up and back to zero, once in "
-        f"every nutation; it is {spoken(math.degrees(_largest_angle(motion)))} degrees at most. A "
-        "dashed line that it never crosses is at the bound, "
-        f"{spoken(math.degrees(bound_of_angle(motion)))} degrees."
+        f"The angle between L and omega against time {course}. A dashed line that it never crosses "
+        f"is at the bound, {spoken(math.degrees(bound_of_angle(motion)))} degrees."
     )
 
 

@@ -11,7 +11,13 @@ from matplotlib.figure import Figure as Canvas
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
-from rigidtop.present.figures.bodies import TOP, start_in_words, top_in_words
+from rigidtop.present.figures.bodies import (
+    TOP,
+    has_phi,
+    rates_in_words,
+    start_in_words,
+    top_in_words,
+)
 from rigidtop.present.figures.drawing import Drawing, Film
 from rigidtop.present.figures.nutation import nutation_times
 from rigidtop.present.figures.space import (
@@ -96,6 +102,7 @@ def draw_stroboscopic(axes: Axes, motion: TopMotion, times: Floats) -> None:
 
 
 def _motion(theta: float, phi_dot: float, omega3: float, **top: float) -> TopMotion:
+    has_phi(theta, phi_dot)
     return HeavyTop(**top).motion(theta=theta, phi=-1.35, phi_dot=phi_dot, omega3=omega3)
 
 
@@ -145,10 +152,10 @@ def _caption(theta: float, phi_dot: float, omega3: float, **top: float) -> str:
     motion = _motion(theta, phi_dot, omega3, **top)
     last = float(_times(motion, 2)[-1])
     return (
-        f"A top with {top_in_words(motion.body)} from {start_in_words(theta, omega3)}, θ̇ = 0 and "
-        f"φ̇ = {said(phi_dot)} rad/s, and the path of its axis ({motion.regime}); the line on the "
-        f"lid is e₁. In {FLASHES} flashes of light, {said(last / (FLASHES - 1))} s apart, where it "
-        "does not move."
+        f"A top with {top_in_words(motion.body)} from {start_in_words(theta, omega3)}, "
+        f"{rates_in_words(theta, phi_dot)}, and the path of its axis ({motion.regime}); the line "
+        f"on the lid is e₁. In {FLASHES} flashes of light, {said(last / (FLASHES - 1))} s apart, "
+        "where it does not move."
     )
 
 

@@ -113,7 +113,7 @@ def test_the_bound_on_the_angle_is_never_crossed():
     drawing = named("parallel")
     draws = np.random.default_rng(7)
     near = []
-    for _ in range(60):
+    for _ in range(30):
         about_centre, lambda3, spin, weight = 10 ** draws.uniform(-2, 2, 4)
         arm = 10 ** draws.uniform(-2, 1)
         given = {
@@ -141,6 +141,24 @@ def test_the_bound_on_the_angle_is_never_crossed():
         near.append(angle.max() / bound)
         drawing.caption(**given)
     assert max(near) > 0.99  # it is no larger than it must be
+
+
+@pytest.mark.parametrize("spin", [0.05, 2.0, 8.0, 150.0])
+def test_the_largest_angle_is_that_of_a_fine_scan(axes, spin):
+    motion = TOP.motion(theta=math.pi / 3, omega3=spin)
+    down = motion.exact(np.geomspace(1e-9, 1, 200_000) * motion.nutation_period / 2)
+    momentum = down.omega * np.array([TOP.lambda1, TOP.lambda1, TOP.lambda3])
+    crossed = np.linalg.norm(np.cross(momentum, down.omega), axis=1)
+    scanned = np.arctan2(crossed, np.sum(momentum * down.omega, axis=1)).max()
+    assert precession.largest_angle(motion) == pytest.approx(scanned, rel=1e-7)
+    precession.draw_parallel(axes, TOP, math.pi / 3, spin)
+    assert np.radians(line(axes, "_angle")[:, 1]).max() == pytest.approx(scanned, rel=1e-7)
+    drawing = named("parallel")
+    values = drawing.values({"omega3": spin})
+    assert f"{style.degrees(float(scanned))} at most" in drawing.caption(**values)
+    twice = scanned > math.asin(1 / 3) * (1 - 1e-7)  # |λ₁ − λ₃|/(λ₁ + λ₃)
+    assert twice == (spin < 10)
+    assert ("twice in every" in drawing.alternative(**values)) == twice
 
 
 @pytest.mark.parametrize("theta", [0.0, math.pi])
@@ -365,6 +383,81 @@ def test_flip_wants_a_middle_axis():
         drawing.draw(**drawing.values({"lambda2": 1.0, "lambda3": 1.5}))
 
 
+@pytest.mark.parametrize("kick", [2.0, 5.0, 1e-9])
+def test_a_flip_wants_a_small_kick(kick):
+    drawing = named("flip")
+    with pytest.raises(rt.RigidtopError, match="kick must be less than omega = 2 and at least"):
+        drawing.caption(**drawing.values({"kick": kick}))
+
+
+@pytest.mark.parametrize(("kick", "words"), [(0.01, "stays near"), (1.0, "swings between")])
+def test_words_of_a_flip_follow_from_the_kick(kick, words):
+    drawing = named("flip")
+    assert words in drawing.alternative(**drawing.values({"kick": kick}))
+
+
+def returns(drawing, given, axis, seconds):
+    """How far e₁, e₂ or e₃ is from its place after a time, and how far it was on the way."""
+    motion = free._tumbling(**drawing.values(given))
+    run = motion.integrate(np.linspace(0, seconds, 41), rtol=1e-11, atol=1e-13)
+    place = run.rotation.as_matrix()[:, :, axis]
+    gap = np.linalg.norm(place - place[0], axis=1)
+    return gap[-1], gap.max()
+
+
+def test_words_of_tumbling_follow_from_the_regime():
+    drawing = named("tumbling")
+
+    def told(given):
+        values = drawing.values(given)
+        words = drawing.alternative(**values)
+        return drawing.caption(**values), words
+
+    usual, words = told({})
+    assert "e₃ (thick) and e₁ never come back; 5 nutations" in usual
+    assert "do not close" in words
+
+    given = {"omega1": 0.0, "omega2": 0.0}
+    steady, words = told(given)
+    turn = 2 * math.pi / abs(drawing.values()["omega3"])
+    assert "in the body L rests (steady)" in steady
+    days = style.said(turn / free.DAY)
+    assert f"e₃ rests and e₁ goes round a circle, back after {days} days; one turn" in steady
+    assert "never" not in steady
+    assert "do not close" not in words
+    assert returns(drawing, given, 0, turn) == pytest.approx((0, 2), abs=0.01)
+    assert returns(drawing, given, 2, turn) == pytest.approx((0, 0), abs=1e-9)
+
+    given = {"lambda1": 2.0, "lambda2": 2.0}
+    round_e3, words = told(given)
+    rates = np.array([drawing.values()[f"omega{k}"] for k in (1, 2, 3)])
+    turn = 2 * math.pi * 2.0 / np.linalg.norm(rates * [2, 2, 1])  # 2πλ₁/L
+    days = style.said(turn / free.DAY)
+    assert f"e₃ (thick) goes round a circle about L, back after {days} days, and e₁" in round_e3
+    assert "never" not in round_e3
+    assert "do not close" not in words
+    there, away = returns(drawing, given, 2, turn)
+    assert there < 1e-8 < 0.5 < away
+    assert returns(drawing, given, 0, turn)[0] > 0.1
+
+    ball, words = told({"lambda1": 1.0, "lambda2": 1.0})
+    turn = style.said(2 * math.pi / np.linalg.norm(rates) / free.DAY)
+    assert "L rests (steady)" in ball
+    assert f"go round circles, back after {turn} days" in ball
+    assert "endless" not in ball
+    assert "rests" in words
+
+
+def test_words_of_tumbling_on_the_separatrix():
+    drawing = named("tumbling")
+    given = {"lambda1": 1.0, "lambda2": 2.0, "lambda3": 2.5, "omega2": 0.0, "omega3": 1.0}
+    values = drawing.values({**given, "omega1": math.sqrt(2.5 * 0.5)})
+    assert free._tumbling(**values).regime == "separatrix"
+    caption = drawing.caption(**values)
+    assert "L tends to the middle axis and never comes back (separatrix)" in caption
+    assert "nutations are drawn" not in caption
+
+
 def test_tumbling_keeps_the_length_of_the_momentum():
     left, right = Canvas().subplots(1, 2)
     drawing = named("tumbling")
@@ -391,6 +484,34 @@ def test_paths_are_waves_cusps_and_loops():
     assert shapes["waves"] > 0.01
     assert abs(shapes["cusps"]) < 0.01
     assert shapes["loops"] < -0.1
+
+
+@pytest.mark.parametrize("theta", [0.0, math.pi])
+def test_on_the_vertical_phi_has_no_meaning(theta):
+    for name in ("motion", "top", "effective-potential"):
+        drawing = named(name)
+        caption = drawing.caption(**drawing.values({"theta": theta}))
+        assert "where φ has no meaning" in caption
+        assert "φ̇" not in caption
+        with pytest.raises(rt.RigidtopError, match="phi has no meaning: phi_dot must be 0"):
+            drawing.draw(**drawing.values({"theta": theta, "phi_dot": 1.0}))
+    for name in ("paths", "regimes"):
+        drawing = named(name)
+        for make in (drawing.draw, drawing.caption, drawing.alternative):
+            with pytest.raises(rt.RigidtopError, match="phi has no meaning"):
+                make(**drawing.values({"theta": theta}))
+    drawing = named("motion")
+    values = drawing.values({"theta": theta})
+    assert f"θ stays {math.degrees(theta):.0f}°" in drawing.caption(**values)
+    assert "no meaning" in drawing.alternative(**values)
+    assert "runs between" in drawing.caption(**drawing.values({"theta": theta, "theta_dot": 1.0}))
+
+
+def test_a_steady_motion_is_told_as_such():
+    drawing = named("motion")
+    slow, _ = TOP.steady_precession(1.0, 40.0)
+    caption = drawing.caption(**drawing.values({"theta": 1.0, "phi_dot": slow}))
+    assert f"θ stays 57.3°, and φ goes on at {style.said(slow)} rad/s" in caption
 
 
 def test_effective_potential_is_the_energy_at_rest(axes):
