@@ -28,7 +28,7 @@ from sympy import (
     zeros,
 )
 
-from rigidtop.cli import SOURCES
+from rigidtop.commands.derive import SOURCES
 from rigidtop.codegen import shipped
 from rigidtop.codegen.languages import LANGUAGES, Source, function_name, source
 from rigidtop.codegen.values import Line, NothingToEvaluateError, Value, Values, values
