@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
-from math import asin, atan, cos, factorial, hypot, pi, sin, sqrt
+from math import asin, atan, atan2, cos, factorial, hypot, pi, sin, sqrt
 
 import numpy as np
 import sympy
 from numpy.typing import NDArray
 from scipy.integrate import quad
-from scipy.optimize import brentq
+from scipy.optimize import brentq, minimize_scalar
 from scipy.special import elliprf
 from sympy import Expr, Gt, Matrix, Ne
 
@@ -23,6 +23,7 @@ from rigidtop.derivations.simplified_picture import (
     torque_direction,
 )
 from rigidtop.errors import RigidtopError
+from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import ROUNDING, HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.equation import Cross, Dot, Equation, Group, as_printed
@@ -278,22 +279,48 @@ def bound_of_angle(top: HeavyTop, start: float, spin: float) -> float:
     return atan(2 * weak * abs(1 - top.lambda3 / top.lambda1) * sine)
 
 
-def largest_angle(top: HeavyTop, start: float, spin: float) -> float:
-    """The largest angle between L and ω over a nutation after that release (rad)."""
-    motion = top.motion(theta=start, omega3=spin)
-    # An even number of steps: halfway the top is lowest.
-    path = motion.exact(np.linspace(0.0, motion.nutation_period, 201))
-    across = np.hypot(*path.omega[:, :2].T)
-    # |L × ω| and L·ω in the body; in space the cross product of long vectors loses a small angle.
-    crossed = abs((top.lambda1 - top.lambda3) * spin) * across
-    along = top.lambda1 * across**2 + top.lambda3 * spin**2
-    return float(np.arctan2(crossed, along).max())
+def fastest_across(top: HeavyTop, theta: float, omega3: float) -> float:
+    """The largest |ω⊥| of a top released at θ with ω along e₃: at its lowest point (rad/s)."""
+    if sin(theta) == 0:
+        return 0.0  # nothing disturbs it
+    weak = smallness(top, omega3)
+    # δ = 2ε₀ sin²θ there, with cos θ = cos θᵢ − δ; without differences of large numbers.
+    linear, torque = 1 - 4 * weak * cos(theta), 4 * weak * sin(theta)
+    root = hypot(linear, torque)
+    sunk = torque * sin(theta) / (root + linear) if linear > 0 else (root - linear) / (4 * weak)
+    return sqrt(2 * top.weight[2] * sunk / top.lambda1)
+
+
+def largest_angle(top: HeavyTop, theta: float, omega3: float) -> float:
+    """The largest angle between L and ω of a top released at θ with ω along e₃ (rad).
+
+    Its tangent |λ₁ − λ₃| |ω₃| |ω⊥|/(λ₁ω⊥² + λ₃ω₃²) grows up to λ₁ω⊥² = λ₃ω₃². A fast top stays
+    below that: its angle is largest where it is lowest. A slow top comes past it on its way.
+    """
+    across = min(fastest_across(top, theta, omega3), sqrt(top.lambda3 / top.lambda1) * abs(omega3))
+    crossed = abs((top.lambda1 - top.lambda3) * omega3) * across
+    return atan2(crossed, top.lambda1 * across**2 + top.lambda3 * omega3**2)
 
 
 def angle_between(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
     """Of the rows (N, 3) of both (rad)."""
     across = np.linalg.norm(np.cross(a, b), axis=1)
     return np.asarray(np.arctan2(across, np.sum(a * b, axis=1)))
+
+
+def widest_on_the_way(motion: TopMotion) -> float:
+    """The largest angle between L and ω in space on the way down, integrated (rad)."""
+
+    def missing(time: float) -> float:
+        path = motion.integrate(time, rtol=1e-12, atol=1e-14)
+        return -float(angle_between(path.angular_momentum, path.omega_space)[0])
+
+    down = motion.nutation_period / 2
+    # The angle has one maximum on the way, or is largest at its end.
+    found = minimize_scalar(
+        missing, bounds=(0.0, down), method="bounded", options={"xatol": 1e-12 * down}
+    )
+    return max(-float(found.fun), -missing(down))
 
 
 DOUBLINGS = 8
@@ -320,9 +347,9 @@ DOUBLINGS = 8
 def parallel_bound(
     theta: float, omega3: float, lambda1: float, lambda3: float, M: float, R: float, g: float
 ) -> Iterator[Outcome]:
-    """The exact motion in closed form, over one nutation, after which all angles repeat; its mean
-    precession is a closed form too. The table doubles the spin from row to row. The same angle
-    comes from the motion integrated with quaternions."""
+    """The largest angle is a closed form: at the lowest point of a fast top, on the way to it of a
+    slow one. The mean precession of the exact motion is a closed form too. The table doubles the
+    spin from row to row. The motion integrated with quaternions is searched for the same angle."""
     top = HeavyTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g)
     if omega3 == 0:
         raise RigidtopError(
@@ -367,16 +394,14 @@ def parallel_bound(
     above = max(row[4] for row in rows) - 1
     yield Measure("by how much any angle of the table exceeds its bound", max(above, 0.0), 1e-9)
     motion = top.motion(theta=theta, omega3=omega3)
-    times = np.linspace(0.0, motion.nutation_period, 201)
-    path = motion.integrate(times, rtol=1e-12, atol=1e-14)
-    integrated = float(angle_between(path.angular_momentum, path.omega_space).max())
     yield Measure(
         "the largest angle against that of L and ω in space, integrated (rad)",
-        abs(integrated - largest),
+        abs(widest_on_the_way(motion) - largest),
         1e-11,
     )
     lowest = motion.turning_points[1]
-    across = float(np.hypot(*path.omega[100, :2]))
+    path = motion.integrate(motion.nutation_period / 2, rtol=1e-12, atol=1e-14)
+    across = float(np.hypot(*path.omega[0, :2]))
     yield Measure(
         "|ω⊥| at the lowest point against 2Ω sin θ there, relative",
         abs(across / (2 * top.weight[2] * sin(lowest) / abs(lambda3 * omega3)) - 1),
