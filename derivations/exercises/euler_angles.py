@@ -49,7 +49,8 @@ from .bodies import HEAVY_TOP, SPIN
 def vertical_trap() -> Iterator[Evidence]:
     """e₁′ points down where e₃ leans over, so ẑ lies on the other side of e₃: hence the minus.
 
-    Both signs give a unit vector, so its length shows no mistake; its angle with ẑ, 2θ, does.
+    Both signs give a unit vector, so its length shows no mistake; its angle with ẑ does: 2θ, or
+    2π − 2θ where θ exceeds 90°.
     """
     axes = primed_matrix()
     meaning = {e1p: axes[:, 0], e2p: axes[:, 1], e3: axes[:, 2], **SPACE_AXES}
@@ -187,8 +188,9 @@ def azimuth_of_a_motion(
 ) -> Iterator[Outcome]:
     """The motion is integrated over a nutation with quaternions, which know neither φ nor L_z; the
     axis moves by ė₃ = ω × e₃, and its azimuth at the rate (xẏ − yẋ)/(x² + y²). Tops that pass the
-    vertical closely start at rest in θ, with φ̇ chosen for their L_z; their smallest θ is that of
-    the motion in closed form."""
+    vertical closely start with φ̇ chosen for their L_z and on the way up, as fast as a top without
+    rotation falls from the upright to θ: so they get there at any spin. Their smallest θ is that
+    of the motion in closed form."""
     if omega3 == 0:
         raise RigidtopError("omega3 must not be 0: L_z/L₃ says how closely a spinning top passes")
     top = HeavyTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g)
@@ -229,11 +231,13 @@ def azimuth_of_a_motion(
 
 
 def _pass(top: HeavyTop, theta: float, omega3: float, miss: float) -> tuple[float, ...]:
-    """`miss`, the smallest θ of a top at rest in θ with L_z = (1 + miss)L₃, φ̇ there, and θφ̇."""
+    """`miss`, the smallest θ of a top that rises with L_z = (1 + miss)L₃, φ̇ there, and θφ̇."""
     spin = top.lambda3 * omega3
     # L_z − L₃ cos θ = L₃ (2 sin²(θ/2) + miss), at the start and at the smallest θ.
     started = spin * (2 * sin(theta / 2) ** 2 + miss) / (top.lambda1 * sin(theta) ** 2)
-    smallest, _ = top.motion(theta=theta, phi_dot=started, omega3=omega3).turning_points
+    rising = -2 * sqrt(top.weight[2] / top.lambda1) * sin(theta / 2)
+    motion = top.motion(theta=theta, phi_dot=started, theta_dot=rising, omega3=omega3)
+    smallest, _ = motion.turning_points
     there = spin * (2 * sin(smallest / 2) ** 2 + miss) / (top.lambda1 * sin(smallest) ** 2)
     return miss, smallest, there, smallest * there
 
