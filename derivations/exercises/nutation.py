@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
-from math import acos, cos, inf, pi, sin, sqrt
+from math import acos, asin, cos, inf, pi, sin, sqrt
 from typing import Any
 
 import numpy as np
@@ -147,11 +147,13 @@ def turning_points() -> Iterator[Evidence]:
 
 @claim("waves-or-loops", "At which φ̇ the path changes from waves to loops, for a start with θ̇ = 0.")
 def waves_or_loops() -> Iterator[Evidence]:
-    """The axis sinks where (3.57) with φ̇ for Ω is positive, and rises between its two roots.
+    """The axis sinks where (3.57) with φ̇ for Ω is positive, and rises where it is negative.
 
-    φ̇ vanishes on the way, in loops, where θ̇² comes out positive there; at φ̇ = 0 and at
-    φ̇ = 2MgR/(λ₃ω₃) it vanishes at a turning point, in cusps. Beyond the φ̇ at which the axis passes
-    through the vertical, up or down, cos θ₀ = p_φ/p_ψ is no cosine and there are waves again.
+    For cos θ > 0 that is between the two roots, and nowhere below the spin at which there are any;
+    for cos θ < 0 it is outside of them. φ̇ vanishes on the way, in loops, where θ̇² comes out
+    positive there; at φ̇ = 0 it vanishes at a turning point, in cusps, and if (λ₃ω₃)² exceeds
+    2λ₁MgR(1 + cos θ) also at φ̇ = 2MgR/(λ₃ω₃). Beyond the φ̇ at which the axis passes through the
+    vertical, up or down, cos θ₀ = p_φ/p_ψ is no cosine and there are waves again.
     """
     with as_printed():
         sinks = Equation(
@@ -228,6 +230,23 @@ class Swing:
             return -2 * constant / (linear + root), (linear + root) / (4 * w)
         return (linear - root) / (4 * w), 2 * constant / (root - linear)
 
+    @cached_property
+    def _nearer(self) -> tuple[int, float, float]:
+        """±1, the vertical on the other turning point's side, 1 ∓ cos θ there, and p_φ ∓ p_ψ.
+
+        Without differences of large numbers, also where the axis almost passes through it.
+        """
+        side = 1 if self.gap > 0 else -1
+        away = 2 * (sin(self.tilt / 2) if side == 1 else cos(self.tilt / 2)) ** 2
+        top, spin = self.top, self.top.lambda3 * self.spin
+        barrier = away * (top.lambda1 * (2 - away) * self.phi_dot - side * spin)
+        there = away - abs(self.gap)
+        third = abs(side * self._roots[1] - away)  # by how much that root is beyond the vertical
+        if there < third:
+            # From u̇² = −(p_φ ∓ p_ψ)²/λ₁² at the vertical, the product of all three.
+            there = barrier**2 / (2 * top.lambda1 * top.weight[2] * away * third)
+        return side, there, barrier
+
     @property
     def gap(self) -> float:
         """cos θ at the other turning point less cos θ at the start."""
@@ -236,11 +255,13 @@ class Swing:
     @property
     def other(self) -> float:
         """θ at the other turning point (rad)."""
-        return acos(max(-1.0, min(1.0, cos(self.tilt) + self.gap)))
+        side, there, _ = self._nearer
+        tilt = 2 * asin(min(1.0, sqrt(there / 2)))
+        return tilt if side == 1 else pi - tilt
 
     def _below(self, x: float) -> float:
-        """u − u₀ at the phase x, which goes from 0 at the start to π at the other turning point."""
-        return self.gap * sin(x / 2) ** 2
+        """u − u₀ at the phase x, which goes from π at the start to 0 at the other turning point."""
+        return self.gap * cos(x / 2) ** 2
 
     def _slowness(self, x: float) -> float:
         """dt/dx (s)."""
@@ -249,14 +270,15 @@ class Swing:
 
     def rate(self, x: float) -> float:
         """φ̇ at the phase x (rad/s), from p_φ and p_ψ."""
-        u, s2, change = cos(self.tilt), sin(self.tilt) ** 2, self._below(x)
-        turn = self.top.lambda1 * self.phi_dot * s2 - self.top.lambda3 * self.spin * change
-        return turn / (self.top.lambda1 * (s2 - 2 * u * change - change**2))
+        side, there, barrier = self._nearer
+        away = there + abs(self.gap) * sin(x / 2) ** 2
+        turn = barrier + side * self.top.lambda3 * self.spin * away
+        return turn / (self.top.lambda1 * away * (2 - away))
 
-    def over_a_period(self, integrand: Callable[[float], float]) -> float:
-        """2∫ integrand dt from one turning point to the other."""
+    def over_a_period(self, integrand: Callable[[float], float], error: float = 0.0) -> float:
+        """2∫ integrand dt from one turning point to the other, to 1e-11 of it or to `error`."""
         found, _ = quad(
-            lambda x: integrand(x) * self._slowness(x), 0, pi, epsabs=0, epsrel=1e-12, limit=400
+            lambda x: integrand(x) * self._slowness(x), 0, pi, epsabs=error, epsrel=1e-11, limit=400
         )
         return 2 * float(found)
 
@@ -268,7 +290,8 @@ class Swing:
     @property
     def precession(self) -> float:
         """By how much φ grows in that time (rad)."""
-        return self.over_a_period(self.rate)
+        # Two turns almost through a vertical may cancel each other.
+        return self.over_a_period(self.rate, error=1e-11)
 
 
 def small_frequency(top: HeavyTop, tilt: float, phi_dot: float, spin: float) -> float:
@@ -285,7 +308,7 @@ def lowest_potential(swing: Swing) -> tuple[float, float]:
     """θ at which a motion with the momenta of this one could be steady, and Ω there."""
 
     def state(x: float) -> Swing:
-        tilt = acos(cos(swing.tilt) + swing.gap * sin(x / 2) ** 2)
+        tilt = acos(cos(swing.tilt) + swing.gap * cos(x / 2) ** 2)
         return replace(swing, tilt=tilt, phi_dot=swing.rate(x))
 
     phase = float(brentq(lambda x: state(x).steepness, 0, pi, xtol=1e-14))
@@ -319,7 +342,7 @@ def small_nutation(
     yield Answer("frequency", "small nutation about it, √(U″/λ₁)", frequency, "rad/s")
     yield Answer(
         "fast_frequency",
-        "the same for a fast top, λ₃ω₃/λ₁",
+        "the same for a fast top, |λ₃ω₃|/λ₁",
         lambda3 * abs(omega3) / lambda1,
         "rad/s",
     )
@@ -352,7 +375,7 @@ def small_nutation(
             "ω₃ (rad/s)",
             "frequency (rad/s)",
             "√(U″/λ₁) (rad/s)",
-            "λ₃ω₃/λ₁ (rad/s)",
+            "|λ₃ω₃|/λ₁ (rad/s)",
             "amplitude (rad)",
             "λ₁MgR sin θ/(λ₃ω₃)² (rad)",
         ),
@@ -471,7 +494,7 @@ def waves_cusps_loops(
     yield Answer("path", "path for the given φ̇", drawn)
     yield Answer("at_first", "at first the axis", _first(swing))
     yield Answer("turn", "θ at the other turning point", swing.other, "rad")
-    yield Answer("turn_rate", "φ̇ at the other turning point", swing.rate(pi), "rad/s")
+    yield Answer("turn_rate", "φ̇ at the other turning point", swing.rate(0.0), "rad/s")
     yield Answer("period", "time from one nutation to the next", swing.period, "s")
     yield Answer("precession", "by how much φ grows in that time", swing.precession, "rad")
     yield Answer("mean_rate", "mean φ̇", swing.precession / swing.period, "rad/s")
@@ -488,8 +511,8 @@ def waves_cusps_loops(
         by_signs = float(seen(motion, swing.period) != drawn)
         yield Measure("path by the signs of φ̇, integrated", by_signs, 0.5)
     path = motion.integrate(swing.period / 2, **TIGHT)
-    error = abs(float(path.phi_dot[0]) - swing.rate(pi))
-    scale = max(abs(phi_dot), abs(swing.rate(pi)), 1.0)
+    error = abs(float(path.phi_dot[0]) - swing.rate(0.0))
+    scale = max(abs(phi_dot), abs(swing.rate(0.0)), 1.0)
     yield Measure("φ̇ half a period later, integrated (rad/s)", error, 1e-7 * scale)
 
 

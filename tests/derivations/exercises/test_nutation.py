@@ -127,6 +127,25 @@ def test_backward_spin_is_the_mirror_image(solve):
     assert backward["precession"] == -forward["precession"]
 
 
+@pytest.mark.parametrize("rate", [5.76960, 5.7695, -80.2, -80.0])
+def test_paths_that_almost_pass_the_vertical(solve, rate):
+    found = solve("waves-cusps-loops", phi_dot=rate)
+    assert min(found["turn"], pi - found["turn"]) < 0.003
+    assert all(measure.passed for measure in found.measures)
+
+
+def test_slow_top_with_almost_the_momenta_of_an_upright_one(solve):
+    """Too little spin to rise that far: (1 + cos θ)(1 + cos θ′) = (λ₃ω₃)²/(λ₁MgR), here 12/4.
+
+    By L₃²(1 − cos θ)/(2λ₁(1 + cos θ)) + MgR cos θ, the potential with L_z = L₃.
+    """
+    theta, spin = 0.8, sqrt(12) / 0.5
+    rate = 0.5 * spin / (1 + cos(theta)) * (1 + 1e-9)
+    found = solve("waves-cusps-loops", **LIGHT, theta=theta, omega3=spin, phi_dot=rate)
+    assert (1 + cos(theta)) * (1 + cos(found["turn"])) == pytest.approx(3, rel=1e-8)
+    assert all(measure.passed for measure in found.measures)
+
+
 def test_starts_without_a_path_are_refused(solve):
     with pytest.raises(RigidtopError, match="phi_dot = -5 takes the axis through the vertical"):
         solve("waves-cusps-loops", **WHOLE, theta=pi / 3, omega3=10, phi_dot=-5.000000000000001)
