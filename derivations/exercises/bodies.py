@@ -9,6 +9,9 @@ from rigidtop.parameters import Parameter
 # About the pivot; no two numbers are equal, so that a formula with two of them exchanged shows.
 LAMBDA1 = Parameter("lambda1", 1.3, "λ₁ about the pivot", "kg m²", above=0)
 LAMBDA3 = Parameter("lambda3", 0.7, "λ₃ about the axis", "kg m²", above=0)
+FREE1 = Parameter("lambda1", 1.3, "λ₁ about the centre of mass", "kg m²", above=0)
+"""Of a free body, which nothing holds."""
+
 MASS = Parameter("M", 0.8, "mass", "kg", above=0)
 ARM = Parameter("R", 0.6, "distance from the pivot to the centre of mass", "m", above=0)
 GRAVITY = Parameter("g", 9.81, "acceleration of gravity", "m/s²", above=0)

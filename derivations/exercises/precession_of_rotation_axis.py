@@ -57,7 +57,7 @@ from rigidtop.theory.symbols import (
     theta,
 )
 
-from .bodies import LAMBDA1, LAMBDA3
+from .bodies import FREE1, LAMBDA3
 
 Vectors = NDArray[np.float64]
 
@@ -65,6 +65,9 @@ ACROSS = Parameter("omega_0", 0.6, "ω across e₃ at the start, along e₁", "r
 ALONG = Parameter("omega3", 2.0, "ω₃ at the start", "rad/s", above=0)
 
 UPWARD = (0.0, 0.0, 1.0)
+PARALLEL = 1e-7
+"""Two directions this near (rad) span no plane that rounding leaves in its place."""
+
 MOST_ANGLE = 1e4
 """No body is followed for longer than it takes to turn by this (rad)."""
 
@@ -141,7 +144,7 @@ def widest_angle() -> Iterator[Evidence]:
     "plane of ω and L?",
     claims=(constant_angle, coplanar, same_frequency, widest_angle),
     parameters=(
-        LAMBDA1,
+        FREE1,
         Parameter("lambda2", 1.5, "λ₂ of the body without symmetry", "kg m²", above=0),
         LAMBDA3,
         ACROSS,
@@ -157,7 +160,12 @@ def cone_plane(
     period of the closed form later, since |ω|² is linear in ω₂² at given T and L."""
     tilt, momentum_tilt = atan2(omega_0, omega3), atan2(lambda1 * omega_0, lambda3 * omega3)
     between = abs(momentum_tilt - tilt)
-    nearest = "ω" if lambda1 > lambda3 else "L" if lambda1 < lambda3 else "both alike"
+    if between < PARALLEL:
+        raise RigidtopError(
+            "ω and L are parallel, as far as numbers tell, and span no plane: let lambda1 and "
+            "lambda3 differ more, and omega_0 and omega3 less"
+        )
+    nearest = "ω" if lambda1 > lambda3 else "L"
     yield Answer("e3_omega", "angle between e₃ and ω", tilt, "rad")
     yield Answer("e3_L", "angle between e₃ and L", momentum_tilt, "rad")
     yield Answer("omega_L", "angle between ω and L", between, "rad")
@@ -227,8 +235,9 @@ def rolling() -> Iterator[Evidence]:
     """ω is the sum of L/λ₁, with which the plane turns in space, and Ω_b e₃.
 
     The point of the body that is on the line of contact, along ω, does not move: rolling. So
-    the contact runs at one speed over both cones. The sign of Ω_b decides whether the body cone
-    rolls outside the space cone (prolate) or with the space cone inside it (oblate).
+    the contact runs at one speed over both cones. The sign of λ₁ − λ₃, which is that of Ω_b/ω₃,
+    decides whether the body cone rolls outside the space cone (prolate) or with the space cone
+    inside it (oblate).
     """
     with as_printed():
         parts = Equation(omega_vec, L_vec / lambda1 + Omega_b * e3)
@@ -264,7 +273,7 @@ def rolling() -> Iterator[Evidence]:
     "half angles of the cones on which ω moves.\n\n"
     "Show that one cone rolls on the other without slipping. What is different for a flat body?",
     claims=(body_precession, space_cone, rolling),
-    parameters=(LAMBDA1, LAMBDA3, ACROSS, ALONG),
+    parameters=(FREE1, LAMBDA3, ACROSS, ALONG),
     figure="rolling-cones",
 )
 def space_rate(lambda1: float, lambda3: float, omega_0: float, omega3: float) -> Iterator[Outcome]:
@@ -395,6 +404,8 @@ def euler_period() -> Iterator[Evidence]:
     )
 
 
+ROUNDING = 1e-12
+
 DAY = 86400.0
 """A mean solar day (s)."""
 
@@ -408,9 +419,9 @@ DAY = 86400.0
     "H = (C − A)/C is known from the precession of the equinoxes (IERS Conventions 2010, "
     "Table 1.1). How long would its axis of rotation take to go once around the pole of its figure "
     "if it were rigid, and which way around?\n\n"
-    "Chandler found a period of 433 days. What share of the bulge must follow the axis of rotation "
-    "to explain that? How far from the pole of figure does the axis meet the ground if the angle "
-    "is 0.1″?",
+    "The wobble that Chandler found has a period of 433 days today. What share of the bulge must "
+    "follow the axis of rotation to explain that? How far from the pole of figure does the axis "
+    "meet the ground if the angle is 0.1″?",
     claims=(body_precession, euler_period),
     parameters=(
         # IERS Conventions 2010 (TN 36), Tables 1.1 and 1.2: H, Ω, and the polar radius a(1 − f).
@@ -433,6 +444,11 @@ def earth_euler_period(
     # P = P_E (1 + kH/(1 − H))/(1 − k), solved for k.
     ratio = observed / period
     share = (ratio - 1) / (ratio + H / (1 - H))
+    if share < -ROUNDING:
+        raise RigidtopError(
+            f"observed = {observed:g} must be at least Euler's period, {period:.6g} days: a bulge "
+            "that follows the axis makes the period longer"
+        )
     yield Answer("turns", "Euler period in turns of the Earth (sidereal days)", turns)
     yield Answer("period", "Euler period", period, "days")
     yield Answer("direction", "ω goes around e₃", "eastwards, as the Earth turns")

@@ -74,6 +74,12 @@ def test_variation_of_a_body_without_symmetry(solve):
     assert out_of_plane[1][3] > 0.05
 
 
+@pytest.mark.parametrize("given", [{"lambda3": 1.3}, {"omega_0": 1e-9}, {"omega3": 1e-9}])
+def test_parallel_vectors_span_no_plane(solve, given):
+    with pytest.raises(RigidtopError, match="span no plane"):
+        solve("cone-plane", **given)
+
+
 def test_without_asymmetry_nothing_varies(solve):
     found = solve("cone-plane", lambda2=1.3)
     assert all(measure.passed for measure in found.measures)
@@ -162,6 +168,11 @@ def test_share_of_the_bulge_is_a_ratio_of_love_numbers(solve):
 def test_rigid_earth_needs_no_share(solve):
     period = solve("earth-euler-period")["period"]
     assert solve("earth-euler-period", observed=period)["share"] == pytest.approx(0, abs=1e-14)
+
+
+def test_a_bulge_that_follows_never_shortens_the_period(solve):
+    with pytest.raises(RigidtopError, match=r"observed = 200 must be at least .* 303\.625 days"):
+        solve("earth-euler-period", observed=200)
 
 
 def test_yielding_earth_integrated(solve):
