@@ -162,6 +162,16 @@ def test_a_symmetric_toutatis_has_the_frequencies_of_the_notes(solve):
     momentum = np.array([3, 3, 1]) * OMEGA
     assert found["precession"] == pytest.approx(2 * pi * 3 / sqrt(momentum @ momentum), rel=1e-10)
     assert found["rotation"] == pytest.approx(2 * pi / abs(2 / 3 * OMEGA[2]), rel=1e-10)
+    assert found["mode"] == "long axis"
+    # Friction leads to any axis across e₃.
+    assert found["tilt_at_end"] < 1e-4
+    assert all(measure.passed for measure in found.measures)
+
+
+def test_errors_that_the_method_states(solve):
+    """Of the published moments and start, as the words have them."""
+    found = solve("toutatis")
+    assert (round(found["median_error"], 1), round(found["largest_error"], 1)) == (5.6, 15.9)
 
 
 @pytest.mark.parametrize(
@@ -169,7 +179,10 @@ def test_a_symmetric_toutatis_has_the_frequencies_of_the_notes(solve):
     [
         ({"omega1": 0, "omega2": 0, "omega3": 0}, "nothing rotates"),
         ({"lambda2": 5}, "no body has such moments"),
-        ({"lambda1": 2, "lambda2": 2, "lambda3": 2}, "has no period"),
+        ({"lambda1": 2, "lambda2": 2, "lambda3": 2}, "lambda3 must be the smallest moment"),
+        ({"lambda1": 0.9, "lambda2": 1.2}, "lambda3 must be the smallest moment"),
+        ({"omega1": 0, "omega2": 0}, "ω is along a principal axis"),
+        ({"omega2": 0, "omega3": 0}, "ω is along a principal axis"),
     ],
 )
 def test_bad_settings(solve, given, message):
