@@ -451,7 +451,8 @@ def waking_top(
     visible: float,
 ) -> Iterator[Outcome]:
     """The time to the sleeping spin is a closed form; from then on the growth rate of the spin at
-    each moment is summed. The top with its disturbance is integrated on the table, and so is the
+    each moment is summed, which is good if ln(visible/disturbance) is large: it is off by about one
+    part in that. The top with its disturbance is integrated on the table, and so is the
     linear equation of a small tilt."""
     about_tip = HeavyTop(lambda1=lambda1 + M * R**2, lambda3=lambda3, M=M, R=R, g=g)
     sleeping = about_tip.sleeping_spin()
@@ -461,7 +462,8 @@ def waking_top(
         )
     decay, size = drag3 / lambda3, lambda3 / (2 * about_tip.lambda1)
     asleep = log(omega3 / sleeping) / decay
-    growing = waking_time(decay, sleeping, size, log(visible / disturbance))
+    folds = log(visible / disturbance)
+    growing = waking_time(decay, sleeping, size, folds)
     yield Answer("sleeping_spin", "smallest ω₃ at which the upright is stable", sleeping, "rad/s")
     yield Answer("time_asleep", "time until ω₃ has come down to it", asleep, "s")
     yield Answer("half_life", "time in which ω₃ halves", log(2) / decay, "s")
@@ -502,9 +504,9 @@ def waking_top(
     yield Measure("ω₃(t) on the table until then, relative", error, 1e-6)
     yield Measure("sum of energies and heat, relative", path.budget(), 1e-7)
     error = abs(seen - asleep - growing) / growing
-    yield Measure("time from the sleeping spin, by the growth rate, relative", error, 0.25)
+    yield Measure("time from the sleeping spin, by the growth rate, relative", error, 1.5 / folds)
     linear = small_tilt_time(about_tip, omega3, decay, disturbance, visible)
-    allowed = visible**2 / 10
+    allowed = visible**2 / 10 + 100 * disturbance**2
     yield Measure(
         "time, by the linear equation of a small tilt, relative", abs(linear / seen - 1), allowed
     )

@@ -112,6 +112,13 @@ def test_waking_by_the_integral_in_closed_form(solve):
     assert growth * (atanh(y) - y) == pytest.approx(log(0.1 / 1e-6), rel=1e-9)
 
 
+@pytest.mark.parametrize("given", [{}, {"drag3": 2e-6}, {"drag3": 1e-4}, {"omega3": 200}])
+def test_growth_that_is_soon_visible(solve, given):
+    """Only e^2.3 of growth: the growth rate of a moment says little, as the method says."""
+    found = solve("waking-top", disturbance=1e-3, visible=0.01, **given)
+    assert all(measure.passed for measure in found.measures)
+
+
 def test_the_air_takes_it_all_while_the_tip_is_held(solve):
     rows = solve("waking-top")["budget"].rows
     assert all(row[5] == 0 for row in rows)
