@@ -215,10 +215,10 @@ def discs(radius: float, height: float, nodes: int = 8) -> tuple[Vectors, Vector
     "Gravity on a cone that stands on its tip",
     section="3.5.1",
     asks="exercise: the potential energy is MgR cos θ",
-    statement="A solid cone of uniform density stands on its tip and leans at θ towards the "
-    "azimuth φ. Every bit of it has a weight, an arm and a height of its own. Find the torque and "
-    "the potential energy as integrals over the cone, and compare with one force Mg at the centre "
-    "of mass.\n\n"
+    statement="A solid cone of uniform density stands on its tip, which is held so high that no "
+    "table is in the way, and leans at θ towards the azimuth φ. Every bit of it has a weight, an "
+    "arm and a height of its own. Find the torque and the potential energy as integrals over the "
+    "cone, and compare with one force Mg at the centre of mass.\n\n"
     "Find its moments about the tip too: then the cone is a top. How fast must it spin so that it "
     "can stand upright, or go round steadily at θ?",
     claims=(gravity, potential, torque_along_the_nodes, cone_on_its_tip),

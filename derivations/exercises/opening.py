@@ -117,7 +117,7 @@ def free_flight(
     asks="opening example",
     statement="The masses M₁ and M₂ sit at the distances a and b on either side of the origin on a "
     "stick without mass, which a bearing at the origin turns at constant ω, tilted to ω by the "
-    "angle α. Which direction has L, and how far is it from ω?\n\n"
+    "angle α. Gravity is left out. Which direction has L, and how far is it from ω?\n\n"
     "What torque, and what force, must the bearing exert, and in which directions? What do stick "
     "and masses do when the bearing lets go?",
     claims=(two_mass_points, bearing_torque),
