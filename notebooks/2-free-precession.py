@@ -248,8 +248,9 @@ example_33
 # ### Exercise 2.1
 #
 # The Earth has $(\lambda_3-\lambda_1)/\lambda_3 = 1/305$ and rotates once in 0.99727 days. After
-# how many days would a free precession of its rotation axis in the body be completed? (Chandler
-# observed about 433 days, as the Earth is not rigid.) Which way does it go round?
+# how many days would a free precession of its rotation axis in the body be completed? (The
+# wobble that Chandler found has a period of 433 days today, as the Earth is not rigid.) Which way
+# does it go round?
 
 # %% tags=["solution"]
 H = 1 / 305
