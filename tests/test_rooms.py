@@ -20,6 +20,7 @@ READS = {
     "present": {
         "errors",
         "theory",
+        "notation",
         "parameters",
         "proof",
         "codegen",
@@ -28,6 +29,8 @@ READS = {
         "progress",
     },
     "progress": set(),
+    "notation": {"errors", "theory"},
+    "read": {"errors", "theory", "notation", "parameters", "proof", "derivations", "present"},
     "parameters": {"errors"},
     "bench": {"errors", "theory", "codegen", "motion"},
     "commands": {
@@ -40,6 +43,8 @@ READS = {
         "derivations",
         "progress",
         "parameters",
+        "read",
+        "notation",
         "bench",
     },
     "cli": {"errors", "commands"},

@@ -1,0 +1,1 @@
+"""LaTeX of mechanics becomes equations: of notes, of answers, of files."""
