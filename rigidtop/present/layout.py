@@ -39,6 +39,7 @@ from rigidtop.proof.equation import (
     Underbrace,
     VolumeIntegral,
 )
+from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import VOCABULARY, Glyph, Quantity
 
 Order = Literal["typed", "printed", "mechanics", "auto"]
@@ -287,6 +288,16 @@ _BY_NAME: dict[str, tuple[int, Quantity]] = {
 }
 
 
+def known(symbol: Symbol) -> tuple[int, Quantity | None]:
+    """The place of a symbol in the order of print, and its quantity if it has one.
+
+    A symbol that brings its own letter is looked up nowhere, whatever its name.
+    """
+    if isinstance(symbol, Lettered):
+        return symbol.place, symbol.quantity
+    return _BY_NAME.get(symbol.name, (len(_BY_NAME), None))
+
+
 def glyph(name: str) -> Glyph:
     """The vocabulary's glyph of a symbol, or one read off its name.
 
@@ -482,7 +493,7 @@ def _node(tree: Any, order: Order) -> Node:
 @_node.register(Symbol)
 @_node.register(sympy.MatrixSymbol)
 def _(tree: Any, order: Order) -> Node:
-    return lettered(glyph(tree.name))
+    return lettered(tree.quantity.glyph if isinstance(tree, Lettered) else glyph(tree.name))
 
 
 def lettered(shown: Glyph) -> Node:
@@ -793,22 +804,28 @@ _Key = tuple[Any, ...]
 
 def _weight(symbol: Symbol) -> int:
     """How many inverse seconds a symbol brings to a term."""
-    if symbol.name in _BY_NAME:
-        return _RATE_WEIGHT.get(_BY_NAME[symbol.name][1].unit, 0)
+    _, quantity = known(symbol)
+    if isinstance(symbol, Lettered):  # a velocity may be in m/s as well
+        by_accent = _ACCENT_WEIGHT.get(symbol.quantity.glyph.accent, 0)
+        return _RATE_WEIGHT.get(symbol.quantity.unit, by_accent)
+    if quantity is not None:
+        return _RATE_WEIGHT.get(quantity.unit, 0)
     return _ACCENT_WEIGHT.get(glyph(symbol.name).accent, 0)
 
 
 def _symbol_key(symbol: Symbol) -> _Key:
-    position, quantity = _BY_NAME.get(symbol.name, (len(_BY_NAME), None))
-    shown = glyph(symbol.name)
+    position, quantity = known(symbol)
+    shown = glyph(symbol.name) if quantity is None else quantity.glyph
     if shown.bold:
         kind = _VECTOR
-    elif quantity is not None and quantity.unit == "J s":
+    elif quantity is not None and quantity.unit in ("J s", "kg m/s"):
         kind = _MOMENTUM
     elif _weight(symbol):
         kind = _RATE
     elif quantity is not None and quantity.unit in ("rad", "s"):
         kind = _ANGLE
+    elif isinstance(symbol, Lettered) and not symbol.is_positive:
+        kind = _ANGLE  # a coordinate in m
     else:
         kind = _PARAMETER
     return kind, position, symbol.name

@@ -13,10 +13,11 @@ from rigidtop.present.figures.drawing import Drawing, rendered
 from rigidtop.present.files import write_all
 from rigidtop.present.pdf import make_pdf
 from rigidtop.present.report import (
-    SOURCE,
+    NOTES,
     Block,
     Document,
     Figure,
+    Front,
     Judged,
     claim_blocks,
     document,
@@ -78,14 +79,17 @@ def write_lecture(
     *,
     pdf: bool = False,
     student: bool = False,
+    front: Front = NOTES,
+    figures: Sequence[Drawing] = FIGURES,
 ) -> list[Path]:
     """Write lecture.tex, lecture.html and figures/ into `out`, with `pdf` also lecture.pdf.
 
-    The exercises are without solutions for a `student`.  Everything is made before anything is
-    written, and each file is replaced only by a whole one.  Raises RigidtopError, with one line,
-    where the PDF cannot be made or the folder not written.
+    Each of the `figures` closes its section.  The exercises are without solutions for a `student`.
+    Everything is made before anything is written, and each file is replaced only by a whole one.
+    Raises RigidtopError, with one line, where the PDF cannot be made or the folder not written.
     """
-    return _write("lecture", *lecture(judged, solutions, student=student), out, pdf)
+    made = lecture(judged, solutions, student=student, front=front, figures=figures)
+    return _write("lecture", *made, out, pdf)
 
 
 Illustrated = tuple[Document, Sequence[Picture]]
@@ -93,11 +97,16 @@ Illustrated = tuple[Document, Sequence[Picture]]
 
 
 def lecture(
-    judged: Judged, solutions: Sequence[Solution] = (), *, student: bool = False
+    judged: Judged,
+    solutions: Sequence[Solution] = (),
+    *,
+    student: bool = False,
+    front: Front = NOTES,
+    figures: Sequence[Drawing] = FIGURES,
 ) -> Illustrated:
     """The lecture: figures and exercises close the sections that they belong to."""
     sections = {page.section for page, _ in judged}
-    pictures = [Picture(each.name, each, {}) for each in FIGURES if each.section in sections]
+    pictures = [Picture(each.name, each, {}) for each in figures if each.section in sections]
     closing: list[tuple[str, Block]] = [
         (picture.drawing.section, picture.described()) for picture in pictures
     ]
@@ -110,17 +119,24 @@ def lecture(
         closing += [(solution.exercise.section, block) for block in made]
         pictures += [own] if own else []
         told |= {judgement.claim.name for judgement in solution.judgements}
-    return document(judged, closing), pictures
+    return document(judged, closing, front), pictures
 
 
 def write_sheet(
-    solutions: Sequence[Solution], out: Path | str, *, pdf: bool = False, student: bool = False
+    solutions: Sequence[Solution],
+    out: Path | str,
+    *,
+    pdf: bool = False,
+    student: bool = False,
+    front: Front = NOTES,
 ) -> list[Path]:
     """Write exercises.tex, exercises.html and figures/ into `out`: see `write_lecture`."""
-    return _write("exercises", *sheet(solutions, student=student), out, pdf)
+    return _write("exercises", *sheet(solutions, student=student, front=front), out, pdf)
 
 
-def sheet(solutions: Sequence[Solution], *, student: bool = False) -> Illustrated:
+def sheet(
+    solutions: Sequence[Solution], *, student: bool = False, front: Front = NOTES
+) -> Illustrated:
     """Exercises one after the other, for a `student` without solutions."""
     pictures: list[Picture] = []
     made: list[Block] = []
@@ -131,8 +147,8 @@ def sheet(solutions: Sequence[Solution], *, student: bool = False) -> Illustrate
         pictures += [own] if own else []
         told |= {judgement.claim.name for judgement in solution.judgements}
     subtitle = "Questions" if student else "Questions and solutions"
-    title = "Rigid rotation and the spinning top: exercises"
-    return Document(title, subtitle, (*made, *symbol_list(made)), SOURCE), pictures
+    whole = (*made, *symbol_list(made))
+    return Document(front.exercises, subtitle, whole, front.source), pictures
 
 
 def _exercise(

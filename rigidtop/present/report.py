@@ -20,17 +20,32 @@ from rigidtop.present.text import text
 from rigidtop.proof.equation import Equation, Printed
 from rigidtop.proof.page import Assumption, Correction, Definition, Measure, Page, Step
 from rigidtop.proof.verdict import Counterexample, Finding, Judgement, TestedAssumption, Verdict
+from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import VOCABULARY
 
 Judged = Sequence[tuple[Page, Sequence[Judgement]]]
 
-TITLE = "Rigid rotation and the spinning top: derived and judged"
-SUBTITLE = "Free precession, Euler angles and the heavy symmetric top, equations (3.33) to (3.57)"
-SOURCE = (
+
+@dataclass(frozen=True)
+class Front:
+    """What stands on the first page of a lecture and of its exercises, and whose claims it has."""
+
+    title: str
+    subtitle: str
+    source: str
+    exercises: str
+
+
+NOTES = Front(
+    "Rigid rotation and the spinning top: derived and judged",
+    "Free precession, Euler angles and the heavy symmetric top, equations (3.33) to (3.57)",
     "The numbered equations and the claims are those of the lecture notes of Sebastian Wüster, "
     "PHY 305 Classical Mechanics, IISER Bhopal, 2020, week 8. The wording, the derivations and "
-    "the verdicts are ours. Every verdict on these pages was computed when they were written."
+    "the verdicts are ours. Every verdict on these pages was computed when they were written.",
+    "Rigid rotation and the spinning top: exercises",
 )
+"""The lecture notes on the top."""
+
 READING = (
     "Each claim of the notes is typed as it is printed there and held against what a computer "
     "algebra system derives by itself from the definitions. The residual between the two "
@@ -270,7 +285,9 @@ class Document:
 # --- Building ------------------------------------------------------------------------------------
 
 
-def document(judged: Judged, closing: Iterable[tuple[str, Block]] = ()) -> Document:
+def document(
+    judged: Judged, closing: Iterable[tuple[str, Block]] = (), front: Front = NOTES
+) -> Document:
     """The lecture.  The blocks `closing` a section come with its number: figures, exercises."""
     after: dict[str, list[Block]] = {}
     for section, block in closing:
@@ -282,7 +299,8 @@ def document(judged: Judged, closing: Iterable[tuple[str, Block]] = ()) -> Docum
         for judgement in judgements:
             blocks.extend(claim_blocks(judgement))
         blocks.extend(after.get(page.section, ()))
-    return Document(TITLE, SUBTITLE, (*blocks, *symbol_list(blocks)), SOURCE)
+    whole = (*blocks, *symbol_list(blocks))
+    return Document(front.title, front.subtitle, whole, front.source)
 
 
 def groups(block: Display) -> list[list[Row]]:
@@ -544,10 +562,7 @@ def _condition(items: Sequence[TestedAssumption]) -> Condition:
 
 def numbers(found: Counterexample, label: str = "Counterexample") -> Numbers:
     """A counterexample in the order of the vocabulary, its numbers shortened."""
-    position = {symbol.name: i for i, symbol in enumerate(VOCABULARY)}
-    ordered = sorted(
-        found.values.items(), key=lambda kv: (position.get(kv[0].name, 999), str(kv[0]))
-    )
+    ordered = sorted(found.values.items(), key=lambda kv: (lay.known(kv[0])[0], str(kv[0])))
     values = tuple((layout(symbol), short_number(value)) for symbol, value in ordered)
     return Numbers(label, values, _real_number(found.left), _real_number(found.right))
 
@@ -575,17 +590,23 @@ def short_number(number: Any) -> Node:
 
 def symbol_list(blocks: Sequence[Block]) -> tuple[Block, ...]:
     """The symbols of all displays under a heading; nothing where there are none."""
-    names = {
-        symbol.name
+    used = {
+        symbol
         for block in blocks
         if isinstance(block, Display)
         for row in block.rows
         for side in row.equation.sides
         for symbol in side.free_symbols
     }
+    names = {symbol.name for symbol in used if not isinstance(symbol, Lettered)}
+    own = sorted((x for x in used if isinstance(x, Lettered)), key=lambda x: (x.place, x.name))
+    quantities = [
+        *((symbol, symbol.quantity) for symbol in own),
+        *((x, quantity) for x, quantity in VOCABULARY.items() if x.name in names),
+    ]
     rows = tuple(
         (layout(symbol), quantity.meaning, quantity.unit)
-        for symbol, quantity in VOCABULARY.items()
-        if symbol.name in names and quantity.glyph.base != "const"
+        for symbol, quantity in quantities
+        if quantity.glyph.base != "const"
     )
     return (Heading(1, "", "Symbols", "symbols"), Symbols(rows)) if rows else ()
