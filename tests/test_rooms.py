@@ -33,8 +33,10 @@ READS = {
     "read": {"errors", "theory", "notation", "parameters", "proof", "derivations", "present"},
     "parameters": {"errors"},
     "bench": {"errors", "theory", "codegen", "motion"},
+    "collection": {"errors", "parameters", "proof", "present", "derivations"},
     "commands": {
         "errors",
+        "collection",
         "theory",
         "proof",
         "codegen",

@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from rigidtop.commands import claims
 from rigidtop.commands.output import print_json
+
+if TYPE_CHECKING:
+    from rigidtop.collection import Collection
 
 ABOUT = "judge every claim and compare the numbers"
 
@@ -26,20 +31,28 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "name",
         nargs="*",
-        help="only these claims or sections, such as 3.57, axis-stability or 3.5.4",
+        help="only these claims or sections, such as 3.57, axis-stability or 3.5.4; "
+        + claims.FOLDER,
     )
 
 
 def run(options: argparse.Namespace) -> int:
     """Judge and print; 0 if nothing failed that the notes get right."""
+    from rigidtop.collection import opened
+
+    with opened(options.name) as (collection, names):
+        return _run(collection, names, options.json)
+
+
+def _run(collection: Collection, names: Sequence[str], as_json: bool) -> int:
     from rigidtop.present.records import measures, record
     from rigidtop.present.table import table, wants_color
 
-    found = claims.named(options.name) if options.name else claims.every()
+    found = claims.named(collection, names) if names else claims.every(collection)
     judgements = [judgement for _, judgement in claims.judged(found)]
     passed = all(judgement.passed for judgement in judgements)
     records = [record(judgement) for judgement in judgements]
-    if options.json:
+    if as_json:
         print_json(records)
         return 0 if passed else claims.FAILED
     colors = VERDICT_COLORS if wants_color(sys.stdout) else None

@@ -1,14 +1,16 @@
-"""The claims of the lecture and of its exercises, as commands ask for them."""
+"""The claims of a collection and of its exercises, as commands ask for them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rigidtop.errors import RigidtopError
 from rigidtop.progress import over
 
 if TYPE_CHECKING:
+    from rigidtop.collection import Collection
     from rigidtop.proof.page import Claim, Page
     from rigidtop.proof.verdict import Judgement
 
@@ -16,40 +18,46 @@ FAILED = 1
 """The exit code where a check failed."""
 
 
-def every() -> list[tuple[Page, Claim]]:
+FOLDER = "a folder with a collection of one's own, such as my_course/, may stand first"
+"""What commands say of their words."""
+
+
+def every(collection: Collection) -> list[tuple[Page, Claim]]:
     """The claims of the lecture in reading order, each with its page."""
-    from rigidtop.derivations import PAGES
-
-    return [(page, claim) for page in PAGES for claim in page.claims]
+    return [(page, claim) for page in collection.pages for claim in page.claims]
 
 
-def named(names: Sequence[str]) -> list[tuple[Page, Claim]]:
+def named(collection: Collection, names: Sequence[str]) -> list[tuple[Page, Claim]]:
     """The claims of these names, in reading order; (3.57) is 3.57."""
-    claims = every()
+    claims = every(collection)
     sections = {page.section for page, _ in claims}
     of_sections = [claim.name for page, claim in claims if page.section in names]
     wanted = {name.strip("()") for name in names if name not in sections} | {*of_sections}
     if not wanted <= {claim.name for _, claim in claims}:
-        claims += of_exercises(claims)
+        claims += of_exercises(collection, claims)
     known = [claim.name for _, claim in claims]
     for name in sorted(wanted - set(known)):
         from difflib import get_close_matches
 
         near = get_close_matches(name, known, n=3, cutoff=0.5)
-        hint = f"did you mean {' or '.join(near)}?" if near else "`rigidtop list` names them all"
+        hint = f"`{collection.command('list')}` names them all"
+        if near:
+            hint = f"did you mean {' or '.join(near)}?"
+        elif Path(name).is_dir():
+            hint = "the folder of this name has no __init__.py"
         raise RigidtopError(f"no equation or claim {name!r}; {hint}")
     return [(page, claim) for page, claim in claims if claim.name in wanted]
 
 
-def of_exercises(claims: Sequence[tuple[Page, Claim]]) -> list[tuple[Page, Claim]]:
+def of_exercises(
+    collection: Collection, claims: Sequence[tuple[Page, Claim]]
+) -> list[tuple[Page, Claim]]:
     """The claims that only exercises make, each with the page of its section."""
-    from rigidtop.derivations.exercises import EXERCISES
-
     pages = {page.section: page for page, _ in claims}
     made = {claim.name for _, claim in claims}
     found = {
         claim.name: (pages[exercise.section], claim)
-        for exercise in EXERCISES
+        for exercise in collection.exercises
         if exercise.section in pages
         for claim in exercise.claims
         if claim.name not in made

@@ -10,6 +10,7 @@ from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
 
 if TYPE_CHECKING:
+    from rigidtop.collection import Collection
     from rigidtop.proof.verdict import Judgement
 
 ABOUT = "derive one equation or claim and show every step"
@@ -19,7 +20,11 @@ SOURCES = ("python", "c", "fortran", "julia", "javascript", "octave")
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
-    parser.add_argument("name", help="an equation's number, such as 3.57, or a claim's name")
+    parser.add_argument(
+        "name",
+        nargs="+",
+        help=f"an equation's number, such as 3.57, or a claim's name; {claims.FOLDER}",
+    )
     parser.add_argument(
         "--format",
         choices=(*PROSE, *SOURCES),
@@ -31,13 +36,22 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Judge the claim and print it; 0 if it passes."""
+    from rigidtop.collection import opened
+
+    with opened(options.name) as (collection, names):
+        if len(names) != 1:
+            raise RigidtopError(f"one claim at a time; `{collection.command('list')}` names them")
+        return _run(collection, names[0], options)
+
+
+def _run(collection: Collection, name: str, options: argparse.Namespace) -> int:
     from rigidtop.present.lecture import fragment
     from rigidtop.present.records import record
 
-    found = claims.named([options.name])
+    found = claims.named(collection, [name])
     if len(found) != 1:
         names = " ".join(claim.name for _, claim in found)
-        raise RigidtopError(f"{options.name} is a section; derive one of its claims: {names}")
+        raise RigidtopError(f"{name} is a section; derive one of its claims: {names}")
     [(_, judgement)] = claims.judged(found)
     if options.format in SOURCES:
         return _source(options, judgement)

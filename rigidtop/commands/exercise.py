@@ -6,12 +6,13 @@ import argparse
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from rigidtop.commands.claims import FAILED
+from rigidtop.commands.claims import FAILED, FOLDER
 from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
 from rigidtop.progress import over
 
 if TYPE_CHECKING:
+    from rigidtop.collection import Collection
     from rigidtop.present.solutions import Solution
     from rigidtop.proof.exercise import Exercise
 
@@ -29,7 +30,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "  rigidtop exercise toppling-top --student\n"
         "  rigidtop exercise --sheet out --student --pdf     # all of them, without solutions"
     )
-    parser.add_argument("name", nargs="*", help="an exercise, such as toppling-top")
+    parser.add_argument("name", nargs="*", help=f"an exercise, such as toppling-top; {FOLDER}")
     parser.add_argument(
         "--set",
         nargs="+",
@@ -53,15 +54,22 @@ def run(options: argparse.Namespace) -> int:
         raise RigidtopError("--pdf goes with --sheet DIR")
     if options.json and options.student:
         raise RigidtopError("--json gives the solutions: leave --student out")
-    if options.set and len(options.name) != 1:
+    from rigidtop.collection import opened
+
+    with opened(options.name) as (collection, names):
+        return _run(collection, names, options)
+
+
+def _run(collection: Collection, names: Sequence[str], options: argparse.Namespace) -> int:
+    if options.set and len(names) != 1:
         raise RigidtopError("--set wants one exercise: rigidtop exercise NAME --set name=value")
-    if not options.name and not options.sheet:
-        return _list(options.json)
+    if not names and not options.sheet:
+        return _list(collection, options.json)
     if options.student:
-        return _questions(options)
-    solutions = _solved(chosen(options.name), options.set)
+        return _questions(collection, names, options)
+    solutions = _solved(chosen(collection, names), options.set)
     if options.sheet:
-        _write(solutions, options)
+        _write(collection, solutions, options)
     elif options.json:
         from rigidtop.present.solutions import record
 
@@ -75,19 +83,18 @@ def run(options: argparse.Namespace) -> int:
     return 0 if all(solution.passed for solution in solutions) else FAILED
 
 
-def chosen(names: Sequence[str]) -> list[Exercise]:
+def chosen(collection: Collection, names: Sequence[str]) -> list[Exercise]:
     """The exercises of these names, or all of them; RigidtopError with near names for another."""
-    from rigidtop.derivations.exercises import EXERCISES
-
-    by_name = {exercise.name: exercise for exercise in EXERCISES}
+    by_name = {exercise.name: exercise for exercise in collection.exercises}
     for name in names:
         if name not in by_name:
             from difflib import get_close_matches
 
             near = get_close_matches(name, by_name, n=3, cutoff=0.5)
-            hint = f"did you mean {' or '.join(near)}?" if near else "`rigidtop exercise` lists all"
+            listing = f"`{collection.command('exercise')}` lists all"
+            hint = f"did you mean {' or '.join(near)}?" if near else listing
             raise RigidtopError(f"no exercise {name!r}; {hint}")
-    return [by_name[name] for name in names] if names else list(EXERCISES)
+    return [by_name[name] for name in names] if names else list(collection.exercises)
 
 
 def _solved(exercises: Sequence[Exercise], given: Sequence[str]) -> list[Solution]:
@@ -96,26 +103,36 @@ def _solved(exercises: Sequence[Exercise], given: Sequence[str]) -> list[Solutio
     return [solved(exercise, given) for exercise in over("solving", exercises)]
 
 
-def _questions(options: argparse.Namespace) -> int:
+def _questions(collection: Collection, names: Sequence[str], options: argparse.Namespace) -> int:
     from rigidtop.parameters import settings
     from rigidtop.present.plain import fragment
     from rigidtop.present.solutions import Solution, question
 
-    asked = [(each, settings(each.parameters, options.set)) for each in chosen(options.name)]
+    exercises = chosen(collection, names)
+    asked = [(each, settings(each.parameters, options.set)) for each in exercises]
     if options.sheet:
         # A sheet of questions needs nothing solved.
-        _write([Solution(exercise, values, (), (), 0.0) for exercise, values in asked], options)
+        unsolved = [Solution(exercise, values, (), (), 0.0) for exercise, values in asked]
+        _write(collection, unsolved, options)
     else:
         print("\n\n".join(fragment(question(*each)) for each in asked), end="")
     return 0
 
 
-def _write(solutions: Sequence[Solution], options: argparse.Namespace) -> None:
+def _write(
+    collection: Collection, solutions: Sequence[Solution], options: argparse.Namespace
+) -> None:
     from rigidtop.present.files import check_folder
     from rigidtop.present.lecture import write_sheet
 
     check_folder(options.sheet)
-    files = write_sheet(solutions, options.sheet, pdf=options.pdf, student=options.student)
+    files = write_sheet(
+        solutions,
+        options.sheet,
+        pdf=options.pdf,
+        student=options.student,
+        front=collection.front,
+    )
     if options.json:
         passed = all(solution.passed for solution in solutions)
         print_json({"files": [str(file) for file in files], "passed": passed})
@@ -123,16 +140,16 @@ def _write(solutions: Sequence[Solution], options: argparse.Namespace) -> None:
         print("\n".join(map(str, files)))
 
 
-def _list(as_json: bool) -> int:
-    from rigidtop.derivations.exercises import EXERCISES
-
+def _list(collection: Collection, as_json: bool) -> int:
     if as_json:
         from rigidtop.present.solutions import listed
 
-        print_json([listed(exercise) for exercise in EXERCISES])
+        print_json([listed(exercise) for exercise in collection.exercises])
         return 0
     from rigidtop.present.table import table
 
-    rows = [[each.section, each.name, f"{each.title} ({each.asks})"] for each in EXERCISES]
+    rows = [
+        [each.section, each.name, f"{each.title} ({each.asks})"] for each in collection.exercises
+    ]
     print(table(rows, ("section", "exercise", "what it is about")))
     return 0

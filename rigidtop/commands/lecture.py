@@ -11,6 +11,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.progress import over
 
 if TYPE_CHECKING:
+    from rigidtop.collection import Collection
     from rigidtop.proof.page import Page
     from rigidtop.proof.verdict import Judgement
 
@@ -19,6 +20,7 @@ ABOUT = "write the lecture as LaTeX and HTML, with figures and exercises"
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
+    parser.add_argument("folder", nargs="?", help="a collection of one's own, such as my_course/")
     parser.add_argument(
         "-o", "--output", default="out", metavar="DIR", help="the folder (default: out)"
     )
@@ -32,24 +34,39 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Judge, solve and write; 0 if every claim passes and every number is confirmed."""
-    from rigidtop.derivations.exercises import EXERCISES
+    from rigidtop.collection import opened
+
+    if not options.output:
+        raise RigidtopError("--output wants the name of a folder")
+    # A slash says that it is a folder, whatever else it is not.
+    words = [] if options.folder is None else [f"{options.folder}/"]
+    with opened(words) as (collection, _):
+        return _run(collection, options)
+
+
+def _run(collection: Collection, options: argparse.Namespace) -> int:
+    from rigidtop.present.figures.catalog import FIGURES
     from rigidtop.present.files import check_folder
     from rigidtop.present.lecture import write_lecture
     from rigidtop.present.solutions import solved
 
-    if not options.output:
-        raise RigidtopError("--output wants the name of a folder")
     check_folder(options.output)  # before half a minute of work, not after it
     judged: list[tuple[Page, list[Judgement]]] = []
-    for page, judgement in claims.judged(claims.every()):
+    for page, judgement in claims.judged(claims.every(collection)):
         if not judged or judged[-1][0] is not page:
             judged.append((page, []))
         judged[-1][1].append(judgement)
     judgements = [judgement for _, section in judged for judgement in section]
     known = {judgement.claim.name: judgement for judgement in judgements}
-    solutions = [solved(each, judged=known) for each in over("solving", EXERCISES)]
+    solutions = [solved(each, judged=known) for each in over("solving", collection.exercises)]
     files = write_lecture(
-        judged, solutions, options.output, pdf=options.pdf, student=options.student
+        judged,
+        solutions,
+        options.output,
+        pdf=options.pdf,
+        student=options.student,
+        front=collection.front,
+        figures=FIGURES if collection.folder is None else (),
     )
     unsolved = [solution.exercise.name for solution in solutions if not solution.passed]
     passed = all(judgement.passed for judgement in judgements) and not unsolved
