@@ -22,6 +22,7 @@ from rigidtop.commands import (
     figure,
     lecture,
     listing,
+    new,
     simulate,
     sweep,
 )
@@ -32,6 +33,7 @@ COMMANDS = {
     "check": check,
     "derive": derive,
     "lecture": lecture,
+    "new": new,
     "exercise": exercise,
     "figure": figure,
     "simulate": simulate,

@@ -33,6 +33,7 @@ READS = {
     "read": {"errors", "theory", "notation", "parameters", "proof", "derivations", "present"},
     "parameters": {"errors"},
     "bench": {"errors", "theory", "codegen", "motion"},
+    "starter": {"theory", "parameters", "proof"},
     "collection": {"errors", "parameters", "proof", "present", "derivations"},
     "commands": {
         "errors",
@@ -64,6 +65,7 @@ FORBIDDEN = {
     "motion": SYMBOLIC | {"matplotlib"},
     "codegen": {"scipy", "matplotlib"},
     "derivations": {"matplotlib"},
+    "starter": {"matplotlib"},
     "__init__": SYMBOLIC | NUMERIC,
     "__main__": SYMBOLIC | NUMERIC,
 }

@@ -1,0 +1,71 @@
+"""``rigidtop new``: a collection to start from, which passes its checks as it is."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+from pathlib import Path
+
+from rigidtop.commands.output import print_json
+from rigidtop.errors import RigidtopError
+
+ABOUT = "start a collection of one's own: a folder with a page, two claims and an exercise"
+
+STARTER = Path(__file__).parents[1] / "starter"
+"""The package that is copied, so that what is started has been tested as it stands."""
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What can be asked."""
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.epilog = (
+        "A collection is Python and runs as such. What is written passes at once:\n"
+        "  rigidtop new my_course\n"
+        "  rigidtop check my_course/\n"
+        "  rigidtop lecture my_course/ -o out"
+    )
+    parser.add_argument("folder", help="a folder that is not there yet, or is empty")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Write the folder, as a whole or not at all."""
+    if not options.folder:
+        raise RigidtopError("name a folder, such as my_course")
+    folder = Path(options.folder)
+    names = sorted(file.name for file in STARTER.glob("*.py"))
+    write(folder, {name: (STARTER / name).read_bytes() for name in names})
+    if options.json:
+        print_json({"files": [str(folder / name) for name in names]})
+    else:
+        print("\n".join(str(folder / name) for name in names))
+        print(f"now: rigidtop check {folder}{os.sep}")
+    return 0
+
+
+def write(folder: Path, contents: dict[str, bytes]) -> None:
+    """Make a folder with these files, which has its name only when all of them are in it.
+
+    Raises RigidtopError where something is there already, and where the system refuses.
+    """
+    target = folder.resolve()
+    if target.exists() and not target.is_dir():
+        raise RigidtopError(f"{folder} is there already, and is not a folder")
+    if target.is_dir() and any(target.iterdir()):
+        raise RigidtopError(f"{folder} is there already, and is not empty")
+    if target.is_dir() and target == Path.cwd():
+        raise RigidtopError("name a folder inside this one, such as my_course")
+    try:
+        # Beside the target, so that giving it its name is one step.
+        part = target.with_name(f".{target.name}.{os.getpid()}.part")
+        part.mkdir(parents=True)
+        try:
+            for name, content in contents.items():
+                (part / name).write_bytes(content)
+            if target.is_dir():
+                target.rmdir()  # refuses if something has come into it
+            part.rename(target)
+        finally:
+            shutil.rmtree(part, ignore_errors=True)
+    except OSError as error:
+        raise RigidtopError(f"cannot write {folder}: {error.strerror or error}") from error

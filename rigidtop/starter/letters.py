@@ -1,0 +1,20 @@
+"""The symbols of this course: name in programs, letter in print, meaning, unit.
+
+Their order here is the order in which the factors of a product are printed.
+"""
+
+from __future__ import annotations
+
+from rigidtop.theory.lettered import in_order, positive, real
+from rigidtop.theory.symbols import Glyph
+
+m, g, length, E, thetaddot, thetadot, theta = in_order(
+    positive("m", Glyph("m"), "mass of the bob", "kg"),
+    positive("g", Glyph("g"), "acceleration of gravity", "m/s²"),
+    positive("length", Glyph("l"), "length of the string", "m"),
+    real("E", Glyph("E"), "energy", "J"),
+    # A rate is a symbol of its own; its letter has an accent.
+    real("thetaddot", Glyph("θ", accent="ddot"), "second derivative of θ", "rad/s²"),
+    real("thetadot", Glyph("θ", accent="dot"), "rate of θ", "rad/s"),
+    real("theta", Glyph("θ"), "angle between string and vertical", "rad"),
+)
