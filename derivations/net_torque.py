@@ -131,7 +131,7 @@ def gravity() -> Iterator[Evidence]:
             -g * Cross(Group(whole), zhat),
             -g * M * Cross(Group(whole) / M, zhat),
             -g * M * Cross(R_CM, zhat),
-            Cross(R_CM, Underbrace(-g * M * zhat, F_grav)),
+            Cross(R_CM, Underbrace(F_grav, -g * M * zhat)),
             tag="3.49",
         )
     weight = -rho * g * Z_AXIS
