@@ -1,0 +1,550 @@
+"""Notes as they are, judged: each numbered equation of a file against the claim of that number.
+
+A collection of derivations knows what each equation should say.  What the file says takes the
+place of what the claim prints, and its residual decides: the verdict is the one that the claim
+would have, had it printed this.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import accumulate
+from typing import Any
+
+import sympy
+from sympy import Symbol
+
+from rigidtop.notation import NOTES, Notation
+from rigidtop.present.records import note as said_of
+from rigidtop.present.report import numbers
+from rigidtop.present.text import text
+from rigidtop.proof.equation import Equation, Underbrace, as_printed, symbols_of, value
+from rigidtop.proof.page import Check, Claim, Correction, Definition, Evidence, Page, Remark
+from rigidtop.proof.verdict import (
+    Finding,
+    Judgement,
+    UnneededAssumptionError,
+    Verdict,
+    is_refuted,
+    judge_check,
+)
+from rigidtop.read.document import Numbered, lines, numbered
+from rigidtop.read.formula import Line, kind
+from rigidtop.theory.symbols import const, phi, phidot, psi, psidot, theta, thetadot
+
+UNREAD, UNKNOWN = "unread", "unknown"
+"""What is said in place of a verdict: an equation that is not understood, a number of no claim."""
+
+_ORDER = list(Verdict)
+_HOLDS = (Verdict.DEFINITION, Verdict.PROVED, Verdict.SAMPLED, Verdict.ASSUMING)
+_RATES = {phi: phidot, theta: thetadot, psi: psidot}
+"""Where a claim speaks of the rate of an angle and not of the angle, that may have any value."""
+
+
+@dataclass(frozen=True)
+class Ruling:
+    """What became of one equation: a finding, or the reason why there is none.
+
+    `instead` is what the claim prints in its place, where that says something else.
+    """
+
+    finding: Finding | None
+    problem: str = ""
+    instead: Equation | None = None
+    known: bool = False
+    """Whether the claim itself prints what is false, and says so."""
+
+    @property
+    def verdict(self) -> Verdict:
+        return self.finding.verdict if self.finding is not None else Verdict.UNDECIDED
+
+    @property
+    def wrong(self) -> bool:
+        """Refuted or undecided, and not as the collection has it."""
+        return self.verdict in (Verdict.FALSE, Verdict.UNDECIDED) and not self.known
+
+
+@dataclass(frozen=True)
+class Placed:
+    """An equation of the file with its place: line and column count from 1."""
+
+    line: int
+    column: int
+    equation: Equation | None
+    ruling: Ruling
+
+
+@dataclass(frozen=True)
+class Audited:
+    """A numbered equation of the file and its verdict.
+
+    `judgement` is the claim with what the file says in it; None where there is no such claim.
+    `absent` are equations of the claim to which nothing in the file corresponds.
+    """
+
+    group: Numbered
+    placed: tuple[Placed, ...]
+    judgement: Judgement | None
+    absent: tuple[Equation, ...] = ()
+
+    @property
+    def number(self) -> str:
+        return self.group.number
+
+    @property
+    def line(self) -> int:
+        """The line of the file where the equation begins."""
+        return self.placed[0].line
+
+    @property
+    def verdict(self) -> str:
+        """A verdict, or `UNREAD` or `UNKNOWN`; what is refuted comes before what is unread."""
+        if any(each.ruling.verdict is Verdict.FALSE for each in self.placed):
+            return Verdict.FALSE.value
+        if any(each.equation is None for each in self.placed):
+            return UNREAD
+        return UNKNOWN if self.judgement is None else self.judgement.verdict.value
+
+    @property
+    def passed(self) -> bool:
+        """Whether every line was read and is as right as the collection knows it."""
+        return self.judgement is not None and not any(
+            each.equation is None or each.ruling.wrong for each in self.placed
+        )
+
+    @property
+    def note(self) -> str:
+        """One line: what is wrong and where, or what is assumed; what is not there."""
+        if self.judgement is None and self.verdict == UNKNOWN:
+            return "the collection has no claim of this number"
+        parts = [self._of_line(each) for each in self.placed if not self._is_fine(each)]
+        if not parts and self.judgement is not None:
+            parts = list(filter(None, [said_of(self.judgement)]))
+        if self.absent:
+            told = ", ".join(text(equation, "printed") for equation in self.absent)
+            parts.append(f"not among the file's lines: {told}")
+        return "; ".join(parts)
+
+    def _is_fine(self, each: Placed) -> bool:
+        return self.judgement is None or not (each.equation is None or each.ruling.wrong)
+
+    def _of_line(self, each: Placed) -> str:
+        """Why a line does not pass."""
+        ruling, found = each.ruling, each.ruling.finding
+        parts = [ruling.problem] if ruling.problem else []
+        if found is not None and found.counterexample is not None and not ruling.problem:
+            shown = numbers(found.counterexample)
+            values = ", ".join(f"{text(symbol)} = {text(at)}" for symbol, at in shown.values)
+            parts.append(f"at {values}: {shown.said(text)}" if values else shown.said(text))
+        if found is not None and not parts:
+            parts.append("neither shown nor refuted")
+        if ruling.instead is not None:
+            parts.append(f"the claim has {text(ruling.instead, 'printed')}")
+        where = f"line {each.line}"
+        if each.equation is None:
+            where += f", column {each.column}"
+        several = len(self.placed) > 1 or each.equation is None
+        return (f"{where}: " if several else "") + "; ".join(parts)
+
+
+@dataclass
+class Memo:
+    """What has been found out, for audits of files that are much alike.
+
+    It belongs to one collection and one notation: give another collection another memo.
+    """
+
+    claims: dict[str, _Known] = field(default_factory=dict)
+    groups: dict[tuple[str, tuple[str, ...]], _Outcome] = field(default_factory=dict)
+
+
+def audit(
+    source: str, pages: Iterable[Page], notation: Notation = NOTES, memo: Memo | None = None
+) -> tuple[Audited, ...]:
+    """Every numbered equation of a file, in order, judged by the claim of its number."""
+    memo = memo if memo is not None else Memo()
+    claims = {claim.name: (page, claim) for page in pages for claim in page.claims}
+    return tuple(_audited(source, group, claims, notation, memo) for group in numbered(source))
+
+
+# --- Groups --------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Known:
+    """A claim with what its evidence yields; `others` judges what the notes do not print."""
+
+    section: str
+    claim: Claim
+    evidence: tuple[Evidence, ...]
+    others: Mapping[int, Finding]
+    problem: str = ""
+    own: dict[int, Finding] = field(default_factory=dict)
+    rulings: dict[tuple[int | None, Equation], Ruling] = field(default_factory=dict)
+
+    @property
+    def printed(self) -> list[int]:
+        """The places of what the notes print."""
+        return [i for i, item in enumerate(self.evidence) if _is_printed(item)]
+
+
+@dataclass(frozen=True)
+class _Outcome:
+    """An `Audited` without its place in a file."""
+
+    lines: tuple[Line, ...]
+    rulings: tuple[Ruling, ...]
+    judgement: Judgement | None
+    absent: tuple[Equation, ...]
+
+
+def _audited(
+    source: str,
+    group: Numbered,
+    claims: Mapping[str, tuple[Page, Claim]],
+    notation: Notation,
+    memo: Memo,
+) -> Audited:
+    key = group.number, tuple(formula.text for formula in group.formulas)
+    if key not in memo.groups:
+        known = _known(group.number, claims, memo)
+        memo.groups[key] = _outcome(_read(group, notation), known)
+    outcome = memo.groups[key]
+    placed = []
+    for line, ruling in zip(outcome.lines, outcome.rulings, strict=True):
+        position = _position(group, line.position)
+        row = source.count("\n", 0, position) + 1
+        column = position - source.rfind("\n", 0, position)
+        placed.append(Placed(row, column, line.equation, ruling))
+    return Audited(group, tuple(placed), outcome.judgement, outcome.absent)
+
+
+def _read(group: Numbered, notation: Notation) -> tuple[Line, ...]:
+    """The lines of a group, with places that count through its formulas alone."""
+    places = zip(group.formulas, _starts(group), strict=True)
+    laid = tuple(replace(formula, start=start) for formula, start in places)
+    found = lines(replace(group, formulas=laid), notation)
+    return found or (Line(0, None, "nothing stands there"),)
+
+
+def _starts(group: Numbered) -> list[int]:
+    return list(accumulate((len(f.text) + 1 for f in group.formulas[:-1]), initial=0))
+
+
+def _position(group: Numbered, position: int) -> int:
+    """The place in the file of a place that counts through the group's formulas."""
+    formula, start = max(
+        (
+            pair
+            for pair in zip(group.formulas, _starts(group), strict=True)
+            if pair[1] <= max(position, 0)
+        ),
+        key=lambda pair: pair[1],
+    )
+    return formula.start + min(max(position - start, 0), len(formula.text))
+
+
+def _known(name: str, claims: Mapping[str, tuple[Page, Claim]], memo: Memo) -> _Known | None:
+    if name not in claims:
+        return None
+    if name not in memo.claims:
+        page, claim = claims[name]
+        evidence: tuple[Evidence, ...] = ()
+        others: dict[int, Finding] = {}
+        problem = ""
+        try:
+            evidence = tuple(claim.evidence())
+            for i, item in enumerate(evidence):
+                if isinstance(item, Check) and not _is_printed(item):
+                    others[i] = judge_check(item)
+        except Exception as error:  # a claim that breaks lets nothing pass
+            problem = f"the claim cannot be judged: {type(error).__name__}: {error}"
+        memo.claims[name] = _Known(page.section, claim, evidence, others, problem)
+    return memo.claims[name]
+
+
+def _is_printed(item: Evidence) -> bool:
+    if isinstance(item, (Correction, Remark)):
+        return False
+    return isinstance(item, Definition) or (isinstance(item, Check) and item.printed)
+
+
+def _outcome(found: tuple[Line, ...], known: _Known | None) -> _Outcome:
+    """Each line judged in the place of what the claim prints there."""
+    if known is None or known.problem:
+        why = known.problem if known is not None else ""
+        rulings = tuple(Ruling(None, line.problem or why) for line in found)
+        judgement = None
+        if known is not None:
+            judgement = Judgement(
+                known.claim, known.section, Verdict.UNDECIDED, (), 0.0, known.problem
+            )
+        return _Outcome(found, rulings, judgement, ())
+    places = _places([line.equation for line in found], known)
+    rulings = tuple(
+        Ruling(None, line.problem)
+        if line.equation is None
+        else _ruling(line.equation, known, place)
+        for line, place in zip(found, places, strict=True)
+    )
+    left_out = [i for i in known.printed if i not in places]
+    unread = any(line.equation is None for line in found)
+    absent = () if unread else tuple(_equation(known.evidence[i]) for i in left_out)
+    judgement = _judgement(known, dict(zip(places, rulings, strict=True)), rulings)
+    return _Outcome(found, rulings, judgement, absent)
+
+
+def _judgement(
+    known: _Known, placed: Mapping[int | None, Ruling], rulings: Sequence[Ruling]
+) -> Judgement:
+    """The claim with what was read in it, and the verdict that it then gets."""
+    items: list[Any] = []
+    verdicts = [ruling.verdict for ruling in rulings]
+    for i, item in enumerate(known.evidence):
+        if i in placed:
+            finding = placed[i].finding
+            items += [finding] if finding is not None else []
+        elif _is_printed(item):
+            finding = _own(known, i)
+            items.append(finding)
+            verdicts.append(finding.verdict)
+        elif i in known.others:
+            items.append(known.others[i])
+            if not isinstance(item, (Correction, Remark)):
+                verdicts.append(known.others[i].verdict)
+        else:
+            items.append(item)
+    verdict = max(verdicts, key=_ORDER.index)
+    return Judgement(known.claim, known.section, verdict, tuple(items), 0.0)
+
+
+# --- Which line is which -------------------------------------------------------------------------
+
+
+def _equation(item: Evidence) -> Equation:
+    if isinstance(item, Definition):
+        return item.equation
+    assert isinstance(item, Check)
+    return item.claimed
+
+
+def _places(found: Sequence[Equation | None], known: _Known) -> list[int | None]:
+    """For each line the place of what it corresponds to: in order, else by what they have alike."""
+    printed = known.printed
+    if len(found) == len(printed):
+        return list(printed)
+    places: list[int | None] = [None] * len(found)
+    pairs = sorted(
+        (
+            (-_likeness(equation, _equation(known.evidence[i])), n, i)
+            for n, equation in enumerate(found)
+            if equation is not None
+            for i in printed
+        ),
+    )
+    for likeness, n, i in pairs:
+        if likeness < 0 and places[n] is None and i not in places:
+            places[n] = i
+    return places
+
+
+def _likeness(one: Equation, other: Equation) -> float:
+    """1 for a common left side that is not 0, and the share of the symbols that both have."""
+    here, there = symbols_of(one), symbols_of(other)
+    same = one.sides[0] == other.sides[0] and one.sides[0] != 0
+    return same + len(here & there) / max(len(here | there), 1)
+
+
+# --- Judging -------------------------------------------------------------------------------------
+
+
+def _ruling(equation: Equation, known: _Known, place: int | None) -> Ruling:
+    """What becomes of an equation in a place of the claim; once found it is remembered."""
+    key = place, equation
+    if key not in known.rulings:
+        known.rulings[key] = _ruled(equation, known, place)
+    return known.rulings[key]
+
+
+def _ruled(equation: Equation, known: _Known, place: int | None) -> Ruling:
+    if place is None:
+        return _extra(equation, known)
+    printed = _equation(known.evidence[place])
+    if _same(equation, printed):
+        own = _own(known, place)
+        return Ruling(own, known=own.verdict is Verdict.FALSE)
+    ruling = _judged(equation, _check(known.evidence[place]))
+    if isinstance(known.evidence[place], Definition) and ruling.verdict in _HOLDS:
+        assert ruling.finding is not None
+        return replace(ruling, finding=replace(ruling.finding, verdict=Verdict.DEFINITION))
+    if not ruling.wrong:
+        return ruling
+    own = _own(known, place)
+    if own.verdict is Verdict.FALSE:
+        return replace(ruling, known=ruling.verdict is Verdict.FALSE)
+    if own.verdict is Verdict.CONVENTION:
+        # What differs in the reading in which the claim holds is what is wrong with the line.
+        meant = own.check.other_reading or own.check.meaning
+        ruling = _judged(equation, replace(own.check, meaning=meant, other_reading=None))
+    return replace(ruling, instead=printed)
+
+
+def _extra(equation: Equation, known: _Known) -> Ruling:
+    """A line to which nothing in the claim corresponds: it may still hold as one of its lines."""
+    for place in known.printed:
+        ruling = _judged(equation, _check(known.evidence[place]))
+        if ruling.verdict in _HOLDS:
+            return ruling
+    return Ruling(None, f"the claim has no such line: {text(equation)}")
+
+
+def _own(known: _Known, place: int) -> Finding:
+    """The finding on what the claim itself prints."""
+    if place not in known.own:
+        item = known.evidence[place]
+        known.own[place] = (
+            judge_check(item)
+            if isinstance(item, Check)
+            else Finding(_check(item), Verdict.DEFINITION)
+        )
+    return known.own[place]
+
+
+def _same(one: Equation, other: Equation) -> bool:
+    return one.sides == other.sides and one.relation == other.relation
+
+
+def _check(item: Evidence) -> Check:
+    """A definition as a check: its left side means its right side, and vectors are any vectors."""
+    if isinstance(item, Check):
+        return item
+    assert isinstance(item, Definition)
+    left, *others = item.equation.sides
+    meaning = {symbol: _any(symbol) for symbol in symbols_of(item.equation)}
+    meaning[left] = value(others[0], meaning)
+    return Check(item.equation, meaning, reason=item.reason)
+
+
+def _any(symbol: Symbol) -> Any:
+    """The symbol as a number, a vector or a matrix of which nothing is known."""
+    rows, columns = {"vector": (3, 1), "matrix": (3, 3)}.get(kind(symbol), (0, 0))
+    if not rows:
+        return symbol
+    entries = sympy.symbols(f"{symbol.name}_(:{rows * columns})", real=True)
+    return sympy.Matrix(rows, columns, list(entries))
+
+
+def _judged(equation: Equation, check: Check) -> Ruling:
+    """A read equation with the meaning and under the assumptions of a check."""
+    known = _known_symbols(check)
+    rulings = [_one(replace(check, claimed=e), known) for e in _asserted(equation, check)]
+    worst = max(rulings, key=lambda ruling: _ORDER.index(ruling.verdict))
+    if worst.finding is None:
+        return worst
+    return replace(worst, finding=replace(worst.finding, check=replace(check, claimed=equation)))
+
+
+def _one(check: Check, known: set[Symbol]) -> Ruling:
+    free = {angle for angle, rate in _RATES.items() if rate in known}
+    strangers = sorted(symbols_of(check.claimed) - known - free, key=str)
+    unsaid = f"the claim does not say what {_listed(strangers)} is here" if strangers else ""
+    if any(kind(symbol) != "scalar" for symbol in strangers):
+        return Ruling(None, unsaid)
+    try:
+        clash = _clash(check)
+        if clash:
+            return Ruling(Finding(check, Verdict.FALSE), clash)
+        # With a value at will for a symbol that the claim does not know, nothing is refuted.
+        if strangers and is_refuted(check, check.assuming, tries=40):
+            return Ruling(None, unsaid)
+        finding = _lightest(check)
+    except Exception as error:
+        # What was typed can be anything, and SymPy's errors are many; none of them is a pass.
+        return Ruling(None, unsaid or f"it has no meaning in this claim ({_brief(error)})")
+    if strangers and finding.verdict not in _HOLDS:
+        return Ruling(None, unsaid)
+    return Ruling(finding)
+
+
+def _brief(error: Exception) -> str:
+    said = " ".join(str(error).split())
+    return f"{type(error).__name__}: {said}"[:120]
+
+
+def _listed(symbols: Sequence[Symbol]) -> str:
+    return ", ".join(map(text, symbols))
+
+
+def _known_symbols(check: Check) -> set[Symbol]:
+    """The symbols that mean something in a claim."""
+    expressions = [*check.meaning, *check.meaning.values(), *check.given]
+    expressions += [assumption.condition for assumption in check.assuming]
+    for meant in check.meaning.values():
+        if isinstance(meant, (list, tuple)):  # the terms of a sum
+            expressions += [symbol for term in meant for symbol in term]
+    known = symbols_of(check.claimed) | {const}
+    return known.union(*(getattr(e, "free_symbols", ()) for e in expressions))
+
+
+def _clash(check: Check) -> str:
+    """Words for sides that can't be equal whatever their values; 0 fits every shape."""
+    shapes: dict[tuple[int, ...], None] = {}
+    for side in check.claimed.sides:
+        if side == const:
+            continue
+        meant = value(side, check.meaning)
+        if meant != 0:
+            shapes[getattr(meant, "shape", ())] = None
+    if len(shapes) < 2:
+        return ""
+    return " and ".join(map(_shape, shapes)) + " can't be equal"
+
+
+def _shape(shape: tuple[int, ...]) -> str:
+    if not shape:
+        return "a number"
+    if 1 not in shape:
+        return "a matrix"
+    return "a row" if shape[0] == 1 else "a vector"
+
+
+def _lightest(check: Check) -> Finding:
+    """The finding with those assumptions only that the equation needs."""
+    try:
+        return judge_check(check)
+    except UnneededAssumptionError:
+        for assumption in check.assuming:
+            others = tuple(other for other in check.assuming if other is not assumption)
+            finding = _lightest(replace(check, assuming=others))
+            if finding.verdict in _HOLDS:
+                return finding
+        # Shown under all of them, only that none can be spared was not.
+        return Finding(check, Verdict.ASSUMING)
+
+
+def _asserted(equation: Equation, check: Check) -> list[Equation]:
+    """What an equation says: itself, and what stands under its braces.
+
+    A brace over a name says what the name is; where neither is one, the two sides are equal.
+    """
+    braces = sorted(
+        set().union(*(side.atoms(Underbrace) for side in equation.sides)),
+        key=sympy.default_sort_key,
+    )
+    turned: dict[Any, Any] = {}
+    beneath = []
+    for brace in braces:
+        body, label = brace.args
+        if label in check.meaning:
+            continue
+        if body in check.meaning:
+            with as_printed():
+                turned[brace] = Underbrace(label, body)
+        else:
+            beneath.append(Equation(body, label))
+    if not turned:
+        return [equation, *beneath]
+    with as_printed():
+        sides = [side.xreplace(turned) for side in equation.sides]
+    return [Equation(*sides, relation=equation.relation, tag=equation.tag), *beneath]
