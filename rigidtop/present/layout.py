@@ -298,6 +298,11 @@ def known(symbol: Symbol) -> tuple[int, Quantity | None]:
     return _BY_NAME.get(symbol.name, (len(_BY_NAME), None))
 
 
+def _ordered_as(symbol: Symbol) -> Symbol:
+    """The symbol that tells where another stands: of one of another notation, its counterpart."""
+    return getattr(symbol, "stands", symbol)
+
+
 def glyph(name: str) -> Glyph:
     """The vocabulary's glyph of a symbol, or one read off its name.
 
@@ -804,6 +809,7 @@ _Key = tuple[Any, ...]
 
 def _weight(symbol: Symbol) -> int:
     """How many inverse seconds a symbol brings to a term."""
+    symbol = _ordered_as(symbol)
     _, quantity = known(symbol)
     if isinstance(symbol, Lettered):  # a velocity may be in m/s as well
         by_accent = _ACCENT_WEIGHT.get(symbol.quantity.glyph.accent, 0)
@@ -814,6 +820,7 @@ def _weight(symbol: Symbol) -> int:
 
 
 def _symbol_key(symbol: Symbol) -> _Key:
+    symbol = _ordered_as(symbol)
     position, quantity = known(symbol)
     shown = glyph(symbol.name) if quantity is None else quantity.glyph
     if shown.bold:
