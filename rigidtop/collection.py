@@ -27,7 +27,7 @@ import os
 import re
 import sys
 import traceback
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager, redirect_stdout
 from dataclasses import dataclass, replace
 from functools import wraps
@@ -233,7 +233,11 @@ def _claims(pages: Sequence[Page], exercises: Sequence[Exercise]) -> list[Claim]
 
 
 def _a(value: Any) -> str:
-    return "None" if value is None else f"a {type(value).__name__}"
+    return "None" if value is None else _kind(type(value))
+
+
+def _kind(kind: type) -> str:
+    return f"{'an' if kind.__name__[0] in 'AEIOaeiou' else 'a'} {kind.__name__}"
 
 
 def _many(values: Any, kind: type, what: str) -> tuple[Any, ...]:
@@ -245,7 +249,7 @@ def _many(values: Any, kind: type, what: str) -> tuple[Any, ...]:
     for i, value in enumerate(values):
         if not isinstance(value, kind):
             hint = "; is @claim(name, says) missing?" if kind is Claim and callable(value) else ""
-            raise RigidtopError(f"{what}[{i}] is {_a(value)}, not a {kind.__name__}{hint}")
+            raise RigidtopError(f"{what}[{i}] is {_a(value)}, not {_kind(kind)}{hint}")
     return tuple(values)
 
 
@@ -311,18 +315,27 @@ def _watched(claim: Claim, folder: Path) -> Claim:
 
     @wraps(claim.evidence)
     def evidence() -> Iterator[Evidence]:
+        found: Any = None
         try:
             found = claim.evidence()
-            if not hasattr(found, "__iter__"):
+            if not isinstance(found, Iterable):
                 raise TypeError(f"{claim.name} yields nothing")
             for item in found:
                 yield _sound(item)
         except Exception as error:
-            code = getattr(claim.evidence, "__code__", None)
-            start = code and f"{_shown(code.co_filename, folder)}, line {code.co_firstlineno}"
-            raise PageError(_said(error, folder, start or "")) from error
+            raise PageError(_said(error, folder, _stands(claim, found, folder))) from error
 
     return replace(claim, evidence=evidence)
+
+
+def _stands(claim: Claim, found: Any, folder: Path) -> str:
+    """Where a claim has come to, or else where it begins."""
+    code = getattr(claim.evidence, "__code__", None)
+    if code is None:
+        return ""
+    frame = getattr(found, "gi_frame", None)
+    line = code.co_firstlineno if frame is None else frame.f_lineno
+    return f"{_shown(code.co_filename, folder)}, line {line}"
 
 
 def _sound(item: Any) -> Evidence:

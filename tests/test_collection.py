@@ -1,0 +1,543 @@
+"""Collections: a second system judged and typeset like the first, errors in one line, a start."""
+
+from __future__ import annotations
+
+import json
+import pickle
+import re
+import shutil
+import sys
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from sympy import Symbol
+
+import rigidtop.errors
+from rigidtop.cli import main
+from rigidtop.collection import built_in, load
+from rigidtop.commands import new
+from rigidtop.errors import RigidtopError
+from rigidtop.present.text import text
+from rigidtop.proof.perturb import Perturbation, falls, telling, upheld
+from rigidtop.proof.verdict import Finding, judge
+from rigidtop.theory import symbols
+from rigidtop.theory.lettered import Lettered, in_order, positive, real
+from rigidtop.theory.symbols import Glyph
+
+PENDULUM = Path(__file__).parent / "collections" / "spherical_pendulum"
+STARTER = new.STARTER
+
+VERDICTS = {
+    "1.1": "proved",
+    "1.2": "proved",
+    "1.3": "assuming",
+    "1.4": "proved",
+    "p-phi-is-Lz": "proved",
+    "1.5": "proved",
+    "2.1": "proved",
+    "2.2": "assuming",
+    "least-rate": "proved",
+    "2.3": "proved",
+    "nods-twice": "false",
+    "3.1": "proved",
+    "3.2": "proved",
+    "taut": "assuming",
+    "speed": "proved",
+}
+"""What physics expects."""
+
+
+def every_claim(collection):
+    """Claims of pages and of exercises, each once."""
+    both = (*collection.pages, *collection.exercises)
+    return {claim.name: claim for each in both for claim in each.claims}
+
+
+@pytest.fixture(scope="module")
+def judgements():
+    claims = {f"pendulum {n}": c for n, c in every_claim(load(PENDULUM)).items()}
+    claims |= {f"starter {n}": c for n, c in every_claim(load(STARTER)).items()}
+    return {name: judge(claim) for name, claim in claims.items()}
+
+
+# --- What the second collection says --------------------------------------------------------------
+
+
+def test_verdicts(judgements):
+    found = {
+        name.partition(" ")[2]: judged.verdict.value
+        for name, judged in judgements.items()
+        if name.startswith("pendulum")
+    }
+    assert found == VERDICTS
+    assert [name for name, judged in judgements.items() if not judged.passed] == []
+
+
+def test_numbers_refute_what_textbooks_say(judgements):
+    [finding] = judgements["pendulum nods-twice"].findings()
+    theta, omega = (
+        next(v for x, v in finding.counterexample.values.items() if x.name == name)
+        for name in ("theta", "omega")
+    )
+    from sympy import cos
+
+    assert finding.counterexample.left == omega**2 * (1 + 3 * cos(theta) ** 2)
+    assert finding.counterexample.right == 4 * omega**2
+    assert finding.counterexample.left != finding.counterexample.right
+
+
+def checks(judged):
+    made = [upheld(item) for item in judged.items if isinstance(item, Finding)]
+    return [check for check in made if check is not None]
+
+
+NAMES = [*(f"pendulum {name}" for name in VERDICTS), "starter 1.1", "starter from-energy"]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_change_makes_a_claim_fall(judgements, name):
+    changes = [(c, change) for c in checks(judgements[name]) for change in telling(c)]
+    assert [change.change for check, change in changes if not falls(check, change)] == []
+    assert changes
+    for check in checks(judgements[name]):
+        assert not falls(check, Perturbation(check.claimed, "nothing"))
+
+
+def test_there_are_many_changes(judgements):
+    assert sum(len(list(telling(c))) for j in judgements.values() for c in checks(j)) > 400
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new", "broken"),
+    [
+        ("equations.py", "- g * sin(theta)", "+ g * sin(theta)", {"1.2"}),
+        ("engine.py", "WEIGHT = Matrix([0, 0, -m * g])", "WEIGHT = Matrix([0, 0, m * g])", None),
+        ("conical.py", "yield Correction(right, meaning)", "", {"nods-twice"}),
+        ("evidence.py", "(1 + 3 * cos(TILT) ** 2)", "4", {"2.3"}),
+        ("evidence.py", "v @ v - gravity", "v @ v + gravity", {"1.5", "2.2", "2.3"}),
+    ],
+)
+def test_a_slip_in_a_page_is_found(tmp_path, capsys, file, old, new, broken):
+    folder = shutil.copytree(PENDULUM, tmp_path / "course", ignore=lambda *_: ["__pycache__"])
+    words = (folder / file).read_text("utf-8")
+    assert old in words
+    (folder / file).write_text(words.replace(old, new), encoding="utf-8")
+    assert main(["check", f"{folder}/", "--json"]) == 1
+    failed = {r["name"] for r in json.loads(capsys.readouterr().out) if not r["passed"]}
+    assert failed == broken if broken else len(failed) > 3
+
+
+# --- The commands ---------------------------------------------------------------------------------
+
+
+def test_check_in_the_shell(capsys):
+    assert main(["check", f"{PENDULUM}/", "2", "speed"]) == 0
+    out = capsys.readouterr().out
+    assert "corrected: Ω² = ω²(1 + 3 cos²" in out
+    assert "holds if sin θ ≠ 0 (the string is not vertical)" in out
+    assert "θ(t) of small nodding at Ω, three nods, relative" in out
+    assert out.endswith(
+        "6 claims: 4 proved, 1 assuming, 1 false; nothing failed that the notes get right\n"
+    )
+
+
+def test_check_json(capsys):
+    assert main(["check", str(PENDULUM), "1.3", "--json"]) == 0
+    [record] = json.loads(capsys.readouterr().out)
+    assert record["name"] == "1.3"
+    assert record["reference"] == "1"
+    assert record["verdict"] == "assuming"
+    assert record["assumptions"] == ["sin θ ≠ 0 (the string is not vertical)"]
+
+
+@pytest.mark.parametrize(
+    ("format", "part"),
+    [
+        ("text", "ℒ = ½ml²(θ̇² + φ̇² sin² θ) + mgl cos θ  (1.1)"),
+        ("latex", r"mgl\cos\theta"),
+        ("html", "<math"),
+        ("typst", "math.equation"),
+        ("python", "def equation_1_1("),
+        ("c", "void equation_1_1("),
+    ],
+)
+def test_derive(capsys, format, part):
+    assert main(["derive", f"{PENDULUM}/", "1.1", "--format", format]) == 0
+    assert part in capsys.readouterr().out
+
+
+def test_list_and_exercises(capsys):
+    assert main(["list", f"{PENDULUM}", "--json"]) == 0
+    assert [r["name"] for r in json.loads(capsys.readouterr().out)] == [*VERDICTS][:-1]
+    assert main(["exercise", f"{PENDULUM}/", "--json"]) == 0
+    assert [r["name"] for r in json.loads(capsys.readouterr().out)] == ["conical-pendulum"]
+    words = ["exercise", f"{PENDULUM}/", "conical-pendulum", "--set", "theta=60deg", "--json"]
+    assert main(words) == 0
+    record = json.loads(capsys.readouterr().out)
+    answers = {each["name"]: each["value"] for each in record["answers"]}
+    assert answers["force"] == pytest.approx(2 * 0.5 * 9.81)
+    assert record["passed"]
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory):
+    out = tmp_path_factory.mktemp("lecture")
+    assert main(["lecture", f"{PENDULUM}/", "-o", str(out), "--pdf"]) == 0
+    assert main(["exercise", f"{PENDULUM}/", "--sheet", str(out)]) == 0
+    return out
+
+
+def test_lecture_has_its_own_title_and_symbols(written):
+    page = (written / "lecture.html").read_text("utf-8")
+    root = ElementTree.fromstring(page.removeprefix("<!DOCTYPE html>\n"))
+    words = "".join(root.itertext())
+    assert "The spherical pendulum: derived and judged" in words
+    assert "A mass on a string, its cones, and how it nods about them" in words
+    rows = ["".join(row.itertext()) for row in root.iter("tr")]
+    meant = [
+        next(i for i, row in enumerate(rows) if meaning in row)
+        for meaning in (
+            "mass of the bob",
+            "length of the string",
+            "angle of the string with the downward vertical",
+        )
+    ]
+    assert meant == sorted(meant)
+    names = [e.get("id") for e in root.iter() if e.get("id")]
+    assert len(set(names)) == len(names)
+    source = (written / "lecture.tex").read_text("utf-8")
+    assert r"\begin{document}" in source
+    assert r"\end{document}" in source
+    assert source.count("{") - source.count(r"\{") == source.count("}") - source.count(r"\}")
+    for name in VERDICTS:
+        assert name in source
+
+
+@pytest.mark.parametrize("file", ["lecture.html", "lecture.tex", "exercises.html", "exercises.tex"])
+def test_nothing_of_the_top_is_in_it(written, file):
+    source = (written / file).read_text("utf-8")
+    if file.endswith("html"):
+        root = ElementTree.fromstring(source.removeprefix("<!DOCTYPE html>\n"))
+        style = "".join("".join(e.itertext()) for e in root.iter("style"))
+        source = "".join(root.itertext()).replace(style, "")
+    for foreign in (r"\bspinning", r"(?<!\\)\btops?\b", "λ|lambda", "Euler angle", "Wüster", "PHY"):
+        assert not re.search(foreign, source), foreign
+    assert "spherical pendulum" in source
+    assert not (written / "figures").exists()  # those of the top close sections of the same number
+
+
+def test_pdf_of_a_collection(written):
+    import pypdf
+
+    made = pypdf.PdfReader(written / "lecture.pdf")
+    words = "\n".join(page.extract_text() for page in made.pages)
+    assert "The spherical pendulum" in words
+    assert "(2.2)" in words
+
+
+def test_the_lecture_on_the_top_is_as_it_was(tmp_path, capsys):
+    whole = built_in()
+    assert len(every_claim(whole)) > 57
+    assert whole.folder is None
+    assert whole.command("list") == "rigidtop list"
+    assert load(PENDULUM).command("list") == f"rigidtop list {PENDULUM}"
+
+
+# --- What is wrong is one line --------------------------------------------------------------------
+
+PAGE = """\
+from rigidtop.proof.equation import Equation
+from rigidtop.proof.page import Assumption, Check, Measure, Page, claim
+from sympy import Integer, Ne
+
+@claim("1.1", "one is one")
+def one():
+    yield Check(Equation(Integer(1), Integer(1)))
+
+page = Page("1", "Numbers", "About numbers.", (one,))
+"""
+
+
+def course(tmp_path, init, **files):
+    folder = tmp_path / "course"
+    folder.mkdir()
+    for name, content in {"__init__": init, **files}.items():
+        (folder / f"{name}.py").write_text(content, encoding="utf-8")
+    return folder
+
+
+WRONG = {
+    "syntax": ("PAGES = (", r"__init__\.py, line 1: SyntaxError: '\(' was never closed"),
+    "no pages": ("x = 1", r"__init__\.py: defines no PAGES, the tuple of its pages"),
+    "none": ("PAGES = ()", "PAGES is empty"),
+    "name": (PAGE + "PAGES = (pgae,)", r"__init__\.py, line 10: NameError: name 'pgae'"),
+    "no comma": (PAGE + "PAGES = (page)", r"PAGES is a Page, not a tuple: \(x,\) has a comma"),
+    "a claim": (PAGE + "PAGES = (one,)", r"PAGES\[0\] is a Claim, not a Page"),
+    "text": ("PAGES = 'page'", "PAGES is a str, not a tuple"),
+    "exercises": (
+        PAGE + "PAGES = (page,)\nEXERCISES = (one,)",
+        r"EXERCISES\[0\] is a Claim, not an Exercise",
+    ),
+    "title": (PAGE + "PAGES = (page,)\nTITLE = 3", "TITLE is an int, not text"),
+    "about": (
+        PAGE + "PAGES = (Page('2', 'x', None, ()),)",
+        r"the about of PAGES\[0\] is None, not text",
+    ),
+    "claims": (
+        PAGE + "PAGES = (Page('2', 'x', 'y', one),)",
+        r"PAGES\[0\].claims is a Claim, not a tuple",
+    ),
+    "no decorator": (
+        PAGE + "PAGES = (Page('2', 'x', 'y', (one.evidence,)),)",
+        r"PAGES\[0\].claims\[0\] is a function, not a Claim; is @claim\(name, says\) missing\?",
+    ),
+    "two claims": (
+        PAGE + "other = claim('1.1', 'z')(one.evidence)\n"
+        "PAGES = (page, Page('2', 'x', 'y', (other,)))",
+        "two claims have the name '1.1'",
+    ),
+    "two sections": (PAGE + "PAGES = (page, page)", "two sections have the name '1'"),
+    "a section": (
+        PAGE + "PAGES = (Page('1.1', 'x', 'y', (one,)),)",
+        "a section and a claim have the name '1.1'",
+    ),
+    "bad name": (
+        PAGE + "PAGES = (Page('1', 'x', 'y', (claim('../a', 'z')(one.evidence),)),)",
+        r"the claim '\.\./a' needs a name of letters, digits, \. and -",
+    ),
+    "exit": ("import sys\nsys.exit(0)", r"__init__\.py, line 2: SystemExit: 0"),
+    "lines": ("raise ValueError('a\\nb')", r"__init__\.py, line 1: ValueError: a b"),
+    "no such": (
+        "from .pages import page",
+        r"__init__\.py, line 1: ModuleNotFoundError: No module named 'course\.pages'",
+    ),
+    "no dot": (
+        "from other import page",
+        r"No module named 'other'; a file of the folder is imported with a dot: from \.other",
+    ),
+}
+
+
+@pytest.mark.parametrize("what", WRONG)
+def test_errors_are_one_line(tmp_path, capsys, what):
+    init, message = WRONG[what]
+    folder = course(tmp_path, init, other=PAGE)
+    for command in ("check", "list", "lecture", "exercise"):
+        assert main([command, f"{folder}/"]) == 2
+        out, err = capsys.readouterr()
+        assert out == ""
+        assert err.count("\n") == 1
+        assert err.startswith(f"rigidtop {command}: {folder}")
+        assert re.search(message, err)
+        assert "_rigidtop_collection" not in err
+
+
+BREAKS = {
+    "raises": ("1 / 0\n    yield", "line 12: ZeroDivisionError: division by zero"),
+    "nothing": ("return None", "line 10: TypeError: broken yields nothing"),
+    "text": (
+        "yield 'proved'",
+        "line 12: TypeError: a str is no Step, Check, Definition or Measure",
+    ),
+    "number": (
+        "yield Measure('x', 'small', 1)",
+        "line 12: ValueError: could not convert string to float",
+    ),
+    "comma": (
+        "yield Check(Equation(Integer(1), 1), assuming=(Assumption(None)))",
+        "line 12: TypeError: assuming is an Assumption, not a tuple",
+    ),
+    "always": (
+        "yield Check(Equation(Integer(1), 1), assuming=(Assumption(Ne(Integer(1), 0)),))",
+        "line 12: TypeError: the assumption is True: it says nothing",
+    ),
+}
+
+
+@pytest.mark.parametrize("what", BREAKS)
+def test_a_claim_that_breaks_is_undecided(tmp_path, capsys, what):
+    body, message = BREAKS[what]
+    broken = f"@claim('broken', 'x')\ndef broken():\n    {body}\n"
+    init = PAGE + broken + "PAGES = (Page('1', 'x', 'y', (one, broken)),)\n"
+    folder = course(tmp_path, init)
+    assert main(["check", f"{folder}/", "--json"]) == 1
+    first, record = json.loads(capsys.readouterr().out)
+    assert first["verdict"] == "proved"
+    assert record["verdict"] == "undecided"
+    assert record["note"].startswith(f"PageError: {folder}")
+    assert message in record["note"]
+    assert main(["lecture", f"{folder}/", "-o", str(tmp_path / "out")]) == 1
+    assert main(["derive", f"{folder}/", "broken"]) == 1
+    assert "Traceback" not in capsys.readouterr().err
+
+
+def test_what_cannot_be_typeset_is_one_line(tmp_path, capsys):
+    odd = "def odd():\n    area = Integral(Symbol('x'), Symbol('x'))\n"
+    odd = f"@claim('odd', 'x')\n{odd}    yield Check(Equation(area, area))\n"
+    init = "from sympy import Integral, Symbol\n" + PAGE + odd
+    folder = course(tmp_path, init + "PAGES = (Page('1', 'x', 'y', (odd,)),)\n")
+    assert main(["derive", f"{folder}/", "odd"]) == 2
+    err = capsys.readouterr().err
+    assert err.count("\n") == 1
+    assert "TypeError: no layout for Integral" in err
+
+
+def test_an_exercise_that_breaks_is_one_line(tmp_path, capsys):
+    init = PAGE + (
+        "from rigidtop.proof.exercise import exercise\n"
+        "@exercise('bad', 'Bad', section='1', asks='', statement='?', claims=(), parameters=())\n"
+        "def bad():\n    yield 1 / 0\n"
+        "PAGES, EXERCISES = (page,), (bad,)\n"
+    )
+    folder = course(tmp_path, init)
+    for words in (["exercise", f"{folder}/", "bad"], ["lecture", f"{folder}/"]):
+        assert main([*words]) == 2
+        err = capsys.readouterr().err
+        assert f"{folder}/__init__.py, line 13: ZeroDivisionError" in err
+        assert err.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("check nowhere/", "no folder 'nowhere'"),
+        ("lecture nowhere", "no folder 'nowhere'"),
+        ("check empty/", "empty is no collection: it has no __init__.py"),
+        ("check empty", "no equation or claim 'empty'; the folder of this name has no __init__.py"),
+        ("check course/ 1.2", "no equation or claim '1.2'; did you mean 1.1?"),
+        ("check course/ zzz", "no equation or claim 'zzz'; `rigidtop list course` names them all"),
+        ("derive course/", "one claim at a time; `rigidtop list course` names them"),
+        ("exercise course/ zzz", "no exercise 'zzz'; `rigidtop exercise course` lists all"),
+        ("check 3.57 course/", "no equation or claim 'course/'"),
+    ],
+)
+def test_what_is_not_there(tmp_path, monkeypatch, capsys, words, message):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "empty").mkdir()
+    course(tmp_path, PAGE + "PAGES = (page,)")
+    assert main(words.split()) == 2
+    err = capsys.readouterr().err
+    assert err.count("\n") == 1
+    assert message in err
+
+
+# --- A collection is imported if it is named, and takes nobody's place ----------------------------
+
+
+def test_only_what_is_named_is_run(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    folder = course(tmp_path, "raise SystemExit('it ran')")
+    folder.rename(tmp_path / "sympy")
+    assert main(["list", "--json"]) == 0
+    assert len(json.loads(capsys.readouterr().out)) == 57
+    assert main(["check", "sympy/"]) == 2
+    assert "it ran" in capsys.readouterr().err
+
+
+def test_nothing_is_shadowed(tmp_path, capsys):
+    files = dict.fromkeys(("sympy", "numpy", "rigidtop"), "raise ImportError('shadowed')")
+    init = PAGE + "from .errors import HERE\nPAGES = (page,)\nTITLE = HERE"
+    folder = course(tmp_path, init, **files, errors="HERE = 'my errors'")
+    folder = folder.rename(tmp_path / "rigidtop")
+    known, path = dict(sys.modules), list(sys.path)
+    collection = load(folder)
+    assert collection.front.title == "my errors"
+    assert sys.path == path
+    assert {name: sys.modules.get(name) for name in known} == known
+    assert all(name.startswith("_rigidtop_collection_") for name in set(sys.modules) - set(known))
+    assert rigidtop.errors.RigidtopError is RigidtopError
+
+
+def test_what_a_collection_prints_is_no_result(tmp_path, capsys):
+    folder = course(tmp_path, PAGE + "print('hello')\nPAGES = (page,)")
+    assert main(["check", f"{folder}/", "--json"]) == 0
+    out, err = capsys.readouterr()
+    assert json.loads(out)[0]["verdict"] == "proved"
+    assert err == "hello\n"
+
+
+def test_what_is_left_out_has_a_default(tmp_path):
+    collection = load(course(tmp_path, PAGE + "PAGES = [page]"))
+    assert collection.front.title == "course"
+    assert collection.front.exercises == "course: exercises"
+    assert collection.exercises == ()
+    assert collection.pages[0].claims[0].reason == ""
+
+
+# --- A start --------------------------------------------------------------------------------------
+
+
+def test_what_is_started_passes(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["new", "my_course"]) == 0
+    assert "my_course/pendulum.py" in capsys.readouterr().out
+    assert main(["check", "my_course/", "--json"]) == 0
+    records = json.loads(capsys.readouterr().out)
+    assert [(r["name"], r["verdict"]) for r in records] == [
+        ("1.1", "proved"),
+        ("from-energy", "assuming"),
+    ]
+    assert main(["lecture", "my_course/", "-o", "out"]) == 0
+    assert capsys.readouterr().out.endswith("1 exercise solved; every number confirmed\n")
+    assert "mass of the bob" in (tmp_path / "out" / "lecture.html").read_text("utf-8")
+    for theta in ("1deg", "3"):
+        assert main(["exercise", "my_course/", "period", "--set", f"theta={theta}"]) == 0
+
+
+def test_new_refuses_what_is_there(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "full").mkdir()
+    (tmp_path / "full" / "mine.txt").write_text("mine")
+    (tmp_path / "file").write_text("mine")
+    (tmp_path / "empty").mkdir()
+    for words, message in (
+        ("full", "full is there already, and is not empty"),
+        ("file", "file is there already, and is not a folder"),
+        ("file/x", "cannot write file/x: Not a directory"),
+    ):
+        assert main(["new", words]) == 2
+        assert message in capsys.readouterr().err
+    assert (tmp_path / "full" / "mine.txt").read_text() == "mine"
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["empty", "file", "full"]
+    assert main(["new", "empty", "--json"]) == 0
+    files = json.loads(capsys.readouterr().out)["files"]
+    assert files == [str(Path("empty", f"{n}.py")) for n in ("__init__", "letters", "pendulum")]
+    monkeypatch.chdir(tmp_path / "empty")
+    assert main(["new", "."]) == 2
+
+
+def test_new_is_whole_or_nothing(tmp_path, monkeypatch):
+    def full(path, content):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(Path, "write_bytes", full)
+    with pytest.raises(RigidtopError, match="No space left on device"):
+        new.write(tmp_path / "deep" / "course", {"a.py": b""})
+    assert list((tmp_path / "deep").iterdir()) == []
+
+
+# --- Symbols with a letter of their own -----------------------------------------------------------
+
+
+def test_a_symbol_is_what_it_says_not_what_it_is_called():
+    (mine,) = in_order(real("theta", Glyph("ϑ", sub="0"), "mine", "rad"))
+    assert text(mine + symbols.theta) in ("ϑ₀ + θ", "θ + ϑ₀")
+    assert mine != symbols.theta
+    assert mine != Symbol("theta", real=True)
+    assert mine != real("theta", Glyph("η"), "another", "rad")
+    assert mine == in_order(real("theta", Glyph("ϑ", sub="0"), "mine", "rad"))[0]
+    assert pickle.loads(pickle.dumps(mine * 2)) == mine * 2
+    assert isinstance(pickle.loads(pickle.dumps(mine)), Lettered)
+    assert pickle.loads(pickle.dumps(mine)).quantity == mine.quantity
+
+
+def test_factors_are_printed_in_the_order_of_the_symbols():
+    b, a, x, xdot = in_order(
+        positive("b", Glyph("b"), "first", "kg"),
+        positive("a", Glyph("a"), "second", "N/m"),
+        real("x", Glyph("x"), "coordinate", "m"),
+        real("xdot", Glyph("x", accent="dot"), "velocity", "m/s"),
+    )
+    assert text(a * b * x) == "bax"
+    assert text(a * x**2 / 2 + b * xdot**2 / 2) == "½bẋ² + ½ax²"
