@@ -34,7 +34,7 @@ def named(collection: Collection, names: Sequence[str]) -> list[tuple[Page, Clai
     of_sections = [claim.name for page, claim in claims if page.section in names]
     wanted = {name.strip("()") for name in names if name not in sections} | {*of_sections}
     if not wanted <= {claim.name for _, claim in claims}:
-        claims += of_exercises(collection, claims)
+        claims += [*of_exercises(collection, claims), *of_conventions(collection)]
     known = [claim.name for _, claim in claims]
     for name in sorted(wanted - set(known)):
         from difflib import get_close_matches
@@ -63,6 +63,15 @@ def of_exercises(
         if claim.name not in made
     }
     return list(found.values())
+
+
+def of_conventions(collection: Collection) -> list[tuple[Page, Claim]]:
+    """The claims about the notations of other books, which go with the lecture on the top."""
+    if collection.folder is not None:
+        return []
+    from rigidtop.derivations.conventions import CONVENTIONS
+
+    return [(page, claim) for page in CONVENTIONS for claim in page.claims]
 
 
 def judged(claims: Sequence[tuple[Page, Claim]]) -> Iterator[tuple[Page, Judgement]]:

@@ -1,0 +1,211 @@
+"""The Euler angles of other books: z–x′–z″ instead of z–y′–z″.
+
+These claims are not the notes'.  They prove what `rigidtop.notation` does with equations: φ and ψ
+of the notes are shifted by a quarter turn, the axes after the second turn change places, and the
+Lagrangian keeps its form.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sympy import Expr, Matrix, Rational, Symbol, cos, diag, pi, sin
+
+from rigidtop.derivations.euler_angles import SYMMETRIC, momentum_primed
+from rigidtop.notation.convention import SEQUENCES
+from rigidtop.proof.equation import Equation, Group, as_printed
+from rigidtop.proof.page import Check, Evidence, Page, claim
+from rigidtop.theory.euler import MOMENTS
+from rigidtop.theory.lettered import real
+from rigidtop.theory.rotation import (
+    Z_AXIS,
+    euler_matrix,
+    euler_omega,
+    omega_body,
+    primed_matrix,
+    rotation_x,
+    rotation_z,
+)
+from rigidtop.theory.symbols import (
+    Glyph,
+    L_vec,
+    Lagrangian,
+    M,
+    O_matrix,
+    R,
+    e1p,
+    e2p,
+    e3,
+    g,
+    lambda1,
+    lambda3,
+    omega_vec,
+    phi,
+    phidot,
+    psi,
+    psidot,
+    theta,
+    thetadot,
+    zhat,
+)
+from rigidtop.theory.top import SYMMETRIC as SYMMETRIC_TOP
+from rigidtop.theory.top import potential_energy
+
+HALF = Rational(1, 2)
+
+phi_x = real("phi_x", Glyph("φ", "x"), "first Euler angle z–x′–z″: azimuth of the nodes", "rad")
+psi_x = real("psi_x", Glyph("ψ", "x"), "third Euler angle z–x′–z″: turn from the nodes", "rad")
+e1x = real("e1x", Glyph("e", "1x", bold=True), "line of nodes: e₁ after the turn by φₓ", "")
+e2x = real("e2x", Glyph("e", "2x", bold=True), "e₂ before the turn by ψₓ", "")
+
+
+def counted(angle: Symbol) -> Expr:
+    """An angle of the sequence z–x′–z″ by those of the notes, as `rigidtop.notation` has it."""
+    return angle - SEQUENCES["zxz"][angle].quarters * pi / 2
+
+
+ANGLES = {phi_x: counted(phi), psi_x: counted(psi)}
+
+
+def nodes_matrix() -> Matrix:
+    """Rz(φₓ) Rx(θ): its columns are the line of nodes, the axis across it, and e₃."""
+    return rotation_z(ANGLES[phi_x]) * rotation_x(theta)
+
+
+def axes() -> dict:
+    """The axes after the second turn of either sequence, in the space frame."""
+    nodes, primed = nodes_matrix(), primed_matrix()
+    return {
+        e1x: nodes[:, 0],
+        e2x: nodes[:, 1],
+        e1p: primed[:, 0],
+        e2p: primed[:, 1],
+        e3: primed[:, 2],
+    }
+
+
+@claim(
+    "euler-zxz",
+    "With φₓ = φ + π/2 and ψₓ = ψ − π/2 the turns z–x′–z″ lead to the same attitude.",
+)
+def attitude() -> Iterator[Evidence]:
+    """Ry(θ) is Rx(θ) between quarter turns about z, which join the turns by φ and by ψ.
+
+    The first matrix is Rz(φₓ) Rx(θ) Rz(ψₓ); the engine has Rz(φ) Ry(θ) Rz(ψ).
+    """
+    with as_printed():
+        printed = Matrix(
+            [
+                [
+                    cos(phi_x) * cos(psi_x) - sin(phi_x) * cos(theta) * sin(psi_x),
+                    -cos(phi_x) * sin(psi_x) - sin(phi_x) * cos(theta) * cos(psi_x),
+                    sin(phi_x) * sin(theta),
+                ],
+                [
+                    sin(phi_x) * cos(psi_x) + cos(phi_x) * cos(theta) * sin(psi_x),
+                    -sin(phi_x) * sin(psi_x) + cos(phi_x) * cos(theta) * cos(psi_x),
+                    -cos(phi_x) * sin(theta),
+                ],
+                [sin(theta) * sin(psi_x), sin(theta) * cos(psi_x), cos(theta)],
+            ]
+        )
+    turns = rotation_z(phi_x) * rotation_x(theta) * rotation_z(psi_x)
+    said = Equation(O_matrix, printed)
+    yield Check(said, {O_matrix: turns}, reason="The product of the three turns.", printed=False)
+    yield Check(
+        said,
+        {O_matrix: euler_matrix(), **ANGLES},
+        reason="The attitude of the notes, with the angles shifted.",
+        printed=False,
+    )
+
+
+@claim("nodes-zxz", "The axes after the second turn change places: e₁ₓ = e₂′ and e₂ₓ = −e₁′.")
+def nodes() -> Iterator[Evidence]:
+    """The line of nodes is e₂′ in one sequence and the first axis in the other; e₃ is the same."""
+    with as_printed():
+        along, across = Equation(e1x, e2p), Equation(e2x, -e1p)
+        vertical = Equation(zhat, cos(theta) * e3 + sin(theta) * e2x)
+    yield Check(along, axes(), reason="The line of nodes.", printed=False)
+    yield Check(across, axes(), reason="The axis across it and e₃.", printed=False)
+    yield Check(
+        vertical,
+        {**axes(), zhat: Z_AXIS},
+        reason="The vertical has no part along the nodes.",
+        printed=False,
+    )
+
+
+@claim("omega-zxz", "ω along the line of nodes, across it and along e₃, and along the body's axes.")
+def rotational_velocity() -> Iterator[Evidence]:
+    """The engine takes ω from ṘRᵀ and RᵀṘ of the notes' angles; the rates are the same."""
+    with as_printed():
+        along_nodes = Equation(
+            omega_vec,
+            thetadot * e1x + phidot * sin(theta) * e2x + Group(psidot + phidot * cos(theta)) * e3,
+        )
+        along_body = Equation(
+            omega_vec,
+            Matrix(
+                [
+                    phidot * sin(theta) * sin(psi_x) + thetadot * cos(psi_x),
+                    phidot * sin(theta) * cos(psi_x) - thetadot * sin(psi_x),
+                    phidot * cos(theta) + psidot,
+                ]
+            ),
+        )
+    yield Check(
+        along_nodes,
+        {omega_vec: euler_omega("space"), **axes()},
+        reason="(3.42) goes over.",
+        printed=False,
+    )
+    yield Check(
+        along_body,
+        {omega_vec: euler_omega("body"), **ANGLES},
+        reason="The components along e₁, e₂ and e₃.",
+        printed=False,
+    )
+
+
+@claim("momentum-zxz", "L along the line of nodes, across it and along e₃.")
+def momentum() -> Iterator[Evidence]:
+    """(3.43) goes over; the engine has L = Iω along e₁′, e₂′ and e₃, turned into space."""
+    with as_printed():
+        printed = Equation(
+            L_vec,
+            lambda1 * thetadot * e1x
+            + lambda1 * phidot * sin(theta) * e2x
+            + lambda3 * Group(psidot + phidot * cos(theta)) * e3,
+        )
+    space = primed_matrix() * momentum_primed()
+    yield Check(printed, {L_vec: space, **axes()}, (SYMMETRIC,), printed=False)
+
+
+@claim("lagrangian-zxz", "The Lagrangian (3.53) has the same form in the angles z–x′–z″.")
+def lagrangian() -> Iterator[Evidence]:
+    """T from RᵀṘ with R = Rz(φₓ) Rx(θ) Rz(ψₓ), for any three moments, less V, at height R cos θ."""
+    turns = rotation_z(phi_x) * rotation_x(theta) * rotation_z(psi_x)
+    rates = {theta: thetadot, phi_x: phidot, psi_x: psidot}
+    omega = omega_body(turns, rates)
+    kinetic = HALF * omega.dot(diag(*MOMENTS) * omega)
+    with as_printed():
+        printed = Equation(
+            Lagrangian,
+            HALF * lambda1 * Group(phidot**2 * sin(theta) ** 2 + thetadot**2)
+            + HALF * lambda3 * Group(psidot + phidot * cos(theta)) ** 2
+            - M * g * R * cos(theta),
+        )
+    potential = potential_energy().subs(SYMMETRIC_TOP)
+    yield Check(printed, {Lagrangian: kinetic - potential}, (SYMMETRIC,), printed=False)
+
+
+page = Page(
+    "3.3",
+    "Euler angles of other books",
+    "Three turns z–x′–z″, as Goldstein, Landau and Lifshitz and Morin have them.",
+    (attitude, nodes, rotational_velocity, momentum, lagrangian),
+)
+
+CONVENTIONS = (page,)
+"""What is proved besides the notes."""
