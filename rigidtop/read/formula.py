@@ -1,49 +1,60 @@
 """Formulas in LaTeX become equations.
 
 >>> from rigidtop.present.text import text
->>> [line] = read(r"\\lambda_1\\cos\\theta\\,\\Omega^2 - \\lambda_3\\omega_3\\Omega = -MgR \\tag{3.57}")
+>>> [line] = read(r"\\lambda_1\\cos\\theta\\,\\Omega^2 = \\lambda_3\\omega_3\\Omega - MgR \\tag{3.57}")
 >>> text(line.equation), line.tag
-('λ₁ cos θ Ω² − λ₃ω₃Ω = −MgR', '3.57')
+('λ₁ cos θ Ω² = λ₃ω₃Ω − MgR', '3.57')
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from importlib.resources import files
+from itertools import pairwise
 from typing import Any
 
 import sympy
-from lark import Lark, Transformer, UnexpectedInput
+from lark import Lark, UnexpectedInput
 from lark import Token as Lexeme
 from lark.exceptions import VisitError
 from lark.lexer import Lexer
+from lark.visitors import Transformer_NonRecursive
 from sympy import Add, Integer, Mul, Pow, Rational, Symbol
 
 from rigidtop.notation import MATRICES, NOTES, Notation
 from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import Equation
-from rigidtop.read.scan import Token, UnreadError, tokens
+from rigidtop.read.scan import Token, UnreadError, shown, tokens
 from rigidtop.theory import symbols as s
+
+DEEPEST = 100
+"""No expression is a deeper tree; a sum of n terms is one of n levels."""
+
+DIGITS = 400
+"""No number has more, were its powers computed."""
+
+RAISED = 20
+"""A power of what is no number is not higher, powers of powers multiplied."""
+
+LARGEST = 6
+"""A matrix that is written out has no more rows or columns."""
 
 
 @dataclass(frozen=True)
 class Line:
     """An equation that was read, or why it was not.
 
-    `position` is where it begins in the text; `follows` says that ⇒ stands before it.
+    `position` is where it begins in the text, or where what can't be read stands; `follows` says
+    that ⇒ stands before it; `tag` is the equation's number.
     """
 
     position: int
     equation: Equation | None
     problem: str = ""
     follows: bool = False
-
-    @property
-    def tag(self) -> str:
-        """The equation's number."""
-        return self.equation.tag if self.equation is not None else ""
+    tag: str = ""
 
 
 def read(text: str, notation: Notation = NOTES) -> tuple[Line, ...]:
@@ -68,73 +79,188 @@ class _Part:
     tokens: tuple[Token, ...]
     tag: str = ""
     follows: bool = False
+    problem: UnreadError | None = None
+
+    @property
+    def kinds(self) -> list[str]:
+        return [token.kind for token in self.tokens]
 
 
 _GOES_ON = frozenset({"RELATION", "SIGN", "CROSS", "DOT", "SLASH"})
 """A line that begins with one of these, or whose last line ended with one, goes on."""
 
+_BREAKS = frozenset({"LINE", "SEPARATOR", "ARROW"})
+_BLANK = frozenset({"SPACE", "ALIGN"})
+_OPENS = {"MATRIX": 1, "XIRTAM": -1, "OPEN": 1, "CLOSE": -1, "LIST": 1, "TSIL": -1}
+_OPENS |= {"_BEGIN": 1, "_END": -1}
+
 
 def _parts(found: Sequence[Token]) -> list[_Part]:
-    """Tokens cut at separators and at ends of lines, tags taken out."""
-    parts: list[_Part] = []
-    current: list[Token] = []
-    nested = follows = 0
+    """Tokens cut at separators, at arrows and at ends of lines, tags taken out."""
+    cutter = _Cutter(found)
+    for i in range(len(found)):
+        cutter.take(i)
+    cutter.close()
+    return cutter.parts
 
-    def close() -> None:
-        nonlocal current, follows
-        kept = [t for t in current if t.kind not in ("TAG", "ARROW")]
-        tags = [t.value for t in current if t.kind == "TAG"] + _bracketed(kept)
-        arrow = any(t.kind == "ARROW" for t in current)
-        if tags and parts and _bracketed(kept):  # its number stands behind a comma
-            parts[-1] = replace(parts[-1], tag=tags[-1])
-        elif kept:
-            begins = bool(current) and current[0].kind == "ARROW"
-            parts.append(_Part(tuple(kept), tags[-1] if tags else "", bool(follows) or begins))
-            follows = int(arrow and not begins)
-        elif arrow:
-            follows = 1
-        current = []
 
-    for i, token in enumerate(found):
-        nested += {"MATRIX": 1, "XIRTAM": -1}.get(token.kind, 0)
-        if token.kind == "LINE" and not nested:
-            ahead = found[i + 1].kind if i + 1 < len(found) else ""
-            behind = current[-1].kind if current else ""
-            if ahead not in _GOES_ON and behind not in _GOES_ON:
-                close()
-        elif token.kind == "SEPARATOR":
-            close()
+class _Cutter:
+    """Goes through the tokens of some lines and cuts them into equations."""
+
+    def __init__(self, found: Sequence[Token]) -> None:
+        self.found = found
+        self.parts: list[_Part] = []
+        self.current: list[Token] = []
+        self.tag, self.follows, self.nested = "", False, 0
+        self.problem: UnreadError | None = None
+        self.ahead = _ahead(found)
+        """For each token the kind of the next one that is not blank, and whether a relation
+        stands between it and the next break."""
+
+    def take(self, i: int) -> None:
+        token = self.found[i]
+        kind = token.kind
+        self.nested += _OPENS.get(kind, 0)
+        inside = self.nested > 0
+        if kind == "TAG":
+            self.tag = token.value
+        elif kind == "ARROW":
+            self.close()
+            self.follows = True
+        elif kind == "SEPARATOR":
+            self.close(stop=token.value)
+        elif kind == "LINE" and not inside:
+            self._line(i)
+        elif kind in _BLANK:
+            if not inside and not self._goes_on(i):
+                self.close()
         else:
-            current.append(token)
-    close()
-    return parts
+            self.current.append(token)
+
+    def _goes_on(self, i: int) -> bool:
+        behind = self.current[-1].kind if self.current else ""
+        return behind in _GOES_ON or self.ahead[i][0] in _GOES_ON | {"TAG", ""}
+
+    def _line(self, i: int) -> None:
+        kind, related = self.ahead[i]
+        if not self._goes_on(i) or kind == "TAG":
+            self.close()
+        elif kind == "SIGN" and related and self.current:
+            # "a = b \\\\ -c &= d" begins anew, "a &= b \\\\ & - c = d" goes on.
+            alignments = [
+                token.kind
+                for token in self.found[i + 1 : self._end(i + 1)]
+                if token.kind != "SPACE"
+            ]
+            if alignments[0] == "ALIGN":
+                return
+            if "ALIGN" not in alignments:
+                sign = next(t for t in self.found[i:] if t.kind == "SIGN")
+                self.problem = UnreadError(
+                    "a line that begins with a sign and has a relation of its own: put & before "
+                    "the sign if it goes on, & before the relation if it begins anew",
+                    sign.position,
+                )
+                return
+            self.close()
+
+    def _end(self, start: int) -> int:
+        for i in range(start, len(self.found)):
+            if self.found[i].kind in _BREAKS:
+                return i
+        return len(self.found)
+
+    def close(self, stop: str = "") -> None:
+        """What was taken so far is an equation."""
+        kept, self.current = self.current, []
+        unread = next((token.value for token in kept if token.kind == "UNREAD"), self.problem)
+        part = _Part(tuple(kept), self.tag, self.follows, unread)
+        number = _bracketed(kept)
+        if number and self.parts and not self.parts[-1].tag:  # it stands behind a comma or a space
+            self.parts[-1] = replace(self.parts[-1], tag=number)
+        elif kept and part.kinds == ["NUMBER"] and self.parts and self._listed:
+            last = self.parts[-1]
+            problem = UnreadError(
+                "a list of values, or a decimal comma: write each equation out, with a full stop "
+                "in numbers",
+                last.tokens[0].position,
+            )
+            self.parts[-1] = replace(last, tag=self.tag or last.tag, problem=problem)
+        elif kept:
+            self.parts.append(part)
+        elif self.tag and self.parts and not self.parts[-1].tag:
+            self.parts[-1] = replace(self.parts[-1], tag=self.tag)
+        if kept:
+            self.tag, self.follows, self.problem = "", False, None
+            self._listed = stop == "," and kept[-1].kind == "NUMBER"
+        elif self.tag:
+            self.tag = ""
+
+    _listed = False
+    """Whether the last part ended with a number and a comma."""
 
 
-def _bracketed(part: Sequence[Token]) -> list[str]:
+def _ahead(found: Sequence[Token]) -> list[tuple[str, bool]]:
+    made: list[tuple[str, bool]] = []
+    kind, related = "", False
+    for token in reversed(found):
+        made.append((kind, related))
+        if token.kind not in _BLANK:
+            kind = token.kind
+        related = token.kind not in _BREAKS and (related or token.kind == "RELATION")
+    return made[::-1]
+
+
+def _bracketed(part: Sequence[Token]) -> str:
     """The number of an equation in brackets, if that is all there is."""
-    if [t.kind for t in part] == ["OPEN", "NUMBER", "CLOSE"]:
-        return [part[1].value]
-    return []
+    plain = [t.kind for t in part] == ["OPEN", "NUMBER", "CLOSE"]
+    return part[1].value if plain and "." in part[1].value else ""
 
 
 def _read(part: _Part, notation: Notation) -> list[Line]:
-    """One line, or two where the relation changes in a chain."""
-    position = part.tokens[0].position
+    """One line, more where a symbol has two indices, or where the relation changes in a chain."""
     try:
-        sides, relations = _parsed(part.tokens, notation)
+        if part.problem is not None:
+            raise part.problem
+        lines = [line for chosen in _choices(part.tokens) for line in _lines(chosen, notation)]
     except UnreadError as error:
-        return [Line(error.position, None, error.reason, part.follows)]
+        return [Line(error.position, None, error.reason, part.follows, part.tag)]
+    lines = [replace(line, follows=part.follows) for line in lines]
+    if part.tag:
+        last = lines[-1]
+        assert last.equation is not None
+        numbered = Equation(*last.equation.sides, relation=last.equation.relation, tag=part.tag)
+        lines[-1] = replace(last, equation=numbered, tag=part.tag)
+    return lines
+
+
+def _choices(found: Sequence[Token]) -> list[list[Token]]:
+    """ω_{1,2} = … are two equations."""
+    counts = {len(t.value): t.position for t in found if t.kind == "CHOICE"}
+    if not counts:
+        return [list(found)]
+    if len(counts) > 1:
+        raise UnreadError("lists of indices of different lengths", max(counts.values()))
+    [count] = counts
+    return [
+        [Token("SYMBOL", t.value[i], t.position) if t.kind == "CHOICE" else t for t in found]
+        for i in range(count)
+    ]
+
+
+def _lines(found: Sequence[Token], notation: Notation) -> list[Line]:
+    position = found[0].position
+    sides, relations = _parsed(found, notation)
     if not relations:
-        return [Line(position, None, "no relation: an equation has two sides", part.follows)]
+        raise UnreadError("no relation: an equation has two sides", position)
     if set(relations) == {"=", "≡"}:  # p_φ ≡ … = const is one statement
         relations = ["="] * len(relations)
     lines = []
     start = 0
     for i in range(1, len(relations) + 1):
         if i == len(relations) or relations[i] != relations[start]:
-            tag = part.tag if i == len(relations) else ""
-            equation = Equation(*sides[start : i + 1], relation=relations[start], tag=tag)
-            lines.append(Line(position, equation, follows=part.follows))
+            equation = Equation(*sides[start : i + 1], relation=relations[start])
+            lines.append(Line(position, equation))
             start = i
     return lines
 
@@ -161,7 +287,10 @@ def _grammar() -> Lark:
 
 _SAID = {
     "POWER": "a power here could belong to the function or to its argument: put brackets",
-    "$END": "the formula ends too early",
+    "RELATION": "a relation where an expression goes on: close the brackets before it",
+    "FRAME": "an index behind brackets",
+    "LINE": "an end of the line where an expression goes on",
+    "_END": "something is missing here",
 }
 
 
@@ -171,20 +300,20 @@ def _parsed(found: Sequence[Token], notation: Notation) -> tuple[list[Any], list
         tree = _grammar().parse(found)
     except UnexpectedInput as error:
         lexeme = getattr(error, "token", None)
-        kind = lexeme.type if lexeme is not None else "$END"
         if lexeme is None or not isinstance(lexeme.value, Token):
-            raise UnreadError(_SAID["$END"], found[-1].position) from None
+            raise UnreadError("the formula ends too early", found[-1].position) from None
         token = lexeme.value
-        raise UnreadError(
-            _SAID.get(kind, f"{token.value} is out of place"), token.position
-        ) from None
+        if token is found[0] and token.kind == "RELATION":
+            raise UnreadError("a relation without its left side", token.position) from None
+        reason = _SAID.get(token.kind, f"{shown(token, notation)} is out of place")
+        raise UnreadError(reason, token.position) from None
     with eq.as_printed():
         try:
             return _Builder(notation).transform(tree)
         except VisitError as error:
             if isinstance(error.orig_exc, UnreadError):
-                raise UnreadError(error.orig_exc.reason, found[0].position) from None
-            raise
+                raise error.orig_exc from None
+            raise UnreadError("this has no meaning", found[0].position) from None
 
 
 def kind(node: Any) -> str:
@@ -210,9 +339,11 @@ def kind(node: Any) -> str:
     return "scalar"
 
 
-_INDEPENDENT = {"sin": sympy.sin, "cos": sympy.cos, "tan": sympy.tan, "exp": sympy.exp}
 _FUNCTIONS: dict[str, Any] = {
-    **_INDEPENDENT,
+    "sin": sympy.sin,
+    "cos": sympy.cos,
+    "tan": sympy.tan,
+    "exp": sympy.exp,
     "log": sympy.log,
     "arcsin": sympy.asin,
     "arccos": sympy.acos,
@@ -223,245 +354,417 @@ _FUNCTIONS: dict[str, Any] = {
     "K": sympy.elliptic_k,
     "F": sympy.elliptic_f,
 }
+_OF_ANGLES = frozenset({"sin", "cos", "tan"})
+_NAMED = frozenset({"det", "tr"})
+"""Functions of a matrix that are symbols: det O."""
 _FRAMES = {"space": eq.SPACE, "body": eq.BODY}
 _ANGLES = frozenset({"rad", "1", ""})
 _RATES = frozenset({"rad/s", "1/s"})
 
 
-class _Builder(Transformer):
+@dataclass(frozen=True)
+class _Value:
+    """A part of an expression, with what is known of it.
+
+    `depth` is that of its tree, `digits` how many digits its numbers may come to, `raised` the
+    product of the powers within.  `pending` is a function of the rate `tree`, which makes sense
+    only if the time follows; `ends` is the reason why nothing may follow; `bare` says that a
+    function has its argument without brackets.
+    """
+
+    tree: Any
+    kind: str
+    position: int
+    depth: int = 1
+    digits: float = 0
+    raised: float = 1
+    pending: Callable[[Any], Any] | None = None
+    ends: str = ""
+    literal: bool = False
+    bare: bool = False
+
+    @property
+    def closed(self) -> _Value:
+        if self.pending is None:
+            return self
+        return replace(self, tree=self.pending(self.tree), pending=None, depth=self.depth + 1)
+
+    @property
+    def explicit(self) -> bool:
+        """Whether it is a matrix or column with its entries."""
+        return isinstance(self.tree, sympy.MatrixBase)
+
+
+def _made(tree: Any, kind: str, *parts: _Value, **known: Any) -> _Value:
+    """A value of parts; a depth beyond the limit is unread at the last part."""
+    depth = 1 + max(part.depth for part in parts)
+    if depth > DEEPEST:
+        raise UnreadError(
+            f"an expression of more than {DEEPEST} levels: fewer terms or brackets",
+            parts[-1].position,
+        )
+    known.setdefault("digits", sum(part.digits for part in parts))
+    known.setdefault("raised", max(part.raised for part in parts))
+    if known["digits"] > DIGITS:
+        raise UnreadError("a number too large", parts[-1].position)
+    position = known.pop("position", parts[0].position)
+    return _Value(tree, kind, position, depth, **known)
+
+
+class _Builder(Transformer_NonRecursive):
     """The tree of the grammar as the tree of an equation; one method a rule."""
 
     def __init__(self, notation: Notation) -> None:
         super().__init__()
         self.notation = notation
 
-    def __default_token__(self, token: Lexeme) -> Any:
-        return token
+    def __default_token__(self, token: Lexeme) -> Token:
+        return token.value
 
     def start(self, items: list[Any]) -> tuple[list[Any], list[str]]:
-        sides = [item for item in items if not isinstance(item, Lexeme)]
-        relations = [item.value.value for item in items if isinstance(item, Lexeme)]
-        kinds = {kind(side) for side in sides}
+        sides = [item.closed for item in items if isinstance(item, _Value)]
+        relations = [item.value for item in items if isinstance(item, Token)]
+        kinds = {side.kind for side in sides}
         if "matrix" in kinds:
-            sides = [s.unit if side == 1 else side for side in sides]
-        return sides, relations
+            sides = [_as_matrix(side) for side in sides]
+        for before, side in pairwise(sides):
+            free = {0, s.const}
+            if before.kind != side.kind and before.tree not in free and side.tree not in free:
+                raise UnreadError(
+                    f"a {before.kind} and a {side.kind} are compared: is a symbol meant in bold?",
+                    side.position,
+                )
+        return [side.tree for side in sides], relations
 
     # Sums and products
 
-    def signed(self, items: list[Any]) -> Any:
+    def signed(self, items: list[Any]) -> _Value:
         sign, term = items
-        return _times(Integer(-1), term) if sign.value.value == "-" else term
+        made = _negative(term.closed) if sign.value == "-" else term.closed
+        return replace(made, position=sign.position)
 
-    def added(self, items: list[Any]) -> Any:
-        total, sign, term = items
-        if "matrix" in (kind(total), kind(term)):
-            total, term = (s.unit if side == 1 else side for side in (total, term))
-        if kind(total) != kind(term) and 0 not in (total, term):
-            raise UnreadError(f"a {kind(total)} and a {kind(term)} are added", 0)
-        if sign.value.value == "-":
-            term = _times(Integer(-1), term)
-        if isinstance(total, sympy.MatrixBase) and isinstance(term, sympy.MatrixBase):
-            return total + term
-        return Add(total, term, evaluate=False)
+    def added(self, items: list[Any]) -> _Value:
+        total, sign, term = items[0].closed, items[1], items[2].closed
+        if "matrix" in (total.kind, term.kind):
+            total, term = _as_matrix(total), _as_matrix(term)
+        if total.kind != term.kind and 0 not in (total.tree, term.tree):
+            raise UnreadError(f"a {total.kind} and a {term.kind} are added", term.position)
+        if sign.value == "-":
+            term = _negative(term)
+        digits = max(total.digits, term.digits) + 1
+        if total.explicit or term.explicit:
+            return _made(self._sum(total, term), total.kind, total, term, digits=digits)
+        return _made(
+            Add(total.tree, term.tree, evaluate=False), total.kind, total, term, digits=digits
+        )
 
-    def product(self, items: list[Any]) -> Any:
+    def _sum(self, total: _Value, term: _Value) -> Any:
+        if not (total.explicit and term.explicit and total.tree.shape == term.tree.shape):
+            raise UnreadError("what is added is not of the same shape", term.position)
+        return total.tree + term.tree
+
+    def product(self, items: list[Any]) -> _Value:
         factors = self._of_time(items)
-        if sum(kind(factor) == "vector" for factor in factors) > 1:
-            raise UnreadError("two vectors side by side: · or × between them?", 0)
-        if any(isinstance(factor, sympy.MatrixBase) for factor in factors):
-            made = factors[0]
-            for factor in factors[1:]:
-                made = made * factor
-            return made
-        return Mul(*factors, evaluate=False)
+        vectors = [factor for factor in factors if factor.kind == "vector"]
+        if len(vectors) > 1:
+            raise UnreadError("two vectors side by side: · or × between them?", vectors[1].position)
+        for factor, after in pairwise(factors):
+            if after.literal:
+                raise UnreadError(
+                    "a number behind a factor: a power x^2, an index x_2, or a factor 2x?",
+                    after.position,
+                )
+            if factor.ends:
+                raise UnreadError(factor.ends, after.position)
+            if factor.kind == "vector" and after.kind == "matrix":
+                raise UnreadError("a vector before a matrix", after.position)
+        made = factors[0]
+        for factor in factors[1:]:
+            made = _times(made, factor)
+        return made
 
-    def _of_time(self, factors: list[Any]) -> list[Any]:
+    def _of_time(self, factors: list[_Value]) -> list[_Value]:
         """sin Ωt is the sine of an angle: a rate in a function takes the time behind it along."""
-        made: list[Any] = []
+        made: list[_Value] = []
         for factor in factors:
             last = made[-1] if made else None
-            if factor == s.t and isinstance(last, _Pending):
-                made[-1] = last.function(_times(last.rate, s.t))
-                continue
-            made.append(factor)
-        return [_closed(factor) for factor in made]
+            if factor.tree == s.t and last is not None and last.pending is not None:
+                angle = Mul(last.tree, s.t, evaluate=False)
+                made[-1] = replace(last, tree=angle, depth=last.depth + 1).closed
+            else:
+                made.append(factor)
+        return [factor.closed for factor in made]
 
-    def cross(self, items: list[Any]) -> Any:
+    def cross(self, items: list[Any]) -> _Value:
+        left, _, right = items[0].closed, items[1], items[2].closed
+        if left.kind == right.kind == "vector":
+            return _made(eq.Cross(left.tree, right.tree), "vector", left, right)
+        if left.digits and left.literal and right.kind == "scalar" and not right.tree.free_symbols:
+            return _times(left, right)
+        raise UnreadError(f"× between a {left.kind} and a {right.kind}", right.position)
+
+    def dot(self, items: list[Any]) -> _Value:
+        left, _, right = items[0].closed, items[1], items[2].closed
+        if left.kind == right.kind == "vector":
+            return _made(eq.Dot(left.tree, right.tree), "scalar", left, right)
+        if left.kind == right.kind == "scalar":
+            return _times(left, right)
+        raise UnreadError(f"· between a {left.kind} and a {right.kind}", right.position)
+
+    def over(self, items: list[Any]) -> _Value:
         left, _, right = items
-        if kind(left) == kind(right) == "vector":
-            return eq.Cross(left, right)
-        if left.is_Number and right.is_Number:
-            return Mul(left, right, evaluate=False)
-        raise UnreadError(f"× between a {kind(left)} and a {kind(right)}", 0)
+        if isinstance(right.tree, Mul):
+            raise UnreadError(
+                "what follows the / could stand above or below it: put brackets", right.position
+            )
+        if left.bare and right.literal:
+            raise UnreadError(
+                "the / could belong to the function's argument: put brackets", right.position
+            )
+        return _ratio(left.closed, right.closed)
 
-    def dot(self, items: list[Any]) -> Any:
-        left, _, right = items
-        if kind(left) == kind(right) == "vector":
-            return eq.Dot(left, right)
-        if "vector" in (kind(left), kind(right)):
-            raise UnreadError(f"· between a {kind(left)} and a {kind(right)}", 0)
-        return Mul(left, right, evaluate=False)
+    def summed(self, items: list[Any]) -> _Value:
+        index, body = items[1], items[2].closed
+        made = eq.SumOver(Symbol(index.value), body.tree)
+        return _made(made, body.kind, body, position=items[0].position)
 
-    def over(self, items: list[Any]) -> Any:
-        left, _, right = items
-        if isinstance(right, Mul):
-            raise UnreadError("what follows the / could stand above or below it: put brackets", 0)
-        return _ratio(left, right)
-
-    def summed(self, items: list[Any]) -> Any:
-        return eq.SumOver(Symbol(items[1].value.value), items[2])
-
-    def integrated(self, items: list[Any]) -> Any:
-        return eq.VolumeIntegral(Symbol("d3r"), items[1])
+    def integrated(self, items: list[Any]) -> _Value:
+        body = items[1].closed
+        made = eq.VolumeIntegral(Symbol("d3r"), body.tree)
+        return _made(made, body.kind, body, position=items[0].position)
 
     # Factors
 
-    def power(self, items: list[Any]) -> Any:
-        base, _, exponent = items
-        if kind(base) == "vector":
-            return Pow(eq.Dot(base, base), Rational(1, 2) * exponent)
-        return Pow(base, exponent, evaluate=False)
+    def power(self, items: list[Any]) -> _Value:
+        return _power(items[0].closed, items[2].closed)
 
-    def transposed(self, items: list[Any]) -> Any:
-        base = items[0]
-        if isinstance(base, sympy.MatrixBase):
-            return base.T
-        return eq.Transposed(base)
+    def transposed(self, items: list[Any]) -> _Value:
+        base, raised = items
+        if base.kind == "scalar":
+            raise UnreadError("a scalar is transposed", raised.position)
+        if base.explicit:
+            return replace(base, tree=base.tree.T)
+        return _made(eq.Transposed(base.tree), base.kind, base)
 
-    def symbol(self, items: list[Any]) -> Any:
-        return items[0].value.value
+    def symbol(self, items: list[Any]) -> _Value:
+        tree = items[0].value
+        return _Value(tree, kind(tree), items[0].position)
 
-    def number(self, items: list[Any]) -> Any:
-        return Rational(items[0].value.value)
+    def number(self, items: list[Any]) -> _Value:
+        return _number(items[0])
 
-    def constant(self, items: list[Any]) -> Any:
-        return s.const
+    def constant(self, items: list[Any]) -> _Value:
+        return _Value(s.const, "scalar", items[0].position)
 
-    def brackets(self, items: list[Any]) -> Any:
-        return eq.Group(items[1]) if not isinstance(items[1], sympy.MatrixBase) else items[1]
+    def brackets(self, items: list[Any]) -> _Value:
+        inside = items[1].closed
+        if inside.explicit:
+            return inside
+        return _made(eq.Group(inside.tree), inside.kind, inside, position=items[0].position)
 
-    def listed(self, items: list[Any]) -> Any:
-        entries = [item for item in items if not isinstance(item, Lexeme)]
-        return sympy.Matrix([entries]) if len(entries) > 1 else eq.Group(entries[0])
+    def listed(self, items: list[Any]) -> _Value:
+        entries = [item.closed for item in items if isinstance(item, _Value)]
+        if len(entries) == 1:
+            return self.brackets(items)
+        return self._matrix([entries], items[0].position)
 
-    def matrix(self, items: list[Any]) -> Any:
-        rows = [item for item in items if not isinstance(item, Lexeme)]
+    def matrix(self, items: list[Any]) -> _Value:
+        rows = [item for item in items if isinstance(item, list)]
         if len({len(row) for row in rows}) > 1:
-            raise UnreadError("a matrix with rows of different lengths", 0)
-        return sympy.Matrix(rows)
+            raise UnreadError("a matrix with rows of different lengths", items[0].position)
+        return self._matrix(rows, items[0].position)
 
-    def row(self, items: list[Any]) -> list[Any]:
-        return [item for item in items if not isinstance(item, Lexeme)]
+    def _matrix(self, rows: list[list[_Value]], position: int) -> _Value:
+        entries = [entry for row in rows for entry in row]
+        if len(rows) > LARGEST or len(rows[0]) > LARGEST:
+            raise UnreadError(f"a matrix of more than {LARGEST} rows or columns", position)
+        for entry in entries:
+            if entry.kind != "scalar":
+                raise UnreadError(f"a {entry.kind} as an entry", entry.position)
+        tree = sympy.Matrix([[entry.tree for entry in row] for row in rows])
+        digits = max(entry.digits for entry in entries)
+        return _made(tree, kind(tree), *entries, digits=digits, position=position)
 
-    def fraction(self, items: list[Any]) -> Any:
-        return _ratio(items[1], items[2])
+    def row(self, items: list[Any]) -> list[_Value]:
+        return [item.closed for item in items if isinstance(item, _Value)]
 
-    def root(self, items: list[Any]) -> Any:
-        return Pow(items[1], Rational(1, 2), evaluate=False)
+    def fraction(self, items: list[Any]) -> _Value:
+        over, below = items[1].closed, items[2].closed
+        made = _ratio(over, below)
+        literal = over.literal and below.literal
+        return replace(made, literal=literal, position=items[0].position)
 
-    def size(self, items: list[Any]) -> Any:
-        inside = items[1]
-        if kind(inside) == "vector":
-            return Pow(eq.Dot(inside, inside), Rational(1, 2), evaluate=False)
-        return sympy.Abs(inside, evaluate=False)
+    def root(self, items: list[Any]) -> _Value:
+        body = items[1].closed
+        if body.kind != "scalar":
+            raise UnreadError(f"the root of a {body.kind}", body.position)
+        tree = Pow(body.tree, Rational(1, 2), evaluate=False)
+        return _made(tree, "scalar", body, position=items[0].position)
 
-    def brace(self, items: list[Any]) -> Any:
-        return eq.Underbrace(items[1], items[2])
+    def size(self, items: list[Any]) -> _Value:
+        inside = items[1].closed
+        if inside.kind == "matrix":
+            raise UnreadError("bars round a matrix: write det", inside.position)
+        if inside.kind == "vector":
+            tree = Pow(eq.Dot(inside.tree, inside.tree), Rational(1, 2), evaluate=False)
+        else:
+            tree = sympy.Abs(inside.tree, evaluate=False)
+        return _made(tree, "scalar", inside, position=items[0].position)
 
-    def rate(self, items: list[Any]) -> Any:
-        what = items[1]
-        if isinstance(what, Symbol):
-            dotted = self._dotted(what)
-            return dotted if dotted is not None else eq.Rate(what)
-        return eq.Rate(what)
+    def brace(self, items: list[Any]) -> _Value:
+        body, label = items[1].closed, items[2].closed
+        if body.kind != label.kind:
+            raise UnreadError(
+                f"a {label.kind} beneath a {body.kind}: is a symbol meant in bold?", label.position
+            )
+        tree = eq.Underbrace(body.tree, label.tree)
+        return _made(tree, body.kind, body, label, position=items[0].position)
+
+    def exponential(self, items: list[Any]) -> _Value:
+        return self._call("exp", items[0], [items[1].closed])
+
+    # Rates
+
+    def rate(self, items: list[Any]) -> _Value:
+        operator, what = items[0], items[1].closed
+        tree = what.tree
+        for _ in range(operator.value):
+            dotted = self._dotted(tree) if isinstance(tree, Symbol) else None
+            tree = dotted if dotted is not None else eq.Rate(tree)
+        return _made(tree, what.kind, what, position=operator.position)
 
     def _dotted(self, symbol: Symbol) -> Symbol | None:
-        glyph = self.notation.glyphs[symbol]
-        if glyph.accent == "":
-            return self.notation.names.get(replace(glyph, accent="dot"))
-        if glyph.accent == "dot":
-            return self.notation.names.get(replace(glyph, accent="ddot"))
-        return None
+        glyph = self.notation.glyphs.get(symbol)
+        accents = {"": "dot", "dot": "ddot"}
+        if glyph is None or glyph.accent not in accents:
+            return None
+        return self.notation.names.get(replace(glyph, accent=accents[glyph.accent]))
 
-    def rate_of(self, items: list[Any]) -> Any:
-        return eq.Rate(items[2])
+    def rate_of_symbol(self, items: list[Any]) -> _Value:
+        made = self.rate([items[0], self.symbol(items[1:])])
+        return replace(made, ends="the derivative could go on here: put brackets")
 
-    def rate_in(self, items: list[Any]) -> Any:
-        frame = items[4].value.value
-        if frame not in _FRAMES:
-            raise UnreadError(
-                f"a rate as seen from {frame!r}: space or body", items[4].value.position
-            )
-        return eq.Rate(items[2], _FRAMES[frame])
+    def rate_of(self, items: list[Any]) -> _Value:
+        inside = items[2].closed
+        if items[0].value != 1:
+            raise UnreadError("a second derivative of brackets", items[0].position)
+        tree = eq.Rate(inside.tree)
+        return _made(tree, inside.kind, inside, position=items[0].position)
 
-    def rate_in_brackets(self, items: list[Any]) -> Any:
-        nodes = [item for item in items if not isinstance(item, Lexeme)]
-        signs = [i for i in items if isinstance(i, Lexeme) and i.type == "SIGN"]
-        made = self.rate([None, nodes[0]])
-        return eq.Group(
-            _times(Integer(-1), made) if signs and signs[0].value.value == "-" else made
-        )
+    def rate_in(self, items: list[Any]) -> _Value:
+        _, operator, what, _, frame = items
+        if frame.value not in _FRAMES:
+            raise UnreadError(f"a rate as seen from {frame.value!r}: space or body", frame.position)
+        if operator.value != 1:
+            raise UnreadError("a second derivative as seen from a frame", operator.position)
+        tree = eq.Rate(what.tree, _FRAMES[frame.value])
+        return _made(tree, what.kind, what, position=items[0].position)
+
+    def rate_in_brackets(self, items: list[Any]) -> _Value:
+        operator, what = items[-3], items[-2]
+        made = self.rate([operator, what])
+        sign = items[1] if len(items) == 5 else None
+        if sign is not None and sign.value == "-":
+            made = _negative(made)
+        return _made(eq.Group(made.tree), made.kind, made, position=items[0].position)
 
     # Functions
 
-    def function(self, items: list[Any]) -> Any:
-        return items[0]
+    def multiple(self, items: list[Any]) -> _Value:
+        return _times(_number(items[0]), self.symbol(items[1:]))
 
-    def multiple(self, items: list[Any]) -> Any:
-        return _times(Rational(items[0].value.value), items[1].value.value)
+    def part(self, items: list[Any]) -> _Value:
+        share = self.fraction(items[:3])
+        if not share.literal:
+            raise UnreadError("the function could end here: put brackets", items[3].position)
+        return _times(share, self.symbol(items[3:]))
 
-    def applied(self, items: list[Any]) -> Any:
-        return self._applied(items[0], items[1], None)
+    def applied(self, items: list[Any]) -> _Value:
+        return self._call(items[0].value, items[0], [items[2].closed])
 
-    def applied_power(self, items: list[Any]) -> Any:
-        return self._applied(items[0], items[3], items[2])
+    def applied_power(self, items: list[Any]) -> _Value:
+        made = self._call(items[0].value, items[0], [items[4].closed])
+        return self._raised(made, items[2].closed)
 
-    def applied_to_many(self, items: list[Any]) -> Any:
-        arguments = [item for item in items if not isinstance(item, Lexeme)]
-        return self._named(items[0])(*arguments, evaluate=False)
+    def applied_to_many(self, items: list[Any]) -> _Value:
+        arguments = [item.closed for item in items if isinstance(item, _Value)]
+        return self._call(items[0].value, items[0], arguments)
 
-    def _applied(self, lexeme: Lexeme, argument: Any, exponent: Any) -> Any:
-        name = lexeme.value.value
-        if name == "det":
-            return self._determinant(argument)
-        function = self._named(lexeme)
+    def bare(self, items: list[Any]) -> _Value:
+        return self._bare(items[0], items[1], lambda made: made)
+
+    def bare_power(self, items: list[Any]) -> _Value:
+        exponent = items[2].closed
+        return self._bare(items[0], items[3], lambda made: self._raised(made, exponent))
+
+    def _raised(self, made: _Value, exponent: _Value) -> _Value:
+        if exponent.tree == -1 or isinstance(exponent.tree, Mul):
+            raise UnreadError(
+                "a negative power of a function: the inverse function, or one over it?",
+                exponent.position,
+            )
+        return _power(made, exponent)
+
+    def _bare(self, name: Token, argument: _Value, raised: Callable[[_Value], _Value]) -> _Value:
+        """A function without brackets: of an angle, or of a rate that the time may follow."""
+        symbol = _last(argument.tree)
+        unit = _unit(symbol) if isinstance(symbol, Symbol) else "1"
+        if unit not in _ANGLES | _RATES and name.value in _OF_ANGLES:
+            raise UnreadError(
+                f"{name.value} of what is no angle ({unit}): put brackets round all that it is of",
+                argument.position,
+            )
+        if unit not in _RATES:
+            return replace(raised(self._call(name.value, name, [argument.closed])), bare=True)
 
         def call(inside: Any) -> Any:
-            made = function(inside, evaluate=False)
-            return made if exponent is None else Pow(made, exponent, evaluate=False)
+            return raised(self._call(name.value, name, [replace(argument, tree=inside)])).tree
 
-        if isinstance(argument, eq.Group):
-            argument = argument.args[0]
-        if isinstance(argument, Symbol) and _unit(argument) in _RATES:
-            return _Pending(call, argument)
-        return call(argument)
+        made = raised(self._call(name.value, name, [argument]))
+        return replace(made, tree=argument.tree, pending=call, bare=True)
 
-    def _named(self, lexeme: Lexeme) -> Any:
-        name = lexeme.value.value
+    def _call(self, name: str, at: Token, arguments: list[_Value]) -> _Value:
+        if name in _NAMED and len(arguments) == 1:
+            return self._of_matrix(name, at, arguments[0])
         if name not in _FUNCTIONS:
-            raise UnreadError(f"the function {name} is not known", lexeme.value.position)
-        return _FUNCTIONS[name]
+            raise UnreadError(f"the function {name} is not known", at.position)
+        function = _FUNCTIONS[name]
+        if len(arguments) not in function.nargs:
+            raise UnreadError(f"{name} of {len(arguments)} arguments", at.position)
+        for argument in arguments:
+            if argument.kind != "scalar":
+                raise UnreadError(f"{name} of a {argument.kind}", argument.position)
+        trees = [
+            part.tree.args[0] if isinstance(part.tree, eq.Group) else part.tree
+            for part in arguments
+        ]
+        if name == "log" and trees == [0]:
+            raise UnreadError("the logarithm of 0", at.position)
+        digits = 10 * arguments[0].digits if name == "exp" else 0
+        tree = function(*trees, evaluate=False)
+        return _made(tree, "scalar", *arguments, digits=digits, position=at.position)
 
-    def _determinant(self, argument: Any) -> Any:
-        inside = argument.args[0] if isinstance(argument, eq.Group) else argument
-        if isinstance(inside, Symbol):
+    def _of_matrix(self, name: str, at: Token, argument: _Value) -> _Value:
+        tree = argument.tree
+        inside = tree.args[0] if isinstance(tree, eq.Group) else tree
+        if isinstance(inside, Symbol) and inside in self.notation.glyphs:
             letter = self.notation.glyphs[inside].base
             for symbol, glyph in self.notation.glyphs.items():
-                if glyph.base == f"det {letter}":
-                    return symbol
-        raise UnreadError("the determinant of what has no name for it", 0)
+                if glyph.base == f"{name} {letter}":
+                    return _Value(symbol, "scalar", at.position)
+        raise UnreadError(f"{name} of what has no name for it", at.position)
 
 
-@dataclass(frozen=True)
-class _Pending:
-    """A function of a rate, which makes sense only if the time follows."""
+def _number(token: Token) -> _Value:
+    """Digits, with a decimal point or without, as the fraction that they are."""
+    whole, _, decimals = token.value.partition(".")
+    tree = Rational(int(whole + decimals or "0"), 10 ** len(decimals))
+    return _Value(tree, "scalar", token.position, digits=len(whole + decimals), literal=True)
 
-    function: Any
-    rate: Any
 
-
-def _closed(factor: Any) -> Any:
-    return factor.function(factor.rate) if isinstance(factor, _Pending) else factor
+def _last(tree: Any) -> Any:
+    """The symbol in Ω or 2Ω."""
+    return tree.args[-1] if isinstance(tree, Mul) else tree
 
 
 def _unit(symbol: Symbol) -> str:
@@ -469,15 +772,74 @@ def _unit(symbol: Symbol) -> str:
     return quantity.unit if quantity is not None else ""
 
 
-def _times(left: Any, right: Any) -> Any:
-    if isinstance(right, sympy.MatrixBase):
-        return left * right
-    return Mul(left, right, evaluate=False)
+def _as_matrix(value: _Value) -> _Value:
+    """1 beside matrices is the unit matrix."""
+    return replace(value, tree=s.unit, kind="matrix") if value.tree == 1 else value
 
 
-def _ratio(over: Any, below: Any) -> Any:
-    if isinstance(over, Rational) and isinstance(below, Rational) and below != 0:
-        return Rational(over, below)
-    if kind(below) != "scalar":
-        raise UnreadError(f"a division by a {kind(below)}", 0)
-    return Mul(over, Pow(below, Integer(-1), evaluate=False), evaluate=False)
+def _negative(value: _Value) -> _Value:
+    return replace(_times(_Value(Integer(-1), "scalar", value.position), value), literal=False)
+
+
+def _times(left: _Value, right: _Value) -> _Value:
+    kinds = (left.kind, right.kind)
+    both = next((k for k in ("vector", "matrix") if k in kinds), "scalar")
+    if left.explicit or right.explicit:
+        if "scalar" not in kinds:
+            raise UnreadError("a product with a matrix that is written out", right.position)
+        tree = left.tree * right.tree
+    else:
+        tree = Mul(left.tree, right.tree, evaluate=False)
+    return _made(tree, both, left, right)
+
+
+def _power(base: _Value, exponent: _Value) -> _Value:
+    if exponent.kind != "scalar":
+        raise UnreadError(f"a {exponent.kind} as an exponent", exponent.position)
+    if base.kind == "matrix" or base.explicit:
+        raise UnreadError("a power of a matrix: write the product, or ᵀ", exponent.position)
+    if base.kind == "vector":
+        if exponent.tree != 2:
+            raise UnreadError("a power of a vector other than its square", exponent.position)
+        return _made(eq.Dot(base.tree, base.tree), "scalar", base)
+    if base.tree == 0 and (exponent.tree == 0 or isinstance(exponent.tree, Mul)):
+        raise UnreadError("a power of 0 that has no value", exponent.position)
+    size = _size(exponent)
+    named = bool(base.tree.free_symbols)
+    raised = base.raised * max(size, 1) if named else base.raised
+    if raised > RAISED or size > 10**4:
+        raise UnreadError("a power too high", exponent.position)
+    return _made(
+        Pow(base.tree, exponent.tree, evaluate=False),
+        "scalar",
+        base,
+        exponent,
+        digits=base.digits * max(size, 1) + exponent.digits,
+        raised=raised,
+    )
+
+
+def _size(exponent: _Value) -> float:
+    """How large an exponent may be at most, as far as its numbers go."""
+    tree = exponent.tree
+    if isinstance(tree, Mul) and len(tree.args) == 2 and tree.args[0] == -1:
+        tree = tree.args[1]
+    if tree.is_Rational:
+        return float(abs(tree)) if exponent.digits < 20 else 1e20
+    return 10.0 ** min(exponent.digits, 20) if exponent.digits else 1
+
+
+def _ratio(over: _Value, below: _Value) -> _Value:
+    if below.kind != "scalar":
+        raise UnreadError(f"a division by a {below.kind}", below.position)
+    inside = below.tree
+    while isinstance(inside, eq.Group):
+        inside = inside.args[0]
+    if inside == 0:
+        raise UnreadError("a division by 0", below.position)
+    if isinstance(over.tree, Rational) and isinstance(below.tree, Rational):
+        return _made(Rational(over.tree, below.tree), "scalar", over, below)
+    one_over = _made(Pow(below.tree, Integer(-1), evaluate=False), "scalar", below)
+    if over.explicit:
+        return _made(over.tree * one_over.tree, over.kind, over, one_over)
+    return _made(Mul(over.tree, one_over.tree, evaluate=False), over.kind, over, one_over)
