@@ -35,23 +35,32 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, get_args
 
+from sympy import Symbol
 from sympy.core.relational import Relational
 
 from rigidtop.errors import RigidtopError
+from rigidtop.notation import NOTES as NOTATION
+from rigidtop.notation import Notation
 from rigidtop.parameters import Parameter
 from rigidtop.present.report import NOTES, Front
 from rigidtop.proof.exercise import Exercise
 from rigidtop.proof.page import Assumption, Check, Claim, Evidence, Measure, Page
+from rigidtop.theory import symbols
+from rigidtop.theory.lettered import Lettered
 
 
 @dataclass(frozen=True)
 class Collection:
-    """Pages and exercises with what stands in front of them; `folder` is None for the built-in."""
+    """Pages and exercises with what stands in front of them; `folder` is None for the built-in.
+
+    `notation` says which letters stand for which symbols, where formulas in LaTeX are read.
+    """
 
     front: Front
     pages: tuple[Page, ...]
     exercises: tuple[Exercise, ...] = ()
     folder: Path | None = None
+    notation: Notation = NOTATION
 
     def command(self, name: str) -> str:
         """How `rigidtop` is asked for something of this collection."""
@@ -224,7 +233,24 @@ def _collection(module: ModuleType, folder: Path) -> Collection:
         tuple(replace(page, claims=own(page.claims)) for page in pages),
         tuple(replace(exercise, claims=own(exercise.claims)) for exercise in exercises),
         folder,
+        _notation(folder),
     )
+
+
+def _notation(folder: Path) -> Notation:
+    """The letters of the symbols that the folder's modules have: its own, and the lecture's."""
+    name = _module_name(folder)
+    modules = [vars(m) for known, m in sys.modules.items() if f"{known}.".startswith(f"{name}.")]
+    values = [value for names in modules for value in names.values()]
+    used = {value for value in values if isinstance(value, Symbol)} | {symbols.const}
+    if any(value is symbols for value in values):  # from rigidtop.theory import symbols
+        used |= {*NOTATION.glyphs}
+    own = sorted((x for x in used if isinstance(x, Lettered)), key=lambda x: (x.place, x.name))
+    glyphs = {x: x.quantity.glyph for x in own}
+    taken = {*glyphs.values()}
+    theirs = {x: g for x, g in NOTATION.glyphs.items() if x in used and g not in taken}
+    spellings = {g: x for g, x in NOTATION.spellings.items() if x in theirs and g not in taken}
+    return Notation(folder.resolve().name, {**theirs, **glyphs}, spellings)
 
 
 def _claims(pages: Sequence[Page], exercises: Sequence[Exercise]) -> list[Claim]:

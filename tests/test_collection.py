@@ -244,6 +244,40 @@ def test_the_lecture_on_the_top_is_as_it_was(tmp_path, capsys):
     assert load(PENDULUM).command("list") == f"rigidtop list {PENDULUM}"
 
 
+NOTES = r"""
+$$\mathcal{L} = \frac12 m l^2(\dot\theta^2 + \dot\phi^2\sin^2\theta) + m g l\cos\theta \tag{1.1}$$
+$$l\ddot\theta = l\dot\phi^2\sin\theta\cos\theta + g\sin\theta \tag{1.2}$$
+$$l\omega^2\cos\theta = g \tag{2.2}$$
+$$\Omega^2 = \omega^2(1 + 3\cos^2\theta) \tag{2.3}$$
+$$S = m g\cos\theta + \frac{m v^2}{l} \tag{3.1}$$
+"""
+
+
+def test_notes_are_audited_in_the_letters_of_the_collection():
+    pytest.importorskip("lark")
+    from rigidtop.read.audit import audit
+
+    collection = load(PENDULUM)
+    found = {
+        each.number: each.verdict for each in audit(NOTES, collection.pages, collection.notation)
+    }
+    assert found == {
+        "1.1": "proved",
+        "1.2": "false",  # the sign of the weight
+        "2.2": "assuming",
+        "2.3": "proved",
+        "3.1": "proved",
+    }
+
+
+def test_a_letter_of_the_lecture_is_known_where_it_is_used(tmp_path):
+    init = PAGE + "from rigidtop.theory.symbols import lambda1\nPAGES = (page,)"
+    glyphs = load(course(tmp_path, init)).notation.glyphs
+    assert symbols.lambda1 in glyphs
+    assert symbols.lambda2 not in glyphs
+    assert symbols.lambda2 in built_in().notation.glyphs
+
+
 # --- What is wrong is one line --------------------------------------------------------------------
 
 PAGE = """\

@@ -42,7 +42,15 @@ READS = {
     "parameters": {"errors"},
     "bench": {"errors", "theory", "codegen", "motion"},
     "starter": {"theory", "parameters", "proof"},
-    "collection": {"errors", "parameters", "proof", "present", "derivations"},
+    "collection": {
+        "errors",
+        "theory",
+        "notation",
+        "parameters",
+        "proof",
+        "present",
+        "derivations",
+    },
     "commands": {
         "errors",
         "collection",
