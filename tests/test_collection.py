@@ -224,7 +224,14 @@ def test_nothing_of_the_top_is_in_it(written, file):
     for foreign in (r"\bspinning", r"(?<!\\)\btops?\b", "λ|lambda", "Euler angle", "Wüster", "PHY"):
         assert not re.search(foreign, source), foreign
     assert "spherical pendulum" in source
-    assert not (written / "figures").exists()  # those of the top close sections of the same number
+
+
+def test_no_figure_of_the_top_closes_a_section_of_the_same_number(tmp_path, capsys):
+    init = PAGE.replace('Page("1"', 'Page("3.5.2"') + "PAGES = (page,)"
+    out = tmp_path / "out"
+    assert main(["lecture", f"{course(tmp_path, init)}/", "-o", str(out), "--json"]) == 0
+    files = json.loads(capsys.readouterr().out)["files"]
+    assert files == [str(out / "lecture.tex"), str(out / "lecture.html")]
 
 
 def test_pdf_of_a_collection(written):
