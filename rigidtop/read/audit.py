@@ -19,7 +19,7 @@ from rigidtop.notation import NOTES, Notation
 from rigidtop.present.records import note as said_of
 from rigidtop.present.report import numbers
 from rigidtop.present.text import text
-from rigidtop.proof.equation import Equation, Underbrace, as_printed, symbols_of, value
+from rigidtop.proof.equation import Equation, Meaning, Underbrace, as_printed, symbols_of, value
 from rigidtop.proof.page import Check, Claim, Correction, Definition, Evidence, Page, Remark
 from rigidtop.proof.verdict import (
     Finding,
@@ -73,6 +73,11 @@ class Placed:
     column: int
     equation: Equation | None
     ruling: Ruling
+
+    @property
+    def verdict(self) -> str:
+        """A verdict, or `UNREAD`."""
+        return UNREAD if self.equation is None else self.ruling.verdict.value
 
 
 @dataclass(frozen=True)
@@ -141,11 +146,9 @@ class Audited:
             parts.append("neither shown nor refuted")
         if ruling.instead is not None:
             parts.append(f"the claim has {text(ruling.instead, 'printed')}")
-        where = f"line {each.line}"
-        if each.equation is None:
-            where += f", column {each.column}"
-        several = len(self.placed) > 1 or each.equation is None
-        return (f"{where}: " if several else "") + "; ".join(parts)
+        where = [f"line {each.line}"] if each.line != self.line else []
+        where += [f"column {each.column}"] if each.equation is None else []
+        return (f"{', '.join(where)}: " if where else "") + "; ".join(parts)
 
 
 @dataclass
@@ -449,12 +452,13 @@ def _one(check: Check, known: set[Symbol]) -> Ruling:
     free = {angle for angle, rate in _RATES.items() if rate in known}
     strangers = sorted(symbols_of(check.claimed) - known - free, key=str)
     unsaid = f"the claim does not say what {_listed(strangers)} is here" if strangers else ""
-    if any(kind(symbol) != "scalar" for symbol in strangers):
-        return Ruling(None, unsaid)
+    spatial = {x: _any(x) for x in strangers if kind(x) != "scalar"}
     try:
-        clash = _clash(check)
+        clash = _clash(check.claimed, {**check.meaning, **spatial})
         if clash:
             return Ruling(Finding(check, Verdict.FALSE), clash)
+        if spatial:
+            return Ruling(None, unsaid)
         # With a value at will for a symbol that the claim does not know, nothing is refuted.
         if strangers and is_refuted(check, check.assuming, tries=40):
             return Ruling(None, unsaid)
@@ -487,13 +491,13 @@ def _known_symbols(check: Check) -> set[Symbol]:
     return known.union(*(getattr(e, "free_symbols", ()) for e in expressions))
 
 
-def _clash(check: Check) -> str:
+def _clash(equation: Equation, meaning: Meaning) -> str:
     """Words for sides that can't be equal whatever their values; 0 fits every shape."""
     shapes: dict[tuple[int, ...], None] = {}
-    for side in check.claimed.sides:
+    for side in equation.sides:
         if side == const:
             continue
-        meant = value(side, check.meaning)
+        meant = value(side, meaning)
         if meant != 0:
             shapes[getattr(meant, "shape", ())] = None
     if len(shapes) < 2:
