@@ -14,6 +14,7 @@ from collections.abc import Sequence
 from typing import Any, NoReturn
 
 from rigidtop.commands import (
+    audit,
     bench,
     certify,
     check,
@@ -31,6 +32,7 @@ from rigidtop.errors import RigidtopError
 COMMANDS = {
     "list": listing,
     "check": check,
+    "audit": audit,
     "derive": derive,
     "lecture": lecture,
     "new": new,

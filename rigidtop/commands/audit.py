@@ -1,0 +1,218 @@
+"""``rigidtop audit``: the numbered equations of notes as they are, each with a verdict."""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rigidtop.commands.claims import FAILED
+from rigidtop.commands.output import print_json
+from rigidtop.errors import RigidtopError
+
+if TYPE_CHECKING:
+    from rigidtop.present.annotated import Formula as Shown
+    from rigidtop.present.annotated import Mark
+    from rigidtop.read.audit import Audited
+    from rigidtop.read.document import Formula
+
+ABOUT = "audit the numbered equations of notes in Markdown or LaTeX"
+
+LONGEST = 4_000_000
+"""A file is no longer than this (bytes)."""
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What can be asked."""
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.epilog = (
+        "Each numbered equation of the file is read and judged by the claim of that number.\n"
+        "The exit code is 0 if every one was read and is as right as `rigidtop check` finds the\n"
+        "lecture's own (a convention at odds with a definition is a finding, not a failure), and\n"
+        "1 if one is false, undecided, unread, or has a number that no claim has.\n\n"
+        "examples:\n"
+        "  rigidtop audit notes.md\n"
+        "  rigidtop audit notes.md -o annotated.html"
+    )
+    parser.add_argument("file", metavar="FILE", help="the notes, Markdown with $…$ or LaTeX")
+    parser.add_argument(
+        "-o", "--output", metavar="HTML", help="write the notes with verdicts as a page"
+    )
+
+
+def run(options: argparse.Namespace) -> int:
+    """Audit the file and print what was found; 0 if nothing is wrong."""
+    path = Path(options.file)
+    source = text_of(path)
+    output = Path(options.output) if options.output else None
+    if output is not None and output.resolve() == path.resolve():
+        raise RigidtopError(f"{output} is the file that is audited: write the page elsewhere")
+    try:
+        import lark  # noqa: F401
+    except ModuleNotFoundError:
+        raise RigidtopError("reading formulas needs Lark: pip install 'rigidtop[read]'") from None
+    from rigidtop.derivations import PAGES
+    from rigidtop.read.audit import audit
+
+    audited = audit(source, PAGES)
+    if not audited:
+        raise RigidtopError(
+            f"{path}: no numbered equations; a number is \\tag{{3.57}}, or (3.57) behind a formula"
+        )
+    if output is not None:
+        from rigidtop.present.annotated import write
+        from rigidtop.present.files import write_whole
+
+        page = write(path.name, source, *shown(source, audited), summary(audited))
+        write_whole(output, page.encode())
+    if options.json:
+        print_json([record(each) for each in audited])
+    else:
+        _print(audited)
+        if output is not None:
+            print(output)
+    return 0 if all(each.passed for each in audited) else FAILED
+
+
+def text_of(path: Path) -> str:
+    """The text of a file; RigidtopError for what is not there, no text, or too long."""
+    if not path.is_file():
+        what = "not a file" if path.exists() else "no such file"
+        raise RigidtopError(f"{path}: {what}")
+    size = path.stat().st_size
+    if size > LONGEST:
+        raise RigidtopError(f"{path}: {size} bytes, more than the {LONGEST} that notes may have")
+    content = path.read_bytes()
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = "\0"
+    if "\0" in text:
+        raise RigidtopError(f"{path}: not a text file in UTF-8")
+    return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def _print(audited: Sequence[Audited]) -> None:
+    from rigidtop.commands.check import VERDICT_COLORS
+    from rigidtop.present.table import table, wants_color
+
+    colors = None
+    if wants_color(sys.stdout):
+        colors = {**VERDICT_COLORS, "unread": "red", "unknown": "yellow"}
+    rows = [[str(each.line), f"({each.number})", each.verdict, each.note] for each in audited]
+    print(table(rows, ("line", "equation", "verdict", "note"), colors=colors, right=(0,)))
+    print()
+    print(summary(audited))
+
+
+def summary(audited: Sequence[Audited]) -> str:
+    """Counts of the verdicts, and what is wrong."""
+    from rigidtop.proof.verdict import Verdict
+    from rigidtop.read.audit import UNKNOWN, UNREAD
+
+    names = [*(verdict.value for verdict in Verdict), UNREAD, UNKNOWN]
+    counts = [(name, sum(each.verdict == name for each in audited)) for name in names]
+    told = ", ".join(f"{count} {name}" for name, count in counts if count)
+    amiss = [f"({each.number})" for each in audited if not each.passed]
+    last = (
+        f"AMISS: {', '.join(amiss)}" if amiss else "nothing is wrong that the collection gets right"
+    )
+    return f"{len(audited)} numbered equation{'s' * (len(audited) != 1)}: {told}; {last}"
+
+
+def record(each: Audited) -> dict[str, Any]:
+    """What `--json` says of an equation: what `rigidtop check` does, and its places."""
+    from rigidtop.present.records import record as of_judgement
+    from rigidtop.present.text import text
+
+    made: dict[str, Any] = {"name": each.number, "reference": "", "assumptions": []}
+    if each.judgement is not None:
+        judged = of_judgement(each.judgement)
+        made |= {key: judged[key] for key in ("reference", "assumptions")}
+    return {
+        **made,
+        "line": each.line,
+        "verdict": each.verdict,
+        "passed": each.passed,
+        "note": each.note,
+        "equations": [
+            {
+                "line": placed.line,
+                "column": placed.column,
+                "read": text(placed.equation, "printed") if placed.equation is not None else None,
+                "verdict": placed.verdict,
+                "problem": placed.ruling.problem,
+            }
+            for placed in each.placed
+        ],
+    }
+
+
+# --- The annotated page --------------------------------------------------------------------------
+
+_LOST = re.compile(r"\((?:t|r|\\mathbf\{\s*r\s*\})\)|\d\s*\\times")
+"""What an equation does not keep: that ω depends on t, that 3 × 3 is a shape."""
+_OPENING = re.compile(r"(?:\$\$|\$|\\\(|\\\[|\\begin\{\w+\*?\})$")
+
+
+def shown(source: str, audited: Sequence[Audited]) -> tuple[list[Shown], list[Mark]]:
+    """The formulas of the text and the marks beside those with a number."""
+    from rigidtop.present.annotated import Mark
+    from rigidtop.read.document import formulas
+
+    marks = []
+    for each in audited:
+        found = each.group.formulas
+        end = found[-1].end
+        behind = re.compile(rf"\s*\(\s*{re.escape(each.number)}\s*\)").match(source, end)
+        marks.append(
+            Mark(
+                start=_opening(source, found[0]),
+                end=behind.end() if behind else end,
+                number=each.number,
+                line=each.line,
+                verdict=each.verdict,
+                passed=each.passed,
+                note=each.note,
+                formulas=tuple(_whole(source, each)),
+            )
+        )
+    taken = {formula.start for each in audited for formula in each.group.formulas}
+    others = [_shown(source, each) for each in formulas(source) if each.start not in taken]
+    return others, marks
+
+
+def _whole(source: str, each: Audited) -> list[Shown]:
+    """A group as one formula with all its equations; as its sources where one is unread."""
+    from rigidtop.present.annotated import Formula
+
+    equations = tuple(placed.equation for placed in each.placed if placed.equation is not None)
+    if len(equations) == len(each.placed):
+        return [Formula(0, 0, "", equations, display=True)]
+    return [Formula(0, 0, formula.text, display=True) for formula in each.group.formulas]
+
+
+def _opening(source: str, formula: Formula) -> int:
+    """Where the dollars, or the like, before a formula begin."""
+    first = max(0, formula.start - 24)
+    opening = _OPENING.search(source[first : formula.start])
+    return first + opening.start() if opening else formula.start
+
+
+def _shown(source: str, formula: Formula) -> Shown:
+    """A formula of the text, typeset if it is read and nothing of it is lost."""
+    from rigidtop.present.annotated import Formula as Shown
+    from rigidtop.read.formula import read
+
+    text = formula.text.strip()
+    trees: tuple[Any, ...] = tuple(line.equation for line in read(text))
+    if None in trees or not trees:
+        # A quantity, without a relation, is what could be equal to 0.
+        lines = read(f"0 = {text}") if not re.search(r"[=<>]", text) else ()
+        trees = tuple(line.equation and line.equation.sides[1] for line in lines)
+    if None in trees or _LOST.search(text):
+        trees = ()
+    return Shown(_opening(source, formula), formula.end, text, trees, formula.display)

@@ -1,0 +1,262 @@
+"""``rigidtop audit``: what it prints, what it writes, what it refuses."""
+
+import json
+import re
+import sys
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from rigidtop.cli import main
+
+NOTES = Path(__file__).parents[1] / "read" / "notes.md"
+EULER = (
+    "Along the axes:\n\n"
+    "$$\\lambda_1\\dot\\omega_1 = (\\lambda_2 {} \\lambda_3)\\omega_2\\omega_3,$$\n\n"
+    "$$\\lambda_2\\dot\\omega_2 = (\\lambda_3 - \\lambda_1)\\omega_3\\omega_1,$$\n\n"
+    "$$\\lambda_3\\dot\\omega_3 = (\\lambda_1 - \\lambda_2)\\omega_1\\omega_2$$\n(3.36)\n"
+)
+MATRIX = "$\\mathbf{r}' = O^T\\mathbf{r}$ (3.46)\n"
+
+
+@pytest.fixture
+def file(tmp_path):
+    def written(text, name="own.md"):
+        path = tmp_path / name
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return str(path)
+
+    return written
+
+
+def test_the_notes_are_told_line_by_line(capsys):
+    assert main(["audit", str(NOTES)]) == 0
+    shown = capsys.readouterr().out
+    rows = re.findall(r"^ *(\d+)  \((3\.\d+)\) +(\w+)", shown, re.M)
+    assert [number for _, number, _ in rows] == [f"3.{n}" for n in range(33, 58)]
+    lines = [int(line) for line, _, _ in rows]
+    assert lines == sorted(lines)
+    assert {number for _, number, verdict in rows if verdict == "convention"} == {"3.46", "3.47"}
+    assert "25 numbered equations: 15 proved, 8 assuming, 2 convention; nothing is wrong" in shown
+
+
+def test_a_slip_fails_and_is_refuted_in_its_line(capsys, file):
+    assert main(["audit", file(EULER.format("+") + MATRIX)]) == 1
+    shown = capsys.readouterr().out
+    assert re.search(r"^ +3  \(3\.36\) +false +at λ₁ = ", shown, re.M)
+    assert "2 numbered equations: 1 convention, 1 false; AMISS: (3.36)" in shown
+
+
+def test_records(capsys, file):
+    assert main(["audit", file(EULER.format("-") + MATRIX + "$T = \\oops$ (3.44)"), "--json"]) == 1
+    euler, matrix, broken = json.loads(capsys.readouterr().out)
+    assert [row["name"] for row in (euler, matrix, broken)] == ["3.36", "3.46", "3.44"]
+    assert (euler["verdict"], euler["passed"], euler["line"]) == ("proved", True, 3)
+    assert [(e["line"], e["column"], e["verdict"]) for e in euler["equations"]] == [
+        (3, 3, "proved"),
+        (5, 3, "proved"),
+        (7, 3, "proved"),
+    ]
+    assert euler["equations"][0]["read"] == "λ₁ω̇₁ = (λ₂ − λ₃)ω₂ω₃"
+    assert (matrix["verdict"], matrix["passed"], matrix["reference"]) == ("convention", True, "3.4")
+    assert (broken["verdict"], broken["passed"], broken["line"]) == ("unread", False, 10)
+    assert broken["equations"][0]["read"] is None
+    assert "\\oops" in broken["equations"][0]["problem"]
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        (EULER.format("-"), 0),
+        (MATRIX, 0),
+        ("$T = 0$ (3.44)", 1),
+        ("$T = \\oops$ (3.44)", 1),
+        ("$T = T$ (7.1)", 1),
+        ("$\\Omega_b = \\omega_3\\lambda_2$ (3.40)", 1),
+    ],
+)
+def test_exit_codes(text, code, file, capsys):
+    assert main(["audit", file(text)]) == code
+    assert capsys.readouterr().err == ""
+
+
+@pytest.mark.parametrize(
+    ("text", "complaint"),
+    [
+        ("No formula at all.", "no numbered equations"),
+        ("$T = T$ but no number", "no numbered equations"),
+        ("", "no numbered equations"),
+        (b"\x89PNG\r\n\x1a\n\xff\xfe", "not a text file"),
+        (b"a\0b $T = T$ (3.44)", "not a text file"),
+        (b" " * 4_000_001, "4000001 bytes, more than the 4000000"),
+    ],
+)
+def test_bad_files_get_one_line(text, complaint, file, capsys):
+    assert main(["audit", file(text)]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert complaint in err
+    assert err.count("\n") == 1
+
+
+def test_other_bad_input_gets_one_line(tmp_path, file, capsys, monkeypatch):
+    name = file(MATRIX)
+    for arguments, complaint in (
+        ([str(tmp_path / "none.md")], "no such file"),
+        ([str(tmp_path)], "not a file"),
+        ([name, "-o", name], "is the file that is audited"),
+        ([name, "-o", str(tmp_path)], "is not an ordinary file"),
+    ):
+        assert main(["audit", *arguments]) == 2
+        err = capsys.readouterr().err
+        assert complaint in err
+        assert err.count("\n") == 1
+    monkeypatch.setitem(sys.modules, "lark", None)
+    assert main(["audit", name]) == 2
+    assert "pip install 'rigidtop[read]'" in capsys.readouterr().err
+    assert Path(name).read_text() == MATRIX
+
+
+def test_line_ends_and_marks_of_other_systems(file, capsys):
+    text = b"\xef\xbb\xbf" + EULER.format("-").replace("\n", "\r\n").encode()
+    assert main(["audit", file(text), "--json"]) == 0
+    (found,) = json.loads(capsys.readouterr().out)
+    assert [e["line"] for e in found["equations"]] == [3, 5, 7]
+
+
+# --- the annotated page --------------------------------------------------------------------------
+
+EMPTY = {"meta", "mspace", "br"}
+KNOWN = (
+    r"html|head|meta|title|style|body|a|main|header|h1|h2|h3|h4|p|ul|li|div|span|"
+    r"footer|b|i|u|sup|sub|code|math|mrow|mi|mo|mn|mtext|mspace|msub|msup|msubsup|"
+    r"mover|munder|munderover|mfrac|msqrt|mtable|mtr|mtd|mstyle|mpadded|mphantom"
+)
+ATTRIBUTES = (
+    r"lang|charset|name|content|class|href|id|aria-hidden|xmlns|display|alttext|"
+    r"mathvariant|style|width|scriptlevel|stretchy|displaystyle|form|fence|separator|"
+    r"lspace|rspace|minsize|maxsize|symmetric|linethickness|columnalign|accent|"
+    r"accentunder|movablelimits|largeop|height|depth|voffset|columnspacing|rowspacing"
+)
+
+
+class Page(HTMLParser):
+    """The tags of a page, which must be nested and known, and its text."""
+
+    def __init__(self, source):
+        super().__init__()
+        self.stack, self.text, self.classes, self.links, self.ids = [], "", [], [], []
+        self.feed(source)
+        self.close()
+        assert self.stack == []
+
+    def handle_starttag(self, tag, attrs):
+        assert re.fullmatch(KNOWN, tag), tag
+        given = dict(attrs)
+        assert all(re.fullmatch(ATTRIBUTES, name) for name in given), attrs
+        assert not re.search(r"url|expression|javascript", given.get("style") or "")
+        self.classes += (given.get("class") or "").split()
+        self.links += [given["href"]] if "href" in given else []
+        self.ids += [given["id"]] if "id" in given else []
+        if tag not in EMPTY:
+            self.stack.append(tag)
+
+    def handle_startendtag(self, tag, attrs):
+        self.handle_starttag(tag, attrs)
+        if tag not in EMPTY:
+            self.stack.pop()
+
+    def handle_endtag(self, tag):
+        assert self.stack.pop() == tag
+
+    def handle_data(self, data):
+        if self.stack[-1:] != ["style"]:
+            self.text += data
+
+
+def annotated(path, tmp_path):
+    out = tmp_path / "page" / "annotated.html"
+    code = main(["audit", path, "-o", str(out)])
+    return code, out.read_text("utf-8")
+
+
+def test_the_page_has_every_equation_with_its_verdict(tmp_path, capsys):
+    code, source = annotated(str(NOTES), tmp_path)
+    assert code == 0
+    assert str(tmp_path / "page" / "annotated.html") in capsys.readouterr().out
+    page = Page(source)
+    assert page.classes.count("audited") == 25
+    assert "amiss" not in page.classes
+    for number in range(33, 58):
+        assert f"(3.{number})" in page.text
+    # A badge is a word, so that colour is not needed.
+    assert page.text.count("proved") >= 15
+    assert page.text.count("convention") >= 2
+    assert "Without torque" in page.text
+    assert "![]" not in page.text
+    assert "$" not in page.text
+    assert set(page.links) <= {f"#{name}" for name in page.ids}
+    assert not re.search(r"https?://(?!www\.w3\.org)|<link|<script|@import|url\(", source)
+
+
+def test_what_is_amiss_is_marked_and_listed(tmp_path, file):
+    code, source = annotated(
+        file("# Own\n\n" + EULER.format("+") + "\n$T = \\oops$ (3.44)\n"), tmp_path
+    )
+    assert code == 1
+    page = Page(source)
+    assert page.classes.count("amiss") == 2
+    assert page.text.count("✗ false") == 2  # in the list on top, and beside the equation
+    assert "? unread" in page.text
+    assert "T = \\oops" in page.text
+    assert page.links[1:] == ["#eq-1", "#eq-2"]
+
+
+HOSTILE = [
+    "<script>alert(1)</script>",
+    "<img src=x onerror=alert(1)>",
+    "[click](javascript:alert(1))",
+    "![x](https://evil.example/x.png)",
+    '<u onmouseover="alert(1)">x</u>',
+    "<sup><script>alert(1)</script></sup>",
+    "$\\text{<script>alert(1)</script>} = 1$ (3.44)",
+    "$T = <img src=x onerror=alert(1)>$ (3.41)",
+    "$<b>x</b>$",
+    '$$T = \\text{"><svg/onload=alert(1)>}$$\n(3.45)',
+    "# <svg onload=alert(1)> $T = <i>$ (3.40)",
+    "- <iframe src=x>",
+    "\ue0000\ue001 \ue000999\ue001 \x1b[31m \u202e",
+    "**<b>&lt;script&gt;**",
+    "<span onclick=alert(1)></span>",
+    "<!-- <script>alert(1)</script>",
+    "\\begin{align}<script>\\end{align}",
+]
+
+
+@pytest.mark.parametrize("text", [*HOSTILE, "\n\n".join(HOSTILE)])
+def test_a_page_of_a_stranger_does_nothing(text, tmp_path, file):
+    name = "<script>alert(2)<" + "b>.md"
+    name = name.replace("/", "")
+    _, source = annotated(file(f"{text}\n\n{MATRIX}", name), tmp_path)
+    Page(source)  # known tags with known attributes only
+    assert "evil.example" not in source
+    assert "javascript:" not in source
+    assert not re.search("[\x00-\x08\x0b-\x1f\ue000\ue001\u202e]", source)
+
+
+def test_markdown_is_shown_simply(tmp_path, file):
+    text = (
+        "# A *fine* title\n## Below\n"
+        "A **bold** word,\n<u>under</u>lined, 2*3*4 and 1<sup>st</sup>.\n\n"
+        "- one $M_1$ ,\n- two\n  lines\n\n[words](https://evil.example) "
+        "$\\omega_k$ and $\\mathbf{L}(t)$ & $(3 \\times 3)$\n\n$$\\qux$$\n\n" + MATRIX
+    )
+    code, source = annotated(file(text), tmp_path)
+    assert code == 0
+    assert "<h2>A <i>fine</i> title</h2>\n<h3>Below</h3>" in source
+    assert "<b>bold</b> word, <u>under</u>lined, 2*3*4 and 1<sup>st</sup>." in source
+    assert "</math>,</li><li>two   lines</li>" in source
+    assert "<p>words <code>\\omega_k</code> and <code>\\mathbf{L}(t)</code> &amp;" in source
+    assert "<code>(3 \\times 3)</code>" in source
+    assert "<code>\\qux</code>" in source
