@@ -24,6 +24,7 @@ from rigidtop.commands import (
     lecture,
     listing,
     new,
+    notation,
     simulate,
     sweep,
 )
@@ -37,6 +38,7 @@ COMMANDS = {
     "lecture": lecture,
     "new": new,
     "exercise": exercise,
+    "notation": notation,
     "figure": figure,
     "simulate": simulate,
     "certify": certify,

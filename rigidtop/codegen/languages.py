@@ -46,6 +46,7 @@ from rigidtop.codegen.source import INDENT, WIDTH, body, signature
 from rigidtop.codegen.values import Line, Value, Values
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.page import Assumption
+from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import VOCABULARY
 
 
@@ -216,7 +217,7 @@ def _condition(assumption: Assumption, shown: Callable[[Any], str]) -> str:
 
 
 def _argument(symbol: Symbol, shown: Callable[[Any], str]) -> str:
-    quantity = VOCABULARY.get(symbol)
+    quantity = symbol.quantity if isinstance(symbol, Lettered) else VOCABULARY.get(symbol)
     letter = "" if shown(symbol) == symbol.name else shown(symbol)
     if quantity is None:
         return letter

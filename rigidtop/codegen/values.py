@@ -9,7 +9,7 @@ along.  What was refuted is left out; its corrected form is there instead.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -391,10 +391,59 @@ def arguments(expressions: Iterable[Expr]) -> tuple[Symbol, ...]:
     order = {x.name: i for i, x in enumerate(s.VOCABULARY)}
     parameters = {x.name for x in s.VOCABULARY if x.is_positive} | {"R1", "R2", "R3"}
     free = {x.name: x for e in expressions for x in e.free_symbols}
+    # A symbol of another notation comes where that of the notes does.
+    notes = {name: getattr(x, "stands", x).name for name, x in free.items()}
 
-    def key(name: str) -> tuple[Any, ...]:
+    def key(own: str) -> tuple[Any, ...]:
+        name = notes[own]
         digits = [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", name)]
         place = 0 if name in state else 2 if name in parameters else 1
         return place, state.get(name, 0), order.get(name, len(order)), *map(str, digits)
 
     return tuple(free[name] for name in sorted(free, key=key))
+
+
+# --- In the symbols of another notation ----------------------------------------------------------
+
+
+def rewritten(made: Values, written: Callable[[Any], Any]) -> Values:
+    """The same values with other symbols: `written` takes expressions and equations into them.
+
+    What is −x of the other notation gives x, with its sign turned.
+    """
+    outputs = tuple(_rewritten(output, written) for output in made.outputs)
+    lines = tuple(
+        replace(
+            line,
+            equation=written(line.equation),
+            assuming=tuple(
+                replace(a, condition=written(a.condition), otherwise=written(a.otherwise))
+                for a in line.assuming
+            ),
+        )
+        for line in made.lines
+    )
+    vectors = []
+    for vector, components in made.vectors:
+        sign, own = _own(written(vector))[:2]
+        vectors.append((own, sign * written(components)))
+    takes = arguments(v.expression for v in outputs)
+    return replace(made, outputs=outputs, arguments=takes, lines=lines, vectors=tuple(vectors))
+
+
+def _rewritten(output: Value, written: Callable[[Any], Any]) -> Value:
+    expression, equation = written(output.expression), written(output.equation)
+    if output.symbol is None:
+        names = [x.name for x in getattr(equation.sides[0], "args", ()) if isinstance(x, Symbol)]
+        name = "_dot_".join(names) if "_dot_" in output.name else output.name
+        return replace(output, name=name, expression=expression, equation=equation)
+    sign, own, offset = _own(written(output.symbol))
+    name = own.name + output.name.removeprefix(output.symbol.name)
+    return Value(name, sign * (expression - offset), equation, own, output.index)
+
+
+def _own(image: Expr) -> tuple[Expr, Symbol, Expr]:
+    """The sign, the symbol and the offset of ±x + c."""
+    [own] = image.free_symbols
+    sign = image.coeff(own)
+    return sign, own, image - sign * own

@@ -8,10 +8,12 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from rigidtop.commands import claims
+from rigidtop.commands.notation import add_notation, chosen
 from rigidtop.commands.output import print_json
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
+    from rigidtop.notation import Notation
 
 ABOUT = "judge every claim and compare the numbers"
 
@@ -34,24 +36,27 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="only these claims or sections, such as 3.57, axis-stability or 3.5.4; "
         + claims.FOLDER,
     )
+    add_notation(parser)
 
 
 def run(options: argparse.Namespace) -> int:
     """Judge and print; 0 if nothing failed that the notes get right."""
     from rigidtop.collection import opened
 
+    notation = chosen(options)
     with opened(options.name) as (collection, names):
-        return _run(collection, names, options.json)
+        return _run(collection, names, notation, options.json)
 
 
-def _run(collection: Collection, names: Sequence[str], as_json: bool) -> int:
+def _run(collection: Collection, names: Sequence[str], notation: Notation, as_json: bool) -> int:
+    from rigidtop.notation.judged import judgement_in
     from rigidtop.present.records import measures, record
     from rigidtop.present.table import table, wants_color
 
     found = claims.named(collection, names) if names else claims.every(collection)
     judgements = [judgement for _, judgement in claims.judged(found)]
     passed = all(judgement.passed for judgement in judgements)
-    records = [record(judgement) for judgement in judgements]
+    records = [record(judgement_in(notation, judgement)) for judgement in judgements]
     if as_json:
         print_json(records)
         return 0 if passed else claims.FAILED

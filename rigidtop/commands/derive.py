@@ -6,11 +6,13 @@ import argparse
 from typing import TYPE_CHECKING
 
 from rigidtop.commands import claims
+from rigidtop.commands.notation import add_notation, chosen
 from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
+    from rigidtop.notation import Notation
     from rigidtop.proof.verdict import Judgement
 
 ABOUT = "derive one equation or claim and show every step"
@@ -32,6 +34,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="how to write it (default: text); in a programming language, a function that "
         "evaluates its right-hand sides",
     )
+    add_notation(parser)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -45,31 +48,34 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _run(collection: Collection, name: str, options: argparse.Namespace) -> int:
+    from rigidtop.notation.judged import judgement_in
     from rigidtop.present.lecture import fragment
     from rigidtop.present.records import record
 
+    notation = chosen(options)
     found = claims.named(collection, [name])
     if len(found) != 1:
         names = " ".join(claim.name for _, claim in found)
         raise RigidtopError(f"{name} is a section; derive one of its claims: {names}")
     [(_, judgement)] = claims.judged(found)
     if options.format in SOURCES:
-        return _source(options, judgement)
-    text = fragment(judgement, options.format)
+        return _source(options, judgement, notation)
+    text = fragment(judgement, options.format, notation)
     if options.json:
-        print_json({**record(judgement), "format": options.format, "text": text})
+        said = record(judgement_in(notation, judgement))
+        print_json({**said, "format": options.format, "text": text})
     else:
         print(text)
     return 0 if judgement.passed else claims.FAILED
 
 
-def _source(options: argparse.Namespace, judgement: Judgement) -> int:
+def _source(options: argparse.Namespace, judgement: Judgement, notation: Notation) -> int:
     from rigidtop.codegen.languages import source
-    from rigidtop.codegen.values import NothingToEvaluateError, values
+    from rigidtop.codegen.values import NothingToEvaluateError, rewritten, values
     from rigidtop.present.text import text
 
     try:
-        made = source(values(judgement), options.format, text)
+        made = source(rewritten(values(judgement), notation.written), options.format, text)
     except NothingToEvaluateError as error:
         raise RigidtopError(str(error)) from None
     if options.json:

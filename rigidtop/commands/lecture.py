@@ -6,6 +6,7 @@ import argparse
 from typing import TYPE_CHECKING
 
 from rigidtop.commands import claims
+from rigidtop.commands.notation import add_notation, chosen
 from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
 from rigidtop.progress import over
@@ -30,6 +31,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--student", action="store_true", help="leave the solutions of the exercises out"
     )
+    add_notation(parser)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -50,6 +52,7 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
     from rigidtop.present.lecture import write_lecture
     from rigidtop.present.solutions import solved
 
+    notation = chosen(options)
     check_folder(options.output)  # before half a minute of work, not after it
     judged: list[tuple[Page, list[Judgement]]] = []
     for page, judgement in claims.judged(claims.every(collection)):
@@ -67,6 +70,8 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
         student=options.student,
         front=collection.front,
         figures=FIGURES if collection.folder is None else (),
+        # Pages of one's own need not be about Euler angles.
+        notation=notation if collection.folder is None or notation.images else None,
     )
     unsolved = [solution.exercise.name for solution in solutions if not solution.passed]
     passed = all(judgement.passed for judgement in judgements) and not unsolved

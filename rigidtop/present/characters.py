@@ -15,7 +15,7 @@ TEX_GREEK = {letter: "\\" + name for name, letter in GREEK.items()} | {
     "ϕ": r"\varphi",
     "ϑ": r"\vartheta",
 }
-LETTERS = TEX_GREEK | {"ℒ": r"\mathcal{L}", "∞": r"\infty"}
+LETTERS = TEX_GREEK | {"ℒ": r"\mathcal{L}", "ℓ": r"\ell", "∞": r"\infty"}
 SIGNS = {
     "=": "=",
     "≡": r"\equiv",

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from rigidtop.errors import RigidtopError
-from rigidtop.present import html, plain, tex, typst
+from rigidtop.notation import NOTES as NOTES_NOTATION
+from rigidtop.notation import Notation
+from rigidtop.notation.judged import judgement_in
+from rigidtop.present import html, notations, plain, tex, typst
 from rigidtop.present.figures.catalog import FIGURES, named
 from rigidtop.present.figures.drawing import Drawing, rendered
 from rigidtop.present.files import write_all
@@ -22,6 +25,7 @@ from rigidtop.present.report import (
     claim_blocks,
     document,
     symbol_list,
+    symbols_used,
 )
 from rigidtop.present.solutions import Solution, blocks, question
 from rigidtop.proof.verdict import Judgement
@@ -29,9 +33,10 @@ from rigidtop.proof.verdict import Judgement
 FORMATS = ("text", "latex", "html", "typst")
 
 
-def fragment(judgement: Judgement, format: str) -> str:
+def fragment(judgement: Judgement, format: str, notation: Notation = NOTES_NOTATION) -> str:
     """A claim as "text", "latex", "html" or "typst", with its derivation and its verdict."""
-    made = claim_blocks(judgement, marks=format == "text")
+    made = claim_blocks(judgement_in(notation, judgement), marks=format == "text")
+    made[1:1] = notations.remark(notation, symbols_used(made))
     if format == "text":
         return plain.fragment(made)
     if format == "latex":
@@ -81,14 +86,18 @@ def write_lecture(
     student: bool = False,
     front: Front = NOTES,
     figures: Sequence[Drawing] = FIGURES,
+    notation: Notation | None = None,
 ) -> list[Path]:
     """Write lecture.tex, lecture.html and figures/ into `out`, with `pdf` also lecture.pdf.
 
-    Each of the `figures` closes its section.  The exercises are without solutions for a `student`.
+    Each of the `figures` closes its section.  Equations are in the `notation`, of which the first
+    page tells where one is given.  The exercises are without solutions for a `student`.
     Everything is made before anything is written, and each file is replaced only by a whole one.
     Raises RigidtopError, with one line, where the PDF cannot be made or the folder not written.
     """
-    made = lecture(judged, solutions, student=student, front=front, figures=figures)
+    made = lecture(
+        judged, solutions, student=student, front=front, figures=figures, notation=notation
+    )
     return _write("lecture", *made, out, pdf)
 
 
@@ -103,8 +112,12 @@ def lecture(
     student: bool = False,
     front: Front = NOTES,
     figures: Sequence[Drawing] = FIGURES,
+    notation: Notation | None = None,
 ) -> Illustrated:
     """The lecture: figures and exercises close the sections that they belong to."""
+    if notation is not None:
+        judged = [(page, _in(notation, judgements)) for page, judgements in judged]
+        solutions = [replace(each, judgements=_in(notation, each.judgements)) for each in solutions]
     sections = {page.section for page, _ in judged}
     pictures = [Picture(each.name, each, {}) for each in figures if each.section in sections]
     closing: list[tuple[str, Block]] = [
@@ -119,7 +132,16 @@ def lecture(
         closing += [(solution.exercise.section, block) for block in made]
         pictures += [own] if own else []
         told |= {judgement.claim.name for judgement in solution.judgements}
-    return document(judged, closing, front), pictures
+    whole = document(judged, closing, front)
+    if notation is not None:
+        first = notations.front(notation, symbols_used(whole.blocks))
+        said = f"{whole.colophon} {notations.origin(notation)}"
+        whole = replace(whole, blocks=(*first, *whole.blocks), colophon=said)
+    return whole, pictures
+
+
+def _in(notation: Notation, judgements: Sequence[Judgement]) -> tuple[Judgement, ...]:
+    return tuple(judgement_in(notation, judgement) for judgement in judgements)
 
 
 def write_sheet(

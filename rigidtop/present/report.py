@@ -590,7 +590,29 @@ def short_number(number: Any) -> Node:
 
 def symbol_list(blocks: Sequence[Block]) -> tuple[Block, ...]:
     """The symbols of all displays under a heading; nothing where there are none."""
-    used = {
+    used = symbols_used(blocks)
+    names = {symbol.name for symbol in used if not isinstance(symbol, Lettered)}
+    # A symbol of another notation stands where that of the notes does, others before.
+    own = {x for x in used if isinstance(x, Lettered)}
+    alone = sorted((x for x in own if not hasattr(x, "stands")), key=lambda x: (x.place, x.name))
+    placed = {x.place: x for x in own if hasattr(x, "stands")}
+    quantities = [(symbol, symbol.quantity) for symbol in alone]
+    for place, (symbol, quantity) in enumerate(VOCABULARY.items()):
+        if symbol.name in names:
+            quantities.append((symbol, quantity))
+        if place in placed:
+            quantities.append((placed[place], placed[place].quantity))
+    rows = tuple(
+        (layout(symbol), quantity.meaning, quantity.unit)
+        for symbol, quantity in quantities
+        if quantity.glyph.base != "const"
+    )
+    return (Heading(1, "", "Symbols", "symbols"), Symbols(rows)) if rows else ()
+
+
+def symbols_used(blocks: Iterable[Block]) -> set[Symbol]:
+    """The symbols of all displays."""
+    return {
         symbol
         for block in blocks
         if isinstance(block, Display)
@@ -598,15 +620,3 @@ def symbol_list(blocks: Sequence[Block]) -> tuple[Block, ...]:
         for side in row.equation.sides
         for symbol in side.free_symbols
     }
-    names = {symbol.name for symbol in used if not isinstance(symbol, Lettered)}
-    own = sorted((x for x in used if isinstance(x, Lettered)), key=lambda x: (x.place, x.name))
-    quantities = [
-        *((symbol, symbol.quantity) for symbol in own),
-        *((x, quantity) for x, quantity in VOCABULARY.items() if x.name in names),
-    ]
-    rows = tuple(
-        (layout(symbol), quantity.meaning, quantity.unit)
-        for symbol, quantity in quantities
-        if quantity.glyph.base != "const"
-    )
-    return (Heading(1, "", "Symbols", "symbols"), Symbols(rows)) if rows else ()

@@ -1,0 +1,84 @@
+"""``rigidtop notation``: the conventions of other books, and what each writes otherwise."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+from rigidtop.commands.output import print_json
+
+if TYPE_CHECKING:
+    from rigidtop.notation import Notation
+
+ABOUT = "list the notations of other books and what each writes otherwise"
+
+
+def add_notation(parser: argparse.ArgumentParser) -> None:
+    """The option that other commands have."""
+    parser.add_argument(
+        "--notation",
+        default="notes",
+        metavar="NAME|FILE",
+        help="write it as another book does, such as goldstein, or as a table of one's own says "
+        "(a file in TOML); `rigidtop notation` lists them",
+    )
+
+
+def chosen(options: argparse.Namespace) -> Notation:
+    """The notation that was asked for.  Raises RigidtopError, in one line, where it is none."""
+    from rigidtop.notation import named
+
+    return named(options.notation)
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What can be asked."""
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.epilog = (
+        "A table of one's own is a file in TOML, for instance:\n\n"
+        '  title = "My lecture"\n'
+        '  source = "PHY 305, 2026, week 8"\n'
+        "  [euler]\n"
+        '  sequence = "zxz"\n'
+        "  [letters]\n"
+        '  "λ" = "I"\n'
+        "  [symbols]\n"
+        '  R = { base = "l", meaning = "distance from the pivot to the centre of mass" }\n\n'
+        "examples:\n"
+        "  rigidtop notation landau\n"
+        "  rigidtop derive 3.54 --notation goldstein --format latex\n"
+        "  rigidtop lecture --notation my_table.toml"
+    )
+    parser.add_argument(
+        "name", nargs="*", metavar="NAME|FILE", help="only these; a file is checked (default: all)"
+    )
+
+
+def run(options: argparse.Namespace) -> int:
+    """Print the conventions, or one symbol by symbol."""
+    from rigidtop.notation import BUILT_IN, named
+    from rigidtop.present.notations import record, rows, turns
+    from rigidtop.present.table import table
+
+    notations = [named(name) for name in options.name or BUILT_IN]
+    if options.json:
+        print_json([record(notation) for notation in notations])
+        return 0
+    blocks = []
+    for notation in notations:
+        head = [
+            f"{notation.name}: {notation.title}",
+            f"  {notation.source}",
+            f"  {turns(notation)}",
+        ]
+        if notation.note:
+            head.append(f"  {notation.note}")
+        found = rows(notation)
+        if found:
+            columns = ("here", "in the notes", "in code", "meaning")
+            head += [f"  {line}" for line in table(found, columns).splitlines()]
+        else:
+            head.append("  All letters are those of the notes.")
+        blocks.append("\n".join(head))
+    print("\n\n".join(blocks))
+    return 0
