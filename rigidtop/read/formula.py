@@ -1,9 +1,9 @@
 """Formulas in LaTeX become equations.
 
 >>> from rigidtop.present.text import text
->>> [line] = read(r"\\lambda_1\\cos\\theta\\,\\Omega^2 = \\lambda_3\\omega_3\\Omega - MgR \\tag{3.57}")
+>>> [line] = read(r"\\lambda_1\\cos\\theta\\,\\Omega^2 = L_3\\Omega - MgR \\tag{3.57}")
 >>> text(line.equation), line.tag
-('λ₁ cos θ Ω² = λ₃ω₃Ω − MgR', '3.57')
+('λ₁ cos θ Ω² = L₃Ω − MgR', '3.57')
 """
 
 from __future__ import annotations

@@ -36,6 +36,10 @@ DIGITS = 40
 """A number has no more digits."""
 
 
+MOST_INDICES = 6
+"""ω_{1,2,…} is a list of no more."""
+
+
 class UnreadError(RigidtopError):
     """What can't be read, and where: `position` counts characters from the start of the text."""
 
@@ -122,7 +126,8 @@ def _atoms(text: str) -> Iterator[tuple[str, int]]:
             yield found, match.start()
         else:
             for inner in _TEX.finditer(written):
-                yield inner[0], match.start()
+                if not inner[0].isspace():
+                    yield inner[0], match.start()
 
 
 @cache
@@ -256,7 +261,7 @@ class _Scan:
     def __init__(
         self, items: Sequence[Piece], notation: Notation, depth: int = 0, level: int = 0
     ) -> None:
-        self.items, self.notation, self.at = items, notation, 0
+        self.items, self.notation, self.at = list(items), notation, 0
         self.depth, self.level = depth, level
         """Of brackets: commas outside all separate equations, inside entries.  Of groups."""
         self.nested = depth > 0
@@ -626,7 +631,7 @@ class _Scan:
         if known is None and self.peek().text == "^" and _words((self.peek(1),)) == "2":
             known = self.notation.symbol(replace(glyph, base=glyph.base + "²"))
             self.at += 2 if known is not None else 0
-        if known is None and "," in glyph.sub:
+        if known is None and 0 < glyph.sub.count(",") < MOST_INDICES:
             several = [self.known(replace(glyph, sub=sub)) for sub in glyph.sub.split(",")]
             if all(symbol is not None for symbol in several):
                 self.of_time()
@@ -694,6 +699,10 @@ class _Scan:
     def scripts(self, glyph: Glyph) -> Glyph:
         while True:
             piece = self.peek()
+            if piece.text == "^" and self.peek(2).text == "_":  # x^2_1 is x_1^2
+                at = self.at
+                self.items[at : at + 4] = [*self.items[at + 2 : at + 4], *self.items[at : at + 2]]
+                piece = self.peek()
             raised = _words((self.peek(1),)) if piece.text == "^" else ""
             if piece.text == "'" or raised == "′":
                 self.take()

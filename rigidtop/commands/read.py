@@ -1,0 +1,90 @@
+"""``rigidtop read``: the equations of a file as they are understood, or why one is not."""
+
+from __future__ import annotations
+
+import argparse
+from bisect import bisect_right
+from itertools import accumulate
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rigidtop.commands.output import print_json
+from rigidtop.errors import RigidtopError
+
+if TYPE_CHECKING:
+    from rigidtop.read.formula import Line
+
+ABOUT = "read the equations of notes in Markdown or LaTeX, and say which are not understood"
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What can be asked."""
+    parser.add_argument("file", metavar="FILE", help="the notes, Markdown with $…$ or LaTeX")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Print each equation as text with its line, or the reason why it is unread; 0 in any case."""
+    source = _text_of(Path(options.file))
+    try:
+        import lark  # noqa: F401
+    except ModuleNotFoundError:
+        raise RigidtopError("reading formulas needs Lark: pip install 'rigidtop[read]'") from None
+    from rigidtop.present.table import table
+    from rigidtop.read.document import lines as read_lines
+    from rigidtop.read.document import numbered
+
+    groups = numbered(source)
+    inside = {formula.start for group in groups for formula in group.formulas}
+    found = [(group.number, line) for group in groups for line in read_lines(group)]
+    found += _besides(source, inside)
+    records = [_record(source, *row) for row in sorted(found, key=lambda row: row[1].position)]
+    starts = [0, *accumulate(len(line) for line in source.splitlines(keepends=True))]
+    for record in records:
+        line = bisect_right(starts, record["position"])
+        record["line"], record["column"] = line, record.pop("position") - starts[line - 1] + 1
+    if options.json:
+        print_json(records)
+        return 0
+    rows = [
+        [
+            f"{record['line']}:{record['column']}",
+            f"({record['number']})" if record["number"] else "",
+            record["equation"] or f"unread: {record['problem']}",
+        ]
+        for record in records
+    ]
+    print(table(rows, ("line", "number", "equation")) or "no equation found")
+    return 0
+
+
+def _besides(source: str, inside: set[int]) -> list[tuple[str, Line]]:
+    """The equations that bear no number; a symbol in a sentence is none."""
+    from rigidtop.read.document import each
+
+    return [
+        ("", line)
+        for formula, lines in each(source)
+        if formula.start not in inside
+        for line in lines
+        if line.equation is not None or formula.display or "=" in formula.text
+    ]
+
+
+def _record(source: str, number: str, line: Line) -> dict[str, Any]:
+    from rigidtop.present.text import text
+
+    return {
+        "position": min(line.position, len(source)),
+        "number": number or line.tag,
+        "equation": text(line.equation) if line.equation is not None else None,
+        "problem": line.problem or None,
+    }
+
+
+def _text_of(path: Path) -> str:
+    try:
+        return path.read_bytes().decode("utf-8-sig").replace("\r\n", "\n")
+    except UnicodeDecodeError:
+        raise RigidtopError(f"cannot read {path}: it is not text in UTF-8") from None
+    except OSError as error:
+        raise RigidtopError(f"cannot read {path}: {error.strerror or error}") from error

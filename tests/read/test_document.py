@@ -1,0 +1,106 @@
+"""Formulas in files, and the numbers that stand beside them."""
+
+import pytest
+
+from rigidtop.present.text import text
+from rigidtop.read.document import each, formulas, lines, numbered
+
+
+def found(source):
+    """The number of each group, with its equations as text."""
+    return {
+        group.number: [
+            text(line.equation) if line.equation else f"[{line.problem}]" for line in lines(group)
+        ]
+        for group in numbered(source)
+    }
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "$$T = V$$ (3.57)",
+        "$$T = V.$$\n(3.57)\n",
+        "$$T = V. \\tag{3.57}$$",
+        "$$T = V. \\tag*{(3.57)}$$",
+        "$$T = V \\quad (3.57)$$",
+        "$$T = V. \\eqno(3.57)$$",
+        "\\[ T = V \\tag{3.57} \\]",
+        "\\begin{equation}T = V \\tag{3.57}\\end{equation}",
+        "\\begin{align}\nT &= V \\tag{3.57}\n\\end{align}",
+        "$$\\begin{aligned} T &= V \\end{aligned} \\quad (3.57)$$",
+        "$T = V$\t(3.57)",
+        "| $T = V$ | (3.57) |\n",
+        "<td>$T = V$</td><td>(3.57)\n",
+        "and hence  $T = V$ (3.57)\n",
+        "\\(T = V\\) (3.57)\n",
+        "costs \\$3, so $T = V$ (3.57)\n",
+        "```\n$a = b$ (3.1)\n```\n$T = V$ (3.57)\n",
+        "<!-- $a = b$ (3.1) -->\n$T = V$ (3.57)\n",
+    ],
+)
+def test_a_number_is_found(source):
+    assert found(source) == {"3.57": ["T = V"]}
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "with Eq. (3.33) we find $T = V$ there",
+        "From $T = V$, see Eq. (3.33)\n",
+        "the angle $\\theta$ (3.26)\nof the axis",
+        "$$0 \\stackrel{Eq. (3.33)}{=} T$$",
+        "$T = V$ (a guess)\n",
+        "no formula (3.57)\n",
+    ],
+)
+def test_a_reference_is_no_number(source):
+    assert found(source) == {}
+
+
+def test_displays_without_words_between_share_a_number():
+    source = "$$\\dot\\theta = 0,$$\n  $$\\dot\\psi = -\\omega_3.$$\n(3.37)\n\n$$T = V$$"
+    assert found(source) == {"3.37": ["θ̇ = 0", "ψ̇ = −ω₃"]}
+    assert found(source.replace("\n  ", "\nand\n")) == {"3.37": ["ψ̇ = −ω₃"]}
+
+
+def test_a_display_with_several_numbers():
+    source = (
+        r"\begin{align} T &= V \tag{3.1} \\ E &= T \\ &\quad {}+ V \tag{3.2} \\ L &= 0 \tag{3.3}"
+    )
+    source += r"\end{align}"
+    assert found(source) == {"3.1": ["T = V"], "3.2": ["E = T + V"], "3.3": ["L = 0"]}
+
+
+def test_places_are_those_in_the_file():
+    source = "We find\n$$T = V,$$\n$$q_9 = E \\tag{3.5}$$\n"
+    [group] = numbered(source)
+    assert [source[line.position :][:3] for line in lines(group)] == ["T =", "q_9"]
+    assert [source[f.start : f.start + len(f.text)] == f.text for f in formulas(source)] == [
+        True
+    ] * 2
+    assert [source[f.opens : f.end] for f in formulas(source)] == [
+        "$$T = V,$$",
+        "$$q_9 = E \\tag{3.5}$$",
+    ]
+    assert [source[line.position] for _, read in each(source) for line in read] == ["T", "q"]
+
+
+def test_formulas_of_every_kind():
+    source = r"$a$ $$b$$ \(c\) \[d\] \begin{gather*}e\end{gather*} \$f\$ $g" + "\n\n" + "h$"
+    assert [(f.text, f.display) for f in formulas(source)] == [
+        *(("a", False), ("b", True), ("c", False), ("d", True), ("e", True))
+    ]
+
+
+def test_quirks_of_markdown_from_a_pdf():
+    table = (
+        "Equations of motion\t\n$p_{\\psi} \\equiv \\lambda_3\\omega_3 = \\text{const}$\t(3.56)\n"
+    )
+    assert found(table) == {"3.56": ["p_ψ = λ₃ω₃ = const"]}
+    box = (
+        "# Motion In the frame, $\\dot\\theta = 0$ (3.38)\n\nand hence using (3.26)  $T = V$ also\n"
+    )
+    assert found(box) == {"3.38": ["θ̇ = 0"]}
+    spaced = "$$T = V,\n$$\n  \n$$L = 0,$$\n  \n\n(3.36)\n"
+    assert found(spaced) == {"3.36": ["T = V", "L = 0"]}
