@@ -1,0 +1,119 @@
+"""``rigidtop mark``: a derivation in several lines, and the first that does not follow."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rigidtop.commands.claims import FAILED
+from rigidtop.commands.output import print_json
+from rigidtop.errors import RigidtopError
+
+if TYPE_CHECKING:
+    from rigidtop.read.mark import Marking
+
+ABOUT = "mark a derivation: the first line that does not follow, and the slip"
+
+COLORS = {
+    "follows": "green",
+    "definition": "dim",
+    "assumption": "yellow",
+    "wrong": "red",
+    "carried": "red",
+    "inconclusive": "magenta",
+    "unread": "magenta",
+}
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What can be asked."""
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.epilog = (
+        "FILE is LaTeX, or Markdown with dollars; every formula in it is a line of the answer.\n"
+        "A line follows if it holds for every motion that the lecture allows between the two\n"
+        "equations, in whatever form and order.  The exit code is 0 only if every line\n"
+        "follows and the last equation is reached; a line that is wrong, unread or inconclusive\n"
+        "gives 1.\n"
+        "\n"
+        "example:\n"
+        "  rigidtop mark answer.tex --from 3.53 --to 3.57"
+    )
+    parser.add_argument("file", metavar="FILE", help="the answer; - reads it from standard input")
+    parser.add_argument(
+        "--from", dest="start", required=True, metavar="N", help="the equation to start from"
+    )
+    parser.add_argument(
+        "--to", dest="goal", required=True, metavar="N", help="the equation to arrive at"
+    )
+    parser.add_argument(
+        "--seconds", type=float, default=20.0, help="time for a line (default: %(default)g)"
+    )
+
+
+def run(options: argparse.Namespace) -> int:
+    """Mark and print; 0 if every line follows and the derivation arrives."""
+    if not 0 < options.seconds <= 3600:
+        raise RigidtopError(f"--seconds must be between 0 and 3600, not {options.seconds:g}")
+    source = _source(options.file)
+    try:
+        from rigidtop.read.limits import marked
+    except ModuleNotFoundError as error:
+        if error.name != "lark":
+            raise
+        raise RigidtopError('reading needs lark: pip install "rigidtop[read]"') from None
+    found = marked(source, options.start, options.goal, options.seconds, 6 * options.seconds)
+    if not found.lines:
+        raise RigidtopError(f"no formula in {options.file}: put each between $$ and $$")
+    if options.json:
+        print_json({"from": options.start, "to": options.goal, **record(found)})
+    else:
+        _print(found)
+    return 0 if found.passed else FAILED
+
+
+def record(found: Marking) -> dict[str, Any]:
+    """A marking as plain values."""
+    return {
+        "lines": [
+            {
+                "line": line.line,
+                "read": line.said,
+                "verdict": line.mark.value,
+                "note": line.note,
+                "slips": [{"kind": slip.kind, "words": slip.words} for slip in line.slips],
+            }
+            for line in found.lines
+        ],
+        "arrives": found.arrives,
+        "lost": list(found.lost),
+        "passed": found.passed,
+        "summary": found.summary,
+    }
+
+
+def _print(found: Marking) -> None:
+    from rigidtop.present.table import table, wants_color, wrapped
+
+    rows = [[str(line.line or ""), line.mark.value, line.said] for line in found.lines]
+    colors = COLORS if wants_color(sys.stdout) else None
+    print(table(rows, ("line", "verdict", "what was read"), colors=colors))
+    print()
+    for line in found.lines:
+        if line.note and line.mark.value != "definition":
+            print("\n  ".join(wrapped(f"line {line.line}: {line.note}", 78)))
+    print(found.summary)
+    for lost in found.lost:
+        print(f"{lost}: state the condition, or look at that motion on its own")
+
+
+def _source(name: str) -> str:
+    try:
+        if name == "-":
+            return sys.stdin.read()
+        return Path(name).read_text("utf-8")
+    except UnicodeDecodeError:
+        raise RigidtopError(f"{name} is not a text in UTF-8") from None
+    except OSError as error:
+        raise RigidtopError(f"{name}: {error.strerror or error}") from None

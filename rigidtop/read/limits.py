@@ -1,0 +1,102 @@
+"""Marking in a process of its own, which is stopped when a line takes too long."""
+
+from __future__ import annotations
+
+import multiprocessing
+import sys
+import time
+from multiprocessing.connection import Connection
+
+from rigidtop.errors import RigidtopError
+from rigidtop.read.mark import Mark, Marked, Marking, mark
+
+LONGEST = 200_000
+"""An answer has no more characters."""
+
+SECONDS_A_LINE = 20.0
+SECONDS = 120.0
+STARTING = 60.0
+"""What loading may take."""
+
+_BYTES = 4 * 2**30
+
+
+def marked(
+    source: str,
+    start: str,
+    goal: str,
+    a_line: float = SECONDS_A_LINE,
+    altogether: float = SECONDS,
+) -> Marking:
+    """`rigidtop.read.mark.mark` in limited time (seconds): what takes longer is inconclusive.
+
+    Raises RigidtopError for a pair of numbers without facts, and for a text that is too long.
+    """
+    if len(source) > LONGEST:
+        raise RigidtopError(f"an answer has no more than {LONGEST} characters, not {len(source)}")
+    end = time.monotonic() + altogether
+    skip: set[int] = set()
+    while True:
+        found, lines = _run(source, start, goal, frozenset(skip), a_line, end)
+        if found is not None:
+            return found
+        if time.monotonic() >= end:
+            late = Marked(
+                0, "", Mark.INCONCLUSIVE, f"the marking takes longer than {altogether:g} s"
+            )
+            return Marking((*lines, late), False, goal, problem=late.note)
+        if len(lines) in skip:
+            problem = "whether the derivation arrives could not be decided in time"
+            return Marking(lines, False, goal, problem=problem)
+        skip.add(len(lines))
+
+
+def _run(
+    source: str, start: str, goal: str, skip: frozenset[int], a_line: float, end: float
+) -> tuple[Marking | None, tuple[Marked, ...]]:
+    """The marking, or the lines that were marked before one took too long."""
+    # A fork is there at once; elsewhere than on Linux it is not safe.
+    context = multiprocessing.get_context("fork" if sys.platform == "linux" else "spawn")
+    ours, theirs = context.Pipe(duplex=False)
+    process = context.Process(  # type: ignore[attr-defined]
+        target=_work, args=(theirs, source, start, goal, skip), daemon=True
+    )
+    process.start()
+    theirs.close()
+    lines: list[Marked] = []
+    patience = STARTING
+    try:
+        while ours.poll(max(0.0, min(patience, end - time.monotonic()))):
+            patience = a_line
+            said = ours.recv()
+            if isinstance(said, RigidtopError):
+                raise said
+            if isinstance(said, Marking):
+                return said, tuple(lines)
+            if isinstance(said, Marked):
+                lines.append(said)
+    except EOFError:
+        pass  # out of memory: as good as out of time
+    finally:
+        process.kill()
+        process.join()
+        ours.close()
+    return None, tuple(lines)
+
+
+def _work(pipe: Connection, source: str, start: str, goal: str, skip: frozenset[int]) -> None:
+    """Mark, and say each line."""
+    try:
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_DATA, (_BYTES, _BYTES))
+    except (ImportError, ValueError, OSError):
+        pass  # not on every system; time is limited all the same
+    try:
+        mark("", start, goal)  # what is loaded once
+        pipe.send("ready")
+        pipe.send(mark(source, start, goal, skip, pipe.send))
+    except RigidtopError as error:
+        pipe.send(error)
+    except MemoryError:
+        pass  # the end of the pipe says so

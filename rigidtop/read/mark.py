@@ -1,0 +1,808 @@
+"""Marking a derivation: the first line that does not follow, why not, and what the slip was.
+
+A line is right if it holds for every motion that the facts of its passage allow
+(`rigidtop.read.facts`): in any order and any form.  That is shown by normal forms; numbers refute
+it; where neither succeeds the line is inconclusive, never right.  The derivation has to arrive: at
+the goal, or at what is the goal times a factor that does not vanish.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+from functools import cache
+from itertools import combinations, pairwise
+from typing import Any
+
+import sympy
+from sympy import Expr, MatrixBase, Ne, Pow, Symbol, cos, sin
+
+from rigidtop.notation import Notation
+from rigidtop.present.text import text
+from rigidtop.proof import decide
+from rigidtop.proof.equation import Equation, NoMeaningError, Rate, Underbrace, symbols_of, value
+from rigidtop.proof.verdict import entries
+from rigidtop.read import facts, slips
+from rigidtop.read.document import formulas
+from rigidtop.read.facts import Model, Passage, Sample
+from rigidtop.read.formula import Line, read
+from rigidtop.read.scan import UnreadError, tokens
+from rigidtop.theory import symbols as s
+from rigidtop.theory import top
+from rigidtop.theory.lettered import Lettered
+from rigidtop.theory.symbols import Glyph, Quantity
+from rigidtop.theory.trig import reduce_ratio
+
+MOST_LINES = 200
+"""A derivation has no more lines."""
+
+LARGEST_POWER = 12
+"""No exponent is larger: what is multiplied out grows with it."""
+
+LARGEST_NUMBER = 10**12
+MOST_OPERATIONS = 600
+"""A line has no more operations."""
+
+
+class Mark(StrEnum):
+    """What becomes of a line."""
+
+    FOLLOWS = "follows"
+    DEFINITION = "definition"
+    ASSUMPTION = "assumption"
+    WRONG = "wrong"
+    CARRIED = "carried"
+    INCONCLUSIVE = "inconclusive"
+    UNREAD = "unread"
+
+
+@dataclass(frozen=True)
+class Marked:
+    """A line of the answer: where it stands in the file, what was read, what became of it."""
+
+    line: int
+    said: str
+    mark: Mark
+    note: str = ""
+    slips: tuple[slips.Slip, ...] = ()
+
+
+@dataclass(frozen=True)
+class Marking:
+    """A derivation, marked.  `lost` are branches that a right line leaves out."""
+
+    lines: tuple[Marked, ...]
+    arrives: bool
+    goal: str
+    lost: tuple[str, ...] = ()
+    problem: str = ""
+
+    @property
+    def first_wrong(self) -> Marked | None:
+        return next((line for line in self.lines if line.mark is Mark.WRONG), None)
+
+    @property
+    def passed(self) -> bool:
+        """Every line was read and follows, and the goal is reached."""
+        sound = (Mark.FOLLOWS, Mark.DEFINITION, Mark.ASSUMPTION)
+        return self.arrives and all(line.mark in sound for line in self.lines)
+
+    @property
+    def summary(self) -> str:
+        """One line for the whole."""
+        wrong = self.first_wrong
+        if wrong is not None:
+            return f"line {wrong.line} does not follow"
+        unsure = [line for line in self.lines if line.mark in (Mark.INCONCLUSIVE, Mark.UNREAD)]
+        if unsure:
+            return f"inconclusive: line {unsure[0].line} was {_UNSURE[unsure[0].mark]}"
+        if not self.lines:
+            return "there is no line to mark"
+        if self.problem:
+            return self.problem
+        if not self.arrives:
+            return f"every line follows, but the derivation does not arrive at ({self.goal})"
+        return f"every line follows, and the derivation arrives at ({self.goal})"
+
+
+_UNSURE = {Mark.INCONCLUSIVE: "neither shown nor refuted", Mark.UNREAD: "not read"}
+
+
+def mark(
+    source: str,
+    start: str,
+    goal: str,
+    skip: Collection[int] = (),
+    heard: Callable[[Marked], None] = lambda _: None,
+) -> Marking:
+    """Mark a derivation, the text of a file, from one numbered equation to another.
+
+    The lines `skip`, counted from 0, are not judged: they are inconclusive.  `heard` is told each
+    line as soon as it is marked.  Raises RigidtopError where there are no facts for these two.
+    """
+    answer = _Answer(facts.passage(start, goal))
+    for i, step in enumerate(steps(source, answer.passage.notation)):
+        heard(answer.take(step, judged=i not in skip))
+    return answer.marking()
+
+
+# --- What was written ----------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Step:
+    """A line of the answer as it was read; `own` are letters that the facts do not know."""
+
+    number: int
+    line: Line
+    source: str
+    own: frozenset[Symbol] = frozenset()
+
+
+_D = r"\\[td]?frac\s*\{\s*\\partial\s*(?:\\mathcal\s*\{\s*L\s*\}|\\mathcal\s+L|L)\s*\}"
+_ANGLE = r"\\(?:var)?(?P<angle>theta|phi|psi)\b"
+_SLOPE = re.compile(rf"{_D}\s*\{{\s*\\partial\s*(?:{_ANGLE})\s*\}}")
+_MOMENTUM = re.compile(
+    rf"{_D}\s*\{{\s*\\partial\s*\\dot\s*(?:\{{\s*)?(?:{_ANGLE})\s*(?:\}}\s*)?\}}"
+)
+_UPRIGHT = re.compile(r"\\mathrm\s*(?:\{d\}|d)(?=\s*[\\}a-zA-Z])")
+_BARE_RATE = re.compile(
+    r"\\[td]?frac\s*\{\s*d\s*\}\s*\{\s*d\s*t\s*\}\s*"
+    r"(?P<what>(?:\\dot\s*)?(?:[A-ZĐa-z]|\\[a-zA-Z]+)_(?:\{[^{}]*\}|\\[a-zA-Z]+|\w))"
+)
+
+
+def prepared(formula: str) -> str:
+    r"""A formula with ∂ℒ/∂q̇ written as the momentum that it is, and ∂ℒ/∂q as one letter.
+
+    Whatever stands behind keeps its place.
+
+    >>> " ".join(prepared(r"\frac{d}{dt}\frac{\partial L}{\partial\dot\theta} = 0").split())
+    '\\frac{dĐ_{\\theta}}{dt} = 0'
+    """
+    made = _UPRIGHT.sub(lambda found: _padded(found, "d"), formula)
+    made = _MOMENTUM.sub(lambda found: _padded(found, rf"Đ_{{\{found['angle']}}}"), made)
+    made = _SLOPE.sub(lambda found: _padded(found, rf"Ł_{{\{found['angle']}}}"), made)
+    return _BARE_RATE.sub(lambda found: _padded(found, rf"\frac{{d{found['what']}}}{{dt}}"), made)
+
+
+def _padded(found: re.Match[str], new: str) -> str:
+    """A replacement with as many characters and lines as what it replaces."""
+    spaces = re.sub(r"[^\n]", " ", found[0])
+    return new + (spaces[len(new) :] if "\n" not in spaces[: len(new)] else spaces.strip(" "))
+
+
+class _Listening(Notation):
+    """Takes letters that it does not know down."""
+
+    def symbol(self, glyph: Glyph) -> Symbol | None:
+        known = super().symbol(glyph)
+        if known is None and not (glyph.accent or glyph.bold or glyph.prime):
+            heard: dict[Glyph, Symbol] = self.__dict__.setdefault("heard", {})
+            name = "own_" + glyph.base + glyph.sub
+            meaning = Quantity(glyph, "defined in the answer", "")
+            return heard.setdefault(glyph, Lettered(name, meaning, real=True))
+        return known
+
+
+def steps(source: str, notation: Notation) -> Iterator[Step]:
+    """The lines of an answer, in order."""
+    count = 0
+    for formula in formulas(source):
+        written = prepared(formula.text)
+        listening = _Listening(**vars_of(notation))
+        try:
+            tokens(written, listening)
+        except UnreadError:
+            pass  # `read` says so again, with the line
+        except RecursionError:
+            pass
+        heard: dict[Glyph, Symbol] = listening.__dict__.get("heard", {})
+        known = replace(
+            notation, glyphs={**notation.glyphs, **{x: glyph for glyph, x in heard.items()}}
+        )
+        try:
+            found = read(written, known)
+        except RecursionError:
+            found = (Line(0, None, "nested too deeply"),)
+        for line in found:
+            if line.equation is None and not formula.display and "no relation" in line.problem:
+                continue  # a symbol in the running text
+            count += 1
+            at = source.count("\n", 0, formula.start + min(line.position, len(formula.text))) + 1
+            if count > MOST_LINES:
+                yield Step(at, Line(0, None, f"more than {MOST_LINES} lines"), "")
+                return
+            own = frozenset(heard.values())
+            if line.equation is not None:
+                own &= symbols_of(line.equation)
+            yield Step(at, line, " ".join(formula.text.split()), own)
+
+
+def vars_of(notation: Notation) -> dict[str, Any]:
+    """The fields of a notation, to make another one of them."""
+    return {name: getattr(notation, name) for name in notation.__dataclass_fields__}
+
+
+def too_large(equation: Equation) -> str:
+    """What makes an equation too large to be multiplied out, or nothing."""
+    trees = [e for side in equation.sides for e in (side if _is_matrix(side) else [side])]
+    if sum(int(sympy.count_ops(tree)) for tree in trees) > MOST_OPERATIONS:
+        return f"more than {MOST_OPERATIONS} operations"
+    for tree in trees:
+        for power in tree.atoms(Pow):
+            exponent = power.exp if power.exp.has(Pow) else value(power.exp, {})
+            if not exponent.is_Number or abs(exponent) > LARGEST_POWER:
+                return f"an exponent that is not a number up to {LARGEST_POWER}"
+            if power.base.atoms(Pow) and abs(exponent) > 4:
+                return "a high power of a power"
+        if any(max(abs(n.p), n.q) > LARGEST_NUMBER for n in tree.atoms(sympy.Rational)):
+            return f"a number beyond {LARGEST_NUMBER:.0e}"
+    return ""
+
+
+def _is_matrix(side: Any) -> bool:
+    return isinstance(side, MatrixBase)
+
+
+# --- One equality --------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Link:
+    """Two neighbouring sides.  `right` None: the left one is constant."""
+
+    left: Any
+    right: Any
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """True, false with a motion at which it fails, or (None) neither shown nor refuted."""
+
+    holds: bool | None
+    at: Sample | None = None
+    left: Any = None
+    right: Any = None
+    why: str = ""
+
+
+_TOLERANCE = sympy.Float("1e-15")
+_ERRORS = (ArithmeticError, TypeError, ValueError, AttributeError, NoMeaningError)
+FEWEST = 6
+"""A line that has values at fewer motions than this is not judged."""
+
+
+def judge(link: Link, model: Model) -> Verdict:
+    """Whether a link holds for every motion of a model."""
+    try:
+        symbolic = _rates(link, model)
+        defined = 0
+        for sample in facts.samples(model):
+            sides = _numbers(link, model, sample, symbolic)
+            if sides is None:
+                continue
+            defined += 1
+            if _differ(*sides):
+                return Verdict(False, sample, *sides)
+        if defined < FEWEST:
+            return Verdict(None, why="it has a value for hardly any motion")
+        return Verdict(True if _shown(link, model) else None, why="neither shown nor refuted")
+    except _ERRORS as error:
+        return Verdict(None, why=f"it says nothing that can be compared: {error}")
+    except RecursionError:
+        return Verdict(None, why="nested too deeply")
+
+
+def _rates(link: Link, model: Model) -> dict[Any, Any]:
+    """The values of the derivatives in a link, once for all motions."""
+    found: dict[Any, Any] = {}
+    for side in (link.left, link.right):
+        if side is None:
+            continue
+        for tree in side if _is_matrix(side) else [side]:
+            for rate in tree.atoms(Rate):
+                found[rate] = model.value(rate)
+    if link.right is None:
+        found[s.const] = model.rate(link.left)
+    return found
+
+
+def _numbers(
+    link: Link, model: Model, sample: Sample, symbolic: Mapping[Any, Any]
+) -> tuple[Any, Any] | None:
+    """The two sides for one motion; None where a side has no finite real value."""
+    point = {x: facts.number(v) for x, v in sample.point.items()}
+
+    def number(found: Any) -> Any:
+        if _is_matrix(found):
+            return found.applyfunc(number)
+        return sympy.N(sympy.sympify(found).xreplace(point), facts.DIGITS)
+
+    rates = {node: number(found) for node, found in symbolic.items()}
+    if link.right is None:
+        left: Any = rates[s.const]
+        right: Any = sympy.zeros(*left.shape) if _is_matrix(left) else sympy.Integer(0)
+    else:
+        meaning = {**sample.meaning, **rates}
+        left, right = (number(value(side, meaning)) for side in (link.left, link.right))
+    flat = [e for side in (left, right) for e in (side if _is_matrix(side) else [side])]
+    return (left, right) if all(e.is_number and e.is_finite and e.is_real for e in flat) else None
+
+
+def _differ(left: Any, right: Any) -> bool:
+    size = 1 + max(abs(e) for side in (left, right) for e in (side if _is_matrix(side) else [side]))
+    return any(abs(difference) > _TOLERANCE * size for difference in entries(left, right))
+
+
+def _shown(link: Link, model: Model) -> bool:
+    """Whether the difference of the sides has the normal form 0."""
+    if link.right is None:
+        left, right = model.rate(link.left), sympy.Integer(0)
+    else:
+        left, right = model.value(link.left), model.value(link.right)
+    return all(decide.vanishes(_one_angle(difference)) for difference in entries(left, right))
+
+
+def _one_angle(expression: Expr) -> Expr:
+    """Angles such as Ω_b t, however they are typed, in lowest terms."""
+    angles = {f.args[0] for f in expression.atoms(sin, cos) if not f.args[0].is_Symbol}
+    return expression.xreplace({angle: sympy.cancel(angle) for angle in angles})
+
+
+# --- The answer ----------------------------------------------------------------------------------
+
+
+@dataclass
+class _Answer:
+    """Takes one line after the other."""
+
+    passage: Passage
+    marked: list[Marked] = field(default_factory=list)
+    true: list[Equation] = field(default_factory=list)
+    definitions: dict[Any, Any] = field(
+        default_factory=lambda: {slope: p for p, slope in facts.SLOPES_IN_RATES.items()}
+    )
+    stated: list[Any] = field(default_factory=list)
+    lost: list[str] = field(default_factory=list)
+    failed: bool = False
+    explained: bool = True
+
+    def take(self, step: Step, judged: bool = True, explained: bool = True) -> Marked:
+        """Mark the next line, or leave it unjudged; `explained`: look for the slip, too."""
+        self.explained = explained
+        unjudged = Marked(step.number, step.source, Mark.INCONCLUSIVE, "it takes too long to judge")
+        self.marked.append(self._marked(step) if judged else unjudged)
+        return self.marked[-1]
+
+    def marking(self) -> Marking:
+        return Marking(
+            tuple(self.marked), self._arrives(), self.passage.goal, tuple(dict.fromkeys(self.lost))
+        )
+
+    def _marked(self, step: Step) -> Marked:
+        equation = step.line.equation
+        if equation is None:
+            return Marked(step.number, step.source, Mark.UNREAD, step.line.problem)
+        said = _said(equation, step.source)
+        large = too_large(equation)
+        if large:
+            return Marked(step.number, said, Mark.UNREAD, large)
+        links, defined = self._links(equation)
+        undefined = sorted(
+            {x for link in links for x in _symbols(link) if _is_own(x)} - set(self.definitions),
+            key=str,
+        )
+        if undefined:
+            names = ", ".join(text(x) for x in undefined)
+            note = f"{names} means nothing yet: define it on a line of its own"
+            return Marked(step.number, said, Mark.UNREAD, note)
+        if equation.relation == "≠":
+            return self._assumed(step, said, links)
+        if equation.relation not in ("=", "≡"):
+            note = f"statements with {equation.relation} are not judged"
+            return Marked(step.number, said, Mark.INCONCLUSIVE, note)
+        if not links:
+            return Marked(step.number, said, Mark.DEFINITION, f"{', '.join(map(text, defined))}")
+        return self._judged(step, said, links)
+
+    # Definitions
+
+    def _links(self, equation: Equation) -> tuple[list[Link], list[Symbol]]:
+        """The equalities of a chain, without those that define a letter of the student's own."""
+        links: list[Link] = []
+        defined: list[Symbol] = []
+        braces = [
+            (label, body)
+            for brace in set().union(*(_atoms(side, Underbrace) for side in equation.sides))
+            for body, label in [brace.args]
+        ]
+        pairs = [*pairwise(equation.sides), *braces]
+        for left, right in pairs:
+            for name, meant in ((left, right), (right, left)):
+                if self._defines(equation, name, meant):
+                    self.definitions[name] = self._own_replaced(meant)
+                    defined.append(name)
+                    break
+            else:
+                if right == s.const or left == s.const:
+                    other = left if right == s.const else right
+                    links.append(Link(self._own_replaced(other), None))
+                else:
+                    links.append(Link(self._own_replaced(left), self._own_replaced(right)))
+        # In a = b = const it is a, too, that is constant: one is enough.
+        return links, defined
+
+    def _defines(self, equation: Equation, name: Any, meant: Any) -> bool:
+        if equation.relation not in ("=", "≡") or not _is_own(name) or name in self.definitions:
+            return False
+        if meant == s.const or _is_matrix(meant):
+            return False
+        return not any(_is_own(x) and x not in self.definitions for x in meant.free_symbols)
+
+    def _own_replaced(self, side: Any) -> Any:
+        """A side with the student's letters replaced by what they were defined as."""
+        if _is_matrix(side):
+            return side.applyfunc(self._own_replaced)
+        if side in self.definitions:
+            return self.definitions[side]
+        if not side.args or not (side.free_symbols & set(self.definitions)):
+            return side
+        with sympy.evaluate(False):
+            return side.func(*(self._own_replaced(argument) for argument in side.args))
+
+    # Assumptions
+
+    def _assumed(self, step: Step, said: str, links: Sequence[Link]) -> Marked:
+        model = self.passage.models[-1]
+        for link in links:
+            try:
+                left, right = model.value(link.left), model.value(link.right)
+                differences = entries(left, right)
+            except _ERRORS:
+                return Marked(step.number, said, Mark.INCONCLUSIVE, "not compared")
+            if all(decide.vanishes(_one_angle(d)) for d in differences):
+                return Marked(step.number, said, *self._wrong(), "the two are equal")
+            self.stated += [Ne(d, 0) for d in differences]
+            if differences == [s.theta]:
+                self.stated.append(Ne(sin(s.theta), 0))
+        return Marked(step.number, said, Mark.ASSUMPTION)
+
+    def _wrong(self) -> tuple[Mark]:
+        """The first wrong line is wrong; what is false behind it may come from there."""
+        found = Mark.CARRIED if self.failed else Mark.WRONG
+        self.failed = True
+        return (found,)
+
+    # Equalities
+
+    def _judged(self, step: Step, said: str, links: Sequence[Link]) -> Marked:
+        """Judged for the most general motion for which all links hold."""
+        failed: tuple[Link, Verdict, Model] | None = None
+        unsure: Verdict | None = None
+        for model in self.passage.models:
+            verdicts = [self._judge_if_known(link, model) for link in links]
+            if all(v.holds for v in verdicts):
+                assert step.line.equation is not None
+                self.true.append(_replaced(step.line.equation, self._own_replaced))
+                note = f"for {model.words}" if model.words else ""
+                lost = self._lost(links, model)
+                if lost:
+                    note = f"{note}; {lost}" if note else lost
+                return Marked(step.number, said, Mark.FOLLOWS, note)
+            bad = next((i for i, v in enumerate(verdicts) if v.holds is False), None)
+            unsure = next((v for v in verdicts if v.holds is None), None)
+            failed = None if bad is None else (links[bad], verdicts[bad], model)
+        if failed is None:
+            assert unsure is not None
+            return Marked(step.number, said, Mark.INCONCLUSIVE, unsure.why)
+        link, verdict, model = failed
+        [found] = self._wrong()
+        where = f"{_side_text(link.left)} = {_side_text(link.right)}: " if len(links) > 1 else ""
+        note = where + _counterexample(link, verdict)
+        if found is Mark.CARRIED:
+            return Marked(step.number, said, found, "does not hold either, behind a wrong line")
+        named = explain(link, self.passage) if self.explained else ()
+        if named:
+            note = f"{' or '.join(slip.words for slip in named)}; {note}"
+        return Marked(step.number, said, found, note, named)
+
+    def _judge_if_known(self, link: Link, model: Model) -> Verdict:
+        """Ω means nothing for a motion that is not steady."""
+        unknown = {x for x in _symbols(link) if not _is_own(x)} - _known(model)
+        if unknown:
+            names = ", ".join(text(x) for x in sorted(unknown, key=str))
+            return Verdict(None, why=f"{names} means nothing here")
+        return judge(link, model)
+
+    def _lost(self, links: Sequence[Link], model: Model) -> str:
+        """What a line leaves out that the facts allow."""
+        if model.lost is None or any(
+            decide.nonzero(model.lost, [condition]) for condition in self.stated
+        ):
+            return ""
+        for branch in model.branch:
+            if any(judge(link, branch).holds is False for link in links):
+                said = f"{text(model.lost)} = 0 is lost"
+                self.lost.append(said)
+                return said
+        return ""
+
+    # Arrival
+
+    def _arrives(self) -> bool:
+        loose = self.passage.loose
+        needed: list[Expr] = []
+        constant = self.passage.conserved is None
+        for equation in self.passage.equations:
+            sides = [side for side in equation.sides if side != s.const]
+            for left, right in pairwise(sides):
+                values = loose.value(left), loose.value(right)
+                needed += [d for d in entries(*values) if d != 0]
+        reached = [False] * len(needed)
+        for equation in self.true:
+            if self.passage.conserved is not None and not constant:
+                constant = self._is_constancy(equation, needed[0])
+                if constant and not _has(equation, self.passage.conserved):
+                    reached = [True] * len(needed)  # p is but a name for what is constant
+            for left, right in combinations(equation.sides, 2):
+                if not self._in_terms(left, right):
+                    continue
+                for given in _differences(left, right, loose):
+                    for i, goal in enumerate(needed):
+                        reached[i] = reached[i] or self._implies(given, goal)
+        return constant and all(reached)
+
+    def _in_terms(self, *sides: Any) -> bool:
+        """Whether two sides speak only of what the goal speaks of."""
+        if s.const in sides or any(_atoms(side, Rate) for side in sides):
+            return False
+        typed = set().union(*(side.free_symbols for side in sides))
+        return typed <= self.passage.allowed
+
+    def _implies(self, given: Expr, goal: Expr) -> bool:
+        """Whether goal = 0 follows from given = 0, neither of them an identity."""
+        conditions = [*self.passage.given, *self.stated]
+        if decide.vanishes(given):
+            return False
+        factor = reduce_ratio(given / goal)
+        if factor.is_number:
+            return bool(factor != 0)
+        # Its numerator: what the line divides by is not zero where the line says anything.
+        return decide.nonzero(factor, conditions)
+
+    def _is_constancy(self, equation: Equation, goal: Expr) -> bool:
+        """Whether a line says that the momentum of the goal is constant, or its rate zero."""
+        loose, momentum = self.passage.loose, self.passage.conserved
+        for i, side in enumerate(equation.sides):
+            if side == s.const and i:
+                candidates = list(equation.sides[:i])
+            elif side == 0:
+                candidates = [x for other in equation.sides for x in _under_rate(other)]
+            else:
+                continue
+            for what in candidates:
+                if what == momentum:
+                    return True
+                if not what.free_symbols <= self.passage.allowed:
+                    continue
+                found = loose.value(what)
+                if decide.vanishes(found - momentum + goal) or decide.vanishes(
+                    found - momentum - goal
+                ):
+                    return True
+        return False
+
+
+def _under_rate(side: Any) -> list[Any]:
+    """What a side is the rate of: d/dt p, ṗ."""
+    if isinstance(side, Rate):
+        return [side.args[0]]
+    for quantity, rate in {**facts.MOMENTUM_RATES, **facts.OTHER_RATES}.items():
+        if side == rate:
+            return [quantity]
+    return []
+
+
+def _differences(left: Any, right: Any, model: Model) -> list[Expr]:
+    try:
+        return [_one_angle(d) for d in entries(model.value(left), model.value(right))]
+    except _ERRORS:
+        return []
+
+
+def _has(equation: Equation, symbol: Symbol) -> bool:
+    return symbol in symbols_of(equation)
+
+
+def _is_own(node: Any) -> bool:
+    return isinstance(node, Lettered) and node.quantity.meaning == "defined in the answer"
+
+
+@cache
+def _known(model: Model) -> set[Symbol]:
+    return model.symbols()
+
+
+def _symbols(link: Link) -> set[Symbol]:
+    sides = [side for side in (link.left, link.right) if side is not None]
+    return set().union(*(side.free_symbols for side in sides))
+
+
+def _atoms(side: Any, kind: Any) -> set[Any]:
+    trees = list(side) if _is_matrix(side) else [side]
+    return set().union(*(tree.atoms(kind) for tree in trees))
+
+
+def _replaced(equation: Equation, change: Any) -> Equation:
+    sides = [change(side) for side in equation.sides]
+    return Equation(*sides, relation=equation.relation, tag=equation.tag)
+
+
+# --- Words ---------------------------------------------------------------------------------------
+
+
+def _said(equation: Equation, source: str) -> str:
+    """The equation as it was read, with Ł as what it stands for."""
+    try:
+        return _with_slopes(text(equation))
+    except (TypeError, AttributeError, ValueError, KeyError):
+        return source
+
+
+def _with_slopes(said: str) -> str:
+    said = re.sub(r"dĐ_(\w)/dt", r"d/dt Đ_\1", said)
+    return re.sub(r"Đ_(\w)", "∂ℒ/∂\\1\u0307", re.sub(r"Ł_(\w)", r"∂ℒ/∂\1", said))
+
+
+def _side_text(side: Any) -> str:
+    try:
+        return "const" if side is None else _with_slopes(text(side))
+    except (TypeError, AttributeError, ValueError, KeyError):
+        return "…"
+
+
+def _counterexample(link: Link, verdict: Verdict) -> str:
+    """The motion at which a link fails, in the symbols that stand in it, and its two sides."""
+    assert verdict.at is not None
+    sample = verdict.at
+    typed = sorted(_symbols(link), key=str)
+    shown = []
+    for symbol in typed:
+        found = sample.point.get(symbol, sample.meaning.get(symbol))
+        if found is not None and not _is_matrix(found):
+            shown.append(f"{_side_text(symbol)} = {_number_text(found)}")
+    if any(_is_matrix(sample.meaning.get(symbol)) for symbol in typed) or link.right is None:
+        others = [x for x in sample.point if x not in typed]
+        shown += [f"{_side_text(x)} = {_number_text(sample.point[x])}" for x in others]
+    left, right = _pair_text(verdict.left), _pair_text(verdict.right)
+    if link.right is None:
+        return f"at {', '.join(shown)} the rate is {left}, not 0"
+    return f"at {', '.join(shown)} the left side is {left}, the right side {right}"
+
+
+def _pair_text(found: Any) -> str:
+    if _is_matrix(found):
+        return "[" + ", ".join(_number_text(e) for e in found) + "]"
+    return _number_text(found)
+
+
+def _number_text(found: Any) -> str:
+    if not found.is_Float:
+        return text(found)
+    return f"{float(found):.6g}".replace("-", "−")
+
+
+# --- Slips ---------------------------------------------------------------------------------------
+
+TRIALS = 10
+"""Motions at which a repaired line is tried."""
+
+
+def explain(link: Link, passage: Passage) -> tuple[slips.Slip, ...]:
+    """What kind of slip a wrong link may be, one of a kind; none where no small repair helps."""
+    model = passage.models[-1]
+    forgotten = _partial(link, passage)
+    if forgotten:
+        return (forgotten,)
+    lost = _lost_root(link, model)
+    if lost:
+        return (lost,)
+    if link.right is None:
+        pairs = slips.found(link.left, s.const, lambda left, _: _holds(Link(left, None), model))
+    else:
+        pairs = slips.found(link.left, link.right, lambda a, b: _holds(Link(a, b), model))
+    return pairs or _missing(link, model)
+
+
+def _holds(link: Link, model: Model) -> bool:
+    """Whether a link holds at a few motions."""
+    symbolic = _rates(link, model)
+    defined = 0
+    for sample in facts.samples(model)[-TRIALS:]:
+        sides = _numbers(link, model, sample, symbolic)
+        if sides is not None:
+            defined += 1
+            if _differ(*sides):
+                return False
+    return defined > TRIALS // 2
+
+
+def _partial(link: Link, passage: Passage) -> slips.Slip | None:
+    """∂/∂t for d/dt: the line holds if only velocities change, the angles being forgotten."""
+    if not set(top.RATES) <= set(passage.models[0].rates):
+        return None
+    free = facts.off_shell()
+    angles = frozenset(top.ANGLES)
+    momenta = {p: free.meaning[p] for p in top.CONJUGATE}
+    forgetful = replace(free, frozen=angles)
+    rates = {p: forgetful._derivative(momentum) for p, momentum in momenta.items()}
+    forgetful = replace(
+        forgetful,
+        meaning={**free.meaning, **{facts.MOMENTUM_RATES[p]: r for p, r in rates.items()}},
+    )
+    slip = slips.Slip("partial", "∂/∂t where d/dt is meant: the angles change in time too")
+    try:
+        if link.right is None or not _symbols(link) <= _known(free):
+            return None
+        if judge(link, forgetful).holds and judge(link, free).holds is False:
+            return slip
+        # What is left of d/dt p = 0 without the angles' rates.
+        [difference] = entries(free.value(link.left), free.value(link.right))
+        for p in (s.p_phi, s.p_psi):
+            if rates[p] != 0 and reduce_ratio(difference / rates[p]).is_number:
+                complete = free.meaning[facts.MOMENTUM_RATES[p]]
+                if not decide.vanishes(complete - rates[p]) and difference != 0:
+                    return slip
+    except _ERRORS:
+        return None
+    return None
+
+
+def _lost_root(link: Link, model: Model) -> slips.Slip | None:
+    """For every motion the line holds with one sign of the root, but not always with the same."""
+    if link.right is None or _is_matrix(link.left) or _is_matrix(link.right):
+        return None
+    roots = {
+        power
+        for side in (link.left, link.right)
+        for power in side.atoms(Pow)
+        if power.exp == sympy.Rational(1, 2)
+    }
+    if len(roots) != 1:
+        return None
+    [root] = roots
+    with sympy.evaluate(False):
+        turned = {root: sympy.Mul(sympy.Integer(-1), root)}
+        other = Link(link.left.xreplace(turned), link.right.xreplace(turned))
+    seen = set()
+    for sample in facts.samples(model):
+        both = [_numbers(each, model, sample, _rates(each, model)) for each in (link, other)]
+        if both[0] is None or both[1] is None:
+            continue
+        holds = tuple(not _differ(*pair) for pair in both if pair is not None)
+        if not any(holds):
+            return None
+        seen.add(holds)
+    if (False, True) in seen and (True, False) in seen:
+        return slips.Slip("root", f"the root with the other sign of {text(root)} is lost")
+    return None
+
+
+def _missing(link: Link, model: Model) -> tuple[slips.Slip, ...]:
+    """The one term by which the sides differ."""
+    try:
+        if link.right is None:
+            return ()
+        [difference] = entries(model.value(link.left), model.value(link.right))
+        difference = reduce_ratio(_one_angle(difference))
+    except _ERRORS:
+        return ()
+    if difference.is_Add or sympy.count_ops(difference) > 25:
+        return ()
+    _, below = sympy.fraction(difference)
+    if below.has(sympy.Add):
+        return ()
+    return (slips.Slip("missing", f"a term: the left side is more by {_side_text(difference)}"),)

@@ -1,0 +1,73 @@
+"""``rigidtop mark``: what it prints, its exit codes, what it refuses."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from rigidtop.cli import main
+
+ANSWERS = Path(__file__).parents[1] / "read" / "answers"
+RIGHT = ANSWERS / "from-3.54-to-3.57.tex"
+
+
+def test_a_right_answer(capsys):
+    assert main(["mark", str(RIGHT), "--from", "3.54", "--to", "(3.57)"]) == 0
+    shown = capsys.readouterr().out
+    assert "2     follows  θ̈ = θ̇ = 0" in shown
+    assert "line 4: for θ constant" in shown
+    assert "every line follows, and the derivation arrives at (3.57)\n" in shown
+    assert "sin θ = 0 is lost: state the condition" in shown
+
+
+def test_a_wrong_one(capsys, tmp_path):
+    source = RIGHT.read_text("utf-8").replace(r"- (\lambda_3\omega_3)", r"+ (\lambda_3\omega_3)")
+    file = tmp_path / "answer.tex"
+    file.write_text(source, "utf-8")
+    assert main(["mark", str(file), "--from", "3.54", "--to", "3.57"]) == 1
+    shown = capsys.readouterr().out
+    assert "line 6: the sign of (λ₃ω₃)Ω; at " in shown
+    assert shown.splitlines()[-1].startswith(("line 6 does not follow", "sin θ = 0 is lost"))
+    assert main(["mark", str(file), "--from", "3.54", "--to", "3.57", "--json"]) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert (found["from"], found["to"], found["passed"]) == ("3.54", "3.57", False)
+    assert found["summary"] == "line 6 does not follow"
+    [wrong] = [line for line in found["lines"] if line["verdict"] == "wrong"]
+    assert wrong["line"] == 6
+    assert wrong["slips"] == [{"kind": "sign", "words": "the sign of (λ₃ω₃)Ω"}]
+
+
+@pytest.mark.parametrize("text", ["$$0 = 0$$", r"$$\ddot\theta \approx 0$$", "$$Q = Q$$"])
+def test_what_proves_nothing_fails(capsys, tmp_path, text):
+    file = tmp_path / "answer.md"
+    file.write_text(text, "utf-8")
+    assert main(["mark", str(file), "--from", "3.53", "--to", "3.54"]) == 1
+    assert "every line follows, and the derivation arrives" not in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "complaint"),
+    [
+        (
+            ["{right}", "--from", "3.57", "--to", "3.53"],
+            "no derivation from 3.57 to 3.53 is marked",
+        ),
+        (["{right}", "--from", "x", "--to", "3.53"], "no derivation from x to 3.53 is marked"),
+        (["{none}", "--from", "3.53", "--to", "3.54"], "{none}: No such file"),
+        (["{folder}", "--from", "3.53", "--to", "3.54"], "{folder}: Is a directory"),
+        (["{bytes}", "--from", "3.53", "--to", "3.54"], "{bytes} is not a text in UTF-8"),
+        (["{empty}", "--from", "3.53", "--to", "3.54"], "no formula in {empty}: put each"),
+        (["{right}", "--from", "3.53", "--to", "3.54", "--seconds", "0"], "--seconds must be"),
+        (["{right}", "--from", "3.53", "--to", "3.54", "--seconds", "nan"], "--seconds must be"),
+    ],
+)
+def test_bad_input_is_one_line(capsys, tmp_path, arguments, complaint):
+    (tmp_path / "bytes").write_bytes(b"\xff\xfe\x00")
+    (tmp_path / "empty").write_text("no formula", "utf-8")
+    names = {name: str(tmp_path / name) for name in ("none", "bytes", "empty")}
+    names |= {"right": str(RIGHT), "folder": str(tmp_path)}
+    assert main(["mark", *(argument.format(**names) for argument in arguments)]) == 2
+    shown = capsys.readouterr()
+    assert shown.out == ""
+    assert shown.err.startswith(f"rigidtop mark: {complaint.format(**names)}")
+    assert shown.err.count("\n") == 1

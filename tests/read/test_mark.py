@@ -1,0 +1,336 @@
+"""Right derivations are accepted in any form; a slip is found at its line, and named."""
+
+import importlib.util
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from rigidtop.errors import RigidtopError
+from rigidtop.proof.perturb import perturbations
+from rigidtop.read import facts, limits
+from rigidtop.read.mark import Mark, mark, steps
+
+_SPEC = importlib.util.spec_from_file_location("motions", Path(__file__).with_name("motions.py"))
+motions = importlib.util.module_from_spec(_SPEC)
+_SPEC.loader.exec_module(motions)
+
+ANSWERS = {
+    file.stem: (*re.findall(r"3\.\d\d", file.stem), file.read_text("utf-8"))
+    for file in sorted((Path(__file__).parent / "answers").glob("*.tex"))
+}
+
+
+def test_there_is_an_answer_for_every_passage():
+    pairs = {(start, goal) for start, goal, _ in ANSWERS.values()}
+    assert pairs == set(facts.PAIRS)
+
+
+@pytest.mark.parametrize("name", ANSWERS)
+def test_a_right_answer_passes(name):
+    start, goal, source = ANSWERS[name]
+    found = mark(source, start, goal)
+    assert found.passed, found
+    assert found.summary == f"every line follows, and the derivation arrives at ({goal})"
+    assert {line.mark for line in found.lines} <= {Mark.FOLLOWS, Mark.DEFINITION, Mark.ASSUMPTION}
+
+
+@pytest.mark.parametrize("name", ANSWERS)
+def test_what_follows_may_stand_in_any_order(name):
+    start, goal, source = ANSWERS[name]
+    displays = re.findall(r"\$\$.*?\$\$", source, re.S)
+    if len(displays) < 2 or "a = " in source:
+        return
+    assert mark("\n".join(reversed(displays)), start, goal).passed
+
+
+@pytest.mark.parametrize("name", ANSWERS)
+def test_without_its_last_lines_it_does_not_arrive(name):
+    start, goal, source = ANSWERS[name]
+    first = re.search(r"\$\$.*?\$\$|\\begin\{align\}.*?\\end\{align\}", source, re.S)
+    if name in ("from-3.43-to-3.44", "from-3.34-to-3.46"):
+        assert not mark("$$0 = 0$$", start, goal).passed
+        return
+    found = mark(first[0], start, goal)
+    assert not found.arrives
+    assert not found.passed
+    assert found.first_wrong is None
+
+
+# --- Slips ---------------------------------------------------------------------------------------
+
+SLIPS = [
+    # where, what is written, what is written instead, the line of the file, the kind, the words
+    ("from-3.53-to-3.54-by-lagrange", "+ MgR", "- MgR", 6, "sign", "the sign of MgR sin θ"),
+    ("from-3.53-to-3.54-by-lagrange", r"(\dot\psi + \dot\phi\cos\theta)", r"\dot\psi", 6,
+     "spin", "φ̇ cos θ is missing beside ψ̇"),
+    ("from-3.53-to-3.54-by-lagrange", r"\dot\phi^2\sin\theta\cos\theta",
+     r"\dot\phi\sin\theta\cos\theta", 6, "power", "the power of φ̇"),
+    ("from-3.53-to-3.54-by-lagrange", r"MgR\sin", r"MgR\cos", 6, "function",
+     "cos θ where sin θ is meant"),
+    ("from-3.53-to-3.54-by-lagrange", r" + MgR\sin\theta", "", 6, "missing", "MgR sin θ"),
+    ("from-3.53-to-3.54-by-lagrange", r"&= \lambda_1\dot\theta", r"&= \lambda_3\dot\theta", 5,
+     "index", "λ₃ where λ₁ is meant"),
+    ("from-3.53-to-3.54-by-lagrange", r"- \frac{\partial \mathcal{L}}{\partial\theta} =",
+     r"+ \frac{\partial \mathcal{L}}{\partial\theta} =", 2, "sign", "the sign of"),
+    ("from-3.53-to-3.54-with-omega3", r"\lambda_3\omega_3\dot\phi + MgR)$$"
+     + "\n" + r"$$\ddot", r"2\lambda_3\omega_3\dot\phi + MgR)$$" + "\n" + r"$$\ddot", 3, "factor",
+     "a factor ½ at 2λ₃ω₃φ̇"),
+    ("from-3.53-to-3.55-differentiated",
+     r" + 2\lambda_1\dot\phi\dot\theta\sin\theta\cos\theta - "
+     r"\lambda_3(\dot\psi + \dot\phi\cos\theta)\dot\theta\sin\theta",
+     r" + \lambda_3(\ddot\psi + \ddot\phi\cos\theta)\cos\theta", 2, "partial", "∂/∂t where d/dt"),
+    ("from-3.53-to-3.55-differentiated", "2\\lambda_1", "\\lambda_1", 2, "factor",
+     "a factor 2 at λ₁φ̇θ̇ sin θ cos θ"),
+    ("from-3.53-to-3.56", r" - \dot\phi\dot\theta\sin\theta", "", 3, "partial", "∂/∂t where d/dt"),
+    ("from-3.53-to-3.56", r"\lambda_3\dot\phi\cos\theta", r"\lambda_3\dot\phi", 2, "factor lost",
+     "cos θ is missing"),
+    ("from-3.54-to-3.57", r"- (\lambda_3\omega_3)", r"+ (\lambda_3\omega_3)", 6, "sign",
+     "the sign of (λ₃ω₃)Ω"),
+    ("from-3.54-to-3.57", r"(\lambda_1\cos\theta)\Omega^2", r"(\lambda_1\cos\theta)\Omega", 6,
+     "power", "the power of Ω"),
+    ("from-3.53-to-3.57-spin-alone", r"$$\omega_3 = \frac{\lambda_1\cos\theta\,\Omega^2 + MgR}"
+     r"{\lambda_3\Omega}$$",
+     r"$$\Omega = \frac{\lambda_3\omega_3 - \sqrt{\lambda_3^2\omega_3^2 "
+     r"- 4\lambda_1MgR\cos\theta}}{2\lambda_1\cos\theta}$$", 4, "root", "is lost"),
+    ("from-3.41-to-3.42", r"\cos\theta\,\mathbf e_3 - \sin\theta\,\mathbf e_1'$$",
+     r"\cos\theta\,\mathbf e_3 + \sin\theta\,\mathbf e_1'$$", 1, "sign", "the sign of"),
+    ("from-3.42-to-3.43", r"\lambda_3(\dot\psi + \dot\phi\cos\theta)", r"\lambda_3\dot\psi", 3,
+     "spin", "φ̇ cos θ is missing beside ψ̇"),
+    ("from-3.43-to-3.44", r"\frac{1}{2}\lambda_3\omega_3^2", r"\lambda_3\omega_3^2", 1, "factor",
+     "a factor ½ at λ₃ω₃²"),
+    ("from-3.43-to-3.45", r"L_3\cos\theta + \lambda_1", r"L_3\sin\theta + \lambda_1", 1,
+     "function", "sin θ where cos θ is meant"),
+    ("from-3.43-to-3.45", r"\frac{L_z - L_3\cos\theta}{\lambda_1\sin^2\theta}",
+     r"\frac{L_z - L_3\cos\theta}{\lambda_1\sin\theta}", 3, "power", "the power of sin θ"),
+    ("from-3.36-to-3.37", r"(\lambda_2 - \lambda_3)", r"(\lambda_2 + \lambda_3)", 1, "sign",
+     "the sign of λ₃"),
+    ("from-3.36-to-3.37", r"-\Omega_b\omega_1", r"\Omega_b\omega_1", 5, "sign", "the sign of"),
+    ("from-3.37-to-3.38", r"-\Omega_b^2\omega_1", r"\Omega_b^2\omega_1", 1, "sign", "the sign of"),
+    ("from-3.50-to-3.52", r"gR\,\hat{\mathbf z}\times\mathbf e_3",
+     r"gR\,\mathbf e_3\times\hat{\mathbf z}", 1, "sign", ""),
+    ("from-3.34-to-3.46", r"\mathbf r = O\mathbf r'", r"\mathbf r = O^T\mathbf r'", 1,
+     "transpose", "Oᵀ where O is meant"),
+    ("from-3.34-to-3.46", r"O^T\mathbf r =", r"O\mathbf r =", 3, "transpose", "is meant"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "old", "new", "line", "kind", "words"), SLIPS)
+def test_a_slip_is_found_at_its_line_and_named(name, old, new, line, kind, words):
+    start, goal, source = ANSWERS[name]
+    assert old in source
+    found = mark(source.replace(old, new, 1), start, goal)
+    assert not found.passed
+    wrong = found.first_wrong
+    assert wrong is not None
+    assert wrong.line == line
+    named = {slip.kind: slip.words for slip in wrong.slips}
+    assert kind in named, (named, wrong.note)
+    assert words in named[kind]
+    assert " the left side is " in wrong.note or " the rate is " in wrong.note
+
+
+def changed(name, stride):
+    """Steps with one small change that makes a line wrong, and the lines before it as they were."""
+    start, goal, source = ANSWERS[name]
+    passage = facts.passage(start, goal)
+    lines = list(steps(source, passage.notation))
+    count = 0
+    for i, step in enumerate(lines):
+        equation = step.line.equation
+        if step.own or equation.relation != "=":
+            continue
+        assert not motions.is_wrong(equation, start, goal)
+        for perturbation in perturbations(equation):
+            count += 1
+            if count % stride:
+                continue
+            try:
+                wrong = motions.is_wrong(perturbation.equation, start, goal)
+            except (ArithmeticError, KeyError, TypeError, ValueError):
+                continue  # no equation any more, or none in these symbols
+            line = replace(step.line, equation=perturbation.equation)
+            yield wrong, perturbation.change, [*lines[:i], replace(step, line=line)]
+
+
+@pytest.mark.parametrize("name", ANSWERS)
+def test_a_change_is_never_passed(name):
+    """Whether a line is wrong is told by motions that share nothing with the engine."""
+    from rigidtop.read.mark import _Answer
+
+    start, goal, _ = ANSWERS[name]
+    tried = 0
+    for wrong, change, lines in changed(name, STRIDE):
+        answer = _Answer(facts.passage(start, goal))
+        marks = [answer.take(line, explained=False).mark for line in lines[:-1]]
+        last = answer.take(lines[-1], explained=False)
+        assert Mark.WRONG not in marks
+        if wrong:
+            tried += 1
+            assert last.mark in (Mark.WRONG, Mark.INCONCLUSIVE, Mark.UNREAD), (change, last)
+        else:
+            assert last.mark is not Mark.WRONG, (change, last)
+    assert tried >= 5
+
+
+STRIDE = 4
+
+
+# --- Arrival -------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("start", "goal", "source"),
+    [
+        ("3.53", "3.54", "$$0 = 0$$"),
+        ("3.53", "3.54", r"$$\theta = \theta$$"),
+        ("3.53", "3.54", r"$$\mathcal L = T - V$$"),
+        ("3.54", "3.57", r"$$\dot\theta = 0$$"),
+        # Times zero, and times what may vanish.
+        ("3.54", "3.57", r"$$0\cdot(\lambda_1\Omega^2\cos\theta + MgR) = 0$$"),
+        ("3.54", "3.57", r"$$\lambda_1\Omega^2\sin\theta\cos\theta - \lambda_3\omega_3\Omega"
+         r"\sin\theta + MgR\sin\theta = 0$$"),
+        ("3.54", "3.57", r"$$\cos\theta(\lambda_1\Omega^2\cos\theta - \lambda_3\omega_3\Omega"
+         r" + MgR) = 0$$"),
+        ("3.53", "3.55", r"$$p_\phi = \lambda_1\dot\phi\sin^2\theta + "
+         r"\lambda_3(\dot\psi + \dot\phi\cos\theta)\cos\theta$$"),
+        ("3.53", "3.55", r"$$p_\phi = \text{const}$$"),
+        ("3.53", "3.56", r"$$p_\phi = \text{const}$$"),
+        ("3.41", "3.42", r"$$\boldsymbol\omega = \dot\phi\hat{\mathbf z} + \dot\theta\mathbf e_2'"
+         r" + \dot\psi\mathbf e_3$$"),
+        ("3.42", "3.43", r"$$\boldsymbol\omega = -\dot\phi\sin\theta\mathbf e_1' + "
+         r"\dot\theta\mathbf e_2' + (\dot\psi + \dot\phi\cos\theta)\mathbf e_3$$"),
+        ("3.43", "3.44", r"$$T = \frac12\boldsymbol\omega\cdot\mathbf L$$"),
+        ("3.36", "3.37", r"$$\lambda_1\dot\omega_1 = (\lambda_2 - \lambda_3)\omega_2\omega_3$$"),
+    ],
+)  # fmt: skip
+def test_truth_that_does_not_reach_the_goal(start, goal, source):
+    found = mark(source, start, goal)
+    assert [line.mark for line in found.lines] == [Mark.FOLLOWS]
+    assert not found.arrives
+    assert not found.passed
+    assert "does not arrive" in found.summary
+
+
+def test_a_lost_branch_is_named_unless_it_is_excluded():
+    start, goal, source = ANSWERS["from-3.54-to-3.57"]
+    assert mark(source, start, goal).lost == ("sin θ = 0 is lost",)
+    assert mark(r"$$\sin\theta \neq 0$$" + source, start, goal).lost == ()
+
+
+def test_what_is_left_undivided_arrives_only_where_it_may_be_divided():
+    whole = r"$$\sin\theta(\lambda_1\Omega^2\cos\theta - \lambda_3\omega_3\Omega + MgR) = 0$$"
+    assert not mark(whole, "3.54", "3.57").arrives
+    assert mark(r"$$\sin\theta \ne 0$$" + whole, "3.54", "3.57").arrives
+
+
+# --- What is not judged is no pass ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("source", "found"),
+    [
+        (r"$$x = x$$", Mark.UNREAD),  # x was never introduced
+        (r"$$\ddot\theta \approx 0$$", Mark.INCONCLUSIVE),
+        (r"$$\omega_3 > 0$$", Mark.INCONCLUSIVE),
+        (r"$$\lambda_1\ddot\theta$$", Mark.UNREAD),
+        (r"$$\mathbf L = 1$$", Mark.UNREAD),
+        (r"$$\mathbf Q = \mathbf L$$", Mark.UNREAD),
+        (r"$$\theta^{\theta} = \theta^{\theta}$$", Mark.UNREAD),
+        (r"$$\frac{1}{0} = \frac{1}{0}$$", Mark.UNREAD),
+        (r"$$\cos\theta \neq \cos\theta$$", Mark.WRONG),
+        (r"$$M = 0$$", Mark.WRONG),
+        (r"$$\dot\theta = 0$$", Mark.WRONG),  # not in general
+    ],
+)
+def test_what_can_not_be_judged_is_no_pass(source, found):
+    goal = ANSWERS["from-3.53-to-3.54-with-omega3"][2]
+    marking = mark(source + goal, "3.53", "3.54")
+    assert marking.lines[0].mark is found
+    assert not marking.passed
+
+
+def test_a_letter_is_defined_once():
+    twice = r"$$a = \lambda_1\cos\theta$$ $$a = \lambda_1$$"
+    assert [line.mark for line in mark(twice, "3.54", "3.57").lines] == [
+        Mark.DEFINITION,
+        Mark.WRONG,
+    ]
+
+
+def test_what_is_false_behind_a_wrong_line_is_not_the_first():
+    source = (
+        r"$$p_\psi = 2\lambda_3\omega_3$$ $$p_\psi = 3\lambda_3\omega_3$$ $$V = MgR\cos\theta$$"
+    )
+    marks = [line.mark for line in mark(source, "3.53", "3.56").lines]
+    assert marks == [Mark.WRONG, Mark.CARRIED, Mark.FOLLOWS]
+
+
+def test_of_a_chain_the_wrong_link_is_named():
+    found = mark(r"$$p_\psi = \lambda_3\omega_3 = \lambda_3\dot\psi$$", "3.53", "3.56")
+    assert found.lines[0].note.startswith("φ̇ cos θ is missing beside ψ̇; λ₃ω₃ = λ₃ψ̇: at ")
+
+
+def test_other_pairs_are_refused():
+    with pytest.raises(RigidtopError, match=r"no derivation from 3\.57 to 3\.53 is marked"):
+        mark("", "3.57", "3.53")
+
+
+# --- Text from strangers ------------------------------------------------------------------------
+
+BOMBS = [
+    "$$" + "(" * 5000 + "1" + ")" * 5000 + " = 1$$",
+    "$$" + "{" * 5000 + "1" + "}" * 5000 + " = 1$$",
+    r"$$9^{9^{9^{9^{9}}}} = 1$$",
+    r"$$(\dot\theta + \dot\phi)^{99999} = 0$$",
+    "$$" + r"((\theta + \phi + 1)^{12})^{12}" * 3 + " = 1$$",
+    "$$" + r"(\theta + \phi + \psi + \dot\theta + \dot\phi + \dot\psi)^{12}" * 12 + " = 0$$",
+    "$$" + "+".join(["1"] * 9000) + " = 1$$",
+    "$$" + "9" * 15000 + " = 1$$",
+    "$$" + r"\sin(" * 40 + r"\theta" + ")" * 40 + " = 0$$",
+    "$$" + r"\frac{1}{" * 50 + r"\theta" + "}" * 50 + " = 0$$",
+    r"$$__import__('os').system('true') = 1$$",
+    "$$\x00 = \ud7ff$$",
+]
+
+
+@pytest.mark.parametrize("bomb", BOMBS, ids=range(len(BOMBS)))
+def test_a_bomb_is_no_pass_and_takes_no_time(bomb):
+    found = limits.marked(bomb, "3.53", "3.54", a_line=5, altogether=60)
+    assert not found.passed
+    assert all(line.mark is not Mark.FOLLOWS for line in found.lines)
+
+
+def test_a_line_that_takes_too_long_is_passed_over(monkeypatch):
+    import time
+
+    import rigidtop.read.mark as home
+
+    judge = home.judge
+
+    def slow(link, model):
+        if str(link.left) == "V":
+            time.sleep(60)
+        return judge(link, model)
+
+    monkeypatch.setattr(home, "judge", slow)
+    source = r"$$T = T$$ $$V = V$$ $$E = T + V$$"
+    found = limits.marked(source, "3.53", "3.54", a_line=2, altogether=60)
+    assert [line.mark for line in found.lines] == [
+        Mark.FOLLOWS,
+        Mark.INCONCLUSIVE,
+        Mark.FOLLOWS,
+    ]
+    assert not found.passed
+    late = limits.marked(source, "3.53", "3.54", a_line=30, altogether=3)
+    assert late.problem == "the marking takes longer than 3 s"
+    assert not late.passed
+
+
+def test_too_much_is_refused():
+    with pytest.raises(RigidtopError, match="no more than 200000 characters"):
+        limits.marked("x" * 200_001, "3.53", "3.54")
+    many = mark("$$1 = 1$$\n" * 300, "3.53", "3.54")
+    assert len(many.lines) == 201
+    assert many.lines[-1].note == "more than 200 lines"
