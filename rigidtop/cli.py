@@ -26,6 +26,7 @@ from rigidtop.commands import (
     mark,
     new,
     notation,
+    read,
     simulate,
     sweep,
 )
@@ -41,6 +42,7 @@ COMMANDS = {
     "exercise": exercise,
     "mark": mark,
     "notation": notation,
+    "read": read,
     "figure": figure,
     "simulate": simulate,
     "certify": certify,

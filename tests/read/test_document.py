@@ -1,7 +1,10 @@
 """Formulas in files, and the numbers that stand beside them."""
 
+import json
+
 import pytest
 
+from rigidtop.cli import main
 from rigidtop.present.text import text
 from rigidtop.read.document import each, formulas, lines, numbered
 
@@ -104,3 +107,28 @@ def test_quirks_of_markdown_from_a_pdf():
     assert found(box) == {"3.38": ["θ̇ = 0"]}
     spaced = "$$T = V,\n$$\n  \n$$L = 0,$$\n  \n\n(3.36)\n"
     assert found(spaced) == {"3.36": ["T = V", "L = 0"]}
+
+
+def test_the_command_says_what_is_read_and_what_is_not(tmp_path, capsys):
+    path = tmp_path / "notes.md"
+    path.write_text("The angle $\\theta$.\n\n$$T = V,$$\n(3.5)\nand $q_9 = E$\n", encoding="utf-8")
+    assert main(["read", str(path), "--json"]) == 0
+    first, second = json.loads(capsys.readouterr().out)
+    assert first == {
+        "number": "3.5",
+        "equation": "T = V",
+        "problem": None,
+        "line": 3,
+        "column": 3,
+    }
+    assert (second["line"], second["column"], second["equation"]) == (5, 6, None)
+    assert "no symbol q_9" in second["problem"]
+    assert main(["read", str(path)]) == 0
+    assert "unread: no symbol q_9" in capsys.readouterr().out
+
+
+def test_a_file_that_is_no_text_is_bad_input(tmp_path, capsys):
+    path = tmp_path / "notes.md"
+    path.write_bytes(b"\xff\xfe\x00")
+    assert main(["read", str(path)]) == 2
+    assert "not text" in capsys.readouterr().err
