@@ -427,8 +427,29 @@ def rewritten(made: Values, written: Callable[[Any], Any]) -> Values:
     for vector, components in made.vectors:
         sign, own = _own(written(vector))[:2]
         vectors.append((own, sign * written(components)))
+    outputs, vectors = _along_axes(outputs, vectors)
     takes = arguments(v.expression for v in outputs)
     return replace(made, outputs=outputs, arguments=takes, lines=lines, vectors=tuple(vectors))
+
+
+def _along_axes(
+    outputs: tuple[Value, ...], vectors: list[tuple[Symbol, Any]]
+) -> tuple[tuple[Value, ...], list[tuple[Symbol, Any]]]:
+    """Components along e₁′, e₂′, e₃ as they are in the other notation: (1, 0, 0), and so on."""
+    known = {getattr(vector, "stands", vector): part for vector, part in vectors}
+    if {s.e1p, s.e2p} - set(known) or any(known[axis].free_symbols for axis in (s.e1p, s.e2p)):
+        return outputs, vectors
+    turn = sympy.Matrix.hstack(known[s.e1p], known[s.e2p], sympy.Matrix([0, 0, 1])).T
+    groups: dict[Any, list[Value]] = {}
+    for output in outputs:
+        groups.setdefault(output.symbol, []).append(output)
+    turned: list[Value] = []
+    for group in groups.values():
+        if [output.index for output in group] == [(1,), (2,), (3,)]:
+            parts = turn * sympy.Matrix([output.expression for output in group])
+            group = [replace(o, expression=e) for o, e in zip(group, parts, strict=True)]
+        turned += group
+    return tuple(turned), [(vector, turn * part) for vector, part in vectors]
 
 
 def _rewritten(output: Value, written: Callable[[Any], Any]) -> Value:

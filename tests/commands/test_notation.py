@@ -1,10 +1,14 @@
 """``rigidtop notation`` and the option ``--notation``, as a user meets them."""
 
+import inspect
 import json
 
 import pytest
 
 from rigidtop.cli import main
+from rigidtop.codegen.languages import source
+from rigidtop.codegen.values import NothingToEvaluateError, rewritten, values
+from rigidtop.derivations import PAGES
 from rigidtop.derivations.euler_angles import page
 from rigidtop.notation import GOLDSTEIN, named
 from rigidtop.present.html import write as html
@@ -85,13 +89,11 @@ def test_an_equation_of_goldstein(capsys, format, line):
 def test_code_gives_the_same_numbers(capsys):
     functions = []
     for notation in ("notes", "goldstein", "landau"):
-        source = out(capsys, "derive", "3.47", "--notation", notation, "--format", "python")
         space: dict = {}
-        exec(source, space)
+        exec(out(capsys, "derive", "3.47", "--notation", notation, "--format", "python"), space)
         functions.append(space["equation_3_47"])
     notes, goldstein, landau = functions
     phi, theta, psi, turn = 0.3, 0.7, -0.4, 1.5707963267948966
-    import inspect
 
     def at(function, first, third):
         given = {"phi": first, "theta": theta, "psi": third}
@@ -161,3 +163,34 @@ def test_only_what_a_document_uses_is_listed_as_different():
     landau = named("landau")
     used = {landau.letters[x] for x in list(landau.letters)[:3]}
     assert [x.name for x in different(landau, used)] == ["I1", "I2", "I3"]
+
+
+def test_components_are_along_the_axes_of_the_notation(capsys):
+    made = out(capsys, "derive", "3.42", "--notation", "goldstein", "--format", "javascript")
+    assert "Components with e₂′ = (0, 1, 0), e₁′ = (1, 0, 0), e₃ = (0, 0, 1)." in made
+    body = made[made.index("return [") :].splitlines()
+    assert body[1:4] == [
+        "    thetadot,",
+        "    phidot*Math.sin(theta),",
+        "    phidot*Math.cos(theta) + psidot,",
+    ]
+
+
+@pytest.mark.parametrize("name", ["goldstein", "landau", "morin"])
+def test_values_of_every_claim_can_be_written(name):
+    notation = named(name)
+    written = 0
+    for each in PAGES:
+        for judged in judge_page(each):
+            try:
+                made = values(judged)
+            except NothingToEvaluateError:
+                continue
+            there = rewritten(made, notation.written)
+            names = [x.name for x in there.arguments]
+            assert len(set(names)) == len(made.arguments)
+            assert not set(there.arguments) & set(notation.images)
+            space: dict = {}
+            exec(source(there, "python", text).text, space)
+            written += 1
+    assert written > 25

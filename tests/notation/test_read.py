@@ -44,10 +44,7 @@ HEAVY_TOP = {
 def test_the_equation_of_the_heavy_top(name):
     equation = one(HEAVY_TOP[name], named(name))
     check = check_of("3.54")
-    assert (
-        equation.sides == check.claimed.sides
-        or latex(equation, "typed") == latex(check.claimed, "typed").partition(r" \tag")[0]
-    )
+    assert text(equation, "typed") == text(check.claimed, "typed")
     assert judge_check(replace(check, claimed=equation)).verdict is Verdict.PROVED
 
 
