@@ -29,7 +29,7 @@ from sympy import (
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import NOTES, Notation
 from rigidtop.proof import decide
-from rigidtop.proof.equation import BODY, SPACE, Equation, Rate, value
+from rigidtop.proof.equation import BODY, SPACE, Equation, NoMeaningError, Rate, value
 from rigidtop.proof.page import Check
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
@@ -99,6 +99,10 @@ class Model:
     branch: tuple[Model, ...] = ()
     lost: Expr | None = None
     """What vanishes on the branch."""
+    frame: Matrix | None = None
+    """Rotational velocity of the axes along which vectors are given; None where it is not said."""
+    timeless: bool = False
+    """Nothing is said of time: no derivative has a meaning."""
     frozen: frozenset[Symbol] = frozenset()
     """Symbols whose rate is left out: for a derivative that forgets them."""
 
@@ -134,8 +138,16 @@ class Model:
         return found
 
     def _derivative(self, expression: Any) -> Any:
+        """d/dt, of vectors as seen from space."""
+        if self.timeless:
+            raise NoMeaningError("a rate where nothing is said of time")
         kept = {x: rate for x, rate in self.rates.items() if x not in self.frozen}
-        return total_derivative(sympy.sympify(expression), kept)
+        rate = total_derivative(sympy.sympify(expression), kept)
+        if not isinstance(expression, MatrixBase):
+            return rate
+        if self.frame is None or expression.shape != (3, 1):
+            raise NoMeaningError("a rate of a vector, but not as seen from where")
+        return rate + self.frame.cross(expression)
 
     def symbols(self) -> set[Symbol]:
         """The symbols that have a value here, those of the state among them."""
@@ -274,7 +286,7 @@ def _top(on_shell: bool) -> Model:
         meaning[OTHER_RATES[quantity]] = total_derivative(meaning[quantity], rates)
     if on_shell:
         meaning |= accelerations
-    return Model("", meaning, rates)
+    return Model("", meaning, rates, frame=frame)
 
 
 def off_shell() -> Model:
@@ -294,7 +306,7 @@ def _steady() -> Model:
     weight = s.M * s.g * s.R
     balanced = {s.omega3: (s.lambda1 * cos(s.theta) * s.Omega**2 + weight) / (s.lambda3 * s.Omega)}
     upright = tuple(
-        Model("", meaning, general.rates, (at_rest, turning, {s.theta: angle}))
+        Model("", meaning, general.rates, (at_rest, turning, {s.theta: angle}), frame=general.frame)
         for angle in (Integer(0), sympy.pi)
     )
     return Model(
@@ -304,6 +316,7 @@ def _steady() -> Model:
         (at_rest, turning, balanced),
         branch=upright,
         lost=sin(s.theta),
+        frame=general.frame,
     )
 
 
@@ -386,7 +399,7 @@ def _picture() -> Model:
         s.phidot: precession,
         s.thetadot: Integer(0),
     }
-    return Model("", meaning, {s.phi: precession})
+    return Model("", meaning, {s.phi: precession}, frame=sympy.zeros(3, 1))
 
 
 @cache
@@ -407,6 +420,7 @@ def _components() -> Model:
             s.zhat: Matrix([0, 0, 1]),
         },
         {},
+        timeless=True,
     )
 
 

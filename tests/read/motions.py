@@ -179,8 +179,7 @@ def number(node, motion, t=0.0, own=None):
             entries = [at(e) for e in node]
             return np.array(entries) if 1 in node.shape else np.array(entries).reshape(node.shape)
         if isinstance(node, sympy.Symbol):
-            found = values[node.name]
-            return found
+            return values[node.name]
         if isinstance(node, (Group, Underbrace)):
             return at(node.args[0])
         if isinstance(node, Cross):

@@ -251,6 +251,31 @@ def test_what_can_not_be_judged_is_no_pass(source, found):
     assert not marking.passed
 
 
+@pytest.mark.parametrize(
+    ("start", "goal", "source", "found"),
+    [
+        # e₁′, e₂′ and e₃ turn: their components along themselves do not tell.
+        ("3.53", "3.54", r"$$\mathbf e_3 = \text{const}$$", Mark.WRONG),
+        ("3.53", "3.54", r"$$\frac{d}{dt}(\mathbf e_3) = \dot{\mathbf e}_3$$", Mark.FOLLOWS),
+        (
+            "3.53",
+            "3.54",
+            r"$$\dot{\mathbf e}_3 = \boldsymbol\omega\times\mathbf e_3$$",
+            Mark.FOLLOWS,
+        ),
+        ("3.53", "3.54", r"$$\dot{\mathbf L} = \mathbf N$$", Mark.FOLLOWS),
+        ("3.53", "3.54", r"$$\hat{\mathbf z} = \text{const}$$", Mark.FOLLOWS),
+        ("3.50", "3.52", r"$$\mathbf e_3 = \text{const}$$", Mark.WRONG),
+        # As seen from the body it is not, as seen from space it is.
+        ("3.36", "3.37", r"$$\mathbf L = \text{const}$$", Mark.INCONCLUSIVE),
+        ("3.34", "3.46", r"$$\mathbf r' = \text{const}$$", Mark.INCONCLUSIVE),
+        ("3.34", "3.46", r"$$O = \text{const}$$", Mark.INCONCLUSIVE),
+    ],
+)
+def test_rates_of_vectors_are_those_seen_from_space(start, goal, source, found):
+    assert [line.mark for line in mark(source, start, goal).lines] == [found]
+
+
 def test_a_letter_is_defined_once():
     twice = r"$$a = \lambda_1\cos\theta$$ $$a = \lambda_1$$"
     assert [line.mark for line in mark(twice, "3.54", "3.57").lines] == [
