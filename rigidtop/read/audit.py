@@ -114,9 +114,7 @@ class Audited:
     @property
     def passed(self) -> bool:
         """Whether every line was read and is as right as the collection knows it."""
-        return self.judgement is not None and not any(
-            each.equation is None or each.ruling.wrong for each in self.placed
-        )
+        return self.judgement is not None and not any(each.ruling.wrong for each in self.placed)
 
     @property
     def note(self) -> str:
@@ -132,7 +130,7 @@ class Audited:
         return "; ".join(parts)
 
     def _is_fine(self, each: Placed) -> bool:
-        return self.judgement is None or not (each.equation is None or each.ruling.wrong)
+        return self.judgement is None or not each.ruling.wrong
 
     def _of_line(self, each: Placed) -> str:
         """Why a line does not pass."""
