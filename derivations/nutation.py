@@ -115,7 +115,7 @@ def nutation() -> Iterator[Evidence]:
 
     The frequency is √(U″/λ₁), for a fast top λ₃ω₃/λ₁; released at rest, a fast top swings with the
     amplitude λ₁MgR sin θ/(λ₃ω₃)² about an angle that much below the release. With finite
-    amplitude A_θ the mean lies off the steady angle, by −A_θ²U‴/(4U″).
+    amplitude A the mean lies off the steady angle, by −A²U‴/(4U″).
     """
     with as_printed():
         frequency = Equation(

@@ -248,9 +248,21 @@ def _choices(found: Sequence[Token]) -> list[list[Token]]:
     ]
 
 
+_WRITTEN_OUT = frozenset({"TRANSPOSED", "MATRIX"})
+
+
+def _of_its_kind(found: Sequence[Token]) -> list[Token]:
+    """A is an amplitude, beside matrices a matrix."""
+    among = {t.value for t in found if t.kind == "SYMBOL"}
+    named = any(t.kind == "FUNCTION" and t.value in _NAMED for t in found)
+    if not (named or among & MATRICES or any(t.kind in _WRITTEN_OUT for t in found)):
+        return list(found)
+    return [replace(t, value=s.A_matrix) if t.value == s.A else t for t in found]
+
+
 def _lines(found: Sequence[Token], notation: Notation) -> list[Line]:
     position = found[0].position
-    sides, relations = _parsed(found, notation)
+    sides, relations = _parsed(_of_its_kind(found), notation)
     if not relations:
         raise UnreadError("no relation: an equation has two sides", position)
     if set(relations) == {"=", "≡"}:  # p_φ ≡ … = const is one statement
@@ -428,7 +440,7 @@ class _Builder(Transformer_NonRecursive):
         if "matrix" in kinds:
             sides = [_as_matrix(side) for side in sides]
         for before, side in pairwise(sides):
-            free = {0, s.const}
+            free = (0, s.const)
             if before.kind != side.kind and before.tree not in free and side.tree not in free:
                 raise UnreadError(
                     f"a {before.kind} and a {side.kind} are compared: is a symbol meant in bold?",

@@ -190,7 +190,7 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         c_3: Quantity(Glyph("c", "3"), "drag torque of the air along e₃ over ω₃", "J s"),
         sigma2: Quantity(Glyph("σ²"), "square of a growth rate", "1/s²"),
         omega_n2: Quantity(Glyph("ω²", "n"), "square of the nutation frequency", "1/s²"),
-        A: Quantity(Glyph("A", "θ"), "amplitude of the nutation", "rad"),
+        A: Quantity(Glyph("A"), "amplitude of the nutation", "rad"),
         delta: Quantity(Glyph("δ"), "a deviation: of a shape, an angle, a start", "1"),
         mean_theta: Quantity(Glyph("δ", "θ"), "mean of θ less the steady angle", "rad"),
         phidot_slope: Quantity(Glyph("φ", "θ", "dot"), "slope of φ̇ against θ", "1/s"),
