@@ -565,11 +565,9 @@ class _Answer:
     def _implies(self, given: Expr, goal: Expr) -> bool:
         """Whether goal = 0 follows from given = 0, neither of them an identity."""
         conditions = [*self.passage.given, *self.stated]
-        if decide.vanishes(given):
-            return False
         factor = reduce_ratio(given / goal)
         if factor.is_number:
-            return bool(factor != 0)
+            return bool(factor != 0)  # 0 = 0 implies nothing
         # Its numerator: what the line divides by is not zero where the line says anything.
         return decide.nonzero(factor, conditions)
 

@@ -163,18 +163,21 @@ def test_a_change_is_never_passed(name):
     tried = 0
     for wrong, change, lines in changed(name, STRIDE):
         answer = _Answer(facts.passage(start, goal))
-        marks = [answer.take(line, explained=False).mark for line in lines[:-1]]
+        for line in lines[:-1]:
+            if line.own:  # what was defined before
+                answer.take(line, explained=False)
         last = answer.take(lines[-1], explained=False)
-        assert Mark.WRONG not in marks
-        if wrong:
-            tried += 1
-            assert last.mark in (Mark.WRONG, Mark.INCONCLUSIVE, Mark.UNREAD), (change, last)
-        else:
+        if not wrong:
             assert last.mark is not Mark.WRONG, (change, last)
+            continue
+        tried += 1
+        # e₃e₃ is no product.
+        meaningless = last.mark is Mark.INCONCLUSIVE and "Matrix size mismatch" in last.note
+        assert last.mark is Mark.WRONG or meaningless, (change, last)
     assert tried >= 5
 
 
-STRIDE = 4
+STRIDE = 2
 
 
 # --- Arrival -------------------------------------------------------------------------------------
