@@ -14,7 +14,7 @@ from rigidtop.theory.rotation import euler_matrix, total_derivative
 from rigidtop.theory.symbols import (
     M_1,
     M_2,
-    F,
+    F_x,
     I_xz,
     L_vec,
     L_vecdot,
@@ -36,13 +36,13 @@ VELOCITIES = tuple(Matrix(symbols(f"u{k} v{k} w{k}", real=True)) for k in (1, 2)
 SPIN = Matrix(symbols("omega_x omega_y omega_z", real=True))
 MASSES = (M_1, M_2)
 
-TORQUE_FREE = Assumption(Eq(F, 0), "no external torque", stated=True)
+TORQUE_FREE = Assumption(Eq(F_x, 0), "no external torque", stated=True)
 
 
 def newton_rate() -> Matrix:
-    """d/dt Σ r × m ṙ of two particles: a central force κ(r₁ − r₂) between them, F x̂ on one."""
+    """d/dt Σ r × m ṙ of two particles: a central force κ(r₁ − r₂) between them, F_x x̂ on one."""
     between = kappa * (POSITIONS[0] - POSITIONS[1])
-    forces = (-between + F * Matrix([1, 0, 0]), between)
+    forces = (-between + F_x * Matrix([1, 0, 0]), between)
     momentum = sum(
         (m * r.cross(v) for m, r, v in zip(MASSES, POSITIONS, VELOCITIES, strict=True)),
         Matrix([0, 0, 0]),

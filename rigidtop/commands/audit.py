@@ -14,6 +14,8 @@ from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
 
 if TYPE_CHECKING:
+    from rigidtop.collection import Collection
+    from rigidtop.notation import Notation
     from rigidtop.present.annotated import Formula as Shown
     from rigidtop.present.annotated import Mark
     from rigidtop.read.audit import Audited
@@ -35,9 +37,16 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "1 if one is false, undecided, unread, or has a number that no claim has.\n\n"
         "examples:\n"
         "  rigidtop audit notes.md\n"
-        "  rigidtop audit notes.md -o annotated.html"
+        "  rigidtop audit notes.md -o annotated.html\n"
+        "  rigidtop audit my_course/ my_notes.tex      # against your own collection"
     )
-    parser.add_argument("file", metavar="FILE", help="the notes, Markdown with $…$ or LaTeX")
+    parser.add_argument(
+        "file",
+        nargs="+",
+        metavar="FILE",
+        help="the notes, Markdown with $…$ or LaTeX; before it a folder, if they are to be judged "
+        "by the collection there",
+    )
     parser.add_argument(
         "-o", "--output", metavar="HTML", help="write the notes with verdicts as a page"
     )
@@ -45,7 +54,18 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Audit the file and print what was found; 0 if nothing is wrong."""
-    path = Path(options.file)
+    from rigidtop.collection import built_in, opened
+
+    *folders, name = options.file
+    if len(folders) > 1:
+        raise RigidtopError(f"one file at a time: {len(options.file)} names are too many")
+    if not folders:
+        return _run(Path(name), built_in(), options)
+    with opened([f"{folders[0]}/"]) as (collection, _):
+        return _run(Path(name), collection, options)
+
+
+def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int:
     source = text_of(path)
     output = Path(options.output) if options.output else None
     if output is not None and output.resolve() == path.resolve():
@@ -54,10 +74,9 @@ def run(options: argparse.Namespace) -> int:
         import lark  # noqa: F401
     except ModuleNotFoundError:
         raise RigidtopError("reading formulas needs Lark: pip install 'rigidtop[read]'") from None
-    from rigidtop.derivations import PAGES
     from rigidtop.read.audit import audit
 
-    audited = audit(source, PAGES)
+    audited = audit(source, collection.pages, collection.notation)
     if not audited:
         raise RigidtopError(
             f"{path}: no numbered equations; a number is \\tag{{3.57}}, or (3.57) behind a formula"
@@ -66,7 +85,9 @@ def run(options: argparse.Namespace) -> int:
         from rigidtop.present.annotated import write
         from rigidtop.present.files import write_whole
 
-        page = write(path.name, source, *shown(source, audited), summary(audited))
+        page = write(
+            path.name, source, *shown(source, audited, collection.notation), summary(audited)
+        )
         write_whole(output, page.encode())
     if options.json:
         print_json([record(each) for each in audited])
@@ -158,7 +179,9 @@ _LOST = re.compile(r"\((?:t|r|\\mathbf\{\s*r\s*\})\)|\d\s*\\times")
 _OPENING = re.compile(r"(?:\$\$|\$|\\\(|\\\[|\\begin\{\w+\*?\})$")
 
 
-def shown(source: str, audited: Sequence[Audited]) -> tuple[list[Shown], list[Mark]]:
+def shown(
+    source: str, audited: Sequence[Audited], notation: Notation
+) -> tuple[list[Shown], list[Mark]]:
     """The formulas of the text and the marks beside those with a number."""
     from rigidtop.present.annotated import Mark
     from rigidtop.read.document import formulas
@@ -181,7 +204,9 @@ def shown(source: str, audited: Sequence[Audited]) -> tuple[list[Shown], list[Ma
             )
         )
     taken = {formula.start for each in audited for formula in each.group.formulas}
-    others = [_shown(source, each) for each in formulas(source) if each.start not in taken]
+    others = [
+        _shown(source, each, notation) for each in formulas(source) if each.start not in taken
+    ]
     return others, marks
 
 
@@ -202,16 +227,16 @@ def _opening(source: str, formula: Formula) -> int:
     return first + opening.start() if opening else formula.start
 
 
-def _shown(source: str, formula: Formula) -> Shown:
+def _shown(source: str, formula: Formula, notation: Notation) -> Shown:
     """A formula of the text, typeset if it is read and nothing of it is lost."""
     from rigidtop.present.annotated import Formula as Shown
     from rigidtop.read.formula import read
 
     text = formula.text.strip()
-    trees: tuple[Any, ...] = tuple(line.equation for line in read(text))
+    trees: tuple[Any, ...] = tuple(line.equation for line in read(text, notation))
     if None in trees or not trees:
         # A quantity, without a relation, is what could be equal to 0.
-        lines = read(f"0 = {text}") if not re.search(r"[=<>]", text) else ()
+        lines = read(f"0 = {text}", notation) if not re.search(r"[=<>]", text) else ()
         trees = tuple(line.equation and line.equation.sides[1] for line in lines)
     if None in trees or _LOST.search(text):
         trees = ()

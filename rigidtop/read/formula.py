@@ -24,6 +24,7 @@ from lark.visitors import Transformer_NonRecursive
 from sympy import Add, Integer, Mul, Pow, Rational, Symbol
 
 from rigidtop.notation import MATRICES, NOTES, Notation
+from rigidtop.present.layout import known
 from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import Equation
 from rigidtop.read.scan import Token, UnreadError, shown, tokens
@@ -335,7 +336,7 @@ def kind(node: Any) -> str:
     if isinstance(node, Symbol):
         if node in MATRICES:
             return "matrix"
-        quantity = s.VOCABULARY.get(node)
+        _, quantity = known(node)
         return "vector" if quantity is not None and quantity.glyph.bold else "scalar"
     if isinstance(node, eq.Cross):
         return "vector"
@@ -780,7 +781,7 @@ def _last(tree: Any) -> Any:
 
 
 def _unit(symbol: Symbol) -> str:
-    quantity = s.VOCABULARY.get(symbol)
+    _, quantity = known(symbol)
     return quantity.unit if quantity is not None else ""
 
 

@@ -97,7 +97,8 @@ M_1, M_2, a, b = map(_positive, ("M_1", "M_2", "a", "b"))
 alpha, beta, delta, theta_0, omega, omega_20 = map(
     _real, ("alpha", "beta", "delta", "theta_0", "omega", "omega_20")
 )
-sigma2, omega_n2, D, kappa, A, F = map(_real, ("sigma2", "omega_n2", "D", "kappa", "A", "F"))
+sigma2, omega_n2, D, kappa, A = map(_real, ("sigma2", "omega_n2", "D", "kappa", "A"))
+F, F_x = map(_real, ("F", "F_x"))
 mu, n = map(_positive, ("mu", "n"))
 U, U_slope, mean_theta, phidot_slope = map(_real, ("U", "U_slope", "mean_theta", "phidot_slope"))
 follower = _real("follower")
@@ -184,6 +185,7 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         N3: Quantity(Glyph("N", "3"), "torque along e₃", "N m"),
         D: Quantity(Glyph("D"), "discriminant of the steady-precession quadratic", "J² s²"),
         F: Quantity(Glyph("F", bold=True), "a force: external, or at the contact", "N"),
+        F_x: Quantity(Glyph("F", "x"), "external force along x̂", "N"),
         Edot: Quantity(Glyph("E", accent="dot"), "rate of the energy", "W"),
         Tdot: Quantity(Glyph("T", accent="dot"), "rate of the kinetic energy", "W"),
         damping: Quantity(Glyph("c"), "strength of the friction inside the body", "1/(J s)"),

@@ -28,10 +28,10 @@ from sympy import (
     zeros,
 )
 
-from rigidtop.commands.derive import SOURCES
 from rigidtop.codegen import shipped
 from rigidtop.codegen.languages import LANGUAGES, Source, function_name, source
 from rigidtop.codegen.values import Line, NothingToEvaluateError, Value, Values, values
+from rigidtop.commands.derive import SOURCES
 from rigidtop.derivations import PAGES
 from rigidtop.present.text import text
 from rigidtop.proof.equation import Equation
