@@ -13,6 +13,7 @@ from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 
+from rigidtop.derivations.exercises import simplified_picture as parallel
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
@@ -309,9 +310,7 @@ def largest_sine(motion: TopMotion) -> float:
 
 def _at_lowest(motion: TopMotion) -> float:
     """ω across e₃ (rad/s) at the lowest point of a top that is let go with ω along e₃."""
-    top = motion.body
-    height = top.M * top.g * top.R
-    return 2 * height * math.sin(motion.turning_points[1]) / (top.lambda3 * abs(motion.omega[2]))
+    return parallel.fastest_across(motion.body, motion.turning_points[0], motion.omega[2])
 
 
 def _widest_across(motion: TopMotion) -> float:
@@ -320,15 +319,8 @@ def _widest_across(motion: TopMotion) -> float:
 
 
 def largest_angle(motion: TopMotion) -> float:
-    """The largest angle between L and ω (rad) of a top that is let go with ω along e₃.
-
-    Its tangent is |λ₁ − λ₃||ω₃|ω⊥/(λ₁ω⊥² + λ₃ω₃²), and ω⊥ grows from 0 to its value at the lowest
-    point: the largest is there, or where λ₁ω⊥² = λ₃ω₃² if ω⊥ grows so far.
-    """
-    across = min(_at_lowest(motion), _widest_across(motion))
-    top, spin = motion.body, abs(motion.omega[2])
-    crossed = abs(top.lambda1 - top.lambda3) * spin * across
-    return math.atan2(crossed, top.lambda1 * across**2 + top.lambda3 * spin**2)
+    """The largest angle between L and ω (rad) of a top that is let go with ω along e₃."""
+    return parallel.largest_angle(motion.body, motion.turning_points[0], motion.omega[2])
 
 
 def widest_between(motion: TopMotion) -> bool:
