@@ -261,11 +261,11 @@ def assertions(claimed: Equation, meaning: Meaning) -> list[tuple[str, Any, Any]
             pairs.append(("=", meaning[const](left), sympy.Integer(0)))
         else:
             pairs.append((claimed.relation, left, right))
-    # What stands under a brace is a claim too, where its label has a meaning of its own.
+    # What stands under a brace is a claim too, unless it only gives the body a name.
     for brace in set().union(*(side.atoms(Underbrace) for side in claimed.sides)):
         body, label = brace.args
-        if label in meaning:
-            pairs.append(("=", value(body, meaning), meaning[label]))
+        if label in meaning or not label.is_Symbol:
+            pairs.append(("=", value(body, meaning), value(label, meaning)))
     return pairs
 
 

@@ -98,7 +98,7 @@ alpha, beta, delta, theta_0, omega, omega_20 = map(
     _real, ("alpha", "beta", "delta", "theta_0", "omega", "omega_20")
 )
 sigma2, omega_n2, D, kappa, A = map(_real, ("sigma2", "omega_n2", "D", "kappa", "A"))
-F, F_x = map(_real, ("F", "F_x"))
+F, F_1 = map(_real, ("F", "F_1"))
 mu, n = map(_positive, ("mu", "n"))
 U, U_slope, mean_theta, phidot_slope = map(_real, ("U", "U_slope", "mean_theta", "phidot_slope"))
 follower = _real("follower")
@@ -185,7 +185,7 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         N3: Quantity(Glyph("N", "3"), "torque along e₃", "N m"),
         D: Quantity(Glyph("D"), "discriminant of the steady-precession quadratic", "J² s²"),
         F: Quantity(Glyph("F", bold=True), "a force: external, or at the contact", "N"),
-        F_x: Quantity(Glyph("F", "x"), "external force along x̂", "N"),
+        F_1: Quantity(Glyph("F", "1"), "external force on the first particle, along x̂", "N"),
         Edot: Quantity(Glyph("E", accent="dot"), "rate of the energy", "W"),
         Tdot: Quantity(Glyph("T", accent="dot"), "rate of the kinetic energy", "W"),
         damping: Quantity(Glyph("c"), "strength of the friction inside the body", "1/(J s)"),
