@@ -33,9 +33,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.epilog = (
         "FILE is LaTeX, or Markdown with dollars; every formula in it is a line of the answer.\n"
         "A line follows if it holds for every motion that the lecture allows between the two\n"
-        "equations, in whatever form and order.  The exit code is 0 only if every line\n"
-        "follows and the last equation is reached; a line that is wrong, unread or inconclusive\n"
-        "gives 1.\n"
+        "equations, in whatever form and order.  It is judged by its truth for these, not by\n"
+        "the line before, so the last equation alone, copied, passes.  The exit code is 0 only\n"
+        "if every line follows and the last equation is reached; a line that is wrong, unread\n"
+        "or inconclusive gives 1.\n"
         "\n"
         "example:\n"
         "  rigidtop mark answer.tex --from 3.53 --to 3.57"
