@@ -75,6 +75,9 @@ SLOPES_IN_RATES: Mapping[Symbol, Symbol] = {
 }
 """∂ℒ/∂q̇ likewise, by the momentum that it is."""
 
+EXPLICIT = _lettered("dL_dt", Glyph("Ł", "t"))
+"""∂ℒ/∂t: ℒ knows of time only by the angles and their rates, so this is zero."""
+
 MOMENTUM_RATES: Mapping[Symbol, Symbol] = {p: _dotted(p) for p in top.CONJUGATE}
 OTHER_RATES: Mapping[Symbol, Symbol] = {x: _dotted(x) for x in (s.L_z, s.L3, s.Omega, s.E)}
 PHASE = Symbol("chi", real=True)
@@ -271,6 +274,7 @@ def _top(on_shell: bool) -> Model:
         s.Lagrangian: lagrangian,
         **dict(zip(top.CONJUGATE, p, strict=True)),
         **{slope: lagrangian.diff(q) for q, slope in SLOPES.items()},
+        EXPLICIT: Integer(0),
         **{
             pdot: total_derivative(px, rates)
             for px, pdot in zip(p, MOMENTUM_RATES.values(), strict=True)
@@ -455,7 +459,7 @@ class Passage:
         if s.p_phi in known:
             known |= set(SLOPES_IN_RATES.values())
         made = (SLOPES, SLOPES_IN_RATES, MOMENTUM_RATES, OTHER_RATES)
-        for x in (x for symbols in made for x in symbols.values()):
+        for x in (EXPLICIT, *(x for symbols in made for x in symbols.values())):
             if x in known:
                 glyphs[x] = x.quantity.glyph
         return replace(NOTES, glyphs=glyphs, spellings=spellings)
@@ -530,7 +534,9 @@ def _theta_equation() -> Passage:
 def _conserved(momentum: Symbol, goal: str) -> Callable[[], Passage]:
     def passage() -> Passage:
         loose = _freed(_top(on_shell=False), {momentum: momentum})
-        allowed = (_ANGULAR - {s.thetadot, s.p_psi}) | {momentum}
+        # L₃ is p_ψ: only another letter.
+        letters = {s.L3, s.p_psi} if momentum == s.p_psi else {s.p_psi}
+        allowed = (_ANGULAR - {s.thetadot} - letters) | {momentum}
         return Passage(
             "3.53", goal, (_top(True),), loose, _printed(goal), allowed, conserved=momentum
         )

@@ -1,9 +1,10 @@
 """Marking a derivation: the first line that does not follow, why not, and what the slip was.
 
 A line is right if it holds for every motion that the facts of its passage allow
-(`rigidtop.read.facts`): in any order and any form.  That is shown by normal forms; numbers refute
-it; where neither succeeds the line is inconclusive, never right.  The derivation has to arrive: at
-the goal, or at what is the goal times a factor that does not vanish.
+(`rigidtop.read.facts`): in any order and any form.  It is not compared with the line before it,
+so the goal alone, copied, passes: what is marked is truth, not how much is shown.  Normal forms
+prove a line, numbers refute it; where neither succeeds it is inconclusive, never right.  The
+derivation has to arrive: at the goal, or at what is the goal times a factor that does not vanish.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ from rigidtop.read import facts, slips
 from rigidtop.read.document import formulas
 from rigidtop.read.facts import Model, Passage, Sample
 from rigidtop.read.formula import Line, read
-from rigidtop.read.scan import UnreadError, tokens
+from rigidtop.read.scan import Token, UnreadError, tokens
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.lettered import Lettered
@@ -147,31 +148,75 @@ _SLOPE = re.compile(rf"{_D}\s*\{{\s*\\partial\s*(?:{_ANGLE})\s*\}}")
 _MOMENTUM = re.compile(
     rf"{_D}\s*\{{\s*\\partial\s*\\dot\s*(?:\{{\s*)?(?:{_ANGLE})\s*(?:\}}\s*)?\}}"
 )
-_UPRIGHT = re.compile(r"\\mathrm\s*(?:\{d\}|d)(?=\s*[\\}a-zA-Z])")
-_BARE_RATE = re.compile(
-    r"\\[td]?frac\s*\{\s*d\s*\}\s*\{\s*d\s*t\s*\}\s*"
-    r"(?P<what>(?:\\dot\s*)?(?:[A-ZĐa-z]|\\[a-zA-Z]+)_(?:\{[^{}]*\}|\\[a-zA-Z]+|\w))"
+_OVER_TIME = r"\s*\{\s*\\partial\s*t\s*\}"
+_EXPLICIT = re.compile(
+    r"\\[td]?frac\s*\{\s*\\partial\s*\\mathcal\s*(?:\{\s*L\s*\}|L)\s*\}" + _OVER_TIME
 )
+_EITHER_L = re.compile(r"\\[td]?frac\s*\{\s*\\partial\s*L\s*\}" + _OVER_TIME)
+_BY_PARTIAL = re.compile(r"\\[td]?frac\s*(?:\{\s*)?\\partial")
+_OF_TIME = re.compile(r"\(\s*t\s*\)")
+_UPRIGHT = re.compile(r"\\mathrm\s*(?:\{d\}|d)(?=\s*[\\}a-zA-Z])")
 
 
-def prepared(formula: str) -> str:
+def prepared(formula: str, explicit: bool = True) -> str:
     r"""A formula with ∂ℒ/∂q̇ written as the momentum that it is, and ∂ℒ/∂q as one letter.
+
+    So is ∂ℒ/∂t, if `explicit`: elsewhere L is the angular momentum, and this its rate.
 
     Whatever stands behind keeps its place.
 
     >>> " ".join(prepared(r"\frac{d}{dt}\frac{\partial L}{\partial\dot\theta} = 0").split())
-    '\\frac{dĐ_{\\theta}}{dt} = 0'
+    '\\frac{d}{dt}Đ_{\\theta} = 0'
     """
     made = _UPRIGHT.sub(lambda found: _padded(found, "d"), formula)
+    if explicit:
+        made = _EXPLICIT.sub(lambda found: _padded(found, "Ł_t"), made)
     made = _MOMENTUM.sub(lambda found: _padded(found, rf"Đ_{{\{found['angle']}}}"), made)
-    made = _SLOPE.sub(lambda found: _padded(found, rf"Ł_{{\{found['angle']}}}"), made)
-    return _BARE_RATE.sub(lambda found: _padded(found, rf"\frac{{d{found['what']}}}{{dt}}"), made)
+    return _SLOPE.sub(lambda found: _padded(found, rf"Ł_{{\{found['angle']}}}"), made)
 
 
 def _padded(found: re.Match[str], new: str) -> str:
     """A replacement with as many characters and lines as what it replaces."""
     spaces = re.sub(r"[^\n]", " ", found[0])
     return new + (spaces[len(new) :] if "\n" not in spaces[: len(new)] else spaces.strip(" "))
+
+
+_BEHIND = frozenset({"POWER", "SYMBOL", "CHOICE", "NUMBER", "OPEN", "FUNCTION", "FRACTION"})
+_STEADY = frozenset({s.Omega_b, s.omega_0, s.lambda1, s.lambda2, s.lambda3, s.g, s.M, s.R})
+
+
+def _doubtful(scanned: Sequence[Token], written: str, known: Notation) -> dict[int, str]:
+    """Where a line could say two things, by position: what a derivative is of, what (t) is."""
+    found: dict[int, str] = {}
+    for i, token in enumerate(scanned):
+        behind = next((x.position for x in scanned[i + 1 :]), len(written))
+        if token.value in _STEADY and _OF_TIME.search(written, token.position, behind):
+            found[token.position] = f"(t) behind {text(token.value)}: a factor, or that it changes?"
+        if token.kind != "RATE":
+            continue
+        operand = _operand(scanned, i + 1)
+        bracketed = scanned[i + 1 : i + 2] and scanned[i + 1].kind == "_BEGIN"
+        glyphs = [known.glyphs.get(x.value) for x in operand if x.kind == "SYMBOL"]
+        of_vector = any(glyph is not None and glyph.bold for glyph in glyphs)
+        either = _EITHER_L.match(written, token.position) and facts.EXPLICIT in known.glyphs
+        if either:
+            found[token.position] = "∂L/∂t: write \\mathcal L for the Lagrangian"
+        elif _BY_PARTIAL.match(written, token.position) and not of_vector:
+            found[token.position] = "∂/∂t: write d/dt, or with a dot, if all that changes is meant"
+        after = scanned[i + 1 + len(operand) : i + 2 + len(operand)]
+        if not bracketed and after and after[0].kind in _BEHIND:
+            found[token.position] = "the derivative could go on here: put brackets"
+    return found
+
+
+def _operand(scanned: Sequence[Token], at: int) -> Sequence[Token]:
+    """The symbol, or all to the closing bracket, that stands behind d/dt."""
+    depth = 0
+    for end in range(at, len(scanned)):
+        depth += {"OPEN": 1, "_BEGIN": 1, "CLOSE": -1, "_END": -1}.get(scanned[end].kind, 0)
+        if depth <= 0:
+            return scanned[at : end + 1]
+    return scanned[at:]
 
 
 class _Listening(Notation):
@@ -191,10 +236,11 @@ def steps(source: str, notation: Notation) -> Iterator[Step]:
     """The lines of an answer, in order."""
     count = 0
     for formula in formulas(source):
-        written = prepared(formula.text)
+        written = prepared(formula.text, explicit=facts.EXPLICIT in notation.glyphs)
         listening = _Listening(**vars_of(notation))
+        scanned: list[Token] = []
         try:
-            tokens(written, listening)
+            scanned = tokens(written, listening)
         except UnreadError:
             pass  # `read` says so again, with the line
         except RecursionError:
@@ -207,7 +253,7 @@ def steps(source: str, notation: Notation) -> Iterator[Step]:
             found = read(written, known)
         except RecursionError:
             found = (Line(0, None, "nested too deeply"),)
-        for line in found:
+        for line in _with_doubts(found, _doubtful(scanned, written, known), written):
             if line.equation is None and not formula.display and "no relation" in line.problem:
                 continue  # a symbol in the running text
             count += 1
@@ -219,6 +265,20 @@ def steps(source: str, notation: Notation) -> Iterator[Step]:
             if line.equation is not None:
                 own &= symbols_of(line.equation)
             yield Step(at, line, " ".join(formula.text.split()), own)
+
+
+def _with_doubts(lines: Sequence[Line], doubts: Mapping[int, str], written: str) -> list[Line]:
+    """Lines, those unread within which there is a doubt."""
+    made = list(lines)
+    for position, problem in doubts.items():
+        within = [i for i, line in enumerate(made) if line.position <= position]
+        i = within[-1] if within else 0
+        behind = made[i + 1 : i + 2]
+        if behind and behind[0].equation is None and "\\\\" in written[made[i].position : position]:
+            continue  # it stands in the line behind, which is told by the place of its fault
+        if made and made[i].equation is not None:
+            made[i] = Line(made[i].position, None, problem)
+    return made
 
 
 def vars_of(notation: Notation) -> dict[str, Any]:
@@ -280,13 +340,18 @@ def judge(link: Link, model: Model) -> Verdict:
     try:
         symbolic = _rates(link, model)
         defined = 0
+        refuted: Verdict | None = None
         for sample in facts.samples(model):
             sides = _numbers(link, model, sample, symbolic)
             if sides is None:
                 continue
             defined += 1
             if _differ(*sides):
-                return Verdict(False, sample, *sides)
+                refuted = refuted or Verdict(False, sample, *sides)
+                if _pair_text(*sides) != _pair_text(*reversed(sides)):
+                    return Verdict(False, sample, *sides)
+        if refuted is not None:
+            return refuted
         if defined < FEWEST:
             return Verdict(None, why="it has a value for hardly any motion")
         return Verdict(True if _shown(link, model) else None, why="neither shown nor refuted")
@@ -419,7 +484,10 @@ class _Answer:
             for brace in set().union(*(_atoms(side, Underbrace) for side in equation.sides))
             for body, label in [brace.args]
         ]
-        pairs = [*pairwise(equation.sides), *braces]
+        # a = const = b says of both that they are constant, and that they are equal.
+        chain = [side for side in equation.sides if side != s.const]
+        to_const = [(a, b) for a, b in pairwise(equation.sides) if s.const in (a, b)]
+        pairs = [*pairwise(chain), *to_const, *braces]
         for left, right in pairs:
             for name, meant in ((left, right), (right, left)):
                 if self._defines(equation, name, meant):
@@ -429,10 +497,10 @@ class _Answer:
             else:
                 if right == s.const or left == s.const:
                     other = left if right == s.const else right
-                    links.append(Link(self._own_replaced(other), None))
+                    if other != s.const:
+                        links.append(Link(self._own_replaced(other), None))
                 else:
                     links.append(Link(self._own_replaced(left), self._own_replaced(right)))
-        # In a = b = const it is a, too, that is constant: one is enough.
         return links, defined
 
     def _defines(self, equation: Equation, name: Any, meant: Any) -> bool:
@@ -457,18 +525,21 @@ class _Answer:
 
     def _assumed(self, step: Step, said: str, links: Sequence[Link]) -> Marked:
         model = self.passage.models[-1]
+        note = ""
         for link in links:
             try:
+                if link.right is None or not (_is_analytic(link.left) and _is_analytic(link.right)):
+                    return Marked(step.number, said, Mark.INCONCLUSIVE, _NO_ASSUMPTION)
                 left, right = model.value(link.left), model.value(link.right)
-                differences = entries(left, right)
+                [difference] = entries(left, right)
             except _ERRORS:
                 return Marked(step.number, said, Mark.INCONCLUSIVE, "not compared")
-            if all(decide.vanishes(_one_angle(d)) for d in differences):
+            if decide.vanishes(_one_angle(difference)):
                 return Marked(step.number, said, *self._wrong(), "the two are equal")
-            self.stated += [Ne(d, 0) for d in differences]
-            if differences == [s.theta]:
-                self.stated.append(Ne(sin(s.theta), 0))
-        return Marked(step.number, said, Mark.ASSUMPTION)
+            self.stated.append(Ne(difference, 0))
+            if difference in (s.theta, -s.theta):
+                note = "sin θ = 0 is possible all the same, at θ = π"
+        return Marked(step.number, said, Mark.ASSUMPTION, note)
 
     def _wrong(self) -> tuple[Mark]:
         """The first wrong line is wrong; what is false behind it may come from there."""
@@ -543,9 +614,10 @@ class _Answer:
                 needed += [d for d in entries(*values) if d != 0]
         reached = [False] * len(needed)
         for equation in self.true:
-            if self.passage.conserved is not None and not constant:
-                constant = self._is_constancy(equation, needed[0])
-                if constant and not _has(equation, self.passage.conserved):
+            if self.passage.conserved is not None:
+                constants = self._constants_in(equation, needed[0])
+                constant = constant or bool(constants)
+                if any(self._is_shown(x) for x in constants if x != self.passage.conserved):
                     reached = [True] * len(needed)  # p is but a name for what is constant
             for left, right in combinations(equation.sides, 2):
                 if not self._in_terms(left, right):
@@ -571,27 +643,52 @@ class _Answer:
         # Its numerator: what the line divides by is not zero where the line says anything.
         return decide.nonzero(factor, conditions)
 
-    def _is_constancy(self, equation: Equation, goal: Expr) -> bool:
-        """Whether a line says that the momentum of the goal is constant, or its rate zero."""
+    def _constants_in(self, equation: Equation, goal: Expr) -> list[Any]:
+        """The momentum of the goal, in all forms in which a line says that it is constant."""
+        candidates: list[Any] = []
+        if s.const in equation.sides:
+            candidates += [side for side in equation.sides if side != s.const]
+        if 0 in equation.sides:
+            candidates += [x for side in equation.sides for x in _under_rate(side)]
+        return [what for what in candidates if self._is_momentum(what, goal)]
+
+    def _is_momentum(self, what: Any, goal: Expr) -> bool:
         loose, momentum = self.passage.loose, self.passage.conserved
-        for i, side in enumerate(equation.sides):
-            if side == s.const and i:
-                candidates = list(equation.sides[:i])
-            elif side == 0:
-                candidates = [x for other in equation.sides for x in _under_rate(other)]
-            else:
-                continue
-            for what in candidates:
-                if what == momentum:
-                    return True
-                if not what.free_symbols <= self.passage.allowed:
-                    continue
-                found = loose.value(what)
-                if decide.vanishes(found - momentum + goal) or decide.vanishes(
-                    found - momentum - goal
-                ):
-                    return True
+        if what == momentum:
+            return True
+        if _is_matrix(what) or not what.free_symbols <= self.passage.allowed | {s.L3}:
+            return False
+        found = loose.value(what)
+        return decide.vanishes(found - momentum + goal) or decide.vanishes(found - momentum - goal)
+
+    def _is_written_out(self, side: Any) -> bool:
+        """Whether it is the momentum in moments and rates, not another letter for it."""
+        if _is_matrix(side) or not side.free_symbols & {s.lambda1, s.lambda3}:
+            return False
+        return self.passage.conserved != s.p_psi or s.L3 not in side.free_symbols
+
+    def _is_shown(self, what: Any) -> bool:
+        """Whether what is constant is written out, there or in another line."""
+        if self._is_written_out(what):
+            return True
+        return any(
+            what in equation.sides and any(self._is_written_out(side) for side in equation.sides)
+            for equation in self.true
+        )
+
+
+_NO_ASSUMPTION = "an assumption is that a rational expression in sines and cosines is not zero"
+
+
+def _is_analytic(side: Any) -> bool:
+    """Whether it vanishes at single motions only, or for all: no |x|, root or inverse function.
+
+    What such an assumption excludes has no interior; nearly every motion remains.
+    """
+    if _is_matrix(side) or _atoms(side, Underbrace):
         return False
+    functions = {type(f) for f in side.atoms(sympy.Function)}
+    return functions <= {sin, cos} and all(power.exp.is_Integer for power in side.atoms(Pow))
 
 
 def _under_rate(side: Any) -> list[Any]:
@@ -675,22 +772,33 @@ def _counterexample(link: Link, verdict: Verdict) -> str:
     if any(_is_matrix(sample.meaning.get(symbol)) for symbol in typed) or link.right is None:
         others = [x for x in sample.point if x not in typed]
         shown += [f"{_side_text(x)} = {_number_text(sample.point[x])}" for x in others]
-    left, right = _pair_text(verdict.left), _pair_text(verdict.right)
+    left = _pair_text(verdict.left, verdict.right)
+    right = _pair_text(verdict.right, verdict.left)
+    if left == right:
+        left = _pair_text(verdict.left, verdict.right, digits=15)
+        right = _pair_text(verdict.right, verdict.left, digits=15)
     if link.right is None:
         return f"at {', '.join(shown)} the rate is {left}, not 0"
     return f"at {', '.join(shown)} the left side is {left}, the right side {right}"
 
 
-def _pair_text(found: Any) -> str:
-    if _is_matrix(found):
-        return "[" + ", ".join(_number_text(e) for e in found) + "]"
-    return _number_text(found)
+def _pair_text(found: Any, other: Any, digits: int = 6) -> str:
+    """One side of two; what is nothing beside the largest number in them is 0."""
+    largest = max(abs(e) for side in (found, other) for e in (side if _is_matrix(side) else [side]))
+
+    def shown(number: Any) -> str:
+        return "0" if abs(number) <= _NOISE * largest else _number_text(number, digits)
+
+    return "[" + ", ".join(map(shown, found)) + "]" if _is_matrix(found) else shown(found)
 
 
-def _number_text(found: Any) -> str:
+_NOISE = sympy.Float("1e-25")
+
+
+def _number_text(found: Any, digits: int = 6) -> str:
     if not found.is_Float:
         return text(found)
-    return f"{float(found):.6g}".replace("-", "−")
+    return f"{float(found):.{digits}g}".replace("-", "−")
 
 
 # --- Slips ---------------------------------------------------------------------------------------

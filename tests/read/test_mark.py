@@ -305,6 +305,150 @@ def test_other_pairs_are_refused():
         mark("", "3.57", "3.53")
 
 
+# --- What could be read in two ways --------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        r"\frac{d}{dt}\lambda_1\dot\theta = 0",
+        r"\frac{d}{dt}\lambda_1\dot\theta = \lambda_1\ddot\theta",
+        r"\frac{d}{dt}\lambda_3(\dot\psi + 7\dot\phi\cos\theta) = 0",
+        r"\frac{d}{dt}L_3\cos\theta = 0",
+        r"\frac{d}{dt}p_\theta^2 = \dot p_\theta^2",
+        r"\frac{\mathrm d}{\mathrm dt}{p_\theta}^2 = \dot p_\theta^2",
+        r"\frac{d}{dt}\left(p_\psi\right)^2 = 0",
+        r"\frac{d}{dt}(p_\psi)\dot\theta = 0",
+        r"\frac{d}{dt}p_\psi\dot\theta = 0",
+        r"\frac{d}{dt}\frac{\partial L}{\partial\dot\phi}\cos\theta = 0",
+        r"\frac{\partial p_\phi}{\partial t} = 0",
+        r"\frac{\partial E}{\partial t} = 0",
+        r"\frac{\partial L}{\partial t} = 0",
+    ],
+)
+def test_what_a_derivative_is_of_is_not_guessed(source):
+    found = mark(f"$${source}$$", "3.53", "3.54")
+    assert [line.mark for line in found.lines] == [Mark.UNREAD]
+    assert (
+        "d/dt" in found.lines[0].note
+        or "put brackets" in found.lines[0].note
+        or ("Lagrangian" in found.lines[0].note)
+    )
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        r"\frac{d}{dt}p_\psi = 0",
+        r"0 = \frac{d}{dt}L_3",
+        r"\frac{d}{dt}p_\psi + \dot p_\phi = 0",
+        r"\left(\frac{d}{dt}p_\psi\right)\dot\theta = 0",
+        r"\frac{dp_\theta}{dt}^2 = \dot p_\theta^2",
+        r"\frac{d}{dt}(\lambda_1\dot\theta) = \lambda_1\ddot\theta",
+        r"\frac{d}{dt}\frac{\partial L}{\partial\dot\theta} = \frac{\partial L}{\partial\theta}",
+        r"\frac{\partial \mathcal{L}}{\partial t} = 0",
+    ],
+)
+def test_a_derivative_of_one_thing_is_read(source):
+    found = mark(f"$${source}$$", "3.53", "3.54")
+    assert [line.mark for line in found.lines] == [Mark.FOLLOWS]
+
+
+def test_only_the_doubtful_line_is_unread():
+    lines = (
+        r"p_\psi = \lambda_3\omega_3",
+        r"\frac{d}{dt}\lambda_3\omega_3 = 0",
+        r"\dot p_\psi = 0",
+    )
+    source = "$$" + r" \\ ".join(lines) + "$$"
+    marks = [line.mark for line in mark(source, "3.53", "3.56").lines]
+    assert marks == [Mark.FOLLOWS, Mark.UNREAD, Mark.FOLLOWS]
+
+
+def test_a_constant_times_t_is_not_taken_for_a_function():
+    found = mark(r"$$\cos(\Omega_b(t)) = \cos(\Omega_b t)$$", "3.37", "3.38")
+    assert [line.mark for line in found.lines] == [Mark.UNREAD]
+
+
+# --- Constants and assumptions -------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("source", "found"),
+    [
+        (r"p_\psi = \text{const} = 2\lambda_3(\dot\psi + \dot\phi\cos\theta)", Mark.WRONG),
+        (r"\text{const} = p_\psi = 2\lambda_3\omega_3", Mark.WRONG),
+        (r"p_\psi = \text{const} = p_\phi", Mark.WRONG),
+        (r"p_\psi = \text{const} = \lambda_3\dot\psi", Mark.WRONG),
+        (r"p_\psi = \text{const} = \lambda_3(\dot\psi + \dot\phi\cos\theta)", Mark.FOLLOWS),
+    ],
+)
+def test_on_both_sides_of_const_stands_the_same(source, found):
+    marking = mark(f"$${source}$$", "3.53", "3.56")
+    assert [line.mark for line in marking.lines] == [found]
+    assert marking.passed is (found is Mark.FOLLOWS)
+
+
+@pytest.mark.parametrize(
+    ("goal", "source", "arrives"),
+    [
+        ("3.55", r"$$\dot p_\phi = 0$$", False),
+        ("3.56", r"$$\dot p_\psi = 0$$", False),
+        ("3.56", r"$$\dot L_3 = 0$$", False),
+        ("3.56", r"$$L_3 = \text{const}$$", False),
+        ("3.56", r"$$p_\psi = L_3 = \text{const}$$", False),
+        (
+            "3.56",
+            r"$$\dot p_\psi = 0$$ $$p_\psi = \lambda_3(\dot\psi + \dot\phi\cos\theta)$$",
+            True,
+        ),
+        ("3.56", r"$$\dot L_3 = 0$$ $$L_3 = \lambda_3(\dot\psi + \dot\phi\cos\theta)$$", True),
+        ("3.56", r"$$\lambda_3(\dot\psi + \dot\phi\cos\theta) = \text{const}$$", True),
+    ],
+)
+def test_a_letter_that_is_constant_is_not_yet_the_goal(goal, source, arrives):
+    found = mark(source, "3.53", goal)
+    assert {line.mark for line in found.lines} == {Mark.FOLLOWS}
+    assert found.arrives is arrives
+
+
+UNDIVIDED = r"$$\sin\theta(\lambda_1\Omega^2\cos\theta - \lambda_3\omega_3\Omega + MgR) = 0$$"
+
+
+def test_theta_is_not_the_sine_of_theta():
+    found = mark(r"$$\theta \ne 0$$" + UNDIVIDED, "3.54", "3.57")
+    assert found.lines[0].mark is Mark.ASSUMPTION
+    assert "at θ = π" in found.lines[0].note
+    assert not found.arrives
+    source = ANSWERS["from-3.54-to-3.57"][2]
+    assert mark(r"$$\theta \ne 0$$" + source, "3.54", "3.57").lost == ("sin θ = 0 is lost",)
+
+
+@pytest.mark.parametrize(
+    ("assumption", "found"),
+    [
+        (r"\sin\theta \ne 0", Mark.ASSUMPTION),
+        (r"\Omega \ne 0", Mark.ASSUMPTION),
+        (r"\lambda_1 \ne \lambda_3", Mark.ASSUMPTION),
+        (r"\lambda_3^2\omega_3^2 - 4\lambda_1MgR\cos\theta \ne 0", Mark.ASSUMPTION),
+        (r"|\Omega| \ne \Omega", Mark.INCONCLUSIVE),
+        (r"\sqrt{\Omega^2} \ne \Omega", Mark.INCONCLUSIVE),
+        (r"\sin\theta - |\sin\theta| \ne 0", Mark.INCONCLUSIVE),
+        (r"p_\psi \ne \text{const}", Mark.INCONCLUSIVE),
+        (r"\lambda_1\Omega^2\cos\theta - \lambda_3\omega_3\Omega + MgR \ne 0", Mark.WRONG),
+    ],
+)
+def test_an_assumption_leaves_nearly_every_motion(assumption, found):
+    marking = mark(f"$${assumption}$$", "3.54", "3.57")
+    assert [line.mark for line in marking.lines] == [found]
+
+
+def test_rounding_is_no_counterexample():
+    found = mark(r"$$\dot{\mathbf L} = 0\,\mathbf L$$", "3.53", "3.54")
+    assert found.lines[0].mark is Mark.WRONG
+    assert "e−" not in found.lines[0].note
+
+
 # --- Text from strangers ------------------------------------------------------------------------
 
 BOMBS = [
