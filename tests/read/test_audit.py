@@ -283,6 +283,50 @@ def test_another_way_to_write_it_is_upheld(number, formula, verdict, memo):
     assert (found.verdict, found.passed) == (verdict, True), found.note
 
 
+@pytest.mark.parametrize("number", [n for n in NUMBERS if n != "3.38"])
+def test_nothing_is_not_the_equation_of_a_number(number, memo):
+    found = one("0 = 0", number, memo)
+    assert (found.verdict, found.passed) == ("undecided", False)
+
+
+@pytest.mark.parametrize(
+    ("number", "formula"),
+    [
+        # True whatever the symbols mean, true of other things, true of one component only, …
+        ("3.41", r"\boldsymbol\omega = \boldsymbol\omega"),
+        ("3.52", r"\hat{\mathbf z}\cdot\hat{\mathbf z} = 1"),
+        ("3.45", r"\sin^2\theta + \cos^2\theta = 1"),
+        ("3.40", r"\Omega_b = \Omega_b"),
+        ("3.41", r"\hat{\mathbf z}\cdot\boldsymbol\omega = \dot\phi + \dot\psi\cos\theta"),
+        ("3.51", r"\dot{\mathbf e}_3 = \mathbf\Omega\times\mathbf e_3"),
+        ("3.56", r"p_\psi = \lambda_3(\dot\psi + \dot\phi\cos\theta)"),
+        ("3.56", r"p_\psi = \text{const}"),
+    ],
+)
+def test_what_says_less_is_not_the_equation_of_a_number(number, formula, memo):
+    found = one(formula, number, memo)
+    assert (found.verdict, found.passed) == ("undecided", False)
+    assert "says less than the equation of that number; the claim has" in found.note
+
+
+def test_lines_say_together_what_the_claim_says(memo):
+    first = r"\lambda_1\dot\omega_1 = (\lambda_2 - \lambda_3)\omega_2\omega_3"
+    second = r"\lambda_2\dot\omega_2 = (\lambda_3 - \lambda_1)\omega_3\omega_1"
+    third = r"\lambda_3\dot\omega_3 = (\lambda_1 - \lambda_2)\omega_1\omega_2"
+    in_any_order = rf"{third} \\ {first} \\ {second}"
+    assert one(in_any_order, "3.36", memo).verdict == "proved"
+    with_nothing = one(rf"{first} \\ 0 = 0 \\ {third}", "3.36", memo)
+    assert [each.verdict for each in with_nothing.placed] == ["proved", "undecided", "proved"]
+    more = one(rf"{in_any_order} \\ \omega_1 = \omega_1", "3.36", memo)
+    assert (more.verdict, more.passed) == ("undecided", False)
+    assert "the claim has no such line: ω₁ = ω₁" in more.note
+    split = (
+        r"\dot{\mathbf e}_3 = \frac{MgR}{\lambda_3\omega_3}\hat{\mathbf z}\times\mathbf e_3"
+        r" \\ \dot{\mathbf e}_3 = \mathbf\Omega\times\mathbf e_3"
+    )
+    assert one(split, "3.51", memo).passed
+
+
 def test_the_corrected_matrix_is_right(memo):
     (group,) = [group for group in numbered(SOURCE) if group.number == "3.47"]
     text = group.formulas[0].text
@@ -380,7 +424,7 @@ def test_an_assumption_that_is_not_needed_is_left_out():
     need = Assumption(sympy.Ne(sin(theta), 0), "tilted")
     pages = own(Check(Equation(T, Tdot / sin(theta)), {T: Tdot / sin(theta)}, (need,)))
     assert one(r"T = \frac{\dot T}{\sin\theta}", "9.1", pages=pages).verdict == "assuming"
-    assert one(r"T - T = 0", "9.1", pages=pages).verdict == "proved"
+    assert one(r"T\sin\theta = \dot T", "9.1", pages=pages).verdict == "proved"
 
 
 # --- the memo ------------------------------------------------------------------------------------
