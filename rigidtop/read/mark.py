@@ -181,7 +181,12 @@ def _padded(found: re.Match[str], new: str) -> str:
     return new + (spaces[len(new) :] if "\n" not in spaces[: len(new)] else spaces.strip(" "))
 
 
-_BEHIND = frozenset({"POWER", "SYMBOL", "CHOICE", "NUMBER", "OPEN", "FUNCTION", "FRACTION"})
+_ENDS = frozenset(
+    {"RELATION", "SIGN", "COMMA", "SEPARATOR", "CLOSE", "RAB", "_END", "TAG", "XIRTAM"}
+)
+"""What a product ends at."""
+_BLANK = frozenset({"ALIGN", "SPACE"})
+_GOES_ON = frozenset({"DOT", "CROSS", "SLASH", "POWER"})
 _STEADY = frozenset({s.Omega_b, s.omega_0, s.lambda1, s.lambda2, s.lambda3, s.g, s.M, s.R})
 
 
@@ -203,10 +208,18 @@ def _doubtful(scanned: Sequence[Token], written: str, known: Notation) -> dict[i
             found[token.position] = "∂L/∂t: write \\mathcal L for the Lagrangian"
         elif _BY_PARTIAL.match(written, token.position) and not of_vector:
             found[token.position] = "∂/∂t: write d/dt, or with a dot, if all that changes is meant"
-        after = scanned[i + 1 + len(operand) : i + 2 + len(operand)]
-        if not bracketed and after and after[0].kind in _BEHIND:
+        if not bracketed and _goes_on(scanned[i + 1 + len(operand) :]):
             found[token.position] = "the derivative could go on here: put brackets"
     return found
+
+
+def _goes_on(behind: Sequence[Token]) -> bool:
+    """Whether the product in front goes on, perhaps in the next row."""
+    kinds = (token.kind for token in behind if token.kind not in _BLANK)
+    first = next(kinds, "")
+    if first == "LINE":
+        return next(kinds, "") in _GOES_ON
+    return bool(first) and first not in _ENDS
 
 
 def _operand(scanned: Sequence[Token], at: int) -> Sequence[Token]:
