@@ -8,6 +8,7 @@ would have, had it printed this.
 from __future__ import annotations
 
 import random
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import accumulate
@@ -24,6 +25,7 @@ from rigidtop.present.text import text
 from rigidtop.proof.equation import Equation, Meaning, Underbrace, as_printed, symbols_of, value
 from rigidtop.proof.page import Check, Claim, Correction, Definition, Evidence, Page, Remark
 from rigidtop.proof.verdict import (
+    Counterexample,
     Finding,
     Judgement,
     UnneededAssumptionError,
@@ -37,8 +39,8 @@ from rigidtop.read.document import Numbered, lines, numbered
 from rigidtop.read.formula import Line, kind
 from rigidtop.theory.symbols import const, phi, phidot, psi, psidot, theta, thetadot, unit
 
-UNREAD, UNKNOWN = "unread", "unknown"
-"""What is said in place of a verdict: an equation that is not understood, a number of no claim."""
+UNREAD, UNKNOWN, ABSENT = "unread", "unknown", "absent"
+"""What is said in place of a verdict: what is not understood, a number of no claim, no equation."""
 
 _ORDER = list(Verdict)
 _HOLDS = (Verdict.DEFINITION, Verdict.PROVED, Verdict.SAMPLED, Verdict.ASSUMING)
@@ -141,9 +143,7 @@ class Audited:
         ruling, found = each.ruling, each.ruling.finding
         parts = [ruling.problem] if ruling.problem else []
         if found is not None and found.counterexample is not None and not ruling.problem:
-            shown = numbers(found.counterexample)
-            values = ", ".join(f"{text(symbol)} = {text(at)}" for symbol, at in shown.values)
-            parts.append(f"at {values}: {shown.said(text)}" if values else shown.said(text))
+            parts.append(_refutation(found, found.counterexample))
         if found is not None and not parts:
             parts.append("neither shown nor refuted")
         if ruling.instead is not None:
@@ -151,6 +151,72 @@ class Audited:
         where = [f"line {each.line}"] if each.line != self.line else []
         where += [f"column {each.column}"] if each.equation is None else []
         return (f"{', '.join(where)}: " if where else "") + "; ".join(parts)
+
+
+def _refutation(found: Finding, counterexample: Counterexample) -> str:
+    """The numbers that refute a line: two sides that differ, or a rate that does not vanish."""
+    visible = _visible(found, counterexample)
+    shown = numbers(visible)
+    said = shown.said(text)
+    if None not in (visible.left, visible.right) and _apart(visible.left, visible.right) == 0:
+        said = "it does not hold"
+    elif shown.left == shown.right and shown.left is not None:
+        said = "it does not hold, by less than the digits that are shown"
+    if visible.right == 0 and found.check.claimed.sides[-1] == const and shown.left is not None:
+        said = f"what is to be constant changes at the rate {text(shown.left)}"
+    values = ", ".join(f"{text(symbol)} = {text(at)}" for symbol, at in shown.values)
+    return f"at {values}: {said}" if values else said
+
+
+def _visible(found: Finding, counterexample: Counterexample) -> Counterexample:
+    """The counterexample with that pair of sides that differs most, where its own is equal."""
+    if counterexample.left is None or counterexample.right is None:
+        return counterexample
+    if _apart(counterexample.left, counterexample.right) > _VISIBLE:
+        return counterexample
+    pairs = []
+    for _, left, right in assertions(found.check.claimed, found.check.meaning):
+        shape = next((m.shape for m in (left, right) if isinstance(m, sympy.MatrixBase)), None)
+        sides = [
+            list(m)
+            if isinstance(m, sympy.MatrixBase)
+            else [m] * (shape[0] * shape[1] if shape else 1)
+            for m in (left, right)
+        ]
+        pairs += list(zip(*sides, strict=True))
+    equal = {a.condition.lhs: a.condition.rhs for a in found.check.assuming
+             if isinstance(a.condition, Eq)}  # fmt: skip
+    at = dict(counterexample.values)
+    exact = [
+        tuple(sympy.sympify(m).subs(equal).subs(equal).xreplace(at) for m in pair) for pair in pairs
+    ]
+    known = [pair for pair in exact if all(m.is_number for m in pair)]
+    left, right = max(known, key=lambda pair: _apart(*pair), default=(None, None))
+    if left is None or _apart(left, right) <= _VISIBLE:
+        return counterexample
+    return Counterexample(counterexample.values, left, right)
+
+
+_VISIBLE = 1e-9
+
+
+def _apart(left: Any, right: Any) -> float:
+    """How far two numbers are from each other, relative to them; 0 where one is none."""
+    try:
+        one, other = complex(left), complex(right)
+    except (TypeError, ValueError, OverflowError, ZeroDivisionError):
+        return 0.0
+    return abs(one - other) / (1 + abs(one) + abs(other))
+
+
+def missing(audited: Sequence[Audited], pages: Iterable[Page]) -> tuple[Claim, ...]:
+    """The collection's claims between the first and the last that the file has, not in it."""
+    claims = [c for page in pages for c in page.claims if re.fullmatch(r"\d+\.\d+[a-z]?", c.name)]
+    there = {each.number for each in audited}
+    places = [i for i, claim in enumerate(claims) if claim.name in there]
+    if not places:
+        return ()
+    return tuple(c for c in claims[places[0] : places[-1]] if c.name not in there)
 
 
 @dataclass

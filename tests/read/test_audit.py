@@ -11,7 +11,7 @@ from sympy import Symbol, cos, sin
 from rigidtop.derivations import PAGES
 from rigidtop.proof.equation import Equation, Rate, Underbrace, value
 from rigidtop.proof.page import Assumption, Check, Correction, Definition, Page, claim
-from rigidtop.proof.verdict import judge
+from rigidtop.proof.verdict import Counterexample, judge
 from rigidtop.read import audit as home
 from rigidtop.read.audit import UNKNOWN, UNREAD, Memo, audit
 from rigidtop.read.document import lines, numbered
@@ -325,6 +325,16 @@ def test_lines_say_together_what_the_claim_says(memo):
         r" \\ \dot{\mathbf e}_3 = \mathbf\Omega\times\mathbf e_3"
     )
     assert one(split, "3.51", memo).passed
+
+
+def test_a_rate_is_told_that_is_visibly_not_0(memo):
+    (placed,) = one(r"\lambda_3\dot\psi = \text{const}", "3.56", memo).placed
+    found = placed.ruling.finding
+    noise = Counterexample(found.counterexample.values, sympy.Float("-2.95e-126"), sympy.Integer(0))
+    said = home._refutation(found, noise)
+    assert "e-126" not in said
+    assert "10⁻" not in said
+    assert re.search(r"what is to be constant changes at the rate −?\d", said)
 
 
 def test_the_corrected_matrix_is_right(memo):
