@@ -31,12 +31,19 @@ def run(options: argparse.Namespace) -> int:
         raise RigidtopError("reading formulas needs Lark: pip install 'rigidtop[read]'") from None
     from rigidtop.present.table import table
     from rigidtop.read.document import lines as read_lines
-    from rigidtop.read.document import numbered
+    from rigidtop.read.document import numbered, problems
+    from rigidtop.read.formula import Line
 
     groups = numbered(source)
     inside = {formula.start for group in groups for formula in group.formulas}
     found = [(group.number, line) for group in groups for line in read_lines(group)]
     found += _besides(source, inside)
+    told = {line.position for _, line in found if line.problem}
+    found += [
+        ("", Line(problem.position, None, problem.reason))
+        for problem in problems(source)
+        if problem.position not in told
+    ]
     records = [_record(source, *row) for row in sorted(found, key=lambda row: row[1].position)]
     starts = [0, *accumulate(len(line) for line in source.splitlines(keepends=True))]
     for record in records:

@@ -6,7 +6,7 @@ import pytest
 
 from rigidtop.cli import main
 from rigidtop.present.text import text
-from rigidtop.read.document import each, formulas, lines, numbered
+from rigidtop.read.document import each, formulas, lines, numbered, problems
 
 
 def found(source):
@@ -75,6 +75,74 @@ def test_a_display_with_several_numbers():
     assert found(source) == {"3.1": ["T = V"], "3.2": ["E = T + V"], "3.3": ["L = 0"]}
 
 
+@pytest.mark.parametrize(
+    "source",
+    [
+        *(
+            r"\begin{alignat}{2} T &= V \tag{3.57}\end{alignat}",
+            r"\begin{math}T = V\end{math} (3.57)",
+        ),
+        *(r"\begin{dmath}[compact] T = V \end{dmath} (3.57)", "```math\nT = V\n```\n(3.57)\n"),
+        r"\begin{IEEEeqnarray}{rCl} T &=& V \tag{3.57}\end{IEEEeqnarray}",
+        r"\begin{subequations}\begin{flalign}T &= V \tag{3.57}\end{flalign}\end{subequations}",
+        r"\begin {align} T &= V \tag{3.57} \end { align }",
+        "\\begin{document}\n% $a = b$ (3.1)\n\\verb|$| \\iffalse $ \\fi $T = V$ (3.57)\n"
+        "\\end{document} $",
+        "5% of $T = V$ (3.57)\n",
+        "% $$a = b$$ (3.1)\n\\begin{comment}$a = b$ (3.2)\n\\end{comment} `$x$` $T = V$ (3.57)\n",
+        "a top that costs 5$ has $T = V$ (3.57)\n",
+    ],
+)
+def test_every_way_to_write_a_formula_and_to_leave_one_out(source):
+    assert found(source) == {"3.57": ["T = V"]}
+
+
+LOST = {
+    r"$$T = V \tag{3.57}": ("$$", "without its closing"),
+    "\\[ T = V\n(3.57)\n\nand $E = T$": ("\\[", "without its closing"),
+    "\\[ T = V (3.57)\n \\[ E = T \\]": ("\\[", "without its closing"),
+    "so \\( T = V (3.57)\n": ("\\(", "without its closing"),
+    "\\begin{align} T &= V (3.57)\n\nand $E = T$": ("\\begin", "without its"),
+    r"T = V \tag{3.57} \end{align}": (r"\tag", "outside a formula"),
+    r"\begin{foo}T = V \tag{3.57}\end{foo}": ("T = V", "not read: foo"),
+    r"\begin{aligned}T &= V \tag{3.57}\end{aligned}": ("T &=", "not read: aligned"),
+    "5$ and $T = V$ and 6$ (3.57)\n": ("$ and", "words"),
+    "$5 and $T = V (3.57)\n$E = T$ and $E = T": ("$5", "odd number"),
+    "$T = V$ and E = T$ (3.57)\n": ("$ (3", "odd number"),
+}
+
+
+@pytest.mark.parametrize("source", LOST)
+def test_what_is_not_taken_is_told_and_its_number_is_unread(source):
+    place, reason = LOST[source]
+    told = next(problem for problem in problems(source) if reason in problem.reason)
+    assert source[told.position :].startswith(place)
+    assert not told.skipped
+    [group] = [group for group in numbered(source) if group.number == "3.57"]
+    [line] = lines(group)
+    assert line.equation is None
+    assert line.problem
+    assert line.tag == "3.57"
+
+
+def test_a_stray_dollar_does_not_turn_text_and_formulas_inside_out():
+    source = r"A top that costs 5$ has $\lambda_1 = \lambda_3$."
+    assert [formula.text for formula in formulas(source)] == [r"\lambda_1 = \lambda_3"]
+    assert [source[problem.position - 1] for problem in problems(source)] == ["5"]
+    assert problems(r"costs 5\$ and has $\lambda_1 = \lambda_3$") == ()
+
+
+@pytest.mark.parametrize(
+    "source", ["% $$T = V$$", "<!-- $T = V$ -->", "```\n$T = V$\n```", "`$T = V$`"]
+)
+def test_a_comment_with_a_formula_is_told(source):
+    [told] = problems(source)
+    assert told.skipped
+    assert told.reason.startswith("skipped: ")
+    assert formulas(source) == ()
+    assert problems(source.replace("$T = V$", "T")) == ()
+
+
 def test_places_are_those_in_the_file():
     source = "We find\n$$T = V,$$\n$$q_9 = E \\tag{3.5}$$\n"
     [group] = numbered(source)
@@ -125,6 +193,17 @@ def test_the_command_says_what_is_read_and_what_is_not(tmp_path, capsys):
     assert "no symbol q_9" in second["problem"]
     assert main(["read", str(path)]) == 0
     assert "unread: no symbol q_9" in capsys.readouterr().out
+
+
+def test_the_command_tells_what_was_not_taken(tmp_path, capsys):
+    path = tmp_path / "notes.md"
+    path.write_text("5$ has $T = V$\n\n% $a = b$\n\n$$ E = T (3.5)\n", encoding="utf-8")
+    assert main(["read", str(path), "--json"]) == 0
+    records = json.loads(capsys.readouterr().out)
+    assert [(r["line"], r["number"], r["equation"]) for r in records] == [
+        *((1, "", None), (1, "", "T = V"), (3, "", None), (5, "3.5", None))
+    ]
+    assert "skipped" in records[2]["problem"]
 
 
 def test_a_file_that_is_no_text_is_bad_input(tmp_path, capsys):

@@ -220,7 +220,20 @@ def test_the_length_and_the_depth_are_said():
 
 @pytest.mark.parametrize(
     "part",
-    ["$$", r"\[", r"\(", "$ a", "$x$ ", r"\begin{align}", "```", "<!--", "\\", "$\n\n", "(3.5)\n"],
+    [
+        "$$",
+        r"\[",
+        r"\(",
+        "$ a",
+        "$x$ ",
+        r"\begin{align}",
+        "```",
+        "<!--",
+        "\\",
+        "$\n\n",
+        "(3.5)\n",
+        r"\begin{foo}",
+    ],
 )
 def test_a_file_takes_time_in_proportion_to_its_length(part):
     source = part * (200_000 // len(part))
