@@ -26,7 +26,7 @@ from rigidtop.proof import decide
 from rigidtop.proof.equation import Equation, NoMeaningError, Rate, Underbrace, symbols_of, value
 from rigidtop.proof.verdict import entries
 from rigidtop.read import facts, slips
-from rigidtop.read.document import formulas
+from rigidtop.read.document import Formula, Problem, formulas, problems
 from rigidtop.read.facts import Model, Passage, Sample
 from rigidtop.read.formula import Line, read
 from rigidtop.read.scan import Token, UnreadError, tokens
@@ -246,38 +246,56 @@ class _Listening(Notation):
 
 
 def steps(source: str, notation: Notation) -> Iterator[Step]:
-    """The lines of an answer, in order."""
+    """The lines of an answer, in order; where mathematics was passed over, that too."""
+    taken: list[Formula | Problem] = [*formulas(source), *problems(source)]
     count = 0
-    for formula in formulas(source):
-        written = prepared(formula.text, explicit=facts.EXPLICIT in notation.glyphs)
-        listening = _Listening(**vars_of(notation))
-        scanned: list[Token] = []
-        try:
-            scanned = tokens(written, listening)
-        except UnreadError:
-            pass  # `read` says so again, with the line
-        except RecursionError:
-            pass
-        heard: dict[Glyph, Symbol] = listening.__dict__.get("heard", {})
-        known = replace(
-            notation, glyphs={**notation.glyphs, **{x: glyph for glyph, x in heard.items()}}
-        )
-        try:
-            found = read(written, known)
-        except RecursionError:
-            found = (Line(0, None, "nested too deeply"),)
-        for line in _with_doubts(found, _doubtful(scanned, written, known), written):
-            if line.equation is None and not formula.display and "no relation" in line.problem:
-                continue  # a symbol in the running text
+    for found in sorted(taken, key=_position):
+        for step in _steps(source, found, notation):
             count += 1
-            at = source.count("\n", 0, formula.start + min(line.position, len(formula.text))) + 1
             if count > MOST_LINES:
-                yield Step(at, Line(0, None, f"more than {MOST_LINES} lines"), "")
+                yield Step(step.number, Line(0, None, f"more than {MOST_LINES} lines"), "")
                 return
-            own = frozenset(heard.values())
-            if line.equation is not None:
-                own &= symbols_of(line.equation)
-            yield Step(at, line, " ".join(formula.text.split()), own)
+            yield step
+
+
+def _position(found: Formula | Problem) -> int:
+    return found.start if isinstance(found, Formula) else found.position
+
+
+def _row(source: str, position: int) -> int:
+    return source.count("\n", 0, position) + 1
+
+
+def _steps(source: str, formula: Formula | Problem, notation: Notation) -> Iterator[Step]:
+    if isinstance(formula, Problem):
+        rest = source[formula.position :].split("\n", 1)[0][:60]
+        yield Step(_row(source, formula.position), Line(0, None, formula.reason), rest)
+        return
+    written = prepared(formula.text, explicit=facts.EXPLICIT in notation.glyphs)
+    listening = _Listening(**vars_of(notation))
+    scanned: list[Token] = []
+    try:
+        scanned = tokens(written, listening)
+    except UnreadError:
+        pass  # `read` says so again, with the line
+    except RecursionError:
+        pass
+    heard: dict[Glyph, Symbol] = listening.__dict__.get("heard", {})
+    known = replace(
+        notation, glyphs={**notation.glyphs, **{x: glyph for glyph, x in heard.items()}}
+    )
+    try:
+        found = read(written, known)
+    except RecursionError:
+        found = (Line(0, None, "nested too deeply"),)
+    for line in _with_doubts(found, _doubtful(scanned, written, known), written):
+        if line.equation is None and not formula.display and "no relation" in line.problem:
+            continue  # a symbol in the running text
+        at = _row(source, formula.start + min(line.position, len(formula.text)))
+        own = frozenset(heard.values())
+        if line.equation is not None:
+            own &= symbols_of(line.equation)
+        yield Step(at, line, " ".join(formula.text.split()), own)
 
 
 def _with_doubts(lines: Sequence[Line], doubts: Mapping[int, str], written: str) -> list[Line]:

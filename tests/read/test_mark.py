@@ -358,6 +358,24 @@ def test_a_derivative_of_one_thing_is_read(source):
     assert [line.mark for line in found.lines] == [Mark.FOLLOWS]
 
 
+@pytest.mark.parametrize(
+    "missed",
+    [
+        "\n\nThis $ is alone: \n\n",
+        "\n\n\\begin{mathstuff}\n p_\\psi = 7\n\\end{mathstuff}\n\n",
+        "\n\n```\n$$p_\\psi = 7$$\n```\n\n",
+        "\n\n<!-- $$p_\\psi = 7$$ -->\n\n",
+    ],
+)
+def test_mathematics_that_is_passed_over_is_no_pass(missed):
+    start, goal, source = ANSWERS["from-3.53-to-3.56"]
+    found = mark(source + missed, start, goal)
+    assert found.lines[-1].mark is Mark.UNREAD
+    assert found.lines[-1].line == source.count("\n") + 3
+    assert found.arrives
+    assert not found.passed
+
+
 def test_only_the_doubtful_line_is_unread():
     lines = (
         r"p_\psi = \lambda_3\omega_3",
