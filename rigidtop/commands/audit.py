@@ -34,7 +34,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "Each numbered equation of the file is read and judged by the claim of that number.\n"
         "The exit code is 0 if every one was read and is as right as `rigidtop check` finds the\n"
         "lecture's own (a convention at odds with a definition is a finding, not a failure), and\n"
-        "1 if one is false, undecided, unread, or has a number that no claim has.\n\n"
+        "1 if one is false, undecided, unread, or has a number that no claim has.  Numbers of the\n"
+        "collection that the file leaves out between its first and its last are told as absent.\n\n"
         "examples:\n"
         "  rigidtop audit notes.md\n"
         "  rigidtop audit notes.md -o annotated.html\n"
@@ -74,28 +75,52 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
         import lark  # noqa: F401
     except ModuleNotFoundError:
         raise RigidtopError("reading formulas needs Lark: pip install 'rigidtop[read]'") from None
-    from rigidtop.read.audit import audit
+    from rigidtop.read.audit import ABSENT, UNREAD, audit, missing
 
     audited = audit(source, collection.pages, collection.notation)
-    if not audited:
+    unread = _unread(source)
+    if not audited and not unread:
         raise RigidtopError(
             f"{path}: no numbered equations; a number is \\tag{{3.57}}, or (3.57) behind a formula"
         )
+    absent = [claim.name for claim in missing(audited, collection.pages)]
+    told = summary(audited, unread, absent)
     if output is not None:
         from rigidtop.present.annotated import write
         from rigidtop.present.files import write_whole
 
         page = write(
-            path.name, source, *shown(source, audited, collection.notation), summary(audited)
+            path.name,
+            source,
+            *shown(source, audited, collection.notation),
+            told,
+            [f"line {line}: unread: {reason}" for line, reason in unread],
         )
         write_whole(output, page.encode())
     if options.json:
-        print_json([record(each) for each in audited])
+        print_json(
+            [
+                *(record(each) for each in audited),
+                *(_bare_record("", line, UNREAD, reason, False) for line, reason in unread),
+                *(_bare_record(name, None, ABSENT, "not in the file", True) for name in absent),
+            ]
+        )
     else:
-        _print(audited)
+        _print(audited, unread, told)
         if output is not None:
             print(output)
-    return 0 if all(each.passed for each in audited) else FAILED
+    return 0 if not unread and all(each.passed for each in audited) else FAILED
+
+
+def _unread(source: str) -> list[tuple[int, str]]:
+    """Line and reason of what may be mathematics and was not taken as a formula."""
+    from rigidtop.read.document import problems
+
+    return [
+        (source.count("\n", 0, problem.position) + 1, problem.reason)
+        for problem in problems(source)
+        if not problem.skipped
+    ]
 
 
 def text_of(path: Path) -> str:
@@ -116,21 +141,27 @@ def text_of(path: Path) -> str:
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
-def _print(audited: Sequence[Audited]) -> None:
+def _print(audited: Sequence[Audited], unread: Sequence[tuple[int, str]], told: str) -> None:
     from rigidtop.commands.check import VERDICT_COLORS
     from rigidtop.present.table import table, wants_color
 
     colors = None
     if wants_color(sys.stdout):
         colors = {**VERDICT_COLORS, "unread": "red", "unknown": "yellow"}
-    rows = [[str(each.line), f"({each.number})", each.verdict, each.note] for each in audited]
+    found = [(each.line, f"({each.number})", each.verdict, each.note) for each in audited]
+    found += [(line, "", "unread", reason) for line, reason in unread]
+    rows = [[str(line), *others] for line, *others in sorted(found, key=lambda row: row[0])]
     print(table(rows, ("line", "equation", "verdict", "note"), colors=colors, right=(0,)))
     print()
-    print(summary(audited))
+    print(told)
 
 
-def summary(audited: Sequence[Audited]) -> str:
-    """Counts of the verdicts, and what is wrong."""
+def summary(
+    audited: Sequence[Audited],
+    unread: Sequence[tuple[int, str]] = (),
+    absent: Sequence[str] = (),
+) -> str:
+    """Counts of the verdicts, what is wrong, and which numbers the file does not have."""
     from rigidtop.proof.verdict import Verdict
     from rigidtop.read.audit import UNKNOWN, UNREAD
 
@@ -138,10 +169,29 @@ def summary(audited: Sequence[Audited]) -> str:
     counts = [(name, sum(each.verdict == name for each in audited)) for name in names]
     told = ", ".join(f"{count} {name}" for name, count in counts if count)
     amiss = [f"({each.number})" for each in audited if not each.passed]
+    amiss += [f"line {line}" for line, _ in unread]
     last = (
         f"AMISS: {', '.join(amiss)}" if amiss else "nothing is wrong that the collection gets right"
     )
-    return f"{len(audited)} numbered equation{'s' * (len(audited) != 1)}: {told}; {last}"
+    left_out = f"; not in the file: {', '.join(f'({name})' for name in absent)}" if absent else ""
+    what = f"{len(audited)} numbered equation{'s' * (len(audited) != 1)}"
+    return f"{what}{': ' * bool(told)}{told}; {last}{left_out}"
+
+
+def _bare_record(
+    name: str, line: int | None, verdict: str, note: str, passed: bool
+) -> dict[str, Any]:
+    """What `--json` says where there is no numbered equation."""
+    return {
+        "name": name,
+        "reference": "",
+        "assumptions": [],
+        "line": line,
+        "verdict": verdict,
+        "passed": passed,
+        "note": note,
+        "equations": [],
+    }
 
 
 def record(each: Audited) -> dict[str, Any]:

@@ -82,9 +82,18 @@ code { font: 0.86em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monos
 
 
 def write(
-    title: str, source: str, formulas: Sequence[Formula], marks: Sequence[Mark], summary: str
+    title: str,
+    source: str,
+    formulas: Sequence[Formula],
+    marks: Sequence[Mark],
+    summary: str,
+    others: Sequence[str] = (),
 ) -> str:
-    """The page.  `formulas` are those without a mark; `summary` is one sentence about all."""
+    """The page.
+
+    `formulas` are those without a mark; `summary` is one sentence about all; `others` are findings
+    without a number.
+    """
     inside = {**{f.start: (f.end, _inline(f)) for f in formulas}}
     framed = {mark.start: (mark.end, _framed(mark, n)) for n, mark in enumerate(marks)}
     body = _text(source, inside, framed)
@@ -94,6 +103,7 @@ def write(
         for n, mark in enumerate(marks)
         if not mark.passed or mark.verdict in (Verdict.CONVENTION, Verdict.FALSE)
     )
+    found += "".join(f"\n<li>{escape(_clean(other))}</li>" for other in others)
     listed = f'\n<ul class="findings">\n{found}\n</ul>' if found else ""
     return f"""<!DOCTYPE html>
 <html lang="en">

@@ -50,7 +50,7 @@ def test_a_slip_fails_and_is_refuted_in_its_line(capsys, file):
 
 def test_records(capsys, file):
     assert main(["audit", file(EULER.format("-") + MATRIX + "$T = \\oops$ (3.44)"), "--json"]) == 1
-    euler, matrix, broken = json.loads(capsys.readouterr().out)
+    euler, matrix, broken, *absent = json.loads(capsys.readouterr().out)
     assert [row["name"] for row in (euler, matrix, broken)] == ["3.36", "3.46", "3.44"]
     assert (euler["verdict"], euler["passed"], euler["line"]) == ("proved", True, 3)
     assert [(e["line"], e["column"], e["verdict"]) for e in euler["equations"]] == [
@@ -63,6 +63,31 @@ def test_records(capsys, file):
     assert (broken["verdict"], broken["passed"], broken["line"]) == ("unread", False, 10)
     assert broken["equations"][0]["read"] is None
     assert "\\oops" in broken["equations"][0]["problem"]
+    assert [row["name"] for row in absent][:2] == ["3.37", "3.38"]
+    assert {(row["verdict"], row["line"], row["passed"]) for row in absent} == {
+        ("absent", None, True)
+    }
+
+
+def test_numbers_that_the_file_leaves_out_are_told(capsys, file):
+    text = re.sub(r"\$\$\\Omega_b = [^$]*\$\$\n\(3\.40\)", "", NOTES.read_text())
+    assert main(["audit", file(text)]) == 0
+    assert "; not in the file: (3.40)\n" in capsys.readouterr().out
+    assert main(["audit", str(NOTES)]) == 0
+    assert "not in the file" not in capsys.readouterr().out
+
+
+def test_what_was_not_taken_as_a_formula_is_told(capsys, file, tmp_path):
+    name = file(MATRIX + "\n$$T = 0\n")
+    assert main(["audit", name]) == 1
+    shown = capsys.readouterr().out
+    assert re.search(r"^ +3 +unread +\S", shown, re.M)
+    assert "AMISS: line 3" in shown
+    assert main(["audit", name, "--json"]) == 1
+    row = json.loads(capsys.readouterr().out)[-1]
+    assert (row["verdict"], row["line"], row["passed"]) == ("unread", 3, False)
+    _, source = annotated(name, tmp_path)
+    assert "<li>line 3: unread: " in source
 
 
 @pytest.mark.parametrize(
