@@ -21,6 +21,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.notation import Notation
 from rigidtop.present.characters import MARKS, MATHS, SUBSCRIPTS, SUPERSCRIPTS
 from rigidtop.present.layout import GREEK
+from rigidtop.theory import symbols as s
 from rigidtop.theory.symbols import VOCABULARY, Glyph
 
 LONGEST = 20_000
@@ -77,6 +78,7 @@ _TEX = re.compile(
     rf"|[{_RAISED}]+|[{_LOWERED}]+|\s+|[^\\\s]|\\",
     re.S,
 )
+_CONTROL = re.compile("[\x00-\x08\x0e-\x1b\x7f]")
 _TAGS = {"<sup>": "^{", "<sub>": "_{", "<b>": r"\mathbf{", "<strong>": r"\mathbf{", "<br>": r"\\"}
 _TAGS |= {"</sup>": "}", "</sub>": "}", "</b>": "}", "</strong>": "}"}
 _COMBINING = {mark: tex.split("{")[0] for mark, tex in MARKS.items()}
@@ -92,6 +94,10 @@ def pieces(text: str) -> tuple[Piece, ...]:
     """
     if len(text) > LONGEST:
         raise UnreadError(f"longer than {LONGEST} characters", LONGEST)
+    control = _CONTROL.search(text)
+    if control is not None:
+        reason = f"a control character (U+{ord(control[0]):04X}), which no formula has"
+        raise UnreadError(reason, control.start())
     stack: list[tuple[int, list[Piece]]] = [(0, [])]
     for found, position in _atoms(text):
         inside = stack[-1][1]
@@ -176,7 +182,7 @@ _NOTHING = frozenset(
 ) | {"~"}
 _SPACES = frozenset({r"\quad", r"\qquad", r"\enspace", r"\hfill"})
 _SKIPPED = frozenset({r"\label", r"\hspace", r"\vspace", r"\phantom", r"\hphantom", r"\vphantom"})
-_SKIPPED |= {r"\intertext", r"\shortintertext"}
+_BETWEEN = frozenset({r"\intertext", r"\shortintertext"})
 _RELATIONS = {
     "=": "=",
     r"\equiv": "≡",
@@ -266,6 +272,8 @@ class _Scan:
         """Of brackets: commas outside all separate equations, inside entries.  Of groups."""
         self.nested = depth > 0
         self.bars: list[bool] = []
+        self.called: int | None = None
+        """How deep the function stands whose brackets are open."""
         self.commented = -1
         """Where && stood: words there are a comment."""
 
@@ -298,7 +306,9 @@ class _Scan:
         if self.level > DEEPEST:
             raise UnreadError(f"nested deeper than {DEEPEST}", self.peek().position)
         depth = self.depth + nested
-        yield from _Scan(group, self.notation, depth, self.level + 1).tokens()
+        inner = _Scan(group, self.notation, depth, self.level + 1)
+        inner.called = -1 if self.called is not None else None
+        yield from inner.tokens()
 
     def braced(self, group: Sequence[Piece], position: int) -> Iterator[Token]:
         yield Token("_BEGIN", "{", position)
@@ -374,9 +384,15 @@ class _Scan:
         elif text == r"\int":
             yield from self.integral()
         elif text in (r"\stackrel", r"\overset"):
+            yield from self.stacked()
+        elif text in _BETWEEN:
             self.take()
-            self.argument(piece)  # what stands above the sign is a comment
-            yield from self.inside(self.argument(piece), nested=False)
+            words = self.argument(piece)
+            yield Token("LINE", text, position)
+            if _mathematical(words):
+                reason = "mathematics between the lines: write it as a line of its own"
+                yield Token("UNREAD", UnreadError(reason, position), position)
+                yield Token("LINE", text, position)
         elif text in (r"\underbrace", r"\overbrace"):
             yield from self.brace()
         elif text == r"\begin":
@@ -401,6 +417,8 @@ class _Scan:
         if self.depth > DEEPEST:
             raise UnreadError(f"nested deeper than {DEEPEST}", piece.position)
         self.depth = max(self.depth, 0)
+        if self.called is not None and self.depth <= self.called:
+            self.called = None
         yield Token(kind, piece.text, piece.position)
         if piece.text == r"\sum":
             yield from self.under()
@@ -458,12 +476,27 @@ class _Scan:
         if self.peek().text == "^":
             yield from self.power()
             self.skip()
+        if self.peek().text in ("(", "[") and self.called is None:
+            self.called = self.depth
         if self.peek().text == "{}":
             seen = {piece.text for piece in self.peek().group}
-            if seen & {"+", "-", "/"} and self.peek().group[0].text not in ("(", r"\left"):
+            if self.peek().group and self.peek().group[0].text in ("(", r"\left"):
+                return
+            if seen & {"+", "-", "/"} or self.several(self.peek().group):
                 raise UnreadError(
                     "what the function acts on: put it in brackets", self.peek().position
                 )
+
+    def several(self, group: Sequence[Piece]) -> bool:
+        """Whether what stands in braces is more than an angle with a number, or a rate times t."""
+        found = list(self.inside(group))
+        if len(found) > 1 and found[-1].value == s.t:
+            found.pop()
+        kinds = [token.kind for token in found]
+        if kinds[:1] in (["NUMBER"], ["FRACTION"], ["FUNCTION"]):
+            symbols = kinds.count("SYMBOL") if kinds[0] == "NUMBER" else 0
+            return symbols > 1
+        return kinds.count("SYMBOL") > 1
 
     def constant_spelled(self) -> bool:
         for word in ("constant", "const"):
@@ -483,13 +516,16 @@ class _Scan:
 
     def words(self) -> Iterator[Token]:
         piece = self.take()
-        said = _words(self.argument(piece)).strip()
+        words = self.argument(piece)
+        said = _words(words).strip()
         plain = said.strip(".,").lower()
         if plain in _CONSTANT:
             yield Token("CONSTANT", "const", piece.position)
         elif said in _WORDS:
             name = {"ln": "log", "Tr": "tr"}.get(said, said)
             yield from self.function(name, piece.position)
+        elif _mathematical(words):
+            raise UnreadError("mathematics in words inside a formula", piece.position)
         elif self.commented >= 0 and self.at - self.commented <= 3:
             return
         elif re.fullmatch(r"\(\d+\.\d+[a-z]?\)", plain):
@@ -528,6 +564,17 @@ class _Scan:
             return
         yield Token("POWER", "^", piece.position)
         yield from self.braced(raised, piece.position)
+
+    def stacked(self) -> Iterator[Token]:
+        """What stands above a relation is a comment, unless it is a relation too."""
+        piece = self.take()
+        above = self.argument(piece)
+        below = list(self.inside(self.argument(piece), nested=False))
+        if [token.kind for token in below] not in (["RELATION"], ["ARROW"]):
+            raise UnreadError("a sign above what is no relation", piece.position)
+        if any(each.text in _RELATIONS or each.text in _NOT_READ for each in _flat(above)):
+            raise UnreadError("a relation above a relation", piece.position)
+        yield from below
 
     def under(self) -> Iterator[Token]:
         """The index of a sum."""
@@ -732,6 +779,11 @@ class _Scan:
             return
         ahead = [i for i in range(12) if self.peek(i).text not in _NOTHING | _FONTS][:4]
         said = [_words((self.peek(i),)) for i in ahead]
+        if said[:3] == ["(", "t", ")"] and self.called is not None:
+            raise UnreadError(
+                "of the time, or times t? leave (t) out, or t without brackets",
+                self.peek(ahead[0]).position,
+            )
         if said[:3] in (["(", "t", ")"], ["(", "r", ")"]):
             self.at += ahead[2] + 1
         elif said[:3] == ["(", "0", ")"] or said[:3] == ["(", "t", "="]:
@@ -746,6 +798,21 @@ _AROUND = _NOTHING | {"("}
 def behind_of(piece: Piece) -> int:
     """Where the last piece of a group stands."""
     return piece.group[-1].position if piece.group else piece.position
+
+
+def _flat(group: Sequence[Piece]) -> Iterator[Piece]:
+    """Pieces and what stands in their braces."""
+    for piece in group:
+        yield piece
+        yield from _flat(piece.group)
+
+
+def _mathematical(words: Sequence[Piece]) -> bool:
+    """Whether a relation stands among words."""
+    return any(
+        piece.text in _RELATIONS or piece.text in _NOT_READ or piece.text == "$"
+        for piece in _flat(words)
+    )
 
 
 def _split(items: Sequence[Piece], at: str) -> list[Sequence[Piece]]:

@@ -379,6 +379,15 @@ UNREAD = {
     r"\partial_t L = 0": (r"\partial", "symbol"),
     r"O^2 = 1": ("2", "matrix"),
     r"E = \sqrt[3]{M}": (r"\sqrt", "square root"),
+    r"E = \cos{\theta\phi}": ("{", "brackets"),
+    r"E = \sin{2\theta\phi}": ("{", "brackets"),
+    r"\stackrel{.}{\theta} = 0": (r"\stackrel", "no relation"),
+    r"\overset{.}{\theta} = 0": (r"\overset", "no relation"),
+    r"a \stackrel{\neq}{=} b": (r"\stackrel", "above a relation"),
+    r"a = b \text{ if $b = M$}": (r"\text", "mathematics"),
+    r"a = b \\ \intertext{with $M = R$} a = R": (r"\intertext", "mathematics"),
+    r"E = \cos(\Omega_b(t))": ("(t)", "times t"),
+    "E = T + \x00": ("\x00", "control character (U+0000)"),
     r"E = \sin(a, b)": (r"\sin", "2 arguments"),
 }
 
@@ -389,6 +398,13 @@ def test_what_is_unread_says_where_and_why(source):
     [line] = [line for line in read(source) if line.equation is None]
     assert reason in line.problem
     assert source[line.position :].startswith(place.lstrip("{") if "10" in place else place)
+
+
+def test_words_between_lines_end_a_line_and_a_sign_above_a_relation_is_a_comment():
+    assert shown(r"a = b \intertext{and} M = R") == ["a = b", "M = R"]
+    assert shown(r"a &= b \shortintertext{so} E &= T") == ["a = b", "E = T"]
+    assert shown(r"a \stackrel{!}{=} b") == ["a = b"]
+    assert shown(r"E = \sin{2\theta} + \cos{\Omega_b t}")[0].startswith("E = sin(2θ) + cos")
 
 
 def test_one_line_that_is_unread_leaves_the_others():
