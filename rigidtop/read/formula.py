@@ -573,6 +573,12 @@ class _Builder(Transformer_NonRecursive):
         inside = items[1].closed
         if inside.explicit:
             return inside
+        if inside.tree.is_Rational and not inside.tree.is_Integer and inside.tree > 1:
+            raise UnreadError(
+                "a number in brackets: as the equation's own, put it behind a comma or in \\tag{}; "
+                "as a factor, without brackets",
+                items[0].position,
+            )
         return _made(eq.Group(inside.tree), inside.kind, inside, position=items[0].position)
 
     def listed(self, items: list[Any]) -> _Value:

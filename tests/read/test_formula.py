@@ -445,3 +445,13 @@ def test_printed_nodes_stay():
 def test_numbered_equations_know_their_number():
     [group] = numbered("$$T = V.$$\n(3.57)\n")
     assert [line.equation is not None for line in lines(group)] == [True]
+
+
+@pytest.mark.parametrize("text", ["T = V (3.57)", "(3.57) T = V", r"T = V + (3.57)\lambda_1"])
+def test_the_number_of_an_equation_is_no_factor(text):
+    [line] = read(text)
+    assert line.equation is None
+    assert line.problem.startswith("a number in brackets")
+    assert text[line.position] == "("
+    [tagged] = read("T = V, (3.57)")
+    assert tagged.tag == "3.57"
