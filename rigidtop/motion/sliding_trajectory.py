@@ -14,17 +14,19 @@ from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.sliding_contact import ENDINGS, Contact, Event
 from rigidtop.motion.state import TopState
+from rigidtop.motion.trajectory import Turning
 
 if TYPE_CHECKING:
     from rigidtop.motion.sliding import SlidingMotion
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class SlidingTrajectory(TopState):
+class SlidingTrajectory(TopState, Turning):
     """A top on a table at N times, one row each, in the order in which they were asked for.
 
     Times after a fall or a lift-off are left out: see `ended`.  Angles, their rates and ω are those
-    of `TopState`, of shape (N,) and (N, 3); φ and ψ count turns.  Vectors with three components in
+    of `TopState`, of shape (N,) and (N, 3); φ and ψ count turns.  `angular_momentum` is that about
+    the **centre of mass**.  Vectors with three components in
     the space frame have the table at z = 0.
     """
 
@@ -66,21 +68,6 @@ class SlidingTrajectory(TopState):
     def omega(self) -> Floats:
         """Rotational velocity in body components, shape (N, 3), in rad/s."""
         return super().omega
-
-    @property
-    def omega_space(self) -> Floats:
-        """Rotational velocity in space components, shape (N, 3), in rad/s."""
-        return self.rotation.apply(self.omega)
-
-    @property
-    def angular_momentum(self) -> Floats:
-        """L about the **centre of mass** in space components, shape (N, 3), in J s."""
-        return self.rotation.apply(self.omega * np.array(self.motion.body.moments))
-
-    @property
-    def e3(self) -> Floats:
-        """The figure axis in space components, shape (N, 3)."""
-        return self.rotation.as_matrix()[:, :, 2]
 
     @cached_property
     def _known(self) -> Floats:

@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -19,10 +19,10 @@ if TYPE_CHECKING:
     from rigidtop.motion.motion import Motion, TopMotion
 
 
-class Trajectory(ABC):
-    """A motion at N times, one row each, in the order in which the times were asked for."""
+class Turning(ABC):
+    """How a body turns, at N times, one row each, in the order in which they were asked for."""
 
-    motion: Motion
+    motion: Any
     """The motion that it belongs to, with its body and its initial state."""
 
     t: Floats
@@ -45,13 +45,19 @@ class Trajectory(ABC):
 
     @property
     def angular_momentum(self) -> Floats:
-        """L = Iω in space components, shape (N, 3), in J s."""
+        """L = Iω in space components, shape (N, 3), in J s, about the point of the moments."""
         return self.rotation.apply(self.omega * np.array(self.motion.body.moments))
 
     @property
     def e3(self) -> Floats:
         """The figure axis in space components, shape (N, 3)."""
         return self.rotation.as_matrix()[:, :, 2]
+
+
+class Trajectory(Turning):
+    """A motion at N times of a body that is free, or held at one point."""
+
+    motion: Motion
 
     @property
     def vertical(self) -> Floats:
