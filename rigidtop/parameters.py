@@ -99,7 +99,14 @@ def _parsed(given: Sequence[str], known: Mapping[str, Parameter]) -> dict[str, f
             raise RigidtopError(
                 f"{name} must be a number, such as 0.5, 30deg or 600rpm, not {value!r}"
             ) from None
-        unit = known[name].unit if name in known else "rad"
-        if "rad" not in unit and value.endswith(tuple(UNITS)):
-            raise RigidtopError(f"{name} is in {unit}: give a plain number, not {value!r}")
+        unit = known[name].unit if name in known else "rad/s"
+        if value.endswith(_foreign(unit)):
+            raise RigidtopError(f"{name} is in {unit}: {value!r} is something else")
     return changes
+
+
+def _foreign(unit: str) -> tuple[str, ...]:
+    """What may not stand behind a number of that unit: turns a minute behind an angle, say."""
+    if "rad" not in unit:
+        return tuple(UNITS)
+    return () if unit.startswith("rad/s") else ("rpm",)
