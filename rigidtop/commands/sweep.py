@@ -11,9 +11,10 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
+from types import FrameType
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands import motions
@@ -154,10 +155,12 @@ def run(options: argparse.Namespace) -> int:
         nonlocal first, last
         first, last = done if first is None else first, done
         show(done, total)
+        if interrupted():
+            raise KeyboardInterrupt
 
     start = time.monotonic()
     try:
-        with executor(options) as (pool, ahead):
+        with noted_interrupts() as interrupted, executor(options) as (pool, ahead):
             found = sweep.run(
                 asked, options.output, pool, block_size=size, ahead=ahead, progress=progress
             )
@@ -254,6 +257,31 @@ def _cluster(address: str) -> Iterator[Any]:
         raise RigidtopError(f"no Dask scheduler at {address!r}: {error}") from None
     with client:
         yield client
+
+
+@contextmanager
+def noted_interrupts() -> Iterator[Callable[[], bool]]:
+    """Whether Ctrl-C was pressed, for the time between two blocks; a second one raises at once.
+
+    Raised anywhere, KeyboardInterrupt may come out of the midst of a lock of `concurrent.futures`,
+    which then hangs, or fails with an error of its own.
+    """
+    pressed = False
+
+    def note(number: int, frame: FrameType | None) -> None:
+        nonlocal pressed
+        if pressed:
+            signal.default_int_handler(number, frame)
+        pressed = True
+
+    if threading.current_thread() is not threading.main_thread():
+        yield lambda: False  # only the main thread may set handlers, and only it is interrupted
+        return
+    before = signal.signal(signal.SIGINT, note)
+    try:
+        yield lambda: pressed
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def follow() -> None:

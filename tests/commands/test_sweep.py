@@ -11,6 +11,7 @@ import pytest
 
 import rigidtop as rt
 from rigidtop.cli import main
+from rigidtop.commands.sweep import noted_interrupts
 from rigidtop.motion import store
 from rigidtop.motion.sweep import REGIMES, load
 
@@ -180,3 +181,15 @@ def test_processes_end_with_the_one_that_was_killed(tmp_path):
         [sys.executable, "-c", script], stdout=subprocess.PIPE, timeout=30, check=False
     )
     assert done.returncode == -signal.SIGKILL
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no such signals there")
+def test_an_interrupt_is_noted_and_a_second_one_raises_at_once():
+    before = signal.getsignal(signal.SIGINT)
+    with noted_interrupts() as interrupted:
+        assert not interrupted()
+        signal.raise_signal(signal.SIGINT)
+        assert interrupted()
+        with pytest.raises(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGINT)
+    assert signal.getsignal(signal.SIGINT) is before
