@@ -1,0 +1,204 @@
+/** The shapes of what the modules of the page hand each other. */
+
+/** Which page: a heavy body with one point held, or a body without torque. */
+export type Kind = "heavy-top" | "free";
+
+/** The unit of every time in a setup: all rates are per second, or all are per day. */
+export type Clock = "s" | "d";
+
+/** Numbers by the names that the Python package uses: `lambda1`, `phi_dot`, `omega3` … */
+export type Values = Readonly<Record<string, number>>;
+
+/**
+ * A body and its state at t = 0, in SI units and radians, but for the clock.
+ *
+ * A heavy body has lambda1, lambda2, lambda3, M, g, R1, R2, R and the Euler angles and rates theta,
+ * theta_dot, phi, phi_dot, psi, omega3.  A free one has lambda1, lambda2, lambda3, omega1, omega2,
+ * omega3, and theta, phi, psi of its attitude unless it starts with L along ẑ.
+ */
+export interface Setup {
+  readonly kind: Kind;
+  readonly clock: Clock;
+  readonly values: Values;
+}
+
+/** Three numbers, or four of a quaternion, scalar first. */
+export type Numbers = ArrayLike<number>;
+
+/** A motion at one time. */
+export interface Sample {
+  readonly t: number;
+  /** Unit quaternion, body components to space components. */
+  readonly q: Numbers;
+  /** The same as a matrix, row by row; its columns are e₁, e₂, e₃ in space. */
+  readonly rotation: Numbers;
+  /** ω in body components. */
+  readonly omega: Numbers;
+  /** ω in space components. */
+  readonly omegaSpace: Numbers;
+  /** L in space components. */
+  readonly momentum: Numbers;
+  /** Torque of gravity about the pivot, in space components. */
+  readonly torque: Numbers;
+  /** The figure axis in space components. */
+  readonly e3: Numbers;
+  readonly theta: number;
+  /** φ and ψ count turns. */
+  readonly phi: number;
+  readonly psi: number;
+  readonly theta_dot: number;
+  /** NaN where sin θ = 0 leaves it open, as ψ̇. */
+  readonly phi_dot: number;
+  readonly psi_dot: number;
+  readonly energy: number;
+  readonly p_phi: number;
+  readonly p_psi: number;
+}
+
+/** What the exact motion keeps, and by how much it has strayed. */
+export interface Drift {
+  readonly name: "E" | "p_phi" | "p_psi" | "L";
+  /** Relative, as `Trajectory.drift` of the Python package defines it. */
+  readonly now: number;
+  /** The largest since t = 0. */
+  readonly most: number;
+}
+
+/** A motion that can be moved to any time; made by `createMotion`. */
+export interface Motion {
+  readonly setup: Setup;
+  /** Moments, and Mg times the centre of mass, in body components. */
+  readonly moments: Numbers;
+  readonly weight: Numbers;
+  /** λ₁ = λ₂ with the centre of mass on e₃: then ω₃ is constant. */
+  readonly symmetric: boolean;
+  /** About how long the fastest change takes, one radian of it; in units of the clock. */
+  readonly timescale: number;
+  /** The motion at t = 0, and where it is now. */
+  readonly start: Sample;
+  readonly now: Sample;
+  /** Samples from the earliest that is kept until now, evenly spaced in time, oldest first. */
+  readonly trail: readonly Sample[];
+  /** Move to the time t, at most until performance.now() = deadline; whether it was reached. */
+  go(t: number, deadline?: number): boolean;
+  /** `count` samples from t = 0 to `duration`, computed apart from the motion itself. */
+  ahead(duration: number, count: number): Sample[];
+  drift(): Drift[];
+}
+
+/** What can be said of a motion before it moves: see `facts.js`. */
+export interface Facts {
+  /** Regime in words: "waves", "cusps", "loops", "steady precession", "sleeping" …; "" if none. */
+  readonly regime: string;
+  /** Smallest and largest θ, where θ moves between turning points; else null. */
+  readonly turningPoints: readonly [number, number] | null;
+  /** Smallest |ω₃| with a steady precession at θ₀ (heavy symmetric top); else null. */
+  readonly smallestSpin: number | null;
+  /** Smallest |ω₃| at which the upright top is stable; else null. */
+  readonly sleepingSpin: number | null;
+  /** (Ω₋, Ω₊) at θ₀; null where there are none. */
+  readonly steady: readonly [number, number] | null;
+  /** One sentence for a reader: "steady precession at θ₀ = 30° needs |ω₃| ≥ 8.3 rad/s …". */
+  readonly verdict: string;
+}
+
+/** A slider. */
+export interface Parameter {
+  readonly name: string;
+  /** λ₁, φ̇₀ … as text, and as MathML. */
+  readonly letter: string;
+  readonly math: string;
+  readonly meaning: string;
+  /** "kg m²", "rad/s" …; "" for an angle, which is shown in degrees. */
+  readonly unit: string;
+  readonly least: number;
+  readonly most: number;
+  /** Sliders of what may not be zero are logarithmic. */
+  readonly logarithmic: boolean;
+  readonly angle: boolean;
+}
+
+/** A setup with a name and with what to look at. */
+export interface Preset {
+  readonly name: string;
+  readonly title: string;
+  /** One or two sentences: what happens and why. */
+  readonly about: string;
+  readonly setup: Setup;
+  readonly view: View;
+  readonly layers: readonly Layer[];
+  readonly shape: Shape;
+  /** Units of the clock for each second that passes. */
+  readonly speed: number;
+}
+
+export type View = "space" | "body";
+export type Shape = "top" | "brick" | "ellipsoid" | "T-handle";
+export type Layer =
+  | "e1" | "e2" | "e3" | "omega" | "L" | "torque" | "trail" | "cones" | "poinsot";
+
+/** An equation in the notes' form; each term is an element with data-term="0", "1", … in it. */
+export interface Equation {
+  /** "3.54". */
+  readonly tag: string;
+  readonly title: string;
+  readonly mathml: string;
+  /** The function of `equations.js` that gives the values of the terms, and what it takes. */
+  readonly function: string;
+  readonly terms: readonly Term[];
+}
+
+export interface Term {
+  /** The term as text: "MgR sin θ". */
+  readonly text: string;
+  /** "torque of gravity". */
+  readonly name: string;
+  readonly unit: string;
+}
+
+/** What Python writes into the page. */
+export interface PageData {
+  readonly kind: Kind;
+  readonly version: string;
+  readonly title: string;
+  /** Coefficients of DOP853, as SciPy has them. */
+  readonly tableau: Tableau;
+  readonly parameters: readonly Parameter[];
+  readonly presets: readonly Preset[];
+  readonly equations: readonly Equation[];
+  /** What is shown first: a preset, or a motion of one's own. */
+  readonly first: Preset;
+}
+
+/** An explicit Runge-Kutta method with dense output: names as in `scipy.integrate.DOP853`. */
+export interface Tableau {
+  readonly A: readonly (readonly number[])[];
+  readonly B: readonly number[];
+  readonly C: readonly number[];
+  readonly E3: readonly number[];
+  readonly E5: readonly number[];
+  readonly D: readonly (readonly number[])[];
+  readonly A_EXTRA: readonly (readonly number[])[];
+  readonly C_EXTRA: readonly number[];
+}
+
+/** Colours of the page's theme, for what is drawn: read from the style sheet by `theme.js`. */
+export interface Colours {
+  readonly paper: string;
+  readonly ink: string;
+  readonly muted: string;
+  readonly rule: string;
+  readonly body: string;
+  readonly e1: string;
+  readonly e2: string;
+  readonly e3: string;
+  readonly omega: string;
+  readonly L: string;
+  readonly torque: string;
+  readonly trail: string;
+  readonly bodyCone: string;
+  readonly spaceCone: string;
+  readonly polhode: string;
+  /** Lines are thicker, and nothing is translucent. */
+  readonly highContrast: boolean;
+}
