@@ -1,0 +1,297 @@
+/** What the panels share: numbers as text, axes on a canvas, and doing things not too often. */
+
+/** @typedef {import("./types").Colours} Colours */
+/** @typedef {{left: number, right: number, top: number, bottom: number}} Box */
+/** @typedef {{low: number, high: number}} Range */
+/** @typedef {{ctx: CanvasRenderingContext2D, width: number, height: number, em: number}} Paper */
+
+const SUPERSCRIPTS = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷",
+  8: "⁸", 9: "⁹" };
+const THIN_SPACE = "\u202f";
+
+/**
+ * An exponent of ten as superscript: −14 → "10⁻¹⁴".
+ *
+ * @param {number} exponent
+ */
+export function powerOfTen(exponent) {
+  const digits = /** @type {(keyof typeof SUPERSCRIPTS)[]} */ ([...String(exponent)]);
+  return "10" + digits.map((digit) => SUPERSCRIPTS[digit]).join("");
+}
+
+/**
+ * `text` with the minus sign of mathematics.
+ *
+ * @param {string} text
+ */
+function withMinus(text) {
+  return text.replace(/^-/, "\u2212");
+}
+
+/**
+ * As "3·10⁻¹⁴", with so many digits.
+ *
+ * @param {number} value
+ * @param {number} digits
+ */
+export function scientific(value, digits = 1) {
+  if (value === 0) return "0";
+  if (!Number.isFinite(value)) return "—";
+  const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
+  return `${withMinus(mantissa)}·${powerOfTen(Number(exponent))}`;
+}
+
+/**
+ * With four significant digits, as "1.240", "−31.62" or "6.674·10⁻¹¹".
+ *
+ * @param {number} value
+ */
+export function significant(value) {
+  const size = Math.abs(value);
+  if (value === 0) return "0";
+  if (size < 1e-3 || size >= 99995) return scientific(value, 4);
+  return withMinus(size >= 1000 ? value.toFixed(0) : value.toPrecision(4));
+}
+
+/**
+ * With so many decimals, and no minus before a zero.
+ *
+ * @param {number} value
+ * @param {number} digits
+ */
+export function decimal(value, digits) {
+  const text = value.toFixed(digits);
+  return Number(text) === 0 ? text.replace("-", "") : withMinus(text);
+}
+
+/**
+ * A number and its unit, which a thin space keeps together.
+ *
+ * @param {string} number
+ * @param {string} unit
+ */
+export function withUnit(number, unit) {
+  return unit && number + THIN_SPACE + unit.replace(/ /g, THIN_SPACE) || number;
+}
+
+/**
+ * The smallest of 1, 2, 5 times a power of ten that is at least `size`.
+ *
+ * @param {number} size
+ */
+export function nice(size) {
+  const power = 10 ** Math.floor(Math.log10(size));
+  const factor = [1, 2, 5].find((each) => each * power >= size * (1 - 1e-9));
+  return (factor ?? 10) * power;
+}
+
+/**
+ * The multiples of a step in a range.
+ *
+ * @param {Range} range
+ * @param {number} step
+ */
+function ticks({ low, high }, step) {
+  const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  const values = [];
+  for (let k = Math.ceil(low / step - 1e-6); k * step <= high + 1e-6 * step; k += 1) {
+    values.push(k * step);
+  }
+  return { values, digits };
+}
+
+/**
+ * A nice step of which about `count` fit in a range.
+ *
+ * @param {Range} range
+ * @param {number} count
+ */
+function niceStep({ low, high }, count) {
+  return nice((high - low) / Math.max(2, count));
+}
+
+/**
+ * The map of a range onto pixels.
+ *
+ * @param {Range} range
+ * @param {number} from
+ * @param {number} to
+ */
+export function scale({ low, high }, from, to) {
+  const factor = (to - from) / (high - low);
+  return (/** @type {number} */ value) => from + (value - low) * factor;
+}
+
+/**
+ * A canvas that fills its container, in device pixels, and is drawn anew when its size changes.
+ *
+ * @param {HTMLElement} container
+ * @param {() => void} redraw
+ */
+export function createPaper(container, redraw) {
+  const canvas = document.createElement("canvas");
+  canvas.setAttribute("role", "img");
+  container.append(canvas);
+  const ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+  let width = 0;
+  let height = 0;
+  let em = 16;
+
+  new ResizeObserver(() => {
+    width = canvas.clientWidth;
+    height = canvas.clientHeight;
+    em = parseFloat(getComputedStyle(canvas).fontSize);
+    redraw();
+  }).observe(canvas);
+
+  const describe = atMostEvery(1000, (/** @type {string} */ text) => {
+    canvas.setAttribute("aria-label", text);
+  });
+
+  return {
+    describe,
+    /**
+     * An empty sheet, or null while there is no room for one.
+     *
+     * @returns {Paper | null}
+     */
+    clear() {
+      if (width === 0 || height === 0) return null;
+      const ratio = window.devicePixelRatio;
+      const columns = Math.round(width * ratio);
+      const rows = Math.round(height * ratio);
+      if (canvas.width !== columns || canvas.height !== rows) {
+        canvas.width = columns;
+        canvas.height = rows;
+      }
+      ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
+      ctx.clearRect(0, 0, width, height);
+      ctx.lineJoin = "round";
+      ctx.textBaseline = "middle";
+      ctx.font = font(em);
+      return { ctx, width, height, em };
+    },
+  };
+}
+
+/**
+ * The font of all that is written on a canvas.
+ *
+ * @param {number} size in pixels
+ */
+function font(size) {
+  return `${size}px system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif`;
+}
+
+/**
+ * Write text of which what follows "_" in a word is set as an index; returns its width.
+ *
+ * @param {Paper} paper
+ * @param {string} text
+ * @param {number} x
+ * @param {number} y the middle of the line
+ * @param {"left" | "right" | "center"} align
+ */
+export function write({ ctx, em }, text, x, y, align = "left") {
+  const parts = text.split(/(_[^\s_]+)/).filter(Boolean).map((part) => {
+    const index = part.startsWith("_");
+    ctx.font = font(index ? 0.75 * em : em);
+    const letters = index ? part.slice(1) : part;
+    return { letters, index, width: ctx.measureText(letters).width };
+  });
+  const width = parts.reduce((sum, part) => sum + part.width, 0);
+  let at = align === "left" ? x : align === "right" ? x - width : x - width / 2;
+  for (const part of parts) {
+    ctx.font = font(part.index ? 0.75 * em : em);
+    ctx.fillText(part.letters, at, y + (part.index ? 0.3 * em : 0));
+    at += part.width;
+  }
+  ctx.font = font(em);
+  return width;
+}
+
+/**
+ * A straight line.
+ *
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {number} x1 @param {number} y1 @param {number} x2 @param {number} y2
+ */
+export function line(ctx, x1, y1, x2, y2) {
+  ctx.beginPath();
+  ctx.moveTo(x1, y1);
+  ctx.lineTo(x2, y2);
+  ctx.stroke();
+}
+
+/**
+ * Lines of a grid and numbers at the left of a box.
+ *
+ * @param {Paper} paper @param {Box} box @param {Range} range @param {Colours} colours
+ */
+export function drawUpAxis(paper, box, range, colours) {
+  const { ctx, em } = paper;
+  const { values, digits } = ticks(range, niceStep(range, (box.bottom - box.top) / (2.6 * em)));
+  const y = scale(range, box.bottom, box.top);
+  ctx.strokeStyle = colours.rule;
+  ctx.fillStyle = colours.ink;
+  ctx.lineWidth = 1;
+  for (const value of values) {
+    const at = Math.round(y(value)) + 0.5;
+    line(ctx, box.left, at, box.right, at);
+    write(paper, decimal(value, digits), box.left - 0.5 * em, at, "right");
+  }
+}
+
+/**
+ * Lines of a grid and, where there is a label, numbers below a box with the label after them.
+ *
+ * @param {Paper} paper @param {Box} box @param {Range} range @param {Colours} colours
+ * @param {string} label
+ * @param {number} step between the lines, instead of a nice one
+ */
+export function drawAlongAxis(paper, box, range, colours, label, step = 0) {
+  const { ctx, em } = paper;
+  const { values, digits } = ticks(range,
+    step || niceStep(range, (box.right - box.left) / (5 * em)));
+  const x = scale(range, box.left, box.right);
+  const below = box.bottom + em;
+  ctx.strokeStyle = colours.rule;
+  ctx.fillStyle = colours.ink;
+  ctx.lineWidth = 1;
+  const end = box.right - write(paper, label, box.right, below, "right") - 0.6 * em;
+  for (const value of values) {
+    const at = Math.round(x(value)) + 0.5;
+    line(ctx, at, box.top, at, box.bottom);
+    const text = decimal(value, digits);
+    if (label && at + ctx.measureText(text).width / 2 < end) {
+      write(paper, text, at, below, "center");
+    }
+  }
+}
+
+/**
+ * `act`, at once where it has rested so many milliseconds, else with the last arguments when it has.
+ *
+ * @template {unknown[]} A
+ * @param {number} rest
+ * @param {(...args: A) => void} act
+ * @returns {(...args: A) => void}
+ */
+export function atMostEvery(rest, act) {
+  let ready = -Infinity;
+  /** @type {A | null} */
+  let waiting = null;
+  const run = () => {
+    if (!waiting) return;
+    const args = waiting;
+    waiting = null;
+    ready = performance.now() + rest;
+    act(...args);
+  };
+  return (...args) => {
+    const idle = waiting === null;
+    waiting = args;
+    if (performance.now() >= ready) run();
+    else if (idle) setTimeout(run, ready - performance.now());
+  };
+}

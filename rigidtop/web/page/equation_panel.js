@@ -1,0 +1,178 @@
+/** The equations of motion, of which each term can be asked what it is and how large it is now. */
+
+import { atMostEvery, significant, withUnit } from "./axes.js";
+import * as equations from "./equations.js";
+import { quantities } from "./motion.js";
+
+/** @typedef {import("./types").Equation} Equation */
+/** @typedef {import("./types").Motion} Motion */
+/** @typedef {import("./types").Sample} Sample */
+/** @typedef {(quantities: Record<string, number>) => readonly number[]} TermFunction */
+
+const ARROWS = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
+
+/**
+ * The equations one below the other; a term under the pointer, tapped or focused is named below.
+ *
+ * @param {HTMLElement} container
+ * @param {readonly Equation[]} list
+ */
+export function createEquationPanel(container, list) {
+  container.classList.add("equations");
+  const hint = document.createElement("p");
+  hint.className = "equations-hint";
+  hint.textContent = "Point at a term, tap it, or reach it with Tab and the arrow keys.";
+  const entries = list.map(createEntry);
+  container.replaceChildren(hint, ...entries.map((entry) => entry.figure));
+
+  const update = atMostEvery(250, (/** @type {Sample} */ sample, /** @type {Motion} */ motion) => {
+    for (const entry of entries) entry.update(sample, motion);
+  });
+  return { draw: update };
+}
+
+/**
+ * One equation with the line that names a term of it.
+ *
+ * @param {Equation} equation
+ */
+function createEntry({ tag, title, mathml, function: name, terms }) {
+  const figure = document.createElement("figure");
+  figure.className = "equation";
+  figure.setAttribute("aria-label", `Equation (${tag}): ${title}`);
+  const heading = document.createElement("p");
+  heading.className = "equation-title";
+  heading.textContent = title;
+  const formula = document.createElement("div");
+  formula.className = "equation-formula";
+  formula.innerHTML = mathml;
+  const number = document.createElement("span");
+  number.className = "equation-tag";
+  number.textContent = `(${tag})`;
+  const naming = document.createElement("p");
+  naming.className = "equation-naming";
+  naming.id = `equation-naming-${tag}`;
+  const row = document.createElement("div");
+  row.className = "equation-row";
+  row.append(formula, number);
+  figure.append(heading, row, naming);
+
+  const targets = /** @type {MathMLElement[]} */ ([...formula.querySelectorAll("[data-term]")]);
+  /** The term that stays named, and the one under the pointer; −1 for none. */
+  let chosen = -1;
+  let pointed = -1;
+  /** @type {[Sample, Motion] | null} */
+  let present = null;
+
+  for (const target of targets) {
+    const term = terms[termOf(target)];
+    target.setAttribute("role", "button");
+    target.setAttribute("aria-label", `${term.text}: ${term.name}`);
+    target.setAttribute("aria-describedby", naming.id);
+    target.tabIndex = target === targets[0] ? 0 : -1;
+  }
+
+  /**
+   * The target that an event is about.
+   *
+   * @param {Event} event
+   */
+  function targetOf(event) {
+    const element = /** @type {Element} */ (event.target).closest("[data-term]");
+    return /** @type {MathMLElement | null} */ (element);
+  }
+
+  /** @param {number} term @param {MathMLElement} target */
+  function choose(term, target) {
+    chosen = term;
+    for (const each of targets) each.tabIndex = each === target ? 0 : -1;
+    show();
+  }
+
+  function show() {
+    const shown = pointed >= 0 ? pointed : chosen;
+    for (const target of targets) target.classList.toggle("named", termOf(target) === shown);
+    const text = shown < 0 ? "" : sentence(shown);
+    if (naming.textContent !== text) naming.textContent = text;
+  }
+
+  /**
+   * "MgR sin θ: torque of gravity = 1.240 N m".
+   *
+   * @param {number} k
+   */
+  function sentence(k) {
+    const { text, name: words, unit } = terms[k];
+    if (!present) return `${text}: ${words}`;
+    const value = termValues(name, ...present)[k];
+    return Number.isFinite(value)
+      ? `${text}: ${words} = ${withUnit(significant(value), unitIn(unit, present[1]))}`
+      : `${text}: ${words}, not defined here (sin θ = 0)`;
+  }
+
+  formula.addEventListener("pointerover", (event) => {
+    const target = targetOf(event);
+    pointed = target ? termOf(target) : -1;
+    show();
+  });
+  formula.addEventListener("pointerleave", () => {
+    pointed = -1;
+    show();
+  });
+  for (const type of ["focusin", "click"]) {
+    formula.addEventListener(type, (event) => {
+      const target = targetOf(event);
+      if (target) choose(termOf(target), target);
+    });
+  }
+  formula.addEventListener("keydown", (event) => {
+    const step = ARROWS[/** @type {keyof typeof ARROWS} */ (event.key)];
+    const target = targetOf(event);
+    if (!step || !target || event.ctrlKey || event.metaKey || event.altKey) return;
+    const next = targets.indexOf(target) + step;
+    targets[(next + targets.length) % targets.length].focus();
+    event.preventDefault();
+    event.stopPropagation();
+  });
+
+  return {
+    figure,
+    /** @param {Sample} sample @param {Motion} motion */
+    update(sample, motion) {
+      present = [sample, motion];
+      show();
+    },
+  };
+}
+
+/**
+ * The number of the term that an element stands for.
+ *
+ * @param {MathMLElement} target
+ */
+function termOf(target) {
+  return Number(target.dataset.term);
+}
+
+/**
+ * The values of an equation's terms by its function in equations.js.
+ *
+ * @param {string} name
+ * @param {Sample} sample
+ * @param {Motion} motion
+ */
+function termValues(name, sample, motion) {
+  const functions = /** @type {Record<string, TermFunction>} */ (/** @type {unknown} */ (equations));
+  return functions[name](quantities(sample, motion));
+}
+
+/**
+ * A unit of the equations in the motion's own unit of time: "N m" is "kg m²/d²" by the day.
+ *
+ * @param {string} unit
+ * @param {Motion} motion
+ */
+function unitIn(unit, { setup: { clock } }) {
+  if (clock === "s") return unit;
+  return unit.replace(/^(N m|J)$/, "kg m²/s²").replace(/\bs(?=[²³]?$)/, clock);
+}

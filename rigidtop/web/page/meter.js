@@ -1,0 +1,131 @@
+/** How far the computed motion has strayed from what the exact one keeps. */
+
+import { atMostEvery, powerOfTen, scientific } from "./axes.js";
+
+/** @typedef {import("./types").Drift} Drift */
+
+/** Exponents of ten at the ends of the bars, and of what is promised. */
+const LEAST = -16;
+const MOST = -6;
+const PROMISE = -9;
+
+const NAMES = {
+  E: { symbol: "E", meaning: "energy" },
+  p_phi: { symbol: "p<sub>φ</sub>", meaning: "p φ, the momentum of φ" },
+  p_psi: { symbol: "p<sub>ψ</sub>", meaning: "p ψ, the momentum of ψ" },
+  L: { symbol: "L", meaning: "angular momentum" },
+};
+
+/**
+ * A row for each constant of the motion: its relative drift as a bar, as numbers and as a word.
+ *
+ * @param {HTMLElement} container
+ */
+export function createMeter(container) {
+  container.classList.add("meter");
+  container.style.setProperty("--promise", percent(10 ** PROMISE));
+  /** @type {string} */
+  let names = "";
+  /** @type {((drift: Drift) => void)[]} */
+  let rows = [];
+
+  const draw = atMostEvery(250, (/** @type {readonly Drift[]} */ drifts) => {
+    const wanted = drifts.map((drift) => drift.name).join();
+    if (wanted !== names) {
+      names = wanted;
+      container.replaceChildren(heading());
+      rows = drifts.map((drift) => createRow(container, drift.name));
+    }
+    drifts.forEach((drift, k) => rows[k](drift));
+  });
+  return { draw };
+}
+
+/** The words above the columns. */
+function heading() {
+  const row = element("div", "meter-row meter-heading");
+  row.setAttribute("aria-hidden", "true");
+  const scale = element("span", "meter-scale");
+  scale.append(element("span", "", powerOfTen(LEAST)), element("span", "", powerOfTen(PROMISE)),
+    element("span", "", powerOfTen(MOST)));
+  row.append(element("span", ""), scale, element("span", "", "now"), element("span", "", "most"),
+    element("span", ""));
+  return row;
+}
+
+/**
+ * A row at the end of the container, and the function that shows a drift in it.
+ *
+ * @param {HTMLElement} container
+ * @param {Drift["name"]} name
+ */
+function createRow(container, name) {
+  const { symbol, meaning } = NAMES[name];
+  const row = element("div", "meter-row");
+  row.setAttribute("role", "meter");
+  row.setAttribute("aria-label", `Relative drift of ${meaning}`);
+  row.setAttribute("aria-valuemin", String(LEAST));
+  row.setAttribute("aria-valuemax", String(MOST));
+  const letter = element("span", "meter-name");
+  letter.innerHTML = symbol;
+  const bar = element("span", "meter-bar");
+  const now = element("span", "meter-number");
+  const most = element("span", "meter-number");
+  const word = element("span", "meter-word");
+  row.append(letter, bar, now, most, word);
+  container.append(row);
+  let shown = "";
+
+  return (/** @type {Drift} */ drift) => {
+    const texts = [drift.now, drift.most].map((value) => scientific(value));
+    const verdict = drift.most < 10 ** PROMISE ? "held" : "lost";
+    if (shown === texts.join()) return;
+    shown = texts.join();
+    [now.textContent, most.textContent] = texts;
+    word.textContent = verdict;
+    row.dataset.verdict = verdict;
+    bar.style.setProperty("--now", percent(drift.now));
+    bar.style.setProperty("--most", percent(drift.most));
+    row.setAttribute("aria-valuenow", exponent(drift.most).toFixed(1));
+    row.setAttribute("aria-valuetext",
+      `${verdict}: ${spoken(drift.now)} now, ${spoken(drift.most)} at most`);
+  };
+}
+
+/**
+ * The exponent of ten of a drift, within the bar.
+ *
+ * @param {number} drift
+ */
+function exponent(drift) {
+  return drift < 10 ** MOST ? Math.max(Math.log10(drift), LEAST) : MOST;
+}
+
+/**
+ * The place of a drift along the bar.
+ *
+ * @param {number} drift
+ */
+function percent(drift) {
+  return `${(100 * (exponent(drift) - LEAST) / (MOST - LEAST)).toFixed(1)}%`;
+}
+
+/**
+ * A drift as it is read aloud.
+ *
+ * @param {number} drift
+ */
+function spoken(drift) {
+  if (drift === 0) return "0";
+  if (!Number.isFinite(drift)) return "unknown";
+  const [mantissa, power] = drift.toExponential(0).split("e");
+  return `${mantissa} times 10 to the ${power.replace("-", "minus ")}`;
+}
+
+/** @param {string} tag @param {string} className */
+function element(tag, className, text = "") {
+  const made = document.createElement(tag);
+  made.className = className;
+  made.textContent = text;
+  return made;
+}
