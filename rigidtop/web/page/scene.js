@@ -1,0 +1,418 @@
+/** The picture: a body in motion, with its arrows, trails, cones and ellipsoid. */
+import { createArrows } from "./arrows.js";
+import { createCones } from "./cones.js";
+import { createGovernor } from "./governor.js";
+import { createLabels } from "./labels.js";
+import { createPalette } from "./palette.js";
+import { createPoinsot } from "./poinsot.js";
+import { createBodies } from "./shapes.js";
+import { AXIS, createSurroundings } from "./surroundings.js";
+import { createTrail } from "./trail.js";
+
+/** @typedef {import("./types").Colours} Colours */
+/** @typedef {import("./types").Layer} Layer */
+/** @typedef {import("./types").Motion} Motion */
+/** @typedef {import("./types").Numbers} Numbers */
+/** @typedef {import("./types").Sample} Sample */
+/** @typedef {import("./types").Shape} Shape */
+/** @typedef {import("./types").View} View */
+
+/** Half of the angle of sight along the shorter side of the picture. */
+const SIGHT = (15.2 * Math.PI) / 180;
+/** Where the camera is at first: distance, azimuth from x, elevation. */
+const HOME = { distance: 5.2, azimuth: 0.6, elevation: 0.36 };
+/** Lengths of arrows for the values at t = 0, and the longest that is drawn. */
+const OMEGA = 1.08;
+const MOMENTUM = 1.24;
+const TORQUE = 0.8;
+const LONGEST = 1.7;
+
+/**
+ * The scene in a container that it fills.  Throws an Error if the browser has no WebGL.
+ *
+ * @param {HTMLElement} container
+ * @param {Colours} colours
+ */
+export function createScene(container, colours) {
+  const canvas = document.createElement("canvas");
+  const context = contextOf(canvas);
+  const renderer = new THREE.WebGLRenderer({ canvas, context });
+  canvas.style.cssText = "display:block;position:absolute;inset:0";
+  if (getComputedStyle(container).position === "static") container.style.position = "relative";
+  container.append(canvas);
+
+  const scene = new THREE.Scene();
+  const paper = new THREE.Color();
+  const fog = new THREE.Fog("#fff");
+  scene.background = paper;
+  scene.fog = fog;
+  const camera = new THREE.PerspectiveCamera(30, 1, 0.1, 60);
+  camera.up.set(0, 0, 1);
+  const sun = new THREE.DirectionalLight(0xffffff, 0.55);
+  // The light comes over the shoulder of who looks.
+  sun.position.set(-1.2, 2, 2.2);
+  camera.add(sun);
+  scene.add(camera, new THREE.AmbientLight(0xffffff, 0.58));
+
+  const palette = createPalette(colours);
+  const surroundings = createSurroundings(palette);
+  const bodies = createBodies(palette);
+  const cones = createCones(palette);
+  const poinsot = createPoinsot(palette);
+  const trace = createTrail(palette);
+  const arrows = createArrows();
+  const labels = createLabels(container);
+
+  // `world` is at rest in the chosen view; `space` has the axes x, y, z and `inBody` e₁, e₂, e₃.
+  const world = new THREE.Group();
+  const space = new THREE.Group();
+  const inBody = new THREE.Group();
+  /** What the trail is drawn on: fixed in space, or in the body when it is seen from there. */
+  const dome = new THREE.Group();
+  scene.add(world, surroundings.outline);
+  world.add(space, inBody, dome);
+  space.add(surroundings.axes, surroundings.floor, cones.space, poinsot.space);
+  inBody.add(bodies.object, cones.body, poinsot.body);
+  dome.add(surroundings.sphere, trace.object);
+
+  const e1 = arrowOf("e₁", (c) => c.e1, 0.0105, inBody);
+  const e2 = arrowOf("e₂", (c) => c.e2, 0.0105, inBody);
+  const e3 = arrowOf("e₃", (c) => c.e3, 0.0105, inBody);
+  const omega = arrowOf("ω", (c) => c.omega, 0.0145, space);
+  const momentum = arrowOf("L", (c) => c.L, 0.0125, space);
+  const torque = arrowOf("N", (c) => c.torque, 0.0135, space);
+  e1.arrow.point(1, 0, 0, 1);
+  e2.arrow.point(0, 1, 0, 1);
+  e3.arrow.point(0, 0, 1, 1);
+  const axisLabels = ["x", "y", "z"].map((text) => labels.add(text, true));
+
+  /** @type {Motion | null} */
+  let motion = null;
+  /** @type {View} */
+  let view = "space";
+  /** @type {ReadonlySet<Layer>} */
+  let layers = new Set(/** @type {Layer[]} */ (["e3", "omega", "L", "trail"]));
+  /** @type {Sample | null} */
+  let sample = null;
+  /** @type {readonly Sample[]} */
+  let trail = [];
+  let drawnTime = NaN;
+  let dirty = true;
+  let request = 0;
+  let lost = false;
+  let ended = false;
+  let width = 1;
+  let height = 1;
+  let quality = 1;
+  /** Lengths as drawn for each unit of ω, L and torque. */
+  const scales = { omega: 0, momentum: 0, torque: 0 };
+  const attitude = new THREE.Quaternion();
+  const inverse = new THREE.Quaternion();
+  const still = new THREE.Quaternion();
+
+  const governor = createGovernor((next) => {
+    quality = next;
+    setResolution();
+  });
+  const controls = new THREE.OrbitControls(camera, canvas);
+  controls.enablePan = false;
+  controls.minDistance = 1.8;
+  controls.maxDistance = 18;
+  controls.rotateSpeed = 0.8;
+  controls.addEventListener("change", touch);
+
+  const notice = document.createElement("p");
+  notice.setAttribute("role", "status");
+  notice.style.cssText = "position:absolute;inset:auto 0 0;margin:0;padding:1em;text-align:center";
+  canvas.addEventListener("webglcontextlost", onLost);
+  canvas.addEventListener("webglcontextrestored", onRestored);
+
+  recolour();
+  resize();
+  home();
+
+  /**
+   * @param {string} text
+   * @param {(c: Colours) => string} pick
+   * @param {number} radius
+   * @param {THREE.Group} group
+   */
+  function arrowOf(text, pick, radius, group) {
+    const arrow = arrows.add(palette.solid((c) => new THREE.Color(pick(c))), radius);
+    const holder = new THREE.Group();
+    holder.add(arrow.object);
+    group.add(holder);
+    const label = labels.add(text);
+    palette.follow((c) => {
+      label.element.style.color = pick(c);
+      const thick = c.highContrast ? 1.5 : 1;
+      arrow.thicken(thick);
+    });
+    return { arrow, holder, label };
+  }
+
+  function onLost(/** @type {Event} */ event) {
+    event.preventDefault();
+    lost = true;
+    notice.textContent = "The picture is gone for the moment: the browser took WebGL back.";
+    container.append(notice);
+  }
+
+  function onRestored() {
+    lost = false;
+    notice.remove();
+    touch();
+  }
+
+  /** Something changed: draw again soon, whether or not time goes on. */
+  function touch() {
+    dirty = true;
+    if (!request && !ended) request = requestAnimationFrame(again);
+  }
+
+  function again() {
+    request = 0;
+    if (dirty && sample) draw(sample, trail);
+  }
+
+  function setResolution() {
+    renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1) * quality);
+    touch();
+  }
+
+  function resize() {
+    width = Math.max(1, container.clientWidth);
+    height = Math.max(1, container.clientHeight);
+    renderer.setSize(width, height);
+    palette.resize(width, height);
+    camera.aspect = width / height;
+    const tangent = Math.tan(SIGHT) / Math.min(1, camera.aspect);
+    camera.fov = (2 * Math.atan(tangent) * 180) / Math.PI;
+    camera.updateProjectionMatrix();
+    setResolution();
+  }
+
+  function recolour() {
+    const { paper: back, ink, muted } = palette.colours;
+    paper.set(back);
+    fog.color.set(back);
+    labels.setHalo(back);
+    notice.style.color = ink;
+    for (const label of axisLabels) label.element.style.color = muted;
+    touch();
+  }
+
+  function home() {
+    const { distance, azimuth, elevation } = HOME;
+    controls.target.set(0, 0, 0);
+    const level = distance * Math.cos(elevation);
+    camera.position.set(
+      level * Math.cos(azimuth), level * Math.sin(azimuth), distance * Math.sin(elevation),
+    );
+    controls.update();
+    touch();
+  }
+
+  function turn(/** @type {number} */ azimuth, /** @type {number} */ elevation) {
+    const { position } = camera;
+    const distance = position.length();
+    const around = Math.atan2(position.y, position.x) + azimuth;
+    const now = Math.asin(Math.max(-1, Math.min(1, position.z / distance)));
+    const up = Math.max(-1.55, Math.min(1.55, now + elevation));
+    const level = distance * Math.cos(up);
+    position.set(level * Math.cos(around), level * Math.sin(around), distance * Math.sin(up));
+    controls.update();
+    touch();
+  }
+
+  function zoom(/** @type {number} */ factor) {
+    // The controls keep the distance within its limits.
+    camera.position.multiplyScalar(1 / factor);
+    controls.update();
+    touch();
+  }
+
+  function setMotion(/** @type {Motion} */ next, /** @type {Shape} */ shape) {
+    motion = next;
+    bodies.show(next, shape);
+    cones.setMotion(next);
+    if (next.setup.kind === "free") poinsot.setMotion(next);
+    setScales(next);
+    arrange();
+  }
+
+  /** Arrows keep their scale while a body moves, so that one sees their lengths change. */
+  function setScales(/** @type {Motion} */ { moments, weight, start }) {
+    const reach = Math.hypot(weight[0], weight[1], weight[2]);
+    // A body that starts slowly gains speed by falling.
+    const fall = reach - (start.energy - kinetic(moments, start.omega));
+    const gain = Math.sqrt(2 * Math.max(0, fall) / Math.max(moments[0], moments[1]));
+    const speed = Math.max(norm(start.omega), 0.5 * gain);
+    const swing = Math.max(norm(start.momentum), 0.5 * gain * Math.max(moments[0], moments[1]));
+    scales.omega = speed > 0 ? OMEGA / speed : 0;
+    scales.momentum = swing > 0 ? MOMENTUM / swing : 0;
+    scales.torque = reach > 0 ? TORQUE / reach : 0;
+  }
+
+  /** Show what belongs to the layers, the view and the kind of motion. */
+  function arrange() {
+    if (!motion) return;
+    const heavy = motion.setup.kind === "heavy-top";
+    const construction = layers.has("poinsot") && !heavy;
+    e1.holder.visible = layers.has("e1");
+    e2.holder.visible = layers.has("e2");
+    e3.holder.visible = layers.has("e3");
+    omega.holder.visible = layers.has("omega");
+    momentum.holder.visible = layers.has("L");
+    torque.holder.visible = layers.has("torque") && heavy;
+    surroundings.floor.visible = heavy;
+    dome.visible = layers.has("trail");
+    surroundings.outline.visible = layers.has("trail");
+    cones.body.visible = cones.space.visible = layers.has("cones");
+    poinsot.body.visible = poinsot.space.visible = construction;
+    const size = construction ? poinsot.room(bodies.halves) : 1;
+    bodies.object.scale.set(size, size, size);
+    touch();
+  }
+
+  /** One frame; nothing is done if it would be the same as the last one. */
+  function draw(/** @type {Sample} */ now, /** @type {readonly Sample[]} */ past) {
+    sample = now;
+    trail = past;
+    if (lost || ended || !motion || (!dirty && now.t === drawnTime)) return;
+    if (now.t !== drawnTime) governor.tick(performance.now());
+    dirty = false;
+    drawnTime = now.t;
+
+    const { q } = now;
+    attitude.set(q[1], q[2], q[3], q[0]);
+    inverse.copy(attitude).invert();
+    const fromBody = view === "body";
+    world.quaternion.copy(fromBody ? inverse : still);
+    inBody.quaternion.copy(attitude);
+    dome.quaternion.copy(fromBody ? attitude : still);
+
+    const construction = poinsot.body.visible;
+    pointTo(omega.arrow, now.omegaSpace, construction ? poinsot.scale : scales.omega);
+    pointTo(momentum.arrow, now.momentum, scales.momentum);
+    pointTo(torque.arrow, now.torque, scales.torque);
+
+    if (dome.visible) trace.draw(now, past, trailOf(motion, view));
+    if (layers.has("cones") && !cones.draw(now, past)) touch();
+    if (construction) poinsot.draw(now, past);
+
+    const away = camera.position.length();
+    const fades = !palette.colours.highContrast;
+    fog.near = fades ? away - 0.6 : 1e6;
+    fog.far = fades ? away + 1.7 : 1e7;
+    if (surroundings.outline.visible) surroundings.face(camera);
+    renderer.render(scene, camera);
+    placeLabels();
+  }
+
+  function placeLabels() {
+    for (const { arrow, holder, label } of [e1, e2, e3]) {
+      label.wanted = holder.visible;
+      label.at.copy(arrow.tip).applyQuaternion(attitude).applyQuaternion(world.quaternion);
+    }
+    for (const { arrow, holder, label } of [omega, momentum, torque]) {
+      label.wanted = holder.visible && arrow.object.visible;
+      label.at.copy(arrow.tip).applyQuaternion(world.quaternion);
+    }
+    axisLabels.forEach((label, k) => {
+      label.wanted = true;
+      label.at.set(k === 0 ? 1 : 0, k === 1 ? 1 : 0, k === 2 ? 1 : 0);
+      label.at.multiplyScalar(AXIS + 0.06).applyQuaternion(world.quaternion);
+    });
+    labels.place(camera, width, height);
+  }
+
+  return {
+    setMotion,
+    draw,
+
+    setLayers(/** @type {readonly Layer[]} */ next) {
+      layers = new Set(next);
+      arrange();
+    },
+
+    setView(/** @type {View} */ next) {
+      view = next;
+      touch();
+    },
+
+    setColours(/** @type {Colours} */ next) {
+      palette.setColours(next);
+      recolour();
+    },
+
+    turn,
+    zoom,
+    home,
+    resize,
+
+    dispose() {
+      ended = true;
+      cancelAnimationFrame(request);
+      canvas.removeEventListener("webglcontextlost", onLost);
+      canvas.removeEventListener("webglcontextrestored", onRestored);
+      controls.dispose();
+      for (const part of [surroundings, bodies, cones, poinsot, trace, arrows, labels, palette]) {
+        part.dispose();
+      }
+      renderer.dispose();
+      canvas.remove();
+      notice.remove();
+    },
+  };
+}
+
+/** The drawing context of a canvas. */
+function contextOf(/** @type {HTMLCanvasElement} */ canvas) {
+  const attributes = { alpha: false, antialias: true, powerPreference: "high-performance" };
+  const context =
+    canvas.getContext("webgl2", attributes) || canvas.getContext("webgl", attributes);
+  if (!context) {
+    throw new Error("The picture needs WebGL, which this browser does not have or has turned off.");
+  }
+  return /** @type {WebGL2RenderingContext | WebGLRenderingContext} */ (context);
+}
+
+function norm(/** @type {Numbers} */ v) {
+  return Math.hypot(v[0], v[1], v[2]);
+}
+
+function kinetic(/** @type {Numbers} */ moments, /** @type {Numbers} */ omega) {
+  let sum = 0;
+  for (let k = 0; k < 3; k++) sum += moments[k] * omega[k] ** 2;
+  return sum / 2;
+}
+
+/** Let an arrow show a vector. */
+function pointTo(
+  /** @type {import("./arrows").Arrow} */ arrow, /** @type {Numbers} */ v,
+  /** @type {number} */ scale,
+) {
+  arrow.point(v[0], v[1], v[2], Math.min(LONGEST, scale * norm(v)));
+}
+
+/**
+ * The direction whose trail is drawn.  Seen from the body, e₃ rests and leaves none: there it is
+ * the vertical that wanders for a heavy body, and the axis of rotation for a free one.
+ */
+function trailOf(/** @type {Motion} */ { setup }, /** @type {View} */ view) {
+  if (view === "space") return figureAxis;
+  return setup.kind === "free" ? rotationAxis : vertical;
+}
+
+function figureAxis(/** @type {Sample} */ { e3 }, /** @type {THREE.Vector3} */ out) {
+  out.set(e3[0], e3[1], e3[2]);
+}
+
+function rotationAxis(/** @type {Sample} */ { omega }, /** @type {THREE.Vector3} */ out) {
+  out.set(omega[0], omega[1], omega[2]).normalize();
+}
+
+function vertical(/** @type {Sample} */ { rotation }, /** @type {THREE.Vector3} */ out) {
+  out.set(rotation[6], rotation[7], rotation[8]);
+}

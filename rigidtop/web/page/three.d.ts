@@ -1,0 +1,233 @@
+/**
+ * The part of three.js r130 that the scene uses; its build is a classic script with a global THREE.
+ * Written by hand: the package that ships the build has no types.
+ */
+declare namespace THREE {
+  type Numbers = Float32Array;
+
+  const FrontSide: number;
+  const DoubleSide: number;
+  const DynamicDrawUsage: number;
+
+  class Vector2 {
+    constructor(x?: number, y?: number);
+    x: number;
+    y: number;
+  }
+
+  class Vector3 {
+    constructor(x?: number, y?: number, z?: number);
+    x: number;
+    y: number;
+    z: number;
+    set(x: number, y: number, z: number): this;
+    copy(v: Vector3): this;
+    sub(v: Vector3): this;
+    multiplyScalar(s: number): this;
+    addScaledVector(v: Vector3, s: number): this;
+    applyQuaternion(q: Quaternion): this;
+    normalize(): this;
+    length(): number;
+    distanceTo(v: Vector3): number;
+    project(camera: Camera): this;
+  }
+
+  class Quaternion {
+    constructor(x?: number, y?: number, z?: number, w?: number);
+    set(x: number, y: number, z: number, w: number): this;
+    copy(q: Quaternion): this;
+    invert(): this;
+    identity(): this;
+    setFromUnitVectors(from: Vector3, to: Vector3): this;
+    setFromRotationMatrix(m: Matrix4): this;
+  }
+
+  class Matrix4 {
+    makeBasis(x: Vector3, y: Vector3, z: Vector3): this;
+  }
+
+  class Color {
+    constructor(colour?: string | number);
+    r: number;
+    g: number;
+    b: number;
+    set(colour: string | Color): this;
+    lerp(colour: Color, part: number): this;
+  }
+
+  class Fog {
+    constructor(colour: string | number, near?: number, far?: number);
+    color: Color;
+    near: number;
+    far: number;
+  }
+
+  class Object3D {
+    readonly position: Vector3;
+    readonly quaternion: Quaternion;
+    readonly scale: Vector3;
+    readonly up: Vector3;
+    visible: boolean;
+    frustumCulled: boolean;
+    renderOrder: number;
+    add(...objects: Object3D[]): this;
+    lookAt(v: Vector3): void;
+    traverse(visit: (object: Object3D) => void): void;
+  }
+
+  class Group extends Object3D {}
+
+  class Scene extends Object3D {
+    background: Color | null;
+    fog: Fog | null;
+  }
+
+  class Light extends Object3D {
+    intensity: number;
+  }
+  class AmbientLight extends Light {
+    constructor(colour: number, intensity: number);
+  }
+  class DirectionalLight extends Light {
+    constructor(colour: number, intensity: number);
+  }
+
+  class Camera extends Object3D {}
+
+  class PerspectiveCamera extends Camera {
+    constructor(fov: number, aspect: number, near: number, far: number);
+    fov: number;
+    aspect: number;
+    updateProjectionMatrix(): void;
+  }
+
+  interface InterleavedBuffer {
+    array: Float32Array;
+    needsUpdate: boolean;
+    updateRange: { offset: number; count: number };
+    setUsage(usage: number): this;
+  }
+
+  class BufferAttribute {
+    constructor(array: Float32Array | Uint16Array, itemSize: number);
+    array: Float32Array;
+    readonly count: number;
+    needsUpdate: boolean;
+    setUsage(usage: number): this;
+  }
+
+  class BufferGeometry {
+    readonly attributes: { [name: string]: BufferAttribute };
+    setAttribute(name: string, attribute: BufferAttribute): this;
+    setDrawRange(start: number, count: number): void;
+    computeVertexNormals(): void;
+    translate(x: number, y: number, z: number): this;
+    rotateX(angle: number): this;
+    rotateZ(angle: number): this;
+    dispose(): void;
+  }
+  class BoxGeometry extends BufferGeometry {
+    constructor(width: number, height: number, depth: number);
+  }
+  class CircleGeometry extends BufferGeometry {
+    constructor(radius: number, segments: number);
+  }
+  class ConeGeometry extends BufferGeometry {
+    constructor(radius: number, height: number, segments: number);
+  }
+  class CylinderGeometry extends BufferGeometry {
+    constructor(
+      top: number, bottom: number, height: number, segments: number, rings?: number, open?: boolean,
+    );
+  }
+  class SphereGeometry extends BufferGeometry {
+    constructor(radius: number, segments: number, rings: number);
+  }
+  class IcosahedronGeometry extends BufferGeometry {
+    constructor(radius: number, detail: number);
+  }
+
+  interface MaterialOptions {
+    color?: string | number;
+    transparent?: boolean;
+    opacity?: number;
+    depthTest?: boolean;
+    depthWrite?: boolean;
+    side?: number;
+    fog?: boolean;
+    vertexColors?: boolean;
+    linewidth?: number;
+    polygonOffset?: boolean;
+    polygonOffsetFactor?: number;
+    polygonOffsetUnits?: number;
+  }
+
+  class Material {
+    readonly color: Color;
+    opacity: number;
+    transparent: boolean;
+    visible: boolean;
+    fog: boolean;
+    dispose(): void;
+  }
+  class MeshBasicMaterial extends Material {
+    constructor(options: MaterialOptions);
+  }
+  class MeshLambertMaterial extends Material {
+    constructor(options: MaterialOptions);
+  }
+  class LineMaterial extends Material {
+    constructor(options: MaterialOptions);
+    linewidth: number;
+    readonly resolution: Vector2 & { set(x: number, y: number): void };
+  }
+
+  class Mesh extends Object3D {
+    constructor(geometry: BufferGeometry, material: Material);
+    readonly geometry: BufferGeometry;
+    readonly material: Material;
+  }
+
+  class LineSegmentsGeometry extends BufferGeometry {
+    readonly attributes: { [name: string]: BufferAttribute & { data: InterleavedBuffer } };
+    instanceCount: number;
+    setPositions(numbers: ArrayLike<number>): this;
+    setColors(numbers: ArrayLike<number>): this;
+  }
+  class LineGeometry extends LineSegmentsGeometry {}
+  class LineSegments2 extends Mesh {
+    constructor(geometry: LineSegmentsGeometry, material: LineMaterial);
+    readonly geometry: LineSegmentsGeometry;
+  }
+  class Line2 extends LineSegments2 {
+    constructor(geometry: LineGeometry, material: LineMaterial);
+  }
+
+  interface RendererOptions {
+    canvas: HTMLCanvasElement;
+    context: WebGLRenderingContext | WebGL2RenderingContext;
+  }
+
+  class WebGLRenderer {
+    constructor(options: RendererOptions);
+    readonly domElement: HTMLCanvasElement;
+    setPixelRatio(ratio: number): void;
+    setSize(width: number, height: number, style?: boolean): void;
+    render(scene: Scene, camera: Camera): void;
+    dispose(): void;
+  }
+
+  class OrbitControls {
+    constructor(camera: Camera, element: HTMLElement);
+    readonly target: Vector3;
+    minDistance: number;
+    maxDistance: number;
+    enablePan: boolean;
+    enableDamping: boolean;
+    rotateSpeed: number;
+    zoomSpeed: number;
+    update(): boolean;
+    addEventListener(type: "change", listener: () => void): void;
+    dispose(): void;
+  }
+}
