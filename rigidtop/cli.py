@@ -29,6 +29,7 @@ from rigidtop.commands import (
     read,
     simulate,
     sweep,
+    web,
 )
 from rigidtop.errors import RigidtopError
 
@@ -44,6 +45,7 @@ COMMANDS = {
     "notation": notation,
     "read": read,
     "figure": figure,
+    "web": web,
     "simulate": simulate,
     "certify": certify,
     "sweep": sweep,

@@ -129,7 +129,7 @@ def _program(made: Values, language: Language, shown: Callable[[Any], str]) -> P
         if x.name == y.name
     }
     expressions = [v.expression.xreplace(renamed) for v in made.outputs]
-    shared, reduced = _shared(expressions, _fresh(taken, language.ignores_case))
+    shared, reduced = shared_parts(expressions, _fresh(taken, language.ignores_case))
     arguments = [(symbols[x], _argument(x, shown)) for x in made.arguments]
     results = [(o, _output(v, shown)) for o, v in zip(outputs, made.outputs, strict=True)]
     return Program(
@@ -158,7 +158,7 @@ def _fresh(taken: set[str], ignores_case: bool) -> Iterator[Symbol]:
     return (x for x in sympy.numbered_symbols("x") if x.name not in spoken_for)
 
 
-def _shared(
+def shared_parts(
     expressions: Sequence[Expr], names: Iterator[Symbol]
 ) -> tuple[list[tuple[Symbol, Expr]], list[Expr]]:
     """What is computed once, and the values in terms of it.
@@ -312,7 +312,9 @@ class _Fortran(_Printer, FCodePrinter):
         return f"{math.pi!r}d0"
 
 
-class _JavaScript(_Printer, JavascriptCodePrinter):
+class JavaScript(_Printer, JavascriptCodePrinter):
+    """Expressions in JavaScript."""
+
     powers_as_products = True
 
 
@@ -336,7 +338,7 @@ def _printed(program: Program, printer: _Printer) -> tuple[list[tuple[str, str]]
 _BREAKS = re.compile(r"(?<= [-+] )|(?<=, )|(?<=[\w)][*/])(?=[\w(])|(?<=\.[*/])")
 
 
-def _broken(line: str, more: str = "", width: int = WIDTH) -> list[str]:
+def broken(line: str, more: str = "", width: int = WIDTH) -> list[str]:
     """A long line, broken behind operators and commas; `more` says that it goes on."""
     indent = " " * (len(line) - len(line.lstrip()) + 4)
     lines = [""]
@@ -367,12 +369,12 @@ def _c(program: Program) -> Iterator[str]:
     yield "#include <math.h>"
     yield ""
     parameters = ", ".join(f"double {name}" for name in program.arguments)
-    yield from _broken(f"void {program.name}({parameters}, double *out)")
+    yield from broken(f"void {program.name}({parameters}, double *out)")
     yield "{"
     for name, text in shared:
-        yield from _broken(f"    const double {name} = {text};")
+        yield from broken(f"    const double {name} = {text};")
     for i, (_, text) in enumerate(results):
-        yield from _broken(f"    out[{i}] = {text};")
+        yield from broken(f"    out[{i}] = {text};")
     yield "}"
 
 
@@ -388,29 +390,29 @@ def _fortran(program: Program) -> Iterator[str]:
     yield f"  public :: {program.name}"
     yield "contains"
     names = ", ".join(program.arguments)
-    yield from _broken(f"  pure subroutine {program.name}({names}, out)", " &")
-    yield from _broken(f"    real(real64), intent(in) :: {names}", " &")
+    yield from broken(f"  pure subroutine {program.name}({names}, out)", " &")
+    yield from broken(f"    real(real64), intent(in) :: {names}", " &")
     yield f"    real(real64), intent(out) :: out({count})"
     if shared:
-        yield from _broken(f"    real(real64) :: {', '.join(name for name, _ in shared)}", " &")
+        yield from broken(f"    real(real64) :: {', '.join(name for name, _ in shared)}", " &")
     yield ""
     for name, text in shared:
-        yield from _broken(f"    {name} = {text}", " &")
+        yield from broken(f"    {name} = {text}", " &")
     for i, (_, text) in enumerate(results):
-        yield from _broken(f"    out({i + 1}) = {text}", " &")
+        yield from broken(f"    out({i + 1}) = {text}", " &")
     yield f"  end subroutine {program.name}"
     yield f"end module {program.name}_module"
 
 
 def _javascript(program: Program) -> Iterator[str]:
-    shared, results = _printed(program, _JavaScript())
+    shared, results = _printed(program, JavaScript())
     yield from _comment(program, "//", f"Returns an array of {_numbers(len(results))}")
-    yield from _broken(f"function {program.name}({', '.join(program.arguments)}) {{")
+    yield from broken(f"function {program.name}({', '.join(program.arguments)}) {{")
     for name, text in shared:
-        yield from _broken(f"  const {name} = {text};")
+        yield from broken(f"  const {name} = {text};")
     yield "  return ["
     for _, text in results:
-        yield from _broken(f"    {text},")
+        yield from broken(f"    {text},")
     yield "  ];"
     yield "}"
 
@@ -419,12 +421,12 @@ def _julia(program: Program) -> Iterator[str]:
     shared, results = _printed(program, _Julia())
     yield from _comment(program, "#", f"Returns a tuple of {_numbers(len(results))}")
     yield f"# Over arrays it broadcasts: {program.name}.(…)"
-    yield from _broken(f"function {program.name}({', '.join(program.arguments)})")
+    yield from broken(f"function {program.name}({', '.join(program.arguments)})")
     for name, text in shared:
-        yield from _broken(f"    {name} = {text}")
+        yield from broken(f"    {name} = {text}")
     yield "    return ("
     for _, text in results:
-        yield from _broken(f"        {text},")
+        yield from broken(f"        {text},")
     yield "    )"
     yield "end"
 
@@ -432,7 +434,7 @@ def _julia(program: Program) -> Iterator[str]:
 def _octave(program: Program) -> Iterator[str]:
     shared, results = _printed(program, _Octave())
     names = ", ".join(name for name, _ in results)
-    yield from _broken(
+    yield from broken(
         f"function [{names}] = {program.name}({', '.join(program.arguments)})", " ..."
     )
     yield from _comment(program, "  %", f"Returns {_numbers(len(results))}")
@@ -440,7 +442,7 @@ def _octave(program: Program) -> Iterator[str]:
     if any(not expression.free_symbols for _, expression in program.results):
         yield "  % What is constant stays one number."
     for name, text in (*shared, *results):
-        yield from _broken(f"  {name} = {text};", " ...")
+        yield from broken(f"  {name} = {text};", " ...")
     yield "end"
 
 

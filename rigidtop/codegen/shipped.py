@@ -220,6 +220,8 @@ class Split:
     """A right-hand side as it is computed: constants once for a motion, rates at every call."""
 
     constants: Mapping[Symbol, Expr]
+    expressions: tuple[Expr, ...]
+    """The rates, in terms of these."""
     rates: Function
 
     @property
@@ -241,7 +243,8 @@ def split(side: RightHandSide) -> Split:
     constants = {name: constant for constant, name in names.items()}
     used = set[Symbol]().union(*(rate.free_symbols for rate in rates))
     alone = [parameter for parameter in side.parameters if parameter in used]
-    return Split(constants, function(rates, (*side.state, *constants, *alone), "rates"))
+    arguments = (*side.state, *constants, *alone)
+    return Split(constants, tuple(rates), function(rates, arguments, "rates"))
 
 
 def _by_constants(rate: Expr, state: Sequence[Symbol], names: dict[Expr, Symbol]) -> Expr:

@@ -111,6 +111,18 @@ class Motion:
         )
         return BodyTrajectory(self, times, *self._attitudes(states, times))
 
+    def show(self, height: int = 760) -> None:
+        """Show the motion in a notebook: the page of `rigidtop web`, from this start.
+
+        `height` is that of the page, in pixels.  The page computes the motion in the browser; it
+        needs no network, and ``pip install 'rigidtop[web]'``.
+
+        Raises RigidtopError where there is no notebook, and where three.js is not installed.
+        """
+        from rigidtop.web.notebook import display
+
+        display(self, height)
+
     @cached_property
     def orbit(self) -> free.Orbit | heavy.Orbit:
         """The closed form: its periods, its turning points and its state at any time."""

@@ -61,6 +61,26 @@ def _math(inside: str, alt: str, block: bool) -> str:
     )
 
 
+def labelled(sides: Sequence[tuple[Sequence[Any], int | None]], alt: str) -> str:
+    """A block ``<math>`` of an equation, each term in an ``<mrow>`` that says which it is.
+
+    A side is its terms as layout nodes and the number of the first, ``data-term``; terms without a
+    number are plain.
+    """
+    made = ""
+    for place, (nodes, number) in enumerate(sides):
+        made += "<mo>=</mo>" if place else ""
+        for k, node in enumerate(nodes):
+            negative = isinstance(node, lay.Sum) and len(node.terms) == 1
+            inside = _ml(node.terms[0].body) if negative else _ml(node)
+            form = "infix" if k else "prefix"
+            if k or negative:
+                inside = f'<mo form="{form}">{"−" if negative else "+"}</mo>{inside}'
+            mark = "" if number is None else f' data-term="{number + k}"'
+            made += f"<mrow{mark}>{inside}</mrow>"
+    return _math(made, alt, True)
+
+
 def letter(glyph: Glyph) -> str:
     """A symbol."""
     if len(glyph.base) > 1:

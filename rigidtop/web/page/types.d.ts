@@ -145,6 +145,8 @@ export interface Equation {
   readonly mathml: string;
   /** The function of `equations.js` that gives the values of the terms, and what it takes. */
   readonly function: string;
+  /** For symmetric bodies alone, for the others alone, or (null) for all. */
+  readonly symmetric: boolean | null;
   readonly terms: readonly Term[];
 }
 

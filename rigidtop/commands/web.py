@@ -1,0 +1,104 @@
+"""``rigidtop web``: a live page, the derived equations running in a browser."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rigidtop.commands.output import print_json
+from rigidtop.errors import RigidtopError
+from rigidtop.parameters import Parameter, settings
+
+if TYPE_CHECKING:
+    from rigidtop.web.setup import Preset, Setup
+
+ABOUT = "write a live page that computes a motion in the browser, without a network"
+
+KINDS = ("heavy-top", "free")
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What can be asked."""
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.epilog = (
+        "The page needs no network: open the file, or send it.  Its address keeps what is set in\n"
+        "it, so that it can be linked to.  --preset is what it shows first, --set changes that;\n"
+        "angles are radians, or degrees with the suffix deg; rates rad/s, or turns a minute with\n"
+        "the suffix rpm.  It wants the extra web: pip install 'rigidtop[web]'\n\n"
+        "examples:\n"
+        "  rigidtop web heavy-top -o top.html\n"
+        "  rigidtop web heavy-top --preset loops --set theta=45deg --set omega3=20 -o loops.html\n"
+        "  rigidtop web free --preset toutatis -o toutatis.html"
+    )
+    parser.add_argument("kind", choices=KINDS, help="which page")
+    parser.add_argument(
+        "-o", "--output", metavar="FILE", help="the page (default: heavy-top.html, free.html)"
+    )
+    parser.add_argument("--preset", metavar="NAME", help="what it shows first")
+    parser.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="NAME=NUMBER",
+        help="a number of that; may be repeated",
+    )
+
+
+def run(options: argparse.Namespace) -> int:
+    """Write the page."""
+    from rigidtop.present.files import write_whole
+    from rigidtop.web.page import page
+    from rigidtop.web.presets import PRESETS
+
+    if options.output == "":
+        raise RigidtopError("--output wants the name of a file")
+    presets = PRESETS[options.kind]()
+    first = _changed(_named(options.preset, presets), options.set)
+    made = page(options.kind, first)
+    path = Path(options.output or f"{options.kind}.html")
+    content = made.html.encode()
+    write_whole(path, content)
+    if options.json:
+        print_json(
+            {
+                "file": str(path),
+                "bytes": len(content),
+                "preset": first.name,
+                "values": dict(first.setup.values),
+                "clock": first.setup.clock,
+                "presets": [{"name": p.name, "title": p.title} for p in presets],
+            }
+        )
+    else:
+        print(f"{path}\n{made.title}: {first.title} ({len(content) / 1e6:.1f} MB)")
+    return 0
+
+
+def _named(name: str | None, presets: tuple[Preset, ...]) -> Preset:
+    if name is None:
+        return presets[0]
+    for preset in presets:
+        if preset.name == name:
+            return preset
+    raise RigidtopError(f"no preset {name!r}: there are {', '.join(p.name for p in presets)}")
+
+
+def _changed(preset: Preset, given: list[str]) -> Preset:
+    """The preset with other numbers, if a body has them."""
+    from rigidtop.web.setup import body_of
+
+    if not given:
+        return preset
+    values = preset.setup.values
+    parameters = [Parameter(name, value, name, _unit(name)) for name, value in values.items()]
+    setup: Setup = replace(preset.setup, values=settings(parameters, given))
+    body_of(setup)  # raises for moments that no body has
+    return replace(preset, name="own", title=f"{preset.title}, changed", setup=setup)
+
+
+def _unit(name: str) -> str:
+    if name.startswith("omega") or name.endswith("_dot"):
+        return "rad/s"
+    return "rad" if name in ("theta", "phi", "psi") else "1"

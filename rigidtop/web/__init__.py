@@ -1,0 +1,1 @@
+"""The live page: the derived equations running in a browser."""

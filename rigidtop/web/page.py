@@ -1,0 +1,175 @@
+"""One self-contained page: markup, style, modules, three.js and the data, in one file."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from html import escape
+from importlib.metadata import version
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from scipy.integrate import DOP853
+
+from rigidtop.errors import RigidtopError
+from rigidtop.motion.motion import Motion
+from rigidtop.web import terms
+from rigidtop.web.presets import PRESETS
+from rigidtop.web.setup import FREE, HEAVY, Preset, setup_of
+from rigidtop.web.sliders import Slider, sliders
+
+FOLDER = Path(__file__).parent / "page"
+THREE = "static/r130/three.min.js"
+TITLES = {HEAVY: "The heavy top, live", FREE: "The free body, live"}
+TABLEAU = ("A", "B", "C", "E3", "E5", "D", "A_EXTRA", "C_EXTRA")
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page, as a file or in a notebook."""
+
+    title: str
+    html: str
+
+    height: int = 760
+    """In a notebook, pixels."""
+
+    def _repr_html_(self) -> str:
+        frame = "width:100%;border:0;background:#fff"
+        return (
+            f'<iframe title="{escape(self.title)}" srcdoc="{escape(self.html)}" '
+            f'style="{frame};height:{self.height}px"></iframe>'
+        )
+
+
+def page(kind: str, first: Preset | None = None, height: int = Page.height) -> Page:
+    """The page of a kind of body, which shows a preset of that kind first.
+
+    Raises RigidtopError where three.js is not installed.
+    """
+    presets = PRESETS[kind]()
+    shown = first or presets[0]
+    title = TITLES[kind]
+    parts = {
+        "title": escape(title),
+        "style": "\n".join((FOLDER / f"{name}.css").read_text("utf-8") for name in STYLES),
+        "three": three(),
+        "importmap": _json({"imports": dict(modules())}),
+        "data": _json(data(kind, title, presets, shown)),
+    }
+    # In one pass: what is put in is not looked through again.
+    template = (FOLDER / "page.html").read_text("utf-8")
+    html = re.sub(r"\{\{(\w+)\}\}", lambda place: parts[place[1]], template)
+    return Page(title, html, height)
+
+
+STYLES = ("style", "panels")
+
+
+def page_of(motion: Motion, height: int = Page.height) -> Page:
+    """The page that shows a motion first.
+
+    Raises RigidtopError for bodies that it doesn't know, and where three.js is not installed.
+    """
+    setup = setup_of(motion)
+    rate = max(map(abs, motion.omega), default=0.0)
+    layers = ("e3", "omega", "L", "trail")
+    about = "The motion that was given."
+    shape = "top" if setup.kind == HEAVY else "brick"
+    speed = 1.0 if rate < 60 else 60 / rate  # what turns ten times a second can't be followed
+    return page(
+        setup.kind,
+        Preset("own", "Own motion", about, setup, layers, shape, speed=speed),
+        height,
+    )
+
+
+def three() -> str:
+    """The source of three.js; RigidtopError where it is not installed."""
+    try:
+        return files("jupyter_threejs_sage").joinpath(THREE).read_text("utf-8")
+    except (ModuleNotFoundError, FileNotFoundError):
+        raise RigidtopError("the live page wants three.js: pip install 'rigidtop[web]'") from None
+
+
+def modules() -> Iterator[tuple[str, str]]:
+    """The page's own modules: the name that each is imported by, and a URL that holds it.
+
+    A module whose own address is its text can't name others by where they lie, so "./motion.js"
+    becomes "rigidtop/motion.js", which the import map knows.
+    """
+    for path in sorted(FOLDER.glob("*.js")):
+        text = path.read_text("utf-8")
+        linked = re.sub(r'(?m)^(import .*|.*\} from )"\./', r'\1"rigidtop/', text)
+        named = f"{linked}//# sourceURL=rigidtop/{path.name}\n"
+        yield f"rigidtop/{path.name}", f"data:text/javascript;charset=utf-8,{_quoted(named)}"
+
+
+def _quoted(text: str) -> str:
+    """What means something in a URL, escaped; the rest stays readable."""
+    return re.sub(r"[%#\n\r\t]", lambda mark: f"%{ord(mark[0]):02X}", text)
+
+
+def data(kind: str, title: str, presets: Iterable[Preset], first: Preset) -> Mapping[str, Any]:
+    """`PageData` of the page's types."""
+    there = [p for p in presets if p.name != first.name]
+    named = {p.name: p for p in presets}
+    shown = [first, *there] if first.name not in named else [*named.values()]
+    return {
+        "kind": kind,
+        "version": version("rigidtop"),
+        "title": title,
+        "tableau": {name: getattr(DOP853, name).tolist() for name in TABLEAU},
+        "parameters": [_slider(each) for each in sliders(kind, (p.setup for p in shown))],
+        "presets": [_preset(p) for p in shown],
+        "equations": [_equation(each) for each in _equations(kind)],
+        "first": _preset(first),
+    }
+
+
+def _equations(kind: str) -> tuple[tuple[terms.TermsOf, bool | None], ...]:
+    """With whether they are for symmetric bodies, for the others, or for all."""
+    if kind == FREE:
+        return tuple((each, None) for each in terms.free())
+    symmetric = tuple((each, True) for each in terms.heavy())
+    return symmetric + tuple((each, False) for each in terms.general())
+
+
+def _equation(pair: tuple[terms.TermsOf, bool | None]) -> dict[str, Any]:
+    each, symmetric = pair
+    return {
+        "tag": each.equation.tag,
+        "title": each.title,
+        "mathml": each.mathml,
+        "function": each.function,
+        "symmetric": symmetric,
+        "terms": [{"text": t.text, "name": t.name, "unit": t.unit} for t in each.terms],
+    }
+
+
+def _slider(slider: Slider) -> dict[str, Any]:
+    return {
+        "name": slider.name,
+        "letter": slider.letter,
+        "math": slider.math,
+        "meaning": slider.meaning,
+        "unit": "" if slider.angle else slider.unit,
+        "least": slider.least,
+        "most": slider.most,
+        "logarithmic": slider.logarithmic,
+        "angle": slider.angle,
+    }
+
+
+def _preset(preset: Preset) -> dict[str, Any]:
+    setup = {**vars(preset.setup), "values": dict(preset.setup.values)}
+    return {**vars(preset), "setup": setup}
+
+
+def _json(value: Any) -> str:
+    """For a script element: no "<" in it."""
+    text = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    return text.replace("<", "\\u003c")

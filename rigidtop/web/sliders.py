@@ -1,0 +1,82 @@
+"""What the reader may change on the page, with units and ranges."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from math import pi
+
+from rigidtop.present.mathml import letter
+from rigidtop.present.text import letter as text_letter
+from rigidtop.theory import symbols as s
+from rigidtop.theory.symbols import VOCABULARY, Glyph
+from rigidtop.web.setup import HEAVY, Setup
+
+MOMENTS, RATES = (1e-3, 10.0), (-60.0, 60.0)
+
+
+@dataclass(frozen=True)
+class Slider:
+    """A number of the setup; `glyph` is its letter, with ₀ where it is a start."""
+
+    name: str
+    glyph: Glyph
+    meaning: str
+    unit: str
+    least: float
+    most: float
+    logarithmic: bool = False
+
+    @property
+    def letter(self) -> str:
+        """As text."""
+        return text_letter(self.glyph)
+
+    @property
+    def math(self) -> str:
+        """As MathML."""
+        return f'<math xmlns="http://www.w3.org/1998/Math/MathML">{letter(self.glyph)}</math>'
+
+    @property
+    def angle(self) -> bool:
+        """Whether it is shown in degrees."""
+        return self.unit == "rad"
+
+
+def _moments(about: str) -> tuple[Slider, ...]:
+    return tuple(
+        Slider(x.name, VOCABULARY[x].glyph, f"moment about e{k}, {about}", "kg m²", *MOMENTS, True)
+        for x, k in zip((s.lambda1, s.lambda2, s.lambda3), "₁₂₃", strict=True)
+    )
+
+
+HEAVY_SLIDERS = (
+    *_moments("from the pivot"),
+    Slider("M", Glyph("M"), "mass", "kg", 1e-3, 10.0, True),
+    Slider("R", Glyph("R"), "pivot to centre of mass", "m", 0.0, 2.0),
+    Slider("g", Glyph("g"), "acceleration of gravity", "m/s²", 0.0, 30.0),
+    Slider("theta", Glyph("θ", "0"), "tilt at the start", "rad", 0.0, pi),
+    Slider("phi_dot", Glyph("φ", "0", "dot"), "rate of precession at the start", "rad/s", *RATES),
+    Slider("omega3", Glyph("ω", "3"), "spin: ω along e₃", "rad/s", *RATES),
+)
+
+FREE_SLIDERS = (
+    *_moments("through the centre of mass"),
+    *(
+        Slider(f"omega{k}", Glyph("ω", str(k)), f"ω along e{sub} at the start", "rad/s", *RATES)
+        for k, sub in zip((1, 2, 3), "₁₂₃", strict=True)
+    ),
+)
+
+
+def sliders(kind: str, shown: Iterable[Setup]) -> tuple[Slider, ...]:
+    """The sliders of a page, long enough for all that it shows."""
+    setups = tuple(shown)
+    return tuple(
+        replace(
+            slider,
+            least=min([slider.least, *(s.values[slider.name] for s in setups)]),
+            most=max([slider.most, *(s.values[slider.name] for s in setups)]),
+        )
+        for slider in (HEAVY_SLIDERS if kind == HEAVY else FREE_SLIDERS)
+    )
