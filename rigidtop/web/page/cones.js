@@ -75,7 +75,7 @@ function createFan(
     if (palette.colours.highContrast) {
       const step = Math.max(1, Math.ceil(count / 24));
       for (let i = 0; i < count; i += step) {
-        for (let k = 0; k < 3; k++) rays.array[6 * shown + 3 + k] = points[3 * i + k];
+        rays.set(shown, 0, 0, 0, points[3 * i], points[3 * i + 1], points[3 * i + 2]);
         shown += 1;
       }
     }
@@ -102,7 +102,7 @@ const EVERY = 100;
 
 /** Both cones of a motion; the object of `body` belongs into the body, that of `space` not. */
 export function createCones(/** @type {Palette} */ palette) {
-  const body = createFan(palette, (c) => c.bodyCone, 0.42);
+  const body = createFan(palette, (c) => c.bodyCone, 0.36);
   const space = createFan(palette, (c) => c.spaceCone, 0.34);
   /** @type {Motion | null} */
   let motion = null;

@@ -82,7 +82,7 @@ export function createLabels(/** @type {HTMLElement} */ container) {
  * @property {number} top
  */
 
-/** Push labels apart that lie on one another: a faint one alone, others both by half. */
+/** Push labels apart that lie on one another: both by half, but a faint one gives way alone. */
 function separate(/** @type {Label[]} */ labels) {
   for (let i = 0; i < labels.length; i++) {
     const one = labels[i];
@@ -94,13 +94,16 @@ function separate(/** @type {Label[]} */ labels) {
       let dy = two.y - one.y;
       let distance = Math.hypot(dx, dy);
       if (distance >= APART) continue;
+      if (two.faint && !one.faint) {
+        two.x = one.x + (dx < 0 ? -1 : 1) * Math.sqrt(APART * APART - dy * dy);
+        continue;
+      }
       if (distance < 0.5) [dx, dy, distance] = [1, 0, 1];
-      const push = (APART - distance) / distance;
-      const part = two.faint && !one.faint ? 1 : 0.5;
-      two.x += part * push * dx;
-      two.y += part * push * dy;
-      one.x -= (1 - part) * push * dx;
-      one.y -= (1 - part) * push * dy;
+      const push = (APART - distance) / distance / 2;
+      two.x += push * dx;
+      two.y += push * dy;
+      one.x -= push * dx;
+      one.y -= push * dy;
     }
   }
 }

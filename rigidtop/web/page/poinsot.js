@@ -6,6 +6,7 @@
 import { createPieces, createStrokes, ringOf, showCurve } from "./lines.js";
 import { mix } from "./palette.js";
 import { axesByMoment, enclosedAxis, invariants, polhodePoint } from "./polhode.js";
+import { createTrail } from "./trail.js";
 
 /** @typedef {import("./types").Motion} Motion */
 /** @typedef {import("./types").Sample} Sample */
@@ -18,13 +19,11 @@ const LONGEST = 1.1;
 const NEIGHBOURS = [0.12, 0.4, 0.75];
 const FINE = 160;
 const COARSE = 64;
-/** The most points of the herpolhode that are drawn. */
-const MOST = 2400;
 const Z = new THREE.Vector3(0, 0, 1);
 
 /** Ellipsoid and polhodes, to be fixed in the body, and plane and herpolhode, fixed in space. */
 export function createPoinsot(/** @type {Palette} */ palette) {
-  const skin = palette.sheet((c) => mix(c.polhode, c.body, 0.6), 0.26, THREE.FrontSide);
+  const skin = palette.sheet((c) => mix(c.polhode, c.body, 0.6), 0.2, THREE.FrontSide);
   const faint = palette.line((c) => mix(c.polhode, c.paper, 0.55), 1);
   const middle = palette.line((c) => mix(c.polhode, c.ink, 0.45), 1.6);
   const strong = palette.line((c) => new THREE.Color(c.polhode), 3.2);
@@ -49,7 +48,7 @@ export function createPoinsot(/** @type {Palette} */ palette) {
     rings.push(...ringOf((u) => [r * Math.cos(u), r * Math.sin(u), 0], 64));
   }
   plane.add(disc, createStrokes(rings, grid));
-  const herpolhode = createPieces(MOST, trace);
+  const herpolhode = createTrail(trace);
   const contact = new THREE.Mesh(new THREE.SphereGeometry(0.022, 14, 10), touch);
   contact.renderOrder = 2;
   const space = new THREE.Group();
@@ -61,7 +60,6 @@ export function createPoinsot(/** @type {Palette} */ palette) {
   let motion = null;
   const point = [0, 0, 0];
   const curve = new Float32Array(3 * (FINE + 1));
-  const path = new Float32Array(3 * (MOST + 1));
 
   /**
    * Write one polhode behind those that are written already.
@@ -75,14 +73,13 @@ export function createPoinsot(/** @type {Palette} */ palette) {
    */
   function append(pieces, count, twiceEnergy, squareL, axis, side) {
     const { moments } = /** @type {Motion} */ (motion);
+    let [x, y, z] = [0, 0, 0];
     for (let i = 0; i <= COARSE; i++) {
       const angle = (2 * Math.PI * i) / COARSE;
       polhodePoint(moments, twiceEnergy, squareL, axis, side, angle, point);
-      for (let k = 0; k < 3; k++) {
-        const place = scale * point[k];
-        if (i < COARSE) pieces.array[6 * (count + i) + k] = place;
-        if (i > 0) pieces.array[6 * (count + i - 1) + 3 + k] = place;
-      }
+      const [p, q, r] = point;
+      if (i > 0) pieces.set(count + i - 1, x, y, z, scale * p, scale * q, scale * r);
+      [x, y, z] = [scale * p, scale * q, scale * r];
     }
     return count + COARSE;
   }
@@ -191,13 +188,7 @@ export function createPoinsot(/** @type {Palette} */ palette) {
       if (!motion) return;
       if (stale) rebuild(motion);
       stale = false;
-      const from = Math.max(0, trail.length - MOST);
-      let count = 0;
-      for (let i = from; i < trail.length; i++, count++) {
-        const { omegaSpace } = trail[i];
-        for (let k = 0; k < 3; k++) path[3 * count + k] = scale * omegaSpace[k];
-      }
-      showCurve(herpolhode, path, count);
+      herpolhode.draw(sample, trail, rotation, scale);
       const { omegaSpace } = sample;
       contact.position.set(omegaSpace[0], omegaSpace[1], omegaSpace[2]).multiplyScalar(scale);
     },
@@ -210,4 +201,8 @@ export function createPoinsot(/** @type {Palette} */ palette) {
       }
     },
   };
+}
+
+function rotation(/** @type {Sample} */ { omegaSpace }, /** @type {THREE.Vector3} */ out) {
+  out.set(omegaSpace[0], omegaSpace[1], omegaSpace[2]);
 }

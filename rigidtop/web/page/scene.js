@@ -3,7 +3,7 @@ import { createArrows } from "./arrows.js";
 import { createCones } from "./cones.js";
 import { createGovernor } from "./governor.js";
 import { createLabels } from "./labels.js";
-import { createPalette } from "./palette.js";
+import { createPalette, mix } from "./palette.js";
 import { createPoinsot } from "./poinsot.js";
 import { createBodies } from "./shapes.js";
 import { AXIS, createSurroundings } from "./surroundings.js";
@@ -43,23 +43,26 @@ export function createScene(container, colours) {
 
   const scene = new THREE.Scene();
   const paper = new THREE.Color();
-  const fog = new THREE.Fog("#fff");
   scene.background = paper;
-  scene.fog = fog;
   const camera = new THREE.PerspectiveCamera(30, 1, 0.1, 60);
   camera.up.set(0, 0, 1);
-  const sun = new THREE.DirectionalLight(0xffffff, 0.55);
+  const sun = new THREE.DirectionalLight(0xffffff, 0.48);
   // The light comes over the shoulder of who looks.
   sun.position.set(-1.2, 2, 2.2);
   camera.add(sun);
-  scene.add(camera, new THREE.AmbientLight(0xffffff, 0.58));
+  scene.add(camera, new THREE.AmbientLight(0xffffff, 0.64));
 
   const palette = createPalette(colours);
   const surroundings = createSurroundings(palette);
   const bodies = createBodies(palette);
   const cones = createCones(palette);
   const poinsot = createPoinsot(palette);
-  const trace = createTrail(palette);
+  const trace = createTrail(
+    palette.line((c) => new THREE.Color(c.trail), 2.6, {
+      old: (c) => mix(c.trail, c.paper, c.highContrast ? 0.35 : 0.78),
+    }),
+    true,
+  );
   const arrows = createArrows();
   const labels = createLabels(container);
 
@@ -195,7 +198,6 @@ export function createScene(container, colours) {
   function recolour() {
     const { paper: back, ink, muted } = palette.colours;
     paper.set(back);
-    fog.color.set(back);
     labels.setHalo(back);
     notice.style.color = ink;
     for (const label of axisLabels) label.element.style.color = muted;
@@ -297,14 +299,11 @@ export function createScene(container, colours) {
     pointTo(momentum.arrow, now.momentum, scales.momentum);
     pointTo(torque.arrow, now.torque, scales.torque);
 
-    if (dome.visible) trace.draw(now, past, trailOf(motion, view));
+    if (dome.visible) trace.draw(now, past, trailOf(motion, view), 1);
     if (layers.has("cones") && !cones.draw(now, past)) touch();
     if (construction) poinsot.draw(now, past);
 
-    const away = camera.position.length();
-    const fades = !palette.colours.highContrast;
-    fog.near = fades ? away - 0.6 : 1e6;
-    fog.far = fades ? away + 1.7 : 1e7;
+    palette.look(camera.position.length());
     if (surroundings.outline.visible) surroundings.face(camera);
     renderer.render(scene, camera);
     placeLabels();
@@ -367,15 +366,27 @@ export function createScene(container, colours) {
   };
 }
 
+/** Smooth edges double the work of a renderer in software, which then cannot keep up. */
+const SOFTWARE = /swiftshader|llvmpipe|software|basic render/i;
+
 /** The drawing context of a canvas. */
 function contextOf(/** @type {HTMLCanvasElement} */ canvas) {
-  const attributes = { alpha: false, antialias: true, powerPreference: "high-performance" };
+  const attributes = { alpha: false, antialias: !drawnInSoftware() };
   const context =
     canvas.getContext("webgl2", attributes) || canvas.getContext("webgl", attributes);
   if (!context) {
     throw new Error("The picture needs WebGL, which this browser does not have or has turned off.");
   }
   return /** @type {WebGL2RenderingContext | WebGLRenderingContext} */ (context);
+}
+
+/** Whether the processor itself draws, as far as the browser tells. */
+function drawnInSoftware() {
+  const context = document.createElement("canvas").getContext("webgl");
+  const details = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = details ? String(context?.getParameter(details.UNMASKED_RENDERER_WEBGL)) : "";
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return SOFTWARE.test(name);
 }
 
 function norm(/** @type {Numbers} */ v) {

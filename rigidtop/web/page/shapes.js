@@ -83,8 +83,10 @@ function proportions(/** @type {Numbers} */ moments) {
 
 /** All bodies, of which one is shown. */
 export function createBodies(/** @type {Palette} */ palette) {
-  const body = palette.solid((c) => new THREE.Color(c.body));
-  const mark = palette.solid((c) => mix(c.body, c.ink, 0.62));
+  // A little behind, so that the edges are seen whole.
+  const behind = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+  const body = palette.solid((c) => new THREE.Color(c.body), behind);
+  const mark = palette.solid((c) => mix(c.body, c.ink, 0.55), behind);
   const rod = palette.solid((c) => mix(c.body, c.ink, 0.3));
   const rock = palette.solid((c) => new THREE.Color(c.body), { vertexColors: true });
   const edge = palette.line((c) => mix(c.body, c.ink, 0.75), 1.4);
@@ -232,7 +234,7 @@ function freeTop(
 /** A brick with one end painted. */
 function brick(
   /** @type {THREE.Material} */ body, /** @type {THREE.Material} */ mark,
-  /** @type {THREE.LineMaterial} */ edge,
+  /** @type {import("./palette").Line} */ edge,
 ) {
   const object = new THREE.Group();
   const painted = 0.2;

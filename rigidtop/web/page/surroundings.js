@@ -9,8 +9,8 @@ export const AXIS = 1.25;
 /** What stands in space: the axes x, y, z, the floor through the pivot, and the sphere of e₃. */
 export function createSurroundings(/** @type {Palette} */ palette) {
   const axisLine = palette.line((c) => mix(c.muted, c.paper, 0.15), 1.2);
-  const floorLine = palette.line((c) => mix(c.rule, c.muted, 0.25), 1, { fog: true });
-  const sphereLine = palette.line((c) => mix(c.rule, c.muted, 0.3), 1, { fog: true });
+  const floorLine = palette.line((c) => mix(c.rule, c.muted, 0.2), 1, { fades: true });
+  const sphereLine = palette.line((c) => mix(c.rule, c.muted, 0.2), 1, { fades: true });
   const outlineLine = palette.line((c) => mix(c.rule, c.muted, 0.45), 1.1);
   const standMaterial = palette.solid((c) => mix(c.muted, c.rule, 0.3));
 
@@ -21,12 +21,12 @@ export function createSurroundings(/** @type {Palette} */ palette) {
   // A floor that is only lines: a top may hang below it.
   /** @type {number[]} */
   const rings = [];
-  for (const r of [0.25, 0.5, 0.75, 1]) {
+  for (const r of [1 / 3, 2 / 3, 1]) {
     rings.push(...ringOf((u) => [r * Math.cos(u), r * Math.sin(u), 0], 48));
   }
   for (let i = 0; i < 12; i++) {
     const [c, s] = [Math.cos((i * Math.PI) / 6), Math.sin((i * Math.PI) / 6)];
-    rings.push(0.25 * c, 0.25 * s, 0, c, s, 0);
+    rings.push(c / 3, s / 3, 0, c, s, 0);
   }
   const floor = new THREE.Group();
   const stand = new THREE.Mesh(new THREE.ConeGeometry(0.05, 0.075, 24), standMaterial);

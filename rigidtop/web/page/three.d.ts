@@ -3,8 +3,6 @@
  * Written by hand: the package that ships the build has no types.
  */
 declare namespace THREE {
-  type Numbers = Float32Array;
-
   const FrontSide: number;
   const DoubleSide: number;
   const DynamicDrawUsage: number;
@@ -55,13 +53,6 @@ declare namespace THREE {
     lerp(colour: Color, part: number): this;
   }
 
-  class Fog {
-    constructor(colour: string | number, near?: number, far?: number);
-    color: Color;
-    near: number;
-    far: number;
-  }
-
   class Object3D {
     readonly position: Vector3;
     readonly quaternion: Quaternion;
@@ -79,7 +70,6 @@ declare namespace THREE {
 
   class Scene extends Object3D {
     background: Color | null;
-    fog: Fog | null;
   }
 
   class Light extends Object3D {
@@ -101,23 +91,18 @@ declare namespace THREE {
     updateProjectionMatrix(): void;
   }
 
-  interface InterleavedBuffer {
-    array: Float32Array;
-    needsUpdate: boolean;
-    updateRange: { offset: number; count: number };
-    setUsage(usage: number): this;
-  }
-
   class BufferAttribute {
     constructor(array: Float32Array | Uint16Array, itemSize: number);
     array: Float32Array;
     readonly count: number;
     needsUpdate: boolean;
+    readonly updateRange: { offset: number; count: number };
     setUsage(usage: number): this;
   }
 
   class BufferGeometry {
     readonly attributes: { [name: string]: BufferAttribute };
+    setIndex(index: BufferAttribute): this;
     setAttribute(name: string, attribute: BufferAttribute): this;
     setDrawRange(start: number, count: number): void;
     computeVertexNormals(): void;
@@ -154,9 +139,7 @@ declare namespace THREE {
     depthTest?: boolean;
     depthWrite?: boolean;
     side?: number;
-    fog?: boolean;
     vertexColors?: boolean;
-    linewidth?: number;
     polygonOffset?: boolean;
     polygonOffsetFactor?: number;
     polygonOffsetUnits?: number;
@@ -167,7 +150,6 @@ declare namespace THREE {
     opacity: number;
     transparent: boolean;
     visible: boolean;
-    fog: boolean;
     dispose(): void;
   }
   class MeshBasicMaterial extends Material {
@@ -176,31 +158,21 @@ declare namespace THREE {
   class MeshLambertMaterial extends Material {
     constructor(options: MaterialOptions);
   }
-  class LineMaterial extends Material {
-    constructor(options: MaterialOptions);
-    linewidth: number;
-    readonly resolution: Vector2 & { set(x: number, y: number): void };
+  class ShaderMaterial extends Material {
+    constructor(options: {
+      uniforms: { [name: string]: { value: unknown } };
+      vertexShader: string;
+      fragmentShader: string;
+      transparent?: boolean;
+      depthWrite?: boolean;
+      side?: number;
+    });
   }
 
   class Mesh extends Object3D {
     constructor(geometry: BufferGeometry, material: Material);
     readonly geometry: BufferGeometry;
     readonly material: Material;
-  }
-
-  class LineSegmentsGeometry extends BufferGeometry {
-    readonly attributes: { [name: string]: BufferAttribute & { data: InterleavedBuffer } };
-    instanceCount: number;
-    setPositions(numbers: ArrayLike<number>): this;
-    setColors(numbers: ArrayLike<number>): this;
-  }
-  class LineGeometry extends LineSegmentsGeometry {}
-  class LineSegments2 extends Mesh {
-    constructor(geometry: LineSegmentsGeometry, material: LineMaterial);
-    readonly geometry: LineSegmentsGeometry;
-  }
-  class Line2 extends LineSegments2 {
-    constructor(geometry: LineGeometry, material: LineMaterial);
   }
 
   interface RendererOptions {

@@ -1,75 +1,106 @@
 import { createPieces } from "./lines.js";
 
 /** @typedef {import("./types").Sample} Sample */
-/** @typedef {import("./palette").Palette} Palette */
+/** @typedef {import("./palette").Line} Line */
 
-/** The most points that are drawn; older ones are left out. */
-const MOST = 3000;
+/** The most pieces that are drawn, each a part of the way between two samples. */
+const MOST = 3600;
+const PARTS = 3;
 
-/** A curve whose newest end is the brightest. */
-export function createTrail(/** @type {Palette} */ palette) {
-  const white = palette.line(() => new THREE.Color("#fff"), 2.6, { vertexColors: true });
-  const pieces = createPieces(MOST, white, true);
-  const colours = /** @type {THREE.InterleavedBuffer} */ (pieces.colours);
-  const fresh = new THREE.Color();
-  const old = new THREE.Color();
-  let coloured = -1;
-  palette.follow((c) => {
-    fresh.set(c.trail);
-    old.set(c.trail).lerp(new THREE.Color(c.paper), c.highContrast ? 0.35 : 0.78);
-    coloured = -1;
-  });
-
-  function colour(/** @type {number} */ count) {
-    if (count === coloured) return;
-    coloured = count;
-    for (let i = 0; i < count; i++) {
-      for (const [end, age] of [[0, i / count], [3, (i + 1) / count]]) {
-        // Most of the fading is done by the older half.
-        const part = age * age * (3 - 2 * age);
-        colours.array[6 * i + end] = fresh.r + part * (old.r - fresh.r);
-        colours.array[6 * i + end + 1] = fresh.g + part * (old.g - fresh.g);
-        colours.array[6 * i + end + 2] = fresh.b + part * (old.b - fresh.b);
-      }
-    }
-    colours.updateRange.count = 6 * count;
-    colours.needsUpdate = true;
-  }
+/**
+ * The way of a vector until now, its newest end first.  Samples are far apart: between them the
+ * curve is a cubic, with the slope at each sample as a parabola through it and its neighbours has.
+ */
+export function createTrail(/** @type {Line} */ line, fading = false) {
+  const pieces = createPieces(MOST, line);
+  // Times, places and slopes of four samples that follow each other, from new to old.
+  const times = new Float64Array(3);
+  const places = new Float64Array(9);
+  const slopes = new Float64Array(6);
+  const at = new THREE.Vector3();
 
   return {
     object: pieces.object,
 
     /**
-     * Draw the trail of a direction, the newest point first.
+     * Draw what `vectorOf` writes for each sample, times `scale`.
      *
      * @param {Sample} now
      * @param {readonly Sample[]} trail
-     * @param {(sample: Sample, out: THREE.Vector3) => void} direction
+     * @param {(sample: Sample, out: THREE.Vector3) => void} vectorOf
+     * @param {number} scale
      */
-    draw(now, trail, direction) {
-      const { array } = pieces;
-      direction(now, at);
-      let [x, y, z] = [at.x, at.y, at.z];
+    draw(now, trail, vectorOf, scale) {
       let count = 0;
-      for (let i = trail.length - 1; i >= 0 && count < MOST; i--) {
-        direction(trail[i], at);
-        const out = 6 * count;
-        array[out] = x;
-        array[out + 1] = y;
-        array[out + 2] = z;
-        array[out + 3] = x = at.x;
-        array[out + 4] = y = at.y;
-        array[out + 5] = z = at.z;
-        count += 1;
+      let next = trail.length - 1;
+      // What is drawn is between the samples 0 and 1; 2 is the one before them.
+      while (next >= 0 && trail[next].t >= now.t) next -= 1;
+      read(0, now);
+      if (next >= 0) read(1, trail[next]);
+      let first = true;
+      for (let i = next; i >= 0 && count + PARTS <= MOST; i--) {
+        const last = i === 0;
+        if (!last) read(2, trail[i - 1]);
+        slope(last, first);
+        count = write(count);
+        first = false;
+        shift();
       }
-      colour(count);
+      line.count.value = fading ? count : 0;
       pieces.show(count);
+
+      function read(/** @type {number} */ k, /** @type {Sample} */ sample) {
+        vectorOf(sample, at);
+        times[k] = sample.t;
+        places[3 * k] = scale * at.x;
+        places[3 * k + 1] = scale * at.y;
+        places[3 * k + 2] = scale * at.z;
+      }
     },
 
     dispose() {
       pieces.object.geometry.dispose();
     },
   };
-}
 
-const at = new THREE.Vector3();
+  /** Slopes at the samples 0 and 1; that at 0 is known unless it is the first. */
+  function slope(/** @type {boolean} */ last, /** @type {boolean} */ first) {
+    const h = times[0] - times[1];
+    const g = times[1] - times[2];
+    for (let k = 0; k < 3; k++) {
+      const near = (places[k] - places[3 + k]) / h;
+      const far = last ? near : (places[3 + k] - places[6 + k]) / g;
+      const middle = last ? near : (g * near + h * far) / (g + h);
+      slopes[3 + k] = middle;
+      if (first) slopes[k] = 2 * near - middle;
+    }
+  }
+
+  function write(/** @type {number} */ count) {
+    const h = times[1] - times[0];
+    let [x, y, z] = places;
+    for (let part = 1; part <= PARTS; part++) {
+      const u = part / PARTS;
+      const v = 1 - u;
+      const a = v * v * (1 + 2 * u);
+      const b = u * u * (1 + 2 * v);
+      const c = h * u * v * v;
+      const d = -h * u * u * v;
+      const p = a * places[0] + b * places[3] + c * slopes[0] + d * slopes[3];
+      const q = a * places[1] + b * places[4] + c * slopes[1] + d * slopes[4];
+      const r = a * places[2] + b * places[5] + c * slopes[2] + d * slopes[5];
+      pieces.set(count, x, y, z, p, q, r);
+      [x, y, z] = [p, q, r];
+      count += 1;
+    }
+    return count;
+  }
+
+  /** Go one sample back. */
+  function shift() {
+    times[0] = times[1];
+    times[1] = times[2];
+    places.copyWithin(0, 3);
+    slopes.copyWithin(0, 3);
+  }
+}
