@@ -1,0 +1,486 @@
+/** What sets the body and its start, and what is drawn: sliders with numbers, examples, switches. */
+
+/** @typedef {import("./types").Clock} Clock */
+/** @typedef {import("./types").Facts} Facts */
+/** @typedef {import("./types").Kind} Kind */
+/** @typedef {import("./types").Parameter} Parameter */
+/** @typedef {import("./types").Preset} Preset */
+/** @typedef {import("./types").Values} Values */
+
+const DEGREE = Math.PI / 180;
+
+/** Steps of a slider from end to end, at least. */
+const STEPS = 200;
+
+/** How long a slider must rest before the verdict is read out, in ms. */
+const REST = 800;
+
+/**
+ * An element with attributes and children; `true` sets an empty attribute, `false` none.
+ *
+ * @template {keyof HTMLElementTagNameMap} K
+ * @param {K} tag
+ * @param {Record<string, string | boolean>} [attributes]
+ * @param {(Node | string)[]} children
+ * @returns {HTMLElementTagNameMap[K]}
+ */
+export function element(tag, attributes = {}, ...children) {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value !== false) made.setAttribute(name, value === true ? "" : value);
+  }
+  made.append(...children);
+  return made;
+}
+
+/**
+ * A finite decimal number, and null for every other text.
+ *
+ * @param {string} text
+ */
+export function numberFrom(text) {
+  const plain = text.trim().replace("−", "-");
+  if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain)) return null;
+  const number = Number(plain);
+  return Number.isFinite(number) ? number : null;
+}
+
+/**
+ * The range of a parameter: its own, widened to what the preset needs.
+ *
+ * @param {Parameter} parameter
+ * @param {Preset} preset
+ * @returns {[number, number]}
+ */
+export function limits(parameter, preset) {
+  const value = preset.setup.values[parameter.name] ?? parameter.least;
+  return [Math.min(parameter.least, value), Math.max(parameter.most, value)];
+}
+
+/**
+ * @param {number} value
+ * @param {number} digits
+ */
+const rounded = (value, digits) => String(Number(value.toPrecision(digits))).replace("-", "−");
+
+/**
+ * @param {Parameter} parameter
+ * @param {Clock} clock
+ */
+function unitOf(parameter, clock) {
+  if (parameter.angle) return "°";
+  return clock === "d" ? parameter.unit.replace("/s", "/d") : parameter.unit;
+}
+
+/**
+ * A value for a reader: "28.6°", "0.5 kg m²".
+ *
+ * @param {Parameter} parameter
+ * @param {number} value
+ * @param {Clock} clock
+ */
+export function shown(parameter, value, clock) {
+  const unit = unitOf(parameter, clock);
+  if (parameter.angle) return `${rounded(value / DEGREE, 3)}${unit}`;
+  return unit ? `${rounded(value, 4)} ${unit}` : rounded(value, 4);
+}
+
+/**
+ * The least of 1, 2, 5 times a power of ten that is not below.
+ *
+ * @param {number} width
+ */
+function niceStep(width) {
+  const power = 10 ** Math.floor(Math.log10(width));
+  return power * ([1, 2, 5].find((factor) => factor * power >= width * (1 - 1e-9)) ?? 10);
+}
+
+/**
+ * The letter of a parameter as mathematics.
+ *
+ * @param {Parameter} parameter
+ */
+function letterOf(parameter) {
+  const holder = element("span", { class: "letter" });
+  holder.innerHTML = parameter.math; // written by the package, as the whole page is
+  return holder;
+}
+
+/**
+ * A slider and a number field that go together.
+ *
+ * `moved` takes what the slider says, `typed` what was typed, in SI units and radians.
+ *
+ * @param {Parameter} parameter
+ * @param {(value: number) => void} changed
+ */
+function createRow(parameter, changed) {
+  const { name, logarithmic } = parameter;
+  const scale = parameter.angle ? DEGREE : 1;
+  const range = element("input", { type: "range", id: `slider-${name}` });
+  const field = element("input", {
+    type: "text",
+    id: `number-${name}`,
+    autocomplete: "off",
+    spellcheck: "false",
+    "aria-describedby": `error-${name} unit-${name}`,
+  });
+  if (parameter.least >= 0) field.inputMode = "decimal";
+  const unit = element("span", { class: "unit", id: `unit-${name}` });
+  const error = element("p", { class: "error", id: `error-${name}`, "aria-live": "polite" });
+  const label = element(
+    "label",
+    { for: range.id },
+    letterOf(parameter),
+    " ",
+    element("span", { class: "meaning" }, parameter.meaning),
+  );
+  const row = element("div", { class: "row", "data-name": name }, label, range, field, unit, error);
+
+  /** @type {Clock} */
+  let clock = "s";
+  let [least, most] = [parameter.least, parameter.most];
+  let value = least;
+
+  /**
+   * @param {string} sentence
+   * @param {Node[]} more
+   */
+  function complain(sentence, ...more) {
+    error.replaceChildren(sentence, ...more);
+    field.setAttribute("aria-invalid", "true");
+  }
+  function content() {
+    if (error.hasChildNodes()) error.replaceChildren();
+    field.removeAttribute("aria-invalid");
+  }
+  function setRange() {
+    if (logarithmic) {
+      const [low, high] = [Math.log10(least), Math.log10(most)];
+      [range.min, range.max, range.step] = [low, high, (high - low) / STEPS].map(String);
+    } else {
+      const step = niceStep((most - least) / scale / (2 * STEPS));
+      const [low, high] = [Math.floor(least / scale / step), Math.ceil(most / scale / step)];
+      [range.min, range.max, range.step] = [low * step, high * step, step].map((number) =>
+        String(Number(number.toPrecision(12))),
+      );
+    }
+  }
+  function showRange() {
+    range.value = String(logarithmic ? Math.log10(value) : value / scale);
+    range.setAttribute("aria-valuetext", shown(parameter, value, clock));
+  }
+  function showField() {
+    field.value = rounded(value / scale, 6);
+  }
+
+  range.addEventListener("input", () => {
+    const at = Number(range.value);
+    const asked = logarithmic ? Number((10 ** at).toPrecision(3)) : at * scale;
+    value = Math.min(Math.max(asked, least), most);
+    range.setAttribute("aria-valuetext", shown(parameter, value, clock));
+    showField();
+    changed(value);
+  });
+  field.addEventListener("change", () => {
+    const typed = numberFrom(field.value);
+    if (typed === null) {
+      complain(`“${field.value}” is not a number; write one such as ${rounded(value / scale, 3)}.`);
+      return;
+    }
+    const asked = typed * scale;
+    // A limit in degrees is met to rounding.
+    if (asked < least - 1e-12 || asked > most + 1e-12) {
+      const ends = [least, most].map((end) => shown(parameter, end, clock));
+      complain(`${parameter.letter} goes from ${ends[0]} to ${ends[1]} here.`);
+      return;
+    }
+    value = Math.min(Math.max(asked, least), most);
+    showField();
+    showRange();
+    changed(value);
+  });
+  field.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape") return;
+    showField();
+    content();
+  });
+
+  return {
+    row,
+    complain,
+    content,
+    /**
+     * @param {number} now
+     * @param {Clock} time
+     * @param {readonly [number, number]} ends
+     */
+    show(now, time, ends) {
+      [value, clock] = [now, time];
+      if (ends[0] !== least || ends[1] !== most || !range.max) {
+        [least, most] = ends;
+        setRange();
+      }
+      unit.textContent = unitOf(parameter, clock);
+      showRange();
+      showField();
+      content();
+    },
+    /** @param {boolean} follows Another slider sets this one. */
+    setFollowing(follows) {
+      range.disabled = follows;
+      field.disabled = follows;
+    },
+  };
+}
+
+/**
+ * The sliders. `changed` takes all the values that are asked for, and the name of the one that was
+ * moved.
+ *
+ * @param {HTMLElement} container
+ * @param {Kind} kind
+ * @param {readonly Parameter[]} parameters
+ * @param {(values: Record<string, number>, name: string) => void} changed
+ */
+export function createSliders(container, kind, parameters, changed) {
+  /** @type {Record<string, number>} */
+  let values = {};
+  /** @type {Preset | null} */
+  let preset = null;
+  /** @type {Clock} */
+  let clock = "s";
+
+  const rows = new Map(parameters.map((parameter) => [parameter.name, rowOf(parameter)]));
+  const symmetric = element("input", { type: "checkbox", id: "symmetric" });
+  const second = kind === "heavy-top" ? rows.get("lambda2") : undefined;
+  if (second) {
+    const words = "λ₂ = λ₁ (symmetric)";
+    const label = element("label", { class: "chip", for: "symmetric" }, symmetric, words);
+    second.row.querySelector("label")?.after(label);
+    symmetric.addEventListener("change", () => {
+      second.setFollowing(symmetric.checked);
+      if (symmetric.checked && values.lambda2 !== values.lambda1) set("lambda1", values.lambda1);
+    });
+  }
+  container.replaceChildren(...[...rows.values()].map(({ row }) => row));
+
+  /** @param {Parameter} parameter */
+  function rowOf(parameter) {
+    return createRow(parameter, (value) => set(parameter.name, value));
+  }
+
+  /**
+   * @param {string} name
+   * @param {number} value
+   */
+  function set(name, value) {
+    values[name] = value;
+    if (second && name === "lambda1" && symmetric.checked) {
+      values.lambda2 = value;
+      showRow("lambda2");
+    }
+    for (const row of rows.values()) row.content();
+    changed({ ...values }, name);
+  }
+
+  /** @param {string} name */
+  function showRow(name) {
+    const parameter = parameters.find((one) => one.name === name);
+    if (!parameter || !preset) return;
+    rows.get(name)?.show(values[name], clock, limits(parameter, preset));
+  }
+
+  const sliders = {
+    /**
+     * All values anew.
+     *
+     * @param {Values} now
+     * @param {Clock} time
+     * @param {Preset} example
+     */
+    show(now, time, example) {
+      [values, clock, preset] = [{ ...now }, time, example];
+      for (const { name } of parameters) showRow(name);
+      symmetric.checked = values.lambda1 === values.lambda2;
+      second?.setFollowing(symmetric.checked);
+    },
+    /**
+     * As if the slider were moved there.
+     *
+     * @param {string} name
+     * @param {number} value
+     */
+    set(name, value) {
+      values[name] = value;
+      showRow(name);
+      set(name, value);
+    },
+    /**
+     * The range of a slider now.
+     *
+     * @param {string} name
+     * @returns {[number, number]}
+     */
+    limits(name) {
+      const parameter = parameters.find((one) => one.name === name);
+      return parameter && preset ? limits(parameter, preset) : [-Infinity, Infinity];
+    },
+    /**
+     * Say at the slider `name` why there is no such motion, and offer the way back.
+     *
+     * @param {string} name
+     * @param {string} sentence
+     * @param {() => void} back
+     */
+    refuse(name, sentence, back) {
+      const button = element("button", { type: "button" }, "Take it back");
+      button.addEventListener("click", () => {
+        back();
+        container.querySelector(`#slider-${name}`)?.dispatchEvent(new Event("focus"));
+      });
+      rows.get(name)?.complain(`${sentence}. The motion shown is the last possible one. `, button);
+    },
+  };
+  return sliders;
+}
+
+/**
+ * The examples as a row of radio buttons, with the words on the one that is shown.
+ *
+ * @param {HTMLElement} container
+ * @param {readonly Preset[]} presets
+ * @param {(preset: Preset) => void} choose
+ */
+export function createPresets(container, presets, choose) {
+  const group = element("div", { class: "chips", role: "radiogroup", "aria-label": "Examples" });
+  const inputs = presets.map((preset, k) => {
+    const input = element("input", { type: "radio", name: "preset", value: preset.name });
+    // Also a click on the one that is shown, which takes it back to where it started.
+    input.addEventListener("click", () => choose(preset));
+    const key = k < 9 ? [element("kbd", { "aria-hidden": "true" }, String(k + 1))] : [];
+    group.append(element("label", { class: "chip" }, input, ...key, preset.title));
+    return input;
+  });
+  const about = element("p", { class: "about" });
+  container.replaceChildren(group, about);
+  return {
+    /**
+     * @param {Preset} preset
+     * @param {boolean} changed Sliders were moved since.
+     */
+    show(preset, changed) {
+      inputs.forEach((input, k) => (input.checked = presets[k] === preset));
+      const text = changed
+        ? `Changed from “${preset.title}”; choose it again to return.`
+        : preset.about;
+      if (about.textContent !== text) about.textContent = text;
+    },
+  };
+}
+
+/**
+ * The verdict, and the buttons that set φ̇₀ to a steady precession.
+ *
+ * @param {HTMLElement} container
+ * @param {(rate: number) => void} setPrecession
+ */
+export function createVerdict(container, setPrecession) {
+  const sentence = element("p", { class: "verdict" });
+  const aloud = element("p", { class: "unseen", "aria-live": "polite" });
+  const names = /** @type {const} */ ([
+    ["Ω₋", "slow"],
+    ["Ω₊", "fast"],
+  ]);
+  let rates = [0, 0];
+  const buttons = names.map((_, k) => {
+    const button = element("button", { type: "button" });
+    button.addEventListener("click", () => setPrecession(rates[k]));
+    return button;
+  });
+  const steady = element("p", { class: "steady", hidden: true }, ...buttons);
+  container.replaceChildren(sentence, steady, aloud);
+  let timer = 0;
+
+  return {
+    /**
+     * @param {Facts} facts
+     * @param {Clock} clock
+     * @param {readonly [number, number]} range of φ̇₀
+     */
+    show(facts, clock, range) {
+      if (sentence.textContent !== facts.verdict) {
+        sentence.textContent = facts.verdict;
+        clearTimeout(timer);
+        timer = window.setTimeout(() => (aloud.textContent = facts.verdict), REST);
+      }
+      steady.hidden = facts.steady === null;
+      if (facts.steady === null) return;
+      rates = [...facts.steady];
+      buttons.forEach((button, k) => {
+        const [letter, word] = names[k];
+        const rate = Number.isFinite(rates[k]) ? `${rounded(rates[k], 3)} rad/${clock}` : "∞";
+        const possible = rates[k] >= range[0] && rates[k] <= range[1];
+        button.textContent = `set φ̇₀ to ${letter} = ${rate} (${word})`;
+        button.disabled = !possible;
+        button.title = possible ? "" : "beyond the range of φ̇₀";
+      });
+    },
+  };
+}
+
+/**
+ * Check boxes that look like keys of a legend; `changed` takes the names that are on.
+ *
+ * @template {string} T
+ * @param {HTMLElement} container
+ * @param {string} label
+ * @param {readonly (readonly [T, string])[]} names Each with its words.
+ * @param {(chosen: T[]) => void} changed
+ */
+export function createChecks(container, label, names, changed) {
+  const group = element("div", { class: "chips", role: "group", "aria-label": label });
+  const inputs = names.map(([name, words]) => {
+    const input = element("input", { type: "checkbox", value: name });
+    input.addEventListener("change", () =>
+      changed(names.filter((_, k) => inputs[k].checked).map(([one]) => one)),
+    );
+    const key = element("span", { class: `key key-${name}`, "aria-hidden": "true" });
+    group.append(element("label", { class: "chip" }, input, key, words));
+    return input;
+  });
+  container.append(group);
+  return {
+    /** @param {readonly T[]} chosen */
+    show(chosen) {
+      inputs.forEach((input, k) => (input.checked = chosen.includes(names[k][0])));
+    },
+  };
+}
+
+/**
+ * Radio buttons in a row.
+ *
+ * @template {string} T
+ * @param {HTMLElement} container
+ * @param {string} label
+ * @param {readonly (readonly [T, string])[]} names Each with its words.
+ * @param {(chosen: T) => void} changed
+ */
+export function createChoice(container, label, names, changed) {
+  const group = element("div", { class: "chips choice", role: "radiogroup", "aria-label": label });
+  const inputs = names.map(([name, words]) => {
+    const input = element("input", { type: "radio", name: label, value: name });
+    input.addEventListener("change", () => changed(name));
+    group.append(element("label", { class: "chip" }, input, words));
+    return input;
+  });
+  group.prepend(element("span", { class: "legend", "aria-hidden": "true" }, label));
+  container.append(group);
+  return {
+    /** @param {T} chosen */
+    show(chosen) {
+      inputs.forEach((input, k) => (input.checked = names[k][0] === chosen));
+    },
+  };
+}

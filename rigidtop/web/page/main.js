@@ -1,0 +1,546 @@
+/** The page: a setup becomes a motion, and the motion is moved on and drawn frame by frame. */
+
+import {
+  createAddressBar,
+  layersOf,
+  readAddress,
+  shapesOf,
+  stateOf,
+  writeAddress,
+} from "./address.js";
+import {
+  createChecks,
+  createChoice,
+  createPresets,
+  createSliders,
+  createVerdict,
+  element,
+} from "./controls.js";
+import { createEquationPanel } from "./equation_panel.js";
+import { factsOf } from "./facts.js";
+import { createKeys } from "./keys.js";
+import { createMeter } from "./meter.js";
+import { createMotion } from "./motion.js";
+import { createPotentialPlot, createTimePlots } from "./plots.js";
+import { createScene } from "./scene.js";
+import { preferredTheme, readColours, setTheme, THEMES } from "./theme.js";
+import { createTransport } from "./transport.js";
+
+/** @typedef {import("./types").Facts} Facts */
+/** @typedef {import("./types").Motion} Motion */
+/** @typedef {import("./types").PageData} PageData */
+/** @typedef {import("./types").Preset} Preset */
+/** @typedef {import("./types").Sample} Sample */
+/** @typedef {import("./types").Setup} Setup */
+/** @typedef {import("./address.js").State} State */
+/** @typedef {import("./theme.js").Theme} Theme */
+
+/** The most that time moves on in one frame, in seconds; a page that was hidden does not jump. */
+const LONGEST_FRAME = 1 / 20;
+/** What a frame may spend on the motion while it plays, and on the way to a time far off, in ms. */
+const FRAME = 8;
+const SLICE = 14;
+/** A single step and the farthest time that an address may ask for, in times of the motion. */
+const STEP = 1 / 10;
+const FARTHEST = 1e5;
+/** While it stands at t = 0 the page shows what is to come in so many seconds of playing. */
+const PREVIEW = 12;
+const PREVIEW_DELAY = 120;
+/** How often the picture's description is told anew, in ms. */
+const DESCRIPTION = 5000;
+/** Frames that fell behind, net of those that did not, until the page says so. */
+const BEHIND = 30;
+
+const data = pageData();
+const presets = data.presets.includes(data.first) ? data.presets : [data.first, ...data.presets];
+const prefersStill = matchMedia("(prefers-reduced-motion: reduce)");
+
+/** @type {State} */
+let state = stateOf(data.first);
+let motion = createMotion(setupOf(state), data.tableau);
+let facts = factsOf(motion);
+let playing = false;
+/** @type {1 | -1} */
+let direction = 1;
+/**
+ * A time on the way to which the page is, and where it set out.
+ *
+ * @type {[number, number] | null}
+ */
+let goal = null;
+/** What is asked for by the sliders and not yet tried, with the name of the one moved last. */
+let asked = /** @type {{ values: Record<string, number>, name: string } | null} */ (null);
+/**
+ * The trail that is to come, while the page stands at t = 0.
+ *
+ * @type {Sample[] | null}
+ */
+let preview = null;
+let previewTimer = 0;
+let behind = 0;
+let described = -Infinity;
+let lastFrame = NaN;
+let frameAsked = false;
+let frames = 0;
+
+setTheme(preferredTheme());
+find("title").textContent = data.title;
+find("version").textContent =
+  `rigidtop ${data.version}. This page computes everything itself and sends nothing.`;
+
+const picture = find("scene");
+const scene = sceneIn(picture);
+const plots = createTimePlots(find("plots"), readColours());
+const potential = createPotentialPlot(find("potential"), readColours());
+const meter = createMeter(find("meter"));
+const equations = createEquationPanel(find("equations"), data.equations);
+
+const address = createAddressBar(() =>
+  writeAddress({ ...state, t: motion.now.t, play: playing }, data),
+);
+const transport = createTransport(find("transport"), {
+  toStart: () => setGoal(0),
+  toggle,
+  step: (way) => {
+    pause();
+    setGoal(Math.max(0, motion.now.t + way * STEP * motion.timescale));
+  },
+  setSpeed: (factor) => {
+    state.speed = factor;
+    behind = 0;
+    wake();
+  },
+});
+const examples = createPresets(find("presets"), presets, choosePreset);
+const verdict = createVerdict(find("verdict"), (rate) => sliders.set("phi_dot", rate));
+const sliders = createSliders(find("sliders"), data.kind, data.parameters, (values, name) => {
+  asked = { values, name };
+  wake();
+});
+const switches = find("switches");
+const layers = createChecks(switches, "Drawn", layersOf(data.kind), (chosen) => {
+  state.layers = chosen;
+  showLooks();
+});
+const view = createChoice(
+  switches,
+  "seen from",
+  /** @type {const} */ ([["space", "space"], ["body", "the body"]]),
+  (chosen) => {
+    state.view = chosen;
+    showLooks();
+  },
+);
+const bodies = shapesOf(data.kind);
+const shape =
+  bodies.length < 2
+    ? null
+    : createChoice(switches, "drawn as", bodies.map(namedAsItIs), (chosen) => {
+        state.shape = chosen;
+        scene?.setMotion(motion, chosen);
+        showLooks();
+      });
+const themes = element(
+  "select",
+  { "aria-label": "Theme" },
+  ...THEMES.map(([name, words]) => element("option", { value: name }, words)),
+);
+const keys = createKeys(picture, /** @type {HTMLDialogElement} */ (find("keys")), {
+  play: () => (playing ? pause() : toggle(1)),
+  backwards: () => toggle(-1),
+  step: (way) => {
+    pause();
+    setGoal(Math.max(0, motion.now.t + way * STEP * motion.timescale));
+  },
+  toStart: () => setGoal(0),
+  zoom: (factor) => scene?.zoom(factor),
+  turn: (azimuth, elevation) => scene?.turn(azimuth, elevation),
+  home: () => scene?.home(),
+  otherView: () => {
+    state.view = state.view === "space" ? "body" : "space";
+    showLooks();
+  },
+  preset: (index) => {
+    if (index < presets.length) choosePreset(presets[index]);
+  },
+});
+const keyList = element("button", { type: "button", "aria-label": "Keys", title: "Keys (?)" }, "?");
+keyList.addEventListener("click", keys.help);
+find("tools").append(themes, keyList);
+
+themes.addEventListener("change", () => {
+  state.theme = /** @type {Theme} */ (themes.value);
+  showTheme();
+  address.changed();
+});
+for (const query of ["(prefers-color-scheme: dark)", "(prefers-contrast: more)"]) {
+  matchMedia(query).addEventListener("change", showTheme);
+}
+const notice = find("notice");
+notice.querySelector("button")?.addEventListener("click", () => (notice.hidden = true));
+// The address holds the state, so the link to the controls must not set it.
+document.querySelector(".skip")?.addEventListener("click", (event) => {
+  event.preventDefault();
+  find("column").focus();
+});
+document.addEventListener("visibilitychange", () => (lastFrame = NaN));
+window.addEventListener("hashchange", readState);
+new ResizeObserver(() => {
+  scene?.resize();
+  wake();
+}).observe(picture);
+
+// For tests and the curious.
+Object.assign(window, {
+  rigidtop: {
+    get motion() {
+      return motion;
+    },
+    get playing() {
+      return playing;
+    },
+    /** Frames drawn since the page was opened. */
+    get frames() {
+      return frames;
+    },
+  },
+});
+readState();
+
+/**
+ * What Python wrote, with the first preset one of the presets if it is.
+ *
+ * @returns {PageData}
+ */
+function pageData() {
+  /** @type {PageData} */
+  const written = JSON.parse(find("data").textContent ?? "");
+  const { first, presets: all } = written;
+  return { ...written, first: all.find((preset) => preset.name === first.name) ?? first };
+}
+
+/**
+ * @param {import("./types").Shape} shape
+ * @returns {[import("./types").Shape, string]}
+ */
+function namedAsItIs(shape) {
+  return [shape, shape];
+}
+
+/** @param {string} id */
+function find(id) {
+  const found = document.getElementById(id);
+  if (!found) throw new Error(`the page has no #${id}`);
+  return found;
+}
+
+/**
+ * The scene, or one sentence in its place.
+ *
+ * @param {HTMLElement} container
+ */
+function sceneIn(container) {
+  try {
+    return createScene(container, readColours());
+  } catch (error) {
+    container.replaceChildren(element("p", { class: "absent" }, messageOf(error)));
+    return null;
+  }
+}
+
+/** @param {unknown} error */
+function messageOf(error) {
+  return error instanceof Error ? error.message : String(error);
+}
+
+/**
+ * @param {State} of
+ * @returns {Setup}
+ */
+function setupOf({ values, clock }) {
+  return { kind: data.kind, clock, values };
+}
+
+/** Take the state from the address. */
+function readState() {
+  const { state: said, complaints } = readAddress(location.hash, data);
+  let next = said;
+  let found;
+  try {
+    found = createMotion(setupOf(next), data.tableau);
+  } catch (error) {
+    complaints.push(
+      `there is no motion as the address has it: ${messageOf(error)}; ` +
+        `“${next.preset.title}” is shown`,
+    );
+    next = { ...next, values: { ...next.preset.setup.values }, clock: next.preset.setup.clock };
+    found = createMotion(setupOf(next), data.tableau);
+  }
+  const farthest = FARTHEST * found.timescale;
+  if (next.t > farthest) {
+    const most = Number(farthest.toPrecision(3));
+    complaints.push(`the address says t=${next.t}, which is more than ${most}; 0 is used`);
+    next = { ...next, t: 0 };
+  }
+  state = next;
+  complain(complaints);
+  start(found, state.play ?? !prefersStill.matches);
+  if (state.t > 0) setGoal(state.t);
+}
+
+/** One line on what is wrong with the address, which the reader can send away. */
+function complain(/** @type {readonly string[]} */ complaints) {
+  notice.hidden = complaints.length === 0;
+  if (notice.hidden) return;
+  const [first] = complaints;
+  const more = complaints.length > 1 ? ` (and ${complaints.length - 1} more of that kind)` : "";
+  const text = notice.querySelector("span");
+  if (text) text.textContent = `${first[0].toUpperCase()}${first.slice(1)}${more}.`;
+}
+
+/** Show a motion that begins, with everything that belongs to it. */
+function start(/** @type {Motion} */ next, /** @type {boolean} */ plays) {
+  playing = plays;
+  direction = 1;
+  asked = null;
+  begin(next);
+  sliders.show(state.values, state.clock, state.preset);
+  showTheme();
+  showLooks();
+  showFacts();
+}
+
+/** @param {Motion} next */
+function begin(next) {
+  motion = next;
+  facts = factsOf(motion);
+  goal = null;
+  behind = 0;
+  described = -Infinity;
+  forgetPreview();
+  scene?.setMotion(motion, state.shape);
+  plots.setMotion(motion);
+  potential.setMotion(motion);
+  wake();
+}
+
+/** @param {Preset} preset */
+function choosePreset(preset) {
+  const { theme, speed } = state;
+  state = { ...stateOf(preset), theme, speed };
+  start(createMotion(setupOf(state), data.tableau), playing);
+}
+
+/** What the sliders ask for, if there is such a body; if not, the slider says why. */
+function tryAsked() {
+  if (!asked) return;
+  const { values, name } = asked;
+  asked = null;
+  const wanted = { ...state, values };
+  let found;
+  try {
+    found = createMotion(setupOf(wanted), data.tableau);
+  } catch (error) {
+    sliders.refuse(name, messageOf(error), () =>
+      sliders.show(state.values, state.clock, state.preset),
+    );
+    return;
+  }
+  state = wanted;
+  begin(found);
+  showFacts();
+  address.changed();
+}
+
+function showFacts() {
+  verdict.show(facts, state.clock, sliders.limits("phi_dot"));
+  const usual = state.preset.setup.values;
+  const changed = data.parameters.some(({ name }) => state.values[name] !== usual[name]);
+  examples.show(state.preset, changed);
+}
+
+function showLooks() {
+  scene?.setLayers(state.layers);
+  scene?.setView(state.view);
+  layers.show(state.layers);
+  view.show(state.view);
+  shape?.show(state.shape);
+  address.changed();
+  wake();
+}
+
+function showTheme() {
+  const theme = state.theme ?? preferredTheme();
+  setTheme(theme);
+  themes.value = theme;
+  const colours = readColours();
+  scene?.setColours(colours);
+  plots.setColours(colours);
+  potential.setColours(colours);
+  wake();
+}
+
+/**
+ * Play that way, or pause if it does.
+ *
+ * @param {1 | -1} way
+ */
+function toggle(way) {
+  if (playing && direction === way) {
+    pause();
+    return;
+  }
+  if (way < 0 && motion.now.t <= 0) return;
+  playing = true;
+  direction = way;
+  behind = 0;
+  lastFrame = NaN;
+  wake();
+}
+
+function pause() {
+  playing = false;
+  described = -Infinity;
+  wake();
+  address.changed(true);
+}
+
+/**
+ * Go to a time, in several frames if it is far off.
+ *
+ * @param {number} t
+ */
+function setGoal(t) {
+  goal = [motion.now.t, t];
+  behind = 0;
+  wake();
+}
+
+/** Ask for a frame, unless one is asked for. */
+function wake() {
+  if (frameAsked) return;
+  frameAsked = true;
+  requestAnimationFrame(frame);
+}
+
+/** @param {number} now */
+function frame(now) {
+  frameAsked = false;
+  const passed = Number.isNaN(lastFrame) ? 0 : Math.min((now - lastFrame) / 1000, LONGEST_FRAME);
+  lastFrame = now;
+  if (document.hidden) lastFrame = NaN;
+  tryAsked();
+  if (goal) approach(goal[1]);
+  else if (playing) moveOn(passed);
+  draw(now);
+  frames += 1;
+  if (playing || goal) wake();
+  else lastFrame = NaN;
+}
+
+/**
+ * A slice of the way to a time.
+ *
+ * @param {number} t
+ */
+function approach(t) {
+  if (motion.go(t, performance.now() + SLICE)) {
+    goal = null;
+    address.changed(!playing);
+  }
+}
+
+/** @param {number} seconds */
+function moveOn(seconds) {
+  const rate = state.preset.speed * state.speed;
+  const t = Math.max(0, motion.now.t + direction * rate * seconds);
+  const reached = motion.go(t, performance.now() + FRAME);
+  behind = Math.max(0, Math.min(2 * BEHIND, behind + (reached ? -1 : 1)));
+  if (direction < 0 && t === 0) pause();
+  else address.changed();
+}
+
+/** @param {number} now */
+function draw(now) {
+  const sample = motion.now;
+  const trail = trailNow();
+  scene?.draw(sample, trail);
+  plots.draw(sample, trail);
+  potential.draw(sample);
+  meter.draw(motion.drift());
+  equations.draw(sample, motion);
+  const step = STEP * motion.timescale;
+  transport.show({
+    t: sample.t,
+    clock: state.clock,
+    digits: Math.min(Math.max(2, Math.ceil(-Math.log10(step))), 6),
+    playing,
+    direction,
+    factor: state.speed,
+    rate: state.preset.speed * state.speed,
+    note: note(),
+  });
+  if (now > described + DESCRIPTION) {
+    described = now;
+    picture.setAttribute("aria-label", description(sample));
+  }
+}
+
+/** The trail until now; at rest at t = 0, what is to come, as soon as it is computed. */
+function trailNow() {
+  if (playing || goal || motion.now.t !== 0) {
+    forgetPreview();
+    return motion.trail;
+  }
+  if (!preview && !previewTimer) previewTimer = window.setTimeout(computePreview, PREVIEW_DELAY);
+  return preview ?? motion.trail;
+}
+
+function forgetPreview() {
+  clearTimeout(previewTimer);
+  previewTimer = 0;
+  preview = null;
+}
+
+function computePreview() {
+  const duration = PREVIEW * state.preset.speed;
+  const count = Math.min(Math.max(300, (4 * duration) / motion.timescale), 3000);
+  preview = motion.ahead(duration, Math.round(count));
+  scene?.setMotion(motion, state.shape); // the same moment with another trail is drawn anew
+  wake();
+}
+
+/** What there is to say about time, or "". */
+function note() {
+  if (goal && goal[1] !== 0) {
+    const [from, to] = goal;
+    const done = Math.floor((100 * (motion.now.t - from)) / (to - from || 1));
+    return `computing to t = ${Number(to.toPrecision(6))} ${state.clock}: ${done} %`;
+  }
+  return behind > BEHIND ? "runs slower than asked: there is too much to compute" : "";
+}
+
+/**
+ * The motion in words.
+ *
+ * @param {Sample} sample
+ */
+function description({ t, theta, phi_dot }) {
+  const degrees = (/** @type {number} */ angle) =>
+    `${Number(((angle * 180) / Math.PI).toFixed(1))}°`;
+  const { regime, turningPoints } = facts;
+  const unit = state.clock === "d" ? "day" : "second";
+  const body = data.kind === "free" ? "A free body" : "A heavy top";
+  const range =
+    turningPoints && turningPoints[1] - turningPoints[0] > 1e-6
+      ? `, θ between ${turningPoints.map(degrees).join(" and ")}`
+      : "";
+  const turning = Number.isFinite(phi_dot)
+    ? `, φ̇ = ${Number(phi_dot.toPrecision(3))} radians a ${unit}`
+    : "";
+  const time = `at t = ${Number(t.toPrecision(3))} ${unit}s`;
+  return (
+    `${body}, ${regime || "in motion"}${range}. Now θ = ${degrees(theta)}${turning}, ${time}; ` +
+    `${playing ? "playing" : "paused"}.`
+  );
+}
