@@ -17,7 +17,7 @@ export function createArrows() {
       const shaft = new THREE.Mesh(shafts, material);
       const head = new THREE.Mesh(heads, material);
       object.add(shaft, head);
-      /** Where its letter goes. */
+      /** Where it ends. */
       const tip = new THREE.Vector3();
       let thick = radius;
       let long = 0;
@@ -47,7 +47,7 @@ export function createArrows() {
           object.quaternion.setFromUnitVectors(Z, way);
           long = length;
           fit();
-          tip.copy(way).multiplyScalar(length + 0.075);
+          tip.copy(way).multiplyScalar(length);
         },
 
         /** Make it so many times as thick as it was made. */

@@ -135,7 +135,9 @@ export function createCones(/** @type {Palette} */ palette) {
     const { moments, start, timescale } = of;
     const { twiceEnergy, squareL } = invariants(moments, start.omega);
     const axis = enclosedAxis(moments, twiceEnergy, squareL);
-    if (axis < 0 || !(squareL > 0)) return { space: 0, body: 0, closes: true };
+    if (axis < 0 || !(squareL > 0) || !Number.isFinite(timescale)) {
+      return { space: 0, body: 0, closes: true };
+    }
     const side = Math.sign(start.omega[axis]) || 1;
     const point = [0, 0, 0];
     for (let i = 0; i <= 144; i++) {

@@ -1,7 +1,10 @@
 /** @typedef {import("./palette").Palette} Palette */
 
-/** Letters smaller than this apart, in pixels, push each other away. */
+/** Letters less than this apart, in pixels, push each other away. */
 const APART = 17;
+/** How far letters are from the tips they name: beyond them, and to the right of the way there. */
+const BEYOND = 7;
+const ASIDE = 15;
 
 /**
  * Letters over the picture as HTML, so that they stay crisp whatever the picture's resolution.
@@ -48,7 +51,7 @@ export function createLabels(/** @type {HTMLElement} */ container) {
       layer.style.textShadow = `0 0 2px ${paper},0 0 3px ${paper},0 0 4px ${paper}`;
     },
 
-    /** Put every wanted label where its point in the scene is seen. */
+    /** Put every wanted label by the point in the scene that it names. */
     place(
       /** @type {THREE.Camera} */ camera, /** @type {number} */ width,
       /** @type {number} */ height,
@@ -56,8 +59,14 @@ export function createLabels(/** @type {HTMLElement} */ container) {
       for (const label of all) {
         if (!label.wanted) continue;
         at.copy(label.at).project(camera);
-        label.x = (at.x + 1) * width / 2;
-        label.y = (1 - at.y) * height / 2;
+        const dx = (at.x * width) / 2;
+        const dy = (-at.y * height) / 2;
+        const length = Math.hypot(dx, dy) || 1;
+        // Arrows that lie on one another keep their letters apart if these stand beside them.
+        const beyond = (label.faint ? 1.5 * BEYOND : BEYOND) / length;
+        const aside = (label.faint ? 0 : ASIDE) / length;
+        label.x = width / 2 + dx + beyond * dx - aside * dy;
+        label.y = height / 2 + dy + beyond * dy + aside * dx;
       }
       separate(all);
       for (const label of all) show(label);

@@ -44,6 +44,9 @@ void main() {
   gl_FragColor = vec4(mix(colour, old, age * age * (3.0 - 2.0 * age)), edge * clear);
 }`;
 
+/** In high contrast lines are so much thicker, and those that matter more so than thin ones. */
+const THICKER = 1.25;
+
 /**
  * @typedef {object} Line a material for ribbons
  * @property {THREE.ShaderMaterial} material
@@ -142,7 +145,7 @@ export function createPalette(/** @type {Colours} */ colours) {
       follow((c) => {
         colour.value.set(pick(c));
         oldColour.value.set(old(c));
-        wide.value = c.highContrast ? 1.8 * width : width;
+        wide.value = c.highContrast ? THICKER * width ** 1.4 : width;
         far.value = fades && !c.highContrast ? 0.75 : 0;
       });
       return { material, count };

@@ -24,12 +24,12 @@ const Z = new THREE.Vector3(0, 0, 1);
 /** Ellipsoid and polhodes, to be fixed in the body, and plane and herpolhode, fixed in space. */
 export function createPoinsot(/** @type {Palette} */ palette) {
   const skin = palette.sheet((c) => mix(c.polhode, c.body, 0.6), 0.2, THREE.FrontSide);
-  const faint = palette.line((c) => mix(c.polhode, c.paper, 0.55), 1);
+  const faint = palette.line((c) => mix(c.polhode, c.paper, c.highContrast ? 0.2 : 0.55), 1);
   const middle = palette.line((c) => mix(c.polhode, c.ink, 0.45), 1.6);
   const strong = palette.line((c) => new THREE.Color(c.polhode), 3.2);
   const trace = palette.line((c) => mix(c.omega, c.ink, 0.15), 2.4);
   const floor = palette.sheet((c) => mix(c.L, c.paper, 0.45), 0.16, THREE.DoubleSide, false);
-  const grid = palette.line((c) => mix(c.L, c.paper, 0.6), 1);
+  const grid = palette.line((c) => mix(c.L, c.paper, c.highContrast ? 0.2 : 0.6), 1);
   const touch = palette.dot((c) => new THREE.Color(c.omega));
 
   const ellipsoid = new THREE.Mesh(new THREE.SphereGeometry(1, 40, 24), skin);

@@ -174,6 +174,7 @@ export function createScene(container, colours) {
   }
 
   function again() {
+    cancelAnimationFrame(request);
     request = 0;
     if (dirty && sample) draw(sample, trail);
   }
@@ -193,6 +194,8 @@ export function createScene(container, colours) {
     camera.fov = (2 * Math.atan(tangent) * 180) / Math.PI;
     camera.updateProjectionMatrix();
     setResolution();
+    // At once: a canvas of another size is empty.
+    again();
   }
 
   function recolour() {
@@ -321,7 +324,7 @@ export function createScene(container, colours) {
     axisLabels.forEach((label, k) => {
       label.wanted = true;
       label.at.set(k === 0 ? 1 : 0, k === 1 ? 1 : 0, k === 2 ? 1 : 0);
-      label.at.multiplyScalar(AXIS + 0.06).applyQuaternion(world.quaternion);
+      label.at.multiplyScalar(AXIS).applyQuaternion(world.quaternion);
     });
     labels.place(camera, width, height);
   }
