@@ -224,26 +224,29 @@ export function line(ctx, x1, y1, x2, y2) {
 }
 
 /**
- * Lines of a grid and numbers at the left of a box.
+ * Lines of a grid, or in high contrast marks, and numbers at the left of a box.
  *
  * @param {Paper} paper @param {Box} box @param {Range} range @param {Colours} colours
  */
 export function drawUpAxis(paper, box, range, colours) {
   const { ctx, em } = paper;
-  const { values, digits } = ticks(range, niceStep(range, (box.bottom - box.top) / (2.6 * em)));
+  const { values, digits } = ticks(range, niceStep(range, (box.bottom - box.top) / (1.6 * em)));
   const y = scale(range, box.bottom, box.top);
   ctx.strokeStyle = colours.rule;
   ctx.fillStyle = colours.ink;
   ctx.lineWidth = 1;
+  const end = colours.highContrast ? box.left + 0.5 * em : box.right;
+  line(ctx, box.left + 0.5, box.top, box.left + 0.5, box.bottom);
   for (const value of values) {
     const at = Math.round(y(value)) + 0.5;
-    line(ctx, box.left, at, box.right, at);
+    line(ctx, box.left, at, end, at);
     write(paper, decimal(value, digits), box.left - 0.5 * em, at, "right");
   }
 }
 
 /**
- * Lines of a grid and, where there is a label, numbers below a box with the label after them.
+ * Lines of a grid, or in high contrast marks, and, where there is a label, numbers below a box with
+ * the label after them.
  *
  * @param {Paper} paper @param {Box} box @param {Range} range @param {Colours} colours
  * @param {string} label
@@ -251,17 +254,21 @@ export function drawUpAxis(paper, box, range, colours) {
  */
 export function drawAlongAxis(paper, box, range, colours, label, step = 0) {
   const { ctx, em } = paper;
-  const { values, digits } = ticks(range,
-    step || niceStep(range, (box.right - box.left) / (5 * em)));
   const x = scale(range, box.left, box.right);
   const below = box.bottom + em;
+  const apart = step || niceStep(range, (box.right - box.left) / (3.2 * em));
+  let { values, digits } = ticks(range, apart);
+  const widest = ctx.measureText(decimal(range.high, digits)).width;
+  if (x(apart) - x(0) < widest + em) ({ values, digits } = ticks(range, nice(1.01 * apart)));
   ctx.strokeStyle = colours.rule;
   ctx.fillStyle = colours.ink;
   ctx.lineWidth = 1;
   const end = box.right - write(paper, label, box.right, below, "right") - 0.6 * em;
+  const top = colours.highContrast ? box.bottom - 0.5 * em : box.top;
+  line(ctx, box.left, Math.round(box.bottom) + 0.5, box.right, Math.round(box.bottom) + 0.5);
   for (const value of values) {
     const at = Math.round(x(value)) + 0.5;
-    line(ctx, at, box.top, at, box.bottom);
+    line(ctx, at, top, at, box.bottom);
     const text = decimal(value, digits);
     if (label && at + ctx.measureText(text).width / 2 < end) {
       write(paper, text, at, below, "center");

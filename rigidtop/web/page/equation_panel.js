@@ -36,13 +36,13 @@ export function createEquationPanel(container, list) {
  *
  * @param {Equation} equation
  */
-function createEntry({ tag, title, mathml, function: name, terms }) {
+function createEntry({ tag, title, mathml, function: name, symmetric, terms }) {
   const figure = document.createElement("figure");
   figure.className = "equation";
   figure.setAttribute("aria-label", `Equation (${tag}): ${title}`);
   const heading = document.createElement("p");
   heading.className = "equation-title";
-  heading.textContent = title;
+  setWords(heading, title);
   const formula = document.createElement("div");
   formula.className = "equation-formula";
   formula.innerHTML = mathml;
@@ -51,7 +51,11 @@ function createEntry({ tag, title, mathml, function: name, terms }) {
   number.textContent = `(${tag})`;
   const naming = document.createElement("p");
   naming.className = "equation-naming";
-  naming.id = `equation-naming-${tag}`;
+  naming.id = `naming-${name}`;
+  const amount = document.createElement("span");
+  amount.className = "equation-amount";
+  const meaning = document.createElement("span");
+  naming.append(amount, meaning);
   const row = document.createElement("div");
   row.className = "equation-row";
   row.append(formula, number);
@@ -92,22 +96,22 @@ function createEntry({ tag, title, mathml, function: name, terms }) {
   function show() {
     const shown = pointed >= 0 ? pointed : chosen;
     for (const target of targets) target.classList.toggle("named", termOf(target) === shown);
-    const text = shown < 0 ? "" : sentence(shown);
-    if (naming.textContent !== text) naming.textContent = text;
+    setWords(amount, shown < 0 ? "" : amountOf(shown));
+    setWords(meaning, shown < 0 ? "" : terms[shown].name);
   }
 
   /**
-   * "MgR sin θ: torque of gravity = 1.240 N m".
+   * "MgR sin θ = 1.240 N m".
    *
    * @param {number} k
    */
-  function sentence(k) {
-    const { text, name: words, unit } = terms[k];
-    if (!present) return `${text}: ${words}`;
+  function amountOf(k) {
+    const { text, unit } = terms[k];
+    if (!present) return text;
     const value = termValues(name, ...present)[k];
     return Number.isFinite(value)
-      ? `${text}: ${words} = ${withUnit(significant(value), unitIn(unit, present[1]))}`
-      : `${text}: ${words}, not defined here (sin θ = 0)`;
+      ? `${text} = ${withUnit(significant(value), unitIn(unit, present[1]))}`
+      : `${text} is not defined here (sin θ = 0)`;
   }
 
   formula.addEventListener("pointerover", (event) => {
@@ -139,6 +143,7 @@ function createEntry({ tag, title, mathml, function: name, terms }) {
     figure,
     /** @param {Sample} sample @param {Motion} motion */
     update(sample, motion) {
+      figure.hidden = symmetric !== null && symmetric !== motion.symmetric;
       present = [sample, motion];
       show();
     },
@@ -152,6 +157,24 @@ function createEntry({ tag, title, mathml, function: name, terms }) {
  */
 function termOf(target) {
   return Number(target.dataset.term);
+}
+
+/**
+ * Words in which "p_φ" becomes p with an index; nothing is touched where they are there already.
+ *
+ * @param {HTMLElement} element
+ * @param {string} words
+ */
+function setWords(element, words) {
+  if (element.dataset.words === words) return;
+  element.dataset.words = words;
+  const parts = words.split(/_(\p{L})/u).map((part, k) => {
+    if (k % 2 === 0) return part;
+    const index = document.createElement("sub");
+    index.textContent = part;
+    return index;
+  });
+  element.replaceChildren(...parts);
 }
 
 /**
@@ -174,5 +197,5 @@ function termValues(name, sample, motion) {
  */
 function unitIn(unit, { setup: { clock } }) {
   if (clock === "s") return unit;
-  return unit.replace(/^(N m|J)$/, "kg m²/s²").replace(/\bs(?=[²³]?$)/, clock);
+  return unit.replace(/^(N m|J)$/, "kg m²/s²").replace("J s", "kg m²/s").replace(/\bs(?=[²³]?$)/, clock);
 }

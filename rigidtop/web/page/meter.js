@@ -35,6 +35,8 @@ export function createMeter(container) {
       names = wanted;
       container.replaceChildren(heading());
       rows = drifts.map((drift) => createRow(container, drift.name));
+      container.append(element("p", "meter-note",
+        `The mark at ${powerOfTen(PROMISE)} is what the page promises.`));
     }
     drifts.forEach((drift, k) => rows[k](drift));
   });

@@ -18,6 +18,9 @@ const DEGREE = 180 / Math.PI;
 /** The part of the window of time that fills before it scrolls. */
 const FILLED = 0.9;
 
+/** So many samples of the first window say how large the angles will be. */
+const LOOKS_AHEAD = 60;
+
 /**
  * θ(t) and φ(t) of e₃ in degrees, one above the other.
  *
@@ -32,6 +35,12 @@ export function createTimePlots(container, colours) {
   /** @type {readonly number[]} */
   let turningPoints = [];
   let duration = 1;
+  /**
+   * The angles in the first window of time, so that the axes need not change on the way.
+   *
+   * @type {Record<Angle, Range> | null}
+   */
+  let expected = null;
   /** @type {Range} */
   let thetas = { low: 0, high: 180 };
   /** @type {Range} */
@@ -45,16 +54,20 @@ export function createTimePlots(container, colours) {
     const { sample, trail } = last;
     const start = Math.max(0, sample.t - FILLED * duration);
     const times = { low: start, high: start + duration };
-    const first = firstAfter(trail, start);
-    thetas = fitted(thetas, extent(trail, first, "theta", [sample.theta, ...turningPoints]));
-    phis = followed(phis, extent(trail, first, "phi", [sample.phi]));
+    const first = Math.max(0, firstAfter(trail, start) - 1);
+    const shown = trail.slice(first, firstAfter(trail, times.high) + 1);
+    expected ??= foreseen(motion, duration);
+    const known = start === 0 ? expected : null;
+    thetas = fitted(thetas,
+      extent(shown, "theta", [sample.theta, ...turningPoints], known?.theta));
+    phis = followed(phis, extent(shown, "phi", [sample.phi], known?.phi));
 
     const { em, width, height } = sheet;
     const left = 4.4 * em;
     const right = width - 0.8 * em;
-    const each = (height - 5.4 * em) / 2;
+    const each = (height - 5.8 * em) / 2;
     const upper = { left, right, top: 1.7 * em, bottom: 1.7 * em + each };
-    const lower = { left, right, top: upper.bottom + 1.9 * em, bottom: height - 1.8 * em };
+    const lower = { left, right, top: upper.bottom + 2.3 * em, bottom: height - 1.8 * em };
     const { clock } = motion.setup;
     const theta = `θ = ${decimal(sample.theta * DEGREE, 2)}°`;
     const phi = `φ = ${decimal(sample.phi * DEGREE, 1)}°`;
@@ -62,15 +75,15 @@ export function createTimePlots(container, colours) {
     drawAlongAxis(sheet, upper, times, colours, "");
     drawUpAxis(sheet, upper, thetas, colours);
     drawGuides(sheet, upper, thetas, turningPoints, colours);
-    drawCurve(sheet, upper, times, thetas, trail, first, sample, "theta", colours);
+    drawCurve(sheet, upper, times, thetas, shown, sample, "theta", colours);
     write(sheet, "θ in °", 0.2 * em, 0.8 * em);
     write(sheet, theta, right, 0.8 * em, "right");
 
     drawAlongAxis(sheet, lower, times, colours, `t in ${clock}`);
     drawUpAxis(sheet, lower, phis, colours);
-    drawCurve(sheet, lower, times, phis, trail, first, sample, "phi", colours);
-    write(sheet, "φ in °", 0.2 * em, lower.top - 0.9 * em);
-    write(sheet, phi, right, lower.top - 0.9 * em, "right");
+    drawCurve(sheet, lower, times, phis, shown, sample, "phi", colours);
+    write(sheet, "φ in °", 0.2 * em, lower.top - 0.8 * em);
+    write(sheet, phi, right, lower.top - 0.8 * em, "right");
 
     paper.describe(
       `θ and φ against time. At t = ${withUnit(significant(sample.t), clock)}: ${theta}, ${phi}.`);
@@ -87,6 +100,7 @@ export function createTimePlots(container, colours) {
       last = null;
       turningPoints = factsOf(next).turningPoints ?? [];
       duration = windowOf(next);
+      expected = null;
     },
     /**
      * One frame.
@@ -115,7 +129,8 @@ export function createTimePlots(container, colours) {
  *
  * @param {Motion} motion
  */
-function windowOf({ moments, weight, start, timescale }) {
+function windowOf({ setup, moments, weight, start, timescale }) {
+  if (setup.kind === "free") return nice(40 * timescale);
   const rate = length(start.momentum) / moments[0] + Math.sqrt(length(weight) / moments[0]);
   return nice(40 * Math.max(timescale, 1 / rate));
 }
@@ -143,19 +158,29 @@ function firstAfter(trail, t) {
 }
 
 /**
- * The least and the largest angle from a sample on, and of some more; in degrees.
+ * The ranges of θ and φ in the first window of time.
  *
- * @param {readonly Sample[]} trail
- * @param {number} first
+ * @param {Motion} motion
+ * @param {number} duration
+ */
+function foreseen(motion, duration) {
+  const samples = motion.ahead(duration, LOOKS_AHEAD);
+  return { theta: extent(samples, "theta", []), phi: extent(samples, "phi", []) };
+}
+
+/**
+ * The least and the largest angle of samples, of some more, and of a range; in degrees.
+ *
+ * @param {readonly Sample[]} samples
  * @param {Angle} angle
  * @param {readonly number[]} more
+ * @param {Range} [known]
  * @returns {Range}
  */
-function extent(trail, first, angle, more) {
-  let low = Math.min(...more);
-  let high = Math.max(...more);
-  for (let k = first; k < trail.length; k += 1) {
-    const value = trail[k][angle];
+function extent(samples, angle, more, known = { low: Infinity, high: -Infinity }) {
+  let low = Math.min(...more, known.low / DEGREE);
+  let high = Math.max(...more, known.high / DEGREE);
+  for (const { [angle]: value } of samples) {
     if (value < low) low = value;
     if (value > high) high = value;
   }
@@ -191,8 +216,8 @@ function fitted(old, seen) {
 function followed(old, seen) {
   const size = Math.max(1, seen.high - seen.low);
   const oldSpan = old.high - old.low;
-  const kept = 1.05 * size < oldSpan && oldSpan < 8 * size;
-  const span = kept ? oldSpan : nice(1.6 * size);
+  const kept = 1.04 * size < oldSpan && oldSpan < 4 * size;
+  const span = kept ? oldSpan : nice(1.1 * size);
   const margin = 0.02 * span;
   const low = Math.min(Math.max(old.low, seen.high + margin - span), seen.low - margin);
   return { low, high: low + span };
@@ -218,14 +243,15 @@ function drawGuides({ ctx, em }, box, range, angles, colours) {
 /**
  * An angle against time, with the present as a thin line and a dot.
  *
+ * Samples that are still to come, as the page has them while it stands at t = 0, make a thin line.
  * Of the samples that share a column of pixels it takes the first, the last, the least and the
  * largest: the picture is the same, and there are never more points than the canvas can show.
  *
  * @param {Paper} sheet @param {Box} box @param {Range} times @param {Range} range
- * @param {readonly Sample[]} trail @param {number} first @param {Sample} now @param {Angle} angle
+ * @param {readonly Sample[]} samples @param {Sample} now @param {Angle} angle
  * @param {Colours} colours
  */
-function drawCurve({ ctx, em }, box, times, range, trail, first, now, angle, colours) {
+function drawCurve({ ctx, em }, box, times, range, samples, now, angle, colours) {
   const x = scale(times, box.left, box.right);
   const y = scale(range, box.bottom, box.top);
   const present = { x: x(now.t), y: y(now[angle] * DEGREE) };
@@ -238,8 +264,9 @@ function drawCurve({ ctx, em }, box, times, range, trail, first, now, angle, col
   ctx.beginPath();
   ctx.rect(box.left, box.top, box.right - box.left, box.bottom - box.top);
   ctx.clip();
+  const toCome = samples.length > 0 && samples[samples.length - 1].t > now.t;
   ctx.strokeStyle = colours.e3;
-  ctx.lineWidth = (colours.highContrast ? 0.2 : 0.14) * em;
+  ctx.lineWidth = (toCome ? 0.06 : 0.14) * em * (colours.highContrast ? 1.4 : 1);
   ctx.beginPath();
   let column = -1;
   let firstY = 0;
@@ -247,9 +274,9 @@ function drawCurve({ ctx, em }, box, times, range, trail, first, now, angle, col
   let largest = 0;
   let lastX = 0;
   let lastY = 0;
-  for (let k = Math.max(0, first - 1); k < trail.length; k += 1) {
-    const atX = x(trail[k].t);
-    const atY = y(trail[k][angle] * DEGREE);
+  for (const { t, [angle]: value } of samples) {
+    const atX = x(t);
+    const atY = y(value * DEGREE);
     const atColumn = Math.floor(atX);
     if (atColumn === column) {
       least = Math.min(least, atY);
@@ -266,7 +293,7 @@ function drawCurve({ ctx, em }, box, times, range, trail, first, now, angle, col
     lastY = atY;
   }
   if (column >= 0) finishColumn();
-  ctx.lineTo(present.x, present.y);
+  if (!toCome) ctx.lineTo(present.x, present.y);
   ctx.stroke();
   ctx.restore();
   drawDot(ctx, present.x, present.y, em, colours);
@@ -313,7 +340,7 @@ export function createPotentialPlot(container, colours) {
     const sheet = landscape && last && paper.clear();
     if (!landscape || !last || !sheet) return;
     const { em, width, height } = sheet;
-    const box = { left: 4.4 * em, right: width - 0.8 * em, top: 1.7 * em, bottom: height - 1.8 * em };
+    const box = { left: 4.4 * em, right: width - 0.8 * em, top: 2.1 * em, bottom: height - 1.8 * em };
     const step = box.right - box.left > 24 * em ? 30 : 60;
     drawForbidden(sheet, box, landscape, colours);
     drawAlongAxis(sheet, box, ANGLES, colours, "θ in °", step);
@@ -371,13 +398,15 @@ function landscapeOf(motion) {
   const { energy } = start;
   const potential = potentialOf(motion);
   const heights = Array.from({ length: STEPS }, (_, k) => potential((k + 0.5) * Math.PI / STEPS));
+  const range = rangeAround(heights, energy);
   return {
     energy,
     potential,
     heights,
     lambda1: moments[0],
     allowed: factsOf(motion).turningPoints ?? [start.theta, start.theta],
-    range: rangeAround(heights, energy),
+    range,
+    digits: decimalsOf(range, energy - Math.min(...heights)),
     unit: setup.clock === "s" ? "J" : `kg m²/${setup.clock}²`,
   };
 }
@@ -397,8 +426,20 @@ function rangeAround(heights, energy) {
   const walls = [bottom - reach, bottom + reach]
     .map((k) => heights[Math.round(k)] ?? Infinity)
     .filter(Number.isFinite);
-  const depth = Math.max(2 * (energy - low), Math.min(...walls) - low);
+  const wall = Math.min(...walls) - low;
+  const kinetic = energy - low;
+  const depth = Math.max(2 * kinetic, Math.min(wall, Math.max(5 * kinetic, 0.15 * wall)));
   return { low: low - 0.12 * depth, high: low + 1.1 * depth };
+}
+
+/**
+ * Decimals that show the kinetic part, if it is not too small to be seen.
+ *
+ * @param {Range} range
+ * @param {number} kinetic the most of it
+ */
+function decimalsOf({ low, high }, kinetic) {
+  return Math.max(0, 3 - Math.ceil(Math.log10(Math.max(kinetic, (high - low) / 1000))));
 }
 
 /**
@@ -422,6 +463,7 @@ function drawForbidden({ ctx, em }, box, { allowed }, colours) {
   const x = scale(ANGLES, box.left, box.right);
   const [least, largest] = allowed.map((angle) => x(angle * DEGREE));
   const height = box.bottom - box.top;
+  const gap = (colours.highContrast ? 1.6 : 0.6) * em;
   ctx.save();
   ctx.beginPath();
   ctx.rect(box.left, box.top, least - box.left, height);
@@ -429,7 +471,7 @@ function drawForbidden({ ctx, em }, box, { allowed }, colours) {
   ctx.clip();
   ctx.strokeStyle = colours.rule;
   ctx.lineWidth = 1;
-  for (let at = box.left - height; at < box.right; at += 0.6 * em) {
+  for (let at = box.left - height; at < box.right; at += gap) {
     line(ctx, at, box.bottom, at + height, box.top);
   }
   ctx.restore();
@@ -462,7 +504,7 @@ function drawLandscape(sheet, box, landscape, sample, colours) {
   ctx.stroke();
   ctx.restore();
 
-  ctx.strokeStyle = colours.L;
+  ctx.strokeStyle = colours.polhode;
   ctx.lineWidth = thick;
   line(ctx, box.left, level, box.right, level);
   ctx.strokeStyle = colours.muted;
@@ -473,13 +515,18 @@ function drawLandscape(sheet, box, landscape, sample, colours) {
   }
   ctx.setLineDash([]);
 
-  const { height } = splitEnergy(landscape, sample);
+  const { height, kinetic } = splitEnergy(landscape, sample);
   const at = x(sample.theta * DEGREE);
   ctx.strokeStyle = colours.omega;
   ctx.lineWidth = 2 * thick;
   line(ctx, at, level, at, y(height));
   drawDot(ctx, at, y(height), em, colours);
-  write(sheet, "E", box.right - 0.4 * em, level - 0.8 * em, "right");
+  ctx.clearRect(box.right - 1.5 * em, level - 1.4 * em, 1.3 * em, 1.2 * em);
+  write(sheet, "E", box.right - 0.5 * em, level - 0.8 * em, "right");
+  const text = `½λ₁θ̇² = ${withUnit(decimal(kinetic, landscape.digits), landscape.unit)}`;
+  const width = write(sheet, text, box.right, 0.8 * em, "right");
+  ctx.strokeStyle = colours.omega;
+  line(ctx, box.right - width - 0.6 * em, 0.3 * em, box.right - width - 0.6 * em, 1.2 * em);
 }
 
 /**
