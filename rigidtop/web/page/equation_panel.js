@@ -51,9 +51,9 @@ function createEntry({ tag, title, mathml, function: name, symmetric, terms }) {
   number.textContent = `(${tag})`;
   const naming = document.createElement("p");
   naming.className = "equation-naming";
-  naming.id = `naming-${name}`;
   const amount = document.createElement("span");
   amount.className = "equation-amount";
+  amount.id = `amount-${name}`;
   const meaning = document.createElement("span");
   naming.append(amount, meaning);
   const row = document.createElement("div");
@@ -72,7 +72,6 @@ function createEntry({ tag, title, mathml, function: name, symmetric, terms }) {
     const term = terms[termOf(target)];
     target.setAttribute("role", "button");
     target.setAttribute("aria-label", `${term.text}: ${term.name}`);
-    target.setAttribute("aria-describedby", naming.id);
     target.tabIndex = target === targets[0] ? 0 : -1;
   }
 
@@ -89,7 +88,11 @@ function createEntry({ tag, title, mathml, function: name, symmetric, terms }) {
   /** @param {number} term @param {MathMLElement} target */
   function choose(term, target) {
     chosen = term;
-    for (const each of targets) each.tabIndex = each === target ? 0 : -1;
+    for (const each of targets) {
+      each.tabIndex = each === target ? 0 : -1;
+      each.removeAttribute("aria-describedby");
+    }
+    target.setAttribute("aria-describedby", amount.id);
     show();
   }
 

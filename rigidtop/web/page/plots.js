@@ -65,9 +65,9 @@ export function createTimePlots(container, colours) {
     const { em, width, height } = sheet;
     const left = 4.4 * em;
     const right = width - 0.8 * em;
-    const each = (height - 5.8 * em) / 2;
-    const upper = { left, right, top: 1.7 * em, bottom: 1.7 * em + each };
-    const lower = { left, right, top: upper.bottom + 2.3 * em, bottom: height - 1.8 * em };
+    const each = (height - 6.2 * em) / 2;
+    const upper = { left, right, top: 1.9 * em, bottom: 1.9 * em + each };
+    const lower = { left, right, top: upper.bottom + 2.5 * em, bottom: height - 1.8 * em };
     const { clock } = motion.setup;
     const theta = `θ = ${decimal(sample.theta * DEGREE, 2)}°`;
     const phi = `φ = ${decimal(sample.phi * DEGREE, 1)}°`;
@@ -82,8 +82,8 @@ export function createTimePlots(container, colours) {
     drawAlongAxis(sheet, lower, times, colours, `t in ${clock}`);
     drawUpAxis(sheet, lower, phis, colours);
     drawCurve(sheet, lower, times, phis, shown, sample, "phi", colours);
-    write(sheet, "φ in °", 0.2 * em, lower.top - 0.8 * em);
-    write(sheet, phi, right, lower.top - 0.8 * em, "right");
+    write(sheet, "φ in °", 0.2 * em, lower.top - 1.1 * em);
+    write(sheet, phi, right, lower.top - 1.1 * em, "right");
 
     paper.describe(
       `θ and φ against time. At t = ${withUnit(significant(sample.t), clock)}: ${theta}, ${phi}.`);
