@@ -277,7 +277,8 @@ export function drawAlongAxis(paper, box, range, colours, label, step = 0) {
 }
 
 /**
- * `act`, at once where it has rested so many milliseconds, else with the last arguments when it has.
+ * `act`, at once where it has rested so many milliseconds, else with the last arguments when it
+ * has.
  *
  * @template {unknown[]} A
  * @param {number} rest

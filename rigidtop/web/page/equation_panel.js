@@ -188,7 +188,8 @@ function setWords(element, words) {
  * @param {Motion} motion
  */
 function termValues(name, sample, motion) {
-  const functions = /** @type {Record<string, TermFunction>} */ (/** @type {unknown} */ (equations));
+  const functions = /** @type {Record<string, TermFunction>} */ (
+    /** @type {unknown} */ (equations));
   return functions[name](quantities(sample, motion));
 }
 
@@ -200,5 +201,6 @@ function termValues(name, sample, motion) {
  */
 function unitIn(unit, { setup: { clock } }) {
   if (clock === "s") return unit;
-  return unit.replace(/^(N m|J)$/, "kg m²/s²").replace("J s", "kg m²/s").replace(/\bs(?=[²³]?$)/, clock);
+  return unit.replace(/^(N m|J)$/, "kg m²/s²").replace("J s", "kg m²/s")
+    .replace(/\bs(?=[²³]?$)/, clock);
 }

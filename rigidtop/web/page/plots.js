@@ -340,7 +340,8 @@ export function createPotentialPlot(container, colours) {
     const sheet = landscape && last && paper.clear();
     if (!landscape || !last || !sheet) return;
     const { em, width, height } = sheet;
-    const box = { left: 4.4 * em, right: width - 0.8 * em, top: 2.1 * em, bottom: height - 1.8 * em };
+    const right = width - 0.8 * em;
+    const box = { left: 4.4 * em, right, top: 2.1 * em, bottom: height - 1.8 * em };
     const step = box.right - box.left > 24 * em ? 30 : 60;
     drawForbidden(sheet, box, landscape, colours);
     drawAlongAxis(sheet, box, ANGLES, colours, "θ in °", step);
