@@ -429,7 +429,7 @@ function rangeAround(heights, energy) {
     .filter(Number.isFinite);
   const wall = Math.min(...walls) - low;
   const kinetic = energy - low;
-  const depth = Math.max(2 * kinetic, Math.min(wall, Math.max(5 * kinetic, 0.15 * wall)));
+  const depth = Math.max(2 * kinetic, Math.min(wall, Math.max(5 * kinetic, 0.4 * wall)));
   return { low: low - 0.12 * depth, high: low + 1.1 * depth };
 }
 
