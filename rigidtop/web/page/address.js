@@ -217,8 +217,8 @@ const LOOKS = {
     const word = oneOf("play", text, ["0", "1"], null, complaints);
     if (word !== null) state.play = word === "1";
   },
-  clock(text, state, _data, complaints) {
-    const clocks = /** @type {Clock[]} */ (["s", "d"]);
+  clock(text, state, data, complaints) {
+    const clocks = /** @type {Clock[]} */ (data.kind === "free" ? ["s", "d"] : ["s"]);
     state.clock = oneOf("clock", text, clocks, state.clock, complaints) ?? state.clock;
   },
   view(text, state, _data, complaints) {

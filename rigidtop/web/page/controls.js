@@ -107,9 +107,7 @@ function letterOf(parameter) {
 }
 
 /**
- * A slider and a number field that go together.
- *
- * `moved` takes what the slider says, `typed` what was typed, in SI units and radians.
+ * A slider and a number field that go together; `changed` takes SI units and radians.
  *
  * @param {Parameter} parameter
  * @param {(value: number) => void} changed
@@ -210,6 +208,7 @@ function createRow(parameter, changed) {
     row,
     complain,
     content,
+    focus: () => range.focus(),
     /**
      * @param {number} now
      * @param {Clock} time
@@ -337,7 +336,7 @@ export function createSliders(container, kind, parameters, changed) {
       const button = element("button", { type: "button" }, "Take it back");
       button.addEventListener("click", () => {
         back();
-        container.querySelector(`#slider-${name}`)?.dispatchEvent(new Event("focus"));
+        rows.get(name)?.focus();
       });
       rows.get(name)?.complain(`${sentence}. The motion shown is the last possible one. `, button);
     },

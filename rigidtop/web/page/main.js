@@ -71,11 +71,17 @@ let goal = null;
 /** What is asked for by the sliders and not yet tried, with the name of the one moved last. */
 let asked = /** @type {{ values: Record<string, number>, name: string } | null} */ (null);
 /**
- * The trail that is to come, while the page stands at t = 0.
+ * What is to come, while the page stands at t = 0.
  *
  * @type {Sample[] | null}
  */
 let preview = null;
+/**
+ * The same as if it were past, for the scene, which draws the past only.
+ *
+ * @type {Sample[]}
+ */
+let mirrored = [];
 let previewTimer = 0;
 let behind = 0;
 let described = -Infinity;
@@ -243,7 +249,8 @@ function sceneIn(container) {
   try {
     return createScene(container, readColours());
   } catch (error) {
-    container.replaceChildren(element("p", { class: "absent" }, messageOf(error)));
+    const sentence = `${messageOf(error)} All the rest goes on without it.`;
+    container.replaceChildren(element("p", { class: "absent" }, sentence));
     return null;
   }
 }
@@ -293,7 +300,7 @@ function complain(/** @type {readonly string[]} */ complaints) {
   notice.hidden = complaints.length === 0;
   if (notice.hidden) return;
   const [first] = complaints;
-  const more = complaints.length > 1 ? ` (and ${complaints.length - 1} more of that kind)` : "";
+  const more = complaints.length > 1 ? ` (and ${complaints.length - 1} more)` : "";
   const text = notice.querySelector("span");
   if (text) text.textContent = `${first[0].toUpperCase()}${first.slice(1)}${more}.`;
 }
@@ -426,9 +433,8 @@ function wake() {
 /** @param {number} now */
 function frame(now) {
   frameAsked = false;
-  const passed = Number.isNaN(lastFrame) ? 0 : Math.min((now - lastFrame) / 1000, LONGEST_FRAME);
+  const passed = Number.isNaN(lastFrame) || document.hidden ? 0 : (now - lastFrame) / 1000;
   lastFrame = now;
-  if (document.hidden) lastFrame = NaN;
   tryAsked();
   if (goal) approach(goal[1]);
   else if (playing) moveOn(passed);
@@ -446,6 +452,7 @@ function frame(now) {
 function approach(t) {
   if (motion.go(t, performance.now() + SLICE)) {
     goal = null;
+    if (!playing) described = -Infinity;
     address.changed(!playing);
   }
 }
@@ -453,8 +460,9 @@ function approach(t) {
 /** @param {number} seconds */
 function moveOn(seconds) {
   const rate = state.preset.speed * state.speed;
-  const t = Math.max(0, motion.now.t + direction * rate * seconds);
-  const reached = motion.go(t, performance.now() + FRAME);
+  const shown = Math.min(seconds, LONGEST_FRAME);
+  const t = Math.max(0, motion.now.t + direction * rate * shown);
+  const reached = motion.go(t, performance.now() + FRAME) && shown === seconds;
   behind = Math.max(0, Math.min(2 * BEHIND, behind + (reached ? -1 : 1)));
   if (direction < 0 && t === 0) pause();
   else address.changed();
@@ -464,7 +472,7 @@ function moveOn(seconds) {
 function draw(now) {
   const sample = motion.now;
   const trail = trailNow();
-  scene?.draw(sample, trail);
+  scene?.draw(sample, preview ? mirrored : trail);
   plots.draw(sample, trail);
   potential.draw(sample);
   meter.draw(motion.drift());
@@ -506,6 +514,7 @@ function computePreview() {
   const duration = PREVIEW * state.preset.speed;
   const count = Math.min(Math.max(300, (4 * duration) / motion.timescale), 3000);
   preview = motion.ahead(duration, Math.round(count));
+  mirrored = preview.map((sample) => ({ ...sample, t: -sample.t })).reverse();
   scene?.setMotion(motion, state.shape); // the same moment with another trail is drawn anew
   wake();
 }
@@ -517,7 +526,7 @@ function note() {
     const done = Math.floor((100 * (motion.now.t - from)) / (to - from || 1));
     return `computing to t = ${Number(to.toPrecision(6))} ${state.clock}: ${done} %`;
   }
-  return behind > BEHIND ? "runs slower than asked: there is too much to compute" : "";
+  return behind > BEHIND ? "runs slower than asked: this is all that the machine can do" : "";
 }
 
 /**
