@@ -138,20 +138,27 @@ export function createCones(/** @type {Palette} */ palette) {
     if (axis < 0 || !(squareL > 0) || !Number.isFinite(timescale)) {
       return { space: 0, body: 0, closes: true };
     }
-    const side = Math.sign(start.omega[axis]) || 1;
-    const point = [0, 0, 0];
-    for (let i = 0; i <= 144; i++) {
-      polhodePoint(moments, twiceEnergy, squareL, axis, side, (i * Math.PI) / 72, point);
-      body.add(point[0], point[1], point[2]);
-    }
     // In space, ω goes around L in about 2πλ/L: exactly so where two moments are equal to λ.
     const [least, middle, most] = Array.from(moments).sort((p, q) => p - q);
     const around = (2 * Math.PI * middle) / Math.sqrt(squareL);
     const closes = middle - least <= 1e-9 * most || most - middle <= 1e-9 * most;
-    const period = Math.min(polhodePeriod(moments, twiceEnergy, squareL), 400 * timescale);
-    const duration = closes ? around : Math.max(period, 1.05 * around);
+    const period = polhodePeriod(moments, twiceEnergy, squareL);
+    const shown = Math.min(period, 400 * timescale);
+    const duration = closes ? around : Math.max(shown, 1.05 * around);
     const count = Math.min(MOST, Math.max(145, Math.ceil((8 * duration) / timescale)));
-    of.ahead(duration, count).forEach(spacePoint);
+    const samples = of.ahead(duration, count);
+    samples.forEach(spacePoint);
+    if (period < Infinity) {
+      const side = Math.sign(start.omega[axis]) || 1;
+      const point = [0, 0, 0];
+      for (let i = 0; i <= 144; i++) {
+        polhodePoint(moments, twiceEnergy, squareL, axis, side, (i * Math.PI) / 72, point);
+        body.add(point[0], point[1], point[2]);
+      }
+    } else {
+      // On the separatrix ω takes for ever to come to the intermediate axis, where it rests.
+      samples.forEach(bodyPoint);
+    }
     return { space: duration, body: Infinity, closes };
   }
 

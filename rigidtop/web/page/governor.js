@@ -1,7 +1,8 @@
 /** Frames slower than this, in milliseconds, are too slow; faster than `FAST`, there is time. */
 const SLOW = 21;
 const FAST = 17.6;
-const LEAST = 0.5;
+/** The lowest resolution, and the factor from one to the next. */
+const LEAST = 0.6;
 const STEP = 0.8;
 
 /**

@@ -28,7 +28,9 @@ export function createLabels(/** @type {HTMLElement} */ container) {
     add(/** @type {string} */ text, faint = false) {
       const element = document.createElement("span");
       element.textContent = text;
-      element.style.cssText = "position:absolute;left:0;top:0;white-space:nowrap;" +
+      // A layer of its own is moved and not painted again; its middle is a whole pixel.
+      element.style.cssText = "position:absolute;left:0;top:0;width:2em;text-align:center;" +
+        "margin:-0.5em 0 0 -1em;will-change:transform;" +
         `display:none;${faint ? "font-size:14px;font-weight:400;font-style:italic" : ""}`;
       layer.append(element);
       const label = {
@@ -125,10 +127,10 @@ function show(/** @type {Label} */ label) {
     style.display = label.wanted ? "" : "none";
   }
   if (!label.wanted) return;
-  const left = Math.round(2 * label.x) / 2;
-  const top = Math.round(2 * label.y) / 2;
+  const left = Math.round(label.x);
+  const top = Math.round(label.y);
   if (left === label.left && top === label.top) return;
   label.left = left;
   label.top = top;
-  style.transform = `translate(${left}px,${top}px) translate(-50%,-50%)`;
+  style.transform = `translate(${left}px,${top}px)`;
 }

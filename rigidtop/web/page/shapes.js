@@ -207,7 +207,7 @@ function heldTop(body, mark, rod, dot) {
   return { object, fit };
 }
 
-/** A wheel with an axle, held nowhere; `own` moments are those about its centre. */
+/** A wheel with an axle, held nowhere. */
 function freeTop(
   /** @type {THREE.Material} */ body, /** @type {THREE.Material} */ mark,
   /** @type {THREE.Material} */ rod,

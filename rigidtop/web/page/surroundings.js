@@ -22,7 +22,7 @@ export function createSurroundings(/** @type {Palette} */ palette) {
   /** @type {number[]} */
   const rings = [];
   for (const r of [1 / 3, 2 / 3, 1]) {
-    rings.push(...ringOf((u) => [r * Math.cos(u), r * Math.sin(u), 0], 48));
+    rings.push(...ringOf((u) => [r * Math.cos(u), r * Math.sin(u), 0], 40));
   }
   for (let i = 0; i < 12; i++) {
     const [c, s] = [Math.cos((i * Math.PI) / 6), Math.sin((i * Math.PI) / 6)];
@@ -37,11 +37,11 @@ export function createSurroundings(/** @type {Palette} */ palette) {
   const graticule = [];
   for (let i = 0; i < 6; i++) {
     const [c, s] = [Math.cos((i * Math.PI) / 6), Math.sin((i * Math.PI) / 6)];
-    graticule.push(...ringOf((u) => [c * Math.sin(u), s * Math.sin(u), Math.cos(u)], 48));
+    graticule.push(...ringOf((u) => [c * Math.sin(u), s * Math.sin(u), Math.cos(u)], 40));
   }
   for (const latitude of [-60, -30, 0, 30, 60]) {
     const [r, z] = [Math.cos((latitude * Math.PI) / 180), Math.sin((latitude * Math.PI) / 180)];
-    graticule.push(...ringOf((u) => [r * Math.cos(u), r * Math.sin(u), z], 48));
+    graticule.push(...ringOf((u) => [r * Math.cos(u), r * Math.sin(u), z], 40));
   }
   const sphere = createStrokes(graticule, sphereLine);
 

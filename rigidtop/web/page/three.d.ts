@@ -20,13 +20,10 @@ declare namespace THREE {
     z: number;
     set(x: number, y: number, z: number): this;
     copy(v: Vector3): this;
-    sub(v: Vector3): this;
     multiplyScalar(s: number): this;
-    addScaledVector(v: Vector3, s: number): this;
     applyQuaternion(q: Quaternion): this;
     normalize(): this;
     length(): number;
-    distanceTo(v: Vector3): number;
     project(camera: Camera): this;
   }
 
@@ -35,7 +32,6 @@ declare namespace THREE {
     set(x: number, y: number, z: number, w: number): this;
     copy(q: Quaternion): this;
     invert(): this;
-    identity(): this;
     setFromUnitVectors(from: Vector3, to: Vector3): this;
     setFromRotationMatrix(m: Matrix4): this;
   }
@@ -46,9 +42,6 @@ declare namespace THREE {
 
   class Color {
     constructor(colour?: string | number);
-    r: number;
-    g: number;
-    b: number;
     set(colour: string | Color): this;
     lerp(colour: Color, part: number): this;
   }
@@ -72,13 +65,10 @@ declare namespace THREE {
     background: Color | null;
   }
 
-  class Light extends Object3D {
-    intensity: number;
-  }
-  class AmbientLight extends Light {
+  class AmbientLight extends Object3D {
     constructor(colour: number, intensity: number);
   }
-  class DirectionalLight extends Light {
+  class DirectionalLight extends Object3D {
     constructor(colour: number, intensity: number);
   }
 
@@ -108,7 +98,6 @@ declare namespace THREE {
     computeVertexNormals(): void;
     translate(x: number, y: number, z: number): this;
     rotateX(angle: number): this;
-    rotateZ(angle: number): this;
     dispose(): void;
   }
   class BoxGeometry extends BufferGeometry {
@@ -147,8 +136,6 @@ declare namespace THREE {
 
   class Material {
     readonly color: Color;
-    opacity: number;
-    transparent: boolean;
     visible: boolean;
     dispose(): void;
   }
@@ -182,7 +169,6 @@ declare namespace THREE {
 
   class WebGLRenderer {
     constructor(options: RendererOptions);
-    readonly domElement: HTMLCanvasElement;
     setPixelRatio(ratio: number): void;
     setSize(width: number, height: number, style?: boolean): void;
     render(scene: Scene, camera: Camera): void;
@@ -195,9 +181,7 @@ declare namespace THREE {
     minDistance: number;
     maxDistance: number;
     enablePan: boolean;
-    enableDamping: boolean;
     rotateSpeed: number;
-    zoomSpeed: number;
     update(): boolean;
     addEventListener(type: "change", listener: () => void): void;
     dispose(): void;

@@ -3,9 +3,11 @@ import { createPieces } from "./lines.js";
 /** @typedef {import("./types").Sample} Sample */
 /** @typedef {import("./palette").Line} Line */
 
-/** The most pieces that are drawn, each a part of the way between two samples. */
-const MOST = 3600;
-const PARTS = 3;
+/** The most pieces that are drawn. */
+const MOST = 3000;
+/** The way between two samples is cut into pieces not longer than this, but not into more. */
+const PIECE = 0.05;
+const PARTS = 4;
 
 /**
  * The way of a vector until now, its newest end first.  Samples are far apart: between them the
@@ -78,9 +80,11 @@ export function createTrail(/** @type {Line} */ line, fading = false) {
 
   function write(/** @type {number} */ count) {
     const h = times[1] - times[0];
+    const chord = Math.hypot(places[3] - places[0], places[4] - places[1], places[5] - places[2]);
+    const parts = Math.min(PARTS, Math.ceil(chord / PIECE));
     let [x, y, z] = places;
-    for (let part = 1; part <= PARTS; part++) {
-      const u = part / PARTS;
+    for (let part = 1; part <= parts; part++) {
+      const u = part / parts;
       const v = 1 - u;
       const a = v * v * (1 + 2 * u);
       const b = u * u * (1 + 2 * v);
