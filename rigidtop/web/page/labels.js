@@ -22,8 +22,6 @@ export function createLabels(/** @type {HTMLElement} */ container) {
   const at = new THREE.Vector3();
 
   return {
-    all,
-
     /** A letter; `faint` ones give way and are smaller. */
     add(/** @type {string} */ text, faint = false) {
       const element = document.createElement("span");

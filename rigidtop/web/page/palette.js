@@ -60,6 +60,16 @@ export function mix(
   return new THREE.Color(from).lerp(new THREE.Color(to), part);
 }
 
+/** The colour of ink or of paper, whichever is further from that of the body. */
+export function markColour(/** @type {Colours} */ { ink, paper, body }) {
+  const light = (/** @type {string} */ colour) => {
+    const { r, g, b } = new THREE.Color(colour);
+    return r + g + b;
+  };
+  const middle = light(body);
+  return Math.abs(light(ink) - middle) >= Math.abs(light(paper) - middle) ? ink : paper;
+}
+
 /**
  * All materials of the scene, each with the rule by which it takes its colour from a theme, so
  * that a new theme recolours what is there.

@@ -4,7 +4,7 @@
  */
 import { axesByMoment } from "./polhode.js";
 import { createStrokes } from "./lines.js";
-import { mix } from "./palette.js";
+import { markColour, mix } from "./palette.js";
 
 /** @typedef {import("./types").Motion} Motion */
 /** @typedef {import("./types").Numbers} Numbers */
@@ -86,11 +86,11 @@ export function createBodies(/** @type {Palette} */ palette) {
   // A little behind, so that the edges are seen whole.
   const behind = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
   const body = palette.solid((c) => new THREE.Color(c.body), behind);
-  const mark = palette.solid((c) => mix(c.body, c.ink, 0.55), behind);
-  const rod = palette.solid((c) => mix(c.body, c.ink, 0.3));
+  const mark = palette.solid((c) => mix(c.body, markColour(c), 0.55), behind);
+  const rod = palette.solid((c) => mix(c.body, markColour(c), 0.3));
   const rock = palette.solid((c) => new THREE.Color(c.body), { vertexColors: true });
-  const edge = palette.line((c) => mix(c.body, c.ink, 0.75), 1.4);
-  const dot = palette.dot((c) => new THREE.Color(c.ink));
+  const edge = palette.line((c) => mix(c.body, markColour(c), 0.75), 1.4);
+  const dot = palette.dot((c) => new THREE.Color(markColour(c)));
 
   const object = new THREE.Group();
   /** @type {Map<string, { object: THREE.Object3D, fit: (motion: Motion) => number[] }>} */

@@ -42,6 +42,9 @@ declare namespace THREE {
 
   class Color {
     constructor(colour?: string | number);
+    readonly r: number;
+    readonly g: number;
+    readonly b: number;
     set(colour: string | Color): this;
     lerp(colour: Color, part: number): this;
   }
