@@ -515,7 +515,9 @@ function computePreview() {
   const count = Math.min(Math.max(300, (4 * duration) / motion.timescale), 3000);
   preview = motion.ahead(duration, Math.round(count));
   mirrored = preview.map((sample) => ({ ...sample, t: -sample.t })).reverse();
-  scene?.setMotion(motion, state.shape); // the same moment with another trail is drawn anew
+  // The scene draws the same moment again only if something was set.
+  scene?.setLayers(state.layers);
+  scene?.draw(motion.now, mirrored);
   wake();
 }
 
