@@ -160,7 +160,7 @@ export function writeAddress(state, data) {
 }
 
 /**
- * Keeps the address in step: at most twice a second, or at once if asked.
+ * Keeps the address in step: at most twice a second, or at once where asked.
  *
  * In a notebook's frame there is no address that could be written; then nothing happens.
  *
@@ -189,7 +189,7 @@ export function createAddressBar(hash) {
     changed(atOnce = false) {
       if (!possible) return;
       const wait = last + PAUSE - performance.now();
-      if (atOnce && wait <= 0) write();
+      if (atOnce) write();
       else if (!timer) timer = window.setTimeout(write, Math.max(wait, 0));
     },
   };

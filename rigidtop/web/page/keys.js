@@ -35,7 +35,9 @@ const LIST = [
 /** Elements whose own keys come first. */
 const TYPING =
   "input:not([type=range], [type=checkbox], [type=radio]), textarea, select, [contenteditable]";
-const PRESSED_BY_SPACE = "button, summary, a[href], input";
+const PRESSED_BY_SPACE = "button, [role=button], summary, a[href], input";
+/** What a key that is held down goes on doing. */
+const REPEATED = /^([.,=+−-]|Arrow.*)$/;
 const WITH_ARROWS = "input[type=range], input[type=radio]";
 
 /**
@@ -106,6 +108,7 @@ export function createKeys(scene, dialog, commands) {
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey || event.defaultPrevented) return;
     if (dialog.open || !(event.target instanceof Element)) return;
+    if (event.repeat && !REPEATED.test(event.key)) return;
     const command = commandFor(event.key, event.target);
     if (!command) return;
     event.preventDefault();

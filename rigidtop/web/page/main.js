@@ -453,7 +453,7 @@ function approach(t) {
   if (motion.go(t, performance.now() + SLICE)) {
     goal = null;
     if (!playing) described = -Infinity;
-    address.changed(!playing);
+    address.changed();
   }
 }
 
