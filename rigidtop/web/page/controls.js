@@ -1,4 +1,4 @@
-/** What sets the body and its start, and what is drawn: sliders with numbers, examples, switches. */
+/** What sets the body, its start and what is drawn: sliders with numbers, examples, switches. */
 
 /** @typedef {import("./types").Clock} Clock */
 /** @typedef {import("./types").Facts} Facts */

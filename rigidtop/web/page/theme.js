@@ -1,4 +1,4 @@
-/** The page's themes: their colours stand in style.css, and are read from there for what is drawn. */
+/** The page's themes. Their colours stand in style.css, where they are read for what is drawn. */
 
 /** @typedef {import("./types").Colours} Colours */
 /** @typedef {"light" | "dark" | "contrast"} Theme */
