@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -92,13 +93,18 @@ def _changed(preset: Preset, given: list[str]) -> Preset:
     if not given:
         return preset
     values = preset.setup.values
-    parameters = [Parameter(name, value, name, _unit(name)) for name, value in values.items()]
+    parameters = [_parameter(name, value) for name, value in values.items()]
     setup: Setup = replace(preset.setup, values=settings(parameters, given))
     body_of(setup)  # raises for moments that no body has
     return replace(preset, name="own", title=f"{preset.title}, changed", setup=setup)
 
 
-def _unit(name: str) -> str:
-    if name.startswith("omega") or name.endswith("_dot"):
-        return "rad/s"
-    return "rad" if name in ("theta", "phi", "psi") else "1"
+def _parameter(name: str, value: float) -> Parameter:
+    if name == "theta":
+        return Parameter(name, value, "θ at the start", "rad", least=0, most=math.pi)
+    rate = name.startswith("omega") or name.endswith("_dot")
+    unit = "rad/s" if rate else "rad" if name in ("phi", "psi") else UNITS.get(name, "kg m²")
+    return Parameter(name, value, name, unit)
+
+
+UNITS = {"M": "kg", "g": "m/s²", "R1": "m", "R2": "m", "R": "m"}

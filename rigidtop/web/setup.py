@@ -6,14 +6,24 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+import numpy as np
+
 from rigidtop.errors import RigidtopError
-from rigidtop.motion.attitude import azimuth_and_spin, polar_angle, quaternions, spinors
+from rigidtop.motion.attitude import (
+    azimuth_and_spin,
+    polar_angle,
+    quaternions,
+    rotation,
+    spinors,
+)
 from rigidtop.motion.body import FreeBody, HeavyBody, RigidBody
 from rigidtop.motion.motion import Motion, TopMotion
 from rigidtop.motion.top import HeavyTop
 
 HEAVY, FREE = "heavy-top", "free"
-KINDS = (HEAVY, FREE)
+
+ROUNDING = 1e-12
+"""Of ω: less is no component."""
 
 
 @dataclass(frozen=True)
@@ -89,9 +99,9 @@ def setup_of(motion: Motion) -> Setup:
     else:
         raise RigidtopError(f"the page knows free and heavy bodies, no {type(body).__name__}")
     omega1, omega2, omega3 = motion.omega
-    sine = math.sin(theta)
-    # Where the body is upright, φ points where e₃ is about to go: ω has no component along e₁′.
-    across = omega2 * math.sin(psi) - omega1 * math.cos(psi)
+    # At a pole φ̇ is nothing: ω has no component along e₁′.
+    sine = 0.0 if theta == math.pi else math.sin(theta)
+    across = _along_e1(motion.omega, psi)
     return heavy(
         body,
         body.M,
@@ -100,16 +110,28 @@ def setup_of(motion: Motion) -> Setup:
         theta=theta,
         theta_dot=omega1 * math.sin(psi) + omega2 * math.cos(psi),
         phi=phi,
-        phi_dot=across / sine if sine else 0.0,
+        phi_dot=-across / sine if sine else 0.0,
         psi=psi,
         omega3=omega3,
     )
 
 
 def _angles(motion: Motion) -> tuple[float, float, float]:
-    """θ, φ, ψ at t = 0."""
-    phi, psi = azimuth_and_spin(motion.attitude, motion.omega)
+    """θ, φ, ψ at t = 0; of a vertical body those that it has as soon as it moves."""
+    q = quaternions(motion.attitude)
+    alpha, beta = spinors(q)
+    theta = float(polar_angle(alpha, beta))
     if isinstance(motion, TopMotion):
         phi, psi = motion.phi, motion.psi
-    theta = polar_angle(*spinors(quaternions(motion.attitude)))
-    return float(theta), phi, psi
+    else:
+        phi, psi = azimuth_and_spin(motion.attitude, motion.omega)
+    across = abs(_along_e1(motion.omega, psi))
+    if theta in (0.0, math.pi) and across > ROUNDING * math.hypot(*motion.omega):
+        vertical = np.where([theta == 0, theta > 0, theta > 0, theta == 0], q, 0.0)
+        phi, psi = azimuth_and_spin(rotation(vertical), motion.omega)
+    return theta, phi, psi
+
+
+def _along_e1(omega: tuple[float, float, float], psi: float) -> float:
+    """The component of ω along e₁′, which is −φ̇ sin θ (3.42)."""
+    return omega[0] * math.cos(psi) - omega[1] * math.sin(psi)

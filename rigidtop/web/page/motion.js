@@ -69,9 +69,12 @@ export function startOf(setup) {
   checkBody(moments, M, g, arm);
   if (heavy) {
     const { theta, theta_dot, phi, phi_dot, psi, omega3 } = setup.values;
-    const rates = { thetadot: theta_dot, phidot: phi_dot, psidot: 0 };
-    const omega = omegaOfRates({ theta, psi, ...rates });
-    const q = quaternionOfAngles({ phi, theta, psi });
+    // The float nearest to π means π: a top that hangs straight down, exactly.
+    const hanging = theta === Math.PI;
+    const phidot = hanging ? 0 : phi_dot;
+    const omega = omegaOfRates({ theta, psi, thetadot: theta_dot, phidot, psidot: 0 });
+    const [q0, q1, q2, q3] = quaternionOfAngles({ phi, theta, psi });
+    const q = hanging ? [0, q1, q2, 0] : [q0, q1, q2, q3];
     return { moments, M, g, arm, q, omega: [omega[0], omega[1], omega3], phi, psi };
   }
   const omega = [setup.values.omega1, setup.values.omega2, setup.values.omega3];

@@ -1,0 +1,68 @@
+"""``rigidtop web``."""
+
+import json
+import math
+
+import pytest
+
+from rigidtop.cli import main
+
+
+def first(path):
+    text = path.read_text("utf-8")
+    data = text.split('<script type="application/json" id="data">')[1].split("</script>")[0]
+    return json.loads(data)["first"]
+
+
+@pytest.mark.parametrize("kind", ["heavy-top", "free"])
+def test_a_page_is_one_file(kind, tmp_path, capsys):
+    path = tmp_path / "page.html"
+    assert main(["web", kind, "-o", str(path)]) == 0
+    assert capsys.readouterr().out.startswith(f"{path}\nThe ")
+    assert [p.name for p in tmp_path.iterdir()] == ["page.html"]
+    assert path.stat().st_size < 1_500_000
+
+
+def test_a_preset_with_other_numbers_comes_first(tmp_path, capsys):
+    path = tmp_path / "loops.html"
+    asked = ("--preset", "loops", "--set", "theta=45deg", "--set", "omega3=60rpm", "--json")
+    assert main(["web", "heavy-top", *asked, "-o", str(path)]) == 0
+    record = json.loads(capsys.readouterr().out)
+    assert record["values"]["theta"] == pytest.approx(math.pi / 4)
+    assert record["values"]["omega3"] == pytest.approx(2 * math.pi)
+    assert record["bytes"] == path.stat().st_size
+    assert [p["name"] for p in record["presets"]][:3] == ["slow", "fast", "waves"]
+    shown = first(path)
+    assert shown["name"] == record["preset"] == "own"
+    assert shown["title"] == "Nutation with loops, changed"
+    assert shown["setup"]["values"]["theta"] == pytest.approx(math.pi / 4)
+
+
+def test_the_file_is_named_after_the_page(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["web", "free", "--preset", "flip"]) == 0
+    assert first(tmp_path / "free.html")["name"] == "flip"
+
+
+@pytest.mark.parametrize(
+    ("asked", "says"),
+    [
+        (("free", "--preset", "loops"), "no preset 'loops': there are free-precession, plate,"),
+        (("free", "--set", "theta=1"), "no parameter 'theta'; there are lambda1, lambda2,"),
+        (("free", "--set", "lambda3=9"), "lambda3 = 9 exceeds the sum of the other two moments"),
+        (("heavy-top", "--set", "M=3"), "lambda1 = 1.3 is too small"),
+        (("heavy-top", "--set", "omega3=fast"), "omega3 must be a number"),
+        (("heavy-top", "--set", "R=30deg"), "R is in m: '30deg' is something else"),
+        (("heavy-top", "--set", "theta=200deg"), "theta must be at most 3.14159 rad"),
+        (("heavy-top", "-o", ""), "--output wants the name of a file"),
+        (("heavy-top", "-o", "."), "is no"),
+    ],
+)
+def test_bad_input_is_one_line_and_nothing_is_written(asked, says, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["web", *asked]) == 2
+    errors = capsys.readouterr().err
+    assert errors.startswith("rigidtop web: ")
+    assert says in errors
+    assert errors.count("\n") == 1
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,150 @@
+"""What the page says of a motion is what Python computes of it."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+import rigidtop as rt
+from rigidtop.web.presets import PRESETS, TOP
+from rigidtop.web.setup import setup_of
+
+WORDS = {"steady": "steady precession", "plane": "plane pendulum", "asymptotic": "waves"}
+
+
+def facts(engine, motion):
+    setup = setup_of(motion)
+    return engine.run(
+        "factsOf(createMotion(setup, tableau))",
+        setup={"kind": setup.kind, "clock": setup.clock, "values": dict(setup.values)},
+    )
+
+
+@settings(max_examples=150, deadline=None, derandomize=True)
+@given(
+    st.floats(0.05, 3.0), st.sampled_from([0.0, 0.0, 1.0, -2.0]), st.floats(-8, 8),
+    st.floats(-30, 30),
+)  # fmt: skip
+def test_regime_and_turning_points_of_any_top(engine, tableau, theta, theta_dot, phi_dot, omega3):
+    motion = TOP.motion(theta=theta, theta_dot=theta_dot, phi_dot=phi_dot, omega3=omega3)
+    found = facts(engine, motion)
+    assume(motion.regime in ("waves", "loops", "cusps"))
+    assume(abs(phi_dot) + abs(omega3) > 1e-6)  # else it is a pendulum, to rounding
+    # φ̇ that vanishes at a turning point to nine digits is a cusp for one and none for the other.
+    least, most = motion.turning_points
+    rates = [abs(motion.start().p_phi[0] - motion.start().p_psi[0] * math.cos(x))
+             for x in (least, most)]  # fmt: skip
+    if min(rates) > 1e-7 * max(rates):
+        assert found["regime"] == motion.regime
+    assert math.isclose(found["turningPoints"][0], least, abs_tol=1e-7)
+    assert math.isclose(found["turningPoints"][1], most, abs_tol=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("state", "regime"),
+    [
+        ({"theta": 0.0, "omega3": 9.0}, "sleeping"),
+        ({"theta": math.pi, "omega3": 9.0}, "hanging"),
+        ({"theta": 0.5, "omega3": 0.0}, "plane pendulum"),
+        ({"theta": 0.5, "omega3": 12.0}, "cusps"),
+        ({"theta": 0.0, "theta_dot": 1.0, "omega3": 5.0}, "through the vertical"),
+    ],
+)
+def test_special_starts(engine, tableau, state, regime):
+    motion = TOP.motion(**state)
+    found = facts(engine, motion)
+    assert found["regime"] == regime == WORDS.get(motion.regime, motion.regime)
+
+
+@pytest.mark.parametrize("which", [0, 1])
+@pytest.mark.parametrize("omega3", [7.0, -7.0, 12.0, 40.0])
+def test_both_steady_rates_are_steady(engine, tableau, which, omega3):
+    rates = TOP.steady_precession(0.5, omega3)
+    found = facts(engine, TOP.motion(theta=0.5, phi_dot=rates[which], omega3=omega3))
+    assert found["regime"] == "steady precession"
+    assert found["steady"] == pytest.approx(rates, rel=1e-12)
+    near = facts(engine, TOP.motion(theta=0.5, phi_dot=rates[which] * 1.001, omega3=omega3))
+    assert near["regime"] == "waves"
+
+
+def test_presets_are_what_their_names_say(engine, tableau):
+    names = {"slow": "steady precession", "fast": "steady precession", "waves": "waves",
+             "cusps": "cusps", "loops": "loops", "toppling": "plane pendulum",
+             "sleeping": "cusps", "waking": "cusps", "free-precession": "regular precession",
+             "plate": "regular precession", "flip": "short axis", "largest": "short axis",
+             "smallest": "long axis", "toutatis": "long axis"}  # fmt: skip
+    for presets in PRESETS.values():
+        for preset in presets():
+            setup = {"kind": preset.setup.kind, "clock": preset.setup.clock,
+                     "values": dict(preset.setup.values)}  # fmt: skip
+            found = engine.run("factsOf(createMotion(setup, tableau))", setup=setup)
+            assert found["regime"] == names.pop(preset.name), preset.name
+    assert not names
+
+
+@pytest.mark.parametrize(
+    ("state", "says"),
+    [
+        ({"theta": 0.5, "omega3": 3.0}, "Steady precession at θ₀ = 28.65° needs |ω₃| ≥ 6.622 rad/s:"
+         " with ω₃ = 3 rad/s there is none."),
+        ({"theta": 0.5, "omega3": -12.0}, "with ω₃ = −12 rad/s there are Ω₋ = −0.6113 rad/s and"
+         " Ω₊ = −6.752 rad/s."),
+        ({"theta": 2.0, "omega3": 1.0}, "Below the horizontal, at θ₀ = 114.6°, every spin has a"
+         " steady precession: "),
+        ({"theta": math.pi / 2, "omega3": 10.0}, "has one rate, MgR/(λ₃ω₃) = 0.6727 rad/s."),
+        ({"theta": math.pi / 2, "omega3": 0.0}, "steady precession needs a spin: |ω₃| > 0."),
+        ({"theta": 0.0, "omega3": 8.0}, "from |ω₃| ≥ 7.069 rad/s on: with ω₃ = 8 rad/s it sleeps."),
+        ({"theta": 0.0, "omega3": 6.0}, "with ω₃ = 6 rad/s it falls at the slightest push."),
+    ],
+)  # fmt: skip
+def test_the_verdict(engine, tableau, state, says):
+    assert says in facts(engine, TOP.motion(**state))["verdict"]
+
+
+def test_numbers_of_the_verdict_are_those_of_python():
+    assert f"{TOP.smallest_spin(0.5):.4g}" == "6.622"
+    assert f"{TOP.sleeping_spin():.4g}" == "7.069"
+    assert [f"{rate:.4g}" for rate in TOP.steady_precession(0.5, -12.0)] == ["-0.6113", "-6.752"]
+    assert f"{TOP.steady_precession(math.pi / 2, 10.0)[0]:.4g}" == "0.6727"
+
+
+@settings(max_examples=100, deadline=None, derandomize=True)
+@given(st.lists(st.floats(-4, 4), min_size=3, max_size=3))
+def test_the_regime_of_any_free_body(engine, tableau, omega):
+    assume(sorted(map(abs, omega))[1] > 1e-3)  # else what is steady is a matter of rounding
+    motion = rt.FreeBody(1.0, 1.7, 2.3).motion(omega=omega)
+    assert facts(engine, motion)["regime"] == motion.regime
+
+
+@pytest.mark.parametrize(
+    ("omega", "says"),
+    [
+        ((0, 0, 2.0), "ω stays along the principal axis e₃."),
+        ((0, 2.0, 0), "ω stays along the principal axis e₂, unstably: it is the axis of the "
+         "intermediate moment."),
+        ((0, 0, 0), "The body is at rest."),
+        ((0.1, 0.1, 2.0), "ω goes round e₃, the axis of the largest moment: L² > 2Tλ₂."),
+        ((2.0, 0.1, 0.1), "ω goes round e₁, the axis of the smallest moment: L² < 2Tλ₂."),
+    ],
+)  # fmt: skip
+def test_the_verdict_of_free_bodies(engine, tableau, omega, says):
+    assert facts(engine, rt.FreeBody(1.0, 1.7, 2.3).motion(omega=omega))["verdict"] == says
+
+
+def test_a_symmetric_free_body_has_both_rates(engine, tableau):
+    motion = rt.FreeBody(1.3, 1.3, 0.7).motion(omega=(1.5, 0, 2.5))
+    found = facts(engine, motion)
+    assert "Ω_b = 1.154 rad/s" in found["verdict"]
+    assert f"{(1.3 - 0.7) / 1.3 * 2.5:.4g}" == "1.154"
+    assert f"{motion.mean_precession:.4g} rad/s" in found["verdict"]
+
+
+def test_without_symmetry_nothing_is_promised(engine, tableau):
+    body = rt.HeavyBody(1.3, 1.4, 0.7, M=0.8, centre_of_mass=(0, 0, 0.6))
+    found = facts(engine, body.motion(omega=(0, 0, 12.0)))
+    assert found["steady"] is None
+    assert found["turningPoints"] is None
+    assert "only the energy and p_φ are conserved" in found["verdict"]

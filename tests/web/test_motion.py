@@ -1,0 +1,259 @@
+"""The page's motions against the closed forms, and what they keep."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.integrate import DOP853
+from scipy.spatial.transform import Rotation
+
+import rigidtop as rt
+from rigidtop.web.presets import PRESETS, TOP
+from rigidtop.web.setup import body_of, free, heavy, setup_of
+
+QUICK = {"max_examples": 25, "deadline": None, "derandomize": True}
+
+
+def triple(most):
+    """Three numbers."""
+    return st.lists(st.floats(-most, most), min_size=3, max_size=3)
+
+
+def as_json(setup):
+    return {"kind": setup.kind, "clock": setup.clock, "values": dict(setup.values)}
+
+
+def sample(engine, setup, *times):
+    """The page's samples at these times, reached one after the other."""
+    return engine.run(
+        "m = createMotion(setup, tableau); times.map((t) => { m.go(t); return m.now; })",
+        setup=as_json(setup),
+        times=times,
+    )
+
+
+def assert_same(found, expected, tolerance):
+    """A sample of the page and a row of a trajectory."""
+    turned = Rotation.from_matrix(np.reshape(found["rotation"], (3, 3)))
+    assert (turned * expected.rotation[0].inv()).magnitude() < tolerance
+    for name, values in (
+        ("omega", expected.omega), ("omegaSpace", expected.omega_space),
+        ("momentum", expected.angular_momentum), ("e3", expected.e3),
+    ):  # fmt: skip
+        scale = 1 + np.abs(values).max()
+        assert np.allclose(found[name], values[0], atol=tolerance * scale), name
+    assert math.isclose(found["energy"], expected.energy[0], rel_tol=1e-12, abs_tol=1e-12)
+
+
+@pytest.mark.parametrize("preset", [p for made in PRESETS.values() for p in made()])
+def test_each_preset_is_the_closed_form(engine, tableau, preset):
+    body = body_of(preset.setup)
+    values = preset.setup.values
+    if preset.setup.kind == "free":
+        rows = sample(engine, preset.setup, 0, 3.7, 10)
+        omega = [values[f"omega{k}"] for k in (1, 2, 3)]
+        turn = Rotation.from_matrix(np.reshape(rows[0]["rotation"], (3, 3)))
+        motion = body.motion(omega=omega, attitude=turn)
+        assert np.allclose(rows[0]["momentum"][:2], 0, atol=1e-12 * rows[0]["momentum"][2])
+    else:
+        start = ("theta", "theta_dot", "phi", "phi_dot", "psi", "omega3")
+        motion = body.motion(**{name: values[name] for name in start})
+        rows = sample(engine, preset.setup, 0, 3.7, 10)
+    for row in rows:
+        exact = motion.exact([row["t"]])
+        assert_same(row, exact, 2e-10)
+        if preset.setup.kind == "heavy-top" and preset.name != "toppling":
+            assert math.isclose(row["phi"], exact.phi[0], abs_tol=1e-9 * (1 + abs(exact.phi[0])))
+            assert math.isclose(row["psi"], exact.psi[0], abs_tol=1e-9 * (1 + abs(exact.psi[0])))
+            assert math.isclose(row["p_phi"], exact.p_phi[0], rel_tol=1e-12)
+            assert math.isclose(row["p_psi"], exact.p_psi[0], rel_tol=1e-12)
+
+
+@settings(**QUICK)
+@given(
+    st.floats(0, math.pi), st.floats(-3, 3), st.floats(-3, 3), st.floats(-6, 6),
+    st.floats(-3, 3), st.floats(-20, 20),
+)  # fmt: skip
+def test_any_heavy_top(engine, tableau, theta, theta_dot, phi, phi_dot, psi, omega3):
+    state = {
+        "theta": theta, "theta_dot": theta_dot, "phi": phi, "phi_dot": phi_dot, "psi": psi,
+        "omega3": omega3,
+    }  # fmt: skip
+    motion = TOP.motion(**state)
+    (row,) = sample(engine, setup_of(motion), 1.3)
+    # What grows near the upright grows by e^(1.3·2) at most here.
+    assert_same(row, motion.exact([1.3]), 1e-9)
+
+
+@settings(**QUICK)
+@given(
+    st.lists(st.floats(-4, 4), min_size=3, max_size=3),
+    st.lists(st.floats(-3, 3), min_size=3, max_size=3),
+)
+def test_any_free_body(engine, tableau, omega, angles):
+    turn = Rotation.from_euler("ZYZ", angles)
+    motion = rt.FreeBody(1.0, 1.7, 2.3).motion(omega=omega, attitude=turn)
+    (row,) = sample(engine, setup_of(motion), 2.1)
+    assert_same(row, motion.exact([2.1]), 1e-9)
+
+
+@settings(**QUICK)
+@given(
+    st.lists(st.floats(-4, 4), min_size=3, max_size=3),
+    st.lists(st.floats(-3, 3), min_size=3, max_size=3),
+)
+def test_any_heavy_body(engine, tableau, omega, angles):
+    body = rt.HeavyBody(3.0, 2.0, 1.5, M=1.0, centre_of_mass=(0.2, 0.3, 0.4))
+    motion = body.motion(omega=omega, attitude=Rotation.from_euler("ZYZ", angles))
+    (row,) = sample(engine, setup_of(motion), 1.1)
+    assert_same(row, motion.integrate([1.1], rtol=1e-13, atol=1e-14), 1e-9)
+
+
+@pytest.mark.parametrize("theta", [0.0, math.pi])
+def test_an_upright_body_that_is_pushed(engine, tableau, theta):
+    turn = Rotation.from_euler("ZYZ", [0.3, theta, 0.4])
+    motion = TOP.motion(attitude=turn, omega=(0.2, -0.5, 9.0))
+    (start, row) = sample(engine, setup_of(motion), 0, 0.8)
+    assert_same(start, motion.exact([0.0]), 1e-12)
+    assert_same(row, motion.exact([0.8]), 1e-9)
+
+
+@pytest.mark.parametrize("theta", [0.0, math.pi])
+def test_a_vertical_body_at_rest_stays_exactly(engine, tableau, theta):
+    (row,) = sample(engine, setup_of(TOP.motion(theta=theta, omega3=3.0)), 50.0)
+    assert math.isclose(row["theta"], theta, abs_tol=1e-15)
+    assert math.isclose(row["phi"], 0.0, abs_tol=1e-12)
+    assert math.isclose(row["psi"], 150.0, rel_tol=1e-12)
+
+
+def test_solver_steps_as_scipy_does(engine, tableau):
+    # A step from the same state with the same coefficients is the same to rounding.
+    rates = "(x, f) => { f[0] = x[1]; f[1] = -Math.sin(x[0]); }"
+    found = engine.run(
+        f"s = createSolver(tableau, {rates}, [1, 0.5], 0, 0.1, {{ rtol: 1e-9, atol: 1e-12 }});"
+        "x = new Float64Array(2); s.step(); t = s.t; h = s.h;"
+        "[t, h, ...[0.25, 0.5, 1].flatMap((part) => { s.at(part * t, x); return [...x]; })]"
+    )
+
+    def pendulum(_, x):
+        return [x[1], -math.sin(x[0])]
+
+    theirs = DOP853(pendulum, 0, [1, 0.5], 10, first_step=0.1, rtol=1e-9, atol=1e-12)
+    theirs.step()
+    dense = theirs.dense_output()
+    expected = [theirs.t, theirs.h_abs]
+    expected += [x for part in (0.25, 0.5, 1) for x in dense(part * theirs.t)]
+    assert math.isclose(found[1], expected[1], rel_tol=1e-5)  # the error is itself near rounding
+    assert np.allclose(found[2:], expected[2:], rtol=1e-13, atol=1e-15)
+    assert found[0] == 0.1
+
+
+def test_rewinding_meets_the_same_states(engine, tableau):
+    setup = setup_of(TOP.motion(theta=0.5, omega3=12.0))
+    there, back, again = sample(engine, setup, 8.0, 2.5, 8.0)
+    once, twice = sample(engine, setup, 2.5, 8.0)
+    assert np.allclose(back["rotation"], once["rotation"], atol=1e-10)
+    assert np.allclose(again["rotation"], twice["rotation"], atol=1e-10)
+    assert math.isclose(back["phi"], once["phi"], abs_tol=1e-10)
+    assert np.allclose(there["rotation"], twice["rotation"], atol=1e-10)
+    # The trail ends where the motion is, and the start is exact.
+    assert engine.run("m.go(3); m.trail.at(-1).t <= 3 && m.trail.at(-1).t > 2.9") is True
+    assert engine.run("m.go(0); [m.now === m.start, m.trail.length]") == [True, 1]
+    assert engine.run("m.go(-1); m.now.t") == -1.0
+
+
+def test_the_trail_is_evenly_spaced_and_bounded(engine, tableau):
+    setup = setup_of(TOP.motion(theta=0.5, omega3=40.0))
+    times = sample(engine, setup, 0.5) and engine.run("m.trail.map((x) => x.t)")
+    gaps = np.diff(times)
+    assert len(gaps) > 50
+    assert np.allclose(gaps, gaps[0], rtol=1e-9)
+    assert engine.run("for (let k = 1; k < 80; k++) m.go(k); m.trail.length") <= 10_000
+
+
+def test_a_deadline_stops_between_two_steps(engine, tableau):
+    setup = setup_of(TOP.motion(theta=0.5, omega3=12.0))
+    reached, t = engine.run(
+        "m = createMotion(setup, tableau); clock = 0; performance.now = () => clock++;"
+        "r = m.go(1000, 20); performance.now = () => 0; [r, m.now.t]",
+        setup=as_json(setup),
+    )
+    assert reached is False
+    assert 0 < t < 1000
+    (row,) = sample(engine, setup, t)
+    assert math.isclose(engine.run("m.now.theta"), row["theta"], rel_tol=1e-12)
+
+
+def test_drift_is_what_the_trajectory_calls_drift(engine, tableau):
+    # An integration that is too coarse on purpose, so that there is something to compare.
+    setup = setup_of(TOP.motion(theta=0.5, phi_dot=1.0, omega3=12.0))
+    found = engine.run(
+        "ACCURACY.rtol = 1e-4; ACCURACY.atol = 1e-4; m = createMotion(setup, tableau);"
+        "for (let k = 1; k <= 100; k++) m.go(k / 10);"
+        "ACCURACY.rtol = 1e-13; ACCURACY.atol = 1e-14; [m.drift(), m.now, m.start]",
+        setup=as_json(setup),
+    )
+    drift, now, start = found
+    kinetic = start["energy"] - TOP.weight[2] * math.cos(0.5)
+    scale = kinetic + TOP.weight[2]
+    assert [d["name"] for d in drift] == ["E", "p_phi", "p_psi"]
+    change = abs(now["energy"] - start["energy"])
+    assert change > 1e-9
+    assert math.isclose(drift[0]["now"], change / scale, rel_tol=1e-9)
+    assert drift[0]["most"] >= drift[0]["now"]
+    momentum = math.sqrt(2 * TOP.lambda1 * scale)
+    change = abs(now["p_phi"] - start["p_phi"])
+    assert math.isclose(drift[1]["now"], change / momentum, rel_tol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("setup", "says"),
+    [
+        (free((1.0, 1.0, 3.0), (0, 0, 1)), "λ₁ = 1 kg m² is too small (λ₃ would "
+         "exceed λ₁ + λ₂): it must be at least λ₃/2 = 1.5"),
+        (heavy(rt.FreeBody(1, 1, 0.5), 1.0, 9.81, (0, 0, 0.9)),
+         "λ₁ = 1 kg m² is too small (about the centre of mass λ₁ − MR² is left): it must be at "
+         "least MR² + λ₃/2 = 1.06 kg m²"),
+        (heavy(rt.FreeBody(1, 1.2, 0.5), 1.0, 9.81, (0, 0, 0.95)), "about the centre of mass"),
+        (heavy(rt.FreeBody(1, 1, 0.5), 1.0, -1.0, (0, 0, 0)), "g must not be negative"),
+        (heavy(rt.FreeBody(1, 1, 0.5), -1.0, 1.0, (0, 0, 0)), "must be positive"),
+        (heavy(rt.FreeBody(1, 1, 0.5), math.nan, 1.0, (0, 0, 0)), "numbers that are finite"),
+    ],
+)  # fmt: skip
+def test_what_is_no_body_is_refused_in_one_sentence(engine, tableau, setup, says):
+    values = {k: None if math.isnan(v) else v for k, v in setup.values.items()}
+    found = engine.run(
+        "for (const k in values) if (values[k] === null) values[k] = NaN;"
+        "try { createMotion({ kind, clock: 's', values }, tableau); '' } catch (e) { e.message }",
+        values=values,
+        kind=setup.kind,
+    )
+    assert says in found
+    assert "\n" not in found
+
+
+@settings(max_examples=200, deadline=None, derandomize=True)
+@given(
+    *[st.floats(0.2, 3.0)] * 3,
+    st.floats(0.1, 2.0),
+    *[st.sampled_from([0.0, 0.1, 0.35, 0.6, 0.9])] * 3,
+)
+def test_the_page_refuses_just_the_bodies_that_python_refuses(
+    engine, tableau, lambda1, lambda2, lambda3, M, x, y, z
+):
+    try:
+        body = rt.HeavyBody(lambda1, lambda2, lambda3, M=M, centre_of_mass=(x, y, z))
+    except rt.RigidtopError:
+        body = None
+    setup = heavy(rt.FreeBody(1, 1, 1), M, 9.81, (x, y, z))
+    moments = {"lambda1": lambda1, "lambda2": lambda2, "lambda3": lambda3}
+    found = engine.run(
+        "try { createMotion({ kind: 'heavy-top', clock: 's', values }, tableau); true }"
+        " catch (e) { false }",
+        values={**setup.values, **moments},
+    )
+    assert found is (body is not None)

@@ -1,0 +1,217 @@
+"""The file that is written: whole, self-contained, and what its data say."""
+
+from __future__ import annotations
+
+import json
+import re
+from html.parser import HTMLParser
+from urllib.parse import unquote
+
+import numpy as np
+import pytest
+from scipy.integrate import DOP853
+
+import rigidtop as rt
+from rigidtop.present.text import text
+from rigidtop.web import page as pages
+from rigidtop.web import terms
+from rigidtop.web.page import FOLDER, page, page_of
+from rigidtop.web.presets import PRESETS, TOP
+
+TRUSTED = ("controls.js", "equation_panel.js", "meter.js")
+"""What the package wrote is markup in these; nothing that a reader or an address says is."""
+
+CONTROLLED = "default-src 'none'; script-src 'unsafe-inline' data:"
+
+
+class Elements(HTMLParser):
+    """Every start tag with its attributes, and the text of the scripts."""
+
+    def __init__(self, html):
+        super().__init__()
+        self.tags, self.scripts, self.open = [], [], False
+        self.feed(html)
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.append((tag, dict(attrs)))
+        self.open = tag == "script"
+        if self.open:
+            self.scripts.append([dict(attrs), ""])
+
+    def handle_endtag(self, tag):
+        self.open = False
+
+    def handle_data(self, data):
+        if self.open:
+            self.scripts[-1][1] += data
+
+
+@pytest.fixture(scope="module", params=PRESETS)
+def written(request):
+    return page(request.param).html
+
+
+def data_of(html):
+    (text_,) = [t for attrs, t in Elements(html).scripts if attrs.get("id") == "data"]
+    return json.loads(text_)
+
+
+def imports_of(html):
+    (text_,) = [t for attrs, t in Elements(html).scripts if attrs.get("type") == "importmap"]
+    return json.loads(text_)["imports"]
+
+
+def test_nothing_is_loaded_from_elsewhere(written):
+    elements = Elements(written)
+    policy = [a["content"] for tag, a in elements.tags if a.get("http-equiv")]
+    assert len(policy) == 1
+    assert policy[0].startswith(CONTROLLED)
+    assert "connect-src" not in policy[0]  # default-src 'none' stands for it
+    for tag, attrs in elements.tags:
+        for name in ("src", "href", "srcset", "action", "data", "poster"):
+            target = attrs.get(name, "")
+            assert not target or target.startswith(("#", "data:,")), (tag, target)
+        assert not [name for name in attrs if name.startswith("on")], tag
+
+
+def test_no_own_module_asks_for_anything():
+    calls = (
+        r"\b(fetch|XMLHttpRequest|WebSocket|EventSource|sendBeacon|importScripts|eval|Function)\b"
+    )
+    for path in FOLDER.glob("*.js"):
+        code = re.sub(r"(?s)/\*.*?\*/|//[^\n]*", "", path.read_text("utf-8"))
+        assert not re.search(calls, code), path.name
+        assert not re.search(r"https?://", code.replace("http://www.w3.org/", "")), path.name
+        assert "innerHTML" not in code or path.name in TRUSTED, (
+            path.name
+        )
+
+
+def test_every_module_is_there_as_it_lies_in_the_repository(written):
+    imports = imports_of(written)
+    assert set(imports) == {f"rigidtop/{path.name}" for path in FOLDER.glob("*.js")}
+    for path in FOLDER.glob("*.js"):
+        url = imports[f"rigidtop/{path.name}"]
+        start = "data:text/javascript;charset=utf-8,"
+        assert url.startswith(start)
+        text_ = unquote(url.removeprefix(start))
+        back = text_.replace('"rigidtop/', '"./').rsplit("//# sourceURL", 1)[0]
+        assert back == path.read_text("utf-8")
+        for name in re.findall(r'(?m)^(?:import|\}) .*?"([^"]+)";$', text_):
+            assert name in imports, (path.name, name)
+
+
+def test_every_import_of_a_module_is_linked():
+    for path in FOLDER.glob("*.js"):
+        code = re.sub(r"(?s)/\*.*?\*/", "", path.read_text("utf-8"))
+        wanted = set(re.findall(r'from "\./(\w+\.js)"', code))
+        url = dict(pages.modules())[f"rigidtop/{path.name}"]
+        linked = set(re.findall(r'from "rigidtop/(\w+\.js)"', unquote(url)))
+        assert linked == wanted, path.name
+
+
+def test_placeholders_are_gone_and_data_are_not_looked_through(written, monkeypatch):
+    for name in ("title", "style", "three", "importmap", "data"):
+        assert f"{{{{{name}}}}}" not in written
+    monkeypatch.setitem(pages.TITLES, "free", "{{three}} <b>")
+    made = page("free").html
+    assert "<title>{{three}} &lt;b&gt;</title>" in made  # neither put in, nor markup
+    assert data_of(made)["title"] == "{{three}} <b>"
+
+
+def test_the_tableau_is_scipys(written):
+    tableau = data_of(written)["tableau"]
+    for name, values in tableau.items():
+        assert np.array_equal(values, getattr(DOP853, name))
+
+
+def test_sliders_reach_every_preset_and_have_units(written):
+    found = data_of(written)
+    for slider in found["parameters"]:
+        assert slider["unit"] or slider["angle"], slider["name"]
+        assert slider["least"] < slider["most"]
+        assert not slider["logarithmic"] or slider["least"] > 0
+        for preset in found["presets"]:
+            value = preset["setup"]["values"][slider["name"]]
+            assert slider["least"] <= value <= slider["most"], (preset["name"], slider["name"])
+    names = [slider["name"] for slider in found["parameters"]]
+    if found["kind"] == "heavy-top":
+        assert names == [
+            "lambda1", "lambda2", "lambda3", "M", "R", "g", "theta", "phi_dot", "omega3"
+        ]  # fmt: skip
+    else:
+        assert names == ["lambda1", "lambda2", "lambda3", "omega1", "omega2", "omega3"]
+
+
+def test_the_presets_that_lecturers_expect():
+    names = [preset.name for made in PRESETS.values() for preset in made()]
+    assert names == [
+        "slow", "fast", "waves", "cusps", "loops", "sleeping", "waking", "toppling",
+        "free-precession", "plate", "flip", "largest", "smallest", "toutatis",
+    ]  # fmt: skip
+    toutatis = PRESETS["free"]()[-1]
+    assert "in 5.4 days" in toutatis.about
+    assert "in 7.4 days" in toutatis.about
+
+
+@pytest.mark.parametrize("group", [terms.heavy, terms.general, terms.free])
+def test_terms_put_together_are_the_equation(group):
+    for each in group():
+        sides = [text(side) for side in each.equation.sides]
+        found = [term.text for term in each.terms]
+        rest = [found[0]]
+        for part in found[1:]:
+            rest.append(f"− {part[1:]}" if part.startswith("−") else f"+ {part}")
+        right = " ".join(rest[1:]).removeprefix("+ ")
+        assert [found[0], right] == [s for s in sides if s != "const"]
+        marks = re.findall(r'data-term="(\d)"', each.mathml)
+        assert marks == [str(k) for k in range(len(found))]
+        assert all(term.name and term.unit for term in each.terms)
+
+
+def test_a_motion_of_ones_own_comes_first_and_the_presets_after_it():
+    motion = TOP.motion(theta=0.3, theta_dot=0.2, phi=1.0, phi_dot=0.5, psi=2.0, omega3=90.0)
+    found = data_of(page_of(motion).html)
+    assert found["presets"][0] == found["first"]
+    assert found["first"]["name"] == "own"
+    assert found["first"]["speed"] == pytest.approx(60 / 90, rel=0.05)
+    values = found["first"]["setup"]["values"]
+    expected = {"theta": 0.3, "theta_dot": 0.2, "phi": 1.0, "phi_dot": 0.5, "psi": 2.0,
+                "omega3": 90.0, "M": 0.8, "R": 0.6, "g": 9.81, "R1": 0.0, "R2": 0.0}  # fmt: skip
+    assert {name: values[name] for name in expected} == pytest.approx(expected, rel=1e-12)
+    assert max(s["most"] for s in found["parameters"] if s["name"] == "omega3") == 90.0
+    assert len(found["presets"]) == 9
+
+
+def test_a_page_in_a_notebook_is_one_frame():
+    made = page_of(rt.FreeBody(1, 2, 2.5).motion(omega=(0, 1, 0.1)), height=500)
+    (frame,) = Elements(made._repr_html_()).tags
+    assert frame[0] == "iframe"
+    assert frame[1]["srcdoc"] == made.html
+    assert frame[1]["style"].endswith("height:500px")
+    assert frame[1]["title"] == "The free body, live"
+
+
+def test_without_three_js_one_line_says_what_to_install(monkeypatch):
+    monkeypatch.setattr(pages, "THREE", "static/none.js")
+    with pytest.raises(rt.RigidtopError, match=r"pip install 'rigidtop\[web\]'"):
+        page("free")
+
+
+def test_show_displays_the_page(monkeypatch):
+    import IPython.display
+
+    shown = []
+    monkeypatch.setattr("IPython.get_ipython", lambda: object())
+    monkeypatch.setattr(IPython.display, "display", shown.append)
+    motion = TOP.motion(theta=0.3, omega3=20.0)
+    assert motion.show(height=600) is None
+    assert shown == [page_of(motion, 600)]
+
+
+def test_show_outside_a_notebook_says_what_to_do():
+    motion = TOP.motion(theta=0.3, omega3=20.0)
+    with pytest.raises(rt.RigidtopError, match="`rigidtop web` writes the page as a file"):
+        motion.show()
+    with pytest.raises(rt.RigidtopError, match="height must be a whole number of pixels"):
+        motion.show(height=0)
