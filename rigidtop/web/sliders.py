@@ -43,15 +43,14 @@ class Slider:
         return self.unit == "rad"
 
 
-def _moments(about: str) -> tuple[Slider, ...]:
-    return tuple(
-        Slider(x.name, VOCABULARY[x].glyph, f"moment about e{k}, {about}", "kg m²", *MOMENTS, True)
-        for x, k in zip((s.lambda1, s.lambda2, s.lambda3), "₁₂₃", strict=True)
-    )
+MOMENT_SLIDERS = tuple(
+    Slider(x.name, VOCABULARY[x].glyph, f"moment about e{k}", "kg m²", *MOMENTS, True)
+    for x, k in zip((s.lambda1, s.lambda2, s.lambda3), "₁₂₃", strict=True)
+)
 
 
 HEAVY_SLIDERS = (
-    *_moments("from the pivot"),
+    *MOMENT_SLIDERS,
     Slider("M", Glyph("M"), "mass", "kg", 1e-3, 10.0, True),
     Slider("R", Glyph("R"), "pivot to centre of mass", "m", 0.0, 2.0),
     Slider("g", Glyph("g"), "acceleration of gravity", "m/s²", 0.0, 30.0),
@@ -61,7 +60,7 @@ HEAVY_SLIDERS = (
 )
 
 FREE_SLIDERS = (
-    *_moments("through the centre of mass"),
+    *MOMENT_SLIDERS,
     *(
         Slider(f"omega{k}", Glyph("ω", str(k)), f"ω along e{sub} at the start", "rad/s", *RATES)
         for k, sub in zip((1, 2, 3), "₁₂₃", strict=True)

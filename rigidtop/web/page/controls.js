@@ -378,6 +378,13 @@ export function createPresets(container, presets, choose) {
   };
 }
 
+/** A sentence whose Ω_b and Ω_s have their index below: Unicode has no such letters. */
+function withSubscripts(/** @type {string} */ sentence) {
+  return sentence
+    .split(/(?<=Ω)_(\w)/)
+    .map((part, k) => (k % 2 ? element("sub", {}, part) : part));
+}
+
 /**
  * The verdict, and the buttons that set φ̇₀ to a steady precession.
  *
@@ -400,6 +407,7 @@ export function createVerdict(container, setPrecession) {
   const steady = element("p", { class: "steady", hidden: true }, ...buttons);
   container.replaceChildren(sentence, steady, aloud);
   let timer = 0;
+  let said = "";
 
   return {
     /**
@@ -408,8 +416,9 @@ export function createVerdict(container, setPrecession) {
      * @param {readonly [number, number]} range of φ̇₀
      */
     show(facts, clock, range) {
-      if (sentence.textContent !== facts.verdict) {
-        sentence.textContent = facts.verdict;
+      if (said !== facts.verdict) {
+        said = facts.verdict;
+        sentence.replaceChildren(...withSubscripts(facts.verdict));
         clearTimeout(timer);
         timer = window.setTimeout(() => (aloud.textContent = facts.verdict), REST);
       }

@@ -1,5 +1,7 @@
 /** Poinsot's construction in numbers: the curves that ω runs through in a body without torque. */
 
+import { firstIntegrals, polhode } from "./equations.js";
+
 /** @typedef {import("./types").Numbers} Numbers */
 
 /** The axes 0, 1, 2 from the smallest moment to the largest. */
@@ -9,12 +11,10 @@ export function axesByMoment(/** @type {Numbers} */ moments) {
 
 /** Twice the kinetic energy, and L², of ω in body components. */
 export function invariants(/** @type {Numbers} */ moments, /** @type {Numbers} */ omega) {
-  let twiceEnergy = 0;
-  let squareL = 0;
-  for (let k = 0; k < 3; k++) {
-    twiceEnergy += moments[k] * omega[k] ** 2;
-    squareL += (moments[k] * omega[k]) ** 2;
-  }
+  const [lambda1, lambda2, lambda3] = Array.from(moments);
+  const [omega1, omega2, omega3] = Array.from(omega);
+  const body = { lambda1, lambda2, lambda3 };
+  const [twiceEnergy, squareL] = firstIntegrals({ ...body, omega1, omega2, omega3 });
   return { twiceEnergy, squareL };
 }
 
@@ -37,8 +37,7 @@ export function enclosedAxis(
 }
 
 /**
- * The polhode around the axis k at the angle u.  With ω_k eliminated from 2T and L², what is left
- * is an ellipse: 2Tλ_k − L² = λ_i(λ_k − λ_i)ω_i² + λ_j(λ_k − λ_j)ω_j².
+ * The polhode around the axis k at the angle u: that around e₃, with the axes renamed in turn.
  *
  * @param {Numbers} moments
  * @param {number} twiceEnergy
@@ -51,13 +50,12 @@ export function enclosedAxis(
 export function polhodePoint(moments, twiceEnergy, squareL, k, side, u, out) {
   const i = (k + 1) % 3;
   const j = (k + 2) % 3;
-  const rest = twiceEnergy * moments[k] - squareL;
-  const half = (/** @type {number} */ n) =>
-    Math.sqrt(Math.max(0, rest / (moments[n] * (moments[k] - moments[n]))));
-  out[i] = half(i) * Math.cos(u);
-  out[j] = half(j) * Math.sin(u);
-  const left = twiceEnergy - moments[i] * out[i] ** 2 - moments[j] * out[j] ** 2;
-  out[k] = side * Math.sqrt(Math.max(0, left / moments[k]));
+  const renamed = { lambda1: moments[i], lambda2: moments[j], lambda3: moments[k] };
+  const integrals = { twice_T: twiceEnergy, L_squared: squareL };
+  const point = polhode({ ...renamed, ...integrals, angle: u });
+  // The root of what is zero but for rounding is zero.
+  [out[i], out[j], out[k]] = point.map((w) => (Number.isNaN(w) ? 0 : w));
+  out[k] *= side;
   return out;
 }
 
