@@ -82,9 +82,7 @@ def test_no_own_module_asks_for_anything():
         code = re.sub(r"(?s)/\*.*?\*/|//[^\n]*", "", path.read_text("utf-8"))
         assert not re.search(calls, code), path.name
         assert not re.search(r"https?://", code.replace("http://www.w3.org/", "")), path.name
-        assert "innerHTML" not in code or path.name in TRUSTED, (
-            path.name
-        )
+        assert "innerHTML" not in code or path.name in TRUSTED, path.name
 
 
 def test_every_module_is_there_as_it_lies_in_the_repository(written):
