@@ -11,11 +11,24 @@ export function createArrows() {
   heads.rotateX(Math.PI / 2).translate(0, 0, 0.5);
 
   return {
-    /** An arrow from the origin; its head keeps its size, however long it is. */
-    add(/** @type {THREE.Material} */ material, /** @type {number} */ radius) {
+    /**
+     * An arrow from the origin; its head keeps its size, however long it is.  What a body hides of
+     * it is drawn in the material `hidden`, so that one sees where it starts.
+     */
+    add(
+      /** @type {THREE.Material} */ material, /** @type {THREE.Material} */ hidden,
+      /** @type {number} */ radius,
+    ) {
       const object = new THREE.Group();
       const shaft = new THREE.Mesh(shafts, material);
       const head = new THREE.Mesh(heads, material);
+      for (const part of [shaft, head]) {
+        const behind = new THREE.Mesh(part.geometry, hidden);
+        // After the bodies, before all arrows.
+        behind.renderOrder = 1;
+        part.renderOrder = 2;
+        part.add(behind);
+      }
       object.add(shaft, head);
       /** Where it ends. */
       const tip = new THREE.Vector3();

@@ -1,10 +1,12 @@
 /** @typedef {import("./palette").Palette} Palette */
 
-/** Letters less than this apart, in pixels, push each other away. */
-const APART = 17;
-/** How far letters are from the tips they name: beyond them, and to the right of the way there. */
-const BEYOND = 7;
-const ASIDE = 15;
+/** The size of the letters: a part of the smaller side of the picture, but at least so much. */
+const SIZE = 0.031;
+const SMALLEST = 16;
+/** In units of that size: letters nearer than this push each other away. */
+const APART = 1.06;
+/** How far letters are beside the tips they name. */
+const ASIDE = 0.94;
 
 /**
  * Letters over the picture as HTML, so that they stay crisp whatever the picture's resolution.
@@ -14,12 +16,13 @@ export function createLabels(/** @type {HTMLElement} */ container) {
   const layer = document.createElement("div");
   layer.setAttribute("aria-hidden", "true");
   layer.style.cssText = "position:absolute;inset:0;overflow:hidden;pointer-events:none;" +
-    "font:600 16px/1 'Cambria Math','STIX Two Text',Georgia,'DejaVu Serif',serif;" +
+    "font:600 1em/1 'Cambria Math','STIX Two Text',Georgia,'DejaVu Serif',serif;" +
     "user-select:none;-webkit-user-select:none";
   container.append(layer);
   /** @type {Label[]} */
   const all = [];
   const at = new THREE.Vector3();
+  let em = NaN;
 
   return {
     /** A letter; `faint` ones give way and are smaller. */
@@ -29,7 +32,7 @@ export function createLabels(/** @type {HTMLElement} */ container) {
       // A layer of its own is moved and not painted again; its middle is a whole pixel.
       element.style.cssText = "position:absolute;left:0;top:0;width:2em;text-align:center;" +
         "margin:-0.5em 0 0 -1em;will-change:transform;" +
-        `display:none;${faint ? "font-size:14px;font-weight:400;font-style:italic" : ""}`;
+        `display:none;${faint ? "font-size:0.88em;font-weight:400;font-style:italic" : ""}`;
       layer.append(element);
       const label = {
         element,
@@ -56,19 +59,28 @@ export function createLabels(/** @type {HTMLElement} */ container) {
       /** @type {THREE.Camera} */ camera, /** @type {number} */ width,
       /** @type {number} */ height,
     ) {
+      const size = Math.max(SMALLEST, Math.round(SIZE * Math.min(width, height)));
+      if (size !== em) layer.style.fontSize = `${size}px`;
+      em = size;
+      at.set(0, 0, 0).project(camera);
+      const [originX, originY] = [((1 + at.x) * width) / 2, ((1 - at.y) * height) / 2];
       for (const label of all) {
         if (!label.wanted) continue;
         at.copy(label.at).project(camera);
-        const dx = (at.x * width) / 2;
-        const dy = (-at.y * height) / 2;
+        const dx = ((1 + at.x) * width) / 2 - originX;
+        const dy = ((1 - at.y) * height) / 2 - originY;
         const length = Math.hypot(dx, dy) || 1;
-        // Arrows that lie on one another keep their letters apart if these stand beside them.
-        const beyond = (label.faint ? 1.5 * BEYOND : BEYOND) / length;
-        const aside = (label.faint ? 0 : ASIDE) / length;
-        label.x = width / 2 + dx + beyond * dx - aside * dy;
-        label.y = height / 2 + dy + beyond * dy + aside * dx;
+        const [x, y] = [dx / length, dy / length];
+        // Beside its tip, on the side to which the arrow leans: there is most room for it, and
+        // arrows that lie on one another keep their letters apart.
+        const lean = label.faint ? 0 : Math.max(-1, Math.min(1, (dx / em + 1.2) / 0.6));
+        const up = Math.max(-1, Math.min(1, -dy / em));
+        const beyond = em * (label.faint ? 0.65 : 0.45 + 0.4 * Math.abs(x));
+        const aside = em * ASIDE * lean;
+        label.x = originX + dx + beyond * x + aside * Math.abs(y);
+        label.y = originY + dy + beyond * y + aside * up * x;
       }
-      separate(all);
+      separate(all, APART * em);
       for (const label of all) show(label);
     },
 
@@ -92,7 +104,7 @@ export function createLabels(/** @type {HTMLElement} */ container) {
  */
 
 /** Push labels apart that lie on one another: both by half, but a faint one gives way alone. */
-function separate(/** @type {Label[]} */ labels) {
+function separate(/** @type {Label[]} */ labels, /** @type {number} */ apart) {
   for (let i = 0; i < labels.length; i++) {
     const one = labels[i];
     if (!one.wanted) continue;
@@ -102,13 +114,13 @@ function separate(/** @type {Label[]} */ labels) {
       let dx = two.x - one.x;
       let dy = two.y - one.y;
       let distance = Math.hypot(dx, dy);
-      if (distance >= APART) continue;
+      if (distance >= apart) continue;
       if (two.faint && !one.faint) {
-        two.x = one.x + (dx < 0 ? -1 : 1) * Math.sqrt(APART * APART - dy * dy);
+        two.x = one.x + (dx < 0 ? -1 : 1) * Math.sqrt(apart * apart - dy * dy);
         continue;
       }
       if (distance < 0.5) [dx, dy, distance] = [1, 0, 1];
-      const push = (APART - distance) / distance / 2;
+      const push = (apart - distance) / distance / 2;
       two.x += push * dx;
       two.y += push * dy;
       one.x -= push * dx;

@@ -111,6 +111,12 @@ export function createPalette(/** @type {Colours} */ colours) {
       return keep(new THREE.MeshLambertMaterial(options), pick);
     },
 
+    /** One colour whatever the light, drawn only where something solid stands before it. */
+    hidden(/** @type {Pick} */ pick) {
+      const options = { depthFunc: THREE.GreaterDepth, depthWrite: false };
+      return keep(new THREE.MeshBasicMaterial(options), pick);
+    },
+
     /** One colour whatever the light, drawn over all else. */
     dot(/** @type {Pick} */ pick) {
       return keep(new THREE.MeshBasicMaterial({ depthTest: false }), pick);

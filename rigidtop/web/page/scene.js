@@ -18,13 +18,15 @@ import { createTrail } from "./trail.js";
 /** @typedef {import("./types").View} View */
 
 /** Half of the angle of sight along the shorter side of the picture. */
-const SIGHT = (15.2 * Math.PI) / 180;
+const SIGHT = (13.5 * Math.PI) / 180;
+/** In space z and L need room at the top: the origin is lower by this part of the height. */
+const LOWER = 0.045;
 /** Where the camera is at first: distance, azimuth from x, elevation. */
 const HOME = { distance: 5.2, azimuth: 0.6, elevation: 0.36 };
 /** Lengths of arrows for the values at t = 0, and the longest that is drawn. */
 const OMEGA = 1.08;
 const MOMENTUM = 1.24;
-const TORQUE = 0.8;
+const TORQUE = 1.25;
 const LONGEST = 1.7;
 
 /**
@@ -141,7 +143,11 @@ export function createScene(container, colours) {
    * @param {THREE.Group} group
    */
   function arrowOf(text, pick, radius, group) {
-    const arrow = arrows.add(palette.solid((c) => new THREE.Color(pick(c))), radius);
+    const arrow = arrows.add(
+      palette.solid((c) => new THREE.Color(pick(c))),
+      palette.hidden((c) => mix(pick(c), c.body, c.highContrast ? 0.4 : 0.62)),
+      radius,
+    );
     const holder = new THREE.Group();
     holder.add(arrow.object);
     group.add(holder);
@@ -189,13 +195,19 @@ export function createScene(container, colours) {
     height = Math.max(1, container.clientHeight);
     renderer.setSize(width, height);
     palette.resize(width, height);
-    camera.aspect = width / height;
-    const tangent = Math.tan(SIGHT) / Math.min(1, camera.aspect);
-    camera.fov = (2 * Math.atan(tangent) * 180) / Math.PI;
-    camera.updateProjectionMatrix();
+    aim();
     setResolution();
     // At once: a canvas of another size is empty.
     again();
+  }
+
+  /** Fit the scene into the picture. */
+  function aim() {
+    camera.aspect = width / height;
+    const tangent = Math.tan(SIGHT) / Math.min(1, camera.aspect);
+    camera.fov = (2 * Math.atan(tangent) * 180) / Math.PI;
+    const lower = view === "space" ? LOWER * height : 0;
+    camera.setViewOffset(width, height, 0, -lower, width, height);
   }
 
   function recolour() {
@@ -340,6 +352,7 @@ export function createScene(container, colours) {
 
     setView(/** @type {View} */ next) {
       view = next;
+      aim();
       touch();
     },
 

@@ -11,6 +11,8 @@ import { markColour, mix } from "./palette.js";
 /** @typedef {import("./types").Shape} Shape */
 /** @typedef {import("./palette").Palette} Palette */
 
+/** The colour of a rock, as far as a theme lets it. */
+const STONE = "#a3968a";
 /** How far a body may reach from the origin, in units of the sphere of e₃. */
 const REACH = 0.72;
 
@@ -88,7 +90,7 @@ export function createBodies(/** @type {Palette} */ palette) {
   const body = palette.solid((c) => new THREE.Color(c.body), behind);
   const mark = palette.solid((c) => mix(c.body, markColour(c), 0.55), behind);
   const rod = palette.solid((c) => mix(c.body, markColour(c), 0.3));
-  const rock = palette.solid((c) => new THREE.Color(c.body), { vertexColors: true });
+  const rock = palette.solid((c) => mix(c.body, STONE, 0.7), { vertexColors: true });
   const edge = palette.line((c) => mix(c.body, markColour(c), 0.75), 1.4);
   const dot = palette.dot((c) => new THREE.Color(markColour(c)));
 

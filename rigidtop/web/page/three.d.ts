@@ -6,6 +6,7 @@ declare namespace THREE {
   const FrontSide: number;
   const DoubleSide: number;
   const DynamicDrawUsage: number;
+  const GreaterDepth: number;
 
   class Vector2 {
     constructor(x?: number, y?: number);
@@ -81,6 +82,9 @@ declare namespace THREE {
     constructor(fov: number, aspect: number, near: number, far: number);
     fov: number;
     aspect: number;
+    setViewOffset(
+      fullWidth: number, fullHeight: number, x: number, y: number, width: number, height: number,
+    ): void;
     updateProjectionMatrix(): void;
   }
 
@@ -129,6 +133,7 @@ declare namespace THREE {
     transparent?: boolean;
     opacity?: number;
     depthTest?: boolean;
+    depthFunc?: number;
     depthWrite?: boolean;
     side?: number;
     vertexColors?: boolean;
