@@ -138,6 +138,13 @@ export function createPaper(container, redraw) {
   let width = 0;
   let height = 0;
   let em = 16;
+  let seen = true;
+  // What is scrolled out of sight is not drawn.
+  new IntersectionObserver((entries) => {
+    const before = seen;
+    seen = entries[entries.length - 1].isIntersecting;
+    if (seen && !before) redraw();
+  }).observe(canvas);
 
   new ResizeObserver(() => {
     width = canvas.clientWidth;
@@ -153,12 +160,12 @@ export function createPaper(container, redraw) {
   return {
     describe,
     /**
-     * An empty sheet, or null while there is no room for one.
+     * An empty sheet, or null while there is no room for one or none of it is in sight.
      *
      * @returns {Paper | null}
      */
     clear() {
-      if (width === 0 || height === 0) return null;
+      if (!seen || width === 0 || height === 0) return null;
       const ratio = window.devicePixelRatio;
       const columns = Math.round(width * ratio);
       const rows = Math.round(height * ratio);

@@ -39,7 +39,7 @@ export function createEquationPanel(container, list) {
 function createEntry({ tag, title, mathml, function: name, symmetric, terms }) {
   const figure = document.createElement("figure");
   figure.className = "equation";
-  figure.setAttribute("aria-label", `Equation (${tag}): ${title}`);
+  figure.setAttribute("aria-label", tag ? `Equation (${tag}): ${title}` : title);
   const heading = document.createElement("p");
   heading.className = "equation-title";
   setWords(heading, title);
@@ -48,7 +48,7 @@ function createEntry({ tag, title, mathml, function: name, symmetric, terms }) {
   formula.innerHTML = mathml;
   const number = document.createElement("span");
   number.className = "equation-tag";
-  number.textContent = `(${tag})`;
+  number.textContent = tag && `(${tag})`;
   const naming = document.createElement("p");
   naming.className = "equation-naming";
   const amount = document.createElement("span");
