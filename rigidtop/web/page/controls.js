@@ -121,6 +121,7 @@ function createRow(parameter, changed) {
     id: `number-${name}`,
     autocomplete: "off",
     spellcheck: "false",
+    "aria-label": `${parameter.letter}, ${parameter.meaning}`,
     "aria-describedby": `error-${name} unit-${name}`,
   });
   if (parameter.least >= 0) field.inputMode = "decimal";
@@ -420,7 +421,7 @@ export function createVerdict(container, setPrecession) {
         said = facts.verdict;
         sentence.replaceChildren(...withSubscripts(facts.verdict));
         clearTimeout(timer);
-        timer = window.setTimeout(() => (aloud.textContent = facts.verdict), REST);
+        timer = window.setTimeout(() => (aloud.textContent = sentence.textContent), REST);
       }
       steady.hidden = facts.steady === null;
       if (facts.steady === null) return;
