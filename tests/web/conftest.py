@@ -9,7 +9,7 @@ from functools import cache
 
 import pytest
 
-from rigidtop.web.page import FOLDER, data
+from rigidtop.web.page import FOLDER, data, page
 from rigidtop.web.presets import PRESETS
 
 
@@ -70,3 +70,126 @@ def tableau(engine):
 
 
 CHROMIUM, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
+
+
+class Live:
+    """A browser that shows the page; everything is waited for, nothing slept for."""
+
+    PATIENCE = 30
+
+    def __init__(self, driver, folder):
+        self.driver = driver
+        self.folder = folder
+        self.opened = 0
+        for kind in PRESETS:
+            self.write(kind, page(kind).html)
+
+    def write(self, name, html):
+        (self.folder / f"{name}.html").write_text(html, "utf-8")
+
+    def open(self, name, hash="", ready="window.rigidtop && rigidtop.frames > 1"):
+        """The page of that name, loaded anew."""
+        self.opened += 1
+        self.driver.get(f"{(self.folder / name).as_uri()}.html?{self.opened}{hash}")
+        if ready:
+            self.wait(ready)
+
+    def show(self, kind, hash):
+        """The page of that kind by an address that is put into it, loaded only where it is not."""
+        if f"/{kind}.html?" not in self.driver.current_url:
+            self.open(kind, hash)
+            return
+        self.opened += 1
+        # The page reads over empty parts; with them the address is another than it was.
+        self.driver.execute_async_script(
+            "const [hash, done] = arguments; addEventListener('hashchange', () =>"
+            " requestAnimationFrame(() => requestAnimationFrame(done)), { once: true });"
+            "location.hash = hash;",
+            hash + "&" * (1 + self.opened % 2),
+        )
+
+    def js(self, text, *arguments):
+        """The value of an expression."""
+        return self.driver.execute_script(f"return {text};", *arguments)
+
+    def wait(self, condition, *arguments):
+        """The value of an expression as soon as it is true, or of a function of no arguments."""
+        from selenium.webdriver.support.wait import WebDriverWait
+
+        ask = condition if callable(condition) else lambda: self.js(condition, *arguments)
+        waiting = WebDriverWait(self.driver, self.PATIENCE, poll_frequency=0.05)
+        return waiting.until(lambda _: ask(), f"never: {condition}")
+
+    def frames(self, count=2):
+        """Let the page draw so many frames."""
+        seen = self.js("rigidtop.frames")
+        self.wait("rigidtop.frames >= arguments[0]", seen + count)
+
+    def drawn(self):
+        """Let everything that was asked for be drawn: at rest no more frames come."""
+        self.driver.execute_async_script(
+            "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(done));"
+        )
+
+    def find(self, selector):
+        return self.driver.find_element("css selector", selector)
+
+    def all(self, selector):
+        return self.driver.find_elements("css selector", selector)
+
+    def cdp(self, command, **arguments):
+        return self.driver.execute_cdp_cmd(command, arguments)
+
+    @property
+    def t(self):
+        return self.js("rigidtop.motion.now.t")
+
+    @property
+    def values(self):
+        return self.js("rigidtop.motion.setup.values")
+
+    def complaints(self):
+        """What the browser logged since it was asked last."""
+        return [entry["message"] for entry in self.driver.get_log("browser")]
+
+    def requests(self):
+        """What the page asked for since it was asked last."""
+        messages = (json.loads(e["message"])["message"] for e in self.driver.get_log("performance"))
+        sent = (m["params"] for m in messages if m["method"] == "Network.requestWillBeSent")
+        return [each["request"]["url"] for each in sent]
+
+
+def chrome(*flags):
+    """Headless Chromium, which draws in three dimensions by the processor."""
+    webdriver = pytest.importorskip("selenium.webdriver", reason="selenium is missing")
+    if not CHROMIUM or not DRIVER:
+        pytest.skip(f"{'chromedriver' if CHROMIUM else 'chromium'} is missing")
+    options = webdriver.ChromeOptions()
+    options.binary_location = CHROMIUM
+    usual = ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--window-size=1280,800")
+    for flag in (*usual, *flags):
+        options.add_argument(flag)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    return webdriver.Chrome(options=options, service=webdriver.ChromeService(DRIVER))
+
+
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory):
+    """One for all tests of a module."""
+    driver = chrome("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+    try:
+        driver.set_script_timeout(60)
+        yield Live(driver, tmp_path_factory.mktemp("pages"))
+    finally:
+        driver.quit()
+
+
+@pytest.fixture
+def live(browser):
+    """The browser as at first; no test may leave a complaint or have sent a request."""
+    yield browser
+    sent = [url for url in browser.requests() if not re.match("(file|data|blob|about):", url)]
+    said = browser.complaints()
+    browser.driver.switch_to.default_content()
+    assert not sent
+    assert not said

@@ -1,0 +1,793 @@
+"""The page in a browser, as its readers use it."""
+
+from __future__ import annotations
+
+import io
+import math
+
+import numpy as np
+import pytest
+import sympy
+from PIL import Image
+
+import rigidtop as rt
+from rigidtop.web import terms
+from rigidtop.web.page import page, page_of
+from rigidtop.web.presets import PRESETS, TOP
+
+from .conftest import page_data
+
+pytest.importorskip("selenium", reason="selenium is missing")
+from selenium.webdriver import ActionChains, Keys
+
+NAMES = [(kind, preset.name) for kind, made in PRESETS.items() for preset in made()]
+HEAVY, FREE = PRESETS
+STILL = "#play=0"
+
+
+def named(name):
+    """A preset, in SI units and radians."""
+    return next(p for made in PRESETS.values() for p in made() if p.name == name)
+
+
+def picture(live, selector="#scene canvas"):
+    """What stands there now; the letters in the scene are text, no part of the drawing."""
+    live.js("document.querySelectorAll('#scene > [aria-hidden]').forEach((x) => x.remove())")
+    return Image.open(io.BytesIO(live.find(selector).screenshot_as_png)).convert("RGB")
+
+
+def press(live, *keys):
+    ActionChains(live.driver).send_keys(*keys).perform()
+
+
+def shift_tab(live):
+    chain = ActionChains(live.driver)
+    chain.key_down(Keys.SHIFT).send_keys(Keys.TAB).key_up(Keys.SHIFT).perform()
+
+
+def tab_to(live, selector, most=120):
+    """Press Tab until what has the focus is that."""
+    for _ in range(most):
+        if live.js("document.activeElement.matches(arguments[0])", selector):
+            return
+        press(live, Keys.TAB)
+    raise AssertionError(f"Tab never comes to {selector}")
+
+
+def click(live, selector):
+    """A click by script: what is tested is what the page does then, not where it has scrolled."""
+    live.js("document.querySelector(arguments[0]).click()", selector)
+
+
+def button(label):
+    return f'#transport button[aria-label="{label}"]'
+
+
+@pytest.mark.parametrize(("kind", "name"), NAMES)
+def test_each_preset_opens_by_its_address_and_plays(live, kind, name):
+    live.open(kind, f"#preset={name}")
+    live.wait("rigidtop.motion.now.t > 0.2")
+    preset = named(name)
+    assert live.values == pytest.approx(dict(preset.setup.values), rel=1e-15)
+    assert live.js("document.querySelector('[name=preset]:checked').value") == name
+    assert live.find(".about").text == preset.about
+    assert len(live.find(".verdict").text) > 20
+    meters = live.all("[role=meter]")
+    assert len(meters) == (3 if kind == HEAVY else 2)
+    for meter in meters:
+        assert "held" in meter.text
+        assert -16 <= float(meter.get_attribute("aria-valuenow")) < -9
+    assert live.js("rigidtop.motion.drift().every((drift) => drift.most < 1e-9)")
+    # The body, its arrows and the sphere, smooth at the edges, on an empty ground.
+    pixels = np.asarray(picture(live)).reshape(-1, 3)
+    colours, counts = np.unique(pixels, axis=0, return_counts=True)
+    assert len(colours) > 100
+    assert 0.2 < counts.max() / len(pixels) < 0.99
+
+
+HOUR = """
+const [name, done] = arguments;
+import("rigidtop/motion.js").then(({ createMotion }) => {
+  const data = JSON.parse(document.getElementById("data").textContent);
+  const { setup, speed } = data.presets.find((preset) => preset.name === name);
+  const motion = createMotion(setup, data.tableau);
+  let most = 0;
+  for (let frame = 1; frame <= 3600 * 60; frame++) {
+    motion.go((speed * frame) / 60);
+    most = Math.max(most, Math.abs(motion.now.energy / motion.start.energy - 1));
+  }
+  done([motion.now.t, most, motion.drift().map((drift) => drift.most)]);
+}, (error) => done(String(error)));
+"""
+
+
+@pytest.mark.parametrize("kind", PRESETS)
+def test_an_hour_of_frames_keeps_the_energy(live, kind):
+    live.show(kind, STILL)
+    for preset in PRESETS[kind]():
+        t, energy, drifts = live.driver.execute_async_script(HOUR, preset.name)
+        assert t == pytest.approx(3600 * preset.speed)
+        assert energy < 1e-10, preset.name
+        assert max(drifts) < 1e-10, preset.name
+
+
+def test_an_arrow_key_on_a_slider_starts_another_motion(live):
+    live.show(HEAVY, "#preset=cusps&t=1&play=0")
+    live.wait("rigidtop.motion.now.t === 1")
+    before, said = live.values, live.find(".verdict").text
+    live.find("#slider-omega3").send_keys(Keys.ARROW_LEFT * 3)
+    live.wait("rigidtop.motion.now.t === 0")
+    after = live.values
+    assert after["omega3"] < before["omega3"] - 0.1
+    assert {**after, "omega3": 0} == {**before, "omega3": 0}
+    assert float(live.find("#number-omega3").get_attribute("value")) == after["omega3"]
+    live.find("#slider-omega3").send_keys(Keys.HOME)
+    live.wait("rigidtop.motion.setup.values.omega3 === -60")
+    live.find("#slider-theta").send_keys(Keys.END)
+    live.wait("rigidtop.motion.setup.values.theta > 3.14")
+    assert live.find(".verdict").text != said
+    assert "Changed from" in live.find(".about").text
+    # λ₂ goes with λ₁ until it is let go.
+    live.find("#slider-lambda1").send_keys(Keys.ARROW_RIGHT)
+    live.wait("rigidtop.motion.setup.values.lambda1 > 1.3")
+    assert live.values["lambda2"] == live.values["lambda1"]
+    click(live, "#symmetric")
+    live.find("#slider-lambda2").send_keys(Keys.ARROW_RIGHT)
+    live.wait("!rigidtop.motion.symmetric")
+
+
+def test_a_typed_number_starts_another_motion(live):
+    live.show(HEAVY, "#preset=cusps&t=1&play=0")
+    live.wait("rigidtop.motion.now.t === 1")
+    said = live.find(".verdict").text
+    retype(live, "theta", "60")
+    live.wait("rigidtop.motion.setup.values.theta === Math.PI / 3")
+    assert live.t == 0
+    assert live.find(".verdict").text != said
+    retype(live, "phi_dot", "−1.5e0")
+    live.wait("rigidtop.motion.setup.values.phi_dot === -1.5")
+
+
+def retype(live, name, text):
+    field = live.find(f"#number-{name}")
+    field.send_keys(Keys.CONTROL + "a")
+    field.send_keys(Keys.DELETE + text + Keys.ENTER)
+
+
+BAD = {
+    "abc": "is not a number", "": "is not a number", "1e999": "is not a number",
+    "Infinity": "is not a number", "1,5": "is not a number", "61": "goes from",
+}  # fmt: skip
+
+
+def test_a_bad_number_is_named_at_its_field_and_changes_nothing(live):
+    live.show(HEAVY, "#preset=cusps&t=0.5&play=0")
+    live.wait("rigidtop.motion.now.t === 0.5")
+    before = live.values
+    field, error = live.find("#number-omega3"), live.find("#error-omega3")
+    for text, says in BAD.items():
+        retype(live, "omega3", text)
+        assert field.get_attribute("aria-invalid") == "true", text
+        assert says in error.text, text
+        assert "\n" not in error.text
+        assert live.all(".error:not(:empty)") == [error]
+        live.drawn()
+        assert (live.values, live.t) == (before, 0.5)
+        # Escape takes what was typed back.
+        press(live, Keys.ESCAPE)
+        assert field.get_attribute("value") == "12"
+        assert field.get_attribute("aria-invalid") is None
+    retype(live, "omega3", "abc")
+    retype(live, "omega3", "7")
+    live.wait("rigidtop.motion.setup.values.omega3 === 7")
+    assert field.get_attribute("aria-invalid") is None
+    assert not error.text
+
+
+def test_an_impossible_body_is_refused_and_the_motion_stays(live):
+    live.show(HEAVY, "#preset=cusps&t=0.5&play=0")
+    live.wait("rigidtop.motion.now.t === 0.5")
+    before = live.values
+    retype(live, "lambda3", "9")
+    live.wait("document.querySelector('#error-lambda3').textContent !== ''")
+    text = live.find("#error-lambda3").text
+    assert "about the centre of mass λ₁ − MR² is left" in text
+    assert "The motion shown is the last possible one." in text
+    assert (live.values, live.t) == (before, 0.5)
+    click(live, "#error-lambda3 button")
+    assert float(live.find("#number-lambda3").get_attribute("value")) == before["lambda3"]
+    assert not live.find("#error-lambda3").text
+    assert live.js("document.activeElement.id") == "slider-lambda3"
+
+
+@pytest.mark.parametrize(("index", "letter"), [(0, "Ω₋"), (1, "Ω₊")])
+def test_the_buttons_make_the_precession_steady(live, index, letter):
+    live.show(HEAVY, "#preset=cusps&play=0&theta=40deg")
+    choice = live.all(".steady button")[index]
+    assert letter in choice.text
+    live.driver.execute_script("arguments[0].click()", choice)
+    live.wait("rigidtop.motion.setup.values.phi_dot !== 0")
+    rates = TOP.steady_precession(math.radians(40), 12.0)
+    assert live.values["phi_dot"] == pytest.approx(rates[index], rel=1e-12)
+    live.wait("document.querySelector('#scene').ariaLabel.includes(', steady precession. Now')")
+    found = live.js(
+        "(({ motion }) => Array.from({ length: 51 }, (_, k) =>"
+        " (motion.go(k / 10), motion.now.theta - motion.start.theta)))(rigidtop)"
+    )
+    assert max(map(abs, found)) < 1e-9
+    assert live.t == 5
+
+
+def test_transport(live):
+    live.show(HEAVY, "#preset=waves")
+    live.wait("rigidtop.motion.now.t > 0.3")
+    click(live, button("Pause"))
+    live.drawn()
+    t = live.t
+    live.drawn()
+    assert (live.t, live.js("rigidtop.playing")) == (t, False)
+    click(live, button("One step on"))
+    live.wait("rigidtop.motion.now.t !== arguments[0]", t)
+    step = live.t - t
+    assert 0 < step < 0.2
+    click(live, button("One step back"))
+    live.wait("rigidtop.motion.now.t < arguments[0]", t + step)
+    assert live.t == pytest.approx(t, abs=1e-12)
+    click(live, button("Play backwards"))
+    live.wait("rigidtop.motion.now.t < arguments[0] - 0.05", t)
+    # At the start there is nothing before.
+    live.wait("rigidtop.motion.now.t === 0 && !rigidtop.playing")
+    click(live, button("Play"))
+    live.wait("rigidtop.motion.now.t > 0.1")
+    click(live, button("To the start"))
+    live.wait("rigidtop.motion.now.t < 0.1")
+    click(live, button("Pause"))
+    click(live, button("To the start"))
+    live.wait("rigidtop.motion.now.t === 0")
+    assert live.find(".clock").text.startswith("t = 0.0")
+
+
+SPEED = """
+const done = arguments[0];
+let before = null, rates = [];
+function look(now) {
+  const t = rigidtop.motion.now.t;
+  // What the page spends of a long frame is bounded, so only short ones are compared.
+  if (before && now - before[0] < 45) rates.push((t - before[1]) / (now - before[0]) * 1000);
+  before = [now, t];
+  if (rates.length < 15) requestAnimationFrame(look); else done(rates.sort((a, b) => a - b)[7]);
+}
+requestAnimationFrame(look);
+"""
+
+
+def test_slow_motion_slows(live):
+    live.show(HEAVY, "#preset=waves")
+    usual = live.driver.execute_async_script(SPEED)
+    live.find("#speed").send_keys(Keys.ARROW_LEFT * 3)
+    live.wait("document.querySelector('.speed output').textContent === '×0.1'")
+    slow = live.driver.execute_async_script(SPEED)
+    assert 0.05 < slow / usual < 0.2
+    assert live.find("#speed").get_attribute("aria-valuetext") == "×0.1, 0.1 s each second"
+
+
+def test_the_address_brings_back_what_is_shown(live):
+    live.show(HEAVY, "#preset=loops")
+    live.find("#slider-omega3").send_keys(Keys.ARROW_LEFT * 2)
+    retype(live, "theta", "35.5")
+    click(live, "#looks [value=e1]")
+    click(live, "#looks [value=trail]")
+    click(live, "#looks [value=body]")
+    live.wait("rigidtop.motion.now.t > 0.3")
+    click(live, button("Pause"))
+    live.wait("!rigidtop.playing && location.hash.includes('play=0')")
+    live.drawn()
+    hash, values, t = live.js(
+        "[location.hash, rigidtop.motion.setup.values, rigidtop.motion.now.t]"
+    )
+    for part in ("preset=loops", "theta=35.5deg", "omega3=", "view=body", "layers=e1,e3"):
+        assert part in hash
+    looks = "[...document.querySelectorAll('#looks :checked')].map((x) => x.value)"
+    shown = live.js(looks)
+    live.open(HEAVY, hash)
+    live.wait("rigidtop.motion.now.t > 0")
+    assert live.values == values
+    assert live.t == pytest.approx(t, abs=1e-4)
+    assert live.js(looks) == shown == ["e1", "e3", "body"]
+    assert not live.js("rigidtop.playing")
+    assert not live.find("#notice").is_displayed()
+
+
+HOSTILE = {
+    "theta=abc": "The address says theta=abc, which is not a number; 30° is used.",
+    "theta=NaN": "which is not a number",
+    "omega3=1e999": "which is not a number",
+    "omega3=1e300": "which is out of range",
+    "preset=nope": "which is none of the examples",
+    "preset=%3Cimg src=x onerror=hit=1%3E": "says preset=<img src=x onerror=hit=1>, which is none",
+    "%3Cimg src%3Dx onerror%3Dhit%3D1%3E=1": "names “<img src=x onerror=hit=1>”, which",
+    "__proto__=1&constructor=2": "names “__proto__”, which this page does not know (and 1 more)",
+    "layers=__proto__,e1": "which is none of",
+    "view=toString": "which is none of",
+    "t=1e300": "which is more than",
+    "t=-1": "which is out of range",
+    "%E0%A4%A": "which is not of the form name=value",
+    "lambda3=9": "there is no motion as the address has it",
+}
+
+
+@pytest.mark.parametrize("anew", [True, False])
+def test_a_hostile_address_gives_one_line(live, anew):
+    live.show(HEAVY, STILL)
+    for hash, says in list(HOSTILE.items())[:: 4 if anew else 1]:
+        if anew:
+            live.open(HEAVY, f"{STILL}&{hash}")
+        else:
+            live.show(HEAVY, f"{STILL}&{hash}")
+        line = live.find("#notice span")
+        assert line.is_displayed()
+        assert says.casefold() in line.text.casefold()
+        assert "\n" not in line.text
+        assert live.js("Object.values(rigidtop.motion.setup.values).every(Number.isFinite)"), hash
+        assert live.js("[...rigidtop.motion.now.q].every(Number.isFinite)"), hash
+        assert live.t == 0
+        assert live.js("[({}).hit, window.hit]") == [None, None]
+        assert not live.all("img, #notice span *, .about *")
+        click(live, "#notice button")
+        assert not live.find("#notice").is_displayed()
+
+
+FOCUSED = """
+const at = document.activeElement;
+const marks = [at, at.closest("label")].filter(Boolean).map((x) => getComputedStyle(x));
+const box = (at.closest("label") ?? at).getBoundingClientRect();
+return {
+  place: [...document.querySelectorAll("*")].indexOf(at), body: at === document.body,
+  what: at.outerHTML.slice(0, 200),
+  marked: marks.some((m) => (m.outlineStyle !== "none" && parseFloat(m.outlineWidth) >= 2)
+    || m.boxShadow !== "none"),
+  seen: box.width > 0 && box.right > 0 && box.left < innerWidth
+    && box.bottom > 0 && box.top < innerHeight,
+};
+"""
+
+
+@pytest.mark.parametrize("kind", PRESETS)
+def test_tab_goes_round_and_shows_where_it_is(live, kind):
+    live.open(kind, STILL)
+    seen = []
+    for _ in range(120):
+        press(live, Keys.TAB)
+        focused = live.driver.execute_script(FOCUSED)
+        if focused["body"] or focused["place"] in seen:
+            break
+        assert focused["marked"], focused["what"]
+        assert focused["seen"], focused["what"]
+        assert live.driver.switch_to.active_element.accessible_name.strip(), focused["what"]
+        seen.append(focused["place"])
+    else:
+        raise AssertionError("Tab never comes back")
+    # All that can be used is on the way; of radio buttons the one that is chosen.
+    wanted = live.driver.execute_script(
+        "const all = [...document.querySelectorAll('*')];"
+        "return all.filter((x) => x.matches('a[href], button, select, input, [tabindex=\"0\"]')"
+        " && x.checkVisibility() && !x.disabled && (x.type !== 'radio' || x.checked))"
+        ".map((x) => all.indexOf(x));"
+    )
+    assert set(wanted) <= set(seen)
+    assert len(seen) > 30
+    shift_tab(live)
+    assert live.driver.execute_script(FOCUSED)["place"] == seen[-1]
+
+
+def test_everything_by_the_keyboard_alone(live):
+    live.open(HEAVY, "#preset=waves")
+    tab_to(live, "select")
+    press(live, Keys.ARROW_DOWN)
+    live.wait("document.documentElement.dataset.theme === 'dark'")
+    tab_to(live, button("Pause"))
+    press(live, Keys.SPACE)
+    live.wait("!rigidtop.playing")
+    t = live.t
+    tab_to(live, button("One step on"))
+    press(live, Keys.ENTER)
+    live.wait("rigidtop.motion.now.t > arguments[0]", t)
+    tab_to(live, "#looks [value=e1]")
+    press(live, Keys.SPACE)
+    live.wait("location.hash.includes('layers=e1,e3')")
+    press(live, Keys.SPACE)
+    live.wait("!location.hash.includes('layers')")
+    tab_to(live, "#looks [value=space]")
+    press(live, Keys.ARROW_RIGHT)
+    live.wait("location.hash.includes('view=body')")
+    tab_to(live, "[name=preset][value=waves]")
+    press(live, Keys.ARROW_RIGHT)
+    live.wait("rigidtop.motion.setup.values.phi_dot === 0")
+    assert live.js("document.querySelector('[name=preset]:checked').value") == "cusps"
+    tab_to(live, "#slider-theta")
+    theta = live.values["theta"]
+    press(live, Keys.ARROW_RIGHT)
+    live.wait("rigidtop.motion.setup.values.theta > arguments[0]", theta)
+    for _ in range(120):
+        if live.js("document.activeElement.matches(arguments[0])", button("One step on")):
+            break
+        shift_tab(live)
+    press(live, Keys.ENTER)
+    live.wait("rigidtop.motion.now.t > 0")
+    assert not live.js("rigidtop.playing")
+
+
+def test_keys_of_their_own(live):
+    live.open(HEAVY, STILL)
+    press(live, " ")
+    live.wait("rigidtop.playing && rigidtop.motion.now.t > 0")
+    press(live, "k")
+    live.wait("!rigidtop.playing")
+    t = live.t
+    press(live, ".")
+    live.wait("rigidtop.motion.now.t > arguments[0]", t)
+    press(live, ",")
+    live.wait("Math.abs(rigidtop.motion.now.t - arguments[0]) < 1e-12", t)
+    press(live, "r")
+    live.wait("rigidtop.motion.now.t === 0")
+    press(live, "3")
+    live.wait("document.querySelector('[value=waves]').checked")
+    press(live, "f")
+    live.wait("document.querySelector('#looks [value=body]').checked")
+    press(live, "?")
+    live.wait("document.getElementById('keys').open")
+    assert live.find("#keys").is_displayed()
+    assert "play, pause" in live.find("#keys").text
+    press(live, Keys.ESCAPE)
+    live.wait("!document.getElementById('keys').open")
+    tab_to(live, '[aria-label="Keys"]')
+    press(live, Keys.ENTER)
+    live.wait("document.getElementById('keys').open")
+    press(live, Keys.ENTER)
+    live.wait("!document.getElementById('keys').open")
+    # The scene has the arrows for itself; a field that is typed in has all keys.
+    tab_to(live, "#scene")
+    live.drawn()
+    before = picture(live)
+    press(live, Keys.ARROW_RIGHT * 3)
+    live.wait(lambda: picture(live) != before)
+    press(live, "0")
+    live.wait(lambda: picture(live) == before)
+    live.find("#number-theta").send_keys("3", "k", "r", "?")
+    live.drawn()
+    assert not live.js("rigidtop.playing || document.getElementById('keys').open")
+    assert live.js("document.querySelector('[value=waves]').checked")
+
+
+@pytest.mark.parametrize(
+    ("kind", "hash"),
+    [(HEAVY, "preset=loops&t=0.7"), (HEAVY, "preset=loops&lambda2=1.5&t=0.7"),
+     (FREE, "preset=flip&t=3.7")],
+)  # fmt: skip
+def test_a_term_is_named_with_its_value(live, kind, hash):
+    live.show(kind, f"{STILL}&{hash}")
+    live.wait("rigidtop.motion.now.t > 0.5")
+    live.frames(0)
+    numbers = quantities(live)
+    figures = [each for each in live.all(".equation") if each.is_displayed()]
+    assert len(figures) == 3
+    for figure in figures:
+        found = figure.find_element("css selector", ".equation-naming")
+        of = found.find_element("css selector", ".equation-amount")
+        each = terms_of(of.get_attribute("id").removeprefix("amount-"))
+        drawn = figure.find_elements("css selector", "[data-term]")
+        assert {int(x.get_attribute("data-term")) for x in drawn} == {*range(len(each.terms))}
+        assert not found.text
+        for target in drawn:
+            number = int(target.get_attribute("data-term"))
+            term, expected = each.terms[number], value_of(each.values[number], numbers)
+            ActionChains(live.driver, duration=0).move_to_element(target).perform()
+            assert_named(found, of, term, expected)
+        ActionChains(live.driver, duration=0).move_to_element(live.find("h1")).perform()
+        assert not found.text
+        # By the keyboard: the first by Tab, the others by the arrows.
+        live.driver.execute_script("arguments[0].focus()", drawn[0])
+        for target in drawn:
+            number = int(target.get_attribute("data-term"))
+            term, expected = each.terms[number], value_of(each.values[number], numbers)
+            assert live.driver.switch_to.active_element == target
+            assert_named(found, of, term, expected)
+            assert term.name in target.accessible_name
+            described = target.get_attribute("aria-describedby")
+            assert described == of.get_attribute("id")
+            press(live, Keys.ARROW_RIGHT)
+        assert live.driver.switch_to.active_element == drawn[0]
+
+
+def quantities(live):
+    """The state of the page by SymPy's names."""
+    return live.driver.execute_async_script(
+        "const done = arguments[0]; import('rigidtop/motion.js')"
+        ".then(({ quantities }) => done(quantities(rigidtop.motion.now, rigidtop.motion)));"
+    )
+
+
+def terms_of(function):
+    groups = (terms.heavy(), terms.general(), terms.free())
+    return next(each for group in groups for each in group if each.function == function)
+
+
+def value_of(expression, numbers):
+    expression = sympy.sympify(expression)
+    return float(expression.subs({x: numbers[x.name] for x in expression.free_symbols}))
+
+
+def assert_named(line, amount, term, expected):
+    """ "MgR sin θ = 1.240 N m" and the term's name stand in the line."""
+    plain = str.maketrans({"_": None, "\N{NARROW NO-BREAK SPACE}": " "})
+    says, equals, rest = amount.get_attribute("textContent").translate(plain).rpartition(" = ")
+    assert (says, equals) == (term.text.translate(plain), " = ")
+    number, unit = rest.split(" ", 1)
+    assert unit == term.unit
+    mantissa, _, power = number.replace("−", "-").partition("·10")
+    exponent = power.translate(str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-"))
+    assert float(mantissa) * 10.0 ** int(exponent or 0) == pytest.approx(expected, rel=1e-3)
+    assert term.name.translate(plain) in line.get_attribute("textContent")
+
+
+@pytest.fixture
+def phone(live):
+    live.cdp("Emulation.setDeviceMetricsOverride", width=390, height=844, deviceScaleFactor=2,
+             mobile=True)  # fmt: skip
+    live.cdp("Emulation.setTouchEmulationEnabled", enabled=True)
+    yield live
+    live.cdp("Emulation.setTouchEmulationEnabled", enabled=False)
+    live.cdp("Emulation.clearDeviceMetricsOverride")
+
+
+@pytest.mark.parametrize("kind", PRESETS)
+def test_a_narrow_screen(phone, kind):
+    phone.open(kind, STILL)
+    wide = "[...document.querySelectorAll('body *')].filter((x) => x.checkVisibility()"
+    assert phone.js("[innerWidth, document.documentElement.scrollWidth]") == [390, 390]
+    assert not phone.js(f"{wide} && x.tagName === 'SECTION' && x.scrollWidth > 391)")
+    for selector in ("#scene canvas", "#transport", ".clock", button("Play")):
+        box = phone.find(selector).rect
+        assert box["width"] > 30
+        assert box["y"] >= 0
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= 390
+        assert box["y"] + box["height"] <= 844
+    # A finger needs room.
+    for each in phone.all("#transport button"):
+        assert min(each.size.values()) >= 40
+
+
+def test_a_finger_turns_the_view(phone):
+    phone.open(HEAVY, STILL)
+    settled(phone)
+    before = picture(phone)
+    box = phone.find("#scene canvas").rect
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+    def touch(kind, *points):
+        where = [{"x": x + dx, "y": y + dy} for dx, dy in points]
+        phone.cdp("Input.dispatchTouchEvent", type=kind, touchPoints=where)
+
+    touch("touchStart", (0, 0))
+    for way in range(10, 90, 10):
+        touch("touchMove", (way, way / 3))
+    touch("touchEnd")
+    phone.wait(lambda: picture(phone) != before)
+    assert phone.js("[scrollX, scrollY]") == [0, 0]
+
+
+def test_a_mouse_turns_the_view(live):
+    live.show(HEAVY, STILL)
+    settled(live)
+    before = picture(live)
+    chain = ActionChains(live.driver, duration=0)
+    chain.click_and_hold(live.find("#scene canvas")).move_by_offset(60, 20).release().perform()
+    live.wait(lambda: picture(live) != before)
+
+
+def settled(live):
+    """Nothing moves any more: what is to come is drawn."""
+    last = []
+
+    def still():
+        last.append(picture(live))
+        return len(last) > 3 and last[-1] == last[-2] == last[-3]
+
+    live.wait(still)
+
+
+LOOKING = """
+window.seen = [];
+window.hidings = 0;
+document.addEventListener("visibilitychange", () => (hidings += document.hidden ? 1 : 0));
+(function look(now) {
+  seen.push([now, rigidtop.motion.now.t]);
+  requestAnimationFrame(look);
+})(performance.now());
+"""
+
+
+def test_a_hidden_page_stands_still_and_does_not_jump(live):
+    live.show(HEAVY, "#preset=waves")
+    live.wait("rigidtop.motion.now.t > 0")
+    live.driver.execute_script(LOOKING)
+    live.wait("seen.length > 5")
+    live.driver.minimize_window()
+    try:
+        live.wait("hidings === 1 && document.hidden")
+        hidden, frames = live.js("[performance.now(), rigidtop.frames]")
+        live.wait("performance.now() > arguments[0] + 1500", hidden)
+        assert live.js("rigidtop.frames") <= frames + 1
+    finally:
+        live.driver.set_window_size(1280, 800)
+    live.wait("!document.hidden")
+    live.frames(5)
+    seen = np.array(live.js("seen"))
+    gaps, steps = np.diff(seen, axis=0).T
+    assert gaps.max() > 1400
+    # At most a twentieth of a second for each frame, and after a gap none.
+    assert steps.max() <= 0.05 + 1e-9
+    assert steps[gaps.argmax()] <= 0.02
+    assert live.js("rigidtop.playing")
+
+
+@pytest.fixture
+def wishes(live):
+    """Sets what the reader's system asks for."""
+
+    def media(**features):
+        wanted = [{"name": name.replace("_", "-"), "value": v} for name, v in features.items()]
+        live.cdp("Emulation.setEmulatedMedia", features=wanted)
+
+    yield media
+    media()
+
+
+def test_a_reader_who_wants_no_motion_gets_none(live, wishes):
+    wishes(prefers_reduced_motion="reduce")
+    live.open(HEAVY, "#preset=waves")
+    live.drawn()
+    assert (live.js("rigidtop.playing"), live.t) == (False, 0)
+    click(live, button("Play"))
+    live.wait("rigidtop.motion.now.t > 0")
+    # An address that says so plays.
+    live.open(HEAVY, "#preset=waves&play=1")
+    live.wait("rigidtop.motion.now.t > 0")
+
+
+@pytest.mark.parametrize(
+    ("wish", "theme"),
+    [({"prefers_contrast": "more"}, "contrast"), ({"prefers_color_scheme": "dark"}, "dark"),
+     ({}, "light")],
+)  # fmt: skip
+def test_the_theme_is_the_one_that_the_system_asks_for(live, wishes, wish, theme):
+    wishes(**wish)
+    live.open(HEAVY, STILL)
+    assert live.js("document.documentElement.dataset.theme") == theme
+    assert live.js("document.querySelector('select').value") == theme
+    paper = {"light": (253, 253, 251), "dark": (21, 24, 27), "contrast": (0, 0, 0)}[theme]
+    assert picture(live).getpixel((3, 3)) == paper
+
+
+TEXTS = """
+const opaque = (colour) => !/, 0\\)$/.test(colour);
+return [...document.querySelectorAll("body *")].filter((x) =>
+  x.checkVisibility({ visibilityProperty: true, opacityProperty: true })
+  && [...x.childNodes].some((n) => n.nodeType === 3 && n.data.trim()) && !x.closest(":disabled")
+  && !x.closest(".unseen")
+).map((x) => {
+  let ground = x, opacity = 1;
+  for (let y = x; y; y = y.parentElement) opacity *= getComputedStyle(y).opacity;
+  while (ground && !opaque(getComputedStyle(ground).backgroundColor)) ground = ground.parentElement;
+  const paper = getComputedStyle(ground ?? document.documentElement).backgroundColor;
+  return [getComputedStyle(x).color, paper, opacity, x.outerHTML.slice(0, 150)];
+});
+"""
+
+
+def channels(colour):
+    assert colour.startswith("rgb("), colour
+    return np.array([float(x) for x in colour[4:-1].split(",")]) / 255
+
+
+def luminance(colour):
+    linear = np.where(colour <= 0.04045, colour / 12.92, ((colour + 0.055) / 1.055) ** 2.4)
+    return linear @ (0.2126, 0.7152, 0.0722)
+
+
+@pytest.mark.parametrize(("theme", "least"), [("light", 4.5), ("dark", 4.5), ("contrast", 7)])
+def test_text_stands_out_from_its_ground(live, theme, least):
+    live.show(HEAVY, f"{STILL}&theme={theme}&preset=nope")
+    retype(live, "omega3", "abc")
+    found = live.driver.execute_script(TEXTS)
+    assert len(found) > 60
+    for ink, paper, opacity, what in found:
+        ground = channels(paper)
+        seen = opacity * channels(ink) + (1 - opacity) * ground
+        darker, lighter = sorted([luminance(seen), luminance(ground)])
+        assert (lighter + 0.05) / (darker + 0.05) >= least, what
+
+
+def test_without_webgl_the_page_says_so_and_goes_on(live):
+    source = (
+        "const usual = HTMLCanvasElement.prototype.getContext;"
+        "HTMLCanvasElement.prototype.getContext = function (kind, ...more) {"
+        " return /webgl/.test(kind) ? null : usual.call(this, kind, ...more); };"
+    )
+    script = live.cdp("Page.addScriptToEvaluateOnNewDocument", source=source)
+    try:
+        live.open(HEAVY, "#preset=waves")
+    finally:
+        live.cdp("Page.removeScriptToEvaluateOnNewDocument", **script)
+    said = live.find("#scene").text
+    assert said.startswith("The picture needs WebGL")
+    assert "\n" not in said
+    assert not live.all("#scene canvas")
+    live.wait("rigidtop.motion.now.t > 0.2")
+    assert "held" in live.find("[role=meter]").text
+    live.find("#slider-theta").send_keys(Keys.ARROW_RIGHT)
+    live.wait("rigidtop.motion.setup.values.theta !== Math.PI / 6")
+    for key in ("f", "+", "0", "2", " "):
+        live.find("#scene").send_keys(key)
+    live.wait("!rigidtop.playing && document.querySelector('[value=fast]').checked")
+    click(live, "#looks [value=cones]")
+    live.drawn()
+
+
+def test_a_notebook_plays_the_same_page(live):
+    own = page_of(rt.FreeBody(1.0, 1.7, 2.3).motion(omega=(0.02, 4.0, 0.02)))
+    shown = page(HEAVY)
+    frames = own._repr_html_() + shown._repr_html_()
+    live.write("notebook", f'<!doctype html><meta charset="utf-8"><title>Notebook</title>{frames}')
+    live.open("notebook", ready="")
+    for number, verdict in enumerate(("Own motion", "Slow steady precession")):
+        live.driver.switch_to.default_content()
+        live.driver.switch_to.frame(number)
+        live.wait("window.rigidtop && rigidtop.motion.now.t > 0.1")
+        assert live.js("document.querySelector('[name=preset]:checked').parentElement.innerText"
+                       ).endswith(verdict)  # fmt: skip
+        assert live.find("#scene canvas").is_displayed()
+        live.find("#slider-omega3").send_keys(Keys.ARROW_RIGHT)
+        live.wait("document.querySelector('.about').textContent.startsWith('Changed')")
+        click(live, button("Pause"))
+        live.wait("!rigidtop.playing")
+
+
+@pytest.mark.parametrize("kind", PRESETS)
+def test_a_screen_reader_finds_its_way(live, kind):
+    live.open(kind, STILL)
+    headings = [
+        (int(node["properties"][0]["value"]["value"]), node["name"]["value"])
+        for node in accessible(live, "heading")
+    ]
+    levels = [level for level, _ in headings]
+    assert levels[0] == 1
+    assert set(levels[1:]) == {2}
+    assert all(name for _, name in headings)
+    label = live.wait("document.querySelector('#scene[role=img]').ariaLabel")
+    regime = "A heavy top, steady precession" if kind == HEAVY else "A free body"
+    assert label.startswith(regime)
+    assert "Now θ = " in label
+    spoken = live.find("#verdict [aria-live=polite]")
+    said = live.find(".verdict").text
+    live.wait(lambda: spoken.get_attribute("textContent") == said)
+    for parameter in page_data(kind)["parameters"]:
+        name = parameter["name"]
+        slider, field = live.find(f"#slider-{name}"), live.find(f"#number-{name}")
+        unit = "°" if parameter["angle"] else parameter["unit"]
+        assert parameter["meaning"] in slider.accessible_name
+        assert slider.get_attribute("aria-valuetext").endswith(unit)
+        assert parameter["meaning"] in field.accessible_name
+        assert unit in live.js("arguments[0].ariaDescribedByElements.map((x) => x.innerText).join()"
+                               , field)  # fmt: skip
+    for role in ("button", "slider", "textbox", "checkbox", "radio", "combobox", "meter", "image"):
+        nodes = accessible(live, role)
+        assert nodes, role
+        assert all(node["name"]["value"].strip() for node in nodes), role
+
+
+def accessible(live, role):
+    """What a screen reader is given of that role."""
+    nodes = live.cdp("Accessibility.getFullAXTree")["nodes"]
+    return [n for n in nodes if not n["ignored"] and n["role"]["value"] == role]
