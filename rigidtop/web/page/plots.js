@@ -1,7 +1,7 @@
 /** The angles of the figure axis against time, and the effective potential. */
 
-import { createPaper, decimal, drawAlongAxis, drawUpAxis, line, nice, scale, significant, withUnit,
-  write } from "./axes.js";
+import { atMostEvery, createPaper, decimal, drawAlongAxis, drawUpAxis, line, nice, scale,
+  significant, withUnit, write } from "./axes.js";
 import { factsOf, potentialOf } from "./facts.js";
 
 /** @typedef {import("./types").Colours} Colours */
@@ -17,6 +17,9 @@ const DEGREE = 180 / Math.PI;
 
 /** The part of the window of time that fills before it scrolls. */
 const FILLED = 0.9;
+
+/** Plots are drawn at most this often, in milliseconds: half as often as the scene is enough. */
+const EVERY = 28;
 
 /** So many samples of the first window say how large the angles will be. */
 const LOOKS_AHEAD = 60;
@@ -47,6 +50,7 @@ export function createTimePlots(container, colours) {
   let phis = { low: 0, high: 1 };
   container.classList.add("time-plots");
   const paper = createPaper(container, redraw);
+  const drawSoon = atMostEvery(EVERY, redraw);
 
   function redraw() {
     const sheet = motion && last && paper.clear();
@@ -110,7 +114,7 @@ export function createTimePlots(container, colours) {
      */
     draw(sample, trail) {
       last = { sample, trail };
-      redraw();
+      drawSoon();
     },
     /**
      * Another theme.
@@ -335,6 +339,7 @@ export function createPotentialPlot(container, colours) {
   let last = null;
   container.classList.add("potential-plot");
   const paper = createPaper(container, redraw);
+  const drawSoon = atMostEvery(EVERY, redraw);
 
   function redraw() {
     const sheet = landscape && last && paper.clear();
@@ -369,7 +374,7 @@ export function createPotentialPlot(container, colours) {
      */
     draw(sample) {
       last = sample;
-      redraw();
+      drawSoon();
     },
     /**
      * Another theme.
