@@ -73,15 +73,20 @@ export function createLabels(/** @type {HTMLElement} */ container) {
         const [x, y] = [dx / length, dy / length];
         // Beside its tip, on the side to which the arrow leans: there is most room for it, and
         // arrows that lie on one another keep their letters apart.
-        const lean = label.faint ? 0 : Math.max(-1, Math.min(1, (dx / em + 1.2) / 0.6));
+        const lean = label.faint ? 0 : Math.max(-1, Math.min(1, (dx / em + 0.5) / 0.3));
         const up = Math.max(-1, Math.min(1, -dy / em));
         const beyond = em * (label.faint ? 0.65 : 0.45 + 0.4 * Math.abs(x));
         const aside = em * ASIDE * lean;
-        label.x = originX + dx + beyond * x + aside * Math.abs(y);
-        label.y = originY + dy + beyond * y + aside * up * x;
+        label.x = within(originX + dx + beyond * x + aside * Math.abs(y), width);
+        label.y = within(originY + dy + beyond * y + aside * up * x, height);
       }
       separate(all, APART * em);
       for (const label of all) show(label);
+
+      /** A letter stays in the picture, even where its arrow leaves it. */
+      function within(/** @type {number} */ place, /** @type {number} */ size) {
+        return Math.max(0.55 * em, Math.min(size - 0.55 * em, place));
+      }
     },
 
     dispose() {

@@ -19,7 +19,7 @@ import { createTrail } from "./trail.js";
 
 /** Half of the angle of sight along the shorter side of the picture. */
 const SIGHT = (13.5 * Math.PI) / 180;
-/** In space z and L need room at the top: the origin is lower by this part of the height. */
+/** What stands on the origin needs room above: the origin is lower by this part of the height. */
 const LOWER = 0.045;
 /** Where the camera is at first: distance, azimuth from x, elevation. */
 const HOME = { distance: 5.2, azimuth: 0.6, elevation: 0.36 };
@@ -206,7 +206,8 @@ export function createScene(container, colours) {
     camera.aspect = width / height;
     const tangent = Math.tan(SIGHT) / Math.min(1, camera.aspect);
     camera.fov = (2 * Math.atan(tangent) * 180) / Math.PI;
-    const lower = view === "space" ? LOWER * height : 0;
+    const stands = view === "space" || motion?.setup.kind === "heavy-top";
+    const lower = stands ? LOWER * height : 0;
     camera.setViewOffset(width, height, 0, -lower, width, height);
   }
 
@@ -255,6 +256,7 @@ export function createScene(container, colours) {
     cones.setMotion(next);
     if (next.setup.kind === "free") poinsot.setMotion(next);
     setScales(next);
+    aim();
     arrange();
   }
 
