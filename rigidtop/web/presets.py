@@ -46,8 +46,8 @@ def heavy_presets() -> tuple[Preset, ...]:
         _top(
             "fast",
             "Fast steady precession",
-            "φ̇₀ is the fast root Ω₊ of (3.57). Gravity matters little here: it is nearly the free "
-            "precession of a symmetric body.",
+            "φ̇₀ is the fast root Ω₊ of (3.57), which for fast spin tends to λ₃ω₃/(λ₁ cos θ): the "
+            "free precession, in which gravity plays no part.",
             ("e3", "omega", "L", "trail"),
             speed=0.5,
             theta=TILT, phi_dot=fast, omega3=SPIN,
@@ -153,8 +153,8 @@ def _toutatis() -> Preset:
     about = (
         "From its state of 9 November 1992 (Takahashi, Busch & Scheeres 2013): ω circles about "
         f"the long axis e₃ in {2 * motion.nutation_period:.1f} days, while that axis turns about L "
-        f"in {2 * pi / abs(motion.mean_precession):.1f} days. Each second shows a day; moments are "
-        "in units of the smallest."
+        f"in {2 * pi / abs(motion.mean_precession):.1f} days. At ×1 each second shows a day; moments "
+        "are in units of the smallest."
     )
     setup = free((moments[0], moments[1], moments[2]), (rates[0], rates[1], rates[2]), "d")
     layers = ("e3", "omega", "L", "trail")

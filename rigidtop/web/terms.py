@@ -119,7 +119,7 @@ def heavy() -> tuple[TermsOf, ...]:
                 "moment λ₁ times how fast θ̇ changes",
                 "centrifugal term of the precession: it drives the axis towards the horizontal",
                 "gyroscopic term: the precession turns the angular momentum of the spin",
-                "torque of gravity: it tips the top over",
+                "torque of gravity: it pulls the centre of mass down",
             ),
             "N m",
             MEANING,

@@ -64,12 +64,15 @@ export function limits(parameter, preset) {
 const rounded = (value, digits) => String(Number(value.toPrecision(digits))).replace("-", "−");
 
 /**
+ * The unit of a value; by the day moments are ratios.
+ *
  * @param {Parameter} parameter
  * @param {Clock} clock
  */
 function unitOf(parameter, clock) {
   if (parameter.angle) return "°";
-  return clock === "d" ? parameter.unit.replace("/s", "/d") : parameter.unit;
+  if (clock === "s") return parameter.unit;
+  return parameter.unit.replace("kg m²", "").replace("/s", "/d");
 }
 
 /**

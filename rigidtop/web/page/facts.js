@@ -22,8 +22,6 @@ const BISECTIONS = 100;
 /** What sleeping and waking are about (rad). */
 const NEARLY_UPRIGHT = 0.1;
 
-/** Of cos θ: a turning point that close to the vertical is the vertical. */
-const NEAR_POLE = 1e-9;
 
 /**
  * All that is known of a motion at its start.
@@ -35,9 +33,11 @@ export function factsOf(motion) {
   const none = { turningPoints: null, smallestSpin: null, sleepingSpin: null, steady: null };
   if (motion.setup.kind === "free") return { ...none, ...freeFacts(motion) };
   if (!motion.symmetric) {
-    const verdict =
-      "Without symmetry about e₃ the spin ω₃ is not constant and θ has no effective potential: " +
-      "only the energy and p_φ are conserved.";
+    const free = motion.weight[0] === 0 && motion.weight[1] === 0 && motion.weight[2] === 0;
+    const verdict = free
+      ? `Without a torque L is conserved, and the energy. ${freeFacts(motion).verdict}`
+      : "Without symmetry about e₃ the spin ω₃ changes and θ has no effective potential: in " +
+        "general only the energy and p_φ are conserved.";
     return { ...none, regime: "no symmetry", verdict };
   }
   const { regime, turningPoints } = regimeOf(motion);
@@ -61,23 +61,23 @@ function regimeOf(motion) {
   const { M, R, g, lambda1, lambda3, p_phi, p_psi } = quantities(start, motion);
   const u = start.e3[2];
   const sine = Math.hypot(start.e3[0], start.e3[1]);
-  const atRest = sine === 0 && start.theta_dot === 0;
+  const resting = start.theta_dot === 0;
   const cubic = nutationCubic({ E: start.energy, M, R, g, lambda1, lambda3, p_phi, p_psi });
-  const [low, high] = atRest ? [u, u] : cosines(cubic, u, sine, start.theta_dot);
+  // φ̇ sin²θ = a + bu
+  const [b, a] = precessionNumerator({ lambda1, p_phi, p_psi });
+  const scale = Math.abs(a) + Math.abs(b) + Math.sqrt(Math.max(...cubic.map(Math.abs)));
+  // Where the momenta about ẑ and e₃ agree, or are opposite, the vertical is a root of the cubic.
+  const poles = [1, -1].filter((pole) => Math.abs(a + b * pole) <= ROUNDING * scale);
+  const [low, high] =
+    sine === 0 && resting ? [u, u] : cosines(cubic, poles, u, sine, resting);
   const turningPoints = /** @type {[number, number]} */ ([Math.acos(high), Math.acos(low)]);
   const found = (/** @type {string} */ regime) => ({ regime, turningPoints });
   if (weight[2] === 0) return found("free precession");
-  if (atRest) return found(weight[2] * u > 0 ? "sleeping" : "hanging");
+  if (sine === 0 && resting) return found(weight[2] * u > 0 ? "sleeping" : "hanging");
   if (high - low < ROUNDING * sine * sine) return found("steady precession");
-  // φ̇ sin²θ = a + bu
-  const [b, a] = precessionNumerator({ lambda1, p_phi, p_psi });
-  const scale = Math.abs(a) + Math.abs(b);
-  if (scale <= ROUNDING * Math.sqrt(Math.abs(cubic[0]))) return found("plane pendulum");
-  // The axis can reach the vertical only where the momenta about ẑ and e₃ agree, or are opposite.
-  const reached = Math.abs(a + b) < Math.abs(a - b) ? 1 - high : low + 1;
-  if (Math.min(Math.abs(a + b), Math.abs(a - b)) <= ROUNDING * scale && reached < NEAR_POLE) {
-    return found("through the vertical");
-  }
+  if (Math.abs(a) + Math.abs(b) <= ROUNDING * scale) return found("plane pendulum");
+  if (high === 1 || low === -1) return found("through the vertical");
+  if (resting && start.phi_dot === 0) return found("cusps");
   const [first, second] = [a + b * high, a + b * low];
   const size = Math.abs(first) + Math.abs(second) + Math.abs(b) * (high - low);
   if (Math.min(Math.abs(first), Math.abs(second)) <= ROUNDING * size) return found("cusps");
@@ -87,25 +87,43 @@ function regimeOf(motion) {
 /**
  * The smallest and the largest u = cos θ, between which the cubic is positive.
  *
+ * Known roots are divided out, for what rounding leaves of them must not be taken for a sign: the
+ * poles that are roots, and u itself if θ rests there.
+ *
  * @param {readonly number[]} cubic
+ * @param {readonly number[]} poles
  * @param {number} u at the start
  * @param {number} sine
- * @param {number} thetaDot
+ * @param {boolean} resting
  * @returns {[number, number]}
  */
-function cosines([c3, c2, c1, c0], u, sine, thetaDot) {
-  const f = (/** @type {number} */ x) => ((c3 * x + c2) * x + c1) * x + c0;
-  if (thetaDot !== 0) return [boundary(f, u, -1), boundary(f, u, 1)];
-  // At rest in θ, u is a root itself; what is left is the quadratic c₃x² + px + q.
-  const p = c2 + u * c3;
-  const q = c1 + u * p;
-  const slope = (c3 * u + p) * u + q; // f′(u)
-  const size = Math.abs(c3) + Math.abs(p) + Math.abs(q);
-  if (Math.abs(slope) <= ROUNDING * size * sine * sine) return [u, u];
+function cosines(cubic, poles, u, sine, resting) {
+  let rest = cubic;
+  for (const pole of poles) {
+    // (1 − u) and (1 + u) are positive between the poles.
+    rest = without(rest, pole).map((c) => -pole * c);
+  }
+  const f = (/** @type {number} */ x) => rest.reduce((sum, c) => sum * x + c, 0);
+  if (!resting) return [boundary(f, u, -1), boundary(f, u, 1)];
+  const quotient = without(rest, u);
+  const q = (/** @type {number} */ x) => quotient.reduce((sum, c) => sum * x + c, 0);
+  const slope = q(u);
+  const size = quotient.reduce((sum, c) => sum + Math.abs(c), 0);
+  if (Math.abs(slope) <= ROUNDING * size * (poles.length > 0 ? 1 : sine * sine)) return [u, u];
   const up = Math.sign(slope);
-  // From u to the pole the quotient changes its sign once.
-  const other = boundary((x) => up * ((c3 * x + p) * x + q), u, up);
+  const other = boundary((x) => up * q(x), u, up);
   return up > 0 ? [u, other] : [other, u];
+}
+
+/**
+ * A polynomial, largest power first, divided by x − root, of which it has a factor.
+ *
+ * @param {readonly number[]} polynomial
+ * @param {number} root
+ */
+function without(polynomial, root) {
+  let carried = 0;
+  return polynomial.slice(0, -1).map((c) => (carried = carried * root + c));
 }
 
 /** Where f, positive at `from`, becomes negative on the way to `end`; `end` if it does not. */
@@ -145,50 +163,57 @@ function steadyFacts(motion) {
   const { theta } = motion.start;
   const nothing = { smallestSpin: null, sleepingSpin: null, steady: null };
   const spin = `ω₃ = ${number(omega3)} rad/s`;
-  if (!(M * g * R > 0)) {
-    return {
-      ...nothing,
-      verdict: "Without a torque e₃ turns steadily about L, whatever ω₃ is: free precession.",
-    };
+  if (M * g * R === 0) {
+    const across = Math.hypot(motion.start.omega[0], motion.start.omega[1]);
+    const e3 = across > 0 ? "e₃ turns steadily about L" : "e₃ stays where it is";
+    return { ...nothing, verdict: `Without a torque ${e3}, whatever ω₃ is.` };
   }
+  // Turned upside down, a body whose centre of mass is on the other side of the pivot is the same.
+  const cosine = Math.sign(R) * Math.cos(theta);
   const needed = (/** @type {number} */ angle) =>
-    smallestSpin({ M, R, g, lambda1, lambda3, theta: angle });
+    smallestSpin({ M, R: Math.abs(R), g, lambda1, lambda3, theta: angle });
   const sleepingSpin = needed(0);
+  const known = { ...nothing, sleepingSpin };
+  if (Math.sin(theta) === 0 || theta === Math.PI) {
+    if (cosine < 0) {
+      return { ...known, verdict: "Hanging straight down, it is stable with any spin." };
+    }
+    const stable = Math.abs(omega3) >= sleepingSpin;
+    const verdict =
+      `With the centre of mass straight above the pivot it is stable from |ω₃| ≥ ` +
+      `${number(sleepingSpin)} rad/s on: with ${spin} it ` +
+      (stable ? "sleeps." : "falls at the slightest push.");
+    return { ...known, smallestSpin: sleepingSpin, verdict };
+  }
   const tilt = `θ₀ = ${number((theta * 180) / Math.PI)}°`;
   const steady = ratesOf(motion);
   const rates = steady
     ? `Ω₋ = ${number(steady[0])} rad/s and Ω₊ = ${number(steady[1])} rad/s`
     : "";
-  if (theta === 0) {
-    const stable = Math.abs(omega3) >= sleepingSpin;
-    const verdict =
-      `Upright, the top is stable from |ω₃| ≥ ${number(sleepingSpin)} rad/s on: with ${spin} it ` +
-      (stable ? "sleeps." : "falls at the slightest push.");
-    return { smallestSpin: sleepingSpin, sleepingSpin, steady, verdict };
-  }
-  if (Math.abs(Math.cos(theta)) < 1e-12) {
+  if (Math.abs(cosine) < 1e-12) {
     const verdict =
       omega3 === 0
         ? `At ${tilt} steady precession needs a spin: |ω₃| > 0.`
         : `At ${tilt} steady precession needs |ω₃| > 0 and has one rate, ` +
           `MgR/(λ₃ω₃) = ${number((M * g * R) / (lambda3 * omega3))} rad/s.`;
-    return { smallestSpin: 0, sleepingSpin, steady: null, verdict };
+    return { ...known, smallestSpin: 0, verdict };
   }
-  if (Math.cos(theta) < 0) {
+  if (cosine < 0) {
     const verdict =
-      `Below the horizontal, at ${tilt}, every spin has a steady precession: ${rates}.`;
-    return { smallestSpin: 0, sleepingSpin, steady, verdict };
+      `With the centre of mass below the pivot, as at ${tilt}, every spin has a steady ` +
+      `precession: ${rates}.`;
+    return { ...known, smallestSpin: 0, steady, verdict };
   }
-  const least = needed(theta);
+  const least = needed(Math.acos(cosine));
   const upright =
-    theta < NEARLY_UPRIGHT
+    Math.acos(cosine) < NEARLY_UPRIGHT
       ? ` Upright, it is stable from |ω₃| ≥ ${number(sleepingSpin)} rad/s on.`
       : "";
   const verdict =
     `Steady precession at ${tilt} needs |ω₃| ≥ ${number(least)} rad/s: ` +
     (steady ? `with ${spin} there are ${rates}.` : `with ${spin} there is none.`) +
     upright;
-  return { smallestSpin: least, sleepingSpin, steady, verdict };
+  return { ...known, smallestSpin: least, steady, verdict };
 }
 
 /** @param {Motion} motion */
@@ -211,15 +236,19 @@ function freeFacts(motion) {
     const why = stable ? "" : ", unstably: it is the axis of the intermediate moment";
     return { regime: "steady", verdict: `ω stays along the principal axis ${axis(k)}${why}.` };
   }
+  if (parallel(omega, L)) {
+    const verdict = "ω stays where it is: two moments or more are equal, and every axis across is " +
+      "a principal axis.";
+    return { regime: "steady", verdict };
+  }
   const [lambda1, lambda2, lambda3] = moments;
   if (motion.symmetric) {
-    if (lambda1 === lambda3) {
-      return { regime: "steady", verdict: "All moments are equal: ω stays where it is." };
-    }
     const body = bodyConeRate({ lambda1, lambda3, omega3: omega[2] });
+    const way = body > 0 ? "clockwise" : "anticlockwise";
     const verdict =
-      `Two moments are equal: ω turns about e₃ in the body at Ω_b = ${number(body)} ${per}, and ` +
-      `e₃ about L in space at Ω_s = L/λ₁ = ${number(length / lambda1)} ${per}.`;
+      `Two moments are equal: seen from the tip of e₃, ω turns ${way} about it in the body, with ` +
+      `Ω_b = ${number(body)} ${per}; in space e₃ turns about L at Ω_s = L/λ₁ = ` +
+      `${number(length / lambda1)} ${per}.`;
     return { regime: "regular precession", verdict };
   }
   // L² − 2Tλ of the middle moment, over its largest value: the polhode goes round the other axes.
@@ -247,6 +276,15 @@ function freeFacts(motion) {
       `ω goes round ${axis(k)}, the axis of the ${which} moment: ` +
       `L² ${excess > 0 ? ">" : "<"} 2Tλ${"₁₂₃"[middle]}.`,
   };
+}
+
+/** Whether two vectors are parallel, to rounding. */
+function parallel(/** @type {readonly number[]} */ a, /** @type {readonly number[]} */ b) {
+  const product = [0, 1, 2].map((k) => {
+    const [i, j] = [(k + 1) % 3, (k + 2) % 3];
+    return a[i] * b[j] - a[j] * b[i];
+  });
+  return Math.hypot(...product) <= ROUNDING * Math.hypot(...a) * Math.hypot(...b);
 }
 
 /** Four digits, with a minus sign. */

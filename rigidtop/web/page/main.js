@@ -105,7 +105,7 @@ const address = createAddressBar(() =>
   writeAddress({ ...state, t: motion.now.t, play: playing }, data),
 );
 const transport = createTransport(find("transport"), {
-  toStart: () => setGoal(0),
+  toStart,
   toggle,
   step: (way) => {
     pause();
@@ -118,7 +118,10 @@ const transport = createTransport(find("transport"), {
   },
 });
 const examples = createPresets(find("presets"), presets, choosePreset);
-const verdict = createVerdict(find("verdict"), (rate) => sliders.set("phi_dot", rate));
+const verdict = createVerdict(find("verdict"), (rate) => {
+  sliders.set("theta_dot", 0);
+  sliders.set("phi_dot", rate);
+});
 const sliders = createSliders(find("sliders"), data.kind, data.parameters, (values, name) => {
   asked = { values, name };
   wake();
@@ -158,7 +161,7 @@ const keys = createKeys(picture, /** @type {HTMLDialogElement} */ (find("keys"))
     pause();
     setGoal(Math.max(0, motion.now.t + way * STEP * motion.timescale));
   },
-  toStart: () => setGoal(0),
+  toStart,
   zoom: (factor) => scene?.zoom(factor),
   turn: (azimuth, elevation) => scene?.turn(azimuth, elevation),
   home: () => scene?.home(),
@@ -402,6 +405,16 @@ function toggle(way) {
   direction = way;
   behind = 0;
   lastFrame = NaN;
+  wake();
+}
+
+/** Begin anew, from the start itself. */
+function toStart() {
+  motion.reset();
+  goal = null;
+  behind = 0;
+  described = -Infinity;
+  address.changed();
   wake();
 }
 

@@ -26,12 +26,15 @@ import {
 /** @typedef {import("./types").Setup} Setup */
 /** @typedef {import("./types").Tableau} Tableau */
 
-/** Of a step, on the components of the quaternion and of ω. */
-export const ACCURACY = { rtol: 1e-13, atol: 1e-14 };
+/** Of a step, on the components of the quaternion and of ω: near what rounding allows. */
+export const ACCURACY = { rtol: 2.5e-14, atol: 1e-14 };
 
 /** How many samples the trail keeps, and how many it takes for a radian of the fastest turning. */
 const KEPT = 8000;
 const PER_RADIAN = 4;
+
+/** The farthest that is computed ahead, in times of the motion: some hundredths of a second. */
+const FARTHEST_AHEAD = 2000;
 
 /** What rounding may leave of a triangle inequality that is an equality. */
 const TOLERANCE = 1e-9;
@@ -66,7 +69,7 @@ export function startOf(setup) {
   const heavy = setup.kind === "heavy-top";
   const { M = 1, g = 0, R1 = 0, R2 = 0, R = 0 } = heavy ? setup.values : {};
   const arm = /** @type {[number, number, number]} */ ([R1, R2, R]);
-  checkBody(moments, M, g, arm);
+  checkBody(moments, M, g, arm, setup.clock === "d" ? "" : " kg m²");
   if (heavy) {
     const { theta, theta_dot, phi, phi_dot, psi, omega3 } = setup.values;
     // The float nearest to π means π: a top that hangs straight down, exactly.
@@ -102,8 +105,9 @@ function attitudeAngles(setup, moments, omega) {
  * @param {number} M
  * @param {number} g
  * @param {readonly [number, number, number]} arm
+ * @param {string} unit of the moments
  */
-function checkBody(moments, M, g, arm) {
+function checkBody(moments, M, g, arm, unit) {
   const numbers = [...moments, M, g, ...arm];
   if (!numbers.every(Number.isFinite)) throw new Error("a body wants numbers that are finite");
   if (!(Math.min(...moments, M) > 0)) throw new Error("moments of inertia and M must be positive");
@@ -115,8 +119,8 @@ function checkBody(moments, M, g, arm) {
     if (l1 < least - TOLERANCE * l1) {
       const why = z === 0 ? "λ₃ would exceed λ₁ + λ₂" : "about the centre of mass λ₁ − MR² is left";
       throw new Error(
-        `λ₁ = ${short(l1)} kg m² is too small (${why}): it must be at least ` +
-          `${z === 0 ? "λ₃/2" : "MR² + λ₃/2"} = ${short(least)} kg m²`,
+        `λ₁ = ${short(l1)}${unit} is too small (${why}): it must be at least ` +
+          `${z === 0 ? "λ₃/2" : "MR² + λ₃/2"} = ${short(least)}${unit}`,
       );
     }
     return;
@@ -139,8 +143,8 @@ function checkBody(moments, M, g, arm) {
   const rest = sum - size;
   if (x === 0 && y === 0 && z === 0) {
     throw new Error(
-      `λ${"₁₂₃"[largest]} = ${short(size)} kg m² exceeds the sum of the other two moments, ` +
-        `${short(rest)} kg m²: no body has such moments`,
+      `λ${"₁₂₃"[largest]} = ${short(size)}${unit} exceeds the sum of the other two moments, ` +
+        `${short(rest)}${unit}: no body has such moments`,
     );
   }
   throw new Error(
@@ -271,19 +275,28 @@ export function createMotion(setup, tableau) {
   /** @type {Sample[]} */
   let trail = [start];
 
-  const kinetic = moments.reduce((sum, l, k) => sum + (l * initial.omega[k] ** 2) / 2, 0);
-  const energyScale = kinetic + Math.hypot(...weight) || 1;
-  const momentumScale = Math.sqrt(2 * Math.max(...moments)) * Math.sqrt(energyScale) || 1;
+  const kinetic = (/** @type {number} */ count) =>
+    moments.slice(0, count).reduce((sum, l, k) => sum + (l * initial.omega[k] ** 2) / 2, 0);
+  const potential = Math.hypot(...weight);
+  // Without the energy of a spin that is constant, beside which every error would look small.
+  const changing = symmetric ? kinetic(2) + potential : 0;
+  const energyScale = changing || kinetic(3) + potential || 1;
+  const momentumScale =
+    Math.sqrt(2 * Math.max(...moments)) * Math.sqrt(kinetic(3) + potential) || 1;
   const kept = /** @type {Drift["name"][]} */ (
     weight.every((w) => w === 0) ? ["E", "L"] : symmetric ? ["E", "p_phi", "p_psi"] : ["E", "p_phi"]
   );
   const most = kept.map(() => 0);
-  const strayed = () =>
+  const strayed = (/** @type {Sample} */ sample) =>
     kept.map((name) => {
-      if (name === "E") return Math.abs(now.energy - start.energy) / energyScale;
-      if (name === "p_phi") return Math.abs(now.p_phi - start.p_phi) / momentumScale;
-      if (name === "p_psi") return Math.abs(now.p_psi - start.p_psi) / momentumScale;
-      return distance(now.momentum, start.momentum) / momentumScale;
+      if (name === "E") return Math.abs(sample.energy - start.energy) / energyScale;
+      if (name === "p_phi") return Math.abs(sample.p_phi - start.p_phi) / momentumScale;
+      if (name === "p_psi") return Math.abs(sample.p_psi - start.p_psi) / momentumScale;
+      return distance(sample.momentum, start.momentum) / momentumScale;
+    });
+  const watch = (/** @type {Sample} */ sample) =>
+    strayed(sample).forEach((drift, k) => {
+      most[k] = Math.max(most[k], drift);
     });
 
   const reset = () => {
@@ -322,10 +335,6 @@ export function createMotion(setup, tableau) {
 
   const go = (/** @type {number} */ t, deadline = Infinity) => {
     if (!Number.isFinite(t)) throw new Error("a time wants to be a finite number");
-    if (t === 0) {
-      reset();
-      return true;
-    }
     const direction = t < now.t ? -1 : 1;
     const covered = (t - solver.before) * (t - solver.t) <= 0;
     if (!covered && solver.h * direction < 0) turnTo(direction);
@@ -339,21 +348,21 @@ export function createMotion(setup, tableau) {
       known = angles(solver, known, solver.t);
       solver.step();
       if (direction > 0) record(Math.min(t, solver.t));
+      watch(sampleAt(solver, known, solver.t));
     }
     now = sampleAt(solver, known, reached);
     known = knownAt(now);
     while (trail.length > 0 && trail[trail.length - 1].t > reached) trail.pop();
-    strayed().forEach((drift, k) => {
-      most[k] = Math.max(most[k], drift);
-    });
+    watch(now);
     return reached === t;
   };
 
   const ahead = (/** @type {number} */ duration, /** @type {number} */ count) => {
     const apart = newSolver(beginning);
     let there = atStart();
+    const end = Math.min(duration, FARTHEST_AHEAD * timescale);
     return Array.from({ length: count }, (_, k) => {
-      const t = (duration * k) / Math.max(count - 1, 1);
+      const t = (end * k) / Math.max(count - 1, 1);
       while (apart.t < t) {
         there = angles(apart, there, apart.t);
         apart.step();
@@ -367,6 +376,7 @@ export function createMotion(setup, tableau) {
   return {
     setup,
     moments,
+    arm,
     weight,
     symmetric,
     timescale,
@@ -378,8 +388,15 @@ export function createMotion(setup, tableau) {
       return trail;
     },
     go,
+    reset,
     ahead,
-    drift: () => strayed().map((drift, k) => ({ name: kept[k], now: drift, most: most[k] })),
+    drift: () =>
+      strayed(now).map((drift, k) => ({
+        name: kept[k],
+        now: drift,
+        most: most[k],
+        exact: kept[k] === "p_psi",
+      })),
   };
 }
 

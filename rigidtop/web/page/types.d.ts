@@ -3,7 +3,10 @@
 /** Which page: a heavy body with one point held, or a body without torque. */
 export type Kind = "heavy-top" | "free";
 
-/** The unit of every time in a setup: all rates are per second, or all are per day. */
+/**
+ * The unit of every time in a setup: all rates are per second, or all are per day.  By the day it is
+ * an asteroid, whose moments are known in units of any one of them only.
+ */
 export type Clock = "s" | "d";
 
 /** Numbers by the names that the Python package uses: `lambda1`, `phi_dot`, `omega3` … */
@@ -58,17 +61,23 @@ export interface Sample {
 /** What the exact motion keeps, and by how much it has strayed. */
 export interface Drift {
   readonly name: "E" | "p_phi" | "p_psi" | "L";
-  /** Relative, as `Trajectory.drift` of the Python package defines it. */
+  /**
+   * Relative: the energy to T₀ + MgR without the part of a constant ω₃, a momentum to what no |L| of
+   * the body exceeds, √(2λ(T₀ + MgR)) with the largest moment λ.
+   */
   readonly now: number;
-  /** The largest since t = 0. */
+  /** The largest since t = 0, of all steps. */
   readonly most: number;
+  /** Whether the equations hold it constant by their form, so that it says nothing of errors. */
+  readonly exact: boolean;
 }
 
 /** A motion that can be moved to any time; made by `createMotion`. */
 export interface Motion {
   readonly setup: Setup;
-  /** Moments, and Mg times the centre of mass, in body components. */
+  /** Moments, the centre of mass, and Mg times that, in body components. */
   readonly moments: Numbers;
+  readonly arm: Numbers;
   readonly weight: Numbers;
   /** λ₁ = λ₂ with the centre of mass on e₃: then ω₃ is constant. */
   readonly symmetric: boolean;
@@ -81,7 +90,12 @@ export interface Motion {
   readonly trail: readonly Sample[];
   /** Move to the time t, at most until performance.now() = deadline; whether it was reached. */
   go(t: number, deadline?: number): boolean;
-  /** `count` samples from t = 0 to `duration`, computed apart from the motion itself. */
+  /** Begin anew at t = 0; the trail and the drifts are forgotten. */
+  reset(): void;
+  /**
+   * `count` samples, evenly spaced, from t = 0 to `duration`, or to the farthest that can be
+   * computed at once; computed apart from the motion itself.
+   */
   ahead(duration: number, count: number): Sample[];
   drift(): Drift[];
 }
