@@ -221,6 +221,19 @@ def test_phi_of_a_plane_pendulum_goes_to_and_fro():
     assert set(np.round(run.phi, 12)) == {0.0, round(math.pi, 12)}
 
 
+def test_equal_momenta_without_the_energy_to_reach_the_upright():
+    top = rt.HeavyTop(lambda1=1.3, lambda3=0.7, M=0.8, R=0.6)
+    theta, omega3 = math.radians(10), 3.0
+    phi_dot = top.lambda3 * omega3 * (1 - math.cos(theta)) / (top.lambda1 * math.sin(theta) ** 2)
+    motion = top.motion(theta=theta, phi_dot=phi_dot, omega3=omega3)
+    assert motion.start().p_phi[0] == motion.start().p_psi[0]
+    assert motion.turning_points[0] == pytest.approx(theta)
+    assert motion.regime == "waves"
+    pushed = top.motion(theta=theta, theta_dot=1.0, phi_dot=phi_dot, omega3=omega3)
+    assert pushed.turning_points[0] < 1e-15
+    assert pushed.regime == "through the vertical"
+
+
 def test_regime_of_a_top_without_weight():
     top = rt.HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5, g=0.0)
     assert top.motion(theta=0.5, phi_dot=1.0, omega3=3.0).regime == "free precession"

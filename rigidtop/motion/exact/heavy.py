@@ -551,7 +551,8 @@ def _solve(start: Start) -> Orbit:
         still=still,
         steady=steady,
         asymptotic=arrives,
-        through=passes_up | passes_down,
+        # With p_φ = p_ψ alone it may lack the energy to climb there.
+        through=(passes_up & (w_up > 0)) | passes_down,
     )
 
 
