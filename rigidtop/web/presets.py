@@ -153,8 +153,8 @@ def _toutatis() -> Preset:
     about = (
         "From its state of 9 November 1992 (Takahashi, Busch & Scheeres 2013): ω circles about "
         f"the long axis e₃ in {2 * motion.nutation_period:.1f} days, while that axis turns about L "
-        f"in {2 * pi / abs(motion.mean_precession):.1f} days. At ×1 each second shows a day; moments "
-        "are in units of the smallest."
+        f"in {2 * pi / abs(motion.mean_precession):.1f} days. At ×1 each second shows a day; "
+        "moments are in units of the smallest."
     )
     setup = free((moments[0], moments[1], moments[2]), (rates[0], rates[1], rates[2]), "d")
     layers = ("e3", "omega", "L", "trail")

@@ -116,7 +116,8 @@ def test_presets_are_what_their_names_say(engine, tableau):
         ({"theta": 0.5, "omega3": -12.0}, "with ω₃ = −12 rad/s there are Ω₋ = −0.6113 rad/s and"
          " Ω₊ = −6.752 rad/s."),
         ({"theta": 2.0, "omega3": 1.0}, "With the centre of mass below the pivot, as at "
-         "θ₀ = 114.6°, every spin has a steady precession: Ω₋ = 2.373 rad/s and Ω₊ = −3.667 rad/s."),
+         "θ₀ = 114.6°, every spin has a steady precession: Ω₋ = 2.373 rad/s and Ω₊ = "
+         "−3.667 rad/s."),
         ({"theta": math.pi, "omega3": 1.0}, "Hanging straight down, it is stable with any spin."),
         ({"theta": math.pi / 2, "omega3": 10.0}, "has one rate, MgR/(λ₃ω₃) = 0.6727 rad/s."),
         ({"theta": math.pi / 2, "omega3": 0.0}, "steady precession needs a spin: |ω₃| > 0."),
