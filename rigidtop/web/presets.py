@@ -113,7 +113,7 @@ def free_presets() -> tuple[Preset, ...]:
             "Wobbling plate",
             "For a flat plate λ₃ = 2λ₁: e₃ wobbles about twice as fast as the plate spins, and the "
             "space cone lies inside the body cone, which rolls around it.",
-            free((1.0, 1.0, 2.0), (0.5, 0.0, 4.0)),
+            free((1.0, 1.0, 2.0), (1.0, 0.0, 4.0)),
             cones,
             "brick",
         ),
@@ -129,8 +129,8 @@ def free_presets() -> tuple[Preset, ...]:
         Preset(
             "largest",
             "About the axis of the largest moment",
-            "ω stays near e₃: its polhode is a small closed curve around the axis.",
-            free((1.0, 1.7, 2.3), (0.5, 0.0, 4.0)),
+            "ω stays near e₃: its polhode is a closed curve around the axis.",
+            free((1.0, 1.7, 2.3), (1.5, 0.0, 3.5)),
             poinsot,
             "brick",
         ),
@@ -139,7 +139,7 @@ def free_presets() -> tuple[Preset, ...]:
             "About the axis of the smallest moment",
             "ω stays near e₁: rotation about the axis of the smallest moment is stable too, as "
             "long as no friction takes energy.",
-            free((1.0, 1.7, 2.3), (4.0, 0.0, 0.5)),
+            free((1.0, 1.7, 2.3), (3.5, 0.0, 1.0)),
             poinsot,
             "brick",
         ),

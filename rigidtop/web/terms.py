@@ -166,7 +166,7 @@ def _eulers(suffix: str, equations: list[Equation], *, torque: bool) -> tuple[Te
     return tuple(
         TermsOf(
             f"euler{suffix}{axis}",
-            f"ω{sub}",
+            f"along e{sub}",
             equation,
             (
                 f"how fast L{sub} = λ{sub}ω{sub} changes, seen from the body",

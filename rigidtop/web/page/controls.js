@@ -382,11 +382,17 @@ export function createPresets(container, presets, choose) {
   };
 }
 
-/** A sentence whose Ω_b and Ω_s have their index below: Unicode has no such letters. */
-function withSubscripts(/** @type {string} */ sentence) {
-  return sentence
-    .split(/(?<=Ω)_(\w)/)
-    .map((part, k) => (k % 2 ? element("sub", {}, part) : part));
+/** A relation with its sides, such as "|ω₃| ≥ 6.578 rad/s"; an index stands below: "Ω_b". */
+const RELATION = /([^ ]+ [=≥<>] (?:L\/λ₁ = )?[^ ]*[^ .:,;](?: rad\/[sd])?)/;
+
+/** A sentence whose relations are not broken between two lines. */
+function withRelations(/** @type {string} */ sentence) {
+  return sentence.split(RELATION).map((part, k) => {
+    if (k % 2 === 0) return part;
+    const [letter, index, rest] = part.split(/(?<=Ω)_(\w)/);
+    const inside = index ? [letter, element("sub", {}, index), rest] : [part];
+    return element("span", { class: "relation" }, ...inside);
+  });
 }
 
 /**
@@ -422,7 +428,7 @@ export function createVerdict(container, setPrecession) {
     show(facts, clock, range) {
       if (said !== facts.verdict) {
         said = facts.verdict;
-        sentence.replaceChildren(...withSubscripts(facts.verdict));
+        sentence.replaceChildren(...withRelations(facts.verdict));
         clearTimeout(timer);
         timer = window.setTimeout(() => (aloud.textContent = sentence.textContent), REST);
       }

@@ -194,13 +194,13 @@ function termValues(name, sample, motion) {
 }
 
 /**
- * A unit of the equations in the motion's own unit of time: "N m" is "kg m²/d²" by the day.
+ * A unit of the equations in the motion's own units: "N m" is "1/d²" by the day, where moments are
+ * ratios.
  *
  * @param {string} unit
  * @param {Motion} motion
  */
 function unitIn(unit, { setup: { clock } }) {
   if (clock === "s") return unit;
-  return unit.replace(/^(N m|J)$/, "kg m²/s²").replace("J s", "kg m²/s")
-    .replace(/\bs(?=[²³]?$)/, clock);
+  return unit.replace("N m", `1/${clock}²`).replace("J s", `1/${clock}`);
 }

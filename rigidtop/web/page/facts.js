@@ -237,8 +237,8 @@ function freeFacts(motion) {
     return { regime: "steady", verdict: `ω stays along the principal axis ${axis(k)}${why}.` };
   }
   if (parallel(omega, L)) {
-    const verdict = "ω stays where it is: two moments or more are equal, and every axis across is " +
-      "a principal axis.";
+    const verdict =
+      "ω stays where it is: its moments are equal, and every axis between is a principal axis.";
     return { regime: "steady", verdict };
   }
   const [lambda1, lambda2, lambda3] = moments;

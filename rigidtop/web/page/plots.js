@@ -21,6 +21,9 @@ const FILLED = 0.9;
 /** Plots are drawn at most this often, in milliseconds: half as often as the scene is enough. */
 const EVERY = 28;
 
+/** The slowest motion that the window of time is made for, in times of the motion. */
+const SLOWEST = 40;
+
 /** So many samples of the first window say how large the angles will be. */
 const LOOKS_AHEAD = 60;
 
@@ -136,7 +139,8 @@ export function createTimePlots(container, colours) {
 function windowOf({ setup, moments, weight, start, timescale }) {
   if (setup.kind === "free") return nice(40 * timescale);
   const rate = length(start.momentum) / moments[0] + Math.sqrt(length(weight) / moments[0]);
-  return nice(40 * Math.max(timescale, 1 / rate));
+  // What moves so slowly that it can't be computed ahead is shown as if it rested.
+  return nice(40 * Math.min(Math.max(timescale, 1 / rate), SLOWEST * timescale));
 }
 
 /** @param {import("./types").Numbers} vector */
@@ -413,7 +417,7 @@ function landscapeOf(motion) {
     allowed: factsOf(motion).turningPoints ?? [start.theta, start.theta],
     range,
     digits: decimalsOf(range, energy - Math.min(...heights)),
-    unit: setup.clock === "s" ? "J" : `kg m²/${setup.clock}²`,
+    unit: setup.clock === "s" ? "J" : `1/${setup.clock}²`,
   };
 }
 
@@ -434,7 +438,8 @@ function rangeAround(heights, energy) {
     .filter(Number.isFinite);
   const wall = Math.min(...walls) - low;
   const kinetic = energy - low;
-  const depth = Math.max(2 * kinetic, Math.min(wall, Math.max(5 * kinetic, 0.4 * wall)));
+  // Without weight and momenta the potential is flat.
+  const depth = Math.max(2 * kinetic, Math.min(wall, Math.max(5 * kinetic, 0.4 * wall))) || 1;
   return { low: low - 0.12 * depth, high: low + 1.1 * depth };
 }
 

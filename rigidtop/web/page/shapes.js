@@ -167,8 +167,8 @@ function heldTop(body, mark, rod, dot) {
 
   function fit(/** @type {Motion} */ motion) {
     const { values } = motion.setup;
-    const { moments, weight } = motion;
-    const [x, y, z] = [0, 1, 2].map((k) => weight[k] / (values.M * values.g) || 0);
+    const { moments } = motion;
+    const [x, y, z] = Array.from(motion.arm);
     const own = [
       moments[0] - values.M * (y * y + z * z),
       moments[1] - values.M * (x * x + z * z),
