@@ -36,6 +36,23 @@ def picture(live, selector="#scene canvas"):
     return Image.open(io.BytesIO(live.find(selector).screenshot_as_png)).convert("RGB")
 
 
+def settled(live):
+    """The picture as soon as nothing in it moves any more: what is to come is drawn."""
+    last = []
+
+    def still():
+        last.append(picture(live))
+        return len(last) > 3 and last[-1] == last[-2] == last[-3]
+
+    live.wait(still)
+    return last[-1]
+
+
+def turned(one, other):
+    """Whether two pictures differ by more than their sharpness, which follows the machine."""
+    return np.abs(np.asarray(one, float) - np.asarray(other, float)).mean() > 3
+
+
 def press(live, *keys):
     ActionChains(live.driver).send_keys(*keys).perform()
 
@@ -75,7 +92,7 @@ def test_each_preset_opens_by_its_address_and_plays(live, kind, name):
     meters = live.all("[role=meter]")
     assert len(meters) == (3 if kind == HEAVY else 2)
     for meter in meters:
-        assert "held" in meter.text
+        assert meter.text.endswith(("held", "exact"))
         assert -16 <= float(meter.get_attribute("aria-valuenow")) < -9
     assert live.js("rigidtop.motion.drift().every((drift) => drift.most < 1e-9)")
     # The body, its arrows and the sphere, smooth at the edges, on an empty ground.
@@ -238,13 +255,13 @@ def test_transport(live):
     # At the start there is nothing before.
     live.wait("rigidtop.motion.now.t === 0 && !rigidtop.playing")
     click(live, button("Play"))
-    live.wait("rigidtop.motion.now.t > 0.1")
+    live.wait("rigidtop.motion.now.t > 0.6")
     click(live, button("To the start"))
-    live.wait("rigidtop.motion.now.t < 0.1")
+    live.wait("rigidtop.motion.now.t < 0.6 && rigidtop.playing")
     click(live, button("Pause"))
     click(live, button("To the start"))
     live.wait("rigidtop.motion.now.t === 0")
-    assert live.find(".clock").text.startswith("t = 0.0")
+    live.wait("/^t = 0[.]0+ s$/.test(document.querySelector('.clock').textContent)")
 
 
 SPEED = """
@@ -252,8 +269,8 @@ const done = arguments[0];
 let before = null, rates = [];
 function look(now) {
   const t = rigidtop.motion.now.t;
-  // What the page spends of a long frame is bounded, so only short ones are compared.
-  if (before && now - before[0] < 45) rates.push((t - before[1]) / (now - before[0]) * 1000);
+  // Of a long frame the page takes a twentieth of a second.
+  if (before) rates.push((t - before[1]) / Math.min(now - before[0], 50) * 1000);
   before = [now, t];
   if (rates.length < 15) requestAnimationFrame(look); else done(rates.sort((a, b) => a - b)[7]);
 }
@@ -267,6 +284,7 @@ def test_slow_motion_slows(live):
     live.find("#speed").send_keys(Keys.ARROW_LEFT * 3)
     live.wait("document.querySelector('.speed output').textContent === '×0.1'")
     slow = live.driver.execute_async_script(SPEED)
+    assert 0.5 < usual < 2
     assert 0.05 < slow / usual < 0.2
     assert live.find("#speed").get_attribute("aria-valuetext") == "×0.1, 0.1 s each second"
 
@@ -339,13 +357,14 @@ def test_a_hostile_address_gives_one_line(live, anew):
 
 FOCUSED = """
 const at = document.activeElement;
-const marks = [at, at.closest("label")].filter(Boolean).map((x) => getComputedStyle(x));
-const box = (at.closest("label") ?? at).getBoundingClientRect();
+// What is transparent lies on a label that shows its state.
+const shown = getComputedStyle(at).opacity === "0" ? at.closest("label") : at;
+const box = shown.getBoundingClientRect();
+const { outlineStyle, outlineWidth } = getComputedStyle(shown);
 return {
   place: [...document.querySelectorAll("*")].indexOf(at), body: at === document.body,
   what: at.outerHTML.slice(0, 200),
-  marked: marks.some((m) => (m.outlineStyle !== "none" && parseFloat(m.outlineWidth) >= 2)
-    || m.boxShadow !== "none"),
+  marked: outlineStyle !== "none" && parseFloat(outlineWidth) >= 2,
   seen: box.width > 0 && box.right > 0 && box.left < innerWidth
     && box.bottom > 0 && box.top < innerHeight,
 };
@@ -434,6 +453,8 @@ def test_keys_of_their_own(live):
     live.wait("document.querySelector('[value=waves]').checked")
     press(live, "f")
     live.wait("document.querySelector('#looks [value=body]').checked")
+    press(live, "f")
+    live.wait("document.querySelector('#looks [value=space]').checked")
     press(live, "?")
     live.wait("document.getElementById('keys').open")
     assert live.find("#keys").is_displayed()
@@ -447,12 +468,11 @@ def test_keys_of_their_own(live):
     live.wait("!document.getElementById('keys').open")
     # The scene has the arrows for itself; a field that is typed in has all keys.
     tab_to(live, "#scene")
-    live.drawn()
-    before = picture(live)
-    press(live, Keys.ARROW_RIGHT * 3)
-    live.wait(lambda: picture(live) != before)
+    before = settled(live)
+    press(live, Keys.ARROW_RIGHT * 6)
+    live.wait(lambda: turned(picture(live), before))
     press(live, "0")
-    live.wait(lambda: picture(live) == before)
+    live.wait(lambda: not turned(picture(live), before))
     live.find("#number-theta").send_keys("3", "k", "r", "?")
     live.drawn()
     assert not live.js("rigidtop.playing || document.getElementById('keys').open")
@@ -560,8 +580,7 @@ def test_a_narrow_screen(phone, kind):
 
 def test_a_finger_turns_the_view(phone):
     phone.open(HEAVY, STILL)
-    settled(phone)
-    before = picture(phone)
+    before = settled(phone)
     box = phone.find("#scene canvas").rect
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
@@ -573,28 +592,16 @@ def test_a_finger_turns_the_view(phone):
     for way in range(10, 90, 10):
         touch("touchMove", (way, way / 3))
     touch("touchEnd")
-    phone.wait(lambda: picture(phone) != before)
+    phone.wait(lambda: turned(picture(phone), before))
     assert phone.js("[scrollX, scrollY]") == [0, 0]
 
 
 def test_a_mouse_turns_the_view(live):
     live.show(HEAVY, STILL)
-    settled(live)
-    before = picture(live)
+    before = settled(live)
     chain = ActionChains(live.driver, duration=0)
     chain.click_and_hold(live.find("#scene canvas")).move_by_offset(60, 20).release().perform()
-    live.wait(lambda: picture(live) != before)
-
-
-def settled(live):
-    """Nothing moves any more: what is to come is drawn."""
-    last = []
-
-    def still():
-        last.append(picture(live))
-        return len(last) > 3 and last[-1] == last[-2] == last[-3]
-
-    live.wait(still)
+    live.wait(lambda: turned(picture(live), before))
 
 
 LOOKING = """
@@ -626,9 +633,8 @@ def test_a_hidden_page_stands_still_and_does_not_jump(live):
     seen = np.array(live.js("seen"))
     gaps, steps = np.diff(seen, axis=0).T
     assert gaps.max() > 1400
-    # At most a twentieth of a second for each frame, and after a gap none.
+    # At most a twentieth of a second for each frame, however long it was.
     assert steps.max() <= 0.05 + 1e-9
-    assert steps[gaps.argmax()] <= 0.02
     assert live.js("rigidtop.playing")
 
 
