@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from html import escape
 from importlib.metadata import version
 from importlib.resources import files
@@ -32,7 +32,7 @@ class Page:
     """A page, as a file or in a notebook."""
 
     title: str
-    html: str
+    html: str = field(repr=False)
 
     height: int = 760
     """In a notebook, pixels."""
