@@ -88,9 +88,11 @@ def test_both_steady_rates_are_steady(engine, tableau, which, omega3):
     rates = TOP.steady_precession(0.5, omega3)
     found = facts(engine, TOP.motion(theta=0.5, phi_dot=rates[which], omega3=omega3))
     assert found["regime"] == "steady precession"
+    assert found["verdict"].endswith("This is one of them.")
     assert found["steady"] == pytest.approx(rates, rel=1e-12)
     near = facts(engine, TOP.motion(theta=0.5, phi_dot=rates[which] * 1.001, omega3=omega3))
     assert near["regime"] == "waves"
+    assert not near["verdict"].endswith("This is one of them.")
 
 
 def test_presets_are_what_their_names_say(engine, tableau):

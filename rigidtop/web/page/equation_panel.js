@@ -71,7 +71,7 @@ function createEntry({ tag, title, mathml, function: name, symmetric, terms }) {
   for (const target of targets) {
     const term = terms[termOf(target)];
     target.setAttribute("role", "button");
-    target.setAttribute("aria-label", `${term.text}: ${term.name}`);
+    target.setAttribute("aria-label", `${term.text}: ${term.name}`.replace(/_/g, " "));
     target.tabIndex = target === targets[0] ? 0 : -1;
   }
 

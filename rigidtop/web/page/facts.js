@@ -41,7 +41,9 @@ export function factsOf(motion) {
     return { ...none, regime: "no symmetry", verdict };
   }
   const { regime, turningPoints } = regimeOf(motion);
-  return { regime, turningPoints, ...steadyFacts(motion) };
+  const facts = steadyFacts(motion);
+  const now = facts.steady && regime === "steady precession" ? " This is one of them." : "";
+  return { regime, turningPoints, ...facts, verdict: facts.verdict + now };
 }
 
 /**

@@ -35,8 +35,8 @@ export function createMeter(container) {
       names = wanted;
       container.replaceChildren(heading());
       rows = drifts.map((drift) => createRow(container, drift.name));
-      const exact = drifts.some((drift) => drift.exact) ? " ω₃ is constant in the equations" +
-        " that are integrated, and with it p_ψ: its zero says nothing." : "";
+      const exact = drifts.some((drift) => drift.exact) ? " ω₃, and with it λ₃ω₃, is" +
+        " constant by the form of the equations that are integrated: its zero says nothing." : "";
       container.append(element("p", "meter-note",
         `The mark at ${powerOfTen(PROMISE)} is what the page promises. What is kept says how well` +
         ` the motion is integrated, not how late or early it comes by.${exact}`));

@@ -117,9 +117,8 @@ function checkBody(moments, M, g, arm, unit) {
   if (x === 0 && y === 0 && l1 === l2) {
     const least = M * z * z + l3 / 2;
     if (l1 < least - TOLERANCE * l1) {
-      const why = z === 0 ? "λ₃ would exceed λ₁ + λ₂" : "about the centre of mass λ₁ − MR² is left";
       throw new Error(
-        `λ₁ = ${short(l1)}${unit} is too small (${why}): it must be at least ` +
+        `λ₁ = ${short(l1)}${unit} is too small for λ₃ = ${short(l3)}${unit}: it must be at least ` +
           `${z === 0 ? "λ₃/2" : "MR² + λ₃/2"} = ${short(least)}${unit}`,
       );
     }
