@@ -4,8 +4,8 @@
 export type Kind = "heavy-top" | "free";
 
 /**
- * The unit of every time in a setup: all rates are per second, or all are per day.  By the day it is
- * an asteroid, whose moments are known in units of any one of them only.
+ * The unit of every time in a setup: all rates are per second, or all are per day.  By the day it
+ * is an asteroid, whose moments are known in units of any one of them only.
  */
 export type Clock = "s" | "d";
 
