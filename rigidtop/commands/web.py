@@ -24,16 +24,22 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.epilog = (
-        "The page needs no network: open the file, or send it.  Its address keeps what is set in\n"
-        "it, so that it can be linked to.  --preset is what it shows first, --set changes that;\n"
-        "angles are radians, or degrees with the suffix deg; rates rad/s, or turns a minute with\n"
-        "the suffix rpm.  It wants the extra web: pip install 'rigidtop[web]'\n\n"
+        "The page needs no network: open the file, or send it.  Its address records what is set,\n"
+        "so it can be shared as a link.  It needs the extra web: pip install 'rigidtop[web]'\n\n"
+        "--preset is what the page shows first, --set changes a number of that:\n"
+        "  heavy-top: slow, fast, waves, cusps, loops, sleeping, waking, toppling\n"
+        "    lambda1, lambda2, lambda3 (kg m²), M (kg), g (m/s²), R1, R2, R (m), theta, phi, psi,\n"
+        "    theta_dot, phi_dot, omega3\n"
+        "  free: free-precession, plate, flip, largest, smallest, toutatis\n"
+        "    lambda1, lambda2, lambda3, omega1, omega2, omega3\n"
+        "Angles are radians, or degrees with the suffix deg; rates rad/s, or turns a minute with\n"
+        "the suffix rpm.\n\n"
         "examples:\n"
         "  rigidtop web heavy-top -o top.html\n"
         "  rigidtop web heavy-top --preset loops --set theta=45deg --set omega3=20 -o loops.html\n"
         "  rigidtop web free --preset toutatis -o toutatis.html"
     )
-    parser.add_argument("kind", choices=KINDS, help="which page")
+    parser.add_argument("kind", choices=KINDS, metavar="PAGE", help="heavy-top or free")
     parser.add_argument(
         "-o", "--output", metavar="FILE", help="the page (default: heavy-top.html, free.html)"
     )
@@ -43,7 +49,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME=NUMBER",
-        help="a number of that; may be repeated",
+        help="another number in it; may be repeated",
     )
 
 
@@ -94,9 +100,18 @@ def _changed(preset: Preset, given: list[str]) -> Preset:
         return preset
     values = preset.setup.values
     parameters = [_parameter(name, value) for name, value in values.items()]
-    setup: Setup = replace(preset.setup, values=settings(parameters, given))
+    chosen = settings(parameters, given)
+    symmetric = preset.setup.kind == KINDS[0] and values["lambda1"] == values["lambda2"]
+    if symmetric and chosen["lambda2"] == values["lambda2"]:
+        chosen["lambda2"] = chosen["lambda1"]  # as on the page, unless it is set itself
+    setup: Setup = replace(preset.setup, values=chosen)
     body_of(setup)  # raises for moments that no body has
-    return replace(preset, name="own", title=f"{preset.title}, changed", setup=setup)
+    changes = [name for name in values if setup.values[name] != values[name]]
+    if not changes:
+        return preset
+    says = ", ".join(f"{name} = {setup.values[name]:.4g}" for name in changes)
+    about = f"As “{preset.title}”, but with {says} (SI units and radians)."
+    return replace(preset, name="own", title=f"{preset.title}, changed", about=about, setup=setup)
 
 
 def _parameter(name: str, value: float) -> Parameter:

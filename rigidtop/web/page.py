@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from html import escape
 from importlib.metadata import version
@@ -113,11 +113,9 @@ def _quoted(text: str) -> str:
     return re.sub(r"[%#\n\r\t]", lambda mark: f"%{ord(mark[0]):02X}", text)
 
 
-def data(kind: str, title: str, presets: Iterable[Preset], first: Preset) -> Mapping[str, Any]:
-    """`PageData` of the page's types."""
-    there = [p for p in presets if p.name != first.name]
-    named = {p.name: p for p in presets}
-    shown = [first, *there] if first.name not in named else [*named.values()]
+def data(kind: str, title: str, presets: tuple[Preset, ...], first: Preset) -> Mapping[str, Any]:
+    """`PageData` of the page's types; what is not one of the presets stands behind them."""
+    shown = presets if first in presets else (*presets, first)
     return {
         "kind": kind,
         "version": version("rigidtop"),

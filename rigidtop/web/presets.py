@@ -68,7 +68,7 @@ def heavy_presets() -> tuple[Preset, ...]:
         _top(
             "loops",
             "Nutation with loops",
-            "Pushed against its precession: φ̇ changes its sign, and e₃ draws loops.",
+            "Pushed against its precession: φ̇ changes sign, and e₃ draws loops.",
             theta=TILT, phi_dot=-2 * slow, omega3=SPIN,
         ),
         _top(
@@ -88,7 +88,8 @@ def heavy_presets() -> tuple[Preset, ...]:
         _top(
             "toppling",
             "Toppling (example 34)",
-            "Without spin it is a pendulum that stands on its head: it falls.",
+            "Without spin it is a pendulum that stands on its head: it falls. At the lowest point "
+            "e₃ goes through the vertical, where φ jumps by 180°.",
             ("e3", "torque", "trail"),
             theta=radians(10),
         ),

@@ -2,10 +2,12 @@
 
 import json
 import math
+import re
 
 import pytest
 
 from rigidtop.cli import main
+from rigidtop.web.presets import PRESETS
 
 
 def first(path):
@@ -36,6 +38,36 @@ def test_a_preset_with_other_numbers_comes_first(tmp_path, capsys):
     assert shown["name"] == record["preset"] == "own"
     assert shown["title"] == "Nutation with loops, changed"
     assert shown["setup"]["values"]["theta"] == pytest.approx(math.pi / 4)
+    assert shown["about"] == (
+        "As “Nutation with loops”, but with theta = 0.7854, omega3 = 6.283 (SI units and radians)."
+    )
+
+
+def test_a_preset_with_its_own_numbers_is_the_preset(tmp_path, capsys):
+    path = tmp_path / "same.html"
+    assert main(["web", "heavy-top", "--set", "theta=30deg", "-o", str(path), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["preset"] == first(path)["name"] == "slow"
+
+
+def test_the_second_moment_follows_the_first(tmp_path, capsys):
+    path = tmp_path / "page.html"
+    assert main(["web", "heavy-top", "--set", "lambda1=2", "-o", str(path)]) == 0
+    values = first(path)["setup"]["values"]
+    assert (values["lambda1"], values["lambda2"]) == (2, 2)
+    assert main(["web", "heavy-top", "--set", "lambda2=1.2", "-o", str(path)]) == 0
+    values = first(path)["setup"]["values"]
+    assert (values["lambda1"], values["lambda2"]) == (1.3, 1.2)
+
+
+def test_help_names_every_preset_and_number(capsys):
+    with pytest.raises(SystemExit):
+        main(["web", "--help"])
+    said = capsys.readouterr().out
+    for kind, presets in PRESETS.items():
+        made = presets()
+        assert f"  {kind}: {', '.join(p.name for p in made)}\n" in said
+        for name in made[0].setup.values:
+            assert re.search(rf"\b{name}\b", said), name
 
 
 def test_the_file_is_named_after_the_page(tmp_path, monkeypatch):

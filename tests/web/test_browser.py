@@ -165,6 +165,43 @@ def test_a_typed_number_starts_another_motion(live):
     live.wait("rigidtop.motion.setup.values.phi_dot === -1.5")
 
 
+def test_units_may_stand_behind_a_typed_number(live):
+    live.show(HEAVY, "#preset=cusps&play=0")
+    for name, text, expected in (
+        ("theta", "60deg", math.pi / 3), ("theta", "0.5 rad", 0.5), ("theta", "30°", math.pi / 6),
+        ("omega3", "60rpm", 2 * math.pi), ("omega3", "-180deg", -math.pi),
+    ):  # fmt: skip
+        retype(live, name, text)
+        live.wait(f"Math.abs(rigidtop.motion.setup.values.{name} - {expected}) < 1e-12")
+    for name, text in (("theta", "3rpm"), ("M", "1deg"), ("omega3", "5 kg")):
+        retype(live, name, text)
+        assert "is not a number" in live.find(f"#error-{name}").text
+
+
+def test_no_box_keeps_what_the_motion_does_not_have(live):
+    live.show(HEAVY, "#preset=cusps&play=0")
+    retype(live, "theta", "abc")
+    retype(live, "lambda3", "9")
+    live.wait("document.querySelector('#error-lambda3').textContent !== ''")
+    assert live.find("#number-theta").get_attribute("value") == "30"
+    assert not live.find("#error-theta").text
+    retype(live, "g", "3")
+    live.wait("rigidtop.motion.setup.values.g === 3")
+    assert live.values["lambda3"] == 0.7
+    assert live.find("#number-lambda3").get_attribute("value") == "0.7"
+    assert not live.all(".error:not(:empty)")
+
+
+def test_an_address_may_set_what_has_no_slider(live):
+    live.show(HEAVY, "#preset=waves&theta_dot=0.5&psi=30deg&play=0")
+    assert live.values["theta_dot"] == 0.5
+    assert live.values["psi"] == pytest.approx(math.pi / 6)
+    assert not live.find("#notice").is_displayed()
+    click(live, ".steady button")
+    live.wait("rigidtop.motion.setup.values.theta_dot === 0")
+    assert live.find(".verdict").text.startswith("Steady precession: θ stays at 30°.")
+
+
 def retype(live, name, text):
     field = live.find(f"#number-{name}")
     field.send_keys(Keys.CONTROL + "a")
@@ -321,6 +358,8 @@ HOSTILE = {
     "theta=NaN": "which is not a number",
     "omega3=1e999": "which is not a number",
     "omega3=1e300": "which is out of range",
+    "theta=30": "out of range (an angle is in radians, or written 30deg); 30° is used",
+    "theta_dot=1e9": "which is out of range; 0 is used",
     "preset=nope": "which is none of the examples",
     "preset=%3Cimg src=x onerror=hit=1%3E": "says preset=<img src=x onerror=hit=1>, which is none",
     "%3Cimg src%3Dx onerror%3Dhit%3D1%3E=1": "names “<img src=x onerror=hit=1>”, which",

@@ -43,7 +43,7 @@ const LAYERS = /** @type {const} */ ([
   ["e3", "e₃"],
   ["omega", "ω"],
   ["L", "L"],
-  ["torque", "torque"],
+  ["torque", "torque N"],
   ["trail", "trail of e₃"],
   ["cones", "cones"],
   ["poinsot", "Poinsot"],
@@ -58,6 +58,9 @@ export function layersOf(kind) {
   const without = kind === "free" ? "torque" : "poinsot";
   return LAYERS.filter(([name]) => name !== without);
 }
+
+/** The largest of the numbers that have no slider (rad, rad/s). */
+const LARGEST = 1e4;
 
 /**
  * The shapes that a page offers.
@@ -114,6 +117,12 @@ export function readAddress(hash, data) {
       const used = shown(parameter, usual, state.clock);
       const value = numberIn(name, text, least, most, parameter.angle, used, complaints);
       if (value !== null) state.values[name] = value;
+    } else if (Object.prototype.hasOwnProperty.call(preset.setup.values, name)) {
+      // What has no slider: θ̇₀, φ₀ and ψ₀ of a motion that was given.
+      const usual = preset.setup.values[name];
+      const angle = ["theta", "phi", "psi"].includes(name);
+      const value = numberIn(name, text, -LARGEST, LARGEST, angle, String(usual), complaints);
+      if (value !== null) state.values[name] = value;
     } else if (Object.prototype.hasOwnProperty.call(LOOKS, name)) {
       LOOKS[name](text, state, data, complaints);
     } else {
@@ -145,6 +154,10 @@ export function writeAddress(state, data) {
       name === "lambda2" && data.kind === "heavy-top" && usual.lambda1 === usual.lambda2;
     const expected = follows ? state.values.lambda1 : usual[name];
     if (value !== expected) parts.push(`${name}=${angle ? angleText(value) : value}`);
+  }
+  const sliders = data.parameters.map(({ name }) => name);
+  for (const [name, value] of Object.entries(state.values)) {
+    if (!sliders.includes(name) && value !== usual[name]) parts.push(`${name}=${value}`);
   }
   if (state.clock !== preset.setup.clock) parts.push(`clock=${state.clock}`);
   if (state.t !== 0) parts.push(`t=${Number(state.t.toPrecision(6))}`);
@@ -313,8 +326,9 @@ function numberIn(name, text, least, most, angle, used, complaints) {
   if (value >= least - 1e-12 && value <= most + 1e-12) {
     return Math.min(Math.max(value, least), most);
   }
+  const unit = angle && !inDegrees ? ` (an angle is in radians, or written ${number}deg)` : "";
   complaints.push(
-    `the address says ${name}=${short(text)}, which is out of range; ${used} is used`,
+    `the address says ${name}=${short(text)}, which is out of range${unit}; ${used} is used`,
   );
   return null;
 }

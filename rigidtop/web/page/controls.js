@@ -10,7 +10,7 @@
 const DEGREE = Math.PI / 180;
 
 /** Steps of a slider from end to end, at least. */
-const STEPS = 200;
+const STEPS = 600;
 
 /** How long a slider must rest before the verdict is read out, in ms. */
 const REST = 800;
@@ -43,6 +43,25 @@ export function numberFrom(text) {
   if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain)) return null;
   const number = Number(plain);
   return Number.isFinite(number) ? number : null;
+}
+
+/** What may stand behind a number that is typed, and by what it multiplies it. */
+const SUFFIXES = { deg: DEGREE, "°": DEGREE, rad: 1, rpm: Math.PI / 30 };
+
+/**
+ * A number as it is typed, in SI units and radians; null for text that is none.  An angle is in
+ * degrees, but for "1rad"; a rate may be in "rpm", or in "deg".
+ *
+ * @param {string} text
+ * @param {Parameter} parameter
+ */
+function typedValue(text, { angle, unit }) {
+  const [, digits, suffix] = /^(.*?)\s*(deg|°|rad|rpm)?$/.exec(text.trim()) ?? ["", text, ""];
+  const number = numberFrom(digits);
+  if (number === null) return null;
+  if (!suffix) return angle ? number * DEGREE : number;
+  if (!(angle ? suffix !== "rpm" : unit === "rad/s")) return null;
+  return number * SUFFIXES[/** @type {keyof typeof SUFFIXES} */ (suffix)];
 }
 
 /**
@@ -152,6 +171,11 @@ function createRow(parameter, changed) {
     error.replaceChildren(sentence, ...more);
     field.setAttribute("aria-invalid", "true");
   }
+  /** What could not be taken gives way to what is. */
+  function restore() {
+    if (error.hasChildNodes()) showField();
+    content();
+  }
   function content() {
     if (error.hasChildNodes()) error.replaceChildren();
     field.removeAttribute("aria-invalid");
@@ -185,12 +209,11 @@ function createRow(parameter, changed) {
     changed(value);
   });
   field.addEventListener("change", () => {
-    const typed = numberFrom(field.value);
-    if (typed === null) {
+    const asked = typedValue(field.value, parameter);
+    if (asked === null) {
       complain(`“${field.value}” is not a number; write one such as ${rounded(value / scale, 3)}.`);
       return;
     }
-    const asked = typed * scale;
     // A limit in degrees is met to rounding.
     if (asked < least - 1e-12 || asked > most + 1e-12) {
       const ends = [least, most].map((end) => shown(parameter, end, clock));
@@ -211,7 +234,7 @@ function createRow(parameter, changed) {
   return {
     row,
     complain,
-    content,
+    restore,
     focus: () => range.focus(),
     /**
      * @param {number} now
@@ -253,6 +276,8 @@ export function createSliders(container, kind, parameters, changed) {
   let preset = null;
   /** @type {Clock} */
   let clock = "s";
+  /** @type {{ name: string, back: () => void } | null} */
+  let refused = null;
 
   const rows = new Map(parameters.map((parameter) => [parameter.name, rowOf(parameter)]));
   const symmetric = element("input", { type: "checkbox", id: "symmetric" });
@@ -278,12 +303,19 @@ export function createSliders(container, kind, parameters, changed) {
    * @param {number} value
    */
   function set(name, value) {
+    if (refused && refused.name !== name) {
+      // What was refused does not stay, or another slider would be blamed for it.
+      refused.back();
+      refused = null;
+      values[name] = value;
+      showRow(name);
+    }
     values[name] = value;
     if (second && name === "lambda1" && symmetric.checked) {
       values.lambda2 = value;
       showRow("lambda2");
     }
-    for (const row of rows.values()) row.content();
+    for (const row of rows.values()) row.restore();
     changed({ ...values }, name);
   }
 
@@ -303,7 +335,7 @@ export function createSliders(container, kind, parameters, changed) {
      * @param {Preset} example
      */
     show(now, time, example) {
-      [values, clock, preset] = [{ ...now }, time, example];
+      [values, clock, preset, refused] = [{ ...now }, time, example, null];
       for (const { name } of parameters) showRow(name);
       symmetric.checked = values.lambda1 === values.lambda2;
       second?.setFollowing(symmetric.checked);
@@ -337,6 +369,7 @@ export function createSliders(container, kind, parameters, changed) {
      * @param {() => void} back
      */
     refuse(name, sentence, back) {
+      refused = { name, back };
       const button = element("button", { type: "button" }, "Take it back");
       button.addEventListener("click", () => {
         back();
@@ -383,7 +416,7 @@ export function createPresets(container, presets, choose) {
 }
 
 /** A relation with its sides, such as "|ω₃| ≥ 6.578 rad/s"; an index stands below: "Ω_b". */
-const RELATION = /([^ ]+ [=≥<>] (?:L\/λ₁ = )?[^ ]*[^ .:,;](?: rad\/[sd])?)/;
+const RELATION = /([^ ]+ [=≥<>] (?:L\/λ₁ = |\(λ₁ − λ₃\)ω₃\/λ₁ = )?[^ ]*[^ .:,;](?: rad\/[sd])?)/;
 
 /** A sentence whose relations are not broken between two lines. */
 function withRelations(/** @type {string} */ sentence) {

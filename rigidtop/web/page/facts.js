@@ -42,8 +42,8 @@ export function factsOf(motion) {
   }
   const { regime, turningPoints } = regimeOf(motion);
   const facts = steadyFacts(motion);
-  const now = facts.steady && regime === "steady precession" ? " This is one of them." : "";
-  return { regime, turningPoints, ...facts, verdict: facts.verdict + now };
+  const verdict = `${inWords(regime, turningPoints)}${facts.verdict}`;
+  return { regime, turningPoints, ...facts, verdict };
 }
 
 /**
@@ -55,6 +55,25 @@ export function factsOf(motion) {
 export function potentialOf(motion) {
   const { M, R, g, lambda1, lambda3, p_phi, p_psi } = quantities(motion.start, motion);
   return (theta) => effectivePotential({ M, R, g, lambda1, lambda3, p_phi, p_psi, theta });
+}
+
+/** What θ and φ do, in a sentence; none where the verdict says it. */
+function inWords(
+  /** @type {string} */ regime,
+  /** @type {readonly [number, number]} */ turningPoints,
+) {
+  const [least, most] = turningPoints.map((angle) => `${number((angle * 180) / Math.PI)}°`);
+  const between = `θ goes between ${least} and ${most}`;
+  /** @type {Record<string, string>} */
+  const sentences = {
+    "steady precession": `Steady precession: θ stays at ${least}. `,
+    "plane pendulum": `A pendulum in a plane: ${between}. `,
+    "through the vertical": `Through the vertical: ${between}. `,
+    waves: `Waves: ${between}, and φ̇ keeps its sign. `,
+    cusps: `Cusps: ${between}, and φ̇ vanishes at one end. `,
+    loops: `Loops: ${between}, and φ̇ changes sign. `,
+  };
+  return sentences[regime] ?? "";
 }
 
 /** @param {Motion} motion */
@@ -249,7 +268,7 @@ function freeFacts(motion) {
     const way = body > 0 ? "clockwise" : "anticlockwise";
     const verdict =
       `Two moments are equal: seen from the tip of e₃, ω turns ${way} about it in the body, with ` +
-      `Ω_b = ${number(body)} ${per}; in space e₃ turns about L at Ω_s = L/λ₁ = ` +
+      `Ω_b = (λ₁ − λ₃)ω₃/λ₁ = ${number(body)} ${per}; in space e₃ turns about L at Ω_s = L/λ₁ = ` +
       `${number(length / lambda1)} ${per}.`;
     return { regime: "regular precession", verdict };
   }

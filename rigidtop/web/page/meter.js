@@ -38,8 +38,8 @@ export function createMeter(container) {
       const exact = drifts.some((drift) => drift.exact) ? " ω₃, and with it λ₃ω₃, is" +
         " constant by the form of the equations that are integrated: its zero says nothing." : "";
       container.append(element("p", "meter-note",
-        `The mark at ${powerOfTen(PROMISE)} is what the page promises. What is kept says how well` +
-        ` the motion is integrated, not how late or early it comes by.${exact}`));
+        `The mark at ${powerOfTen(PROMISE)} is what the page promises. A small drift shows that` +
+        ` the motion is integrated well, not how large its error in time is.${exact}`));
     }
     drifts.forEach((drift, k) => rows[k](drift));
   });
@@ -53,7 +53,7 @@ function heading() {
   const scale = element("span", "meter-scale");
   scale.append(element("span", "", powerOfTen(LEAST)), element("span", "", powerOfTen(PROMISE)),
     element("span", "", powerOfTen(MOST)));
-  row.append(element("span", ""), scale, element("span", "", "now"), element("span", "", "most"),
+  row.append(element("span", ""), scale, element("span", "", "now"), element("span", "", "largest"),
     element("span", ""));
   return row;
 }

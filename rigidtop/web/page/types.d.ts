@@ -62,8 +62,8 @@ export interface Sample {
 export interface Drift {
   readonly name: "E" | "p_phi" | "p_psi" | "L";
   /**
-   * Relative: the energy to T₀ + MgR without the part of a constant ω₃, a momentum to what no |L| of
-   * the body exceeds, √(2λ(T₀ + MgR)) with the largest moment λ.
+   * Relative: the energy to T₀ + MgR without the part of a constant ω₃, a momentum to what no |L|
+   * of the body exceeds, √(2λ(T₀ + MgR)) with the largest moment λ.
    */
   readonly now: number;
   /** The largest since t = 0, of all steps. */
