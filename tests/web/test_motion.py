@@ -201,13 +201,19 @@ def test_ahead_ends_where_it_would_take_long(engine, tableau):
 
 
 def test_most_is_that_of_all_steps(engine, tableau):
+    # Each time reached in one go: what strayed on the way counts, and not just where it ends.
     setup = setup_of(TOP.motion(theta=0.5, phi_dot=1.0, omega3=12.0))
-    most = engine.run(
-        "m = createMotion(setup, tableau); m.go(100); one = m.drift()[0].most;"
-        "m.reset(); for (let k = 1; k <= 1000; k++) m.go(k / 10); [one, m.drift()[0].most]",
+    found = engine.run(
+        "ACCURACY.rtol = ACCURACY.atol = 1e-4; m = createMotion(setup, tableau);"
+        "seen = Array.from({ length: 60 }, (_, k) => { m.reset(); m.go((k + 1) / 4);"
+        " const [drift] = m.drift(); return [drift.now, drift.most]; });"
+        "ACCURACY.rtol = 2.5e-14; ACCURACY.atol = 1e-14; seen",
         setup=as_json(setup),
     )
-    assert most[0] == pytest.approx(most[1], rel=0.5)
+    now, most = np.transpose(found)
+    assert np.all(now <= most)
+    assert np.any(now < most)
+    assert not np.all(np.diff(now) >= 0)
 
 
 def test_a_deadline_stops_between_two_steps(engine, tableau):
@@ -229,7 +235,7 @@ def test_drift_is_relative_to_the_energy_that_changes(engine, tableau):
     found = engine.run(
         "ACCURACY.rtol = 1e-4; ACCURACY.atol = 1e-4; m = createMotion(setup, tableau);"
         "for (let k = 1; k <= 100; k++) m.go(k / 10);"
-        "ACCURACY.rtol = 1e-13; ACCURACY.atol = 1e-14; [m.drift(), m.now, m.start]",
+        "ACCURACY.rtol = 2.5e-14; ACCURACY.atol = 1e-14; [m.drift(), m.now, m.start]",
         setup=as_json(setup),
     )
     drift, now, start = found
