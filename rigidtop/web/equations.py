@@ -1,7 +1,7 @@
 """The functions that the page computes with, as derived, written into a JavaScript module.
 
-``python -m rigidtop.web`` rewrites `rigidtop/web/page/equations.js`; with ``--check`` it only says
-whether that is current.
+``python -m rigidtop.web`` rewrites `rigidtop/web/live-page/equations.js`; with ``--check`` it only
+says whether that is current.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from rigidtop.theory import euler, rotation, top
 from rigidtop.theory import symbols as s
 from rigidtop.web import terms
 
-PATH = Path(__file__).parent / "page" / "equations.js"
+PATH = Path(__file__).parent / "live-page" / "equations.js"
 """The generated module."""
 
 HEADER = """\

@@ -21,7 +21,7 @@ from rigidtop.web.presets import PRESETS
 from rigidtop.web.setup import FREE, HEAVY, Preset, setup_of
 from rigidtop.web.sliders import Slider, sliders
 
-FOLDER = Path(__file__).parent / "page"
+FOLDER = Path(__file__).parent / "live-page"
 THREE = "static/r130/three.min.js"
 TITLES = {HEAVY: "The heavy top, live", FREE: "The free body, live"}
 TABLEAU = ("A", "B", "C", "E3", "E5", "D", "A_EXTRA", "C_EXTRA")

@@ -130,10 +130,10 @@ def test_an_upright_body_that_is_pushed(engine, tableau, theta):
 
 @pytest.mark.parametrize("theta", [0.0, math.pi])
 def test_a_vertical_body_at_rest_stays_exactly(engine, tableau, theta):
-    (row,) = sample(engine, setup_of(TOP.motion(theta=theta, omega3=3.0)), 50.0)
+    (row,) = sample(engine, setup_of(TOP.motion(theta=theta, phi=0.3, psi=0.4, omega3=3.0)), 50.0)
     assert math.isclose(row["theta"], theta, abs_tol=1e-15)
-    assert math.isclose(row["phi"], 0.0, abs_tol=1e-12)
-    assert math.isclose(row["psi"], 150.0, rel_tol=1e-12)
+    assert math.isclose(row["phi"], 0.3, abs_tol=1e-12)
+    assert math.isclose(row["psi"], 150.4, rel_tol=1e-12)
 
 
 def test_solver_steps_as_scipy_does(engine, tableau):
@@ -164,7 +164,9 @@ def test_rewinding_meets_the_same_states(engine, tableau):
     once, twice = sample(engine, setup, 2.5, 8.0)
     assert np.allclose(back["rotation"], once["rotation"], atol=1e-10)
     assert np.allclose(again["rotation"], twice["rotation"], atol=1e-10)
-    assert math.isclose(back["phi"], once["phi"], abs_tol=1e-10)
+    for angle in ("phi", "psi"):
+        assert math.isclose(back[angle], once[angle], abs_tol=1e-10)
+        assert math.isclose(again[angle], twice[angle], abs_tol=1e-10)
     assert np.allclose(there["rotation"], twice["rotation"], atol=1e-10)
     # The trail ends where the motion is, and the start is exact.
     assert engine.run("m.go(3); m.trail.at(-1).t <= 3 && m.trail.at(-1).t > 2.9") is True
@@ -188,6 +190,19 @@ def test_the_trail_is_evenly_spaced_and_bounded(engine, tableau):
     assert len(gaps) > 50
     assert np.allclose(gaps, gaps[0], rtol=1e-9)
     assert engine.run("for (let k = 1; k < 80; k++) m.go(k); m.trail.length") <= 10_000
+
+
+@pytest.mark.parametrize("near", [3e-3, math.pi - 3e-3])
+@pytest.mark.parametrize("phi_dot", [-400.0, -40.0, 3.0, 40.0, 400.0])
+@pytest.mark.parametrize("omega3", [-9.0, 5.0])
+def test_turns_are_counted_beside_the_vertical(engine, tableau, near, phi_dot, omega3):
+    # φ goes round by nearly half a turn, or more, while the axis passes by.
+    motion = TOP.motion(theta=near, theta_dot=-1.0, phi_dot=phi_dot, omega3=omega3)
+    times = [0.01, 0.3, 2.0, 5.0]
+    rows = sample(engine, setup_of(motion), *times)
+    exact = motion.exact(times)
+    assert np.allclose([row["phi"] for row in rows], exact.phi, atol=1e-6)
+    assert np.allclose([row["psi"] for row in rows], exact.psi, atol=1e-6)
 
 
 def test_ahead_ends_where_it_would_take_long(engine, tableau):
