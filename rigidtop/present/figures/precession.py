@@ -13,7 +13,7 @@ from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 
-from rigidtop.derivations.exercises import simplified_picture as parallel
+from rigidtop.derivations.exercises import parallel
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter

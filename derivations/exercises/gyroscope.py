@@ -1,0 +1,336 @@
+"""Section 3.5.2: the gyroscope and the bicycle wheel."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import asin, atan, cos, hypot, pi, sin, sqrt
+
+import numpy as np
+import sympy
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+from sympy import Matrix
+
+from rigidtop.derivations.simplified_picture import precession_vector, torque_direction
+from rigidtop.errors import RigidtopError
+from rigidtop.motion.top import ROUNDING, HeavyTop
+from rigidtop.parameters import Parameter
+from rigidtop.proof.equation import Cross, Equation, Group, as_printed
+from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
+from rigidtop.proof.page import Check, Evidence, Measure, claim
+from rigidtop.theory import top as theory
+from rigidtop.theory.inertia import cylinder, parallel_axis, torus
+from rigidtop.theory.rotation import Z_AXIS
+from rigidtop.theory.symbols import (
+    F,
+    M,
+    N_vec,
+    Omega,
+    R,
+    delta,
+    e3,
+    epsilon,
+    epsilon_0,
+    g,
+    height,
+    lambda1,
+    lambda3,
+    omega2p,
+    omega3,
+    phi,
+    radius,
+    tau,
+    theta,
+    zhat,
+)
+from rigidtop.theory.trig import reduce_ratio
+
+from .bodies import GRAVITY
+from .parallel import bound_on_the_tilt, released, smallness
+
+
+@claim("spin-for-accuracy", "(3.52) is off by the share τ where ε = τ/(1 + τ)².")
+def spin_for_accuracy() -> Iterator[Evidence]:
+    """Ω₋ of (3.57) over what it tends to depends on ε = λ₁MgR cos θ/(λ₃ω₃)² alone; solved for ε.
+
+    τ grows with ε, to 1 at ε = ¼: the smallest spin of steady precession, where (3.52) gives
+    half of the truth.
+    """
+    off = theory.root_factors()[0] - 1
+    with as_printed():
+        needed = Equation(epsilon * Group(1 + tau) ** 2, tau)
+        spin = Equation(
+            epsilon * Group(lambda3 * omega3) ** 2, lambda1 * M * g * R * sympy.cos(theta)
+        )
+    yield Check(needed, {tau: off}, reason="τ = Ω₋ over (3.52), less 1.", printed=False)
+    yield Check(spin, {epsilon: theory.smallness()}, printed=False)
+
+
+def on_an_arm(about_centre: Matrix) -> Matrix:
+    """The tensor about a pivot on e₃ at R from the centre (3×3, kg m²)."""
+    return parallel_axis(about_centre, M, Matrix([0, 0, R]))
+
+
+@claim("disc-on-an-arm", "A disc on an axle without mass, held at R: the mass drops out of Ω.")
+def disc_on_an_arm() -> Iterator[Evidence]:
+    """A cylinder without height, and Steiner's theorem; (3.52) with its λ₃."""
+    tensor = on_an_arm(cylinder(radius, height).inertia(M).subs(height, 0))
+    with as_printed():
+        along = Equation(lambda3, M * radius**2 / 2)
+        across = Equation(lambda1, M * Group(radius**2 / 4 + R**2))
+        rate = Equation(radius**2 * omega3 * Omega, 2 * g * R)
+    moments = {lambda1: tensor[0, 0], lambda3: tensor[2, 2]}
+    yield Check(along, moments, printed=False)
+    yield Check(across, moments, printed=False)
+    simple = theory.leading_roots()[0].subs(lambda3, moments[lambda3])
+    yield Check(rate, {Omega: simple}, reason="(3.52).", printed=False)
+
+
+@claim("wheel-on-an-axle", "A hoop whose horizontal axle is held at one end: Ω is exact.")
+def wheel_on_an_axle() -> Iterator[Evidence]:
+    """A torus without thickness, and Steiner's theorem; at cos θ = 0 (3.57) has one root, (3.52).
+
+    A cord that leans pulls along the horizontal axle with some F besides: about the centre of mass
+    that has no torque, and the rate is the same. Let go at rest, the axle dips by arcsin δ.
+    """
+    tensor = on_an_arm(torus(radius, height).inertia(M).subs(height, 0))
+    axle, vertical = Matrix([sympy.cos(phi), sympy.sin(phi), 0]), Matrix(Z_AXIS)
+    pulled = (-R * axle).cross(M * g * vertical - F * axle)
+    moments = {lambda1: tensor[0, 0], lambda3: tensor[2, 2]}
+    horizontal = theory.steady_quadratic().subs(theta, sympy.pi / 2).subs(lambda3, tensor[2, 2])
+    with as_printed():
+        along = Equation(lambda3, M * radius**2)
+        across = Equation(lambda1, M * Group(radius**2 / 2 + R**2))
+        rate = Equation(radius**2 * omega3 * Omega, g * R)
+        torque = Equation(N_vec, M * g * R * Cross(zhat, e3))
+        dip = Equation(2 * epsilon_0 * Group(1 - delta**2), delta)
+    yield Check(along, moments, printed=False)
+    yield Check(across, moments, printed=False)
+    [root] = sympy.solve(horizontal, Omega)
+    yield Check(rate, {Omega: root}, reason="(3.57) at θ = 90°.", printed=False)
+    yield Check(
+        torque,
+        {N_vec: pulled, zhat: vertical, e3: axle},
+        reason="About the centre of mass, by the cord at the end of the axle.",
+        printed=False,
+    )
+    # At the lowest point ω₂′ = 0, and released at 90°, δ = −cos θ: that takes a weight.
+    lowest = {name: x.subs(omega2p, 0) for name, x in released().items()}
+    [weight] = sympy.solve(lowest[delta] + sympy.cos(theta), M)
+    strength = reduce_ratio(lowest[epsilon_0].subs(M, weight))
+    yield Check(
+        dip,
+        {delta: -sympy.cos(theta), epsilon_0: strength},
+        reason="Where the axle is lowest.",
+        printed=False,
+    )
+
+
+Grains = tuple[NDArray[np.float64], NDArray[np.float64]]
+"""Masses (n,) and places (n, 3) along e₁, e₂, e₃ from the pivot."""
+
+
+def hoop(mass: float, radius: float, arm: float) -> Grains:
+    """Six equal grains on a circle about e₃: they have the mass, centre and moments of a hoop."""
+    turns = 2 * pi * np.arange(6) / 6
+    places = np.stack(
+        [radius * np.cos(turns), radius * np.sin(turns), np.full_like(turns, arm)], axis=1
+    )
+    return np.full(6, mass / 6), places
+
+
+def disc(mass: float, radius: float, arm: float) -> Grains:
+    """Half of the mass on the rim and half at the centre: those of a uniform disc."""
+    masses, places = hoop(mass / 2, radius, arm)
+    return np.append(masses, mass / 2), np.vstack([places, [0.0, 0.0, arm]])
+
+
+def steadily_moved(grains: Grains, theta: float, rate: float, omega3: float) -> Grains:
+    """Places and accelerations in space of grains in steady precession, by Rz(φ)Ry(θ)Rz(ψ).
+
+    φ̇ = `rate` and ψ̇ = ω₃ − φ̇ cos θ are constant, so that each d/dt of the product is a factor
+    φ̇ ẑ× in front or ψ̇ ẑ× behind.
+    """
+    about = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
+    tilt = np.array(
+        [[cos(theta), 0.0, sin(theta)], [0.0, 1.0, 0.0], [-sin(theta), 0.0, cos(theta)]]
+    )
+    spin = omega3 - rate * cos(theta)
+    second = (
+        rate**2 * about @ about @ tilt
+        + 2 * rate * spin * about @ tilt @ about
+        + spin**2 * tilt @ about @ about
+    )
+    return grains[1] @ tilt.T, grains[1] @ second.T
+
+
+def unbalanced(grains: Grains, theta: float, rate: float, omega3: float, g: float) -> float:
+    """|Σ r × m(a − g)| over Σ|r × ma| + Σ|r × mg|: by Newton's law for each grain it vanishes."""
+    places, accelerations = steadily_moved(grains, theta, rate, omega3)
+    needed = np.cross(places, grains[0][:, None] * accelerations)
+    given = np.cross(places, grains[0][:, None] * np.array([0.0, 0.0, -g]))
+    size = np.linalg.norm(needed, axis=1).sum() + np.linalg.norm(given, axis=1).sum()
+    return float(np.linalg.norm((needed - given).sum(axis=0)) / size)
+
+
+def seen_from_above(rate: float) -> str:
+    """Which way a precession goes."""
+    return "anticlockwise" if rate > 0 else "clockwise"
+
+
+def spinning(omega3: float) -> None:
+    """RigidtopError for a wheel at rest."""
+    if omega3 == 0:
+        raise RigidtopError("omega3 must not be 0: a wheel that does not spin falls")
+
+
+FACTORS = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
+
+
+@exercise(
+    "gyroscope",
+    "The gyroscope of introductory books",
+    section="3.5.2",
+    asks="example 35: gyroscopes",
+    statement="A uniform disc spins on a thin axle through its centre. The end of the axle rests "
+    "on a stand, at the distance R from the disc, and the axle makes the angle θ with the "
+    "vertical. In which direction does it precess, how fast, and how long does one turn take?\n\n"
+    "Compare (3.52) with the exact rate. How fast must the disc spin so that (3.52) is wrong by no "
+    "more than a share “tolerance”, and how fast so that it can precess steadily at all?",
+    claims=(precession_vector, torque_direction, disc_on_an_arm, spin_for_accuracy),
+    parameters=(
+        Parameter("M", 0.17, "mass of the disc", "kg", above=0),
+        Parameter("radius", 0.055, "radius of the disc", "m", above=0),
+        Parameter("R", 0.105, "from the stand to the disc", "m", above=0),
+        Parameter("omega3", 90 * pi, "ω₃: 45 turns a second", "rad/s"),
+        Parameter("theta", pi / 3, "θ of the axle", "rad", above=0, most=3.1),
+        Parameter("tolerance", 0.01, "error allowed, relative", above=0, most=0.9),
+        GRAVITY,
+    ),
+)
+def gyroscope(
+    M: float, radius: float, R: float, omega3: float, theta: float, tolerance: float, g: float
+) -> Iterator[Outcome]:
+    """The exact rate is the slow root of (3.57). By Newton's law grain by grain, without moments of
+    inertia or Euler's equations, it is checked that a disc so moved needs the torque of its weight
+    and no other; and the spin for the tolerance by the exact rate there."""
+    spinning(omega3)
+    top = HeavyTop(lambda1=M * (radius**2 / 4 + R**2), lambda3=M * radius**2 / 2, M=M, R=R, g=g)
+    exact, _ = top.steady_precession(theta, omega3)
+    simple = top.weight[2] / (top.lambda3 * omega3)
+    off = exact / simple - 1
+    cosine = cos(theta) if abs(cos(theta)) > ROUNDING else 0.0
+    # Below the horizontal the exact rate is the smaller one.
+    share = tolerance if cosine > 0 else -tolerance
+    needed = sqrt(top.lambda1 * top.weight[2] * abs(cosine) / tolerance) * (1 + share)
+    needed /= top.lambda3
+
+    yield Answer("lambda1", "λ₁ about the stand", top.lambda1, "kg m²")
+    yield Answer("lambda3", "λ₃", top.lambda3, "kg m²")
+    yield Answer("simple", "Ω by (3.52)", simple, "rad/s")
+    yield Answer("exact", "Ω₋ of (3.57)", exact, "rad/s")
+    yield Answer("off", "by how much it exceeds (3.52), relative", off)
+    yield Answer("period", "time for one turn", 2 * pi / abs(exact), "s")
+    yield Answer("direction", "direction, seen from above", seen_from_above(exact))
+    yield Answer("epsilon_0", "ε₀", smallness(top, omega3))
+    yield Answer("good", "is (3.52) good enough?", "yes" if abs(off) <= tolerance else "no")
+    yield Answer("spin_needed", "it is for |ω₃| from", needed, "rad/s")
+    yield Answer("smallest_spin", "smallest |ω₃| to go round", top.smallest_spin(theta), "rad/s")
+
+    def at(spin: float) -> tuple[float | str, ...]:
+        rough = top.weight[2] / (top.lambda3 * spin)
+        if abs(spin) < top.smallest_spin(theta):
+            return spin, smallness(top, spin), rough, "none", "none"
+        rate, _ = top.steady_precession(theta, spin)
+        return spin, smallness(top, spin), rough, rate, rate / rough - 1
+
+    yield Table(
+        "spins",
+        "at less and at more spin",
+        ("ω₃ (rad/s)", "ε₀", "Ω by (3.52) (rad/s)", "Ω₋ (rad/s)", "excess"),
+        tuple(at(factor * omega3) for factor in FACTORS),
+    )
+    yield Measure(
+        "torque that the moving disc needs besides its weight's, relative",
+        unbalanced(disc(M, radius, R), theta, exact, omega3, g),
+        1e-12,
+    )
+    if needed:
+        rate, _ = top.steady_precession(theta, needed)
+        excess = rate * top.lambda3 * needed / top.weight[2] - 1
+        yield Measure("excess at the spin for the tolerance", abs(excess - share), 1e-12)
+
+
+@exercise(
+    "bicycle-wheel",
+    "The bicycle wheel on a cord",
+    section="3.5.2",
+    asks="example 35: the wheel of the videos",
+    statement="A bicycle wheel, all of its mass in the rim, spins on a horizontal axle. One end of "
+    "the axle, at the distance R from the wheel, is held up by a cord. Which way does the wheel go "
+    "round, and how fast? What is the force in the cord, and by what angle does the cord lean?\n\n"
+    "Somebody holds the other end of the axle at rest and lets it go, with the first end on a "
+    "fixed pivot. How far does the axle dip, and how often?",
+    claims=(precession_vector, torque_direction, wheel_on_an_axle, bound_on_the_tilt),
+    parameters=(
+        Parameter("M", 1.5, "mass of the rim", "kg", above=0),
+        Parameter("radius", 0.31, "radius of the rim", "m", above=0),
+        Parameter("R", 0.15, "from the cord to the wheel", "m", above=0),
+        Parameter("omega3", 6 * pi, "ω₃: 180 turns a minute", "rad/s"),
+        Parameter("cord", 1.0, "length of the cord", "m", least=0),
+        GRAVITY,
+    ),
+)
+def bicycle_wheel(
+    M: float, radius: float, R: float, omega3: float, cord: float, g: float
+) -> Iterator[Outcome]:
+    """The cord leans until its horizontal part keeps the wheel on its circle: a root is found. That
+    the rate needs no other torque, and the cord no other force, is checked by Newton's law for six
+    grains of the rim; the dip against the turning points of the exact motion."""
+    spinning(omega3)
+    top = HeavyTop(lambda1=M * (radius**2 / 2 + R**2), lambda3=M * radius**2, M=M, R=R, g=g)
+    rate, _ = top.steady_precession(pi / 2, omega3)
+    weak = smallness(top, omega3)
+
+    def unmet(slope: float) -> float:
+        # The centre of mass is on a circle of radius R + ℓ sin β; tan β is the slope.
+        return g * slope - rate**2 * (R + cord * slope / hypot(1.0, slope))
+
+    most = rate**2 * (R + cord) / g
+    slope = float(brentq(unmet, 0.0, most, xtol=1e-15 * most, rtol=1e-15))
+    tension, reach = M * g * hypot(1.0, slope), R + cord * slope / hypot(1.0, slope)
+    dip = asin(4 * weak / (1 + sqrt(1 + 16 * weak**2)))
+    motion = top.motion(theta=pi / 2, omega3=omega3)
+
+    yield Answer("lambda1", "λ₁ about the end of the axle", top.lambda1, "kg m²")
+    yield Answer("lambda3", "λ₃", top.lambda3, "kg m²")
+    yield Answer("precession", "Ω, exact at θ = 90°", rate, "rad/s")
+    yield Answer("period", "time for one turn", 2 * pi / abs(rate), "s")
+    yield Answer("direction", "direction, seen from above", seen_from_above(rate))
+    yield Answer("tension", "force in the cord", tension, "N")
+    yield Answer("lean", "angle of the cord with the vertical", atan(slope), "rad")
+    yield Answer("epsilon_0", "ε₀", weak)
+    yield Answer("dip", "dip of the axle, let go at rest", dip, "rad")
+    yield Answer("dip_period", "time from dip to dip", motion.nutation_period, "s")
+
+    grains = hoop(M, radius, R)
+    yield Measure(
+        "torque that the moving wheel needs besides its weight's, relative",
+        unbalanced(grains, pi / 2, rate, omega3, g),
+        1e-12,
+    )
+    masses, places = hoop(M, radius, reach)
+    _, accelerations = steadily_moved((masses, places), pi / 2, rate, omega3)
+    pull = tension * np.array([-sin(atan(slope)), 0.0, cos(atan(slope))])
+    weight = np.array([0.0, 0.0, -M * g])
+    size = masses @ np.linalg.norm(accelerations, axis=1) + tension + M * g
+    yield Measure(
+        "force on the moving wheel against cord and weight, relative",
+        float(np.linalg.norm(masses @ accelerations - pull - weight) / size),
+        1e-12,
+    )
+    lowest = motion.turning_points[1] - pi / 2
+    yield Measure("dip against the exact motion's (rad)", abs(dip - lowest), 1e-12)
+
+
+EXERCISES: tuple[Exercise, ...] = (gyroscope, bicycle_wheel)

@@ -1,0 +1,390 @@
+"""Section 3.5.2: L beside ω, for a weak torque."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from math import atan, atan2, cos, factorial, hypot, pi, sin, sqrt
+
+import numpy as np
+import sympy
+from numpy.typing import NDArray
+from scipy.optimize import minimize_scalar
+from sympy import Expr, Gt, Matrix, Ne
+
+from rigidtop.derivations.euler_angles import TILTED
+from rigidtop.derivations.simplified_picture import SPINNING, parallel
+from rigidtop.errors import RigidtopError
+from rigidtop.motion.motion import TopMotion
+from rigidtop.motion.top import HeavyTop
+from rigidtop.parameters import Parameter
+from rigidtop.proof.equation import Cross, Dot, Equation, Group, as_printed
+from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
+from rigidtop.proof.page import Assumption, Check, Evidence, Measure, claim
+from rigidtop.theory import top as theory
+from rigidtop.theory.lagrangian import energy
+from rigidtop.theory.symbols import (
+    L_vec,
+    M,
+    Omega,
+    Omega_minus,
+    R,
+    chi,
+    delta,
+    epsilon_0,
+    g,
+    kappa,
+    lambda1,
+    lambda3,
+    omega1p,
+    omega2p,
+    omega3,
+    omega_0,
+    omega_vec,
+    phidot,
+    psidot,
+    theta,
+    theta_i,
+    thetadot,
+)
+from rigidtop.theory.trig import reduce_ratio, reduce_trig
+
+from .bodies import HEAVY_TOP, SPIN
+
+
+@cache
+def conserved() -> tuple[Expr, Expr]:
+    """What has not changed since a top was released at θ_i with ω along e₃: E (J) and p_φ (J s).
+
+    Both as they are now less as they were, which is zero; cos θ_i = cos θ + δ.
+    """
+    now = {psidot: omega3 - phidot * sympy.cos(theta)}
+    start = {psidot: omega3, phidot: 0, thetadot: 0}
+    total = energy(theory.symmetric_lagrangian(), theory.RATES)
+    changed = []
+    for quantity in (total, theory.symmetric_momenta()[1]):
+        then = quantity.subs(start).subs(sympy.cos(theta), sympy.cos(theta) + delta)
+        changed.append(reduce_trig(quantity.subs(now) - then, keep="sin"))
+    return changed[0], changed[1]
+
+
+@cache
+def released() -> dict[Expr, Expr]:
+    """δ, ω₃ and ε₀ of the release from which a top came to be at θ with ω₁′ and ω₂′ across e₃."""
+    total, momentum = conserved()
+    [sunk] = sympy.solve(total, delta)
+    [spin] = sympy.solve(momentum.subs(delta, sunk), omega3)
+    across = {phidot: -omega1p / sympy.sin(theta), thetadot: omega2p}
+    state = {name: reduce_ratio(x.subs(across)) for name, x in ((delta, sunk), (omega3, spin))}
+    weak = theory.smallness() / sympy.cos(theta)
+    return {**state, epsilon_0: reduce_ratio(weak.subs(state))}
+
+
+@claim("bound-on-the-axis", "A top released with ω along e₃ keeps |ω⊥| ≤ 2Ω sin θ, Ω of (3.52).")
+def bound_on_the_axis() -> Iterator[Evidence]:
+    """What the top has sunk, δ = cos θᵢ − cos θ, gives the energy of ω⊥, and L_z its direction.
+
+    Together: |λ₃ω₃| |ω⊥| ≤ 2MgR sin θ at any spin, with both sides equal where θ is largest.
+    """
+    with as_printed():
+        across = Group(omega1p**2 + omega2p**2)
+        torque = 4 * Group(M * g * R) ** 2 * sympy.sin(theta) ** 2
+        momentum = Group(lambda3 * omega3) ** 2
+        sinking = Equation(lambda1 * across, 2 * M * g * R * delta)
+        turning = Equation(lambda3 * omega3 * delta, -lambda1 * omega1p * sympy.sin(theta))
+        short_of = Equation(
+            delta * Group(torque - momentum * across),
+            2 * lambda1 * M * g * R * omega2p**2 * sympy.sin(theta) ** 2,
+        )
+        bound = Equation(momentum * across, torque, relation="<")
+    state = released()
+    yield Check(sinking, state, reason="By energy: the top can only sink.", printed=False)
+    yield Check(turning, state, reason="L_z is what it was.", printed=False)
+    yield Check(short_of, state, reason="From both.", printed=False)
+    moving = Assumption(Ne(omega2p, 0), "θ changes: at the lowest point both sides are equal")
+    yield Check(bound, state, (moving, TILTED), "The square of the bound.", printed=False)
+
+
+@claim("bound-on-the-tilt", "Where it is lowest, sin²θ < sin²θᵢ/(1 − 4ε₀ cos θᵢ).")
+def bound_on_the_tilt() -> Iterator[Evidence]:
+    """|ω⊥| is largest where the top is lowest, by energy; there θ̇ = ω₂′ = 0 and δ = 2ε₀ sin²θ.
+
+    So the top that starts at θᵢ stays near it, and |ω⊥| near 2Ω sin θᵢ at most, if 4ε₀ cos θᵢ is
+    small. It says nothing where that exceeds 1: below the spin of a steady precession at θᵢ.
+    """
+    sine2 = 1 - (sympy.cos(theta_i) - delta) ** 2
+    sunk = {sympy.sin(theta): sympy.sqrt(sine2)}
+    with as_printed():
+        reach = Group(2 * epsilon_0 * sympy.sin(theta) ** 2 - delta)
+        narrowed = Group(1 - 4 * epsilon_0 * sympy.cos(theta_i)) * sympy.sin(theta) ** 2
+        lowest = Equation(omega1p**2 * reach, delta * omega2p**2)
+        tilts = Equation(
+            sympy.sin(theta_i) ** 2 - narrowed, delta**2 + 2 * sympy.cos(theta_i) * reach
+        )
+        bound = Equation(narrowed, sympy.sin(theta_i) ** 2, relation="<")
+    yield Check(
+        lowest, released(), reason="The bracket is zero at the lowest point.", printed=False
+    )
+    yield Check(tilts, sunk, reason="With cos θ = cos θᵢ − δ.", printed=False)
+    yield Check(
+        bound,
+        {**sunk, epsilon_0: delta / (2 * sine2)},
+        (Assumption(Ne(delta, 0), "the top has sunk: it is not at the start"),),
+        "With the bracket zero: δ² is left.",
+        printed=False,
+    )
+
+
+@claim(
+    "bound-on-the-angle", "tan of the angle between L and ω ≤ 2ε₀|1 − λ₃/λ₁| sin θ at all times."
+)
+def bound_on_the_angle() -> Iterator[Evidence]:
+    """tan of the angle is |L × ω|/L·ω, and L·ω is at least λ₃ω₃².
+
+    With ω⊥ = ω₀ as large as it may be it is 2|λ₁ − λ₃| MgR sin θ/(λ₃ω₃)² at most: first order in
+    the torque, ε₀ = λ₁MgR/(λ₃ω₃)². At the lowest point sin θ is at most sin θᵢ/√(1 − 4ε₀ cos θᵢ),
+    so that L ∥ ω is as good an approximation as ε₀ is small.
+    """
+    parts = {
+        L_vec: Matrix([lambda1 * omega_0, 0, lambda3 * omega3]),
+        omega_vec: Matrix([omega_0, 0, omega3]),
+    }
+    with as_printed():
+        crossed = Dot(Cross(L_vec, omega_vec), Cross(L_vec, omega_vec))
+        apart = Group(lambda1 - lambda3) ** 2
+        size = Equation(crossed, apart * omega3**2 * omega_0**2)
+        along = Equation(Dot(L_vec, omega_vec), lambda1 * omega_0**2 + lambda3 * omega3**2)
+        bound = Equation(
+            Group(lambda3 * omega3) ** 4 * crossed,
+            4 * apart * Group(M * g * R) ** 2 * sympy.sin(theta) ** 2 * Dot(L_vec, omega_vec) ** 2,
+            relation="<",
+        )
+    yield Check(size, parts, reason="Across each other,", printed=False)
+    yield Check(along, parts, reason="and along.", printed=False)
+    # The bound on ω₀ as an equality: 4(MgR)² sin²θ = (λ₃ω₃)²(ω₀² + κ).
+    allowed = lambda3 * omega3 * sympy.sqrt(omega_0**2 + kappa) / (2 * M * g * R)
+    yield Check(
+        bound,
+        {**parts, sympy.sin(theta): allowed},
+        (
+            Assumption(Ne(lambda1, lambda3), "not a spherical top, whose L and ω are parallel"),
+            Assumption(Gt(kappa, 0), "κ is by how much ω₀² stays below its bound"),
+            SPINNING,
+        ),
+        "The square of the bound.",
+        printed=False,
+    )
+
+
+def powers(expression: Expr, order: int) -> Expr:
+    """The Taylor series of an expression in ε₀, up to this power."""
+    terms = (
+        expression.diff(epsilon_0, n).subs(epsilon_0, 0) / factorial(n) for n in range(order + 1)
+    )
+    return sum(term * epsilon_0**n for n, term in enumerate(terms))
+
+
+@cache
+def mean_over_simple() -> Expr:
+    """Mean φ̇ over MgR/(λ₃ω₃) of a top released with ω along e₃, to first order in ε₀."""
+    total, momentum = conserved()
+    [azimuth] = sympy.solve(momentum, phidot)
+    square = sympy.Symbol("square")
+    [fall] = sympy.solve(total.subs(phidot, azimuth).subs(thetadot**2, square), square)
+    sine2 = 1 - (sympy.cos(theta_i) - delta) ** 2
+    weak = {M: epsilon_0 * (lambda3 * omega3) ** 2 / (lambda1 * g * R)}
+    # The square of dδ/dt = θ̇ sin θ is δ times a quadratic: δ is zero at the start, δ₂ at the lowest
+    # point, and the third zero δ₃ is negative.
+    cubic = sympy.expand(fall * sympy.sin(theta) ** 2).subs(sympy.sin(theta) ** 2, sine2)
+    c2, c1, c0 = sympy.Poly(sympy.cancel(cubic.subs(weak) / delta), delta).all_coeffs()
+    root = sympy.sqrt(sympy.cancel(1 - 4 * c2 * c0 / c1**2))
+    lowest = powers(sympy.cancel(-2 * c0 / c1) / (1 + root), 2)
+    # With δ = δ₂ sin²χ the time is an integral over χ from 0 to π/2 of 1/√(1 − δ/δ₃).
+    moved = lowest * sympy.sin(chi) ** 2
+    slowness = 1 / sympy.sqrt(1 - sympy.cancel(moved * lowest * c2 / c0))
+    simple = (M * g * R / (lambda3 * omega3)).subs(weak)
+    rate = sympy.cancel((azimuth.subs(sympy.sin(theta) ** 2, sine2) / simple).subs(delta, moved))
+    over, whole = (
+        sympy.integrate(powers(x, 1), (chi, 0, sympy.pi / 2)) for x in (rate * slowness, slowness)
+    )
+    return powers(over / whole, 1)
+
+
+@claim("mean-of-the-cusps", "The mean precession of a released top is (3.52) times 1 + ε₀ cos θᵢ.")
+def mean_of_the_cusps() -> Iterator[Evidence]:
+    """φ̇ of L_z averaged over a nutation, with δ between its turning points, to first order in ε₀.
+
+    It is the rate Ω₋ of a steady precession at θᵢ: to this order the nutation changes nothing.
+    """
+    simple = M * g * R / (lambda3 * omega3)
+    mean = mean_over_simple()
+    weak = (theory.smallness() / sympy.cos(theta)).subs(theta, theta_i)
+    with as_printed():
+        faster = Equation(
+            lambda3 * omega3 * Omega, M * g * R * Group(1 + epsilon_0 * sympy.cos(theta_i))
+        )
+        steady = Equation(Omega, Omega_minus)
+    yield Check(
+        faster,
+        {Omega: simple * mean},
+        reason="To first order in ε₀ of the weak torque.",
+        printed=False,
+    )
+    yield Check(
+        steady,
+        {
+            Omega: simple * mean.subs(epsilon_0, weak),
+            Omega_minus: theory.steady_expansions(2)[0].subs(theta, theta_i),
+        },
+        reason="Ω₋ of (3.57), to the same order.",
+        printed=False,
+    )
+
+
+def smallness(top: HeavyTop, spin: float) -> float:
+    """ε₀ = λ₁MgR/(λ₃ω₃)²."""
+    return top.lambda1 * top.weight[2] / (top.lambda3 * spin) ** 2
+
+
+def bound_of_angle(top: HeavyTop, start: float, spin: float) -> float:
+    """No angle between L and ω of a top released at θ = `start` with ω along e₃ exceeds this (rad).
+
+    sin θ ≤ 1 besides, where the spin is too low for the bound on the tilt.
+    """
+    weak = smallness(top, spin)
+    narrowed = 1 - 4 * weak * cos(start)
+    sine = min(1.0, sin(start) / sqrt(narrowed)) if narrowed > 0 else 1.0
+    return atan(2 * weak * abs(1 - top.lambda3 / top.lambda1) * sine)
+
+
+def fastest_across(top: HeavyTop, theta: float, omega3: float) -> float:
+    """The largest |ω⊥| of a top released at θ with ω along e₃: at its lowest point (rad/s)."""
+    if sin(theta) == 0:
+        return 0.0  # nothing disturbs it
+    weak = smallness(top, omega3)
+    # δ = 2ε₀ sin²θ there, with cos θ = cos θᵢ − δ; without differences of large numbers.
+    linear, torque = 1 - 4 * weak * cos(theta), 4 * weak * sin(theta)
+    root = hypot(linear, torque)
+    sunk = torque * sin(theta) / (root + linear) if linear > 0 else (root - linear) / (4 * weak)
+    return sqrt(2 * top.weight[2] * sunk / top.lambda1)
+
+
+def largest_angle(top: HeavyTop, theta: float, omega3: float) -> float:
+    """The largest angle between L and ω of a top released at θ with ω along e₃ (rad).
+
+    Its tangent |λ₁ − λ₃| |ω₃| |ω⊥|/(λ₁ω⊥² + λ₃ω₃²) grows up to λ₁ω⊥² = λ₃ω₃². A fast top stays
+    below that: its angle is largest where it is lowest. A slow top comes past it on its way.
+    """
+    across = min(fastest_across(top, theta, omega3), sqrt(top.lambda3 / top.lambda1) * abs(omega3))
+    crossed = abs((top.lambda1 - top.lambda3) * omega3) * across
+    return atan2(crossed, top.lambda1 * across**2 + top.lambda3 * omega3**2)
+
+
+def angle_between(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Of the rows (N, 3) of both (rad)."""
+    across = np.linalg.norm(np.cross(a, b), axis=1)
+    return np.asarray(np.arctan2(across, np.sum(a * b, axis=1)))
+
+
+def widest_on_the_way(motion: TopMotion) -> float:
+    """The largest angle between L and ω in space on the way down, integrated (rad)."""
+
+    def missing(time: float) -> float:
+        path = motion.integrate(time, rtol=1e-12, atol=1e-14)
+        return -float(angle_between(path.angular_momentum, path.omega_space)[0])
+
+    down = motion.nutation_period / 2
+    # The angle has one maximum on the way, or is largest at its end.
+    found = minimize_scalar(
+        missing, bounds=(0.0, down), method="bounded", options={"xatol": 1e-12 * down}
+    )
+    return max(-float(found.fun), -missing(down))
+
+
+DOUBLINGS = 8
+
+
+@exercise(
+    "parallel-bound",
+    "How nearly L is parallel to ω",
+    section="3.5.2",
+    asks="“this would have to be shown”",
+    statement="A top is released at the angle θ, spinning about e₃, so that at first L and ω are "
+    "parallel. Show that for a weak torque they stay nearly so: find a bound on the angle between "
+    "them, for all times, in terms of ε₀ = λ₁MgR/(λ₃ω₃)².\n\n"
+    "How good is the bound? Double the spin again and again, and compare with the largest angle of "
+    "the exact motion. How good is (3.52) for the mean precession?",
+    claims=(parallel, bound_on_the_axis, bound_on_the_tilt, bound_on_the_angle, mean_of_the_cusps),
+    parameters=(
+        Parameter("theta", pi / 6, "θ at the start", "rad", above=0, most=3.1),
+        SPIN,
+        *HEAVY_TOP,
+    ),
+    figure="parallel",
+)
+def parallel_bound(
+    theta: float, omega3: float, lambda1: float, lambda3: float, M: float, R: float, g: float
+) -> Iterator[Outcome]:
+    """The largest angle is a closed form: at the lowest point of a fast top, on the way to it of a
+    slow one. The mean precession of the exact motion is a closed form too. The table doubles the
+    spin from row to row. The motion integrated with quaternions is searched for the same angle."""
+    top = HeavyTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g)
+    if omega3 == 0:
+        raise RigidtopError(
+            "omega3 must not be 0: without spin the top topples, and ε₀ is infinite"
+        )
+    if lambda1 == lambda3:
+        raise RigidtopError("lambda1 and lambda3 must differ: with equal moments L is along ω")
+
+    def compared(spin: float) -> tuple[float, ...]:
+        weak, bound = smallness(top, spin), bound_of_angle(top, theta, spin)
+        largest = largest_angle(top, theta, spin)
+        mean = top.motion(theta=theta, omega3=spin).mean_precession
+        off = mean / (top.weight[2] / (lambda3 * spin)) - 1
+        return spin, weak, bound, largest, largest / bound, mean, off, off / weak
+
+    rows = tuple(compared(omega3 * 2**k) for k in range(DOUBLINGS))
+    _, weak, bound, largest, share, mean, off, _ = rows[0]
+    yield Answer("epsilon_0", "ε₀", weak)
+    yield Answer("bound", "no angle between L and ω exceeds", bound, "rad")
+    yield Answer("largest", "the largest angle is", largest, "rad")
+    yield Answer("share", "the largest angle over the bound", share)
+    yield Answer("simple", "Ω by (3.52)", top.weight[2] / (lambda3 * omega3), "rad/s")
+    yield Answer("mean", "mean precession", mean, "rad/s")
+    yield Answer("off", "by how much it exceeds (3.52), relative", off)
+    yield Answer("off_first_order", "ε₀ cos θ, of which that is to first order", weak * cos(theta))
+    yield Table(
+        "spins",
+        "the spin doubled again and again",
+        (
+            "ω₃ (rad/s)",
+            "ε₀",
+            "bound (rad)",
+            "largest angle (rad)",
+            "their ratio",
+            "mean φ̇ (rad/s)",
+            "excess over (3.52)",
+            "excess/ε₀",
+        ),
+        rows,
+    )
+
+    above = max(row[4] for row in rows) - 1
+    yield Measure("by how much any angle of the table exceeds its bound", max(above, 0.0), 1e-9)
+    motion = top.motion(theta=theta, omega3=omega3)
+    yield Measure(
+        "the largest angle against that of L and ω in space, integrated (rad)",
+        abs(widest_on_the_way(motion) - largest),
+        1e-11,
+    )
+    lowest = motion.turning_points[1]
+    path = motion.integrate(motion.nutation_period / 2, rtol=1e-12, atol=1e-14)
+    across = float(np.hypot(*path.omega[0, :2]))
+    yield Measure(
+        "|ω⊥| at the lowest point against 2Ω sin θ there, relative",
+        abs(across / (2 * top.weight[2] * sin(lowest) / abs(lambda3 * omega3)) - 1),
+        1e-8,
+    )
+
+
+EXERCISES: tuple[Exercise, ...] = (parallel_bound,)
