@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import asin, atan, cos, hypot, pi, sin, sqrt
+from math import asin, atan, copysign, cos, hypot, pi, sin, sqrt
 
 import numpy as np
 import sympy
@@ -184,6 +184,43 @@ def spinning(omega3: float) -> None:
         raise RigidtopError("omega3 must not be 0: a wheel that does not spin falls")
 
 
+def disc_on_axle(M: float, radius: float, R: float, g: float) -> HeavyTop:
+    """A uniform disc on an axle without mass that is held at R from it."""
+    return HeavyTop(lambda1=M * (radius**2 / 4 + R**2), lambda3=M * radius**2 / 2, M=M, R=R, g=g)
+
+
+def hoop_on_axle(M: float, radius: float, R: float, g: float) -> HeavyTop:
+    """A wheel that is all rim, on an axle without mass that is held at R from it."""
+    return HeavyTop(lambda1=M * (radius**2 / 2 + R**2), lambda3=M * radius**2, M=M, R=R, g=g)
+
+
+def simple_rate(top: HeavyTop, spin: float) -> float:
+    """Ω by (3.52) (rad/s)."""
+    return top.weight[2] / (top.lambda3 * spin)
+
+
+def spin_for(tolerance: float, top: HeavyTop, theta: float) -> float:
+    """The |ω₃| (rad/s) from which on (3.52) is off by no more than the share `tolerance`."""
+    cosine = cos(theta) if abs(cos(theta)) > ROUNDING else 0.0
+    # Below the horizontal the exact rate is the smaller one.
+    share = tolerance if cosine > 0 else -tolerance
+    needed = sqrt(top.lambda1 * top.weight[2] * abs(cosine) / tolerance) * (1 + share)
+    return needed / top.lambda3
+
+
+def slope_of_cord(rate: float, R: float, cord: float, g: float) -> float:
+    """tan β of a cord that keeps a centre of mass at R from its end on its circle.
+
+    The circle has the radius R + ℓ sin β, and is run through at `rate` (rad/s).
+    """
+
+    def unmet(slope: float) -> float:
+        return g * slope - rate**2 * (R + cord * slope / hypot(1.0, slope))
+
+    most = rate**2 * (R + cord) / g
+    return float(brentq(unmet, 0.0, most, xtol=1e-15 * most, rtol=1e-15))
+
+
 FACTORS = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
 
 
@@ -215,15 +252,11 @@ def gyroscope(
     inertia or Euler's equations, it is checked that a disc so moved needs the torque of its weight
     and no other; and the spin for the tolerance by the exact rate there."""
     spinning(omega3)
-    top = HeavyTop(lambda1=M * (radius**2 / 4 + R**2), lambda3=M * radius**2 / 2, M=M, R=R, g=g)
+    top = disc_on_axle(M, radius, R, g)
     exact, _ = top.steady_precession(theta, omega3)
-    simple = top.weight[2] / (top.lambda3 * omega3)
+    simple = simple_rate(top, omega3)
     off = exact / simple - 1
-    cosine = cos(theta) if abs(cos(theta)) > ROUNDING else 0.0
-    # Below the horizontal the exact rate is the smaller one.
-    share = tolerance if cosine > 0 else -tolerance
-    needed = sqrt(top.lambda1 * top.weight[2] * abs(cosine) / tolerance) * (1 + share)
-    needed /= top.lambda3
+    needed = spin_for(tolerance, top, theta)
 
     yield Answer("lambda1", "λ₁ about the stand", top.lambda1, "kg m²")
     yield Answer("lambda3", "λ₃", top.lambda3, "kg m²")
@@ -238,7 +271,7 @@ def gyroscope(
     yield Answer("smallest_spin", "smallest |ω₃| to go round", top.smallest_spin(theta), "rad/s")
 
     def at(spin: float) -> tuple[float | str, ...]:
-        rough = top.weight[2] / (top.lambda3 * spin)
+        rough = simple_rate(top, spin)
         if abs(spin) < top.smallest_spin(theta):
             return spin, smallness(top, spin), rough, "none", "none"
         rate, _ = top.steady_precession(theta, spin)
@@ -257,7 +290,8 @@ def gyroscope(
     )
     if needed:
         rate, _ = top.steady_precession(theta, needed)
-        excess = rate * top.lambda3 * needed / top.weight[2] - 1
+        excess = rate / simple_rate(top, needed) - 1
+        share = copysign(tolerance, cos(theta))
         yield Measure("excess at the spin for the tolerance", abs(excess - share), 1e-12)
 
 
@@ -288,16 +322,10 @@ def bicycle_wheel(
     the rate needs no other torque, and the cord no other force, is checked by Newton's law for six
     grains of the rim; the dip against the turning points of the exact motion."""
     spinning(omega3)
-    top = HeavyTop(lambda1=M * (radius**2 / 2 + R**2), lambda3=M * radius**2, M=M, R=R, g=g)
+    top = hoop_on_axle(M, radius, R, g)
     rate, _ = top.steady_precession(pi / 2, omega3)
     weak = smallness(top, omega3)
-
-    def unmet(slope: float) -> float:
-        # The centre of mass is on a circle of radius R + ℓ sin β; tan β is the slope.
-        return g * slope - rate**2 * (R + cord * slope / hypot(1.0, slope))
-
-    most = rate**2 * (R + cord) / g
-    slope = float(brentq(unmet, 0.0, most, xtol=1e-15 * most, rtol=1e-15))
+    slope = slope_of_cord(rate, R, cord, g)
     tension, reach = M * g * hypot(1.0, slope), R + cord * slope / hypot(1.0, slope)
     dip = asin(4 * weak / (1 + sqrt(1 + 16 * weak**2)))
     motion = top.motion(theta=pi / 2, omega3=omega3)

@@ -544,6 +544,19 @@ def wobble_to_spin() -> Iterator[Evidence]:
     )
 
 
+def plate(radius: float, thickness: float) -> FreeBody:
+    """A disc of the mass 1 kg; the mass has no part in its motion."""
+    lambda1, lambda3 = (3 * radius**2 + thickness**2) / 12, radius**2 / 2
+    return FreeBody(lambda1, lambda1, lambda3)
+
+
+def plate_rates(body: FreeBody, theta: float, omega3: float) -> tuple[float, float]:
+    """The wobble, and the mean rate of a mark on the rim, seen along L: φ̇ and φ̇ + ψ̇ (rad/s)."""
+    wobble = body.lambda3 / (body.lambda1 * cos(theta)) * omega3
+    # With ω₃ = ψ̇ + φ̇ cosθ.
+    return wobble, omega3 + wobble * (1 - cos(theta))
+
+
 @exercise(
     "wobbling-plate",
     "Feynman's wobbling plate",
@@ -569,27 +582,22 @@ def wobbling_plate(
     Feynman remembered the two exchanged (Chao 1989, Physics Today 42:15). The motion is integrated
     over five wobbles: the turns of e₃ about L are counted, and those of a mark on the rim as seen
     along L."""
-    # Of a unit mass; the mass has no part in it.
-    lambda1, lambda3 = (3 * radius**2 + thickness**2) / 12, radius**2 / 2
-    ratio = lambda3 / (lambda1 * cos(theta))
-    wobble = ratio * omega3
-    # φ̇ + ψ̇ with ω₃ = ψ̇ + φ̇ cosθ.
-    mark = omega3 + wobble * (1 - cos(theta))
-    yield Answer("moments", "λ₃/λ₁, 2 for a flat plate", lambda3 / lambda1)
+    body = plate(radius, thickness)
+    flatness = body.lambda3 / body.lambda1
+    wobble, mark = plate_rates(body, theta, omega3)
+    yield Answer("moments", "λ₃/λ₁, 2 for a flat plate", flatness)
     yield Answer("wobble", "rate of the wobble, Ω_s = L/λ₁", wobble, "rad/s")
-    yield Answer("ratio", "wobble over spin, Ω_s/ω₃", ratio)
+    yield Answer("ratio", "wobble over spin, Ω_s/ω₃", wobble / omega3)
     yield Answer("mark", "mean rate of a mark on the rim, seen along L", mark, "rad/s")
     yield Answer("wobble_to_mark", "wobble over mark", wobble / mark)
     yield Answer("memory", "wobble over mark as Feynman remembered it", 0.5)
     tilts = [pi / 180 * degrees for degrees in (1, 5, 10, 20, 45)]
-    flatness = lambda3 / lambda1
     yield Table(
         "tilts",
         "The same plate, and a flat one, at other tilts",
         ("θ (rad)", "Ω_s/ω₃", "Ω_s/ω₃, flat", "wobble over mark, flat"),
         tuple((x, flatness / cos(x), 2 / cos(x), 2 / (2 - cos(x))) for x in tilts),
     )
-    body = FreeBody(lambda1, lambda1, lambda3)
     turns = 5
     start = body.motion(omega=(wobble * sin(theta), 0.0, omega3))
     path = start.integrate(

@@ -74,6 +74,53 @@ def quadrature_moments(
     return disc_mass * (r2 / 2 + z2) + stem_mass * stem2, disc_mass * r2
 
 
+def measured(
+    disc_mass: float,
+    disc_radius: float,
+    disc_thickness: float,
+    disc_height: float,
+    stem_mass: float,
+    stem_length: float,
+    g: float,
+) -> HeavyTop:
+    """The top of these parts; RigidtopError for a disc that is not on its stem."""
+    if disc_height <= disc_thickness / 2 or disc_height + disc_thickness / 2 > stem_length:
+        raise RigidtopError(
+            f"disc_height = {disc_height:g}: the disc must be on the stem, above the tip and "
+            f"below the end at stem_length = {stem_length:g}"
+        )
+    mass = disc_mass + stem_mass
+    lambda1 = disc_mass * (disc_radius**2 / 4 + disc_thickness**2 / 12 + disc_height**2)
+    lambda1 += stem_mass * stem_length**2 / 3
+    return HeavyTop(
+        lambda1=lambda1,
+        lambda3=disc_mass * disc_radius**2 / 2,
+        M=mass,
+        R=(disc_mass * disc_height + stem_mass * stem_length / 2) / mass,
+        g=g,
+    )
+
+
+def free_of_the_table(
+    theta: float, disc_radius: float, disc_thickness: float, disc_height: float
+) -> float:
+    """The tilt at which the rim touches the table (rad); RigidtopError if θ is not less."""
+    touching = atan2(disc_height - disc_thickness / 2, disc_radius)
+    if theta >= touching:
+        raise RigidtopError(
+            f"theta = {theta:g}: the rim of the disc touches the table at {touching:g} rad"
+        )
+    return touching
+
+
+def spinning_at(top: HeavyTop, theta: float, omega3: float) -> tuple[float, float, float]:
+    """Ω₋, Ω₊ and the rate of a small nutation (rad/s); RigidtopError where there is none."""
+    slow, fast = top.steady_precession(theta, omega3)
+    if omega3 == 0:
+        raise RigidtopError("omega3 = 0: the top has to spin")
+    return slow, fast, small_frequency(top, theta, slow, omega3)
+
+
 def _length(name: str, default: float, about: str) -> Parameter:
     return Parameter(name, default, about, "m", above=0)
 
@@ -114,27 +161,10 @@ def top_from_the_toy_box(
 ) -> Iterator[Outcome]:
     """The moments are put together from disc and stem, and summed once more over points in both;
     precession and nutation come from the formulas and from the integrated motion."""
-    lowest = disc_height - disc_thickness / 2
-    if lowest <= 0 or disc_height + disc_thickness / 2 > stem_length:
-        raise RigidtopError(
-            f"disc_height = {disc_height:g}: the disc must be on the stem, above the tip and "
-            f"below the end at stem_length = {stem_length:g}"
-        )
-    touching = atan2(lowest, disc_radius)
-    if theta >= touching:
-        raise RigidtopError(
-            f"theta = {theta:g}: the rim of the disc touches the table at {touching:g} rad"
-        )
-    mass = disc_mass + stem_mass
-    arm = (disc_mass * disc_height + stem_mass * stem_length / 2) / mass
-    lambda3 = disc_mass * disc_radius**2 / 2
-    lambda1 = disc_mass * (disc_radius**2 / 4 + disc_thickness**2 / 12 + disc_height**2)
-    lambda1 += stem_mass * stem_length**2 / 3
-    top = HeavyTop(lambda1=lambda1, lambda3=lambda3, M=mass, R=arm, g=g)
-    slow, fast = top.steady_precession(theta, omega3)
-    if omega3 == 0:
-        raise RigidtopError("omega3 = 0: the top has to spin")
-    frequency = small_frequency(top, theta, slow, omega3)
+    top = measured(disc_mass, disc_radius, disc_thickness, disc_height, stem_mass, stem_length, g)
+    mass, arm, lambda1, lambda3 = top.M, top.R, top.lambda1, top.lambda3
+    touching = free_of_the_table(theta, disc_radius, disc_thickness, disc_height)
+    slow, fast, frequency = spinning_at(top, theta, omega3)
     energy = lambda3 * omega3**2 / 2
     yield Answer("M", "mass", mass, "kg")
     yield Answer("R", "distance from the tip to the centre of mass", arm, "m")
