@@ -643,6 +643,19 @@ def test_a_mouse_turns_the_view(live):
     live.wait(lambda: turned(picture(live), before))
 
 
+def test_a_picture_that_stands_is_drawn_finely(live):
+    # Two pixels a unit of length; while it moves, one at most on this screen.
+    finely = "(({ width, clientWidth }) => width / clientWidth)(document.querySelector('canvas'))"
+    live.show(HEAVY, STILL)
+    live.wait(f"{finely} === 2")
+    click(live, button("Play"))
+    live.wait(f"rigidtop.motion.now.t > 0 && {finely} <= 1")
+    before = picture(live)
+    live.wait(lambda: turned(picture(live), before))
+    click(live, button("Pause"))
+    live.wait(f"{finely} === 2")
+
+
 LOOKING = """
 window.seen = [];
 window.hidings = 0;

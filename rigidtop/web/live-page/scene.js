@@ -28,6 +28,9 @@ const OMEGA = 1.08;
 const MOMENTUM = 1.24;
 const TORQUE = 1.25;
 const LONGEST = 1.7;
+/** The most pixels to a unit of length, and after how long a picture counts as standing (ms). */
+const FINEST = 2;
+const SETTLED = 400;
 
 /**
  * The scene in a container that it fills.  Throws an Error if the browser has no WebGL.
@@ -109,6 +112,8 @@ export function createScene(container, colours) {
   let width = 1;
   let height = 1;
   let quality = 1;
+  let fine = false;
+  let settling = 0;
   /** Lengths as drawn for each unit of ω, L and torque. */
   const scales = { omega: 0, momentum: 0, torque: 0 };
   const attitude = new THREE.Quaternion();
@@ -185,9 +190,23 @@ export function createScene(container, colours) {
     if (dirty && sample) draw(sample, trail);
   }
 
+  /** Pixels to a unit of length while things move. */
+  function resolution() {
+    return Math.min(FINEST, window.devicePixelRatio || 1) * quality;
+  }
+
   function setResolution() {
-    renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1) * quality);
+    fine = false;
+    renderer.setPixelRatio(resolution());
     touch();
+  }
+
+  /** A picture that stands may take its time: once more, with smooth edges. */
+  function settle() {
+    if (lost || ended || resolution() >= FINEST) return;
+    fine = true;
+    renderer.setPixelRatio(FINEST);
+    renderer.render(scene, camera);
   }
 
   function resize() {
@@ -320,10 +339,14 @@ export function createScene(container, colours) {
     if (layers.has("cones") && !cones.draw(now, past)) touch();
     if (construction) poinsot.draw(now, past);
 
+    if (fine) renderer.setPixelRatio(resolution());
+    fine = false;
     palette.look(camera.position.length());
     if (surroundings.outline.visible) surroundings.face(camera);
     renderer.render(scene, camera);
     placeLabels();
+    clearTimeout(settling);
+    settling = setTimeout(settle, SETTLED);
   }
 
   function placeLabels() {
@@ -371,6 +394,7 @@ export function createScene(container, colours) {
     dispose() {
       ended = true;
       cancelAnimationFrame(request);
+      clearTimeout(settling);
       canvas.removeEventListener("webglcontextlost", onLost);
       canvas.removeEventListener("webglcontextrestored", onRestored);
       controls.dispose();
