@@ -36,7 +36,6 @@ def differences(run, other):
 
 
 @given(theta=angles, theta_dot=rates, phi_dot=rates, omega3=spins)
-@settings(deadline=None)
 def test_after_a_nutation_everything_repeats_but_phi_and_psi(theta, theta_dot, phi_dot, omega3):
     motion = TOP.motion(theta=theta, theta_dot=theta_dot, phi_dot=phi_dot, omega3=omega3)
     assume(motion.nutation_period < 20 and motion.turning_points[0] > 1e-3)
@@ -52,7 +51,6 @@ def test_after_a_nutation_everything_repeats_but_phi_and_psi(theta, theta_dot, p
 
 
 @given(theta=angles, theta_dot=rates, phi_dot=rates, omega3=spins)
-@settings(deadline=None)
 def test_theta_goes_from_one_turning_point_to_the_other(theta, theta_dot, phi_dot, omega3):
     motion = TOP.motion(theta=theta, theta_dot=theta_dot, phi_dot=phi_dot, omega3=omega3)
     assume(motion.nutation_period < 50)
@@ -129,7 +127,6 @@ def test_free_body_with_two_equal_moments_precesses_as_in_the_notes():
     moments=st.tuples(*[st.floats(1.0, 1.9)] * 3),
     omega=st.tuples(*[st.floats(-3.0, 3.0)] * 3),
 )
-@settings(deadline=None)
 def test_omega_of_a_free_body_returns_after_two_nutations(moments, omega):
     motion = rt.FreeBody(*moments).motion(omega=omega)
     assume(0 < motion.nutation_period < 200)
@@ -191,7 +188,7 @@ def test_regimes_of_small_tilts(start, regime):
     theta_dot=st.sampled_from([0.0, 1e-10, 1e-3, 1.0, -1.0]),
     phi_dot=st.sampled_from([1.0, 1 + 1e-9, 1.1, 0.5, 0.0]),
 )
-@settings(deadline=None, max_examples=300)
+@settings(max_examples=300)
 def test_at_the_critical_spin_a_motion_starts_where_it_does(theta, apart, near, theta_dot, phi_dot):
     """There steady precession, sleeping top and separatrix meet, and three roots of the cubic."""
     spin = TOP.sleeping_spin() * (1 + apart * near)
@@ -294,7 +291,7 @@ def test_late_times_cost_no_accuracy_beyond_that_of_the_time():
 
 
 @given(theta=angles, theta_dot=rates, phi_dot=rates, omega3=spins)
-@settings(deadline=None, max_examples=150)
+@settings(max_examples=150)
 def test_many_samples_are_those_of_few(theta, theta_dot, phi_dot, omega3):
     motion = TOP.motion(theta=theta, theta_dot=theta_dot, phi_dot=phi_dot, omega3=omega3)
     times = np.linspace(-20.0, 30.0, heavy.MANY + 1)
@@ -316,7 +313,6 @@ def test_phi_and_psi_are_continuous():
 
 
 @given(theta=st.floats(0, math.pi), theta_dot=rates, phi_dot=rates, omega3=spins)
-@settings(deadline=None)
 def test_both_closed_forms_agree_on_a_top_without_weight(theta, theta_dot, phi_dot, omega3):
     """One solves for e₃ about the vertical, the other for e₃ about L."""
     top = rt.HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5, g=0.0)
@@ -355,7 +351,6 @@ def test_a_body_without_closed_form_says_so():
 @given(theta=st.floats(0, math.pi), theta_dot=rates, phi_dot=rates, omega3=spins)
 @example(theta=3.972981280204418e-161, theta_dot=1.0, phi_dot=0.0, omega3=1.0)
 @example(theta=1e-155, theta_dot=-1.0, phi_dot=2.0, omega3=10.0)
-@settings(deadline=None)
 def test_the_closed_form_conserves(theta, theta_dot, phi_dot, omega3):
     motion = TOP.motion(theta=theta, theta_dot=theta_dot, phi_dot=phi_dot, omega3=omega3)
     run = motion.exact(np.linspace(-50, 100, 301))

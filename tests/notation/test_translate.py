@@ -77,7 +77,7 @@ EXPRESSIONS = st.recursive(
 
 
 @given(EXPRESSIONS, st.sampled_from(ALL))
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 def test_there_and_back_is_the_same_expression(expression, notation):
     there = notation.written(expression)
     assert not there.free_symbols & set(notation.images)
@@ -85,7 +85,7 @@ def test_there_and_back_is_the_same_expression(expression, notation):
 
 
 @given(EXPRESSIONS, st.sampled_from(TURNED))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 def test_the_value_is_the_same_at_the_same_attitude(expression, notation):
     symbols = sorted(expression.free_symbols, key=str)
     point = {x: Rational(7 * k + 3, 5) for k, x in enumerate(symbols)}

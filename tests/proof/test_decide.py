@@ -14,7 +14,7 @@ x, y = symbols("x y", real=True)
 a, b = symbols("a b", positive=True)
 c = Symbol("c", real=True)
 
-quick = settings(deadline=None, max_examples=40, derandomize=True)
+quick = settings(max_examples=40)
 
 coefficients = st.integers(-3, 3).filter(bool)
 terms = st.tuples(coefficients, *(st.integers(0, 2) for _ in range(4)))
@@ -210,6 +210,8 @@ def test_digits_need_points_where_there_is_a_number():
 def test_evaluate_agrees_with_evalf(top, bottom, seed):
     expression = trigonometric(top) / trigonometric(bottom) + sqrt(a) * Abs(sin(x)) - tan(y) / 3
     point = list(decide.points([x, y, a], {x, y}, seed + 1))[-1]
+    # One symbol after the other, subs would cancel a zero above with a zero below.
+    assume(trigonometric(bottom).subs(point) != 0)
     exact = expression.subs(point)
     [number] = decide.evaluate([expression], point, {})
     assume(exact.is_finite and abs(exact.evalf(30)) < 1e9)

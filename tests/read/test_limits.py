@@ -98,14 +98,14 @@ def sound(source):
             assert depth(side) <= 3 * DEEPEST
 
 
-@settings(max_examples=600, deadline=None)
+@settings(max_examples=600)
 @given(st.lists(st.sampled_from(TOKENS), max_size=40))
 def test_random_tex(parts):
     sound("".join(parts))
     sound(" ".join(parts))
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(
     st.lists(st.sampled_from(TOKENS), max_size=20), st.lists(st.sampled_from(TOKENS), max_size=20)
 )
@@ -113,13 +113,13 @@ def test_random_equations(left, right):
     sound(" ".join([*left, "=", *right]))
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(st.text(max_size=80))
 def test_any_text(source):
     sound(source)
 
 
-@settings(max_examples=600, deadline=None)
+@settings(max_examples=600)
 @given(st.sampled_from(REAL), st.randoms(use_true_random=False), st.integers(1, 6))
 def test_mutated_formulas(source, chance, changes):
     for _ in range(changes):

@@ -78,7 +78,7 @@ def test_a_function_evaluates_to_what_its_expressions_do(engine, name):
         "math",
     )  # fmt: skip
 
-    @settings(max_examples=40, deadline=None, derandomize=True)
+    @settings(max_examples=40)
     @given(quantities())
     def check(numbers):
         found = np.atleast_1d(engine.run(f"{name}(numbers)", numbers=numbers))
@@ -90,7 +90,7 @@ def test_a_function_evaluates_to_what_its_expressions_do(engine, name):
 
 
 @pytest.mark.parametrize(("name", "side"), [("heavyTop", "heavy_top"), ("heavyBody", "heavy_body")])
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=60)
 @given(quantities())
 def test_right_hand_sides_are_those_that_python_integrates(engine, name, side, numbers):
     made = shipped.named(side)
@@ -105,7 +105,7 @@ def test_right_hand_sides_are_those_that_python_integrates(engine, name, side, n
     assert np.allclose(found, expected, rtol=RTOL, atol=RTOL * scale)
 
 
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=60)
 @given(quantities())
 def test_space_vectors_and_energy_are_those_of_a_trajectory(engine, numbers):
     n = numbers
@@ -121,7 +121,7 @@ def test_space_vectors_and_energy_are_those_of_a_trajectory(engine, numbers):
     assert math.isclose(engine.run("energy(n)", n=n), energy, rel_tol=1e-11, abs_tol=1e-11)
 
 
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=60)
 @given(numbers=quantities())
 def test_angles_and_rates_go_there_and_back(engine, numbers):
     q = [numbers[f"q{k}"] for k in range(4)]
@@ -134,7 +134,7 @@ def test_angles_and_rates_go_there_and_back(engine, numbers):
     assert np.allclose(back, wanted, rtol=1e-11, atol=1e-11)
 
 
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=60)
 @given(st.floats(0.01, 1.5), st.floats(0.1, 40.0))
 def test_steady_rates_and_their_threshold_are_those_of_the_top(engine, theta, omega3):
     top_ = rt.HeavyTop(lambda1=1.3, lambda3=0.7, M=0.8, R=0.6)
@@ -149,7 +149,7 @@ def test_steady_rates_and_their_threshold_are_those_of_the_top(engine, theta, om
         assert np.allclose(found, expected, rtol=1e-12)
 
 
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=60)
 @given(st.floats(0.5, 1.0), st.floats(1.05, 1.4), st.floats(-3, 3), signed, signed, signed)
 def test_a_polhode_keeps_both_integrals(engine, small, middle, angle_, w1, w2, w3):
     moments = {"lambda1": small, "lambda2": middle, "lambda3": 1.5}
@@ -164,7 +164,7 @@ def test_a_polhode_keeps_both_integrals(engine, small, middle, angle_, w1, w2, w
     assert np.allclose(kept, [twice_T, L2], rtol=1e-11)
 
 
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=60)
 @given(quantities())
 def test_the_two_sides_of_each_equation_agree(engine, numbers):
     # p_φ and p_ψ are those of the motion here.

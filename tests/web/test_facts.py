@@ -23,7 +23,7 @@ def facts(engine, motion):
     )
 
 
-@settings(max_examples=150, deadline=None, derandomize=True)
+@settings(max_examples=150)
 @given(
     st.floats(0.05, 3.0), st.sampled_from([0.0, 0.0, 1.0, -2.0]), st.floats(-8, 8),
     st.floats(-30, 30),
@@ -141,7 +141,7 @@ def test_numbers_of_the_verdict_are_those_of_python():
 BODIES = [(1.0, 1.7, 2.3), (2.3, 1.0, 1.7), (1.3, 1.3, 0.7), (1, 2, 2), (2, 1, 2), (1, 1, 1)]
 
 
-@settings(max_examples=200, deadline=None, derandomize=True)
+@settings(max_examples=200)
 @given(
     st.sampled_from(BODIES),
     st.lists(st.sampled_from([0.0, 0.5, 1.0, -2.0, 3.7]), min_size=3, max_size=3),
