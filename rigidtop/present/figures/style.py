@@ -113,6 +113,21 @@ def said(value: float, digits: int = 3) -> str:
     return f"{factor}10{raised}"
 
 
+RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+
+
+def in_math(value: float, digits: int = 3) -> str:
+    """The same in a formula of Matplotlib's, whose letters have no raised digits.
+
+    >>> print(in_math(-2.5), in_math(1.2345e-7), in_math(1e20))
+    -2.5 1.23\\cdot10^{-7} 10^{20}
+    """
+    text = said(value, digits).replace("−", "-").replace("·", r"\cdot").replace("∞", r"\infty")
+    plain = text.rstrip("⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+    raised = text[len(plain) :].translate(RAISED)
+    return f"{plain}^{{{raised}}}" if raised else plain
+
+
 def spoken(value: float) -> str:
     """The same for a screen reader, in ASCII.
 
