@@ -80,6 +80,7 @@ def point_parameters() -> Iterator[Parameter]:
     "the potential energies say about the torque?",
     claims=(torque, gravity, potential),
     parameters=(*point_parameters(), GRAVITY),
+    figure="weights",
 )
 def gravity_on_points(g: float, **given: float) -> Iterator[Outcome]:
     """Both sums are taken point by point. For the third way V of the turned points is computed: a
@@ -230,6 +231,7 @@ def discs(radius: float, height: float, nodes: int = 8) -> tuple[Vectors, Vector
         Parameter("phi", 0.7, "φ, azimuth of the axis", "rad"),
         GRAVITY,
     ),
+    figure="leaning-cone",
 )
 def gravity_on_a_solid(
     radius: float, height: float, density: float, theta: float, phi: float, g: float

@@ -129,6 +129,7 @@ def free_flight(
         Parameter("alpha", pi / 6, "tilt of the stick against ω", "rad", above=0, most=pi / 2),
         Parameter("omega", 3.0, "ω", "rad/s", above=0),
     ),
+    figure="two-masses",
 )
 def two_masses(
     M_1: float, M_2: float, a: float, b: float, alpha: float, omega: float

@@ -431,6 +431,7 @@ DAY = 86400.0
         Parameter("angle", pi / 180 / 36000, "between ω and e₃", "rad", above=0, most=0.1),
         Parameter("radius", 6356751.9, "distance of the pole from the centre", "m", above=0),
     ),
+    figure="polar-motion",
 )
 def earth_euler_period(
     H: float, omega3: float, observed: float, angle: float, radius: float

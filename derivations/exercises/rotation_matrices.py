@@ -133,6 +133,7 @@ HALVINGS = 6
         Parameter("beta", pi / 2, "angle of B", "rad", least=-pi, most=pi),
         Parameter("gamma", pi / 2, "angle between the axes", "rad", least=0, most=pi),
     ),
+    figure="order-of-rotations",
 )
 def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[Outcome]:
     """The matrices are exponentials of their generators; the angle and the axis of A B come from

@@ -1,7 +1,7 @@
 """Every figure by its name.
 
 >>> [drawing.name for drawing in FIGURES][:2]
-['polhodes', 'flip']
+['two-masses', 'polhodes']
 """
 
 from __future__ import annotations
@@ -15,21 +15,31 @@ from rigidtop.present.figures import (
     falling,
     free,
     friction,
+    leaning_cone,
     nutation,
+    polar_motion,
     potential,
     precession,
+    rotation_order,
     spinning,
     torque,
+    two_masses,
+    weights,
 )
 from rigidtop.present.figures.drawing import Drawing
 
 FIGURES: tuple[Drawing, ...] = (
+    two_masses.TWO_MASSES,
     free.POLHODES,
     free.FLIP,
     cones.CONES,
     cones.ROLLING_CONES,
+    polar_motion.POLAR_MOTION,
     free.TUMBLING,
     angles.EULER_ANGLES,
+    rotation_order.ORDER_OF_ROTATIONS,
+    weights.WEIGHTS,
+    leaning_cone.LEANING_CONE,
     torque.TORQUE_ARROWS,
     precession.PARALLEL,
     falling.TOPPLING,
