@@ -244,6 +244,7 @@ FACTORS = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
         Parameter("tolerance", 0.01, "error allowed, relative", above=0, most=0.9),
         GRAVITY,
     ),
+    figure="gyroscope",
 )
 def gyroscope(
     M: float, radius: float, R: float, omega3: float, theta: float, tolerance: float, g: float
@@ -314,6 +315,7 @@ def gyroscope(
         Parameter("cord", 1.0, "length of the cord", "m", least=0),
         GRAVITY,
     ),
+    figure="bicycle-wheel",
 )
 def bicycle_wheel(
     M: float, radius: float, R: float, omega3: float, cord: float, g: float

@@ -575,6 +575,7 @@ def plate_rates(body: FreeBody, theta: float, omega3: float) -> tuple[float, flo
         Parameter("thickness", 0.004, "thickness of the plate", "m", above=0),
         Parameter("omega3", 15.0, "ω₃", "rad/s", above=0),
     ),
+    figure="wobbling-plate",
 )
 def wobbling_plate(
     theta: float, radius: float, thickness: float, omega3: float

@@ -147,6 +147,7 @@ def _length(name: str, default: float, about: str) -> Parameter:
         replace(INCLINED, default=pi / 12),
         replace(SPIN, default=150.0),
     ),
+    figure="toy-top",
 )
 def top_from_the_toy_box(
     disc_mass: float,

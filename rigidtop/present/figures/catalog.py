@@ -11,18 +11,22 @@ from difflib import get_close_matches
 from rigidtop.errors import RigidtopError
 from rigidtop.present.figures import (
     angles,
+    bicycle_wheel,
     cones,
     falling,
     free,
     friction,
+    gyroscope,
     leaning_cone,
     nutation,
+    plate,
     polar_motion,
     potential,
     precession,
     rotation_order,
     spinning,
     torque,
+    toy_top,
     two_masses,
     weights,
 )
@@ -35,6 +39,7 @@ FIGURES: tuple[Drawing, ...] = (
     cones.CONES,
     cones.ROLLING_CONES,
     polar_motion.POLAR_MOTION,
+    plate.WOBBLING_PLATE,
     free.TUMBLING,
     angles.EULER_ANGLES,
     rotation_order.ORDER_OF_ROTATIONS,
@@ -43,6 +48,8 @@ FIGURES: tuple[Drawing, ...] = (
     torque.TORQUE_ARROWS,
     precession.PARALLEL,
     falling.TOPPLING,
+    gyroscope.GYROSCOPE,
+    bicycle_wheel.BICYCLE_WHEEL,
     precession.PRECESSION_RATES,
     precession.ASYMPTOTICS,
     falling.SLEEPING,
@@ -53,6 +60,7 @@ FIGURES: tuple[Drawing, ...] = (
     nutation.REGIMES,
     friction.RISING,
     friction.WAKING,
+    toy_top.TOY_TOP,
 )
 """In the order of the notes."""
 
