@@ -96,7 +96,7 @@ class Measure:
 
     @property
     def passed(self) -> bool:
-        return self.error <= self.tolerance  # False for NaN
+        return bool(self.error <= self.tolerance)  # False for NaN
 
 
 Evidence = Step | Check | Definition | Measure

@@ -1,5 +1,6 @@
 """Every exercise: claims hold and can fall, measures pass, numbers depend on what is set."""
 
+import json
 import math
 
 import pytest
@@ -8,6 +9,7 @@ from rigidtop.derivations import PAGES
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.parameters import settings
 from rigidtop.present.prose import prose
+from rigidtop.present.solutions import Solution, record
 from rigidtop.proof.exercise import Answer, Table
 from rigidtop.proof.page import Measure
 from rigidtop.proof.perturb import falls, telling, upheld
@@ -83,6 +85,15 @@ def test_claim_falls_when_it_is_changed(name):
         if not falls(check, change)
     ]
     assert survived == []
+
+
+@pytest.mark.parametrize("exercise", EXERCISES, ids=NAMES)
+def test_programs_can_read_it(exercise):
+    values = settings(exercise.parameters)
+    solution = Solution(exercise, values, (), tuple(exercise.solve(**values)), 0.0)
+    read = json.loads(json.dumps(record(solution), allow_nan=False))
+    assert read["settings"] == values
+    assert all(measure["passed"] is True for measure in read["measures"])
 
 
 @pytest.mark.parametrize("exercise", EXERCISES, ids=NAMES)
