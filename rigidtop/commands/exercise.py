@@ -7,12 +7,15 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from rigidtop.commands.claims import FAILED, FOLDER
+from rigidtop.commands.notation import add_notation
+from rigidtop.commands.notation import chosen as chosen_notation
 from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
 from rigidtop.progress import over
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
+    from rigidtop.notation import Notation
     from rigidtop.present.solutions import Solution
     from rigidtop.proof.exercise import Exercise
 
@@ -46,6 +49,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--sheet", metavar="DIR", help="write exercises.tex, exercises.html and figures there"
     )
     parser.add_argument("--pdf", action="store_true", help="with --sheet, also a PDF")
+    add_notation(parser)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -61,6 +65,9 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _run(collection: Collection, names: Sequence[str], options: argparse.Namespace) -> int:
+    notation = chosen_notation(options)
+    if options.student and notation.images:
+        raise RigidtopError("--notation writes the solutions otherwise: leave --student out")
     if options.set and len(names) != 1:
         raise RigidtopError("--set wants one exercise: rigidtop exercise NAME --set name=value")
     if not names and not options.sheet:
@@ -69,17 +76,17 @@ def _run(collection: Collection, names: Sequence[str], options: argparse.Namespa
         return _questions(collection, names, options)
     solutions = _solved(chosen(collection, names), options.set)
     if options.sheet:
-        _write(collection, solutions, options)
+        _write(collection, solutions, options, notation if notation.images else None)
     elif options.json:
+        from rigidtop.present.lecture import solution_in
         from rigidtop.present.solutions import record
 
-        records = [record(solution) for solution in solutions]
+        records = [record(solution_in(notation, solution)) for solution in solutions]
         print_json(records[0] if len(records) == 1 else records)
     else:
-        from rigidtop.present.plain import fragment
-        from rigidtop.present.solutions import blocks
+        from rigidtop.present.lecture import exercise_fragment
 
-        print("\n\n".join(fragment(blocks(solution)) for solution in solutions), end="")
+        print("\n\n".join(exercise_fragment(each, notation) for each in solutions), end="")
     return 0 if all(solution.passed for solution in solutions) else FAILED
 
 
@@ -113,14 +120,17 @@ def _questions(collection: Collection, names: Sequence[str], options: argparse.N
     if options.sheet:
         # A sheet of questions needs nothing solved.
         unsolved = [Solution(exercise, values, (), (), 0.0) for exercise, values in asked]
-        _write(collection, unsolved, options)
+        _write(collection, unsolved, options, None)
     else:
         print("\n\n".join(fragment(question(*each)) for each in asked), end="")
     return 0
 
 
 def _write(
-    collection: Collection, solutions: Sequence[Solution], options: argparse.Namespace
+    collection: Collection,
+    solutions: Sequence[Solution],
+    options: argparse.Namespace,
+    notation: Notation | None,
 ) -> None:
     from rigidtop.present.files import check_folder
     from rigidtop.present.lecture import write_sheet
@@ -132,6 +142,7 @@ def _write(
         pdf=options.pdf,
         student=options.student,
         front=collection.front,
+        notation=notation,
     )
     if options.json:
         passed = all(solution.passed for solution in solutions)

@@ -77,6 +77,18 @@ def picture(solution: Solution) -> Picture | None:
     return Picture(f"exercise-{solution.exercise.name}", drawing, given)
 
 
+def exercise_fragment(solution: Solution, notation: Notation = NOTES_NOTATION) -> str:
+    """An exercise with its solution as text."""
+    made = blocks(solution_in(notation, solution))
+    made[1:1] = notations.remark(notation, symbols_used(made))
+    return plain.fragment(made)
+
+
+def solution_in(notation: Notation, solution: Solution) -> Solution:
+    """A solution with all the equations of its claims in a notation."""
+    return replace(solution, judgements=_in(notation, solution.judgements))
+
+
 def write_lecture(
     judged: Judged,
     solutions: Sequence[Solution],
@@ -117,7 +129,7 @@ def lecture(
     """The lecture: figures and exercises close the sections that they belong to."""
     if notation is not None:
         judged = [(page, _in(notation, judgements)) for page, judgements in judged]
-        solutions = [replace(each, judgements=_in(notation, each.judgements)) for each in solutions]
+        solutions = [solution_in(notation, each) for each in solutions]
     sections = {page.section for page, _ in judged}
     pictures = [Picture(each.name, each, {}) for each in figures if each.section in sections]
     closing: list[tuple[str, Block]] = [
@@ -132,12 +144,16 @@ def lecture(
         closing += [(solution.exercise.section, block) for block in made]
         pictures += [own] if own else []
         told |= {judgement.claim.name for judgement in solution.judgements}
-    whole = document(judged, closing, front)
-    if notation is not None:
-        first = notations.front(notation, symbols_used(whole.blocks))
-        said = f"{whole.colophon} {notations.origin(notation)}"
-        whole = replace(whole, blocks=(*first, *whole.blocks), colophon=said)
-    return whole, pictures
+    return _introduced(document(judged, closing, front), notation), pictures
+
+
+def _introduced(whole: Document, notation: Notation | None) -> Document:
+    """A document that begins with its notation, where one is given."""
+    if notation is None:
+        return whole
+    first = notations.front(notation, symbols_used(whole.blocks))
+    said = f"{whole.colophon} {notations.origin(notation)}"
+    return replace(whole, blocks=(*first, *whole.blocks), colophon=said)
 
 
 def _in(notation: Notation, judgements: Sequence[Judgement]) -> tuple[Judgement, ...]:
@@ -151,15 +167,23 @@ def write_sheet(
     pdf: bool = False,
     student: bool = False,
     front: Front = NOTES,
+    notation: Notation | None = None,
 ) -> list[Path]:
     """Write exercises.tex, exercises.html and figures/ into `out`: see `write_lecture`."""
-    return _write("exercises", *sheet(solutions, student=student, front=front), out, pdf)
+    made = sheet(solutions, student=student, front=front, notation=notation)
+    return _write("exercises", *made, out, pdf)
 
 
 def sheet(
-    solutions: Sequence[Solution], *, student: bool = False, front: Front = NOTES
+    solutions: Sequence[Solution],
+    *,
+    student: bool = False,
+    front: Front = NOTES,
+    notation: Notation | None = None,
 ) -> Illustrated:
     """Exercises one after the other, for a `student` without solutions."""
+    if notation is not None:
+        solutions = [solution_in(notation, each) for each in solutions]
     pictures: list[Picture] = []
     made: list[Block] = []
     told: set[str] = set()
@@ -169,8 +193,8 @@ def sheet(
         pictures += [own] if own else []
         told |= {judgement.claim.name for judgement in solution.judgements}
     subtitle = "Questions" if student else "Questions and solutions"
-    whole = (*made, *symbol_list(made))
-    return Document(front.exercises, subtitle, whole, front.source), pictures
+    whole = Document(front.exercises, subtitle, (*made, *symbol_list(made)), front.source)
+    return _introduced(whole, notation), pictures
 
 
 def _exercise(

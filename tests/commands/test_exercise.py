@@ -76,6 +76,21 @@ def test_sheet(capsys, tmp_path, student):
     assert (tmp_path / "out" / "figures").exists() is not student
 
 
+def test_in_another_notation(capsys, tmp_path):
+    arguments = ["exercise", "fast-spin-roots", "--notation", "goldstein"]
+    assert main(arguments) == 0
+    shown = capsys.readouterr().out
+    assert "I₁ is λ₁, I₃ is λ₃, l is R of the notes" in shown
+    assert "Ω₊ = I₃ω₃/(I₁ cos θ)" in shown
+    assert main([*arguments, "--json"]) == 0
+    threshold = json.loads(capsys.readouterr().out)["claims"][0]["assumptions"][1]
+    assert threshold.startswith("I₃²ω₃² > 4I₁Mgl cos θ")
+    assert main([*arguments, "--sheet", str(tmp_path)]) == 0
+    made = (tmp_path / "exercises.tex").read_text("utf-8")
+    assert "Goldstein, Poole and Safko" in made
+    assert r"I_{1}" in made
+
+
 @pytest.mark.parametrize(
     ("arguments", "complaint"),
     [
@@ -93,6 +108,9 @@ def test_sheet(capsys, tmp_path, student):
         (["--set", "theta=1"], "--set wants one exercise"),
         (["toppling-top", "--pdf"], "--pdf goes with --sheet DIR"),
         (["toppling-top", "--json", "--student"], "--json gives the solutions"),
+        (["toppling-top", "--notation", "taylr"], "no notation 'taylr'"),
+        (["--notation", "taylr"], "no notation 'taylr'"),
+        (["toppling-top", "--notation", "taylor", "--student"], "--notation writes the solutions"),
     ],
 )
 def test_bad_input_is_one_line(capsys, arguments, complaint):
