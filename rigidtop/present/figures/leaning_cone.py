@@ -38,8 +38,8 @@ UP = np.array([0.0, 0.0, 1.0])
 TALL = 1.4
 """Of the arrow ẑ, where the mantle of the cone has the length 1."""
 
-NEAR = 0.15
-"""e₃ at a smaller angle to ẑ (rad) has its name on the left, as that of ẑ is on the right."""
+NARROW = 0.15
+"""An arc that goes less far has no room for a name."""
 
 
 def view_of(phi: float) -> View:
@@ -64,14 +64,13 @@ def draw_leaning_cone(
     place = centre / size * e3
     weight = place - 0.42 * UP
     top_body(axes, view, e3, height / size, radius / size)
-    arrow(axes, view, TALL * UP, Z, lw=0.8, color=GREY, shift=(7, 2))
-    beside = (-10, -3) if theta < NEAR else (9, 0)
-    arrow(axes, view, 1.35 * e3, E3, color=AXIS, lw=1.0, shift=beside)
+    arrow(axes, view, TALL * UP, Z, lw=0.8, color=GREY, shift=(-8, 0))
+    arrow(axes, view, 1.35 * e3, E3, color=AXIS, lw=1.0, shift=(9, 0))
     arrow(axes, view, place, color=INK, lw=2.0)
     lean = theta * np.linspace(0.0, 1.0, 61)
     way = 1.18 * (np.outer(np.cos(lean), UP) + np.outer(np.sin(lean), level))
     if not vertical(theta):
-        _draw_angle(axes, view, way, r"$\theta$", 30, zorder=3)
+        _draw_angle(axes, view, way, r"$\theta$", (-8, -2), zorder=3)
         _draw_azimuth(axes, view, phi, level)
     _draw_height(axes, view, place, level)
     arrow(axes, view, weight, start=place, color=INK, lw=1.4)
@@ -97,16 +96,27 @@ def _draw_azimuth(axes: Axes, view: View, phi: float, level: Floats) -> None:
     axes.plot(*view(np.outer([0.0, 0.5], level))[:2], color=GREY, lw=0.7, ls=DOTTED, zorder=1.5)
     turned = math.remainder(phi, 2 * math.pi) * np.linspace(0.0, 1.0, 61)
     way = 0.4 * np.column_stack([np.cos(turned), np.sin(turned), 0 * turned])
-    _draw_angle(axes, view, way, r"$\phi$", 24, zorder=1.5)
+    _draw_angle(axes, view, way, r"$\phi$", (2, -8), zorder=1.5)
 
 
-def _draw_angle(axes: Axes, view: View, way: Floats, words: str, at: int, *, zorder: float) -> None:
-    """An arc (N, 3) about the origin, and its name outside one of its points."""
-    axes.plot(*view(way)[:2], color=NOTE, lw=0.8, zorder=zorder, label="_angle")
-    x, y, _ = view(way[at])
-    away = 8 / math.hypot(x, y)
-    shift = (float(x) * away, float(y) * away)
-    name_at(axes, float(x), float(y), words, shift, ha="center", va="center", zorder=zorder)
+def _draw_angle(
+    axes: Axes,
+    view: View,
+    way: Floats,
+    words: str,
+    aside: tuple[float, float],
+    *,
+    zorder: float,
+) -> None:
+    """An arc (N, 3) about the origin, and its name: outside, or `aside` where there is no room."""
+    x, y, _ = view(way)
+    axes.plot(x, y, color=NOTE, lw=0.8, zorder=zorder, label="_angle")
+    narrow = float(np.linalg.norm(way[-1] - way[0])) < NARROW
+    at = 0 if narrow else 2 * len(way) // 5
+    away = 8 / math.hypot(x[at], y[at])
+    shift = aside if narrow else (float(x[at]) * away, float(y[at]) * away)
+    style = {"ha": "center", "va": "center", "zorder": zorder}
+    name_at(axes, float(x[at]), float(y[at]), words, shift, **style)
 
 
 def _draw_height(axes: Axes, view: View, place: Floats, level: Floats) -> None:

@@ -38,6 +38,8 @@ VIEW = View(azimuth=-0.35, elevation=0.5)
 """So that what points at the reader goes down and to the right."""
 
 ROUNDING = 1e-12
+SHORT = 0.15
+"""No room for a name along an arm of this length, or between stick and axis."""
 
 
 @dataclass(frozen=True)
@@ -100,8 +102,12 @@ def draw_two_masses(axes: Axes, held: Stick) -> None:
         x, y, _ = view(places[k])
         size = 12 * float(np.cbrt(held.masses[k] / heaviest))  # as balls of one material
         axes.plot(x, y, "o", ms=size, mfc="#c3d6b1", mec="#55703f", mew=0.8, zorder=6)
-        aside = (0.5 * size + 3) * (1 - 2 * k)
-        name_at(axes, float(x), float(y), f"$M_{k + 1}$", (aside, -3), color=INK, ha=side)
+        away = (0.5 * size + 3) * (1 - 2 * k)
+        short = bool(np.linalg.norm(places[k]) < SHORT)  # beside F, which may lie there
+        above = (5, -14)[k] if short else -3
+        name_at(axes, float(x), float(y), f"$M_{k + 1}$", (away, above), color=INK, ha=side)
+        if short:
+            continue
         x, y, _ = view(0.62 * places[k])
         across = 8 * unit(np.array([places[k, 2], -places[k, 1]]))
         shift = (float(across[0]), float(across[1]))
@@ -110,7 +116,8 @@ def draw_two_masses(axes: Axes, held: Stick) -> None:
     angle = 0.5 * arc(upright, along)
     axes.plot(*view(angle)[:2], color=GREY, lw=0.9, zorder=3)
     x, y, _ = view(1.16 * angle[30])
-    name_at(axes, float(x), float(y), r"$\alpha$", ha="center", va="center")
+    aside = (-9, 0) if float(along[1]) < SHORT else (0, 0)
+    name_at(axes, float(x), float(y), r"$\alpha$", aside, ha="center", va="center")
     momentum = 1.15 * unit(held.momentum)
     arrow(axes, view, 1.4 * upright, OMEGA_VEC, color=OMEGA, lw=1.7, shift=(9, -2))
     beside = None if momentum[1] < -0.15 else (-9.0, -2.0)
