@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -81,7 +82,7 @@ def draw_turns(axes: Axes, path: Trajectory) -> None:
         axes.plot(path.t[pictures], turns[pictures], "o", color=color, ms=4, label=f"{label}_dots")
         k = int(0.64 * len(turns))
         name_at(axes, float(path.t[k]), float(turns[k]), name, aside, ha=side, color=color)
-    axes.locator_params(axis="x", nbins=5)
+    axes.locator_params(axis="x", nbins=6)
     axes.set_xlabel("$t$  (s)")
     axes.set_ylabel("turns")
 
@@ -99,7 +100,8 @@ def draw_plate(
     face, vertical = 0.5 * height * e3, 0.5 * height / float(e3[2]) * UPRIGHT
     mark = face + half * e1
     axes.plot(*view(np.array([face, mark]))[:2], color=FIRST, lw=1.1, zorder=above)
-    axes.plot(*view(mark)[:2], "o", color=FIRST, ms=4.2, zorder=above + 0.1, label="_mark")
+    style: dict[str, Any] = {"color": FIRST, "ms": 4.2, "clip_on": False, "label": "_mark"}
+    axes.plot(*view(mark)[:2], "o", zorder=above + 0.1, **style)
     along = np.array([vertical, REACH * UPRIGHT])
     axes.plot(*view(along)[:2], color=MOMENTUM, lw=0.9, ls=DASHED, zorder=above)
     tip = min(REACH, 0.98 / max(math.hypot(e3[0], e3[1]), 1e-9)) * e3

@@ -41,6 +41,22 @@ def direction(vector):
     return np.asarray(vector) / np.linalg.norm(vector)
 
 
+def senses(axes):
+    """Which way each curved arrow goes round on paper: positive is anticlockwise."""
+    halves = [
+        each.get_xydata()
+        for each in axes.lines
+        if each.get_color() == style.OMEGA and each.get_label() != "_way"
+    ]
+    found = []
+    # The part behind the axis and the part before it make one curve.
+    for behind, before in zip(halves[::2], halves[1::2], strict=True):
+        curve = np.where(np.isnan(before), behind, before)
+        x, y = (curve - curve.mean(axis=0)).T
+        found.append(float(np.sum(x[:-1] * y[1:] - x[1:] * y[:-1])))
+    return found
+
+
 def drawn(drawing, given):
     with matplotlib.rc_context(style.STYLE):
         return drawing.draw(**drawing.values(given))
@@ -186,6 +202,17 @@ def test_the_change_of_momentum_is_along_the_torque(drawing, view, given):
     assert direction(way[1] - way[0]) == pytest.approx(along, abs=0.02)  # a short chord
     shown = f"$\\Omega = {style.said(rate)}$ rad/s".replace("−", "-")
     assert shown in words(panel)
+
+
+@pytest.mark.parametrize(("drawing", "view", "given"), HELD)
+def test_spin_and_precession_go_the_way_of_their_rates(drawing, view, given):
+    """Seen from the side to which its axis points a positive rotation is anticlockwise."""
+    _, theta, omega3, rate = held_top(drawing, given)
+    panel = drawn(drawing, given).axes[0]
+    e3 = np.array([0.0, math.sin(theta), math.cos(theta)])
+    rates = (omega3 * e3, rate * np.array([0.0, 0.0, 1.0]))
+    for sense, omega in zip(senses(panel), rates, strict=True):
+        assert sense * (omega @ view.axes[2]) > 0
 
 
 @pytest.mark.parametrize(("drawing", "view", "given"), HELD)
@@ -488,6 +515,8 @@ def test_toy_top_is_to_scale(given):
     ]
     scale = np.linalg.norm(toy_top.VIEW(e3)[:2]) / np.linalg.norm(upper[1]) * values["stem_length"]
     assert upper[1] == pytest.approx(np.array(toy_top.VIEW(values["stem_length"] * e3)[:2]) / scale)
+    [sense] = senses(panel)
+    assert sense * values["omega3"] > 0  # seen from above
     [centre] = line(panel, "_centre")
     assert centre == pytest.approx(np.array(toy_top.VIEW(body.R * e3)[:2]) / scale)
     mantle = max(
