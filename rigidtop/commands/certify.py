@@ -65,6 +65,8 @@ def record(found: Certificate) -> dict[str, Any]:
         "ways": list(found.ways),
         "differences": found.differences.tolist(),
         "bound": found.bound,
+        "reach": found.reach,
+        "undecided": found.undecided,
         "amplification": found.amplification,
         "drifts": {way: dict(drift) for way, drift in found.drifts.items()},
         "orders": [
@@ -124,6 +126,11 @@ def verdict(found: Certificate) -> str:
     if len(found.ways) < 2:
         return "NOTHING TO COMPARE: one way alone proves nothing"
     compared = f"largest difference {found.largest:.1e} rad, bound {found.bound:.1e} rad"
+    if found.undecided:
+        return (
+            f"NOT DECIDED: {compared}; in so long a time the solvers' own errors may grow to "
+            f"{found.reach:.1e} rad: take a shorter one"
+        )
     return f"the ways agree: {compared}" if found.passed else f"THE WAYS DISAGREE: {compared}"
 
 

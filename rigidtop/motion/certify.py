@@ -86,6 +86,9 @@ class Certificate:
     bound: float
     """Ways that agree differ by less (rad): see `certify`."""
 
+    reach: float
+    """What solvers whose errors all have one sign could differ by (rad); it may exceed a turn."""
+
     amplification: float
     """The largest factor by which the motion amplifies a small error."""
 
@@ -105,6 +108,12 @@ class Certificate:
         return len(self.ways) > 1 and agree and not self.stray
 
     @property
+    def undecided(self) -> bool:
+        """Whether they differ by more than `bound`, but no more than errors of solvers may do."""
+        near = bool(np.all(self.differences < self.reach))
+        return len(self.ways) > 1 and near and not self.passed and not self.stray
+
+    @property
     def largest(self) -> float:
         """The largest difference (rad)."""
         return float(self.differences.max())
@@ -122,7 +131,7 @@ def certify(motion: Motion, t: ArrayLike, rtol: float = 1e-12) -> Certificate:
     as √n.  A is by how much the motion amplifies an error until then, found from closed forms (or
     integrations, if there are none) that start 10⁻⁷ aside, in all six directions.  So a wrong law,
     which is off by a fixed amount, does not pass, and a motion near a separatrix is not blamed for
-    its nature.
+    its nature.  Errors of one sign add up as n: what lies between is neither confirmed nor refuted.
 
     Raises RigidtopError for bad times and tolerances.
 
@@ -150,6 +159,7 @@ def certify(motion: Motion, t: ArrayLike, rtol: float = 1e-12) -> Certificate:
     span = float(np.abs(times).max())
     amplification = _amplification(motion, times, rtol)
     turned = _rate(motion) * span
+    step = 10 * max(rtol, ROUNDING) * amplification
     measured, unmeasured = orders(motion)
     return Certificate(
         motion,
@@ -157,7 +167,8 @@ def certify(motion: Motion, t: ArrayLike, rtol: float = 1e-12) -> Certificate:
         tuple(found),
         differences.reshape(len(paths), len(paths)),
         {name: _drift(path) for name, path in found.items()},
-        min(10 * max(rtol, ROUNDING) * math.sqrt(1 + turned) * amplification, LOOSEST),
+        min(step * math.sqrt(1 + turned), LOOSEST),
+        step * (1 + turned),
         amplification,
         measured,
         {**left_out, **unmeasured, **LEFT_OUT},

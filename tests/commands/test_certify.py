@@ -49,6 +49,16 @@ def test_json(capsys):
 
 
 @pytest.mark.usefixtures("without_orders")
+def test_a_time_that_is_too_long_to_tell(capsys):
+    assert run(*FREE[:-1], "3000") == 1
+    last = capsys.readouterr().out.splitlines()[-1]
+    assert last.startswith("NOT DECIDED: largest difference 2.")
+    assert last.endswith("take a shorter one")
+    assert run("--json", *FREE[:-1], "3000") == 1
+    assert json.loads(capsys.readouterr().out)["undecided"] is True
+
+
+@pytest.mark.usefixtures("without_orders")
 def test_exit_code_of_a_disagreement(capsys, monkeypatch):
     right = equations.top_by_routh
     monkeypatch.setattr(

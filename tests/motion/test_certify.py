@@ -152,6 +152,20 @@ def test_a_small_error_in_a_constant_is_seen(monkeypatch):
     assert not certify(MOTIONS["cusps"][0], TIMES).passed
 
 
+def test_what_the_solvers_themselves_may_do_is_not_decided(monkeypatch):
+    monkeypatch.setattr(module, "orders", lambda motion: ((), {}))
+    flip = rt.FreeBody(1.0, 2.0, 3.0).motion(omega=(0.01, 2.0, 0.01))
+    early, late = certify(flip, 100.0), certify(flip, 3000.0)
+    assert early.passed
+    assert not early.undecided
+    assert late.bound < late.largest < late.reach
+    assert late.undecided
+    assert not late.passed
+    # What is farther off, or ends at a pole that is not there, is wrong and not undecided.
+    assert not replace(late, differences=late.differences + late.reach).undecided
+    assert not replace(late, stray=("Lagrange",)).undecided
+
+
 def test_a_way_that_gives_no_numbers_is_left_out(monkeypatch):
     def wrong(motion, times, rtol):
         attitudes = np.tile([1.0, 0, 0, 0], (len(times), 1))
