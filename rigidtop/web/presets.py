@@ -159,7 +159,7 @@ def _toutatis() -> Preset:
     )
     setup = free((moments[0], moments[1], moments[2]), (rates[0], rates[1], rates[2]), "d")
     layers = ("e3", "omega", "L", "trail")
-    return Preset("toutatis", "The asteroid Toutatis", about, setup, layers, "ellipsoid")
+    return Preset("toutatis", "The asteroid Toutatis", about, setup, layers, "asteroid")
 
 
 PRESETS: dict[str, Callable[[], tuple[Preset, ...]]] = {HEAVY: heavy_presets, FREE: free_presets}

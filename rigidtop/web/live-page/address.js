@@ -69,7 +69,7 @@ const LARGEST = 1e4;
  * @returns {Shape[]}
  */
 export function shapesOf(kind) {
-  return kind === "free" ? ["brick", "ellipsoid", "T-handle"] : ["top"];
+  return kind === "free" ? ["brick", "asteroid", "T-handle"] : ["top"];
 }
 
 /**

@@ -62,8 +62,11 @@ function inWords(
   /** @type {string} */ regime,
   /** @type {readonly [number, number]} */ turningPoints,
 ) {
-  const [least, most] = turningPoints.map((angle) => `${number((angle * 180) / Math.PI)}°`);
-  const between = `θ goes between ${least} and ${most}`;
+  const degrees = (/** @type {number} */ angle) => `${number((angle * 180) / Math.PI)}°`;
+  const [least, most] = turningPoints.map(degrees);
+  const swing = degrees(turningPoints[1] - turningPoints[0]);
+  const between =
+    least === most ? `θ stays within ${swing} of ${least}` : `θ goes between ${least} and ${most}`;
   /** @type {Record<string, string>} */
   const sentences = {
     "steady precession": `Steady precession: θ stays at ${least}. `,

@@ -101,7 +101,7 @@ export function createBodies(/** @type {Palette} */ palette) {
     "held-top": () => heldTop(body, mark, rod, dot),
     "top": () => freeTop(body, mark, rod),
     "brick": () => brick(body, mark, edge),
-    "ellipsoid": () => ellipsoid(rock),
+    "asteroid": () => asteroid(rock),
     "T-handle": () => handle(body, mark),
   };
   let halves = [1, 1, 1];
@@ -275,8 +275,8 @@ const CRATERS = /** @type {const} */ ([
   [-0.62, 0.1, -0.78, 0.3, 0.07], [0.95, 0.1, 0.3, 0.2, 0.05],
 ]);
 
-/** A rocky ellipsoid, as an asteroid: its bumps are the same every time. */
-function ellipsoid(/** @type {THREE.Material} */ rock) {
+/** A rocky ellipsoid: its bumps are the same every time. */
+function asteroid(/** @type {THREE.Material} */ rock) {
   const geometry = new THREE.IcosahedronGeometry(1, 9);
   const { array, count } = geometry.attributes.position;
   const shades = new Float32Array(3 * count);
