@@ -25,6 +25,7 @@ import hashlib
 import importlib.util
 import os
 import re
+import shlex
 import sys
 import traceback
 from collections.abc import Iterable, Iterator, Sequence
@@ -53,7 +54,8 @@ from rigidtop.theory.lettered import Lettered
 class Collection:
     """Pages and exercises with what stands in front of them; `folder` is None for the built-in.
 
-    `notation` says which letters stand for which symbols, where formulas in LaTeX are read.
+    `notation` says which letters stand for which symbols, where formulas in LaTeX are read.  The
+    claims of the pages `besides` are judged when they are asked for by name.
     """
 
     front: Front
@@ -61,10 +63,51 @@ class Collection:
     exercises: tuple[Exercise, ...] = ()
     folder: Path | None = None
     notation: Notation = NOTATION
+    besides: tuple[Page, ...] = ()
 
     def command(self, name: str) -> str:
         """How `rigidtop` is asked for something of this collection."""
-        return f"rigidtop {name}" if self.folder is None else f"rigidtop {name} {self.folder}"
+        asked = f"rigidtop {name}"
+        return asked if self.folder is None else f"{asked} {typed(self.folder)}"
+
+    def section(self, number: str) -> tuple[Page, ...]:
+        """The pages of a section: its own and those of its subsections."""
+        below = (f"{number}.", f"{number} ")
+        return tuple(p for p in self.pages if p.section == number or p.section.startswith(below))
+
+    def claims(self) -> list[tuple[Page, Claim]]:
+        """Every claim once, with the page of its section: the lecture's, then those of exercises.
+
+        Last come those of the pages `besides`.
+        """
+        home = {page.section: page for page in reversed(self.pages)}
+        made = [(page, claim) for page in self.pages for claim in page.claims]
+        made += [
+            (home[exercise.section], claim)
+            for exercise in self.exercises
+            if exercise.section in home
+            for claim in exercise.claims
+        ]
+        made += [(page, claim) for page in self.besides for claim in page.claims]
+        once: dict[str, tuple[Page, Claim]] = {}
+        for page, claim in made:
+            once.setdefault(claim.name, (page, claim))
+        return [*once.values()]
+
+    def has(self, word: str) -> bool:
+        """Whether a word names a claim, a section or an exercise; (3.57) is 3.57."""
+        names = {claim.name for _, claim in self.claims()}
+        names |= {exercise.name for exercise in self.exercises}
+        return word.strip("()") in names or bool(self.section(word))
+
+
+def typed(folder: Path) -> str:
+    """A folder as it is typed where it may not be taken for a name.
+
+    >>> typed(Path("my_course")), typed(Path("my notes", "course"))
+    ('my_course/', "'my notes/course/'")
+    """
+    return shlex.quote(f"{folder}{os.sep}")
 
 
 class PageError(Exception):
@@ -74,19 +117,23 @@ class PageError(Exception):
 def built_in() -> Collection:
     """The lecture on the top."""
     from rigidtop.derivations import PAGES
+    from rigidtop.derivations.conventions import CONVENTIONS
     from rigidtop.derivations.exercises import EXERCISES
 
-    return Collection(NOTES, PAGES, EXERCISES)
+    return Collection(NOTES, PAGES, EXERCISES, besides=CONVENTIONS)
 
 
 def is_folder(word: str) -> bool:
     """Whether a word of the command line names a collection, not a claim.
 
+    A bare word that names something of the lecture means that, whatever folders there are.
+
     >>> is_folder("my_course/"), is_folder("3.57")
     (True, False)
     """
-    separators = {"/", os.sep}
-    return any(s in word for s in separators) or (Path(word) / "__init__.py").is_file()
+    if any(separator in word for separator in {"/", os.sep}):
+        return True
+    return (Path(word) / "__init__.py").is_file() and not built_in().has(word)
 
 
 @contextmanager

@@ -207,7 +207,17 @@ def test_simulate_writes_csv(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     ("arguments", "message"),
     [
         ("derive 3.58", "rigidtop derive: no equation or claim '3.58'; did you mean 3.5"),
-        ("check zzz", "no equation or claim 'zzz'; `rigidtop list` names them all"),
+        (
+            "check zzz",
+            "no equation or claim 'zzz'; `rigidtop list` names those of the lecture, "
+            "`rigidtop exercise NAME` an exercise's",
+        ),
+        ("derive polhodes", "'polhodes'; did you mean `rigidtop figure polhodes`?"),
+        ("check toppling-top", "'toppling-top'; did you mean `rigidtop exercise toppling-top`?"),
+        ("check time-to-fal", "no equation or claim 'time-to-fal'; did you mean time-to-fall"),
+        ("check 3.5.9", "no section '3.5.9'; there are 3.2 (opening), 3.2, 3.2.1, 3.2.2,"),
+        ("list 9", "no section '9'; there are 3.2 (opening), 3.2, 3.2.1, 3.2.2, 3.2.3, 3.3,"),
+        ("derive 3.5", "3.5 is a section; derive one of its claims: 3.48 3.49 potential 3.50"),
         ("simulate top --lambda1 0.1", "lambda1 = 0.1 is too small"),
         ("simulate top --lambda3 -1", "lambda3"),
         ("simulate top --mass 0", "M"),
@@ -292,6 +302,29 @@ def test_a_section_stands_for_its_claims(capsys: pytest.CaptureFixture[str]) -> 
     assert main(["check", "3.5.4", "--json"]) == 0
     records = json.loads(capsys.readouterr().out)
     assert [record["name"] for record in records] == ["nutation", "azimuth", "friction"]
+
+
+@pytest.mark.parametrize(
+    ("section", "pages"),
+    [
+        ("3.5", ["3.5.1", "3.5.2", "3.5.3", "3.5.4"]),
+        ("3.2", ["3.2 (opening)", "3.2", "3.2.1", "3.2.2", "3.2.3"]),
+        ("3.3", ["3.3"]),
+        ("3.53", ["3.5.3"]),  # an equation
+    ],
+)
+def test_a_section_has_its_subsections(
+    section: str, pages: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["list", "--json"]) == 0
+    every = json.loads(capsys.readouterr().out)
+    assert main(["list", section, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert list(dict.fromkeys(record["reference"] for record in found)) == pages
+    if section == "3.53":
+        assert [record["name"] for record in found] == ["3.53"]
+    else:
+        assert found == [record for record in every if record["reference"] in pages]
 
 
 def test_rows_too_far_apart_are_said_to_be(capsys: pytest.CaptureFixture[str]) -> None:

@@ -248,7 +248,7 @@ def test_the_lecture_on_the_top_is_as_it_was(tmp_path, capsys):
     assert len(every_claim(whole)) > 57
     assert whole.folder is None
     assert whole.command("list") == "rigidtop list"
-    assert load(PENDULUM).command("list") == f"rigidtop list {PENDULUM}"
+    assert load(PENDULUM).command("list") == f"rigidtop list {PENDULUM}/"
 
 
 NOTES = r"""
@@ -447,9 +447,9 @@ def test_an_exercise_that_breaks_is_one_line(tmp_path, capsys):
         ("check empty/", "empty is no collection: it has no __init__.py"),
         ("check empty", "no equation or claim 'empty'; the folder of this name has no __init__.py"),
         ("check course/ 1.2", "no equation or claim '1.2'; did you mean 1.1?"),
-        ("check course/ zzz", "no equation or claim 'zzz'; `rigidtop list course` names them all"),
-        ("derive course/", "one claim at a time; `rigidtop list course` names them"),
-        ("exercise course/ zzz", "no exercise 'zzz'; `rigidtop exercise course` lists all"),
+        ("check course/ zzz", "no equation or claim 'zzz'; `rigidtop list course/` names them all"),
+        ("derive course/", "one claim at a time; `rigidtop list course/` names them"),
+        ("exercise course/ zzz", "no exercise 'zzz'; `rigidtop exercise course/` lists all"),
         ("check 3.57 course/", "no equation or claim 'course/'"),
     ],
 )
@@ -464,6 +464,28 @@ def test_what_is_not_there(tmp_path, monkeypatch, capsys, words, message):
 
 
 # --- A collection is imported if it is named, and takes nobody's place ----------------------------
+
+
+@pytest.mark.parametrize("name", ["nutation", "3.57", "3.5", "toppling-top", "time-to-fall"])
+def test_a_folder_takes_no_name_of_the_lecture(tmp_path, monkeypatch, capsys, name):
+    monkeypatch.chdir(tmp_path)
+    course(tmp_path, PAGE + "PAGES = (page,)").rename(tmp_path / name)
+    if name == "toppling-top":
+        assert main(["exercise", name, "--student"]) == 0
+        assert capsys.readouterr().out.startswith("The toppling top")
+    else:
+        assert main(["list", name, "--json"]) == 0
+        assert "1.1" not in {r["name"] for r in json.loads(capsys.readouterr().out)}
+    for folder in (f"{name}/", str(tmp_path / name)):
+        assert main(["list", folder, "--json"]) == 0
+        assert [r["name"] for r in json.loads(capsys.readouterr().out)] == ["1.1"]
+
+
+def test_a_bare_word_may_name_a_folder(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    course(tmp_path, PAGE + "PAGES = (page,)")
+    assert main(["check", "course", "--json"]) == 0
+    assert [r["name"] for r in json.loads(capsys.readouterr().out)] == ["1.1"]
 
 
 def test_only_what_is_named_is_run(tmp_path, monkeypatch, capsys):
@@ -536,6 +558,9 @@ def test_new_refuses_what_is_there(tmp_path, monkeypatch, capsys):
         ("full", "full is there already, and is not empty"),
         ("file", "file is there already, and is not a folder"),
         ("file/x", "cannot write file/x: Not a directory"),
+        ("bad name!", "'bad name!' is no name for a folder that is a Python module: give it"),
+        ("3.57", "'3.57' is no name for a folder that is a Python module"),
+        ("class", "'class' is no name for a folder that is a Python module"),
     ):
         assert main(["new", words]) == 2
         assert message in capsys.readouterr().err
@@ -544,6 +569,8 @@ def test_new_refuses_what_is_there(tmp_path, monkeypatch, capsys):
     assert main(["new", "empty", "--json"]) == 0
     files = json.loads(capsys.readouterr().out)["files"]
     assert files == [str(Path("empty", f"{n}.py")) for n in ("__init__", "letters", "pendulum")]
+    assert main(["new", "my notes/course"]) == 0
+    assert capsys.readouterr().out.endswith("now: rigidtop check 'my notes/course/'\n")
     monkeypatch.chdir(tmp_path / "empty")
     assert main(["new", "."]) == 2
 

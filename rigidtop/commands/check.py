@@ -33,8 +33,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "name",
         nargs="*",
-        help="only these claims or sections, such as 3.57, axis-stability or 3.5.4; "
-        + claims.FOLDER,
+        help="only these claims or sections, such as 3.57, axis-stability, 3.5.4 or 3.5, which is "
+        "all of 3.5.1 to 3.5.4; " + claims.FOLDER,
     )
     add_notation(parser)
 

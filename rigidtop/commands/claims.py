@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -21,6 +22,9 @@ FAILED = 1
 FOLDER = "a folder with a collection of one's own, such as my_course/, may stand first"
 """What commands say of their words."""
 
+_SECTION = re.compile(r"\d+(\.\d+\.\d+(\.\d+)*)?")
+"""What can be a section's number alone, unlike 3.5, which could be an equation's."""
+
 
 def every(collection: Collection) -> list[tuple[Page, Claim]]:
     """The claims of the lecture in reading order, each with its page."""
@@ -28,50 +32,48 @@ def every(collection: Collection) -> list[tuple[Page, Claim]]:
 
 
 def named(collection: Collection, names: Sequence[str]) -> list[tuple[Page, Claim]]:
-    """The claims of these names, in reading order; (3.57) is 3.57."""
-    claims = every(collection)
-    sections = {page.section for page, _ in claims}
-    of_sections = [claim.name for page, claim in claims if page.section in names]
-    wanted = {name.strip("()") for name in names if name not in sections} | {*of_sections}
-    if not wanted <= {claim.name for _, claim in claims}:
-        claims += [*of_exercises(collection, claims), *of_conventions(collection)]
-    known = [claim.name for _, claim in claims]
-    for name in sorted(wanted - set(known)):
-        from difflib import get_close_matches
-
-        near = get_close_matches(name, known, n=3, cutoff=0.5)
-        hint = f"`{collection.command('list')}` names them all"
-        if near:
-            hint = f"did you mean {' or '.join(near)}?"
-        elif Path(name).is_dir():
-            hint = "the folder of this name has no __init__.py"
-        raise RigidtopError(f"no equation or claim {name!r}; {hint}")
+    """The claims of these names and sections, in reading order; (3.57) is 3.57."""
+    claims = collection.claims()
+    known = {claim.name for _, claim in claims}
+    wanted: set[str] = set()
+    for name in names:
+        bare, pages = name.strip("()"), collection.section(name)
+        if bare not in known and not pages:
+            raise RigidtopError(_unknown(collection, name, known))
+        # An equation's number is none of a section.
+        wanted |= {bare} if bare in known else {c.name for page in pages for c in page.claims}
     return [(page, claim) for page, claim in claims if claim.name in wanted]
 
 
-def of_exercises(
-    collection: Collection, claims: Sequence[tuple[Page, Claim]]
-) -> list[tuple[Page, Claim]]:
-    """The claims that only exercises make, each with the page of its section."""
-    pages = {page.section: page for page, _ in claims}
-    made = {claim.name for _, claim in claims}
-    found = {
-        claim.name: (pages[exercise.section], claim)
-        for exercise in collection.exercises
-        if exercise.section in pages
-        for claim in exercise.claims
-        if claim.name not in made
-    }
-    return list(found.values())
+def _unknown(collection: Collection, name: str, known: Iterable[str]) -> str:
+    """What is said of a name that no claim has: what may be meant, or where names are found."""
+    from difflib import get_close_matches
+
+    if _SECTION.fullmatch(name):
+        return f"no section {name!r}; there are {', '.join(p.section for p in collection.pages)}"
+    said = f"no equation or claim {name!r}"
+    elsewhere = _elsewhere(collection)
+    if name in elsewhere:
+        return f"{said}; did you mean {elsewhere[name]}?"
+    near = get_close_matches(name, {*known, *elsewhere}, n=3, cutoff=0.5)
+    if near:
+        return f"{said}; did you mean {' or '.join(elsewhere.get(each, each) for each in near)}?"
+    if Path(name).is_dir():
+        return f"{said}; the folder of this name has no __init__.py"
+    listing = f"{said}; `{collection.command('list')}` names "
+    if len(collection.claims()) == len(every(collection)):
+        return f"{listing}them all"
+    return f"{listing}those of the lecture, `{collection.command('exercise')} NAME` an exercise's"
 
 
-def of_conventions(collection: Collection) -> list[tuple[Page, Claim]]:
-    """The claims about the notations of other books, which go with the lecture on the top."""
-    if collection.folder is not None:
-        return []
-    from rigidtop.derivations.conventions import CONVENTIONS
+def _elsewhere(collection: Collection) -> dict[str, str]:
+    """Names of what is no claim, with the commands that ask for it."""
+    found = {e.name: f"`{collection.command('exercise')} {e.name}`" for e in collection.exercises}
+    if collection.folder is None:
+        from rigidtop.present.figures.catalog import FIGURES
 
-    return [(page, claim) for page in CONVENTIONS for claim in page.claims]
+        found = {figure.name: f"`rigidtop figure {figure.name}`" for figure in FIGURES} | found
+    return found
 
 
 def judged(claims: Sequence[tuple[Page, Claim]]) -> Iterator[tuple[Page, Judgement]]:

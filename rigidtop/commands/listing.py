@@ -12,16 +12,19 @@ ABOUT = "list every claim of the lecture, by section"
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
-    parser.add_argument("folder", nargs="?", help="a collection of one's own, such as my_course/")
+    parser.add_argument(
+        "name", nargs="*", help=f"only these claims or sections, such as 3.5; {claims.FOLDER}"
+    )
 
 
 def run(options: argparse.Namespace) -> int:
     """Print the list."""
-    from rigidtop.collection import built_in, load
+    from rigidtop.collection import opened
     from rigidtop.present.records import claim_record
     from rigidtop.present.table import table
 
-    found = claims.every(built_in() if options.folder is None else load(options.folder))
+    with opened(options.name) as (collection, names):
+        found = claims.named(collection, names) if names else claims.every(collection)
     if options.json:
         print_json([claim_record(claim, page.section) for page, claim in found])
         return 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import keyword
 import os
 import shutil
 from pathlib import Path
@@ -30,17 +31,29 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Write the folder, as a whole or not at all."""
+    from rigidtop.collection import typed
+
     if not options.folder:
         raise RigidtopError("name a folder, such as my_course")
     folder = Path(options.folder)
+    _check_name(folder.resolve().name)
     names = sorted(file.name for file in STARTER.glob("*.py"))
     write(folder, {name: (STARTER / name).read_bytes() for name in names})
     if options.json:
         print_json({"files": [str(folder / name) for name in names]})
     else:
         print("\n".join(str(folder / name) for name in names))
-        print(f"now: rigidtop check {folder}{os.sep}")
+        print(f"now: rigidtop check {typed(folder)}")
     return 0
+
+
+def _check_name(name: str) -> None:
+    """RigidtopError for a name that no module can have."""
+    if not name.isidentifier() or keyword.iskeyword(name):
+        raise RigidtopError(
+            f"{name!r} is no name for a folder that is a Python module: give it letters, digits "
+            "and _, such as my_course"
+        )
 
 
 def write(folder: Path, contents: dict[str, bytes]) -> None:
