@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from rigidtop.commands.claims import FAILED
 from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
+from rigidtop.textfile import text_of
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
@@ -22,9 +23,6 @@ if TYPE_CHECKING:
     from rigidtop.read.document import Formula
 
 ABOUT = "audit the numbered equations of notes in Markdown or LaTeX"
-
-LONGEST = 4_000_000
-"""A file is no longer than this (bytes)."""
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -121,24 +119,6 @@ def _unread(source: str) -> list[tuple[int, str]]:
         for problem in problems(source)
         if not problem.skipped
     ]
-
-
-def text_of(path: Path) -> str:
-    """The text of a file; RigidtopError for what is not there, no text, or too long."""
-    if not path.is_file():
-        what = "not a file" if path.exists() else "no such file"
-        raise RigidtopError(f"{path}: {what}")
-    size = path.stat().st_size
-    if size > LONGEST:
-        raise RigidtopError(f"{path}: {size} bytes, more than the {LONGEST} that notes may have")
-    content = path.read_bytes()
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        text = "\0"
-    if "\0" in text:
-        raise RigidtopError(f"{path}: not a text file in UTF-8")
-    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def _print(audited: Sequence[Audited], unread: Sequence[tuple[int, str]], told: str) -> None:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import argparse
 import sys
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands.claims import FAILED
 from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
+from rigidtop.textfile import text_of
 
 if TYPE_CHECKING:
     from rigidtop.read.mark import Marking
@@ -57,7 +57,7 @@ def run(options: argparse.Namespace) -> int:
     """Mark and print; 0 if every line follows and the derivation arrives."""
     if not 0 < options.seconds <= 3600:
         raise RigidtopError(f"--seconds must be between 0 and 3600, not {options.seconds:g}")
-    source = _source(options.file)
+    source = _typed() if options.file == "-" else text_of(options.file)
     try:
         from rigidtop.read.limits import marked
     except ModuleNotFoundError as error:
@@ -109,12 +109,9 @@ def _print(found: Marking) -> None:
         print(f"{lost}: state the condition, or look at that motion on its own")
 
 
-def _source(name: str) -> str:
+def _typed() -> str:
+    """What comes in by standard input."""
     try:
-        if name == "-":
-            return sys.stdin.read()
-        return Path(name).read_text("utf-8")
+        return sys.stdin.read()
     except UnicodeDecodeError:
-        raise RigidtopError(f"{name} is not a text in UTF-8") from None
-    except OSError as error:
-        raise RigidtopError(f"{name}: {error.strerror or error}") from None
+        raise RigidtopError("cannot read standard input: it is not text in UTF-8") from None

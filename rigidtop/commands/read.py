@@ -5,11 +5,11 @@ from __future__ import annotations
 import argparse
 from bisect import bisect_right
 from itertools import accumulate
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
+from rigidtop.textfile import text_of
 
 if TYPE_CHECKING:
     from rigidtop.read.formula import Line
@@ -24,7 +24,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Print each equation as text with its line, or the reason why it is unread; 0 in any case."""
-    source = _text_of(Path(options.file))
+    source = text_of(options.file)
     try:
         import lark  # noqa: F401
     except ModuleNotFoundError:
@@ -86,12 +86,3 @@ def _record(source: str, number: str, line: Line) -> dict[str, Any]:
         "equation": text(line.equation) if line.equation is not None else None,
         "problem": line.problem or None,
     }
-
-
-def _text_of(path: Path) -> str:
-    try:
-        return path.read_bytes().decode("utf-8-sig").replace("\r\n", "\n")
-    except UnicodeDecodeError:
-        raise RigidtopError(f"cannot read {path}: it is not text in UTF-8") from None
-    except OSError as error:
-        raise RigidtopError(f"cannot read {path}: {error.strerror or error}") from error

@@ -40,6 +40,7 @@ from sympy import Symbol
 from rigidtop.errors import RigidtopError
 from rigidtop.notation.convention import SEQUENCES, Notation
 from rigidtop.notation.written import Written
+from rigidtop.textfile import text_of
 from rigidtop.theory.symbols import VOCABULARY, Glyph
 
 BUILT_IN = ("notes", "goldstein", "landau", "taylor", "morin")
@@ -74,13 +75,7 @@ def named(name: str) -> Notation:
         near = get_close_matches(name, BUILT_IN, n=1, cutoff=0.5)
         hint = f"did you mean {near[0]}?" if near else f"{', '.join(BUILT_IN)}, or a file"
         raise RigidtopError(f"no notation {name!r}; {hint}")
-    try:
-        text = path.read_text("utf-8")
-    except UnicodeDecodeError:
-        raise RigidtopError(f"{name} is not a text in UTF-8") from None
-    except OSError as error:
-        raise RigidtopError(f"{name}: {error.strerror or error}") from None
-    return parsed(text, path.stem, name)
+    return parsed(text_of(path), path.stem, name)
 
 
 def parsed(text: str, name: str, where: str = "") -> Notation:
@@ -103,6 +98,7 @@ def _toml(text: str) -> Mapping[str, Any]:
 
 
 def _notation(table: Mapping[str, Any], name: str) -> Notation:
+    _require(any(table.values()), "it is no table of a notation: no title, no entry")
     for key, value in table.items():
         _require(key in _KNOWN, f"no entry {key!r} in a notation", key, _KNOWN)
         _typed(value, _KNOWN[key], key)

@@ -125,10 +125,10 @@ class Audited:
     @property
     def note(self) -> str:
         """One line: what is wrong and where, or what is assumed; what is not there."""
-        if self.judgement is None and self.verdict == UNKNOWN:
-            return "the collection has no claim of this number"
         parts = [self._of_line(each) for each in self.placed if not self._is_fine(each)]
-        if not parts and self.judgement is not None:
+        if self.judgement is None:
+            parts.append("the collection has no claim of this number")
+        elif not parts:
             parts = list(filter(None, [said_of(self.judgement)]))
         if self.absent:
             told = ", ".join(text(equation, "printed") for equation in self.absent)
@@ -136,7 +136,7 @@ class Audited:
         return "; ".join(parts)
 
     def _is_fine(self, each: Placed) -> bool:
-        return self.judgement is None or not each.ruling.wrong
+        return each.equation is not None and (self.judgement is None or not each.ruling.wrong)
 
     def _of_line(self, each: Placed) -> str:
         """Why a line does not pass."""

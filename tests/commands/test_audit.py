@@ -90,6 +90,12 @@ def test_what_was_not_taken_as_a_formula_is_told(capsys, file, tmp_path):
     assert "<li>line 3: unread: " in source
 
 
+def test_what_is_unread_has_its_reason_where_no_claim_has_the_number(capsys, file):
+    assert main(["audit", file("$$T = \\oops$$ (9.9)\n")]) == 1
+    shown = " ".join(capsys.readouterr().out.split())
+    assert "(9.9) unread column 7: \\oops where a symbol should be; the collection has no" in shown
+
+
 @pytest.mark.parametrize(
     ("text", "code"),
     [
@@ -112,9 +118,9 @@ def test_exit_codes(text, code, file, capsys):
         ("No formula at all.", "no numbered equations"),
         ("$T = T$ but no number", "no numbered equations"),
         ("", "no numbered equations"),
-        (b"\x89PNG\r\n\x1a\n\xff\xfe", "not a text file"),
-        (b"a\0b $T = T$ (3.44)", "not a text file"),
-        (b" " * 4_000_001, "4000001 bytes, more than the 4000000"),
+        (b"\x89PNG\r\n\x1a\n\xff\xfe", "it is not text in UTF-8"),
+        (b"a\0b $T = T$ (3.44)", "it is not text in UTF-8"),
+        (b" " * 4_000_001, "it has more than 4000000 bytes"),
     ],
 )
 def test_bad_files_get_one_line(text, complaint, file, capsys):
@@ -128,8 +134,6 @@ def test_bad_files_get_one_line(text, complaint, file, capsys):
 def test_other_bad_input_gets_one_line(tmp_path, file, capsys, monkeypatch):
     name = file(MATRIX)
     for arguments, complaint in (
-        ([str(tmp_path / "none.md")], "no such file"),
-        ([str(tmp_path)], "not a file"),
         ([name, "-o", name], "is the file that is audited"),
         ([name, "-o", str(tmp_path)], "is not an ordinary file"),
     ):
