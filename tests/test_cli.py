@@ -67,20 +67,28 @@ def test_check_json_is_the_contract(capsys: pytest.CaptureFixture[str]) -> None:
 def test_a_failed_check_exits_with_1(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from sympy import Integer
+    from sympy import cos, sin
 
     from rigidtop import derivations
     from rigidtop.proof.equation import Equation
     from rigidtop.proof.page import Check, Page, claim
+    from rigidtop.theory.symbols import theta
 
-    @claim("broken", "0 = 1")
+    @claim("broken", "sin θ = cos θ")
     def broken():  # type: ignore[no-untyped-def]
-        yield Check(Equation(Integer(0), Integer(1)))
+        yield Check(Equation(sin(theta), cos(theta)))
 
     monkeypatch.setattr(derivations, "PAGES", (Page("9", "Broken", "A false claim.", (broken,)),))
     assert main(["check"]) == 1
     out = capsys.readouterr().out
-    assert "it fails, and no corrected form stands beside it" in out
+    note = (
+        "it fails, and no corrected form stands beside it; "
+        "at θ = ⅓π: the left side is ½√3, the right side ½"
+    )
+    assert note in " ".join(out.split())
+    assert main(["check", "--json"]) == 1
+    [record] = json.loads(capsys.readouterr().out)
+    assert record["note"] == note
     assert out.endswith("1 claim: 1 false; NOT PASSED: broken\n")
 
 

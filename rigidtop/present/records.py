@@ -48,12 +48,10 @@ def measures(judgements: Iterable[Judgement]) -> list[Measure]:
 def note(judgement: Judgement) -> str:
     """One line: why it does not pass, or what is silently assumed, or what refutes it."""
     if judgement.problem:
-        return judgement.problem
-    parts = [
-        f"{_where(finding)}at {_point(numbers(finding.counterexample))}"
-        for finding in judgement.findings()
-        if finding.counterexample is not None
-    ][:1]
+        # A corrected form that fails is the one to look at.
+        failed = _refuted(judgement.corrections() or judgement.findings())
+        return "; ".join([judgement.problem, *failed])
+    parts = _refuted(judgement.findings())
     silent = [item for item in tested(judgement) if not item.assumption.stated]
     if silent:
         parts.append("holds if " + "; ".join(_assumption(item) for item in silent))
@@ -61,6 +59,15 @@ def note(judgement: Judgement) -> str:
     if corrected:
         parts.append(f"corrected: {corrected[0]}")
     return "; ".join(parts)
+
+
+def _refuted(findings: Iterable[Finding]) -> list[str]:
+    """The first counterexample with its numbers, if there is one."""
+    return [
+        f"{_where(finding)}{_point(numbers(finding.counterexample))}"
+        for finding in findings
+        if finding.counterexample is not None
+    ][:1]
 
 
 def _where(finding: Finding) -> str:
@@ -79,4 +86,4 @@ def _assumption(item: TestedAssumption) -> str:
 def _point(found: Numbers) -> str:
     values = ", ".join(f"{text(symbol)} = {text(value)}" for symbol, value in found.values)
     said = found.said(text)
-    return f"{values}: {said}" if values else said
+    return f"at {values}: {said}" if values else said
