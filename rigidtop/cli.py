@@ -68,7 +68,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if isinstance(sys.stdout, io.TextIOWrapper):
         # A terminal that can't show θ gets an escape in its place, not an error.
         sys.stdout.reconfigure(errors="backslashreplace")
-    options = _parser().parse_args(arguments)
+    options, unknown = _parser().parse_known_args(arguments)
+    if unknown:
+        options.refuse(f"unrecognized arguments: {' '.join(unknown)}")
     try:
         code = options.run(options)
         sys.stdout.flush()
@@ -106,7 +108,7 @@ def _parser() -> Parser:
             name, help=about, description=about[0].upper() + about[1:] + "."
         )
         command.add_argument("--json", action="store_true", help="print JSON instead of text")
-        command.set_defaults(run=module.run)
+        command.set_defaults(run=module.run, refuse=command.error)
         module.add_options(command)
     return parser
 

@@ -5,27 +5,39 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 from rigidtop.errors import RigidtopError
 
-UNITS = {"deg": math.pi / 180, "°": math.pi / 180, "rpm": math.pi / 30}
-"""What may stand behind a number in place of radians or rad/s."""
+_UNITS = {"deg": math.pi / 180, "°": math.pi / 180, "rpm": math.pi / 30}
+_SUFFIXES = {"rad": ("deg", "°"), "rad/s": ("deg", "°", "rpm")}
+_EXAMPLES = {"rad": "0.5 or 30deg", "rad/s": "0.5, 30deg or 600rpm"}
+"""An angle and its rate may have a unit behind them; another number is in SI units."""
 
 
-def quantity(text: str) -> float:
-    """A finite number, in radians if it is followed by deg, in rad/s if by rpm.
+def quantity(text: str, unit: str = "1") -> float:
+    """A finite number, from text; behind that of an angle may stand deg, of its rate also rpm.
 
-    Raises ValueError for other text.
+    Raises ValueError, which says what it must be.
 
-    >>> quantity("0.5"), round(quantity("30deg"), 6), round(quantity("60 rpm"), 6)
+    >>> quantity("0.5"), round(quantity("30deg", "rad"), 6), round(quantity("60 rpm", "rad/s"), 6)
     (0.5, 0.523599, 6.283185)
+    >>> quantity("30degrees", "rad")
+    Traceback (most recent call last):
+    ...
+    ValueError: must be a number in rad, such as 0.5 or 30deg, not '30degrees'
     """
-    match = re.fullmatch(rf"(.*?)\s*({'|'.join(UNITS)})?", text.strip())
-    number = float(match[1]) if match else math.nan
-    value = number * UNITS.get(match[2] or "", 1.0) if match else number
+    match = re.fullmatch(rf"(.*?)\s*({'|'.join(_UNITS)})?", text.strip())
+    value = math.nan
+    if match and match[2] in (None, *_SUFFIXES.get(unit, ())):
+        with suppress(ValueError):
+            value = float(match[1]) * _UNITS.get(match[2] or "", 1.0)
     if not math.isfinite(value):
-        raise ValueError(f"{text!r} is not a finite number")
+        known = "" if unit == "1" else f" in {unit}"
+        raise ValueError(
+            f"must be a number{known}, such as {_EXAMPLES.get(unit, '0.5')}, not {text!r}"
+        )
     return value
 
 
@@ -50,14 +62,23 @@ class Parameter:
         if not math.isfinite(number):
             raise RigidtopError(f"{self.name} must be a finite number, not {value}")
         for wrong, right in (
-            (number <= self.above, f"more than {self.above:g}"),
-            (number < self.least, f"at least {self.least:g}"),
-            (number > self.most, f"at most {self.most:g}"),
+            (number <= self.above, f"more than {shown(self.above, self.unit)}"),
+            (number < self.least, f"at least {shown(self.least, self.unit)}"),
+            (number > self.most, f"at most {shown(self.most, self.unit)}"),
         ):
             if wrong:
-                unit = "" if self.unit == "1" else f" {self.unit}"
-                raise RigidtopError(f"{self.name} must be {right}{unit}, not {number:g}")
+                raise RigidtopError(f"{self.name} must be {right}, not {shown(number, self.unit)}")
         return number
+
+
+def shown(value: float, unit: str) -> str:
+    """A number in a message, an angle also in degrees.
+
+    >>> shown(0.25, "kg"), shown(math.pi, "rad")
+    ('0.25 kg', '3.14159 rad (180°)')
+    """
+    written = f"{value:.6g}" if unit == "1" else f"{value:.6g} {unit}"
+    return f"{written} ({math.degrees(value):.6g}°)" if unit == "rad" else written
 
 
 def settings(
@@ -74,15 +95,19 @@ def settings(
     >>> settings([tilt], ["theta=200deg"])
     Traceback (most recent call last):
     ...
-    rigidtop.errors.RigidtopError: theta must be at most 3.14159 rad, not 3.49066
+    rigidtop.errors.RigidtopError: theta must be at most 3.14159 rad (180°), not 3.49066 rad (200°)
     """
     known = {parameter.name: parameter for parameter in parameters}
     changes = dict(given) if isinstance(given, Mapping) else _parsed(given, known)
     for name in changes:
-        if name not in known:
-            there = f"there are {', '.join(known)}" if known else "there is none to set"
-            raise RigidtopError(f"no parameter {name!r}; {there}")
+        _check_known(name, known)
     return {name: p.checked(changes.get(name, p.default)) for name, p in known.items()}
+
+
+def _check_known(name: str, known: Mapping[str, Parameter]) -> None:
+    if name not in known:
+        there = f"there are {', '.join(known)}" if known else "there is none to set"
+        raise RigidtopError(f"no parameter {name!r}; {there}")
 
 
 def _parsed(given: Sequence[str], known: Mapping[str, Parameter]) -> dict[str, float]:
@@ -93,20 +118,9 @@ def _parsed(given: Sequence[str], known: Mapping[str, Parameter]) -> dict[str, f
             raise RigidtopError(f"{text!r} is not of the form name=value, such as theta=30deg")
         if name in changes:
             raise RigidtopError(f"{name} is set twice")
+        _check_known(name, known)
         try:
-            changes[name] = quantity(value)
-        except ValueError:
-            raise RigidtopError(
-                f"{name} must be a number, such as 0.5, 30deg or 600rpm, not {value!r}"
-            ) from None
-        unit = known[name].unit if name in known else "rad/s"
-        if value.endswith(_foreign(unit)):
-            raise RigidtopError(f"{name} is in {unit}: {value!r} is something else")
+            changes[name] = quantity(value, known[name].unit)
+        except ValueError as error:
+            raise RigidtopError(f"{name} {error}") from None
     return changes
-
-
-def _foreign(unit: str) -> tuple[str, ...]:
-    """What may not stand behind a number of that unit: turns a minute behind an angle, say."""
-    if "rad" not in unit:
-        return tuple(UNITS)
-    return () if unit.startswith("rad/s") else ("rpm",)

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from rigidtop import bench
+from rigidtop.cli import main
 from rigidtop.motion import equations
 
 ROWS = [
@@ -91,3 +92,13 @@ def test_the_truth_is_that_of_the_reference(monkeypatch):
     assert 2 * math.atan2(abs(beta), abs(alpha)) == pytest.approx(theta, rel=1e-15)
     for z, half in ((alpha, (phi + psi) / 2), (beta, (phi - psi) / 2)):
         assert z / abs(z) == pytest.approx(complex(math.cos(half), math.sin(half)), abs=1e-13)
+
+
+def test_the_plot_is_named(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(bench, "measure", lambda *_: ROWS)
+    plot = tmp_path / "ratios.svg"
+    assert main(["bench", "--plot", str(plot)]) == 0
+    assert capsys.readouterr().out == f"{bench.table(ROWS)}\n{plot}\n"
+    assert plot.read_bytes().startswith(b"<?xml")
+    assert main(["bench", "--plot", str(plot), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out) == bench.records(ROWS)

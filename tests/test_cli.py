@@ -229,10 +229,19 @@ def test_simulate_writes_csv(tmp_path: Path, capsys: pytest.CaptureFixture[str])
         ("simulate top --lambda1 0.1", "lambda1 = 0.1 is too small"),
         ("simulate top --lambda3 -1", "lambda3"),
         ("simulate top --mass 0", "M"),
-        ("simulate top --gravity nan", "'nan' is not a finite number"),
-        ("simulate top --theta inf", "'inf' is not a finite number"),
-        ("simulate top --theta 30grad", "'30grad' is not a finite number"),
-        ("simulate top --theta 4", "theta"),
+        ("simulate top --gravity nan", "must be a number, such as 0.5, not 'nan'"),
+        ("simulate top --theta inf", "must be a number in rad, such as 0.5 or 30deg, not 'inf'"),
+        ("simulate top --theta 30degrees", "argument --theta: must be a number in rad, such as "),
+        ("simulate top --theta 30rpm", "such as 0.5 or 30deg, not '30rpm'"),
+        ("simulate top --omega3 40deg/s", "must be a number in rad/s, such as 0.5, 30deg or 600"),
+        ("simulate top --M 30deg", "argument --mass/--M: must be a number, such as 0.5, not"),
+        ("mark x --from 3.53 --to 3.57 --seconds nan", "--seconds: must be a number, such as 0.5"),
+        (
+            "simulate top --theta 200deg",
+            "theta must be at most 3.14159 rad (180°), not 3.49066 rad (200°)",
+        ),
+        ("simulate sliding --theta 200deg", "not 3.49066 rad (200°)"),
+        ("simulate top --mass 1 extra", "rigidtop simulate: unrecognized arguments: extra (see"),
         ("simulate top --omega3 1 --steady slow", "|omega3| must be at least 8.29"),
         ("simulate top --steady slow --phi-dot 1", "--steady sets the rates"),
         ("simulate top --moments 1 2 3", "--moments does not go with `simulate top`"),
@@ -265,6 +274,16 @@ def test_bad_input_is_one_line(
     assert captured.out == ""
     assert captured.err.count("\n") == 1
     assert message in captured.err
+
+
+def test_letters_of_the_notes_are_options_too(capsys: pytest.CaptureFixture[str]) -> None:
+    tables = []
+    for flags in ("--mass 2 --arm 0.4 --gravity 1.6", "--M 2 --R 0.4 --g 1.6"):
+        assert main(f"simulate top --time 1 --samples 3 {flags}".split()) == 0
+        tables.append(capsys.readouterr().out)
+    assert tables[0] == tables[1]
+    assert main(["simulate", "top", "--time", "1", "--samples", "3"]) == 0
+    assert capsys.readouterr().out != tables[0]
 
 
 def test_both_spins_are_refused() -> None:

@@ -37,4 +37,6 @@ def run(options: argparse.Namespace) -> int:
         drawing = io.BytesIO()
         bench.figure(rows).savefig(drawing, format=plot.suffix[1:], dpi=150)
         write_whole(plot, drawing.getvalue())
+        if not options.json:
+            print(plot)
     return 0

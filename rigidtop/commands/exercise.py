@@ -10,6 +10,7 @@ from rigidtop.commands.claims import FAILED, FOLDER
 from rigidtop.commands.notation import add_notation
 from rigidtop.commands.notation import chosen as chosen_notation
 from rigidtop.commands.output import print_json
+from rigidtop.commands.settings import add_settings, apart
 from rigidtop.errors import RigidtopError
 from rigidtop.progress import over
 
@@ -34,14 +35,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "  rigidtop exercise --sheet out --student --pdf     # all of them, without solutions"
     )
     parser.add_argument("name", nargs="*", help=f"an exercise, such as toppling-top; {FOLDER}")
-    parser.add_argument(
-        "--set",
-        nargs="+",
-        action="extend",
-        default=[],
-        metavar="name=value",
-        help="change its settings, such as theta=30deg",
-    )
+    add_settings(parser, "change its settings, such as theta=30deg")
     parser.add_argument(
         "--student", action="store_true", help="the question alone, without its solution"
     )
@@ -58,8 +52,11 @@ def run(options: argparse.Namespace) -> int:
         raise RigidtopError("--pdf goes with --sheet DIR")
     if options.json and options.student:
         raise RigidtopError("--json gives the solutions: leave --student out")
-    from rigidtop.collection import opened
+    from rigidtop.collection import is_folder, opened
 
+    if all(map(is_folder, options.name)):  # no exercise before --set: is it behind?
+        options.set, more = apart(options.set)
+        options.name += more
     with opened(options.name) as (collection, names):
         return _run(collection, names, options)
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands.output import print_json
+from rigidtop.commands.settings import add_settings, apart
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import settings
 
@@ -29,7 +30,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "examples:\n"
         "  rigidtop figure\n"
         "  rigidtop figure torque -o torque.pdf\n"
-        "  rigidtop figure paths --set theta=30deg --set omega3=400rpm -o paths.svg\n"
+        "  rigidtop figure paths --set theta=30deg omega3=400rpm -o paths.svg\n"
         "  rigidtop figure rolling-cones -o cones.gif"
     )
     parser.add_argument("name", nargs="?", metavar="NAME", help="the figure")
@@ -39,13 +40,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="its suffix says what it becomes: svg, pdf, png; gif, mp4 (default: NAME.svg)",
     )
-    parser.add_argument(
-        "--set",
-        action="append",
-        default=[],
-        metavar="NAME=NUMBER",
-        help="a parameter of the figure; may be repeated",
-    )
+    add_settings(parser, "change parameters of the figure, such as theta=30deg")
     parser.add_argument(
         "--frames", type=_frames, metavar="N", help="of a gif or mp4, 20 a second (default: 80)"
     )
@@ -55,6 +50,11 @@ def run(options: argparse.Namespace) -> int:
     """List the figures, or write one."""
     from rigidtop.present.figures.catalog import FIGURES, named
 
+    if options.name is None:
+        options.set, more = apart(options.set)
+        if len(more) > 1:
+            raise RigidtopError(f"one figure at a time: {' '.join(more)} are too many")
+        options.name = more[0] if more else None
     if options.name is None:
         if options.output is not None or options.set or options.frames:
             raise RigidtopError("which figure?  `rigidtop figure` lists them")

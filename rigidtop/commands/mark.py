@@ -7,6 +7,7 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands.claims import FAILED
+from rigidtop.commands.motions import number
 from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
 from rigidtop.textfile import text_of
@@ -49,7 +50,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--to", dest="goal", required=True, metavar="N", help="the equation to arrive at"
     )
     parser.add_argument(
-        "--seconds", type=float, default=20.0, help="time for a line (default: %(default)g)"
+        "--seconds", type=number, default=20.0, help="time for a line (default: %(default)g)"
     )
 
 

@@ -8,7 +8,7 @@ import re
 from typing import TYPE_CHECKING
 
 from rigidtop.errors import RigidtopError
-from rigidtop.parameters import quantity
+from rigidtop.parameters import Parameter, quantity
 
 if TYPE_CHECKING:
     from rigidtop.motion.motion import Motion
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 TOP_OPTIONS = ("lambda1", "lambda3", "mass", "arm", "gravity", "theta", "phi", "psi", "theta_dot")
 TOP_RATES = ("phi_dot", "omega3", "psi_dot", "steady")
 MOST_ROWS = 10_000_000
+THETA = Parameter("theta", 0.5, "θ at t = 0", "rad", least=0, most=math.pi)
 
 FREE_OPTIONS = ("moments", "omega")
 TABLE_OPTIONS = (
@@ -33,25 +34,32 @@ def number(text: str) -> float:
     >>> number("2.5e-3")
     0.0025
     """
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"{text!r} is not a finite number")
-    return value
+    return _typed(text, "1")
 
 
 def angle(text: str) -> float:
-    """Radians, or degrees with the suffix deg; rad/s, or turns a minute with the suffix rpm.
+    """Radians, or degrees with the suffix deg.
 
     >>> angle("0.5"), round(angle("30deg"), 6)
     (0.5, 0.523599)
     """
+    return _typed(text, "rad")
+
+
+def rate(text: str) -> float:
+    """Radians a second, or degrees with the suffix deg, or turns a minute with the suffix rpm.
+
+    >>> rate("0.5"), round(rate("30rpm"), 6)
+    (0.5, 3.141593)
+    """
+    return _typed(text, "rad/s")
+
+
+def _typed(text: str, unit: str) -> float:
     try:
-        return quantity(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a finite number") from None
+        return quantity(text, unit)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
 
 
 def count(text: str) -> int:
@@ -73,26 +81,26 @@ def add_motion(parser: argparse.ArgumentParser, table: bool = False) -> None:
         about = "a heavy symmetric top with its tip held, a free body, or a top on a table"
     parser.add_argument("body", choices=bodies, help=about)
     top = parser.add_argument_group("the top (defaults: the example top)")
-    for flag, default, about in (
-        ("--lambda1", 1.0, "moment across the axis, about the pivot, kg m²"),
-        ("--lambda3", 0.5, "moment about the axis, kg m²"),
-        ("--mass", 1.0, "mass M, kg"),
-        ("--arm", 0.5, "distance R from the pivot to the centre of mass, m"),
-        ("--gravity", 9.81, "g, m/s²"),
+    for flags, default, about in (
+        (["--lambda1"], 1.0, "moment across the axis, about the pivot, kg m²"),
+        (["--lambda3"], 0.5, "moment about the axis, kg m²"),
+        (["--mass", "--M"], 1.0, "mass M, kg"),
+        (["--arm", "--R"], 0.5, "distance R from the pivot to the centre of mass, m"),
+        (["--gravity", "--g"], 9.81, "g, m/s²"),
     ):
-        top.add_argument(flag, type=number, default=None, help=f"{about} (default {default:g})")
+        top.add_argument(*flags, type=number, default=None, help=f"{about} (default {default:g})")
     top.add_argument("--theta", type=angle, help="θ at t = 0 (default 0.5)")
     top.add_argument("--phi", type=angle, help="φ at t = 0")
     top.add_argument("--psi", type=angle, help="ψ at t = 0")
-    top.add_argument("--theta-dot", type=angle, help="θ̇ at t = 0, per second")
-    top.add_argument("--phi-dot", type=angle, help="φ̇ at t = 0, per second")
+    top.add_argument("--theta-dot", type=rate, help="θ̇ at t = 0, per second")
+    top.add_argument("--phi-dot", type=rate, help="φ̇ at t = 0, per second")
     spin = top.add_mutually_exclusive_group()
-    spin.add_argument("--omega3", type=angle, help="ω₃, per second (default 40)")
-    spin.add_argument("--psi-dot", type=angle, help="ψ̇ at t = 0, per second, instead of ω₃")
+    spin.add_argument("--omega3", type=rate, help="ω₃, per second (default 40)")
+    spin.add_argument("--psi-dot", type=rate, help="ψ̇ at t = 0, per second, instead of ω₃")
     top.add_argument("--steady", choices=("slow", "fast"), help="start with φ̇ = Ω₋ or Ω₊")
     free = parser.add_argument_group("the free body")
     free.add_argument("--moments", type=number, nargs=3, metavar="λ", help="λ₁ λ₂ λ₃, kg m²")
-    free.add_argument("--omega", type=angle, nargs=3, metavar="ω", help="ω in the body, per second")
+    free.add_argument("--omega", type=rate, nargs=3, metavar="ω", help="ω in the body, per second")
     if table:
         _add_table(parser)
 
@@ -154,7 +162,7 @@ def on_table(options: argparse.Namespace, command: str) -> SlidingMotion:
     start = {name: given[name] for name in (*START, "velocity", "slip") if name in given}
     if "omega3" not in start and "psi_dot" not in start:
         start["omega3"] = 40.0
-    return top.motion(theta=given.get("theta", 0.5), **start)
+    return top.motion(theta=THETA.checked(given.get("theta", THETA.default)), **start)
 
 
 def _check(
@@ -184,7 +192,7 @@ def _top(options: argparse.Namespace) -> Motion:
         g=given.get("gravity", 9.81),
     )
     start = {name: given[name] for name in START if name in given}
-    theta = given.get("theta", 0.5)
+    theta = THETA.checked(given.get("theta", THETA.default))
     if "omega3" not in start and "psi_dot" not in start:
         start["omega3"] = 40.0
     if options.steady:

@@ -19,7 +19,9 @@ from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands import motions
 from rigidtop.commands.output import print_json
+from rigidtop.commands.settings import add_settings
 from rigidtop.errors import RigidtopError
+from rigidtop.parameters import quantity
 
 if TYPE_CHECKING:
     from rigidtop.motion.sweep import Axis, Map
@@ -32,8 +34,10 @@ EXAMPLE_TOP = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "R": 0.5, "g": 9.81, "t
 OTHER_NAMES = {"mass": "M", "arm": "R", "gravity": "g"}
 """As the options of `rigidtop simulate`."""
 
-LENGTHS = ("lambda1", "lambda3", "M", "R", "g", "t")
-"""What is no angle, nor the rate of one."""
+UNITS = dict.fromkeys(("lambda1", "lambda3", "M", "R", "g", "t"), "1") | dict.fromkeys(
+    ("theta", "phi", "psi"), "rad"
+)
+"""What is no rate of an angle."""
 
 CONNECT_SECONDS = 10
 
@@ -55,24 +59,18 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--scheduler tcp://host:8786"
     )
     parser.add_argument(
-        "-o", "--output", metavar="FILE", required=True, help="the file, an array in NumPy's format"
+        "-o", "--output", metavar="FILE", required=True, help="the file, a .npy for numpy.load"
     )
     parser.add_argument("--quantity", default="regime", metavar="NAME", help="(default: regime)")
-    parser.add_argument(
+    add_settings(
+        parser,
+        "numbers along an axis of the array, or NAME=A,B,…",
         "--axis",
-        action="append",
-        default=[],
         type=axis,
         metavar="NAME=START:STOP:COUNT",
-        help="numbers along an axis of the array, or NAME=A,B,…; may be repeated",
     )
-    parser.add_argument(
-        "--set",
-        action="append",
-        default=[],
-        type=setting,
-        metavar="NAME=NUMBER",
-        help="a number that is the same everywhere (default: the example top); may be repeated",
+    add_settings(
+        parser, "a number that is the same everywhere (default: the example top)", type=setting
     )
     where = parser.add_mutually_exclusive_group()
     where.add_argument(
@@ -122,15 +120,16 @@ def numbers(name: str, text: str) -> Axis:
 
 
 def one(name: str, text: str) -> float:
-    """A number, or an angle, by what it is for.
+    """A number, an angle or its rate, by what it is for.
 
     >>> round(one("omega3", "180deg"), 6)
     3.141593
     """
     try:
-        return motions.number(text) if name in LENGTHS else motions.angle(text)
-    except argparse.ArgumentTypeError as error:
-        raise RigidtopError(f"{name}: {error}") from None
+        value = quantity(text, UNITS.get(name, "rad/s"))
+    except ValueError as error:
+        raise RigidtopError(f"{name} {error}") from None
+    return motions.THETA.checked(value) if name == "theta" else value
 
 
 def run(options: argparse.Namespace) -> int:
@@ -138,8 +137,8 @@ def run(options: argparse.Namespace) -> int:
     from rigidtop.motion import sweep
     from rigidtop.progress import bar
 
-    if not options.output:
-        raise RigidtopError("--output wants the name of a file")
+    if not options.output.endswith(".npy"):
+        raise RigidtopError(f"--output wants a name that ends in .npy, not {options.output!r}")
     axes = {name: numbers(name, text) for name, text in _once("--axis", options.axis).items()}
     given = {name: one(name, text) for name, text in _once("--set", options.set).items()}
     fixed = {name: value for name, value in EXAMPLE_TOP.items() if name not in axes} | given

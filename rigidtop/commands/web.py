@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rigidtop.commands.output import print_json
+from rigidtop.commands.settings import add_settings, apart
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import Parameter, settings
 
@@ -36,21 +37,15 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "the suffix rpm.\n\n"
         "examples:\n"
         "  rigidtop web heavy-top -o top.html\n"
-        "  rigidtop web heavy-top --preset loops --set theta=45deg --set omega3=20 -o loops.html\n"
+        "  rigidtop web heavy-top --preset loops --set theta=45deg omega3=20 -o loops.html\n"
         "  rigidtop web free --preset toutatis -o toutatis.html"
     )
-    parser.add_argument("kind", choices=KINDS, metavar="PAGE", help="heavy-top or free")
+    parser.add_argument("kind", nargs="?", metavar="PAGE", help="heavy-top or free")
     parser.add_argument(
         "-o", "--output", metavar="FILE", help="the page (default: heavy-top.html, free.html)"
     )
     parser.add_argument("--preset", metavar="NAME", help="what it shows first")
-    parser.add_argument(
-        "--set",
-        action="append",
-        default=[],
-        metavar="NAME=NUMBER",
-        help="another number in it; may be repeated",
-    )
+    add_settings(parser, "change numbers in it, such as theta=45deg")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -61,10 +56,11 @@ def run(options: argparse.Namespace) -> int:
 
     if options.output == "":
         raise RigidtopError("--output wants the name of a file")
-    presets = PRESETS[options.kind]()
-    first = _changed(_named(options.preset, presets), options.set)
-    made = page(options.kind, first)
-    path = Path(options.output or f"{options.kind}.html")
+    kind, given = _kind(options)
+    presets = PRESETS[kind]()
+    first = _changed(_named(options.preset, presets), given)
+    made = page(kind, first)
+    path = Path(options.output or f"{kind}.html")
     content = made.html.encode()
     write_whole(path, content)
     if options.json:
@@ -81,6 +77,17 @@ def run(options: argparse.Namespace) -> int:
     else:
         print(f"{path}\n{made.title}: {first.title} ({len(content) / 1e6:.1f} MB)")
     return 0
+
+
+def _kind(options: argparse.Namespace) -> tuple[str, list[str]]:
+    """Which page, and what is set in it; the page may stand behind --set."""
+    kind, given = options.kind, options.set
+    if kind is None:
+        given, more = apart(given)
+        kind = " ".join(more)
+    if kind not in KINDS:
+        raise RigidtopError(f"which page?  {' or '.join(KINDS)}" + f", not {kind!r}" * bool(kind))
+    return kind, given
 
 
 def _named(name: str | None, presets: tuple[Preset, ...]) -> Preset:

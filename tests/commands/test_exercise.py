@@ -31,6 +31,16 @@ def test_settings_reach_the_numbers(capsys):
     assert [claim["verdict"] for claim in found["claims"]] == ["proved", "proved"]
 
 
+def test_the_name_may_stand_behind_the_settings(capsys):
+    shown = []
+    for words in (["toppling-top", "--set", "theta=30deg"], ["--set", "theta=30deg", "M=2"]):
+        more = [] if "toppling-top" in words else ["toppling-top"]
+        assert main(["exercise", "--student", *words, *more]) == 0
+        shown.append(capsys.readouterr().out)
+    assert shown[0].splitlines()[0] == shown[1].splitlines()[0]
+    assert shown[0].count("= 30°") == shown[1].count("= 30°") == 1
+
+
 def test_text_has_question_solution_and_numbers(capsys):
     assert main(["exercise", "toppling-top"]) == 0
     shown = capsys.readouterr().out
@@ -98,12 +108,12 @@ def test_in_another_notation(capsys, tmp_path):
         (["xyz"], "no exercise 'xyz'; `rigidtop exercise` lists all"),
         (["toppling-top", "--set", "tilt=1"], "no parameter 'tilt'; there are theta, until, "),
         (["toppling-top", "--set", "theta"], "'theta' is not of the form name=value"),
-        (["toppling-top", "--set", "theta=x"], "theta must be a number, such as 0.5, 30deg"),
-        (["toppling-top", "--set", "theta=nan"], "theta must be a number, such as 0.5, 30deg"),
+        (["toppling-top", "--set", "theta=x"], "theta must be a number in rad, such as 0.5"),
+        (["toppling-top", "--set", "theta=nan"], "theta must be a number in rad, such as 0.5"),
         (["toppling-top", "--set", "theta=1", "theta=2"], "theta is set twice"),
-        (["toppling-top", "--set", "theta=-1"], "theta must be more than 0 rad, not -1"),
-        (["toppling-top", "--set", "M=3deg"], "M is in kg: '3deg' is something else"),
-        (["toppling-top", "--set", "theta=30rpm"], "theta is in rad: '30rpm' is something else"),
+        (["toppling-top", "--set", "theta=-1"], "theta must be more than 0 rad (0°), not -1 rad"),
+        (["toppling-top", "--set", "M=3deg"], "M must be a number in kg, such as 0.5, not '3deg'"),
+        (["toppling-top", "--set", "theta=30rpm"], "theta must be a number in rad, such as"),
         (["toppling-top", "--set", "until=1deg"], "until = 0.0174533 must be more than theta"),
         (["--set", "theta=1"], "--set wants one exercise"),
         (["toppling-top", "--pdf"], "--pdf goes with --sheet DIR"),

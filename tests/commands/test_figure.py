@@ -66,7 +66,7 @@ def test_kind_by_suffix(suffix, opening, tmp_path, capsys):
 
 
 def test_svg_by_default_and_settings(tmp_path, capsys):
-    assert run("paths", "--set", "theta=30deg", "--set", "omega3 = 600rpm", "--json") == 0
+    assert run("paths", "--set", "theta=30deg", "omega3 = 600rpm", "--json") == 0
     record = json.loads(capsys.readouterr().out)
     assert record["file"] == "paths.svg"
     assert record["parameters"]["theta"] == pytest.approx(0.5235987755982988)

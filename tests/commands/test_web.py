@@ -27,8 +27,8 @@ def test_a_page_is_one_file(kind, tmp_path, capsys):
 
 def test_a_preset_with_other_numbers_comes_first(tmp_path, capsys):
     path = tmp_path / "loops.html"
-    asked = ("--preset", "loops", "--set", "theta=45deg", "--set", "omega3=60rpm", "--json")
-    assert main(["web", "heavy-top", *asked, "-o", str(path)]) == 0
+    asked = ("--preset", "loops", "--set", "theta=45deg", "omega3=60rpm")
+    assert main(["web", "--json", "-o", str(path), *asked, "heavy-top"]) == 0
     record = json.loads(capsys.readouterr().out)
     assert record["values"]["theta"] == pytest.approx(math.pi / 4)
     assert record["values"]["omega3"] == pytest.approx(2 * math.pi)
@@ -84,8 +84,10 @@ def test_the_file_is_named_after_the_page(tmp_path, monkeypatch):
         (("free", "--set", "lambda3=9"), "lambda3 = 9 exceeds the sum of the other two moments"),
         (("heavy-top", "--set", "M=3"), "lambda1 = 1.3 is too small"),
         (("heavy-top", "--set", "omega3=fast"), "omega3 must be a number"),
-        (("heavy-top", "--set", "R=30deg"), "R is in m: '30deg' is something else"),
-        (("heavy-top", "--set", "theta=200deg"), "theta must be at most 3.14159 rad"),
+        (("heavy-top", "--set", "R=30deg"), "R must be a number in m, such as 0.5, not '30deg'"),
+        (("heavy-top", "--set", "theta=200deg"), "theta must be at most 3.14159 rad (180°)"),
+        (("bicycle",), "which page?  heavy-top or free, not 'bicycle'"),
+        ((), "which page?  heavy-top or free\n"),
         (("heavy-top", "-o", ""), "--output wants the name of a file"),
         (("heavy-top", "-o", "."), "is no"),
     ],
