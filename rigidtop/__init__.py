@@ -5,10 +5,10 @@ Names are loaded at first use, so that ``import rigidtop`` loads nothing heavy.
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
-
+TYPE_CHECKING = False  # typing itself takes time
 if TYPE_CHECKING:
+    from typing import Any
+
     from rigidtop.errors import NoSteadyPrecession, RigidtopError
     from rigidtop.motion.body import FreeBody, HeavyBody
     from rigidtop.motion.many import FreeMotions, TopMotions, free_motions, top_motions
@@ -63,6 +63,8 @@ def __getattr__(name: str) -> Any:
         return version("rigidtop")
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from importlib import import_module
+
     return getattr(import_module(_HOMES[name]), name)
 
 

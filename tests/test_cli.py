@@ -365,16 +365,36 @@ def test_rows_too_far_apart_are_said_to_be(capsys: pytest.CaptureFixture[str]) -
 
 def test_interrupt_is_one_line() -> None:
     code = (
-        "import rigidtop.cli as cli\n"
+        "from rigidtop.cli import main\n"
+        "from rigidtop.commands import listing\n"
         "def stop(options): raise KeyboardInterrupt\n"
-        "cli.listing.run = stop\n"
-        "raise SystemExit(cli.main(['list']))"
+        "listing.run = stop\n"
+        "raise SystemExit(main(['list']))"
     )
     result = subprocess.run(
         [sys.executable, "-c", code], capture_output=True, text=True, check=False
     )
     assert result.returncode == 130
-    assert result.stderr == "\nrigidtop list: interrupted\n"
+    assert result.stderr == "rigidtop list: interrupted\n"
+
+
+def test_interrupt_while_modules_load_is_one_line() -> None:
+    code = (
+        "import sys\n"
+        "known = {*sys.modules}\n"
+        "from rigidtop.cli import main\n"
+        "loaded = {m.partition('.')[0] for m in {*sys.modules} - known} - {'__future__'}\n"
+        "assert loaded == {'rigidtop'}, loaded\n"
+        "assert 'rigidtop.commands' not in sys.modules\n"
+        "class Stop:\n"
+        "    def find_spec(self, name, *_): raise KeyboardInterrupt\n"
+        "sys.meta_path.insert(0, Stop())\n"
+        "raise SystemExit(main(['list']))"
+    )
+    result = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False
+    )
+    assert (result.returncode, result.stderr) == (130, "rigidtop: interrupted\n")
 
 
 def test_a_full_disk_is_one_line() -> None:

@@ -8,7 +8,6 @@ import multiprocessing
 import os
 import re
 import signal
-import sys
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -164,14 +163,12 @@ def run(options: argparse.Namespace) -> int:
                 asked, options.output, pool, block_size=size, ahead=ahead, progress=progress
             )
     except KeyboardInterrupt:
-        if last:
-            print(
-                f"\n{last} of {asked.size} points are in {options.output}; "
-                "the same command goes on from there",
-                end="",
-                file=sys.stderr,
-            )
-        raise
+        if not last:
+            raise
+        raise KeyboardInterrupt(
+            f"{last} of {asked.size} points are in {options.output}; "
+            "the same command goes on from there"
+        ) from None
     record = summary(found) | {
         "computed": last - (first or 0),
         "seconds": round(time.monotonic() - start, 3),

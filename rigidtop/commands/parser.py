@@ -1,0 +1,93 @@
+"""What can be asked for on the command line, in all."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from typing import Any, NoReturn
+
+from rigidtop.commands import (
+    audit,
+    bench,
+    certify,
+    check,
+    derive,
+    exercise,
+    figure,
+    lecture,
+    listing,
+    mark,
+    new,
+    notation,
+    read,
+    simulate,
+    sweep,
+    web,
+)
+
+COMMANDS = {
+    "list": listing,
+    "check": check,
+    "audit": audit,
+    "derive": derive,
+    "lecture": lecture,
+    "new": new,
+    "exercise": exercise,
+    "mark": mark,
+    "notation": notation,
+    "read": read,
+    "figure": figure,
+    "web": web,
+    "simulate": simulate,
+    "certify": certify,
+    "sweep": sweep,
+    "bench": bench,
+}
+"""Each module has ABOUT, `add_options(parser)` and `run(options)`, which returns the exit code."""
+
+
+class Parser(argparse.ArgumentParser):
+    """Errors in one line, without the usage."""
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(2, f"{self.prog}: {message} (see {self.prog} --help)\n")
+
+
+def parsed(arguments: Sequence[str] | None = None) -> argparse.Namespace:
+    """The options of a command, with its name as `command` and what it does as `run`."""
+    options, unknown = _parser().parse_known_args(arguments)
+    if unknown:
+        options.refuse(f"unrecognized arguments: {' '.join(unknown)}")
+    return options
+
+
+def _parser() -> Parser:
+    parser = Parser(
+        prog="rigidtop",
+        description="Rigid rotation and the spinning top: the lecture derived, judged, typeset "
+        "and computed.",
+    )
+    parser.add_argument("--version", action=_Version)
+    commands = parser.add_subparsers(dest="command", required=True, metavar="command")
+    for name, module in COMMANDS.items():
+        about = module.ABOUT
+        command = commands.add_parser(
+            name, help=about, description=about[0].upper() + about[1:] + "."
+        )
+        command.add_argument("--json", action="store_true", help="print JSON instead of text")
+        command.set_defaults(run=module.run, refuse=command.error)
+        module.add_options(command)
+    return parser
+
+
+class _Version(argparse.Action):
+    """Looks the version up only when asked."""
+
+    def __init__(self, option_strings: Sequence[str], dest: str, **_: Any) -> None:
+        super().__init__(option_strings, dest, nargs=0, help="show the version and exit")
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: Any) -> NoReturn:
+        import rigidtop
+
+        print(f"rigidtop {rigidtop.__version__}")
+        parser.exit()
