@@ -6,8 +6,15 @@ The tables are closed: a character that none of them knows is an error that name
 from __future__ import annotations
 
 import re
+import unicodedata
 
 from rigidtop.present.layout import GREEK
+
+FUNCTIONS = (
+    *("arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "sin", "cos", "tan"),
+    *("exp", "log", "ln", "det", "sn", "tr"),
+)
+"""Whose names stand upright."""
 
 TEX_GREEK = {letter: "\\" + name for name, letter in GREEK.items()} | {
     "ε": r"\epsilon",
@@ -124,3 +131,20 @@ def joined(left: str, right: str) -> str:
     """Two pieces of LaTeX, with a space where a command would otherwise swallow a letter."""
     command = re.search(r"\\[A-Za-z]+$", left)
     return left + (" " if command and right[:1].isalpha() else "") + right
+
+
+def escape(text: str) -> str:
+    """Text without mathematics, escaped for LaTeX."""
+    return "".join(plain(c) for c in unicodedata.normalize("NFC", text))
+
+
+def plain(character: str) -> str:
+    """A character of a text, for LaTeX."""
+    if character in ESCAPES:
+        return ESCAPES[character]
+    if character in PUNCTUATION:
+        return PUNCTUATION[character]
+    if character.isascii() or (character.isalpha() and ord(character) < 0x180):
+        return character  # Latin letters with accents: inputenc knows them
+    name = unicodedata.name(character, "without a name")
+    raise ValueError(f"no LaTeX for the character {character!r} (U+{ord(character):04X}, {name})")

@@ -101,7 +101,6 @@ p { margin: 0.55rem 0; }
 h5 { font-size: 1rem; font-weight: 600; margin: 1.6rem 0 0.3rem; }
 .unseen { position: absolute; left: -99rem; }
 .says { font-style: italic; margin: 0.25rem 0 0.7rem; }
-.m { font-family: var(--maths); white-space: nowrap; }
 sub, sup { font-size: 0.72em; line-height: 0; }
 .badge {
   display: inline-block; white-space: nowrap; font-size: 0.78rem; line-height: 1.3;

@@ -14,9 +14,9 @@ from functools import singledispatch
 from typing import Any
 
 from rigidtop.present import layout as lay
-from rigidtop.present.characters import LETTERS, MATHS, SIGNS, TEX_GREEK, joined
+from rigidtop.present.characters import LETTERS, MATHS, SIGNS, TEX_GREEK, escape, joined
 from rigidtop.present.layout import Line, Node, Order
-from rigidtop.present.prose import escape, prose
+from rigidtop.present.prose import prose
 from rigidtop.proof.equation import Equation
 from rigidtop.theory.symbols import Glyph
 

@@ -11,9 +11,9 @@ from functools import singledispatch
 from typing import Any
 
 from rigidtop.present import layout as lay
-from rigidtop.present import prose
 from rigidtop.present.latex import align_row, latex
 from rigidtop.present.layout import Node
+from rigidtop.present.prose import tex, written
 from rigidtop.present.report import (
     MARKS,
     ClaimHead,
@@ -50,10 +50,7 @@ def words(content: str) -> str:
     >>> print(words("θ̈ vanishes, [as] sin θ ≠ 0"))
     $\ddot{\theta}$ vanishes, &#91;as&#93; $\sin \theta \neq 0$
     """
-    return "".join(
-        f"${prose.formula(piece)}$" if is_maths else _plain(piece)
-        for is_maths, piece in prose.segments(content)
-    )
+    return written(content, tex, _plain)
 
 
 def _plain(text: str) -> str:

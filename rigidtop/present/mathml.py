@@ -26,14 +26,14 @@ _ACCENTS = {
 _SHAPES = {"φ": "ϕ", "ε": "ϵ"}  # as LaTeX draws them
 _VECTOR = ' mathvariant="normal" style="font-weight:bold"'
 _BOLD_GREEK = ' style="font-weight:bold"'
-_THIN = '<mspace width="0.1667em"/>'
-_APPLY = "<mo>&#x2061;</mo>"
+THIN = '<mspace width="0.1667em"/>'
+APPLY = "<mo>&#x2061;</mo>"
 
 
 def mathml(tree: Any, order: Order = "auto", *, display: bool = False) -> str:
     """A ``<math>`` element for an expression, a condition, or an `Equation` without its tag."""
     node = tree if type(tree).__module__ == lay.__name__ else lay.layout(tree, order)
-    return _math(_ml(node), text(node), display)
+    return element(_ml(node), text(node), display)
 
 
 def display(equations: Sequence[Equation], order: Order = "auto", limit: float = lay.LINE) -> str:
@@ -41,9 +41,9 @@ def display(equations: Sequence[Equation], order: Order = "auto", limit: float =
     broken = [line for equation in equations for line in lay.lines(equation, order, limit)]
     alt = "; ".join(text(equation, order) for equation in equations)
     if len(broken) == 1:
-        return _math(_ml(lay.layout(equations[0], order)), alt, True)
+        return element(_ml(lay.layout(equations[0], order)), alt, True)
     rows = "".join(map(_row, broken))
-    return _math(f'<mtable displaystyle="true">{rows}</mtable>', alt, True)
+    return element(f'<mtable displaystyle="true">{rows}</mtable>', alt, True)
 
 
 def _row(line: Line) -> str:
@@ -53,7 +53,8 @@ def _row(line: Line) -> str:
     return f"<mtr>{start}{left}</mtd>{end}<mrow><mi></mi>{sign}{_ml(line.right)}</mrow></mtd></mtr>"
 
 
-def _math(inside: str, alt: str, block: bool) -> str:
+def element(inside: str, alt: str, block: bool) -> str:
+    """The ``<math>`` round its inside; `alt` says it in words."""
     shown = ' display="block"' if block else ""
     return (
         f'<math xmlns="http://www.w3.org/1998/Math/MathML"{shown} alttext="{escape(alt)}">'
@@ -78,7 +79,7 @@ def labelled(sides: Sequence[tuple[Sequence[Any], int | None]], alt: str) -> str
                 inside = f'<mo form="{form}">{"−" if negative else "+"}</mo>{inside}'
             mark = "" if number is None else f' data-term="{number + k}"'
             made += f"<mrow{mark}>{inside}</mrow>"
-    return _math(made, alt, True)
+    return element(made, alt, True)
 
 
 def letter(glyph: Glyph) -> str:
@@ -94,11 +95,12 @@ def letter(glyph: Glyph) -> str:
     if glyph.accent:
         base = f"<mover>{base}{_ACCENTS[glyph.accent]}</mover>"
     if glyph.sub:
-        base = f"<msub>{base}{_subscript(glyph.sub)}</msub>"
+        base = f"<msub>{base}{subscript(glyph.sub)}</msub>"
     return _group(f"{base}<mo>′</mo>") if glyph.prime else base
 
 
-def _subscript(sub: str) -> str:
+def subscript(sub: str) -> str:
+    """An index: 1, ⊥, φ, CM, 1′."""
     plain = sub.rstrip("′")
     if plain.isdigit():
         made = f"<mn>{plain}</mn>"
@@ -149,8 +151,8 @@ def _(node: lay.Sum) -> str:
 
 _JOINTS = {
     "": "<mo>&#x2062;</mo>",
-    "function": f"<mo>&#x2062;</mo>{_THIN}",
-    "thin": f"<mo>&#x2062;</mo>{_THIN}",
+    "function": f"<mo>&#x2062;</mo>{THIN}",
+    "thin": f"<mo>&#x2062;</mo>{THIN}",
     "dot": "<mo>·</mo>",
 }
 
@@ -171,10 +173,10 @@ def _(node: lay.Fraction) -> str:
 
 @_ml.register
 def _(node: lay.Power) -> str:
-    return _with_superscript(_ml(node.base), _ml(node.exponent))
+    return with_superscript(_ml(node.base), _ml(node.exponent))
 
 
-def _with_superscript(base: str, exponent: str) -> str:
+def with_superscript(base: str, exponent: str) -> str:
     """An index and an exponent of one letter stand above each other."""
     if base.startswith("<msub>") and base.endswith("</msub>"):
         return f"<msubsup>{base[6:-7]}{exponent}</msubsup>"
@@ -196,8 +198,8 @@ def _(node: lay.Apply) -> str:
     inside = "<mo>,</mo>".join(map(_ml, node.arguments))
     if node.brackets:
         tall = any(map(lay.is_tall, node.arguments))
-        return _group(name + _APPLY + _fenced(inside, "()", tall))
-    return _group(name + _APPLY + _THIN + inside)
+        return _group(name + APPLY + _fenced(inside, "()", tall))
+    return _group(name + APPLY + THIN + inside)
 
 
 def _fenced(inside: str, shape: str, tall: bool) -> str:
@@ -240,7 +242,7 @@ def _(node: lay.Derivative) -> str:
     by = _ml(node.by)
     if node.order > 1:
         over = f"<msup>{d}<mn>{node.order}</mn></msup>"
-        by = _with_superscript(by, f"<mn>{node.order}</mn>")
+        by = with_superscript(by, f"<mn>{node.order}</mn>")
     under = _group(under_order + by)
     if node.inside:
         made = f"<mfrac>{_group(over + _ml(node.body))}{under}</mfrac>"
@@ -254,7 +256,7 @@ def _(node: lay.Derivative) -> str:
 @_ml.register
 def _(node: lay.Big) -> str:
     if node.sign == "∫":
-        return _group(f"<mo>∫</mo>{_ml(node.index)}{_THIN}{_ml(node.body)}")
+        return _group(f"<mo>∫</mo>{_ml(node.index)}{THIN}{_ml(node.body)}")
     big = '<mo largeop="true" movablelimits="true">∑</mo>'
     return _group(f"<munder>{big}{_ml(node.index)}</munder>{_ml(node.body)}")
 

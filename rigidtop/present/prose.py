@@ -8,20 +8,11 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Callable
 from html import escape as escape_html
 
-from rigidtop.present.characters import (
-    ESCAPES,
-    LETTERS,
-    MARKS,
-    MATHS,
-    PUNCTUATION,
-    SUBSCRIPTS,
-    SUPERSCRIPTS,
-    TEX_GREEK,
-    joined,
-)
-from rigidtop.present.layout import GREEK
+from rigidtop.present import formula
+from rigidtop.present.characters import FUNCTIONS, MATHS, SUBSCRIPTS, SUPERSCRIPTS, escape
 
 
 def prose(text: str) -> str:
@@ -30,52 +21,74 @@ def prose(text: str) -> str:
     >>> print(prose("θ̈ vanishes & sin θ ≠ 0 (3.54): 100 %"))
     $\ddot{\theta}$ vanishes \& $\sin \theta \neq 0$ (3.54): 100 \%
     """
-    return "".join(
-        f"${formula(part)}$" if is_maths else escape(part) for is_maths, part in segments(text)
-    )
+    return written(text, tex, escape)
 
 
 def prose_html(text: str) -> str:
-    """The same as HTML: Unicode as it stands, the letters of formulas in italics.
+    """The same as HTML, its formulas as MathML.
 
-    >>> prose_html("for θ = 0 & sin θ")
-    'for <span class="m"><i>θ</i> = 0</span> &amp; <span class="m">sin <i>θ</i></span>'
+    >>> prose_html("a & b's")
+    'a &amp; b’s'
     """
+    return written(text, formula.mathml, _plain_html)
+
+
+def _plain_html(text: str) -> str:
+    return escape_html(text.replace("'", "’"), quote=False)
+
+
+def tex(part: str, directed: bool) -> str:
+    """A formula of a text between dollars."""
+    return f"${formula.tex(part, directed)}$"
+
+
+def written(text: str, maths: Callable[[str, bool], str], plain: Callable[[str], str]) -> str:
+    """A text whose formulas `maths` writes, told whether the text `is_directed`, and the rest
+    `plain`."""
+    directed = is_directed(text)
     return "".join(
-        f'<span class="m">{_html_formula(part)}</span>'
-        if is_maths
-        else escape_html(part.replace("'", "’"), quote=False)
-        for is_maths, part in segments(text)
+        maths(part, directed) if is_maths else plain(part) for is_maths, part in segments(text)
     )
 
 
-def escape(text: str) -> str:
-    """Text without mathematics, escaped for LaTeX."""
-    return "".join(_plain(c) for c in unicodedata.normalize("NFC", text))
+_DIRECTED = re.compile(
+    r"(?<!\w)[LNω]\u0307?\s?[×∥⟂⊥·]\s?\w|(?<!\w)L\u0307|\bvectors? [LNω]|[×∥⟂]\s?[LNω](?!\w)"
+    r"|\b(?:along|across|about|against|parallel to|tilted to|right angles to|parts? of|tip of"
+    r"|ways? of|direction of|angles? of|angles? between|plane of|from)(?: the)? [Lω]"
+    r"(?![\w/])(?! =| to)"
+    r"|(?:(?<!\w)[LNω]|\be[₁₂₃])(?:,| and|, and) [LNω](?!\w)(?! =)"
+    r"|(?<!\w)[Lω] (?:along|across|lies|points|precesses"
+    r"|is (?:not )?(?:along|across|parallel|at right angles))"
+)
 
 
-def _plain(character: str) -> str:
-    if character in ESCAPES:
-        return ESCAPES[character]
-    if character in PUNCTUATION:
-        return PUNCTUATION[character]
-    if character.isascii() or (character.isalpha() and ord(character) < 0x180):
-        return character  # Latin letters with accents: inputenc knows them
-    name = unicodedata.name(character, "without a name")
-    raise ValueError(f"no LaTeX for the character {character!r} (U+{ord(character):04X}, {name})")
+def is_directed(text: str) -> bool:
+    """Whether a text speaks of L and ω as vectors, not as magnitudes.
+
+    >>> is_directed("the angle between ω and L"), is_directed("it turns with the speed ω")
+    (True, False)
+    """
+    return bool(_DIRECTED.search(formula.opened(text)))
 
 
 # --- Finding the mathematics ---------------------------------------------------------------------
 
 _FORMAL = ("maths", "letter", "operator", "inner")
 _OPERATORS = frozenset("=+−×·≠≤≥<>→∥≡≈±/∝≪≫⇒⟂⊥∈⇔↦≃∼*")
-_FUNCTIONS = ("arcsin", "arccos", "arctan", "sin", "cos", "tan", "exp", "log", "det", "tr")
-_LONE = frozenset("BCDEFILMNOPRTVbgknpqrtuvwxyz")  # no a, A, and no m, the metre
-_IDENTIFIER = re.compile(r"\b[A-Za-z]_[A-Za-z0-9]{1,4}\b")
+_LONE = frozenset("BCDEFHIKLMNOPRTUVbcfghkmnpqrstuvwxyz")
+_UNITS = frozenset("CFKNTVghms")  # behind a number or another unit
+_IDENTIFIER = re.compile(r"\b[A-Za-z]_[A-Za-z0-9]{1,4}\b|\b[A-Za-z0-9]\^[\w{(−-]")
 # No English word has a dot above a letter; xẏ is a product.
 _MARKED = re.compile(r"(?<![A-Za-z])[A-Za-z][\u0302\u0307\u0308](?![A-Za-z])|\u0307")
-_NEIGHBOUR = re.compile(r"[-−]?[\d./]+(e[-+]?\d+)?|[-−]?\d*[A-Za-z]|const|[A-Z][A-Za-z]{1,2}")
-_UNIT = re.compile(r"((?:kg|rad|[msNJW])(?:[·/](?:kg|rad|[msNJW]))*)([²³])")
+_NEIGHBOUR = re.compile(
+    r"[-−]?[\d./]+(e[-+]?\d+)?|\(?\|?[-−]?\d*[A-Za-z]\|?|const|[A-Z][A-Za-z]{1,2}|mg"
+)
+_NAME = "|".join(("MgR", "Mg", *FUNCTIONS))
+# MgR, 2cos, |L|, and with a bracket that is closed later: m(r, MgR(cos, ln(8.
+_WHOLE = re.compile(
+    rf"\d*MgR|Mg|\d+(?:{_NAME})|\|[A-Za-z]\||\d*(?:{_NAME}|[A-Za-z])\((?:{_NAME}|\d+|[A-Za-z])?"
+    r"|d/d[a-z]|[A-Z]\)/[A-Z]|\([A-Z]{2}\)[A-Z]|[A-Z]\([A-Z]{2}\)"
+)
 
 
 def segments(text: str) -> list[tuple[bool, str]]:
@@ -84,16 +97,18 @@ def segments(text: str) -> list[tuple[bool, str]]:
     >>> segments("for θ = 0 only")
     [(False, 'for '), (True, 'θ = 0'), (False, ' only')]
     """
-    tokens = re.findall(r"\s+|\S+", _opened(text))
+    tokens = re.findall(r"\s+|\S+", formula.opened(text))
     kinds = [_kind(token) for token in tokens]
     for i, kind in enumerate(kinds):
         after = kinds[i + 2] if i + 2 < len(kinds) else ""
         if kind == "function" and after in ("maths", "letter"):
             kinds[i] = "maths"
-        if kind == "operator":  # it takes its neighbours along
+        if kind == "operator" and (i or tokens[i] != "⇒"):  # it takes its neighbours along
             for j in (i - 2, i + 2):
                 if 0 <= j < len(kinds) and _NEIGHBOUR.fullmatch(_stripped(tokens[j])[1]):
                     kinds[j] = "maths"
+    for i in range(len(kinds)):
+        kinds[i] = _among(tokens, kinds, i)
     _close(tokens, kinds)
     pieces: list[tuple[bool, str]] = []
     for i, token in enumerate(tokens):
@@ -120,15 +135,6 @@ def _close(tokens: list[str], kinds: list[str]) -> None:
         inside = token if depth else token.lstrip("([")
         if depth or (kinds[i] == "maths" and inside.count("(") > inside.count(")")):
             depth = max(0, depth + inside.count("(") - inside.count(")"))
-
-
-def _opened(text: str) -> str:
-    """The text with dots and hats apart from their letters; other accents stay as they are."""
-    opened = []
-    for c in unicodedata.normalize("NFC", text):
-        apart = unicodedata.normalize("NFD", c)
-        opened.append(apart if all(mark in MARKS for mark in apart[1:]) else c)
-    return "".join(opened)
 
 
 def _append(pieces: list[tuple[bool, str]], kind: bool, text: str) -> None:
@@ -184,13 +190,37 @@ def _kind(token: str) -> str:
     core = _stripped(token)[1]
     if core in _OPERATORS:
         return "operator"
-    if core in _FUNCTIONS:
+    if core.lstrip("|") in FUNCTIONS:
         return "function"
-    if core == "MgR" or any(c in MATHS or c in SUBSCRIPTS or c in SUPERSCRIPTS for c in core):
+    if any(c in MATHS or c in SUBSCRIPTS or c in SUPERSCRIPTS for c in core):
         return "maths"
-    if _IDENTIFIER.search(core) or _MARKED.search(core):
+    if _WHOLE.fullmatch(core) or _IDENTIFIER.search(core) or _MARKED.search(core):
         return "maths"
     return "letter" if core in _LONE else "word"
+
+
+_QUANTITY = re.compile(r"\(?[-−\d.e·⁻⁰¹²³⁴-⁹]+\)?|kg|[JNWms]|rad")
+
+
+def _among(tokens: list[str], kinds: list[str], i: int) -> str:
+    """The kind of a token for what stands round it, where it is one letter."""
+    letter = _stripped(tokens[i])[1]
+    if kinds[i] not in ("letter", "word") or len(letter) != 1 or not letter.isalpha():
+        return kinds[i]
+    before, after = (tokens[j] if 0 <= j < len(tokens) else "" for j in (i - 2, i + 2))
+    kind_after = kinds[i + 2] if after else ""
+    if kinds[i] == "letter":  # 14.7 N m, (0, 3.9, 0) N, (N)
+        unit = bool(_QUANTITY.fullmatch(before)) or tokens[i].startswith(f"({letter})")
+        unit |= letter in "ms" and before in ("in", "per")
+        return "word" if letter in _UNITS and unit else "letter"
+    if letter == "A":  # no article
+        inside = bool(before) and before[-1] not in ".:;!?⇒" and tokens[i][0] not in "“‘"
+        return "letter" if inside or kind_after == "letter" else "word"
+    if letter == "d" and kind_after == "maths" and after.startswith(FUNCTIONS):
+        return "maths"
+    paired = after == "and" and i + 4 < len(kinds) and kinds[i + 4] == "letter"
+    behind = before == "and" and i >= 4 and kinds[i - 4] == "letter" and letter != "a"
+    return "letter" if (paired or behind) and tokens[i] == letter else "word"
 
 
 def _one_formula(tokens: list[str], kinds: list[str], i: int) -> bool:
@@ -201,197 +231,16 @@ def _one_formula(tokens: list[str], kinds: list[str], i: int) -> bool:
     if tokens[i - 1][-1] in '.,;:!?”’"' or tokens[i + 1][0] in '“‘"':
         return False
     # Two formulas side by side stay two: "for ω₃ > 0 Ω is positive".
-    return "operator" in (left, right) or tokens[i - 1].endswith(_FUNCTIONS)
-
-
-# --- A formula in Unicode, as LaTeX --------------------------------------------------------------
-
-_CROSSING = frozenset("×∥⟂⊥·")
-_WORD = re.compile("|".join([*_FUNCTIONS, "const", "R[xyz](?=\\()", "['’]s\\b", "-?[a-z]{3,}"]))
-_NAMED_INDEX = re.compile(r"[A-Za-z0-9]+|[^\W\d_]")
-_PLAIN_MATHS = {
-    "%": r"\%",
-    "&": r"\&",
-    "#": r"\#",
-    "{": r"\{",
-    "}": r"\}",
-    "$": r"\$",
-    "~": r"\sim",
-    "^": r"\hat{}",
-    "\\": r"\setminus",
-    "*": r"\cdot",
-    "|": r"\vert",
-    "–": r"\text{--}",
-    "—": r"\text{---}",
-    "…": r"\ldots",
-    "\u00a0": r"\ ",
-    "\u202f": r"\,",
-    "\u2009": r"\,",
-}
-
-
-def formula(text: str) -> str:
-    r"""A formula in Unicode, as LaTeX.
-
-    >>> print(formula("ω̇₁ = (λ₂ − λ₃)ω₂ω₃/λ₁"))
-    \dot{\omega}_{1} = (\lambda_{2} - \lambda_{3})\omega_{2}\omega_{3}/\lambda_{1}
-    """
-    text = _opened(text)
-    unit = _UNIT.fullmatch(text)
-    if unit:
-        return rf"\mathrm{{{formula_units(unit[1])}}}^{{{SUPERSCRIPTS[unit[2]]}}}"
-    made = ""
-    i = 0
-    while i < len(text):
-        part, i = _read(text, i)
-        if part.startswith("^") and made.endswith("'"):
-            made = made[:-1] + r"^{\prime " + part[2:]
-        elif part == " ":
-            made += " "
-        else:
-            made = joined(made, part)
-    return made.strip()
-
-
-def formula_units(text: str) -> str:
-    """A unit for upright letters."""
-    return text.replace("·", r"\,")
-
-
-def _read(text: str, i: int) -> tuple[str, int]:
-    """The LaTeX of the piece of the formula that begins at i, and where the next one begins."""
-    c = text[i]
-    word = _WORD.match(text, i)
-    if word:
-        return _word(word[0]), word.end()
-    if c == "√":
-        return _root(text, i + 1)
-    if c in SUBSCRIPTS or c in SUPERSCRIPTS:
-        return _script(text, i)
-    if c == "_":
-        return _index(text, i + 1)
-    if c == "⊥" and i and text[i - 1].isalpha():
-        return r"_{\perp}", i + 1
-    if c in _PLAIN_MATHS:
-        return _PLAIN_MATHS[c], i + 1
-    if c == "°" and i and text[i - 1] in SUPERSCRIPTS:  # 10⁻⁵°
-        return "{}" + MATHS[c], i + 1
-    base = MATHS.get(c) or (c if c.isascii() else _plain(c))
-    end = i + 1
-    while end < len(text) and text[end] in MARKS:
-        end += 1
-    if _is_vector(text, i, end):
-        base = rf"\boldsymbol{{{base}}}" if c in TEX_GREEK else rf"\mathbf{{{base}}}"
-    for mark in text[i + 1 : end]:
-        base = MARKS[mark] % base
-    return base, end
-
-
-def _word(word: str) -> str:
-    if word == "tr":
-        return r"\operatorname{tr}"
-    if word[0] == "R":
-        return f"R_{{{word[1]}}}"
-    return "\\" + word if word in _FUNCTIONS else rf"\text{{{escape(word)}}}"
-
-
-def _script(text: str, i: int) -> tuple[str, int]:
-    table, mark = (SUBSCRIPTS, "_") if text[i] in SUBSCRIPTS else (SUPERSCRIPTS, "^")
-    end = i
-    while end < len(text) and text[end] in table:
-        end += 1
-    inner = "".join(table[c] for c in text[i:end])
-    of_the_index = i > 0 and text[i - 1] == "ω"  # ω₁′ is a component along e₁′
-    if mark == "_" and text[end : end + 1] == "′" and of_the_index:
-        return f"_{{{inner}'}}", end + 1
-    return f"{mark}{{{inner}}}", end
-
-
-def _index(text: str, i: int) -> tuple[str, int]:
-    named = _NAMED_INDEX.match(text, i)
-    if not named:
-        return r"\_", i
-    inner = named[0]
-    shown = TEX_GREEK[GREEK[inner]] if inner in GREEK else LETTERS.get(inner, inner)
-    if len(inner) > 1 and inner not in GREEK and not inner.isdigit():
-        shown = rf"\text{{{inner}}}"
-    return f"_{{{shown}}}", named.end()
-
-
-def _is_vector(text: str, i: int, end: int) -> bool:
-    c, behind = text[i], text[end : end + 1]
-    if c == "e" and behind and behind in "₁₂₃ₖ":
+    if _stripped(tokens[i - 1])[1].endswith("MgR") or _is_summed(tokens, kinds, i):
         return True
-    if c in "xyz" and text[i + 1 : i + 2] == "\u0302":
-        return True
-    if c not in "LNrRgvFfωΩ" or (behind and behind in SUBSCRIPTS) or behind in ("_", "⊥"):
-        return False
-    before, after = text[:i].rstrip()[-1:], text[end:].lstrip("′").lstrip()[:1]
-    return before in _CROSSING or after in _CROSSING
+    return "operator" in (left, right) or tokens[i - 1].endswith(FUNCTIONS)
 
 
-def _root(text: str, i: int) -> tuple[str, int]:
-    depth = 0
-    for end in range(i, len(text)):
-        depth += (text[end] == "(") - (text[end] == ")")
-        if depth == 0 and text[i] == "(":
-            return rf"\sqrt{{{formula(text[i + 1 : end])}}}", end + 1
-    whole = re.compile(r"[^\s()+−=/,]+").match(text, i)
-    if not whole:
-        raise ValueError(f"a root of nothing in {text!r}")
-    return rf"\sqrt{{{formula(whole[0])}}}", whole.end()
-
-
-# --- A formula in Unicode, as HTML ---------------------------------------------------------------
-
-
-def _html_formula(text: str) -> str:
-    """Letters in italics, vectors bold, indices and exponents as such."""
-    text = _opened(text)
-    if _UNIT.fullmatch(text):
-        return unicodedata.normalize("NFC", text)
-    made = ""
-    i = 0
-    while i < len(text):
-        part, i = _read_html(text, i)
-        made += part
-    return unicodedata.normalize("NFC", made)
-
-
-def _read_html(text: str, i: int) -> tuple[str, int]:
-    c = text[i]
-    word = _WORD.match(text, i)
-    if word and word[0][0] != "R":
-        space = "\u2009" if word[0] in _FUNCTIONS and text[word.end() :][:1].isalpha() else ""
-        return escape_html(word[0].replace("'", "’"), quote=False) + space, word.end()
-    for table, tag in ((SUBSCRIPTS, "sub"), (SUPERSCRIPTS, "sup")):
-        if c in table:
-            end = i
-            while end < len(text) and text[end] in table:
-                end += 1
-            inner = "".join(table[d] for d in text[i:end]).replace("-", "−")
-            return f"<{tag}>{inner}</{tag}>", end
-    named = _NAMED_INDEX.match(text, i + 1) if c == "_" else None
-    if named:
-        inner = GREEK.get(named[0], named[0])
-        return f"<sub>{inner if inner.isdigit() else f'<i>{inner}</i>'}</sub>", named.end()
-    if c == "⊥" and i and text[i - 1].isalpha():
-        return "<sub>⊥</sub>", i + 1
-    if not c.isalpha():
-        return escape_html(c, quote=False), i + 1
-    end = i + 1
-    while end < len(text) and text[end] in MARKS:
-        end += 1
-    letter = _SHAPES.get(c, c) + text[i + 1 : end]
-    if c.isascii() and text[i + 1 : end] in _DOTS:
-        # Many fonts have no Ṙ, and show an R.
-        dots = _DOTS[text[i + 1 : end]]
-        return f"<math><mover><mi>{c}</mi><mo>{dots}</mo></mover></math>", end
-    if _is_vector(text, i, end):
-        return f"<b>{letter}</b>", end
-    return (f"<i>{letter}</i>" if c not in _UPRIGHT else letter), end
-
-
-_DOTS = {"\u0307": "˙", "\u0308": "¨"}
-_SHAPES = {"φ": "ϕ", "ε": "ϵ"}
-_UPRIGHT = frozenset("ΓΔΘΛΞΠΣΦΨΩℒℝ")
+def _is_summed(tokens: list[str], kinds: list[str], i: int) -> bool:
+    """Whether the space at i stands between the factors behind a Σ or an ∫."""
+    for j in range(i - 1, -1, -2):
+        if kinds[j] not in _FORMAL or tokens[j][-1] in ".,;:":
+            return False
+        if tokens[j].lstrip("(")[:1] in ("Σ", "∑", "∫"):
+            return True
+    return False

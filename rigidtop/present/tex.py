@@ -9,9 +9,9 @@ from typing import Any
 
 from rigidtop.present import layout as lay
 from rigidtop.present import plain
-from rigidtop.present.characters import SUPERSCRIPTS
+from rigidtop.present.characters import SUPERSCRIPTS, escape
 from rigidtop.present.latex import AlignRow, align, latex
-from rigidtop.present.prose import escape, prose
+from rigidtop.present.prose import prose
 from rigidtop.present.report import (
     ClaimHead,
     Condition,

@@ -8,8 +8,9 @@ from functools import singledispatch
 from typing import Any
 
 from rigidtop.present import layout as lay
+from rigidtop.present.formula import tex
 from rigidtop.present.latex import align_row, latex
-from rigidtop.present.prose import formula, segments
+from rigidtop.present.prose import written
 from rigidtop.present.report import (
     ClaimHead,
     Condition,
@@ -134,9 +135,7 @@ def plain(text: str) -> str:
 
 def prose(text: str) -> str:
     """English with Unicode mathematics in it."""
-    return "".join(
-        f"${maths(formula(part))}$" if formal else plain(part) for formal, part in segments(text)
-    )
+    return written(text, lambda part, directed: f"${maths(tex(part, directed))}$", plain)
 
 
 def maths(tex: str) -> str:

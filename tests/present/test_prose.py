@@ -1,9 +1,13 @@
 """Prose with mathematics in it."""
 
+import re
+from xml.etree import ElementTree
+
 import pytest
 
-from rigidtop.present.characters import MATHS, SUBSCRIPTS, SUPERSCRIPTS
-from rigidtop.present.prose import escape, prose, prose_html, segments
+from rigidtop.present.characters import MATHS, SUBSCRIPTS, SUPERSCRIPTS, escape
+from rigidtop.present.mathml import APPLY, THIN
+from rigidtop.present.prose import prose, prose_html, segments
 from rigidtop.theory.symbols import VOCABULARY
 
 CASES = {
@@ -24,20 +28,47 @@ CASES = {
     "Wüster, naïve — “so”": "Wüster, naïve --- ``so''",
     "the ẑ-axis, θ's rate": r"the $\hat{\mathbf{z}}\text{-axis}$, $\theta\text{'s}$ rate",
     "ω₃ → ∞": r"$\omega_{3} \to \infty$",
-    "Σₖ mₖ": r"$\sum_{k}$ $m_{k}$",
-    "∫ρ d³r": r"$\int\rho$ $d^{3}r$",
+    "Σₖ mₖ": r"$\sum_{k} m_{k}$",
+    "∫ρ d³r": r"$\int\rho d^{3}r$",
     "about 10⁻⁹": r"about $10^{-9}$",
     "Rz(φ) Ry(θ)": r"$R_{z}(\phi)$ $R_{y}(\theta)$",
     "((λ₁ − λ₃)ω₃ > 0: a word)": r"($(\lambda_{1} - \lambda_{3})\omega_{3} > 0$: a word)",
-    "√(1 − m sin² χ) of m": r"$\sqrt{1 - m \sin^{2} \chi}$ of m",
+    "√(1 − m sin² χ) of m": r"$\sqrt{1 - m \sin^{2} \chi}$ of $m$",
     "5·10⁻⁵°": r"$5\cdot10^{-5}{}^{\circ}$",
     "a top at rest": "a top at rest",
-    "ṙ = Ω × r": r"$\dot{r} = \boldsymbol{\Omega} \times \mathbf{r}$",
-    "L̇ = N": r"$\dot{L} = N$",
+    "ṙ = Ω × r": r"$\dot{\mathbf{r}} = \boldsymbol{\Omega} \times \mathbf{r}$",
+    "L̇ = N": r"$\dot{\mathbf{L}} = \mathbf{N}$",
     "for ω₃ > 0 Ω_b < 0": r"for $\omega_{3} > 0$ $\Omega_{b} < 0$",
-    "MgR sin θ": r"$MgR$ $\sin \theta$",
+    "MgR sin θ": r"$MgR \sin \theta$",
     "ω⊥ across": r"$\omega_{\perp}$ across",
     "|ω|": r"$\vert\omega\vert$",
+    "= MgR(cos θ₀ − cos θ)": r"$= MgR(\cos \theta_{0} - \cos \theta)$",
+    "|ω⊥| ≤ 2MgR sin θ": r"$\vert\omega_{\perp}\vert \leq 2MgR \sin \theta$",
+    "Σ m(r − R_CM) × g": r"$\sum m(\mathbf{r} - \mathbf{R}_{\text{CM}}) \times \mathbf{g}$",
+    "as |L × ω|/L·ω": r"as $\vert\mathbf{L} \times \boldsymbol{\omega}\vert"
+    r"/\mathbf{L}\cdot\boldsymbol{\omega}$",
+    "as |L| and K go": r"as $\vert L\vert$ and $K$ go",
+    "L = Σ m r × v": r"$\mathbf{L} = \sum m \mathbf{r} \times \mathbf{v}$",
+    "R_CM × Mg": r"$\mathbf{R}_{\text{CM}} \times M\mathbf{g}$",
+    "grows as e^{σt} or 2^n": r"grows as $e^{\sigma t}$ or $2^{n}$",
+    "e^(−x/2)": r"$e^{-x/2}$",
+    "ln(8 sin(θ/2))": r"$\ln(8 \sin(\theta/2))$",
+    "(C − A)/C and (AB)C": r"$(C - A)/C$ and $(AB)C$",
+    "0.981 N at 3 m, 2 J s": "0.981 N at 3 m, 2 J s",
+    "N = 2 N m": r"$N = 2$ N m",
+    "a height h (m), as s grows": r"a height $h$ (m), as $s$ grows",
+    "at the distances a and b": r"at the distances $a$ and $b$",
+    "A top turns by A": r"A top turns by $A$",
+    "(d cos θ/dχ)²": r"($d$ $\cos \theta/d\chi)^{2}$",
+    "the angle of L and ω": r"the angle of $\mathbf{L}$ and $\boldsymbol{\omega}$",
+    "a body with the speed ω, a rod of length L": r"a body with the speed $\omega$, "
+    r"a rod of length $L$",
+    "L = Iω": r"$\mathbf{L} = I\boldsymbol{\omega}$",
+    "ω = L/λ₁ + kω₃e₃": r"$\boldsymbol{\omega} = \mathbf{L}/\lambda_{1} + k\omega_{3}"
+    r"\mathbf{e}_{3}$",
+    "|ω × L|/(ωL)": r"$\vert\boldsymbol{\omega} \times \mathbf{L}\vert/(\omega L)$",
+    "about L at the rate L/λ₁": r"about $\mathbf{L}$ at the rate $L/\lambda_{1}$",
+    "from ω to −ω": r"from $\omega$ to $-\omega$",
 }
 
 
@@ -70,17 +101,50 @@ def test_segments_lose_nothing():
         assert "".join(piece for _, piece in segments(text)) == text
 
 
-def test_prose_as_html():
-    assert prose_html("λ₁ < λ₃ & cosθ") == (
-        '<span class="m"><i>λ</i><sub>1</sub> &lt; <i>λ</i><sub>3</sub></span> &amp; '
-        '<span class="m">cos\u2009<i>θ</i></span>'
-    )
-    assert prose_html("a <b>'s") == "a &lt;b&gt;’s"
-    assert prose_html("p_φ, ω₃², ẑ, e₂′") == (
-        '<span class="m"><i>p</i><sub><i>φ</i></sub></span>, '
-        '<span class="m"><i>ω</i><sub>3</sub><sup>2</sup></span>, '
-        '<span class="m"><b>ẑ</b></span>, <span class="m"><b>e</b><sub>2</sub>′</span>'
-    )
+def _marked_up(text: str) -> str:
+    """Prose as HTML, without the frame of each formula."""
+    return re.sub(r'<math xmlns="[^"]*" alttext="[^"]*">(.*?)</math>', r"⟦\1⟧", prose_html(text))
+
+
+HTML = {
+    "λ₁ < λ₃ & cosθ": "⟦<mrow><msub><mi>λ</mi><mn>1</mn></msub><mo>&lt;</mo>"
+    "<msub><mi>λ</mi><mn>3</mn></msub></mrow>⟧ &amp; "
+    f"⟦<mrow><mi>cos</mi>{APPLY}{THIN}<mi>θ</mi></mrow>⟧",
+    "a <b>'s": "a &lt;b&gt;’s",
+    "φ̇, θ̈": '⟦<mover><mi>ϕ</mi><mo scriptlevel="0">˙</mo></mover>⟧, '
+    '⟦<mover><mi>θ</mi><mo scriptlevel="0">¨</mo></mover>⟧',
+    "is √3": "is ⟦<msqrt><mn>3</mn></msqrt>⟧",
+    "√D apart": "⟦<msqrt><mi>D</mi></msqrt>⟧ apart",
+    "√(1 − m)": "⟦<msqrt><mrow><mn>1</mn><mo>−</mo><mi>m</mi></mrow></msqrt>⟧",
+    "p_φ, ω₃², e₂′": "⟦<msub><mi>p</mi><mi>ϕ</mi></msub>⟧, "
+    "⟦<msubsup><mi>ω</mi><mn>3</mn><mn>2</mn></msubsup>⟧, "
+    '⟦<mrow><msub><mi mathvariant="normal" style="font-weight:bold">e</mi><mn>2</mn></msub>'
+    "<mo>′</mo></mrow>⟧",
+    "e^{σt}": "⟦<msup><mi>e</mi><mrow><mi>σ</mi><mi>t</mi></mrow></msup>⟧",
+    "sin²θ": f"⟦<mrow><msup><mi>sin</mi><mn>2</mn></msup>{APPLY}{THIN}<mi>θ</mi></mrow>⟧",
+    "|ω|": '⟦<mrow><mo form="prefix" fence="true" stretchy="false">|</mo><mi>ω</mi>'
+    '<mo form="postfix" fence="true" stretchy="false">|</mo></mrow>⟧',
+    "10⁻⁶": "⟦<msup><mn>10</mn><mn>−6</mn></msup>⟧",
+    "kg m²": "kg ⟦<msup><mtext>m</mtext><mn>2</mn></msup>⟧",
+}
+
+
+@pytest.mark.parametrize("text", HTML)
+def test_prose_as_html(text):
+    assert _marked_up(text) == HTML[text]
+
+
+def test_a_bracket_is_raised_as_a_whole():
+    made = _marked_up("(cos θ)²")
+    assert made.startswith("⟦<msup><mrow>")
+    assert made.endswith("</mo></mrow><mn>2</mn></msup>⟧")
+
+
+@pytest.mark.parametrize("text", [*CASES, *(f"θ{character}2" for character in MATHS)])
+def test_html_of_prose_is_well_formed_and_says_itself(text):
+    root = ElementTree.fromstring(f"<p>{prose_html(text)}</p>")
+    formulas = [formula for formal, formula in segments(text) if formal]
+    assert [child.get("alttext") for child in root] == formulas
 
 
 def test_escape_covers_what_tex_reserves():
