@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import lru_cache
 from typing import Any
 
 import sympy
@@ -24,6 +25,9 @@ Floats = list[float]
 
 TOLERANCE = 1e-9
 """Below this, relative to the values compared, a difference in double precision counts as zero."""
+
+KEPT = 10_000
+"""Results for numbers of points that are kept: they are few, and come again and again."""
 
 _ANGLES = tuple(pi * Rational(*pair) for pair in ((1, 3), (1, 6), (1, 4), (1, 2), (2, 3), (1, 1)))
 _POSITIVE = tuple(Rational(n, d) for n, d in ((1, 1), (2, 1), (3, 1), (1, 2), (5, 1), (1, 3)))
@@ -217,17 +221,23 @@ _REDRAWS = 200
 
 
 def _is_a_body(point: Point) -> bool:
-    """The triangle inequality for the moments about the centre of mass, as far as they are there.
+    """Whether there is one with the moments, mass and arm of a point, as far as they are there."""
+    return _exists(*(point.get(x) for x in (s.lambda1, s.lambda2, s.lambda3, s.M, s.R)))
+
+
+@lru_cache(maxsize=KEPT)
+def _exists(
+    first: Expr | None, second: Expr | None, third: Expr | None, M: Expr | None, R: Expr | None
+) -> bool:
+    """The triangle inequality for the moments about the centre of mass.
 
     A symmetric body has λ₂ = λ₁; with M and R the moments are those about the pivot, and λ₁ (and
     λ₂) are less by MR² about the centre.
     """
-    shift = point[s.M] * point[s.R] ** 2 if s.M in point and s.R in point else 0
-    first = point.get(s.lambda1)
-    second = point.get(s.lambda2, first)
-    third = point.get(s.lambda3)
+    second = first if second is None else second
     if first is None or second is None:
         return True
+    shift = Integer(0) if M is None or R is None else M * R**2
     first, second = first - shift, second - shift
     if third is None:
         return bool(first > 0 and second > 0)
@@ -262,7 +272,7 @@ def evaluate(expressions: Sequence[Expr], point: Point, hidden: Mapping[Symbol, 
 
     `hidden` are symbols of the expressions that are themselves expressions in the point's.
     """
-    at = {x: float(v) for x, v in point.items()}
+    at = {x: _plain(v) for x, v in point.items()}
     inner = {x: _number(e, at) for x, e in hidden.items()}
     at |= {x: v if math.isfinite(v) else math.nan for x, v in inner.items()}
     return [_number(e, at) for e in expressions]
@@ -303,4 +313,10 @@ def _float(node: Expr, at: Mapping[Symbol, float]) -> float:
         node = node.func(*(sympy.Float(_float(argument, at)) for argument in node.args))
     if not node.is_real:
         raise ValueError("not real")
-    return float(node)
+    return _plain(node)
+
+
+@lru_cache(maxsize=KEPT)
+def _plain(number: Expr) -> float:
+    """As a float, which costs SymPy an evaluation."""
+    return float(number)

@@ -301,7 +301,11 @@ def _split(assuming: Sequence[Assumption]) -> tuple[dict[Any, Any], list[Relatio
 
 def _impose(expression: Any, equal: Mapping[Any, Any]) -> Any:
     """Put the equalities in, twice, since one may bring in the symbol of another."""
-    return expression.subs(equal).subs(equal) if equal else expression
+    replaced = set().union(*(old.free_symbols for old in equal))
+    for _ in range(2):
+        if expression.free_symbols & replaced:
+            expression = expression.subs(equal)
+    return expression
 
 
 def _without_bars(expression: Expr, conditions: Sequence[Relational]) -> Expr:
@@ -345,8 +349,10 @@ def _failure(
 ) -> Failure | None:
     meaning = check.meaning if meaning is None else meaning
     given = [_impose(h, _split(assuming)[0]) for h in check.given]
-    solved, left_over = _solve_given(given)
-    found = _search(check, meaning, assuming, dropped, tries, solved, left_over)
+    solved, left_over, divisor = _solve_given(given)
+    found = None
+    if dropped is None or not _needed(dropped.condition, divisor):
+        found = _search(check, meaning, assuming, dropped, tries, solved, left_over)
     if found is None and solved:
         # Solving divided by something; where that vanishes the equation may hold all the same.
         found = _search(check, meaning, assuming, dropped, tries, {}, given)
@@ -441,8 +447,11 @@ def _opaque(meaning: Meaning) -> tuple[Meaning, dict[Symbol, Expr]]:
     return used, hidden
 
 
-def _solve_given(given: list[Expr]) -> tuple[dict[Symbol, Expr], list[Expr]]:
-    """Solve the first equation for a symbol that enters linearly, so that points satisfy it."""
+def _solve_given(given: list[Expr]) -> tuple[dict[Symbol, Expr], list[Expr], Expr]:
+    """Solve the first equation for a symbol that enters linearly, so that points satisfy it.
+
+    Also what is left over, and what was divided by.
+    """
     for equation in given:
         for symbol in sorted(equation.free_symbols, key=str):
             if symbol.is_positive:
@@ -450,8 +459,14 @@ def _solve_given(given: list[Expr]) -> tuple[dict[Symbol, Expr], list[Expr]]:
             coefficient = equation.diff(symbol)
             if coefficient != 0 and not coefficient.has(symbol):
                 rest = equation.subs(symbol, 0)
-                return {symbol: -rest / coefficient}, [h for h in given if h is not equation]
-    return {}, given
+                left_over = [h for h in given if h is not equation]
+                return {symbol: -rest / coefficient}, left_over, coefficient
+    return {}, given, sympy.S.One
+
+
+def _needed(condition: Any, divisor: Expr) -> bool:
+    """Whether the divisor vanishes where the condition, f ≠ 0, is violated."""
+    return isinstance(condition, sympy.Ne) and divisor.subs(condition.lhs, condition.rhs) == 0
 
 
 def _sideentries(left: Any, right: Any) -> list[tuple[Expr, Expr]]:

@@ -255,6 +255,7 @@ def root_factors() -> tuple[Expr, Expr]:
     return 2 / larger, larger / 2
 
 
+@cache
 def steady_expansions(order: int = 2) -> tuple[Expr, Expr]:
     """Ω₋ and Ω₊ for large ω₃: power series in ε, `order` terms each (rad/s).
 

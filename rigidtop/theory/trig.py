@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any, TypeVar
 
 import sympy
 from sympy import Add, Expr, MatrixBase, Mul, cos, sin
 
 ExprOrMatrix = TypeVar("ExprOrMatrix", Expr, MatrixBase)
+
+CACHED = 1000
+"""Forms that are kept, as SymPy keeps its own: a lecture asks for most of them more than once."""
 
 
 def reduce_trig(expression: ExprOrMatrix, keep: str = "cos") -> ExprOrMatrix:
@@ -22,6 +26,11 @@ def reduce_trig(expression: ExprOrMatrix, keep: str = "cos") -> ExprOrMatrix:
     """
     if isinstance(expression, MatrixBase):
         return expression.applyfunc(lambda entry: reduce_trig(entry, keep))
+    return _reduced(expression, keep)
+
+
+@lru_cache(maxsize=CACHED)
+def _reduced(expression: Expr, keep: str) -> Expr:
     gone, kept = (sin, cos) if keep == "cos" else (cos, sin)
     expanded = sympy.expand(expression)
     while True:
@@ -48,6 +57,7 @@ def _lower(term: Expr, gone: Any, kept: Any) -> Expr | None:
     return Mul(*factors) if changed else None
 
 
+@lru_cache(maxsize=CACHED)
 def reduce_ratio(expression: Expr) -> Expr:
     """A ratio of trigonometric polynomials in lowest terms, sin² wherever 1 − cos² is a factor.
 
