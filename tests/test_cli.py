@@ -286,6 +286,12 @@ def test_letters_of_the_notes_are_options_too(capsys: pytest.CaptureFixture[str]
     assert capsys.readouterr().out != tables[0]
 
 
+def test_an_empty_name_is_no_folder(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", ""]) == 2
+    said = capsys.readouterr().err
+    assert said.startswith("rigidtop check: no equation or claim ''; `rigidtop list` names")
+
+
 def test_both_spins_are_refused() -> None:
     result = run("simulate", "top", "--omega3", "1", "--psi-dot", "2")
     assert result.returncode == 2

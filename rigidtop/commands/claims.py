@@ -58,7 +58,7 @@ def _unknown(collection: Collection, name: str, known: Iterable[str]) -> str:
     near = get_close_matches(name, {*known, *elsewhere}, n=3, cutoff=0.5)
     if near:
         return f"{said}; did you mean {' or '.join(elsewhere.get(each, each) for each in near)}?"
-    if Path(name).is_dir():
+    if name and Path(name).is_dir():
         return f"{said}; the folder of this name has no __init__.py"
     listing = f"{said}; `{collection.command('list')}` names "
     if len(collection.claims()) == len(every(collection)):

@@ -66,7 +66,7 @@ def test_kind_by_suffix(suffix, opening, tmp_path, capsys):
 
 
 def test_svg_by_default_and_settings(tmp_path, capsys):
-    assert run("paths", "--set", "theta=30deg", "omega3 = 600rpm", "--json") == 0
+    assert run("--json", "--set", "theta=30deg", "omega3 = 600rpm", "paths") == 0
     record = json.loads(capsys.readouterr().out)
     assert record["file"] == "paths.svg"
     assert record["parameters"]["theta"] == pytest.approx(0.5235987755982988)
@@ -93,6 +93,8 @@ def test_svg_by_default_and_settings(tmp_path, capsys):
         (("cones", "--set", "lambda3=9"), "lambda3 = 9 exceeds the sum of the other two moments"),
         (("precession-rates", "--set", "omega3=1"), "|omega3| must be at least"),
         (("-o", "x.svg"), "which figure?"),
+        (("--set", "theta=1"), "which figure?"),
+        (("--set", "theta=1", "paths", "top"), "one figure at a time: paths top are too many"),
     ],
 )
 def test_refusals_are_one_line(arguments, message, tmp_path):
