@@ -189,6 +189,26 @@ def test_simulate_says_what_kind_of_motion_it_is(capsys: pytest.CaptureFixture[s
     assert (record["regime"], record["nutation_period"]) == ("sleeping", None)
 
 
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        ("free --moments 1 2 3 --omega 0.01 2 0.01",
+         "short axis (ω circles about e₃, the axis of the largest moment), angle of e₃ to L from "),
+        ("free --moments 3 1 2 --omega 0 2 0.1",
+         "long axis (ω circles about e₂, the axis of the smallest moment), angle of e₃ to L from "),
+        ("top --theta 0 --omega3 1",
+         "sleeping, but not stable (it is from |ω₃| = 8.85889 rad/s on), θ from 0 to 0 rad, "),
+        ("top --theta 0 --omega3 9", "sleeping, θ from 0 to 0 rad, "),
+        ("top --theta 1 --omega3 9 --g 0", "free precession, θ from 1 to 1 rad, "),
+    ],
+)  # fmt: skip
+def test_simulate_says_what_the_regime_is(
+    capsys: pytest.CaptureFixture[str], arguments: str, says: str
+) -> None:
+    assert main(f"simulate {arguments} --time 1".split()) == 0
+    assert capsys.readouterr().out.splitlines()[-2].startswith(says)
+
+
 def test_simulate_by_integration_agrees_with_the_closed_form(
     capsys: pytest.CaptureFixture[str],
 ) -> None:

@@ -70,7 +70,7 @@ def run(options: argparse.Namespace) -> int:
         _print_json(columns, {"drift": drift, **about})
         return 0
     _print_table(columns, options)
-    print(_sentence(about))
+    print(_sentence(motion, about))
     kept = ", ".join(f"{name} {value:.1e}" for name, value in drift.items())
     print(f"relative drift of what the exact motion keeps: {kept}")
     _warn_of_few_samples(about["nutation_period"], options)
@@ -180,14 +180,36 @@ def _about(motion: Motion) -> dict[str, Any]:
     return {"regime": motion.regime, "turning_points": list(motion.turning_points), **finite}
 
 
-def _sentence(about: dict[str, Any]) -> str:
+def _sentence(motion: Motion, about: dict[str, Any]) -> str:
+    from rigidtop.motion.motion import TopMotion
+
     smallest, largest = about["turning_points"]
     period = about["nutation_period"]
-    parts = [about["regime"], f"θ from {smallest:.6g} to {largest:.6g} rad"]
+    # A free body knows no vertical: what is told is its tilt against L.
+    upright = isinstance(motion, TopMotion) or any(motion.body.weight)
+    angle = "θ" if upright else "angle of e₃ to L"
+    parts = [_regime(motion), f"{angle} from {smallest:.6g} to {largest:.6g} rad"]
     parts.append("no nutation period" if period is None else f"nutation period {period:.6g} s")
     if about["mean_precession"] is not None:
         parts.append(f"mean precession {about['mean_precession']:.6g} rad/s")
     return ", ".join(parts)
+
+
+def _regime(motion: Motion) -> str:
+    """The regime, with what its name leaves open."""
+    from rigidtop.motion.top import HeavyTop
+
+    regime, moments = motion.regime, motion.body.moments
+    extremes = {"short axis": max(moments), "long axis": min(moments)}
+    if regime in extremes:
+        axis = "₁₂₃"[moments.index(extremes[regime])]
+        which = "largest" if regime == "short axis" else "smallest"
+        return f"{regime} (ω circles about e{axis}, the axis of the {which} moment)"
+    if regime == "sleeping" and isinstance(motion.body, HeavyTop):
+        least = motion.body.sleeping_spin()
+        if abs(motion.omega[2]) < least:
+            return f"sleeping, but not stable (it is from |ω₃| = {least:.6g} rad/s on)"
+    return regime
 
 
 def _write(name: str, columns: dict[str, Any]) -> None:

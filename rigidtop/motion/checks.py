@@ -112,7 +112,7 @@ def numbers(
         (size > LARGEST, f"at most {LARGEST:g} in magnitude: use other units"),
         (result <= above, f"more than {above:g}"),
         (result < least, f"at least {least:g}"),
-        (result > most, f"at most {most!r}"),
+        (result > most, f"at most {most:.6g}"),
         (
             (size > 0) & (size < SMALLEST) & (max(above, least) == 0) & (not tiny),
             "0 or not so tiny",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from decimal import ROUND_CEILING, Context
 from typing import overload
 
 from scipy.spatial.transform import Rotation
@@ -99,14 +100,16 @@ class HeavyTop(RigidBody):
         Traceback (most recent call last):
         ...
         rigidtop.errors.NoSteadyPrecession: no steady precession at theta = 0 with omega3 = 1: \
-|omega3| must be at least 8.0 rad/s
+|omega3| must be at least 8 rad/s
         """
         cosine = _cosine(checks.polar_angle(theta))
         spin = checks.number("omega3", omega3)
         a, b, c = self.lambda1 * cosine, self.lambda3 * spin, self.weight[2]
         threshold = self._threshold(cosine)
         if abs(b) < threshold * (1 - ROUNDING) or (a == b == 0 < c):
-            needed = f"at least {threshold / self.lambda3!r} rad/s" if a else "more than 0"
+            least = Context(prec=6, rounding=ROUND_CEILING)  # what is shown is enough
+            shown = least.create_decimal_from_float(threshold / self.lambda3)
+            needed = f"at least {shown:g} rad/s" if a else "more than 0"
             raise NoSteadyPrecession(
                 f"no steady precession at theta = {theta:g} with omega3 = {spin:g}: "
                 f"|omega3| must be {needed}"

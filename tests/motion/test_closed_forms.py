@@ -503,7 +503,7 @@ def test_many_free_bodies_are_each_alone():
     ("change", "message"),
     [
         ({"lambda1": [1.0, -1.0]}, "lambda1 must be more than 0, not -1"),
-        ({"theta": [0.1, 4.0]}, r"theta must be at most 3.141592653589793, not 4"),
+        ({"theta": [0.1, 4.0]}, r"theta must be at most 3.14159, not 4"),
         ({"theta": [0.1, math.nan]}, "theta must be finite: it contains NaN or infinity"),
         ({"omega3": "fast"}, "omega3 must be numbers, not 'fast'"),
         ({"omega3": [1.0, 2.0, 3.0]}, r"these shapes do not broadcast: .*omega3 \(3,\)"),
