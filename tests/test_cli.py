@@ -189,6 +189,12 @@ def test_simulate_says_what_kind_of_motion_it_is(capsys: pytest.CaptureFixture[s
     assert (record["regime"], record["nutation_period"]) == ("sleeping", None)
 
 
+def test_a_corrected_form_says_what_it_holds_for(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", "inertia-full", "--json"]) == 0
+    [record] = json.loads(capsys.readouterr().out)
+    assert record["note"].endswith("corrected: I_xz = (λ₃ − λ₁) sin θ cos θ cos φ if λ₂ = λ₁")
+
+
 @pytest.mark.parametrize(
     ("arguments", "says"),
     [

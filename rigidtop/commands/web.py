@@ -118,7 +118,7 @@ def _changed(preset: Preset, given: list[str]) -> Preset:
         return preset
     says = ", ".join(f"{name} = {setup.values[name]:.4g}" for name in changes)
     about = f"As “{preset.title}”, but with {says} (SI units and radians)."
-    return replace(preset, name="own", title=f"{preset.title}, changed", about=about, setup=setup)
+    return replace(preset, name="own", title="An example, changed", about=about, setup=setup)
 
 
 def _parameter(name: str, value: float) -> Parameter:

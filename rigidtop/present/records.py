@@ -55,10 +55,14 @@ def note(judgement: Judgement) -> str:
     silent = [item for item in tested(judgement) if not item.assumption.stated]
     if silent:
         parts.append("holds if " + "; ".join(_assumption(item) for item in silent))
-    corrected = [text(finding.check.claimed) for finding in judgement.corrections()]
-    if corrected:
-        parts.append(f"corrected: {corrected[0]}")
+    parts += [f"corrected: {_conditioned(finding)}" for finding in judgement.corrections()[:1]]
     return "; ".join(parts)
+
+
+def _conditioned(finding: Finding) -> str:
+    """An equation and what it holds for."""
+    conditions = [text(condition(item.assumption)) for item in finding.assumptions]
+    return text(finding.check.claimed) + (f" if {', '.join(conditions)}" if conditions else "")
 
 
 def _refuted(findings: Iterable[Finding]) -> list[str]:

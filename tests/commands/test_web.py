@@ -36,7 +36,7 @@ def test_a_preset_with_other_numbers_comes_first(tmp_path, capsys):
     assert [p["name"] for p in record["presets"]][:3] == ["slow", "fast", "waves"]
     shown = first(path)
     assert shown["name"] == record["preset"] == "own"
-    assert shown["title"] == "Nutation with loops, changed"
+    assert shown["title"] == "An example, changed"
     assert shown["setup"]["values"]["theta"] == pytest.approx(math.pi / 4)
     assert shown["about"] == (
         "As “Nutation with loops”, but with theta = 0.7854, omega3 = 6.283 (SI units and radians)."
