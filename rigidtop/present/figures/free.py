@@ -358,6 +358,7 @@ def draw_tumbling(body_axes: Axes, space_axes: Axes, motion: Motion) -> None:
             1.4 * np.eye(3)[k],
             rf"$\mathbf{{e}}_{k + 1}$",
             start=np.eye(3)[k],
+            shift=(-13.0, 2.0) if k == 0 else None,  # beside the way of L of a long body
             color=AXIS,
             lw=1.0,
         )
@@ -383,7 +384,8 @@ def _mark(axes: Axes, view: View, point: Floats, words: str) -> None:
     """A dot with a name, open where it is behind."""
     x, y, near = view(point)
     axes.plot(x, y, "o", ms=4, color=INK if near > 0 else "white", mec=INK, zorder=6)
-    name_at(axes, float(x), float(y), words, (5, 4), color=INK, zorder=7)
+    inwards = -12 * float(x), 5.0  # away from the outline of the sphere
+    name_at(axes, float(x), float(y), words, inwards, ha="center", color=INK, zorder=7)
 
 
 def _tumbling(omega1: float, omega2: float, omega3: float, **moments: float) -> Motion:
