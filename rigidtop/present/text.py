@@ -10,6 +10,8 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Iterable, Iterator
+from dataclasses import fields, is_dataclass
 from functools import singledispatch
 from typing import Any
 
@@ -29,6 +31,10 @@ def text(tree: Any, order: Order = "auto", *, tag: bool = False) -> str:
     """An expression, a matrix, a condition or an `Equation`, with its tag behind it if wanted."""
     node = tree if type(tree).__module__ == lay.__name__ else lay.layout(tree, order)
     made = unicodedata.normalize("NFC", _text(node))
+    # On one line a name of a part would read as a side of the equation.
+    named = [f"{_text(_bare(b.body))} ≡ {_text(b.label)}" for b in _braced(node)]
+    if named:
+        made += unicodedata.normalize("NFC", ", with " + " and ".join(dict.fromkeys(named)))
     if tag and isinstance(tree, Equation) and tree.tag:
         made += f"  ({tree.tag})"
     return made
@@ -144,8 +150,24 @@ def _(node: lay.Brackets) -> str:
 @_text.register
 def _(node: lay.Braced) -> str:
     body = _text(node.body)
-    inner = body[1:-1] if isinstance(node.body, lay.Brackets) else body
-    return f"({inner} ≡ {_text(node.label)})"
+    alone = isinstance(node.body, (lay.Letter, lay.Number, lay.Brackets))
+    return body if alone else f"({body})"
+
+
+def _bare(node: Any) -> Any:
+    return node.body if isinstance(node, lay.Brackets) else node
+
+
+def _braced(node: Any) -> Iterator[lay.Braced]:
+    """The parts of a tree that have a brace beneath them."""
+    if isinstance(node, lay.Braced):
+        yield node
+    if isinstance(node, tuple):
+        parts: Iterable[Any] = node
+    else:
+        parts = (getattr(node, field.name) for field in fields(node)) if is_dataclass(node) else ()
+    for part in parts:
+        yield from _braced(part)
 
 
 @_text.register

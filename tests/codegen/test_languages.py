@@ -474,7 +474,7 @@ def test_the_comment_says_what_goes_in_and_what_comes_out():
     comment = """\
 // equation_3_43: L along e₁′, e₂′ and e₃.
 //
-// L = (−λ₁φ̇ sin θ)e₁′ + λ₁θ̇e₂′ + (λ₃(ψ̇ + φ̇ cos θ) ≡ L₃)e₃
+// L = (−λ₁φ̇ sin θ)e₁′ + λ₁θ̇e₂′ + (λ₃(ψ̇ + φ̇ cos θ))e₃, with λ₃(ψ̇ + φ̇ cos θ) ≡ L₃
 // Components with e₁′ = (1, 0, 0), e₂′ = (0, 1, 0), e₃ = (0, 0, 1).
 // Holds if λ₂ = λ₁ (a symmetric top).
 //

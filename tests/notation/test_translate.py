@@ -167,7 +167,7 @@ def test_a_typed_equation_stays_typed():
         crossed = Equation(s.L_vecdot, s.M * Cross(s.R * s.e1p, s.g_vec))
     made = GOLDSTEIN.written(typed)
     assert text(made, "printed", tag=True) == (
-        "ω = (φ̇ sin θ ≡ ω₂′)e₂′ + θ̇e₁′ + (ψ̇ + φ̇ cos θ)e₃  (3.42)"
+        "ω = (φ̇ sin θ)e₂′ + θ̇e₁′ + (ψ̇ + φ̇ cos θ)e₃, with φ̇ sin θ ≡ ω₂′  (3.42)"
     )
     assert is_typed(made.sides[1])
     assert text(GOLDSTEIN.written(crossed), "printed") == "L̇ = −Mle₂′ × g"

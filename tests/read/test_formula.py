@@ -276,7 +276,7 @@ SPELLINGS = {
         *(r"p_\psi = \text{const}", r"p_\psi = \,\mathrm{const}", r"p_\psi = \text{const.}"),
         *(r"p_\psi = const", r"p_\psi = {\rm const}", r"p_{\psi}=\textrm{constant}."),
     ],
-    "(ψ̇ + φ̇ cos θ ≡ ω₃) = L": [
+    "(ψ̇ + φ̇ cos θ) = L, with ψ̇ + φ̇ cos θ ≡ ω₃": [
         r"\underbrace{\dot\psi + \dot\phi\cos\theta}_{\equiv\omega_3} = L",
         r"\overbrace{\dot\psi + \dot\phi\cos\theta}^{=\,\omega_3} = L",
     ],
