@@ -22,7 +22,7 @@ from rigidtop.theory.symbols import Glyph
 
 _ACCENTS = {"dot": r"\dot{%s}", "ddot": r"\ddot{%s}", "hat": r"\hat{%s}"}
 _KNOWN = frozenset(
-    ("sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "log", "det")
+    ("sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln", "det")
 )
 
 

@@ -715,6 +715,7 @@ _NAMES = {
     "asin": "arcsin",
     "acos": "arccos",
     "atan": "arctan",
+    "log": "ln",
     "elliptic_k": "K",
     "elliptic_f": "F",
     "elliptic_pi": "Π",

@@ -11,6 +11,7 @@ from typing import Any
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import settings
 from rigidtop.present.layout import Node, decimal, negated
+from rigidtop.present.plain import cell
 from rigidtop.present.records import measure_record
 from rigidtop.present.records import record as judgement_record
 from rigidtop.present.report import (
@@ -149,10 +150,15 @@ def shown(value: float | str, digits: int = DIGITS) -> str | Node:
 
 
 def _unit(unit: str, value: float | str) -> str:
-    """The unit, and degrees beside radians."""
+    """The unit, and degrees beside radians.
+
+    >>> _unit("m", 2.0), _unit("rad", -0.25)
+    ('m', 'rad = −14.32°')
+    """
     if unit != "rad" or isinstance(value, str) or abs(value) < SMALLEST_ANGLE:
         return unit
-    return f"rad = {math.degrees(value):.4g}°"
+    degrees = shown(math.degrees(value), 4)
+    return f"rad = {cell(degrees)}°"
 
 
 def record(solution: Solution) -> dict[str, Any]:

@@ -17,6 +17,7 @@ from rigidtop.present.layout import glyph, is_typed, layout
 from rigidtop.present.mathml import display, mathml
 from rigidtop.present.text import text
 from rigidtop.proof.equation import Cross, Dot, Equation, Group, as_printed, value
+from rigidtop.read.formula import read
 from rigidtop.theory.symbols import (
     L3,
     VOCABULARY,
@@ -252,6 +253,16 @@ def test_latex_details():
     assert latex(sympy.atan2(t, theta)) == r"\operatorname{atan2}(t, \theta)"
     assert latex(sympy.atan(t / R)) == r"\arctan\left(\frac{t}{R}\right)"
     assert latex(sympy.Abs(omega1 / 2)) == r"\tfrac{1}{2}\lvert \omega_{1}\rvert"
+
+
+def test_the_natural_logarithm_is_ln():
+    tree = sympy.log(2 * theta)
+    assert text(tree) == "ln(2θ)"
+    assert latex(tree) == r"\ln(2\theta)"
+    assert "<mi>ln</mi>" in mathml(tree)
+    [line] = read(f"E = {latex(tree)}")
+    assert line.equation is not None
+    assert line.equation.sides[1].doit() == tree
 
 
 def test_what_is_typed_and_what_is_not():
