@@ -94,7 +94,8 @@ p { margin: 0.55rem 0; }
 .colophon { font-size: 0.9rem; color: var(--muted); border-top: 1px solid var(--rule);
   margin-top: 3rem; padding-top: 1rem; }
 .claim { border-top: 1px solid var(--rule); margin-top: 2.2rem; padding-top: 0.8rem; }
-.head { display: flex; justify-content: space-between; align-items: baseline; gap: 1rem; }
+.head { display: flex; flex-wrap: wrap; justify-content: space-between; align-items: baseline;
+  gap: 0.1rem 1rem; }
 .head h4 { font-size: 1.04rem; font-weight: 600; margin: 0; }
 .exercise { border-top: 3px solid var(--rule); margin-top: 2.6rem; padding-top: 0.8rem; }
 .asks { color: var(--muted); font-size: 0.93rem; }

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import singledispatch
 from typing import Any
 
 from rigidtop.present import layout as lay
 from rigidtop.present import plain
-from rigidtop.present.characters import SUPERSCRIPTS, escape
+from rigidtop.present.characters import MATHS, SUPERSCRIPTS, escape
 from rigidtop.present.latex import AlignRow, align, latex
 from rigidtop.present.prose import prose
 from rigidtop.present.report import (
@@ -78,11 +79,16 @@ _PREAMBLE = r"""\documentclass[10pt,a4paper,fleqn]{article}
 \newcommand{\room}{\par\if@nobreak\else\vskip0pt plus 7\baselineskip\penalty-100
   \vskip0pt plus -7\baselineskip\vskip7\baselineskip\penalty9999\vskip-7\baselineskip\relax\fi}
 \makeatother
+% A remark stands at the right of its heading, or beneath it where there is no room.
+\newcommand{\heading}[2]{\sbox0{#1}\sbox2{#2}%
+  \ifdim\dimexpr\wd0+\wd2+2em>\linewidth #1\\*#2\else #1\hfill#2\fi}
 \newcommand{\exercise}[3]{\room\pagebreak[2]\vspace{1.3\baselineskip}%
   {\color{muted}\hrule height 1.2pt}\nobreak\vskip 0.35\baselineskip\nobreak
   \noindent\phantomsection\label{#2}\addcontentsline{toc}{subsubsection}{Exercise: #1}%
-  \textbf{Exercise: #1}\hfill\textcolor{muted}{\small #3}%
-  \nopagebreak\par\nobreak}
+  \heading{\textbf{Exercise: #1}}{\textcolor{muted}{\small #3}}\nopagebreak\par\nobreak}
+% Above a table, as wide as the page whatever the columns.
+\newcommand{\tabletitle}[1]{\makebox[0pt][l]{\parbox[b]{\linewidth}{\raggedright\footnotesize
+  \textcolor{muted}{#1}\vspace{3pt}}}}
 \newcommand{\subhead}[1]{\room\pagebreak[1]\vspace{0.6\baselineskip}%
   \noindent\textbf{\small #1}\nopagebreak\par\nobreak}
 \makeatletter\@beginparpenalty=10000 \makeatother
@@ -135,7 +141,12 @@ def fragment(blocks: Sequence[Any]) -> str:
     made: list[str] = []
     for block in blocks:
         if isinstance(block, Display):
-            made += [f"% {block.label}", display(block.rows)]
+            first, *rest = block.rows
+            made.append(f"% {block.label}")
+            if first.follows and first.reason:  # no sentence: it would stand alone
+                made += [f"% {line}" for line in textwrap.wrap(f"⇒ {first.reason}", 88)]
+                first = replace(first, reason="")
+            made.append(display((first, *rest)))
         else:
             made += [f"% {line}" for line in plain.fragment([block]).splitlines() if line]
     return "\n".join(made) + "\n"
@@ -173,7 +184,9 @@ def escape_for_bookmark(text: str) -> str:
 
 @tex_block.register
 def _(block: Paragraph) -> str:
-    return (rf"\lab{{{prose(block.label)}}}" if block.label else "") + rich(block.content)
+    words = rich(block.content)
+    # A labelled paragraph, the reason, is not parted from what it is the reason for.
+    return rf"\lab{{{prose(block.label)}}}{words}\nopagebreak" if block.label else words
 
 
 @tex_block.register
@@ -235,7 +248,7 @@ def _align_row(row: Row) -> AlignRow:
 def _(block: Conditions) -> str:
     items = "\n".join(r"\item " + _condition(item) for item in block.items)
     return (
-        r"\lab{Assumptions}\vspace{-0.6\baselineskip}"
+        r"\lab{Assumptions}\par\nobreak\vspace{-0.6\baselineskip}"
         + "\n"
         + r"\begin{itemize}\setlength{\itemsep}{1pt}\setlength{\parskip}{0pt}"
         + f"\n{items}\n"
@@ -316,7 +329,13 @@ def _(block: FoundList) -> str:
 
 def _unit(unit: str) -> str:
     """A unit in upright letters."""
-    return "".join(f"$^{{{SUPERSCRIPTS[c]}}}$" if c in SUPERSCRIPTS else escape(c) for c in unit)
+    return "".join(map(_unit_character, unit))
+
+
+def _unit_character(c: str) -> str:
+    if c in SUPERSCRIPTS:
+        return f"$^{{{SUPERSCRIPTS[c]}}}$"
+    return f"${MATHS[c]}$" if c in "−×" else escape(c)
 
 
 @tex_block.register
@@ -373,19 +392,25 @@ def _value(value: str | lay.Node, unit: str) -> str:
 def _(block: DataTable) -> str:
     first, *others = (_stacked(words) for words in block.columns)
     head = " & ".join([_head(first, "l"), *(_head(lines, "r") for lines in others)])
-    right = len(block.columns) - 1
-    rows = "\n".join(" & ".join(map(_cell, row)) + r" \\" for row in block.rows)
+    count = len(block.columns)
+    ending = r" \\*" if len(block.rows) <= WHOLE else r" \\"
+    rows = "\n".join(" & ".join(map(_cell, row)) + ending for row in block.rows)
+    # The title is part of the head, or a page could end beneath it.
+    title = rf"\multicolumn{{{count}}}{{@{{}}l@{{}}}}{{\tabletitle{{{prose(block.title)}}}}} \\*"
     return "\n".join(
         [
-            rf"{{\footnotesize\textcolor{{muted}}{{{prose(block.title)}}}\par\nopagebreak",
-            r"\scriptsize\setlength{\tabcolsep}{3pt}" if _is_wide(block) else "",
-            rf"\begin{{longtable}}[l]{{@{{\hspace*{{2em}}}}l*{{{right}}}{{r}}@{{}}}}",
+            r"{\scriptsize\setlength{\tabcolsep}{3pt}" if _is_wide(block) else r"{\footnotesize",
+            rf"\begin{{longtable}}[l]{{@{{\hspace*{{2em}}}}l*{{{count - 1}}}{{r}}@{{}}}}",
+            rf"{title} \toprule {head} \\ \midrule \endfirsthead",
             rf"\toprule {head} \\ \midrule \endhead",
             rows,
             r"\bottomrule\end{longtable}}",
         ]
     )
 
+
+WHOLE = 14
+"""A table of no more rows stays on one page."""
 
 WIDEST = 84
 """Letters of a table in its usual size; a wider one is set smaller."""

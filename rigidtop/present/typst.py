@@ -70,8 +70,13 @@ _PREAMBLE = """#set document(title: "@TITLE@")
   block(above: 1.9em, below: 0.7em, sticky: true, {
     line(length: 100%, stroke: 1.2pt + muted)
     v(-0.35em)
-    grid(columns: (1fr, auto),
-      [#heading(level: 3)[Exercise: #title] #label(anchor)], text(fill: muted, size: 9.5pt, asks))
+    let head = [#heading(level: 3)[Exercise: #title] #label(anchor)]
+    let remark = text(fill: muted, size: 9.5pt, asks)
+    layout(room => {  // beneath the heading where it has no room beside it
+      let needed = measure(strong[Exercise: #title]).width + measure(remark).width + 20pt
+      if needed > room.width { stack(spacing: 0.6em, head, remark) }
+      else { grid(columns: (1fr, auto), head, remark) }
+    })
   })
 }
 #let subhead(words) = block(above: 1.2em, below: 0.7em, sticky: true, strong(text(9.5pt, words)))
@@ -82,7 +87,8 @@ _PREAMBLE = """#set document(title: "@TITLE@")
 #let eq(tag, state, body) = math.equation(
   block: true, numbering: if tag + state == "" { none } else { _ => side(tag, state) }, body,
 )
-#let why(body) = text(size: 9.5pt, fill: muted, body)
+#let why(body) = block(sticky: true, text(size: 9.5pt, fill: muted, body))
+#let title(body) = block(sticky: true, below: 0.4em, text(size: 9.5pt, fill: muted, body))
 #let head(words) = block(sticky: true, above: 0.9em, below: 0.5em, lab(words))
 """
 
@@ -135,7 +141,7 @@ def plain(text: str) -> str:
 
 def prose(text: str) -> str:
     """English with Unicode mathematics in it."""
-    return written(text, lambda part, directed: f"${maths(tex(part, directed))}$", plain)
+    return written(text, lambda part, vectors: f"${maths(tex(part, vectors))}$", plain)
 
 
 def maths(tex: str) -> str:
@@ -172,7 +178,9 @@ def _(block: Heading) -> str:
 
 @typst_block.register
 def _(block: Paragraph) -> str:
-    return _label(block.label) + rich(block.content)
+    words = rich(block.content)
+    # A labelled paragraph, the reason, is not parted from what it is the reason for.
+    return f"#block(sticky: true)[{_label(block.label)}{words}]" if block.label else words
 
 
 def _head(words: str) -> str:
@@ -227,12 +235,17 @@ def _(block: Numbers) -> str:
     return f"{_label(block.label)}{sides}" + (f" at {values}." if values else ".")
 
 
+WHOLE = 14
+"""A table of no more rows stays on one page."""
+
+
 def _table(columns: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     cells = "\n".join("  " + ", ".join(f"[{cell}]" for cell in row) + "," for row in rows)
     heads = ", ".join(f"text(fill: muted)[{words}]" for words in head)
     header = f"table.header({heads}), table.hline(stroke: 0.4pt)," if head else ""
+    breakable = "true" if len(rows) > WHOLE else "false"
     return (
-        "#block(text(size: 9.5pt)[#set par(justify: false)\n"
+        f"#block(breakable: {breakable}, text(size: 9.5pt)[#set par(justify: false)\n"
         f"#table(columns: {columns}, stroke: none, inset: (x: 5pt, y: 3.5pt),\n"
         f"  table.hline(stroke: 0.8pt), {header}\n"
         f"{cells}\n  table.hline(stroke: 0.8pt))])"
@@ -305,7 +318,7 @@ def _(block: DataTable) -> str:
     rows = [(_cell(row[0]), *(f"#align(right)[{_cell(x)}]" for x in row[1:])) for row in block.rows]
     columns = ", ".join(["auto"] * len(block.columns))
     head = [prose(words) for words in block.columns]
-    title = f"#block(sticky: true, below: 0.4em, why[{prose(block.title)}])"
+    title = f"#title[{prose(block.title)}]"
     return title + "\n" + _table(f"({columns},)", head, rows)
 
 

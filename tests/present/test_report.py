@@ -1,5 +1,6 @@
 """The lecture as a document: what it says, how it is written, and that files are whole."""
 
+import io
 import os
 import re
 import shutil
@@ -10,17 +11,22 @@ from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
 
+import pypdf
 import pytest
 from sympy import Eq, Integer, Ne, Rational, cos, sin, sqrt
 
 from rigidtop.errors import RigidtopError
 from rigidtop.present import files, html, pdf, plain, tex, typst
+from rigidtop.present import layout as lay
 from rigidtop.present.figures.catalog import FIGURES
 from rigidtop.present.lecture import FORMATS, Picture, fragment, write_lecture
 from rigidtop.present.report import (
     ClaimHead,
     Conditions,
+    DataTable,
     Display,
+    Document,
+    ExerciseHead,
     Figure,
     FoundList,
     Measures,
@@ -336,6 +342,13 @@ def test_latex_document(lecture):
     }
 
 
+def test_a_latex_fragment_begins_with_an_equation_or_a_sentence(judged):
+    for _, judgements in judged:
+        for judgement in judgements:
+            for paste in re.split(r"^%.*\n", tex.fragment(claim_blocks(judgement)), flags=re.M):
+                assert not paste.startswith("$\\Rightarrow")
+
+
 def test_latex_fragment_is_equations_with_comments(judged):
     made = fragment(judged[0][1][0], "latex")
     assert made.startswith("% (3.57)  [assuming]\n% Steady precession & its rate.\n")
@@ -393,6 +406,80 @@ def test_pdf_by_latexmk(lecture):
     source = tex.write(replace(lecture, blocks=tuple(b for b in lecture.blocks if b != FIGURE)), {})
     made = pdf.by_latexmk(shutil.which("latexmk") or "", source, {})
     assert made.startswith(b"%PDF")
+
+
+BESIDE = ExerciseHead("A short title", "claim-short", "asks little")
+BENEATH = ExerciseHead(
+    "A top that friction raises",
+    "claim-long",
+    "“friction will cause the point of contact of the top to do something that takes long to say”",
+)
+
+
+def _lines_of_a_pdf(made: bytes) -> list[str]:
+    pages = pypdf.PdfReader(io.BytesIO(made)).pages
+    return [line.strip() for page in pages for line in page.extract_text().splitlines()]
+
+
+def _heads(lines: list[str]) -> list[str]:
+    """Behind the contents."""
+    return lines[max(i for i, line in enumerate(lines) if line.startswith("Exercise: A short")) :]
+
+
+@pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
+def test_a_long_remark_stands_beneath_its_heading_in_latex():
+    source = tex.write(Document("T", "S", (BESIDE, BENEATH), "C"), {})
+    lines = _heads(_lines_of_a_pdf(pdf.by_latexmk(shutil.which("latexmk") or "", source, {})))
+    assert lines[0] == "Exercise: A short title asks little"
+    assert lines[1] == "Exercise: A top that friction raises"
+    assert lines[2].startswith("“friction will cause")
+
+
+def test_a_long_remark_stands_beneath_its_heading_in_typst():
+    source = typst.write(Document("T", "S", (BESIDE, BENEATH), "C"), {})
+    lines = _heads(_lines_of_a_pdf(pdf.by_typst(source, {})))
+    title = next(i for i, line in enumerate(lines) if "friction raises" in line)
+    assert lines[title] == "Exercise: A top that friction raises"
+    assert lines[title + 1].startswith("“friction will cause")
+
+
+def test_a_long_remark_may_stand_beneath_its_heading_in_html():
+    assert re.search(r"\.head \{[^}]*flex-wrap: wrap", html.STYLE)
+
+
+FILL = tuple(Paragraph((f"Line {i}.",)) for i in range(90))
+TABLE = DataTable("The title of the table", ("first", "second"), ((lay.Number("1.5"),) * 2,) * 6)
+
+
+def _places(made: bytes) -> dict[str, int]:
+    """The pages on which the title of the table, its first and its last row stand."""
+    pages = [page.extract_text() for page in pypdf.PdfReader(io.BytesIO(made)).pages]
+    titles = [i for i, words in enumerate(pages) if "The title of the table" in words]
+    rows = [i for i, words in enumerate(pages) if "1.5" in words]
+    assert len(titles) == 1
+    return {"title": titles[0], "first": rows[0], "last": rows[-1]}
+
+
+@pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
+def test_a_table_stays_with_its_title_in_latex():
+    for count in range(26, 40, 2):
+        source = tex.write(Document("T", "S", (*FILL[:count], TABLE), "C"), {})
+        made = pdf.by_latexmk(shutil.which("latexmk") or "", source, {})
+        assert len(set(_places(made).values())) == 1, count
+
+
+def test_a_table_stays_with_its_title_in_typst():
+    for count in range(24, 45):
+        source = typst.write(Document("T", "S", (*FILL[:count], TABLE), "C"), {})
+        assert len(set(_places(pdf.by_typst(source, {})).values())) == 1, count
+
+
+def test_a_long_table_may_be_broken():
+    long = replace(TABLE, rows=TABLE.rows * 20)
+    made = pdf.by_typst(typst.write(Document("T", "S", (long,), "C"), {}), {})
+    assert len(pypdf.PdfReader(io.BytesIO(made)).pages) > 1
+    assert r"\\*" + "\n$1.5$" in tex.tex_block(TABLE)
+    assert r"\\*" + "\n$1.5$" not in tex.tex_block(long)
 
 
 @pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
