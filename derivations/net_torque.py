@@ -121,7 +121,7 @@ def torque() -> Iterator[Evidence]:
 
 @claim("3.49", "Gravity turns a body as if all its mass sat at the centre of mass.")
 def gravity() -> Iterator[Evidence]:
-    """The integral is linear in r, and ∫ρ r is M R_CM; the same g everywhere is part of f."""
+    """The integral of ρ r is M R_CM by definition; the same g everywhere is part of f."""
     centre = Matrix(symbols("X Y Z", real=True))
     with as_printed():
         whole = VolumeIntegral(D3R, rho * r_vec)

@@ -91,7 +91,7 @@ def two_mass_points() -> Iterator[Evidence]:
     tilted = (TILTED, TURNING, OBLIQUE)
     yield Check(not_parallel, meaning, tilted, "L is not parallel to ω.", printed=False)
     yield Check(
-        turned, meaning, tilted, "Half a turn later L would be another vector.", printed=False
+        turned, meaning, tilted, "Half a turn later the vector L would be another.", printed=False
     )
     yield Check(
         same_motion,

@@ -343,7 +343,7 @@ def space_cone() -> Iterator[Evidence]:
 
 @claim("free-fall", "In free fall there is no external torque about the centre of mass.")
 def free_fall() -> Iterator[Evidence]:
-    """Σ m(r − R_CM) × g = 0 when g is the same for all particles.
+    """Σ m(r − R_CM) × g = 0 when gravity is the same for all particles.
 
     So gravity does not turn a body about its centre of mass on the ground either: there the support
     does, and in free fall there is none. A field that varies across the body (κ, the tide) does.

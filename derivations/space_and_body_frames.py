@@ -9,17 +9,21 @@ from sympy import Integer, Matrix, diag, eye, symbols
 from rigidtop.proof.equation import Dot, Equation, Transposed, as_printed
 from rigidtop.proof.page import Check, Evidence, Page, Step, claim
 from rigidtop.theory.inertia import point_masses, principal_axes
+from rigidtop.theory.lettered import in_order, real
 from rigidtop.theory.rotation import euler_matrix
 from rigidtop.theory.symbols import (
+    Glyph,
     Lambda,
     O_matrix,
     det_O,
     inertia,
-    omega_perp,
-    omega_vec,
     r_vec,
     r_vecp,
     unit,
+)
+
+U_VECTOR, V_VECTOR = in_order(
+    *(real(f"{x}_vec", Glyph(x, bold=True), "any vector", "") for x in "uv")
 )
 
 
@@ -34,20 +38,21 @@ def principal() -> Iterator[Evidence]:
     eigenvectors it makes (λ − λ′) u·v = 0; and the plane across an eigenvector is mapped to itself,
     so there is another eigenvector in it.
     """
-    u, v = (Matrix(symbols(f"{x}_1 {x}_2 {x}_3", real=True)) for x in "uv")
+    u, v = (
+        Matrix([real(f"{x}_{k}", Glyph(x, str(k)), f"component {k} of {x}", "") for k in (1, 2, 3)])
+        for x in "uv"
+    )
     positions = (Matrix(symbols("x y z", real=True)), Matrix(symbols("x2 y2 z2", real=True)))
     masses = symbols("M_1 M_2", positive=True)
     with as_printed():
-        symmetric = Equation(
-            Dot(omega_vec, inertia * omega_perp), Dot(omega_perp, inertia * omega_vec)
-        )
+        symmetric = Equation(Dot(U_VECTOR, inertia * V_VECTOR), Dot(V_VECTOR, inertia * U_VECTOR))
         diagonal = Equation(Transposed(O_matrix) * inertia * O_matrix, Lambda)
         orthogonal = Equation(Transposed(O_matrix) * O_matrix, unit)
     tensor = point_masses(zip(masses, positions, strict=True))
     yield Check(
         symmetric,
-        {inertia: tensor, omega_vec: u, omega_perp: v},
-        reason="For the tensor of any masses and any two vectors, here called ω and ω⊥.",
+        {inertia: tensor, U_VECTOR: u, V_VECTOR: v},
+        reason="For the tensor of any masses and any two vectors u and v.",
         printed=False,
     )
     body = point_masses(

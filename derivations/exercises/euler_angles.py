@@ -92,7 +92,7 @@ def vertical_in_primed_frame(phi: float, theta: float) -> Iterator[Outcome]:
     axes = (second * first).apply(np.eye(3))
     yield Table(
         "axes",
-        "the axes in space components, and ẑ along them",
+        "The axes in space components, and ẑ along them",
         ("axis", "x", "y", "z", "ẑ by the formula"),
         tuple(
             (name, *map(float, axis), along)
@@ -212,7 +212,7 @@ def azimuth_of_a_motion(
     seen = (x * moving[:, 1] - y * moving[:, 0]) / (x**2 + y**2)
     yield Table(
         "nutation",
-        "over one nutation",
+        "Over one nutation",
         ("t (s)", "θ (rad)", "φ̇ by (3.45) (rad/s)", "φ̇ seen (rad/s)"),
         tuple(zip(*(map(float, c) for c in (times, path.theta, by_momenta, seen)), strict=True)),
     )
@@ -224,7 +224,7 @@ def azimuth_of_a_motion(
     passes = tuple(_pass(top, theta, omega3, miss) for miss in MISSES)
     yield Table(
         "near_the_upright",
-        "tops that pass the upright closely",
+        "Tops that pass the upright closely",
         ("L_z/L₃ − 1", "smallest θ (rad)", "φ̇ there (rad/s)", "θ φ̇ there (rad/s)"),
         passes,
     )

@@ -67,7 +67,7 @@ def flip_time() -> Iterator[Evidence]:
     """T and L² leave ω̇₂² as a polynomial in ω₂², and the time is the integral of dω₂/ω̇₂.
 
     With ω₂ = ω sin χ it is Legendre's integral of the first kind: sin χ is sn(νt), so ω₂ goes from
-    ω to −ω in 2K(m)/ν and is back in 4K(m)/ν. As ω₀ goes to zero m goes to 1 and K to infinity.
+    ω to −ω in 2K(m)/ν and is back in 4K(m)/ν. As ω₀ goes to zero, m goes to 1 and K(m) to ∞.
     """
     rates_of = angular_momentum().dot(angular_momentum())
     with as_printed():

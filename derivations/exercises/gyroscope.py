@@ -280,7 +280,7 @@ def gyroscope(
 
     yield Table(
         "spins",
-        "at less and at more spin",
+        "At less and at more spin",
         ("ω₃ (rad/s)", "ε₀", "Ω by (3.52) (rad/s)", "Ω₋ (rad/s)", "excess"),
         tuple(at(factor * omega3) for factor in FACTORS),
     )

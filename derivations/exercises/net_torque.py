@@ -21,6 +21,7 @@ from rigidtop.proof.equation import Cross, Dot, Equation, Group, VolumeIntegral,
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
 from rigidtop.proof.page import Check, Evidence, Measure, claim
 from rigidtop.theory.inertia import Solid, cone
+from rigidtop.theory.lettered import in_order, real
 from rigidtop.theory.rotation import (
     EULER_RATES,
     Z_AXIS,
@@ -29,6 +30,7 @@ from rigidtop.theory.rotation import (
     total_derivative,
 )
 from rigidtop.theory.symbols import (
+    Glyph,
     M,
     N_ext,
     R,
@@ -154,13 +156,21 @@ def over_solid(solid: Solid) -> Callable[[Any], Any]:
     return integral
 
 
+GRAIN = in_order(
+    real("u", Glyph("u"), "distance of a grain from the axis of the cone over its height", "1"),
+    real("eta", Glyph("η"), "azimuth of a grain about the axis of the cone", "rad"),
+    real("z", Glyph("z"), "height of a grain along the axis of the cone", "m"),
+)
+"""Where a grain of the cone is."""
+
+
 @claim("cone-on-its-tip", "A cone on its tip: its centre, its moments, its torque and energy.")
 def cone_on_its_tip() -> Iterator[Evidence]:
     """Integrals over a uniform cone that stands on its tip, upright for the moments.
 
-    Tilted by θ, every grain has its own arm and its own height; (3.49) and MgR cos θ come out.
+    Tilted by θ, every grain r has its own arm and its own height; (3.49) and MgR cos θ come out.
     """
-    solid = cone(radius, height)
+    solid = cone(radius, height).named(*GRAIN)
     tensor = solid.inertia(M)
     with as_printed():
         centre = Equation(R, Rational(3, 4) * height)

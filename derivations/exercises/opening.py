@@ -56,7 +56,10 @@ def bearing_torque() -> Iterator[Evidence]:
     axes = {xhat: Matrix([1, 0, 0]), yhat: Matrix([0, 1, 0])}
     spin = {omega_vec: omega * Matrix(Z_AXIS), L_vec: angular_momentum(rotation_z(Integer(0)))}
     yield Check(
-        carried, {**spin, L_vecdot: turned}, reason="L turns with the stick.", printed=False
+        carried,
+        {**spin, L_vecdot: turned},
+        reason="The vector L turns with the stick.",
+        printed=False,
     )
     yield Check(
         size,

@@ -136,10 +136,11 @@ def bound_on_the_tilt() -> Iterator[Evidence]:
 
 
 @claim(
-    "bound-on-the-angle", "tan of the angle between L and ω ≤ 2ε₀|1 − λ₃/λ₁| sin θ at all times."
+    "bound-on-the-angle",
+    "The tangent of the angle between L and ω is at most 2ε₀|1 − λ₃/λ₁| sin θ at all times.",
 )
 def bound_on_the_angle() -> Iterator[Evidence]:
-    """tan of the angle is |L × ω|/L·ω, and L·ω is at least λ₃ω₃².
+    """The tangent of the angle is |L × ω|/L·ω, and L·ω is at least λ₃ω₃².
 
     With ω⊥ = ω₀ as large as it may be it is 2|λ₁ − λ₃| MgR sin θ/(λ₃ω₃)² at most: first order in
     the torque, ε₀ = λ₁MgR/(λ₃ω₃)². At the lowest point sin θ is at most sin θᵢ/√(1 − 4ε₀ cos θᵢ),
@@ -355,7 +356,7 @@ def parallel_bound(
     yield Answer("off_first_order", "ε₀ cos θ, of which that is to first order", weak * cos(theta))
     yield Table(
         "spins",
-        "the spin doubled again and again",
+        "The spin doubled again and again",
         (
             "ω₃ (rad/s)",
             "ε₀",

@@ -29,17 +29,16 @@ from rigidtop.proof.page import Assumption, Check, Evidence, Measure, claim
 from rigidtop.theory import top as theory
 from rigidtop.theory.euler import OMEGA, angular_momentum, body_accelerations
 from rigidtop.theory.inertia import cylinder, point_masses
+from rigidtop.theory.lettered import in_order, real
 from rigidtop.theory.rotation import Z_AXIS
 from rigidtop.theory.symbols import (
     M_1,
     M_2,
+    Glyph,
     L_vec,
     M,
     Omega,
     Omega_b,
-    a,
-    b,
-    delta,
     e3,
     ellipticity,
     follows,
@@ -157,7 +156,7 @@ def cone_plane(
 ) -> Iterator[Outcome]:
     """The angles follow from (3.38) and (3.39). Both bodies are integrated, and their angles looked
     at on the way. Where λ₂ ≠ λ₁ the angle between ω and L has its extremes where ω₂ = 0 and half a
-    period of the closed form later, since |ω|² is linear in ω₂² at given T and L."""
+    period of the closed form later, since |ω|² is linear in ω₂² at given T and L²."""
     tilt, momentum_tilt = atan2(omega_0, omega3), atan2(lambda1 * omega_0, lambda3 * omega3)
     between = abs(momentum_tilt - tilt)
     if between < PARALLEL:
@@ -489,6 +488,15 @@ def earth_euler_period(
 # --- Feynman's plate ---------------------------------------------------------------------------
 
 
+X_1, Y_1, X_2, Y_2, ABOVE = in_order(
+    real("x_1", Glyph("x", "1"), "place of the first point, along e₁", "m"),
+    real("y_1", Glyph("y", "1"), "place of the first point, along e₂", "m"),
+    real("x_2", Glyph("x", "2"), "place of the second point, along e₁", "m"),
+    real("y_2", Glyph("y", "2"), "place of the second point, along e₂", "m"),
+    real("z", Glyph("z"), "place of the points along e₃", "m"),
+)
+
+
 @claim("wobble-to-spin", "A flat plate wobbles twice as fast as it spins, and faster when tilted.")
 def wobble_to_spin() -> Iterator[Evidence]:
     """The free precession Ω of (3.57) without weight, for a disc: λ₁ cosθ Ω = λ₃ω₃.
@@ -504,15 +512,15 @@ def wobble_to_spin() -> Iterator[Evidence]:
         )
         thin = Equation(sympy.cos(theta) * Omega, 2 * omega3)
     points = [
-        (M_1, Matrix([a, b, delta])),
-        (M_2, Matrix([omega_0, omega3, delta])),  # anywhere: any two numbers do
+        (M_1, Matrix([X_1, Y_1, ABOVE])),
+        (M_2, Matrix([X_2, Y_2, ABOVE])),
     ]
     tensor = point_masses(points)
     yield Check(
         flat,
         {lambda1: tensor[0, 0], lambda2: tensor[1, 1], lambda3: tensor[2, 2]},
-        (Assumption(Eq(delta, 0), "no point lies above or below the plane", stated=True),),
-        "Two points (and so any number) in the plane of e₁ and e₂.",
+        (Assumption(Eq(ABOVE, 0), "no point lies above or below the plane", stated=True),),
+        "Two points (and so any number) in the plane of e₁ and e₂, at the height z = 0.",
         printed=False,
     )
     # (3.57) without weight has another solution, Ω = 0, the rotation about e₃ at rest.

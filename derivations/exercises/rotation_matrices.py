@@ -121,10 +121,10 @@ HALVINGS = 6
     "Rotations form a group, but their order matters",
     section="3.4",
     asks="“these matrices form a group (see math)”",
-    statement="A is a turn by the angle alpha about n₁, B one by the angle beta about n₂, and "
+    statement="Let A be a turn by the angle alpha about n₁, B one by beta about n₂, and "
     "gamma is the angle between these axes. Show that A B is a rotation, and find its angle and "
     "axis. Convince yourself of what else makes a group: a neutral element, inverses, "
-    "(A B)C = A(B C).\n\n"
+    "(AB)C = A(BC).\n\n"
     "The order matters: by what angle do A B and B A differ? Halve both angles again and again: "
     "what is that angle for small turns, and about which axis?",
     claims=(rotation_group, product_of_rotations, commutator_of_rotations),
@@ -138,7 +138,7 @@ HALVINGS = 6
 def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[Outcome]:
     """The matrices are exponentials of their generators; the angle and the axis of A B come from
     the half-angle formula, and from SciPy, which multiplies the matrices. n₁ is x̂ and n₂ lies in
-    the plane of x̂ and ŷ. For (A B)C, C is the turn that the half-angle formula gives."""
+    the plane of x̂ and ŷ. For (AB)C, C is the turn that the half-angle formula gives."""
     first, second = np.array([1.0, 0.0, 0.0]), np.array([np.cos(gamma), np.sin(gamma), 0.0])
     A, B = about(first, alpha), about(second, beta)
     one = np.eye(3)
@@ -171,7 +171,7 @@ def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[
     )
     yield Table(
         "small_turns",
-        "both angles halved: the angle of A B A⁻¹B⁻¹ and its axis",
+        "Both angles halved: the angle of A B A⁻¹B⁻¹ and its axis",
         ("alpha (rad)", "beta (rad)", "angle (rad)", "angle/(alpha beta)", "x", "y", "z"),
         tuple(_commutator(first, second, alpha / 2**k, beta / 2**k) for k in range(HALVINGS + 1)),
     )
@@ -184,7 +184,7 @@ def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[
         "A B is orthogonal": (A @ B).T @ (A @ B) - one,
         "det A B − 1": np.linalg.det(A @ B) - 1,
         "A⁻¹ is a turn by the opposite angle": about(first, -alpha) @ A - one,
-        "(A B)C − A(B C)": (A @ B) @ C - A @ (B @ C),
+        "(AB)C − A(BC)": (A @ B) @ C - A @ (B @ C),
         "angle of A B against SciPy (rad)": np.linalg.norm(by_scipy) - angle,
     }
     for what, error in errors.items():

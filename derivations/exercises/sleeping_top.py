@@ -83,8 +83,8 @@ def linear_growth() -> Expr:
 def upright_potential() -> Iterator[Evidence]:
     """With p_φ = p_ψ the potential of θ is regular at θ = 0, and its curvature there decides.
 
-    A tilt grows as e^{σt} where σ² is positive. At the threshold itself the curvature vanishes, but
-    what is left of the potential has its minimum there: that top still sleeps.
+    A tilt grows as exp(σt) where σ² is positive. At the threshold itself the curvature vanishes,
+    but what is left of the potential has its minimum there: that top still sleeps.
     """
     upright = potential_when_upright()
     with as_printed():

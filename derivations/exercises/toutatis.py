@@ -175,7 +175,7 @@ def toutatis(
     yield Table(
         "periods",
         "Periods, computed, and published of the long axis of Toutatis",
-        ("source", "of ω about its axis (days)", "of this axis about L (days)"),
+        ("source", "turn of ω about its axis (days)", "turn of this axis about L (days)"),
         ((f"this motion, {mode}", 2 * half, precession), *PERIODS),
     )
     rows = tuple(comparison(motion, seen) for seen in OBSERVATIONS)
@@ -185,9 +185,9 @@ def toutatis(
         (
             "date",
             "days",
-            "attitude (°)",
-            "of it the long axis (°)",
-            "and about it (°)",
+            "error of attitude (°)",
+            "tilt of long axis (°)",
+            "turn about long axis (°)",
             "ω, direction (°)",
             "ω (°/day)",
             "L, direction (°)",
@@ -236,7 +236,7 @@ def _last_digits(motion: Motion) -> Table:
     return Table(
         "last_digits",
         "Half of the last printed digit of the start, and the attitude of 2008",
-        ("changed", "by (°/day for ω)", "attitude (°)"),
+        ("changed", "by (°/day for ω)", "change of attitude (°)"),
         tuple(rows),
     )
 

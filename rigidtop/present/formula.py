@@ -62,8 +62,8 @@ _UNIT = re.compile(r"((?:kg|rad|[msNJW])(?:[·/](?:kg|rad|[msNJW]))*)([²³])")
 _BRACES = {"{": "}", "(": ")"}
 
 
-def pieces(text: str, directed: bool = False) -> tuple[Piece, ...]:
-    """The pieces of a formula; `directed` in a text that speaks of L and ω as vectors.
+def pieces(text: str, vectors: str = "") -> tuple[Piece, ...]:
+    """The pieces of a formula; `vectors` are letters that are vectors when alone.
 
     >>> [piece.kind for piece in pieces("e^{σt} ≤ √(λ₁ sin θ)")]
     ['letter', 'power', 'space', 'sign', 'space', 'root']
@@ -72,16 +72,16 @@ def pieces(text: str, directed: bool = False) -> tuple[Piece, ...]:
     unit = _UNIT.fullmatch(text)
     if unit:
         return Piece("unit", unit[1]), Piece("sup", SUPERSCRIPTS[unit[2]])
-    vectors = _vectors(text, directed)
+    bold = _vectors(text, vectors)
     made: list[Piece] = []
     i = 0
     while i < len(text):
-        piece, i = _read(text, i, vectors)
+        piece, i = _read(text, i, bold)
         made.append(piece)
     return tuple(made)
 
 
-def _read(text: str, i: int, vectors: frozenset[int]) -> tuple[Piece, int]:
+def _read(text: str, i: int, bold: frozenset[int]) -> tuple[Piece, int]:
     """The piece that begins at i, and where the next one begins."""
     c = text[i]
     word = _WORD.match(text, i)
@@ -110,7 +110,7 @@ def _read(text: str, i: int, vectors: frozenset[int]) -> tuple[Piece, int]:
         end += 1
     if not c.isalpha():
         return Piece("sign", c, text[i + 1 : end]), end
-    return Piece("letter", c, text[i + 1 : end], i in vectors), end
+    return Piece("letter", c, text[i + 1 : end], i in bold), end
 
 
 def _word(word: str) -> Piece:
@@ -171,10 +171,10 @@ _TERM = re.compile(
 )
 
 
-def _vectors(text: str, directed: bool) -> frozenset[int]:
+def _vectors(text: str, alone: str) -> frozenset[int]:
     """The places of the letters that are vectors."""
     found = {i for i, c in enumerate(text) if c.isalpha() and _is_vector(text, i)}
-    if directed and re.fullmatch(r"[LNω][\u0307′]?", text):
+    if alone and re.fullmatch(rf"[{alone}][\u0307′]?", text):
         found.add(0)
     if _BASE.search(text) and "|" not in text:  # an equation of vectors
         found |= {term.start() for term in _TERM.finditer(text)}
@@ -195,9 +195,9 @@ def _is_vector(text: str, i: int) -> bool:
         return True
     if behind == "ₖ":  # one of many particles
         end, behind = end + 1, ""
-    if c not in "LNrRgvFfωΩ" or (behind and behind in SUBSCRIPTS) or behind in ("_", "⊥"):
+    if c not in "LNrRguvwFfωΩ" or (behind and behind in SUBSCRIPTS) or behind in ("_", "⊥"):
         return False
-    ahead = text[:i].rstrip().rstrip("mM" if c in "gr" else "").rstrip()  # × Mg
+    ahead = text[:i].rstrip().rstrip("ImM").rstrip()  # × Mg, u·Iv
     before, after = ahead[-1:], text[end:].lstrip("′").lstrip()[:1]
     return before in _CROSSING or after in _CROSSING
 
@@ -226,13 +226,13 @@ _PLAIN_MATHS = {
 }
 
 
-def tex(text: str, directed: bool = False) -> str:
+def tex(text: str, vectors: str = "") -> str:
     r"""A formula in Unicode, as LaTeX.
 
     >>> print(tex("ω̇₁ = (λ₂ − λ₃)ω₂ω₃/λ₁"))
     \dot{\omega}_{1} = (\lambda_{2} - \lambda_{3})\omega_{2}\omega_{3}/\lambda_{1}
     """
-    return _tex_row(pieces(text, directed))
+    return _tex_row(pieces(text, vectors))
 
 
 def _tex_row(row: Sequence[Piece]) -> str:
@@ -296,13 +296,13 @@ _PRIMES = frozenset("′″‴")
 _NO_OPERATORS = frozenset("°∞%½⅓⅔¼¾⅛…")
 
 
-def mathml(text: str, directed: bool = False) -> str:
+def mathml(text: str, vectors: str = "") -> str:
     """A formula in Unicode, as an inline ``<math>`` that says it in words.
 
     >>> mathml("√3")[-32:]
     '<msqrt><mn>3</mn></msqrt></math>'
     """
-    inside = _ml_row(pieces(text, directed))
+    inside = _ml_row(pieces(text, vectors))
     return ml.element(inside, unicodedata.normalize("NFC", text), False)
 
 

@@ -37,22 +37,21 @@ def _plain_html(text: str) -> str:
     return escape_html(text.replace("'", "’"), quote=False)
 
 
-def tex(part: str, directed: bool) -> str:
+def tex(part: str, vectors: str) -> str:
     """A formula of a text between dollars."""
-    return f"${formula.tex(part, directed)}$"
+    return f"${formula.tex(part, vectors)}$"
 
 
-def written(text: str, maths: Callable[[str, bool], str], plain: Callable[[str], str]) -> str:
-    """A text whose formulas `maths` writes, told whether the text `is_directed`, and the rest
-    `plain`."""
-    directed = is_directed(text)
+def written(text: str, maths: Callable[[str, str], str], plain: Callable[[str], str]) -> str:
+    """A text; `maths` writes its formulas, told the `vectors` of the text, `plain` the rest."""
+    letters = vectors(text)
     return "".join(
-        maths(part, directed) if is_maths else plain(part) for is_maths, part in segments(text)
+        maths(part, letters) if is_maths else plain(part) for is_maths, part in segments(text)
     )
 
 
 _DIRECTED = re.compile(
-    r"(?<!\w)[LNω]\u0307?\s?[×∥⟂⊥·]\s?\w|(?<!\w)L\u0307|\bvectors? [LNω]|[×∥⟂]\s?[LNω](?!\w)"
+    r"(?<!\w)[LNω]\u0307?\s?[×∥⟂⊥·]\s?\w|(?<!\w)L\u0307|\bvectors? [LNω](?!\w)|[×∥⟂]\s?[LNω](?!\w)"
     r"|\b(?:along|across|about|against|parallel to|tilted to|right angles to|parts? of|tip of"
     r"|ways? of|direction of|angles? of|angles? between|plane of|from)(?: the)? [Lω]"
     r"(?![\w/])(?! =| to)"
@@ -62,13 +61,21 @@ _DIRECTED = re.compile(
 )
 
 
-def is_directed(text: str) -> bool:
-    """Whether a text speaks of L and ω as vectors, not as magnitudes.
+# Letters of other vectors stand beside a × or a · somewhere in the text.
+_CROSSED = re.compile(
+    r"(?<![A-Za-z\d])([uvw])\s?[×·]|[×·]\s?I?([uvw])(?!\w)|\bvectors? ([uvw])\b(?: and ([uvw])\b)?"
+)
 
-    >>> is_directed("the angle between ω and L"), is_directed("it turns with the speed ω")
-    (True, False)
+
+def vectors(text: str) -> str:
+    """The letters that are vectors in a text: L, N and ω where it speaks of their directions.
+
+    >>> vectors("the angle between ω and L"), vectors("it turns with the speed ω")
+    ('LNω', '')
     """
-    return bool(_DIRECTED.search(formula.opened(text)))
+    apart = formula.opened(text)
+    crossed = {letter for found in _CROSSED.findall(apart) for letter in found}
+    return ("LNω" if _DIRECTED.search(apart) else "") + "".join(sorted(crossed))
 
 
 # --- Finding the mathematics ---------------------------------------------------------------------

@@ -41,6 +41,12 @@ class Solid:
         jacobian = reduce_trig(self.position.jacobian(parameters).det())
         return sympy.factor(sympy.integrate(sympy.expand(density * jacobian), *self.limits))
 
+    def named(self, *parameters: Symbol) -> Solid:
+        """The same solid with other names for its parameters, for print."""
+        names = dict(zip((limit[0] for limit in self.limits), parameters, strict=True))
+        limits = tuple(sympy.Tuple(*limit).xreplace(names).args for limit in self.limits)
+        return Solid(self.position.xreplace(names), limits)
+
     def volume(self) -> Expr:
         """∫ d³r (m³)."""
         return self.integral(sympy.Integer(1))

@@ -8,23 +8,30 @@ from xml.etree import ElementTree
 
 import pypdf
 import pytest
+from sympy import Symbol
 
 from rigidtop.derivations import PAGES
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.present import html, pdf, tex, typst
+from rigidtop.present import layout as lay
 from rigidtop.present.figures.catalog import FIGURES
 from rigidtop.present.figures.drawing import rendered
 from rigidtop.present.lecture import FORMATS, fragment, lecture, sheet
 from rigidtop.present.report import (
     ClaimHead,
     DataTable,
+    Display,
     ExerciseHead,
     Measures,
     Paragraph,
     Quantities,
+    claim_blocks,
+    symbols_used,
 )
 from rigidtop.present.solutions import solved
+from rigidtop.present.text import text
 from rigidtop.proof.verdict import judge_page
+from rigidtop.theory import symbols as s
 
 
 @pytest.fixture(scope="module")
@@ -102,6 +109,39 @@ def test_typst_of_all_pages(document, pictures):
 
 
 # --- Exercises ------------------------------------------------------------------------------------
+
+
+def test_titles_of_tables_begin_with_a_capital(document):
+    titles = [block.title for block in document.blocks if isinstance(block, DataTable)]
+    assert titles
+    assert [title for title in titles if title[0].islower()] == []
+
+
+MOMENTS = {s.lambda1, s.lambda2, s.lambda3}
+
+
+def test_moments_are_made_of_masses_and_lengths(document):
+    units: dict[str, dict[str, str]] = {}
+    for block in document.blocks:
+        for row in block.rows if isinstance(block, Display) else ():
+            left, right = row.equation.sides[0], row.equation.sides[-1]
+            made_of = {x: lay.known(x)[1] for x in right.free_symbols}
+            found = {str(x): quantity.unit for x, quantity in made_of.items() if quantity}
+            if left in MOMENTS and "kg" in found.values():
+                units[text(row.equation)] = found
+    assert len(units) > 5
+    assert {unit for found in units.values() for unit in found.values()} == {"kg", "m"}
+
+
+@pytest.mark.parametrize("name", ["principal-axes", "cone-on-its-tip", "wobble-to-spin"])
+def test_symbols_of_their_own_are_explained(judged, solutions, name):
+    everything = [
+        *(j for _, row in judged for j in row),
+        *(j for x in solutions for j in x.judgements),
+    ]
+    judgement = next(judgement for judgement in everything if judgement.claim.name == name)
+    used = symbols_used(claim_blocks(judgement))
+    assert {x for x in used if lay.known(x)[1] is None} <= {Symbol("d3r")}
 
 
 def test_every_exercise_stands_once_in_its_section(document):

@@ -68,6 +68,8 @@ CASES = {
     r"\mathbf{e}_{3}$",
     "|ω × L|/(ωL)": r"$\vert\boldsymbol{\omega} \times \mathbf{L}\vert/(\omega L)$",
     "about L at the rate L/λ₁": r"about $\mathbf{L}$ at the rate $L/\lambda_{1}$",
+    "so u·Iv = v·Iu for all u and v": r"so $\mathbf{u}\cdot I\mathbf{v} = "
+    r"\mathbf{v}\cdot I\mathbf{u}$ for all $\mathbf{u}$ and $\mathbf{v}$",
     "from ω to −ω": r"from $\omega$ to $-\omega$",
 }
 

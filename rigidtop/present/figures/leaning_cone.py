@@ -174,8 +174,8 @@ def _caption(
         leans = f"on the vertical, θ = {degrees(theta)}, where φ has no meaning and N = 0"
     else:
         leans = (
-            f"leaning at θ = {degrees(theta)} towards φ = {degrees(phi)}; N = MgR sin θ e₂′ = "
-            f"{said(found['torque'])} N m, horizontal and into the paper"
+            f"leaning at θ = {degrees(theta)} towards φ = {degrees(phi)}; N, along e₂′, is "
+            f"MgR sin θ = {said(found['torque'])} N m, horizontal and into the paper"
         )
     return (
         f"A solid cone on its tip, of radius {said(radius)} m, height {said(height)} m and density "
