@@ -61,6 +61,7 @@ _PREAMBLE = r"""\documentclass[10pt,a4paper,fleqn]{article}
 \AtBeginDocument{\setlength{\abovedisplayskip}{3pt plus 2pt}%
   \setlength{\belowdisplayskip}{3pt plus 2pt}}
 \raggedbottom
+\clubpenalty=10000 \widowpenalty=10000
 \emergencystretch=2em
 \newcommand{\verdict}[1]{\begingroup\setlength{\fboxsep}{2.5pt}%
   \fcolorbox{#1}{white}{\textcolor{#1}{\footnotesize\textsc{#1}}}\endgroup}
@@ -393,8 +394,11 @@ def _(block: DataTable) -> str:
     first, *others = (_stacked(words) for words in block.columns)
     head = " & ".join([_head(first, "l"), *(_head(lines, "r") for lines in others)])
     count = len(block.columns)
-    ending = r" \\*" if len(block.rows) <= WHOLE else r" \\"
-    rows = "\n".join(" & ".join(map(_cell, row)) + ending for row in block.rows)
+    together = WHOLE if len(block.rows) <= WHOLE else 3
+    rows = "\n".join(
+        " & ".join(map(_cell, row)) + (r" \\*" if i < together else r" \\")
+        for i, row in enumerate(block.rows)
+    )
     # The title is part of the head, or a page could end beneath it.
     title = rf"\multicolumn{{{count}}}{{@{{}}l@{{}}}}{{\tabletitle{{{prose(block.title)}}}}} \\*"
     return "\n".join(

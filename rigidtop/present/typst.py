@@ -149,9 +149,14 @@ def maths(tex: str) -> str:
     from tylax import latex_to_typst
 
     made = latex_to_typst(f"${tex}$").strip().strip("$").strip()
-    made = re.sub(r"#text\[([^\]]*)\]", lambda m: '"' + m[1].replace("\\", "") + '"', made)
+    made = re.sub(r"#text\[([^\]]*)\]", lambda m: f'"{_words(m[1])}"', made)
     made = re.sub(r"_\(([^()]*)\)('+)", r"\2_(\1)", made)  # else the prime goes to the index
     return re.sub(r"(\d+)/(\d+)", r"inline(\1/\2)", made)  # only a \tfrac becomes a plain a/b
+
+
+def _words(text: str) -> str:
+    """Words of a formula, in which Typst makes no dashes."""
+    return text.replace("\\", "").replace("---", "—").replace("--", "–")
 
 
 def rich(content: Rich) -> str:
