@@ -118,7 +118,7 @@ DAY = 86400.0
             Parameter(f"omega{k + 1}", radians(rate) / DAY, f"ω{'₁₂₃'[k]} at the start", "rad/s")
             for k, rate in enumerate(START.rates)
         ),
-        Parameter("friction", 0.2, "cL, strength of the friction inside", least=0.05, most=2),
+        Parameter("friction", 0.2, "c L, strength of the friction inside", least=0.05, most=2),
     ),
     figure="tumbling",
 )

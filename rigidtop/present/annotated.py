@@ -96,7 +96,7 @@ def write(
     """
     inside = {**{f.start: (f.end, _inline(f)) for f in formulas}}
     framed = {mark.start: (mark.end, _framed(mark, n)) for n, mark in enumerate(marks)}
-    body = _text(source, inside, framed)
+    body = mathml.held(_text(source, inside, framed))
     found = "\n".join(
         f'<li><a href="#{_anchor(mark, n)}">({escape(mark.number)})</a>'
         f"{_badge(mark.verdict)} line {mark.line}: {_said(mark.note)}</li>"
@@ -142,7 +142,7 @@ def _anchor(mark: Mark, n: int) -> str:
 def _said(note: str) -> str:
     """A note with its mathematics; what is in it of the file may be of any kind."""
     try:
-        return prose_html(_clean(note))
+        return mathml.held(prose_html(_clean(note)))
     except ValueError:
         return escape(_clean(note))
 

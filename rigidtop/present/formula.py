@@ -14,6 +14,7 @@ from html import escape as escape_html
 from rigidtop.present import mathml as ml
 from rigidtop.present.characters import (
     FUNCTIONS,
+    HALVES,
     LETTERS,
     MARKS,
     MATHS,
@@ -57,7 +58,7 @@ def opened(text: str) -> str:
 
 _WORD = re.compile(rf"(?:{'|'.join(FUNCTIONS)})(?![a-z])|const|R[xyz](?=\()|['’]s\b|-?[a-z]{{3,}}")
 _NUMBER = re.compile(r"\d+(?:\.\d+)?")
-_NAMED_INDEX = re.compile(r"[A-Za-z0-9]+|[^\W\d_]")
+_NAMED_INDEX = re.compile(r"\d,\d|[A-Za-z0-9]+|[^\W\d_]")
 _UNIT = re.compile(r"((?:kg|rad|[msNJW])(?:[·/](?:kg|rad|[msNJW]))*)([²³])")
 _BRACES = {"{": "}", "(": ")"}
 
@@ -284,7 +285,7 @@ def _tex(piece: Piece, before: str) -> str:
 
 def _tex_index(name: str) -> str:
     shown = TEX_GREEK[GREEK[name]] if name in GREEK else LETTERS.get(name, name)
-    if len(name) > 1 and name not in GREEK and not name.isdigit():
+    if len(name) > 1 and name not in GREEK and not name[0].isdigit():
         shown = rf"\text{{{name}}}"
     return f"_{{{shown}}}"
 
@@ -293,7 +294,7 @@ def _tex_index(name: str) -> str:
 
 _ACCENTS = {"\u0307": "dot", "\u0308": "ddot", "\u0302": "hat"}
 _PRIMES = frozenset("′″‴")
-_NO_OPERATORS = frozenset("°∞%½⅓⅔¼¾⅛…")
+_NO_OPERATORS = frozenset("°∞%…")
 
 
 def mathml(text: str, vectors: str = "") -> str:
@@ -388,6 +389,9 @@ def _ml(piece: Piece, before: Sequence[Piece], after: Sequence[Piece]) -> str:
 
 def _ml_sign(piece: Piece, before: Sequence[Piece]) -> str:
     shown = escape_html({"-": "−", "*": "·"}.get(piece.text, piece.text) + piece.marks)
+    if piece.text in HALVES:
+        over, under = unicodedata.normalize("NFKC", piece.text).split("⁄")
+        return f"<mfrac><mn>{over}</mn><mn>{under}</mn></mfrac>"
     if piece.text in _NO_OPERATORS:
         return f"<mtext>{shown}</mtext>"
     if piece.text == "/":

@@ -102,6 +102,7 @@ p { margin: 0.55rem 0; }
 h5 { font-size: 1rem; font-weight: 600; margin: 1.6rem 0 0.3rem; }
 .unseen { position: absolute; left: -99rem; }
 .says { font-style: italic; margin: 0.25rem 0 0.7rem; }
+.m { white-space: nowrap; }
 sub, sup { font-size: 0.72em; line-height: 0; }
 .badge {
   display: inline-block; white-space: nowrap; font-size: 0.78rem; line-height: 1.3;
@@ -167,7 +168,7 @@ figcaption { font-size: 0.93rem; color: var(--muted); margin-top: 0.5rem; }
 
 def write(document: Document, figures: Mapping[str, str]) -> str:
     """The document.  `figures` has the SVG of each figure by its name."""
-    body = "\n".join(_sections(document, figures))
+    body = mathml.held("\n".join(_sections(document, figures)))
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -233,7 +234,7 @@ def _sections(document: Document, figures: Mapping[str, str]) -> list[str]:
 def fragment(blocks: Sequence[Any]) -> str:
     """The blocks of one claim, to be pasted into a page."""
     (head,) = [block for block in blocks if isinstance(block, ClaimHead)]
-    inner = "\n".join(html_block(block) for block in blocks)
+    inner = mathml.held("\n".join(html_block(block) for block in blocks))
     return f'<section class="claim" id="{head.anchor}">\n{inner}\n</section>\n'
 
 

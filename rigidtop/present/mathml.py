@@ -6,6 +6,7 @@ font with a bold alphabet.  ``alttext`` is the equation as `rigidtop.present.tex
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from functools import singledispatch
 from html import escape
@@ -60,6 +61,17 @@ def element(inside: str, alt: str, block: bool) -> str:
         f'<math xmlns="http://www.w3.org/1998/Math/MathML"{shown} alttext="{escape(alt)}">'
         f"{inside}</math>"
     )
+
+
+_BESIDE = re.compile(r"([^\s<>]*)(<math(?![^>]*display=)[^>]*>.*?</math>)([^\s<]*)", re.S)
+
+
+def held(html: str) -> str:
+    """HTML in which no line ends between a formula and the comma or the bracket beside it.
+
+    Browsers break a line there, as they do beside a picture.
+    """
+    return _BESIDE.sub(lambda m: f'<span class="m">{m[0]}</span>' if m[1] or m[3] else m[0], html)
 
 
 def labelled(sides: Sequence[tuple[Sequence[Any], int | None]], alt: str) -> str:

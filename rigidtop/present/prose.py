@@ -94,7 +94,7 @@ _NAME = "|".join(("MgR", "Mg", *FUNCTIONS))
 # MgR, 2cos, |L|, and with a bracket that is closed later: m(r, MgR(cos, ln(8.
 _WHOLE = re.compile(
     rf"\d*MgR|Mg|\d+(?:{_NAME})|\|[A-Za-z]\||\d*(?:{_NAME}|[A-Za-z])\((?:{_NAME}|\d+|[A-Za-z])?"
-    r"|d/d[a-z]|[A-Z]\)/[A-Z]|\([A-Z]{2}\)[A-Z]|[A-Z]\([A-Z]{2}\)"
+    r"|[B-Zb-z]\([A-Za-z]\)|d/d[a-z]|[A-Z]\)/[A-Z]|\([A-Z]{2}\)[A-Z]|[A-Z]\([A-Z]{2}\)"
 )
 
 

@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 import pytest
 
 from rigidtop.present.characters import MATHS, SUBSCRIPTS, SUPERSCRIPTS, escape
-from rigidtop.present.mathml import APPLY, THIN
+from rigidtop.present.mathml import APPLY, THIN, held
 from rigidtop.present.prose import prose, prose_html, segments
 from rigidtop.theory.symbols import VOCABULARY
 
@@ -47,6 +47,8 @@ CASES = {
     "Σ m(r − R_CM) × g": r"$\sum m(\mathbf{r} - \mathbf{R}_{\text{CM}}) \times \mathbf{g}$",
     "as |L × ω|/L·ω": r"as $\vert\mathbf{L} \times \boldsymbol{\omega}\vert"
     r"/\mathbf{L}\cdot\boldsymbol{\omega}$",
+    "as K(m) grows": r"as $K(m)$ grows",
+    "if ω_2,0 = 0": r"if $\omega_{2,0} = 0$",
     "as |L| and K go": r"as $\vert L\vert$ and $K$ go",
     "L = Σ m r × v": r"$\mathbf{L} = \sum m \mathbf{r} \times \mathbf{v}$",
     "R_CM × Mg": r"$\mathbf{R}_{\text{CM}} \times M\mathbf{g}$",
@@ -126,6 +128,7 @@ HTML = {
     "sin²θ": f"⟦<mrow><msup><mi>sin</mi><mn>2</mn></msup>{APPLY}{THIN}<mi>θ</mi></mrow>⟧",
     "|ω|": '⟦<mrow><mo form="prefix" fence="true" stretchy="false">|</mo><mi>ω</mi>'
     '<mo form="postfix" fence="true" stretchy="false">|</mo></mrow>⟧',
+    "½": "⟦<mfrac><mn>1</mn><mn>2</mn></mfrac>⟧",
     "10⁻⁶": "⟦<msup><mn>10</mn><mn>−6</mn></msup>⟧",
     "kg m²": "kg ⟦<msup><mtext>m</mtext><mn>2</mn></msup>⟧",
 }
@@ -151,3 +154,12 @@ def test_html_of_prose_is_well_formed_and_says_itself(text):
 
 def test_escape_covers_what_tex_reserves():
     assert escape("\\~^") == r"\textbackslash{}\textasciitilde{}\textasciicircum{}"
+
+
+def test_no_line_ends_between_a_formula_and_its_comma():
+    made = held(prose_html("It is √3; so (θ) is, or θ here."))
+    assert re.findall(r'<span class="m">([^<]*)<math.*?</math>([^<]*)</span>', made) == [
+        ("", ";"),
+        ("(", ")"),
+    ]
+    assert made.count("<span") == 2
