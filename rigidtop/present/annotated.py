@@ -96,7 +96,7 @@ def write(
     """
     inside = {**{f.start: (f.end, _inline(f)) for f in formulas}}
     framed = {mark.start: (mark.end, _framed(mark, n)) for n, mark in enumerate(marks)}
-    body = mathml.held(_text(source, inside, framed))
+    body = _text(source, inside, framed)
     found = "\n".join(
         f'<li><a href="#{_anchor(mark, n)}">({escape(mark.number)})</a>'
         f"{_badge(mark.verdict)} line {mark.line}: {_said(mark.note)}</li>"
