@@ -137,8 +137,11 @@ def _(block: Subhead) -> str:
 
 @_block.register
 def _(block: Quantities) -> str:
-    rows = [(words(what), _cell(value), words(unit)) for what, value, unit in block.rows]
-    return _table((words(block.label), "", ""), [(w, v, "" if u == "1" else u) for w, v, u in rows])
+    rows = [
+        (words(what), _cell(value), "" if unit == "1" else _plain(unit))  # s is a second, no letter
+        for what, value, unit in block.rows
+    ]
+    return _table((words(block.label), "", ""), rows)
 
 
 @_block.register

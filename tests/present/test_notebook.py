@@ -18,7 +18,9 @@ from rigidtop.derivations.rotation_matrices import euler_angle_matrix
 from rigidtop.errors import NoSteadyPrecession, RigidtopError
 from rigidtop.motion.top import HeavyTop
 from rigidtop.present import notebook
+from rigidtop.present.layout import Number
 from rigidtop.present.markdown import markdown
+from rigidtop.present.report import Quantities
 from rigidtop.present.solutions import solved
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.verdict import judge
@@ -114,6 +116,15 @@ def test_a_solution_has_no_digits_of_this_machine(shown):
     assert "**Solution in numbers**" in made
     assert ["| ", " until θ has the value “until” |"][0] in made
     assert all(measure.what not in made for measure in solved(exercise).measures)
+
+
+def test_units_are_no_letters_of_formulas():
+    rows = (("time t", Number("2"), "s"), ("moment", Number("1"), "kg m²"), ("share", "half", "1"))
+    assert markdown([Quantities("Found", rows)]).splitlines()[2:] == [
+        "| time $t$ | $2$ | s |",
+        "| moment | $1$ | kg m² |",
+        "| share | half |  |",
+    ]
 
 
 def test_a_solution_by_its_name(shown):
