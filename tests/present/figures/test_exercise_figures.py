@@ -431,7 +431,7 @@ def test_the_caption_of_the_cone():
     mass = 700 * math.pi * 0.03**2 * 0.06 / 3
     assert f"M = {mass:.3g} kg" in said
     assert "R = ¾ of the height = 0.045 m" in said
-    assert f"N = MgR sin θ e₂′ = {mass * 9.81 * 0.045 * math.sin(0.5):.3g} N m" in said
+    assert f"N, along e₂′, is MgR sin θ = {mass * 9.81 * 0.045 * math.sin(0.5):.3g} N m" in said
     assert f"MgR cos θ = {mass * 9.81 * 0.045 * math.cos(0.5):.3g} J" in said
 
 
