@@ -344,7 +344,8 @@ def _attached(base: str, piece: Piece) -> str:
     if piece.kind == "index":
         return f"<msub>{base}{ml.subscript(GREEK.get(piece.text, piece.text))}</msub>"
     if piece.kind == "sub":
-        return f"<msub>{base}{ml.subscript(piece.text.replace(chr(39), '′'))}</msub>"
+        sub = piece.text.replace("'", "′").replace("-", "−")
+        return f"<msub>{base}{ml.subscript(sub)}</msub>"
     if piece.kind == "power":
         return ml.with_superscript(base, _ml_row(piece.inside))
     shown = piece.text.replace("-", "−")

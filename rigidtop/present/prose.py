@@ -217,7 +217,8 @@ def _among(tokens: list[str], kinds: list[str], i: int) -> str:
     before, after = (tokens[j] if 0 <= j < len(tokens) else "" for j in (i - 2, i + 2))
     kind_after = kinds[i + 2] if after else ""
     if kinds[i] == "letter":  # 14.7 N m, (0, 3.9, 0) N, (N)
-        unit = bool(_QUANTITY.fullmatch(before)) or tokens[i].startswith(f"({letter})")
+        unit = bool(_QUANTITY.fullmatch(before))
+        unit |= letter != "g" and tokens[i].startswith(f"({letter})")
         unit |= letter in "ms" and before in ("in", "per")
         return "word" if letter in _UNITS and unit else "letter"
     if letter == "A":  # no article

@@ -47,6 +47,7 @@ CASES = {
     "Σ m(r − R_CM) × g": r"$\sum m(\mathbf{r} - \mathbf{R}_{\text{CM}}) \times \mathbf{g}$",
     "as |L × ω|/L·ω": r"as $\vert\mathbf{L} \times \boldsymbol{\omega}\vert"
     r"/\mathbf{L}\cdot\boldsymbol{\omega}$",
+    "gravity (g), tilt (m)": r"gravity ($g$), tilt (m)",
     "as K(m) grows": r"as $K(m)$ grows",
     "if ω_2,0 = 0": r"if $\omega_{2,0} = 0$",
     "as |L| and K go": r"as $\vert L\vert$ and $K$ go",
@@ -128,6 +129,7 @@ HTML = {
     "sin²θ": f"⟦<mrow><msup><mi>sin</mi><mn>2</mn></msup>{APPLY}{THIN}<mi>θ</mi></mrow>⟧",
     "|ω|": '⟦<mrow><mo form="prefix" fence="true" stretchy="false">|</mo><mi>ω</mi>'
     '<mo form="postfix" fence="true" stretchy="false">|</mo></mrow>⟧',
+    "Ω₋": '⟦<msub><mi mathvariant="normal">Ω</mi><mo>−</mo></msub>⟧',
     "½": "⟦<mfrac><mn>1</mn><mn>2</mn></mfrac>⟧",
     "10⁻⁶": "⟦<msup><mn>10</mn><mn>−6</mn></msup>⟧",
     "kg m²": "kg ⟦<msup><mtext>m</mtext><mn>2</mn></msup>⟧",
