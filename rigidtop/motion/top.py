@@ -107,7 +107,7 @@ class HeavyTop(RigidBody):
         a, b, c = self.lambda1 * cosine, self.lambda3 * spin, self.weight[2]
         threshold = self._threshold(cosine)
         if abs(b) < threshold * (1 - ROUNDING) or (a == b == 0 < c):
-            least = Context(prec=6, rounding=ROUND_CEILING)  # what is shown is enough
+            least = Context(prec=9, rounding=ROUND_CEILING)  # what is shown is enough
             shown = least.create_decimal_from_float(threshold / self.lambda3)
             needed = f"at least {shown:g} rad/s" if a else "more than 0"
             raise NoSteadyPrecession(
