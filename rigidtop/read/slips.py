@@ -121,10 +121,16 @@ def _of_term(term: Any, put: Callable[[Any], Any]) -> list[Repair]:
         ("factor", f"a factor ½ at {shown}", Rational(1, 2)),
         *(("factor lost", f"{text(factor)} is missing from {shown}", factor) for factor in lost),
     ]
-    return [
+    made = [
         Repair(Slip(kind, words), put(Mul(factor, term, evaluate=False)))
         for kind, words, factor in changed
     ]
+    kept = [k for k, factor in enumerate(Mul.make_args(term)) if isinstance(factor, (sin, cos))]
+    for k in kept if isinstance(term, Mul) else ():
+        words = f"{text(term.args[k])} is too much at {shown}"
+        rest = Mul(*term.args[:k], *term.args[k + 1 :], evaluate=False)
+        made.append(Repair(Slip("factor kept", words), put(rest)))
+    return made
 
 
 def _here(node: Any) -> Iterator[Repair]:

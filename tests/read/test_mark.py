@@ -90,6 +90,9 @@ SLIPS = [
      "the sign of (λ₃ω₃)Ω"),
     ("from-3.54-to-3.57", r"(\lambda_1\cos\theta)\Omega^2", r"(\lambda_1\cos\theta)\Omega", 6,
      "power", "the power of Ω"),
+    ("from-3.54-to-3.57", r"\lambda_3\omega_3)\Omega + MgR",
+     r"\lambda_3\omega_3)\Omega + MgR\sin\theta", 6,
+     "factor kept", "sin θ is too much at MgR sin θ"),
     ("from-3.53-to-3.57-spin-alone", r"$$\omega_3 = \frac{\lambda_1\cos\theta\,\Omega^2 + MgR}"
      r"{\lambda_3\Omega}$$",
      r"$$\Omega = \frac{\lambda_3\omega_3 - \sqrt{\lambda_3^2\omega_3^2 "
