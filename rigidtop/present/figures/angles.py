@@ -22,6 +22,7 @@ from rigidtop.present.figures.style import (
     Floats,
     canvas,
     degrees,
+    head,
     name_at,
     spoken,
 )
@@ -77,19 +78,8 @@ def draw_rotation(
     x, y, _ = view(way)
     axes.plot(x, y, color=ANGLE, lw=1.4, zorder=4)
     if abs(angle) > 0.1:
-        axes.annotate(
-            "",
-            (x[-1], y[-1]),
-            xytext=(x[-6], y[-6]),
-            arrowprops={
-                "arrowstyle": "-|>,head_width=0.16,head_length=0.3",
-                "color": ANGLE,
-                "lw": 0.8,
-                "shrinkA": 0,
-                "shrinkB": 0,
-            },
-            zorder=4.5,
-        )
+        piece = (x[-6], y[-6]), (x[-1], y[-1])
+        head(axes, *piece, width=0.16, length=0.3, color=ANGLE, lw=0.8, zorder=4.5)
     middle = 1.24 * way[30]
     x, y, _ = view(middle)
     name_at(axes, float(x), float(y), symbol, color=ANGLE, ha="center", va="center", fontsize=11)

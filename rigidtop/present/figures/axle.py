@@ -11,7 +11,12 @@ from matplotlib.axes import Axes
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.present.figures.rotors import ring, sense_of_turn
-from rigidtop.present.figures.space import View, arrow, unit
+from rigidtop.present.figures.space import (
+    UPRIGHT,
+    View,
+    arrow,
+    unit,
+)
 from rigidtop.present.figures.style import (
     DASHED,
     INK,
@@ -26,8 +31,6 @@ from rigidtop.present.figures.style import (
     spoken,
 )
 from rigidtop.present.figures.torque import torque
-
-UPRIGHT = np.array([0.0, 0.0, 1.0])
 
 
 def steady(top: HeavyTop, theta: float, omega3: float) -> TopMotion:

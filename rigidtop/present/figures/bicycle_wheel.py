@@ -16,7 +16,6 @@ from rigidtop.derivations.exercises.gyroscope import (
 )
 from rigidtop.motion.motion import TopMotion
 from rigidtop.present.figures.axle import (
-    UPRIGHT,
     beside,
     draw_arrows,
     draw_axle,
@@ -27,12 +26,16 @@ from rigidtop.present.figures.axle import (
 from rigidtop.present.figures.drawing import Drawing
 from rigidtop.present.figures.rotors import fit, ring, sense_of_turn
 from rigidtop.present.figures.solved import answers
-from rigidtop.present.figures.space import View
+from rigidtop.present.figures.space import (
+    UPRIGHT,
+    View,
+)
 from rigidtop.present.figures.style import (
     COLUMN,
     DOTTED,
     GREY,
     INK,
+    MANTLE,
     NOTE,
     OMEGA,
     Floats,
@@ -76,7 +79,7 @@ def draw_wheel(axes: Axes, motion: TopMotion, radius: float, cord: float) -> Non
     for point in ring(centre, e3, half, UPRIGHT, count=SPOKES + 1)[:-1]:
         axes.plot(*VIEW(np.array([centre, point]))[:2], color=GREY, lw=0.6, zorder=2.2)
     axes.plot(*VIEW(rim)[:2], color=INK, lw=3.4, zorder=2.4, label="_rim")
-    axes.plot(*VIEW(rim)[:2], color="#dbe7cf", lw=1.6, zorder=2.5)
+    axes.plot(*VIEW(rim)[:2], color=MANTLE, lw=1.6, zorder=2.5)
     drawn = draw_arrows(axes, VIEW, motion, radius)
     around = _sense(axes, upper, rate)
     fit(axes, VIEW, [*drawn, *rim, *around, 1.05 * upper], (0.2, 0.06, 0.05, 0.02))

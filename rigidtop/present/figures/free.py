@@ -38,6 +38,7 @@ from rigidtop.present.figures.style import (
     WIDE,
     Floats,
     canvas,
+    head,
     name_at,
     said,
     spoken,
@@ -155,19 +156,8 @@ def _head(axes: Axes, x: Floats, y: Floats, near: Floats) -> None:
     at = int(np.argmax(near[:-8]))
     if near[at] <= 0:
         return
-    axes.annotate(
-        "",
-        (x[at + 7], y[at + 7]),
-        xytext=(x[at], y[at]),
-        arrowprops={
-            "arrowstyle": "-|>,head_width=0.12,head_length=0.3",
-            "color": FIRST,
-            "lw": 0.5,
-            "shrinkA": 0,
-            "shrinkB": 0,
-        },
-        zorder=4,
-    )
+    ends = (x[at], y[at]), (x[at + 7], y[at + 7])
+    head(axes, *ends, width=0.12, length=0.3, color=FIRST, lw=0.5, zorder=4)
 
 
 def _draw_polhodes(**moments: float) -> Canvas:

@@ -18,7 +18,6 @@ from rigidtop.derivations.exercises.gyroscope import (
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.present.figures.axle import (
-    UPRIGHT,
     beside,
     draw_arrows,
     draw_axle,
@@ -29,7 +28,11 @@ from rigidtop.present.figures.axle import (
 from rigidtop.present.figures.drawing import Drawing
 from rigidtop.present.figures.rotors import fit, ring, sense_of_turn, solid_disc
 from rigidtop.present.figures.solved import answers
-from rigidtop.present.figures.space import View, arc
+from rigidtop.present.figures.space import (
+    UPRIGHT,
+    View,
+    arc,
+)
 from rigidtop.present.figures.style import (
     COLUMN,
     DASHED,

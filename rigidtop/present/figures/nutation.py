@@ -28,7 +28,15 @@ from rigidtop.present.figures.bodies import (
     vertical,
 )
 from rigidtop.present.figures.drawing import Drawing
-from rigidtop.present.figures.space import View, arrow, circle, on_sphere, paper, sphere
+from rigidtop.present.figures.space import (
+    UPRIGHT,
+    View,
+    arrow,
+    circle,
+    on_sphere,
+    paper,
+    sphere,
+)
 from rigidtop.present.figures.style import (
     COLUMN,
     DASH_DOT,
@@ -53,8 +61,6 @@ from rigidtop.present.figures.style import (
 
 MOST_NUTATIONS = 14
 """In one picture; more of them blur."""
-
-UPRIGHT = np.array([0.0, 0.0, 1.0])
 
 
 def draw_path(axes: Axes, e3: ArrayLike, title: str = "") -> None:

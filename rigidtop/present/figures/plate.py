@@ -21,7 +21,12 @@ from rigidtop.motion.trajectory import Trajectory
 from rigidtop.present.figures.drawing import Drawing
 from rigidtop.present.figures.rotors import solid_disc
 from rigidtop.present.figures.solved import answers
-from rigidtop.present.figures.space import View, arrow, paper
+from rigidtop.present.figures.space import (
+    UPRIGHT,
+    View,
+    arrow,
+    paper,
+)
 from rigidtop.present.figures.style import (
     AXIS,
     COLUMN,
@@ -46,8 +51,6 @@ PICTURES = 2 * WOBBLES + 1
 
 REACH = 2.1
 """How far L and e₃ are drawn, where the rim is at the distance 1; e₃ not beyond its picture."""
-
-UPRIGHT = np.array([0.0, 0.0, 1.0])
 
 
 def thrown(theta: float, radius: float, thickness: float, omega3: float) -> Motion:

@@ -28,6 +28,7 @@ from rigidtop.present.figures.style import (
     SMALL,
     Floats,
     canvas,
+    head,
     in_math,
     name_at,
     said,
@@ -101,7 +102,7 @@ def draw_polar_motion(
                 fontsize=SMALL,
             )
     for k in (15, 195):  # where there are no days of either
-        _head(axes, way[k], way[k + 5])
+        head(axes, way[k], way[k + 5], width=0.18, length=0.4, color=OMEGA, lw=0.5, zorder=4)
     axes.plot([0.0, size], [0.0, 0.0], color=GREY, lw=0.9, ls=DASHED, zorder=2)
     axes.plot(0, 0, "o", color=AXIS, ms=4, zorder=5)
     axes.plot(*way[0], "o", color=OMEGA, ms=6.5, zorder=6)
@@ -115,23 +116,6 @@ def draw_polar_motion(
         text = f"{words},\n${in_math(period)}$ days"
         name_at(axes, 0.0, up * size, text, color=color, ha="center", va="center")
     paper(axes, (-1.3 * size, 1.3 * size), (-1.2 * size, 1.2 * size))
-
-
-def _head(axes: Axes, start: Floats, end: Floats) -> None:
-    """A head on the circle, that says which way round."""
-    axes.annotate(
-        "",
-        (end[0], end[1]),
-        xytext=(start[0], start[1]),
-        arrowprops={
-            "arrowstyle": "-|>,head_width=0.18,head_length=0.4",
-            "color": OMEGA,
-            "lw": 0.5,
-            "shrinkA": 0,
-            "shrinkB": 0,
-        },
-        zorder=4,
-    )
 
 
 def _draw(**values: float) -> Canvas:

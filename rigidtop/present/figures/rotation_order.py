@@ -20,6 +20,7 @@ from rigidtop.present.figures.style import (
     Floats,
     canvas,
     degrees,
+    head,
     said,
     spoken,
 )
@@ -141,19 +142,8 @@ def _draw_way(axes: Axes, way: Floats, angle: float, zorder: float) -> None:
     x, y, _ = VIEW(way)
     axes.plot(x, y, color=TURN, lw=1.2, zorder=zorder, label="_turn")
     if abs(angle) > 0.2:
-        axes.annotate(
-            "",
-            (x[-1], y[-1]),
-            xytext=(x[-9], y[-9]),
-            arrowprops={
-                "arrowstyle": "-|>,head_width=0.14,head_length=0.26",
-                "color": TURN,
-                "lw": 0.8,
-                "shrinkA": 0,
-                "shrinkB": 0,
-            },
-            zorder=zorder,
-        )
+        ends = (x[-9], y[-9]), (x[-1], y[-1])
+        head(axes, *ends, width=0.14, length=0.26, color=TURN, lw=0.8, zorder=zorder)
 
 
 def orders(alpha: float, beta: float, gamma: float) -> list[list[tuple[str, Floats, Turn | None]]]:

@@ -10,11 +10,7 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
 from rigidtop.present.figures.space import View, curve, outline, paper, unit
-from rigidtop.present.figures.style import OMEGA, Floats, name_at
-
-FACE, MANTLE, EDGE = "#c3d6b1", "#dbe7cf", "#55703f"
-"""Colours of a body, those of a top."""
-
+from rigidtop.present.figures.style import EDGE, FACE, MANTLE, OMEGA, Floats, head, name_at
 
 TAIL, HEAD = 3.6, 1.0
 """Where a curved arrow begins and ends, in angles from the side of the eye (rad)."""
@@ -90,19 +86,8 @@ def sense_of_turn(
     behind = view(points)[2] < float(view(middle)[2]) - 1e-9
     curve(axes, view, points, behind, color=OMEGA, lw=1.2, zorder=zorder)
     x, y, _ = view(points[[-8, -1]])
-    axes.annotate(
-        "",
-        (x[1], y[1]),
-        xytext=(x[0], y[0]),
-        arrowprops={
-            "arrowstyle": "-|>,head_width=0.16,head_length=0.34",
-            "color": OMEGA,
-            "lw": 0.8,
-            "shrinkA": 0,
-            "shrinkB": 0,
-        },
-        zorder=zorder + 0.1,
-    )
+    ends = (x[0], y[0]), (x[1], y[1])
+    head(axes, *ends, width=0.16, length=0.34, color=OMEGA, lw=0.8, zorder=zorder + 0.1)
     x, y, _ = view(points)
     k, shift, side = (np.argmin(x), -4, "right") if left else (np.argmax(x), 4, "left")
     name_at(axes, x[k], y[k], words, (shift, -3), color=OMEGA, ha=side, zorder=8)

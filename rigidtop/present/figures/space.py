@@ -11,10 +11,22 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial import ConvexHull
 
-from rigidtop.present.figures.style import HIDDEN, INK, RULE, Floats, name_at
+from rigidtop.present.figures.style import (
+    EDGE,
+    FACE,
+    HIDDEN,
+    INK,
+    MANTLE,
+    RULE,
+    Floats,
+    name_at,
+)
 
 SIZE = 10
 """Of the names of arrows (points)."""
+
+UPRIGHT = np.array([0.0, 0.0, 1.0])
+"""ẑ."""
 
 
 @dataclass(frozen=True)
@@ -189,16 +201,16 @@ def top_body(
     seen_from_above = float(view(axis)[2]) > 0
     mantle = outline(view, np.vstack([rim, np.zeros((1, 3))]))
     lid = np.column_stack(view(rim)[:2])
-    parts = [(mantle, "#dbe7cf"), (lid, "#c3d6b1")]
+    parts = [(mantle, MANTLE), (lid, FACE)]
     if not seen_from_above:
         parts.reverse()
     for step, (shape, color) in enumerate(parts):
         axes.fill(*shape.T, fc="white", ec="none", zorder=zorder + 0.1 * step)
-        axes.fill(*shape.T, fc=color, ec="#55703f", lw=0.7, zorder=zorder + 0.1 * step + 0.05)
+        axes.fill(*shape.T, fc=color, ec=EDGE, lw=0.7, zorder=zorder + 0.1 * step + 0.05)
     if psi_mark is not None and seen_from_above:
         centre = height * axis
         line = np.array([centre, centre + radius * unit(psi_mark)])
-        axes.plot(*view(line)[:2], color="#55703f", lw=1.2, zorder=zorder + 0.3)
+        axes.plot(*view(line)[:2], color=EDGE, lw=1.2, zorder=zorder + 0.3)
 
 
 def table(axes: Axes, view: View, radius: float = 0.75) -> None:

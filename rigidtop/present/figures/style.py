@@ -52,6 +52,9 @@ GREY, RULE, NOTE = "#8a8a8a", "#bdbdbd", "#4d4d4d"
 AXIS, OMEGA, MOMENTUM, TORQUE = SECOND, FIRST, INK, "#7d4e1d"
 """Arrows as the notes colour them: principal axes, ω, L, N."""
 
+FACE, MANTLE, EDGE = "#c3d6b1", "#dbe7cf", "#55703f"
+"""A body: its lid, its side, its outline."""
+
 DASHED: tuple[float, Sequence[float]] = (0, (4, 2))
 HIDDEN: tuple[float, Sequence[float]] = (0, (2.5, 2))
 DASH_DOT: tuple[float, Sequence[float]] = (0, (6, 1.5, 1, 1.5))
@@ -90,14 +93,41 @@ def name_at(
     )
 
 
+def head(
+    axes: Axes,
+    start: tuple[float, float],
+    end: tuple[float, float],
+    *,
+    width: float,
+    length: float,
+    color: str,
+    lw: float,
+    zorder: float,
+) -> None:
+    """The head of a curved arrow, at the end of a short piece of it."""
+    axes.annotate(
+        "",
+        end,
+        xytext=start,
+        arrowprops={
+            "arrowstyle": f"-|>,head_width={width},head_length={length}",
+            "color": color,
+            "lw": lw,
+            "shrinkA": 0,
+            "shrinkB": 0,
+        },
+        zorder=zorder,
+    )
+
+
 # --- Numbers in words ----------------------------------------------------------------------------
 
 
 def said(value: float, digits: int = 3) -> str:
     """A number as captions print it.
 
-    >>> said(-2.5), said(40.0), said(1.2345e-7), said(1e20)
-    ('−2.5', '40', '1.23·10⁻⁷', '10²⁰')
+    >>> said(-2.5), said(40.0), said(1.2345e-7), said(-1e20)
+    ('−2.5', '40', '1.23·10⁻⁷', '−10²⁰')
     """
     if not math.isfinite(value):
         return "∞" if value > 0 else "−∞"
@@ -109,7 +139,7 @@ def said(value: float, digits: int = 3) -> str:
     if not exponent:
         return text.replace("-", "−")
     raised = str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
-    factor = "" if mantissa == "1" else f"{mantissa}·".replace("-", "−")
+    factor = {"1": "", "-1": "−"}.get(mantissa, f"{mantissa}·".replace("-", "−"))
     return f"{factor}10{raised}"
 
 

@@ -21,7 +21,12 @@ from rigidtop.motion.top import HeavyTop
 from rigidtop.present.figures.drawing import Drawing
 from rigidtop.present.figures.rotors import ring, sense_of_turn, solid_disc
 from rigidtop.present.figures.solved import answers
-from rigidtop.present.figures.space import View, arc, paper
+from rigidtop.present.figures.space import (
+    UPRIGHT,
+    View,
+    arc,
+    paper,
+)
 from rigidtop.present.figures.style import (
     COLUMN,
     DASHED,
@@ -40,7 +45,6 @@ from rigidtop.present.figures.style import (
 )
 
 VIEW = View(azimuth=0.0, elevation=0.2)
-UPRIGHT = np.array([0.0, 0.0, 1.0])
 
 SAMPLES = 30, 20_001
 """For each nutation, and at most: where there are more they are too small to be seen."""

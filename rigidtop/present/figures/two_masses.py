@@ -16,6 +16,8 @@ from rigidtop.present.figures.space import View, arc, arrow, circle, curve, pape
 from rigidtop.present.figures.style import (
     COLUMN,
     DASHED,
+    EDGE,
+    FACE,
     GREY,
     INK,
     L_VEC,
@@ -101,7 +103,7 @@ def draw_two_masses(axes: Axes, held: Stick) -> None:
     for k, (side, arm) in enumerate((("left", "$a$"), ("right", "$b$"))):
         x, y, _ = view(places[k])
         size = 12 * float(np.cbrt(held.masses[k] / heaviest))  # as balls of one material
-        axes.plot(x, y, "o", ms=size, mfc="#c3d6b1", mec="#55703f", mew=0.8, zorder=6)
+        axes.plot(x, y, "o", ms=size, mfc=FACE, mec=EDGE, mew=0.8, zorder=6)
         away = (0.5 * size + 3) * (1 - 2 * k)
         short = bool(np.linalg.norm(places[k]) < SHORT)  # beside F, which may lie there
         above = (5, -14)[k] if short else -3

@@ -16,6 +16,8 @@ from rigidtop.present.figures.space import View, arrow, paper, unit
 from rigidtop.present.figures.style import (
     COLUMN,
     DOTTED,
+    EDGE,
+    FACE,
     FIRST,
     GREY,
     INK,
@@ -134,7 +136,7 @@ def _draw_point(axes: Axes, place: Floats, weight: Floats, words: str, size: flo
     axes.plot(x, y, ".", color=GREY, ms=3, zorder=1)
     arrow(axes, view, place + weight, start=place, color=FIRST, lw=1.3)
     x, y, _ = view(place)
-    axes.plot(x, y, "o", ms=size, mfc="#c3d6b1", mec="#55703f", mew=0.8, zorder=6)
+    axes.plot(x, y, "o", ms=size, mfc=FACE, mec=EDGE, mew=0.8, zorder=6)
     side, away = ("left", 0.5 * size + 3) if x >= 0 else ("right", -0.5 * size - 3)
     name_at(axes, float(x), float(y), words, (away, 2), color=INK, ha=side, zorder=7)
 
