@@ -63,6 +63,10 @@ class Rate(Printed):
     """``Rate(L, frame)``: (∂L/∂t) as seen from the frame; without a frame d/dt of a product."""
 
 
+class Partial(Printed):
+    """``Partial(f, x)``: ∂f/∂x, of a letter f; one thing, into which nothing is put."""
+
+
 class SumOver(Printed):
     """``SumOver(k, body)``: Σₖ body.  The meaning of k is a sequence of mappings, one a term."""
 

@@ -642,7 +642,20 @@ class _Builder(Transformer_NonRecursive):
     def exponential(self, items: list[Any]) -> _Value:
         return self._call("exp", items[0], [items[1].closed])
 
-    # Rates
+    # Slopes and rates
+
+    def partial(self, items: list[Any]) -> _Value:
+        of, by = items[1].closed, items[2].closed
+        if of.kind != "scalar" or by.kind != "scalar" or not isinstance(by.tree, Symbol):
+            raise UnreadError("a partial derivative is of a scalar by a letter", of.position)
+        return _made(eq.Partial(of.tree, by.tree), "scalar", of, by, position=items[0].position)
+
+    def rate_of_partial(self, items: list[Any]) -> _Value:
+        made = self.partial(items[1:])
+        tree = made.tree
+        for _ in range(items[0].value):
+            tree = eq.Rate(tree)
+        return _made(tree, "scalar", made, position=items[0].position)
 
     def rate(self, items: list[Any]) -> _Value:
         operator, what = items[0], items[1].closed

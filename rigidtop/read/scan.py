@@ -603,6 +603,12 @@ class _Scan:
             if rest:
                 yield from self.braced(rest, piece.position)
             return
+        slope = _slope(over, below)
+        if slope is not None:
+            yield Token("PARTIAL", "", piece.position)
+            for part in slope:
+                yield from self.braced(part, piece.position)
+            return
         yield Token("FRACTION", piece.text, piece.position)
         yield from self.braced(over, piece.position)
         yield from self.braced(below, piece.position)
@@ -684,6 +690,15 @@ class _Scan:
                 self.of_time()
                 yield Token("CHOICE", tuple(several), position)
                 return
+        if known is None and glyph.accent in ("dot", "ddot"):
+            rates = self.rate_of(glyph)
+            if rates is not None:
+                order, letter = rates
+                yield Token("RATE", order, position)
+                yield Token("_BEGIN", "{", position)
+                yield Token("SYMBOL", letter, position)
+                yield Token("_END", "}", position)
+                return
         if known is None:
             hint = ""
             if glyph.sub in _INDICES:
@@ -693,6 +708,15 @@ class _Scan:
             raise UnreadError(f"no symbol {spelling(glyph)} in this notation{hint}", position)
         self.of_time()
         yield Token("SYMBOL", known, position)
+
+    def rate_of(self, glyph: Glyph) -> tuple[int, sympy.Symbol] | None:
+        """Of a letter with dots that has no symbol: how many dots are to be taken off to one."""
+        below = {"dot": ((1, ""),), "ddot": ((1, "dot"), (2, ""))}[glyph.accent]
+        for order, accent in below:
+            letter = self.known(replace(glyph, accent=accent))
+            if letter is not None:
+                return order, letter
+        return None
 
     def known(self, glyph: Glyph) -> sympy.Symbol | None:
         """The symbol of a glyph, also of a unit vector with a hat that it does not need."""
@@ -844,6 +868,14 @@ def _differentiated(over: Sequence[Piece], order: int) -> tuple[Piece, ...] | No
             return None
         rest = rest[2:]
     return tuple(rest)
+
+
+def _slope(over: Sequence[Piece], below: Sequence[Piece]) -> list[Sequence[Piece]] | None:
+    """f and x of ∂f/∂x; None if it is another fraction."""
+    parts = [[p for p in part if p.text not in _NOTHING] for part in (over, below)]
+    if not all(len(part) > 1 and part[0].text == r"\partial" for part in parts):
+        return None
+    return [part[1:] for part in parts]
 
 
 def _words(group: Sequence[Piece]) -> str:

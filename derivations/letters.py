@@ -1,0 +1,63 @@
+"""What the letters of the lecture are: numbers, coordinates with their rates, vectors, frames."""
+
+from __future__ import annotations
+
+from rigidtop.notation import MATRICES
+from rigidtop.proof.algebra import Letters
+from rigidtop.theory import symbols as s
+
+_ROWS = s.VOCABULARY.items()
+_AXES = (s.e1, s.e2, s.e3)
+
+LETTERS = Letters(
+    numbers=frozenset(
+        {
+            *(x for x, _ in _ROWS if x.is_positive and x not in (s.n, s.mu)),
+            *(s.R1, s.R2, s.R3, s.alpha, s.beta, s.delta, s.kappa, s.omega_0, s.omega_20),
+            *(s.omega_30, s.theta_0, s.theta_i, s.theta_1, s.A, s.epsilon_0, s.m, s.Omega_b),
+            *(s.xhat, s.yhat, s.zhat, s.g_vec, s.F_grav, s.inertia),
+        }
+    ),
+    coordinates=(s.theta, s.phi, s.psi),
+    rates={
+        s.theta: s.thetadot,
+        s.phi: s.phidot,
+        s.psi: s.psidot,
+        s.thetadot: s.thetaddot,
+        s.phidot: s.phiddot,
+        s.psidot: s.psiddot,
+        s.omega1: s.omega1dot,
+        s.omega2: s.omega2dot,
+        s.omega3: s.omega3dot,
+        s.omega1dot: s.omega1ddot,
+        s.omega2dot: s.omega2ddot,
+        s.e3: s.e3dot,
+        s.L_vec: s.L_vecdot,
+        s.E: s.Edot,
+        s.T: s.Tdot,
+    },
+    vectors=frozenset(x for x, quantity in _ROWS if quantity.glyph.bold),
+    operators=frozenset(MATRICES),
+    symmetric=frozenset({s.inertia}),
+    frames=(
+        (s.e1, s.e2, s.e3),
+        (s.e1p, s.e2p, s.e3),
+        (s.h_vec, s.e2p, s.zhat),
+        (s.xhat, s.yhat, s.zhat),
+    ),
+    body=(s.e1, s.e2, s.e3),
+    indexed=frozenset({s.m_k, s.r_k, s.F_k, s.g_k, s.rho, s.r_vec, s.f_r}),
+    components={
+        **{(e, s.omega_vec): w for e, w in zip(_AXES, (s.omega1, s.omega2, s.omega3), strict=True)},
+        **{(e, s.L_vec): x for e, x in zip(_AXES, (s.L1, s.L2, s.L3), strict=True)},
+        **{(e, s.N_vec): x for e, x in zip(_AXES, (s.N1, s.N2, s.N3), strict=True)},
+        (s.e1p, s.omega_vec): s.omega1p,
+        (s.e2p, s.omega_vec): s.omega2p,
+        **{
+            (e, s.L_vec): x
+            for e, x in zip((s.xhat, s.yhat, s.zhat), (s.L_x, s.L_y, s.L_z), strict=True)
+        },
+    },
+    branches={s.Omega_minus: s.Omega, s.Omega_plus: s.Omega},
+    units={x: quantity.unit for x, quantity in _ROWS},
+)

@@ -1,0 +1,574 @@
+"""Printed trees as things to compute with: scalars, vectors, operators.
+
+A *scalar* is a SymPy expression.  Its atoms are letters and what stands for itself: a scalar product
+of two vectors, ∂ℒ/∂θ̇, the rate of a letter.  A *vector* is a sum of such atoms with scalars before
+them, ``ω₁e₁ + ω × L``, never three components: what is said of vectors holds in every frame.  An
+*operator* is a matrix by its letter, which does not commute, or written out.
+
+What is known of a letter comes with the `Letters` of the subject; there is no top here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import sympy
+from sympy import Add, Dummy, Expr, Integer, MatrixBase, Mul, Pow, Symbol
+
+from rigidtop.proof import decide
+from rigidtop.proof.equation import (
+    BODY,
+    SPACE,
+    Cross,
+    Dot,
+    Group,
+    NoMeaningError,
+    Partial,
+    Printed,
+    Rate,
+    SumOver,
+    Transposed,
+    Underbrace,
+    VolumeIntegral,
+)
+
+Value = Any
+"""A scalar, a `Vector`, an operator (an expression of letters that do not commute) or a matrix."""
+
+
+@dataclass(frozen=True)
+class Letters:
+    """What a subject's letters are.
+
+    `numbers` do not change in time, be they scalars or vectors; `coordinates` and `rates` (of each
+    letter that has a rate with a letter of its own) are what a Lagrangian is a function of; every
+    other scalar depends on the motion.  `vectors`, `operators` and `symmetric` operators say what
+    is no scalar; `frames` are right-handed triples of unit vectors, of which `body` is fixed in the
+    body; `indexed` letters belong to one particle of many, or to one place; `components` name the
+    scalar product of an axis and a vector, `branches` the roots of an equation for a letter;
+    `units` are SI.
+    """
+
+    numbers: frozenset[Symbol] = frozenset()
+    coordinates: tuple[Symbol, ...] = ()
+    rates: Mapping[Symbol, Symbol] = field(default_factory=dict)
+    vectors: frozenset[Symbol] = frozenset()
+    operators: frozenset[Symbol] = frozenset()
+    symmetric: frozenset[Symbol] = frozenset()
+    frames: tuple[tuple[Symbol, Symbol, Symbol], ...] = ()
+    body: tuple[Symbol, ...] = ()
+    indexed: frozenset[Symbol] = frozenset()
+    components: Mapping[tuple[Symbol, Symbol], Symbol] = field(default_factory=dict)
+    branches: Mapping[Symbol, Symbol] = field(default_factory=dict)
+    units: Mapping[Symbol, str] = field(default_factory=dict)
+
+    @cached_property
+    def unit_vectors(self) -> frozenset[Symbol]:
+        return frozenset(e for frame in self.frames for e in frame)
+
+    @cached_property
+    def independent(self) -> frozenset[Symbol]:
+        """What a partial derivative holds fixed: numbers, coordinates and their velocities."""
+        velocities = {self.rates[q] for q in self.coordinates if q in self.rates}
+        return self.numbers | {*self.coordinates} | velocities
+
+
+@dataclass(frozen=True, eq=False)
+class Vector:
+    """A sum of atoms, each with its scalar: ``Vector({e1: omega1, e2: omega2})``."""
+
+    terms: Mapping[Expr, Expr]
+
+    def __add__(self, other: Vector) -> Vector:
+        total = dict(self.terms)
+        for atom, factor in other.terms.items():
+            total[atom] = total.get(atom, Integer(0)) + factor
+        return Vector(total)
+
+    def times(self, factor: Expr) -> Vector:
+        return Vector({atom: factor * old for atom, old in self.terms.items()})
+
+
+ZERO = Vector({})
+
+
+class Applied(Printed):
+    """``Applied(I, ω)``: what an operator makes of an atom."""
+
+
+@dataclass(frozen=True)
+class Algebra:
+    """Computes with printed trees; `known` has the values that are put in for atoms."""
+
+    letters: Letters
+    known: Mapping[Any, Value] = field(default_factory=dict)
+
+    # --- trees -------------------------------------------------------------------------------
+
+    def value(self, node: Any) -> Value:
+        """What a printed tree says, with what is known put in."""
+        if isinstance(node, Vector):
+            return self.total(
+                self.times(self.value(factor), self.value(atom))
+                for atom, factor in node.terms.items()
+            )
+        node = sympy.sympify(node)
+        if isinstance(node, MatrixBase):
+            return self._written_out(node)
+        if node in self.known:
+            return self.known[node]
+        if isinstance(node, Symbol):
+            return self._letter(node)
+        if not node.args:
+            return node
+        if isinstance(node, (Group, Underbrace)):
+            return self.value(node.args[0])
+        if isinstance(node, Printed):
+            return self._printed(node)
+        parts = [self.value(part) for part in node.args]
+        if isinstance(node, Add):
+            return self.total(parts)
+        if isinstance(node, Mul):
+            made = parts[0]
+            for part in parts[1:]:
+                made = self.times(made, part)
+            return made
+        if isinstance(node, Pow) and isinstance(parts[0], Vector):
+            if parts[1] != 2:
+                raise NoMeaningError("a power of a vector other than its square")
+            return self.dot(parts[0], parts[0])
+        if any(isinstance(part, Vector) for part in parts):
+            raise NoMeaningError(f"{node.func.__name__} of a vector")
+        return node.func(*parts)
+
+    def _letter(self, letter: Symbol) -> Value:
+        if letter in self.letters.vectors:
+            return Vector({letter: Integer(1)})
+        if letter in self.letters.operators:
+            return Symbol(letter.name, commutative=False)
+        return letter
+
+    def _written_out(self, matrix: MatrixBase) -> Value:
+        entries = matrix.applyfunc(self.value)
+        if matrix.shape == (3, 1) and self.letters.body:
+            # A column is one of components along the axes of the body.
+            return Vector(dict(zip(self.letters.body, entries, strict=True)))
+        return entries
+
+    def _printed(self, node: Printed) -> Value:
+        if isinstance(node, Partial):
+            return self.atom(node)  # one atom: what is put in does not reach into it
+        if isinstance(node, (SumOver, VolumeIntegral)):
+            return self.summed(node, self.value(node.args[1]))
+        if isinstance(node, Rate):
+            return self.rate(self.value(node.args[0]), node.args[1] if len(node.args) > 1 else None)
+        parts = [self.value(part) for part in node.args]
+        if isinstance(node, Cross):
+            return self.cross(*parts)
+        if isinstance(node, Dot):
+            return self.dot(*parts)
+        if isinstance(node, Transposed):
+            return self.transposed(parts[0])
+        if isinstance(node, Applied):
+            return self.times(*parts)
+        raise NoMeaningError(f"no meaning for {type(node).__name__}")
+
+    def atom(self, node: Expr) -> Value:
+        """An atom, or what is put in for it."""
+        return self.known.get(node, node)
+
+    # --- sums and products -------------------------------------------------------------------
+
+    def total(self, parts: Any) -> Value:
+        """The sum; 0 fits every kind."""
+        made: Value = Integer(0)
+        for part in parts:
+            if _is_zero(made):
+                made = part
+            elif _is_zero(part):
+                continue
+            elif isinstance(made, Vector) != isinstance(part, Vector):
+                raise NoMeaningError("a vector and a scalar are added")
+            elif isinstance(made, MatrixBase) != isinstance(part, MatrixBase):
+                scalar, matrix = (part, made) if isinstance(made, MatrixBase) else (made, part)
+                made = matrix + scalar * sympy.eye(matrix.shape[0])
+            else:
+                made = made + part
+        return made
+
+    def times(self, left: Value, right: Value) -> Value:
+        if isinstance(left, Vector) and isinstance(right, Vector):
+            raise NoMeaningError("two vectors side by side: · or × between them?")
+        if isinstance(left, Vector):
+            left, right = right, left
+        if not isinstance(right, Vector):
+            return left * right
+        if isinstance(left, MatrixBase):
+            column = [right.terms.get(e, Integer(0)) for e in self.letters.body]
+            if set(right.terms) - set(self.letters.body):
+                raise NoMeaningError("a matrix that is written out acts on components")
+            return Vector(dict(zip(self.letters.body, left * sympy.Matrix(column), strict=True)))
+        if left.is_commutative:
+            return right.times(left)
+        return self.total(self._applied(term, right) for term in Add.make_args(sympy.expand(left)))
+
+    def _applied(self, term: Expr, vector: Vector) -> Vector:
+        """A product of operators, with a scalar before it, acting on a vector."""
+        scalars, factors = term.args_cnc()
+        product = Mul(*factors)
+        made: Value = ZERO
+        for atom, factor in vector.terms.items():
+            inner = product
+            if isinstance(atom, Applied):
+                inner, atom = product * atom.args[0], atom.args[1]
+                inner = self._shortened(inner)
+            if inner.is_commutative:
+                image: Value = Vector({atom: inner})
+            else:
+                image = self.atom(Applied(inner, atom))
+                image = image if isinstance(image, Vector) else Vector({image: Integer(1)})
+            made = self.total([made, image.times(factor * Mul(*scalars))])
+        return made
+
+    def _shortened(self, product: Expr) -> Expr:
+        """A product of operators with what is known of products put in, such as OᵀO = 1."""
+        for old, new in self.known.items():
+            if isinstance(old, Mul) and not old.is_commutative:
+                product = product.subs(old, new)
+        return product
+
+    def dot(self, left: Value, right: Value) -> Expr:
+        if _is_zero(left) or _is_zero(right):
+            return Integer(0)
+        if not (isinstance(left, Vector) and isinstance(right, Vector)):
+            raise NoMeaningError("a scalar product of what is no vector")
+        return Add(
+            *(
+                p * q * self._dot_atoms(a, b)
+                for a, p in left.terms.items()
+                for b, q in right.terms.items()
+            )
+        )
+
+    def _dot_atoms(self, a: Expr, b: Expr) -> Expr:
+        for frame in self.letters.frames:
+            if a in frame and b in frame:
+                return Integer(int(a == b))
+        if isinstance(b, Cross) and not isinstance(a, Cross):
+            a, b = b, a
+        if isinstance(a, Cross):
+            if isinstance(b, Cross):  # (a × b)·(c × d) = (a·c)(b·d) − (a·d)(b·c)
+                (p, q), (u, v) = a.args, b.args
+                dot = self._dot_atoms
+                return dot(p, u) * dot(q, v) - dot(p, v) * dot(q, u)
+            three = (*a.args, b)
+            if len(set(three)) < 3:
+                return Integer(0)
+            order = sorted(range(3), key=lambda k: _place(three[k]))
+            sign = 1 if order in ([0, 1, 2], [1, 2, 0], [2, 0, 1]) else -1
+            x, y, z = (three[k] for k in order)
+            return sign * self.atom(Dot(Cross(x, y), z))
+        if isinstance(b, Applied) and b.args[0] in self._symmetric and a != b.args[1]:
+            # u·Iv = v·Iu
+            u, v = sorted((a, b.args[1]), key=_place)
+            return self.atom(Dot(u, Applied(b.args[0], v)))
+        if isinstance(a, Applied) and not isinstance(b, Applied):
+            return self._dot_atoms(b, a) if a.args[0] in self._symmetric else self._ordered(a, b)
+        return self._ordered(a, b)
+
+    @cached_property
+    def _symmetric(self) -> frozenset[Expr]:
+        return frozenset(Symbol(x.name, commutative=False) for x in self.letters.symmetric)
+
+    def _ordered(self, a: Expr, b: Expr) -> Expr:
+        named = self.letters.components
+        made = named.get((a, b)) or named.get((b, a))
+        return self.atom(made or Dot(*sorted((a, b), key=_place)))
+
+    def cross(self, left: Value, right: Value) -> Vector:
+        if _is_zero(left) or _is_zero(right):
+            return ZERO
+        if not (isinstance(left, Vector) and isinstance(right, Vector)):
+            raise NoMeaningError("a vector product of what is no vector")
+        return self.total(
+            self._cross_atoms(a, b).times(p * q)
+            for a, p in left.terms.items()
+            for b, q in right.terms.items()
+        )
+
+    def _cross_atoms(self, a: Expr, b: Expr) -> Vector:
+        if a == b:
+            return ZERO
+        for frame in self.letters.frames:
+            if a in frame and b in frame:
+                i, j = frame.index(a), frame.index(b)
+                sign = 1 if (j - i) % 3 == 1 else -1
+                return Vector({frame[3 - i - j]: Integer(sign)})
+        if isinstance(b, Cross):  # a × (u × v) = u(a·v) − v(a·u)
+            u, v = b.args
+            return Vector({u: self._dot_atoms(a, v)}) + Vector({v: -self._dot_atoms(a, u)})
+        if isinstance(a, Cross):
+            return self._cross_atoms(b, a).times(Integer(-1))
+        sign = 1
+        if _place(b) < _place(a):
+            a, b, sign = b, a, -1
+        made = self.atom(Cross(a, b))
+        vector = made if isinstance(made, Vector) else Vector({made: Integer(1)})
+        return vector.times(Integer(sign))
+
+    def transposed(self, operator: Value) -> Value:
+        if isinstance(operator, MatrixBase):
+            return operator.T
+        if isinstance(operator, Vector):
+            raise NoMeaningError("a vector is transposed")
+        made = Integer(0)
+        for term in Add.make_args(sympy.expand(operator)):
+            scalars, factors = term.args_cnc()
+            made += Mul(*scalars, *(self._flipped(f) for f in reversed(factors)))
+        return made
+
+    def _flipped(self, factor: Expr) -> Expr:
+        base, power = factor.as_base_exp()
+        if base.name in {x.name for x in self.letters.symmetric}:
+            return factor
+        name = base.name[:-1] if base.name.endswith("ᵀ") else base.name + "ᵀ"
+        return Symbol(name, commutative=False) ** power
+
+    # --- sums over particles, integrals over a body ------------------------------------------
+
+    def summed(self, node: Expr, body: Value) -> Value:
+        """Σ or ∫ of a value: linear, and what does not change from part to part comes out."""
+        if isinstance(body, Vector):
+            return self.total(
+                self._summed_term(node, term, atom)
+                for atom, factor in body.terms.items()
+                for term in Add.make_args(sympy.expand(factor))
+            )
+        return Add(*(self._summed_scalar(node, t) for t in Add.make_args(sympy.expand(body))))
+
+    def _varies(self, node: Expr) -> bool:
+        return bool(node.free_symbols & self.letters.indexed)
+
+    def _parted(self, term: Expr) -> tuple[Expr, Expr]:
+        """The factors that stay the same for all parts, and those that do not."""
+        factors = Mul.make_args(term)
+        return (
+            Mul(*(f for f in factors if not self._varies(f))),
+            Mul(*(f for f in factors if self._varies(f))),
+        )
+
+    def _summed_term(self, node: Expr, term: Expr, atom: Expr) -> Vector:
+        outside, inside = self._parted(term)
+        if not self._varies(atom):
+            return Vector({atom: outside * self._summed_scalar(node, inside)})
+        if isinstance(atom, Cross) and not all(map(self._varies, atom.args)):
+            a, b = atom.args
+            if self._varies(a):
+                return self.cross(self._summed_term(node, inside, a), self._one(b)).times(outside)
+            return self.cross(self._one(a), self._summed_term(node, inside, b)).times(outside)
+        made = self.atom(node.func(node.args[0], Mul(inside, atom)))
+        return (made if isinstance(made, Vector) else Vector({made: Integer(1)})).times(outside)
+
+    def _one(self, atom: Expr) -> Vector:
+        return Vector({atom: Integer(1)})
+
+    def _summed_scalar(self, node: Expr, term: Expr) -> Expr:
+        outside, inside = self._parted(term)
+        dots = [f for f in Mul.make_args(inside) if isinstance(f, Dot)]
+        for product in dots:
+            a, b = product.args
+            if self._varies(a) != self._varies(b) and not isinstance(a, Cross):
+                varying, fixed = (a, b) if self._varies(a) else (b, a)
+                rest = Mul(*(f for f in Mul.make_args(inside) if f is not product))
+                return outside * self.dot(self._summed_term(node, rest, varying), self._one(fixed))
+        return outside * self.atom(node.func(node.args[0], inside))
+
+    # --- rates -------------------------------------------------------------------------------
+
+    def rate(self, value: Value, frame: Any = None) -> Value:
+        """d/dt along the motion; of vectors as seen from space, or from the body."""
+        if isinstance(value, Vector):
+            parts: list[Value] = []
+            for atom, factor in value.terms.items():
+                parts.append(Vector({atom: self._scalar_rate(factor)}))
+                parts.append(self._atom_rate(atom, frame).times(factor))
+            return _without_zeros(self.total(parts))
+        if isinstance(value, MatrixBase):
+            return value.applyfunc(self._scalar_rate)
+        if not value.is_commutative:
+            raise NoMeaningError("the rate of an operator")
+        return self._scalar_rate(value)
+
+    def _scalar_rate(self, expression: Expr) -> Expr:
+        flat, atoms = flattened(expression)
+        return Add(*(flat.diff(x) * self._rate_of(x, atoms) for x in flat.free_symbols)).xreplace(
+            atoms
+        )
+
+    def _rate_of(self, x: Symbol, atoms: Mapping[Symbol, Expr]) -> Expr:
+        node = atoms.get(x, x)
+        if node in self.letters.numbers:
+            return Integer(0)
+        if node == TIME:
+            return Integer(1)
+        if isinstance(node, Dot):
+            a, b = (self._node_vector(part) for part in node.args)
+            return self.dot(self.rate(a), b) + self.dot(a, self.rate(b))
+        if isinstance(node, (SumOver, VolumeIntegral)):
+            return self.summed(node, self._scalar_rate(node.args[1]))
+        if node in self.letters.rates:
+            return self.atom(self.letters.rates[node])
+        return self.atom(Rate(node))
+
+    def _node_vector(self, node: Expr) -> Vector:
+        if isinstance(node, Cross):
+            return self.cross(*(self._node_vector(part) for part in node.args))
+        return Vector({node: Integer(1)})
+
+    def _atom_rate(self, atom: Expr, frame: Any) -> Vector:
+        """The rate of a vector that is an atom."""
+        seen = frame if frame == BODY else None
+        if seen is None and atom in self.letters.numbers:
+            return ZERO
+        if seen == BODY and atom in self.letters.body:
+            return ZERO
+        if isinstance(atom, Cross):
+            a, b = atom.args
+            first = self.cross(self._atom_rate(a, frame), self._one(b))
+            return self.total([first, self.cross(self._one(a), self._atom_rate(b, frame))])
+        if isinstance(atom, (SumOver, VolumeIntegral)):
+            factors = Mul.make_args(atom.args[1])
+            [inner] = [f for f in factors if self._is_vector(f)]
+            scalar = Mul(*(f for f in factors if f is not inner))
+            return self.summed(atom, self.rate(Vector({inner: scalar}), frame))
+        if seen is None and atom in self.letters.rates:
+            made = self.atom(self.letters.rates[atom])
+        else:
+            made = self.atom(Rate(atom) if seen is None else Rate(atom, seen))
+        return made if isinstance(made, Vector) else Vector({made: Integer(1)})
+
+    def _is_vector(self, node: Expr) -> bool:
+        return node in self.letters.vectors or isinstance(node, (Cross, Applied, Rate))
+
+
+TIME = Symbol("t", real=True)
+
+
+def flattened(expression: Expr) -> tuple[Expr, dict[Symbol, Expr]]:
+    """An expression with a dummy for every atom that is no letter, and what each stands for."""
+    atoms: dict[Symbol, Expr] = {}
+
+    def go(node: Expr) -> Expr:
+        if isinstance(node, Printed):
+            found = next((d for d, known in atoms.items() if known == node), None)
+            if found is None:
+                found = Dummy(real=True)
+                atoms[found] = node
+            return found
+        if not node.args or not node.has(Printed):
+            return node
+        return node.func(*(go(part) for part in node.args))
+
+    return go(expression), atoms
+
+
+def components(left: Value, right: Value) -> list[Expr]:
+    """The scalars that vanish where two values agree."""
+    if isinstance(left, Vector) or isinstance(right, Vector):
+        for side in (left, right):
+            if not isinstance(side, Vector) and not _is_zero(side):
+                raise NoMeaningError("a vector is compared with a scalar")
+        first, second = (side if isinstance(side, Vector) else ZERO for side in (left, right))
+        difference = first + second.times(Integer(-1))
+        return list(difference.terms.values())
+    if isinstance(left, MatrixBase) or isinstance(right, MatrixBase):
+        shape = (left if isinstance(left, MatrixBase) else right).shape
+        square = sympy.eye(shape[0])
+        sides = [x if isinstance(x, MatrixBase) else x * square for x in (left, right)]
+        return list(sides[0] - sides[1])
+    return [sympy.expand(left - right) if _operators(left, right) else left - right]
+
+
+def _operators(*sides: Expr) -> bool:
+    return any(not sympy.sympify(side).is_commutative for side in sides)
+
+
+def agree(left: Value, right: Value) -> bool:
+    """Whether two values are the same, by normal form."""
+    return all(vanishes(part) for part in components(left, right))
+
+
+def vanishes(expression: Expr) -> bool:
+    """Whether a scalar with atoms in it, or an operator, is zero."""
+    if expression == 0:
+        return True
+    if not expression.is_commutative:
+        return bool(sympy.expand(expression) == 0)
+    flat, _ = flattened(expression)
+    if not zero_in_digits(flat):
+        return False
+    return decide.vanishes(flat) or decide.vanishes(_rooted(flat))
+
+
+def _rooted(expression: Expr) -> Expr:
+    """√(x²y) as |x|√y where signs are known: a last attempt, on what is zero in digits."""
+    return sympy.radsimp(sympy.powdenest(sympy.together(sympy.expand(expression)), force=False))
+
+
+def zero_in_digits(expression: Expr, tries: int = 2) -> bool:
+    """Whether a scalar vanishes at some points in double precision: False refutes for certain."""
+    letters = sorted(expression.free_symbols, key=str)
+    for attempt in range(tries):
+        point = {x: _number(x, k, attempt) for k, x in enumerate(letters)}
+        [value, size] = decide.evaluate([expression, _sizes(expression)], point, {})
+        if value != value or value in (float("inf"), float("-inf")):
+            continue
+        if abs(value) > 1e-9 * (1 + (abs(size) if size == size else 0)):
+            return False
+    return True
+
+
+def _sizes(expression: Expr) -> Expr:
+    terms = Add.make_args(expression)
+    return Add(*(sympy.Abs(term, evaluate=False) for term in terms), evaluate=False)
+
+
+def _number(x: Symbol, k: int, attempt: int) -> Expr:
+    """A number between ½ and 1½ that is no other letter's."""
+    return sympy.Rational(50 + (37 * k + 29 * attempt + 11) % 97, 97)
+
+
+def _place(node: Expr) -> str:
+    return sympy.srepr(node)
+
+
+def _is_zero(value: Value) -> bool:
+    return (isinstance(value, Vector) and not value.terms) or (
+        not isinstance(value, (Vector, MatrixBase)) and value == 0
+    )
+
+
+def _without_zeros(value: Value) -> Value:
+    if not isinstance(value, Vector):
+        return value
+    return Vector({atom: factor for atom, factor in value.terms.items() if factor != 0})
+
+
+def atoms_of(value: Value) -> Iterator[Expr]:
+    """The atoms of a value: letters, products of vectors, rates, slopes."""
+    if isinstance(value, Vector):
+        for atom, factor in value.terms.items():
+            yield atom
+            yield from atoms_of(factor)
+    elif isinstance(value, MatrixBase):
+        for entry in value:
+            yield from atoms_of(entry)
+    else:
+        yield from value.free_symbols
+        yield from value.atoms(Printed)
+
+
+__all__ = ["BODY", "SPACE", "Algebra", "Applied", "Letters", "Vector", "agree", "components"]

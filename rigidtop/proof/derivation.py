@@ -1,0 +1,478 @@
+"""Derivations: lines that follow from lines.
+
+A line says what it comes from and by which move.  The engine makes that move with the cited
+equations alone and has to arrive at the line: two sides that differ by a number's factor, or not at
+all.  Whether a line is true in some model is another question, which is asked elsewhere; a true
+line that is not arrived at is a gap.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import sympy
+from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol
+
+from rigidtop.proof import decide
+from rigidtop.proof.algebra import (
+    TIME,
+    Algebra,
+    Letters,
+    Value,
+    Vector,
+    components,
+    flattened,
+    vanishes,
+)
+from rigidtop.proof.equation import Equation, NoMeaningError
+from rigidtop.proof.moves import (
+    Condition,
+    Known,
+    Move,
+    Order,
+    Pair,
+    Performed,
+    Refused,
+    Scope,
+    pairs_of,
+    perform,
+    put_in,
+)
+from rigidtop.theory.symbols import const
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line of a derivation: what it says and what is done to get there.
+
+    Without a move it stands by itself: a law (`source` says whose) or a definition, which gives a
+    name to what is on its other side.  `at` is the number of the line in its file.
+    """
+
+    id: str
+    equations: tuple[Equation, ...]
+    sentence: str
+    move: Move | None = None
+    scope: Scope = Scope.IDENTITY
+    called: str = ""
+    source: str = ""
+    at: int = 0
+
+
+@dataclass(frozen=True)
+class Judged:
+    """What became of a line: `problem` is empty where it follows; `known` is what may be cited."""
+
+    line: Line
+    known: Known
+    problem: Refused | None = None
+    unneeded: tuple[Known, ...] = ()
+
+    @property
+    def follows(self) -> bool:
+        return self.problem is None
+
+
+def judge_line(line: Line, letters: Letters) -> Judged:
+    """Make a line's move and see whether it arrives at the line."""
+    bare = Known(line.id, line.equations, line.scope, called=line.called)
+    if line.move is None:
+        return Judged(line, bare)
+    if line.move.verb == "call":
+        try:
+            return Judged(line, replace(bare, defines=define(line, letters)))
+        except Refused as problem:
+            return Judged(line, bare, problem)
+    try:
+        performed = arrive(line.equations, line.move, letters)
+    except Refused as problem:
+        return Judged(line, bare, problem)
+    known = replace(
+        bare, scope=performed.scope, conditions=performed.conditions, order=performed.order
+    )
+    return Judged(line, known)
+
+
+def define(line: Line, letters: Letters) -> Symbol:
+    """The letter that a definition introduces.  Raises Refused where it is none.
+
+    The letter is new: `move.by` are the letters that stand above.  One that is said to be a number
+    is defined by what does not change, as far as what is cited says.
+    """
+    assert line.move is not None
+    [equation, *more] = line.equations
+    letter = equation.sides[0]
+    if more or len(equation.sides) != 2 or not isinstance(letter, Symbol):
+        raise Refused("a definition has a letter on its left side, and what it means on its right")
+    if letter in line.move.by:
+        raise Refused("{} stands for something already: call it by another letter", letter)
+    if letter in {*letters.coordinates, *letters.rates.values()}:
+        raise Refused("{} is a coordinate or a rate: it can't be defined", letter)
+    right = equation.sides[1]
+    if letter in getattr(right, "free_symbols", set()):
+        raise Refused("{} is defined by itself", letter)
+    if letter in letters.numbers:
+        algebra = Algebra(letters, put_in(line.move.using, letters))
+        try:
+            rate = algebra.value(Algebra(letters).rate(Algebra(letters).value(right)))
+        except NoMeaningError as error:
+            raise Refused(str(error)) from None
+        if not all(vanishes(part) for part in components(rate, Integer(0))):
+            raise Refused("{} is a number, and this changes in time: cite what keeps it", letter)
+    return letter
+
+
+def arrive(equations: Sequence[Equation], move: Move, letters: Letters) -> Performed:
+    """What a move makes, if the equations are that.  Raises Refused."""
+    performed = perform(move, letters)
+    algebra = Algebra(letters, performed.given)
+    shown: set[int] = set()
+    says_something = False
+    try:
+        if move.verb == "integrate" and move.by:
+            solves(equations, move, letters)
+            return performed
+        for equation in equations:
+            for pair in pairs_of(equation, algebra):
+                if move.verb == "integrate" and const not in equation.sides:
+                    raise Refused("say from where: “from $x = x_0$”, or that it is constant")
+                found = _matching(pair, _named(performed, pair, letters), move)
+                says_something |= found is not None
+                if found is not None:
+                    shown.add(found)
+    except NoMeaningError as error:
+        raise Refused(str(error)) from None
+    if not says_something:
+        raise Refused("this holds whatever the letters are: it says nothing")
+    if performed.every:
+        _both_roots(equations, performed, shown)
+    return performed
+
+
+def _both_roots(equations: Sequence[Equation], performed: Performed, shown: set[int]) -> None:
+    if len(shown) < len(performed.pairs):
+        raise Refused("there is another root: show both, or say which by a condition")
+    names = [e.sides[0] for e in equations]
+    if len(set(names)) < len(names):
+        raise Refused("two roots need two letters")
+
+
+def _named(performed: Performed, pair: Pair, letters: Letters) -> Performed:
+    """Roots by the letters that the line gives them: Ω₋ and Ω₊ are roots for Ω."""
+    if not performed.every or not isinstance(pair.left, Symbol):
+        return performed
+    if letters.branches.get(pair.left) != performed.pairs[0].left:
+        return performed
+    return replace(performed, pairs=tuple(replace(p, left=pair.left) for p in performed.pairs))
+
+
+def solves(equations: Sequence[Equation], move: Move, letters: Letters) -> None:
+    """Refused unless the equations, letters as functions of time, are the solution of what is cited.
+
+    They have to satisfy every equation and the values at t = 0: a solution that does is the only
+    one where there are as many first-order equations as letters.
+    """
+    bare = Algebra(letters)
+    found: dict[Any, Value] = {}
+    for equation in equations:
+        for pair in pairs_of(equation, bare):
+            if not isinstance(pair.left, Symbol) or pair.left in letters.numbers:
+                raise Refused("a solution gives a letter as a function of the time")
+            found[pair.left] = pair.right
+            if pair.left in letters.rates:
+                found[letters.rates[pair.left]] = bare.rate(pair.right)
+    algebra = Algebra(letters, found)
+    cited = [p for k in move.of for e in k.equations for p in pairs_of(e, bare)]
+    rates = {letters.rates[x] for x in found if x in letters.rates}
+    if not all(_is_identity(_valued(p, algebra), move) for p in cited):
+        raise Refused("this does not satisfy the equations that are integrated")
+    unknown = {x for p in cited for side in (p.left, p.right) for x in side.free_symbols} & rates
+    if len(unknown) != len(equations):
+        raise Refused("as many equations of the first order as letters have to be integrated")
+    start = {e.sides[0]: bare.value(e.sides[1]) for e in move.by}
+    for letter, value in found.items():
+        if letter in rates:
+            continue
+        if letter not in start:
+            raise Refused("where {} starts is not said", letter)
+        if not _zero(value.subs(TIME, 0) - start[letter], move):
+            raise Refused("{} does not start there", letter)
+
+
+def _valued(pair: Pair, algebra: Algebra) -> Pair:
+    return replace(pair, left=algebra.value(pair.left), right=algebra.value(pair.right))
+
+
+def _matching(pair: Pair, performed: Performed, move: Move) -> int | None:
+    """The number of the performed pair that a pair of the line is; None for an identity."""
+    wrong: Refused | None = None
+    if pair.relation == "=" and _is_identity(pair, move):
+        return None
+    for number, made in enumerate(performed.pairs):
+        problem = _problem(pair, made, performed, move)
+        if problem is None:
+            return number
+        wrong = wrong or problem
+    raise wrong or Refused("nothing comes of this move")
+
+
+def _is_identity(pair: Pair, move: Move) -> bool:
+    return all(_zero(part, move) for part in components(pair.left, pair.right))
+
+
+def _problem(pair: Pair, made: Pair, performed: Performed, move: Move) -> Refused | None:
+    """Why a pair of the line is not the one that was made; None if it is."""
+    order = performed.order
+    if order is not None:
+        return _approximate(pair, made, order, move)
+    if pair.relation == "≈":
+        return Refused("nothing was neglected: write =")
+    factor = _factor(pair, made, move)
+    if factor is None:
+        return Refused("{}", _unlike(pair, made))
+    turned = {"<": ">", ">": "<", "≤": "≥", "≥": "≤"}
+    expected = made.relation
+    if expected in turned and factor < 0:
+        expected = turned[expected]
+    if pair.relation != expected:
+        return Refused("the move gives {}, the line says {}", expected, pair.relation)
+    return None
+
+
+def _unlike(pair: Pair, made: Pair) -> str:
+    return "the move does not arrive here"
+
+
+def _factor(pair: Pair, made: Pair, move: Move) -> Expr | None:
+    """The number c for which line = c × performed; None where there is none."""
+    mine, theirs = _difference(pair), _difference(made)
+    if mine.keys() != theirs.keys():
+        mine = {k: v for k, v in mine.items() if not _zero(v, move)}
+        theirs = {k: v for k, v in theirs.items() if not _zero(v, move)}
+        if mine.keys() != theirs.keys():
+            return None
+    factor = Integer(1)
+    for key in mine:
+        guess = _ratio(mine[key], theirs[key])
+        if guess is not None:
+            factor = guess
+            break
+    if all(_zero(mine[key] - factor * theirs[key], move) for key in mine):
+        return factor
+    return None
+
+
+def _difference(pair: Pair) -> dict[Any, Expr]:
+    if isinstance(pair.left, Vector) or isinstance(pair.right, Vector):
+        total = Vector({})
+        for side, sign in ((pair.left, 1), (pair.right, -1)):
+            if isinstance(side, Vector):
+                total = total + side.times(Integer(sign))
+            elif side != 0:
+                raise NoMeaningError("a vector is compared with a scalar")
+        return dict(total.terms)
+    return dict(enumerate(components(pair.left, pair.right)))
+
+
+def _ratio(mine: Expr, theirs: Expr) -> Expr | None:
+    """A simple number that two expressions may differ by, guessed at one point."""
+    flat, _ = flattened(sympy.Tuple(mine, theirs))
+    letters = sorted(flat.free_symbols, key=str)
+    if not getattr(mine, "is_commutative", True):
+        return Integer(1) if sympy.expand(mine - theirs) == 0 else Integer(-1)
+    for attempt in range(4):
+        point = {x: Rational(60 + (31 * k + 17 * attempt) % 89, 101) for k, x in enumerate(letters)}
+        a, b = decide.evaluate(list(flat), point, {})
+        if a != a or b != b or abs(b) < 1e-9 or abs(a) in (float("inf"),):
+            continue
+        guess = sympy.nsimplify(a / b, rational=True, tolerance=1e-8)
+        return guess if guess.q <= 64 and guess != 0 else None
+    return Integer(1)
+
+
+def _zero(expression: Expr, move: Move) -> bool:
+    """Whether an expression vanishes, letters of known sign being so."""
+    positive = {
+        c.expression: sympy.Dummy(positive=True)
+        for c in move.where
+        if c.relation == ">" and isinstance(c.expression, Symbol)
+    }
+    return vanishes(expression.xreplace(positive) if positive else expression)
+
+
+def _approximate(pair: Pair, made: Pair, order: Order, move: Move) -> Refused | None:
+    if pair.relation != "≈":
+        return Refused("only ≈ follows: something is neglected")
+    factor = _factor(pair, made, move)
+    if factor is None:
+        return Refused("the move does not arrive here")
+    for part in _difference(pair).values():
+        flat, _ = flattened(part)
+        if flat.has(order.small) and _highest(flat, order.small) >= order.power:
+            return Refused(
+                "the line claims more than it has: its error is of order {} in {}",
+                str(order.power),
+                order.small,
+            )
+    return None
+
+
+def _highest(expression: Expr, small: Symbol) -> int:
+    expanded = sympy.expand(expression)
+    return max((int(t.as_coeff_exponent(small)[1]) for t in Add.make_args(expanded)), default=0)
+
+
+# --- whole derivations ---------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """Lines in order, each citing lines above it only, so that there is no circle."""
+
+    lines: tuple[Line, ...]
+    letters: Letters
+
+    def judge(self) -> tuple[Judged, ...]:
+        """Every line with what became of it.  What is cited is cited with its own standing."""
+        standing: dict[str, Known] = {}
+        found: list[Judged] = []
+        for line in self.lines:
+            judged = judge_line(_standing(line, standing), self.letters)
+            standing[line.id] = judged.known
+            found.append(judged)
+        return tuple(found)
+
+
+def _standing(line: Line, standing: dict[str, Known]) -> Line:
+    """A line whose citations carry the scope, conditions and order that they were found to have."""
+    if line.move is None:
+        return line
+    move = replace(
+        line.move,
+        of=tuple(standing.get(k.id, k) for k in line.move.of),
+        using=tuple(standing.get(k.id, k) for k in line.move.using),
+    )
+    return replace(line, move=move)
+
+
+def unneeded(line: Line, letters: Letters) -> Iterator[Known]:
+    """What a line cites without needing it: it is arrived at all the same without."""
+    if line.move is None or line.move.verb == "call":
+        return
+    for known in line.move.using:
+        less = replace(line.move, using=tuple(k for k in line.move.using if k is not known))
+        try:
+            arrive(line.equations, less, letters)
+        except Refused:
+            continue
+        yield known
+
+
+# --- a diagnosis ---------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """Of a line that is not arrived at: whether it follows at all, or numbers against it."""
+
+    entailed: bool
+    at: dict[Symbol, Expr] = field(default_factory=dict)
+    left: Any = None
+    right: Any = None
+
+
+def diagnose(
+    equations: Sequence[Equation], cited: Sequence[Known], letters: Letters
+) -> Diagnosis | None:
+    """Whether equations follow from others by elimination; None where that can't be told."""
+    given: dict[Any, Value] = {}
+    for known in cited:
+        try:
+            given = put_in([*_kept(given, known)], letters)
+        except (Refused, NoMeaningError):
+            return None
+    algebra = Algebra(letters, given)
+    try:
+        pairs = [p for e in equations for p in pairs_of(e, algebra)]
+    except NoMeaningError:
+        return None
+    for pair in pairs:
+        for part in _difference(pair).values():
+            if not vanishes(part):
+                return _numbers(pair, part)
+    return Diagnosis(True)
+
+
+def _kept(given: dict[Any, Value], known: Known) -> Iterator[Known]:
+    yield known
+
+
+def _numbers(pair: Pair, part: Expr) -> Diagnosis | None:
+    """Short numbers at which the two sides differ."""
+    if isinstance(pair.left, Vector) or isinstance(pair.right, Vector):
+        return Diagnosis(False)
+    flat, nodes = flattened(sympy.Tuple(pair.left, pair.right))
+    letters = sorted(flat.free_symbols, key=str)
+    angles = decide.angle_symbols(list(flat))
+    for point in decide.points(letters, angles):
+        left, right = decide.evaluate(list(flat), point, {})
+        if abs(left - right) > 1e-9 * (1 + abs(left) + abs(right)):
+            exact = [side.xreplace(dict(point)) for side in flat]
+            at = {nodes.get(x, x): value for x, value in point.items()}
+            return Diagnosis(False, at, exact[0], exact[1])
+    return None
+
+
+# --- changes: every one has to fall --------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Change:
+    """A line with one thing changed, and what it was."""
+
+    line: Line
+    what: str
+
+
+def changes(
+    line: Line,
+    letters: Letters,
+    others: Sequence[Known] = (),
+    altered: Callable[[Equation], Iterator[tuple[Equation, str]]] | None = None,
+) -> Iterator[Change]:
+    """A line with a sign, a factor, a function changed; with another equation cited, another move."""
+    from rigidtop.proof.perturb import perturbations
+
+    for k, equation in enumerate(line.equations):
+        for changed in perturbations(equation):
+            new = (*line.equations[:k], changed.equation, *line.equations[k + 1 :])
+            yield Change(replace(line, equations=new), changed.change)
+    if line.move is None:
+        return
+    for other in others:
+        for k, old in enumerate(line.move.of):
+            if other.id != old.id:
+                of = (*line.move.of[:k], other, *line.move.of[k + 1 :])
+                yield Change(replace(line, move=replace(line.move, of=of)), f"{other.id} cited")
+    for verb in ("rate", "rewrite", "square"):
+        if verb != line.move.verb:
+            yield Change(replace(line, move=replace(line.move, verb=verb)), f"{verb} instead")
+
+
+__all__ = [
+    "Change",
+    "Condition",
+    "Derivation",
+    "Diagnosis",
+    "Judged",
+    "Line",
+    "Mul",
+    "Pow",
+    "arrive",
+    "changes",
+    "diagnose",
+    "judge_line",
+    "unneeded",
+]

@@ -1,0 +1,855 @@
+"""What is done with equations: moves, performed.
+
+A move takes cited equations and makes new ones of them.  It knows no model: what it does not find
+in the equations that are cited, it does not use.  What can't be done is `Refused`, with the reason
+in words.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from enum import IntEnum
+from typing import Any
+
+import sympy
+from sympy import Add, Dummy, Expr, Integer, MatrixBase, Mul, Symbol
+
+from rigidtop.proof import decide
+from rigidtop.proof.algebra import (
+    Algebra,
+    Applied,
+    Letters,
+    Value,
+    Vector,
+    agree,
+    atoms_of,
+    components,
+    flattened,
+    vanishes,
+)
+from rigidtop.proof.equation import Equation, NoMeaningError, Partial, Printed, Rate
+from rigidtop.theory.symbols import const
+
+
+class Refused(Exception):
+    """A move that can't be made, and why: `nodes` stand where the message has braces."""
+
+    def __init__(self, message: str, *nodes: Any) -> None:
+        super().__init__(message, *nodes)
+        self.message, self.nodes = message, nodes
+
+    def __str__(self) -> str:
+        return self.words()
+
+    def words(self, said: Callable[[Any], str] = str) -> str:
+        """The message, what stands in it printed by `said`."""
+        return self.message.format(*(x if isinstance(x, str) else said(x) for x in self.nodes))
+
+
+class Scope(IntEnum):
+    """Where an equation holds; what rests on several holds where all of them do."""
+
+    IDENTITY = 0
+    """For all coordinates and velocities: it may be differentiated by either."""
+    MOTION = 1
+    """Along the motion: it may be differentiated in time."""
+    SET = 2
+    """Where something is set, at a moment: it may not be differentiated."""
+
+
+@dataclass(frozen=True)
+class Order:
+    """What is neglected is of this order in a small letter: ``Order(epsilon, 2)`` is O(ε²)."""
+
+    small: Symbol
+    power: int
+
+
+@dataclass(frozen=True)
+class Condition:
+    """What has to hold besides: `expression` ≠, >, ≥ or = 0.  `lost`: a branch ends there."""
+
+    expression: Expr
+    relation: str = "≠"
+    lost: bool = False
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two values with a relation between them."""
+
+    left: Value
+    right: Value
+    relation: str = "="
+
+
+@dataclass(frozen=True)
+class Known:
+    """Equations that may be cited: a law, a definition, a line that stands.
+
+    `called` is what sentences call it; `defines` is the letter that it introduces.
+    """
+
+    id: str
+    equations: tuple[Equation, ...]
+    scope: Scope = Scope.IDENTITY
+    conditions: tuple[Condition, ...] = ()
+    order: Order | None = None
+    called: str = ""
+    defines: Symbol | None = None
+
+    @property
+    def tag(self) -> str:
+        return next((e.tag for e in self.equations if e.tag), "")
+
+
+@dataclass(frozen=True)
+class Move:
+    """What a sentence says is done.
+
+    `verb` names the move, `of` what it is done with, `using` what is put in besides.  `by` are
+    expressions: a factor, a variable, axes, values.
+    """
+
+    verb: str
+    of: tuple[Known, ...] = ()
+    using: tuple[Known, ...] = ()
+    by: tuple[Any, ...] = ()
+    power: int = 0
+    where: tuple[Condition, ...] = ()
+    words: str = ""
+
+    @property
+    def cited(self) -> tuple[Known, ...]:
+        return (*self.of, *(k for k in self.using if k not in self.of))
+
+
+@dataclass(frozen=True)
+class Performed:
+    """What a move arrives at.  `given` is put into the line as well, before the two are compared."""
+
+    pairs: tuple[Pair, ...]
+    scope: Scope
+    conditions: tuple[Condition, ...] = ()
+    order: Order | None = None
+    given: Mapping[Any, Value] = field(default_factory=dict)
+    every: bool = False
+    """Whether the line has to show all pairs (both roots)."""
+
+
+# --- equations as values --------------------------------------------------------------------------
+
+
+def pairs_of(equation: Equation, algebra: Algebra, chain: bool = False) -> list[Pair]:
+    """The neighbouring sides of an equation; of a `chain` any two; "= const" as a rate of 0."""
+    values: list[Value] = []
+    made: list[Pair] = []
+    for side in equation.sides:
+        if side == const:
+            made.append(Pair(algebra.rate(values[-1]), Integer(0)))
+            values.append(values[-1])
+            continue
+        values.append(algebra.value(side))
+    relation = "=" if equation.relation == "≡" else equation.relation
+    for j in range(1, len(values)):
+        for i in range(j) if chain else (j - 1,):
+            if equation.sides[j] != const and equation.sides[i] != const:
+                made.append(Pair(values[i], values[j], relation))
+    return made
+
+
+def put_in(known: Sequence[Known], letters: Letters) -> dict[Any, Value]:
+    """What to put in for atoms, so that the equations hold: each equation gives one atom."""
+    given: dict[Any, Value] = {}
+    for each in known:
+        for equation in each.equations:
+            _give(equation, each, given, letters)
+    return given
+
+
+def _give(equation: Equation, source: Known, given: dict[Any, Value], letters: Letters) -> None:
+    algebra = Algebra(letters, given)
+    sides = [side for side in equation.sides if side != const]
+    if const in equation.sides:
+        given_rate = algebra.rate(Algebra(letters).value(sides[-1]))
+        atom = _single(given_rate)
+        if atom is None:
+            raise Refused("{} says that a sum is constant: take the rate of it", _name(source))
+        given[atom[0]] = Integer(0)
+    # Each side as what it is; the first that is an atom gives way to the others.
+    bare = Algebra(letters)
+    raw = [bare.value(side) for side in sides]
+    for i in range(len(sides) - 1):
+        left, right = raw[i], raw[i + 1]
+        for side, other in ((left, right), (right, left)):
+            atom = _single(side)
+            if atom is None or atom[0] in given or atom[0] in set(atoms_of(other)):
+                continue
+            value = algebra.value(other)
+            if atom[0] in set(atoms_of(value)):
+                continue
+            solved = algebra.times(1 / atom[1], value) if atom[1] != 1 else value
+            _settle(given, atom[0], solved, letters)
+            break
+        else:
+            left_now, right_now = algebra.value(sides[i]), algebra.value(sides[i + 1])
+            if agree(left_now, right_now):
+                continue
+            if _differ_by_number(left_now, right_now):
+                raise Refused("what is cited contradicts itself: see {}", _name(source))
+            raise Refused("{} gives no letter to put in: solve it for one first", _name(source))
+
+
+def _differ_by_number(left: Value, right: Value) -> bool:
+    return any(part.is_number and part != 0 for part in components(left, right))
+
+
+def _settle(given: dict[Any, Value], atom: Any, value: Value, letters: Letters) -> None:
+    """Put a value in for an atom, also in what is given already."""
+    one = Algebra(letters, {atom: value})
+    for old in list(given):
+        given[old] = one.value(given[old])
+    given[atom] = value
+
+
+def _single(value: Value) -> tuple[Any, Expr] | None:
+    """The atom of a value that is a number times one atom."""
+    if isinstance(value, Vector):
+        [*terms] = value.terms.items()
+        if len(terms) == 1 and terms[0][1].is_number and terms[0][1] != 0:
+            return terms[0]
+        return None
+    if isinstance(value, MatrixBase):
+        return None
+    if not value.is_commutative:
+        scalars, factors = value.args_cnc() if isinstance(value, Mul) else ([], [value])
+        number = Mul(*scalars)
+        return (Mul(*factors), number) if number.is_number and number != 0 else None
+    number, atom = value.as_coeff_Mul()
+    is_atom = isinstance(atom, (Symbol, Printed))
+    return (atom, number) if is_atom and number != 0 else None
+
+
+def _name(known: Known) -> str:
+    return known.called or (f"({known.tag})" if known.tag else known.id)
+
+
+# --- performing -----------------------------------------------------------------------------------
+
+
+def perform(move: Move, letters: Letters) -> Performed:
+    """Make a move with the equations that it cites, and nothing else.  Raises Refused."""
+    verb = _VERBS.get(move.verb)
+    if verb is None:
+        raise Refused("there is no move {}", move.verb)
+    try:
+        made = verb(move, Algebra(letters))
+        if move.using:
+            made = _with(made, move, letters)
+    except NoMeaningError as error:
+        raise Refused(str(error)) from None
+    conditions = list(made.conditions)
+    for each in (*move.of, *move.using):
+        conditions += [c for c in each.conditions if c not in conditions]
+    conditions += [c for c in move.where if c not in conditions]
+    scope = max((made.scope, *(k.scope for k in move.cited)), default=made.scope)
+    return replace(made, scope=scope, conditions=tuple(conditions))
+
+
+def _with(made: Performed, move: Move, letters: Letters) -> Performed:
+    """What was made, with more put into it."""
+    for each in move.using:
+        if each.scope is Scope.SET:
+            _reaches_into(each, made.pairs, letters)
+    given = put_in(move.using, letters)
+    for old, new in made.given.items():
+        given.setdefault(old, new)
+    algebra = Algebra(letters, given)
+    pairs = tuple(
+        replace(pair, left=algebra.value(pair.left), right=algebra.value(pair.right))
+        for pair in made.pairs
+    )
+    return replace(made, pairs=pairs, given=given, order=_error(made, move.using, letters))
+
+
+def _error(made: Performed, using: Sequence[Known], letters: Letters) -> Order | None:
+    """The order to which the result holds, if something in it or put into it is approximate."""
+    orders = [made.order] if made.order is not None else []
+    for known in using:
+        if known.order is not None:
+            orders.append(_carried(made.pairs, known, known.order, letters))
+    if len({order.small for order in orders}) > 1:
+        raise Refused("two small quantities at once: expand in one after the other")
+    return min(orders, key=lambda order: order.power, default=None)
+
+
+def _carried(pairs: Sequence[Pair], known: Known, order: Order, letters: Letters) -> Order:
+    """The order of the error that an approximate value brings into what it is put in for."""
+    mark = Dummy("error")
+    given = put_in([known], letters)
+    wrong = {
+        atom: algebra_sum(value, mark * order.small**order.power)
+        for atom, value in given.items()
+        if not isinstance(value, (Vector, MatrixBase))
+    }
+    lowest = order.power
+    right, off = Algebra(letters, given), Algebra(letters, {**given, **wrong})
+    for pair in pairs:
+        if isinstance(pair.right, (Vector, MatrixBase)) or not wrong:
+            continue
+        change = flattened(off.value(pair.right) - right.value(pair.right))[0]
+        slope = change.diff(mark).subs(mark, 0)
+        if slope != 0:
+            lowest = min(lowest, _lowest(slope, order.small))
+    return Order(order.small, lowest)
+
+
+def algebra_sum(value: Expr, error: Expr) -> Expr:
+    """A value with its error."""
+    return value + error
+
+
+def _reaches_into(known: Known, pairs: Sequence[Pair], letters: Letters) -> None:
+    """Refuse to put what is set at a moment under a rate or a slope."""
+    atoms = set(put_in([known], letters))
+    for pair in pairs:
+        for side in (pair.left, pair.right):
+            for node in atoms_of(side):
+                inner = {x for part in getattr(node, "args", ()) for x in (part, *_nodes(part))}
+                if isinstance(node, (Rate, Partial)) and inner & atoms:
+                    raise Refused(
+                        "{} is set at a moment: it can't be put in before the derivative is taken",
+                        _name(known),
+                    )
+
+
+def _nodes(tree: Any) -> set[Any]:
+    return set(sympy.preorder_traversal(tree))
+
+
+def _one(move: Move) -> Known:
+    if len(move.of) != 1:
+        raise Refused("{} acts on one equation, not on {}", move.verb, len(move.of))
+    return move.of[0]
+
+
+def _all_pairs(known: Known, algebra: Algebra) -> list[Pair]:
+    return [p for e in known.equations for p in pairs_of(e, algebra, chain=True)]
+
+
+def _put(move: Move, algebra: Algebra) -> Performed:
+    """Put … into …: the equation as it is; what is put in follows."""
+    known = _one(move)
+    return Performed(tuple(_all_pairs(known, algebra)), known.scope, order=known.order)
+
+
+def _differentiate(move: Move, algebra: Algebra) -> Performed:
+    known = _one(move)
+    [by] = move.by
+    if known.scope is not Scope.IDENTITY:
+        holds = "where something is set" if known.scope is Scope.SET else "along the motion only"
+        raise Refused(
+            "{} holds {}: it can't be differentiated by {}, of which it says nothing elsewhere",
+            _name(known),
+            holds,
+            by,
+        )
+    if known.order is not None:
+        raise Refused(
+            "{} is approximate: the slope of what is neglected is not known", _name(known)
+        )
+    made: list[Pair] = []
+    for pair in _all_pairs(known, algebra):
+        if not isinstance(pair.left, Symbol):
+            continue
+        made.append(Pair(Partial(pair.left, by), _slope(pair.right, by, known, algebra)))
+    if not made:
+        raise Refused("{} does not give a letter as a function: solve it for one", _name(known))
+    return Performed(tuple(made), known.scope)
+
+
+def _slope(value: Value, by: Symbol, known: Known, algebra: Algebra) -> Expr:
+    if isinstance(value, (Vector, MatrixBase)):
+        raise Refused("partial derivatives are taken of scalars")
+    flat, atoms = flattened(value)
+    held = algebra.letters.independent
+    for x in flat.free_symbols:
+        node = atoms.get(x, x)
+        if node == by and by not in held:
+            continue
+        if node not in held:
+            raise Refused(
+                "{} in {} depends on the coordinates and velocities: write it out before you differentiate by {}",
+                node,
+                _name(known),
+                by,
+            )
+    return flat.diff(by).xreplace(atoms)
+
+
+def _rate(move: Move, algebra: Algebra) -> Performed:
+    known = _one(move)
+    frame = move.by[0] if move.by else None
+    if known.scope is Scope.SET:
+        raise Refused(
+            "{} holds where something is set, at a moment: its rate does not follow", _name(known)
+        )
+    if known.order is not None:
+        raise Refused("{} is approximate: the rate of what is neglected is not known", _name(known))
+    pairs = [
+        Pair(algebra.rate(pair.left, frame), algebra.rate(pair.right, frame))
+        for pair in _all_pairs(known, algebra)
+        if _equal(pair)
+    ]
+    return Performed(tuple(pairs), known.scope)
+
+
+def _integrate(move: Move, algebra: Algebra) -> Performed:
+    """Over time: what has no rate is constant.  A line that says more is tried by its rate."""
+    known = _one(move)
+    if known.scope is Scope.SET:
+        raise Refused("{} holds at a moment: it can't be integrated", _name(known))
+    return Performed(tuple(_all_pairs(known, algebra)), Scope.MOTION)
+
+
+def _equal(pair: Pair) -> bool:
+    if pair.relation not in ("=", "≡"):
+        raise Refused("a relation {} can't be treated so", pair.relation)
+    return True
+
+
+def _map(move: Move, algebra: Algebra, change: Callable[[Value], Value]) -> Performed:
+    known = _one(move)
+    pairs = [
+        replace(pair, left=change(pair.left), right=change(pair.right))
+        for pair in _all_pairs(known, algebra)
+        if pair.relation in ("=", "≈") or _equal(pair)
+    ]
+    return Performed(tuple(pairs), known.scope, order=known.order)
+
+
+def _component(move: Move, algebra: Algebra) -> Performed:
+    """Along one axis, or along several: the scalar product with each."""
+    pairs: list[Pair] = []
+    known = _one(move)
+    for axis in move.by:
+        along = algebra.value(axis)
+        pairs += _map(move, algebra, lambda v, e=along: algebra.dot(e, v)).pairs
+    return Performed(tuple(pairs), known.scope, order=known.order)
+
+
+def _dot(move: Move, algebra: Algebra) -> Performed:
+    return _product(move, algebra, algebra.dot)
+
+
+def _cross(move: Move, algebra: Algebra) -> Performed:
+    return _product(move, algebra, algebra.cross)
+
+
+def _product(move: Move, algebra: Algebra, times: Callable[[Value, Value], Value]) -> Performed:
+    if len(move.of) == 2:
+        first, second = (_all_pairs(k, algebra) for k in move.of)
+        pairs = [
+            Pair(times(p.left, q.left), times(p.right, q.right)) for p in first for q in second
+        ]
+        return Performed(tuple(pairs), max(k.scope for k in move.of))
+    [by] = move.by
+    vector = algebra.value(by)
+    return _map(move, algebra, lambda v: times(vector, v) if move.power == 0 else times(v, vector))
+
+
+def _sum(sign: int) -> Callable[[Move, Algebra], Performed]:
+    def combine(move: Move, algebra: Algebra) -> Performed:
+        """Add … to …, subtract … from …; `by` are the factors that each is taken with."""
+        factors = [algebra.value(f) for f in move.by] or [Integer(1)] * len(move.of)
+        if len(move.of) != 2:
+            raise Refused("{} takes two equations", move.verb)
+        first, second = (
+            [(p, f) for p in _all_pairs(k, algebra)] for k, f in zip(move.of, factors, strict=True)
+        )
+        pairs = [
+            Pair(
+                algebra.total([algebra.times(g, q.left), algebra.times(sign * f, p.left)]),
+                algebra.total([algebra.times(g, q.right), algebra.times(sign * f, p.right)]),
+            )
+            for p, f in first
+            for q, g in second
+            if _equal(p) and _equal(q)
+        ]
+        return Performed(tuple(pairs), max(k.scope for k in move.of))
+
+    return combine
+
+
+def _multiply(move: Move, algebra: Algebra) -> Performed:
+    [by] = move.by
+    factor = algebra.value(by)
+    known = _one(move)
+    if any(p.relation in ("<", ">", "≤", "≥") for p in _all_pairs(known, algebra)):
+        return _scaled(known, factor, algebra, move)
+    made = _map(move, algebra, lambda v: algebra.times(factor, v))
+    return replace(made, order=_shifted(known.order, factor))
+
+
+def _scaled(known: Known, factor: Expr, algebra: Algebra, move: Move) -> Performed:
+    if not decide.positive(factor, _relations(move.where)):
+        raise Refused("{} has no known sign: an inequality may turn round", factor)
+    pairs = [
+        replace(p, left=algebra.times(factor, p.left), right=algebra.times(factor, p.right))
+        for p in _all_pairs(known, algebra)
+    ]
+    return Performed(tuple(pairs), known.scope)
+
+
+def _relations(conditions: Sequence[Condition]) -> list[Any]:
+    return [_flat_relation(c) for c in conditions if c.relation in _STRICT]
+
+
+def _divide(move: Move, algebra: Algebra) -> Performed:
+    [by] = move.by
+    factor = algebra.value(by)
+    if isinstance(factor, (Vector, MatrixBase)):
+        raise Refused("a division by what is no scalar")
+    if vanishes(factor):
+        raise Refused("a division by 0")
+    made = _multiply(replace(move, by=(1 / factor,)), algebra)
+    conditions = () if nonzero(factor, ()) else (Condition(factor, "≠", lost=True),)
+    return replace(made, conditions=conditions)
+
+
+def nonzero(factor: Expr, conditions: Sequence[Condition]) -> bool:
+    """Whether an expression is known not to vanish."""
+    flat, _ = flattened(factor)
+    relations = _relations(conditions)
+    return decide.nonzero(flat, relations) or any(
+        decide.positive(sign * flat, relations) for sign in (1, -1)
+    )
+
+
+_STRICT = {"≠": sympy.Ne, ">": sympy.Gt}
+
+
+def _flat_relation(condition: Condition) -> Any:
+    flat, _ = flattened(condition.expression)
+    return _STRICT[condition.relation](flat, 0)
+
+
+def _shifted(order: Order | None, factor: Expr) -> Order | None:
+    """The order of an error that is multiplied by a factor."""
+    if order is None:
+        return None
+    lowest = _lowest(factor, order.small)
+    return Order(order.small, order.power + lowest)
+
+
+def _lowest(factor: Expr, small: Symbol) -> int:
+    """The power of a small letter with which a factor begins."""
+    if not factor.has(small):
+        return 0
+    leading = sympy.LT(sympy.series(factor, small, 0, 3).removeO(), small)
+    _, power = leading.as_coeff_exponent(small)
+    return int(power)
+
+
+def _rewrite(move: Move, algebra: Algebra) -> Performed:
+    return _put(move, algebra)
+
+
+def _solve(move: Move, algebra: Algebra) -> Performed:
+    """For one letter or vector, or more: linear, or the roots of a quadratic."""
+    unknowns = [_atom(algebra.value(x), x) for x in move.by]
+    pairs = [p for k in move.of for p in _all_pairs(k, algebra) if _equal(p)]
+    scope = max(k.scope for k in move.of)
+    atoms = {x: Dummy() for x in unknowns}
+    rows = [_linear(components_of(pair), atoms) for pair in pairs]
+    if all(row is not None for row in rows):
+        return _solved_linear(move, [r for row in rows if row for r in row], atoms, scope)
+    if len(unknowns) == 1 and len(pairs) == 1:
+        return _roots(pairs[0], unknowns[0], scope)
+    raise Refused("this is not linear in {}", *move.by)
+
+
+def _atom(value: Value, typed: Any) -> Any:
+    single = _single(value)
+    if single is None:
+        raise Refused("{} is nothing to solve for", typed)
+    return single[0]
+
+
+def components_of(pair: Pair) -> Any:
+    """left − right: a scalar, or a vector as a mapping."""
+    if isinstance(pair.left, Vector) or isinstance(pair.right, Vector):
+        left = pair.left if isinstance(pair.left, Vector) else Vector({})
+        right = pair.right if isinstance(pair.right, Vector) else Vector({})
+        return dict((left + right.times(Integer(-1))).terms)
+    return pair.left - pair.right
+
+
+def _linear(
+    difference: Any, atoms: Mapping[Any, Symbol]
+) -> list[tuple[dict[Any, Any], Any]] | None:
+    """(coefficients of the unknowns, the rest), where they enter linearly; vectors are one row."""
+    if isinstance(difference, dict):
+        coefficients = {x: difference.get(x, Integer(0)) for x in atoms}
+        rest = {a: f for a, f in difference.items() if a not in atoms}
+        return [(coefficients, Vector(rest))]
+    flat, nodes = flattened(difference)
+    back = {node: dummy for dummy, node in nodes.items()}
+    unknowns = [back.get(x, x) for x in atoms]
+    expanded = sympy.expand(flat)
+    coefficients = {}
+    rest = expanded
+    for x, unknown in zip(atoms, unknowns, strict=True):
+        coefficient = expanded.diff(unknown)
+        if coefficient.free_symbols & {u for u in unknowns if isinstance(u, Symbol)}:
+            return None
+        coefficients[x] = coefficient.xreplace(nodes)
+        rest = rest.subs(unknown, 0) if isinstance(unknown, Symbol) else rest
+    return [(coefficients, rest.xreplace(nodes))]
+
+
+def _solved_linear(
+    move: Move, rows: list[tuple[dict[Any, Any], Any]], atoms: Mapping[Any, Symbol], scope: Scope
+) -> Performed:
+    """Gauss: as many rows as unknowns; what is not asked for is eliminated besides."""
+    wanted = list(atoms)
+    rows = [row for row in rows if any(c != 0 for c in row[0].values())]
+    if len(rows) < len(wanted):
+        raise Refused("fewer equations than unknowns")
+    rows = rows[: len(wanted)]
+    matrix = sympy.Matrix([[row[0][x] for x in wanted] for row in rows])
+    determinant = _reduced(matrix.det())
+    if determinant == 0:
+        raise Refused("these equations do not determine what is asked for")
+    inverse = matrix.adjugate().applyfunc(_reduced)
+    pairs = []
+    for i, x in enumerate(wanted):
+        total: Any = None
+        for j, row in enumerate(rows):
+            share = -inverse[i, j] / determinant
+            part = row[1].times(share) if isinstance(row[1], Vector) else share * row[1]
+            total = part if total is None else total + part
+        is_vector = isinstance(rows[0][1], Vector)
+        pairs.append(Pair(Vector({x: Integer(1)}) if is_vector else x, total))
+    kept = pairs[: len(pairs) - move.power]  # `power` unknowns are only eliminated
+    conditions = () if nonzero(determinant, move.where) else (Condition(determinant, "≠", True),)
+    return Performed(tuple(kept), scope, conditions)
+
+
+def _reduced(expression: Expr) -> Expr:
+    from rigidtop.theory.trig import reduce_trig
+
+    flat, nodes = flattened(expression)
+    return reduce_trig(flat).xreplace(nodes)
+
+
+def _roots(pair: Pair, unknown: Any, scope: Scope) -> Performed:
+    """Both roots of a quadratic, told apart by a sign."""
+    difference = components_of(pair)
+    if isinstance(difference, dict):
+        raise Refused("a vector equation that is not linear")
+    flat, nodes = flattened(difference)
+    back = {node: dummy for dummy, node in nodes.items()}
+    x = back.get(unknown, unknown)
+    polynomial = sympy.Poly(sympy.expand(flat), x) if flat.is_polynomial(x) else None
+    if polynomial is None or polynomial.degree() != 2:
+        raise Refused("this is neither linear nor quadratic in {}", unknown)
+    a, b, c = (coefficient.xreplace(nodes) for coefficient in polynomial.all_coeffs())
+    discriminant = b**2 - 4 * a * c
+    roots = [(-b + sign * sympy.sqrt(discriminant)) / (2 * a) for sign in (-1, 1)]
+    conditions = [Condition(discriminant, "≥")]
+    if not nonzero(a, ()):
+        conditions.append(Condition(a, "≠", lost=True))
+    pairs = tuple(Pair(unknown, root) for root in roots)
+    return Performed(pairs, scope, tuple(conditions), every=True)
+
+
+def _root(move: Move, algebra: Algebra) -> Performed:
+    """The square root of both sides; the sign has to be given."""
+    known = _one(move)
+    pairs = []
+    conditions: list[Condition] = []
+    for pair in _all_pairs(known, algebra):
+        if isinstance(pair.left, (Vector, MatrixBase)) or not _equal(pair):
+            raise Refused("the root of what is no scalar")
+        left = sympy.sqrt(sympy.factor(pair.left))
+        bases = [abs_.args[0] for abs_ in left.atoms(sympy.Abs)]
+        for base in bases:
+            if not _sign_known(base, move.where):
+                raise Refused("the root is ±: say for which sign of {}, such as “for … > 0”", base)
+        left = left.replace(sympy.Abs, lambda x: x)
+        pairs.append(Pair(left, sympy.sqrt(pair.right)))
+        conditions.append(Condition(pair.right, "≥"))
+    return Performed(tuple(pairs), known.scope, tuple(conditions))
+
+
+def _sign_known(base: Expr, conditions: Sequence[Condition]) -> bool:
+    flat, _ = flattened(base)
+    return decide.positive(flat, [_flat_relation(c) for c in conditions if c.relation == ">"])
+
+
+def _square(move: Move, algebra: Algebra) -> Performed:
+    def squared(value: Value) -> Value:
+        return algebra.dot(value, value) if isinstance(value, Vector) else value**2
+
+    return _map(move, algebra, squared)
+
+
+def _expand(move: Move, algebra: Algebra) -> Performed:
+    """To an order in a small letter."""
+    known = _one(move)
+    [small] = move.by
+    if known.order is not None and known.order.power <= move.power:
+        raise Refused(
+            "{} holds to O({}^{}) only: its terms of order {} are not known",
+            _name(known),
+            small,
+            known.order.power,
+            move.power,
+        )
+
+    def series(value: Value) -> Value:
+        if isinstance(value, Vector):
+            return Vector({atom: series(factor) for atom, factor in value.terms.items()})
+        if isinstance(value, MatrixBase):
+            return value.applyfunc(series)
+        flat, nodes = flattened(value)
+        if not flat.has(small):
+            return value
+        made = sympy.series(flat, small, 0, move.power + 1).removeO()
+        return made.xreplace(nodes)
+
+    pairs = [
+        Pair(pair.left, series(pair.right), "≈")
+        for pair in _all_pairs(known, algebra)
+        if pair.relation in ("=", "≈")
+    ]
+    return Performed(tuple(pairs), known.scope, order=Order(small, move.power + 1))
+
+
+def _neglect(move: Move, algebra: Algebra) -> Performed:
+    """Leave terms out: the line says ≈."""
+    known = _one(move)
+    left_out = [algebra.value(x) for x in move.by]
+    pairs = []
+    for pair in _all_pairs(known, algebra):
+        for k, side in enumerate((pair.left, pair.right)):
+            rest = side
+            for term in left_out:
+                if not _contains(rest, term):
+                    break
+                rest = algebra.total([rest, algebra.times(Integer(-1), term)])
+            else:
+                sides = (rest, pair.right) if k == 0 else (pair.left, rest)
+                pairs.append(Pair(*sides, "≈"))
+    if not pairs:
+        raise Refused("what is neglected does not stand there")
+    small = Symbol("neglected")
+    return Performed(tuple(pairs), known.scope, order=Order(small, 1))
+
+
+def _contains(value: Value, term: Value) -> bool:
+    """Whether a sum has these terms."""
+    if isinstance(value, Vector) != isinstance(term, Vector):
+        return False
+    if isinstance(value, Vector):
+        return all(
+            atom in value.terms and _contains(value.terms[atom], factor)
+            for atom, factor in term.terms.items()
+        )
+    here = Add.make_args(sympy.expand(value))
+    return all(part in here for part in Add.make_args(sympy.expand(term)))
+
+
+def _set(move: Move, algebra: Algebra) -> Performed:
+    """Values for letters, at a moment; `power` 1: at all times, so that their rates vanish too."""
+    known = _one(move)
+    given = _values(move, algebra)
+    letters = algebra.letters
+    always = move.power or all(
+        x in letters.numbers and value.free_symbols <= letters.numbers for x, value in given.items()
+    )
+    if always:
+        for atom in list(given):
+            if (
+                isinstance(given[atom], (Vector, MatrixBase))
+                or given[atom].free_symbols - letters.numbers
+            ):
+                raise Refused("only to a number can a letter be set at all times")
+            while atom in letters.rates:
+                atom = letters.rates[atom]
+                given[atom] = Integer(0)
+    else:
+        _not_under_a_rate(given, known, algebra)
+    put = Algebra(algebra.letters, given)
+    pairs = [
+        replace(pair, left=put.value(pair.left), right=put.value(pair.right))
+        for pair in _all_pairs(known, algebra)
+    ]
+    scope = known.scope if always and not move.power else Scope.MOTION if always else Scope.SET
+    conditions = tuple(
+        Condition(algebra.value(e.sides[0]) - algebra.value(e.sides[1]), "=")
+        for e in move.by
+        if not isinstance(algebra.value(e.sides[0]), Vector)
+    )
+    return Performed(tuple(pairs), scope, conditions, known.order, given)
+
+
+def _values(move: Move, algebra: Algebra) -> dict[Any, Value]:
+    given: dict[Any, Value] = {}
+    for equation in move.by:
+        atom = _atom(algebra.value(equation.sides[0]), equation.sides[0])
+        given[atom] = algebra.value(equation.sides[1])
+    return given
+
+
+def _not_under_a_rate(given: Mapping[Any, Value], known: Known, algebra: Algebra) -> None:
+    for pair in _all_pairs(known, algebra):
+        for side in (pair.left, pair.right):
+            for node in atoms_of(side):
+                if isinstance(node, (Rate, Partial)) and node not in given:
+                    inner = {x for part in node.args for x in _nodes(part)}
+                    if inner & set(given):
+                        raise Refused(
+                            "{} stands there: what is set at a moment says nothing of a derivative",
+                            node,
+                        )
+
+
+_VERBS: Mapping[str, Callable[[Move, Algebra], Performed]] = {
+    "put": _put,
+    "differentiate": _differentiate,
+    "rate": _rate,
+    "integrate": _integrate,
+    "component": _component,
+    "dot": _dot,
+    "cross": _cross,
+    "add": _sum(1),
+    "subtract": _sum(-1),
+    "multiply": _multiply,
+    "divide": _divide,
+    "rewrite": _rewrite,
+    "solve": _solve,
+    "root": _root,
+    "square": _square,
+    "expand": _expand,
+    "neglect": _neglect,
+    "set": _set,
+}
+
+
+__all__ = [
+    "Applied",
+    "Condition",
+    "Known",
+    "Move",
+    "Order",
+    "Pair",
+    "Performed",
+    "Refused",
+    "Scope",
+    "components",
+    "pairs_of",
+    "perform",
+]

@@ -1,0 +1,229 @@
+"""Pages in Markdown become lines: a sentence, ending in a colon, and the display that it leads to.
+
+    ## Equation of motion
+
+    Differentiate (3.53) by $\\dot\\theta$:
+
+    $$\\frac{\\partial\\mathcal L}{\\partial\\dot\\theta} = \\lambda_1\\dot\\theta$$
+
+Headings and other paragraphs are the lecture's text.  Only the last sentence of a paragraph in
+front of a display says a move (`rigidtop.read.sentence`); on a page of laws it names the law.
+``<a id="constant-rate"></a>`` gives the lines below it, up to the next heading or name, a name.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+from rigidtop.errors import RigidtopError
+from rigidtop.notation import Notation
+from rigidtop.proof.algebra import Letters
+from rigidtop.proof.derivation import Judged, Line, judge_line
+from rigidtop.proof.equation import symbols_of
+from rigidtop.proof.moves import Known, Move, Scope
+from rigidtop.read import sentence as language
+from rigidtop.read.formula import read
+
+
+@dataclass(frozen=True)
+class Text:
+    """A paragraph, in Markdown, at a line of its file."""
+
+    words: str
+    at: int
+
+
+@dataclass(frozen=True)
+class Heading:
+    """A heading with its level."""
+
+    level: int
+    words: str
+    at: int
+
+
+@dataclass(frozen=True)
+class Display:
+    """A line of a derivation with its display as it is written, or the problem with it."""
+
+    latex: str
+    at: int
+    line: Line | None = None
+    problem: str = ""
+    anchor: str = ""
+
+
+Block = Text | Heading | Display
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page, read."""
+
+    file: str
+    blocks: tuple[Block, ...]
+
+    @property
+    def lines(self) -> tuple[Line, ...]:
+        return tuple(b.line for b in self.blocks if isinstance(b, Display) and b.line is not None)
+
+    @property
+    def problems(self) -> tuple[tuple[int, str], ...]:
+        return tuple((b.at, b.problem) for b in self.blocks if isinstance(b, Display) and b.problem)
+
+
+_SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z])")
+_ANCHOR = re.compile(r'\s*<a id="([\w.-]+)"></a>\s*')
+
+
+def read_page(
+    source: str,
+    file: str,
+    name: str,
+    notation: Notation,
+    above: Sequence[Known],
+    laws: bool = False,
+) -> Page:
+    """Read a page.  `above` may be cited, besides the page's own lines; `laws` need no move."""
+    reader = _Reader(file, name, notation, list(above), laws)
+    for text, at in _paragraphs(source):
+        reader.take(text, at)
+    reader.end()
+    return Page(file, tuple(reader.blocks))
+
+
+def _paragraphs(source: str) -> list[tuple[str, int]]:
+    """Blocks between empty lines, with the numbers of their first lines; a display is whole."""
+    made: list[tuple[str, int]] = []
+    lines = source.split("\n")
+    i = 0
+    while i < len(lines):
+        if not lines[i].strip():
+            i += 1
+            continue
+        start = i
+        if lines[i].lstrip().startswith("$$"):
+            while not (
+                (lines[i].rstrip().endswith("$$")
+                and lines[i].strip() != "$$")
+                or (i > start and lines[i].strip().endswith("$$"))
+            ):
+                i += 1
+                if i == len(lines):
+                    break
+            i += 1
+        elif lines[i].startswith("#"):
+            i += 1
+        else:
+            while i < len(lines) and lines[i].strip() and not lines[i].lstrip().startswith("$$"):
+                i += 1
+        made.append(("\n".join(lines[start:i]), start + 1))
+    return made
+
+
+@dataclass
+class _Reader:
+    """Goes through the paragraphs of a page."""
+
+    file: str
+    name: str
+    notation: Notation
+    above: list[Known]
+    laws: bool
+    blocks: list[Block] = field(default_factory=list)
+    page: list[Known] = field(default_factory=list)
+    pending: tuple[str, int] | None = None
+    anchor: str = ""
+    source: str = ""
+
+    def take(self, text: str, at: int) -> None:
+        anchored = _ANCHOR.match(text)
+        if anchored is not None:
+            self.anchor = anchored[1]
+            text = text[anchored.end() :]
+            if not text:
+                return
+        if text.startswith("#"):
+            self.end()
+            level = len(text) - len(text.lstrip("#"))
+            self.blocks.append(Heading(level, text[level:].strip(), at))
+            self.anchor = ""
+        elif text.lstrip().startswith("$$"):
+            self.display(text.strip().strip("$").strip(), at)
+        else:
+            self.end()
+            *before, last = _SENTENCE.split(text)
+            if last.rstrip().endswith(":"):
+                if before and not self.laws:
+                    self.blocks.append(Text(" ".join(before), at))
+                self.source = " ".join(before)
+                self.pending = (last.strip(), at + text[: text.rindex(last)].count("\n"))
+            else:
+                self.blocks.append(Text(text, at))
+
+    def end(self) -> None:
+        """A sentence that ends in a colon was followed by no display."""
+        if self.pending is not None:
+            words, at = self.pending
+            self.blocks.append(Text(words, at))
+            self.pending = None
+
+    def display(self, latex: str, at: int) -> None:
+        sentence, self.pending = self.pending, None
+        try:
+            if sentence is None:
+                raise RigidtopError(
+                    "a display without its sentence: say in front of it, with a colon, what is done"
+                )
+            line = self.line(latex, *sentence)
+        except (RigidtopError, language.SentenceError) as error:
+            self.blocks.append(Display(latex, at, None, str(error), self.anchor))
+            return
+        self.blocks.append(Display(latex, at, line, "", self.anchor))
+        known = Known(line.id, line.equations, line.scope, called=line.called)
+        self.page.append(known)
+        self.above.append(known)
+
+    def line(self, latex: str, sentence: str, at: int) -> Line:
+        found = read(latex, self.notation)
+        equations = []
+        for each in found:
+            if each.equation is None:
+                raise RigidtopError(f"not read: {each.problem}")
+            equations.append(each.equation)
+        tag = next((e.tag for e in equations if e.tag), "")
+        number = sum(isinstance(b, Display) for b in self.blocks) + 1
+        made = Line(tag or f"{self.name}:{number}", tuple(equations), sentence, at=at)
+        words = sentence.rstrip(":").strip()
+        if self.laws:
+            along = re.match(r"Along the motion,? +", words)
+            called = words[along.end() :] if along else words
+            scope = Scope.MOTION if along else Scope.IDENTITY
+            return replace(made, scope=scope, called=called, source=self.source)
+        defines = language.DEFINES.fullmatch(words)
+        context = language.Context(self.above, self.notation, self.page)
+        if defines is not None:
+            name, using = language.definition(words, context)
+            letters = {x for k in self.above for e in k.equations for x in symbols_of(e)}
+            call = Move("call", using=using, by=tuple(letters), words=sentence)
+            return replace(made, called=name, move=call)
+        return replace(made, move=language.move(sentence, context))
+
+
+def judge_page(page: Page, letters: Letters, standing: dict[str, Known]) -> tuple[Judged, ...]:
+    """Judge the lines of a page, in order; `standing` takes up what they may be cited as."""
+    made = []
+    for line in page.lines:
+        if line.move is not None:
+            move = replace(
+                line.move,
+                of=tuple(standing.get(k.id, k) for k in line.move.of),
+                using=tuple(standing.get(k.id, k) for k in line.move.using),
+            )
+            line = replace(line, move=move)
+        judged = judge_line(line, letters)
+        standing[line.id] = judged.known
+        made.append(judged)
+    return tuple(made)

@@ -1,0 +1,303 @@
+"""Sentences that say what is done: "Put (3.44) and the potential into the Lagrangian:".
+
+A small language, in the words of the blackboard.  A sentence stands in front of a display and names
+a move (`rigidtop.proof.moves`), what it is done with, and what is put in besides:
+
+    Put A, B and C into D.                  Take the component of A along $e$.
+    Differentiate A by $x$.                 Resolve A along $e$, $f$ and $g$.
+    Take the rate of A.                     Dot A with $e$.      Cross $e$ with A.
+    Integrate A.  (to a constant)           Integrate A from $x = x_0$.  (where t = 0)
+    Add A to B.                             Subtract $f$ times A from B.
+    Multiply A by $f$.                      Divide A by $f$.
+    Rearrange A.   Expand A.   Collect A.   Factor A.
+    Solve A for $x$.                        Solve A for $x$, without $y$.
+    Take the root of A.                     Square A.
+    Set $x = 0$ in A.                       Set $x = 0$ at all times in A.
+    Expand A to second order in $x$.        Neglect $f$ in A.
+    Call the name of it.                    (a definition)
+
+Behind a comma may stand "with B" (put in as well) and "for $x > 0$" (under a condition).  A, B are
+numbers in brackets, names, letters in dollars, "it" (the line above) or "both" (the two above).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from sympy import Symbol
+
+from rigidtop.notation import Notation
+from rigidtop.proof.equation import BODY, SPACE, Equation
+from rigidtop.proof.moves import Condition, Known, Move
+from rigidtop.read.formula import read
+
+
+class SentenceError(ValueError):
+    """A sentence that is not of this language, and what would be right."""
+
+
+ORDERS = {"zeroth": 0, "first": 1, "second": 2, "third": 3, "fourth": 4}
+_MATH = re.compile(r"\$([^$]+)\$")
+_REF = r"(?P<{}>.+?)"
+
+
+@dataclass(frozen=True)
+class Context:
+    """What sentences may speak of: the lines above, in order, and how letters are written."""
+
+    above: Sequence[Known]
+    notation: Notation
+    page: Sequence[Known] = ()
+    """The lines of this page, of which "it" is the last."""
+
+
+def move(sentence: str, context: Context) -> Move:
+    """The move that a sentence says.  Raises SentenceError."""
+    plain = " ".join(sentence.strip().rstrip(":").split())
+    plain = re.sub(r"^(?:Now|Then|Next|Again|Finally|And),? +", "", plain)
+    plain = plain[:1].upper() + plain[1:]
+    body, using, where = _suffixes(plain, context)
+    for pattern, build in _PATTERNS:
+        found = pattern.fullmatch(body)
+        if found is not None:
+            made = build(_Words(found.groupdict(), context))
+            return replace(
+                made, using=(*made.using, *using), where=(*made.where, *where), words=sentence
+            )
+    first = plain.split()[0] if plain else ""
+    raise SentenceError(f"no move begins with {first!r}" if first not in _FIRST else _hint(first))
+
+
+def _suffixes(plain: str, context: Context) -> tuple[str, tuple[Known, ...], tuple[Condition, ...]]:
+    """The sentence without ", with …" and ", for …", and what these say."""
+    using: tuple[Known, ...] = ()
+    where: tuple[Condition, ...] = ()
+    while True:
+        found = re.fullmatch(r"(.*), (with|for) (.+?)", plain) if ", " in plain else None
+        if found is None:
+            return plain, using, where
+        body, word, rest = found.groups()
+        if word == "for":
+            if not _MATH.match(rest):
+                return plain, using, where
+            where = (*(_condition(m[1], context) for m in _MATH.finditer(rest)), *where)
+        else:
+            using = (*_list(rest, context), *using)
+        plain = body
+
+
+def _condition(latex: str, context: Context) -> Condition:
+    equation = _equation(latex, context)
+    left, right = equation.sides
+    difference = left - right if right != 0 else left
+    if equation.relation == "<":
+        return Condition(right - left, ">")
+    if equation.relation in (">", "≠"):
+        return Condition(difference, equation.relation)
+    raise SentenceError(f"a condition is ≠, > or <, not {equation.relation}")
+
+
+def _equation(latex: str, context: Context) -> Equation:
+    lines = read(latex, context.notation)
+    if len(lines) != 1 or lines[0].equation is None:
+        raise SentenceError(f"${latex}$ is not read: {lines[0].problem}")
+    return lines[0].equation
+
+
+def _expression(latex: str, context: Context) -> Any:
+    return _equation(latex + " = 0", context).sides[0]
+
+
+@dataclass(frozen=True)
+class _Words:
+    """The parts of a sentence that matched."""
+
+    parts: Mapping[str, str]
+    context: Context
+
+    def known(self, name: str) -> tuple[Known, ...]:
+        return _list(self.parts[name], self.context)
+
+    def math(self, name: str) -> tuple[Any, ...]:
+        found = _MATH.findall(self.parts[name])
+        if not found or _MATH.sub("", self.parts[name]).replace(",", "").split() not in (
+            [],
+            ["and"],
+        ):
+            raise SentenceError(f"{self.parts[name]!r}: letters stand in dollars")
+        return tuple(_expression(latex, self.context) for latex in found)
+
+    def equations(self, name: str) -> tuple[Equation, ...]:
+        return tuple(_equation(latex, self.context) for latex in _MATH.findall(self.parts[name]))
+
+
+def _list(said: str, context: Context) -> tuple[Known, ...]:
+    """What "A, B and C" names."""
+    said = said.strip()
+    if said in ("both", "both of them"):
+        return _last(context, 2)
+    if said == "all three":
+        return _last(context, 3)
+    one = _named(said, context)
+    if one is not None:
+        return (one,)
+    parts = [p.strip() for p in re.split(r",(?: and)? | and ", said)]
+    if len(parts) == 1:
+        raise SentenceError(_unknown(said, context))
+    return tuple(k for part in parts for k in _list(part, context))
+
+
+def _last(context: Context, count: int) -> tuple[Known, ...]:
+    if len(context.page) < count:
+        raise SentenceError("there are not so many lines above")
+    return tuple(context.page[-count:])
+
+
+def _named(said: str, context: Context) -> Known | None:
+    if said in ("it", "this"):
+        return _last(context, 1)[0]
+    number = re.fullmatch(r"\(([^()\s]+)\)", said)
+    if number is not None:
+        return next((k for k in reversed(context.above) if k.tag == number[1]), None)
+    letter = _MATH.fullmatch(said)
+    if letter is not None:
+        return _of_letter(_expression(letter[1], context), context)
+    name = _key(said)
+    return next((k for k in reversed(context.above) if k.called and _key(k.called) == name), None)
+
+
+def _of_letter(letter: Any, context: Context) -> Known | None:
+    """The last equation of this page, else of those before, that says what a letter is."""
+    for lines in (context.page, context.above):
+        for known in reversed(lines):
+            if any(equation.sides[0] == letter for equation in known.equations):
+                return known
+    return None
+
+
+def _key(name: str) -> str:
+    words = re.sub(r"^(?:the|a|an) ", "", name.strip(), flags=re.I)
+    return " ".join(words.split()).lower()
+
+
+def _unknown(said: str, context: Context) -> str:
+    from difflib import get_close_matches
+
+    names = [k.called for k in context.above if k.called] + [
+        f"({k.tag})" for k in context.above if k.tag
+    ]
+    near = get_close_matches(said, names, n=2)
+    hint = f"; did you mean {' or '.join(near)}?" if near else ""
+    return f"nothing above is called {said!r}{hint}"
+
+
+def _simple(verb: str, **fixed: Any) -> Callable[[_Words], Move]:
+    return lambda w: Move(verb, w.known("a"), **fixed)
+
+
+def _by(verb: str) -> Callable[[_Words], Move]:
+    return lambda w: Move(verb, w.known("a"), by=w.math("x"))
+
+
+def _put(w: _Words) -> Move:
+    return Move("put", w.known("b"), using=w.known("a"))
+
+
+def _rate(frame: Any = None) -> Callable[[_Words], Move]:
+    return lambda w: Move("rate", w.known("a"), by=() if frame is None else (frame,))
+
+
+def _product(verb: str) -> Callable[[_Words], Move]:
+    def build(w: _Words) -> Move:
+        a, b = w.parts["a"], w.parts["b"]
+        if _is_vector(b, w.context):
+            return Move(verb, w.known("a"), by=w.math("b"), power=1)
+        if _is_vector(a, w.context):
+            return Move(verb, w.known("b"), by=w.math("a"))
+        return Move(verb, (*w.known("a"), *w.known("b")))
+
+    return build
+
+
+def _is_vector(said: str, context: Context) -> bool:
+    """Whether a letter in dollars is meant as itself, not as the equation that says what it is."""
+    return _MATH.fullmatch(said.strip()) is not None
+
+
+def _combined(verb: str) -> Callable[[_Words], Move]:
+    def build(w: _Words) -> Move:
+        factor = w.math("x")[0] if w.parts.get("x") else None
+        by = () if factor is None else (factor, 1)
+        return Move(verb, (*w.known("a"), *w.known("b")), by=by)
+
+    return build
+
+
+def _solve(w: _Words) -> Move:
+    without = w.math("y") if w.parts.get("y") else ()
+    return Move("solve", w.known("a"), by=(*w.math("x"), *without), power=len(without))
+
+
+def _expand(w: _Words) -> Move:
+    return Move("expand", w.known("a"), by=w.math("x"), power=ORDERS[w.parts["n"]])
+
+
+def _integrate(w: _Words) -> Move:
+    return Move("integrate", w.known("a"), by=w.equations("x"))
+
+
+def _set(always: int) -> Callable[[_Words], Move]:
+    return lambda w: Move("set", w.known("a"), by=w.equations("x"), power=always)
+
+
+_A, _B, _X, _Y = (_REF.format(name) for name in "abxy")
+_SHAPES: tuple[tuple[str, Callable[[_Words], Move]], ...] = (
+    (rf"Put {_A} into {_B}", _put),
+    (rf"Compare {_A} with {_B}", _put),
+    (rf"Differentiate {_A} by {_X}", _by("differentiate")),
+    (rf"Take the rate of {_A} in the body", _rate(BODY)),
+    (rf"Take the rate of {_A} in space", _rate(SPACE)),
+    (rf"Take the rate of {_A}", _rate()),
+    (rf"Integrate {_A} from (?P<x>\$.+\$)", _integrate),
+    (rf"Integrate {_A}", _simple("integrate")),
+    (rf"Take the component of {_A} along {_X}", _by("component")),
+    (rf"Resolve {_A} along {_X}", _by("component")),
+    (rf"Dot {_A} with {_B}", _product("dot")),
+    (rf"Cross {_A} with {_B}", _product("cross")),
+    (rf"Add (?:(?P<x>\$[^$]+\$) times )?{_A} to {_B}", _combined("add")),
+    (rf"Subtract (?:(?P<x>\$[^$]+\$) times )?{_A} from {_B}", _combined("subtract")),
+    (rf"Multiply {_A} by {_X}", _by("multiply")),
+    (rf"Divide {_A} by {_X}", _by("divide")),
+    (rf"Expand {_A} to (?P<n>{'|'.join(ORDERS)}) order in {_X}", _expand),
+    (rf"(?:Rearrange|Expand|Factor|Rewrite) {_A}", _simple("rewrite")),
+    (rf"Collect {_A}(?: in {_X})?", _simple("rewrite")),
+    (rf"Solve {_A} for (?P<x>\$.+\$), without (?P<y>\$.+\$)", _solve),
+    (rf"Solve {_A} for (?P<x>\$.+\$)", _solve),
+    (rf"Take the root of {_A}", _simple("root")),
+    (rf"Square {_A}", _simple("square")),
+    (rf"Neglect {_X} in {_A}", _by("neglect")),
+    (rf"Set {_X} at all times in {_A}", _set(1)),
+    (rf"Set {_X} in {_A}", _set(0)),
+)
+_PATTERNS = tuple((re.compile(shape), build) for shape, build in _SHAPES)
+_FIRST = {shape.split()[0] for shape, _ in _SHAPES} | {"Rearrange", "Expand", "Factor", "Rewrite"}
+DEFINES = re.compile(r"Call (?P<name>.+)")
+
+
+def definition(words: str, context: Context) -> tuple[str, tuple[Known, ...]]:
+    """The name that a definition gives, and what it cites."""
+    body, using, where = _suffixes(words, context)
+    if where:
+        raise SentenceError("a definition has no condition")
+    return body.removeprefix("Call "), using
+
+
+def _hint(first: str) -> str:
+    shapes = [line.strip() for line in (__doc__ or "").splitlines() if first in line]
+    return f"a sentence with {first} is written so: {'; '.join(shapes)}"
+
+
+__all__ = ["BODY", "DEFINES", "SPACE", "Context", "SentenceError", "Symbol", "move"]

@@ -1,0 +1,296 @@
+"""Lines that follow from lines: what moves make, and what they refuse."""
+
+from __future__ import annotations
+
+import pytest
+
+from rigidtop.derivations.letters import LETTERS
+from rigidtop.notation import NOTES
+from rigidtop.read.page import judge_page, read_page
+
+LAWS = r"""
+The kinetic energy:
+
+$$T = \tfrac12\lambda_1(\dot\phi^2\sin^2\theta + \dot\theta^2)
++ \tfrac12\lambda_3(\dot\psi + \dot\phi\cos\theta)^2$$
+
+The Lagrangian:
+
+$$\mathcal L = \tfrac12\lambda_1(\dot\phi^2\sin^2\theta + \dot\theta^2)
++ \tfrac12\lambda_3(\dot\psi + \dot\phi\cos\theta)^2 - MgR\cos\theta \tag{3.53}$$
+
+The spin momentum:
+
+$$p_\psi = \lambda_3(\dot\psi + \dot\phi\cos\theta)$$
+
+The moment:
+
+$$\lambda_3 = 1$$
+
+The other moment:
+
+$$\lambda_3 = 2$$
+
+Along the motion, Lagrange's equation for $\theta$:
+
+$$\frac{d}{dt}\frac{\partial\mathcal L}{\partial\dot\theta} = \frac{\partial\mathcal L}{\partial\theta}$$
+
+Along the motion, the balance:
+
+$$0 = \lambda_1\dot\phi^2\sin\theta\cos\theta - p_\psi\dot\phi\sin\theta + MgR\sin\theta$$
+
+Along the motion, Euler's third equation:
+
+$$\lambda_3\dot\omega_3 = (\lambda_1 - \lambda_2)\omega_1\omega_2$$
+"""
+
+
+def judged(page: str):
+    """The lines of a page below the laws, each with what became of it."""
+    laws = read_page(LAWS, "laws.md", "laws", NOTES, [], laws=True)
+    assert not laws.problems
+    standing: dict = {}
+    above = [each.known for each in judge_page(laws, LETTERS, standing)]
+    found = read_page(page, "page.md", "page", NOTES, above)
+    assert not found.problems, found.problems
+    return judge_page(found, LETTERS, standing)
+
+
+def last(page: str) -> str:
+    """Why the last line does not follow, or nothing."""
+    *before, line = judged(page)
+    assert all(each.follows for each in before), [str(each.problem) for each in before]
+    return str(line.problem or "")
+
+
+FOLLOWS = {
+    "differentiate": r"""
+Differentiate (3.53) by $\dot\theta$:
+
+$$\frac{\partial\mathcal L}{\partial\dot\theta} = \lambda_1\dot\theta$$
+
+Take the rate of it:
+
+$$\frac{d}{dt}\frac{\partial\mathcal L}{\partial\dot\theta} = \lambda_1\ddot\theta$$
+""",
+    "put backwards": r"""
+Put the spin momentum into (3.53):
+
+$$\mathcal L = \tfrac12\lambda_1(\dot\phi^2\sin^2\theta + \dot\theta^2)
++ \frac{p_\psi^2}{2\lambda_3} - MgR\cos\theta$$
+""",
+    "numbers are set at all times": r"""
+Set $\lambda_2 = \lambda_1$ in Euler's third equation:
+
+$$\lambda_3\dot\omega_3 = 0$$
+
+Divide it by $\lambda_3$:
+
+$$\dot\omega_3 = 0$$
+
+Integrate it:
+
+$$\omega_3 = \text{const}$$
+""",
+    "divide": r"""
+Divide the balance by $\sin\theta$:
+
+$$0 = \lambda_1\dot\phi^2\cos\theta - p_\psi\dot\phi + MgR$$
+""",
+    "multiples": r"""
+Subtract $\dot\psi$ times the spin momentum from the kinetic energy:
+
+$$T - p_\psi\dot\psi = \tfrac12\lambda_1(\dot\phi^2\sin^2\theta + \dot\theta^2)
++ \tfrac12\lambda_3(\dot\psi + \dot\phi\cos\theta)^2
+- \lambda_3(\dot\psi + \dot\phi\cos\theta)\dot\psi$$
+""",
+}
+
+
+@pytest.mark.parametrize("name", FOLLOWS)
+def test_a_performed_move_arrives(name: str) -> None:
+    assert last(FOLLOWS[name]) == ""
+
+
+REFUSED = {
+    "Routh's trap": (
+        r"""
+Put the spin momentum into (3.53):
+
+$$\mathcal L = \tfrac12\lambda_1(\dot\phi^2\sin^2\theta + \dot\theta^2)
++ \frac{p_\psi^2}{2\lambda_3} - MgR\cos\theta$$
+
+Differentiate it by $\theta$:
+
+$$\frac{\partial\mathcal L}{\partial\theta}
+= \lambda_1\dot\phi^2\sin\theta\cos\theta + MgR\sin\theta$$
+""",
+        "p_psi in page:1 depends on the coordinates and velocities",
+    ),
+    "set and then differentiated": (
+        r"""
+Set $\dot\theta = 0$ in (3.53):
+
+$$\mathcal L = \tfrac12\lambda_1\dot\phi^2\sin^2\theta
++ \tfrac12\lambda_3(\dot\psi + \dot\phi\cos\theta)^2 - MgR\cos\theta$$
+
+Differentiate it by $\dot\theta$:
+
+$$\frac{\partial\mathcal L}{\partial\dot\theta} = 0$$
+""",
+        "holds where something is set: it can't be differentiated by thetadot",
+    ),
+    "the rate of what is set at a moment": (
+        r"""
+Set $\dot\phi = 0$ in the spin momentum:
+
+$$p_\psi = \lambda_3\dot\psi$$
+
+Take the rate of it:
+
+$$\frac{d}{dt}p_\psi = \lambda_3\ddot\psi$$
+""",
+        "holds where something is set, at a moment",
+    ),
+    "along the motion only": (
+        r"""
+Differentiate the balance by $\theta$:
+
+$$0 = \lambda_1\dot\phi^2$$
+""",
+        "holds along the motion only",
+    ),
+    "= where ≈ follows": (
+        r"""
+Neglect $MgR\sin\theta$ in the balance:
+
+$$0 = \lambda_1\dot\phi^2\sin\theta\cos\theta - p_\psi\dot\phi\sin\theta$$
+""",
+        "only ≈ follows",
+    ),
+    "≈ where nothing is neglected": (
+        r"""
+Divide the balance by $\sin\theta$:
+
+$$0 \approx \lambda_1\dot\phi^2\cos\theta - p_\psi\dot\phi + MgR$$
+""",
+        "nothing was neglected",
+    ),
+    "one root of two": (
+        r"""
+Divide the balance by $\sin\theta$:
+
+$$0 = \lambda_1\dot\phi^2\cos\theta - p_\psi\dot\phi + MgR$$
+
+Solve it for $\dot\phi$:
+
+$$\dot\phi = \frac{p_\psi - \sqrt{p_\psi^2 - 4\lambda_1 MgR\cos\theta}}{2\lambda_1\cos\theta}$$
+""",
+        "there is another root",
+    ),
+    "a root without its sign": (
+        r"""
+Square the spin momentum:
+
+$$p_\psi^2 = \lambda_3^2(\dot\psi + \dot\phi\cos\theta)^2$$
+
+Take the root of it:
+
+$$p_\psi = \lambda_3(\dot\psi + \dot\phi\cos\theta)$$
+""",
+        "the root is ±: say for which sign of p_psi",
+    ),
+    "more than its order": (
+        r"""
+Call the ratio:
+
+$$D = \frac{1}{1 - \varepsilon}$$
+
+Expand it to first order in $\varepsilon$:
+
+$$D \approx 1 + \varepsilon$$
+
+Divide it by $\varepsilon$:
+
+$$\frac{D}{\varepsilon} \approx \frac{1}{\varepsilon} + 1 + \varepsilon$$
+""",
+        "does not arrive",
+    ),
+    "premises that contradict each other": (
+        r"""
+Put the moment and the other moment into the spin momentum:
+
+$$p_\psi = \dot\psi$$
+""",
+        "contradicts itself: see other moment",
+    ),
+    "a leap": (
+        r"""
+Put (3.53) into Lagrange's equation for $\theta$:
+
+$$\lambda_1\ddot\theta = \lambda_1\dot\phi^2\sin\theta\cos\theta
+- \lambda_3(\dot\psi + \dot\phi\cos\theta)\dot\phi\sin\theta + MgR\sin\theta$$
+""",
+        "the move does not arrive here",
+    ),
+    "not divided": (
+        r"""
+Rearrange the balance:
+
+$$0 = \lambda_1\dot\phi^2\cos\theta - p_\psi\dot\phi + MgR$$
+""",
+        "the move does not arrive here",
+    ),
+    "an acceleration can't be defined": (
+        r"""
+Call the acceleration:
+
+$$\ddot\theta = \sin\theta$$
+""",
+        "is a coordinate or a rate",
+    ),
+    "a letter is defined twice": (
+        r"""
+Call the energy again:
+
+$$T = \lambda_1\dot\theta^2$$
+""",
+        "T stands for something already",
+    ),
+    "a number that changes": (
+        r"""
+Call the frequency:
+
+$$\Omega_b = \frac{(\lambda_1 - \lambda_3)\omega_3}{\lambda_1}$$
+""",
+        "Omega_b is a number, and this changes in time",
+    ),
+    "nothing is said": (
+        r"""
+Rearrange the balance:
+
+$$\lambda_1 = \lambda_1$$
+""",
+        "it says nothing",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_does_not_follow_is_refused(name: str) -> None:
+    page, reason = REFUSED[name]
+    assert reason in last(page)
+
+
+def test_conditions_of_a_division_are_inherited() -> None:
+    first, second = judged(
+        FOLLOWS["divide"]
+        + r"""
+Put the spin momentum into it:
+
+$$0 = \lambda_1\dot\phi^2\cos\theta - \lambda_3(\dot\psi + \dot\phi\cos\theta)\dot\phi + MgR$$
+"""
+    )
+    assert [str(c.expression) for c in first.known.conditions] == ["sin(theta)"]
+    assert first.known.conditions == second.known.conditions
+    assert second.known.conditions[0].lost
