@@ -1,7 +1,7 @@
 """Printed trees as things to compute with: scalars, vectors, operators.
 
-A *scalar* is a SymPy expression.  Its atoms are letters and what stands for itself: a scalar product
-of two vectors, ∂ℒ/∂θ̇, the rate of a letter.  A *vector* is a sum of such atoms with scalars before
+A *scalar* is a SymPy expression.  Its atoms are letters and what stands for itself: the product of
+two vectors, ∂ℒ/∂θ̇, the rate of a letter.  A *vector* is a sum of such atoms with scalars before
 them, ``ω₁e₁ + ω × L``, never three components: what is said of vectors holds in every frame.  An
 *operator* is a matrix by its letter, which does not commute, or written out.
 

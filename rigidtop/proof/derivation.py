@@ -34,7 +34,7 @@ from rigidtop.proof.moves import (
     Order,
     Pair,
     Performed,
-    Refused,
+    RefusedError,
     Scope,
     pairs_of,
     perform,
@@ -67,7 +67,7 @@ class Judged:
 
     line: Line
     known: Known
-    problem: Refused | None = None
+    problem: RefusedError | None = None
     unneeded: tuple[Known, ...] = ()
 
     @property
@@ -83,11 +83,11 @@ def judge_line(line: Line, letters: Letters) -> Judged:
     if line.move.verb == "call":
         try:
             return Judged(line, replace(bare, defines=define(line, letters)))
-        except Refused as problem:
+        except RefusedError as problem:
             return Judged(line, bare, problem)
     try:
         performed = arrive(line.equations, line.move, letters)
-    except Refused as problem:
+    except RefusedError as problem:
         return Judged(line, bare, problem)
     known = replace(
         bare, scope=performed.scope, conditions=performed.conditions, order=performed.order
@@ -96,7 +96,7 @@ def judge_line(line: Line, letters: Letters) -> Judged:
 
 
 def define(line: Line, letters: Letters) -> Symbol:
-    """The letter that a definition introduces.  Raises Refused where it is none.
+    """The letter that a definition introduces.  Raises RefusedError where it is none.
 
     The letter is new: `move.by` are the letters that stand above.  One that is said to be a number
     is defined by what does not change, as far as what is cited says.
@@ -105,27 +105,31 @@ def define(line: Line, letters: Letters) -> Symbol:
     [equation, *more] = line.equations
     letter = equation.sides[0]
     if more or len(equation.sides) != 2 or not isinstance(letter, Symbol):
-        raise Refused("a definition has a letter on its left side, and what it means on its right")
+        raise RefusedError(
+            "a definition has a letter on its left side, and what it means on its right"
+        )
     if letter in line.move.by:
-        raise Refused("{} stands for something already: call it by another letter", letter)
+        raise RefusedError("{} stands for something already: call it by another letter", letter)
     if letter in {*letters.coordinates, *letters.rates.values()}:
-        raise Refused("{} is a coordinate or a rate: it can't be defined", letter)
+        raise RefusedError("{} is a coordinate or a rate: it can't be defined", letter)
     right = equation.sides[1]
     if letter in getattr(right, "free_symbols", set()):
-        raise Refused("{} is defined by itself", letter)
+        raise RefusedError("{} is defined by itself", letter)
     if letter in letters.numbers:
         algebra = Algebra(letters, put_in(line.move.using, letters))
         try:
             rate = algebra.value(Algebra(letters).rate(Algebra(letters).value(right)))
         except NoMeaningError as error:
-            raise Refused(str(error)) from None
+            raise RefusedError(str(error)) from None
         if not all(vanishes(part) for part in components(rate, Integer(0))):
-            raise Refused("{} is a number, and this changes in time: cite what keeps it", letter)
+            raise RefusedError(
+                "{} is a number, and this changes in time: cite what keeps it", letter
+            )
     return letter
 
 
 def arrive(equations: Sequence[Equation], move: Move, letters: Letters) -> Performed:
-    """What a move makes, if the equations are that.  Raises Refused."""
+    """What a move makes, if the equations are that.  Raises RefusedError."""
     performed = perform(move, letters)
     algebra = Algebra(letters, performed.given)
     shown: set[int] = set()
@@ -137,15 +141,15 @@ def arrive(equations: Sequence[Equation], move: Move, letters: Letters) -> Perfo
         for equation in equations:
             for pair in pairs_of(equation, algebra):
                 if move.verb == "integrate" and const not in equation.sides:
-                    raise Refused("say from where: “from $x = x_0$”, or that it is constant")
+                    raise RefusedError("say from where: “from $x = x_0$”, or that it is constant")
                 found = _matching(pair, _named(performed, pair, letters), move)
                 says_something |= found is not None
                 if found is not None:
                     shown.add(found)
     except NoMeaningError as error:
-        raise Refused(str(error)) from None
+        raise RefusedError(str(error)) from None
     if not says_something:
-        raise Refused("this holds whatever the letters are: it says nothing")
+        raise RefusedError("this holds whatever the letters are: it says nothing")
     if performed.every:
         _both_roots(equations, performed, shown)
     return performed
@@ -153,10 +157,10 @@ def arrive(equations: Sequence[Equation], move: Move, letters: Letters) -> Perfo
 
 def _both_roots(equations: Sequence[Equation], performed: Performed, shown: set[int]) -> None:
     if len(shown) < len(performed.pairs):
-        raise Refused("there is another root: show both, or say which by a condition")
+        raise RefusedError("there is another root: show both, or say which by a condition")
     names = [e.sides[0] for e in equations]
     if len(set(names)) < len(names):
-        raise Refused("two roots need two letters")
+        raise RefusedError("two roots need two letters")
 
 
 def _named(performed: Performed, pair: Pair, letters: Letters) -> Performed:
@@ -169,7 +173,7 @@ def _named(performed: Performed, pair: Pair, letters: Letters) -> Performed:
 
 
 def solves(equations: Sequence[Equation], move: Move, letters: Letters) -> None:
-    """Refused unless the equations, letters as functions of time, are the solution of what is cited.
+    """Raises RefusedError unless letters as functions of time solve what is cited.
 
     They have to satisfy every equation and the values at t = 0: a solution that does is the only
     one where there are as many first-order equations as letters.
@@ -179,7 +183,7 @@ def solves(equations: Sequence[Equation], move: Move, letters: Letters) -> None:
     for equation in equations:
         for pair in pairs_of(equation, bare):
             if not isinstance(pair.left, Symbol) or pair.left in letters.numbers:
-                raise Refused("a solution gives a letter as a function of the time")
+                raise RefusedError("a solution gives a letter as a function of the time")
             found[pair.left] = pair.right
             if pair.left in letters.rates:
                 found[letters.rates[pair.left]] = bare.rate(pair.right)
@@ -187,18 +191,18 @@ def solves(equations: Sequence[Equation], move: Move, letters: Letters) -> None:
     cited = [p for k in move.of for e in k.equations for p in pairs_of(e, bare)]
     rates = {letters.rates[x] for x in found if x in letters.rates}
     if not all(_is_identity(_valued(p, algebra), move) for p in cited):
-        raise Refused("this does not satisfy the equations that are integrated")
+        raise RefusedError("this does not satisfy the equations that are integrated")
     unknown = {x for p in cited for side in (p.left, p.right) for x in side.free_symbols} & rates
     if len(unknown) != len(equations):
-        raise Refused("as many equations of the first order as letters have to be integrated")
+        raise RefusedError("as many equations of the first order as letters have to be integrated")
     start = {e.sides[0]: bare.value(e.sides[1]) for e in move.by}
     for letter, value in found.items():
         if letter in rates:
             continue
         if letter not in start:
-            raise Refused("where {} starts is not said", letter)
+            raise RefusedError("where {} starts is not said", letter)
         if not _zero(value.subs(TIME, 0) - start[letter], move):
-            raise Refused("{} does not start there", letter)
+            raise RefusedError("{} does not start there", letter)
 
 
 def _valued(pair: Pair, algebra: Algebra) -> Pair:
@@ -207,7 +211,7 @@ def _valued(pair: Pair, algebra: Algebra) -> Pair:
 
 def _matching(pair: Pair, performed: Performed, move: Move) -> int | None:
     """The number of the performed pair that a pair of the line is; None for an identity."""
-    wrong: Refused | None = None
+    wrong: RefusedError | None = None
     if pair.relation == "=" and _is_identity(pair, move):
         return None
     for number, made in enumerate(performed.pairs):
@@ -215,29 +219,29 @@ def _matching(pair: Pair, performed: Performed, move: Move) -> int | None:
         if problem is None:
             return number
         wrong = wrong or problem
-    raise wrong or Refused("nothing comes of this move")
+    raise wrong or RefusedError("nothing comes of this move")
 
 
 def _is_identity(pair: Pair, move: Move) -> bool:
     return all(_zero(part, move) for part in components(pair.left, pair.right))
 
 
-def _problem(pair: Pair, made: Pair, performed: Performed, move: Move) -> Refused | None:
+def _problem(pair: Pair, made: Pair, performed: Performed, move: Move) -> RefusedError | None:
     """Why a pair of the line is not the one that was made; None if it is."""
     order = performed.order
     if order is not None:
         return _approximate(pair, made, order, move)
     if pair.relation == "≈":
-        return Refused("nothing was neglected: write =")
+        return RefusedError("nothing was neglected: write =")
     factor = _factor(pair, made, move)
     if factor is None:
-        return Refused("{}", _unlike(pair, made))
+        return RefusedError("{}", _unlike(pair, made))
     turned = {"<": ">", ">": "<", "≤": "≥", "≥": "≤"}
     expected = made.relation
     if expected in turned and factor < 0:
         expected = turned[expected]
     if pair.relation != expected:
-        return Refused("the move gives {}, the line says {}", expected, pair.relation)
+        return RefusedError("the move gives {}, the line says {}", expected, pair.relation)
     return None
 
 
@@ -302,16 +306,16 @@ def _zero(expression: Expr, move: Move) -> bool:
     return vanishes(expression.xreplace(positive) if positive else expression)
 
 
-def _approximate(pair: Pair, made: Pair, order: Order, move: Move) -> Refused | None:
+def _approximate(pair: Pair, made: Pair, order: Order, move: Move) -> RefusedError | None:
     if pair.relation != "≈":
-        return Refused("only ≈ follows: something is neglected")
+        return RefusedError("only ≈ follows: something is neglected")
     factor = _factor(pair, made, move)
     if factor is None:
-        return Refused("the move does not arrive here")
+        return RefusedError("the move does not arrive here")
     for part in _difference(pair).values():
         flat, _ = flattened(part)
         if flat.has(order.small) and _highest(flat, order.small) >= order.power:
-            return Refused(
+            return RefusedError(
                 "the line claims more than it has: its error is of order {} in {}",
                 str(order.power),
                 order.small,
@@ -365,7 +369,7 @@ def unneeded(line: Line, letters: Letters) -> Iterator[Known]:
         less = replace(line.move, using=tuple(k for k in line.move.using if k is not known))
         try:
             arrive(line.equations, less, letters)
-        except Refused:
+        except RefusedError:
             continue
         yield known
 
@@ -391,7 +395,7 @@ def diagnose(
     for known in cited:
         try:
             given = put_in([*_kept(given, known)], letters)
-        except (Refused, NoMeaningError):
+        except (RefusedError, NoMeaningError):
             return None
     algebra = Algebra(letters, given)
     try:
@@ -442,7 +446,7 @@ def changes(
     others: Sequence[Known] = (),
     altered: Callable[[Equation], Iterator[tuple[Equation, str]]] | None = None,
 ) -> Iterator[Change]:
-    """A line with a sign, a factor, a function changed; with another equation cited, another move."""
+    """A line with a sign, factor or function changed; another equation cited, another move."""
     from rigidtop.proof.perturb import perturbations
 
     for k, equation in enumerate(line.equations):

@@ -1,8 +1,8 @@
 """What is done with equations: moves, performed.
 
 A move takes cited equations and makes new ones of them.  It knows no model: what it does not find
-in the equations that are cited, it does not use.  What can't be done is `Refused`, with the reason
-in words.
+in the equations that are cited, it does not use.  What can't be done raises `RefusedError`, with
+the reason in words.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import IntEnum
+from functools import partial
 from typing import Any
 
 import sympy
@@ -32,7 +33,7 @@ from rigidtop.proof.equation import Equation, NoMeaningError, Partial, Printed, 
 from rigidtop.theory.symbols import const
 
 
-class Refused(Exception):
+class RefusedError(Exception):
     """A move that can't be made, and why: `nodes` stand where the message has braces."""
 
     def __init__(self, message: str, *nodes: Any) -> None:
@@ -127,7 +128,7 @@ class Move:
 
 @dataclass(frozen=True)
 class Performed:
-    """What a move arrives at.  `given` is put into the line as well, before the two are compared."""
+    """What a move arrives at.  `given` is put into the line as well, before they are compared."""
 
     pairs: tuple[Pair, ...]
     scope: Scope
@@ -175,7 +176,7 @@ def _give(equation: Equation, source: Known, given: dict[Any, Value], letters: L
         given_rate = algebra.rate(Algebra(letters).value(sides[-1]))
         atom = _single(given_rate)
         if atom is None:
-            raise Refused("{} says that a sum is constant: take the rate of it", _name(source))
+            raise RefusedError("{} says that a sum is constant: take the rate of it", _name(source))
         given[atom[0]] = Integer(0)
     # Each side as what it is; the first that is an atom gives way to the others.
     bare = Algebra(letters)
@@ -197,8 +198,10 @@ def _give(equation: Equation, source: Known, given: dict[Any, Value], letters: L
             if agree(left_now, right_now):
                 continue
             if _differ_by_number(left_now, right_now):
-                raise Refused("what is cited contradicts itself: see {}", _name(source))
-            raise Refused("{} gives no letter to put in: solve it for one first", _name(source))
+                raise RefusedError("what is cited contradicts itself: see {}", _name(source))
+            raise RefusedError(
+                "{} gives no letter to put in: solve it for one first", _name(source)
+            )
 
 
 def _differ_by_number(left: Value, right: Value) -> bool:
@@ -239,16 +242,16 @@ def _name(known: Known) -> str:
 
 
 def perform(move: Move, letters: Letters) -> Performed:
-    """Make a move with the equations that it cites, and nothing else.  Raises Refused."""
+    """Make a move with the equations that it cites, and nothing else.  Raises RefusedError."""
     verb = _VERBS.get(move.verb)
     if verb is None:
-        raise Refused("there is no move {}", move.verb)
+        raise RefusedError("there is no move {}", move.verb)
     try:
         made = verb(move, Algebra(letters))
         if move.using:
             made = _with(made, move, letters)
     except NoMeaningError as error:
-        raise Refused(str(error)) from None
+        raise RefusedError(str(error)) from None
     conditions = list(made.conditions)
     for each in (*move.of, *move.using):
         conditions += [c for c in each.conditions if c not in conditions]
@@ -280,7 +283,7 @@ def _error(made: Performed, using: Sequence[Known], letters: Letters) -> Order |
         if known.order is not None:
             orders.append(_carried(made.pairs, known, known.order, letters))
     if len({order.small for order in orders}) > 1:
-        raise Refused("two small quantities at once: expand in one after the other")
+        raise RefusedError("two small quantities at once: expand in one after the other")
     return min(orders, key=lambda order: order.power, default=None)
 
 
@@ -318,7 +321,7 @@ def _reaches_into(known: Known, pairs: Sequence[Pair], letters: Letters) -> None
             for node in atoms_of(side):
                 inner = {x for part in getattr(node, "args", ()) for x in (part, *_nodes(part))}
                 if isinstance(node, (Rate, Partial)) and inner & atoms:
-                    raise Refused(
+                    raise RefusedError(
                         "{} is set at a moment: it can't be put in before the derivative is taken",
                         _name(known),
                     )
@@ -330,7 +333,7 @@ def _nodes(tree: Any) -> set[Any]:
 
 def _one(move: Move) -> Known:
     if len(move.of) != 1:
-        raise Refused("{} acts on one equation, not on {}", move.verb, len(move.of))
+        raise RefusedError("{} acts on one equation, not on {}", move.verb, len(move.of))
     return move.of[0]
 
 
@@ -349,14 +352,14 @@ def _differentiate(move: Move, algebra: Algebra) -> Performed:
     [by] = move.by
     if known.scope is not Scope.IDENTITY:
         holds = "where something is set" if known.scope is Scope.SET else "along the motion only"
-        raise Refused(
+        raise RefusedError(
             "{} holds {}: it can't be differentiated by {}, of which it says nothing elsewhere",
             _name(known),
             holds,
             by,
         )
     if known.order is not None:
-        raise Refused(
+        raise RefusedError(
             "{} is approximate: the slope of what is neglected is not known", _name(known)
         )
     made: list[Pair] = []
@@ -365,13 +368,15 @@ def _differentiate(move: Move, algebra: Algebra) -> Performed:
             continue
         made.append(Pair(Partial(pair.left, by), _slope(pair.right, by, known, algebra)))
     if not made:
-        raise Refused("{} does not give a letter as a function: solve it for one", _name(known))
+        raise RefusedError(
+            "{} does not give a letter as a function: solve it for one", _name(known)
+        )
     return Performed(tuple(made), known.scope)
 
 
 def _slope(value: Value, by: Symbol, known: Known, algebra: Algebra) -> Expr:
     if isinstance(value, (Vector, MatrixBase)):
-        raise Refused("partial derivatives are taken of scalars")
+        raise RefusedError("partial derivatives are taken of scalars")
     flat, atoms = flattened(value)
     held = algebra.letters.independent
     for x in flat.free_symbols:
@@ -379,8 +384,9 @@ def _slope(value: Value, by: Symbol, known: Known, algebra: Algebra) -> Expr:
         if node == by and by not in held:
             continue
         if node not in held:
-            raise Refused(
-                "{} in {} depends on the coordinates and velocities: write it out before you differentiate by {}",
+            raise RefusedError(
+                "{} in {} depends on the coordinates and velocities: write it out before you "
+                "differentiate by {}",
                 node,
                 _name(known),
                 by,
@@ -392,11 +398,13 @@ def _rate(move: Move, algebra: Algebra) -> Performed:
     known = _one(move)
     frame = move.by[0] if move.by else None
     if known.scope is Scope.SET:
-        raise Refused(
+        raise RefusedError(
             "{} holds where something is set, at a moment: its rate does not follow", _name(known)
         )
     if known.order is not None:
-        raise Refused("{} is approximate: the rate of what is neglected is not known", _name(known))
+        raise RefusedError(
+            "{} is approximate: the rate of what is neglected is not known", _name(known)
+        )
     pairs = [
         Pair(algebra.rate(pair.left, frame), algebra.rate(pair.right, frame))
         for pair in _all_pairs(known, algebra)
@@ -409,13 +417,13 @@ def _integrate(move: Move, algebra: Algebra) -> Performed:
     """Over time: what has no rate is constant.  A line that says more is tried by its rate."""
     known = _one(move)
     if known.scope is Scope.SET:
-        raise Refused("{} holds at a moment: it can't be integrated", _name(known))
+        raise RefusedError("{} holds at a moment: it can't be integrated", _name(known))
     return Performed(tuple(_all_pairs(known, algebra)), Scope.MOTION)
 
 
 def _equal(pair: Pair) -> bool:
     if pair.relation not in ("=", "≡"):
-        raise Refused("a relation {} can't be treated so", pair.relation)
+        raise RefusedError("a relation {} can't be treated so", pair.relation)
     return True
 
 
@@ -434,8 +442,7 @@ def _component(move: Move, algebra: Algebra) -> Performed:
     pairs: list[Pair] = []
     known = _one(move)
     for axis in move.by:
-        along = algebra.value(axis)
-        pairs += _map(move, algebra, lambda v, e=along: algebra.dot(e, v)).pairs
+        pairs += _map(move, algebra, partial(algebra.dot, algebra.value(axis))).pairs
     return Performed(tuple(pairs), known.scope, order=known.order)
 
 
@@ -464,7 +471,7 @@ def _sum(sign: int) -> Callable[[Move, Algebra], Performed]:
         """Add … to …, subtract … from …; `by` are the factors that each is taken with."""
         factors = [algebra.value(f) for f in move.by] or [Integer(1)] * len(move.of)
         if len(move.of) != 2:
-            raise Refused("{} takes two equations", move.verb)
+            raise RefusedError("{} takes two equations", move.verb)
         first, second = (
             [(p, f) for p in _all_pairs(k, algebra)] for k, f in zip(move.of, factors, strict=True)
         )
@@ -494,7 +501,7 @@ def _multiply(move: Move, algebra: Algebra) -> Performed:
 
 def _scaled(known: Known, factor: Expr, algebra: Algebra, move: Move) -> Performed:
     if not decide.positive(factor, _relations(move.where)):
-        raise Refused("{} has no known sign: an inequality may turn round", factor)
+        raise RefusedError("{} has no known sign: an inequality may turn round", factor)
     pairs = [
         replace(p, left=algebra.times(factor, p.left), right=algebra.times(factor, p.right))
         for p in _all_pairs(known, algebra)
@@ -510,9 +517,9 @@ def _divide(move: Move, algebra: Algebra) -> Performed:
     [by] = move.by
     factor = algebra.value(by)
     if isinstance(factor, (Vector, MatrixBase)):
-        raise Refused("a division by what is no scalar")
+        raise RefusedError("a division by what is no scalar")
     if vanishes(factor):
-        raise Refused("a division by 0")
+        raise RefusedError("a division by 0")
     made = _multiply(replace(move, by=(1 / factor,)), algebra)
     conditions = () if nonzero(factor, ()) else (Condition(factor, "≠", lost=True),)
     return replace(made, conditions=conditions)
@@ -547,8 +554,7 @@ def _lowest(factor: Expr, small: Symbol) -> int:
     """The power of a small letter with which a factor begins."""
     if not factor.has(small):
         return 0
-    leading = sympy.LT(sympy.series(factor, small, 0, 3).removeO(), small)
-    _, power = leading.as_coeff_exponent(small)
+    _, power = factor.as_leading_term(small).as_coeff_exponent(small)
     return int(power)
 
 
@@ -567,13 +573,13 @@ def _solve(move: Move, algebra: Algebra) -> Performed:
         return _solved_linear(move, [r for row in rows if row for r in row], atoms, scope)
     if len(unknowns) == 1 and len(pairs) == 1:
         return _roots(pairs[0], unknowns[0], scope)
-    raise Refused("this is not linear in {}", *move.by)
+    raise RefusedError("this is not linear in {}", *move.by)
 
 
 def _atom(value: Value, typed: Any) -> Any:
     single = _single(value)
     if single is None:
-        raise Refused("{} is nothing to solve for", typed)
+        raise RefusedError("{} is nothing to solve for", typed)
     return single[0]
 
 
@@ -616,12 +622,12 @@ def _solved_linear(
     wanted = list(atoms)
     rows = [row for row in rows if any(c != 0 for c in row[0].values())]
     if len(rows) < len(wanted):
-        raise Refused("fewer equations than unknowns")
+        raise RefusedError("fewer equations than unknowns")
     rows = rows[: len(wanted)]
     matrix = sympy.Matrix([[row[0][x] for x in wanted] for row in rows])
     determinant = _reduced(matrix.det())
     if determinant == 0:
-        raise Refused("these equations do not determine what is asked for")
+        raise RefusedError("these equations do not determine what is asked for")
     inverse = matrix.adjugate().applyfunc(_reduced)
     pairs = []
     for i, x in enumerate(wanted):
@@ -648,13 +654,13 @@ def _roots(pair: Pair, unknown: Any, scope: Scope) -> Performed:
     """Both roots of a quadratic, told apart by a sign."""
     difference = components_of(pair)
     if isinstance(difference, dict):
-        raise Refused("a vector equation that is not linear")
+        raise RefusedError("a vector equation that is not linear")
     flat, nodes = flattened(difference)
     back = {node: dummy for dummy, node in nodes.items()}
     x = back.get(unknown, unknown)
     polynomial = sympy.Poly(sympy.expand(flat), x) if flat.is_polynomial(x) else None
     if polynomial is None or polynomial.degree() != 2:
-        raise Refused("this is neither linear nor quadratic in {}", unknown)
+        raise RefusedError("this is neither linear nor quadratic in {}", unknown)
     a, b, c = (coefficient.xreplace(nodes) for coefficient in polynomial.all_coeffs())
     discriminant = b**2 - 4 * a * c
     roots = [(-b + sign * sympy.sqrt(discriminant)) / (2 * a) for sign in (-1, 1)]
@@ -672,12 +678,14 @@ def _root(move: Move, algebra: Algebra) -> Performed:
     conditions: list[Condition] = []
     for pair in _all_pairs(known, algebra):
         if isinstance(pair.left, (Vector, MatrixBase)) or not _equal(pair):
-            raise Refused("the root of what is no scalar")
+            raise RefusedError("the root of what is no scalar")
         left = sympy.sqrt(sympy.factor(pair.left))
         bases = [abs_.args[0] for abs_ in left.atoms(sympy.Abs)]
         for base in bases:
             if not _sign_known(base, move.where):
-                raise Refused("the root is ±: say for which sign of {}, such as “for … > 0”", base)
+                raise RefusedError(
+                    "the root is ±: say for which sign of {}, such as “for … > 0”", base
+                )
         left = left.replace(sympy.Abs, lambda x: x)
         pairs.append(Pair(left, sympy.sqrt(pair.right)))
         conditions.append(Condition(pair.right, "≥"))
@@ -701,7 +709,7 @@ def _expand(move: Move, algebra: Algebra) -> Performed:
     known = _one(move)
     [small] = move.by
     if known.order is not None and known.order.power <= move.power:
-        raise Refused(
+        raise RefusedError(
             "{} holds to O({}^{}) only: its terms of order {} are not known",
             _name(known),
             small,
@@ -744,7 +752,7 @@ def _neglect(move: Move, algebra: Algebra) -> Performed:
                 sides = (rest, pair.right) if k == 0 else (pair.left, rest)
                 pairs.append(Pair(*sides, "≈"))
     if not pairs:
-        raise Refused("what is neglected does not stand there")
+        raise RefusedError("what is neglected does not stand there")
     small = Symbol("neglected")
     return Performed(tuple(pairs), known.scope, order=Order(small, 1))
 
@@ -776,7 +784,7 @@ def _set(move: Move, algebra: Algebra) -> Performed:
                 isinstance(given[atom], (Vector, MatrixBase))
                 or given[atom].free_symbols - letters.numbers
             ):
-                raise Refused("only to a number can a letter be set at all times")
+                raise RefusedError("only to a number can a letter be set at all times")
             while atom in letters.rates:
                 atom = letters.rates[atom]
                 given[atom] = Integer(0)
@@ -811,7 +819,7 @@ def _not_under_a_rate(given: Mapping[Any, Value], known: Known, algebra: Algebra
                 if isinstance(node, (Rate, Partial)) and node not in given:
                     inner = {x for part in node.args for x in _nodes(part)}
                     if inner & set(given):
-                        raise Refused(
+                        raise RefusedError(
                             "{} stands there: what is set at a moment says nothing of a derivative",
                             node,
                         )
@@ -847,7 +855,7 @@ __all__ = [
     "Order",
     "Pair",
     "Performed",
-    "Refused",
+    "RefusedError",
     "Scope",
     "components",
     "pairs_of",

@@ -106,8 +106,7 @@ def _paragraphs(source: str) -> list[tuple[str, int]]:
         start = i
         if lines[i].lstrip().startswith("$$"):
             while not (
-                (lines[i].rstrip().endswith("$$")
-                and lines[i].strip() != "$$")
+                (lines[i].rstrip().endswith("$$") and lines[i].strip() != "$$")
                 or (i > start and lines[i].strip().endswith("$$"))
             ):
                 i += 1

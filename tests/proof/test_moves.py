@@ -33,7 +33,8 @@ $$\lambda_3 = 2$$
 
 Along the motion, Lagrange's equation for $\theta$:
 
-$$\frac{d}{dt}\frac{\partial\mathcal L}{\partial\dot\theta} = \frac{\partial\mathcal L}{\partial\theta}$$
+$$\frac{d}{dt}\frac{\partial\mathcal L}{\partial\dot\theta}
+= \frac{\partial\mathcal L}{\partial\theta}$$
 
 Along the motion, the balance:
 
@@ -222,7 +223,7 @@ Put the moment and the other moment into the spin momentum:
 
 $$p_\psi = \dot\psi$$
 """,
-        "contradicts itself: see other moment",
+        "contradicts itself: see The other moment",
     ),
     "a leap": (
         r"""
