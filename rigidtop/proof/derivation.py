@@ -328,39 +328,6 @@ def _highest(expression: Expr, small: Symbol) -> int:
     return max((int(t.as_coeff_exponent(small)[1]) for t in Add.make_args(expanded)), default=0)
 
 
-# --- whole derivations ---------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class Derivation:
-    """Lines in order, each citing lines above it only, so that there is no circle."""
-
-    lines: tuple[Line, ...]
-    letters: Letters
-
-    def judge(self) -> tuple[Judged, ...]:
-        """Every line with what became of it.  What is cited is cited with its own standing."""
-        standing: dict[str, Known] = {}
-        found: list[Judged] = []
-        for line in self.lines:
-            judged = judge_line(_standing(line, standing), self.letters)
-            standing[line.id] = judged.known
-            found.append(judged)
-        return tuple(found)
-
-
-def _standing(line: Line, standing: dict[str, Known]) -> Line:
-    """A line whose citations carry the scope, conditions and order that they were found to have."""
-    if line.move is None:
-        return line
-    move = replace(
-        line.move,
-        of=tuple(standing.get(k.id, k) for k in line.move.of),
-        using=tuple(standing.get(k.id, k) for k in line.move.using),
-    )
-    return replace(line, move=move)
-
-
 def unneeded(line: Line, letters: Letters) -> Iterator[Known]:
     """What a line cites without needing it: it is arrived at all the same without."""
     if line.move is None or line.move.verb == "call":
@@ -468,7 +435,6 @@ def changes(
 __all__ = [
     "Change",
     "Condition",
-    "Derivation",
     "Diagnosis",
     "Judged",
     "Line",

@@ -20,59 +20,12 @@ from dataclasses import dataclass, field, replace
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import Notation
 from rigidtop.proof.algebra import Letters
-from rigidtop.proof.derivation import Judged, Line, judge_line
+from rigidtop.proof.derivation import Line
 from rigidtop.proof.equation import symbols_of
+from rigidtop.proof.lecture import Block, Heading, Lecture, Prose, Shown, Text
 from rigidtop.proof.moves import Known, Move, Scope
 from rigidtop.read import sentence as language
 from rigidtop.read.formula import read
-
-
-@dataclass(frozen=True)
-class Text:
-    """A paragraph, in Markdown, at a line of its file."""
-
-    words: str
-    at: int
-
-
-@dataclass(frozen=True)
-class Heading:
-    """A heading with its level."""
-
-    level: int
-    words: str
-    at: int
-
-
-@dataclass(frozen=True)
-class Display:
-    """A line of a derivation with its display as it is written, or the problem with it."""
-
-    latex: str
-    at: int
-    line: Line | None = None
-    problem: str = ""
-    anchor: str = ""
-
-
-Block = Text | Heading | Display
-
-
-@dataclass(frozen=True)
-class Page:
-    """A page, read."""
-
-    file: str
-    blocks: tuple[Block, ...]
-
-    @property
-    def lines(self) -> tuple[Line, ...]:
-        return tuple(b.line for b in self.blocks if isinstance(b, Display) and b.line is not None)
-
-    @property
-    def problems(self) -> tuple[tuple[int, str], ...]:
-        return tuple((b.at, b.problem) for b in self.blocks if isinstance(b, Display) and b.problem)
-
 
 _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z])")
 _ANCHOR = re.compile(r'\s*<a id="([\w.-]+)"></a>\s*')
@@ -85,13 +38,13 @@ def read_page(
     notation: Notation,
     above: Sequence[Known],
     laws: bool = False,
-) -> Page:
+) -> Text:
     """Read a page.  `above` may be cited, besides the page's own lines; `laws` need no move."""
     reader = _Reader(file, name, notation, list(above), laws)
     for text, at in _paragraphs(source):
         reader.take(text, at)
     reader.end()
-    return Page(file, tuple(reader.blocks))
+    return Text(file, name, tuple(reader.blocks), laws)
 
 
 def _paragraphs(source: str) -> list[tuple[str, int]]:
@@ -135,12 +88,14 @@ class _Reader:
     page: list[Known] = field(default_factory=list)
     pending: tuple[str, int] | None = None
     anchor: str = ""
+    fresh: bool = False
+    """Whether the name was given just now, so that a heading may stand between it and its lines."""
     source: str = ""
 
     def take(self, text: str, at: int) -> None:
         anchored = _ANCHOR.match(text)
         if anchored is not None:
-            self.anchor = anchored[1]
+            self.anchor, self.fresh = anchored[1], True
             text = text[anchored.end() :]
             if not text:
                 return
@@ -148,7 +103,7 @@ class _Reader:
             self.end()
             level = len(text) - len(text.lstrip("#"))
             self.blocks.append(Heading(level, text[level:].strip(), at))
-            self.anchor = ""
+            self.anchor = self.anchor if self.fresh else ""
         elif text.lstrip().startswith("$$"):
             self.display(text.strip().strip("$").strip(), at)
         else:
@@ -156,20 +111,21 @@ class _Reader:
             *before, last = _SENTENCE.split(text)
             if last.rstrip().endswith(":"):
                 if before and not self.laws:
-                    self.blocks.append(Text(" ".join(before), at))
+                    self.blocks.append(Prose(" ".join(before), at))
                 self.source = " ".join(before)
                 self.pending = (last.strip(), at + text[: text.rindex(last)].count("\n"))
             else:
-                self.blocks.append(Text(text, at))
+                self.blocks.append(Prose(text, at))
 
     def end(self) -> None:
         """A sentence that ends in a colon was followed by no display."""
         if self.pending is not None:
             words, at = self.pending
-            self.blocks.append(Text(words, at))
+            self.blocks.append(Prose(words, at))
             self.pending = None
 
     def display(self, latex: str, at: int) -> None:
+        self.fresh = False
         sentence, self.pending = self.pending, None
         try:
             if sentence is None:
@@ -178,9 +134,9 @@ class _Reader:
                 )
             line = self.line(latex, *sentence)
         except (RigidtopError, language.SentenceError) as error:
-            self.blocks.append(Display(latex, at, None, str(error), self.anchor))
+            self.blocks.append(Shown(latex, at, None, str(error), self.anchor))
             return
-        self.blocks.append(Display(latex, at, line, "", self.anchor))
+        self.blocks.append(Shown(latex, at, line, "", self.anchor))
         known = Known(line.id, line.equations, line.scope, called=line.called)
         self.page.append(known)
         self.above.append(known)
@@ -193,7 +149,7 @@ class _Reader:
                 raise RigidtopError(f"not read: {each.problem}")
             equations.append(each.equation)
         tag = next((e.tag for e in equations if e.tag), "")
-        number = sum(isinstance(b, Display) for b in self.blocks) + 1
+        number = sum(isinstance(b, Shown) for b in self.blocks) + 1
         made = Line(tag or f"{self.name}:{number}", tuple(equations), sentence, at=at)
         words = sentence.rstrip(":").strip()
         if self.laws:
@@ -211,18 +167,14 @@ class _Reader:
         return replace(made, move=language.move(sentence, context))
 
 
-def judge_page(page: Page, letters: Letters, standing: dict[str, Known]) -> tuple[Judged, ...]:
-    """Judge the lines of a page, in order; `standing` takes up what they may be cited as."""
-    made = []
-    for line in page.lines:
-        if line.move is not None:
-            move = replace(
-                line.move,
-                of=tuple(standing.get(k.id, k) for k in line.move.of),
-                using=tuple(standing.get(k.id, k) for k in line.move.using),
-            )
-            line = replace(line, move=move)
-        judged = judge_line(line, letters)
-        standing[line.id] = judged.known
-        made.append(judged)
-    return tuple(made)
+def read_lecture(
+    sources: Sequence[tuple[str, str]], letters: Letters, notation: Notation
+) -> Lecture:
+    """Read the pages of a lecture, (name, text) in reading order; one called ``laws`` has laws."""
+    above: list[Known] = []
+    texts = []
+    for name, source in sources:
+        text = read_page(source, f"{name}.md", name, notation, above, laws=name == "laws")
+        above += [Known(x.id, x.equations, x.scope, called=x.called) for x in text.lines]
+        texts.append(text)
+    return Lecture(letters, tuple(texts))

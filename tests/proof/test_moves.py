@@ -6,7 +6,7 @@ import pytest
 
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.notation import NOTES
-from rigidtop.read.page import judge_page, read_page
+from rigidtop.read.page import read_lecture
 
 LAWS = r"""
 The kinetic energy:
@@ -48,13 +48,10 @@ $$\lambda_3\dot\omega_3 = (\lambda_1 - \lambda_2)\omega_1\omega_2$$
 
 def judged(page: str):
     """The lines of a page below the laws, each with what became of it."""
-    laws = read_page(LAWS, "laws.md", "laws", NOTES, [], laws=True)
-    assert not laws.problems
-    standing: dict = {}
-    above = [each.known for each in judge_page(laws, LETTERS, standing)]
-    found = read_page(page, "page.md", "page", NOTES, above)
-    assert not found.problems, found.problems
-    return judge_page(found, LETTERS, standing)
+    lecture = read_lecture([("laws", LAWS), ("page", page)], LETTERS, NOTES)
+    assert not list(lecture.problems())
+    found = lecture.judge()
+    return [found[line.id] for line in lecture.texts[1].lines]
 
 
 def last(page: str) -> str:

@@ -1,0 +1,179 @@
+"""The lecture as its own source: pages of text with their derivations, and what rests on what.
+
+A page is read from Markdown (`rigidtop.read.page`); here is what it is made of, whoever reads it.
+Lines cite lines above them only, so that every chain ends in laws and definitions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+from rigidtop.errors import RigidtopError
+from rigidtop.proof.algebra import Letters
+from rigidtop.proof.derivation import Judged, Line, judge_line, unneeded
+from rigidtop.proof.moves import Known
+
+
+@dataclass(frozen=True)
+class Prose:
+    """A paragraph in Markdown, mathematics in dollars; `at` is the line of its file."""
+
+    words: str
+    at: int
+
+
+@dataclass(frozen=True)
+class Heading:
+    """A heading with its level, 1 for the highest."""
+
+    level: int
+    words: str
+    at: int
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A display as it is written, with the line that was read of it, or the `problem` with it.
+
+    `name` is the name of what it shows, such as a claim without a number.
+    """
+
+    latex: str
+    at: int
+    line: Line | None = None
+    problem: str = ""
+    name: str = ""
+
+
+Block = Prose | Heading | Shown
+
+
+@dataclass(frozen=True)
+class Text:
+    """A page, read.  `laws` says that its lines stand by themselves."""
+
+    file: str
+    name: str
+    blocks: tuple[Block, ...]
+    laws: bool = False
+
+    @property
+    def shown(self) -> tuple[Shown, ...]:
+        return tuple(block for block in self.blocks if isinstance(block, Shown))
+
+    @property
+    def lines(self) -> tuple[Line, ...]:
+        return tuple(block.line for block in self.shown if block.line is not None)
+
+
+@dataclass(frozen=True, eq=False)
+class Lecture:
+    """Pages in reading order, the laws first."""
+
+    letters: Letters = field(default_factory=Letters)
+    texts: tuple[Text, ...] = ()
+
+    @cached_property
+    def lines(self) -> dict[str, Line]:
+        """Every line by its id, in reading order."""
+        return {line.id: line for text in self.texts for line in text.lines}
+
+    @cached_property
+    def laws(self) -> frozenset[str]:
+        return frozenset(line.id for text in self.texts if text.laws for line in text.lines)
+
+    @cached_property
+    def names(self) -> dict[str, tuple[str, ...]]:
+        """The ids of the lines that state what a name or a number names."""
+        made: dict[str, list[str]] = {}
+        for text in self.texts:
+            for shown in text.shown:
+                if shown.line is not None:
+                    tags = {e.tag for e in shown.line.equations if e.tag}
+                    for name in {shown.name, *tags} - {""}:
+                        made.setdefault(name, []).append(shown.line.id)
+        return {name: tuple(ids) for name, ids in made.items()}
+
+    def cites(self, id: str) -> tuple[str, ...]:
+        """The ids of what a line cites."""
+        move = self.lines[id].move
+        return () if move is None else tuple(known.id for known in move.cited)
+
+    def way(self, name: str, deep: bool = False) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """The ids of the lines that lead to what a name names, and of what they start from.
+
+        They start from numbered equations and from laws; a `deep` way from laws alone.
+        """
+        if name not in self.names:
+            raise RigidtopError(f"no line of the lecture is called {name!r}")
+        wanted, starts = set(self.names[name]), set()
+        waiting = list(wanted)
+        while waiting:
+            for cited in self.cites(waiting.pop()):
+                if cited in self.laws or (self._numbered(cited) and not deep):
+                    starts.add(cited)
+                elif cited not in wanted:
+                    wanted.add(cited)
+                    waiting.append(cited)
+        starts -= wanted
+        return self._ordered(wanted), self._ordered(starts)
+
+    def _numbered(self, id: str) -> bool:
+        return any(equation.tag for equation in self.lines[id].equations)
+
+    def _ordered(self, ids: Collection[str]) -> tuple[str, ...]:
+        return tuple(id for id in self.lines if id in ids)
+
+    def below(self, id: str) -> tuple[str, ...]:
+        """The ids of all lines that rest on a line: what falls if it falls."""
+        found = {id}
+        for other in self.lines:
+            if found & set(self.cites(other)):
+                found.add(other)
+        return self._ordered(found - {id})
+
+    def judge(
+        self, ids: Iterable[str] | None = None, heard: Callable[[Judged], None] = lambda _: None
+    ) -> dict[str, Judged]:
+        """What becomes of some lines, or of all, and of all that they rest on."""
+        wanted = set(self.lines) if ids is None else self._closed(ids)
+        standing: dict[str, Known] = {}
+        made: dict[str, Judged] = {}
+        for id in self._ordered(wanted):
+            made[id] = judge_line(with_standing(self.lines[id], standing), self.letters)
+            standing[id] = made[id].known
+            heard(made[id])
+        return made
+
+    def _closed(self, ids: Iterable[str]) -> set[str]:
+        wanted = set(ids)
+        waiting = list(wanted)
+        while waiting:
+            new = set(self.cites(waiting.pop())) - wanted
+            wanted |= new
+            waiting += new
+        return wanted
+
+    def problems(self) -> Iterator[tuple[str, int, str]]:
+        """File, line and reason of what was not read."""
+        for text in self.texts:
+            for shown in text.shown:
+                if shown.problem:
+                    yield text.file, shown.at, shown.problem
+
+    def unneeded(self, judged: Judged) -> tuple[Known, ...]:
+        """What a line that follows cites without needing it."""
+        return tuple(unneeded(judged.line, self.letters))
+
+
+def with_standing(line: Line, standing: dict[str, Known]) -> Line:
+    """A line whose citations have the scope, conditions and order that they were found to have."""
+    if line.move is None:
+        return line
+    of, using = (
+        tuple(standing.get(known.id, known) for known in cited)
+        for cited in (line.move.of, line.move.using)
+    )
+    return replace(line, move=replace(line.move, of=of, using=using))
