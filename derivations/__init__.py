@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from functools import cache
+from importlib.resources import files
+
 from rigidtop.derivations import (
     euler_angles,
     eulers_equations,
@@ -15,6 +18,10 @@ from rigidtop.derivations import (
     simplified_picture,
     space_and_body_frames,
 )
+from rigidtop.derivations.letters import LETTERS
+from rigidtop.notation import NOTES
+from rigidtop.proof.lecture import Lecture
+from rigidtop.read.page import read_lecture
 
 PAGES = (
     opening.page,
@@ -30,3 +37,14 @@ PAGES = (
     nutation.page,
 )
 """Every page of the lecture."""
+
+TEXTS = ("laws", "euler_angles", "lagrange_formalism")
+"""The pages as they are read aloud, Markdown files beside this one, in reading order."""
+
+
+@cache
+def lecture() -> Lecture:
+    """The text of the lecture, read: every line with the move that leads to it."""
+    folder = files(__package__)
+    sources = [(name, folder.joinpath(f"{name}.md").read_text("utf-8")) for name in TEXTS]
+    return read_lecture(sources, LETTERS, NOTES)

@@ -210,4 +210,5 @@ page = Page(
         kinetic,
         azimuthal_rate,
     ),
+    text="euler_angles",
 )

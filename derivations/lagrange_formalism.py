@@ -395,4 +395,5 @@ page = Page(
         slow_agrees,
         fast_is_free,
     ),
+    text="lagrange_formalism",
 )

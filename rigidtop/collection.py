@@ -28,7 +28,7 @@ import re
 import shlex
 import sys
 import traceback
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, redirect_stdout
 from dataclasses import dataclass, replace
 from functools import wraps
@@ -45,6 +45,7 @@ from rigidtop.notation import Notation
 from rigidtop.parameters import Parameter
 from rigidtop.present.report import NOTES, Front
 from rigidtop.proof.exercise import Exercise
+from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.page import Assumption, Check, Claim, Evidence, Measure, Page
 from rigidtop.theory import symbols
 from rigidtop.theory.lettered import Lettered
@@ -55,7 +56,8 @@ class Collection:
     """Pages and exercises with what stands in front of them; `folder` is None for the built-in.
 
     `notation` says which letters stand for which symbols, where formulas in LaTeX are read.  The
-    claims of the pages `besides` are judged when they are asked for by name.
+    claims of the pages `besides` are judged when they are asked for by name.  `read` reads the
+    text.
     """
 
     front: Front
@@ -64,6 +66,12 @@ class Collection:
     folder: Path | None = None
     notation: Notation = NOTATION
     besides: tuple[Page, ...] = ()
+    read: Callable[[], Lecture] = Lecture
+
+    @property
+    def lecture(self) -> Lecture:
+        """The text, with every line and the move that leads to it; read when it is asked for."""
+        return self.read()
 
     def command(self, name: str) -> str:
         """How `rigidtop` is asked for something of this collection."""
@@ -116,11 +124,11 @@ class PageError(Exception):
 
 def built_in() -> Collection:
     """The lecture on the top."""
-    from rigidtop.derivations import PAGES
+    from rigidtop.derivations import PAGES, lecture
     from rigidtop.derivations.conventions import CONVENTIONS
     from rigidtop.derivations.exercises import EXERCISES
 
-    return Collection(NOTES, PAGES, EXERCISES, besides=CONVENTIONS)
+    return Collection(NOTES, PAGES, EXERCISES, besides=CONVENTIONS, read=lecture)
 
 
 def is_folder(word: str) -> bool:

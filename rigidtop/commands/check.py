@@ -36,6 +36,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="only these claims or sections, such as 3.57, axis-stability, 3.5.4 or 3.5, which is "
         "all of 3.5.1 to 3.5.4; " + claims.FOLDER,
     )
+    depth = parser.add_mutually_exclusive_group()
+    depth.add_argument(
+        "--quick", action="store_true", help="do not make the moves of the derivations"
+    )
     add_notation(parser)
 
 
@@ -45,19 +49,22 @@ def run(options: argparse.Namespace) -> int:
 
     notation = chosen(options)
     with opened(options.name) as (collection, names):
-        return _run(collection, names, notation, options.json)
+        return _run(collection, names, notation, options)
 
 
-def _run(collection: Collection, names: Sequence[str], notation: Notation, as_json: bool) -> int:
+def _run(
+    collection: Collection, names: Sequence[str], notation: Notation, options: argparse.Namespace
+) -> int:
     from rigidtop.notation.judged import judgement_in
     from rigidtop.present.records import measures, record
     from rigidtop.present.table import table, wants_color
 
     found = claims.named(collection, names) if names else claims.every(collection)
-    judgements = [judgement for _, judgement in claims.judged(found)]
+    lecture = None if options.quick else collection.lecture
+    judgements = [judgement for _, judgement in claims.judged(found, lecture)]
     passed = all(judgement.passed for judgement in judgements)
     records = [record(judgement_in(notation, judgement)) for judgement in judgements]
-    if as_json:
+    if options.json:
         print_json(records)
         return 0 if passed else claims.FAILED
     colors = VERDICT_COLORS if wants_color(sys.stdout) else None

@@ -12,6 +12,7 @@ from rigidtop.progress import over
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
+    from rigidtop.proof.lecture import Lecture
     from rigidtop.proof.page import Claim, Page
     from rigidtop.proof.verdict import Judgement
 
@@ -76,12 +77,14 @@ def _elsewhere(collection: Collection) -> dict[str, str]:
     return found
 
 
-def judged(claims: Sequence[tuple[Page, Claim]]) -> Iterator[tuple[Page, Judgement]]:
-    """Judge one claim after the other."""
+def judged(
+    claims: Sequence[tuple[Page, Claim]], lecture: Lecture | None = None
+) -> Iterator[tuple[Page, Judgement]]:
+    """Judge one claim after the other, with the lines of a lecture that lead to it."""
     from rigidtop.proof.verdict import judge
 
     for page, claim in over("judging", claims):
-        yield page, judge(claim, page.section)
+        yield page, judge(claim, page.section, lecture)
 
 
 def summary(judgements: Sequence[Judgement]) -> str:

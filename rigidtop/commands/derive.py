@@ -34,6 +34,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="how to write it (default: text); in a programming language, a function that "
         "evaluates its right-hand sides",
     )
+    parser.add_argument(
+        "--deep",
+        action="store_true",
+        help="start from the laws and definitions, not from the numbered equations above",
+    )
     add_notation(parser)
 
 
@@ -51,19 +56,23 @@ def _run(collection: Collection, name: str, options: argparse.Namespace) -> int:
     from rigidtop.notation.judged import judgement_in
     from rigidtop.present.lecture import fragment
     from rigidtop.present.records import record
+    from rigidtop.present.ways import way_record
 
     notation = chosen(options)
     found = claims.named(collection, [name])
     if len(found) != 1:
         names = " ".join(claim.name for _, claim in found)
         raise RigidtopError(f"{name} is a section; derive one of its claims: {names}")
-    [(_, judgement)] = claims.judged(found)
+    lecture = collection.lecture
+    [(_, judgement)] = claims.judged(found, lecture)
     if options.format in SOURCES:
         return _source(options, judgement, notation)
-    text = fragment(judgement, options.format, notation)
+    text = fragment(judgement, options.format, notation, options.deep)
     if options.json:
         said = record(judgement_in(notation, judgement))
-        print_json({**said, "format": options.format, "text": text})
+        steps, starts = way_record(lecture, judgement.claim.name, notation, options.deep)
+        extra = {"steps": steps, "rests_on": starts, "format": options.format, "text": text}
+        print_json({**said, **extra})
     else:
         print(text)
     return 0 if judgement.passed else claims.FAILED

@@ -55,7 +55,7 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
     notation = chosen(options)
     check_folder(options.output)  # before half a minute of work, not after it
     judged: list[tuple[Page, list[Judgement]]] = []
-    for page, judgement in claims.judged(claims.every(collection)):
+    for page, judgement in claims.judged(claims.every(collection), collection.lecture):
         if not judged or judged[-1][0] is not page:
             judged.append((page, []))
         judged[-1][1].append(judgement)
@@ -72,6 +72,7 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
         figures=FIGURES if collection.folder is None else (),
         # Pages of one's own need not be about Euler angles.
         notation=notation if collection.folder is None or notation.images else None,
+        lines=collection.lecture,
     )
     unsolved = [solution.exercise.name for solution in solutions if not solution.passed]
     passed = all(judgement.passed for judgement in judgements) and not unsolved

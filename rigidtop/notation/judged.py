@@ -14,7 +14,14 @@ from sympy import Basic, Matrix, MatrixBase, pi
 
 from rigidtop.notation.convention import Notation
 from rigidtop.proof.page import Assumption, Check, Definition, Measure, Step
-from rigidtop.proof.verdict import Counterexample, Finding, Item, Judgement, TestedAssumption
+from rigidtop.proof.verdict import (
+    Counterexample,
+    Finding,
+    Item,
+    Judgement,
+    Led,
+    TestedAssumption,
+)
 from rigidtop.theory import symbols as s
 from rigidtop.theory.rotation import X_AXIS, Y_AXIS, Z_AXIS
 
@@ -27,7 +34,7 @@ def judgement_in(notation: Notation, judgement: Judgement) -> Judgement:
 
 
 def _item(notation: Notation, item: Item) -> Item:
-    if isinstance(item, Measure):
+    if isinstance(item, (Measure, Led)):  # lines are put into a notation where they are shown
         return item
     if isinstance(item, (Step, Definition)):
         return replace(item, equation=notation.written(item.equation))

@@ -305,8 +305,7 @@ def _(block: Display) -> str:
 def _row(group: Sequence[Row]) -> str:
     last = group[-1]
     speaker = group[0]
-    words = prose_html(("⇒ " if speaker.follows else "") + speaker.reason) if speaker.reason else ""
-    why = f'<p class="why">{words}</p>' if words else ""
+    why = f'<p class="why">{rich(speaker.spoken)}</p>' if speaker.reason else ""
     equations = [row.equation for row in group]
     wide, narrow = (mathml.display(equations, last.order, n) for n in (lay.LINE, NARROW))
     shown = wide if wide == narrow else _classed(wide, "wide") + _classed(narrow, "narrow")

@@ -8,6 +8,7 @@ r"""LaTeX, for amsmath and amssymb.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import singledispatch
@@ -33,7 +34,7 @@ def latex(tree: Any, order: Order = "auto") -> str:
 
 @dataclass(frozen=True)
 class AlignRow:
-    """An equation of an ``align``: its lines, its tag, the reason for it.
+    """An equation of an ``align``: its lines, its tag, the reason for it, in LaTeX.
 
     `mark` is a word that stands beside it in any case.
     """
@@ -60,7 +61,7 @@ def aligned(
             AlignRow(
                 tuple(lay.lines(equation, order, limit)),
                 equation.tag,
-                reasons[i] if i < len(reasons) else "",
+                prose(reasons[i]) if i < len(reasons) else "",
             )
             for i, equation in enumerate(equations)
         ],
@@ -81,27 +82,32 @@ def align(rows: Sequence[AlignRow], limit: float = lay.LINE) -> str:
             tex = align_row(line)
             words = " ".join(filter(None, [row.reason if beside else "", row.mark]))
             if last and words:
-                tex += rf" && \text{{{prose(words)}}}"
+                tex += rf" && \text{{{words}}}"
             if last and row.tag:
                 tex += rf" \tag{{{row.tag}}}"
             elif not star:
                 tex += r" \notag"
             made.append(tex if last and i == len(rows) - 1 else tex + r" \\")
     # What stands above the first line is a paragraph of its own.
-    before = prose(rows[0].reason) + "\n" if rows[0].reason and not beside else ""
+    before = rows[0].reason + "\n" if rows[0].reason and not beside else ""
     body = "\n".join(made)
     return f"{before}\\begin{{align{star}}}\n{body}\n\\end{{align{star}}}"
 
 
 def _intertext(words: str) -> str:
-    return "\n" + rf"\intertext{{{prose(words)}}}"
+    return "\n" + rf"\intertext{{{words}}}"
 
 
 def _all_fit_beside(rows: Sequence[AlignRow], limit: float) -> bool:
     """Whether all reasons fit into a column right of the widest line."""
     widest = max(_line_width(line) for row in rows for line in row.lines)
-    longest = max(0.8 * len(row.reason + row.mark) + (8 if row.tag else 0) for row in rows)
+    longest = max(0.8 * len(_seen(row.reason) + row.mark) + (8 if row.tag else 0) for row in rows)
     return widest + longest + 4 < limit
+
+
+def _seen(tex: str) -> str:
+    """About as many characters as are seen of words in LaTeX."""
+    return re.sub(r"\\[A-Za-z]+|[{}$^_]", "", tex)
 
 
 def align_row(line: Line) -> str:

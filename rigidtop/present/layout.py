@@ -32,6 +32,7 @@ from rigidtop.proof.equation import (
     Dot,
     Equation,
     Group,
+    Partial,
     Printed,
     Rate,
     SumOver,
@@ -652,8 +653,18 @@ def _(tree: Any, order: Order) -> Node:
 
 
 @_node.register
+def _(tree: Partial, order: Order) -> Node:
+    return Derivative(_node(tree.args[0], order), _node(tree.args[1], order), True, True)
+
+
+@_node.register
 def _(tree: Rate, order: Order) -> Node:
     body, time = _node(tree.args[0], order), Letter(Glyph("t"))
+    if isinstance(body, Derivative) and body.partial and not body.frame:
+        return Derivative(body, time, False, False)
+    dotted = {"": "dot", "dot": "ddot"}
+    if len(tree.args) == 1 and isinstance(body, Letter) and body.glyph.accent in dotted:
+        return Letter(replace(body.glyph, accent=dotted[body.glyph.accent]))
     if len(tree.args) > 1:
         frame = str(tree.args[1])
         inside = isinstance(body, Letter)

@@ -28,14 +28,27 @@ from rigidtop.present.report import (
     symbols_used,
 )
 from rigidtop.present.solutions import Solution, blocks, question
-from rigidtop.proof.verdict import Judgement
+from rigidtop.present.ways import text_blocks, way_blocks
+from rigidtop.proof.lecture import Lecture
+from rigidtop.proof.verdict import Judgement, Led
 
 FORMATS = ("text", "latex", "html", "typst")
 
 
-def fragment(judgement: Judgement, format: str, notation: Notation = NOTES_NOTATION) -> str:
-    """A claim as "text", "latex", "html" or "typst", with its derivation and its verdict."""
+def fragment(
+    judgement: Judgement, format: str, notation: Notation = NOTES_NOTATION, deep: bool = False
+) -> str:
+    """A claim as "text", "latex", "html" or "typst", with its derivation and its verdict.
+
+    A `deep` derivation starts from laws and definitions.
+    """
     made = claim_blocks(judgement_in(notation, judgement), marks=format == "text")
+    made[1:1] = [
+        block
+        for item in judgement.items
+        if isinstance(item, Led)
+        for block in way_blocks(item.lecture, item.name, notation, deep)
+    ]
     made[1:1] = notations.remark(notation, symbols_used(made))
     if format == "text":
         return plain.fragment(made)
@@ -99,6 +112,7 @@ def write_lecture(
     front: Front = NOTES,
     figures: Sequence[Drawing] = FIGURES,
     notation: Notation | None = None,
+    lines: Lecture | None = None,
 ) -> list[Path]:
     """Write lecture.tex, lecture.html and figures/ into `out`, with `pdf` also lecture.pdf.
 
@@ -108,7 +122,13 @@ def write_lecture(
     Raises RigidtopError, with one line, where the PDF cannot be made or the folder not written.
     """
     made = lecture(
-        judged, solutions, student=student, front=front, figures=figures, notation=notation
+        judged,
+        solutions,
+        student=student,
+        front=front,
+        figures=figures,
+        notation=notation,
+        lines=lines,
     )
     return _write("lecture", *made, out, pdf)
 
@@ -125,8 +145,12 @@ def lecture(
     front: Front = NOTES,
     figures: Sequence[Drawing] = FIGURES,
     notation: Notation | None = None,
+    lines: Lecture | None = None,
 ) -> Illustrated:
-    """The lecture: figures and exercises close the sections that they belong to."""
+    """The lecture: its text with its `lines`, then the verdicts.
+
+    Figures and exercises close the sections that they belong to.
+    """
     if notation is not None:
         judged = [(page, _in(notation, judgements)) for page, judgements in judged]
         solutions = [solution_in(notation, each) for each in solutions]
@@ -144,7 +168,18 @@ def lecture(
         closing += [(solution.exercise.section, block) for block in made]
         pictures += [own] if own else []
         told |= {judgement.claim.name for judgement in solution.judgements}
-    return _introduced(document(judged, closing, front), notation), pictures
+    texts = {} if lines is None else _texts(lines, judged, notation or NOTES_NOTATION)
+    return _introduced(document(judged, closing, front, texts), notation), pictures
+
+
+def _texts(lines: Lecture, judged: Judged, notation: Notation) -> dict[str, list[Block]]:
+    """The text of each section that has one."""
+    named = {text.name: text for text in lines.texts}
+    return {
+        page.section: text_blocks(lines, named[page.text], notation)
+        for page, _ in judged
+        if page.text in named
+    }
 
 
 def _introduced(whole: Document, notation: Notation | None) -> Document:

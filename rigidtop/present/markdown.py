@@ -88,7 +88,7 @@ def _(block: Display) -> str:
 
 
 def _row(row: Row) -> str:
-    reason = words(("⇒ " if row.follows and row.reason else "") + row.reason) if row.reason else ""
+    reason = _rich(row.spoken)
     lines = [align_row(line) for line in lay.lines(row.equation, row.order, LINE)]
     lines[-1] += rf" && \text{{({row.tag})}}" if row.tag else ""
     lines[-1] += rf" && \text{{{row.verdict}}}" if row.verdict is not None else ""

@@ -20,7 +20,6 @@ from rigidtop.present.report import (
     Paragraph,
     Quantities,
     Rich,
-    Row,
     Subhead,
 )
 from rigidtop.present.table import table
@@ -64,15 +63,11 @@ def _(block: Paragraph, width: int) -> list[str]:
 def _(block: Display, width: int) -> list[str]:
     made = ["", f"{block.label}:"] if block.label else [""]
     for row in block.rows:
-        reason = _wrapped(_reason(row), width, "    ", "    ") if _reason(row) else []
+        reason = _wrapped(rich(row.spoken), width, "    ", "    ") if row.reason else []
         marks = (f"({row.tag})" if row.tag else "", f"[{row.verdict}]" if row.verdict else "")
         equation = "  ".join(filter(None, (f"  {text(row.equation, row.order)}", *marks)))
         made += [*reason, equation]
     return made
-
-
-def _reason(row: Row) -> str:
-    return ("⇒ " if row.follows and row.reason else "") + row.reason
 
 
 @_lines.register

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 from typing import Any
 
 import sympy
@@ -19,7 +20,14 @@ from rigidtop.present.layout import Node, Order, layout, width
 from rigidtop.present.text import text
 from rigidtop.proof.equation import Equation, Printed
 from rigidtop.proof.page import Assumption, Correction, Definition, Measure, Page, Step
-from rigidtop.proof.verdict import Counterexample, Finding, Judgement, TestedAssumption, Verdict
+from rigidtop.proof.verdict import (
+    Counterexample,
+    Finding,
+    Judgement,
+    Led,
+    TestedAssumption,
+    Verdict,
+)
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import VOCABULARY
 
@@ -100,15 +108,22 @@ class Row:
     """An equation of a display.
 
     `reason` is the sentence that belongs to it; `follows` says that it follows from the line
-    above; `verdict` is shown where the verdicts of one claim differ.
+    above, which `spoken` says too; `verdict` is shown where the verdicts of one claim differ.
     """
 
     equation: Equation
     order: Order
     tag: str = ""
-    reason: str = ""
+    reason: str | Rich = ""
     follows: bool = False
     verdict: Verdict | None = None
+
+    @property
+    def spoken(self) -> Rich:
+        if not self.reason:
+            return ()
+        words = (self.reason,) if isinstance(self.reason, str) else self.reason
+        return ("⇒ ", *words) if self.follows else words
 
 
 @dataclass(frozen=True)
@@ -286,16 +301,22 @@ class Document:
 
 
 def document(
-    judged: Judged, closing: Iterable[tuple[str, Block]] = (), front: Front = NOTES
+    judged: Judged,
+    closing: Iterable[tuple[str, Block]] = (),
+    front: Front = NOTES,
+    texts: Mapping[str, Sequence[Block]] = MappingProxyType({}),
 ) -> Document:
-    """The lecture.  The blocks `closing` a section come with its number: figures, exercises."""
+    """The lecture.  The blocks `closing` a section come with its number: figures, exercises.
+
+    `texts` are the sections' texts by their numbers; behind them stand the verdicts.
+    """
     after: dict[str, list[Block]] = {}
     for section, block in closing:
         after.setdefault(section, []).append(block)
     blocks: list[Block] = [*_front(judged)]
     for page, judgements in judged:
         blocks.extend(_headings(page))
-        blocks.append(Paragraph((page.about,)))
+        blocks.extend(texts.get(page.section, [Paragraph((page.about,))]))
         for judgement in judgements:
             blocks.extend(claim_blocks(judgement))
         blocks.extend(after.get(page.section, ()))
@@ -389,15 +410,16 @@ def claim_blocks(judgement: Judgement, *, marks: bool = True) -> list[Block]:
         *(finding for finding in findings if finding.check.printed),
     ]
     mixed = marks and len({finding.verdict for finding in findings}) > 1
-    rows = [_notes_row(item, mixed) for item in as_notes]
-    if rows:
-        blocks.append(Display(_tagged(rows, claim.name), "The notes print"))
-    if claim.reason:
-        blocks.append(Paragraph((claim.reason,), "Reason"))
-    blocks.extend(_derivation(judgement, mixed))
-    meanings = _meanings(judgement)
-    if meanings:
-        blocks.append(Display(meanings, "The engine's own expressions"))
+    if not any(isinstance(item, Led) for item in judgement.items):  # else its lines say it all
+        rows = [_notes_row(item, mixed) for item in as_notes]
+        if rows:
+            blocks.append(Display(_tagged(rows, claim.name), "The notes print"))
+        if claim.reason:
+            blocks.append(Paragraph((claim.reason,), "Reason"))
+        blocks.extend(_derivation(judgement, mixed))
+        meanings = _meanings(judgement)
+        if meanings:
+            blocks.append(Display(meanings, "The engine's own expressions"))
     assumed = tested(judgement)
     if assumed:
         blocks.append(Conditions(_conditions(assumed)))

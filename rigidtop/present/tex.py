@@ -145,7 +145,7 @@ def fragment(blocks: Sequence[Any]) -> str:
             first, *rest = block.rows
             made.append(f"% {block.label}")
             if first.follows and first.reason:  # no sentence: it would stand alone
-                made += [f"% {line}" for line in textwrap.wrap(f"⇒ {first.reason}", 88)]
+                made += [f"% {line}" for line in textwrap.wrap(plain.rich(first.spoken), 88)]
                 first = replace(first, reason="")
             made.append(display((first, *rest)))
         else:
@@ -240,9 +240,8 @@ def _width(rows: Sequence[AlignRow]) -> float:
 
 def _align_row(row: Row) -> AlignRow:
     mark = f"({row.verdict})" if row.verdict is not None else ""
-    arrow = "⇒ " if row.follows and row.reason else ""
     lines = tuple(lay.lines(row.equation, row.order))
-    return AlignRow(lines, row.tag, arrow + row.reason, mark)
+    return AlignRow(lines, row.tag, rich(row.spoken), mark)
 
 
 @tex_block.register

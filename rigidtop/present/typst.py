@@ -210,15 +210,11 @@ def _(block: Display) -> str:
 
 def _rows(group: Sequence[Row]) -> str:
     last = group[-1]
-    reason = _reason(group[0])
+    reason = rich(group[0].spoken)
     rows = [align_row(line) for row in group for line in lay.lines(row.equation, row.order)]
     body = maths(r" \\ ".join(rows))
     shown = f'#eq("{last.tag}", "{last.verdict or ""}", $ {body} $)'
     return f"#why[{reason}]\n{shown}" if reason else shown
-
-
-def _reason(row: Row) -> str:
-    return prose(("⇒ " if row.follows else "") + row.reason) if row.reason else ""
 
 
 @typst_block.register

@@ -47,13 +47,15 @@ from rigidtop.theory.symbols import const
 class Line:
     """A line of a derivation: what it says and what is done to get there.
 
-    Without a move it stands by itself: a law (`source` says whose) or a definition, which gives a
-    name to what is on its other side.  `at` is the number of the line in its file.
+    `words` are the sentence in pieces: text, and trees where mathematics stands.  Without a move a
+    line stands by itself: a law (`source` says whose) or a definition, which gives a name to what
+    is on its other side.  `at` is the number of the line in its file.
     """
 
     id: str
     equations: tuple[Equation, ...]
     sentence: str
+    words: tuple[Any, ...] = ()
     move: Move | None = None
     scope: Scope = Scope.IDENTITY
     called: str = ""

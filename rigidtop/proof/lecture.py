@@ -6,9 +6,10 @@ Lines cite lines above them only, so that every chain ends in laws and definitio
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 from rigidtop.errors import RigidtopError
 from rigidtop.proof.algebra import Letters
@@ -18,10 +19,11 @@ from rigidtop.proof.moves import Known
 
 @dataclass(frozen=True)
 class Prose:
-    """A paragraph in Markdown, mathematics in dollars; `at` is the line of its file."""
+    """A paragraph; `at` is the line of its file, `pieces` its text and its mathematics, read."""
 
     words: str
     at: int
+    pieces: tuple[Any, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -31,6 +33,7 @@ class Heading:
     level: int
     words: str
     at: int
+    pieces: tuple[Any, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -101,6 +104,15 @@ class Lecture:
         move = self.lines[id].move
         return () if move is None else tuple(known.id for known in move.cited)
 
+    def before(self, id: str) -> str:
+        """The id of the line just above a line on its page, or nothing."""
+        for text in self.texts:
+            ids = [line.id for line in text.lines]
+            if id in ids:
+                place = ids.index(id)
+                return ids[place - 1] if place else ""
+        return ""
+
     def way(self, name: str, deep: bool = False) -> tuple[tuple[str, ...], tuple[str, ...]]:
         """The ids of the lines that lead to what a name names, and of what they start from.
 
@@ -120,6 +132,37 @@ class Lecture:
         starts -= wanted
         return self._ordered(wanted), self._ordered(starts)
 
+    @cached_property
+    def map(self) -> dict[str, tuple[str, ...]]:
+        """What each law and each named result rests on directly: laws and other named results.
+
+        Names are equations' numbers and claims' names; a law goes by its id.
+        """
+        names = {id: name for name, ids in reversed(self.names.items()) for id in ids}
+        named = {**{id: id for id in self.laws}, **{i: n for i, n in names.items()}}
+        made: dict[str, set[str]] = {}
+        for id in self.lines:
+            if id not in named:
+                continue
+            found = made.setdefault(named[id], set())
+            waiting = [*self.cites(id)]
+            while waiting:
+                cited = waiting.pop()
+                if cited in named:
+                    found.add(named[cited])
+                else:
+                    waiting += self.cites(cited)
+        order = {name: k for k, name in enumerate(made)}
+        return {name: tuple(sorted(on - {name}, key=order.__getitem__)) for name, on in made.items()}
+
+    def resting(self, name: str) -> tuple[str, ...]:
+        """The named results that rest on one, directly or not: what falls if it falls."""
+        found = {name}
+        for other, on in self.map.items():
+            if found & set(on):
+                found.add(other)
+        return tuple(other for other in self.map if other in found - {name})
+
     def _numbered(self, id: str) -> bool:
         return any(equation.tag for equation in self.lines[id].equations)
 
@@ -134,22 +177,22 @@ class Lecture:
                 found.add(other)
         return self._ordered(found - {id})
 
-    def judge(
-        self, ids: Iterable[str] | None = None, heard: Callable[[Judged], None] = lambda _: None
-    ) -> dict[str, Judged]:
-        """What becomes of some lines, or of all, and of all that they rest on."""
-        wanted = set(self.lines) if ids is None else self._closed(ids)
-        standing: dict[str, Known] = {}
-        made: dict[str, Judged] = {}
-        for id in self._ordered(wanted):
-            made[id] = judge_line(with_standing(self.lines[id], standing), self.letters)
-            standing[id] = made[id].known
-            heard(made[id])
-        return made
+    def judged(self, id: str) -> Judged:
+        """What becomes of a line, and of all that it rests on."""
+        for each in (*self._ordered(self._closed(id)),):
+            if each not in self._found:
+                standing = {cited: self._found[cited].known for cited in self.cites(each)}
+                line = with_standing(self.lines[each], standing)
+                self._found[each] = judge_line(line, self.letters)
+        return self._found[id]
 
-    def _closed(self, ids: Iterable[str]) -> set[str]:
-        wanted = set(ids)
-        waiting = list(wanted)
+    @cached_property
+    def _found(self) -> dict[str, Judged]:
+        """Of lines that were judged already."""
+        return {}
+
+    def _closed(self, id: str) -> set[str]:
+        wanted, waiting = {id}, [id]
         while waiting:
             new = set(self.cites(waiting.pop())) - wanted
             wanted |= new

@@ -31,6 +31,7 @@ from rigidtop.proof.algebra import (
 )
 from rigidtop.proof.equation import Equation, NoMeaningError, Partial, Printed, Rate
 from rigidtop.theory.symbols import const
+from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
 
 class RefusedError(Exception):
@@ -521,8 +522,17 @@ def _divide(move: Move, algebra: Algebra) -> Performed:
     if vanishes(factor):
         raise RefusedError("a division by 0")
     made = _multiply(replace(move, by=(1 / factor,)), algebra)
-    conditions = () if nonzero(factor, ()) else (Condition(factor, "≠", lost=True),)
-    return replace(made, conditions=conditions)
+    return replace(made, conditions=divided_by(factor, ()))
+
+
+def divided_by(factor: Expr, conditions: Sequence[Condition]) -> tuple[Condition, ...]:
+    """The conditions that a division brings: each factor that may vanish does not."""
+    if nonzero(factor, conditions):
+        return ()
+    flat, nodes = flattened(factor)
+    bases = [f.as_base_exp()[0] for f in Mul.make_args(reduce_ratio(flat))]
+    made = [b.xreplace(nodes) for b in bases if not b.is_number]
+    return tuple(Condition(b, "≠", lost=True) for b in made if not nonzero(b, conditions))
 
 
 def nonzero(factor: Expr, conditions: Sequence[Condition]) -> bool:
@@ -639,13 +649,11 @@ def _solved_linear(
         is_vector = isinstance(rows[0][1], Vector)
         pairs.append(Pair(Vector({x: Integer(1)}) if is_vector else x, total))
     kept = pairs[: len(pairs) - move.power]  # `power` unknowns are only eliminated
-    conditions = () if nonzero(determinant, move.where) else (Condition(determinant, "≠", True),)
+    conditions = divided_by(determinant, move.where)
     return Performed(tuple(kept), scope, conditions)
 
 
 def _reduced(expression: Expr) -> Expr:
-    from rigidtop.theory.trig import reduce_trig
-
     flat, nodes = flattened(expression)
     return reduce_trig(flat).xreplace(nodes)
 
@@ -665,8 +673,7 @@ def _roots(pair: Pair, unknown: Any, scope: Scope) -> Performed:
     discriminant = b**2 - 4 * a * c
     roots = [(-b + sign * sympy.sqrt(discriminant)) / (2 * a) for sign in (-1, 1)]
     conditions = [Condition(discriminant, "≥")]
-    if not nonzero(a, ()):
-        conditions.append(Condition(a, "≠", lost=True))
+    conditions += divided_by(a, ())
     pairs = tuple(Pair(unknown, root) for root in roots)
     return Performed(pairs, scope, tuple(conditions), every=True)
 

@@ -126,7 +126,7 @@ class Page:
     """One section of the notes: its number, its title, what it is about, its claims in order.
 
     `opens` is the title of the section above, such as 3.5 for 3.5.1, where this is its first page
-    and there is none of its own.
+    and there is none of its own.  `text` is the name of its text, a file in Markdown.
     """
 
     section: str
@@ -134,3 +134,4 @@ class Page:
     about: str
     claims: tuple[Claim, ...]
     opens: str = ""
+    text: str = ""

@@ -14,7 +14,9 @@ from sympy import Eq, Expr, Symbol
 from sympy.core.relational import Relational
 
 from rigidtop.proof import decide
+from rigidtop.proof.derivation import Judged
 from rigidtop.proof.equation import Equation, Meaning, Underbrace, value
+from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.page import (
     Assumption,
     Check,
@@ -73,7 +75,21 @@ class Finding:
     counterexample: Counterexample | None = None
 
 
-Item = Step | Definition | Measure | Finding
+@dataclass(frozen=True)
+class Led:
+    """The derivation of a claim, line by line: the lines that lead to it, and where they start.
+
+    `gaps` are the lines that do not follow.
+    """
+
+    lecture: Lecture
+    name: str
+    ids: tuple[str, ...]
+    starts: tuple[str, ...]
+    gaps: tuple[Judged, ...] = ()
+
+
+Item = Step | Definition | Measure | Finding | Led
 
 
 @dataclass(frozen=True)
@@ -113,13 +129,18 @@ def judge_page(page: Page) -> tuple[Judgement, ...]:
     return tuple(judge(claim, page.section) for claim in page.claims)
 
 
-def judge(claim: Claim, section: str = "") -> Judgement:
-    """Run the evidence of a claim and compute its verdict."""
+def judge(claim: Claim, section: str = "", lecture: Lecture | None = None) -> Judgement:
+    """Run the evidence of a claim and compute its verdict.
+
+    With a `lecture` that has lines for it, the moves that lead there are made too.
+    """
     start = time.perf_counter()
     items: list[Item] = []
     problem = ""
     try:
         items.extend(_item(evidence) for evidence in claim.evidence())
+        if lecture is not None and claim.name in lecture.names:
+            items.append(led(lecture, claim.name))
     except Exception as error:  # a claim that breaks is shown as undecided, never as a pass
         problem = f"{type(error).__name__}: {error}"
     judgement = Judgement(claim, section, Verdict.UNDECIDED, tuple(items), 0.0, problem)
@@ -128,6 +149,13 @@ def judge(claim: Claim, section: str = "") -> Judgement:
         judgement = replace(judgement, verdict=verdict)
         judgement = replace(judgement, problem=_problem(judgement))
     return replace(judgement, seconds=time.perf_counter() - start)
+
+
+def led(lecture: Lecture, name: str) -> Led:
+    """Make the moves that lead to what a name of the lecture names."""
+    ids, starts = lecture.way(name)
+    judged = [lecture.judged(id) for id in ids]
+    return Led(lecture, name, ids, starts, tuple(each for each in judged if not each.follows))
 
 
 def _item(evidence: Evidence) -> Item:
@@ -147,6 +175,9 @@ def _overall(judgement: Judgement) -> Verdict:
 def _problem(judgement: Judgement) -> str:
     """One line that says why the claim does not pass, or nothing."""
     for item in judgement.items:
+        if isinstance(item, Led) and item.gaps:
+            [gap, *_] = item.gaps
+            return f"line {gap.line.at} of its derivation does not follow: {gap.problem}"
         if isinstance(item, Measure) and not item.passed:
             return f"{item.what}: error {item.error:.1e} exceeds {item.tolerance:.1e}"
     corrections = judgement.corrections()

@@ -16,6 +16,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import Notation
@@ -102,7 +103,7 @@ class _Reader:
         if text.startswith("#"):
             self.end()
             level = len(text) - len(text.lstrip("#"))
-            self.blocks.append(Heading(level, text[level:].strip(), at))
+            self.heading(level, text[level:].strip(), at)
             self.anchor = self.anchor if self.fresh else ""
         elif text.lstrip().startswith("$$"):
             self.display(text.strip().strip("$").strip(), at)
@@ -111,17 +112,23 @@ class _Reader:
             *before, last = _SENTENCE.split(text)
             if last.rstrip().endswith(":"):
                 if before and not self.laws:
-                    self.blocks.append(Prose(" ".join(before), at))
+                    self.prose(" ".join(before), at)
                 self.source = " ".join(before)
                 self.pending = (last.strip(), at + text[: text.rindex(last)].count("\n"))
             else:
-                self.blocks.append(Prose(text, at))
+                self.prose(text, at)
+
+    def prose(self, words: str, at: int) -> None:
+        self.blocks.append(Prose(words, at, pieces(words, self.notation)))
+
+    def heading(self, level: int, words: str, at: int) -> None:
+        self.blocks.append(Heading(level, words, at, pieces(words, self.notation)))
 
     def end(self) -> None:
         """A sentence that ends in a colon was followed by no display."""
         if self.pending is not None:
             words, at = self.pending
-            self.blocks.append(Prose(words, at))
+            self.prose(words, at)
             self.pending = None
 
     def display(self, latex: str, at: int) -> None:
@@ -150,21 +157,46 @@ class _Reader:
             equations.append(each.equation)
         tag = next((e.tag for e in equations if e.tag), "")
         number = sum(isinstance(b, Shown) for b in self.blocks) + 1
-        made = Line(tag or f"{self.name}:{number}", tuple(equations), sentence, at=at)
-        words = sentence.rstrip(":").strip()
+        id, words = tag or f"{self.name}:{number}", pieces(sentence, self.notation)
+        made = Line(id, tuple(equations), sentence, words, at=at)
+        said = sentence.rstrip(":").strip()
         if self.laws:
-            along = re.match(r"Along the motion,? +", words)
-            called = words[along.end() :] if along else words
+            along = re.match(r"Along the motion,? +", said)
+            called = said[along.end() :] if along else said
             scope = Scope.MOTION if along else Scope.IDENTITY
             return replace(made, scope=scope, called=called, source=self.source)
-        defines = language.DEFINES.fullmatch(words)
+        defines = language.DEFINES.fullmatch(said)
         context = language.Context(self.above, self.notation, self.page)
         if defines is not None:
-            name, using = language.definition(words, context)
+            name, using = language.definition(said, context)
             letters = {x for k in self.above for e in k.equations for x in symbols_of(e)}
             call = Move("call", using=using, by=tuple(letters), words=sentence)
             return replace(made, called=name, move=call)
         return replace(made, move=language.move(sentence, context))
+
+
+@dataclass(frozen=True)
+class Raw:
+    """Mathematics in a sentence that is no expression and no equation, as it is written."""
+
+    latex: str
+
+
+def pieces(words: str, notation: Notation) -> tuple[Any, ...]:
+    """Running text with its mathematics read: strings, trees and equations, `Raw` where not."""
+    made: list[Any] = []
+    for k, piece in enumerate(re.split(r"\$([^$]+)\$", words)):
+        if k % 2 == 0:
+            made.append(piece)
+            continue
+        found = read(piece, notation)
+        if len(found) != 1 or found[0].equation is None:
+            found = read(piece + " = 0", notation)
+            tree = found[0].equation.sides[0] if len(found) == 1 and found[0].equation else None
+            made.append(Raw(piece) if tree is None else tree)
+        else:
+            made.append(found[0].equation)
+    return tuple(piece for piece in made if piece != "")
 
 
 def read_lecture(

@@ -50,8 +50,7 @@ def judged(page: str):
     """The lines of a page below the laws, each with what became of it."""
     lecture = read_lecture([("laws", LAWS), ("page", page)], LETTERS, NOTES)
     assert not list(lecture.problems())
-    found = lecture.judge()
-    return [found[line.id] for line in lecture.texts[1].lines]
+    return [lecture.judged(line.id) for line in lecture.texts[1].lines]
 
 
 def last(page: str) -> str:

@@ -1,0 +1,209 @@
+"""Derivations as they are shown: each line after the sentence that says its move."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from typing import Any
+
+import sympy
+
+from rigidtop.notation import NOTES, Notation
+from rigidtop.present.latex import latex
+from rigidtop.present.layout import Node, layout
+from rigidtop.present.report import Block, Display, Paragraph, Rich, Row, Subhead
+from rigidtop.present.text import text
+from rigidtop.proof.derivation import Judged, Line
+from rigidtop.proof.equation import Equation
+from rigidtop.proof.lecture import Heading, Lecture, Shown, Text
+from rigidtop.proof.moves import Condition, RefusedError
+
+
+def way_blocks(
+    lecture: Lecture, name: str, notation: Notation = NOTES, deep: bool = False
+) -> list[Block]:
+    """The lines that lead to what a name names, and what they start from.
+
+    What does not follow is said.  A `deep` way starts from laws and definitions alone.
+    """
+    ids, starts = lecture.way(name, deep)
+    rows = [row for id in ids for row in line_rows(lecture, id, notation, starts)]
+    blocks: list[Block] = [Display(tuple(rows), "Derivation")]
+    if starts:
+        names = [called(lecture.lines[id], notation) for id in starts]
+        blocks.append(Paragraph((*_listed(names), "."), "From"))
+    return [*blocks, *gaps(lecture, ids)]
+
+
+def text_blocks(lecture: Lecture, text: Text, notation: Notation = NOTES) -> list[Block]:
+    """A page as it is read: its paragraphs, its headings, and every line after its sentence."""
+    blocks: list[Block] = []
+    rows: list[Row] = []
+
+    def close() -> None:
+        if rows:
+            blocks.append(Display(tuple(rows)))
+            rows.clear()
+
+    for block in text.blocks[1:] if _is_title(text) else text.blocks:
+        if isinstance(block, Shown):
+            if block.line is not None:
+                rows += line_rows(lecture, block.line.id, notation)
+            continue
+        close()
+        content = running(block.pieces, notation)
+        if isinstance(block, Heading):
+            blocks.append(Subhead("".join(_plain(content))))
+        else:
+            blocks.append(Paragraph(content))
+    close()
+    return [*blocks, *gaps(lecture, [line.id for line in text.lines])]
+
+
+def _is_title(text: Text) -> bool:
+    return bool(text.blocks) and isinstance(text.blocks[0], Heading)
+
+
+def line_rows(
+    lecture: Lecture, id: str, notation: Notation = NOTES, above: Collection[str] = ()
+) -> list[Row]:
+    """A line with its sentence.  What stands `above`, and is not shown, is called by its name."""
+    judged = lecture.judged(id)
+    words = _spoken(_without_it(lecture, judged.line, above, notation), judged, notation)
+    return [
+        Row(notation.written(equation), "printed", equation.tag, words if k == 0 else "")
+        for k, equation in enumerate(judged.line.equations)
+    ]
+
+
+def gaps(lecture: Lecture, ids: Iterable[str]) -> list[Block]:
+    """What does not follow, with its place."""
+    found = [lecture.judged(id) for id in ids]
+    return [Paragraph((f"{gap(each)}.",), "Gap") for each in found if not each.follows]
+
+
+_IT = re.compile(r"\bit\b(?! is)")
+
+
+def _without_it(lecture: Lecture, line: Line, above: Collection[str], notation: Notation) -> Rich:
+    """A sentence in which "it" is a name where the line just above is not shown."""
+    words = running(line.words, notation)
+    if line.move is None:
+        return words
+    before = lecture.before(line.id)
+    if before not in above or before not in {known.id for known in line.move.cited}:
+        return words
+    name = called(lecture.lines[before], notation)
+    made: list[Any] = []
+    for piece in words:
+        parts = _IT.split(piece) if isinstance(piece, str) else [piece]
+        for k, part in enumerate(parts):
+            made += [*name, part] if k else [part]
+    return tuple(made)
+
+
+def _spoken(words: Rich, judged: Judged, notation: Notation) -> Rich:
+    """A sentence, with the condition that its move brings: "where sin θ ≠ 0"."""
+    move = judged.line.move
+    cited = () if move is None else move.cited
+    old = [c for known in cited for c in known.conditions]
+    old += () if move is None else move.where
+    new = [c for c in judged.known.conditions if c not in old and c.relation != "="]
+    if not (new and words and isinstance(words[-1], str)):
+        return words
+    made: list[Any] = [*words[:-1], words[-1].rstrip().rstrip(":")]
+    for k, condition in enumerate(new):
+        made += [" and " if k else ", where ", relation(condition, notation)]
+    return (*made, ":")
+
+
+def relation(condition: Condition, notation: Notation = NOTES) -> Node:
+    """A condition as it is printed: sin θ ≠ 0."""
+    equation = Equation(condition.expression, sympy.Integer(0), relation=condition.relation)
+    return layout(notation.written(equation), "auto")
+
+
+def running(words: Sequence[Any], notation: Notation = NOTES) -> Rich:
+    """Running text with its mathematics laid out."""
+    return tuple(
+        piece
+        if isinstance(piece, str)
+        else getattr(piece, "latex", None) or layout(notation.written(piece), "printed")
+        for piece in words
+    )
+
+
+def called(line: Line, notation: Notation = NOTES) -> Rich:
+    """What an equation is called: by its number, else by its name, else by its place."""
+    tag = next((e.tag for e in line.equations if e.tag), "")
+    if tag:
+        return (f"({tag})",)
+    if not line.called:
+        return (f"line {line.at}",)
+    first, *rest = running(line.words, notation)
+    name = re.sub(r"^(?:Along the motion,? |Call )", "", first) if isinstance(first, str) else first
+    if isinstance(name, str):
+        name = name[:1].lower() + name[1:] if name.startswith("The ") else name
+    made = (name, *rest)
+    last = made[-1]
+    return (*made[:-1], last.rstrip(": \n")) if isinstance(last, str) else made
+
+
+def gap(judged: Judged) -> str:
+    """Why a line does not follow, with its place."""
+    problem = judged.problem
+    assert isinstance(problem, RefusedError)
+    return f"line {judged.line.at} does not follow: {problem.words(text)}"
+
+
+def _listed(names: Sequence[Rich]) -> Rich:
+    made: list[Any] = []
+    for k, name in enumerate(names):
+        between = "" if k == 0 else " and " if k == len(names) - 1 else ", "
+        made += [between, *name] if between else name
+    return tuple(made)
+
+
+def steps(
+    lecture: Lecture, name: str, notation: Notation = NOTES, deep: bool = False
+) -> list[dict[str, Any]]:
+    """The lines as records for programs."""
+    made = []
+    for id in lecture.way(name, deep)[0]:
+        each = lecture.judged(id)
+        equations = [notation.written(equation) for equation in each.line.equations]
+        made.append(
+            {
+                "id": id,
+                "equation": "; ".join(text(equation) for equation in equations),
+                "latex": r",\quad ".join(latex(equation) for equation in equations),
+                "move": " ".join(each.line.sentence.split()).rstrip(":"),
+                "from": list(lecture.cites(id)),
+                "conditions": [text(relation(c, notation)) for c in each.known.conditions],
+                "verdict": _verdict(each),
+            }
+        )
+    return made
+
+
+def way_record(
+    lecture: Lecture, name: str, notation: Notation = NOTES, deep: bool = False
+) -> tuple[list[dict[str, Any]], list[str]]:
+    """The lines to what a name names, and what they rest on; nothing where there are no lines."""
+    if name not in lecture.names:
+        return [], []
+    starts = lecture.way(name, deep)[1]
+    names = ["".join(_plain(called(lecture.lines[id], notation))) for id in starts]
+    return steps(lecture, name, notation, deep), names
+
+
+def _plain(content: Rich) -> Iterator[str]:
+    for piece in content:
+        yield piece if isinstance(piece, str) else text(piece)
+
+
+def _verdict(judged: Judged) -> str:
+    if not judged.follows:
+        return "gap"
+    move = judged.line.move
+    return "definition" if move is None or move.verb == "call" else "follows"
