@@ -139,7 +139,7 @@ class Lecture:
         Names are equations' numbers and claims' names; a law goes by its id.
         """
         names = {id: name for name, ids in reversed(self.names.items()) for id in ids}
-        named = {**{id: id for id in self.laws}, **{i: n for i, n in names.items()}}
+        named = {**{id: id for id in self.laws}, **names}
         made: dict[str, set[str]] = {}
         for id in self.lines:
             if id not in named:
@@ -153,7 +153,9 @@ class Lecture:
                 else:
                     waiting += self.cites(cited)
         order = {name: k for k, name in enumerate(made)}
-        return {name: tuple(sorted(on - {name}, key=order.__getitem__)) for name, on in made.items()}
+        return {
+            name: tuple(sorted(on - {name}, key=order.__getitem__)) for name, on in made.items()
+        }
 
     def resting(self, name: str) -> tuple[str, ...]:
         """The named results that rest on one, directly or not: what falls if it falls."""

@@ -1,0 +1,94 @@
+"""``rigidtop map``: which equation rests on which, from the laws to the last claim."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rigidtop.commands import claims
+from rigidtop.commands.notation import add_notation, chosen
+from rigidtop.commands.output import print_json
+from rigidtop.errors import RigidtopError
+
+if TYPE_CHECKING:
+    from rigidtop.notation import Notation
+    from rigidtop.proof.lecture import Lecture
+
+ABOUT = "show which equation rests on which, from the laws to the last claim"
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """What can be asked."""
+    parser.add_argument(
+        "name",
+        nargs="*",
+        help="only what these rest on, such as 3.57, and what rests on them; " + claims.FOLDER,
+    )
+    parser.add_argument("-o", "--output", metavar="FILE", help="draw it: .svg, .pdf or .png")
+    add_notation(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Print or draw the map."""
+    from rigidtop.collection import opened
+
+    notation = chosen(options)
+    with opened(options.name) as (collection, names):
+        lecture = collection.lecture
+        for name in names:
+            if name.strip("()") not in lecture.names:
+                raise RigidtopError(
+                    f"nothing on the map is called {name!r}; `{collection.command('map')}` "
+                    "shows all that is"
+                )
+        return _run(lecture, [name.strip("()") for name in names], options, notation)
+
+
+def _run(
+    lecture: Lecture, names: list[str], options: argparse.Namespace, notation: Notation
+) -> int:
+    from rigidtop.present.map import KINDS, drawn, label, part
+
+    whole = lecture.map
+    shown = part(whole, names) if names else whole
+    if options.output is not None:
+        from rigidtop.present.files import check_folder, write_whole
+
+        path = Path(options.output)
+        kind = path.suffix[1:].lower()
+        if kind not in KINDS:
+            raise RigidtopError(f"{options.output}: draw it as .svg, .pdf or .png")
+        check_folder(path.parent)
+        write_whole(path, drawn(lecture, shown, kind, notation))
+        if not options.json:
+            print(path)
+            return 0
+    if options.json:
+        print_json(
+            {
+                "results": [
+                    {"name": name, "rests_on": list(on), "falls_with": list(lecture.resting(name))}
+                    for name, on in shown.items()
+                    if name not in lecture.laws
+                ],
+                "laws": [
+                    {
+                        "id": name,
+                        "name": label(lecture, name, notation),
+                        "source": lecture.lines[name].source,
+                    }
+                    for name in shown
+                    if name in lecture.laws
+                ],
+            }
+        )
+        return 0
+    for name, on in shown.items():
+        if name not in lecture.laws:
+            said = ", ".join(label(lecture, each, notation) for each in on) or "definitions alone"
+            print(f"{label(lecture, name, notation)}: {said}")
+    for name in names:
+        below = [label(lecture, each, notation) for each in lecture.resting(name)]
+        print(f"\nOn {label(lecture, name, notation)} rest {len(below)}: {', '.join(below)}")
+    return 0

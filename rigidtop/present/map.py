@@ -1,0 +1,135 @@
+"""The map of a lecture: which equation rests on which, as text and as a picture."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from io import BytesIO
+
+from rigidtop.notation import NOTES, Notation
+from rigidtop.present.text import text
+from rigidtop.present.ways import called
+from rigidtop.proof.lecture import Lecture
+
+KINDS = ("svg", "pdf", "png")
+Map = Mapping[str, tuple[str, ...]]
+
+
+def label(lecture: Lecture, name: str, notation: Notation = NOTES) -> str:
+    """What a name of the map is called: (3.57), constant-rate, Lagrange's equation for θ."""
+    if name in lecture.laws:
+        pieces = called(lecture.lines[name], notation)
+        return "".join(piece if isinstance(piece, str) else text(piece) for piece in pieces)
+    return f"({name})" if name[:1].isdigit() else name
+
+
+def part(whole: Map, names: Sequence[str]) -> dict[str, tuple[str, ...]]:
+    """The part of a map that some names rest on, themselves included."""
+    wanted, waiting = set(names), list(names)
+    while waiting:
+        new = set(whole[waiting.pop()]) - wanted
+        wanted |= new
+        waiting += new
+    return {name: on for name, on in whole.items() if name in wanted}
+
+
+def reduced(whole: Map) -> dict[str, tuple[str, ...]]:
+    """The map without the arrows that a chain of others says too."""
+    above: dict[str, set[str]] = {}
+    for name, on in whole.items():  # in reading order: what a name rests on comes first
+        above[name] = set(on).union(*(above[each] for each in on))
+    return {
+        name: tuple(e for e in on if not any(e in above[other] for other in on if other != e))
+        for name, on in whole.items()
+    }
+
+
+def layers(whole: Map) -> list[list[str]]:
+    """Names by the length of the longest chain to them, neighbours near what they rest on."""
+    depth: dict[str, int] = {}
+    for name, on in whole.items():
+        depth[name] = 1 + max((depth[each] for each in on), default=-1)
+    made: list[list[str]] = [[] for _ in range(max(depth.values(), default=-1) + 1)]
+    for name, k in depth.items():
+        made[k].append(name)
+    uses: dict[str, list[str]] = {name: [] for name in whole}
+    for name, on in whole.items():
+        for each in on:
+            uses[each].append(name)
+    for sweep in range(8):
+        forth = sweep % 2 == 0
+        rows = made[1:] if forth else made[-2::-1]
+        place = {x: i / max(1, len(row) - 1) for row in made for i, x in enumerate(row)}
+        for row in rows:
+            near = {x: [place[e] for e in (whole[x] if forth else uses[x])] for x in row}
+            row.sort(key=lambda x: sum(near[x]) / len(near[x]) if near[x] else place[x])
+            place |= {x: i / max(1, len(row) - 1) for i, x in enumerate(row)}
+    return made
+
+
+def drawn(lecture: Lecture, whole: Map, kind: str, notation: Notation = NOTES) -> bytes:
+    """The map as a file: laws at the left, what rests on them to the right."""
+    import matplotlib as mpl
+    from matplotlib.figure import Figure
+
+    from rigidtop.present.figures import style
+
+    arrows, columns = reduced(whole), layers(reduced(whole))
+    tallest = max(map(len, columns), default=1)
+    width, height = 1.75 * len(columns), max(2.0, 0.27 * tallest + 0.4)
+    with mpl.rc_context(style.STYLE):
+        canvas = Figure(figsize=(width, height))
+        axes = canvas.add_axes((0, 0, 1, 1))
+        axes.set_axis_off()
+        axes.set_xlim(-0.5, len(columns) - 0.5)
+        axes.set_ylim(-0.04, 1.04)
+        place: dict[str, tuple[float, float]] = {}
+        for x, column in enumerate(columns):
+            for i, name in enumerate(column):
+                place[name] = (float(x), 1 - (i + 0.5) / len(column))
+        for name, on in arrows.items():
+            for each in on:
+                (x0, y0), (x1, y1) = place[each], place[name]
+                color = style.GREY if each in lecture.laws else style.FIRST
+                axes.annotate(
+                    "",
+                    (x1 - 0.36, y1),
+                    (x0 + 0.36, y0),
+                    arrowprops={
+                        "arrowstyle": "-|>,head_length=0.25,head_width=0.12",
+                        "connectionstyle": "arc3,rad=0.06",
+                        "color": color,
+                        "linewidth": 0.5,
+                        "alpha": 0.7,
+                        "shrinkA": 0,
+                        "shrinkB": 0,
+                    },
+                )
+        for name, at in place.items():
+            law = name in lecture.laws
+            axes.text(
+                *at,
+                _broken(label(lecture, name, notation)),
+                ha="center",
+                va="center",
+                fontsize=style.SMALL,
+                linespacing=0.95,
+                fontfamily="DejaVu Sans",
+                color=style.INK,
+                bbox={
+                    "boxstyle": "round,pad=0.25",
+                    "facecolor": "#f3f0e8" if law else "#e3edf6",
+                    "edgecolor": style.RULE if law else style.FIRST,
+                    "linewidth": 0.6,
+                },
+            )
+        file = BytesIO()
+        metadata = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}.get(kind)
+        canvas.savefig(file, format=kind, dpi=160, metadata=metadata)
+    return file.getvalue()
+
+
+def _broken(words: str, most: int = 20) -> str:
+    """A label in lines of at most so many letters."""
+    import textwrap
+
+    return "\n".join(textwrap.wrap(words, most)) or words
