@@ -31,7 +31,7 @@ import traceback
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, redirect_stdout
 from dataclasses import dataclass, replace
-from functools import wraps
+from functools import partial, wraps
 from pathlib import Path
 from types import ModuleType
 from typing import Any, get_args
@@ -40,13 +40,16 @@ from sympy import Symbol
 from sympy.core.relational import Relational
 
 from rigidtop.errors import RigidtopError
+from rigidtop.notation import MATRICES, Notation
 from rigidtop.notation import NOTES as NOTATION
-from rigidtop.notation import Notation
 from rigidtop.parameters import Parameter
 from rigidtop.present.report import NOTES, Front
+from rigidtop.proof.algebra import Letters
 from rigidtop.proof.exercise import Exercise
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.page import Assumption, Check, Claim, Evidence, Measure, Page
+from rigidtop.read.page import read_lecture
+from rigidtop.textfile import text_of
 from rigidtop.theory import symbols
 from rigidtop.theory.lettered import Lettered
 
@@ -288,7 +291,46 @@ def _collection(module: ModuleType, folder: Path) -> Collection:
         tuple(replace(page, claims=own(page.claims)) for page in pages),
         tuple(replace(exercise, claims=own(exercise.claims)) for exercise in exercises),
         folder,
-        _notation(folder),
+        notation := _notation(folder),
+        read=partial(_lecture, folder, pages, notation),
+    )
+
+
+LAWS = "laws"
+"""The text that stands before all others, if a folder has it."""
+
+
+def _lecture(folder: Path, pages: Sequence[Page], notation: Notation) -> Lecture:
+    """The texts of a folder, laws.md first.  RigidtopError, with file and line, if one is amiss."""
+    names = [LAWS] if (folder / f"{LAWS}.md").is_file() else []
+    names += [page.text for page in pages if page.text]
+    sources = [(name, text_of(folder / f"{name}.md")) for name in names]
+    lecture = read_lecture(sources, letters_of(notation), notation)
+    for file, line, problem in lecture.problems():
+        raise RigidtopError(f"{folder / file}, line {line}: {problem}")
+    return lecture
+
+
+def letters_of(notation: Notation) -> Letters:
+    """What a notation's letters are, as far as they show it.
+
+    What is positive is a number; a letter with a dotted one is a coordinate, whose rate that is;
+    bold letters are vectors.
+    """
+    glyphs = notation.glyphs
+    dots = {"": "dot", "dot": "ddot"}
+    rates = {
+        x: notation.names[dotted]
+        for x, glyph in glyphs.items()
+        if glyph.accent in dots
+        and (dotted := replace(glyph, accent=dots[glyph.accent])) in notation.names
+    }
+    return Letters(
+        numbers=frozenset(x for x in glyphs if x.is_positive),
+        coordinates=tuple(x for x in rates if glyphs[x].accent == "" and not glyphs[x].bold),
+        rates=rates,
+        vectors=frozenset(x for x, glyph in glyphs.items() if glyph.bold),
+        operators=frozenset(MATRICES) & frozenset(glyphs),
     )
 
 

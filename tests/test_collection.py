@@ -19,7 +19,8 @@ from rigidtop.collection import built_in, load
 from rigidtop.commands import new
 from rigidtop.errors import RigidtopError
 from rigidtop.present.text import text
-from rigidtop.proof.perturb import Perturbation, falls, telling, upheld
+from rigidtop.proof.changed import Perturbation
+from rigidtop.proof.perturb import falls, telling, upheld
 from rigidtop.proof.verdict import Finding, judge
 from rigidtop.theory import symbols
 from rigidtop.theory.lettered import Lettered, in_order, positive, real

@@ -37,7 +37,7 @@ def run(options: argparse.Namespace) -> int:
         raise RigidtopError("name a folder, such as my_course")
     folder = Path(options.folder)
     _check_name(folder.resolve().name)
-    names = sorted(file.name for file in STARTER.glob("*.py"))
+    names = sorted(file.name for file in STARTER.glob("*") if file.suffix in (".py", ".md"))
     write(folder, {name: (STARTER / name).read_bytes() for name in names})
     if options.json:
         print_json({"files": [str(folder / name) for name in names]})

@@ -7,8 +7,9 @@ from typing import Any
 
 from rigidtop.present.report import Numbers, condition, numbers, tested
 from rigidtop.present.text import text
+from rigidtop.present.ways import gap
 from rigidtop.proof.page import Claim, Measure
-from rigidtop.proof.verdict import Finding, Judgement, TestedAssumption, Verdict
+from rigidtop.proof.verdict import Finding, Judgement, Led, TestedAssumption, Verdict
 
 
 def record(judgement: Judgement) -> dict[str, Any]:
@@ -47,6 +48,14 @@ def measures(judgements: Iterable[Judgement]) -> list[Measure]:
 
 def note(judgement: Judgement) -> str:
     """One line: why it does not pass, or what is silently assumed, or what refutes it."""
+    gaps = [
+        gap(each, i.lecture.letters)
+        for i in judgement.items
+        if isinstance(i, Led)
+        for each in i.gaps
+    ]
+    if gaps:
+        return gaps[0]
     if judgement.problem:
         # A corrected form that fails is the one to look at.
         failed = _refuted(judgement.corrections() or judgement.findings())

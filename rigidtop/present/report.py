@@ -445,7 +445,7 @@ def claim_blocks(judgement: Judgement, *, marks: bool = True) -> list[Block]:
     measures = tuple(item for item in judgement.items if isinstance(item, Measure))
     if measures:
         blocks.append(Measures(measures))
-    if judgement.problem:
+    if judgement.problem and not any(isinstance(i, Led) and i.gaps for i in judgement.items):
         blocks.append(Paragraph((f"This claim does not pass. {_sentence(judgement.problem)}",), ""))
     return blocks
 

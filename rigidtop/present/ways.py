@@ -13,10 +13,11 @@ from rigidtop.present.latex import latex
 from rigidtop.present.layout import Node, layout
 from rigidtop.present.report import Block, Display, Paragraph, Rich, Row, Subhead
 from rigidtop.present.text import text
-from rigidtop.proof.derivation import Judged, Line
+from rigidtop.proof.algebra import Letters
+from rigidtop.proof.derivation import Judged, Line, diagnose
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.lecture import Heading, Lecture, Shown, Text
-from rigidtop.proof.moves import Condition, RefusedError
+from rigidtop.proof.moves import Condition
 
 
 def way_blocks(
@@ -79,7 +80,9 @@ def line_rows(
 def gaps(lecture: Lecture, ids: Iterable[str]) -> list[Block]:
     """What does not follow, with its place."""
     found = [lecture.judged(id) for id in ids]
-    return [Paragraph((f"{gap(each)}.",), "Gap") for each in found if not each.follows]
+    return [
+        Paragraph((f"{gap(each, lecture.letters)}.",), "Gap") for each in found if not each.follows
+    ]
 
 
 _IT = re.compile(r"\bit\b(?! is)")
@@ -149,11 +152,27 @@ def called(line: Line, notation: Notation = NOTES) -> Rich:
     return (*made[:-1], last.rstrip(": \n")) if isinstance(last, str) else made
 
 
-def gap(judged: Judged) -> str:
-    """Why a line does not follow, with its place."""
-    problem = judged.problem
-    assert isinstance(problem, RefusedError)
-    return f"line {judged.line.at} does not follow: {problem.words(text)}"
+def gap(judged: Judged, letters: Letters, notation: Notation = NOTES) -> str:
+    """Why a line does not follow, with its place, and numbers against it where there are."""
+    line, problem = judged.line, judged.problem
+    assert problem is not None
+    assert line.move is not None
+
+    def said(node: Any) -> str:
+        return text(notation.written(node))
+
+    cited = line.move.cited
+    found = None if line.move.verb == "call" else diagnose(line.equations, cited, letters)
+    place = f"{line.file}, line {line.at}, does not follow: {problem.words(said)}"
+    if found is None:
+        return place
+    if found.entailed:
+        return f"{place}; it follows from what is cited, but not by this move"
+    if not found.at:
+        return place
+    values = ", ".join(f"{said(x)} = {said(value)}" for x, value in found.at.items())
+    sides = f"the left side is {said(found.left)}, the right side {said(found.right)}"
+    return f"{place}; with what is cited, at {values}, {sides}"
 
 
 def _listed(names: Sequence[Rich]) -> Rich:

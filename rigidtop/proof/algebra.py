@@ -49,7 +49,7 @@ class Letters:
     is no scalar; `frames` are right-handed triples of unit vectors, of which `body` is fixed in the
     body; `indexed` letters belong to one particle of many, or to one place; `components` name the
     scalar product of an axis and a vector, `branches` the roots of an equation for a letter;
-    `units` are SI.
+    a slip of the pen exchanges letters of one of the `families`; `units` are SI.
     """
 
     numbers: frozenset[Symbol] = frozenset()
@@ -63,6 +63,7 @@ class Letters:
     indexed: frozenset[Symbol] = frozenset()
     components: Mapping[tuple[Symbol, Symbol], Symbol] = field(default_factory=dict)
     branches: Mapping[Symbol, Symbol] = field(default_factory=dict)
+    families: tuple[tuple[Symbol, ...], ...] = ()
     units: Mapping[Symbol, str] = field(default_factory=dict)
 
     @cached_property

@@ -8,7 +8,7 @@ line that is not arrived at is a gap.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -26,7 +26,8 @@ from rigidtop.proof.algebra import (
     flattened,
     vanishes,
 )
-from rigidtop.proof.equation import Equation, NoMeaningError
+from rigidtop.proof.changed import perturbations
+from rigidtop.proof.equation import Equation, NoMeaningError, symbols_of
 from rigidtop.proof.moves import (
     Condition,
     Known,
@@ -49,7 +50,7 @@ class Line:
 
     `words` are the sentence in pieces: text, and trees where mathematics stands.  Without a move a
     line stands by itself: a law (`source` says whose) or a definition, which gives a name to what
-    is on its other side.  `at` is the number of the line in its file.
+    is on its other side.  `at` is the number of the line in its `file`.
     """
 
     id: str
@@ -60,6 +61,7 @@ class Line:
     scope: Scope = Scope.IDENTITY
     called: str = ""
     source: str = ""
+    file: str = ""
     at: int = 0
 
 
@@ -130,9 +132,17 @@ def define(line: Line, letters: Letters) -> Symbol:
     return letter
 
 
-def arrive(equations: Sequence[Equation], move: Move, letters: Letters) -> Performed:
-    """What a move makes, if the equations are that.  Raises RefusedError."""
-    performed = perform(move, letters)
+def arrive(
+    equations: Sequence[Equation],
+    move: Move,
+    letters: Letters,
+    performed: Performed | None = None,
+) -> Performed:
+    """What a move makes, if the equations are that.  Raises RefusedError.
+
+    What was `performed` already need not be again.
+    """
+    performed = perform(move, letters) if performed is None else performed
     algebra = Algebra(letters, performed.given)
     shown: set[int] = set()
     says_something = False
@@ -409,29 +419,70 @@ class Change:
     what: str
 
 
-def changes(
-    line: Line,
-    letters: Letters,
-    others: Sequence[Known] = (),
-    altered: Callable[[Equation], Iterator[tuple[Equation, str]]] | None = None,
-) -> Iterator[Change]:
-    """A line with a sign, factor or function changed; another equation cited, another move."""
-    from rigidtop.proof.perturb import perturbations
+def changes(line: Line, letters: Letters, others: Sequence[Known] = ()) -> Iterator[Change]:
+    """A line with a sign, factor or function changed; another equation cited, another move.
 
+    What says the same as the line, such as cos(−θ) for cos θ, is left out.
+    """
     for k, equation in enumerate(line.equations):
-        for changed in perturbations(equation):
-            new = (*line.equations[:k], changed.equation, *line.equations[k + 1 :])
-            yield Change(replace(line, equations=new), changed.change)
-    if line.move is None:
+        for changed in perturbations(equation, letters.families):
+            if not _same(changed.equation, equation, letters):
+                yield Change(_with_equation(line, k, changed.equation), changed.change)
+        for i, side in enumerate(equation.sides):
+            for letter in _letters(equation) if side == 0 else ():
+                sides = (*equation.sides[:i], letter, *equation.sides[i + 1 :])
+                new = Equation(*sides, relation=equation.relation, tag=equation.tag)
+                yield Change(_with_equation(line, k, new), f"{letter} for 0")
+    move = line.move
+    if move is None or move.verb == "call":
         return
     for other in others:
-        for k, old in enumerate(line.move.of):
-            if other.id != old.id:
-                of = (*line.move.of[:k], other, *line.move.of[k + 1 :])
-                yield Change(replace(line, move=replace(line.move, of=of)), f"{other.id} cited")
-    for verb in ("rate", "rewrite", "square"):
-        if verb != line.move.verb:
-            yield Change(replace(line, move=replace(line.move, verb=verb)), f"{verb} instead")
+        if other.id == line.id or any(other.equations == k.equations for k in move.cited):
+            continue
+        for k in range(len(move.of)):
+            of = (*move.of[:k], other, *move.of[k + 1 :])
+            yield Change(replace(line, move=replace(move, of=of)), f"{other.id} cited instead")
+    for verb in ("rate", "square"):
+        if verb != move.verb:
+            made = replace(move, verb=verb, by=())
+            yield Change(replace(line, move=made), f"{verb} instead of {move.verb}")
+
+
+def survivors(line: Line, letters: Letters, others: Sequence[Known] = ()) -> tuple[int, list[str]]:
+    """How many changes of a line that follows were tried, and which of them follow too."""
+    assert line.move is not None
+    performed = perform(line.move, letters)
+    tried, survived = 0, []
+    for change in changes(line, letters, others):
+        tried += 1
+        move = change.line.move
+        assert move is not None
+        try:
+            arrive(change.line.equations, move, letters, performed if move is line.move else None)
+        except RefusedError:
+            continue
+        survived.append(change.what)
+    return tried, survived
+
+
+def _with_equation(line: Line, k: int, equation: Equation) -> Line:
+    return replace(line, equations=(*line.equations[:k], equation, *line.equations[k + 1 :]))
+
+
+def _letters(equation: Equation) -> list[Symbol]:
+    return sorted(symbols_of(equation), key=str)
+
+
+def _same(changed: Equation, equation: Equation, letters: Letters) -> bool:
+    """Whether two equations say the same whatever their letters are."""
+    algebra, nothing = Algebra(letters), Move("rewrite")
+    try:
+        pairs = [pairs_of(each, algebra) for each in (changed, equation)]
+        return len(pairs[0]) == len(pairs[1]) and all(
+            _factor(a, b, nothing) is not None for a, b in zip(*pairs, strict=True)
+        )
+    except (NoMeaningError, TypeError, AttributeError):
+        return False
 
 
 __all__ = [

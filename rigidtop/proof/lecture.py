@@ -55,12 +55,11 @@ Block = Prose | Heading | Shown
 
 @dataclass(frozen=True)
 class Text:
-    """A page, read.  `laws` says that its lines stand by themselves."""
+    """A page, read."""
 
     file: str
     name: str
     blocks: tuple[Block, ...]
-    laws: bool = False
 
     @property
     def shown(self) -> tuple[Shown, ...]:
@@ -85,7 +84,8 @@ class Lecture:
 
     @cached_property
     def laws(self) -> frozenset[str]:
-        return frozenset(line.id for text in self.texts if text.laws for line in text.lines)
+        """The ids of what stands by itself."""
+        return frozenset(id for id, line in self.lines.items() if line.move is None)
 
     @cached_property
     def names(self) -> dict[str, tuple[str, ...]]:
@@ -171,6 +171,10 @@ class Lecture:
     def _ordered(self, ids: Collection[str]) -> tuple[str, ...]:
         return tuple(id for id in self.lines if id in ids)
 
+    def above(self, id: str) -> tuple[str, ...]:
+        """The ids of all lines that a line rests on."""
+        return self._ordered(self._closed(id) - {id})
+
     def below(self, id: str) -> tuple[str, ...]:
         """The ids of all lines that rest on a line: what falls if it falls."""
         found = {id}
@@ -217,8 +221,10 @@ def with_standing(line: Line, standing: dict[str, Known]) -> Line:
     """A line whose citations have the scope, conditions and order that they were found to have."""
     if line.move is None:
         return line
-    of, using = (
-        tuple(standing.get(known.id, known) for known in cited)
-        for cited in (line.move.of, line.move.using)
-    )
+
+    def found(known: Known) -> Known:
+        # Of several equations a letter cites its own only.
+        return replace(standing.get(known.id, known), equations=known.equations)
+
+    of, using = (tuple(map(found, cited)) for cited in (line.move.of, line.move.using))
     return replace(line, move=replace(line.move, of=of, using=using))

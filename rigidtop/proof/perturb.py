@@ -11,24 +11,20 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import sympy
-from sympy import Add, Integer, Mul, Pow, Rational, Symbol, cos, sin
+from sympy import Add, Integer, Symbol
 from sympy.matrices.exceptions import ShapeError
 
+from rigidtop.proof.changed import Perturbation, perturbations
 from rigidtop.proof.equation import (
-    Cross,
     Equation,
     Meaning,
     NoMeaningError,
     Rate,
-    SumOver,
-    Transposed,
     Underbrace,
-    VolumeIntegral,
-    as_printed,
     value,
 )
 from rigidtop.proof.page import Check
@@ -43,7 +39,7 @@ from rigidtop.proof.verdict import (
 )
 from rigidtop.theory import symbols as s
 
-_FAMILIES: tuple[tuple[Symbol, ...], ...] = (
+FAMILIES: tuple[tuple[Symbol, ...], ...] = (
     (s.lambda1, s.lambda2, s.lambda3),
     (s.omega1, s.omega2, s.omega3),
     (s.omega1dot, s.omega2dot, s.omega3dot),
@@ -63,14 +59,6 @@ _FAMILIES: tuple[tuple[Symbol, ...], ...] = (
     (s.M_1, s.M_2),
 )
 """Symbols that a slip of the pen exchanges."""
-
-
-@dataclass(frozen=True)
-class Perturbation:
-    """A changed equation and what was changed."""
-
-    equation: Equation
-    change: str
 
 
 def upheld(finding: Finding) -> Check | None:
@@ -93,7 +81,7 @@ def telling(check: Check) -> Iterator[Perturbation]:
         yield Perturbation(turned, f"{opposite} for {claimed.relation}")
         return
     trials = _Trials(check)
-    for perturbation in perturbations(claimed):
+    for perturbation in perturbations(claimed, FAMILIES):
         try:
             follows = trials.follows(perturbation.equation)
         except (ShapeError, TypeError, AttributeError):
@@ -114,94 +102,6 @@ def falls(check: Check, perturbation: Perturbation) -> bool:
         return True  # ∫ρ² d³r is nothing that a body has
     except UnneededAssumptionError:
         return False  # it holds even without an assumption
-
-
-# --- the changes -------------------------------------------------------------------------------
-
-
-def perturbations(equation: Equation) -> Iterator[Perturbation]:
-    """Every single change of sign, factor, exponent, index, function or term, side by side."""
-    for position, side in enumerate(equation.sides):
-        for changed, change in _changed_side(side):
-            sides = (*equation.sides[:position], changed, *equation.sides[position + 1 :])
-            new = Equation(*sides, relation=equation.relation, tag=equation.tag)
-            yield Perturbation(new, change)
-
-
-def _changed_side(side: Any) -> Iterator[tuple[Any, str]]:
-    """A side with one change in it; of a matrix one entry is changed."""
-    if not isinstance(side, sympy.MatrixBase):
-        yield from _changed(side)
-        return
-    for k, entry in enumerate(side):
-        for changed, change in _changed(entry):
-            new = [*side[:k], changed, *side[k + 1 :]]
-            yield sympy.ImmutableMatrix(*side.shape, new), f"entry {k + 1}: {change}"
-
-
-def _changed(node: Any) -> Iterator[tuple[Any, str]]:
-    """The tree with one change at this node or below it."""
-    # Built as lists: a generator that pauses inside the context would leave it on for its caller.
-    with as_printed():
-        here = list(_changed_here(node))
-    yield from here
-    for k, argument in enumerate(node.args):
-        if _stands(node, k):
-            continue
-        for changed, change in _changed(argument):
-            with as_printed():
-                rebuilt = node.func(*node.args[:k], changed, *node.args[k + 1 :])
-            yield rebuilt, change
-
-
-def _stands(node: Any, k: int) -> bool:
-    """Whether argument k is left alone.
-
-    The label of a brace, the index of a sum and the measure of an integral assert nothing; a rate
-    is one thing with a meaning of its own; a power changes its exponent itself.
-    """
-    return (
-        isinstance(node, Rate)
-        or (isinstance(node, (Underbrace, Pow)) and k == 1 and not node.args[1].args)
-        or (isinstance(node, (SumOver, VolumeIntegral)) and k == 0)
-    )
-
-
-def _changed_here(node: Any) -> Iterator[tuple[Any, str]]:
-    """The changes of a node itself, typed as printed."""
-    if node in (0, s.const):
-        return
-    if isinstance(node, Add):
-        for k, term in enumerate(node.args):
-            others = (*node.args[:k], *node.args[k + 1 :])
-            yield Add(*node.args[:k], -term, *node.args[k + 1 :]), f"sign of {term}"
-            yield (Add(*others) if len(others) > 1 else others[0]), f"{term} dropped"
-            yield Add(*node.args[:k], 2 * term, *node.args[k + 1 :]), f"twice {term}"
-    elif isinstance(node, Pow):
-        base, exponent = node.args
-        yield Pow(base, exponent + 1), f"exponent of {base}"
-        yield Mul(node, Integer(-1)), f"sign of {node}"
-    elif isinstance(node, Symbol):
-        for family in _FAMILIES:
-            if node in family:
-                yield from ((other, f"{other} for {node}") for other in family if other != node)
-        yield Mul(Integer(2), node), f"twice {node}"
-        yield Mul(Integer(-1), node), f"sign of {node}"
-        yield Mul(node, node), f"square of {node}"
-    elif isinstance(node, (sin, cos)):
-        yield (cos if isinstance(node, sin) else sin)(*node.args), f"the other function in {node}"
-        yield Mul(Integer(-1), node), f"sign of {node}"
-        yield Pow(node, Integer(2)), f"square of {node}"
-    elif isinstance(node, Rate):
-        yield Mul(Integer(-1), node), f"sign of {node}"
-    elif isinstance(node, Cross):
-        yield Cross(node.args[1], node.args[0]), "factors of × exchanged"
-    elif isinstance(node, Transposed):
-        yield node.args[0], "transposition dropped"
-    elif node.is_Number:
-        larger = Rational(node.p + node.q, node.q)
-        yield larger, f"{larger} for {node}"
-        yield Mul(Integer(-1), node), f"sign of {node}"
 
 
 # --- whether a change says anything ------------------------------------------------------------
@@ -268,7 +168,7 @@ def _random_meaning(check: Check, rng: random.Random) -> dict[Any, Any]:
 
     conditions = [assumption.condition for assumption in check.assuming]
     symbols = {x for part in (*check.claimed.sides, *conditions) for x in part.free_symbols}
-    symbols |= {x for family in _FAMILIES for x in family}
+    symbols |= {x for family in FAMILIES for x in family}
     meaning: dict[Any, Any] = {x: number() for x in sorted(symbols, key=str)}
     meaning |= {key: like(meant) for key, meant in check.meaning.items()}
     if s.unit in check.meaning:

@@ -177,7 +177,7 @@ def _problem(judgement: Judgement) -> str:
     for item in judgement.items:
         if isinstance(item, Led) and item.gaps:
             [gap, *_] = item.gaps
-            return f"line {gap.line.at} of its derivation does not follow: {gap.problem}"
+            return f"{gap.line.file}, line {gap.line.at}, does not follow"
         if isinstance(item, Measure) and not item.passed:
             return f"{item.what}: error {item.error:.1e} exceeds {item.tolerance:.1e}"
     corrections = judgement.corrections()

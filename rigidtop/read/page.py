@@ -7,7 +7,8 @@
     $$\\frac{\\partial\\mathcal L}{\\partial\\dot\\theta} = \\lambda_1\\dot\\theta$$
 
 Headings and other paragraphs are the lecture's text.  Only the last sentence of a paragraph in
-front of a display says a move (`rigidtop.read.sentence`); on a page of laws it names the law.
+front of a display says a move (`rigidtop.read.sentence`); beneath a heading that begins with "Laws"
+it names the law, and what stands before it says where the law is from.
 ``<a id="constant-rate"></a>`` gives the lines below it, up to the next heading or name, a name.
 """
 
@@ -38,14 +39,13 @@ def read_page(
     name: str,
     notation: Notation,
     above: Sequence[Known],
-    laws: bool = False,
 ) -> Text:
-    """Read a page.  `above` may be cited, besides the page's own lines; `laws` need no move."""
-    reader = _Reader(file, name, notation, list(above), laws)
+    """Read a page.  `above` may be cited, besides the page's own lines."""
+    reader = _Reader(file, name, notation, list(above))
     for text, at in _paragraphs(source):
         reader.take(text, at)
     reader.end()
-    return Text(file, name, tuple(reader.blocks), laws)
+    return Text(file, name, tuple(reader.blocks))
 
 
 def _paragraphs(source: str) -> list[tuple[str, int]]:
@@ -84,7 +84,8 @@ class _Reader:
     name: str
     notation: Notation
     above: list[Known]
-    laws: bool
+    laws: bool = False
+    """Whether this stands beneath a heading that begins with "Laws": there lines need no move."""
     blocks: list[Block] = field(default_factory=list)
     page: list[Known] = field(default_factory=list)
     pending: tuple[str, int] | None = None
@@ -105,6 +106,7 @@ class _Reader:
             level = len(text) - len(text.lstrip("#"))
             self.heading(level, text[level:].strip(), at)
             self.anchor = self.anchor if self.fresh else ""
+            self.laws = text[level:].split()[:1] == ["Laws"]
         elif text.lstrip().startswith("$$"):
             self.display(text.strip().strip("$").strip(), at)
         else:
@@ -158,7 +160,7 @@ class _Reader:
         tag = next((e.tag for e in equations if e.tag), "")
         number = sum(isinstance(b, Shown) for b in self.blocks) + 1
         id, words = tag or f"{self.name}:{number}", pieces(sentence, self.notation)
-        made = Line(id, tuple(equations), sentence, words, at=at)
+        made = Line(id, tuple(equations), sentence, words, file=self.file, at=at)
         said = sentence.rstrip(":").strip()
         if self.laws:
             along = re.match(r"Along the motion,? +", said)
@@ -202,11 +204,11 @@ def pieces(words: str, notation: Notation) -> tuple[Any, ...]:
 def read_lecture(
     sources: Sequence[tuple[str, str]], letters: Letters, notation: Notation
 ) -> Lecture:
-    """Read the pages of a lecture, (name, text) in reading order; one called ``laws`` has laws."""
+    """Read the pages of a lecture, (name, text) in reading order."""
     above: list[Known] = []
     texts = []
     for name, source in sources:
-        text = read_page(source, f"{name}.md", name, notation, above, laws=name == "laws")
+        text = read_page(source, f"{name}.md", name, notation, above)
         above += [Known(x.id, x.equations, x.scope, called=x.called) for x in text.lines]
         texts.append(text)
     return Lecture(letters, tuple(texts))

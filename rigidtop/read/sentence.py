@@ -173,8 +173,9 @@ def _of_letter(letter: Any, context: Context) -> Known | None:
     """The last equation of this page, else of those before, that says what a letter is."""
     for lines in (context.page, context.above):
         for known in reversed(lines):
-            if any(equation.sides[0] == letter for equation in known.equations):
-                return known
+            own = tuple(e for e in known.equations if e.sides[0] == letter)
+            if own:
+                return replace(known, equations=own)
     return None
 
 
@@ -296,8 +297,14 @@ def definition(words: str, context: Context) -> tuple[str, tuple[Known, ...]]:
 
 
 def _hint(first: str) -> str:
-    shapes = [line.strip() for line in (__doc__ or "").splitlines() if first in line]
-    return f"a sentence with {first} is written so: {'; '.join(shapes)}"
+    return f"written so: {', or '.join(f'“{e}:”' for e in _EXAMPLES if e.startswith(first))}"
+
+
+_EXAMPLES = tuple(
+    " ".join(each.split())
+    for each in re.findall(r"(?:Put|Take|[A-Z][a-z]+) [^.:\n]+(?=[.:])", __doc__.split("\n\n")[2])
+)
+"""The sentences of the table at the top."""
 
 
 __all__ = ["BODY", "DEFINES", "SPACE", "Context", "SentenceError", "Symbol", "move"]

@@ -8,11 +8,14 @@ from __future__ import annotations
 from rigidtop.theory.lettered import in_order, positive, real
 from rigidtop.theory.symbols import Glyph
 
-m, g, length, E, thetaddot, thetadot, theta = in_order(
+m, g, length, Lagrangian, E, T, V, thetaddot, thetadot, theta = in_order(
     positive("m", Glyph("m"), "mass of the bob", "kg"),
     positive("g", Glyph("g"), "acceleration of gravity", "m/s²"),
     positive("length", Glyph("l"), "length of the string", "m"),
+    real("Lagrangian", Glyph("ℒ"), "Lagrangian", "J"),
     real("E", Glyph("E"), "energy", "J"),
+    real("T", Glyph("T"), "kinetic energy", "J"),
+    real("V", Glyph("V"), "potential energy", "J"),
     # A rate is a symbol of its own; its letter has an accent.
     real("thetaddot", Glyph("θ", accent="ddot"), "second derivative of θ", "rad/s²"),
     real("thetadot", Glyph("θ", accent="dot"), "rate of θ", "rad/s"),

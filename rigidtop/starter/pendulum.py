@@ -63,6 +63,7 @@ page = Page(
     "The pendulum",
     "A mass on a string that swings in a plane.",
     (equation_of_motion, from_energy),
+    text="pendulum",  # pendulum.md: how one gets there, line by line
 )
 
 

@@ -3,8 +3,9 @@
 import pytest
 
 from rigidtop.derivations import PAGES
+from rigidtop.proof.changed import Perturbation
 from rigidtop.proof.equation import Equation
-from rigidtop.proof.perturb import Perturbation, falls, telling, upheld
+from rigidtop.proof.perturb import falls, telling, upheld
 from rigidtop.proof.verdict import Finding
 
 CLAIMS = [claim.name for page in PAGES for claim in page.claims]

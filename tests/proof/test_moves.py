@@ -9,6 +9,8 @@ from rigidtop.notation import NOTES
 from rigidtop.read.page import read_lecture
 
 LAWS = r"""
+# Laws
+
 The kinetic energy:
 
 $$T = \tfrac12\lambda_1(\dot\phi^2\sin^2\theta + \dot\theta^2)

@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from rigidtop.errors import RigidtopError
-from rigidtop.proof.perturb import perturbations
+from rigidtop.proof.changed import perturbations
+from rigidtop.proof.perturb import FAMILIES
 from rigidtop.read import facts, limits
 from rigidtop.read.mark import Mark, mark, steps
 
@@ -145,7 +146,7 @@ def changed(name, stride):
         if step.own or equation.relation != "=":
             continue
         assert not motions.is_wrong(equation, start, goal)
-        for perturbation in perturbations(equation):
+        for perturbation in perturbations(equation, FAMILIES):
             count += 1
             if count % stride:
                 continue

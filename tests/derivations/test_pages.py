@@ -1,0 +1,84 @@
+"""The text of the lecture: every line follows, every change of one falls, no other line comes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from rigidtop.derivations import PAGES, lecture
+from rigidtop.derivations.letters import LETTERS
+from rigidtop.proof.derivation import judge_line, survivors, unneeded
+from rigidtop.read.page import Raw
+
+LECTURE = lecture()
+MOVED = [id for id, line in LECTURE.lines.items() if line.move is not None]
+MADE = [id for id in MOVED if LECTURE.lines[id].move.verb != "call"]
+CHANGES = 10
+"""A line is changed at least so often."""
+
+
+def test_everything_is_read() -> None:
+    assert not list(LECTURE.problems())
+    sentences = [piece for line in LECTURE.lines.values() for piece in line.words]
+    assert not [piece for piece in sentences if isinstance(piece, Raw)]
+
+
+@pytest.mark.parametrize("id", LECTURE.lines)
+def test_a_line_follows_from_what_it_cites(id: str) -> None:
+    judged = LECTURE.judged(id)
+    assert judged.follows, f"{judged.line.file}, line {judged.line.at}: {judged.problem}"
+
+
+@pytest.mark.parametrize("id", MADE)
+def test_what_is_cited_is_needed(id: str) -> None:
+    assert not list(unneeded(LECTURE.judged(id).line, LETTERS))
+
+
+@pytest.mark.parametrize("id", MADE)
+def test_a_changed_line_falls(id: str) -> None:
+    line = LECTURE.judged(id).line
+    # What the cited lines rest on, or what rests on them, may serve as well.
+    near = {id, *LECTURE.cites(id)}
+    for cited in LECTURE.cites(id):
+        near |= {*LECTURE.below(cited), *LECTURE.above(cited)}
+    others = [LECTURE.judged(each).known for each in LECTURE.lines if each not in near][:12]
+    tried, survived = survivors(line, LETTERS, others)
+    assert tried >= CHANGES
+    assert survived == []
+
+
+def test_only_what_rests_on_a_line_falls_with_it() -> None:
+    line = LECTURE.lines["3.54"]
+    below = set(LECTURE.below("3.54"))
+    assert {"3.57"} <= below
+    assert not below & {"3.53", "3.55", "3.56"}
+    assert line.id not in below
+
+
+def test_a_later_equation_does_not_take_the_place_of_a_line() -> None:
+    """True all the same in the model: what decides is the move."""
+    refused = 0
+    for place, id in enumerate(MADE):
+        line = LECTURE.judged(id).line
+        for other in MADE[place + 1 : place + 6]:
+            equations = LECTURE.lines[other].equations
+            if equations == line.equations:
+                continue
+            found = judge_line(replace(line, equations=equations), LETTERS)
+            assert not found.follows, (id, other)
+            refused += 1
+    assert refused >= 60
+
+
+def test_every_numbered_equation_has_its_lines() -> None:
+    numbered = {
+        claim.name for page in PAGES if page.text for claim in page.claims if claim.name[0] == "3"
+    }
+    assert numbered <= set(LECTURE.names)
+    assert len(LECTURE.way("3.54")[0]) >= 4
+
+
+def test_every_law_says_where_it_is_from() -> None:
+    sources = {id: LECTURE.lines[id].source for id in LECTURE.laws}
+    assert [id for id, source in sources.items() if not source] == []
