@@ -276,6 +276,26 @@ def test_regimes_of_a_free_body(omega, regime):
     assert rt.FreeBody(1.0, 2.0, 2.5).motion(omega=omega).regime == regime
 
 
+@pytest.mark.parametrize("phi", [0.0, 100 * math.pi, -1e4, 1e6 * math.pi])
+@pytest.mark.parametrize("psi", [0.0, 0.7, 100 * math.pi, -1e6])
+def test_turns_at_the_start_cost_no_digits(phi, psi):
+    """One motion at a time as well as an array of them: θ and the rates do not depend on φ."""
+    start = {"theta": 0.5, "theta_dot": 0.1, "phi_dot": 1.0, "omega3": 40.0, "phi": phi, "psi": psi}
+    times = np.array([0.0, 1.3])
+    alone = TOP.motion(**start)
+    of_many = rt.top_motions(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5, **start).exact(times)
+    runs = (of_many, alone.exact(times), alone.integrate(times, rtol=1e-13, atol=1e-14))
+    for run in runs:
+        assert abs(run.theta_dot[0] - 0.1) < 1e-15
+        assert abs(run.phi_dot[0] - 1.0) < 1e-15
+    for run, bound in zip(runs[1:], (2e-14, 1e-10), strict=True):
+        for name in ("theta", "theta_dot", "phi_dot"):
+            assert abs(getattr(run, name)[1] - getattr(of_many, name)[1]) < bound
+    for rate in TOP.steady_precession(0.5, 40.0):
+        steady = TOP.motion(theta=0.5, phi_dot=rate, omega3=40.0, phi=phi, psi=psi)
+        assert steady.regime == "steady"
+
+
 # --- Late times, many samples, other bodies ---
 
 
