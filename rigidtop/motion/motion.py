@@ -169,9 +169,9 @@ class Motion:
     def mean_precession(self) -> float:
         """The mean rate of that turning (rad/s).
 
-        Where the axis is constant, that of its neighbours.  An axis that passes exactly through the
-        vertical comes out on the other side; this half turn is none of precession, so a pendulum
-        that swings in a plane has 0.
+        Where the axis is constant, that of its neighbours.  An axis that passes through the
+        vertical, to rounding of the initial state, comes out on the other side; this half turn is
+        none of precession, so a pendulum that swings in a plane has 0.
         """
         mean = float(self.orbit.mean_precession)
         return -mean if self._from_above else mean
