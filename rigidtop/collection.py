@@ -45,6 +45,7 @@ from rigidtop.notation import Notation
 from rigidtop.parameters import Parameter
 from rigidtop.present.report import NOTES, Front
 from rigidtop.proof.exercise import Exercise
+from rigidtop.proof.independence import refuse_circular
 from rigidtop.proof.page import Assumption, Check, Claim, Evidence, Measure, Page
 from rigidtop.theory import symbols
 from rigidtop.theory.lettered import Lettered
@@ -394,7 +395,10 @@ def _watched(claim: Claim, folder: Path) -> Claim:
             if not isinstance(found, Iterable):
                 raise TypeError(f"{claim.name} yields nothing")
             for item in found:
-                yield _sound(item)
+                sound = _sound(item)
+                if isinstance(sound, Check):
+                    refuse_circular(sound, found, claim.evidence)
+                yield sound
         except Exception as error:
             raise PageError(_said(error, folder, _stands(claim, found, folder))) from error
 

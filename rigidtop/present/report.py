@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy
-from sympy import Expr, Symbol
+from sympy import Expr, MatrixBase, Symbol
 
 from rigidtop.present import layout as lay
 from rigidtop.present.layout import Node, Order, layout, width
@@ -362,11 +362,20 @@ def _found(judgement: Judgement) -> Found:
     else:
         content = (claim.says,)
         corrected = [c.check.claimed for c in judgement.corrections()]
-        shown = [layout(equation, "printed") for equation in corrected]
-        short = [node for node in shown if width(node) < 45 and not lay.is_tall(node)]
-        if short:
-            content = (*content, " Corrected: ", short[0], ".")
+        shown = [layout(equation, "printed") for equation in corrected if not _has_matrix(equation)]
+        short = [node for node in shown if width(node) < 45]
+        for i, node in enumerate(short):
+            content = (*content, "; " if i else " Corrected: ", node)
+        if len(short) < len(corrected):
+            content = (*content, "; more at the claim" if short else " Corrected at the claim")
+        if corrected:
+            content = (*content, ".")
     return Found(judgement.section, claim.name, anchor(claim.name), judgement.verdict, content)
+
+
+def _has_matrix(equation: Equation) -> bool:
+    nodes = (node for side in equation.sides for node in sympy.preorder_traversal(side))
+    return any(isinstance(node, MatrixBase) for node in nodes)
 
 
 def _joined(tested: Sequence[TestedAssumption]) -> Rich:

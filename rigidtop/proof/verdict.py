@@ -15,6 +15,7 @@ from sympy.core.relational import Relational
 
 from rigidtop.proof import decide
 from rigidtop.proof.equation import Equation, Meaning, Underbrace, value
+from rigidtop.proof.independence import refuse_circular
 from rigidtop.proof.page import (
     Assumption,
     Check,
@@ -119,7 +120,11 @@ def judge(claim: Claim, section: str = "") -> Judgement:
     items: list[Item] = []
     problem = ""
     try:
-        items.extend(_item(evidence) for evidence in claim.evidence())
+        found = claim.evidence()
+        for evidence in found:
+            if isinstance(evidence, Check):
+                refuse_circular(evidence, found, claim.evidence)
+            items.append(_item(evidence))
     except Exception as error:  # a claim that breaks is shown as undecided, never as a pass
         problem = f"{type(error).__name__}: {error}"
     judgement = Judgement(claim, section, Verdict.UNDECIDED, tuple(items), 0.0, problem)

@@ -230,6 +230,33 @@ def test_the_front_counts_and_lists(lecture):
     assert plain.rich(found.rows[1].content) == "I is λ₁ − λ₃. Corrected: I = λ₃ − λ₁."
 
 
+def _listed(printed, *numbers):
+    """What the list of findings has of a false claim, with the equations of these numbers right."""
+    with as_printed():
+        right = [Equation(*printed[number].sides) for number in numbers]
+    made = tuple(Finding(Correction(equation), Verdict.PROVED) for equation in right)
+    page = Page("3.2", "x", "y", ())
+    judgement = Judgement(_claim("false", "It is not."), "3.2", Verdict.FALSE, made, 0.1)
+    blocks = document([(page, (judgement,))]).blocks
+    (found,) = [block for block in blocks if isinstance(block, FoundList)]
+    return found.rows[0].content
+
+
+def test_a_correction_with_a_fraction_is_listed(printed):
+    content = _listed(printed, "3.45")
+    assert plain.rich(content) == "It is not. Corrected: φ̇ = (L_z − L₃ cos θ)/(λ₁ sin² θ)."
+    assert r"\frac{L_{z} - L_{3}\cos\theta}{\lambda_{1}\sin^{2}\theta}" in tex.rich(content)
+
+
+def test_every_correction_is_listed_or_said_to_stand_elsewhere(printed):
+    both = "It is not. Corrected: r′ = Oᵀr; λ₁ω̇₁ = (λ₂ − λ₃)ω₂ω₃."
+    assert plain.rich(_listed(printed, "3.34", "3.36")) == both
+    assert plain.rich(_listed(printed, "3.47")) == "It is not. Corrected at the claim."
+    assert plain.rich(_listed(printed, "3.49")) == "It is not. Corrected at the claim."
+    some = "It is not. Corrected: r′ = Oᵀr; more at the claim."
+    assert plain.rich(_listed(printed, "3.34", "3.38")) == some
+
+
 def test_rows_are_grouped_between_reasons_and_tags(judged):
     shown = Display(tuple(claim_blocks(judged[0][1][2])[1].rows))
     assert [len(group) for group in groups(shown)] == [2]
