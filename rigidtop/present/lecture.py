@@ -193,7 +193,8 @@ def sheet(
         pictures += [own] if own else []
         told |= {judgement.claim.name for judgement in solution.judgements}
     subtitle = "Questions" if student else "Questions and solutions"
-    whole = Document(front.exercises, subtitle, (*made, *symbol_list(made)), front.source)
+    every = (*made, *symbol_list(made))
+    whole = Document(front.exercises, subtitle, every, front.source, front.author)
     return _introduced(whole, notation), pictures
 
 
