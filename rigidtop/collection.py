@@ -5,6 +5,7 @@ A collection is a folder with an ``__init__.py`` that defines
     PAGES      its pages, a tuple of `rigidtop.proof.page.Page` in reading order
     EXERCISES  a tuple of `rigidtop.proof.exercise.Exercise`; may be left out
     TITLE, SUBTITLE, SOURCE  what stands on the first page of the lecture; may be left out
+    AUTHOR     whom its PDF names as author; may be left out
 
 and as many other files as it likes, imported with a dot (``from .pendulum import page``).  Its
 symbols come from `rigidtop.theory.lettered`, so that they are printed with its own letters, or
@@ -270,6 +271,7 @@ def _collection(module: ModuleType, folder: Path) -> Collection:
         _text(module, "SUBTITLE", ""),
         _text(module, "SOURCE", ""),
         f"{title}: exercises",
+        _text(module, "AUTHOR", NOTES.author),
     )
     watched = {id(claim): _watched(claim, folder) for claim in _claims(pages, exercises)}
 

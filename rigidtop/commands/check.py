@@ -49,14 +49,14 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _run(collection: Collection, names: Sequence[str], notation: Notation, as_json: bool) -> int:
-    from rigidtop.notation.judged import judgement_in
     from rigidtop.present.records import measures, record
     from rigidtop.present.table import table, wants_color
+    from rigidtop.present.wording import Wording
 
     found = claims.named(collection, names) if names else claims.every(collection)
     judgements = [judgement for _, judgement in claims.judged(found)]
     passed = all(judgement.passed for judgement in judgements)
-    records = [record(judgement_in(notation, judgement)) for judgement in judgements]
+    records = [record(Wording(notation).judgement(judgement)) for judgement in judgements]
     if as_json:
         print_json(records)
         return 0 if passed else claims.FAILED

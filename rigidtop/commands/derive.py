@@ -48,9 +48,9 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _run(collection: Collection, name: str, options: argparse.Namespace) -> int:
-    from rigidtop.notation.judged import judgement_in
     from rigidtop.present.lecture import fragment
     from rigidtop.present.records import record
+    from rigidtop.present.wording import Wording
 
     notation = chosen(options)
     found = claims.named(collection, [name])
@@ -62,7 +62,7 @@ def _run(collection: Collection, name: str, options: argparse.Namespace) -> int:
         return _source(options, judgement, notation)
     text = fragment(judgement, options.format, notation)
     if options.json:
-        said = record(judgement_in(notation, judgement))
+        said = record(Wording(notation).judgement(judgement))
         print_json({**said, "format": options.format, "text": text})
     else:
         print(text)

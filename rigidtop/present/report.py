@@ -34,6 +34,7 @@ class Front:
     subtitle: str
     source: str
     exercises: str
+    author: str = "rigidtop"
 
 
 NOTES = Front(
@@ -89,10 +90,11 @@ class Heading:
 
 @dataclass(frozen=True)
 class Paragraph:
-    """Running text, with a short label before it ("Reason")."""
+    """Running text, with a short label before it ("Reason"); `held` to what follows."""
 
     content: Rich
     label: str = ""
+    held: bool = False
 
 
 @dataclass(frozen=True)
@@ -280,6 +282,14 @@ class Document:
     subtitle: str
     blocks: tuple[Block, ...]
     colophon: str
+    author: str = "rigidtop"
+
+    @property
+    def keywords(self) -> tuple[str, ...]:
+        """The titles of its numbered sections, or else of its exercises."""
+        sections = [b.title for b in self.blocks if isinstance(b, Heading) and b.number]
+        exercises = [b.title for b in self.blocks if isinstance(b, ExerciseHead)]
+        return tuple(dict.fromkeys(sections or exercises))
 
 
 # --- Building ------------------------------------------------------------------------------------
@@ -295,12 +305,12 @@ def document(
     blocks: list[Block] = [*_front(judged)]
     for page, judgements in judged:
         blocks.extend(_headings(page))
-        blocks.append(Paragraph((page.about,)))
+        blocks.append(Paragraph((page.about,), held=True))
         for judgement in judgements:
             blocks.extend(claim_blocks(judgement))
         blocks.extend(after.get(page.section, ()))
     whole = (*blocks, *symbol_list(blocks))
-    return Document(front.title, front.subtitle, whole, front.source)
+    return Document(front.title, front.subtitle, whole, front.source, front.author)
 
 
 def groups(block: Display) -> list[list[Row]]:

@@ -29,9 +29,11 @@ from rigidtop.present.report import (
     ExerciseHead,
     Figure,
     FoundList,
+    Heading,
     Measures,
     Numbers,
     Paragraph,
+    Row,
     Summary,
     anchor,
     claim_blocks,
@@ -476,6 +478,36 @@ def test_a_long_remark_stands_beneath_its_heading_in_typst():
 
 def test_a_long_remark_may_stand_beneath_its_heading_in_html():
     assert re.search(r"\.head \{[^}]*flex-wrap: wrap", html.STYLE)
+
+
+OPENING = (
+    Heading(1, "1", "An opening", "section-1"),
+    Paragraph(("What it is about.",), held=True),
+    ClaimHead("a-claim", "claim-a", "It says so.", Verdict.PROVED),
+    Paragraph(("The reason.",), "Reason"),
+    Display((Row(Equation(lambda1, lambda3), "printed"),), "Derivation"),
+)
+
+
+def _page_of(made: bytes, words: str) -> int:
+    """The last page that has the words: the first has the contents."""
+    pages = [page.extract_text() for page in pypdf.PdfReader(io.BytesIO(made)).pages]
+    return max(i for i, text in enumerate(pages) if words in text)
+
+
+@pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
+def test_a_section_opens_with_its_first_claim_in_latex():
+    for count in range(26, 36, 2):
+        source = tex.write(Document("T", "S", (*FILL[:count], *OPENING), "C"), {})
+        made = pdf.by_latexmk(shutil.which("latexmk") or "", source, {})
+        assert _page_of(made, "An opening") == _page_of(made, "The reason."), count
+
+
+def test_a_section_opens_with_its_first_claim_in_typst():
+    for count in range(24, 45):
+        source = typst.write(Document("T", "S", (*FILL[:count], *OPENING), "C"), {})
+        made = pdf.by_typst(source, {})
+        assert _page_of(made, "An opening") == _page_of(made, "The reason."), count
 
 
 FILL = tuple(Paragraph((f"Line {i}.",)) for i in range(90))
