@@ -121,7 +121,7 @@ def euler_angle_matrix() -> Iterator[Evidence]:
 def rotation_group() -> Iterator[Evidence]:
     """Products and inverses of orthogonal matrices are orthogonal, and determinants multiply.
 
-    The identities hold entry by entry for any matrices; shown for N = 2 and 3.
+    The identities hold entry by entry for any matrices; shown for 2 × 2 and 3 × 3.
     """
     for size in (2, 3):
         A, B, C = (Matrix(size, size, symbols(f"{x}:{size * size}", real=True)) for x in "abc")

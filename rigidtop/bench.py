@@ -2,7 +2,8 @@
 
 The example top: λ₁ = 1, λ₃ = 0.5, M = 1, g = 9.81, R = 0.5, θ = 0.5, θ̇ = 0.1, φ̇ = 1, ψ̇ = 40, over
 10 s.  Every way gives θ, φ, ψ and their rates at every sample.  Compilation and derivation are not
-in the times of a motion; a closed form is solved anew each time.
+in the times of a motion; a closed form is solved anew each time.  How long that takes depends on
+the motion: other kinds, of the same top and of free bodies, stand beside it.
 """
 
 from __future__ import annotations
@@ -37,6 +38,65 @@ END = 10.0
 TRUTH = (0.4888053728390981437, 2.397747377595791806, 406.6868628059444844)
 """θ, φ and ψ at the end, by Taylor series with 50 digits (tests/motion/reference/taylor.py)."""
 
+
+@dataclass(frozen=True)
+class Kind:
+    """A motion of another kind: of the example top, or of a free body."""
+
+    name: str
+
+    truth: tuple[float, float, float, float]
+    """The quaternion of its attitude at the end, as `TRUTH`."""
+
+    start: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
+    """θ, θ̇, φ̇ and ψ̇ of the top."""
+
+    moments: tuple[float, float, float] | None = None
+    """Of a free body, which starts with the identity and `omega`."""
+
+    omega: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+
+KINDS = (
+    Kind(
+        "cusps",
+        (0.5980458820117939, 0.05743452787550003, -0.24177956323027677, -0.7619613118922971),
+        (0.5, 0.0, 0.0, 40.0),
+    ),
+    Kind(
+        "a slow spin",
+        (0.2546020767963464, 0.20830445167153472, -0.29429430151155445, 0.8973170576795222),
+        (0.5, 0.0, 0.0, 10.0),
+    ),
+    Kind(
+        "a wild one",
+        (0.1381890696023954, 0.8965299373352204, 0.42084435843019774, -0.0052800077277763815),
+        (2.0, 3.0, -4.0, 15.0),
+    ),
+    Kind(
+        "falling",
+        (-0.1905448670271952, -0.1343583266208076, 0.9614552640970927, -0.1457541383880216),
+        (0.1, 0.0, 0.0, 2.0),
+    ),
+    Kind(
+        "near the separatrix",
+        (0.9406261528082588, 0.278999810157476, -0.1067934817981889, 0.16117288491134762),
+        (1.0, -2.052, 0.65, 1.65),
+    ),
+    Kind(
+        "a free body",
+        (-0.28920088681658684, 0.017729711160730306, 0.05941901511352761, -0.955258020144084),
+        moments=(1.0, 1.7, 2.5),
+        omega=(1.0, 0.5, 2.0),
+    ),
+    Kind(
+        "the flip",
+        (-0.012931118997556819, 0.998548307446118, -0.006665672431725793, -0.051861668590557984),
+        moments=(1.0, 2.0, 3.0),
+        omega=(0.01, 2.0, 0.01),
+    ),
+)
+
 TOLERANCE = 1e-12
 ROUNDS = 5
 TOPS = 100_000
@@ -57,7 +117,7 @@ class Row:
     """How many samples, tops or evaluations that is."""
 
     error: float | None = None
-    """The largest error of θ, φ, ψ at the end, rad."""
+    """The largest error of θ, φ, ψ at the end, or of the attitude, rad."""
 
     note: str = ""
 
@@ -83,10 +143,13 @@ def measure(quick: bool = False, progress: Progress | None = None) -> list[Row]:
     `progress` is called with the number of tasks done, and of all.
     """
     scale, rounds = (10, 1) if quick else (1, ROUNDS)
+    sizes = 10_000 // scale, 1_000_000 // scale
     tasks: list[tuple[str, int, Callable[[], list[Way]]]] = [
+        *((f"{n:,} samples of one motion", n, lambda n=n: _trajectory(n)) for n in sizes),
         *(
-            (f"{n:,} samples of one motion", n, lambda n=n: _trajectory(n))
-            for n in (10_000 // scale, 1_000_000 // scale)
+            (f"{n:,} samples, {kind.name}", n, lambda n=n, kind=kind: _other(kind, n))
+            for kind in KINDS
+            for n in sizes
         ),
         (f"{TOPS // scale:,} tops, each at one time", TOPS // scale, lambda: _tops(TOPS // scale)),
         ("one right-hand side", 1, _one_call),
@@ -221,22 +284,66 @@ def _trajectory(samples: int) -> list[Way]:
     ]
 
 
-def _heyoka_grid(t: Floats, last: Callable[[Any], float]) -> Way:
+def _other(kind: Kind, samples: int) -> list[Way]:
+    """The closed form and the fastest of the others; of a free body attitude and ω."""
+    from rigidtop.motion import attitude
+    from rigidtop.motion.body import FreeBody
+    from rigidtop.motion.top import HeavyTop
+
+    t, top = np.linspace(0.0, END, samples), kind.moments is None
+    theta, theta_dot, phi_dot, psi_dot = kind.start
+    start = dict(zip(START, kind.start, strict=True))
+
+    def exact() -> Any:
+        if kind.moments is not None:
+            run: Any = FreeBody(*kind.moments).motion(kind.omega).exact(t)
+            return [*run.quaternion.T, *run.omega.T]
+        path = HeavyTop(**TOP).motion(**start).exact(t)
+        return path.theta, path.phi, path.psi, path.theta_dot, path.phi_dot, path.psi_dot
+
+    def last(rows: Any) -> float:
+        q = np.array([row[-1] for row in rows[:4]])
+        if top:
+            q = attitude.from_spinors(np.cos(q[0] / 2), np.sin(q[0] / 2), q[1], q[2])
+        q, truth = q / np.linalg.norm(q), np.array(kind.truth)
+        return 2 * float(min(np.linalg.norm(q - truth), np.linalg.norm(q + truth)))
+
+    if top:
+        return [
+            Way("exact", exact, last),
+            _heyoka_grid(t, last, (theta, 0.0, 0.0, theta_dot, phi_dot, psi_dot)),
+        ]
+    return [
+        Way("exact", exact, last),
+        _heyoka_grid(t, last, (1.0, 0.0, 0.0, 0.0, *kind.omega), kind.moments),
+    ]
+
+
+def _heyoka_grid(
+    t: Floats,
+    last: Callable[[Any], float],
+    start: Sequence[float] = STATE,
+    moments: Sequence[float] | None = None,
+) -> Way:
+    """The example top in Euler angles, or a free body in its quaternion and ω."""
     from rigidtop.motion import equations
 
     name = "heyoka propagate_grid"
     heyoka = _module("heyoka")
     if heyoka is None:
         return _missing(name, "heyoka")
-    state = heyoka.make_vars("theta", "phi", "psi", "thetadot", "phidot", "psidot")
-    rates = equations.top_in_euler_angles(*TOP.values(), sin=heyoka.sin, cos=heyoka.cos)
-    accelerations = rates([state[0], *state[3:]])
-    system = zip(state, [*state[3:], *accelerations], strict=True)
-    integrator = heyoka.taylor_adaptive(list(system), list(STATE))
+    if moments is None:
+        state = heyoka.make_vars("theta", "phi", "psi", "thetadot", "phidot", "psidot")
+        of_top = equations.top_in_euler_angles(*TOP.values(), sin=heyoka.sin, cos=heyoka.cos)
+        rates = [*state[3:], *of_top([state[0], *state[3:]])]
+    else:
+        state = heyoka.make_vars("q0", "q1", "q2", "q3", "omega1", "omega2", "omega3")
+        rates = list(equations.heavy_body(*moments, *[0.0] * 5)(state))
+    integrator = heyoka.taylor_adaptive(list(zip(state, rates, strict=True)), list(start))
 
     def go() -> Any:
         integrator.time = 0.0
-        integrator.state[:] = STATE
+        integrator.state[:] = start
         return integrator.propagate_grid(t)[-1].T
 
     return Way(name, go, last)

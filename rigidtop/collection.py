@@ -5,6 +5,7 @@ A collection is a folder with an ``__init__.py`` that defines
     PAGES      its pages, a tuple of `rigidtop.proof.page.Page` in reading order
     EXERCISES  a tuple of `rigidtop.proof.exercise.Exercise`; may be left out
     TITLE, SUBTITLE, SOURCE  what stands on the first page of the lecture; may be left out
+    AUTHOR     whom its PDF names as author; may be left out
 
 and as many other files as it likes, imported with a dot (``from .pendulum import page``).  Its
 symbols come from `rigidtop.theory.lettered`, so that they are printed with its own letters, or
@@ -46,6 +47,7 @@ from rigidtop.parameters import Parameter
 from rigidtop.present.report import NOTES, Front
 from rigidtop.proof.algebra import Letters
 from rigidtop.proof.exercise import Exercise
+from rigidtop.proof.independence import refuse_circular
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.page import Assumption, Check, Claim, Evidence, Measure, Page
 from rigidtop.read.page import read_lecture
@@ -280,6 +282,7 @@ def _collection(module: ModuleType, folder: Path) -> Collection:
         _text(module, "SUBTITLE", ""),
         _text(module, "SOURCE", ""),
         f"{title}: exercises",
+        _text(module, "AUTHOR", NOTES.author),
     )
     watched = {id(claim): _watched(claim, folder) for claim in _claims(pages, exercises)}
 
@@ -444,7 +447,10 @@ def _watched(claim: Claim, folder: Path) -> Claim:
             if not isinstance(found, Iterable):
                 raise TypeError(f"{claim.name} yields nothing")
             for item in found:
-                yield _sound(item)
+                sound = _sound(item)
+                if isinstance(sound, Check):
+                    refuse_circular(sound, found, claim.evidence)
+                yield sound
         except Exception as error:
             raise PageError(_said(error, folder, _stands(claim, found, folder))) from error
 

@@ -1,4 +1,4 @@
-"""The numbers of an exercise or a figure that its reader may change."""
+"""Numbers that come in, and those of an exercise or a figure that its reader may change."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import re
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from typing import Any
 
 from rigidtop.errors import RigidtopError
 
@@ -14,6 +15,9 @@ _UNITS = {"deg": math.pi / 180, "°": math.pi / 180, "rpm": math.pi / 30}
 _SUFFIXES = {"rad": ("deg", "°"), "rad/s": ("deg", "°", "rpm")}
 _EXAMPLES = {"rad": "0.5 or 30deg", "rad/s": "0.5, 30deg or 600rpm"}
 """An angle and its rate may have a unit behind them; another number is in SI units."""
+
+LONGEST = 60
+"""Characters of what is no number, in a message."""
 
 
 def quantity(text: str, unit: str = "1") -> float:
@@ -41,6 +45,38 @@ def quantity(text: str, unit: str = "1") -> float:
     return value
 
 
+def real(value: Any) -> float:
+    """The float of one real number, of Python, NumPy or SymPy.
+
+    Raises TypeError, with what it is in one line, for what float() would take for one: text, truth
+    values, complex numbers, dates, rows and what is masked.
+
+    >>> real(2), real(True)
+    Traceback (most recent call last):
+    ...
+    TypeError: True
+    """
+    kind = getattr(getattr(value, "dtype", None), "kind", "f")
+    if not (
+        isinstance(value, (bool, str, bytes, bytearray, complex))
+        or kind not in "iuf"
+        or getattr(value, "shape", None)
+        or getattr(value, "mask", False)
+    ):
+        with suppress(TypeError, ValueError):
+            try:
+                return float(value)
+            except OverflowError:
+                return math.inf if value > 0 else -math.inf
+    raise TypeError(in_one_line(value))
+
+
+def in_one_line(value: Any) -> str:
+    """What is no number, in a message."""
+    text = " ".join(repr(value).split())
+    return text if len(text) <= LONGEST else f"{text[:LONGEST]}…"
+
+
 @dataclass(frozen=True)
 class Parameter:
     """A number by its name, in SI units and radians, with its default and its range.
@@ -58,7 +94,10 @@ class Parameter:
 
     def checked(self, value: float) -> float:
         """The value as a float; RigidtopError with what would be right if it is out of range."""
-        number = float(value)
+        try:
+            number = real(value)
+        except TypeError as error:
+            raise RigidtopError(f"{self.name} must be a number, not {error}") from None
         if not math.isfinite(number):
             raise RigidtopError(f"{self.name} must be a finite number, not {value}")
         for wrong, right in (

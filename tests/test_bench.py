@@ -69,25 +69,55 @@ def test_every_way_arrives_at_the_truth(k):
     assert error < (1e-13 if way.name == "exact" else 1e-8)
 
 
-def test_the_truth_is_that_of_the_reference(monkeypatch):
+@pytest.mark.parametrize("kind", bench.KINDS, ids=lambda kind: kind.name)
+def test_every_kind_arrives_at_the_truth(kind):
+    exact, heyoka = bench._other(kind, 500)
+    for way, bound in ((exact, 5e-12), (heyoka, 1e-10)):
+        if way.go is not None:
+            assert way.error(way.go()) < bound
+
+
+@pytest.fixture
+def reference(monkeypatch):
+    """The spinors of a top or a body after 10 s, with 25 digits."""
     monkeypatch.syspath_prepend(str(Path(__file__).parent / "motion" / "reference"))
     import taylor
 
-    numbers = taylor.mpmath_numbers(40)
+    numbers = taylor.mpmath_numbers(25)
     real = numbers.real
-    start = taylor.Top(
-        lambda1=real(1),
-        lambda3=real(0.5),
-        weight=real(9.81) * real(0.5),
-        theta=real(0.5),
-        theta_dot=real(0.1),
-        phi=real(0),
-        phi_dot=real(1),
-        psi=real(0),
-        omega3=real(40) + numbers.cos(real(0.5)),
-    )
-    [state] = taylor.follow_top(numbers, start, [real(10)])
-    alpha, beta = complex(state.alpha), complex(state.beta)
+
+    def top(theta, theta_dot, phi_dot, psi_dot):
+        start = taylor.Top(
+            lambda1=real(1),
+            lambda3=real(0.5),
+            weight=real(9.81) * real(0.5),
+            theta=real(theta),
+            theta_dot=real(theta_dot),
+            phi=real(0),
+            phi_dot=real(phi_dot),
+            psi=real(0),
+            omega3=real(psi_dot) + real(phi_dot) * numbers.cos(real(theta)),
+        )
+        [state] = taylor.follow_top(numbers, start, [real(10)])
+        return complex(state.alpha), complex(state.beta)
+
+    def body(moments, omega):
+        start = taylor.Body(*map(real, (*moments, *omega, 1, 0, 0, 0)))
+        [state] = taylor.follow_body(numbers, start, [real(10)])
+        return complex(state.alpha), complex(state.beta)
+
+    return lambda kind: body(kind.moments, kind.omega) if kind.moments else top(*kind.start)
+
+
+@pytest.mark.parametrize("kind", bench.KINDS, ids=lambda kind: kind.name)
+def test_the_truth_of_every_kind_is_that_of_the_reference(kind, reference):
+    alpha, beta = reference(kind)
+    expected = alpha.real, -beta.imag, beta.real, alpha.imag
+    assert kind.truth == pytest.approx(expected, abs=1e-15)
+
+
+def test_the_truth_is_that_of_the_reference(reference):
+    alpha, beta = reference(bench.Kind("the example", (1, 0, 0, 0), (0.5, 0.1, 1.0, 40.0)))
     theta, phi, psi = bench.TRUTH
     assert 2 * math.atan2(abs(beta), abs(alpha)) == pytest.approx(theta, rel=1e-15)
     for z, half in ((alpha, (phi + psi) / 2), (beta, (phi - psi) / 2)):

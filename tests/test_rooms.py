@@ -15,7 +15,7 @@ READS = {
     "theory": set(),
     "proof": {"theory", "parameters"},
     "codegen": {"errors", "theory", "proof"},
-    "motion": {"errors"},
+    "motion": {"errors", "parameters"},
     "derivations": {
         "errors",
         "theory",

@@ -25,7 +25,7 @@ from rigidtop.motion.trajectory import Trajectory
 from rigidtop.parameters import Parameter
 from rigidtop.proof.equation import BODY, SPACE, Cross, Dot, Equation, Group, Rate, as_printed
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Assumption, Check, Evidence, Measure, claim
+from rigidtop.proof.page import Assumption, Check, Evidence, Measure, Step, claim
 from rigidtop.theory import top as theory
 from rigidtop.theory.euler import OMEGA, angular_momentum, body_accelerations
 from rigidtop.theory.inertia import cylinder, point_masses
@@ -371,7 +371,7 @@ def euler_period() -> Iterator[Evidence]:
             + Group(1 - follows) * Group(lambda3 - lambda1) * omega3 * e3,
         )
     shape = {ellipticity: (lambda3 - lambda1) / lambda3}
-    yield Check(defined, shape, printed=False)
+    yield Step(defined, "What the dynamical ellipticity is.")
     yield Check(rigid, {**shape, Omega_b: body_frequency()}, reason="Rigid:", printed=False)
     spin, axis = Matrix(OMEGA), Matrix(Z_AXIS)
     bulge = (1 - follows) * axis * axis.T + follows * spin * spin.T / spin.dot(spin)

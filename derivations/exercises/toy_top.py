@@ -44,7 +44,9 @@ def disc_on_a_stem() -> Iterator[Evidence]:
     about_tip = parallel_axis(cylinder(r_d, h_d).inertia(M_d), M_d, disc_height) + parallel_axis(
         stem, M_s, stem_height
     )
-    centre = (M_d * disc_height + M_s * stem_height) / (M_d + M_s)
+    disc_centre = disc_height + cylinder(r_d, h_d).centre()
+    stem_centre = stem_height + cylinder(r_d, l_s).centre()
+    centre = (M_d * disc_centre + M_s * stem_centre) / (M_d + M_s)
     with as_printed():
         arm = Equation(M * R, M_d * z_d + HALF * M_s * l_s)
         along = Equation(lambda3, HALF * M_d * r_d**2)

@@ -55,15 +55,15 @@ def run(options: argparse.Namespace) -> int:
 def _run(
     collection: Collection, names: Sequence[str], notation: Notation, options: argparse.Namespace
 ) -> int:
-    from rigidtop.notation.judged import judgement_in
     from rigidtop.present.records import measures, record
     from rigidtop.present.table import table, wants_color
+    from rigidtop.present.wording import Wording
 
     found = claims.named(collection, names) if names else claims.every(collection)
     lecture = None if options.quick else collection.lecture
     judgements = [judgement for _, judgement in claims.judged(found, lecture)]
     passed = all(judgement.passed for judgement in judgements)
-    records = [record(judgement_in(notation, judgement)) for judgement in judgements]
+    records = [record(Wording(notation).judgement(judgement)) for judgement in judgements]
     if options.json:
         print_json(records)
         return 0 if passed else claims.FAILED

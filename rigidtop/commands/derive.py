@@ -53,10 +53,10 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _run(collection: Collection, name: str, options: argparse.Namespace) -> int:
-    from rigidtop.notation.judged import judgement_in
     from rigidtop.present.lecture import fragment
     from rigidtop.present.records import record
     from rigidtop.present.ways import way_record
+    from rigidtop.present.wording import Wording
 
     notation = chosen(options)
     found = claims.named(collection, [name])
@@ -69,7 +69,7 @@ def _run(collection: Collection, name: str, options: argparse.Namespace) -> int:
         return _source(options, judgement, notation)
     text = fragment(judgement, options.format, notation, options.deep)
     if options.json:
-        said = record(judgement_in(notation, judgement))
+        said = record(Wording(notation).judgement(judgement))
         steps, starts = way_record(lecture, judgement.claim.name, notation, options.deep)
         extra = {"steps": steps, "rests_on": starts, "format": options.format, "text": text}
         print_json({**said, **extra})

@@ -7,6 +7,7 @@ import shutil
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rigidtop.commands.notation import add_notation, chosen
 from rigidtop.commands.output import print_json
 from rigidtop.commands.settings import add_settings, apart
 from rigidtop.errors import RigidtopError
@@ -44,6 +45,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--frames", type=_frames, metavar="N", help="of a gif or mp4, 20 a second (default: 80)"
     )
+    add_notation(parser)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -60,11 +62,16 @@ def run(options: argparse.Namespace) -> int:
             raise RigidtopError("which figure?  `rigidtop figure` lists them")
         _print_list(FIGURES, options.json)
         return 0
-    drawing = named(options.name)
+    from rigidtop.present.wording import Wording
+
+    drawing, notation = named(options.name), chosen(options)
     values = settings(drawing.parameters, options.set)
     path = Path(f"{drawing.name}.svg" if options.output is None else options.output)
     kind = path.suffix.removeprefix(".").lower()
     _check(options, drawing, path, kind)
+    if kind in MOVING and notation.images:
+        raise RigidtopError(f"--notation goes with .svg, .pdf or .png, not with a .{kind}")
+    drawing = Wording(notation).drawing(drawing)
     record: dict[str, Any] = {
         "file": str(path),
         "name": drawing.name,

@@ -173,6 +173,8 @@ def run(options: argparse.Namespace) -> int:
         "computed": last - (first or 0),
         "seconds": round(time.monotonic() - start, 3),
     }
+    if found.damaged:
+        record["damaged"] = found.damaged
     if options.json:
         print_json(record)
     else:
@@ -218,6 +220,10 @@ def text(record: dict[str, Any]) -> str:
     elif record["least"] is not None:
         lines.append(f"from {record['least']:.6g} to {record['largest']:.6g}, where finite")
     lines.append(f"{record['computed']} points computed in {record['seconds']:.1f} s")
+    if "damaged" in record:
+        lines.append(
+            f"{record['damaged']} of them again: on the disk they were no longer what was written"
+        )
     return "\n".join(lines)
 
 

@@ -28,11 +28,9 @@ def from_euler_angles(theta: float, phi: float, psi: float) -> Rotation:
     >>> from_euler_angles(np.pi / 2, 0.0, 0.0).apply([0, 0, 1]).round(12)    # e₃ lies along x̂
     array([1., 0., 0.])
     """
-    half_sum, half_difference = (phi + psi) / 2, (phi - psi) / 2
     # The float nearest to π means π: a top that hangs straight down, exactly.
-    c, s = 0.0 if theta == math.pi else math.cos(theta / 2), math.sin(theta / 2)
-    x, y = -s * math.sin(half_difference), s * math.cos(half_difference)
-    return Rotation.from_quat([x, y, c * math.sin(half_sum), c * math.cos(half_sum)])
+    c = 0.0 if theta == math.pi else math.cos(theta / 2)
+    return rotation(from_spinors(np.array(c), np.array(math.sin(theta / 2)), phi, psi))
 
 
 def quaternions(rotation: Rotation) -> Floats:
@@ -45,7 +43,9 @@ def rotation(q: Floats) -> Rotation:
     return Rotation.from_quat(np.roll(q, -1, axis=-1))
 
 
-def from_spinors(cos_half: Floats, sin_half: Floats, phi: Floats, psi: Floats) -> Floats:
+def from_spinors(
+    cos_half: Floats, sin_half: Floats, phi: Floats | float, psi: Floats | float
+) -> Floats:
     """Quaternions (…, 4), scalar first, from cos(θ/2), sin(θ/2), φ and ψ.
 
     φ and ψ enter by their own sines: after 10⁹ turns of a fast spin ψ is known to 10⁻⁷, and e₃,

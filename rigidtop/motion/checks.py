@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
 from rigidtop.errors import RigidtopError
+from rigidtop.parameters import in_one_line, real
 
 TOLERANCE = 1e-12
 """Relative slack in inequalities that a real body may satisfy with equality (a flat body)."""
@@ -25,11 +26,9 @@ SMALLEST = 1e-100
 def number(name: str, value: Any) -> float:
     """A finite float of at most `LARGEST` in magnitude."""
     try:
-        if isinstance(value, (str, bytes)):
-            raise TypeError
-        result = float(value)
-    except (TypeError, ValueError):
-        raise RigidtopError(f"{name} must be a number, not {value!r}") from None
+        result = real(value)
+    except TypeError as error:
+        raise RigidtopError(f"{name} must be a number, not {error}") from None
     if not math.isfinite(result):
         raise RigidtopError(f"{name} must be finite, not {result}")
     if abs(result) > LARGEST:
@@ -61,10 +60,21 @@ def _not_tiny(name: str, value: float) -> float:
 
 def vector(name: str, value: Any) -> tuple[float, float, float]:
     """Three finite floats."""
-    if isinstance(value, (str, bytes)) or np.shape(value) != (3,):
-        raise RigidtopError(f"{name} must be three numbers, not {value!r}")
-    first, second, third = (number(f"{name}[{k}]", x) for k, x in enumerate(value))
+    first, second, third = _row(name, value, 3, "three numbers")
     return first, second, third
+
+
+def pair(name: str, value: Any) -> tuple[float, float]:
+    """Two finite floats, along x̂ and ŷ."""
+    first, second = _row(name, value, 2, "two numbers, along x and y")
+    return first, second
+
+
+def _row(name: str, value: Any, count: int, wanted: str) -> list[float]:
+    ordered = isinstance(value, Sequence) or np.ndim(value) == 1
+    if not ordered or len(value) != count:
+        raise RigidtopError(f"{name} must be {wanted}, not {in_one_line(value)}")
+    return [number(f"{name}[{k}]", x) for k, x in enumerate(value)]
 
 
 def polar_angle(value: Any) -> float:
@@ -89,6 +99,31 @@ def triangle(moments: Sequence[float], scale: float) -> bool:
     return 2 * max(moments) <= sum(moments) + TOLERANCE * scale
 
 
+def _floats(value: ArrayLike) -> NDArray[np.float64]:
+    """An array of floats; TypeError, with what it is, for what NumPy would take for one.
+
+    See `parameters.real`.  An array with masked elements is none: what is under the mask would be
+    taken for numbers.
+    """
+    if _masked(value):
+        raise TypeError("a masked array: leave out, or fill, what is masked")
+    try:
+        found = np.asarray(value, dtype=None if hasattr(value, "dtype") else object)
+    except ValueError:
+        raise TypeError("rows of different lengths") from None
+    if found.dtype.kind not in "iufO":
+        raise TypeError(f"an array of {found.dtype}" if found.ndim else repr(found[()]))
+    if found.dtype.kind == "O" and not {*map(type, found.flat)} <= {float, np.float64}:
+        found = np.reshape([real(x) for x in found.flat], found.shape)
+    return found.astype(float, copy=False)
+
+
+def _masked(value: Any) -> bool:
+    if isinstance(value, (list, tuple)):
+        return any(map(_masked, value))
+    return isinstance(value, np.ma.MaskedArray) and bool(np.ma.is_masked(value))
+
+
 def numbers(
     name: str,
     value: ArrayLike,
@@ -102,9 +137,9 @@ def numbers(
     What multiplies and divides may not, like `positive` and `not_negative`.
     """
     try:
-        result = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
-        raise RigidtopError(f"{name} must be numbers, not {value!r}") from None
+        result = _floats(value)
+    except TypeError as error:
+        raise RigidtopError(f"{name} must be numbers, not {error}") from None
     if not np.all(np.isfinite(result)):
         raise RigidtopError(f"{name} must be finite: it contains NaN or infinity")
     size = np.abs(result)
@@ -136,9 +171,9 @@ def common_shape(values: Mapping[str, NDArray[np.float64]]) -> tuple[int, ...]:
 def times(value: ArrayLike) -> NDArray[np.float64]:
     """Finite times, shape (N,) with N ≥ 1."""
     try:
-        result = np.atleast_1d(np.asarray(value, dtype=float))
-    except (TypeError, ValueError):
-        raise RigidtopError(f"t must be a number or an array of numbers, not {value!r}") from None
+        result = np.atleast_1d(_floats(value))
+    except TypeError as error:
+        raise RigidtopError(f"t must be a number or an array of numbers, not {error}") from None
     if result.ndim != 1 or result.size == 0:
         raise RigidtopError(f"t must be a number or a row of numbers, not of shape {result.shape}")
     if not np.all(np.isfinite(result)):

@@ -141,19 +141,12 @@ class SlidingTop:
         omega = *rates[:2], known["spin"] if psi_dot is None else rates[2]
         attitude = attitudes.from_euler_angles(tilt, known["phi"], turn)
         if slip is not None:
-            sliding = _pair("slip", slip)
+            sliding = checks.pair("slip", slip)
         else:
-            wanted = (0.0, 0.0) if velocity is None else _pair("velocity", velocity)
+            wanted = (0.0, 0.0) if velocity is None else checks.pair("velocity", velocity)
             without = _without_slip(self, attitude, omega)
             sliding = wanted[0] - without[0], wanted[1] - without[1]
         return SlidingMotion(self, attitude, omega, known["phi"], turn, sliding)
-
-
-def _pair(name: str, value: Sequence[float]) -> Pair:
-    if isinstance(value, (str, bytes)) or np.shape(value) != (2,):
-        raise RigidtopError(f"{name} must be two numbers, along x and y, not {value!r}")
-    first, second = (checks.number(f"{name}[{k}]", x) for k, x in enumerate(value))
-    return first, second
 
 
 def _without_slip(body: SlidingTop, attitude: Rotation, omega: Triple) -> Pair:

@@ -1,9 +1,9 @@
 """An array in a file that fills block by block, in as many runs as it takes.
 
 Three files: PATH, a .npy that `numpy.load` reads; PATH.json, which says what it holds; and, until
-it is complete, PATH.journal, a line for each block that is on the disk.  A line is written after
-its block has reached the disk, so a run may end anywhere: what the journal does not name is
-computed again.
+it is complete, PATH.journal, a line for each block that is on the disk, with a checksum.  A line is
+written after its block has reached the disk, so a run may end anywhere: what the journal does not
+name is computed again, and so is what is no longer what was written.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import re
 import shutil
 import sys
 import time
+import zlib
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
@@ -29,6 +30,9 @@ from rigidtop.errors import RigidtopError
 SYNC_SECONDS = 1.0
 """Between two journal entries: waiting for the disk after each block could take most of the time;
 a run that is killed loses what it finished since."""
+
+PIECE = 1 << 20
+"""Bytes at a time, of a block that is read again."""
 
 Interval = tuple[int, int]
 """First index and the one past the last, of the flattened array."""
@@ -48,15 +52,18 @@ class Store:
     """What was not there when the file was opened."""
     done: int
     """How many numbers are there."""
-    _waiting: list[Interval] = field(default_factory=list)
+    damaged: int = 0
+    """How many of those missing had been there, and were no longer what was written."""
+    _waiting: list[str] = field(default_factory=list)
     _synced: float = field(default_factory=time.monotonic)
 
     def write(self, start: int, values: NDArray[Any]) -> None:
         """Numbers from the index `start` on."""
         # No memory map: its pages would count as this process's memory until they are reclaimed.
         self.data.seek(self.offset + start * values.itemsize)
-        self.data.write(np.ascontiguousarray(values).data)
-        self._waiting.append((start, start + len(values)))
+        written = np.ascontiguousarray(values).data
+        self.data.write(written)
+        self._waiting.append(_line((start, start + len(values)), [written]))
         self.done += len(values)
         if time.monotonic() - self._synced >= SYNC_SECONDS:
             self.sync()
@@ -65,7 +72,7 @@ class Store:
         """Bring what has been written to the disk, and then its lines in the journal."""
         if self._waiting:
             _to_disk(self.data)
-            self.journal.write("".join(f"{a} {b}\n" for a, b in self._waiting).encode())
+            self.journal.write("".join(self._waiting).encode())
             _to_disk(self.journal)
             self._waiting.clear()
         self._synced = time.monotonic()
@@ -104,12 +111,15 @@ def open_store(
                 _replace(about_path(path), _json(about, complete=False))
                 _replace(path, header, size)
             journal.seek(0)
-            done, length = read_journal(journal.read(), total)
+            lines, length = read_journal(journal.read(), total)
             journal.truncate(length)  # or the next line would continue a torn one
-            missing = gaps(done, total)
-            there = total - sum(stop - start for start, stop in missing)
             with path.open("r+b") as data:
-                store = Store(path, total, data, journal, len(header), missing, there)
+                sound = _sound(data, lines, len(header), np.dtype(dtype).itemsize)
+                missing = gaps(sound, total)
+                there, named = (total - _size(gaps(part, total)) for part in (sound, lines))
+                store = Store(
+                    path, total, data, journal, len(header), missing, there, named - there
+                )
                 try:
                     yield store
                 except BaseException:
@@ -157,19 +167,19 @@ def read_about(path: Path) -> dict[str, Any] | None:
     return about if isinstance(about, dict) else None
 
 
-def read_journal(text: bytes, total: int) -> tuple[list[Interval], int]:
-    r"""The blocks that it names, and how many of its bytes make sense.
+def read_journal(text: bytes, total: int) -> tuple[dict[Interval, str], int]:
+    r"""The blocks that it names, with their lines, and how many of its bytes make sense.
 
-    >>> read_journal(b"0 10\n20 30\n30 4", 100)
-    ([(0, 10), (20, 30)], 11)
+    >>> read_journal(b"0 10 0badcafe\n20 30 00c0ffee\n30 4", 100)
+    ({(0, 10): '0 10 0badcafe\n', (20, 30): '20 30 00c0ffee\n'}, 29)
     """
-    found, length = [], 0
+    found, length = {}, 0
     # A line torn by a crash ends the journal: its block, and any after it, are computed again.
     for line in text.splitlines(keepends=True):
-        numbers = re.fullmatch(rb"(\d{1,19}) (\d{1,19})\n", line)
+        numbers = re.fullmatch(rb"(\d{1,19}) (\d{1,19}) [0-9a-f]{8}\n", line)
         if numbers is None or not int(numbers[1]) < int(numbers[2]) <= total:
             break
-        found.append((int(numbers[1]), int(numbers[2])))
+        found[int(numbers[1]), int(numbers[2])] = line.decode()
         length += len(line)
     return found, length
 
@@ -186,6 +196,34 @@ def gaps(done: Iterable[Interval], total: int) -> list[Interval]:
             found.append((reached, start))
         reached = max(reached, stop)
     return [*found, (reached, total)] if reached < total else found
+
+
+def _size(intervals: Iterable[Interval]) -> int:
+    return sum(stop - start for start, stop in intervals)
+
+
+def _line(block: Interval, content: Iterable[Any]) -> str:
+    """Of the journal; the checksum is also one of the place."""
+    place = "{} {}".format(*block)
+    checksum = zlib.crc32(place.encode())
+    for piece in content:
+        checksum = zlib.crc32(piece, checksum)
+    return f"{place} {checksum:08x}\n"
+
+
+def _sound(
+    data: BinaryIO, lines: Mapping[Interval, str], offset: int, itemsize: int
+) -> list[Interval]:
+    """The blocks that are what was written."""
+
+    def pieces(start: int, stop: int) -> Iterator[bytes]:
+        data.seek(offset + start * itemsize)
+        left = (stop - start) * itemsize
+        while piece := data.read(min(left, PIECE)):
+            left -= len(piece)
+            yield piece
+
+    return [block for block, line in lines.items() if _line(block, pieces(*block)) == line]
 
 
 def _begun(path: Path, about: Mapping[str, Any]) -> bool:

@@ -194,6 +194,9 @@ class Map:
     sweep: Sweep
     path: Path
 
+    damaged: int = 0
+    """Points of an earlier run that were no longer what it wrote, and were computed again."""
+
     @property
     def axes(self) -> dict[str, Floats]:
         """The numbers along each axis."""
@@ -271,7 +274,8 @@ def run(
 
     Without an executor, threads of this process compute.  `ahead` blocks of `block_size` points
     are on their way at a time; give twice as many as there are workers, or more.  `progress` is
-    called with the number of points that are done, and of all.
+    called with the number of points that are done, and of all.  What an earlier run left is held
+    against its checksums: blocks that were damaged since are computed again, see `Map.damaged`.
 
     Raises RigidtopError for a file that holds something else; and for what an executor raises, as
     when its workers are gone: then, and after an interrupt, the same call goes on.
@@ -295,7 +299,7 @@ def run(
         # An executor that is given stays its giver's to shut down.
         with nullcontext(executor) if executor else ThreadPoolExecutor(os.cpu_count()) as pool:
             _fill(sweep, file, pool.submit, block_size, ahead, progress)
-    return Map(sweep, path)
+    return Map(sweep, path, file.damaged)
 
 
 def load(path: Path | str) -> Map:

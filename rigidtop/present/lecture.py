@@ -9,7 +9,6 @@ from pathlib import Path
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import NOTES as NOTES_NOTATION
 from rigidtop.notation import Notation
-from rigidtop.notation.judged import judgement_in
 from rigidtop.present import html, notations, plain, tex, typst
 from rigidtop.present.figures.catalog import FIGURES, named
 from rigidtop.present.figures.drawing import Drawing, rendered
@@ -29,6 +28,7 @@ from rigidtop.present.report import (
 )
 from rigidtop.present.solutions import Solution, blocks, question
 from rigidtop.present.ways import text_blocks, way_blocks
+from rigidtop.present.wording import Wording
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.verdict import Judgement, Led
 
@@ -42,7 +42,7 @@ def fragment(
 
     A `deep` derivation starts from laws and definitions.
     """
-    made = claim_blocks(judgement_in(notation, judgement), marks=format == "text")
+    made = claim_blocks(Wording(notation).judgement(judgement), marks=format == "text")
     made[1:1] = [
         block
         for item in judgement.items
@@ -71,7 +71,7 @@ class Picture:
 
     def shows_what(self, other: Picture) -> bool:
         """Whether the other picture is this one under another name."""
-        same = self.drawing is other.drawing
+        same = self.drawing.name == other.drawing.name
         return same and self.drawing.values(self.given) == other.drawing.values(other.given)
 
     def described(self) -> Figure:
@@ -80,26 +80,29 @@ class Picture:
         return Figure(self.name, self.drawing.caption(**values), self.drawing.alternative(**values))
 
 
-def picture(solution: Solution) -> Picture | None:
+def picture(solution: Solution, notation: Notation | None = None) -> Picture | None:
     """The figure of an exercise, with those of its settings that the figure has too."""
     if not solution.exercise.figure:
         return None
     drawing = named(solution.exercise.figure)
     known = {parameter.name for parameter in drawing.parameters}
     given = {name: value for name, value in solution.settings.items() if name in known}
-    return Picture(f"exercise-{solution.exercise.name}", drawing, given)
+    shown = Wording(notation or NOTES_NOTATION).drawing(drawing)
+    return Picture(f"exercise-{solution.exercise.name}", shown, given)
 
 
 def exercise_fragment(solution: Solution, notation: Notation = NOTES_NOTATION) -> str:
     """An exercise with its solution as text."""
-    made = blocks(solution_in(notation, solution))
+    made = blocks(solution_in(notation, solution), named=not notation.images)
     made[1:1] = notations.remark(notation, symbols_used(made))
     return plain.fragment(made)
 
 
 def solution_in(notation: Notation, solution: Solution) -> Solution:
-    """A solution with all the equations of its claims in a notation."""
-    return replace(solution, judgements=_in(notation, solution.judgements))
+    """A solution with its words and the equations of its claims in a notation."""
+    exercise, outcomes = Wording(notation).of((solution.exercise, solution.outcomes))
+    judgements = _in(notation, solution.judgements)
+    return replace(solution, exercise=exercise, outcomes=outcomes, judgements=judgements)
 
 
 def write_lecture(
@@ -152,7 +155,9 @@ def lecture(
     Figures and exercises close the sections that they belong to.
     """
     if notation is not None:
-        judged = [(page, _in(notation, judgements)) for page, judgements in judged]
+        wording = Wording(notation)
+        judged = [(wording.of(page), _in(notation, judgements)) for page, judgements in judged]
+        figures = [wording.drawing(each) for each in figures]
         solutions = [solution_in(notation, each) for each in solutions]
     sections = {page.section for page, _ in judged}
     pictures = [Picture(each.name, each, {}) for each in figures if each.section in sections]
@@ -161,10 +166,10 @@ def lecture(
     ]
     told = {judgement.claim.name for _, judgements in judged for judgement in judgements}
     for solution in solutions:
-        own = None if student else picture(solution)
+        own = None if student else picture(solution, notation)
         if own and any(own.shows_what(other) for other in pictures):
             own = None  # the section has it
-        made = _exercise(solution, own, student, told)
+        made = _exercise(solution, own, student, told, named=not (notation and notation.images))
         closing += [(solution.exercise.section, block) for block in made]
         pictures += [own] if own else []
         told |= {judgement.claim.name for judgement in solution.judgements}
@@ -188,11 +193,12 @@ def _introduced(whole: Document, notation: Notation | None) -> Document:
         return whole
     first = notations.front(notation, symbols_used(whole.blocks))
     said = f"{whole.colophon} {notations.origin(notation)}"
-    return replace(whole, blocks=(*first, *whole.blocks), colophon=said)
+    blocks = (*first, *map(Wording(notation).symbols, whole.blocks))
+    return replace(whole, blocks=blocks, colophon=said)
 
 
 def _in(notation: Notation, judgements: Sequence[Judgement]) -> tuple[Judgement, ...]:
-    return tuple(judgement_in(notation, judgement) for judgement in judgements)
+    return tuple(map(Wording(notation).judgement, judgements))
 
 
 def write_sheet(
@@ -223,22 +229,23 @@ def sheet(
     made: list[Block] = []
     told: set[str] = set()
     for solution in solutions:
-        own = None if student else picture(solution)
-        made += _exercise(solution, own, student, told)
+        own = None if student else picture(solution, notation)
+        made += _exercise(solution, own, student, told, named=not (notation and notation.images))
         pictures += [own] if own else []
         told |= {judgement.claim.name for judgement in solution.judgements}
     subtitle = "Questions" if student else "Questions and solutions"
-    whole = Document(front.exercises, subtitle, (*made, *symbol_list(made)), front.source)
+    every = (*made, *symbol_list(made))
+    whole = Document(front.exercises, subtitle, every, front.source, front.author)
     return _introduced(whole, notation), pictures
 
 
 def _exercise(
-    solution: Solution, own: Picture | None, student: bool, told: Collection[str]
+    solution: Solution, own: Picture | None, student: bool, told: Collection[str], *, named: bool
 ) -> list[Block]:
     """The exercise; claims that were told before are named only."""
     if student:
-        return question(solution.exercise, solution.settings)
-    return blocks(solution, own.described() if own else None, told=told)
+        return question(solution.exercise, solution.settings, named=named)
+    return blocks(solution, own.described() if own else None, told=told, named=named)
 
 
 def _write(

@@ -16,7 +16,7 @@ from rigidtop.present.text import text
 from rigidtop.theory import symbols as s
 
 TURNS = {"zyz": "z–y′–z″", "zxz": "z–x′–z″"}
-WORDS = "The words, the figures and the numbers of the equations are those of the notes."
+WORDS = "The numbers of the equations are those of the notes."
 
 
 def turns(notation: Notation) -> str:
@@ -98,5 +98,5 @@ def remark(notation: Notation, used: Iterable[Symbol]) -> list[Block]:
     for i, letter in enumerate(different(notation, used)):
         between = " Here " if i == 0 else ", "
         pieces = (*pieces, between, layout(letter), " is ", layout(notation.in_notes(letter)))
-    said = " of the notes, whose words stand beside the equations." if len(pieces) > 1 else ""
+    said = " of the notes." if len(pieces) > 1 else ""
     return [Paragraph((*pieces, said), "Notation")]

@@ -13,7 +13,7 @@ from types import MappingProxyType
 from typing import Any
 
 import sympy
-from sympy import Expr, Symbol
+from sympy import Expr, MatrixBase, Symbol
 
 from rigidtop.present import layout as lay
 from rigidtop.present.layout import Node, Order, layout, width
@@ -42,6 +42,7 @@ class Front:
     subtitle: str
     source: str
     exercises: str
+    author: str = "rigidtop"
 
 
 NOTES = Front(
@@ -97,10 +98,11 @@ class Heading:
 
 @dataclass(frozen=True)
 class Paragraph:
-    """Running text, with a short label before it ("Reason")."""
+    """Running text, with a short label before it ("Reason"); `held` to what follows."""
 
     content: Rich
     label: str = ""
+    held: bool = False
 
 
 @dataclass(frozen=True)
@@ -295,6 +297,14 @@ class Document:
     subtitle: str
     blocks: tuple[Block, ...]
     colophon: str
+    author: str = "rigidtop"
+
+    @property
+    def keywords(self) -> tuple[str, ...]:
+        """The titles of its numbered sections, or else of its exercises."""
+        sections = [b.title for b in self.blocks if isinstance(b, Heading) and b.number]
+        exercises = [b.title for b in self.blocks if isinstance(b, ExerciseHead)]
+        return tuple(dict.fromkeys(sections or exercises))
 
 
 # --- Building ------------------------------------------------------------------------------------
@@ -316,12 +326,12 @@ def document(
     blocks: list[Block] = [*_front(judged)]
     for page, judgements in judged:
         blocks.extend(_headings(page))
-        blocks.extend(texts.get(page.section, [Paragraph((page.about,))]))
+        blocks.extend(texts.get(page.section, [Paragraph((page.about,), held=True)]))
         for judgement in judgements:
             blocks.extend(claim_blocks(judgement))
         blocks.extend(after.get(page.section, ()))
     whole = (*blocks, *symbol_list(blocks))
-    return Document(front.title, front.subtitle, whole, front.source)
+    return Document(front.title, front.subtitle, whole, front.source, front.author)
 
 
 def groups(block: Display) -> list[list[Row]]:
@@ -383,11 +393,20 @@ def _found(judgement: Judgement) -> Found:
     else:
         content = (claim.says,)
         corrected = [c.check.claimed for c in judgement.corrections()]
-        shown = [layout(equation, "printed") for equation in corrected]
-        short = [node for node in shown if width(node) < 45 and not lay.is_tall(node)]
-        if short:
-            content = (*content, " Corrected: ", short[0], ".")
+        shown = [layout(equation, "printed") for equation in corrected if not _has_matrix(equation)]
+        short = [node for node in shown if width(node) < 45]
+        for i, node in enumerate(short):
+            content = (*content, "; " if i else " Corrected: ", node)
+        if len(short) < len(corrected):
+            content = (*content, "; more at the claim" if short else " Corrected at the claim")
+        if corrected:
+            content = (*content, ".")
     return Found(judgement.section, claim.name, anchor(claim.name), judgement.verdict, content)
+
+
+def _has_matrix(equation: Equation) -> bool:
+    nodes = (node for side in equation.sides for node in sympy.preorder_traversal(side))
+    return any(isinstance(node, MatrixBase) for node in nodes)
 
 
 def _joined(tested: Sequence[TestedAssumption]) -> Rich:

@@ -94,10 +94,11 @@ def blocks(
     figure: Figure | None = None,
     *,
     told: Collection[str] = (),
+    named: bool = True,
 ) -> list[Block]:
     """The exercise and its solution; claims that were `told` before are named only."""
     exercise = solution.exercise
-    made = question(exercise, solution.settings)
+    made = question(exercise, solution.settings, named=named)
     made.append(Subhead("Solution in symbols"))
     there = [judgement.claim for judgement in solution.judgements if judgement.claim.name in told]
     if there:
@@ -124,12 +125,15 @@ def blocks(
     return made
 
 
-def question(exercise: Exercise, values: Mapping[str, float]) -> list[Block]:
-    """The exercise as a student gets it, with nothing of its solution."""
+def question(exercise: Exercise, values: Mapping[str, float], *, named: bool = True) -> list[Block]:
+    """The exercise as a student gets it, with nothing of its solution.
+
+    The settings are `named` as in the shell, where that is no other letter than in the formulas.
+    """
     head = ExerciseHead(exercise.title, anchor(exercise.name), exercise.asks)
     paragraphs = [" ".join(part.split()) for part in exercise.statement.split("\n\n")]
     given = tuple(
-        (f"{p.about} ({p.name})", shown(values[p.name]), _unit(p.unit, values[p.name]))
+        (p.about + f" ({p.name})" * named, shown(values[p.name]), _unit(p.unit, values[p.name]))
         for p in exercise.parameters
     )
     made: list[Block] = [head, *(Paragraph((part,)) for part in paragraphs)]

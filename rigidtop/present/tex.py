@@ -53,7 +53,8 @@ _PREAMBLE = r"""\documentclass[10pt,a4paper,fleqn]{article}
 \definecolor{definition}{HTML}{2B4C7E}
 \definecolor{undecided}{HTML}{444444}
 \definecolor{muted}{HTML}{555555}
-\hypersetup{pdftitle={@TITLE@}}
+\hypersetup{pdftitle={@TITLE@},pdfauthor={@AUTHOR@},pdfsubject={@SUBJECT@},%
+  pdfkeywords={@KEYWORDS@}}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{0.45\baselineskip plus 1pt}
 \setlength{\mathindent}{2em}
@@ -67,18 +68,21 @@ _PREAMBLE = r"""\documentclass[10pt,a4paper,fleqn]{article}
   \fcolorbox{#1}{white}{\textcolor{#1}{\footnotesize\textsc{#1}}}\endgroup}
 \newcommand{\lab}[1]{\textcolor{muted}{\footnotesize\textsc{#1}}\enspace}
 % No whatsit between the rule and the line beneath it, or a page could end there.
-\newcommand{\claim}[4]{\par\pagebreak[2]\vspace{1.1\baselineskip}%
+\makeatletter
+\newcommand{\claim}[4]{\par\if@nobreak\else\pagebreak[2]\fi\vspace{1.1\baselineskip}%
   {\color{muted}\hrule height 0.4pt}\nobreak\vskip 0.35\baselineskip\nobreak
   \noindent\phantomsection\label{#2}\textbf{#1}\hfill\verdict{#4}\nopagebreak\par\nobreak
   \textit{#3}\nopagebreak\par\nobreak}
+\newcommand{\held}{\par\nobreak\@afterheading}
+\makeatother
 % A figure in its own size, or as wide as the page.
 \newcommand{\drawn}[1]{\sbox0{\includegraphics{#1}}%
   \ifdim\wd0>\linewidth\resizebox{\linewidth}{!}{\usebox0}\else\usebox0\fi}
-% A heading does not stand alone at the end of a page: a break before it is cheap within the last
-% lines of the page, and one behind it dear.
+% A heading does not end a page: it begins the next one where six lines have no room.  (Glue that
+% stretches would make breaks far above the end of a page look better than those at its end.)
 \makeatletter
-\newcommand{\room}{\par\if@nobreak\else\vskip0pt plus 7\baselineskip\penalty-100
-  \vskip0pt plus -7\baselineskip\vskip7\baselineskip\penalty9999\vskip-7\baselineskip\relax\fi}
+\newcommand{\room}{\par\if@nobreak\else\penalty-100
+  \ifdim\dimexpr\pagegoal-\pagetotal<6\baselineskip\break\fi\fi}
 \makeatother
 % A remark stands at the right of its heading, or beneath it where there is no room.
 \newcommand{\heading}[2]{\sbox0{#1}\sbox2{#2}%
@@ -102,7 +106,7 @@ def write(document: Document, figures: Mapping[str, str]) -> str:
     title = prose(document.title)
     return "\n".join(
         [
-            _PREAMBLE.replace("@TITLE@", escape(document.title)),
+            _preamble(document),
             r"\begin{document}",
             rf"{{\Large\bfseries\raggedright {title}\par}}",
             rf"{{\large {prose(document.subtitle)}\par}}",
@@ -117,6 +121,19 @@ def write(document: Document, figures: Mapping[str, str]) -> str:
     )
 
 
+def _preamble(document: Document) -> str:
+    about = {
+        "@TITLE@": document.title,
+        "@AUTHOR@": document.author,
+        "@SUBJECT@": document.subtitle,
+        "@KEYWORDS@": "; ".join(document.keywords),
+    }
+    made = _PREAMBLE
+    for place, words in about.items():
+        made = made.replace(place, escape_for_bookmark(words))
+    return made
+
+
 def _shown(block: Any, figures: Mapping[str, str]) -> str:
     if isinstance(block, Figure):
         return _figure(block, figures[block.name])
@@ -126,13 +143,13 @@ def _shown(block: Any, figures: Mapping[str, str]) -> str:
 def _figure(block: Figure, path: str) -> str:
     return "\n".join(
         [
-            r"\begin{center}",
+            r"\begin{figure}[!ht]\centering",
             rf"\drawn{{{path}}}",
             r"\par\vspace{2pt}",
             r"\begin{minipage}{0.86\linewidth}\footnotesize",
             prose(block.caption),
             r"\end{minipage}",
-            r"\end{center}",
+            r"\end{figure}",
         ]
     )
 
@@ -180,14 +197,18 @@ def _(block: Heading) -> str:
 
 def escape_for_bookmark(text: str) -> str:
     """Bookmarks are Unicode, without mathematics."""
-    return "".join(c if c.isalnum() or c in " .,:()'-" else " " for c in text)
+    return "".join(c if c.isalnum() or c in " .,:;()'-" else " " for c in text)
 
 
 @tex_block.register
 def _(block: Paragraph) -> str:
     words = rich(block.content)
     # A labelled paragraph, the reason, is not parted from what it is the reason for.
-    return rf"\lab{{{prose(block.label)}}}{words}\nopagebreak" if block.label else words
+    return (
+        rf"\lab{{{prose(block.label)}}}{words}\nopagebreak"
+        if block.label
+        else words + r"\held" * block.held
+    )
 
 
 @tex_block.register

@@ -34,7 +34,9 @@ from rigidtop.present.report import (
     groups,
 )
 
-_PREAMBLE = """#set document(title: "@TITLE@")
+_PREAMBLE = """#set document(
+  title: @TITLE@, author: @AUTHOR@, description: @SUBJECT@, keywords: (@KEYWORDS@), date: none,
+)
 #set page(paper: "a4", margin: (x: 28mm, top: 26mm, bottom: 28mm), numbering: "1")
 #set text(font: "Libertinus Serif", size: 10.5pt, lang: "en")
 #set par(justify: true, leading: 0.62em, spacing: 0.8em)
@@ -99,10 +101,9 @@ def write(document: Document, figures: Mapping[str, str]) -> str:
         _figure(block, figures[block.name]) if isinstance(block, Figure) else typst_block(block)
         for block in document.blocks
     )
-    title = document.title.replace("\\", "").replace('"', "")
     return "\n".join(
         [
-            _PREAMBLE.replace("@TITLE@", title),
+            _preamble(document),
             f'#text(size: 17pt, weight: "bold")[{prose(document.title)}]',
             f"#v(-0.4em)\n#text(size: 12pt, fill: muted)[{prose(document.subtitle)}]\n",
             f"#text(size: 9pt, fill: muted)[{prose(document.colophon)}]",
@@ -111,6 +112,19 @@ def write(document: Document, figures: Mapping[str, str]) -> str:
             "",
         ]
     )
+
+
+def _preamble(document: Document) -> str:
+    about = {
+        "@TITLE@": _quoted(document.title),
+        "@AUTHOR@": _quoted(document.author),
+        "@SUBJECT@": _quoted(document.subtitle),
+        "@KEYWORDS@": "".join(f"{_quoted(words)}, " for words in document.keywords),
+    }
+    made = _PREAMBLE
+    for place, words in about.items():
+        made = made.replace(place, words)
+    return made
 
 
 def fragment(blocks: Sequence[Any]) -> str:
@@ -122,7 +136,7 @@ def fragment(blocks: Sequence[Any]) -> str:
 def _figure(block: Figure, path: str) -> str:
     alternative = block.alternative.replace('"', "'")
     return (
-        f'#figure(image("{path}", alt: "{alternative}"), numbering: none, '
+        f'#figure(image("{path}", alt: "{alternative}"), placement: top, numbering: none, '
         f"caption: [{prose(block.caption)}])"
     )
 
@@ -136,7 +150,11 @@ def plain(text: str) -> str:
     >>> print(plain('a #b "c"'))
     #"a #b \\"c\\"";
     """
-    return '#"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("'", "’") + '";'
+    return f"#{_quoted(text)};"
+
+
+def _quoted(text: str) -> str:
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("'", "’") + '"'
 
 
 def prose(text: str) -> str:
@@ -185,7 +203,8 @@ def _(block: Heading) -> str:
 def _(block: Paragraph) -> str:
     words = rich(block.content)
     # A labelled paragraph, the reason, is not parted from what it is the reason for.
-    return f"#block(sticky: true)[{_label(block.label)}{words}]" if block.label else words
+    held = block.label or block.held
+    return f"#block(sticky: true)[{_label(block.label)}{words}]" if held else words
 
 
 def _head(words: str) -> str:

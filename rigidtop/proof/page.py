@@ -45,6 +45,7 @@ class Assumption:
 class Check:
     """A typed equation held against the engine's `meaning` of its symbols.
 
+    A meaning, or a `given`, that is typed on the page and is the statement itself is refused.
     `given` are expressions known to vanish (an equation from which this one is said to follow).
     `other_reading` is the meaning under which the same content is right although the notes' own
     definitions say otherwise.  `reason` is the sentence beside the line; `printed` is False for a

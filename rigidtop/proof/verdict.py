@@ -16,6 +16,7 @@ from sympy.core.relational import Relational
 from rigidtop.proof import decide
 from rigidtop.proof.derivation import Judged
 from rigidtop.proof.equation import Equation, Meaning, Underbrace, value
+from rigidtop.proof.independence import refuse_circular
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.page import (
     Assumption,
@@ -138,7 +139,11 @@ def judge(claim: Claim, section: str = "", lecture: Lecture | None = None) -> Ju
     items: list[Item] = []
     problem = ""
     try:
-        items.extend(_item(evidence) for evidence in claim.evidence())
+        found = claim.evidence()
+        for evidence in found:
+            if isinstance(evidence, Check):
+                refuse_circular(evidence, found, claim.evidence)
+            items.append(_item(evidence))
         if lecture is not None and claim.name in lecture.names:
             items.append(led(lecture, claim.name))
     except Exception as error:  # a claim that breaks is shown as undecided, never as a pass

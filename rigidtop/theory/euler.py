@@ -8,6 +8,7 @@ import sympy
 from sympy import Expr, ImmutableMatrix, Matrix, MatrixBase, Symbol, diag
 
 from rigidtop.theory import symbols as s
+from rigidtop.theory.rotation import total_derivative
 
 MOMENTS = (s.lambda1, s.lambda2, s.lambda3)
 OMEGA = (s.omega1, s.omega2, s.omega3)
@@ -60,9 +61,7 @@ def body_frame_rate(vector: MatrixBase) -> Matrix:
 
 def along_flow(expression: Expr, torque: MatrixBase | None = None) -> Expr:
     """d/dt of a function of ω₁, ω₂, ω₃ along Euler's equations."""
-    return sum(
-        expression.diff(w) * rate for w, rate in zip(OMEGA, body_accelerations(torque), strict=True)
-    )
+    return total_derivative(expression, dict(zip(OMEGA, body_accelerations(torque), strict=True)))
 
 
 def axis_jacobian(axis: int) -> Matrix:

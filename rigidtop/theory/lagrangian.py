@@ -2,7 +2,9 @@
 
 The top is one argument of many.
 
-Coordinates and velocities are sequences of plain symbols in the same order.
+Coordinates and velocities are sequences in the same order: plain symbols, or functions of time and
+their derivatives, such as SymPy's `dynamicsymbols`.  Whatever else L has of the time counts: other
+functions of it (a given motion of the pivot), and the symbol named t itself.
 
 >>> from sympy import symbols
 >>> m, k, x, v, a = symbols("m k x v a", positive=True)
@@ -11,6 +13,14 @@ Coordinates and velocities are sequences of plain symbols in the same order.
 Matrix([[a*m + k*x]])
 >>> energy(oscillator, [v])
 k*x**2/2 + m*v**2/2
+>>> from sympy.physics.mechanics import dynamicsymbols
+>>> r, phi = dynamicsymbols("r phi")
+>>> orbit = m*(r.diff()**2 + r**2*phi.diff()**2)/2 - k*r**2/2
+>>> accelerations(orbit, [r, phi], [r.diff(), phi.diff()])[1]
+-2*Derivative(phi(t), t)*Derivative(r(t), t)/r(t)
+
+Raises ValueError for names that are no symbols and no functions of time, that stand twice or do
+not pair, and for derivatives in L that are no velocities.
 """
 
 from __future__ import annotations
@@ -19,57 +29,95 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy
-from sympy import Expr, Matrix, Symbol, hessian
+from sympy import Derivative, Expr, Matrix, MatrixBase, hessian
 from sympy.solvers.solveset import NonlinearError
 
 from rigidtop.theory.rotation import total_derivative
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
-Symbols = Sequence[Symbol]
+Names = Sequence[Expr]
+"""Symbols, or functions of time and their derivatives."""
 
 
-def momenta(L: Expr, qdot: Symbols) -> Matrix:
+def _check(function: Expr, **names: Names) -> None:
+    """Raises ValueError unless L or H is an expression and the names are names, all different,
+    that go with each other."""
+    if not isinstance(function, Expr):
+        raise ValueError(f"{function!r} is no expression of SymPy: L or H has to be one")
+    for what, group in names.items():
+        if not isinstance(group, (Sequence, MatrixBase)):
+            raise ValueError(f"the {what} are {group!r}: a sequence was expected, such as [x]")
+        for x in group:
+            if not getattr(x, "_diff_wrt", False):
+                raise ValueError(f"{x!r} is among the {what}: no symbol and no function of time")
+        if len({*group}) < len(group):
+            raise ValueError(f"among the {what}, {', '.join(map(str, group))}, one stands twice")
+    if len({len(group) for group in names.values()}) > 1:
+        counts = ", ".join(f"{len(group)} {what}" for what, group in names.items())
+        raise ValueError(f"{counts}: there have to be as many of each")
+
+
+def _check_motion(L: Expr, q: Names, qdot: Names, qddot: Names = ()) -> None:
+    """Besides: raises ValueError where a rate is another's, or L has one that is no velocity."""
+    _check(L, coordinates=q, velocities=qdot)
+    for x, v in (*zip(q, qdot, strict=True), *zip(qdot, qddot, strict=False)):
+        if isinstance(v, Derivative) and v != x.diff(*v.variables[:1]):
+            raise ValueError(f"{v} is given as the rate of {x}")
+    functions = [x for x in q if not x.is_Symbol]
+    for x in L.atoms(Derivative) - {*qdot}:
+        if x.has(*functions) and not {*x.variables} <= {*q}:
+            raise ValueError(f"L has {x}, which is none of the velocities")
+
+
+def momenta(L: Expr, qdot: Names) -> Matrix:
     """p = ∂L/∂q̇ (n×1)."""
+    _check(L, velocities=qdot)
     return Matrix([sympy.factor_terms(L.diff(v)) for v in qdot])
 
 
-def mass_matrix(L: Expr, qdot: Symbols) -> Matrix:
+def mass_matrix(L: Expr, qdot: Names) -> Matrix:
     """∂²L/∂q̇∂q̇ (n×n), with products of sines and cosines in normal form."""
+    _check(L, velocities=qdot)
     return reduce_trig(hessian(L, list(qdot)), keep="sin")
 
 
-def euler_lagrange(L: Expr, q: Symbols, qdot: Symbols, qddot: Symbols) -> Matrix:
+def euler_lagrange(L: Expr, q: Names, qdot: Names, qddot: Names) -> Matrix:
     """d/dt ∂L/∂q̇ − ∂L/∂q (n×1), which vanishes along the motion: Lagrange's equations (2.29)."""
+    _check(L, velocities=qdot, accelerations=qddot)
+    _check_motion(L, q, qdot, qddot)
     rates = {**dict(zip(q, qdot, strict=True)), **dict(zip(qdot, qddot, strict=True))}
     force = Matrix([L.diff(x) for x in q])
     return total_derivative(momenta(L, qdot), rates) - force
 
 
-def accelerations(L: Expr, q: Symbols, qdot: Symbols) -> Matrix:
+def accelerations(L: Expr, q: Names, qdot: Names) -> Matrix:
     """q̈ from Lagrange's equations (n×1).
 
     Raises ValueError where the mass matrix is singular for every q.
     """
+    _check_motion(L, q, qdot)
     mass = mass_matrix(L, qdot)
     adjugate, determinant = mass.adjugate(), reduce_trig(mass.det())
     if determinant == 0:
         raise ValueError("the mass matrix is singular: some velocity does not enter L")
-    rates = dict(zip(q, qdot, strict=True))
+    # What the accelerations add stands on the other side.
+    rates = {**dict(zip(q, qdot, strict=True)), **dict.fromkeys(qdot, sympy.S.Zero)}
     force = Matrix([L.diff(x) for x in q]) - total_derivative(momenta(L, qdot), rates)
     return (adjugate * force / determinant).applyfunc(reduce_ratio)
 
 
-def energy(L: Expr, qdot: Symbols) -> Expr:
+def energy(L: Expr, qdot: Names) -> Expr:
     """Jacobi's integral Σ p q̇ − L, which is T + V for a natural system; constant if ∂L/∂t = 0."""
     return sympy.expand(momenta(L, qdot).dot(Matrix(qdot)) - L)
 
 
-def cyclic(L: Expr, q: Symbols) -> tuple[Symbol, ...]:
+def cyclic(L: Expr, q: Names) -> tuple[Expr, ...]:
     """The coordinates that L does not contain; the momentum of each is conserved."""
+    _check(L, coordinates=q)
     return tuple(x for x in q if sympy.expand(L.diff(x)) == 0)
 
 
-def inverse_momenta(L: Expr, qdot: Symbols, p: Symbols) -> dict[Symbol, Expr]:
+def inverse_momenta(L: Expr, qdot: Names, p: Names) -> dict[Expr, Expr]:
     """q̇(q, p), which p = ∂L/∂q̇ defines.
 
     Raises ValueError where it does not: some velocity does not enter L, or several velocities have
@@ -80,22 +128,23 @@ def inverse_momenta(L: Expr, qdot: Symbols, p: Symbols) -> dict[Symbol, Expr]:
     >>> inverse_momenta(-m*sqrt(1 - v**2), [v], [P])     # a relativistic particle, c = 1
     {v: P/sqrt(P**2 + m**2)}
     """
+    _check(L, velocities=qdot, momenta=p)
     equations = list(momenta(L, qdot) - Matrix(p))
     try:
         found = [dict(zip(qdot, x, strict=True)) for x in sympy.linsolve(equations, *qdot)]
     except NonlinearError:
         found = sympy.solve(equations, list(qdot), dict=True)
-    if len(found) != 1 or any(x.free_symbols & set(qdot) for x in found[0].values()):
+    if len(found) != 1 or any(x.has(*qdot) for x in found[0].values()):
         raise ValueError("the momenta do not determine the velocities")
     return {v: reduce_ratio(x) for v, x in found[0].items()}
 
 
-def cyclic_velocities(L: Expr, velocities: Symbols, p: Symbols) -> dict[Symbol, Expr]:
+def cyclic_velocities(L: Expr, velocities: Names, p: Names) -> dict[Expr, Expr]:
     """The velocities of cyclic coordinates in terms of their constant momenta `p`."""
     return inverse_momenta(L, velocities, p)
 
 
-def routhian(L: Expr, velocities: Symbols, p: Symbols) -> Expr:
+def routhian(L: Expr, velocities: Names, p: Names) -> Expr:
     """L − Σ p q̇ over the cyclic coordinates, their velocities eliminated.
 
     Its Euler–Lagrange equations are those of the coordinates that are left (Goldstein 8.3 has the
@@ -106,12 +155,12 @@ def routhian(L: Expr, velocities: Symbols, p: Symbols) -> Expr:
     return reduced.subs(solution, simultaneous=True)
 
 
-def effective_potential(L: Expr, velocities: Symbols, p: Symbols, rest: Symbols) -> Expr:
+def effective_potential(L: Expr, velocities: Names, p: Names, rest: Names) -> Expr:
     """Minus the Routhian where the velocities `rest` that are left vanish."""
     return -routhian(L, velocities, p).subs(dict.fromkeys(rest, 0))
 
 
-def hamiltonian(L: Expr, qdot: Symbols, p: Symbols) -> Expr:
+def hamiltonian(L: Expr, qdot: Names, p: Names) -> Expr:
     """H(q, p) = Σ p q̇ − L, the Legendre transform of L; it undoes itself.
 
     >>> from sympy import symbols
@@ -122,11 +171,12 @@ def hamiltonian(L: Expr, qdot: Symbols, p: Symbols) -> Expr:
     >>> hamiltonian(H, [P], [v])
     -k*x**2/2 + m*v**2/2
     """
+    _check(L, velocities=qdot, momenta=p)
     transform = sum(pk * v for v, pk in zip(qdot, p, strict=True)) - L
     return sympy.expand(transform.subs(inverse_momenta(L, qdot, p), simultaneous=True))
 
 
-def hamilton_equations(H: Expr, q: Symbols, p: Symbols) -> Matrix:
+def hamilton_equations(H: Expr, q: Names, p: Names) -> Matrix:
     """q̇ = ∂H/∂p and ṗ = −∂H/∂q (2n×1), the coordinates first.
 
     >>> from sympy import symbols
@@ -136,6 +186,7 @@ def hamilton_equations(H: Expr, q: Symbols, p: Symbols) -> Matrix:
     [ P/m],
     [-k*x]])
     """
+    _check(H, coordinates=q, momenta=p)
     return Matrix([*(H.diff(pk) for pk in p), *(-H.diff(x) for x in q)])
 
 
@@ -153,14 +204,19 @@ class Linearisation:
         return (pencil + sympy.I * frequency * self.gyroscopic).det()
 
 
-def linearise(L: Expr, q: Symbols, qdot: Symbols, about: Mapping[Symbol, Expr]) -> Linearisation:
+def linearise(L: Expr, q: Names, qdot: Names, about: Mapping[Expr, Expr]) -> Linearisation:
     """Small deviations from a steady motion, in which no second derivative of L changes in time.
 
-    `about` gives the steady values of coordinates and velocities.
+    `about` gives the steady values of coordinates and velocities.  Raises ValueError where a
+    second derivative of L changes.
     """
-    mixed = Matrix([[L.diff(v, x) for x in q] for v in qdot])
+    _check_motion(L, q, qdot)
+    second = hessian(L, [*qdot, *q])
+    rates = {**dict(zip(q, qdot, strict=True)), **dict.fromkeys(qdot, sympy.S.Zero)}
+    if not reduce_trig(total_derivative(second, rates).subs(about)).is_zero_matrix:
+        raise ValueError("no steady motion: a second derivative of L changes in time")
+    n = len(qdot)
+    mixed = second[:n, n:]
     return Linearisation(
-        hessian(L, list(qdot)).subs(about),
-        (mixed - mixed.T).subs(about),
-        -hessian(L, list(q)).subs(about),
+        second[:n, :n].subs(about), (mixed - mixed.T).subs(about), -second[n:, n:].subs(about)
     )

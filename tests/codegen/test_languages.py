@@ -343,7 +343,7 @@ def test_a_limit_is_said_to_be_one():
 
 @claim("corrected", "E = 2T, which is false.")
 def corrected():
-    meaning = {s.E: s.T}
+    meaning = {s.E: (s.T**2 / 2).diff(s.T)}
     yield Check(Equation(s.E, 2 * s.T), meaning)
     yield Correction(Equation(s.E, s.T + s.V - s.V), meaning)
 

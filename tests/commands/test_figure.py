@@ -122,3 +122,12 @@ def test_frames_are_a_whole_number():
     for text in ("1", "x", "1e3", "99999"):
         with pytest.raises(argparse.ArgumentError, match="not a whole number from 2"):
             run("cones", "--frames", text)
+
+
+def test_a_figure_in_another_notation(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert run("torque", "--notation", "landau", "-o", "torque.svg") == 0
+    caption = capsys.readouterr().out
+    assert caption.startswith("torque.svg\nThe torque K = R_CM × μg of the weight")
+    with pytest.raises(RigidtopError, match=r"--notation goes with .* not with a .gif"):
+        run("rolling-cones", "--notation", "landau", "-o", "cones.gif")

@@ -11,9 +11,9 @@ import pytest
 
 import rigidtop as rt
 from rigidtop.cli import main
-from rigidtop.commands.sweep import noted_interrupts
+from rigidtop.commands.sweep import EXAMPLE_TOP, noted_interrupts
 from rigidtop.motion import store
-from rigidtop.motion.sweep import REGIMES, load
+from rigidtop.motion.sweep import REGIMES, Span, Sweep, load
 
 SMALL = ("--axis", "omega3=0:60:20", "--axis", "phi-dot=-5:5:11")
 """Of the example top."""
@@ -61,6 +61,21 @@ def test_json_is_the_contract(tmp_path, capsys):
             "regimes": dict(zip(names.tolist(), counts.tolist(), strict=True)),
             "computed": computed,
         }
+
+
+def test_damage_is_said(tmp_path, capsys):
+    """A partial file whose only block is no longer what was written."""
+    path = tmp_path / "map.npy"
+    half = Sweep("regime", {"omega3": Span(0, 60, 20), "phi_dot": Span(-5, 5, 11)}, EXAMPLE_TOP)
+    with store.open_store(path, half.about, half.dtype, half.shape) as file:
+        file.write(0, np.zeros(110, np.uint8))
+    with path.open("r+b") as data:
+        data.seek(140)
+        data.write(b"\x01")
+    assert sweep(path, *SMALL) == 0
+    assert np.array_equal(np.array(REGIMES)[np.load(path)], direct().regime)
+    again = "110 of them again: on the disk they were no longer what was written"
+    assert capsys.readouterr().out.splitlines()[-1] == again
 
 
 def test_numbers_and_degrees(tmp_path, capsys):

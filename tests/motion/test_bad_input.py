@@ -1,12 +1,17 @@
 """Bad input gets one line that says what is wrong."""
 
 import math
+import re
+from decimal import Decimal
+from fractions import Fraction
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
 import rigidtop as rt
+from rigidtop.motion.sweep import Listed, Span
+from rigidtop.parameters import Parameter, settings
 
 GOOD = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "R": 0.5}
 TOP = rt.HeavyTop(**GOOD)
@@ -238,3 +243,100 @@ def test_bodies_are_values():
     assert rt.FreeBody(1, 2, 2.5) == rt.FreeBody(1.0, 2.0, 2.5)
     with pytest.raises(AttributeError):
         TOP.R = 2.0
+
+
+NO_NUMBERS = [
+    ("3", "'3'"),
+    (True, "True"),
+    (None, "None"),
+    (np.True_, "True"),
+    (1 + 0j, r"\(1\+0j\)"),
+    (np.complex64(1), r"np\.complex64\(1\+0j\)"),
+    (np.timedelta64(3, "s"), r"np\.timedelta64\(3,'s'\)"),
+    (np.array("3"), "'3'"),
+    (np.ma.masked, "mask"),
+]
+"""What float() or NumPy takes for a number, nearly all of it, and what a message says of it."""
+
+TAKES_ONE = {
+    "lambda1": lambda x: rt.HeavyTop(**{**GOOD, "lambda1": x}),
+    "g": lambda x: rt.HeavyTop(**GOOD, g=x),
+    "lambda2": lambda x: rt.FreeBody(1.0, x, 1.0),
+    r"omega\[1\]": lambda x: rt.FreeBody(1.0, 1.0, 1.0).motion(omega=(1.0, x, 1.0)),
+    r"centre_of_mass\[0\]": lambda x: rt.HeavyBody(9, 9, 9, M=1, centre_of_mass=(x, 0, 0)),
+    "omega3": lambda x: TOP.steady_precession(0.5, x),
+    "rtol": lambda x: TOP.motion(**TILTED).integrate(1.0, rtol=x),
+    "tip": lambda x: rt.SlidingTop(**GOOD, tip=x),
+    r"slip\[0\]": lambda x: rt.SlidingTop(**GOOD).motion(**TILTED, slip=(x, 0.0)),
+    "start": lambda x: Span(x, 1.0, 2),
+    "a value": lambda x: Listed((x,)),
+    "tilt": lambda x: settings([Parameter("tilt", 0.5, "θ")], {"tilt": x}),
+}
+TAKES_MANY = {
+    "t": lambda x: TOP.motion(**TILTED).exact(x),
+    "t ": lambda x: TOP.motion(**TILTED).integrate(x),
+    "t  ": lambda x: rt.FreeBody(1, 2, 3).motion(omega=(1, 1, 1)).exact(x),
+    "t   ": lambda x: rt.SlidingTop(**GOOD).motion(**TILTED).integrate(x),
+    "t    ": lambda x: rt.top_motions(**GOOD, **TILTED).exact(x),
+    "theta": lambda x: rt.top_motions(**GOOD, omega3=9.0, theta=x),
+    "phi_dot": lambda x: rt.top_motions(**GOOD, **TILTED, phi_dot=x),
+    "moments": lambda x: rt.free_motions(moments=x, omega=[1.0, 1.0, 1.0]),
+}
+
+
+@pytest.mark.parametrize(("value", "shown"), NO_NUMBERS)
+@pytest.mark.parametrize("name", TAKES_ONE)
+def test_what_is_no_number_is_refused(name, value, shown):
+    with pytest.raises(
+        rt.RigidtopError, match=rf"^{name} must be a number, not .*{shown}"
+    ) as caught:
+        TAKES_ONE[name](value)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(("value", "shown"), NO_NUMBERS)
+@pytest.mark.parametrize("name", TAKES_MANY)
+def test_what_are_no_numbers_is_refused(name, value, shown):
+    says = rf"^{name.strip()} must be .*numbers, not .*"
+    for many in (value, [1.0, value, 1.0]):
+        with pytest.raises(rt.RigidtopError, match=says + shown) as caught:
+            TAKES_MANY[name](many)
+        assert "\n" not in str(caught.value)
+    rows = np.broadcast_to(np.asarray(value), 1000)
+    if rows.dtype.kind != "O" and value is not np.ma.masked:
+        with pytest.raises(rt.RigidtopError, match=says + re.escape(f"an array of {rows.dtype}")):
+            TAKES_MANY[name](rows)
+
+
+@pytest.mark.parametrize("name", TAKES_MANY)
+def test_masks_are_not_lost(name):
+    masked = np.ma.array([1.0, 0.5, 1.0], mask=[False, True, False])
+    for value in (masked, [masked, masked]):
+        with pytest.raises(rt.RigidtopError, match="a masked array: leave out, or fill, what is"):
+            TAKES_MANY[name](value)
+    TAKES_MANY[name](np.ma.array([1.0, 0.5, 1.0]))
+
+
+def test_numbers_of_every_kind_are_taken():
+    for one in (Fraction(1, 2), Decimal("0.5"), np.float32(0.5), np.array(0.5), 0.5):
+        assert TOP.motion(theta=one, omega3=9).exact([one, 1]).t.tolist() == [0.5, 1.0]
+        assert rt.top_motions(**GOOD, theta=[one, 1], omega3=9).theta.tolist() == [0.5, 1.0]
+    with pytest.raises(rt.RigidtopError, match="t must be finite"):
+        TOP.motion(**TILTED).exact([10**400, 1])
+    with pytest.raises(rt.RigidtopError, match="phi must be finite, not -inf"):
+        TOP.motion(**TILTED, phi=-(10**400))
+
+
+@pytest.mark.parametrize("value", [[[1, 2], [3]], [[1, 2], 3]])
+def test_rows_of_different_lengths(value):
+    with pytest.raises(rt.RigidtopError, match="t must be a number or an array of numbers, not"):
+        TOP.motion(**TILTED).exact(value)
+    with pytest.raises(rt.RigidtopError, match="omega must be three numbers, not"):
+        rt.FreeBody(1, 1, 1).motion(omega=value)
+
+
+@pytest.mark.parametrize("value", [np.eye(3)[:2], np.ones((3, 3, 3)), {1, 2, 3}, 1.0, None, "12"])
+def test_what_is_no_vector(value):
+    with pytest.raises(rt.RigidtopError, match="omega must be three numbers, not") as caught:
+        rt.FreeBody(1, 1, 1).motion(omega=value)
+    assert "\n" not in str(caught.value)

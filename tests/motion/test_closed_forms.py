@@ -3,6 +3,7 @@
 `test_exact.py` judges the states themselves by 40-digit references.
 """
 
+import itertools
 import math
 
 import numpy as np
@@ -274,6 +275,100 @@ def test_a_pendulum_that_never_arrives_does_not_precess():
 def test_regimes_of_a_free_body(omega, regime):
     # λ₁(λ₂ − λ₁)ω₁² = λ₃(λ₃ − λ₂)ω₃² on the separatrix: 1 = 1.25 ω₃².
     assert rt.FreeBody(1.0, 2.0, 2.5).motion(omega=omega).regime == regime
+
+
+@pytest.mark.parametrize("tilt", [0.3, 0.5, 0.7, 1.0, 2.5])
+def test_what_is_asymptotic_has_no_period(tilt):
+    """Also where rounding leaves a little of the distance from the separatrix."""
+    speed = math.sqrt(2 * 9.81 * 0.5 * (1 - math.cos(tilt)))
+    motion = TOP.motion(theta=tilt, theta_dot=speed, omega3=0.0)
+    assert (motion.regime, motion.nutation_period) == ("asymptotic", math.inf)
+    assert motion.mean_precession == motion.precession_per_period == 0.0
+    omega = tilt, 1.0, math.sqrt(0.8) * tilt
+    free = rt.FreeBody(1.0, 2.0, 2.5).motion(omega=omega)
+    assert (free.regime, free.nutation_period) == ("separatrix", math.inf)
+    momentum = np.linalg.norm(np.array([1.0, 2.0, 2.5]) * omega)
+    assert free.mean_precession == pytest.approx(momentum / 2, rel=1e-14)
+
+
+@pytest.mark.parametrize("phi_dot", [0.0, 1e-18, 1e-17, -1e-16, 1e-15])
+def test_a_plane_pendulum_does_not_precess(phi_dot):
+    """Also where rounding is all that takes it past the vertical, as it does for ψ ≠ 0."""
+    for theta_dot, psi in ((0.0, 0.0), (1.0, 3.0), (9.0, 0.0)):
+        motion = TOP.motion(theta=0.5, theta_dot=theta_dot, phi_dot=phi_dot, psi=psi, omega3=0.0)
+        assert motion.regime == "plane"
+        assert motion.precession_per_period == motion.mean_precession == 0.0
+
+
+@pytest.mark.parametrize("apart", [1e-3, 1e-6, 1e-9, 1e-12])
+def test_a_small_ellipse_is_not_plane(apart):
+    """A pendulum next to the hanging one, whose p_φ is tiny, and so are all that it could have."""
+    rate = math.sqrt(9.81 * 0.5)
+    around = TOP.motion(theta=math.pi - apart, phi_dot=rate / 2, omega3=0.0)
+    assert around.regime == "waves"
+    assert around.mean_precession == pytest.approx(rate, rel=1e-5)
+
+
+@pytest.mark.parametrize("theta", [0.01, 0.5, 2.0, 3.0])
+def test_half_turns_at_the_vertical_are_no_precession(theta):
+    """To rounding, which says on which side the axis passes: the sides differ by 2π."""
+    spins = np.linspace(10.0, 60.0, 101)
+    tops = rt.top_motions(
+        lambda1=1.0, lambda3=0.5, M=1.0, R=0.5, theta=theta, theta_dot=0.3, omega3=spins,
+        phi_dot=0.5 * spins / (1 + math.cos(theta)),
+    )  # fmt: skip
+    through = tops.regime == "through the vertical"
+    assert through.sum() > 90
+    turned = tops.precession_per_period[through]
+    assert np.abs(np.diff(turned)).max() < 2
+    for motion in (
+        TOP.motion(theta=theta, theta_dot=0.3, omega3=w, phi_dot=0.5 * w / (1 + math.cos(theta)))
+        for w in spins[through][::10]
+    ):
+        if motion.regime == "through the vertical":
+            alike = turned[spins[through] == motion.omega[2]]
+            assert motion.precession_per_period == pytest.approx(alike[0], rel=1e-9)
+
+
+def test_the_sign_of_zero_does_not_count():
+    names = ("theta_dot", "phi", "phi_dot", "psi")
+    times = np.array([0.0, -0.0, 0.7, -0.7, 5.0])
+    for theta, spin in itertools.product((0.0, 0.5, math.pi / 2, math.pi), (0.0, 9.0)):
+        for zeros in itertools.product((0.0, -0.0), repeat=4):
+            start = dict(zip(names, zeros, strict=True))
+            for psi in (start["psi"], 3.0):
+                given = start | {"psi": psi, "theta": theta, "omega3": spin}
+                plain = {name: value + 0.0 for name, value in given.items()}
+                parts = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "R": 0.5}
+                for run, other in (
+                    (TOP.motion(**given).exact(times), TOP.motion(**plain).exact(times)),
+                    (
+                        rt.top_motions(**parts, **given).exact(times),
+                        rt.top_motions(**parts, **plain).exact(times),
+                    ),
+                ):
+                    for name in ("theta", "phi", "psi", "theta_dot"):
+                        assert_allclose(getattr(run, name), getattr(other, name), atol=1e-12)
+
+
+@pytest.mark.parametrize("phi", [0.0, 100 * math.pi, -1e4, 1e6 * math.pi])
+@pytest.mark.parametrize("psi", [0.0, 0.7, 100 * math.pi, -1e6])
+def test_turns_at_the_start_cost_no_digits(phi, psi):
+    """One motion at a time as well as an array of them: θ and the rates do not depend on φ."""
+    start = {"theta": 0.5, "theta_dot": 0.1, "phi_dot": 1.0, "omega3": 40.0, "phi": phi, "psi": psi}
+    times = np.array([0.0, 1.3])
+    alone = TOP.motion(**start)
+    of_many = rt.top_motions(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5, **start).exact(times)
+    runs = (of_many, alone.exact(times), alone.integrate(times, rtol=1e-13, atol=1e-14))
+    for run in runs:
+        assert abs(run.theta_dot[0] - 0.1) < 1e-15
+        assert abs(run.phi_dot[0] - 1.0) < 1e-15
+    for run, bound in zip(runs[1:], (2e-14, 1e-10), strict=True):
+        for name in ("theta", "theta_dot", "phi_dot"):
+            assert abs(getattr(run, name)[1] - getattr(of_many, name)[1]) < bound
+    for rate in TOP.steady_precession(0.5, 40.0):
+        steady = TOP.motion(theta=0.5, phi_dot=rate, omega3=40.0, phi=phi, psi=psi)
+        assert steady.regime == "steady"
 
 
 # --- Late times, many samples, other bodies ---

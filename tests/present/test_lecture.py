@@ -6,6 +6,7 @@ import shutil
 import subprocess
 from xml.etree import ElementTree
 
+import numpy as np
 import pypdf
 import pytest
 from sympy import Symbol
@@ -22,6 +23,7 @@ from rigidtop.present.report import (
     DataTable,
     Display,
     ExerciseHead,
+    Heading,
     Measures,
     Paragraph,
     Quantities,
@@ -83,6 +85,71 @@ def test_html_of_all_pages(document, pictures):
     assert [tag for tag in tags if tag in numbers] == numbers  # each once, in order
 
 
+@pytest.fixture(scope="module", params=["latexmk", "typst"])
+def paper(request, document, pictures):
+    """The PDF of the lecture, both ways."""
+    latexmk = shutil.which("latexmk")
+    if request.param == "latexmk" and not latexmk:
+        pytest.skip("needs latexmk")
+    kind, by, way = ("pdf", tex, latexmk) if request.param == "latexmk" else ("svg", typst, None)
+    names = {p.name: f"figures/{p.name}.{kind}" for p in pictures}
+    files = {names[p.name]: rendered(p.drawing, kind, p.given) for p in pictures}
+    source = by.write(document, names)
+    return pdf.by_latexmk(way, source, files) if way else pdf.by_typst(source, files)
+
+
+END = 0.905
+"""Where the body of a page ends, and its number follows, as a share of its height."""
+
+
+@pytest.mark.skipif(not shutil.which("pdftoppm"), reason="needs pdftoppm")
+def test_pages_have_no_white_gaps(paper, tmp_path):
+    (tmp_path / "lecture.pdf").write_bytes(paper)
+    command = ["pdftoppm", "-r", "36", "-gray", "lecture.pdf", "page"]
+    subprocess.run(command, cwd=tmp_path, check=True, timeout=120)
+    inside, beneath = [], []
+    for path in sorted(tmp_path.glob("page-*.pgm")):
+        _, size, _, dots = path.read_bytes().split(b"\n", 3)
+        width, height = map(int, size.split())
+        page = np.frombuffer(dots, np.uint8).reshape(height, width)
+        rows = np.flatnonzero((page < 250).any(axis=1)) / height
+        body = rows[rows < END]
+        inside.append(np.diff(body).max())
+        beneath.append(END - body[-1])
+    assert max(inside) < 0.06
+    # What may not be parted begins the next page: a table, a claim with its first lines.
+    assert max(beneath[:-1]) < 0.2
+    assert np.mean(beneath[:-1]) < 0.055
+
+
+def test_no_heading_ends_a_page(paper, document):
+    titles = {"Solution in symbols", "Solution in numbers"}
+    for block in document.blocks:
+        if isinstance(block, (Heading, ExerciseHead, ClaimHead)):
+            titles.add(block.shown if isinstance(block, ClaimHead) else block.title)
+    titles = {_letters(title) for title in titles} - {""}
+    heads = 0
+    for page in pypdf.PdfReader(io.BytesIO(paper)).pages[1:]:  # behind the contents
+        lines = [_letters(line) for line in page.extract_text().splitlines() if line.strip()]
+        heads += sum(line in titles for line in lines)
+        assert lines[-2] not in titles  # above the number of the page
+    assert heads > 50
+
+
+def _letters(line):
+    """The letters of a line, without the word that begins the title of an exercise."""
+    return "".join(re.findall(r"[a-z]+", line.lower())).removeprefix("exercise")
+
+
+def test_a_pdf_says_what_it_is(paper, document):
+    about = pypdf.PdfReader(io.BytesIO(paper)).metadata
+    assert (about.title, about.author) == (document.title, "rigidtop")
+    assert about.subject == document.subtitle
+    assert "Euler angles" in document.keywords
+    words = about["/Keywords"].replace("’", "'")
+    assert re.split("[,;] ", words) == list(document.keywords)
+
+
 @pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
 def test_no_line_leaves_the_page(document, pictures, tmp_path):
     (tmp_path / "figures").mkdir()
@@ -97,10 +164,9 @@ def test_no_line_leaves_the_page(document, pictures, tmp_path):
     assert max(wide, default=0) < 12  # of the 444 points of a line, and of 77 points of margin
 
 
-def test_typst_of_all_pages(document, pictures):
-    source = typst.write(document, {p.name: f"figures/{p.name}.svg" for p in pictures})
-    figures = {f"figures/{p.name}.svg": rendered(p.drawing, "svg", p.given) for p in pictures}
-    made = pypdf.PdfReader(io.BytesIO(pdf.by_typst(source, figures)))
+@pytest.mark.parametrize("paper", ["typst"], indirect=True)
+def test_typst_of_all_pages(paper):
+    made = pypdf.PdfReader(io.BytesIO(paper))
     words = "\n".join(page.extract_text() for page in made.pages)
     for number in range(33, 58):
         assert f"(3.{number})" in words

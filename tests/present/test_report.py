@@ -29,9 +29,11 @@ from rigidtop.present.report import (
     ExerciseHead,
     Figure,
     FoundList,
+    Heading,
     Measures,
     Numbers,
     Paragraph,
+    Row,
     Summary,
     anchor,
     claim_blocks,
@@ -228,6 +230,33 @@ def test_the_front_counts_and_lists(lecture):
     assert [row.name for row in found.rows] == ["3.57", "no-number"]
     assert plain.rich(found.rows[0].content) == "Not stated: sin θ ≠ 0 (the top is not upright)."
     assert plain.rich(found.rows[1].content) == "I is λ₁ − λ₃. Corrected: I = λ₃ − λ₁."
+
+
+def _listed(printed, *numbers):
+    """What the list of findings has of a false claim, with the equations of these numbers right."""
+    with as_printed():
+        right = [Equation(*printed[number].sides) for number in numbers]
+    made = tuple(Finding(Correction(equation), Verdict.PROVED) for equation in right)
+    page = Page("3.2", "x", "y", ())
+    judgement = Judgement(_claim("false", "It is not."), "3.2", Verdict.FALSE, made, 0.1)
+    blocks = document([(page, (judgement,))]).blocks
+    (found,) = [block for block in blocks if isinstance(block, FoundList)]
+    return found.rows[0].content
+
+
+def test_a_correction_with_a_fraction_is_listed(printed):
+    content = _listed(printed, "3.45")
+    assert plain.rich(content) == "It is not. Corrected: φ̇ = (L_z − L₃ cos θ)/(λ₁ sin² θ)."
+    assert r"\frac{L_{z} - L_{3}\cos\theta}{\lambda_{1}\sin^{2}\theta}" in tex.rich(content)
+
+
+def test_every_correction_is_listed_or_said_to_stand_elsewhere(printed):
+    both = "It is not. Corrected: r′ = Oᵀr; λ₁ω̇₁ = (λ₂ − λ₃)ω₂ω₃."
+    assert plain.rich(_listed(printed, "3.34", "3.36")) == both
+    assert plain.rich(_listed(printed, "3.47")) == "It is not. Corrected at the claim."
+    assert plain.rich(_listed(printed, "3.49")) == "It is not. Corrected at the claim."
+    some = "It is not. Corrected: r′ = Oᵀr; more at the claim."
+    assert plain.rich(_listed(printed, "3.34", "3.38")) == some
 
 
 def test_rows_are_grouped_between_reasons_and_tags(judged):
@@ -449,6 +478,36 @@ def test_a_long_remark_stands_beneath_its_heading_in_typst():
 
 def test_a_long_remark_may_stand_beneath_its_heading_in_html():
     assert re.search(r"\.head \{[^}]*flex-wrap: wrap", html.STYLE)
+
+
+OPENING = (
+    Heading(1, "1", "An opening", "section-1"),
+    Paragraph(("What it is about.",), held=True),
+    ClaimHead("a-claim", "claim-a", "It says so.", Verdict.PROVED),
+    Paragraph(("The reason.",), "Reason"),
+    Display((Row(Equation(lambda1, lambda3), "printed"),), "Derivation"),
+)
+
+
+def _page_of(made: bytes, words: str) -> int:
+    """The last page that has the words: the first has the contents."""
+    pages = [page.extract_text() for page in pypdf.PdfReader(io.BytesIO(made)).pages]
+    return max(i for i, text in enumerate(pages) if words in text)
+
+
+@pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
+def test_a_section_opens_with_its_first_claim_in_latex():
+    for count in range(26, 36, 2):
+        source = tex.write(Document("T", "S", (*FILL[:count], *OPENING), "C"), {})
+        made = pdf.by_latexmk(shutil.which("latexmk") or "", source, {})
+        assert _page_of(made, "An opening") == _page_of(made, "The reason."), count
+
+
+def test_a_section_opens_with_its_first_claim_in_typst():
+    for count in range(24, 45):
+        source = typst.write(Document("T", "S", (*FILL[:count], *OPENING), "C"), {})
+        made = pdf.by_typst(source, {})
+        assert _page_of(made, "An opening") == _page_of(made, "The reason."), count
 
 
 FILL = tuple(Paragraph((f"Line {i}.",)) for i in range(90))

@@ -53,6 +53,12 @@ def test_a_vector_fixed_in_space_turns_backwards_in_the_body():
     assert numeric(euler.body_frame_rate(Matrix(fixed))) == pytest.approx(-np.cross(OMEGA, fixed))
 
 
+def test_the_time_counts_along_the_flow():
+    turning = s.omega1 * sympy.cos(s.Omega * s.t)
+    rate = euler.along_flow(turning) - euler.along_flow(s.omega1) * sympy.cos(s.Omega * s.t)
+    assert rate == -s.Omega * s.omega1 * sympy.sin(s.Omega * s.t)
+
+
 @pytest.mark.parametrize("axis", [1, 2, 3])
 def test_growth_is_the_eigenvalue_of_differences(axis):
     spin, h = 1.7, 1e-6

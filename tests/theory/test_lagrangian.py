@@ -1,10 +1,14 @@
 """Lagrangian mechanics on systems that are no tops."""
 
+import re
+
 import numpy as np
 import pytest
 import sympy
-from sympy import Function, Matrix, Rational, cos, sin, symbols
-from sympy.physics.mechanics import LagrangesMethod
+from hypothesis import given
+from hypothesis import strategies as st
+from sympy import Derivative, Function, Matrix, Rational, cos, sin, symbols
+from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
 from rigidtop.theory import lagrangian as mechanics
 
@@ -298,3 +302,139 @@ def test_routhian_is_the_legendre_transform_of_the_cyclic_part():
     L = spherical_pendulum()
     partial = mechanics.hamiltonian(L, (v,), (p,))
     assert sympy.expand(mechanics.routhian(L, (v,), (p,)) + partial) == 0
+
+
+# --- Functions of time ----------------------------------------------------------------------------
+
+TIME = dynamicsymbols._t
+r, phi = dynamicsymbols("r phi")
+ORBIT = m * (r.diff() ** 2 + r**2 * phi.diff() ** 2) / 2 - k * r**2 / 2
+
+
+def of_time(L, q, qdot):
+    """The same system with functions of time, and how to write its functions as symbols again."""
+    functions = [Function(f"f{n}")(TIME) for n in range(len(q))]
+    rates = [f.diff(TIME) for f in functions]
+    back = {**dict(zip(rates, qdot, strict=True)), **dict(zip(functions, q, strict=True))}
+    there = {name: function for function, name in back.items()}
+    return L.xreplace(there), functions, rates, back
+
+
+def test_orbit_of_a_spring_in_functions_of_time():
+    found = mechanics.accelerations(ORBIT, [r, phi], [r.diff(), phi.diff()])
+    wanted = Matrix([r * phi.diff() ** 2 - k / m * r, -2 * r.diff() * phi.diff() / r])
+    assert (found - wanted).applyfunc(sympy.expand) == sympy.zeros(2, 1)
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_functions_of_time_do_what_symbols_do(name):
+    plain, q, qdot = SYSTEMS[name]
+    L, functions, rates, back = of_time(*SYSTEMS[name])
+    n, conjugate, beyond = len(q), (P, Q, S)[: len(q)], [f.diff(TIME, 2) for f in functions]
+
+    def same(found, wanted):
+        return sympy.expand(Matrix([found]).xreplace(back) - Matrix([wanted])).is_zero_matrix
+
+    assert same(
+        mechanics.accelerations(L, functions, rates), mechanics.accelerations(*SYSTEMS[name])
+    )
+    assert same(
+        mechanics.hamiltonian(L, rates, conjugate), mechanics.hamiltonian(plain, qdot, conjugate)
+    )
+    assert same(mechanics.energy(L, rates), mechanics.energy(plain, qdot))
+    assert [back[f] for f in mechanics.cyclic(L, functions)] == [*mechanics.cyclic(plain, q)]
+    last = (L, rates[-1:], conjugate[-1:])
+    assert same(mechanics.routhian(*last), mechanics.routhian(plain, qdot[-1:], conjugate[-1:]))
+    equations = mechanics.euler_lagrange(L, functions, rates, beyond)
+    named = equations.xreplace(dict(zip(beyond, (a, b, c), strict=False)))
+    assert same(named, mechanics.euler_lagrange(plain, q, qdot, (a, b, c)[:n]))
+
+
+def test_linearised_in_functions_of_time():
+    rate = sympy.sqrt(g / (-l1 * cos(x)))
+    wanted = mechanics.linearise(spherical_pendulum(), (x, y), (u, v), {u: 0, v: rate})
+    L, q, qdot, _ = of_time(spherical_pendulum(), (x, y), (u, v))
+    found = mechanics.linearise(L, q, qdot, {qdot[0]: 0, qdot[1]: rate, q[0]: x})
+    assert found == wanted
+
+
+POWERS = st.tuples(*[st.integers(0, 2)] * 5)
+TERMS = st.lists(st.tuples(st.integers(-4, 4), POWERS), max_size=4)
+
+
+@given(TERMS)
+def test_lagranges_equations_of_any_L_of_functions_and_time_are_sympys(terms):
+    # h(t) is a motion that is given; t enters besides.
+    h = Function("h")(TIME)
+    factors = (r, sin(phi), r.diff(), phi.diff() + h.diff(), TIME)
+    L = ORBIT + sum(
+        n * sympy.prod(factor**power for factor, power in zip(factors, powers, strict=True))
+        for n, powers in terms
+    )
+    q, qdot = [r, phi], [r.diff(), phi.diff()]
+    ours = mechanics.euler_lagrange(L, q, qdot, [x.diff(TIME, 2) for x in q])
+    theirs = LagrangesMethod(L, q).form_lagranges_equations()
+    assert (ours - theirs).expand().is_zero_matrix
+
+
+def test_a_pivot_that_is_shaken():
+    # Kapitza's pendulum: its pivot at the height h(t) changes g to g + ḧ.
+    height = Function("h")(TIME)
+    for pivot in (height, l2 * cos(k * TIME)):
+        x, z = l1 * sin(phi), pivot - l1 * cos(phi)
+        L = m * (x.diff(TIME) ** 2 + z.diff(TIME) ** 2) / 2 - m * g * z
+        [found] = mechanics.accelerations(L, [phi], [phi.diff()])
+        assert sympy.expand(found + (g + pivot.diff(TIME, 2)) * sin(phi) / l1) == 0
+
+
+def test_the_time_itself_in_plain_symbols():
+    t = symbols("t", real=True)
+    swing = m * u**2 * sympy.exp(k * t / m) / 2  # friction −k ẋ, by Caldirola and Kanai
+    assert mechanics.accelerations(swing, [x], [u]) == Matrix([-k * u / m])
+    with pytest.raises(ValueError, match=r"^no steady motion: a second derivative of L changes in"):
+        mechanics.linearise(swing, [x], [u], {u: 0})
+
+
+def test_functions_whose_velocities_are_not_determined():
+    L = m * (r.diff() + phi.diff()) ** 2 / 2
+    with pytest.raises(ValueError, match=r"^the momenta do not determine the velocities$"):
+        mechanics.hamiltonian(L, [r.diff(), phi.diff()], [P, Q])
+    with pytest.raises(ValueError, match=r"^the mass matrix is singular"):
+        mechanics.accelerations(L, [r, phi], [r.diff(), phi.diff()])
+
+
+@pytest.mark.parametrize(
+    ("L", "q", "qdot", "said"),
+    [
+        (
+            ORBIT,
+            [r, phi],
+            [phi.diff(), r.diff()],
+            "Derivative(phi(t), t) is given as the rate of r",
+        ),
+        (ORBIT, [r, phi], [r.diff(TIME, 2), phi.diff()], "Derivative(r(t), (t, 2)) is given as"),
+        (ORBIT, [r, phi], [u, v], "L has Derivative("),
+        (ORBIT + r.diff(TIME, 2), [r], [r.diff()], "L has Derivative(r(t), (t, 2)), which is none"),
+        (
+            ORBIT + Derivative(r**2, TIME, evaluate=False),
+            [r, phi],
+            [r.diff(), phi.diff()],
+            "L has Derivative(r(t)**2, t), which is none of the velocities",
+        ),
+        (ORBIT, [r, phi], [r.diff()], "2 coordinates, 1 velocities: there have to be as many"),
+        (u**2, [x, x], [u, v], "among the coordinates, x, x, one stands twice"),
+        (u**2, [x], [2 * u], "2*u is among the velocities: no symbol and no function of time"),
+        (u**2, x, u, "the coordinates are x: a sequence was expected, such as [x]"),
+        ("u**2", [x], [u], "'u**2' is no expression of SymPy: L or H has to be one"),
+    ],
+)
+def test_what_cannot_be_taken_is_said(L, q, qdot, said):
+    with pytest.raises(ValueError, match=f"^{re.escape(said)}"):
+        mechanics.accelerations(L, q, qdot)
+
+
+def test_momenta_that_are_too_few():
+    with pytest.raises(ValueError, match=r"^2 velocities, 1 momenta: there have to be as many of"):
+        mechanics.hamiltonian(charge(), (u, v), (P,))
+    with pytest.raises(ValueError, match=r"^1 velocities, 2 accelerations: there have to be as"):
+        mechanics.euler_lagrange(u**2, (x,), (u,), (a, b))

@@ -1,16 +1,21 @@
 """Rotations against SciPy's, and ω against differences in forty digits."""
 
 import itertools
+import re
 
 import mpmath
 import numpy as np
 import pytest
 import sympy
+from hypothesis import given
+from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
-from sympy import Matrix, cos, eye, sin, symbols
+from sympy import Derivative, Function, Matrix, cos, eye, sin, symbols
+from sympy.physics.mechanics import ReferenceFrame, dynamicsymbols
 
 from rigidtop.theory import rotation
 from rigidtop.theory import symbols as s
+from rigidtop.theory.lettered import real
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
 ANGLES = list(itertools.product((-2.1, 0.4, 3.0), (0.0, 0.3, 1.6, 3.1), (-0.7, 2.5)))
@@ -132,6 +137,69 @@ def test_total_derivative_is_the_chain_rule():
     x, v, a = symbols("x v a")
     assert rotation.total_derivative(x**2 * v, {x: v, v: a}) == 2 * x * v**2 + x**2 * a
     assert rotation.total_derivative(Matrix([x, 3]), {x: v}) == Matrix([v, 0])
+
+
+TIME = dynamicsymbols._t
+f, h = dynamicsymbols("f h")
+V = Function("V")
+PARTS = st.sampled_from(
+    [f, h, f.diff(), h.diff(), f.diff(TIME, 2), TIME, sin(f), V(f), cos(h * TIME)]
+)
+
+
+@given(st.lists(st.lists(PARTS, min_size=1, max_size=4), min_size=1, max_size=3))
+def test_total_derivative_of_functions_of_time_is_sympys(terms):
+    expression = sum(sympy.prod(parts) for parts in terms)
+    wanted = expression.diff(TIME)
+    for rates in ({}, {f: f.diff()}, {f: f.diff(), h: h.diff()}, {f.diff(): f.diff(TIME, 2)}):
+        assert sympy.expand(rotation.total_derivative(expression, rates) - wanted) == 0
+
+
+def test_total_derivative_of_functions_with_rates_of_their_own():
+    u, w = symbols("u w")
+    assert rotation.total_derivative(f**2 * u + TIME, {f: u, u: w}) == 2 * f * u**2 + f**2 * w + 1
+    fall = rotation.total_derivative(f.diff() ** 2, {f: f.diff(), f.diff(): -sin(f)})
+    assert fall == -2 * f.diff() * sin(f)
+    assert rotation.total_derivative(TIME * f, {f: u, TIME: 0}) == TIME * u
+
+
+@pytest.mark.parametrize(
+    ("expression", "rates", "said"),
+    [
+        (f.diff(), {f: 1}, "Derivative(f(t), t) does not go with the rate given for f(t)"),
+        (f.diff(TIME, 2), {f.diff(): 0}, "Derivative(f(t), (t, 2)) does not go with the rate"),
+        (Derivative(f**2, TIME, evaluate=False), {f: 1}, "Derivative(f(t)**2, t) does not go with"),
+        (f, {sin(f): 1}, "sin(f(t)) has a rate, but is no symbol and no function of time"),
+        (V(s.theta), {}, "is theta in V(theta) the time? Then give it the rate 1, else 0"),
+        (f * s.t, {f: 1}, "two times, Symbol('t') and Symbol('t', real=True): there is only one"),
+    ],
+)
+def test_what_has_no_total_derivative_is_said(expression, rates, said):
+    with pytest.raises(ValueError, match=f"^{re.escape(said)}"):
+        rotation.total_derivative(expression, rates)
+
+
+def test_the_letter_t_of_ones_own_is_a_time_by_its_unit():
+    time, thickness = real("t", s.Glyph("t"), "time", "s"), real("t", s.Glyph("t"), "wall", "m")
+    assert rotation.total_derivative(time**2, {}) == 2 * time
+    assert rotation.total_derivative(thickness**2, {}) == 0
+
+
+def test_omega_of_functions_of_time_is_sympys():
+    angles = dynamicsymbols("alpha beta gamma")
+    fixed, body = ReferenceFrame("N"), ReferenceFrame("B")
+    body.orient_body_fixed(fixed, angles, "ZYZ")
+    attitude = rotation.euler_matrix(*angles)
+    for found, frame in (
+        (rotation.omega_body(attitude, {x: x.diff() for x in angles}), body),
+        (rotation.omega_space(attitude, {}), fixed),
+    ):
+        theirs = body.ang_vel_in(fixed).to_matrix(frame)
+        assert (found - theirs).applyfunc(reduce_trig).is_zero_matrix
+
+
+def test_omega_of_a_turn_with_the_time_written_out():
+    assert rotation.omega_space(rotation.rotation_z(s.omega * s.t), {}) == Matrix([0, 0, s.omega])
 
 
 def test_normal_forms():

@@ -107,7 +107,7 @@ class Orbit:
     def nutation_period(self) -> Floats:
         """The time from one smallest value of that angle to the next (s); ω returns after two."""
         with np.errstate(all="ignore"):
-            return 2 * self.quarter / (np.abs(self.nu) * self.sigma)
+            return np.where(self._ends, np.inf, 2 * self.quarter / (np.abs(self.nu) * self.sigma))
 
     @property
     def precession_per_period(self) -> Floats:
@@ -120,9 +120,14 @@ class Orbit:
     def mean_precession(self) -> Floats:
         """The rate at which e₃ turns about L, on average (rad/s)."""
         with np.errstate(all="ignore"):
-            share = np.where(self.m1 > 0, self._complete / (2 * self.quarter), 0.0)
+            share = np.where((self.m1 > 0) & ~self._ends, self._complete / (2 * self.quarter), 0.0)
             rate = self.length * (1 / self._i(1) + (1 / self._i(0) - 1 / self._i(1)) * share)
         return rate * self.sigma
+
+    @property
+    def _ends(self) -> NDArray[np.bool_]:
+        """Whether it never comes back from the middle axis, as the regime has it."""
+        return self.on_separatrix & ~self.uniform & (self.m > 0)
 
     def _i(self, k: int) -> Floats:
         return self.moments[..., k]

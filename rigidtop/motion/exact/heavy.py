@@ -183,11 +183,11 @@ class Orbit:
     def nutation_period(self) -> Floats:
         """The time from one smallest θ to the next (s); infinite where there is no next."""
         with np.errstate(all="ignore"):
-            return 2 * self.quarter / (self.nu * self.sigma)
+            return np.where(self.asymptotic, np.inf, 2 * self.quarter / (self.nu * self.sigma))
 
     @property
     def precession_per_period(self) -> Floats:
-        """By how much φ grows in a nutation period (rad), its jumps at the vertical not counted."""
+        """By how much φ grows in a nutation period (rad), without half turns at the vertical."""
         with np.errstate(all="ignore"):
             mean = self.mean_precession
             return np.where(mean == 0, 0.0, mean * self.nutation_period)
@@ -196,10 +196,20 @@ class Orbit:
     def mean_precession(self) -> Floats:
         """The mean of φ̇ over a nutation, or for all times if that never ends (rad/s)."""
         with np.errstate(all="ignore"):
-            turned = sum(np.where(self.m1 > 0, part, 0.0) for part in self._complete)
-            share = np.where(self.m1 > 0, turned * self.nu / (2 * self.quarter), 0.0)
-            mean = (self._drift_x + self._drift_y + share) / 2
-            return np.where(self.m1 > 0, mean, self.b / 2) * self.sigma
+            # To rounding, as the regime: where φ does not jump by a half turn, it makes one.
+            up = np.abs(self.c_up) < np.abs(self.c_down)
+            upper, lower = self._complete
+            turned = np.where(self.through & up, 0.0, upper)
+            turned = turned + np.where(self.through & ~up, 0.0, lower)
+            mean = (self._drift_x + self._drift_y + turned * self.nu / (2 * self.quarter)) / 2
+            mean = np.where((self.m1 > 0) & ~self.asymptotic, mean, self.b / 2)
+            return np.where(self.plane, 0.0, mean) * self.sigma
+
+    @property
+    def plane(self) -> NDArray[np.bool_]:
+        """Whether it is a pendulum without spin, to rounding of the initial state."""
+        across = self.x1 * self.y1 + self.range  # about the largest sin²θ
+        return (self.b == 0) & (np.abs(self.a1) + np.abs(self.a2) <= ROUNDING * across)
 
     @cached_property
     def regime(self) -> NDArray[np.str_]:
@@ -217,7 +227,7 @@ class Orbit:
                 self.still,
                 self.steady,
                 self.asymptotic,
-                (self.b == 0) & (np.abs(self.a1) + np.abs(self.a2) <= ROUNDING),
+                self.plane,
                 self.through,
                 np.abs(self.a1) <= ROUNDING * (np.abs(self.a2) + np.abs(self.b) * self.range),
                 self.a1 * self.a2 < 0,
@@ -473,7 +483,8 @@ def _solve(start: Start) -> Orbit:
     sigma = np.sqrt(start.mu) + np.abs(start.b) + speed
     sigma = np.where(sigma > 0, sigma, 1.0)
     mu, b = start.mu / sigma / sigma, start.b / sigma
-    v_theta, v_phi, w = start.v_theta / sigma, start.v_phi / sigma, speed / sigma
+    # −0 would say on which side of the vertical φ jumps.
+    v_theta, v_phi, w = start.v_theta / sigma + 0.0, start.v_phi / sigma, speed / sigma
     # Squares of less would lose digits; an attitude does not notice.
     sin_half, cos_half = (
         np.where((half > 0) & (half < SMALLEST_ARGUMENT), SMALLEST_ARGUMENT, half)
@@ -550,9 +561,9 @@ def _solve(start: Start) -> Orbit:
         begin=Jacobi(sn, cn, np.sqrt(m1 + m * cn**2)),
         still=still,
         steady=steady,
-        asymptotic=arrives,
+        asymptotic=arrives & ~(still | steady),
         # With p_φ = p_ψ alone it may lack the energy to climb there.
-        through=(passes_up & (w_up > 0)) | passes_down,
+        through=((passes_up & (w_up > 0)) | passes_down) & ~(still | steady),
     )
 
 
