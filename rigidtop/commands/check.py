@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING
 from rigidtop.commands import claims
 from rigidtop.commands.notation import add_notation, chosen
 from rigidtop.commands.output import print_json
+from rigidtop.progress import over
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
     from rigidtop.notation import Notation
+    from rigidtop.proof.lecture import Lecture
 
 ABOUT = "judge every claim and compare the numbers"
 
@@ -40,6 +42,12 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     depth.add_argument(
         "--quick", action="store_true", help="do not make the moves of the derivations"
     )
+    depth.add_argument(
+        "--thorough",
+        action="store_true",
+        help="besides, drop each line's premises one by one, and change it in ten ways or more: "
+        "all have to fall",
+    )
     add_notation(parser)
 
 
@@ -62,7 +70,8 @@ def _run(
     found = claims.named(collection, names) if names else claims.every(collection)
     lecture = None if options.quick else collection.lecture
     judgements = [judgement for _, judgement in claims.judged(found, lecture)]
-    passed = all(judgement.passed for judgement in judgements)
+    amiss = tried(lecture, names) if lecture is not None and options.thorough else []
+    passed = all(judgement.passed for judgement in judgements) and not amiss
     records = [record(Wording(notation).judgement(judgement)) for judgement in judgements]
     if options.json:
         print_json(records)
@@ -79,5 +88,20 @@ def _run(
         print()
         print(table(numbers, ("error", "tolerance", "", "compared with a computed motion")))
     print()
+    for line in amiss:
+        print(line)
     print(claims.summary(judgements))
     return 0 if passed else claims.FAILED
+
+
+def tried(lecture: Lecture, names: Sequence[str]) -> list[str]:
+    """What is amiss with lines whose premises are dropped and that are changed, a line each."""
+    wanted = [name for name in names if name in lecture.names]
+    ids = {id for name in wanted for id in lecture.way(name)[0]} if names else set(lecture.lines)
+    made = []
+    for id in over("changing lines", [each for each in lecture.lines if each in ids]):
+        trial = lecture.trial(id)
+        place = f"{lecture.lines[id].file}, line {lecture.lines[id].at}"
+        made += [f"{place}: {cited} is not needed" for cited in trial.unneeded]
+        made += [f"{place}: it still follows with {what}" for what in trial.survived]
+    return made

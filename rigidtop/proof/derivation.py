@@ -448,7 +448,9 @@ def changes(line: Line, letters: Letters, others: Sequence[Known] = ()) -> Itera
             yield Change(replace(line, move=made), f"{verb} instead of {move.verb}")
 
 
-def survivors(line: Line, letters: Letters, others: Sequence[Known] = ()) -> tuple[int, list[str]]:
+def survivors(
+    line: Line, letters: Letters, others: Sequence[Known] = ()
+) -> tuple[int, tuple[str, ...]]:
     """How many changes of a line that follows were tried, and which of them follow too."""
     assert line.move is not None
     performed = perform(line.move, letters)
@@ -462,7 +464,7 @@ def survivors(line: Line, letters: Letters, others: Sequence[Known] = ()) -> tup
         except RefusedError:
             continue
         survived.append(change.what)
-    return tried, survived
+    return tried, tuple(survived)
 
 
 def _with_equation(line: Line, k: int, equation: Equation) -> Line:

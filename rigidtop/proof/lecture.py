@@ -13,7 +13,7 @@ from typing import Any
 
 from rigidtop.errors import RigidtopError
 from rigidtop.proof.algebra import Letters
-from rigidtop.proof.derivation import Judged, Line, judge_line, unneeded
+from rigidtop.proof.derivation import Judged, Line, judge_line, survivors, unneeded
 from rigidtop.proof.moves import Known
 
 
@@ -68,6 +68,19 @@ class Text:
     @property
     def lines(self) -> tuple[Line, ...]:
         return tuple(block.line for block in self.shown if block.line is not None)
+
+
+OTHERS = 12
+"""So many other lines are tried in the place of a cited one."""
+
+
+@dataclass(frozen=True)
+class Trial:
+    """What came of trying a line: what it cites for nothing, its changes, which of them stood."""
+
+    unneeded: tuple[str, ...] = ()
+    changes: int = 0
+    survived: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -212,9 +225,19 @@ class Lecture:
                 if shown.problem:
                     yield text.file, shown.at, shown.problem
 
-    def unneeded(self, judged: Judged) -> tuple[Known, ...]:
-        """What a line that follows cites without needing it."""
-        return tuple(unneeded(judged.line, self.letters))
+    def trial(self, id: str) -> Trial:
+        """Drop what a line cites, change it, cite other lines, move otherwise: each has to fall."""
+        judged = self.judged(id)
+        move = judged.line.move
+        if move is None or move.verb == "call" or not judged.follows:
+            return Trial()
+        # What the cited lines rest on, or what rests on them, may serve as well.
+        near = {id, *self.cites(id)}
+        for cited in self.cites(id):
+            near |= {*self.below(cited), *self.above(cited)}
+        others = [self.judged(each).known for each in self.lines if each not in near]
+        needless = tuple(known.id for known in unneeded(judged.line, self.letters))
+        return Trial(needless, *survivors(judged.line, self.letters, others[:OTHERS]))
 
 
 def with_standing(line: Line, standing: dict[str, Known]) -> Line:
