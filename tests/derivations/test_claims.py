@@ -10,6 +10,7 @@ import sympy
 
 from rigidtop.derivations import PAGES
 from rigidtop.derivations.euler_angles import page as euler_angles
+from rigidtop.motion.top import HeavyTop
 from rigidtop.proof.page import Check, Correction, Definition, Measure, Step
 from rigidtop.proof.verdict import Finding, Verdict, judge
 from rigidtop.theory import symbols as s
@@ -381,6 +382,33 @@ def test_the_mean_of_a_finite_nutation_lies_off_the_steady_angle():
     weight = half * np.sin(u) / np.sqrt(2 * (at(upper) - at(angle)) / moment)
     mean = np.sum(angle * weight) / np.sum(weight) - theta0
     assert mean == pytest.approx(-(half**2) * third / (4 * second), rel=1e-2)
+
+
+def test_an_upright_top_sleeps_at_the_sleeping_spin_itself(judgements):
+    """(1 − cos θ)Ω stays below the speed of e₃ as seen from a frame that turns at Ω = λ₃ω₃/(2λ₁).
+
+    That goes to zero with the kick, of whatever kind; a little below the spin the top falls.
+    """
+    [condition] = {
+        tested.assumption.condition
+        for finding in judgements["nutation"].findings()
+        for tested in finding.assumptions
+        if s.D in tested.assumption.condition.free_symbols
+    }
+    assert condition == sympy.Ge(s.D, 0)
+    top, kick = HeavyTop(lambda1=1.3, lambda3=0.7, M=0.8, R=0.6, g=9.81), 1e-4
+    times, spin = np.linspace(0, 200, 4001), top.sleeping_spin()
+    turn = 0.7 * spin / 2.6
+    for rate in (0.0, turn, 6.0):
+        start = {"theta": kick, "theta_dot": kick, "phi_dot": rate}
+        asleep, awake = (
+            top.motion(**start, omega3=share * spin).integrate(times, rtol=1e-11, atol=1e-13).theta
+            for share in (1.0, 0.98)
+        )
+        bound = kick * np.sqrt(1 + (rate - turn) ** 2) / turn
+        assert kick < asleep.max()
+        assert 1 - np.cos(asleep.max()) < 1.001 * bound
+        assert awake.max() > 0.3
 
 
 # --- what would be seen if a page were wrong ---------------------------------------------------
