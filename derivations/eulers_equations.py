@@ -260,16 +260,15 @@ def axis_stability() -> Iterator[Evidence]:
         energy = Equation(T, const)
         momentum = Equation(L_magnitude**2, const)
         spins_on = Equation(Matrix([omega1dot, omega2dot, omega3dot]), Matrix([0, 0, 0]))
+        turning = [
+            Group(1 - ball / moment) * relative**2
+            for moment, relative in zip(euler.MOMENTS, gyrostat.RELATIVE, strict=True)
+        ]
         with_ball = Equation(
             2 * lambda3 * T - L_magnitude**2,
             Group(lambda3 - lambda1) / lambda1 * L1**2
             + Group(lambda3 - lambda2) / lambda2 * L2**2
-            + ball
-            * lambda3
-            * sum(
-                Group(1 - ball / moment) * relative**2
-                for moment, relative in zip(euler.MOMENTS, gyrostat.RELATIVE, strict=True)
-            ),
+            + ball * lambda3 * Group(turning[0] + turning[1] + turning[2]),
         )
         falls = Equation(Tdot, -damping * Dot(zeta_vec, zeta_vec))
     meaning = {
@@ -311,8 +310,8 @@ def axis_stability() -> Iterator[Evidence]:
     yield Check(
         energy,
         inside,
-        (Assumption(Eq(damping, 0), "no friction inside takes energy, as in a body not rigid"),),
-        "Conserved, also with a ball inside that turns at ζ in the body, if no oil brakes it.",
+        (Assumption(Eq(damping, 0), "no friction inside takes energy"),),
+        "Conserved, also with a ball inside that turns in the body, if no oil brakes it.",
         printed=False,
     )
     yield Remark(momentum, inside, reason="With friction L is kept all the same,", printed=False)
@@ -323,7 +322,7 @@ def axis_stability() -> Iterator[Evidence]:
         falls,
         inside,
         reason="falls as T does: about the largest moment to zero, but about the smallest, where "
-        "it is negative while ζ = 0, ever further from zero.",
+        "it is negative with the ball at rest, ever further from zero.",
         printed=False,
     )
     yield Remark(

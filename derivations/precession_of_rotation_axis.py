@@ -458,8 +458,8 @@ def example_33() -> Iterator[Evidence]:
     yield Check(
         kept,
         {kept.sides[0]: total_derivative(whole, rates) + Matrix(OMEGA).cross(whole)},
-        reason="A ball inside, which turns at ζ in the body and is braked by oil with the torque "
-        "−cζ, leaves L in space as it is,",
+        reason="A ball inside, whose rotation relative to the body is braked by oil, leaves the "
+        "vector L in space as it is,",
         printed=False,
     )
     yield Check(
@@ -474,7 +474,7 @@ def example_33() -> Iterator[Evidence]:
     yield Check(
         dragged,
         {dragged.sides[0]: relative.subs(at_rest), Rate(omega_vec, BODY): turning.subs(at_rest)},
-        reason="at ζ = 0 too it does at once, unless ω is along a principal axis and stays.",
+        reason="which a ball at rest there does at once, unless ω is along a principal axis.",
         printed=False,
     )
     yield Check(
@@ -484,7 +484,8 @@ def example_33() -> Iterator[Evidence]:
             Assumption(Gt(damping, 0), "energy is lost inside the body"),
             Assumption(Ne(delta, 0), "ω is not along a principal axis", stated=True),
         ),
-        "So T falls as long as |ζ|, here δ, is not zero; without friction the tumbling lasts.",
+        "So T falls as long as δ, the rate of that, is not zero; without friction the tumbling "
+        "lasts.",
         printed=False,
     )
 
