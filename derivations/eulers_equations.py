@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from sympy import Eq, Expr, Ge, Le, Matrix, Ne, S
 
 from rigidtop.codegen import shipped
-from rigidtop.proof.equation import BODY, SPACE, Cross, Equation, Group, Rate, as_printed
+from rigidtop.proof.equation import BODY, SPACE, Cross, Dot, Equation, Group, Rate, as_printed
 from rigidtop.proof.page import Assumption, Check, Evidence, Page, Remark, Step, claim
-from rigidtop.theory import top
+from rigidtop.theory import euler, gyrostat, top
 from rigidtop.theory.euler import (
     OMEGA,
     along_flow,
@@ -28,6 +28,8 @@ from rigidtop.theory.rotation import (
     total_derivative,
 )
 from rigidtop.theory.symbols import (
+    L1,
+    L2,
     N1,
     N2,
     N3,
@@ -36,7 +38,10 @@ from rigidtop.theory.symbols import (
     L_y,
     L_z,
     T,
+    Tdot,
+    ball,
     const,
+    damping,
     lambda1,
     lambda2,
     lambda3,
@@ -49,6 +54,7 @@ from rigidtop.theory.symbols import (
     omega_vec,
     psiddot,
     sigma2,
+    zeta_vec,
 )
 from rigidtop.theory.symbols import L as L_magnitude  # noqa: N811
 
@@ -233,8 +239,10 @@ def axis_stability() -> Iterator[Evidence]:
     """(3.36) linearised about ω = ω₃e₃: a deviation grows as exp(σt) with the σ² below.
 
     Beyond the linear order 2λ₃T − L² is conserved and, about an extreme axis, a definite square of
-    the deviation: that is stability for all times. Equal moments are not covered: with λ₁ = λ₂ the
-    axis e₁ has an extreme moment and is left all the same.
+    the deviation: that is stability for all times, if nothing inside takes energy; friction inside
+    leads from the axis of the smallest moment to that of the largest. Equal moments are not
+    covered: with λ₁ = λ₂ ≠ λ₃ the axis e₁ has an extreme moment and is left all the same, and with
+    three every axis stays and none is returned to.
     """
     with as_printed():
         growth = Equation(
@@ -251,6 +259,18 @@ def axis_stability() -> Iterator[Evidence]:
         )
         energy = Equation(T, const)
         momentum = Equation(L_magnitude**2, const)
+        spins_on = Equation(Matrix([omega1dot, omega2dot, omega3dot]), Matrix([0, 0, 0]))
+        turning = [
+            Group(1 - ball / moment) * relative**2
+            for moment, relative in zip(euler.MOMENTS, gyrostat.RELATIVE, strict=True)
+        ]
+        with_ball = Equation(
+            2 * lambda3 * T - L_magnitude**2,
+            Group(lambda3 - lambda1) / lambda1 * L1**2
+            + Group(lambda3 - lambda2) / lambda2 * L2**2
+            + ball * lambda3 * Group(turning[0] + turning[1] + turning[2]),
+        )
+        falls = Equation(Tdot, -damping * Dot(zeta_vec, zeta_vec))
     meaning = {
         sigma2: axis_growth(3),
         T: kinetic_energy(),
@@ -275,10 +295,47 @@ def axis_stability() -> Iterator[Evidence]:
     yield Check(stable, meaning, (*largest, *extreme), "Largest moment.", printed=False)
     yield Check(stable, meaning, (*smallest, *extreme), "Smallest moment.", printed=False)
     yield Check(unstable, meaning, (*between, *extreme), "The moment between.", printed=False)
-    yield Check(energy, meaning, reason="Conserved along (3.36).", printed=False)
     yield Check(momentum, meaning, reason="Conserved along (3.36).", printed=False)
     yield Check(integral, meaning, reason="A definite form if λ₃ is extreme.", printed=False)
+    whole = gyrostat.angular_momentum()
+    inside = {
+        T: gyrostat.kinetic_energy(),
+        const: gyrostat.along_flow,
+        Tdot: gyrostat.along_flow(gyrostat.kinetic_energy()),
+        L_magnitude: whole.dot(whole) ** S.Half,
+        L1: whole[0],
+        L2: whole[1],
+        zeta_vec: Matrix(gyrostat.RELATIVE),
+    }
+    yield Check(
+        energy,
+        inside,
+        (Assumption(Eq(damping, 0), "no friction inside takes energy"),),
+        "Conserved, also with a ball inside that turns in the body, if no oil brakes it.",
+        printed=False,
+    )
+    yield Remark(momentum, inside, reason="With friction L is kept all the same,", printed=False)
+    yield Remark(
+        with_ball, inside, reason="but this, the form above with the ball in it,", printed=False
+    )
+    yield Remark(
+        falls,
+        inside,
+        reason="falls as T does: about the largest moment to zero, but about the smallest, where "
+        "it is negative with the ball at rest, ever further from zero.",
+        printed=False,
+    )
+    yield Remark(
+        spins_on,
+        dict(zip((omega1dot, omega2dot, omega3dot), body_accelerations(), strict=True)),
+        tuple(
+            Assumption(Eq(moment, lambda1), "three equal moments") for moment in (lambda2, lambda3)
+        ),
+        "With three equal moments no ω is left, and none returned to.",
+        printed=False,
+    )
     yield from evidence.axis_rates()
+    yield from evidence.axis_with_friction()
 
 
 page = Page(

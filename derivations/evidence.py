@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from rigidtop.derivations.relaxation import NEAR, relaxed
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.top import HeavyTop
 from rigidtop.motion.trajectory import TopTrajectory
@@ -41,6 +42,22 @@ def axis_rates() -> Iterator[Measure]:
         expected = kick * shape(np.sqrt(abs(growth)) * times)
         error = float(np.max(np.abs(path - expected)) / np.max(np.abs(expected)))
         yield Measure(f"ω disturbed by 10⁻⁶ about the axis of {name} moment", error, 1e-6)
+
+
+def axis_with_friction() -> Iterator[Measure]:
+    """A ball in oil inside a body that turns about the axis of its smallest moment, but for 10⁻³.
+
+    L in space stays, and T comes down to L²/(2λ₃), which is that about the largest.
+    """
+    moments = np.array([1.0, 1.7, 2.3])
+    run = relaxed(moments, (2.0, 2e-3, 0.0), ball=0.35, friction=0.5, longest=1000.0)
+    yield Measure("L in space with friction inside, relative", run.strayed, 1e-9)
+    yield Measure("energy and heat against the energy at first, relative", run.imbalance, 1e-9)
+    size = float(np.linalg.norm(run.in_space[0]))
+    off = float(np.linalg.norm(run.momentum[-1, :2])) / size
+    yield Measure("L at last off the axis of largest moment, relative", off, 2 * NEAR)
+    more = abs(float(run.energy[-1] / (size**2 / (2 * moments[2]))) - 1)
+    yield Measure("T at last against L²/(2λ₃) of that axis, relative", more, 2 * NEAR**2)
 
 
 LAMBDA_1 = 1.3

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from sympy import (
     Eq,
     Expr,
+    Ge,
     Gt,
     Matrix,
     Ne,
@@ -26,6 +27,7 @@ from rigidtop.theory.lagrangian import Linearisation, cyclic_velocities, lineari
 from rigidtop.theory.symbols import (
     A,
     D,
+    E,
     Edot,
     F,
     M,
@@ -47,12 +49,14 @@ from rigidtop.theory.symbols import (
     omega_vec,
     p_phi,
     p_psi,
+    p_theta,
     phidot,
     phidot_slope,
     psidot,
     slip,
     theta,
     theta_0,
+    thetadot,
     v_tip,
     zhat,
 )
@@ -156,27 +160,50 @@ def nutation() -> Iterator[Evidence]:
     characteristic = upright().characteristic(Omega)
     [factor, _] = [f for f in factor_list(characteristic)[1] if f[0].has(p_psi)][:2]
     spin = {p_psi: lambda3 * omega3}
+    lean = 1 - cos(theta)
     with as_printed():
         discriminant = Equation(D, Group(lambda3 * omega3) ** 2 - 4 * lambda1 * M * g * R)
-        sleeps = Equation(D, 0, relation=">")
-    meaning = {D: factor[0].as_poly(Omega).discriminant().subs(spin)}
+        kept = Equation(
+            E - p_psi**2 / (2 * lambda3) - M * g * R - Omega * Group(p_phi - p_psi),
+            lambda1 / 2 * Group(thetadot**2 + Group(phidot - Omega) ** 2 * sin(theta) ** 2)
+            + Group(lean)
+            / (8 * lambda1)
+            * Group(2 * D + Group(lambda3 * omega3) ** 2 * Group(lean)),
+        )
+        stays = Equation(2 * D + Group(lambda3 * omega3) ** 2 * Group(lean), 0, relation=">")
+    threshold = factor[0].as_poly(Omega).discriminant().subs(spin)
     yield Check(
         discriminant,
-        meaning,
+        {D: threshold},
         reason="Upright, θ = 0 is constant too. There the frequencies Ω solve λ₁Ω² − λ₃ω₃Ω + MgR "
-        "= 0, with the discriminant D,",
+        "= 0, with the discriminant D.",
+        printed=False,
+    )
+    spinning = top.symmetric_momenta().subs(psidot, omega3 - phidot * cos(theta))
+    momenta = dict(zip((p_theta, p_phi, p_psi), spinning, strict=True))
+    yield Check(
+        kept,
+        {
+            **momenta,
+            E: top.symmetric_hamiltonian().subs(momenta),
+            Omega: lambda3 * omega3 / (2 * lambda1),
+            D: threshold,
+        },
+        reason="With Ω = λ₃ω₃/(2λ₁), halfway between them, this is constant,",
         printed=False,
     )
     yield Check(
-        sleeps,
-        meaning,
+        stays,
+        {},
         (
             Assumption(
-                Gt(lambda3**2 * omega3**2, 4 * lambda1 * M * g * R),
-                "an upright top spins faster than the sleeping spin, else it falls away from θ = 0",
+                Ge(D, 0),
+                "an upright top has at least the sleeping spin, else it falls away from θ = 0",
             ),
+            Assumption(Ne(omega3, 0), "the top spins", stated=True),
+            Assumption(Gt(lean, 0), "off the upright", stated=True),
         ),
-        "and they are real, so that θ stays small, only for a sleeping top.",
+        "and zero only upright and at rest, so that θ stays small, if a top sleeps.",
         printed=False,
     )
     yield from evidence.nutation()

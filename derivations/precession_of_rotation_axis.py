@@ -21,6 +21,7 @@ from sympy import (
 )
 
 from rigidtop.proof.equation import (
+    BODY,
     SPACE,
     Cross,
     Dot,
@@ -32,6 +33,7 @@ from rigidtop.proof.equation import (
     as_printed,
 )
 from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Page, claim
+from rigidtop.theory import gyrostat
 from rigidtop.theory.euler import (
     OMEGA,
     along_flow,
@@ -39,14 +41,16 @@ from rigidtop.theory.euler import (
     body_accelerations,
     kinetic_energy,
 )
-from rigidtop.theory.rotation import Z_AXIS, rotation_z
+from rigidtop.theory.rotation import X_AXIS, Z_AXIS, rotation_z, total_derivative
 from rigidtop.theory.symbols import (
+    F_1,
     L1,
     L2,
     L3,
     M_1,
     M_2,
     R_CM,
+    F_k,
     L,
     L_vec,
     Omega_b,
@@ -60,12 +64,10 @@ from rigidtop.theory.symbols import (
     e3dot,
     follower,
     g,
-    g_k,
     kappa,
     lambda1,
     lambda2,
     lambda3,
-    m_k,
     omega1,
     omega1ddot,
     omega1dot,
@@ -81,6 +83,7 @@ from rigidtop.theory.symbols import (
     r_k,
     t,
     tau_b,
+    zeta_vec,
 )
 
 from . import evidence, toutatis
@@ -180,8 +183,8 @@ def momentum_on_body_cone() -> Iterator[Evidence]:
 def body_precession() -> Iterator[Evidence]:
     """Ω_b from (3.37); ω(t) has the period of cos Ω_b t, which is 2π/|Ω_b|.
 
-    For an oblate body (λ₃ > λ₁) with ω₃ > 0 Ω_b is negative: ω turns the other way, and the period
-    is 2π/|Ω_b|. For λ₁ = λ₃ nothing turns.
+    For an oblate body (λ₃ > λ₁) with ω₃ > 0, and a prolate one with ω₃ < 0, Ω_b is negative: ω
+    turns the other way, and the period is 2π/|Ω_b|. For λ₁ = λ₃ nothing turns.
     """
     with as_printed():
         printed = Equation(Omega_b, Group(lambda1 - lambda3) * omega3 / lambda1, tag="3.40")
@@ -190,7 +193,12 @@ def body_precession() -> Iterator[Evidence]:
     yield Check(
         period,
         {tau_b: periodicity(cos(Omega_b * t), t)},
-        (Assumption(Gt(Omega_b, 0), "(λ₁ − λ₃)ω₃ > 0: a prolate body with ω₃ > 0"),),
+        (
+            Assumption(
+                Gt(Omega_b, 0),
+                "(λ₁ − λ₃)ω₃ > 0: a prolate body with ω₃ > 0, or an oblate one with ω₃ < 0",
+            ),
+        ),
     )
 
 
@@ -305,12 +313,14 @@ def same_frequency() -> Iterator[Evidence]:
 def space_cone() -> Iterator[Evidence]:
     """ω = L/λ₁ + (1 − λ₃/λ₁)ω₃e₃, and the second part does not move e₃.
 
-    This is the proof that the notes leave out: e₃ and ω both turn with the constant vector L/λ₁.
+    This is the proof that the notes leave out: e₃ and ω both turn with the constant vector L/λ₁. If
+    ω is along e₃ so is L, and there is neither a plane nor a cone.
     """
     with as_printed():
         axis = Equation(e3dot, Cross(L_vec / lambda1, e3))
         omega_rate = Equation(Rate(omega_vec, SPACE), Cross(L_vec / lambda1, omega_vec))
-        rate = Equation(Omega_s**2, Group(L / lambda1) ** 2)
+        speed = L**2 * Dot(e3dot, e3dot) / Dot(Cross(L_vec, e3), Cross(L_vec, e3))
+        rate = Equation(Omega_s**2, speed, Group(L / lambda1) ** 2)
     momentum = angular_momentum()
     meaning = {
         e3: Matrix(Z_AXIS),
@@ -327,15 +337,22 @@ def space_cone() -> Iterator[Evidence]:
         "The rate of ω is the same in both frames, since ω × ω = 0.",
         printed=False,
     )
-    # A vector that turns about L at Ω_s moves with Ω_s times its distance from the axis.
-    axis_rate, across = Matrix(OMEGA).cross(Matrix(Z_AXIS)), momentum.cross(Matrix(Z_AXIS))
-    squared = momentum.dot(momentum)
-    turning = squared * axis_rate.dot(axis_rate) / across.dot(across)
+    # Of a vector v that turns about L: L·(v × v̇)/L is Ω_s times the square of its distance.
+    across = momentum.cross(Matrix(Z_AXIS))
+    size = momentum.dot(momentum) ** Rational(1, 2)
+    azimuth = momentum.dot(Matrix(Z_AXIS).cross(meaning[e3dot])) * size / across.dot(across)
     yield Check(
         rate,
-        {Omega_s: turning ** Rational(1, 2), L: squared ** Rational(1, 2)},
-        (SYMMETRIC,),
-        "The speed of e₃ over its distance from the axis L, squared.",
+        {**meaning, Omega_s: azimuth, L: size},
+        (
+            SYMMETRIC,
+            Assumption(
+                Ne(omega1**2 + omega2**2, 0),
+                "ω is not along e₃: else there is no plane, and e₃ rests",
+                stated=True,
+            ),
+        ),
+        "Squared, the speed of e₃ over its distance from the axis L.",
         printed=False,
     )
     yield from evidence.space_cone()
@@ -346,22 +363,28 @@ def free_fall() -> Iterator[Evidence]:
     """Σ m(r − R_CM) × g = 0 when gravity is the same for all particles.
 
     So gravity does not turn a body about its centre of mass on the ground either: there the support
-    does, and in free fall there is none. A field that varies across the body (κ, the tide) does.
+    does, and in free fall there is none. A field that varies across the body (κ, the tide) does,
+    and so does the air, which pushes one part more than another (F₁).
     """
     positions = [Matrix(symbols(f"x{k} y{k} z{k}", real=True)) for k in (1, 2)]
     masses = (M_1, M_2)
     centre = (M_1 * positions[0] + M_2 * positions[1]) / (M_1 + M_2)
     with as_printed():
-        torque = Equation(SumOver(symbols("k"), m_k * Cross(r_k - R_CM, g_k)), 0)
+        torque = Equation(SumOver(symbols("k"), Cross(r_k - R_CM, F_k)), 0)
     tide = kappa * diag(-1, -1, 2)
     terms = [
-        {m_k: m, r_k: r, g_k: -g * Matrix(Z_AXIS) + tide * r}
-        for m, r in zip(masses, positions, strict=True)
+        {r_k: r, F_k: m * (tide * r - g * Matrix(Z_AXIS)) + air * Matrix(X_AXIS)}
+        for m, r, air in zip(masses, positions, (F_1, 0), strict=True)
     ]
     yield Check(
         torque,
         {symbols("k"): terms, R_CM: centre},
-        (Assumption(Eq(kappa, 0), "gravity is uniform across the body"),),
+        (
+            Assumption(Eq(kappa, 0), "gravity is uniform across the body"),
+            Assumption(
+                Eq(F_1, 0), "no air pushes one part more than another, here the first particle"
+            ),
+        ),
         printed=False,
     )
 
@@ -374,8 +397,9 @@ def free_fall() -> Iterator[Evidence]:
 def example_33() -> Iterator[Evidence]:
     """At given L the energy is least about the axis of the largest moment.
 
-    Friction inside the body lowers T and leaves L alone, so a body that loses energy ends there;
-    Toutatis has not yet. (Moments and spin state: Takahashi, Busch & Scheeres 2013.)
+    Friction inside the body lowers T and leaves L in space alone, so a body that loses energy ends
+    there; Toutatis has not yet. A ball in oil inside stands for whatever rubs. (Moments and spin
+    state: Takahashi, Busch & Scheeres 2013.)
     """
     observed = dict(zip((lambda1, lambda2, lambda3), toutatis.MOMENTS, strict=True))
     spin = Matrix(toutatis.OMEGA_1992)
@@ -399,8 +423,9 @@ def example_33() -> Iterator[Evidence]:
             / (2 * lambda3),
         )
         least = Equation(T, L**2 / (2 * lambda3), relation=">")
-        lost = Equation(Tdot, -damping * Dot(Cross(L_vec, omega_vec), Cross(L_vec, omega_vec)))
-        kept = Equation(L**2, const)
+        lost = Equation(Tdot, -damping * Dot(zeta_vec, zeta_vec))
+        kept = Equation(Rate(L_vec, SPACE), Matrix([0, 0, 0]))
+        dragged = Equation(Rate(zeta_vec, BODY), -Rate(omega_vec, BODY))
         falls = Equation(Tdot, 0, relation="<")
     for line in different:
         yield Check(line, observed, printed=False)
@@ -412,7 +437,6 @@ def example_33() -> Iterator[Evidence]:
     )
     squared = angular_momentum().dot(angular_momentum())
     meaning = {T: kinetic_energy(), L: squared ** Rational(1, 2)}
-    vectors = {L_vec: angular_momentum(), omega_vec: Matrix(OMEGA)}
     yield Check(excess, meaning, reason="For any body,", printed=False)
     largest = "λ₃ is the largest moment"
     yield Check(
@@ -426,19 +450,31 @@ def example_33() -> Iterator[Evidence]:
         "so every other rotation with the same L has more energy.",
         printed=False,
     )
-    # Friction inside the body exerts no torque on the whole: of what leaves |L| alone and brings
-    # ω towards L, the simplest adds c L × (L × ω) to L̇ as the body sees it.
-    inside = damping * angular_momentum().cross(angular_momentum().cross(Matrix(OMEGA)))
+    whole, rates = gyrostat.angular_momentum(), gyrostat.rates()
+    relative, turning = (
+        Matrix([rates[x] for x in letters]) for letters in (gyrostat.RELATIVE, OMEGA)
+    )
+    at_rest = dict.fromkeys(gyrostat.RELATIVE, 0)
     yield Check(
-        lost,
-        {Tdot: along_flow(kinetic_energy(), inside), **vectors},
-        reason="A friction c L × (L × ω) in the body frame takes energy unless L ∥ ω",
+        kept,
+        {kept.sides[0]: total_derivative(whole, rates) + Matrix(OMEGA).cross(whole)},
+        reason="A ball inside, whose rotation relative to the body is braked by oil, leaves the "
+        "vector L in space as it is,",
         printed=False,
     )
     yield Check(
-        kept,
-        {**meaning, const: lambda momentum: along_flow(momentum, inside)},
-        reason="and leaves |L| as it is,",
+        lost,
+        {
+            Tdot: gyrostat.along_flow(gyrostat.kinetic_energy()),
+            zeta_vec: Matrix(gyrostat.RELATIVE),
+        },
+        reason="and takes energy as long as it turns in the body;",
+        printed=False,
+    )
+    yield Check(
+        dragged,
+        {dragged.sides[0]: relative.subs(at_rest), Rate(omega_vec, BODY): turning.subs(at_rest)},
+        reason="which a ball at rest there does at once, unless ω is along a principal axis.",
         printed=False,
     )
     yield Check(
@@ -448,7 +484,8 @@ def example_33() -> Iterator[Evidence]:
             Assumption(Gt(damping, 0), "energy is lost inside the body"),
             Assumption(Ne(delta, 0), "ω is not along a principal axis", stated=True),
         ),
-        "so T falls as long as |L × ω|, here δ, is not zero; without friction the tumbling lasts.",
+        "So T falls as long as δ, the rate of that, is not zero; without friction the tumbling "
+        "lasts.",
         printed=False,
     )
 

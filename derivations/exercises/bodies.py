@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from math import pi
+from math import cos, pi
 
+from rigidtop.motion.top import ROUNDING, HeavyTop
 from rigidtop.parameters import Parameter
 
 # About the pivot; no two numbers are equal, so that a formula with two of them exchanged shows.
@@ -20,3 +21,11 @@ HEAVY_TOP = (LAMBDA1, LAMBDA3, MASS, ARM, GRAVITY)
 
 TILT = Parameter("theta", pi / 6, "θ at the start", "rad", above=0, most=pi)
 SPIN = Parameter("omega3", 20.0, "ω₃", "rad/s")
+
+
+def least_spin(top: HeavyTop, theta: float) -> float | str:
+    """The smallest |ω₃| with a steady precession at θ (rad/s), in words where there is none.
+
+    A horizontal top needs some spin, and none is too small.
+    """
+    return "more than 0" if abs(cos(theta)) < ROUNDING else top.smallest_spin(theta)

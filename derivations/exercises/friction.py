@@ -334,6 +334,7 @@ def rising_top(
     path = motion.integrate(np.linspace(0, seconds, 801), **TIGHT)
     before, after = energies(path, 0), energies(path, -1)
     lost = before[0] - after[0]
+    yield Answer("phi_dot", "φ̇ at the start, steady if nothing rubs", precession, "rad/s")
     yield Answer("time_to_rise", "time until θ has the value “until”", seconds, "s")
     yield Answer(
         "time_gyroscope", "by L₃θ̇ = −μMg(R − r₀ + r₀ cos θ), for comparison", expected, "s"
@@ -394,11 +395,14 @@ def waking_time(decay: float, sleeping: float, size: float, folds: float) -> flo
     return float(brentq(grown, 0.0, high, rtol=1e-12))
 
 
-def small_tilt_time(top: HeavyTop, spin: float, decay: float, start: float, tilt: float) -> float:
+def small_tilt_time(
+    top: HeavyTop, spin: float, decay: float, start: float, tilt: float, phi_dot: float
+) -> float:
     """The time for a small tilt to grow from `start` to `tilt`, by the linear equation (s).
 
-    With ξ = e₃ₓ + i e₃ᵧ it is λ₁ξ̈ = iλ₃ω₃ξ̇ + MgRξ: the torque of the air on the spin turns with
-    e₃ and takes nothing but the spin.
+    With ξ = e₃ₓ + i e₃ᵧ, which starts as `start` with θ̇ = 0 and φ̇ = `phi_dot` (rad/s), it is
+    λ₁ξ̈ = iλ₃ω₃ξ̇ + MgRξ: the torque of the air on the spin turns with e₃ and takes nothing but the
+    spin.
     """
     growth, turn = top.weight[2] / top.lambda1, top.lambda3 / top.lambda1
 
@@ -411,7 +415,7 @@ def small_tilt_time(top: HeavyTop, spin: float, decay: float, start: float, tilt
         return float(np.log(np.abs(state[0]) / tilt))
 
     reached.terminal = True  # type: ignore[attr-defined]
-    first = np.array([start, 0.5j * turn * spin * start])
+    first = np.array([start, 1j * phi_dot * start])
     run = solve_ivp(
         rates, (0, 1e3 / decay), first, "DOP853", events=reached, rtol=1e-9, atol=1e-9 * start
     )
@@ -425,8 +429,9 @@ def small_tilt_time(top: HeavyTop, spin: float, decay: float, start: float, tilt
     asks="“the overall rotation to loose energy”",
     statement="A top with a sharp tip that friction holds in place sleeps upright with the spin "
     "ω₃. The air brakes its spin with the torque c₃ω₃. When has the spin come down to the sleeping "
-    "spin? When has a disturbance of the given size become visible, and how large is the spin "
-    "then? Where has the energy gone?",
+    "spin? A disturbance leaves a small tilt with θ̇ = 0 and with φ̇ halfway between the two "
+    "frequencies that it has: λ₃ω₃/2 over the moment λ₁ + MR² about the tip. When has it become "
+    "visible, and how large is the spin then? When would it from φ̇ = 0? Where has the energy gone?",
     claims=(upright_potential, spin_falls, friction),
     parameters=(
         *ABOUT_CENTRE,
@@ -477,12 +482,8 @@ def waking_top(
             "here: give a larger drag3 or a smaller omega3"
         )
     top = SlidingTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g, mu=HELD, drag3=drag3)
-    motion = top.motion(
-        theta=disturbance,
-        phi_dot=lambda3 * omega3 / (2 * about_tip.lambda1),
-        omega3=omega3,
-        slip=(0.0, 0.0),
-    )
+    turning = size * omega3
+    motion = top.motion(theta=disturbance, phi_dot=turning, omega3=omega3, slip=(0.0, 0.0))
     # The tilt is known relative to what it was at first.
     accuracy: Any = {"rtol": 1e-9, "atol": 1e-6 * disturbance}
     path = motion.integrate(np.linspace(0, asleep + 1.5 * growing, 601), **accuracy)
@@ -492,8 +493,11 @@ def waking_top(
             f"the tilt does not become visible in time: drag3 = {drag3:g} brakes the spin so fast "
             "that the growth rate of a moment says little"
         )
+    yield Answer("phi_dot", "φ̇ at the start, λ₃ω₃/2 over λ₁ + MR²", turning, "rad/s")
     yield Answer("seen", "time until the tilt is visible, integrated", seen, "s")
     yield Answer("omega3_then", "ω₃ then", omega3 * exp(-decay * seen), "rad/s")
+    at_rest = small_tilt_time(about_tip, omega3, decay, disturbance, visible, 0.0)
+    yield Answer("seen_at_rest", "time from φ̇ = 0, by the equation of a small tilt", at_rest, "s")
     awake = int(np.searchsorted(path.t, seen))
     largest = float(np.max(path.theta[path.t <= asleep]))
     yield Answer("tilt_asleep", "largest θ before the sleeping spin", largest, "rad")
@@ -505,7 +509,7 @@ def waking_top(
     yield Measure("sum of energies and heat, relative", path.budget(), 1e-7)
     error = abs(seen - asleep - growing) / growing
     yield Measure("time from the sleeping spin, by the growth rate, relative", error, 1.5 / folds)
-    linear = small_tilt_time(about_tip, omega3, decay, disturbance, visible)
+    linear = small_tilt_time(about_tip, omega3, decay, disturbance, visible, turning)
     allowed = visible**2 / 10 + 100 * disturbance**2
     yield Measure(
         "time, by the linear equation of a small tilt, relative", abs(linear / seen - 1), allowed

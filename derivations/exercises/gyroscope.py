@@ -45,7 +45,7 @@ from rigidtop.theory.symbols import (
 )
 from rigidtop.theory.trig import reduce_ratio
 
-from .bodies import GRAVITY
+from .bodies import GRAVITY, least_spin
 from .parallel import bound_on_the_tilt, released, smallness
 
 
@@ -268,8 +268,9 @@ def gyroscope(
     yield Answer("direction", "direction, seen from above", seen_from_above(exact))
     yield Answer("epsilon_0", "ε₀", smallness(top, omega3))
     yield Answer("good", "is (3.52) good enough?", "yes" if abs(off) <= tolerance else "no")
-    yield Answer("spin_needed", "it is for |ω₃| from", needed, "rad/s")
-    yield Answer("smallest_spin", "smallest |ω₃| to go round", top.smallest_spin(theta), "rad/s")
+    least = least_spin(top, theta)
+    yield Answer("spin_needed", "it is for |ω₃| from", needed or least, "rad/s")
+    yield Answer("smallest_spin", "smallest |ω₃| to go round", least, "rad/s")
 
     def at(spin: float) -> tuple[float | str, ...]:
         rough = simple_rate(top, spin)

@@ -49,7 +49,7 @@ from rigidtop.theory.symbols import (
     zhat,
 )
 
-from .bodies import GRAVITY
+from .bodies import GRAVITY, least_spin
 
 Vectors = NDArray[np.float64]
 
@@ -266,7 +266,7 @@ def gravity_on_a_solid(
     yield Answer("potential", "potential energy MgR cos θ", energy, "J")
     yield Answer("sleeping_spin", "smallest ω₃ to stand upright", top.sleeping_spin(), "rad/s")
     yield Answer(
-        "smallest_spin", "smallest ω₃ to go round steadily at θ", top.smallest_spin(theta), "rad/s"
+        "smallest_spin", "smallest ω₃ to go round steadily at θ", least_spin(top, theta), "rad/s"
     )
 
     points, sizes = discs(radius, height)

@@ -145,6 +145,15 @@ def turning_points() -> Iterator[Evidence]:
     )
 
 
+def rate_on_the_vertical(side: int) -> Expr:
+    """θ̇² upright (`side` 1) or hanging (−1) of a top started with p_φ = ±p_ψ (rad²/s²)."""
+    momenta, cosine = momenta_at_start(), sympy.cos(theta)
+    [start] = sympy.solve(momenta[p_phi] - side * momenta[p_psi], phidot)
+    rate = from_turning_point(momenta).subs(phidot, start)
+    # Regular there once sin² is written as (1 − cos)(1 + cos).
+    return sympy.cancel(rate.subs(sympy.sin(theta) ** 2, 1 - cosine**2)).subs(cosine, side)
+
+
 @claim("waves-or-loops", "At which φ̇ the path changes from waves to loops, for a start with θ̇ = 0.")
 def waves_or_loops() -> Iterator[Evidence]:
     """The axis sinks where (3.57) with φ̇ for Ω is positive, and rises where it is negative.
@@ -152,8 +161,9 @@ def waves_or_loops() -> Iterator[Evidence]:
     For cos θ > 0 that is between the two roots, and nowhere below the spin at which there are any;
     for cos θ < 0 it is outside of them. φ̇ vanishes on the way, in loops, where θ̇² comes out
     positive there; at φ̇ = 0 it vanishes at a turning point, in cusps, and if (λ₃ω₃)² exceeds
-    2λ₁MgR(1 + cos θ) also at φ̇ = 2MgR/(λ₃ω₃). Beyond the φ̇ at which the axis passes through the
-    vertical, up or down, cos θ₀ = p_φ/p_ψ is no cosine and there are waves again.
+    2λ₁MgR(1 + cos θ) also at φ̇ = 2MgR/(λ₃ω₃). Where p_φ = −p_ψ the axis passes straight down, and
+    where p_φ = p_ψ through the upright if by the same condition it has the energy to get there;
+    beyond that φ̇ cos θ₀ = p_φ/p_ψ is no cosine and there are waves again.
     """
     with as_printed():
         sinks = Equation(
@@ -175,6 +185,22 @@ def waves_or_loops() -> Iterator[Evidence]:
             Group(1 + sympy.cos(theta_i))
             * Group(lambda1 * Group(1 - sympy.cos(theta_i)) * phidot + lambda3 * omega3),
         )
+        upwards = Equation(
+            lambda1**2 * Group(1 + sympy.cos(theta_i)) * thetadot**2,
+            Group(1 - sympy.cos(theta_i))
+            * Group(
+                Group(lambda3 * omega3) ** 2
+                - 2 * lambda1 * M * g * R * Group(1 + sympy.cos(theta_i))
+            ),
+        )
+        downwards = Equation(
+            lambda1**2 * Group(1 - sympy.cos(theta_i)) * thetadot**2,
+            Group(1 + sympy.cos(theta_i))
+            * Group(
+                Group(lambda3 * omega3) ** 2
+                + 2 * lambda1 * M * g * R * Group(1 - sympy.cos(theta_i))
+            ),
+        )
     spinning = {psidot: omega3 - phidot * sympy.cos(theta), thetadot: 0}
     yield Check(
         sinks,
@@ -194,7 +220,19 @@ def waves_or_loops() -> Iterator[Evidence]:
         printed=False,
     )
     yield Check(upright, momenta, reason="Upright only with p_φ = p_ψ,", printed=False)
-    yield Check(hanging, momenta, reason="and hanging only with p_φ = −p_ψ.", printed=False)
+    yield Check(
+        upwards,
+        {thetadot: sympy.sqrt(rate_on_the_vertical(1))},
+        reason="where θ̇² comes out positive there;",
+        printed=False,
+    )
+    yield Check(hanging, momenta, reason="hanging only with p_φ = −p_ψ,", printed=False)
+    yield Check(
+        downwards,
+        {thetadot: sympy.sqrt(rate_on_the_vertical(-1))},
+        reason="where it always is.",
+        printed=False,
+    )
 
 
 @dataclass(frozen=True)
@@ -225,7 +263,13 @@ class Swing:
         # 2w x² − linear x − constant = 0 for x = u − u₀, without differences of large numbers.
         linear = spin**2 + turn**2 - 4 * w * u
         constant = 2 * self.top.lambda1 * s**2 * self.steepness
-        root = sqrt(linear**2 + 8 * w * constant)
+        square = linear**2 + 8 * w * constant
+        if square <= 1e-14 * linear**2:  # these two are one, the upright, to half of all digits
+            raise RigidtopError(
+                f"phi_dot = {self.phi_dot:g} takes the axis so slowly so close to the upright that "
+                "its other turning point is lost in rounding: change it or omega3 a little"
+            )
+        root = sqrt(square)
         if linear >= 0:
             return -2 * constant / (linear + root), (linear + root) / (4 * w)
         return (linear - root) / (4 * w), 2 * constant / (root - linear)
@@ -409,11 +453,11 @@ def changes(top: HeavyTop, tilt: float, spin: float) -> list[tuple[float, str]]:
     found = [
         (-momentum / (top.lambda1 * 2 * sin(tilt / 2) ** 2), "through the hanging position"),
         (0.0, "cusps"),
-        (momentum / (top.lambda1 * 2 * cos(tilt / 2) ** 2), "through the upright position"),
     ]
+    upright = momentum / (top.lambda1 * 2 * cos(tilt / 2) ** 2)
     second = 2 * top.weight[2] / momentum
-    if abs(second) < abs(found[2][0]):
-        found.append((second, "cusps"))
+    if abs(second) < abs(upright):  # else it has not the energy to get there
+        found += [(upright, "through the upright position"), (second, "cusps")]
     if abs(spin) > top.smallest_spin(tilt):
         rates = top.steady_precession(tilt, spin)
         found += [(rate, "steady") for rate in rates if rate not in (inf, -inf)]
@@ -528,7 +572,12 @@ def _between(
     """Every interval of φ̇ with its path, and how many closed forms have another one."""
     found = changes(top, tilt, spin)
     rates = [rate for rate, _ in found]
-    samples = [1.5 * rates[0], *((a + b) / 2 for a, b in pairwise(rates)), 1.5 * rates[-1]]
+    beyond = (rates[-1] - rates[0]) / 2
+    samples = [
+        rates[0] - beyond,
+        *((a + b) / 2 for a, b in pairwise(rates)),
+        rates[-1] + beyond,
+    ]
     rows: list[tuple[float | str, ...]] = []
     wrong = 0
     lower: list[float | str] = ["−∞", *rates]

@@ -141,7 +141,10 @@ def _at_least_zero(term: Expr, conditions: Sequence[Relational]) -> bool:
     factored = reduce_ratio(term)
     bases = [f.as_base_exp() for f in sympy.Mul.make_args(factored)]
     odd = sympy.Mul(*(b**p for b, p in bases if not p.is_even))
-    return bool(odd.is_nonnegative) or _sign(odd, conditions) == 1
+    if odd.is_nonnegative or _sign(odd, conditions) == 1:
+        return True
+    weak = [c.gts - c.lts for c in conditions if isinstance(c, (sympy.Ge, sympy.Le))]
+    return any(reduce_ratio(odd / fact).is_positive for fact in weak)
 
 
 def _strict(condition: Relational) -> bool:

@@ -105,7 +105,9 @@ mu, n = map(_positive, ("mu", "n"))
 U, U_slope, mean_theta, phidot_slope = map(_real, ("U", "U_slope", "mean_theta", "phidot_slope"))
 follower = _real("follower")
 slip, Edot, Tdot, damping = map(_real, ("slip", "Edot", "Tdot", "damping"))
-r_1, g_k, v_tip, omega_perp, L_later = map(_real, ("r_1", "g_k", "v_tip", "omega_perp", "L_later"))
+r_1, v_tip, omega_perp, L_later = map(_real, ("r_1", "v_tip", "omega_perp", "L_later"))
+ball = _positive("ball")
+zeta1, zeta2, zeta3, zeta_vec = map(_real, ("zeta1", "zeta2", "zeta3", "zeta_vec"))
 alpha1, alpha2, gamma = map(_real, ("alpha1", "alpha2", "gamma"))
 n_1, n_2, s_vec, trace_O = map(_real, ("n_1", "n_2", "s_vec", "trace_O"))
 epsilon_0, tau, radius, height = map(_real, ("epsilon_0", "tau", "radius", "height"))
@@ -125,6 +127,7 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         lambda1: Quantity(Glyph("λ", "1"), "principal moment of inertia about e₁", "kg m²"),
         lambda2: Quantity(Glyph("λ", "2"), "principal moment of inertia about e₂", "kg m²"),
         lambda3: Quantity(Glyph("λ", "3"), "principal moment of inertia about e₃", "kg m²"),
+        ball: Quantity(Glyph("λ", "0"), "moment of inertia of a ball inside the body", "kg m²"),
         M: Quantity(Glyph("M"), "mass of the body", "kg"),
         m_k: Quantity(Glyph("m", "k"), "mass of particle k", "kg"),
         rho: Quantity(Glyph("ρ"), "mass density", "kg/m³"),
@@ -190,7 +193,7 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         F_1: Quantity(Glyph("F", "1"), "external force on the first particle, along x̂", "N"),
         Edot: Quantity(Glyph("E", accent="dot"), "rate of the energy", "W"),
         Tdot: Quantity(Glyph("T", accent="dot"), "rate of the kinetic energy", "W"),
-        damping: Quantity(Glyph("c"), "strength of the friction inside the body", "1/(J s)"),
+        damping: Quantity(Glyph("c"), "torque of the friction inside the body over ζ", "J s"),
         c_3: Quantity(Glyph("c", "3"), "drag torque of the air along e₃ over ω₃", "J s"),
         sigma2: Quantity(Glyph("σ²"), "square of a growth rate", "1/s²"),
         omega_n2: Quantity(Glyph("ω²", "n"), "square of the nutation frequency", "1/s²"),
@@ -208,6 +211,9 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         omega1: Quantity(Glyph("ω", "1"), "rotational velocity along e₁", "rad/s"),
         omega2: Quantity(Glyph("ω", "2"), "rotational velocity along e₂", "rad/s"),
         omega3: Quantity(Glyph("ω", "3"), "rotational velocity along e₃", "rad/s"),
+        zeta1: Quantity(Glyph("ζ", "1"), "rotation of the ball in the body, along e₁", "rad/s"),
+        zeta2: Quantity(Glyph("ζ", "2"), "rotation of the ball in the body, along e₂", "rad/s"),
+        zeta3: Quantity(Glyph("ζ", "3"), "rotation of the ball in the body, along e₃", "rad/s"),
         omega1p: Quantity(Glyph("ω", "1′"), "rotational velocity along e₁′", "rad/s"),
         omega2p: Quantity(Glyph("ω", "2′"), "rotational velocity along e₂′", "rad/s"),
         omega1dot: Quantity(Glyph("ω", "1", "dot"), "time derivative of ω₁", "rad/s²"),
@@ -272,6 +278,9 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         omega_theta: Quantity(Glyph("ω", "θ", bold=True), "rotational velocity of θ", "rad/s"),
         omega_psi: Quantity(Glyph("ω", "ψ", bold=True), "rotational velocity of ψ", "rad/s"),
         omega_vec: Quantity(Glyph("ω", bold=True), "rotational velocity", "rad/s"),
+        zeta_vec: Quantity(
+            Glyph("ζ", bold=True), "rotational velocity of a ball relative to the body", "rad/s"
+        ),
         Omega_vec: Quantity(Glyph("Ω", bold=True), "rotational velocity of precession", "rad/s"),
         L_vec: Quantity(Glyph("L", bold=True), "angular momentum", "J s"),
         L_vecdot: Quantity(
@@ -288,7 +297,6 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         g_vec: Quantity(Glyph("g", bold=True), "acceleration of gravity as a vector", "m/s²"),
         follower: Quantity(Glyph("w", bold=True), "a vector that turns along behind ω", ""),
         r_1: Quantity(Glyph("r", "1", bold=True), "position of the first mass", "m"),
-        g_k: Quantity(Glyph("g", "k", bold=True), "gravity at particle k", "m/s²"),
         v_tip: Quantity(Glyph("v", "tip", bold=True), "velocity of the contact point", "m/s"),
         omega_perp: Quantity(
             Glyph("ω", "⊥", bold=True), "rotational velocity across the stick", "rad/s"

@@ -10,6 +10,8 @@ import sympy
 
 from rigidtop.derivations import PAGES
 from rigidtop.derivations.euler_angles import page as euler_angles
+from rigidtop.motion.body import FreeBody
+from rigidtop.motion.top import HeavyTop
 from rigidtop.proof.page import Check, Correction, Definition, Measure, Step
 from rigidtop.proof.verdict import Finding, Verdict, judge
 from rigidtop.theory import symbols as s
@@ -138,7 +140,7 @@ def test_measures_pass_with_room_to_spare(judgements):
         for item in judged.items
         if isinstance(item, Measure)
     }
-    assert len(measures) == 21
+    assert len(measures) == 25
     bound = "angle between L and ω, released with ω along e₃"
     for what, measure in measures.items():
         assert measure.passed, what
@@ -381,6 +383,77 @@ def test_the_mean_of_a_finite_nutation_lies_off_the_steady_angle():
     weight = half * np.sin(u) / np.sqrt(2 * (at(upper) - at(angle)) / moment)
     mean = np.sum(angle * weight) / np.sum(weight) - theta0
     assert mean == pytest.approx(-(half**2) * third / (4 * second), rel=1e-2)
+
+
+@pytest.mark.parametrize(
+    ("claim", "condition", "words"),
+    [
+        ("3.40", sympy.Gt(s.Omega_b, 0), "or an oblate one with ω₃ < 0"),
+        ("space-cone", sympy.Ne(s.omega1**2 + s.omega2**2, 0), "ω is not along e₃"),
+        ("free-fall", sympy.Eq(s.F_1, 0), "no air"),
+        ("axis-stability", sympy.Eq(s.damping, 0), "no friction inside"),
+    ],
+)
+def test_conditions_in_words(judgements, claim, condition, words):
+    assert any(
+        tested.assumption.condition == condition and words in tested.assumption.words
+        for finding in judgements[claim].findings()
+        for tested in finding.assumptions
+    )
+
+
+def test_an_oblate_body_that_spins_backwards_has_the_printed_period():
+    body, spin = FreeBody(1.0, 1.0, 1.8), -2.5
+    period = 2 * np.pi / ((1.0 - 1.8) * spin)
+    assert period > 0
+    path = body.motion(omega=(0.3, 0.0, spin)).integrate([period], rtol=1e-12, atol=1e-14)
+    assert path.omega[0] == pytest.approx([0.3, 0, spin], abs=1e-10)
+
+
+def test_three_equal_moments_leave_every_rotation_as_it_is(judgements):
+    [remark] = [
+        finding
+        for finding in judgements["axis-stability"].remarks()
+        if finding.assumptions and finding.verdict is Verdict.ASSUMING
+    ]
+    conditions = {tested.assumption.condition for tested in remark.assumptions}
+    assert conditions == {sympy.Eq(s.lambda2, s.lambda1), sympy.Eq(s.lambda3, s.lambda1)}
+
+
+def test_friction_inside_leads_from_the_smallest_moment_to_the_largest(judgements):
+    """And without it the same kick stays one, for as long."""
+    error = {i.what: i.error for i in judgements["axis-stability"].items if isinstance(i, Measure)}
+    assert error["L in space with friction inside, relative"] < 1e-9
+    assert error["L at last off the axis of largest moment, relative"] < 0.0011
+    free = FreeBody(1.0, 1.7, 2.3).motion(omega=(2.0, 2e-3, 0.0)).exact(np.linspace(0, 300, 3001))
+    assert np.abs(free.omega[:, 1:]).max() < 0.003
+
+
+def test_an_upright_top_sleeps_at_the_sleeping_spin_itself(judgements):
+    """(1 − cos θ)Ω stays below the speed of e₃ as seen from a frame that turns at Ω = λ₃ω₃/(2λ₁).
+
+    That goes to zero with the kick, of whatever kind; a little below the spin the top falls.
+    """
+    [condition] = {
+        tested.assumption.condition
+        for finding in judgements["nutation"].findings()
+        for tested in finding.assumptions
+        if s.D in tested.assumption.condition.free_symbols
+    }
+    assert condition == sympy.Ge(s.D, 0)
+    top, kick = HeavyTop(lambda1=1.3, lambda3=0.7, M=0.8, R=0.6, g=9.81), 1e-4
+    times, spin = np.linspace(0, 200, 4001), top.sleeping_spin()
+    turn = 0.7 * spin / 2.6
+    for rate in (0.0, turn, 6.0):
+        start = {"theta": kick, "theta_dot": kick, "phi_dot": rate}
+        asleep, awake = (
+            top.motion(**start, omega3=share * spin).integrate(times, rtol=1e-11, atol=1e-13).theta
+            for share in (1.0, 0.98)
+        )
+        bound = kick * np.sqrt(1 + (rate - turn) ** 2) / turn
+        assert kick < asleep.max()
+        assert 1 - np.cos(asleep.max()) < 1.001 * bound
+        assert awake.max() > 0.3
 
 
 # --- what would be seen if a page were wrong ---------------------------------------------------

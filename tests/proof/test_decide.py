@@ -129,6 +129,11 @@ def test_nonzero(expression, conditions, known):
         (-(a - b) * (c - b) * x**2, (Gt(a, b), Lt(c, b), Ne(x, 0)), True),
         (1 - cos(x) ** 2, (Ne(sin(x), 0),), True),
         (-cos(x), (Lt(cos(x), 0),), True),
+        (c + a, (sympy.Ge(c, 0),), True),
+        (2 * c + a, (sympy.Le(0, c),), True),
+        (c, (sympy.Ge(c, 0),), False),
+        (a - c, (sympy.Ge(c, 0),), False),
+        (c * x + a, (sympy.Ge(c, 0),), False),
     ],
 )
 def test_positive(expression, conditions, known):

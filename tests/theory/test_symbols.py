@@ -62,6 +62,6 @@ def test_positive_is_what_can_only_be_positive():
     positive = {x.name for x in VOCABULARY if x.is_positive}
     assert positive == {
         *("lambda1", "lambda2", "lambda3", "M", "g", "R", "m_k", "rho"),
-        *("M_1", "M_2", "a", "b", "mu", "n"),
+        *("M_1", "M_2", "a", "b", "mu", "n", "ball"),
     }
     assert all(x.is_real for x in VOCABULARY)

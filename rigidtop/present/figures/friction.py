@@ -260,7 +260,8 @@ def _rising_caption(until: float, **values: float) -> str:
     dashed = ", dashed after its standstill" if stands(path) is not None else ""
     return (
         f"A top with {_top_in_words(top)}, a round tip of {said(top.tip)} m and the friction "
-        f"μ = {said(top.mu)}, from θ = {degrees(values['theta'])} and "
+        f"μ = {said(top.mu)}, from θ = {degrees(values['theta'])}, θ̇ = 0, "
+        f"φ̇ = {said(float(path.phi_dot[0]))} rad/s (steady if nothing rubs) and "
         f"ω₃ = {said(values['omega3'])} rad/s: θ {reached}. {_contact_in_words(path)} Of the "
         f"{said(1e3 * lost)} mJ that the spin has lost in the end (dashed), {heat} % went into "
         f"heat, {weight} % into the height and {other} % into other motion. Below on the right: "
@@ -443,7 +444,8 @@ def _waking_caption(**values: float) -> str:
     end = f" It falls after {said(path.ended.time)} s." if path.ended else ""
     return (
         f"A top with {_top_in_words(path.motion.body)} sleeps on a sharp tip that friction holds, "
-        f"from ω₃ = {said(values['omega3'])} rad/s and θ = {degrees(values['disturbance'])}. The "
+        f"from ω₃ = {said(values['omega3'])} rad/s, θ = {degrees(values['disturbance'])}, θ̇ = 0 "
+        f"and φ̇ = {said(float(path.phi_dot[0]))} rad/s, which is λ₃ω₃/2 over λ₁ + MR². The "
         f"torque of the air, c₃ = {said(values['drag3'])} J s times ω₃, brings it down to the "
         f"sleeping spin, {said(sleeping)} rad/s, after {said(asleep)} s; {wakes} (dotted).{end}"
     )

@@ -114,7 +114,8 @@ def draw_simple_and_exact(
     least, needed, marked = top.smallest_spin(theta), spin_for(tolerance, top, theta), abs(omega3)
     last = max(1.3 * marked, 1.15 * needed if needed < 6 * marked else 0.0, 2.2 * least)
     first = max(least * (1 + 1e-12), 0.2 * marked)
-    spins = first + (last - first) * np.linspace(0.0, 1.0, 400) ** 2
+    slowest = max(least * (1 + 1e-12), 0.6 * first)  # out at the top, unless there is a least spin
+    spins = slowest + (last - slowest) * np.linspace(0.0, 1.0, 400) ** 2
     exact = np.array([top.steady_precession(theta, spin)[0] for spin in spins])
     from_zero = np.linspace(0.6 * first, last, 400)
     words = r"$MgR/(\lambda_3\omega_3)$"
@@ -122,7 +123,7 @@ def draw_simple_and_exact(
     axes.plot(spins, exact, color=FIRST, label=r"$\Omega_-$ of (3.57)")
     now = top.steady_precession(theta, marked)[0]
     axes.plot(marked, now, "o", color=FIRST, ms=4.5, label="_now")
-    highest = 1.12 * max(float(exact[0]), 1.5 * now)
+    highest = 1.12 * max(top.steady_precession(theta, first)[0], 1.5 * now)
     axes.set_xlim(0.6 * first, last)
     axes.set_ylim(0, highest)
     if least > 0.6 * first:
@@ -168,14 +169,21 @@ def _caption(tolerance: float, **values: float) -> str:
         f"L = {said(momentum)} J s, and the torque about O of {said(couple)} N m turns it "
         f"{found['direction']}, as seen from above, at Ω₋ = {said(found['exact'])} rad/s, a turn "
         f"in {said(found['period'])} s; dashed is the circle of the tip of L. Below: this rate "
-        f"against the spin; (3.52) gives {said(found['simple'])} rad/s, and is off by no more than "
-        f"{said(100 * tolerance)} % from |ω₃| = {said(found['spin_needed'])} rad/s on."
-        f"{_threshold(found['smallest_spin'])} Directions are computed, lengths of arrows are not "
-        "to scale."
+        f"against the spin; (3.52) gives {said(found['simple'])} rad/s, and is "
+        f"{_how_good(tolerance, found['spin_needed'])}.{_threshold(found['smallest_spin'])} "
+        "Directions are computed, lengths of arrows are not to scale."
     )
 
 
-def _threshold(least: float) -> str:
+def _how_good(tolerance: float, needed: float | str) -> str:
+    if isinstance(needed, str):
+        return "exact at 90°"
+    return f"off by no more than {said(100 * tolerance)} % from |ω₃| = {said(needed)} rad/s on"
+
+
+def _threshold(least: float | str) -> str:
+    if isinstance(least, str):
+        return " Any spin but 0 lets it go round steadily."
     if not least:
         return ""
     return f" Below {said(least)} rad/s it cannot go round steadily."

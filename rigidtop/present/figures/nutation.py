@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -13,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.ndimage import distance_transform_edt, label
 
 from rigidtop.errors import RigidtopError
-from rigidtop.motion.many import TopMotions, top_motions
+from rigidtop.motion.many import top_motions
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
@@ -284,25 +285,34 @@ AREAS: Mapping[str, tuple[str, str]] = {
 """Colour and hatching of the regimes that fill areas; the others are lines and points."""
 
 
-def regime_map(
-    top: HeavyTop, theta: float, spins: Floats, rates: Floats
-) -> tuple[NDArray[np.str_], TopMotions]:
-    """The regimes (rates, spins) of tops that start at θ with θ̇ = 0, and the motions."""
-    tops = top_motions(**vars(top), theta=theta, phi_dot=rates[:, None], omega3=spins[None, :])
-    return tops.regime, tops
+VERTICAL: Mapping[str, Any] = {"color": INK, "lw": 1.0, "ls": DOTTED, "label": "_vertical"}
+
+
+def regime_map(top: HeavyTop, theta: float, spins: Floats, rates: Floats) -> NDArray[np.str_]:
+    """The regimes (rates, spins) of tops that start at θ with θ̇ = 0."""
+    rates, spins = rates[:, None], spins[None, :]
+    return top_motions(**vars(top), theta=theta, phi_dot=rates, omega3=spins).regime
+
+
+def spin_to_the_upright(top: HeavyTop, theta: float) -> float:
+    """The |ω₃| (rad/s) above which a top that starts at θ with θ̇ = 0 can come to the upright.
+
+    It is √(2λ₁MgR(1 + cos θ))/λ₃; there the second cusps begin as well.
+    """
+    return math.sqrt(2 * top.lambda1 * top.weight[2] * (1 + math.cos(theta))) / top.lambda3
 
 
 def draw_regimes(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_dot: float) -> None:
     """What a top does that starts at θ with θ̇ = 0, over ω₃ up to `omega3` and |φ̇| to `phi_dot`.
 
     Solid: steady precession.  Dashed: cusps, where φ̇ vanishes at a turning point.  Dotted: through
-    the vertical.
+    the vertical, p_φ = ±p_ψ; upright only above `spin_to_the_upright`.
     """
     # No line of the grid lies on an axis, where the regimes are those of lines.
     spins = omega3 * (np.arange(COUNTS[0]) + 0.5) / COUNTS[0]
     rates = phi_dot * ((np.arange(COUNTS[1]) + 0.5) / COUNTS[1] * 2 - 1)
     rates = rates + 1e-3 * phi_dot / COUNTS[1]
-    regimes, tops = regime_map(top, theta, spins, rates)
+    regimes = regime_map(top, theta, spins, rates)
     known = [name for name in AREAS if np.any(regimes == name)]
     for name in known:
         inside = (regimes == name).astype(float)
@@ -313,17 +323,16 @@ def draw_regimes(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_dot
         axes.contourf(
             spins, rates, inside, levels=[0.5, 1.5], colors=[color], hatches=[hatch or None]
         )
-    start, weight = tops.exact(0.0), top.M * top.g * top.R
-    p_psi = top.lambda3 * np.broadcast_to(start.omega3, regimes.shape)
-    p_phi = top.lambda1 * start.v_phi * np.sin(start.theta) + p_psi * np.cos(start.theta)
-    energy = top.lambda1 * start.v_phi**2 / 2 + weight * np.cos(start.theta)
-    # At a cusp e₃ rests: cos θ = p_φ/p_ψ, and what energy there is, is potential.
-    at_rest = np.where(np.abs(p_phi) < p_psi, energy * p_psi - weight * p_phi, np.nan)
-    for field, style in ((at_rest, DASHED), (p_phi - p_psi, DOTTED), (p_phi + p_psi, DOTTED)):
-        if np.any(field < 0) and np.any(field > 0):
-            axes.contour(
-                spins, rates, field, levels=[0.0], colors=[INK], linewidths=1.0, linestyles=[style]
-            )
+    weight, high, low = top.M * top.g * top.R, 1 + math.cos(theta), 1 - math.cos(theta)
+    whole = np.linspace(0.0, omega3, 2)
+    axes.plot(whole, 0 * whole, color=INK, lw=1.0, ls=DASHED, label="_cusps")
+    axes.plot(whole, -top.lambda3 * whole / (top.lambda1 * low), **VERTICAL)
+    least = spin_to_the_upright(top, theta)
+    if least < omega3:
+        fast = np.linspace(least, omega3, 200)[1:]
+        second = 2 * weight / (top.lambda3 * fast)
+        axes.plot(fast, second, color=INK, lw=1.0, ls=DASHED, label="_cusps")
+        axes.plot(fast, top.lambda3 * fast / (top.lambda1 * high), **VERTICAL)
     _steady_lines(axes, top, theta, omega3, phi_dot)
     for name in known:
         _name_area(axes, spins, rates, regimes == name, name)
@@ -396,10 +405,16 @@ def _regimes_caption(theta: float, omega3: float, phi_dot: float, **top: float) 
     body = HeavyTop(**top)
     least = body.smallest_spin(theta)
     begins = f" It begins at ω₃ = {said(least)} rad/s." if 0 < least < omega3 else ""
+    reached = spin_to_the_upright(body, theta)
+    upright = (
+        f" The axis comes to the upright, on the upper dotted line, from {said(reached)} rad/s on."
+        if 0 < reached < omega3
+        else ""
+    )
     return (
         f"What a top with {top_in_words(body)} does that starts at θ = {degrees(theta)} with "
         "θ̇ = 0, for each ω₃ and φ̇: waves, or loops (hatched), with cusps between (dashed), or a "
-        f"way through the vertical (dotted). Solid: steady precession.{begins}"
+        f"way through the vertical (dotted).{upright} Solid: steady precession.{begins}"
     )
 
 
@@ -407,7 +422,7 @@ def _regimes_in_words(theta: float, omega3: float, phi_dot: float, **top: float)
     _leaning(theta)
     body = HeavyTop(**top)
     points = np.linspace(0.05, 1, 20) * omega3, np.linspace(-0.99, 0.99, 20) * phi_dot
-    regimes, _ = regime_map(body, theta, *points)
+    regimes = regime_map(body, theta, *points)
     share = float(np.mean(regimes == "loops"))
     return (
         "A map over the spin and the first rate of precession. Areas of waves and hatched areas of "

@@ -7,6 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from rigidtop.errors import RigidtopError
+from rigidtop.motion.sliding import SlidingTop
 
 TOP = {"lambda1": 4e-5, "lambda3": 2.5e-5, "M": 0.1, "R": 0.03, "g": 9.81}
 UP = np.array([0.0, 0.0, 1.0])
@@ -110,6 +111,21 @@ def test_waking_by_the_integral_in_closed_form(solve):
     y = sqrt(-np.expm1(-2 * passed))
     growth = 2.5e-5 * SLEEPING / (2 * (4e-5 + 0.1 * 0.03**2)) * 5
     assert growth * (atanh(y) - y) == pytest.approx(log(0.1 / 1e-6), rel=1e-9)
+
+
+def test_how_the_disturbance_turns_decides_when_it_is_seen(solve):
+    """1.773 s from φ̇ = 0 against 2.015 s from λ₃ω₃/(2λ₁), on the table with all its equations."""
+    found = solve("waking-top")
+    turning = 2.5e-5 * 165 / (2 * (4e-5 + 0.1 * 0.03**2))
+    assert found["phi_dot"] == pytest.approx(turning, rel=1e-12)
+    top = SlidingTop(**TOP, mu=1.0, drag3=5e-6)
+    for rate, name in ((turning, "seen"), (0.0, "seen_at_rest")):
+        motion = top.motion(theta=1e-6, phi_dot=rate, omega3=165.0, slip=(0.0, 0.0))
+        path = motion.integrate(np.linspace(1.7, 2.1, 401), rtol=1e-9, atol=1e-12)
+        seen = path.t[np.argmax(path.theta > 0.1)]
+        assert found[name] == pytest.approx(seen, abs=0.003)
+    assert found["seen"] == pytest.approx(2.015, abs=5e-4)
+    assert found["seen_at_rest"] == pytest.approx(1.773, abs=5e-4)
 
 
 @pytest.mark.parametrize("given", [{}, {"drag3": 2e-6}, {"drag3": 1e-4}, {"omega3": 200}])

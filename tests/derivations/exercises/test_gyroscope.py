@@ -43,6 +43,15 @@ def test_gyroscope_below_the_horizontal_is_slower(solve):
     )
 
 
+def test_a_horizontal_gyroscope_has_no_least_spin(solve):
+    """Any goes round, at MgR/(λ₃ω₃), and 0 falls: no number is the smallest."""
+    found = solve("gyroscope", theta=pi / 2, omega3=1e-6)
+    assert found["smallest_spin"] == found["spin_needed"] == "more than 0"
+    assert found["off"] == pytest.approx(0, abs=1e-15)
+    assert solve("gyroscope", theta=1.5)["smallest_spin"] > 0
+    assert solve("gyroscope", theta=1.6)["smallest_spin"] == 0
+
+
 def test_gyroscopes_that_fall(solve):
     with pytest.raises(NoSteadyPrecession, match=r"\|omega3\| must be at least 103"):
         solve("gyroscope", omega3=100)

@@ -1,11 +1,13 @@
 """Section 3.5.4."""
 
 from itertools import pairwise
-from math import acos, cos, pi, sin, sqrt
+from math import acos, cos, degrees, pi, sin, sqrt
 
+import numpy as np
 import pytest
 
 from rigidtop.errors import NoSteadyPrecession, RigidtopError
+from rigidtop.motion.top import HeavyTop
 
 # MgR = 4; with λ₁ = 2 and θ = 60° the steady rates are those of Ω² − λ₃ω₃ Ω + 4.
 WHOLE = {"lambda1": 2, "lambda3": 0.5, "M": 1, "R": 0.5, "g": 8}
@@ -78,14 +80,50 @@ def test_boundaries_in_whole_numbers(solve):
     assert [row[3] for row in rows] == [*3 * ["sinks"], *3 * ["rises"], "sinks"]
 
 
-def test_weak_spin_leaves_no_steady_rate_and_no_cusps_above(solve):
-    rows = solve("waves-cusps-loops", **WHOLE, theta=pi / 3, omega3=4)["boundaries"].rows
-    assert [row[4] for row in rows[:-1]] == [
-        "through the hanging position",
-        "cusps",
-        "through the upright position",
-    ]
+@pytest.mark.parametrize("spin", [4, -4])
+def test_weak_spin_leaves_no_steady_rate_no_cusps_above_and_no_way_to_the_upright(solve, spin):
+    """(λ₃ω₃)² = 4 is less than 2λ₁MgR(1 + cos θ) = 24: p_φ = p_ψ parts nothing."""
+    rows = solve("waves-cusps-loops", **WHOLE, theta=pi / 3, omega3=spin)["boundaries"].rows
+    forward = rows if spin > 0 else rows[::-1]
+    assert [row[2] for row in forward] == ["waves", "loops", "waves"]
+    assert {row[4] for row in rows[:-1]} == {"through the hanging position", "cusps"}
     assert {row[3] for row in rows} == {"sinks"}
+
+
+def test_momenta_of_an_upright_top_without_the_energy_to_get_there(solve):
+    """The exercise's top with ω₃ = 4: from 30° down to 108.28°, and φ̇ keeps its sign.
+
+    (1 + cos θ)(1 + cos θ′) = (λ₃ω₃)²/(λ₁MgR); φ̇ = λ₃ω₃/(λ₁(1 + cos θ)) all the way.
+    """
+    theta, spin, weight = pi / 6, 0.7 * 4, 0.8 * 9.81 * 0.6
+    rate = spin / (1.3 * (1 + cos(theta)))
+    found = solve("waves-cusps-loops", omega3=4, phi_dot=rate)
+    assert found["path"] == "waves"
+    assert found["turn"] == pytest.approx(
+        acos(spin**2 / (1.3 * weight) / (1 + cos(theta)) - 1), rel=1e-12
+    )
+    assert degrees(found["turn"]) == pytest.approx(108.28, abs=0.005)
+    assert found["turn_rate"] == pytest.approx(spin / (1.3 * (1 + cos(found["turn"]))), rel=1e-10)
+
+
+@pytest.mark.parametrize("share", [0.999, 1.001])
+def test_the_upright_is_passed_from_the_energy_on_that_reaches_it(solve, share):
+    """(λ₃ω₃)² = 2λ₁MgR(1 + cos θ), by integration: on one side the axis comes to the upright."""
+    theta, weight = pi / 6, 0.8 * 9.81 * 0.6
+    spin = share * sqrt(2 * 1.3 * weight * (1 + cos(theta))) / 0.7
+    rate = 0.7 * spin / (1.3 * (1 + cos(theta)))
+    top = HeavyTop(lambda1=1.3, lambda3=0.7, M=0.8, R=0.6, g=9.81)
+    motion = top.motion(theta=theta, phi_dot=rate, omega3=spin)
+    smallest = float(motion.integrate(np.linspace(0, 20, 4001), rtol=1e-12, atol=1e-14).theta.min())
+    if share > 1:
+        assert smallest < 1e-3
+        with pytest.raises(RigidtopError, match="through the vertical"):
+            solve("waves-cusps-loops", omega3=spin, phi_dot=rate)
+    else:
+        assert solve("waves-cusps-loops", omega3=spin, phi_dot=rate)["turn"] == pytest.approx(
+            smallest, abs=1e-4
+        )
+        assert smallest > 0.05
 
 
 def test_second_cusps_are_the_first_seen_from_above(solve):
@@ -151,3 +189,10 @@ def test_starts_without_a_path_are_refused(solve):
         solve("waves-cusps-loops", **WHOLE, theta=pi / 3, omega3=10, phi_dot=-5.000000000000001)
     with pytest.raises(RigidtopError, match="omega3 = 0"):
         solve("waves-cusps-loops", omega3=0)
+
+
+@pytest.mark.parametrize("off", [-1e-9, 0.0])
+def test_a_start_that_tends_to_the_upright_is_refused(solve, off):
+    spin = (1 + off) * sqrt(2 * 2 * 4 * 1.5) / 0.5
+    with pytest.raises(RigidtopError, match="lost in rounding"):
+        solve("waves-cusps-loops", **WHOLE, theta=pi / 3, omega3=spin, phi_dot=spin / 6)

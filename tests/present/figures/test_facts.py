@@ -559,15 +559,37 @@ def test_the_map_shows_the_regimes_of_single_motions(axes):
 def test_lines_of_the_map_are_cusps_and_steady(axes):
     theta = math.pi / 3
     nutation.draw_regimes(axes, TOP, theta, 60.0, 30.0)
-    dashed = [c for c in axes.collections if c.get_linestyle()[0][1] is not None and c.get_paths()]
-    points = np.vstack([path.vertices for c in dashed[:1] for path in c.get_paths()])
-    for spin, rate in points[5::60]:
-        motion = TOP.motion(theta=theta, phi_dot=rate, omega3=spin)
-        slowest = np.abs(motion.exact([0.0, motion.nutation_period / 2]).phi_dot).min()
-        assert slowest < 0.3  # of rates up to 30 rad/s, on a grid
+    for name, regime, count in (
+        ("_cusps", "cusps", 2),
+        ("_vertical", "through the vertical", 2),
+    ):
+        lines = [each for each in axes.lines if each.get_label() == name]
+        assert len(lines) == count
+        for points in (each.get_xydata() for each in lines):
+            along = np.linspace(points[0], points[-1], 5) if len(points) == 2 else points[::40]
+            for spin, rate in along[1:]:
+                assert TOP.motion(theta=theta, phi_dot=rate, omega3=spin).regime == regime
     [steady] = [each for each in axes.lines if each.get_color() == style.SECOND]
     for spin, rate in np.asarray(steady.get_xydata())[10::60]:
         assert TOP.motion(theta=theta, phi_dot=rate, omega3=spin).regime == "steady"
+
+
+@pytest.mark.parametrize("spin", [4.0, 15.0, 24.0, 24.5])
+def test_the_line_to_the_upright_begins_where_the_energy_reaches_it(axes, spin):
+    """√(2λ₁MgR(1 + cos θ))/λ₃ = 24.26 rad/s; before that p_φ = p_ψ is nothing special."""
+    theta = math.pi / 3
+    nutation.draw_regimes(axes, TOP, theta, 60.0, 30.0)
+    up = [x.get_xydata() for x in axes.lines if x.get_label() == "_vertical"]
+    [up] = [points for points in up if points[-1, 1] > 0]
+    assert up[:, 0].min() == pytest.approx(24.26, abs=0.3)
+    rate = TOP.lambda3 * spin / (TOP.lambda1 * (1 + math.cos(theta)))
+    path = TOP.motion(theta=theta, phi_dot=rate, omega3=spin).integrate(
+        np.linspace(0, 10, 20001), rtol=1e-12, atol=1e-14
+    )
+    assert (path.theta.min() < 0.02) == (spin > up[:, 0].min())
+    drawing = named("regimes")
+    assert "from 24.3 rad/s on" in drawing.caption(**drawing.values())
+    assert "upright" not in drawing.caption(**drawing.values({"omega3": 20.0}))
 
 
 # --- Falls ---------------------------------------------------------------------------------------

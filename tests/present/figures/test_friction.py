@@ -154,6 +154,12 @@ def test_no_rise(given, message):
         RISING.caption(**RISING.values(given))
 
 
+def test_the_caption_says_how_it_starts():
+    """φ̇ is the slow root of λ₁ cos θ φ̇² − λ₃ω₃φ̇ + Mg(R − r₀) about the centre of mass."""
+    slow = min(np.roots([4e-5 * math.cos(0.5), -2.5e-5 * 200, 0.1 * 9.81 * 0.02]))
+    assert f"θ̇ = 0, φ̇ = {style.said(slow)} rad/s" in RISING.caption(**RISING.values())
+
+
 # --- Waking --------------------------------------------------------------------------------------
 
 
@@ -167,7 +173,9 @@ def test_when_a_top_wakes(given):
     assert line(spin, "_sleeping")[:, 1] == pytest.approx(sleeping)
     asleep = math.log(values["omega3"] / sleeping) / decay
     top = rt.HeavyTop(lambda1=about_tip, lambda3=2.5e-5, M=0.1, R=0.03, g=9.81)
-    seen = small_tilt_time(top, values["omega3"], decay, 1e-6, values["visible"])
+    turning = 2.5e-5 * values["omega3"] / (2 * about_tip)
+    seen = small_tilt_time(top, values["omega3"], decay, 1e-6, values["visible"], turning)
+    assert f"θ̇ = 0 and φ̇ = {style.said(turning)} rad/s" in WAKING.caption(**values)
     for panel in (tilt, spin):
         assert line(panel, "_asleep")[:, 0] == pytest.approx(asleep, abs=1e-4)
         assert line(panel, "_seen")[:, 0] == pytest.approx(seen, rel=2e-3)

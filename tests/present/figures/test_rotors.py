@@ -267,6 +267,17 @@ def test_rates_against_the_spin(given):
         assert each.get_xdata()[0] == pytest.approx(least)
 
 
+def test_a_horizontal_gyroscope_is_said_to_have_no_least_spin():
+    values = GYROSCOPE.values({"theta": math.pi / 2})
+    caption = GYROSCOPE.caption(**values)
+    assert "is exact at 90°. Any spin but 0 lets it go round steadily." in caption
+    assert "= 0 rad/s" not in caption
+    _, chart = GYROSCOPE.draw(**values).axes
+    curves = {each.get_label(): each.get_xdata() for each in chart.lines}
+    exact = next(x for label, x in curves.items() if "3.57" in label)
+    assert exact[0] == pytest.approx(chart.get_xlim()[0])  # the curve begins nowhere
+
+
 @pytest.mark.parametrize("half", [0.05, 0.46, 0.95])
 def test_the_disc_is_not_in_the_way_of_its_stand(half):
     arm = math.sqrt(1 - half**2)
