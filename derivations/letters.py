@@ -46,7 +46,7 @@ LETTERS = Letters(
         (s.xhat, s.yhat, s.zhat),
     ),
     body=(s.e1, s.e2, s.e3),
-    indexed=frozenset({s.m_k, s.r_k, s.F_k, s.g_k, s.rho, s.r_vec, s.f_r}),
+    indexed=frozenset({s.m_k, s.r_k, s.F_k, s.rho, s.r_vec, s.f_r}),
     components={
         **{(e, s.omega_vec): w for e, w in zip(_AXES, (s.omega1, s.omega2, s.omega3), strict=True)},
         **{(e, s.L_vec): x for e, x in zip(_AXES, (s.L1, s.L2, s.L3), strict=True)},
