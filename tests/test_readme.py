@@ -32,3 +32,14 @@ def test_first_two_blocks_are_one_command_each() -> None:
     assert all(block.count("\n") == 1 for block in blocks)
     assert "rigidtop lecture --pdf" in blocks[0]
     assert "pytest" in blocks[1]
+
+
+def test_the_derivation_is_printed_as_it_stands(capsys) -> None:
+    from rigidtop.cli import main
+
+    shown = re.search(
+        r"^\$ rigidtop derive 3\.54\n(.*?)^```", README.read_text("utf-8"), re.M | re.S
+    )
+    assert shown is not None
+    assert main(["derive", "3.54"]) == 0
+    assert capsys.readouterr().out.strip() == shown[1].strip()
