@@ -613,7 +613,7 @@ class _Answer:
 
     def _judge_if_known(self, link: Link, model: Model) -> Verdict:
         """Ω means nothing for a motion that is not steady."""
-        unknown = {x for x in _symbols(link) if not _is_own(x)} - _known(model)
+        unknown = _foreign(link, model)
         if unknown:
             names = ", ".join(text(x) for x in sorted(unknown, key=str))
             return Verdict(None, why=f"{names} means nothing here")
@@ -757,6 +757,11 @@ def _symbols(link: Link) -> set[Symbol]:
     return set().union(*(side.free_symbols for side in sides))
 
 
+def _foreign(link: Link, model: Model) -> set[Symbol]:
+    """The symbols of a link that mean nothing in a model."""
+    return {x for x in _symbols(link) if not _is_own(x)} - _known(model)
+
+
 def _atoms(side: Any, kind: Any) -> set[Any]:
     trees = list(side) if _is_matrix(side) else [side]
     return set().union(*(tree.atoms(kind) for tree in trees))
@@ -839,19 +844,31 @@ TRIALS = 10
 
 
 def explain(link: Link, passage: Passage) -> tuple[slips.Slip, ...]:
-    """What kind of slip a wrong link may be, one of a kind; none where no small repair helps."""
-    model = passage.models[-1]
+    """What kind of slip a wrong link may be, one of a kind; none where no small repair helps.
+
+    A repair after which the link holds for every motion comes before one after which it holds for
+    special motions: there many repairs help, and only the goal says that the motion is special.
+    """
     forgotten = _partial(link, passage)
     if forgotten:
         return (forgotten,)
+    models = [model for model in passage.models if not _foreign(link, model)]
+    for named in (_repaired, _missing):
+        for model in models:
+            found = named(link, model)
+            if found:
+                return found
+    return ()
+
+
+def _repaired(link: Link, model: Model) -> tuple[slips.Slip, ...]:
+    """The slips after whose repair a link holds for the motions of a model."""
     lost = _lost_root(link, model)
     if lost:
         return (lost,)
     if link.right is None:
-        pairs = slips.found(link.left, s.const, lambda left, _: _holds(Link(left, None), model))
-    else:
-        pairs = slips.found(link.left, link.right, lambda a, b: _holds(Link(a, b), model))
-    return pairs or _missing(link, model)
+        return slips.found(link.left, s.const, lambda left, _: _holds(Link(left, None), model))
+    return slips.found(link.left, link.right, lambda a, b: _holds(Link(a, b), model))
 
 
 def _holds(link: Link, model: Model) -> bool:
