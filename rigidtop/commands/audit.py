@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import re
 import sys
+import time
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -112,10 +113,11 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
 
 def _unread(source: str) -> list[tuple[int, str]]:
     """Line and reason of what may be mathematics and was not taken as a formula."""
-    from rigidtop.read.document import problems
+    from rigidtop.read.document import places, problems
 
+    place = places(source)
     return [
-        (source.count("\n", 0, problem.position) + 1, problem.reason)
+        (place(problem.position)[0], problem.reason)
         for problem in problems(source)
         if not problem.skipped
     ]
@@ -214,8 +216,9 @@ def shown(
 ) -> tuple[list[Shown], list[Mark]]:
     """The formulas of the text and the marks beside those with a number."""
     from rigidtop.present.annotated import Mark
-    from rigidtop.read.document import formulas
+    from rigidtop.read.document import SECONDS, formulas
 
+    until = time.monotonic() + SECONDS
     marks = []
     for each in audited:
         found = each.group.formulas
@@ -235,7 +238,9 @@ def shown(
         )
     taken = {formula.start for each in audited for formula in each.group.formulas}
     others = [
-        _shown(source, each, notation) for each in formulas(source) if each.start not in taken
+        _shown(source, each, notation, until)
+        for each in formulas(source)
+        if each.start not in taken
     ]
     return others, marks
 
@@ -257,14 +262,15 @@ def _opening(source: str, formula: Formula) -> int:
     return first + opening.start() if opening else formula.start
 
 
-def _shown(source: str, formula: Formula, notation: Notation) -> Shown:
-    """A formula of the text, typeset if it is read and nothing of it is lost."""
+def _shown(source: str, formula: Formula, notation: Notation, until: float) -> Shown:
+    """A formula of the text, typeset if it is read, in time, and nothing of it is lost."""
     from rigidtop.present.annotated import Formula as Shown
     from rigidtop.read.formula import read
 
     text = formula.text.strip()
-    trees: tuple[Any, ...] = tuple(line.equation for line in read(text, notation))
-    if None in trees or not trees:
+    late = time.monotonic() > until
+    trees: tuple[Any, ...] = () if late else tuple(line.equation for line in read(text, notation))
+    if not late and (None in trees or not trees):
         # A quantity, without a relation, is what could be equal to 0.
         lines = read(f"0 = {text}", notation) if not re.search(r"[=<>]", text) else ()
         trees = tuple(line.equation and line.equation.sides[1] for line in lines)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 import time
-from bisect import bisect_left
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from bisect import bisect_left, bisect_right
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from rigidtop.errors import RigidtopError
@@ -15,6 +15,18 @@ from rigidtop.read.formula import Line, read
 
 LONGEST = 2_000_000
 """A file is no longer than this (characters)."""
+
+MOST = 20_000
+"""A file has no more formulas, and no more places where one is not taken."""
+
+MOST_NUMBERS = 5_000
+"""A file has no more numbered equations."""
+
+LONGEST_LOST = 2_000
+"""Of what is not taken no more is kept (characters)."""
+
+LONGEST_TICKS = 20
+"""Longer rows of ` or ~ do not begin code: looking for the end of each takes time."""
 
 SECONDS = 60.0
 """A file is not read for longer than this."""
@@ -93,10 +105,10 @@ _BOTH = (
 _IN_TEX = re.compile(rf"{_BOTH}|(?P<percent>%[^\n]*)|(?P<verb>\\verb\*?[^A-Za-z\s*])", re.M)
 _IN_MARKDOWN = re.compile(
     rf"{_BOTH}|(?P<percent>^[ \t]*%[^\n]*)|(?P<html><!--)"
-    r"|(?P<fence>^[ \t]{0,3}(?P<ticks>`{3,}|~{3,})(?P<info>[^\n`]*)$)|(?P<code>`+)",
+    r"|(?P<fence>^[ \t]{0,3}(?P<ticks>`{3,}+|~{3,}+)(?P<info>[^\n`]*+)$)|(?P<code>`+)",
     re.M,
 )
-_FENCED = re.compile(r"^[ \t]{0,3}(`{3,}|~{3,})[^\n`]*$.*?^[ \t]{0,3}\1", re.M | re.S)
+_FENCE = re.compile(r"[ \t]{0,3}(`{3,}+|~{3,}+)")
 _TEX = re.compile(r"^[ \t]*\\(?:documentclass|begin\s*\{\s*document\s*\})", re.M)
 _NUMBER = re.compile(r"[ \t\n|]*(?:</?t[dr]>)*\(\s*(\d+\.\d+[a-z]?)\s*\)[.,]?[ \t|]*(?=\n|$)")
 _BLANK_LINE = re.compile(r"\n[ \t]*\n")
@@ -112,7 +124,7 @@ _RELATED = re.compile(r"[=<>]|\\(?:equiv|approx|neq?|lt|gt)(?![A-Za-z])")
 _TOLD = re.compile(r"=|\\(?:tag|equiv|approx|neq?)(?![A-Za-z])")
 """What makes a skipped part worth telling, if mathematics stands in it at all."""
 _MATHEMATICAL = re.compile(r"\$|\\[\[(]|\\begin\s*\{|\\tag")
-_BARE = re.compile(r"\\[A-Za-z]+\*?\s*\[[^\]\n]*\]|(?P<hit>=|\\tag\*?\s*\{)")
+_BARE = re.compile(r"\\[A-Za-z]+\*?\s*\[[^\]\n]{0,400}\]|(?P<hit>=|\\tag\*?\s*\{)")
 _SAID = re.compile(r"\s+[a-z]{2,}\s")
 """How text begins that stands between two dollars by mistake."""
 
@@ -143,7 +155,7 @@ class _Walked:
 @lru_cache(maxsize=2)
 def _walked(source: str) -> _Walked:
     if len(source) > LONGEST:
-        raise RigidtopError(f"a file of more than {LONGEST} characters")
+        raise RigidtopError(f"a file of more than {LONGEST} characters: split it")
     walk = _Walk(source)
     walk.go()
     return _Walked(
@@ -153,12 +165,45 @@ def _walked(source: str) -> _Walked:
     )
 
 
+def places(source: str) -> Callable[[int], tuple[int, int]]:
+    r"""What tells the line and the column, counted from 1, of a position in a text.
+
+    >>> places("a\\nbc")(3)
+    (2, 2)
+    """
+    starts = [0, *(match.end() for match in re.finditer("\n", source))]
+
+    def place(position: int) -> tuple[int, int]:
+        line = bisect_right(starts, position)
+        return line, position - starts[line - 1] + 1
+
+    return place
+
+
+def _unfenced(source: str) -> str:
+    """Markdown without its fenced code."""
+    kept: list[str] = []
+    inside: list[str] = []
+    opening = ""
+    for line in source.split("\n"):
+        found = _FENCE.match(line)
+        fence = found[1] if found else ""
+        if opening and fence.startswith(opening):
+            inside, opening = [], ""
+        elif opening or fence:
+            inside.append(line)
+            opening = opening or fence
+        else:
+            kept.append(line)
+    return "\n".join(kept + inside)
+
+
 class _Walk:
     """Goes through a file and takes formulas; what it can't take it tells."""
 
     def __init__(self, source: str) -> None:
         self.source = source
-        self.tex = _TEX.search(_FENCED.sub("", source)) is not None
+        self.tex = _TEX.search(_unfenced(source)) is not None
         self.found: list[Formula] = []
         self.problems: list[Problem] = []
         self.lost: list[Numbered] = []
@@ -214,6 +259,7 @@ class _Walk:
         inside = self.source[start:end]
         if _MATHEMATICAL.search(inside) and _TOLD.search(inside):
             self.problems.append(Problem(start, f"skipped: {what}", skipped=True))
+            self.count()
 
     def skip_until(self, match: re.Match[str], closing: str, what: str) -> int:
         end = self.find(closing, match.end())
@@ -224,7 +270,7 @@ class _Walk:
         return end.end()
 
     def code(self, match: re.Match[str]) -> int:
-        if len(self.dollars) % 2:
+        if len(self.dollars) % 2 or len(match[0]) > LONGEST_TICKS:
             return match.end()
         end = self.find(rf"(?<!`){match[0]}(?!`)", match.end())
         if end is None or _BLANK_LINE.search(self.source, match.end(), end.start()):
@@ -233,6 +279,8 @@ class _Walk:
         return end.end()
 
     def fence(self, match: re.Match[str]) -> int:
+        if len(match["ticks"]) > LONGEST_TICKS:
+            return match.end()
         end = self.find(rf"\n[ \t]{{0,3}}{match['ticks']}[`~]*", match.end())
         self.end_paragraph()
         if end is not None and match["info"].strip() == "math":
@@ -264,10 +312,18 @@ class _Walk:
 
     def add(self, start: int, stop: int, end: int, opens: int, display: bool = True) -> None:
         self.found.append(Formula(self.source[start:stop], start, end, display, opens))
+        self.count()
+
+    def count(self) -> None:
+        if len(self.found) + len(self.problems) + len(self.lost) > MOST:
+            raise RigidtopError(
+                f"a file of more than {MOST} formulas, or places where one is not taken: split it"
+            )
 
     def refuse(self, position: int, reason: str, end: int | None = None) -> None:
         """Tell what can't be taken; a number behind it, in its paragraph, is lost with it."""
         self.problems.append(Problem(position, reason))
+        self.count()
         stop = self.paragraph_end(position) if end is None else end
         self.refused.append((position, stop, reason))
 
@@ -430,12 +486,14 @@ class _Walk:
                 group = 1 if match[1] else 2
                 place = match.start(group)
                 i = bisect_left(starts, place) - 1
-                if place in taken | seen or (i >= 0 and place < spans[i][1]):
+                if place in taken or place in seen or (i >= 0 and place < spans[i][1]):
                     continue
                 seen.add(place)
                 stop = max(end, match.end())
-                formula = Formula(self.source[start:stop], start, stop, True, start, reason)
+                written = self.source[start : min(stop, start + LONGEST_LOST)]
+                formula = Formula(written, start, stop, True, start, reason)
                 self.lost.append(Numbered(match[group], (formula,)))
+                self.count()
 
 
 def numbered(source: str) -> tuple[Numbered, ...]:
@@ -450,8 +508,12 @@ def numbered(source: str) -> tuple[Numbered, ...]:
         first = i
         while inside and first and _goes_on(source, found, numbers, first):
             first -= 1
-        made += [Numbered(number, found[first : i + 1]) for number in inside]
+        for number in inside:
+            made.append(Numbered(number, found[first : i + 1]))
+            first = i  # what stands above belongs to the first of several numbers
     made += _walked(source).lost
+    if len(made) > MOST_NUMBERS:
+        raise RigidtopError(f"a file of more than {MOST_NUMBERS} numbered equations: split it")
     return tuple(sorted(made, key=lambda group: group.formulas[-1].opens))
 
 
@@ -518,20 +580,26 @@ def each(
     end = time.monotonic() + seconds
     for formula in formulas(source):
         if time.monotonic() > end:
-            late = f"not read: {seconds:g} s for the file were over"
-            yield formula, (Line(formula.start, None, late),)
+            yield formula, (_late(formula, seconds),)
             continue
-        found = read(formula.text, notation)
         yield (
             formula,
             tuple(
-                Line(
-                    formula.start + line.position,
-                    line.equation,
-                    line.problem,
-                    line.follows,
-                    line.tag,
-                )
-                for line in found
+                replace(line, position=formula.start + line.position)
+                for line in read(formula.text, notation)
             ),
         )
+
+
+def each_numbered(
+    source: str, notation: Notation = NOTES, seconds: float = SECONDS
+) -> Iterator[tuple[Numbered, tuple[Line, ...]]]:
+    """Every number with its equations, in the same way."""
+    end = time.monotonic() + seconds
+    for group in numbered(source):
+        late = time.monotonic() > end
+        yield group, (_late(group.formulas[0], seconds),) if late else lines(group, notation)
+
+
+def _late(formula: Formula, seconds: float) -> Line:
+    return Line(formula.start, None, f"not read: {seconds:g} s for the file were over")

@@ -26,7 +26,7 @@ from rigidtop.proof import decide
 from rigidtop.proof.equation import Equation, NoMeaningError, Rate, Underbrace, symbols_of, value
 from rigidtop.proof.verdict import entries
 from rigidtop.read import facts, slips
-from rigidtop.read.document import Formula, Problem, formulas, problems
+from rigidtop.read.document import Formula, Problem, formulas, places, problems
 from rigidtop.read.facts import Model, Passage, Sample
 from rigidtop.read.formula import Line, read
 from rigidtop.read.scan import Token, UnreadError, tokens
@@ -248,9 +248,10 @@ class _Listening(Notation):
 def steps(source: str, notation: Notation) -> Iterator[Step]:
     """The lines of an answer, in order; where mathematics was passed over, that too."""
     taken: list[Formula | Problem] = [*formulas(source), *problems(source)]
+    place = places(source)
     count = 0
     for found in sorted(taken, key=_position):
-        for step in _steps(source, found, notation):
+        for step in _steps(source, found, notation, place):
             count += 1
             if count > MOST_LINES:
                 yield Step(step.number, Line(0, None, f"more than {MOST_LINES} lines"), "")
@@ -262,14 +263,15 @@ def _position(found: Formula | Problem) -> int:
     return found.start if isinstance(found, Formula) else found.position
 
 
-def _row(source: str, position: int) -> int:
-    return source.count("\n", 0, position) + 1
-
-
-def _steps(source: str, formula: Formula | Problem, notation: Notation) -> Iterator[Step]:
+def _steps(
+    source: str,
+    formula: Formula | Problem,
+    notation: Notation,
+    place: Callable[[int], tuple[int, int]],
+) -> Iterator[Step]:
     if isinstance(formula, Problem):
-        rest = source[formula.position :].split("\n", 1)[0][:60]
-        yield Step(_row(source, formula.position), Line(0, None, formula.reason), rest)
+        rest = source[formula.position : formula.position + 60].split("\n", 1)[0]
+        yield Step(place(formula.position)[0], Line(0, None, formula.reason), rest)
         return
     written = prepared(formula.text, explicit=facts.EXPLICIT in notation.glyphs)
     listening = _Listening(**vars_of(notation))
@@ -291,7 +293,7 @@ def _steps(source: str, formula: Formula | Problem, notation: Notation) -> Itera
     for line in _with_doubts(found, _doubtful(scanned, written, known), written):
         if line.equation is None and not formula.display and "no relation" in line.problem:
             continue  # a symbol in the running text
-        at = _row(source, formula.start + min(line.position, len(formula.text)))
+        at, _ = place(formula.start + min(line.position, len(formula.text)))
         own = frozenset(heard.values())
         if line.equation is not None:
             own &= symbols_of(line.equation)
