@@ -34,7 +34,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "The exit code is 0 if every one was read and is as right as `rigidtop check` finds the\n"
         "lecture's own (a convention at odds with a definition is a finding, not a failure), and\n"
         "1 if one is false, undecided, unread, or has a number that no claim has.  Numbers of the\n"
-        "collection that the file leaves out between its first and its last are told as absent.\n\n"
+        "collection that the file leaves out between its first and its last are told as absent.\n"
+        "Formulas without a number are not judged, only counted.\n\n"
         "examples:\n"
         "  rigidtop audit notes.md\n"
         "  rigidtop audit notes.md -o annotated.html\n"
@@ -74,7 +75,8 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
         import lark  # noqa: F401
     except ModuleNotFoundError:
         raise RigidtopError("reading formulas needs Lark: pip install 'rigidtop[read]'") from None
-    from rigidtop.read.audit import ABSENT, UNREAD, audit, missing
+    from rigidtop.read.audit import ABSENT, UNJUDGED, UNREAD, audit, missing, unjudged
+    from rigidtop.read.document import places
 
     audited = audit(source, collection.pages, collection.notation)
     unread = _unread(source)
@@ -83,7 +85,9 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
             f"{path}: no numbered equations; a number is \\tag{{3.57}}, or (3.57) behind a formula"
         )
     absent = [claim.name for claim in missing(audited, collection.pages)]
-    told = summary(audited, unread, absent)
+    place = places(source)
+    others = [place(position)[0] for position in unjudged(source, audited)]
+    told = summary(audited, unread, absent, len(others))
     if output is not None:
         from rigidtop.present.annotated import write
         from rigidtop.present.files import write_whole
@@ -101,6 +105,7 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
             [
                 *(record(each) for each in audited),
                 *(_bare_record("", line, UNREAD, reason, False) for line, reason in unread),
+                *(_bare_record("", line, UNJUDGED, "without a number", None) for line in others),
                 *(_bare_record(name, None, ABSENT, "not in the file", True) for name in absent),
             ]
         )
@@ -142,8 +147,10 @@ def summary(
     audited: Sequence[Audited],
     unread: Sequence[tuple[int, str]] = (),
     absent: Sequence[str] = (),
+    others: int = 0,
 ) -> str:
-    """Counts of the verdicts, what is wrong, and which numbers the file does not have."""
+    """Counts of the verdicts, what is wrong, how many formulas `others` are not judged for want of
+    a number, and which numbers the file does not have."""
     from rigidtop.proof.verdict import Verdict
     from rigidtop.read.audit import UNKNOWN, UNREAD
 
@@ -152,18 +159,26 @@ def summary(
     told = ", ".join(f"{count} {name}" for name, count in counts if count)
     amiss = [f"({each.number})" for each in audited if not each.passed]
     amiss += [f"line {line}" for line, _ in unread]
-    last = (
-        f"AMISS: {', '.join(amiss)}" if amiss else "nothing is wrong that the collection gets right"
-    )
+    last = []
+    if amiss:
+        last.append(f"AMISS: {', '.join(amiss)}")
+    if others:
+        formulas = f"{others} formulas without a number were" if others > 1 else _ONE_OTHER
+        last.append(f"{formulas} not judged")
+    if not last:
+        last.append("nothing is wrong that the collection gets right")
     left_out = f"; not in the file: {', '.join(f'({name})' for name in absent)}" if absent else ""
     what = f"{len(audited)} numbered equation{'s' * (len(audited) != 1)}"
-    return f"{what}{': ' * bool(told)}{told}; {last}{left_out}"
+    return f"{what}{': ' * bool(told)}{told}; {'; '.join(last)}{left_out}"
+
+
+_ONE_OTHER = "1 formula without a number was"
 
 
 def _bare_record(
-    name: str, line: int | None, verdict: str, note: str, passed: bool
+    name: str, line: int | None, verdict: str, note: str, passed: bool | None
 ) -> dict[str, Any]:
-    """What `--json` says where there is no numbered equation."""
+    """What `--json` says where there is no numbered equation; `passed` null: not judged."""
     return {
         "name": name,
         "reference": "",

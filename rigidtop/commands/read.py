@@ -28,7 +28,7 @@ def run(options: argparse.Namespace) -> int:
     except ModuleNotFoundError:
         raise RigidtopError("reading formulas needs Lark: pip install 'rigidtop[read]'") from None
     from rigidtop.present.table import table
-    from rigidtop.read.document import each_numbered, places, problems
+    from rigidtop.read.document import bare, each_numbered, places, problems
     from rigidtop.read.formula import Line
 
     groups = list(each_numbered(source))
@@ -38,7 +38,7 @@ def run(options: argparse.Namespace) -> int:
     told = {line.position for _, line in found if line.problem}
     found += [
         ("", Line(problem.position, None, problem.reason))
-        for problem in problems(source)
+        for problem in (*problems(source), *bare(source))
         if problem.position not in told
     ]
     records = [_record(source, *row) for row in sorted(found, key=lambda row: row[1].position)]

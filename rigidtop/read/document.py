@@ -7,7 +7,7 @@ import time
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import NOTES, Notation
@@ -21,6 +21,8 @@ MOST = 20_000
 
 MOST_NUMBERS = 5_000
 """A file has no more numbered equations."""
+
+OUTSIDE = "mathematics outside of dollars: put it between $ and $"
 
 LONGEST_LOST = 2_000
 """Of what is not taken no more is kept (characters)."""
@@ -93,6 +95,8 @@ _PROSE = frozenset(
     )
 )
 """Environments where an = outside all formulas is no mathematics."""
+_KEYED = frozenset({"tikzpicture", "filecontents", "thebibliography"})
+"""Environments where = stands between a key and its value."""
 _VERBATIM = frozenset({"verbatim", "Verbatim", "lstlisting", "minted", "comment", "alltt"})
 
 _BOTH = (
@@ -110,21 +114,34 @@ _IN_MARKDOWN = re.compile(
 )
 _FENCE = re.compile(r"[ \t]{0,3}(`{3,}+|~{3,}+)")
 _TEX = re.compile(r"^[ \t]*\\(?:documentclass|begin\s*\{\s*document\s*\})", re.M)
-_NUMBER = re.compile(r"[ \t\n|]*(?:</?t[dr]>)*\(\s*(\d+\.\d+[a-z]?)\s*\)[.,]?[ \t|]*(?=\n|$)")
+_N = r"(?:[A-Z]{1,4}\.?)?\d{1,3}(?:[.–-]\d{1,3})*[a-z]?'{0,3}|\*{1,3}"
+"""(3.57), (7), (A.3), (12a), (*): a number as it stands in brackets; a year is none."""
+_TAG = r"\\tag\*?\s*\{((?:[^{}\n]|\{[^{}\n]*\}){0,200})\}"
+_NUMBER = re.compile(rf"[ \t\n|]*(?:</?t[dr]>)*\(\s*({_N})\s*\)[.,]?[ \t|]*(?=\n|$)")
+_LAST = re.compile(rf"(?<!Eq\. )(?<!Eqs\. )\(\s*({_N})\s*\)[.,]?[ \t|]*(?=\n|$)")
 _BLANK_LINE = re.compile(r"\n[ \t]*\n")
 _INSIDE = re.compile(
-    r"\\(?:tag\*?\s*\{\s*\(?|l?eqno\s*\(?)\s*(\d+\.\d+[a-z]?)"
+    rf"{_TAG}|\\l?eqno\s*\(?\s*({_N})|\\q?quad\s*\(({_N})\)(?=[\s.,]*$)"
     r"|\((\d+\.\d+[a-z]?)\)(?=[\s.,]*(?:\\end\s*\{\s*[A-Za-z*]+\s*\}\s*)*$)"
 )
-_LOST = re.compile(
-    r"\\(?:tag\*?\s*\{\s*\(?|l?eqno\s*\(?)\s*(\d+\.\d+[a-z]?)"
-    r"|(?<!Eq\. )(?<!Eqs\. )\(\s*(\d+\.\d+[a-z]?)\s*\)[.,]?[ \t|]*(?=\n|$)"
+_LOST = re.compile(rf"{_TAG}|\\l?eqno\s*\(?\s*({_N})|{_LAST.pattern}")
+_SIGNS = "equiv|approx|neq?|lt|gt|leq?|geq?|ll|gg|propto|sim|simeq|cong|to|in"
+_RELATED = re.compile(
+    rf"[=<>≈≡≠≤≥∝≃≅∥⊥→]|\\(?:{_SIGNS})(?![A-Za-z])|(?<![_{{])\\(?:parallel|perp)(?![A-Za-z])"
 )
-_RELATED = re.compile(r"[=<>]|\\(?:equiv|approx|neq?|lt|gt)(?![A-Za-z])")
 _TOLD = re.compile(r"=|\\(?:tag|equiv|approx|neq?)(?![A-Za-z])")
 """What makes a skipped part worth telling, if mathematics stands in it at all."""
 _MATHEMATICAL = re.compile(r"\$|\\[\[(]|\\begin\s*\{|\\tag")
-_BARE = re.compile(r"\\[A-Za-z]+\*?\s*\[[^\]\n]{0,400}\]|(?P<hit>=|\\tag\*?\s*\{)")
+_BARE = re.compile(
+    r"\\[A-Za-z]+\*?\s*\[[^\]\n]{0,400}\]|<[A-Za-z/!][^<>]{0,400}>|https?://\S+"
+    r"|\\(?:url|href|label|hypersetup|setlength|geometry)\s*\{[^{}\n]{0,400}\}"
+    r"|\]\([^)\n]{0,400}\)|\{:?\s*[#.][^{}\n]{0,400}\}|^[ \t]*=+[ \t]*$"
+    r"|(?P<hit>(?<!\\)[=≈≡≠≤≥∝≃≅]|(?<=[^\s>][ ])[<>](?=[ ])|\\tag\*?\s*\{"
+    rf"|\\(?:{_SIGNS}|[td]?frac|partial|sqrt|d?dot|sin|cos|mathbf|boldsymbol|mathcal|hat|vec"
+    r"|theta|phi|psi|omega|Omega|lambda)(?![A-Za-z]))",
+    re.M,
+)
+"""A sign or a command that only mathematics has; what may have one all the same goes before it."""
 _SAID = re.compile(r"\s+[a-z]{2,}\s")
 """How text begins that stands between two dollars by mistake."""
 
@@ -145,10 +162,21 @@ def problems(source: str) -> tuple[Problem, ...]:
     return _walked(source).problems
 
 
+def bare(source: str) -> tuple[Problem, ...]:
+    """The lines with mathematics outside of all dollars and the like, in order."""
+    return _walked(source).bare
+
+
+def states(formula: Formula) -> bool:
+    """Whether a formula says anything: a display, or a relation in a line."""
+    return formula.display or _RELATED.search(formula.text) is not None
+
+
 @dataclass(frozen=True)
 class _Walked:
     formulas: tuple[Formula, ...]
     problems: tuple[Problem, ...]
+    bare: tuple[Problem, ...]
     lost: tuple[Numbered, ...]
 
 
@@ -161,6 +189,7 @@ def _walked(source: str) -> _Walked:
     return _Walked(
         tuple(walk.found),
         tuple(sorted(set(walk.problems), key=lambda problem: problem.position)),
+        tuple(walk.bare),
         tuple(walk.lost),
     )
 
@@ -168,7 +197,7 @@ def _walked(source: str) -> _Walked:
 def places(source: str) -> Callable[[int], tuple[int, int]]:
     r"""What tells the line and the column, counted from 1, of a position in a text.
 
-    >>> places("a\\nbc")(3)
+    >>> places("a\nbc")(3)
     (2, 2)
     """
     starts = [0, *(match.end() for match in re.finditer("\n", source))]
@@ -207,6 +236,7 @@ class _Walk:
         self.found: list[Formula] = []
         self.problems: list[Problem] = []
         self.lost: list[Numbered] = []
+        self.bare: list[Problem] = []
         self.skipped: list[tuple[int, int]] = []
         self.refused: list[tuple[int, int, str]] = []
         """From where to where something was not taken, and why."""
@@ -257,7 +287,7 @@ class _Walk:
     def skip(self, start: int, end: int, what: str) -> None:
         self.skipped.append((start, end))
         inside = self.source[start:end]
-        if _MATHEMATICAL.search(inside) and _TOLD.search(inside):
+        if _TOLD.search(inside) and (what == "code" or _MATHEMATICAL.search(inside)):
             self.problems.append(Problem(start, f"skipped: {what}", skipped=True))
             self.count()
 
@@ -315,7 +345,7 @@ class _Walk:
         self.count()
 
     def count(self) -> None:
-        if len(self.found) + len(self.problems) + len(self.lost) > MOST:
+        if len(self.found) + len(self.problems) + len(self.bare) + len(self.lost) > MOST:
             raise RigidtopError(
                 f"a file of more than {MOST} formulas, or places where one is not taken: split it"
             )
@@ -443,6 +473,8 @@ class _Walk:
         """Mathematics outside all formulas: in an unknown environment, or a \\tag."""
         covered = [(formula.opens, formula.end) for formula in self.found]
         covered += self.skipped + [(start, end) for start, end, _ in self.refused]
+        covered += [(begun, end) for name, begun, end in self.unknown if name in _KEYED]
+        covered += [(0, begun) for name, begun, _ in self.unknown if name == "document"]
         hits: list[int] = []
         at = 0
         for start, end in [*sorted(covered), (len(self.source), len(self.source))]:
@@ -463,17 +495,39 @@ class _Walk:
         for begun, end in told:
             for i in range(bisect_left(hits, begun), bisect_left(hits, end)):
                 inside[i] = True
-        for hit, known in zip(hits, inside, strict=True):
-            if not known and self.source[hit] == "\\":
-                self.refuse(hit, "a \\tag outside a formula")
+        left = [hit for hit, known in zip(hits, inside, strict=True) if not known]
+        for hit in left:
+            if self.source.startswith(r"\tag", hit):
+                self.refuse(hit, r"a \tag outside a formula")
+        self.tell_lines(left)
+
+    def tell_lines(self, hits: Sequence[int]) -> None:
+        """The lines with mathematics of which no formula is made; a number beside it is lost."""
+        until = 0
+        for hit in hits:
+            if hit < until:
+                continue
+            start = self.source.rfind("\n", 0, hit) + 1
+            until = self.source.find("\n", hit)
+            until = until if until >= 0 else len(self.source)
+            if self.source.startswith(r"\tag", hit):
+                continue  # that is told
+            start += len(self.source[start:until]) - len(self.source[start:until].lstrip())
+            number = _LAST.search(self.source, hit, until) or _NUMBER.match(self.source, until)
+            if number and number.start(1) not in self.taken:
+                self.refuse(start, OUTSIDE, until)
+            else:
+                self.bare.append(Problem(start, OUTSIDE))
+                self.count()
+
+    @cached_property
+    def taken(self) -> set[int]:
+        """Where the numbers of formulas stand."""
+        found = (_NUMBER.match(self.source, formula.end) for formula in self.found)
+        return {beside.start(1) for beside in found if beside}
 
     def tell_refused(self) -> None:
         """Numbers that stand beside what was not taken."""
-        taken = {
-            beside.start(1)
-            for formula in self.found
-            if (beside := _NUMBER.match(self.source, formula.end))
-        }
         spans = sorted([(formula.opens, formula.end) for formula in self.found] + self.skipped)
         starts = [start for start, _ in spans]
         seen: set[int] = set()
@@ -483,16 +537,16 @@ class _Walk:
             end = min(until, max(after, start + 1))
             beside = _NUMBER.match(self.source, end)
             for match in [*_LOST.finditer(self.source, start, end), *([beside] if beside else [])]:
-                group = 1 if match[1] else 2
-                place = match.start(group)
+                assert match.lastindex is not None
+                place = match.start(match.lastindex)
                 i = bisect_left(starts, place) - 1
-                if place in taken or place in seen or (i >= 0 and place < spans[i][1]):
+                if place in self.taken or place in seen or (i >= 0 and place < spans[i][1]):
                     continue
                 seen.add(place)
                 stop = max(end, match.end())
                 written = self.source[start : min(stop, start + LONGEST_LOST)]
                 formula = Formula(written, start, stop, True, start, reason)
-                self.lost.append(Numbered(match[group], (formula,)))
+                self.lost.append(Numbered(_bared(match[match.lastindex]), (formula,)))
                 self.count()
 
 
@@ -517,9 +571,15 @@ def numbered(source: str) -> tuple[Numbered, ...]:
     return tuple(sorted(made, key=lambda group: group.formulas[-1].opens))
 
 
+def _bared(number: str) -> str:
+    """A number without brackets round it."""
+    return re.sub(r"\s+", "", number).strip("()$")
+
+
 def _numbers_of(source: str, formula: Formula) -> tuple[str, ...]:
     """The numbers of a display, one or more; that of a formula in a line, if it is an equation."""
-    inside = tuple(dict.fromkeys(a or b for a, b in _INSIDE.findall(formula.text)))
+    tagged = (_bared("".join(groups)) for groups in _INSIDE.findall(formula.text))
+    inside = tuple(dict.fromkeys(filter(None, tagged)))
     if inside:
         return inside
     beside = _NUMBER.match(source, formula.end)
@@ -562,7 +622,7 @@ def lines(group: Numbered, notation: Notation = NOTES) -> tuple[Line, ...]:
 
 
 def _of_number(made: Sequence[Line], number: str) -> Sequence[Line]:
-    """Those up to the tag of that number, from the tag before it on."""
+    """Those up to the tag of that number, from the tag before it on; to the last all behind it."""
     tagged = [i for i, line in enumerate(made) if line.tag]
     if len({made[i].tag for i in tagged}) < 2:
         return made
@@ -570,7 +630,8 @@ def _of_number(made: Sequence[Line], number: str) -> Sequence[Line]:
     if not here:
         return made
     before = [i + 1 for i in tagged if i < here[0]]
-    return made[max(before, default=0) : here[-1] + 1]
+    behind = here[-1] + 1 if here[-1] < tagged[-1] else len(made)
+    return made[max(before, default=0) : behind]
 
 
 def each(

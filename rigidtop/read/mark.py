@@ -26,7 +26,7 @@ from rigidtop.proof import decide
 from rigidtop.proof.equation import Equation, NoMeaningError, Rate, Underbrace, symbols_of, value
 from rigidtop.proof.verdict import entries
 from rigidtop.read import facts, slips
-from rigidtop.read.document import Formula, Problem, formulas, places, problems
+from rigidtop.read.document import Formula, Problem, bare, formulas, places, problems
 from rigidtop.read.facts import Model, Passage, Sample
 from rigidtop.read.formula import Line, read
 from rigidtop.read.scan import Token, UnreadError, tokens
@@ -247,7 +247,7 @@ class _Listening(Notation):
 
 def steps(source: str, notation: Notation) -> Iterator[Step]:
     """The lines of an answer, in order; where mathematics was passed over, that too."""
-    taken: list[Formula | Problem] = [*formulas(source), *problems(source)]
+    taken: list[Formula | Problem] = [*formulas(source), *problems(source), *bare(source)]
     place = places(source)
     count = 0
     for found in sorted(taken, key=_position):

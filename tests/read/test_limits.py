@@ -270,6 +270,7 @@ MANY = {
     "openings": "\\[" * 900_000,
     "closings": "\\]" * 900_000,
     "formulas": "$T = V$ and " * 100_000,
+    "bare equations": "E = T\n" * 100_000,
     "numbered displays": "$$T = V$$\n(3.57)\n\n" * 100_000,
     "tagged displays": "".join(f"$${i} = V {TAG}$$\n" for i in range(50_000)),
     "tags in a display": "$$"

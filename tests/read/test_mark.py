@@ -509,6 +509,27 @@ def test_rounding_is_no_counterexample():
     assert "e−" not in found.lines[0].note
 
 
+@pytest.mark.parametrize(
+    "source",
+    [
+        "so $\\dot\\theta$, θ̈ = φ̇ with it",
+        r"\lambda_1\ddot\theta = -MgR\sin\theta",
+        "`λ₁θ̈ = 0`",
+        "```\nλ₁θ̈ = 0\n```",
+        r"as \ddot\theta vanishes",
+    ],
+)
+def test_mathematics_outside_of_dollars_is_unread_and_no_pass(source):
+    start, goal, right = ANSWERS["from-3.54-to-3.57"]
+    assert mark(right, start, goal).passed
+    found = mark(f"{source}\n\n{right}", start, goal)
+    told = found.lines[0]
+    assert (told.line, told.mark) == (1, Mark.UNREAD)
+    assert told.note in ("mathematics outside of dollars: put it between $ and $", "skipped: code")
+    assert not found.passed
+    assert found.summary == "inconclusive: line 1 was not read"
+
+
 # --- Text from strangers ------------------------------------------------------------------------
 
 BOMBS = [
