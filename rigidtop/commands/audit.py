@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import re
 import sys
+import time
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -33,7 +34,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "The exit code is 0 if every one was read and is as right as `rigidtop check` finds the\n"
         "lecture's own (a convention at odds with a definition is a finding, not a failure), and\n"
         "1 if one is false, undecided, unread, or has a number that no claim has.  Numbers of the\n"
-        "collection that the file leaves out between its first and its last are told as absent.\n\n"
+        "collection that the file leaves out between its first and its last are told as absent.\n"
+        "Formulas without a number are not judged, only counted.\n\n"
         "examples:\n"
         "  rigidtop audit notes.md\n"
         "  rigidtop audit notes.md -o annotated.html\n"
@@ -73,7 +75,8 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
         import lark  # noqa: F401
     except ModuleNotFoundError:
         raise RigidtopError("reading formulas needs Lark: pip install 'rigidtop[read]'") from None
-    from rigidtop.read.audit import ABSENT, UNREAD, audit, missing
+    from rigidtop.read.audit import ABSENT, UNJUDGED, UNREAD, audit, missing, unjudged
+    from rigidtop.read.document import places
 
     audited = audit(source, collection.pages, collection.notation)
     unread = _unread(source)
@@ -82,7 +85,9 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
             f"{path}: no numbered equations; a number is \\tag{{3.57}}, or (3.57) behind a formula"
         )
     absent = [claim.name for claim in missing(audited, collection.pages)]
-    told = summary(audited, unread, absent)
+    place = places(source)
+    others = [place(position)[0] for position in unjudged(source, audited)]
+    told = summary(audited, unread, absent, len(others))
     if output is not None:
         from rigidtop.present.annotated import write
         from rigidtop.present.files import write_whole
@@ -100,6 +105,7 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
             [
                 *(record(each) for each in audited),
                 *(_bare_record("", line, UNREAD, reason, False) for line, reason in unread),
+                *(_bare_record("", line, UNJUDGED, "without a number", None) for line in others),
                 *(_bare_record(name, None, ABSENT, "not in the file", True) for name in absent),
             ]
         )
@@ -112,10 +118,11 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
 
 def _unread(source: str) -> list[tuple[int, str]]:
     """Line and reason of what may be mathematics and was not taken as a formula."""
-    from rigidtop.read.document import problems
+    from rigidtop.read.document import places, problems
 
+    place = places(source)
     return [
-        (source.count("\n", 0, problem.position) + 1, problem.reason)
+        (place(problem.position)[0], problem.reason)
         for problem in problems(source)
         if not problem.skipped
     ]
@@ -140,8 +147,10 @@ def summary(
     audited: Sequence[Audited],
     unread: Sequence[tuple[int, str]] = (),
     absent: Sequence[str] = (),
+    others: int = 0,
 ) -> str:
-    """Counts of the verdicts, what is wrong, and which numbers the file does not have."""
+    """Counts of the verdicts, what is wrong, how many formulas `others` are not judged for want of
+    a number, and which numbers the file does not have."""
     from rigidtop.proof.verdict import Verdict
     from rigidtop.read.audit import UNKNOWN, UNREAD
 
@@ -150,18 +159,26 @@ def summary(
     told = ", ".join(f"{count} {name}" for name, count in counts if count)
     amiss = [f"({each.number})" for each in audited if not each.passed]
     amiss += [f"line {line}" for line, _ in unread]
-    last = (
-        f"AMISS: {', '.join(amiss)}" if amiss else "nothing is wrong that the collection gets right"
-    )
+    last = []
+    if amiss:
+        last.append(f"AMISS: {', '.join(amiss)}")
+    if others:
+        formulas = f"{others} formulas without a number were" if others > 1 else _ONE_OTHER
+        last.append(f"{formulas} not judged")
+    if not last:
+        last.append("nothing is wrong that the collection gets right")
     left_out = f"; not in the file: {', '.join(f'({name})' for name in absent)}" if absent else ""
     what = f"{len(audited)} numbered equation{'s' * (len(audited) != 1)}"
-    return f"{what}{': ' * bool(told)}{told}; {last}{left_out}"
+    return f"{what}{': ' * bool(told)}{told}; {'; '.join(last)}{left_out}"
+
+
+_ONE_OTHER = "1 formula without a number was"
 
 
 def _bare_record(
-    name: str, line: int | None, verdict: str, note: str, passed: bool
+    name: str, line: int | None, verdict: str, note: str, passed: bool | None
 ) -> dict[str, Any]:
-    """What `--json` says where there is no numbered equation."""
+    """What `--json` says where there is no numbered equation; `passed` null: not judged."""
     return {
         "name": name,
         "reference": "",
@@ -214,8 +231,9 @@ def shown(
 ) -> tuple[list[Shown], list[Mark]]:
     """The formulas of the text and the marks beside those with a number."""
     from rigidtop.present.annotated import Mark
-    from rigidtop.read.document import formulas
+    from rigidtop.read.document import SECONDS, formulas
 
+    until = time.monotonic() + SECONDS
     marks = []
     for each in audited:
         found = each.group.formulas
@@ -235,7 +253,9 @@ def shown(
         )
     taken = {formula.start for each in audited for formula in each.group.formulas}
     others = [
-        _shown(source, each, notation) for each in formulas(source) if each.start not in taken
+        _shown(source, each, notation, until)
+        for each in formulas(source)
+        if each.start not in taken
     ]
     return others, marks
 
@@ -257,14 +277,15 @@ def _opening(source: str, formula: Formula) -> int:
     return first + opening.start() if opening else formula.start
 
 
-def _shown(source: str, formula: Formula, notation: Notation) -> Shown:
-    """A formula of the text, typeset if it is read and nothing of it is lost."""
+def _shown(source: str, formula: Formula, notation: Notation, until: float) -> Shown:
+    """A formula of the text, typeset if it is read, in time, and nothing of it is lost."""
     from rigidtop.present.annotated import Formula as Shown
     from rigidtop.read.formula import read
 
     text = formula.text.strip()
-    trees: tuple[Any, ...] = tuple(line.equation for line in read(text, notation))
-    if None in trees or not trees:
+    late = time.monotonic() > until
+    trees: tuple[Any, ...] = () if late else tuple(line.equation for line in read(text, notation))
+    if not late and (None in trees or not trees):
         # A quantity, without a relation, is what could be equal to 0.
         lines = read(f"0 = {text}", notation) if not re.search(r"[=<>]", text) else ()
         trees = tuple(line.equation and line.equation.sides[1] for line in lines)

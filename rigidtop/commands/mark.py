@@ -10,7 +10,7 @@ from rigidtop.commands.claims import FAILED
 from rigidtop.commands.motions import number
 from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
-from rigidtop.textfile import text_of
+from rigidtop.textfile import LONGEST, text_of
 
 if TYPE_CHECKING:
     from rigidtop.read.mark import Marking
@@ -113,6 +113,9 @@ def _print(found: Marking) -> None:
 def _typed() -> str:
     """What comes in by standard input."""
     try:
-        return sys.stdin.read()
+        text = sys.stdin.read(LONGEST + 1)
     except UnicodeDecodeError:
         raise RigidtopError("cannot read standard input: it is not text in UTF-8") from None
+    if len(text) > LONGEST:
+        raise RigidtopError(f"cannot read standard input: it has more than {LONGEST} characters")
+    return text

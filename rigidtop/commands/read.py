@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import argparse
-from bisect import bisect_right
-from itertools import accumulate
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands.output import print_json
@@ -30,25 +28,23 @@ def run(options: argparse.Namespace) -> int:
     except ModuleNotFoundError:
         raise RigidtopError("reading formulas needs Lark: pip install 'rigidtop[read]'") from None
     from rigidtop.present.table import table
-    from rigidtop.read.document import lines as read_lines
-    from rigidtop.read.document import numbered, problems
+    from rigidtop.read.document import bare, each_numbered, places, problems
     from rigidtop.read.formula import Line
 
-    groups = numbered(source)
-    inside = {formula.start for group in groups for formula in group.formulas}
-    found = [(group.number, line) for group in groups for line in read_lines(group)]
+    groups = list(each_numbered(source))
+    inside = {formula.start for group, _ in groups for formula in group.formulas}
+    found = [(group.number, line) for group, lines in groups for line in lines]
     found += _besides(source, inside)
     told = {line.position for _, line in found if line.problem}
     found += [
         ("", Line(problem.position, None, problem.reason))
-        for problem in problems(source)
+        for problem in (*problems(source), *bare(source))
         if problem.position not in told
     ]
     records = [_record(source, *row) for row in sorted(found, key=lambda row: row[1].position)]
-    starts = [0, *accumulate(len(line) for line in source.splitlines(keepends=True))]
+    place = places(source)
     for record in records:
-        line = bisect_right(starts, record["position"])
-        record["line"], record["column"] = line, record.pop("position") - starts[line - 1] + 1
+        record["line"], record["column"] = place(record.pop("position"))
     if options.json:
         print_json(records)
         return 0

@@ -125,7 +125,8 @@ def write(
 {body}
 </div>
 <footer class="colophon"><p>Each numbered equation as it was read, with the verdict of the
-collection of derivations. What was not read is shown as its TeX.</p></footer>
+collection of derivations. Formulas without a number were not judged. What was not read is shown
+as its TeX.</p></footer>
 </main>
 </body>
 </html>
@@ -196,10 +197,12 @@ _PLACE = re.compile(f"{_OPEN}(\\d+){_CLOSE}")
 _UNSHOWN = re.compile("[\x00-\x08\x0b-\x1f\x7f\ue000\ue001\u202a-\u202e\u2066-\u2069]")
 """Characters that have no shape, that turn the direction of text, or that mark places here."""
 
-_LEFT_OUT = re.compile(r"!\[[^\]\n]*\]\([^)\n]*\)|<!--.*?-->|<span[^>\n]*></span>", re.S)
-_LINK = re.compile(r"\[([^\]\n]*)\]\([^)\n]*\)")
+# The lengths are limited where many may begin and none ends.
+_LEFT_OUT = re.compile(r"!\[[^][\n]*\]\([^)\n]{0,1000}\)|<span[^<>\n]*></span>")
+_COMMENT = re.compile(r"<!--.*?-->", re.S)
+_LINK = re.compile(r"\[([^][\n]*)\]\([^)\n]{0,1000}\)")
 _ITEM = re.compile(r"(?:[-*•]|\d+\.|\([ivx]+\)|- \([ivx]+\))\s+")
-_HEADING = re.compile(r"(#{1,6})\s+(.*?)\s*#*$")
+_HEADING = re.compile(r"(#{1,6})\s+(.*)")
 
 
 def _text(
@@ -219,9 +222,11 @@ def _text(
         at = end
     woven += _clean(source[at:])
     woven = re.sub(f"{_CLOSE}[ \t]+(?=[,.;:)])", _CLOSE, woven)
+    commented, mark, behind = woven.rpartition("-->")
+    woven = _LEFT_OUT.sub("", _COMMENT.sub("", commented + mark) + behind)
     blocks = [
         html
-        for block in re.split(r"\n[ \t]*\n", _LEFT_OUT.sub("", woven))
+        for block in re.split(r"\n[ \t]*\n", woven)
         if block.strip()
         for html in _html_blocks(block.strip(), frames)
     ]
@@ -236,13 +241,15 @@ def _html_blocks(block: str, frames: set[int]) -> list[str]:
     """Headings, items and paragraphs of a piece of text between blank lines."""
     made: list[str] = []
     lines: list[str] = []
-    items: list[str] = []
+    items: list[list[str]] = []
 
     def close() -> None:
         if lines:
             made.append(f"<p>{_inner(' '.join(lines))}</p>")
         if items:
-            made.append("<ul>" + "".join(f"<li>{_inner(item)}</li>" for item in items) + "</ul>")
+            made.append(
+                "<ul>" + "".join(f"<li>{_inner(' '.join(item))}</li>" for item in items) + "</ul>"
+            )
         lines.clear()
         items.clear()
 
@@ -252,15 +259,16 @@ def _html_blocks(block: str, frames: set[int]) -> list[str]:
         if heading:
             close()
             level = min(len(heading[1]) + 1, 4)
-            words = _PLACE.sub(lambda p: "" if int(p[1]) in frames else p[0], heading[2])
+            title = heading[2].rstrip().rstrip("#").rstrip()
+            words = _PLACE.sub(lambda p: "" if int(p[1]) in frames else p[0], title)
             made.append(f"<h{level}>{_inner(words)}</h{level}>")
-            lines += [p[0] for p in _PLACE.finditer(heading[2]) if int(p[1]) in frames]
+            lines += [p[0] for p in _PLACE.finditer(title) if int(p[1]) in frames]
         elif item:
             if lines:
                 close()
-            items.append(line[item.end() :])
+            items.append([line[item.end() :]])
         elif items:
-            items[-1] += " " + line
+            items[-1].append(line)
         else:
             lines.append(line)
     close()

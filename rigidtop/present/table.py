@@ -7,6 +7,7 @@ import shutil
 import sys
 import unicodedata
 from collections.abc import Mapping, Sequence
+from functools import cache
 from typing import TextIO
 
 _COLORS = {"green": "32", "yellow": "33", "red": "31", "blue": "34", "magenta": "35", "dim": "2"}
@@ -21,6 +22,7 @@ def columns(text: str) -> int:
     return sum(_columns(c) for c in text)
 
 
+@cache
 def _columns(character: str) -> int:
     if unicodedata.category(character) in ("Mn", "Me", "Cf"):
         return 0

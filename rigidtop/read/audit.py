@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import random
 import re
-from collections.abc import Iterable, Mapping, Sequence
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import accumulate
 from typing import Any
@@ -35,12 +36,21 @@ from rigidtop.proof.verdict import (
     is_refuted,
     judge_check,
 )
-from rigidtop.read.document import Numbered, lines, numbered
+from rigidtop.read.document import Numbered, bare, formulas, lines, numbered, places, states
 from rigidtop.read.formula import Line, kind
 from rigidtop.theory.symbols import const, phi, phidot, psi, psidot, theta, thetadot, unit
 
-UNREAD, UNKNOWN, ABSENT = "unread", "unknown", "absent"
-"""What is said in place of a verdict: what is not understood, a number of no claim, no equation."""
+UNREAD, UNKNOWN, ABSENT, UNJUDGED = "unread", "unknown", "absent", "unjudged"
+"""What is said in place of a verdict: what is not understood, a number of no claim, no equation,
+a formula without a number."""
+
+SECONDS = 120.0
+"""A file is not judged for longer than this."""
+
+MOST_LINES = 50
+"""Under one number no more lines are judged."""
+
+LATE = "not judged: the time for the file was over"
 
 _ORDER = list(Verdict)
 _HOLDS = (Verdict.DEFINITION, Verdict.PROVED, Verdict.SAMPLED, Verdict.ASSUMING)
@@ -127,7 +137,7 @@ class Audited:
         """One line: what is wrong and where, or what is assumed; what is not there."""
         parts = [self._of_line(each) for each in self.placed if not self._is_fine(each)]
         if self.judgement is None:
-            parts.append("the collection has no claim of this number")
+            parts += [] if LATE in parts else ["the collection has no claim of this number"]
         elif not parts:
             parts = list(filter(None, [said_of(self.judgement)]))
         if self.absent:
@@ -149,7 +159,7 @@ class Audited:
         if ruling.instead is not None:
             parts.append(f"the claim has {text(ruling.instead, 'printed')}")
         where = [f"line {each.line}"] if each.line != self.line else []
-        where += [f"column {each.column}"] if each.equation is None else []
+        where += [f"column {each.column}"] if each.equation is None and parts != [LATE] else []
         return (f"{', '.join(where)}: " if where else "") + "; ".join(parts)
 
 
@@ -219,6 +229,13 @@ def missing(audited: Sequence[Audited], pages: Iterable[Page]) -> tuple[Claim, .
     return tuple(c for c in claims[places[0] : places[-1]] if c.name not in there)
 
 
+def unjudged(source: str, audited: Sequence[Audited]) -> tuple[int, ...]:
+    """Where a formula of the file says something and bears no number, so that nothing judges it."""
+    judged = {formula.opens for each in audited for formula in each.group.formulas}
+    others = [f.opens for f in formulas(source) if f.opens not in judged and states(f)]
+    return tuple(sorted(others + [problem.position for problem in bare(source)]))
+
+
 @dataclass
 class Memo:
     """What has been found out, for audits of files that are much alike.
@@ -231,12 +248,20 @@ class Memo:
 
 
 def audit(
-    source: str, pages: Iterable[Page], notation: Notation = NOTES, memo: Memo | None = None
+    source: str,
+    pages: Iterable[Page],
+    notation: Notation = NOTES,
+    memo: Memo | None = None,
+    seconds: float = SECONDS,
 ) -> tuple[Audited, ...]:
-    """Every numbered equation of a file, in order, judged by the claim of its number."""
+    """Every numbered equation of a file, in order, judged by the claim of its number.
+
+    Once the time is up the rest is undecided, and says so.
+    """
     memo = memo if memo is not None else Memo()
     claims = {claim.name: (page, claim) for page in pages for claim in page.claims}
-    return tuple(_audited(source, group, claims, notation, memo) for group in numbered(source))
+    place, end = places(source), time.monotonic() + seconds
+    return tuple(_audited(place, group, claims, notation, memo, end) for group in numbered(source))
 
 
 # --- Groups --------------------------------------------------------------------------------------
@@ -271,22 +296,24 @@ class _Outcome:
 
 
 def _audited(
-    source: str,
+    place: Callable[[int], tuple[int, int]],
     group: Numbered,
     claims: Mapping[str, tuple[Page, Claim]],
     notation: Notation,
     memo: Memo,
+    end: float,
 ) -> Audited:
     key = group.number, tuple(formula.text for formula in group.formulas)
-    if key not in memo.groups:
+    if key in memo.groups:
+        outcome = memo.groups[key]
+    elif time.monotonic() > end:
+        outcome = _Outcome((Line(0, None, LATE),), (Ruling(None, LATE),), None, ())
+    else:
         known = _known(group.number, claims, memo)
-        memo.groups[key] = _outcome(_read(group, notation), known)
-    outcome = memo.groups[key]
+        outcome = memo.groups[key] = _outcome(_read(group, notation), known)
     placed = []
     for line, ruling in zip(outcome.lines, outcome.rulings, strict=True):
-        position = _position(group, line.position)
-        row = source.count("\n", 0, position) + 1
-        column = position - source.rfind("\n", 0, position)
+        row, column = place(_position(group, line.position))
         placed.append(Placed(row, column, line.equation, ruling))
     return Audited(group, tuple(placed), outcome.judgement, outcome.absent)
 
@@ -296,6 +323,9 @@ def _read(group: Numbered, notation: Notation) -> tuple[Line, ...]:
     places = zip(group.formulas, _starts(group), strict=True)
     laid = tuple(replace(formula, start=start) for formula, start in places)
     found = lines(replace(group, formulas=laid), notation)
+    if len(found) > MOST_LINES:
+        more = f"more than {MOST_LINES} lines under one number"
+        found = (*found[:MOST_LINES], Line(found[MOST_LINES].position, None, more))
     return found or (Line(0, None, "nothing stands there"),)
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 import time
-from bisect import bisect_left
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from functools import lru_cache
+from bisect import bisect_left, bisect_right
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
 
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import NOTES, Notation
@@ -15,6 +15,20 @@ from rigidtop.read.formula import Line, read
 
 LONGEST = 2_000_000
 """A file is no longer than this (characters)."""
+
+MOST = 20_000
+"""A file has no more formulas, and no more places where one is not taken."""
+
+MOST_NUMBERS = 5_000
+"""A file has no more numbered equations."""
+
+OUTSIDE = "mathematics outside of dollars: put it between $ and $"
+
+LONGEST_LOST = 2_000
+"""Of what is not taken no more is kept (characters)."""
+
+LONGEST_TICKS = 20
+"""Longer rows of ` or ~ do not begin code: looking for the end of each takes time."""
 
 SECONDS = 60.0
 """A file is not read for longer than this."""
@@ -81,6 +95,8 @@ _PROSE = frozenset(
     )
 )
 """Environments where an = outside all formulas is no mathematics."""
+_KEYED = frozenset({"tikzpicture", "filecontents", "thebibliography"})
+"""Environments where = stands between a key and its value."""
 _VERBATIM = frozenset({"verbatim", "Verbatim", "lstlisting", "minted", "comment", "alltt"})
 
 _BOTH = (
@@ -93,26 +109,39 @@ _BOTH = (
 _IN_TEX = re.compile(rf"{_BOTH}|(?P<percent>%[^\n]*)|(?P<verb>\\verb\*?[^A-Za-z\s*])", re.M)
 _IN_MARKDOWN = re.compile(
     rf"{_BOTH}|(?P<percent>^[ \t]*%[^\n]*)|(?P<html><!--)"
-    r"|(?P<fence>^[ \t]{0,3}(?P<ticks>`{3,}|~{3,})(?P<info>[^\n`]*)$)|(?P<code>`+)",
+    r"|(?P<fence>^[ \t]{0,3}(?P<ticks>`{3,}+|~{3,}+)(?P<info>[^\n`]*+)$)|(?P<code>`+)",
     re.M,
 )
-_FENCED = re.compile(r"^[ \t]{0,3}(`{3,}|~{3,})[^\n`]*$.*?^[ \t]{0,3}\1", re.M | re.S)
+_FENCE = re.compile(r"[ \t]{0,3}(`{3,}+|~{3,}+)")
 _TEX = re.compile(r"^[ \t]*\\(?:documentclass|begin\s*\{\s*document\s*\})", re.M)
-_NUMBER = re.compile(r"[ \t\n|]*(?:</?t[dr]>)*\(\s*(\d+\.\d+[a-z]?)\s*\)[.,]?[ \t|]*(?=\n|$)")
+_N = r"(?:[A-Z]{1,4}\.?)?\d{1,3}(?:[.–-]\d{1,3})*[a-z]?'{0,3}|\*{1,3}"
+"""(3.57), (7), (A.3), (12a), (*): a number as it stands in brackets; a year is none."""
+_TAG = r"\\tag\*?\s*\{((?:[^{}\n]|\{[^{}\n]*\}){0,200})\}"
+_NUMBER = re.compile(rf"[ \t\n|]*(?:</?t[dr]>)*\(\s*({_N})\s*\)[.,]?[ \t|]*(?=\n|$)")
+_LAST = re.compile(rf"(?<!Eq\. )(?<!Eqs\. )\(\s*({_N})\s*\)[.,]?[ \t|]*(?=\n|$)")
 _BLANK_LINE = re.compile(r"\n[ \t]*\n")
 _INSIDE = re.compile(
-    r"\\(?:tag\*?\s*\{\s*\(?|l?eqno\s*\(?)\s*(\d+\.\d+[a-z]?)"
+    rf"{_TAG}|\\l?eqno\s*\(?\s*({_N})|\\q?quad\s*\(({_N})\)(?=[\s.,]*$)"
     r"|\((\d+\.\d+[a-z]?)\)(?=[\s.,]*(?:\\end\s*\{\s*[A-Za-z*]+\s*\}\s*)*$)"
 )
-_LOST = re.compile(
-    r"\\(?:tag\*?\s*\{\s*\(?|l?eqno\s*\(?)\s*(\d+\.\d+[a-z]?)"
-    r"|(?<!Eq\. )(?<!Eqs\. )\(\s*(\d+\.\d+[a-z]?)\s*\)[.,]?[ \t|]*(?=\n|$)"
+_LOST = re.compile(rf"{_TAG}|\\l?eqno\s*\(?\s*({_N})|{_LAST.pattern}")
+_SIGNS = "equiv|approx|neq?|lt|gt|leq?|geq?|ll|gg|propto|sim|simeq|cong|to|in"
+_RELATED = re.compile(
+    rf"[=<>≈≡≠≤≥∝≃≅∥⊥→]|\\(?:{_SIGNS})(?![A-Za-z])|(?<![_{{])\\(?:parallel|perp)(?![A-Za-z])"
 )
-_RELATED = re.compile(r"[=<>]|\\(?:equiv|approx|neq?|lt|gt)(?![A-Za-z])")
 _TOLD = re.compile(r"=|\\(?:tag|equiv|approx|neq?)(?![A-Za-z])")
 """What makes a skipped part worth telling, if mathematics stands in it at all."""
 _MATHEMATICAL = re.compile(r"\$|\\[\[(]|\\begin\s*\{|\\tag")
-_BARE = re.compile(r"\\[A-Za-z]+\*?\s*\[[^\]\n]*\]|(?P<hit>=|\\tag\*?\s*\{)")
+_BARE = re.compile(
+    r"\\[A-Za-z]+\*?\s*\[[^\]\n]{0,400}\]|<[A-Za-z/!][^<>]{0,400}>|https?://\S+"
+    r"|\\(?:url|href|label|hypersetup|setlength|geometry)\s*\{[^{}\n]{0,400}\}"
+    r"|\]\([^)\n]{0,400}\)|\{:?\s*[#.][^{}\n]{0,400}\}|^[ \t]*=+[ \t]*$"
+    r"|(?P<hit>(?<!\\)[=≈≡≠≤≥∝≃≅]|(?<=[^\s>][ ])[<>](?=[ ])|\\tag\*?\s*\{"
+    rf"|\\(?:{_SIGNS}|[td]?frac|partial|sqrt|d?dot|sin|cos|mathbf|boldsymbol|mathcal|hat|vec"
+    r"|theta|phi|psi|omega|Omega|lambda)(?![A-Za-z]))",
+    re.M,
+)
+"""A sign or a command that only mathematics has; what may have one all the same goes before it."""
 _SAID = re.compile(r"\s+[a-z]{2,}\s")
 """How text begins that stands between two dollars by mistake."""
 
@@ -133,24 +162,69 @@ def problems(source: str) -> tuple[Problem, ...]:
     return _walked(source).problems
 
 
+def bare(source: str) -> tuple[Problem, ...]:
+    """The lines with mathematics outside of all dollars and the like, in order."""
+    return _walked(source).bare
+
+
+def states(formula: Formula) -> bool:
+    """Whether a formula says anything: a display, or a relation in a line."""
+    return formula.display or _RELATED.search(formula.text) is not None
+
+
 @dataclass(frozen=True)
 class _Walked:
     formulas: tuple[Formula, ...]
     problems: tuple[Problem, ...]
+    bare: tuple[Problem, ...]
     lost: tuple[Numbered, ...]
 
 
 @lru_cache(maxsize=2)
 def _walked(source: str) -> _Walked:
     if len(source) > LONGEST:
-        raise RigidtopError(f"a file of more than {LONGEST} characters")
+        raise RigidtopError(f"a file of more than {LONGEST} characters: split it")
     walk = _Walk(source)
     walk.go()
     return _Walked(
         tuple(walk.found),
         tuple(sorted(set(walk.problems), key=lambda problem: problem.position)),
+        tuple(walk.bare),
         tuple(walk.lost),
     )
+
+
+def places(source: str) -> Callable[[int], tuple[int, int]]:
+    r"""What tells the line and the column, counted from 1, of a position in a text.
+
+    >>> places("a\nbc")(3)
+    (2, 2)
+    """
+    starts = [0, *(match.end() for match in re.finditer("\n", source))]
+
+    def place(position: int) -> tuple[int, int]:
+        line = bisect_right(starts, position)
+        return line, position - starts[line - 1] + 1
+
+    return place
+
+
+def _unfenced(source: str) -> str:
+    """Markdown without its fenced code."""
+    kept: list[str] = []
+    inside: list[str] = []
+    opening = ""
+    for line in source.split("\n"):
+        found = _FENCE.match(line)
+        fence = found[1] if found else ""
+        if opening and fence.startswith(opening):
+            inside, opening = [], ""
+        elif opening or fence:
+            inside.append(line)
+            opening = opening or fence
+        else:
+            kept.append(line)
+    return "\n".join(kept + inside)
 
 
 class _Walk:
@@ -158,10 +232,11 @@ class _Walk:
 
     def __init__(self, source: str) -> None:
         self.source = source
-        self.tex = _TEX.search(_FENCED.sub("", source)) is not None
+        self.tex = _TEX.search(_unfenced(source)) is not None
         self.found: list[Formula] = []
         self.problems: list[Problem] = []
         self.lost: list[Numbered] = []
+        self.bare: list[Problem] = []
         self.skipped: list[tuple[int, int]] = []
         self.refused: list[tuple[int, int, str]] = []
         """From where to where something was not taken, and why."""
@@ -212,8 +287,9 @@ class _Walk:
     def skip(self, start: int, end: int, what: str) -> None:
         self.skipped.append((start, end))
         inside = self.source[start:end]
-        if _MATHEMATICAL.search(inside) and _TOLD.search(inside):
+        if _TOLD.search(inside) and (what == "code" or _MATHEMATICAL.search(inside)):
             self.problems.append(Problem(start, f"skipped: {what}", skipped=True))
+            self.count()
 
     def skip_until(self, match: re.Match[str], closing: str, what: str) -> int:
         end = self.find(closing, match.end())
@@ -224,7 +300,7 @@ class _Walk:
         return end.end()
 
     def code(self, match: re.Match[str]) -> int:
-        if len(self.dollars) % 2:
+        if len(self.dollars) % 2 or len(match[0]) > LONGEST_TICKS:
             return match.end()
         end = self.find(rf"(?<!`){match[0]}(?!`)", match.end())
         if end is None or _BLANK_LINE.search(self.source, match.end(), end.start()):
@@ -233,6 +309,8 @@ class _Walk:
         return end.end()
 
     def fence(self, match: re.Match[str]) -> int:
+        if len(match["ticks"]) > LONGEST_TICKS:
+            return match.end()
         end = self.find(rf"\n[ \t]{{0,3}}{match['ticks']}[`~]*", match.end())
         self.end_paragraph()
         if end is not None and match["info"].strip() == "math":
@@ -264,10 +342,18 @@ class _Walk:
 
     def add(self, start: int, stop: int, end: int, opens: int, display: bool = True) -> None:
         self.found.append(Formula(self.source[start:stop], start, end, display, opens))
+        self.count()
+
+    def count(self) -> None:
+        if len(self.found) + len(self.problems) + len(self.bare) + len(self.lost) > MOST:
+            raise RigidtopError(
+                f"a file of more than {MOST} formulas, or places where one is not taken: split it"
+            )
 
     def refuse(self, position: int, reason: str, end: int | None = None) -> None:
         """Tell what can't be taken; a number behind it, in its paragraph, is lost with it."""
         self.problems.append(Problem(position, reason))
+        self.count()
         stop = self.paragraph_end(position) if end is None else end
         self.refused.append((position, stop, reason))
 
@@ -387,6 +473,8 @@ class _Walk:
         """Mathematics outside all formulas: in an unknown environment, or a \\tag."""
         covered = [(formula.opens, formula.end) for formula in self.found]
         covered += self.skipped + [(start, end) for start, end, _ in self.refused]
+        covered += [(begun, end) for name, begun, end in self.unknown if name in _KEYED]
+        covered += [(0, begun) for name, begun, _ in self.unknown if name == "document"]
         hits: list[int] = []
         at = 0
         for start, end in [*sorted(covered), (len(self.source), len(self.source))]:
@@ -407,17 +495,39 @@ class _Walk:
         for begun, end in told:
             for i in range(bisect_left(hits, begun), bisect_left(hits, end)):
                 inside[i] = True
-        for hit, known in zip(hits, inside, strict=True):
-            if not known and self.source[hit] == "\\":
-                self.refuse(hit, "a \\tag outside a formula")
+        left = [hit for hit, known in zip(hits, inside, strict=True) if not known]
+        for hit in left:
+            if self.source.startswith(r"\tag", hit):
+                self.refuse(hit, r"a \tag outside a formula")
+        self.tell_lines(left)
+
+    def tell_lines(self, hits: Sequence[int]) -> None:
+        """The lines with mathematics of which no formula is made; a number beside it is lost."""
+        until = 0
+        for hit in hits:
+            if hit < until:
+                continue
+            start = self.source.rfind("\n", 0, hit) + 1
+            until = self.source.find("\n", hit)
+            until = until if until >= 0 else len(self.source)
+            if self.source.startswith(r"\tag", hit):
+                continue  # that is told
+            start += len(self.source[start:until]) - len(self.source[start:until].lstrip())
+            number = _LAST.search(self.source, hit, until) or _NUMBER.match(self.source, until)
+            if number and number.start(1) not in self.taken:
+                self.refuse(start, OUTSIDE, until)
+            else:
+                self.bare.append(Problem(start, OUTSIDE))
+                self.count()
+
+    @cached_property
+    def taken(self) -> set[int]:
+        """Where the numbers of formulas stand."""
+        found = (_NUMBER.match(self.source, formula.end) for formula in self.found)
+        return {beside.start(1) for beside in found if beside}
 
     def tell_refused(self) -> None:
         """Numbers that stand beside what was not taken."""
-        taken = {
-            beside.start(1)
-            for formula in self.found
-            if (beside := _NUMBER.match(self.source, formula.end))
-        }
         spans = sorted([(formula.opens, formula.end) for formula in self.found] + self.skipped)
         starts = [start for start, _ in spans]
         seen: set[int] = set()
@@ -427,15 +537,17 @@ class _Walk:
             end = min(until, max(after, start + 1))
             beside = _NUMBER.match(self.source, end)
             for match in [*_LOST.finditer(self.source, start, end), *([beside] if beside else [])]:
-                group = 1 if match[1] else 2
-                place = match.start(group)
+                assert match.lastindex is not None
+                place = match.start(match.lastindex)
                 i = bisect_left(starts, place) - 1
-                if place in taken | seen or (i >= 0 and place < spans[i][1]):
+                if place in self.taken or place in seen or (i >= 0 and place < spans[i][1]):
                     continue
                 seen.add(place)
                 stop = max(end, match.end())
-                formula = Formula(self.source[start:stop], start, stop, True, start, reason)
-                self.lost.append(Numbered(match[group], (formula,)))
+                written = self.source[start : min(stop, start + LONGEST_LOST)]
+                formula = Formula(written, start, stop, True, start, reason)
+                self.lost.append(Numbered(_bared(match[match.lastindex]), (formula,)))
+                self.count()
 
 
 def numbered(source: str) -> tuple[Numbered, ...]:
@@ -450,14 +562,24 @@ def numbered(source: str) -> tuple[Numbered, ...]:
         first = i
         while inside and first and _goes_on(source, found, numbers, first):
             first -= 1
-        made += [Numbered(number, found[first : i + 1]) for number in inside]
+        for number in inside:
+            made.append(Numbered(number, found[first : i + 1]))
+            first = i  # what stands above belongs to the first of several numbers
     made += _walked(source).lost
+    if len(made) > MOST_NUMBERS:
+        raise RigidtopError(f"a file of more than {MOST_NUMBERS} numbered equations: split it")
     return tuple(sorted(made, key=lambda group: group.formulas[-1].opens))
+
+
+def _bared(number: str) -> str:
+    """A number without brackets round it."""
+    return re.sub(r"\s+", "", number).strip("()$")
 
 
 def _numbers_of(source: str, formula: Formula) -> tuple[str, ...]:
     """The numbers of a display, one or more; that of a formula in a line, if it is an equation."""
-    inside = tuple(dict.fromkeys(a or b for a, b in _INSIDE.findall(formula.text)))
+    tagged = (_bared("".join(groups)) for groups in _INSIDE.findall(formula.text))
+    inside = tuple(dict.fromkeys(filter(None, tagged)))
     if inside:
         return inside
     beside = _NUMBER.match(source, formula.end)
@@ -500,7 +622,7 @@ def lines(group: Numbered, notation: Notation = NOTES) -> tuple[Line, ...]:
 
 
 def _of_number(made: Sequence[Line], number: str) -> Sequence[Line]:
-    """Those up to the tag of that number, from the tag before it on."""
+    """Those up to the tag of that number, from the tag before it on; to the last all behind it."""
     tagged = [i for i, line in enumerate(made) if line.tag]
     if len({made[i].tag for i in tagged}) < 2:
         return made
@@ -508,7 +630,8 @@ def _of_number(made: Sequence[Line], number: str) -> Sequence[Line]:
     if not here:
         return made
     before = [i + 1 for i in tagged if i < here[0]]
-    return made[max(before, default=0) : here[-1] + 1]
+    behind = here[-1] + 1 if here[-1] < tagged[-1] else len(made)
+    return made[max(before, default=0) : behind]
 
 
 def each(
@@ -518,20 +641,26 @@ def each(
     end = time.monotonic() + seconds
     for formula in formulas(source):
         if time.monotonic() > end:
-            late = f"not read: {seconds:g} s for the file were over"
-            yield formula, (Line(formula.start, None, late),)
+            yield formula, (_late(formula, seconds),)
             continue
-        found = read(formula.text, notation)
         yield (
             formula,
             tuple(
-                Line(
-                    formula.start + line.position,
-                    line.equation,
-                    line.problem,
-                    line.follows,
-                    line.tag,
-                )
-                for line in found
+                replace(line, position=formula.start + line.position)
+                for line in read(formula.text, notation)
             ),
         )
+
+
+def each_numbered(
+    source: str, notation: Notation = NOTES, seconds: float = SECONDS
+) -> Iterator[tuple[Numbered, tuple[Line, ...]]]:
+    """Every number with its equations, in the same way."""
+    end = time.monotonic() + seconds
+    for group in numbered(source):
+        late = time.monotonic() > end
+        yield group, (_late(group.formulas[0], seconds),) if late else lines(group, notation)
+
+
+def _late(formula: Formula, seconds: float) -> Line:
+    return Line(formula.start, None, f"not read: {seconds:g} s for the file were over")

@@ -215,7 +215,7 @@ def _ahead(found: Sequence[Token]) -> list[tuple[str, bool]]:
 def _bracketed(part: Sequence[Token]) -> str:
     """The number of an equation in brackets, if that is all there is."""
     plain = [t.kind for t in part] == ["OPEN", "NUMBER", "CLOSE"]
-    return part[1].value if plain and "." in part[1].value else ""
+    return part[1].value if plain else ""
 
 
 def _read(part: _Part, notation: Notation) -> list[Line]:

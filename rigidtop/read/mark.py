@@ -26,7 +26,7 @@ from rigidtop.proof import decide
 from rigidtop.proof.equation import Equation, NoMeaningError, Rate, Underbrace, symbols_of, value
 from rigidtop.proof.verdict import entries
 from rigidtop.read import facts, slips
-from rigidtop.read.document import Formula, Problem, formulas, problems
+from rigidtop.read.document import Formula, Problem, bare, formulas, places, problems
 from rigidtop.read.facts import Model, Passage, Sample
 from rigidtop.read.formula import Line, read
 from rigidtop.read.scan import Token, UnreadError, tokens
@@ -247,10 +247,11 @@ class _Listening(Notation):
 
 def steps(source: str, notation: Notation) -> Iterator[Step]:
     """The lines of an answer, in order; where mathematics was passed over, that too."""
-    taken: list[Formula | Problem] = [*formulas(source), *problems(source)]
+    taken: list[Formula | Problem] = [*formulas(source), *problems(source), *bare(source)]
+    place = places(source)
     count = 0
     for found in sorted(taken, key=_position):
-        for step in _steps(source, found, notation):
+        for step in _steps(source, found, notation, place):
             count += 1
             if count > MOST_LINES:
                 yield Step(step.number, Line(0, None, f"more than {MOST_LINES} lines"), "")
@@ -262,14 +263,15 @@ def _position(found: Formula | Problem) -> int:
     return found.start if isinstance(found, Formula) else found.position
 
 
-def _row(source: str, position: int) -> int:
-    return source.count("\n", 0, position) + 1
-
-
-def _steps(source: str, formula: Formula | Problem, notation: Notation) -> Iterator[Step]:
+def _steps(
+    source: str,
+    formula: Formula | Problem,
+    notation: Notation,
+    place: Callable[[int], tuple[int, int]],
+) -> Iterator[Step]:
     if isinstance(formula, Problem):
-        rest = source[formula.position :].split("\n", 1)[0][:60]
-        yield Step(_row(source, formula.position), Line(0, None, formula.reason), rest)
+        rest = source[formula.position : formula.position + 60].split("\n", 1)[0]
+        yield Step(place(formula.position)[0], Line(0, None, formula.reason), rest)
         return
     written = prepared(formula.text, explicit=facts.EXPLICIT in notation.glyphs)
     listening = _Listening(**vars_of(notation))
@@ -291,7 +293,7 @@ def _steps(source: str, formula: Formula | Problem, notation: Notation) -> Itera
     for line in _with_doubts(found, _doubtful(scanned, written, known), written):
         if line.equation is None and not formula.display and "no relation" in line.problem:
             continue  # a symbol in the running text
-        at = _row(source, formula.start + min(line.position, len(formula.text)))
+        at, _ = place(formula.start + min(line.position, len(formula.text)))
         own = frozenset(heard.values())
         if line.equation is not None:
             own &= symbols_of(line.equation)
@@ -613,7 +615,7 @@ class _Answer:
 
     def _judge_if_known(self, link: Link, model: Model) -> Verdict:
         """Ω means nothing for a motion that is not steady."""
-        unknown = {x for x in _symbols(link) if not _is_own(x)} - _known(model)
+        unknown = _foreign(link, model)
         if unknown:
             names = ", ".join(text(x) for x in sorted(unknown, key=str))
             return Verdict(None, why=f"{names} means nothing here")
@@ -757,6 +759,11 @@ def _symbols(link: Link) -> set[Symbol]:
     return set().union(*(side.free_symbols for side in sides))
 
 
+def _foreign(link: Link, model: Model) -> set[Symbol]:
+    """The symbols of a link that mean nothing in a model."""
+    return {x for x in _symbols(link) if not _is_own(x)} - _known(model)
+
+
 def _atoms(side: Any, kind: Any) -> set[Any]:
     trees = list(side) if _is_matrix(side) else [side]
     return set().union(*(tree.atoms(kind) for tree in trees))
@@ -839,19 +846,31 @@ TRIALS = 10
 
 
 def explain(link: Link, passage: Passage) -> tuple[slips.Slip, ...]:
-    """What kind of slip a wrong link may be, one of a kind; none where no small repair helps."""
-    model = passage.models[-1]
+    """What kind of slip a wrong link may be, one of a kind; none where no small repair helps.
+
+    A repair after which the link holds for every motion comes before one after which it holds for
+    special motions: there many repairs help, and only the goal says that the motion is special.
+    """
     forgotten = _partial(link, passage)
     if forgotten:
         return (forgotten,)
+    models = [model for model in passage.models if not _foreign(link, model)]
+    for named in (_repaired, _missing):
+        for model in models:
+            found = named(link, model)
+            if found:
+                return found
+    return ()
+
+
+def _repaired(link: Link, model: Model) -> tuple[slips.Slip, ...]:
+    """The slips after whose repair a link holds for the motions of a model."""
     lost = _lost_root(link, model)
     if lost:
         return (lost,)
     if link.right is None:
-        pairs = slips.found(link.left, s.const, lambda left, _: _holds(Link(left, None), model))
-    else:
-        pairs = slips.found(link.left, link.right, lambda a, b: _holds(Link(a, b), model))
-    return pairs or _missing(link, model)
+        return slips.found(link.left, s.const, lambda left, _: _holds(Link(left, None), model))
+    return slips.found(link.left, link.right, lambda a, b: _holds(Link(a, b), model))
 
 
 def _holds(link: Link, model: Model) -> bool:

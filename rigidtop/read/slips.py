@@ -136,6 +136,8 @@ def _of_term(term: Any, put: Callable[[Any], Any]) -> list[Repair]:
 def _here(node: Any) -> Iterator[Repair]:
     if isinstance(node, Add):
         for k, term in enumerate(node.args):
+            if isinstance(term, Add):
+                continue  # without brackets: its terms are terms of the whole sum
             before, behind = node.args[:k], node.args[k + 1 :]
             yield from _of_term(term, partial(_between, before, behind))
             rest = (*before, *behind)

@@ -90,6 +90,48 @@ def test_what_was_not_taken_as_a_formula_is_told(capsys, file, tmp_path):
     assert "<li>line 3: unread: " in source
 
 
+OTHERS = (
+    "Here $\\hat{\\mathbf z} = \\sin\\theta\\mathbf e_3$, and $\\Omega_s \\approx L/\\lambda_3$.\n"
+    "Of $\\theta$ nothing is said.\n\n$$\\tau_b = \\pi/\\Omega_b$$\n\nAs τ = 2 shows:\n\n"
+)
+
+
+def test_formulas_without_a_number_are_counted_and_nothing_is_said_to_be_right(
+    capsys, file, tmp_path
+):
+    name = file(OTHERS + MATRIX)
+    assert main(["audit", name]) == 0
+    shown = capsys.readouterr().out
+    told = "1 numbered equation: 1 convention; 4 formulas without a number were not judged"
+    assert told in shown
+    assert "nothing is wrong" not in shown
+    assert main(["audit", name, "--json"]) == 0
+    rows = json.loads(capsys.readouterr().out)
+    others = [row for row in rows if row["verdict"] == "unjudged"]
+    assert [(row["line"], row["passed"]) for row in others] == [
+        *((1, None), (1, None), (4, None), (6, None))
+    ]
+    _, source = annotated(name, tmp_path)
+    assert told in source
+    assert "Formulas without a number were not judged." in source
+    capsys.readouterr()
+    assert main(["audit", file(OTHERS + EULER.format("+"))]) == 1
+    assert "AMISS: (3.36); 4 formulas without a number were not" in capsys.readouterr().out
+    assert main(["audit", file("$T = V$\n" + MATRIX)]) == 0
+    assert "; 1 formula without a number was not judged\n" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("written", "number"),
+    [("$$T = V \\tag{12}$$", "12"), ("$$T = V \\tag{A.3}$$", "A.3"), ("$T = V$ (7)", "7")],
+)
+def test_a_number_of_no_claim_is_told_with_its_line(written, number, capsys, file):
+    assert main(["audit", file(f"{MATRIX}\n{written}\n")]) == 1
+    shown = " ".join(capsys.readouterr().out.split())
+    assert f" 3 ({number}) unknown the collection has no claim of this number" in shown
+    assert f"AMISS: ({number})" in shown
+
+
 def test_what_is_unread_has_its_reason_where_no_claim_has_the_number(capsys, file):
     assert main(["audit", file("$$T = \\oops$$ (9.9)\n")]) == 1
     shown = " ".join(capsys.readouterr().out.split())

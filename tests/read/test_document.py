@@ -6,7 +6,7 @@ import pytest
 
 from rigidtop.cli import main
 from rigidtop.present.text import text
-from rigidtop.read.document import each, formulas, lines, numbered, problems
+from rigidtop.read.document import bare, each, formulas, lines, numbered, problems
 
 
 def found(source):
@@ -44,6 +44,73 @@ def found(source):
 )
 def test_a_number_is_found(source):
     assert found(source) == {"3.57": ["T = V"]}
+
+
+@pytest.mark.parametrize(
+    ("written", "number"),
+    [
+        *(("$$T = V \\tag{12}$$", "12"), ("$$T = V \\tag{A.3}$$", "A.3"), ("$$T = V$$ (7)", "7")),
+        *(("$$T = V$$\n(A.3)\n", "A.3"), ("$T = V$ (12a)\n", "12a"), ("$$T = V$$ (*)", "*")),
+        *(("$$T = V \\eqno(7)$$", "7"), ("$$T = V, \\quad (7)$$", "7"), ("$T = V$ (B2)", "B2")),
+        *(("$$T = V \\tag{$\\ast$}$$", r"\ast"), ("$$T = V \\tag{3.57'}$$", "3.57'")),
+        *(("$$T = V \\tag*{(3.5.7)}$$", "3.5.7"), ("$$T = V$$ (3-57)", "3-57")),
+    ],
+)
+def test_a_number_of_another_kind_is_not_dropped(written, number):
+    assert found(written) == {number: ["T = V"]}
+
+
+def test_a_year_is_no_number_and_a_line_behind_the_last_number_belongs_to_it():
+    assert found("as Euler found: $T = V$ (1758)\n") == {}
+    source = r"\begin{align} T &= V \tag{3.1} \\ E &= T \tag{3.2} \\ L &= 0 \end{align}"
+    assert found(source) == {"3.1": ["T = V"], "3.2": ["E = T", "L = 0"]}
+
+
+BARE = [
+    "so λ₁θ̈ = MgR sin θ holds",
+    r"\lambda_1\ddot\theta = MgR\sin\theta",
+    "the spin, ω₃ ≈ 40, is large",
+    "for ω₃ > 0 and no other",
+    r"and \dot\theta vanishes",
+    r"hence p_\psi \propto L_3.",
+    "\\begin{document}\nE = T\n\\end{document}",
+]
+
+
+@pytest.mark.parametrize("source", BARE)
+def test_mathematics_outside_of_dollars_is_told(source):
+    [told] = bare(f"First $T = V$.\n\n{source}\n")
+    assert told.reason == "mathematics outside of dollars: put it between $ and $"
+    assert told.position >= len("First $T = V$.\n\n")
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        *("plain words", "<a href='x=1'>link</a>", '<img src="a"\n alt="b=c">', "[x](a?b=c)"),
+        *("see https://a.org/?b=c there", "A title\n=======\n", "> quoted", "a -> b <b>c</b>"),
+        *(r"\includegraphics[width=3cm]{a}", r"\href{a?b=c}{link}", "$T = V$ and $$E = T$$"),
+        *("% E = T", "<!-- E = T -->", "A picture {#fig width=50%}", "costs 5$ or more"),
+        "\\documentclass[a=b]{c}\n\\hypersetup{d=e}\n\\foo{x=1}\n\\begin{document}\n$T = V$"
+        "\n\\begin{tikzpicture}\\draw (a) = (b);\\end{tikzpicture}\\end{document}",
+    ],
+)
+def test_what_is_no_mathematics_is_not_told(source):
+    assert bare(source) == ()
+
+
+@pytest.mark.parametrize("source", ["E = T (3.57)\n", "so E = T\n(3.57)\n", "- E = T (7).\n"])
+def test_a_number_beside_mathematics_outside_of_dollars_is_unread(source):
+    [group] = numbered(source)
+    assert group.number in ("3.57", "7")
+    assert [(line.equation, line.problem) for line in lines(group)] == [
+        (None, "mathematics outside of dollars: put it between $ and $")
+    ]
+
+
+def test_code_with_an_equation_is_told():
+    [told] = problems("`E = T`")
+    assert (told.skipped, told.reason) == (True, "skipped: code")
 
 
 @pytest.mark.parametrize(

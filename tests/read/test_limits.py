@@ -1,7 +1,9 @@
 """Text from strangers: whatever it is, reading is quick, raises nothing, computes nothing."""
 
 import ast
+import io
 import random
+import re
 import time
 from pathlib import Path
 
@@ -11,9 +13,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import rigidtop.read
+from rigidtop.cli import main
+from rigidtop.derivations import PAGES
 from rigidtop.errors import RigidtopError
 from rigidtop.present.text import text
 from rigidtop.read import document, scan
+from rigidtop.read.audit import audit
 from rigidtop.read.formula import DEEPEST, read
 from rigidtop.theory.symbols import VOCABULARY
 
@@ -236,9 +241,17 @@ def test_the_length_and_the_depth_are_said():
         "$\n\n",
         "(3.5)\n",
         r"\begin{foo}",
+        r"\a[",
+        "~",
+        "<a ",
+        "](",
+        r"\tag{3.57}",
+        r"\begin{tikzpicture}=\end{tikzpicture}",
     ],
 )
-def test_a_file_takes_time_in_proportion_to_its_length(part):
+def test_a_file_takes_time_in_proportion_to_its_length(part, monkeypatch):
+    for limit in ("MOST", "MOST_NUMBERS"):
+        monkeypatch.setattr(document, limit, 10**9)
     source = part * (200_000 // len(part))
     begun = time.process_time()
     document.formulas(source)
@@ -249,6 +262,86 @@ def test_a_file_takes_time_in_proportion_to_its_length(part):
 def test_a_file_that_is_too_long_is_bad_input():
     with pytest.raises(RigidtopError, match="more than"):
         document.formulas(" " * (document.LONGEST + 1))
+
+
+TAG = "\\tag{3.57} "
+MANY = {
+    "tags": TAG * 180_000,
+    "openings": "\\[" * 900_000,
+    "closings": "\\]" * 900_000,
+    "formulas": "$T = V$ and " * 100_000,
+    "bare equations": "E = T\n" * 100_000,
+    "numbered displays": "$$T = V$$\n(3.57)\n\n" * 100_000,
+    "tagged displays": "".join(f"$${i} = V {TAG}$$\n" for i in range(50_000)),
+    "tags in a display": "$$"
+    + "".join(f"T = V \\tag{{3.{i}}}\\\\\n" for i in range(90_000))
+    + "$$",
+    "characters": "x" * 3_000_000,
+    "bytes": "x" * 10_000_000,
+}
+
+
+@pytest.mark.parametrize("arguments", [["audit"], ["read"], ["mark", "--from=3.53", "--to=3.57"]])
+@pytest.mark.parametrize("name", MANY)
+def test_a_command_refuses_in_one_line_what_is_too_much(name, arguments, tmp_path, capsys):
+    file = tmp_path / "own.md"
+    file.write_text(MANY[name], "utf-8")
+    begun = time.process_time()
+    assert main([*arguments, str(file)]) == 2
+    assert time.process_time() - begun < PATIENCE
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.count("\n") == 1
+    assert re.search(r"more than (5000|20000|2000000|4000000)|no more than 200000", err)
+
+
+LARGE = {
+    "brackets": "$$" + "(" * 1_900_000 + "$$",
+    "a line": "ab " * 600_000,
+    "tildes": "~" * 1_900_000,
+    "options": "\\a[" * 600_000,
+    "comments": "a <!-" * 300_000,
+    "an item": "- a\n" + "b\n" * 800_000,
+    "a heading": "# a" + " " * 1_900_000 + "x",
+    "links": "[x](" * 400_000,
+    "code": "` " * 900_000,
+}
+
+
+@pytest.mark.parametrize("name", LARGE)
+def test_a_long_file_is_audited_annotated_and_read_in_time(name, tmp_path, capsys):
+    file = tmp_path / "own.md"
+    file.write_text(LARGE[name] + "\n\nHence $$\\mathbf{r}' = O^T\\mathbf{r}$$ (3.46)\n", "utf-8")
+    begun = time.process_time()
+    assert main(["audit", str(file), "-o", str(tmp_path / "page.html")]) == 0
+    assert "1 numbered equation: 1 convention" in capsys.readouterr().out
+    assert main(["read", str(file)]) == 0
+    assert time.process_time() - begun < 2 * PATIENCE
+
+
+def test_what_is_not_judged_or_read_in_time_says_so():
+    source = "$$T = V$$ (3.57)\n\n$$T = V$$ (3.44)\n"
+    found = audit(source, PAGES, seconds=-1)
+    assert [(each.verdict, each.passed, each.note) for each in found] == [
+        ("unread", False, "not judged: the time for the file was over")
+    ] * 2
+    late = list(document.each_numbered(source, seconds=-1))
+    assert ["for the file were over" in line.problem for _, [line] in late] == [True] * 2
+    [(_, lines)] = document.each_numbered(source[:18])
+    assert lines[0].equation is not None
+
+
+def test_under_one_number_only_so_many_lines_are_judged():
+    [found] = audit("$$" + "T = V\\\\" * 60 + "$$ (3.57)", PAGES)
+    assert not found.passed
+    assert "more than 50 lines under one number" in found.note
+    assert len(found.placed) == 51
+
+
+def test_standard_input_has_an_end(monkeypatch, capsys):
+    monkeypatch.setattr("sys.stdin", io.StringIO("x" * 4_000_001))
+    assert main(["mark", "-", "--from", "3.53", "--to", "3.57"]) == 2
+    assert "standard input: it has more than 4000000 characters" in capsys.readouterr().err
 
 
 def test_once_the_time_is_up_the_rest_is_unread_and_says_so():

@@ -135,6 +135,41 @@ def test_a_slip_is_found_at_its_line_and_named(name, old, new, line, kind, words
     assert " the left side is " in wrong.note or " the rate is " in wrong.note
 
 
+THETA = (
+    r"\lambda_1\ddot\theta = \lambda_1\dot\phi^2\sin\theta\cos\theta - "
+    r"\lambda_3(\dot\psi + \dot\phi\cos\theta)\dot\phi\sin\theta + MgR\sin\theta"
+)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "kind", "words"),
+    [
+        ("+ MgR", "- MgR", "sign", "the sign of MgR sin θ"),
+        ("- \\lambda_3", "+ \\lambda_3", "sign",
+         "the sign of λ₃(ψ̇ + φ̇ cos θ)φ̇ sin θ"),
+        ("= \\lambda_1\\dot", "= 2\\lambda_1\\dot", "factor",
+         "a factor ½ at 2λ₁φ̇² sin θ cos θ"),
+        (r"MgR\sin", r"MgR\cos", "function", "cos θ where sin θ is meant"),
+        (r"\dot\phi^2", r"\dot\phi", "power", "the power of φ̇"),
+        (r"(\dot\psi + \dot\phi\cos\theta)", r"\dot\psi", "spin",
+         "φ̇ cos θ is missing beside ψ̇"),
+        (r" + MgR\sin\theta", "", "missing",
+         "a term: the left side is more by MgR sin θ"),
+    ],
+)  # fmt: skip
+def test_a_slip_is_the_same_however_far_the_goal_is(old, new, kind, words):
+    assert old in THETA
+    for start, goal in (("3.53", "3.54"), ("3.53", "3.57"), ("3.54", "3.57")):
+        wrong = mark(f"$${THETA.replace(old, new)}$$", start, goal).first_wrong
+        assert [(slip.kind, slip.words) for slip in wrong.slips] == [(kind, words)], (start, goal)
+
+
+def test_no_part_of_a_sum_without_brackets_is_blamed_as_one():
+    source = r"$$0 = \lambda_1\Omega^2\cos\theta - \lambda_3\omega_3\Omega - MgR$$"
+    wrong = mark(source, "3.54", "3.57").first_wrong
+    assert [slip.words for slip in wrong.slips] == ["the sign of MgR"]
+
+
 def changed(name, stride):
     """Steps with one small change that makes a line wrong, and the lines before it as they were."""
     start, goal, source = ANSWERS[name]
@@ -473,6 +508,27 @@ def test_rounding_is_no_counterexample():
     found = mark(r"$$\dot{\mathbf L} = 0\,\mathbf L$$", "3.53", "3.54")
     assert found.lines[0].mark is Mark.WRONG
     assert "e−" not in found.lines[0].note
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "so $\\dot\\theta$, θ̈ = φ̇ with it",
+        r"\lambda_1\ddot\theta = -MgR\sin\theta",
+        "`λ₁θ̈ = 0`",
+        "```\nλ₁θ̈ = 0\n```",
+        r"as \ddot\theta vanishes",
+    ],
+)
+def test_mathematics_outside_of_dollars_is_unread_and_no_pass(source):
+    start, goal, right = ANSWERS["from-3.54-to-3.57"]
+    assert mark(right, start, goal).passed
+    found = mark(f"{source}\n\n{right}", start, goal)
+    told = found.lines[0]
+    assert (told.line, told.mark) == (1, Mark.UNREAD)
+    assert told.note in ("mathematics outside of dollars: put it between $ and $", "skipped: code")
+    assert not found.passed
+    assert found.summary == "inconclusive: line 1 was not read"
 
 
 # --- Text from strangers ------------------------------------------------------------------------
