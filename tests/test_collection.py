@@ -262,8 +262,7 @@ $$S = m g\cos\theta + \frac{m v^2}{l} \tag{3.1}$$
 
 
 def test_notes_are_audited_in_the_letters_of_the_collection():
-    pytest.importorskip("lark")
-    from rigidtop.read.audit import audit
+    from rigidtop.mark.audit import audit
 
     collection = load(PENDULUM)
     found = {

@@ -13,7 +13,7 @@ DERIVATIONS = PACKAGE.parent / "derivations"
 READS = {
     "errors": set(),
     "theory": set(),
-    "proof": {"theory", "parameters"},
+    "proof": {"errors", "theory", "parameters"},
     "codegen": {"errors", "theory", "proof"},
     "motion": {"errors", "parameters"},
     "derivations": {
@@ -24,6 +24,7 @@ READS = {
         "proof",
         "codegen",
         "motion",
+        "read",
     },
     "present": {
         "errors",
@@ -39,7 +40,8 @@ READS = {
     "progress": set(),
     "textfile": {"errors"},
     "notation": {"errors", "theory", "proof", "textfile"},
-    "read": {"errors", "theory", "notation", "parameters", "proof", "derivations", "present"},
+    "read": {"errors", "theory", "notation", "proof"},
+    "mark": {"errors", "theory", "notation", "proof", "read", "derivations", "present"},
     "parameters": {"errors"},
     "bench": {"errors", "theory", "codegen", "motion"},
     "starter": {"theory", "parameters", "proof"},
@@ -51,6 +53,8 @@ READS = {
         "proof",
         "present",
         "derivations",
+        "read",
+        "textfile",
     },
     "web": {
         "errors",
@@ -73,6 +77,7 @@ READS = {
         "derivations",
         "progress",
         "parameters",
+        "mark",
         "read",
         "notation",
         "bench",

@@ -29,7 +29,6 @@ BAD = {
 def test_one_wording(
     command: str, name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    pytest.importorskip("lark")
     (tmp_path / "folder.toml").mkdir()
     (tmp_path / "bytes.toml").write_bytes(b"\xff\xfe\x00")
     (tmp_path / "long.toml").write_bytes(b" " * 4_000_001)

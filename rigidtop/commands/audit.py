@@ -17,10 +17,10 @@ from rigidtop.textfile import text_of
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
+    from rigidtop.mark.audit import Audited
     from rigidtop.notation import Notation
     from rigidtop.present.annotated import Formula as Shown
     from rigidtop.present.annotated import Mark
-    from rigidtop.read.audit import Audited
     from rigidtop.read.document import Formula
 
 ABOUT = "audit the numbered equations of notes in Markdown or LaTeX"
@@ -71,11 +71,7 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
     output = Path(options.output) if options.output else None
     if output is not None and output.resolve() == path.resolve():
         raise RigidtopError(f"{output} is the file that is audited: write the page elsewhere")
-    try:
-        import lark  # noqa: F401
-    except ModuleNotFoundError:
-        raise RigidtopError("reading formulas needs Lark: pip install 'rigidtop[read]'") from None
-    from rigidtop.read.audit import ABSENT, UNJUDGED, UNREAD, audit, missing, unjudged
+    from rigidtop.mark.audit import ABSENT, UNJUDGED, UNREAD, audit, missing, unjudged
     from rigidtop.read.document import places
 
     audited = audit(source, collection.pages, collection.notation)
@@ -151,8 +147,8 @@ def summary(
 ) -> str:
     """Counts of the verdicts, what is wrong, how many formulas `others` are not judged for want of
     a number, and which numbers the file does not have."""
+    from rigidtop.mark.audit import UNKNOWN, UNREAD
     from rigidtop.proof.verdict import Verdict
-    from rigidtop.read.audit import UNKNOWN, UNREAD
 
     names = [*(verdict.value for verdict in Verdict), UNREAD, UNKNOWN]
     counts = [(name, sum(each.verdict == name for each in audited)) for name in names]

@@ -13,7 +13,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.textfile import LONGEST, text_of
 
 if TYPE_CHECKING:
-    from rigidtop.read.mark import Marking
+    from rigidtop.mark.answer import Marking
 
 ABOUT = "mark a derivation: the first line that does not follow, and the slip"
 
@@ -59,12 +59,8 @@ def run(options: argparse.Namespace) -> int:
     if not 0 < options.seconds <= 3600:
         raise RigidtopError(f"--seconds must be between 0 and 3600, not {options.seconds:g}")
     source = _typed() if options.file == "-" else text_of(options.file)
-    try:
-        from rigidtop.read.limits import marked
-    except ModuleNotFoundError as error:
-        if error.name != "lark":
-            raise
-        raise RigidtopError('reading needs lark: pip install "rigidtop[read]"') from None
+    from rigidtop.mark.limits import marked
+
     found = marked(source, options.start, options.goal, options.seconds, 6 * options.seconds)
     if not found.lines:
         raise RigidtopError(f"no formula in {options.file}: put each between $$ and $$")

@@ -6,7 +6,6 @@ import argparse
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands.output import print_json
-from rigidtop.errors import RigidtopError
 from rigidtop.textfile import text_of
 
 if TYPE_CHECKING:
@@ -23,10 +22,6 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Print each equation as text with its line, or the reason why it is unread; 0 in any case."""
     source = text_of(options.file)
-    try:
-        import lark  # noqa: F401
-    except ModuleNotFoundError:
-        raise RigidtopError("reading formulas needs Lark: pip install 'rigidtop[read]'") from None
     from rigidtop.present.table import table
     from rigidtop.read.document import bare, each_numbered, places, problems
     from rigidtop.read.formula import Line

@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape as escape_html
 
-from rigidtop.present import mathml as ml
-from rigidtop.present.characters import (
+from rigidtop.notation.characters import (
     FUNCTIONS,
+    GREEK,
     HALVES,
     LETTERS,
     MARKS,
@@ -25,7 +25,7 @@ from rigidtop.present.characters import (
     joined,
     plain,
 )
-from rigidtop.present.layout import GREEK
+from rigidtop.present import mathml as ml
 from rigidtop.theory.symbols import Glyph
 
 

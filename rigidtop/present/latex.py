@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from functools import singledispatch
 from typing import Any
 
+from rigidtop.notation.characters import LETTERS, MATHS, SIGNS, TEX_GREEK, escape, joined
 from rigidtop.present import layout as lay
-from rigidtop.present.characters import LETTERS, MATHS, SIGNS, TEX_GREEK, escape, joined
 from rigidtop.present.layout import Line, Node, Order
 from rigidtop.present.prose import prose
 from rigidtop.proof.equation import Equation

@@ -27,6 +27,7 @@ import sympy
 from sympy import Add, Basic, Expr, Mul, Pow, Symbol
 from sympy.core.relational import Relational
 
+from rigidtop.notation.characters import GREEK
 from rigidtop.proof.equation import (
     Cross,
     Dot,
@@ -40,8 +41,8 @@ from rigidtop.proof.equation import (
     Underbrace,
     VolumeIntegral,
 )
-from rigidtop.theory.lettered import Lettered
-from rigidtop.theory.symbols import VOCABULARY, Glyph, Quantity
+from rigidtop.theory.lettered import BY_NAME, Lettered, known
+from rigidtop.theory.symbols import Glyph
 
 Order = Literal["typed", "printed", "mechanics", "auto"]
 """``typed``: as typed.  ``printed``: as typed, but for a side that is certainly SymPy's own, as in
@@ -247,57 +248,6 @@ Node = (
 
 # --- Symbols -------------------------------------------------------------------------------------
 
-GREEK = {
-    "alpha": "α",
-    "beta": "β",
-    "gamma": "γ",
-    "delta": "δ",
-    "epsilon": "ε",
-    "zeta": "ζ",
-    "eta": "η",
-    "theta": "θ",
-    "iota": "ι",
-    "kappa": "κ",
-    "lambda": "λ",
-    "mu": "μ",
-    "nu": "ν",
-    "xi": "ξ",
-    "pi": "π",
-    "rho": "ρ",
-    "sigma": "σ",
-    "tau": "τ",
-    "upsilon": "υ",
-    "phi": "φ",
-    "chi": "χ",
-    "psi": "ψ",
-    "omega": "ω",
-    "Gamma": "Γ",
-    "Delta": "Δ",
-    "Theta": "Θ",
-    "Lambda": "Λ",
-    "Xi": "Ξ",
-    "Pi": "Π",
-    "Sigma": "Σ",
-    "Phi": "Φ",
-    "Psi": "Ψ",
-    "Omega": "Ω",
-}
-
-_BY_NAME: dict[str, tuple[int, Quantity]] = {
-    symbol.name: (position, quantity)
-    for position, (symbol, quantity) in enumerate(VOCABULARY.items())
-}
-
-
-def known(symbol: Symbol) -> tuple[int, Quantity | None]:
-    """The place of a symbol in the order of print, and its quantity if it has one.
-
-    A symbol that brings its own letter is looked up nowhere, whatever its name.
-    """
-    if isinstance(symbol, Lettered):
-        return symbol.place, symbol.quantity
-    return _BY_NAME.get(symbol.name, (len(_BY_NAME), None))
-
 
 def _ordered_as(symbol: Symbol) -> Symbol:
     """The symbol that tells where another stands: of one of another notation, its counterpart."""
@@ -311,9 +261,9 @@ def glyph(name: str) -> Glyph:
     (Glyph(base='λ', sub='1', accent='', bold=False, prime=False), \
 Glyph(base='c', sub='φ', accent='', bold=False, prime=False))
     """
-    if name in _BY_NAME:
-        return _BY_NAME[name][1].glyph
-    if name.endswith("p") and name[:-1] in _BY_NAME:
+    if name in BY_NAME:
+        return BY_NAME[name][1].glyph
+    if name.endswith("p") and name[:-1] in BY_NAME:
         return replace(glyph(name[:-1]), prime=True)
     for ending, change in (
         ("_vec", {"bold": True}),

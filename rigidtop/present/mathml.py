@@ -12,6 +12,7 @@ from functools import singledispatch
 from html import escape
 from typing import Any
 
+from rigidtop.notation.characters import GREEK
 from rigidtop.present import layout as lay
 from rigidtop.present.layout import Line, Order
 from rigidtop.present.text import text
@@ -99,7 +100,7 @@ def letter(glyph: Glyph) -> str:
     if len(glyph.base) > 1:
         base = f"<mtext>{escape(glyph.base)}</mtext>"
     else:
-        greek = glyph.base in lay.GREEK.values()
+        greek = glyph.base in GREEK.values()
         style = (_BOLD_GREEK if greek and glyph.base.islower() else _VECTOR) if glyph.bold else ""
         if not style and greek and glyph.base.isupper():
             style = ' mathvariant="normal"'

@@ -11,8 +11,8 @@ import unicodedata
 from collections.abc import Callable
 from html import escape as escape_html
 
+from rigidtop.notation.characters import FUNCTIONS, MATHS, SUBSCRIPTS, SUPERSCRIPTS, escape
 from rigidtop.present import formula
-from rigidtop.present.characters import FUNCTIONS, MATHS, SUBSCRIPTS, SUPERSCRIPTS, escape
 
 
 def prose(text: str) -> str:

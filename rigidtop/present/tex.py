@@ -8,9 +8,9 @@ from dataclasses import replace
 from functools import singledispatch
 from typing import Any
 
+from rigidtop.notation.characters import MATHS, SUPERSCRIPTS, escape
 from rigidtop.present import layout as lay
 from rigidtop.present import plain
-from rigidtop.present.characters import MATHS, SUPERSCRIPTS, escape
 from rigidtop.present.latex import AlignRow, align, latex
 from rigidtop.present.prose import prose
 from rigidtop.present.report import (

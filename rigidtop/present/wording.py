@@ -18,10 +18,10 @@ from matplotlib.figure import Figure as Canvas
 from matplotlib.text import Text
 
 from rigidtop.notation import Notation
+from rigidtop.notation.characters import FUNCTIONS, TEX_GREEK
 from rigidtop.notation.judged import judgement_in
 from rigidtop.notation.translate import Image
 from rigidtop.parameters import Parameter
-from rigidtop.present.characters import FUNCTIONS, TEX_GREEK
 from rigidtop.present.figures.drawing import Drawing
 from rigidtop.present.formula import opened
 from rigidtop.present.latex import latex

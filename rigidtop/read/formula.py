@@ -24,11 +24,11 @@ from lark.visitors import Transformer_NonRecursive
 from sympy import Add, Integer, Mul, Pow, Rational, Symbol
 
 from rigidtop.notation import MATRICES, NOTES, Notation
-from rigidtop.present.layout import known
 from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import Equation
 from rigidtop.read.scan import Token, UnreadError, shown, tokens
 from rigidtop.theory import symbols as s
+from rigidtop.theory.lettered import known
 
 DEEPEST = 100
 """No expression is a deeper tree; a sum of n terms is one of n levels."""

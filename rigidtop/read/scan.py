@@ -19,8 +19,7 @@ import sympy
 
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import Notation
-from rigidtop.present.characters import MARKS, MATHS, SUBSCRIPTS, SUPERSCRIPTS
-from rigidtop.present.layout import GREEK
+from rigidtop.notation.characters import GREEK, MARKS, MATHS, SUBSCRIPTS, SUPERSCRIPTS
 from rigidtop.theory import symbols as s
 from rigidtop.theory.symbols import VOCABULARY, Glyph
 

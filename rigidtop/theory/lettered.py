@@ -21,7 +21,7 @@ from typing import Any
 
 from sympy import Symbol
 
-from rigidtop.theory.symbols import Glyph, Quantity
+from rigidtop.theory.symbols import VOCABULARY, Glyph, Quantity
 
 
 class Lettered(Symbol):
@@ -64,3 +64,19 @@ def in_order(*symbols: Lettered) -> tuple[Lettered, ...]:
         Lettered(symbol.name, symbol.quantity, place, **symbol._assumptions_orig)
         for place, symbol in enumerate(symbols)
     )
+
+
+BY_NAME: dict[str, tuple[int, Quantity]] = {
+    symbol.name: (position, quantity)
+    for position, (symbol, quantity) in enumerate(VOCABULARY.items())
+}
+
+
+def known(symbol: Symbol) -> tuple[int, Quantity | None]:
+    """The place of a symbol in the order of print, and its quantity if it has one.
+
+    A symbol that brings its own letter is looked up nowhere, whatever its name.
+    """
+    if isinstance(symbol, Lettered):
+        return symbol.place, symbol.quantity
+    return BY_NAME.get(symbol.name, (len(BY_NAME), None))

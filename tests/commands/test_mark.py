@@ -7,7 +7,7 @@ import pytest
 
 from rigidtop.cli import main
 
-ANSWERS = Path(__file__).parents[1] / "read" / "answers"
+ANSWERS = Path(__file__).parents[1] / "mark" / "answers"
 RIGHT = ANSWERS / "from-3.54-to-3.57.tex"
 
 

@@ -5,7 +5,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from rigidtop.present.characters import MATHS, SUBSCRIPTS, SUPERSCRIPTS, escape
+from rigidtop.notation.characters import MATHS, SUBSCRIPTS, SUPERSCRIPTS, escape
 from rigidtop.present.mathml import APPLY, THIN, held
 from rigidtop.present.prose import prose, prose_html, segments
 from rigidtop.theory.symbols import VOCABULARY

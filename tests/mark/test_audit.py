@@ -9,11 +9,11 @@ import sympy
 from sympy import Symbol, cos, sin
 
 from rigidtop.derivations import PAGES
+from rigidtop.mark import audit as home
+from rigidtop.mark.audit import UNKNOWN, UNREAD, Memo, audit
 from rigidtop.proof.equation import Equation, Rate, Underbrace, value
 from rigidtop.proof.page import Assumption, Check, Correction, Definition, Page, claim
 from rigidtop.proof.verdict import Counterexample, judge
-from rigidtop.read import audit as home
-from rigidtop.read.audit import UNKNOWN, UNREAD, Memo, audit
 from rigidtop.read.document import lines, numbered
 from rigidtop.read.formula import kind, read
 from rigidtop.theory.symbols import (

@@ -12,13 +12,14 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import rigidtop.mark
 import rigidtop.read
 from rigidtop.cli import main
 from rigidtop.derivations import PAGES
 from rigidtop.errors import RigidtopError
+from rigidtop.mark.audit import audit
 from rigidtop.present.text import text
 from rigidtop.read import document, scan
-from rigidtop.read.audit import audit
 from rigidtop.read.formula import DEEPEST, read
 from rigidtop.theory.symbols import VOCABULARY
 
@@ -354,7 +355,11 @@ def test_once_the_time_is_up_the_rest_is_unread_and_says_so():
 
 # --- Nothing is evaluated ------------------------------------------------------------------------
 
-MODULES = sorted(Path(rigidtop.read.__file__).parent.glob("*.py"))
+MODULES = sorted(
+    file
+    for room in (rigidtop.read, rigidtop.mark)
+    for file in Path(room.__file__).parent.glob("*.py")
+)
 FORBIDDEN = {
     *("eval", "exec", "compile", "sympify", "S", "parse_expr", "parse_latex", "__import__"),
     *("lambdify", "import_module", "literal_eval", "nsimplify"),

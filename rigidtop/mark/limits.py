@@ -8,7 +8,7 @@ import time
 from multiprocessing.connection import Connection
 
 from rigidtop.errors import RigidtopError
-from rigidtop.read.mark import Mark, Marked, Marking, mark
+from rigidtop.mark.answer import Mark, Marked, Marking, mark
 
 LONGEST = 200_000
 """An answer has no more characters."""
@@ -28,7 +28,7 @@ def marked(
     a_line: float = SECONDS_A_LINE,
     altogether: float = SECONDS,
 ) -> Marking:
-    """`rigidtop.read.mark.mark` in limited time (seconds): what takes longer is inconclusive.
+    """`rigidtop.mark.answer.mark` in limited time (seconds): what takes longer is inconclusive.
 
     Raises RigidtopError for a pair of numbers without facts, and for a text that is too long.
     """

@@ -1,7 +1,7 @@
 """Marking a derivation: the first line that does not follow, why not, and what the slip was.
 
 A line is right if it holds for every motion that the facts of its passage allow
-(`rigidtop.read.facts`): in any order and any form.  It is not compared with the line before it,
+(`rigidtop.mark.facts`): in any order and any form.  It is not compared with the line before it,
 so the goal alone, copied, passes: what is marked is truth, not how much is shown.  Normal forms
 prove a line, numbers refute it; where neither succeeds it is inconclusive, never right.  The
 derivation has to arrive: at the goal, or at what is the goal times a factor that does not vanish.
@@ -20,14 +20,14 @@ from typing import Any
 import sympy
 from sympy import Expr, MatrixBase, Ne, Pow, Symbol, cos, sin
 
+from rigidtop.mark import facts, slips
+from rigidtop.mark.facts import Model, Passage, Sample
 from rigidtop.notation import Notation
 from rigidtop.present.text import text
 from rigidtop.proof import decide
 from rigidtop.proof.equation import Equation, NoMeaningError, Rate, Underbrace, symbols_of, value
 from rigidtop.proof.verdict import entries
-from rigidtop.read import facts, slips
 from rigidtop.read.document import Formula, Problem, bare, formulas, places, problems
-from rigidtop.read.facts import Model, Passage, Sample
 from rigidtop.read.formula import Line, read
 from rigidtop.read.scan import Token, UnreadError, tokens
 from rigidtop.theory import symbols as s

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from rigidtop.errors import RigidtopError
+from rigidtop.mark import facts, limits
+from rigidtop.mark.answer import Mark, mark, steps
 from rigidtop.proof.changed import perturbations
 from rigidtop.proof.perturb import FAMILIES
-from rigidtop.read import facts, limits
-from rigidtop.read.mark import Mark, mark, steps
 
 _SPEC = importlib.util.spec_from_file_location("motions", Path(__file__).with_name("motions.py"))
 motions = importlib.util.module_from_spec(_SPEC)
@@ -196,7 +196,7 @@ def changed(name, stride):
 @pytest.mark.parametrize("name", ANSWERS)
 def test_a_change_is_never_passed(name):
     """Whether a line is wrong is told by motions that share nothing with the engine."""
-    from rigidtop.read.mark import _Answer
+    from rigidtop.mark.answer import _Answer
 
     start, goal, _ = ANSWERS[name]
     tried = 0
@@ -559,7 +559,7 @@ def test_a_bomb_is_no_pass_and_takes_no_time(bomb):
 def test_a_line_that_takes_too_long_is_passed_over(monkeypatch):
     import time
 
-    import rigidtop.read.mark as home
+    import rigidtop.mark.answer as home
 
     judge = home.judge
 

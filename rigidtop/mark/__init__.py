@@ -1,0 +1,1 @@
+"""Notes audited, answers marked, slips named."""
