@@ -38,7 +38,13 @@ PAGES = (
 )
 """Every page of the lecture."""
 
-TEXTS = ("laws", "euler_angles", "lagrange_formalism")
+TEXTS = (
+    "laws",
+    "eulers_equations",
+    "precession_of_rotation_axis",
+    "euler_angles",
+    "lagrange_formalism",
+)
 """The pages as they are read aloud, Markdown files beside this one, in reading order."""
 
 

@@ -350,4 +350,5 @@ page = Page(
         off_axis,
         axis_stability,
     ),
+    text="eulers_equations",
 )

@@ -507,4 +507,5 @@ page = Page(
         free_fall,
         example_33,
     ),
+    text="precession_of_rotation_axis",
 )

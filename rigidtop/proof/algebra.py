@@ -229,8 +229,7 @@ class Algebra:
             if inner.is_commutative:
                 image: Value = Vector({atom: inner})
             else:
-                image = self.atom(Applied(inner, atom))
-                image = image if isinstance(image, Vector) else Vector({image: Integer(1)})
+                image = _as_vector(self.atom(Applied(inner, atom)))
             made = self.total([made, image.times(factor * Mul(*scalars))])
         return made
 
@@ -316,9 +315,7 @@ class Algebra:
         sign = 1
         if _place(b) < _place(a):
             a, b, sign = b, a, -1
-        made = self.atom(Cross(a, b))
-        vector = made if isinstance(made, Vector) else Vector({made: Integer(1)})
-        return vector.times(Integer(sign))
+        return _as_vector(self.atom(Cross(a, b))).times(Integer(sign))
 
     def transposed(self, operator: Value) -> Value:
         if isinstance(operator, MatrixBase):
@@ -371,7 +368,7 @@ class Algebra:
                 return self.cross(self._summed_term(node, inside, a), self._one(b)).times(outside)
             return self.cross(self._one(a), self._summed_term(node, inside, b)).times(outside)
         made = self.atom(node.func(node.args[0], Mul(inside, atom)))
-        return (made if isinstance(made, Vector) else Vector({made: Integer(1)})).times(outside)
+        return _as_vector(made).times(outside)
 
     def _one(self, atom: Expr) -> Vector:
         return Vector({atom: Integer(1)})
@@ -449,10 +446,17 @@ class Algebra:
             made = self.atom(self.letters.rates[atom])
         else:
             made = self.atom(Rate(atom) if seen is None else Rate(atom, seen))
-        return made if isinstance(made, Vector) else Vector({made: Integer(1)})
+        return _as_vector(made)
 
     def _is_vector(self, node: Expr) -> bool:
         return node in self.letters.vectors or isinstance(node, (Cross, Applied, Rate))
+
+
+def _as_vector(made: Value) -> Vector:
+    """What stands for an atom, as a vector: it may be 0."""
+    if isinstance(made, Vector):
+        return made
+    return ZERO if made == 0 else Vector({made: Integer(1)})
 
 
 TIME = Symbol("t", real=True)

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import sympy
-from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol
+from sympy import Add, Expr, Integer, MatrixBase, Mul, Pow, Rational, Symbol
 
 from rigidtop.proof import decide
 from rigidtop.proof.algebra import (
@@ -37,6 +37,7 @@ from rigidtop.proof.moves import (
     Performed,
     RefusedError,
     Scope,
+    nonzero,
     pairs_of,
     perform,
     put_in,
@@ -86,7 +87,11 @@ def judge_line(line: Line, letters: Letters) -> Judged:
         return Judged(line, bare)
     if line.move.verb == "call":
         try:
-            return Judged(line, replace(bare, defines=define(line, letters)))
+            letter = define(line, letters)
+            # What keeps a number holds where that does which is cited for it.
+            scope = max((line.scope, *(known.scope for known in line.move.using)))
+            conditions = tuple(c for known in line.move.using for c in known.conditions)
+            return Judged(line, replace(bare, scope=scope, conditions=conditions, defines=letter))
         except RefusedError as problem:
             return Judged(line, bare, problem)
     try:
@@ -151,6 +156,8 @@ def arrive(
             solves(equations, move, letters)
             return performed
         for equation in equations:
+            if move.verb == "set" and move.power < 2:
+                _is_gone([e.sides[0] for e in move.by], equation)
             for pair in pairs_of(equation, algebra):
                 if move.verb == "integrate" and const not in equation.sides:
                     raise RefusedError("say from where: “from $x = x_0$”, or that it is constant")
@@ -165,6 +172,12 @@ def arrive(
     if performed.every:
         _both_roots(equations, performed, shown)
     return performed
+
+
+def _is_gone(letters: Sequence[Any], equation: Equation) -> None:
+    for letter in letters:
+        if letter in symbols_of(equation):
+            raise RefusedError("{} is set and stands there still", letter)
 
 
 def _both_roots(equations: Sequence[Equation], performed: Performed, shown: set[int]) -> None:
@@ -187,34 +200,68 @@ def _named(performed: Performed, pair: Pair, letters: Letters) -> Performed:
 def solves(equations: Sequence[Equation], move: Move, letters: Letters) -> None:
     """Raises RefusedError unless letters as functions of time solve what is cited.
 
-    They have to satisfy every equation and the values at t = 0: a solution that does is the only
-    one where there are as many first-order equations as letters.
+    They have to satisfy every equation and the values at t = 0.  A solution that does is the only
+    one: the equations give the rate of each letter, as a smooth function of the letters.
     """
+    if any(known.scope is Scope.SET or known.order is not None for known in move.cited):
+        raise RefusedError("what holds at a moment, or approximately, can't be integrated")
     bare = Algebra(letters)
+    given = put_in(move.using, letters)
     found: dict[Any, Value] = {}
     for equation in equations:
         for pair in pairs_of(equation, bare):
-            if not isinstance(pair.left, Symbol) or pair.left in letters.numbers:
+            if pair.left in letters.numbers or pair.left not in letters.rates:
                 raise RefusedError("a solution gives a letter as a function of the time")
             found[pair.left] = pair.right
-            if pair.left in letters.rates:
-                found[letters.rates[pair.left]] = bare.rate(pair.right)
-    algebra = Algebra(letters, found)
+    motion = dict(found)
+    for letter, value in found.items():
+        motion[letters.rates[letter]] = bare.rate(value)
+    known = Algebra(letters, given)
+    motion = {x: known.value(value) for x, value in motion.items()}
+    algebra = Algebra(letters, motion)
+    algebra = Algebra(letters, {**{x: algebra.value(v) for x, v in given.items()}, **motion})
     cited = [p for k in move.of for e in k.equations for p in pairs_of(e, bare)]
-    rates = {letters.rates[x] for x in found if x in letters.rates}
     if not all(_is_identity(_valued(p, algebra), move) for p in cited):
         raise RefusedError("this does not satisfy the equations that are integrated")
-    unknown = {x for p in cited for side in (p.left, p.right) for x in side.free_symbols} & rates
-    if len(unknown) != len(equations):
-        raise RefusedError("as many equations of the first order as letters have to be integrated")
+    _gives_rates([_valued(p, known) for p in cited], list(found), letters)
     start = {e.sides[0]: bare.value(e.sides[1]) for e in move.by}
     for letter, value in found.items():
-        if letter in rates:
-            continue
         if letter not in start:
             raise RefusedError("where {} starts is not said", letter)
+        if not start[letter].free_symbols <= letters.numbers:
+            raise RefusedError("{} starts at what is no number", letter)
         if not _zero(value.subs(TIME, 0) - start[letter], move):
             raise RefusedError("{} does not start there", letter)
+
+
+def _gives_rates(pairs: Sequence[Pair], of: Sequence[Symbol], letters: Letters) -> None:
+    """Raises RefusedError unless equations give rates of letters as smooth functions of them."""
+    rates = [letters.rates[x] for x in of]
+    rows = []
+    for pair in pairs:
+        if pair.relation != "=" or isinstance(pair.left, (Vector, MatrixBase)):
+            raise RefusedError("scalar equations are integrated")
+        flat, _ = flattened(sympy.expand(pair.left - pair.right))
+        row = [flat.diff(rate) for rate in rates]
+        if any(slope != 0 for slope in row):
+            rest = flat.subs(dict.fromkeys(rates, 0))
+            if any(slope.has(*rates, *of) for slope in row) or not _smooth(rest, of):
+                raise RefusedError("the rates are not smooth functions of the letters")
+            rows.append(row)
+    matrix = sympy.Matrix(rows[: len(rates)])
+    if len(rows) < len(rates) or not nonzero(sympy.factor(matrix.det()), ()):
+        raise RefusedError("as many equations of the first order as letters have to be integrated")
+
+
+def _smooth(node: Expr, of: Sequence[Symbol]) -> bool:
+    """Whether an expression is a polynomial in letters, their sines and cosines."""
+    if not node.has(*of) or isinstance(node, Symbol):
+        return True
+    if isinstance(node, Pow) and not (node.exp.is_Integer and node.exp > 0):
+        return False
+    if not isinstance(node, (Add, Mul, Pow, sympy.sin, sympy.cos)):
+        return False
+    return all(_smooth(part, of) for part in node.args)
 
 
 def _valued(pair: Pair, algebra: Algebra) -> Pair:
@@ -325,7 +372,7 @@ def _approximate(pair: Pair, made: Pair, order: Order, move: Move) -> RefusedErr
     if factor is None:
         return RefusedError("the move does not arrive here")
     for part in _difference(pair).values():
-        flat, _ = flattened(part)
+        flat = order.counted(flattened(part)[0])
         if flat.has(order.small) and _highest(flat, order.small) >= order.power:
             return RefusedError(
                 "the line claims more than it has: its error is of order {} in {}",
@@ -475,11 +522,18 @@ def _letters(equation: Equation) -> list[Symbol]:
     return sorted(symbols_of(equation), key=str)
 
 
+def _from_zero(equation: Equation) -> Equation:
+    """With a 0 between all sides: 0 = −a = b says of each that it vanishes, as 0 = a = b does."""
+    if equation.relation != "=" or 0 not in equation.sides:
+        return equation
+    return Equation(*(x for side in equation.sides if side != 0 for x in (Integer(0), side)))
+
+
 def _same(changed: Equation, equation: Equation, letters: Letters) -> bool:
     """Whether two equations say the same whatever their letters are."""
     algebra, nothing = Algebra(letters), Move("rewrite")
     try:
-        pairs = [pairs_of(each, algebra) for each in (changed, equation)]
+        pairs = [pairs_of(_from_zero(each), algebra) for each in (changed, equation)]
         return len(pairs[0]) == len(pairs[1]) and all(
             _factor(a, b, nothing) is not None for a, b in zip(*pairs, strict=True)
         )

@@ -29,7 +29,7 @@ from rigidtop.proof.algebra import (
     flattened,
     vanishes,
 )
-from rigidtop.proof.equation import Equation, NoMeaningError, Partial, Printed, Rate
+from rigidtop.proof.equation import Equation, NoMeaningError, Partial, Printed, Rate, SumOver
 from rigidtop.theory.symbols import const
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
@@ -62,10 +62,26 @@ class Scope(IntEnum):
 
 @dataclass(frozen=True)
 class Order:
-    """What is neglected is of this order in a small letter: ``Order(epsilon, 2)`` is O(ε²)."""
+    """What is neglected is of this order in a small letter: ``Order(epsilon, 2)`` is O(ε²).
+
+    Letters that are small together are counted together: each is as small as `small`.
+    """
 
     small: Symbol
     power: int
+    together: tuple[Symbol, ...] = ()
+
+    def counted(self, expression: Expr) -> Expr:
+        """An expression with `small` before each of the letters that are small together."""
+        return expression.xreplace({x: self.small * x for x in self.together})
+
+    def lowest(self, expression: Expr) -> int:
+        """The power of what is small with which an expression begins."""
+        counted = self.counted(expression)
+        if not counted.has(self.small):
+            return 0
+        _, power = counted.as_leading_term(self.small).as_coeff_exponent(self.small)
+        return int(power)
 
 
 @dataclass(frozen=True)
@@ -267,6 +283,9 @@ def _with(made: Performed, move: Move, letters: Letters) -> Performed:
         if each.scope is Scope.SET:
             _reaches_into(each, made.pairs, letters)
     given = put_in(move.using, letters)
+    if made.scope is not Scope.SET:  # what is set at all times is set in what is put in as well
+        always = Algebra(letters, made.given)
+        given = {old: always.value(new) for old, new in given.items()}
     for old, new in made.given.items():
         given.setdefault(old, new)
     algebra = Algebra(letters, given)
@@ -283,7 +302,7 @@ def _error(made: Performed, using: Sequence[Known], letters: Letters) -> Order |
     for known in using:
         if known.order is not None:
             orders.append(_carried(made.pairs, known, known.order, letters))
-    if len({order.small for order in orders}) > 1:
+    if len({(order.small, order.together) for order in orders}) > 1:
         raise RefusedError("two small quantities at once: expand in one after the other")
     return min(orders, key=lambda order: order.power, default=None)
 
@@ -305,8 +324,8 @@ def _carried(pairs: Sequence[Pair], known: Known, order: Order, letters: Letters
         change = flattened(off.value(pair.right) - right.value(pair.right))[0]
         slope = change.diff(mark).subs(mark, 0)
         if slope != 0:
-            lowest = min(lowest, _lowest(slope, order.small))
-    return Order(order.small, lowest)
+            lowest = min(lowest, order.lowest(slope))
+    return replace(order, power=lowest)
 
 
 def algebra_sum(value: Expr, error: Expr) -> Expr:
@@ -490,6 +509,14 @@ def _sum(sign: int) -> Callable[[Move, Algebra], Performed]:
     return combine
 
 
+def _sum_over(move: Move, algebra: Algebra) -> Performed:
+    """Over all parts of a body, for each of which the equation holds."""
+    [index] = move.by
+    return _map(
+        move, algebra, lambda v: v if v == 0 else algebra.summed(SumOver(index, Integer(1)), v)
+    )
+
+
 def _multiply(move: Move, algebra: Algebra) -> Performed:
     [by] = move.by
     factor = algebra.value(by)
@@ -501,17 +528,13 @@ def _multiply(move: Move, algebra: Algebra) -> Performed:
 
 
 def _scaled(known: Known, factor: Expr, algebra: Algebra, move: Move) -> Performed:
-    if not decide.positive(factor, _relations(move.where)):
+    if not decide.positive(*_flat_with(factor, move.where)):
         raise RefusedError("{} has no known sign: an inequality may turn round", factor)
     pairs = [
         replace(p, left=algebra.times(factor, p.left), right=algebra.times(factor, p.right))
         for p in _all_pairs(known, algebra)
     ]
     return Performed(tuple(pairs), known.scope)
-
-
-def _relations(conditions: Sequence[Condition]) -> list[Any]:
-    return [_flat_relation(c) for c in conditions if c.relation in _STRICT]
 
 
 def _divide(move: Move, algebra: Algebra) -> Performed:
@@ -537,8 +560,7 @@ def divided_by(factor: Expr, conditions: Sequence[Condition]) -> tuple[Condition
 
 def nonzero(factor: Expr, conditions: Sequence[Condition]) -> bool:
     """Whether an expression is known not to vanish."""
-    flat, _ = flattened(factor)
-    relations = _relations(conditions)
+    flat, relations = _flat_with(factor, conditions)
     return decide.nonzero(flat, relations) or any(
         decide.positive(sign * flat, relations) for sign in (1, -1)
     )
@@ -547,25 +569,18 @@ def nonzero(factor: Expr, conditions: Sequence[Condition]) -> bool:
 _STRICT = {"≠": sympy.Ne, ">": sympy.Gt}
 
 
-def _flat_relation(condition: Condition) -> Any:
-    flat, _ = flattened(condition.expression)
-    return _STRICT[condition.relation](flat, 0)
+def _flat_with(value: Expr, conditions: Sequence[Condition]) -> tuple[Expr, list[Any]]:
+    """A value and strict relations, what is no letter being the same in all of them."""
+    strict = [c for c in conditions if c.relation in _STRICT]
+    [flat, *known] = flattened(sympy.Tuple(value, *(c.expression for c in strict)))[0]
+    return flat, [_STRICT[c.relation](x, 0) for c, x in zip(strict, known, strict=True)]
 
 
 def _shifted(order: Order | None, factor: Expr) -> Order | None:
     """The order of an error that is multiplied by a factor."""
     if order is None:
         return None
-    lowest = _lowest(factor, order.small)
-    return Order(order.small, order.power + lowest)
-
-
-def _lowest(factor: Expr, small: Symbol) -> int:
-    """The power of a small letter with which a factor begins."""
-    if not factor.has(small):
-        return 0
-    _, power = factor.as_leading_term(small).as_coeff_exponent(small)
-    return int(power)
+    return replace(order, power=order.power + order.lowest(factor))
 
 
 def _rewrite(move: Move, algebra: Algebra) -> Performed:
@@ -617,7 +632,7 @@ def _linear(
     coefficients = {}
     rest = expanded
     for x, unknown in zip(atoms, unknowns, strict=True):
-        coefficient = expanded.diff(unknown)
+        coefficient = expanded.diff(unknown) if isinstance(unknown, Symbol) else Integer(0)
         if coefficient.free_symbols & {u for u in unknowns if isinstance(u, Symbol)}:
             return None
         coefficients[x] = coefficient.xreplace(nodes)
@@ -700,8 +715,36 @@ def _root(move: Move, algebra: Algebra) -> Performed:
 
 
 def _sign_known(base: Expr, conditions: Sequence[Condition]) -> bool:
-    flat, _ = flattened(base)
-    return decide.positive(flat, [_flat_relation(c) for c in conditions if c.relation == ">"])
+    return decide.positive(*_flat_with(base, [c for c in conditions if c.relation == ">"]))
+
+
+def _sign(move: Move, algebra: Algebra) -> Performed:
+    """The sign of a right side, under the conditions that are given, each of which is needed."""
+    known = _one(move)
+    if known.order is not None:
+        raise RefusedError("{} is approximate: its sign is not known", _name(known))
+    pairs = []
+    for pair in _all_pairs(known, algebra):
+        if isinstance(pair.right, (Vector, MatrixBase)) or not _equal(pair):
+            continue
+        relation = _sign_of(pair.right, move.where)
+        if relation is None:
+            continue
+        for k, condition in enumerate(move.where):
+            if _sign_of(pair.right, (*move.where[:k], *move.where[k + 1 :])) == relation:
+                raise RefusedError("{} is a condition without need", condition.expression)
+        pairs.append(Pair(pair.left, Integer(0), relation))
+    if not pairs:
+        raise RefusedError("the sign is not known: say under which conditions")
+    return Performed(tuple(pairs), known.scope)
+
+
+def _sign_of(value: Expr, conditions: Sequence[Condition]) -> str | None:
+    flat, relations = _flat_with(value, conditions)
+    for sign, relation in ((1, ">"), (-1, "<")):
+        if decide.positive(sign * flat, relations):
+            return relation
+    return "≠" if decide.nonzero(flat, relations) else None
 
 
 def _square(move: Move, algebra: Algebra) -> Performed:
@@ -711,17 +754,22 @@ def _square(move: Move, algebra: Algebra) -> Performed:
     return _map(move, algebra, squared)
 
 
+SMALL = Symbol("small")
+"""What letters that are small together are counted by."""
+
+
 def _expand(move: Move, algebra: Algebra) -> Performed:
-    """To an order in a small letter."""
+    """To an order in a small letter, or in several that are small together."""
     known = _one(move)
-    [small] = move.by
+    together = move.by if len(move.by) > 1 else ()
+    order = Order(SMALL if together else move.by[0], move.power + 1, together)
     if known.order is not None and known.order.power <= move.power:
         raise RefusedError(
             "{} holds to O({}^{}) only: its terms of order {} are not known",
             _name(known),
-            small,
-            known.order.power,
-            move.power,
+            known.order.small,
+            str(known.order.power),
+            str(move.power),
         )
 
     def series(value: Value) -> Value:
@@ -730,17 +778,18 @@ def _expand(move: Move, algebra: Algebra) -> Performed:
         if isinstance(value, MatrixBase):
             return value.applyfunc(series)
         flat, nodes = flattened(value)
-        if not flat.has(small):
+        counted = order.counted(flat)
+        if not counted.has(order.small):
             return value
-        made = sympy.series(flat, small, 0, move.power + 1).removeO()
-        return made.xreplace(nodes)
+        made = sympy.series(counted, order.small, 0, order.power).removeO()
+        return (made.subs(SMALL, 1) if together else made).xreplace(nodes)
 
     pairs = [
         Pair(pair.left, series(pair.right), "≈")
         for pair in _all_pairs(known, algebra)
         if pair.relation in ("=", "≈")
     ]
-    return Performed(tuple(pairs), known.scope, order=Order(small, move.power + 1))
+    return Performed(tuple(pairs), known.scope, order=order)
 
 
 def _neglect(move: Move, algebra: Algebra) -> Performed:
@@ -847,6 +896,8 @@ _VERBS: Mapping[str, Callable[[Move, Algebra], Performed]] = {
     "rewrite": _rewrite,
     "solve": _solve,
     "root": _root,
+    "sign": _sign,
+    "sum": _sum_over,
     "square": _square,
     "expand": _expand,
     "neglect": _neglect,

@@ -7,8 +7,8 @@
     $$\\frac{\\partial\\mathcal L}{\\partial\\dot\\theta} = \\lambda_1\\dot\\theta$$
 
 Headings and other paragraphs are the lecture's text.  Only the last sentence of a paragraph in
-front of a display says a move (`rigidtop.read.sentence`); beneath a heading that begins with "Laws"
-it names the law, and what stands before it says where the law is from.
+front of a display says a move (`rigidtop.read.sentence`); beneath a heading that begins with "Laws",
+and deeper ones beneath that, it names the law, and what stands before it says where it is from.
 ``<a id="constant-rate"></a>`` gives the lines below it, up to the next heading or name, a name.
 """
 
@@ -84,8 +84,8 @@ class _Reader:
     name: str
     notation: Notation
     above: list[Known]
-    laws: bool = False
-    """Whether this stands beneath a heading that begins with "Laws": there lines need no move."""
+    laws: int = 0
+    """The level of the heading above that begins with "Laws", if any: there lines need no move."""
     blocks: list[Block] = field(default_factory=list)
     page: list[Known] = field(default_factory=list)
     pending: tuple[str, int] | None = None
@@ -106,7 +106,8 @@ class _Reader:
             level = len(text) - len(text.lstrip("#"))
             self.heading(level, text[level:].strip(), at)
             self.anchor = self.anchor if self.fresh else ""
-            self.laws = text[level:].split()[:1] == ["Laws"]
+            if not self.laws or level <= self.laws:
+                self.laws = level if text[level:].split()[:1] == ["Laws"] else 0
         elif text.lstrip().startswith("$$"):
             self.display(text.strip().strip("$").strip(), at)
         else:

@@ -8,12 +8,15 @@ a move (`rigidtop.proof.moves`), what it is done with, and what is put in beside
     Take the rate of A.                     Dot A with $e$.      Cross $e$ with A.
     Integrate A.  (to a constant)           Integrate A from $x = x_0$.  (where t = 0)
     Add A to B.                             Subtract $f$ times A from B.
+    Sum A over all parts.  (k)
     Multiply A by $f$.                      Divide A by $f$.
     Rearrange A.   Expand A.   Collect A.   Factor A.
     Solve A for $x$.                        Solve A for $x$, without $y$.
     Take the root of A.                     Square A.
+    Take the sign of A.  (A's right side is < 0, > 0 or ≠ 0)
     Set $x = 0$ in A.                       Set $x = 0$ at all times in A.
     Expand A to second order in $x$.        Neglect $f$ in A.
+    Expand A to first order in $x$ and $y$.  (both small alike)
     Call the name of it.                    (a definition)
 
 Behind a comma may stand "with B" (put in as well) and "for $x > 0$" (under a condition).  A, B are
@@ -33,6 +36,7 @@ from rigidtop.notation import Notation
 from rigidtop.proof.equation import BODY, SPACE, Equation
 from rigidtop.proof.moves import Condition, Known, Move
 from rigidtop.read.formula import read
+from rigidtop.theory.symbols import const
 
 
 class SentenceError(ValueError):
@@ -173,10 +177,22 @@ def _of_letter(letter: Any, context: Context) -> Known | None:
     """The last equation of this page, else of those before, that says what a letter is."""
     for lines in (context.page, context.above):
         for known in reversed(lines):
-            own = tuple(e for e in known.equations if e.sides[0] == letter)
+            own = tuple(e for e in known.equations if _says_what(letter, e))
+            if own:
+                return replace(known, equations=own)
+        for known in reversed(lines):
+            own = tuple(e for e in known.equations if e.sides == (letter, const))
             if own:
                 return replace(known, equations=own)
     return None
+
+
+def _says_what(letter: Any, equation: Equation) -> bool:
+    return (
+        equation.sides[0] == letter
+        and equation.sides[1:] != (const,)
+        and equation.relation in ("=", "≡", "≈")
+    )
 
 
 def _key(name: str) -> str:
@@ -270,6 +286,7 @@ _SHAPES: tuple[tuple[str, Callable[[_Words], Move]], ...] = (
     (rf"Cross {_A} with {_B}", _product("cross")),
     (rf"Add (?:(?P<x>\$[^$]+\$) times )?{_A} to {_B}", _combined("add")),
     (rf"Subtract (?:(?P<x>\$[^$]+\$) times )?{_A} from {_B}", _combined("subtract")),
+    (rf"Sum {_A} over all parts", _simple("sum", by=(Symbol("k"),))),
     (rf"Multiply {_A} by {_X}", _by("multiply")),
     (rf"Divide {_A} by {_X}", _by("divide")),
     (rf"Expand {_A} to (?P<n>{'|'.join(ORDERS)}) order in {_X}", _expand),
@@ -278,6 +295,7 @@ _SHAPES: tuple[tuple[str, Callable[[_Words], Move]], ...] = (
     (rf"Solve {_A} for (?P<x>\$.+\$), without (?P<y>\$.+\$)", _solve),
     (rf"Solve {_A} for (?P<x>\$.+\$)", _solve),
     (rf"Take the root of {_A}", _simple("root")),
+    (rf"Take the sign of {_A}", _simple("sign")),
     (rf"Square {_A}", _simple("square")),
     (rf"Neglect {_X} in {_A}", _by("neglect")),
     (rf"Set {_X} at all times in {_A}", _set(1)),

@@ -45,6 +45,36 @@ $$0 = \lambda_1\dot\phi^2\sin\theta\cos\theta - p_\psi\dot\phi\sin\theta + MgR\s
 Along the motion, Euler's third equation:
 
 $$\lambda_3\dot\omega_3 = (\lambda_1 - \lambda_2)\omega_1\omega_2$$
+
+Along the motion, the first of Euler's equations:
+
+$$\lambda_1\dot\omega_1 = (\lambda_2 - \lambda_3)\omega_2\omega_3$$
+
+Along the motion, the rate of spin:
+
+$$\dot\omega_3 = \frac{\lambda_1 - \lambda_2}{\lambda_3}\omega_1\omega_2$$
+
+Along the motion, the pair:
+
+$$\dot\omega_1 = \omega_{3,0}\omega_2, \quad \dot\omega_2 = -\omega_{3,0}\omega_1$$
+
+Along the motion, the sum of the pair:
+
+$$\dot\omega_1 + \dot\omega_2 = 0$$
+
+Along the motion, a root:
+
+$$\lambda_3\dot\omega_3 = M\sqrt{\omega_3}$$
+
+Along the motion, the law of angular momentum:
+
+$$\dot{\mathbf L} = \mathbf N$$
+
+The transport theorem:
+
+$$\left(\frac{\partial\mathbf L}{\partial t}\right)_{\text{space}}
+= \left(\frac{\partial\mathbf L}{\partial t}\right)_{\text{body}}
++ \boldsymbol\omega\times\mathbf L$$
 """
 
 
@@ -102,6 +132,41 @@ Subtract $\dot\psi$ times the spin momentum from the kinetic energy:
 $$T - p_\psi\dot\psi = \tfrac12\lambda_1(\dot\phi^2\sin^2\theta + \dot\theta^2)
 + \tfrac12\lambda_3(\dot\psi + \dot\phi\cos\theta)^2
 - \lambda_3(\dot\psi + \dot\phi\cos\theta)\dot\psi$$
+""",
+}
+
+FOLLOWS |= {
+    "signs": r"""
+Take the sign of the rate of spin, for $\lambda_1 > \lambda_2$, $\omega_1 > 0$ and $\omega_2 < 0$:
+
+$$\dot\omega_3 < 0$$
+""",
+    "unequal": r"""
+Take the sign of the rate of spin, for $\lambda_1 \ne \lambda_2$,
+$\omega_1 \ne 0$ and $\omega_2 \ne 0$:
+
+$$\dot\omega_3 \ne 0$$
+""",
+    "small together": r"""
+Expand the rate of spin to first order in $\omega_1$ and $\omega_2$:
+
+$$\dot\omega_3 \approx 0$$
+""",
+    "integrated from a start": r"""
+Integrate the pair from $\omega_1 = \omega_0$ and $\omega_2 = 0$:
+
+$$\omega_1 = \omega_0\cos\omega_{3,0}t, \quad \omega_2 = -\omega_0\sin\omega_{3,0}t$$
+""",
+    "a vector that is 0 is put in": r"""
+Set $\mathbf N = 0$ at all times in the law of angular momentum:
+
+$$\dot{\mathbf L} = 0$$
+
+Put it into the transport theorem:
+
+$$0 = \left(\frac{\partial\mathbf L}{\partial t}\right)_{\text{space}}
+= \left(\frac{\partial\mathbf L}{\partial t}\right)_{\text{body}}
++ \boldsymbol\omega\times\mathbf L$$
 """,
 }
 
@@ -271,6 +336,114 @@ Rearrange the balance:
 $$\lambda_1 = \lambda_1$$
 """,
         "it says nothing",
+    ),
+}
+
+REFUSED |= {
+    "a sign that is not known": (
+        r"""
+Take the sign of the rate of spin, for $\lambda_1 > \lambda_2$ and $\omega_1 > 0$:
+
+$$\dot\omega_3 > 0$$
+""",
+        "the sign is not known",
+    ),
+    "the other sign": (
+        r"""
+Take the sign of the rate of spin, for $\lambda_1 > \lambda_2$, $\omega_1 > 0$ and $\omega_2 > 0$:
+
+$$\dot\omega_3 < 0$$
+""",
+        "the move gives >, the line says <",
+    ),
+    "what is set stands there still": (
+        r"""
+Set $\lambda_2 = \lambda_1$ in the first of Euler's equations:
+
+$$\lambda_1\dot\omega_1 = (\lambda_2 - \lambda_3)\omega_2\omega_3$$
+""",
+        "lambda2 is set and stands there still",
+    ),
+    "solved for what does not stand there": (
+        r"""
+Solve the rate of spin for $\dot{\boldsymbol\zeta}$:
+
+$$\dot{\boldsymbol\zeta} = 0$$
+""",
+        "fewer equations than unknowns",
+    ),
+    "a condition without need": (
+        r"""
+Take the sign of the rate of spin, for $\lambda_1 \ne \lambda_2$, $\lambda_3 > \lambda_1$,
+$\omega_1 \ne 0$ and $\omega_2 \ne 0$:
+
+$$\dot\omega_3 \ne 0$$
+""",
+        "is a condition without need",
+    ),
+    "the sign of what is approximate": (
+        r"""
+Expand the rate of spin to second order in $\omega_1$:
+
+$$\dot\omega_3 \approx \frac{\lambda_1 - \lambda_2}{\lambda_3}\omega_1\omega_2$$
+
+Take the sign of it, for $\lambda_1 > \lambda_2$, $\omega_1 > 0$ and $\omega_2 > 0$:
+
+$$\dot\omega_3 > 0$$
+""",
+        "is approximate: its sign is not known",
+    ),
+    "small together, claimed too well": (
+        r"""
+Expand the rate of spin to first order in $\omega_1$ and $\omega_2$:
+
+$$\dot\omega_3 \approx \frac{\lambda_1 - \lambda_2}{\lambda_3}\omega_1\omega_2$$
+""",
+        "does not arrive",
+    ),
+    "integrated without a start": (
+        r"""
+Integrate the pair from $\omega_1 = \omega_0$:
+
+$$\omega_1 = \omega_0\cos\omega_{3,0}t, \quad \omega_2 = -\omega_0\sin\omega_{3,0}t$$
+""",
+        "where omega2 starts is not said",
+    ),
+    "fewer equations than letters": (
+        r"""
+Integrate the sum of the pair from $\omega_1 = 0$ and $\omega_2 = 0$:
+
+$$\omega_1 = \omega_0^2t, \quad \omega_2 = -\omega_0^2t$$
+""",
+        "as many equations of the first order as letters",
+    ),
+    "a solution that is not the only one": (
+        r"""
+Integrate a root from $\omega_3 = 0$:
+
+$$\omega_3 = 0$$
+""",
+        "the rates are not smooth functions",
+    ),
+    "integrated from the wrong start": (
+        r"""
+Integrate the pair from $\omega_1 = 0$ and $\omega_2 = \omega_0$:
+
+$$\omega_1 = \omega_0\cos\omega_{3,0}t, \quad \omega_2 = -\omega_0\sin\omega_{3,0}t$$
+""",
+        "omega1 does not start there",
+    ),
+    "the approximate is integrated": (
+        r"""
+Expand the rate of spin to first order in $\omega_1$ and $\omega_2$:
+
+$$\dot\omega_3 \approx 0$$
+
+Integrate it from $\omega_3 = \omega_{3,0}$:
+
+$$\omega_3 = \omega_{3,0}$$
+""",
+        "approximately, can't be integrated",
     ),
 }
 
