@@ -16,7 +16,7 @@ LETTERS = Letters(
             *(s.R1, s.R2, s.R3, s.alpha, s.beta, s.delta, s.kappa, s.omega_0, s.omega_20),
             *(s.omega_30, s.theta_0, s.theta_i, s.theta_1, s.A, s.epsilon_0, s.m, s.Omega_b),
             s.damping,
-            *(s.xhat, s.yhat, s.zhat, s.g_vec, s.F_grav, s.inertia),
+            *(s.xhat, s.yhat, s.zhat, s.g_vec, s.F_grav, s.lambda_r, s.lambda_i),
         }
     ),
     coordinates=(s.theta, s.phi, s.psi),
@@ -39,7 +39,13 @@ LETTERS = Letters(
     },
     vectors=frozenset(x for x, quantity in _ROWS if quantity.glyph.bold),
     operators=frozenset(MATRICES),
-    symmetric=frozenset({s.inertia}),
+    determinants={
+        s.A_matrix: s.det_A,
+        s.B_matrix: s.det_B,
+        s.C_matrix: s.det_C,
+        s.O_matrix: s.det_O,
+    },
+    arbitrary=frozenset({s.u_vec, s.v_vec}),
     frames=(
         (s.e1, s.e2, s.e3),
         (s.e1p, s.e2p, s.e3),

@@ -34,6 +34,7 @@ from rigidtop.proof.equation import (
     Underbrace,
     VolumeIntegral,
 )
+from rigidtop.theory.symbols import unit
 
 Value = Any
 """A scalar, a `Vector`, an operator (an expression of letters that do not commute) or a matrix."""
@@ -45,9 +46,10 @@ class Letters:
 
     `numbers` do not change in time, be they scalars or vectors; `coordinates` and `rates` (of each
     letter that has a rate with a letter of its own) are what a Lagrangian is a function of; every
-    other scalar depends on the motion.  `vectors`, `operators` and `symmetric` operators say what
-    is no scalar; `frames` are right-handed triples of unit vectors, of which `body` is fixed in the
-    body; `indexed` letters belong to one particle of many, or to one place; `components` name the
+    other scalar depends on the motion.  `vectors` and `operators` say what is no scalar;
+    `determinants` have letters of their own; `arbitrary` vectors stand for any; `frames` are
+    right-handed triples of unit vectors, of which `body` is fixed in the body; `indexed` letters
+    belong to one particle of many, or to one place; `components` name the
     scalar product of an axis and a vector, `branches` the roots of an equation for a letter;
     a slip of the pen exchanges letters of one of the `families`; `units` are SI.
     """
@@ -57,7 +59,8 @@ class Letters:
     rates: Mapping[Symbol, Symbol] = field(default_factory=dict)
     vectors: frozenset[Symbol] = frozenset()
     operators: frozenset[Symbol] = frozenset()
-    symmetric: frozenset[Symbol] = frozenset()
+    determinants: Mapping[Symbol, Symbol] = field(default_factory=dict)
+    arbitrary: frozenset[Symbol] = frozenset()
     frames: tuple[tuple[Symbol, Symbol, Symbol], ...] = ()
     body: tuple[Symbol, ...] = ()
     indexed: frozenset[Symbol] = frozenset()
@@ -100,6 +103,10 @@ class Applied(Printed):
     """``Applied(I, ω)``: what an operator makes of an atom."""
 
 
+class Entry(Printed):
+    """``Entry(O, i, j)``: the entry of an operator that is compared with a matrix written out."""
+
+
 @dataclass(frozen=True)
 class Algebra:
     """Computes with printed trees; `known` has the values that are put in for atoms."""
@@ -122,7 +129,7 @@ class Algebra:
         if node in self.known:
             return self.known[node]
         if isinstance(node, Symbol):
-            return self._letter(node)
+            return self._letter(node) if node.is_commutative else self._operator(node)
         if not node.args:
             return node
         if isinstance(node, (Group, Underbrace)):
@@ -148,9 +155,18 @@ class Algebra:
     def _letter(self, letter: Symbol) -> Value:
         if letter in self.letters.vectors:
             return Vector({letter: Integer(1)})
+        if letter == unit:
+            return Integer(1)
         if letter in self.letters.operators:
-            return Symbol(letter.name, commutative=False)
+            return self._operator(Symbol(letter.name, commutative=False))
         return letter
+
+    def _operator(self, letter: Symbol) -> Value:
+        """An operator, or what is put in for it or for its transpose."""
+        if letter in self.known:
+            return self.known[letter]
+        flipped = self._flipped(letter)
+        return self.transposed(self.known[flipped]) if flipped in self.known else letter
 
     def _written_out(self, matrix: MatrixBase) -> Value:
         entries = matrix.applyfunc(self.value)
@@ -203,41 +219,55 @@ class Algebra:
     def times(self, left: Value, right: Value) -> Value:
         if isinstance(left, Vector) and isinstance(right, Vector):
             raise NoMeaningError("two vectors side by side: · or × between them?")
-        if isinstance(left, Vector):
+        turned = isinstance(left, Vector)
+        if turned:
             left, right = right, left
         if not isinstance(right, Vector):
-            return left * right
+            return self._matrices(left, right)
         if isinstance(left, MatrixBase):
-            column = [right.terms.get(e, Integer(0)) for e in self.letters.body]
-            if set(right.terms) - set(self.letters.body):
-                raise NoMeaningError("a matrix that is written out acts on components")
-            return Vector(dict(zip(self.letters.body, left * sympy.Matrix(column), strict=True)))
+            raise NoMeaningError("a matrix that is written out acts on no vector without a frame")
         if left.is_commutative:
             return right.times(left)
+        if turned:
+            raise NoMeaningError("a vector before a matrix")
         return self.total(self._applied(term, right) for term in Add.make_args(sympy.expand(left)))
+
+    def _matrices(self, left: Value, right: Value) -> Value:
+        """A product of scalars, operators and matrices."""
+        written = [isinstance(side, MatrixBase) for side in (left, right)]
+        if all(written) and left.shape[1] != right.shape[0]:
+            raise NoMeaningError("matrices of different sizes are multiplied")
+        if any(written):
+            if _operators(*(s for s in (left, right) if not isinstance(s, MatrixBase))):
+                raise NoMeaningError("a matrix that is written out times one that is not")
+            return left * right
+        return self._shortened(left * right) if _operators(left, right) else left * right
 
     def _applied(self, term: Expr, vector: Vector) -> Vector:
         """A product of operators, with a scalar before it, acting on a vector."""
-        scalars, factors = term.args_cnc()
-        product = Mul(*factors)
-        made: Value = ZERO
-        for atom, factor in vector.terms.items():
-            inner = product
-            if isinstance(atom, Applied):
-                inner, atom = product * atom.args[0], atom.args[1]
-                inner = self._shortened(inner)
-            if inner.is_commutative:
-                image: Value = Vector({atom: inner})
-            else:
-                image = _as_vector(self.atom(Applied(inner, atom)))
-            made = self.total([made, image.times(factor * Mul(*scalars))])
-        return made
+        scalars, factors = self._shortened(term).args_cnc()
+        made: Value = vector
+        for factor in reversed(factors):
+            made = self.total(
+                self._image(factor, atom).times(before) for atom, before in made.terms.items()
+            )
+            made = made if isinstance(made, Vector) else ZERO
+        return made.times(Mul(*scalars))
+
+    def _image(self, operator: Expr, atom: Expr) -> Vector:
+        """What an operator makes of an atom."""
+        if isinstance(atom, Applied):
+            operator, atom = self._shortened(operator * atom.args[0]), atom.args[1]
+            scalars, factors = operator.args_cnc()
+            if scalars or not factors or operator.is_Add:
+                return self.times(operator, self._one(atom))
+        return _as_vector(self.atom(Applied(operator, atom)))
 
     def _shortened(self, product: Expr) -> Expr:
         """A product of operators with what is known of products put in, such as OᵀO = 1."""
         for old, new in self.known.items():
-            if isinstance(old, Mul) and not old.is_commutative:
-                product = product.subs(old, new)
+            if isinstance(old, Mul) and not old.is_commutative and not isinstance(new, MatrixBase):
+                product = sympy.expand(product.subs(old, new))
         return product
 
     def dot(self, left: Value, right: Value) -> Expr:
@@ -257,6 +287,11 @@ class Algebra:
         for frame in self.letters.frames:
             if a in frame and b in frame:
                 return Integer(int(a == b))
+        if isinstance(a, Applied) or isinstance(b, Applied):
+            return self._dot_images(a, b)
+        for vector, other in ((a, b), (b, a)):
+            if isinstance(vector, (SumOver, VolumeIntegral)) and self._bilinear(vector, other):
+                return self._summed_scalar(vector, self._dotted(vector.args[1], other))
         if isinstance(b, Cross) and not isinstance(a, Cross):
             a, b = b, a
         if isinstance(a, Cross):
@@ -271,17 +306,25 @@ class Algebra:
             sign = 1 if order in ([0, 1, 2], [1, 2, 0], [2, 0, 1]) else -1
             x, y, z = (three[k] for k in order)
             return sign * self.atom(Dot(Cross(x, y), z))
-        if isinstance(b, Applied) and b.args[0] in self._symmetric and a != b.args[1]:
-            # u·Iv = v·Iu
-            u, v = sorted((a, b.args[1]), key=_place)
-            return self.atom(Dot(u, Applied(b.args[0], v)))
-        if isinstance(a, Applied) and not isinstance(b, Applied):
-            return self._dot_atoms(b, a) if a.args[0] in self._symmetric else self._ordered(a, b)
         return self._ordered(a, b)
 
-    @cached_property
-    def _symmetric(self) -> frozenset[Expr]:
-        return frozenset(Symbol(x.name, commutative=False) for x in self.letters.symmetric)
+    def _dot_images(self, a: Expr, b: Expr) -> Expr:
+        """Pu·Qv = u·(PᵀQ)v = v·(QᵀP)u, the one of the two that comes first."""
+        (p, u), (q, v) = (x.args if isinstance(x, Applied) else (Integer(1), x) for x in (a, b))
+        operator = self._shortened(self.transposed(p) * q)
+        back = self._shortened(self.transposed(operator))
+        for left, made, right in ((u, operator, v), (v, back, u)):
+            if made.is_commutative:
+                return made * self._dot_atoms(left, right)
+            image = self.times(made, self._one(right))
+            if set(image.terms) != {Applied(made, right)}:
+                return self.dot(self._one(left), image)
+        _, left, right, made = min(
+            (_place(sympy.Tuple(u, v, operator)), u, v, operator),
+            (_place(sympy.Tuple(v, u, back)), v, u, back),
+            key=lambda found: found[0],
+        )
+        return self.atom(Dot(left, Applied(made, right)))
 
     def _ordered(self, a: Expr, b: Expr) -> Expr:
         named = self.letters.components
@@ -322,16 +365,27 @@ class Algebra:
             return operator.T
         if isinstance(operator, Vector):
             raise NoMeaningError("a vector is transposed")
-        made = Integer(0)
+        made: Expr = Integer(0)
         for term in Add.make_args(sympy.expand(operator)):
             scalars, factors = term.args_cnc()
             made += Mul(*scalars, *(self._flipped(f) for f in reversed(factors)))
         return made
 
+    def determinant(self, operator: Value) -> Expr:
+        """Of a product the product of those of its factors; each has a letter for its own."""
+        if isinstance(operator, Vector):
+            raise NoMeaningError("the determinant of a vector")
+        if isinstance(operator, MatrixBase):
+            return operator.det(method="berkowitz")
+        scalars, factors = operator.args_cnc()
+        named = {x.name: det for x, det in self.letters.determinants.items()}
+        bases = [factor.as_base_exp() for factor in factors]
+        if Mul(*scalars) != 1 or any(b.name.removesuffix("ᵀ") not in named for b, _ in bases):
+            raise NoMeaningError("a determinant that has no letter")
+        return Mul(*(self.atom(named[b.name.removesuffix("ᵀ")]) ** power for b, power in bases))
+
     def _flipped(self, factor: Expr) -> Expr:
         base, power = factor.as_base_exp()
-        if base.name in {x.name for x in self.letters.symmetric}:
-            return factor
         name = base.name[:-1] if base.name.endswith("ᵀ") else base.name + "ᵀ"
         return Symbol(name, commutative=False) ** power
 
@@ -375,14 +429,34 @@ class Algebra:
 
     def _summed_scalar(self, node: Expr, term: Expr) -> Expr:
         outside, inside = self._parted(term)
-        dots = [f for f in Mul.make_args(inside) if isinstance(f, Dot)]
-        for product in dots:
+        dots = self._linear(inside)
+        if len(dots) == 1:  # of several none is the one that comes out
+            [product] = dots
             a, b = product.args
-            if self._varies(a) != self._varies(b) and not isinstance(a, Cross):
-                varying, fixed = (a, b) if self._varies(a) else (b, a)
-                rest = Mul(*(f for f in Mul.make_args(inside) if f is not product))
-                return outside * self.dot(self._summed_term(node, rest, varying), self._one(fixed))
+            varying, fixed = (a, b) if self._varies(a) else (b, a)
+            rest = Mul(*(f for f in Mul.make_args(inside) if f is not product))
+            return outside * self.dot(self._summed_term(node, rest, varying), self._one(fixed))
         return outside * self.atom(node.func(node.args[0], inside))
+
+    def _linear(self, term: Expr) -> list[Expr]:
+        """Scalar products of what changes from part to part with what does not."""
+        return [
+            f
+            for f in Mul.make_args(term)
+            if isinstance(f, Dot)
+            and self._varies(f.args[0]) != self._varies(f.args[1])
+            and not isinstance(f.args[0], Cross)
+        ]
+
+    def _bilinear(self, vector: Expr, other: Expr) -> bool:
+        """Whether Σ m(r·u)r stands before ·v: the sum of m(r·u)(r·v), alike in u and v."""
+        return not self._varies(other) and bool(self._linear(vector.args[1]))
+
+    def _dotted(self, term: Expr, other: Expr) -> Expr:
+        """A scalar times an atom, · another atom."""
+        [atom] = [f for f in Mul.make_args(term) if self._is_vector(f)]
+        scalar = Mul(*(f for f in Mul.make_args(term) if f is not atom))
+        return scalar * self._dot_atoms(atom, other)
 
     # --- rates -------------------------------------------------------------------------------
 
@@ -491,10 +565,21 @@ def components(left: Value, right: Value) -> list[Expr]:
         return list(difference.terms.values())
     if isinstance(left, MatrixBase) or isinstance(right, MatrixBase):
         shape = (left if isinstance(left, MatrixBase) else right).shape
-        square = sympy.eye(shape[0])
-        sides = [x if isinstance(x, MatrixBase) else x * square for x in (left, right)]
+        sides = [x if isinstance(x, MatrixBase) else _entries(x, *shape) for x in (left, right)]
+        if sides[0].shape != sides[1].shape:
+            raise NoMeaningError("matrices of different sizes are compared")
         return list(sides[0] - sides[1])
     return [sympy.expand(left - right) if _operators(left, right) else left - right]
+
+
+def _entries(operator: Expr, rows: int, columns: int) -> MatrixBase:
+    """A number times the unit matrix, or an operator, entry by entry."""
+    if rows != columns:
+        raise NoMeaningError("matrices of different sizes are compared")
+    if _operators(operator):
+        made = sympy.expand(operator)
+        return sympy.Matrix(rows, columns, lambda i, j: Entry(made, Integer(i), Integer(j)))
+    return operator * sympy.eye(rows)
 
 
 def _operators(*sides: Expr) -> bool:

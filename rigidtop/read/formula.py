@@ -818,11 +818,23 @@ def _times(left: _Value, right: _Value) -> _Value:
     both = next((k for k in ("vector", "matrix") if k in kinds), "scalar")
     if left.explicit or right.explicit:
         if "scalar" not in kinds:
-            raise UnreadError("a product with a matrix that is written out", right.position)
+            return _matrices(left, right)
         tree = left.tree * right.tree
     else:
         tree = Mul(left.tree, right.tree, evaluate=False)
     return _made(tree, both, left, right)
+
+
+def _matrices(left: _Value, right: _Value) -> _Value:
+    """The product of two matrices that are written out."""
+    if not (left.explicit and right.explicit):
+        raise UnreadError("a product with a matrix that is written out", right.position)
+    if left.tree.shape[1] != right.tree.shape[0]:
+        raise UnreadError("matrices of different sizes are multiplied", right.position)
+    tree = left.tree * right.tree
+    depth = left.depth + right.depth
+    digits = LARGEST * (left.digits + right.digits + 1)
+    return _made(tree, kind(tree), replace(left, depth=depth), right, digits=digits)
 
 
 def _power(base: _Value, exponent: _Value) -> _Value:

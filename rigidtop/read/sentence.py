@@ -6,10 +6,14 @@ a move (`rigidtop.proof.moves`), what it is done with, and what is put in beside
     Put A, B and C into D.                  Take the component of A along $e$.
     Differentiate A by $x$.                 Resolve A along $e$, $f$ and $g$.
     Take the rate of A.                     Dot A with $e$.      Cross $e$ with A.
+    Dot A with itself.  (each of its equations with each)
     Integrate A.  (to a constant)           Integrate A from $x = x_0$.  (where t = 0)
     Add A to B.                             Subtract $f$ times A from B.
     Sum A over all parts.  (k)
     Multiply A by $f$.                      Divide A by $f$.
+    Multiply A by $O$ from the right.       Exchange the factors in A.  (of a product that is 1)
+    Take the transpose of A.                Take the determinant of A.
+    Strip $x$, $y$ and $z$ from A.  (Ax = Bx, Ay = By and Az = Bz give A = B)
     Rearrange A.   Expand A.   Collect A.   Factor A.
     Solve A for $x$.                        Solve A for $x$, without $y$.
     Take the root of A.                     Square A.
@@ -215,8 +219,8 @@ def _simple(verb: str, **fixed: Any) -> Callable[[_Words], Move]:
     return lambda w: Move(verb, w.known("a"), **fixed)
 
 
-def _by(verb: str) -> Callable[[_Words], Move]:
-    return lambda w: Move(verb, w.known("a"), by=w.math("x"))
+def _by(verb: str, **fixed: Any) -> Callable[[_Words], Move]:
+    return lambda w: Move(verb, w.known("a"), by=w.math("x"), **fixed)
 
 
 def _put(w: _Words) -> Move:
@@ -230,6 +234,8 @@ def _rate(frame: Any = None) -> Callable[[_Words], Move]:
 def _product(verb: str) -> Callable[[_Words], Move]:
     def build(w: _Words) -> Move:
         a, b = w.parts["a"], w.parts["b"]
+        if b == "itself":
+            return Move(verb, w.known("a") * 2)
         if _is_vector(b, w.context):
             return Move(verb, w.known("a"), by=w.math("b"), power=1)
         if _is_vector(a, w.context):
@@ -287,7 +293,12 @@ _SHAPES: tuple[tuple[str, Callable[[_Words], Move]], ...] = (
     (rf"Add (?:(?P<x>\$[^$]+\$) times )?{_A} to {_B}", _combined("add")),
     (rf"Subtract (?:(?P<x>\$[^$]+\$) times )?{_A} from {_B}", _combined("subtract")),
     (rf"Sum {_A} over all parts", _simple("sum", by=(Symbol("k"),))),
+    (rf"Multiply {_A} by (?P<x>\$[^$]+\$) from the right", _by("multiply", power=1)),
     (rf"Multiply {_A} by {_X}", _by("multiply")),
+    (rf"Take the transpose of {_A}", _simple("transpose")),
+    (rf"Take the determinant of {_A}", _simple("determinant")),
+    (rf"Exchange the factors in {_A}", _simple("exchange")),
+    (rf"Strip {_X} from {_A}", _by("strip")),
     (rf"Divide {_A} by {_X}", _by("divide")),
     (rf"Expand {_A} to (?P<n>{'|'.join(ORDERS)}) order in {_X}", _expand),
     (rf"(?:Rearrange|Expand|Factor|Rewrite) {_A}", _simple("rewrite")),

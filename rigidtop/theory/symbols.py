@@ -90,7 +90,7 @@ r_vec, r_vecp, r_k, F_k, f_r, R_CM, g_vec, F_grav = map(
     _real, ("r_vec", "r_vecp", "r_k", "F_k", "f_r", "R_CM", "g_vec", "F_grav")
 )
 inertia, Lambda, O_matrix = map(_real, ("inertia", "Lambda", "O_matrix"))
-det_O, det_A, det_B = map(_real, ("det_O", "det_A", "det_B"))
+det_O, det_A, det_B, det_C = map(_real, ("det_O", "det_A", "det_B", "det_C"))
 I_xz = _real("I_xz")
 m_k, rho = map(_positive, ("m_k", "rho"))
 
@@ -108,6 +108,9 @@ slip, Edot, Tdot, damping = map(_real, ("slip", "Edot", "Tdot", "damping"))
 r_1, v_tip, omega_perp, L_later = map(_real, ("r_1", "v_tip", "omega_perp", "L_later"))
 ball = _positive("ball")
 zeta1, zeta2, zeta3, zeta_vec = map(_real, ("zeta1", "zeta2", "zeta3", "zeta_vec"))
+r_2, v_1, v_2, u_vec, v_vec = map(_real, ("r_2", "v_1", "v_2", "u_vec", "v_vec"))
+lambda_r, lambda_i = map(_real, ("lambda_r", "lambda_i"))
+r1, r2, r3 = map(_real, ("r1", "r2", "r3"))
 alpha1, alpha2, gamma = map(_real, ("alpha1", "alpha2", "gamma"))
 n_1, n_2, s_vec, trace_O = map(_real, ("n_1", "n_2", "s_vec", "trace_O"))
 epsilon_0, tau, radius, height = map(_real, ("epsilon_0", "tau", "radius", "height"))
@@ -128,6 +131,8 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         lambda2: Quantity(Glyph("λ", "2"), "principal moment of inertia about e₂", "kg m²"),
         lambda3: Quantity(Glyph("λ", "3"), "principal moment of inertia about e₃", "kg m²"),
         ball: Quantity(Glyph("λ", "0"), "moment of inertia of a ball inside the body", "kg m²"),
+        lambda_r: Quantity(Glyph("λ", "r"), "real part of a moment of inertia", "kg m²"),
+        lambda_i: Quantity(Glyph("λ", "i"), "imaginary part of a moment of inertia", "kg m²"),
         M: Quantity(Glyph("M"), "mass of the body", "kg"),
         m_k: Quantity(Glyph("m", "k"), "mass of particle k", "kg"),
         rho: Quantity(Glyph("ρ"), "mass density", "kg/m³"),
@@ -136,6 +141,9 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         R1: Quantity(Glyph("R", "1"), "centre of mass from the pivot, along e₁", "m"),
         R2: Quantity(Glyph("R", "2"), "centre of mass from the pivot, along e₂", "m"),
         R3: Quantity(Glyph("R", "3"), "centre of mass from the pivot, along e₃", "m"),
+        r1: Quantity(Glyph("r", "1"), "position along e₁", "m"),
+        r2: Quantity(Glyph("r", "2"), "position along e₂", "m"),
+        r3: Quantity(Glyph("r", "3"), "position along e₃", "m"),
         epsilon: Quantity(Glyph("ε"), "gravity against spin, λ₁MgR cosθ/(λ₃ω₃)²", "1"),
         epsilon_0: Quantity(Glyph("ε", "0"), "gravity against spin, λ₁MgR/(λ₃ω₃)²", "1"),
         tau: Quantity(Glyph("τ"), "relative error of an approximation", "1"),
@@ -168,6 +176,7 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         det_O: Quantity(Glyph("det O"), "determinant of O", "1"),
         det_A: Quantity(Glyph("det A"), "determinant of A", "1"),
         det_B: Quantity(Glyph("det B"), "determinant of B", "1"),
+        det_C: Quantity(Glyph("det C"), "determinant of C", "1"),
         O_matrix: Quantity(Glyph("O"), "matrix whose columns are e₁, e₂, e₃", "1"),
         T: Quantity(Glyph("T"), "kinetic energy", "J"),
         V: Quantity(Glyph("V"), "potential energy", "J"),
@@ -297,6 +306,11 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         g_vec: Quantity(Glyph("g", bold=True), "acceleration of gravity as a vector", "m/s²"),
         follower: Quantity(Glyph("w", bold=True), "a vector that turns along behind ω", ""),
         r_1: Quantity(Glyph("r", "1", bold=True), "position of the first mass", "m"),
+        r_2: Quantity(Glyph("r", "2", bold=True), "position of the second mass", "m"),
+        v_1: Quantity(Glyph("v", "1", bold=True), "velocity of the first mass", "m/s"),
+        v_2: Quantity(Glyph("v", "2", bold=True), "velocity of the second mass", "m/s"),
+        u_vec: Quantity(Glyph("u", bold=True), "any vector", ""),
+        v_vec: Quantity(Glyph("v", bold=True), "any vector", ""),
         v_tip: Quantity(Glyph("v", "tip", bold=True), "velocity of the contact point", "m/s"),
         omega_perp: Quantity(
             Glyph("ω", "⊥", bold=True), "rotational velocity across the stick", "rad/s"
