@@ -40,9 +40,13 @@ PAGES = (
 
 TEXTS = (
     "laws",
+    "opening",
+    "free_precession",
+    "space_and_body_frames",
     "eulers_equations",
     "precession_of_rotation_axis",
     "euler_angles",
+    "rotation_matrices",
     "lagrange_formalism",
 )
 """The pages as they are read aloud, Markdown files beside this one, in reading order."""

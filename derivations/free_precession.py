@@ -118,4 +118,5 @@ page = Page(
     "Free precession",
     "Without external torque L is constant in the space frame, where I as a rule is not.",
     (conservation, inertia_full),
+    text="free_precession",
 )

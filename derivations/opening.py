@@ -120,4 +120,5 @@ page = Page(
     "Two masses on a stick",
     "Why a rotation axis that is not parallel to L can't stay where it is.",
     (two_mass_points,),
+    text="opening",
 )

@@ -170,4 +170,5 @@ page = Page(
     "Rotation matrices",
     "The same rotations as matrices, and the group that they form.",
     (rotated_components, euler_angle_matrix, rotation_group),
+    text="rotation_matrices",
 )

@@ -98,4 +98,5 @@ page = Page(
     "Space versus body frames",
     "The principal axes as a basis that turns with the body.",
     (principal, components),
+    text="space_and_body_frames",
 )
