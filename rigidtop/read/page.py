@@ -7,8 +7,9 @@
     $$\\frac{\\partial\\mathcal L}{\\partial\\dot\\theta} = \\lambda_1\\dot\\theta$$
 
 Headings and other paragraphs are the lecture's text.  Only the last sentence of a paragraph in
-front of a display says a move (`rigidtop.read.sentence`); beneath a heading that begins with "Laws",
-and deeper ones beneath that, it names the law, and what stands before it says where it is from.
+front of a display says a move (`rigidtop.read.sentence`).  Beneath a heading that begins with
+"Laws", and deeper ones beneath that, it names the law, and what stands before it says where it is
+from.
 ``<a id="constant-rate"></a>`` gives the lines below it, up to the next heading or name, a name.
 """
 
