@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Mapping, Sequence
 from io import BytesIO
 
@@ -73,31 +74,35 @@ def drawn(lecture: Lecture, whole: Map, kind: str, notation: Notation = NOTES) -
 
     from rigidtop.present.figures import style
 
-    arrows, columns = reduced(whole), layers(reduced(whole))
-    tallest = max(map(len, columns), default=1)
-    width, height = 1.75 * len(columns), max(2.0, 0.27 * tallest + 0.4)
+    arrows = reduced(whole)
+    columns = layers(arrows)
+    labels = {name: _broken(label(lecture, name, notation)) for name in whole}
+    rows = {name: 0.6 + words.count("\n") + 1 for name, words in labels.items()}
+    tallest = max((sum(rows[name] for name in column) for column in columns), default=1)
+    width, height = WIDE * len(columns), max(2.0, 0.17 * tallest + 0.3)
     with mpl.rc_context(style.STYLE):
         canvas = Figure(figsize=(width, height))
         axes = canvas.add_axes((0, 0, 1, 1))
         axes.set_axis_off()
         axes.set_xlim(-0.5, len(columns) - 0.5)
-        axes.set_ylim(-0.04, 1.04)
+        axes.set_ylim(-0.02, 1.02)
         place: dict[str, tuple[float, float]] = {}
         for x, column in enumerate(columns):
-            for i, name in enumerate(column):
-                place[name] = (float(x), 1 - (i + 0.5) / len(column))
+            total, above = sum(rows[name] for name in column), 0.0
+            for name in column:
+                place[name] = (float(x), 1 - (above + rows[name] / 2) / total)
+                above += rows[name]
         for name, on in arrows.items():
             for each in on:
-                (x0, y0), (x1, y1) = place[each], place[name]
-                color = style.GREY if each in lecture.laws else style.FIRST
+                start, end = place[each], place[name]
                 axes.annotate(
                     "",
-                    (x1 - 0.36, y1),
-                    (x0 + 0.36, y0),
+                    (end[0] - _half(labels[name]), end[1]),
+                    (start[0] + _half(labels[each]), start[1]),
                     arrowprops={
                         "arrowstyle": "-|>,head_length=0.25,head_width=0.12",
                         "connectionstyle": "arc3,rad=0.06",
-                        "color": color,
+                        "color": style.GREY if each in lecture.laws else style.FIRST,
                         "linewidth": 0.5,
                         "alpha": 0.7,
                         "shrinkA": 0,
@@ -108,7 +113,7 @@ def drawn(lecture: Lecture, whole: Map, kind: str, notation: Notation = NOTES) -
             law = name in lecture.laws
             axes.text(
                 *at,
-                _broken(label(lecture, name, notation)),
+                labels[name],
                 ha="center",
                 va="center",
                 fontsize=style.SMALL,
@@ -128,8 +133,15 @@ def drawn(lecture: Lecture, whole: Map, kind: str, notation: Notation = NOTES) -
     return file.getvalue()
 
 
+WIDE = 1.9
+"""A column (inches)."""
+
+
+def _half(words: str) -> float:
+    """Half the width of a label with its frame, in columns."""
+    return (0.033 * max(map(len, words.split("\n"))) + 0.05) / WIDE
+
+
 def _broken(words: str, most: int = 20) -> str:
     """A label in lines of at most so many letters."""
-    import textwrap
-
     return "\n".join(textwrap.wrap(words, most)) or words

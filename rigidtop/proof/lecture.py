@@ -149,26 +149,25 @@ class Lecture:
     def map(self) -> dict[str, tuple[str, ...]]:
         """What each law and each named result rests on directly: laws and other named results.
 
-        Names are equations' numbers and claims' names; a law goes by its id.
+        Names are equations' numbers and claims' names, each at its last line, so that the order of
+        reading is kept; a law goes by its id.
         """
-        names = {id: name for name, ids in reversed(self.names.items()) for id in ids}
-        named = {**{id: id for id in self.laws}, **names}
-        made: dict[str, set[str]] = {}
+        named = {id: id for id in self.laws} | {ids[-1]: name for name, ids in self.names.items()}
+        of_name = {**{id: (id,) for id in self.laws}, **self.names}
+        made: dict[str, tuple[str, ...]] = {}
         for id in self.lines:
             if id not in named:
                 continue
-            found = made.setdefault(named[id], set())
-            waiting = [*self.cites(id)]
+            found: set[str] = set()
+            waiting = [cited for each in of_name[named[id]] for cited in self.cites(each)]
             while waiting:
                 cited = waiting.pop()
                 if cited in named:
                     found.add(named[cited])
                 else:
                     waiting += self.cites(cited)
-        order = {name: k for k, name in enumerate(made)}
-        return {
-            name: tuple(sorted(on - {name}, key=order.__getitem__)) for name, on in made.items()
-        }
+            made[named[id]] = tuple(name for name in made if name in found)
+        return made
 
     def resting(self, name: str) -> tuple[str, ...]:
         """The named results that rest on one, directly or not: what falls if it falls."""

@@ -10,7 +10,8 @@ Headings and other paragraphs are the lecture's text.  Only the last sentence of
 front of a display says a move (`rigidtop.read.sentence`).  Beneath a heading that begins with
 "Laws", and deeper ones beneath that, it names the law, and what stands before it says where it is
 from.
-``<a id="constant-rate"></a>`` gives the lines below it, up to the next heading or name, a name.
+``<a id="constant-rate"></a>`` gives the lines below it a name, up to the next name, heading or
+numbered equation.
 """
 
 from __future__ import annotations
@@ -148,6 +149,8 @@ class _Reader:
             self.blocks.append(Shown(latex, at, None, str(error), self.anchor))
             return
         self.blocks.append(Shown(latex, at, line, "", self.anchor))
+        if any(equation.tag for equation in line.equations):
+            self.anchor = ""  # a numbered equation ends what a name names
         known = Known(line.id, line.equations, line.scope, called=line.called)
         self.page.append(known)
         self.above.append(known)
