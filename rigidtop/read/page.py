@@ -137,7 +137,7 @@ class _Reader:
             self.pending = None
 
     def display(self, latex: str, at: int) -> None:
-        self.fresh = False
+        fresh, self.fresh = self.fresh, False
         sentence, self.pending = self.pending, None
         try:
             if sentence is None:
@@ -148,9 +148,10 @@ class _Reader:
         except (RigidtopError, language.SentenceError) as error:
             self.blocks.append(Shown(latex, at, None, str(error), self.anchor))
             return
-        self.blocks.append(Shown(latex, at, line, "", self.anchor))
-        if any(equation.tag for equation in line.equations):
+        numbered = any(equation.tag for equation in line.equations)
+        if numbered and not fresh:
             self.anchor = ""  # a numbered equation ends what a name names
+        self.blocks.append(Shown(latex, at, line, "", self.anchor))
         known = Known(line.id, line.equations, line.scope, called=line.called)
         self.page.append(known)
         self.above.append(known)
