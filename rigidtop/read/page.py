@@ -7,8 +7,9 @@
     $$\\frac{\\partial\\mathcal L}{\\partial\\dot\\theta} = \\lambda_1\\dot\\theta$$
 
 Headings and other paragraphs are the lecture's text.  Only the last sentence of a paragraph in
-front of a display says a move (`rigidtop.read.sentence`); beneath a heading that begins with "Laws",
-and deeper ones beneath that, it names the law, and what stands before it says where it is from.
+front of a display says a move (`rigidtop.read.sentence`); beneath a heading that begins with
+"Laws", and deeper ones beneath that, it names the law, and what stands before it says where it is
+from.
 ``<a id="constant-rate"></a>`` gives the lines below it, up to the next heading or name, a name.
 """
 
@@ -18,6 +19,8 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
+
+from sympy import Symbol
 
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import Notation
@@ -196,7 +199,9 @@ def pieces(words: str, notation: Notation) -> tuple[Any, ...]:
         if len(found) != 1 or found[0].equation is None:
             found = read(piece + " = 0", notation)
             tree = found[0].equation.sides[0] if len(found) == 1 and found[0].equation else None
-            made.append(Raw(piece) if tree is None else tree)
+            if tree is None:  # an index is no symbol of the notation
+                tree = Symbol(piece) if re.fullmatch("[a-z]", piece) else Raw(piece)
+            made.append(tree)
         else:
             made.append(found[0].equation)
     return tuple(piece for piece in made if piece != "")
