@@ -43,6 +43,8 @@ TEXTS = (
     "eulers_equations",
     "precession_of_rotation_axis",
     "euler_angles",
+    "net_torque",
+    "simplified_picture",
     "lagrange_formalism",
 )
 """The pages as they are read aloud, Markdown files beside this one, in reading order."""
