@@ -47,6 +47,8 @@ TEXTS = (
     "precession_of_rotation_axis",
     "euler_angles",
     "rotation_matrices",
+    "net_torque",
+    "simplified_picture",
     "lagrange_formalism",
 )
 """The pages as they are read aloud, Markdown files beside this one, in reading order."""

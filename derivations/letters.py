@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from sympy import Symbol
+
 from rigidtop.notation import MATRICES
 from rigidtop.proof.algebra import Letters
 from rigidtop.theory import symbols as s
 
 _ROWS = s.VOCABULARY.items()
+_K, _L, _PLACE = map(Symbol, ("k", "l", "d3r"))
 _AXES = (s.e1, s.e2, s.e3)
 
 LETTERS = Letters(
@@ -53,7 +56,14 @@ LETTERS = Letters(
         (s.xhat, s.yhat, s.zhat),
     ),
     body=(s.e1, s.e2, s.e3),
-    indexed=frozenset({s.m_k, s.r_k, s.F_k, s.rho, s.r_vec, s.f_r}),
+    indexed={
+        **dict.fromkeys((s.m_k, s.r_k, s.F_k), frozenset({_K})),
+        **dict.fromkeys((s.rho, s.r_vec, s.f_r), frozenset({_PLACE})),
+        **dict.fromkeys((s.F_kl, s.F_lk, s.c_kl), frozenset({_K, _L})),
+        s.r_l: frozenset({_L}),
+        s.delta_k: frozenset({_K, _PLACE}),
+    },
+    exchanged={s.r_k: s.r_l, s.F_kl: s.F_lk},
     components={
         **{(e, s.omega_vec): w for e, w in zip(_AXES, (s.omega1, s.omega2, s.omega3), strict=True)},
         **{(e, s.L_vec): x for e, x in zip(_AXES, (s.L1, s.L2, s.L3), strict=True)},

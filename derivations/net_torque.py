@@ -180,4 +180,5 @@ page = Page(
     "What gravity does to an extended body.",
     (torque, gravity, potential),
     opens="Dynamics of a spinning top",
+    text="net_torque",
 )

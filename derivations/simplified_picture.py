@@ -281,4 +281,5 @@ page = Page(
         parallel,
         toppling,
     ),
+    text="simplified_picture",
 )

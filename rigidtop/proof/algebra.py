@@ -49,7 +49,9 @@ class Letters:
     other scalar depends on the motion.  `vectors` and `operators` say what is no scalar;
     `determinants` have letters of their own; `arbitrary` vectors stand for any; `frames` are
     right-handed triples of unit vectors, of which `body` is fixed in the body; `indexed` letters
-    belong to one particle of many, or to one place; `components` name the
+    belong to one particle of many, or to one place, named by the indices that a Σ or ∫ goes over;
+    `exchanged` says what letter each becomes when two indices change places, r_k for r_l;
+    `components` name the
     scalar product of an axis and a vector, `branches` the roots of an equation for a letter;
     a slip of the pen exchanges letters of one of the `families`; `units` are SI.
     """
@@ -63,7 +65,8 @@ class Letters:
     arbitrary: frozenset[Symbol] = frozenset()
     frames: tuple[tuple[Symbol, Symbol, Symbol], ...] = ()
     body: tuple[Symbol, ...] = ()
-    indexed: frozenset[Symbol] = frozenset()
+    indexed: Mapping[Symbol, frozenset[Symbol]] = field(default_factory=dict)
+    exchanged: Mapping[Symbol, Symbol] = field(default_factory=dict)
     components: Mapping[tuple[Symbol, Symbol], Symbol] = field(default_factory=dict)
     branches: Mapping[Symbol, Symbol] = field(default_factory=dict)
     families: tuple[tuple[Symbol, ...], ...] = ()
@@ -401,24 +404,52 @@ class Algebra:
             )
         return Add(*(self._summed_scalar(node, t) for t in Add.make_args(sympy.expand(body))))
 
-    def _varies(self, node: Expr) -> bool:
-        return bool(node.free_symbols & self.letters.indexed)
+    def _indices(self, node: Expr) -> frozenset[Symbol]:
+        """The indices that stand free in an expression, bound by no sum in it."""
+        if isinstance(node, (SumOver, VolumeIntegral)):
+            return self._indices(node.args[1]) - {node.args[0]}
+        if isinstance(node, Symbol):
+            return self.letters.indexed.get(node, frozenset())
+        return frozenset().union(*map(self._indices, node.args))
 
-    def _parted(self, term: Expr) -> tuple[Expr, Expr]:
+    def _parted(self, node: Expr, term: Expr) -> tuple[Expr, Expr]:
         """The factors that stay the same for all parts, and those that do not."""
         factors = Mul.make_args(term)
+        vary = [node.args[0] in self._indices(f) for f in factors]
         return (
-            Mul(*(f for f in factors if not self._varies(f))),
-            Mul(*(f for f in factors if self._varies(f))),
+            Mul(*(f for f, varies in zip(factors, vary, strict=True) if not varies)),
+            Mul(*(f for f, varies in zip(factors, vary, strict=True) if varies)),
         )
 
+    def _exchanged(self, node: Expr, term: Expr) -> Value | None:
+        """Σ of a term with another Σ as a factor that is written outside: first here, then there.
+
+        None where there is no such factor, or where its index stands elsewhere in the term too.
+        """
+        for inner in _factors(term):
+            if not isinstance(inner, (SumOver, VolumeIntegral)) or term.count(inner) != 1:
+                continue
+            bound = inner.args[0]
+            mixed = node.args[0] in self._indices(inner) and _outside(inner) < _outside(node)
+            if mixed and bound not in self._indices(term.xreplace({inner: Integer(1)})):
+                body = self.value(term.xreplace({inner: inner.args[1]}))
+                return self.summed(inner, self.summed(node, body))
+        return None
+
     def _summed_term(self, node: Expr, term: Expr, atom: Expr) -> Vector:
-        outside, inside = self._parted(term)
-        if not self._varies(atom):
+        outside, inside = self._parted(node, term)
+        turned = self._exchanged(node, Mul(inside, atom, evaluate=False))
+        if turned is not None:
+            return self.times(outside, turned)
+
+        def varies(part: Expr) -> bool:
+            return node.args[0] in self._indices(part)
+
+        if not varies(atom):
             return Vector({atom: outside * self._summed_scalar(node, inside)})
-        if isinstance(atom, Cross) and not all(map(self._varies, atom.args)):
+        if isinstance(atom, Cross) and not all(map(varies, atom.args)):
             a, b = atom.args
-            if self._varies(a):
+            if varies(a):
                 return self.cross(self._summed_term(node, inside, a), self._one(b)).times(outside)
             return self.cross(self._one(a), self._summed_term(node, inside, b)).times(outside)
         made = self.atom(node.func(node.args[0], Mul(inside, atom)))
@@ -428,29 +459,37 @@ class Algebra:
         return Vector({atom: Integer(1)})
 
     def _summed_scalar(self, node: Expr, term: Expr) -> Expr:
-        outside, inside = self._parted(term)
-        dots = self._linear(inside)
+        outside, inside = self._parted(node, term)
+        turned = self._exchanged(node, inside)
+        if turned is not None:
+            return outside * turned
+        dots = self._linear(node, inside)
         if len(dots) == 1:  # of several none is the one that comes out
             [product] = dots
             a, b = product.args
-            varying, fixed = (a, b) if self._varies(a) else (b, a)
+            varying, fixed = (a, b) if node.args[0] in self._indices(a) else (b, a)
             rest = Mul(*(f for f in Mul.make_args(inside) if f is not product))
             return outside * self.dot(self._summed_term(node, rest, varying), self._one(fixed))
         return outside * self.atom(node.func(node.args[0], inside))
 
-    def _linear(self, term: Expr) -> list[Expr]:
+    def _linear(self, node: Expr, term: Expr) -> list[Expr]:
         """Scalar products of what changes from part to part with what does not."""
+
+        def varies(part: Expr) -> bool:
+            return node.args[0] in self._indices(part)
+
         return [
             f
             for f in Mul.make_args(term)
             if isinstance(f, Dot)
-            and self._varies(f.args[0]) != self._varies(f.args[1])
+            and varies(f.args[0]) != varies(f.args[1])
             and not isinstance(f.args[0], Cross)
         ]
 
     def _bilinear(self, vector: Expr, other: Expr) -> bool:
         """Whether Σ m(r·u)r stands before ·v: the sum of m(r·u)(r·v), alike in u and v."""
-        return not self._varies(other) and bool(self._linear(vector.args[1]))
+        varies = vector.args[0] in self._indices(other)
+        return not varies and bool(self._linear(vector, vector.args[1]))
 
     def _dotted(self, term: Expr, other: Expr) -> Expr:
         """A scalar times an atom, · another atom."""
@@ -523,6 +562,8 @@ class Algebra:
         return _as_vector(made)
 
     def _is_vector(self, node: Expr) -> bool:
+        if isinstance(node, (SumOver, VolumeIntegral)):
+            return any(map(self._is_vector, Mul.make_args(node.args[1])))
         return node in self.letters.vectors or isinstance(node, (Cross, Applied, Rate))
 
 
@@ -629,6 +670,19 @@ def _sizes(expression: Expr) -> Expr:
 def _number(x: Symbol, k: int, attempt: int) -> Expr:
     """A number between ½ and 1½ that is no other letter's."""
     return sympy.Rational(50 + (37 * k + 29 * attempt + 11) % 97, 97)
+
+
+def _factors(term: Expr) -> Iterator[Expr]:
+    """What a term is linear in: its factors, also those of its vector and scalar products."""
+    yield term
+    if isinstance(term, (Mul, Cross, Dot)):
+        for part in term.args:
+            yield from _factors(part)
+
+
+def _outside(node: Expr) -> tuple[bool, str]:
+    """The order in which sums are written: Σ outside ∫, k outside l."""
+    return isinstance(node, VolumeIntegral), str(node.args[0])
 
 
 def _place(node: Expr) -> str:

@@ -37,6 +37,8 @@ from rigidtop.proof.moves import (
     Performed,
     RefusedError,
     Scope,
+    braces_of,
+    named_components,
     nonzero,
     pairs_of,
     perform,
@@ -153,7 +155,10 @@ def arrive(
     says_something = False
     try:
         if move.verb == "integrate" and move.by:
-            solves(equations, move, letters)
+            if any(equation.sides[0] in letters.rates for equation in equations):
+                solves(equations, move, letters)
+            else:
+                _first_integral(equations, performed, move, letters)
             return performed
         for equation in equations:
             if move.verb == "set" and move.power < 2:
@@ -165,6 +170,7 @@ def arrive(
                 says_something |= found is not None
                 if found is not None:
                     shown.add(found)
+            _braces(equation, performed, move, algebra)
     except NoMeaningError as error:
         raise RefusedError(str(error)) from None
     if not says_something:
@@ -172,6 +178,15 @@ def arrive(
     if performed.every:
         _both_roots(equations, performed, shown)
     return performed
+
+
+def _braces(equation: Equation, performed: Performed, move: Move, algebra: Algebra) -> None:
+    """Raises RefusedError unless what stands beneath a brace is what is in it, or a component."""
+    if braces := braces_of(equation, algebra):
+        named = named_components(performed.pairs, algebra)
+        widened = replace(performed, pairs=(*performed.pairs, *named))
+        for pair in braces:
+            _matching(pair, widened, move)
 
 
 def _is_gone(letters: Sequence[Any], equation: Equation) -> None:
@@ -262,6 +277,29 @@ def _smooth(node: Expr, of: Sequence[Symbol]) -> bool:
     if not isinstance(node, (Add, Mul, Pow, sympy.sin, sympy.cos)):
         return False
     return all(_smooth(part, of) for part in node.args)
+
+
+def _first_integral(
+    equations: Sequence[Equation], performed: Performed, move: Move, letters: Letters
+) -> None:
+    """Raises RefusedError unless equations have the rates that are cited, and hold at the start."""
+    if performed.order is not None:
+        raise RefusedError("what holds approximately can't be integrated")
+    bare, given = Algebra(letters), Algebra(letters, performed.given)
+    at_start = {e.sides[0]: bare.value(e.sides[1]) for e in move.by}
+    start = Algebra(letters, at_start)
+    for equation in equations:
+        for letter, value in at_start.items():
+            if letter not in symbols_of(equation):
+                raise RefusedError("{} does not stand there", letter)
+            if not value.free_symbols <= letters.numbers:
+                raise RefusedError("{} starts at what is no number", letter)
+        for pair in pairs_of(equation, bare):
+            rates = [given.value(bare.rate(side)) for side in (pair.left, pair.right)]
+            if _matching(replace(pair, left=rates[0], right=rates[1]), performed, move) is None:
+                raise RefusedError("this is constant whatever is cited: it is no integral")
+            if not _is_identity(_valued(pair, start), move):
+                raise RefusedError("this does not hold at the start")
 
 
 def _valued(pair: Pair, algebra: Algebra) -> Pair:

@@ -29,7 +29,18 @@ from rigidtop.proof.algebra import (
     flattened,
     vanishes,
 )
-from rigidtop.proof.equation import Dot, Equation, NoMeaningError, Partial, Printed, Rate, SumOver
+from rigidtop.proof.equation import (
+    Dot,
+    Equation,
+    NoMeaningError,
+    Partial,
+    Printed,
+    Rate,
+    SumOver,
+    Underbrace,
+    VolumeIntegral,
+    as_printed,
+)
 from rigidtop.theory.symbols import const
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
@@ -177,6 +188,24 @@ def pairs_of(equation: Equation, algebra: Algebra, chain: bool = False) -> list[
     return made
 
 
+def braces_of(equation: Equation, algebra: Algebra) -> list[Pair]:
+    """What the braces of an equation say: the body is what stands beneath."""
+    braces = {b for side in equation.sides for b in side.atoms(Underbrace)}
+    return [Pair(*map(algebra.value, b.args)) for b in sorted(braces, key=str)]
+
+
+def named_components(pairs: Sequence[Pair], algebra: Algebra) -> list[Pair]:
+    """Of vector equations what they say of components that have a letter."""
+    made = []
+    for pair in pairs:
+        vector = _single(pair.left) if isinstance(pair.left, Vector) else None
+        for (axis, of), letter in algebra.letters.components.items():
+            if vector is not None and of == vector[0] and isinstance(pair.right, Vector):
+                along = Vector({axis: Integer(1)})
+                made.append(Pair(algebra.atom(letter), algebra.dot(along, pair.right)))
+    return made
+
+
 def put_in(known: Sequence[Known], letters: Letters) -> dict[Any, Value]:
     """What to put in for atoms, so that the equations hold: each equation gives one atom."""
     given: dict[Any, Value] = {}
@@ -195,13 +224,17 @@ def _give(equation: Equation, source: Known, given: dict[Any, Value], letters: L
         if atom is None:
             raise RefusedError("{} says that a sum is constant: take the rate of it", _name(source))
         given[atom[0]] = Integer(0)
-    # Each side as what it is; the first that is an atom gives way to the others.
+    # Each side as what it is; the first that is an atom gives way to the others: a letter before
+    # a letter with a positive factor, such as m r̈.
     bare = Algebra(letters)
     raw = [bare.value(side) for side in sides]
     for i in range(len(sides) - 1):
         left, right = raw[i], raw[i + 1]
-        for side, other in ((left, right), (right, left)):
-            atom = _single(side)
+        both = ((left, right), (right, left))
+        for atom, other in (
+            *((_single(side), other) for side, other in both),
+            *((_scaled_atom(side), other) for side, other in both),
+        ):
             if atom is None or atom[0] in given or atom[0] in set(atoms_of(other)):
                 continue
             value = algebra.value(other)
@@ -249,6 +282,20 @@ def _single(value: Value) -> tuple[Any, Expr] | None:
     number, atom = value.as_coeff_Mul()
     is_atom = isinstance(atom, (Symbol, Printed))
     return (atom, number) if is_atom and number != 0 else None
+
+
+def _scaled_atom(value: Value) -> tuple[Any, Expr] | None:
+    """The atom of a value that is one vector, or one product or rate, times what can't vanish."""
+    if isinstance(value, Vector) and len(value.terms) == 1:
+        [(atom, factor)] = value.terms.items()
+    elif isinstance(value, Mul) and len(made := [f for f in value.args if f.func in _MADE]) == 1:
+        [atom], factor = made, value / made[0]
+    else:
+        return None
+    return (atom, factor) if nonzero(factor, ()) else None
+
+
+_MADE = (Dot, Rate)
 
 
 def _name(known: Known) -> str:
@@ -618,7 +665,7 @@ def _of_operators(
     return changed
 
 
-def _exchange(move: Move, algebra: Algebra) -> Performed:
+def _exchange_factors(move: Move, algebra: Algebra) -> Performed:
     """Where a product of square matrices is 1, it is with its factors in turn: XY = 1, YX = 1."""
     known = _one(move)
     pairs: list[Pair] = []
@@ -760,6 +807,38 @@ def _between(value: Value, u: Any, v: Any, algebra: Algebra) -> Expr | None:
             return None
         made += factor * (operator if left == u else algebra.transposed(operator))
     return sympy.expand(made)
+
+
+def _exchange(move: Move, algebra: Algebra) -> Performed:
+    """Two indices change places: what holds for any two parts, holds for them the other way."""
+    known = _one(move)
+    one, two = move.by
+    letters = algebra.letters
+    there = {**letters.exchanged, **{new: old for old, new in letters.exchanged.items()}}
+
+    def turned(tree: Any) -> Any:
+        if isinstance(tree, (SumOver, VolumeIntegral)):
+            index, body = tree.args
+            return tree.func({one: two, two: one}.get(index, index), turned(body))
+        if isinstance(tree, Symbol):
+            if letters.indexed.get(tree, frozenset()) & {one, two}:
+                if tree not in there:
+                    raise RefusedError("{} with the other index has no letter", tree)
+                return there[tree]
+            return tree
+        if not tree.args:
+            return tree
+        with as_printed():
+            return tree.func(*map(turned, tree.args))
+
+    pairs = [
+        pair
+        for e in known.equations
+        for pair in pairs_of(
+            Equation(*map(turned, e.sides), relation=e.relation), algebra, chain=True
+        )
+    ]
+    return Performed(tuple(pairs), known.scope, order=known.order)
 
 
 def _solve(move: Move, algebra: Algebra) -> Performed:
@@ -1074,6 +1153,7 @@ _VERBS: Mapping[str, Callable[[Move, Algebra], Performed]] = {
     "transpose": _of_operators(lambda algebra: algebra.transposed),
     "determinant": _of_operators(lambda algebra: algebra.determinant),
     "exchange": _exchange,
+    "turn factors": _exchange_factors,
     "strip": _strip,
     "solve": _solve,
     "root": _root,

@@ -21,6 +21,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from sympy import Symbol
+
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import Notation
 from rigidtop.proof.algebra import Letters
@@ -201,7 +203,9 @@ def pieces(words: str, notation: Notation) -> tuple[Any, ...]:
         if len(found) != 1 or found[0].equation is None:
             found = read(piece + " = 0", notation)
             tree = found[0].equation.sides[0] if len(found) == 1 and found[0].equation else None
-            made.append(Raw(piece) if tree is None else tree)
+            if tree is None:  # an index is no symbol of the notation
+                tree = Symbol(piece) if re.fullmatch("[a-z]", piece) else Raw(piece)
+            made.append(tree)
         else:
             made.append(found[0].equation)
     return tuple(piece for piece in made if piece != "")

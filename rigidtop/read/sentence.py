@@ -15,6 +15,7 @@ a move (`rigidtop.proof.moves`), what it is done with, and what is put in beside
     Take the transpose of A.                Take the determinant of A.
     Strip $x$, $y$ and $z$ from A.  (Ax = Bx, Ay = By and Az = Bz give A = B)
     Rearrange A.   Expand A.   Collect A.   Factor A.
+    Exchange $k$ and $l$ in A.              (the indices of two sums)
     Solve A for $x$.                        Solve A for $x$, without $y$.
     Take the root of A.                     Square A.
     Take the sign of A.  (A's right side is < 0, > 0 or ≠ 0)
@@ -264,6 +265,10 @@ def _solve(w: _Words) -> Move:
     return Move("solve", w.known("a"), by=(*w.math("x"), *without), power=len(without))
 
 
+def _exchange(w: _Words) -> Move:
+    return Move("exchange", w.known("a"), by=tuple(Symbol(w.parts[x]) for x in "xy"))
+
+
 def _expand(w: _Words) -> Move:
     return Move("expand", w.known("a"), by=w.math("x"), power=ORDERS[w.parts["n"]])
 
@@ -297,12 +302,13 @@ _SHAPES: tuple[tuple[str, Callable[[_Words], Move]], ...] = (
     (rf"Multiply {_A} by {_X}", _by("multiply")),
     (rf"Take the transpose of {_A}", _simple("transpose")),
     (rf"Take the determinant of {_A}", _simple("determinant")),
-    (rf"Exchange the factors in {_A}", _simple("exchange")),
+    (rf"Exchange the factors in {_A}", _simple("turn factors")),
     (rf"Strip {_X} from {_A}", _by("strip")),
     (rf"Divide {_A} by {_X}", _by("divide")),
     (rf"Expand {_A} to (?P<n>{'|'.join(ORDERS)}) order in {_X}", _expand),
     (rf"(?:Rearrange|Expand|Factor|Rewrite) {_A}", _simple("rewrite")),
     (rf"Collect {_A}(?: in {_X})?", _simple("rewrite")),
+    (rf"Exchange \$(?P<x>[a-z])\$ and \$(?P<y>[a-z])\$ in {_A}", _exchange),
     (rf"Solve {_A} for (?P<x>\$.+\$), without (?P<y>\$.+\$)", _solve),
     (rf"Solve {_A} for (?P<x>\$.+\$)", _solve),
     (rf"Take the root of {_A}", _simple("root")),

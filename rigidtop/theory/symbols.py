@@ -93,6 +93,9 @@ inertia, Lambda, O_matrix = map(_real, ("inertia", "Lambda", "O_matrix"))
 det_O, det_A, det_B, det_C = map(_real, ("det_O", "det_A", "det_B", "det_C"))
 I_xz = _real("I_xz")
 m_k, rho = map(_positive, ("m_k", "rho"))
+r_l, F_kl, F_lk, c_kl, N_in, delta_k = map(
+    _real, ("r_l", "F_kl", "F_lk", "c_kl", "N_in", "delta_k")
+)
 
 # What the pages need besides: a stick with two masses, starts, deviations, contact
 M_1, M_2, a, b = map(_positive, ("M_1", "M_2", "a", "b"))
@@ -199,6 +202,8 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         N3: Quantity(Glyph("N", "3"), "torque along e₃", "N m"),
         D: Quantity(Glyph("D"), "discriminant of the steady-precession quadratic", "J² s²"),
         F: Quantity(Glyph("F", bold=True), "a force: external, or at the contact", "N"),
+        c_kl: Quantity(Glyph("c", "kl"), "force between particles k and l over distance", "N/m"),
+        delta_k: Quantity(Glyph("δ", "k"), "Dirac's δ at particle k", "1/m³"),
         F_1: Quantity(Glyph("F", "1"), "external force on the first particle, along x̂", "N"),
         Edot: Quantity(Glyph("E", accent="dot"), "rate of the energy", "W"),
         Tdot: Quantity(Glyph("T", accent="dot"), "rate of the kinetic energy", "W"),
@@ -301,6 +306,10 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         r_vecp: Quantity(Glyph("r", bold=True, prime=True), "position in body components", "m"),
         r_k: Quantity(Glyph("r", "k", bold=True), "position of particle k", "m"),
         F_k: Quantity(Glyph("F", "k", bold=True), "external force on particle k", "N"),
+        r_l: Quantity(Glyph("r", "l", bold=True), "position of particle l", "m"),
+        F_kl: Quantity(Glyph("F", "kl", bold=True), "force on particle k from particle l", "N"),
+        F_lk: Quantity(Glyph("F", "lk", bold=True), "force on particle l from particle k", "N"),
+        N_in: Quantity(Glyph("N", "in", bold=True), "torque of the inner forces", "N m"),
         f_r: Quantity(Glyph("f", bold=True), "force density", "N/m³"),
         R_CM: Quantity(Glyph("R", "CM", bold=True), "centre of mass from the pivot", "m"),
         g_vec: Quantity(Glyph("g", bold=True), "acceleration of gravity as a vector", "m/s²"),

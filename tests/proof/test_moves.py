@@ -75,6 +75,44 @@ The transport theorem:
 $$\left(\frac{\partial\mathbf L}{\partial t}\right)_{\text{space}}
 = \left(\frac{\partial\mathbf L}{\partial t}\right)_{\text{body}}
 + \boldsymbol\omega\times\mathbf L$$
+
+Along the motion, the power:
+
+$$\lambda_1\,\dot{\mathbf e}_3\cdot\ddot{\mathbf e}_3 = MgR\,\dot\theta\sin\theta$$
+
+The square of the speed:
+
+$$E = \dot{\mathbf e}_3^2$$
+
+## Of many particles
+
+The inner torque:
+
+$$\mathbf N_{\text{in}} = \sum_k\sum_l\mathbf r_k\times\mathbf F_{kl}$$
+
+Along the motion, the force on a particle:
+
+$$m_k\ddot{\mathbf r}_k = \mathbf F_k^{(e)} + \sum_l\mathbf F_{kl}$$
+
+The momentum of particles:
+
+$$\mathbf L = \sum_k m_k\,\mathbf r_k\times\dot{\mathbf r}_k$$
+
+The mass of a particle:
+
+$$m_k = \lambda_1$$
+
+The place of $\delta_k$:
+
+$$\int d^3\mathbf r\,\delta_k\,\mathbf r = \mathbf r_k$$
+
+The force density:
+
+$$f(\mathbf r) = \sum_k\delta_k\,\mathbf F_k^{(e)}$$
+
+The external torque:
+
+$$\mathbf N^{(e)} = \int d^3\mathbf r\,\mathbf r\times f(\mathbf r)$$
 """
 
 
@@ -167,6 +205,40 @@ Put it into the transport theorem:
 $$0 = \left(\frac{\partial\mathbf L}{\partial t}\right)_{\text{space}}
 = \left(\frac{\partial\mathbf L}{\partial t}\right)_{\text{body}}
 + \boldsymbol\omega\times\mathbf L$$
+""",
+    "indices change places": r"""
+Exchange $k$ and $l$ in the inner torque:
+
+$$\mathbf N_{\text{in}} = \sum_k\sum_l\mathbf r_l\times\mathbf F_{lk}$$
+
+Exchange $k$ and $l$ in it:
+
+$$\mathbf N_{\text{in}} = \sum_l\sum_k\mathbf r_k\times\mathbf F_{kl}$$
+""",
+    "what does not go over l comes out of its sum": r"""
+Rewrite the inner torque:
+
+$$\mathbf N_{\text{in}} = \sum_k\mathbf r_k\times\sum_l\mathbf F_{kl}$$
+""",
+    "a law for each particle is put into a sum": r"""
+Take the rate of the momentum of particles, with the force on a particle:
+
+$$\dot{\mathbf L} = \sum_k\mathbf r_k\times\mathbf F_k^{(e)}
++ \sum_k\sum_l\mathbf r_k\times\mathbf F_{kl}$$
+""",
+    "an integral of a sum": r"""
+Put the place of $\delta_k$ and the force density into the external torque:
+
+$$\mathbf N^{(e)} = \underbrace{\sum_k\mathbf r_k\times\mathbf F_k^{(e)}}_{\mathbf N^{(e)}}$$
+""",
+    "a first integral": r"""
+Integrate the power from $\dot{\mathbf e}_3 = 0$ and $\theta = \theta_i$:
+
+$$\tfrac12\lambda_1\dot{\mathbf e}_3^2 = MgR(\cos\theta_i - \cos\theta)$$
+
+Put it into the square of the speed:
+
+$$E = \frac{2MgR}{\lambda_1}(\cos\theta_i - \cos\theta)$$
 """,
 }
 
@@ -444,6 +516,82 @@ Integrate it from $\omega_3 = \omega_{3,0}$:
 $$\omega_3 = \omega_{3,0}$$
 """,
         "approximately, can't be integrated",
+    ),
+    "indices do not change places by themselves": (
+        r"""
+Rewrite the inner torque:
+
+$$\mathbf N_{\text{in}} = \sum_k\sum_l\mathbf r_l\times\mathbf F_{kl}$$
+""",
+        "the move does not arrive here",
+    ),
+    "what goes over an index stays in its sum": (
+        r"""
+Rewrite the inner torque:
+
+$$\mathbf N_{\text{in}} = \sum_l\mathbf r_k\times\sum_k\mathbf F_{kl}$$
+""",
+        "the move does not arrive here",
+    ),
+    "a letter of one index": (
+        r"""
+Exchange $k$ and $l$ in the mass of a particle:
+
+$$m_k = \lambda_1$$
+""",
+        "m_k with the other index has no letter",
+    ),
+    "another thing under a brace": (
+        r"""
+Put the place of $\delta_k$ and the force density into the external torque:
+
+$$\mathbf N^{(e)} = \sum_k\underbrace{\mathbf r_k}_{\equiv 2\mathbf r_k}\times\mathbf F_k^{(e)}$$
+""",
+        "the move does not arrive here",
+    ),
+    "a first integral that starts elsewhere": (
+        r"""
+Integrate the power from $\dot{\mathbf e}_3 = 0$ and $\theta = \theta_0$:
+
+$$\tfrac12\lambda_1\dot{\mathbf e}_3^2 = MgR(\cos\theta_i - \cos\theta)$$
+""",
+        "this does not hold at the start",
+    ),
+    "a first integral of which the start is not said": (
+        r"""
+Integrate the power from $\theta = \theta_i$:
+
+$$\tfrac12\lambda_1\dot{\mathbf e}_3^2 = MgR(\cos\theta_i - \cos\theta)$$
+""",
+        "this does not hold at the start",
+    ),
+    "a first integral with another rate": (
+        r"""
+Integrate the power from $\dot{\mathbf e}_3 = 0$ and $\theta = \theta_i$:
+
+$$\lambda_1\dot{\mathbf e}_3^2 = MgR(\cos\theta_i - \cos\theta)$$
+""",
+        "the move does not arrive here",
+    ),
+    "a start that stands nowhere": (
+        r"""
+Integrate the power from $\dot{\mathbf e}_3 = 0$, $\theta = \theta_i$ and $\phi = 0$:
+
+$$\tfrac12\lambda_1\dot{\mathbf e}_3^2 = MgR(\cos\theta_i - \cos\theta)$$
+""",
+        "phi does not stand there",
+    ),
+    "an integral of what is set": (
+        r"""
+Set $\dot\theta = 0$ in the power:
+
+$$\lambda_1\,\dot{\mathbf e}_3\cdot\ddot{\mathbf e}_3 = 0$$
+
+Integrate it from $\dot{\mathbf e}_3 = 0$:
+
+$$\dot{\mathbf e}_3^2 = 0$$
+""",
+        "holds at a moment",
     ),
 }
 
