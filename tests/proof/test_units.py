@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 import sympy
@@ -10,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from sympy import ImmutableMatrix, Integer, MatrixBase, Rational, Symbol, atan2, cos, sin, sqrt
 
+from rigidtop.collection import load
 from rigidtop.derivations import PAGES, lecture
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.derivations.letters import LETTERS
@@ -30,10 +32,12 @@ from rigidtop.proof.equation import (
     VolumeIntegral,
     as_printed,
 )
+from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.page import Check
 from rigidtop.proof.units import UnitsError, check, defining, dimension, named, parsed
 from rigidtop.proof.verdict import led
 from rigidtop.read.page import read_lecture
+from rigidtop.starter import letters as starter
 from rigidtop.theory import symbols as s
 
 LECTURE = lecture()
@@ -345,6 +349,21 @@ def test_letters_without_units_take_numbers() -> None:
 def test_lines_of_the_lecture_agree(id: str) -> None:
     found = LECTURE.judged(id).problem
     assert not isinstance(found, UnitsError), found.words(said)
+
+
+def test_units_of_a_collection_are_its_letters(tmp_path: Path) -> None:
+    """A course of one's own, as `rigidtop new` makes it."""
+    folder = tmp_path / "course"
+    folder.mkdir()
+    for path in Path(starter.__file__).parent.glob("*"):
+        if path.is_file():
+            words = path.read_text("utf-8").replace("-mgl\\cos\\theta", "-mg\\cos\\theta", 1)
+            (folder / path.name).write_text(words, "utf-8")
+    read: Lecture = load(folder).lecture
+    law = next(line for line in read.lines.values() if line.called == "The potential energy")
+    found = read.judged(law.id).problem
+    assert found is not None
+    assert str(found).startswith("the units disagree: V is in J")
 
 
 # --- claims ---------------------------------------------------------------------------------------
