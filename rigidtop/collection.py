@@ -318,7 +318,7 @@ def letters_of(notation: Notation) -> Letters:
     """What a notation's letters are, as far as they show it.
 
     What is positive is a number; a letter with a dotted one is a coordinate, whose rate that is;
-    bold letters are vectors.
+    bold letters are vectors.  Units are the symbols' own.
     """
     glyphs = notation.glyphs
     dots = {"": "dot", "dot": "ddot"}
@@ -334,6 +334,10 @@ def letters_of(notation: Notation) -> Letters:
         rates=rates,
         vectors=frozenset(x for x, glyph in glyphs.items() if glyph.bold),
         operators=frozenset(MATRICES) & frozenset(glyphs),
+        units={
+            x: (x.quantity if isinstance(x, Lettered) else symbols.VOCABULARY[x]).unit
+            for x in glyphs
+        },
     )
 
 

@@ -18,6 +18,7 @@ from rigidtop.proof.derivation import Judged, Line, diagnose
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.lecture import Heading, Lecture, Shown, Text
 from rigidtop.proof.moves import Condition
+from rigidtop.proof.units import UnitsError
 
 
 def way_blocks(
@@ -33,7 +34,7 @@ def way_blocks(
     if starts:
         names = [called(lecture.lines[id], notation) for id in starts]
         blocks.append(Paragraph((*_listed(names), "."), "From"))
-    return [*blocks, *gaps(lecture, ids)]
+    return [*blocks, *gaps(lecture, (*ids, *(x for x in starts if x in lecture.laws)))]
 
 
 def text_blocks(lecture: Lecture, text: Text, notation: Notation = NOTES) -> list[Block]:
@@ -156,11 +157,12 @@ def gap(judged: Judged, letters: Letters, notation: Notation = NOTES) -> str:
     """Why a line does not follow, with its place, and numbers against it where there are."""
     line, problem = judged.line, judged.problem
     assert problem is not None
-    assert line.move is not None
 
     def said(node: Any) -> str:
         return text(notation.written(node))
 
+    if line.move is None or isinstance(problem, UnitsError):
+        return f"{line.file}, line {line.at}: {problem.words(said)}"
     cited = line.move.cited
     found = None if line.move.verb == "call" else diagnose(line.equations, cited, letters)
     place = f"{line.file}, line {line.at}, does not follow: {problem.words(said)}"

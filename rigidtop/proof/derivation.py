@@ -15,7 +15,7 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, Integer, MatrixBase, Mul, Pow, Rational, Symbol
 
-from rigidtop.proof import decide
+from rigidtop.proof import decide, units
 from rigidtop.proof.algebra import (
     TIME,
     Algebra,
@@ -83,8 +83,14 @@ class Judged:
 
 
 def judge_line(line: Line, letters: Letters) -> Judged:
-    """Make a line's move and see whether it arrives at the line."""
+    """Make a line's move and see whether it arrives at the line; its units come first."""
     bare = Known(line.id, line.equations, line.scope, called=line.called)
+    set_to = () if line.move is None else line.move.by
+    try:
+        for equation in (*line.equations, *(x for x in set_to if isinstance(x, Equation))):
+            units.check(equation, letters)
+    except units.UnitsError as problem:
+        return Judged(line, bare, problem)
     if line.move is None:
         return Judged(line, bare)
     if line.move.verb == "call":

@@ -12,6 +12,7 @@ from functools import cached_property
 from typing import Any
 
 from rigidtop.errors import RigidtopError
+from rigidtop.proof import units
 from rigidtop.proof.algebra import Letters
 from rigidtop.proof.derivation import Judged, Line, judge_line, survivors, unneeded
 from rigidtop.proof.moves import Known
@@ -201,8 +202,17 @@ class Lecture:
             if each not in self._found:
                 standing = {cited: self._found[cited].known for cited in self.cites(each)}
                 line = with_standing(self.lines[each], standing)
-                self._found[each] = judge_line(line, self.letters)
+                self._found[each] = judge_line(line, self._with_units)
         return self._found[id]
+
+    @cached_property
+    def _with_units(self) -> Letters:
+        """The letters, with units of what is defined by a line."""
+        letters = self.letters
+        for line in self.lines.values():
+            if line.move is not None and line.move.verb == "call":
+                letters = units.defining(letters, line.equations[0])
+        return letters
 
     @cached_property
     def _found(self) -> dict[str, Judged]:

@@ -159,7 +159,8 @@ def judge(claim: Claim, section: str = "", lecture: Lecture | None = None) -> Ju
 def led(lecture: Lecture, name: str) -> Led:
     """Make the moves that lead to what a name of the lecture names."""
     ids, starts = lecture.way(name)
-    judged = [lecture.judged(id) for id in ids]
+    # What stands by itself has no move, but units that have to agree.
+    judged = [lecture.judged(id) for id in (*ids, *(x for x in starts if x in lecture.laws))]
     return Led(lecture, name, ids, starts, tuple(each for each in judged if not each.follows))
 
 

@@ -29,7 +29,10 @@ class Glyph:
 
 @dataclass(frozen=True)
 class Quantity:
-    """A row of the vocabulary.  `unit` is SI; "1" for a pure number, "" for a label."""
+    """A row of the vocabulary.  `unit` is SI; "1" for a pure number.
+
+    "" is for a label or a unit vector.
+    """
 
     glyph: Glyph
     meaning: str

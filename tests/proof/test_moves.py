@@ -25,13 +25,13 @@ The spin momentum:
 
 $$p_\psi = \lambda_3(\dot\psi + \dot\phi\cos\theta)$$
 
-The moment:
+The deviation:
 
-$$\lambda_3 = 1$$
+$$\delta = 1$$
 
-The other moment:
+The other deviation:
 
-$$\lambda_3 = 2$$
+$$\delta = 2$$
 
 Along the motion, Lagrange's equation for $\theta$:
 
@@ -340,25 +340,25 @@ $$p_\psi = \lambda_3(\dot\psi + \dot\phi\cos\theta)$$
         r"""
 Call the ratio:
 
-$$D = \frac{1}{1 - \varepsilon}$$
+$$\mu = \frac{1}{1 - \varepsilon}$$
 
 Expand it to first order in $\varepsilon$:
 
-$$D \approx 1 + \varepsilon$$
+$$\mu \approx 1 + \varepsilon$$
 
 Divide it by $\varepsilon$:
 
-$$\frac{D}{\varepsilon} \approx \frac{1}{\varepsilon} + 1 + \varepsilon$$
+$$\frac{\mu}{\varepsilon} \approx \frac{1}{\varepsilon} + 1 + \varepsilon$$
 """,
         "does not arrive",
     ),
     "premises that contradict each other": (
         r"""
-Put the moment and the other moment into the spin momentum:
+Put the deviation and the other deviation into the spin momentum:
 
-$$p_\psi = \dot\psi$$
+$$p_\psi = \lambda_3\dot\psi$$
 """,
-        "contradicts itself: see The other moment",
+        "contradicts itself: see The other deviation",
     ),
     "a leap": (
         r"""
@@ -381,7 +381,7 @@ $$0 = \lambda_1\dot\phi^2\cos\theta - p_\psi\dot\phi + MgR$$
         r"""
 Call the acceleration:
 
-$$\ddot\theta = \sin\theta$$
+$$\ddot\theta = \kappa\sin\theta$$
 """,
         "is a coordinate or a rate",
     ),
