@@ -48,6 +48,7 @@ TEXTS = (
     "euler_angles",
     "rotation_matrices",
     "lagrange_formalism",
+    "nutation",
 )
 """The pages as they are read aloud, Markdown files beside this one, in reading order."""
 
