@@ -328,4 +328,5 @@ page = Page(
     "Nutation in the Lagrange formalism",
     "What θ and φ do when the precession is not quite steady.",
     (nutation, azimuth, friction),
+    text="nutation",
 )
