@@ -92,5 +92,9 @@ LETTERS = Letters(
         (s.T, s.V),
         (s.L_vec, s.omega_vec),
     ),
+    placed=frozenset(
+        {*_AXES, s.e1p, s.e2p, s.h_vec, s.xhat, s.yhat, s.zhat, s.R_CM, s.inertia, s.V}
+    ),
+    functions=dict.fromkeys((s.U, s.U_slope, s.Omega), (s.theta, s.p_phi, s.p_psi)),
     units={x: quantity.unit for x, quantity in _ROWS},
 )

@@ -53,7 +53,10 @@ class Letters:
     `exchanged` says what letter each becomes when two indices change places, r_k for r_l;
     `components` name the
     scalar product of an axis and a vector, `branches` the roots of an equation for a letter;
-    a slip of the pen exchanges letters of one of the `families`; `units` are SI.
+    `placed` are vectors, operators and scalars that coordinates alone determine, and `functions`
+    letters with the other letters that they are a function of, such as an effective potential of
+    an angle and of momenta; a slip of the pen exchanges letters of one of the `families`;
+    `units` are SI.
     """
 
     numbers: frozenset[Symbol] = frozenset()
@@ -70,6 +73,8 @@ class Letters:
     components: Mapping[tuple[Symbol, Symbol], Symbol] = field(default_factory=dict)
     branches: Mapping[Symbol, Symbol] = field(default_factory=dict)
     families: tuple[tuple[Symbol, ...], ...] = ()
+    placed: frozenset[Symbol] = frozenset()
+    functions: Mapping[Symbol, tuple[Symbol, ...]] = field(default_factory=dict)
     units: Mapping[Symbol, str] = field(default_factory=dict)
 
     @cached_property
@@ -77,10 +82,22 @@ class Letters:
         return frozenset(e for frame in self.frames for e in frame)
 
     @cached_property
-    def independent(self) -> frozenset[Symbol]:
-        """What a partial derivative holds fixed: numbers, coordinates and their velocities."""
-        velocities = {self.rates[q] for q in self.coordinates if q in self.rates}
-        return self.numbers | {*self.coordinates} | velocities
+    def velocities(self) -> frozenset[Symbol]:
+        return frozenset(self.rates[q] for q in self.coordinates if q in self.rates)
+
+    def arguments(self, letter: Symbol) -> frozenset[Symbol]:
+        """What a partial derivative of a letter holds fixed: numbers and what it is a function of.
+
+        What is no function of other letters is one of coordinates and velocities.
+        """
+        return self.numbers | (
+            frozenset(self.functions.get(letter, ())) or self.velocities | {*self.coordinates}
+        )
+
+    def is_placed(self, node: Expr) -> bool:
+        """Whether coordinates alone determine an atom: no velocity changes it."""
+        names = {x.name for x in self.placed | self.numbers | {*self.coordinates}}
+        return not node.has(Rate, Partial) and all(x.name in names for x in node.free_symbols)
 
 
 @dataclass(frozen=True, eq=False)
@@ -532,6 +549,13 @@ class Algebra:
             return self.summed(node, self._scalar_rate(node.args[1]))
         if node in self.letters.rates:
             return self.atom(self.letters.rates[node])
+        if node in self.letters.functions:  # the chain rule
+            return Add(
+                *(
+                    self.atom(Partial(node, y)) * self._rate_of(y, {})
+                    for y in self.letters.functions[node]
+                )
+            )
         return self.atom(Rate(node))
 
     def _node_vector(self, node: Expr) -> Vector:

@@ -219,11 +219,10 @@ def _give(equation: Equation, source: Known, given: dict[Any, Value], letters: L
     algebra = Algebra(letters, given)
     sides = [side for side in equation.sides if side != const]
     if const in equation.sides:
-        given_rate = algebra.rate(Algebra(letters).value(sides[-1]))
-        atom = _single(given_rate)
-        if atom is None:
+        atoms = [a for side in sides if (a := _single(algebra.rate(Algebra(letters).value(side))))]
+        if not atoms:
             raise RefusedError("{} says that a sum is constant: take the rate of it", _name(source))
-        given[atom[0]] = Integer(0)
+        given.update((atom, Integer(0)) for atom, _ in atoms)
     # Each side as what it is; the first that is an atom gives way to the others: a letter before
     # a letter with a positive factor, such as m r̈.
     bare = Algebra(letters)
@@ -387,7 +386,7 @@ def _reaches_into(known: Known, pairs: Sequence[Pair], letters: Letters) -> None
         for side in (pair.left, pair.right):
             for node in atoms_of(side):
                 inner = {x for part in getattr(node, "args", ()) for x in (part, *_nodes(part))}
-                if isinstance(node, (Rate, Partial)) and inner & atoms:
+                if isinstance(node, Rate) and inner & atoms:
                     raise RefusedError(
                         "{} is set at a moment: it can't be put in before the derivative is taken",
                         _name(known),
@@ -406,6 +405,17 @@ def _one(move: Move) -> Known:
 
 def _all_pairs(known: Known, algebra: Algebra) -> list[Pair]:
     return [p for e in known.equations for p in pairs_of(e, algebra, chain=True)]
+
+
+def _said(known: Known, algebra: Algebra) -> list[Pair]:
+    """The pairs of equal sides; of a chain that ends in a constant, without its rate."""
+    pairs = []
+    for equation in known.equations:
+        sides = [side for side in equation.sides if side != const]
+        if len(sides) > 1:
+            equation = Equation(*sides, relation=equation.relation)
+        pairs += [p for p in pairs_of(equation, algebra, chain=True) if _equal(p)]
+    return pairs
 
 
 def _put(move: Move, algebra: Algebra) -> Performed:
@@ -433,7 +443,11 @@ def _differentiate(move: Move, algebra: Algebra) -> Performed:
     for pair in _all_pairs(known, algebra):
         if not isinstance(pair.left, Symbol):
             continue
-        made.append(Pair(Partial(pair.left, by), _slope(pair.right, by, known, algebra)))
+        held = algebra.letters.arguments(pair.left)
+        if pair.left in algebra.letters.functions and by not in held:
+            raise RefusedError("{} is no function of {}", pair.left, by)
+        slope = _slope(pair.right, by, held, known, algebra)
+        made.append(Pair(Partial(pair.left, by), slope))
     if not made:
         raise RefusedError(
             "{} does not give a letter as a function: solve it for one", _name(known)
@@ -441,16 +455,21 @@ def _differentiate(move: Move, algebra: Algebra) -> Performed:
     return Performed(tuple(made), known.scope)
 
 
-def _slope(value: Value, by: Symbol, known: Known, algebra: Algebra) -> Expr:
+def _slope(
+    value: Value, by: Symbol, held: frozenset[Symbol], known: Known, algebra: Algebra
+) -> Expr:
+    """The derivative of a function of what is `held`, but for `by`."""
     if isinstance(value, (Vector, MatrixBase)):
         raise RefusedError("partial derivatives are taken of scalars")
+    letters = algebra.letters
     flat, atoms = flattened(value)
-    held = algebra.letters.independent
-    for x in flat.free_symbols:
+    slope = flat.diff(by)
+    for x in flat.free_symbols - held - {by}:
         node = atoms.get(x, x)
-        if node == by and by not in held:
-            continue
-        if node not in held:
+        if node in letters.functions and letters.arguments(node) <= held:
+            if by in letters.functions[node]:
+                slope += flat.diff(x) * Partial(node, by)  # the chain rule
+        elif not (by in letters.velocities and letters.is_placed(node)):
             raise RefusedError(
                 "{} in {} depends on the coordinates and velocities: write it out before you "
                 "differentiate by {}",
@@ -458,7 +477,7 @@ def _slope(value: Value, by: Symbol, known: Known, algebra: Algebra) -> Expr:
                 _name(known),
                 by,
             )
-    return flat.diff(by).xreplace(atoms)
+    return slope.xreplace(atoms)
 
 
 def _rate(move: Move, algebra: Algebra) -> Performed:
@@ -485,7 +504,7 @@ def _integrate(move: Move, algebra: Algebra) -> Performed:
     known = _one(move)
     if known.scope is Scope.SET:
         raise RefusedError("{} holds at a moment: it can't be integrated", _name(known))
-    return Performed(tuple(_all_pairs(known, algebra)), Scope.MOTION)
+    return Performed(tuple(_all_pairs(known, algebra)), Scope.MOTION, order=known.order)
 
 
 def _equal(pair: Pair) -> bool:
@@ -540,16 +559,17 @@ def _sum(sign: int) -> Callable[[Move, Algebra], Performed]:
         if len(move.of) != 2:
             raise RefusedError("{} takes two equations", move.verb)
         first, second = (
-            [(p, f) for p in _all_pairs(k, algebra)] for k, f in zip(move.of, factors, strict=True)
+            [(algebra.times(f, p.left), algebra.times(f, p.right)) for p in _said(k, algebra)]
+            for k, f in zip(move.of, factors, strict=True)
         )
+        minus = Integer(sign)
         pairs = [
             Pair(
-                algebra.total([algebra.times(g, q.left), algebra.times(sign * f, p.left)]),
-                algebra.total([algebra.times(g, q.right), algebra.times(sign * f, p.right)]),
+                algebra.total([c, algebra.times(minus, a)]),
+                algebra.total([d, algebra.times(minus, b)]),
             )
-            for p, f in first
-            for q, g in second
-            if _equal(p) and _equal(q)
+            for a, b in first
+            for c, d in second
         ]
         return Performed(tuple(pairs), max(k.scope for k in move.of))
 
@@ -1019,6 +1039,7 @@ def _expand(move: Move, algebra: Algebra) -> Performed:
     known = _one(move)
     together = move.by if len(move.by) > 1 else ()
     order = Order(SMALL if together else move.by[0], move.power + 1, together)
+    algebra = Algebra(algebra.letters, put_in(move.using, algebra.letters))
     if known.order is not None and known.order.power <= move.power:
         raise RefusedError(
             "{} holds to O({}^{}) only: its terms of order {} are not known",
@@ -1083,11 +1104,15 @@ def _contains(value: Value, term: Value) -> bool:
 
 
 def _set(move: Move, algebra: Algebra) -> Performed:
-    """Values for letters, at a moment; `power` 1: at all times, so that their rates vanish too."""
+    """Values for letters, at a moment; `power` 1: at all times, so that their rates vanish too.
+
+    `power` 2: at the start, in what is constant and keeps what it was.
+    """
     known = _one(move)
     given = _values(move, algebra)
     letters = algebra.letters
-    always = move.power or all(
+    at_start = move.power == 2
+    always = move.power == 1 or all(
         x in letters.numbers and value.free_symbols <= letters.numbers for x, value in given.items()
     )
     if always:
@@ -1107,6 +1132,10 @@ def _set(move: Move, algebra: Algebra) -> Performed:
         replace(pair, left=put.value(pair.left), right=put.value(pair.right))
         for pair in _all_pairs(known, algebra)
     ]
+    if at_start:
+        _constant(pairs, known, move, letters)
+        premises = tuple(Condition(p.left - p.right, "=") for p in pairs)
+        return Performed(tuple(pairs), Scope.MOTION, premises)
     scope = known.scope if always and not move.power else Scope.MOTION if always else Scope.SET
     conditions = tuple(
         Condition(algebra.value(e.sides[0]) - algebra.value(e.sides[1]), "=")
@@ -1114,6 +1143,19 @@ def _set(move: Move, algebra: Algebra) -> Performed:
         if not isinstance(algebra.value(e.sides[0]), Vector)
     )
     return Performed(tuple(pairs), scope, conditions, known.order, given)
+
+
+def _constant(pairs: Sequence[Pair], known: Known, move: Move, letters: Letters) -> None:
+    """Refuse what changes after the start, as far as what is cited besides says."""
+    if known.scope is Scope.SET or known.order is not None:
+        raise RefusedError("{} does not hold at all times", _name(known))
+    bare, later = Algebra(letters), Algebra(letters, put_in(move.using, letters))
+    for pair in pairs:
+        rates = (later.value(bare.rate(side)) for side in (pair.left, pair.right))
+        if not _equal(pair) or not agree(*rates):
+            raise RefusedError("this changes after the start: cite what keeps it")
+        if isinstance(pair.left, (Vector, MatrixBase)) or isinstance(pair.right, Vector):
+            raise RefusedError("at the start scalars are set")
 
 
 def _values(move: Move, algebra: Algebra) -> dict[Any, Value]:
@@ -1128,7 +1170,7 @@ def _not_under_a_rate(given: Mapping[Any, Value], known: Known, algebra: Algebra
     for pair in _all_pairs(known, algebra):
         for side in (pair.left, pair.right):
             for node in atoms_of(side):
-                if isinstance(node, (Rate, Partial)) and node not in given:
+                if isinstance(node, Rate) and node not in given:
                     inner = {x for part in node.args for x in _nodes(part)}
                     if inner & set(given):
                         raise RefusedError(

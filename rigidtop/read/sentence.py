@@ -20,6 +20,7 @@ a move (`rigidtop.proof.moves`), what it is done with, and what is put in beside
     Take the root of A.                     Square A.
     Take the sign of A.  (A's right side is < 0, > 0 or ≠ 0)
     Set $x = 0$ in A.                       Set $x = 0$ at all times in A.
+    Set $x = 0$ at the start in A.  (what A says is constant, with what is cited)
     Expand A to second order in $x$.        Neglect $f$ in A.
     Expand A to first order in $x$ and $y$.  (both small alike)
     Call the name of it.                    (a definition)
@@ -277,8 +278,8 @@ def _integrate(w: _Words) -> Move:
     return Move("integrate", w.known("a"), by=w.equations("x"))
 
 
-def _set(always: int) -> Callable[[_Words], Move]:
-    return lambda w: Move("set", w.known("a"), by=w.equations("x"), power=always)
+def _set(when: int) -> Callable[[_Words], Move]:
+    return lambda w: Move("set", w.known("a"), by=w.equations("x"), power=when)
 
 
 _A, _B, _X, _Y = (_REF.format(name) for name in "abxy")
@@ -316,6 +317,7 @@ _SHAPES: tuple[tuple[str, Callable[[_Words], Move]], ...] = (
     (rf"Square {_A}", _simple("square")),
     (rf"Neglect {_X} in {_A}", _by("neglect")),
     (rf"Set {_X} at all times in {_A}", _set(1)),
+    (rf"Set {_X} at the start in {_A}", _set(2)),
     (rf"Set {_X} in {_A}", _set(0)),
 )
 _PATTERNS = tuple((re.compile(shape), build) for shape, build in _SHAPES)

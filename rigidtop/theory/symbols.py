@@ -110,6 +110,7 @@ F, F_1 = map(_real, ("F", "F_1"))
 mu, n = map(_positive, ("mu", "n"))
 U, U_slope, mean_theta, phidot_slope = map(_real, ("U", "U_slope", "mean_theta", "phidot_slope"))
 follower = _real("follower")
+eta = _real("eta")
 slip, Edot, Tdot, damping = map(_real, ("slip", "Edot", "Tdot", "damping"))
 r_1, v_tip, omega_perp, L_later = map(_real, ("r_1", "v_tip", "omega_perp", "L_later"))
 ball = _positive("ball")
@@ -117,6 +118,7 @@ zeta1, zeta2, zeta3, zeta_vec = map(_real, ("zeta1", "zeta2", "zeta3", "zeta_vec
 r_2, v_1, v_2, u_vec, v_vec = map(_real, ("r_2", "v_1", "v_2", "u_vec", "v_vec"))
 lambda_r, lambda_i = map(_real, ("lambda_r", "lambda_i"))
 r1, r2, r3 = map(_real, ("r1", "r2", "r3"))
+r_tip, v_CM = map(_real, ("r_tip", "v_CM"))
 alpha1, alpha2, gamma = map(_real, ("alpha1", "alpha2", "gamma"))
 n_1, n_2, s_vec, trace_O = map(_real, ("n_1", "n_2", "s_vec", "trace_O"))
 epsilon_0, tau, radius, height = map(_real, ("epsilon_0", "tau", "radius", "height"))
@@ -216,6 +218,7 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         omega_n2: Quantity(Glyph("ω²", "n"), "square of the nutation frequency", "1/s²"),
         A: Quantity(Glyph("A"), "amplitude of the nutation", "rad"),
         delta: Quantity(Glyph("δ"), "a deviation: of a shape, an angle, a start", "1"),
+        eta: Quantity(Glyph("η"), "how far θ is from where it was at the start", "rad"),
         mean_theta: Quantity(Glyph("δ", "θ"), "mean of θ less the steady angle", "rad"),
         phidot_slope: Quantity(Glyph("φ", "θ", "dot"), "slope of φ̇ against θ", "1/s"),
         slip: Quantity(Glyph("v"), "speed of the contact point over the table", "m/s"),
@@ -324,6 +327,8 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         u_vec: Quantity(Glyph("u", bold=True), "any vector", ""),
         v_vec: Quantity(Glyph("v", bold=True), "any vector", ""),
         v_tip: Quantity(Glyph("v", "tip", bold=True), "velocity of the contact point", "m/s"),
+        r_tip: Quantity(Glyph("r", "tip", bold=True), "contact point from the centre of mass", "m"),
+        v_CM: Quantity(Glyph("v", "CM", bold=True), "velocity of the centre of mass", "m/s"),
         omega_perp: Quantity(
             Glyph("ω", "⊥", bold=True), "rotational velocity across the stick", "rad/s"
         ),
