@@ -97,7 +97,9 @@ class Letters:
     def is_placed(self, node: Expr) -> bool:
         """Whether coordinates alone determine an atom: no velocity changes it."""
         names = {x.name for x in self.placed | self.numbers | {*self.coordinates}}
-        return not node.has(Rate, Partial) and all(x.name in names for x in node.free_symbols)
+        return not node.has(Rate, Partial) and all(
+            x.name.removesuffix("ᵀ") in names for x in node.free_symbols
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -183,6 +185,8 @@ class Algebra:
 
     def _operator(self, letter: Symbol) -> Value:
         """An operator, or what is put in for it or for its transpose."""
+        if self._is_symmetric(letter):
+            return _base(letter)
         if letter in self.known:
             return self.known[letter]
         flipped = self._flipped(letter)
@@ -406,8 +410,16 @@ class Algebra:
 
     def _flipped(self, factor: Expr) -> Expr:
         base, power = factor.as_base_exp()
+        if self._is_symmetric(base):
+            return _base(base) ** power
         name = base.name[:-1] if base.name.endswith("ᵀ") else base.name + "ᵀ"
         return Symbol(name, commutative=False) ** power
+
+    def _is_symmetric(self, letter: Expr) -> bool:
+        """Whether what is put in says that an operator is its own transpose."""
+        base = _base(letter)
+        flipped = Symbol(base.name + "ᵀ", commutative=False)
+        return bool(self.known.get(base) == flipped or self.known.get(flipped) == base)
 
     # --- sums over particles, integrals over a body ------------------------------------------
 
@@ -589,6 +601,11 @@ class Algebra:
         if isinstance(node, (SumOver, VolumeIntegral)):
             return any(map(self._is_vector, Mul.make_args(node.args[1])))
         return node in self.letters.vectors or isinstance(node, (Cross, Applied, Rate))
+
+
+def _base(letter: Expr) -> Symbol:
+    """An operator's letter, without its ᵀ."""
+    return Symbol(letter.name.removesuffix("ᵀ"), commutative=False)
 
 
 def _as_vector(made: Value) -> Vector:

@@ -35,6 +35,10 @@ The rate of precession:
 
 $$\Omega = \dot\phi$$
 
+The symmetry of the tensor:
+
+$$I^T = I$$
+
 The spin:
 
 $$L_3 = \lambda_3\omega_3$$
@@ -86,6 +90,15 @@ Differentiate it by $\dot\phi$:
 
 $$\frac{\partial D}{\partial\dot\phi} = \hat{\mathbf z}\cdot I\hat{\mathbf z}$$
 """,
+    "a symmetric operator stands behind either vector": r"""
+Call the product:
+
+$$D = \hat{\mathbf z}\cdot I\mathbf e_3 + \mathbf e_3\cdot I\hat{\mathbf z}$$
+
+Put the symmetry of the tensor into it:
+
+$$D = 2\mathbf e_3\cdot I\hat{\mathbf z}$$
+""",
     "the slope at constant momenta, with the chain rule": POTENTIAL
     + r"""
 Differentiate it by $\theta$:
@@ -93,9 +106,9 @@ Differentiate it by $\theta$:
 $$\frac{\partial U}{\partial\theta} = -\frac{p_\psi^2}{2\lambda_3}\sin\theta
 + p_\phi\frac{\partial\Omega}{\partial\theta}$$
 
-Set $\theta = 0$ in it:
+Set $p_\phi = 0$ in it:
 
-$$\frac{\partial U}{\partial\theta} = p_\phi\frac{\partial\Omega}{\partial\theta}$$
+$$\frac{\partial U}{\partial\theta} = -\frac{p_\psi^2}{2\lambda_3}\sin\theta$$
 """,
     "the rate of a function": r"""
 Call the double:
@@ -143,6 +156,18 @@ Differentiate it by $\theta$:
 $$\frac{\partial D}{\partial\theta} = 0$$
 """,
         "depends on the coordinates and velocities",
+    ),
+    "an operator that is not known to be symmetric": (
+        r"""
+Call the product:
+
+$$D = \hat{\mathbf z}\cdot I\mathbf e_3 + \mathbf e_3\cdot I\hat{\mathbf z}$$
+
+Rewrite it:
+
+$$D = 2\mathbf e_3\cdot I\hat{\mathbf z}$$
+""",
+        "does not arrive here",
     ),
     "a potential is no function of a velocity": (
         POTENTIAL
