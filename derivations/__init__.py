@@ -50,6 +50,7 @@ TEXTS = (
     "net_torque",
     "simplified_picture",
     "lagrange_formalism",
+    "nutation",
 )
 """The pages as they are read aloud, Markdown files beside this one, in reading order."""
 
