@@ -21,6 +21,7 @@ from rigidtop.proof.equation import (
     Dot,
     Equation,
     Group,
+    Matrices,
     Printed,
     Rate,
     SumOver,
@@ -123,6 +124,8 @@ def _signed(tree: Any, images: Images) -> Signed:
         return _product(tree, [_signed(argument, images) for argument in tree.args])
     if isinstance(tree, Add):
         return False, _sum([_signed(argument, images) for argument in tree.args])
+    if isinstance(tree, Matrices):
+        return False, Matrices(*(translated(matrix, images) for matrix in tree.args))
     if isinstance(tree, (Group, Transposed)):
         negative, body = _signed(tree.args[0], images)
         return negative, tree.func(body)

@@ -33,6 +33,7 @@ from rigidtop.proof.equation import (
     Dot,
     Equation,
     Group,
+    Matrices,
     Partial,
     Printed,
     Rate,
@@ -550,6 +551,11 @@ def _(tree: Any, order: Order) -> Node:
 @_node.register
 def _(tree: sympy.Inverse, order: Order) -> Node:
     return _raised(_node(tree.args[0], order), negated(Number("1")))
+
+
+@_node.register
+def _(tree: Matrices, order: Order) -> Node:
+    return product([_node(matrix, order) for matrix in tree.args])
 
 
 @_node.register(sympy.Transpose)

@@ -429,10 +429,12 @@ def claim_blocks(judgement: Judgement, *, marks: bool = True) -> list[Block]:
         *(finding for finding in findings if finding.check.printed),
     ]
     mixed = marks and len({finding.verdict for finding in findings}) > 1
-    if not any(isinstance(item, Led) for item in judgement.items):  # else its lines say it all
-        rows = [_notes_row(item, mixed) for item in as_notes]
-        if rows:
-            blocks.append(Display(_tagged(rows, claim.name), "The notes print"))
+    led = any(isinstance(item, Led) for item in judgement.items)
+    rows = [_notes_row(item, mixed) for item in as_notes]
+    amiss = judgement.verdict in (Verdict.FALSE, Verdict.CONVENTION)
+    if rows and (amiss or not led):
+        blocks.append(Display(_tagged(rows, claim.name), "The notes print"))
+    if not led:  # else its lines say the rest
         if claim.reason:
             blocks.append(Paragraph((claim.reason,), "Reason"))
         blocks.extend(_derivation(judgement, mixed))

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, reduce
 from typing import Any
 
 import sympy
@@ -25,6 +25,7 @@ from rigidtop.proof.equation import (
     Cross,
     Dot,
     Group,
+    Matrices,
     NoMeaningError,
     Partial,
     Printed,
@@ -213,6 +214,8 @@ class Algebra:
             return self.dot(*parts)
         if isinstance(node, Transposed):
             return self.transposed(parts[0])
+        if isinstance(node, Matrices):
+            return reduce(self.times, parts)
         if isinstance(node, Applied):
             return self.times(*parts)
         raise NoMeaningError(f"no meaning for {type(node).__name__}")

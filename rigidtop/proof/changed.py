@@ -12,6 +12,7 @@ from sympy import Add, Integer, Mul, Pow, Rational, Symbol, cos, sin
 from rigidtop.proof.equation import (
     Cross,
     Equation,
+    Matrices,
     Partial,
     Rate,
     SumOver,
@@ -60,6 +61,11 @@ def _changed(node: Any, families: Families) -> Iterator[tuple[Any, str]]:
     with as_printed():
         here = list(_changed_here(node, families))
     yield from here
+    if isinstance(node, Matrices):
+        for k, matrix in enumerate(node.args):
+            for changed, change in _changed_side(matrix, families):
+                yield Matrices(*node.args[:k], changed, *node.args[k + 1 :]), change
+        return
     for k, argument in enumerate(node.args):
         if _stands(node, k):
             continue

@@ -59,6 +59,10 @@ class Transposed(Printed):
     """``Transposed(O)``: Oᵀ."""
 
 
+class Matrices(Printed):
+    """``Matrices(A, B)``: the product of matrices that are written out."""
+
+
 class Rate(Printed):
     """``Rate(L, frame)``: (∂L/∂t) as seen from the frame; without a frame d/dt of a product."""
 
@@ -145,6 +149,8 @@ def _printed_value(node: Printed, meaning: Meaning) -> Any:
         return operands[0].dot(operands[1])
     if isinstance(node, Transposed):
         return operands[0].T
+    if isinstance(node, Matrices):
+        return _fold(operands, lambda a, b: a * b)
     raise TypeError(f"no meaning for {type(node).__name__}")
 
 

@@ -32,6 +32,7 @@ from rigidtop.proof.equation import (
     Dot,
     Equation,
     Group,
+    Matrices,
     Partial,
     Rate,
     SumOver,
@@ -130,13 +131,14 @@ def check(equation: Equation, letters: Letters) -> None:
 
     A matrix that is written out is compared entry by entry.
     """
-    shapes = {side.shape for side in equation.sides if isinstance(side, MatrixBase)}
+    sides = [value(side, {}) if isinstance(side, Matrices) else side for side in equation.sides]
+    shapes = {side.shape for side in sides if isinstance(side, MatrixBase)}
     if len(shapes) != 1:
-        _common(equation.sides, letters)
+        _common(sides, letters)
         return
     [shape] = shapes
     for k in range(shape[0] * shape[1]):
-        entries = [side[k] if isinstance(side, MatrixBase) else side for side in equation.sides]
+        entries = [side[k] if isinstance(side, MatrixBase) else side for side in sides]
         _common(entries, letters)
 
 

@@ -340,6 +340,8 @@ def kind(node: Any) -> str:
         return "vector" if quantity is not None and quantity.glyph.bold else "scalar"
     if isinstance(node, eq.Cross):
         return "vector"
+    if isinstance(node, eq.Matrices):
+        return kind(node.args[-1])
     if isinstance(node, (eq.Group, eq.Underbrace, eq.Rate, eq.Transposed)):
         return kind(node.args[0])
     if isinstance(node, (eq.SumOver, eq.VolumeIntegral)):
@@ -816,7 +818,7 @@ def _negative(value: _Value) -> _Value:
 def _times(left: _Value, right: _Value) -> _Value:
     kinds = (left.kind, right.kind)
     both = next((k for k in ("vector", "matrix") if k in kinds), "scalar")
-    if left.explicit or right.explicit:
+    if left.explicit or right.explicit or isinstance(left.tree, eq.Matrices):
         if "scalar" not in kinds:
             return _matrices(left, right)
         tree = left.tree * right.tree
@@ -826,15 +828,20 @@ def _times(left: _Value, right: _Value) -> _Value:
 
 
 def _matrices(left: _Value, right: _Value) -> _Value:
-    """The product of two matrices that are written out."""
-    if not (left.explicit and right.explicit):
+    """The product of matrices that are written out."""
+    factors = [*_written_out(left), *_written_out(right)]
+    if len(factors) < 2 or not all(isinstance(factor, sympy.MatrixBase) for factor in factors):
         raise UnreadError("a product with a matrix that is written out", right.position)
-    if left.tree.shape[1] != right.tree.shape[0]:
+    if factors[-2].shape[1] != factors[-1].shape[0]:
         raise UnreadError("matrices of different sizes are multiplied", right.position)
-    tree = left.tree * right.tree
+    tree = eq.Matrices(*(factor.as_immutable() for factor in factors))
     depth = left.depth + right.depth
     digits = LARGEST * (left.digits + right.digits + 1)
-    return _made(tree, kind(tree), replace(left, depth=depth), right, digits=digits)
+    return _made(tree, kind(factors[-1]), replace(left, depth=depth), right, digits=digits)
+
+
+def _written_out(part: _Value) -> tuple[Any, ...]:
+    return part.tree.args if isinstance(part.tree, eq.Matrices) else (part.tree,)
 
 
 def _power(base: _Value, exponent: _Value) -> _Value:
