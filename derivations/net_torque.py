@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from itertools import combinations
 from typing import Any
 
 from sympy import Eq, Integer, Matrix, Symbol, cos, symbols
@@ -21,8 +22,6 @@ from rigidtop.proof.equation import (
 from rigidtop.proof.page import Assumption, Check, Evidence, Page, claim
 from rigidtop.theory.rotation import Z_AXIS, euler_matrix, total_derivative
 from rigidtop.theory.symbols import (
-    M_1,
-    M_2,
     R1,
     R2,
     R3,
@@ -35,7 +34,6 @@ from rigidtop.theory.symbols import (
     V,
     f_r,
     g,
-    kappa,
     r_k,
     r_vec,
     rho,
@@ -84,20 +82,25 @@ def over_body(centre: Matrix) -> Callable[[Any], Any]:
 
 @claim("3.48", "Torque as a sum over particles and as an integral over the force density.")
 def torque() -> Iterator[Evidence]:
-    """d/dt Σ r × m ṙ (1.20): forces along the line between two particles drop out.
+    """d/dt Σ r × m ṙ (1.20): forces along the line between two particles drop out, pair by pair.
 
-    A force density that sits on the particles makes the integral the sum.
+    So they do for any number of particles, as the lines show; here they are three.  A force
+    density that sits on the particles makes the integral the sum.
     """
-    positions = [Matrix(symbols(f"x{k} y{k} z{k}", real=True)) for k in (1, 2)]
-    velocities = [Matrix(symbols(f"u{k} v{k} w{k}", real=True)) for k in (1, 2)]
-    forces = [Matrix(symbols(f"F{k}x F{k}y F{k}z", real=True)) for k in (1, 2)]
-    inner = kappa * (positions[0] - positions[1])
+    several = range(1, 4)
+    positions = [Matrix(symbols(f"x{k} y{k} z{k}", real=True)) for k in several]
+    velocities = [Matrix(symbols(f"u{k} v{k} w{k}", real=True)) for k in several]
+    forces = [Matrix(symbols(f"F{k}x F{k}y F{k}z", real=True)) for k in several]
+    masses = symbols("m1:4", positive=True)
+    inner = [Matrix([0, 0, 0]) for _ in several]
+    for one, other in combinations(range(len(inner)), 2):
+        along = Symbol(f"c{one}{other}", real=True) * (positions[one] - positions[other])
+        inner[one] += along
+        inner[other] -= along
     rates: dict = {}
     momentum = Matrix([0, 0, 0])
-    for m, r, v, force in zip(
-        (M_1, M_2), positions, velocities, (forces[0] - inner, forces[1] + inner), strict=True
-    ):
-        rates |= dict(zip(r, v, strict=True)) | dict(zip(v, force / m, strict=True))
+    for m, r, v, outer, between in zip(masses, positions, velocities, forces, inner, strict=True):
+        rates |= dict(zip(r, v, strict=True)) | dict(zip(v, (outer + between) / m, strict=True))
         momentum += m * r.cross(v)
     density = Matrix(symbols("f_x f_y f_z", real=True))
     with as_printed():
@@ -121,7 +124,11 @@ def torque() -> Iterator[Evidence]:
 
 @claim("3.49", "Gravity turns a body as if all its mass sat at the centre of mass.")
 def gravity() -> Iterator[Evidence]:
-    """The integral of ρ r is M R_CM by definition; the same g everywhere is part of f."""
+    """The integral of ρ r is M R_CM by definition; the same g everywhere is part of f.
+
+    The torque is known besides from the energy: about each axis it is how much this falls with a
+    small turn.
+    """
     centre = Matrix(symbols("X Y Z", real=True))
     with as_printed():
         whole = VolumeIntegral(D3R, rho * r_vec)
@@ -134,12 +141,13 @@ def gravity() -> Iterator[Evidence]:
             Cross(R_CM, Underbrace(F_grav, -g * M * zhat)),
             tag="3.49",
         )
-    weight = -rho * g * Z_AXIS
     measure = over_body(centre)
+    turn = Matrix(symbols("a_x a_y a_z", real=True))
+    energy = measure(rho * g * (POSITION + turn.cross(POSITION)).dot(Z_AXIS))
     yield Check(
         printed,
         {
-            N_ext: measure(POSITION.cross(weight)),
+            N_ext: Matrix([-energy.diff(angle) for angle in turn]),
             D3R: measure,
             r_vec: POSITION,
             zhat: Matrix(Z_AXIS),

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 
-from sympy import Eq, Expr, Gt, Matrix, Ne, cos, sin, sqrt
+from sympy import Eq, Expr, Gt, Matrix, Ne, Poly, cos, sin, sqrt
 
 from rigidtop.proof.equation import Cross, Dot, Equation, as_printed
 from rigidtop.proof.page import Assumption, Check, Evidence, Page, Step, claim
@@ -51,7 +52,7 @@ from rigidtop.theory.symbols import (
     yhat,
     zhat,
 )
-from rigidtop.theory.trig import reduce_trig
+from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
 from . import evidence
 
@@ -62,19 +63,36 @@ WEAK = Assumption(
     otherwise=top.smallness(),
 )
 NO_NUTATION = Assumption(Eq(thetadot, 0), "θ does not change: there is no nutation")
+STEADY = Assumption(
+    Eq(thetaddot, 0),
+    "the top is set going steadily; released with ω along e₃ it nutates, and the equation holds on "
+    "average",
+)
 SPINNING = Assumption(Ne(omega3, 0), "the top spins about e₃", stated=True)
 
 
-def slow_precession() -> Expr:
-    """The exact Ω₋, written with ε (rad/s)."""
-    return top.leading_roots()[0] * top.root_factors()[0]
+@cache
+def balance() -> Expr:
+    """What vanishes by L̇ = N along e₂′, for L = λ₃ω₃e₃ + λ₁ e₃ × ė₃ at constant λ₃ω₃ (N m).
+
+    Of λ₁ e₃ × ë₃ what a steady precession at Ω has is written with ε, with which it vanishes.
+    """
+    axes = primed_matrix()
+    axis, nodes = axes[:, 2], axes[:, 1]
+    velocity = total_derivative(axis, EULER_RATES)
+    torque = M * g * R * Matrix(Z_AXIS).cross(axis)
+    kept = nodes.dot(lambda3 * omega3 * velocity - torque)
+    rest = lambda1 * nodes.dot(axis.cross(total_derivative(velocity, EULER_RATES)))
+    kept, rest = (reduce_trig(part).subs(phidot, Omega) for part in (kept, rest))
+    steady = rest.subs(thetaddot, 0)
+    small = epsilon * reduce_ratio(steady / top.smallness())
+    return (kept + (rest - steady).expand() + small).expand()
 
 
-SLOW = Assumption(
-    Eq(Omega, slow_precession()),
-    "the top is set going at the slow steady precession; released with ω along e₃ it nutates, and "
-    "the equation holds on average",
-)
+def steady_rate() -> Expr:
+    """The Ω at which the torque keeps θ, that of the two which gravity makes (rad/s)."""
+    a, b, c = Poly(balance().subs(thetaddot, 0), Omega).all_coeffs()
+    return -2 * c / b / (1 + sqrt(1 - (4 * a * c / b**2).expand()))
 
 
 def picture() -> dict:
@@ -103,7 +121,7 @@ def picture() -> dict:
 
 @claim("3.50", "λ₃ω₃ ė₃ = M R_CM × g, from L ∥ ω.")
 def torque_balance() -> Iterator[Evidence]:
-    """L = λ₃ω₃e₃ put into L̇ = N; exactly, L = λ₃ω₃e₃ + λ₁ e₃ × ė₃.
+    """L̇ = N for the exact L = λ₃ω₃e₃ + λ₁ e₃ × ė₃; λ₁ e₃ × ë₃ is smaller by ε and left out.
 
     With L along e₃ at all times ω would be along e₃ too, and e₃ could not move: the equation can
     only hold to leading order, and exactly where cos θ = 0. A top that is released with ω along
@@ -125,7 +143,7 @@ def torque_balance() -> Iterator[Evidence]:
         reason="What L is without the simplification.",
         printed=False,
     )
-    yield Check(printed, picture(), (SLOW, WEAK, NO_NUTATION))
+    yield Check(printed, picture(), (STEADY, WEAK, NO_NUTATION), given=(balance(),))
     yield from evidence.mean_precession()
 
 
@@ -163,18 +181,19 @@ def axis_turns() -> Iterator[Evidence]:
             Cross(Omega_vec, e3),
             tag="3.51",
         )
-    yield Check(printed, picture(), (SLOW, WEAK, NO_NUTATION, SPINNING))
+    yield Check(printed, picture(), (STEADY, WEAK, NO_NUTATION, SPINNING), given=(balance(),))
 
 
 @claim("3.52", "The precession vector Ω.")
 def precession_vector() -> Iterator[Evidence]:
-    """Read off (3.51); the engine's Ω is the slow root of (3.57), exact for every spin."""
+    """Read off (3.51); Ω is the rate at which L̇ = N keeps θ, exact for every spin."""
     with as_printed():
         printed = Equation(Omega_vec, M * g * R / (lambda3 * omega3) * zhat, tag="3.52")
     yield Step(
         Equation(Omega_minus, top.steady_expansions(2)[0]), "The slow root to the next order."
     )
-    yield Check(printed, picture(), (SLOW, WEAK, SPINNING))
+    slow = Assumption(Eq(Omega, steady_rate()), STEADY.words)
+    yield Check(printed, picture(), (slow, WEAK, SPINNING))
 
 
 @claim("torque-direction", "The torque of gravity points into the paper.")

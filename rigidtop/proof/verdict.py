@@ -10,7 +10,7 @@ from enum import StrEnum
 from typing import Any
 
 import sympy
-from sympy import Eq, Expr, Symbol
+from sympy import Eq, Expr, Integer, Symbol
 from sympy.core.relational import Relational
 
 from rigidtop.proof import decide
@@ -385,14 +385,17 @@ def _failure(
     tries: int,
 ) -> Failure | None:
     meaning = check.meaning if meaning is None else meaning
-    given = [_impose(h, _split(assuming)[0]) for h in check.given]
+    equal, _ = _split(assuming)
+    if dropped is not None and dropped.otherwise is not None:
+        equal = {**equal, dropped.condition.lhs: dropped.otherwise}
+    given = [_impose(h, equal) for h in check.given]
     solved, left_over, divisor = _solve_given(given)
     found = None
     if dropped is None or not _needed(dropped.condition, divisor):
-        found = _search(check, meaning, assuming, dropped, tries, solved, left_over)
+        found = _search(check, meaning, assuming, dropped, tries, solved, left_over, divisor)
     if found is None and solved:
         # Solving divided by something; where that vanishes the equation may hold all the same.
-        found = _search(check, meaning, assuming, dropped, tries, {}, given)
+        found = _search(check, meaning, assuming, dropped, tries, {}, given, Integer(1))
     return found
 
 
@@ -404,7 +407,9 @@ def _search(
     tries: int,
     solved: Mapping[Symbol, Expr],
     given: Sequence[Expr],
+    divisor: Expr,
 ) -> Failure | None:
+    """Among points where `given` vanish and `divisor`, by which `solved` divide, does not."""
     meaning, hidden = _opaque(meaning)
     relations = assertions(check.claimed, meaning)
     equal, conditions = _split(assuming)
@@ -428,7 +433,7 @@ def _search(
     divisors = [] if dropped is None else [both(d) for d in typed_divisors(check.claimed, meaning)]
     extra = [*conditions, *([] if violated in (None, sympy.false) else [violated])]
     gaps = [c.lhs - c.rhs for c in extra]
-    everything = [*flat, *gaps, *given, *divisors]
+    everything = [*flat, *gaps, divisor, *given, *divisors]
     # What the relation does not contain is no part of a counterexample to it.
     contained = set().union(*(e.free_symbols for e in everything))
     hidden = {dummy: expression for dummy, expression in hidden.items() if dummy in contained}
@@ -440,7 +445,9 @@ def _search(
         numbers = decide.evaluate(everything, point, hidden)
         values = numbers[: len(flat)]
         gap = numbers[len(flat) : len(flat) + len(gaps)]
-        rest = numbers[len(flat) + len(gaps) :]
+        division, *rest = numbers[len(flat) + len(gaps) :]
+        if abs(division) < decide.TOLERANCE:
+            continue
         zero, divided_by = rest[: len(given)], rest[len(given) :]
         if not all(abs(h) < decide.TOLERANCE for h in zero):
             continue

@@ -341,6 +341,24 @@ def test_a_middling_torque_does_not_leave_l_along_omega(judgements):
     assert squared < 0.99
 
 
+def test_a_strong_torque_goes_round_at_another_rate(judgements):
+    """Without the limit: a rate and a spin that keep θ, as (3.57) says, and not those of (3.50)."""
+    found, at = without(judgements["3.50"], sympy.Eq(s.epsilon, 0))
+    pull, rate = at["M"] * at["g"] * at["R"], at["Omega"]
+    spin = at["lambda1"] * np.cos(at["theta"]) * rate + pull / rate  # λ₃ω₃ by (3.57)
+    sides = spin * rate * np.sin(at["theta"]), pull * np.sin(at["theta"])
+    assert sorted(sides) == pytest.approx(sorted([float(found.left), float(found.right)]))
+    assert abs(sides[0] - sides[1]) > 0.1
+
+
+def test_a_top_let_go_at_rest_does_not_go_round(judgements):
+    """Without θ̈ = 0: λ₁θ̈ is the part of the torque that is not kept in balance."""
+    found, at = without(judgements["3.50"], sympy.Eq(s.thetaddot, 0))
+    torque = at["M"] * at["g"] * at["R"] * np.sin(at["theta"])
+    sides = sorted([float(found.left), float(found.right)])
+    assert sides == pytest.approx(sorted([torque, torque - at["lambda1"] * at["thetaddot"]]))
+
+
 def test_a_falling_top_has_its_torque_along_l(judgements):
     found, at = without(judgements["torque-perpendicular"], sympy.Eq(s.thetadot, 0))
     axes = rotation(at.get("phi", 0.0), at["theta"], 0.0)

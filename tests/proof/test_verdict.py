@@ -362,3 +362,22 @@ def test_counterexamples_are_of_bodies_that_exist():
             M=float(point[s.M]),
             R=float(point[s.R]),
         )
+
+
+def test_what_is_given_is_not_solved_by_a_division_by_zero():
+    # x = 2/y has no counterexample at y = 0, where the given equation says 2 = 0.
+    found = refute(Check(typed(x * y, 1), {}, given=(x * y - 2,)), ())
+    assert found.values[y] != 0
+    assert found.left == 2
+
+
+def test_what_is_given_has_what_a_limit_leaves_out():
+    """Without the limit, what is given and what is claimed speak of the same numbers."""
+    weak = Assumption(Eq(z, 0), stated=True, otherwise=x * y)
+    check = Check(typed(x, 1), {}, (weak,), given=(x - 1 - z,))
+    finding = judge_check(check)
+    assert finding.verdict == "proved"
+    [tested] = finding.assumptions
+    at = tested.without.values
+    assert z not in at
+    assert tested.without.left - 1 == tested.without.left * at[y]  # x − 1 = xy
