@@ -238,6 +238,8 @@ class Algebra:
                 raise NoMeaningError("a vector and a scalar are added")
             elif isinstance(made, MatrixBase) != isinstance(part, MatrixBase):
                 scalar, matrix = (part, made) if isinstance(made, MatrixBase) else (made, part)
+                if _operators(scalar):
+                    raise NoMeaningError("a matrix that is written out and one that is not")
                 made = matrix + scalar * sympy.eye(matrix.shape[0])
             else:
                 made = made + part
@@ -274,11 +276,12 @@ class Algebra:
         """A product of operators, with a scalar before it, acting on a vector."""
         scalars, factors = self._shortened(term).args_cnc()
         made: Value = vector
-        for factor in reversed(factors):
-            made = self.total(
-                self._image(factor, atom).times(before) for atom, before in made.terms.items()
-            )
-            made = made if isinstance(made, Vector) else ZERO
+        for base, power in (factor.as_base_exp() for factor in reversed(factors)):
+            for _ in range(power):
+                made = self.total(
+                    self._image(base, atom).times(before) for atom, before in made.terms.items()
+                )
+                made = made if isinstance(made, Vector) else ZERO
         return made.times(Mul(*scalars))
 
     def _image(self, operator: Expr, atom: Expr) -> Vector:
@@ -403,13 +406,20 @@ class Algebra:
         if isinstance(operator, Vector):
             raise NoMeaningError("the determinant of a vector")
         if isinstance(operator, MatrixBase):
+            if operator.rows != operator.cols:
+                raise NoMeaningError("the determinant of what is no square matrix")
             return operator.det(method="berkowitz")
         scalars, factors = operator.args_cnc()
         named = {x.name: det for x, det in self.letters.determinants.items()}
-        bases = [factor.as_base_exp() for factor in factors]
-        if Mul(*scalars) != 1 or any(b.name.removesuffix("ᵀ") not in named for b, _ in bases):
+        made: Expr = Integer(1)
+        for base, power in (factor.as_base_exp() for factor in factors):
+            letter = named.get(str(base).removesuffix("ᵀ"))
+            if letter is None:
+                raise NoMeaningError("a determinant that has no letter")
+            made *= self.atom(letter) ** power
+        if Mul(*scalars) != 1:
             raise NoMeaningError("a determinant that has no letter")
-        return Mul(*(self.atom(named[b.name.removesuffix("ᵀ")]) ** power for b, power in bases))
+        return made
 
     def _flipped(self, factor: Expr) -> Expr:
         base, power = factor.as_base_exp()

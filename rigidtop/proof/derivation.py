@@ -513,11 +513,13 @@ class Change:
 def changes(line: Line, letters: Letters, others: Sequence[Known] = ()) -> Iterator[Change]:
     """A line with a sign, factor or function changed; another equation cited, another move.
 
-    What says the same as the line, such as cos(−θ) for cos θ, is left out.
+    What says the same as the line, such as cos(−θ) for cos θ, or as another of its equations, is
+    left out.
     """
     for k, equation in enumerate(line.equations):
         for changed in perturbations(equation, letters.families):
-            if not _same(changed.equation, equation, letters):
+            said = (equation, *(e for e in line.equations if e is not equation))
+            if not any(_same(changed.equation, each, letters) for each in said):
                 yield Change(_with_equation(line, k, changed.equation), changed.change)
         for i, side in enumerate(equation.sides):
             for letter in _letters(equation) if side == 0 else ():

@@ -727,14 +727,14 @@ def _strip(move: Move, algebra: Algebra) -> Performed:
 
 
 def _on_axes(pairs: Sequence[Pair], axes: Sequence[Any], algebra: Algebra) -> list[Pair]:
-    images: dict[Any, list[tuple[Value, Value]]] = {u: [] for u in axes}
+    images: dict[Any, list[tuple[Expr, Vector]]] = {u: [] for u in axes}
     entries: dict[Any, dict[tuple[int, int], Expr]] = {}
     for pair in pairs:
         for left, right in ((pair.left, pair.right), (pair.right, pair.left)):
             for u in axes:
                 operator = _acting(left, u)
                 if operator is not None:
-                    images[u].append((operator, right))
+                    images[u].append((operator, right if isinstance(right, Vector) else Vector({})))
             _enter(left, right, axes, entries, algebra)
     made = []
     first, *others = axes

@@ -116,16 +116,16 @@ $$\mathbf N^{(e)} = \int d^3\mathbf r\,\mathbf r\times f(\mathbf r)$$
 """
 
 
-def judged(page: str):
+def judged(page: str, laws: str = LAWS):
     """The lines of a page below the laws, each with what became of it."""
-    lecture = read_lecture([("laws", LAWS), ("page", page)], LETTERS, NOTES)
+    lecture = read_lecture([("laws", laws), ("page", page)], LETTERS, NOTES)
     assert not list(lecture.problems())
     return [lecture.judged(line.id) for line in lecture.texts[1].lines]
 
 
-def last(page: str) -> str:
+def last(page: str, laws: str = LAWS) -> str:
     """Why the last line does not follow, or nothing."""
-    *before, line = judged(page)
+    *before, line = judged(page, laws)
     assert all(each.follows for each in before), [str(each.problem) for each in before]
     return str(line.problem or "")
 
@@ -241,6 +241,230 @@ Put it into the square of the speed:
 $$E = \frac{2MgR}{\lambda_1}(\cos\theta_i - \cos\theta)$$
 """,
 }
+
+
+OPERATORS = r"""
+# Laws
+
+The axes:
+
+$$O\hat{\mathbf x} = \mathbf e_1, \quad O\hat{\mathbf y} = \mathbf e_2,
+\quad O\hat{\mathbf z} = \mathbf e_3$$
+
+Two axes:
+
+$$A\hat{\mathbf x} = \hat{\mathbf y}, \quad A\hat{\mathbf y} = -\hat{\mathbf x}$$
+
+All axes:
+
+$$B\hat{\mathbf x} = \hat{\mathbf y}, \quad B\hat{\mathbf y} = -\hat{\mathbf x},
+\quad B\hat{\mathbf z} = \hat{\mathbf z}$$
+
+The same to all:
+
+$$A\mathbf e_1 = BC\mathbf e_1, \quad A\mathbf e_2 = BC\mathbf e_2,
+\quad A\mathbf e_3 = BC\mathbf e_3$$
+
+The symmetry:
+
+$$\mathbf v\cdot I\mathbf u = \mathbf u\cdot I\mathbf v$$
+
+The inverse:
+
+$$AB = 1$$
+
+The product:
+
+$$C = AB$$
+"""
+
+OF_OPERATORS = {
+    "the entries of all products of columns": (
+        r"""
+Dot the axes with itself:
+
+$$\begin{aligned}
+\hat{\mathbf x}\cdot O^TO\hat{\mathbf x} &= 1, & \hat{\mathbf y}\cdot O^TO\hat{\mathbf y} &= 1,
+& \hat{\mathbf z}\cdot O^TO\hat{\mathbf z} &= 1, \\
+\hat{\mathbf x}\cdot O^TO\hat{\mathbf y} &= 0, & \hat{\mathbf y}\cdot O^TO\hat{\mathbf z} &= 0,
+& \hat{\mathbf z}\cdot O^TO\hat{\mathbf x} &= 0
+\end{aligned}$$
+
+Strip $\hat{\mathbf x}$, $\hat{\mathbf y}$ and $\hat{\mathbf z}$ from it:
+
+$$O^TO = 1$$
+""",
+        "",
+    ),
+    "some entries are not all": (
+        r"""
+Dot the axes with itself:
+
+$$\hat{\mathbf x}\cdot O^TO\hat{\mathbf x} = 1, \quad \hat{\mathbf y}\cdot O^TO\hat{\mathbf y} = 1,
+\quad \hat{\mathbf z}\cdot O^TO\hat{\mathbf z} = 1$$
+
+Strip $\hat{\mathbf x}$, $\hat{\mathbf y}$ and $\hat{\mathbf z}$ from it:
+
+$$O^TO = 1$$
+""",
+        "not known for all of them",
+    ),
+    "what does the same is the same": (
+        r"""
+Strip $\mathbf e_1$, $\mathbf e_2$ and $\mathbf e_3$ from the same to all:
+
+$$A = BC$$
+""",
+        "",
+    ),
+    "the order of factors matters": (
+        r"""
+Strip $\mathbf e_1$, $\mathbf e_2$ and $\mathbf e_3$ from the same to all:
+
+$$A = CB$$
+""",
+        "does not arrive",
+    ),
+    "columns": (
+        r"""
+Strip $\hat{\mathbf x}$, $\hat{\mathbf y}$ and $\hat{\mathbf z}$ from all axes:
+
+$$B = \begin{bmatrix} 0 & -1 & 0 \\ 1 & 0 & 0 \\ 0 & 0 & 1 \end{bmatrix}$$
+
+Take the determinant of it:
+
+$$\det B = 1$$
+""",
+        "",
+    ),
+    "columns are no rows": (
+        r"""
+Strip $\hat{\mathbf x}$, $\hat{\mathbf y}$ and $\hat{\mathbf z}$ from all axes:
+
+$$B = \begin{bmatrix} 0 & 1 & 0 \\ -1 & 0 & 0 \\ 0 & 0 & 1 \end{bmatrix}$$
+""",
+        "does not arrive",
+    ),
+    "two axes of three": (
+        r"""
+Strip $\hat{\mathbf x}$, $\hat{\mathbf y}$ and $\hat{\mathbf z}$ from two axes:
+
+$$A = B$$
+""",
+        "not known for all of them",
+    ),
+    "no frame": (
+        r"""
+Strip $\hat{\mathbf x}$, $\hat{\mathbf y}$ and $\mathbf e_3$ from all axes:
+
+$$B = 1$$
+""",
+        "three axes of a frame",
+    ),
+    "symmetry": (
+        r"""
+Strip $\mathbf u$ and $\mathbf v$ from the symmetry:
+
+$$I = I^T$$
+""",
+        "",
+    ),
+    "symmetry where vectors are chosen": (
+        r"""
+Set $\mathbf N = \mathbf u$ in the symmetry:
+
+$$\mathbf v\cdot I\mathbf u = \mathbf u\cdot I\mathbf v$$
+
+Strip $\mathbf u$ and $\mathbf v$ from it:
+
+$$I = I^T$$
+""",
+        "does not hold for any vector",
+    ),
+    "no symmetry without a reason": (
+        r"""
+Multiply the inverse by $I$:
+
+$$I^TAB = I$$
+""",
+        "does not arrive",
+    ),
+    "an inverse from the right": (
+        r"""
+Exchange the factors in the inverse:
+
+$$BA = 1$$
+""",
+        "",
+    ),
+    "factors of what is not 1": (
+        r"""
+Exchange the factors in the product:
+
+$$C = BA$$
+""",
+        "only where a product is 1",
+    ),
+    "a transpose turns the order round": (
+        r"""
+Take the transpose of the product:
+
+$$C^T = B^TA^T$$
+""",
+        "",
+    ),
+    "a transpose keeps no order": (
+        r"""
+Take the transpose of the product:
+
+$$C^T = A^TB^T$$
+""",
+        "does not arrive",
+    ),
+    "from the left is not from the right": (
+        r"""
+Multiply the product by $B$ from the right:
+
+$$BC = BAB$$
+""",
+        "does not arrive",
+    ),
+    "no division by a matrix": (
+        r"""
+Divide the product by $B$:
+
+$$A = C$$
+""",
+        "a division by what is no scalar",
+    ),
+    "no solution for a matrix": (
+        r"""
+Solve the product for $A$:
+
+$$A = C$$
+""",
+        "a matrix equation is not solved so",
+    ),
+    "a determinant of a sum": (
+        r"""
+Add the inverse to the product:
+
+$$C + AB = AB + 1$$
+
+Take the determinant of it:
+
+$$\det C = 1$$
+""",
+        "has no letter",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", OF_OPERATORS)
+def test_operators(name: str) -> None:
+    page, problem = OF_OPERATORS[name]
+    found = last(page, OPERATORS)
+    assert problem in found if problem else found == ""
 
 
 @pytest.mark.parametrize("name", FOLLOWS)
