@@ -51,7 +51,7 @@ $$\mathbf L = \lambda_3\omega_3\mathbf e_3 - \lambda_1\Omega\sin\theta\,\mathbf 
 PRODUCT = r"""
 Call the product:
 
-$$D = \hat{\mathbf z}\cdot I(\dot\phi\,\hat{\mathbf z} + \dot\psi\,\mathbf e_3)$$
+$$L = \hat{\mathbf z}\cdot I(\dot\phi\,\hat{\mathbf z} + \dot\psi\,\mathbf e_3)$$
 """
 
 POTENTIAL = r"""
@@ -88,16 +88,16 @@ FOLLOWS = {
     + r"""
 Differentiate it by $\dot\phi$:
 
-$$\frac{\partial D}{\partial\dot\phi} = \hat{\mathbf z}\cdot I\hat{\mathbf z}$$
+$$\frac{\partial L}{\partial\dot\phi} = \hat{\mathbf z}\cdot I\hat{\mathbf z}$$
 """,
     "a symmetric operator stands behind either vector": r"""
 Call the product:
 
-$$D = \hat{\mathbf z}\cdot I\mathbf e_3 + \mathbf e_3\cdot I\hat{\mathbf z}$$
+$$I_{xz} = \hat{\mathbf z}\cdot I\mathbf e_3 + \mathbf e_3\cdot I\hat{\mathbf z}$$
 
 Put the symmetry of the tensor into it:
 
-$$D = 2\mathbf e_3\cdot I\hat{\mathbf z}$$
+$$I_{xz} = 2\mathbf e_3\cdot I\hat{\mathbf z}$$
 """,
     "the slope at constant momenta, with the chain rule": POTENTIAL
     + r"""
@@ -113,11 +113,11 @@ $$\frac{\partial U}{\partial\theta} = -\frac{p_\psi^2}{2\lambda_3}\sin\theta$$
     "the rate of a function": r"""
 Call the double:
 
-$$D = 2U$$
+$$E = 2U$$
 
 Take the rate of it, with (3.55) and (3.56):
 
-$$\dot D = 2\frac{\partial U}{\partial\theta}\dot\theta$$
+$$\dot E = 2\frac{\partial U}{\partial\theta}\dot\theta$$
 """,
     "what is constant is cited": r"""
 Call the amplitude, with (3.55) and (3.56):
@@ -153,7 +153,7 @@ REFUSED = {
         + r"""
 Differentiate it by $\theta$:
 
-$$\frac{\partial D}{\partial\theta} = 0$$
+$$\frac{\partial L}{\partial\theta} = 0$$
 """,
         "depends on the coordinates and velocities",
     ),
@@ -161,11 +161,11 @@ $$\frac{\partial D}{\partial\theta} = 0$$
         r"""
 Call the product:
 
-$$D = \hat{\mathbf z}\cdot I\mathbf e_3 + \mathbf e_3\cdot I\hat{\mathbf z}$$
+$$I_{xz} = \hat{\mathbf z}\cdot I\mathbf e_3 + \mathbf e_3\cdot I\hat{\mathbf z}$$
 
 Rewrite it:
 
-$$D = 2\mathbf e_3\cdot I\hat{\mathbf z}$$
+$$I_{xz} = 2\mathbf e_3\cdot I\hat{\mathbf z}$$
 """,
         "does not arrive here",
     ),
@@ -204,11 +204,11 @@ $$\frac{\partial\mathcal L}{\partial\theta}
         r"""
 Call the double:
 
-$$D = 2U$$
+$$E = 2U$$
 
 Take the rate of it:
 
-$$\dot D = 2\frac{\partial U}{\partial\theta}\dot\theta$$
+$$\dot E = 2\frac{\partial U}{\partial\theta}\dot\theta$$
 """,
         "does not arrive here",
     ),
@@ -264,15 +264,15 @@ $$\omega_3 = \text{const}$$
         r"""
 Call the double:
 
-$$D = p_\phi\cos\theta$$
+$$L_z = p_\phi\cos\theta$$
 
 Take the rate of it:
 
-$$\dot D = \dot p_\phi\cos\theta - p_\phi\dot\theta\sin\theta$$
+$$\dot L_z = \dot p_\phi\cos\theta - p_\phi\dot\theta\sin\theta$$
 
 Set $p_\phi = 0$ in it:
 
-$$\dot D = 0$$
+$$\dot L_z = 0$$
 """,
         "what is set at a moment says nothing of a derivative",
     ),
