@@ -118,7 +118,10 @@ def _equation(latex: str, context: Context) -> Equation:
 
 
 def _expression(latex: str, context: Context) -> Any:
-    return _equation(latex + " = 0", context).sides[0]
+    side, *more = _equation(latex + " = 0", context).sides
+    if len(more) > 1:
+        raise SentenceError(f"${latex}$ is an equation: its left side says which is meant")
+    return side
 
 
 @dataclass(frozen=True)

@@ -838,3 +838,15 @@ $$0 = \lambda_1\dot\phi^2\cos\theta - \lambda_3(\dot\psi + \dot\phi\cos\theta)\d
     assert [str(c.expression) for c in first.known.conditions] == ["sin(theta)"]
     assert first.known.conditions == second.known.conditions
     assert second.known.conditions[0].lost
+
+
+def test_an_equation_is_cited_by_its_left_side() -> None:
+    """Else any right side would do."""
+    page = """
+Divide $\\mathbf N_{\\text{in}} = 0$ by $M$:
+
+$$\\frac{\\mathbf N_{\\text{in}}}{M} = 0$$
+"""
+    lecture = read_lecture([("laws", LAWS), ("page", page)], LETTERS, NOTES)
+    [(_, _, problem)] = lecture.problems()
+    assert "is an equation: its left side says which is meant" in problem
