@@ -568,7 +568,8 @@ def test_new_refuses_what_is_there(tmp_path, monkeypatch, capsys):
     assert sorted(p.name for p in tmp_path.iterdir()) == ["empty", "file", "full"]
     assert main(["new", "empty", "--json"]) == 0
     files = json.loads(capsys.readouterr().out)["files"]
-    assert files == [str(Path("empty", f"{n}.py")) for n in ("__init__", "letters", "pendulum")]
+    names = ("__init__.py", "letters.py", "pendulum.md", "pendulum.py")
+    assert files == [str(Path("empty", name)) for name in names]
     assert main(["new", "my notes/course"]) == 0
     assert capsys.readouterr().out.endswith("now: rigidtop check 'my notes/course/'\n")
     monkeypatch.chdir(tmp_path / "empty")

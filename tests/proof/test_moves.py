@@ -82,7 +82,7 @@ $$\lambda_1\,\dot{\mathbf e}_3\cdot\ddot{\mathbf e}_3 = MgR\,\dot\theta\sin\thet
 
 The square of the speed:
 
-$$E = \dot{\mathbf e}_3^2$$
+$$\sigma^2 = \dot{\mathbf e}_3^2$$
 
 ## Of many particles
 
@@ -100,7 +100,7 @@ $$\mathbf L = \sum_k m_k\,\mathbf r_k\times\dot{\mathbf r}_k$$
 
 The mass of a particle:
 
-$$m_k = \lambda_1$$
+$$m_k = M$$
 
 The place of $\delta_k$:
 
@@ -238,7 +238,7 @@ $$\tfrac12\lambda_1\dot{\mathbf e}_3^2 = MgR(\cos\theta_i - \cos\theta)$$
 
 Put it into the square of the speed:
 
-$$E = \frac{2MgR}{\lambda_1}(\cos\theta_i - \cos\theta)$$
+$$\sigma^2 = \frac{2MgR}{\lambda_1}(\cos\theta_i - \cos\theta)$$
 """,
 }
 
@@ -371,7 +371,7 @@ $$I = I^T$$
     ),
     "symmetry where vectors are chosen": (
         r"""
-Set $\mathbf N = \mathbf u$ in the symmetry:
+Set $\mathbf w = \mathbf u$ in the symmetry:
 
 $$\mathbf v\cdot I\mathbf u = \mathbf u\cdot I\mathbf v$$
 
@@ -761,7 +761,7 @@ $$\mathbf N_{\text{in}} = \sum_l\mathbf r_k\times\sum_k\mathbf F_{kl}$$
         r"""
 Exchange $k$ and $l$ in the mass of a particle:
 
-$$m_k = \lambda_1$$
+$$m_k = M$$
 """,
         "m_k with the other index has no letter",
     ),
