@@ -27,7 +27,7 @@ from rigidtop.proof.algebra import (
     vanishes,
 )
 from rigidtop.proof.changed import perturbations
-from rigidtop.proof.equation import Equation, NoMeaningError, symbols_of
+from rigidtop.proof.equation import Equation, NoMeaningError, Rate, symbols_of
 from rigidtop.proof.moves import (
     Condition,
     Known,
@@ -121,7 +121,12 @@ def define(line: Line, letters: Letters) -> Symbol:
     assert line.move is not None
     [equation, *more] = line.equations
     letter = equation.sides[0]
-    if more or len(equation.sides) != 2 or not isinstance(letter, Symbol):
+    if (
+        more
+        or len(equation.sides) != 2
+        or not isinstance(letter, Symbol)
+        or equation.relation not in ("=", "≡")
+    ):
         raise RefusedError(
             "a definition has a letter on its left side, and what it means on its right"
         )
@@ -129,7 +134,15 @@ def define(line: Line, letters: Letters) -> Symbol:
         raise RefusedError("{} stands for something already: call it by another letter", letter)
     if letter in {*letters.coordinates, *letters.rates.values()}:
         raise RefusedError("{} is a coordinate or a rate: it can't be defined", letter)
+    if letter in letters.unit_vectors | letters.arbitrary | {TIME}:
+        raise RefusedError("{} has a meaning of its own: it can't be defined", letter)
     right = equation.sides[1]
+    try:
+        _as_it_is_used(letter, right, letters)
+        nothing = Performed((), Scope.IDENTITY)
+        _braces(equation, nothing, line.move, Algebra(letters, put_in(line.move.using, letters)))
+    except NoMeaningError as error:
+        raise RefusedError(str(error)) from None
     if letter in getattr(right, "free_symbols", set()):
         raise RefusedError("{} is defined by itself", letter)
     if letter in letters.numbers:
@@ -143,6 +156,24 @@ def define(line: Line, letters: Letters) -> Symbol:
                 "{} is a number, and this changes in time: cite what keeps it", letter
             )
     return letter
+
+
+def _as_it_is_used(letter: Symbol, right: Any, letters: Letters) -> None:
+    """Raises RefusedError where a definition contradicts what is known of its letter."""
+    value = Algebra(letters).value(right)
+    for (axis, vector), component in letters.components.items():
+        along = Algebra(letters).dot(Vector({axis: Integer(1)}), Vector({vector: Integer(1)}))
+        if letter == component and value != along:
+            raise RefusedError("{} is the component of {} along {}", letter, vector, axis)
+    if letter in letters.determinants.values():
+        raise RefusedError("{} has a meaning of its own: it can't be defined", letter)
+    if letter in letters.placed and not isinstance(value, (Vector, MatrixBase)):
+        flat, nodes = flattened(value)
+        if any(
+            x in letters.velocities or not letters.is_placed(nodes.get(x, x))
+            for x in flat.free_symbols
+        ):
+            raise RefusedError("{} is a function of the coordinates alone", letter)
 
 
 def arrive(
@@ -165,8 +196,12 @@ def arrive(
                 solves(equations, move, letters)
             else:
                 _first_integral(equations, performed, move, letters)
+            for equation in equations:
+                _braces(equation, performed, move, algebra)
             return performed
         for equation in equations:
+            if performed.scope is Scope.SET:
+                _at_a_moment(equation, performed)
             if move.verb == "set" and move.power < 2:
                 _is_gone([e.sides[0] for e in move.by], equation)
             for pair in pairs_of(equation, algebra):
@@ -193,6 +228,18 @@ def _braces(equation: Equation, performed: Performed, move: Move, algebra: Algeb
         widened = replace(performed, pairs=(*performed.pairs, *named))
         for pair in braces:
             _matching(pair, widened, move)
+
+
+def _at_a_moment(equation: Equation, performed: Performed) -> None:
+    """Raises RefusedError where a line speaks of rates of what is set at a moment."""
+    if const in equation.sides:
+        raise RefusedError("what is set at a moment does not say that something is constant")
+    for side in equation.sides:
+        for rate in side.atoms(Rate):
+            if any(part in performed.given for part in sympy.preorder_traversal(rate.args[0])):
+                raise RefusedError(
+                    "{} stands there: what is set at a moment says nothing of a derivative", rate
+                )
 
 
 def _is_gone(letters: Sequence[Any], equation: Equation) -> None:

@@ -92,7 +92,7 @@ class Order:
         if not counted.has(self.small):
             return 0
         _, power = counted.as_leading_term(self.small).as_coeff_exponent(self.small)
-        return int(power)
+        return int(sympy.floor(power))
 
 
 @dataclass(frozen=True)
@@ -182,7 +182,7 @@ def pairs_of(equation: Equation, algebra: Algebra, chain: bool = False) -> list[
         values.append(algebra.value(side))
     relation = "=" if equation.relation == "≡" else equation.relation
     for j in range(1, len(values)):
-        for i in range(j) if chain else (j - 1,):
+        for i in range(j) if chain and relation != "≠" else (j - 1,):
             if equation.sides[j] != const and equation.sides[i] != const:
                 made.append(Pair(values[i], values[j], relation))
     return made
@@ -216,6 +216,10 @@ def put_in(known: Sequence[Known], letters: Letters) -> dict[Any, Value]:
 
 
 def _give(equation: Equation, source: Known, given: dict[Any, Value], letters: Letters) -> None:
+    if equation.relation not in ("=", "≡", "≈"):
+        raise RefusedError(
+            "{} says {}: only an equation can be put in", _name(source), equation.relation
+        )
     algebra = Algebra(letters, given)
     sides = [side for side in equation.sides if side != const]
     if const in equation.sides:
@@ -544,7 +548,10 @@ def _product(move: Move, algebra: Algebra, times: Callable[[Value, Value], Value
     if len(move.of) == 2:
         first, second = (_all_pairs(k, algebra) for k in move.of)
         pairs = [
-            Pair(times(p.left, q.left), times(p.right, q.right)) for p in first for q in second
+            Pair(times(p.left, q.left), times(p.right, q.right))
+            for p in first
+            for q in second
+            if _equal(p) and _equal(q)
         ]
         return Performed(tuple(pairs), max(k.scope for k in move.of))
     [by] = move.by
@@ -650,7 +657,8 @@ def _shifted(order: Order | None, factor: Expr) -> Order | None:
     """The order of an error that is multiplied by a factor."""
     if order is None:
         return None
-    return replace(order, power=order.power + order.lowest(factor))
+    lowest = min((order.lowest(x) for x in scalars(factor)), default=0)
+    return replace(order, power=order.power + lowest)
 
 
 def _rewrite(move: Move, algebra: Algebra) -> Performed:
@@ -1027,7 +1035,20 @@ def _square(move: Move, algebra: Algebra) -> Performed:
     def squared(value: Value) -> Value:
         return algebra.dot(value, value) if isinstance(value, Vector) else value**2
 
-    return _map(move, algebra, squared)
+    known = _one(move)
+    order = known.order
+    if order is not None:  # (a + O)² has the error a O
+        sides = [v for p in _all_pairs(known, algebra) for v in (p.left, p.right)]
+        lowest = min((order.lowest(x) for side in sides for x in scalars(side)), default=0)
+        order = replace(order, power=order.power + min(0, lowest))
+    return replace(_map(move, algebra, squared), order=order)
+
+
+def scalars(value: Value) -> Sequence[Expr]:
+    """The factors of a vector, the entries of a matrix, or a scalar itself."""
+    if isinstance(value, Vector):
+        return tuple(value.terms.values())
+    return tuple(value) if isinstance(value, MatrixBase) else (value,)
 
 
 SMALL = Symbol("small")
@@ -1040,6 +1061,8 @@ def _expand(move: Move, algebra: Algebra) -> Performed:
     together = move.by if len(move.by) > 1 else ()
     order = Order(SMALL if together else move.by[0], move.power + 1, together)
     algebra = Algebra(algebra.letters, put_in(move.using, algebra.letters))
+    if known.order is not None and replace(known.order, power=order.power) != order:
+        raise RefusedError("two small quantities at once: expand in one after the other")
     if known.order is not None and known.order.power <= move.power:
         raise RefusedError(
             "{} holds to O({}^{}) only: its terms of order {} are not known",

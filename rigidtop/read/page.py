@@ -167,7 +167,9 @@ class _Reader:
             equations.append(each.equation)
         tag = next((e.tag for e in equations if e.tag), "")
         number = sum(isinstance(b, Shown) for b in self.blocks) + 1
-        id, words = tag or f"{self.name}:{number}", pieces(sentence, self.notation)
+        # A number that stands above already names that line, not this one.
+        id = tag if tag and all(k.id != tag for k in self.above) else f"{self.name}:{number}"
+        words = pieces(sentence, self.notation)
         made = Line(id, tuple(equations), sentence, words, file=self.file, at=at)
         said = sentence.rstrip(":").strip()
         if self.laws:
@@ -179,6 +181,8 @@ class _Reader:
         context = language.Context(self.above, self.notation, self.page)
         if defines is not None:
             name, using = language.definition(said, context)
+            if language.is_taken(name, context):
+                raise RigidtopError(f"{name!r} names something above: call this otherwise")
             letters = {x for k in self.above for e in k.equations for x in symbols_of(e)}
             call = Move("call", using=using, by=tuple(letters), words=sentence)
             return replace(made, called=name, move=call)

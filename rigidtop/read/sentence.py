@@ -93,6 +93,7 @@ def _suffixes(plain: str, context: Context) -> tuple[str, tuple[Known, ...], tup
         if word == "for":
             if not _MATH.match(rest):
                 return plain, using, where
+            _only_and(rest)
             where = (*(_condition(m[1], context) for m in _MATH.finditer(rest)), *where)
         else:
             using = (*_list(rest, context), *using)
@@ -101,6 +102,8 @@ def _suffixes(plain: str, context: Context) -> tuple[str, tuple[Known, ...], tup
 
 def _condition(latex: str, context: Context) -> Condition:
     equation = _equation(latex, context)
+    if len(equation.sides) != 2:
+        raise SentenceError(f"${latex}$: two sides, and another condition behind an “and”")
     left, right = equation.sides
     difference = left - right if right != 0 else left
     if equation.relation == "<":
@@ -135,16 +138,24 @@ class _Words:
         return _list(self.parts[name], self.context)
 
     def math(self, name: str) -> tuple[Any, ...]:
-        found = _MATH.findall(self.parts[name])
-        if not found or _MATH.sub("", self.parts[name]).replace(",", "").split() not in (
-            [],
-            ["and"],
-        ):
-            raise SentenceError(f"{self.parts[name]!r}: letters stand in dollars")
-        return tuple(_expression(latex, self.context) for latex in found)
+        return tuple(_expression(latex, self.context) for latex in _only_and(self.parts[name]))
 
     def equations(self, name: str) -> tuple[Equation, ...]:
-        return tuple(_equation(latex, self.context) for latex in _MATH.findall(self.parts[name]))
+        found = []
+        for latex in _only_and(self.parts[name]):
+            equation = _equation(latex, self.context)
+            if equation.relation != "=" or len(equation.sides) != 2:
+                raise SentenceError(f"${latex}$: a letter is set with one =")
+            found.append(equation)
+        return tuple(found)
+
+
+def _only_and(said: str) -> list[str]:
+    """Mathematics in dollars, with nothing but commas and "and" between."""
+    found = _MATH.findall(said)
+    if not found or set(_MATH.sub("", said).replace(",", " ").split()) - {"and"}:
+        raise SentenceError(f"{said!r}: letters stand in dollars, with “and” between them")
+    return found
 
 
 def _list(said: str, context: Context) -> tuple[Known, ...]:
@@ -202,6 +213,11 @@ def _says_what(letter: Any, equation: Equation) -> bool:
         and equation.sides[1:] != (const,)
         and equation.relation in ("=", "≡", "≈")
     )
+
+
+def is_taken(name: str, context: Context) -> bool:
+    """Whether something above goes by a name."""
+    return any(k.called and _key(k.called) == _key(name) for k in context.above)
 
 
 def _key(name: str) -> str:
