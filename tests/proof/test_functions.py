@@ -264,15 +264,15 @@ $$\omega_3 = \text{const}$$
         r"""
 Call the double:
 
-$$L_z = p_\phi\cos\theta$$
+$$p_\theta = p_\phi\cos\theta$$
 
 Take the rate of it:
 
-$$\dot L_z = \dot p_\phi\cos\theta - p_\phi\dot\theta\sin\theta$$
+$$\dot p_\theta = \dot p_\phi\cos\theta - p_\phi\dot\theta\sin\theta$$
 
 Set $p_\phi = 0$ in it:
 
-$$\dot L_z = 0$$
+$$\dot p_\theta = 0$$
 """,
         "what is set at a moment says nothing of a derivative",
     ),
