@@ -361,26 +361,20 @@ def _carried(pairs: Sequence[Pair], known: Known, order: Order, letters: Letters
     """The order of the error that an approximate value brings into what it is put in for."""
     mark = Dummy("error")
     given = put_in([known], letters)
+    error = mark * order.small**order.power
     wrong = {
-        atom: algebra_sum(value, mark * order.small**order.power)
+        atom: value + (Vector({atom: error}) if isinstance(value, Vector) else error)
         for atom, value in given.items()
-        if not isinstance(value, (Vector, MatrixBase))
+        if not isinstance(value, MatrixBase)
     }
     lowest = order.power
     right, off = Algebra(letters, given), Algebra(letters, {**given, **wrong})
-    for pair in pairs:
-        if isinstance(pair.right, (Vector, MatrixBase)) or not wrong:
-            continue
-        change = flattened(off.value(pair.right) - right.value(pair.right))[0]
-        slope = change.diff(mark).subs(mark, 0)
-        if slope != 0:
-            lowest = min(lowest, order.lowest(slope))
+    for side in (side for pair in pairs for side in (pair.left, pair.right)):
+        for change in components(off.value(side), right.value(side)):
+            slope = flattened(change)[0].diff(mark).subs(mark, 0)
+            if slope != 0:
+                lowest = min(lowest, order.lowest(slope))
     return replace(order, power=lowest)
-
-
-def algebra_sum(value: Expr, error: Expr) -> Expr:
-    """A value with its error."""
-    return value + error
 
 
 def _reaches_into(known: Known, pairs: Sequence[Pair], letters: Letters) -> None:
@@ -619,10 +613,31 @@ def _divide(move: Move, algebra: Algebra) -> Performed:
     factor = algebra.value(by)
     if isinstance(factor, (Vector, MatrixBase)) or not factor.is_commutative:
         raise RefusedError("a division by what is no scalar")
-    if vanishes(factor):
+    known = _one(move)
+    if vanishes(factor) or vanishes(_where_set(known, algebra.letters).value(factor)):
         raise RefusedError("a division by 0")
     made = _multiply(replace(move, by=(1 / factor,)), algebra)
     return replace(made, conditions=divided_by(factor, ()))
+
+
+def _where_set(known: Known, letters: Letters) -> Algebra:
+    """What has been set for an equation to hold, put in: at all times with its rate."""
+    given: dict[Any, Value] = {}
+    for condition in known.conditions:
+        if condition.relation != "=":
+            continue
+        difference = Algebra(letters, given).value(condition.expression)
+        for x in sorted(difference.free_symbols, key=str):
+            slope = difference.diff(x)
+            if slope.is_number and slope != 0:
+                value = x - difference / slope
+                _settle(given, x, value, letters)
+                if known.scope is not Scope.SET and value.free_symbols <= letters.numbers:
+                    while x in letters.rates:
+                        x = letters.rates[x]
+                        given[x] = Integer(0)
+                break
+    return Algebra(letters, given)
 
 
 def divided_by(factor: Expr, conditions: Sequence[Condition]) -> tuple[Condition, ...]:
@@ -872,6 +887,8 @@ def _exchange(move: Move, algebra: Algebra) -> Performed:
 def _solve(move: Move, algebra: Algebra) -> Performed:
     """For one letter or vector, or more: linear, or the roots of a quadratic."""
     unknowns = [_atom(algebra.value(x), x) for x in move.by]
+    if len(move.of) > len(unknowns):
+        raise RefusedError("more equations than unknowns")
     pairs = [p for k in move.of for p in _all_pairs(k, algebra) if _equal(p)]
     if any(_is_operator(side) for p in pairs for side in (p.left, p.right)):
         raise RefusedError("a matrix equation is not solved so: multiply by what takes it away")
@@ -1051,6 +1068,9 @@ def scalars(value: Value) -> Sequence[Expr]:
     return tuple(value) if isinstance(value, MatrixBase) else (value,)
 
 
+NEGLECTED = Symbol("neglected")
+"""What stands for all that an approximate equation leaves out, if no letter is small in it."""
+
 SMALL = Symbol("small")
 """What letters that are small together are counted by."""
 
@@ -1105,12 +1125,13 @@ def _neglect(move: Move, algebra: Algebra) -> Performed:
                     break
                 rest = algebra.total([rest, algebra.times(Integer(-1), term)])
             else:
+                if all(vanishes(part) for part in components(rest, Integer(0))):
+                    raise RefusedError("nothing is left of a side: what is larger has to stay")
                 sides = (rest, pair.right) if k == 0 else (pair.left, rest)
                 pairs.append(Pair(*sides, "≈"))
     if not pairs:
         raise RefusedError("what is neglected does not stand there")
-    small = Symbol("neglected")
-    return Performed(tuple(pairs), known.scope, order=Order(small, 1))
+    return Performed(tuple(pairs), known.scope, order=Order(NEGLECTED, 1))
 
 
 def _contains(value: Value, term: Value) -> bool:
