@@ -425,6 +425,8 @@ def _put(move: Move, algebra: Algebra) -> Performed:
 def _differentiate(move: Move, algebra: Algebra) -> Performed:
     known = _one(move)
     [by] = move.by
+    if not isinstance(by, Symbol):
+        raise RefusedError("{} is no letter to differentiate by", by)
     if known.scope is not Scope.IDENTITY:
         holds = "where something is set" if known.scope is Scope.SET else "along the motion only"
         raise RefusedError(
@@ -442,7 +444,7 @@ def _differentiate(move: Move, algebra: Algebra) -> Performed:
         if not isinstance(pair.left, Symbol):
             continue
         held = algebra.letters.arguments(pair.left)
-        if pair.left in algebra.letters.functions and by not in held:
+        if by not in held:
             raise RefusedError("{} is no function of {}", pair.left, by)
         slope = _slope(pair.right, by, held, known, algebra)
         made.append(Pair(Partial(pair.left, by), slope))
@@ -1101,6 +1103,11 @@ def _expand(move: Move, algebra: Algebra) -> Performed:
         counted = order.counted(flat)
         if not counted.has(order.small):
             return value
+        for x in flat.free_symbols:
+            if algebra.letters.defined.get(x, frozenset()) & {*move.by}:
+                raise RefusedError(
+                    "{} is defined by {}: put its definition in first", x, move.by[0]
+                )
         made = sympy.series(counted, order.small, 0, order.power).removeO()
         return (made.subs(SMALL, 1) if together else made).xreplace(nodes)
 

@@ -74,6 +74,10 @@ The other deviation:
 
 $$\delta = 2$$
 
+The height:
+
+$$E = MgR\cos\theta$$
+
 The use:
 
 $$T = MgR\cos\theta$$
@@ -113,6 +117,42 @@ def problems(page: str) -> list[str]:
 
 
 TRAPS = {
+    "a slope by what it is no function of": (
+        r"""
+Call the fall:
+
+$$\eta = \theta - \theta_i$$
+
+Differentiate the height by $\eta$:
+
+$$\frac{\partial E}{\partial\eta} = 0$$
+""",
+        "E is no function of eta",
+    ),
+    "a slope by what is no letter": (
+        r"""
+Differentiate the height by $2\theta$:
+
+$$\frac{\partial E}{\partial\theta} = -MgR\sin\theta$$
+""",
+        "is no letter to differentiate by",
+    ),
+    "what is small hides in a letter": (
+        r"""
+Call the large:
+
+$$\eta = \frac{1}{\varepsilon}$$
+
+Multiply the quotient by $1 + \eta\varepsilon$:
+
+$$(1 + \eta\varepsilon)\mu = \frac{1 + \eta\varepsilon}{1 - \varepsilon}$$
+
+Expand it to zeroth order in $\varepsilon$:
+
+$$(1 + \eta\varepsilon)\mu \approx 1$$
+""",
+        "eta is defined by epsilon: put its definition in first",
+    ),
     "an approximate law is put in": (
         r"""
 Put the mean into the transport theorem:
