@@ -18,6 +18,7 @@ from sympy import Add, Dummy, Expr, Integer, MatrixBase, Mul, Symbol
 
 from rigidtop.proof import decide
 from rigidtop.proof.algebra import (
+    TIME,
     Algebra,
     Applied,
     Letters,
@@ -1162,6 +1163,11 @@ def _set(move: Move, algebra: Algebra) -> Performed:
     known = _one(move)
     given = _values(move, algebra)
     letters = algebra.letters
+    if TIME in given and move.power:
+        raise RefusedError("t is set at a moment only")
+    for atom in letters.unit_vectors & {*given}:
+        if not vanishes(algebra.dot(given[atom], given[atom]) - 1):
+            raise RefusedError("{} is a unit vector", atom)
     at_start = move.power == 2
     always = move.power == 1 or all(
         x in letters.numbers and value.free_symbols <= letters.numbers for x, value in given.items()

@@ -117,6 +117,26 @@ def problems(page: str) -> list[str]:
 
 
 TRAPS = {
+    "the time stands still": (
+        r"""
+Integrate the pair from $\omega_1 = \omega_0$ and $\omega_2 = 0$:
+
+$$\omega_1 = \omega_0\cos\omega_{3,0}t, \quad \omega_2 = -\omega_0\sin\omega_{3,0}t$$
+
+Set $t = 0$ at all times in it:
+
+$$\omega_1 = \omega_0, \quad \omega_2 = 0$$
+""",
+        "t is set at a moment only",
+    ),
+    "an axis that is too long": (
+        r"""
+Set $\mathbf e_3 = 2\hat{\mathbf x}$ in the power:
+
+$$0 = MgR\,\dot\theta\sin\theta$$
+""",
+        "e3 is a unit vector",
+    ),
     "a slope by what it is no function of": (
         r"""
 Call the fall:
