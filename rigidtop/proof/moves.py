@@ -98,7 +98,10 @@ class Order:
 
 @dataclass(frozen=True)
 class Condition:
-    """What has to hold besides: `expression` ≠, >, ≥ or = 0.  `lost`: a branch ends there."""
+    """What has to hold besides: `expression` ≠, >, ≥ or = 0, or 0 at the "start".
+
+    `lost`: a branch ends there.
+    """
 
     expression: Expr
     relation: str = "≠"
@@ -324,8 +327,18 @@ def perform(move: Move, letters: Letters) -> Performed:
     for each in (*move.of, *move.using):
         conditions += [c for c in each.conditions if c not in conditions]
     conditions += [c for c in move.where if c not in conditions]
+    _one_start([c.expression for c in conditions if c.relation == "start"], letters)
     scope = max((made.scope, *(k.scope for k in move.cited)), default=made.scope)
     return replace(made, scope=scope, conditions=tuple(conditions))
+
+
+def _one_start(starts: Sequence[Expr], letters: Letters) -> None:
+    """Refuse what is cited of two motions, which start with different values of a letter."""
+    for k, start in enumerate(starts):
+        for other in starts[:k]:
+            difference = sympy.expand(start - other)
+            if difference.free_symbols <= letters.numbers and not vanishes(difference):
+                raise RefusedError("what is cited starts in two ways: {} and {}", other, start)
 
 
 def _with(made: Performed, move: Move, letters: Letters) -> Performed:
@@ -505,7 +518,12 @@ def _integrate(move: Move, algebra: Algebra) -> Performed:
     known = _one(move)
     if known.scope is Scope.SET:
         raise RefusedError("{} holds at a moment: it can't be integrated", _name(known))
-    return Performed(tuple(_all_pairs(known, algebra)), Scope.MOTION, order=known.order)
+    starts = tuple(
+        Condition(algebra.value(e.sides[0]) - algebra.value(e.sides[1]), "start")
+        for e in move.by
+        if not isinstance(algebra.value(e.sides[0]), Vector)
+    )
+    return Performed(tuple(_all_pairs(known, algebra)), Scope.MOTION, starts, known.order)
 
 
 def _equal(pair: Pair) -> bool:

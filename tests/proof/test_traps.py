@@ -117,6 +117,22 @@ def problems(page: str) -> list[str]:
 
 
 TRAPS = {
+    "two motions in one line": (
+        r"""
+Integrate the pair from $\omega_1 = \omega_0$ and $\omega_2 = 0$:
+
+$$\omega_1 = \omega_0\cos\omega_{3,0}t, \quad \omega_2 = -\omega_0\sin\omega_{3,0}t$$
+
+Integrate the pair from $\omega_1 = 0$ and $\omega_2 = 0$:
+
+$$\omega_1 = 0, \quad \omega_2 = 0$$
+
+Rewrite both:
+
+$$\omega_1 = 0, \quad \omega_1 = \omega_0\cos\omega_{3,0}t$$
+""",
+        "starts in two ways",
+    ),
     "the time stands still": (
         r"""
 Integrate the pair from $\omega_1 = \omega_0$ and $\omega_2 = 0$:
