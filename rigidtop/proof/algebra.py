@@ -57,7 +57,7 @@ class Letters:
     `placed` are vectors, operators and scalars that coordinates alone determine, and `functions`
     letters with the other letters that they are a function of, such as an effective potential of
     an angle and of momenta; a slip of the pen exchanges letters of one of the `families`;
-    `units` are SI.
+    `units` are SI; `defined` letters are made of others by definitions that have been read.
     """
 
     numbers: frozenset[Symbol] = frozenset()
@@ -77,6 +77,7 @@ class Letters:
     placed: frozenset[Symbol] = frozenset()
     functions: Mapping[Symbol, tuple[Symbol, ...]] = field(default_factory=dict)
     units: Mapping[Symbol, str] = field(default_factory=dict)
+    defined: Mapping[Symbol, frozenset[Symbol]] = field(default_factory=dict)
 
     @cached_property
     def unit_vectors(self) -> frozenset[Symbol]:

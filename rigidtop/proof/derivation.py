@@ -22,6 +22,7 @@ from rigidtop.proof.algebra import (
     Letters,
     Value,
     Vector,
+    atoms_of,
     components,
     flattened,
     vanishes,
@@ -29,6 +30,7 @@ from rigidtop.proof.algebra import (
 from rigidtop.proof.changed import perturbations
 from rigidtop.proof.equation import Equation, NoMeaningError, Rate, symbols_of
 from rigidtop.proof.moves import (
+    NEGLECTED,
     Condition,
     Known,
     Move,
@@ -92,7 +94,8 @@ def judge_line(line: Line, letters: Letters) -> Judged:
     except units.UnitsError as problem:
         return Judged(line, bare, problem)
     if line.move is None:
-        return Judged(line, bare)
+        nearly = any(equation.relation == "≈" for equation in line.equations)
+        return Judged(line, replace(bare, order=Order(NEGLECTED, 1) if nearly else None))
     if line.move.verb == "call":
         try:
             letter = define(line, letters)
@@ -106,6 +109,9 @@ def judge_line(line: Line, letters: Letters) -> Judged:
         performed = arrive(line.equations, line.move, letters)
     except RefusedError as problem:
         return Judged(line, bare, problem)
+    against = _contradiction(line.equations, performed.conditions, letters)
+    if against is not None:
+        return Judged(line, bare, against)
     known = replace(
         bare, scope=performed.scope, conditions=performed.conditions, order=performed.order
     )
@@ -145,7 +151,17 @@ def define(line: Line, letters: Letters) -> Symbol:
         raise RefusedError(str(error)) from None
     if letter in getattr(right, "free_symbols", set()):
         raise RefusedError("{} is defined by itself", letter)
+    if letter.is_commutative and letter not in letters.vectors:
+        value = Algebra(letters).value(right)
+        if not isinstance(value, MatrixBase) and (vanishes(value) or nonzero(letter - value, ())):
+            raise RefusedError("{} can't be that: it is 0, or of another sign", letter)
     if letter in letters.numbers:
+        for known in line.move.using:
+            if known.scope is Scope.SET or known.order is not None:
+                raise RefusedError(
+                    "{} is a number: what holds at a moment, or approximately, does not keep it",
+                    letter,
+                )
         algebra = Algebra(letters, put_in(line.move.using, letters))
         try:
             rate = algebra.value(Algebra(letters).rate(Algebra(letters).value(right)))
@@ -156,6 +172,36 @@ def define(line: Line, letters: Letters) -> Symbol:
                 "{} is a number, and this changes in time: cite what keeps it", letter
             )
     return letter
+
+
+def _contradiction(
+    equations: Sequence[Equation], conditions: Sequence[Condition], letters: Letters
+) -> RefusedError | None:
+    """Why equations can't hold under conditions: two sides are known to differ."""
+    algebra = Algebra(letters)
+    pairs = [p for equation in equations for p in pairs_of(equation, algebra)]
+    apart = [p.left - p.right for p in pairs if p.relation in ("=", "≈") and _is_scalar(p)]
+    # A limit, such as g = 0, is set for a letter of which g > 0 is known.
+    apart += [c.expression for c in conditions if c.relation == "=" and len(c.expression.args) > 0]
+    # Where a letter of either sign stands that no condition speaks of, nothing is known.
+    bounded = {x for c in conditions for x in atoms_of(c.expression)}
+    known = [x for x in apart if all(y.is_nonzero or y in bounded for y in _open(x))]
+    if any(nonzero(difference, conditions) for difference in known):
+        return RefusedError("this can't hold: what is cited contradicts what is set or divided by")
+    return None
+
+
+def _open(expression: Expr) -> set[Expr]:
+    """The letters of an expression, and its atoms that are none."""
+    flat, nodes = flattened(expression)
+    return {nodes.get(x, x) for x in flat.free_symbols}
+
+
+def _is_scalar(pair: Pair) -> bool:
+    return not any(
+        isinstance(side, (Vector, MatrixBase)) or not side.is_commutative
+        for side in (pair.left, pair.right)
+    )
 
 
 def _as_it_is_used(letter: Symbol, right: Any, letters: Letters) -> None:
@@ -462,8 +508,10 @@ def _approximate(pair: Pair, made: Pair, order: Order, move: Move) -> RefusedErr
     factor = _factor(pair, made, move)
     if factor is None:
         return RefusedError("the move does not arrive here")
-    for part in _difference(pair).values():
-        flat = order.counted(flattened(part)[0])
+    counted = [flattened(part)[0] for part in _difference(pair).values()]
+    if min((order.lowest(x) for x in counted), default=0) >= order.power:
+        return RefusedError("the error is as large as what stands there: nothing is known")
+    for flat in map(order.counted, counted):
         if flat.has(order.small) and _highest(flat, order.small) >= order.power:
             return RefusedError(
                 "the line claims more than it has: its error is of order {} in {}",

@@ -11,6 +11,8 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
+from sympy import Symbol
+
 from rigidtop.errors import RigidtopError
 from rigidtop.proof import units
 from rigidtop.proof.algebra import Letters
@@ -207,12 +209,17 @@ class Lecture:
 
     @cached_property
     def _with_units(self) -> Letters:
-        """The letters, with units of what is defined by a line."""
+        """The letters, with units of what is defined by a line, and what it is made of."""
         letters = self.letters
+        made_of: dict[Symbol, frozenset[Symbol]] = {}
         for line in self.lines.values():
             if line.move is not None and line.move.verb == "call":
                 letters = units.defining(letters, line.equations[0])
-        return letters
+                letter, *meant = line.equations[0].sides
+                direct = {x for side in meant for x in getattr(side, "free_symbols", ())}
+                indirect = [made_of.get(x, frozenset()) for x in direct]
+                made_of[letter] = frozenset(direct).union(*indirect)
+        return replace(letters, defined=made_of)
 
     @cached_property
     def _found(self) -> dict[str, Judged]:

@@ -18,6 +18,7 @@ from sympy import Add, Dummy, Expr, Integer, MatrixBase, Mul, Symbol
 
 from rigidtop.proof import decide
 from rigidtop.proof.algebra import (
+    TIME,
     Algebra,
     Applied,
     Letters,
@@ -97,7 +98,10 @@ class Order:
 
 @dataclass(frozen=True)
 class Condition:
-    """What has to hold besides: `expression` ≠, >, ≥ or = 0.  `lost`: a branch ends there."""
+    """What has to hold besides: `expression` ≠, >, ≥ or = 0, or 0 at the "start".
+
+    `lost`: a branch ends there.
+    """
 
     expression: Expr
     relation: str = "≠"
@@ -323,8 +327,18 @@ def perform(move: Move, letters: Letters) -> Performed:
     for each in (*move.of, *move.using):
         conditions += [c for c in each.conditions if c not in conditions]
     conditions += [c for c in move.where if c not in conditions]
+    _one_start([c.expression for c in conditions if c.relation == "start"], letters)
     scope = max((made.scope, *(k.scope for k in move.cited)), default=made.scope)
     return replace(made, scope=scope, conditions=tuple(conditions))
+
+
+def _one_start(starts: Sequence[Expr], letters: Letters) -> None:
+    """Refuse what is cited of two motions, which start with different values of a letter."""
+    for k, start in enumerate(starts):
+        for other in starts[:k]:
+            difference = sympy.expand(start - other)
+            if difference.free_symbols <= letters.numbers and not vanishes(difference):
+                raise RefusedError("what is cited starts in two ways: {} and {}", other, start)
 
 
 def _with(made: Performed, move: Move, letters: Letters) -> Performed:
@@ -361,26 +375,20 @@ def _carried(pairs: Sequence[Pair], known: Known, order: Order, letters: Letters
     """The order of the error that an approximate value brings into what it is put in for."""
     mark = Dummy("error")
     given = put_in([known], letters)
+    error = mark * order.small**order.power
     wrong = {
-        atom: algebra_sum(value, mark * order.small**order.power)
+        atom: value + (Vector({atom: error}) if isinstance(value, Vector) else error)
         for atom, value in given.items()
-        if not isinstance(value, (Vector, MatrixBase))
+        if not isinstance(value, MatrixBase)
     }
     lowest = order.power
     right, off = Algebra(letters, given), Algebra(letters, {**given, **wrong})
-    for pair in pairs:
-        if isinstance(pair.right, (Vector, MatrixBase)) or not wrong:
-            continue
-        change = flattened(off.value(pair.right) - right.value(pair.right))[0]
-        slope = change.diff(mark).subs(mark, 0)
-        if slope != 0:
-            lowest = min(lowest, order.lowest(slope))
+    for side in (side for pair in pairs for side in (pair.left, pair.right)):
+        for change in components(off.value(side), right.value(side)):
+            slope = flattened(change)[0].diff(mark).subs(mark, 0)
+            if slope != 0:
+                lowest = min(lowest, order.lowest(slope))
     return replace(order, power=lowest)
-
-
-def algebra_sum(value: Expr, error: Expr) -> Expr:
-    """A value with its error."""
-    return value + error
 
 
 def _reaches_into(known: Known, pairs: Sequence[Pair], letters: Letters) -> None:
@@ -431,6 +439,8 @@ def _put(move: Move, algebra: Algebra) -> Performed:
 def _differentiate(move: Move, algebra: Algebra) -> Performed:
     known = _one(move)
     [by] = move.by
+    if not isinstance(by, Symbol):
+        raise RefusedError("{} is no letter to differentiate by", by)
     if known.scope is not Scope.IDENTITY:
         holds = "where something is set" if known.scope is Scope.SET else "along the motion only"
         raise RefusedError(
@@ -448,7 +458,7 @@ def _differentiate(move: Move, algebra: Algebra) -> Performed:
         if not isinstance(pair.left, Symbol):
             continue
         held = algebra.letters.arguments(pair.left)
-        if pair.left in algebra.letters.functions and by not in held:
+        if by not in held:
             raise RefusedError("{} is no function of {}", pair.left, by)
         slope = _slope(pair.right, by, held, known, algebra)
         made.append(Pair(Partial(pair.left, by), slope))
@@ -508,7 +518,12 @@ def _integrate(move: Move, algebra: Algebra) -> Performed:
     known = _one(move)
     if known.scope is Scope.SET:
         raise RefusedError("{} holds at a moment: it can't be integrated", _name(known))
-    return Performed(tuple(_all_pairs(known, algebra)), Scope.MOTION, order=known.order)
+    starts = tuple(
+        Condition(algebra.value(e.sides[0]) - algebra.value(e.sides[1]), "start")
+        for e in move.by
+        if not isinstance(algebra.value(e.sides[0]), Vector)
+    )
+    return Performed(tuple(_all_pairs(known, algebra)), Scope.MOTION, starts, known.order)
 
 
 def _equal(pair: Pair) -> bool:
@@ -619,10 +634,31 @@ def _divide(move: Move, algebra: Algebra) -> Performed:
     factor = algebra.value(by)
     if isinstance(factor, (Vector, MatrixBase)) or not factor.is_commutative:
         raise RefusedError("a division by what is no scalar")
-    if vanishes(factor):
+    known = _one(move)
+    if vanishes(factor) or vanishes(_where_set(known, algebra.letters).value(factor)):
         raise RefusedError("a division by 0")
     made = _multiply(replace(move, by=(1 / factor,)), algebra)
     return replace(made, conditions=divided_by(factor, ()))
+
+
+def _where_set(known: Known, letters: Letters) -> Algebra:
+    """What has been set for an equation to hold, put in: at all times with its rate."""
+    given: dict[Any, Value] = {}
+    for condition in known.conditions:
+        if condition.relation != "=":
+            continue
+        difference = Algebra(letters, given).value(condition.expression)
+        for x in sorted(difference.free_symbols, key=str):
+            slope = difference.diff(x)
+            if slope.is_number and slope != 0:
+                value = x - difference / slope
+                _settle(given, x, value, letters)
+                if known.scope is not Scope.SET and value.free_symbols <= letters.numbers:
+                    while x in letters.rates:
+                        x = letters.rates[x]
+                        given[x] = Integer(0)
+                break
+    return Algebra(letters, given)
 
 
 def divided_by(factor: Expr, conditions: Sequence[Condition]) -> tuple[Condition, ...]:
@@ -872,6 +908,8 @@ def _exchange(move: Move, algebra: Algebra) -> Performed:
 def _solve(move: Move, algebra: Algebra) -> Performed:
     """For one letter or vector, or more: linear, or the roots of a quadratic."""
     unknowns = [_atom(algebra.value(x), x) for x in move.by]
+    if len(move.of) > len(unknowns):
+        raise RefusedError("more equations than unknowns")
     pairs = [p for k in move.of for p in _all_pairs(k, algebra) if _equal(p)]
     if any(_is_operator(side) for p in pairs for side in (p.left, p.right)):
         raise RefusedError("a matrix equation is not solved so: multiply by what takes it away")
@@ -1051,6 +1089,9 @@ def scalars(value: Value) -> Sequence[Expr]:
     return tuple(value) if isinstance(value, MatrixBase) else (value,)
 
 
+NEGLECTED = Symbol("neglected")
+"""What stands for all that an approximate equation leaves out, if no letter is small in it."""
+
 SMALL = Symbol("small")
 """What letters that are small together are counted by."""
 
@@ -1081,6 +1122,11 @@ def _expand(move: Move, algebra: Algebra) -> Performed:
         counted = order.counted(flat)
         if not counted.has(order.small):
             return value
+        for x in flat.free_symbols:
+            if algebra.letters.defined.get(x, frozenset()) & {*move.by}:
+                raise RefusedError(
+                    "{} is defined by {}: put its definition in first", x, move.by[0]
+                )
         made = sympy.series(counted, order.small, 0, order.power).removeO()
         return (made.subs(SMALL, 1) if together else made).xreplace(nodes)
 
@@ -1105,12 +1151,13 @@ def _neglect(move: Move, algebra: Algebra) -> Performed:
                     break
                 rest = algebra.total([rest, algebra.times(Integer(-1), term)])
             else:
+                if all(vanishes(part) for part in components(rest, Integer(0))):
+                    raise RefusedError("nothing is left of a side: what is larger has to stay")
                 sides = (rest, pair.right) if k == 0 else (pair.left, rest)
                 pairs.append(Pair(*sides, "≈"))
     if not pairs:
         raise RefusedError("what is neglected does not stand there")
-    small = Symbol("neglected")
-    return Performed(tuple(pairs), known.scope, order=Order(small, 1))
+    return Performed(tuple(pairs), known.scope, order=Order(NEGLECTED, 1))
 
 
 def _contains(value: Value, term: Value) -> bool:
@@ -1134,6 +1181,11 @@ def _set(move: Move, algebra: Algebra) -> Performed:
     known = _one(move)
     given = _values(move, algebra)
     letters = algebra.letters
+    if TIME in given and move.power:
+        raise RefusedError("t is set at a moment only")
+    for atom in letters.unit_vectors & {*given}:
+        if not vanishes(algebra.dot(given[atom], given[atom]) - 1):
+            raise RefusedError("{} is a unit vector", atom)
     at_start = move.power == 2
     always = move.power == 1 or all(
         x in letters.numbers and value.free_symbols <= letters.numbers for x, value in given.items()

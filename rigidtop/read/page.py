@@ -34,6 +34,7 @@ from rigidtop.read import sentence as language
 from rigidtop.read.formula import read
 
 _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z])")
+_HIDDEN = re.compile(r"\$\$|\\\[|\\begin\{|^```+ *math", re.M)
 _ANCHOR = re.compile(r'\s*<a id="([\w.-]+)"></a>\s*')
 
 
@@ -114,6 +115,10 @@ class _Reader:
                 self.laws = level if text[level:].split()[:1] == ["Laws"] else 0
         elif text.lstrip().startswith("$$"):
             self.display(text.strip().strip("$").strip(), at)
+        elif _HIDDEN.search(text):
+            self.pending = None
+            problem = "a display stands by itself, between empty lines and in $$"
+            self.blocks.append(Shown(text, at, None, problem, self.anchor))
         else:
             self.end()
             *before, last = _SENTENCE.split(text)

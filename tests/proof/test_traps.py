@@ -56,6 +56,52 @@ Three moments:
 
 $$\lambda_1 \ne \lambda_2 \ne \lambda_3$$
 
+Along the motion, the mean:
+
+$$\dot{\mathbf L} \approx \mathbf N$$
+
+The transport theorem:
+
+$$\left(\frac{\partial\mathbf L}{\partial t}\right)_{\text{space}}
+= \left(\frac{\partial\mathbf L}{\partial t}\right)_{\text{body}}
++ \boldsymbol\omega\times\mathbf L$$
+
+The deviation:
+
+$$\delta = 1$$
+
+The other deviation:
+
+$$\delta = 2$$
+
+The height:
+
+$$E = MgR\cos\theta$$
+
+The use:
+
+$$T = MgR\cos\theta$$
+
+The product:
+
+$$\omega_1\omega_2 = 0$$
+
+The squares:
+
+$$\omega_1^2 = \omega_2^2$$
+
+The quotient:
+
+$$\mu = \frac{1}{1-\varepsilon}$$
+
+The rest:
+
+$$\beta = \frac{\mu - 1 - \varepsilon}{\varepsilon^2}$$
+
+The rest on the left:
+
+$$\frac{\mu}{\varepsilon^2} = \beta$$
+
 The far:
 
 $$\omega_2 = \frac{\omega_1}{\varepsilon} + \frac{\omega_1}{1-\varepsilon}$$
@@ -71,6 +117,235 @@ def problems(page: str) -> list[str]:
 
 
 TRAPS = {
+    "two motions in one line": (
+        r"""
+Integrate the pair from $\omega_1 = \omega_0$ and $\omega_2 = 0$:
+
+$$\omega_1 = \omega_0\cos\omega_{3,0}t, \quad \omega_2 = -\omega_0\sin\omega_{3,0}t$$
+
+Integrate the pair from $\omega_1 = 0$ and $\omega_2 = 0$:
+
+$$\omega_1 = 0, \quad \omega_2 = 0$$
+
+Rewrite both:
+
+$$\omega_1 = 0, \quad \omega_1 = \omega_0\cos\omega_{3,0}t$$
+""",
+        "starts in two ways",
+    ),
+    "the time stands still": (
+        r"""
+Integrate the pair from $\omega_1 = \omega_0$ and $\omega_2 = 0$:
+
+$$\omega_1 = \omega_0\cos\omega_{3,0}t, \quad \omega_2 = -\omega_0\sin\omega_{3,0}t$$
+
+Set $t = 0$ at all times in it:
+
+$$\omega_1 = \omega_0, \quad \omega_2 = 0$$
+""",
+        "t is set at a moment only",
+    ),
+    "an axis that is too long": (
+        r"""
+Set $\mathbf e_3 = 2\hat{\mathbf x}$ in the power:
+
+$$0 = MgR\,\dot\theta\sin\theta$$
+""",
+        "e3 is a unit vector",
+    ),
+    "a slope by what it is no function of": (
+        r"""
+Call the fall:
+
+$$\eta = \theta - \theta_i$$
+
+Differentiate the height by $\eta$:
+
+$$\frac{\partial E}{\partial\eta} = 0$$
+""",
+        "E is no function of eta",
+    ),
+    "a slope by what is no letter": (
+        r"""
+Differentiate the height by $2\theta$:
+
+$$\frac{\partial E}{\partial\theta} = -MgR\sin\theta$$
+""",
+        "is no letter to differentiate by",
+    ),
+    "what is small hides in a letter": (
+        r"""
+Call the large:
+
+$$\eta = \frac{1}{\varepsilon}$$
+
+Multiply the quotient by $1 + \eta\varepsilon$:
+
+$$(1 + \eta\varepsilon)\mu = \frac{1 + \eta\varepsilon}{1 - \varepsilon}$$
+
+Expand it to zeroth order in $\varepsilon$:
+
+$$(1 + \eta\varepsilon)\mu \approx 1$$
+""",
+        "eta is defined by epsilon: put its definition in first",
+    ),
+    "an approximate law is put in": (
+        r"""
+Put the mean into the transport theorem:
+
+$$\mathbf N = \left(\frac{\partial\mathbf L}{\partial t}\right)_{\text{body}}
++ \boldsymbol\omega\times\mathbf L$$
+""",
+        "only ≈ follows",
+    ),
+    "a number that is kept at a moment": (
+        r"""
+Set $\omega_1 = 0$ in the rate of spin:
+
+$$\dot\omega_3 = 0$$
+
+Call the number, with it:
+
+$$\Omega_b = \frac{(\lambda_1 - \lambda_3)\omega_3}{\lambda_1}$$
+""",
+        "at a moment, or approximately, does not keep it",
+    ),
+    "a number that is kept approximately": (
+        r"""
+Expand the rate of spin to first order in $\omega_1$ and $\omega_2$:
+
+$$\dot\omega_3 \approx 0$$
+
+Call the number, with it:
+
+$$\Omega_b = \frac{(\lambda_1 - \lambda_3)\omega_3}{\lambda_1}$$
+""",
+        "at a moment, or approximately, does not keep it",
+    ),
+    "solved for what two equations say": (
+        r"""
+Solve the deviation and the other deviation for $\delta$:
+
+$$\delta = 1$$
+""",
+        "more equations than unknowns",
+    ),
+    "a display behind its sentence": (
+        "\nRewrite the use: $$T = 0$$\n",
+        "a display stands by itself",
+    ),
+    "a display in brackets": (
+        "\nRewrite the use:\n\n\\[T = 0\\]\n",
+        "a display stands by itself",
+    ),
+    "a display between fences": (
+        "\nRewrite the use:\n\n```math\nT = 0\n```\n",
+        "a display stands by itself",
+    ),
+    "divided by what is cited as 0": (
+        r"""
+Set $\lambda_2 = \lambda_1$ in Euler's third equation:
+
+$$\lambda_3\dot\omega_3 = 0$$
+
+Divide it by $\lambda_1 - \lambda_2$:
+
+$$\frac{\lambda_3\dot\omega_3}{\lambda_1 - \lambda_2} = 0$$
+""",
+        "a division by 0",
+    ),
+    "divided by the rate of what stays": (
+        r"""
+Set $\theta = \theta_0$ at all times in the use:
+
+$$T = MgR\cos\theta_0$$
+
+Divide it by $\dot\theta$:
+
+$$\frac{T}{\dot\theta} = \frac{MgR\cos\theta_0}{\dot\theta}$$
+""",
+        "a division by 0",
+    ),
+    "1 = 0": (
+        r"""
+Divide the product by $\omega_1\omega_2$:
+
+$$1 = 0$$
+""",
+        "this can't hold",
+    ),
+    "0 where it was divided by": (
+        r"""
+Divide the product by $\omega_1$:
+
+$$\omega_2 = 0$$
+
+Put it into the squares:
+
+$$\omega_1^2 = 0$$
+""",
+        "this can't hold",
+    ),
+    "two moments whose sum is 0": (
+        r"""
+Set $\lambda_1 = -\lambda_2$ in Euler's third equation:
+
+$$\lambda_3\dot\omega_3 = -2\lambda_2\omega_1\omega_2$$
+""",
+        "this can't hold",
+    ),
+    "a definition of 0": (
+        r"""
+Call the zero:
+
+$$\alpha = \phi - \phi$$
+""",
+        "it is 0, or of another sign",
+    ),
+    "a length below 0": (
+        r"""
+Call the length:
+
+$$a = -b$$
+""",
+        "it is 0, or of another sign",
+    ),
+    "all of it neglected": (
+        r"""
+Neglect $MgR\cos\theta$ in the use:
+
+$$T \approx 0$$
+""",
+        "nothing is left of a side",
+    ),
+    "an error as large as the result": (
+        r"""
+Expand the quotient to first order in $\varepsilon$:
+
+$$\mu \approx 1 + \varepsilon$$
+
+Put it into the rest:
+
+$$\beta \approx 0$$
+""",
+        "nothing is known",
+    ),
+    "an error that grows on the left": (
+        r"""
+Expand the quotient to first order in $\varepsilon$:
+
+$$\mu \approx 1 + \varepsilon$$
+
+Put it into the rest on the left:
+
+$$\frac{1 + \varepsilon}{\varepsilon^2} \approx \beta$$
+
+Multiply it by $1 + \varepsilon$:
+
+$$\frac{(1 + \varepsilon)^2}{\varepsilon^2} \approx (1 + \varepsilon)\beta$$
+""",
+        "the line claims more than it has: its error is of order 0",
+    ),
     "an inequality is put in": (
         r"""
 Put the drift into the sum law:
@@ -203,19 +478,19 @@ $$\omega_2^2 \approx \omega_1^2(\frac1{\varepsilon} + 1)^2$$
         r"""
 Call the ratio:
 
-$$\mu = \frac{1}{1 - \varepsilon} + \frac{1}{1-\delta}$$
+$$\eta = \frac{1}{1 - \varepsilon} + \frac{1}{1-\delta}$$
 
 Expand it to first order in $\varepsilon$:
 
-$$\mu \approx 1 + \varepsilon + \frac{1}{1-\delta}$$
+$$\eta \approx 1 + \varepsilon + \frac{1}{1-\delta}$$
 
 Expand it to first order in $\delta$:
 
-$$\mu \approx 2 + \varepsilon + \delta$$
+$$\eta \approx 2 + \varepsilon + \delta$$
 
 Multiply it by $1 + \varepsilon$:
 
-$$(1+\varepsilon)\mu \approx (2 + \varepsilon + \delta)(1 + \varepsilon)$$
+$$(1+\varepsilon)\eta \approx (2 + \varepsilon + \delta)(1 + \varepsilon)$$
 """,
         "two small quantities at once",
     ),
@@ -223,7 +498,7 @@ $$(1+\varepsilon)\mu \approx (2 + \varepsilon + \delta)(1 + \varepsilon)$$
         r"""
 Call the ratio:
 
-$$\mu < \lambda_1/\lambda_3$$
+$$\eta < \lambda_1/\lambda_3$$
 """,
         "a definition has a letter on its left",
     ),
@@ -231,7 +506,7 @@ $$\mu < \lambda_1/\lambda_3$$
         r"""
 Call the ratio:
 
-$$\mu = \underbrace{\frac{\lambda_1}{\lambda_3}}_{\equiv 1}$$
+$$\eta = \underbrace{\frac{\lambda_1}{\lambda_3}}_{\equiv 1}$$
 """,
         "nothing comes of this move",
     ),
@@ -276,11 +551,11 @@ $$T - V = \tfrac12\lambda_1(\dot\phi^2\sin^2\theta + \dot\theta^2)
         r"""
 Call the balance:
 
-$$\mu = 1$$
+$$\eta = 1$$
 
 Rearrange the balance:
 
-$$\mu - 1 = 0$$
+$$\eta - 1 = 0$$
 """,
         "names something above",
     ),
