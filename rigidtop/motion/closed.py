@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -25,7 +26,7 @@ def orbit(
 ) -> free.Orbit | heavy.Orbit:
     """The closed form of a motion; RigidtopError for a body that has none here."""
     if not any(body.weight):
-        return free.solve(np.array(body.moments), np.array(omega))
+        return free.solve(body.moments, omega)
     if not body.symmetric:
         raise RigidtopError(
             "no closed form: a heavy body has one only if lambda1 = lambda2 and its centre of mass "
@@ -38,26 +39,38 @@ def _heavy_orbit(
     body: RigidBody, attitude: Rotation, omega: tuple[float, float, float]
 ) -> heavy.Orbit:
     """Of a body that is symmetric about e₃, its centre of mass on e₃ above or below the pivot."""
-    (lambda1, _, lambda3), weight = body.moments, body.weight[2]
     q = attitudes.quaternions(attitude)
-    if weight < 0:
+    if body.weight[2] < 0:
         q = attitudes.product(UPSIDE_DOWN, q)
     phi, psi = attitudes.azimuth_and_spin(attitudes.rotation(q), omega)
     alpha, beta = attitudes.spinors(q)
     # ω = −φ̇ sin θ e₁′ + θ̇ e₂′ + ω₃e₃, and the body is turned by ψ about e₃ (3.42).
-    sin_psi, cos_psi = np.sin(psi), np.cos(psi)
+    sin_psi, cos_psi = math.sin(psi), math.cos(psi)
     return heavy.solve(
-        heavy.Start(
-            mu=np.asarray(abs(weight) / lambda1),
-            b=np.asarray(lambda3 * omega[2] / lambda1),
-            omega3=np.asarray(omega[2]),
-            cos_half=np.abs(alpha),
-            sin_half=np.abs(beta),
-            v_theta=np.asarray(omega[0] * sin_psi + omega[1] * cos_psi),
-            v_phi=np.asarray(omega[1] * sin_psi - omega[0] * cos_psi),
-            phi=np.asarray(phi),
-            psi=np.asarray(psi),
+        start(
+            body,
+            omega3=omega[2],
+            halves=(float(abs(alpha)), float(abs(beta))),
+            rates=(
+                omega[0] * sin_psi + omega[1] * cos_psi,
+                omega[1] * sin_psi - omega[0] * cos_psi,
+            ),
+            angles=(phi, psi),
         )
+    )
+
+
+def start(
+    body: RigidBody,
+    omega3: float,
+    halves: tuple[float, float],
+    rates: tuple[float, float],
+    angles: tuple[float, float],
+) -> heavy.Start:
+    """From cos(θ/2) and sin(θ/2), θ̇ and φ̇ sin θ, φ and ψ."""
+    (lambda1, _, lambda3), weight = body.moments, body.weight[2]
+    return heavy.Start(
+        abs(weight) / lambda1, lambda3 * omega3 / lambda1, omega3, *halves, *rates, *angles
     )
 
 
@@ -66,7 +79,8 @@ def states(motion: Motion, times: Floats) -> tuple[Floats, Floats]:
     solved = motion.orbit
     if isinstance(solved, free.Orbit):
         turned, rates = solved.at(times)
-        return attitudes.product(attitudes.quaternions(motion.attitude), turned), rates
+        whole = np.stack(turned, axis=-1), np.stack(rates, axis=-1)
+        return attitudes.product(attitudes.quaternions(motion.attitude), whole[0]), whole[1]
     s = solved.at(times)
     if motion.body.weight[2] < 0:
         return attitudes.product(attitudes.conjugate(UPSIDE_DOWN), s.quaternion), s.omega

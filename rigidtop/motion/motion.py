@@ -277,18 +277,14 @@ class TopMotion(Motion):
 
     @cached_property
     def orbit(self) -> heavy.Orbit:
-        start = self.start()
+        first = self.start()
         return heavy.solve(
-            heavy.Start(
-                mu=np.asarray(self.body.weight[2] / self.body.lambda1),
-                b=np.asarray(self.body.lambda3 * self.omega[2] / self.body.lambda1),
-                omega3=np.asarray(self.omega[2]),
-                cos_half=start.cos_half[0],
-                sin_half=start.sin_half[0],
-                v_theta=start.theta_dot[0],
-                v_phi=start.v_phi[0],
-                phi=np.asarray(self.phi),
-                psi=np.asarray(self.psi),
+            closed.start(
+                self.body,
+                omega3=self.omega[2],
+                halves=(float(first.cos_half[0]), float(first.sin_half[0])),
+                rates=(float(first.theta_dot[0]), float(first.v_phi[0])),
+                angles=(self.phi, self.psi),
             )
         )
 
