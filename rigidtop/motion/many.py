@@ -25,7 +25,7 @@ from rigidtop.motion.exact import free, heavy
 from rigidtop.motion.integrate import TAYLOR, Accuracy, Progress
 from rigidtop.motion.state import TopState
 
-CHUNK = 1 << 13
+CHUNK = 1 << 11
 """States at a time: arrays of these, some dozens, stay in the cache."""
 
 

@@ -15,7 +15,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
 from rigidtop.motion import checks, closed, systems, taylor
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.exact import free, heavy
+from rigidtop.motion.exact import free, heavy, samples
 from rigidtop.motion.integrate import (
     TAYLOR,
     Accuracy,
@@ -25,7 +25,7 @@ from rigidtop.motion.integrate import (
     flow,
     on_both_sides,
 )
-from rigidtop.motion.trajectory import BodyTrajectory, TopTrajectory, Trajectory
+from rigidtop.motion.trajectory import BodyTrajectory, EvenTop, TopTrajectory, Trajectory
 
 if TYPE_CHECKING:
     from rigidtop.motion.body import RigidBody
@@ -273,7 +273,11 @@ class TopMotion(Motion):
         (array([0.5     , 0.463232]), array([     0.   , 247889.744]))
         """
         times = checks.times(t)
-        return TopTrajectory(motion=self, t=times, **vars(self.orbit.at(times)))
+        orbit = self.orbit
+        even = samples.samples(times, orbit.half_piece, orbit.states, orbit.sizes(times))
+        if even is not None:
+            return EvenTop(self, times, even)
+        return TopTrajectory(motion=self, t=times, **vars(orbit.states(times)))
 
     @cached_property
     def orbit(self) -> heavy.Orbit:

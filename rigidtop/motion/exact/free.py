@@ -30,12 +30,13 @@ from numpy.typing import NDArray
 
 from rigidtop.motion.exact import theta
 from rigidtop.motion.exact.numbers import Kit, Plain, Real, Truth, kit
+from rigidtop.motion.exact.samples import HALF_PIECE, half_piece
 from rigidtop.motion.exact.theta import Factor, Modulus, Real4, cubic, factor, modulus, real4
 
 ROUNDING = 16 * float(np.finfo(float).eps)
 """What rounding of the initial state does to the distance from the separatrix."""
 
-SMALLEST_PART = 1e-100
+SMALLEST_PART = 1e-280
 """Of squares: a deviation from the separatrix of 1e-50 and less counts as none."""
 
 LARGEST_RATIO = 1e45
@@ -147,6 +148,12 @@ class Orbit:
         )
 
     # --- The state ---
+
+    @property
+    def half_piece(self) -> float:
+        """How long the motion is smooth (s): see `samples`."""
+        turning = HALF_PIECE / (abs(self.drift) + abs(self.rate) + self.sigma)
+        return min(turning, half_piece(theta.strip(self.modulus), abs(self.rate)))
 
     def at(self, t: Real) -> tuple[tuple[Real, ...], Triple]:
         """At times t (s), which broadcast against the orbit.

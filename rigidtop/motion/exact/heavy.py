@@ -27,14 +27,16 @@ the three roots meet, everything is made of the two differences that are small t
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import theta
 from rigidtop.motion.exact.numbers import Kit, Plain, Real, Truth, kit
+from rigidtop.motion.exact.samples import Sizes, half_piece, in_blocks
 from rigidtop.motion.exact.theta import Cubic, Factor, Modulus, along, cubic, factor, modulus
 from rigidtop.motion.state import TopState
 
@@ -47,7 +49,7 @@ UNITS = 2 * float(np.finfo(float).eps)
 SMALLEST_TILT = 1e-150
 """Squares of less would lose digits; an attitude does not notice."""
 
-SMALLEST_PART = 1e-100
+SMALLEST_PART = 1e-280
 """Of squares: deviations from a separatrix or a pole of 1e-50 and less count as none."""
 
 REGIMES = (
@@ -63,6 +65,9 @@ REGIMES = (
     "waves",
 )
 """What an axis can do: see `Orbit.regime`, which takes the first that holds."""
+
+CHANGING = ("cos_half", "sin_half", "phi", "psi", "theta_dot", "v_phi")
+"""What of a state is not constant."""
 
 NEWTON_STEPS = 4
 """From roots by cosines, which are good to 1e-8 at worst, to rounding."""
@@ -254,8 +259,10 @@ class Orbit:
 
     # --- The state ---
 
-    def _phases(self, k: Kit, at: theta.Place) -> tuple[Real, Real]:
-        return _half(k, self.first, at)[1], _half(k, self.second, at)[1]
+    @property
+    def half_piece(self) -> float:
+        """How long the motion is smooth (s): see `samples`."""
+        return half_piece(theta.strip(self.modulus), abs(self.rate))
 
     def at(self, t: Real) -> TopState:
         """The state at times t (s), which broadcast against the orbit."""
@@ -265,9 +272,42 @@ class Orbit:
         with np.errstate(all="ignore"):
             return self._at(k, t)
 
+    def sizes(self, times: Floats) -> Sizes:
+        """To what the quantities of states are needed, at times of this size."""
+        latest = float(max(abs(times[0]), abs(times[-1])))
+
+        def needed(state: TopState) -> list[tuple[Floats, Floats]]:
+            rounding = 1 + abs(self.rate) * latest  # that of z
+            turning = np.abs(state.phi_dot)
+            fastest = np.hypot(state.theta_dot, state.v_phi).max()
+            speed = np.broadcast_to(rounding * fastest, turning.shape)
+            return [
+                (state.cos_half, rounding * state.cos_half),
+                (state.sin_half, rounding * state.sin_half),
+                (state.theta_dot, speed),
+                (state.v_phi, speed),
+                (state.phi, 1 + latest * turning),
+                (state.psi, 1 + latest * (abs(self.start.omega3) + turning)),
+                (state.phi_dot, speed + rounding * turning),
+            ]
+
+        return needed
+
+    def states(self, times: Floats) -> TopState:
+        """The states at any number of times (N,) of one motion."""
+
+        def columns(part: Floats) -> tuple[Floats, ...]:
+            state = self.at(part)
+            return tuple(getattr(state, name) for name in CHANGING)
+
+        found = dict(zip(CHANGING, in_blocks(columns, times), strict=True))
+        s = self.start
+        return TopState(**found, omega3=np.asarray(s.omega3), upright_phi_dot=np.asarray(s.b / 2))
+
     def _at(self, k: Kit, t: Real) -> TopState:
-        # At t = 0 the sign of a zero counts.
-        z = k.where(t == 0, self.z0, self.z0 + self.rate * t)
+        z = self.z0 + self.rate * t
+        if k.any(self.z0 == 0):
+            z = k.where(t == 0, self.z0, z)  # its sign counts
         at = theta.place(k, self.modulus, z)
         own, other = self.first, self.second
         square1, phase1, f = _half(k, own, at)
@@ -281,19 +321,17 @@ class Orbit:
         sides = root1 * root, root2 * root
         cos_half = k.where(self.swapped, sides[1], sides[0])
         sin_half = k.where(self.swapped, sides[0], sides[1])
-        # In a pole at the origin t over the root is that of its neighbours.
-        slope = k.where(
-            root1 > 0,
-            k.over(at.t, root1),
-            k.over(k.copysign(1.0, z), f * k.sqrt(own.scale * at.plus)),
-        )
+        slope = k.over(at.t, root1)
+        if k.any(root1 == 0):  # in a pole at the origin, where it is that of its neighbours
+            beside = f * k.sqrt(own.scale * at.plus)
+            slope = k.where(root1 > 0, slope, k.over(k.copysign(1.0, z), beside))
         end, left = self.modulus.end, at.left
         q2 = (end - left) * (end - left)
         speed = (
             left * (2 * end - left) * ((self.falls[2] * q2 + self.falls[1]) * q2 + self.falls[0])
         )
         theta_dot = k.where(
-            self.moving, self.fall * slope * at.plus * speed * share * k.over(1.0, root2), 0.0
+            self.moving, self.fall * slope * at.plus * speed * share * k.over(1.0, root2), 0.0 * z
         )
         sine = 2 * root1 * root2 * share
 
@@ -307,6 +345,9 @@ class Orbit:
             return (self.sigma * above,)
 
         momentum = k.pick(self.wide, wide, small)[0]
+        v_phi = k.over(momentum, sine)
+        if k.any(sine == 0):
+            v_phi = k.where(sine > 0, v_phi, 0.0)
         s = self.start
         return TopState(
             cos_half=cos_half,
@@ -314,7 +355,7 @@ class Orbit:
             phi=s.phi + (up + down),
             psi=s.psi + s.omega3 * t + (down - up),
             theta_dot=theta_dot,
-            v_phi=k.where(sine > 0, k.over(momentum, sine), 0.0),
+            v_phi=v_phi,
             omega3=s.omega3,
             upright_phi_dot=s.b / 2,
         )
@@ -395,16 +436,10 @@ def _solve(k: Kit, start: Start) -> Orbit:
     vertical = k.either(x0 == 0, y0 == 0)
     still = k.either(k.both(r.span == 0, vertical), ratio == math.inf)
     ratio = k.where(k.either(still, r.span == 0), 0.0, ratio)
-    r = Roots(
-        *(
-            k.where(still, *pair)
-            for pair in (
-                (0.0, r.delta1), (0.0, r.delta2), (x0, r.x1), (x0, r.x2), (y0, r.y1), (y0, r.y2),
-                (0.0, r.span), (r.m03, r.m03),
-            )
-        )
-    )  # fmt: skip
-    m, m1 = k.where(still, 0.0, m), k.where(still, 1.0, m1)
+    if k.any(still):
+        stays = Roots(0.0, 0.0, x0, x0, y0, y0, 0.0, r.m03)
+        r = Roots(*(k.where(still, *pair) for pair in zip(_parts(stays), _parts(r), strict=True)))
+        m, m1 = k.where(still, 0.0, m), k.where(still, 1.0, m1)
     # The frequency of small nutations about the vertical: b² − 4μ cos θ.
     about = k.larger(b * b - 4 * mu * k.copysign(1.0, y0 - x0), 0.0)
     nu = k.sqrt(k.where(still, about, m23)) / 2
@@ -450,10 +485,14 @@ def _solve(k: Kit, start: Start) -> Orbit:
         )
     origin = k.where(swapped, mod.theta3, k.where(mod.circular, mod.theta4, mod.theta2))
     per_sine = origin / (mod.rate * cubic(mod.sines, mod.q))
-    depth = k.where(swapped, r.span * m1, r.span)
+    # 1 − m of this nome: of m₁ itself the logarithm, which time is measured by, is not as exact.
+    two, three = mod.theta2 * mod.theta2, mod.theta3 * mod.theta3
+    rest = k.where(mod.circular, m1, 16 * mod.q * (two * two) / (three * three))
+    depth = k.where(swapped, r.span * rest, r.span)
     falls, first_fall = _falls(mod)
     fall = 2 * nu * depth * sigma * origin**4 / (first_fall * mod.rate)
-    orbit = Orbit(
+    at = theta.place(k, mod, z0)
+    return Orbit(
         start=start,
         sigma=sigma,
         mu=mu,
@@ -478,20 +517,23 @@ def _solve(k: Kit, start: Start) -> Orbit:
         falls=falls,
         momentum=sigma * k.where(swapped, a1, a2),
         momentum_rise=sigma * b * k.where(swapped, depth, -depth),
-        begin=(0.0, 0.0),
+        begin=(_half(k, halves[0], at)[1], _half(k, halves[1], at)[1]),
         still=still,
         steady=steady,
         asymptotic=arrives,
         # With p_φ = p_ψ alone it may lack the energy to climb there.
         through=k.either(k.both(passes_up, w_up > 0), passes_down),
     )
-    return replace(orbit, begin=orbit._phases(k, theta.place(k, mod, z0)))
 
 
 def _unless_rounding(k: Kit, one: Real, other: Real) -> Real:
     """The sum; 0 if it is no more than rounding of the two."""
     total = one + other
     return k.where(abs(total) <= UNITS * (abs(one) + abs(other)), 0.0, total)
+
+
+def _parts(roots: Roots) -> tuple[Real, ...]:
+    return tuple(vars(roots).values())
 
 
 def _root(k: Kit, square: Real, unknown: float) -> Real:

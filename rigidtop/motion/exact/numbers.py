@@ -92,13 +92,20 @@ class Arrays:
     both = staticmethod(np.logical_and)
     either = staticmethod(np.logical_or)
     over = staticmethod(np.divide)
-    where = staticmethod(np.where)
     any = staticmethod(np.any)
+
+    @staticmethod
+    def where(condition: Truth, one: Any, other: Any) -> Any:
+        if isinstance(condition, bool):  # of the one motion that there is
+            return one if condition else other
+        return np.where(condition, one, other)
 
     @staticmethod
     def pick(
         condition: Truth, one: Callable[[], Sequence[Real]], other: Callable[[], Sequence[Real]]
     ) -> Sequence[Real]:
+        if isinstance(condition, bool):
+            return one() if condition else other()
         if np.all(condition):
             return one()
         if not np.any(condition):

@@ -29,10 +29,13 @@ MEANS = 12
 """At most so many arithmetic-geometric means: 10 are enough for 1 and 1e-150."""
 
 LANDEN = 5
-"""So many of Landen's transformations take a parameter of ½ to 1e-86."""
+"""At most so many of Landen's transformations, which take a parameter of ½ to 1e-86."""
 
 LARGEST_EXPONENT = 100.0
 """Of a hyperbolic function in such a transformation: beyond, the parameter has underflowed."""
+
+NO_MORE = 1e-35
+"""A difference of means that does nothing, not even to the cosh of an angle."""
 
 Cubic = tuple[Real, Real, Real, Real]
 """Coefficients, the constant first."""
@@ -76,6 +79,8 @@ def modulus(k: Kit, m: Real, m1: Real) -> Modulus:
         chain.append((a, b, d))
         a, b = (a + b) / 2, k.sqrt(a * b)
         d = d * d / (4 * (a + b))
+        if not k.any(d > NO_MORE):
+            break
     rate = (a + b) / 2
     other, low = 1.0, k.sqrt(small)
     for _ in range(MEANS):
@@ -109,7 +114,7 @@ def circular_angle(k: Kit, modulus: Modulus, r: Real) -> Real:
     for a, b, d in modulus.chain:
         angle = 2 * angle - k.atan(d * r / (a + b * r * r))
         r = k.tan(angle)
-    return angle / 2**LANDEN
+    return angle / 2 ** len(modulus.chain)
 
 
 def hyperbolic_angle(k: Kit, modulus: Modulus, r: Real) -> Real:
@@ -118,7 +123,7 @@ def hyperbolic_angle(k: Kit, modulus: Modulus, r: Real) -> Real:
     for a, _, d in modulus.chain:
         angle = 2 * angle - k.atanh(d * r * k.sqrt(1 + r * r) / (a + d * r * r))
         r = k.sinh(k.smaller(angle, LARGEST_EXPONENT))
-    return angle / 2**LANDEN
+    return angle / 2 ** len(modulus.chain)
 
 
 def along(k: Kit, mod: Modulus, c: Cubic) -> Cubic:
@@ -148,7 +153,7 @@ class Place:
     """That distance."""
 
 
-FARTHEST = 230.0
+FARTHEST = 340.0
 """ζ of a motion without period, from which the distance from its pole, 1e-100, counts as none."""
 
 
@@ -175,6 +180,11 @@ def place(k: Kit, mod: Modulus, z: Real) -> Place:
         return turns, rest, k.tanh(rest), plus, left, left
 
     return Place(*k.pick(mod.circular, circular, hyperbolic))
+
+
+def strip(mod: Modulus) -> float:
+    """How far from the real axis of z the denominator of one motion has its zeros."""
+    return -math.log(mod.q) / 2 if mod.circular and mod.q > 0 else math.pi / 2
 
 
 @dataclass(frozen=True)
