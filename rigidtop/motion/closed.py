@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import fields
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.exact import free, heavy
+from rigidtop.motion.exact import free, heavy, samples
 
 if TYPE_CHECKING:
     from rigidtop.motion.body import RigidBody
@@ -78,10 +79,37 @@ def states(motion: Motion, times: Floats) -> tuple[Floats, Floats]:
     """Quaternions (N, 4), scalar first, body to space, and ω (N, 3) in body components (rad/s)."""
     solved = motion.orbit
     if isinstance(solved, free.Orbit):
-        turned, rates = solved.at(times)
-        whole = np.stack(turned, axis=-1), np.stack(rates, axis=-1)
-        return attitudes.product(attitudes.quaternions(motion.attitude), whole[0]), whole[1]
-    s = solved.at(times)
+        columns = _free_states(solved, motion.attitude, times)
+        return np.stack(columns[:4], axis=-1), np.stack(columns[4:], axis=-1)
+    s = solved.states(times)
     if motion.body.weight[2] < 0:
         return attitudes.product(attitudes.conjugate(UPSIDE_DOWN), s.quaternion), s.omega
     return s.quaternion, s.omega
+
+
+def _free_states(orbit: free.Orbit, attitude: Rotation, times: Floats) -> list[Floats]:
+    first = attitude.as_quat(scalar_first=True).tolist()
+    names = [each.name for each in fields(free.State)]
+
+    def at(t: Floats | float) -> free.State:
+        state = orbit.at(t)
+        return free.State(*free.after(first, state.quaternion), *state.omega)
+
+    def columns(part: Floats) -> list[Floats]:
+        return [getattr(at(part), name) for name in names]
+
+    if len(times) == 1:
+        return [np.array([value]) for value in vars(at(float(times[0]))).values()]
+    latest = float(max(abs(times[0]), abs(times[-1])))
+
+    def needed(state: free.State) -> list[tuple[Floats, Floats]]:
+        size = np.broadcast_to(1 + latest * 2 * orbit.sigma, np.shape(state.q0))
+        return [
+            *((part, size) for part in state.quaternion),
+            *((part, size * orbit.sigma) for part in state.omega),
+        ]
+
+    even = samples.samples(times, orbit.half_piece, at, needed)
+    if even is not None:
+        return [even.of(name) for name in names]
+    return samples.in_blocks(columns, times)

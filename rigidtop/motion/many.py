@@ -288,7 +288,8 @@ class FreeMotions(_Motions):
         times = checks.numbers("t", t)
 
         def states(index: NDArray[np.intp], at: Floats) -> list[Floats]:
-            return [np.stack(parts, axis=-1) for parts in self._orbits(index).at(at)]
+            found = self._orbits(index).at(at)
+            return [np.stack(parts, axis=-1) for parts in (found.quaternion, found.omega)]
 
         quaternion, omega = _in_chunks(states, times, self.shape, progress)
         return quaternion, omega

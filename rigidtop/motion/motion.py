@@ -255,10 +255,26 @@ class TopMotion(Motion):
     psi: float = 0.0
     """ψ at t = 0, from which ψ(t) continues (rad)."""
 
+    euler: tuple[float, float, float] | None = None
+    """θ, θ̇ and φ̇ at t = 0 if it is given by Euler angles: they keep the digits of large φ and ψ."""
+
     def start(self) -> TopTrajectory:
         """The initial state, as a trajectory of one row."""
-        return self._trajectory(
-            self._initial()[:, None], np.zeros(1), np.array([self.phi]), np.array([self.psi])
+        if self.euler is None:
+            return self._trajectory(
+                self._initial()[:, None], np.zeros(1), np.array([self.phi]), np.array([self.psi])
+            )
+        state = heavy.beginning(self._from_euler(*self.euler))
+        return TopTrajectory(motion=self, t=np.zeros(1), **vars(state))
+
+    def _from_euler(self, theta: float, theta_dot: float, phi_dot: float) -> heavy.Start:
+        hanging = theta == math.pi  # the float nearest to π means π
+        return closed.start(
+            self.body,
+            omega3=self.omega[2],
+            halves=(0.0 if hanging else math.cos(theta / 2), math.sin(theta / 2)),
+            rates=(theta_dot, 0.0 if hanging else phi_dot * math.sin(theta)),
+            angles=(self.phi, self.psi),
         )
 
     def exact(self, t: ArrayLike) -> TopTrajectory:
@@ -281,6 +297,8 @@ class TopMotion(Motion):
 
     @cached_property
     def orbit(self) -> heavy.Orbit:
+        if self.euler is not None:
+            return heavy.solve(self._from_euler(*self.euler))
         first = self.start()
         return heavy.solve(
             closed.start(

@@ -223,7 +223,7 @@ def test_equal_momenta_without_the_energy_to_reach_the_upright():
     theta, omega3 = math.radians(10), 3.0
     phi_dot = top.lambda3 * omega3 * (1 - math.cos(theta)) / (top.lambda1 * math.sin(theta) ** 2)
     motion = top.motion(theta=theta, phi_dot=phi_dot, omega3=omega3)
-    assert motion.start().p_phi[0] == motion.start().p_psi[0]
+    assert motion.start().p_phi[0] == pytest.approx(motion.start().p_psi[0], rel=5e-16)
     assert motion.turning_points[0] == pytest.approx(theta)
     assert motion.regime == "waves"
     pushed = top.motion(theta=theta, theta_dot=1.0, phi_dot=phi_dot, omega3=omega3)
@@ -626,3 +626,63 @@ def test_times_that_do_not_fit_the_motions():
     motions = rt.top_motions(lambda1=1, lambda3=0.5, M=1, R=0.5, theta=[0.1, 0.2], omega3=1)
     with pytest.raises(rt.RigidtopError, match=r"t of shape \(3,\) does not broadcast"):
         motions.exact([1.0, 2.0, 3.0])
+
+
+# --- The last digits ---
+
+
+@pytest.mark.parametrize("turns", [1e3, 1e6])
+def test_large_angles_leave_the_rates_their_digits(turns):
+    given = {"theta": 0.5, "theta_dot": 0.1, "phi_dot": 1.0, "omega3": 40.0}
+    one = TOP.motion(**given, phi=turns * math.pi, psi=-turns).exact([0.0, 0.7])
+    other = TOP.motion(**given).exact([0.0, 0.7])
+    for name in ("theta", "theta_dot", "phi_dot", "psi_dot"):
+        assert_allclose(getattr(one, name), getattr(other, name), rtol=1e-14)
+    assert (
+        TOP.motion(theta=0.5, phi=turns * math.pi, phi_dot=STEADY, omega3=40.0).regime == "steady"
+    )
+
+
+@pytest.mark.parametrize("theta", [0.0, 0.5, 3.0, math.pi])
+@pytest.mark.parametrize("omega3", [0.0, 1.0, 40.0])
+def test_a_zero_with_a_sign_is_a_zero(theta, omega3):
+    plus, minus = (
+        TOP.motion(theta=theta, theta_dot=zero, phi_dot=zero, omega3=omega3 + zero).exact(
+            [0, 1, -2]
+        )
+        for zero in (0.0, -0.0)
+    )
+    assert np.array_equal(plus.phi, minus.phi)
+    assert np.array_equal(plus.psi, minus.psi)
+
+
+def test_a_pendulum_in_a_plane_precesses_by_nothing():
+    motion = TOP.motion(theta=1.0, phi_dot=1e-16, omega3=0.0)
+    assert motion.regime == "plane"
+    assert motion.precession_per_period == 0.0
+
+
+@given(theta=angles, theta_dot=rates, phi_dot=rates, omega3=spins)
+@settings(max_examples=60)
+def test_one_top_is_as_many_are(theta, theta_dot, phi_dot, omega3):
+    start = {"theta": theta, "theta_dot": theta_dot, "phi_dot": phi_dot, "omega3": omega3}
+    times = np.array([0.0, 0.3, -4.0])
+    one = [TOP.motion(**start).exact(t) for t in times]
+    body = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "R": 0.5}
+    many_tops = rt.top_motions(**body, **start).exact(times)
+    for name in ("theta", "theta_dot", "v_phi", "phi", "psi"):
+        found = np.array([getattr(run, name)[0] for run in one])
+        size = 1 + np.abs(found).max()
+        assert_allclose(getattr(many_tops, name), found, atol=4e-14 * size)
+
+
+@pytest.mark.parametrize("count", [300, 4_000, 100_000])
+@pytest.mark.parametrize(
+    "omega", [(1.0, 0.2, 0.3), (0.3, 0.1, 1.0), (0.01, 2.0, 0.01), (0.0, 0.0, 1.0), (0, 0, 0)]
+)
+def test_many_samples_of_a_free_body_are_those_of_few(omega, count):
+    motion = rt.FreeBody(1.0, 2.0, 2.5).motion(omega=omega)
+    times = np.linspace(-20.0, 30.0, count)
+    run, few = motion.exact(times), motion.exact(times[:: count // 30])
+    assert_allclose(run.quaternion[:: count // 30], few.quaternion, atol=1e-13)
+    assert_allclose(run.omega[:: count // 30], few.omega, atol=1e-13)

@@ -23,6 +23,7 @@ motion, else arrays that broadcast.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -43,6 +44,30 @@ LARGEST_RATIO = 1e45
 """Of sine and cosine: a larger one is that of a right angle."""
 
 Triple = tuple[Real, Real, Real]
+
+
+@dataclass(frozen=True)
+class State:
+    """Attitude and ω at some times, floats or arrays."""
+
+    q0: Real
+    q1: Real
+    q2: Real
+    q3: Real
+    """A unit quaternion, from body components to body components at t = 0."""
+
+    omega1: Real
+    omega2: Real
+    omega3: Real
+    """In body components (rad/s)."""
+
+    @property
+    def quaternion(self) -> tuple[Real, ...]:
+        return self.q0, self.q1, self.q2, self.q3
+
+    @property
+    def omega(self) -> tuple[Real, ...]:
+        return self.omega1, self.omega2, self.omega3
 
 
 @dataclass(frozen=True)
@@ -155,37 +180,32 @@ class Orbit:
         turning = HALF_PIECE / (abs(self.drift) + abs(self.rate) + self.sigma)
         return min(turning, half_piece(theta.strip(self.modulus), abs(self.rate)))
 
-    def at(self, t: Real) -> tuple[tuple[Real, ...], Triple]:
-        """At times t (s), which broadcast against the orbit.
-
-        The components of unit quaternions, scalar first, that take body components at t to body
-        components at t = 0, and those of ω in body components at t (rad/s).
-        """
+    def at(self, t: Real) -> State:
+        """At times t (s), which broadcast against the orbit."""
         k = kit(t, self.z0)
         if k is Plain:
             return self._at(k, t)
         with np.errstate(all="ignore"):
             return self._at(k, t)
 
-    def _at(self, k: Kit, t: Real) -> tuple[tuple[Real, ...], Triple]:
+    def _at(self, k: Kit, t: Real) -> State:
         def turning() -> tuple[Real, ...]:
             first, _ = self._state(k, self.z0, t * 0)
             now, momentum = self._state(k, self.z0 + self.rate * t, t)
-            w, *turned = _from_to(first, now)
+            w, *turned = after(inverse(first), now)
             rates = [
                 sign * part / moment * self.sigma
                 for sign, part, moment in zip(self.signs, momentum, self.moments, strict=True)
             ]
-            own = _renamed(k, self.axes, [s * x for s, x in zip(self.signs, turned, strict=True)])
-            return (w, *own, *_renamed(k, self.axes, rates))
+            own = [sign * part for sign, part in zip(self.signs, turned, strict=True)]
+            return (w, *_renamed(k, self.axes, own), *_renamed(k, self.axes, rates))
 
         def constant() -> tuple[Real, ...]:
             half = k.hypot(k.hypot(*self.omega[:2]), self.omega[2]) * t / 2
             c, s = k.cos(half), k.sin(half) / self.sigma
             return (c, *(s * rate for rate in self.omega), *(rate + 0 * t for rate in self.omega))
 
-        found = k.pick(self.uniform, constant, turning)
-        return tuple(found[:4]), (found[4], found[5], found[6])
+        return State(*k.pick(self.uniform, constant, turning))
 
     def _state(self, k: Kit, z: Real, t: Real) -> tuple[tuple[Real, ...], Triple]:
         """The quaternion from e₁, e₂, e₃ to the frame of L, but for a constant turn; and L."""
@@ -207,15 +227,20 @@ class Orbit:
         return (size * c, -(b1 * s + b2 * c), b1 * c - b2 * s, size * s), momentum
 
 
-def _from_to(p: tuple[Real, ...], q: tuple[Real, ...]) -> tuple[Real, ...]:
-    """The quaternion of rotation q followed by the inverse of p."""
+def inverse(q: Sequence[Real]) -> tuple[Real, ...]:
+    """Of a unit quaternion, scalar first."""
+    return q[0], -q[1], -q[2], -q[3]
+
+
+def after(p: Sequence[Real], q: Sequence[Real]) -> tuple[Real, ...]:
+    """The quaternion of rotation q followed by p."""
     p0, p1, p2, p3 = p
     q0, q1, q2, q3 = q
     return (
-        p0 * q0 + p1 * q1 + p2 * q2 + p3 * q3,
-        p0 * q1 - p1 * q0 - p2 * q3 + p3 * q2,
-        p0 * q2 + p1 * q3 - p2 * q0 - p3 * q1,
-        p0 * q3 - p1 * q2 + p2 * q1 - p3 * q0,
+        p0 * q0 - p1 * q1 - p2 * q2 - p3 * q3,
+        p0 * q1 + p1 * q0 + p2 * q3 - p3 * q2,
+        p0 * q2 - p1 * q3 + p2 * q0 + p3 * q1,
+        p0 * q3 + p1 * q2 - p2 * q1 + p3 * q0,
     )
 
 

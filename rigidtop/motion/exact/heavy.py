@@ -229,7 +229,13 @@ class Orbit:
                 for half in (self.first, self.second)
             )
             mean = self.first.drift + self.second.drift + turned / self.nutation_period
-            return np.where(self._returns, mean, self.start.b / 2)
+            mean = np.where(self._returns, mean, self.start.b / 2)
+            return np.where(self._plane, 0.0, mean)
+
+    @property
+    def _plane(self) -> Truth:
+        """Whether it swings in a plane through the vertical."""
+        return (self.b == 0) & (np.abs(self.a1) + np.abs(self.a2) <= ROUNDING) & (self.mu > 0)
 
     @cached_property
     def regime(self) -> NDArray[np.str_]:
@@ -248,7 +254,7 @@ class Orbit:
                 still,
                 np.asarray(self.steady),
                 np.asarray(self.asymptotic),
-                (self.b == 0) & (np.abs(a1) + np.abs(a2) <= ROUNDING),
+                np.asarray(self._plane),
                 np.asarray(self.through),
                 np.abs(a1) <= ROUNDING * (np.abs(a2) + np.abs(self.b) * r.span),
                 a1 * a2 < 0,
@@ -295,13 +301,19 @@ class Orbit:
 
     def states(self, times: Floats) -> TopState:
         """The states at any number of times (N,) of one motion."""
+        s = self.start
+        if len(times) == 1:
+            one = self.at(float(times[0]))
+            found = {name: np.array([getattr(one, name)]) for name in CHANGING}
+            return TopState(
+                **found, omega3=np.asarray(s.omega3), upright_phi_dot=np.asarray(s.b / 2)
+            )
 
         def columns(part: Floats) -> tuple[Floats, ...]:
             state = self.at(part)
             return tuple(getattr(state, name) for name in CHANGING)
 
         found = dict(zip(CHANGING, in_blocks(columns, times), strict=True))
-        s = self.start
         return TopState(**found, omega3=np.asarray(s.omega3), upright_phi_dot=np.asarray(s.b / 2))
 
     def _at(self, k: Kit, t: Real) -> TopState:
@@ -379,6 +391,14 @@ def _half(k: Kit, half: Half, at: theta.Place) -> tuple[Real, Real, Real]:
         else:
             phase = k.where(half.through, k.where(odd, math.pi, 0.0), phase)
     return square, phase, f
+
+
+def beginning(start: Start) -> TopState:
+    """One start, as a state of one row."""
+    parts = {name: np.array([getattr(start, name)]) for name in ("cos_half", "sin_half")}
+    parts |= {"theta_dot": np.array([start.v_theta]), "v_phi": np.array([start.v_phi])}
+    parts |= {name: np.array([getattr(start, name)]) for name in ("phi", "psi")}
+    return TopState(**parts, omega3=np.array(start.omega3), upright_phi_dot=np.array(start.b / 2))
 
 
 def solve(start: Start) -> Orbit:
@@ -490,7 +510,8 @@ def _solve(k: Kit, start: Start) -> Orbit:
     rest = k.where(mod.circular, m1, 16 * mod.q * (two * two) / (three * three))
     depth = k.where(swapped, r.span * rest, r.span)
     falls, first_fall = _falls(mod)
-    fall = 2 * nu * depth * sigma * origin**4 / (first_fall * mod.rate)
+    origin2 = origin * origin
+    fall = 2 * nu * depth * sigma * (origin2 * origin2) / (first_fall * mod.rate)
     at = theta.place(k, mod, z0)
     return Orbit(
         start=start,

@@ -345,9 +345,11 @@ def _difference(q: Real, sign: float, grown: Real) -> Cubic:
     one, other = shrunk * shrunk, grown * grown
     # −±(f − g) and f + g of each.
     d0, d1 = -sign * shrunk, -q * shrunk * one
-    d2, d3 = -sign * q2 * q2 * shrunk * one * one, -(q2**4) * q * shrunk * one * one * one
-    s1, s2 = sign * q * grown * other, q2 * q2 * grown * other * other
-    s3 = sign * q2**4 * q * grown * other * other * other
+    q4 = q2 * q2
+    q9 = q4 * q4 * q
+    d2, d3 = -sign * q4 * shrunk * one * one, -q9 * shrunk * one * one * one
+    s1, s2 = sign * q * grown * other, q4 * grown * other * other
+    s3 = sign * q9 * grown * other * other * other
     return (
         d0 + q * s1 - q2 * d2 - q2 * q * s3,
         2 * d1 + 2 * q * s2 - 4 * q2 * d3,
