@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import fields
+from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,8 +18,44 @@ if TYPE_CHECKING:
     from rigidtop.motion.body import RigidBody
     from rigidtop.motion.motion import Motion
 
-UPSIDE_DOWN = np.array([0.0, 1.0, 0.0, 0.0])
-"""Half a turn about x̂, as a quaternion: ẑ becomes −ẑ."""
+
+@dataclass(frozen=True)
+class Axis:
+    """The axis of a symmetric heavy body, through its centre of mass."""
+
+    lambda1: float
+    lambda3: float
+    weight: float
+    """MgR > 0."""
+    turn: Floats | None
+    """A quaternion from axes of which the third points to the centre of mass; None: the body's."""
+
+
+def axis(body: RigidBody) -> Axis:
+    """Of a heavy body that has one; RigidtopError for others."""
+    moments, weight = body.moments, body.weight
+    if moments[0] == moments[1] == moments[2]:
+        size = math.hypot(*weight)
+        x, y, z = (part / size for part in weight)
+        # The shortest way from ẑ, or from −ẑ after half a turn about x̂.
+        turn = np.array([1 + z, -y, x, 0.0] if z > -0.5 else [-y, 1 - z, 0.0, -x])
+        whole = turn if z < 1 else None
+        return Axis(
+            moments[0], moments[0], size, None if whole is None else turn / np.linalg.norm(turn)
+        )
+    for third in (2, 0, 1):
+        first, second = (third + 1) % 3, (third + 2) % 3
+        if moments[first] == moments[second] and weight[first] == weight[second] == 0.0:
+            cyclic = np.array([1.0, *(1.0,) * 3]) / 2  # ẑ to x̂
+            named = (None, cyclic, attitudes.conjugate(cyclic))[(third + 1) % 3]
+            if weight[third] < 0:
+                below = np.array([0.0, 1.0, 0.0, 0.0])
+                named = below if named is None else attitudes.product(named, below)
+            return Axis(moments[first], moments[third], abs(weight[third]), named)
+    raise RigidtopError(
+        "no closed form: a heavy body has one only if two of its moments are equal and its centre "
+        "of mass lies on the axis of the third, or if all three are; integrate the motion instead"
+    )
 
 
 def orbit(
@@ -28,33 +64,24 @@ def orbit(
     """The closed form of a motion; RigidtopError for a body that has none here."""
     if not any(body.weight):
         return free.solve(body.moments, omega)
-    if not body.symmetric:
-        raise RigidtopError(
-            "no closed form: a heavy body has one only if lambda1 = lambda2 and its centre of mass "
-            "lies on e3; integrate the motion instead"
-        )
-    return _heavy_orbit(body, attitude, omega)
-
-
-def _heavy_orbit(
-    body: RigidBody, attitude: Rotation, omega: tuple[float, float, float]
-) -> heavy.Orbit:
-    """Of a body that is symmetric about e₃, its centre of mass on e₃ above or below the pivot."""
-    q = attitudes.quaternions(attitude)
-    if body.weight[2] < 0:
-        q = attitudes.product(UPSIDE_DOWN, q)
-    phi, psi = attitudes.azimuth_and_spin(attitudes.rotation(q), omega)
+    found = axis(body)
+    q, rates = attitudes.quaternions(attitude), omega
+    if found.turn is not None:
+        q = attitudes.product(q, found.turn)
+        first, second, third = attitudes.rotation(found.turn).inv().apply(omega).tolist()
+        rates = first, second, third
+    phi, psi = attitudes.azimuth_and_spin(attitudes.rotation(q), rates)
     alpha, beta = attitudes.spinors(q)
     # ω = −φ̇ sin θ e₁′ + θ̇ e₂′ + ω₃e₃, and the body is turned by ψ about e₃ (3.42).
     sin_psi, cos_psi = math.sin(psi), math.cos(psi)
     return heavy.solve(
         start(
-            body,
-            omega3=omega[2],
+            found,
+            omega3=rates[2],
             halves=(float(abs(alpha)), float(abs(beta))),
             rates=(
-                omega[0] * sin_psi + omega[1] * cos_psi,
-                omega[1] * sin_psi - omega[0] * cos_psi,
+                rates[0] * sin_psi + rates[1] * cos_psi,
+                rates[1] * sin_psi - rates[0] * cos_psi,
             ),
             angles=(phi, psi),
         )
@@ -62,17 +89,15 @@ def _heavy_orbit(
 
 
 def start(
-    body: RigidBody,
+    body: Axis,
     omega3: float,
     halves: tuple[float, float],
     rates: tuple[float, float],
     angles: tuple[float, float],
 ) -> heavy.Start:
     """From cos(θ/2) and sin(θ/2), θ̇ and φ̇ sin θ, φ and ψ."""
-    (lambda1, _, lambda3), weight = body.moments, body.weight[2]
-    return heavy.Start(
-        abs(weight) / lambda1, lambda3 * omega3 / lambda1, omega3, *halves, *rates, *angles
-    )
+    mu, b = body.weight / body.lambda1, body.lambda3 * omega3 / body.lambda1
+    return heavy.Start(mu, b, omega3, *halves, *rates, *angles)
 
 
 def states(motion: Motion, times: Floats) -> tuple[Floats, Floats]:
@@ -81,10 +106,11 @@ def states(motion: Motion, times: Floats) -> tuple[Floats, Floats]:
     if isinstance(solved, free.Orbit):
         columns = _free_states(solved, motion.attitude, times)
         return np.stack(columns[:4], axis=-1), np.stack(columns[4:], axis=-1)
-    s = solved.states(times)
-    if motion.body.weight[2] < 0:
-        return attitudes.product(attitudes.conjugate(UPSIDE_DOWN), s.quaternion), s.omega
-    return s.quaternion, s.omega
+    s, turn = solved.states(times), axis(motion.body).turn
+    if turn is None:
+        return s.quaternion, s.omega
+    whole = attitudes.product(s.quaternion, attitudes.conjugate(turn))
+    return whole, np.asarray(attitudes.rotation(turn).apply(s.omega))
 
 
 def _free_states(orbit: free.Orbit, attitude: Rotation, times: Floats) -> list[Floats]:

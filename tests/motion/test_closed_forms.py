@@ -436,6 +436,44 @@ def test_a_body_with_its_centre_of_mass_below_the_pivot(arm):
     assert abs(turned - 30 * motion.mean_precession) < abs(motion.precession_per_period) + 1
 
 
+ARM = (0.15, -0.2, 0.1)
+
+
+@pytest.mark.parametrize(
+    ("moments", "centre"),
+    [
+        ((0.5, 1.0, 1.0), (0.4, 0.0, 0.0)),
+        ((0.5, 1.0, 1.0), (-0.4, 0.0, 0.0)),
+        ((1.0, 0.5, 1.0), (0.0, 0.4, 0.0)),
+        ((1.0, 0.5, 1.0), (0.0, -0.4, 0.0)),
+        ((1.0, 1.0, 0.5), (0.0, 0.0, -0.4)),
+        ((1.0, 1.0, 1.0), ARM),
+        ((1.0, 1.0, 1.0), tuple(-x for x in ARM)),
+        ((1.0, 1.0, 1.0), (0.0, 0.0, -0.3)),
+        ((1.0, 1.0, 1.0), (0.0, 0.0, 0.3)),
+    ],
+)
+def test_a_symmetric_body_whatever_its_axes_are_called(moments, centre):
+    body = rt.HeavyBody(*moments, M=1.0, centre_of_mass=centre)
+    motion = body.motion(omega=(1.0, -2.0, 5.0), attitude=Rotation.from_rotvec([0.4, 0.5, -0.3]))
+    times = [0.0, 1.0, -2.0, 5.0]
+    exact, solved = motion.exact(times), motion.integrate(times, rtol=1e-12, atol=1e-13)
+    turned, apart = differences(exact, solved)
+    assert turned.max() < 1e-10
+    assert apart.max() < 1e-9
+    assert max(exact.drift().values()) < 1e-14
+    run = motion.exact(np.linspace(0, 30, 6001))
+    direction = np.array(centre) / np.linalg.norm(centre)
+    if moments[0] == moments[1] and centre[:2] == (0, 0):
+        direction = np.array([0.0, 0.0, 1.0])
+    axis = run.rotation.apply(direction)
+    tilts = np.arctan2(np.hypot(axis[:, 0], axis[:, 1]), axis[:, 2])
+    assert_allclose(motion.turning_points, (tilts.min(), tilts.max()), atol=1e-4)
+    azimuth = np.unwrap(np.arctan2(axis[:, 1], axis[:, 0]))
+    turned = azimuth[-1] - azimuth[0]
+    assert abs(turned - 30 * motion.mean_precession) < abs(motion.precession_per_period) + 1
+
+
 def test_a_body_without_closed_form_says_so():
     body = rt.HeavyBody(3.0, 2.0, 1.5, M=1.0, centre_of_mass=(0.2, 0.3, 0.4))
     with pytest.raises(rt.RigidtopError, match=r"no closed form: .* integrate the motion instead"):
