@@ -38,6 +38,7 @@ READS = {
     },
     "progress": set(),
     "textfile": {"errors"},
+    "elliptic": {"motion"},
     "notation": {"errors", "theory", "proof", "textfile"},
     "read": {"errors", "theory", "notation", "parameters", "proof", "derivations", "present"},
     "parameters": {"errors"},
