@@ -666,38 +666,7 @@ def test_times_that_do_not_fit_the_motions():
         motions.exact([1.0, 2.0, 3.0])
 
 
-# --- The last digits ---
-
-
-@pytest.mark.parametrize("turns", [1e3, 1e6])
-def test_large_angles_leave_the_rates_their_digits(turns):
-    given = {"theta": 0.5, "theta_dot": 0.1, "phi_dot": 1.0, "omega3": 40.0}
-    one = TOP.motion(**given, phi=turns * math.pi, psi=-turns).exact([0.0, 0.7])
-    other = TOP.motion(**given).exact([0.0, 0.7])
-    for name in ("theta", "theta_dot", "phi_dot", "psi_dot"):
-        assert_allclose(getattr(one, name), getattr(other, name), rtol=1e-14)
-    assert (
-        TOP.motion(theta=0.5, phi=turns * math.pi, phi_dot=STEADY, omega3=40.0).regime == "steady"
-    )
-
-
-@pytest.mark.parametrize("theta", [0.0, 0.5, 3.0, math.pi])
-@pytest.mark.parametrize("omega3", [0.0, 1.0, 40.0])
-def test_a_zero_with_a_sign_is_a_zero(theta, omega3):
-    plus, minus = (
-        TOP.motion(theta=theta, theta_dot=zero, phi_dot=zero, omega3=omega3 + zero).exact(
-            [0, 1, -2]
-        )
-        for zero in (0.0, -0.0)
-    )
-    assert np.array_equal(plus.phi, minus.phi)
-    assert np.array_equal(plus.psi, minus.psi)
-
-
-def test_a_pendulum_in_a_plane_precesses_by_nothing():
-    motion = TOP.motion(theta=1.0, phi_dot=1e-16, omega3=0.0)
-    assert motion.regime == "plane"
-    assert motion.precession_per_period == 0.0
+# --- One time, and many ---
 
 
 @given(theta=angles, theta_dot=rates, phi_dot=rates, omega3=spins)

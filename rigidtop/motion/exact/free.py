@@ -136,7 +136,13 @@ class Orbit:
     def nutation_period(self) -> Real:
         """The time from one smallest value of that angle to the next (s); ω returns after two."""
         with np.errstate(all="ignore"):
-            return 2 * self.modulus.half / np.abs(self.rate)
+            return np.where(self._ends, np.inf, 2 * self.modulus.half / np.abs(self.rate))
+
+    @property
+    def _ends(self) -> NDArray[np.bool_]:
+        """Whether it never comes back from the middle axis, as the regime has it."""
+        found = np.asarray(self.on_separatrix) & (self.m > 0)
+        return np.asarray(found & ~np.asarray(self.uniform))
 
     @property
     def precession_per_period(self) -> Real:
@@ -152,7 +158,8 @@ class Orbit:
             # φ + ψ without ψ, which turns by half a circle backwards in a period of τ.
             turned = (np.pi - 2 * self.along.turn) * np.sign(self.nu) / self.nutation_period
             along_middle = self.length * self.sigma / np.asarray(self.moments[1])
-            return np.where((self.m1 > 0) & (self.nu != 0), 2 * self.drift + turned, along_middle)
+            turns = (self.m1 > 0) & (self.nu != 0) & ~self._ends
+            return np.where(turns, 2 * self.drift + turned, along_middle)
 
     @property
     def regime(self) -> NDArray[np.str_]:

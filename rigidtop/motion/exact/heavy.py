@@ -206,16 +206,11 @@ class Orbit:
         """The time from one smallest θ to the next (s); infinite where there is no next."""
         with np.errstate(all="ignore"):
             period = 2 * self.modulus.half / np.asarray(self.rate)
-            return np.where(self._returns, period, np.inf)
-
-    @property
-    def _returns(self) -> Truth:
-        """Whether θ repeats itself, as far as the initial state tells."""
-        return (self.m1 > 0) & ~np.asarray(self.asymptotic)
+            return np.where((self.m1 > 0) & ~np.asarray(self.asymptotic), period, np.inf)
 
     @property
     def precession_per_period(self) -> Real:
-        """By how much φ grows in a nutation period (rad), its jumps at the vertical not counted."""
+        """By how much φ grows in a nutation period (rad), without half turns at the vertical."""
         with np.errstate(all="ignore"):
             mean = self.mean_precession
             return np.where(mean == 0, 0.0, mean * self.nutation_period)
@@ -224,18 +219,22 @@ class Orbit:
     def mean_precession(self) -> Real:
         """The mean of φ̇ over a nutation, or for all times if that never ends (rad/s)."""
         with np.errstate(all="ignore"):
-            turned = sum(
-                half.sense * np.where(half.through, 0.0, half.factor.turn)
-                for half in (self.first, self.second)
-            )
-            mean = self.first.drift + self.second.drift + turned / self.nutation_period
-            mean = np.where(self._returns, mean, self.start.b / 2)
-            return np.where(self._plane, 0.0, mean)
+            mean = self.first.drift + self.second.drift
+            # To rounding, as the regime: where φ does not jump by a half turn, it makes one.
+            nearest = (np.abs(self.c_up) < np.abs(self.c_down)) == self.swapped
+            for half, near in ((self.first, nearest), (self.second, ~nearest)):
+                turn = np.where(self.through & near, half.factor.turn - np.pi, half.factor.turn)
+                turn = np.where(half.through, 0.0, turn)
+                mean = mean + half.sense * turn / self.nutation_period
+            mean = np.where((self.m1 > 0) & ~np.asarray(self.asymptotic), mean, self.start.b / 2)
+            return np.where(self.plane, 0.0, mean)
 
     @property
-    def _plane(self) -> Truth:
-        """Whether it swings in a plane through the vertical."""
-        return (self.b == 0) & (np.abs(self.a1) + np.abs(self.a2) <= ROUNDING) & (self.mu > 0)
+    def plane(self) -> NDArray[np.bool_]:
+        """Whether it is a pendulum without spin, to rounding of the initial state."""
+        across = self.roots.x1 * self.roots.y1 + self.roots.span  # about the largest sin²θ
+        sizes = np.abs(self.a1) + np.abs(self.a2)
+        return np.asarray((self.b == 0) & (self.mu > 0) & (sizes <= ROUNDING * across))
 
     @cached_property
     def regime(self) -> NDArray[np.str_]:
@@ -254,7 +253,7 @@ class Orbit:
                 still,
                 np.asarray(self.steady),
                 np.asarray(self.asymptotic),
-                np.asarray(self._plane),
+                self.plane,
                 np.asarray(self.through),
                 np.abs(a1) <= ROUNDING * (np.abs(a2) + np.abs(self.b) * r.span),
                 a1 * a2 < 0,
@@ -541,9 +540,11 @@ def _solve(k: Kit, start: Start) -> Orbit:
         begin=(_half(k, halves[0], at)[1], _half(k, halves[1], at)[1]),
         still=still,
         steady=steady,
-        asymptotic=arrives,
+        asymptotic=k.where(k.either(still, steady), False, arrives),
         # With p_φ = p_ψ alone it may lack the energy to climb there.
-        through=k.either(k.both(passes_up, w_up > 0), passes_down),
+        through=k.where(
+            k.either(still, steady), False, k.either(k.both(passes_up, w_up > 0), passes_down)
+        ),
     )
 
 
