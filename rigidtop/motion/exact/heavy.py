@@ -284,6 +284,7 @@ class Orbit:
         def needed(state: TopState) -> list[tuple[Floats, Floats]]:
             rounding = 1 + abs(self.rate) * latest  # that of z
             turning = np.abs(state.phi_dot)
+            turned = turning + abs(self.first.drift) + abs(self.second.drift)
             fastest = np.hypot(state.theta_dot, state.v_phi).max()
             speed = np.broadcast_to(rounding * fastest, turning.shape)
             return [
@@ -291,8 +292,8 @@ class Orbit:
                 (state.sin_half, rounding * state.sin_half),
                 (state.theta_dot, speed),
                 (state.v_phi, speed),
-                (state.phi, 1 + latest * turning),
-                (state.psi, 1 + latest * (abs(self.start.omega3) + turning)),
+                (state.phi, 1 + latest * turned),
+                (state.psi, 1 + latest * (abs(self.start.omega3) + turned)),
                 (state.phi_dot, speed + rounding * turning),
             ]
 

@@ -34,7 +34,7 @@ LEVELS = 4
 """So many sizes of pieces are tried, where there are many samples."""
 
 MANY = 1 << 15
-"""Fewer samples are worth one size only."""
+"""Fewer samples are worth one size only, of half as many."""
 
 BLOCK = 1 << 13
 """Samples at a time; larger matrix products would be shared among threads."""
@@ -121,7 +121,8 @@ def samples(
     if not 0 < abs(step) * FEWEST <= 2 * half:
         return None
     size = FEWEST
-    while 2 * size <= min(2 * half / abs(step), MOST, count):
+    most = min(2 * half / abs(step), MOST, count) / (1 if count > MANY else 2)
+    while 2 * size <= most:
         size *= 2
     units = np.zeros(count // FEWEST, dtype=bool)  # what is done
     cosines = np.cos(_angles())
