@@ -197,7 +197,7 @@ class Orbit:
 
     def _at(self, k: Kit, t: Real) -> State:
         def turning() -> tuple[Real, ...]:
-            first, _ = self._state(k, self.z0, t * 0)
+            first, _ = self._state(kit(self.z0), self.z0, 0.0)
             now, momentum = self._state(k, self.z0 + self.rate * t, t)
             w, *turned = after(inverse(first), now)
             rates = [
@@ -229,7 +229,7 @@ class Orbit:
         across = at.t * k.where(self.along.weighted, 1.0, at.plus) * cubic(self.along.odd, at.x)
         phase = k.atan2(across, cubic(self.along.even, at.x))
         phase = self.drift * t - phase - at.turns * self.along.turn
-        c, s = k.cos(phase), k.sin(phase)
+        c, s = k.circle(phase)
         b1, b2 = -n1 / (2 * size), -n2 / (2 * size)
         return (size * c, -(b1 * s + b2 * c), b1 * c - b2 * s, size * s), momentum
 

@@ -285,7 +285,7 @@ class Orbit:
             rounding = 1 + abs(self.rate) * latest  # that of z
             turning = np.abs(state.phi_dot)
             turned = turning + abs(self.first.drift) + abs(self.second.drift)
-            fastest = np.hypot(state.theta_dot, state.v_phi).max()
+            fastest = np.sqrt((state.theta_dot**2 + state.v_phi**2).max())
             speed = np.broadcast_to(rounding * fastest, turning.shape)
             return [
                 (state.cos_half, rounding * state.cos_half),

@@ -70,6 +70,8 @@ class Level:
     rows: NDArray[np.intp]
     """Which of all pieces whose states these are."""
     states: Any
+    nodes: int
+    """How many of the states those are."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,14 +83,16 @@ class Samples:
     others: NDArray[np.intp]
     """Which samples are not interpolated."""
     states: Any
-    """The states there."""
+    """The states there, behind `skipped` others."""
+    skipped: int
 
     def of(self, name: str) -> Floats:
         """All samples of a quantity of the states."""
         result = np.empty(self.count)
         for level in self.levels:
             weights, _ = _weights(level.size)
-            values = getattr(level.states, name).reshape(-1, NODES)[level.rows]
+            every = getattr(level.states, name)[: level.nodes]
+            values = every.reshape(-1, NODES)[level.rows]
             centres = values[:, NODES // 2 : NODES // 2 + 1]
             changes = values - centres
             table = result[: self.count // level.size * level.size].reshape(-1, level.size)
@@ -104,7 +108,7 @@ class Samples:
                 else:
                     table[pieces[block]] = found
         if len(self.others):
-            result[self.others] = getattr(self.states, name)
+            result[self.others] = getattr(self.states, name)[self.skipped :]
         return result
 
 
@@ -126,7 +130,7 @@ def samples(
         size *= 2
     units = np.zeros(count // FEWEST, dtype=bool)  # what is done
     cosines = np.cos(_angles())
-    levels = []
+    levels: list[Level] = []
     for _ in range(LEVELS if count > MANY else 1):
         group = size // FEWEST
         whole = units[: len(units) // group * group].reshape(-1, group)
@@ -134,16 +138,18 @@ def samples(
         if not len(firsts):
             break
         begin, end = times[firsts], times[firsts + size - 1]
-        nodes = (begin + end)[:, None] / 2 + (end - begin)[:, None] / 2 * cosines
-        at_nodes = states(nodes.ravel())
-        smooth = np.ones(len(firsts), dtype=bool)
+        nodes = ((begin + end)[:, None] / 2 + (end - begin)[:, None] / 2 * cosines).ravel()
+        rest = times[len(whole) * size :] if not levels else times[:0]  # in the same call
+        at_nodes = states(np.concatenate([nodes, rest]))
         _, last = _weights(size)
         pairs = sizes(at_nodes)
-        values = np.stack([value for value, _ in pairs]).reshape(len(pairs), -1, NODES)
-        least = np.stack([needed for _, needed in pairs]).reshape(values.shape).min(axis=2)
-        smooth = np.all(np.abs(values @ last).max(axis=2) <= UNITS * least, axis=0)
+        values, needed = (
+            np.stack([pair[k][: len(nodes)] for pair in pairs]).reshape(len(pairs), -1, NODES)
+            for k in (0, 1)
+        )
+        smooth = np.all(np.abs(values @ last).max(axis=2) <= UNITS * needed.min(axis=2), axis=0)
         rows = np.flatnonzero(smooth)
-        levels.append(Level(size, firsts[rows], rows, at_nodes))
+        levels.append(Level(size, firsts[rows], rows, at_nodes, len(nodes)))
         whole[firsts[rows] // size] = True
         size //= 2
         if size < FEWEST or units.all():
@@ -152,7 +158,10 @@ def samples(
     others = np.flatnonzero(left)
     if 4 * len(others) > count:
         return None
-    return Samples(count, tuple(levels), others, states(times[others]))
+    first = levels[0]
+    if len(others) == count - len(first.rows) * first.size == count % first.size:
+        return Samples(count, tuple(levels), others, first.states, first.nodes)
+    return Samples(count, tuple(levels), others, states(times[others]), 0)
 
 
 def _step(times: Floats) -> float:
