@@ -156,7 +156,7 @@ def samples(
             break
     left = np.append(np.repeat(~units, FEWEST), np.ones(count % FEWEST, dtype=bool))
     others = np.flatnonzero(left)
-    if 4 * len(others) > count:
+    if 2 * len(others) > count:
         return None
     first = levels[0]
     if len(others) == count - len(first.rows) * first.size == count % first.size:
