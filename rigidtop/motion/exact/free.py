@@ -38,7 +38,7 @@ ROUNDING = 16 * float(np.finfo(float).eps)
 """What rounding of the initial state does to the distance from the separatrix."""
 
 SMALLEST_PART = 1e-280
-"""Of squares: a deviation from the separatrix of 1e-50 and less counts as none."""
+"""Of squares: a deviation from the separatrix of 1e-140 and less counts as none."""
 
 LARGEST_RATIO = 1e45
 """Of sine and cosine: a larger one is that of a right angle."""

@@ -50,7 +50,7 @@ SMALLEST_TILT = 1e-150
 """Squares of less would lose digits; an attitude does not notice."""
 
 SMALLEST_PART = 1e-280
-"""Of squares: deviations from a separatrix or a pole of 1e-50 and less count as none."""
+"""Of squares: deviations from a separatrix or a pole of 1e-140 and less count as none."""
 
 REGIMES = (
     "free precession",

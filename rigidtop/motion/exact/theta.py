@@ -154,7 +154,7 @@ class Place:
 
 
 FARTHEST = 340.0
-"""ζ of a motion without period, from which the distance from its pole, 1e-100, counts as none."""
+"""ζ of a motion without period, from which its distance from its pole counts as none."""
 
 
 def place(k: Kit, mod: Modulus, z: Real) -> Place:
