@@ -39,6 +39,7 @@ READS = {
     },
     "progress": set(),
     "textfile": {"errors"},
+    "elliptic": {"motion"},
     "notation": {"errors", "theory", "proof", "textfile"},
     "read": {"errors", "theory", "notation", "proof"},
     "mark": {"errors", "theory", "notation", "proof", "read", "derivations", "present"},

@@ -190,7 +190,7 @@ def toutatis(
     ten = motion.integrate(np.linspace(0, 20 * half, 2001), rtol=1e-12, atol=1e-14)
     back = float(np.linalg.norm(ten.omega[-1] - omega)) / speed
     yield Measure("ω after ten of its periods, integrated, relative", back, 1e-8)
-    axis = ten.rotation.apply(np.eye(3)[int(free.solve(moments, omega).axes[2])])
+    axis = ten.rotation.apply(np.eye(3)[int(free.solve(tuple(moments), tuple(omega)).axes[2])])
     counted = abs(turned(axis, ten.angular_momentum[0]))
     yield Measure(
         "turns of the axis about L meanwhile (rad)",

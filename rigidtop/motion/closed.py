@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,14 +12,50 @@ from scipy.spatial.transform import Rotation
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.exact import free, heavy
+from rigidtop.motion.exact import free, heavy, samples
 
 if TYPE_CHECKING:
     from rigidtop.motion.body import RigidBody
     from rigidtop.motion.motion import Motion
 
-UPSIDE_DOWN = np.array([0.0, 1.0, 0.0, 0.0])
-"""Half a turn about x̂, as a quaternion: ẑ becomes −ẑ."""
+
+@dataclass(frozen=True)
+class Axis:
+    """The axis of a symmetric heavy body, through its centre of mass."""
+
+    lambda1: float
+    lambda3: float
+    weight: float
+    """MgR > 0."""
+    turn: Floats | None
+    """A quaternion from axes of which the third points to the centre of mass; None: the body's."""
+
+
+def axis(body: RigidBody) -> Axis:
+    """Of a heavy body that has one; RigidtopError for others."""
+    moments, weight = body.moments, body.weight
+    if moments[0] == moments[1] == moments[2]:
+        size = math.hypot(*weight)
+        x, y, z = (part / size for part in weight)
+        # The shortest way from ẑ, or from −ẑ after half a turn about x̂.
+        turn = np.array([1 + z, -y, x, 0.0] if z > -0.5 else [-y, 1 - z, 0.0, -x])
+        whole = turn if z < 1 else None
+        return Axis(
+            moments[0], moments[0], size, None if whole is None else turn / np.linalg.norm(turn)
+        )
+    for third in (2, 0, 1):
+        first, second = (third + 1) % 3, (third + 2) % 3
+        if moments[first] == moments[second] and weight[first] == weight[second] == 0.0:
+            cyclic = np.array([1.0, *(1.0,) * 3]) / 2  # ẑ to x̂
+            named = (None, cyclic, attitudes.conjugate(cyclic))[(third + 1) % 3]
+            if weight[third] < 0:
+                below = np.array([0.0, 1.0, 0.0, 0.0])
+                named = below if named is None else attitudes.product(named, below)
+            return Axis(moments[first], moments[third], abs(weight[third]), named)
+    raise RigidtopError(
+        "no closed form: a heavy body has one only if two of its moments are equal and its centre "
+        "of mass lies on the axis of the third, or if all three are; integrate the motion instead"
+    )
 
 
 def orbit(
@@ -25,49 +63,79 @@ def orbit(
 ) -> free.Orbit | heavy.Orbit:
     """The closed form of a motion; RigidtopError for a body that has none here."""
     if not any(body.weight):
-        return free.solve(np.array(body.moments), np.array(omega))
-    if not body.symmetric:
-        raise RigidtopError(
-            "no closed form: a heavy body has one only if lambda1 = lambda2 and its centre of mass "
-            "lies on e3; integrate the motion instead"
-        )
-    return _heavy_orbit(body, attitude, omega)
-
-
-def _heavy_orbit(
-    body: RigidBody, attitude: Rotation, omega: tuple[float, float, float]
-) -> heavy.Orbit:
-    """Of a body that is symmetric about e₃, its centre of mass on e₃ above or below the pivot."""
-    (lambda1, _, lambda3), weight = body.moments, body.weight[2]
-    q = attitudes.quaternions(attitude)
-    if weight < 0:
-        q = attitudes.product(UPSIDE_DOWN, q)
-    phi, psi = attitudes.azimuth_and_spin(attitudes.rotation(q), omega)
+        return free.solve(body.moments, omega)
+    found = axis(body)
+    q, rates = attitudes.quaternions(attitude), omega
+    if found.turn is not None:
+        q = attitudes.product(q, found.turn)
+        first, second, third = attitudes.rotation(found.turn).inv().apply(omega).tolist()
+        rates = first, second, third
+    phi, psi = attitudes.azimuth_and_spin(attitudes.rotation(q), rates)
     alpha, beta = attitudes.spinors(q)
     # ω = −φ̇ sin θ e₁′ + θ̇ e₂′ + ω₃e₃, and the body is turned by ψ about e₃ (3.42).
-    sin_psi, cos_psi = np.sin(psi), np.cos(psi)
+    sin_psi, cos_psi = math.sin(psi), math.cos(psi)
     return heavy.solve(
-        heavy.Start(
-            mu=np.asarray(abs(weight) / lambda1),
-            b=np.asarray(lambda3 * omega[2] / lambda1),
-            omega3=np.asarray(omega[2]),
-            cos_half=np.abs(alpha),
-            sin_half=np.abs(beta),
-            v_theta=np.asarray(omega[0] * sin_psi + omega[1] * cos_psi),
-            v_phi=np.asarray(omega[1] * sin_psi - omega[0] * cos_psi),
-            phi=np.asarray(phi),
-            psi=np.asarray(psi),
+        start(
+            found,
+            omega3=rates[2],
+            halves=(float(abs(alpha)), float(abs(beta))),
+            rates=(
+                rates[0] * sin_psi + rates[1] * cos_psi,
+                rates[1] * sin_psi - rates[0] * cos_psi,
+            ),
+            angles=(phi, psi),
         )
     )
+
+
+def start(
+    body: Axis,
+    omega3: float,
+    halves: tuple[float, float],
+    rates: tuple[float, float],
+    angles: tuple[float, float],
+) -> heavy.Start:
+    """From cos(θ/2) and sin(θ/2), θ̇ and φ̇ sin θ, φ and ψ."""
+    mu, b = body.weight / body.lambda1, body.lambda3 * omega3 / body.lambda1
+    return heavy.Start(mu, b, omega3, *halves, *rates, *angles)
 
 
 def states(motion: Motion, times: Floats) -> tuple[Floats, Floats]:
     """Quaternions (N, 4), scalar first, body to space, and ω (N, 3) in body components (rad/s)."""
     solved = motion.orbit
     if isinstance(solved, free.Orbit):
-        turned, rates = solved.at(times)
-        return attitudes.product(attitudes.quaternions(motion.attitude), turned), rates
-    s = solved.at(times)
-    if motion.body.weight[2] < 0:
-        return attitudes.product(attitudes.conjugate(UPSIDE_DOWN), s.quaternion), s.omega
-    return s.quaternion, s.omega
+        columns = _free_states(solved, motion.attitude, times)
+        return np.stack(columns[:4], axis=-1), np.stack(columns[4:], axis=-1)
+    s, turn = solved.states(times), axis(motion.body).turn
+    if turn is None:
+        return s.quaternion, s.omega
+    whole = attitudes.product(s.quaternion, attitudes.conjugate(turn))
+    return whole, np.asarray(attitudes.rotation(turn).apply(s.omega))
+
+
+def _free_states(orbit: free.Orbit, attitude: Rotation, times: Floats) -> list[Floats]:
+    first = attitude.as_quat(scalar_first=True).tolist()
+    names = [each.name for each in fields(free.State)]
+
+    def at(t: Floats | float) -> free.State:
+        state = orbit.at(t)
+        return free.State(*free.after(first, state.quaternion), *state.omega)
+
+    def columns(part: Floats) -> list[Floats]:
+        return [getattr(at(part), name) for name in names]
+
+    if len(times) == 1:
+        return [np.array([value]) for value in vars(at(float(times[0]))).values()]
+    latest = float(max(abs(times[0]), abs(times[-1])))
+
+    def needed(state: free.State) -> list[tuple[Floats, Floats]]:
+        size = np.broadcast_to(1 + latest * 2 * orbit.sigma, np.shape(state.q0))
+        return [
+            *((part, size) for part in state.quaternion),
+            *((part, size * orbit.sigma) for part in state.omega),
+        ]
+
+    even = samples.samples(times, orbit.half_piece, at, needed)
+    if even is not None:
+        return [even.of(name) for name in names]
+    return samples.in_blocks(columns, times)

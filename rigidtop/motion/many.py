@@ -25,7 +25,7 @@ from rigidtop.motion.exact import free, heavy
 from rigidtop.motion.integrate import TAYLOR, Accuracy, Progress
 from rigidtop.motion.state import TopState
 
-CHUNK = 1 << 13
+CHUNK = 1 << 11
 """States at a time: arrays of these, some dozens, stay in the cache."""
 
 
@@ -273,7 +273,10 @@ class FreeMotions(_Motions):
     def _orbits(self, index: NDArray[np.intp]) -> free.Orbit:
         of = {"moments": self.moments, "omega": self.omega}
         return free.solve(
-            *(np.broadcast_to(x, (*self.shape, 3)).reshape(-1, 3)[index] for x in of.values())
+            *(
+                tuple(np.broadcast_to(x, (*self.shape, 3)).reshape(-1, 3)[index].T)
+                for x in of.values()
+            )
         )
 
     def exact(self, t: ArrayLike, progress: Progress | None = None) -> tuple[Floats, Floats]:
@@ -285,7 +288,8 @@ class FreeMotions(_Motions):
         times = checks.numbers("t", t)
 
         def states(index: NDArray[np.intp], at: Floats) -> list[Floats]:
-            return list(self._orbits(index).at(at))
+            found = self._orbits(index).at(at)
+            return [np.stack(parts, axis=-1) for parts in (found.quaternion, found.omega)]
 
         quaternion, omega = _in_chunks(states, times, self.shape, progress)
         return quaternion, omega

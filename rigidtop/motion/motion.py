@@ -15,7 +15,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
 from rigidtop.motion import checks, closed, systems, taylor
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.exact import free, heavy
+from rigidtop.motion.exact import free, heavy, samples
 from rigidtop.motion.integrate import (
     TAYLOR,
     Accuracy,
@@ -25,7 +25,7 @@ from rigidtop.motion.integrate import (
     flow,
     on_both_sides,
 )
-from rigidtop.motion.trajectory import BodyTrajectory, TopTrajectory, Trajectory
+from rigidtop.motion.trajectory import BodyTrajectory, EvenTop, TopTrajectory, Trajectory
 
 if TYPE_CHECKING:
     from rigidtop.motion.body import RigidBody
@@ -64,17 +64,15 @@ class Motion:
 
         The error is a few units in the last place of what the motion does when the initial state,
         the body and t change by theirs, near separatrices, poles and steady precession too, and of
-        a small tilt it is relative to the tilt, down to 1e-50.  A deviation of less than 1e-50 from
-        a separatrix counts as none: such a top stays upright.
+        a small tilt it is relative to the tilt, down to 1e-50.  A deviation of less than 1e-140
+        from a separatrix counts as none: such a top stays upright.
 
-        It is more at one place, where steady precession, separatrix and sleeping top meet: |ω₃|
-        within about 1 % of `HeavyTop.sleeping_spin`, φ̇ of λ₃ω₃/(2λ₁), and θ below 0.25.  There
-        attitudes are off by up to 1e-10 rad, and the axis by up to 1e-9 of its tilt;
-        `integrate` with "taylor" is right.
+        Beside a separatrix, by less than the last digit of the initial state, it is the motion of
+        an initial state that differs by so little.
 
-        Closed forms exist for every free body and for a heavy body that is symmetric about e₃ with
-        its centre of mass on e₃.  Raises RigidtopError for other bodies, and for times that are not
-        finite.
+        Closed forms exist for every free body, for a heavy body with two equal moments and its
+        centre of mass on the axis of the third, and for one with three equal moments.  Raises
+        RigidtopError for other bodies, and for times that are not finite.
         """
         times = checks.times(t)
         return BodyTrajectory(self, times, *closed.states(self, times))
@@ -150,11 +148,13 @@ class Motion:
     def turning_points(self) -> tuple[float, float]:
         """The smallest and the largest θ (rad).
 
-        Of a top θ is the angle between e₃ and the vertical; of a free body that between L and the
+        Of a top θ is the angle between e₃ and the vertical, of another heavy body that between the
+        vertical and the direction to its centre of mass; of a free body that between L and the
         principal axis about which ω circles, towards the side on which it is.
         """
         smallest, largest = (float(angle) for angle in self.orbit.turning_points)
-        return (math.pi - largest, math.pi - smallest) if self._from_above else (smallest, largest)
+        below = self.body.symmetric and self.body.weight[2] < 0  # e₃ points away from the centre
+        return (math.pi - largest, math.pi - smallest) if below else (smallest, largest)
 
     @property
     def nutation_period(self) -> float:
@@ -167,8 +167,7 @@ class Motion:
     @property
     def precession_per_period(self) -> float:
         """The angle by which the axis turns about the vertical, or about L, in that time (rad)."""
-        turned = float(self.orbit.precession_per_period)
-        return -turned if self._from_above else turned
+        return float(self.orbit.precession_per_period)
 
     @property
     def mean_precession(self) -> float:
@@ -178,13 +177,7 @@ class Motion:
         vertical, to rounding of the initial state, comes out on the other side; this half turn is
         none of precession, so a pendulum that swings in a plane has 0.
         """
-        mean = float(self.orbit.mean_precession)
-        return -mean if self._from_above else mean
-
-    @property
-    def _from_above(self) -> bool:
-        """Whether the closed form sees it upside down: the centre of mass is below the pivot."""
-        return self.body.weight[2] < 0
+        return float(self.orbit.mean_precession)
 
     def _times(self, t: ArrayLike) -> Floats:
         times = checks.times(t)
@@ -255,10 +248,30 @@ class TopMotion(Motion):
     psi: float = 0.0
     """ψ at t = 0, from which ψ(t) continues (rad)."""
 
+    euler: tuple[float, float, float] | None = None
+    """θ, θ̇ and φ̇ at t = 0 if it is given by Euler angles: they keep the digits of large φ and ψ."""
+
     def start(self) -> TopTrajectory:
         """The initial state, as a trajectory of one row."""
-        return self._trajectory(
-            self._initial()[:, None], np.zeros(1), np.array([self.phi]), np.array([self.psi])
+        if self.euler is None:
+            return self._trajectory(
+                self._initial()[:, None], np.zeros(1), np.array([self.phi]), np.array([self.psi])
+            )
+        state = heavy.beginning(self._from_euler(*self.euler))
+        return TopTrajectory(motion=self, t=np.zeros(1), **vars(state))
+
+    @property
+    def _axis(self) -> closed.Axis:
+        return closed.Axis(self.body.lambda1, self.body.lambda3, self.body.weight[2], None)
+
+    def _from_euler(self, theta: float, theta_dot: float, phi_dot: float) -> heavy.Start:
+        hanging = theta == math.pi  # the float nearest to π means π
+        return closed.start(
+            self._axis,
+            omega3=self.omega[2],
+            halves=(0.0 if hanging else math.cos(theta / 2), math.sin(theta / 2)),
+            rates=(theta_dot, 0.0 if hanging else phi_dot * math.sin(theta)),
+            angles=(self.phi, self.psi),
         )
 
     def exact(self, t: ArrayLike) -> TopTrajectory:
@@ -273,22 +286,24 @@ class TopMotion(Motion):
         (array([0.5     , 0.463232]), array([     0.   , 247889.744]))
         """
         times = checks.times(t)
-        return TopTrajectory(motion=self, t=times, **vars(self.orbit.at(times)))
+        orbit = self.orbit
+        even = samples.samples(times, orbit.half_piece, orbit.states, orbit.sizes(times))
+        if even is not None:
+            return EvenTop(self, times, even)
+        return TopTrajectory(motion=self, t=times, **vars(orbit.states(times)))
 
     @cached_property
     def orbit(self) -> heavy.Orbit:
-        start = self.start()
+        if self.euler is not None:
+            return heavy.solve(self._from_euler(*self.euler))
+        first = self.start()
         return heavy.solve(
-            heavy.Start(
-                mu=np.asarray(self.body.weight[2] / self.body.lambda1),
-                b=np.asarray(self.body.lambda3 * self.omega[2] / self.body.lambda1),
-                omega3=np.asarray(self.omega[2]),
-                cos_half=start.cos_half[0],
-                sin_half=start.sin_half[0],
-                v_theta=start.theta_dot[0],
-                v_phi=start.v_phi[0],
-                phi=np.asarray(self.phi),
-                psi=np.asarray(self.psi),
+            closed.start(
+                self._axis,
+                omega3=self.omega[2],
+                halves=(float(first.cos_half[0]), float(first.sin_half[0])),
+                rates=(float(first.theta_dot[0]), float(first.v_phi[0])),
+                angles=(self.phi, self.psi),
             )
         )
 

@@ -202,8 +202,8 @@ class SlidingMotion:
         then a late time costs what an early one costs.
 
         Raises RigidtopError where friction or air take energy, where the top would fall or leave
-        the table, and where it goes through the vertical or comes so near to it, or to a motion
-        without period, that the series does not converge: integrate those.
+        the table, and where it comes so near to the vertical without going through it, or to a
+        motion without period, that the series does not converge: integrate those.
         """
         body = self.body
         if not body.smooth:

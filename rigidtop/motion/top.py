@@ -208,7 +208,12 @@ class HeavyTop(RigidBody):
         )
         spin = start.get("omega3", rates[2])
         return TopMotion(
-            self, from_euler_angles(tilt, azimuth, turn), (*rates[:2], spin), azimuth, turn
+            self,
+            from_euler_angles(tilt, azimuth, turn),
+            (*rates[:2], spin),
+            azimuth,
+            turn,
+            (tilt, start.get("theta_dot", 0.0), precession),
         )
 
     def _from_attitude(self, attitude: Rotation, omega: Triple) -> TopMotion:

@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
+from rigidtop.motion.exact.samples import Samples
 from rigidtop.motion.state import TopState
 
 if TYPE_CHECKING:
@@ -156,3 +157,51 @@ class TopTrajectory(TopState, Trajectory):
     def conserved(self) -> Mapping[str, Floats]:
         """The energy, p_φ and p_ψ."""
         return {"energy": self.energy, "p_phi": self.p_phi, "p_psi": self.p_psi}
+
+
+class EvenTop(TopTrajectory):
+    """The closed form at many evenly spaced times: what is asked for is interpolated."""
+
+    samples: Samples
+
+    def __init__(self, motion: TopMotion, times: Floats, samples: Samples) -> None:
+        states = samples.levels[0].states
+        values = {"motion": motion, "t": times, "samples": samples, "omega3": states.omega3}
+        for name, value in (values | {"upright_phi_dot": states.upright_phi_dot}).items():
+            object.__setattr__(self, name, value)
+
+    @cached_property
+    def cos_half(self) -> Floats:
+        return self.samples.of("cos_half")
+
+    @cached_property
+    def sin_half(self) -> Floats:
+        return self.samples.of("sin_half")
+
+    @cached_property
+    def phi(self) -> Floats:
+        return self.samples.of("phi")
+
+    @cached_property
+    def psi(self) -> Floats:
+        return self.samples.of("psi")
+
+    @cached_property
+    def theta_dot(self) -> Floats:
+        return self.samples.of("theta_dot")
+
+    @cached_property
+    def v_phi(self) -> Floats:
+        return self.samples.of("v_phi")
+
+    @cached_property
+    def theta(self) -> Floats:
+        return self.samples.of("theta")
+
+    @cached_property
+    def phi_dot(self) -> Floats:
+        return self.samples.of("phi_dot")
+
+    @cached_property
+    def psi_dot(self) -> Floats:
+        return self.samples.of("psi_dot")

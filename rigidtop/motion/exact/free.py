@@ -1,4 +1,4 @@
-"""The free body, solved: ω by Jacobi's functions, the attitude by one integral of the third kind.
+"""The free body, solved: L in the body, and the attitude, by two theta functions.
 
 The moments are renamed I₁, I₂, I₃ so that I₂ lies between the others and ω circles about e₃ (short
 axis: I₃ is the largest, long axis: the smallest); signs are chosen so that L₁, L₃ ≥ 0 at t = 0.
@@ -10,129 +10,158 @@ With differences I_jk = |I_j − I_k| (Landau & Lifshitz, Mechanics §37; Whitta
     A = |L² − 2TI₁|,  B = |L² − 2TI₃|,  D = |L² − 2TI₂|,
 
 where A, B are sums of squares of ω and D, which vanishes on the separatrix, is a difference of two
-that factors.  In the frame whose ẑ is L/L, with Euler angles z–y′–z″, θ and ψ follow from L in the
-body, and
+that factors.  In the frame whose ẑ is L/L the spinors α = cos(θ/2) exp(½i(φ + ψ)) and
+β = sin(θ/2) exp(½i(φ − ψ)) are theta functions, as those of a heavy top are, whose periods in τ are
+2K and 4iK′: of the parameter m² / (1 + √m₁)⁴, by Landen's transformation.  Their zeros, where
+L₃ = ±L, are as far from 2iK′ as from 0, so that one number makes both.  L in the body is −2ᾱβ, and
+the mean of the phase of α follows from φ̇ and ψ̇ where L₂ is largest.
 
-    φ̇ = L/I₂ + L(1/I₁ − 1/I₂) cn²/(cn² + κ sn²),    κ = I₂I₁₃/(I₁I₂₃) = 1 + I₃I₁₂/(I₁I₂₃).
-
-The integral is Π of a negative characteristic; transformed to one between m and 1 (Abramowitz &
-Stegun 17.7.15) it has only positive terms, and the jumps of φ become an arc tangent.
-
-All quantities are arrays that broadcast; those of `Orbit` are in units of σ = |ω| at t = 0 and of
-the largest moment.
+`Orbit` is in units of σ = |ω| at t = 0 and of the largest moment; its numbers are floats for one
+motion, else arrays that broadcast.
 """
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
-from scipy.spatial.transform import Rotation
+from numpy.typing import NDArray
 
-from rigidtop.motion import attitude
-from rigidtop.motion.attitude import Floats
-from rigidtop.motion.exact.elliptic import (
-    SMALLEST_PART,
-    Jacobi,
-    first_kind,
-    jacobi,
-    quarter_period,
-)
+from rigidtop.motion.exact import theta
+from rigidtop.motion.exact.numbers import Kit, Plain, Real, Truth, kit
+from rigidtop.motion.exact.samples import HALF_PIECE, half_piece
+from rigidtop.motion.exact.theta import Factor, Modulus, Real4, cubic, factor, modulus, real4
 
 ROUNDING = 16 * float(np.finfo(float).eps)
 """What rounding of the initial state does to the distance from the separatrix."""
 
+SMALLEST_PART = 1e-280
+"""Of squares: a deviation from the separatrix of 1e-140 and less counts as none."""
+
+LARGEST_RATIO = 1e45
+"""Of sine and cosine: a larger one is that of a right angle."""
+
+Triple = tuple[Real, Real, Real]
+
+
+@dataclass(frozen=True)
+class State:
+    """Attitude and ω at some times, floats or arrays."""
+
+    q0: Real
+    q1: Real
+    q2: Real
+    q3: Real
+    """A unit quaternion, from body components to body components at t = 0."""
+
+    omega1: Real
+    omega2: Real
+    omega3: Real
+    """In body components (rad/s)."""
+
+    @property
+    def quaternion(self) -> tuple[Real, ...]:
+        return self.q0, self.q1, self.q2, self.q3
+
+    @property
+    def omega(self) -> tuple[Real, ...]:
+        return self.omega1, self.omega2, self.omega3
+
 
 @dataclass(frozen=True)
 class Orbit:
-    """The motion from ω at t = 0, made by `solve`; shape S is that of the motions."""
+    """The motion from ω at t = 0, made by `solve`."""
 
-    omega: Floats
-    """ω at t = 0 in the body's own components (S, 3), rad/s."""
+    omega: Triple
+    """ω at t = 0 in the body's own components, rad/s."""
 
-    sigma: Floats
+    sigma: Real
     """The unit of rates (1/s)."""
 
-    axes: NDArray[np.intp]
-    """(S, 3): which of the body's axes are e₁, e₂, e₃ here."""
+    axes: Triple
+    """Which of the body's axes are e₁, e₂, e₃ here."""
 
-    signs: Floats
-    """(S, 3): and in which direction."""
+    signs: Triple
+    """And in which direction."""
 
-    moments: Floats
-    """I₁, I₂, I₃ (S, 3)."""
+    moments: Triple
+    """I₁, I₂, I₃."""
 
-    amplitudes: Floats
-    """a₁, a₂, a₃ (S, 3)."""
+    amplitudes: Triple
+    """a₁, a₂, a₃."""
 
-    tilt: Floats
-    """The angle between L and e₃ at t = 0 (rad)."""
-    length: Floats
+    momentum: Triple
+    """L at t = 0."""
+    length: Real
     """|L|."""
 
-    kappa: Floats
-    n: Floats
-    """κ − 1."""
-    m: Floats
-    m1: Floats
-    nu: Floats
+    m: Real
+    m1: Real
+    nu: Real
     """dτ/dt, negative about the long axis."""
-    tau0: Floats
-    uniform: NDArray[np.bool_]
+    uniform: Truth
     """Whether ω is constant."""
-    on_separatrix: NDArray[np.bool_]
+    on_separatrix: Truth
     """To rounding of the initial state."""
+
+    modulus: Modulus
+    z0: Real
+    rate: Real
+    """dz/dt (1/s)."""
+    along: Factor
+    """α."""
+    drift: Real
+    """What is linear in time of the phase of α (1/s)."""
+    functions: Real4
+    weight: Real
+    sine: Real
+    cosine: Real
+    """Of Landen's transformation, sn ∝ θ₁θ₄ and cn ∝ θ₂θ₃ over θ₄² + `weight` θ₁²."""
 
     # --- Periods ---
 
-    @cached_property
-    def quarter(self) -> Floats:
-        """K, a quarter of the period of ω in τ."""
-        return quarter_period(self.m1)
-
     @property
-    def turning_points(self) -> tuple[Floats, Floats]:
+    def turning_points(self) -> tuple[Real, Real]:
         """The smallest and the largest angle between L and e₃ (rad)."""
-        a1, a2, a3 = np.moveaxis(self.amplitudes, -1, 0)
-        smallest = np.arctan2(a1, a3)
-        largest = np.arctan2(a2, a3 * np.sqrt(self.m1))
+        a1, a2, a3 = self.amplitudes
+        now = np.arctan2(np.hypot(*self.momentum[:2]), self.momentum[2])
         return (
-            np.where(self.uniform, self.tilt, smallest),
-            np.where(self.uniform, self.tilt, largest),
+            np.where(self.uniform, now, np.arctan2(a1, a3)),
+            np.where(self.uniform, now, np.arctan2(a2, a3 * np.sqrt(self.m1))),
         )
 
     @property
-    def nutation_period(self) -> Floats:
+    def nutation_period(self) -> Real:
         """The time from one smallest value of that angle to the next (s); ω returns after two."""
         with np.errstate(all="ignore"):
-            return np.where(self._ends, np.inf, 2 * self.quarter / (np.abs(self.nu) * self.sigma))
+            return np.where(self._ends, np.inf, 2 * self.modulus.half / np.abs(self.rate))
 
     @property
-    def precession_per_period(self) -> Floats:
+    def _ends(self) -> NDArray[np.bool_]:
+        """Whether it never comes back from the middle axis, as the regime has it."""
+        found = np.asarray(self.on_separatrix) & (self.m > 0)
+        return np.asarray(found & ~np.asarray(self.uniform))
+
+    @property
+    def precession_per_period(self) -> Real:
         """By how much e₃ turns about L in it (rad)."""
         with np.errstate(all="ignore"):
             mean = self.mean_precession
             return np.where(mean == 0, 0.0, mean * self.nutation_period)
 
     @property
-    def mean_precession(self) -> Floats:
+    def mean_precession(self) -> Real:
         """The rate at which e₃ turns about L, on average (rad/s)."""
         with np.errstate(all="ignore"):
-            share = np.where((self.m1 > 0) & ~self._ends, self._complete / (2 * self.quarter), 0.0)
-            rate = self.length * (1 / self._i(1) + (1 / self._i(0) - 1 / self._i(1)) * share)
-        return rate * self.sigma
+            # φ + ψ without ψ, which turns by half a circle backwards in a period of τ.
+            turned = (np.pi - 2 * self.along.turn) * np.sign(self.nu) / self.nutation_period
+            along_middle = self.length * self.sigma / np.asarray(self.moments[1])
+            turns = (self.m1 > 0) & (self.nu != 0) & ~self._ends
+            return np.where(turns, 2 * self.drift + turned, along_middle)
 
     @property
-    def _ends(self) -> NDArray[np.bool_]:
-        """Whether it never comes back from the middle axis, as the regime has it."""
-        return self.on_separatrix & ~self.uniform & (self.m > 0)
-
-    def _i(self, k: int) -> Floats:
-        return self.moments[..., k]
-
-    @cached_property
     def regime(self) -> NDArray[np.str_]:
         """How ω moves in the body, to rounding of the initial state.
 
@@ -140,154 +169,211 @@ class Orbit:
         the "short axis" or the "long axis".
         """
         return np.select(
-            [self.uniform, self.m == 0, self.on_separatrix, self.nu > 0],
+            [
+                np.asarray(self.uniform),
+                np.asarray(self.m == 0),
+                np.asarray(self.on_separatrix),
+                np.asarray(self.nu > 0),
+            ],
             ["steady", "regular precession", "separatrix", "short axis"],
             "long axis",
         )
 
-    # --- The integral ---
-
-    def _third_kind(self, f: Jacobi) -> Floats:
-        """∫ cn²/(cn² + κ sn²) dτ from 0 to |τ| ≤ K."""
-        part = self.m1 / self.kappa
-        p = f.cn**2 + part * f.sn**2
-        tail = np.where(part > 0, f.third_kind(np.where(p > 0, p, 1.0)), 0.0)
-        q = np.sqrt(self.n * (self.m + self.n) / self.kappa)
-        z = f.sn * f.cn / f.dn
-        arc = np.where(q > 0, np.arctan(q * z) / np.where(q > 0, q, 1.0), z)
-        return part * tail + arc
-
-    @cached_property
-    def _complete(self) -> Floats:
-        """The same over 2K."""
-        zero = np.zeros_like(self.m1)
-        at_k = Jacobi(zero + 1, zero, np.sqrt(np.where(self.m1 > 0, self.m1, 1.0)))
-        return np.where(self.m1 > 0, 2 * self._third_kind(at_k), 0.0)
-
     # --- The state ---
 
-    def at(self, t: ArrayLike) -> tuple[Floats, Floats]:
-        """At times t (s), of a shape that broadcasts against S.
+    @property
+    def half_piece(self) -> float:
+        """How long the motion is smooth (s): see `samples`."""
+        turning = HALF_PIECE / (abs(self.drift) + abs(self.rate) + self.sigma)
+        return min(turning, half_piece(theta.strip(self.modulus), abs(self.rate)))
 
-        Returns unit quaternions (…, 4), scalar first, that take body components at t to body
-        components at t = 0, and ω (…, 3) in body components at t (rad/s).
-        """
-        t = np.asarray(t, dtype=float)
-        with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
-            scaled = t * self.sigma
-            start = self._state(np.zeros_like(self.sigma))
-            now = self._state(scaled)
-            turned = attitude.product(attitude.conjugate(start[0]), now[0])
-            half = np.linalg.norm(self.omega, axis=-1) * t / 2
-            unit = self.omega / self.sigma[..., None]
-            steady = np.concatenate([np.cos(half)[..., None], np.sin(half)[..., None] * unit], -1)
-        uniform = self.uniform[..., None]
-        quaternion = np.where(uniform, steady, turned)
-        return quaternion, np.where(uniform, self.omega, now[1])
+    def at(self, t: Real) -> State:
+        """At times t (s), which broadcast against the orbit."""
+        k = kit(t, self.z0)
+        if k is Plain:
+            return self._at(k, t)
+        with np.errstate(all="ignore"):
+            return self._at(k, t)
 
-    def _state(self, scaled: Floats) -> tuple[Floats, Floats]:
-        """Quaternions from body components to the frame of L, and ω in body components."""
-        tau = self.tau0 + self.nu * scaled
-        bounded = np.isfinite(self.quarter)
-        half = np.where(bounded, 2 * self.quarter, 1.0)
-        turns, first = (np.where(bounded, np.round(x / half), 0.0) for x in (tau, self.tau0))
-        f = jacobi(tau - turns * half, self.m1)
-        begin = self._third_kind(jacobi(self.tau0 - first * half, self.m1))
-        integral = (turns - first) * self._complete + self._third_kind(f) - begin
-        sign = 1 - 2 * np.mod(turns, 2)
-        cn, sn = sign * f.cn, sign * f.sn
-        i1, i2 = self._i(0), self._i(1)
-        phi = self.length * (scaled / i2 + (1 / i1 - 1 / i2) * integral / self.nu)
-        psi = np.arctan2(np.sqrt(self.kappa) * sn, -cn)
-        a1, a2, a3 = np.moveaxis(self.amplitudes, -1, 0)
-        momentum = np.stack([a1 * cn, a2 * sn, a3 * f.dn], axis=-1)
-        theta = np.arctan2(np.hypot(momentum[..., 0], momentum[..., 1]), momentum[..., 2])
-        renamed = attitude.from_spinors(np.cos(theta / 2), np.sin(theta / 2), phi, psi)
-        rates = np.empty_like(momentum)
-        axes = np.broadcast_to(self.axes, momentum.shape)
-        np.put_along_axis(rates, axes, self.signs * momentum / self.moments, axis=-1)
-        return attitude.product(renamed, self._renaming), rates * self.sigma[..., None]
+    def _at(self, k: Kit, t: Real) -> State:
+        def turning() -> tuple[Real, ...]:
+            first, _ = self._state(kit(self.z0), self.z0, 0.0)
+            now, momentum = self._state(k, self.z0 + self.rate * t, t)
+            w, *turned = after(inverse(first), now)
+            rates = [
+                sign * part / moment * self.sigma
+                for sign, part, moment in zip(self.signs, momentum, self.moments, strict=True)
+            ]
+            own = [sign * part for sign, part in zip(self.signs, turned, strict=True)]
+            return (w, *_renamed(k, self.axes, own), *_renamed(k, self.axes, rates))
 
-    @cached_property
-    def _renaming(self) -> Floats:
-        """Quaternions (S, 4) from the body's own axes to e₁, e₂, e₃."""
-        matrices = self.signs[..., None] * (self.axes[..., None] == np.arange(3))
-        flat = Rotation.from_matrix(matrices.reshape(-1, 3, 3))
-        return attitude.quaternions(flat).reshape(*self.axes.shape[:-1], 4)
+        def constant() -> tuple[Real, ...]:
+            half = k.hypot(k.hypot(*self.omega[:2]), self.omega[2]) * t / 2
+            c, s = k.cos(half), k.sin(half) / self.sigma
+            return (c, *(s * rate for rate in self.omega), *(rate + 0 * t for rate in self.omega))
 
+        return State(*k.pick(self.uniform, constant, turning))
 
-def solve(moments: Floats, omega: Floats) -> Orbit:
-    """The orbit from moments (…, 3) and ω (…, 3) in body components, which broadcast."""
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
-        return _solve(*np.broadcast_arrays(moments, omega))
+    def _state(self, k: Kit, z: Real, t: Real) -> tuple[tuple[Real, ...], Triple]:
+        """The quaternion from e₁, e₂, e₃ to the frame of L, but for a constant turn; and L."""
+        at = theta.place(k, self.modulus, z)
+        one, two, three, four = self.functions.at(k, self.modulus, at)
+        denominator = four * four + self.weight * one * one
+        sign = k.where(at.turns % 2 == 1, -1.0, 1.0)
+        sn = self.sine * sign * k.over(one, denominator) * four
+        cn = self.cosine * sign * k.over(two, denominator) * three
+        a1, a2, a3 = self.amplitudes
+        momentum = a1 * cn, a2 * sn, a3 * k.sqrt(self.m1 + self.m * cn * cn)
+        n1, n2, n3 = (part / self.length for part in momentum)
+        size = k.sqrt((1 + n3) / 2)
+        across = at.t * k.where(self.along.weighted, 1.0, at.plus) * cubic(self.along.odd, at.x)
+        phase = k.atan2(across, cubic(self.along.even, at.x))
+        phase = self.drift * t - phase - at.turns * self.along.turn
+        c, s = k.circle(phase)
+        b1, b2 = -n1 / (2 * size), -n2 / (2 * size)
+        return (size * c, -(b1 * s + b2 * c), b1 * c - b2 * s, size * s), momentum
 
 
-def _solve(moments: Floats, omega: Floats) -> Orbit:
-    largest = np.abs(omega).max(axis=-1)
-    unit = np.where(largest > 0, largest, 1.0)  # no square of it overflows
-    sigma = largest * np.linalg.norm(omega / unit[..., None], axis=-1)
-    sigma = np.where(sigma > 0, sigma, 1.0)
-    order = np.argsort(moments, axis=-1, kind="stable")
-    i, w = (
-        np.moveaxis(np.take_along_axis(values, order, -1), -1, 0)
-        for values in (
-            moments / moments.max(axis=-1, keepdims=True),
-            np.abs(omega) / sigma[..., None],
-        )
+def inverse(q: Sequence[Real]) -> tuple[Real, ...]:
+    """Of a unit quaternion, scalar first."""
+    return q[0], -q[1], -q[2], -q[3]
+
+
+def after(p: Sequence[Real], q: Sequence[Real]) -> tuple[Real, ...]:
+    """The quaternion of rotation q followed by p."""
+    p0, p1, p2, p3 = p
+    q0, q1, q2, q3 = q
+    return (
+        p0 * q0 - p1 * q1 - p2 * q2 - p3 * q3,
+        p0 * q1 + p1 * q0 + p2 * q3 - p3 * q2,
+        p0 * q2 - p1 * q3 + p2 * q0 + p3 * q1,
+        p0 * q3 + p1 * q2 - p2 * q1 + p3 * q0,
     )
-    short = np.sqrt(i[2] * (i[2] - i[1])) * w[2]
-    long = np.sqrt(i[0] * (i[1] - i[0])) * w[0]
-    d = np.abs(short - long) * (short + long)
-    about_short = (short >= long)[..., None]
-    axes = np.where(about_short, order, order[..., ::-1])
-    direction = np.where(about_short[..., 0], 1.0, -1.0)
-    i1, i2, i3 = (np.where(about_short[..., 0], i[k], i[2 - k]) for k in range(3))
-    w1, w2, w3 = (np.where(about_short[..., 0], w[k], w[2 - k]) for k in range(3))
-    i12, i23, i13 = np.abs(i1 - i2), np.abs(i2 - i3), np.abs(i1 - i3)
-    a = i2 * i12 * w2**2 + i3 * i13 * w3**2
-    b = i1 * i13 * w1**2 + i2 * i23 * w2**2
-    nu = np.sqrt(i23 * a / (i1 * i2 * i3))
+
+
+def _renamed(k: Kit, axes: Triple, values: list[Real]) -> tuple[Real, ...]:
+    """By the body's own axes."""
+    return tuple(
+        k.where(axes[0] == own, values[0], k.where(axes[1] == own, values[1], values[2]))
+        for own in (0, 1, 2)
+    )
+
+
+def solve(moments: Triple, omega: Triple) -> Orbit:
+    """The orbit from three moments and ω in body components, floats or arrays that broadcast."""
+    k = kit(*moments, *omega)
+    if k is Plain:
+        return _solve(k, moments, omega)
+    with np.errstate(all="ignore"):
+        return _solve(k, moments, omega)
+
+
+def _ordered(k: Kit, moments: Triple) -> tuple[Real, Real, Real]:
+    """Which is the smallest, the middle one and the largest; of equal ones the first."""
+    a, b, c = moments
+    smallest = k.where(k.both(a <= b, a <= c), 0, k.where(b <= c, 1, 2))
+    largest = k.where(k.both(c >= a, c >= b), 2, k.where(b >= a, 1, 0))
+    return smallest, 3 - smallest - largest, largest
+
+
+def _picked(k: Kit, values: Triple, index: Real) -> Real:
+    return k.where(index == 0, values[0], k.where(index == 1, values[1], values[2]))
+
+
+def _solve(k: Kit, moments: Triple, omega: Triple) -> Orbit:
+    largest = k.larger(abs(omega[0]), k.larger(abs(omega[1]), abs(omega[2])))
+    unit = k.where(largest > 0, largest, 1.0)  # no square of it overflows
+    parts = [rate / unit for rate in omega]
+    sigma = largest * k.sqrt(sum(part * part for part in parts))
+    sigma = k.where(sigma > 0, sigma, 1.0)
+    order = _ordered(k, moments)
+    small, medium, big = (_picked(k, moments, index) for index in order)
+    i = small / big, medium / big, big / big
+    i12, i23, i13 = (medium - small) / big, (big - medium) / big, (big - small) / big
+    w = [abs(_picked(k, omega, index)) / sigma for index in order]
+    short, long = k.sqrt(i[2] * i23) * w[2], k.sqrt(i[0] * i12) * w[0]
+    d = abs(short - long) * (short + long)
+    about_short = short >= long
+
+    def named(values: list[Real] | tuple[Real, ...]) -> tuple[Real, Real, Real]:
+        first, second, third = values
+        return k.where(about_short, first, third), second, k.where(about_short, third, first)
+
+    axes, (i1, i2, i3), (w1, w2, w3) = named(order), named(i), named(w)
+    i12, _, i23 = named((i12, i13, i23))
+    a = i2 * i12 * w2 * w2 + i3 * i13 * w3 * w3
+    b = i1 * i13 * w1 * w1 + i2 * i23 * w2 * w2
+    nu = k.sqrt(i23 * a / (i1 * i2 * i3))
     # Where ω cannot circle (I₂ = I₃ about that axis, or three equal moments) any numbers do.
-    idle = ~(nu > 0)
-    i12, i23, i13 = (np.where(idle, x, part) for x, part in ((0.0, i12), (1.0, i23), (1.0, i13)))
-    a, b, d = (np.where(idle, x, part) for x, part in ((1.0, a), (0.0, b), (1.0, d)))
-    amplitudes = np.stack(
-        [np.sqrt(i1 * b / i13), np.sqrt(i2 * b / i23), np.sqrt(i3 * a / i13)], axis=-1
-    )
+    idle = nu == 0
+    i12, i23, i13 = (k.where(idle, *pair) for pair in ((0.0, i12), (1.0, i23), (1.0, i13)))
+    a, b, d = (k.where(idle, *pair) for pair in ((1.0, a), (0.0, b), (1.0, d)))
+    a1, a2, a3 = k.sqrt(i1 * b / i13), k.sqrt(i2 * b / i23), k.sqrt(i3 * a / i13)
     m, m1 = i12 * b / (i23 * a), i13 * d / (i23 * a)
-    m1 = np.where(m1 < SMALLEST_PART, 0.0, m1)
-    n = i3 * i12 / (i1 * i23)
+    m1 = k.where(m1 < SMALLEST_PART, 0.0, m1)
+    k1 = k.sqrt(m1)
     still = b == 0
-    cn = np.where(still, 1.0, i1 * w1 / np.where(still, 1.0, amplitudes[..., 0]))
-    sn = np.where(still, 0.0, i2 * w2 / np.where(still, 1.0, amplitudes[..., 1]))
-    tau0 = first_kind(sn, cn, np.sqrt(m1 + m * cn**2))
+    cn = k.where(still, 1.0, k.over(i1 * w1, a1))
+    sn = k.where(still, 0.0, k.over(i2 * w2, a2))
+    dn = k.sqrt(m1 + m * cn * cn)
+    # Of Landen's parameter.
+    lower = m / ((1 + k1) * (1 + k1))
+    low = 2 * k.sqrt(k1) / (1 + k1)
+    mod = modulus(k, lower * lower, low * low)
+    ratio = k.over(sn, cn) * k.sqrt((1 + k1) * (dn + k1) / (2 * (1 + dn)))
+    late = ratio * ratio * low > 1
+    ratio = k.where(late, k.over(1.0, low * ratio), ratio)
     # Constant ω: also about a principal axis, be it the middle one, which L never leaves.
-    uniform = idle | ((w1 == 0) & (w2 == 0)) | ~np.isfinite(tau0)
-    tau0 = np.where(uniform, 0.0, tau0)
+    middle = k.both(m1 == 0, k.over(sn, cn) == math.inf)
+    uniform = k.either(k.either(idle, middle), k.both(w1 == 0, w2 == 0))
+    ratio, late = k.where(uniform, 0.0, ratio), k.where(uniform, False, late)
+    z0 = k.pick(
+        mod.circular,
+        lambda: (theta.circular_angle(k, mod, ratio),),
+        lambda: (theta.hyperbolic_angle(k, mod, ratio),),
+    )[0]
+    z0 = k.where(late, mod.half - z0, z0)
     # e₁ and e₃ point to where L₁, L₃ ≥ 0; e₂ so that the axes are right-handed.
-    ordered = np.take_along_axis(omega, axes, -1)
-    signs = np.where(ordered < 0, -1.0, 1.0)
-    even = np.mod(axes[..., 1] - axes[..., 0], 3) == 1
-    second = signs[..., 0] * signs[..., 2] * np.where(even, 1.0, -1.0)
-    tau0 = np.where(second * signs[..., 1] < 0, -tau0, tau0)
-    signs = np.stack([signs[..., 0], second, signs[..., 2]], axis=-1)
-    renamed = np.stack([i1, i2, i3], axis=-1)
-    momentum = renamed * np.stack([w1, w2, w3], axis=-1)
+    sign1, sign2, sign3 = (k.where(_picked(k, omega, axis) < 0, -1.0, 1.0) for axis in axes)
+    even = (axes[1] - axes[0]) % 3 == 1
+    second = sign1 * sign3 * k.where(even, 1.0, -1.0)
+    z0 = k.where(second * sign2 < 0, -z0, z0)
+    momentum = i1 * w1, i2 * w2, i3 * w3
+    length = k.sqrt(sum(part * part for part in momentum))
+    length = k.where(uniform, length, k.hypot(a1, a3))
+    near = k.smaller(k.over(a1, (length + a3) * k.sqrt(lower)), LARGEST_RATIO)
+    near = k.where(b > 0, near, 1.0)
+    far = k.over(1.0, lower * near)
+    along = factor(k, mod, far, near, True, False)
+    rate = k.where(about_short, 1.0, -1.0) * mod.rate * nu * (1 + k1) / 2
+    functions = real4(k, mod)
+    _, two, three, four = functions.at(k, mod, theta.place(k, mod, rate * 0))
+    per_sine = four / (mod.rate * cubic(mod.sines, mod.q))
+    # At the other turning point L₃ = a₃k′.
+    end3 = a3 * k1
+    away = k.over(a2 * a2, length + end3)
+    slow = (away / i2 + end3 / i3) / 2
     return Orbit(
-        omega=np.asarray(omega, dtype=float),
+        omega=omega,
         sigma=sigma,
         axes=axes,
-        signs=signs,
-        moments=renamed,
-        amplitudes=amplitudes,
-        tilt=np.arctan2(np.hypot(momentum[..., 0], momentum[..., 1]), momentum[..., 2]),
-        length=np.linalg.norm(momentum, axis=-1),
-        kappa=1 + n,
-        n=n,
+        signs=(sign1, second, sign3),
+        moments=(i1, i2, i3),
+        amplitudes=(a1, a2, a3),
+        momentum=momentum,
+        length=length,
         m=m,
         m1=m1,
-        nu=direction * nu,
-        tau0=tau0,
+        nu=k.where(about_short, nu, -nu),
         uniform=uniform,
-        on_separatrix=np.abs(short - long) <= ROUNDING * (short + long),
+        on_separatrix=abs(short - long) <= ROUNDING * (short + long),
+        modulus=mod,
+        z0=z0,
+        rate=rate * sigma,
+        along=along,
+        drift=sigma * (slow + rate * along.slope),
+        functions=functions,
+        weight=lower * per_sine * per_sine,
+        sine=(1 + lower) * per_sine,
+        cosine=four * four / (two * three),
     )

@@ -42,6 +42,9 @@ CONVERGED = 2e-15
 BLOCK = 1024
 """Times of which the harmonics are in memory together."""
 
+ROUNDING = 16 * float(np.finfo(float).eps)
+"""What rounding of the start does to a − b."""
+
 POLE = 1e-13
 """1 − |u| below this is the vertical."""
 
@@ -89,6 +92,9 @@ class Orbit:
     from_upright: float
     """1 − u₂."""
 
+    through: bool
+    """Whether the axis passes through the vertical, to rounding of the start: then a = b."""
+
     from_hanging: float
     """1 + u₁."""
 
@@ -122,6 +128,8 @@ class Orbit:
         """φ̇ there (rad/s); of a sleeping top that of its neighbours."""
         if self.amplitude == self.from_upright == 0:
             return np.full_like(upright, self.b / 2)
+        if self.through:
+            return self.b / hanging
         return (self.a_less_b + self.b * upright) / (upright * hanging)
 
     @property
@@ -150,6 +158,7 @@ class Orbit:
         since = times + self.time.at(first)[0]
         turns = np.rint(since / self.nutation_period)
         chi = self._inverted(since - turns * self.nutation_period)
+        chi = np.where(times == 0, self.chi_0, chi)  # its sign counts
         upright, hanging = self.away(chi)
         sine = np.sqrt(upright * hanging)
         whole = 2 * np.pi * turns
@@ -158,13 +167,19 @@ class Orbit:
             return line.slope * whole + line.at(chi) - line.at(first)
 
         safe = np.where(sine > 0, sine, 1.0)
-        falling = self.amplitude * np.sin(chi) / self.slope(upright, hanging)
+        slope = self.slope(upright, hanging)
+        falling = self.amplitude * np.sin(chi) / slope
+        at_pole = np.copysign(np.sqrt(2 * self.amplitude / np.maximum(hanging, 1.0)), chi) / slope
+        half_turn = np.zeros(len(times))
+        if self.through:  # e₃ comes out on the other side, to and fro
+            side = np.where(turns % 2 == 0, 0.5, -0.5) * np.copysign(np.pi, chi)
+            half_turn = side - math.copysign(np.pi / 2, self.chi_0)
         return State(
             theta=2 * np.arctan2(np.sqrt(upright), np.sqrt(hanging)),
-            theta_dot=falling / safe,
-            v_phi=(self.a_less_b + self.b * upright) / safe,
-            phi=counted(self.phi),
-            psi=self.omega3 * times - counted(self.psi),
+            theta_dot=np.where(sine > 0, falling / safe, at_pole),
+            v_phi=np.where(sine > 0, (self.a_less_b + self.b * upright) / safe, 0.0),
+            phi=counted(self.phi) + half_turn,
+            psi=self.omega3 * times - counted(self.psi) - half_turn,
         )
 
     def _inverted(self, times: Floats) -> Floats:
@@ -197,7 +212,8 @@ def solve(
 ) -> Orbit:
     """The nutation from θ, θ̇, φ̇ sin θ and ω₃ at t = 0 (rad, rad/s); moments about the centre.
 
-    Raises RigidtopError where it goes through the vertical, and where the series are too long.
+    Raises RigidtopError where it comes too near to the vertical without going through it, and where
+    the series are too long.
     """
     sine, u0 = math.sin(theta), math.cos(theta)
     upright, hanging = 2 * math.sin(theta / 2) ** 2, 2 * math.cos(theta / 2) ** 2
@@ -212,9 +228,14 @@ def solve(
     amplitude = (high - low) / 2
     stiffness = free + b**2 - beta * (u0 + low + high)  # α + b² − β(u₁ + u₂)
     sleeping = amplitude == upright == 0
-    if min(upright - high, hanging + low) < POLE and not sleeping:
+    a_less_b = sine * v_phi - b * upright
+    rounding = ROUNDING * (abs(sine * v_phi) + abs(b) * upright)
+    through = upright - high < POLE and abs(a_less_b) <= rounding and not sleeping
+    if through:
+        a_less_b, high, amplitude = 0.0, upright, (upright - low) / 2
+    if min(math.inf if through else upright - high, hanging + low) < POLE and not sleeping:
         raise RigidtopError(
-            "no closed form: the axis goes through the vertical; integrate the motion"
+            "no closed form: the axis comes too near to the vertical; integrate the motion"
         )
     if not stiffness - beta * (u0 + (high if beta > 0 else low)) > 0:
         raise RigidtopError(
@@ -225,7 +246,7 @@ def solve(
     half = math.atan2(math.sqrt(high), math.sqrt(-low)) if amplitude > 0 else 0.0
     nothing = Line(1.0, np.zeros(0))
     orbit = Orbit(
-        a_less_b=sine * v_phi - b * upright,
+        a_less_b=a_less_b,
         b=b,
         beta=beta,
         kappa=kappa,
@@ -234,6 +255,7 @@ def solve(
         lever=M * h,
         stiffness=stiffness,
         from_upright=upright - high,
+        through=through,
         from_hanging=hanging + low,
         amplitude=amplitude,
         chi_0=math.copysign(2 * half, theta_dot),

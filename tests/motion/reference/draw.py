@@ -469,6 +469,20 @@ def mixture(case: TopCase, rng: Generator) -> None:
     case.phi_dot = float(rng.choice(rates)) * (1 + float(rng.choice([0.0, distance(rng)])))
 
 
+def triple_root(case: TopCase, rng: Generator) -> None:
+    """At the threshold of the sleeping top, as its neighbours precess: the three roots meet."""
+    near = distance(rng, -16.0, -1.0) if rng.random() < 0.8 else 0.0
+    case.omega3 = _spin(case, 2 * (1 + near) * rng.choice([-1, 1]))
+    case.theta = log_uniform(rng, 0.03, 0.15)
+    if rng.random() < 0.3:
+        case.theta = 10 ** rng.uniform(-13, -1)
+    case.phi_dot = case.spin / 2
+    if rng.random() < 0.9:
+        case.phi_dot *= 1 + distance(rng, -9.0, -1.0)
+    if rng.random() < 0.8:
+        case.theta_dot = distance(rng, -6.0, 0.0) * case.theta * case.rate
+
+
 TOP_FAMILIES: dict[str, Callable[[TopCase, Generator], None]] = {
     family.__name__: family
     for family in (
@@ -479,7 +493,7 @@ TOP_FAMILIES: dict[str, Callable[[TopCase, Generator], None]] = {
         conical_pendulum, swinging, rotating, pendulum_separatrix, from_rest, at_rest_upright,
         no_gravity, no_arm, little_gravity, slow_spin, fast_spin, horizontal, si_sizes,
         discs_and_rods, spheres, tiny_cones, tiniest_tilts, fast_past_upright,
-        near_upright_separatrix, late, mixture,
+        near_upright_separatrix, late, mixture, triple_root,
     )
 }  # fmt: skip
 
@@ -695,7 +709,7 @@ BODY_COUNTS = {"at_rest": 8, "three_equal": 20, "late_body": 20} | dict.fromkeys
 )  # fmt: skip
 TOP_COUNTS = {"upright": 15, "hanging": 8, "late": 20} | dict.fromkeys(
     ["near_asymptotic", "past_upright", "near_steady_slow", "near_steady_fast", "near_upright",
-     "near_upright_separatrix", "fast_past_upright", "mixture"], 40
+     "near_upright_separatrix", "fast_past_upright", "mixture", "triple_root"], 40
 )  # fmt: skip
 
 
@@ -715,32 +729,35 @@ def _times(rng: Generator, rate: float, latest: float = 30.0) -> list[float]:
     return [float(x / rate) for x in turns]
 
 
+def top(name: str, count: int, seed: int = SEED) -> Drawn:
+    """The `count`th of a family."""
+    rng = np.random.default_rng([seed, 1, list(TOP_FAMILIES).index(name), count])
+    case = some_top(rng)
+    TOP_FAMILIES[name](case, rng)
+    return Drawn(name, case.inputs(), _times(rng, case.rate, 200.0 if name == "late" else 30.0))
+
+
+def body(name: str, count: int, seed: int = SEED) -> Drawn:
+    """The `count`th of a family."""
+    rng = np.random.default_rng([seed, 2, list(BODY_FAMILIES).index(name), count])
+    case = some_body(rng)
+    case.omega = [x + math.copysign(1e-3, x) for x in case.omega]
+    BODY_FAMILIES[name](case, rng)
+    order = rng.permutation(3)
+    moments = [case.moments[k] for k in order]
+    omega = [case.omega[k] * float(rng.choice([-1, 1])) for k in order]
+    q = rng.normal(0, 1, 4) if rng.random() < 0.8 else np.array([1.0, 0.0, 0.0, 0.0])
+    q = (q / np.linalg.norm(q)).tolist()
+    rate = math.hypot(*omega) or 1.0
+    times = _times(rng, rate, 120.0 if name == "late_body" else 30.0)
+    return Drawn(name, [*moments, *omega, *q], times)
+
+
 def tops() -> list[Drawn]:
-    drawn = []
-    for number, (name, family) in enumerate(TOP_FAMILIES.items()):
-        for count in range(TOP_COUNTS.get(name, PER_TOP_FAMILY)):
-            rng = np.random.default_rng([SEED, 1, number, count])
-            case = some_top(rng)
-            family(case, rng)
-            times = _times(rng, case.rate, 200.0 if name == "late" else 30.0)
-            drawn.append(Drawn(name, case.inputs(), times))
-    return drawn
+    counts = {name: TOP_COUNTS.get(name, PER_TOP_FAMILY) for name in TOP_FAMILIES}
+    return [top(name, count) for name in counts for count in range(counts[name])]
 
 
 def bodies() -> list[Drawn]:
-    drawn = []
-    for number, (name, family) in enumerate(BODY_FAMILIES.items()):
-        for count in range(BODY_COUNTS.get(name, PER_BODY_FAMILY)):
-            rng = np.random.default_rng([SEED, 2, number, count])
-            case = some_body(rng)
-            case.omega = [x + math.copysign(1e-3, x) for x in case.omega]
-            family(case, rng)
-            order = rng.permutation(3)
-            moments = [case.moments[k] for k in order]
-            omega = [case.omega[k] * float(rng.choice([-1, 1])) for k in order]
-            q = rng.normal(0, 1, 4) if rng.random() < 0.8 else np.array([1.0, 0.0, 0.0, 0.0])
-            q = (q / np.linalg.norm(q)).tolist()
-            rate = math.hypot(*omega) or 1.0
-            times = _times(rng, rate, 120.0 if name == "late_body" else 30.0)
-            drawn.append(Drawn(name, [*moments, *omega, *q], times))
-    return drawn
+    counts = {name: BODY_COUNTS.get(name, PER_BODY_FAMILY) for name in BODY_FAMILIES}
+    return [body(name, count) for name in counts for count in range(counts[name])]
