@@ -188,7 +188,9 @@ def _(block: Heading) -> str:
     command, level = ("section", 1) if block.level == 1 else ("subsection", 2)
     title = prose(f"{block.number}\u2002{block.title}" if block.number else block.title)
     plain = escape_for_bookmark(f"{block.number} {block.title}".strip())
-    return (
+    # Figures that wait for room come before the list of symbols, not behind it.
+    begins = "\\clearpage\n" if block.anchor == "symbols" else ""
+    return begins + (
         rf"\room\{command}*{{{title}}}\phantomsection\label{{{block.anchor}}}"
         rf"\addcontentsline{{toc}}{{{'sub' * (level - 1)}section}}"
         rf"{{\texorpdfstring{{{title}}}{{{plain}}}}}"
