@@ -112,7 +112,7 @@ def _spoken(words: Rich, judged: Judged, notation: Notation) -> Rich:
     cited = () if move is None else move.cited
     old = [c for known in cited for c in known.conditions]
     old += () if move is None else move.where
-    new = [c for c in judged.known.conditions if c not in old and c.relation != "="]
+    new = [c for c in judged.known.conditions if c not in old and c.relation not in ("=", "start")]
     if not (new and words and isinstance(words[-1], str)):
         return words
     made: list[Any] = [*words[:-1], words[-1].rstrip().rstrip(":")]
@@ -123,7 +123,8 @@ def _spoken(words: Rich, judged: Judged, notation: Notation) -> Rich:
 
 def relation(condition: Condition, notation: Notation = NOTES) -> Node:
     """A condition as it is printed: sin θ ≠ 0."""
-    equation = Equation(condition.expression, sympy.Integer(0), relation=condition.relation)
+    sign = "=" if condition.relation == "start" else condition.relation
+    equation = Equation(condition.expression, sympy.Integer(0), relation=sign)
     return layout(notation.written(equation), "auto")
 
 
@@ -132,7 +133,7 @@ def running(words: Sequence[Any], notation: Notation = NOTES) -> Rich:
     return tuple(
         piece
         if isinstance(piece, str)
-        else getattr(piece, "latex", None) or layout(notation.written(piece), "printed")
+        else getattr(piece, "text", None) or layout(notation.written(piece), "printed")
         for piece in words
     )
 
@@ -200,11 +201,16 @@ def steps(
                 "latex": r",\quad ".join(latex(equation) for equation in equations),
                 "move": " ".join(each.line.sentence.split()).rstrip(":"),
                 "from": list(lecture.cites(id)),
-                "conditions": [text(relation(c, notation)) for c in each.known.conditions],
+                "conditions": [_condition(c, notation) for c in each.known.conditions],
                 "verdict": _verdict(each),
             }
         )
     return made
+
+
+def _condition(condition: Condition, notation: Notation) -> str:
+    when = " at the start" if condition.relation == "start" else ""
+    return text(relation(condition, notation)) + when
 
 
 def way_record(

@@ -32,6 +32,7 @@ from rigidtop.proof.lecture import Block, Heading, Lecture, Prose, Shown, Text
 from rigidtop.proof.moves import Known, Move, Scope
 from rigidtop.read import sentence as language
 from rigidtop.read.formula import read
+from rigidtop.read.scan import unread
 
 _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z])")
 _HIDDEN = re.compile(r"\$\$|\\\[|\\begin\{|^```+ *math", re.M)
@@ -196,9 +197,13 @@ class _Reader:
 
 @dataclass(frozen=True)
 class Raw:
-    """Mathematics in a sentence that is no expression and no equation, as it is written."""
+    """Mathematics in a sentence that is no expression and no equation, as it is written.
+
+    `text` is the same without TeX, its Greek letters as letters.
+    """
 
     latex: str
+    text: str
 
 
 def pieces(words: str, notation: Notation) -> tuple[Any, ...]:
@@ -213,7 +218,7 @@ def pieces(words: str, notation: Notation) -> tuple[Any, ...]:
             found = read(piece + " = 0", notation)
             tree = found[0].equation.sides[0] if len(found) == 1 and found[0].equation else None
             if tree is None:  # an index is no symbol of the notation
-                tree = Symbol(piece) if re.fullmatch("[a-z]", piece) else Raw(piece)
+                tree = Symbol(piece) if re.fullmatch("[a-z]", piece) else Raw(piece, unread(piece))
             made.append(tree)
         else:
             made.append(found[0].equation)

@@ -892,6 +892,15 @@ def _words(group: Sequence[Piece]) -> str:
     return "".join(made)
 
 
+def unread(text: str) -> str:
+    """Mathematics that is not read, without TeX: ``\\lambda_r + i\\lambda_i`` as λ_r + iλ_i."""
+    try:
+        shown = "".join(f" {p.text} " if p.text in "+-=" else _words((p,)) for p in pieces(text))
+    except UnreadError:
+        return text
+    return " ".join(shown.split())
+
+
 def _index(group: Sequence[Piece]) -> str:
     """An index as glyphs have it: 1, CM, 1′, φ, −."""
     return _words(group).replace("-", "−")
