@@ -99,7 +99,12 @@ def _intertext(words: str) -> str:
 
 
 def _all_fit_beside(rows: Sequence[AlignRow], limit: float) -> bool:
-    """Whether all reasons fit into a column right of the widest line."""
+    """Whether all reasons fit into a column right of the widest line.
+
+    A sentence that ends in a colon stands in front of its equation.
+    """
+    if any(row.reason.endswith(":") for row in rows):
+        return False
     widest = max(_line_width(line) for row in rows for line in row.lines)
     longest = max(0.8 * len(_seen(row.reason) + row.mark) + (8 if row.tag else 0) for row in rows)
     return widest + longest + 4 < limit

@@ -13,6 +13,8 @@ import taylor
 from judge import Reference
 from make import top_of
 
+from rigidtop import FreeBody
+
 TOPS = [name for name in judge.families() if len(judge.of_family(name)[0].inputs) == 11]
 
 
@@ -52,3 +54,10 @@ def _all_right(found: Sequence[tuple[float, Reference, str]]) -> None:
     wrong = sorted((one for one in found if not one[0] <= 1), key=lambda one: -one[0])
     report = [f"{one.name} {ratio:.1e} {problem}" for ratio, one, problem in wrong[:5]]
     assert not wrong, "\n".join([*report, judge.describe(wrong[0][1])])
+
+
+def test_parts_whose_products_vanish_beside_the_middle_axis_count_as_none() -> None:
+    """ω₁ and ω₃ of 10⁻¹⁹⁸: their squares are no floats, and the turn about e₂ went elsewhere."""
+    tiny = FreeBody(1.0, 1.7, 2.3).motion(omega=[2.9e-247, 1.0, 3.5e-198])
+    turned = tiny.exact([2.1]).rotation[0].as_rotvec()
+    np.testing.assert_allclose(turned, [0.0, 2.1, 0.0], atol=1e-14)

@@ -248,17 +248,13 @@ $$0 = \lambda_1\ddot\phi\sin^2\theta + 2\lambda_1\dot\phi\dot\theta\sin\theta\co
 """,
         "does not arrive here",
     ),
-    "constant where something is neglected": (
+    "a rate that is neglected as a whole": (
         r"""
 Neglect $\varepsilon\omega_3$ in the decay:
 
 $$\dot\omega_3 \approx 0$$
-
-Integrate it:
-
-$$\omega_3 = \text{const}$$
 """,
-        "only ≈ follows",
+        "nothing is left of a side",
     ),
     "a derivative in time of what is set": (
         r"""

@@ -291,6 +291,10 @@ def _solve(k: Kit, moments: Triple, omega: Triple) -> Orbit:
     i = small / big, medium / big, big / big
     i12, i23, i13 = (medium - small) / big, (big - medium) / big, (big - small) / big
     w = [abs(_picked(k, omega, index)) / sigma for index in order]
+    # Beside the middle axis: no product of parts that small tells how they go on.
+    least = math.sqrt(SMALLEST_PART)
+    beside = k.both(w[0] < least, w[2] < least)
+    w = [k.where(beside, 0.0, w[0]), w[1], k.where(beside, 0.0, w[2])]
     short, long = k.sqrt(i[2] * i23) * w[2], k.sqrt(i[0] * i12) * w[0]
     d = abs(short - long) * (short + long)
     about_short = short >= long
