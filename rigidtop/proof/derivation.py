@@ -431,7 +431,7 @@ def _problem(pair: Pair, made: Pair, performed: Performed, move: Move) -> Refuse
         return RefusedError("nothing was neglected: write =")
     factor = _factor(pair, made, move)
     if factor is None:
-        return RefusedError("{}", _unlike(pair, made))
+        return RefusedError("the move does not arrive here")
     turned = {"<": ">", ">": "<", "≤": "≥", "≥": "≤"}
     expected = made.relation
     if expected in turned and factor < 0:
@@ -439,10 +439,6 @@ def _problem(pair: Pair, made: Pair, performed: Performed, move: Move) -> Refuse
     if pair.relation != expected:
         return RefusedError("the move gives {}, the line says {}", expected, pair.relation)
     return None
-
-
-def _unlike(pair: Pair, made: Pair) -> str:
-    return "the move does not arrive here"
 
 
 def _factor(pair: Pair, made: Pair, move: Move) -> Expr | None:
