@@ -330,7 +330,7 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         r_tip: Quantity(Glyph("r", "tip", bold=True), "contact point from the centre of mass", "m"),
         v_CM: Quantity(Glyph("v", "CM", bold=True), "velocity of the centre of mass", "m/s"),
         omega_perp: Quantity(
-            Glyph("ω", "⊥", bold=True), "rotational velocity across the stick", "rad/s"
+            Glyph("ω", "⊥", bold=True), "rotational velocity perpendicular to the stick", "rad/s"
         ),
         L_later: Quantity(
             Glyph("L", "later", bold=True), "angular momentum half a turn later", "J s"
