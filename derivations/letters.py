@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from sympy import Symbol
+from collections.abc import Mapping
+from functools import lru_cache
+
+from sympy import Expr, Integer, Symbol
 
 from rigidtop.notation import MATRICES
 from rigidtop.proof.algebra import Letters
@@ -11,6 +14,37 @@ from rigidtop.theory import symbols as s
 _ROWS = s.VOCABULARY.items()
 _K, _L, _PLACE = map(Symbol, ("k", "l", "d3r"))
 _AXES = (s.e1, s.e2, s.e3)
+
+
+def is_a_body(point: Mapping[Symbol, Expr]) -> bool:
+    """Whether there is one with the moments, mass and arm of a point, as far as they are there."""
+    return _exists(*(point.get(x) for x in (s.lambda1, s.lambda2, s.lambda3, s.M, s.R)))
+
+
+@lru_cache(maxsize=10_000)
+def _exists(
+    first: Expr | None, second: Expr | None, third: Expr | None, M: Expr | None, R: Expr | None
+) -> bool:
+    """The triangle inequality for the moments about the centre of mass.
+
+    A symmetric body has λ₂ = λ₁; with M and R the moments are those about the pivot, and λ₁ (and
+    λ₂) are less by MR² about the centre.
+    """
+    second = first if second is None else second
+    if first is None or second is None:
+        return True
+    shift = Integer(0) if M is None or R is None else M * R**2
+    first, second = first - shift, second - shift
+    if third is None:
+        return bool(first > 0 and second > 0)
+    return bool(
+        first > 0
+        and second > 0
+        and first + second >= third
+        and second + third >= first
+        and third + first >= second
+    )
+
 
 LETTERS = Letters(
     numbers=frozenset(
@@ -82,16 +116,23 @@ LETTERS = Letters(
         (s.omega1dot, s.omega2dot, s.omega3dot),
         (s.theta, s.phi, s.psi),
         (s.thetadot, s.phidot, s.psidot),
+        (s.thetaddot, s.phiddot, s.psiddot),
         (s.e1, s.e2, s.e3),
-        (s.e1p, s.e2p),
+        (s.e1p, s.e2p, s.e3),
         (s.xhat, s.yhat, s.zhat),
         (s.L1, s.L2, s.L3, s.L_z),
         (s.p_phi, s.p_psi),
         (s.Omega_minus, s.Omega_plus),
-        (s.M, s.R),
+        (s.M, s.g, s.R),
         (s.T, s.V),
         (s.L_vec, s.omega_vec),
+        (s.c_phi, s.c_theta, s.c_psi),
+        (s.s_phi, s.s_theta, s.s_psi),
+        (s.A_matrix, s.B_matrix, s.C_matrix),
+        (s.a, s.b),
+        (s.M_1, s.M_2),
     ),
+    exists=is_a_body,
     placed=frozenset(
         {*_AXES, s.e1p, s.e2p, s.h_vec, s.xhat, s.yhat, s.zhat, s.R_CM, s.inertia, s.V}
     ),

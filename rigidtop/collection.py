@@ -40,6 +40,7 @@ from typing import Any, get_args
 from sympy import Symbol
 from sympy.core.relational import Relational
 
+from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import MATRICES, Notation
 from rigidtop.notation import NOTES as NOTATION
@@ -62,7 +63,7 @@ class Collection:
 
     `notation` says which letters stand for which symbols, where formulas in LaTeX are read.  The
     claims of the pages `besides` are judged when they are asked for by name.  `read` reads the
-    text.
+    text, and `letters` says what its letters are.
     """
 
     front: Front
@@ -72,6 +73,7 @@ class Collection:
     notation: Notation = NOTATION
     besides: tuple[Page, ...] = ()
     read: Callable[[], Lecture] = Lecture
+    letters: Letters = LETTERS
 
     @property
     def lecture(self) -> Lecture:
@@ -295,7 +297,8 @@ def _collection(module: ModuleType, folder: Path) -> Collection:
         tuple(replace(exercise, claims=own(exercise.claims)) for exercise in exercises),
         folder,
         notation := _notation(folder),
-        read=partial(_lecture, folder, pages, notation),
+        read=partial(_lecture, folder, pages, notation, letters := letters_of(notation)),
+        letters=letters,
     )
 
 
@@ -303,12 +306,12 @@ LAWS = "laws"
 """The text that stands before all others, if a folder has it."""
 
 
-def _lecture(folder: Path, pages: Sequence[Page], notation: Notation) -> Lecture:
+def _lecture(folder: Path, pages: Sequence[Page], notation: Notation, letters: Letters) -> Lecture:
     """The texts of a folder, laws.md first.  RigidtopError, with file and line, if one is amiss."""
     names = [LAWS] if (folder / f"{LAWS}.md").is_file() else []
     names += [page.text for page in pages if page.text]
     sources = [(name, text_of(folder / f"{name}.md")) for name in names]
-    lecture = read_lecture(sources, letters_of(notation), notation)
+    lecture = read_lecture(sources, letters, notation)
     for file, line, problem in lecture.problems():
         raise RigidtopError(f"{folder / file}, line {line}: {problem}")
     return lecture
@@ -318,7 +321,8 @@ def letters_of(notation: Notation) -> Letters:
     """What a notation's letters are, as far as they show it.
 
     What is positive is a number; a letter with a dotted one is a coordinate, whose rate that is;
-    bold letters are vectors.  Units are the symbols' own.
+    bold letters are vectors.  Units are the symbols' own.  Letters of the lecture on the top are
+    exchanged and belong to bodies that exist as they do there.
     """
     glyphs = notation.glyphs
     dots = {"": "dot", "dot": "ddot"}
@@ -334,6 +338,8 @@ def letters_of(notation: Notation) -> Letters:
         rates=rates,
         vectors=frozenset(x for x, glyph in glyphs.items() if glyph.bold),
         operators=frozenset(MATRICES) & frozenset(glyphs),
+        families=tuple(f for f in LETTERS.families if len({*f} & {*glyphs}) > 1),
+        exists=LETTERS.exists,
         units={
             x: (x.quantity if isinstance(x, Lettered) else symbols.VOCABULARY[x]).unit
             for x in glyphs

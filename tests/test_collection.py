@@ -17,6 +17,7 @@ import rigidtop.errors
 from rigidtop.cli import main
 from rigidtop.collection import built_in, load
 from rigidtop.commands import new
+from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
 from rigidtop.present.text import text
 from rigidtop.proof.changed import Perturbation
@@ -59,7 +60,7 @@ def every_claim(collection):
 def judgements():
     claims = {f"pendulum {n}": c for n, c in every_claim(load(PENDULUM)).items()}
     claims |= {f"starter {n}": c for n, c in every_claim(load(STARTER)).items()}
-    return {name: judge(claim) for name, claim in claims.items()}
+    return {name: judge(claim, letters=LETTERS) for name, claim in claims.items()}
 
 
 # --- What the second collection says --------------------------------------------------------------
@@ -98,15 +99,15 @@ NAMES = [*(f"pendulum {name}" for name in VERDICTS), "starter 1.1", "starter fro
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_change_makes_a_claim_fall(judgements, name):
-    changes = [(c, change) for c in checks(judgements[name]) for change in telling(c)]
-    assert [change.change for check, change in changes if not falls(check, change)] == []
+    changes = [(c, change) for c in checks(judgements[name]) for change in telling(c, LETTERS)]
+    assert [change.change for check, change in changes if not falls(check, change, LETTERS)] == []
     assert changes
     for check in checks(judgements[name]):
-        assert not falls(check, Perturbation(check.claimed, "nothing"))
+        assert not falls(check, Perturbation(check.claimed, "nothing"), LETTERS)
 
 
 def test_there_are_many_changes(judgements):
-    assert sum(len(list(telling(c))) for j in judgements.values() for c in checks(j)) > 400
+    assert sum(len(list(telling(c, LETTERS))) for j in judgements.values() for c in checks(j)) > 400
 
 
 @pytest.mark.parametrize(

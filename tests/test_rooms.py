@@ -210,3 +210,42 @@ def test_a_method_may_hand_on():
     text = "class Motion:\n    def show(self):\n        from rigidtop.web import page"
     assert complaints("motion", text, "rigidtop.motion") == []
     assert complaints("theory", text, "rigidtop.theory") == ["theory imports web"]
+
+
+OF_EVERY_SUBJECT = {"const", "t", "unit"}
+"""What stands for itself in the mechanics of anything."""
+
+
+def symbols_taken(text):
+    """What a module takes from the vocabulary; the whole of it is "*"."""
+    found = set()
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.ImportFrom) and node.module == "rigidtop.theory.symbols":
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.module == "rigidtop.theory":
+            found |= {"*" for alias in node.names if alias.name == "symbols"}
+        elif isinstance(node, ast.Import):
+            found |= {"*" for alias in node.names if alias.name == "rigidtop.theory.symbols"}
+    return found
+
+
+def test_proof_knows_no_top():
+    for file in files("proof"):
+        text = file.read_text("utf-8")
+        assert symbols_taken(text) <= OF_EVERY_SUBJECT, file.name
+        others = imported(ast.parse(text), "rigidtop.proof")
+        rooms = {name for name in others if name.startswith("rigidtop.theory.")}
+        kept = ("rigidtop.theory.symbols", "rigidtop.theory.trig")
+        assert {name for name in rooms if not name.startswith(kept)} == set(), file.name
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "from rigidtop.theory.symbols import lambda1",
+        "from rigidtop.theory import symbols as s",
+        "import rigidtop.theory.symbols",
+    ],
+)
+def test_a_top_in_proof_is_seen(text):
+    assert not symbols_taken(text) <= OF_EVERY_SUBJECT

@@ -74,7 +74,7 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
     from rigidtop.mark.audit import ABSENT, UNJUDGED, UNREAD, audit, missing, unjudged
     from rigidtop.read.document import places
 
-    audited = audit(source, collection.pages, collection.notation)
+    audited = audit(source, collection.pages, collection.notation, letters=collection.letters)
     unread = _unread(source)
     if not audited and not unread:
         raise RigidtopError(

@@ -69,7 +69,7 @@ def _run(
 
     found = claims.named(collection, names) if names else claims.every(collection)
     lecture = None if options.quick else collection.lecture
-    judgements = [judgement for _, judgement in claims.judged(found, lecture)]
+    judgements = [judgement for _, judgement in claims.judged(found, collection.letters, lecture)]
     amiss = tried(lecture, names) if lecture is not None and options.thorough else []
     passed = all(judgement.passed for judgement in judgements) and not amiss
     records = [record(Wording(notation).judgement(judgement)) for judgement in judgements]

@@ -12,6 +12,7 @@ from rigidtop.progress import over
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
+    from rigidtop.proof.algebra import Letters
     from rigidtop.proof.lecture import Lecture
     from rigidtop.proof.page import Claim, Page
     from rigidtop.proof.verdict import Judgement
@@ -78,13 +79,13 @@ def _elsewhere(collection: Collection) -> dict[str, str]:
 
 
 def judged(
-    claims: Sequence[tuple[Page, Claim]], lecture: Lecture | None = None
+    claims: Sequence[tuple[Page, Claim]], letters: Letters, lecture: Lecture | None = None
 ) -> Iterator[tuple[Page, Judgement]]:
     """Judge one claim after the other, with the lines of a lecture that lead to it."""
     from rigidtop.proof.verdict import judge
 
     for page, claim in over("judging", claims):
-        yield page, judge(claim, page.section, lecture)
+        yield page, judge(claim, page.section, lecture, letters)
 
 
 def summary(judgements: Sequence[Judgement]) -> str:

@@ -64,7 +64,7 @@ def _run(collection: Collection, name: str, options: argparse.Namespace) -> int:
         names = " ".join(claim.name for _, claim in found)
         raise RigidtopError(f"{name} is a section; derive one of its claims: {names}")
     lecture = collection.lecture
-    [(_, judgement)] = claims.judged(found, lecture)
+    [(_, judgement)] = claims.judged(found, collection.letters, lecture)
     if options.format in SOURCES:
         return _source(options, judgement, notation)
     text = fragment(judgement, options.format, notation, options.deep)

@@ -55,7 +55,8 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
     notation = chosen(options)
     check_folder(options.output)  # before half a minute of work, not after it
     judged: list[tuple[Page, list[Judgement]]] = []
-    for page, judgement in claims.judged(claims.every(collection), collection.lecture):
+    every = claims.every(collection)
+    for page, judgement in claims.judged(every, collection.letters, collection.lecture):
         if not judged or judged[-1][0] is not page:
             judged.append((page, []))
         judged[-1][1].append(judgement)

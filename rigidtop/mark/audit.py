@@ -19,10 +19,12 @@ import numpy as np
 import sympy
 from sympy import Eq, Symbol
 
+from rigidtop.derivations.letters import LETTERS
 from rigidtop.notation import NOTES, Notation
 from rigidtop.present.records import note as said_of
 from rigidtop.present.report import numbers
 from rigidtop.present.text import text
+from rigidtop.proof.algebra import Letters
 from rigidtop.proof.equation import Equation, Meaning, Underbrace, as_printed, symbols_of, value
 from rigidtop.proof.page import Check, Claim, Correction, Definition, Evidence, Page, Remark
 from rigidtop.proof.verdict import (
@@ -253,6 +255,7 @@ def audit(
     notation: Notation = NOTES,
     memo: Memo | None = None,
     seconds: float = SECONDS,
+    letters: Letters = LETTERS,
 ) -> tuple[Audited, ...]:
     """Every numbered equation of a file, in order, judged by the claim of its number.
 
@@ -261,7 +264,9 @@ def audit(
     memo = memo if memo is not None else Memo()
     claims = {claim.name: (page, claim) for page in pages for claim in page.claims}
     place, end = places(source), time.monotonic() + seconds
-    return tuple(_audited(place, group, claims, notation, memo, end) for group in numbered(source))
+    return tuple(
+        _audited(place, group, claims, notation, letters, memo, end) for group in numbered(source)
+    )
 
 
 # --- Groups --------------------------------------------------------------------------------------
@@ -274,6 +279,7 @@ class _Known:
     section: str
     claim: Claim
     evidence: tuple[Evidence, ...]
+    letters: Letters
     others: Mapping[int, Finding]
     problem: str = ""
     own: dict[int, Finding] = field(default_factory=dict)
@@ -300,6 +306,7 @@ def _audited(
     group: Numbered,
     claims: Mapping[str, tuple[Page, Claim]],
     notation: Notation,
+    letters: Letters,
     memo: Memo,
     end: float,
 ) -> Audited:
@@ -309,7 +316,7 @@ def _audited(
     elif time.monotonic() > end:
         outcome = _Outcome((Line(0, None, LATE),), (Ruling(None, LATE),), None, ())
     else:
-        known = _known(group.number, claims, memo)
+        known = _known(group.number, claims, letters, memo)
         outcome = memo.groups[key] = _outcome(_read(group, notation), known)
     placed = []
     for line, ruling in zip(outcome.lines, outcome.rulings, strict=True):
@@ -346,7 +353,9 @@ def _position(group: Numbered, position: int) -> int:
     return formula.start + min(max(position - start, 0), len(formula.text))
 
 
-def _known(name: str, claims: Mapping[str, tuple[Page, Claim]], memo: Memo) -> _Known | None:
+def _known(
+    name: str, claims: Mapping[str, tuple[Page, Claim]], letters: Letters, memo: Memo
+) -> _Known | None:
     if name not in claims:
         return None
     if name not in memo.claims:
@@ -358,10 +367,10 @@ def _known(name: str, claims: Mapping[str, tuple[Page, Claim]], memo: Memo) -> _
             evidence = tuple(claim.evidence())
             for i, item in enumerate(evidence):
                 if isinstance(item, Check) and not _is_printed(item):
-                    others[i] = judge_check(item)
+                    others[i] = judge_check(item, letters)
         except Exception as error:  # a claim that breaks lets nothing pass
             problem = f"the claim cannot be judged: {type(error).__name__}: {error}"
-        memo.claims[name] = _Known(page.section, claim, evidence, others, problem)
+        memo.claims[name] = _Known(page.section, claim, evidence, letters, others, problem)
     return memo.claims[name]
 
 
@@ -731,7 +740,7 @@ def _ruled(equation: Equation, known: _Known, place: int | None) -> Ruling:
     if _same(equation, printed):
         own = _own(known, place)
         return Ruling(own, known=own.verdict is Verdict.FALSE)
-    ruling = _judged(equation, _check(known.evidence[place]))
+    ruling = _judged(equation, _check(known.evidence[place]), known.letters)
     if isinstance(known.evidence[place], Definition) and ruling.verdict in _HOLDS:
         assert ruling.finding is not None
         return replace(ruling, finding=replace(ruling.finding, verdict=Verdict.DEFINITION))
@@ -743,14 +752,15 @@ def _ruled(equation: Equation, known: _Known, place: int | None) -> Ruling:
     if own.verdict is Verdict.CONVENTION:
         # What differs in the reading in which the claim holds is what is wrong with the line.
         meant = own.check.other_reading or own.check.meaning
-        ruling = _judged(equation, replace(own.check, meaning=meant, other_reading=None))
+        check = replace(own.check, meaning=meant, other_reading=None)
+        ruling = _judged(equation, check, known.letters)
     return replace(ruling, instead=printed)
 
 
 def _extra(equation: Equation, known: _Known) -> Ruling:
     """A line to which nothing in the claim corresponds: it may still hold as one of its lines."""
     for place in known.printed:
-        ruling = _judged(equation, _check(known.evidence[place]))
+        ruling = _judged(equation, _check(known.evidence[place]), known.letters)
         if ruling.verdict in _HOLDS:
             return ruling
     return Ruling(None, f"the claim has no such line: {text(equation)}")
@@ -761,7 +771,7 @@ def _own(known: _Known, place: int) -> Finding:
     if place not in known.own:
         item = known.evidence[place]
         known.own[place] = (
-            judge_check(item)
+            judge_check(item, known.letters)
             if isinstance(item, Check)
             else Finding(_check(item), Verdict.DEFINITION)
         )
@@ -792,17 +802,17 @@ def _any(symbol: Symbol) -> Any:
     return sympy.Matrix(rows, columns, list(entries))
 
 
-def _judged(equation: Equation, check: Check) -> Ruling:
+def _judged(equation: Equation, check: Check, letters: Letters) -> Ruling:
     """A read equation with the meaning and under the assumptions of a check."""
     known = _known_symbols(check)
-    rulings = [_one(replace(check, claimed=e), known) for e in _asserted(equation, check)]
+    rulings = [_one(replace(check, claimed=e), known, letters) for e in _asserted(equation, check)]
     worst = max(rulings, key=lambda ruling: _ORDER.index(ruling.verdict))
     if worst.finding is None:
         return worst
     return replace(worst, finding=replace(worst.finding, check=replace(check, claimed=equation)))
 
 
-def _one(check: Check, known: set[Symbol]) -> Ruling:
+def _one(check: Check, known: set[Symbol], letters: Letters) -> Ruling:
     free = {angle for angle, rate in _RATES.items() if rate in known}
     strangers = sorted(symbols_of(check.claimed) - known - free, key=str)
     unsaid = f"the claim does not say what {_listed(strangers)} is here" if strangers else ""
@@ -814,9 +824,9 @@ def _one(check: Check, known: set[Symbol]) -> Ruling:
         if spatial:
             return Ruling(None, unsaid)
         # With a value at will for a symbol that the claim does not know, nothing is refuted.
-        if strangers and is_refuted(check, check.assuming, tries=40):
+        if strangers and is_refuted(check, check.assuming, 40, letters=letters):
             return Ruling(None, unsaid)
-        finding = _lightest(check)
+        finding = _lightest(check, letters)
     except Exception as error:
         # What was typed can be anything, and SymPy's errors are many; none of them is a pass.
         return Ruling(None, unsaid or f"it has no meaning in this claim ({_brief(error)})")
@@ -867,14 +877,14 @@ def _shape(shape: tuple[int, ...]) -> str:
     return "a row" if shape[0] == 1 else "a vector"
 
 
-def _lightest(check: Check) -> Finding:
+def _lightest(check: Check, letters: Letters) -> Finding:
     """The finding with those assumptions only that the equation needs."""
     try:
-        return judge_check(check)
+        return judge_check(check, letters)
     except UnneededAssumptionError:
         for assumption in check.assuming:
             others = tuple(other for other in check.assuming if other is not assumption)
-            finding = _lightest(replace(check, assuming=others))
+            finding = _lightest(replace(check, assuming=others), letters)
             if finding.verdict in _HOLDS:
                 return finding
         # Shown under all of them, only that none can be spared was not.

@@ -26,6 +26,7 @@ from sympy import (
     sin,
 )
 
+from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import NOTES, Notation
 from rigidtop.proof import decide
@@ -184,7 +185,7 @@ def samples(model: Model, count: int = 30) -> tuple[Sample, ...]:
     # In digits, a sine that is zero would be divided by all the same.
     points = [
         point
-        for point in decide.points(free, angles, tries=30 * count)
+        for point in decide.points(free, angles, 30 * count, LETTERS.exists)
         if all(sin(2 * point[x]) != 0 for x in angles & set(point))
     ]
     found: list[Sample] = []

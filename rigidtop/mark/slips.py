@@ -15,23 +15,11 @@ from typing import Any
 import sympy
 from sympy import Add, Integer, Mul, Pow, Rational, Symbol, cos, sin
 
+from rigidtop.derivations.letters import LETTERS
 from rigidtop.notation import MATRICES
 from rigidtop.present.text import text
 from rigidtop.proof.equation import Cross, Group, Transposed, as_printed
 from rigidtop.theory import symbols as s
-
-FAMILIES: tuple[tuple[Symbol, ...], ...] = (
-    (s.lambda1, s.lambda2, s.lambda3),
-    (s.omega1, s.omega2, s.omega3),
-    (s.omega1dot, s.omega2dot, s.omega3dot),
-    (s.theta, s.phi, s.psi),
-    (s.thetadot, s.phidot, s.psidot),
-    (s.thetaddot, s.phiddot, s.psiddot),
-    (s.e1p, s.e2p, s.e3),
-    (s.L_z, s.L3),
-    (s.p_phi, s.p_psi),
-)
-"""Symbols that are taken for each other."""
 
 MOST = 400
 """So many repairs of a line are tried at most."""
@@ -181,7 +169,7 @@ def _of_symbol(node: Symbol) -> Iterator[Repair]:
     if node == s.psidot:
         spin = Group(Add(node, s.phidot * cos(s.theta), evaluate=False))
         yield Repair(Slip("spin", "φ̇ cos θ is missing beside ψ̇"), spin)
-    for family in FAMILIES:
+    for family in LETTERS.families:
         if node in family:
             for other in family:
                 if other != node:

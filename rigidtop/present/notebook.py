@@ -1,6 +1,7 @@
 """Jupyter: symbols print as in the notes, claims with their verdicts; pictures, and sliders.
 
-    from rigidtop.present.notebook import enable, plot, sliders
+    from rigidtop.derivations.letters import LETTERS
+from rigidtop.present.notebook import enable, plot, sliders
 
     enable()
 
@@ -27,6 +28,7 @@ from matplotlib.figure import Figure as Canvas
 from PIL import Image
 
 from rigidtop.derivations.exercises import EXERCISES
+from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import settings
 from rigidtop.present import layout as lay
@@ -214,7 +216,7 @@ def solution(name: str, **given: float) -> Solution:
 @cache
 def _judged(claim: Claim) -> Judgement:
     """A claim is shown in more than one way, and judged once."""
-    return judge(claim)
+    return judge(claim, letters=LETTERS)
 
 
 # --- Pictures ------------------------------------------------------------------------------------

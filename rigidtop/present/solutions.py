@@ -8,6 +8,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import settings
 from rigidtop.present.layout import Node, decimal, negated
@@ -77,7 +78,9 @@ def solved(
         if any(isinstance(x, float) and not math.isfinite(x) for x in _numbers(outcome)):
             raise RigidtopError(f"{exercise.name} has no finite answer for these settings")
     known = judged or {}
-    judgements = tuple(known.get(claim.name) or judge(claim) for claim in exercise.claims)
+    judgements = tuple(
+        known.get(claim.name) or judge(claim, letters=LETTERS) for claim in exercise.claims
+    )
     return Solution(exercise, values, judgements, outcomes, time.perf_counter() - start)
 
 

@@ -10,7 +10,7 @@ What is known of a letter comes with the `Letters` of the subject; there is no t
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property, reduce
 from typing import Any
@@ -57,6 +57,8 @@ class Letters:
     `placed` are vectors, operators and scalars that coordinates alone determine, and `functions`
     letters with the other letters that they are a function of, such as an effective potential of
     an angle and of momenta; a slip of the pen exchanges letters of one of the `families`;
+    `exists` tells whether there is something with these numbers, as far as they are given: a body
+    with these moments;
     `units` are SI; `defined` letters are made of others by definitions that have been read.
     """
 
@@ -74,6 +76,7 @@ class Letters:
     components: Mapping[tuple[Symbol, Symbol], Symbol] = field(default_factory=dict)
     branches: Mapping[Symbol, Symbol] = field(default_factory=dict)
     families: tuple[tuple[Symbol, ...], ...] = ()
+    exists: Callable[[Mapping[Symbol, Expr]], bool] = decide.anything
     placed: frozenset[Symbol] = frozenset()
     functions: Mapping[Symbol, tuple[Symbol, ...]] = field(default_factory=dict)
     units: Mapping[Symbol, str] = field(default_factory=dict)

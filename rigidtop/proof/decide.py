@@ -17,7 +17,7 @@ import sympy
 from sympy import Expr, Integer, Rational, Symbol, cos, pi, sin
 from sympy.core.relational import Relational
 
-from rigidtop.theory import symbols as s
+from rigidtop.theory.symbols import t
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
 Point = Mapping[Symbol, Expr]
@@ -27,7 +27,7 @@ TOLERANCE = 1e-9
 """Below this, relative to the values compared, a difference in double precision counts as zero."""
 
 KEPT = 10_000
-"""Results for numbers of points that are kept: they are few, and come again and again."""
+"""Numbers that are kept as floats: they are few, and come again and again."""
 
 _ANGLES = tuple(pi * Rational(*pair) for pair in ((1, 3), (1, 6), (1, 4), (1, 2), (2, 3), (1, 1)))
 _POSITIVE = tuple(Rational(n, d) for n, d in ((1, 1), (2, 1), (3, 1), (1, 2), (5, 1), (1, 3)))
@@ -193,10 +193,20 @@ def _anywhere(x: Symbol, rng: random.Random) -> Expr:
     return size if x.is_positive or rng.random() < 0.5 else -size
 
 
-def points(symbols: Sequence[Symbol], angles: set[Symbol], tries: int = 600) -> Iterator[Point]:
+def anything(_: Point) -> bool:
+    """Nothing is known of what has the numbers of a point: it may have any."""
+    return True
+
+
+def points(
+    symbols: Sequence[Symbol],
+    angles: set[Symbol],
+    tries: int = 600,
+    exists: Callable[[Point], bool] = anything,
+) -> Iterator[Point]:
     """Points with short numbers, the shortest first: where a counterexample is looked for.
 
-    A body with the moments, the mass and the arm of a point exists.
+    What has the numbers of a point, such as a body with these moments, `exists`.
     """
     rng = random.Random(1)
     for attempt in range(tries):
@@ -214,43 +224,13 @@ def points(symbols: Sequence[Symbol], angles: set[Symbol], tries: int = 600) -> 
 
         for _ in range(_REDRAWS):
             point = {x: draw(x) for x in symbols}
-            if _is_a_body(point):
+            if exists(point):
                 yield point
                 break
 
 
 _REDRAWS = 200
-"""So often a point is drawn again when no body has its moments, mass and arm."""
-
-
-def _is_a_body(point: Point) -> bool:
-    """Whether there is one with the moments, mass and arm of a point, as far as they are there."""
-    return _exists(*(point.get(x) for x in (s.lambda1, s.lambda2, s.lambda3, s.M, s.R)))
-
-
-@lru_cache(maxsize=KEPT)
-def _exists(
-    first: Expr | None, second: Expr | None, third: Expr | None, M: Expr | None, R: Expr | None
-) -> bool:
-    """The triangle inequality for the moments about the centre of mass.
-
-    A symmetric body has λ₂ = λ₁; with M and R the moments are those about the pivot, and λ₁ (and
-    λ₂) are less by MR² about the centre.
-    """
-    second = first if second is None else second
-    if first is None or second is None:
-        return True
-    shift = Integer(0) if M is None or R is None else M * R**2
-    first, second = first - shift, second - shift
-    if third is None:
-        return bool(first > 0 and second > 0)
-    return bool(
-        first > 0
-        and second > 0
-        and first + second >= third
-        and second + third >= first
-        and third + first >= second
-    )
+"""So often a point is drawn again when nothing has its numbers."""
 
 
 _FUNCTIONS: Mapping[Any, Callable[[float], float]] = {
@@ -266,7 +246,7 @@ ROUNDING = 1e-15
 
 def angle_symbols(expressions: Sequence[Expr]) -> set[Symbol]:
     """The symbols that stand inside a sine or a cosine, but for factors of the time."""
-    inside = [f.args[0].subs(s.t, 0) for e in expressions for f in e.atoms(sin, cos)]
+    inside = [f.args[0].subs(t, 0) for e in expressions for f in e.atoms(sin, cos)]
     return set().union(*(argument.free_symbols for argument in inside)) if inside else set()
 
 

@@ -566,7 +566,7 @@ def diagnose(
     for pair in pairs:
         for part in _difference(pair).values():
             if not vanishes(part):
-                return _numbers(pair, part)
+                return _numbers(pair, letters)
     return Diagnosis(True)
 
 
@@ -574,14 +574,14 @@ def _kept(given: dict[Any, Value], known: Known) -> Iterator[Known]:
     yield known
 
 
-def _numbers(pair: Pair, part: Expr) -> Diagnosis | None:
+def _numbers(pair: Pair, letters: Letters) -> Diagnosis | None:
     """Short numbers at which the two sides differ."""
     if isinstance(pair.left, Vector) or isinstance(pair.right, Vector):
         return Diagnosis(False)
     flat, nodes = flattened(sympy.Tuple(pair.left, pair.right))
-    letters = sorted(flat.free_symbols, key=str)
+    free = sorted(flat.free_symbols, key=str)
     angles = decide.angle_symbols(list(flat))
-    for point in decide.points(letters, angles):
+    for point in decide.points(free, angles, exists=letters.exists):
         left, right = decide.evaluate(list(flat), point, {})
         if abs(left - right) > 1e-9 * (1 + abs(left) + abs(right)):
             exact = [side.xreplace(dict(point)) for side in flat]

@@ -3,8 +3,8 @@
 A claim that still passes with a sign, a factor, an exponent, an index or a function changed is not
 being checked.  A change is left out only where the changed equation follows from the printed one
 whatever its symbols mean: two changed signs, λ₂ for λ₁ where the two are assumed equal, ẋ = 0 with
-a factor.  That is found at random meanings of the symbols, which know nothing of the engine, so a
-hole in the engine can't make a change look harmless.
+a factor, ω·(r × ω) = 0.  That is found at random meanings of the symbols, which know nothing of
+the engine, so a hole in the engine can't make a change look harmless.
 """
 
 from __future__ import annotations
@@ -18,7 +18,8 @@ import sympy
 from sympy import Add, Integer, Symbol
 from sympy.matrices.exceptions import ShapeError
 
-from rigidtop.proof.changed import Perturbation, perturbations
+from rigidtop.proof.algebra import Letters
+from rigidtop.proof.changed import Families, Perturbation, perturbations
 from rigidtop.proof.equation import (
     Equation,
     Meaning,
@@ -37,28 +38,9 @@ from rigidtop.proof.verdict import (
     is_refuted,
     judge_check,
 )
-from rigidtop.theory import symbols as s
+from rigidtop.theory.symbols import const, unit
 
-FAMILIES: tuple[tuple[Symbol, ...], ...] = (
-    (s.lambda1, s.lambda2, s.lambda3),
-    (s.omega1, s.omega2, s.omega3),
-    (s.omega1dot, s.omega2dot, s.omega3dot),
-    (s.theta, s.phi, s.psi),
-    (s.thetadot, s.phidot, s.psidot),
-    (s.e1p, s.e2p, s.e3),
-    (s.xhat, s.yhat, s.zhat),
-    (s.L1, s.L3),
-    (s.L_z, s.L3),
-    (s.p_phi, s.p_psi),
-    (s.Omega_minus, s.Omega_plus),
-    (s.M, s.g, s.R),
-    (s.c_phi, s.c_theta, s.c_psi),
-    (s.s_phi, s.s_theta, s.s_psi),
-    (s.A_matrix, s.B_matrix, s.C_matrix),
-    (s.a, s.b),
-    (s.M_1, s.M_2),
-)
-"""Symbols that a slip of the pen exchanges."""
+_ANY = Letters()
 
 
 def upheld(finding: Finding) -> Check | None:
@@ -69,8 +51,10 @@ def upheld(finding: Finding) -> Check | None:
     return finding.check if finding.verdict in held else None
 
 
-def telling(check: Check) -> Iterator[Perturbation]:
+def telling(check: Check, letters: Letters = _ANY) -> Iterator[Perturbation]:
     """The perturbations of a check's equation that do not follow from it.
+
+    Letters of one of their families are exchanged.
 
     An inequality stays true under many changes; of it only the relation is turned round.
     """
@@ -80,8 +64,8 @@ def telling(check: Check) -> Iterator[Perturbation]:
         turned = Equation(*claimed.sides, relation=opposite, tag=claimed.tag)
         yield Perturbation(turned, f"{opposite} for {claimed.relation}")
         return
-    trials = _Trials(check)
-    for perturbation in perturbations(claimed, FAMILIES):
+    trials = _Trials(check, letters.families)
+    for perturbation in perturbations(claimed, letters.families):
         try:
             follows = trials.follows(perturbation.equation)
         except (ShapeError, TypeError, AttributeError):
@@ -90,14 +74,14 @@ def telling(check: Check) -> Iterator[Perturbation]:
             yield perturbation
 
 
-def falls(check: Check, perturbation: Perturbation) -> bool:
+def falls(check: Check, perturbation: Perturbation, letters: Letters = _ANY) -> bool:
     """Whether the check no longer passes with the changed equation in place of its own."""
     changed = replace(check, claimed=perturbation.equation)
     try:
         # Nearly all fall at one of the first points, long before anything has to be shown.
-        if is_refuted(changed, changed.assuming, tries=40):
+        if is_refuted(changed, changed.assuming, 40, letters=letters):
             return True
-        return judge_check(changed).verdict in (Verdict.FALSE, Verdict.UNDECIDED)
+        return judge_check(changed, letters).verdict in (Verdict.FALSE, Verdict.UNDECIDED)
     except NoMeaningError:
         return True  # ∫ρ² d³r is nothing that a body has
     except UnneededAssumptionError:
@@ -118,16 +102,26 @@ class _Trials:
     multiple of what they are applied to.
     """
 
-    def __init__(self, check: Check) -> None:
+    def __init__(self, check: Check, families: Families) -> None:
         rng = random.Random(3)
-        self._meanings = [_random_meaning(check, rng) for _ in range(_TRIALS)]
+        self._meanings = [_random_meaning(check, families, rng) for _ in range(_TRIALS)]
         self._differences = [_differences(check.claimed, m) for m in self._meanings]
         solved = [_made_true(check.claimed, meaning) for meaning in self._meanings]
         self._made_true = [meaning for meaning in solved if meaning is not None]
 
     def follows(self, changed: Equation) -> bool:
         """Whether the changed equation holds wherever the check's own does."""
-        return self._is_multiple(changed) or self._is_implied(changed)
+        return (
+            self._says_nothing(changed) or self._is_multiple(changed) or self._is_implied(changed)
+        )
+
+    def _says_nothing(self, changed: Equation) -> bool:
+        """It holds whatever its symbols mean, as ω·(r × ω) = 0 does."""
+        return all(
+            abs(difference) < _TOLERANCE
+            for meaning in self._meanings
+            for difference in _differences(changed, meaning)
+        )
 
     def _is_multiple(self, changed: Equation) -> bool:
         """Its differences are a constant multiple of the old ones."""
@@ -153,7 +147,7 @@ class _Trials:
         )
 
 
-def _random_meaning(check: Check, rng: random.Random) -> dict[Any, Any]:
+def _random_meaning(check: Check, families: Families, rng: random.Random) -> dict[Any, Any]:
     """A random value for every symbol, of the shape that its meaning in the check has."""
 
     def number() -> sympy.Float:
@@ -168,11 +162,11 @@ def _random_meaning(check: Check, rng: random.Random) -> dict[Any, Any]:
 
     conditions = [assumption.condition for assumption in check.assuming]
     symbols = {x for part in (*check.claimed.sides, *conditions) for x in part.free_symbols}
-    symbols |= {x for family in FAMILIES for x in family}
+    symbols |= {x for family in families for x in family}
     meaning: dict[Any, Any] = {x: number() for x in sorted(symbols, key=str)}
     meaning |= {key: like(meant) for key, meant in check.meaning.items()}
-    if s.unit in check.meaning:
-        meaning[s.unit] = check.meaning[s.unit]  # as little a variable as the number 1 is
+    if unit in check.meaning:
+        meaning[unit] = check.meaning[unit]  # as little a variable as the number 1 is
     for condition in conditions:
         if isinstance(condition, sympy.Eq):
             meaning[condition.lhs] = value(condition.rhs, meaning)
@@ -203,8 +197,8 @@ def _made_true(equation: Equation, meaning: dict[Any, Any]) -> dict[Any, Any] | 
         body, label = brace.args
         true[label] = value(body, true)
     # What can't be solved for gives the value; a rate behind "= const" vanishes.
-    fixed = [side for side in equation.sides if side != s.const and not _unknowns(side)]
-    if s.const in equation.sides:
+    fixed = [side for side in equation.sides if side != const and not _unknowns(side)]
+    if const in equation.sides:
         fixed = [Integer(0)]
     target = value(fixed[0] if fixed else equation.sides[0], true)
     for side in equation.sides:
@@ -220,13 +214,13 @@ def _unknowns(side: Any) -> list[Any]:
     if isinstance(side, Add):
         return [term for term in side.args if isinstance(term, Rate)][:1]
     base, exponent = side.as_base_exp()
-    is_name = side != s.const and isinstance(base, (Symbol, Rate)) and exponent.is_number
+    is_name = side != const and isinstance(base, (Symbol, Rate)) and exponent.is_number
     return [base] if is_name else []
 
 
 def _solve(side: Any, target: Any, meaning: dict[Any, Any]) -> None:
     """Set the unknowns of a side so that it has the target's value (0 fits every shape)."""
-    unknowns = [name for name in _unknowns(side) if name != s.unit]
+    unknowns = [name for name in _unknowns(side) if name != unit]
     if isinstance(side, sympy.MatrixBase):
         is_vector = isinstance(target, sympy.MatrixBase)
         meaning |= zip(unknowns, target if is_vector else [target] * len(side), strict=False)

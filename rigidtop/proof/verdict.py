@@ -14,6 +14,7 @@ from sympy import Eq, Expr, Integer, Symbol
 from sympy.core.relational import Relational
 
 from rigidtop.proof import decide
+from rigidtop.proof.algebra import Letters
 from rigidtop.proof.derivation import Judged
 from rigidtop.proof.equation import Equation, Meaning, Underbrace, value
 from rigidtop.proof.independence import refuse_circular
@@ -24,7 +25,6 @@ from rigidtop.proof.page import (
     Claim,
     Correction,
     Definition,
-    Evidence,
     Measure,
     Page,
     Remark,
@@ -125,15 +125,21 @@ class Judgement:
         return tuple(item for item in self.items if isinstance(item, Finding))
 
 
-def judge_page(page: Page) -> tuple[Judgement, ...]:
+_ANY = Letters()
+
+
+def judge_page(page: Page, letters: Letters = _ANY) -> tuple[Judgement, ...]:
     """Judge every claim of a page, in order."""
-    return tuple(judge(claim, page.section) for claim in page.claims)
+    return tuple(judge(claim, page.section, letters=letters) for claim in page.claims)
 
 
-def judge(claim: Claim, section: str = "", lecture: Lecture | None = None) -> Judgement:
+def judge(
+    claim: Claim, section: str = "", lecture: Lecture | None = None, letters: Letters = _ANY
+) -> Judgement:
     """Run the evidence of a claim and compute its verdict.
 
-    With a `lecture` that has lines for it, the moves that lead there are made too.
+    With a `lecture` that has lines for it, the moves that lead there are made too.  What the
+    `letters` stand for has to exist where numbers refute.
     """
     start = time.perf_counter()
     items: list[Item] = []
@@ -143,7 +149,9 @@ def judge(claim: Claim, section: str = "", lecture: Lecture | None = None) -> Ju
         for evidence in found:
             if isinstance(evidence, Check):
                 refuse_circular(evidence, found, claim.evidence)
-            items.append(_item(evidence))
+            items.append(
+                judge_check(evidence, letters) if isinstance(evidence, Check) else evidence
+            )
         if lecture is not None and claim.name in lecture.names:
             items.append(led(lecture, claim.name))
     except Exception as error:  # a claim that breaks is shown as undecided, never as a pass
@@ -162,10 +170,6 @@ def led(lecture: Lecture, name: str) -> Led:
     # What stands by itself has no move, but units that have to agree.
     judged = [lecture.judged(id) for id in (*ids, *(x for x in starts if x in lecture.laws))]
     return Led(lecture, name, ids, starts, tuple(each for each in judged if not each.follows))
-
-
-def _item(evidence: Evidence) -> Item:
-    return judge_check(evidence) if isinstance(evidence, Check) else evidence
 
 
 def _overall(judgement: Judgement) -> Verdict:
@@ -205,24 +209,25 @@ def _problem(judgement: Judgement) -> str:
 # --- one check ---------------------------------------------------------------------------------
 
 
-def judge_check(check: Check) -> Finding:
+def judge_check(check: Check, letters: Letters = _ANY) -> Finding:
     """The verdict on one check.  Raises UnneededAssumptionError."""
-    shown = _shown(check, check.meaning, check.assuming)
+    shown = _shown(check, check.meaning, check.assuming, letters)
     if shown is not None:
-        tested = tuple(_tested(check, assumption) for assumption in check.assuming)
+        tested = tuple(_tested(check, assumption, letters) for assumption in check.assuming)
         unstated = any(not assumption.stated for assumption in check.assuming)
         return Finding(check, Verdict.ASSUMING if unstated else shown, tested)
-    counterexample = refute(check, check.assuming)
+    counterexample = refute(check, check.assuming, letters=letters)
     if counterexample is None:
         return Finding(check, Verdict.UNDECIDED)
-    if check.other_reading is not None and _shown(check, check.other_reading, check.assuming):
+    other = check.other_reading
+    if other is not None and _shown(check, other, check.assuming, letters):
         return Finding(check, Verdict.CONVENTION, (), counterexample)
     return Finding(check, Verdict.FALSE, (), counterexample)
 
 
-def _tested(check: Check, assumption: Assumption) -> TestedAssumption:
+def _tested(check: Check, assumption: Assumption, letters: Letters) -> TestedAssumption:
     others = tuple(other for other in check.assuming if other is not assumption)
-    without = refute(check, others, dropped=assumption)
+    without = refute(check, others, dropped=assumption, letters=letters)
     if without is None:
         raise UnneededAssumptionError(
             f"{assumption.condition} is not needed, or no counterexample to dropping it was found"
@@ -230,12 +235,14 @@ def _tested(check: Check, assumption: Assumption) -> TestedAssumption:
     return TestedAssumption(assumption, without)
 
 
-def _shown(check: Check, meaning: Meaning, assuming: Sequence[Assumption]) -> Verdict | None:
+def _shown(
+    check: Check, meaning: Meaning, assuming: Sequence[Assumption], letters: Letters
+) -> Verdict | None:
     """PROVED or SAMPLED where the relation holds under the assumptions, else None."""
     relations = assertions(check.claimed, meaning)
     equal, conditions = _split(assuming)
     # Cheap refutation first: most claims that fail, fail at the first point.
-    if is_refuted(check, assuming, meaning=meaning, tries=8):
+    if is_refuted(check, assuming, 8, meaning, letters):
         return None
     if not all(_covered(d, equal, conditions) for d in typed_divisors(check.claimed, meaning)):
         return None
@@ -252,7 +259,7 @@ def _shown(check: Check, meaning: Meaning, assuming: Sequence[Assumption]) -> Ve
                 # Digits are evidence only where a wide search for a counterexample failed.
                 if given or not decide.digits_vanish([difference]):
                     return None
-                if is_refuted(check, assuming, meaning=meaning, tries=600):
+                if is_refuted(check, assuming, 600, meaning, letters):
                     return None
                 sampled = True
         elif relation == "≠":
@@ -360,17 +367,22 @@ def refute(
     dropped: Assumption | None = None,
     meaning: Meaning | None = None,
     tries: int = 600,
+    letters: Letters = _ANY,
 ) -> Counterexample | None:
     """A point where the assumptions hold, `dropped` does not, and the claimed relation fails."""
-    failure = _failure(check, assuming, dropped, meaning, tries)
+    failure = _failure(check, assuming, dropped, meaning, tries, letters)
     return None if failure is None else _counterexample(*failure)
 
 
 def is_refuted(
-    check: Check, assuming: Sequence[Assumption], tries: int, meaning: Meaning | None = None
+    check: Check,
+    assuming: Sequence[Assumption],
+    tries: int,
+    meaning: Meaning | None = None,
+    letters: Letters = _ANY,
 ) -> bool:
     """Whether `refute` finds a point; cheaper, since no exact numbers are made of it."""
-    return _failure(check, assuming, None, meaning, tries) is not None
+    return _failure(check, assuming, None, meaning, tries, letters) is not None
 
 
 Failure = tuple[Any, Mapping[Symbol, Expr], Mapping[Symbol, Expr]]
@@ -383,6 +395,7 @@ def _failure(
     dropped: Assumption | None,
     meaning: Meaning | None,
     tries: int,
+    letters: Letters,
 ) -> Failure | None:
     meaning = check.meaning if meaning is None else meaning
     equal, _ = _split(assuming)
@@ -392,10 +405,12 @@ def _failure(
     solved, left_over, divisor = _solve_given(given)
     found = None
     if dropped is None or not _needed(dropped.condition, divisor):
-        found = _search(check, meaning, assuming, dropped, tries, solved, left_over, divisor)
+        found = _search(
+            check, meaning, assuming, dropped, tries, letters, solved, left_over, divisor
+        )
     if found is None and solved:
         # Solving divided by something; where that vanishes the equation may hold all the same.
-        found = _search(check, meaning, assuming, dropped, tries, {}, given, Integer(1))
+        found = _search(check, meaning, assuming, dropped, tries, letters, {}, given, Integer(1))
     return found
 
 
@@ -405,6 +420,7 @@ def _search(
     assuming: Sequence[Assumption],
     dropped: Assumption | None,
     tries: int,
+    letters: Letters,
     solved: Mapping[Symbol, Expr],
     given: Sequence[Expr],
     divisor: Expr,
@@ -441,7 +457,7 @@ def _search(
     symbols = sorted(set().union(*(e.free_symbols for e in seen)) - set(hidden), key=str)
     undefined: Failure | None = None
     patience = 20
-    for point in decide.points(symbols, decide.angle_symbols(seen), tries):
+    for point in decide.points(symbols, decide.angle_symbols(seen), tries, letters.exists):
         numbers = decide.evaluate(everything, point, hidden)
         values = numbers[: len(flat)]
         gap = numbers[len(flat) : len(flat) + len(gaps)]

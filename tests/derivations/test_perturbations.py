@@ -3,6 +3,7 @@
 import pytest
 
 from rigidtop.derivations import PAGES
+from rigidtop.derivations.letters import LETTERS
 from rigidtop.proof.changed import Perturbation
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.perturb import falls, telling, upheld
@@ -23,11 +24,11 @@ def counts(judgements):
     """Changes of each claim, and those that it survives."""
     found = {}
     for name, judged in judgements.items():
-        changes = [(c, change) for c in upheld_checks(judged) for change in telling(c)]
+        changes = [(c, change) for c in upheld_checks(judged) for change in telling(c, LETTERS)]
         survived = [
             f"{change.change} in {check.claimed.sides}"
             for check, change in changes
-            if not falls(check, change)
+            if not falls(check, change, LETTERS)
         ]
         found[name] = (len(changes), survived)
     return found
@@ -50,7 +51,7 @@ def test_what_is_not_changed_does_not_fall(judgements):
     # Else the test above would pass whatever a page says.
     for judged in judgements.values():
         for check in upheld_checks(judged):
-            assert not falls(check, Perturbation(check.claimed, "nothing"))
+            assert not falls(check, Perturbation(check.claimed, "nothing"), LETTERS)
 
 
 def test_a_rearranged_equation_does_not_fall(judgements):
@@ -58,4 +59,4 @@ def test_a_rearranged_equation_does_not_fall(judgements):
         for check in upheld_checks(judgements[name]):
             claimed = check.claimed
             turned = Equation(*claimed.sides[::-1], relation=claimed.relation, tag=claimed.tag)
-            assert not falls(check, Perturbation(turned, "read backwards"))
+            assert not falls(check, Perturbation(turned, "read backwards"), LETTERS)

@@ -454,5 +454,5 @@ def test_what_is_known_is_not_judged_again(memo, unchanged, monkeypatch):
 def test_nothing_is_kept_without_a_memo(monkeypatch):
     formula = r"\mathbf{r}' = O^T\mathbf{r}"
     assert one(formula, "3.46").verdict == "convention"
-    monkeypatch.setattr(home, "judge_check", lambda check: 1 / 0)
+    monkeypatch.setattr(home, "judge_check", lambda *_: 1 / 0)
     assert one(formula, "3.46").verdict == "undecided"

@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
 from rigidtop.mark import facts, limits
 from rigidtop.mark.answer import Mark, mark, steps
 from rigidtop.proof.changed import perturbations
-from rigidtop.proof.perturb import FAMILIES
 
 _SPEC = importlib.util.spec_from_file_location("motions", Path(__file__).with_name("motions.py"))
 motions = importlib.util.module_from_spec(_SPEC)
@@ -181,7 +181,7 @@ def changed(name, stride):
         if step.own or equation.relation != "=":
             continue
         assert not motions.is_wrong(equation, start, goal)
-        for perturbation in perturbations(equation, FAMILIES):
+        for perturbation in perturbations(equation, LETTERS.families):
             count += 1
             if count % stride:
                 continue

@@ -6,6 +6,7 @@ import sympy
 from rigidtop.collection import built_in
 from rigidtop.commands import claims
 from rigidtop.derivations.conventions import ANGLES, CONVENTIONS, e1x, e2x, phi_x, psi_x
+from rigidtop.derivations.letters import LETTERS
 from rigidtop.notation import GOLDSTEIN
 from rigidtop.proof.perturb import falls, telling, upheld
 from rigidtop.proof.verdict import Finding, judge
@@ -16,16 +17,18 @@ CLAIMS = [claim for page in CONVENTIONS for claim in page.claims]
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.name)
 def test_proved(claim):
-    judged = judge(claim, "3.3")
+    judged = judge(claim, "3.3", letters=LETTERS)
     assert (judged.verdict, judged.problem) == ("proved", "")
 
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.name)
 def test_every_change_of_a_line_is_noticed(claim):
-    checks = [upheld(item) for item in judge(claim).items if isinstance(item, Finding)]
-    changes = [(check, change) for check in checks for change in telling(check)]
+    checks = [
+        upheld(item) for item in judge(claim, letters=LETTERS).items if isinstance(item, Finding)
+    ]
+    changes = [(check, change) for check in checks for change in telling(check, LETTERS)]
     assert len(changes) > 30
-    assert [change.change for check, change in changes if not falls(check, change)] == []
+    assert [change.change for check, change in changes if not falls(check, change, LETTERS)] == []
 
 
 def test_the_angles_proved_are_those_that_notations_write():

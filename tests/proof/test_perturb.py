@@ -3,6 +3,7 @@
 import pytest
 from sympy import Eq, Matrix, Ne, Rational, Symbol, cos, eye, sin
 
+from rigidtop.derivations.letters import LETTERS
 from rigidtop.proof.changed import perturbations
 from rigidtop.proof.equation import (
     SPACE,
@@ -18,17 +19,17 @@ from rigidtop.proof.equation import (
     as_printed,
 )
 from rigidtop.proof.page import Assumption, Check
-from rigidtop.proof.perturb import FAMILIES, falls, telling, upheld
+from rigidtop.proof.perturb import falls, telling, upheld
 from rigidtop.proof.verdict import Finding, judge_check
 from rigidtop.theory import symbols as s
 
 
 def changes(check):
-    return {perturbation.change for perturbation in telling(check)}
+    return {perturbation.change for perturbation in telling(check, LETTERS)}
 
 
 def survivors(check):
-    return {p.change for p in telling(check) if not falls(check, p)}
+    return {p.change for p in telling(check, LETTERS) if not falls(check, p, LETTERS)}
 
 
 def sound():
@@ -62,7 +63,7 @@ def test_changes_of_vectors_matrices_and_numbers():
             Transposed(s.O_matrix),
         )
         entry = Equation(s.r_vec, Matrix([s.omega1, 0, 1]))
-    assert {p.change for p in perturbations(printed, FAMILIES)} >= {
+    assert {p.change for p in perturbations(printed, LETTERS.families)} >= {
         "factors of × exchanged",
         "transposition dropped",
         "exponent of a",
@@ -70,7 +71,7 @@ def test_changes_of_vectors_matrices_and_numbers():
         "sign of 1/2",
         "b for a",
     }
-    found = {p.change for p in perturbations(entry, FAMILIES)}
+    found = {p.change for p in perturbations(entry, LETTERS.families)}
     assert {"entry 1: omega2 for omega1", "entry 3: 2 for 1"} <= found
     assert not any(change.startswith("entry 2") for change in found)
 
@@ -80,7 +81,7 @@ def test_labels_and_measures_are_left_alone():
     rate = Rate(s.L_vec, SPACE)
     with as_printed():
         printed = Equation(Underbrace(s.a, s.M), SumOver(k, s.b), VolumeIntegral(d3r, s.rho), rate)
-    changed = {p.change for p in perturbations(printed, FAMILIES)}
+    changed = {p.change for p in perturbations(printed, LETTERS.families)}
     assert not any(
         name in change for change in changed for name in ("k", "d3r", "space for", "of M")
     )
@@ -117,7 +118,7 @@ def test_what_holds_even_without_an_assumption_has_not_fallen():
 )
 def test_harmless_changes_do_not_count(sides, harmless):
     check = Check(Equation(*sides), {s.const: lambda value: value})
-    assert harmless <= {p.change for p in perturbations(check.claimed, FAMILIES)}
+    assert harmless <= {p.change for p in perturbations(check.claimed, LETTERS.families)}
     assert not harmless & changes(check)
 
 

@@ -7,6 +7,7 @@ import pytest
 
 from rigidtop.derivations import PAGES
 from rigidtop.derivations.exercises import EXERCISES
+from rigidtop.derivations.letters import LETTERS
 from rigidtop.parameters import settings
 from rigidtop.present.prose import prose
 from rigidtop.present.solutions import Solution, record
@@ -68,21 +69,21 @@ def test_every_word_can_be_printed(exercise):
 
 @pytest.mark.parametrize("name", NEW_CLAIMS)
 def test_claim_holds(name):
-    judged = judge(NEW_CLAIMS[name])
+    judged = judge(NEW_CLAIMS[name], letters=LETTERS)
     assert judged.problem == ""
     assert judged.verdict in (Verdict.PROVED, Verdict.ASSUMING)
 
 
 @pytest.mark.parametrize("name", NEW_CLAIMS)
 def test_claim_falls_when_it_is_changed(name):
-    findings = [i for i in judge(NEW_CLAIMS[name]).items if isinstance(i, Finding)]
+    findings = [i for i in judge(NEW_CLAIMS[name], letters=LETTERS).items if isinstance(i, Finding)]
     checks = [check for check in map(upheld, findings) if check is not None]
-    changes = [(check, change) for check in checks for change in telling(check)]
+    changes = [(check, change) for check in checks for change in telling(check, LETTERS)]
     assert len(changes) >= 10
     survived = [
         f"{change.change} in {check.claimed.sides}"
         for check, change in changes
-        if not falls(check, change)
+        if not falls(check, change, LETTERS)
     ]
     assert survived == []
 
