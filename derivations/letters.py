@@ -124,7 +124,6 @@ LETTERS = Letters(
         (s.p_phi, s.p_psi),
         (s.Omega_minus, s.Omega_plus),
         (s.M, s.g, s.R),
-        (s.T, s.V),
         (s.L_vec, s.omega_vec),
         (s.c_phi, s.c_theta, s.c_psi),
         (s.s_phi, s.s_theta, s.s_psi),

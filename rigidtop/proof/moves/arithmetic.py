@@ -1,0 +1,216 @@
+"""Put together and take apart: sums, products, squares, components, one side with the other."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+from sympy import Expr, Integer, MatrixBase, Symbol
+
+from rigidtop.proof import decide
+from rigidtop.proof.algebra import Algebra, Letters, Value, Vector, vanishes
+from rigidtop.proof.equation import Equation, SumOver, VolumeIntegral, as_printed
+from rigidtop.proof.moves.conditions import divided_by, flat_with
+from rigidtop.proof.moves.move import (
+    Known,
+    Move,
+    Order,
+    Pair,
+    Performed,
+    RefusedError,
+    Scope,
+    is_equation,
+    the_one,
+)
+from rigidtop.proof.moves.pairs import all_pairs, mapped, pairs_of, said_pairs, scalars, settle
+
+
+def put(move: Move, algebra: Algebra) -> Performed:
+    """Put … into …: the equation as it is; what is put in follows."""
+    known = the_one(move)
+    return Performed(tuple(all_pairs(known, algebra)), known.scope, order=known.order)
+
+
+def component(move: Move, algebra: Algebra) -> Performed:
+    """Along one axis, or along several: the scalar product with each."""
+    pairs: list[Pair] = []
+    known = the_one(move)
+    for axis in move.by:
+        pairs += mapped(move, algebra, partial(algebra.dot, algebra.value(axis))).pairs
+    return Performed(tuple(pairs), known.scope, order=known.order)
+
+
+def dot(move: Move, algebra: Algebra) -> Performed:
+    return _product(move, algebra, algebra.dot)
+
+
+def cross(move: Move, algebra: Algebra) -> Performed:
+    return _product(move, algebra, algebra.cross)
+
+
+def _product(move: Move, algebra: Algebra, times: Callable[[Value, Value], Value]) -> Performed:
+    if len(move.of) == 2:
+        first, second = (all_pairs(k, algebra) for k in move.of)
+        pairs = [
+            Pair(times(p.left, q.left), times(p.right, q.right))
+            for p in first
+            for q in second
+            if is_equation(p) and is_equation(q)
+        ]
+        return Performed(tuple(pairs), max(k.scope for k in move.of))
+    [by] = move.by
+    vector = algebra.value(by)
+    return mapped(
+        move, algebra, lambda v: times(vector, v) if move.power == 0 else times(v, vector)
+    )
+
+
+def adding(sign: int) -> Callable[[Move, Algebra], Performed]:
+    def combine(move: Move, algebra: Algebra) -> Performed:
+        """Add … to …, subtract … from …; `by` are the factors that each is taken with."""
+        factors = [algebra.value(f) for f in move.by] or [Integer(1)] * len(move.of)
+        if len(move.of) != 2:
+            raise RefusedError("{} takes two equations", move.verb)
+        first, second = (
+            [(algebra.times(f, p.left), algebra.times(f, p.right)) for p in said_pairs(k, algebra)]
+            for k, f in zip(move.of, factors, strict=True)
+        )
+        minus = Integer(sign)
+        pairs = [
+            Pair(
+                algebra.total([c, algebra.times(minus, a)]),
+                algebra.total([d, algebra.times(minus, b)]),
+            )
+            for a, b in first
+            for c, d in second
+        ]
+        return Performed(tuple(pairs), max(k.scope for k in move.of))
+
+    return combine
+
+
+def sum_over(move: Move, algebra: Algebra) -> Performed:
+    """Over all parts of a body, for each of which the equation holds."""
+    [index] = move.by
+    return mapped(
+        move, algebra, lambda v: v if v == 0 else algebra.summed(SumOver(index, Integer(1)), v)
+    )
+
+
+def multiply(move: Move, algebra: Algebra) -> Performed:
+    [by] = move.by
+    factor = algebra.value(by)
+    known = the_one(move)
+    if any(p.relation in ("<", ">", "≤", "≥") for p in all_pairs(known, algebra)):
+        return _scaled(known, factor, algebra, move)
+    right = move.power == 1
+    made = mapped(
+        move, algebra, lambda v: algebra.times(v, factor) if right else algebra.times(factor, v)
+    )
+    return replace(made, order=_shifted(known.order, factor))
+
+
+def _scaled(known: Known, factor: Expr, algebra: Algebra, move: Move) -> Performed:
+    if not decide.positive(*flat_with(factor, move.where)):
+        raise RefusedError("{} has no known sign: an inequality may turn round", factor)
+    pairs = [
+        replace(p, left=algebra.times(factor, p.left), right=algebra.times(factor, p.right))
+        for p in all_pairs(known, algebra)
+    ]
+    return Performed(tuple(pairs), known.scope)
+
+
+def divide(move: Move, algebra: Algebra) -> Performed:
+    [by] = move.by
+    factor = algebra.value(by)
+    if isinstance(factor, (Vector, MatrixBase)) or not factor.is_commutative:
+        raise RefusedError("a division by what is no scalar")
+    known = the_one(move)
+    if vanishes(factor) or vanishes(_where_set(known, algebra.letters).value(factor)):
+        raise RefusedError("a division by 0")
+    made = multiply(replace(move, by=(1 / factor,)), algebra)
+    return replace(made, conditions=divided_by(factor, ()))
+
+
+def _where_set(known: Known, letters: Letters) -> Algebra:
+    """What has been set for an equation to hold, put in: at all times with its rate."""
+    given: dict[Any, Value] = {}
+    for condition in known.conditions:
+        if condition.relation != "=":
+            continue
+        difference = Algebra(letters, given).value(condition.expression)
+        for x in sorted(difference.free_symbols, key=str):
+            slope = difference.diff(x)
+            if slope.is_number and slope != 0:
+                value = x - difference / slope
+                settle(given, x, value, letters)
+                if known.scope is not Scope.SET and value.free_symbols <= letters.numbers:
+                    while x in letters.rates:
+                        x = letters.rates[x]
+                        given[x] = Integer(0)
+                break
+    return Algebra(letters, given)
+
+
+def _shifted(order: Order | None, factor: Expr) -> Order | None:
+    """The order of an error that is multiplied by a factor."""
+    if order is None:
+        return None
+    lowest = min((order.lowest(x) for x in scalars(factor)), default=0)
+    return replace(order, power=order.power + lowest)
+
+
+def rewrite(move: Move, algebra: Algebra) -> Performed:
+    """As it is, or several together."""
+    if len(move.of) > 1 and any(known.order is not None for known in move.of):
+        raise RefusedError("what is approximate is rewritten by itself")
+    pairs = tuple(pair for known in move.of for pair in all_pairs(known, algebra))
+    scope = max((known.scope for known in move.of), default=Scope.IDENTITY)
+    return Performed(pairs, scope, order=the_one(move).order if len(move.of) == 1 else None)
+
+
+def exchange(move: Move, algebra: Algebra) -> Performed:
+    """Two indices change places: what holds for any two parts, holds for them the other way."""
+    known = the_one(move)
+    one, two = move.by
+    letters = algebra.letters
+    there = {**letters.exchanged, **{new: old for old, new in letters.exchanged.items()}}
+
+    def turned(tree: Any) -> Any:
+        if isinstance(tree, (SumOver, VolumeIntegral)):
+            index, body = tree.args
+            return tree.func({one: two, two: one}.get(index, index), turned(body))
+        if isinstance(tree, Symbol):
+            if letters.indexed.get(tree, frozenset()) & {one, two}:
+                if tree not in there:
+                    raise RefusedError("{} with the other index has no letter", tree)
+                return there[tree]
+            return tree
+        if not tree.args:
+            return tree
+        with as_printed():
+            return tree.func(*map(turned, tree.args))
+
+    pairs = [
+        pair
+        for e in known.equations
+        for pair in pairs_of(
+            Equation(*map(turned, e.sides), relation=e.relation), algebra, chain=True
+        )
+    ]
+    return Performed(tuple(pairs), known.scope, order=known.order)
+
+
+def square(move: Move, algebra: Algebra) -> Performed:
+    def squared(value: Value) -> Value:
+        return algebra.dot(value, value) if isinstance(value, Vector) else value**2
+
+    known = the_one(move)
+    order = known.order
+    if order is not None:  # (a + O)² has the error a O
+        sides = [v for p in all_pairs(known, algebra) for v in (p.left, p.right)]
+        lowest = min((order.lowest(x) for side in sides for x in scalars(side)), default=0)
+        order = replace(order, power=order.power + min(0, lowest))
+    return replace(mapped(move, algebra, squared), order=order)

@@ -1,0 +1,111 @@
+"""Differentiate by a letter, take the rate along the motion, integrate."""
+
+from __future__ import annotations
+
+from sympy import Expr, MatrixBase, Symbol
+
+from rigidtop.proof.algebra import Algebra, Value, Vector, flattened
+from rigidtop.proof.equation import Partial
+from rigidtop.proof.moves.move import (
+    Condition,
+    Known,
+    Move,
+    Pair,
+    Performed,
+    RefusedError,
+    Scope,
+    is_equation,
+    name_of,
+    the_one,
+)
+from rigidtop.proof.moves.pairs import all_pairs
+
+
+def differentiate(move: Move, algebra: Algebra) -> Performed:
+    known = the_one(move)
+    [by] = move.by
+    if not isinstance(by, Symbol):
+        raise RefusedError("{} is no letter to differentiate by", by)
+    if known.scope is not Scope.IDENTITY:
+        holds = "where something is set" if known.scope is Scope.SET else "along the motion only"
+        raise RefusedError(
+            "{} holds {}: it can't be differentiated by {}, of which it says nothing elsewhere",
+            name_of(known),
+            holds,
+            by,
+        )
+    if known.order is not None:
+        raise RefusedError(
+            "{} is approximate: the slope of what is neglected is not known", name_of(known)
+        )
+    made: list[Pair] = []
+    for pair in all_pairs(known, algebra):
+        if not isinstance(pair.left, Symbol):
+            continue
+        held = algebra.letters.arguments(pair.left)
+        if by not in held:
+            raise RefusedError("{} is no function of {}", pair.left, by)
+        slope = _slope(pair.right, by, held, known, algebra)
+        made.append(Pair(Partial(pair.left, by), slope))
+    if not made:
+        raise RefusedError(
+            "{} does not give a letter as a function: solve it for one", name_of(known)
+        )
+    return Performed(tuple(made), known.scope)
+
+
+def _slope(
+    value: Value, by: Symbol, held: frozenset[Symbol], known: Known, algebra: Algebra
+) -> Expr:
+    """The derivative of a function of what is `held`, but for `by`."""
+    if isinstance(value, (Vector, MatrixBase)):
+        raise RefusedError("partial derivatives are taken of scalars")
+    letters = algebra.letters
+    flat, atoms = flattened(value)
+    slope = flat.diff(by)
+    for x in flat.free_symbols - held - {by}:
+        node = atoms.get(x, x)
+        if node in letters.functions and letters.arguments(node) <= held:
+            if by in letters.functions[node]:
+                slope += flat.diff(x) * Partial(node, by)  # the chain rule
+        elif not (by in letters.velocities and letters.is_placed(node)):
+            raise RefusedError(
+                "{} in {} depends on the coordinates and velocities: write it out before you "
+                "differentiate by {}",
+                node,
+                name_of(known),
+                by,
+            )
+    return slope.xreplace(atoms)
+
+
+def rate(move: Move, algebra: Algebra) -> Performed:
+    known = the_one(move)
+    frame = move.by[0] if move.by else None
+    if known.scope is Scope.SET:
+        raise RefusedError(
+            "{} holds where something is set, at a moment: its rate does not follow", name_of(known)
+        )
+    if known.order is not None:
+        raise RefusedError(
+            "{} is approximate: the rate of what is neglected is not known", name_of(known)
+        )
+    pairs = [
+        Pair(algebra.rate(pair.left, frame), algebra.rate(pair.right, frame))
+        for pair in all_pairs(known, algebra)
+        if is_equation(pair)
+    ]
+    return Performed(tuple(pairs), known.scope)
+
+
+def integrate(move: Move, algebra: Algebra) -> Performed:
+    """Over time: what has no rate is constant.  A line that says more is tried by its rate."""
+    known = the_one(move)
+    if known.scope is Scope.SET:
+        raise RefusedError("{} holds at a moment: it can't be integrated", name_of(known))
+    starts = tuple(
+        Condition(algebra.value(e.sides[0]) - algebra.value(e.sides[1]), "start")
+        for e in move.by
+        if not isinstance(algebra.value(e.sides[0]), Vector)
+    )
+    return Performed(tuple(all_pairs(known, algebra)), Scope.MOTION, starts, known.order)

@@ -1,0 +1,96 @@
+"""Expand to an order in what is small, and neglect terms."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import sympy
+from sympy import Add, Integer, MatrixBase, Symbol
+
+from rigidtop.proof.algebra import Algebra, Value, Vector, components, flattened, vanishes
+from rigidtop.proof.moves.move import Move, Order, Pair, Performed, RefusedError, name_of, the_one
+from rigidtop.proof.moves.pairs import all_pairs, put_in
+
+NEGLECTED = Symbol("neglected")
+"""What stands for all that an approximate equation leaves out, if no letter is small in it."""
+
+
+SMALL = Symbol("small")
+"""What letters that are small together are counted by."""
+
+
+def expand(move: Move, algebra: Algebra) -> Performed:
+    """To an order in a small letter, or in several that are small together."""
+    known = the_one(move)
+    together = move.by if len(move.by) > 1 else ()
+    order = Order(SMALL if together else move.by[0], move.power + 1, together)
+    algebra = Algebra(algebra.letters, put_in(move.using, algebra.letters))
+    if known.order is not None and replace(known.order, power=order.power) != order:
+        raise RefusedError("two small quantities at once: expand in one after the other")
+    if known.order is not None and known.order.power <= move.power:
+        raise RefusedError(
+            "{} holds to O({}^{}) only: its terms of order {} are not known",
+            name_of(known),
+            known.order.small,
+            str(known.order.power),
+            str(move.power),
+        )
+
+    def series(value: Value) -> Value:
+        if isinstance(value, Vector):
+            return Vector({atom: series(factor) for atom, factor in value.terms.items()})
+        if isinstance(value, MatrixBase):
+            return value.applyfunc(series)
+        flat, nodes = flattened(value)
+        counted = order.counted(flat)
+        if not counted.has(order.small):
+            return value
+        for x in flat.free_symbols:
+            if algebra.letters.defined.get(x, frozenset()) & {*move.by}:
+                raise RefusedError(
+                    "{} is defined by {}: put its definition in first", x, move.by[0]
+                )
+        made = sympy.series(counted, order.small, 0, order.power).removeO()
+        return (made.subs(SMALL, 1) if together else made).xreplace(nodes)
+
+    pairs = [
+        Pair(pair.left, series(pair.right), "≈")
+        for pair in all_pairs(known, algebra)
+        if pair.relation in ("=", "≈")
+    ]
+    return Performed(tuple(pairs), known.scope, order=order)
+
+
+def neglect(move: Move, algebra: Algebra) -> Performed:
+    """Leave terms out: the line says ≈."""
+    known = the_one(move)
+    left_out = [algebra.value(x) for x in move.by]
+    pairs = []
+    for pair in all_pairs(known, algebra):
+        for k, side in enumerate((pair.left, pair.right)):
+            rest = side
+            for term in left_out:
+                if not _contains(rest, term):
+                    break
+                rest = algebra.total([rest, algebra.times(Integer(-1), term)])
+            else:
+                if all(vanishes(part) for part in components(rest, Integer(0))):
+                    raise RefusedError("nothing is left of a side: what is larger has to stay")
+                sides = (rest, pair.right) if k == 0 else (pair.left, rest)
+                pairs.append(Pair(*sides, "≈"))
+    if not pairs:
+        raise RefusedError("what is neglected does not stand there")
+    return Performed(tuple(pairs), known.scope, order=Order(NEGLECTED, 1))
+
+
+def _contains(value: Value, term: Value) -> bool:
+    """Whether a sum has these terms."""
+    if isinstance(value, Vector) != isinstance(term, Vector):
+        return False
+    if isinstance(value, Vector):
+        return all(
+            atom in value.terms and _contains(value.terms[atom], factor)
+            for atom, factor in term.terms.items()
+        )
+    here = Add.make_args(sympy.expand(value))
+    return all(part in here for part in Add.make_args(sympy.expand(term)))

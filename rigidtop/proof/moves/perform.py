@@ -1,0 +1,162 @@
+"""Moves, performed: the verb that a move names, and what is put in besides."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+import sympy
+from sympy import Dummy, Expr, MatrixBase
+
+from rigidtop.proof.algebra import (
+    Algebra,
+    Letters,
+    Vector,
+    atoms_of,
+    components,
+    flattened,
+    vanishes,
+)
+from rigidtop.proof.equation import NoMeaningError, Rate
+from rigidtop.proof.moves import (
+    arithmetic,
+    calculus,
+    operators,
+    orders,
+    setting,
+    signs,
+    solving,
+)
+from rigidtop.proof.moves.move import (
+    Known,
+    Move,
+    Order,
+    Pair,
+    Performed,
+    RefusedError,
+    Scope,
+    name_of,
+)
+from rigidtop.proof.moves.pairs import nodes_of, put_in
+
+
+def perform(move: Move, letters: Letters) -> Performed:
+    """Make a move with the equations that it cites, and nothing else.  Raises RefusedError."""
+    verb = _VERBS.get(move.verb)
+    if verb is None:
+        raise RefusedError("there is no move {}", move.verb)
+    try:
+        made = verb(move, Algebra(letters))
+        if move.using:
+            made = _with(made, move, letters)
+    except NoMeaningError as error:
+        raise RefusedError(str(error)) from None
+    conditions = list(made.conditions)
+    for each in (*move.of, *move.using):
+        conditions += [c for c in each.conditions if c not in conditions]
+    conditions += [c for c in move.where if c not in conditions]
+    _one_start([c.expression for c in conditions if c.relation == "start"], letters)
+    scope = max((made.scope, *(k.scope for k in move.cited)), default=made.scope)
+    return replace(made, scope=scope, conditions=tuple(conditions))
+
+
+def _one_start(starts: Sequence[Expr], letters: Letters) -> None:
+    """Refuse what is cited of two motions, which start with different values of a letter."""
+    for k, start in enumerate(starts):
+        for other in starts[:k]:
+            difference = sympy.expand(start - other)
+            if difference.free_symbols <= letters.numbers and not vanishes(difference):
+                raise RefusedError("what is cited starts in two ways: {} and {}", other, start)
+
+
+def _with(made: Performed, move: Move, letters: Letters) -> Performed:
+    """What was made, with more put into it."""
+    for each in move.using:
+        if each.scope is Scope.SET:
+            _reaches_into(each, made.pairs, letters)
+    given = put_in(move.using, letters)
+    if made.scope is not Scope.SET:  # what is set at all times is set in what is put in as well
+        always = Algebra(letters, made.given)
+        given = {old: always.value(new) for old, new in given.items()}
+    for old, new in made.given.items():
+        given.setdefault(old, new)
+    algebra = Algebra(letters, given)
+    pairs = tuple(
+        replace(pair, left=algebra.value(pair.left), right=algebra.value(pair.right))
+        for pair in made.pairs
+    )
+    return replace(made, pairs=pairs, given=given, order=_error(made, move.using, letters))
+
+
+def _error(made: Performed, using: Sequence[Known], letters: Letters) -> Order | None:
+    """The order to which the result holds, if something in it or put into it is approximate."""
+    orders = [made.order] if made.order is not None else []
+    for known in using:
+        if known.order is not None:
+            orders.append(_carried(made.pairs, known, known.order, letters))
+    if len({(order.small, order.together) for order in orders}) > 1:
+        raise RefusedError("two small quantities at once: expand in one after the other")
+    return min(orders, key=lambda order: order.power, default=None)
+
+
+def _carried(pairs: Sequence[Pair], known: Known, order: Order, letters: Letters) -> Order:
+    """The order of the error that an approximate value brings into what it is put in for."""
+    mark = Dummy("error")
+    given = put_in([known], letters)
+    error = mark * order.small**order.power
+    wrong = {
+        atom: value + (Vector({atom: error}) if isinstance(value, Vector) else error)
+        for atom, value in given.items()
+        if not isinstance(value, MatrixBase)
+    }
+    lowest = order.power
+    right, off = Algebra(letters, given), Algebra(letters, {**given, **wrong})
+    for side in (side for pair in pairs for side in (pair.left, pair.right)):
+        for change in components(off.value(side), right.value(side)):
+            slope = flattened(change)[0].diff(mark).subs(mark, 0)
+            if slope != 0:
+                lowest = min(lowest, order.lowest(slope))
+    return replace(order, power=lowest)
+
+
+def _reaches_into(known: Known, pairs: Sequence[Pair], letters: Letters) -> None:
+    """Refuse to put what is set at a moment under a rate or a slope."""
+    atoms = set(put_in([known], letters))
+    for pair in pairs:
+        for side in (pair.left, pair.right):
+            for node in atoms_of(side):
+                inner = {x for part in getattr(node, "args", ()) for x in (part, *nodes_of(part))}
+                if isinstance(node, Rate) and inner & atoms:
+                    raise RefusedError(
+                        "{} is set at a moment: it can't be put in before the derivative is taken",
+                        name_of(known),
+                    )
+
+
+_VERBS: Mapping[str, Callable[[Move, Algebra], Performed]] = {
+    "put": arithmetic.put,
+    "differentiate": calculus.differentiate,
+    "rate": calculus.rate,
+    "integrate": calculus.integrate,
+    "component": arithmetic.component,
+    "dot": arithmetic.dot,
+    "cross": arithmetic.cross,
+    "add": arithmetic.adding(1),
+    "subtract": arithmetic.adding(-1),
+    "multiply": arithmetic.multiply,
+    "divide": arithmetic.divide,
+    "rewrite": arithmetic.rewrite,
+    "transpose": operators.of_operators(lambda algebra: algebra.transposed),
+    "determinant": operators.of_operators(lambda algebra: algebra.determinant),
+    "exchange": arithmetic.exchange,
+    "turn factors": operators.exchange_factors,
+    "strip": operators.strip,
+    "solve": solving.solve,
+    "root": signs.root,
+    "sign": signs.sign,
+    "sum": arithmetic.sum_over,
+    "square": arithmetic.square,
+    "expand": orders.expand,
+    "neglect": orders.neglect,
+    "set": setting.set_to,
+}

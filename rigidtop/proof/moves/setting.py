@@ -1,0 +1,106 @@
+"""Set letters to values: at a moment, at all times, at the start."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from sympy import Integer, MatrixBase
+
+from rigidtop.proof.algebra import TIME, Algebra, Letters, Value, Vector, agree, atoms_of, vanishes
+from rigidtop.proof.equation import Rate
+from rigidtop.proof.moves.move import (
+    Condition,
+    Known,
+    Move,
+    Pair,
+    Performed,
+    RefusedError,
+    Scope,
+    is_equation,
+    name_of,
+    the_one,
+)
+from rigidtop.proof.moves.pairs import all_pairs, atom_of, nodes_of, put_in
+
+
+def set_to(move: Move, algebra: Algebra) -> Performed:
+    """Values for letters, at a moment; `power` 1: at all times, so that their rates vanish too.
+
+    `power` 2: at the start, in what is constant and keeps what it was.
+    """
+    known = the_one(move)
+    given = _values(move, algebra)
+    letters = algebra.letters
+    if TIME in given and move.power:
+        raise RefusedError("t is set at a moment only")
+    for atom in letters.unit_vectors & {*given}:
+        if not vanishes(algebra.dot(given[atom], given[atom]) - 1):
+            raise RefusedError("{} is a unit vector", atom)
+    at_start = move.power == 2
+    always = move.power == 1 or all(
+        x in letters.numbers and value.free_symbols <= letters.numbers for x, value in given.items()
+    )
+    if always:
+        for atom in list(given):
+            if (
+                isinstance(given[atom], (Vector, MatrixBase))
+                or given[atom].free_symbols - letters.numbers
+            ):
+                raise RefusedError("only to a number can a letter be set at all times")
+            while atom in letters.rates:
+                atom = letters.rates[atom]
+                given[atom] = Integer(0)
+    else:
+        _not_under_a_rate(given, known, algebra)
+    put = Algebra(algebra.letters, given)
+    pairs = [
+        replace(pair, left=put.value(pair.left), right=put.value(pair.right))
+        for pair in all_pairs(known, algebra)
+    ]
+    if at_start:
+        _constant(pairs, known, move, letters)
+        premises = tuple(Condition(p.left - p.right, "=") for p in pairs)
+        return Performed(tuple(pairs), Scope.MOTION, premises)
+    scope = known.scope if always and not move.power else Scope.MOTION if always else Scope.SET
+    conditions = tuple(
+        Condition(algebra.value(e.sides[0]) - algebra.value(e.sides[1]), "=")
+        for e in move.by
+        if not isinstance(algebra.value(e.sides[0]), Vector)
+    )
+    return Performed(tuple(pairs), scope, conditions, known.order, given)
+
+
+def _constant(pairs: Sequence[Pair], known: Known, move: Move, letters: Letters) -> None:
+    """Refuse what changes after the start, as far as what is cited besides says."""
+    if known.scope is Scope.SET or known.order is not None:
+        raise RefusedError("{} does not hold at all times", name_of(known))
+    bare, later = Algebra(letters), Algebra(letters, put_in(move.using, letters))
+    for pair in pairs:
+        rates = (later.value(bare.rate(side)) for side in (pair.left, pair.right))
+        if not is_equation(pair) or not agree(*rates):
+            raise RefusedError("this changes after the start: cite what keeps it")
+        if isinstance(pair.left, (Vector, MatrixBase)) or isinstance(pair.right, Vector):
+            raise RefusedError("at the start scalars are set")
+
+
+def _values(move: Move, algebra: Algebra) -> dict[Any, Value]:
+    given: dict[Any, Value] = {}
+    for equation in move.by:
+        atom = atom_of(algebra.value(equation.sides[0]), equation.sides[0])
+        given[atom] = algebra.value(equation.sides[1])
+    return given
+
+
+def _not_under_a_rate(given: Mapping[Any, Value], known: Known, algebra: Algebra) -> None:
+    for pair in all_pairs(known, algebra):
+        for side in (pair.left, pair.right):
+            for node in atoms_of(side):
+                if isinstance(node, Rate) and node not in given:
+                    inner = {x for part in node.args for x in nodes_of(part)}
+                    if inner & set(given):
+                        raise RefusedError(
+                            "{} stands there: what is set at a moment says nothing of a derivative",
+                            node,
+                        )

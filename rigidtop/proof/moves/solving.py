@@ -1,0 +1,117 @@
+"""Solve for a letter or a vector, or for several: linear, or the roots of a quadratic."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import sympy
+from sympy import Dummy, Expr, Integer, Symbol
+
+from rigidtop.proof.algebra import Algebra, Vector, flattened
+from rigidtop.proof.moves.conditions import divided_by
+from rigidtop.proof.moves.move import (
+    Condition,
+    Move,
+    Pair,
+    Performed,
+    RefusedError,
+    Scope,
+    is_equation,
+)
+from rigidtop.proof.moves.pairs import all_pairs, atom_of, components_of, is_operator
+from rigidtop.theory.trig import reduce_trig
+
+
+def solve(move: Move, algebra: Algebra) -> Performed:
+    """For one letter or vector, or more: linear, or the roots of a quadratic."""
+    unknowns = [atom_of(algebra.value(x), x) for x in move.by]
+    if len(move.of) > len(unknowns):
+        raise RefusedError("more equations than unknowns")
+    pairs = [p for k in move.of for p in all_pairs(k, algebra) if is_equation(p)]
+    if any(is_operator(side) for p in pairs for side in (p.left, p.right)):
+        raise RefusedError("a matrix equation is not solved so: multiply by what takes it away")
+    scope = max(k.scope for k in move.of)
+    atoms = {x: Dummy() for x in unknowns}
+    rows = [_linear(components_of(pair), atoms) for pair in pairs]
+    if all(row is not None for row in rows):
+        return _solved_linear(move, [r for row in rows if row for r in row], atoms, scope)
+    if len(unknowns) == 1 and len(pairs) == 1:
+        return _roots(pairs[0], unknowns[0], scope)
+    raise RefusedError("this is not linear in {}", *move.by)
+
+
+def _linear(
+    difference: Any, atoms: Mapping[Any, Symbol]
+) -> list[tuple[dict[Any, Any], Any]] | None:
+    """(coefficients of the unknowns, the rest), where they enter linearly; vectors are one row."""
+    if isinstance(difference, dict):
+        coefficients = {x: difference.get(x, Integer(0)) for x in atoms}
+        rest = {a: f for a, f in difference.items() if a not in atoms}
+        return [(coefficients, Vector(rest))]
+    flat, nodes = flattened(difference)
+    back = {node: dummy for dummy, node in nodes.items()}
+    unknowns = [back.get(x, x) for x in atoms]
+    expanded = sympy.expand(flat)
+    coefficients = {}
+    rest = expanded
+    for x, unknown in zip(atoms, unknowns, strict=True):
+        coefficient = expanded.diff(unknown) if isinstance(unknown, Symbol) else Integer(0)
+        if coefficient.free_symbols & {u for u in unknowns if isinstance(u, Symbol)}:
+            return None
+        coefficients[x] = coefficient.xreplace(nodes)
+        rest = rest.subs(unknown, 0) if isinstance(unknown, Symbol) else rest
+    return [(coefficients, rest.xreplace(nodes))]
+
+
+def _solved_linear(
+    move: Move, rows: list[tuple[dict[Any, Any], Any]], atoms: Mapping[Any, Symbol], scope: Scope
+) -> Performed:
+    """Gauss: as many rows as unknowns; what is not asked for is eliminated besides."""
+    wanted = list(atoms)
+    rows = [row for row in rows if any(c != 0 for c in row[0].values())]
+    if len(rows) < len(wanted):
+        raise RefusedError("fewer equations than unknowns")
+    rows = rows[: len(wanted)]
+    matrix = sympy.Matrix([[row[0][x] for x in wanted] for row in rows])
+    determinant = _reduced(matrix.det())
+    if determinant == 0:
+        raise RefusedError("these equations do not determine what is asked for")
+    inverse = matrix.adjugate().applyfunc(_reduced)
+    pairs = []
+    for i, x in enumerate(wanted):
+        total: Any = None
+        for j, row in enumerate(rows):
+            share = -inverse[i, j] / determinant
+            part = row[1].times(share) if isinstance(row[1], Vector) else share * row[1]
+            total = part if total is None else total + part
+        is_vector = isinstance(rows[0][1], Vector)
+        pairs.append(Pair(Vector({x: Integer(1)}) if is_vector else x, total))
+    kept = pairs[: len(pairs) - move.power]  # `power` unknowns are only eliminated
+    conditions = divided_by(determinant, move.where)
+    return Performed(tuple(kept), scope, conditions)
+
+
+def _reduced(expression: Expr) -> Expr:
+    flat, nodes = flattened(expression)
+    return reduce_trig(flat).xreplace(nodes)
+
+
+def _roots(pair: Pair, unknown: Any, scope: Scope) -> Performed:
+    """Both roots of a quadratic, told apart by a sign."""
+    difference = components_of(pair)
+    if isinstance(difference, dict):
+        raise RefusedError("a vector equation that is not linear")
+    flat, nodes = flattened(difference)
+    back = {node: dummy for dummy, node in nodes.items()}
+    x = back.get(unknown, unknown)
+    polynomial = sympy.Poly(sympy.expand(flat), x) if flat.is_polynomial(x) else None
+    if polynomial is None or polynomial.degree() != 2:
+        raise RefusedError("this is neither linear nor quadratic in {}", unknown)
+    a, b, c = (coefficient.xreplace(nodes) for coefficient in polynomial.all_coeffs())
+    discriminant = b**2 - 4 * a * c
+    roots = [(-b + sign * sympy.sqrt(discriminant)) / (2 * a) for sign in (-1, 1)]
+    conditions = [Condition(discriminant, "≥")]
+    conditions += divided_by(a, ())
+    pairs = tuple(Pair(unknown, root) for root in roots)
+    return Performed(pairs, scope, tuple(conditions), every=True)
