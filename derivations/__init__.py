@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 from importlib.resources import files
 
@@ -21,7 +22,7 @@ from rigidtop.derivations import (
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.notation import NOTES
 from rigidtop.proof.lecture import Lecture
-from rigidtop.read.page import read_lecture
+from rigidtop.read.page import read_exercises, read_lecture
 
 PAGES = (
     opening.page,
@@ -58,6 +59,14 @@ TEXTS = (
 @cache
 def lecture() -> Lecture:
     """The text of the lecture, read: every line with the move that leads to it."""
+    return read_lecture(_sources(TEXTS), LETTERS, NOTES)
+
+
+def lecture_with(exercises: Sequence[str]) -> Lecture:
+    """The lecture with the solutions of exercises, named as in `Exercise.text`, behind it."""
+    return read_exercises(_sources(exercises), lecture(), NOTES)
+
+
+def _sources(names: Sequence[str]) -> list[tuple[str, str]]:
     folder = files(__package__)
-    sources = [(name, folder.joinpath(f"{name}.md").read_text("utf-8")) for name in TEXTS]
-    return read_lecture(sources, LETTERS, NOTES)
+    return [(name, folder.joinpath(f"{name}.md").read_text("utf-8")) for name in names]

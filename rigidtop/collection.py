@@ -51,7 +51,7 @@ from rigidtop.proof.exercise import Exercise
 from rigidtop.proof.independence import refuse_circular
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.page import Assumption, Check, Claim, Evidence, Measure, Page
-from rigidtop.read.page import read_lecture
+from rigidtop.read.page import read_exercises, read_lecture
 from rigidtop.textfile import text_of
 from rigidtop.theory import symbols
 from rigidtop.theory.lettered import Lettered
@@ -63,7 +63,8 @@ class Collection:
 
     `notation` says which letters stand for which symbols, where formulas in LaTeX are read.  The
     claims of the pages `besides` are judged when they are asked for by name.  `read` reads the
-    text, and `letters` says what its letters are.
+    text, with the solutions of exercises that are named behind it; `letters` says what its letters
+    are.
     """
 
     front: Front
@@ -72,13 +73,23 @@ class Collection:
     folder: Path | None = None
     notation: Notation = NOTATION
     besides: tuple[Page, ...] = ()
-    read: Callable[[], Lecture] = Lecture
+    read: Callable[[Sequence[str]], Lecture] = lambda _: Lecture()
     letters: Letters = LETTERS
 
     @property
     def lecture(self) -> Lecture:
         """The text, with every line and the move that leads to it; read when it is asked for."""
-        return self.read()
+        return self.read(())
+
+    def lecture_with(self, exercises: Iterable[Exercise]) -> Lecture:
+        """The text with the solutions of these exercises behind it."""
+        return self.read([exercise.text for exercise in exercises if exercise.text])
+
+    def solved_by(self, claims: Iterable[Claim]) -> tuple[Exercise, ...]:
+        """The exercises that some of these claims solve: those of no page."""
+        told = {claim.name for page in self.pages for claim in page.claims}
+        wanted = {claim.name for claim in claims} - told
+        return tuple(e for e in self.exercises if wanted & {claim.name for claim in e.claims})
 
     def command(self, name: str) -> str:
         """How `rigidtop` is asked for something of this collection."""
@@ -131,11 +142,11 @@ class PageError(Exception):
 
 def built_in() -> Collection:
     """The lecture on the top."""
-    from rigidtop.derivations import PAGES, lecture
+    from rigidtop.derivations import PAGES, lecture_with
     from rigidtop.derivations.conventions import CONVENTIONS
     from rigidtop.derivations.exercises import EXERCISES
 
-    return Collection(NOTES, PAGES, EXERCISES, besides=CONVENTIONS, read=lecture)
+    return Collection(NOTES, PAGES, EXERCISES, besides=CONVENTIONS, read=lecture_with)
 
 
 def is_folder(word: str) -> bool:
@@ -306,12 +317,25 @@ LAWS = "laws"
 """The text that stands before all others, if a folder has it."""
 
 
-def _lecture(folder: Path, pages: Sequence[Page], notation: Notation, letters: Letters) -> Lecture:
-    """The texts of a folder, laws.md first.  RigidtopError, with file and line, if one is amiss."""
+def _lecture(
+    folder: Path,
+    pages: Sequence[Page],
+    notation: Notation,
+    letters: Letters,
+    exercises: Sequence[str],
+) -> Lecture:
+    """The texts of a folder, laws.md first, those of exercises last.
+
+    Raises RigidtopError, with file and line, if one is amiss.
+    """
     names = [LAWS] if (folder / f"{LAWS}.md").is_file() else []
     names += [page.text for page in pages if page.text]
-    sources = [(name, text_of(folder / f"{name}.md")) for name in names]
-    lecture = read_lecture(sources, letters, notation)
+
+    def sources(names: Sequence[str]) -> list[tuple[str, str]]:
+        return [(name, text_of(folder / f"{name}.md")) for name in names]
+
+    lecture = read_lecture(sources(names), letters, notation)
+    lecture = read_exercises(sources(exercises), lecture, notation)
     for file, line, problem in lecture.problems():
         raise RigidtopError(f"{folder / file}, line {line}: {problem}")
     return lecture
@@ -410,7 +434,7 @@ def _check_pages(pages: Sequence[Page]) -> None:
 
 def _check_exercises(exercises: Sequence[Exercise], pages: Sequence[Page]) -> None:
     for i, exercise in enumerate(exercises):
-        texts = ("name", "title", "section", "asks", "statement", "figure")
+        texts = ("name", "title", "section", "asks", "statement", "figure", "text")
         _check_texts(exercise, texts, f"EXERCISES[{i}]")
         _many(exercise.claims, Claim, f"EXERCISES[{i}].claims")
         _many(exercise.parameters, Parameter, f"EXERCISES[{i}].parameters")

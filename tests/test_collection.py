@@ -549,6 +549,28 @@ def test_what_is_started_passes(tmp_path, monkeypatch, capsys):
         assert main(["exercise", "my_course/", "period", "--set", f"theta={theta}"]) == 0
 
 
+def test_an_exercise_may_have_a_text_behind_those_of_the_pages(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["new", "my_course"]) == 0
+    module, text = tmp_path / "my_course" / "pendulum.py", tmp_path / "my_course" / "slowly.md"
+    words = module.read_text("utf-8")
+    assert words.count('asks="') == 1
+    module.write_text(words.replace('asks="', 'text="slowly",\n    asks="'), "utf-8")
+    line = "Expand (1.1) to first order in $\\theta$:\n\n"
+    line += "$$\\ddot\\theta \\approx %s\\frac gl\\theta$$\n"
+    text.write_text(line % "-", "utf-8")
+    capsys.readouterr()
+    assert main(["exercise", "my_course/", "period"]) == 0
+    assert "Expand (1.1) to first order in θ:\n  θ̈ ≈ −(g/l)θ\n" in capsys.readouterr().out
+    text.write_text(line % "", "utf-8")
+    assert main(["exercise", "my_course/", "period"]) == 1
+    shown = " ".join(capsys.readouterr().out.split())
+    assert "slowly.md, line 1, does not follow" in shown
+    text.unlink()
+    assert main(["exercise", "my_course/", "period"]) == 2
+    assert "slowly.md" in capsys.readouterr().err
+
+
 def test_new_refuses_what_is_there(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "full").mkdir()

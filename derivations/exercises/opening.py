@@ -133,6 +133,7 @@ def free_flight(
         Parameter("omega", 3.0, "ω", "rad/s", above=0),
     ),
     figure="two-masses",
+    text="exercises/two_masses",
 )
 def two_masses(
     M_1: float, M_2: float, a: float, b: float, alpha: float, omega: float

@@ -68,7 +68,9 @@ def _run(
     from rigidtop.present.wording import Wording
 
     found = claims.named(collection, names) if names else claims.every(collection)
-    lecture = None if options.quick else collection.lecture
+    every = options.thorough and not names
+    solved = collection.exercises if every else collection.solved_by(claim for _, claim in found)
+    lecture = None if options.quick else collection.lecture_with(solved)
     judgements = [judgement for _, judgement in claims.judged(found, collection.letters, lecture)]
     amiss = tried(lecture, names) if lecture is not None and options.thorough else []
     passed = all(judgement.passed for judgement in judgements) and not amiss

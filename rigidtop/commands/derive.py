@@ -63,7 +63,7 @@ def _run(collection: Collection, name: str, options: argparse.Namespace) -> int:
     if len(found) != 1:
         names = " ".join(claim.name for _, claim in found)
         raise RigidtopError(f"{name} is a section; derive one of its claims: {names}")
-    lecture = collection.lecture
+    lecture = collection.lecture_with(collection.solved_by(claim for _, claim in found))
     [(_, judgement)] = claims.judged(found, collection.letters, lecture)
     if options.format in SOURCES:
         return _source(options, judgement, notation)

@@ -71,7 +71,11 @@ def _run(collection: Collection, names: Sequence[str], options: argparse.Namespa
         return _list(collection, options.json)
     if options.student:
         return _questions(collection, names, options)
-    solutions = _solved(chosen(collection, names), options.set)
+    from rigidtop.present.solutions import solved
+
+    exercises = chosen(collection, names)
+    lines = collection.lecture_with(exercises)
+    solutions = [solved(each, options.set, lines=lines) for each in over("solving", exercises)]
     if options.sheet:
         _write(collection, solutions, options, notation if notation.images else None)
     elif options.json:
@@ -99,12 +103,6 @@ def chosen(collection: Collection, names: Sequence[str]) -> list[Exercise]:
             hint = f"did you mean {' or '.join(near)}?" if near else listing
             raise RigidtopError(f"no exercise {name!r}; {hint}")
     return [by_name[name] for name in names] if names else list(collection.exercises)
-
-
-def _solved(exercises: Sequence[Exercise], given: Sequence[str]) -> list[Solution]:
-    from rigidtop.present.solutions import solved
-
-    return [solved(exercise, given) for exercise in over("solving", exercises)]
 
 
 def _questions(collection: Collection, names: Sequence[str], options: argparse.Namespace) -> int:

@@ -54,15 +54,18 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
 
     notation = chosen(options)
     check_folder(options.output)  # before half a minute of work, not after it
+    lines = collection.lecture_with(collection.exercises)
     judged: list[tuple[Page, list[Judgement]]] = []
     every = claims.every(collection)
-    for page, judgement in claims.judged(every, collection.letters, collection.lecture):
+    for page, judgement in claims.judged(every, collection.letters, lines):
         if not judged or judged[-1][0] is not page:
             judged.append((page, []))
         judged[-1][1].append(judgement)
     judgements = [judgement for _, section in judged for judgement in section]
     known = {judgement.claim.name: judgement for judgement in judgements}
-    solutions = [solved(each, judged=known) for each in over("solving", collection.exercises)]
+    solutions = [
+        solved(each, judged=known, lines=lines) for each in over("solving", collection.exercises)
+    ]
     files = write_lecture(
         judged,
         solutions,
@@ -73,7 +76,7 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
         figures=FIGURES if collection.folder is None else (),
         # Pages of one's own need not be about Euler angles.
         notation=notation if collection.folder is None or notation.images else None,
-        lines=collection.lecture,
+        lines=lines,
     )
     unsolved = [solution.exercise.name for solution in solutions if not solution.passed]
     passed = all(judgement.passed for judgement in judgements) and not unsolved

@@ -35,7 +35,7 @@ def run(options: argparse.Namespace) -> int:
 
     notation = chosen(options)
     with opened(options.name) as (collection, names):
-        lecture = collection.lecture
+        lecture = collection.lecture_with(collection.exercises)
         for name in names:
             if name.strip("()") not in lecture.names:
                 raise RigidtopError(

@@ -27,10 +27,10 @@ from rigidtop.present.report import (
     symbols_used,
 )
 from rigidtop.present.solutions import Solution, blocks, question
-from rigidtop.present.ways import text_blocks, way_blocks
+from rigidtop.present.ways import led_blocks, text_blocks
 from rigidtop.present.wording import Wording
 from rigidtop.proof.lecture import Lecture
-from rigidtop.proof.verdict import Judgement, Led
+from rigidtop.proof.verdict import Judgement
 
 FORMATS = ("text", "latex", "html", "typst")
 
@@ -43,12 +43,7 @@ def fragment(
     A `deep` derivation starts from laws and definitions.
     """
     made = claim_blocks(Wording(notation).judgement(judgement), marks=format == "text")
-    made[1:1] = [
-        block
-        for item in judgement.items
-        if isinstance(item, Led)
-        for block in way_blocks(item.lecture, item.name, notation, deep)
-    ]
+    made[1:1] = led_blocks(judgement, notation, deep)
     made[1:1] = notations.remark(notation, symbols_used(made))
     if format == "text":
         return plain.fragment(made)
@@ -93,7 +88,7 @@ def picture(solution: Solution, notation: Notation | None = None) -> Picture | N
 
 def exercise_fragment(solution: Solution, notation: Notation = NOTES_NOTATION) -> str:
     """An exercise with its solution as text."""
-    made = blocks(solution_in(notation, solution), named=not notation.images)
+    made = blocks(solution_in(notation, solution), notation=notation)
     made[1:1] = notations.remark(notation, symbols_used(made))
     return plain.fragment(made)
 
@@ -169,7 +164,7 @@ def lecture(
         own = None if student else picture(solution, notation)
         if own and any(own.shows_what(other) for other in pictures):
             own = None  # the section has it
-        made = _exercise(solution, own, student, told, named=not (notation and notation.images))
+        made = _exercise(solution, own, student, told, notation or NOTES_NOTATION)
         closing += [(solution.exercise.section, block) for block in made]
         pictures += [own] if own else []
         told |= {judgement.claim.name for judgement in solution.judgements}
@@ -230,7 +225,7 @@ def sheet(
     told: set[str] = set()
     for solution in solutions:
         own = None if student else picture(solution, notation)
-        made += _exercise(solution, own, student, told, named=not (notation and notation.images))
+        made += _exercise(solution, own, student, told, notation or NOTES_NOTATION)
         pictures += [own] if own else []
         told |= {judgement.claim.name for judgement in solution.judgements}
     subtitle = "Questions" if student else "Questions and solutions"
@@ -240,12 +235,16 @@ def sheet(
 
 
 def _exercise(
-    solution: Solution, own: Picture | None, student: bool, told: Collection[str], *, named: bool
+    solution: Solution,
+    own: Picture | None,
+    student: bool,
+    told: Collection[str],
+    notation: Notation,
 ) -> list[Block]:
     """The exercise; claims that were told before are named only."""
     if student:
-        return question(solution.exercise, solution.settings, named=named)
-    return blocks(solution, own.described() if own else None, told=told, named=named)
+        return question(solution.exercise, solution.settings, named=not notation.images)
+    return blocks(solution, own.described() if own else None, told=told, notation=notation)
 
 
 def _write(

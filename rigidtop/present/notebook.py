@@ -27,6 +27,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 from PIL import Image
 
+from rigidtop.derivations import lecture_with
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
@@ -210,7 +211,8 @@ def solution(name: str, **given: float) -> Solution:
     known = {exercise.name: exercise for exercise in EXERCISES}
     if name not in known:
         raise RigidtopError(f"no exercise {name!r}; there are {', '.join(known)}")
-    return solved(known[name], given)
+    exercise = known[name]
+    return solved(exercise, given, lines=lecture_with([exercise.text] if exercise.text else []))
 
 
 @cache

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
+from rigidtop.notation import NOTES, Notation
 from rigidtop.parameters import settings
 from rigidtop.present.layout import Node, decimal, negated
 from rigidtop.present.plain import cell
@@ -28,7 +29,9 @@ from rigidtop.present.report import (
     claim_blocks,
     is_number,
 )
+from rigidtop.present.ways import led_blocks, text_blocks
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table
+from rigidtop.proof.lecture import Lecture, Text
 from rigidtop.proof.page import Measure
 from rigidtop.proof.verdict import Judgement, judge
 
@@ -44,13 +47,15 @@ TABLE_DIGITS = 4
 
 @dataclass(frozen=True)
 class Solution:
-    """An exercise, solved for its settings."""
+    """An exercise, solved for its settings; its `text`, if it has one, is among the `lines`."""
 
     exercise: Exercise
     settings: Mapping[str, float]
     judgements: tuple[Judgement, ...]
     outcomes: tuple[Outcome, ...]
     seconds: float
+    text: Text | None = None
+    lines: Lecture = field(default_factory=Lecture)
 
     @property
     def measures(self) -> tuple[Measure, ...]:
@@ -58,18 +63,25 @@ class Solution:
 
     @property
     def passed(self) -> bool:
-        """Whether every claim holds and every number is confirmed by a second way to it."""
-        return all(j.passed for j in self.judgements) and all(m.passed for m in self.measures)
+        """Whether every claim holds, every number is confirmed by a second way, no line a gap."""
+        lines = self.text.lines if self.text else ()
+        return (
+            all(j.passed for j in self.judgements)
+            and all(m.passed for m in self.measures)
+            and all(self.lines.judged(line.id).follows for line in lines)
+        )
 
 
 def solved(
     exercise: Exercise,
     given: Mapping[str, float] | Sequence[str] = (),
     judged: Mapping[str, Judgement] | None = None,
+    lines: Lecture | None = None,
 ) -> Solution:
     """Solve an exercise; `judged` are judgements of claims, by name, that need not be made again.
 
-    Raises RigidtopError for settings that make no sense, and for a number that is not finite.
+    `lines` is the lecture with the exercise's own text, whose moves are made.  Raises RigidtopError
+    for settings that make no sense, and for a number that is not finite.
     """
     start = time.perf_counter()
     values = settings(exercise.parameters, given)
@@ -78,10 +90,14 @@ def solved(
         if any(isinstance(x, float) and not math.isfinite(x) for x in _numbers(outcome)):
             raise RigidtopError(f"{exercise.name} has no finite answer for these settings")
     known = judged or {}
+    lines = lines or Lecture()
     judgements = tuple(
-        known.get(claim.name) or judge(claim, letters=LETTERS) for claim in exercise.claims
+        known.get(claim.name) or judge(claim, letters=LETTERS, lecture=lines)
+        for claim in exercise.claims
     )
-    return Solution(exercise, values, judgements, outcomes, time.perf_counter() - start)
+    text = next((each for each in lines.texts if each.name == exercise.text), None)
+    seconds = time.perf_counter() - start
+    return Solution(exercise, values, judgements, outcomes, seconds, text, lines)
 
 
 def _numbers(outcome: Outcome) -> list[float | str]:
@@ -97,12 +113,15 @@ def blocks(
     figure: Figure | None = None,
     *,
     told: Collection[str] = (),
-    named: bool = True,
+    notation: Notation = NOTES,
 ) -> list[Block]:
     """The exercise and its solution; claims that were `told` before are named only."""
     exercise = solution.exercise
-    made = question(exercise, solution.settings, named=named)
+    made = question(exercise, solution.settings, named=not notation.images)
     made.append(Subhead("Solution in symbols"))
+    own = {shown.name for shown in solution.text.shown} if solution.text else set()
+    if solution.text is not None:
+        made.extend(text_blocks(solution.lines, solution.text, notation))
     there = [judgement.claim for judgement in solution.judgements if judgement.claim.name in told]
     if there:
         names = ", ".join(f"({c.name})" if is_number(c.name) else c.name for c in there)
@@ -110,7 +129,9 @@ def blocks(
         made.append(Paragraph((f"See the {kind} {names} above.",)))
     for judgement in solution.judgements:
         if judgement.claim.name not in told:
-            made.extend(claim_blocks(judgement))
+            head, *rest = claim_blocks(judgement)
+            way = [] if judgement.claim.name in own else led_blocks(judgement, notation)
+            made.extend((head, *way, *rest))
     made.append(Subhead("Solution in numbers"))
     made.append(Paragraph((exercise.method,)))
     answers = [outcome for outcome in solution.outcomes if isinstance(outcome, Answer)]

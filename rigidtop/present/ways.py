@@ -19,6 +19,7 @@ from rigidtop.proof.equation import Equation
 from rigidtop.proof.lecture import Heading, Lecture, Shown, Text
 from rigidtop.proof.moves import Condition
 from rigidtop.proof.units import UnitsError
+from rigidtop.proof.verdict import Judgement, Led
 
 
 def way_blocks(
@@ -35,6 +36,16 @@ def way_blocks(
         names = [called(lecture.lines[id], notation) for id in starts]
         blocks.append(Paragraph((*_listed(names), "."), "From"))
     return [*blocks, *gaps(lecture, (*ids, *(x for x in starts if x in lecture.laws)))]
+
+
+def led_blocks(judgement: Judgement, notation: Notation = NOTES, deep: bool = False) -> list[Block]:
+    """The lines that lead to a claim that was judged with them; none where there are none."""
+    return [
+        block
+        for item in judgement.items
+        if isinstance(item, Led)
+        for block in way_blocks(item.lecture, item.name, notation, deep)
+    ]
 
 
 def text_blocks(lecture: Lecture, text: Text, notation: Notation = NOTES) -> list[Block]:

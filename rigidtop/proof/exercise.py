@@ -66,7 +66,8 @@ class Exercise:
 
     `asks` is where they do ("example 34"), `statement` the question in our own words, paragraphs
     separated by blank lines.  `figure` is the name of a figure; it is drawn with those parameters
-    of the exercise that it has too.
+    of the exercise that it has too.  `text` is the name of its solution in words and lines, a file
+    in Markdown behind those of the pages.
     """
 
     name: str
@@ -78,6 +79,7 @@ class Exercise:
     parameters: tuple[Parameter, ...]
     solve: Solve
     figure: str = ""
+    text: str = ""
 
     @property
     def method(self) -> str:
@@ -95,8 +97,9 @@ def exercise(
     claims: tuple[Claim, ...],
     parameters: tuple[Parameter, ...],
     figure: str = "",
+    text: str = "",
 ) -> Callable[[Solve], Exercise]:
     """Make the decorated generator function an `Exercise`."""
     return lambda solve: Exercise(
-        name, title, section, asks, statement, claims, parameters, solve, figure
+        name, title, section, asks, statement, claims, parameters, solve, figure, text
     )

@@ -233,6 +233,19 @@ def read_lecture(
     texts = []
     for name, source in sources:
         text = read_page(source, f"{name}.md", name, notation, above)
-        above += [Known(x.id, x.equations, x.scope, called=x.called) for x in text.lines]
+        above += _known(text)
         texts.append(text)
     return Lecture(letters, tuple(texts))
+
+
+def read_exercises(
+    sources: Sequence[tuple[str, str]], lecture: Lecture, notation: Notation
+) -> Lecture:
+    """A lecture with pages of exercises behind it: they may cite it, and not one another."""
+    above = [known for text in lecture.texts for known in _known(text)]
+    texts = [read_page(source, f"{name}.md", name, notation, above) for name, source in sources]
+    return Lecture(lecture.letters, (*lecture.texts, *texts))
+
+
+def _known(text: Text) -> list[Known]:
+    return [Known(x.id, x.equations, x.scope, called=x.called) for x in text.lines]

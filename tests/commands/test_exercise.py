@@ -21,6 +21,33 @@ def test_all_are_listed(capsys):
     assert [row["name"] for row in json.loads(capsys.readouterr().out)] == NAMES
 
 
+@pytest.mark.parametrize("format", ["text", "latex", "html", "typst"])
+def test_a_claim_of_an_exercise_is_derived_line_by_line(capsys, format):
+    assert main(["derive", "bearing-torque", "--format", format]) == 0
+    shown = capsys.readouterr().out
+    assert "into the force of the bearing" in " ".join(shown.split())
+    assert "the turning of the stick" in " ".join(shown.split())
+
+
+def test_the_way_to_a_claim_of_an_exercise_as_a_record(capsys):
+    assert main(["derive", "bearing-torque", "--json", "--deep"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert {step["verdict"] for step in found["steps"]} == {"follows"}
+    assert all(step["id"].startswith("exercises/two_masses:") for step in found["steps"])
+    assert "the force of the bearing" in found["rests_on"]
+    assert main(["map", "bearing-torque", "--json"]) == 0
+    [row] = json.loads(capsys.readouterr().out)["results"]
+    assert row["name"] == "bearing-torque"
+
+
+def test_a_solution_is_its_text_and_not_the_checks_once_more(capsys):
+    assert main(["exercise", "two-masses"]) == 0
+    shown = " ".join(capsys.readouterr().out.split())
+    assert shown.count("into the force of the bearing") == 1
+    assert "A wheel in static balance may shake its axle" in shown
+    assert "And what they add up to" not in shown
+
+
 def test_settings_reach_the_numbers(capsys):
     assert main(["exercise", "toppling-top", "--json", "--set", "theta=30deg", "lambda1=2"]) == 0
     found = json.loads(capsys.readouterr().out)
@@ -91,7 +118,7 @@ def test_in_another_notation(capsys, tmp_path):
     assert main(arguments) == 0
     shown = capsys.readouterr().out
     assert "I₁ is λ₁, I₃ is λ₃, l is R of the notes" in shown
-    assert "Ω₊ = I₃ω₃/(I₁ cos θ)" in shown
+    assert "Ω₊ ≈ I₃ω₃/(I₁ cos θ)" in shown
     assert main([*arguments, "--json"]) == 0
     threshold = json.loads(capsys.readouterr().out)["claims"][0]["assumptions"][1]
     assert threshold.startswith("I₃²ω₃² > 4I₁Mgl cos θ")

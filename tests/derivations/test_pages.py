@@ -6,12 +6,13 @@ from dataclasses import replace
 
 import pytest
 
-from rigidtop.derivations import PAGES, lecture
+from rigidtop.derivations import PAGES, lecture_with
+from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.proof.derivation import judge_line
 from rigidtop.read.page import Raw
 
-LECTURE = lecture()
+LECTURE = lecture_with([each.text for each in EXERCISES if each.text])
 MOVED = [id for id, line in LECTURE.lines.items() if line.move is not None]
 MADE = [id for id in MOVED if LECTURE.lines[id].move.verb != "call"]
 CHANGES = 10
@@ -71,6 +72,19 @@ def test_every_numbered_equation_has_its_lines() -> None:
     }
     assert numbered <= set(LECTURE.names)
     assert len(LECTURE.way("3.54")[0]) >= 4
+
+
+def test_every_claim_of_an_exercise_with_a_page_has_its_lines() -> None:
+    told = {claim.name for page in PAGES for claim in page.claims}
+    missing = {c.name for e in EXERCISES if e.text for c in e.claims} - told - set(LECTURE.names)
+    assert missing == set()
+
+
+def test_an_exercise_cites_the_lecture_and_no_other_exercise() -> None:
+    for id, line in LECTURE.lines.items():
+        for cited in LECTURE.cites(id):
+            there = LECTURE.lines[cited].file
+            assert there in (line.file, there.removeprefix("exercises/")), (id, cited)
 
 
 def test_every_law_says_where_it_is_from() -> None:

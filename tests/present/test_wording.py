@@ -78,7 +78,7 @@ def test_no_exercise_has_a_letter_for_two_things(judged, notation, monkeypatch):
         drawn = picture(solution, notation)
         if drawn is not None:
             drawn.described()
-        of_symbols(found, symbols_used(blocks(solution, named=False)))
+        of_symbols(found, symbols_used(blocks(solution, notation=notation)))
         assert found
         assert ambiguous(found) == {}, exercise.name
         monkeypatch.undo()
