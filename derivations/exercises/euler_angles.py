@@ -83,6 +83,7 @@ def vertical_trap() -> Iterator[Evidence]:
         Parameter("theta", pi / 6, "θ, polar angle of e₃", "rad", least=0, most=pi),
     ),
     figure="euler-angles",
+    text="exercises/vertical_in_primed_frame",
 )
 def vertical_in_primed_frame(phi: float, theta: float) -> Iterator[Outcome]:
     """SciPy turns x̂, ŷ and ẑ by φ about ẑ and by θ about the new e₂′, step by step; the rows are
@@ -175,6 +176,7 @@ MISSES = (0.1, 0.03, 0.01, 0.003, 0.001)
         *HEAVY_TOP,
     ),
     figure="motion",
+    text="exercises/azimuthal_rate",
 )
 def azimuth_of_a_motion(
     theta: float,

@@ -242,6 +242,7 @@ def discs(radius: float, height: float, nodes: int = 8) -> tuple[Vectors, Vector
         GRAVITY,
     ),
     figure="leaning-cone",
+    text="exercises/gravity_on_a_solid",
 )
 def gravity_on_a_solid(
     radius: float, height: float, density: float, theta: float, phi: float, g: float

@@ -150,6 +150,7 @@ def widest_angle() -> Iterator[Evidence]:
         ALONG,
     ),
     figure="cones",
+    text="exercises/cone_plane",
 )
 def cone_plane(
     lambda1: float, lambda2: float, lambda3: float, omega_0: float, omega3: float
@@ -274,6 +275,7 @@ def rolling() -> Iterator[Evidence]:
     claims=(body_precession, space_cone, rolling),
     parameters=(FREE1, LAMBDA3, ACROSS, ALONG),
     figure="rolling-cones",
+    text="exercises/space_rate",
 )
 def space_rate(lambda1: float, lambda3: float, omega_0: float, omega3: float) -> Iterator[Outcome]:
     """Rates and angles are those of the claims. The motion is integrated over one turn in space;
@@ -431,6 +433,7 @@ DAY = 86400.0
         Parameter("radius", 6356751.9, "distance of the pole from the centre", "m", above=0),
     ),
     figure="polar-motion",
+    text="exercises/earth_euler_period",
 )
 def earth_euler_period(
     H: float, omega3: float, observed: float, angle: float, radius: float
@@ -584,6 +587,7 @@ def plate_rates(body: FreeBody, theta: float, omega3: float) -> tuple[float, flo
         Parameter("omega3", 15.0, "ω₃", "rad/s", above=0),
     ),
     figure="wobbling-plate",
+    text="exercises/wobbling_plate",
 )
 def wobbling_plate(
     theta: float, radius: float, thickness: float, omega3: float
