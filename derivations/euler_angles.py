@@ -60,6 +60,13 @@ def momentum_primed() -> Matrix:
     return reduce_trig(turn * diag(*MOMENTS) * turn.T) * euler_omega("primed")
 
 
+def momentum_along_axes() -> dict:
+    """L along ẑ and along e₃, for any three moments (J s)."""
+    components = momentum_primed()
+    vertical_primed = primed_matrix().T * Z_AXIS
+    return {L_z: reduce_trig(vertical_primed.dot(components)), L3: components[2]}
+
+
 def sequence() -> dict:
     """The three turns of the figure as rotations about axes that move: e₂′, e₃ and all of O."""
     first = rotation_z(phi)
@@ -189,9 +196,7 @@ def azimuthal_rate() -> Iterator[Evidence]:
             phidot, (L_z - L3 * cos(theta)) / (lambda1 * sin(theta) ** 2), tag="3.45"
         )
         projected = Equation(L_z, lambda1 * phidot * sin(theta) ** 2 + L3 * cos(theta))
-    components = momentum_primed()
-    vertical_primed = primed_matrix().T * Z_AXIS
-    meaning = {L_z: reduce_trig(vertical_primed.dot(components)), L3: components[2]}
+    meaning = momentum_along_axes()
     yield Check(projected, meaning, (SYMMETRIC,), reason="L along ẑ.", printed=False)
     yield Check(printed, meaning, (SYMMETRIC, TILTED))
 

@@ -41,14 +41,17 @@ WRITING = {
     *("Symbol", "symbols", "sympify", "subs", "xreplace", "replace", "doit", "evalf", "items"),
     *("expand", "factor", "simplify", "together", "apart", "cancel", "collect", "trigsimp"),
     *("expand_trig", "radsimp", "factor_terms", "nsimplify", "reduce_trig", "reduce_ratio"),
-    *("dict", "list", "tuple", "zip", "sum", "range", "cache"),
+    *("lines", "dict", "list", "tuple", "zip", "sum", "range", "cache"),
 }
 """What makes an expression as it is typed, or writes it in another form."""
 
 WORK = (Cross, Dot, Transposed, SumOver, VolumeIntegral)
 """What is worked out from the meanings of its parts."""
 
-_WRITERS = ("rigidtop.proof.equation", "rigidtop.proof.page", "rigidtop.theory.lettered")
+_WRITERS = (
+    *("rigidtop.proof.equation", "rigidtop.proof.page", "rigidtop.theory.lettered"),
+    "rigidtop.read.page",
+)
 
 
 class CircularMeaningError(Exception):
@@ -202,8 +205,8 @@ def _derived(parts: Sequence[tuple[_Text, ast.AST]]) -> bool:
         seen.add(whole)
         body = whole.body if isinstance(whole, ast.FunctionDef) else [whole]
         for node in (node for part in body for node in ast.walk(part)):
-            if isinstance(text.known(node), Symbol):
-                continue
+            if isinstance(text.known(node), Symbol) or _is_function(text.known(node)):
+                continue  # a name; what a page prints
             bound = text.bound(node)
             todo += bound
             if not bound and _is_made(text.known(node)):

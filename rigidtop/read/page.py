@@ -17,17 +17,19 @@ numbered equation.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
+from importlib.resources import files
 from typing import Any
 
 from sympy import Symbol
 
 from rigidtop.errors import RigidtopError
-from rigidtop.notation import Notation
+from rigidtop.notation import NOTES, Notation
 from rigidtop.proof.algebra import Letters
 from rigidtop.proof.derivation import Line
-from rigidtop.proof.equation import symbols_of
+from rigidtop.proof.equation import Equation, symbols_of
 from rigidtop.proof.lecture import Block, Heading, Lecture, Prose, Shown, Text
 from rigidtop.proof.moves import Known, Move, Scope
 from rigidtop.read import sentence as language
@@ -36,6 +38,7 @@ from rigidtop.read.scan import unread
 
 _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z])")
 _HIDDEN = re.compile(r"\$\$|\\\[|\\begin\{|^```+ *math", re.M)
+_TAG = re.compile(r"\\tag\{([^}]+)\}")
 _ANCHOR = re.compile(r'\s*<a id="([\w.-]+)"></a>\s*')
 
 
@@ -48,10 +51,30 @@ def read_page(
 ) -> Text:
     """Read a page.  `above` may be cited, besides the page's own lines."""
     reader = _Reader(file, name, notation, list(above))
-    for text, at in _paragraphs(source):
+    for text, at, reader.anchor in _named(source):
         reader.take(text, at)
     reader.end()
     return Text(file, name, tuple(reader.blocks))
+
+
+def _named(source: str) -> Iterator[tuple[str, int, str]]:
+    """Blocks with the numbers of their first lines and the names that they have, if any."""
+    name, fresh = "", False  # just given, so that a heading may stand between it and its lines
+    for text, at in _paragraphs(source):
+        anchored = _ANCHOR.match(text)
+        if anchored is not None:
+            name, fresh = anchored[1], True
+            text = text[anchored.end() :]
+            if not text:
+                continue
+        if text.startswith("#") and not fresh:
+            name = ""
+        if text.lstrip().startswith("$$"):
+            text = text.strip()
+            if _TAG.search(text) and not fresh:
+                name = ""  # a numbered equation ends what a name names
+            fresh = False
+        yield text, at, name
 
 
 def _paragraphs(source: str) -> list[tuple[str, int]]:
@@ -96,26 +119,17 @@ class _Reader:
     page: list[Known] = field(default_factory=list)
     pending: tuple[str, int] | None = None
     anchor: str = ""
-    fresh: bool = False
-    """Whether the name was given just now, so that a heading may stand between it and its lines."""
     source: str = ""
 
     def take(self, text: str, at: int) -> None:
-        anchored = _ANCHOR.match(text)
-        if anchored is not None:
-            self.anchor, self.fresh = anchored[1], True
-            text = text[anchored.end() :]
-            if not text:
-                return
         if text.startswith("#"):
             self.end()
             level = len(text) - len(text.lstrip("#"))
             self.heading(level, text[level:].strip(), at)
-            self.anchor = self.anchor if self.fresh else ""
             if not self.laws or level <= self.laws:
                 self.laws = level if text[level:].split()[:1] == ["Laws"] else 0
-        elif text.lstrip().startswith("$$"):
-            self.display(text.strip().strip("$").strip(), at)
+        elif text.startswith("$$"):
+            self.display(text.strip("$").strip(), at)
         elif _HIDDEN.search(text):
             self.pending = None
             problem = "a display stands by itself, between empty lines and in $$"
@@ -145,7 +159,6 @@ class _Reader:
             self.pending = None
 
     def display(self, latex: str, at: int) -> None:
-        fresh, self.fresh = self.fresh, False
         sentence, self.pending = self.pending, None
         try:
             if sentence is None:
@@ -156,9 +169,6 @@ class _Reader:
         except (RigidtopError, language.SentenceError) as error:
             self.blocks.append(Shown(latex, at, None, str(error), self.anchor))
             return
-        numbered = any(equation.tag for equation in line.equations)
-        if numbered and not fresh:
-            self.anchor = ""  # a numbered equation ends what a name names
         self.blocks.append(Shown(latex, at, line, "", self.anchor))
         known = Known(line.id, line.equations, line.scope, called=line.called)
         self.page.append(known)
@@ -193,6 +203,61 @@ class _Reader:
             call = Move("call", using=using, by=tuple(letters), words=sentence)
             return replace(made, called=name, move=call)
         return replace(made, move=language.move(sentence, context))
+
+
+@dataclass(frozen=True, eq=False)
+class Displays:
+    r"""The equations that the pages of a package print, read when they are asked for.
+
+    >>> printed = Displays("rigidtop.derivations")
+    >>> printed("3.52").tag, printed(r"p_\phi = L_z") == printed("p-phi-is-Lz")
+    ('3.52', True)
+    >>> [line.tag for line in printed.lines("3.36")]
+    ['', '', '3.36']
+    """
+
+    package: str
+    notation: Notation = NOTES
+
+    def __call__(self, what: str) -> Equation:
+        """The equation with a number or a name, or written here in LaTeX.
+
+        Raises RigidtopError where it is not read, or where there are several.
+        """
+        found = [line for line in self.lines(what) if line.tag == what] or self.lines(what)
+        if len(found) != 1:
+            raise RigidtopError(f"{what} are {len(found)} equations, not one")
+        return found[0]
+
+    def lines(self, what: str) -> tuple[Equation, ...]:
+        """All equations of a number, of a name, or of a formula in LaTeX, in their order."""
+        if what not in self._read:
+            made = []
+            for latex in self._shown.get(what, (what,)):
+                for line in read(latex, self.notation):
+                    if line.equation is None:
+                        raise RigidtopError(f"{latex} is not read: {line.problem}")
+                    made.append(line.equation)
+            self._read[what] = tuple(made)
+        return self._read[what]
+
+    @cached_property
+    def _read(self) -> dict[str, tuple[Equation, ...]]:
+        """Of what was read already."""
+        return {}
+
+    @cached_property
+    def _shown(self) -> dict[str, tuple[str, ...]]:
+        """The displays of all pages as they are written, by their numbers and names."""
+        made: dict[str, tuple[str, ...]] = {}
+        for page in files(self.package).iterdir():
+            source = page.read_text("utf-8") if page.name.endswith(".md") else ""
+            for text, _, name in _named(source):
+                if text.startswith("$$"):
+                    shown = text.strip("$").strip()
+                    for each in {name, *_TAG.findall(shown)} - {""}:
+                        made[each] = (*made.get(each, ()), shown)
+        return made
 
 
 @dataclass(frozen=True)

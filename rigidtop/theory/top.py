@@ -24,11 +24,14 @@ from rigidtop.theory.lagrangian import (
     routhian,
 )
 from rigidtop.theory.rotation import (
+    EULER_RATES,
     Z_AXIS,
     euler_matrix,
     euler_omega,
+    primed_matrix,
     quaternion_matrix,
     quaternion_rates,
+    total_derivative,
 )
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
@@ -88,6 +91,21 @@ def symmetric_momenta() -> ImmutableMatrix:
 def symmetric_top_accelerations() -> ImmutableMatrix:
     """θ̈, φ̈, ψ̈ of the symmetric top (3×1, rad/s²); singular where sin θ = 0."""
     return ImmutableMatrix(accelerations(symmetric_lagrangian(), ANGLES, RATES).applyfunc(_tidy))
+
+
+def along_motion(expression: Expr) -> Expr:
+    """d/dt of a function of angles and rates of the symmetric top along its motion."""
+    found = dict(zip(ACCELERATIONS, symmetric_top_accelerations(), strict=True))
+    return total_derivative(expression, EULER_RATES).subs(found)
+
+
+def newton_euler_thetaddot() -> Expr:
+    """θ̈ from L̇ + ω′ × L = N along e₂′; the frame e₁′, e₂′, e₃ turns with ω′ (rad/s²)."""
+    omega = euler_omega("primed")
+    frame = Matrix([omega[0], omega[1], s.phidot * cos(s.theta)])
+    momentum = Matrix([s.lambda1 * omega[0], s.lambda1 * omega[1], s.lambda3 * omega[2]])
+    torque = Matrix([0, 0, s.R]).cross(-s.M * s.g * primed_matrix().T * Z_AXIS)
+    return (torque - frame.cross(momentum))[1] / s.lambda1
 
 
 def _tidy(ratio: Expr) -> Expr:

@@ -26,10 +26,14 @@ m, g, length, E, theta, thetaddot, thetadot, x, y, r = in_order(
 NEIGHBOUR = """\
 from sympy import Rational, cos, sin
 
+from rigidtop.notation import Notation
+from rigidtop.read.page import Displays
 from rigidtop.theory.lagrangian import accelerations
 
-from .letters import g, length, m, theta, thetadot
+from .letters import g, length, m, theta, thetaddot, thetadot
 
+GLYPHS = {x: x.quantity.glyph for x in (g, length, theta, thetaddot)}
+shown = Displays(__package__, Notation("course", GLYPHS, {}))
 LAW = -(g / length) * sin(theta)
 LAGRANGIAN = Rational(1, 2) * m * length**2 * thetadot**2 + m * g * length * cos(theta)
 DERIVED = accelerations(LAGRANGIAN, [theta], [thetadot])[0]
@@ -41,6 +45,7 @@ def law():
 def derived():
     return accelerations(LAGRANGIAN, [theta], [thetadot])[0]
 """
+TEXT = r"$$\ddot\theta = -\frac gl\sin\theta \tag{1.1}$$"
 PAGE = """\
 import sympy
 from sympy import Matrix, Ne, cos, sin
@@ -52,7 +57,7 @@ from rigidtop.theory.rotation import total_derivative
 
 from . import neighbour
 from .letters import E, g, length, m, r, theta, thetaddot, thetadot, x, y
-from .neighbour import DERIVED, LAGRANGIAN, LAW, derived, law
+from .neighbour import DERIVED, LAGRANGIAN, LAW, derived, law, shown
 
 @claim("1.1", "x")
 def one():
@@ -72,6 +77,7 @@ def judged(tmp_path, capsys, body):
     files = {"letters": LETTERS, "neighbour": NEIGHBOUR, "__init__": PAGE.replace("{body}", body)}
     for name, text in files.items():
         (folder / f"{name}.py").write_text(text, encoding="utf-8")
+    (folder / "text.md").write_text(TEXT, encoding="utf-8")
     failed = main(["check", f"{folder}/", "--json"])
     [record] = json.loads(capsys.readouterr().out)
     assert failed == (record["verdict"] != "proved")
@@ -99,6 +105,9 @@ CIRCULAR = {
     "a neighbour's by its module": held("neighbour.LAW"),
     "a neighbour's function": "yield Check(printed, meaning={thetaddot: law()})",
     "a neighbour's function by its module": held("neighbour.law()"),
+    "what the page prints": "yield Check(shown('1.1'), {thetaddot: LAW})",
+    "both from the page": held("shown('1.1').sides[1]"),
+    "a line of the page": held("shown.lines('1.1')[0].sides[1]"),
     "a function within": held("again()", "def again():\n        return LAW"),
     "a lambda": held("again()", "again = lambda: LAW"),
     "no generator": "return [Check(printed, {thetaddot: LAW})]",
