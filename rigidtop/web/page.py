@@ -159,6 +159,7 @@ def _slider(slider: Slider) -> dict[str, Any]:
         "most": slider.most,
         "logarithmic": slider.logarithmic,
         "angle": slider.angle,
+        "start": slider.start,
     }
 
 

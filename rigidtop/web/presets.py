@@ -37,7 +37,7 @@ def heavy_presets() -> tuple[Preset, ...]:
     return (
         _top(
             "slow",
-            "Slow steady precession",
+            "Slow precession",
             "φ̇₀ is the slow root Ω₋ of (3.57): the axis keeps its tilt, and the torque turns L "
             "about the vertical.",
             arrows,
@@ -45,7 +45,7 @@ def heavy_presets() -> tuple[Preset, ...]:
         ),
         _top(
             "fast",
-            "Fast steady precession",
+            "Fast precession",
             "φ̇₀ is the fast root Ω₊ of (3.57), which for fast spin tends to λ₃ω₃/(λ₁ cos θ): the "
             "free precession, in which gravity plays no part.",
             ("e3", "omega", "L", "trail"),
@@ -54,40 +54,40 @@ def heavy_presets() -> tuple[Preset, ...]:
         ),
         _top(
             "waves",
-            "Nutation in waves",
+            "Waves",
             "φ̇ keeps its sign, so e₃ draws waves between two circles.",
             theta=TILT, phi_dot=slow / 2, omega3=SPIN,
         ),
         _top(
             "cusps",
-            "Nutation with cusps",
+            "Cusps",
             "Held at rest and let go: φ̇ vanishes at the upper circle, where e₃ stops for an "
             "instant.",
             theta=TILT, phi_dot=0.0, omega3=SPIN,
         ),
         _top(
             "loops",
-            "Nutation with loops",
+            "Loops",
             "Pushed against its precession: φ̇ changes sign, and e₃ draws loops.",
             theta=TILT, phi_dot=-2 * slow, omega3=SPIN,
         ),
         _top(
             "sleeping",
-            "Sleeping top",
+            "Sleeping",
             "Spinning faster than 2√(λ₁MgR)/λ₃, an upright top that is pushed a little stays near "
             "the vertical.",
             theta=radians(1), omega3=1.2 * sleeping,
         ),
         _top(
             "waking",
-            "Waking top",
+            "Waking",
             "A little slower than 2√(λ₁MgR)/λ₃ the same push grows: the top falls away from the "
             "vertical, rises again, and so on.",
             theta=radians(1), omega3=0.9 * sleeping,
         ),
         _top(
             "toppling",
-            "Toppling (example 34)",
+            "Toppling",
             "Without spin it is a pendulum that stands on its head: it falls. At the lowest point "
             "e₃ goes through the vertical, where φ jumps by 180°.",
             ("e3", "torque", "trail"),
@@ -102,7 +102,7 @@ def free_presets() -> tuple[Preset, ...]:
     return (
         Preset(
             "free-precession",
-            "Free precession of a symmetric body",
+            "Free precession",
             "λ₃ is the smallest moment: the body cone rolls on the outside of the space cone, and "
             "both touch along ω.",
             free((1.3, 1.3, 0.7), (1.5, 0.0, 2.5)),
@@ -120,7 +120,7 @@ def free_presets() -> tuple[Preset, ...]:
         ),
         Preset(
             "flip",
-            "Flip about the intermediate axis",
+            "Flip",
             "Started nearly along e₂, the axis of the intermediate moment, the body flips again "
             "and again. L does not move.",
             free((1.0, 1.7, 2.3), (0.02, 4.0, 0.02)),
@@ -129,7 +129,7 @@ def free_presets() -> tuple[Preset, ...]:
         ),
         Preset(
             "largest",
-            "About the axis of the largest moment",
+            "Largest moment",
             "ω stays near e₃: its polhode is a closed curve around the axis.",
             free((1.0, 1.7, 2.3), (1.5, 0.0, 3.5)),
             poinsot,
@@ -137,7 +137,7 @@ def free_presets() -> tuple[Preset, ...]:
         ),
         Preset(
             "smallest",
-            "About the axis of the smallest moment",
+            "Smallest moment",
             "ω stays near e₁: rotation about the axis of the smallest moment is stable too, as "
             "long as no friction takes energy.",
             free((1.0, 1.7, 2.3), (3.5, 0.0, 1.0)),
@@ -159,7 +159,7 @@ def _toutatis() -> Preset:
     )
     setup = free((moments[0], moments[1], moments[2]), (rates[0], rates[1], rates[2]), "d")
     layers = ("e3", "omega", "L", "trail")
-    return Preset("toutatis", "The asteroid Toutatis", about, setup, layers, "asteroid")
+    return Preset("toutatis", "Toutatis", about, setup, layers, "asteroid")
 
 
 PRESETS: dict[str, Callable[[], tuple[Preset, ...]]] = {HEAVY: heavy_presets, FREE: free_presets}

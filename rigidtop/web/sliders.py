@@ -26,6 +26,8 @@ class Slider:
     least: float
     most: float
     logarithmic: bool = False
+    start: bool = False
+    """Of the start, not of the body: these are always in sight."""
 
     @property
     def letter(self) -> str:
@@ -54,15 +56,24 @@ HEAVY_SLIDERS = (
     Slider("M", Glyph("M"), "mass", "kg", 1e-3, 10.0, True),
     Slider("R", Glyph("R"), "pivot to centre of mass", "m", 0.0, 2.0),
     Slider("g", Glyph("g"), "acceleration of gravity", "m/s²", 0.0, 30.0),
-    Slider("theta", Glyph("θ", "0"), "tilt at the start", "rad", 0.0, pi),
-    Slider("phi_dot", Glyph("φ", "0", "dot"), "rate of precession at the start", "rad/s", *RATES),
-    Slider("omega3", Glyph("ω", "3"), "spin: ω along e₃", "rad/s", *RATES),
+    Slider("theta", Glyph("θ", "0"), "tilt at the start", "rad", 0.0, pi, start=True),
+    Slider(
+        "phi_dot", Glyph("φ", "0", "dot"), "precession at the start", "rad/s", *RATES, start=True
+    ),
+    Slider("omega3", Glyph("ω", "3"), "spin: ω along e₃", "rad/s", *RATES, start=True),
 )
 
 FREE_SLIDERS = (
     *MOMENT_SLIDERS,
     *(
-        Slider(f"omega{k}", Glyph("ω", str(k)), f"ω along e{sub} at the start", "rad/s", *RATES)
+        Slider(
+            f"omega{k}",
+            Glyph("ω", str(k)),
+            f"ω along e{sub} at the start",
+            "rad/s",
+            *RATES,
+            start=True,
+        )
         for k, sub in zip((1, 2, 3), "₁₂₃", strict=True)
     ),
 )

@@ -39,7 +39,7 @@ def test_a_preset_with_other_numbers_comes_first(tmp_path, capsys):
     assert shown["title"] == "An example, changed"
     assert shown["setup"]["values"]["theta"] == pytest.approx(math.pi / 4)
     assert shown["about"] == (
-        "As “Nutation with loops”, but with theta = 0.7854, omega3 = 6.283 (SI units and radians)."
+        "As “Loops”, but with theta = 0.7854, omega3 = 6.283 (SI units and radians)."
     )
 
 

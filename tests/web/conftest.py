@@ -52,7 +52,7 @@ def _numbers(found):
 @pytest.fixture(scope="session")
 def engine():
     """All modules that compute."""
-    return Engine("equations", "dop853", "motion", "facts")
+    return Engine("equations", "dop853", "motion", "polhode", "facts", "regimes")
 
 
 @cache
@@ -93,6 +93,10 @@ class Live:
         self.driver.get(f"{(self.folder / name).as_uri()}.html?{self.opened}{hash}")
         if ready:
             self.wait(ready)
+            # What is folded away is there all the same.
+            self.driver.execute_script(
+                "for (const part of document.querySelectorAll('#more details')) part.open = true;"
+            )
 
     def show(self, kind, hash):
         """The page of that kind by an address that is put into it, loaded only where it is not."""

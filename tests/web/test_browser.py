@@ -13,7 +13,7 @@ from PIL import Image
 import rigidtop as rt
 from rigidtop.web import terms
 from rigidtop.web.page import page, page_of
-from rigidtop.web.presets import PRESETS, TOP
+from rigidtop.web.presets import PRESETS, SPIN, TILT, TOP
 
 from .conftest import page_data
 
@@ -617,6 +617,100 @@ def test_a_narrow_screen(phone, kind):
         assert min(each.size.values()) >= 40
 
 
+SIZES = ((1280, 720), (1920, 1080), (1024, 768), (3840, 2160))
+
+
+@pytest.mark.parametrize("kind", PRESETS)
+@pytest.mark.parametrize("size", SIZES)
+def test_cause_and_effect_are_in_view_together(live, kind, size):
+    width, height = size
+    live.cdp("Emulation.setDeviceMetricsOverride", width=width, height=height,
+             deviceScaleFactor=1, mobile=False)  # fmt: skip
+    try:
+        live.open(kind, STILL)
+        sliders = "#start input[type=range]"
+        assert len(live.all(sliders)) == 3
+        for selector in ("#scene", "#verdict .verdict", "#plots", sliders):
+            for each in live.all(selector):
+                box = each.rect
+                assert box["x"] >= 0, selector
+                assert box["y"] >= 0, selector
+                assert box["x"] + box["width"] <= width, selector
+                assert box["y"] + box["height"] <= height, selector
+        assert all(each.size["width"] >= 150 for each in live.all(sliders))
+        assert live.find("#plots").size["height"] >= 150
+    finally:
+        live.cdp("Emulation.clearDeviceMetricsOverride")
+
+
+def test_a_hand_is_caught_by_the_steady_rates(live):
+    live.open(HEAVY, "#preset=cusps&play=0")
+    slow, _ = TOP.steady_precession(TILT, SPIN)
+    track = live.find("#slider-phi_dot")
+    live.js(
+        "(window.seen = [], arguments[0].addEventListener('input', () =>"
+        " seen.push(arguments[0].getAttribute('aria-valuetext'))))", track)  # fmt: skip
+    chain = ActionChains(live.driver, duration=1)
+    chain.move_to_element_with_offset(track, -30, 0).click_and_hold()
+    for _ in range(30):
+        chain.move_by_offset(2, 0)
+    chain.release().perform()
+    seen = live.js("seen")
+    assert len(set(seen)) > 10
+    assert "0 rad/s" in seen
+    assert f"{slow:.4g} rad/s" in seen
+
+
+def test_the_map_of_starts_sets_both(live):
+    live.open(HEAVY, "#preset=cusps&play=0")
+    box = live.find("#regimes canvas")
+    ActionChains(live.driver).move_to_element_with_offset(box, -40, -30).click().perform()
+    live.wait("rigidtop.motion.setup.values.phi_dot !== 0")
+    assert live.values["phi_dot"] < 0
+    assert 0 < live.values["omega3"] < 12
+    assert float(live.find("#number-omega3").get_attribute("value")) == live.values["omega3"]
+    live.open(HEAVY, "#preset=sleeping&theta=0&play=0")
+    assert not live.find("#regimes").is_displayed()
+
+
+def test_embedded_only_the_picture_and_time_are_left(live):
+    live.open(HEAVY, "#preset=loops&embed=1&play=0")
+    assert live.find("#scene canvas").is_displayed()
+    assert live.find("#transport").is_displayed()
+    for selector in ("header", "footer", "#column", "#looks"):
+        assert not live.find(selector).is_displayed()
+    live.open(HEAVY, "#embed=yes&play=0")
+    assert "embed=yes, which is none of 0, 1" in live.find("#notice").text
+
+
+def test_shown_to_a_room(live):
+    live.open(HEAVY, "#preset=loops&play=0")
+    press(live, "p")
+    live.wait("document.body.classList.contains('presenting')")
+    assert live.find(".verdict").value_of_css_property("font-size") == "28px"
+    assert not live.find("#sliders, #start").is_displayed()
+    letters = "[...document.querySelectorAll('#scene div[aria-hidden]')][0].style.fontSize"
+    live.wait(f"parseFloat({letters}) >= 28")
+    press(live, "p")
+    live.wait("!document.body.classList.contains('presenting')")
+    assert live.find("#start").is_displayed()
+
+
+def test_the_table_holds_the_motion(live):
+    live.open(HEAVY, "#preset=loops&play=0")
+    text = live.driver.execute_async_script(
+        "const done = arguments[0]; import('rigidtop/take.js').then(({ tableOf }) =>"
+        " done(tableOf(rigidtop.motion, 5)));"
+    )
+    names, *rows = [line.split(",") for line in text.strip().split("\r\n")]
+    assert names[:2] == ["t (s)", "theta (rad)"]
+    slow, _ = TOP.steady_precession(TILT, SPIN)
+    exact = TOP.motion(theta=TILT, phi_dot=-2 * slow, omega3=SPIN).exact(np.linspace(0, 5, 1001))
+    table = np.array(rows, dtype=float)
+    assert table[:, names.index("theta (rad)")] == pytest.approx(exact.theta, abs=1e-9)
+    assert table[:, names.index("phi_dot (rad/s)")] == pytest.approx(exact.phi_dot, abs=1e-9)
+
+
 def test_a_finger_turns_the_view(phone):
     phone.open(HEAVY, STILL)
     before = settled(phone)
@@ -799,7 +893,7 @@ def test_a_notebook_plays_the_same_page(live):
     frames = own._repr_html_() + shown._repr_html_()
     live.write("notebook", f'<!doctype html><meta charset="utf-8"><title>Notebook</title>{frames}')
     live.open("notebook", ready="")
-    for number, verdict in enumerate(("Own motion", "Slow steady precession")):
+    for number, verdict in enumerate(("Own motion", "Slow precession")):
         live.driver.switch_to.default_content()
         live.driver.switch_to.frame(number)
         live.wait("window.rigidtop && rigidtop.motion.now.t > 0.1")

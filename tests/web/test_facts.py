@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
@@ -92,7 +93,57 @@ def test_both_steady_rates_are_steady(engine, tableau, which, omega3):
     assert found["steady"] == pytest.approx(rates, rel=1e-12)
     near = facts(engine, TOP.motion(theta=0.5, phi_dot=rates[which] * 1.001, omega3=omega3))
     assert near["regime"] == "waves"
-    assert near["verdict"].startswith(("Waves: θ goes between 28", "Waves: θ stays within 0.00"))
+    assert near["verdict"].startswith("It precesses, and nods by no more than 0.0")
+
+
+def test_the_nutation_has_its_period_in_words(engine, tableau):
+    motion = TOP.motion(theta=0.5, phi_dot=-1.0, omega3=12.0)
+    said = facts(engine, motion)["verdict"]
+    assert f" every {motion.nutation_period:.4g} s, and φ̇ changes sign." in said
+    held = TOP.motion(theta=math.radians(1), omega3=1.2 * TOP.sleeping_spin())
+    least, most = (math.degrees(angle) for angle in held.turning_points)
+    assert least == pytest.approx(1)
+    assert facts(engine, held)["verdict"].startswith(
+        f"It sleeps: the axis stays within {most:.4g}° of the vertical. "
+    )
+    wakes = TOP.motion(theta=math.radians(1), omega3=0.9 * TOP.sleeping_spin())
+    most = math.degrees(wakes.turning_points[1])
+    assert facts(engine, wakes)["verdict"].startswith(
+        f"It wakes up: the axis falls to {most:.4g}°, and comes back to 1° every "
+        f"{wakes.nutation_period:.4g} s. "
+    )
+
+
+def test_a_flip_says_so_and_when(engine, tableau):
+    motion = rt.FreeBody(1.0, 1.7, 2.3).motion(omega=(0.02, 4.0, 0.02))
+    said = facts(engine, motion)["verdict"]
+    # ω₂ has one sign until it turns over: a period of the body's nutation is twice that.
+    times = np.linspace(0.0, 60.0, 60001)
+    middle = motion.exact(times).omega[:, 1]
+    signs = times[1:][np.diff(np.sign(middle)) != 0]
+    assert f"turns over every {np.diff(signs).mean():.3f} s" in said
+    assert "It flips: it spins about e₂" in said
+    gentle = rt.FreeBody(1.0, 1.7, 2.3).motion(omega=(3.0, 1.0, 0.5))
+    assert "flips" not in facts(engine, gentle)["verdict"]
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    theta=st.floats(0.1, 3.0), phi_dot=st.floats(-8, 8), omega3=st.floats(-30, 30),
+)  # fmt: skip
+def test_the_map_of_starts_agrees_with_the_motions(engine, tableau, theta, phi_dot, omega3):
+    motion = TOP.motion(theta=theta, phi_dot=phi_dot, omega3=omega3)
+    rates = [abs(motion.start().p_phi[0] - motion.start().p_psi[0] * math.cos(x))
+             for x in motion.turning_points]  # fmt: skip
+    assume(min(rates) > 1e-7 * max(rates))
+    assume(abs(phi_dot) + abs(omega3) > 1e-6)  # else it is a pendulum, to rounding
+    regime = motion.regime
+    top = {name: getattr(TOP, name) for name in ("M", "R", "g", "lambda1", "lambda3")}
+    sign = engine.run("backwards(top, ...start)", top=top, start=[theta, phi_dot, omega3])
+    if regime == "waves":
+        assert sign == 1
+    if regime == "loops":
+        assert sign == -1
 
 
 def test_presets_are_what_their_names_say(engine, tableau):
@@ -126,7 +177,8 @@ def test_presets_are_what_their_names_say(engine, tableau):
         ({"theta": 0.0, "omega3": 8.0}, "from |ω₃| ≥ 7.069 rad/s on: with ω₃ = 8 rad/s it sleeps."),
         ({"theta": 0.0, "omega3": 6.0}, "with ω₃ = 6 rad/s it falls at the slightest push."),
         # 2λ₁MgR sin θ/(λ₃ω₃)² is 0.000686327 degrees.
-        ({"theta": 0.5, "omega3": 1e3}, "Cusps: θ stays within 0.0006863° of 28.65°, and φ̇ "),
+        ({"theta": 0.5, "omega3": 1e3}, "It precesses, and nods by no more than 0.0006863° every "
+         "0.01167 s (cusps). "),
     ],
 )  # fmt: skip
 def test_the_verdict(engine, tableau, state, says):
@@ -161,12 +213,13 @@ def test_the_regime_of_any_free_body(engine, tableau, moments, omega):
         ((0, 2.0, 0), "ω stays along the principal axis e₂, unstably: it is the axis of the "
          "intermediate moment."),
         ((0, 0, 0), "The body is at rest."),
-        ((0.1, 0.1, 2.0), "ω goes round e₃, the axis of the largest moment: L² > 2Tλ₂."),
-        ((2.0, 0.1, 0.1), "ω goes round e₁, the axis of the smallest moment: L² < 2Tλ₂."),
+        ((0.1, 0.1, 2.0), "ω goes round e₃, the axis of the largest moment, in "),
+        ((2.0, 0.1, 0.1), "ω goes round e₁, the axis of the smallest moment, in "),
     ],
 )  # fmt: skip
 def test_the_verdict_of_free_bodies(engine, tableau, omega, says):
-    assert facts(engine, rt.FreeBody(1.0, 1.7, 2.3).motion(omega=omega))["verdict"] == says
+    said = facts(engine, rt.FreeBody(1.0, 1.7, 2.3).motion(omega=omega))["verdict"]
+    assert said.startswith(says)
 
 
 @pytest.mark.parametrize(

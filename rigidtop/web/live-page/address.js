@@ -31,6 +31,7 @@ import { THEMES } from "./theme.js";
  * @property {Shape} shape
  * @property {number} speed Times the speed of the preset.
  * @property {Theme | null} theme
+ * @property {boolean} embed Without all that stands around the picture, for a frame.
  */
 
 /** The slowest and the fastest that the page plays, times the preset's speed. */
@@ -90,6 +91,7 @@ export function stateOf(preset) {
     shape: preset.shape,
     speed: 1,
     theme: null,
+    embed: false,
   };
 }
 
@@ -169,6 +171,7 @@ export function writeAddress(state, data) {
   if (state.shape !== preset.shape) parts.push(`shape=${state.shape}`);
   if (state.speed !== 1) parts.push(`speed=${state.speed}`);
   if (state.theme !== null) parts.push(`theme=${state.theme}`);
+  if (state.embed) parts.push("embed=1");
   return `#${parts.join("&")}`;
 }
 
@@ -229,6 +232,9 @@ const LOOKS = {
   play(text, state, _data, complaints) {
     const word = oneOf("play", text, ["0", "1"], null, complaints);
     if (word !== null) state.play = word === "1";
+  },
+  embed(text, state, _data, complaints) {
+    state.embed = oneOf("embed", text, ["0", "1"], null, complaints) === "1";
   },
   clock(text, state, data, complaints) {
     const clocks = /** @type {Clock[]} */ (data.kind === "free" ? ["s", "d"] : ["s"]);

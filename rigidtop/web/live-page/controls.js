@@ -7,10 +7,9 @@
 /** @typedef {import("./types").Preset} Preset */
 /** @typedef {import("./types").Values} Values */
 
-const DEGREE = Math.PI / 180;
+import { listen, trackOf } from "./track.js";
 
-/** Steps of a slider from end to end, at least. */
-const STEPS = 600;
+const DEGREE = Math.PI / 180;
 
 /** How long a slider must rest before the verdict is read out, in ms. */
 const REST = 800;
@@ -108,16 +107,6 @@ export function shown(parameter, value, clock) {
 }
 
 /**
- * The least of 1, 2, 5 times a power of ten that is not below.
- *
- * @param {number} width
- */
-function niceStep(width) {
-  const power = 10 ** Math.floor(Math.log10(width));
-  return power * ([1, 2, 5].find((factor) => factor * power >= width * (1 - 1e-9)) ?? 10);
-}
-
-/**
  * The letter of a parameter as mathematics.
  *
  * @param {Parameter} parameter
@@ -135,7 +124,7 @@ function letterOf(parameter) {
  * @param {(value: number) => void} changed
  */
 function createRow(parameter, changed) {
-  const { name, logarithmic } = parameter;
+  const { name } = parameter;
   const scale = parameter.angle ? DEGREE : 1;
   const range = element("input", { type: "range", id: `slider-${name}` });
   const field = element("input", {
@@ -161,7 +150,10 @@ function createRow(parameter, changed) {
   /** @type {Clock} */
   let clock = "s";
   let [least, most] = [parameter.least, parameter.most];
+  let track = trackOf(parameter, least, most);
   let value = least;
+  /** @type {readonly number[]} */
+  let marks = [0];
 
   /**
    * @param {string} sentence
@@ -170,6 +162,7 @@ function createRow(parameter, changed) {
   function complain(sentence, ...more) {
     error.replaceChildren(sentence, ...more);
     field.setAttribute("aria-invalid", "true");
+    row.closest("details")?.setAttribute("open", "");
   }
   /** What could not be taken gives way to what is. */
   function restore() {
@@ -181,33 +174,25 @@ function createRow(parameter, changed) {
     field.removeAttribute("aria-invalid");
   }
   function setRange() {
-    if (logarithmic) {
-      const [low, high] = [Math.log10(least), Math.log10(most)];
-      [range.min, range.max, range.step] = [low, high, (high - low) / STEPS].map(String);
-    } else {
-      const step = niceStep((most - least) / scale / (2 * STEPS));
-      const [low, high] = [Math.floor(least / scale / step), Math.ceil(most / scale / step)];
-      [range.min, range.max, range.step] = [low * step, high * step, step].map((number) =>
-        String(Number(number.toPrecision(12))),
-      );
-    }
+    track = trackOf(parameter, least, most);
+    [range.min, range.max, range.step] = [track.low, track.high, track.step].map(String);
   }
   function showRange() {
-    range.value = String(logarithmic ? Math.log10(value) : value / scale);
+    range.value = String(track.at(value));
     range.setAttribute("aria-valuetext", shown(parameter, value, clock));
   }
   function showField() {
     field.value = rounded(value / scale, 6);
   }
 
-  range.addEventListener("input", () => {
-    const at = Number(range.value);
-    const asked = logarithmic ? Number((10 ** at).toPrecision(3)) : at * scale;
-    value = Math.min(Math.max(asked, least), most);
+  listen(range, () => ({ track, marks, value }), (asked) => {
+    value = asked;
+    // The slider stays where the hand is until it is let go.
     range.setAttribute("aria-valuetext", shown(parameter, value, clock));
     showField();
     changed(value);
   });
+  range.addEventListener("change", showRange);
   field.addEventListener("change", () => {
     const asked = typedValue(field.value, parameter);
     if (asked === null) {
@@ -252,6 +237,10 @@ function createRow(parameter, changed) {
       showField();
       content();
     },
+    /** @param {readonly number[]} next Values that a hand is meant to hit. */
+    setMarks(next) {
+      marks = next;
+    },
     /** @param {boolean} follows Another slider sets this one. */
     setFollowing(follows) {
       range.disabled = follows;
@@ -264,12 +253,12 @@ function createRow(parameter, changed) {
  * The sliders. `changed` takes all the values that are asked for, and the name of the one that was
  * moved.
  *
- * @param {HTMLElement} container
+ * @param {{ start: HTMLElement, body: HTMLElement }} places
  * @param {Kind} kind
  * @param {readonly Parameter[]} parameters
  * @param {(values: Record<string, number>, name: string) => void} changed
  */
-export function createSliders(container, kind, parameters, changed) {
+export function createSliders(places, kind, parameters, changed) {
   /** @type {Record<string, number>} */
   let values = {};
   /** @type {Preset | null} */
@@ -291,7 +280,10 @@ export function createSliders(container, kind, parameters, changed) {
       if (symmetric.checked && values.lambda2 !== values.lambda1) set("lambda1", values.lambda1);
     });
   }
-  container.replaceChildren(...[...rows.values()].map(({ row }) => row));
+  for (const { name, start } of parameters) {
+    const made = rows.get(name);
+    if (made) (start ? places.start : places.body).append(made.row);
+  }
 
   /** @param {Parameter} parameter */
   function rowOf(parameter) {
@@ -341,15 +333,27 @@ export function createSliders(container, kind, parameters, changed) {
       second?.setFollowing(symmetric.checked);
     },
     /**
-     * As if the slider were moved there.
+     * As if the sliders were moved there, within their ranges.
      *
-     * @param {string} name
-     * @param {number} value
+     * @param {Record<string, number>} asked
      */
-    set(name, value) {
-      values[name] = value;
-      showRow(name);
-      set(name, value);
+    setAll(asked) {
+      for (const [name, value] of Object.entries(asked)) {
+        const [least, most] = sliders.limits(name);
+        values[name] = Math.min(Math.max(value, least), most);
+        showRow(name);
+        set(name, values[name]);
+      }
+    },
+    /**
+     * What the sliders of a motion catch on.
+     *
+     * @param {Facts} facts
+     */
+    setMarks({ steady, smallestSpin }) {
+      rows.get("phi_dot")?.setMarks([0, ...(steady ?? [])].filter(Number.isFinite));
+      const least = smallestSpin ?? 0;
+      rows.get("omega3")?.setMarks([0, least, -least]);
     },
     /**
      * The range of a slider now.
@@ -455,10 +459,9 @@ export function createVerdict(container, setPrecession) {
   return {
     /**
      * @param {Facts} facts
-     * @param {Clock} clock
      * @param {readonly [number, number]} range of φ̇₀
      */
-    show(facts, clock, range) {
+    show(facts, range) {
       if (said !== facts.verdict) {
         said = facts.verdict;
         sentence.replaceChildren(...withRelations(facts.verdict));
@@ -470,9 +473,8 @@ export function createVerdict(container, setPrecession) {
       rates = [...facts.steady];
       buttons.forEach((button, k) => {
         const [letter, word] = names[k];
-        const rate = Number.isFinite(rates[k]) ? `${rounded(rates[k], 3)} rad/${clock}` : "∞";
         const possible = rates[k] >= range[0] && rates[k] <= range[1];
-        button.textContent = `set φ̇₀ to ${letter} = ${rate} (${word})`;
+        button.textContent = `set φ̇₀ to ${letter} (${word})`;
         button.disabled = !possible;
         button.title = possible ? "" : "beyond the range of φ̇₀";
       });

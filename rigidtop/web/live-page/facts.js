@@ -11,6 +11,7 @@ import {
   steadyRates,
 } from "./equations.js";
 import { quantities } from "./motion.js";
+import { agm, polhodePeriod } from "./polhode.js";
 
 /** @typedef {import("./types").Facts} Facts */
 /** @typedef {import("./types").Motion} Motion */
@@ -22,6 +23,11 @@ const BISECTIONS = 100;
 /** What sleeping and waking are about (rad). */
 const NEARLY_UPRIGHT = 0.1;
 
+/** A nutation by less is called hardly any (rad). */
+const HARDLY_SEEN = 0.01;
+
+/** So near the intermediate axis a body is thought to spin about it (rad). */
+const NEARLY_ALONG = 0.45;
 
 /**
  * All that is known of a motion at its start.
@@ -40,10 +46,11 @@ export function factsOf(motion) {
         "general only the energy and p_φ are conserved.";
     return { ...none, regime: "no symmetry", verdict };
   }
-  const { regime, turningPoints } = regimeOf(motion);
+  const { regime, turningPoints, nutationPeriod } = regimeOf(motion);
   const facts = steadyFacts(motion);
-  const verdict = `${inWords(regime, turningPoints)}${facts.verdict}`;
-  return { regime, turningPoints, ...facts, verdict };
+  const spins = Math.abs(motion.start.omega[2]) >= (facts.sleepingSpin ?? Infinity);
+  const words = inWords({ regime, turningPoints, nutationPeriod }, spins);
+  return { regime, turningPoints, ...facts, verdict: `${words}${facts.verdict}` };
 }
 
 /**
@@ -57,16 +64,33 @@ export function potentialOf(motion) {
   return (theta) => effectivePotential({ M, R, g, lambda1, lambda3, p_phi, p_psi, theta });
 }
 
-/** What θ and φ do, in a sentence; none where the verdict says it. */
-function inWords(
-  /** @type {string} */ regime,
-  /** @type {readonly [number, number]} */ turningPoints,
-) {
+/**
+ * What θ and φ do, in a sentence; none where the verdict says it.
+ *
+ * @param {ReturnType<typeof regimeOf>} of
+ * @param {boolean} asleep whether it spins fast enough to sleep upright
+ */
+function inWords({ regime, turningPoints, nutationPeriod }, asleep) {
   const degrees = (/** @type {number} */ angle) => `${number((angle * 180) / Math.PI)}°`;
   const [least, most] = turningPoints.map(degrees);
-  const swing = degrees(turningPoints[1] - turningPoints[0]);
+  const size = turningPoints[1] - turningPoints[0];
+  const every = Number.isFinite(nutationPeriod) ? ` every ${number(nutationPeriod)} s` : "";
+  const swings = ["waves", "cusps", "loops"].includes(regime);
+  if (swings && turningPoints[0] < NEARLY_UPRIGHT) {
+    if (asleep && turningPoints[1] < 2 * NEARLY_UPRIGHT) {
+      return `It sleeps: the axis stays within ${most} of the vertical. `;
+    }
+    return asleep
+      ? `It nods down to ${most}, and comes back to ${least}${every}. `
+      : `It wakes up: the axis falls to ${most}, and comes back to ${least}${every}. `;
+  }
+  if (swings && size < HARDLY_SEEN) {
+    return `It precesses, and nods by no more than ${degrees(size)}${every} (${regime}). `;
+  }
   const between =
-    least === most ? `θ stays within ${swing} of ${least}` : `θ goes between ${least} and ${most}`;
+    least === most
+      ? `θ stays within ${degrees(size)} of ${least}`
+      : `θ goes between ${least} and ${most}${every}`;
   /** @type {Record<string, string>} */
   const sentences = {
     "steady precession": `Steady precession: θ stays at ${least}. `,
@@ -95,7 +119,8 @@ function regimeOf(motion) {
   const [low, high] =
     sine === 0 && resting ? [u, u] : cosines(cubic, poles, u, sine, resting);
   const turningPoints = /** @type {[number, number]} */ ([Math.acos(high), Math.acos(low)]);
-  const found = (/** @type {string} */ regime) => ({ regime, turningPoints });
+  const nutationPeriod = periodBetween(cubic, low, high);
+  const found = (/** @type {string} */ regime) => ({ regime, turningPoints, nutationPeriod });
   if (weight[2] === 0) return found("free precession");
   if (sine === 0 && resting) return found(weight[2] * u > 0 ? "sleeping" : "hanging");
   if (high - low < ROUNDING * sine * sine) return found("steady precession");
@@ -106,6 +131,23 @@ function regimeOf(motion) {
   const size = Math.abs(first) + Math.abs(second) + Math.abs(b) * (high - low);
   if (Math.min(Math.abs(first), Math.abs(second)) <= ROUNDING * size) return found("cusps");
   return found(first * second < 0 ? "loops" : "waves");
+}
+
+/**
+ * The time in which cos θ goes from one root of the cubic to the other and back:
+ * 4K(k)/√(c(u₃ − u₁)) with k² = (u₂ − u₁)/(u₃ − u₁); infinite where the upper root is double.
+ *
+ * @param {readonly number[]} cubic
+ * @param {number} low
+ * @param {number} high
+ */
+function periodBetween([c3, c2], low, high) {
+  if (!(high > low) || c3 === 0) return Infinity;
+  const third = -c2 / c3 - low - high;
+  // Of a body whose centre of mass is on the other side of the pivot the third root is below.
+  const [far, near] = c3 > 0 ? [third - low, third - high] : [high - third, low - third];
+  if (!(near > ROUNDING * far)) return Infinity;
+  return (2 * Math.PI) / (agm(1, Math.sqrt(near / far)) * Math.sqrt(Math.abs(c3) * far));
 }
 
 /**
@@ -294,11 +336,18 @@ function freeFacts(motion) {
   }
   const k = excess > 0 ? large : small;
   const which = excess > 0 ? "largest" : "smallest";
+  const time = motion.setup.clock === "d" ? "days" : "s";
+  const period = polhodePeriod(motion.moments, twiceT, L2);
+  const flips =
+    Math.atan(across(middle) * length / Math.abs(L[middle])) < NEARLY_ALONG
+      ? `It flips: it spins about ${axis(middle)}, the axis of the intermediate moment, and ` +
+        `turns over every ${number(period / 2)} ${time}. `
+      : "";
   return {
     regime: excess > 0 ? "short axis" : "long axis",
     verdict:
-      `ω goes round ${axis(k)}, the axis of the ${which} moment: ` +
-      `L² ${excess > 0 ? ">" : "<"} 2Tλ${"₁₂₃"[middle]}.`,
+      `${flips}ω goes round ${axis(k)}, the axis of the ${which} moment, in ${number(period)} ` +
+      `${time}: L² ${excess > 0 ? ">" : "<"} 2Tλ${"₁₂₃"[middle]}.`,
   };
 }
 

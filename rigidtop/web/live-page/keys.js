@@ -13,6 +13,7 @@ import { element } from "./controls.js";
  * @property {() => void} home The view as it was at first.
  * @property {() => void} otherView
  * @property {(index: number) => void} preset
+ * @property {() => void} present For a room, or back.
  */
 
 /** How far one press turns the view, in radians, and brings it nearer. */
@@ -29,6 +30,7 @@ const LIST = [
   [["+", "−"], "zoom"],
   [["←", "→", "↑", "↓"], "turn the view, when the scene has the focus"],
   [["0"], "the view as it was at first"],
+  [["P"], "show it to a room: the picture and one sentence; back"],
   [["?"], "this list"],
 ];
 
@@ -82,6 +84,7 @@ export function createKeys(scene, dialog, commands) {
     "-": () => commands.zoom(1 / ZOOM),
     "−": () => commands.zoom(1 / ZOOM),
     0: commands.home,
+    p: commands.present,
     "?": help,
   };
 

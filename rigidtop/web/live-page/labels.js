@@ -3,6 +3,8 @@
 /** The size of the letters: a part of the smaller side of the picture, but at least so much. */
 const SIZE = 0.031;
 const SMALLEST = 16;
+/** The same where the page is presented to a room. */
+const SMALLEST_SHOWN = 28;
 /** In units of that size: letters nearer than this push each other away. */
 const APART = 1.06;
 /** How far letters are beside the tips they name. */
@@ -59,7 +61,8 @@ export function createLabels(/** @type {HTMLElement} */ container) {
       /** @type {THREE.Camera} */ camera, /** @type {number} */ width,
       /** @type {number} */ height,
     ) {
-      const size = Math.max(SMALLEST, Math.round(SIZE * Math.min(width, height)));
+      const least = document.body.classList.contains("presenting") ? SMALLEST_SHOWN : SMALLEST;
+      const size = Math.max(least, Math.round(SIZE * Math.min(width, height)));
       if (size !== em) layer.style.fontSize = `${size}px`;
       em = size;
       at.set(0, 0, 0).project(camera);

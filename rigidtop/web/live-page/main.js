@@ -21,9 +21,12 @@ import { factsOf } from "./facts.js";
 import { createKeys } from "./keys.js";
 import { createMeter } from "./meter.js";
 import { createMotion } from "./motion.js";
-import { createPotentialPlot, createTimePlots } from "./plots.js";
+import { createPotentialPlot } from "./potential_plot.js";
+import { createRegimeMap } from "./regime_map.js";
 import { createScene } from "./scene.js";
+import { createTake } from "./take.js";
 import { preferredTheme, readColours, setTheme, THEMES } from "./theme.js";
+import { createTimePlots } from "./time_plots.js";
 import { createTransport } from "./transport.js";
 
 /** @typedef {import("./types").Facts} Facts */
@@ -98,12 +101,13 @@ const picture = find("scene");
 const scene = sceneIn(picture);
 const plots = createTimePlots(find("plots"), readColours());
 const potential = createPotentialPlot(find("potential"), readColours());
+const regimes = createRegimeMap(find("regimes"), readColours(), (phidot, omega3) => {
+  sliders.setAll({ phi_dot: phidot, omega3 });
+});
 const meter = createMeter(find("meter"));
 const equations = createEquationPanel(find("equations"), data.equations);
 
-const address = createAddressBar(() =>
-  writeAddress({ ...state, t: motion.now.t, play: playing }, data),
-);
+const address = createAddressBar(currentAddress);
 const transport = createTransport(find("transport"), {
   toStart,
   toggle,
@@ -119,13 +123,17 @@ const transport = createTransport(find("transport"), {
 });
 const examples = createPresets(find("presets"), presets, choosePreset);
 const verdict = createVerdict(find("verdict"), (rate) => {
-  sliders.set("theta_dot", 0);
-  sliders.set("phi_dot", rate);
+  sliders.setAll({ theta_dot: 0, phi_dot: rate });
 });
-const sliders = createSliders(find("sliders"), data.kind, data.parameters, (values, name) => {
-  asked = { values, name };
-  wake();
-});
+const sliders = createSliders(
+  { start: find("start"), body: find("body") },
+  data.kind,
+  data.parameters,
+  (values, name) => {
+    asked = { values, name };
+    wake();
+  },
+);
 const switches = find("switches");
 const layers = createChecks(switches, "Drawn", layersOf(data.kind), (chosen) => {
   state.layers = chosen;
@@ -172,10 +180,26 @@ const keys = createKeys(picture, /** @type {HTMLDialogElement} */ (find("keys"))
   preset: (index) => {
     if (index < presets.length) choosePreset(presets[index]);
   },
+  present,
 });
 const keyList = element("button", { type: "button", "aria-label": "Keys", title: "Keys (?)" }, "?");
 keyList.addEventListener("click", keys.help);
-find("tools").append(themes, keyList);
+const screen = element("button", { type: "button", title: "Show it to a room (P)" }, "Present");
+screen.addEventListener("click", present);
+createTake(find("tools"), {
+  name: `${data.kind}-${data.first.name}`,
+  scene: picture,
+  picture: () => scene?.picture() ?? null,
+  link: () => `${location.href.split("#")[0]}${currentAddress()}`,
+  motion: () => [motion, Math.max(motion.now.t, PREVIEW * state.preset.speed)],
+  say: (sentence) => complain([sentence]),
+});
+find("tools").append(screen, themes, keyList);
+document.addEventListener("fullscreenchange", () => {
+  if (!document.fullscreenElement) document.body.classList.remove("presenting");
+  scene?.resize();
+  wake();
+});
 
 themes.addEventListener("change", () => {
   state.theme = /** @type {Theme} */ (themes.value);
@@ -293,9 +317,24 @@ function readState() {
     next = { ...next, t: 0 };
   }
   state = next;
+  document.body.classList.toggle("embedded", state.embed);
   complain(complaints);
   start(found, state.play ?? !prefersStill.matches);
   if (state.t > 0) setGoal(state.t);
+}
+
+/** What is shown now, as an address. */
+function currentAddress() {
+  return writeAddress({ ...state, t: motion.now.t, play: playing }, data);
+}
+
+/** The picture and one sentence on the whole screen, or all as it was. */
+function present() {
+  const shows = document.body.classList.toggle("presenting");
+  if (shows) document.documentElement.requestFullscreen?.().catch(() => {});
+  else if (document.fullscreenElement) document.exitFullscreen().catch(() => {});
+  scene?.resize();
+  wake();
 }
 
 /** One line on what is wrong with the address, which the reader can send away. */
@@ -331,13 +370,14 @@ function begin(next) {
   scene?.setMotion(motion, state.shape);
   plots.setMotion(motion);
   potential.setMotion(motion);
+  regimes.setMotion(motion);
   wake();
 }
 
 /** @param {Preset} preset */
 function choosePreset(preset) {
-  const { theme, speed } = state;
-  state = { ...stateOf(preset), theme, speed };
+  const { theme, speed, embed } = state;
+  state = { ...stateOf(preset), theme, speed, embed };
   start(createMotion(setupOf(state), data.tableau), playing);
 }
 
@@ -363,7 +403,8 @@ function tryAsked() {
 }
 
 function showFacts() {
-  verdict.show(facts, state.clock, sliders.limits("phi_dot"));
+  sliders.setMarks(facts);
+  verdict.show(facts, sliders.limits("phi_dot"));
   const usual = state.preset.setup.values;
   const changed = data.parameters.some(({ name }) => state.values[name] !== usual[name]);
   examples.show(state.preset, changed);
@@ -387,6 +428,7 @@ function showTheme() {
   scene?.setColours(colours);
   plots.setColours(colours);
   potential.setColours(colours);
+  regimes.setColours(colours);
   wake();
 }
 

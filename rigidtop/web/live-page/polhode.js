@@ -71,9 +71,12 @@ export function polhodePeriod(
   const flat = (moments[b] - other) * (twiceEnergy * moments[k] - squareL);
   const rate = Math.sqrt(steep / (moments[a] * moments[b] * moments[c]));
   // K by the arithmetic-geometric mean of 1 and the complementary modulus.
-  let x = 1;
-  let y = Math.sqrt(Math.max(0, 1 - flat / steep));
-  if (!(y > 0)) return Infinity;
-  while (x - y > 1e-14) [x, y] = [(x + y) / 2, Math.sqrt(x * y)];
-  return (2 * Math.PI) / (x * rate);
+  const complement = Math.sqrt(Math.max(0, 1 - flat / steep));
+  return complement > 0 ? (2 * Math.PI) / (agm(1, complement) * rate) : Infinity;
+}
+
+/** The arithmetic-geometric mean of two positive numbers, the larger first. */
+export function agm(/** @type {number} */ x, /** @type {number} */ y) {
+  while (x - y > 1e-14 * x) [x, y] = [(x + y) / 2, Math.sqrt(x * y)];
+  return x;
 }

@@ -391,6 +391,12 @@ export function createScene(container, colours) {
     home,
     resize,
 
+    /** The canvas with the picture in it, drawn once more: later it may be gone. */
+    picture() {
+      renderer.render(scene, camera);
+      return canvas;
+    },
+
     dispose() {
       ended = true;
       cancelAnimationFrame(request);

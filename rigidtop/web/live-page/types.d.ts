@@ -130,6 +130,8 @@ export interface Parameter {
   /** Sliders of what may not be zero are logarithmic. */
   readonly logarithmic: boolean;
   readonly angle: boolean;
+  /** Of the start, not of the body: these are always in sight. */
+  readonly start: boolean;
 }
 
 /** A setup with a name and with what to look at. */

@@ -1,0 +1,92 @@
+/** Curves against time on a canvas, and the dot that moves on them. */
+
+import { line, scale } from "./axes.js";
+
+/** @typedef {import("./types").Colours} Colours */
+/** @typedef {import("./types").Sample} Sample */
+/** @typedef {import("./axes.js").Box} Box */
+/** @typedef {import("./axes.js").Paper} Paper */
+/** @typedef {import("./axes.js").Range} Range */
+/** @typedef {(sample: Sample) => number} Quantity */
+
+/**
+ * A quantity against time, with the present as a thin line and a dot.
+ *
+ * Samples that are still to come, as the page has them while it stands at t = 0, make a thin line.
+ * Of the samples that share a column of pixels it takes the first, the last, the least and the
+ * largest: the picture is the same, and there are never more points than the canvas can show.
+ *
+ * @param {Paper} sheet @param {Box} box @param {Range} times @param {Range} range
+ * @param {readonly Sample[]} samples @param {Sample} now @param {Quantity} of
+ * @param {Colours} colours @param {string} colour
+ */
+export function drawCurve({ ctx, em }, box, times, range, samples, now, of, colours, colour) {
+  const x = scale(times, box.left, box.right);
+  const y = scale(range, box.bottom, box.top);
+  const present = { x: x(now.t), y: y(of(now)) };
+
+  ctx.strokeStyle = colours.muted;
+  ctx.lineWidth = 1;
+  line(ctx, present.x, box.top, present.x, box.bottom);
+
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(box.left, box.top, box.right - box.left, box.bottom - box.top);
+  ctx.clip();
+  const toCome = samples.length > 0 && samples[samples.length - 1].t > now.t;
+  ctx.strokeStyle = colour;
+  ctx.lineWidth = (toCome ? 0.06 : 0.14) * em * (colours.highContrast ? 1.4 : 1);
+  ctx.beginPath();
+  let column = -1;
+  let firstY = 0;
+  let least = 0;
+  let largest = 0;
+  let lastX = 0;
+  let lastY = 0;
+  for (const sample of samples) {
+    const atX = x(sample.t);
+    const atY = y(of(sample));
+    const atColumn = Math.floor(atX);
+    if (atColumn === column) {
+      least = Math.min(least, atY);
+      largest = Math.max(largest, atY);
+    } else {
+      if (column >= 0) finishColumn();
+      ctx.lineTo(atX, atY);
+      column = atColumn;
+      firstY = atY;
+      least = atY;
+      largest = atY;
+    }
+    lastX = atX;
+    lastY = atY;
+  }
+  if (column >= 0) finishColumn();
+  if (!toCome) ctx.lineTo(present.x, present.y);
+  ctx.stroke();
+  ctx.restore();
+  drawDot(ctx, present.x, present.y, em, colours, colour);
+
+  function finishColumn() {
+    if (least < Math.min(firstY, lastY)) ctx.lineTo(lastX, least);
+    if (largest > Math.max(firstY, lastY)) ctx.lineTo(lastX, largest);
+    ctx.lineTo(lastX, lastY);
+  }
+}
+
+/**
+ * Where the top is now.
+ *
+ * @param {CanvasRenderingContext2D} ctx @param {number} x @param {number} y @param {number} em
+ * @param {Colours} colours @param {string} colour
+ */
+export function drawDot(ctx, x, y, em, colours, colour = colours.e3) {
+  ctx.beginPath();
+  ctx.arc(x, y, 0.36 * em, 0, 2 * Math.PI);
+  ctx.fillStyle = colour;
+  ctx.fill();
+  ctx.strokeStyle = colours.paper;
+  ctx.lineWidth = 1.5;
+  ctx.stroke();
+  ctx.fillStyle = colours.ink;
+}

@@ -1,0 +1,165 @@
+/** What a reader takes along: the link, a picture, a table of numbers, a film. */
+
+import { element } from "./controls.js";
+
+/** @typedef {import("./types").Motion} Motion */
+/** @typedef {import("./types").Sample} Sample */
+
+/** Rows of the table. */
+const ROWS = 1001;
+
+/** How long a film is, in seconds, and its pictures in each of them. */
+const FILM = 10;
+const PICTURES = 30;
+
+/**
+ * The columns of the table: their names as the Python package has them, with units.
+ *
+ * @type {readonly (readonly [string, (sample: Sample) => number])[]}
+ */
+const COLUMNS = [
+  ["t", (s) => s.t],
+  ["theta (rad)", (s) => s.theta],
+  ["phi (rad)", (s) => s.phi],
+  ["psi (rad)", (s) => s.psi],
+  ["theta_dot", (s) => s.theta_dot],
+  ["phi_dot", (s) => s.phi_dot],
+  ["psi_dot", (s) => s.psi_dot],
+  ["omega1", (s) => s.omega[0]],
+  ["omega2", (s) => s.omega[1]],
+  ["omega3", (s) => s.omega[2]],
+  ["e3_x", (s) => s.e3[0]],
+  ["e3_y", (s) => s.e3[1]],
+  ["e3_z", (s) => s.e3[2]],
+  ["energy (J)", (s) => s.energy],
+];
+
+/**
+ * The motion from t = 0 as comma-separated values; what is open, as φ̇ at a pole, stays empty.
+ *
+ * @param {Motion} motion
+ * @param {number} duration
+ */
+export function tableOf(motion, duration) {
+  const { clock } = motion.setup;
+  const names = COLUMNS.map(([name]) => {
+    if (name === "t") return `t (${clock})`;
+    if (/dot|omega/.test(name)) return `${name} (rad/${clock})`;
+    return clock === "s" ? name : name.replace("J", `1/${clock}²`);
+  });
+  const rows = motion.ahead(duration, ROWS).map((sample) =>
+    COLUMNS.map(([, of]) => (Number.isFinite(of(sample)) ? String(of(sample)) : "")).join(","),
+  );
+  return `${[names.join(","), ...rows].join("\r\n")}\r\n`;
+}
+
+/**
+ * The picture with the letters over it.
+ *
+ * @param {HTMLCanvasElement} canvas just drawn
+ * @param {HTMLElement} container
+ */
+function withLetters(canvas, container) {
+  const copy = document.createElement("canvas");
+  [copy.width, copy.height] = [canvas.width, canvas.height];
+  const ctx = copy.getContext("2d");
+  if (!ctx) return canvas;
+  ctx.drawImage(canvas, 0, 0);
+  const frame = container.getBoundingClientRect();
+  const ratio = canvas.width / frame.width;
+  ctx.textAlign = "center";
+  ctx.textBaseline = "middle";
+  for (const letter of container.querySelectorAll("span")) {
+    const box = letter.getBoundingClientRect();
+    if (box.width === 0) continue;
+    const { font, color, fontWeight, fontStyle, fontSize, fontFamily } = getComputedStyle(letter);
+    ctx.font = font || `${fontStyle} ${fontWeight} ${fontSize} ${fontFamily}`;
+    ctx.save();
+    const [x, y] = [box.x + box.width / 2 - frame.x, box.y + box.height / 2 - frame.y];
+    ctx.translate(x * ratio, y * ratio);
+    ctx.scale(ratio, ratio);
+    ctx.fillStyle = color;
+    ctx.fillText(letter.textContent ?? "", 0, 0);
+    ctx.restore();
+  }
+  return copy;
+}
+
+/**
+ * Hand a file to the reader.
+ *
+ * @param {Blob} content
+ * @param {string} name
+ */
+function give(content, name) {
+  const link = element("a", { href: URL.createObjectURL(content), download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}
+
+/**
+ * The menu.
+ *
+ * @param {HTMLElement} container
+ * @param {object} page
+ * @param {string} page.name of the files
+ * @param {() => HTMLCanvasElement | null} page.picture The scene, drawn just now.
+ * @param {HTMLElement} page.scene
+ * @param {() => string} page.link
+ * @param {() => [Motion, number]} page.motion With how much of it is worth a table.
+ * @param {(sentence: string) => void} page.say
+ */
+export function createTake(container, { name, picture, scene, link, motion, say }) {
+  const menu = element("details", { class: "menu" }, element("summary", {}, "Take along"));
+  const list = element("div", { class: "menu-list" });
+  menu.append(list);
+  container.append(menu);
+  /** @param {string} words @param {() => void} act */
+  const add = (words, act) => {
+    const button = element("button", { type: "button" }, words);
+    button.addEventListener("click", () => {
+      menu.open = false;
+      menu.querySelector("summary")?.focus();
+      act();
+    });
+    list.append(button);
+  };
+  add("Copy link", async () => {
+    try {
+      await navigator.clipboard.writeText(link());
+      say("The link to what is shown is copied");
+    } catch {
+      say(`This browser copies nothing for a page; the link is ${link()}`);
+    }
+  });
+  add("Picture (PNG)", () => {
+    const drawn = picture();
+    if (!drawn) say("Without WebGL there is no picture");
+    else withLetters(drawn, scene).toBlob((blob) => blob && give(blob, `${name}.png`), "image/png");
+  });
+  add("Table (CSV)", () => {
+    give(new Blob([tableOf(...motion())], { type: "text/csv" }), `${name}.csv`);
+  });
+  add(`Film of ${FILM} s (WebM)`, () => {
+    const drawn = picture();
+    if (!drawn || !window.MediaRecorder || !drawn.captureStream) {
+      say("This browser records no films");
+      return;
+    }
+    /** @type {Blob[]} */
+    const parts = [];
+    const recorder = new MediaRecorder(drawn.captureStream(PICTURES), { mimeType: "video/webm" });
+    recorder.addEventListener("dataavailable", (event) => parts.push(event.data));
+    recorder.addEventListener("stop", () => {
+      give(new Blob(parts, { type: "video/webm" }), `${name}.webm`);
+      say("The film is there");
+    });
+    recorder.start();
+    say(`Recording ${FILM} seconds of the picture`);
+    setTimeout(() => recorder.stop(), FILM * 1000);
+  });
+  document.addEventListener("keydown", (event) => {
+    if (event.key === "Escape") menu.open = false;
+  });
+  return menu;
+}
