@@ -109,7 +109,7 @@ LETTERS = Letters(
             for e, x in zip((s.xhat, s.yhat, s.zhat), (s.L_x, s.L_y, s.L_z), strict=True)
         },
     },
-    branches={s.Omega_minus: s.Omega, s.Omega_plus: s.Omega},
+    branches={s.Omega_minus: (s.Omega, 0), s.Omega_plus: (s.Omega, 1)},
     families=(
         (s.lambda1, s.lambda2, s.lambda3),
         (s.omega1, s.omega2, s.omega3),

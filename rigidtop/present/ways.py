@@ -157,7 +157,11 @@ def called(line: Line, notation: Notation = NOTES) -> Rich:
     if not line.called:
         return (f"line {line.at}",)
     first, *rest = running(line.words, notation)
-    name = re.sub(r"^(?:Along the motion,? |Call )", "", first) if isinstance(first, str) else first
+    name = (
+        re.sub(r"^(?:Along the motion,? |At the moment,? |Call )", "", first)
+        if isinstance(first, str)
+        else first
+    )
     if isinstance(name, str):
         name = name[:1].lower() + name[1:] if name.startswith("The ") else name
     made = (name, *rest)

@@ -53,13 +53,14 @@ class Letters:
     belong to one particle of many, or to one place, named by the indices that a Σ or ∫ goes over;
     `exchanged` says what letter each becomes when two indices change places, r_k for r_l;
     `components` name the
-    scalar product of an axis and a vector, `branches` the roots of an equation for a letter;
+    scalar product of an axis and a vector, `branches` the roots of an equation for a letter, with
+    their places, 0 for the one with − before the square root;
     `placed` are vectors, operators and scalars that coordinates alone determine, and `functions`
     letters with the other letters that they are a function of, such as an effective potential of
     an angle and of momenta; a slip of the pen exchanges letters of one of the `families`;
     `exists` tells whether there is something with these numbers, as far as they are given: a body
     with these moments;
-    `units` are SI; `defined` letters are made of others by definitions that have been read.
+    `units` are SI; `defined` says what stands in the definition of a letter that has been read.
     """
 
     numbers: frozenset[Symbol] = frozenset()
@@ -74,7 +75,7 @@ class Letters:
     indexed: Mapping[Symbol, frozenset[Symbol]] = field(default_factory=dict)
     exchanged: Mapping[Symbol, Symbol] = field(default_factory=dict)
     components: Mapping[tuple[Symbol, Symbol], Symbol] = field(default_factory=dict)
-    branches: Mapping[Symbol, Symbol] = field(default_factory=dict)
+    branches: Mapping[Symbol, tuple[Symbol, int]] = field(default_factory=dict)
     families: tuple[tuple[Symbol, ...], ...] = ()
     exists: Callable[[Mapping[Symbol, Expr]], bool] = decide.anything
     placed: frozenset[Symbol] = frozenset()
@@ -85,6 +86,11 @@ class Letters:
     @cached_property
     def unit_vectors(self) -> frozenset[Symbol]:
         return frozenset(e for frame in self.frames for e in frame)
+
+    def made_of(self, letter: Symbol) -> frozenset[Symbol]:
+        """What a letter is made of, by its definition and by those of what stands in that."""
+        direct = self.defined.get(letter, frozenset())
+        return direct.union(*(self.made_of(x) for x in direct))
 
     @cached_property
     def velocities(self) -> frozenset[Symbol]:

@@ -107,6 +107,7 @@ def judge_line(line: Line, letters: Letters) -> Judged:
             return Judged(line, bare, problem)
     try:
         performed = arrive(line.equations, line.move, letters)
+        _each_needed(line.equations, line.move, performed, letters)
     except RefusedError as problem:
         return Judged(line, bare, problem)
     against = _contradiction(line.equations, performed.conditions, letters)
@@ -116,6 +117,20 @@ def judge_line(line: Line, letters: Letters) -> Judged:
         bare, scope=performed.scope, conditions=performed.conditions, order=performed.order
     )
     return Judged(line, known)
+
+
+def _each_needed(
+    equations: Sequence[Equation], move: Move, performed: Performed, letters: Letters
+) -> None:
+    """Raises RefusedError where a line is arrived at without one of its conditions as well."""
+    for k, condition in enumerate(move.where):
+        try:
+            less = replace(move, where=(*move.where[:k], *move.where[k + 1 :]))
+            made = arrive(equations, less, letters)
+        except RefusedError:
+            continue
+        if set(made.conditions) <= set(performed.conditions):
+            raise RefusedError("{} is a condition without need", condition.expression)
 
 
 def define(line: Line, letters: Letters) -> Symbol:
@@ -303,12 +318,15 @@ def _both_roots(equations: Sequence[Equation], performed: Performed, shown: set[
 
 
 def _named(performed: Performed, pair: Pair, letters: Letters) -> Performed:
-    """Roots by the letters that the line gives them: Ω₋ and Ω₊ are roots for Ω."""
-    if not performed.every or not isinstance(pair.left, Symbol):
+    """Roots by the letters that the line gives them: Ω₋ and Ω₊, each its own root for Ω."""
+    unknown, place = letters.branches.get(pair.left, (None, 0))
+    if not performed.every or unknown is None or unknown != performed.pairs[0].left:
         return performed
-    if letters.branches.get(pair.left) != performed.pairs[0].left:
-        return performed
-    return replace(performed, pairs=tuple(replace(p, left=pair.left) for p in performed.pairs))
+    roots = list(performed.pairs)
+    roots[place] = replace(roots[place], left=pair.left)
+    if vanishes(pair.right - roots[1 - place].right):
+        raise RefusedError("{} is the other root, unless a condition says so", pair.left)
+    return replace(performed, pairs=tuple(roots))
 
 
 def solves(equations: Sequence[Equation], move: Move, letters: Letters) -> None:
@@ -342,7 +360,7 @@ def solves(equations: Sequence[Equation], move: Move, letters: Letters) -> None:
     for letter, value in found.items():
         if letter not in start:
             raise RefusedError("where {} starts is not said", letter)
-        if not start[letter].free_symbols <= letters.numbers:
+        if not {*atoms_of(start[letter])} <= letters.numbers:
             raise RefusedError("{} starts at what is no number", letter)
         if not _zero(value.subs(TIME, 0) - start[letter], move):
             raise RefusedError("{} does not start there", letter)
@@ -391,7 +409,7 @@ def _first_integral(
         for letter, value in at_start.items():
             if letter not in symbols_of(equation):
                 raise RefusedError("{} does not stand there", letter)
-            if not value.free_symbols <= letters.numbers:
+            if not {*atoms_of(value)} <= letters.numbers:
                 raise RefusedError("{} starts at what is no number", letter)
         for pair in pairs_of(equation, bare):
             rates = [given.value(bare.rate(side)) for side in (pair.left, pair.right)]

@@ -216,9 +216,9 @@ class Lecture:
             if line.move is not None and line.move.verb == "call":
                 letters = units.defining(letters, line.equations[0])
                 letter, *meant = line.equations[0].sides
-                direct = {x for side in meant for x in getattr(side, "free_symbols", ())}
-                indirect = [made_of.get(x, frozenset()) for x in direct]
-                made_of[letter] = frozenset(direct).union(*indirect)
+                made_of[letter] = frozenset(
+                    x for side in meant for x in getattr(side, "free_symbols", ())
+                )
         return replace(letters, defined=made_of)
 
     @cached_property
@@ -252,8 +252,8 @@ class Lecture:
         for cited in self.cites(id):
             near |= {*self.below(cited), *self.above(cited)}
         others = [self.judged(each).known for each in self.lines if each not in near]
-        needless = tuple(known.id for known in unneeded(judged.line, self.letters))
-        return Trial(needless, *survivors(judged.line, self.letters, others[:OTHERS]))
+        needless = tuple(known.id for known in unneeded(judged.line, self._with_units))
+        return Trial(needless, *survivors(judged.line, self._with_units, others[:OTHERS]))
 
 
 def with_standing(line: Line, standing: dict[str, Known]) -> Line:

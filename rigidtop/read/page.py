@@ -117,6 +117,7 @@ class _Reader:
     """The level of the heading above that begins with "Laws", if any: there lines need no move."""
     blocks: list[Block] = field(default_factory=list)
     page: list[Known] = field(default_factory=list)
+    near: list[Known] = field(default_factory=list)
     pending: tuple[str, int] | None = None
     anchor: str = ""
     source: str = ""
@@ -149,6 +150,7 @@ class _Reader:
         self.blocks.append(Prose(words, at, pieces(words, self.notation)))
 
     def heading(self, level: int, words: str, at: int) -> None:
+        self.near = []
         self.blocks.append(Heading(level, words, at, pieces(words, self.notation)))
 
     def end(self) -> None:
@@ -172,6 +174,7 @@ class _Reader:
         self.blocks.append(Shown(latex, at, line, "", self.anchor))
         known = Known(line.id, line.equations, line.scope, called=line.called)
         self.page.append(known)
+        self.near.append(known)
         self.above.append(known)
 
     def line(self, latex: str, sentence: str, at: int) -> Line:
@@ -189,12 +192,14 @@ class _Reader:
         made = Line(id, tuple(equations), sentence, words, file=self.file, at=at)
         said = sentence.rstrip(":").strip()
         if self.laws:
-            along = re.match(r"Along the motion,? +", said)
-            called = said[along.end() :] if along else said
-            scope = Scope.MOTION if along else Scope.IDENTITY
+            where = re.match(r"(Along the motion|At the moment),? +", said)
+            called = said[where.end() :] if where else said
+            scope = Scope.IDENTITY
+            if where is not None:
+                scope = Scope.MOTION if where[1].startswith("Along") else Scope.SET
             return replace(made, scope=scope, called=called, source=self.source)
         defines = language.DEFINES.fullmatch(said)
-        context = language.Context(self.above, self.notation, self.page)
+        context = language.Context(self.above, self.notation, self.page, self.near)
         if defines is not None:
             name, using = language.definition(said, context)
             if language.is_taken(name, context):

@@ -21,7 +21,7 @@ a move (`rigidtop.proof.moves`), what it is done with, and what is put in beside
     Take the sign of A.  (A's right side is < 0, > 0 or ≠ 0)
     Set $x = 0$ in A.                       Set $x = 0$ at all times in A.
     Set $x = 0$ at the start in A.  (what A says is constant, with what is cited)
-    Expand A to second order in $x$.        Neglect $f$ in A.
+    Expand A to second order in $x$.        Neglect $f$ in A, for large $x$.  (or small)
     Expand A to first order in $x$ and $y$.  (both small alike)
     Call the name of it.                    (a definition)
 
@@ -61,7 +61,9 @@ class Context:
     above: Sequence[Known]
     notation: Notation
     page: Sequence[Known] = ()
-    """The lines of this page, of which "it" is the last."""
+    """The lines of this page."""
+    near: Sequence[Known] = ()
+    """Those beneath the last heading, of which "it" is the last."""
 
 
 def move(sentence: str, context: Context) -> Move:
@@ -175,9 +177,9 @@ def _list(said: str, context: Context) -> tuple[Known, ...]:
 
 
 def _last(context: Context, count: int) -> tuple[Known, ...]:
-    if len(context.page) < count:
-        raise SentenceError("there are not so many lines above")
-    return tuple(context.page[-count:])
+    if len(context.near) < count:
+        raise SentenceError("there are not so many lines above, beneath this heading: name them")
+    return tuple(context.near[-count:])
 
 
 def _named(said: str, context: Context) -> Known | None:
@@ -293,6 +295,11 @@ def _expand(w: _Words) -> Move:
     return Move("expand", w.known("a"), by=w.math("x"), power=ORDERS[w.parts["n"]])
 
 
+def _neglect(w: _Words) -> Move:
+    power = 1 if w.parts["n"] == "large" else -1
+    return Move("neglect", w.known("a"), by=(*w.math("x"), *w.math("y")), power=power)
+
+
 def _integrate(w: _Words) -> Move:
     return Move("integrate", w.known("a"), by=w.equations("x"))
 
@@ -334,6 +341,7 @@ _SHAPES: tuple[tuple[str, Callable[[_Words], Move]], ...] = (
     (rf"Take the root of {_A}", _simple("root")),
     (rf"Take the sign of {_A}", _simple("sign")),
     (rf"Square {_A}", _simple("square")),
+    (rf"Neglect {_X} in {_A}, for (?P<n>large|small) (?P<y>\$[^$]+\$)", _neglect),
     (rf"Neglect {_X} in {_A}", _by("neglect")),
     (rf"Set {_X} at all times in {_A}", _set(1)),
     (rf"Set {_X} at the start in {_A}", _set(2)),

@@ -35,6 +35,11 @@ The rate of precession:
 
 $$\Omega = \dot\phi$$
 
+The slope of the rate:
+
+$$\frac{\partial\Omega}{\partial\theta}
+= \frac{p_\psi - 2\lambda_1\Omega\cos\theta}{\lambda_1\sin\theta}$$
+
 The symmetry of the tensor:
 
 $$I^T = I$$
@@ -101,16 +106,20 @@ $$I_{xz} = 2\mathbf e_3\cdot I\hat{\mathbf z}$$
 """,
     "the slope at constant momenta, with the chain rule": POTENTIAL
     + r"""
-Differentiate it by $\theta$:
+Differentiate it by $\theta$, with the slope of the rate:
 
 $$\frac{\partial U}{\partial\theta} = -\frac{p_\psi^2}{2\lambda_3}\sin\theta
-+ p_\phi\frac{\partial\Omega}{\partial\theta}$$
++ p_\phi\frac{p_\psi - 2\lambda_1\Omega\cos\theta}{\lambda_1\sin\theta}$$
 
 Set $p_\phi = 0$ in it:
 
 $$\frac{\partial U}{\partial\theta} = -\frac{p_\psi^2}{2\lambda_3}\sin\theta$$
 """,
     "the rate of a function": r"""
+Call the effective potential:
+
+$$U = \frac{p_\psi^2}{2\lambda_3}\cos\theta$$
+
 Call the double:
 
 $$E = 2U$$
@@ -181,7 +190,7 @@ $$\frac{\partial U}{\partial\dot\theta} = 0$$
     "the chain rule is left out": (
         POTENTIAL
         + r"""
-Differentiate it by $\theta$:
+Differentiate it by $\theta$, with the slope of the rate:
 
 $$\frac{\partial U}{\partial\theta} = -\frac{p_\psi^2}{2\lambda_3}\sin\theta$$
 """,
@@ -202,6 +211,10 @@ $$\frac{\partial\mathcal L}{\partial\theta}
     ),
     "the rate of a function of momenta that may change": (
         r"""
+Call the effective potential:
+
+$$U = \frac{p_\psi^2}{2\lambda_3}\cos\theta$$
+
 Call the double:
 
 $$E = 2U$$
@@ -250,11 +263,31 @@ $$0 = \lambda_1\ddot\phi\sin^2\theta + 2\lambda_1\dot\phi\dot\theta\sin\theta\co
     ),
     "a rate that is neglected as a whole": (
         r"""
-Neglect $\varepsilon\omega_3$ in the decay:
+Neglect $\varepsilon\omega_3$ in the decay, for small $\varepsilon$:
 
 $$\dot\omega_3 \approx 0$$
 """,
         "nothing is left of a side",
+    ),
+    "a function of what, is not said": (
+        POTENTIAL
+        + r"""
+Differentiate it by $\theta$:
+
+$$\frac{\partial U}{\partial\theta} = -\frac{p_\psi^2}{2\lambda_3}\sin\theta
++ p_\phi\frac{\partial\Omega}{\partial\theta}$$
+""",
+        "Omega is a function of others only if that is cited",
+    ),
+    "a rate of what is a function of what is not said": (
+        POTENTIAL
+        + r"""
+Take the rate of it, with (3.55) and (3.56):
+
+$$\frac{d}{dt}U = -\frac{p_\psi^2}{2\lambda_3}\dot\theta\sin\theta
++ p_\phi\frac{\partial\Omega}{\partial\theta}\dot\theta$$
+""",
+        "is a function of others only if that is cited",
     ),
     "a derivative in time of what is set": (
         r"""

@@ -522,7 +522,7 @@ $$0 = \lambda_1\dot\phi^2$$
     ),
     "= where ≈ follows": (
         r"""
-Neglect $MgR\sin\theta$ in the balance:
+Neglect $MgR\sin\theta$ in the balance, for large $p_\psi$:
 
 $$0 = \lambda_1\dot\phi^2\sin\theta\cos\theta - p_\psi\dot\phi\sin\theta$$
 """,

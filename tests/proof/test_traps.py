@@ -312,7 +312,7 @@ $$a = -b$$
     ),
     "all of it neglected": (
         r"""
-Neglect $MgR\cos\theta$ in the use:
+Neglect $MgR\cos\theta$ in the use, for small $g$:
 
 $$T \approx 0$$
 """,

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from sympy import Expr, MatrixBase, Symbol
 
-from rigidtop.proof.algebra import Algebra, Value, Vector, flattened
+from rigidtop.proof.algebra import Algebra, Value, Vector, atoms_of, flattened
 from rigidtop.proof.equation import Partial
 from rigidtop.proof.moves.move import (
     Condition,
-    Known,
     Move,
     Pair,
     Performed,
@@ -45,7 +44,7 @@ def differentiate(move: Move, algebra: Algebra) -> Performed:
         held = algebra.letters.arguments(pair.left)
         if by not in held:
             raise RefusedError("{} is no function of {}", pair.left, by)
-        slope = _slope(pair.right, by, held, known, algebra)
+        slope = _slope(pair.right, by, held, move, algebra)
         made.append(Pair(Partial(pair.left, by), slope))
     if not made:
         raise RefusedError(
@@ -54,9 +53,7 @@ def differentiate(move: Move, algebra: Algebra) -> Performed:
     return Performed(tuple(made), known.scope)
 
 
-def _slope(
-    value: Value, by: Symbol, held: frozenset[Symbol], known: Known, algebra: Algebra
-) -> Expr:
+def _slope(value: Value, by: Symbol, held: frozenset[Symbol], move: Move, algebra: Algebra) -> Expr:
     """The derivative of a function of what is `held`, but for `by`."""
     if isinstance(value, (Vector, MatrixBase)):
         raise RefusedError("partial derivatives are taken of scalars")
@@ -67,19 +64,39 @@ def _slope(
         node = atoms.get(x, x)
         if node in letters.functions and letters.arguments(node) <= held:
             if by in letters.functions[node]:
+                _is_function(node, move, algebra)
                 slope += flat.diff(x) * Partial(node, by)  # the chain rule
         elif not (by in letters.velocities and letters.is_placed(node)):
             raise RefusedError(
                 "{} in {} depends on the coordinates and velocities: write it out before you "
                 "differentiate by {}",
                 node,
-                name_of(known),
+                name_of(the_one(move)),
                 by,
             )
     return slope.xreplace(atoms)
 
 
+def _is_function(letter: Symbol, move: Move, algebra: Algebra) -> None:
+    """Raises RefusedError unless a letter is defined, or cited, as a function of its arguments.
+
+    Its slope may be cited instead.
+    """
+    letters = algebra.letters
+    of = letters.arguments(letter)
+    others = {x for x in letters.functions if x in letters.defined and letters.arguments(x) <= of}
+    if letters.defined.get(letter, {letter}) <= of | (others - {letter}):
+        return
+    for pair in (p for known in move.cited for p in all_pairs(known, algebra)):
+        for one, other in ((pair.left, pair.right), (pair.right, pair.left)):
+            named = one == letter or (isinstance(one, Partial) and one.args[0] == letter)
+            if named and {*atoms_of(other)} <= of | {letter}:
+                return
+    raise RefusedError("{} is a function of others only if that is cited", letter)
+
+
 def rate(move: Move, algebra: Algebra) -> Performed:
+    """Along the motion; of vectors as seen from space, or from the body."""
     known = the_one(move)
     frame = move.by[0] if move.by else None
     if known.scope is Scope.SET:
@@ -90,11 +107,13 @@ def rate(move: Move, algebra: Algebra) -> Performed:
         raise RefusedError(
             "{} is approximate: the rate of what is neglected is not known", name_of(known)
         )
-    pairs = [
-        Pair(algebra.rate(pair.left, frame), algebra.rate(pair.right, frame))
-        for pair in all_pairs(known, algebra)
-        if is_equation(pair)
-    ]
+    pairs = []
+    for pair in all_pairs(known, algebra):
+        for side in (pair.left, pair.right):
+            for letter in algebra.letters.functions.keys() & {*atoms_of(side)}:
+                _is_function(letter, move, algebra)
+        if is_equation(pair):
+            pairs.append(Pair(algebra.rate(pair.left, frame), algebra.rate(pair.right, frame)))
     return Performed(tuple(pairs), known.scope)
 
 
@@ -103,9 +122,5 @@ def integrate(move: Move, algebra: Algebra) -> Performed:
     known = the_one(move)
     if known.scope is Scope.SET:
         raise RefusedError("{} holds at a moment: it can't be integrated", name_of(known))
-    starts = tuple(
-        Condition(algebra.value(e.sides[0]) - algebra.value(e.sides[1]), "start")
-        for e in move.by
-        if not isinstance(algebra.value(e.sides[0]), Vector)
-    )
+    starts = tuple(Condition(e.sides[0] - e.sides[1], "start") for e in move.by)
     return Performed(tuple(all_pairs(known, algebra)), Scope.MOTION, starts, known.order)

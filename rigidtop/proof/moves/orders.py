@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import sympy
-from sympy import Add, Integer, MatrixBase, Symbol
+from sympy import Add, Expr, Integer, MatrixBase, Symbol
 
 from rigidtop.proof.algebra import Algebra, Value, Vector, components, flattened, vanishes
 from rigidtop.proof.moves.move import Move, Order, Pair, Performed, RefusedError, name_of, the_one
-from rigidtop.proof.moves.pairs import all_pairs, put_in
+from rigidtop.proof.moves.pairs import all_pairs, put_in, scalars
 
 NEGLECTED = Symbol("neglected")
 """What stands for all that an approximate equation leaves out, if no letter is small in it."""
 
 
-SMALL = Symbol("small")
+SMALL = Symbol("small", positive=True)
 """What letters that are small together are counted by."""
 
 
@@ -46,7 +47,7 @@ def expand(move: Move, algebra: Algebra) -> Performed:
         if not counted.has(order.small):
             return value
         for x in flat.free_symbols:
-            if algebra.letters.defined.get(x, frozenset()) & {*move.by}:
+            if algebra.letters.made_of(x) & {*move.by}:
                 raise RefusedError(
                     "{} is defined by {}: put its definition in first", x, move.by[0]
                 )
@@ -62,9 +63,15 @@ def expand(move: Move, algebra: Algebra) -> Performed:
 
 
 def neglect(move: Move, algebra: Algebra) -> Performed:
-    """Leave terms out: the line says ≈."""
+    """Leave terms out: the line says ≈.
+
+    The last of `by` is the letter for which they are small: where it is large, `power` being 1, or
+    where it is small, `power` being −1.
+    """
     known = the_one(move)
-    left_out = [algebra.value(x) for x in move.by]
+    if not move.power:
+        raise RefusedError("say where it is small: “…, for large $x$” or “…, for small $x$”")
+    left_out = [algebra.value(x) for x in move.by[:-1]]
     pairs = []
     for pair in all_pairs(known, algebra):
         for k, side in enumerate((pair.left, pair.right)):
@@ -76,11 +83,30 @@ def neglect(move: Move, algebra: Algebra) -> Performed:
             else:
                 if all(vanishes(part) for part in components(rest, Integer(0))):
                     raise RefusedError("nothing is left of a side: what is larger has to stay")
+                _outweighed(left_out, rest, move)
                 sides = (rest, pair.right) if k == 0 else (pair.left, rest)
                 pairs.append(Pair(*sides, "≈"))
     if not pairs:
         raise RefusedError("what is neglected does not stand there")
     return Performed(tuple(pairs), known.scope, order=Order(NEGLECTED, 1))
+
+
+def _outweighed(left_out: Sequence[Value], kept: Value, move: Move) -> None:
+    """Raises RefusedError unless terms are small against the largest of those that are kept."""
+    letter = move.by[-1]
+    if not isinstance(letter, Symbol):
+        raise RefusedError("{} is no letter that could be large or small", letter)
+
+    def least(value: Value) -> Expr:
+        parts = [flattened(part)[0] for part in scalars(value) if part != 0]
+        scaled = letter * SMALL**-move.power
+        terms = [t for part in parts for t in Add.make_args(sympy.expand(part))]
+        return min(Order(SMALL, 1).lowest(term.subs(letter, scaled)) for term in terms)
+
+    for term in left_out:
+        if least(term) <= least(kept):
+            where = "large" if move.power > 0 else "small"
+            raise RefusedError("for {} {} it is not small against what is kept", where, letter)
 
 
 def _contains(value: Value, term: Value) -> bool:

@@ -60,9 +60,6 @@ def sign(move: Move, algebra: Algebra) -> Performed:
         relation = _sign_of(pair.right, move.where)
         if relation is None:
             continue
-        for k, condition in enumerate(move.where):
-            if _sign_of(pair.right, (*move.where[:k], *move.where[k + 1 :])) == relation:
-                raise RefusedError("{} is a condition without need", condition.expression)
         pairs.append(Pair(pair.left, Integer(0), relation))
     if not pairs:
         raise RefusedError("the sign is not known: say under which conditions")

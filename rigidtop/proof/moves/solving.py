@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import sympy
 from sympy import Dummy, Expr, Integer, Symbol
 
+from rigidtop.proof import decide
 from rigidtop.proof.algebra import Algebra, Vector, flattened
-from rigidtop.proof.moves.conditions import divided_by
+from rigidtop.proof.moves.conditions import divided_by, flat_with
 from rigidtop.proof.moves.move import (
     Condition,
     Move,
@@ -37,7 +38,7 @@ def solve(move: Move, algebra: Algebra) -> Performed:
     if all(row is not None for row in rows):
         return _solved_linear(move, [r for row in rows if row for r in row], atoms, scope)
     if len(unknowns) == 1 and len(pairs) == 1:
-        return _roots(pairs[0], unknowns[0], scope)
+        return _roots(pairs[0], unknowns[0], scope, move.where)
     raise RefusedError("this is not linear in {}", *move.by)
 
 
@@ -97,8 +98,11 @@ def _reduced(expression: Expr) -> Expr:
     return reduce_trig(flat).xreplace(nodes)
 
 
-def _roots(pair: Pair, unknown: Any, scope: Scope) -> Performed:
-    """Both roots of a quadratic, told apart by a sign."""
+def _roots(pair: Pair, unknown: Any, scope: Scope, where: Sequence[Condition]) -> Performed:
+    """Both roots of a quadratic: that with − before the square root, then that with +.
+
+    Where the coefficient of the square is known to be negative, the smaller comes first.
+    """
     difference = components_of(pair)
     if isinstance(difference, dict):
         raise RefusedError("a vector equation that is not linear")
@@ -109,8 +113,11 @@ def _roots(pair: Pair, unknown: Any, scope: Scope) -> Performed:
     if polynomial is None or polynomial.degree() != 2:
         raise RefusedError("this is neither linear nor quadratic in {}", unknown)
     a, b, c = (coefficient.xreplace(nodes) for coefficient in polynomial.all_coeffs())
+    if a.could_extract_minus_sign():  # the first of the roots is the same whatever is divided by
+        a, b, c = -a, -b, -c
     discriminant = b**2 - 4 * a * c
-    roots = [(-b + sign * sympy.sqrt(discriminant)) / (2 * a) for sign in (-1, 1)]
+    signs = (1, -1) if decide.positive(*flat_with(-a, where)) else (-1, 1)
+    roots = [(-b + sign * sympy.sqrt(discriminant)) / (2 * a) for sign in signs]
     conditions = [Condition(discriminant, "≥")]
     conditions += divided_by(a, ())
     pairs = tuple(Pair(unknown, root) for root in roots)
