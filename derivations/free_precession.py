@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sympy import Eq, Matrix, cos, diag, sin, symbols
+from sympy import Eq, Matrix, diag, symbols
 
-from rigidtop.proof.equation import Equation, Group, Rate, Transposed, as_printed
-from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Page, Step, claim
+from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Page, claim
 from rigidtop.theory.euler import MOMENTS
 from rigidtop.theory.inertia import point_masses
 from rigidtop.theory.rotation import euler_matrix, total_derivative
@@ -18,18 +17,15 @@ from rigidtop.theory.symbols import (
     I_xz,
     L_vec,
     L_vecdot,
-    Lambda,
-    O_matrix,
     inertia,
     kappa,
     lambda1,
     lambda2,
-    lambda3,
     omega_vec,
-    phi,
-    theta,
 )
 from rigidtop.theory.trig import reduce_trig
+
+from .printed import printed
 
 POSITIONS = tuple(Matrix(symbols(f"x{k} y{k} z{k}", real=True)) for k in (1, 2))
 VELOCITIES = tuple(Matrix(symbols(f"u{k} v{k} w{k}", real=True)) for k in (1, 2))
@@ -56,15 +52,12 @@ def newton_rate() -> Matrix:
 @claim("3.33", "In the space frame L = Iω is conserved without external torque.")
 def conservation() -> Iterator[Evidence]:
     """L̇ = N (1.20) with L = Iω (3.26); the forces inside the body are central and cancel."""
-    with as_printed():
-        linear = Equation(L_vec, inertia * omega_vec)
-        printed = Equation(0, L_vecdot, Rate(inertia * omega_vec), tag="3.33")
+    line = printed("3.33")
     pairs = list(zip(MASSES, POSITIONS, strict=True))
     momentum = sum((m * r.cross(SPIN.cross(r)) for m, r in pairs), Matrix([0, 0, 0]))
     yield Check(
-        linear,
+        printed(r"\mathbf L = I\boldsymbol\omega"),
         {L_vec: momentum, inertia: point_masses(pairs), omega_vec: SPIN},
-        reason="Every particle moves with v = ω × r (3.12).",
         printed=False,
     )
     # İω + Iω̇, with İ from ṙ = ω × r and ω̇ left open, is Σ r × m r̈: both are d(Iω)/dt.
@@ -75,8 +68,7 @@ def conservation() -> Iterator[Evidence]:
         velocity = SPIN.cross(r)
         rates |= dict(zip(r, velocity, strict=True))
         moved.append(acceleration.cross(r) + SPIN.cross(velocity))
-    with as_printed():
-        product = Equation(Rate(inertia * omega_vec), L_vecdot)
+    product = printed(r"\frac{d}{dt}(I\boldsymbol\omega) = \dot{\mathbf L}")
     yield Check(
         product,
         {
@@ -86,25 +78,19 @@ def conservation() -> Iterator[Evidence]:
                 Matrix([0, 0, 0]),
             ),
         },
-        reason="I turns with the body; its rate belongs to d(Iω)/dt.",
         printed=False,
     )
     rate = newton_rate()
-    yield Check(printed, {L_vecdot: rate, printed.sides[2]: rate}, (TORQUE_FREE,))
+    yield Check(line, {L_vecdot: rate, line.sides[2]: rate}, (TORQUE_FREE,))
 
 
 @claim("inertia-full", "In the space frame all components of I are nonzero.")
 def inertia_full() -> Iterator[Evidence]:
     """I = OΛOᵀ turns with the body, and its off-diagonal components pass through zero."""
     tensor = reduce_trig(euler_matrix() * diag(*MOMENTS) * euler_matrix().T)
-    with as_printed():
-        full = Equation(I_xz, 0, relation="≠")
-        turning = Equation(inertia, O_matrix * Lambda * Transposed(O_matrix))
-        symmetric = Equation(I_xz, Group(lambda3 - lambda1) * sin(theta) * cos(theta) * cos(phi))
-    yield Check(full, {I_xz: tensor[0, 2]}, printed=False)
-    yield Step(turning, "Λ is the diagonal form (3.29), O the matrix of (3.34).")
+    yield Check(printed(r"I_{xz} \neq 0"), {I_xz: tensor[0, 2]}, printed=False)
     yield Correction(
-        symmetric,
+        printed.lines("inertia-full")[3],
         {I_xz: tensor[0, 2]},
         (Assumption(Eq(lambda2, lambda1), "a symmetric top"),),
         "It vanishes for every upright top, and at all times for a sphere. What makes (3.33) hard "

@@ -6,40 +6,22 @@ from collections.abc import Callable, Iterator
 from itertools import combinations
 from typing import Any
 
-from sympy import Eq, Integer, Matrix, Symbol, cos, symbols
+from sympy import Eq, Integer, Matrix, Symbol, symbols
 
 from rigidtop.proof.equation import (
     Cross,
-    Dot,
     Equation,
     Group,
     NoMeaningError,
-    SumOver,
     Underbrace,
     VolumeIntegral,
     as_printed,
 )
 from rigidtop.proof.page import Assumption, Check, Evidence, Page, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory.rotation import Z_AXIS, euler_matrix, total_derivative
-from rigidtop.theory.symbols import (
-    R1,
-    R2,
-    R3,
-    R_CM,
-    F_grav,
-    F_k,
-    M,
-    N_ext,
-    R,
-    V,
-    f_r,
-    g,
-    r_k,
-    r_vec,
-    rho,
-    theta,
-    zhat,
-)
+
+from .printed import printed
 
 POSITION = Matrix(symbols("x y z", real=True))
 D3R = Symbol("d3r")
@@ -66,16 +48,23 @@ def over_body(centre: Matrix) -> Callable[[Any], Any]:
         if isinstance(integrand, Matrix):
             return integrand.applyfunc(integral)
         linear = integrand.expand()
-        moments = [M * component for component in centre]
+        moments = [s.M * component for component in centre]
         first = sum(
-            (linear.coeff(x, 1).coeff(rho, 1) * m for x, m in zip(POSITION, moments, strict=True)),
+            (
+                linear.coeff(x, 1).coeff(s.rho, 1) * m
+                for x, m in zip(POSITION, moments, strict=True)
+            ),
             Integer(0),
         )
         constant = linear.subs(dict.fromkeys(POSITION, 0))
-        rest = linear - constant - sum(rho * x * linear.coeff(x, 1).coeff(rho, 1) for x in POSITION)
+        rest = (
+            linear
+            - constant
+            - sum(s.rho * x * linear.coeff(x, 1).coeff(s.rho, 1) for x in POSITION)
+        )
         if rest.expand() != 0:
             raise NoMeaningError("the integrand is not ρ times something linear in r")
-        return first + constant.coeff(rho, 1) * M
+        return first + constant.coeff(s.rho, 1) * s.M
 
     return integral
 
@@ -103,21 +92,14 @@ def torque() -> Iterator[Evidence]:
         rates |= dict(zip(r, v, strict=True)) | dict(zip(v, (outer + between) / m, strict=True))
         momentum += m * r.cross(v)
     density = Matrix(symbols("f_x f_y f_z", real=True))
-    with as_printed():
-        printed = Equation(
-            N_ext,
-            SumOver(K, Cross(r_k, F_k)),
-            VolumeIntegral(D3R, Cross(r_vec, f_r)),
-            tag="3.48",
-        )
     yield Check(
-        printed,
+        printed("3.48"),
         {
-            N_ext: total_derivative(momentum, rates).expand(),
-            K: [{r_k: r, F_k: force} for r, force in zip(positions, forces, strict=True)],
+            s.N_ext: total_derivative(momentum, rates).expand(),
+            K: [{s.r_k: r, s.F_k: force} for r, force in zip(positions, forces, strict=True)],
             D3R: over_particles(list(zip(positions, forces, strict=True)), density),
-            r_vec: POSITION,
-            f_r: density,
+            s.r_vec: POSITION,
+            s.f_r: density,
         },
     )
 
@@ -131,28 +113,28 @@ def gravity() -> Iterator[Evidence]:
     """
     centre = Matrix(symbols("X Y Z", real=True))
     with as_printed():
-        whole = VolumeIntegral(D3R, rho * r_vec)
+        whole = VolumeIntegral(D3R, s.rho * s.r_vec)
         printed = Equation(
-            N_ext,
-            -g * VolumeIntegral(D3R, rho * Cross(r_vec, zhat)),
-            -g * Cross(Group(whole), zhat),
-            -g * M * Cross(Group(whole) / M, zhat),
-            -g * M * Cross(R_CM, zhat),
-            Cross(R_CM, Underbrace(F_grav, -g * M * zhat)),
+            s.N_ext,
+            -s.g * VolumeIntegral(D3R, s.rho * Cross(s.r_vec, s.zhat)),
+            -s.g * Cross(Group(whole), s.zhat),
+            -s.g * s.M * Cross(Group(whole) / s.M, s.zhat),
+            -s.g * s.M * Cross(s.R_CM, s.zhat),
+            Cross(s.R_CM, Underbrace(s.F_grav, -s.g * s.M * s.zhat)),
             tag="3.49",
         )
     measure = over_body(centre)
     turn = Matrix(symbols("a_x a_y a_z", real=True))
-    energy = measure(rho * g * (POSITION + turn.cross(POSITION)).dot(Z_AXIS))
+    energy = measure(s.rho * s.g * (POSITION + turn.cross(POSITION)).dot(Z_AXIS))
     yield Check(
         printed,
         {
-            N_ext: Matrix([-energy.diff(angle) for angle in turn]),
+            s.N_ext: Matrix([-energy.diff(angle) for angle in turn]),
             D3R: measure,
-            r_vec: POSITION,
-            zhat: Matrix(Z_AXIS),
-            R_CM: centre,
-            F_grav: -g * M * Matrix(Z_AXIS),
+            s.r_vec: POSITION,
+            s.zhat: Matrix(Z_AXIS),
+            s.R_CM: centre,
+            s.F_grav: -s.g * s.M * Matrix(Z_AXIS),
         },
     )
 
@@ -160,23 +142,19 @@ def gravity() -> Iterator[Evidence]:
 @claim("potential", "The potential energy is that of the mass at its centre: MgR cos θ.")
 def potential() -> Iterator[Evidence]:
     """∫ρ g z is Mg times the height of the centre of mass, which lies on e₃ at R from the pivot."""
-    centre = euler_matrix() * Matrix([R1, R2, R3])
+    centre = euler_matrix() * Matrix([s.R1, s.R2, s.R3])
     on_axis = "the centre of mass lies on e₃, at R from the pivot"
-    with as_printed():
-        printed = Equation(
-            V, VolumeIntegral(D3R, rho * g * Dot(zhat, r_vec)), M * g * R * cos(theta)
-        )
     yield Check(
-        printed,
+        printed(r"V = \int d^3\mathbf r\rho g\hat{\mathbf z}\cdot\mathbf r = MgR\cos\theta"),
         {
-            V: M * g * (Z_AXIS.T * centre)[0],
+            s.V: s.M * s.g * (Z_AXIS.T * centre)[0],
             D3R: over_body(centre),
-            zhat: Matrix(Z_AXIS),
-            r_vec: POSITION,
+            s.zhat: Matrix(Z_AXIS),
+            s.r_vec: POSITION,
         },
         tuple(
             Assumption(Eq(x, value), on_axis, stated=True)
-            for x, value in ((R1, 0), (R2, 0), (R3, R))
+            for x, value in ((s.R1, 0), (s.R2, 0), (s.R3, s.R))
         ),
         printed=True,
     )

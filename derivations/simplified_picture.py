@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 
-from sympy import Eq, Expr, Gt, Matrix, Ne, Poly, cos, sin, sqrt
+from sympy import Eq, Expr, Gt, Matrix, Ne, Poly, cos, diag, sin, sqrt
 
-from rigidtop.proof.equation import Cross, Dot, Equation, as_printed
-from rigidtop.proof.page import Assumption, Check, Evidence, Page, Step, claim
+from rigidtop.proof.page import Assumption, Check, Evidence, Page, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.rotation import (
     EULER_RATES,
@@ -17,58 +17,25 @@ from rigidtop.theory.rotation import (
     primed_matrix,
     total_derivative,
 )
-from rigidtop.theory.symbols import (
-    R_CM,
-    L_vec,
-    L_vecdot,
-    M,
-    N_vec,
-    Omega,
-    Omega_minus,
-    Omega_vec,
-    R,
-    Tdot,
-    delta,
-    e2p,
-    e3,
-    e3dot,
-    epsilon,
-    g,
-    g_vec,
-    kappa,
-    lambda1,
-    lambda3,
-    omega3,
-    omega_0,
-    omega_vec,
-    phi,
-    phiddot,
-    phidot,
-    psiddot,
-    psidot,
-    theta,
-    thetaddot,
-    thetadot,
-    yhat,
-    zhat,
-)
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
 from . import evidence
+from .printed import printed
 
+MOMENTS = diag(s.lambda1, s.lambda1, s.lambda3)
 WEAK = Assumption(
-    Eq(epsilon, 0),
+    Eq(s.epsilon, 0),
     "to leading order in ε = λ₁MgR cos θ/(λ₃ω₃)²: weak torque",
     stated=True,
     otherwise=top.smallness(),
 )
-NO_NUTATION = Assumption(Eq(thetadot, 0), "θ does not change: there is no nutation")
+NO_NUTATION = Assumption(Eq(s.thetadot, 0), "θ does not change: there is no nutation")
 STEADY = Assumption(
-    Eq(thetaddot, 0),
+    Eq(s.thetaddot, 0),
     "the top is set going steadily; released with ω along e₃ it nutates, and the equation holds on "
     "average",
 )
-SPINNING = Assumption(Ne(omega3, 0), "the top spins about e₃", stated=True)
+SPINNING = Assumption(Ne(s.omega3, 0), "the top spins about e₃", stated=True)
 
 
 @cache
@@ -80,18 +47,18 @@ def balance() -> Expr:
     axes = primed_matrix()
     axis, nodes = axes[:, 2], axes[:, 1]
     velocity = total_derivative(axis, EULER_RATES)
-    torque = M * g * R * Matrix(Z_AXIS).cross(axis)
-    kept = nodes.dot(lambda3 * omega3 * velocity - torque)
-    rest = lambda1 * nodes.dot(axis.cross(total_derivative(velocity, EULER_RATES)))
-    kept, rest = (reduce_trig(part).subs(phidot, Omega) for part in (kept, rest))
-    steady = rest.subs(thetaddot, 0)
-    small = epsilon * reduce_ratio(steady / top.smallness())
+    torque = s.M * s.g * s.R * Matrix(Z_AXIS).cross(axis)
+    kept = nodes.dot(s.lambda3 * s.omega3 * velocity - torque)
+    rest = s.lambda1 * nodes.dot(axis.cross(total_derivative(velocity, EULER_RATES)))
+    kept, rest = (reduce_trig(part).subs(s.phidot, s.Omega) for part in (kept, rest))
+    steady = rest.subs(s.thetaddot, 0)
+    small = s.epsilon * reduce_ratio(steady / top.smallness())
     return (kept + (rest - steady).expand() + small).expand()
 
 
 def steady_rate() -> Expr:
     """The Ω at which the torque keeps θ, that of the two which gravity makes (rad/s)."""
-    a, b, c = Poly(balance().subs(thetaddot, 0), Omega).all_coeffs()
+    a, b, c = Poly(balance().subs(s.thetaddot, 0), s.Omega).all_coeffs()
     return -2 * c / b / (1 + sqrt(1 - (4 * a * c / b**2).expand()))
 
 
@@ -100,22 +67,22 @@ def picture() -> dict:
 
     θ̇ is left in: a top that nutates.
     """
-    axis = Matrix([sin(theta), 0, cos(theta)])
+    axis = Matrix([sin(s.theta), 0, cos(s.theta)])
     vertical = Matrix(Z_AXIS)
-    turning = Omega * vertical
-    down = -g * vertical
-    centre = R * axis
-    torque = M * centre.cross(down)
+    turning = s.Omega * vertical
+    down = -s.g * vertical
+    centre = s.R * axis
+    torque = s.M * centre.cross(down)
     return {
-        e3: axis,
-        e3dot: turning.cross(axis) + thetadot * axis.diff(theta),
-        zhat: vertical,
-        yhat: Matrix([0, 1, 0]),
-        g_vec: down,
-        R_CM: centre,
-        N_vec: torque,
-        L_vecdot: torque,
-        Omega_vec: turning,
+        s.e3: axis,
+        s.e3dot: turning.cross(axis) + s.thetadot * axis.diff(s.theta),
+        s.zhat: vertical,
+        s.yhat: Matrix([0, 1, 0]),
+        s.g_vec: down,
+        s.R_CM: centre,
+        s.N_vec: torque,
+        s.L_vecdot: torque,
+        s.Omega_vec: turning,
     }
 
 
@@ -128,22 +95,27 @@ def torque_balance() -> Iterator[Evidence]:
     e₃, as the notes have it, starts with ė₃ = 0 and makes cusps; the equation is then that of its
     mean motion.
     """
-    with as_printed():
-        printed = Equation(
-            L_vecdot, lambda3 * omega3 * e3dot, M * Cross(R_CM, g_vec), N_vec, tag="3.50"
-        )
-        momentum = Equation(L_vec, lambda3 * omega3 * e3 + lambda1 * Cross(e3, e3dot))
     axes = primed_matrix()
     omega = euler_omega("primed")
-    spin = reduce_trig(axes * Matrix([lambda1 * omega[0], lambda1 * omega[1], lambda3 * omega[2]]))
-    moving = axes[:, 2].diff(theta) * thetadot + axes[:, 2].diff(phi) * phidot
+    spin = reduce_trig(axes * MOMENTS * omega)
+    moving = axes[:, 2].diff(s.theta) * s.thetadot + axes[:, 2].diff(s.phi) * s.phidot
     yield Check(
-        momentum,
-        {L_vec: spin, omega3: omega[2], e3: axes[:, 2], e3dot: moving},
-        reason="What L is without the simplification.",
+        printed(
+            r"\mathbf L = \lambda_3\omega_3\mathbf e_3"
+            r" + \lambda_1\mathbf e_3\times\dot{\mathbf e}_3"
+        ),
+        {s.L_vec: spin, s.omega3: omega[2], s.e3: axes[:, 2], s.e3dot: moving},
         printed=False,
     )
-    yield Check(printed, picture(), (STEADY, WEAK, NO_NUTATION), given=(balance(),))
+    yield Check(
+        printed(
+            r"\dot{\mathbf L} = \lambda_3\omega_3\dot{\mathbf e}_3"
+            r" = M\mathbf R_{\text{CM}}\times\mathbf g = \mathbf N \tag{3.50}"
+        ),
+        picture(),
+        (STEADY, WEAK, NO_NUTATION),
+        given=(balance(),),
+    )
     yield from evidence.mean_precession()
 
 
@@ -154,19 +126,19 @@ def perpendicular() -> Iterator[Evidence]:
     So |L| is constant while θ is, and pulsates with the nutation.
     """
     axes = primed_matrix()
-    omega = euler_omega("primed")
-    exact = axes * Matrix([lambda1 * omega[0], lambda1 * omega[1], lambda3 * omega[2]])
+    exact = axes * MOMENTS * euler_omega("primed")
     figure_axis = axes[:, 2]
-    torque = M * g * R * Matrix(Z_AXIS).cross(figure_axis)
-    with as_printed():
-        power = Equation(Dot(N_vec, L_vec), lambda1 * M * g * R * thetadot * sin(theta))
-        orthogonal = Equation(Dot(N_vec, L_vec), 0)
-    meaning = {N_vec: torque, L_vec: exact}
-    yield Check(power, meaning, reason="Half the rate of |L|².", printed=False)
+    torque = s.M * s.g * s.R * Matrix(Z_AXIS).cross(figure_axis)
+    meaning = {s.N_vec: torque, s.L_vec: exact}
     yield Check(
-        orthogonal,
+        printed.lines("torque-perpendicular")[1],
         meaning,
-        (Assumption(Eq(thetadot, 0), "θ does not change, as in steady precession"),),
+        printed=False,
+    )
+    yield Check(
+        printed(r"\mathbf N\cdot\mathbf L = 0"),
+        meaning,
+        (Assumption(Eq(s.thetadot, 0), "θ does not change, as in steady precession"),),
         printed=False,
     )
 
@@ -174,39 +146,36 @@ def perpendicular() -> Iterator[Evidence]:
 @claim("3.51", "e₃ turns about a vertical Ω.")
 def axis_turns() -> Iterator[Evidence]:
     """R_CM = R e₃ and g = −g ẑ put into (3.50); λ₃ω₃ is divided out."""
-    with as_printed():
-        printed = Equation(
-            e3dot,
-            M * g * R / (lambda3 * omega3) * Cross(zhat, e3),
-            Cross(Omega_vec, e3),
-            tag="3.51",
-        )
-    yield Check(printed, picture(), (STEADY, WEAK, NO_NUTATION, SPINNING), given=(balance(),))
+    yield Check(
+        printed(
+            r"\dot{\mathbf e}_3 = \frac{MgR}{\lambda_3\omega_3}\hat{\mathbf z}\times\mathbf e_3"
+            r" = \boldsymbol\Omega\times\mathbf e_3\tag{3.51}"
+        ),
+        picture(),
+        (STEADY, WEAK, NO_NUTATION, SPINNING),
+        given=(balance(),),
+    )
 
 
 @claim("3.52", "The precession vector Ω.")
 def precession_vector() -> Iterator[Evidence]:
     """Read off (3.51); Ω is the rate at which L̇ = N keeps θ, exact for every spin."""
-    with as_printed():
-        printed = Equation(Omega_vec, M * g * R / (lambda3 * omega3) * zhat, tag="3.52")
-    yield Step(
-        Equation(Omega_minus, top.steady_expansions(2)[0]), "The slow root to the next order."
-    )
-    slow = Assumption(Eq(Omega, steady_rate()), STEADY.words)
-    yield Check(printed, picture(), (slow, WEAK, SPINNING))
+    slow = Assumption(Eq(s.Omega, steady_rate()), STEADY.words)
+    yield Check(printed("3.52"), picture(), (slow, WEAK, SPINNING))
 
 
 @claim("torque-direction", "The torque of gravity points into the paper.")
 def torque_direction() -> Iterator[Evidence]:
     """N = R_CM × Mg for e₃ in the paper: x̂ to the right, ẑ up, so ŷ points into it."""
-    with as_printed():
-        across = Equation(N_vec, M * g * R * sin(theta) * yhat)
-        into = Equation(Dot(N_vec, yhat), 0, relation=">")
-    yield Check(across, picture(), reason="Sideways, never out of the horizontal.", printed=False)
     yield Check(
-        into,
+        printed(r"\mathbf N = MgR\sin\theta\hat{\mathbf y}"),
         picture(),
-        (Assumption(Gt(sin(theta), 0), "the top leans to the right of the figure"),),
+        printed=False,
+    )
+    yield Check(
+        printed(r"\mathbf N\cdot\hat{\mathbf y} > 0"),
+        picture(),
+        (Assumption(Gt(sin(s.theta), 0), "the top leans to the right of the figure"),),
         printed=False,
     )
 
@@ -219,35 +188,29 @@ def parallel() -> Iterator[Evidence]:
     between L and ω tends to 1. A weak torque alone is not enough: a top in free precession has
     none, and its L and ω are not parallel.
     """
-    with as_printed():
-        aligned = Equation(
-            Dot(L_vec, omega_vec) ** 2 / (Dot(L_vec, L_vec) * Dot(omega_vec, omega_vec)), 1
-        )
-        balance = Equation(Tdot, M * g * R * thetadot * sin(theta))
     # Along the motion d/dt ½λ₁(φ̇² sin²θ + θ̇²) is the power of the weight.
     rates = euler_omega("primed")
     across = (rates[0] ** 2 + rates[1] ** 2) / 2
-    accelerations = dict(zip(top.ACCELERATIONS, top.symmetric_top_accelerations(), strict=True))
-    power = total_derivative(across, EULER_RATES).subs(accelerations)
     yield Check(
-        balance,
-        {Tdot: lambda1 * power},
-        reason="The rate of ½λ₁ω⊥²: gravity does the work, and ω₃ is constant.",
+        printed(r"\dot T = MgR\dot\theta\sin\theta"),
+        {s.Tdot: s.lambda1 * top.along_motion(across)},
         printed=False,
     )
-    transverse = sqrt(omega_0**2 + 2 * kappa * M * g * R / lambda1 * delta)
+    transverse = sqrt(s.omega_0**2 + 2 * s.kappa * s.M * s.g * s.R / s.lambda1 * s.delta)
     yield Check(
-        aligned,
+        printed(
+            r"\frac{(\mathbf L\cdot\boldsymbol\omega)^2}"
+            r"{(\mathbf L\cdot\mathbf L)\boldsymbol\omega\cdot\boldsymbol\omega} = 1"
+        ),
         {
-            L_vec: Matrix([lambda1 * transverse, 0, lambda3 * omega3]),
-            omega_vec: Matrix([transverse, 0, omega3]),
+            s.L_vec: Matrix([s.lambda1 * transverse, 0, s.lambda3 * s.omega3]),
+            s.omega_vec: Matrix([transverse, 0, s.omega3]),
         },
         (
-            Assumption(Eq(omega_0, 0), "the top starts with ω along e₃", stated=True),
-            Assumption(Eq(kappa, 0), "the torque κMgR is weak", stated=True, otherwise=kappa),
+            Assumption(Eq(s.omega_0, 0), "the top starts with ω along e₃", stated=True),
+            Assumption(Eq(s.kappa, 0), "the torque κMgR is weak", stated=True, otherwise=s.kappa),
             SPINNING,
         ),
-        "With δ = cos θ₀ − cos θ, along ω⊥ and e₃.",
         printed=False,
     )
     yield from evidence.parallel()
@@ -259,32 +222,23 @@ def toppling() -> Iterator[Evidence]:
 
     L grows along the fixed horizontal axis e₂′, which the torque has too; nothing precesses.
     """
-    rest = {phidot: 0, psidot: 0}
-    momentum = reduce_trig(
-        primed_matrix()
-        * Matrix([lambda1, lambda1, lambda3]).multiply_elementwise(euler_omega("primed"))
-    ).subs(rest)
+    rest = {s.phidot: 0, s.psidot: 0}
+    momentum = reduce_trig(primed_matrix() * MOMENTS * euler_omega("primed")).subs(rest)
     accelerations = top.symmetric_top_accelerations().subs(rest)
-    with as_printed():
-        pendulum = Equation(lambda1 * thetaddot, M * g * R * sin(theta))
-        along_nodes = Equation(L_vec, lambda1 * thetadot * e2p)
-        azimuth_rests = Equation(Matrix([phiddot, psiddot]), Matrix([0, 0]))
-        torque_along = Equation(N_vec, M * g * R * sin(theta) * e2p)
     nodes = primed_matrix()[:, 1]
     yield Check(
-        azimuth_rests,
-        {phiddot: accelerations[1], psiddot: accelerations[2]},
-        reason="φ̇ and ψ̇ start at zero and have no rate.",
+        printed(r"[\ddot\phi,\ddot\psi]^T = [0, 0]^T"),
+        {s.phiddot: accelerations[1], s.psiddot: accelerations[2]},
         printed=False,
     )
-    yield Check(along_nodes, {L_vec: momentum, e2p: nodes}, printed=False)
+    yield Check(printed.lines("example-34")[3], {s.L_vec: momentum, s.e2p: nodes}, printed=False)
     figure_axis = primed_matrix()[:, 2]
     yield Check(
-        torque_along,
-        {N_vec: M * g * R * Matrix(Z_AXIS).cross(figure_axis), e2p: nodes},
+        printed(r"\mathbf N = MgR\sin\theta\mathbf e_2'"),
+        {s.N_vec: s.M * s.g * s.R * Matrix(Z_AXIS).cross(figure_axis), s.e2p: nodes},
         printed=False,
     )
-    yield Check(pendulum, {thetaddot: accelerations[0]}, printed=False)
+    yield Check(printed.lines("example-34")[6], {s.thetaddot: accelerations[0]}, printed=False)
 
 
 page = Page(
