@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from rigidtop.commands.claims import FAILED, FOLDER
+from rigidtop.commands.look import add_look, front_of, look_of, points_of
 from rigidtop.commands.notation import add_notation
 from rigidtop.commands.notation import chosen as chosen_notation
 from rigidtop.commands.output import print_json
@@ -43,6 +44,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--sheet", metavar="DIR", help="write exercises.tex, exercises.html and figures there"
     )
     parser.add_argument("--pdf", action="store_true", help="with --sheet, also a PDF")
+    add_look(parser)
     add_notation(parser)
 
 
@@ -130,14 +132,17 @@ def _write(
     from rigidtop.present.files import check_folder
     from rigidtop.present.lecture import write_sheet
 
+    look, front, points = look_of(options), front_of(options, collection.front), points_of(options)
     check_folder(options.sheet)
     files = write_sheet(
         solutions,
         options.sheet,
         pdf=options.pdf,
         student=options.student,
-        front=collection.front,
+        front=front,
         notation=notation,
+        points=points,
+        look=look,
     )
     if options.json:
         passed = all(solution.passed for solution in solutions)

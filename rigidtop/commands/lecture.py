@@ -6,6 +6,7 @@ import argparse
 from typing import TYPE_CHECKING
 
 from rigidtop.commands import claims
+from rigidtop.commands.look import add_look, front_of, look_of, points_of
 from rigidtop.commands.notation import add_notation, chosen
 from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
@@ -31,6 +32,23 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--student", action="store_true", help="leave the solutions of the exercises out"
     )
+    parser.add_argument(
+        "--record",
+        action="store_true",
+        help="the record of every verdict instead: assumptions, counterexamples, measures",
+    )
+    parser.add_argument(
+        "--slides", action="store_true", help="also slides.html for the projector: arrow keys"
+    )
+    parser.add_argument(
+        "--fragment",
+        action="store_true",
+        help="also chapters/*.tex and rigidtop.sty, to be read into a document of your own",
+    )
+    parser.add_argument(
+        "--format", choices=["myst"], help="also the pages as a MyST project, for a course site"
+    )
+    add_look(parser)
     add_notation(parser)
 
 
@@ -49,12 +67,17 @@ def run(options: argparse.Namespace) -> int:
 def _run(collection: Collection, options: argparse.Namespace) -> int:
     from rigidtop.present.figures.catalog import FIGURES
     from rigidtop.present.files import check_folder
-    from rigidtop.present.lecture import write_lecture
+    from rigidtop.present.lecture import Wanted, write_lecture
     from rigidtop.present.solutions import solved
 
+    if options.record and (options.slides or options.fragment or options.format):
+        raise RigidtopError(
+            "--record is the record alone: leave --slides, --fragment, --format out"
+        )
     notation = chosen(options)
     check_folder(options.output)  # before half a minute of work, not after it
     lines = collection.lecture_with(collection.exercises)
+    look, front = look_of(options), front_of(options, collection.front)
     judged: list[tuple[Page, list[Judgement]]] = []
     every = claims.every(collection)
     for page, judgement in claims.judged(every, collection.letters, lines):
@@ -70,9 +93,12 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
         judged,
         solutions,
         options.output,
-        pdf=options.pdf,
+        wanted=Wanted(options.pdf, options.slides, options.fragment, options.format == "myst"),
+        recorded=options.record,
         student=options.student,
-        front=collection.front,
+        front=front,
+        look=look,
+        points=points_of(options),
         figures=FIGURES if collection.folder is None else (),
         # Pages of one's own need not be about Euler angles.
         notation=notation if collection.folder is None or notation.images else None,

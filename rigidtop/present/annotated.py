@@ -14,7 +14,7 @@ from typing import Any
 
 from rigidtop.present import layout as lay
 from rigidtop.present import mathml
-from rigidtop.present.html import NARROW, STYLE, badge
+from rigidtop.present.html import NARROW, badge, style
 from rigidtop.present.prose import prose_html
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.verdict import Verdict
@@ -112,7 +112,7 @@ def write(
 <meta name="viewport" content="width=device-width, initial-scale=1"/>
 <meta name="color-scheme" content="light dark"/>
 <title>{escape(title)}, audited</title>
-<style>{STYLE}{_OWN_STYLE}</style>
+<style>{style("page.css")}{_OWN_STYLE}</style>
 </head>
 <body>
 <a class="skip" href="#content">Skip to the notes</a>

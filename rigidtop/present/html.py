@@ -6,13 +6,17 @@ import re
 from collections.abc import Mapping, Sequence
 from functools import singledispatch
 from html import escape
+from importlib.resources import files
 from typing import Any
 
 from rigidtop.present import layout as lay
 from rigidtop.present import mathml
+from rigidtop.present.latex import latex
 from rigidtop.present.prose import prose_html
 from rigidtop.present.report import (
+    COLORS,
     MARKS,
+    Cited,
     ClaimHead,
     Condition,
     Conditions,
@@ -23,15 +27,22 @@ from rigidtop.present.report import (
     Figure,
     FoundList,
     Heading,
+    Legend,
+    Mark,
     Measures,
+    NameLine,
     Numbers,
     Paragraph,
+    Piece,
     Quantities,
+    Results,
     Rich,
     Row,
     Subhead,
     Summary,
     Symbols,
+    Unit,
+    anchor,
     groups,
 )
 from rigidtop.proof.verdict import Verdict
@@ -39,144 +50,35 @@ from rigidtop.proof.verdict import Verdict
 NARROW = 36.0
 """How many letters wide a line is on a small screen."""
 
-STYLE = """
-:root {
-  --ink: #1b1b1b; --paper: #fdfdfb; --muted: #595959; --rule: #cfcbc2; --link: #1f4f8a;
-  --proved: #1e5b3a; --sampled: #3e5f2b; --assuming: #7a4b00; --convention: #5b2d83;
-  --false: #8e1b1b; --definition: #2b4c7e; --undecided: #444;
-  --serif: "STIX Two Text", "Libertinus Serif", "Latin Modern Roman", "Palatino Linotype",
-    Palatino, "Book Antiqua", Cambria, Georgia, serif;
-  --maths: "STIX Two Math", "Libertinus Math", "Latin Modern Math", "Cambria Math", math;
-}
-@media (prefers-color-scheme: dark) {
-  :root {
-    --ink: #e4e1da; --paper: #17181a; --muted: #a5a29a; --rule: #45464a; --link: #9dc1ef;
-    --proved: #86cfa5; --sampled: #b0cf8f; --assuming: #e6b865; --convention: #cba6ee;
-    --false: #f29b9b; --definition: #9cbcf0; --undecided: #bbb;
-  }
-}
-* { box-sizing: border-box; }
-html { scroll-padding-top: 1rem; }
-body {
-  margin: 0; background: var(--paper); color: var(--ink);
-  font: 1.0625rem/1.55 var(--serif); text-rendering: optimizeLegibility;
-}
-math { font-family: var(--maths); font-size: 1.06em; }
-a { color: var(--link); text-underline-offset: 0.15em; }
-:focus-visible { outline: 2px solid var(--link); outline-offset: 2px; }
-.skip { position: absolute; left: -99rem; }
-.skip:focus { left: 1rem; top: 1rem; background: var(--paper); padding: 0.5rem 1rem; z-index: 2; }
-.page { max-width: 46rem; margin: 0 auto; padding: 2.5rem 1.25rem 4rem; }
-.toc { font-size: 0.93rem; line-height: 1.4; }
-.toc summary { cursor: pointer; font-weight: bold; }
-.toc ul { list-style: none; margin: 0.4rem 0 0; padding: 0; }
-.toc li { margin: 0.25rem 0; padding-left: 2.9rem; text-indent: -2.9rem; }
-.toc .deep { margin-left: 0.9rem; }
-.toc .ask { font-size: 0.93em; }
-.toc .n { display: inline-block; width: 2.9rem; text-indent: 0; color: var(--muted); }
-.toc a { color: inherit; text-decoration: none; }
-.toc a:hover { text-decoration: underline; }
-@media (min-width: 78rem) {
-  body { display: grid; grid-template-columns: 17rem minmax(0, 46rem) 1fr; column-gap: 3.5rem; }
-  .page { margin: 0; }
-  .toc { position: sticky; top: 0; max-height: 100vh; overflow-y: auto;
-  padding: 3rem 0 2rem 2rem; }
-}
-@media (max-width: 77.99rem) { .toc { max-width: 46rem; margin: 0 auto;
-  padding: 1.5rem 1.25rem 0; } }
-h1 { font-size: 1.95rem; line-height: 1.2; font-weight: 600; margin: 0 0 0.4rem;
-  text-wrap: balance; }
-h2 { font-size: 1.42rem; line-height: 1.25; font-weight: 600; margin: 3.2rem 0 0.6rem; }
-h3 { font-size: 1.2rem; line-height: 1.3; font-weight: 600; margin: 2.6rem 0 0.5rem; }
-h2 .n, h3 .n { color: var(--muted); font-weight: 400; margin-right: 0.6em; }
-p { margin: 0.55rem 0; }
-.subtitle { font-size: 1.12rem; color: var(--muted); margin-top: 0; }
-.colophon { font-size: 0.9rem; color: var(--muted); border-top: 1px solid var(--rule);
-  margin-top: 3rem; padding-top: 1rem; }
-.claim { border-top: 1px solid var(--rule); margin-top: 2.2rem; padding-top: 0.8rem; }
-.head { display: flex; flex-wrap: wrap; justify-content: space-between; align-items: baseline;
-  gap: 0.1rem 1rem; }
-.head h4 { font-size: 1.04rem; font-weight: 600; margin: 0; }
-.exercise { border-top: 3px solid var(--rule); margin-top: 2.6rem; padding-top: 0.8rem; }
-.asks { color: var(--muted); font-size: 0.93rem; }
-h5 { font-size: 1rem; font-weight: 600; margin: 1.6rem 0 0.3rem; }
-.unseen { position: absolute; left: -99rem; }
-.says { font-style: italic; margin: 0.25rem 0 0.7rem; }
-.m { white-space: nowrap; }
-sub, sup { font-size: 0.72em; line-height: 0; }
-.badge {
-  display: inline-block; white-space: nowrap; font-size: 0.78rem; line-height: 1.3;
-  letter-spacing: 0.04em; border: 1px solid currentColor; border-radius: 0.2rem;
-  padding: 0.05rem 0.45rem;
-}
-.badge.false, .badge.convention { border-width: 2px; font-weight: 600; }
-.badge.assuming { border-style: dashed; }
-.badge.undecided { border-style: dotted; }
-.proved { color: var(--proved); } .sampled { color: var(--sampled); }
-.assuming { color: var(--assuming); } .convention { color: var(--convention); }
-.false { color: var(--false); } .definition { color: var(--definition); }
-.undecided { color: var(--undecided); }
-.label { font-variant-caps: all-small-caps; letter-spacing: 0.04em; color: var(--muted);
-  margin: 0.9rem 0 0.15rem; }
-p .label { margin-right: 0.5em; }
-.row { display: grid; grid-template-columns: minmax(0, 1fr) auto; column-gap: 1rem;
-  align-items: center; margin: 0.3rem 0; }
-.eq { overflow-x: auto; overflow-y: hidden; padding: 0.15rem 0 0.3rem 1.6rem; }
-.eq math { display: inline math; math-style: normal; }
-.tag { font-variant-numeric: tabular-nums; }
-.why { grid-column: 1 / -1; margin: 0.5rem 0 0; font-size: 0.95rem;
-  color: var(--muted); }
-.eq .narrow { display: none; }
-@media (max-width: 40rem) {
-  .eq .wide { display: none; } .eq .narrow { display: inline math; }
-  .page { padding: 1.5rem 0.9rem 3rem; } .eq { padding-left: 0.4rem; } .why {
-  margin-left: 0.4rem; }
-  h1 { font-size: 1.6rem; }
-  .found thead { position: absolute; left: -99rem; }
-  .found tr { display: block; border-bottom: 1px solid var(--rule); padding: 0.5rem 0; }
-  .found td, .found th { display: inline; border: 0 !important; padding: 0 0.6rem 0 0; }
-  .found td:last-child { display: block; padding-top: 0.25rem; }
-}
-ul.conditions { margin: 0.2rem 0 0.6rem; padding-left: 1.3rem; }
-ul.conditions li { margin: 0.3rem 0; }
-.stated { color: var(--muted); } .unstated { font-weight: 600; }
-.scroll { overflow-x: auto; }
-table { border-collapse: collapse; width: 100%; margin: 0.8rem 0; font-size: 0.95rem;
-  line-height: 1.4; }
-th, td { text-align: left; vertical-align: top; padding: 0.35rem 0.9rem 0.35rem 0; }
-thead th { font-weight: 400; color: var(--muted); border-top: 1.5px solid var(--ink);
-  border-bottom: 1px solid var(--rule); }
-tbody tr:last-child > * { border-bottom: 1.5px solid var(--ink); }
-tbody th { font-weight: 400; }
-caption { text-align: left; color: var(--muted); padding-bottom: 0.35rem; }
-.unseen + tbody tr:first-child > * { border-top: 1.5px solid var(--ink); }
-.num { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-thead .num { white-space: normal; vertical-align: bottom; }
-figure { margin: 1.8rem 0; }
-figure svg { display: block; width: 100%; height: auto; margin: 0 auto;
-  background: #fff; }
-figcaption { font-size: 0.93rem; color: var(--muted); margin-top: 0.5rem; }
-@media print {
-  :root { --ink: #000; --paper: #fff; --muted: #444; --rule: #999; --link: #000; }
-  body { display: block; font-size: 10.5pt; } .toc, .skip { display: none; }
-  .page { max-width: none; padding: 0; } a { text-decoration: none; }
-  .head, .says, .label, h2, h3, h4 { break-after: avoid; } .row, figure, li { break-inside: avoid; }
-}
-@page { margin: 20mm; }
-"""
+
+def style(*names: str) -> str:
+    """Style sheets and scripts of this package, one behind the other."""
+    folder = files("rigidtop.present").joinpath("styles")
+    colors = " ".join(
+        f"--{verdict}: light-dark(#{light}, #{dark});" for verdict, (light, dark) in COLORS.items()
+    )
+    made = "".join(folder.joinpath(name).read_text("utf-8") for name in names)
+    return made.replace("@COLORS@", colors)
 
 
-def write(document: Document, figures: Mapping[str, str]) -> str:
-    """The document.  `figures` has the SVG of each figure by its name."""
+def write(document: Document, figures: Mapping[str, str], *, slides: bool = False) -> str:
+    """The document.  `figures` has the SVG of each figure by its name.
+
+    As `slides` it is for the projector: a derivation is uncovered line by line with the keys.
+    """
     body = mathml.held("\n".join(_sections(document, figures)))
+    byline = f'\n<p class="byline">{escape(document.byline)}</p>' if document.byline else ""
+    kinds = ["page.css", *["lecture.css"] * document.lecture, *["slides.css"] * slides]
+    scripts = ["lecture.js"] * document.lecture + ["slides.js"] * slides
+    script = f"<script>{style(*scripts)}</script>\n" if scripts else ""
     return f"""<!DOCTYPE html>
-<html lang="en">
+<html lang="{document.look.language}"{' class="lecture"' * document.lecture}>
 <head>
 <meta charset="utf-8"/>
 <meta name="viewport" content="width=device-width, initial-scale=1"/>
 <meta name="color-scheme" content="light dark"/>
 <title>{escape(document.title)}</title>
-<style>{STYLE}</style>
+<style>{style(*kinds)}</style>
 </head>
 <body>
 <a class="skip" href="#content">Skip to the lecture</a>
@@ -184,22 +86,23 @@ def write(document: Document, figures: Mapping[str, str]) -> str:
 <main class="page" id="content">
 <header>
 <h1>{prose_html(document.title)}</h1>
-<p class="subtitle">{prose_html(document.subtitle)}</p>
+<p class="subtitle">{prose_html(document.subtitle)}</p>{byline}
 </header>
 {body}
 <footer class="colophon"><p>{prose_html(document.colophon)}</p></footer>
 </main>
-</body>
+{script}</body>
 </html>
 """
 
 
 def _contents(document: Document) -> str:
-    items = "\n".join(
-        _entry(block) for block in document.blocks if isinstance(block, (Heading, ExerciseHead))
-    )
+    listed = Heading if document.lecture else (Heading, ExerciseHead)
+    items = "\n".join(_entry(block) for block in document.blocks if isinstance(block, listed))
+    # On a narrow page the contents of a lecture are closed, or its title would stand below them.
+    state = "" if document.lecture else ' open="open"'
     return (
-        '<nav class="toc" aria-label="Contents"><details open="open"><summary>Contents</summary>'
+        f'<nav class="toc" aria-label="Contents"><details{state}><summary>Contents</summary>'
         f"<ul>\n{items}\n</ul></details></nav>"
     )
 
@@ -249,14 +152,24 @@ def _figure(block: Figure, figures: Mapping[str, str]) -> str:
     size = re.search(r'width="([\d.]+)pt"', svg)
     room = f' style="max-width: {float(size[1]) / 8:.1f}rem"' if size else ""
     svg = svg.replace("<svg", f'<svg role="img" aria-label="{label}"{room}', 1)
-    return f"<figure>\n{svg}\n<figcaption>{prose_html(block.caption)}</figcaption>\n</figure>"
+    caption = prose_html(block.caption)
+    if block.number:
+        caption = f"<strong>{block.label}.</strong> {caption}"
+    place = f' id="{block.anchor}"' if block.number else ""
+    return f"<figure{place}>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>"
 
 
 def rich(content: Rich) -> str:
     """Running text with formulas."""
-    return "".join(
-        prose_html(piece) if isinstance(piece, str) else mathml.mathml(piece) for piece in content
-    )
+    return "".join(map(_piece, content))
+
+
+def _piece(piece: Piece) -> str:
+    if isinstance(piece, Unit):
+        return escape(piece.spaced)
+    if isinstance(piece, Cited):
+        return f'<a href="#{piece.anchor}">{escape(piece.words)}</a>'
+    return prose_html(piece) if isinstance(piece, str) else mathml.mathml(piece)
 
 
 def badge(verdict: Verdict) -> str:
@@ -280,7 +193,22 @@ def _(block: Heading) -> str:
 
 @html_block.register
 def _(block: Paragraph) -> str:
-    return f"<p>{_label(block.label)}{rich(block.content)}</p>"
+    if block.mark is None:
+        return f"<p>{_label(block.label)}{rich(block.content)}</p>"
+    words = f"{seal(block.mark)}{rich(block.content)}"
+    return f'<p class="marked" id="{anchor(block.mark.name)}">{words}</p>{_aside(block.mark)}'
+
+
+def seal(mark: Mark) -> str:
+    """A verdict in the margin: a mark, its word for those who do not see it."""
+    sign = f'<span aria-hidden="true">{MARKS[mark.verdict]}</span>'
+    word = f'<span class="unseen">{mark.verdict}: </span>'
+    return f'<span class="seal {mark.verdict}" title="{mark.verdict}">{sign}{word}</span>'
+
+
+def _aside(mark: Mark | None) -> str:
+    """The condition of a verdict as a side note."""
+    return f'<p class="side">{rich(mark.note)}</p>' if mark is not None and mark.note else ""
 
 
 def _label(words: str) -> str:
@@ -298,11 +226,11 @@ def _(block: ClaimHead) -> str:
 @html_block.register
 def _(block: Display) -> str:
     label = f'<p class="label">{prose_html(block.label)}</p>\n' if block.label else ""
-    rows = "\n".join(_row(group) for group in groups(block))
+    rows = "\n".join(_row(group, block.step) for group in groups(block))
     return f'{label}<div class="display">\n{rows}\n</div>'
 
 
-def _row(group: Sequence[Row]) -> str:
+def _row(group: Sequence[Row], step: bool = False) -> str:
     last = group[-1]
     speaker = group[0]
     why = f'<p class="why">{rich(speaker.spoken)}</p>' if speaker.reason else ""
@@ -310,9 +238,20 @@ def _row(group: Sequence[Row]) -> str:
     wide, narrow = (mathml.display(equations, last.order, n) for n in (lay.LINE, NARROW))
     shown = wide if wide == narrow else _classed(wide, "wide") + _classed(narrow, "narrow")
     side = badge(last.verdict) if last.verdict is not None else ""
-    side += f' <span class="tag">({last.tag})</span>' if last.tag else ""
+    number = f'<span class="tag">({last.tag})</span>' if last.tag else ""
+    mark = next((row.mark for row in reversed(group) if row.mark is not None), None)
+    place = next((row.anchor for row in reversed(group) if row.anchor), "")
+    if place and number:
+        number = f'<a class="place" href="#{place}">{number}</a>'
+    side += f" {number}" if number else ""
+    side += seal(mark) if mark is not None else ""
     line = f'<div class="eq">{shown}</div>' + (f"<div>{side.strip()}</div>" if side else "")
-    return f'<div class="row">{why}{line}</div>'
+    if not step:
+        return f'<div class="row">{why}{line}</div>'
+    kind = "row result" if last.tag or mark is not None else "row step"
+    source = escape(r" \\ ".join(latex(each, last.order) for each in equations))
+    name = f' id="{place}"' if place else ""
+    return f'<div class="{kind}"{name} data-tex="{source}">{why}{line}</div>{_aside(mark)}'
 
 
 def _classed(math: str, name: str) -> str:
@@ -413,15 +352,50 @@ def _(block: Symbols) -> str:
 
 @html_block.register
 def _(block: ExerciseHead) -> str:
+    title = f"{block.label}{'.' if block.number else ':'} {prose_html(block.title)}"
+    points = f" {escape(block.points)}" if block.points else ""
     return (
-        f'<div class="head"><h4>Exercise: {prose_html(block.title)}</h4>'
-        f'<span class="asks">{prose_html(block.asks)}</span></div>'
+        f'<div class="head"><h{block.level + 1}>{title}</h{block.level + 1}>'
+        f'<span class="asks">{prose_html(block.asks)}{points}</span></div>'
+    )
+
+
+@html_block.register
+def _(block: Legend) -> str:
+    items = "".join(
+        f"<li>{seal(Mark('', verdict))}{prose_html(words)}</li>" for verdict, words in block.rows
+    )
+    return f'<div class="legend"><p>In the margin:</p><ul>{items}</ul></div>'
+
+
+@html_block.register
+def _(block: NameLine) -> str:
+    words = "".join(f"<span>{escape(word)}:</span>" for word in block.words)
+    return f'<p class="names">{words}</p>'
+
+
+@html_block.register
+def _(block: Results) -> str:
+    rows = "\n".join(
+        f'<tr><th scope="row"><a href="#{anchor(number)}">({number})</a></th>'
+        f"<td>{mathml.mathml(equation, 'printed')}</td><td>{prose_html(words)}</td></tr>"
+        if number
+        else f"<tr><td></td><td>{mathml.mathml(equation, 'printed')}</td>"
+        f"<td>{prose_html(words)}</td></tr>"
+        for number, equation, words, _ in block.rows
+    )
+    return (
+        '<div class="scroll"><table class="results">\n<thead><tr><th scope="col">number</th>'
+        '<th scope="col">equation</th><th scope="col">what it says</th></tr></thead>\n'
+        f"<tbody>\n{rows}\n</tbody>\n</table></div>"
     )
 
 
 @html_block.register
 def _(block: Subhead) -> str:
-    return f"<h5>{prose_html(block.words)}</h5>"
+    level = block.level + 1 if block.level else 5
+    kind = ' class="sub"' if block.level else ""
+    return f"<h{level}{kind}>{prose_html(block.words)}</h{level}>"
 
 
 @html_block.register

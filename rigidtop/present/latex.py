@@ -36,13 +36,16 @@ def latex(tree: Any, order: Order = "auto") -> str:
 class AlignRow:
     """An equation of an ``align``: its lines, its tag, the reason for it, in LaTeX.
 
-    `mark` is a word that stands beside it in any case.
+    `mark` is a word that stands beside it in any case; `behind` follows the tag, `label` is the
+    name by which it is cited.
     """
 
     lines: tuple[Line, ...]
     tag: str = ""
     reason: str = ""
     mark: str = ""
+    behind: str = ""
+    label: str = ""
 
 
 def aligned(
@@ -71,7 +74,7 @@ def aligned(
 
 def align(rows: Sequence[AlignRow], limit: float = lay.LINE) -> str:
     r"""The ``align`` environment of some rows; ``align*`` if none has a tag."""
-    star = "" if any(row.tag for row in rows) else "*"
+    star = "" if any(row.tag or row.behind for row in rows) else "*"
     beside = _all_fit_beside(rows, limit)
     made: list[str] = []
     for i, row in enumerate(rows):
@@ -83,10 +86,15 @@ def align(rows: Sequence[AlignRow], limit: float = lay.LINE) -> str:
             words = " ".join(filter(None, [row.reason if beside else "", row.mark]))
             if last and words:
                 tex += rf" && \text{{{words}}}"
-            if last and row.tag:
+            if last and row.behind:
+                number = f"({row.tag})" if row.tag else ""
+                tex += rf" \tag*{{{number}{row.behind}}}"
+            elif last and row.tag:
                 tex += rf" \tag{{{row.tag}}}"
             elif not star:
                 tex += r" \notag"
+            if last and row.label:
+                tex += rf"\label{{{row.label}}}"
             made.append(tex if last and i == len(rows) - 1 else tex + r" \\")
     # What stands above the first line is a paragraph of its own.
     before = rows[0].reason + "\n" if rows[0].reason and not beside else ""
@@ -106,11 +114,11 @@ def _all_fit_beside(rows: Sequence[AlignRow], limit: float) -> bool:
     if any(row.reason.endswith(":") for row in rows):
         return False
     widest = max(_line_width(line) for row in rows for line in row.lines)
-    longest = max(0.8 * len(_seen(row.reason) + row.mark) + (8 if row.tag else 0) for row in rows)
+    longest = max(0.8 * len(seen(row.reason) + row.mark) + (8 if row.tag else 0) for row in rows)
     return widest + longest + 4 < limit
 
 
-def _seen(tex: str) -> str:
+def seen(tex: str) -> str:
     """About as many characters as are seen of words in LaTeX."""
     return re.sub(r"\\[A-Za-z]+|[{}$^_]", "", tex)
 

@@ -9,10 +9,11 @@ from pathlib import Path
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import NOTES as NOTES_NOTATION
 from rigidtop.notation import Notation
-from rigidtop.present import html, notations, plain, tex, typst
+from rigidtop.present import handout, html, myst, notations, plain, tex, typst
 from rigidtop.present.figures.catalog import FIGURES, named
-from rigidtop.present.figures.drawing import Drawing, rendered
+from rigidtop.present.figures.drawing import Drawing, both
 from rigidtop.present.files import write_all
+from rigidtop.present.handout import Parts, first_used, order_of_figures, spoken_of
 from rigidtop.present.pdf import make_pdf
 from rigidtop.present.report import (
     NOTES,
@@ -21,16 +22,21 @@ from rigidtop.present.report import (
     Figure,
     Front,
     Judged,
+    Look,
+    NameLine,
+    Subhead,
     claim_blocks,
     document,
-    symbol_list,
     symbols_used,
 )
 from rigidtop.present.solutions import Solution, blocks, question
 from rigidtop.present.ways import led_blocks, text_blocks
 from rigidtop.present.wording import Wording
+from rigidtop.progress import over
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.verdict import Judgement
+
+PLAIN = Look()
 
 FORMATS = ("text", "latex", "html", "typst")
 
@@ -100,25 +106,52 @@ def solution_in(notation: Notation, solution: Solution) -> Solution:
     return replace(solution, exercise=exercise, outcomes=outcomes, judgements=judgements)
 
 
+@dataclass(frozen=True)
+class Wanted:
+    """Which files: with a PDF, with slides, as chapters for another document, as MyST."""
+
+    pdf: bool = False
+    slides: bool = False
+    fragment: bool = False
+    myst: bool = False
+
+
 def write_lecture(
     judged: Judged,
     solutions: Sequence[Solution],
     out: Path | str,
     *,
     pdf: bool = False,
+    wanted: Wanted | None = None,
+    recorded: bool = False,
     student: bool = False,
     front: Front = NOTES,
     figures: Sequence[Drawing] = FIGURES,
     notation: Notation | None = None,
     lines: Lecture | None = None,
+    points: str = "",
+    look: Look = PLAIN,
 ) -> list[Path]:
-    """Write lecture.tex, lecture.html and figures/ into `out`, with `pdf` also lecture.pdf.
+    """Write lecture.tex, lecture.html and figures/ into `out`, and what else is `wanted`.
 
-    Each of the `figures` closes its section.  Equations are in the `notation`, of which the first
-    page tells where one is given.  The exercises are without solutions for a `student`.
-    Everything is made before anything is written, and each file is replaced only by a whole one.
-    Raises RigidtopError, with one line, where the PDF cannot be made or the folder not written.
+    With `recorded` it is the record of every verdict, record.tex and record.html.  Equations are in
+    the `notation`, of which the first page tells where one is given.  The exercises are without
+    solutions for a `student`.  Everything is made before anything is written, and each file is
+    replaced only by a whole one.  Raises RigidtopError, with one line, where the PDF cannot be made
+    or the folder not written.
     """
+    files = wanted or Wanted(pdf=pdf)
+    if recorded:
+        made = record(
+            judged,
+            solutions,
+            student=student,
+            front=front,
+            figures=figures,
+            notation=notation,
+            lines=lines,
+        )
+        return _write("record", *made, out, files)
     made = lecture(
         judged,
         solutions,
@@ -127,8 +160,10 @@ def write_lecture(
         figures=figures,
         notation=notation,
         lines=lines,
+        points=points,
+        look=look,
     )
-    return _write("lecture", *made, out, pdf)
+    return _write("lecture", *made, out, files)
 
 
 Illustrated = tuple[Document, Sequence[Picture]]
@@ -144,16 +179,82 @@ def lecture(
     figures: Sequence[Drawing] = FIGURES,
     notation: Notation | None = None,
     lines: Lecture | None = None,
+    points: str = "",
+    look: Look = PLAIN,
 ) -> Illustrated:
-    """The lecture: its text with its `lines`, then the verdicts.
+    """The lecture as it is handed out: its text, figures, exercises, and their solutions.
+
+    A `student` gets no solutions.  Figures stand where the text speaks of them.
+    """
+    lines = lines or Lecture()
+    judged, figures, solutions = _written(notation, judged, figures, solutions)
+    drawings = {each.name: each for each in (*figures, *(FIGURES if figures else ()))}
+    sections = {page.section for page, _ in judged}
+    closing = {each.name: each.section for each in figures if each.section in sections}
+    texts = {page.text for page, _ in judged}
+    spoken = [name for text in lines.texts if text.name in texts for name in spoken_of(text)]
+    closing |= {name: "" for name in spoken if name in drawings and name not in closing}
+    order = order_of_figures(lines, [page for page, _ in judged], closing)
+    pictures = [Picture(name, drawings[name], {}) for name in order]
+    for each in () if student else solutions:
+        own = picture(each, notation)
+        if own is not None and not any(own.shows_what(other) for other in pictures):
+            pictures.append(own)
+    numbered = {p.name: replace(p.described(), number=k) for k, p in enumerate(pictures, 1)}
+    parts = Parts(lines, notation or NOTES_NOTATION, numbered, closing, points)
+    everything = [judgement for _, judgements in judged for judgement in judgements]
+    told = {j.claim.name: page.section for page, judgements in judged for j in judgements}
+    blocks: list[Block] = [handout.legend(everything)]
+    blocks += handout.sections(judged, solutions, parts)
+    if not student and solutions:
+        blocks += handout.solutions(solutions, parts, told)
+    blocks += handout.summary(judged)
+    blocks = handout.linked(handout.parted([*blocks, *first_used(blocks)]))
+    whole = Document(
+        front.title,
+        front.subtitle,
+        tuple(blocks),
+        front.source,
+        front.author,
+        front.byline,
+        True,
+        look,
+    )
+    return _introduced(whole, notation), pictures
+
+
+def _written(
+    notation: Notation | None,
+    judged: Judged,
+    figures: Sequence[Drawing],
+    solutions: Sequence[Solution],
+) -> tuple[Judged, Sequence[Drawing], Sequence[Solution]]:
+    """Everything in a notation, where one is given."""
+    if notation is None:
+        return judged, figures, solutions
+    wording = Wording(notation)
+    return (
+        [(wording.of(page), _in(notation, judgements)) for page, judgements in judged],
+        [wording.drawing(each) for each in figures],
+        [solution_in(notation, each) for each in solutions],
+    )
+
+
+def record(
+    judged: Judged,
+    solutions: Sequence[Solution] = (),
+    *,
+    student: bool = False,
+    front: Front = NOTES,
+    figures: Sequence[Drawing] = FIGURES,
+    notation: Notation | None = None,
+    lines: Lecture | None = None,
+) -> Illustrated:
+    """The record of every verdict: the lecture's text with its `lines`, then what was found.
 
     Figures and exercises close the sections that they belong to.
     """
-    if notation is not None:
-        wording = Wording(notation)
-        judged = [(wording.of(page), _in(notation, judgements)) for page, judgements in judged]
-        figures = [wording.drawing(each) for each in figures]
-        solutions = [solution_in(notation, each) for each in solutions]
+    judged, figures, solutions = _written(notation, judged, figures, solutions)
     sections = {page.section for page, _ in judged}
     pictures = [Picture(each.name, each, {}) for each in figures if each.section in sections]
     closing: list[tuple[str, Block]] = [
@@ -204,10 +305,19 @@ def write_sheet(
     student: bool = False,
     front: Front = NOTES,
     notation: Notation | None = None,
+    points: str = "",
+    look: Look = PLAIN,
 ) -> list[Path]:
     """Write exercises.tex, exercises.html and figures/ into `out`: see `write_lecture`."""
-    made = sheet(solutions, student=student, front=front, notation=notation)
-    return _write("exercises", *made, out, pdf)
+    made = sheet(
+        solutions,
+        student=student,
+        front=front,
+        notation=notation,
+        points=points,
+        look=look,
+    )
+    return _write("exercises", *made, out, Wanted(pdf=pdf))
 
 
 def sheet(
@@ -216,21 +326,36 @@ def sheet(
     student: bool = False,
     front: Front = NOTES,
     notation: Notation | None = None,
+    points: str = "",
+    look: Look = PLAIN,
 ) -> Illustrated:
-    """Exercises one after the other, for a `student` without solutions."""
+    """Exercises one after the other, for a `student` without solutions and with a line to sign."""
     if notation is not None:
         solutions = [solution_in(notation, each) for each in solutions]
-    pictures: list[Picture] = []
-    made: list[Block] = []
-    told: set[str] = set()
-    for solution in solutions:
-        own = None if student else picture(solution, notation)
-        made += _exercise(solution, own, student, told, notation or NOTES_NOTATION)
-        pictures += [own] if own else []
-        told |= {judgement.claim.name for judgement in solution.judgements}
+    own = [] if student else [picture(each, notation) for each in solutions]
+    pictures = [each for each in own if each is not None]
+    numbered = {p.name: replace(p.described(), number=k) for k, p in enumerate(pictures, 1)}
+    parts = Parts(Lecture(), notation or NOTES_NOTATION, numbered, {}, points)
+    made: list[Block] = [NameLine()] if student else []
+    told: dict[str, str] = {}
+    for number, each in enumerate(solutions, 1):
+        made += handout.question(each.exercise, each.settings, number, points)
+        if not student:
+            made.append(Subhead("Solution"))
+            made += handout.answer(each, parts, told)
+            told |= {j.claim.name: "" for j in each.judgements}
+    made = handout.linked(handout.parted([*made, *handout.first_used(made)]))
     subtitle = "Questions" if student else "Questions and solutions"
-    every = (*made, *symbol_list(made))
-    whole = Document(front.exercises, subtitle, every, front.source, front.author)
+    whole = Document(
+        front.exercises,
+        subtitle,
+        tuple(made),
+        front.source,
+        front.author,
+        front.byline,
+        True,
+        look,
+    )
     return _introduced(whole, notation), pictures
 
 
@@ -248,19 +373,34 @@ def _exercise(
 
 
 def _write(
-    stem: str, whole: Document, pictures: Sequence[Picture], out: Path | str, pdf: bool
+    stem: str, whole: Document, pictures: Sequence[Picture], out: Path | str, wanted: Wanted
 ) -> list[Path]:
-    svg = {each.name: rendered(each.drawing, "svg", each.given) for each in pictures}
     drawn = {
-        f"figures/{each.name}.pdf": rendered(each.drawing, "pdf", each.given) for each in pictures
+        each.name: both(each.drawing, ("pdf", "svg"), each.given)
+        for each in over("drawing", pictures)
     }
-    vectors = {f"figures/{name}.svg": content for name, content in svg.items()}
-    source = tex.write(whole, {name: f"figures/{name}.pdf" for name in svg})
-    page = html.write(whole, {name: content.decode() for name, content in svg.items()})
-    contents = {**drawn, **vectors, f"{stem}.tex": source.encode(), f"{stem}.html": page.encode()}
-    if pdf:
-        paths = {name: f"figures/{name}.svg" for name in svg}
+    files = {
+        f"figures/{name}.{kind}": kinds[kind]
+        for kind in ("pdf", "svg")
+        for name, kinds in drawn.items()
+    }
+    pages = {name: kinds["svg"].decode() for name, kinds in drawn.items()}
+    paths = {name: f"figures/{name}.pdf" for name in drawn}
+    source = tex.write(whole, paths)
+    contents = {
+        **files,
+        f"{stem}.tex": source.encode(),
+        f"{stem}.html": html.write(whole, pages).encode(),
+    }
+    if wanted.slides:
+        contents["slides.html"] = html.write(whole, pages, slides=True).encode()
+    if wanted.fragment:
+        contents |= {name: text.encode() for name, text in tex.chapters(whole, paths).items()}
+    if wanted.myst:
+        contents |= {name: text.encode() for name, text in myst.write(whole).items()}
+    if wanted.pdf:
+        vectors = {name: f"figures/{name}.svg" for name in drawn}
         contents[f"{stem}.pdf"] = make_pdf(
-            lambda: source, lambda: typst.write(whole, paths), {**drawn, **vectors}
+            lambda: source, lambda: typst.write(whole, vectors), files
         )
     return write_all(Path(out), contents)

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from io import BytesIO
 
 from rigidtop.notation import NOTES, Notation
-from rigidtop.present.text import text
+from rigidtop.present import plain
 from rigidtop.present.ways import called
 from rigidtop.proof.lecture import Lecture
 
@@ -18,8 +18,7 @@ Map = Mapping[str, tuple[str, ...]]
 def label(lecture: Lecture, name: str, notation: Notation = NOTES) -> str:
     """What a name of the map is called: (3.57), constant-rate, Lagrange's equation for θ."""
     if name in lecture.laws:
-        pieces = called(lecture.lines[name], notation)
-        return "".join(piece if isinstance(piece, str) else text(piece) for piece in pieces)
+        return plain.rich(called(lecture.lines[name], notation))
     return f"({name})" if name[:1].isdigit() else name
 
 

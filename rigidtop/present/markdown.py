@@ -16,6 +16,7 @@ from rigidtop.present.layout import Node
 from rigidtop.present.prose import tex, written
 from rigidtop.present.report import (
     MARKS,
+    Cited,
     ClaimHead,
     Condition,
     Conditions,
@@ -24,10 +25,12 @@ from rigidtop.present.report import (
     ExerciseHead,
     Numbers,
     Paragraph,
+    Piece,
     Quantities,
     Rich,
     Row,
     Subhead,
+    Unit,
 )
 
 LINE = 84.0
@@ -58,8 +61,17 @@ def _plain(text: str) -> str:
     return "".join(f"&#{ord(c)};" if c in "\\*_`$|<>&[]#" else c for c in text)
 
 
-def _rich(content: Rich) -> str:
-    return "".join(words(piece) if isinstance(piece, str) else formula(piece) for piece in content)
+def running(content: Rich) -> str:
+    """Running text with formulas."""
+    return "".join(map(_piece, content))
+
+
+def _piece(piece: Piece) -> str:
+    if isinstance(piece, Unit):
+        return _plain(piece.spaced)
+    if isinstance(piece, Cited):
+        return f"[{_plain(piece.words)}](#{piece.anchor})"
+    return words(piece) if isinstance(piece, str) else formula(piece)
 
 
 def _label(label: str) -> str:
@@ -79,7 +91,7 @@ def _(block: ClaimHead) -> str:
 
 @_block.register
 def _(block: Paragraph) -> str:
-    return _label(block.label) + _rich(block.content)
+    return _label(block.label) + running(block.content)
 
 
 @_block.register
@@ -88,7 +100,7 @@ def _(block: Display) -> str:
 
 
 def _row(row: Row) -> str:
-    reason = _rich(row.spoken)
+    reason = running(row.spoken)
     lines = [align_row(line) for line in lay.lines(row.equation, row.order, LINE)]
     lines[-1] += rf" && \text{{({row.tag})}}" if row.tag else ""
     lines[-1] += rf" && \text{{{row.verdict}}}" if row.verdict is not None else ""

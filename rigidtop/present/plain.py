@@ -9,6 +9,7 @@ from typing import Any
 
 from rigidtop.present.layout import Node
 from rigidtop.present.report import (
+    Cited,
     ClaimHead,
     Condition,
     Conditions,
@@ -18,9 +19,11 @@ from rigidtop.present.report import (
     Measures,
     Numbers,
     Paragraph,
+    Piece,
     Quantities,
     Rich,
     Subhead,
+    Unit,
 )
 from rigidtop.present.table import table
 from rigidtop.present.text import text
@@ -34,7 +37,15 @@ def fragment(blocks: Sequence[Any], width: int = 88) -> str:
 
 def rich(content: Rich) -> str:
     """Running text with formulas."""
-    return "".join(piece if isinstance(piece, str) else text(piece) for piece in content)
+    return "".join(map(_piece, content))
+
+
+def _piece(piece: Piece) -> str:
+    if isinstance(piece, Unit):
+        return piece.spaced
+    if isinstance(piece, Cited):
+        return piece.words
+    return piece if isinstance(piece, str) else text(piece)
 
 
 def _wrapped(words: str, width: int, first: str = "", rest: str = "") -> list[str]:

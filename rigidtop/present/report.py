@@ -43,6 +43,7 @@ class Front:
     source: str
     exercises: str
     author: str = "rigidtop"
+    byline: str = ""
 
 
 NOTES = Front(
@@ -79,8 +80,42 @@ MARKS: Mapping[Verdict, str] = {
     Verdict.UNDECIDED: "?",
 }
 
-Rich = tuple["str | Node", ...]
-"""Running text: prose, with formulas as layout nodes between."""
+
+@dataclass(frozen=True)
+class Cited:
+    """Words that lead to another place of the document, such as (3.54)."""
+
+    words: str
+    anchor: str
+
+
+COLORS: Mapping[Verdict, tuple[str, str]] = {
+    Verdict.PROVED: ("1e5b3a", "86cfa5"),
+    Verdict.SAMPLED: ("3e5f2b", "b0cf8f"),
+    Verdict.ASSUMING: ("7a4b00", "e6b865"),
+    Verdict.CONVENTION: ("5b2d83", "cba6ee"),
+    Verdict.FALSE: ("8e1b1b", "f29b9b"),
+    Verdict.DEFINITION: ("2b4c7e", "9cbcf0"),
+    Verdict.UNDECIDED: ("444444", "bbbbbb"),
+}
+"""Of the verdicts, on white and on black."""
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit behind a number, in upright letters: kg m², °."""
+
+    letters: str
+
+    @property
+    def spaced(self) -> str:
+        """With the thin space that stands before it."""
+        return self.letters if self.letters[:1] in "°″%" else "\u2009" + self.letters
+
+
+Piece = str | Node | Cited | Unit
+Rich = tuple[Piece, ...]
+"""Running text: prose, with formulas as layout nodes, units and citations between."""
 
 
 # --- Blocks --------------------------------------------------------------------------------------
@@ -97,12 +132,22 @@ class Heading:
 
 
 @dataclass(frozen=True)
+class Mark:
+    """The verdict on a claim in the margin beside it; the `note` tells its conditions."""
+
+    name: str
+    verdict: Verdict
+    note: Rich = ()
+
+
+@dataclass(frozen=True)
 class Paragraph:
     """Running text, with a short label before it ("Reason"); `held` to what follows."""
 
     content: Rich
     label: str = ""
     held: bool = False
+    mark: Mark | None = None
 
 
 @dataclass(frozen=True)
@@ -110,7 +155,9 @@ class Row:
     """An equation of a display.
 
     `reason` is the sentence that belongs to it; `follows` says that it follows from the line
-    above, which `spoken` says too; `verdict` is shown where the verdicts of one claim differ.
+    above, which `spoken` says too; `verdict` is shown where the verdicts of one claim differ, a
+    `mark` stands in the margin; `anchor` is its place for what cites it.
+    Equations `beside` it stand in the same line.
     """
 
     equation: Equation
@@ -119,6 +166,9 @@ class Row:
     reason: str | Rich = ""
     follows: bool = False
     verdict: Verdict | None = None
+    mark: Mark | None = None
+    anchor: str = ""
+    beside: tuple[Equation, ...] = ()
 
     @property
     def spoken(self) -> Rich:
@@ -130,10 +180,16 @@ class Row:
 
 @dataclass(frozen=True)
 class Display:
-    """Equations below each other, each after its reason, under a short label."""
+    """Equations below each other, each after its reason, under a short label.
+
+    Lines are broken that have no `room`, in letters.  A `step` of a derivation goes on with the
+    paragraph above it, or stands in one line with its sentence where it is short.
+    """
 
     rows: tuple[Row, ...]
     label: str = ""
+    room: float = lay.LINE
+    step: bool = False
 
 
 @dataclass(frozen=True)
@@ -228,22 +284,41 @@ class Figure:
     name: str
     caption: str
     alternative: str
+    number: int = 0
+
+    @property
+    def anchor(self) -> str:
+        return f"figure-{self.name}"
+
+    @property
+    def label(self) -> str:
+        """What stands before the caption, where figures are numbered."""
+        return f"Figure {self.number}" if self.number else ""
 
 
 @dataclass(frozen=True)
 class ExerciseHead:
-    """The title of an exercise, and where the notes ask for it."""
+    """The title of an exercise, and where the notes ask for it; `points` that it can bring."""
 
     title: str
     anchor: str
     asks: str
+    number: int = 0
+    points: str = ""
+    level: int = 3
+
+    @property
+    def label(self) -> str:
+        """What stands before the title."""
+        return f"Exercise {self.number}" if self.number else "Exercise"
 
 
 @dataclass(frozen=True)
 class Subhead:
-    """The name of a part of an exercise."""
+    """The name of a part of an exercise, or of a section, there with the `level` of a heading."""
 
     words: str
+    level: int = 0
 
 
 @dataclass(frozen=True)
@@ -256,11 +331,12 @@ class Quantities:
 
 @dataclass(frozen=True)
 class DataTable:
-    """Many numbers, under their columns."""
+    """Many numbers, under their columns; on one page where it is kept `whole`."""
 
     title: str
     columns: tuple[str, ...]
     rows: tuple[tuple[str | Node, ...], ...]
+    whole: bool = False
 
 
 @dataclass(frozen=True)
@@ -268,6 +344,27 @@ class Symbols:
     """The list of symbols: glyph, meaning, unit."""
 
     rows: tuple[tuple[Node, str, str], ...]
+
+
+@dataclass(frozen=True)
+class Results:
+    """The numbered equations on one page: each with its number, its words and its mark."""
+
+    rows: tuple[tuple[str, Equation, str, Mark | None], ...]
+
+
+@dataclass(frozen=True)
+class Legend:
+    """What the marks in the margin mean."""
+
+    rows: tuple[tuple[Verdict, str], ...]
+
+
+@dataclass(frozen=True)
+class NameLine:
+    """Where a student writes a name, and a date."""
+
+    words: tuple[str, ...] = ("Name", "Date")
 
 
 Block = (
@@ -286,18 +383,41 @@ Block = (
     | Quantities
     | DataTable
     | Symbols
+    | Results
+    | Legend
+    | NameLine
 )
+
+
+PAPERS = ("a4", "letter")
+
+
+@dataclass(frozen=True)
+class Look:
+    """How a document is set: its paper, its language, a preamble and a class of one's own."""
+
+    paper: str = "a4"
+    language: str = "en"
+    preamble: str = ""
+    documentclass: str = ""
 
 
 @dataclass(frozen=True)
 class Document:
-    """Title, subtitle, blocks, colophon."""
+    """Title, subtitle, blocks, colophon.
+
+    `byline` stands beneath the title: author, course, date.  A `lecture` has its verdicts in the
+    margin, a record among its lines.
+    """
 
     title: str
     subtitle: str
     blocks: tuple[Block, ...]
     colophon: str
     author: str = "rigidtop"
+    byline: str = ""
+    lecture: bool = False
+    look: Look = Look()
 
     @property
     def keywords(self) -> tuple[str, ...]:
@@ -325,7 +445,7 @@ def document(
         after.setdefault(section, []).append(block)
     blocks: list[Block] = [*_front(judged)]
     for page, judgements in judged:
-        blocks.extend(_headings(page))
+        blocks.extend(headings(page))
         blocks.extend(texts.get(page.section, [Paragraph((page.about,), held=True)]))
         for judgement in judgements:
             blocks.extend(claim_blocks(judgement))
@@ -356,7 +476,8 @@ def anchor(name: str) -> str:
     return "claim-" + re.sub(r"[^A-Za-z0-9]+", "-", name).strip("-")
 
 
-def _headings(page: Page) -> Iterable[Heading]:
+def headings(page: Page) -> Iterable[Heading]:
+    """The heading of a page, after that of the section above where the page opens it."""
     number = page.section if re.fullmatch(r"[\d.]+", page.section) else ""
     if page.opens:
         above = number.rpartition(".")[0]
@@ -424,16 +545,12 @@ def claim_blocks(judgement: Judgement, *, marks: bool = True) -> list[Block]:
     claim = judgement.claim
     findings = judgement.findings()
     blocks: list[Block] = [ClaimHead(claim.name, anchor(claim.name), claim.says, judgement.verdict)]
-    as_notes: list[Definition | Finding] = [
-        *(item for item in judgement.items if isinstance(item, Definition)),
-        *(finding for finding in findings if finding.check.printed),
-    ]
     mixed = marks and len({finding.verdict for finding in findings}) > 1
     led = any(isinstance(item, Led) for item in judgement.items)
-    rows = [_notes_row(item, mixed) for item in as_notes]
+    rows = tagged_rows(judgement, mixed)
     amiss = judgement.verdict in (Verdict.FALSE, Verdict.CONVENTION)
     if rows and (amiss or not led):
-        blocks.append(Display(_tagged(rows, claim.name), "The notes print"))
+        blocks.append(Display(rows, "The notes print"))
     if not led:  # else its lines say the rest
         if claim.reason:
             blocks.append(Paragraph((claim.reason,), "Reason"))
@@ -469,6 +586,16 @@ def claim_blocks(judgement: Judgement, *, marks: bool = True) -> list[Block]:
     if judgement.problem and not any(isinstance(i, Led) and i.gaps for i in judgement.items):
         blocks.append(Paragraph((f"This claim does not pass. {_sentence(judgement.problem)}",), ""))
     return blocks
+
+
+def tagged_rows(judgement: Judgement, mixed: bool = False) -> tuple[Row, ...]:
+    """What the notes print of a claim, with its number."""
+    items: list[Definition | Finding] = [
+        *(item for item in judgement.items if isinstance(item, Definition)),
+        *(finding for finding in judgement.findings() if finding.check.printed),
+    ]
+    rows = [_notes_row(item, mixed) for item in items]
+    return _tagged(rows, judgement.claim.name) if rows else ()
 
 
 def _derivation(judgement: Judgement, mixed: bool) -> Iterable[Block]:
@@ -631,8 +758,13 @@ def short_number(number: Any) -> Node:
     return layout(sympy.Float(number.evalf(12)))
 
 
-def symbol_list(blocks: Sequence[Block]) -> tuple[Block, ...]:
-    """The symbols of all displays under a heading; nothing where there are none."""
+def symbol_list(
+    blocks: Sequence[Block], order: Mapping[str, int] | None = None
+) -> tuple[Block, ...]:
+    """The symbols of all displays under a heading; nothing where there are none.
+
+    They stand in an `order` of their names, or in that of the vocabulary.
+    """
     used = symbols_used(blocks)
     names = {symbol.name for symbol in used if not isinstance(symbol, Lettered)}
     # A symbol of another notation stands where that of the notes does, others before.
@@ -645,6 +777,8 @@ def symbol_list(blocks: Sequence[Block]) -> tuple[Block, ...]:
             quantities.append((symbol, quantity))
         if place in placed:
             quantities.append((placed[place], placed[place].quantity))
+    if order is not None:
+        quantities.sort(key=lambda pair: order.get(pair[0].name, len(order)))
     rows = tuple(
         (layout(symbol), quantity.meaning, quantity.unit)
         for symbol, quantity in quantities

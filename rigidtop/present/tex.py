@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import singledispatch
+from importlib.resources import files
 from typing import Any
 
 from rigidtop.notation.characters import MATHS, SUPERSCRIPTS, escape
 from rigidtop.present import layout as lay
 from rigidtop.present import plain
-from rigidtop.present.latex import AlignRow, align, latex
+from rigidtop.present.latex import AlignRow, align, align_row, latex, seen
 from rigidtop.present.prose import prose
 from rigidtop.present.report import (
+    COLORS,
+    Cited,
     ClaimHead,
     Condition,
     Conditions,
@@ -24,101 +28,123 @@ from rigidtop.present.report import (
     Figure,
     FoundList,
     Heading,
+    Legend,
+    Mark,
     Measures,
+    NameLine,
     Numbers,
     Paragraph,
+    Piece,
     Quantities,
+    Results,
     Rich,
     Row,
     Subhead,
     Summary,
     Symbols,
+    Unit,
+    anchor,
 )
-
-_PREAMBLE = r"""\documentclass[10pt,a4paper,fleqn]{article}
-\usepackage[T1]{fontenc}
-\usepackage[utf8]{inputenc}
-\usepackage{lmodern}
-\usepackage{microtype}
-\usepackage[margin=27mm,bottom=30mm]{geometry}
-\usepackage{amsmath,amssymb}
-\usepackage{graphicx,booktabs,longtable,array}
-\usepackage{xcolor}
-\usepackage[unicode,hidelinks]{hyperref}
-\definecolor{proved}{HTML}{1E5B3A}
-\definecolor{sampled}{HTML}{3E5F2B}
-\definecolor{assuming}{HTML}{7A4B00}
-\definecolor{convention}{HTML}{5B2D83}
-\definecolor{false}{HTML}{8E1B1B}
-\definecolor{definition}{HTML}{2B4C7E}
-\definecolor{undecided}{HTML}{444444}
-\definecolor{muted}{HTML}{555555}
-\hypersetup{pdftitle={@TITLE@},pdfauthor={@AUTHOR@},pdfsubject={@SUBJECT@},%
-  pdfkeywords={@KEYWORDS@}}
-\setlength{\parindent}{0pt}
-\setlength{\parskip}{0.45\baselineskip plus 1pt}
-\setlength{\mathindent}{2em}
-\allowdisplaybreaks[2]
-\AtBeginDocument{\setlength{\abovedisplayskip}{3pt plus 2pt}%
-  \setlength{\belowdisplayskip}{3pt plus 2pt}}
-\raggedbottom
-\clubpenalty=10000 \widowpenalty=10000
-\emergencystretch=2em
-\newcommand{\verdict}[1]{\begingroup\setlength{\fboxsep}{2.5pt}%
-  \fcolorbox{#1}{white}{\textcolor{#1}{\footnotesize\textsc{#1}}}\endgroup}
-\newcommand{\lab}[1]{\textcolor{muted}{\footnotesize\textsc{#1}}\enspace}
-% No whatsit between the rule and the line beneath it, or a page could end there.
-\makeatletter
-\newcommand{\claim}[4]{\par\if@nobreak\else\pagebreak[2]\fi\vspace{1.1\baselineskip}%
-  {\color{muted}\hrule height 0.4pt}\nobreak\vskip 0.35\baselineskip\nobreak
-  \noindent\phantomsection\label{#2}\textbf{#1}\hfill\verdict{#4}\nopagebreak\par\nobreak
-  \textit{#3}\nopagebreak\par\nobreak}
-\newcommand{\held}{\par\nobreak\@afterheading}
-\makeatother
-% A figure in its own size, or as wide as the page.
-\newcommand{\drawn}[1]{\sbox0{\includegraphics{#1}}%
-  \ifdim\wd0>\linewidth\resizebox{\linewidth}{!}{\usebox0}\else\usebox0\fi}
-% A heading does not end a page: it begins the next one where six lines have no room.  (Glue that
-% stretches would make breaks far above the end of a page look better than those at its end.)
-\makeatletter
-\newcommand{\room}{\par\if@nobreak\else\penalty-100
-  \ifdim\dimexpr\pagegoal-\pagetotal<6\baselineskip\break\fi\fi}
-\makeatother
-% A remark stands at the right of its heading, or beneath it where there is no room.
-\newcommand{\heading}[2]{\sbox0{#1}\sbox2{#2}%
-  \ifdim\dimexpr\wd0+\wd2+2em>\linewidth #1\\*#2\else #1\hfill#2\fi}
-\newcommand{\exercise}[3]{\room\pagebreak[2]\vspace{1.3\baselineskip}%
-  {\color{muted}\hrule height 1.2pt}\nobreak\vskip 0.35\baselineskip\nobreak
-  \noindent\phantomsection\label{#2}\addcontentsline{toc}{subsubsection}{Exercise: #1}%
-  \heading{\textbf{Exercise: #1}}{\textcolor{muted}{\small #3}}\nopagebreak\par\nobreak}
-% Above a table, as wide as the page whatever the columns.
-\newcommand{\tabletitle}[1]{\makebox[0pt][l]{\parbox[b]{\linewidth}{\raggedright\footnotesize
-  \textcolor{muted}{#1}\vspace{3pt}}}}
-\newcommand{\subhead}[1]{\room\pagebreak[1]\vspace{0.6\baselineskip}%
-  \noindent\textbf{\small #1}\nopagebreak\par\nobreak}
-\makeatletter\@beginparpenalty=10000 \makeatother
-"""
 
 
 def write(document: Document, figures: Mapping[str, str]) -> str:
     """The document.  `figures` says where the file of each figure lies, as seen from it."""
-    body = "\n\n".join(_shown(block, figures) for block in document.blocks)
+    body = "\n\n".join(_joined(document.blocks, figures))
     title = prose(document.title)
+    contents = r"{\small\setlength{\parskip}{0pt}\tableofcontents}"
+    if document.lecture and not any(block.number for block in _headings(document)):
+        contents = r"\thispagestyle{plain}"
+    elif document.lecture:
+        contents += r"\markboth{Contents}{}\thispagestyle{plain}"
+    byline = [rf"{{\normalsize {escape(document.byline)}\par}}"] if document.byline else []
     return "\n".join(
         [
             _preamble(document),
             r"\begin{document}",
-            rf"{{\Large\bfseries\raggedright {title}\par}}",
-            rf"{{\large {prose(document.subtitle)}\par}}",
+            rf"{{\LARGE\bfseries\raggedright {title}\par}}",
+            rf"{{\large\raggedright {prose(document.subtitle)}\par}}",
+            *byline,
             r"\vspace{0.5\baselineskip}",
             rf"{{\footnotesize\color{{muted}} {prose(document.colophon)}\par}}",
             r"\vspace{0.5\baselineskip}",
-            r"{\small\setlength{\parskip}{0pt}\tableofcontents}",
+            contents,
             body,
             r"\end{document}",
             "",
         ]
     )
+
+
+USE = r"""% A chapter for a document of one's own.  In its preamble:
+%   \usepackage{rigidtop}        (rigidtop.sty lies beside the folder of the chapters)
+%   \graphicspath{{@OUT@}}       where the folder figures/ is
+% and where the chapter is to stand: \input{chapters/@NAME@}
+"""
+
+
+def chapters(document: Document, figures: Mapping[str, str]) -> dict[str, str]:
+    """Each numbered section as a file to be read into another document, and rigidtop.sty."""
+    made = {"rigidtop.sty": style_file()}
+    parts: dict[str, list[Any]] = {}
+    name = ""
+    for block in document.blocks:
+        if isinstance(block, Heading):
+            name = block.number or block.anchor
+            name = name if name not in parts else f"{name}-{block.anchor}"
+        if name:
+            parts.setdefault(name.replace(".", "-"), []).append(block)
+    for name, blocks in parts.items():
+        head = USE.replace("@NAME@", name).replace("@OUT@", "./")
+        made[f"chapters/{name}.tex"] = head + "\n\n".join(_joined(blocks, figures)) + "\n"
+    return made
+
+
+def _joined(blocks: Sequence[Any], figures: Mapping[str, str]) -> Iterator[str]:
+    """The blocks; a sentence in front of an equation goes on the paragraph above it."""
+    pending = ""
+    for block, after in zip(blocks, [*blocks[1:], None], strict=True):
+        words = pending + _shown(block, figures)
+        pending = ""
+        run_on = isinstance(block, Paragraph) and isinstance(after, Display) and after.step
+        if run_on and not block.held and after.rows[0].reason and not _stands_alone(after):
+            pending = words + "\n"
+        else:
+            yield words
+
+
+def _stands_alone(block: Display) -> bool:
+    """Whether a step is a line of its own."""
+    return bool(_in_line(_beside(block.rows, block.room), block.room))
+
+
+def _headings(document: Document) -> list[Heading]:
+    return [block for block in document.blocks if isinstance(block, Heading)]
+
+
+LANGUAGES = {"en": "british", "de": "ngerman", "fr": "french", "es": "spanish", "it": "italian"}
+"""What babel calls a language."""
+
+
+def style_file() -> str:
+    """rigidtop.sty, which a lecture and fragments of it are written with."""
+    colors = "\n".join(
+        rf"\definecolor{{{verdict}}}{{HTML}}{{{color.upper()}}}"
+        for verdict, (color, _) in COLORS.items()
+    )
+    return _style("rigidtop.sty").replace("@COLORS@", colors)
+
+
+def _inside(style: str) -> str:
+    """A style file as a part of a preamble."""
+    lines = (
+        line for line in style.splitlines() if not re.match(r"\\(Needs|Provides|endinput)", line)
+    )
+    body = "\n".join(lines).replace(r"\RequirePackage", r"\usepackage")
+    return "\\makeatletter\n" + body + "\n\\makeatother"
+
+
+def _style(name: str) -> str:
+    return files("rigidtop.present").joinpath("styles", name).read_text("utf-8")
 
 
 def _preamble(document: Document) -> str:
@@ -128,7 +154,14 @@ def _preamble(document: Document) -> str:
         "@SUBJECT@": document.subtitle,
         "@KEYWORDS@": "; ".join(document.keywords),
     }
-    made = _PREAMBLE
+    look = document.look
+    made = _style("lecture.tex" if document.lecture else "record.tex")
+    made = made.replace("@PAPER@", f"{look.paper}paper")
+    made = made.replace("@LANGUAGE@", LANGUAGES[look.language])
+    made = made.replace("@STYLE@", _inside(style_file()))
+    if look.documentclass:
+        made = made.replace("{article}", f"{{{look.documentclass}}}", 1)
+    made += look.preamble
     for place, words in about.items():
         made = made.replace(place, escape_for_bookmark(words))
     return made
@@ -140,11 +173,23 @@ def _shown(block: Any, figures: Mapping[str, str]) -> str:
     return tex_block(block)
 
 
+def _mark(mark: Mark) -> str:
+    """A verdict in the margin beside a paragraph, with its note."""
+    return rf"\rtbeside{{{mark.verdict}}}{_note(mark)}"
+
+
+def _note(mark: Mark | None) -> str:
+    return rf"\rtnote{{{rich(mark.note)}}}" if mark is not None and mark.note else ""
+
+
 def _figure(block: Figure, path: str) -> str:
+    if block.number:
+        about = (path, block.anchor, block.label, prose(block.caption))
+        return r"\rtfigure" + "".join(f"{{{part}}}" for part in about)
     return "\n".join(
         [
             r"\begin{figure}[!ht]\centering",
-            rf"\drawn{{{path}}}",
+            rf"\rtdrawn{{{path}}}",
             r"\par\vspace{2pt}",
             r"\begin{minipage}{0.86\linewidth}\footnotesize",
             prose(block.caption),
@@ -172,9 +217,15 @@ def fragment(blocks: Sequence[Any]) -> str:
 
 def rich(content: Rich) -> str:
     """Running text with formulas."""
-    return "".join(
-        prose(piece) if isinstance(piece, str) else f"${latex(piece)}$" for piece in content
-    )
+    return "".join(map(_piece, content))
+
+
+def _piece(piece: Piece) -> str:
+    if isinstance(piece, Unit):
+        return _unit(piece.spaced)
+    if isinstance(piece, Cited):
+        return rf"\hyperref[{piece.anchor}]{{{prose(piece.words)}}}"
+    return prose(piece) if isinstance(piece, str) else f"${latex(piece)}$"
 
 
 @singledispatch
@@ -189,11 +240,16 @@ def _(block: Heading) -> str:
     title = prose(f"{block.number}\u2002{block.title}" if block.number else block.title)
     plain = escape_for_bookmark(f"{block.number} {block.title}".strip())
     # Figures that wait for room come before the list of symbols, not behind it.
-    begins = "\\clearpage\n" if block.anchor == "symbols" else ""
-    return begins + (
-        rf"\room\{command}*{{{title}}}\phantomsection\label{{{block.anchor}}}"
-        rf"\addcontentsline{{toc}}{{{'sub' * (level - 1)}section}}"
-        rf"{{\texorpdfstring{{{title}}}{{{plain}}}}}"
+    begins = "\\clearpage\n" if block.anchor in ("symbols", "solutions", "results") else ""
+    size = {"solutions": r"\small\renewcommand{\rtscale}{0.8}", "results": r"\normalsize"}
+    return (
+        begins
+        + size.get(block.anchor, "")
+        + (
+            rf"\room\{command}*{{{title}}}\phantomsection\label{{{block.anchor}}}"
+            rf"\addcontentsline{{toc}}{{{'sub' * (level - 1)}section}}"
+            rf"{{\texorpdfstring{{{title}}}{{{plain}}}}}\markboth{{{title}}}{{}}"
+        )
     )
 
 
@@ -205,6 +261,9 @@ def escape_for_bookmark(text: str) -> str:
 @tex_block.register
 def _(block: Paragraph) -> str:
     words = rich(block.content)
+    if block.mark is not None:
+        anchored = rf"\phantomsection\label{{{anchor(block.mark.name)}}}"
+        words = anchored + _mark(block.mark) + words
     # A labelled paragraph, the reason, is not parted from what it is the reason for.
     return (
         rf"\lab{{{prose(block.label)}}}{words}\nopagebreak"
@@ -222,35 +281,83 @@ def _(block: ClaimHead) -> str:
 @tex_block.register
 def _(block: Display) -> str:
     label = rf"\lab{{{prose(block.label)}}}" + "\n" if block.label else ""
-    return label + display(block.rows)
+    if block.step:
+        rows = _beside(block.rows, block.room)
+        return label + (_in_line(rows, block.room) or display(rows, block.room))
+    return label + display(block.rows, block.room)
 
 
-def display(rows: Sequence[Row]) -> str:
+def _beside(rows: Sequence[Row], room: float) -> Sequence[Row]:
+    """Short equations of one step side by side, as many as have room in a line."""
+    if any(row.tag or row.beside or row.reason for row in rows[1:]) or rows[0].tag:
+        return rows
+    made: list[Row] = []
+    used = 0.0
+    for row in rows:
+        needed = lay.width(lay.layout(row.equation, row.order)) + 5
+        if made and used + needed <= room:
+            made[-1] = replace(
+                made[-1],
+                beside=(*made[-1].beside, row.equation),
+                mark=row.mark or made[-1].mark,
+                anchor=row.anchor or made[-1].anchor,
+            )
+        else:
+            made.append(row)
+            used = 0.0
+        used += needed
+    return made
+
+
+WORD = 0.66
+"""The width of a letter of a sentence in letters of an equation."""
+
+
+def _in_line(rows: Sequence[Row], room: float) -> str:
+    """A short step in one line with its sentence; nothing where it is longer, or has a number."""
+    row, *more = rows
+    if more or row.tag or row.mark is not None or not row.reason:
+        return ""
+    equations = (row.equation, *row.beside)
+    words = rich(row.spoken)
+    width = sum(lay.width(lay.layout(each, row.order)) + 3 for each in equations)
+    if WORD * len(seen(words)) + width > room:
+        return ""
+    shown = r" \qquad ".join(latex(each, row.order) for each in equations)
+    return rf"\rtstep{{{words}}}{{{shown}}}"
+
+
+def display(rows: Sequence[Row], room: float = lay.LINE) -> str:
     """The rows in ``align``, smaller where a line is too wide for the page.
 
     Rows share their = sign as long as that does not make them too wide together.
     """
     together: list[list[AlignRow]] = []
-    for row in map(_align_row, rows):
-        if together and _width([*together[-1], row]) <= max(WIDE, _width(together[-1])):
-            together[-1].append(row)
+    for row in rows:
+        made = _align_row(row, room)
+        if together and _width([*together[-1], made]) <= max(WIDE * room, _width(together[-1])):
+            together[-1].append(made)
         else:
-            together.append([row])
-    return "\n".join(map(_sized, together))
+            together.append([made])
+    # Side notes go out from the sentence: inside the display there is no place for them.
+    notes = "".join(_note(row.mark) for row in rows)
+    together[0][0] = replace(together[0][0], reason=together[0][0].reason + notes)
+    return "\n".join(_sized(rows, room) for rows in together)
 
 
-WIDE = 1.12 * lay.LINE
-"""A line that is wider than this does not fit in its usual size."""
+WIDE = 1.12
+"""A line that is wider than this, in its room, does not fit in its usual size."""
 
-SIZES = ((1.55 * lay.LINE, "scriptsize"), (1.3 * lay.LINE, "footnotesize"), (WIDE, "small"))
+SIZES = ((1.55, "scriptsize"), (1.3, "footnotesize"), (WIDE, "small"))
 """From which width on a display is set in which size."""
 
 
-def _sized(rows: Sequence[AlignRow]) -> str:
-    tex = align(rows)
+def _sized(rows: Sequence[AlignRow], room: float) -> str:
+    tex = align(rows, room)
     for width, size in SIZES:
-        if _width(rows) > width:
-            return rf"{{\{size}" + f"\n{tex}\n}}"
+        if _width(rows) > width * room:
+            head, tex = (rows[0].reason, align([replace(rows[0], reason=""), *rows[1:]], room))
+            return f"{head}{{\\{size}" + f"\n{tex}\n}}"
     return tex
 
 
@@ -261,10 +368,18 @@ def _width(rows: Sequence[AlignRow]) -> float:
     return left + 3 + max(lay.width(line.right) for line in lines)
 
 
-def _align_row(row: Row) -> AlignRow:
+def _align_row(row: Row, room: float) -> AlignRow:
     mark = f"({row.verdict})" if row.verdict is not None else ""
-    lines = tuple(lay.lines(row.equation, row.order))
-    return AlignRow(lines, row.tag, rich(row.spoken), mark)
+    lines = tuple(lay.lines(row.equation, row.order, room))
+    if row.beside:
+        every = [lay.layout(each, row.order) for each in (row.equation, *row.beside)]
+        first, *more = every
+        assert isinstance(first, lay.Chain)
+        (line,) = lay.lines(first, row.order, 10 * room)
+        lines = (replace(line, right=lay.Listed((line.right, *more), "")),)
+    seal = rf"\rtseal{{{row.mark.verdict}}}" if row.mark is not None else ""
+    label = row.anchor if seal or row.tag else ""
+    return AlignRow(lines, row.tag, rich(row.spoken), mark, seal, label)
 
 
 @tex_block.register
@@ -358,33 +473,67 @@ def _unit(unit: str) -> str:
 def _unit_character(c: str) -> str:
     if c in SUPERSCRIPTS:
         return f"$^{{{SUPERSCRIPTS[c]}}}$"
-    return f"${MATHS[c]}$" if c in "−×" else escape(c)
+    return f"${MATHS[c]}$" if c in "−×″" else escape(c)
 
 
 @tex_block.register
 def _(block: Symbols) -> str:
     rows = "\n".join(
-        rf"${latex(node)}$ & {prose(meaning)} & {_unit(unit)} \\"
+        rf"\rtsymbol{{${latex(node)}$}}{{{prose(meaning)}}}{{{'' if unit == '1' else _unit(unit)}}}"
         for node, meaning, unit in block.rows
     )
-    return "\n".join(
-        [
-            r"{\small\begin{longtable}{@{}lp{0.68\linewidth}l@{}}",
-            r"\toprule symbol & meaning & unit \\ \midrule \endhead",
-            rows,
-            r"\bottomrule\end{longtable}}",
-        ]
-    )
+    begin = r"\begin{multicols}{2}\footnotesize\setlength{\parskip}{2pt}"
+    return f"{begin}{rows}\\end{{multicols}}"
 
 
 @tex_block.register
 def _(block: ExerciseHead) -> str:
-    return rf"\exercise{{{prose(block.title)}}}{{{block.anchor}}}{{{prose(block.asks)}}}"
+    parts = (prose(block.title), block.anchor, prose(block.asks))
+    if not block.number:
+        return r"\exercise" + "".join(f"{{{part}}}" for part in parts)
+    title = prose(f"{block.label}. {block.title}")
+    return rf"\rtexercise{{{title}}}{{{parts[1]}}}{{{parts[2]}}}{{{prose(block.points)}}}"
+
+
+@tex_block.register
+def _(block: Legend) -> str:
+    items = r"\quad ".join(
+        rf"\mbox{{\rtmark{{{verdict}}}}}~{prose(words)}." for verdict, words in block.rows
+    )
+    return rf"{{\footnotesize\color{{muted}} In the margin: {items}\par}}"
+
+
+@tex_block.register
+def _(block: NameLine) -> str:
+    return r"\noindent " + r"\quad ".join(rf"{prose(word)}: \hrulefill" for word in block.words)
+
+
+@tex_block.register
+def _(block: Results) -> str:
+    made: list[str] = []
+    for number, equation, words, mark in block.rows:
+        lines = [align_row(line).replace("&", "") for line in lay.lines(equation, "printed", ROOM)]
+        shown = r" \newline ".join(rf"$\displaystyle {line}$" for line in lines)
+        link = rf"\hyperref[{anchor(number)}]{{({number})}}" if number else ""
+        sign = rf"\rtmark{{{mark.verdict}}}" if mark is not None else ""
+        made.append(rf"{sign} & {link} & {shown} & {prose(words)} \\[1pt]")
+    return "\n".join(
+        [
+            r"\noindent\makebox[0pt][l]{\footnotesize\begin{tabular}{@{}r@{\ }l@{\ \ }"
+            r"p{112mm}>{\raggedright\arraybackslash}p{40mm}@{}}",
+            *made,
+            r"\end{tabular}}",
+        ]
+    )
+
+
+ROOM = 62.0
+"""Letters of a line in the summary of results."""
 
 
 @tex_block.register
 def _(block: Subhead) -> str:
-    return rf"\subhead{{{prose(block.words)}}}"
+    return rf"\{'rtsub' if block.level else 'subhead'}{{{prose(block.words)}}}"
 
 
 @tex_block.register
@@ -421,6 +570,13 @@ def _(block: DataTable) -> str:
         " & ".join(map(_cell, row)) + (r" \\*" if i < together else r" \\")
         for i, row in enumerate(block.rows)
     )
+    if block.whole:
+        inside = rows.replace(r"\\*", r"\\")
+        return (
+            rf"\rttable{{{prose(block.title)}}}{{"
+            rf"\begin{{tabular}}{{@{{}}l*{{{count - 1}}}{{r}}@{{}}}}"
+            rf"\toprule {head} \\ \midrule {inside} \bottomrule\end{{tabular}}}}"
+        )
     # The title is part of the head, or a page could end beneath it.
     title = rf"\multicolumn{{{count}}}{{@{{}}l@{{}}}}{{\tabletitle{{{prose(block.title)}}}}} \\*"
     return "\n".join(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from functools import singledispatch
+from importlib.resources import files
 from typing import Any
 
 from rigidtop.present import layout as lay
@@ -12,6 +13,8 @@ from rigidtop.present.formula import tex
 from rigidtop.present.latex import align_row, latex
 from rigidtop.present.prose import written
 from rigidtop.present.report import (
+    COLORS,
+    Cited,
     ClaimHead,
     Condition,
     Conditions,
@@ -22,77 +25,24 @@ from rigidtop.present.report import (
     Figure,
     FoundList,
     Heading,
+    Legend,
+    Mark,
     Measures,
+    NameLine,
     Numbers,
     Paragraph,
+    Piece,
     Quantities,
+    Results,
     Rich,
     Row,
     Subhead,
     Summary,
     Symbols,
+    Unit,
+    anchor,
     groups,
 )
-
-_PREAMBLE = """#set document(
-  title: @TITLE@, author: @AUTHOR@, description: @SUBJECT@, keywords: (@KEYWORDS@), date: none,
-)
-#set page(paper: "a4", margin: (x: 28mm, top: 26mm, bottom: 28mm), numbering: "1")
-#set text(font: "Libertinus Serif", size: 10.5pt, lang: "en")
-#set par(justify: true, leading: 0.62em, spacing: 0.8em)
-#set math.equation(number-align: end + bottom)
-#show math.equation.where(block: true): set align(left)
-#show math.equation.where(block: true): set block(inset: (left: 2em), above: 0.7em, below: 0.7em)
-#show math.equation.where(block: true): set block(breakable: false)
-#show heading.where(level: 1): it => block(above: 2em, below: 0.9em, text(size: 15pt, it.body))
-#show heading.where(level: 2): it => block(above: 1.7em, below: 0.8em, text(size: 12.5pt, it.body))
-#show heading.where(level: 3): it => strong(text(size: 10.5pt, it.body))
-#show outline.entry.where(level: 1): it => block(above: 0.9em, strong(it))
-#show outline.entry: set block(above: 0.5em)
-#let muted = rgb("#555555")
-#let colors = (
-  proved: rgb("#1e5b3a"), sampled: rgb("#3e5f2b"), assuming: rgb("#7a4b00"),
-  convention: rgb("#5b2d83"), "false": rgb("#8e1b1b"), definition: rgb("#2b4c7e"),
-  undecided: rgb("#444444"),
-)
-#let verdict(name) = box(
-  stroke: 0.6pt + colors.at(name), inset: (x: 3pt, y: 0pt), outset: (y: 2.5pt), radius: 1.5pt,
-  text(font: "Libertinus Serif", fill: colors.at(name), size: 8.5pt, smallcaps(name)),
-)
-#let lab(words) = text(fill: muted, size: 9pt, smallcaps(words)) + h(0.5em)
-#let claim(name, anchor, says, state) = {
-  block(above: 1.6em, below: 0.6em, sticky: true, {
-    line(length: 100%, stroke: 0.4pt + muted)
-    v(-0.35em)
-    [#grid(columns: (1fr, auto), strong(name), verdict(state)) #label(anchor)]
-  })
-  block(sticky: true, above: 0.6em, emph(says))
-}
-#let exercise(title, anchor, asks) = {
-  block(above: 1.9em, below: 0.7em, sticky: true, {
-    line(length: 100%, stroke: 1.2pt + muted)
-    v(-0.35em)
-    let head = [#heading(level: 3)[Exercise: #title] #label(anchor)]
-    let remark = text(fill: muted, size: 9.5pt, asks)
-    layout(room => {  // beneath the heading where it has no room beside it
-      let needed = measure(strong[Exercise: #title]).width + measure(remark).width + 20pt
-      if needed > room.width { stack(spacing: 0.6em, head, remark) }
-      else { grid(columns: (1fr, auto), head, remark) }
-    })
-  })
-}
-#let subhead(words) = block(above: 1.2em, below: 0.7em, sticky: true, strong(text(9.5pt, words)))
-#let side(tag, state) = {
-  if state != "" { verdict(state) }
-  if tag != "" { h(0.6em) + "(" + tag + ")" }
-}
-#let eq(tag, state, body) = math.equation(
-  block: true, numbering: if tag + state == "" { none } else { _ => side(tag, state) }, body,
-)
-#let why(body) = block(sticky: true, text(size: 9.5pt, fill: muted, body))
-#let title(body) = block(sticky: true, below: 0.4em, text(size: 9.5pt, fill: muted, body))
-#let head(words) = block(sticky: true, above: 0.9em, below: 0.5em, lab(words))
-"""
 
 
 def write(document: Document, figures: Mapping[str, str]) -> str:
@@ -101,13 +51,15 @@ def write(document: Document, figures: Mapping[str, str]) -> str:
         _figure(block, figures[block.name]) if isinstance(block, Figure) else typst_block(block)
         for block in document.blocks
     )
+    depth = 2 if document.lecture else 3
     return "\n".join(
         [
             _preamble(document),
             f'#text(size: 17pt, weight: "bold")[{prose(document.title)}]',
             f"#v(-0.4em)\n#text(size: 12pt, fill: muted)[{prose(document.subtitle)}]\n",
+            *([plain(document.byline) + "\n"] if document.byline else []),
             f"#text(size: 9pt, fill: muted)[{prose(document.colophon)}]",
-            "#text(size: 9.5pt)[#outline(title: [Contents], depth: 3)]",
+            f"#text(size: 9.5pt)[#outline(title: [Contents], depth: {depth})]",
             body,
             "",
         ]
@@ -121,24 +73,37 @@ def _preamble(document: Document) -> str:
         "@SUBJECT@": _quoted(document.subtitle),
         "@KEYWORDS@": "".join(f"{_quoted(words)}, " for words in document.keywords),
     }
-    made = _PREAMBLE
+    about["@PAPER@"] = {"a4": "a4", "letter": "us-letter"}[document.look.paper]
+    about["@LANGUAGE@"] = document.look.language
+    about["@RIGHT@"] = "52mm" if document.lecture else "28mm"
+    made = _style()
     for place, words in about.items():
         made = made.replace(place, words)
     return made
 
 
+def _style() -> str:
+    """What every document begins with."""
+    made = files("rigidtop.present").joinpath("styles", "document.typ").read_text("utf-8")
+    colors = (f'"{verdict}": rgb("#{light}")' for verdict, (light, _) in COLORS.items())
+    return made.replace("@COLORS@", ", ".join(colors))
+
+
 def fragment(blocks: Sequence[Any]) -> str:
     """The blocks of one claim, with the functions that they use."""
-    functions = _PREAMBLE[_PREAMBLE.index("#let muted") :]
+    style = _style()
+    functions = style[style.index("#let muted") :]
     return functions + "\n" + "\n\n".join(map(typst_block, blocks)) + "\n"
 
 
 def _figure(block: Figure, path: str) -> str:
     alternative = block.alternative.replace('"', "'")
-    return (
+    label = f"*{block.label}.* " if block.number else ""
+    made = (
         f'#figure(image("{path}", alt: "{alternative}"), placement: top, numbering: none, '
-        f"caption: [{prose(block.caption)}])"
+        f"caption: [{label}{prose(block.caption)}])"
     )
+    return f"{made} <{block.anchor}>" if block.number else made
 
 
 # --- Text and formulas ---------------------------------------------------------------------------
@@ -179,9 +144,19 @@ def _words(text: str) -> str:
 
 def rich(content: Rich) -> str:
     """Running text with formulas."""
-    return "".join(
-        prose(piece) if isinstance(piece, str) else f"${maths(latex(piece))}$" for piece in content
-    )
+    return "".join(map(_piece, content))
+
+
+def _piece(piece: Piece) -> str:
+    if isinstance(piece, Unit):
+        return plain(piece.spaced)
+    if isinstance(piece, Cited):
+        return f'#link(label("{piece.anchor}"))[{plain(piece.words)}]'
+    return prose(piece) if isinstance(piece, str) else f"${maths(latex(piece))}$"
+
+
+def _note(mark: Mark | None) -> str:
+    return f"#note[{rich(mark.note)}]" if mark is not None and mark.note else ""
 
 
 # --- Blocks --------------------------------------------------------------------------------------
@@ -202,6 +177,9 @@ def _(block: Heading) -> str:
 @typst_block.register
 def _(block: Paragraph) -> str:
     words = rich(block.content)
+    if block.mark is not None:
+        seal = f'#seal("{block.mark.verdict}"){_note(block.mark)}'
+        words = f'{seal}{words} #label("{anchor(block.mark.name)}")'
     # A labelled paragraph, the reason, is not parted from what it is the reason for.
     held = block.label or block.held
     return f"#block(sticky: true)[{_label(block.label)}{words}]" if held else words
@@ -233,6 +211,12 @@ def _rows(group: Sequence[Row]) -> str:
     rows = [align_row(line) for row in group for line in lay.lines(row.equation, row.order)]
     body = maths(r" \\ ".join(rows))
     shown = f'#eq("{last.tag}", "{last.verdict or ""}", $ {body} $)'
+    mark = next((row.mark for row in group if row.mark is not None), None)
+    place = next((row.anchor for row in group if row.anchor), "")
+    if place:
+        shown += f' #label("{place}")'
+    if mark is not None:
+        reason = f'#seal("{mark.verdict}"){_note(mark)}{reason}'
     return f"#why[{reason}]\n{shown}" if reason else shown
 
 
@@ -316,12 +300,43 @@ def _(block: Symbols) -> str:
 
 @typst_block.register
 def _(block: ExerciseHead) -> str:
-    return f'#exercise([{prose(block.title)}], "{block.anchor}", [{prose(block.asks)}])'
+    title, asks = prose(block.title), prose(block.asks)
+    if block.number:
+        points = prose(block.points)
+        return f'#asked([{block.label}. {title}], "{block.anchor}", [{asks}], [{points}])'
+    return f'#exercise([{title}], "{block.anchor}", [{asks}])'
 
 
 @typst_block.register
 def _(block: Subhead) -> str:
     return f"#subhead[{prose(block.words)}]"
+
+
+@typst_block.register
+def _(block: Legend) -> str:
+    items = " ".join(f'#sign("{verdict}") {prose(words)}.' for verdict, words in block.rows)
+    return f"#text(size: 9pt, fill: muted)[In the margin: {items}]"
+
+
+@typst_block.register
+def _(block: NameLine) -> str:
+    columns = ", ".join(
+        f"[{prose(word)}: #box(width: 1fr, line(length: 100%))]" for word in block.words
+    )
+    return f"#grid(columns: {len(block.words)}, column-gutter: 2em, {columns})"
+
+
+@typst_block.register
+def _(block: Results) -> str:
+    rows = [
+        (
+            f'#link(label("{anchor(number)}"))[{plain(f"({number})")}]' if number else "",
+            f"$ {maths(latex(equation, 'printed'))} $",
+            prose(words),
+        )
+        for number, equation, words, _ in block.rows
+    ]
+    return _table("(auto, 1fr, 30%)", ("number", "equation", "what it says"), rows)
 
 
 @typst_block.register

@@ -3,15 +3,28 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import replace
+from types import MappingProxyType
 from typing import Any
 
 import sympy
 
 from rigidtop.notation import NOTES, Notation
+from rigidtop.present import plain
 from rigidtop.present.latex import latex
 from rigidtop.present.layout import Node, layout
-from rigidtop.present.report import Block, Display, Paragraph, Rich, Row, Subhead
+from rigidtop.present.report import (
+    Block,
+    Cited,
+    Display,
+    Figure,
+    Mark,
+    Paragraph,
+    Rich,
+    Row,
+    Subhead,
+)
 from rigidtop.present.text import text
 from rigidtop.proof.algebra import Letters
 from rigidtop.proof.derivation import Judged, Line, diagnose
@@ -48,29 +61,86 @@ def led_blocks(judgement: Judgement, notation: Notation = NOTES, deep: bool = Fa
     ]
 
 
-def text_blocks(lecture: Lecture, text: Text, notation: Notation = NOTES) -> list[Block]:
-    """A page as it is read: its paragraphs, its headings, and every line after its sentence."""
+def text_blocks(
+    lecture: Lecture,
+    text: Text,
+    notation: Notation = NOTES,
+    marks: Mapping[str, Sequence[Block | Mark]] = MappingProxyType({}),
+    figures: Mapping[str, Figure] = MappingProxyType({}),
+) -> list[Block]:
+    """A page as it is read: its paragraphs, its headings, and every line after its sentence.
+
+    `marks` stand beside the last line of what they name, and blocks among them behind it.  Each of
+    the `figures` stands behind the paragraph that speaks of it first, and is cited by its number.
+    """
     blocks: list[Block] = []
     rows: list[Row] = []
+    placed: set[str] = set()
+    own = [line.id for line in text.lines]
+    at: dict[str, Sequence[Block | Mark]] = {}
+    for name, beside in marks.items():
+        ids = [id for id in own if id in lecture.names.get(name, ())]
+        if ids:
+            at[ids[-1]] = (*at.get(ids[-1], ()), *beside)
 
     def close() -> None:
         if rows:
             blocks.append(Display(tuple(rows)))
             rows.clear()
 
+    def place(words: Sequence[Any]) -> None:
+        """The figures that were spoken of."""
+        for name in cited_figures(words):
+            if name in figures and name not in placed:
+                placed.add(name)
+                blocks.append(figures[name])
+
     for block in text.blocks[1:] if _is_title(text) else text.blocks:
         if isinstance(block, Shown):
             if block.line is not None:
-                rows += line_rows(lecture, block.line.id, notation)
+                beside = at.get(block.line.id, ())
+                made = line_rows(lecture, block.line.id, notation, figures=figures)
+                marked = [each for each in beside if isinstance(each, Mark)]
+                rows += [*made[:-1], replace(made[-1], mark=marked[0] if marked else None)]
+                behind = [each for each in beside if not isinstance(each, Mark)]
+                if behind or cited_figures(block.line.words):
+                    close()
+                    place(block.line.words)
+                    blocks += behind
             continue
         close()
-        content = running(block.pieces, notation)
+        content = running(block.pieces, notation, figures)
         if isinstance(block, Heading):
-            blocks.append(Subhead("".join(_plain(content))))
+            blocks.append(Subhead(plain.rich(content)))
         else:
             blocks.append(Paragraph(content))
+            place(block.pieces)
     close()
     return [*blocks, *gaps(lecture, [line.id for line in text.lines])]
+
+
+_FIGURE = re.compile(r"\[([^\]]+)\]\(#figure-([\w-]+)\)")
+
+
+def cited_figures(words: Sequence[Any]) -> list[str]:
+    """The names of the figures that running text speaks of: [the figure](#figure-cones)."""
+    return [m[2] for piece in words if isinstance(piece, str) for m in _FIGURE.finditer(piece)]
+
+
+def _with_figures(words: str, figures: Mapping[str, Figure]) -> Rich:
+    """Text that cites figures by their numbers; in its own words where they have none."""
+    made: list[Any] = []
+    end = 0
+    for found in _FIGURE.finditer(words):
+        made.append(words[end : found.start()])
+        figure = figures.get(found[2])
+        if figure is None:
+            made.append(found[1])
+        else:
+            label = figure.label if found[1][:1].isupper() else figure.label.lower()
+            made.append(Cited(label, figure.anchor))
+        end = found.end()
+    return tuple(piece for piece in (*made, words[end:]) if piece)
 
 
 def _is_title(text: Text) -> bool:
@@ -78,13 +148,26 @@ def _is_title(text: Text) -> bool:
 
 
 def line_rows(
-    lecture: Lecture, id: str, notation: Notation = NOTES, above: Collection[str] = ()
+    lecture: Lecture,
+    id: str,
+    notation: Notation = NOTES,
+    above: Collection[str] = (),
+    figures: Mapping[str, Figure] = MappingProxyType({}),
 ) -> list[Row]:
     """A line with its sentence.  What stands `above`, and is not shown, is called by its name."""
     judged = lecture.judged(id)
-    words = _spoken(_without_it(lecture, judged.line, above, notation), judged, notation)
+    words = _without_it(lecture, judged.line, above, notation, figures)
+    words = _spoken(words, judged, notation)
+    place = "line-" + re.sub(r"[^A-Za-z0-9]+", "-", id)
+    last = len(judged.line.equations) - 1
     return [
-        Row(notation.written(equation), "printed", equation.tag, words if k == 0 else "")
+        Row(
+            notation.written(equation),
+            "printed",
+            equation.tag,
+            words if k == 0 else "",
+            anchor=place if k == last else "",
+        )
         for k, equation in enumerate(judged.line.equations)
     ]
 
@@ -100,9 +183,15 @@ def gaps(lecture: Lecture, ids: Iterable[str]) -> list[Block]:
 _IT = re.compile(r"\bit\b(?! is)")
 
 
-def _without_it(lecture: Lecture, line: Line, above: Collection[str], notation: Notation) -> Rich:
+def _without_it(
+    lecture: Lecture,
+    line: Line,
+    above: Collection[str],
+    notation: Notation,
+    figures: Mapping[str, Figure],
+) -> Rich:
     """A sentence in which "it" is a name where the line just above is not shown."""
-    words = running(line.words, notation)
+    words = running(line.words, notation, figures)
     if line.move is None:
         return words
     before = lecture.before(line.id)
@@ -139,14 +228,19 @@ def relation(condition: Condition, notation: Notation = NOTES) -> Node:
     return layout(notation.written(equation), "auto")
 
 
-def running(words: Sequence[Any], notation: Notation = NOTES) -> Rich:
+def running(
+    words: Sequence[Any],
+    notation: Notation = NOTES,
+    figures: Mapping[str, Figure] = MappingProxyType({}),
+) -> Rich:
     """Running text with its mathematics laid out."""
-    return tuple(
-        piece
-        if isinstance(piece, str)
-        else getattr(piece, "text", None) or layout(notation.written(piece), "printed")
-        for piece in words
-    )
+    made: list[Any] = []
+    for piece in words:
+        if isinstance(piece, str):
+            made += _with_figures(piece, figures)
+        else:
+            made.append(getattr(piece, "text", None) or layout(notation.written(piece), "printed"))
+    return tuple(made)
 
 
 def called(line: Line, notation: Notation = NOTES) -> Rich:
@@ -235,13 +329,8 @@ def way_record(
     if name not in lecture.names:
         return [], []
     starts = lecture.way(name, deep)[1]
-    names = ["".join(_plain(called(lecture.lines[id], notation))) for id in starts]
+    names = [plain.rich(called(lecture.lines[id], notation)) for id in starts]
     return steps(lecture, name, notation, deep), names
-
-
-def _plain(content: Rich) -> Iterator[str]:
-    for piece in content:
-        yield piece if isinstance(piece, str) else text(piece)
 
 
 def _verdict(judged: Judged) -> str:

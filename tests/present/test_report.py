@@ -357,7 +357,7 @@ def test_latex_document(lecture):
     assert source.isascii() or "ü" in source
     assert {c for c in source if not c.isascii()} <= {"ü"}
     assert r"\tag{3.57}" in source
-    assert r"\drawn{figures/small.pdf}" in source
+    assert r"\rtdrawn{figures/small.pdf}" in source
     assert source.count(r"\begin{align") == source.count(r"\end{align")
     used = set(re.findall(r"\\usepackage(?:\[[^]]*\])?\{([^}]*)\}", source))
     basic = (

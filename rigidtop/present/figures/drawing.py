@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from io import BytesIO
 from typing import Any
@@ -59,17 +59,30 @@ class Drawing:
 
 def rendered(drawing: Drawing, kind: str, given: Mapping[str, float] | None = None) -> bytes:
     """The bytes of a figure as "svg", "pdf" or "png"; the same each time."""
+    return both(drawing, (kind,), given)[kind]
+
+
+_ABOUT: Mapping[str, dict[str, Any]] = {
+    "svg": {},  # goes below
+    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+    "png": {"Software": None},
+}
+
+
+def both(
+    drawing: Drawing, kinds: Sequence[str], given: Mapping[str, float] | None = None
+) -> dict[str, bytes]:
+    """A figure in several kinds, drawn once."""
     values = drawing.values(given)
+    made: dict[str, bytes] = {}
     with matplotlib.rc_context(STYLE):
         canvas = drawing.draw(**values)
-        buffer = BytesIO()
-        metadata: dict[str, Any] = {
-            "svg": {},  # goes below
-            "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
-            "png": {"Software": None},
-        }[kind]
-        canvas.savefig(buffer, format=kind, metadata=metadata, dpi=DOTS, transparent=kind == "svg")
-    made = buffer.getvalue()
-    if kind == "svg":
-        return re.sub(rb"\s*<metadata>.*?</metadata>", b"", made, flags=re.DOTALL)
+        for kind in kinds:
+            buffer = BytesIO()
+            about = _ABOUT[kind]
+            transparent = kind == "svg"
+            canvas.savefig(buffer, format=kind, metadata=about, dpi=DOTS, transparent=transparent)
+            made[kind] = buffer.getvalue()
+    if "svg" in made:
+        made["svg"] = re.sub(rb"\s*<metadata>.*?</metadata>", b"", made["svg"], flags=re.DOTALL)
     return made

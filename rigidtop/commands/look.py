@@ -1,0 +1,84 @@
+"""What is one's own in a printed lecture: its title and its author, its paper, its class."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rigidtop.errors import RigidtopError
+
+if TYPE_CHECKING:
+    from rigidtop.present.report import Front, Look
+
+MOST_POINTS = 1000
+
+
+def add_look(parser: argparse.ArgumentParser) -> None:
+    """What can be asked."""
+    group = parser.add_argument_group("what is your own")
+    group.add_argument("--title", help="in place of the lecture's")
+    group.add_argument("--author", help="beneath the title, and in the PDF")
+    group.add_argument("--course", help="beneath the title")
+    group.add_argument("--date", help="beneath the title, in any words")
+    group.add_argument("--language", metavar="CODE", help="of its words, for hyphens: en, de, fr …")
+    group.add_argument("--paper", choices=["a4", "letter"], default="a4", help="(default: a4)")
+    group.add_argument("--preamble", metavar="FILE", help="LaTeX to be added to the preamble")
+    group.add_argument(
+        "--class", dest="own_class", metavar="NAME", help="a LaTeX class in place of article"
+    )
+    group.add_argument("--points", type=int, metavar="N", help="that each exercise can bring")
+
+
+def front_of(options: argparse.Namespace, front: Front) -> Front:
+    """The first page with one's own title, author, course and date."""
+    from rigidtop.notation.characters import escape
+
+    told = [options.author, options.course, options.date]
+    for name in ("title", "author", "course", "date"):
+        words = getattr(options, name)
+        if words is not None and not words.strip():
+            raise RigidtopError(f"--{name} wants some words")
+        try:
+            escape(words or "")
+        except ValueError as error:
+            raise RigidtopError(f"--{name}: {error}") from error
+    title = options.title or front.title
+    return replace(
+        front,
+        title=title,
+        exercises=f"{title}: exercises" if options.title else front.exercises,
+        author=options.author or front.author,
+        byline=", ".join(words for words in told if words),
+    )
+
+
+def look_of(options: argparse.Namespace) -> Look:
+    """Paper, language, preamble and class; RigidtopError where one of them is none."""
+    from rigidtop.present.report import Look
+    from rigidtop.present.tex import LANGUAGES
+
+    language = options.language or "en"
+    if language not in LANGUAGES:
+        raise RigidtopError(f"no language {language!r}; there are {', '.join(LANGUAGES)}")
+    preamble = ""
+    if options.preamble:
+        try:
+            preamble = Path(options.preamble).read_text("utf-8")
+        except (OSError, UnicodeDecodeError) as error:
+            why = getattr(error, "strerror", None) or "it is not UTF-8 text"
+            raise RigidtopError(f"cannot read {options.preamble}: {why}") from error
+    own = options.own_class or ""
+    if own and not own.replace("-", "").replace("_", "").isalnum():
+        raise RigidtopError(f"--class wants the name of a LaTeX class, not {own!r}")
+    return Look(options.paper, language, preamble, own)
+
+
+def points_of(options: argparse.Namespace) -> str:
+    """What stands at each exercise."""
+    if options.points is None:
+        return ""
+    if not 0 < options.points <= MOST_POINTS:
+        raise RigidtopError(f"--points wants a number from 1 to {MOST_POINTS}")
+    return f"{options.points} point{'s' * (options.points != 1)}"

@@ -1,0 +1,49 @@
+// What a reader may do: fold derivations, copy an equation as LaTeX, choose light or dark.
+"use strict";
+(() => {
+  const root = document.documentElement;
+  const contents = document.querySelector(".toc details");
+  if (contents && matchMedia("(min-width: 78rem)").matches) contents.open = true;
+  const tools = document.createElement("div");
+  tools.className = "tools";
+  tools.setAttribute("role", "group");
+  tools.setAttribute("aria-label", "How the lecture is shown");
+  const button = (words, act) => {
+    const made = document.createElement("button");
+    made.type = "button";
+    made.textContent = words;
+    made.addEventListener("click", () => act(made));
+    tools.append(made);
+    return made;
+  };
+  const ways = [["Results only", "results"], ["Steps", "steps"], ["Steps and reasons", "all"]];
+  const choices = ways.map(([words, way]) => [button(words, () => show(way)), way]);
+  const show = (way) => {
+    root.dataset.show = way;
+    for (const [made, each] of choices) made.setAttribute("aria-pressed", String(each === way));
+  };
+  show("all");
+  button("Light or dark", () => {
+    const dark = root.dataset.theme
+      ? root.dataset.theme === "dark"
+      : matchMedia("(prefers-color-scheme: dark)").matches;
+    root.dataset.theme = dark ? "light" : "dark";
+  });
+  document.querySelector("main > header").after(tools);
+  for (const row of document.querySelectorAll("[data-tex]")) {
+    const copy = document.createElement("button");
+    copy.type = "button";
+    copy.className = "copy";
+    copy.textContent = "Copy LaTeX";
+    copy.addEventListener("click", async () => {
+      try {
+        await navigator.clipboard.writeText(row.dataset.tex);
+        copy.textContent = "Copied";
+      } catch {
+        prompt("LaTeX", row.dataset.tex);
+      }
+      setTimeout(() => { copy.textContent = "Copy LaTeX"; }, 1500);
+    });
+    row.append(copy);
+  }
+})();
