@@ -21,11 +21,23 @@ import sympy
 from sympy import Expr, MatrixBase, Ne, Pow, Symbol, cos, sin
 
 from rigidtop.mark import facts, slips
-from rigidtop.mark.facts import Model, Passage, Sample
+from rigidtop.mark.facts import Model, Passage
+from rigidtop.mark.links import (
+    ERRORS,
+    Link,
+    Verdict,
+    apart,
+    in_numbers,
+    judge,
+    number_text,
+    one_angle,
+    pair_text,
+    rates_of,
+)
 from rigidtop.notation import Notation
 from rigidtop.present.text import text
 from rigidtop.proof import decide
-from rigidtop.proof.equation import Equation, NoMeaningError, Rate, Underbrace, symbols_of, value
+from rigidtop.proof.equation import Equation, Rate, Underbrace, symbols_of, value
 from rigidtop.proof.verdict import entries
 from rigidtop.read.document import Formula, Problem, bare, formulas, places, problems
 from rigidtop.read.formula import Line, read
@@ -340,116 +352,6 @@ def _is_matrix(side: Any) -> bool:
     return isinstance(side, MatrixBase)
 
 
-# --- One equality --------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class Link:
-    """Two neighbouring sides.  `right` None: the left one is constant."""
-
-    left: Any
-    right: Any
-
-
-@dataclass(frozen=True)
-class Verdict:
-    """True, false with a motion at which it fails, or (None) neither shown nor refuted."""
-
-    holds: bool | None
-    at: Sample | None = None
-    left: Any = None
-    right: Any = None
-    why: str = ""
-
-
-_TOLERANCE = sympy.Float("1e-15")
-_ERRORS = (ArithmeticError, TypeError, ValueError, AttributeError, NoMeaningError)
-FEWEST = 6
-"""A line that has values at fewer motions than this is not judged."""
-
-
-def judge(link: Link, model: Model) -> Verdict:
-    """Whether a link holds for every motion of a model."""
-    try:
-        symbolic = _rates(link, model)
-        defined = 0
-        refuted: Verdict | None = None
-        for sample in facts.samples(model):
-            sides = _numbers(link, model, sample, symbolic)
-            if sides is None:
-                continue
-            defined += 1
-            if _differ(*sides):
-                refuted = refuted or Verdict(False, sample, *sides)
-                if _pair_text(*sides) != _pair_text(*reversed(sides)):
-                    return Verdict(False, sample, *sides)
-        if refuted is not None:
-            return refuted
-        if defined < FEWEST:
-            return Verdict(None, why="it has a value for hardly any motion")
-        return Verdict(True if _shown(link, model) else None, why="neither shown nor refuted")
-    except _ERRORS as error:
-        return Verdict(None, why=f"it says nothing that can be compared: {error}")
-    except RecursionError:
-        return Verdict(None, why="nested too deeply")
-
-
-def _rates(link: Link, model: Model) -> dict[Any, Any]:
-    """The values of the derivatives in a link, once for all motions."""
-    found: dict[Any, Any] = {}
-    for side in (link.left, link.right):
-        if side is None:
-            continue
-        for tree in side if _is_matrix(side) else [side]:
-            for rate in tree.atoms(Rate):
-                found[rate] = model.value(rate)
-    if link.right is None:
-        found[s.const] = model.rate(link.left)
-    return found
-
-
-def _numbers(
-    link: Link, model: Model, sample: Sample, symbolic: Mapping[Any, Any]
-) -> tuple[Any, Any] | None:
-    """The two sides for one motion; None where a side has no finite real value."""
-    point = {x: facts.number(v) for x, v in sample.point.items()}
-
-    def number(found: Any) -> Any:
-        if _is_matrix(found):
-            return found.applyfunc(number)
-        return sympy.N(sympy.sympify(found).xreplace(point), facts.DIGITS)
-
-    rates = {node: number(found) for node, found in symbolic.items()}
-    if link.right is None:
-        left: Any = rates[s.const]
-        right: Any = sympy.zeros(*left.shape) if _is_matrix(left) else sympy.Integer(0)
-    else:
-        meaning = {**sample.meaning, **rates}
-        left, right = (number(value(side, meaning)) for side in (link.left, link.right))
-    flat = [e for side in (left, right) for e in (side if _is_matrix(side) else [side])]
-    return (left, right) if all(e.is_number and e.is_finite and e.is_real for e in flat) else None
-
-
-def _differ(left: Any, right: Any) -> bool:
-    size = 1 + max(abs(e) for side in (left, right) for e in (side if _is_matrix(side) else [side]))
-    return any(abs(difference) > _TOLERANCE * size for difference in entries(left, right))
-
-
-def _shown(link: Link, model: Model) -> bool:
-    """Whether the difference of the sides has the normal form 0."""
-    if link.right is None:
-        left, right = model.rate(link.left), sympy.Integer(0)
-    else:
-        left, right = model.value(link.left), model.value(link.right)
-    return all(decide.vanishes(_one_angle(difference)) for difference in entries(left, right))
-
-
-def _one_angle(expression: Expr) -> Expr:
-    """Angles such as Ω_b t, however they are typed, in lowest terms."""
-    angles = {f.args[0] for f in expression.atoms(sin, cos) if not f.args[0].is_Symbol}
-    return expression.xreplace({angle: sympy.cancel(angle) for angle in angles})
-
-
 # --- The answer ----------------------------------------------------------------------------------
 
 
@@ -565,9 +467,9 @@ class _Answer:
                     return Marked(step.number, said, Mark.INCONCLUSIVE, _NO_ASSUMPTION)
                 left, right = model.value(link.left), model.value(link.right)
                 [difference] = entries(left, right)
-            except _ERRORS:
+            except ERRORS:
                 return Marked(step.number, said, Mark.INCONCLUSIVE, "not compared")
-            if decide.vanishes(_one_angle(difference)):
+            if decide.vanishes(one_angle(difference)):
                 return Marked(step.number, said, *self._wrong(), "the two are equal")
             self.stated.append(Ne(difference, 0))
             if difference in (s.theta, -s.theta):
@@ -736,8 +638,8 @@ def _under_rate(side: Any) -> list[Any]:
 
 def _differences(left: Any, right: Any, model: Model) -> list[Expr]:
     try:
-        return [_one_angle(d) for d in entries(model.value(left), model.value(right))]
-    except _ERRORS:
+        return [one_angle(d) for d in entries(model.value(left), model.value(right))]
+    except ERRORS:
         return []
 
 
@@ -806,37 +708,18 @@ def _counterexample(link: Link, verdict: Verdict) -> str:
     for symbol in typed:
         found = sample.point.get(symbol, sample.meaning.get(symbol))
         if found is not None and not _is_matrix(found):
-            shown.append(f"{_side_text(symbol)} = {_number_text(found)}")
+            shown.append(f"{_side_text(symbol)} = {number_text(found)}")
     if any(_is_matrix(sample.meaning.get(symbol)) for symbol in typed) or link.right is None:
         others = [x for x in sample.point if x not in typed]
-        shown += [f"{_side_text(x)} = {_number_text(sample.point[x])}" for x in others]
-    left = _pair_text(verdict.left, verdict.right)
-    right = _pair_text(verdict.right, verdict.left)
+        shown += [f"{_side_text(x)} = {number_text(sample.point[x])}" for x in others]
+    left = pair_text(verdict.left, verdict.right)
+    right = pair_text(verdict.right, verdict.left)
     if left == right:
-        left = _pair_text(verdict.left, verdict.right, digits=15)
-        right = _pair_text(verdict.right, verdict.left, digits=15)
+        left = pair_text(verdict.left, verdict.right, digits=15)
+        right = pair_text(verdict.right, verdict.left, digits=15)
     if link.right is None:
         return f"at {', '.join(shown)} the rate is {left}, not 0"
     return f"at {', '.join(shown)} the left side is {left}, the right side {right}"
-
-
-def _pair_text(found: Any, other: Any, digits: int = 6) -> str:
-    """One side of two; what is nothing beside the largest number in them is 0."""
-    largest = max(abs(e) for side in (found, other) for e in (side if _is_matrix(side) else [side]))
-
-    def shown(number: Any) -> str:
-        return "0" if abs(number) <= _NOISE * largest else _number_text(number, digits)
-
-    return "[" + ", ".join(map(shown, found)) + "]" if _is_matrix(found) else shown(found)
-
-
-_NOISE = sympy.Float("1e-25")
-
-
-def _number_text(found: Any, digits: int = 6) -> str:
-    if not found.is_Float:
-        return text(found)
-    return f"{float(found):.{digits}g}".replace("-", "−")
 
 
 # --- Slips ---------------------------------------------------------------------------------------
@@ -875,13 +758,13 @@ def _repaired(link: Link, model: Model) -> tuple[slips.Slip, ...]:
 
 def _holds(link: Link, model: Model) -> bool:
     """Whether a link holds at a few motions."""
-    symbolic = _rates(link, model)
+    symbolic = rates_of(link, model)
     defined = 0
     for sample in facts.samples(model)[-TRIALS:]:
-        sides = _numbers(link, model, sample, symbolic)
+        sides = in_numbers(link, model, sample, symbolic)
         if sides is not None:
             defined += 1
-            if _differ(*sides):
+            if apart(*sides):
                 return False
     return defined > TRIALS // 2
 
@@ -912,7 +795,7 @@ def _partial(link: Link, passage: Passage) -> slips.Slip | None:
                 complete = free.meaning[facts.MOMENTUM_RATES[p]]
                 if not decide.vanishes(complete - rates[p]) and difference != 0:
                     return slip
-    except _ERRORS:
+    except ERRORS:
         return None
     return None
 
@@ -935,10 +818,10 @@ def _lost_root(link: Link, model: Model) -> slips.Slip | None:
         other = Link(link.left.xreplace(turned), link.right.xreplace(turned))
     seen = set()
     for sample in facts.samples(model):
-        both = [_numbers(each, model, sample, _rates(each, model)) for each in (link, other)]
+        both = [in_numbers(each, model, sample, rates_of(each, model)) for each in (link, other)]
         if both[0] is None or both[1] is None:
             continue
-        holds = tuple(not _differ(*pair) for pair in both if pair is not None)
+        holds = tuple(not apart(*pair) for pair in both if pair is not None)
         if not any(holds):
             return None
         seen.add(holds)
@@ -953,8 +836,8 @@ def _missing(link: Link, model: Model) -> tuple[slips.Slip, ...]:
         if link.right is None:
             return ()
         [difference] = entries(model.value(link.left), model.value(link.right))
-        difference = reduce_ratio(_one_angle(difference))
-    except _ERRORS:
+        difference = reduce_ratio(one_angle(difference))
+    except ERRORS:
         return ()
     if difference.is_Add or sympy.count_ops(difference) > 25:
         return ()
