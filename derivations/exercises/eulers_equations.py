@@ -224,6 +224,7 @@ def flip_integrated(moments: tuple[float, float, float], spin: float, kick: floa
         Parameter("kick", 0.006, "ω₁ that the kick adds", "rad/s", above=0),
     ),
     figure="flip",
+    text="exercises/stable_axes",
 )
 def stable_axes(
     lambda1: float, lambda2: float, lambda3: float, omega: float, kick: float

@@ -279,13 +279,16 @@ def _(node: lay.Derivative) -> str:
 @_tex.register
 def _(node: lay.Big) -> str:
     if node.sign == "∫":
-        return rf"\int {_tex(node.index)}\,{_tex(node.body)}"
+        return rf"\int{_tex(node.index)}\,{_tex(node.body)}"
     return rf"\sum_{{{_tex(node.index)}}} {_tex(node.body)}"
 
 
 @_tex.register
 def _(node: lay.Measure) -> str:
-    return f"d^{{{node.dimension}}}{_tex(node.variable)}"
+    if node.bounds:
+        low, high = map(_tex, node.bounds)
+        return f"_{{{low}}}^{{{high}}} d{_tex(node.variable)}"
+    return f" d^{{{node.dimension}}}{_tex(node.variable)}"
 
 
 @_tex.register

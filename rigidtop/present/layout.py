@@ -33,6 +33,7 @@ from rigidtop.proof.equation import (
     Dot,
     Equation,
     Group,
+    Integral,
     Matrices,
     Partial,
     Printed,
@@ -196,10 +197,11 @@ class Big:
 
 @dataclass(frozen=True)
 class Measure:
-    """The measure d³r of an integral."""
+    """The measure d³r of an integral, or dx with bounds."""
 
     dimension: str
     variable: Node
+    bounds: tuple[Node, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -646,6 +648,12 @@ def _(tree: VolumeIntegral, order: Order) -> Node:
     return Big("∫", node, _under_big(_node(body, order)))
 
 
+@_node.register
+def _(tree: Integral, order: Order) -> Node:
+    variable, low, high, body = (_node(part, order) for part in tree.args)
+    return Big("∫", Measure("", variable, (low, high)), _under_big(body))
+
+
 def _under_big(body: Node) -> Node:
     return Brackets(body) if isinstance(body, Sum) else body
 
@@ -1010,7 +1018,7 @@ def _(node: Big) -> float:
 
 @width.register
 def _(node: Measure) -> float:
-    return 1.6 + width(node.variable)
+    return 1.6 + width(node.variable) + max(map(width, node.bounds), default=0.0)
 
 
 @width.register

@@ -269,13 +269,19 @@ def _(node: lay.Derivative) -> str:
 @_ml.register
 def _(node: lay.Big) -> str:
     if node.sign == "∫":
-        return _group(f"<mo>∫</mo>{_ml(node.index)}{THIN}{_ml(node.body)}")
+        bounds = node.index.bounds if isinstance(node.index, lay.Measure) else ()
+        sign = "<mo>∫</mo>"
+        if bounds:
+            sign = f"<msubsup>{sign}{''.join(map(_ml, bounds))}</msubsup>"
+        return _group(f"{sign}{_ml(node.index)}{THIN}{_ml(node.body)}")
     big = '<mo largeop="true" movablelimits="true">∑</mo>'
     return _group(f"<munder>{big}{_ml(node.index)}</munder>{_ml(node.body)}")
 
 
 @_ml.register
 def _(node: lay.Measure) -> str:
+    if node.bounds:
+        return _group(f"<mi>d</mi>{_ml(node.variable)}")
     return _group(f"<msup><mi>d</mi><mn>{node.dimension}</mn></msup>{_ml(node.variable)}")
 
 

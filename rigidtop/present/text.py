@@ -194,7 +194,9 @@ def _(node: lay.Derivative) -> str:
 @_text.register
 def _(node: lay.Big) -> str:
     if node.sign == "∫":
-        return f"∫ {_text(node.index)} {_text(node.body)}"
+        bounds = node.index.bounds if isinstance(node.index, lay.Measure) else ()
+        between = f" from {' to '.join(map(_text, bounds))}" if bounds else ""
+        return f"∫{between} {_text(node.index)} {_text(node.body)}"
     return f"Σ_{_text(node.index)} {_text(node.body)}"
 
 

@@ -10,13 +10,14 @@ What is known of a letter comes with the `Letters` of the subject; there is no t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, reduce
 from typing import Any
 
 import sympy
 from sympy import Add, Dummy, Expr, Integer, MatrixBase, Mul, Pow, Symbol
+from sympy.integrals.manualintegrate import manualintegrate
 
 from rigidtop.proof import decide
 from rigidtop.proof.equation import (
@@ -25,6 +26,7 @@ from rigidtop.proof.equation import (
     Cross,
     Dot,
     Group,
+    Integral,
     Matrices,
     NoMeaningError,
     Partial,
@@ -183,6 +185,8 @@ class Algebra:
             return self.dot(parts[0], parts[0])
         if any(isinstance(part, Vector) for part in parts):
             raise NoMeaningError(f"{node.func.__name__} of a vector")
+        if isinstance(node, ELLIPTIC):
+            parts = [sympy.factor(part) for part in parts]
         return node.func(*parts)
 
     def _letter(self, letter: Symbol) -> Value:
@@ -215,6 +219,8 @@ class Algebra:
             return self.atom(node)  # one atom: what is put in does not reach into it
         if isinstance(node, (SumOver, VolumeIntegral)):
             return self.summed(node, self.value(node.args[1]))
+        if isinstance(node, Integral):
+            return self.integrated(*node.args)
         if isinstance(node, Rate):
             return self.rate(self.value(node.args[0]), node.args[1] if len(node.args) > 1 else None)
         parts = [self.value(part) for part in node.args]
@@ -549,6 +555,18 @@ class Algebra:
         scalar = Mul(*(f for f in Mul.make_args(term) if f is not atom))
         return scalar * self._dot_atoms(atom, other)
 
+    def integrated(self, variable: Symbol, low: Any, high: Any, body: Any) -> Expr:
+        """The integral of a scalar, where a primitive of it is known."""
+        bound = Dummy(real=True)
+        flat, nodes = flattened(self.value(body.xreplace({variable: bound})))
+        if any(node.has(bound) for node in nodes.values()):
+            raise NoMeaningError("an integral over what stands in a product or a rate")
+        primitive = antiderivative(flat, bound)
+        if primitive is None:
+            raise NoMeaningError("an integral that is none of powers, sines and square roots")
+        ends = [primitive.subs(bound, self.value(end)) for end in (high, low)]
+        return (ends[0] - ends[1]).xreplace(nodes)
+
     # --- rates -------------------------------------------------------------------------------
 
     def rate(self, value: Value, frame: Any = None) -> Value:
@@ -574,6 +592,8 @@ class Algebra:
     def _rate_of(self, x: Symbol, atoms: Mapping[Symbol, Expr]) -> Expr:
         node = atoms.get(x, x)
         if node in self.letters.numbers:
+            return Integer(0)
+        if isinstance(node, ELLIPTIC) and node.free_symbols <= self.letters.numbers:
             return Integer(0)
         if node == TIME:
             return Integer(1)
@@ -641,18 +661,53 @@ def _as_vector(made: Value) -> Vector:
 TIME = Symbol("t", real=True)
 
 
+def antiderivative(integrand: Expr, x: Symbol) -> Expr | None:
+    """A function whose derivative is a smooth integrand; None where none is known.
+
+    Polynomials in x, sin x and cos x, and Legendre's integral F(x, m) of the first kind (DLMF
+    19.2.4), whose derivative is 1/√(1 − m sin²x): others may have poles between two ends.
+    """
+    if is_smooth(integrand, (x,)):
+        made = manualintegrate(sympy.expand(integrand), x)
+        sound = is_smooth(made, (x,)) and vanishes(made.diff(x) - integrand)
+        return made if sound else None
+    first = integrand.subs(x, 0)
+    if first.is_zero or (not first.is_finite and first.is_number):
+        return None
+    square = (first / integrand) ** 2
+    m = sympy.factor(1 - square.subs(x, sympy.pi / 2))
+    if not vanishes(square - (1 - m * sympy.sin(x) ** 2)):
+        return None
+    return first * sympy.elliptic_f(x, m)
+
+
+def is_smooth(node: Expr, of: Sequence[Symbol]) -> bool:
+    """Whether an expression is a polynomial in letters, their sines and cosines."""
+    if not node.has(*of) or isinstance(node, Symbol):
+        return True
+    if isinstance(node, Pow) and not (node.exp.is_Integer and node.exp > 0):
+        return False
+    if not isinstance(node, (Add, Mul, Pow, sympy.sin, sympy.cos)):
+        return False
+    return all(is_smooth(part, of) for part in node.args)
+
+
+ELLIPTIC = (sympy.elliptic_k, sympy.elliptic_f)
+"""Functions that stand for themselves: of the same numbers they are the same."""
+
+
 def flattened(expression: Expr) -> tuple[Expr, dict[Symbol, Expr]]:
     """An expression with a dummy for every atom that is no letter, and what each stands for."""
     atoms: dict[Symbol, Expr] = {}
 
     def go(node: Expr) -> Expr:
-        if isinstance(node, Printed):
+        if isinstance(node, (Printed, *ELLIPTIC)):
             found = next((d for d, known in atoms.items() if known == node), None)
             if found is None:
                 found = Dummy(real=True)
                 atoms[found] = node
             return found
-        if not node.args or not node.has(Printed):
+        if not node.args or not node.has(Printed, *ELLIPTIC):
             return node
         return node.func(*(go(part) for part in node.args))
 
@@ -716,13 +771,16 @@ def _rooted(expression: Expr) -> Expr:
 def zero_in_digits(expression: Expr, tries: int = 2) -> bool:
     """Whether a scalar vanishes at some points in double precision: False refutes for certain."""
     letters = sorted(expression.free_symbols, key=str)
-    for attempt in range(tries):
+    for attempt in range(8 * tries):  # a root may be real at few points only
         point = {x: _number(x, k, attempt) for k, x in enumerate(letters)}
         [value, size] = decide.evaluate([expression, _sizes(expression)], point, {})
         if value != value or value in (float("inf"), float("-inf")):
             continue
         if abs(value) > 1e-9 * (1 + (abs(size) if size == size else 0)):
             return False
+        tries -= 1
+        if not tries:
+            break
     return True
 
 

@@ -25,6 +25,7 @@ from rigidtop.proof.algebra import (
     atoms_of,
     components,
     flattened,
+    is_smooth,
     vanishes,
 )
 from rigidtop.proof.changed import perturbations
@@ -252,7 +253,7 @@ def arrive(
     shown: set[int] = set()
     says_something = False
     try:
-        if move.verb == "integrate" and move.by:
+        if move.verb == "integrate" and move.by and not move.power:
             if any(equation.sides[0] in letters.rates for equation in equations):
                 solves(equations, move, letters)
             else:
@@ -266,7 +267,7 @@ def arrive(
             if move.verb == "set" and move.power < 2:
                 _is_gone([e.sides[0] for e in move.by], equation)
             for pair in pairs_of(equation, algebra):
-                if move.verb == "integrate" and const not in equation.sides:
+                if move.verb == "integrate" and not move.power and const not in equation.sides:
                     raise RefusedError("say from where: “from $x = x_0$”, or that it is constant")
                 found = _matching(pair, _named(performed, pair, letters), move)
                 says_something |= found is not None
@@ -377,23 +378,12 @@ def _gives_rates(pairs: Sequence[Pair], of: Sequence[Symbol], letters: Letters) 
         row = [flat.diff(rate) for rate in rates]
         if any(slope != 0 for slope in row):
             rest = flat.subs(dict.fromkeys(rates, 0))
-            if any(slope.has(*rates, *of) for slope in row) or not _smooth(rest, of):
+            if any(slope.has(*rates, *of) for slope in row) or not is_smooth(rest, of):
                 raise RefusedError("the rates are not smooth functions of the letters")
             rows.append(row)
     matrix = sympy.Matrix(rows[: len(rates)])
     if len(rows) < len(rates) or not nonzero(sympy.factor(matrix.det()), ()):
         raise RefusedError("as many equations of the first order as letters have to be integrated")
-
-
-def _smooth(node: Expr, of: Sequence[Symbol]) -> bool:
-    """Whether an expression is a polynomial in letters, their sines and cosines."""
-    if not node.has(*of) or isinstance(node, Symbol):
-        return True
-    if isinstance(node, Pow) and not (node.exp.is_Integer and node.exp > 0):
-        return False
-    if not isinstance(node, (Add, Mul, Pow, sympy.sin, sympy.cos)):
-        return False
-    return all(_smooth(part, of) for part in node.args)
 
 
 def _first_integral(

@@ -32,6 +32,7 @@ from rigidtop.proof.equation import (
     Dot,
     Equation,
     Group,
+    Integral,
     Matrices,
     Partial,
     Rate,
@@ -177,6 +178,9 @@ def dimension(tree: Any, letters: Letters) -> Dimension | None:
             return dimension(tree.args[1], letters)
         case VolumeIntegral():
             return _times(parsed("m³"), dimension(tree.args[1], letters))
+        case Integral():
+            variable, low, high, body = tree.args
+            return _times(_common((variable, low, high), letters), dimension(body, letters))
         case Mul() | Dot() | Cross() | Applied() | sympy.MatMul():
             return _times(*[dimension(factor, letters) for factor in tree.args])
         case Partial():

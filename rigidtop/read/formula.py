@@ -346,6 +346,8 @@ def kind(node: Any) -> str:
         return kind(node.args[0])
     if isinstance(node, (eq.SumOver, eq.VolumeIntegral)):
         return kind(node.args[1])
+    if isinstance(node, eq.Integral):
+        return kind(node.args[3])
     if isinstance(node, (Add, Mul)):
         kinds = [kind(argument) for argument in node.args]
         return next((k for k in ("vector", "matrix") if k in kinds), "scalar")
@@ -546,6 +548,12 @@ class _Builder(Transformer_NonRecursive):
     def integrated(self, items: list[Any]) -> _Value:
         body = items[1].closed
         made = eq.VolumeIntegral(Symbol("d3r"), body.tree)
+        return _made(made, body.kind, body, position=items[0].position)
+
+    def between(self, items: list[Any]) -> _Value:
+        parts = [item.closed for item in items if isinstance(item, _Value)]
+        *bounds, body = parts
+        made = eq.Integral(*(part.tree for part in bounds), body.tree)
         return _made(made, body.kind, body, position=items[0].position)
 
     # Factors

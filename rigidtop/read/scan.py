@@ -614,6 +614,10 @@ class _Scan:
 
     def integral(self) -> Iterator[Token]:
         piece = self.take()
+        self.skip()
+        if self.peek().text in ("_", "^"):
+            yield from self.bounded(piece)
+            return
         measure = ""
         while self.peek().text and len(measure) < 3:
             self.skip()
@@ -621,6 +625,26 @@ class _Scan:
         if measure != "d3r":
             raise UnreadError("an integral that is not over d³r", piece.position)
         yield Token("INTEGRAL", "d3r", piece.position)
+
+    def bounded(self, piece: Piece) -> Iterator[Token]:
+        """``\\int_a^b dx``, what is integrated behind it."""
+        bounds = {}
+        while (sign := self.peek().text) in ("_", "^") and sign not in bounds:
+            self.take()
+            bounds[sign] = self.argument(piece)
+            self.skip()
+        if len(bounds) < 2 or _words((self.take(),)) != "d":
+            wanted = r"an integral is written \int_a^b dx, with what is integrated behind it"
+            raise UnreadError(wanted, piece.position)
+        self.skip()
+        begin = self.at
+        letters = [*self.symbol()]
+        if [token.kind for token in letters] != ["SYMBOL"]:
+            raise UnreadError("an integral over what is no letter", piece.position)
+        variable = self.items[begin : self.at]
+        yield Token("BOUNDS", "", piece.position)
+        for part in (variable, bounds["_"], bounds["^"]):
+            yield from self.braced(part, piece.position)
 
     def brace(self) -> Iterator[Token]:
         piece = self.take()

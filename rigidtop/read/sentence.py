@@ -8,9 +8,11 @@ a move (`rigidtop.proof.moves`), what it is done with, and what is put in beside
     Take the rate of A.                     Dot A with $e$.      Cross $e$ with A.
     Dot A with itself.  (each of its equations with each)
     Integrate A.  (to a constant)           Integrate A from $x = x_0$.  (where t = 0)
+    Integrate A from $x = x_0$ to $x = x_1$.  (A gives $\\dot x$; this the time that it takes)
     Add A to B.                             Subtract $f$ times A from B.
     Sum A over all parts.  (k)
     Multiply A by $f$.                      Divide A by $f$.
+    Multiply A by B.  (both sides: of a = b and c = d, ac = bd)
     Multiply A by $O$ from the right.       Exchange the factors in A.  (of a product that is 1)
     Take the transpose of A.                Take the determinant of A.
     Strip $x$, $y$ and $z$ from A.  (Ax = Bx, Ay = By and Az = Bz give A = B)
@@ -246,6 +248,12 @@ def _by(verb: str, **fixed: Any) -> Callable[[_Words], Move]:
     return lambda w: Move(verb, w.known("a"), by=w.math("x"), **fixed)
 
 
+def _multiply(w: _Words) -> Move:
+    if "$" in w.parts["x"]:
+        return Move("multiply", w.known("a"), by=w.math("x"))
+    return Move("multiply", (*w.known("a"), *w.known("x")))
+
+
 def _put(w: _Words) -> Move:
     return Move("put", w.known("b"), using=w.known("a"))
 
@@ -300,6 +308,13 @@ def _neglect(w: _Words) -> Move:
     return Move("neglect", w.known("a"), by=(*w.math("x"), *w.math("y")), power=power)
 
 
+def _between(w: _Words) -> Move:
+    begin, end = w.equations("x"), w.equations("y")
+    if len(begin) != 1 or len(end) != 1:
+        raise SentenceError("one letter is integrated over, from one value to another")
+    return Move("integrate", w.known("a"), by=(*begin, *end), power=1)
+
+
 def _integrate(w: _Words) -> Move:
     return Move("integrate", w.known("a"), by=w.equations("x"))
 
@@ -316,6 +331,7 @@ _SHAPES: tuple[tuple[str, Callable[[_Words], Move]], ...] = (
     (rf"Take the rate of {_A} in the body", _rate(BODY)),
     (rf"Take the rate of {_A} in space", _rate(SPACE)),
     (rf"Take the rate of {_A}", _rate()),
+    (rf"Integrate {_A} from (?P<x>\$.+\$) to (?P<y>\$.+\$)", _between),
     (rf"Integrate {_A} from (?P<x>\$.+\$)", _integrate),
     (rf"Integrate {_A}", _simple("integrate")),
     (rf"Take the component of {_A} along {_X}", _by("component")),
@@ -326,7 +342,7 @@ _SHAPES: tuple[tuple[str, Callable[[_Words], Move]], ...] = (
     (rf"Subtract (?:(?P<x>\$[^$]+\$) times )?{_A} from {_B}", _combined("subtract")),
     (rf"Sum {_A} over all parts", _simple("sum", by=(Symbol("k"),))),
     (rf"Multiply {_A} by (?P<x>\$[^$]+\$) from the right", _by("multiply", power=1)),
-    (rf"Multiply {_A} by {_X}", _by("multiply")),
+    (rf"Multiply {_A} by {_X}", _multiply),
     (rf"Take the transpose of {_A}", _simple("transpose")),
     (rf"Take the determinant of {_A}", _simple("determinant")),
     (rf"Exchange the factors in {_A}", _simple("turn factors")),

@@ -100,6 +100,8 @@ def sum_over(move: Move, algebra: Algebra) -> Performed:
 
 
 def multiply(move: Move, algebra: Algebra) -> Performed:
+    if len(move.of) == 2:  # by an equation: side by side
+        return _product(move, algebra, algebra.times)
     [by] = move.by
     factor = algebra.value(by)
     known = the_one(move)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from sympy import Expr, MatrixBase, Symbol
 
-from rigidtop.proof.algebra import Algebra, Value, Vector, atoms_of, flattened
-from rigidtop.proof.equation import Partial
+from rigidtop.proof.algebra import TIME, Algebra, Value, Vector, atoms_of, flattened
+from rigidtop.proof.equation import Partial, Printed
+from rigidtop.proof.moves.conditions import divided_by
 from rigidtop.proof.moves.move import (
     Condition,
+    Known,
     Move,
     Pair,
     Performed,
@@ -122,5 +124,36 @@ def integrate(move: Move, algebra: Algebra) -> Performed:
     known = the_one(move)
     if known.scope is Scope.SET:
         raise RefusedError("{} holds at a moment: it can't be integrated", name_of(known))
+    if move.power:
+        return _time(known, move, algebra)
     starts = tuple(Condition(e.sides[0] - e.sides[1], "start") for e in move.by)
     return Performed(tuple(all_pairs(known, algebra)), Scope.MOTION, starts, known.order)
+
+
+def _time(known: Known, move: Move, algebra: Algebra) -> Performed:
+    """The time from one value of a letter to another: of ẋ = f(x) the integral of dx/f(x).
+
+    On the way f must not vanish: there the letter would rest, or turn back.
+    """
+    begin, end = move.by
+    letter = begin.sides[0]
+    if end.sides[0] != letter:
+        raise RefusedError("from one value of {} to another, not of {}", letter, end.sides[0])
+    if known.order is not None:
+        raise RefusedError("what holds approximately can't be integrated")
+    low, high = algebra.value(begin.sides[1]), algebra.value(end.sides[1])
+    rate = algebra.rate(algebra.value(letter))
+    pairs: list[Pair] = []
+    conditions: list[Condition] = [Condition(letter - low, "start")]
+    for pair in all_pairs(known, algebra):
+        if pair.left != rate or not is_equation(pair):
+            continue
+        allowed = algebra.letters.numbers | {letter}
+        if pair.right.atoms(Printed) or not pair.right.free_symbols <= allowed:
+            raise RefusedError("{} is no function of {} alone", rate, letter)
+        time = algebra.integrated(letter, low, high, 1 / pair.right)
+        pairs.append(Pair(TIME, time))
+        conditions += divided_by(pair.right, move.where)
+    if not pairs:
+        raise RefusedError("{} does not say what {} is", name_of(known), rate)
+    return Performed(tuple(pairs), Scope.SET, tuple(conditions))

@@ -8,7 +8,7 @@ import sympy
 from sympy import Expr, Integer, MatrixBase
 
 from rigidtop.proof import decide
-from rigidtop.proof.algebra import Algebra, Vector
+from rigidtop.proof.algebra import Algebra, Vector, flattened
 from rigidtop.proof.moves.conditions import flat_with
 from rigidtop.proof.moves.move import (
     Condition,
@@ -31,7 +31,8 @@ def root(move: Move, algebra: Algebra) -> Performed:
     for pair in all_pairs(known, algebra):
         if isinstance(pair.left, Vector) or is_operator(pair.left) or not is_equation(pair):
             raise RefusedError("the root of what is no scalar")
-        left = sympy.sqrt(sympy.factor(pair.left))
+        flat, nodes = flattened(pair.left)  # what stands for itself is real
+        left = sympy.sqrt(sympy.factor(flat)).xreplace(nodes)
         bases = [abs_.args[0] for abs_ in left.atoms(sympy.Abs)]
         for base in bases:
             if not _sign_known(base, move.where):
