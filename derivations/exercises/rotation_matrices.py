@@ -134,6 +134,7 @@ HALVINGS = 6
         Parameter("gamma", pi / 2, "angle between the axes", "rad", least=0, most=pi),
     ),
     figure="order-of-rotations",
+    text="exercises/rotations_form_a_group",
 )
 def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[Outcome]:
     """The matrices are exponentials of their generators; the angle and the axis of A B come from

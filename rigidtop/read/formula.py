@@ -252,11 +252,16 @@ def _choices(found: Sequence[Token]) -> list[list[Token]]:
 _WRITTEN_OUT = frozenset({"TRANSPOSED", "MATRIX"})
 
 
+def _is_vector(token: Token) -> bool:
+    return token.kind == "SYMBOL" and kind(token.value) == "vector"
+
+
 def _of_its_kind(found: Sequence[Token]) -> list[Token]:
-    """A is an amplitude, beside matrices a matrix."""
+    """A is an amplitude, beside matrices and in front of a vector a matrix."""
     among = {t.value for t in found if t.kind == "SYMBOL"}
     named = any(t.kind == "FUNCTION" and t.value in _NAMED for t in found)
-    if not (named or among & MATRICES or any(t.kind in _WRITTEN_OUT for t in found)):
+    acts = any(t.value == s.A and _is_vector(behind) for t, behind in pairwise(found))
+    if not (acts or named or among & MATRICES or any(t.kind in _WRITTEN_OUT for t in found)):
         return list(found)
     return [replace(t, value=s.A_matrix) if t.value == s.A else t for t in found]
 
