@@ -17,20 +17,28 @@ if TYPE_CHECKING:
     from rigidtop.motion.sliding_trajectory import SlidingTrajectory
     from rigidtop.motion.top import HeavyTop
     from rigidtop.motion.trajectory import Trajectory
+    from rigidtop.system.motion import SystemMotion, SystemTrajectory
+    from rigidtop.system.parts import Body, Mass
+    from rigidtop.system.system import System
 
     __version__: str
 
 __all__ = [
+    "Body",
     "FreeBody",
     "FreeMotions",
     "HeavyBody",
     "HeavyTop",
+    "Mass",
     "Motion",
     "NoSteadyPrecession",
     "RigidtopError",
     "SlidingMotion",
     "SlidingTop",
     "SlidingTrajectory",
+    "System",
+    "SystemMotion",
+    "SystemTrajectory",
     "TopMotions",
     "Trajectory",
     "__version__",
@@ -39,6 +47,8 @@ __all__ = [
 ]
 
 _HOMES = {
+    "Body": "rigidtop.system.parts",
+    "Mass": "rigidtop.system.parts",
     "FreeBody": "rigidtop.motion.body",
     "FreeMotions": "rigidtop.motion.many",
     "HeavyBody": "rigidtop.motion.body",
@@ -49,6 +59,9 @@ _HOMES = {
     "SlidingMotion": "rigidtop.motion.sliding",
     "SlidingTop": "rigidtop.motion.sliding",
     "SlidingTrajectory": "rigidtop.motion.sliding_trajectory",
+    "System": "rigidtop.system.system",
+    "SystemMotion": "rigidtop.system.motion",
+    "SystemTrajectory": "rigidtop.system.motion",
     "TopMotions": "rigidtop.motion.many",
     "Trajectory": "rigidtop.motion.trajectory",
     "free_motions": "rigidtop.motion.many",

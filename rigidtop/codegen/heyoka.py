@@ -36,7 +36,12 @@ class BatchFunction(Function):
     """
 
 
-def function(expressions: Iterable[Any], arguments: Sequence[Symbol], name: str) -> BatchFunction:
+def function(
+    expressions: Iterable[Any],
+    arguments: Sequence[Symbol],
+    name: str,
+    shared: Sequence[tuple[Symbol, Any]] = (),
+) -> BatchFunction:
     """As `rigidtop.codegen.numpy.function`.
 
     What is divided by zero becomes infinite or NaN, without a warning, also for floats.
@@ -44,15 +49,10 @@ def function(expressions: Iterable[Any], arguments: Sequence[Symbol], name: str)
     Raises RigidtopError if heyoka is not installed, or if it has no counterpart of a function that
     occurs.
     """
-    try:
-        heyoka = importlib.import_module("heyoka")
-    except ImportError:
-        raise RigidtopError(
-            "heyoka is not installed: pip install 'rigidtop[taylor]' (wheels for Linux only)"
-        ) from None
-    made = plain.function(expressions, arguments, name)
+    heyoka = loaded("heyoka is not installed")
+    made = plain.function(expressions, arguments, name, shared)
     symbols = [heyoka.expression(argument.name) for argument in arguments]
-    compiled = heyoka.cfunc(_symbolic(heyoka, made, name, symbols), symbols)
+    compiled = heyoka.cfunc(on_symbols(heyoka, made, name, symbols), symbols)
 
     def scalar(*values: float) -> list[float]:
         result: list[float] = compiled(np.array(values, dtype=float)).tolist()
@@ -77,7 +77,17 @@ def function(expressions: Iterable[Any], arguments: Sequence[Symbol], name: str)
     )
 
 
-def _symbolic(heyoka: Any, made: Function, name: str, symbols: Sequence[Any]) -> list[Any]:
+def loaded(without: str) -> Any:
+    """heyoka.  Raises RigidtopError, which says what is the matter `without` it."""
+    try:
+        return importlib.import_module("heyoka")
+    except ImportError:
+        raise RigidtopError(
+            f"{without}: pip install 'rigidtop[taylor]' (wheels for Linux only)"
+        ) from None
+
+
+def on_symbols(heyoka: Any, made: Function, name: str, symbols: Sequence[Any]) -> list[Any]:
     """The source of a function, run on heyoka's symbols."""
     # A choice between cases would be made once, for symbols, which are neither true nor false.
     if any(

@@ -13,6 +13,8 @@ def pendulum(theta, thetadot):
 [3.0, -0.2397127693021015]
 >>> pendulum.array([[0.0, 0.5]], 1.0).shape    # two expressions, each of shape (1, 2)
 (2, 1, 2)
+>>> pendulum(0.5, 3.0) == pendulum.scalar(0.5, 3.0)    # of arrays it is `array`
+True
 >>> pendulum.operations                        # a sine, a sign and a division
 3
 """
@@ -52,26 +54,37 @@ class Function:
     definition: ast.FunctionDef
     """The syntax tree behind `source`."""
 
+    def __call__(self, *values: Any) -> Any:
+        """`scalar` of numbers, `array` as soon as one argument is no single number."""
+        return (self.array if any(map(np.ndim, values)) else self.scalar)(*values)
 
-def function(expressions: Iterable[Any], arguments: Sequence[Symbol], name: str) -> Function:
+
+def function(
+    expressions: Iterable[Any],
+    arguments: Sequence[Symbol],
+    name: str,
+    shared: Sequence[tuple[Symbol, Any]] = (),
+) -> Function:
     """Make a function of `arguments`, in this order, that returns the values of `expressions`.
 
     `expressions` is any iterable of SymPy expressions, also a column matrix.  The names of the
     symbols become the names of the parameters.  Nothing is simplified; what the expressions have
-    in common is computed once.
+    in common is computed once.  What is `shared`, each in terms of those before it, is computed as
+    it stands, and nothing else is looked for.
 
     Raises ValueError if an expression contains a symbol that is not an argument, or if a name is
     no Python identifier.
     """
     wanted = [sympy.sympify(expression) for expression in expressions]
-    unbound = set().union(*(e.free_symbols for e in wanted)) - set(arguments)
+    unbound = set().union(*(e.free_symbols for e in (*wanted, *(x for _, x in shared))))
+    unbound -= {*arguments, *(x for x, _ in shared)}
     if unbound:
         raise ValueError(f"{name}: {', '.join(sorted(map(str, unbound)))} missing in the arguments")
     for word in (name, *(a.name for a in arguments)):
         if not word.isidentifier() or keyword.iskeyword(word):
             raise ValueError(f"{word!r} cannot be a name in Python")
-    scalar = _lambdified(wanted, arguments, "math")
-    over_arrays = _lambdified(wanted, arguments, "numpy")
+    scalar = _lambdified(wanted, arguments, "math", shared)
+    over_arrays = _lambdified(wanted, arguments, "numpy", shared)
     definition = source.syntax_tree(scalar)
 
     def array(*values: Any) -> NDArray[np.float64]:
@@ -90,5 +103,11 @@ def function(expressions: Iterable[Any], arguments: Sequence[Symbol], name: str)
     )
 
 
-def _lambdified(expressions: list[Any], arguments: Sequence[Symbol], module: str) -> Any:
-    return sympy.lambdify(list(arguments), expressions, modules=module, cse=True)
+def _lambdified(
+    expressions: list[Any],
+    arguments: Sequence[Symbol],
+    module: str,
+    shared: Sequence[tuple[Symbol, Any]],
+) -> Any:
+    cse = (lambda _: (list(shared), expressions)) if shared else True
+    return sympy.lambdify(list(arguments), expressions, modules=module, cse=cse)

@@ -168,8 +168,15 @@ def common_shape(values: Mapping[str, NDArray[np.float64]]) -> tuple[int, ...]:
         raise RigidtopError(f"these shapes do not broadcast: {shapes}") from None
 
 
+SPAN = 501
+"""So many evenly spaced times make a span."""
+
+
 def times(value: ArrayLike) -> NDArray[np.float64]:
-    """Finite times, shape (N,) with N ≥ 1."""
+    """Finite times, shape (N,) with N ≥ 1; a tuple (start, end) is a span, as SciPy has it."""
+    if isinstance(value, tuple) and len(value) == 2:
+        start, end = times(list(value)).tolist()
+        return np.linspace(start, end, SPAN)
     try:
         result = np.atleast_1d(_floats(value))
     except TypeError as error:

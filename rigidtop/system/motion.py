@@ -1,0 +1,468 @@
+"""Motions of a system: integrated, with what is conserved as a measure of the errors."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import sympy
+from numpy.typing import ArrayLike
+from scipy.optimize import brentq
+from sympy import Expr, Symbol
+
+from rigidtop.codegen import heyoka as compiled
+from rigidtop.codegen import numpy as plain
+from rigidtop.codegen.numpy import Function
+from rigidtop.errors import RigidtopError
+from rigidtop.motion import checks
+from rigidtop.motion.attitude import Floats
+from rigidtop.motion.integrate import TAYLOR, Accuracy, Flow, flow, joined, on_both_sides
+from rigidtop.parameters import in_one_line
+from rigidtop.system.names import expression
+
+if TYPE_CHECKING:
+    from rigidtop.system.system import System
+
+HOLDS = 1e-9
+"""How well a constraint has to hold at the start, relative to its terms."""
+
+STEPS_AT_ONCE = 20_000
+"""Between so many steps of a Taylor series an interrupt from the keyboard is heard."""
+
+LOOKS = 8
+"""A step of the solver is looked at so many times for an event."""
+
+MOST_STEPS = 10_000_000
+"""No Taylor series takes more steps: it would fill the memory."""
+
+
+def started(system: System, parameters: Mapping[Any, Any], q: Any, qdot: Any) -> SystemMotion:
+    """See `System.motion`."""
+    if not isinstance(parameters, Mapping):
+        raise RigidtopError(
+            f"parameters are given as {{symbol: number}}, not {in_one_line(parameters)}"
+        )
+    values = _values(system, parameters)
+    names = system.names
+    start = [_initial("q", q, names.q, system), _initial("qdot", qdot, names.v, system)]
+    made = SystemMotion(system, tuple(values), tuple(start[0]), tuple(start[1]))
+    made.check()
+    return made
+
+
+def _values(system: System, given: Mapping[Any, Any]) -> list[float]:
+    """A number for each parameter, by symbol or by name."""
+    known = {x.name: x for x in system.parameters}
+    found: dict[str, float] = {}
+    for key, value in given.items():
+        name = getattr(key, "name", key)
+        if name not in known:
+            there = f"there are {', '.join(known)}" if known else "there are none"
+            raise RigidtopError(f"no parameter {key!s}: {there}")
+        found[name] = checks.number(str(name), value)
+        symbol = known[name]
+        if symbol.is_positive and not found[name] > 0:
+            raise RigidtopError(f"{name} must be positive, not {found[name]:g}")
+    missing = [name for name in known if name not in found]
+    if missing:
+        raise RigidtopError(f"no number for {', '.join(missing)}: give {{symbol: number}}")
+    return [found[name] for name in known]
+
+
+def _initial(what: str, given: Any, letters: Sequence[Symbol], system: System) -> list[float]:
+    """A row of n numbers, in the order of the coordinates."""
+    if given is None and what == "qdot":
+        return [0.0] * len(letters)
+    shown = ", ".join(x.name for x in letters)
+    if given is None:
+        raise RigidtopError(f"where does it start? q = a number for each of {shown}")
+    if isinstance(given, Mapping):
+        places = {}
+        for key, value in given.items():
+            place = _place(key, letters, system)
+            if place is None:
+                raise RigidtopError(f"{what} has {key!s}, which is none of {shown}")
+            places[place] = value
+        missing = [x.name for k, x in enumerate(letters) if k not in places]
+        if missing and what == "q":
+            raise RigidtopError(f"q has no number for {', '.join(missing)}")
+        row = [places.get(k, 0.0) for k in range(len(letters))]
+    else:
+        row = [given] if np.ndim(given) == 0 else list(given)
+    if len(row) != len(letters):
+        raise RigidtopError(f"{what} has {len(row)} numbers, for {shown}")
+    return [checks.number(x.name, value) for x, value in zip(letters, row, strict=True)]
+
+
+def _place(key: Any, letters: Sequence[Symbol], system: System) -> int | None:
+    """Which coordinate is meant, also where its velocity is: by symbol, function or name."""
+    names = system.names
+    for k, x in enumerate(letters):
+        own = (names.q[k], names.v[k], names.given.get(names.q[k]), names.given.get(names.v[k]))
+        if key in own or key in (x.name, names.q[k].name):
+            return k
+    return None
+
+
+@dataclass(frozen=True)
+class SystemMotion:
+    """The motion of a system from its state at t = 0; made by `System.motion`."""
+
+    system: System
+    parameters: tuple[float, ...]
+    """In the order of `System.parameters`."""
+
+    q: tuple[float, ...]
+    qdot: tuple[float, ...]
+
+    def __repr__(self) -> str:
+        names = self.system.names
+        start = [f"{x.name}={a:g}" for x, a in zip(names.q, self.q, strict=True)]
+        start += [f"{x.name}={a:g}" for x, a in zip(names.v, self.qdot, strict=True)]
+        return f"SystemMotion({', '.join(start)})"
+
+    def check(self) -> None:
+        """Raises RigidtopError where the motion can't start so."""
+        system, names = self.system, self.system.names
+        row = [0.0, *self.q, *self.qdot, *self.parameters]
+        for rule, of_places in zip(system.rules, system.holonomic, strict=True):
+            rates = [rule]
+            if of_places:
+                motion = dict(zip(names.q, names.v, strict=True))
+                rates.append(
+                    sympy.Add(*(rule.diff(x) * v for x, v in motion.items()), rule.diff(names.t))
+                )
+            for k, each in enumerate(rates):
+                value, size = self.system.numeric.sized(each)(*row)
+                if abs(value) > HOLDS * max(size, 1e-300):
+                    said = f"the {'rate of the ' if k else ''}constraint {names.back(rule)} = 0"
+                    raise RigidtopError(f"{said} does not hold at the start: it is {value:.6g}")
+        self._rates_at([*self.q, *self.qdot, *([0.0] * self._more)])
+
+    @property
+    def _more(self) -> int:
+        """Components of the state besides q and q̇: the work, the time."""
+        return int(self.system.numeric.works) + int(self.system.numeric.timed)
+
+    def _rates(self, state: Sequence[float]) -> tuple[float, ...]:
+        """ẋ of the state x = (q, q̇, work, t)."""
+        numeric = self.system.numeric
+        n = len(self.q)
+        time = state[-1] if numeric.timed else 0.0
+        made = numeric.rates.scalar(time, *state[: 2 * n], *self.parameters)
+        return (*made, 1.0) if numeric.timed else tuple(made)
+
+    def _rates_at(self, state: Sequence[float]) -> tuple[float, ...]:
+        """The same, what can't be computed in one line."""
+        try:
+            made = self._rates(state)
+        except (ZeroDivisionError, OverflowError, ValueError) as error:
+            made, why = (math.nan,), str(error)
+        else:
+            why = "they are not finite"
+        if not all(map(math.isfinite, made)):
+            n = len(self.q)
+            place = ", ".join(
+                f"{x.name} = {value:g}"
+                for x, value in zip(self.system.names.q, state[:n], strict=True)
+            )
+            raise RigidtopError(
+                f"the accelerations can't be computed at {place}: {why}; the mass matrix or a "
+                "force is singular there"
+            )
+        return made
+
+    def integrate(
+        self,
+        t: ArrayLike,
+        method: str = "DOP853",
+        rtol: float = 1e-10,
+        atol: float = 1e-12,
+        events: Mapping[str, Any] | None = None,
+        until: Any = None,
+    ) -> SystemTrajectory:
+        """The motion at the times `t`, integrated from the state at t = 0.
+
+        `t` (s) is a float or a row of N floats in any order, also negative; a tuple (start, end)
+        is a span, as SciPy has it, of 501 evenly spaced times.  `method` is one of
+        `scipy.integrate.solve_ivp`, with `rtol` and `atol` for each step, or "taylor", the Taylor
+        series of heyoka (``pip install 'rigidtop[taylor]'``), for which `rtol` bounds what a step
+        leaves out, relative to the largest component.
+
+        `events` are quantities by name, of q, q̇ and t, whose zeros are wanted: see
+        `SystemTrajectory.events`.  Rows after the first zero of `until` (before it, for t < 0) are
+        left out.  Raises RigidtopError where the solver does not arrive.
+        """
+        times = checks.times(t)
+        accuracy = Accuracy(method, rtol, atol)
+        numeric = self.system.numeric
+        start = np.array([*self.q, *self.qdot, *([0.0] * self._more)])
+        wanted = {name: self._watched(name, x) for name, x in (events or {}).items()}
+        if until is not None:
+            wanted[UNTIL] = self._watched("until", until)
+        seen: dict[str, list[float]] = {name: [] for name in wanted}
+
+        def sample(motion: Flow, ordered: Floats) -> Floats:
+            for name, value in wanted.items():
+                seen[name] += _zeros(motion, value, float(ordered[-1]))
+            return motion.path(ordered)
+
+        def flows(end: float) -> Flow:
+            if accuracy.method == TAYLOR:
+                return self._taylor(start, end, accuracy)
+            return flow(
+                lambda x: self._rates_at(x), start, end, accuracy, lambda _: np.ones(len(start))
+            )
+
+        with np.errstate(all="ignore"):
+            states = on_both_sides(flows, start, times, sample)
+        stops = seen.pop(UNTIL, [])
+        last = min((x for x in stops if x > 0), default=math.inf)
+        first = max((x for x in stops if x < 0), default=-math.inf)
+        kept = (times <= last) & (times >= first)
+        n = len(self.q)
+        return SystemTrajectory(
+            motion=self,
+            t=times[kept],
+            q=states[:n, kept].T.copy(),
+            qdot=states[n : 2 * n, kept].T.copy(),
+            work=states[2 * n, kept] if numeric.works else np.zeros(int(kept.sum())),
+            events={
+                name: np.array(sorted(x for x in at if first <= x <= last))
+                for name, at in seen.items()
+            },
+            ended=next((x for x in (last, first) if math.isfinite(x)), None),
+        )
+
+    def _watched(self, name: str, given: Any) -> Callable[[float, Floats], float]:
+        """A quantity as a function of a time and a state."""
+        system = self.system
+        value = system.quantity(expression(f"the event {name}", given))
+        made = system.numeric.of((value,))
+        n = len(self.q)
+
+        def at(time: float, state: Floats) -> float:
+            return float(made.scalar(time, *state[: 2 * n].tolist(), *self.parameters)[0])
+
+        return at
+
+    def _taylor(self, start: Floats, end: float, accuracy: Accuracy) -> Flow:
+        """By heyoka's Taylor series."""
+        heyoka = compiled.loaded("method 'taylor' needs heyoka")
+        numeric, n = self.system.numeric, len(self.q)
+        state = heyoka.make_vars(*(f"x{k}" for k in range(len(start))))
+        given = [heyoka.par[k] for k in range(len(self.parameters))]
+        time = state[-1] if numeric.timed else heyoka.expression(0.0)
+        right = compiled.on_symbols(heyoka, numeric.rates, "rates", [time, *state[: 2 * n], *given])
+        if numeric.timed:
+            right.append(heyoka.expression(1.0))
+        integrator = heyoka.taylor_adaptive(
+            list(zip(state, right, strict=True)), start, pars=self.parameters, tol=accuracy.rtol
+        )
+        outcomes = heyoka.taylor_outcome
+        pieces: list[Flow] = []
+        while not pieces or integrator.time != end:
+            outcome, *_, series, _ = integrator.propagate_until(
+                end, max_steps=STEPS_AT_ONCE, c_output=True
+            )
+            fine = outcome in (outcomes.time_limit, outcomes.step_limit)
+            if not (fine and np.all(np.isfinite(integrator.state))):
+                reached = f"t = {integrator.time:g} on the way to {end:g}"
+                raise RigidtopError(
+                    f"the integration stopped at {reached}: the Taylor series overflows"
+                )
+            if len(pieces) * STEPS_AT_ONCE > MOST_STEPS:
+                raise RigidtopError(f"more than {MOST_STEPS} steps on the way to {end:g}")
+            pieces.append(Flow(_path(series), np.asarray(series.times)))
+        return joined(pieces)
+
+
+UNTIL = ""
+
+
+def _path(series: Any) -> Callable[[Floats], Floats]:
+    return lambda times: np.ascontiguousarray(series(times).T)
+
+
+def _zeros(motion: Flow, value: Callable[[float, Floats], float], end: float) -> list[float]:
+    """The times at which a quantity goes through zero, t = 0 left out."""
+
+    def at(time: float) -> float:
+        return value(time, motion.path(np.array([time]))[:, 0])
+
+    steps = motion.steps
+    between = steps[:-1, None] + np.diff(steps)[:, None] * (np.arange(LOOKS) / LOOKS)
+    nodes = np.append(between.ravel(), steps[-1])
+    states = motion.path(nodes)
+    values = [value(float(time), state) for time, state in zip(nodes, states.T, strict=True)]
+    found = []
+    for k in range(len(nodes) - 1):
+        left, right = values[k], values[k + 1]
+        if right == 0:
+            found.append(float(nodes[k + 1]))
+        elif left * right < 0:
+            tiny = 4 * np.finfo(float).eps
+            found.append(float(brentq(at, nodes[k], nodes[k + 1], xtol=1e-14, rtol=tiny)))
+    return [x for x in found if abs(x) <= abs(end)]
+
+
+@dataclass(frozen=True, eq=False)
+class SystemTrajectory:
+    """What a system does at N times, one row each, in the order in which they were asked for."""
+
+    motion: SystemMotion
+    """The motion that it belongs to, with its system and its initial state."""
+
+    t: Floats
+    """Times, shape (N,), in s."""
+
+    q: Floats
+    """Coordinates, shape (N, n)."""
+
+    qdot: Floats
+    """Velocities, shape (N, n)."""
+
+    work: Floats
+    """What forces have done since t = 0, where the energy is not conserved, shape (N,)."""
+
+    events: Mapping[str, Floats] = field(default_factory=dict)
+    """The times of the zeros of each quantity that was asked for, t = 0 left out, increasing."""
+
+    ended: float | None = None
+    """When `until` was zero, after which there are no rows; None if it was not."""
+
+    def value(self, quantity: Any) -> Floats:
+        """A quantity of q, q̇, p, t and the parameters along the motion, shape (N,)."""
+        made = self._arrays((self._system.quantity(expression("the quantity", quantity)),))
+        return made[0]
+
+    @property
+    def _system(self) -> System:
+        return self.motion.system
+
+    def _arrays(self, expressions: Sequence[Expr]) -> Floats:
+        function = self._system.numeric.of(tuple(expressions))
+        with np.errstate(all="ignore"):
+            return function.array(self.t, *self.q.T, *self.qdot.T, *self.motion.parameters)
+
+    @cached_property
+    def energy(self) -> Floats:
+        """Jacobi's integral, shape (N,), in J."""
+        return self._arrays((self._system.jacobi,))[0]
+
+    @cached_property
+    def momenta(self) -> Floats:
+        """p = ∂L/∂q̇, shape (N, n)."""
+        return self._arrays(self._system.conjugate).T
+
+    @cached_property
+    def accelerations(self) -> Floats:
+        """q̈, shape (N, n)."""
+        return self._solved[:, : len(self.motion.q)]
+
+    @cached_property
+    def multipliers(self) -> Floats:
+        """λ of each of the k constraints, shape (N, k)."""
+        return -self._solved[:, len(self.motion.q) :]
+
+    @cached_property
+    def _solved(self) -> Floats:
+        with np.errstate(all="ignore"):
+            return self._system.numeric.solved.array(
+                self.t, *self.q.T, *self.qdot.T, *self.motion.parameters
+            ).T
+
+    def drift(self) -> dict[str, float]:
+        """By how much what is conserved strays from its value at t = 0, at most; constraints too.
+
+        Each is relative to the largest sum of the magnitudes of its terms along the motion.  Where
+        the energy is not conserved, "energy balance" is what energy and work fail to add up to.
+        """
+        numeric, start = self._system.numeric, self.motion
+        first = (0.0, *start.q, *start.qdot, *start.parameters)
+        drifts = {}
+        for name, value in self._system.constant.items():
+            made, sizes = self._sized(value)
+            initial, size = numeric.sized(value)(*first)
+            drifts[name] = _relative(made - initial, sizes, size)
+        if "energy" not in drifts:
+            made, sizes = self._sized(self._system.jacobi)
+            initial, size = numeric.sized(self._system.jacobi)(*first)
+            drifts["energy balance"] = _relative(made - initial - self.work, sizes, size)
+        for k, rule in enumerate(self._system.rules):
+            drifts[f"constraint {k + 1}"] = _relative(*self._sized(rule), 0.0)
+        return drifts
+
+    def _sized(self, value: Expr) -> tuple[Floats, Floats]:
+        made = self._arrays((value, *sympy.Add.make_args(sympy.expand(value))))
+        return made[0], np.abs(made[1:]).sum(axis=0)
+
+
+def _relative(change: Floats, sizes: Floats, size: float) -> float:
+    largest = max(float(np.max(sizes, initial=0.0)), size)
+    return float(np.max(np.abs(change), initial=0.0)) / (largest or 1.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Numeric:
+    """A system's functions of numbers: time, q, q̇ and parameters in, in this order."""
+
+    system: System
+
+    @cached_property
+    def arguments(self) -> tuple[Symbol, ...]:
+        names = self.system.names
+        return (names.t, *names.q, *names.v, *self.system.parameters)
+
+    @cached_property
+    def works(self) -> bool:
+        """Whether the work of the forces is followed: the energy is not conserved."""
+        return "energy" not in self.system.constant
+
+    @cached_property
+    def timed(self) -> bool:
+        """Whether the equations contain the time."""
+        system = self.system
+        values = [value for _, value in system.program.shared]
+        values += [*system.program.results, system.work_rate if self.works else sympy.S.Zero]
+        return any(x.has(system.names.t) for x in values)
+
+    @cached_property
+    def solved(self) -> Function:
+        """q̈ and −λ."""
+        return self._function(self.system.program.results, "solved")
+
+    @cached_property
+    def rates(self) -> Function:
+        """q̇, q̈, and the power where it is followed."""
+        n = len(self.system.names.q)
+        results = self.system.program.results
+        more: tuple[Expr, ...] = ()
+        if self.works:
+            forces = dict(zip(self.system.multipliers, (-x for x in results[n:]), strict=True))
+            more = (self.system.work_rate.xreplace(forces),)
+        return self._function((*self.system.names.v, *results[:n], *more), "rates")
+
+    def _function(self, results: Sequence[Expr], name: str) -> Function:
+        return plain.function(results, self.arguments, name, self.system.program.shared)
+
+    def of(self, expressions: tuple[Expr, ...]) -> Function:
+        """Other quantities."""
+        return plain.function(expressions, self.arguments, "quantity")
+
+    def sized(self, value: Expr) -> Callable[..., tuple[float, float]]:
+        """A quantity, and the sum of the magnitudes of its terms."""
+        made = self.of((value, *sympy.Add.make_args(sympy.expand(value))))
+
+        def at(*row: float) -> tuple[float, float]:
+            try:
+                first, *terms = made.scalar(*row)
+            except (ZeroDivisionError, OverflowError, ValueError) as error:
+                raise RigidtopError(f"{value} can't be computed at the start: {error}") from None
+            return float(first), float(sum(map(abs, terms)))
+
+        return at

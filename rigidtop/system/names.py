@@ -1,0 +1,218 @@
+"""What a system's quantities are called, whichever way they were given.
+
+Coordinates come as functions of time, such as SymPy's `dynamicsymbols`, or as plain symbols with
+their rates.  Inside all of them are plain symbols, in which SymPy computes many times faster, and
+which have letters; what is handed out is in the names that were given.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, TypeVar
+
+import sympy
+from sympy import Derivative, Eq, Expr, MatrixBase, Symbol
+from sympy.core.function import AppliedUndef
+
+from rigidtop.errors import RigidtopError
+from rigidtop.parameters import in_one_line
+from rigidtop.theory.lettered import Lettered
+from rigidtop.theory.symbols import Glyph, Quantity
+
+ExprOrMatrix = TypeVar("ExprOrMatrix", Expr, MatrixBase)
+
+
+@dataclass(frozen=True)
+class Names:
+    """Plain symbols for coordinates, velocities, accelerations and momenta, n of each.
+
+    `given` says which of them stand for what was given otherwise; `t` is the time.
+    """
+
+    q: tuple[Symbol, ...]
+    v: tuple[Symbol, ...]
+    a: tuple[Symbol, ...]
+    p: tuple[Symbol, ...]
+    t: Symbol
+    given: Mapping[Symbol, Expr]
+
+    def plain(self, expression: ExprOrMatrix) -> ExprOrMatrix:
+        """An expression in the given names, in plain symbols."""
+        if not self.given:
+            return expression
+        back = {x: symbol for symbol, x in self.given.items()}
+        # Derivatives first: a function would be found within its own.
+        rates = {x: y for x, y in back.items() if isinstance(x, Derivative)}
+        return expression.doit().xreplace(rates).xreplace(back)
+
+    def back(self, expression: ExprOrMatrix) -> ExprOrMatrix:
+        """An expression in plain symbols, in the given names."""
+        return expression.xreplace(dict(self.given)) if self.given else expression
+
+    @property
+    def rates(self) -> dict[Expr, Expr]:
+        """Which symbol is whose rate."""
+        return dict(zip((*self.q, *self.v), (*self.v, *self.a), strict=True))
+
+    def find(self, name: Any) -> Symbol | None:
+        """The coordinate that is meant: as it was given, its plain symbol, or its name."""
+        for symbol in self.q:
+            if name in (symbol, self.given.get(symbol), symbol.name):
+                return symbol
+        return None
+
+
+def named(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: Iterable[Symbol]) -> Names:
+    """Names for coordinates as they are given.  Raises RigidtopError, in one line, for others.
+
+    `taken` are the letters that mean something else already.
+    """
+    q = _row("coordinates", q)
+    qdot = None if qdot is None else _row("velocities", qdot)
+    if not q:
+        raise RigidtopError("a system needs a coordinate, such as q = [theta]")
+    for what, group in (("coordinates", q), ("velocities", qdot or ())):
+        if len({*group}) < len(group):
+            shown = ", ".join(map(str, group))
+            raise RigidtopError(f"among the {what}, {shown}, one stands twice")
+    if qdot is not None and len(qdot) != len(q):
+        raise RigidtopError(
+            f"{len(q)} coordinates and {len(qdot)} velocities: there have to be as many of each"
+        )
+    functions = [x for x in q if isinstance(x, AppliedUndef)]
+    if len(functions) not in (0, len(q)):
+        raise RigidtopError("coordinates are all functions of time, or all plain symbols")
+    if functions:
+        return _of_functions(q, qdot, {x.name for x in taken})
+    return _of_symbols(q, qdot, {x.name for x in taken})
+
+
+def _row(what: str, given: Any) -> tuple[Expr, ...]:
+    if isinstance(given, (str, bytes)) or not isinstance(
+        given, (Sequence, MatrixBase, Expr, sympy.Tuple)
+    ):
+        raise RigidtopError(f"the {what} must be symbols, such as [x, y], not {in_one_line(given)}")
+    row = (given,) if isinstance(given, Expr) else tuple(given)
+    for x in row:
+        if not (isinstance(x, Expr) and getattr(x, "_diff_wrt", False)):
+            raise RigidtopError(
+                f"{in_one_line(x)} is among the {what}: no symbol and no function of time"
+            )
+    return row
+
+
+def _of_symbols(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: set[str]) -> Names:
+    if qdot is None:
+        raise RigidtopError(
+            f"which symbol is the rate of {q[0]}? Plain coordinates need their velocities: "
+            "qdot = […], in the same order"
+        )
+    for x in (*q, *qdot):
+        if not isinstance(x, Symbol):
+            raise RigidtopError(f"{x} is given with plain symbols: it has to be one too")
+    both = [x for x in qdot if x in q]
+    if both:
+        raise RigidtopError(f"{both[0]} is given as a coordinate and as a velocity")
+    free = _Free(taken | {x.name for x in (*q, *qdot)})
+    a = tuple(_dotted(x, free, 2) for x in q)
+    p = tuple(_momentum(x, free) for x in q)
+    return Names(tuple(q), tuple(qdot), a, p, Symbol("t"), {})
+
+
+def _of_functions(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: set[str]) -> Names:
+    times = {x for f in q for x in f.args}
+    if len(times) != 1 or not next(iter(times)).is_Symbol:
+        raise RigidtopError(f"{', '.join(map(str, q))}: coordinates are functions of one time")
+    [t] = times
+    rates = [f.diff(t) for f in q]
+    for x, v, rate in zip(q, qdot or rates, rates, strict=True):
+        if v != rate:
+            raise RigidtopError(f"{v} is given as the rate of {x}: that is {rate}")
+    free = _Free(taken | {t.name})
+    plain = tuple(free.take(Symbol(f.func.__name__, real=True)) for f in q)
+    v, a = (tuple(_dotted(x, free, order) for x in plain) for order in (1, 2))
+    p = tuple(_momentum(x, free) for x in plain)
+    given = {
+        **dict(zip(plain, q, strict=True)),
+        **dict(zip(v, rates, strict=True)),
+        **{x: f.diff(t, 2) for x, f in zip(a, q, strict=True)},
+    }
+    return Names(plain, v, a, p, t, given)
+
+
+@dataclass
+class _Free:
+    """Names that are not taken yet; one that is gets underscores behind it."""
+
+    taken: set[str]
+
+    def take(self, wanted: Symbol) -> Symbol:
+        name = wanted.name
+        while name in self.taken:
+            name += "_"
+        self.taken.add(name)
+        if name == wanted.name:
+            return wanted
+        if isinstance(wanted, Lettered):
+            return Lettered(name, wanted.quantity, wanted.place, **wanted._assumptions_orig)
+        return Symbol(name, **wanted._assumptions_orig)
+
+
+def _dotted(x: Symbol, free: _Free, order: int) -> Symbol:
+    """A symbol for a rate: thetadot, thetaddot."""
+    accent = "d" * (order - 1) + "dot"
+    name = f"{x.name}{accent}"
+    if not isinstance(x, Lettered):
+        return free.take(Symbol(name, real=True))
+    unit = f"{x.quantity.unit}/s" if order == 1 else f"{x.quantity.unit}/s²"
+    quantity = Quantity(
+        replace(x.quantity.glyph, accent=accent),
+        f"{'rate' if order == 1 else 'second rate'} of {x.quantity.meaning}",
+        unit if x.quantity.unit else "",
+    )
+    return free.take(Lettered(name, quantity, x.place, real=True))
+
+
+def _momentum(x: Symbol, free: _Free) -> Symbol:
+    """A symbol for a momentum: p_theta."""
+    name = f"p_{x.name}"
+    if not isinstance(x, Lettered):
+        return free.take(Symbol(name, real=True))
+    glyph = x.quantity.glyph
+    quantity = Quantity(Glyph("p", sub=glyph.base + glyph.sub), f"momentum of {x.name}", "")
+    return free.take(Lettered(name, quantity, x.place, real=True))
+
+
+def multipliers(count: int, taken: Iterable[Symbol]) -> tuple[Symbol, ...]:
+    """λ₁, λ₂, … of constraints."""
+    free = _Free({x.name for x in taken})
+    made = []
+    for k in range(count):
+        quantity = Quantity(Glyph("λ", str(k + 1) if count > 1 else ""), "multiplier", "")
+        made.append(free.take(Lettered(f"multiplier{k + 1}", quantity, k, real=True)))
+    return tuple(made)
+
+
+def expression(what: str, given: Any) -> Expr:
+    """An expression of SymPy, or a number; of an equation the left side less the right.
+
+    Raises RigidtopError.
+    """
+    if isinstance(given, Eq):
+        given = given.lhs - given.rhs
+    try:
+        made = sympy.sympify(given, strict=True)
+    except sympy.SympifyError:
+        made = None
+    if not isinstance(made, Expr):
+        raise RigidtopError(f"{what} must be an expression of SymPy, not {in_one_line(given)}")
+    if made.has(sympy.nan, sympy.zoo, sympy.oo, -sympy.oo):
+        raise RigidtopError(f"{what} must be finite, not {in_one_line(given)}")
+    return made
+
+
+def own_functions(expressions: Sequence[Expr]) -> Iterator[Expr]:
+    """Functions of time and derivatives that are left: no coordinates, and no velocities."""
+    for each in expressions:
+        yield from sorted(each.atoms(Derivative, AppliedUndef), key=str)

@@ -1,0 +1,136 @@
+"""Systems that know their exact answers, and other ways to their equations."""
+
+import importlib.util
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy
+from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
+
+import rigidtop as rt
+
+KNOWN = sorted(Path(__file__).with_name("known").glob("*.py"))
+
+
+def _loaded(path):
+    spec = importlib.util.spec_from_file_location(f"known_{path.stem}", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture(scope="module", params=KNOWN, ids=lambda path: path.stem)
+def known(request):
+    return _loaded(request.param)
+
+
+def test_a_system_gives_its_known_answer(known):
+    answers = list(known.answers())
+    assert answers
+    for what, error, allowed in answers:
+        assert np.max(np.abs(error)) <= allowed, what
+
+
+def test_what_is_conserved_is_found(known):
+    assert set(known.SYSTEM.conserved) == known.CONSERVED
+
+
+def _in_functions(system):
+    """L and the rest of a system in functions of time, as SymPy wants them."""
+    names = system.names
+    if names.given:
+        given = dict(names.given)
+    else:
+        functions = dynamicsymbols([f"{x.name}_f" for x in names.q])
+        t = dynamicsymbols._t
+        given = {
+            **dict(zip(names.q, functions, strict=True)),
+            **{v: f.diff(t) for v, f in zip(names.v, functions, strict=True)},
+        }
+    rules = [rule.xreplace(given) for rule in system.rules]
+    forces = [Q.xreplace(given) for Q in system.generalised_forces]
+    return system.plain.xreplace(given), [given[x] for x in names.q], rules, forces, given
+
+
+def _sympy(system):
+    """M and f of SymPy's LagrangesMethod, with the multipliers' columns where it has them."""
+    L, q, rules, forces, given = _in_functions(system)
+    frame = sympy.physics.mechanics.ReferenceFrame("N")
+    points = [sympy.physics.mechanics.Point(f"P{k}") for k in range(len(q))]
+    loads = []
+    for x, point, Q in zip(q, points, forces, strict=True):
+        point.set_vel(frame, x.diff() * frame.x)
+        loads += [(point, Q * frame.x)] if Q != 0 else []
+    flags = dict(zip(("hol", "non"), ([], []), strict=True))
+    for rule, of_places in zip(rules, system.holonomic, strict=True):
+        flags["hol" if of_places else "non"].append(rule)
+    method = LagrangesMethod(
+        L,
+        q,
+        forcelist=loads or None,
+        frame=frame,
+        hol_coneqs=flags["hol"] or None,
+        nonhol_coneqs=flags["non"] or None,
+    )
+    method.form_lagranges_equations()
+    return method, given
+
+
+def _point(system, seed):
+    rng = np.random.default_rng(seed)
+    arguments = system.numeric.arguments
+    return {x: float(rng.uniform(0.5, 1.5)) for x in arguments}
+
+
+def test_accelerations_are_those_of_sympy(known):
+    system = known.SYSTEM
+    method, given = _sympy(system)
+    n = len(system.q)
+    back = {f: x for x, f in given.items()}
+    rates = {f: x for f, x in back.items() if isinstance(f, sympy.Derivative)}
+    for seed in (1, 2):
+        at = _point(system, seed)
+        matrix, force = (
+            np.array(
+                side.xreplace(rates).xreplace(back).xreplace(at).evalf(20).tolist(), dtype=float
+            )
+            for side in (method.mass_matrix_full, method.forcing_full)
+        )
+        theirs = np.linalg.solve(matrix, force).ravel()[n : 2 * n]
+        ours = system.numeric.solved.scalar(*at.values())[:n]
+        assert ours == pytest.approx(theirs, rel=1e-9, abs=1e-9)
+        written = system.names.plain(system.accelerations).xreplace(at)
+        assert [float(x) for x in written] == pytest.approx(theirs, rel=1e-9, abs=1e-9)
+
+
+def test_no_more_operations_than_sympy(known):
+    """Against `rhs()` where there are few coordinates, else before the equations are solved."""
+    method, _ = _sympy(known.SYSTEM)
+    small = len(known.SYSTEM.q) < 3 and not known.SYSTEM.constraints
+    theirs = (
+        method.rhs()[len(known.SYSTEM.q) :]
+        if small
+        else method.mass_matrix.row_join(method.forcing)
+    )
+    shared, reduced = sympy.cse(list(theirs))
+    count = sympy.count_ops([*(value for _, value in shared), *reduced])
+    solving = 0 if small else len(known.SYSTEM.q) ** 3 // 3 + len(known.SYSTEM.q) ** 2
+    assert known.SYSTEM.program.operations <= count + solving
+
+
+def test_equations_vanish_with_the_accelerations(known):
+    system, names = known.SYSTEM, known.SYSTEM.names
+    at = _point(system, 3)
+    solved = system.numeric.solved.scalar(*at.values())
+    n = len(system.q)
+    at |= dict(zip(names.a, solved, strict=False))
+    at |= dict(zip(system.multipliers, (-x for x in solved[n:]), strict=True))
+    assert [float(x) for x in names.plain(system.equations).xreplace(at)] == pytest.approx(
+        [0.0] * n, abs=1e-9
+    )
+
+
+def test_certified(known):
+    differences = known.SYSTEM.certify(known.PARAMETERS) if hasattr(rt.System, "certify") else {}
+    assert all(error < 1e-9 for error in differences.values()), differences
