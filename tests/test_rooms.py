@@ -16,7 +16,7 @@ READS = {
     "proof": {"errors", "theory", "parameters"},
     "codegen": {"errors", "theory", "proof"},
     "motion": {"errors", "parameters"},
-    "system": {"errors", "theory", "parameters", "proof", "codegen", "motion"},
+    "system": {"errors", "theory", "parameters", "proof", "codegen", "motion", "present"},
     "derivations": {
         "errors",
         "theory",

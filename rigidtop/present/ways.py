@@ -299,22 +299,22 @@ def steps(
     lecture: Lecture, name: str, notation: Notation = NOTES, deep: bool = False
 ) -> list[dict[str, Any]]:
     """The lines as records for programs."""
-    made = []
-    for id in lecture.way(name, deep)[0]:
-        each = lecture.judged(id)
-        equations = [notation.written(equation) for equation in each.line.equations]
-        made.append(
-            {
-                "id": id,
-                "equation": "; ".join(text(equation) for equation in equations),
-                "latex": r",\quad ".join(latex(equation) for equation in equations),
-                "move": " ".join(each.line.sentence.split()).rstrip(":"),
-                "from": list(lecture.cites(id)),
-                "conditions": [_condition(c, notation) for c in each.known.conditions],
-                "verdict": _verdict(each),
-            }
-        )
-    return made
+    return [step(lecture, id, notation) for id in lecture.way(name, deep)[0]]
+
+
+def step(lecture: Lecture, id: str, notation: Notation = NOTES) -> dict[str, Any]:
+    """A line as a record for programs."""
+    each = lecture.judged(id)
+    equations = [notation.written(equation) for equation in each.line.equations]
+    return {
+        "id": id,
+        "equation": "; ".join(text(equation) for equation in equations),
+        "latex": r",\quad ".join(latex(equation) for equation in equations),
+        "move": " ".join(each.line.sentence.split()).rstrip(":"),
+        "from": list(lecture.cites(id)),
+        "conditions": [_condition(c, notation) for c in each.known.conditions],
+        "verdict": _verdict(each),
+    }
 
 
 def _condition(condition: Condition, notation: Notation) -> str:

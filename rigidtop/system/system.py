@@ -20,6 +20,7 @@ from rigidtop.theory import lagrangian as mechanics
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
 if TYPE_CHECKING:
+    from rigidtop.system.derivation import Derivation
     from rigidtop.system.motion import Numeric, SystemMotion
 
 REDUCED = 4000
@@ -591,6 +592,19 @@ class System:
     def effective_potential(self) -> Expr:
         """Minus the Routhian where the velocities of the other coordinates vanish."""
         return self.names.back(-self._routhian.subs(dict.fromkeys(self.names.v, 0)))
+
+    def derivation(self) -> Derivation:
+        """The way from L to the equations of motion by lines and moves, judged and typeset.
+
+        >>> from sympy import symbols
+        >>> m, k, x, v = symbols("m k x v", positive=True)
+        >>> way = System(m*v**2/2 - k*x**2/2, [x], [v]).derivation()
+        >>> way
+        <Derivation: 11 lines, all follow>
+        """
+        from rigidtop.system.derivation import derivation
+
+        return derivation(self)
 
     # --- motions ----------------------------------------------------------------------------------
 

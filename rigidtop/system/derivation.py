@@ -1,0 +1,363 @@
+"""The way from L to the equations of motion, line by line, judged by the engine of the lecture.
+
+Every line is what a lecturer writes on the board: ∂ℒ/∂q̇, its rate, ∂ℒ/∂q, both put into
+Lagrange's equation, solved for q̈; what is conserved besides.  The system says what each line is;
+the engine (`rigidtop.proof.derivation`) makes the move that its sentence names with what it cites,
+and has to arrive there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import sympy
+from sympy import Expr, Symbol
+
+from rigidtop.errors import RigidtopError
+from rigidtop.present import html, plain, tex
+from rigidtop.present.latex import latex
+from rigidtop.present.layout import glyph
+from rigidtop.present.report import Display
+from rigidtop.present.ways import gap, step, text_blocks
+from rigidtop.proof.algebra import TIME, Letters
+from rigidtop.proof.derivation import Judged, Line
+from rigidtop.proof.equation import Equation, Partial, Rate
+from rigidtop.proof.lecture import Block, Heading, Lecture, Shown, Text
+from rigidtop.proof.moves import Known, Move, Scope
+from rigidtop.system.names import own_functions
+from rigidtop.system.system import System, _parts, _short
+from rigidtop.theory.lettered import Lettered
+from rigidtop.theory.symbols import VOCABULARY, E, Lagrangian, Quantity, const
+
+if TYPE_CHECKING:
+    from rigidtop.present.report import Block as Written
+
+SOLVED = 4
+"""Unknowns up to which equations are solved on the board."""
+
+LONG = 400
+"""Operations in what is solved for up to which it is written on the board."""
+
+NAME = "the system"
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """The lines from L to the equations of motion, each with its move; it shows itself.
+
+    `lecture` is what the engine judges: `rigidtop.proof.lecture.Lecture`.
+    """
+
+    system: System
+    lecture: Lecture = field(repr=False)
+
+    @cached_property
+    def judged(self) -> tuple[Judged, ...]:
+        """What becomes of each line."""
+        return tuple(self.lecture.judged(id) for id in self.lecture.lines)
+
+    @property
+    def follows(self) -> bool:
+        """Whether every line follows by its move from what it cites."""
+        return all(each.follows for each in self.judged)
+
+    def gaps(self) -> tuple[str, ...]:
+        """What does not follow, one line each."""
+        return tuple(gap(each, self.lecture.letters) for each in self.judged if not each.follows)
+
+    def __len__(self) -> int:
+        return len(self.judged)
+
+    def __iter__(self) -> Iterator[Judged]:
+        return iter(self.judged)
+
+    def __repr__(self) -> str:
+        state = "all follow" if self.follows else f"{len(self.gaps())} do not follow"
+        return f"<Derivation: {len(self)} lines, {state}>"
+
+    @cached_property
+    def blocks(self) -> list[Written]:
+        """As documents are made of."""
+        [page] = self.lecture.texts
+        # SymPy has put the equations together: they are ordered as mechanics has it.
+        return [
+            replace(block, rows=tuple(replace(row, order="auto") for row in block.rows))
+            if isinstance(block, Display)
+            else block
+            for block in text_blocks(self.lecture, page)
+        ]
+
+    def __str__(self) -> str:
+        return plain.fragment(self.blocks)
+
+    def latex(self) -> str:
+        """For a document that has amsmath."""
+        return tex.fragment(self.blocks)
+
+    def html(self) -> str:
+        """With MathML."""
+        return html.fragment(self.blocks)
+
+    def _repr_html_(self) -> str:
+        return self.html()
+
+    def steps(self) -> list[dict[str, Any]]:
+        """The lines as records for programs, as `rigidtop derive --json` gives them."""
+        return [step(self.lecture, id) for id in self.lecture.lines]
+
+
+def derivation(system: System) -> Derivation:
+    """See `System.derivation`."""
+    for x in own_functions([system.plain, *system.rules, *system.generalised_forces]):
+        raise RigidtopError(f"L has the function {x}: put in what it is before you derive")
+    writer = _Writer(system)
+    writer.write()
+    page = Text("the derivation", NAME, tuple(writer.blocks))
+    return Derivation(system, Lecture(writer.letters, (page,)))
+
+
+def _lettered(symbol: Symbol, place: int) -> Symbol:
+    """The same with a letter and a place in print."""
+    vocabulary = VOCABULARY.get(symbol)
+    quantity = vocabulary or getattr(symbol, "quantity", None)
+    if quantity is None:
+        quantity = Quantity(glyph(symbol.name), "", "")
+    return Lettered(symbol.name, quantity, place, **symbol._assumptions_orig)
+
+
+@dataclass
+class _Writer:
+    """Writes the lines in order, in letters that have their places in print."""
+
+    system: System
+    blocks: list[Block] = field(default_factory=list)
+
+    @cached_property
+    def shown(self) -> dict[Symbol, Symbol]:
+        """The system's letters with their places: parameters, rates, coordinates."""
+        names = self.system.names
+        row = [*self.system.parameters, *names.a, *names.v, *names.q]
+        return {x: _lettered(x, place) for place, x in enumerate(row)} | {names.t: TIME}
+
+    @cached_property
+    def letters(self) -> Letters:
+        """What the engine has to know of the letters."""
+        names, shown = self.system.names, self.shown
+        q, v, a = (tuple(shown[x] for x in group) for group in (names.q, names.v, names.a))
+        units = {x: x.quantity.unit for x in shown.values() if isinstance(x, Lettered)}
+        return Letters(
+            numbers=frozenset(shown[x] for x in self.system.parameters),
+            coordinates=q,
+            rates=dict(zip((*q, *v), (*v, *a), strict=True)),
+            units=units,
+        )
+
+    def write(self) -> None:
+        """All of it."""
+        system, names = self.system, self.system.names
+        self.heading("What is given")
+        self.L = self.law("The Lagrangian", Equation(Lagrangian, self.own(system.plain)))
+        A = system.rolling[:, : len(names.q)]
+        laws = []
+        for k, x in enumerate(self.own(y) for y in names.q):
+            pushed = sympy.Add(*(y * A[i, k] for i, y in enumerate(system.multipliers)))
+            right = Partial(Lagrangian, x) + self.own(system.generalised_forces[k] + pushed)
+            equation = Equation(Rate(Partial(Lagrangian, self.own(names.v[k]))), right)
+            laws.append(self.law("Lagrange's equation for ", equation, x, along=True))
+        rules = [
+            self.law(_numbered("the constraint", i, A.rows), Equation(self.own(x), 0), along=True)
+            for i, x in enumerate(system.rules)
+        ]
+        coordinates = [self.coordinate(k, law) for k, law in enumerate(laws)]
+        held = [self.held(rule, i) for i, rule in enumerate(rules)]
+        solved = self.solved([balanced for balanced, _ in coordinates], held)
+        self.energy([momentum for _, momentum in coordinates], solved)
+
+    # --- lines ------------------------------------------------------------------------------------
+
+    def own(self, value: Expr) -> Expr:
+        """In the letters that are shown."""
+        return value.xreplace(self.shown)
+
+    def heading(self, *words: Any) -> None:
+        self.blocks.append(Heading(2, _said(words), len(self.blocks) + 1, words))
+
+    def law(self, called: str, equation: Equation, *more: Any, along: bool = False) -> Known:
+        """What stands by itself; some of it holds along the motion only."""
+        words = ("Along the motion, " + called if along else called, *more)
+        scope = Scope.MOTION if along else Scope.IDENTITY
+        return self.line(words, equation, None, scope, called + _said(more))
+
+    def line(
+        self,
+        words: Sequence[Any],
+        equations: Equation | Sequence[Equation],
+        move: Move | None,
+        scope: Scope = Scope.IDENTITY,
+        called: str = "",
+    ) -> Known:
+        """A line with its sentence."""
+        spoken, at = (*words, ":"), len(self.blocks) + 1
+        made = (equations,) if isinstance(equations, Equation) else tuple(equations)
+        line = Line(
+            id=f"line {at}",
+            equations=made,
+            sentence=_said(spoken),
+            words=spoken,
+            move=move,
+            scope=scope,
+            called=called,
+            file="the derivation",
+            at=at,
+        )
+        shown = r",\quad ".join(latex(each) for each in made)
+        self.blocks.append(Shown(shown, at, line))
+        return Known(line.id, line.equations, line.scope, called=line.called)
+
+    def coordinate(self, k: int, law: Known) -> tuple[Known, Known]:
+        """∂ℒ/∂q̇, its rate, ∂ℒ/∂q, put into Lagrange's equation; and the first of these."""
+        system, names = self.system, self.system.names
+        x, v = self.own(names.q[k]), self.own(names.v[k])
+        by_rate, by_place = Partial(Lagrangian, v), Partial(Lagrangian, x)
+        momentum = self.own(_short(system.conjugate[k]))
+        slope = self.own(_short(system.plain.diff(names.q[k])))
+        self.heading("Equation of motion for ", x)
+        p = self.line(
+            ("Differentiate the Lagrangian by ", v),
+            Equation(by_rate, momentum),
+            Move("differentiate", (self.L,), by=(v,)),
+        )
+        force = self.line(
+            ("Differentiate the Lagrangian by ", x),
+            Equation(by_place, slope),
+            Move("differentiate", (self.L,), by=(x,)),
+        )
+        if system.q[k] in system.cyclic:
+            self.conserved(p, force, law, x)
+        rate = _short(self.rate(momentum))
+        turning = self.line(
+            ("Take the rate of ", by_rate), Equation(Rate(by_rate), rate), Move("rate", (p,))
+        )
+        [equation] = law.equations
+        right = _short(equation.sides[1].xreplace({by_place: slope}))
+        made = self.line(
+            ("Put it and ", by_place, " into Lagrange's equation for ", x),
+            Equation(rate, right, tag=str(k + 1)),
+            Move("put", (law,), using=(turning, force)),
+        )
+        return made, p
+
+    def conserved(self, p: Known, force: Known, law: Known, x: Expr) -> None:
+        """The momentum of a cyclic coordinate."""
+        by_rate, momentum = p.equations[0].sides
+        kept = self.line(
+            ("Put it into Lagrange's equation for ", x),
+            Equation(Rate(by_rate), 0),
+            Move("put", (law,), using=(force,)),
+        )
+        constant = self.line(
+            ("Integrate it",), Equation(by_rate, const), Move("integrate", (kept,))
+        )
+        self.line(
+            ("Put ", by_rate, " into it"),
+            Equation(momentum, const),
+            Move("put", (constant,), using=(p,)),
+        )
+
+    def rate(self, value: Expr) -> Expr:
+        """d/dt of a value in the letters that are shown."""
+        rates = self.letters.rates
+        return sympy.Add(*(value.diff(x) * rate for x, rate in rates.items()), value.diff(TIME))
+
+    def held(self, rule: Known, i: int) -> Known:
+        """A constraint, its rate taken until it has accelerations."""
+        count = len(self.system.rules)
+        self.heading("The rate of " + _numbered("the constraint", i, count))
+        known, called = rule, rule.called
+        for last in (False, True) if self.system.holonomic[i] else (True,):
+            rate = _short(self.rate(known.equations[0].sides[0]))
+            known = self.line(
+                (f"Take the rate of {called}",),
+                Equation(rate, 0, tag=f"c{i + 1}" if last else ""),
+                Move("rate", (known,)),
+            )
+            called = "it"
+        return known
+
+    def solved(self, balanced: Sequence[Known], held: Sequence[Known]) -> list[Known]:
+        """The accelerations, of equations that hang together at once; none where that is long."""
+        system, names = self.system, self.system.names
+        unknown = [*names.a, *system.multipliers]
+        parts = _parts(names.plain(system.mass_matrix))
+        if held:
+            parts = [list(range(len(unknown)))]
+        if max(map(len, parts)) > SOLVED:
+            return []
+        values = [*map(names.plain, (*system.accelerations, *system.constraint_forces))]
+        if any(value.count_ops() > LONG for value in values):
+            return []
+        self.heading("The accelerations")
+        made = []
+        for part in parts:
+            equations = [(*balanced, *held)[k] for k in part]
+            which = _listed([f"({known.tag})" for known in equations])
+            wanted = [self.own(unknown[k]) for k in part]
+            made.append(
+                self.line(
+                    (f"Solve {which} for ", *_between(wanted)),
+                    [Equation(x, self.own(values[k])) for x, k in zip(wanted, part, strict=True)],
+                    Move("solve", tuple(equations), by=tuple(wanted)),
+                )
+            )
+        return made
+
+    def energy(self, momenta: Sequence[Known], solved: Sequence[Known]) -> None:
+        """Jacobi's integral, and that it is constant where it is."""
+        system, names = self.system, self.system.names
+        slopes = {self.own(v): Partial(Lagrangian, self.own(v)) for v in names.v}
+        self.heading("The energy")
+        turned = sympy.Add(*(v * slope for v, slope in slopes.items()), -Lagrangian)
+        law = self.law("The energy, Jacobi's integral", Equation(E, turned))
+        energy = self.line(
+            ("Put the Lagrangian", *_more([*slopes.values()]), " into it"),
+            Equation(E, self.own(system.jacobi)),
+            Move("put", (law,), using=(self.L, *momenta)),
+        )
+        if "energy" not in system.constant or not solved or system.constraints:
+            return
+        letters = [e.sides[0] for known in solved for e in known.equations]
+        kept = self.line(
+            ("Take the rate of it, with ", *_between(letters)),
+            Equation(Rate(E), 0),
+            Move("rate", (energy,), using=tuple(solved)),
+        )
+        self.line(("Integrate it",), Equation(E, const), Move("integrate", (kept,)))
+
+
+def _numbered(what: str, k: int, count: int) -> str:
+    return what if count == 1 else f"{what} no. {k + 1}"
+
+
+def _said(words: Sequence[Any]) -> str:
+    """A sentence with its mathematics in dollars."""
+    return "".join(x if isinstance(x, str) else f"${latex(x)}$" for x in words)
+
+
+def _listed(words: Sequence[str]) -> str:
+    return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
+
+
+def _between(letters: Sequence[Any]) -> list[Any]:
+    """x, y and z."""
+    return _more(letters)[1:]
+
+
+def _more(letters: Sequence[Any]) -> list[Any]:
+    """…, x, y and z."""
+    made: list[Any] = []
+    for k, x in enumerate(letters):
+        made += [" and " if k == len(letters) - 1 else ", ", x]
+    return made

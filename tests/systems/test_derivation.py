@@ -1,0 +1,89 @@
+"""The way from L to the equations of motion: every line follows, and nothing else does."""
+
+from dataclasses import replace
+
+import pytest
+from sympy import cos, sin, symbols
+
+import rigidtop as rt
+from rigidtop.proof.derivation import judge_line
+
+m, k, c, g, R, length = symbols("m k c g R length", positive=True)
+x, y, u, v, F, t, r, w = symbols("x y u v F t r w", real=True)
+ORBIT = rt.System(m * (u**2 + r**2 * w**2) / 2 + k / r, [r, x], [u, w])
+SYSTEMS = {
+    "two coordinates, one cyclic": ORBIT,
+    "forced and damped": rt.System(
+        m * u**2 / 2 - k * x**2 / 2, x, u, forces=F * cos(3 * t), rayleigh=c * u**2 / 2
+    ),
+    "by a constraint": rt.System(
+        m * (u**2 + v**2) / 2 - m * g * y, [x, y], [u, v], constraints=x**2 + y**2 - length**2
+    ),
+    "coupled": rt.System(m * (u**2 + v**2 + u * v) / 2 - k * sin(y), [x, y], [u, v]),
+    "sleigh": rt.System(
+        m * (u**2 + v**2 + R**2 * w**2) / 2,
+        [x, y, r],
+        [u, v, w],
+        forces={r: F},
+        constraints=u * sin(r) - v * cos(r),
+    ),
+}
+
+
+@pytest.fixture(scope="module", params=SYSTEMS)
+def way(request):
+    return SYSTEMS[request.param].derivation()
+
+
+def test_every_line_follows(way):
+    assert way.gaps() == ()
+    assert way.follows
+    assert len(way) > 7
+
+
+def test_nothing_is_cited_for_nothing_and_every_change_falls(way):
+    for id in way.lecture.lines:
+        trial = way.lecture.trial(id)
+        assert trial.unneeded == (), id
+        survived = trial.survived
+        if way.lecture.lines[id].sentence.startswith("Solve"):
+            # p = const says what its rate says.
+            survived = [x for x in survived if not x.endswith("cited instead")]
+        assert not survived, id
+
+
+def test_it_ends_at_the_accelerations():
+    last = [line for line in ORBIT.derivation() if line.line.sentence.startswith("Solve")]
+    found = [e.sides[1] for line in last for e in line.line.equations]
+    names = {z.name: z for z in ORBIT.names.q + ORBIT.names.v + ORBIT.parameters}
+    back = [e.xreplace({z: names[z.name] for z in e.free_symbols}) for e in found]
+    assert back == list(ORBIT.accelerations)
+
+
+def test_a_wrong_lagrangian_is_a_gap():
+    way = ORBIT.derivation()
+    for judged in way:
+        if judged.line.sentence.startswith("Differentiate"):
+            [equation] = judged.line.equations
+            wrong = type(equation)(equation.sides[0], equation.sides[1] + 1)
+            assert not judge_line(
+                replace(judged.line, equations=(wrong,)), way.lecture.letters
+            ).follows
+
+
+def test_it_shows_itself():
+    way = ORBIT.derivation()
+    assert repr(way) == f"<Derivation: {len(way)} lines, all follow>"
+    assert "Lagrange's equation for r" in str(way)
+    assert "∂ℒ/∂w = mwr²" in str(way)
+    assert r"\frac{\partial\mathcal{L}}{\partial w}" in way.latex()
+    assert "<math" in way._repr_html_()
+    assert {step["verdict"] for step in way.steps()} == {"definition", "follows"}
+
+
+def test_functions_of_time_that_are_not_known_are_refused():
+    from sympy import Function
+
+    lifted = rt.System(m * (u + Function("a")(t)) ** 2 / 2, x, u)
+    with pytest.raises(rt.RigidtopError, match=r"L has the function a\(t\)"):
+        lifted.derivation()
