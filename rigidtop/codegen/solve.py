@@ -55,6 +55,7 @@ def solved(matrix: MatrixBase, right: Sequence[Expr], names: Iterator[Symbol]) -
     n = matrix.rows
     entries = [*matrix, *right]
     shared, reduced = sympy.cse(entries, symbols=names)
+    shared, reduced = _with_signs(shared, reduced)
     numbers = _somewhere(shared, reduced)
     program = _Program(list(shared), names)
     a = {(i, j): program.named(reduced[i * n + j]) for i in range(n) for j in range(n)}
@@ -132,6 +133,21 @@ def _pivot(
         if found and scale > 0:
             return min(found, key=lambda p: (others(*p), not at[p] > 0, p))
     raise SingularError("the matrix is singular")
+
+
+def _with_signs(
+    shared: Sequence[tuple[Symbol, Expr]], entries: Sequence[Expr]
+) -> tuple[list[tuple[Symbol, Expr]], list[Expr]]:
+    """Without lines x = −y: a sign goes into the sum or the product where it is used."""
+    signed: dict[Symbol, Expr] = {}
+    kept = []
+    for name, value in shared:
+        put = value.xreplace(signed)
+        if (-put).is_Symbol:
+            signed[name] = put
+        else:
+            kept.append((name, put))
+    return kept, [e.xreplace(signed) for e in entries]
 
 
 def _somewhere(shared: Sequence[tuple[Symbol, Expr]], entries: Sequence[Expr]) -> list[sympy.Float]:

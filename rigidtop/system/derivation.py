@@ -99,7 +99,7 @@ class Derivation:
 
     def html(self) -> str:
         """With MathML."""
-        return html.fragment(self.blocks)
+        return "\n".join(map(html.html_block, self.blocks))
 
     def _repr_html_(self) -> str:
         return self.html()

@@ -22,6 +22,7 @@ from rigidtop.theory.trig import reduce_ratio, reduce_trig
 if TYPE_CHECKING:
     from rigidtop.system.derivation import Derivation
     from rigidtop.system.motion import Numeric, SystemMotion
+    from rigidtop.system.steady import Small
 
 REDUCED = 4000
 """Operations in an expression up to which a normal form is tried, to see whether it is shorter."""
@@ -267,14 +268,14 @@ class System:
         found: list[StraightLine] = []
         for entries in forms:
             free = (x for x in sympy.numbered_symbols("x") if x.name not in taken)
-            matrix, right = self._constrained(Matrix(n, n, entries[: n * n]), entries[n * n :])
+            matrix, right = self.with_constraints(Matrix(n, n, entries[: n * n]), entries[n * n :])
             try:
                 found.append(solved(matrix, right, free))
             except SingularError:
                 raise RigidtopError(self._why_singular(mass)) from None
         return min(found, key=lambda each: each.operations)
 
-    def _constrained(self, mass: Matrix, force: list[Expr]) -> tuple[Matrix, list[Expr]]:
+    def with_constraints(self, mass: Matrix, force: list[Expr]) -> tuple[Matrix, list[Expr]]:
         """With a row for each constraint, derived by time until it has accelerations."""
         if not self.constraints:
             return mass, force
@@ -519,10 +520,11 @@ class System:
         >>> System(m*v**2/2 - k*x**2/2, [x], [v]).hamiltonian
         k*x**2/2 + p_x**2/(2*m)
         """
-        return self.names.back(self._hamiltonian)
+        return self.names.back(self.reduced_hamiltonian)
 
     @cached_property
-    def _hamiltonian(self) -> Expr:
+    def reduced_hamiltonian(self) -> Expr:
+        """H(q, p, t), plain."""
         names = self.names
         if self._balance[0].has(*names.v):
             turned = sympy.Add(*(p * v for p, v in zip(names.p, names.v, strict=True)))
@@ -541,7 +543,7 @@ class System:
     def hamilton_equations(self) -> Matrix:
         """q̇ = ∂H/∂p and ṗ = −∂H/∂q + Q + Σ λA (2n×1), the coordinates first."""
         names = self.names
-        made = mechanics.hamilton_equations(self._hamiltonian, names.q, names.p)
+        made = mechanics.hamilton_equations(self.reduced_hamiltonian, names.q, names.p)
         n = len(self.q)
         A = self.rolling[:, :n]
         acting = Matrix(self.generalised_forces)
@@ -605,6 +607,58 @@ class System:
         from rigidtop.system.derivation import derivation
 
         return derivation(self)
+
+    # --- steady motions, other ways ---------------------------------------------------------------
+
+    @cached_property
+    def balance(self) -> Matrix:
+        """∂L/∂q + Q where all velocities vanish (n×1): zero at an equilibrium."""
+        from rigidtop.system.steady import balance
+
+        return self.names.back(balance(self).applyfunc(_short))
+
+    def equilibria(self) -> tuple[dict[Expr, Expr], ...]:
+        """Where the system stays at rest, as SymPy solves it: the coordinates that are not free.
+
+        Raises RigidtopError where SymPy does not, and for constraints.
+
+        >>> from sympy import cos, symbols
+        >>> m, l, g = symbols("m l g", positive=True)
+        >>> theta, w = symbols("theta w", real=True)
+        >>> System(m*l**2*w**2/2 + m*g*l*cos(theta), [theta], [w]).equilibria()
+        ({theta: 0}, {theta: pi})
+        """
+        from rigidtop.system.steady import equilibria
+
+        return equilibria(self)
+
+    def small(self, about: Mapping[Any, Any]) -> Small:
+        """Small deviations from a steady motion: matrices, frequencies, stability.
+
+        `about` gives the steady values of coordinates and velocities; velocities that are not given
+        are zero.  Raises RigidtopError where that is no steady motion.
+        """
+        from rigidtop.system.steady import small
+
+        return small(self, about)
+
+    def numbers_of(self, parameters: Mapping[Any, Any]) -> dict[Expr, Expr]:
+        """Numbers for all parameters, which are given by symbol or by name."""
+        from rigidtop.system.steady import numbers_of
+
+        return numbers_of(self, parameters)
+
+    def certify(self, parameters: Mapping[Any, Any], seed: int = 0) -> dict[str, float]:
+        """How far other ways to q̈ are from Lagrange's, at most, at states that are drawn.
+
+        "Hamilton" by H(q, p); "Newton–Euler" by d'Alembert's principle, where the system was made
+        of parts; "balance of energy" is dE/dt less the power of the forces.  Differences are
+        relative; all are rounding where all is well.  Raises RigidtopError where there is no other
+        way.
+        """
+        from rigidtop.system.certify import certify
+
+        return certify(self, parameters, seed)
 
     # --- motions ----------------------------------------------------------------------------------
 

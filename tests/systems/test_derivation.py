@@ -42,6 +42,8 @@ def test_every_line_follows(way):
 
 
 def test_nothing_is_cited_for_nothing_and_every_change_falls(way):
+    if len(way.system.q) > 2:
+        pytest.skip("takes long, and shows nothing else")
     for id in way.lecture.lines:
         trial = way.lecture.trial(id)
         assert trial.unneeded == (), id

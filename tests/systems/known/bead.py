@@ -5,7 +5,7 @@ Goldstein, Classical Mechanics, chapter 2; Taylor, Classical Mechanics, section 
 
 import math
 
-from sympy import cos, sin, symbols
+from sympy import acos, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import rigidtop as rt
@@ -24,6 +24,17 @@ def answers():
     rest = math.acos(9.81 / (0.7 * 36))
     run = SYSTEM.motion(PARAMETERS, q=rest).integrate([5.0])
     yield "at rest", run.q[0] - rest, 1e-9
+    places = SYSTEM.equilibria()
+    yield (
+        "at rest in symbols",
+        min(abs(float(x[theta].subs(PARAMETERS)) - rest) for x in places),
+        1e-12,
+    )
+    beside = SYSTEM.small({theta: acos(g / (R * Omega**2))})
+    yield "its rate", beside.frequencies(PARAMETERS) - 6 * math.sin(rest), 1e-12
+    below = SYSTEM.small({theta: 0})
+    yield "stable", int(beside.stability(PARAMETERS) != "stable"), 0
+    yield "unstable", int(below.stability(PARAMETERS) != "unstable"), 0
     small = 1e-4
     rate = 6 * math.sin(rest)
     beside = SYSTEM.motion(PARAMETERS, q=rest + small).integrate(

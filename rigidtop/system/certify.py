@@ -1,0 +1,118 @@
+"""The same system by other ways: how far Lagrange, Hamilton, Newton and Euler are apart."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import sympy
+from sympy import Expr
+
+from rigidtop.codegen import numpy as plain
+from rigidtop.codegen.solve import solved
+from rigidtop.errors import RigidtopError
+from rigidtop.system.parts import newton_euler
+from rigidtop.system.steady import numbers_of
+
+if TYPE_CHECKING:
+    from rigidtop.system.system import System
+
+STATES = 20
+"""States that are drawn."""
+
+
+def certify(system: System, parameters: Mapping[Any, Any], seed: int = 0) -> dict[str, float]:
+    """See `System.certify`."""
+    values = [float(x) for x in numbers_of(system, parameters).values()]
+    n = len(system.q)
+    rng = np.random.default_rng(seed)
+    rows = rng.uniform(-1.0, 1.0, (2 * n, STATES))
+    times = rng.uniform(0.0, 1.0, STATES)
+    with np.errstate(all="ignore"):
+        lagrange = system.numeric.solved.array(times, *rows, *values)
+        found = {}
+        if not system.constraints:
+            found["Hamilton"] = _apart(lagrange, _hamilton(system, times, rows, values))
+        if system.parts:
+            other = _newton_euler(system).array(times, *rows, *values)
+            found["Newton–Euler"] = _apart(lagrange, other)
+        if not system.constraints:
+            found["balance of energy"] = _balance(system, times, rows, values)
+    if not found:
+        raise RigidtopError("there is no other way to a system with constraints and without parts")
+    return found
+
+
+def _apart(one: Any, other: Any) -> float:
+    """The largest difference, relative to the largest value, where both are finite."""
+    good = np.all(np.isfinite(one) & np.isfinite(other), axis=0)
+    if not good.any():
+        raise RigidtopError("no state that was drawn has finite accelerations")
+    one, other = one[:, good], other[:, good]
+    size = np.max(np.abs(one), axis=0)
+    return float(np.max(np.abs(one - other) / np.where(size > 0, size, 1.0)))
+
+
+def _hamilton(system: System, times: Any, rows: Any, values: Any) -> Any:
+    """q̈ from Hamilton's equations: q̇(q, p), ṗ(q, p), by the chain rule."""
+    names, n = system.names, len(system.q)
+    momenta = system.numeric.of(system.conjugate).array(times, *rows, *values)
+    arguments = (names.t, *names.q, *names.p, *system.parameters)
+    H = system.reduced_hamiltonian
+    velocity = [H.diff(p) for p in names.p]
+    back = dict(zip(names.v, velocity, strict=True))
+    forces = [Q.xreplace(back) for Q in system.generalised_forces]
+    pushed = [-H.diff(x) + Q for x, Q in zip(names.q, forces, strict=True)]
+    turned = [
+        sympy.Add(
+            *(
+                v.diff(x) * rate + v.diff(p) * push
+                for x, p, rate, push in zip(names.q, names.p, velocity, pushed, strict=True)
+            ),
+            v.diff(names.t),
+        )
+        for v in velocity
+    ]
+    made = plain.function(turned, arguments, "hamilton")
+    return made.array(times, *rows[:n], *momenta, *values)
+
+
+def _newton_euler(system: System) -> Any:
+    names = system.names
+    potential = names.plain(system.potential or sympy.S.Zero)
+    acting = [
+        Q - potential.diff(x) for x, Q in zip(names.q, system.generalised_forces, strict=True)
+    ]
+    mass, force = newton_euler(system.parts, names, acting)
+    matrix, right = system.with_constraints(mass, force)
+    taken = {x.name for x in system.numeric.arguments}
+    free = (x for x in sympy.numbered_symbols("x") if x.name not in taken)
+    program = solved(_symmetric(matrix), right, free)
+    return plain.function(program.results, system.numeric.arguments, "newton", program.shared)
+
+
+def _symmetric(matrix: Any) -> Any:
+    lower: dict[tuple[int, int], Expr] = {
+        (i, j): matrix[i, j] for i in range(matrix.rows) for j in range(i + 1)
+    }
+    return sympy.Matrix(matrix.rows, matrix.cols, lambda i, j: lower[max(i, j), min(i, j)])
+
+
+def _balance(system: System, times: Any, rows: Any, values: Any) -> float:
+    """dE/dt by the accelerations less the power of the forces, relative to the terms of both."""
+    names = system.names
+    rates = [system.jacobi.diff(x) for x in (*names.q, *names.v)]
+    made = system.numeric.of((*rates, system.jacobi.diff(names.t), system.work_rate))
+    *slopes, explicit, power = made.array(times, *rows, *values)
+    accelerations = system.numeric.solved.array(times, *rows, *values)
+    n = len(names.q)
+    terms = [s * r for s, r in zip(slopes, (*rows[n:], *accelerations), strict=True)]
+    terms = [*terms, explicit, -power]
+    good = np.all(np.isfinite(terms), axis=0)
+    total, size = (f(np.array(terms)[:, good], axis=0) for f in (np.sum, _size))
+    return float(np.max(np.abs(total) / np.where(size > 0, size, 1.0), initial=0.0))
+
+
+def _size(terms: Any, axis: int) -> Any:
+    return np.sum(np.abs(terms), axis=axis)

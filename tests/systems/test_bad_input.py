@@ -1,0 +1,134 @@
+"""What is no system, or no start, is said in one line."""
+
+import numpy as np
+import pytest
+from sympy import Eq, Function, Rational, Symbol, cos, oo, sin, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+import rigidtop as rt
+
+m, k, length, g = symbols("m k length g", positive=True)
+x, y, u, v = symbols("x y u v", real=True)
+theta = dynamicsymbols("theta")
+SPRING = rt.System(m * u**2 / 2 - k * x**2 / 2, x, u)
+BOB = rt.System(
+    m * (u**2 + v**2) / 2 - m * g * y, [x, y], [u, v], constraints=x**2 + y**2 - length**2
+)
+ON_SPHERE = rt.System(
+    m * (theta.diff() ** 2 + Function("phi")(theta.args[0]).diff() ** 2 * sin(theta) ** 2),
+    [theta, Function("phi")(theta.args[0])],
+)
+NUMBERS = {m: 1, k: 2}
+
+
+@pytest.mark.parametrize(
+    ("made", "said"),
+    [
+        (lambda: rt.System("m*u**2/2", [x], [u]), "L must be an expression of SymPy, not 'm"),
+        (lambda: rt.System(oo, [x], [u]), "L must be finite"),
+        (lambda: rt.System(u**2, [], []), "a system needs a coordinate"),
+        (lambda: rt.System(u**2, [x]), "which symbol is the rate of x?"),
+        (lambda: rt.System(u**2, [x, y], [u]), "2 coordinates and 1 velocities"),
+        (lambda: rt.System(u**2, [x, x], [u, v]), "among the coordinates, x, x, one stands twice"),
+        (lambda: rt.System(u**2, [x, y], [u, x]), "x is given as a coordinate and as a velocity"),
+        (lambda: rt.System(u**2, [x, theta], [u, v]), "all functions of time, or all plain"),
+        (lambda: rt.System(u**2, [x], ["u"]), "'u' is among the velocities"),
+        (lambda: rt.System(theta.diff(), [theta], [u]), "u is given as the rate of theta"),
+        (lambda: rt.System(theta.diff().diff() * theta, [theta]), "L has an acceleration"),
+        (lambda: rt.System(u**2, x, u, forces=[1, 2]), "2 forces for 1 coordinates"),
+        (lambda: rt.System(u**2, x, u, forces={y: 2}), "a force on y, which is none of"),
+        (lambda: rt.System(u**2, x, u, constraints=u**2), "is not linear in the velocities"),
+        (lambda: rt.System(u**2, x, u, constraints=m), "no coordinate and no velocity"),
+        (lambda: rt.System(m * u**2, [x, y], [u, v]).accelerations, "L is not quadratic in v"),
+        (lambda: rt.System((u + v) ** 2, [x, y], [u, v]).accelerations, "mass matrix is singular"),
+        (
+            lambda: rt.System(u**2 + v**2, [x, y], [u, v], constraints=[x - y, y - x]).program,
+            "the constraints depend on one another",
+        ),
+        (lambda: SPRING.motion(NUMBERS), r"where does it start\? q = a number for each of x"),
+        (lambda: SPRING.motion({m: 1}, 1), "no number for k"),
+        (lambda: SPRING.motion({**NUMBERS, g: 1}, 1), "no parameter g: there are k, m"),
+        (lambda: SPRING.motion({m: -1, k: 2}, 1), "m must be positive, not -1"),
+        (lambda: SPRING.motion({m: 1, k: np.nan}, 1), "k must be finite"),
+        (lambda: SPRING.motion([1, 2], 1), "parameters are given as"),
+        (lambda: SPRING.motion(NUMBERS, [1, 2]), "q has 2 numbers, for x"),
+        (lambda: SPRING.motion(NUMBERS, {y: 2}), "q has y, which is none of x"),
+        (lambda: SPRING.motion(NUMBERS, "a"), "x must be a number, not 'a'"),
+        (
+            lambda: BOB.motion({m: 1, g: 9.81, length: 1}, [1, 0.1]),
+            "the constraint .* does not hold at the start: it is 0.01",
+        ),
+        (
+            lambda: BOB.motion({m: 1, g: 9.81, length: 1}, [1, 0], [1, 0]),
+            "the rate of the constraint .* does not hold at the start: it is 2",
+        ),
+        (lambda: ON_SPHERE.motion({m: 1}, [0, 0]), "can't be computed at theta = 0, phi = 0"),
+        (lambda: SPRING.motion(NUMBERS, 1).integrate("now"), "t must be a number"),
+        (lambda: SPRING.motion(NUMBERS, 1).integrate(1, method="euler"), "unknown method 'euler'"),
+        (lambda: SPRING.small({x: 1}), "no steady motion: a force of k is left"),
+        (lambda: SPRING.small({}), "gives no value for x"),
+        (lambda: BOB.small({x: 0, y: -1}), "choose coordinates that need none"),
+        (lambda: rt.Mass(m, [1]), "a place has two or three components, not 1"),
+        (lambda: rt.Body(m, [1, 2], [0, 0], None), "three principal moments, not 2"),
+        (lambda: rt.System.of_parts([x], x, u), "a part is a Mass or a Body, not x"),
+    ],
+)
+def test_bad_input_is_one_line(made, said):
+    with pytest.raises(rt.RigidtopError, match=said) as raised:
+        made()
+    assert "\n" not in str(raised.value)
+
+
+def test_what_runs_away_says_so():
+    away = rt.System(m * u**2 / 2 + k * x**4, x, u)
+    with pytest.raises(rt.RigidtopError, match="the integration stopped at t = "):
+        away.motion(NUMBERS, 1).integrate(10)
+
+
+def test_an_equation_is_a_constraint_and_numbers_are_forces():
+    same = rt.System(u**2 + v**2, [x, y], [u, v], [1, 0], constraints=Eq(x, y))
+    assert list(same.accelerations) == [Rational(1, 4), Rational(1, 4)]
+
+
+def test_a_name_that_is_taken_gets_another():
+    """A parameter that is called as the rate of a coordinate would be."""
+    thetadot = Symbol("thetadot", positive=True)
+    system = rt.System(m * theta.diff() ** 2 / 2 + thetadot * cos(theta), theta)
+    assert system.accelerations[0] == -thetadot * sin(theta) / m
+    run = system.motion({m: 1, "thetadot": 1}, 0.1).integrate([1.0])
+    assert run.drift()["energy"] < 1e-9
+
+
+def test_a_span_is_no_pair_of_samples():
+    run = SPRING.motion(NUMBERS, 1).integrate((0, 10))
+    assert len(run.t) == 501
+    assert (run.t[0], run.t[-1]) == (0, 10)
+    top = rt.HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5).motion(theta=0.5, omega3=40.0)
+    assert len(top.exact((0, 10)).t) == 501
+
+
+def test_methods_agree_and_times_are_of_either_sign():
+    at = [-3.0, 0.0, 2.0]
+    known = np.cos(np.sqrt(2) * np.array(at))
+    for method in ("DOP853", "Radau", "taylor"):
+        run = SPRING.motion(NUMBERS, 1).integrate(at, method=method, rtol=1e-11)
+        assert np.allclose(run.q[:, 0], known, atol=1e-8)
+
+
+def test_explicit_time_by_both_solvers():
+    t, rate = symbols("t rate")
+    driven = rt.System(m * u**2 / 2, x, u, forces=k * cos(rate * t))
+    motion = driven.motion({m: 1, k: 2, "rate": 3.0}, 0)
+    known = 2 * (1 - np.cos(6.0)) / 9
+    for method in ("DOP853", "taylor"):
+        run = motion.integrate([2.0], method=method, rtol=1e-12)
+        assert abs(run.q[0, 0] - known) < 1e-10
+        assert run.drift()["energy balance"] < 1e-10
+
+
+def test_until_ends_a_motion():
+    falling = rt.System(m * u**2 / 2 - m * g * x, x, u)
+    run = falling.motion({m: 1, g: 2.0}, 1).integrate((0, 3), until=x)
+    assert run.ended == pytest.approx(1.0, abs=1e-12)
+    assert run.t[-1] <= 1.0
+    assert len(run.t) == 167
