@@ -91,7 +91,7 @@ READS = {
 }
 """What a room may import of the others; motion, which never loads SymPy, stands apart."""
 
-HANDS_ON = {"motion": {"web"}}
+HANDS_ON = {"motion": {"web", "present"}}
 """What else a room may import inside a function, for a method that only hands on: `Motion.show`."""
 
 SYMBOLIC = {"sympy", "mpmath"}

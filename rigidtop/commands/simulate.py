@@ -13,8 +13,6 @@ from rigidtop.errors import RigidtopError
 
 if TYPE_CHECKING:
     from rigidtop.motion.motion import Motion
-    from rigidtop.motion.sliding_trajectory import SlidingTrajectory
-    from rigidtop.motion.trajectory import TopTrajectory, Trajectory
 
 ABOUT = "compute a motion, its periods and the drift of what it keeps"
 
@@ -63,7 +61,7 @@ def run(options: argparse.Namespace) -> int:
         return _run_on_table(options)
     motion = motions.motion(options, "simulate")
     path = _computed(motion, np.linspace(0.0, options.time, options.samples), options)
-    columns, drift, about = _columns(path), path.drift(), _about(motion)
+    columns, drift, about = path.columns(), path.drift(), _about(motion)
     if options.output:
         _write(options.output, columns)
     if options.json:
@@ -84,7 +82,7 @@ def _run_on_table(options: argparse.Namespace) -> int:
     motion = motions.on_table(options, "simulate")
     options.method = options.method or (EXACT if motion.body.smooth else INTEGRATED)
     path = _computed(motion, np.linspace(0.0, options.time, options.samples), options)
-    columns = _columns_on_table(path)
+    columns = path.columns()
     events = [{"time": event.time, "kind": event.kind} for event in path.events]
     if options.output:
         _write(options.output, columns)
@@ -130,44 +128,6 @@ def _computed(motion: Any, times: Any, options: argparse.Namespace) -> Any:
             raise RigidtopError(f"--{name} is for integration: give a --method too")
         return motion.exact(times)
     return motion.integrate(times, method=options.method, **tolerances)
-
-
-def _columns(path: Trajectory) -> dict[str, Any]:
-    """The columns of the table, by name and unit."""
-    from rigidtop.motion.trajectory import TopTrajectory
-
-    if isinstance(path, TopTrajectory):
-        return _euler_columns(path) | {"energy/J": path.energy}
-    columns = {"t/s": path.t}
-    columns |= {f"omega{k + 1}/(rad/s)": path.omega[:, k] for k in range(3)}
-    columns |= {f"e3_{axis}": path.e3[:, k] for k, axis in enumerate("xyz")}
-    return columns | {"energy/J": path.energy}
-
-
-def _euler_columns(path: TopTrajectory | SlidingTrajectory) -> dict[str, Any]:
-    return {
-        "t/s": path.t,
-        "theta/rad": path.theta,
-        "phi/rad": path.phi,
-        "psi/rad": path.psi,
-        "theta_dot/(rad/s)": path.theta_dot,
-        "phi_dot/(rad/s)": path.phi_dot,
-        "psi_dot/(rad/s)": path.psi_dot,
-    }
-
-
-def _columns_on_table(path: SlidingTrajectory) -> dict[str, Any]:
-    centre = {f"{axis}/m": path.position[:, k] for k, axis in enumerate("xyz")}
-    slip = {f"slip_{axis}/(m/s)": path.slip[:, k] for k, axis in enumerate("xy")}
-    return {
-        **_euler_columns(path),
-        **centre,
-        **slip,
-        "rolling": path.rolling,
-        "normal_force/N": path.normal_force,
-        "energy/J": path.energy,
-        "dissipated/J": path.dissipated_by_friction + path.dissipated_by_air,
-    }
 
 
 def _about(motion: Motion) -> dict[str, Any]:

@@ -14,13 +14,13 @@ from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.sliding_contact import ENDINGS, Contact, Event
 from rigidtop.motion.state import TopState
-from rigidtop.motion.trajectory import Turning
+from rigidtop.motion.trajectory import Turning, euler_columns
 
 if TYPE_CHECKING:
     from rigidtop.motion.sliding import SlidingMotion
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
 class SlidingTrajectory(TopState, Turning):
     """A top on a table at N times, one row each, in the order in which they were asked for.
 
@@ -53,6 +53,20 @@ class SlidingTrajectory(TopState, Turning):
 
     events: tuple[Event, ...] = ()
     """What happened until the last of the times asked for, in order of time."""
+
+    __repr__ = Turning.__repr__
+
+    def columns(self) -> dict[str, Floats]:
+        """t, the Euler angles and rates, place, slip, rolling, the table's force, energies."""
+        return {
+            **euler_columns(self),
+            **{f"{axis}/m": self.position[:, k] for k, axis in enumerate("xyz")},
+            **{f"slip_{axis}/(m/s)": self.slip[:, k] for k, axis in enumerate("xy")},
+            "rolling": self.rolling.astype(float),
+            "normal_force/N": self.normal_force,
+            "energy/J": self.energy,
+            "dissipated/J": self.dissipated_by_friction + self.dissipated_by_air,
+        }
 
     @property
     def ended(self) -> Event | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -14,13 +14,14 @@ from scipy.spatial.transform import Rotation
 from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact.samples import Samples
+from rigidtop.motion.rows import Rows
 from rigidtop.motion.state import TopState
 
 if TYPE_CHECKING:
     from rigidtop.motion.motion import Motion, TopMotion
 
 
-class Turning(ABC):
+class Turning(Rows):
     """How a body turns, at N times, one row each, in the order in which they were asked for."""
 
     motion: Any
@@ -72,6 +73,13 @@ class Trajectory(Turning):
         kinetic = self.omega**2 @ np.array(body.moments) / 2
         return kinetic + self.vertical @ np.array(body.weight)
 
+    def columns(self) -> dict[str, Floats]:
+        """t, ω in the body, e₃ and the energy."""
+        made = {"t/s": self.t}
+        made |= {f"omega{k + 1}/(rad/s)": self.omega[:, k] for k in range(3)}
+        made |= {f"e3_{axis}": self.e3[:, k] for k, axis in enumerate("xyz")}
+        return made | {"energy/J": self.energy}
+
     def conserved(self) -> Mapping[str, Floats]:
         """What the exact motion keeps: the energy, and L (free) or L_z, called p_φ (heavy)."""
         if any(self.motion.body.weight):
@@ -101,7 +109,14 @@ class Trajectory(Turning):
         return drifts
 
 
-@dataclass(frozen=True, eq=False)
+def euler_columns(path: Any) -> dict[str, Floats]:
+    """t, the Euler angles and their rates, by name and unit."""
+    angles = ("theta", "phi", "psi")
+    made = {"t/s": path.t} | {f"{name}/rad": getattr(path, name) for name in angles}
+    return made | {f"{name}_dot/(rad/s)": getattr(path, f"{name}_dot") for name in angles}
+
+
+@dataclass(frozen=True, eq=False, repr=False)
 class BodyTrajectory(Trajectory):
     """The motion of any body, known by its quaternion and ω."""
 
@@ -123,7 +138,7 @@ class BodyTrajectory(Trajectory):
         return self.body_rates
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
 class TopTrajectory(TopState, Trajectory):
     """The motion of a symmetric top, with its Euler angles, of shape (N,).
 
@@ -135,6 +150,12 @@ class TopTrajectory(TopState, Trajectory):
 
     motion: TopMotion
     t: Floats
+
+    __repr__ = Rows.__repr__
+
+    def columns(self) -> dict[str, Floats]:
+        """t, the Euler angles, their rates and the energy."""
+        return euler_columns(self) | {"energy/J": self.energy}
 
     @cached_property
     def rotation(self) -> Rotation:

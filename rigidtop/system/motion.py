@@ -21,6 +21,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import TAYLOR, Accuracy, Flow, flow, joined, on_both_sides
+from rigidtop.motion.rows import Rows
 from rigidtop.parameters import in_one_line
 from rigidtop.system.names import expression
 
@@ -310,8 +311,8 @@ def _zeros(motion: Flow, value: Callable[[float, Floats], float], end: float) ->
     return [x for x in found if abs(x) <= abs(end)]
 
 
-@dataclass(frozen=True, eq=False)
-class SystemTrajectory:
+@dataclass(frozen=True, eq=False, repr=False)
+class SystemTrajectory(Rows):
     """What a system does at N times, one row each, in the order in which they were asked for."""
 
     motion: SystemMotion
@@ -334,6 +335,51 @@ class SystemTrajectory:
 
     ended: float | None = None
     """When `until` was zero, after which there are no rows; None if it was not."""
+
+    def columns(self) -> dict[str, Floats]:
+        """t, the coordinates, their velocities and the energy."""
+        names = self._system.names
+        made = {"t/s": self.t}
+        made |= {_header(x): self.q[:, k] for k, x in enumerate(names.q)}
+        made |= {_header(x): self.qdot[:, k] for k, x in enumerate(names.v)}
+        return made | {"energy/J" if _in_si(self._system) else "energy": self.energy}
+
+    @property
+    def plotted(self) -> tuple[str, ...]:
+        """The coordinates."""
+        return tuple(x.name for x in self._system.names.q)
+
+    def places(self) -> Floats:
+        """Where the parts of the system are in space, shape (parts, N, 3), in m.
+
+        Raises RigidtopError for a system that was not made of parts.
+        """
+        return self._of_parts(lambda part: part.place).reshape(-1, 3, len(self)).swapaxes(1, 2)
+
+    def attitudes(self) -> Floats:
+        """R of the parts, of mass points 1, shape (parts, N, 3, 3): body to space."""
+        made = self._of_parts(lambda part: getattr(part, "attitude", sympy.eye(3)))
+        return np.moveaxis(made.reshape(-1, 3, 3, len(self)), -1, 1)
+
+    def _of_parts(self, what: Callable[[Any], Any]) -> Floats:
+        if not self._system.parts:
+            raise RigidtopError(
+                "the system is not made of masses and bodies: System.of_parts makes one that is"
+            )
+        plain = self._system.names.plain
+        return self._arrays([plain(x) for part in self._system.parts for x in what(part)])
+
+    def animate(self, path: str, duration: float | None = None) -> None:
+        """A film of the parts as a GIF, or an MP4 where ffmpeg is: points, rods, bodies' axes.
+
+        A rod is drawn where two neighbours, or the origin and the first, keep their distance.  The
+        rows should be evenly spaced; `duration` is that of the film (s), by default the motion's.
+
+        Raises RigidtopError for a system without parts, and where the file can't be written.
+        """
+        from rigidtop.present.figures.trajectories import filmed
+
+        filmed(self, path, duration)
 
     def value(self, quantity: Any) -> Floats:
         """A quantity of q, q̇, p, t and the parameters along the motion, shape (N,)."""
@@ -400,6 +446,18 @@ class SystemTrajectory:
     def _sized(self, value: Expr) -> tuple[Floats, Floats]:
         made = self._arrays((value, *sympy.Add.make_args(sympy.expand(value))))
         return made[0], np.abs(made[1:]).sum(axis=0)
+
+
+def _header(x: Symbol) -> str:
+    unit = getattr(getattr(x, "quantity", None), "unit", "")
+    if not unit:
+        return x.name
+    return f"{x.name}/({unit})" if "/" in unit else f"{x.name}/{unit}"
+
+
+def _in_si(system: System) -> bool:
+    """Whether the coordinates say in which units they are."""
+    return all("/" in _header(x) for x in system.names.q)
 
 
 def _relative(change: Floats, sizes: Floats, size: float) -> float:

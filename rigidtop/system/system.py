@@ -37,7 +37,7 @@ CRAMER = 3
 """Rows of a part of the mass matrix up to which determinants are written out."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class System:
     """A mechanical system: L(q, q̇, t), forces, constraints.
 
@@ -156,6 +156,31 @@ class System:
         made = cls.of_energies(names.back(T), V, q, qdot, **more)
         object.__setattr__(made, "parts", parts)
         return made
+
+    def __repr__(self) -> str:
+        names = self.names
+        said = f"System in {', '.join(x.name for x in names.q)}"
+        if self.constraints:
+            said += f", {len(self.constraints)} constraints"
+        given = ", ".join(x.name for x in self.parameters)
+        return f"<{said}; parameters {given}>" if given else f"<{said}>"
+
+    def _repr_latex_(self) -> str:
+        """L and the accelerations, as far as they are short."""
+        return f"$${self.latex()}$$"
+
+    def latex(self) -> str:
+        """L and the equations of motion in an ``aligned``, in amsmath's LaTeX."""
+        from rigidtop.present.latex import latex
+        from rigidtop.proof.equation import Equation
+        from rigidtop.theory.symbols import Lagrangian
+
+        rows = [Equation(Lagrangian, self.plain)]
+        right = self.names.plain(self.accelerations)
+        rows += [Equation(x, value) for x, value in zip(self.names.a, right, strict=True)]
+        rows += [Equation(rule, 0) for rule in self.rules]
+        lines = (" &= ".join(map(latex, row.sides)) for row in rows)
+        return r"\begin{aligned}" + r" \\ ".join(lines) + r"\end{aligned}"
 
     def _check(self) -> None:
         n, names = len(self.q), self.names

@@ -1,0 +1,144 @@
+"""What every trajectory has in common: it is a table, a row for each of its times."""
+
+from __future__ import annotations
+
+import importlib
+from abc import ABC, abstractmethod
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigidtop.errors import RigidtopError
+
+Floats = NDArray[np.float64]
+
+FIRST = 8
+"""Rows that a notebook shows."""
+
+
+class Rows(ABC):
+    """A table with N rows: it has a length, gives its rows, writes itself for other tools.
+
+    Two are equal where they are of one kind and all their columns are.
+    """
+
+    t: Floats
+    """Times, shape (N,), in s."""
+
+    @abstractmethod
+    def columns(self) -> dict[str, Floats]:
+        """The columns, of shape (N,), by name and unit, such as "theta/rad"; the first is "t/s"."""
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def __iter__(self) -> Iterator[dict[str, float]]:
+        """A row after the other: numbers by name."""
+        columns = {_name(header): column for header, column in self.columns().items()}
+        for row in zip(*columns.values(), strict=True):
+            yield dict(zip(columns, map(float, row), strict=True))
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return NotImplemented
+        mine, theirs = self.columns(), other.columns()
+        return mine.keys() == theirs.keys() and all(
+            np.array_equal(mine[name], theirs[name], equal_nan=True) for name in mine
+        )
+
+    __hash__ = None  # type: ignore[assignment]  # its arrays can be changed
+
+    def __repr__(self) -> str:
+        names = ", ".join(map(_name, self.columns()))
+        span = f"t = {self.t.min():g} … {self.t.max():g} s" if len(self) else "no times"
+        return f"<{type(self).__name__}: {len(self)} rows, {span}; {names}>"
+
+    def _repr_html_(self) -> str:
+        """The first rows, for notebooks."""
+        columns = self.columns()
+        head = "".join(f"<th>{header}</th>" for header in columns)
+        body = "".join(
+            "<tr>" + "".join(f"<td>{float(x):.6g}</td>" for x in row) + "</tr>"
+            for row in list(zip(*columns.values(), strict=True))[:FIRST]
+        )
+        more = f"<p>… {len(self) - FIRST} more rows</p>" if len(self) > FIRST else ""
+        return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>{more}"
+
+    def to_csv(self, path: str | Path | None = None) -> str:
+        """Comma-separated values with all digits, a header first; into a file too, if one is named.
+
+        Raises RigidtopError where the file can't be written.
+        """
+        columns = self.columns()
+        lines = [",".join(columns)]
+        lines += [
+            ",".join(map(repr, map(float, row))) for row in zip(*columns.values(), strict=True)
+        ]
+        text = "\n".join(lines) + "\n"
+        if path is not None:
+            try:
+                Path(path).write_text(text, "utf-8")
+            except OSError as error:
+                raise RigidtopError(f"cannot write {path}: {error.strerror or error}") from error
+        return text
+
+    def to_pandas(self) -> Any:
+        """A `pandas.DataFrame` with t as its index; units stand in ``.attrs["units"]``."""
+        pandas = _loaded("pandas")
+        columns = self.columns()
+        frame = pandas.DataFrame({_name(header): column for header, column in columns.items()})
+        frame.attrs["units"] = {_name(header): _unit(header) for header in columns}
+        return frame.set_index("t")
+
+    def to_xarray(self) -> Any:
+        """An `xarray.Dataset` over the dimension t; each variable has its unit as ``.units``."""
+        xarray = _loaded("xarray")
+        made = {
+            _name(header): ("t", column, {"units": _unit(header)})
+            for header, column in self.columns().items()
+        }
+        time = made.pop("t")
+        return xarray.Dataset(made, coords={"t": time})
+
+    def plot(self, *names: str | tuple[str, str], axes: Any = None) -> Any:
+        """Columns over the time, or one over another where two names stand in a tuple.
+
+        Without names all angles, or all coordinates, are drawn.  On the `axes` of Matplotlib that
+        are given, or on new ones of a figure of their own, which are returned.
+
+        Raises RigidtopError for a name that is none of the columns.
+        """
+        from rigidtop.present.figures.trajectories import plotted
+
+        return plotted(self, names or self.plotted, axes)
+
+    @property
+    def plotted(self) -> tuple[str, ...]:
+        """What `plot` draws without being told."""
+        return tuple(_name(header) for header in self.columns())[1:4]
+
+    def column(self, name: str) -> tuple[str, Floats]:
+        """A column with its header.  Raises RigidtopError for a name that is none."""
+        columns = self.columns()
+        for header, values in columns.items():
+            if name in (header, _name(header)):
+                return header, values
+        raise RigidtopError(f"no column {name!r}: there are {', '.join(map(_name, columns))}")
+
+
+def _name(header: str) -> str:
+    return header.partition("/")[0]
+
+
+def _unit(header: str) -> str:
+    return header.partition("/")[2].strip("()") or "1"
+
+
+def _loaded(module: str) -> Any:
+    try:
+        return importlib.import_module(module)
+    except ImportError:
+        raise RigidtopError(f"{module} is not installed: pip install {module}") from None
