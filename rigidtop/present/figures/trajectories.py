@@ -100,7 +100,9 @@ def draw(axes: Axes, places: Floats, attitudes: Floats, row: int) -> None:
     middle = [(side.max() + side.min()) / 2 for side in (across, up)]
     half = 0.6 * max(float(np.ptp(across)), float(np.ptp(up)), 1e-12)
     turned = not np.allclose(attitudes, np.eye(3))
-    half = half + (ALONG * half if turned else 0) if half > 1e-11 else 1.3
+    half = half if half > 1e-11 else 1.0
+    length = ALONG * half if turned else 0.0
+    half += length
     for side, centre in ((axes.set_xlim, middle[0]), (axes.set_ylim, middle[1])):
         side(centre - half, centre + half)
     axes.set_aspect("equal")
@@ -116,7 +118,7 @@ def draw(axes: Axes, places: Floats, attitudes: Floats, row: int) -> None:
         if np.allclose(turning, np.eye(3)):
             continue
         for axis, shade in zip(turning[row].T, (SECOND, THIRD, FIRST), strict=True):
-            end = np.stack([path[row], path[row] + ALONG * half * 2 * axis])
+            end = np.stack([path[row], path[row] + length * axis])
             axes.plot(*project(end), color=shade, zorder=2)
 
 
