@@ -123,13 +123,19 @@ def _program(made: Values, language: Language, shown: Callable[[Any], str]) -> P
     # Plain symbols: two of one name are one, whatever a page assumes of them.
     renamed = {
         x: Symbol(symbols[y])
-        for v in made.outputs
-        for x in v.expression.free_symbols
+        for expression in (*(v.expression for v in made.outputs), *(e for _, e in made.shared))
+        for x in expression.free_symbols
         for y in made.arguments
         if x.name == y.name
     }
+    fresh = _fresh(taken, language.ignores_case)
+    renamed |= {x: next(fresh) for x, _ in made.shared}
     expressions = [v.expression.xreplace(renamed) for v in made.outputs]
-    shared, reduced = shared_parts(expressions, _fresh(taken, language.ignores_case))
+    if made.shared:
+        shared = [(renamed[x], expression.xreplace(renamed)) for x, expression in made.shared]
+        reduced = expressions
+    else:
+        shared, reduced = shared_parts(expressions, fresh)
     arguments = [(symbols[x], _argument(x, shown)) for x in made.arguments]
     results = [(o, _output(v, shown)) for o, v in zip(outputs, made.outputs, strict=True)]
     return Program(

@@ -65,6 +65,9 @@ class Values:
 
     note: str = ""
 
+    shared: tuple[tuple[Symbol, Expr], ...] = ()
+    """What the outputs share, each in terms of those before it, where it is known already."""
+
 
 @dataclass(frozen=True)
 class _Source:

@@ -685,6 +685,28 @@ class System:
 
         return certify(self, parameters, seed)
 
+    def source(self, language: str, name: str = "accelerations") -> str:
+        """A file with one function of t, q, q̇ and the parameters, which gives q̈ and multipliers.
+
+        The time and parameters that do not enter are left out.  `language` is "c", "fortran",
+        "julia", "javascript", "octave" or "python"; the comment says what goes in and what comes
+        out.  Raises RigidtopError for another.
+
+        >>> from sympy import symbols
+        >>> m, k, x, v = symbols("m k x v", positive=True)
+        >>> print(System(m*v**2/2 - k*x**2/2, [x], [v]).source("c"))    # doctest: +ELLIPSIS
+        /*
+        ...
+        void accelerations(double x, double v, double k, double m, double *out)
+        {
+            out[0] = -k*x/m;
+        }
+        <BLANKLINE>
+        """
+        from rigidtop.system.source import source
+
+        return source(self, language, name)
+
     # --- motions ----------------------------------------------------------------------------------
 
     def motion(

@@ -1,0 +1,44 @@
+"""A system's right-hand side as source for others, in the lines in which it is solved."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from rigidtop.codegen import languages
+from rigidtop.codegen.values import Value, Values
+from rigidtop.errors import RigidtopError
+from rigidtop.present.text import text
+from rigidtop.proof.equation import Equation
+
+if TYPE_CHECKING:
+    from rigidtop.system.system import System
+
+
+def source(system: System, language: str, name: str) -> str:
+    """See `System.source`."""
+    if language not in languages.LANGUAGES:
+        there = ", ".join(languages.LANGUAGES)
+        raise RigidtopError(f"no language {language!r}: there are {there}")
+    if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name):
+        raise RigidtopError(f"{name!r} is no name for a function: give it letters, digits and _")
+    names, program = system.names, system.program
+    n = len(names.q)
+    letters = (*names.a, *system.multipliers)
+    results = (*program.results[:n], *(-x for x in program.results[n:]))
+    outputs = tuple(
+        Value(x.name, value, Equation(x, value), x)
+        for x, value in zip(letters, results, strict=True)
+    )
+    used = set().union(*(x.free_symbols for x in (*results, *(e for _, e in program.shared))))
+    given = [x for x in (names.t, *system.parameters) if x in used]
+    time = [x for x in given if x == names.t]
+    made = Values(
+        claim=name,
+        says="the accelerations of " + ", ".join(text(x) for x in names.q),
+        outputs=outputs,
+        arguments=(*time, *names.q, *names.v, *(x for x in given if x not in time)),
+        lines=(),
+        shared=program.shared,
+    )
+    return languages.source(made, language, text).text

@@ -1,0 +1,74 @@
+"""Source of a system evaluates to what its own functions evaluate to."""
+
+import json
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+from sympy import cos, sin, symbols
+
+import rigidtop as rt
+
+m, length, g, k = symbols("m length g k", positive=True)
+x, y, r, u, v, w = symbols("x y r u v w", real=True)
+BOB = rt.System(
+    m * (u**2 + v**2 + u * v * cos(r) + w**2) / 2 - m * g * y * sin(r) - k * x**2,
+    [x, y, r],
+    [u, v, w],
+    constraints=x**2 + y**2 - length**2,
+)
+STATE = {"x": 0.4, "y": 0.9, "r": 0.2, "u": 0.7, "v": -0.3, "w": 1.1}
+NUMBERS = {"g": 9.81, "k": 2.0, "length": 0.98, "m": 1.5}
+INSIDE = {"g", "k", "m"}  # the constraint, derived twice, has no length
+ROW = [*STATE.values(), *(value for name, value in NUMBERS.items() if name in INSIDE)]
+
+
+def expected():
+    *motion, minus = BOB.numeric.solved(0.0, *STATE.values(), *NUMBERS.values())
+    return [*motion, -minus]
+
+
+def test_python():
+    names = {}
+    exec(BOB.source("python", "bob"), names)
+    assert list(names["bob"](*ROW)) == pytest.approx(expected(), rel=1e-13)
+
+
+def test_c(tmp_path):
+    if shutil.which("gcc") is None:
+        pytest.skip("no gcc")
+    call = ", ".join(map(repr, ROW))
+    main = f"""
+    #include <stdio.h>
+    int main(void) {{
+        double out[4];
+        bob({call}, out);
+        for (int i = 0; i < 4; i++) printf("%.17g\\n", out[i]);
+    }}"""
+    (tmp_path / "bob.c").write_text(BOB.source("c", "bob") + main, "utf-8")
+    strict = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-Wno-unused-parameter")
+    subprocess.run(["gcc", *strict, "bob.c", "-o", "bob", "-lm"], cwd=tmp_path, check=True)
+    said = subprocess.run([tmp_path / "bob"], capture_output=True, text=True, check=True).stdout
+    assert [float(line) for line in said.split()] == pytest.approx(expected(), rel=1e-12)
+
+
+def test_javascript():
+    quickjs = pytest.importorskip("quickjs")
+    context = quickjs.Context()
+    context.eval(BOB.source("javascript", "bob"))
+    found = context.eval(f"JSON.stringify(bob({', '.join(map(repr, ROW))}))")
+    assert np.array(json.loads(found)) == pytest.approx(expected(), rel=1e-12)
+
+
+@pytest.mark.parametrize("language", ["fortran", "julia", "octave"])
+def test_the_others_name_all_that_goes_in(language):
+    made = BOB.source(language)
+    assert all(name in made for name in (*STATE, *INSIDE, "multiplier1", "accelerations"))
+
+
+def test_bad_input_is_one_line():
+    with pytest.raises(rt.RigidtopError, match="no language 'rust': there are "):
+        BOB.source("rust")
+    with pytest.raises(rt.RigidtopError, match="'my code' is no name for a function"):
+        BOB.source("c", "my code")
