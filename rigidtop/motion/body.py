@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -39,28 +39,33 @@ class RigidBody(ABC):
 class FreeBody(RigidBody):
     """A body without torque; moments about its centre of mass (kg m²).
 
+    `physical=False` lets moments through that no body has, as benchmarks use them.
+
     >>> FreeBody(2.0, 2.0, 1.0).motion(omega=(0.1, 0.0, 3.0)).integrate(1.0).omega.round(6)
     array([[ 0.007074, -0.099749,  3.      ]])
     >>> FreeBody(1.0, 1.0, 3.0)
     Traceback (most recent call last):
     ...
     rigidtop.errors.RigidtopError: lambda3 = 3 exceeds the sum of the other two moments, 2: no \
-body has such moments about its centre of mass
+body has such moments about its centre of mass (physical=False lets them through)
     """
 
     lambda1: float
     lambda2: float
     lambda3: float
+    # A float too, so that numbers by name, as figures have them, may be all arguments.
+    physical: bool | float = field(default=True, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         for name in ("lambda1", "lambda2", "lambda3"):
             object.__setattr__(self, name, checks.positive(name, getattr(self, name)))
-        if not checks.triangle(self.moments, max(self.moments)):
+        if self.physical and not checks.triangle(self.moments, max(self.moments)):
             largest = int(np.argmax(self.moments))
             rest = sum(self.moments) - self.moments[largest]
             raise RigidtopError(
                 f"lambda{largest + 1} = {self.moments[largest]:g} exceeds the sum of the other two "
                 f"moments, {rest:g}: no body has such moments about its centre of mass"
+                f"{checks.UNPHYSICAL}"
             )
 
     @property
@@ -89,7 +94,7 @@ class HeavyBody(RigidBody):
     is (R₁, R₂, R₃), from the pivot, along the same axes (m); M is the mass (kg).
 
     Raises RigidtopError for moments that no such body can have: those about the centre of mass,
-    λ − M(R² − R⊗R), must obey the triangle inequality.
+    λ − M(R² − R⊗R), must obey the triangle inequality; `physical=False` lets others through.
     """
 
     lambda1: float
@@ -98,6 +103,8 @@ class HeavyBody(RigidBody):
     M: float
     centre_of_mass: Triple
     g: float = 9.81
+    # A float too, so that numbers by name, as figures have them, may be all arguments.
+    physical: bool | float = field(default=True, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         for name in ("lambda1", "lambda2", "lambda3", "M"):
@@ -108,11 +115,12 @@ class HeavyBody(RigidBody):
         arm = np.array(centre)
         shift = self.M * (arm @ arm * np.eye(3) - np.outer(arm, arm))
         central = np.linalg.eigvalsh(np.diag(self.moments) - shift)
-        if not checks.triangle(central.tolist(), max(self.moments)):
+        if self.physical and not checks.triangle(central.tolist(), max(self.moments)):
             found = ", ".join(f"{moment:.4g}" for moment in central)
             raise RigidtopError(
                 f"the moments about the centre of mass would be {found}, the largest more than the "
                 "sum of the other two: larger moments about the pivot or a nearer centre of mass"
+                f"{checks.UNPHYSICAL}"
             )
 
     @property

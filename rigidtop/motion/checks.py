@@ -94,6 +94,10 @@ def single_rotation(value: Any) -> Rotation:
     return value
 
 
+UNPHYSICAL = " (physical=False lets them through)"
+"""Behind what is said of moments that no body has: published benchmarks have such."""
+
+
 def triangle(moments: Sequence[float], scale: float) -> bool:
     """No moment about the centre of mass exceeds the sum of the other two (equal: a flat body)."""
     return 2 * max(moments) <= sum(moments) + TOLERANCE * scale

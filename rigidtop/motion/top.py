@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from decimal import ROUND_CEILING, Context
 from typing import overload
 
@@ -29,12 +29,14 @@ class HeavyTop(RigidBody):
 
     Raises RigidtopError for moments that no such body can have.  About the centre of mass they are
     λ₁ − MR² (twice) and λ₃, and λ₃ ≤ 2(λ₁ − MR²): the triangle inequality, equal for a disc.
+    `physical=False` lets others through, such as those of Simo and Wong's top, a benchmark.
 
     >>> HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.9)
     Traceback (most recent call last):
     ...
     rigidtop.errors.RigidtopError: lambda1 = 1 is too small: about the centre of mass it leaves \
-0.19, less than lambda3/2; it must be at least MR² + lambda3/2 = 1.06
+0.19, less than lambda3/2; it must be at least MR² + lambda3/2 = 1.06 \
+(physical=False lets them through)
     """
 
     lambda1: float
@@ -42,6 +44,8 @@ class HeavyTop(RigidBody):
     M: float
     R: float
     g: float = 9.81
+    # A float too, so that numbers by name, as figures have them, may be all arguments.
+    physical: bool | float = field(default=True, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         for name in ("lambda1", "lambda3", "M"):
@@ -50,11 +54,13 @@ class HeavyTop(RigidBody):
             object.__setattr__(self, name, checks.not_negative(name, getattr(self, name)))
         shift = self.M * self.R**2
         central = self.lambda1 - shift
-        if not checks.triangle((central, central, self.lambda3), max(self.moments)):
+        if self.physical and not checks.triangle(
+            (central, central, self.lambda3), max(self.moments)
+        ):
             raise RigidtopError(
                 f"lambda1 = {self.lambda1:g} is too small: about the centre of mass it leaves "
                 f"{central:g}, less than lambda3/2; it must be at least MR² + lambda3/2 = "
-                f"{shift + self.lambda3 / 2:g}"
+                f"{shift + self.lambda3 / 2:g}{checks.UNPHYSICAL}"
             )
 
     @property
