@@ -155,6 +155,11 @@ def measure(quick: bool = False, progress: Progress | None = None) -> list[Row]:
         ("one right-hand side", 1, _one_call),
         (f"{TOPS:,} right-hand sides", TOPS, _batch),
         ("derive the equations of motion", 1, _derivations),
+        *(
+            (f"derive {n} pendulums in a row, to the right-hand side", 1, lambda n=n: _row_of(n))
+            for n in ((2, 4) if quick else (2, 4, 10))
+        ),
+        ("10 s of two pendulums, 1,000 samples", 1000, _two_pendulums),
     ]
     rows: list[Row] = []
     for done, (task, per, ways) in enumerate(tasks):
@@ -520,6 +525,95 @@ def _derivations() -> list[Way]:
         Way("rigidtop.theory", None, clock=lambda: _fresh(*ours), rounds=3),
         Way("sympy LagrangesMethod.rhs", None, clock=lambda: _fresh(*sympy_s), rounds=3),
     ]
+
+
+SOLVED = 4
+"""More pendulums than these SymPy does not solve in a reasonable time."""
+
+
+def _row_of(n: int) -> list[Way]:
+    """To q̈ as lines, or, where SymPy does not get there, to M and f of Mq̈ = f."""
+    from rigidtop.system import pendulums
+
+    imports = "from rigidtop.system.pendulums import by_sympy, operations, pendulums"
+    told = "method.rhs()" if n <= SOLVED else "[*method.mass_matrix, *method.forcing]"
+    solved = f"method = by_sympy({n})\noperations({told})"
+    ours = pendulums.pendulums(n).program.operations
+    method = pendulums.by_sympy(n)
+    sides = method.rhs() if n <= SOLVED else [*method.mass_matrix, *method.forcing]
+    said = f"{pendulums.operations(sides)} operations" + ("" if n <= SOLVED else ", not solved")
+    return [
+        Way(
+            "rigidtop.System",
+            None,
+            clock=lambda: _fresh(imports, f"pendulums({n}).program"),
+            rounds=1,
+            note=f"{ours} operations",
+        ),
+        Way(
+            "sympy LagrangesMethod, cse",
+            None,
+            clock=lambda: _fresh(imports, solved),
+            rounds=1,
+            note=said,
+        ),
+    ]
+
+
+def _two_pendulums() -> list[Way]:
+    """From 1 and 0.5 rad at rest; the errors are those of the angles, against Taylor series."""
+    from rigidtop.system import pendulums
+
+    t = np.linspace(0.0, END, 1000)
+    motion = pendulums.pendulums(2).motion(pendulums.PARAMETERS, q=[1.0, 0.5])
+    has_heyoka = _module("heyoka") is not None
+    finest = ("taylor", 2.3e-16) if has_heyoka else ("DOP853", 3e-14)
+    truth = motion.integrate(t, *finest).q
+
+    def error(found: Floats) -> float:
+        return float(np.max(np.abs(found - truth)))
+
+    ways = [
+        Way("rigidtop DOP853", lambda: motion.integrate(t, rtol=TOLERANCE).q, error),
+        Way("rigidtop taylor", lambda: motion.integrate(t, method="taylor").q, error)
+        if has_heyoka
+        else _missing("rigidtop taylor", "heyoka"),
+    ]
+    pydy = _module("pydy.codegen.ode_function_generators")
+    if pydy is None:
+        return [*ways, _missing("PyDy, odeint", "PyDy")]
+    go = _by_pydy(pydy, t)
+    return [*ways, Way("PyDy, odeint", go, error)]
+
+
+def _by_pydy(pydy: Any, t: Floats) -> Callable[[], Floats]:
+    import sympy
+    from scipy.integrate import odeint
+
+    from rigidtop.system import pendulums
+
+    method = pendulums.by_sympy(2)
+    speeds = sympy.symbols("w1 w2")
+    rates = {x.diff(): w for x, w in zip(method.q, speeds, strict=True)}
+    constants = tuple(pendulums.PARAMETERS)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        right = pydy.generate_ode_function(
+            method.forcing.xreplace(rates),
+            list(method.q),
+            list(speeds),
+            constants,
+            mass_matrix=method.mass_matrix.xreplace(rates),
+            coordinate_derivatives=sympy.Matrix(speeds),
+        )
+    values = np.array(list(pendulums.PARAMETERS.values()))
+    start = np.array([1.0, 0.5, 0.0, 0.0])
+
+    def go() -> Floats:
+        found = odeint(right, start, t, args=(values,), rtol=TOLERANCE, atol=TOLERANCE)
+        return np.asarray(found[:, :2])
+
+    return go
 
 
 def _fresh(imports: str, statement: str) -> float:

@@ -45,7 +45,7 @@ READS = {
     "read": {"errors", "theory", "notation", "proof"},
     "mark": {"errors", "theory", "notation", "proof", "read", "derivations", "present"},
     "parameters": {"errors"},
-    "bench": {"errors", "theory", "codegen", "motion"},
+    "bench": {"errors", "theory", "codegen", "motion", "system"},
     "starter": {"theory", "parameters", "proof"},
     "collection": {
         "errors",
