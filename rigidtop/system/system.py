@@ -21,7 +21,7 @@ from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
 if TYPE_CHECKING:
     from rigidtop.system.derivation import Derivation
-    from rigidtop.system.motion import Numeric, SystemMotion
+    from rigidtop.system.motion import Numeric, SystemMotion, SystemMotions
     from rigidtop.system.steady import Small
 
 REDUCED = 4000
@@ -722,6 +722,21 @@ class System:
         from rigidtop.system.motion import started
 
         return started(self, parameters or {}, q, qdot)
+
+    def motions(
+        self, parameters: Mapping[Any, Any] | None = None, q: Any = None, qdot: Any = None
+    ) -> SystemMotions:
+        """Many motions: as `motion`, with arrays that broadcast in the place of numbers.
+
+        >>> from sympy import symbols
+        >>> m, k, x, v = symbols("m k x v", positive=True)
+        >>> springs = System(m*v**2/2 - k*x**2/2, [x], [v]).motions({m: 1, k: [1, 4, 9]}, [1])
+        >>> len(springs), springs.integrate([0, 1]).shape
+        (3, (2, 3, 2, 1))
+        """
+        from rigidtop.system.motion import many
+
+        return many(self, parameters or {}, q, qdot)
 
 
 def _forces(forces: Any, q: Any) -> tuple[Expr, ...]:

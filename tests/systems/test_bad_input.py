@@ -132,3 +132,21 @@ def test_until_ends_a_motion():
     assert run.ended == pytest.approx(1.0, abs=1e-12)
     assert run.t[-1] <= 1.0
     assert len(run.t) == 167
+
+
+def test_many_motions_are_the_single_ones():
+    stiffness, start = np.array([[1.0], [4.0]]), np.array([0.5, 1.0, 2.0])
+    springs = SPRING.motions({m: 1, k: stiffness}, [start])
+    assert len(springs) == 6
+    places, velocities = springs.integrate([0.3, 1.0])
+    assert places.shape == (2, 3, 2, 1)
+    rate = np.sqrt(stiffness)
+    assert np.allclose(places[..., 1, 0], start * np.cos(rate), atol=1e-8)
+    assert np.allclose(velocities[..., 1, 0], -start * rate * np.sin(rate), atol=1e-8)
+    assert np.array_equal(places[1, 2], springs[5].integrate([0.3, 1.0]).q)
+    with pytest.raises(rt.RigidtopError, match="these shapes do not broadcast: k"):
+        SPRING.motions({m: 1, k: [1, 2]}, [[1, 2, 3]])
+    with pytest.raises(rt.RigidtopError, match="q has a number, or an array, for each of x"):
+        SPRING.motions(NUMBERS, 1)
+    with pytest.raises(rt.RigidtopError, match="k must be numbers, not 'a'"):
+        SPRING.motions({m: 1, k: "a"}, [1])
