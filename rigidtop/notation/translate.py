@@ -21,7 +21,7 @@ from rigidtop.proof.equation import (
     Dot,
     Equation,
     Group,
-    Integral,
+    IntegralOver,
     Matrices,
     Printed,
     Rate,
@@ -135,7 +135,7 @@ def _signed(tree: Any, images: Images) -> Signed:
         return negative, tree.func(body, *tree.args[1:])
     if isinstance(tree, (Eq, Ne)) and tree.rhs == 0:  # what vanishes does so with either sign
         return False, tree.func(_signed(tree.lhs, images)[1], tree.rhs)
-    if isinstance(tree, Integral):
+    if isinstance(tree, IntegralOver):
         variable, *ends = (_made(*_signed(part, images)) for part in tree.args[:3])
         negative, body = _signed(tree.args[3], images)
         return negative, tree.func(variable, *ends, body)

@@ -33,7 +33,7 @@ from rigidtop.proof.equation import (
     Dot,
     Equation,
     Group,
-    Integral,
+    IntegralOver,
     Matrices,
     Partial,
     Printed,
@@ -649,7 +649,7 @@ def _(tree: VolumeIntegral, order: Order) -> Node:
 
 
 @_node.register
-def _(tree: Integral, order: Order) -> Node:
+def _(tree: IntegralOver, order: Order) -> Node:
     variable, low, high, body = (_node(part, order) for part in tree.args)
     return Big("∫", Measure("", variable, (low, high)), _under_big(body))
 

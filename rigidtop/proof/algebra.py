@@ -26,7 +26,7 @@ from rigidtop.proof.equation import (
     Cross,
     Dot,
     Group,
-    Integral,
+    IntegralOver,
     Matrices,
     NoMeaningError,
     Partial,
@@ -219,7 +219,7 @@ class Algebra:
             return self.atom(node)  # one atom: what is put in does not reach into it
         if isinstance(node, (SumOver, VolumeIntegral)):
             return self.summed(node, self.value(node.args[1]))
-        if isinstance(node, Integral):
+        if isinstance(node, IntegralOver):
             return self.integrated(*node.args)
         if isinstance(node, Rate):
             return self.rate(self.value(node.args[0]), node.args[1] if len(node.args) > 1 else None)

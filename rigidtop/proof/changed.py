@@ -12,7 +12,7 @@ from sympy import Add, Integer, Mul, Pow, Rational, Symbol, cos, sin
 from rigidtop.proof.equation import (
     Cross,
     Equation,
-    Integral,
+    IntegralOver,
     Matrices,
     Partial,
     Rate,
@@ -85,7 +85,7 @@ def _stands(node: Any, k: int) -> bool:
     return (
         isinstance(node, (Partial, Rate))
         or (isinstance(node, (Underbrace, Pow)) and k == 1 and not node.args[1].args)
-        or (isinstance(node, (Integral, SumOver, VolumeIntegral)) and k == 0)
+        or (isinstance(node, (IntegralOver, SumOver, VolumeIntegral)) and k == 0)
     )
 
 

@@ -79,8 +79,8 @@ class VolumeIntegral(Printed):
     """``VolumeIntegral(d3r, body)``: ∫ d³r body.  The meaning of d3r does the integration."""
 
 
-class Integral(Printed):
-    """``Integral(x, a, b, body)``: the integral of body over x from a to b."""
+class IntegralOver(Printed):
+    """``IntegralOver(x, a, b, body)``: the integral of body over x from a to b."""
 
 
 SPACE, BODY = Symbol("space"), Symbol("body")

@@ -32,7 +32,7 @@ from rigidtop.proof.equation import (
     Dot,
     Equation,
     Group,
-    Integral,
+    IntegralOver,
     Matrices,
     Partial,
     Rate,
@@ -178,7 +178,7 @@ def dimension(tree: Any, letters: Letters) -> Dimension | None:
             return dimension(tree.args[1], letters)
         case VolumeIntegral():
             return _times(parsed("m³"), dimension(tree.args[1], letters))
-        case Integral():
+        case IntegralOver():
             variable, low, high, body = tree.args
             return _times(_common((variable, low, high), letters), dimension(body, letters))
         case Mul() | Dot() | Cross() | Applied() | sympy.MatMul():

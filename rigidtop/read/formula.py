@@ -351,7 +351,7 @@ def kind(node: Any) -> str:
         return kind(node.args[0])
     if isinstance(node, (eq.SumOver, eq.VolumeIntegral)):
         return kind(node.args[1])
-    if isinstance(node, eq.Integral):
+    if isinstance(node, eq.IntegralOver):
         return kind(node.args[3])
     if isinstance(node, (Add, Mul)):
         kinds = [kind(argument) for argument in node.args]
@@ -558,7 +558,7 @@ class _Builder(Transformer_NonRecursive):
     def between(self, items: list[Any]) -> _Value:
         parts = [item.closed for item in items if isinstance(item, _Value)]
         *bounds, body = parts
-        made = eq.Integral(*(part.tree for part in bounds), body.tree)
+        made = eq.IntegralOver(*(part.tree for part in bounds), body.tree)
         return _made(made, body.kind, body, position=items[0].position)
 
     # Factors
