@@ -98,6 +98,11 @@ class Letters:
     def velocities(self) -> frozenset[Symbol]:
         return frozenset(self.rates[q] for q in self.coordinates if q in self.rates)
 
+    @cached_property
+    def fixed_components(self) -> Mapping[Symbol, tuple[Symbol, Symbol]]:
+        """The letters that are components along an axis that does not turn: (axis, vector)."""
+        return {x: (e, v) for (e, v), x in self.components.items() if e in self.numbers}
+
     def arguments(self, letter: Symbol) -> frozenset[Symbol]:
         """What a partial derivative of a letter holds fixed: numbers and what it is a function of.
 
@@ -604,6 +609,9 @@ class Algebra:
             return self.summed(node, self._scalar_rate(node.args[1]))
         if node in self.letters.rates:
             return self.atom(self.letters.rates[node])
+        if node in self.letters.fixed_components:
+            axis, vector = self.letters.fixed_components[node]
+            return self.dot(self._one(axis), self._atom_rate(vector, None))
         if node in self.letters.functions:  # the chain rule
             return Add(
                 *(

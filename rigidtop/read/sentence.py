@@ -20,6 +20,7 @@ a move (`rigidtop.proof.moves`), what it is done with, and what is put in beside
     Exchange $k$ and $l$ in A.              (the indices of two sums)
     Solve A for $x$.                        Solve A for $x$, without $y$.
     Take the root of A.                     Square A.
+    Take the sine of A.                     (or the cosine, or the logarithm)
     Take the sign of A.  (A's right side is < 0, > 0 or ≠ 0)
     Set $x = 0$ in A.                       Set $x = 0$ at all times in A.
     Set $x = 0$ at the start in A.  (what A says is constant, with what is cited)
@@ -208,6 +209,10 @@ def _of_letter(letter: Any, context: Context) -> Known | None:
             own = tuple(e for e in known.equations if e.sides == (letter, const))
             if own:
                 return replace(known, equations=own)
+        for known in reversed(lines):
+            own = tuple(e for e in known.equations if e.relation in "<≤≥>" and e.sides[0] == letter)
+            if own:
+                return replace(known, equations=own)
     return None
 
 
@@ -356,6 +361,7 @@ _SHAPES: tuple[tuple[str, Callable[[_Words], Move]], ...] = (
     (rf"Solve {_A} for (?P<x>\$.+\$)", _solve),
     (rf"Take the root of {_A}", _simple("root")),
     (rf"Take the sign of {_A}", _simple("sign")),
+    *((rf"Take the {f} of {_A}", _simple(f)) for f in ("sine", "cosine", "logarithm")),
     (rf"Square {_A}", _simple("square")),
     (rf"Neglect {_X} in {_A}, for (?P<n>large|small) (?P<y>\$[^$]+\$)", _neglect),
     (rf"Neglect {_X} in {_A}", _by("neglect")),

@@ -467,6 +467,99 @@ def test_operators(name: str) -> None:
     assert problem in found if problem else found == ""
 
 
+INEQUALITIES = r"""
+Call the amplitude:
+
+$$\chi = \theta^2 + \phi^2$$
+
+Rearrange it:
+
+$$\chi - \phi^2 = \theta^2$$
+
+Take the sign of it, for $\theta \ne 0$:
+
+$$\phi^2 < \chi$$
+
+Call the excess:
+
+$$\tau = \chi + \psi^2$$
+
+Rearrange it:
+
+$$\tau - \chi = \psi^2$$
+
+Take the sign of it, for $\psi \ne 0$:
+
+"""
+FOLLOWS |= {
+    "inequalities added": INEQUALITIES
+    + r"""$$\chi < \tau$$
+
+Add $\psi^2$ times it to $\phi^2$, for $\psi \ne 0$:
+
+$$\psi^2\chi + \phi^2 < \chi + \psi^2\tau$$
+""",
+    "an inequality subtracted": INEQUALITIES
+    + r"""$$\tau > \chi$$
+
+Subtract it from $\phi^2$:
+
+$$\phi^2 - \tau < 0$$
+""",
+    "an equation added to an inequality": INEQUALITIES
+    + r"""$$\chi < \tau$$
+
+Subtract the excess from it:
+
+$$\chi - \tau < \tau - \chi - \psi^2$$
+""",
+    "a sine": r"""
+Call the amplitude:
+
+$$\chi = \arcsin\left(\tfrac12\theta\right)$$
+
+Take the sine of it:
+
+$$\sin\chi = \tfrac12\theta$$
+""",
+    "a logarithm": r"""
+Call the amplitude:
+
+$$\chi = \exp\theta$$
+
+Take the logarithm of it:
+
+$$\log\chi = \theta$$
+""",
+    "a negative root": r"""
+Call the amplitude:
+
+$$\chi = \theta^2$$
+
+Rewrite it:
+
+$$\theta^2 = \chi$$
+
+Take the root of it, for $\theta < 0$:
+
+$$-\theta = \sqrt\chi$$
+""",
+    "the rate of a component along a fixed axis": r"""
+Set $\mathbf N = 0$ at all times in the law of angular momentum:
+
+$$\dot{\mathbf L} = 0$$
+
+Take the component of it along $\hat{\mathbf z}$:
+
+$$\hat{\mathbf z}\cdot\dot{\mathbf L} = 0$$
+
+Integrate it:
+
+$$L_z = \text{const}$$
+""",
+}
+
+
 @pytest.mark.parametrize("name", FOLLOWS)
 def test_a_performed_move_arrives(name: str) -> None:
     assert last(FOLLOWS[name]) == ""
@@ -816,6 +909,92 @@ Integrate it from $\dot{\mathbf e}_3 = 0$:
 $$\dot{\mathbf e}_3^2 = 0$$
 """,
         "holds at a moment",
+    ),
+}
+
+
+REFUSED |= {
+    "inequalities that say opposite things": (
+        INEQUALITIES
+        + r"""$$\tau > \chi$$
+
+Add it to $\phi^2$:
+
+$$\phi^2 + \tau < 2\chi$$
+""",
+        "nothing follows for the sum",
+    ),
+    "an inequality times what may be negative": (
+        INEQUALITIES
+        + r"""$$\chi < \tau$$
+
+Add $\psi$ times it to $\phi^2$:
+
+$$\phi^2 + \psi\chi < \chi + \psi\tau$$
+""",
+        "psi has no known sign: an inequality may turn round",
+    ),
+    "the rate of a component along an axis that turns": (
+        r"""
+Set $\mathbf N = 0$ at all times in the law of angular momentum:
+
+$$\dot{\mathbf L} = 0$$
+
+Take the component of it along $\mathbf e_3$:
+
+$$\mathbf e_3\cdot\dot{\mathbf L} = 0$$
+
+Integrate it:
+
+$$L_3 = \text{const}$$
+""",
+        "the move does not arrive",
+    ),
+    "an inequality the wrong way round": (
+        INEQUALITIES
+        + r"""$$\tau > \chi$$
+
+Subtract it from $\phi^2$:
+
+$$\phi^2 - \tau > 0$$
+""",
+        "the move gives <, the line says >",
+    ),
+    "the wrong sign of a root": (
+        r"""
+Call the amplitude:
+
+$$\chi = \theta^2$$
+
+Rewrite it:
+
+$$\theta^2 = \chi$$
+
+Take the root of it, for $\theta < 0$:
+
+$$\theta = \sqrt\chi$$
+""",
+        "the move does not arrive",
+    ),
+    "a logarithm of what is negative": (
+        r"""
+Call the amplitude:
+
+$$\chi = -\exp\theta$$
+
+Take the logarithm of it:
+
+$$\log\chi = \theta$$
+""",
+        "the logarithm of what is not positive",
+    ),
+    "a sine of a vector": (
+        r"""
+Take the sine of the law of angular momentum:
+
+$$\dot{\mathbf L} = \mathbf N$$
+""",
+        "a function of what is no scalar",
     ),
 }
 

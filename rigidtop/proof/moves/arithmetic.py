@@ -74,21 +74,48 @@ def adding(sign: int) -> Callable[[Move, Algebra], Performed]:
         if len(move.of) != 2:
             raise RefusedError("{} takes two equations", move.verb)
         first, second = (
-            [(algebra.times(f, p.left), algebra.times(f, p.right)) for p in said_pairs(k, algebra)]
+            [_times(f, p, algebra, move) for p in _compared(k, algebra)]
             for k, f in zip(move.of, factors, strict=True)
         )
         minus = Integer(sign)
         pairs = [
             Pair(
-                algebra.total([c, algebra.times(minus, a)]),
-                algebra.total([d, algebra.times(minus, b)]),
+                algebra.total([c.left, algebra.times(minus, a.left)]),
+                algebra.total([c.right, algebra.times(minus, a.right)]),
+                _of_sum(_TURNED.get(a.relation, "=") if sign < 0 else a.relation, c.relation),
             )
-            for a, b in first
-            for c, d in second
+            for a in first
+            for c in second
         ]
         return Performed(tuple(pairs), max(k.scope for k in move.of))
 
     return combine
+
+
+_TURNED = {"<": ">", ">": "<", "≤": "≥", "≥": "≤"}
+
+
+def _compared(known: Known, algebra: Algebra) -> list[Pair]:
+    """The pairs of sides of which one is larger, or else, as `said_pairs`, of equal sides."""
+    unequal = any(equation.relation in _TURNED for equation in known.equations)
+    pairs = all_pairs(known, algebra) if unequal else said_pairs(known, algebra)
+    return [p for p in pairs if p.relation in _TURNED] if unequal else pairs
+
+
+def _times(factor: Value, pair: Pair, algebra: Algebra, move: Move) -> Pair:
+    """Both sides with a factor, which has to be positive where one side is larger."""
+    if pair.relation in _TURNED and not decide.positive(*flat_with(factor, move.where)):
+        raise RefusedError("{} has no known sign: an inequality may turn round", factor)
+    left, right = algebra.times(factor, pair.left), algebra.times(factor, pair.right)
+    return replace(pair, left=left, right=right)
+
+
+def _of_sum(one: str, other: str) -> str:
+    """The relation between sums of sides; strict if that of one of the two is."""
+    ways = {"less" if relation in "<≤" else "more" for relation in (one, other) if relation != "="}
+    if len(ways) > 1:
+        raise RefusedError("{} and {}: nothing follows for the sum", one, other)
+    return max((one, other), key="=≤≥<>".index)
 
 
 def sum_over(move: Move, algebra: Algebra) -> Performed:
@@ -105,23 +132,14 @@ def multiply(move: Move, algebra: Algebra) -> Performed:
     [by] = move.by
     factor = algebra.value(by)
     known = the_one(move)
-    if any(p.relation in ("<", ">", "≤", "≥") for p in all_pairs(known, algebra)):
-        return _scaled(known, factor, algebra, move)
+    if any(p.relation in _TURNED for p in all_pairs(known, algebra)):
+        pairs = [_times(factor, p, algebra, move) for p in all_pairs(known, algebra)]
+        return Performed(tuple(pairs), known.scope)
     right = move.power == 1
     made = mapped(
         move, algebra, lambda v: algebra.times(v, factor) if right else algebra.times(factor, v)
     )
     return replace(made, order=_shifted(known.order, factor))
-
-
-def _scaled(known: Known, factor: Expr, algebra: Algebra, move: Move) -> Performed:
-    if not decide.positive(*flat_with(factor, move.where)):
-        raise RefusedError("{} has no known sign: an inequality may turn round", factor)
-    pairs = [
-        replace(p, left=algebra.times(factor, p.left), right=algebra.times(factor, p.right))
-        for p in all_pairs(known, algebra)
-    ]
-    return Performed(tuple(pairs), known.scope)
 
 
 def divide(move: Move, algebra: Algebra) -> Performed:

@@ -21,6 +21,7 @@ from rigidtop.proof.equation import NoMeaningError, Rate
 from rigidtop.proof.moves import (
     arithmetic,
     calculus,
+    functions,
     operators,
     orders,
     setting,
@@ -153,6 +154,9 @@ _VERBS: Mapping[str, Callable[[Move, Algebra], Performed]] = {
     "strip": operators.strip,
     "solve": solving.solve,
     "root": signs.root,
+    "sine": functions.function(sympy.sin),
+    "cosine": functions.function(sympy.cos),
+    "logarithm": functions.function(sympy.log),
     "sign": signs.sign,
     "sum": arithmetic.sum_over,
     "square": arithmetic.square,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import sympy
-from sympy import Expr, Integer, MatrixBase
+from sympy import Expr, Integer, MatrixBase, Mul
 
 from rigidtop.proof import decide
 from rigidtop.proof.algebra import Algebra, Vector, flattened
@@ -33,20 +33,33 @@ def root(move: Move, algebra: Algebra) -> Performed:
             raise RefusedError("the root of what is no scalar")
         flat, nodes = flattened(pair.left)  # what stands for itself is real
         left = sympy.sqrt(sympy.factor(flat)).xreplace(nodes)
-        bases = [abs_.args[0] for abs_ in left.atoms(sympy.Abs)]
-        for base in bases:
-            if not _sign_known(base, move.where):
+        for base in (abs_.args[0] for abs_ in left.atoms(sympy.Abs)):
+            if not _known_sign(base, move.where):
                 raise RefusedError(
                     "the root is ±: say for which sign of {}, such as “for … > 0”", base
                 )
-        left = left.replace(sympy.Abs, lambda x: x)
-        pairs.append(Pair(left, sympy.sqrt(pair.right)))
+        left = left.replace(sympy.Abs, lambda x: _known_sign(x, move.where) * x)
+        pairs.append(Pair(left, _root_of(pair.right, move.where)))
         conditions.append(Condition(pair.right, "≥"))
     return Performed(tuple(pairs), known.scope, tuple(conditions))
 
 
-def _sign_known(base: Expr, conditions: Sequence[Condition]) -> bool:
-    return decide.positive(*flat_with(base, [c for c in conditions if c.relation == ">"]))
+def _root_of(value: Expr, conditions: Sequence[Condition]) -> Expr:
+    """√(ab) as √a√b where a condition says which sign a sum has that is a factor."""
+    flat, nodes = flattened(value)
+    together, apart = Integer(1), []
+    for factor in Mul.make_args(sympy.factor(flat)):
+        sign = _known_sign(factor.xreplace(nodes), conditions) if factor.is_Add else 0
+        if sign:
+            apart.append(sign * factor)
+        together *= sign or factor
+    return Mul(sympy.sqrt(together), *map(sympy.sqrt, apart)).xreplace(nodes)
+
+
+def _known_sign(base: Expr, conditions: Sequence[Condition]) -> int:
+    """1 or −1 where a condition says so, else 0."""
+    strict = [c for c in conditions if c.relation == ">"]
+    return next((k for k in (1, -1) if decide.positive(*flat_with(k * base, strict))), 0)
 
 
 def sign(move: Move, algebra: Algebra) -> Performed:
