@@ -129,9 +129,10 @@ c_phi, s_phi, c_theta, s_theta, c_psi, s_psi = map(
 )
 
 # Turning points, a round tip in air, and a toy top: a disc on a stem
-theta_1 = _real("theta_1")
+theta_1, phidot_i = map(_real, ("theta_1", "phidot_i"))
 r_t, c_3, omega_30 = map(_real, ("r_t", "c_3", "omega_30"))
 M_d, M_s, r_d, h_d, z_d, l_s = map(_real, ("M_d", "M_s", "r_d", "h_d", "z_d", "l_s"))
+lambda_d, lambda_s = map(_real, ("lambda_d", "lambda_s"))
 
 VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
     {
@@ -141,6 +142,8 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         ball: Quantity(Glyph("λ", "0"), "moment of inertia of a ball inside the body", "kg m²"),
         lambda_r: Quantity(Glyph("λ", "r"), "real part of a moment of inertia", "kg m²"),
         lambda_i: Quantity(Glyph("λ", "i"), "imaginary part of a moment of inertia", "kg m²"),
+        lambda_d: Quantity(Glyph("λ", "d"), "moment of the disc about e₁, at the tip", "kg m²"),
+        lambda_s: Quantity(Glyph("λ", "s"), "moment of the stem about e₁, at the tip", "kg m²"),
         M: Quantity(Glyph("M"), "mass of the body", "kg"),
         m_k: Quantity(Glyph("m", "k"), "mass of particle k", "kg"),
         rho: Quantity(Glyph("ρ"), "mass density", "kg/m³"),
@@ -245,6 +248,7 @@ VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
         phiddot: Quantity(Glyph("φ", accent="ddot"), "second derivative of φ", "rad/s²"),
         psiddot: Quantity(Glyph("ψ", accent="ddot"), "second derivative of ψ", "rad/s²"),
         phidot: Quantity(Glyph("φ", accent="dot"), "rate of φ: precession", "rad/s"),
+        phidot_i: Quantity(Glyph("φ", "i", accent="dot"), "rate of φ at the start", "rad/s"),
         thetadot: Quantity(Glyph("θ", accent="dot"), "rate of θ: nutation", "rad/s"),
         psidot: Quantity(Glyph("ψ", accent="dot"), "rate of ψ: spin", "rad/s"),
         Omega: Quantity(Glyph("Ω"), "rate of steady precession", "rad/s"),
