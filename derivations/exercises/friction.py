@@ -305,6 +305,7 @@ def budget(path: SlidingTrajectory, rows: int, last: int) -> Table:
         Parameter("omega3", 200.0, "ω₃ at the start", "rad/s", above=0),
     ),
     figure="rising-top",
+    text="exercises/rising_top",
 )
 def rising_top(
     lambda1: float,
@@ -443,6 +444,7 @@ def small_tilt_time(
         ),
     ),
     figure="waking-top",
+    text="exercises/waking_top",
 )
 def waking_top(
     lambda1: float,

@@ -245,6 +245,7 @@ FACTORS = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
         GRAVITY,
     ),
     figure="gyroscope",
+    text="exercises/gyroscope",
 )
 def gyroscope(
     M: float, radius: float, R: float, omega3: float, theta: float, tolerance: float, g: float
@@ -317,6 +318,7 @@ def gyroscope(
         GRAVITY,
     ),
     figure="bicycle-wheel",
+    text="exercises/bicycle_wheel",
 )
 def bicycle_wheel(
     M: float, radius: float, R: float, omega3: float, cord: float, g: float

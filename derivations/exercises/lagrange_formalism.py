@@ -178,6 +178,7 @@ def spin_by_search(top: HeavyTop, tilt: float, accuracy: float) -> tuple[float, 
         Parameter("accuracy", 0.01, "error allowed, relative to Ω", least=1e-9, most=0.4),
     ),
     figure="asymptotics",
+    text="exercises/fast_spin_roots",
 )
 def fast_spin_roots(
     lambda1: float,

@@ -371,6 +371,7 @@ def lowest_potential(swing: Swing) -> tuple[float, float]:
     claims=(nutation, released_at_rest),
     parameters=(*HEAVY_TOP, INCLINED, SPIN),
     figure="effective-potential",
+    text="exercises/small_nutation",
 )
 def small_nutation(
     lambda1: float, lambda3: float, M: float, R: float, g: float, theta: float, omega3: float
@@ -504,6 +505,7 @@ def seen(motion: TopMotion, period: float) -> str:
         SPIN,
     ),
     figure="paths",
+    text="exercises/waves_cusps_loops",
 )
 def waves_cusps_loops(
     lambda1: float,

@@ -322,6 +322,7 @@ DOUBLINGS = 8
         *HEAVY_TOP,
     ),
     figure="parallel",
+    text="exercises/parallel_bound",
 )
 def parallel_bound(
     theta: float, omega3: float, lambda1: float, lambda3: float, M: float, R: float, g: float

@@ -246,6 +246,7 @@ class Waking:
         Parameter("disturbance", 1e-8, "θ of the disturbed top", "rad", least=1e-12, most=0.01),
     ),
     figure="sleeping",
+    text="exercises/sleeping_top",
 )
 def sleeping_top(
     lambda1: float,

@@ -117,6 +117,7 @@ def fall(top: HeavyTop, start: float, end: float) -> tuple[float, float]:
         GRAVITY,
     ),
     figure="toppling",
+    text="exercises/toppling_top",
 )
 def toppling_top(
     theta: float, until: float, lambda1: float, M: float, R: float, g: float

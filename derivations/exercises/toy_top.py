@@ -150,6 +150,7 @@ def _length(name: str, default: float, about: str) -> Parameter:
         replace(SPIN, default=150.0),
     ),
     figure="toy-top",
+    text="exercises/toy_box",
 )
 def top_from_the_toy_box(
     disc_mass: float,
