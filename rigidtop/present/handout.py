@@ -36,6 +36,7 @@ from rigidtop.present.report import (
     Unit,
     anchor,
     condition,
+    derivation,
     headings,
     is_number,
     numbers,
@@ -226,6 +227,8 @@ def stated(judgement: Judgement) -> list[Block]:
     made: list[Block] = [Paragraph((words,), held=bool(rows), mark=mark)]
     if rows:
         made.append(Display(rows))
+    for block in derivation(judgement, False):
+        made.append(replace(block, label="") if isinstance(block, Display) else block)
     return [*made, *(block for block in behind if not isinstance(block, Mark))]
 
 
@@ -398,7 +401,8 @@ def first_used(blocks: Sequence[Block]) -> list[Block]:
                     for node in sympy.preorder_traversal(side):
                         if isinstance(node, Symbol):
                             order.setdefault(node.name, len(order))
-    return list(symbol_list(blocks, order))
+    head, *rest = symbol_list(blocks, order) or (None,)
+    return [Heading(1, "", "List of symbols", "letters"), *rest] if head is not None else []
 
 
 def linked(blocks: Sequence[Block]) -> list[Block]:
@@ -448,7 +452,7 @@ def parted(blocks: Sequence[Block]) -> list[Block]:
     """Displays apart that have a sentence each, the lines of each with their anchors."""
     made: list[Block] = []
     seen: set[str] = set()
-    level, part = 1, 0
+    level, part, nameless = 1, 0, 0
     for block in blocks:
         if isinstance(block, Heading):
             level, part = block.level, 0
@@ -467,6 +471,10 @@ def parted(blocks: Sequence[Block]) -> list[Block]:
                 place = anchor(name) if name and name not in seen else row.anchor
                 seen.add(name)
                 groups[-1].append(replace(row, anchor=place))
+            for rows in groups:
+                if not any(row.anchor for row in rows):
+                    nameless += 1
+                    rows[-1] = replace(rows[-1], anchor=f"equation-{nameless}")
             made += [replace(block, rows=tuple(rows), room=ROOM, step=True) for rows in groups]
         else:
             made.append(block)

@@ -70,7 +70,8 @@ def write(document: Document, figures: Mapping[str, str], *, slides: bool = Fals
     byline = f'\n<p class="byline">{escape(document.byline)}</p>' if document.byline else ""
     kinds = ["page.css", *["lecture.css"] * document.lecture, *["slides.css"] * slides]
     scripts = ["lecture.js"] * document.lecture + ["slides.js"] * slides
-    script = f"<script>{style(*scripts)}</script>\n" if scripts else ""
+    # The marks of CDATA are comments to a browser, and keep the page well-formed XML.
+    script = f"<script>/*<![CDATA[*/{style(*scripts)}/*]]>*/</script>\n" if scripts else ""
     return f"""<!DOCTYPE html>
 <html lang="{document.look.language}"{' class="lecture"' * document.lecture}>
 <head>

@@ -14,6 +14,8 @@ from rigidtop.present.figures.catalog import FIGURES, named
 from rigidtop.present.figures.drawing import Drawing, both
 from rigidtop.present.files import write_all
 from rigidtop.present.handout import Parts, first_used, order_of_figures, spoken_of
+from rigidtop.present.map import contracted
+from rigidtop.present.map import picture as map_picture
 from rigidtop.present.pdf import make_pdf
 from rigidtop.present.report import (
     NOTES,
@@ -21,12 +23,14 @@ from rigidtop.present.report import (
     Document,
     Figure,
     Front,
+    Heading,
     Judged,
     Look,
     NameLine,
     Subhead,
     claim_blocks,
     document,
+    is_number,
     symbols_used,
 )
 from rigidtop.present.solutions import Solution, blocks, question
@@ -209,6 +213,11 @@ def lecture(
     if not student and solutions:
         blocks += handout.solutions(solutions, parts, told)
     blocks += handout.summary(judged)
+    chart = _map(lines, notation or NOTES_NOTATION)
+    if chart is not None:
+        pictures.append(chart)
+        blocks.append(Heading(1, "", "What rests on what", "map"))
+        blocks.append(replace(chart.described(), number=len(pictures)))
     blocks = handout.linked(handout.parted([*blocks, *first_used(blocks)]))
     whole = Document(
         front.title,
@@ -221,6 +230,42 @@ def lecture(
         look,
     )
     return _introduced(whole, notation), pictures
+
+
+LEAST = 4
+"""So many numbered equations make a map."""
+
+
+def _map(lines: Lecture, notation: Notation) -> Picture | None:
+    """Which numbered equation rests on which, where there are several."""
+    numbered = contracted(lines.map, {name for name in lines.names if is_number(name)})
+    if len(numbered) < LEAST:
+        return None
+    kept = {
+        name for name, on in numbered.items() if on or any(name in x for x in numbered.values())
+    }
+    shown = {name: on for name, on in numbered.items() if name in kept}
+    caption = (
+        "Which numbered equation rests on which, by the lines of the text; arrows that a chain of "
+        "others says too are left out. Light: what the lecture starts from."
+    )
+    alternative = "A chart from left to right: " + "; ".join(
+        f"{name} rests on {', '.join(on)}" for name, on in shown.items() if on
+    )
+    drawing = Drawing(
+        "map",
+        "What rests on what",
+        "",
+        (),
+        draw=lambda: map_picture(lines, shown, notation, COLUMN),
+        caption=lambda: caption,
+        alternative=lambda: alternative,
+    )
+    return Picture("map", drawing, {})
+
+
+COLUMN = 0.68
+"""The width of a column of the map on a page (inches)."""
 
 
 def _written(

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from io import BytesIO
+from typing import TYPE_CHECKING
 
 from rigidtop.notation import NOTES, Notation
 from rigidtop.present import plain
 from rigidtop.present.ways import called
 from rigidtop.proof.lecture import Lecture
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 KINDS = ("svg", "pdf", "png")
 Map = Mapping[str, tuple[str, ...]]
@@ -66,9 +70,31 @@ def layers(whole: Map) -> list[list[str]]:
     return made
 
 
+def contracted(whole: Map, kept: Collection[str]) -> dict[str, tuple[str, ...]]:
+    """The map of a part of its names, with arrows for chains through those that are left out."""
+    near: dict[str, set[str]] = {}
+    for name, on in whole.items():  # in reading order: what a name rests on comes first
+        near[name] = set().union(*({each} if each in kept else near[each] for each in on))
+    return {
+        name: tuple(each for each in whole if each in near[name]) for name in whole if name in kept
+    }
+
+
 def drawn(lecture: Lecture, whole: Map, kind: str, notation: Notation = NOTES) -> bytes:
     """The map as a file: laws at the left, what rests on them to the right."""
     import matplotlib as mpl
+
+    from rigidtop.present.figures import style
+
+    with mpl.rc_context(style.STYLE):
+        file = BytesIO()
+        metadata = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}.get(kind)
+        picture(lecture, whole, notation).savefig(file, format=kind, dpi=160, metadata=metadata)
+    return file.getvalue()
+
+
+def picture(lecture: Lecture, whole: Map, notation: Notation = NOTES, wide: float = 1.9) -> Figure:
+    """The map as a figure whose columns are so `wide` (inches)."""
     from matplotlib.figure import Figure
 
     from rigidtop.present.figures import style
@@ -78,67 +104,59 @@ def drawn(lecture: Lecture, whole: Map, kind: str, notation: Notation = NOTES) -
     labels = {name: _broken(label(lecture, name, notation)) for name in whole}
     rows = {name: 0.6 + words.count("\n") + 1 for name, words in labels.items()}
     tallest = max((sum(rows[name] for name in column) for column in columns), default=1)
-    width, height = WIDE * len(columns), max(2.0, 0.17 * tallest + 0.3)
-    with mpl.rc_context(style.STYLE):
-        canvas = Figure(figsize=(width, height))
-        axes = canvas.add_axes((0, 0, 1, 1))
-        axes.set_axis_off()
-        axes.set_xlim(-0.5, len(columns) - 0.5)
-        axes.set_ylim(-0.02, 1.02)
-        place: dict[str, tuple[float, float]] = {}
-        for x, column in enumerate(columns):
-            total, above = sum(rows[name] for name in column), 0.0
-            for name in column:
-                place[name] = (float(x), 1 - (above + rows[name] / 2) / total)
-                above += rows[name]
-        for name, on in arrows.items():
-            for each in on:
-                start, end = place[each], place[name]
-                axes.annotate(
-                    "",
-                    (end[0] - _half(labels[name]), end[1]),
-                    (start[0] + _half(labels[each]), start[1]),
-                    arrowprops={
-                        "arrowstyle": "-|>,head_length=0.25,head_width=0.12",
-                        "connectionstyle": "arc3,rad=0.06",
-                        "color": style.GREY if each in lecture.laws else style.FIRST,
-                        "linewidth": 0.5,
-                        "alpha": 0.7,
-                        "shrinkA": 0,
-                        "shrinkB": 0,
-                    },
-                )
-        for name, at in place.items():
-            law = name in lecture.laws
-            axes.text(
-                *at,
-                labels[name],
-                ha="center",
-                va="center",
-                fontsize=style.SMALL,
-                linespacing=0.95,
-                fontfamily="DejaVu Sans",
-                color=style.INK,
-                bbox={
-                    "boxstyle": "round,pad=0.25",
-                    "facecolor": "#f3f0e8" if law else "#e3edf6",
-                    "edgecolor": style.RULE if law else style.FIRST,
-                    "linewidth": 0.6,
+    width, height = wide * len(columns), max(2.0, 0.17 * tallest + 0.3)
+    canvas = Figure(figsize=(width, height))
+    axes = canvas.add_axes((0, 0, 1, 1))
+    axes.set_axis_off()
+    axes.set_xlim(-0.5, len(columns) - 0.5)
+    axes.set_ylim(-0.02, 1.02)
+    place: dict[str, tuple[float, float]] = {}
+    for x, column in enumerate(columns):
+        total, above = sum(rows[name] for name in column), 0.0
+        for name in column:
+            place[name] = (float(x), 1 - (above + rows[name] / 2) / total)
+            above += rows[name]
+    for name, on in arrows.items():
+        for each in on:
+            start, end = place[each], place[name]
+            axes.annotate(
+                "",
+                (end[0] - _half(labels[name], wide), end[1]),
+                (start[0] + _half(labels[each], wide), start[1]),
+                arrowprops={
+                    "arrowstyle": "-|>,head_length=0.25,head_width=0.12",
+                    "connectionstyle": "arc3,rad=0.06",
+                    "color": style.GREY if each in lecture.laws else style.FIRST,
+                    "linewidth": 0.5,
+                    "alpha": 0.7,
+                    "shrinkA": 0,
+                    "shrinkB": 0,
                 },
             )
-        file = BytesIO()
-        metadata = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}.get(kind)
-        canvas.savefig(file, format=kind, dpi=160, metadata=metadata)
-    return file.getvalue()
+    for name, at in place.items():
+        law = name in lecture.laws
+        axes.text(
+            *at,
+            labels[name],
+            ha="center",
+            va="center",
+            fontsize=style.SMALL,
+            linespacing=0.95,
+            fontfamily="DejaVu Sans",
+            color=style.INK,
+            bbox={
+                "boxstyle": "round,pad=0.25",
+                "facecolor": "#f3f0e8" if law else "#e3edf6",
+                "edgecolor": style.RULE if law else style.FIRST,
+                "linewidth": 0.6,
+            },
+        )
+    return canvas
 
 
-WIDE = 1.9
-"""A column (inches)."""
-
-
-def _half(words: str) -> float:
-    """Half the width of a label with its frame, in columns."""
-    return (0.033 * max(map(len, words.split("\n"))) + 0.05) / WIDE
+def _half(words: str, wide: float) -> float:
+    """Half the width of a label with its frame, in columns of this width."""
+    return (0.033 * max(map(len, words.split("\n"))) + 0.05) / wide
 
 
 def _broken(words: str, most: int = 20) -> str:

@@ -554,7 +554,7 @@ def claim_blocks(judgement: Judgement, *, marks: bool = True) -> list[Block]:
     if not led:  # else its lines say the rest
         if claim.reason:
             blocks.append(Paragraph((claim.reason,), "Reason"))
-        blocks.extend(_derivation(judgement, mixed))
+        blocks.extend(derivation(judgement, mixed))
         meanings = _meanings(judgement)
         if meanings:
             blocks.append(Display(meanings, "The engine's own expressions"))
@@ -598,7 +598,7 @@ def tagged_rows(judgement: Judgement, mixed: bool = False) -> tuple[Row, ...]:
     return _tagged(rows, judgement.claim.name) if rows else ()
 
 
-def _derivation(judgement: Judgement, mixed: bool) -> Iterable[Block]:
+def derivation(judgement: Judgement, mixed: bool) -> Iterable[Block]:
     """Steps and formal checks in their order; an equation that stands already is not repeated."""
     rows: list[Row] = []
     again: list[str] = []

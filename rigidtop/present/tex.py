@@ -240,7 +240,7 @@ def _(block: Heading) -> str:
     title = prose(f"{block.number}\u2002{block.title}" if block.number else block.title)
     plain = escape_for_bookmark(f"{block.number} {block.title}".strip())
     # Figures that wait for room come before the list of symbols, not behind it.
-    begins = "\\clearpage\n" if block.anchor in ("symbols", "solutions", "results") else ""
+    begins = "\\clearpage\n" if block.anchor in APART else ""
     size = {"solutions": r"\small\renewcommand{\rtscale}{0.8}", "results": r"\normalsize"}
     return (
         begins
@@ -251,6 +251,10 @@ def _(block: Heading) -> str:
             rf"{{\texorpdfstring{{{title}}}{{{plain}}}}}\markboth{{{title}}}{{}}"
         )
     )
+
+
+APART = ("symbols", "solutions", "results", "map")
+"""What begins a page."""
 
 
 def escape_for_bookmark(text: str) -> str:
@@ -348,12 +352,19 @@ def display(rows: Sequence[Row], room: float = lay.LINE) -> str:
 WIDE = 1.12
 """A line that is wider than this, in its room, does not fit in its usual size."""
 
+WIDEST_LINE = 1.9
+"""A line that is wider than this, and can't be broken, is made smaller until it fits."""
+
 SIZES = ((1.55, "scriptsize"), (1.3, "footnotesize"), (WIDE, "small"))
 """From which width on a display is set in which size."""
 
 
 def _sized(rows: Sequence[AlignRow], room: float) -> str:
     tex = align(rows, room)
+    if _width(rows) > WIDEST_LINE * room and len(rows) == 1 and not rows[0].tag:
+        lines = r" \\ ".join(map(align_row, rows[0].lines))
+        inside = rf"$\begin{{aligned}}{lines}\end{{aligned}}$"
+        return rf"{rows[0].reason}\rtfit{{{inside}}}"
     for width, size in SIZES:
         if _width(rows) > width * room:
             head, tex = (rows[0].reason, align([replace(rows[0], reason=""), *rows[1:]], room))

@@ -366,6 +366,7 @@ def test_latex_document(lecture):
     assert {p for group in used for p in group.split(",")} <= {
         *basic.split(),
         "array",
+        "multicol",
         "xcolor",
         "hyperref",
     }
@@ -477,7 +478,7 @@ def test_a_long_remark_stands_beneath_its_heading_in_typst():
 
 
 def test_a_long_remark_may_stand_beneath_its_heading_in_html():
-    assert re.search(r"\.head \{[^}]*flex-wrap: wrap", html.STYLE)
+    assert re.search(r"\.head \{[^}]*flex-wrap: wrap", html.style("page.css"))
 
 
 OPENING = (
