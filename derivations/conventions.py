@@ -86,12 +86,12 @@ def axes() -> dict:
 
 @claim(
     "euler-zxz",
-    "With φₓ = φ + π/2 and ψₓ = ψ − π/2 the turns z–x′–z″ lead to the same attitude.",
+    "With $φₓ = φ + π/2$ and $ψₓ = ψ − π/2$ the turns $z–x′–z″$ lead to the same attitude.",
 )
 def attitude() -> Iterator[Evidence]:
-    """Ry(θ) is Rx(θ) between quarter turns about z, which join the turns by φ and by ψ.
+    """$Ry(θ)$ is $Rx(θ)$ between quarter turns about $z$, which join the turns by $φ$ and by $ψ$.
 
-    The first matrix is Rz(φₓ) Rx(θ) Rz(ψₓ); the engine has Rz(φ) Ry(θ) Rz(ψ).
+    The first matrix is $Rz(φₓ) Rx(θ) Rz(ψₓ)$; the engine has $Rz(φ) Ry(θ) Rz(ψ)$.
     """
     with as_printed():
         printed = Matrix(
@@ -120,14 +120,15 @@ def attitude() -> Iterator[Evidence]:
     )
 
 
-@claim("nodes-zxz", "The axes after the second turn change places: e₁ₓ = e₂′ and e₂ₓ = −e₁′.")
+@claim("nodes-zxz", "The axes after the second turn change places: $e₁ₓ = e₂′$ and $e₂ₓ = −e₁′$.")
 def nodes() -> Iterator[Evidence]:
-    """The line of nodes is e₂′ in one sequence and the first axis in the other; e₃ is the same."""
+    """The line of nodes is $e₂′$ in one sequence and the first axis in the other; $e₃$ is the
+    same."""
     with as_printed():
         along, across = Equation(e1x, e2p), Equation(e2x, -e1p)
         vertical = Equation(zhat, cos(theta) * e3 + sin(theta) * e2x)
     yield Check(along, axes(), reason="The line of nodes.", printed=False)
-    yield Check(across, axes(), reason="The axis across it and e₃.", printed=False)
+    yield Check(across, axes(), reason="The axis across it and $e₃$.", printed=False)
     yield Check(
         vertical,
         {**axes(), zhat: Z_AXIS},
@@ -136,9 +137,11 @@ def nodes() -> Iterator[Evidence]:
     )
 
 
-@claim("omega-zxz", "ω along the line of nodes, across it and along e₃, and along the body's axes.")
+@claim(
+    "omega-zxz", "$𝛚$ along the line of nodes, across it and along $e₃$, and along the body's axes."
+)
 def rotational_velocity() -> Iterator[Evidence]:
-    """The engine takes ω from ṘRᵀ and RᵀṘ of the notes' angles; the rates are the same."""
+    """The engine takes $ω$ from $ṘRᵀ$ and $RᵀṘ$ of the notes' angles; the rates are the same."""
     with as_printed():
         along_nodes = Equation(
             omega_vec,
@@ -163,14 +166,14 @@ def rotational_velocity() -> Iterator[Evidence]:
     yield Check(
         along_body,
         {omega_vec: euler_omega("body"), **ANGLES},
-        reason="The components along e₁, e₂ and e₃.",
+        reason="The components along $e₁$, $e₂$ and $e₃$.",
         printed=False,
     )
 
 
-@claim("momentum-zxz", "L along the line of nodes, across it and along e₃.")
+@claim("momentum-zxz", "$𝐋$ along the line of nodes, across it and along $e₃$.")
 def momentum() -> Iterator[Evidence]:
-    """(3.43) goes over; the engine has L = Iω along e₁′, e₂′ and e₃, turned into space."""
+    """(3.43) goes over; the engine has $𝐋 = I𝛚$ along $e₁′$, $e₂′$ and $e₃$, turned into space."""
     with as_printed():
         printed = Equation(
             L_vec,
@@ -182,9 +185,10 @@ def momentum() -> Iterator[Evidence]:
     yield Check(printed, {L_vec: space, **axes()}, (SYMMETRIC,), printed=False)
 
 
-@claim("lagrangian-zxz", "The Lagrangian (3.53) has the same form in the angles z–x′–z″.")
+@claim("lagrangian-zxz", "The Lagrangian (3.53) has the same form in the angles $z–x′–z″$.")
 def lagrangian() -> Iterator[Evidence]:
-    """T from RᵀṘ with R = Rz(φₓ) Rx(θ) Rz(ψₓ), for any three moments, less V, at height R cos θ."""
+    """$T$ from $RᵀṘ$ with $R = Rz(φₓ) Rx(θ) Rz(ψₓ)$, for any three moments, less $V$, at height $R
+    cos θ$."""
     turns = rotation_z(phi_x) * rotation_x(theta) * rotation_z(psi_x)
     rates = {theta: thetadot, phi_x: phidot, psi_x: psidot}
     omega = omega_body(turns, rates)
@@ -203,7 +207,7 @@ def lagrangian() -> Iterator[Evidence]:
 page = Page(
     "3.3",
     "Euler angles of other books",
-    "Three turns z–x′–z″, as Goldstein, Landau and Lifshitz and Morin have them.",
+    "Three turns $z–x′–z″$, as Goldstein, Landau and Lifshitz and Morin have them.",
     (attitude, nodes, rotational_velocity, momentum, lagrangian),
 )
 

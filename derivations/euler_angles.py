@@ -57,10 +57,11 @@ def sequence() -> dict:
 
 @claim(
     "euler-sequence",
-    "Turn about ẑ by φ, about e₂′ by θ, about e₃ by ψ; φ and θ are azimuth and polar angle of e₃.",
+    "Turn about $ẑ$ by $φ$, about $e₂′$ by $θ$, about $e₃$ by $ψ$; $φ$ and $θ$ are azimuth and "
+    "polar angle of $e₃$.",
 )
 def euler_sequence() -> Iterator[Evidence]:
-    """Rodrigues' formula about each axis in turn; the product is Rz(φ) Ry(θ) Rz(ψ)."""
+    """Rodrigues' formula about each axis in turn; the product is $Rz(φ) Ry(θ) Rz(ψ)$."""
     turned = sequence()
     meaning = {**turned, **SPACE_AXES}
     yield Check(
@@ -80,9 +81,9 @@ def euler_sequence() -> Iterator[Evidence]:
     )
 
 
-@claim("3.41", "ω is the sum of the three turns' rotational velocities.")
+@claim("3.41", "$ω$ is the sum of the three turns' rotational velocities.")
 def omega_sum() -> Iterator[Evidence]:
-    """ω read off ṘRᵀ, with R the product of the three turns."""
+    """$ω$ read off $ṘRᵀ$, with $R$ the product of the three turns."""
     turned = sequence()
     yield Check(
         printed("3.41"),
@@ -90,23 +91,24 @@ def omega_sum() -> Iterator[Evidence]:
     )
 
 
-@claim("z-hat", "ẑ = cos θ e₃ − sin θ e₁′.")
+@claim("z-hat", "$ẑ = cos θ e₃ − sin θ e₁′$.")
 def vertical() -> Iterator[Evidence]:
-    """ẑ resolved along e₁′, e₂′ and e₃, the columns of Rz(φ) Ry(θ)."""
+    """$ẑ$ resolved along $e₁′$, $e₂′$ and $e₃$, the columns of $Rz(φ) Ry(θ)$."""
     axes = primed_matrix()
     yield Check(printed("z-hat"), {s.zhat: Z, s.e1p: axes[:, 0], s.e3: axes[:, 2]})
 
 
-@claim("3.42", "ω along e₁′, e₂′ and e₃.")
+@claim("3.42", "$𝛚$ along $e₁′$, $e₂′$ and $e₃$.")
 def omega_primed() -> Iterator[Evidence]:
-    """ẑ of the exercise put into (3.41); the engine resolves ω of ṘRᵀ along the same axes."""
+    """$ẑ$ of the exercise put into (3.41); the engine resolves $ω$ of $ṘRᵀ$ along the same axes."""
     omega = euler_omega("primed")
     yield Check(printed("3.42"), {s.omega_vec: Matrix(omega), **PRIMED, s.omega1p: omega[0]})
 
 
-@claim("skip-last-step", "For λ₁ = λ₂ the last rotation is not needed to write L and T.")
+@claim("skip-last-step", "For $λ₁ = λ₂$ the last rotation is not needed to write $L$ and $T$.")
 def skip_last_step() -> Iterator[Evidence]:
-    """A turn about e₃ leaves diag(λ₁, λ₁, λ₃) as it is, so ψ drops out of L and T; ψ̇ does not."""
+    """A turn about $e₃$ leaves $diag(λ₁, λ₁, λ₃)$ as it is, so $ψ$ drops out of $L$ and $T$; $ψ̇$
+    does not."""
     turn = rotation_z(s.psi)
     yield Check(
         printed(r"O\Lambda O^T = \Lambda"),
@@ -118,24 +120,24 @@ def skip_last_step() -> Iterator[Evidence]:
     yield Check(turned, {s.T: top.kinetic_energy()}, (SYMMETRIC,), printed=False)
 
 
-@claim("3.43", "L along e₁′, e₂′ and e₃.")
+@claim("3.43", "$𝐋$ along $e₁′$, $e₂′$ and $e₃$.")
 def momentum() -> Iterator[Evidence]:
-    """Lₖ = λₖωₖ along e₁′, e₂′ and e₃, which are principal axes when λ₂ = λ₁."""
+    """$Lₖ = λₖωₖ$ along $e₁′$, $e₂′$ and $e₃$, which are principal axes when $λ₂ = λ₁$."""
     components = momentum_primed()
     yield Check(printed("3.43"), {s.L_vec: components, **PRIMED, s.L3: components[2]}, (SYMMETRIC,))
 
 
 @claim("3.44", "Kinetic energy in Euler angles.")
 def kinetic() -> Iterator[Evidence]:
-    """½ω·L (3.32) has one value in all frames; the engine takes it in the body frame."""
+    """$½𝛚·𝐋$ (3.32) has one value in all frames; the engine takes it in the body frame."""
     yield Check(printed("3.44"), {s.T: top.kinetic_energy()}, (SYMMETRIC,))
 
 
-@claim("3.45", "φ̇ from L_z and L₃.")
+@claim("3.45", "$φ̇$ from $L_z$ and $L₃$.")
 def azimuthal_rate() -> Iterator[Evidence]:
-    """L_z = ẑ·L from (3.43) and the exercise, solved for φ̇: λ₁ sin²θ is divided out.
+    """$L_z = ẑ·𝐋$ from (3.43) and the exercise, solved for $φ̇$: $λ₁ sin²θ$ is divided out.
 
-    Upright, L_z = L₃ whatever φ̇ is, and the right side is 0/0.
+    Upright, $L_z = L₃$ whatever $φ̇$ is, and the right side is 0/0.
     """
     meaning = momentum_along_axes()
     yield Check(
@@ -150,7 +152,7 @@ def azimuthal_rate() -> Iterator[Evidence]:
 page = Page(
     "3.3",
     "Euler angles",
-    "Three turns z–y′–z″ that bring the space frame to the body frame.",
+    "Three turns $z–y′–z″$ that bring the space frame to the body frame.",
     (
         euler_sequence,
         omega_sum,

@@ -42,9 +42,9 @@ def rates(torque: Matrix | None = None) -> dict:
     return dict(zip(RATES, body_accelerations(torque), strict=True))
 
 
-@claim("3.35", "The rate of L in space is its rate in the body plus ω × L, and vanishes.")
+@claim("3.35", "The rate of $𝐋$ in space is its rate in the body plus $𝛚 × 𝐋$, and vanishes.")
 def transport() -> Iterator[Evidence]:
-    """The transport theorem (2.87): differentiate L′ = RᵀL and read ω off RᵀṘ."""
+    """The transport theorem (2.87): differentiate $L′ = RᵀL$ and read $ω$ off $RᵀṘ$."""
     line = printed("3.35")
     attitude = euler_matrix()
     space = Matrix([s.L_x, s.L_y, s.L_z])
@@ -75,7 +75,7 @@ def lagrange_third(potential: Expr) -> dict:
 
 @claim("3.36", "Euler's equations for the case of no external torque.")
 def euler_equations() -> Iterator[Evidence]:
-    """Lₖ = λₖωₖ put into (3.35), component by component."""
+    """$Lₖ = λₖωₖ$ put into (3.35), component by component."""
     lines = printed.lines("3.36")
     for line in lines:
         yield Check(line, rates())
@@ -92,9 +92,9 @@ def euler_equations() -> Iterator[Evidence]:
 
 @claim("euler-with-torque", "There is a more complete version with external torque.")
 def with_torque() -> Iterator[Evidence]:
-    """(3.35) with N in place of 0; N has to be resolved along the body axes.
+    """(3.35) with $𝐍$ in place of 0; $𝐍$ has to be resolved along the body axes.
 
-    For gravity that is not cumbersome: ẑ in body components obeys γ̇ = γ × ω.
+    For gravity that is not cumbersome: $ẑ$ in body components obeys $γ̇ = γ × 𝛚$.
     """
     lines = printed.lines("euler-with-torque")[-3:]
     for line in lines:
@@ -128,9 +128,9 @@ def right_sides() -> tuple[Equation, ...]:
     )
 
 
-@claim("principal-stays", "ω along a principal axis stays constant.")
+@claim("principal-stays", "$𝛚$ along a principal axis stays constant.")
 def principal_stays() -> Iterator[Evidence]:
-    """Two of the three ωₖ vanish, so every product on the right of (3.36) does."""
+    """Two of the three $ωₖ$ vanish, so every product on the right of (3.36) does."""
     for line in right_sides():
         yield Check(line, rates(), printed=False)
     for axis in range(3):
@@ -139,19 +139,20 @@ def principal_stays() -> Iterator[Evidence]:
             printed(CONSTANT),
             rates(),
             tuple(
-                Assumption(Eq(w, 0), f"ω lies along e{'₁₂₃'[axis]}", stated=True) for w in others
+                Assumption(Eq(w, 0), f"$𝛚$ lies along $e{'₁₂₃'[axis]}$", stated=True)
+                for w in others
             ),
             printed=False,
         )
 
 
-@claim("off-axis-changes", "ω that is not along a principal axis must change.")
+@claim("off-axis-changes", "$ω$ that is not along a principal axis must change.")
 def off_axis() -> Iterator[Evidence]:
-    """Two components of ω differ from zero, so one right side of (3.36) does.
+    """Two components of $𝛚$ differ from zero, so one right side of (3.36) does.
 
-    It does if the two moments that go with them differ. Of equal moments λ₁ = λ₂ every axis in the
-    plane of e₁ and e₂ is a principal axis, and ω rests on it. Without naming axes: ω rests where
-    ω × L = 0, that is along any eigenvector of I.
+    It does if the two moments that go with them differ. Of equal moments $λ₁ = λ₂$ every axis in
+    the plane of $e₁$ and $e₂$ is a principal axis, and $𝛚$ rests on it. Without naming axes: $𝛚$
+    rests where $𝛚 × 𝐋 = 0$, that is along any eigenvector of $I$.
     """
     for line in right_sides():
         yield Check(line, rates(), printed=False)
@@ -171,7 +172,7 @@ def off_axis() -> Iterator[Evidence]:
             r" = \mathbf L\times\boldsymbol\omega"
         ),
         {**rates(), s.L_vec: angular_momentum(), s.omega_vec: Matrix(OMEGA)},
-        reason="Without naming axes: ω rests only where L ∥ ω, along an eigenvector of I.",
+        reason="Without naming axes: $𝛚$ rests only where $𝐋 ∥ 𝛚$, along an eigenvector of $I$.",
         printed=False,
     )
 
@@ -181,13 +182,13 @@ def off_axis() -> Iterator[Evidence]:
     "Rotation is stable about the axes of largest and smallest moment and unstable otherwise.",
 )
 def axis_stability() -> Iterator[Evidence]:
-    """(3.36) linearised about ω = ω₃e₃: a deviation grows as exp(σt) with the σ² below.
+    """(3.36) linearised about $𝛚 = ω₃e₃$: a deviation grows as $exp(σt)$ with the $σ²$ below.
 
-    Beyond the linear order 2λ₃T − L² is conserved and, about an extreme axis, a definite square of
-    the deviation: that is stability for all times, if nothing inside takes energy; friction inside
-    leads from the axis of the smallest moment to that of the largest. Equal moments are not
-    covered: with λ₁ = λ₂ ≠ λ₃ the axis e₁ has an extreme moment and is left all the same, and with
-    three every axis stays and none is returned to.
+    Beyond the linear order $2λ₃T − L²$ is conserved and, about an extreme axis, a definite square
+    of the deviation: that is stability for all times, if nothing inside takes energy; friction
+    inside leads from the axis of the smallest moment to that of the largest. Equal moments are not
+    covered: with $λ₁ = λ₂ ≠ λ₃$ the axis $e₁$ has an extreme moment and is left all the same, and
+    with three every axis stays and none is returned to.
     """
     growth, stable, unstable, integral = itemgetter(2, 5, 7, 9)(printed.lines("axis-stability"))
     momentum = printed(r"L^2 = \text{const}")
@@ -214,12 +215,14 @@ def axis_stability() -> Iterator[Evidence]:
         return tuple(Assumption(condition, words, stated=True) for condition in conditions)
 
     largest = ordered(
-        "λ₃ is the largest moment", Ge(s.lambda3, s.lambda1), Ge(s.lambda3, s.lambda2)
+        "$λ₃$ is the largest moment", Ge(s.lambda3, s.lambda1), Ge(s.lambda3, s.lambda2)
     )
     smallest = ordered(
-        "λ₃ is the smallest moment", Le(s.lambda3, s.lambda1), Le(s.lambda3, s.lambda2)
+        "$λ₃$ is the smallest moment", Le(s.lambda3, s.lambda1), Le(s.lambda3, s.lambda2)
     )
-    between = ordered("λ₃ is the middle moment", Ge(s.lambda3, s.lambda1), Le(s.lambda3, s.lambda2))
+    between = ordered(
+        "$λ₃$ is the middle moment", Ge(s.lambda3, s.lambda1), Le(s.lambda3, s.lambda2)
+    )
     extreme = (*unequal, spins)
     yield Check(stable, meaning, (*largest, *extreme), printed=False)
     yield Check(stable, meaning, (*smallest, *extreme), printed=False)
@@ -251,14 +254,14 @@ def axis_stability() -> Iterator[Evidence]:
         (Assumption(Eq(s.damping, 0), "no friction inside takes energy"),),
         printed=False,
     )
-    yield Remark(momentum, inside, reason="With friction L is kept all the same,", printed=False)
+    yield Remark(momentum, inside, reason="With friction $L$ is kept all the same,", printed=False)
     yield Remark(
         with_ball, inside, reason="but this, the form above with the ball in it,", printed=False
     )
     yield Remark(
         printed(r"\dot T = -c\boldsymbol\zeta\cdot\boldsymbol\zeta"),
         inside,
-        reason="falls as T does: about the largest moment to zero, but about the smallest, where "
+        reason="falls as $T$ does: about the largest moment to zero, but about the smallest, where "
         "it is negative with the ball at rest, ever further from zero.",
         printed=False,
     )
@@ -269,7 +272,7 @@ def axis_stability() -> Iterator[Evidence]:
             Assumption(Eq(moment, s.lambda1), "three equal moments")
             for moment in (s.lambda2, s.lambda3)
         ),
-        "With three equal moments no ω is left, and none returned to.",
+        "With three equal moments no $ω$ is left, and none returned to.",
         printed=False,
     )
     yield from evidence.axis_rates()
@@ -279,7 +282,7 @@ def axis_stability() -> Iterator[Evidence]:
 page = Page(
     "3.2.2",
     "Euler's equations",
-    "The rate of change of ω in the frame of the principal axes.",
+    "The rate of change of $ω$ in the frame of the principal axes.",
     (
         transport,
         euler_equations,

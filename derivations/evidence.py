@@ -41,7 +41,7 @@ def axis_rates() -> Iterator[Measure]:
         shape = np.cosh if growth > 0 else np.cos
         expected = kick * shape(np.sqrt(abs(growth)) * times)
         error = float(np.max(np.abs(path - expected)) / np.max(np.abs(expected)))
-        yield Measure(f"ω disturbed by 10⁻⁶ about the axis of {name} moment", error, 1e-6)
+        yield Measure(f"$ω$ disturbed by $10⁻⁶$ about the axis of {name} moment", error, 1e-6)
 
 
 def axis_with_friction() -> Iterator[Measure]:
@@ -51,13 +51,13 @@ def axis_with_friction() -> Iterator[Measure]:
     """
     moments = np.array([1.0, 1.7, 2.3])
     run = relaxed(moments, (2.0, 2e-3, 0.0), ball=0.35, friction=0.5, longest=1000.0)
-    yield Measure("L in space with friction inside, relative", run.strayed, 1e-9)
+    yield Measure("$L$ in space with friction inside, relative", run.strayed, 1e-9)
     yield Measure("energy and heat against the energy at first, relative", run.imbalance, 1e-9)
     size = float(np.linalg.norm(run.in_space[0]))
     off = float(np.linalg.norm(run.momentum[-1, :2])) / size
-    yield Measure("L at last off the axis of largest moment, relative", off, 2 * NEAR)
+    yield Measure("$L$ at last off the axis of largest moment, relative", off, 2 * NEAR)
     more = abs(float(run.energy[-1] / (size**2 / (2 * moments[2]))) - 1)
-    yield Measure("T at last against L²/(2λ₃) of that axis, relative", more, 2 * NEAR**2)
+    yield Measure("$T$ at last against $L²/(2λ₃)$ of that axis, relative", more, 2 * NEAR**2)
 
 
 LAMBDA_1 = 1.3
@@ -80,7 +80,7 @@ def body_cone() -> Iterator[Measure]:
             axis=1,
         )
         error = float(np.max(np.abs(omega - printed)))
-        yield Measure(f"ω(t) on the body cone, {name}, 50 s (rad/s)", error, 1e-10)
+        yield Measure(f"$ω(t)$ on the body cone, {name}, 50 s (rad/s)", error, 1e-10)
 
 
 def space_cone() -> Iterator[Measure]:
@@ -100,7 +100,7 @@ def space_cone() -> Iterator[Measure]:
         + np.outer(np.sin(angle), sideways)
     )
     error = float(np.max(np.abs(path.e3 - turned)))
-    yield Measure("e₃(t) on its cone about L at the rate L/λ₁, 20 s", error, 1e-10)
+    yield Measure("$e₃(t)$ on its cone about $𝐋$ at the rate $L/λ₁$, 20 s", error, 1e-10)
 
 
 def mean_precession() -> Iterator[Measure]:
@@ -111,7 +111,7 @@ def mean_precession() -> Iterator[Measure]:
     periods = 20 * 2 * pi * TOP.lambda1 / (TOP.lambda3 * spin)
     path = TOP.motion(theta=THETA, omega3=spin).integrate([periods], **TIGHT)
     error = abs(float(path.phi[0]) / (rate * periods) - 1)
-    yield Measure("mean φ̇ of a top released at rest, 20 nutations, relative", error, 5 * epsilon)
+    yield Measure("mean $φ̇$ of a top released at rest, 20 nutations, relative", error, 5 * epsilon)
 
 
 def parallel() -> Iterator[Measure]:
@@ -126,7 +126,9 @@ def parallel() -> Iterator[Measure]:
     # ω⊥ is at most twice that of the steady precession, MgR sin θ/(λ₃ω₃).
     across = 2 * TOP.M * TOP.g * TOP.R * sin(THETA) / (TOP.lambda3 * spin)
     bound = abs(TOP.lambda1 - TOP.lambda3) * across / (TOP.lambda3 * spin)
-    yield Measure("angle between L and ω, released with ω along e₃", float(sine.max()), 1.1 * bound)
+    yield Measure(
+        "angle between $𝐋$ and $𝛚$, released with $𝛚$ along $e₃$", float(sine.max()), 1.1 * bound
+    )
 
 
 @cache
@@ -143,9 +145,9 @@ def steady_precession() -> Iterator[Measure]:
     for name, fast in (("Ω₋", False), ("Ω₊", True)):
         rate, path = steady(fast)
         held = float(np.max(np.abs(path.theta - THETA)))
-        yield Measure(f"θ held over 100 turns at {name} (rad)", held, 1e-9)
+        yield Measure(f"$θ$ held over 100 turns at ${name}$ (rad)", held, 1e-9)
         lag = float(np.max(np.abs(path.phi - rate * path.t)))
-        yield Measure(f"φ = {name} t over 100 turns (rad)", lag, 1e-7)
+        yield Measure(f"$φ = {name} t$ over 100 turns (rad)", lag, 1e-7)
 
 
 def conserved() -> Iterator[Measure]:
@@ -153,7 +155,8 @@ def conserved() -> Iterator[Measure]:
     motion = TOP.motion(theta=THETA, theta_dot=0.1, phi_dot=1.0, omega3=SPIN)
     drift = motion.integrate(np.linspace(0, 100, 101), rtol=1e-12, atol=1e-13).drift()
     for name, value in drift.items():
-        yield Measure(f"drift of {name} over 100 s, relative", value, 1e-9)
+        shown = f"${name}$" if name.startswith("p_") else name
+        yield Measure(f"drift of {shown} over 100 s, relative", value, 1e-9)
 
 
 def fast_root_is_free() -> Iterator[Measure]:
@@ -163,7 +166,9 @@ def fast_root_is_free() -> Iterator[Measure]:
     path = TOP.motion(theta=THETA, phi_dot=fast, omega3=spin).start()
     free = float(np.linalg.norm(path.angular_momentum[0])) / TOP.lambda1
     epsilon = TOP.lambda1 * TOP.M * TOP.g * TOP.R * cos(THETA) / (TOP.lambda3 * spin) ** 2
-    yield Measure("Ω₊ against L/λ₁ at ω₃ = 1000 rad/s, relative", abs(fast / free - 1), 2 * epsilon)
+    yield Measure(
+        "$Ω₊$ against $L/λ₁$ at $ω₃ = 1000$ rad/s, relative", abs(fast / free - 1), 2 * epsilon
+    )
 
 
 def nutation() -> Iterator[Measure]:
@@ -182,7 +187,7 @@ def nutation() -> Iterator[Measure]:
     )
     expected = kick / frequency * np.sin(frequency * times)
     error = float(np.max(np.abs(path.theta - THETA - expected)) * frequency / kick)
-    yield Measure("θ(t) of a small nutation at √(U″/λ₁), three periods", error, 1e-3)
+    yield Measure("$θ(t)$ of a small nutation at $√(U″/λ₁)$, three periods", error, 1e-3)
     spin = 100.0
     epsilon = TOP.lambda1 * TOP.M * TOP.g * TOP.R / (TOP.lambda3 * spin) ** 2
     released = TOP.motion(theta=THETA, phi_dot=0.0, omega3=spin)
@@ -190,7 +195,7 @@ def nutation() -> Iterator[Measure]:
     amplitude = float(np.max(swing) - np.min(swing)) / 2
     predicted = epsilon * sin(THETA)
     yield Measure(
-        "amplitude λ₁MgR sin θ/(λ₃ω₃)² of a top released at rest, relative",
+        "amplitude $λ₁MgR sin θ/(λ₃ω₃)²$ of a top released at rest, relative",
         abs(amplitude / predicted - 1),
         5 * epsilon,
     )
@@ -213,4 +218,4 @@ def waves_cusps_loops() -> Iterator[Measure]:
         rests = bool(np.abs(rates).min() < 1e-6)
         seen = "loops" if turns_back else "cusps" if rests else "waves"
         wrong = (predicted != name) + (seen != name)
-        yield Measure(f"{name}: by θ₀ and by the sign of φ̇", float(wrong), 0.0)
+        yield Measure(f"{name}: by $θ₀$ and by the sign of $φ̇$", float(wrong), 0.0)

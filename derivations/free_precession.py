@@ -49,9 +49,9 @@ def newton_rate() -> Matrix:
     return total_derivative(momentum, rates).expand()
 
 
-@claim("3.33", "In the space frame L = Iω is conserved without external torque.")
+@claim("3.33", "In the space frame $𝐋 = I𝛚$ is conserved without external torque.")
 def conservation() -> Iterator[Evidence]:
-    """L̇ = N (1.20) with L = Iω (3.26); the forces inside the body are central and cancel."""
+    """$𝐋̇ = 𝐍$ (1.20) with $𝐋 = I𝛚$ (3.26); the forces inside the body are central and cancel."""
     line = printed("3.33")
     pairs = list(zip(MASSES, POSITIONS, strict=True))
     momentum = sum((m * r.cross(SPIN.cross(r)) for m, r in pairs), Matrix([0, 0, 0]))
@@ -84,9 +84,9 @@ def conservation() -> Iterator[Evidence]:
     yield Check(line, {L_vecdot: rate, line.sides[2]: rate}, (TORQUE_FREE,))
 
 
-@claim("inertia-full", "In the space frame all components of I are nonzero.")
+@claim("inertia-full", "In the space frame all components of $I$ are nonzero.")
 def inertia_full() -> Iterator[Evidence]:
-    """I = OΛOᵀ turns with the body, and its off-diagonal components pass through zero."""
+    """$I = OΛOᵀ$ turns with the body, and its off-diagonal components pass through zero."""
     tensor = reduce_trig(euler_matrix() * diag(*MOMENTS) * euler_matrix().T)
     yield Check(printed(r"I_{xz} \neq 0"), {I_xz: tensor[0, 2]}, printed=False)
     yield Correction(
@@ -94,7 +94,7 @@ def inertia_full() -> Iterator[Evidence]:
         {I_xz: tensor[0, 2]},
         (Assumption(Eq(lambda2, lambda1), "a symmetric top"),),
         "It vanishes for every upright top, and at all times for a sphere. What makes (3.33) hard "
-        "to use is that I changes in the space frame, unless the body turns about an axis of "
+        "to use is that $I$ changes in the space frame, unless the body turns about an axis of "
         "symmetry.",
     )
 
@@ -102,7 +102,7 @@ def inertia_full() -> Iterator[Evidence]:
 page = Page(
     "3.2",
     "Free precession",
-    "Without external torque L is constant in the space frame, where I as a rule is not.",
+    "Without external torque $L$ is constant in the space frame, where $I$ as a rule is not.",
     (conservation, inertia_full),
     text="free_precession",
 )

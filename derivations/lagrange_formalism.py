@@ -29,29 +29,29 @@ ROOTS = {
 }
 FAST = Assumption(
     Eq(s.epsilon, 0),
-    "ω₃ very large: to leading order in ε = λ₁MgR cos θ/(λ₃ω₃)²",
+    "$ω₃$ very large: to leading order in $ε = λ₁MgR cos θ/(λ₃ω₃)²$",
     stated=True,
     otherwise=top.smallness(),
 )
-SPINNING = Assumption(Ne(s.omega3, 0), "the top spins about e₃", stated=True)
+SPINNING = Assumption(Ne(s.omega3, 0), "the top spins about $e₃$", stated=True)
 HORIZONTAL = Assumption(Ne(cos(s.theta), 0), "the top is not horizontal: else there is one root")
 ON_AXIS = tuple(
-    Assumption(Eq(x, place), "the centre of mass lies on e₃, at R from the pivot", stated=True)
+    Assumption(Eq(x, place), "the centre of mass lies on $e₃$, at $R$ from the pivot", stated=True)
     for x, place in zip(top.CENTRE_OF_MASS, (0, 0, s.R), strict=True)
 )
 
 
 @claim("3.53", "Lagrangian of the heavy symmetric top.")
 def lagrangian() -> Iterator[Evidence]:
-    """T of (3.44) minus the potential; the engine starts from three moments and any centre."""
+    """$T$ of (3.44) minus the potential; the engine starts from three moments and any centre."""
     line = printed("3.53")
     yield Check(line, {s.Lagrangian: top.lagrangian()}, (SYMMETRIC, *ON_AXIS))
     yield Check(line, {s.Lagrangian: top.symmetric_lagrangian()}, printed=False)  # as shipped
 
 
-@claim("3.54", "Equation of motion for θ.")
+@claim("3.54", "Equation of motion for $θ$.")
 def theta_equation() -> Iterator[Evidence]:
-    """Lagrange's equation of (3.53) for θ."""
+    """Lagrange's equation of (3.53) for $θ$."""
     line = printed("3.54")
     yield Check(line, {s.thetaddot: top.symmetric_top_accelerations()[0]})
     integrated = shipped.symbolic("top_in_euler_angles")[0]
@@ -59,43 +59,44 @@ def theta_equation() -> Iterator[Evidence]:
         yield Check(line, {s.thetaddot: other}, printed=False)
 
 
-@claim("3.55", "p_φ is constant.")
+@claim("3.55", "$p_φ$ is constant.")
 def momentum_phi() -> Iterator[Evidence]:
-    """φ does not enter (3.53), so ∂ℒ/∂φ̇ is conserved."""
+    """$φ$ does not enter (3.53), so $∂ℒ/∂φ̇$ is conserved."""
     yield Check(printed("3.55"), {s.p_phi: top.symmetric_momenta()[1], **CONSERVED})
 
 
-@claim("3.56", "p_ψ is constant.")
+@claim("3.56", "$p_ψ$ is constant.")
 def momentum_psi() -> Iterator[Evidence]:
-    """ψ does not enter (3.53) either."""
+    """$ψ$ does not enter (3.53) either."""
     yield Check(printed("3.56"), {s.p_psi: top.symmetric_momenta()[2], **CONSERVED})
     yield from evidence.conserved()
 
 
-@claim("p-phi-is-Lz", "p_φ is L_z.")
+@claim("p-phi-is-Lz", "$p_φ$ is $L_z$.")
 def p_phi_is_l_z() -> Iterator[Evidence]:
-    """∂T/∂φ̇ is ẑ·L for every body, since φ turns the whole body about ẑ."""
+    """$∂T/∂φ̇$ is $ẑ·𝐋$ for every body, since $φ$ turns the whole body about $ẑ$."""
     meaning = {s.p_phi: momenta(top.lagrangian(), top.RATES)[1], **momentum_along_axes()}
     formula = Equation(s.L_z, printed("3.55").sides[1])
     yield Check(printed("p-phi-is-Lz"), meaning, printed=False)
     yield Check(formula, meaning, (SYMMETRIC,), printed=False)
 
 
-@claim("p-psi-is-L3", "p_ψ is L₃.")
+@claim("p-psi-is-L3", "$p_ψ$ is $L₃$.")
 def p_psi_is_l_3() -> Iterator[Evidence]:
-    """∂T/∂ψ̇ is e₃·L for every body; it is conserved if the body is symmetric about e₃."""
+    """$∂T/∂ψ̇$ is $e₃·𝐋$ for every body; it is conserved if the body is symmetric about $e₃$."""
     meaning = {s.p_psi: momenta(top.lagrangian(), top.RATES)[2], **momentum_along_axes()}
     formula = Equation(s.L3, printed("3.56").sides[1])
     yield Check(printed(r"p_\psi = L_3"), meaning, printed=False)
     yield Check(formula, meaning, printed=False)
 
 
-@claim("constant-rate", "Constant θ implies constant φ̇.")
+@claim("constant-rate", "Constant $θ$ implies constant $φ̇$.")
 def constant_rate() -> Iterator[Evidence]:
-    """ṗ_φ = cos θ ṗ_ψ at constant θ is λ₁ sin²θ φ̈ = 0; upright, φ̇ and ψ̇ may do as they like."""
+    """$ṗ_φ = cos θ ṗ_ψ$ at constant $θ$ is $λ₁ sin²θ φ̈ = 0$; upright, $φ̇$ and $ψ̇$ may do as
+    they like."""
     equations = top.symmetric_equations()
     balance = ((equations[1] - cos(s.theta) * equations[2]).expand(),)
-    steady = (Assumption(Eq(s.thetadot, 0), "θ is constant", stated=True), TILTED)
+    steady = (Assumption(Eq(s.thetadot, 0), "$θ$ is constant", stated=True), TILTED)
     rates, _, constant = printed.lines("constant-rate")
     yield Check(rates, given=balance, printed=False)
     yield Check(constant, {}, steady, given=balance, printed=False)
@@ -103,9 +104,9 @@ def constant_rate() -> Iterator[Evidence]:
 
 @claim("3.57", "The quadratic for the rate of steady precession.")
 def steady_precession() -> Iterator[Evidence]:
-    """θ̈ vanishes in (3.54); dividing by sin θ loses the tops for which every Ω is steady."""
+    """$θ̈$ vanishes in (3.54); dividing by $sin θ$ loses the tops for which every $Ω$ is steady."""
     resting = top.symmetric_equations()[0].subs({s.thetaddot: 0, s.thetadot: 0})
-    steady = {s.phidot: s.Omega, s.psidot: s.omega3 - s.Omega * cos(s.theta), s.omega3: s.omega3}
+    steady = {s.phidot: s.Omega, s.psidot: s.omega3 - s.Omega * cos(s.theta)}
     balance, divided, ordered = printed.lines("3.57")
     yield Check(balance, given=(resting,))
     for line in (divided, ordered):
@@ -115,13 +116,13 @@ def steady_precession() -> Iterator[Evidence]:
 
 @claim(
     "two-roots",
-    "Two solutions; for large ω₃ a slow one, MgR/(λ₃ω₃), and a fast one, λ₃ω₃/(λ₁ cos θ).",
+    "Two solutions; for large $ω₃$ a slow one, $MgR/(λ₃ω₃)$, and a fast one, $λ₃ω₃/(λ₁ cos θ)$.",
 )
 def two_roots() -> Iterator[Evidence]:
-    """The standard formula, written so that neither root cancels for large ω₃."""
+    """The standard formula, written so that neither root cancels for large $ω₃$."""
     meaning = {s.D: top.discriminant()}
     for root, exact in zip((s.Omega_minus, s.Omega_plus), top.steady_roots(), strict=True):
-        yield Step(Equation(root, exact), "For ω₃ > 0; neither cancels.")
+        yield Step(Equation(root, exact), "For $ω₃ > 0$; regular at $cos θ = 0$.")
         yield Check(Equation(*printed("3.57").sides), {s.Omega: exact}, printed=False)
         meaning[root] = exact
     for line in (
@@ -142,12 +143,13 @@ def two_roots() -> Iterator[Evidence]:
 
 @claim(
     "slow-agrees",
-    "Ω₋ agrees with (3.52); that ω₃ is large means the same as that the torque is weak.",
+    "$Ω₋$ agrees with (3.52); that $ω₃$ is large means the same as that the torque is weak.",
 )
 def slow_agrees() -> Iterator[Evidence]:
-    """Ω₋ λ₃ω₃/(MgR) depends on ε alone: δ times the spin does what 1/δ² times the weight does."""
+    """$Ω₋ λ₃ω₃/(MgR)$ depends on $ε$ alone: $δ$ times the spin does what $1/δ²$ times the weight
+    does."""
     meaning = {**ROOTS, **UP, s.Omega_vec: value(printed("3.52").sides[1], UP)}
-    scaled = Assumption(Ne(s.delta, 0), "the spin is multiplied by δ", stated=True)
+    scaled = Assumption(Ne(s.delta, 0), "the spin is multiplied by $δ$", stated=True)
     spun = {s.epsilon: top.smallness().subs(s.omega3, s.delta * s.omega3)}
     footnote = printed(
         r"\varepsilon = \frac{\lambda_1(MgR/\delta^2)\cos\theta}{(\lambda_3\omega_3)^2}"
@@ -161,9 +163,10 @@ def slow_agrees() -> Iterator[Evidence]:
     )
 
 
-@claim("fast-is-free", "Ω₊ does not depend on g and is the free precession of 3.2.3.")
+@claim("fast-is-free", "$Ω₊$ does not depend on $g$ and is the free precession of 3.2.3.")
 def fast_is_free() -> Iterator[Evidence]:
-    """Without weight the top turns about L at Ω_s = L/λ₁ (not Ω_b), L vertical if θ is constant."""
+    """Without weight the top turns about $𝐋$ at $Ω_s = L/λ₁$ (not $Ω_b$), $𝐋$ vertical if $θ$ is
+    constant."""
     across = -s.lambda1 * ROOTS[s.Omega_plus] * sin(s.theta)
     momentum = primed_matrix() * Matrix([across, 0, s.lambda3 * s.omega3])
     meaning = {**ROOTS, **UP, s.L_vec: momentum}
@@ -176,7 +179,7 @@ def fast_is_free() -> Iterator[Evidence]:
 page = Page(
     "3.5.3",
     "Precession in the Lagrange formalism",
-    "The heavy symmetric top, without the assumption L ∥ ω.",
+    "The heavy symmetric top, without the assumption $𝐋 ∥ 𝛚$.",
     (
         lagrangian,
         theta_equation,

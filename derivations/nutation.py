@@ -78,18 +78,19 @@ def upright() -> Linearisation:
 
 @claim(
     "nutation",
-    "When started a little off, θ oscillates about the value where it could be constant.",
+    "When started a little off, $θ$ oscillates about the value where it could be constant.",
 )
 def nutation() -> Iterator[Evidence]:
-    """θ moves in the effective potential of its p_φ and p_ψ, whose minimum is the steady angle.
+    """$θ$ moves in the effective potential of its $p_φ$ and $p_ψ$, whose minimum is the steady
+    angle.
 
-    The frequency is √(U″/λ₁), for a fast top λ₃ω₃/λ₁; released at rest, a fast top swings with the
-    amplitude λ₁MgR sin θ/(λ₃ω₃)² about an angle that much below the release. With finite
-    amplitude A the mean lies off the steady angle, by −A²U‴/(4U″).
+    The frequency is $√(U″/λ₁)$, for a fast top $λ₃ω₃/λ₁$; released at rest, a fast top swings with
+    the amplitude $λ₁MgR sin θ/(λ₃ω₃)²$ about an angle that much below the release. With finite
+    amplitude $A$ the mean lies off the steady angle, by $−A²U‴/(4U″)$.
     """
     curvature = potential_slope(2)
     meaning = {s.omega_n2: curvature / s.lambda1, s.g: steady_state()[s.g]}
-    yield Step(Equation(s.U, top.top_effective_potential()), "Minus the Routhian at θ̇ = 0.")
+    yield Step(Equation(s.U, top.top_effective_potential()), "Minus the Routhian at $θ̇ = 0$.")
     yield Check(
         printed(r"U' = 0"),
         {s.U_slope: potential_slope(1)},
@@ -139,7 +140,7 @@ def nutation() -> Iterator[Evidence]:
         (
             Assumption(
                 Ge(s.D, 0),
-                "an upright top has at least the sleeping spin, else it falls away from θ = 0",
+                "an upright top has at least the sleeping spin, else it falls away from $θ = 0$",
             ),
             Assumption(Ne(s.omega3, 0), "the top spins", stated=True),
             Assumption(Gt(lean, 0), "off the upright", stated=True),
@@ -149,13 +150,13 @@ def nutation() -> Iterator[Evidence]:
     yield from evidence.nutation()
 
 
-@claim("azimuth", "φ̇ then varies by (3.45): waves, cusps, loops.")
+@claim("azimuth", "$φ̇$ then varies by (3.45): waves, cusps, loops.")
 def azimuth() -> Iterator[Evidence]:
-    """φ̇ has the sign of p_φ − p_ψ cos θ, which changes at cos θ₀ = p_φ/p_ψ.
+    """$φ̇$ has the sign of $p_φ − p_ψ cos θ$, which changes at $cos θ₀ = p_φ/p_ψ$.
 
-    θ₀ between the turning points makes loops, on one of them cusps, outside them waves. A top that
-    is released at rest has θ₀ where it is released: cusps. With p_φ = p_ψ = 0 (example 34) φ rests
-    although θ changes.
+    $θ₀$ between the turning points makes loops, on one of them cusps, outside them waves. A top
+    that is released at rest has $θ₀$ where it is released: cusps. With $p_φ = p_ψ = 0$ (example
+    34) $φ$ rests although $θ$ changes.
     """
     rate = cyclic_velocities(top.symmetric_lagrangian(), (s.phidot, s.psidot), (s.p_phi, s.p_psi))[
         s.phidot
@@ -183,7 +184,8 @@ def azimuth() -> Iterator[Evidence]:
         {s.phidot_slope: rate.diff(s.theta)},
         (
             Assumption(
-                Ne(turning, 0), "p_φ and p_ψ do not both vanish, and θ is not the one extremum"
+                Ne(turning, 0),
+                "$p_φ$ and $p_ψ$ do not both vanish, and $θ$ is not the one extremum",
             ),
         ),
         printed=False,
@@ -193,11 +195,11 @@ def azimuth() -> Iterator[Evidence]:
 
 @claim("friction", "Friction moves the point of contact and takes energy from the rotation.")
 def friction() -> Iterator[Evidence]:
-    """Ė is the contact force times the velocity of the tip where it touches: slip costs energy.
+    """$Ė$ is the contact force times the velocity of the tip where it touches: slip costs energy.
 
     Where static friction holds a sharp tip nothing moves and nothing is lost: that is the fixed
     pivot. Held so, a round tip rolls over the table. Without any friction the contact moves as
-    well: the tip slides round at RΩ sin θ, while the centre of mass stays above one spot.
+    well: the tip slides round at $RΩ sin θ$, while the centre of mass stays above one spot.
     """
     contact, force, velocity = (
         Matrix(symbols(f"{x}_1 {x}_2 {x}_3", real=True)) for x in ("r", "f", "v")
@@ -232,7 +234,7 @@ def friction() -> Iterator[Evidence]:
         {s.omega_vec: Matrix([s.omega1, s.omega2, s.omega3]), s.zhat: Matrix([0, 0, 1])},
         (
             Assumption(
-                Ne(s.delta, 0), "the tip is round, with radius δ: held by friction it rolls"
+                Ne(s.delta, 0), "the tip is round, with radius $δ$: held by friction it rolls"
             ),
             Assumption(Ne(s.omega1, 0), "the top does not turn about the vertical alone"),
         ),
@@ -241,7 +243,7 @@ def friction() -> Iterator[Evidence]:
     yield Remark(
         printed.lines("friction")[6],
         {s.v_tip: -s.R * turning.cross(figure_axis)},
-        reason="Without friction the centre keeps its place and the tip, at −R e₃, goes round.",
+        reason="Without friction the centre keeps its place and the tip, at $−R e₃$, goes round.",
         printed=False,
     )
 
@@ -249,7 +251,7 @@ def friction() -> Iterator[Evidence]:
 page = Page(
     "3.5.4",
     "Nutation in the Lagrange formalism",
-    "What θ and φ do when the precession is not quite steady.",
+    "What $θ$ and $φ$ do when the precession is not quite steady.",
     (nutation, azimuth, friction),
     text="nutation",
 )

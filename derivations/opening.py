@@ -16,9 +16,9 @@ from .printed import printed
 
 STICK = Matrix([0, sin(s.alpha), cos(s.alpha)])
 
-TILTED = Assumption(Ne(sin(s.alpha), 0), "the stick is tilted against ω", stated=True)
+TILTED = Assumption(Ne(sin(s.alpha), 0), "the stick is tilted against $𝛚$", stated=True)
 TURNING = Assumption(Ne(s.omega, 0), "the masses move", stated=True)
-OBLIQUE = Assumption(Ne(cos(s.alpha), 0), "the stick is not at right angles to ω either")
+OBLIQUE = Assumption(Ne(cos(s.alpha), 0), "the stick is not at right angles to $𝛚$ either")
 
 
 def angular_momentum(turn: Matrix) -> Matrix:
@@ -31,14 +31,17 @@ def angular_momentum(turn: Matrix) -> Matrix:
 
 @claim(
     "two-mass-points",
-    "For two point masses on a stick tilted to ω, L is not parallel to ω and lies in the plane of "
-    "the masses and ω; with ω constant L would turn, so ω must change when the body is free.",
+    "For two point masses on a stick tilted to $𝛚$, $𝐋$ is not parallel to $𝛚$ and lies in the "
+    "plane of "
+    "the masses and $𝛚$; with $𝛚$ constant $𝐋$ would turn, so $𝛚$ must change when the body is "
+    "free.",
 )
 def two_mass_points() -> Iterator[Evidence]:
-    """L = Σ m r × (ω × r) has a part across ω, which half a turn with constant ω would reverse.
+    """$𝐋 = Σ m 𝐫 × (𝛚 × 𝐫)$ has a part across $𝛚$, which half a turn with constant $𝛚$ would
+    reverse.
 
-    For points exactly on a line that does not make ω change: the part of ω along the stick moves
-    nothing, and the rest can stay constant along L.
+    For points exactly on a line that does not make $𝛚$ change: the part of $𝛚$ along the stick
+    moves nothing, and the rest can stay constant along $𝐋$.
     """
     before = angular_momentum(rotation_z(Integer(0)))
     meaning = {
@@ -98,7 +101,8 @@ def two_mass_points() -> Iterator[Evidence]:
             TURNING,
             OBLIQUE,
             Assumption(
-                Ne(s.delta, 0), "the stick has a thickness δ, so that it shows a turn about itself"
+                Ne(s.delta, 0),
+                "the stick has a thickness $δ$, so that it shows a turn about itself",
             ),
         ),
         printed=False,
@@ -108,7 +112,7 @@ def two_mass_points() -> Iterator[Evidence]:
 page = Page(
     "3.2 (opening)",
     "Two masses on a stick",
-    "Why a rotation axis that is not parallel to L can't stay where it is.",
+    "Why a rotation axis that is not parallel to $𝐋$ can't stay where it is.",
     (two_mass_points,),
     text="opening",
 )

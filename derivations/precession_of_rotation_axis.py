@@ -41,7 +41,8 @@ from .printed import printed
 SYMMETRIC = Assumption(Eq(s.lambda2, s.lambda1), "two equal moments", stated=True)
 START = Assumption(
     Eq(s.omega_20, 0),
-    "e₁, which is free to choose when λ₁ = λ₂, points along the part of ω across e₃ at t = 0",
+    "$e₁$, which is free to choose when $λ₁ = λ₂$, points along the part of $𝛚$ across $e₃$ at "
+    "$t = 0$",
 )
 FROM_START = replace(START, stated=True)  # (3.38) is given there
 RATES = dict(zip((s.omega1dot, s.omega2dot, s.omega3dot), body_accelerations(), strict=True))
@@ -57,16 +58,16 @@ def body_cone() -> Matrix:
     return rotation_z(-s.Omega_b * s.t) * Matrix([s.omega_0, s.omega_20, s.omega3])
 
 
-@claim("3.37", "ω̇₁ = Ω_b ω₂, ω̇₂ = −Ω_b ω₁, and ω₃ is constant.")
+@claim("3.37", "$ω̇₁ = Ω_b ω₂$, $ω̇₂ = −Ω_b ω₁$, and $ω₃$ is constant.")
 def oscillating_pair() -> Iterator[Evidence]:
-    """λ₂ = λ₁ in (3.36): the third equation has no right side left, and ω₃ is a number."""
+    """$λ₂ = λ₁$ in (3.36): the third equation has no right side left, and $ω₃$ is a number."""
     meaning = {**RATES, s.Omega_b: body_frequency()}
     yield Check(printed(r"\dot\omega_3 = 0"), RATES, (SYMMETRIC,), printed=False)
     for line in printed.lines("3.37"):
         yield Check(line, meaning, (SYMMETRIC,))
 
 
-@claim("omega-oscillator", "ω₁ and ω₂ obey the equation of an oscillator with frequency Ω_b.")
+@claim("omega-oscillator", "$ω₁$ and $ω₂$ obey the equation of an oscillator with frequency $Ω_b$.")
 def oscillator() -> Iterator[Evidence]:
     """One of (3.37) differentiated in time, the other inserted."""
     meaning = {
@@ -78,9 +79,9 @@ def oscillator() -> Iterator[Evidence]:
         yield Check(line, meaning, (SYMMETRIC,))
 
 
-@claim("3.38", "In the body frame ω turns on the body cone.")
+@claim("3.38", "In the body frame $ω$ turns on the body cone.")
 def omega_on_body_cone() -> Iterator[Evidence]:
-    """(3.37) is a turn about e₃ by −Ω_b t; the printed solution starts it at ω₂ = 0."""
+    """(3.37) is a turn about $e₃$ by $−Ω_b t$; the printed solution starts it at $ω₂ = 0$."""
     solution = body_cone()
     meaning = {
         s.omega1: solution[0],
@@ -94,19 +95,19 @@ def omega_on_body_cone() -> Iterator[Evidence]:
     yield from evidence.body_cone()
 
 
-@claim("3.39", "In the body frame L turns on a cone of its own.")
+@claim("3.39", "In the body frame $L$ turns on a cone of its own.")
 def momentum_on_body_cone() -> Iterator[Evidence]:
-    """Lₖ = λₖωₖ applied to (3.38)."""
+    """$Lₖ = λₖωₖ$ applied to (3.38)."""
     momentum = diag(s.lambda1, s.lambda2, s.lambda3) * body_cone()
     yield Check(printed("3.39"), {s.L_vec: momentum}, (SYMMETRIC, START))
 
 
-@claim("3.40", "The frequency Ω_b of the precession in the body, and its period τ_b = 2π/Ω_b.")
+@claim("3.40", "The frequency $Ω_b$ of the precession in the body, and its period $τ_b = 2π/Ω_b$.")
 def body_precession() -> Iterator[Evidence]:
-    """Ω_b from (3.37); ω(t) has the period of cos Ω_b t, which is 2π/|Ω_b|.
+    """$Ω_b$ from (3.37); $ω(t)$ has the period of $cos Ω_b t$, which is $2π/|Ω_b|$.
 
-    For an oblate body (λ₃ > λ₁) with ω₃ > 0, and a prolate one with ω₃ < 0, Ω_b is negative: ω
-    turns the other way, and the period is 2π/|Ω_b|. For λ₁ = λ₃ nothing turns.
+    For an oblate body ($λ₃ > λ₁$) with $ω₃ > 0$, and a prolate one with $ω₃ < 0$, $Ω_b$ is
+    negative: $ω$ turns the other way, and the period is $2π/|Ω_b|$. For $λ₁ = λ₃$ nothing turns.
     """
     yield Check(printed("3.40"), {s.Omega_b: body_frequency()})
     yield Check(
@@ -115,15 +116,15 @@ def body_precession() -> Iterator[Evidence]:
         (
             Assumption(
                 Gt(s.Omega_b, 0),
-                "(λ₁ − λ₃)ω₃ > 0: a prolate body with ω₃ > 0, or an oblate one with ω₃ < 0",
+                "$(λ₁ − λ₃)ω₃ > 0$: a prolate body with $ω₃ > 0$, or an oblate one with $ω₃ < 0$",
             ),
         ),
     )
 
 
-@claim("constant-angle", "The angle between ω and L is constant.")
+@claim("constant-angle", "The angle between $𝛚$ and $𝐋$ is constant.")
 def constant_angle() -> Iterator[Evidence]:
-    """ω·L = 2T and |L| are constant for every body; |ω| is too when λ₁ = λ₂."""
+    """$𝛚·𝐋 = 2T$ and $|L|$ are constant for every body; $|ω|$ is too when $λ₁ = λ₂$."""
     on_cone, *sizes, product = printed.lines("constant-angle")
     meaning = {
         s.omega_vec: Matrix(OMEGA),
@@ -148,13 +149,16 @@ def constant_angle() -> Iterator[Evidence]:
     yield Check(sizes[1], on_body_cone, (SYMMETRIC, FROM_START), printed=False)
 
 
-@claim("coplanar", "e₃, ω and L remain in one plane, because the angle of ω and L is constant.")
+@claim(
+    "coplanar",
+    "$e₃$, $𝛚$ and $𝐋$ remain in one plane, because the angle of $𝛚$ and $𝐋$ is constant.",
+)
 def coplanar() -> Iterator[Evidence]:
-    """They do, since L = λ₁ω + (λ₃ − λ₁)ω₃e₃; but the reason given does not show it.
+    """They do, since $𝐋 = λ₁𝛚 + (λ₃ − λ₁)ω₃e₃$; but the reason given does not show it.
 
-    Two vectors that turn about e₃ together, one behind the other, keep their angle and span no
-    plane with e₃. That is a counterexample to the inference, not a body. It takes all three angles
-    and one time at which the plane is there, as (3.38) and (3.39) have it at t = 0.
+    Two vectors that turn about $e₃$ together, one behind the other, keep their angle and span no
+    plane with $e₃$. That is a counterexample to the inference, not a body. It takes all three
+    angles and one time at which the plane is there, as (3.38) and (3.39) have it at $t = 0$.
     """
     axis = Matrix(Z_AXIS)
     meaning = {s.e3: axis, s.omega_vec: Matrix(OMEGA), s.L_vec: angular_momentum()}
@@ -174,13 +178,13 @@ def coplanar() -> Iterator[Evidence]:
     yield Check(
         printed(r"\boldsymbol\omega\cdot\mathbf w = \text{const}"),
         {**behind, s.const: lambda product: product.diff(s.phi)},
-        reason="But ω and any vector w that follows it by δ keep their angle as φ grows,",
+        reason="But $ω$ and any vector $𝐰$ that follows it by $δ$ keep their angle as $φ$ grows,",
         printed=False,
     )
     yield Check(
         printed(r"\mathbf e_3\cdot(\boldsymbol\omega\times\mathbf w) = 0"),
         behind,
-        reason="yet they are not in one plane with e₃.",
+        reason="yet they are not in one plane with $e₃$.",
         printed=False,
     )
     yield Correction(
@@ -204,9 +208,10 @@ def coplanar() -> Iterator[Evidence]:
     )
 
 
-@claim("same-frequency", "L precesses about e₃ as fast as ω, at another angle.")
+@claim("same-frequency", "$𝐋$ precesses about $e₃$ as fast as $𝛚$, at another angle.")
 def same_frequency() -> Iterator[Evidence]:
-    """The parts of L and ω across e₃ are parallel; the slopes against e₃ differ by λ₁/λ₃."""
+    """The parts of $𝐋$ and $𝛚$ across $e₃$ are parallel; the slopes against $e₃$ differ by
+    $λ₁/λ₃$."""
     momentum = angular_momentum()
     meaning = {s.L1: momentum[0], s.L2: momentum[1], s.L3: momentum[2]}
     yield Check(
@@ -219,20 +224,22 @@ def same_frequency() -> Iterator[Evidence]:
         printed.lines("same-frequency")[6],
         meaning,
         (
-            Assumption(Ne(s.omega1, 0), "ω is not along e₃", stated=True),
-            Assumption(Ne(s.omega3, 0), "ω is not across e₃ either"),
+            Assumption(Ne(s.omega1, 0), "$𝛚$ is not along $e₃$", stated=True),
+            Assumption(Ne(s.omega3, 0), "$𝛚$ is not across $e₃$ either"),
             Assumption(Ne(s.lambda1, s.lambda3), "the third moment is another"),
         ),
         printed=False,
     )
 
 
-@claim("space-cone", "In the space frame the plane of e₃ and ω turns about L at Ω_s = L/λ₁.")
+@claim(
+    "space-cone", "In the space frame the plane of $e₃$ and $𝛚$ turns about $𝐋$ at $Ω_s = L/λ₁$."
+)
 def space_cone() -> Iterator[Evidence]:
-    """ω = L/λ₁ + (1 − λ₃/λ₁)ω₃e₃, and the second part does not move e₃.
+    """$𝛚 = 𝐋/λ₁ + (1 − λ₃/λ₁)ω₃e₃$, and the second part does not move $e₃$.
 
-    This is the proof that the notes leave out: e₃ and ω both turn with the constant vector L/λ₁. If
-    ω is along e₃ so is L, and there is neither a plane nor a cone.
+    This is the proof that the notes leave out: $e₃$ and $𝛚$ both turn with the constant vector
+    $L/λ₁$. If $𝛚$ is along $e₃$ so is $𝐋$, and there is neither a plane nor a cone.
     """
     _, _, axis, _, omega_rate, _, rate, _ = printed.lines("space-cone")
     momentum = angular_momentum()
@@ -266,7 +273,7 @@ def space_cone() -> Iterator[Evidence]:
             SYMMETRIC,
             Assumption(
                 Ne(s.omega1**2 + s.omega2**2, 0),
-                "ω is not along e₃: else there is no plane, and e₃ rests",
+                "$𝛚$ is not along $e₃$: else there is no plane, and $e₃$ rests",
                 stated=True,
             ),
         ),
@@ -277,11 +284,11 @@ def space_cone() -> Iterator[Evidence]:
 
 @claim("free-fall", "In free fall there is no external torque about the centre of mass.")
 def free_fall() -> Iterator[Evidence]:
-    """Σ m(r − R_CM) × g = 0 when gravity is the same for all particles.
+    """$Σ m(𝐫 − 𝐑_CM) × 𝐠 = 0$ when gravity is the same for all particles.
 
     So gravity does not turn a body about its centre of mass on the ground either: there the support
-    does, and in free fall there is none. A field that varies across the body (κ, the tide) does,
-    and so does the air, which pushes one part more than another (F₁).
+    does, and in free fall there is none. A field that varies across the body ($κ$, the tide) does,
+    and so does the air, which pushes one part more than another ($F₁$).
     """
     positions = [Matrix(symbols(f"x{k} y{k} z{k}", real=True)) for k in (1, 2)]
     masses = (s.M_1, s.M_2)
@@ -311,11 +318,11 @@ def free_fall() -> Iterator[Evidence]:
     "asteroids do.",
 )
 def example_33() -> Iterator[Evidence]:
-    """At given L the energy is least about the axis of the largest moment.
+    """At given $L$ the energy is least about the axis of the largest moment.
 
-    Friction inside the body lowers T and leaves L in space alone, so a body that loses energy ends
-    there; Toutatis has not yet. A ball in oil inside stands for whatever rubs. (Moments and spin
-    state: Takahashi, Busch & Scheeres 2013.)
+    Friction inside the body lowers $T$ and leaves $L$ in space alone, so a body that loses energy
+    ends there; Toutatis has not yet. A ball in oil inside stands for whatever rubs. (Moments and
+    spin state: Takahashi, Busch & Scheeres 2013.)
     """
     observed = dict(zip((s.lambda1, s.lambda2, s.lambda3), toutatis.MOMENTS, strict=True))
     spin = Matrix(toutatis.OMEGA_1992)
@@ -344,14 +351,14 @@ def example_33() -> Iterator[Evidence]:
     squared = angular_momentum().dot(angular_momentum())
     meaning = {s.T: kinetic_energy(), s.L: squared ** Rational(1, 2)}
     yield Check(excess, meaning, printed=False)
-    largest = "λ₃ is the largest moment"
+    largest = "$λ₃$ is the largest moment"
     yield Check(
         least,
         meaning,
         (
             Assumption(Gt(s.lambda3, s.lambda1), largest, stated=True),
             Assumption(Gt(s.lambda3, s.lambda2), largest, stated=True),
-            Assumption(Ne(s.omega1, 0), "the rotation is another than about e₃", stated=True),
+            Assumption(Ne(s.omega1, 0), "the rotation is another than about $e₃$", stated=True),
         ),
         printed=False,
     )
@@ -383,7 +390,7 @@ def example_33() -> Iterator[Evidence]:
         {s.Tdot: -s.damping * s.delta**2},
         (
             Assumption(Gt(s.damping, 0), "energy is lost inside the body"),
-            Assumption(Ne(s.delta, 0), "ω is not along a principal axis", stated=True),
+            Assumption(Ne(s.delta, 0), "$𝛚$ is not along a principal axis", stated=True),
         ),
         printed=False,
     )
@@ -392,7 +399,7 @@ def example_33() -> Iterator[Evidence]:
 page = Page(
     "3.2.3",
     "Precession of the rotation axis",
-    "Two equal moments: ω, L and e₃ in the body frame and in space.",
+    "Two equal moments: $𝛚$, $𝐋$ and $e₃$ in the body frame and in space.",
     (
         oscillating_pair,
         oscillator,

@@ -18,12 +18,13 @@ from .printed import printed
 
 @claim(
     "3.46",
-    "r′ = Oᵀr; a rotation matrix is an orthogonal matrix O which, multiplied to r, gives r′.",
+    "$r′ = Oᵀr$; a rotation matrix is an orthogonal matrix $O$ which, multiplied to $r$, gives "
+    "$r′$.",
 )
 def rotated_components() -> Iterator[Evidence]:
-    """(3.34) again. But the sentence beside it has O where the equation has Oᵀ.
+    """(3.34) again. But the sentence beside it has $O$ where the equation has $Oᵀ$.
 
-    And orthogonal is not enough: a mirror image is orthogonal too. It takes det O = 1.
+    And orthogonal is not enough: a mirror image is orthogonal too. It takes $det O = 1$.
     """
     attitude = euler_matrix()
     body = Matrix(symbols("r1 r2 r3", real=True))
@@ -34,7 +35,7 @@ def rotated_components() -> Iterator[Evidence]:
     yield Check(
         printed(r"\mathbf r' = O\mathbf r"),
         meaning,
-        reason="As the sentence has it: “multiplied to r”.",
+        reason="As the sentence has it: “multiplied to $r$”.",
         other_reading={**meaning, s.O_matrix: attitude.T},
         printed=False,
     )
@@ -43,21 +44,21 @@ def rotated_components() -> Iterator[Evidence]:
         {s.det_O: reduce_trig((handed * attitude).det())},
         (
             Assumption(
-                Eq(handed, 1), "O is not a mirror image (s = −1): the S of SO(N)", stated=True
+                Eq(handed, 1), "$O$ is not a mirror image ($s = −1$): the S of SO(N)", stated=True
             ),
         ),
-        "A rotation times s with s² = 1 is orthogonal for both signs of s.",
+        "A rotation times $s$ with $s² = 1$ is orthogonal for both signs of $s$.",
         given=(handed**2 - 1,),
         printed=False,
     )
-    yield Correction(line, meaning, reason="It is Oᵀ that is multiplied to r.")
+    yield Correction(line, meaning, reason="It is $Oᵀ$ that is multiplied to $r$.")
 
 
-@claim("3.47", "Oᵀ in Euler angles.")
+@claim("3.47", "$Oᵀ$ in Euler angles.")
 def euler_angle_matrix() -> Iterator[Evidence]:
-    """The printed matrix has e₁, e₂, e₃ as columns: by (3.34) that is O, not Oᵀ.
+    """The printed matrix has $e₁$, $e₂$, $e₃$ as columns: by (3.34) that is $O$, not $Oᵀ$.
 
-    Its last column is e₃ = (cos φ sin θ, sin φ sin θ, cos θ), as the figure of 3.3 has it.
+    Its last column is $e₃ = (cos φ sin θ$, $sin φ sin θ$, $cos θ$), as the figure of 3.3 has it.
     """
     _, matrix = printed("3.47").sides
     short = {
@@ -72,17 +73,17 @@ def euler_angle_matrix() -> Iterator[Evidence]:
     yield Check(
         Equation(Transposed(s.O_matrix), matrix, tag="3.47"),
         {s.O_matrix: attitude, **short},
-        reason="With c and s for cosine and sine.",
+        reason="With $c$ and $s$ for cosine and sine.",
         other_reading={s.O_matrix: attitude.T, **short},
     )
     yield Correction(Equation(s.O_matrix, matrix), {s.O_matrix: attitude, **short})
 
 
-@claim("rotation-group", "Rotation matrices form a group; SO(N) has det O = 1.")
+@claim("rotation-group", "Rotation matrices form a group; SO(N) has $det O = 1$.")
 def rotation_group() -> Iterator[Evidence]:
     """Products and inverses of orthogonal matrices are orthogonal, and determinants multiply.
 
-    The identities hold entry by entry for any matrices; shown for 2 × 2 and 3 × 3.
+    The identities hold entry by entry for any matrices; shown for $2 × 2$ and $3 × 3$.
     """
     for size in (2, 3):
         A, B, C = (Matrix(size, size, symbols(f"{x}:{size * size}", real=True)) for x in "abc")

@@ -25,17 +25,18 @@ from .printed import printed
 MOMENTS = diag(s.lambda1, s.lambda1, s.lambda3)
 WEAK = Assumption(
     Eq(s.epsilon, 0),
-    "to leading order in ε = λ₁MgR cos θ/(λ₃ω₃)²: weak torque",
+    "to leading order in $ε = λ₁MgR cos θ/(λ₃ω₃)²$: weak torque",
     stated=True,
     otherwise=top.smallness(),
 )
-NO_NUTATION = Assumption(Eq(s.thetadot, 0), "θ does not change: there is no nutation")
+NO_NUTATION = Assumption(Eq(s.thetadot, 0), "$θ$ does not change: there is no nutation")
 STEADY = Assumption(
     Eq(s.thetaddot, 0),
-    "the top is set going steadily; released with ω along e₃ it nutates, and the equation holds on "
+    "the top is set going steadily; released with $𝛚$ along $e₃$ it nutates, and the equation "
+    "holds on "
     "average",
 )
-SPINNING = Assumption(Ne(s.omega3, 0), "the top spins about e₃", stated=True)
+SPINNING = Assumption(Ne(s.omega3, 0), "the top spins about $e₃$", stated=True)
 
 
 @cache
@@ -86,14 +87,14 @@ def picture() -> dict:
     }
 
 
-@claim("3.50", "λ₃ω₃ ė₃ = M R_CM × g, from L ∥ ω.")
+@claim("3.50", "$λ₃ω₃ 𝐞̇₃ = M 𝐑_CM × 𝐠$, from $𝐋 ∥ 𝛚$.")
 def torque_balance() -> Iterator[Evidence]:
-    """L̇ = N for the exact L = λ₃ω₃e₃ + λ₁ e₃ × ė₃; λ₁ e₃ × ë₃ is smaller by ε and left out.
+    """$𝐋̇ = 𝐍$ for the exact $𝐋 = λ₃ω₃e₃ + λ₁ e₃ × 𝐞̇₃$; $λ₁ e₃ × 𝐞̈₃$ is smaller by $ε$ and left out.
 
-    With L along e₃ at all times ω would be along e₃ too, and e₃ could not move: the equation can
-    only hold to leading order, and exactly where cos θ = 0. A top that is released with ω along
-    e₃, as the notes have it, starts with ė₃ = 0 and makes cusps; the equation is then that of its
-    mean motion.
+    With $𝐋$ along $e₃$ at all times $𝛚$ would be along $e₃$ too, and $e₃$ could not move: the
+    equation can only hold to leading order, and exactly where $cos θ = 0$. A top that is released
+    with $𝛚$ along $e₃$, as the notes have it, starts with $𝐞̇₃ = 0$ and makes cusps; the equation
+    is then that of its mean motion.
     """
     axes = primed_matrix()
     omega = euler_omega("primed")
@@ -119,11 +120,12 @@ def torque_balance() -> Iterator[Evidence]:
     yield from evidence.mean_precession()
 
 
-@claim("torque-perpendicular", "The torque is orthogonal to L and turns it at constant length.")
+@claim("torque-perpendicular", "The torque is orthogonal to $L$ and turns it at constant length.")
 def perpendicular() -> Iterator[Evidence]:
-    """N = MgR ẑ × e₃ is orthogonal to e₃; L has a part λ₁ e₃ × ė₃ besides, and N·L = λ₁MgR θ̇ sin θ.
+    """$𝐍 = MgR ẑ × e₃$ is orthogonal to $e₃$; $𝐋$ has a part $λ₁ e₃ × 𝐞̇₃$ besides, and $𝐍·𝐋 =
+    λ₁MgR θ̇ sin θ$.
 
-    So |L| is constant while θ is, and pulsates with the nutation.
+    So $|L|$ is constant while $θ$ is, and pulsates with the nutation.
     """
     axes = primed_matrix()
     exact = axes * MOMENTS * euler_omega("primed")
@@ -138,14 +140,14 @@ def perpendicular() -> Iterator[Evidence]:
     yield Check(
         printed(r"\mathbf N\cdot\mathbf L = 0"),
         meaning,
-        (Assumption(Eq(s.thetadot, 0), "θ does not change, as in steady precession"),),
+        (Assumption(Eq(s.thetadot, 0), "$θ$ does not change, as in steady precession"),),
         printed=False,
     )
 
 
-@claim("3.51", "e₃ turns about a vertical Ω.")
+@claim("3.51", "$e₃$ turns about a vertical $Ω$.")
 def axis_turns() -> Iterator[Evidence]:
-    """R_CM = R e₃ and g = −g ẑ put into (3.50); λ₃ω₃ is divided out."""
+    """$𝐑_CM = R e₃$ and $g = −g ẑ$ put into (3.50); $λ₃ω₃$ is divided out."""
     yield Check(
         printed(
             r"\dot{\mathbf e}_3 = \frac{MgR}{\lambda_3\omega_3}\hat{\mathbf z}\times\mathbf e_3"
@@ -157,16 +159,16 @@ def axis_turns() -> Iterator[Evidence]:
     )
 
 
-@claim("3.52", "The precession vector Ω.")
+@claim("3.52", "The precession vector $Ω$.")
 def precession_vector() -> Iterator[Evidence]:
-    """Read off (3.51); Ω is the rate at which L̇ = N keeps θ, exact for every spin."""
+    """Read off (3.51); $Ω$ is the rate at which $𝐋̇ = 𝐍$ keeps $θ$, exact for every spin."""
     slow = Assumption(Eq(s.Omega, steady_rate()), STEADY.words)
     yield Check(printed("3.52"), picture(), (slow, WEAK, SPINNING))
 
 
 @claim("torque-direction", "The torque of gravity points into the paper.")
 def torque_direction() -> Iterator[Evidence]:
-    """N = R_CM × Mg for e₃ in the paper: x̂ to the right, ẑ up, so ŷ points into it."""
+    """$𝐍 = 𝐑_CM × M𝐠$ for $e₃$ in the paper: $x̂$ to the right, $ẑ$ up, so $ŷ$ points into it."""
     yield Check(
         printed(r"\mathbf N = MgR\sin\theta\hat{\mathbf y}"),
         picture(),
@@ -180,13 +182,14 @@ def torque_direction() -> Iterator[Evidence]:
     )
 
 
-@claim("parallel-approximation", "L ∥ ω is a good approximation for a weak torque.")
+@claim("parallel-approximation", "$𝐋 ∥ 𝛚$ is a good approximation for a weak torque.")
 def parallel() -> Iterator[Evidence]:
-    """The part of ω across e₃ gains its energy from the weight alone: ½λ₁ω⊥² = MgR(cos θ₀ − cos θ).
+    """The part of $𝛚$ across $e₃$ gains its energy from the weight alone: $½λ₁ω⊥² = MgR(cos θ₀ −
+    cos θ)$.
 
-    Started with ω along e₃, it stays of the order of the root of the torque, and cos² of the angle
-    between L and ω tends to 1. A weak torque alone is not enough: a top in free precession has
-    none, and its L and ω are not parallel.
+    Started with $𝛚$ along $e₃$, it stays of the order of the root of the torque, and $cos²$ of the
+    angle between $𝐋$ and $𝛚$ tends to 1. A weak torque alone is not enough: a top in free
+    precession has none, and its $𝐋$ and $𝛚$ are not parallel.
     """
     # Along the motion d/dt ½λ₁(φ̇² sin²θ + θ̇²) is the power of the weight.
     rates = euler_omega("primed")
@@ -207,8 +210,8 @@ def parallel() -> Iterator[Evidence]:
             s.omega_vec: Matrix([transverse, 0, s.omega3]),
         },
         (
-            Assumption(Eq(s.omega_0, 0), "the top starts with ω along e₃", stated=True),
-            Assumption(Eq(s.kappa, 0), "the torque κMgR is weak", stated=True, otherwise=s.kappa),
+            Assumption(Eq(s.omega_0, 0), "the top starts with $𝛚$ along $e₃$", stated=True),
+            Assumption(Eq(s.kappa, 0), "the torque $κMgR$ is weak", stated=True, otherwise=s.kappa),
             SPINNING,
         ),
         printed=False,
@@ -216,11 +219,11 @@ def parallel() -> Iterator[Evidence]:
     yield from evidence.parallel()
 
 
-@claim("example-34", "A top released tilted with L = 0: how L evolves, and what motion it is.")
+@claim("example-34", "A top released tilted with $L = 0$: how $L$ evolves, and what motion it is.")
 def toppling() -> Iterator[Evidence]:
-    """L_z = L₃ = 0 stay zero, so φ and ψ rest: a plane pendulum that falls over.
+    """$L_z = L₃ = 0$ stay zero, so $φ$ and $ψ$ rest: a plane pendulum that falls over.
 
-    L grows along the fixed horizontal axis e₂′, which the torque has too; nothing precesses.
+    $L$ grows along the fixed horizontal axis $e₂′$, which the torque has too; nothing precesses.
     """
     rest = {s.phidot: 0, s.psidot: 0}
     momentum = reduce_trig(primed_matrix() * MOMENTS * euler_omega("primed")).subs(rest)

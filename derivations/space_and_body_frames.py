@@ -16,14 +16,14 @@ from .printed import printed
 
 @claim(
     "principal-axes",
-    "I has three real orthogonal eigenvectors, and O built from them diagonalises I.",
+    "$I$ has three real orthogonal eigenvectors, and $O$ built from them diagonalises $I$.",
 )
 def principal() -> Iterator[Evidence]:
-    """I is symmetric, so u·Iv = v·Iu for all u and v.
+    """$I$ is symmetric, so $𝐮·I𝐯 = 𝐯·I𝐮$ for all $𝐮$ and $𝐯$.
 
-    With u and v the real and imaginary part of an eigenvector this makes its moment real; with two
-    eigenvectors it makes (λ − λ′) u·v = 0; and the plane across an eigenvector is mapped to itself,
-    so there is another eigenvector in it.
+    With $𝐮$ and $𝐯$ the real and imaginary part of an eigenvector this makes its moment real; with
+    two eigenvectors it makes ($λ − λ′$) $𝐮·𝐯 = 0$; and the plane across an eigenvector is mapped
+    to itself, so there is another eigenvector in it.
     """
     u, v, *positions = (Matrix(symbols(f"{x}_1:4", real=True)) for x in "uvxy")
     masses = symbols("M_1 M_2", positive=True)
@@ -47,9 +47,9 @@ def principal() -> Iterator[Evidence]:
     )
 
 
-@claim("3.34", "O with the principal axes as columns takes body components to space components.")
+@claim("3.34", "$O$ with the principal axes as columns takes body components to space components.")
 def components() -> Iterator[Evidence]:
-    """r = Σ rₖ eₖ is O r′ when the columns of O are the eₖ; OᵀO = 1 turns it round."""
+    """$r = Σ rₖ eₖ$ is $O r′$ when the columns of $O$ are the $eₖ$; $OᵀO = 1$ turns it round."""
     attitude = euler_matrix()
     body = Matrix(symbols("r1 r2 r3", real=True))
     vector = sum((body[k] * attitude[:, k] for k in range(3)), Matrix([0, 0, 0]))

@@ -8,9 +8,9 @@ from rigidtop.motion.top import ROUNDING, HeavyTop
 from rigidtop.parameters import Parameter
 
 # About the pivot; no two numbers are equal, so that a formula with two of them exchanged shows.
-LAMBDA1 = Parameter("lambda1", 1.3, "λ₁ about the pivot", "kg m²", above=0)
-LAMBDA3 = Parameter("lambda3", 0.7, "λ₃ about the axis", "kg m²", above=0)
-FREE1 = Parameter("lambda1", 1.3, "λ₁ about the centre of mass", "kg m²", above=0)
+LAMBDA1 = Parameter("lambda1", 1.3, "$λ₁$ about the pivot", "kg m²", above=0)
+LAMBDA3 = Parameter("lambda3", 0.7, "$λ₃$ about the axis", "kg m²", above=0)
+FREE1 = Parameter("lambda1", 1.3, "$λ₁$ about the centre of mass", "kg m²", above=0)
 """Of a free body, which nothing holds."""
 
 MASS = Parameter("M", 0.8, "mass", "kg", above=0)
@@ -19,8 +19,8 @@ GRAVITY = Parameter("g", 9.81, "acceleration of gravity", "m/s²", above=0)
 HEAVY_TOP = (LAMBDA1, LAMBDA3, MASS, ARM, GRAVITY)
 """What `HeavyTop` takes."""
 
-TILT = Parameter("theta", pi / 6, "θ at the start", "rad", above=0, most=pi)
-SPIN = Parameter("omega3", 20.0, "ω₃", "rad/s")
+TILT = Parameter("theta", pi / 6, "$θ$ at the start", "rad", above=0, most=pi)
+SPIN = Parameter("omega3", 20.0, "$ω₃$", "rad/s")
 
 
 def least_spin(top: HeavyTop, theta: float) -> float | str:

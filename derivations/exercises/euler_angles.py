@@ -45,12 +45,13 @@ from rigidtop.theory.trig import reduce_trig
 from .bodies import HEAVY_TOP, SPIN
 
 
-@claim("vertical-trap", "With the wrong sign “ẑ” points as far beyond e₃ as e₃ is from ẑ.")
+@claim("vertical-trap", "With the wrong sign “$ẑ$” points as far beyond $e₃$ as $e₃$ is from $ẑ$.")
 def vertical_trap() -> Iterator[Evidence]:
-    """e₁′ points down where e₃ leans over, so ẑ lies on the other side of e₃: hence the minus.
+    """$e₁′$ points down where $e₃$ leans over, so $ẑ$ lies on the other side of $e₃$: hence the
+    minus.
 
-    Both signs give a unit vector, so its length shows no mistake; its angle with ẑ does: 2θ, or
-    2π − 2θ where θ exceeds 90°.
+    Both signs give a unit vector, so its length shows no mistake; its angle with $ẑ$ does: $2θ$, or
+    $2π − 2θ$ where $θ$ exceeds $90°$.
     """
     axes = primed_matrix()
     meaning = {e1p: axes[:, 0], e2p: axes[:, 1], e3: axes[:, 2], **SPACE_AXES}
@@ -65,8 +66,8 @@ def vertical_trap() -> Iterator[Evidence]:
             sine(2 * theta) * Group(cosine(phi) * xhat + sine(phi) * yhat)
             + cosine(2 * theta) * zhat,
         )
-    yield Check(downwards, meaning, reason="e₁′ is e₃ turned on by 90°.", printed=False)
-    yield Check(mistaken, meaning, reason="What + sin θ would give.", printed=False)
+    yield Check(downwards, meaning, reason="$e₁′$ is $e₃$ turned on by $90°$.", printed=False)
+    yield Check(mistaken, meaning, reason="What $+ sin θ$ would give.", printed=False)
 
 
 @exercise(
@@ -74,54 +75,57 @@ def vertical_trap() -> Iterator[Evidence]:
     "The vertical in the primed frame",
     section="3.3",
     asks="exercise before (3.42)",
-    statement="After the first two Euler rotations, by φ and by θ, the axes are e₁′, e₂′ and e₃. "
-    "Write the vertical ẑ in these axes. A sign is easily lost here: how far from the vertical "
+    statement="After the first two Euler rotations, by $φ$ and by $θ$, the axes are $e₁′$, $e₂′$ "
+    "and $e₃$. "
+    "Write the vertical $ẑ$ in these axes. A sign is easily lost here: how far from the vertical "
     "does the vector point that has it wrong?",
     claims=(vertical, vertical_trap),
     parameters=(
-        Parameter("phi", 0.7, "φ, azimuth of e₃", "rad"),
-        Parameter("theta", pi / 6, "θ, polar angle of e₃", "rad", least=0, most=pi),
+        Parameter("phi", 0.7, "$φ$, azimuth of $e₃$", "rad"),
+        Parameter("theta", pi / 6, "$θ$, polar angle of $e₃$", "rad", least=0, most=pi),
     ),
     figure="euler-angles",
     text="exercises/vertical_in_primed_frame",
 )
 def vertical_in_primed_frame(phi: float, theta: float) -> Iterator[Outcome]:
-    """SciPy turns x̂, ŷ and ẑ by φ about ẑ and by θ about the new e₂′, step by step; the rows are
-    the axes that come out, and their products with ẑ stand beside the formula."""
+    """SciPy turns $x̂$, $ŷ$ and $ẑ$ by $φ$ about $ẑ$ and by $θ$ about the new $e₂′$, step by step;
+    the rows are the axes that come out, and their products with $ẑ$ stand beside the formula."""
     first = Rotation.from_rotvec([0.0, 0.0, phi])
     second = Rotation.from_rotvec(theta * first.apply([0.0, 1.0, 0.0]))
     axes = (second * first).apply(np.eye(3))
     yield Table(
         "axes",
-        "The axes in space components, and ẑ along them",
-        ("axis", "x", "y", "z", "ẑ by the formula"),
+        "The axes in space components, and $ẑ$ along them",
+        ("axis", "x", "y", "z", "$ẑ$ by the formula"),
         tuple(
             (name, *map(float, axis), along)
             for name, axis, along in zip(
-                ("e₁′", "e₂′", "e₃"), axes, (-sin(theta), 0.0, cos(theta)), strict=True
+                ("$e₁′$", "$e₂′$", "$e₃$"), axes, (-sin(theta), 0.0, cos(theta)), strict=True
             )
         ),
     )
     right = cos(theta) * axes[2] - sin(theta) * axes[0]
     wrong = cos(theta) * axes[2] + sin(theta) * axes[0]
-    yield Answer("along_e1p", "component of ẑ along e₁′", -sin(theta))
-    yield Answer("along_e3", "component of ẑ along e₃", cos(theta))
+    yield Answer("along_e1p", "component of $ẑ$ along $e₁′$", -sin(theta))
+    yield Answer("along_e3", "component of $ẑ$ along $e₃$", cos(theta))
     yield Answer(
         "angle_of_wrong_sign",
-        "angle between ẑ and cos θ e₃ + sin θ e₁′",
+        "angle between $ẑ$ and $cos θ e₃ + sin θ e₁′$",
         atan2(float(np.hypot(*wrong[:2])), float(wrong[2])),
         "rad",
     )
     error = float(np.linalg.norm(right - [0.0, 0.0, 1.0]))
-    yield Measure("cos θ e₃ − sin θ e₁′ against ẑ, with SciPy's rotations", error, 1e-14)
+    yield Measure("$cos θ e₃ − sin θ e₁′$ against $ẑ$, with SciPy's rotations", error, 1e-14)
 
 
-@claim("azimuth-near-the-upright", "Where φ̇ of (3.45) has a pole, φ̇ + ψ̇ has none.")
+@claim("azimuth-near-the-upright", "Where $φ̇$ of (3.45) has a pole, $φ̇ + ψ̇$ has none.")
 def azimuth_near_the_upright() -> Iterator[Evidence]:
-    """L_z − L₃ cos θ is λ₁φ̇ sin²θ, and the energy of that turning keeps the axis off the vertical.
+    """$L_z − L₃ cos θ$ is $λ₁φ̇ sin²θ$, and the energy of that turning keeps the axis off the
+    vertical.
 
-    Only L_z = L₃ lets it through: then the two zeros of (3.45) cancel, and φ̇ goes to L₃/2λ₁. In
-    any case 1 + cos θ alone divides φ̇ + ψ̇, the rate at which the body turns as a whole.
+    Only $L_z = L₃$ lets it through: then the two zeros of (3.45) cancel, and $φ̇$ goes to
+    $L₃/2λ₁$. In any case $1 + cos θ$ alone divides $φ̇ + ψ̇$, the rate at which the body turns as
+    a whole.
     """
     components = momentum_primed()
     along = reduce_trig((primed_matrix().T * Z_AXIS).dot(components))
@@ -141,15 +145,15 @@ def azimuth_near_the_upright() -> Iterator[Evidence]:
         barrier,
         meaning,
         (SYMMETRIC,),
-        "Twice the energy of φ̇: it would grow as 1/sin²θ.",
+        "Twice the energy of $φ̇$: it would grow as $1/sin²θ$.",
         printed=False,
     )
-    yield Check(whole, meaning, (SYMMETRIC,), "No sin²θ is left.", printed=False)
+    yield Check(whole, meaning, (SYMMETRIC,), "No $sin²θ$ is left.", printed=False)
     yield Check(
         passing,
         {L3: components[2]},
-        (SYMMETRIC, Assumption(Ne(cosine, 1), "the top is not upright: there any φ̇ will do")),
-        "With L_z = L₃; at the upright 2λ₁φ̇ = L₃.",
+        (SYMMETRIC, Assumption(Ne(cosine, 1), "the top is not upright: there any $φ̇$ will do")),
+        "With $L_z = L₃$; at the upright $2λ₁φ̇ = L₃$.",
         given=(along - components[2],),
         printed=False,
     )
@@ -161,17 +165,18 @@ MISSES = (0.1, 0.03, 0.01, 0.003, 0.001)
 
 @exercise(
     "azimuthal-rate",
-    "The rate of φ from two momenta",
+    "The rate of $φ$ from two momenta",
     section="3.3",
     asks="“with a few technical steps you can derive” (3.45)",
-    statement="Derive φ̇ from L_z and L₃. Take a heavy top, whose L_z and L₃ do not change, and "
-    "compare (3.45) with the rate at which the axis of the computed motion really goes round.\n\n"
-    "What does φ̇ do when the axis comes close to the vertical? Let L_z be almost L₃, as it must "
-    "be for that, and look at the smallest θ.",
+    statement="Derive $φ̇$ from $L_z$ and $L₃$. Take a heavy top, whose $L_z$ and $L₃$ do not "
+    "change, and "
+    "compare (3.45) with the rate at which the axis of the computed motion really goes "
+    "round.\n\nWhat does $φ̇$ do when the axis comes close to the vertical? Let $L_z$ be almost "
+    "$L₃$, as it must be for that, and look at the smallest $θ$.",
     claims=(azimuthal_rate, azimuth_near_the_upright),
     parameters=(
-        Parameter("theta", pi / 6, "θ at the start", "rad", above=0, most=3.1),
-        Parameter("phi_dot", 1.0, "φ̇ at the start", "rad/s"),
+        Parameter("theta", pi / 6, "$θ$ at the start", "rad", above=0, most=3.1),
+        Parameter("phi_dot", 1.0, "$φ̇$ at the start", "rad/s"),
         SPIN,
         *HEAVY_TOP,
     ),
@@ -188,19 +193,19 @@ def azimuth_of_a_motion(
     R: float,
     g: float,
 ) -> Iterator[Outcome]:
-    """The motion is integrated over a nutation with quaternions, which know neither φ nor L_z; the
-    axis moves by ė₃ = ω × e₃, and its azimuth at the rate (xẏ − yẋ)/(x² + y²). Tops that pass the
-    vertical closely start with φ̇ chosen for their L_z and on the way up, as fast as a top without
-    rotation falls from the upright to θ: so they get there at any spin. Their smallest θ is that
-    of the motion in closed form."""
+    """The motion is integrated over a nutation with quaternions, which know neither $φ$ nor $L_z$;
+    the axis moves by $𝐞̇₃ = 𝛚 × e₃$, and its azimuth at the rate $(xẏ − yẋ)/(x² + y²)$. Tops that
+    pass the vertical closely start with $φ̇$ chosen for their $L_z$ and on the way up, as fast as
+    a top without rotation falls from the upright to $θ$: so they get there at any spin. Their
+    smallest $θ$ is that of the motion in closed form."""
     if omega3 == 0:
         raise RigidtopError("omega3 must not be 0: L_z/L₃ says how closely a spinning top passes")
     top = HeavyTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g)
     motion = top.motion(theta=theta, phi_dot=phi_dot, omega3=omega3)
     spin = lambda3 * omega3
     vertical_momentum = lambda1 * phi_dot * sin(theta) ** 2 + spin * cos(theta)
-    yield Answer("L_z", "L_z, conserved", vertical_momentum, "J s")
-    yield Answer("L_3", "L₃, conserved", spin, "J s")
+    yield Answer("L_z", "$L_z$, conserved", vertical_momentum, "J s")
+    yield Answer("L_3", "$L₃$, conserved", spin, "J s")
 
     period = motion.nutation_period
     # In an odd number of steps: halfway the axis may be at the vertical, where φ has no rate.
@@ -215,19 +220,19 @@ def azimuth_of_a_motion(
     yield Table(
         "nutation",
         "Over one nutation",
-        ("t (s)", "θ (rad)", "φ̇ by (3.45) (rad/s)", "φ̇ seen (rad/s)"),
+        ("$t$ (s)", "$θ$ (rad)", "$φ̇$ by (3.45) (rad/s)", "$φ̇$ seen (rad/s)"),
         tuple(zip(*(map(float, c) for c in (times, path.theta, by_momenta, seen)), strict=True)),
     )
     largest = float(np.abs(seen).max()) or 1.0
     error = float(np.abs(by_momenta - seen).max()) / largest
-    yield Measure("φ̇ by (3.45) against the azimuth of e₃, relative", error, 1e-8)
+    yield Measure("$φ̇$ by (3.45) against the azimuth of $e₃$, relative", error, 1e-8)
 
-    yield Answer("at_the_upright", "φ̇ → L₃/2λ₁ for L_z = L₃", spin / (2 * lambda1), "rad/s")
+    yield Answer("at_the_upright", "$φ̇ → L₃/2λ₁$ for $L_z = L₃$", spin / (2 * lambda1), "rad/s")
     passes = tuple(_pass(top, theta, omega3, miss) for miss in MISSES)
     yield Table(
         "near_the_upright",
         "Tops that pass the upright closely",
-        ("L_z/L₃ − 1", "smallest θ (rad)", "φ̇ there (rad/s)", "θ φ̇ there (rad/s)"),
+        ("$L_z/L₃ − 1$", "smallest $θ$ (rad)", "$φ̇$ there (rad/s)", "$θ φ̇$ there (rad/s)"),
         passes,
     )
 

@@ -62,12 +62,15 @@ def middle_rate_squared() -> Expr:
     return sympy.factor(rate.subs({omega1**2: squares[0], omega3**2: squares[1]}).subs(solution))
 
 
-@claim("flip-time", "The time in which ω turns over about the middle axis is an elliptic integral.")
+@claim(
+    "flip-time", "The time in which $ω$ turns over about the middle axis is an elliptic integral."
+)
 def flip_time() -> Iterator[Evidence]:
-    """T and L² leave ω̇₂² as a polynomial in ω₂², and the time is the integral of dω₂/ω̇₂.
+    """$T$ and $L²$ leave $ω̇₂²$ as a polynomial in $ω₂²$, and the time is the integral of $dω₂/ω̇₂$.
 
-    With ω₂ = ω sin χ it is Legendre's integral of the first kind: sin χ is sn(νt), so ω₂ goes from
-    ω to −ω in 2K(m)/ν and is back in 4K(m)/ν. As ω₀ goes to zero, m goes to 1 and K(m) to ∞.
+    With $ω₂ = ω sin χ$ it is Legendre's integral of the first kind: $sin χ$ is $sn(νt)$, so $ω₂$
+    goes from $ω$ to $−ω$ in $2K(m)/ν$ and is back in $4K(m)/ν$. As $ω₀$ goes to zero, $m$ goes to
+    1 and $K(m)$ to $∞$.
     """
     rates_of = angular_momentum().dot(angular_momentum())
     with as_printed():
@@ -120,9 +123,9 @@ def flip_time() -> Iterator[Evidence]:
             * sympy.elliptic_k(m),
         )
     meaning = {T: kinetic_energy(), L: rates_of**sympy.S.Half, omega2dot: body_accelerations()[1]}
-    yield Check(first, meaning, reason="Without ω₃,", printed=False)
-    yield Check(third, meaning, reason="and without ω₁:", printed=False)
-    yield Check(rate, meaning, reason="the square of ω̇₂ has no other rate in it.", printed=False)
+    yield Check(first, meaning, reason="Without $ω₃$,", printed=False)
+    yield Check(third, meaning, reason="and without $ω₁$:", printed=False)
+    yield Check(rate, meaning, reason="the square of $ω̇₂$ has no other rate in it.", printed=False)
     # (dω₂/dχ)² over ω̇₂² is the square of dt/dχ; it has the form 1/(c − s sin² χ), and m = s/c.
     sine = sympy.Symbol("sine")
     against_chi = sympy.cancel(
@@ -133,16 +136,16 @@ def flip_time() -> Iterator[Evidence]:
     yield Check(
         parameter,
         {m: derived},
-        reason="With ω₂ = ω sin χ, from ω₂ = ω and ω₁ = ω₀ at the start,",
+        reason="With $ω₂ = ω sin χ$, from $ω₂ = ω$ and $ω₁ = ω₀$ at the start,",
         printed=False,
     )
     yield Check(
         legendre,
         {m: derived, t_chi2: 1 / against_chi.subs(sine, sympy.sin(chi))},
-        reason="(dω₂/dχ)² over ω̇₂² is the square of dt/dχ.",
+        reason="$(dω₂/dχ)²$ over $ω̇₂²$ is the square of $dt/dχ$.",
         printed=False,
     )
-    yield Step(flip, "Integrated from χ = π/2 to −π/2.")
+    yield Step(flip, "Integrated from $χ = π/2$ to $−π/2$.")
     yield from flip_measured()
 
 
@@ -156,7 +159,7 @@ def flip_measured() -> Iterator[Measure]:
         .integrate([seconds / 2, seconds], rtol=1e-13, atol=1e-15)
     )
     error = max(abs(float(path.omega[0, 1])), abs(float(path.omega[1, 1]) + spin))
-    yield Measure("ω₂ after half of that time and at its end, integrated (rad/s)", error, 1e-9)
+    yield Measure("$ω₂$ after half of that time and at its end, integrated (rad/s)", error, 1e-9)
 
 
 def flip_seconds(moments: tuple[float, float, float], spin: float, kick: float) -> float:
@@ -208,20 +211,20 @@ def flip_integrated(moments: tuple[float, float, float], spin: float, kick: floa
     "Which axes are stable, and the flip about the middle one",
     section="3.2.2",
     asks="assignment 5",
-    statement="A body with three different moments λ₁ < λ₂ < λ₃, thrown in the air, turns with the "
-    "same speed ω about one principal axis after the other. Show that a small kick makes ω "
-    "oscillate about two of the axes and run away from the third. How fast does it oscillate, how "
-    "fast run away?\n\n"
-    "About the middle axis, and with a kick that adds ω₁ = kick, how long does it take until ω is "
-    "well away from the axis? In the end the body turns over: how long does one flip take, and "
-    "after what time is ω in the body what it was?",
+    statement="A body with three different moments $λ₁ < λ₂ < λ₃$, thrown in the air, turns with "
+    "the "
+    "same speed $ω$ about one principal axis after the other. Show that a small kick makes $ω$ "
+    "oscillate about two of the axes and run away from the third. How fast does it oscillate, "
+    "how fast run away?\n\nAbout the middle axis, and with a kick that adds $ω₁ =$ kick, how "
+    "long does it take until $ω$ is well away from the axis? In the end the body turns over: how "
+    "long does one flip take, and after what time is $ω$ in the body what it was?",
     claims=(principal_stays, axis_stability, flip_time),
     parameters=(
-        Parameter("lambda1", 1.0, "λ₁, the smallest moment", "kg m²", above=0),
-        Parameter("lambda2", 1.7, "λ₂, the middle moment", "kg m²", above=0),
-        Parameter("lambda3", 2.3, "λ₃, the largest moment", "kg m²", above=0),
+        Parameter("lambda1", 1.0, "$λ₁$, the smallest moment", "kg m²", above=0),
+        Parameter("lambda2", 1.7, "$λ₂$, the middle moment", "kg m²", above=0),
+        Parameter("lambda3", 2.3, "$λ₃$, the largest moment", "kg m²", above=0),
         Parameter("omega", 6.0, "spin about the axis", "rad/s", above=0),
-        Parameter("kick", 0.006, "ω₁ that the kick adds", "rad/s", above=0),
+        Parameter("kick", 0.006, "$ω₁$ that the kick adds", "rad/s", above=0),
     ),
     figure="flip",
     text="exercises/stable_axes",
@@ -231,7 +234,7 @@ def stable_axes(
 ) -> Iterator[Outcome]:
     """Growth rates and frequencies are those of (3.36) linearised about each axis. The flip is a
     complete elliptic integral; the period of the product's closed form must agree with it, and so
-    must (3.36), integrated until ω₂ passes through zero."""
+    must (3.36), integrated until $ω₂$ passes through zero."""
     moments = (lambda1, lambda2, lambda3)
     if not lambda1 < lambda2 < lambda3:
         raise RigidtopError(
@@ -248,25 +251,25 @@ def stable_axes(
     for axis, growth in enumerate(growths):
         rate = sqrt(abs(growth))
         kind, time = ("runs away", 1 / rate) if growth > 0 else ("oscillates", 2 * pi / rate)
-        rows.append((f"e{'₁₂₃'[axis]}", moments[axis], kind, rate, time))
+        rows.append((f"$e{'₁₂₃'[axis]}$", moments[axis], kind, rate, time))
     yield Table(
         "axes",
         "A small kick: rate of growth and time to grow by e, or frequency and period",
-        ("axis", "moment (kg m²)", "ω", "rate (1/s)", "time (s)"),
+        ("axis", "moment (kg $m²$)", "$ω$", "rate (1/s)", "time (s)"),
         tuple(rows),
     )
     rate = sqrt(growths[1])
     seconds = flip_seconds(moments, omega, kick)
     part, _ = flip_constants(moments, omega, kick)
-    yield Answer("growth_rate", "rate σ at which ω leaves the middle axis", rate, "1/s")
+    yield Answer("growth_rate", "rate $σ$ at which $ω$ leaves the middle axis", rate, "1/s")
     yield Answer(
-        "time_to_leave", "time until ω₁ = ω by kick · cosh σt", acosh(omega / kick) / rate, "s"
+        "time_to_leave", "time until $ω₁ = ω$ by kick $· cosh σt$", acosh(omega / kick) / rate, "s"
     )
-    yield Answer("flip_time", "time of one flip, from ω to −ω about e₂", seconds, "s")
-    yield Answer("period", "time until ω in the body is what it was", 2 * seconds, "s")
+    yield Answer("flip_time", "time of one flip, from $ω$ to $−ω$ about $e₂$", seconds, "s")
+    yield Answer("period", "time until $ω$ in the body is what it was", 2 * seconds, "s")
     yield Answer(
         "flip_estimate",
-        "the flip for a small kick, (2/σ) ln(4/√m₁), for comparison",
+        "the flip for a small kick, ($2/σ$) $ln(4/√m₁)$, for comparison",
         2 / rate * log(4 / sqrt(part)),
         "s",
     )
@@ -284,7 +287,7 @@ def stable_axes(
         spin = [1e-5 * gap * omega * (k == (axis + 1) % 3) + omega * (k == axis) for k in range(3)]
         period = 2 * body.motion(omega=spin).nutation_period
         yield Measure(
-            f"period about e{'₁₂₃'[axis]} by the closed form, relative",
+            f"period about $e{'₁₂₃'[axis]}$ by the closed form, relative",
             abs(period * sqrt(-growths[axis]) / (2 * pi) - 1),
             1e-8,
         )

@@ -77,10 +77,11 @@ def rate_under_contact_force(quantity: Expr, vertical: Matrix) -> Expr:
     return total_derivative(quantity, rates)
 
 
-@claim("jellett", "No force at the contact changes (R − r₀)L₃ + r₀L_z of a top with a round tip.")
+@claim("jellett", "No force at the contact changes $(R − r₀)L₃ + r₀L_z$ of a top with a round tip.")
 def jellett() -> Iterator[Evidence]:
-    """The sum is −L·ρ, with ρ from the centre of mass to the contact: the torque ρ × C is
-    orthogonal to ρ, and ρ moves along ω × e₃, orthogonal to L, which lies in the plane of both.
+    """The sum is $−𝐋·ρ$, with $ρ$ from the centre of mass to the contact: the torque $ρ × C$ is
+    orthogonal to $ρ$, and $ρ$ moves along $𝛚 × e₃$, orthogonal to $𝐋$, which lies in the plane of
+    both.
 
     It is Jellett's integral. With it the spin of a top that has come upright is known.
     """
@@ -96,7 +97,7 @@ def jellett() -> Iterator[Evidence]:
             L_z: momentum.dot(vertical),
             const: lambda integral: rate_under_contact_force(integral, vertical),
         },
-        reason="In body components, with ẑ turning backwards.",
+        reason="In body components, with $ẑ$ turning backwards.",
         printed=False,
     )
     integral = (R - r_t) * L3 + r_t * L_z
@@ -106,18 +107,18 @@ def jellett() -> Iterator[Evidence]:
     yield Check(
         upright,
         {omega: final},
-        reason="From ω₃ along e₃ at θ to a spin ω that is upright.",
+        reason="From $ω₃$ along $e₃$ at $θ$ to a spin $ω$ that is upright.",
         printed=False,
     )
 
 
 @claim("friction-raises", "Sliding friction at a round tip raises a fast top.")
 def friction_raises() -> Iterator[Evidence]:
-    """The spin drags the contact along e₂′, friction points the other way, and its torque about
-    the centre of mass brakes the spin and turns e₃ towards the vertical.
+    """The spin drags the contact along $e₂′$, friction points the other way, and its torque about
+    the centre of mass brakes the spin and turns $e₃$ towards the vertical.
 
-    For a fast top L is along e₃, so that L_z − L₃ cos θ stays zero. A sharp tip, r₀ = 0, is not
-    dragged by the spin, and one that rolls is not rubbed: then nothing rises.
+    For a fast top $𝐋$ is along $e₃$, so that $L_z − L₃ cos θ$ stays zero. A sharp tip, $r₀ = 0$,
+    is not dragged by the spin, and one that rolls is not rubbed: then nothing rises.
     """
     axes = primed_matrix()
     vertical, figure_axis, nodes = Matrix(Z_AXIS), axes[:, 2], axes[:, 1]
@@ -137,7 +138,7 @@ def friction_raises() -> Iterator[Evidence]:
     yield Check(
         brakes,
         {omega3dot: reduce_trig(along_axis) / lambda3},
-        reason="The torque of −μn e₂′ along e₃,",
+        reason="The torque of $−μn e₂′$ along $e₃$,",
         printed=False,
     )
     balance = along_vertical - along_axis * sympy.cos(theta) + L3 * sympy.sin(theta) * thetadot
@@ -145,7 +146,7 @@ def friction_raises() -> Iterator[Evidence]:
         raises,
         {},
         (TILTED,),
-        "and what it does to L_z − L₃ cos θ = 0.",
+        "and what it does to $L_z − L₃ cos θ = 0$.",
         given=(reduce_trig(balance),),
         printed=False,
     )
@@ -163,9 +164,9 @@ def spin_in_air() -> Expr:
     "spin-in-air", "A sleeping top that the air brakes has its spin fall exponentially, and wakes."
 )
 def spin_falls() -> Iterator[Evidence]:
-    """Euler's third equation with the torque −c₃ω₃; no other torque is along e₃.
+    """Euler's third equation with the torque $−c₃ω₃$; no other torque is along $e₃$.
 
-    It wakes where ω₃ has come down to the sleeping spin; λ₁ is the moment about the tip.
+    It wakes where $ω₃$ has come down to the sleeping spin; $λ₁$ is the moment about the tip.
     """
     with as_printed():
         spin = Equation(omega3, omega_30 * sympy.exp(-c_3 * t / lambda3))
@@ -177,7 +178,7 @@ def spin_falls() -> Iterator[Evidence]:
             t,
             lambda3 / c_3 * sympy.log(lambda3 * omega_30 / (2 * sympy.sqrt(lambda1 * M * g * R))),
         )
-    yield Check(spin, {omega3: spin_in_air()}, reason="Solved from ω₃ at t = 0.", printed=False)
+    yield Check(spin, {omega3: spin_in_air()}, reason="Solved from $ω₃$ at $t = 0$.", printed=False)
     threshold = 2 * sympy.sqrt(lambda1 * M * g * R) / lambda3
     [time] = sympy.solve(spin_in_air() - threshold, t)
     yield Check(asleep, {t: time}, reason="Down to the sleeping spin,", printed=False)
@@ -188,8 +189,8 @@ def spin_falls() -> Iterator[Evidence]:
 
 
 ABOUT_CENTRE = (
-    Parameter("lambda1", 4e-5, "λ₁ about the centre of mass", "kg m²", above=0),
-    Parameter("lambda3", 2.5e-5, "λ₃ about the axis", "kg m²", above=0),
+    Parameter("lambda1", 4e-5, "$λ₁$ about the centre of mass", "kg m²", above=0),
+    Parameter("lambda3", 2.5e-5, "$λ₃$ about the axis", "kg m²", above=0),
     Parameter("M", 0.1, "mass", "kg", above=0),
     Parameter("R", 0.03, "height of the centre of mass of the upright top", "m", above=0),
     GRAVITY,
@@ -271,9 +272,9 @@ def budget(path: SlidingTrajectory, rows: int, last: int) -> Table:
         "budget",
         "Where the energy is",
         (
-            "t (s)",
-            "θ (rad)",
-            "spin ½λ₃ω₃² (J)",
+            "$t$ (s)",
+            "$θ$ (rad)",
+            "spin $½λ₃ω₃²$ (J)",
             "other motion (J)",
             "weight (J)",
             "heat by friction (J)",
@@ -289,20 +290,19 @@ def budget(path: SlidingTrajectory, rows: int, last: int) -> Table:
     "A top that friction raises",
     section="3.5.4",
     asks="“friction … will cause the point of contact of the top on the table to move”",
-    statement="A fast top with a round tip stands at the tilt θ on a table and precesses slowly; "
-    "its tip slides with the friction μ. Show that friction raises the top although it brakes the "
-    "spin. Which quantity does no force at the contact change, and which spin does it leave to the "
-    "upright top?\n\n"
-    "How long does the top take to rise to the tilt “until”? How much energy has the spin lost by "
-    "then, and where has it gone?",
+    statement="A fast top with a round tip stands at the tilt $θ$ on a table and precesses slowly; "
+    "its tip slides with the friction $μ$. Show that friction raises the top although it brakes "
+    "the spin. Which quantity does no force at the contact change, and which spin does it leave "
+    "to the upright top?\n\nHow long does the top take to rise to the tilt “until”? How much "
+    "energy has the spin lost by then, and where has it gone?",
     claims=(friction, jellett, friction_raises),
     parameters=(
         *ABOUT_CENTRE,
         Parameter("tip", 0.01, "radius of the round tip", "m", above=0),
         Parameter("mu", 0.1, "coefficient of sliding friction", above=0),
-        Parameter("theta", 0.5, "θ at the start", "rad", least=0.05, most=1.2),
-        Parameter("until", 0.25, "θ at the end", "rad", least=0.01, most=1.2),
-        Parameter("omega3", 200.0, "ω₃ at the start", "rad/s", above=0),
+        Parameter("theta", 0.5, "$θ$ at the start", "rad", least=0.05, most=1.2),
+        Parameter("until", 0.25, "$θ$ at the end", "rad", least=0.01, most=1.2),
+        Parameter("omega3", 200.0, "$ω₃$ at the start", "rad/s", above=0),
     ),
     figure="rising-top",
     text="exercises/rising_top",
@@ -320,7 +320,7 @@ def rising_top(
     omega3: float,
 ) -> Iterator[Outcome]:
     """The motion with Coulomb friction is integrated. Jellett's integral and the sum of all
-    energies must keep their values, and L_z must grow by the time integral of the torque."""
+    energies must keep their values, and $L_z$ must grow by the time integral of the torque."""
     if until >= theta:
         raise RigidtopError(f"until = {until:g} must be less than theta = {theta:g}: the top rises")
     if tip >= R:
@@ -335,19 +335,19 @@ def rising_top(
     path = motion.integrate(np.linspace(0, seconds, 801), **TIGHT)
     before, after = energies(path, 0), energies(path, -1)
     lost = before[0] - after[0]
-    yield Answer("phi_dot", "φ̇ at the start, steady if nothing rubs", precession, "rad/s")
-    yield Answer("time_to_rise", "time until θ has the value “until”", seconds, "s")
+    yield Answer("phi_dot", "$φ̇$ at the start, steady if nothing rubs", precession, "rad/s")
+    yield Answer("time_to_rise", "time until $θ$ has the value “until”", seconds, "s")
     yield Answer(
-        "time_gyroscope", "by L₃θ̇ = −μMg(R − r₀ + r₀ cos θ), for comparison", expected, "s"
+        "time_gyroscope", "by $L₃θ̇ = −μMg(R − r₀ + r₀ cos θ)$, for comparison", expected, "s"
     )
     yield Answer("slip", "speed of the contact at the start", float(np.hypot(*path.slip[0])), "m/s")
     yield Answer(
         "slip_then", "speed of the contact at the end", float(np.hypot(*path.slip[-1])), "m/s"
     )
-    yield Answer("omega3_then", "ω₃ at the end", float(path.omega[-1, 2]), "rad/s")
+    yield Answer("omega3_then", "$ω₃$ at the end", float(path.omega[-1, 2]), "rad/s")
     yield Answer(
         "omega3_upright",
-        "ω₃ of the upright top, if it gets there",
+        "$ω₃$ of the upright top, if it gets there",
         omega3 * (1 - tip / R * (1 - cos(theta))),
         "rad/s",
     )
@@ -363,11 +363,13 @@ def rising_top(
     yield Measure("sum of energies and heat, relative", path.budget(), 1e-8)
     gained = float(path.angular_momentum[-1, 2] - path.angular_momentum[0, 2])
     error = abs(friction_impulse(path) / gained - 1)
-    yield Measure("L_z gained, by the time integral of the torque, relative", error, 1e-3)
+    yield Measure("$L_z$ gained, by the time integral of the torque, relative", error, 1e-3)
     arms = R - tip + tip * cos(theta), R - tip + tip * cos(until)
     ratio = float(path.omega[-1, 2]) * arms[1] / (omega3 * arms[0])
     small = lambda1 * M * g * R / (lambda3 * omega3) ** 2
-    yield Measure("ω₃ at the end, by Jellett's integral with L along e₃", abs(ratio - 1), small)
+    yield Measure(
+        "$ω₃$ at the end, by Jellett's integral with $𝐋$ along $e₃$", abs(ratio - 1), small
+    )
 
 
 # --- a top that wakes ----------------------------------------------------------------------------
@@ -429,18 +431,19 @@ def small_tilt_time(
     section="3.5.4",
     asks="“the overall rotation to loose energy”",
     statement="A top with a sharp tip that friction holds in place sleeps upright with the spin "
-    "ω₃. The air brakes its spin with the torque c₃ω₃. When has the spin come down to the sleeping "
-    "spin? A disturbance leaves a small tilt with θ̇ = 0 and with φ̇ halfway between the two "
-    "frequencies that it has: λ₃ω₃/2 over the moment λ₁ + MR² about the tip. When has it become "
-    "visible, and how large is the spin then? When would it from φ̇ = 0? Where has the energy gone?",
+    "$ω₃$. The air brakes its spin with the torque $c₃ω₃$. When has the spin come down to the "
+    "sleeping spin? A disturbance leaves a small tilt with $θ̇ = 0$ and with $φ̇$ halfway "
+    "between the two frequencies that it has: $λ₃ω₃/2$ over the moment $λ₁ + MR²$ about the tip. "
+    "When has it become visible, and how large is the spin then? When would it from $φ̇ = 0$? "
+    "Where has the energy gone?",
     claims=(upright_potential, spin_falls, friction),
     parameters=(
         *ABOUT_CENTRE,
-        Parameter("drag3", 5e-6, "c₃, drag torque over ω₃", "J s", above=0),
-        Parameter("omega3", 165.0, "ω₃ at the start", "rad/s", above=0),
-        Parameter("disturbance", 1e-6, "θ at the start", "rad", least=1e-9, most=1e-3),
+        Parameter("drag3", 5e-6, "$c₃$, drag torque over $ω₃$", "J s", above=0),
+        Parameter("omega3", 165.0, "$ω₃$ at the start", "rad/s", above=0),
+        Parameter("disturbance", 1e-6, "$θ$ at the start", "rad", least=1e-9, most=1e-3),
         Parameter(
-            "visible", 0.1, "θ at which the top is seen to wake", "rad", least=0.01, most=0.3
+            "visible", 0.1, "$θ$ at which the top is seen to wake", "rad", least=0.01, most=0.3
         ),
     ),
     figure="waking-top",
@@ -471,9 +474,9 @@ def waking_top(
     asleep = log(omega3 / sleeping) / decay
     folds = log(visible / disturbance)
     growing = waking_time(decay, sleeping, size, folds)
-    yield Answer("sleeping_spin", "smallest ω₃ at which the upright is stable", sleeping, "rad/s")
-    yield Answer("time_asleep", "time until ω₃ has come down to it", asleep, "s")
-    yield Answer("half_life", "time in which ω₃ halves", log(2) / decay, "s")
+    yield Answer("sleeping_spin", "smallest $ω₃$ at which the upright is stable", sleeping, "rad/s")
+    yield Answer("time_asleep", "time until $ω₃$ has come down to it", asleep, "s")
+    yield Answer("half_life", "time in which $ω₃$ halves", log(2) / decay, "s")
     yield Answer(
         "time_awake", "time until the tilt is visible, by the growth rate", asleep + growing, "s"
     )
@@ -495,19 +498,19 @@ def waking_top(
             f"the tilt does not become visible in time: drag3 = {drag3:g} brakes the spin so fast "
             "that the growth rate of a moment says little"
         )
-    yield Answer("phi_dot", "φ̇ at the start, λ₃ω₃/2 over λ₁ + MR²", turning, "rad/s")
+    yield Answer("phi_dot", "$φ̇$ at the start, $λ₃ω₃/2$ over $λ₁ + MR²$", turning, "rad/s")
     yield Answer("seen", "time until the tilt is visible, integrated", seen, "s")
-    yield Answer("omega3_then", "ω₃ then", omega3 * exp(-decay * seen), "rad/s")
+    yield Answer("omega3_then", "$ω₃$ then", omega3 * exp(-decay * seen), "rad/s")
     at_rest = small_tilt_time(about_tip, omega3, decay, disturbance, visible, 0.0)
-    yield Answer("seen_at_rest", "time from φ̇ = 0, by the equation of a small tilt", at_rest, "s")
+    yield Answer("seen_at_rest", "time from $φ̇ = 0$, by the equation of a small tilt", at_rest, "s")
     awake = int(np.searchsorted(path.t, seen))
     largest = float(np.max(path.theta[path.t <= asleep]))
-    yield Answer("tilt_asleep", "largest θ before the sleeping spin", largest, "rad")
+    yield Answer("tilt_asleep", "largest $θ$ before the sleeping spin", largest, "rad")
     yield budget(path, 9, awake)
     error = float(
         np.max(np.abs(path.omega[:awake, 2] / omega3 * np.exp(decay * path.t[:awake]) - 1))
     )
-    yield Measure("ω₃(t) on the table until then, relative", error, 1e-6)
+    yield Measure("$ω₃(t)$ on the table until then, relative", error, 1e-6)
     yield Measure("sum of energies and heat, relative", path.budget(), 1e-7)
     error = abs(seen - asleep - growing) / growing
     yield Measure("time from the sleeping spin, by the growth rate, relative", error, 1.5 / folds)

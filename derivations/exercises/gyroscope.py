@@ -49,11 +49,12 @@ from .bodies import GRAVITY, least_spin
 from .parallel import bound_on_the_tilt, released, smallness
 
 
-@claim("spin-for-accuracy", "(3.52) is off by the share τ where ε = τ/(1 + τ)².")
+@claim("spin-for-accuracy", "(3.52) is off by the share $τ$ where $ε = τ/(1 + τ)²$.")
 def spin_for_accuracy() -> Iterator[Evidence]:
-    """Ω₋ of (3.57) over what it tends to depends on ε = λ₁MgR cos θ/(λ₃ω₃)² alone; solved for ε.
+    """$Ω₋$ of (3.57) over what it tends to depends on $ε = λ₁MgR cos θ/(λ₃ω₃)²$ alone; solved for
+    $ε$.
 
-    τ grows with ε, to 1 at ε = ¼: the smallest spin of steady precession, where (3.52) gives
+    $τ$ grows with $ε$, to 1 at $ε = ¼$: the smallest spin of steady precession, where (3.52) gives
     half of the truth.
     """
     off = theory.root_factors()[0] - 1
@@ -62,7 +63,7 @@ def spin_for_accuracy() -> Iterator[Evidence]:
         spin = Equation(
             epsilon * Group(lambda3 * omega3) ** 2, lambda1 * M * g * R * sympy.cos(theta)
         )
-    yield Check(needed, {tau: off}, reason="τ = Ω₋ over (3.52), less 1.", printed=False)
+    yield Check(needed, {tau: off}, reason="$τ = Ω₋$ over (3.52), less 1.", printed=False)
     yield Check(spin, {epsilon: theory.smallness()}, printed=False)
 
 
@@ -71,9 +72,9 @@ def on_an_arm(about_centre: Matrix) -> Matrix:
     return parallel_axis(about_centre, M, Matrix([0, 0, R]))
 
 
-@claim("disc-on-an-arm", "A disc on an axle without mass, held at R: the mass drops out of Ω.")
+@claim("disc-on-an-arm", "A disc on an axle without mass, held at $R$: the mass drops out of $Ω$.")
 def disc_on_an_arm() -> Iterator[Evidence]:
-    """A cylinder without height, and Steiner's theorem; (3.52) with its λ₃."""
+    """A cylinder without height, and Steiner's theorem; (3.52) with its $λ₃$."""
     tensor = on_an_arm(cylinder(radius, height).inertia(M).subs(height, 0))
     with as_printed():
         along = Equation(lambda3, M * radius**2 / 2)
@@ -86,12 +87,12 @@ def disc_on_an_arm() -> Iterator[Evidence]:
     yield Check(rate, {Omega: simple}, reason="(3.52).", printed=False)
 
 
-@claim("wheel-on-an-axle", "A hoop whose horizontal axle is held at one end: Ω is exact.")
+@claim("wheel-on-an-axle", "A hoop whose horizontal axle is held at one end: $Ω$ is exact.")
 def wheel_on_an_axle() -> Iterator[Evidence]:
-    """A torus without thickness, and Steiner's theorem; at cos θ = 0 (3.57) has one root, (3.52).
+    """A torus without thickness, and Steiner's theorem; at $cos θ = 0$ (3.57) has one root, (3.52).
 
-    A cord that leans pulls along the horizontal axle with some F besides: about the centre of mass
-    that has no torque, and the rate is the same. Let go at rest, the axle dips by arcsin δ.
+    A cord that leans pulls along the horizontal axle with some $F$ besides: about the centre of
+    mass that has no torque, and the rate is the same. Let go at rest, the axle dips by $arcsin δ$.
     """
     tensor = on_an_arm(torus(radius, height).inertia(M).subs(height, 0))
     axle, vertical = Matrix([sympy.cos(phi), sympy.sin(phi), 0]), Matrix(Z_AXIS)
@@ -107,7 +108,7 @@ def wheel_on_an_axle() -> Iterator[Evidence]:
     yield Check(along, moments, printed=False)
     yield Check(across, moments, printed=False)
     [root] = sympy.solve(horizontal, Omega)
-    yield Check(rate, {Omega: root}, reason="(3.57) at θ = 90°.", printed=False)
+    yield Check(rate, {Omega: root}, reason="(3.57) at $θ = 90°$.", printed=False)
     yield Check(
         torque,
         {N_vec: pulled, zhat: vertical, e3: axle},
@@ -230,7 +231,7 @@ FACTORS = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
     section="3.5.2",
     asks="example 35: gyroscopes",
     statement="A uniform disc spins on a thin axle through its centre. The end of the axle rests "
-    "on a stand, at the distance R from the disc, and the axle makes the angle θ with the "
+    "on a stand, at the distance $R$ from the disc, and the axle makes the angle $θ$ with the "
     "vertical. In which direction does it precess, how fast, and how long does one turn take?\n\n"
     "Compare (3.52) with the exact rate. How fast must the disc spin so that (3.52) is wrong by no "
     "more than a share “tolerance”, and how fast so that it can precess steadily at all?",
@@ -239,8 +240,8 @@ FACTORS = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
         Parameter("M", 0.17, "mass of the disc", "kg", above=0),
         Parameter("radius", 0.055, "radius of the disc", "m", above=0),
         Parameter("R", 0.105, "from the stand to the disc", "m", above=0),
-        Parameter("omega3", 90 * pi, "ω₃: 45 turns a second", "rad/s"),
-        Parameter("theta", pi / 3, "θ of the axle", "rad", above=0, most=3.1),
+        Parameter("omega3", 90 * pi, "$ω₃$: 45 turns a second", "rad/s"),
+        Parameter("theta", pi / 3, "$θ$ of the axle", "rad", above=0, most=3.1),
         Parameter("tolerance", 0.01, "error allowed, relative", above=0, most=0.9),
         GRAVITY,
     ),
@@ -260,18 +261,18 @@ def gyroscope(
     off = exact / simple - 1
     needed = spin_for(tolerance, top, theta)
 
-    yield Answer("lambda1", "λ₁ about the stand", top.lambda1, "kg m²")
-    yield Answer("lambda3", "λ₃", top.lambda3, "kg m²")
-    yield Answer("simple", "Ω by (3.52)", simple, "rad/s")
-    yield Answer("exact", "Ω₋ of (3.57)", exact, "rad/s")
+    yield Answer("lambda1", "$λ₁$ about the stand", top.lambda1, "kg m²")
+    yield Answer("lambda3", "$λ₃$", top.lambda3, "kg m²")
+    yield Answer("simple", "$Ω$ by (3.52)", simple, "rad/s")
+    yield Answer("exact", "$Ω₋$ of (3.57)", exact, "rad/s")
     yield Answer("off", "by how much it exceeds (3.52), relative", off)
     yield Answer("period", "time for one turn", 2 * pi / abs(exact), "s")
     yield Answer("direction", "direction, seen from above", seen_from_above(exact))
-    yield Answer("epsilon_0", "ε₀", smallness(top, omega3))
+    yield Answer("epsilon_0", "$ε₀$", smallness(top, omega3))
     yield Answer("good", "is (3.52) good enough?", "yes" if abs(off) <= tolerance else "no")
     least = least_spin(top, theta)
-    yield Answer("spin_needed", "it is for |ω₃| from", needed or least, "rad/s")
-    yield Answer("smallest_spin", "smallest |ω₃| to go round", least, "rad/s")
+    yield Answer("spin_needed", "it is for $|ω₃|$ from", needed or least, "rad/s")
+    yield Answer("smallest_spin", "smallest $|ω₃|$ to go round", least, "rad/s")
 
     def at(spin: float) -> tuple[float | str, ...]:
         rough = simple_rate(top, spin)
@@ -283,7 +284,7 @@ def gyroscope(
     yield Table(
         "spins",
         "At less and at more spin",
-        ("ω₃ (rad/s)", "ε₀", "Ω by (3.52) (rad/s)", "Ω₋ (rad/s)", "excess"),
+        ("$ω₃$ (rad/s)", "$ε₀$", "$Ω$ by (3.52) (rad/s)", "$Ω₋$ (rad/s)", "excess"),
         tuple(at(factor * omega3) for factor in FACTORS),
     )
     yield Measure(
@@ -304,16 +305,16 @@ def gyroscope(
     section="3.5.2",
     asks="example 35: the wheel of the videos",
     statement="A bicycle wheel, all of its mass in the rim, spins on a horizontal axle. One end of "
-    "the axle, at the distance R from the wheel, is held up by a cord. Which way does the wheel go "
-    "round, and how fast? What is the force in the cord, and by what angle does the cord lean?\n\n"
-    "Somebody holds the other end of the axle at rest and lets it go, with the first end on a "
-    "fixed pivot. How far does the axle dip, and how often?",
+    "the axle, at the distance $R$ from the wheel, is held up by a cord. Which way does the "
+    "wheel go round, and how fast? What is the force in the cord, and by what angle does the "
+    "cord lean?\n\nSomebody holds the other end of the axle at rest and lets it go, with the "
+    "first end on a fixed pivot. How far does the axle dip, and how often?",
     claims=(precession_vector, torque_direction, wheel_on_an_axle, bound_on_the_tilt),
     parameters=(
         Parameter("M", 1.5, "mass of the rim", "kg", above=0),
         Parameter("radius", 0.31, "radius of the rim", "m", above=0),
         Parameter("R", 0.15, "from the cord to the wheel", "m", above=0),
-        Parameter("omega3", 6 * pi, "ω₃: 180 turns a minute", "rad/s"),
+        Parameter("omega3", 6 * pi, "$ω₃$: 180 turns a minute", "rad/s"),
         Parameter("cord", 1.0, "length of the cord", "m", least=0),
         GRAVITY,
     ),
@@ -335,14 +336,14 @@ def bicycle_wheel(
     dip = asin(4 * weak / (1 + sqrt(1 + 16 * weak**2)))
     motion = top.motion(theta=pi / 2, omega3=omega3)
 
-    yield Answer("lambda1", "λ₁ about the end of the axle", top.lambda1, "kg m²")
-    yield Answer("lambda3", "λ₃", top.lambda3, "kg m²")
-    yield Answer("precession", "Ω, exact at θ = 90°", rate, "rad/s")
+    yield Answer("lambda1", "$λ₁$ about the end of the axle", top.lambda1, "kg m²")
+    yield Answer("lambda3", "$λ₃$", top.lambda3, "kg m²")
+    yield Answer("precession", "$Ω$, exact at $θ = 90°$", rate, "rad/s")
     yield Answer("period", "time for one turn", 2 * pi / abs(rate), "s")
     yield Answer("direction", "direction, seen from above", seen_from_above(rate))
     yield Answer("tension", "force in the cord", tension, "N")
     yield Answer("lean", "angle of the cord with the vertical", atan(slope), "rad")
-    yield Answer("epsilon_0", "ε₀", weak)
+    yield Answer("epsilon_0", "$ε₀$", weak)
     yield Answer("dip", "dip of the axle, let go at rest", dip, "rad")
     yield Answer("dip_period", "time from dip to dip", motion.nutation_period, "s")
 

@@ -36,13 +36,14 @@ from rigidtop.theory.symbols import (
 from .bodies import HEAVY_TOP, SPIN, TILT
 
 
-@claim("roots-in-powers", "Both rates of a fast top as power series in ε = λ₁MgR cos θ/(λ₃ω₃)².")
+@claim("roots-in-powers", "Both rates of a fast top as power series in $ε = λ₁MgR cos θ/(λ₃ω₃)²$.")
 def roots_in_powers() -> Iterator[Evidence]:
-    """The roots are expanded in ε; the coefficients of the slow one are Catalan's numbers.
+    """The roots are expanded in $ε$; the coefficients of the slow one are Catalan's numbers.
 
-    The sum of the roots says why: Ω₋ = (MgR + λ₁ cos θ Ω₋²)/(λ₃ω₃) builds every coefficient from
+    The sum of the roots says why: $Ω₋ = (MgR + λ₁ cos θ Ω₋²)/(λ₃ω₃)$ builds every coefficient from
     products of those before, and what the slow root has more than its leading term, the fast one
-    has less. Both series converge for |ε| < ¼, which for cos θ > 0 is the spin above its threshold.
+    has less. Both series converge for $|ε| < ¼$, which for $cos θ > 0$ is the spin above its
+    threshold.
     """
     slow_root, fast_root = theory.steady_roots()
     slow_series, fast_series = theory.steady_expansions(4)
@@ -69,7 +70,7 @@ def roots_in_powers() -> Iterator[Evidence]:
         slow,
         {Omega_minus: slow_series, epsilon: theory.smallness()},
         (SPINNING,),
-        "The slow root, without terms of order ε⁴,",
+        "The slow root, without terms of order $ε⁴$,",
         printed=False,
     )
     yield Check(
@@ -91,10 +92,10 @@ def gravity_with(lead: Expr, ratio: Expr) -> Expr:
     "fast-enough", "From which spin on the leading terms of both rates are as good as one wants."
 )
 def fast_enough() -> Iterator[Evidence]:
-    """A root that differs from its leading term by the factor 1 ∓ δ is put into (3.57).
+    """A root that differs from its leading term by the factor 1 $∓ δ$ is put into (3.57).
 
-    The leading term of the slow rate is too small by δ of that rate, that of the fast one too
-    large by δ; below the horizontal, where cos θ < 0, both δ are negative.
+    The leading term of the slow rate is too small by $δ$ of that rate, that of the fast one too
+    large by $δ$; below the horizontal, where $cos θ < 0$, both $δ$ are negative.
     """
     slow_lead, fast_lead = theory.leading_roots()
     with as_printed():
@@ -104,13 +105,13 @@ def fast_enough() -> Iterator[Evidence]:
     yield Check(
         slow,
         {g: gravity_with(slow_lead, 1 - delta)},
-        reason="Where MgR/(λ₃ω₃) = (1 − δ)Ω₋,",
+        reason="Where $MgR/(λ₃ω₃) = (1 − δ)Ω₋$,",
         printed=False,
     )
     yield Check(
         fast,
         {g: gravity_with(fast_lead, 1 + delta)},
-        reason="and where λ₃ω₃/(λ₁ cos θ) = (1 + δ)Ω₊.",
+        reason="and where $λ₃ω₃/(λ₁ cos θ) = (1 + δ)Ω₊$.",
         printed=False,
     )
 
@@ -166,8 +167,8 @@ def spin_by_search(top: HeavyTop, tilt: float, accuracy: float) -> tuple[float, 
     "Both rates of precession of a fast top",
     section="3.5.3",
     asks="the exercise below (3.57)",
-    statement="Solve the quadratic (3.57) for the rate Ω of steady precession and find both "
-    "solutions for very large ω₃. What is the next term of each, and how good is each order for "
+    statement="Solve the quadratic (3.57) for the rate $Ω$ of steady precession and find both "
+    "solutions for very large $ω₃$. What is the next term of each, and how good is each order for "
     "the given top?\n\n"
     "How fast must the top spin for the leading terms to be right within the given accuracy?",
     claims=(two_roots, roots_in_powers, fast_enough),
@@ -175,7 +176,7 @@ def spin_by_search(top: HeavyTop, tilt: float, accuracy: float) -> tuple[float, 
         *HEAVY_TOP,
         TILT,
         SPIN,
-        Parameter("accuracy", 0.01, "error allowed, relative to Ω", least=1e-9, most=0.4),
+        Parameter("accuracy", 0.01, "error allowed, relative to $Ω$", least=1e-9, most=0.4),
     ),
     figure="asymptotics",
     text="exercises/fast_spin_roots",
@@ -190,8 +191,8 @@ def fast_spin_roots(
     omega3: float,
     accuracy: float,
 ) -> Iterator[Outcome]:
-    """Both roots are compared order by order with the series in ε; the spin from which the leading
-    terms suffice is known in closed form, and found once more by searching for it."""
+    """Both roots are compared order by order with the series in $ε$; the spin from which the
+    leading terms suffice is known in closed form, and found once more by searching for it."""
     top = HeavyTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g)
     if abs(cos(theta)) < 1e-9:
         raise RigidtopError(
@@ -202,30 +203,32 @@ def fast_spin_roots(
         raise RigidtopError("omega3 = 0: the leading terms are those of a top that spins")
     smallness = lambda1 * top.weight[2] * cos(theta) / (lambda3 * omega3) ** 2
     lead = leading(top, theta, omega3)
-    yield Answer("epsilon", "ε = λ₁MgR cos θ/(λ₃ω₃)²", smallness)
+    yield Answer("epsilon", "$ε = λ₁MgR cos θ/(λ₃ω₃)²$", smallness)
     rows = []
     for terms in range(1, 6):
         pair = [x * f for x, f in zip(lead, series_factors(terms, smallness), strict=True)]
         errors = [x / root - 1 for x, root in zip(pair, exact, strict=True)]
         rows.append((terms, pair[0], errors[0], pair[1], errors[1]))
     for k, name, sign in ((0, "slow", "₋"), (1, "fast", "₊")):
-        yield Answer(f"{name}", f"Ω{sign}, root of (3.57)", exact[k], "rad/s")
-        yield Answer(f"{name}_leading", f"Ω{sign}, leading term", lead[k], "rad/s")
+        yield Answer(f"{name}", f"$Ω{sign}$, root of (3.57)", exact[k], "rad/s")
+        yield Answer(f"{name}_leading", f"$Ω{sign}$, leading term", lead[k], "rad/s")
         yield Answer(f"{name}_error", "its error, relative to the root", rows[0][2 + 2 * k])
-        yield Answer(f"{name}_next", f"Ω{sign} with the next term", rows[1][1 + 2 * k], "rad/s")
+        yield Answer(f"{name}_next", f"$Ω{sign}$ with the next term", rows[1][1 + 2 * k], "rad/s")
         yield Answer(f"{name}_next_error", "its error", rows[1][2 + 2 * k])
     yield Table(
         "orders",
         "Both series, order by order",
-        ("terms", "Ω₋ (rad/s)", "relative error", "Ω₊ (rad/s)", "relative error"),
+        ("terms", "$Ω₋$ (rad/s)", "relative error", "$Ω₊$ (rad/s)", "relative error"),
         tuple(rows),
     )
     spins = spin_for(top, theta, accuracy)
     yield Answer(
-        "threshold", "smallest |ω₃| of steady precession", top.smallest_spin(theta), "rad/s"
+        "threshold", "smallest $|ω₃|$ of steady precession", top.smallest_spin(theta), "rad/s"
     )
-    yield Answer("slow_spin", "|ω₃| from which MgR/(λ₃ω₃) is accurate enough", spins[0], "rad/s")
-    yield Answer("fast_spin", "|ω₃| from which λ₃ω₃/(λ₁ cos θ) is", spins[1], "rad/s")
+    yield Answer(
+        "slow_spin", "$|ω₃|$ from which $MgR/(λ₃ω₃)$ is accurate enough", spins[0], "rad/s"
+    )
+    yield Answer("fast_spin", "$|ω₃|$ from which $λ₃ω₃/(λ₁ cos θ)$ is", spins[1], "rad/s")
     coefficients = [lambda1 * cos(theta), -lambda3 * omega3, top.weight[2]]
     companion = sorted(np.roots(coefficients).real, key=abs)
     difference = max(abs(a / b - 1) for a, b in zip(companion, exact, strict=True))

@@ -76,18 +76,18 @@ def point_parameters() -> Iterator[Parameter]:
     section="3.5.1",
     asks="(3.48) and (3.49)",
     statement="Three masses are held together by light rods, and the body is held at the origin. "
-    "Add up the torque of gravity and the potential energy, mass by mass. Then put all the mass at "
-    "the centre of mass, and compare.\n\n"
-    "A third way: turn the body by a quarter to either side about x̂, about ŷ and about ẑ. What do "
-    "the potential energies say about the torque?",
+    "Add up the torque of gravity and the potential energy, mass by mass. Then put all the mass "
+    "at the centre of mass, and compare.\n\nA third way: turn the body by a quarter to either "
+    "side about $x̂$, about $ŷ$ and about $ẑ$. What do the potential energies say about the "
+    "torque?",
     claims=(torque, gravity, potential),
     parameters=(*point_parameters(), GRAVITY),
     figure="weights",
 )
 def gravity_on_points(g: float, **given: float) -> Iterator[Outcome]:
-    """Both sums are taken point by point. For the third way V of the turned points is computed: a
-    turn by α changes V by terms in cos α and in sin α, so (V(90°) − V(−90°))/2 is its slope at
-    α = 0, and the torque about that axis is minus the slope."""
+    """Both sums are taken point by point. For the third way $V$ of the turned points is computed: a
+    turn by $α$ changes $V$ by terms in $cos α$ and in $sin α$, so $(V(90°) − V(−90°))/2$ is its
+    slope at $α = 0$, and the torque about that axis is minus the slope."""
     masses = np.array([given[f"m{k + 1}"] for k in range(POINTS)])
     places = np.array([[given[f"{axis}{k + 1}"] for axis in "xyz"] for k in range(POINTS)])
     weights = -g * masses[:, None] * np.array([0.0, 0.0, 1.0])
@@ -105,7 +105,7 @@ def gravity_on_points(g: float, **given: float) -> Iterator[Outcome]:
     size = float(np.linalg.norm(places, axis=1) @ np.linalg.norm(weights, axis=1)) or 1.0
     lumped = np.cross(centre, [0.0, 0.0, -total * g])
     yield Measure(
-        "torque of all the mass at its centre, over Σ|r||F|",
+        "torque of all the mass at its centre, over $Σ|r||F|$",
         float(np.abs(lumped - summed).max()) / size,
         1e-14,
     )
@@ -126,11 +126,13 @@ def gravity_on_points(g: float, **given: float) -> Iterator[Outcome]:
     )
 
 
-@claim("torque-along-the-nodes", "The torque MgR sin θ on a top lies along e₂′, and drives θ.")
+@claim(
+    "torque-along-the-nodes", "The torque $MgR sin θ$ on a top lies along $e₂′$, and drives $θ$."
+)
 def torque_along_the_nodes() -> Iterator[Evidence]:
-    """R_CM = R e₃ put into (3.49): ẑ × e₃ is sin θ e₂′, the line of nodes.
+    """$𝐑_CM = R e₃$ put into (3.49): $ẑ × e₃$ is $sin θ e₂′$, the line of nodes.
 
-    It works on θ̇ alone, as MgR cos θ depends on θ alone: what V loses T gains.
+    It works on $θ̇$ alone, as $MgR cos θ$ depends on $θ$ alone: what $V$ loses $T$ gains.
     """
     axes = primed_matrix()
     centre = R * axes[:, 2]
@@ -168,7 +170,8 @@ GRAIN = in_order(
 def cone_on_its_tip() -> Iterator[Evidence]:
     """Integrals over a uniform cone that stands on its tip, upright for the moments.
 
-    Tilted by θ, every grain r has its own arm and its own height; (3.49) and MgR cos θ come out.
+    Tilted by $θ$, every grain $r$ has its own arm and its own height; (3.49) and $MgR cos θ$ come
+    out.
     """
     solid = cone(radius, height).named(*GRAIN)
     tensor = solid.inertia(M)
@@ -195,8 +198,8 @@ def cone_on_its_tip() -> Iterator[Evidence]:
         zhat: Matrix(Z_AXIS),
         e2p: axes[:, 1],
     }
-    yield Check(energy, tilted, reason="V of the cone,", printed=False)
-    yield Check(turning, tilted, reason="and N, where it leans towards x̂.", printed=False)
+    yield Check(energy, tilted, reason="$V$ of the cone,", printed=False)
+    yield Check(turning, tilted, reason="and $N$, where it leans towards $x̂$.", printed=False)
 
 
 def discs(radius: float, height: float, nodes: int = 8) -> tuple[Vectors, Vectors]:
@@ -225,20 +228,20 @@ def discs(radius: float, height: float, nodes: int = 8) -> tuple[Vectors, Vector
     "gravity-on-a-solid",
     "Gravity on a cone that stands on its tip",
     section="3.5.1",
-    asks="exercise: the potential energy is MgR cos θ",
+    asks="exercise: the potential energy is $MgR cos θ$",
     statement="A solid cone of uniform density stands on its tip, which is held so high that no "
-    "table is in the way, and leans at θ towards the azimuth φ. Every bit of it has a weight, an "
-    "arm and a height of its own. Find the torque and the potential energy as integrals over the "
-    "cone, and compare with one force Mg at the centre of mass.\n\n"
-    "Find its moments about the tip too: then the cone is a top. How fast must it spin so that it "
-    "can stand upright, or go round steadily at θ?",
+    "table is in the way, and leans at $θ$ towards the azimuth $φ$. Every bit of it has a "
+    "weight, an arm and a height of its own. Find the torque and the potential energy as "
+    "integrals over the cone, and compare with one force $Mg$ at the centre of mass.\n\nFind its "
+    "moments about the tip too: then the cone is a top. How fast must it spin so that it can "
+    "stand upright, or go round steadily at $θ$?",
     claims=(gravity, potential, torque_along_the_nodes, cone_on_its_tip),
     parameters=(
         Parameter("radius", 0.03, "radius of the base", "m", above=0),
         Parameter("height", 0.06, "height", "m", above=0),
         Parameter("density", 700.0, "density: that of beech", "kg/m³", above=0),
-        Parameter("theta", pi / 9, "θ, tilt of the axis", "rad", least=0, most=pi),
-        Parameter("phi", 0.7, "φ, azimuth of the axis", "rad"),
+        Parameter("theta", pi / 9, "$θ$, tilt of the axis", "rad", least=0, most=pi),
+        Parameter("phi", 0.7, "$φ$, azimuth of the axis", "rad"),
         GRAVITY,
     ),
     figure="leaning-cone",
@@ -258,16 +261,19 @@ def gravity_on_a_solid(
     energy = top.weight[2] * cos(theta)
 
     yield Answer("mass", "M", mass, "kg")
-    yield Answer("R", "R, from the tip to the centre of mass", centre, "m")
-    yield Answer("lambda1", "λ₁ about the tip", top.lambda1, "kg m²")
-    yield Answer("lambda3", "λ₃", top.lambda3, "kg m²")
-    yield Answer("torque", "torque MgR sin θ", turning, "N m")
-    yield Answer("torque_x", "torque along x̂", turning * direction[0], "N m")
-    yield Answer("torque_y", "torque along ŷ", turning * direction[1], "N m")
-    yield Answer("potential", "potential energy MgR cos θ", energy, "J")
-    yield Answer("sleeping_spin", "smallest ω₃ to stand upright", top.sleeping_spin(), "rad/s")
+    yield Answer("R", "$R$, from the tip to the centre of mass", centre, "m")
+    yield Answer("lambda1", "$λ₁$ about the tip", top.lambda1, "kg m²")
+    yield Answer("lambda3", "$λ₃$", top.lambda3, "kg m²")
+    yield Answer("torque", "torque $MgR sin θ$", turning, "N m")
+    yield Answer("torque_x", "torque along $x̂$", turning * direction[0], "N m")
+    yield Answer("torque_y", "torque along $ŷ$", turning * direction[1], "N m")
+    yield Answer("potential", "potential energy $MgR cos θ$", energy, "J")
+    yield Answer("sleeping_spin", "smallest $ω₃$ to stand upright", top.sleeping_spin(), "rad/s")
     yield Answer(
-        "smallest_spin", "smallest ω₃ to go round steadily at θ", least_spin(top, theta), "rad/s"
+        "smallest_spin",
+        "smallest $ω₃$ to go round steadily at $θ$",
+        least_spin(top, theta),
+        "rad/s",
     )
 
     points, sizes = discs(radius, height)
@@ -277,13 +283,13 @@ def gravity_on_a_solid(
     scale = top.weight[2]
     errors = {
         "mass, disc by disc, relative": bits.sum() / mass - 1,
-        "torque, disc by disc, over MgR": (summed - turning * direction) / scale,
-        "potential energy, disc by disc, over MgR": (g * bits @ standing[:, 2] - energy) / scale,
-        "λ₁ about the tip, disc by disc, relative": bits
+        "torque, disc by disc, over $MgR$": (summed - turning * direction) / scale,
+        "potential energy, disc by disc, over $MgR$": (g * bits @ standing[:, 2] - energy) / scale,
+        "$λ₁$ about the tip, disc by disc, relative": bits
         @ (points[:, 1] ** 2 + points[:, 2] ** 2)
         / top.lambda1
         - 1,
-        "λ₃, disc by disc, relative": bits @ (points[:, 0] ** 2 + points[:, 1] ** 2) / top.lambda3
+        "$λ₃$, disc by disc, relative": bits @ (points[:, 0] ** 2 + points[:, 1] ** 2) / top.lambda3
         - 1,
     }
     for what, error in errors.items():

@@ -74,13 +74,14 @@ def first_shift(turning: Expr, start: Expr) -> Expr:
 
 
 @claim(
-    "released-at-rest", "A top let go at θᵢ with ω along e₃ turns back where, and swings how far."
+    "released-at-rest",
+    "A top let go at $θᵢ$ with $𝛚$ along $e₃$ turns back where, and swings how far.",
 )
 def released_at_rest() -> Iterator[Evidence]:
-    """The energy with p_φ = p_ψ cos θᵢ; the first factor is the release, the second the turn.
+    """The energy with $p_φ = p_ψ cos θᵢ$; the first factor is the release, the second the turn.
 
-    For small MgR/(λ₃ω₃)² the turn is at θᵢ + 2A, so that the axis swings by A about an angle that
-    much below the release.
+    For small $MgR/(λ₃ω₃)²$ the turn is at $θᵢ + 2A$, so that the axis swings by $A$ about an angle
+    that much below the release.
     """
     with as_printed():
         swing = Equation(
@@ -100,17 +101,17 @@ def released_at_rest() -> Iterator[Evidence]:
     yield Check(
         amplitude,
         {A: first_shift(turning, theta_i) / 2},
-        reason="Half the way to the other turning point, to first order in g.",
+        reason="Half the way to the other turning point, to first order in $g$.",
         printed=False,
     )
 
 
-@claim("turning-points", "The turning points of θ are two roots of a cubic in cos θ.")
+@claim("turning-points", "The turning points of $θ$ are two roots of a cubic in $cos θ$.")
 def turning_points() -> Iterator[Evidence]:
-    """The energy with the momenta of (3.55) and (3.56), multiplied by sin²θ.
+    """The energy with the momenta of (3.55) and (3.56), multiplied by $sin²θ$.
 
-    Of a top started at θᵢ with θ̇ = 0 one root is known, and a quadratic is left. The third root is
-    no angle: for cos θ ≥ 1 the cubic is positive again at last.
+    Of a top started at $θᵢ$ with $θ̇ = 0$ one root is known, and a quadratic is left. The third
+    root is no angle: for $cos θ ≥ 1$ the cubic is positive again at last.
     """
     with as_printed():
         cubic = Equation(
@@ -140,7 +141,7 @@ def turning_points() -> Iterator[Evidence]:
     yield Check(
         started,
         {thetadot: sympy.sqrt(rate)},
-        reason="With θ̇ = 0, φ̇ and ω₃ at θᵢ.",
+        reason="With $θ̇ = 0$, $φ̇$ and $ω₃$ at $θᵢ$.",
         printed=False,
     )
 
@@ -154,16 +155,19 @@ def rate_on_the_vertical(side: int) -> Expr:
     return sympy.cancel(rate.subs(sympy.sin(theta) ** 2, 1 - cosine**2)).subs(cosine, side)
 
 
-@claim("waves-or-loops", "At which φ̇ the path changes from waves to loops, for a start with θ̇ = 0.")
+@claim(
+    "waves-or-loops", "At which $φ̇$ the path changes from waves to loops, for a start with $θ̇ = 0$."
+)
 def waves_or_loops() -> Iterator[Evidence]:
-    """The axis sinks where (3.57) with φ̇ for Ω is positive, and rises where it is negative.
+    """The axis sinks where (3.57) with $φ̇$ for $Ω$ is positive, and rises where it is negative.
 
-    For cos θ > 0 that is between the two roots, and nowhere below the spin at which there are any;
-    for cos θ < 0 it is outside of them. φ̇ vanishes on the way, in loops, where θ̇² comes out
-    positive there; at φ̇ = 0 it vanishes at a turning point, in cusps, and if (λ₃ω₃)² exceeds
-    2λ₁MgR(1 + cos θ) also at φ̇ = 2MgR/(λ₃ω₃). Where p_φ = −p_ψ the axis passes straight down, and
-    where p_φ = p_ψ through the upright if by the same condition it has the energy to get there;
-    beyond that φ̇ cos θ₀ = p_φ/p_ψ is no cosine and there are waves again.
+    For $cos θ > 0$ that is between the two roots, and nowhere below the spin at which there are
+    any; for $cos θ < 0$ it is outside of them. $φ̇$ vanishes on the way, in loops, where $θ̇²$
+    comes out positive there; at $φ̇ = 0$ it vanishes at a turning point, in cusps, and if
+    $(λ₃ω₃)²$ exceeds $2λ₁MgR(1 + cos θ)$ also at $φ̇ = 2MgR/(λ₃ω₃)$. Where $p_φ = −p_ψ$ the axis
+    passes straight down, and where $p_φ = p_ψ$ through the upright if by the same condition it has
+    the energy to get there; beyond that $φ̇ cos θ₀ = p_φ/p_ψ$ is no cosine and there are waves
+    again.
     """
     with as_printed():
         sinks = Equation(
@@ -205,7 +209,7 @@ def waves_or_loops() -> Iterator[Evidence]:
     yield Check(
         sinks,
         {thetaddot: theory.symmetric_top_accelerations()[0].subs(spinning)},
-        reason="(3.54) with ω₃: down where it is positive.",
+        reason="(3.54) with $ω₃$: down where it is positive.",
         printed=False,
     )
     momenta = momenta_at_start()
@@ -216,17 +220,17 @@ def waves_or_loops() -> Iterator[Evidence]:
     yield Check(
         reached,
         {thetadot: sympy.sqrt(2 * gained / lambda1)},
-        reason="θ̇² at cos θ₀ = p_φ/p_ψ, where φ̇ vanishes.",
+        reason="$θ̇²$ at $cos θ₀ = p_φ/p_ψ$, where $φ̇$ vanishes.",
         printed=False,
     )
-    yield Check(upright, momenta, reason="Upright only with p_φ = p_ψ,", printed=False)
+    yield Check(upright, momenta, reason="Upright only with $p_φ = p_ψ$,", printed=False)
     yield Check(
         upwards,
         {thetadot: sympy.sqrt(rate_on_the_vertical(1))},
-        reason="where θ̇² comes out positive there;",
+        reason="where $θ̇²$ comes out positive there;",
         printed=False,
     )
-    yield Check(hanging, momenta, reason="hanging only with p_φ = −p_ψ,", printed=False)
+    yield Check(hanging, momenta, reason="hanging only with $p_φ = −p_ψ$,", printed=False)
     yield Check(
         downwards,
         {thetadot: sympy.sqrt(rate_on_the_vertical(-1))},
@@ -364,9 +368,9 @@ def lowest_potential(swing: Swing) -> tuple[float, float]:
     "Frequency and amplitude of the nutation",
     section="3.5.4",
     asks="“small oscillations around the value where it could be constant”",
-    statement="A top precesses almost steadily. With which frequency does θ oscillate about the "
-    "angle at which it could be constant, and what does that become for large ω₃?\n\n"
-    "The same top is let go at θ with its axis at rest. How far does the axis swing, and about "
+    statement="A top precesses almost steadily. With which frequency does $θ$ oscillate about the "
+    "angle at which it could be constant, and what does that become for large $ω₃$?\n\n"
+    "The same top is let go at $θ$ with its axis at rest. How far does the axis swing, and about "
     "which angle? How good are the formulas for fast tops when the top is not that fast?",
     claims=(nutation, released_at_rest),
     parameters=(*HEAVY_TOP, INCLINED, SPIN),
@@ -383,24 +387,24 @@ def small_nutation(
     if omega3 == 0:
         raise RigidtopError("omega3 = 0: a top that is let go at rest without spin falls over")
     frequency = small_frequency(top, theta, slow, omega3)
-    yield Answer("slow", "rate Ω₋ of steady precession at θ", slow, "rad/s")
-    yield Answer("frequency", "small nutation about it, √(U″/λ₁)", frequency, "rad/s")
+    yield Answer("slow", "rate $Ω₋$ of steady precession at $θ$", slow, "rad/s")
+    yield Answer("frequency", "small nutation about it, $√(U″/λ₁)$", frequency, "rad/s")
     yield Answer(
         "fast_frequency",
-        "the same for a fast top, |λ₃ω₃|/λ₁",
+        "the same for a fast top, $|λ₃ω₃|/λ₁$",
         lambda3 * abs(omega3) / lambda1,
         "rad/s",
     )
     kicked = top.motion(theta=theta, theta_dot=1e-6 * frequency, phi_dot=slow, omega3=omega3)
     error = abs(2 * pi / kicked.nutation_period / frequency - 1)
-    yield Measure("frequency of a nutation of 10⁻⁶ rad in closed form, relative", error, 1e-8)
+    yield Measure("frequency of a nutation of $10⁻⁶$ rad in closed form, relative", error, 1e-8)
 
     swing, motion = Swing(top, theta, 0.0, omega3), top.motion(theta=theta, omega3=omega3)
     period, predicted = motion.nutation_period, lambda1 * top.weight[2] / (lambda3 * omega3) ** 2
-    yield Answer("turn", "let go at rest: θ of the other turning point", swing.other, "rad")
+    yield Answer("turn", "let go at rest: $θ$ of the other turning point", swing.other, "rad")
     yield Answer("amplitude", "half the way to it", (swing.other - theta) / 2, "rad")
     yield Answer(
-        "fast_amplitude", "for a fast top, λ₁MgR sin θ/(λ₃ω₃)²", predicted * sin(theta), "rad"
+        "fast_amplitude", "for a fast top, $λ₁MgR sin θ/(λ₃ω₃)²$", predicted * sin(theta), "rad"
     )
     yield Answer("centre", "middle between the turning points", (swing.other + theta) / 2, "rad")
     yield Answer("fast_centre", "for a fast top", theta + predicted * sin(theta), "rad")
@@ -409,7 +413,7 @@ def small_nutation(
     yield Answer("released_frequency", "frequency of this nutation", 2 * pi / period, "rad/s")
     yield Answer(
         "harmonic_frequency",
-        "√(U″/λ₁) at that angle",
+        "$√(U″/λ₁)$ at that angle",
         small_frequency(top, steady, precession, omega3),
         "rad/s",
     )
@@ -417,12 +421,12 @@ def small_nutation(
         "spins",
         "Let go at rest with other spins",
         (
-            "ω₃ (rad/s)",
+            "$ω₃$ (rad/s)",
             "frequency (rad/s)",
-            "√(U″/λ₁) (rad/s)",
-            "|λ₃ω₃|/λ₁ (rad/s)",
+            "$√(U″/λ₁)$ (rad/s)",
+            "$|λ₃ω₃|/λ₁$ (rad/s)",
             "amplitude (rad)",
-            "λ₁MgR sin θ/(λ₃ω₃)² (rad)",
+            "$λ₁MgR sin θ/(λ₃ω₃)²$ (rad)",
         ),
         tuple(_released(top, theta, factor * omega3) for factor in (1, 1.5, 2, 4, 8, 16)),
     )
@@ -492,16 +496,17 @@ def seen(motion: TopMotion, period: float) -> str:
     "Waves, cusps, loops",
     section="3.5.4",
     asks="“the azimuthal progress of the top becomes more complicated”",
-    statement="A top starts at θ with the spin ω₃ and with θ̇ = 0. For which φ̇ does its axis draw "
-    "waves, for which loops, and what is drawn at the boundaries between them? For which φ̇ does "
-    "the axis sink at first, for which does it rise?\n\n"
-    "Find the turning points of θ and φ̇ there for the given φ̇, and how far the axis turns about "
-    "the vertical from one nutation to the next.",
+    statement="A top starts at $θ$ with the spin $ω₃$ and with $θ̇ = 0$. For which $φ̇$ does its "
+    "axis draw "
+    "waves, for which loops, and what is drawn at the boundaries between them? For which $φ̇$ "
+    "does the axis sink at first, for which does it rise?\n\nFind the turning points of $θ$ and "
+    "$φ̇$ there for the given $φ̇$, and how far the axis turns about the vertical from one "
+    "nutation to the next.",
     claims=(azimuth, turning_points, waves_or_loops),
     parameters=(
         *HEAVY_TOP,
         INCLINED,
-        Parameter("phi_dot", 0.2, "φ̇ at the start", "rad/s"),
+        Parameter("phi_dot", 0.2, "$φ̇$ at the start", "rad/s"),
         SPIN,
     ),
     figure="paths",
@@ -533,18 +538,18 @@ def waves_cusps_loops(
     rows, wrong = _between(top, theta, omega3)
     yield Table(
         "boundaries",
-        "For which φ̇ the path is what",
-        ("from φ̇ (rad/s)", "to φ̇ (rad/s)", "path", "at first the axis", "at the second φ̇"),
+        "For which $φ̇$ the path is what",
+        ("from $φ̇$ (rad/s)", "to $φ̇$ (rad/s)", "path", "at first the axis", "at the second $φ̇$"),
         tuple(rows),
     )
-    yield Answer("path", "path for the given φ̇", drawn)
+    yield Answer("path", "path for the given $φ̇$", drawn)
     yield Answer("at_first", "at first the axis", _first(swing))
-    yield Answer("turn", "θ at the other turning point", swing.other, "rad")
-    yield Answer("turn_rate", "φ̇ at the other turning point", swing.rate(0.0), "rad/s")
+    yield Answer("turn", "$θ$ at the other turning point", swing.other, "rad")
+    yield Answer("turn_rate", "$φ̇$ at the other turning point", swing.rate(0.0), "rad/s")
     yield Answer("period", "time from one nutation to the next", swing.period, "s")
-    yield Answer("precession", "by how much φ grows in that time", swing.precession, "rad")
-    yield Answer("mean_rate", "mean φ̇", swing.precession / swing.period, "rad/s")
-    yield Measure("φ̇ chosen between the boundaries with another path in closed form", wrong, 0.5)
+    yield Answer("precession", "by how much $φ$ grows in that time", swing.precession, "rad")
+    yield Answer("mean_rate", "mean $φ̇$", swing.precession / swing.period, "rad/s")
+    yield Measure("$φ̇$ chosen between the boundaries with another path in closed form", wrong, 0.5)
     yield Measure("path as in closed form", float(motion.regime != drawn), 0.5)
     ends = sorted((theta, swing.other))
     error = max(abs(a - b) for a, b in zip(motion.turning_points, ends, strict=True))
@@ -555,11 +560,11 @@ def waves_cusps_loops(
     yield Measure("precession in closed form (rad)", error, 1e-9 * max(1.0, abs(swing.precession)))
     if drawn != "steady":
         by_signs = float(seen(motion, swing.period) != drawn)
-        yield Measure("path by the signs of φ̇, integrated", by_signs, 0.5)
+        yield Measure("path by the signs of $φ̇$, integrated", by_signs, 0.5)
     path = motion.integrate(swing.period / 2, **TIGHT)
     error = abs(float(path.phi_dot[0]) - swing.rate(0.0))
     scale = max(abs(phi_dot), abs(swing.rate(0.0)), 1.0)
-    yield Measure("φ̇ half a period later, integrated (rad/s)", error, 1e-7 * scale)
+    yield Measure("$φ̇$ half a period later, integrated (rad/s)", error, 1e-7 * scale)
 
 
 def _first(swing: Swing) -> str:
@@ -582,8 +587,8 @@ def _between(
     ]
     rows: list[tuple[float | str, ...]] = []
     wrong = 0
-    lower: list[float | str] = ["−∞", *rates]
-    upper: list[float | str] = [*rates, "∞"]
+    lower: list[float | str] = ["$−∞$", *rates]
+    upper: list[float | str] = [*rates, "$∞$"]
     there = [*(name for _, name in found), "–"]
     for sample, low, high, what in zip(samples, lower, upper, there, strict=True):
         swing = Swing(top, tilt, sample, spin)

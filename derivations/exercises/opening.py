@@ -35,9 +35,12 @@ from rigidtop.theory.symbols import (
 )
 
 
-@claim("bearing-torque", "What keeps ω constant is a torque ω × L across the plane of ω and stick.")
+@claim(
+    "bearing-torque",
+    "What keeps $𝛚$ constant is a torque $𝛚 × 𝐋$ across the plane of $𝛚$ and stick.",
+)
 def bearing_torque() -> Iterator[Evidence]:
-    """L̇ = N with L turned along with the stick; it is also the sum of r × F over both masses.
+    """$𝐋̇ = 𝐍$ with $𝐋$ turned along with the stick; it is also the sum of $𝐫 × 𝐅$ over both masses.
 
     Torque and force turn with the stick. The force vanishes when the bearing holds the centre of
     mass, the torque does not: that is the difference between static and dynamic balance.
@@ -58,13 +61,13 @@ def bearing_torque() -> Iterator[Evidence]:
     yield Check(
         carried,
         {**spin, L_vecdot: turned},
-        reason="The vector L turns with the stick.",
+        reason="The vector $𝐋$ turns with the stick.",
         printed=False,
     )
     yield Check(
         size,
         {**axes, N_vec: turned},
-        reason="Masses in the yz plane, ω along ẑ: x̂ is across both.",
+        reason="Masses in the yz plane, $𝛚$ along $ẑ$: $x̂$ is across both.",
         printed=False,
     )
     yield Check(
@@ -118,9 +121,10 @@ def free_flight(
     "Two masses on a stick",
     section="3.2 (opening)",
     asks="opening example",
-    statement="The masses M₁ and M₂ sit at the distances a and b on either side of the origin on a "
-    "stick without mass, which a bearing at the origin turns at constant ω, tilted to ω by the "
-    "angle α. Gravity is left out. Which direction has L, and how far is it from ω?\n\n"
+    statement="The masses $M₁$ and $M₂$ sit at the distances $a$ and $b$ on either side of the "
+    "origin on a "
+    "stick without mass, which a bearing at the origin turns at constant $𝛚$, tilted to $𝛚$ by the "
+    "angle $α$. Gravity is left out. Which direction has $𝐋$, and how far is it from $𝛚$?\n\n"
     "What torque, and what force, must the bearing exert, and in which directions? What do stick "
     "and masses do when the bearing lets go?",
     claims=(two_mass_points, bearing_torque),
@@ -129,8 +133,8 @@ def free_flight(
         Parameter("M_2", 0.8, "second mass", "kg", above=0),
         Parameter("a", 0.4, "distance of the first mass from the bearing", "m", above=0),
         Parameter("b", 0.5, "distance of the second mass from the bearing", "m", above=0),
-        Parameter("alpha", pi / 6, "tilt of the stick against ω", "rad", above=0, most=pi / 2),
-        Parameter("omega", 3.0, "ω", "rad/s", above=0),
+        Parameter("alpha", pi / 6, "tilt of the stick against $𝛚$", "rad", above=0, most=pi / 2),
+        Parameter("omega", 3.0, "$ω$", "rad/s", above=0),
     ),
     figure="two-masses",
     text="exercises/two_masses",
@@ -138,20 +142,23 @@ def free_flight(
 def two_masses(
     M_1: float, M_2: float, a: float, b: float, alpha: float, omega: float
 ) -> Iterator[Outcome]:
-    """L and N are the closed forms of the claims, held against sums over the masses. The flight is
-    integrated by Newton's law for each mass with the pull of the stick: about its centre of mass
-    the stick turns with the part of ω across it, about an axis parallel to the L of then."""
+    """$𝐋$ and $𝐍$ are the closed forms of the claims, held against sums over the masses. The
+    flight is integrated by Newton's law for each mass with the pull of the stick: about its centre
+    of mass the stick turns with the part of $𝛚$ across it, about an axis parallel to the $𝐋$ of
+    then."""
     moment = M_1 * a**2 + M_2 * b**2
     momentum = moment * omega * sin(alpha)
     torque = moment * omega**2 * sin(alpha) * cos(alpha)
     force = abs(M_1 * a - M_2 * b) * omega**2 * sin(alpha)
     free_rate = omega * sin(alpha)
     drift = omega * sin(alpha) * abs(M_1 * a - M_2 * b) / (M_1 + M_2)
-    yield Answer("angular_momentum", "L, at right angles to the stick", momentum, "J s")
-    yield Answer("angle", "angle between L and ω, π/2 − α", pi / 2 - alpha, "rad")
-    yield Answer("torque", "torque of the bearing, across the plane of stick and ω", torque, "N m")
+    yield Answer("angular_momentum", "$L$, at right angles to the stick", momentum, "J s")
+    yield Answer("angle", "angle between $𝐋$ and $𝛚$, $π/2 − α$", pi / 2 - alpha, "rad")
+    yield Answer(
+        "torque", "torque of the bearing, across the plane of stick and $ω$", torque, "N m"
+    )
     yield Answer("force", "force of the bearing, from the centre of mass to the axis", force, "N")
-    yield Answer("free_rate", "|ω| after it lets go, ω sin α", free_rate, "rad/s")
+    yield Answer("free_rate", "$|ω|$ after it lets go, $ω sin α$", free_rate, "rad/s")
     yield Answer("free_period", "time of one turn then", 2 * pi / free_rate, "s")
     yield Answer("drift", "speed of the centre of mass then", drift, "m/s")
 
@@ -163,15 +170,15 @@ def two_masses(
     summed = np.cross(positions, masses[:, None] * velocities).sum(axis=0)
     direction = np.arctan2(np.linalg.norm(np.cross(summed, axis)), summed @ axis)
     yield Measure(
-        "L as a sum over the masses, relative",
+        "$L$ as a sum over the masses, relative",
         abs(float(np.linalg.norm(summed)) / momentum - 1),
         1e-12,
     )
-    yield Measure("its angle to ω (rad)", abs(float(direction) - (pi / 2 - alpha)), 1e-12)
+    yield Measure("its angle to $ω$ (rad)", abs(float(direction) - (pi / 2 - alpha)), 1e-12)
     pushes = masses[:, None] * np.cross(axis, velocities)
     held = np.cross(positions, pushes).sum(axis=0) - np.array([torque, 0.0, 0.0])
     across = float(np.linalg.norm(held)) / (moment * omega**2)
-    yield Measure("N as a sum of r × F over the masses, relative to Iω²", across, 1e-12)
+    yield Measure("$N$ as a sum of $𝐫 × 𝐅$ over the masses, relative to $Iω²$", across, 1e-12)
     period = 2 * pi / free_rate
     later, _ = free_flight(positions, velocities, masses, period / 4)
     turned = (later[0] - later[1]) / (a + b)

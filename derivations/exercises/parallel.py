@@ -80,11 +80,15 @@ def released() -> dict[Expr, Expr]:
     return {**state, epsilon_0: reduce_ratio(weak.subs(state))}
 
 
-@claim("bound-on-the-axis", "A top released with ω along e₃ keeps |ω⊥| ≤ 2Ω sin θ, Ω of (3.52).")
+@claim(
+    "bound-on-the-axis",
+    "A top released with $𝛚$ along $e₃$ keeps $|ω⊥| ≤ 2Ω sin θ$, $Ω$ of (3.52).",
+)
 def bound_on_the_axis() -> Iterator[Evidence]:
-    """What the top has sunk, δ = cos θᵢ − cos θ, gives the energy of ω⊥, and L_z its direction.
+    """What the top has sunk, $δ = cos θᵢ − cos θ$, gives the energy of $ω⊥$, and $L_z$ its
+    direction.
 
-    Together: |λ₃ω₃| |ω⊥| ≤ 2MgR sin θ at any spin, with both sides equal where θ is largest.
+    Together: $|λ₃ω₃| |ω⊥| ≤ 2MgR sin θ$ at any spin, with both sides equal where $θ$ is largest.
     """
     with as_printed():
         across = Group(omega1p**2 + omega2p**2)
@@ -99,18 +103,20 @@ def bound_on_the_axis() -> Iterator[Evidence]:
         bound = Equation(momentum * across, torque, relation="<")
     state = released()
     yield Check(sinking, state, reason="By energy: the top can only sink.", printed=False)
-    yield Check(turning, state, reason="L_z is what it was.", printed=False)
+    yield Check(turning, state, reason="$L_z$ is what it was.", printed=False)
     yield Check(short_of, state, reason="From both.", printed=False)
-    moving = Assumption(Ne(omega2p, 0), "θ changes: at the lowest point both sides are equal")
+    moving = Assumption(Ne(omega2p, 0), "$θ$ changes: at the lowest point both sides are equal")
     yield Check(bound, state, (moving, TILTED), "The square of the bound.", printed=False)
 
 
-@claim("bound-on-the-tilt", "Where it is lowest, sin²θ < sin²θᵢ/(1 − 4ε₀ cos θᵢ).")
+@claim("bound-on-the-tilt", "Where it is lowest, $sin²θ < sin²θᵢ/(1 − 4ε₀ cos θᵢ)$.")
 def bound_on_the_tilt() -> Iterator[Evidence]:
-    """|ω⊥| is largest where the top is lowest, by energy; there θ̇ = ω₂′ = 0 and δ = 2ε₀ sin²θ.
+    """$|ω⊥|$ is largest where the top is lowest, by energy; there $θ̇ = ω₂′ = 0$ and $δ = 2ε₀
+    sin²θ$.
 
-    So the top that starts at θᵢ stays near it, and |ω⊥| near 2Ω sin θᵢ at most, if 4ε₀ cos θᵢ is
-    small. It says nothing where that exceeds 1: below the spin of a steady precession at θᵢ.
+    So the top that starts at $θᵢ$ stays near it, and $|ω⊥|$ near $2Ω sin θᵢ$ at most, if $4ε₀ cos
+    θᵢ$ is small. It says nothing where that exceeds 1: below the spin of a steady precession at
+    $θᵢ$.
     """
     sine2 = 1 - (sympy.cos(theta_i) - delta) ** 2
     sunk = {sympy.sin(theta): sympy.sqrt(sine2)}
@@ -125,26 +131,26 @@ def bound_on_the_tilt() -> Iterator[Evidence]:
     yield Check(
         lowest, released(), reason="The bracket is zero at the lowest point.", printed=False
     )
-    yield Check(tilts, sunk, reason="With cos θ = cos θᵢ − δ.", printed=False)
+    yield Check(tilts, sunk, reason="With $cos θ = cos θᵢ − δ$.", printed=False)
     yield Check(
         bound,
         {**sunk, epsilon_0: delta / (2 * sine2)},
         (Assumption(Ne(delta, 0), "the top has sunk: it is not at the start"),),
-        "With the bracket zero: δ² is left.",
+        "With the bracket zero: $δ²$ is left.",
         printed=False,
     )
 
 
 @claim(
     "bound-on-the-angle",
-    "The tangent of the angle between L and ω is at most 2ε₀|1 − λ₃/λ₁| sin θ at all times.",
+    "The tangent of the angle between $𝐋$ and $𝛚$ is at most $2ε₀|1 − λ₃/λ₁| sin θ$ at all times.",
 )
 def bound_on_the_angle() -> Iterator[Evidence]:
-    """The tangent of the angle is |L × ω|/L·ω, and L·ω is at least λ₃ω₃².
+    """The tangent of the angle is $|𝐋 × 𝛚|/𝐋·𝛚$, and $𝐋·𝛚$ is at least $λ₃ω₃²$.
 
-    With ω⊥ = ω₀ as large as it may be it is 2|λ₁ − λ₃| MgR sin θ/(λ₃ω₃)² at most: first order in
-    the torque, ε₀ = λ₁MgR/(λ₃ω₃)². At the lowest point sin θ is at most sin θᵢ/√(1 − 4ε₀ cos θᵢ),
-    so that L ∥ ω is as good an approximation as ε₀ is small.
+    With $ω⊥ = ω₀$ as large as it may be it is $2|λ₁ − λ₃| MgR sin θ/(λ₃ω₃)²$ at most: first order
+    in the torque, $ε₀ = λ₁MgR/(λ₃ω₃)²$. At the lowest point $sin θ$ is at most $sin θᵢ/√(1 − 4ε₀
+    cos θᵢ)$, so that $𝐋 ∥ 𝛚$ is as good an approximation as $ε₀$ is small.
     """
     parts = {
         L_vec: Matrix([lambda1 * omega_0, 0, lambda3 * omega3]),
@@ -168,8 +174,8 @@ def bound_on_the_angle() -> Iterator[Evidence]:
         bound,
         {**parts, sympy.sin(theta): allowed},
         (
-            Assumption(Ne(lambda1, lambda3), "not a spherical top, whose L and ω are parallel"),
-            Assumption(Gt(kappa, 0), "κ is by how much ω₀² stays below its bound"),
+            Assumption(Ne(lambda1, lambda3), "not a spherical top, whose $𝐋$ and $𝛚$ are parallel"),
+            Assumption(Gt(kappa, 0), "$κ$ is by how much $ω₀²$ stays below its bound"),
             SPINNING,
         ),
         "The square of the bound.",
@@ -211,11 +217,14 @@ def mean_over_simple() -> Expr:
     return powers(over / whole, 1)
 
 
-@claim("mean-of-the-cusps", "The mean precession of a released top is (3.52) times 1 + ε₀ cos θᵢ.")
+@claim(
+    "mean-of-the-cusps", "The mean precession of a released top is (3.52) times $1 + ε₀ cos θᵢ$."
+)
 def mean_of_the_cusps() -> Iterator[Evidence]:
-    """φ̇ of L_z averaged over a nutation, with δ between its turning points, to first order in ε₀.
+    """$φ̇$ of $L_z$ averaged over a nutation, with $δ$ between its turning points, to first order
+    in $ε₀$.
 
-    It is the rate Ω₋ of a steady precession at θᵢ: to this order the nutation changes nothing.
+    It is the rate $Ω₋$ of a steady precession at $θᵢ$: to this order the nutation changes nothing.
     """
     simple = M * g * R / (lambda3 * omega3)
     mean = mean_over_simple()
@@ -228,7 +237,7 @@ def mean_of_the_cusps() -> Iterator[Evidence]:
     yield Check(
         faster,
         {Omega: simple * mean},
-        reason="To first order in ε₀ of the weak torque.",
+        reason="To first order in $ε₀$ of the weak torque.",
         printed=False,
     )
     yield Check(
@@ -237,7 +246,7 @@ def mean_of_the_cusps() -> Iterator[Evidence]:
             Omega: simple * mean.subs(epsilon_0, weak),
             Omega_minus: theory.steady_expansions(2)[0].subs(theta, theta_i),
         },
-        reason="Ω₋ of (3.57), to the same order.",
+        reason="$Ω₋$ of (3.57), to the same order.",
         printed=False,
     )
 
@@ -307,17 +316,18 @@ DOUBLINGS = 8
 
 @exercise(
     "parallel-bound",
-    "How nearly L is parallel to ω",
+    "How nearly $𝐋$ is parallel to $𝛚$",
     section="3.5.2",
     asks="“this would have to be shown”",
-    statement="A top is released at the angle θ, spinning about e₃, so that at first L and ω are "
+    statement="A top is released at the angle $θ$, spinning about $e₃$, so that at first $𝐋$ and "
+    "$𝛚$ are "
     "parallel. Show that for a weak torque they stay nearly so: find a bound on the angle between "
-    "them, for all times, in terms of ε₀ = λ₁MgR/(λ₃ω₃)².\n\n"
+    "them, for all times, in terms of $ε₀ = λ₁MgR/(λ₃ω₃)²$.\n\n"
     "How good is the bound? Double the spin again and again, and compare with the largest angle of "
     "the exact motion. How good is (3.52) for the mean precession?",
     claims=(parallel, bound_on_the_axis, bound_on_the_tilt, bound_on_the_angle, mean_of_the_cusps),
     parameters=(
-        Parameter("theta", pi / 6, "θ at the start", "rad", above=0, most=3.1),
+        Parameter("theta", pi / 6, "$θ$ at the start", "rad", above=0, most=3.1),
         SPIN,
         *HEAVY_TOP,
     ),
@@ -347,26 +357,28 @@ def parallel_bound(
 
     rows = tuple(compared(omega3 * 2**k) for k in range(DOUBLINGS))
     _, weak, bound, largest, share, mean, off, _ = rows[0]
-    yield Answer("epsilon_0", "ε₀", weak)
-    yield Answer("bound", "no angle between L and ω exceeds", bound, "rad")
+    yield Answer("epsilon_0", "$ε₀$", weak)
+    yield Answer("bound", "no angle between $𝐋$ and $𝛚$ exceeds", bound, "rad")
     yield Answer("largest", "the largest angle is", largest, "rad")
     yield Answer("share", "the largest angle over the bound", share)
-    yield Answer("simple", "Ω by (3.52)", top.weight[2] / (lambda3 * omega3), "rad/s")
+    yield Answer("simple", "$Ω$ by (3.52)", top.weight[2] / (lambda3 * omega3), "rad/s")
     yield Answer("mean", "mean precession", mean, "rad/s")
     yield Answer("off", "by how much it exceeds (3.52), relative", off)
-    yield Answer("off_first_order", "ε₀ cos θ, of which that is to first order", weak * cos(theta))
+    yield Answer(
+        "off_first_order", "$ε₀ cos θ$, of which that is to first order", weak * cos(theta)
+    )
     yield Table(
         "spins",
         "The spin doubled again and again",
         (
-            "ω₃ (rad/s)",
-            "ε₀",
+            "$ω₃$ (rad/s)",
+            "$ε₀$",
             "bound (rad)",
             "largest angle (rad)",
             "their ratio",
-            "mean φ̇ (rad/s)",
+            "mean $φ̇$ (rad/s)",
             "excess over (3.52)",
-            "excess/ε₀",
+            "$excess/ε₀$",
         ),
         rows,
     )
@@ -375,7 +387,7 @@ def parallel_bound(
     yield Measure("by how much any angle of the table exceeds its bound", max(above, 0.0), 1e-9)
     motion = top.motion(theta=theta, omega3=omega3)
     yield Measure(
-        "the largest angle against that of L and ω in space, integrated (rad)",
+        "the largest angle against that of $𝐋$ and $𝛚$ in space, integrated (rad)",
         abs(widest_on_the_way(motion) - largest),
         1e-11,
     )
@@ -383,7 +395,7 @@ def parallel_bound(
     path = motion.integrate(motion.nutation_period / 2, rtol=1e-12, atol=1e-14)
     across = float(np.hypot(*path.omega[0, :2]))
     yield Measure(
-        "|ω⊥| at the lowest point against 2Ω sin θ there, relative",
+        "$|ω⊥|$ at the lowest point against $2Ω sin θ$ there, relative",
         abs(across / (2 * top.weight[2] * sin(lowest) / abs(lambda3 * omega3)) - 1),
         1e-8,
     )

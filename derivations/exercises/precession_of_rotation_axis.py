@@ -60,8 +60,8 @@ from .bodies import FREE1, LAMBDA3
 
 Vectors = NDArray[np.float64]
 
-ACROSS = Parameter("omega_0", 0.6, "ω across e₃ at the start, along e₁", "rad/s", above=0)
-ALONG = Parameter("omega3", 2.0, "ω₃ at the start", "rad/s", above=0)
+ACROSS = Parameter("omega_0", 0.6, "$𝛚$ across $e₃$ at the start, along $e₁$", "rad/s", above=0)
+ALONG = Parameter("omega3", 2.0, "$ω₃$ at the start", "rad/s", above=0)
 
 UPWARD = (0.0, 0.0, 1.0)
 PARALLEL = 1e-7
@@ -95,13 +95,13 @@ def way(vectors: Vectors, axis: Vectors) -> float:
 # --- angles and plane --------------------------------------------------------------------------
 
 
-@claim("widest-angle", "The angle between ω and L, and the widest that a body allows.")
+@claim("widest-angle", "The angle between $𝛚$ and $𝐋$, and the widest that a body allows.")
 def widest_angle() -> Iterator[Evidence]:
-    """ω × L and ω·L of (3.38) and (3.39) at t = 0; with them the sine, which has a bound.
+    """$𝛚 × 𝐋$ and $𝛚·𝐋$ of (3.38) and (3.39) at $t = 0$; with them the sine, which has a bound.
 
-    The last square vanishes where ω and L lie as far on either side of 45°, tan² = λ₃/λ₁; there the
-    sine of the angle is |λ₁ − λ₃|/(λ₁ + λ₃). A flat body, λ₃ = 2λ₁, has at most 19.5°; a thin rod
-    any angle up to 90°.
+    The last square vanishes where $𝛚$ and $𝐋$ lie as far on either side of $45°$, $tan² = λ₃/λ₁$;
+    there the sine of the angle is $|λ₁ − λ₃|/(λ₁ + λ₃)$. A flat body, $λ₃ = 2λ₁$, has at most
+    $19.5°$; a thin rod any angle up to $90°$.
     """
     with as_printed():
         across = Equation(
@@ -125,26 +125,26 @@ def widest_angle() -> Iterator[Evidence]:
     yield Check(
         widest,
         {omega_vec: spin, L_vec: sympy.diag(lambda1, lambda2, lambda3) * spin},
-        reason="and what bounds its sine |ω × L|/(ωL).",
+        reason="and what bounds its sine $|𝛚 × 𝐋|/(ωL)$.",
         printed=False,
     )
 
 
 @exercise(
     "cone-plane",
-    "The angles between e₃, ω and L, and their plane",
+    "The angles between $e₃$, $𝛚$ and $𝐋$, and their plane",
     section="3.2.3",
     asks="constant angle",
-    statement="A body with λ₁ = λ₂ turns with ω₀ across e₃ and ω₃ along it. What angles do e₃, ω "
-    "and L make with each other, which of ω and L is nearer to e₃, and how large can the angle "
-    "between ω and L be for such a body? Convince yourself on a computed motion that the angles "
-    "stay and that the three remain in one plane.\n\n"
-    "Now let λ₂ differ from λ₁. By how much do the angles vary, and how far does e₃ leave the "
-    "plane of ω and L?",
+    statement="A body with $λ₁ = λ₂$ turns with $ω₀$ across $e₃$ and $ω₃$ along it. What angles "
+    "do $e₃$, $𝛚$ "
+    "and $𝐋$ make with each other, which of $𝛚$ and $𝐋$ is nearer to $e₃$, and how large can the "
+    "angle between $𝛚$ and $𝐋$ be for such a body? Convince yourself on a computed motion that "
+    "the angles stay and that the three remain in one plane.\n\nNow let $λ₂$ differ from $λ₁$. "
+    "By how much do the angles vary, and how far does $e₃$ leave the plane of $𝛚$ and $𝐋$?",
     claims=(constant_angle, coplanar, same_frequency, widest_angle),
     parameters=(
         FREE1,
-        Parameter("lambda2", 1.5, "λ₂ of the body without symmetry", "kg m²", above=0),
+        Parameter("lambda2", 1.5, "$λ₂$ of the body without symmetry", "kg m²", above=0),
         LAMBDA3,
         ACROSS,
         ALONG,
@@ -156,8 +156,9 @@ def cone_plane(
     lambda1: float, lambda2: float, lambda3: float, omega_0: float, omega3: float
 ) -> Iterator[Outcome]:
     """The angles follow from (3.38) and (3.39). Both bodies are integrated, and their angles looked
-    at on the way. Where λ₂ ≠ λ₁ the angle between ω and L has its extremes where ω₂ = 0 and half a
-    period of the closed form later, since |ω|² is linear in ω₂² at given T and L²."""
+    at on the way. Where $λ₂ ≠ λ₁$ the angle between $𝛚$ and $𝐋$ has its extremes where $ω₂ = 0$
+    and half a period of the closed form later, since $|ω|²$ is linear in $ω₂²$ at given $T$ and
+    $L²$."""
     tilt, momentum_tilt = atan2(omega_0, omega3), atan2(lambda1 * omega_0, lambda3 * omega3)
     between = abs(momentum_tilt - tilt)
     if between < PARALLEL:
@@ -165,19 +166,19 @@ def cone_plane(
             "ω and L are parallel, as far as numbers tell, and span no plane: let lambda1 and "
             "lambda3 differ more, and omega_0 and omega3 less"
         )
-    nearest = "ω" if lambda1 > lambda3 else "L"
-    yield Answer("e3_omega", "angle between e₃ and ω", tilt, "rad")
-    yield Answer("e3_L", "angle between e₃ and L", momentum_tilt, "rad")
-    yield Answer("omega_L", "angle between ω and L", between, "rad")
-    yield Answer("nearest", "which of ω and L is nearer to e₃", nearest)
+    nearest = "$ω$" if lambda1 > lambda3 else "L"
+    yield Answer("e3_omega", "angle between $e₃$ and $𝛚$", tilt, "rad")
+    yield Answer("e3_L", "angle between $e₃$ and $𝐋$", momentum_tilt, "rad")
+    yield Answer("omega_L", "angle between $𝛚$ and $𝐋$", between, "rad")
+    yield Answer("nearest", "which of $𝛚$ and $𝐋$ is nearer to $e₃$", nearest)
     widest = atan2(abs(lambda1 - lambda3), 2 * sqrt(lambda1 * lambda3))
-    yield Answer("widest", "largest angle between ω and L for this body", widest, "rad")
+    yield Answer("widest", "largest angle between $𝛚$ and $𝐋$ for this body", widest, "rad")
     yield Answer(
-        "widest_at", "angle between e₃ and ω there", atan2(sqrt(lambda3), sqrt(lambda1)), "rad"
+        "widest_at", "angle between $e₃$ and $𝛚$ there", atan2(sqrt(lambda3), sqrt(lambda1)), "rad"
     )
     rows: list[tuple[float | str, ...]] = []
     start = (omega_0, 0.0, omega3)
-    for name, second in (("λ₂ = λ₁", lambda1), ("λ₂ ≠ λ₁", lambda2)):
+    for name, second in (("$λ₂ = λ₁$", lambda1), ("$λ₂ ≠ λ₁$", lambda2)):
         motion = FreeBody(lambda1, second, lambda3).motion(omega=start)
         period = motion.nutation_period
         # Where nothing turns there is no period; any time shows that nothing does.
@@ -189,16 +190,18 @@ def cone_plane(
         path = motion.integrate(np.linspace(0, span, 401), rtol=1e-11, atol=1e-13)
         seen = cone_angles(path)
         rows += [(name, what, float(x.min()), float(x.max())) for what, x in seen.items()]
-        found = seen["ω and L (rad)"]
-        ends = cone_angles(motion.exact([0.0, span / 2]))["ω and L (rad)"]
+        found = seen["$𝛚$ and $𝐋$ (rad)"]
+        ends = cone_angles(motion.exact([0.0, span / 2]))["$𝛚$ and $𝐋$ (rad)"]
         if second == lambda1:
-            expected = {"e₃ and ω (rad)": tilt, "e₃ and L (rad)": momentum_tilt}
-            expected |= {"ω and L (rad)": between, "e₃ out of their plane (rad)": 0.0}
+            expected = {"$e₃$ and $𝛚$ (rad)": tilt, "$e₃$ and $𝐋$ (rad)": momentum_tilt}
+            expected |= {"$𝛚$ and $𝐋$ (rad)": between, "$e₃$ out of their plane (rad)": 0.0}
             errors = [abs(values - expected[what]).max() for what, values in seen.items()]
             yield Measure("angles of the integrated motion (rad)", float(max(errors)), 1e-8)
         else:
             variation = float(abs(ends[1] - ends[0]))
-            yield Answer("variation", "by how much that angle varies if λ₂ ≠ λ₁", variation, "rad")
+            yield Answer(
+                "variation", "by how much that angle varies if $λ₂ ≠ λ₁$", variation, "rad"
+            )
             yield Measure(
                 "this variation along the integrated motion (rad)",
                 abs(float(np.ptp(found)) - variation),
@@ -218,10 +221,10 @@ def cone_angles(path: Trajectory) -> dict[str, Vectors]:
     normal = np.cross(omega, momentum)
     height = np.abs(np.sum(axis * normal, axis=1))
     return {
-        "e₃ and ω (rad)": angles(axis, omega),
-        "e₃ and L (rad)": angles(axis, momentum),
-        "ω and L (rad)": angles(omega, momentum),
-        "e₃ out of their plane (rad)": np.arctan2(
+        "$e₃$ and $𝛚$ (rad)": angles(axis, omega),
+        "$e₃$ and $𝐋$ (rad)": angles(axis, momentum),
+        "$𝛚$ and $𝐋$ (rad)": angles(omega, momentum),
+        "$e₃$ out of their plane (rad)": np.arctan2(
             height, np.linalg.norm(np.cross(axis, normal), axis=1)
         ),
     }
@@ -232,10 +235,10 @@ def cone_angles(path: Trajectory) -> dict[str, Vectors]:
 
 @claim("rolling-cones", "The body cone rolls on the space cone without slipping.")
 def rolling() -> Iterator[Evidence]:
-    """ω is the sum of L/λ₁, with which the plane turns in space, and Ω_b e₃.
+    """$𝛚$ is the sum of $L/λ₁$, with which the plane turns in space, and $Ω_b e₃$.
 
-    The point of the body that is on the line of contact, along ω, does not move: rolling. So
-    the contact runs at one speed over both cones. The sign of λ₁ − λ₃, which is that of Ω_b/ω₃,
+    The point of the body that is on the line of contact, along $𝛚$, does not move: rolling. So
+    the contact runs at one speed over both cones. The sign of $λ₁ − λ₃$, which is that of $Ω_b/ω₃$,
     decides whether the body cone rolls outside the space cone (prolate) or with the space cone
     inside it (oblate).
     """
@@ -252,7 +255,7 @@ def rolling() -> Iterator[Evidence]:
     }
     yield Check(parts, meaning, (SYMMETRIC,), "Two turns at once,", printed=False)
     yield Check(
-        contact, meaning, (SYMMETRIC,), "which cancel for the points along ω;", printed=False
+        contact, meaning, (SYMMETRIC,), "which cancel for the points along $𝛚$;", printed=False
     )
     yield Check(
         arcs,
@@ -267,11 +270,12 @@ def rolling() -> Iterator[Evidence]:
     "space-rate",
     "How fast the cones turn",
     section="3.2.3",
-    asks="Ω_s = L/λ₁, “technically tricky”",
-    statement="A body with λ₁ = λ₂ turns with ω₀ across e₃ and ω₃ along it. How fast does ω turn "
-    "about e₃ in the body, and the plane of e₃ and ω about L in space? Give both periods and the "
-    "half angles of the cones on which ω moves.\n\n"
-    "Show that one cone rolls on the other without slipping. What is different for a flat body?",
+    asks="$Ω_s = L/λ₁$, “technically tricky”",
+    statement="A body with $λ₁ = λ₂$ turns with $ω₀$ across $e₃$ and $ω₃$ along it. How fast "
+    "does $𝛚$ turn "
+    "about $e₃$ in the body, and the plane of $e₃$ and $𝛚$ about $𝐋$ in space? Give both periods "
+    "and the half angles of the cones on which $𝛚$ moves.\n\nShow that one cone rolls on the "
+    "other without slipping. What is different for a flat body?",
     claims=(body_precession, space_cone, rolling),
     parameters=(FREE1, LAMBDA3, ACROSS, ALONG),
     figure="rolling-cones",
@@ -279,22 +283,22 @@ def rolling() -> Iterator[Evidence]:
 )
 def space_rate(lambda1: float, lambda3: float, omega_0: float, omega3: float) -> Iterator[Outcome]:
     """Rates and angles are those of the claims. The motion is integrated over one turn in space;
-    the turns of e₃ about L and of ω about e₃ are counted, and the paths of the tip of ω over the
-    two cones measured, which are equally long if nothing slips."""
+    the turns of $e₃$ about $𝐋$ and of $𝛚$ about $e₃$ are counted, and the paths of the tip of $𝛚$
+    over the two cones measured, which are equally long if nothing slips."""
     body = FreeBody(lambda1, lambda1, lambda3)
     body_rate, space = cone_rates(lambda1, lambda3, omega_0, omega3)
     size = hypot(omega_0, omega3)
     tilt, momentum_tilt = atan2(omega_0, omega3), atan2(lambda1 * omega_0, lambda3 * omega3)
     yield Answer("angular_momentum", "L", lambda1 * space, "J s")
-    yield Answer("Omega_b", "Ω_b, the rate of ω about −e₃ in the body", body_rate, "rad/s")
-    yield Answer("Omega_s", "Ω_s, the rate of e₃ and ω about L in space", space, "rad/s")
+    yield Answer("Omega_b", "$Ω_b$, the rate of $ω$ about $−e₃$ in the body", body_rate, "rad/s")
+    yield Answer("Omega_s", "$Ω_s$, the rate of $e₃$ and $𝛚$ about $𝐋$ in space", space, "rad/s")
     if body_rate:
         yield Answer("period_body", "period in the body", 2 * pi / abs(body_rate), "s")
     yield Answer("period_space", "period in space", 2 * pi / space, "s")
-    yield Answer("body_cone", "half angle of the body cone, of ω about e₃", tilt, "rad")
+    yield Answer("body_cone", "half angle of the body cone, of $ω$ about $e₃$", tilt, "rad")
     space_half = abs(momentum_tilt - tilt)
-    yield Answer("space_cone", "half angle of the space cone, of ω about L", space_half, "rad")
-    yield Answer("axis_cone", "half angle of the cone of e₃ about L", momentum_tilt, "rad")
+    yield Answer("space_cone", "half angle of the space cone, of $𝛚$ about $𝐋$", space_half, "rad")
+    yield Answer("axis_cone", "half angle of the cone of $e₃$ about $𝐋$", momentum_tilt, "rad")
     kind = (
         "on the space cone"
         if body_rate > 0
@@ -303,11 +307,11 @@ def space_rate(lambda1: float, lambda3: float, omega_0: float, omega3: float) ->
         else "not at all"
     )
     yield Answer("kind", "the body cone rolls", kind)
-    shapes = (("rod, λ₃ ≪ λ₁", 0.0), ("cube", 1.0), ("plate, λ₃ = 2λ₁", 2.0))
+    shapes = (("rod, $λ₃ ≪ λ₁$", 0.0), ("cube", 1.0), ("plate, $λ₃ = 2λ₁$", 2.0))
     yield Table(
         "shapes",
-        "Other bodies with the same ω",
-        ("body", "Ω_b/ω₃", "Ω_s/ω₃", "space cone (rad)"),
+        "Other bodies with the same $ω$",
+        ("body", "$Ω_b/ω₃$", "$Ω_s/ω₃$", "space cone (rad)"),
         tuple(
             (
                 name,
@@ -325,17 +329,17 @@ def space_rate(lambda1: float, lambda3: float, omega_0: float, omega3: float) ->
     )
     axis = path.angular_momentum[0]
     yield Measure(
-        "e₃ about L after one turn, integrated (rad)", abs(turned(path.e3, axis) - 2 * pi), 1e-8
+        "$e₃$ about $𝐋$ after one turn, integrated (rad)", abs(turned(path.e3, axis) - 2 * pi), 1e-8
     )
     about_axis = turned(path.omega, np.array(UPWARD))
     yield Measure(
-        "ω about e₃ meanwhile, against −2π Ω_b/Ω_s (rad)",
+        "$ω$ about $e₃$ meanwhile, against $−2π Ω_b/Ω_s$ (rad)",
         abs(about_axis + 2 * pi * body_rate / space),
         1e-8 * (1 + abs(body_rate) / space),
     )
     ways = [way(path.omega, np.array(UPWARD)), way(path.omega_space, axis)]
     yield Measure(
-        "way of the tip of ω over the body cone less that over the space cone, in |ω|",
+        "way of the tip of $𝛚$ over the body cone less that over the space cone, in $|ω|$",
         abs(ways[0] - ways[1]) / size,
         1e-8 * (1 + abs(body_rate) / space),
     )
@@ -353,11 +357,11 @@ def cone_rates(
 
 @claim("euler-period", "The Euler period in turns of the body, and what a yielding bulge adds.")
 def euler_period() -> Iterator[Evidence]:
-    """(3.40) with H = (λ₃ − λ₁)/λ₃, and the same for a body whose bulge follows ω in part.
+    """(3.40) with $H = (λ₃ − λ₁)/λ₃$, and the same for a body whose bulge follows $𝛚$ in part.
 
-    With a share k of the bulge turned from e₃ to ω, I = λ₁ + (λ₃ − λ₁)((1 − k) e₃e₃ᵀ + k ω̂ω̂ᵀ), so
-    Iω is that of a rigid body with the moments λ₁ + k(λ₃ − λ₁) and λ₃, and L̇ + ω × L = 0 has the
-    solution (3.38) with its Ω_b: slower, so the period is longer.
+    With a share $k$ of the bulge turned from $e₃$ to $𝛚$, $I = λ₁ + (λ₃ − λ₁)((1 − k) e₃e₃ᵀ + k
+    𝛚̂𝛚̂ᵀ)$, so $I𝛚$ is that of a rigid body with the moments $λ₁ + k(λ₃ − λ₁)$ and $λ₃$, and $𝐋̇ +
+    𝛚 × 𝐋 = 0$ has the solution (3.38) with its $Ω_b$: slower, so the period is longer.
     """
     with as_printed():
         defined = Equation(lambda3 * ellipticity, lambda3 - lambda1)
@@ -383,7 +387,7 @@ def euler_period() -> Iterator[Evidence]:
     yield Check(
         like_rigid,
         {L_vec: momentum, omega_vec: spin, e3: axis},
-        reason="Yielding: the part of the bulge that follows adds to L along ω only,",
+        reason="Yielding: the part of the bulge that follows adds to $𝐋$ along $𝛚$ only,",
         printed=False,
     )
     # Put (3.38) into the first component of L̇ + ω × L = 0 and solve it; then hold all three.
@@ -394,7 +398,7 @@ def euler_period() -> Iterator[Evidence]:
     yield Check(
         conserved,
         {L_vec: momentum, omega_vec: spin, Rate(L_vec, BODY): rate.subs(Omega_b, found)},
-        reason="and ω turns about e₃ by (3.38), which conserves L,",
+        reason="and $ω$ turns about $e₃$ by (3.38), which conserves $L$,",
         printed=False,
     )
     yield Check(
@@ -416,20 +420,21 @@ DAY = 86400.0
     "The Euler period of the Earth",
     section="3.2.3",
     asks="free rotation in the solar system",
-    statement="The Earth bulges at the equator: with its moments A = λ₁ and C = λ₃ the quantity "
-    "H = (C − A)/C is known from the precession of the equinoxes (IERS Conventions 2010, "
+    statement="The Earth bulges at the equator: with its moments $A = λ₁$ and $C = λ₃$ the "
+    "quantity "
+    "$H = (C − A)/C$ is known from the precession of the equinoxes (IERS Conventions 2010, "
     "Table 1.1). How long would its axis of rotation take to go once around the pole of its figure "
     "if it were rigid, and which way around?\n\n"
     "The wobble that Chandler found has a period of 433 days today. What share of the bulge must "
     "follow the axis of rotation to explain that? How far from the pole of figure does the axis "
-    "meet the ground if the angle is 0.1″?",
+    "meet the ground if the angle is $0.1″$?",
     claims=(body_precession, euler_period),
     parameters=(
         # IERS Conventions 2010 (TN 36), Tables 1.1 and 1.2: H, Ω, and the polar radius a(1 − f).
-        Parameter("H", 3273795e-9, "dynamical ellipticity (C − A)/C", above=0, most=0.5),
+        Parameter("H", 3273795e-9, "dynamical ellipticity $(C − A)/C$", above=0, most=0.5),
         Parameter("omega3", 7.292115e-5, "rate of rotation", "rad/s", above=0),
         Parameter("observed", 433.0, "period of Chandler's wobble", "days", above=0),
-        Parameter("angle", pi / 180 / 36000, "between ω and e₃", "rad", above=0, most=0.1),
+        Parameter("angle", pi / 180 / 36000, "between $ω$ and $e₃$", "rad", above=0, most=0.1),
         Parameter("radius", 6356751.9, "distance of the pole from the centre", "m", above=0),
     ),
     figure="polar-motion",
@@ -440,7 +445,7 @@ def earth_euler_period(
 ) -> Iterator[Outcome]:
     """The period is that of (3.40). The motion of such a body in closed form is where it started
     after that time, and integrated it has made a tenth of a turn after a tenth of it. The share of
-    the bulge follows from the claim, solved for k with the period that is observed."""
+    the bulge follows from the claim, solved for $k$ with the period that is observed."""
     turns = (1 - H) / H
     sidereal = 2 * pi / omega3
     period = turns * sidereal / DAY
@@ -454,14 +459,14 @@ def earth_euler_period(
         )
     yield Answer("turns", "Euler period in turns of the Earth (sidereal days)", turns)
     yield Answer("period", "Euler period", period, "days")
-    yield Answer("direction", "ω goes around e₃", "eastwards, as the Earth turns")
+    yield Answer("direction", "$ω$ goes around $e₃$", "eastwards, as the Earth turns")
     yield Answer("observed", "Chandler's period over Euler's", ratio)
-    yield Answer("share", "share k of the bulge that follows ω to explain it", share)
+    yield Answer("share", "share $k$ of the bulge that follows $ω$ to explain it", share)
     yield Answer("ground", "distance of the poles on the ground", radius * tan(angle), "m")
     space = omega3 * hypot(tan(angle), 1 / (1 - H))
-    yield Answer("space_period", "turn of e₃ about L in space", 2 * pi / space / DAY, "days")
+    yield Answer("space_period", "turn of $e₃$ about $𝐋$ in space", 2 * pi / space / DAY, "days")
     momentum_tilt = atan2((1 - H) * tan(angle), 1.0)
-    yield Answer("space_cone", "angle of ω and L", angle - momentum_tilt, "rad")
+    yield Answer("space_cone", "angle of $𝛚$ and $𝐋$", angle - momentum_tilt, "rad")
 
     # A = 1 − H in units of C, and time in turns over 2π.
     body = FreeBody(1 - H, 1 - H, 1.0)
@@ -469,14 +474,14 @@ def earth_euler_period(
     whole = 2 * pi * turns
     back = motion.exact(whole).omega[0] - np.array([tan(angle), 0.0, 1.0])
     yield Measure(
-        "ω after one Euler period, in closed form, relative to the wobble",
+        "$ω$ after one Euler period, in closed form, relative to the wobble",
         float(np.linalg.norm(back)) / tan(angle),
         1e-9 + 1e-15 / tan(angle),  # and what rounding does to ω itself
     )
     tenth = motion.integrate(whole / 10, rtol=1e-12, atol=1e-14).omega[0]
     # Eastwards is the sense of the rotation itself: from e₁ to e₂.
     yield Measure(
-        "azimuth of ω after a tenth, integrated (rad)",
+        "azimuth of $ω$ after a tenth, integrated (rad)",
         abs(atan2(tenth[1], tenth[0]) - 2 * pi / 10),
         1e-8,
     )
@@ -502,10 +507,10 @@ X_1, Y_1, X_2, Y_2, ABOVE = in_order(
 
 @claim("wobble-to-spin", "A flat plate wobbles twice as fast as it spins, and faster when tilted.")
 def wobble_to_spin() -> Iterator[Evidence]:
-    """The free precession Ω of (3.57) without weight, for a disc: λ₁ cosθ Ω = λ₃ω₃.
+    """The free precession $Ω$ of (3.57) without weight, for a disc: $λ₁ cosθ Ω = λ₃ω₃$.
 
-    Of a body in a plane each point adds as much to λ₃ as to λ₁ and λ₂ together. θ is the angle
-    between e₃ and L.
+    Of a body in a plane each point adds as much to $λ₃$ as to $λ₁$ and $λ₂$ together. $θ$ is the
+    angle between $e₃$ and $𝐋$.
     """
     with as_printed():
         flat = Equation(lambda3, lambda1 + lambda2)
@@ -523,17 +528,17 @@ def wobble_to_spin() -> Iterator[Evidence]:
         flat,
         {lambda1: tensor[0, 0], lambda2: tensor[1, 1], lambda3: tensor[2, 2]},
         (Assumption(Eq(ABOVE, 0), "no point lies above or below the plane", stated=True),),
-        "Two points (and so any number) in the plane of e₁ and e₂, at the height z = 0.",
+        "Two points (and so any number) in the plane of $e₁$ and $e₂$, at the height $z = 0$.",
         printed=False,
     )
     # (3.57) without weight has another solution, Ω = 0, the rotation about e₃ at rest.
-    turns = Assumption(Ne(Omega, 0), "e₃ moves", stated=True)
+    turns = Assumption(Ne(Omega, 0), "$e₃$ moves", stated=True)
     free = theory.steady_quadratic().subs(g, 0)
     yield Check(
         steady,
         {},
         (turns,),
-        "(3.57) without weight, Ω divided out: Ω₊ is the free precession about L.",
+        "(3.57) without weight, $Ω$ divided out: $Ω₊$ is the free precession about $𝐋$.",
         given=(free,),
         printed=False,
     )
@@ -541,7 +546,7 @@ def wobble_to_spin() -> Iterator[Evidence]:
     moments = {lambda1: disc[0, 0], lambda3: disc[2, 2]}
     of_disc = sympy.cancel(free.subs(moments) * 12 / (M * Omega))
     yield Check(
-        thick, {}, reason="A disc of radius r and thickness h.", given=(of_disc,), printed=False
+        thick, {}, reason="A disc of radius $r$ and thickness $h$.", given=(of_disc,), printed=False
     )
     yield Check(
         thin,
@@ -550,7 +555,7 @@ def wobble_to_spin() -> Iterator[Evidence]:
             Assumption(Eq(height, 0), "the plate is flat", stated=True),
             Assumption(Ne(radius, 0), "it has a size", stated=True),
         ),
-        "Twice as fast where cosθ = 1.",
+        "Twice as fast where $cosθ = 1$.",
         given=(of_disc,),
         printed=False,
     )
@@ -574,17 +579,18 @@ def plate_rates(body: FreeBody, theta: float, omega3: float) -> tuple[float, flo
     "Feynman's wobbling plate",
     section="3.2.3",
     asks="throw objects up in your room",
-    statement="A plate, a disc of radius r and thickness h, is thrown up spinning and wobbling, "
-    "its axis tilted by θ from L. How fast does it wobble, how fast does a mark on its rim go "
-    "around, and what is the ratio of the two? How does it depend on θ and on the thickness?\n\n"
+    statement="A plate, a disc of radius $r$ and thickness $h$, is thrown up spinning and "
+    "wobbling, "
+    "its axis tilted by $θ$ from $𝐋$. How fast does it wobble, how fast does a mark on its rim go "
+    "around, and what is the ratio of the two? How does it depend on $θ$ and on the thickness?\n\n"
     "Feynman saw such a plate in a dining hall and remembered that the mark goes around twice as "
     "fast as the plate wobbles. Was he right?",
     claims=(space_cone, wobble_to_spin),
     parameters=(
-        Parameter("theta", pi / 36, "tilt of e₃ from L", "rad", above=0, most=1.4),
+        Parameter("theta", pi / 36, "tilt of $e₃$ from $𝐋$", "rad", above=0, most=1.4),
         Parameter("radius", 0.12, "radius of the plate", "m", above=0),
         Parameter("thickness", 0.004, "thickness of the plate", "m", above=0),
-        Parameter("omega3", 15.0, "ω₃", "rad/s", above=0),
+        Parameter("omega3", 15.0, "$ω₃$", "rad/s", above=0),
     ),
     figure="wobbling-plate",
     text="exercises/wobbling_plate",
@@ -594,22 +600,22 @@ def wobbling_plate(
 ) -> Iterator[Outcome]:
     """Moments of a disc, and the rates of the claim: it is the wobble that is twice as fast, and
     Feynman remembered the two exchanged (Chao 1989, Physics Today 42:15). The motion is integrated
-    over five wobbles: the turns of e₃ about L are counted, and those of a mark on the rim as seen
-    along L."""
+    over five wobbles: the turns of $e₃$ about $𝐋$ are counted, and those of a mark on the rim as
+    seen along $𝐋$."""
     body = plate(radius, thickness)
     flatness = body.lambda3 / body.lambda1
     wobble, mark = plate_rates(body, theta, omega3)
-    yield Answer("moments", "λ₃/λ₁, 2 for a flat plate", flatness)
-    yield Answer("wobble", "rate of the wobble, Ω_s = L/λ₁", wobble, "rad/s")
-    yield Answer("ratio", "wobble over spin, Ω_s/ω₃", wobble / omega3)
-    yield Answer("mark", "mean rate of a mark on the rim, seen along L", mark, "rad/s")
+    yield Answer("moments", "$λ₃/λ₁$, 2 for a flat plate", flatness)
+    yield Answer("wobble", "rate of the wobble, $Ω_s = L/λ₁$", wobble, "rad/s")
+    yield Answer("ratio", "wobble over spin, $Ω_s/ω₃$", wobble / omega3)
+    yield Answer("mark", "mean rate of a mark on the rim, seen along $𝐋$", mark, "rad/s")
     yield Answer("wobble_to_mark", "wobble over mark", wobble / mark)
     yield Answer("memory", "wobble over mark as Feynman remembered it", 0.5)
     tilts = [pi / 180 * degrees for degrees in (1, 5, 10, 20, 45)]
     yield Table(
         "tilts",
         "The same plate, and a flat one, at other tilts",
-        ("θ (rad)", "Ω_s/ω₃", "Ω_s/ω₃, flat", "wobble over mark, flat"),
+        ("$θ$ (rad)", "$Ω_s/ω₃$", "$Ω_s/ω₃$, flat", "wobble over mark, flat"),
         tuple((x, flatness / cos(x), 2 / cos(x), 2 / (2 - cos(x))) for x in tilts),
     )
     turns = 5
@@ -619,7 +625,7 @@ def wobbling_plate(
     )
     axis = path.angular_momentum[0]
     yield Measure(
-        "e₃ about L after five wobbles, integrated (rad)",
+        "$e₃$ about $𝐋$ after five wobbles, integrated (rad)",
         abs(turned(path.e3, axis) - 2 * pi * turns),
         1e-8,
     )
@@ -631,7 +637,7 @@ def wobbling_plate(
         1e-8,
     )
     yield Measure(
-        "angle of e₃ and L, in closed form (rad)", abs(start.turning_points[1] - theta), 1e-12
+        "angle of $e₃$ and $𝐋$, in closed form (rad)", abs(start.turning_points[1] - theta), 1e-12
     )
 
 

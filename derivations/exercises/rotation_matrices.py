@@ -38,10 +38,12 @@ def axis_and_sine(matrix: Matrix) -> Matrix:
 
 @claim("product-of-rotations", "Two rotations in turn are one, by Rodrigues' half-angle formula.")
 def product_of_rotations() -> Iterator[Evidence]:
-    """First by 2α₂ about n₂, then by 2α₁ about n₁: trace and antisymmetric part give the result.
+    """First by $2α₂$ about $n₂$, then by $2α₁$ about $n₁$: trace and antisymmetric part give the
+    result.
 
-    A rotation by 2α₃ about n₃ has the trace 4cos²α₃ − 1 and the vector 2cos α₃ sin α₃ n₃, so the
-    brackets are cos α₃ and sin α₃ n₃. The product n₁ × n₂ alone knows which came first.
+    A rotation by $2α₃$ about $n₃$ has the trace $4cos²α₃ − 1$ and the vector $2cos α₃ sin α₃ n₃$,
+    so the brackets are $cos α₃$ and $sin α₃ n₃$. The product $n₁ × n₂$ alone knows which came
+    first.
     """
     matrix = reduce_trig(turn(FIRST_AXIS, alpha1) * turn(SECOND_AXIS, alpha2))
     meaning = {
@@ -66,11 +68,11 @@ def product_of_rotations() -> Iterator[Evidence]:
 
 @claim("commutator-of-rotations", "Two small rotations fail to commute by the product of both.")
 def commutator_of_rotations() -> Iterator[Evidence]:
-    """O = A B A⁻¹ B⁻¹ undoes both turns in the wrong order; what is left is a rotation too.
+    """$O = A B A⁻¹ B⁻¹$ undoes both turns in the wrong order; what is left is a rotation too.
 
-    Its angle is exact for turns of any size: sin(χ/4) = |sin α₁ sin α₂ sin γ|. O is 1 where either
-    angle vanishes, so its series starts with the product of both: for small turns about x̂ and ŷ, a
-    turn about ẑ.
+    Its angle is exact for turns of any size: $sin(χ/4) = |sin α₁ sin α₂ sin γ|$. $O$ is 1 where
+    either angle vanishes, so its series starts with the product of both: for small turns about
+    $x̂$ and $ŷ$, a turn about $ẑ$.
     """
     first, second = turn(FIRST_AXIS, alpha1), turn(SECOND_AXIS, alpha2)
     matrix = first * second * first.T * second.T
@@ -87,7 +89,7 @@ def commutator_of_rotations() -> Iterator[Evidence]:
     yield Check(
         trace,
         {trace_O: reduce_trig(matrix.trace())},
-        reason="cos(χ/2) = 1 − 2 sin²(χ/4) of the angle χ stands in the bracket.",
+        reason="$cos(χ/2) = 1 − 2 sin²(χ/4)$ of the angle $χ$ stands in the bracket.",
         printed=False,
     )
     yield Check(
@@ -121,25 +123,25 @@ HALVINGS = 6
     "Rotations form a group, but their order matters",
     section="3.4",
     asks="“these matrices form a group (see math)”",
-    statement="Let A be a turn by the angle alpha about n₁, B one by beta about n₂, and "
-    "gamma is the angle between these axes. Show that A B is a rotation, and find its angle and "
-    "axis. Convince yourself of what else makes a group: a neutral element, inverses, "
-    "(AB)C = A(BC).\n\n"
-    "The order matters: by what angle do A B and B A differ? Halve both angles again and again: "
-    "what is that angle for small turns, and about which axis?",
+    statement="Let $A$ be a turn by the angle alpha about $n₁$, $B$ one by beta about $n₂$, and "
+    "gamma is the angle between these axes. Show that $A B$ is a rotation, and find its angle "
+    "and axis. Convince yourself of what else makes a group: a neutral element, inverses, $(AB)C "
+    "= A(BC)$.\n\nThe order matters: by what angle do $A B$ and $B A$ differ? Halve both angles "
+    "again and again: what is that angle for small turns, and about which axis?",
     claims=(rotation_group, product_of_rotations, commutator_of_rotations),
     parameters=(
-        Parameter("alpha", pi / 2, "angle of A", "rad", least=-pi, most=pi),
-        Parameter("beta", pi / 2, "angle of B", "rad", least=-pi, most=pi),
+        Parameter("alpha", pi / 2, "angle of $A$", "rad", least=-pi, most=pi),
+        Parameter("beta", pi / 2, "angle of $B$", "rad", least=-pi, most=pi),
         Parameter("gamma", pi / 2, "angle between the axes", "rad", least=0, most=pi),
     ),
     figure="order-of-rotations",
     text="exercises/rotations_form_a_group",
 )
 def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[Outcome]:
-    """The matrices are exponentials of their generators; the angle and the axis of A B come from
-    the half-angle formula, and from SciPy, which multiplies the matrices. n₁ is x̂ and n₂ lies in
-    the plane of x̂ and ŷ. For (AB)C, C is the turn that the half-angle formula gives."""
+    """The matrices are exponentials of their generators; the angle and the axis of $A B$ come from
+    the half-angle formula, and from SciPy, which multiplies the matrices. $n₁$ is $x̂$ and $n₂$
+    lies in the plane of $x̂$ and $ŷ$. For $(AB)C$, $C$ is the turn that the half-angle formula
+    gives."""
     first, second = np.array([1.0, 0.0, 0.0]), np.array([np.cos(gamma), np.sin(gamma), 0.0])
     A, B = about(first, alpha), about(second, beta)
     one = np.eye(3)
@@ -160,19 +162,19 @@ def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[
     C = about(axis, angle)
 
     apart = 4 * np.arcsin(abs(sines[0] * sines[1] * sin(gamma)))
-    yield Answer("angle", "angle of A B", angle, "rad")
+    yield Answer("angle", "angle of $A B$", angle, "rad")
     for letter, component in zip("xyz", axis, strict=True):
-        yield Answer(f"axis_{letter}", f"axis of A B, along {letter}", float(component))
+        yield Answer(f"axis_{letter}", f"axis of $A B$, along {letter}", float(component))
     # 4 arcsin is at most 2π; a turn by more than π is one by less the other way.
     yield Answer(
         "commutator",
-        "angle by which A B and B A differ",
+        "angle by which $A B$ and $B A$ differ",
         float(min(apart, 2 * pi - apart)),
         "rad",
     )
     yield Table(
         "small_turns",
-        "Both angles halved: the angle of A B A⁻¹B⁻¹ and its axis",
+        "Both angles halved: the angle of $A B A⁻¹B⁻¹$ and its axis",
         ("alpha (rad)", "beta (rad)", "angle (rad)", "angle/(alpha beta)", "x", "y", "z"),
         tuple(_commutator(first, second, alpha / 2**k, beta / 2**k) for k in range(HALVINGS + 1)),
     )
@@ -181,18 +183,18 @@ def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[
     apart_by_scipy = (Rotation.from_matrix(A @ B) * Rotation.from_matrix(B @ A).inv()).magnitude()
     product = about(axis, angle)
     errors = {
-        "A B by the half-angle formula, against the product": product - A @ B,
-        "A B is orthogonal": (A @ B).T @ (A @ B) - one,
-        "det A B − 1": np.linalg.det(A @ B) - 1,
-        "A⁻¹ is a turn by the opposite angle": about(first, -alpha) @ A - one,
-        "(AB)C − A(BC)": (A @ B) @ C - A @ (B @ C),
-        "angle of A B against SciPy (rad)": np.linalg.norm(by_scipy) - angle,
+        "$A B$ by the half-angle formula, against the product": product - A @ B,
+        "$A B$ is orthogonal": (A @ B).T @ (A @ B) - one,
+        "det $A B − 1$": np.linalg.det(A @ B) - 1,
+        "$A⁻¹$ is a turn by the opposite angle": about(first, -alpha) @ A - one,
+        "$(AB)C − A(BC)$": (A @ B) @ C - A @ (B @ C),
+        "angle of $A B$ against SciPy (rad)": np.linalg.norm(by_scipy) - angle,
     }
     for what, error in errors.items():
         yield Measure(what, float(np.max(np.abs(error))), 1e-14)
     # Near half a turn the angle of a matrix has half of its digits.
     cosine = np.cos(apart_by_scipy) - np.cos(apart)
-    yield Measure("cosine of the angle between A B and B A, against SciPy", abs(cosine), 1e-14)
+    yield Measure("cosine of the angle between $A B$ and $B A$, against SciPy", abs(cosine), 1e-14)
 
 
 def _commutator(

@@ -79,12 +79,12 @@ def linear_growth() -> Expr:
     return -theory.discriminant().subs(theta, 0) / (2 * lambda1) ** 2
 
 
-@claim("upright-potential", "The upright top is stable if (λ₃ω₃)² is at least 4λ₁MgR.")
+@claim("upright-potential", "The upright top is stable if $(λ₃ω₃)²$ is at least $4λ₁MgR$.")
 def upright_potential() -> Iterator[Evidence]:
-    """With p_φ = p_ψ the potential of θ is regular at θ = 0, and its curvature there decides.
+    """With $p_φ = p_ψ$ the potential of $θ$ is regular at $θ = 0$, and its curvature there decides.
 
-    A tilt grows as exp(σt) where σ² is positive. At the threshold itself the curvature vanishes,
-    but what is left of the potential has its minimum there: that top still sleeps.
+    A tilt grows as $exp(σt)$ where $σ²$ is positive. At the threshold itself the curvature
+    vanishes, but what is left of the potential has its minimum there: that top still sleeps.
     """
     upright = potential_when_upright()
     with as_printed():
@@ -104,31 +104,32 @@ def upright_potential() -> Iterator[Evidence]:
     yield Check(
         growth,
         {sigma2: -upright.diff(theta, 2).subs(theta, 0) / lambda1},
-        reason="λ₁σ² = −U″ at θ = 0.",
+        reason="$λ₁σ² = −U″$ at $θ = 0$.",
         printed=False,
     )
     yield Check(
         growth,
         {sigma2: linear_growth()},
-        reason="The same from the quadratic for the frequencies Ω, where these are not real.",
+        reason="The same from the quadratic for the frequencies $Ω$, where these are not real.",
         printed=False,
     )
     [critical] = sympy.solve(linear_growth().subs(omega3**2, A), A)
     yield Check(
         threshold,
         {U: upright.subs(omega3**2, critical)},
-        reason="At the threshold, (λ₃ω₃)² = 4λ₁MgR.",
+        reason="At the threshold, $(λ₃ω₃)² = 4λ₁MgR$.",
         printed=False,
     )
 
 
 @claim("waking", "A top that spins more slowly wakes up to a known tilt, in a known time.")
 def waking() -> Iterator[Evidence]:
-    """The energy of a top with p_φ = p_ψ that has θ̇ = 0 at θᵢ; the last factor is the turn at θ₁.
+    """The energy of a top with $p_φ = p_ψ$ that has $θ̇ = 0$ at $θᵢ$; the last factor is the turn
+    at $θ₁$.
 
-    Without disturbance, θᵢ = 0, the factor of the upright is double: the top could stay. With
-    sin(θ/2) = sin(θ₁/2) √(1 − m sin²χ) and 1 − m = sin²(θᵢ/2)/sin²(θ₁/2) the time is Legendre's
-    integral of the first kind; it grows with the logarithm of 1/θᵢ.
+    Without disturbance, $θᵢ = 0$, the factor of the upright is double: the top could stay. With
+    $sin(θ/2) = sin(θ₁/2) √(1 − m sin²χ)$ and $1 − m = sin²(θᵢ/2)/sin²(θ₁/2)$ the time is Legendre's
+    integral of the first kind; it grows with the logarithm of $1/θᵢ$.
     """
     with as_printed():
         disturbed = Equation(
@@ -178,10 +179,10 @@ def waking() -> Iterator[Evidence]:
     yield Check(
         legendre,
         {t_chi2: reduce_ratio(cosine.diff(chi) ** 2 / along)},
-        reason="(d cos θ/dχ)² over (θ̇ sin θ)² is the square of dt/dχ.",
+        reason="$(d cos θ/dχ)²$ over $(θ̇ sin θ)²$ is the square of $dt/dχ$.",
         printed=False,
     )
-    yield Step(period, "From one smallest θ to the next: χ goes from −π/2 to π/2.")
+    yield Step(period, "From one smallest $θ$ to the next: $χ$ goes from $−π/2$ to $π/2$.")
 
 
 @dataclass(frozen=True)
@@ -234,8 +235,9 @@ class Waking:
     "sleeping-top",
     "The sleeping top, and how it wakes",
     section="3.5.4",
-    asks="θ = 0 is a value where θ “could be constant” too",
-    statement="A top stands upright and spins with ω₃. How fast must it spin for the upright to be "
+    asks="$θ = 0$ is a value where $θ$ “could be constant” too",
+    statement="A top stands upright and spins with $ω₃$. How fast must it spin for the upright "
+    "to be "
     "stable? How does a faster top answer a small disturbance?\n\n"
     "A slower top is disturbed by a tiny tilt. How fast does the tilt grow, how far does the axis "
     "fall, and after which time is it back?",
@@ -243,7 +245,7 @@ class Waking:
     parameters=(
         *HEAVY_TOP,
         replace(SPIN, default=6.0),
-        Parameter("disturbance", 1e-8, "θ of the disturbed top", "rad", least=1e-12, most=0.01),
+        Parameter("disturbance", 1e-8, "$θ$ of the disturbed top", "rad", least=1e-12, most=0.01),
     ),
     figure="sleeping",
     text="exercises/sleeping_top",
@@ -259,7 +261,7 @@ def sleeping_top(
 ) -> Iterator[Outcome]:
     """Threshold, growth and tilt are closed forms, the time of waking is a complete elliptic
     integral. The motion from the disturbance is integrated and compared, and so is a search for
-    the spin at which the potential of θ changes its curvature."""
+    the spin at which the potential of $θ$ changes its curvature."""
     top = HeavyTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g)
     threshold = top.sleeping_spin()
     waking = Waking(top, omega3, disturbance)
@@ -270,11 +272,11 @@ def sleeping_top(
             f"disturbance of {disturbance:g} rad does not show whether the top sleeps"
         )
     yield Answer(
-        "sleeping_spin", "smallest |ω₃| at which the upright is stable", threshold, "rad/s"
+        "sleeping_spin", "smallest $|ω₃|$ at which the upright is stable", threshold, "rad/s"
     )
     yield Answer("sleeping_rpm", "the same in turns a minute", threshold * RPM, "rpm")
     yield Measure(
-        "sleeping spin by the curvature of the potential at small θ, relative",
+        "sleeping spin by the curvature of the potential at small $θ$, relative",
         abs(_curvature_changes(top) / threshold - 1),
         1e-5,
     )
@@ -286,14 +288,14 @@ def sleeping_top(
     yield Table(
         "waking",
         "Slower than the sleeping spin",
-        ("ω₃ (rad/s)", "growth rate (1/s)", "tilt (rad)", "time to the largest tilt (s)"),
+        ("$ω₃$ (rad/s)", "growth rate (1/s)", "tilt (rad)", "time to the largest tilt (s)"),
         tuple((x.spin, x.growth, x.tilt, x.period / 2) for x in slower if x.wakes),
     )
     faster = [share * threshold for share in (1.01, 1.25, 1.5, 2, 4)]
     yield Table(
         "wobble",
         "Faster than the sleeping spin",
-        ("ω₃ (rad/s)", "slow wobble (rad/s)", "fast wobble (rad/s)"),
+        ("$ω₃$ (rad/s)", "slow wobble (rad/s)", "fast wobble (rad/s)"),
         tuple((spin, *top.steady_precession(0.0, spin)) for spin in faster),
     )
 
@@ -301,31 +303,31 @@ def sleeping_top(
 def _awake(waking: Waking) -> Iterator[Outcome]:
     motion = waking.motion()
     back = 2 / waking.growth * log(8 * sqrt(waking.sine2) / waking.disturbance)
-    yield Answer("growth_rate", "growth rate σ of a small tilt", waking.growth, "1/s")
-    yield Answer("tilt", "θ to which the top wakes", waking.tilt, "rad")
+    yield Answer("growth_rate", "growth rate $σ$ of a small tilt", waking.growth, "1/s")
+    yield Answer("tilt", "$θ$ to which the top wakes", waking.tilt, "rad")
     yield Answer("period", "time until it is upright again", waking.period, "s")
-    yield Answer("period_log", "the same by (2/σ) ln(8 sin(θ₁/2)/disturbance)", back, "s")
+    yield Answer("period_log", "the same by ($2/σ$) $ln(8 sin(θ₁/2)/disturbance)$", back, "s")
     error = abs(motion.turning_points[1] - waking.tilt)
-    yield Measure("largest θ of the disturbed top, in closed form (rad)", error, 1e-9)
+    yield Measure("largest $θ$ of the disturbed top, in closed form (rad)", error, 1e-9)
     error = abs(motion.nutation_period / waking.period - 1)
     yield Measure("its period, in closed form, relative", error, 1e-9)
     path = motion.integrate([waking.period / 2, waking.period], **TIGHT)
     error = abs(float(path.theta[0]) - waking.tilt)
-    yield Measure("θ half a period later, integrated (rad)", error, 1e-6)
+    yield Measure("$θ$ half a period later, integrated (rad)", error, 1e-6)
 
 
 def _asleep(waking: Waking) -> Iterator[Outcome]:
     slow, fast = waking.top.steady_precession(0.0, waking.spin)
     yield Answer("slow_wobble", "slow frequency of a disturbance", slow, "rad/s")
     yield Answer("fast_wobble", "fast frequency of a disturbance", fast, "rad/s")
-    yield Answer("tilt", "largest θ of the disturbed top", waking.disturbance, "rad")
+    yield Answer("tilt", "largest $θ$ of the disturbed top", waking.disturbance, "rad")
     # Not for longer than small differences in frequency stay small differences in angle.
     times = np.linspace(0, min(2 * pi / abs(slow), 60 * pi / abs(fast)), 41)
     path = waking.motion().integrate(times, **TIGHT).theta
     expected = waking.disturbance * np.abs(np.cos((fast - slow) / 2 * times))
     error = float(np.max(np.abs(path - expected))) / waking.disturbance
     allowed = 1e-6 + 100 * waking.disturbance**2
-    yield Measure("θ(t) as the sum of both, integrated, relative", error, allowed)
+    yield Measure("$θ(t)$ as the sum of both, integrated, relative", error, allowed)
 
 
 def _curvature_changes(top: HeavyTop) -> float:

@@ -50,12 +50,14 @@ def fall_rate_squared() -> Expr:
     return rate
 
 
-@claim("time-to-fall", "A top let go at θᵢ at rest takes the time of an elliptic integral to fall.")
+@claim(
+    "time-to-fall", "A top let go at $θᵢ$ at rest takes the time of an elliptic integral to fall."
+)
 def time_to_fall() -> Iterator[Evidence]:
-    """The energy gives θ̇, and the time is the integral of dθ/θ̇.
+    """The energy gives $θ̇$, and the time is the integral of $dθ/θ̇$.
 
-    With m = cos²(θᵢ/2) and cos(θ/2) = √m sin χ it is Legendre's integral of the first kind; χ falls
-    from π/2 at the start. A pendulum would take as long from π − θᵢ to π − θ.
+    With $m = cos²(θᵢ/2)$ and $cos(θ/2) = √m sin χ$ it is Legendre's integral of the first kind;
+    $χ$ falls from $π/2$ at the start. A pendulum would take as long from $π − θᵢ$ to $π − θ$.
     """
     with as_printed():
         rate = Equation(
@@ -75,15 +77,15 @@ def time_to_fall() -> Iterator[Evidence]:
     yield Check(
         legendre,
         {t_chi2: reduce_ratio(slope)},
-        reason="(dθ/dχ)² over θ̇² is the square of dt/dχ.",
+        reason="$(dθ/dχ)²$ over $θ̇²$ is the square of $dt/dχ$.",
         printed=False,
     )
-    yield Step(whole, "Integrated from χ to π/2.")
+    yield Step(whole, "Integrated from $χ$ to $π/2$.")
     top = HeavyTop(lambda1=1.3, lambda3=0.7, M=0.8, R=0.6)
     start, end = 0.4, 2.5
     seconds, _ = fall(top, start, end)
     fallen = top.motion(theta=start, omega3=0.0).integrate(seconds, rtol=1e-12, atol=1e-14)
-    yield Measure("θ at that time, integrated (rad)", abs(float(fallen.theta[0]) - end), 1e-9)
+    yield Measure("$θ$ at that time, integrated (rad)", abs(float(fallen.theta[0]) - end), 1e-9)
 
 
 def fall(top: HeavyTop, start: float, end: float) -> tuple[float, float]:
@@ -103,14 +105,15 @@ def fall(top: HeavyTop, start: float, end: float) -> tuple[float, float]:
     "The toppling top",
     section="3.5.2",
     asks="example 34",
-    statement="A top leans at the angle θ and is let go without any rotation, so that L = 0. How "
-    "does L evolve, and what motion is this? How long does the top take to fall to the angle "
+    statement="A top leans at the angle $θ$ and is let go without any rotation, so that $L = 0$. "
+    "How "
+    "does $L$ evolve, and what motion is this? How long does the top take to fall to the angle "
     "“until”, and how fast does it fall then? Compare with the "
     "time that exponential growth, which holds for small angles, would give.",
     claims=(toppling, time_to_fall),
     parameters=(
-        Parameter("theta", pi / 18, "θ at the start", "rad", above=0, most=pi),
-        Parameter("until", pi / 2, "θ at the end", "rad", above=0, most=pi),
+        Parameter("theta", pi / 18, "$θ$ at the start", "rad", above=0, most=pi),
+        Parameter("until", pi / 2, "$θ$ at the end", "rad", above=0, most=pi),
         LAMBDA1,
         MASS,
         ARM,
@@ -122,7 +125,7 @@ def fall(top: HeavyTop, start: float, end: float) -> tuple[float, float]:
 def toppling_top(
     theta: float, until: float, lambda1: float, M: float, R: float, g: float
 ) -> Iterator[Outcome]:
-    """The elliptic integral is evaluated; the same time comes from the integral of dθ/θ̇ by
+    """The elliptic integral is evaluated; the same time comes from the integral of $dθ/θ̇$ by
     quadrature, and the motion in closed form is where it should be at that time."""
     if until <= theta:
         raise RigidtopError(f"until = {until:g} must be more than theta = {theta:g}: the top falls")
@@ -130,13 +133,13 @@ def toppling_top(
     top = HeavyTop(lambda1=lambda1, lambda3=lambda1 - M * R**2, M=M, R=R, g=g)
     seconds, rate = fall(top, theta, until)
     growth = sqrt(top.weight[2] / lambda1)
-    yield Answer("growth_rate", "growth rate κ = √(MgR/λ₁) of a small tilt", growth, "1/s")
-    yield Answer("time_to_fall", "time until θ has the value “until”", seconds, "s")
-    yield Answer("theta_dot", "θ̇ then", rate, "rad/s")
-    yield Answer("angular_momentum", "L then, along e₂′", lambda1 * rate, "J s")
+    yield Answer("growth_rate", "growth rate $κ = √(MgR/λ₁)$ of a small tilt", growth, "1/s")
+    yield Answer("time_to_fall", "time until $θ$ has the value “until”", seconds, "s")
+    yield Answer("theta_dot", "$θ̇$ then", rate, "rad/s")
+    yield Answer("angular_momentum", "$L$ then, along $e₂′$", lambda1 * rate, "J s")
     yield Answer(
         "time_linear",
-        "time by θ = θᵢ cosh κt, for comparison",
+        "time by $θ = θᵢ cosh κt$, for comparison",
         float(np.arccosh(until / theta)) / growth,
         "s",
     )
@@ -150,7 +153,9 @@ def toppling_top(
     numeric, _ = quad(slowness, 0.0, 1.0, epsabs=0.0, epsrel=1e-12, limit=400)
     yield Measure("that time by quadrature, relative", abs(numeric / seconds - 1), 1e-10)
     moved = top.motion(theta=theta, omega3=0.0).exact(seconds)
-    yield Measure("θ at that time, in closed form (rad)", abs(float(moved.theta[0]) - until), 1e-9)
+    yield Measure(
+        "$θ$ at that time, in closed form (rad)", abs(float(moved.theta[0]) - until), 1e-9
+    )
 
 
 EXERCISES: tuple[Exercise, ...] = (toppling_top,)

@@ -75,23 +75,23 @@ DAY = 86400.0
     section="3.2.3",
     asks="example 33",
     statement="Takahashi, Busch & Scheeres (AJ 146:95, 2013) give the moments of the asteroid "
-    "Toutatis and its state of rotation on 9 November 1992; our e₃ is its long axis. About which "
-    "axis does ω circle, how long does one turn about the long axis take, and how long one turn of "
-    "that axis about L? Compute its attitude for every time at which radar saw it and compare.\n\n"
-    "How much of its energy could friction inside the body still take, and about which axis would "
-    "it then rotate? Why do most asteroids rotate so already? (One degree per day is 2.02·10⁻⁷ "
-    "rad/s; moments are in units of any one of them.)",
+    "Toutatis and its state of rotation on 9 November 1992; our $e₃$ is its long axis. About "
+    "which axis does $𝛚$ circle, how long does one turn about the long axis take, and how long "
+    "one turn of that axis about $𝐋$? Compute its attitude for every time at which radar saw it "
+    "and compare.\n\nHow much of its energy could friction inside the body still take, and about "
+    "which axis would it then rotate? Why do most asteroids rotate so already? (One degree per "
+    "day is $2.02·10⁻⁷$ rad/s; moments are in units of any one of them.)",
     claims=(example_33,),
     parameters=(
-        Parameter("lambda1", float(MOMENTS[0]), "λ₁, about the body's x axis", above=0),
-        Parameter("lambda2", float(MOMENTS[1]), "λ₂, about its y axis", above=0),
-        Parameter("lambda3", float(MOMENTS[2]), "λ₃, about its long axis", above=0),
+        Parameter("lambda1", float(MOMENTS[0]), "$λ₁$, about the body's $x$ axis", above=0),
+        Parameter("lambda2", float(MOMENTS[1]), "$λ₂$, about its $y$ axis", above=0),
+        Parameter("lambda3", float(MOMENTS[2]), "$λ₃$, about its long axis", above=0),
         *(
-            Parameter(f"omega{k + 1}", radians(rate) / DAY, f"ω{'₁₂₃'[k]} at the start", "rad/s")
+            Parameter(f"omega{k + 1}", radians(rate) / DAY, f"$ω{'₁₂₃'[k]}$ at the start", "rad/s")
             for k, rate in enumerate(START.rates)
         ),
-        Parameter("ball", 0.5, "λ₀, moment of a ball in oil inside", above=0),
-        Parameter("friction", 0.2, "c/(λ₀ω), drag of the oil on the ball", least=0.05, most=2),
+        Parameter("ball", 0.5, "$λ₀$, moment of a ball in oil inside", above=0),
+        Parameter("friction", 0.2, "$c/(λ₀ω)$, drag of the oil on the ball", least=0.05, most=2),
     ),
     figure="tumbling",
 )
@@ -107,13 +107,13 @@ def toutatis(
 ) -> Iterator[Outcome]:
     """The start is carried on in closed form as a free body without friction; integration must
     agree with it, and counted turns with the closed forms of the periods. From the published
-    moments and start, half of the radar attitudes of December 1992 are met to 5.6°, and all to
-    15.9°; two of the observed ω, of 7 and 14 December, do not go with the L of all others. In
-    2008 L still points where it did, but the phase is lost: over a thousand turns the last printed
-    digits of the start add up to some ten degrees, and the tides of the Sun and the Earth, which
-    are left out here, to far more. The tables are those of the settings above. For
-    friction the body gets the ball in oil of the claim, far stronger than what rubs in a rock, and
-    is integrated with its attitude: L in space must stay, and the heat of the oil must be the
+    moments and start, half of the radar attitudes of December 1992 are met to $5.6°$, and all to
+    $15.9°$; two of the observed $ω$, of 7 and 14 December, do not go with the $L$ of all others. In
+    2008 $L$ still points where it did, but the phase is lost: over a thousand turns the last
+    printed digits of the start add up to some ten degrees, and the tides of the Sun and the Earth,
+    which are left out here, to far more. The tables are those of the settings above. For friction
+    the body gets the ball in oil of the claim, far stronger than what rubs in a rock, and is
+    integrated with its attitude: $L$ in space must stay, and the heat of the oil must be the
     energy that is missing at the end."""
     moments = np.array([lambda1, lambda2, lambda3])
     omega = np.array([omega1, omega2, omega3]) * DAY  # the unit of time from here on: a day
@@ -145,17 +145,17 @@ def toutatis(
         )
     # Two equal moments, which are the largest here, leave the long axis as the one it circles.
     mode = "short axis" if motion.regime == "short axis" else "long axis"
-    yield Answer("mode", "ω circles about the", mode)
-    yield Answer("rotation", "turn about the axis about which ω circles", 2 * half, "days")
+    yield Answer("mode", "$ω$ circles about the", mode)
+    yield Answer("rotation", "turn about the axis about which $ω$ circles", 2 * half, "days")
     precession = 2 * pi / abs(motion.mean_precession)
-    yield Answer("precession", "turn of this axis about L, on average", precession, "days")
+    yield Answer("precession", "turn of this axis about $𝐋$, on average", precession, "days")
     least, greatest = motion.turning_points
-    yield Answer("least_tilt", "smallest angle between L and this axis", least, "rad")
-    yield Answer("greatest_tilt", "largest angle between L and this axis", greatest, "rad")
+    yield Answer("least_tilt", "smallest angle between $𝐋$ and this axis", least, "rad")
+    yield Answer("greatest_tilt", "largest angle between $𝐋$ and this axis", greatest, "rad")
     yield Table(
         "periods",
         "Periods, computed, and published of the long axis of Toutatis",
-        ("source", "turn of ω about its axis (days)", "turn of this axis about L (days)"),
+        ("source", "turn of $ω$ about its axis (days)", "turn of this axis about $𝐋$ (days)"),
         ((f"this motion, {mode}", 2 * half, precession), *PERIODS),
     )
     rows = tuple(comparison(motion, seen) for seen in OBSERVATIONS)
@@ -165,13 +165,13 @@ def toutatis(
         (
             "date",
             "days",
-            "error of attitude (°)",
-            "tilt of long axis (°)",
-            "turn about long axis (°)",
-            "ω, direction (°)",
-            "ω (°/day)",
-            "L, direction (°)",
-            "|L|, observed over computed",
+            "error of attitude ($°$)",
+            "tilt of long axis ($°$)",
+            "turn about long axis ($°$)",
+            "$ω$, direction ($°$)",
+            "$ω$ ($°/day$)",
+            "$L$, direction ($°$)",
+            "$|L|$, observed over computed",
         ),
         rows,
     )
@@ -189,11 +189,11 @@ def toutatis(
     yield Measure("attitude in November and December 1992, integrated (rad)", apart, 1e-8)
     ten = motion.integrate(np.linspace(0, 20 * half, 2001), rtol=1e-12, atol=1e-14)
     back = float(np.linalg.norm(ten.omega[-1] - omega)) / speed
-    yield Measure("ω after ten of its periods, integrated, relative", back, 1e-8)
+    yield Measure("$ω$ after ten of its periods, integrated, relative", back, 1e-8)
     axis = ten.rotation.apply(np.eye(3)[int(free.solve(tuple(moments), tuple(omega)).axes[2])])
     counted = abs(turned(axis, ten.angular_momentum[0]))
     yield Measure(
-        "turns of the axis about L meanwhile (rad)",
+        "turns of the axis about $𝐋$ meanwhile (rad)",
         abs(counted - abs(motion.mean_precession) * 20 * half),
         1e-7,
     )
@@ -216,7 +216,7 @@ def _last_digits(motion: Motion) -> Table:
     return Table(
         "last_digits",
         "Half of the last printed digit of the start, and the attitude of 2008",
-        ("changed", "by (°/day for ω)", "change of attitude (°)"),
+        ("changed", "by ($°/day$ for $ω$)", "change of attitude ($°$)"),
         tuple(rows),
     )
 
@@ -229,10 +229,15 @@ def _energies(moments: Vectors, omega: Vectors, ball: float, friction: float) ->
     alone = size**2 / (2 * moments)
     yield Table(
         "energies",
-        "Rotation with this L about one axis",
+        "Rotation with this $L$ about one axis",
         ("axis", "moment", "energy over that of now", "period (days)"),
         tuple(
-            (f"e{'₁₂₃'[k]}", float(moment), float(alone[k]) / energy, float(2 * pi * moment / size))
+            (
+                f"$e{'₁₂₃'[k]}$",
+                float(moment),
+                float(alone[k]) / energy,
+                float(2 * pi * moment / size),
+            )
             for k, moment in enumerate(moments)
         ),
     )
@@ -248,7 +253,7 @@ def _energies(moments: Vectors, omega: Vectors, ball: float, friction: float) ->
     yield Table(
         "friction",
         "With friction inside: the way to rotation with the largest moment",
-        ("time (days)", "energy over that of now", "L from the nearest axis with it (rad)"),
+        ("time (days)", "energy over that of now", "$L$ from the nearest axis with it (rad)"),
         tuple(
             (float(time), float(part), float(tilt))
             for time, part, tilt in zip(run.t, run.energy / energy, tilts, strict=True)
@@ -256,11 +261,11 @@ def _energies(moments: Vectors, omega: Vectors, ball: float, friction: float) ->
     )
     yield Answer(
         "tilt_at_end",
-        "angle of L and the nearest axis of the largest moment at the end",
+        "angle of $𝐋$ and the nearest axis of the largest moment at the end",
         float(tilts[-1]),
         "rad",
     )
-    yield Measure("L in space with friction, relative", run.strayed, 1e-9)
+    yield Measure("$L$ in space with friction, relative", run.strayed, 1e-9)
     yield Measure("energy lost against the heat of the oil, relative", run.imbalance, 1e-9)
 
 

@@ -46,6 +46,7 @@ from rigidtop.codegen.source import INDENT, WIDTH, body, signature
 from rigidtop.codegen.values import Line, Value, Values
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.page import Assumption
+from rigidtop.proof.words import unmarked
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import VOCABULARY
 
@@ -180,7 +181,7 @@ def shared_parts(
 
 def _about(made: Values, name: str, shown: Callable[[Any], str]) -> Iterator[str]:
     """Name, claim, equations, axes, conditions."""
-    yield from textwrap.wrap(f"{name}: {made.says}", WIDTH - 8)
+    yield from textwrap.wrap(f"{name}: {unmarked(made.says)}", WIDTH - 8)
     yield ""
     conditions = [_conditions(line, shown) for line in made.lines]
     alike = len(set(conditions)) == 1
@@ -189,7 +190,7 @@ def _about(made: Values, name: str, shown: Callable[[Any], str]) -> Iterator[str
         if said and not alike:
             yield from _hanging(f"  if {said}")
         if line.reason:
-            yield from _hanging(f"  {line.reason}")
+            yield from _hanging(f"  {unmarked(line.reason)}")
     if made.vectors:
         said = ", ".join(
             f"{shown(vector)} = ({', '.join(map(shown, components))})"
@@ -218,7 +219,7 @@ def _condition(assumption: Assumption, shown: Callable[[Any], str]) -> str:
     relation = shown(assumption.condition)
     if assumption.otherwise is not None:
         relation = relation.replace(" = ", " → ", 1).replace(" == ", " → ", 1)
-    words = assumption.words.rstrip(".")
+    words = unmarked(assumption.words).rstrip(".")
     return f"{relation} ({words})" if words else relation
 
 
@@ -228,7 +229,7 @@ def _argument(symbol: Symbol, shown: Callable[[Any], str]) -> str:
     if quantity is None:
         return letter
     unit = "" if quantity.unit in ("", "1") else f" ({quantity.unit})"
-    return ", ".join(filter(None, [letter, quantity.meaning])) + unit
+    return ", ".join(filter(None, [letter, unmarked(quantity.meaning)])) + unit
 
 
 def _output(value: Value, shown: Callable[[Any], str]) -> str:

@@ -66,6 +66,7 @@ def _run(
     from rigidtop.present.records import measures, record
     from rigidtop.present.table import table, wants_color
     from rigidtop.present.wording import Wording
+    from rigidtop.proof.words import unmarked
 
     found = claims.named(collection, names) if names else claims.every(collection)
     every = options.thorough and not names
@@ -84,7 +85,12 @@ def _run(
     measured = measures(judgements)
     if measured:
         numbers = [
-            [f"{m.error:.1e}", f"{m.tolerance:.1e}", "ok" if m.passed else "FAILED", m.what]
+            [
+                f"{m.error:.1e}",
+                f"{m.tolerance:.1e}",
+                "ok" if m.passed else "FAILED",
+                unmarked(m.what),
+            ]
             for m in measured
         ]
         print()

@@ -12,6 +12,7 @@ from rigidtop.commands.output import print_json
 from rigidtop.commands.settings import add_settings, apart
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import settings
+from rigidtop.proof.words import unmarked
 
 if TYPE_CHECKING:
     from rigidtop.present.figures.drawing import Drawing
@@ -76,8 +77,8 @@ def run(options: argparse.Namespace) -> int:
         "file": str(path),
         "name": drawing.name,
         "parameters": values,
-        "caption": drawing.caption(**values),
-        "alternative": drawing.alternative(**values),
+        "caption": unmarked(drawing.caption(**values)),
+        "alternative": unmarked(drawing.alternative(**values)),
     }
     if kind in MOVING:
         from rigidtop.present.figures.animation import FRAMES
@@ -157,7 +158,7 @@ def _record(drawing: Drawing) -> dict[str, Any]:
         "section": drawing.section,
         "kinds": [*STILL, *(MOVING if drawing.animate else ())],
         "parameters": [
-            {"name": p.name, "default": p.default, "unit": p.unit, "about": p.about}
+            {"name": p.name, "default": p.default, "unit": p.unit, "about": unmarked(p.about)}
             for p in drawing.parameters
         ],
     }

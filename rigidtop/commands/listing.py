@@ -22,12 +22,13 @@ def run(options: argparse.Namespace) -> int:
     from rigidtop.collection import opened
     from rigidtop.present.records import claim_record
     from rigidtop.present.table import table
+    from rigidtop.proof.words import unmarked
 
     with opened(options.name) as (collection, names):
         found = claims.named(collection, names) if names else claims.every(collection)
     if options.json:
         print_json([claim_record(claim, page.section) for page, claim in found])
         return 0
-    rows = [[page.section, claim.name, claim.says] for page, claim in found]
+    rows = [[page.section, claim.name, unmarked(claim.says)] for page, claim in found]
     print(table(rows, ("section", "claim", "what the notes assert")))
     return 0

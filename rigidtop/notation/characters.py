@@ -170,7 +170,22 @@ def joined(left: str, right: str) -> str:
 
 def escape(text: str) -> str:
     """Text without mathematics, escaped for LaTeX."""
-    return "".join(plain(c) for c in unicodedata.normalize("NFC", text))
+    parts = _ALONE.split(unicodedata.normalize("NFC", text))
+    return "".join(
+        _alone(part) if k % 2 else "".join(map(plain, part)) for k, part in enumerate(parts)
+    )
+
+
+_KNOWN = "".join(c for c in MATHS if len(c) == 1 and c not in ESCAPES | PUNCTUATION)
+_ALONE = re.compile(f"([{''.join(SUBSCRIPTS)}]+|[{''.join(SUPERSCRIPTS)}]+|[{re.escape(_KNOWN)}])")
+
+
+def _alone(part: str) -> str:
+    """Indices, an exponent or a mark that stands in a text by itself."""
+    for table, mark in ((SUBSCRIPTS, "_"), (SUPERSCRIPTS, "^")):
+        if part[0] in table:
+            return f"${mark}{{{''.join(table[c] for c in part)}}}$"
+    return f"${MATHS[part]}$"
 
 
 def plain(character: str) -> str:

@@ -7,7 +7,7 @@ same order, so that a typed equation is still seen to be typed, and the page ord
 >>> from rigidtop.theory.symbols import lambda1, omega1
 >>> I1 = Written("I1", Glyph("I", "1"), lambda1)
 >>> I1 * omega1, I1.quantity.meaning, I1 == lambda1
-(I1*omega1, 'principal moment of inertia about e₁', False)
+(I1*omega1, 'principal moment of inertia about $e₁$', False)
 """
 
 from __future__ import annotations

@@ -26,6 +26,7 @@ from rigidtop.notation.characters import (
     plain,
 )
 from rigidtop.present import mathml as ml
+from rigidtop.proof.words import light, unbold
 from rigidtop.theory.symbols import Glyph
 
 
@@ -63,17 +64,19 @@ _UNIT = re.compile(r"((?:kg|rad|[msNJW])(?:[·/](?:kg|rad|[msNJW]))*)([²³])")
 _BRACES = {"{": "}", "(": ")"}
 
 
-def pieces(text: str, vectors: str = "") -> tuple[Piece, ...]:
-    """The pieces of a formula; `vectors` are letters that are vectors when alone.
+def pieces(text: str) -> tuple[Piece, ...]:
+    """The pieces of a formula; bold letters are vectors.
 
     >>> [piece.kind for piece in pieces("e^{σt} ≤ √(λ₁ sin θ)")]
     ['letter', 'power', 'space', 'sign', 'space', 'root']
     """
-    text = opened(text)
+    opened_text = opened(text)
+    text = light(opened_text)
     unit = _UNIT.fullmatch(text)
     if unit:
         return Piece("unit", unit[1]), Piece("sup", SUPERSCRIPTS[unit[2]])
-    bold = _vectors(text, vectors)
+    bold = frozenset(i for i, c in enumerate(text) if c != opened_text[i])
+    bold |= {axis.start() for axis in _AXIS.finditer(text)}
     made: list[Piece] = []
     i = 0
     while i < len(text):
@@ -163,44 +166,8 @@ def _closing(text: str, i: int) -> int:
     return 0
 
 
-# --- Which letters are vectors -------------------------------------------------------------------
-
-_CROSSING = frozenset("×∥⟂⊥·")
-_BASE = re.compile(r"e[₁₂₃ₖ]|[xyz]\u0302|×|[Lr]\u0307|Iω")
-_TERM = re.compile(
-    r"(?<![A-HJ-Za-z|_])(?:[LNvω][\u0307′]?|r\u0307|r(?= − R_CM))(?=\s*[=+−]|/\w|\)|$)"
-)
-
-
-def _vectors(text: str, alone: str) -> frozenset[int]:
-    """The places of the letters that are vectors."""
-    found = {i for i, c in enumerate(text) if c.isalpha() and _is_vector(text, i)}
-    if alone and re.fullmatch(rf"[{alone}][\u0307′]?", text):
-        found.add(0)
-    if _BASE.search(text) and "|" not in text:  # an equation of vectors
-        found |= {term.start() for term in _TERM.finditer(text)}
-    return frozenset(found)
-
-
-def _is_vector(text: str, i: int) -> bool:
-    """Whether the letter at i is a vector for what stands beside it."""
-    end = i + 1
-    while end < len(text) and text[end] in MARKS:
-        end += 1
-    c, behind = text[i], text[end : end + 1]
-    if c == "e" and behind and behind in "₁₂₃ₖ":
-        return True
-    if text[i + 1 : i + 2] == "\u0302":
-        return True
-    if text.startswith("R_CM", i):
-        return True
-    if behind == "ₖ":  # one of many particles
-        end, behind = end + 1, ""
-    if c not in "LNrRguvwFfωΩ" or (behind and behind in SUBSCRIPTS) or behind in ("_", "⊥"):
-        return False
-    ahead = text[:i].rstrip().rstrip("ImM").rstrip()  # × Mg, u·Iv
-    before, after = ahead[-1:], text[end:].lstrip("′").lstrip()[:1]
-    return before in _CROSSING or after in _CROSSING
+_AXIS = re.compile(r"e(?=[₁₂₃ₖ])|[A-Za-z](?=\u0302)|R(?=_CM)")
+"""Vectors for what stands behind their letters; all others are bold in the sentence."""
 
 
 # --- As LaTeX ------------------------------------------------------------------------------------
@@ -227,13 +194,13 @@ _PLAIN_MATHS = {
 }
 
 
-def tex(text: str, vectors: str = "") -> str:
+def tex(text: str) -> str:
     r"""A formula in Unicode, as LaTeX.
 
     >>> print(tex("ω̇₁ = (λ₂ − λ₃)ω₂ω₃/λ₁"))
     \dot{\omega}_{1} = (\lambda_{2} - \lambda_{3})\omega_{2}\omega_{3}/\lambda_{1}
     """
-    return _tex_row(pieces(text, vectors))
+    return _tex_row(pieces(text))
 
 
 def _tex_row(row: Sequence[Piece]) -> str:
@@ -297,14 +264,14 @@ _PRIMES = frozenset("′″‴")
 _NO_OPERATORS = frozenset("°∞%…")
 
 
-def mathml(text: str, vectors: str = "") -> str:
+def mathml(text: str) -> str:
     """A formula in Unicode, as an inline ``<math>`` that says it in words.
 
     >>> mathml("√3")[-32:]
     '<msqrt><mn>3</mn></msqrt></math>'
     """
-    inside = _ml_row(pieces(text, vectors))
-    return ml.element(inside, unicodedata.normalize("NFC", text), False)
+    inside = _ml_row(pieces(text))
+    return ml.element(inside, unbold(text), False)
 
 
 def _ml_row(row: Sequence[Piece]) -> str:

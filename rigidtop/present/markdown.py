@@ -50,7 +50,7 @@ def formula(node: Any) -> str:
 def words(content: str) -> str:
     r"""Running text with the mathematics in it.
 
-    >>> print(words("θ̈ vanishes, [as] sin θ ≠ 0"))
+    >>> print(words("$θ̈$ vanishes, [as] $sin θ ≠ 0$"))
     $\ddot{\theta}$ vanishes, &#91;as&#93; $\sin \theta \neq 0$
     """
     return written(content, tex, _plain)

@@ -13,6 +13,7 @@ from rigidtop.notation.written import Written
 from rigidtop.present.layout import layout
 from rigidtop.present.report import Block, DataTable, Heading, Paragraph, Rich
 from rigidtop.present.text import text
+from rigidtop.proof.words import unmarked
 from rigidtop.theory import symbols as s
 
 TURNS = {"zyz": "z–y′–z″", "zxz": "z–x′–z″"}
@@ -44,7 +45,7 @@ def different(notation: Notation, among: Iterable[Symbol] | None = None) -> list
 def rows(notation: Notation) -> list[list[str]]:
     """Letter, the same in the notes, name in code, meaning."""
     return [
-        [text(x), text(notation.in_notes(x)), x.name, x.quantity.meaning]
+        [text(x), text(notation.in_notes(x)), x.name, unmarked(x.quantity.meaning)]
         for x in different(notation)
     ]
 
@@ -64,7 +65,7 @@ def record(notation: Notation) -> dict[str, Any]:
                 "letter": text(x),
                 "notes": text(notation.in_notes(x)),
                 "glyph": asdict(x.quantity.glyph),
-                "meaning": x.quantity.meaning,
+                "meaning": unmarked(x.quantity.meaning),
                 "unit": x.quantity.unit,
             }
             for x in different(notation)

@@ -47,6 +47,7 @@ from rigidtop.proof.equation import Equation
 from rigidtop.proof.exercise import Exercise
 from rigidtop.proof.page import Claim
 from rigidtop.proof.verdict import Judgement, judge
+from rigidtop.proof.words import unmarked
 from rigidtop.theory.symbols import VOCABULARY
 
 DOTS = 144
@@ -235,7 +236,7 @@ class Picture:
 
     def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         data = base64.b64encode(self.png).decode("ascii")
-        shown = {"image/png": data, "text/plain": self.words}
+        shown = {"image/png": data, "text/plain": unmarked(self.words)}
         return shown, {"image/png": {"width": self.width}}
 
 

@@ -27,6 +27,7 @@ from rigidtop.present.report import (
 )
 from rigidtop.present.table import table
 from rigidtop.present.text import text
+from rigidtop.proof.words import unmarked
 
 
 def fragment(blocks: Sequence[Any], width: int = 88) -> str:
@@ -45,12 +46,12 @@ def _piece(piece: Piece) -> str:
         return piece.spaced
     if isinstance(piece, Cited):
         return piece.words
-    return piece if isinstance(piece, str) else text(piece)
+    return unmarked(piece) if isinstance(piece, str) else text(piece)
 
 
 def _wrapped(words: str, width: int, first: str = "", rest: str = "") -> list[str]:
     return textwrap.wrap(
-        words, width, initial_indent=first, subsequent_indent=rest, break_on_hyphens=False
+        unmarked(words), width, initial_indent=first, subsequent_indent=rest, break_on_hyphens=False
     )
 
 
@@ -108,7 +109,8 @@ def _numbers(block: Numbers) -> str:
 @_lines.register
 def _(block: Measures, width: int) -> list[str]:
     rows = [
-        f"  {row.what}: error {row.error:.1e}, tolerance {row.tolerance:.1e}" for row in block.rows
+        f"  {unmarked(row.what)}: error {row.error:.1e}, tolerance {row.tolerance:.1e}"
+        for row in block.rows
     ]
     return ["", f"{block.label}:", *rows]
 
@@ -120,12 +122,15 @@ def _(block: ExerciseHead, width: int) -> list[str]:
 
 @_lines.register
 def _(block: Subhead, width: int) -> list[str]:
-    return ["", f"── {block.words} ".ljust(width, "─")]
+    return ["", f"── {unmarked(block.words)} ".ljust(width, "─")]
 
 
 @_lines.register
 def _(block: Quantities, width: int) -> list[str]:
-    rows = [(cell(value), "" if unit == "1" else unit, what) for what, value, unit in block.rows]
+    rows = [
+        (cell(value), "" if unit == "1" else unit, unmarked(what))
+        for what, value, unit in block.rows
+    ]
     return ["", f"{block.label}:", *_indented(table(rows, right=(0,), width=width - 2))]
 
 
@@ -134,13 +139,13 @@ def _(block: DataTable, width: int) -> list[str]:
     # The last column of a table is text: here one without any.
     rows = [(*map(cell, row), "") for row in block.rows]
     right = range(1, len(block.columns))
-    made = table(rows, (*block.columns, ""), right=right, width=width - 2)
+    made = table(rows, (*map(unmarked, block.columns), ""), right=right, width=width - 2)
     return ["", *_wrapped(f"{block.title}:", width), *_indented(made)]
 
 
 def cell(value: str | Node) -> str:
     """A cell of a table."""
-    return value if isinstance(value, str) else text(value)
+    return unmarked(value) if isinstance(value, str) else text(value)
 
 
 def _indented(lines: str) -> list[str]:

@@ -10,6 +10,7 @@ from rigidtop.present.text import text
 from rigidtop.present.ways import gap
 from rigidtop.proof.page import Claim, Measure
 from rigidtop.proof.verdict import Finding, Judgement, Led, TestedAssumption, Verdict
+from rigidtop.proof.words import unmarked
 
 
 def record(judgement: Judgement) -> dict[str, Any]:
@@ -29,7 +30,7 @@ def record(judgement: Judgement) -> dict[str, Any]:
 def measure_record(measure: Measure) -> dict[str, Any]:
     """A measure as plain values."""
     return {
-        "what": measure.what,
+        "what": unmarked(measure.what),
         "error": float(measure.error),
         "tolerance": float(measure.tolerance),
         "passed": measure.passed,
@@ -38,7 +39,12 @@ def measure_record(measure: Measure) -> dict[str, Any]:
 
 def claim_record(claim: Claim, section: str) -> dict[str, Any]:
     """What `rigidtop list --json` says of a claim."""
-    return {"name": claim.name, "reference": section, "says": claim.says, "reason": claim.reason}
+    return {
+        "name": claim.name,
+        "reference": section,
+        "says": unmarked(claim.says),
+        "reason": unmarked(claim.reason),
+    }
 
 
 def measures(judgements: Iterable[Judgement]) -> list[Measure]:
@@ -48,6 +54,10 @@ def measures(judgements: Iterable[Judgement]) -> list[Measure]:
 
 def note(judgement: Judgement) -> str:
     """One line: why it does not pass, or what is silently assumed, or what refutes it."""
+    return unmarked(_note(judgement))
+
+
+def _note(judgement: Judgement) -> str:
     gaps = [
         gap(each, i.lecture.letters)
         for i in judgement.items
@@ -93,7 +103,7 @@ def _assumption(item: TestedAssumption) -> str:
     relation = text(condition(item.assumption))
     words = item.assumption.words.rstrip(".")
     said = f"{relation} ({words})" if words else relation
-    return f"{said} [stated]" if item.assumption.stated else said
+    return unmarked(f"{said} [stated]" if item.assumption.stated else said)
 
 
 def _point(found: Numbers) -> str:

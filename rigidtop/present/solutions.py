@@ -34,6 +34,7 @@ from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table
 from rigidtop.proof.lecture import Lecture, Text
 from rigidtop.proof.page import Measure
 from rigidtop.proof.verdict import Judgement, judge
+from rigidtop.proof.words import unmarked
 
 DIGITS = 6
 """Of a number in print."""
@@ -194,15 +195,20 @@ def record(solution: Solution) -> dict[str, Any]:
     exercise = solution.exercise
     return {
         **listed(exercise),
-        "statement": exercise.statement,
+        "statement": unmarked(exercise.statement),
         "settings": dict(solution.settings),
         "answers": [
-            {"name": o.name, "what": o.what, "value": o.value, "unit": o.unit}
+            {"name": o.name, "what": unmarked(o.what), "value": _unmarked(o.value), "unit": o.unit}
             for o in solution.outcomes
             if isinstance(o, Answer)
         ],
         "tables": [
-            {"name": o.name, "title": o.title, "columns": o.columns, "rows": o.rows}
+            {
+                "name": o.name,
+                "title": unmarked(o.title),
+                "columns": [*map(unmarked, o.columns)],
+                "rows": [[*map(_unmarked, row)] for row in o.rows],
+            }
             for o in solution.outcomes
             if isinstance(o, Table)
         ],
@@ -213,16 +219,20 @@ def record(solution: Solution) -> dict[str, Any]:
     }
 
 
+def _unmarked(value: float | str) -> float | str:
+    return unmarked(value) if isinstance(value, str) else value
+
+
 def listed(exercise: Exercise) -> dict[str, Any]:
     """What `rigidtop exercise --json` says where none is named."""
     return {
         "name": exercise.name,
-        "title": exercise.title,
+        "title": unmarked(exercise.title),
         "reference": exercise.section,
-        "asks": exercise.asks,
+        "asks": unmarked(exercise.asks),
         "figure": exercise.figure,
         "parameters": [
-            {"name": p.name, "default": p.default, "unit": p.unit, "about": p.about}
+            {"name": p.name, "default": p.default, "unit": p.unit, "about": unmarked(p.about)}
             for p in exercise.parameters
         ],
     }

@@ -123,8 +123,8 @@ def _quoted(text: str) -> str:
 
 
 def prose(text: str) -> str:
-    """English with Unicode mathematics in it."""
-    return written(text, lambda part, vectors: f"${maths(tex(part, vectors))}$", plain)
+    """A sentence with mathematics between dollars."""
+    return written(text, lambda part: f"${maths(tex(part))}$", plain)
 
 
 def maths(tex: str) -> str:

@@ -25,10 +25,10 @@ from rigidtop.parameters import Parameter
 from rigidtop.present.figures.drawing import Drawing
 from rigidtop.present.formula import opened
 from rigidtop.present.latex import latex
-from rigidtop.present.prose import segments
 from rigidtop.present.report import Block, Symbols
 from rigidtop.present.text import letter, text
 from rigidtop.proof.verdict import Judgement
+from rigidtop.proof.words import bold, light, parts, unmarked
 from rigidtop.theory.symbols import VOCABULARY
 
 T = TypeVar("T")
@@ -47,7 +47,7 @@ _LETTER = re.compile(
     r"|(?P<letter>[^\W\d_][\u0302\u0307\u0308]?"
     r"(?:[₀-₉₊₋ᵢⱼₖₙₓ]+|_(?:\d,\d|[A-Za-z0-9]+|[^\W\d_])|⊥)?)(?P<primes>′*)"
 )
-_UNIT = re.compile(r"\((?:(?:kg|rad|[JNWms°]|\d)[²³⁻¹]*[ ·/]?)+\)|\b[JNWms]/\(?[a-z³²]+")
+_A_UNIT = re.compile(r"(?:kg|rad|[msNJW])(?:[·/](?:kg|rad|[msNJW]))*[²³]")
 _TURNED = re.compile(r"\bR[xyz]\(|R\u0307|Rᵀ")
 """Beside these R is the matrix of a rotation, and no distance."""
 
@@ -78,35 +78,29 @@ class Wording:
         """A sentence in the notation.
 
         >>> from rigidtop.notation import named
-        >>> Wording(named("landau"))("N = MgR sin θ is along L, and 3 N at φ = 0")
-        'K = μgl sin θ is along M, and 3 N at φ − ½π = 0'
+        >>> Wording(named("landau"))("$N = MgR sin θ$ is along $𝐋$, and 3 N at $φ = 0$")
+        '$K = μgl sin θ$ is along $𝐌$, and 3 N at $φ − ½π = 0$'
         """
         if not self.notation.images:
             return words
-        parts = re.split(r"(\n\s*\n)", words)
-        return "".join(part if i % 2 else self._sentence(part) for i, part in enumerate(parts))
-
-    def _sentence(self, words: str) -> str:
-        kept = _UNIT.findall(words)
         turned = bool(_TURNED.search(opened(words)))
-        pieces = segments(_UNIT.sub("\ue000", words))
-        made = ""
-        for i, (formal, piece) in enumerate(pieces):
-            # Beside another formula, with no word between, it is a factor.
-            factor = any(not each.strip() for _, each in pieces[max(i - 1, 0) : i + 2])
-            made += self._formula(piece, turned, factor) if formal else piece
-        return re.sub("\ue000", lambda _: kept.pop(0), made)
+        return "".join(
+            f"${self._formula(part, turned)}$" if formal else part for formal, part in parts(words)
+        )
 
-    def _formula(self, piece: str, turned: bool, factor: bool) -> str:
+    def _formula(self, piece: str, turned: bool) -> str:
+        if _A_UNIT.fullmatch(piece):
+            return piece
         whole = opened(piece)
 
         def other(found: re.Match[str]) -> str:
             if not found["letter"] or (turned and found["letter"][0] == "R"):
                 return found[0]
             before, behind = whole[: found.start()].rstrip(), whole[found.end() :].lstrip()
-            edge = () if factor else ("",)
-            alone = before[-1:] in (*edge, *"(=,[") and behind[:1] in (*edge, *")=,]")
-            return self._other(found["letter"], found["primes"], alone)
+            alone = before[-1:] in ("", *"(=,[") and behind[:1] in ("", *")=,]")
+            old = light(found["letter"])
+            made = opened(self._other(old, found["primes"], alone))
+            return made if old == found["letter"] else bold(made[0]) + made[1:]
 
         return unicodedata.normalize("NFC", _LETTER.sub(other, whole))
 
@@ -163,8 +157,8 @@ class Wording:
         about = self(parameter.about)
         names = {symbol.name: symbol for symbol in VOCABULARY}
         symbol = names.get(parameter.name.replace("_dot", "dot"))
-        shown = "" if symbol is None else self(letter(VOCABULARY[symbol].glyph))
-        there = re.search(rf"(?<!\w){re.escape(shown)}(?!\w)", about)
+        shown = "" if symbol is None else self(f"${letter(VOCABULARY[symbol].glyph)}$")
+        there = re.search(rf"(?<!\w){re.escape(unmarked(shown))}(?!\w)", unmarked(about))
         return about if there else f"{about}, {shown}"
 
     def symbols(self, block: Block) -> Block:

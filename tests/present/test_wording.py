@@ -127,12 +127,15 @@ def test_names_in_figures_are_other_letters():
 
 def test_an_eigenvalue_is_no_tensor_of_inertia():
     words = Wording(named("goldstein"))
-    assert words("(λ − λ′) u·v, and Lᵢ = λᵢωᵢ") == "(λ − λ′) u·v, and Lᵢ = Iᵢωᵢ"
-    assert words("ṘRᵀ of R = Rz(φ)") == "ṘRᵀ of R = Rz(φ − ½π)"
+    assert words("$(λ − λ′) 𝐮·𝐯$, and $Lᵢ = λᵢωᵢ$") == "$(λ − λ′) 𝐮·𝐯$, and $Lᵢ = Iᵢωᵢ$"
+    assert words("$ṘRᵀ$ of $R = Rz(φ)$") == "$ṘRᵀ$ of $R = Rz(φ − ½π)$"
     assert (
-        words("sin φ is 3 N m, at R (N m), 2 kg m²") == "sin (φ − ½π) is 3 N m, at l (N m), 2 kg m²"
+        words("$sin φ$ is 3 N m, at $R$ (N m), 2 kg $m²$")
+        == "$sin (φ − ½π)$ is 3 N m, at $l$ (N m), 2 kg $m²$"
     )
-    assert Wording(named("landau"))("R in m, N (N m), 5 N/m³") == "l in m, K (N m), 5 N/m³"
+    landau = Wording(named("landau"))
+    assert landau("$R$ in m, $N$ (N m), 5 N/m³") == "$l$ in m, $K$ (N m), 5 N/m³"
+    assert landau("along $𝐋̇$ and $𝛚$") == "along $𝐌̇$ and $𝛀$"
 
 
 def test_the_notes_stay_as_they_are(judged):

@@ -114,9 +114,9 @@ def _draw(phi: float, theta: float, psi: float) -> Canvas:
 
 def _caption(phi: float, theta: float, psi: float) -> str:
     return (
-        f"Euler's angles, here φ = {degrees(phi)}, θ = {degrees(theta)} and ψ = {degrees(psi)}: "
-        "three rotations, each about the axis on the broad stripe, from x̂ŷẑ (thin) to e₁e₂e₃. "
-        "The axes that move are dashed before and solid after the step."
+        f"Euler's angles, here $φ = {degrees(phi)}$, $θ = {degrees(theta)}$ and $ψ = "
+        f"{degrees(psi)}$: three rotations, each about the axis on the broad stripe, from $x̂ŷẑ$ "
+        "(thin) to $e₁e₂e₃$. The axes that move are dashed before and solid after the step."
     )
 
 
@@ -134,12 +134,12 @@ FULL = 2 * math.pi
 
 EULER_ANGLES = Drawing(
     "euler-angles",
-    "Euler's angles: φ about ẑ, θ about e₂′, ψ about e₃",
+    "Euler's angles: $φ$ about $ẑ$, $θ$ about $e₂′$, $ψ$ about $e₃$",
     "3.3",
     (
-        Parameter("phi", math.radians(60), "first, about ẑ", "rad", least=-FULL, most=FULL),
-        Parameter("theta", math.radians(45), "second, about e₂′", "rad", least=0, most=math.pi),
-        Parameter("psi", math.radians(45), "third, about e₃", "rad", least=-FULL, most=FULL),
+        Parameter("phi", math.radians(60), "first, about $ẑ$", "rad", least=-FULL, most=FULL),
+        Parameter("theta", math.radians(45), "second, about $e₂′$", "rad", least=0, most=math.pi),
+        Parameter("psi", math.radians(45), "third, about $e₃$", "rad", least=-FULL, most=FULL),
     ),
     _draw,
     _caption,

@@ -128,14 +128,14 @@ def _caption(cord: float, **values: float) -> str:
     momentum = float(np.linalg.norm(motion.start().angular_momentum[0]))
     couple = float(np.linalg.norm(torque(motion)))
     return (
-        f"A bicycle wheel of {said(values['M'])} kg and radius {said(values['radius'])} m at "
-        f"R = {said(values['R'])} m from the end O of its horizontal axle, with ω₃ = "
-        f"{said(values['omega3'])} rad/s and g = {said(values['g'])} m/s²: L = {said(momentum)} "
-        f"J s, and the torque about O, N = {said(couple)} N m, turns it {found['direction']}, as "
-        f"seen from above, at Ω = {said(found['precession'])} rad/s, a turn in "
-        f"{said(found['period'])} s. The cord of {said(cord)} m pulls with "
-        f"{said(found['tension'])} N and leans by {degrees(found['lean'])}. Dashed: "
-        "the circle of the tip of L. Directions are computed, lengths of arrows are not to scale."
+        f"A bicycle wheel of {said(values['M'])} kg and radius {said(values['radius'])} m at $R = "
+        f"{said(values['R'])}$ m from the end $O$ of its horizontal axle, with $ω₃ = "
+        f"{said(values['omega3'])}$ rad/s and $g = {said(values['g'])}$ $m/s²$: $L = "
+        f"{said(momentum)}$ J s, and the torque about $O$, $N = {said(couple)}$ N m, turns it "
+        f"{found['direction']}, as seen from above, at $Ω = {said(found['precession'])}$ rad/s, a "
+        f"turn in {said(found['period'])} s. The cord of {said(cord)} m pulls with "
+        f"{said(found['tension'])} N and leans by {degrees(found['lean'])}. Dashed: the circle of "
+        "the tip of $𝐋$. Directions are computed, lengths of arrows are not to scale."
     )
 
 
@@ -153,7 +153,7 @@ def _in_words(cord: float, **values: float) -> str:
 
 BICYCLE_WHEEL = Drawing(
     "bicycle-wheel",
-    "The bicycle wheel on a cord: weight, torque and the change of L",
+    "The bicycle wheel on a cord: weight, torque and the change of $L$",
     "",
     bicycle_wheel.parameters,
     _draw,

@@ -18,21 +18,21 @@ TOP = (
 )
 """A heavy top: MgR = 0.981 J, and about the centre of mass 0.01 kg m² each way."""
 
-THETA = Parameter("theta", math.pi / 3, "θ at the start", "rad", least=0, most=math.pi)
-SPIN = Parameter("omega3", 40.0, "ω₃", "rad/s", above=0)
+THETA = Parameter("theta", math.pi / 3, "$θ$ at the start", "rad", least=0, most=math.pi)
+SPIN = Parameter("omega3", 40.0, "$ω₃$", "rad/s", above=0)
 
 
 def top_in_words(top: HeavyTop) -> str:
     """λ₁ = …, λ₃ = …, MgR = …."""
     return (
-        f"λ₁ = {said(top.lambda1)} kg m², λ₃ = {said(top.lambda3)} kg m² and "
-        f"MgR = {said(top.M * top.g * top.R)} J"
+        f"$λ₁ = {said(top.lambda1)}$ kg $m²$, $λ₃ = {said(top.lambda3)}$ kg $m²$ and "
+        f"$MgR = {said(top.M * top.g * top.R)}$ J"
     )
 
 
 def start_in_words(theta: float, omega3: float) -> str:
     """θ = … and ω₃ = …."""
-    return f"θ = {degrees(theta)} and ω₃ = {said(omega3)} rad/s"
+    return f"$θ = {degrees(theta)}$ and $ω₃ = {said(omega3)}$ rad/s"
 
 
 def vertical(theta: float) -> bool:
@@ -52,5 +52,5 @@ def rates_in_words(theta: float, phi_dot: float, theta_dot: float = 0.0) -> str:
     """θ̇ = … and φ̇ = …; without φ̇ where φ has no meaning."""
     if vertical(theta):
         unit = " rad/s" if theta_dot else ""
-        return f"θ̇ = {said(theta_dot)}{unit}, where φ has no meaning"
-    return f"θ̇ = {said(theta_dot)} and φ̇ = {said(phi_dot)} rad/s"
+        return f"$θ̇ = {said(theta_dot)}{unit}$, where $φ$ has no meaning"
+    return f"$θ̇ = {said(theta_dot)}$ and $φ̇ = {said(phi_dot)}$ rad/s"

@@ -30,8 +30,8 @@ from rigidtop.present.figures.style import (
 BODY = (
     Parameter("lambda1", 1.0, "moment across the axis", "kg m²", above=0),
     Parameter("lambda3", 0.55, "moment about the axis", "kg m²", above=0),
-    Parameter("omega_0", 0.45, "magnitude of ω across the axis", "rad/s", above=0),
-    Parameter("omega3", 1.0, "ω₃", "rad/s", above=0),
+    Parameter("omega_0", 0.45, "magnitude of $𝛚$ across the axis", "rad/s", above=0),
+    Parameter("omega3", 1.0, "$ω₃$", "rad/s", above=0),
 )
 
 
@@ -109,16 +109,16 @@ def _rates(motion: Motion) -> tuple[float, float]:
 
 def _shape(lambda1: float, lambda3: float) -> str:
     relation = ">" if lambda1 > lambda3 else "<" if lambda1 < lambda3 else "="
-    return f"λ₁ = {said(lambda1)} {relation} λ₃ = {said(lambda3)} kg m²"
+    return f"$λ₁ = {said(lambda1)} {relation} λ₃ = {said(lambda3)}$ kg $m²$"
 
 
 def _cones_caption(lambda1: float, lambda3: float, omega_0: float, omega3: float) -> str:
     in_body, in_space = _rates(free_motion(lambda1, lambda3, omega_0, omega3))
     return (
-        f"The cones of a free symmetric body with {_shape(lambda1, lambda3)}, "
-        f"ω₀ = {said(omega_0)} and ω₃ = {said(omega3)} rad/s. Left: in the body frame ω and L go "
-        f"round e₃ at Ω_b = {said(in_body)} rad/s. Right: in the space frame L stands still, and "
-        f"the plane of the three turns about it at Ω_s = {said(in_space)} rad/s."
+        f"The cones of a free symmetric body with {_shape(lambda1, lambda3)}, $ω₀ = "
+        f"{said(omega_0)}$ and $ω₃ = {said(omega3)}$ rad/s. Left: in the body frame $𝛚$ and $𝐋$ go "
+        f"round $e₃$ at $Ω_b = {said(in_body)}$ rad/s. Right: in the space frame $𝐋$ stands still, "
+        f"and the plane of the three turns about it at $Ω_s = {said(in_space)}$ rad/s."
     )
 
 
@@ -248,19 +248,19 @@ def _touching(motion: Motion) -> str:
     lambda1, _, lambda3 = motion.body.moments
     body, space = (math.degrees(angle) for angle in _half_angles(motion))
     if lambda1 == lambda3:
-        return "ω, L and the space cone are one line"
+        return "$𝛚$, $𝐋$ and the space cone are one line"
     how = "rolls on the outside of" if lambda1 > lambda3 else "rolls with its inside on"
-    return f"the body cone ({said(body)}°) {how} the space cone ({said(space)}°)"
+    return f"the body cone (${said(body)}°$) {how} the space cone (${said(space)}°$)"
 
 
 def _rolling_caption(**values: float) -> str:
     left, right = _rolling(**values)
     return (
-        "The body cone (red, about e₃) rolls without slipping on the space cone (blue, about L): "
-        "they touch along ω. The half angles stand in brackets. Left, "
+        "The body cone (red, about $e₃$) rolls without slipping on the space cone (blue, about "
+        "$𝐋$): they touch along $𝛚$. The half angles stand in brackets. Left, "
         f"{_shape(values['lambda1'], values['lambda3'])}: {_touching(left)}. Right, "
-        f"{_shape(values['lambda1'], values['lambda3_right'])}: {_touching(right)}. "
-        f"ω₀ = {said(values['omega_0'])} and ω₃ = {said(values['omega3'])} rad/s."
+        f"{_shape(values['lambda1'], values['lambda3_right'])}: {_touching(right)}. $ω₀ = "
+        f"{said(values['omega_0'])}$ and $ω₃ = {said(values['omega3'])}$ rad/s."
     )
 
 
@@ -285,7 +285,7 @@ ROLLING_CONES = Drawing(
         BODY[0],
         Parameter("lambda3", 0.5, "moment about the axis, left", "kg m²", above=0),
         Parameter("lambda3_right", 1.7, "moment about the axis, right", "kg m²", above=0),
-        Parameter("omega_0", 0.7, "magnitude of ω across the axis", "rad/s", above=0),
+        Parameter("omega_0", 0.7, "magnitude of $𝛚$ across the axis", "rad/s", above=0),
         BODY[3],
     ),
     _draw_rolling,

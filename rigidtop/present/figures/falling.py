@@ -85,10 +85,11 @@ def _toppling_caption(**values: float) -> str:
     motion = _toppling(**values)
     top = motion.body
     return (
-        f"θ of a top with λ₁ = {said(top.lambda1)} kg m² and MgR = {said(top.M * top.g * top.R)} J "
-        f"that is let go without rotation at θ = {degrees(values['theta'])}: it lies after "
-        f"{said(time_to_fall(motion))} s. Dashed: what it would do without the table, a pendulum "
-        f"that is back after {said(motion.nutation_period)} s."
+        f"$θ$ of a top with $λ₁ = {said(top.lambda1)}$ kg $m²$ and $MgR = "
+        f"{said(top.M * top.g * top.R)}$ J that is let go without rotation at $θ = "
+        f"{degrees(values['theta'])}$: it lies after {said(time_to_fall(motion))} s. Dashed: what "
+        "it would do without the table, a pendulum that is back after "
+        f"{said(motion.nutation_period)} s."
     )
 
 
@@ -103,12 +104,12 @@ def _toppling_in_words(**values: float) -> str:
 
 TOPPLING = Drawing(
     "toppling",
-    "The toppling top: θ(t) without rotation",
+    "The toppling top: $θ(t)$ without rotation",
     "",
     (
         TOP[0],
         *TOP[2:],
-        Parameter("theta", 0.1, "θ where it is let go", "rad", least=1e-6, most=1.57),
+        Parameter("theta", 0.1, "$θ$ where it is let go", "rad", least=1e-6, most=1.57),
     ),
     _draw_toppling,
     _toppling_caption,
@@ -158,10 +159,10 @@ def _sleeping_caption(theta: float, omega3: float, **top: float) -> str:
     body = HeavyTop(**top)
     first, last = body.motion(theta=theta, omega3=omega3).turning_points
     return (
-        f"How far a top with {top_in_words(body)} falls that is let go at θ = {degrees(theta)} "
-        f"with φ̇ = θ̇ = 0: the turning points θ₁ and θ₂ against ω₃. Left of the dotted line, "
-        f"ω₃ = {said(body.sleeping_spin())} rad/s, the upright top is not stable. Dots: at "
-        f"ω₃ = {said(omega3)} rad/s θ runs between {degrees(first)} and {degrees(last)}."
+        f"How far a top with {top_in_words(body)} falls that is let go at $θ = {degrees(theta)}$ "
+        "with $φ̇ = θ̇ = 0$: the turning points $θ₁$ and $θ₂$ against $ω₃$. Left of the dotted "
+        f"line, $ω₃ = {said(body.sleeping_spin())}$ rad/s, the upright top is not stable. Dots: at "
+        f"$ω₃ = {said(omega3)}$ rad/s $θ$ runs between {degrees(first)} and {degrees(last)}."
     )
 
 
@@ -177,12 +178,12 @@ def _sleeping_in_words(theta: float, omega3: float, **top: float) -> str:
 
 SLEEPING = Drawing(
     "sleeping",
-    "The sleeping top wakes: turning points of θ against ω₃",
+    "The sleeping top wakes: turning points of $θ$ against $ω₃$",
     "",
     (
         *TOP,
-        Parameter("theta", math.radians(2), "θ where it is let go", "rad", least=1e-6, most=0.5),
-        Parameter("omega3", 22.0, "ω₃ that is marked", "rad/s", least=0),
+        Parameter("theta", math.radians(2), "$θ$ where it is let go", "rad", least=1e-6, most=0.5),
+        Parameter("omega3", 22.0, "$ω₃$ that is marked", "rad/s", least=0),
     ),
     _draw_sleeping,
     _sleeping_caption,

@@ -45,9 +45,9 @@ from rigidtop.present.figures.style import (
 )
 
 MOMENTS = (
-    Parameter("lambda1", 1.0, "moment about e₁", "kg m²", above=0),
-    Parameter("lambda2", 2.0, "moment about e₂", "kg m²", above=0),
-    Parameter("lambda3", 2.9, "moment about e₃", "kg m²", above=0),
+    Parameter("lambda1", 1.0, "moment about $e₁$", "kg m²", above=0),
+    Parameter("lambda2", 2.0, "moment about $e₂$", "kg m²", above=0),
+    Parameter("lambda3", 2.9, "moment about $e₃$", "kg m²", above=0),
 )
 LATE = 14.0
 """Of a motion on the separatrix, in units of its rate: from then on it rests, to 10⁻⁶."""
@@ -170,7 +170,7 @@ def _draw_polhodes(**moments: float) -> Canvas:
 
 def _three(lambda1: float, lambda2: float, lambda3: float) -> str:
     values = ", ".join(map(said, (lambda1, lambda2, lambda3)))
-    return f"λ₁, λ₂, λ₃ = {values} kg m²"
+    return f"$λ₁$, $λ₂$, $λ₃ = {values}$ kg $m²$"
 
 
 def _polhodes_caption(**moments: float) -> str:
@@ -179,13 +179,13 @@ def _polhodes_caption(**moments: float) -> str:
     if on_separatrix(FreeBody(**moments)):
         which = (
             "about the axes of the largest and the smallest moment they are closed, and the "
-            f"separatrix (thick) through the middle axis e{index} parts them"
+            f"separatrix (thick) through the middle axis $e{index}$ parts them"
         )
     else:
         which = "two moments are equal, and all of them are circles"
     return (
-        "Polhodes: the ways of ω in the body frame on the energy ellipsoid "
-        f"Σ λₖωₖ² = 2T, for {_three(**moments)}; {which}. Dashed: behind."
+        "Polhodes: the ways of $𝛚$ in the body frame on the energy ellipsoid "
+        f"$Σ λₖωₖ² = 2T$, for {_three(**moments)}; {which}. Dashed: behind."
     )
 
 
@@ -280,9 +280,9 @@ def _flip_caption(lambda1: float, lambda2: float, lambda3: float, omega: float, 
     motion = flip(lambda1, lambda2, lambda3, omega, kick)
     least, middle = _order(FreeBody(lambda1, lambda2, lambda3))
     return (
-        f"The flip about the middle axis e{'₁₂₃'[middle]}: ω in the body frame for "
+        f"The flip about the middle axis $e{'₁₂₃'[middle]}$: $ω$ in the body frame for "
         f"{_three(lambda1, lambda2, lambda3)}, from {said(omega)} rad/s about that axis and "
-        f"{said(kick)} rad/s about e{'₁₂₃'[least]}. The body turns over every "
+        f"{said(kick)} rad/s about $e{'₁₂₃'[least]}$. The body turns over every "
         f"{said(motion.nutation_period)} s (dotted)."
     )
 
@@ -314,8 +314,8 @@ FLIP = Drawing(
     "",
     (
         *MOMENTS,
-        Parameter("omega", 2.0, "ω about the middle axis", "rad/s", above=0),
-        Parameter("kick", 0.01, "ω about the axis of the least moment", "rad/s", above=0),
+        Parameter("omega", 2.0, "$ω$ about the middle axis", "rad/s", above=0),
+        Parameter("kick", 0.01, "$ω$ about the axis of the least moment", "rad/s", above=0),
     ),
     _draw_flip,
     _flip_caption,
@@ -413,35 +413,35 @@ def _tumbling_course(motion: Motion) -> tuple[str, str]:
         turn = _lasting(2 * math.pi / math.hypot(*motion.omega))
         still = np.abs(motion.omega) == np.linalg.norm(motion.omega)
         if still[2] or still[0]:
-            rests, moves = ("e₃", "e₁") if still[2] else ("e₁", "e₃ (thick)")
+            rests, moves = ("$e₃$", "$e₁$") if still[2] else ("$e₁$", "$e₃$ (thick)")
             ways = f"{rests} rests and {moves} goes round a circle"
         else:
-            ways = "e₃ (thick) and e₁ go round circles"
+            ways = "$e₃$ (thick) and $e₁$ go round circles"
         return (
-            "L rests (steady)",
-            f"the body turns about L, and {ways}, back after {turn}; one turn is drawn",
+            "$𝐋$ rests (steady)",
+            f"the body turns about $𝐋$, and {ways}, back after {turn}; one turn is drawn",
         )
     drawn = f"{NUTATIONS} nutations are drawn"
     if kind == "separatrix":
         return (
-            "L tends to the middle axis and never comes back (separatrix)",
-            "e₃ (thick) and e₁ turn about L and never come back, as the body comes to turn about "
-            "its middle axis",
+            "$𝐋$ tends to the middle axis and never comes back (separatrix)",
+            "$e₃$ (thick) and $e₁$ turn about $𝐋$ and never come back, as the body comes to turn "
+            "about its middle axis",
         )
     turn = _lasting(2 * math.pi / abs(motion.mean_precession))
     if kind == "regular precession":
         own = _own_axis(FreeBody(*motion.body.moments))
-        circles = ("e₁", "e₂", "e₃ (thick)")[own]
-        rest = ("e₃ (thick) does", "e₃ (thick) and e₁ do", "e₁ does")[own]
+        circles = ("$e₁$", "$e₂$", "$e₃$ (thick)")[own]
+        rest = ("$e₃$ (thick) does", "$e₃$ (thick) and $e₁$ do", "$e₁$ does")[own]
         return (
-            f"L goes round a circle and comes back after {back} ({kind})",
-            f"{circles} goes round a circle about L, back after {turn}, and {rest} not in general "
-            f"come back; {drawn}",
+            f"$𝐋$ goes round a circle and comes back after {back} ({kind})",
+            f"{circles} goes round a circle about $𝐋$, back after {turn}, and {rest} not in "
+            f"general come back; {drawn}",
         )
     return (
-        f"L comes back after {back} ({kind})",
-        f"its axis turns about L, on the mean once in {turn}, and e₃ (thick) and e₁ never come "
-        f"back; {drawn}",
+        f"$𝐋$ comes back after {back} ({kind})",
+        f"its axis turns about $𝐋$, on the mean once in {turn}, and $e₃$ (thick) and $e₁$ never "
+        f"come back; {drawn}",
     )
 
 
@@ -450,8 +450,8 @@ def _tumbling_caption(omega1: float, omega2: float, omega3: float, **moments: fl
     rates = ", ".join(map(said, motion.omega))
     in_body, in_space = _tumbling_course(motion)
     return (
-        f"A free body with {_three(**moments)} and at first ω₁, ω₂, ω₃ = {rates} rad/s. Left: in "
-        f"the body {in_body}. Right: in space {in_space}. Dots: at first."
+        f"A free body with {_three(**moments)} and at first $ω₁$, $ω₂$, $ω₃ = {rates}$ rad/s. "
+        f"Left: in the body {in_body}. Right: in space {in_space}. Dots: at first."
     )
 
 
@@ -490,12 +490,12 @@ TUMBLING = Drawing(
     "A tumbling body such as Toutatis, in the body frame and in space",
     "",
     (
-        Parameter("lambda1", 3.0836, "moment about e₁", "kg m²", above=0),
-        Parameter("lambda2", 3.235, "moment about e₂", "kg m²", above=0),
-        Parameter("lambda3", 1.0, "moment about e₃", "kg m²", above=0),
-        Parameter("omega1", _per_day(14.51), "ω₁ at the start", "rad/s"),
-        Parameter("omega2", _per_day(33.529), "ω₂ at the start", "rad/s"),
-        Parameter("omega3", _per_day(-98.709), "ω₃ at the start", "rad/s"),
+        Parameter("lambda1", 3.0836, "moment about $e₁$", "kg m²", above=0),
+        Parameter("lambda2", 3.235, "moment about $e₂$", "kg m²", above=0),
+        Parameter("lambda3", 1.0, "moment about $e₃$", "kg m²", above=0),
+        Parameter("omega1", _per_day(14.51), "$ω₁$ at the start", "rad/s"),
+        Parameter("omega2", _per_day(33.529), "$ω₂$ at the start", "rad/s"),
+        Parameter("omega3", _per_day(-98.709), "$ω₃$ at the start", "rad/s"),
     ),
     _draw_tumbling,
     _tumbling_caption,

@@ -37,8 +37,8 @@ from rigidtop.present.figures.style import (
 )
 
 ABOUT_CENTRE = (
-    Parameter("lambda1", 4e-5, "λ₁ about the centre of mass", "kg m²", above=0),
-    Parameter("lambda3", 2.5e-5, "λ₃ about the axis", "kg m²", above=0),
+    Parameter("lambda1", 4e-5, "$λ₁$ about the centre of mass", "kg m²", above=0),
+    Parameter("lambda3", 2.5e-5, "$λ₃$ about the axis", "kg m²", above=0),
     Parameter("M", 0.1, "mass", "kg", above=0),
     Parameter("R", 0.03, "height of the centre of mass of the upright top", "m", above=0),
     Parameter("g", 9.81, "acceleration of gravity", "m/s²", above=0),
@@ -53,8 +53,8 @@ SAMPLES = 1601
 
 def _top_in_words(top: SlidingTop) -> str:
     return (
-        f"λ₁ = {said(top.lambda1)} and λ₃ = {said(top.lambda3)} kg m² about the centre of mass, "
-        f"Mg = {said(top.M * top.g)} N and R = {said(top.R)} m"
+        f"$λ₁ = {said(top.lambda1)}$ and $λ₃ = {said(top.lambda3)}$ kg $m²$ about the centre of "
+        f"mass, $Mg = {said(top.M * top.g)}$ N and $R = {said(top.R)}$ m"
     )
 
 
@@ -260,9 +260,9 @@ def _rising_caption(until: float, **values: float) -> str:
     dashed = ", dashed after its standstill" if stands(path) is not None else ""
     return (
         f"A top with {_top_in_words(top)}, a round tip of {said(top.tip)} m and the friction "
-        f"μ = {said(top.mu)}, from θ = {degrees(values['theta'])}, θ̇ = 0, "
-        f"φ̇ = {said(float(path.phi_dot[0]))} rad/s (steady if nothing rubs) and "
-        f"ω₃ = {said(values['omega3'])} rad/s: θ {reached}. {_contact_in_words(path)} Of the "
+        f"$μ = {said(top.mu)}$, from $θ = {degrees(values['theta'])}$, $θ̇ = 0$, "
+        f"$φ̇ = {said(float(path.phi_dot[0]))}$ rad/s (steady if nothing rubs) and "
+        f"$ω₃ = {said(values['omega3'])}$ rad/s: $θ$ {reached}. {_contact_in_words(path)} Of the "
         f"{said(1e3 * lost)} mJ that the spin has lost in the end (dashed), {heat} % went into "
         f"heat, {weight} % into the height and {other} % into other motion. Below on the right: "
         f"the way of the contact on the table, seen from above{dashed}."
@@ -295,15 +295,15 @@ def _rising_in_words(until: float, **values: float) -> str:
 
 RISING = Drawing(
     "rising-top",
-    "Friction raises a fast top: θ, energy, slip and path",
+    "Friction raises a fast top: $θ$, energy, slip and path",
     "3.5.4",
     (
         *ABOUT_CENTRE,
         Parameter("tip", 0.01, "radius of the round tip", "m", above=0),
         Parameter("mu", 0.1, "coefficient of sliding friction", above=0),
-        Parameter("theta", 0.5, "θ at the start", "rad", least=0.05, most=1.2),
-        Parameter("until", 0.25, "θ that is marked", "rad", least=0.01, most=1.2),
-        Parameter("omega3", 200.0, "ω₃ at the start", "rad/s", above=0),
+        Parameter("theta", 0.5, "$θ$ at the start", "rad", least=0.05, most=1.2),
+        Parameter("until", 0.25, "$θ$ that is marked", "rad", least=0.01, most=1.2),
+        Parameter("omega3", 200.0, "$ω₃$ at the start", "rad/s", above=0),
     ),
     _draw_rising,
     _rising_caption,
@@ -437,17 +437,17 @@ def _waking_caption(**values: float) -> str:
     path, sleeping, asleep, seen = _waking_facts(**values)
     wakes = (
         f"a tilt of {degrees(values['visible'])} is only seen after {said(seen)} s, at "
-        f"ω₃ = {said(float(np.interp(seen, path.t, path.omega[:, 2])))} rad/s"
+        f"$ω₃ = {said(float(np.interp(seen, path.t, path.omega[:, 2])))}$ rad/s"
         if seen is not None
         else f"a tilt of {degrees(values['visible'])} is not seen in the time that is shown"
     )
     end = f" It falls after {said(path.ended.time)} s." if path.ended else ""
     return (
         f"A top with {_top_in_words(path.motion.body)} sleeps on a sharp tip that friction holds, "
-        f"from ω₃ = {said(values['omega3'])} rad/s, θ = {degrees(values['disturbance'])}, θ̇ = 0 "
-        f"and φ̇ = {said(float(path.phi_dot[0]))} rad/s, which is λ₃ω₃/2 over λ₁ + MR². The "
-        f"torque of the air, c₃ = {said(values['drag3'])} J s times ω₃, brings it down to the "
-        f"sleeping spin, {said(sleeping)} rad/s, after {said(asleep)} s; {wakes} (dotted).{end}"
+        f"from $ω₃ = {said(values['omega3'])}$ rad/s, $θ = {degrees(values['disturbance'])}$, $θ̇ "
+        f"= 0$ and $φ̇ = {said(float(path.phi_dot[0]))}$ rad/s, which is $λ₃ω₃/2$ over $λ₁ + MR²$. "
+        f"The torque of the air, $c₃ = {said(values['drag3'])}$ J s times $ω₃$, brings it down to "
+        f"the sleeping spin, {said(sleeping)} rad/s, after {said(asleep)} s; {wakes} (dotted).{end}"
     )
 
 
@@ -464,15 +464,15 @@ def _waking_in_words(**values: float) -> str:
 
 WAKING = Drawing(
     "waking-top",
-    "The air wakes a sleeping top: θ(t) and ω₃(t)",
+    "The air wakes a sleeping top: $θ(t)$ and $ω₃(t)$",
     "",
     (
         *ABOUT_CENTRE,
-        Parameter("drag3", 5e-6, "c₃, drag torque over ω₃", "J s", above=0),
-        Parameter("omega3", 165.0, "ω₃ at the start", "rad/s", above=0),
-        Parameter("disturbance", 1e-6, "θ at the start", "rad", least=1e-9, most=1e-3),
+        Parameter("drag3", 5e-6, "$c₃$, drag torque over $ω₃$", "J s", above=0),
+        Parameter("omega3", 165.0, "$ω₃$ at the start", "rad/s", above=0),
+        Parameter("disturbance", 1e-6, "$θ$ at the start", "rad", least=1e-9, most=1e-3),
         Parameter(
-            "visible", 0.1, "θ at which the top is seen to wake", "rad", least=0.01, most=0.3
+            "visible", 0.1, "$θ$ at which the top is seen to wake", "rad", least=0.01, most=0.3
         ),
     ),
     _draw_waking,

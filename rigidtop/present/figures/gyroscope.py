@@ -164,12 +164,13 @@ def _caption(tolerance: float, **values: float) -> str:
     couple = float(np.linalg.norm(torque(motion)))
     return (
         f"A gyroscope, a disc of {said(values['M'])} kg and radius {said(values['radius'])} m at "
-        f"R = {said(values['R'])} m from the end O of its axle, at θ = {degrees(values['theta'])} "
-        f"and ω₃ = {said(values['omega3'])} rad/s, with g = {said(values['g'])} m/s²: "
-        f"L = {said(momentum)} J s, and the torque about O of {said(couple)} N m turns it "
-        f"{found['direction']}, as seen from above, at Ω₋ = {said(found['exact'])} rad/s, a turn "
-        f"in {said(found['period'])} s; dashed is the circle of the tip of L. Below: this rate "
-        f"against the spin; (3.52) gives {said(found['simple'])} rad/s, and is "
+        f"$R = {said(values['R'])}$ m from the end $O$ of its axle, at $θ = "
+        f"{degrees(values['theta'])}$ and $ω₃ = {said(values['omega3'])}$ rad/s, with $g = "
+        f"{said(values['g'])}$ $m/s²$: $L = {said(momentum)}$ J s, and the torque about $O$ of "
+        f"{said(couple)} N m turns it {found['direction']}, as seen from above, at $Ω₋ = "
+        f"{said(found['exact'])}$ rad/s, a turn in {said(found['period'])} s; dashed is the circle "
+        "of the tip of $𝐋$. Below: this rate against the spin; (3.52) gives "
+        f"{said(found['simple'])} rad/s, and is "
         f"{_how_good(tolerance, found['spin_needed'])}.{_threshold(found['smallest_spin'])} "
         "Directions are computed, lengths of arrows are not to scale."
     )
@@ -177,8 +178,8 @@ def _caption(tolerance: float, **values: float) -> str:
 
 def _how_good(tolerance: float, needed: float | str) -> str:
     if isinstance(needed, str):
-        return "exact at 90°"
-    return f"off by no more than {said(100 * tolerance)} % from |ω₃| = {said(needed)} rad/s on"
+        return "exact at $90°$"
+    return f"off by no more than {said(100 * tolerance)} % from $|ω₃| = {said(needed)}$ rad/s on"
 
 
 def _threshold(least: float | str) -> str:
@@ -205,7 +206,7 @@ def _in_words(tolerance: float, **values: float) -> str:
 
 GYROSCOPE = Drawing(
     "gyroscope",
-    "The gyroscope: torque, L and precession; Ω against ω₃",
+    "The gyroscope: torque, $L$ and precession; $Ω$ against $ω₃$",
     "",
     gyroscope.parameters,
     _draw,

@@ -122,9 +122,9 @@ def _paths_caption(theta: float, phi_dot: float, omega3: float, **top: float) ->
     _leaning(theta)
     body = HeavyTop(**top)
     return (
-        f"The path of e₃ on the sphere from {start_in_words(theta, omega3)} with θ̇ = 0 and "
-        f"φ̇ = {said(phi_dot)}, 0 and {said(-phi_dot)} rad/s, for {top_in_words(body)}. "
-        "The thin circles are the turning points of θ."
+        f"The path of $e₃$ on the sphere from {start_in_words(theta, omega3)} with $θ̇ = 0$ and "
+        f"$φ̇ = {said(phi_dot)}$, 0 and {said(-phi_dot)} rad/s, for {top_in_words(body)}. "
+        "The thin circles are the turning points of $θ$."
     )
 
 
@@ -139,12 +139,12 @@ def _paths_in_words(**values: float) -> str:
 
 PATHS = Drawing(
     "paths",
-    "The path of e₃ on the sphere: waves, cusps, loops",
+    "The path of $e₃$ on the sphere: waves, cusps, loops",
     "3.5.4",
     (
         *TOP,
         THETA,
-        Parameter("phi_dot", 1.6, "φ̇ at the start, in turn positive, 0, negative", "rad/s"),
+        Parameter("phi_dot", 1.6, "$φ̇$ at the start, in turn positive, 0, negative", "rad/s"),
         SPIN,
     ),
     _draw_paths,
@@ -227,18 +227,18 @@ def _motion_caption(
     first, last = np.degrees(motion.turning_points)
     mean = f"{said(motion.mean_precession)} rad/s"
     if motion.regime in AT_REST:
-        course = f"θ stays {said(first)}°; φ is drawn at the rate of a top nearby, {mean}."
+        course = f"$θ$ stays ${said(first)}°$; $φ$ is drawn at the rate of a top nearby, {mean}."
     elif motion.regime == "steady":
-        course = f"θ stays {said(first)}°, and φ goes on at {mean}."
+        course = f"$θ$ stays ${said(first)}°$, and $φ$ goes on at {mean}."
     else:
         course = (
-            f"θ runs between {said(first)}° and {said(last)}° in {said(motion.nutation_period)} s; "
-            f"dashed, φ at its mean rate, {mean}."
+            f"$θ$ runs between ${said(first)}°$ and ${said(last)}°$ in "
+            f"{said(motion.nutation_period)} s; dashed, $φ$ at its mean rate, {mean}."
         )
     return (
         f"A top with {top_in_words(motion.body)} from {start_in_words(theta, omega3)}, "
-        f"{rates_in_words(theta, phi_dot, theta_dot)} ({motion.regime}): {course} T and E are "
-        "without the constant p_ψ²/(2λ₃)."
+        f"{rates_in_words(theta, phi_dot, theta_dot)} ({motion.regime}): {course} $T$ and $E$ are "
+        "without the constant $p_ψ²/(2λ₃)$."
     )
 
 
@@ -263,13 +263,13 @@ def _motion_in_words(**values: float) -> str:
     )
 
 
-RATE = Parameter("phi_dot", 0.0, "φ̇ at the start", "rad/s")
+RATE = Parameter("phi_dot", 0.0, "$φ̇$ at the start", "rad/s")
 
 MOTION = Drawing(
     "motion",
-    "θ(t), φ(t) and the energies of a top",
+    "$θ(t)$, $φ(t)$ and the energies of a top",
     "",
-    (*TOP, THETA, Parameter("theta_dot", 0.0, "θ̇ at the start", "rad/s"), RATE, SPIN),
+    (*TOP, THETA, Parameter("theta_dot", 0.0, "$θ̇$ at the start", "rad/s"), RATE, SPIN),
     _draw_motion,
     _motion_caption,
     _motion_in_words,
@@ -404,7 +404,7 @@ def _regimes_caption(theta: float, omega3: float, phi_dot: float, **top: float) 
     _leaning(theta)
     body = HeavyTop(**top)
     least = body.smallest_spin(theta)
-    begins = f" It begins at ω₃ = {said(least)} rad/s." if 0 < least < omega3 else ""
+    begins = f" It begins at $ω₃ = {said(least)}$ rad/s." if 0 < least < omega3 else ""
     reached = spin_to_the_upright(body, theta)
     upright = (
         f" The axis comes to the upright, on the upper dotted line, from {said(reached)} rad/s on."
@@ -412,9 +412,9 @@ def _regimes_caption(theta: float, omega3: float, phi_dot: float, **top: float) 
         else ""
     )
     return (
-        f"What a top with {top_in_words(body)} does that starts at θ = {degrees(theta)} with "
-        "θ̇ = 0, for each ω₃ and φ̇: waves, or loops (hatched), with cusps between (dashed), or a "
-        f"way through the vertical (dotted).{upright} Solid: steady precession.{begins}"
+        f"What a top with {top_in_words(body)} does that starts at $θ = {degrees(theta)}$ with $θ̇ "
+        "= 0$, for each $ω₃$ and $φ̇$: waves, or loops (hatched), with cusps between (dashed), or "
+        f"a way through the vertical (dotted).{upright} Solid: steady precession.{begins}"
     )
 
 
@@ -435,13 +435,13 @@ def _regimes_in_words(theta: float, omega3: float, phi_dot: float, **top: float)
 
 REGIMES = Drawing(
     "regimes",
-    "A map of regimes over ω₃ and φ̇",
+    "A map of regimes over $ω₃$ and $φ̇$",
     "3.5.4",
     (
         *TOP,
         THETA,
-        Parameter("omega3", 60.0, "largest ω₃", "rad/s", above=0),
-        Parameter("phi_dot", 30.0, "largest |φ̇|", "rad/s", above=0),
+        Parameter("omega3", 60.0, "largest $ω₃$", "rad/s", above=0),
+        Parameter("phi_dot", 30.0, "largest $|φ̇|$", "rad/s", above=0),
     ),
     _draw_regimes,
     _regimes_caption,

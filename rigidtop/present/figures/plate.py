@@ -144,9 +144,9 @@ def _caption(theta: float, radius: float, thickness: float, omega3: float) -> st
     found = answers(wobbling_plate, theta=theta, radius=radius, thickness=thickness, omega3=omega3)
     return (
         f"A plate of radius {said(radius)} m and thickness {said(thickness)} m that is thrown up "
-        f"with ω₃ = {said(omega3)} rad/s and its axis e₃ tilted by θ = {degrees(theta)} from L, at "
-        f"{PICTURES} moments, every half of a wobble, and the turns of e₃ and of a mark on its rim "
-        f"about L. The wobble, at {said(found['wobble'])} rad/s, is "
+        f"with $ω₃ = {said(omega3)}$ rad/s and its axis $e₃$ tilted by $θ = {degrees(theta)}$ from "
+        f"$𝐋$, at {PICTURES} moments, every half of a wobble, and the turns of $e₃$ and of a mark "
+        f"on its rim about $𝐋$. The wobble, at {said(found['wobble'])} rad/s, is "
         f"{said(found['wobble_to_mark'])} times as fast as the mark, at {said(found['mark'])} "
         "rad/s on the mean; of a flat plate, tilted little, it is twice as fast. Feynman "
         "remembered the two exchanged."

@@ -108,12 +108,12 @@ def _caption(theta: float, phi_dot: float, omega3: float, **top: float) -> str:
     first, last = motion.turning_points
     rates = rates_in_words(theta, phi_dot)
     if phi_dot == 0 and not vertical(theta):
-        rates = "φ̇ = θ̇ = 0"
+        rates = "$φ̇ = θ̇ = 0$"
     return (
-        "The effective potential U, with E less the constant p_ψ²/(2λ₃), of a top with "
+        "The effective potential $U$, with $E$ less the constant $p_ψ²/(2λ₃)$, of a top with "
         f"{top_in_words(motion.body)} that starts at {start_in_words(theta, omega3)} with {rates}. "
-        f"θ runs between the turning points θ₁ = {degrees(first)} and θ₂ = {degrees(last)}; the "
-        "square marks the steady precession with the same momenta."
+        f"$θ$ runs between the turning points $θ₁ = {degrees(first)}$ and $θ₂ = {degrees(last)}$; "
+        "the square marks the steady precession with the same momenta."
     )
 
 
@@ -130,7 +130,7 @@ EFFECTIVE_POTENTIAL = Drawing(
     "effective-potential",
     "The effective potential with the turning points",
     "3.5.4",
-    (*TOP, THETA, Parameter("phi_dot", 0.0, "φ̇ at the start", "rad/s"), SPIN),
+    (*TOP, THETA, Parameter("phi_dot", 0.0, "$φ̇$ at the start", "rad/s"), SPIN),
     _draw,
     _caption,
     _in_words,

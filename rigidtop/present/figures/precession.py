@@ -112,17 +112,17 @@ def _precession_rates_caption(theta: float, omega3: float, **top: float) -> str:
     body = HeavyTop(**top)
     slow, fast = body.steady_precession(theta, omega3)
     least = body.smallest_spin(theta)
-    roots = f"Ω₋ = {said(slow)} rad/s"
+    roots = f"$Ω₋ = {said(slow)}$ rad/s"
     if math.isfinite(fast):
-        roots += f" and Ω₊ = {said(fast)} rad/s"
+        roots += f" and $Ω₊ = {said(fast)}$ rad/s"
     left = (
-        f" Left of the dotted line, ω₃ = {said(least)} rad/s, no steady precession exists."
+        f" Left of the dotted line, $ω₃ = {said(least)}$ rad/s, no steady precession exists."
         if least
         else ""
     )
     return (
-        f"The roots of (3.57) against ω₃ at θ = {degrees(theta)}, for {top_in_words(body)}; at "
-        f"ω₃ = {said(omega3)} rad/s they are {roots}. Dashed: what the notes give for large ω₃."
+        f"The roots of (3.57) against $ω₃$ at $θ = {degrees(theta)}$, for {top_in_words(body)}; at "
+        f"$ω₃ = {said(omega3)}$ rad/s they are {roots}. Dashed: what the notes give for large $ω₃$."
         f"{left}"
     )
 
@@ -147,7 +147,7 @@ def _precession_rates_in_words(theta: float, omega3: float, **top: float) -> str
 
 PRECESSION_RATES = Drawing(
     "precession-rates",
-    "Ω₋ and Ω₊ against ω₃, with the threshold",
+    "$Ω₋$ and $Ω₊$ against $ω₃$, with the threshold",
     "3.5.3",
     (*TOP, THETA, SPIN),
     _precession_rates,
@@ -248,11 +248,11 @@ def _large_spin_errors(theta: float, omega3: float, **top: float) -> tuple[float
 def _asymptotics_caption(theta: float, omega3: float, **top: float) -> str:
     epsilon, slow, fast = _large_spin_errors(theta, omega3, **top)
     return (
-        "The relative error of Ω₋ = MgR/(λ₃ω₃) and Ω₊ = λ₃ω₃/(λ₁ cos θ), and of the same with the "
-        "next term in ε, against ε; at ε = 1/4 the two roots of (3.57) meet. Dots: a top with "
-        f"{top_in_words(HeavyTop(**top))} at θ = {degrees(theta)} and ω₃ = {said(omega3)} rad/s, "
-        f"ε = {said(epsilon)}, where the first are off by {said(100 * slow)} and "
-        f"{said(100 * fast)} %."
+        "The relative error of $Ω₋ = MgR/(λ₃ω₃)$ and $Ω₊ = λ₃ω₃/(λ₁ cos θ)$, and of the same with "
+        "the next term in $ε$, against $ε$; at $ε = 1/4$ the two roots of (3.57) meet. Dots: a "
+        f"top with {top_in_words(HeavyTop(**top))} at $θ = {degrees(theta)}$ and $ω₃ = "
+        f"{said(omega3)}$ rad/s, $ε = {said(epsilon)}$, where the first are off by "
+        f"{said(100 * slow)} and {said(100 * fast)} %."
     )
 
 
@@ -266,11 +266,11 @@ def _asymptotics_in_words(theta: float, omega3: float, **top: float) -> str:
     )
 
 
-UPWARD = Parameter("theta", math.pi / 3, "θ", "rad", least=0, most=1.57)
+UPWARD = Parameter("theta", math.pi / 3, "$θ$", "rad", least=0, most=1.57)
 
 ASYMPTOTICS = Drawing(
     "asymptotics",
-    "How good the formulas for large ω₃ are",
+    "How good the formulas for large $ω₃$ are",
     "",
     (*TOP, UPWARD, SPIN),
     _asymptotics,
@@ -388,16 +388,16 @@ def _parallel_caption(theta: float, omega3: float, **top: float) -> str:
     elif widest_between(motion):
         course = (
             f"It is zero at every cusp and {degrees(largest)} at most, "
-            "arcsin(|λ₁ − λ₃|/(λ₁ + λ₃)), on the way down and again on the way up."
+            "$arcsin(|λ₁ − λ₃|/(λ₁ + λ₃))$, on the way down and again on the way up."
         )
     else:
         course = f"It is zero at every cusp and {degrees(largest)} at most."
     return (
-        f"The angle between L and ω of a top with {top_in_words(body)} that is let go at "
-        f"θ = {degrees(theta)} with ω₃ = {said(omega3)} rad/s and ω along e₃. {course} Dashed: the "
-        "bound that holds at any spin, its tangent 2ε₀|1 − λ₃/λ₁| sin θ with the largest sin θ "
-        f"that occurs, here {degrees(bound_of_angle(motion))} with ε₀ = λ₁MgR/(λ₃ω₃)² = "
-        f"{said(weak)}."
+        f"The angle between $𝐋$ and $𝛚$ of a top with {top_in_words(body)} that is let go at $θ = "
+        f"{degrees(theta)}$ with $ω₃ = {said(omega3)}$ rad/s and $𝛚$ along $e₃$. {course} Dashed: "
+        "the bound that holds at any spin, its tangent $2ε₀|1 − λ₃/λ₁| sin θ$ with the largest "
+        f"$sin θ$ that occurs, here {degrees(bound_of_angle(motion))} with $ε₀ = λ₁MgR/(λ₃ω₃)² = "
+        f"{said(weak)}$."
     )
 
 
@@ -420,9 +420,9 @@ def _parallel_in_words(theta: float, omega3: float, **top: float) -> str:
 
 PARALLEL = Drawing(
     "parallel",
-    "L and ω of a fast top are nearly parallel",
+    "$𝐋$ and $𝛚$ of a fast top are nearly parallel",
     "",
-    (*TOP, THETA, Parameter("omega3", 150.0, "ω₃", "rad/s", above=0)),
+    (*TOP, THETA, Parameter("omega3", 150.0, "$ω₃$", "rad/s", above=0)),
     _parallel,
     _parallel_caption,
     _parallel_in_words,

@@ -185,11 +185,11 @@ def _caption(alpha: float, beta: float, gamma: float) -> str:
     if apart < SAME:
         differ = "Both end alike."
     return (
-        f"A book turned by A, α = {degrees(alpha)} about n₁, and by B, β = {degrees(beta)} about "
-        f"n₂, axes at γ = {degrees(gamma)} that stay where they are. Above B comes first, below A; "
-        "the matrix of what comes later stands to the left. A B is one turn, by "
-        f"{degrees(found['angle'])} about the axis ({axis}), n₁ being along x̂ and n₂ in the plane "
-        f"of x̂ and ŷ. {differ}"
+        f"A book turned by $A$, $α = {degrees(alpha)}$ about $n₁$, and by $B$, $β = "
+        f"{degrees(beta)}$ about $n₂$, axes at $γ = {degrees(gamma)}$ that stay where they are. "
+        "Above $B$ comes first, below $A$; the matrix of what comes later stands to the left. $A "
+        f"B$ is one turn, by {degrees(found['angle'])} about the axis ({axis}), $n₁$ being along "
+        f"$x̂$ and $n₂$ in the plane of $x̂$ and $ŷ$. {differ}"
     )
 
 
@@ -210,7 +210,7 @@ def _in_words(alpha: float, beta: float, gamma: float) -> str:
 
 ORDER_OF_ROTATIONS = Drawing(
     "order-of-rotations",
-    "Two turns of a book: A B is not B A",
+    "Two turns of a book: $A B$ is not $B A$",
     "",
     rotations_form_a_group.parameters,
     _draw,

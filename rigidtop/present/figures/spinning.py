@@ -154,7 +154,7 @@ def _caption(theta: float, phi_dot: float, omega3: float, **top: float) -> str:
     return (
         f"A top with {top_in_words(motion.body)} from {start_in_words(theta, omega3)}, "
         f"{rates_in_words(theta, phi_dot)}, and the path of its axis ({motion.regime}); the line "
-        f"on the lid is e₁. In {FLASHES} flashes of light, {said(last / (FLASHES - 1))} s apart, "
+        f"on the lid is $e₁$. In {FLASHES} flashes of light, {said(last / (FLASHES - 1))} s apart, "
         "where it does not move."
     )
 
@@ -175,9 +175,9 @@ SPINNING_TOP = Drawing(
     "",
     (
         *TOP,
-        Parameter("theta", 0.85, "θ at the start", "rad", least=0, most=math.pi),
-        Parameter("phi_dot", 0.0, "φ̇ at the start", "rad/s"),
-        Parameter("omega3", 40.0, "ω₃", "rad/s", above=0),
+        Parameter("theta", 0.85, "$θ$ at the start", "rad", least=0, most=math.pi),
+        Parameter("phi_dot", 0.0, "$φ̇$ at the start", "rad/s"),
+        Parameter("omega3", 40.0, "$ω₃$", "rad/s", above=0),
     ),
     _draw,
     _caption,

@@ -137,15 +137,15 @@ def _caption(theta: float, omega3: float, **top: float) -> str:
     motion = _motion(theta, omega3, **top)
     size = float(np.linalg.norm(torque(motion)))
     steady = motion.start().phi_dot[0]
-    goes = f"Ω₋ = {said(steady)} rad/s" if steady else "ω is along e₃ at first"
-    where = "it points into the paper, and the tip of L follows it round ẑ"
+    goes = f"$Ω₋ = {said(steady)}$ rad/s" if steady else "$𝛚$ is along $e₃$ at first"
+    where = "it points into the paper, and the tip of $𝐋$ follows it round $ẑ$"
     if not np.any(direction_of_torque(motion)):
         where = "on the vertical there is none"
     return (
-        "The torque N = R_CM × Mg of the weight, with e₃ leaning to the right in the plane of the "
-        f"paper: {where}. At {start_in_words(theta, omega3)}, with {top_in_words(motion.body)}, "
-        f"its magnitude is {said(size)} N m, and {goes}. Directions are computed, lengths are not "
-        "to one scale."
+        "The torque $𝐍 = 𝐑_CM × M𝐠$ of the weight, with $e₃$ leaning to the right in the plane of "
+        f"the paper: {where}. At {start_in_words(theta, omega3)}, with "
+        f"{top_in_words(motion.body)}, its magnitude is {said(size)} N m, and {goes}. Directions "
+        "are computed, lengths are not to one scale."
     )
 
 
@@ -171,12 +171,12 @@ def _in_words(**values: float) -> str:
 
 TORQUE_ARROWS = Drawing(
     "torque",
-    "The torque of the weight, L and ω: into the paper",
+    "The torque of the weight, $𝐋$ and $𝛚$: into the paper",
     "3.5.2",
     (
         *TOP,
-        Parameter("theta", math.pi / 4, "θ", "rad", least=0, most=math.pi),
-        Parameter("omega3", 30.0, "ω₃", "rad/s", above=0),
+        Parameter("theta", math.pi / 4, "$θ$", "rad", least=0, most=math.pi),
+        Parameter("omega3", 30.0, "$ω₃$", "rad/s", above=0),
     ),
     _draw,
     _caption,

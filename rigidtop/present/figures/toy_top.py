@@ -202,14 +202,14 @@ def _caption(**values: float) -> str:
     return (
         f"A top, a disc of {said(values['disc_mass'])} kg, radius {said(values['disc_radius'])} m "
         f"and thickness {said(values['disc_thickness'])} m at {said(values['disc_height'])} m on a "
-        f"stem of {said(values['stem_mass'])} kg and {said(values['stem_length'])} m, with g = "
-        f"{said(values['g'])} m/s², leaning by θ = {degrees(values['theta'])}, to scale. Right: "
-        f"its axis from above, let go with {said(found['spin_rpm'], 4)} turns a minute and ω along "
-        f"e₃, {goes}. Below: against the spin, at this tilt. Here the axis takes "
+        f"stem of {said(values['stem_mass'])} kg and {said(values['stem_length'])} m, with $g = "
+        f"{said(values['g'])}$ $m/s²$, leaning by $θ = {degrees(values['theta'])}$, to scale. "
+        f"Right: its axis from above, let go with {said(found['spin_rpm'], 4)} turns a minute and "
+        f"$𝛚$ along $e₃$, {goes}. Below: against the spin, at this tilt. Here the axis takes "
         f"{said(found['slow_turn'])} s for a turn of steady precession, and nutates "
         f"{said(found['nutation'])} times a second; upright, the top sleeps from "
-        f"{said(found['sleeping_rpm'], 4)} turns a minute on. The spin has "
-        f"{said(found['energy'])} J, which could lift it by {said(found['height'])} m."
+        f"{said(found['sleeping_rpm'], 4)} turns a minute on. The spin has {said(found['energy'])} "
+        f"J, which could lift it by {said(found['height'])} m."
     )
 
 

@@ -157,21 +157,21 @@ def _draw(**values: float) -> Canvas:
 def _caption(M_1: float, M_2: float, a: float, b: float, alpha: float, omega: float) -> str:
     held = stick(M_1, M_2, a, b, alpha, omega)
     found = answers(two_masses, M_1=M_1, M_2=M_2, a=a, b=b, alpha=alpha, omega=omega)
-    torque = "L stays where it is: the bearing exerts no torque"
+    torque = "$L$ stays where it is: the bearing exerts no torque"
     if np.any(held.torque):
         torque = (
-            "As L turns with the stick, the bearing exerts the torque N = ω × L of "
+            "As $𝐋$ turns with the stick, the bearing exerts the torque $𝐍 = 𝛚 × 𝐋$ of "
             f"{said(found['torque'])} N m, out of the plane of the paper"
         )
     force = "no force, as it holds the centre of mass"
     if np.any(held.force):
-        force = f"the force F = {said(found['force'])} N, from the centre of mass to the axis"
+        force = f"the force $F = {said(found['force'])}$ N, from the centre of mass to the axis"
     return (
-        f"Two masses on a stick, M₁ = {said(M_1)} kg at a = {said(a)} m and M₂ = {said(M_2)} kg at "
-        f"b = {said(b)} m, which a bearing turns at ω = {said(omega)} rad/s, tilted by "
-        f"α = {degrees(alpha)}. L is at right angles to the stick, {degrees(found['angle'])} from "
-        f"ω, of magnitude {said(found['angular_momentum'])} J s. {torque}, and {force}. Directions "
-        "are computed, lengths of arrows are not to one scale."
+        f"Two masses on a stick, $M₁ = {said(M_1)}$ kg at $a = {said(a)}$ m and $M₂ = {said(M_2)}$ "
+        f"kg at $b = {said(b)}$ m, which a bearing turns at $ω = {said(omega)}$ rad/s, tilted by "
+        f"$α = {degrees(alpha)}$. $𝐋$ is at right angles to the stick, {degrees(found['angle'])} "
+        f"from $𝛚$, of magnitude {said(found['angular_momentum'])} J s. {torque}, and {force}. "
+        "Directions are computed, lengths of arrows are not to one scale."
     )
 
 
@@ -198,7 +198,7 @@ def _in_words(**values: float) -> str:
 
 TWO_MASSES = Drawing(
     "two-masses",
-    "Two masses on a stick: ω, L, and what the bearing exerts",
+    "Two masses on a stick: $𝛚$, $𝐋$, and what the bearing exerts",
     "",
     two_masses.parameters,
     _draw,

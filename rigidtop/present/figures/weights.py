@@ -154,18 +154,18 @@ def _draw(**values: float) -> Canvas:
 
 def _caption(**values: float) -> str:
     body, found = points(**values), answers(gravity_on_points, **values)
-    masses = ", ".join(f"m{'₁₂₃'[k]} = {said(mass)}" for k, mass in enumerate(body.masses))
+    masses = ", ".join(f"$m{'₁₂₃'[k]} = {said(mass)}$" for k, mass in enumerate(body.masses))
     centre = ", ".join(said(found[f"centre_{letter}"]) for letter in "xyz")
     turning = "which is zero here"
     if np.any(body.torque):
         parts = ", ".join(said(found[f"torque_{letter}"] + 0.0) for letter in "xyz")
         turning = f"here ({parts}) N m, of the magnitude {said(_size(found))} N m"
     return (
-        f"Three masses, {masses} kg, held together by light rods and held at the origin, and "
-        f"their weights at g = {said(values['g'])} m/s². The whole mass M = {said(found['mass'])} "
-        f"kg at the centre of mass, R_CM = ({centre}) m, has their torque: Σ r × mg = R_CM × Mg, "
-        f"{turning}; and their potential energy, {said(found['potential'])} J. Weights are drawn "
-        "to one scale, places to another; dotted lines lead to the plane of x̂ and ŷ."
+        f"Three masses, {masses} kg, held together by light rods and held at the origin, and their "
+        f"weights at $g = {said(values['g'])}$ $m/s²$. The whole mass $M = {said(found['mass'])}$ "
+        f"kg at the centre of mass, $𝐑_CM = ({centre})$ m, has their torque: $Σ 𝐫 × m𝐠 = 𝐑_CM × "
+        f"M𝐠$, {turning}; and their potential energy, {said(found['potential'])} J. Weights are "
+        "drawn to one scale, places to another; dotted lines lead to the plane of $x̂$ and $ŷ$."
     )
 
 
