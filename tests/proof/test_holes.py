@@ -112,6 +112,14 @@ $$\lambda_1\ddot\theta \approx -p_\psi\dot\phi\sin\theta$$
 """,
         "for small theta it is not small against what is kept",
     ),
+    "what is set does not stand there": (
+        r"""
+Set $\dot\theta = 0$ in the balance:
+
+$$\lambda_1\ddot\theta = MgR\sin\theta - p_\psi\dot\phi\sin\theta$$
+""",
+        "thetadot does not stand in",
+    ),
     "exchanged roots": (
         "Solve the steady balance for $\\Omega$:\n" + PLUS_FIRST,
         "is the other root",

@@ -59,6 +59,7 @@ def set_to(move: Move, algebra: Algebra) -> Performed:
         replace(pair, left=put.value(pair.left), right=put.value(pair.right))
         for pair in all_pairs(known, algebra)
     ]
+    _stand_there(move, known, given, algebra)
     if at_start:
         _constant(pairs, known, move, letters)
         premises = tuple(Condition(p.left - p.right, "=") for p in pairs)
@@ -70,6 +71,32 @@ def set_to(move: Move, algebra: Algebra) -> Performed:
         if not isinstance(algebra.value(e.sides[0]), Vector)
     )
     return Performed(tuple(pairs), scope, conditions, known.order, given)
+
+
+def _stand_there(move: Move, known: Known, given: Mapping[Any, Value], algebra: Algebra) -> None:
+    """Refuse to set what does not stand in what is cited: nothing is done there."""
+    sides = [
+        side
+        for cited in (known, *move.using)
+        for pair in all_pairs(cited, algebra)
+        for side in (pair.left, pair.right)
+    ]
+    made = [Algebra(algebra.letters, given).value(side) for side in sides]
+    for equation in move.by:
+        atom = atom_of(algebra.value(equation.sides[0]), equation.sides[0])
+        own = _with_rates(atom, algebra.letters)
+        rest = {x: value for x, value in given.items() if x not in own}
+        put = Algebra(algebra.letters, rest)
+        if all(agree(put.value(side), now) for side, now in zip(sides, made, strict=True)):
+            raise RefusedError("{} does not stand in {}", atom, name_of(known))
+
+
+def _with_rates(atom: Any, letters: Letters) -> set[Any]:
+    found = {atom}
+    while atom in letters.rates:
+        atom = letters.rates[atom]
+        found.add(atom)
+    return found
 
 
 def _constant(pairs: Sequence[Pair], known: Known, move: Move, letters: Letters) -> None:
