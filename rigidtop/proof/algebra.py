@@ -777,8 +777,12 @@ def _rooted(expression: Expr) -> Expr:
 
 
 def zero_in_digits(expression: Expr, tries: int = 2) -> bool:
-    """Whether a scalar vanishes at some points in double precision: False refutes for certain."""
+    """Whether a scalar vanishes at some points in double precision: False refutes for certain.
+
+    What is real nowhere, such as √x + √−x, has to vanish at a point as a complex number.
+    """
     letters = sorted(expression.free_symbols, key=str)
+    real = False
     for attempt in range(8 * tries):  # a root may be real at few points only
         point = {x: _number(x, k, attempt) for k, x in enumerate(letters)}
         [value, size] = decide.evaluate([expression, _sizes(expression)], point, {})
@@ -786,10 +790,13 @@ def zero_in_digits(expression: Expr, tries: int = 2) -> bool:
             continue
         if abs(value) > 1e-9 * (1 + (abs(size) if size == size else 0)):
             return False
-        tries -= 1
+        real, tries = True, tries - 1
         if not tries:
             break
-    return True
+    if real:
+        return True
+    value = sympy.N(expression.xreplace(point))
+    return not (value.is_finite and abs(value) > 1e-9)
 
 
 def _sizes(expression: Expr) -> Expr:
