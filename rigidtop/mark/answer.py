@@ -1,9 +1,10 @@
 """Marking a derivation: the first line that does not follow, why not, and what the slip was.
 
 A line is right if it holds for every motion that the facts of its passage allow
-(`rigidtop.mark.facts`): in any order and any form.  It is not compared with the line before it,
-so the goal alone, copied, passes: what is marked is truth, not how much is shown.  Normal forms
-prove a line, numbers refute it; where neither succeeds it is inconclusive, never right.  The
+(`rigidtop.mark.passages`): in any order and any form.  It is not compared with the line before it:
+what is marked is truth, not how much is shown.  The goal alone, copied, passes, and it is said how
+many lines the page has in between; of what does not arrive it is said what comes next.  Normal
+forms prove a line, numbers refute it; where neither succeeds it is inconclusive, never right.  The
 derivation has to arrive: at the goal, or at what is the goal times a factor that does not vanish.
 """
 
@@ -34,6 +35,7 @@ from rigidtop.mark.links import (
     pair_text,
     rates_of,
 )
+from rigidtop.mark.passages import passage, way
 from rigidtop.notation import Notation
 from rigidtop.present.text import text
 from rigidtop.proof import decide
@@ -84,13 +86,17 @@ class Marked:
 
 @dataclass(frozen=True)
 class Marking:
-    """A derivation, marked.  `lost` are branches that a right line leaves out."""
+    """A derivation, marked.
+
+    `lost` are branches that a right line leaves out; `way` says what the pages have and it has not.
+    """
 
     lines: tuple[Marked, ...]
     arrives: bool
     goal: str
     lost: tuple[str, ...] = ()
     problem: str = ""
+    way: str = ""
 
     @property
     def first_wrong(self) -> Marked | None:
@@ -115,9 +121,11 @@ class Marking:
             return "there is no line to mark"
         if self.problem:
             return self.problem
+        arrives = "and the derivation arrives"
         if not self.arrives:
-            return f"every line follows, but the derivation does not arrive at ({self.goal})"
-        return f"every line follows, and the derivation arrives at ({self.goal})"
+            arrives = "but the derivation does not arrive"
+        said = f"every line follows, {arrives} at ({self.goal})"
+        return f"{said}; {self.way}" if self.way else said
 
 
 _UNSURE = {Mark.INCONCLUSIVE: "neither shown nor refuted", Mark.UNREAD: "not read"}
@@ -135,7 +143,7 @@ def mark(
     The lines `skip`, counted from 0, are not judged: they are inconclusive.  `heard` is told each
     line as soon as it is marked.  Raises RigidtopError where there are no facts for these two.
     """
-    answer = _Answer(facts.passage(start, goal))
+    answer = _Answer(passage(start, goal))
     for i, step in enumerate(steps(source, answer.passage.notation)):
         heard(answer.take(step, judged=i not in skip))
     return answer.marking()
@@ -378,9 +386,27 @@ class _Answer:
         return self.marked[-1]
 
     def marking(self) -> Marking:
-        return Marking(
-            tuple(self.marked), self._arrives(), self.passage.goal, tuple(dict.fromkeys(self.lost))
-        )
+        goal, lost = self.passage.goal, tuple(dict.fromkeys(self.lost))
+        arrives, pages = self._arrives(), way(self.passage.start, self.passage.goal)
+        if not arrives:
+            note = pages.missing(self.true)
+        else:
+            note = "" if any(map(self._is_a_step, self.true)) else pages.skipped
+        return Marking(tuple(self.marked), arrives, goal, lost, way=note)
+
+    def _is_a_step(self, equation: Equation) -> bool:
+        """Whether a line says anything but the goal, or a part of it, and what is trivial."""
+        goals = self._needed()
+        sides = [side for side in equation.sides if side != s.const]
+        for left, right in pairwise(sides):
+            given = _differences(left, right, self.passage.loose)
+            if not given or not self._in_terms(left, right):
+                return True
+            if not all(d == 0 or any(self._implies(d, goal) for goal in goals) for d in given):
+                return True
+            if all(d == 0 for d in given) and left != right:
+                return True
+        return len(sides) == 1 and sides[0] != self.passage.conserved
 
     def _marked(self, step: Step) -> Marked:
         equation = step.line.equation
@@ -539,14 +565,8 @@ class _Answer:
     # Arrival
 
     def _arrives(self) -> bool:
-        loose = self.passage.loose
-        needed: list[Expr] = []
+        loose, needed = self.passage.loose, self._needed()
         constant = self.passage.conserved is None
-        for equation in self.passage.equations:
-            sides = [side for side in equation.sides if side != s.const]
-            for left, right in pairwise(sides):
-                values = loose.value(left), loose.value(right)
-                needed += [d for d in entries(*values) if d != 0]
         reached = [False] * len(needed)
         for equation in self.true:
             if self.passage.conserved is not None:
@@ -561,6 +581,16 @@ class _Answer:
                     for i, goal in enumerate(needed):
                         reached[i] = reached[i] or self._implies(given, goal)
         return constant and all(reached)
+
+    def _needed(self) -> list[Expr]:
+        """What has to vanish for the goal."""
+        loose = self.passage.loose
+        made: list[Expr] = []
+        for equation in self.passage.equations:
+            sides = [side for side in equation.sides if side != s.const]
+            for left, right in pairwise(sides):
+                made += [d for d in entries(loose.value(left), loose.value(right)) if d != 0]
+        return made
 
     def _in_terms(self, *sides: Any) -> bool:
         """Whether two sides speak only of what the goal speaks of."""

@@ -26,12 +26,11 @@ from sympy import (
     sin,
 )
 
+from rigidtop.derivations import lecture
 from rigidtop.derivations.letters import LETTERS
-from rigidtop.errors import RigidtopError
 from rigidtop.notation import NOTES, Notation
 from rigidtop.proof import decide
 from rigidtop.proof.equation import BODY, SPACE, Equation, NoMeaningError, Rate, value
-from rigidtop.proof.page import Check
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.euler import (
@@ -325,6 +324,23 @@ def _steady() -> Model:
     )
 
 
+@cache
+def _roots() -> Model:
+    """What ω₃ and θ say of the two rates of steady precession."""
+    discriminant = (s.lambda3 * s.omega3) ** 2 - 4 * s.lambda1 * s.M * s.g * s.R * cos(s.theta)
+    below = 2 * s.lambda1 * cos(s.theta)
+    return Model(
+        "",
+        {
+            s.D: discriminant,
+            s.Omega_minus: (s.lambda3 * s.omega3 - sympy.sqrt(discriminant)) / below,
+            s.Omega_plus: (s.lambda3 * s.omega3 + sympy.sqrt(discriminant)) / below,
+        },
+        {},
+        timeless=True,
+    )
+
+
 # --- Free bodies, the simple picture, components -------------------------------------------------
 
 
@@ -434,7 +450,7 @@ def _components() -> Model:
 
 @dataclass(frozen=True, eq=False)
 class Passage:
-    """From one numbered equation to another.
+    """To an equation, from another one.
 
     `models` are the facts, from the general to the special.  The goal is reached by lines that
     give its `equations` in the symbols `allowed`, `loose` being a model in which these equations
@@ -442,7 +458,6 @@ class Passage:
     to vanish.
     """
 
-    start: str
     goal: str
     models: tuple[Model, ...]
     loose: Model
@@ -450,6 +465,7 @@ class Passage:
     allowed: frozenset[Symbol]
     conserved: Symbol | None = None
     given: tuple[Any, ...] = ()
+    start: str = ""
 
     @property
     def notation(self) -> Notation:
@@ -466,26 +482,20 @@ class Passage:
         return replace(NOTES, glyphs=glyphs, spellings=spellings)
 
 
-def _printed(number: str, count: int = 1) -> tuple[Equation, ...]:
-    """The last `count` equations that the notes print under a number."""
-    from rigidtop.derivations import PAGES
-
-    [claim] = [c for page in PAGES for c in page.claims if c.name == number]
-    found = []
-    for item in claim.evidence():
-        if isinstance(item, Check):
-            found.append(item.claimed)
-            if item.claimed.tag == number:
-                break
-    return tuple(found[-count:])
+def _printed(number: str) -> tuple[Equation, ...]:
+    """The equations that the lecture has under a number."""
+    lines = lecture().lines.values()
+    [found] = [line.equations for line in lines if any(e.tag == number for e in line.equations)]
+    return found
 
 
-def _freed(model: Model, free: Meaning) -> Model:
+def freed(model: Model, free: Meaning) -> Model:
     """The model without a value for what the goal is to tell."""
     return replace(model, meaning={**model.meaning, **free}, limits=model.limits, branch=())
 
 
-def _column(name: str) -> Matrix:
+def column(name: str) -> Matrix:
+    """A vector of which nothing is known."""
     return Matrix(sympy.symbols(f"{name}_1:4", real=True))
 
 
@@ -494,103 +504,109 @@ _ANGULAR = frozenset(
 )
 
 
-def _kinematic(start: str, goal: str, free: Meaning, extra: set[Symbol]) -> Passage:
+def _kinematic(goal: str, free: Meaning, extra: set[Symbol]) -> Passage:
     model = _top(on_shell=False)
     return Passage(
-        start,
         goal,
         (model,),
-        _freed(model, free),
+        freed(model, free),
         _printed(goal),
         _ANGULAR | frozenset(extra),
     )
 
 
 def _omega_along_primed() -> Passage:
-    free = {s.omega_vec: _column("w")}
+    free = {s.omega_vec: column("w")}
     axes = {s.omega_vec, s.e1p, s.e2p, s.e3, s.omega1p, s.omega2p}
-    return _kinematic("3.41", "3.42", free, axes)
+    return _kinematic("3.42", free, axes)
 
 
 def _momentum_along_primed() -> Passage:
-    return _kinematic("3.42", "3.43", {s.L_vec: _column("l")}, {s.L_vec, s.e1p, s.e2p, s.e3})
+    return _kinematic("3.43", {s.L_vec: column("l")}, {s.L_vec, s.e1p, s.e2p, s.e3})
 
 
 def _kinetic_energy() -> Passage:
-    return _kinematic("3.43", "3.44", {s.T: s.T}, {s.T})
+    return _kinematic("3.44", {s.T: s.T}, {s.T})
 
 
 def _azimuthal_rate() -> Passage:
     model = _top(on_shell=False)
     free = {s.L_z: s.L_z, s.L3: s.L3}
     allowed = frozenset({s.phidot, s.theta, s.lambda1, s.L_z, s.L3})
-    return Passage("3.43", "3.45", (model,), _freed(model, free), _printed("3.45"), allowed)
+    return Passage("3.45", (model,), freed(model, free), _printed("3.45"), allowed)
 
 
 def _theta_equation() -> Passage:
     allowed = (_ANGULAR - {s.thetadot}) | {s.thetaddot, s.M, s.g, s.R}
-    return Passage("3.53", "3.54", (_top(True),), _top(on_shell=False), _printed("3.54"), allowed)
+    return Passage("3.54", (_top(True),), _top(on_shell=False), _printed("3.54"), allowed)
 
 
 def _conserved(momentum: Symbol, goal: str) -> Callable[[], Passage]:
     def passage() -> Passage:
-        loose = _freed(_top(on_shell=False), {momentum: momentum})
+        loose = freed(_top(on_shell=False), {momentum: momentum})
         # L₃ is p_ψ: only another letter.
         letters = {s.L3, s.p_psi} if momentum == s.p_psi else {s.p_psi}
         allowed = (_ANGULAR - {s.thetadot} - letters) | {momentum}
-        return Passage(
-            "3.53", goal, (_top(True),), loose, _printed(goal), allowed, conserved=momentum
-        )
+        return Passage(goal, (_top(True),), loose, _printed(goal), allowed, conserved=momentum)
 
     return passage
 
 
-def _quadratic(start: str) -> Callable[[], Passage]:
-    def passage() -> Passage:
-        steady = _steady()
-        # Everything but the balance of torques.
-        loose = replace(steady, limits=steady.limits[:2], branch=())
-        allowed = {s.lambda1, s.lambda3, s.theta, s.Omega, s.omega3, s.M, s.g, s.R}
-        return Passage(
-            start,
-            "3.57",
-            (_top(True), steady),
-            loose,
-            _printed("3.57"),
-            frozenset(allowed | {s.phidot, s.psidot, s.L3, s.p_psi}),
-            given=(Ne(s.Omega, 0),),
-        )
+def _quadratic() -> Passage:
+    steady = _steady()
+    # Everything but the balance of torques.
+    loose = replace(steady, limits=steady.limits[:2], branch=())
+    allowed = {s.lambda1, s.lambda3, s.theta, s.Omega, s.omega3, s.M, s.g, s.R}
+    return Passage(
+        "3.57",
+        (_top(True), steady),
+        loose,
+        _printed("3.57"),
+        frozenset(allowed | {s.phidot, s.psidot, s.L3, s.p_psi}),
+        given=(Ne(s.Omega, 0),),
+    )
 
-    return passage
+
+def _two_roots() -> Passage:
+    roots = {s.Omega_minus: s.Omega_minus, s.Omega_plus: s.Omega_plus}
+    lines = lecture().lines.values()
+    [equations] = [
+        line.equations
+        for line in lines
+        if [e.sides[0] for e in line.equations] == [*roots] and line.equations[0].relation == "="
+    ]
+    model = _roots()
+    allowed = {*roots, s.D, s.lambda1, s.lambda3, s.omega3, s.theta, s.M, s.g, s.R}
+    models = (_top(True), _steady(), model)
+    return Passage("two-roots", models, freed(model, roots), equations, frozenset(allowed))
 
 
 def _euler_equations() -> Passage:
     model = _free(symmetric=True)
-    loose = _freed(model, {w: w for w in OMEGA_DOT})
+    loose = freed(model, {w: w for w in OMEGA_DOT})
     allowed = frozenset({s.lambda1, s.lambda3, s.Omega_b, *OMEGA, s.omega1dot, s.omega2dot})
     models = (_free(symmetric=False), model)
-    return Passage("3.36", "3.37", models, loose, _printed("3.37", 2), allowed)
+    return Passage("3.37", models, loose, _printed("3.37"), allowed)
 
 
 def _omega_on_cone() -> Passage:
     model = _body_cone()
-    w1, w2, _ = _column("w")
+    w1, w2, _ = column("w")
     free = {s.omega1: w1, s.omega2: w2, s.omega_vec: Matrix([w1, w2, s.omega3])}
     allowed = frozenset({s.omega_vec, *OMEGA, s.omega_0, s.Omega_b, s.t, s.e1, s.e2, s.e3})
     models = (_free(symmetric=True), model)
-    return Passage("3.37", "3.38", models, _freed(model, free), _printed("3.38"), allowed)
+    return Passage("3.38", models, freed(model, free), _printed("3.38"), allowed)
 
 
 def _momentum_on_cone() -> Passage:
     model = _body_cone()
-    column = _column("l")
-    free = {s.L_vec: column, **dict(zip((s.L1, s.L2, s.L3), column, strict=True))}
+    along = column("l")
+    free = {s.L_vec: along, **dict(zip((s.L1, s.L2, s.L3), along, strict=True))}
     allowed = {s.L_vec, s.L1, s.L2, s.L3, s.omega_0, s.Omega_b, s.t, s.omega3}
     return Passage(
-        "3.38",
         "3.39",
         (_free(symmetric=True), model),
-        _freed(model, free),
+        freed(model, free),
         _printed("3.39"),
         frozenset(allowed | {s.lambda1, s.lambda3, s.e1, s.e2, s.e3}),
     )
@@ -599,10 +615,9 @@ def _momentum_on_cone() -> Passage:
 def _precession_vector() -> Passage:
     model = _picture()
     return Passage(
-        "3.50",
         "3.52",
         (model,),
-        _freed(model, {s.Omega_vec: _column("W")}),
+        freed(model, {s.Omega_vec: column("W")}),
         _printed("3.52"),
         frozenset({s.Omega_vec, s.zhat, s.M, s.g, s.R, s.lambda3, s.omega3}),
         given=(Ne(s.omega3, 0),),
@@ -612,42 +627,42 @@ def _precession_vector() -> Passage:
 def _rotation_matrix() -> Passage:
     model = _components()
     return Passage(
-        "3.34",
         "3.46",
         (model,),
-        _freed(model, {s.r_vecp: _column("p"), s.r_vec: _column("r")}),
+        freed(model, {s.r_vecp: column("p"), s.r_vec: column("r")}),
         _printed("3.46"),
         frozenset({s.r_vecp, s.r_vec, s.O_matrix}),
     )
 
 
-_PASSAGES: Mapping[tuple[str, str], Callable[[], Passage]] = {
-    ("3.34", "3.46"): _rotation_matrix,
-    ("3.36", "3.37"): _euler_equations,
-    ("3.37", "3.38"): _omega_on_cone,
-    ("3.38", "3.39"): _momentum_on_cone,
-    ("3.41", "3.42"): _omega_along_primed,
-    ("3.42", "3.43"): _momentum_along_primed,
-    ("3.43", "3.44"): _kinetic_energy,
-    ("3.43", "3.45"): _azimuthal_rate,
-    ("3.50", "3.52"): _precession_vector,
-    ("3.53", "3.54"): _theta_equation,
-    ("3.53", "3.55"): _conserved(s.p_phi, "3.55"),
-    ("3.53", "3.56"): _conserved(s.p_psi, "3.56"),
-    ("3.53", "3.57"): _quadratic("3.53"),
-    ("3.54", "3.57"): _quadratic("3.54"),
+GOALS: Mapping[str, Callable[[], Passage]] = {
+    "3.37": _euler_equations,
+    "3.38": _omega_on_cone,
+    "3.39": _momentum_on_cone,
+    "3.42": _omega_along_primed,
+    "3.43": _momentum_along_primed,
+    "3.44": _kinetic_energy,
+    "3.45": _azimuthal_rate,
+    "3.46": _rotation_matrix,
+    "3.52": _precession_vector,
+    "3.54": _theta_equation,
+    "3.55": _conserved(s.p_phi, "3.55"),
+    "3.56": _conserved(s.p_psi, "3.56"),
+    "3.57": _quadratic,
+    "two-roots": _two_roots,
 }
-PAIRS: tuple[tuple[str, str], ...] = tuple(_PASSAGES)
-"""From where to where a derivation can be marked."""
+"""Goals that may be said in other letters than those of the page, or that are no identities alone.
+
+What else the lecture says is judged by the first of `families` in which it holds.
+"""
 
 
-@cache
-def passage(start: str, goal: str) -> Passage:
-    """The passage between two numbers.  Raises RigidtopError where there is none."""
-    pair = (start.strip("()"), goal.strip("()"))
-    if pair not in _PASSAGES:
-        known = ", ".join(f"{a} to {b}" for a, b in PAIRS)
-        raise RigidtopError(
-            f"no derivation from {pair[0]} to {pair[1]} is marked; there are {known}"
-        )
-    return _PASSAGES[pair]()
+def families() -> tuple[tuple[Model, ...], ...]:
+    """The models that there are: of each kind of motion from the general to the special."""
+    return (
+        (_components(),),
+        (_free(symmetric=False), _free(symmetric=True), _body_cone()),
+        (_top(on_shell=False),),
+        (_top(on_shell=True), _steady(), _roots()),
+        (_picture(),),
+    )

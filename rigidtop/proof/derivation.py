@@ -618,7 +618,7 @@ def changes(line: Line, letters: Letters, others: Sequence[Known] = ()) -> Itera
     for k, equation in enumerate(line.equations):
         for changed in perturbations(equation, letters.families):
             said = (equation, *(e for e in line.equations if e is not equation))
-            if not any(_same(changed.equation, each, letters) for each in said):
+            if not any(same(changed.equation, each, letters) for each in said):
                 yield Change(_with_equation(line, k, changed.equation), changed.change)
         for i, side in enumerate(equation.sides):
             for letter in _letters(equation) if side == 0 else ():
@@ -669,12 +669,12 @@ def _letters(equation: Equation) -> list[Symbol]:
 
 def _from_zero(equation: Equation) -> Equation:
     """With a 0 between all sides: 0 = −a = b says of each that it vanishes, as 0 = a = b does."""
-    if equation.relation != "=" or 0 not in equation.sides:
+    if equation.relation != "=" or 0 not in equation.sides or set(equation.sides) == {0}:
         return equation
     return Equation(*(x for side in equation.sides if side != 0 for x in (Integer(0), side)))
 
 
-def _same(changed: Equation, equation: Equation, letters: Letters) -> bool:
+def same(changed: Equation, equation: Equation, letters: Letters) -> bool:
     """Whether two equations say the same whatever their letters are."""
     algebra, nothing = Algebra(letters), Move("rewrite")
     try:
@@ -682,7 +682,7 @@ def _same(changed: Equation, equation: Equation, letters: Letters) -> bool:
         return len(pairs[0]) == len(pairs[1]) and all(
             _factor(a, b, nothing) is not None for a, b in zip(*pairs, strict=True)
         )
-    except (NoMeaningError, TypeError, AttributeError):
+    except (NoMeaningError, RefusedError, TypeError, AttributeError):
         return False
 
 

@@ -11,6 +11,7 @@ from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
 from rigidtop.mark import facts, limits
 from rigidtop.mark.answer import Mark, mark, steps
+from rigidtop.mark.passages import passage
 from rigidtop.proof.changed import perturbations
 
 _SPEC = importlib.util.spec_from_file_location("motions", Path(__file__).with_name("motions.py"))
@@ -23,9 +24,9 @@ ANSWERS = {
 }
 
 
-def test_there_is_an_answer_for_every_passage():
-    pairs = {(start, goal) for start, goal, _ in ANSWERS.values()}
-    assert pairs == set(facts.PAIRS)
+def test_there_is_an_answer_for_every_goal_with_facts_of_its_own():
+    goals = {goal for _, goal, _ in ANSWERS.values()}
+    assert goals | {"two-roots"} == set(facts.GOALS)
 
 
 @pytest.mark.parametrize("name", ANSWERS)
@@ -57,6 +58,82 @@ def test_without_its_last_lines_it_does_not_arrive(name):
     assert not found.arrives
     assert not found.passed
     assert found.first_wrong is None
+
+
+# --- The way on the pages ------------------------------------------------------------------------
+
+ROOT = (
+    r"\frac{\lambda_3\omega_3 SIGN \sqrt{\lambda_3^2\omega_3^2 - 4\lambda_1MgR\cos\theta}}"
+    r"{2\lambda_1\cos\theta}"
+)
+SLOW, FAST = ROOT.replace("SIGN", "-"), ROOT.replace("SIGN", "+")
+KINETIC = (
+    r"T = \tfrac12\lambda_1(\dot\phi^2\sin^2\theta + \dot\theta^2)"
+    r" + \tfrac12\lambda_3(\dot\psi + \dot\phi\cos\theta)^2"
+)
+
+
+@pytest.mark.parametrize(
+    ("start", "goal", "right", "wrong"),
+    [
+        ("3.36", "3.40", r"\Omega_b = \frac{(\lambda_1 - \lambda_3)\omega_3}{\lambda_1}",
+         r"\Omega_b = \frac{(\lambda_3 - \lambda_1)\omega_3}{\lambda_1}"),
+        ("3.41", "3.44", KINETIC, KINETIC.replace(r"\sin^2", r"\cos^2")),
+        ("3.57", "two-roots", rf"\Omega_- = {SLOW}$$ $$\Omega_+ = {FAST}",
+         rf"\Omega_- = {FAST}$$ $$\Omega_+ = {SLOW}"),
+    ],
+)  # fmt: skip
+def test_any_goal_to_which_the_pages_lead(start, goal, right, wrong):
+    found = mark(f"$${right}$$", start, goal)
+    assert found.passed
+    assert not mark(f"$${wrong}$$", start, goal).passed
+    assert mark(f"$${wrong}$$", start, goal).first_wrong is not None
+
+
+def test_one_root_of_two_does_not_arrive():
+    assert not mark(rf"$$\Omega_- = {SLOW}$$", "3.57", "two-roots").arrives
+
+
+@pytest.mark.parametrize(
+    ("start", "goal", "source", "count"),
+    [
+        ("3.53", "3.54", "$${}$$", "3 lines of the page lie between"),
+        ("3.54", "3.57", r"$$0 = (\lambda_1\cos\theta)\Omega^2 - \lambda_3\omega_3\Omega + MgR$$",
+         "2 lines of the page lie between"),
+    ],
+)  # fmt: skip
+def test_of_a_copied_goal_it_is_said_what_lies_between(start, goal, source, count):
+    found = mark(source.format(THETA), start, goal) if "{}" in source else mark(source, start, goal)
+    assert found.passed
+    assert found.summary.endswith(f"it shows nothing of the way: {count}")
+    again = mark("$$0 = 0$$ $$1 = 1$$" + (source.format(THETA) if "{}" in source else source),
+                 start, goal)  # fmt: skip
+    assert "nothing of the way" in again.summary
+
+
+@pytest.mark.parametrize(
+    ("source", "following"),
+    [
+        (r"$$\mathcal L = T - V$$", "∂ℒ/∂θ̇ = λ₁θ̇"),
+        (r"$$\frac{\partial\mathcal L}{\partial\dot\theta} = \lambda_1\dot\theta$$",
+         "d/dt ∂ℒ/∂θ̇ = λ₁θ̈"),
+        (r"$$\frac{\partial\mathcal L}{\partial\theta} = \lambda_1\dot\phi^2\sin\theta\cos\theta"
+         r" - \lambda_3(\dot\psi + \dot\phi\cos\theta)\dot\phi\sin\theta + MgR\sin\theta$$", ""),
+    ],
+)  # fmt: skip
+def test_what_comes_next_is_said_where_an_answer_stops(source, following):
+    found = mark(source, "3.53", "3.54")
+    assert not found.arrives
+    assert found.first_wrong is None
+    assert found.summary.endswith(following)
+    assert ("next on the page (lagrange_formalism.md, line" in found.summary) == bool(following)
+
+
+def test_names_that_are_no_single_equation_are_refused():
+    with pytest.raises(RigidtopError, match="constant-angle is no single equation"):
+        mark("", "3.38", "constant-angle")
+    with pytest.raises(RigidtopError, match="no line of the lecture is called 'x'"):
+        mark("", "x", "3.53")
 
 
 # --- Slips ---------------------------------------------------------------------------------------
@@ -173,8 +250,7 @@ def test_no_part_of_a_sum_without_brackets_is_blamed_as_one():
 def changed(name, stride):
     """Steps with one small change that makes a line wrong, and the lines before it as they were."""
     start, goal, source = ANSWERS[name]
-    passage = facts.passage(start, goal)
-    lines = list(steps(source, passage.notation))
+    lines = list(steps(source, passage(start, goal).notation))
     count = 0
     for i, step in enumerate(lines):
         equation = step.line.equation
@@ -201,7 +277,7 @@ def test_a_change_is_never_passed(name):
     start, goal, _ = ANSWERS[name]
     tried = 0
     for wrong, change, lines in changed(name, STRIDE):
-        answer = _Answer(facts.passage(start, goal))
+        answer = _Answer(passage(start, goal))
         for line in lines[:-1]:
             if line.own:  # what was defined before
                 answer.take(line, explained=False)

@@ -1,0 +1,198 @@
+"""From one equation of the lecture to another: where a derivation may start, and what it may use.
+
+Any start and goal are a passage where the pages lead from the one to the other.  The facts that a
+line is judged by are those of the goal (`rigidtop.mark.facts`); the lines that a page has between
+say how much of the way an answer shows, and what comes next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from itertools import pairwise
+from typing import Any
+
+import sympy
+from sympy import Expr, MatrixBase
+
+from rigidtop.derivations import lecture
+from rigidtop.derivations.letters import LETTERS
+from rigidtop.errors import RigidtopError
+from rigidtop.mark import facts
+from rigidtop.mark.facts import Model, Passage
+from rigidtop.mark.links import ERRORS, Link, judge
+from rigidtop.present.text import text
+from rigidtop.proof.derivation import Line, same
+from rigidtop.proof.equation import Equation, Partial, Rate, symbols_of
+from rigidtop.proof.verdict import entries
+from rigidtop.theory import symbols as s
+from rigidtop.theory import top
+
+
+@cache
+def passage(start: str, goal: str) -> Passage:
+    """The passage between two numbers or names.  Raises RigidtopError where there is none."""
+    start, goal = start.strip("()"), goal.strip("()")
+    refused = f"no derivation from {start} to {goal} is marked"
+    names = lecture().names
+    for name in (start, goal):
+        if name not in names:
+            raise RigidtopError(f"{refused}: no line of the lecture is called {name!r}")
+    if not _leads(start, goal):
+        raise RigidtopError(f"{refused}: the lecture does not lead from the one to the other")
+    found = facts.GOALS[goal]() if goal in facts.GOALS else _by_models(goal)
+    if found is None:
+        raise RigidtopError(
+            f"{refused}: {goal} is no single equation, or one that is not judged here"
+        )
+    return replace(found, start=start)
+
+
+def _leads(start: str, goal: str) -> bool:
+    """Whether the goal rests on the start, or stands behind it on the same page."""
+    pages = lecture()
+    first, last = pages.names[start], pages.names[goal]
+    if first == last:
+        return False
+    if any({*first} & {*pages.above(id)} for id in last):
+        return True
+    lines = list(pages.lines)
+    same_page = pages.lines[first[0]].file == pages.lines[last[0]].file
+    return same_page and bool(_derived(goal)) and lines.index(first[-1]) < lines.index(last[0])
+
+
+def between(start: str, goal: str) -> tuple[Line, ...]:
+    """The lines of the pages that rest on the start and that the goal rests on."""
+    pages, stated = lecture(), passage(start, goal).equations
+    goals = {line.id for line in _derived(goal) if {*stated} & {*line.equations}}
+    above = {x for id in goals for x in pages.above(id)}
+    below = {x for id in pages.names[start] for x in pages.below(id)}
+    ids = (above & below) - {*pages.names[start]} - goals
+    return tuple(line for id, line in pages.lines.items() if id in ids)
+
+
+def _derived(goal: str) -> tuple[Line, ...]:
+    """What the lecture derives under a number, or a name; a number may be that of a definition."""
+    pages = lecture()
+    lines = [pages.lines[id] for id in pages.names[goal] if id not in pages.laws]
+    numbered = [line for line in lines if any(e.tag == goal for e in line.equations)]
+    return tuple(numbered or (x for x in lines if x.move is not None and x.move.verb != "call"))
+
+
+# --- A goal that is judged by the models there are ------------------------------------------------
+
+
+def _by_models(goal: str) -> Passage | None:
+    """The facts under which a goal holds: the most general ones, and all that are more general."""
+    lines = _derived(goal)
+    if len(lines) != 1:
+        return None  # which of them is the goal?
+    equations = lines[0].equations
+    if any(e.relation not in ("=", "≡") or _has_rates(e) for e in equations):
+        return None
+    for models in facts.families():
+        for k, model in enumerate(models):
+            if not all(symbols_of(e) <= model.symbols() and _holds(e, model) for e in equations):
+                continue
+            loose = _loose(equations, model)
+            if loose is not None:
+                letters = {x for e in equations for x in symbols_of(e)}
+                told = {x for e in equations for x in _told(e, model)}
+                for x in letters - told:
+                    letters |= getattr(model.value(x), "free_symbols", set()) & {*LETTERS.units}
+                allowed = frozenset(letters)
+                return Passage(goal, models[: k + 1], loose, equations, allowed)
+    return None
+
+
+def _has_rates(equation: Equation) -> bool:
+    return any(side == s.const or side.atoms(Rate, Partial) for side in equation.sides)
+
+
+def _holds(equation: Equation, model: Model) -> bool:
+    return all(judge(Link(a, b), model).holds for a, b in pairwise(equation.sides))
+
+
+def _told(equation: Equation, model: Model) -> list[Any]:
+    """The letters of the left side to which a model gives a value in others."""
+    return [x for x in equation.sides[0].free_symbols if model.meaning.get(x, x) != x]
+
+
+def _loose(equations: Sequence[Equation], model: Model) -> Model | None:
+    """The model without what the goal tells; None where the goal is an identity all the same."""
+    free: dict[Any, Any] = {}
+    for x in (x for e in equations for x in _told(e, model)):
+        is_vector = isinstance(model.meaning[x], MatrixBase)
+        free[x] = facts.column(f"free_{x.name}") if is_vector else x
+    loose = facts.freed(model, free)
+    try:
+        gaps = [
+            difference
+            for e in equations
+            for a, b in pairwise(e.sides)
+            for difference in entries(loose.value(a), loose.value(b))
+        ]
+    except ERRORS:
+        return None
+    return loose if any(difference != 0 for difference in gaps) else None
+
+
+# --- How much of the way is shown ----------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Way:
+    """The lines of the pages between start and goal."""
+
+    start: str
+    goal: str
+    lines: tuple[Line, ...]
+
+    def next(self, shown: Collection[Equation]) -> Line | None:
+        """The line behind the last one that is shown; the first where none is."""
+        said = [each for equation in shown for each in _of_page(equation)]
+        behind = 0
+        for k, line in enumerate(self.lines):
+            if any(same(one, e, LETTERS) for e in line.equations for one in said):
+                behind = k + 1
+        return self.lines[behind] if behind < len(self.lines) else None
+
+    def missing(self, shown: Collection[Equation]) -> str:
+        """What comes next on the page, in words; nothing where the pages have no more."""
+        line = self.next(shown)
+        if line is None:
+            return ""
+        equations = "; ".join(text(equation) for equation in line.equations)
+        return f"next on the page ({line.file}, line {line.at}): {equations}"
+
+    @property
+    def skipped(self) -> str:
+        """That nothing of it was shown, in words; nothing where there is nothing between."""
+        count = len(self.lines)
+        if count == 0:
+            return ""
+        lie = f"{count} lines of the page lie" if count > 1 else "1 line of the page lies"
+        return f"it shows nothing of the way: {lie} between"
+
+
+@cache
+def way(start: str, goal: str) -> Way:
+    """The way between the ends of a passage."""
+    return Way(start, goal, between(start, goal))
+
+
+def _of_page(equation: Equation) -> Iterator[Equation]:
+    """An equation of an answer as the pages may have it: ∂ℒ/∂q̇ is the momentum, or not yet."""
+    slopes: dict[Any, Expr] = {
+        **{slope: Partial(s.Lagrangian, q) for q, slope in facts.SLOPES.items()},
+        **{dotted: Rate(p) for p, dotted in facts.MOMENTUM_RATES.items()},
+    }
+    momenta: dict[Any, Expr] = {
+        p: Partial(s.Lagrangian, rate) for p, rate in zip(top.CONJUGATE, top.RATES, strict=True)
+    }
+    with sympy.evaluate(False):
+        named = [side.xreplace(slopes) for side in equation.sides]
+        both = [side.xreplace(momenta) for side in named]
+    for sides in (named, both):
+        yield Equation(*sides, relation=equation.relation, tag=equation.tag)
