@@ -59,6 +59,7 @@ def run(options: argparse.Namespace) -> int:
     from rigidtop.notation import BUILT_IN, named
     from rigidtop.present.notations import record, rows, turns
     from rigidtop.present.table import table
+    from rigidtop.proof.words import unmarked
 
     notations = [named(name) for name in options.name or BUILT_IN]
     if options.json:
@@ -69,7 +70,7 @@ def run(options: argparse.Namespace) -> int:
         head = [
             f"{notation.name}: {notation.title}",
             f"  {notation.source}",
-            f"  {turns(notation)}",
+            f"  {unmarked(turns(notation))}",
         ]
         if notation.note:
             head.append(f"  {notation.note}")

@@ -25,11 +25,12 @@ def turns(notation: Notation) -> str:
 
     >>> from rigidtop.notation import GOLDSTEIN
     >>> turns(GOLDSTEIN)
-    'Euler angles z–x′–z″: R = Rz(φ) Rx(θ) Rz(ψ)'
+    'Euler angles $z–x′–z″$: $R = Rz(φ) Rx(θ) Rz(ψ)$'
     """
     first, second, third = (text(notation.letters.get(x, x)) for x in (s.phi, s.theta, s.psi))
     axis = notation.sequence[1]
-    return f"Euler angles {TURNS[notation.sequence]}: R = Rz({first}) R{axis}({second}) Rz({third})"
+    product = f"Rz({first}) R{axis}({second}) Rz({third})"
+    return f"Euler angles ${TURNS[notation.sequence]}$: $R = {product}$"
 
 
 def different(notation: Notation, among: Iterable[Symbol] | None = None) -> list[Written]:

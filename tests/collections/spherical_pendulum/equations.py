@@ -36,7 +36,7 @@ INCLINED = Assumption(Ne(sin(theta), 0), "the string is not vertical")
 
 @claim("1.1", "Lagrangian of the spherical pendulum.")
 def lagrangian() -> Iterator[Evidence]:
-    """½mv² + mg·r for a bob at the distance l from the support."""
+    """$½mv² + m𝐠·𝐫$ for a bob at the distance l from the support."""
     with as_printed():
         printed = Equation(
             Lagrangian,
@@ -47,9 +47,9 @@ def lagrangian() -> Iterator[Evidence]:
     yield Check(printed, {Lagrangian: engine_lagrangian()})
 
 
-@claim("1.2", "Equation of motion for θ.")
+@claim("1.2", "Equation of motion for $θ$.")
 def theta_equation() -> Iterator[Evidence]:
-    """Lagrange's equation for θ, divided by ml."""
+    """Lagrange's equation for $θ$, divided by ml."""
     with as_printed():
         printed = Equation(
             length * thetaddot,
@@ -65,25 +65,25 @@ def theta_equation() -> Iterator[Evidence]:
     )
 
 
-@claim("1.3", "Equation of motion for φ.")
+@claim("1.3", "Equation of motion for $φ$.")
 def phi_equation() -> Iterator[Evidence]:
-    """Lagrange's equation for φ, with ml² sin²θ divided out."""
+    """Lagrange's equation for $φ$, with $ml² sin²θ$ divided out."""
     with as_printed():
         printed = Equation(phiddot, -2 * thetadot * phidot * cos(theta) / sin(theta), tag="1.3")
     yield Check(printed, {phiddot: lagrange()[phiddot]}, (INCLINED,))
 
 
-@claim("1.4", "p_φ is constant.")
+@claim("1.4", "$p_φ$ is constant.")
 def momentum() -> Iterator[Evidence]:
-    """φ does not enter the Lagrangian."""
+    """$φ$ does not enter the Lagrangian."""
     with as_printed():
         printed = Equation(p_phi, m * length**2 * phidot * sin(theta) ** 2, const, tag="1.4")
     yield Check(printed, {p_phi: momenta(engine_lagrangian(), VELOCITIES)[1], const: along_motion})
 
 
-@claim("p-phi-is-Lz", "p_φ is the angular momentum about the vertical.")
+@claim("p-phi-is-Lz", "$p_φ$ is the angular momentum about the vertical.")
 def p_phi_is_l_z() -> Iterator[Evidence]:
-    """∂T/∂φ̇ is ẑ·(r × mv), since φ turns the bob about ẑ."""
+    """$∂T/∂φ̇$ is $ẑ·(𝐫 × m𝐯)$, since $φ$ turns the bob about $ẑ$."""
     with as_printed():
         same = Equation(p_phi, L_z)
     momentum = momenta(engine_lagrangian(), VELOCITIES)[1]
@@ -92,7 +92,7 @@ def p_phi_is_l_z() -> Iterator[Evidence]:
 
 @claim("1.5", "The energy is constant.")
 def energy() -> Iterator[Evidence]:
-    """The Lagrangian does not contain the time: Jacobi's integral is T + V."""
+    """The Lagrangian does not contain the time: Jacobi's integral is $T + V$."""
     with as_printed():
         printed = Equation(
             E,

@@ -49,7 +49,7 @@ def conserved() -> Iterator[Measure]:
     """L_z and E of a motion that goes up and down, by their formulas in x, y, z."""
     r, v = moved(TILT, 0.4, 1.9, np.linspace(0, 20, 101))
     for name, series in (
-        ("L_z", r[:, 0] * v[:, 1] - r[:, 1] * v[:, 0]),
+        ("$L_z$", r[:, 0] * v[:, 1] - r[:, 1] * v[:, 0]),
         ("E", (v * v).sum(axis=1) / 2 + GRAVITY * r[:, 2]),
     ):
         drift = float(np.ptp(series) / abs(series[0]))
@@ -71,4 +71,4 @@ def nodding() -> Iterator[Measure]:
     seen = np.arccos(-r[:, 2] / LENGTH) - TILT
     expected = kick / frequency * np.sin(frequency * times)
     error = float(np.abs(seen - expected).max() * frequency / kick)
-    yield Measure("θ(t) of small nodding at Ω, three nods, relative", error, 1e-3)
+    yield Measure("$θ(t)$ of small nodding at $Ω$, three nods, relative", error, 1e-3)
