@@ -46,7 +46,7 @@ READS = {
     "mark": {"errors", "theory", "notation", "proof", "read", "derivations", "present"},
     "parameters": {"errors"},
     "bench": {"errors", "theory", "codegen", "motion", "system"},
-    "starter": {"theory", "parameters", "proof"},
+    "starter": {"theory", "parameters", "proof", "system"},
     "collection": {
         "errors",
         "theory",

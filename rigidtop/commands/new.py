@@ -24,7 +24,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "A collection is Python and runs as such. What is written passes at once:\n"
         "  rigidtop new my_course\n"
         "  rigidtop check my_course/\n"
-        "  rigidtop lecture my_course/ -o out"
+        "  rigidtop lecture my_course/ -o out\n"
+        "  rigidtop new --system my_system"
+    )
+    parser.add_argument(
+        "--system",
+        action="store_true",
+        help="start from a Lagrangian: a system, its derivation line by line, two claims",
     )
     parser.add_argument("folder", help="a folder that is not there yet, or is empty")
 
@@ -37,8 +43,9 @@ def run(options: argparse.Namespace) -> int:
         raise RigidtopError("name a folder, such as my_course")
     folder = Path(options.folder)
     _check_name(folder.resolve().name)
-    names = sorted(file.name for file in STARTER.glob("*") if file.suffix in (".py", ".md"))
-    write(folder, {name: (STARTER / name).read_bytes() for name in names})
+    starter = STARTER / "system" if options.system else STARTER
+    names = sorted(file.name for file in starter.glob("*") if file.suffix in (".py", ".md"))
+    write(folder, {name: (starter / name).read_bytes() for name in names})
     if options.json:
         print_json({"files": [str(folder / name) for name in names]})
     else:

@@ -101,6 +101,22 @@ class Derivation:
         """With MathML."""
         return "\n".join(map(html.html_block, self.blocks))
 
+    def markdown(self) -> str:
+        """A page of a collection (`rigidtop new --system`), which reads back line by line."""
+        [page] = self.lecture.texts
+        made = []
+        following = (*page.blocks[1:], page.blocks[-1])
+        for block, after in zip(page.blocks, following, strict=True):
+            if isinstance(block, Heading):
+                if isinstance(after, Shown) and after.name:
+                    made.append(f'<a id="{after.name}"></a>')
+                made.append(f"{'#' * block.level} {block.words}")
+            elif isinstance(block, Shown) and block.line is not None:
+                tag = next((e.tag for e in block.line.equations if e.tag), "")
+                number = rf" \tag{{{tag}}}" if tag else ""
+                made += [block.line.sentence, f"$${block.latex}{number}$$"]
+        return "\n\n".join(made) + "\n"
+
     def _repr_html_(self) -> str:
         return self.html()
 
@@ -109,11 +125,11 @@ class Derivation:
         return [step(self.lecture, id) for id in self.lecture.lines]
 
 
-def derivation(system: System) -> Derivation:
+def derivation(system: System, section: str = "") -> Derivation:
     """See `System.derivation`."""
     for x in own_functions([system.plain, *system.rules, *system.generalised_forces]):
         raise RigidtopError(f"L has the function {x}: put in what it is before you derive")
-    writer = _Writer(system)
+    writer = _Writer(system, section)
     writer.write()
     page = Text("the derivation", NAME, tuple(writer.blocks))
     return Derivation(system, Lecture(writer.letters, (page,)))
@@ -133,7 +149,10 @@ class _Writer:
     """Writes the lines in order, in letters that have their places in print."""
 
     system: System
+    section: str = ""
     blocks: list[Block] = field(default_factory=list)
+    name: str = ""
+    """Of the lines that come, as claims may be called."""
 
     @cached_property
     def shown(self) -> dict[Symbol, Symbol]:
@@ -158,7 +177,9 @@ class _Writer:
     def write(self) -> None:
         """All of it."""
         system, names = self.system, self.system.names
-        self.heading("What is given")
+        letters = _between([self.own(x) for x in names.q])
+        self.heading("The equations of motion for ", *letters, level=1)
+        self.heading("Laws")
         self.L = self.law("The Lagrangian", Equation(Lagrangian, self.own(system.plain)))
         A = system.rolling[:, : len(names.q)]
         laws = []
@@ -171,6 +192,9 @@ class _Writer:
             self.law(_numbered("the constraint", i, A.rows), Equation(self.own(x), 0), along=True)
             for i, x in enumerate(system.rules)
         ]
+        slopes = {self.own(v): Partial(Lagrangian, self.own(v)) for v in names.v}
+        turned = sympy.Add(*(v * slope for v, slope in slopes.items()), -Lagrangian)
+        self.jacobi = self.law("The energy", Equation(E, turned))
         coordinates = [self.coordinate(k, law) for k, law in enumerate(laws)]
         held = [self.held(rule, i) for i, rule in enumerate(rules)]
         solved = self.solved([balanced for balanced, _ in coordinates], held)
@@ -182,8 +206,13 @@ class _Writer:
         """In the letters that are shown."""
         return value.xreplace(self.shown)
 
-    def heading(self, *words: Any) -> None:
-        self.blocks.append(Heading(2, _said(words), len(self.blocks) + 1, words))
+    def tag(self, number: str) -> str:
+        """An equation's number, in the section if there is one."""
+        return f"{self.section}.{number}" if self.section else number
+
+    def heading(self, *words: Any, level: int = 2, name: str = "") -> None:
+        self.name = name
+        self.blocks.append(Heading(level, _said(words), len(self.blocks) + 1, words))
 
     def law(self, called: str, equation: Equation, *more: Any, along: bool = False) -> Known:
         """What stands by itself; some of it holds along the motion only."""
@@ -214,7 +243,7 @@ class _Writer:
             at=at,
         )
         shown = r",\quad ".join(latex(each) for each in made)
-        self.blocks.append(Shown(shown, at, line))
+        self.blocks.append(Shown(shown, at, line, name=self.name))
         return Known(line.id, line.equations, line.scope, called=line.called)
 
     def coordinate(self, k: int, law: Known) -> tuple[Known, Known]:
@@ -245,7 +274,7 @@ class _Writer:
         right = _short(equation.sides[1].xreplace({by_place: slope}))
         made = self.line(
             ("Put it and ", by_place, " into Lagrange's equation for ", x),
-            Equation(rate, right, tag=str(k + 1)),
+            Equation(rate, right, tag=self.tag(str(k + 1))),
             Move("put", (law,), using=(turning, force)),
         )
         return made, p
@@ -281,7 +310,7 @@ class _Writer:
             rate = _short(self.rate(known.equations[0].sides[0]))
             known = self.line(
                 (f"Take the rate of {called}",),
-                Equation(rate, 0, tag=f"c{i + 1}" if last else ""),
+                Equation(rate, 0, tag=self.tag(f"c{i + 1}") if last else ""),
                 Move("rate", (known,)),
             )
             called = "it"
@@ -299,7 +328,7 @@ class _Writer:
         values = [*map(names.plain, (*system.accelerations, *system.constraint_forces))]
         if any(value.count_ops() > LONG for value in values):
             return []
-        self.heading("The accelerations")
+        self.heading("The accelerations", name="accelerations")
         made = []
         for part in parts:
             equations = [(*balanced, *held)[k] for k in part]
@@ -317,14 +346,12 @@ class _Writer:
     def energy(self, momenta: Sequence[Known], solved: Sequence[Known]) -> None:
         """Jacobi's integral, and that it is constant where it is."""
         system, names = self.system, self.system.names
-        slopes = {self.own(v): Partial(Lagrangian, self.own(v)) for v in names.v}
-        self.heading("The energy")
-        turned = sympy.Add(*(v * slope for v, slope in slopes.items()), -Lagrangian)
-        law = self.law("The energy, Jacobi's integral", Equation(E, turned))
+        slopes = [Partial(Lagrangian, self.own(v)) for v in names.v]
+        self.heading("The energy", name="energy")
         energy = self.line(
-            ("Put the Lagrangian", *_more([*slopes.values()]), " into it"),
+            ("Put the Lagrangian", *_more(slopes), " into the energy"),
             Equation(E, self.own(system.jacobi)),
-            Move("put", (law,), using=(self.L, *momenta)),
+            Move("put", (self.jacobi,), using=(self.L, *momenta)),
         )
         if "energy" not in system.constant or not solved or system.constraints:
             return

@@ -620,8 +620,10 @@ class System:
         """Minus the Routhian where the velocities of the other coordinates vanish."""
         return self.names.back(-self._routhian.subs(dict.fromkeys(self.names.v, 0)))
 
-    def derivation(self) -> Derivation:
+    def derivation(self, section: str = "") -> Derivation:
         """The way from L to the equations of motion by lines and moves, judged and typeset.
+
+        Equations have the numbers 1, 2, …, or those of a `section`: 3.1, 3.2, ….
 
         >>> from sympy import symbols
         >>> m, k, x, v = symbols("m k x v", positive=True)
@@ -631,7 +633,7 @@ class System:
         """
         from rigidtop.system.derivation import derivation
 
-        return derivation(self)
+        return derivation(self, section)
 
     # --- steady motions, other ways ---------------------------------------------------------------
 
