@@ -74,10 +74,10 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
         raise RigidtopError(
             "--record is the record alone: leave --slides, --fragment, --format out"
         )
-    notation = chosen(options)
+    notation, look = chosen(options), look_of(options)
+    front, points = front_of(options, collection.front), points_of(options)
     check_folder(options.output)  # before half a minute of work, not after it
     lines = collection.lecture_with(collection.exercises)
-    look, front = look_of(options), front_of(options, collection.front)
     judged: list[tuple[Page, list[Judgement]]] = []
     every = claims.every(collection)
     for page, judgement in claims.judged(every, collection.letters, lines):
@@ -98,7 +98,7 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
         student=options.student,
         front=front,
         look=look,
-        points=points_of(options),
+        points=points,
         figures=FIGURES if collection.folder is None else (),
         # Pages of one's own need not be about Euler angles.
         notation=notation if collection.folder is None or notation.images else None,

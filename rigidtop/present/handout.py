@@ -462,6 +462,11 @@ def parted(blocks: Sequence[Block]) -> list[Block]:
             made.append(replace(block, level=level + 1))
         elif isinstance(block, ExerciseHead):
             made.append(replace(block, level=level + part + 1))
+        elif isinstance(block, Paragraph) and block.mark is not None:
+            name = block.mark.name
+            place = anchor(name) if name not in seen and not is_number(name) else ""
+            seen.add(name if place else "")
+            made.append(replace(block, anchor=place))
         elif isinstance(block, Display):
             groups: list[list[Row]] = []
             for row in block.rows:

@@ -197,7 +197,8 @@ def _(block: Paragraph) -> str:
     if block.mark is None:
         return f"<p>{_label(block.label)}{rich(block.content)}</p>"
     words = f"{seal(block.mark)}{rich(block.content)}"
-    return f'<p class="marked" id="{anchor(block.mark.name)}">{words}</p>{_aside(block.mark)}'
+    place = f' id="{block.anchor}"' if block.anchor else ""
+    return f'<p class="marked"{place}>{words}</p>{_aside(block.mark)}'
 
 
 def seal(mark: Mark) -> str:

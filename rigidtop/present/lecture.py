@@ -329,8 +329,11 @@ def _texts(lines: Lecture, judged: Judged, notation: Notation) -> dict[str, list
 
 
 def _introduced(whole: Document, notation: Notation | None) -> Document:
-    """A document that begins with its notation, where one is given."""
-    if notation is None:
+    """A document that begins with its notation, where one is given.
+
+    A lecture in the notation of the notes needs no words about it.
+    """
+    if notation is None or (whole.lecture and not notation.images):
         return whole
     first = notations.front(notation, symbols_used(whole.blocks))
     said = f"{whole.colophon} {notations.origin(notation)}"
@@ -420,16 +423,10 @@ def _exercise(
 def _write(
     stem: str, whole: Document, pictures: Sequence[Picture], out: Path | str, wanted: Wanted
 ) -> list[Path]:
-    drawn = {
-        each.name: both(each.drawing, ("pdf", "svg"), each.given)
-        for each in over("drawing", pictures)
-    }
-    files = {
-        f"figures/{name}.{kind}": kinds[kind]
-        for kind in ("pdf", "svg")
-        for name, kinds in drawn.items()
-    }
-    pages = {name: kinds["svg"].decode() for name, kinds in drawn.items()}
+    drawn = {each.name: both(each.drawing, each.given) for each in over("drawing", pictures)}
+    files = {f"figures/{name}.pdf": paper for name, (paper, _) in drawn.items()}
+    files |= {f"figures/{name}.svg": page for name, (_, page) in drawn.items()}
+    pages = {name: page.decode() for name, (_, page) in drawn.items()}
     paths = {name: f"figures/{name}.pdf" for name in drawn}
     source = tex.write(whole, paths)
     contents = {

@@ -142,12 +142,16 @@ class Mark:
 
 @dataclass(frozen=True)
 class Paragraph:
-    """Running text, with a short label before it ("Reason"); `held` to what follows."""
+    """Running text, with a short label before it ("Reason"); `held` to what follows.
+
+    A `mark` stands in the margin; `anchor` is its place for what cites it.
+    """
 
     content: Rich
     label: str = ""
     held: bool = False
     mark: Mark | None = None
+    anchor: str = ""
 
 
 @dataclass(frozen=True)
@@ -487,7 +491,7 @@ def headings(page: Page) -> Iterable[Heading]:
 
 
 def _section_anchor(section: str) -> str:
-    return "section-" + re.sub(r"\W+", "-", section)
+    return "section-" + re.sub(r"\W+", "-", section).strip("-")
 
 
 def _front(judged: Judged) -> Iterable[Block]:

@@ -266,7 +266,7 @@ def escape_for_bookmark(text: str) -> str:
 def _(block: Paragraph) -> str:
     words = rich(block.content)
     if block.mark is not None:
-        anchored = rf"\phantomsection\label{{{anchor(block.mark.name)}}}"
+        anchored = rf"\phantomsection\label{{{block.anchor}}}" if block.anchor else ""
         words = anchored + _mark(block.mark) + words
     # A labelled paragraph, the reason, is not parted from what it is the reason for.
     return (

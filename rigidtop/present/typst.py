@@ -179,7 +179,8 @@ def _(block: Paragraph) -> str:
     words = rich(block.content)
     if block.mark is not None:
         seal = f'#seal("{block.mark.verdict}"){_note(block.mark)}'
-        words = f'{seal}{words} #label("{anchor(block.mark.name)}")'
+        place = f' #label("{block.anchor}")' if block.anchor else ""
+        words = f"{seal}{words}{place}"
     # A labelled paragraph, the reason, is not parted from what it is the reason for.
     held = block.label or block.held
     return f"#block(sticky: true)[{_label(block.label)}{words}]" if held else words

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from io import BytesIO
 from typing import Any
 
 import matplotlib
+from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as Canvas
 
 from rigidtop.parameters import Parameter, settings
@@ -59,7 +60,14 @@ class Drawing:
 
 def rendered(drawing: Drawing, kind: str, given: Mapping[str, float] | None = None) -> bytes:
     """The bytes of a figure as "svg", "pdf" or "png"; the same each time."""
-    return both(drawing, (kind,), given)[kind]
+    values = drawing.values(given)
+    with matplotlib.rc_context(STYLE):
+        canvas = drawing.draw(**values)
+        buffer = BytesIO()
+        about, clear = _ABOUT[kind], kind == "svg"
+        canvas.savefig(buffer, format=kind, metadata=about, dpi=DOTS, transparent=clear)
+    made = buffer.getvalue()
+    return _without_metadata(made) if kind == "svg" else made
 
 
 _ABOUT: Mapping[str, dict[str, Any]] = {
@@ -69,20 +77,20 @@ _ABOUT: Mapping[str, dict[str, Any]] = {
 }
 
 
-def both(
-    drawing: Drawing, kinds: Sequence[str], given: Mapping[str, float] | None = None
-) -> dict[str, bytes]:
-    """A figure in several kinds, drawn once."""
+def both(drawing: Drawing, given: Mapping[str, float] | None = None) -> tuple[bytes, bytes]:
+    """A figure as PDF and as SVG, drawn and laid out once."""
     values = drawing.values(given)
-    made: dict[str, bytes] = {}
     with matplotlib.rc_context(STYLE):
         canvas = drawing.draw(**values)
-        for kind in kinds:
-            buffer = BytesIO()
-            about = _ABOUT[kind]
-            transparent = kind == "svg"
-            canvas.savefig(buffer, format=kind, metadata=about, dpi=DOTS, transparent=transparent)
-            made[kind] = buffer.getvalue()
-    if "svg" in made:
-        made["svg"] = re.sub(rb"\s*<metadata>.*?</metadata>", b"", made["svg"], flags=re.DOTALL)
-    return made
+        paper = BytesIO()
+        canvas.savefig(paper, format="pdf", metadata=_ABOUT["pdf"])
+        canvas.set_layout_engine("none")
+        for patch in (canvas.patch, *(axes.patch for axes in canvas.axes)):
+            patch.set(facecolor="none", edgecolor="none")
+        page = BytesIO()
+        FigureCanvasSVG(canvas).print_svg(page)
+    return paper.getvalue(), _without_metadata(page.getvalue())
+
+
+def _without_metadata(svg: bytes) -> bytes:
+    return re.sub(rb"\s*<metadata>.*?</metadata>", b"", svg, flags=re.DOTALL)

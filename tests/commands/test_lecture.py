@@ -1,0 +1,67 @@
+"""What `rigidtop lecture` is asked for in the shell; the documents are judged in tests/present."""
+
+import re
+
+import pytest
+
+from rigidtop.cli import main
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory):
+    """Every kind of file of a small collection, with what is one's own in it."""
+    folder = tmp_path_factory.mktemp("lecture")
+    assert main(["new", str(folder / "my_course")]) == 0
+    preamble = folder / "own.tex"
+    preamble.write_text("% my own preamble\n", "utf-8")
+    own = ["--title", "Pendulums", "--author", "A. Lecturer", "--course", "PHY 1", "--points", "4"]
+    look = ["--paper", "letter", "--language", "de", "--preamble", str(preamble)]
+    kinds = ["--slides", "--fragment", "--format", "myst"]
+    out = folder / "out"
+    assert main(["lecture", f"{folder / 'my_course'}/", "-o", str(out), *own, *look, *kinds]) == 0
+    return out
+
+
+def test_every_kind_of_file_is_written(written):
+    names = {path.relative_to(written).as_posix() for path in written.rglob("*.*")}
+    assert {"lecture.tex", "lecture.html", "slides.html", "rigidtop.sty"} <= names
+    assert {"chapters/1-1.tex", "myst/myst.yml", "myst/section-1-1.md"} <= names
+
+
+def test_title_author_course_paper_and_preamble_are_ones_own(written):
+    source = (written / "lecture.tex").read_text("utf-8")
+    assert r"\bfseries\raggedright Pendulums\par" in source
+    assert "A. Lecturer, PHY 1" in source
+    assert "letterpaper" in source
+    assert r"\usepackage[ngerman]{babel}" in source
+    assert "% my own preamble" in source
+    assert "{4 points}" in source
+    page = (written / "lecture.html").read_text("utf-8")
+    assert '<html lang="de" class="lecture">' in page
+    assert '<p class="byline">A. Lecturer, PHY 1</p>' in page
+    assert "<title>Pendulums</title>" in page
+
+
+def test_a_verdict_is_a_mark_with_its_word(written):
+    page = (written / "lecture.html").read_text("utf-8")
+    assert re.search(r'<span class="seal proved" title="proved">.*proved: </span>', page)
+    assert "data-tex=" in page
+
+
+@pytest.mark.parametrize(
+    ("asked", "said"),
+    [
+        (["--record", "--slides"], "--record is the record alone"),
+        (["--language", "xx"], "no language 'xx'; there are en, de"),
+        (["--preamble", "nowhere.tex"], "cannot read nowhere.tex: No such file"),
+        (["--class", "a}b"], "--class wants the name of a LaTeX class"),
+        (["--points", "0"], "--points wants a number from 1 to 1000"),
+        (["--title", " "], "--title wants some words"),
+        (["--author", "日本"], "--author: no LaTeX for the character '日'"),
+    ],
+)
+def test_what_makes_no_sense_is_one_line(capsys, tmp_path, asked, said):
+    assert main(["lecture", "-o", str(tmp_path / "out"), *asked]) == 2
+    error = capsys.readouterr().err
+    assert said in error
+    assert error.count("\n") == 1
