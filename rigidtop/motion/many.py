@@ -43,6 +43,7 @@ def top_motions(
     psi: ArrayLike = 0.0,
     psi_dot: ArrayLike | None = None,
     omega3: ArrayLike | None = None,
+    physical: bool | float = True,
 ) -> TopMotions:
     """Motions of heavy symmetric tops, as of `HeavyTop` and its `motion`; the arrays broadcast.
 
@@ -73,7 +74,7 @@ def top_motions(
     central = values["lambda1"] - values["M"] * values["R"] ** 2
     slack = checks.TOLERANCE * np.maximum(values["lambda1"], values["lambda3"])
     wrong = 2 * np.maximum(central, values["lambda3"]) > 2 * central + values["lambda3"] + slack
-    if np.any(wrong):
+    if physical and np.any(wrong):
         raise RigidtopError(
             f"lambda1 is too small in {np.count_nonzero(wrong)} of {wrong.size}: "
             "it must be at least MR² + lambda3/2"

@@ -39,6 +39,15 @@ def test_heavy_top(change, says):
         rt.HeavyTop(**{**GOOD, **change})
 
 
+def test_moments_that_no_body_has_are_for_many_tops_too():
+    simo_wong = {"lambda1": 5.0, "lambda3": 1.0, "M": 20.0, "R": 1.0}
+    one = rt.HeavyTop(**simo_wong, physical=False)
+    many = rt.top_motions(**vars(one), theta=0.3, omega3=[50.0, 60.0])
+    assert many.regime.tolist() == [one.motion(theta=0.3, omega3=w).regime for w in (50.0, 60.0)]
+    with pytest.raises(rt.RigidtopError, match="lambda1 is too small in 1 of 1"):
+        rt.top_motions(**simo_wong, theta=0.3, omega3=[50.0, 60.0])
+
+
 def test_a_disc_about_its_pivot_is_allowed_and_no_more():
     """A disc of M = 2, radius 0.3 at R = 0.4: moments about its centre ½λ₃, ½λ₃, λ₃."""
     lambda3, shift = 0.5 * 2 * 0.3**2, 2 * 0.4**2
