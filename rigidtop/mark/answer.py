@@ -21,6 +21,7 @@ from typing import Any
 import sympy
 from sympy import Expr, MatrixBase, Ne, Pow, Symbol, cos, sin
 
+from rigidtop.derivations.letters import LETTERS
 from rigidtop.mark import facts, slips
 from rigidtop.mark.facts import Model, Passage
 from rigidtop.mark.links import (
@@ -39,7 +40,9 @@ from rigidtop.mark.passages import passage, way
 from rigidtop.notation import Notation
 from rigidtop.present.text import text
 from rigidtop.proof import decide
+from rigidtop.proof.derivation import diagnose
 from rigidtop.proof.equation import Equation, Rate, Underbrace, symbols_of, value
+from rigidtop.proof.moves import Known
 from rigidtop.proof.verdict import entries
 from rigidtop.read.document import Formula, Problem, bare, formulas, places, problems
 from rigidtop.read.formula import Line, read
@@ -373,6 +376,7 @@ class _Answer:
     definitions: dict[Any, Any] = field(
         default_factory=lambda: {slope: p for p, slope in facts.SLOPES_IN_RATES.items()}
     )
+    wrong: list[tuple[int, Equation]] = field(default_factory=list)
     stated: list[Any] = field(default_factory=list)
     lost: list[str] = field(default_factory=list)
     failed: bool = False
@@ -534,12 +538,27 @@ class _Answer:
         [found] = self._wrong()
         where = f"{_side_text(link.left)} = {_side_text(link.right)}: " if len(links) > 1 else ""
         note = where + _counterexample(link, verdict)
+        assert step.line.equation is not None
+        whole = _replaced(step.line.equation, self._own_replaced)
         if found is Mark.CARRIED:
-            return Marked(step.number, said, found, "does not hold either, behind a wrong line")
+            return Marked(step.number, said, found, self._carried(step.number, whole))
+        self.wrong.append((step.number, whole))
         named = explain(link, self.passage) if self.explained else ()
         if named:
             note = f"{' or '.join(slip.words for slip in named)}; {note}"
         return Marked(step.number, said, found, note, named)
+
+    def _carried(self, number: int, equation: Equation) -> str:
+        """Whether what is false follows from a false line above it, in words."""
+        for line, above in reversed(self.wrong):
+            try:
+                found = diagnose([equation], [Known("", (above,))], LETTERS)
+            except ERRORS:
+                continue
+            if found is not None and found.entailed:
+                self.wrong.append((number, equation))
+                return f"follows from line {line}, which does not"
+        return "does not hold either, behind a wrong line"
 
     def _judge_if_known(self, link: Link, model: Model) -> Verdict:
         """Ω means nothing for a motion that is not steady."""

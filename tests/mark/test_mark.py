@@ -664,3 +664,11 @@ def test_too_much_is_refused():
     many = mark("$$1 = 1$$\n" * 300, "3.53", "3.54")
     assert len(many.lines) == 201
     assert many.lines[-1].note == "more than 200 lines"
+
+
+def test_what_follows_from_a_wrong_line_is_told_from_what_does_not():
+    wrong = r"$$L_3 = \lambda_3\dot\psi$$" + "\n\n"
+    found = mark(wrong + r"$$2L_3 = 2\lambda_3\dot\psi$$", "3.53", "3.56").lines[1]
+    assert (found.mark, found.note) == (Mark.CARRIED, "follows from line 1, which does not")
+    found = mark(wrong + r"$$2L_3 = 3\lambda_3\dot\psi$$", "3.53", "3.56").lines[1]
+    assert (found.mark, found.note) == (Mark.CARRIED, "does not hold either, behind a wrong line")
