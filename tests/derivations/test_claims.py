@@ -14,6 +14,7 @@ from rigidtop.motion.body import FreeBody
 from rigidtop.motion.top import HeavyTop
 from rigidtop.proof.page import Check, Correction, Definition, Measure, Step
 from rigidtop.proof.verdict import Finding, Verdict, judge
+from rigidtop.proof.words import unmarked
 from rigidtop.theory import symbols as s
 
 SECTIONS = {
@@ -135,7 +136,7 @@ def test_every_printed_number_is_on_one_claim_once(judgements):
 
 def test_measures_pass_with_room_to_spare(judgements):
     measures = {
-        item.what: item
+        unmarked(item.what): item
         for judged in judgements.values()
         for item in judged.items
         if isinstance(item, Measure)
@@ -414,7 +415,7 @@ def test_the_mean_of_a_finite_nutation_lies_off_the_steady_angle():
 )
 def test_conditions_in_words(judgements, claim, condition, words):
     assert any(
-        tested.assumption.condition == condition and words in tested.assumption.words
+        tested.assumption.condition == condition and words in unmarked(tested.assumption.words)
         for finding in judgements[claim].findings()
         for tested in finding.assumptions
     )
@@ -440,7 +441,11 @@ def test_three_equal_moments_leave_every_rotation_as_it_is(judgements):
 
 def test_friction_inside_leads_from_the_smallest_moment_to_the_largest(judgements):
     """And without it the same kick stays one, for as long."""
-    error = {i.what: i.error for i in judgements["axis-stability"].items if isinstance(i, Measure)}
+    error = {
+        unmarked(i.what): i.error
+        for i in judgements["axis-stability"].items
+        if isinstance(i, Measure)
+    }
     assert error["L in space with friction inside, relative"] < 1e-9
     assert error["L at last off the axis of largest moment, relative"] < 0.0011
     free = FreeBody(1.0, 1.7, 2.3).motion(omega=(2.0, 2e-3, 0.0)).exact(np.linspace(0, 300, 3001))

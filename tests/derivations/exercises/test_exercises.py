@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 
 import pytest
 
@@ -9,12 +10,15 @@ from rigidtop.derivations import PAGES
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.parameters import settings
+from rigidtop.present.figures.catalog import FIGURES
 from rigidtop.present.prose import prose
 from rigidtop.present.solutions import Solution, record
 from rigidtop.proof.exercise import Answer, Table
 from rigidtop.proof.page import Measure
 from rigidtop.proof.perturb import falls, telling, upheld
 from rigidtop.proof.verdict import Finding, Verdict, judge
+from rigidtop.proof.words import parts
+from rigidtop.theory.symbols import VOCABULARY
 
 NAMES = [exercise.name for exercise in EXERCISES]
 OF_THE_NOTES = {claim.name for page in PAGES for claim in page.claims}
@@ -64,7 +68,32 @@ def test_every_word_can_be_printed(exercise):
     tables = [o for o in outcomes if isinstance(o, Table)]
     words += [cell for t in tables for row in (t.columns, *t.rows) for cell in row]
     for text in words:
-        assert isinstance(text, float | int) or prose(text)
+        assert isinstance(text, float | int) or (prose(text) and not unmarked_letters(text))
+
+
+def unmarked_letters(text):
+    """Greek letters, indices and dots outside of the marks; or marks that do not match."""
+    plain = "".join(part for formal, part in parts(text) if not formal)
+    return re.findall("[α-ωΑ-Ω₀-₉ₖᵢ\u0302\u0307\u0308]", plain) or text.count("$") % 2
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.section)
+def test_mathematics_is_marked(page):
+    claims = [*page.claims, *(c for e in EXERCISES if e.section == page.section for c in e.claims)]
+    for claim in claims:
+        words = [claim.says, claim.reason]
+        for item in claim.evidence():
+            words += [a.words for a in getattr(item, "assuming", ())]
+            words.append(getattr(item, "reason", getattr(item, "what", "")))
+        assert [text for text in words if unmarked_letters(text)] == []
+
+
+def test_mathematics_in_captions_is_marked():
+    words = [q.meaning for q in VOCABULARY.values()]
+    for figure in FIGURES:
+        words += [figure.title, *(p.about for p in figure.parameters)]
+        words.append(figure.caption(**figure.values()))
+    assert [text for text in words if unmarked_letters(text)] == []
 
 
 @pytest.mark.parametrize("name", NEW_CLAIMS)
