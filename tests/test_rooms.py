@@ -46,6 +46,7 @@ READS = {
     "mark": {"errors", "theory", "notation", "proof", "read", "derivations", "present"},
     "parameters": {"errors"},
     "bench": {"errors", "theory", "codegen", "motion", "system"},
+    "referee": {"errors", "motion"},
     "starter": {"theory", "parameters", "proof", "system"},
     "collection": {
         "errors",
@@ -83,6 +84,7 @@ READS = {
         "read",
         "notation",
         "bench",
+        "referee",
         "textfile",
     },
     "cli": {"errors", "commands"},
@@ -101,6 +103,7 @@ FORBIDDEN = {
     "theory": NUMERIC,
     "proof": NUMERIC,
     "motion": SYMBOLIC | {"matplotlib"},
+    "referee": SYMBOLIC | {"matplotlib"},
     "codegen": {"scipy", "matplotlib"},
     "derivations": {"matplotlib"},
     "starter": {"matplotlib"},

@@ -21,6 +21,7 @@ from rigidtop.commands import (
     new,
     notation,
     read,
+    referee,
     simulate,
     sweep,
     web,
@@ -44,6 +45,7 @@ COMMANDS = {
     "certify": certify,
     "sweep": sweep,
     "bench": bench,
+    "referee": referee,
 }
 """Each module has ABOUT, `add_options(parser)` and `run(options)`, which returns the exit code."""
 
