@@ -27,8 +27,9 @@ from rigidtop.proof.derivation import Judged, Line
 from rigidtop.proof.equation import Equation, Partial, Rate
 from rigidtop.proof.lecture import Block, Heading, Lecture, Shown, Text
 from rigidtop.proof.moves import Known, Move, Scope
+from rigidtop.system.forms import parts_of, short
 from rigidtop.system.names import own_functions
-from rigidtop.system.system import System, _parts, _short
+from rigidtop.system.system import System
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import VOCABULARY, E, Lagrangian, Quantity, const
 
@@ -251,8 +252,8 @@ class _Writer:
         system, names = self.system, self.system.names
         x, v = self.own(names.q[k]), self.own(names.v[k])
         by_rate, by_place = Partial(Lagrangian, v), Partial(Lagrangian, x)
-        momentum = self.own(_short(system.conjugate[k]))
-        slope = self.own(_short(system.plain.diff(names.q[k])))
+        momentum = self.own(short(system.conjugate[k]))
+        slope = self.own(short(system.plain.diff(names.q[k])))
         self.heading("Equation of motion for ", x)
         p = self.line(
             ("Differentiate the Lagrangian by ", v),
@@ -266,12 +267,12 @@ class _Writer:
         )
         if system.q[k] in system.cyclic:
             self.conserved(p, force, law, x)
-        rate = _short(self.rate(momentum))
+        rate = short(self.rate(momentum))
         turning = self.line(
             ("Take the rate of ", by_rate), Equation(Rate(by_rate), rate), Move("rate", (p,))
         )
         [equation] = law.equations
-        right = _short(equation.sides[1].xreplace({by_place: slope}))
+        right = short(equation.sides[1].xreplace({by_place: slope}))
         made = self.line(
             ("Put it and ", by_place, " into Lagrange's equation for ", x),
             Equation(rate, right, tag=self.tag(str(k + 1))),
@@ -307,7 +308,7 @@ class _Writer:
         self.heading("The rate of " + _numbered("the constraint", i, count))
         known, called = rule, rule.called
         for last in (False, True) if self.system.holonomic[i] else (True,):
-            rate = _short(self.rate(known.equations[0].sides[0]))
+            rate = short(self.rate(known.equations[0].sides[0]))
             known = self.line(
                 (f"Take the rate of {called}",),
                 Equation(rate, 0, tag=self.tag(f"c{i + 1}") if last else ""),
@@ -320,7 +321,7 @@ class _Writer:
         """The accelerations, of equations that hang together at once; none where that is long."""
         system, names = self.system, self.system.names
         unknown = [*names.a, *system.multipliers]
-        parts = _parts(names.plain(system.mass_matrix))
+        parts = parts_of(names.plain(system.mass_matrix))
         if held:
             parts = [list(range(len(unknown)))]
         if max(map(len, parts)) > SOLVED:

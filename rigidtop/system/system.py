@@ -14,24 +14,15 @@ from rigidtop.codegen.solve import SingularError, StraightLine, solved
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import in_one_line
 from rigidtop.proof import decide
+from rigidtop.system.forms import LARGEST, expanded, grouped, parts_of, readable, short
 from rigidtop.system.names import Names, expression, multipliers, named, own_functions
 from rigidtop.system.parts import Body, Mass, Part, kinetic_energy, potential_energy
 from rigidtop.theory import lagrangian as mechanics
-from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
 if TYPE_CHECKING:
     from rigidtop.system.derivation import Derivation
     from rigidtop.system.motion import Numeric, SystemMotion, SystemMotions
     from rigidtop.system.steady import Small
-
-REDUCED = 4000
-"""Operations in an expression up to which a normal form is tried, to see whether it is shorter."""
-
-PRINTED = 150
-"""Operations in a result up to which it is brought to lowest terms, to be read."""
-
-FACTORED = 200
-"""Operations in a coefficient up to which it is factored."""
 
 CRAMER = 3
 """Rows of a part of the mass matrix up to which determinants are written out."""
@@ -282,12 +273,12 @@ class System:
         sizes = [x.count_ops() for x in raw]
         forms = [
             [
-                _grouped(x, self.names.v) if k < REDUCED else x
+                grouped(x, self.names.v) if k < LARGEST else x
                 for x, k in zip(raw, sizes, strict=True)
             ]
         ]
-        if sum(sizes) < REDUCED:  # otherwise the first is the shortest by far
-            forms += [raw, [_short(x) for x in raw]]
+        if sum(sizes) < LARGEST:  # otherwise the first is the shortest by far
+            forms += [raw, [short(x) for x in raw]]
         n = len(force)
         taken = {x.name for x in self._letters} | {x.name for x in self.multipliers}
         found: list[StraightLine] = []
@@ -309,7 +300,7 @@ class System:
         k = A.rows
         rates = dict(zip(names.q, names.v, strict=True))
         held = [
-            _short(
+            short(
                 -sympy.Add(
                     *(self._rate(A[i, j], rates) * names.v[j] for j in range(n)),
                     self._rate(self.rolling[i, n], rates),
@@ -377,7 +368,7 @@ class System:
                 self.conjugate, names.q, self.generalised_forces, pushed, strict=True
             )
         ]
-        short = [_short(row) if row.count_ops() < REDUCED else row for row in rows]
+        short = [short(row) if row.count_ops() < LARGEST else row for row in rows]
         return names.back(Matrix(short))
 
     @cached_property
@@ -389,35 +380,35 @@ class System:
         made = self.program.written_out()[: len(self.q)]
         if not self.constraints:
             made = self._over_mass(self._balance[1]) or made
-        return self.names.back(Matrix([_readable(x) for x in made]))
+        return self.names.back(Matrix([readable(x) for x in made]))
 
     def _over_mass(self, right: Sequence[Expr]) -> tuple[Expr, ...]:
         """M⁻¹ times a column, to be read: by Cramer's rule, part by part.
 
         Nothing where a part of M that does not fall apart is large.
         """
-        mass = self._balance[0].applyfunc(_short)
+        mass = self._balance[0].applyfunc(short)
         made = dict.fromkeys(range(mass.rows), Integer(0))
-        for part in _parts(mass):
+        for part in parts_of(mass):
             if len(part) > CRAMER:
                 return ()
             own = mass.extract(part, part)
-            column = own.adjugate() * Matrix([_short(right[k]) for k in part])
-            below = _short(own.det(method="berkowitz"))
+            column = own.adjugate() * Matrix([short(right[k]) for k in part])
+            below = short(own.det(method="berkowitz"))
             for k, above in zip(part, column, strict=True):
-                made[k] = _short(above) / below
+                made[k] = short(above) / below
         return tuple(made[k] for k in range(mass.rows))
 
     @cached_property
     def constraint_forces(self) -> Matrix:
         """The multipliers along the motion (k×1)."""
         made = self.program.written_out()[len(self.q) :]
-        return self.names.back(Matrix([_readable(-x) for x in made]))
+        return self.names.back(Matrix([readable(-x) for x in made]))
 
     @cached_property
     def mass_matrix(self) -> Matrix:
         """∂²L/∂q̇∂q̇ (n×n)."""
-        return self.names.back(self._balance[0].applyfunc(_short))
+        return self.names.back(self._balance[0].applyfunc(short))
 
     @cached_property
     def momenta(self) -> Matrix:
@@ -438,7 +429,7 @@ class System:
     def jacobi(self) -> Expr:
         """Jacobi's integral, plain."""
         turned = sympy.Add(*(p * v for p, v in zip(self.conjugate, self.names.v, strict=True)))
-        return _expanded(turned - self.plain)
+        return expanded(turned - self.plain)
 
     @cached_property
     def cyclic(self) -> tuple[Expr, ...]:
@@ -491,7 +482,7 @@ class System:
         plain = self.quantity(expression("the quantity", quantity))
         motion = dict(zip(names.a, self.program.written_out(), strict=False))
         rates = {x: rate.xreplace(motion) for x, rate in names.rates.items()}
-        return names.back(_readable(self._rate(plain, rates)))
+        return names.back(readable(self._rate(plain, rates)))
 
     def is_conserved(self, quantity: Any) -> bool:
         """Whether a quantity is constant along every motion, shown symbolically.
@@ -553,15 +544,15 @@ class System:
         names = self.names
         if self._balance[0].has(*names.v):
             turned = sympy.Add(*(p * v for p, v in zip(names.p, names.v, strict=True)))
-            return _readable((turned - self.plain).xreplace(self._velocities))
+            return readable((turned - self.plain).xreplace(self._velocities))
         # ½ (p − a)·q̇ − L₀, where L = ½ q̇·Mq̇ + a·q̇ + L₀
         still = dict.fromkeys(names.v, Integer(0))
         kinetic = [
             (p - x.subs(still)) * self._velocities[v] / 2
             for p, x, v in zip(names.p, self.conjugate, names.v, strict=True)
         ]
-        parts = _parts(self._balance[0].applyfunc(_short))
-        together = [_readable(sympy.Add(*(kinetic[k] for k in part))) for part in parts]
+        parts = parts_of(self._balance[0].applyfunc(short))
+        together = [readable(sympy.Add(*(kinetic[k] for k in part))) for part in parts]
         return sympy.Add(*together, -sympy.expand(self.plain.subs(still)))
 
     @cached_property
@@ -598,7 +589,7 @@ class System:
         )
         pairs = zip(names.q, names.p, strict=True)
         bracket = [f.diff(x) * g.diff(p) - f.diff(p) * g.diff(x) for x, p in pairs]
-        return names.back(_readable(sympy.Add(*bracket)))
+        return names.back(readable(sympy.Add(*bracket)))
 
     @cached_property
     def routhian(self) -> Expr:
@@ -611,7 +602,7 @@ class System:
         chosen = [k for k, x in enumerate(self.q) if x in self.cyclic]
         velocities, momenta = ([group[k] for k in chosen] for group in (names.v, names.p))
         try:
-            return _readable(mechanics.routhian(self.plain, velocities, momenta))
+            return readable(mechanics.routhian(self.plain, velocities, momenta))
         except ValueError as error:
             raise RigidtopError(str(error)) from None
 
@@ -642,7 +633,7 @@ class System:
         """∂L/∂q + Q where all velocities vanish (n×1): zero at an equilibrium."""
         from rigidtop.system.steady import balance
 
-        return self.names.back(balance(self).applyfunc(_short))
+        return self.names.back(balance(self).applyfunc(short))
 
     def equilibria(self) -> tuple[dict[Expr, Expr], ...]:
         """Where the system stays at rest, as SymPy solves it: the coordinates that are not free.
@@ -756,55 +747,6 @@ def _forces(forces: Any, q: Any) -> tuple[Expr, ...]:
     if isinstance(forces, (Expr, int, float)):
         forces = [forces]
     return tuple(expression("a force", each) for each in forces)
-
-
-def _short(value: Expr) -> Expr:
-    """The shortest of the normal forms of a trigonometric polynomial."""
-    forms = [value]
-    for keep in ("cos", "sin"):
-        reduced = reduce_trig(value, keep)
-        forms += [reduced, sympy.factor_terms(reduced)]
-    return min(forms, key=lambda form: form.count_ops())
-
-
-def _expanded(value: Expr) -> Expr:
-    """A sum of terms, as few as sin² + cos² = 1 allows."""
-    forms = [sympy.expand(value), reduce_trig(value), reduce_trig(value, "sin")]
-    return min(forms, key=lambda form: form.count_ops())
-
-
-def _grouped(value: Expr, velocities: Sequence[Symbol]) -> Expr:
-    """Collected in the velocities, each coefficient in factors: what is in all masses goes out."""
-    terms: dict[Expr, list[Expr]] = {}
-    for term in sympy.Add.make_args(reduce_trig(value)):
-        rates, rest = term.as_independent(*velocities, as_Add=False)[::-1]
-        terms.setdefault(rates, []).append(rest)
-    made = []
-    for rates, coefficients in terms.items():
-        total = sympy.Add(*coefficients)
-        if total.count_ops() < FACTORED and total.is_polynomial(*total.atoms(sympy.sin, sympy.cos)):
-            total = sympy.factor(total)
-        made.append(rates * total)
-    return sympy.factor_terms(sympy.Add(*made))
-
-
-def _readable(value: Expr) -> Expr:
-    """In lowest terms, as far as that is quick; the same value in any case."""
-    if value.count_ops() > PRINTED:
-        return value
-    return min((value, reduce_ratio(value), _short(value)), key=lambda form: form.count_ops())
-
-
-def _parts(matrix: Matrix) -> list[list[int]]:
-    """The rows that hang together, in order: a matrix of blocks falls apart."""
-    left, made = list(range(matrix.rows)), []
-    while left:
-        part = [left.pop(0)]
-        for k in part:
-            part += [j for j in left if matrix[k, j] != 0]
-            left = [j for j in left if j not in part]
-        made.append(sorted(part))
-    return made
 
 
 __all__ = ["System"]

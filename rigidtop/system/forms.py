@@ -1,0 +1,68 @@
+"""Forms of expressions that are short: without `simplify`, each by what it is good for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy
+from sympy import Expr, Matrix, Symbol
+
+from rigidtop.theory.trig import reduce_ratio, reduce_trig
+
+LARGEST = 4000
+"""Operations in an expression up to which a normal form is tried, to see whether it is shorter."""
+
+FACTORED = 200
+"""Operations in a coefficient up to which it is factored."""
+
+PRINTED = 150
+"""Operations in a result up to which it is brought to lowest terms, to be read."""
+
+
+def short(value: Expr) -> Expr:
+    """The shortest of the normal forms of a trigonometric polynomial."""
+    forms = [value]
+    for keep in ("cos", "sin"):
+        reduced = reduce_trig(value, keep)
+        forms += [reduced, sympy.factor_terms(reduced)]
+    return min(forms, key=lambda form: form.count_ops())
+
+
+def expanded(value: Expr) -> Expr:
+    """A sum of terms, as few as sin² + cos² = 1 allows."""
+    forms = [sympy.expand(value), reduce_trig(value), reduce_trig(value, "sin")]
+    return min(forms, key=lambda form: form.count_ops())
+
+
+def grouped(value: Expr, velocities: Sequence[Symbol]) -> Expr:
+    """Collected in the velocities, each coefficient in factors: what is in all masses goes out."""
+    terms: dict[Expr, list[Expr]] = {}
+    for term in sympy.Add.make_args(reduce_trig(value)):
+        rates, rest = term.as_independent(*velocities, as_Add=False)[::-1]
+        terms.setdefault(rates, []).append(rest)
+    made = []
+    for rates, coefficients in terms.items():
+        total = sympy.Add(*coefficients)
+        if total.count_ops() < FACTORED and total.is_polynomial(*total.atoms(sympy.sin, sympy.cos)):
+            total = sympy.factor(total)
+        made.append(rates * total)
+    return sympy.factor_terms(sympy.Add(*made))
+
+
+def readable(value: Expr) -> Expr:
+    """In lowest terms, as far as that is quick; the same value in any case."""
+    if value.count_ops() > PRINTED:
+        return value
+    return min((value, reduce_ratio(value), short(value)), key=lambda form: form.count_ops())
+
+
+def parts_of(matrix: Matrix) -> list[list[int]]:
+    """The rows that hang together, in order: a matrix of blocks falls apart."""
+    left, made = list(range(matrix.rows)), []
+    while left:
+        part = [left.pop(0)]
+        for k in part:
+            part += [j for j in left if matrix[k, j] != 0]
+            left = [j for j in left if j not in part]
+        made.append(sorted(part))
+    return made
