@@ -56,6 +56,8 @@ def real(value: Any) -> float:
     ...
     TypeError: True
     """
+    if type(value) is float:
+        return value
     kind = getattr(getattr(value, "dtype", None), "kind", "f")
     if not (
         isinstance(value, (bool, str, bytes, bytearray, complex))

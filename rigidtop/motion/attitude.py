@@ -29,8 +29,12 @@ def from_euler_angles(theta: float, phi: float, psi: float) -> Rotation:
     array([1., 0., 0.])
     """
     # The float nearest to π means π: a top that hangs straight down, exactly.
-    c = 0.0 if theta == math.pi else math.cos(theta / 2)
-    return rotation(from_spinors(np.array(c), np.array(math.sin(theta / 2)), phi, psi))
+    c, s = 0.0 if theta == math.pi else math.cos(theta / 2), math.sin(theta / 2)
+    cos_phi, sin_phi = math.cos(phi / 2), math.sin(phi / 2)
+    cos_psi, sin_psi = math.cos(psi / 2), math.sin(psi / 2)
+    q0, q3 = cos_phi * cos_psi - sin_phi * sin_psi, sin_phi * cos_psi + cos_phi * sin_psi
+    q2, q1 = cos_phi * cos_psi + sin_phi * sin_psi, cos_phi * sin_psi - sin_phi * cos_psi
+    return Rotation.from_quat((s * q1, s * q2, c * q3, c * q0))
 
 
 def quaternions(rotation: Rotation) -> Floats:

@@ -89,7 +89,7 @@ def single_rotation(value: Any) -> Rotation:
         raise RigidtopError(f"attitude must be a scipy Rotation, not {type(value).__name__}")
     if not value.single:
         raise RigidtopError(f"attitude must be one rotation, not a stack of {len(value)}")
-    if not np.all(np.isfinite(value.as_quat())):
+    if not all(map(math.isfinite, value.as_quat().tolist())):
         raise RigidtopError("attitude must be finite: its quaternion is not")
     return value
 
@@ -178,6 +178,8 @@ SPAN = 501
 
 def times(value: ArrayLike) -> NDArray[np.float64]:
     """Finite times, shape (N,) with N ≥ 1; a tuple (start, end) is a span, as SciPy has it."""
+    if type(value) is float and abs(value) <= LARGEST:
+        return np.array([value])
     if isinstance(value, tuple) and len(value) == 2:
         start, end = times(list(value)).tolist()
         return np.linspace(start, end, SPAN)

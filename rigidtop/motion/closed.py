@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -104,8 +105,8 @@ def states(motion: Motion, times: Floats) -> tuple[Floats, Floats]:
     """Quaternions (N, 4), scalar first, body to space, and ω (N, 3) in body components (rad/s)."""
     solved = motion.orbit
     if isinstance(solved, free.Orbit):
-        columns = _free_states(solved, motion.attitude, times)
-        return np.stack(columns[:4], axis=-1), np.stack(columns[4:], axis=-1)
+        rows = _free_states(solved, motion.attitude, times)
+        return rows[:4].T, rows[4:].T
     s, turn = solved.states(times), axis(motion.body).turn
     if turn is None:
         return s.quaternion, s.omega
@@ -113,29 +114,23 @@ def states(motion: Motion, times: Floats) -> tuple[Floats, Floats]:
     return whole, np.asarray(attitudes.rotation(turn).apply(s.omega))
 
 
-def _free_states(orbit: free.Orbit, attitude: Rotation, times: Floats) -> list[Floats]:
+def _free_states(orbit: free.Orbit, attitude: Rotation, times: Floats) -> Floats:
+    """The quaternion and ω, (7, N)."""
     first = attitude.as_quat(scalar_first=True).tolist()
-    names = [each.name for each in fields(free.State)]
 
-    def at(t: Floats | float) -> free.State:
+    def columns(t: Floats | float) -> Sequence[Any]:
         state = orbit.at(t)
-        return free.State(*free.after(first, state.quaternion), *state.omega)
-
-    def columns(part: Floats) -> list[Floats]:
-        return [getattr(at(part), name) for name in names]
+        return *free.after(first, state.quaternion), *state.omega
 
     if len(times) == 1:
-        return [np.array([value]) for value in vars(at(float(times[0]))).values()]
-    latest = float(max(abs(times[0]), abs(times[-1])))
-
-    def needed(state: free.State) -> list[tuple[Floats, Floats]]:
-        size = np.broadcast_to(1 + latest * 2 * orbit.sigma, np.shape(state.q0))
-        return [
-            *((part, size) for part in state.quaternion),
-            *((part, size * orbit.sigma) for part in state.omega),
-        ]
-
-    even = samples.samples(times, orbit.half_piece, at, needed)
-    if even is not None:
-        return [even.of(name) for name in names]
-    return samples.in_blocks(columns, times)
+        return np.array([columns(float(times[0]))]).T
+    rotation = 1 + float(max(abs(times[0]), abs(times[-1]))) * 2 * orbit.sigma
+    names = [each.name for each in fields(free.State)]
+    needed = [(name, rotation if name[0] == "q" else rotation * orbit.sigma) for name in names]
+    even = samples.samples(
+        times,
+        orbit.course,
+        lambda nodes: free.State(*samples.in_blocks(columns, nodes)),
+        lambda _: needed,
+    )
+    return even.of(*names) if even is not None else samples.in_blocks(columns, times)

@@ -287,9 +287,10 @@ class TopMotion(Motion):
         """
         times = checks.times(t)
         orbit = self.orbit
-        even = samples.samples(times, orbit.half_piece, orbit.states, orbit.sizes(times))
-        if even is not None:
-            return EvenTop(self, times, even)
+        if len(times) > 1:
+            even = samples.samples(times, orbit.course, orbit.states, orbit.sizes(times))
+            if even is not None:
+                return EvenTop(self, times, even)
         return TopTrajectory(motion=self, t=times, **vars(orbit.states(times)))
 
     @cached_property

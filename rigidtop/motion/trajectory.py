@@ -186,43 +186,43 @@ class EvenTop(TopTrajectory):
     samples: Samples
 
     def __init__(self, motion: TopMotion, times: Floats, samples: Samples) -> None:
-        states = samples.levels[0].states
+        states = samples.states
         values = {"motion": motion, "t": times, "samples": samples, "omega3": states.omega3}
         for name, value in (values | {"upright_phi_dot": states.upright_phi_dot}).items():
             object.__setattr__(self, name, value)
 
     @cached_property
     def cos_half(self) -> Floats:
-        return self.samples.of("cos_half")
+        return self.samples.of("cos_half")[0]
 
     @cached_property
     def sin_half(self) -> Floats:
-        return self.samples.of("sin_half")
+        return self.samples.of("sin_half")[0]
 
     @cached_property
     def phi(self) -> Floats:
-        return self.samples.of("phi")
+        return self.samples.of("phi")[0]
 
     @cached_property
     def psi(self) -> Floats:
-        return self.samples.of("psi")
+        return self.samples.of("psi")[0]
 
     @cached_property
     def theta_dot(self) -> Floats:
-        return self.samples.of("theta_dot")
+        return self.samples.of("theta_dot")[0]
 
     @cached_property
     def v_phi(self) -> Floats:
-        return self.samples.of("v_phi")
+        return self.samples.of("v_phi")[0]
 
     @cached_property
     def theta(self) -> Floats:
-        return self.samples.of("theta")
+        return self.samples.of("theta")[0]
 
     @cached_property
     def phi_dot(self) -> Floats:
-        return self.samples.of("phi_dot")
+        return self.samples.of("phi_dot")[0]
 
     @cached_property
     def psi_dot(self) -> Floats:
-        return self.samples.of("psi_dot")
+        return self.samples.of("psi_dot")[0]

@@ -31,7 +31,7 @@ from numpy.typing import NDArray
 
 from rigidtop.motion.exact import theta
 from rigidtop.motion.exact.numbers import Kit, Plain, Real, Truth, kit
-from rigidtop.motion.exact.samples import HALF_PIECE, half_piece
+from rigidtop.motion.exact.samples import Course
 from rigidtop.motion.exact.theta import Factor, Modulus, Real4, cubic, factor, modulus, real4
 
 ROUNDING = 16 * float(np.finfo(float).eps)
@@ -182,10 +182,10 @@ class Orbit:
     # --- The state ---
 
     @property
-    def half_piece(self) -> float:
-        """How long the motion is smooth (s): see `samples`."""
-        turning = HALF_PIECE / (abs(self.drift) + abs(self.rate) + self.sigma)
-        return min(turning, half_piece(theta.strip(self.modulus), abs(self.rate)))
+    def course(self) -> Course:
+        """How smooth the motion is: see `samples`."""
+        strip, rate = theta.strip(self.modulus), abs(self.rate)
+        return Course(rate, strip, abs(self.drift) + rate + self.sigma, strip)
 
     def at(self, t: Real) -> State:
         """At times t (s), which broadcast against the orbit."""

@@ -36,7 +36,7 @@ from numpy.typing import NDArray
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import theta
 from rigidtop.motion.exact.numbers import Kit, Plain, Real, Truth, kit
-from rigidtop.motion.exact.samples import Sizes, half_piece, in_blocks
+from rigidtop.motion.exact.samples import BLOCK, Course, Sizes, in_blocks
 from rigidtop.motion.exact.theta import Cubic, Factor, Modulus, along, cubic, factor, modulus
 from rigidtop.motion.state import TopState
 
@@ -265,9 +265,19 @@ class Orbit:
     # --- The state ---
 
     @property
-    def half_piece(self) -> float:
-        """How long the motion is smooth (s): see `samples`."""
-        return half_piece(theta.strip(self.modulus), abs(self.rate))
+    def course(self) -> Course:
+        """How smooth the motion is: see `samples`."""
+        rate, strip, half = abs(self.rate), theta.strip(self.modulus), self.modulus.half
+        nearest = min(strip / 2, self.first.factor.distance, self.second.factor.distance)
+        if self.first.through or self.second.through or not rate:
+            return Course(rate, strip, rate)
+        own, other = (
+            each.drift + each.sense * each.factor.turn * rate / (2 * half)
+            for each in (self.first, self.second)
+        )
+        up, down = (own, other) if self.swapped else (other, own)
+        slopes = {"phi": up + down, "psi": self.start.omega3 + down - up}
+        return Course(rate, strip, rate, nearest, half, slopes)
 
     def at(self, t: Real) -> TopState:
         """The state at times t (s), which broadcast against the orbit."""
@@ -281,20 +291,20 @@ class Orbit:
         """To what the quantities of states are needed, at times of this size."""
         latest = float(max(abs(times[0]), abs(times[-1])))
 
-        def needed(state: TopState) -> list[tuple[Floats, Floats]]:
+        def needed(state: TopState) -> list[tuple[str, Floats | float]]:
             rounding = 1 + abs(self.rate) * latest  # that of z
             turning = np.abs(state.phi_dot)
-            turned = turning + abs(self.first.drift) + abs(self.second.drift)
+            turned = turning + (abs(self.first.drift) + abs(self.second.drift))
             fastest = np.sqrt((state.theta_dot**2 + state.v_phi**2).max())
-            speed = np.broadcast_to(rounding * fastest, turning.shape)
+            speed = rounding * fastest
             return [
-                (state.cos_half, rounding * state.cos_half),
-                (state.sin_half, rounding * state.sin_half),
-                (state.theta_dot, speed),
-                (state.v_phi, speed),
-                (state.phi, 1 + latest * turned),
-                (state.psi, 1 + latest * (abs(self.start.omega3) + turned)),
-                (state.phi_dot, speed + rounding * turning),
+                ("cos_half", rounding * state.cos_half),
+                ("sin_half", rounding * state.sin_half),
+                ("theta_dot", speed),
+                ("v_phi", speed),
+                ("phi", 1 + latest * turned),
+                ("psi", 1 + latest * (abs(self.start.omega3) + turned)),
+                ("phi_dot", speed + rounding * turning),
             ]
 
         return needed
@@ -308,6 +318,9 @@ class Orbit:
             return TopState(
                 **found, omega3=np.asarray(s.omega3), upright_phi_dot=np.asarray(s.b / 2)
             )
+
+        if len(times) <= BLOCK:
+            return self.at(times)
 
         def columns(part: Floats) -> tuple[Floats, ...]:
             state = self.at(part)
@@ -380,8 +393,11 @@ def _half(k: Kit, half: Half, at: theta.Place) -> tuple[Real, Real, Real]:
     across = t * f
     size = half.scale * (across * across + g * g)
     square = size * k.where(half.factor.weighted, at.plus, 1.0)
-    beside = g + half.factor.wound * at.t * across
-    angle = k.atan2(t * cubic(half.factor.winding, at.x), beside)
+    angle = k.pick(
+        half.factor.wound,
+        lambda: (k.atan2(t * cubic(half.factor.winding, at.x), g + at.t * across),),
+        lambda: (k.atan2(across, g),),
+    )[0]
     phase = angle + at.turns * half.factor.turn
     if k.any(half.through):
         odd = at.turns % 2 == 1

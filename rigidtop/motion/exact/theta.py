@@ -197,12 +197,14 @@ class Factor:
     """G."""
     winding: Cubic
     """Of its phase: the same, or F − G."""
-    wound: Real
-    """1 if its phase is counted from z, with which it turns, so that what is left is small."""
+    wound: Truth
+    """Whether its phase is counted from z, with which it turns, so that what is left is small."""
     weighted: Truth
     """Whether its square has the factor (1 + C)/2."""
     turn: Real
     """By how much its phase grows in a period."""
+    distance: Real
+    """Of its zeros from the real axis of z; inf if it is more than half of `strip`."""
     slope: Real
     """How its phase grows with z at that turning point from which its zeros are far."""
     square: Real
@@ -240,6 +242,7 @@ def factor(
         return k.where(is_near, one, other), k.where(is_near, other, one), angle
 
     c, s, angle = k.pick(mod.circular, hyperbolic, circular)
+    distance = k.where(is_near, angle, k.where(mod.circular, math.inf, angle))
     c2 = 1 + k.where(mod.circular, 2, -2) * s * s
     q = mod.q
     if at_origin:
@@ -270,7 +273,7 @@ def factor(
         # θ₄(ã + iζ) there is 2i exp(−iã) θ₁(ã), to all its digits.
         value = 2 * s * s * cubic(mod.sines, q * c2)
         even = (k.where(mod.circular, even[0], value), *even[1:])
-    return Factor(odd, even, winding, k.where(wound, 1.0, 0.0), halves, turn, slope, square)
+    return Factor(odd, even, winding, wound, halves, turn, distance, slope, square)
 
 
 @dataclass(frozen=True)
