@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from rigidtop.motion.body import FreeBody, HeavyBody
     from rigidtop.motion.many import FreeMotions, TopMotions, free_motions, top_motions
     from rigidtop.motion.motion import Motion
-    from rigidtop.motion.sliding import SlidingMotion, SlidingTop
-    from rigidtop.motion.sliding_trajectory import SlidingTrajectory
+    from rigidtop.motion.table.motion import SlidingMotion, SlidingTop
+    from rigidtop.motion.table.trajectory import SlidingTrajectory
     from rigidtop.motion.top import HeavyTop
     from rigidtop.motion.trajectory import Trajectory
     from rigidtop.system.motion import SystemMotion, SystemTrajectory
@@ -56,9 +56,9 @@ _HOMES = {
     "Motion": "rigidtop.motion.motion",
     "NoSteadyPrecession": "rigidtop.errors",
     "RigidtopError": "rigidtop.errors",
-    "SlidingMotion": "rigidtop.motion.sliding",
-    "SlidingTop": "rigidtop.motion.sliding",
-    "SlidingTrajectory": "rigidtop.motion.sliding_trajectory",
+    "SlidingMotion": "rigidtop.motion.table.motion",
+    "SlidingTop": "rigidtop.motion.table.motion",
+    "SlidingTrajectory": "rigidtop.motion.table.trajectory",
     "System": "rigidtop.system.system",
     "SystemMotion": "rigidtop.system.motion",
     "SystemTrajectory": "rigidtop.system.motion",

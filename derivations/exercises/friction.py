@@ -17,8 +17,8 @@ from sympy import Expr, Function, Matrix, symbols
 from rigidtop.derivations.euler_angles import TILTED
 from rigidtop.derivations.nutation import friction
 from rigidtop.errors import RigidtopError
-from rigidtop.motion.sliding import SlidingTop
-from rigidtop.motion.sliding_trajectory import SlidingTrajectory
+from rigidtop.motion.table.motion import SlidingTop
+from rigidtop.motion.table.trajectory import SlidingTrajectory
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.equation import Equation, Group, as_printed

@@ -12,7 +12,7 @@ from rigidtop.parameters import Parameter, quantity
 
 if TYPE_CHECKING:
     from rigidtop.motion.motion import Motion
-    from rigidtop.motion.sliding import SlidingMotion
+    from rigidtop.motion.table.motion import SlidingMotion
 
 TOP_OPTIONS = ("lambda1", "lambda3", "mass", "arm", "gravity", "theta", "phi", "psi", "theta_dot")
 TOP_RATES = ("phi_dot", "omega3", "psi_dot", "steady")

@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
 import rigidtop as rt
-from rigidtop.motion.sliding_contact import Contact
+from rigidtop.motion.table.contact import Contact
 
 BODY = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "R": 0.5}
 START = {"theta": 0.5, "theta_dot": 0.1, "phi_dot": 1.0, "omega3": 40.0}
@@ -461,10 +461,10 @@ def test_a_slip_that_begins_so_slowly_that_it_is_stiff():
 
 
 def test_more_changes_than_one_waits_for_are_refused(monkeypatch):
-    monkeypatch.setattr("rigidtop.motion.sliding_contact.MOST_EVENTS", 5)
+    monkeypatch.setattr("rigidtop.motion.table.phases.MOST_EVENTS", 5)
     motion = rt.SlidingTop(**TOY, mu=0.2, drag3=1e-6).motion(theta=0.35, omega3=250)
     assert len(motion.integrate([8.4], **LOOSE).events) == 2
-    monkeypatch.setattr("rigidtop.motion.sliding_contact.MOST_EVENTS", 1)
+    monkeypatch.setattr("rigidtop.motion.table.phases.MOST_EVENTS", 1)
     with pytest.raises(rt.RigidtopError, match=r"more than 1 changes .* until t = 8\.3"):
         motion.integrate([9.0], **LOOSE)
 

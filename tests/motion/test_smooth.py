@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import rigidtop as rt
-from rigidtop.motion.exact import smooth
+from rigidtop.motion.table import smooth
 
 BODY = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "R": 0.5}
 STARTS = {

@@ -12,8 +12,8 @@ from scipy.interpolate import CubicHermiteSpline
 from scipy.optimize import brentq
 
 from rigidtop.errors import RigidtopError
-from rigidtop.motion.sliding import SlidingMotion, SlidingTop
-from rigidtop.motion.sliding_trajectory import SlidingTrajectory
+from rigidtop.motion.table.motion import SlidingMotion, SlidingTop
+from rigidtop.motion.table.trajectory import SlidingTrajectory
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.present.figures.drawing import Drawing

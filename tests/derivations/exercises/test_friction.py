@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from rigidtop.errors import RigidtopError
-from rigidtop.motion.sliding import SlidingTop
+from rigidtop.motion.table.motion import SlidingTop
 
 TOP = {"lambda1": 4e-5, "lambda3": 2.5e-5, "M": 0.1, "R": 0.03, "g": 9.81}
 UP = np.array([0.0, 0.0, 1.0])

@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 
 import rigidtop as rt
 from rigidtop.derivations.exercises.friction import rising_top, small_tilt_time, waking_top
-from rigidtop.motion.sliding import SlidingTop
+from rigidtop.motion.table.motion import SlidingTop
 from rigidtop.present.figures import friction, style
 from rigidtop.present.figures.catalog import named
 

@@ -18,11 +18,12 @@ from rigidtop.motion import attitude as attitudes
 from rigidtop.motion import checks, systems
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.body import Triple
-from rigidtop.motion.exact import smooth
 from rigidtop.motion.integrate import TAYLOR, Accuracy, counted_phases, joined
 from rigidtop.motion.motion import MOST_TURNS
-from rigidtop.motion.sliding_contact import VARIABLES, Contact, Course, course
-from rigidtop.motion.sliding_trajectory import SlidingTrajectory
+from rigidtop.motion.table import smooth
+from rigidtop.motion.table.contact import VARIABLES, Contact
+from rigidtop.motion.table.phases import Course, course
+from rigidtop.motion.table.trajectory import SlidingTrajectory
 
 Pair = tuple[float, float]
 

@@ -12,12 +12,13 @@ from scipy.spatial.transform import Rotation
 
 from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.sliding_contact import ENDINGS, Contact, Event
 from rigidtop.motion.state import TopState
+from rigidtop.motion.table.contact import Contact
+from rigidtop.motion.table.phases import ENDINGS, Event
 from rigidtop.motion.trajectory import Turning, euler_columns
 
 if TYPE_CHECKING:
-    from rigidtop.motion.sliding import SlidingMotion
+    from rigidtop.motion.table.motion import SlidingMotion
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
