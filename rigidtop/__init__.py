@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from rigidtop.system.motion import SystemMotion, SystemTrajectory
     from rigidtop.system.parts import Body, Mass
     from rigidtop.system.system import System
+    from rigidtop.web.notebook import show
 
     __version__: str
 
@@ -43,6 +44,7 @@ __all__ = [
     "Trajectory",
     "__version__",
     "free_motions",
+    "show",
     "top_motions",
 ]
 
@@ -65,6 +67,7 @@ _HOMES = {
     "TopMotions": "rigidtop.motion.many",
     "Trajectory": "rigidtop.motion.trajectory",
     "free_motions": "rigidtop.motion.many",
+    "show": "rigidtop.web.notebook",
     "top_motions": "rigidtop.motion.many",
 }
 

@@ -25,6 +25,7 @@ from rigidtop.motion.integrate import (
     flow,
     on_both_sides,
 )
+from rigidtop.motion.start import Start
 from rigidtop.motion.trajectory import BodyTrajectory, EvenTop, TopTrajectory, Trajectory
 
 if TYPE_CHECKING:
@@ -113,18 +114,6 @@ class Motion:
             lambda motion, ordered: motion.path(ordered),
         )
         return BodyTrajectory(self, times, *self._attitudes(states, times))
-
-    def show(self, height: int = 760) -> None:
-        """Show the motion in a notebook: the page of `rigidtop web`, from this start.
-
-        `height` is that of the page, in pixels.  The page computes the motion in the browser; it
-        needs no network, and ``pip install 'rigidtop[web]'``.
-
-        Raises RigidtopError where there is no notebook, and where three.js is not installed.
-        """
-        from rigidtop.web.notebook import display
-
-        display(self, height)
 
     @cached_property
     def orbit(self) -> free.Orbit | heavy.Orbit:
@@ -248,8 +237,8 @@ class TopMotion(Motion):
     psi: float = 0.0
     """ψ at t = 0, from which ψ(t) continues (rad)."""
 
-    euler: tuple[float, float, float] | None = None
-    """θ, θ̇ and φ̇ at t = 0 if it is given by Euler angles: they keep the digits of large φ and ψ."""
+    euler: Start | None = None
+    """If it is given by Euler angles, which keep the digits of large φ and ψ."""
 
     def start(self) -> TopTrajectory:
         """The initial state, as a trajectory of one row."""
@@ -257,20 +246,20 @@ class TopMotion(Motion):
             return self._trajectory(
                 self._initial()[:, None], np.zeros(1), np.array([self.phi]), np.array([self.psi])
             )
-        state = heavy.beginning(self._from_euler(*self.euler))
+        state = heavy.beginning(self._from_euler(self.euler))
         return TopTrajectory(motion=self, t=np.zeros(1), **vars(state))
 
     @property
     def _axis(self) -> closed.Axis:
         return closed.Axis(self.body.lambda1, self.body.lambda3, self.body.weight[2], None)
 
-    def _from_euler(self, theta: float, theta_dot: float, phi_dot: float) -> heavy.Start:
-        hanging = theta == math.pi  # the float nearest to π means π
+    def _from_euler(self, given: Start) -> heavy.Start:
+        theta, hanging = given.theta, given.theta == math.pi  # the float nearest to π means π
         return closed.start(
             self._axis,
             omega3=self.omega[2],
             halves=(0.0 if hanging else math.cos(theta / 2), math.sin(theta / 2)),
-            rates=(theta_dot, 0.0 if hanging else phi_dot * math.sin(theta)),
+            rates=(given.theta_dot, 0.0 if hanging else given.phi_dot * math.sin(theta)),
             angles=(self.phi, self.psi),
         )
 
@@ -296,7 +285,7 @@ class TopMotion(Motion):
     @cached_property
     def orbit(self) -> heavy.Orbit:
         if self.euler is not None:
-            return heavy.solve(self._from_euler(*self.euler))
+            return heavy.solve(self._from_euler(self.euler))
         first = self.start()
         return heavy.solve(
             closed.start(

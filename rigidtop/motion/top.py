@@ -12,9 +12,10 @@ from scipy.spatial.transform import Rotation
 
 from rigidtop.errors import NoSteadyPrecession, RigidtopError
 from rigidtop.motion import checks
-from rigidtop.motion.attitude import azimuth_and_spin, body_rates, from_euler_angles
+from rigidtop.motion.attitude import azimuth_and_spin
 from rigidtop.motion.body import RigidBody, Triple
 from rigidtop.motion.motion import TopMotion
+from rigidtop.motion.start import start as euler_start
 
 ROUNDING = 4e-16
 """|cos θ| and relative gaps to the threshold that floats cannot tell from zero."""
@@ -199,28 +200,10 @@ class HeavyTop(RigidBody):
             if attitude is None or omega is None:
                 raise RigidtopError("attitude and omega are needed together")
             return self._from_attitude(attitude, checks.vector("omega", omega))
-        if psi_dot is not None and omega3 is not None:
-            raise RigidtopError("give psi_dot or omega3, not both")
-        if theta is None or (psi_dot is None and omega3 is None):
-            raise RigidtopError(
-                "give theta and the spin (omega3 or psi_dot), or attitude and omega"
-            )
-        start = {name: checks.number(name, value) for name, value in given.items()}
-        tilt = checks.polar_angle(theta)
-        azimuth, turn = start.get("phi", 0.0), start.get("psi", 0.0)
-        precession = start.get("phi_dot", 0.0)
-        rates = body_rates(
-            tilt, turn, start.get("theta_dot", 0.0), precession, start.get("psi_dot", 0.0)
+        start = euler_start(
+            "give theta and the spin (omega3 or psi_dot), or attitude and omega", **angles
         )
-        spin = start.get("omega3", rates[2])
-        return TopMotion(
-            self,
-            from_euler_angles(tilt, azimuth, turn),
-            (*rates[:2], spin),
-            azimuth,
-            turn,
-            (tilt, start.get("theta_dot", 0.0), precession),
-        )
+        return TopMotion(self, start.attitude, start.omega, start.phi, start.psi, start)
 
     def _from_attitude(self, attitude: Rotation, omega: Triple) -> TopMotion:
         phi, psi = azimuth_and_spin(checks.single_rotation(attitude), omega)

@@ -1,4 +1,4 @@
-"""A motion shown in Jupyter, as `Motion.show` asks for it."""
+"""A motion shown in Jupyter."""
 
 from __future__ import annotations
 
@@ -7,13 +7,19 @@ from rigidtop.motion.motion import Motion
 from rigidtop.web.page import page_of
 
 
-def display(motion: Motion, height: int) -> None:
-    """Display the page in the running notebook; RigidtopError where there is none."""
+def show(motion: Motion, height: int = 760) -> None:
+    """Show a motion in a notebook: the page of `rigidtop web`, from its start.
+
+    `height` is that of the page, in pixels.  The page computes the motion in the browser; it needs
+    no network, and ``pip install 'rigidtop[web]'``.
+
+    Raises RigidtopError where there is no notebook, and where three.js is not installed.
+    """
     if not isinstance(height, int) or height < 1:
         raise RigidtopError(f"height must be a whole number of pixels from 1, not {height!r}")
     try:
         from IPython import get_ipython
-        from IPython.display import display as show
+        from IPython.display import display
     except ImportError:
         get_ipython = None
     if get_ipython is None or get_ipython() is None:
@@ -21,4 +27,4 @@ def display(motion: Motion, height: int) -> None:
             "show() wants a notebook; `rigidtop web` writes the page as a file, and so does "
             "rigidtop.web.page.page_of(motion).html"
         )
-    show(page_of(motion, height))
+    display(page_of(motion, height))

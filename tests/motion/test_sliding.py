@@ -543,7 +543,7 @@ def test_impossible_tops(changes, message):
 @pytest.mark.parametrize(
     ("start", "message"),
     [
-        ({"theta": 0.3}, "give the spin"),
+        ({"theta": 0.3}, "give theta and the spin"),
         ({"theta": 0.3, "omega3": 1, "psi_dot": 1}, "psi_dot or omega3, not both"),
         ({"theta": 1.6, "omega3": 1}, "theta = 1.6 is no start"),
         ({"theta": 0.3, "omega3": 1, "velocity": 3}, "velocity must be two numbers"),

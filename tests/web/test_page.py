@@ -204,13 +204,13 @@ def test_show_displays_the_page(monkeypatch):
     monkeypatch.setattr("IPython.get_ipython", lambda: object())
     monkeypatch.setattr(IPython.display, "display", shown.append)
     motion = TOP.motion(theta=0.3, omega3=20.0)
-    assert motion.show(height=600) is None
+    assert rt.show(motion, height=600) is None
     assert shown == [page_of(motion, 600)]
 
 
 def test_show_outside_a_notebook_says_what_to_do():
     motion = TOP.motion(theta=0.3, omega3=20.0)
     with pytest.raises(rt.RigidtopError, match="`rigidtop web` writes the page as a file"):
-        motion.show()
+        rt.show(motion)
     with pytest.raises(rt.RigidtopError, match="height must be a whole number of pixels"):
-        motion.show(height=0)
+        rt.show(motion, height=0)

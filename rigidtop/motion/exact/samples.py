@@ -229,7 +229,7 @@ def _in_harmonics(
     number = FEWEST
     while number < 2 * (course.harmonics + LAST):
         number *= 2
-    nodes = course.period / number * np.arange(number)
+    nodes = np.linspace(0.0, course.period, number, endpoint=False)
     at_nodes = states(nodes)
     needs = sizes(at_nodes)
     values, units = _needed(at_nodes, needs, number)
@@ -245,7 +245,8 @@ def _in_harmonics(
     size = 2 * FEWEST if count < MANY else MOST
     begins = times[::size]
     turns = begins / course.period
-    powers = _powers(2 * np.pi / course.period * step * np.arange(size), width)
+    ahead: Floats = np.arange(float(size)) * (2 * math.pi * step / course.period)
+    powers = _powers(ahead, width)
     basis = np.empty((2 * width, size))
     basis[0::2], basis[1::2] = powers.real, -powers.imag
     part = Harmonics(
@@ -254,7 +255,7 @@ def _in_harmonics(
         begins=begins,
         step=step,
         basis=basis,
-        phases=np.ascontiguousarray(_powers(2 * np.pi * (turns - np.rint(turns)), width).T),
+        phases=np.ascontiguousarray(_powers(2 * math.pi * (turns - np.rint(turns)), width).T),
         nodes=nodes,
         states=at_nodes,
         course=course,
@@ -269,7 +270,7 @@ def _needed(
     values = np.stack([getattr(states, name).reshape(nodes, -1) for name, _ in needs])
     units = np.empty((len(needs), values.shape[2]))
     for unit, (_, needed) in zip(units, needs, strict=True):
-        unit[:] = needed if np.ndim(needed) == 0 else needed.reshape(nodes, -1).min(axis=0)
+        unit[:] = needed if isinstance(needed, float) else needed.reshape(nodes, -1).min(axis=0)
     return values, units
 
 
@@ -310,7 +311,7 @@ def _in_pieces(
     parts: list[Nodes] = []
     for _ in range(LEVELS if count > MANY else 1):
         whole = left.reshape(-1, size // FEWEST)
-        pieces = np.flatnonzero(whole.all(axis=1)[: -(-count // size)])
+        pieces = np.flatnonzero(np.all(whole[: -(-count // size)], axis=1))
         if not len(pieces):
             break
         middle = times[pieces * size] + step * ((size - 1) / 2)
@@ -318,7 +319,7 @@ def _in_pieces(
         at_nodes = states(nodes.ravel())
         values, units = _needed(at_nodes, sizes(at_nodes), NODES)
         changes = values - values[:, NODES // 2, None]
-        last = np.abs(np.matmul(_weights(size)[1], changes)).max(axis=1)
+        last: Floats = np.abs(np.matmul(_weights(size)[1], changes)).max(axis=1)
         columns = np.flatnonzero((last <= UNITS * units).all(axis=0))
         parts.append(Nodes(size, pieces[columns], columns, at_nodes))
         whole[pieces[columns]] = False

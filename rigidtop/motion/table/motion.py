@@ -20,6 +20,7 @@ from rigidtop.motion.attitude import Floats
 from rigidtop.motion.body import Triple
 from rigidtop.motion.integrate import TAYLOR, Accuracy, counted_phases, joined
 from rigidtop.motion.motion import MOST_TURNS
+from rigidtop.motion.start import start as euler_start
 from rigidtop.motion.table import smooth
 from rigidtop.motion.table.contact import VARIABLES, Contact
 from rigidtop.motion.table.phases import Course, course
@@ -116,38 +117,31 @@ class SlidingTop:
         >>> top.motion(theta=0.5, omega3=40.0, phi_dot=1.0, slip=(0.0, 0.0)).velocity.round(6) + 0.0
         array([0.      , 0.239713])
         """
-        if psi_dot is not None and omega3 is not None:
-            raise RigidtopError("give psi_dot or omega3, not both")
-        if psi_dot is None and omega3 is None:
-            raise RigidtopError("give the spin, as omega3 or psi_dot")
+        start = euler_start(
+            "give theta and the spin, as omega3 or psi_dot",
+            theta=theta,
+            theta_dot=theta_dot,
+            phi=phi,
+            phi_dot=phi_dot,
+            psi=psi,
+            psi_dot=psi_dot,
+            omega3=omega3,
+        )
         if velocity is not None and slip is not None:
             raise RigidtopError("give velocity (of the centre of mass) or slip, not both")
-        tilt = checks.polar_angle(theta)
-        if tilt >= self.fall and self.fall < math.pi:
+        if start.theta >= self.fall and self.fall < math.pi:
             raise RigidtopError(
-                f"theta = {tilt:g} is no start: the top lies on the table from fall = {self.fall:g}"
+                f"theta = {start.theta:g} is no start: the top lies on the table from "
+                f"fall = {self.fall:g}"
             )
-        start = {
-            "theta_dot": theta_dot,
-            "phi": phi,
-            "phi_dot": phi_dot,
-            "psi": psi,
-            "spin": omega3 if psi_dot is None else psi_dot,
-        }
-        known = {name: checks.number(name, value) for name, value in start.items()}
-        turn = known["psi"]
-        rates = attitudes.body_rates(
-            tilt, turn, known["theta_dot"], known["phi_dot"], known["spin"]
-        )
-        omega = *rates[:2], known["spin"] if psi_dot is None else rates[2]
-        attitude = attitudes.from_euler_angles(tilt, known["phi"], turn)
+        attitude, omega = start.attitude, start.omega
         if slip is not None:
             sliding = checks.pair("slip", slip)
         else:
             wanted = (0.0, 0.0) if velocity is None else checks.pair("velocity", velocity)
             without = _without_slip(self, attitude, omega)
             sliding = wanted[0] - without[0], wanted[1] - without[1]
-        return SlidingMotion(self, attitude, omega, known["phi"], turn, sliding)
+        return SlidingMotion(self, attitude, omega, start.phi, start.psi, sliding)
 
 
 def _without_slip(body: SlidingTop, attitude: Rotation, omega: Triple) -> Pair:
