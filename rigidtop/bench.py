@@ -16,7 +16,7 @@ import subprocess
 import sys
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
@@ -74,6 +74,26 @@ KINDS = (
         (2.0, 3.0, -4.0, 15.0),
     ),
     Kind(
+        "loops",
+        (0.7880870356962916, 0.26382257477702636, -0.5534427359353015, -0.05493278844097244),
+        (1.0, 0.0, -3.0, 30.0),
+    ),
+    Kind(
+        "almost steady",
+        (0.952227557148584, -0.18772539131419735, -0.16105776239366845, 0.17911519766763626),
+        (0.5, 0.0, 0.25, 40.0),
+    ),
+    Kind(
+        "past the upright",
+        (0.7535015896112485, -0.5353846893834542, 0.13092767862528268, -0.3584083310930407),
+        (0.3, 4.0, 0.0, 12.0),
+    ),
+    Kind(
+        "a pendulum",
+        (-0.880147553072263, 0.0, 0.4747002052041982, 0.0),
+        (1.0, 0.5, 0.0, 0.0),
+    ),
+    Kind(
         "falling",
         (-0.1905448670271952, -0.1343583266208076, 0.9614552640970927, -0.1457541383880216),
         (0.1, 0.0, 0.0, 2.0),
@@ -90,6 +110,18 @@ KINDS = (
         omega=(1.0, 0.5, 2.0),
     ),
     Kind(
+        "about the long axis",
+        (-0.1769606477526958, -0.9570475734555294, 0.12718994790750193, -0.19122653696889527),
+        moments=(1.0, 1.7, 2.5),
+        omega=(2.0, 0.5, 0.3),
+    ),
+    Kind(
+        "two equal moments",
+        (-0.9927950068330401, 0.10674107924202153, 0.004151078964511475, 0.05428798166318777),
+        moments=(1.0, 1.0, 1.6),
+        omega=(1.0, 0.5, 3.0),
+    ),
+    Kind(
         "the flip",
         (-0.012931118997556819, 0.998548307446118, -0.006665672431725793, -0.051861668590557984),
         moments=(1.0, 2.0, 3.0),
@@ -99,7 +131,8 @@ KINDS = (
 
 TOLERANCE = 1e-12
 ROUNDS = 5
-TOPS = 100_000
+STATES = 100_000
+TOPS = 1_000_000
 SHORTEST = 0.02
 """A round repeats what is shorter than this (s)."""
 
@@ -120,6 +153,9 @@ class Row:
     """The largest error of θ, φ, ψ at the end, or of the attitude, rad."""
 
     note: str = ""
+
+    kind: str = ""
+    """The kind of motion, in a task that has many."""
 
 
 @dataclass(frozen=True)
@@ -144,26 +180,39 @@ def measure(quick: bool = False, progress: Progress | None = None) -> list[Row]:
     """
     scale, rounds = (10, 1) if quick else (1, ROUNDS)
     sizes = 10_000 // scale, 1_000_000 // scale
-    tasks: list[tuple[str, int, Callable[[], list[Way]]]] = [
-        *((f"{n:,} samples of one motion", n, lambda n=n: _trajectory(n)) for n in sizes),
+    others = "{:,} samples of other motions"
+    tasks: list[tuple[str, str, int, Callable[[], list[Way]]]] = [
+        *((f"{n:,} samples of one motion", "", n, lambda n=n: _trajectory(n)) for n in sizes),
         *(
-            (f"{n:,} samples, {kind.name}", n, lambda n=n, kind=kind: _other(kind, n))
-            for kind in KINDS
+            (others.format(n), kind.name, n, lambda n=n, kind=kind: _other(kind, n))
             for n in sizes
+            for kind in KINDS
         ),
-        (f"{TOPS // scale:,} tops, each at one time", TOPS // scale, lambda: _tops(TOPS // scale)),
-        ("one right-hand side", 1, _one_call),
-        (f"{TOPS:,} right-hand sides", TOPS, _batch),
-        ("derive the equations of motion", 1, _derivations),
+        ("one time of a top", "", 1, _one_time_of_a_top),
+        ("one time of a free body", "", 1, _one_time_of_a_body),
+        (
+            f"{TOPS // scale:,} tops, each at one time",
+            "",
+            TOPS // scale,
+            lambda: _tops(TOPS // scale),
+        ),
+        ("one right-hand side", "", 1, _one_call),
+        (f"{STATES:,} right-hand sides", "", STATES, _batch),
+        ("derive the equations of motion", "", 1, _derivations),
         *(
-            (f"derive {n} pendulums in a row, to the right-hand side", 1, lambda n=n: _row_of(n))
+            (
+                f"derive {n} pendulums in a row, to the right-hand side",
+                "",
+                1,
+                lambda n=n: _row_of(n),
+            )
             for n in ((2, 4) if quick else (2, 4, 10))
         ),
-        ("10 s of two pendulums, 1,000 samples", 1000, _two_pendulums),
+        ("10 s of two pendulums, 1,000 samples", "", 1000, _two_pendulums),
     ]
     rows: list[Row] = []
-    for done, (task, per, ways) in enumerate(tasks):
-        rows += _rows(task, per, ways(), rounds)
+    for done, (task, kind, per, ways) in enumerate(tasks):
+        rows += [replace(row, kind=kind) for row in _rows(task, per, ways(), rounds)]
         if progress is not None:
             progress(done + 1, len(tasks))
     return rows
@@ -408,6 +457,33 @@ def _quiet() -> Iterator[None]:
         yield
 
 
+# --- One time ---
+
+
+def _one_time_of_a_top() -> list[Way]:
+    from rigidtop.motion.top import HeavyTop
+
+    known = HeavyTop(**TOP).motion(**START)
+    return [
+        Way("exact, a new motion", lambda: HeavyTop(**TOP).motion(**START).exact(END)),
+        Way("exact, again", lambda: known.exact(END)),
+        Way("integrate, DOP853, 1e-12", lambda: known.integrate(END, rtol=1e-12), rounds=1),
+    ]
+
+
+def _one_time_of_a_body() -> list[Way]:
+    from rigidtop.motion.body import FreeBody
+
+    body = next(kind for kind in KINDS if kind.moments)
+    assert body.moments is not None
+    moments, known = body.moments, FreeBody(*body.moments).motion(body.omega)
+    return [
+        Way("exact, a new motion", lambda: FreeBody(*moments).motion(body.omega).exact(END)),
+        Way("exact, again", lambda: known.exact(END)),
+        Way("integrate, DOP853, 1e-12", lambda: known.integrate(END, rtol=1e-12), rounds=1),
+    ]
+
+
 # --- Many motions ---------------------------------------------------------------------------------
 
 
@@ -484,7 +560,7 @@ def _many(call: Callable[[], Any], times: int = 1000) -> Callable[[], None]:
 def _batch() -> list[Way]:
     from rigidtop.motion import equations
 
-    states = np.array(_RATES)[:, None] * np.random.default_rng(0).uniform(0.9, 1.1, (4, TOPS))
+    states = np.array(_RATES)[:, None] * np.random.default_rng(0).uniform(0.9, 1.1, (4, STATES))
     shipped = equations.top_in_euler_angles(*TOP.values(), sin=np.sin, cos=np.cos)
     rows = list(states)
     ways = [Way("derived, NumPy", lambda: shipped(rows))]
@@ -496,10 +572,10 @@ def _batch() -> list[Way]:
     if heyoka is None:
         ways.append(_missing("derived, heyoka", "heyoka"))
     else:
-        arguments = np.empty((9, TOPS))
+        arguments = np.empty((9, STATES))
         arguments[:4] = states
         arguments[4:] = np.array(list(TOP.values()))[:, None]
-        results = np.empty((3, TOPS))
+        results = np.empty((3, STATES))
         ways.append(Way("derived, heyoka", lambda: heyoka.batch(arguments, outputs=results)))
     return ways
 
@@ -649,7 +725,17 @@ def table(rows: Sequence[Row]) -> str:
     blocks = []
     for task, ways in _by_task(rows):
         lines = [task]
+        for kind, exact, other, share in _compared(ways):
+            errors = ", ".join(
+                f"{row.error:.0e}" for row in (exact, other) if row.error is not None
+            )
+            times = f"{_time(exact.seconds or 0):>10}{_time(other.seconds or 0):>10}"
+            lines.append(f"  {kind:29}{times}{_digits(share):>9} ×  errors {errors} rad")
+        if len(lines) > 1:
+            lines[0] += ", exact and heyoka, and their ratio"
         for row, ratio in ways:
+            if row.kind:
+                continue
             if row.seconds is None:
                 lines.append(f"  {row.way:29}{row.note}")
                 continue
@@ -665,6 +751,22 @@ def table(rows: Sequence[Row]) -> str:
     return "\n\n".join(blocks)
 
 
+def _compared(
+    ways: Sequence[tuple[Row, float | None]],
+) -> list[tuple[str, Row, Row, float]]:
+    """Of each kind of motion its two ways, and the time of the first over the other's: worst first.
+
+    Nothing where the other is missing.
+    """
+    kinds = dict.fromkeys(row.kind for row, _ in ways if row.kind)
+    found = []
+    for kind in kinds:
+        exact, other = (row for row, _ in ways if row.kind == kind)
+        if exact.seconds and other.seconds:
+            found.append((kind, exact, other, exact.seconds / other.seconds))
+    return sorted(found, key=lambda one: -one[3])
+
+
 def records(rows: Sequence[Row]) -> list[dict[str, Any]]:
     """The rows for JSON, with the ratio to the first way of the task."""
     return [{**vars(row), "ratio": ratio} for _, ways in _by_task(rows) for row, ratio in ways]
@@ -677,8 +779,8 @@ def _by_task(rows: Sequence[Row]) -> list[tuple[str, list[tuple[Row, float | Non
         tasks.setdefault(row.task, []).append(row)
     found = []
     for task, ways in tasks.items():
-        unit = ways[0].seconds or math.nan
-        found.append((task, [(w, w.seconds / unit if w.seconds else None) for w in ways]))
+        first = {way.kind: way.seconds or math.nan for way in reversed(ways)}
+        found.append((task, [(w, w.seconds / first[w.kind] if w.seconds else None) for w in ways]))
     return found
 
 
@@ -686,26 +788,32 @@ def figure(rows: Sequence[Row]) -> Figure:
     """The ratios as bars, on a logarithmic scale."""
     from matplotlib.figure import Figure
 
-    tasks = _by_task(rows)
-    heights = [sum(ratio is not None for _, ratio in ways) for _, ways in tasks]
-    drawing = Figure(figsize=(7.2, 0.32 * sum(heights) + 0.75 * len(tasks)), layout="constrained")
-    axes = drawing.subplots(len(tasks), 1, height_ratios=[h + 0.6 for h in heights])
-    for axis, (task, ways) in zip(axes, tasks, strict=True):
-        known = [(row, ratio) for row, ratio in ways if ratio is not None]
-        names = [row.way for row, _ in known]
-        ratios = [ratio for _, ratio in known]
-        grey = ["0.25"] + ["0.7"] * (len(known) - 1)
-        axis.barh(names, ratios, color=grey, height=0.7, left=0)
+    panels = []
+    for task, ways in _by_task(rows):
+        compared = [(kind, share, exact) for kind, exact, _, share in _compared(ways)]
+        alone = [(row.way, ratio, row) for row, ratio in ways if ratio is not None and not row.kind]
+        if compared:
+            panels.append((f"{task}: exact over heyoka", compared, len(compared)))
+        if alone:
+            panels.append((task, alone, 1))
+    heights = [len(bars) for _, bars, _ in panels]
+    size = 7.2, 0.32 * sum(heights) + 0.75 * len(panels)
+    drawing = Figure(figsize=size, layout="constrained")
+    axes = drawing.subplots(len(panels), 1, height_ratios=[h + 0.6 for h in heights])
+    for axis, (title, bars, dark) in zip(axes, panels, strict=True):
+        ratios = [ratio for _, ratio, _ in bars]
+        grey = ["0.25"] * dark + ["0.7"] * (len(bars) - dark)
+        axis.barh([name for name, _, _ in bars], ratios, color=grey, height=0.7, left=0)
         axis.set_xscale("log")
         axis.set_xlim(min(0.1, *ratios) / 2, max(ratios) * 60)
         axis.invert_yaxis()
-        axis.set_title(task, loc="left", fontsize=9)
+        axis.set_title(title, loc="left", fontsize=9)
         axis.tick_params(labelsize=8)
         axis.spines[["top", "right"]].set_visible(False)
-        for place, (row, ratio) in enumerate(known):
+        for place, (_, ratio, row) in enumerate(bars):
             label = f" {_digits(ratio)} ×  ({_time(row.seconds or 0)})"
             axis.text(ratio, place, label, va="center", fontsize=8)
-    axes[-1].set_xlabel("time, relative to the first way", fontsize=8)
+    axes[-1].set_xlabel("time, relative to the first way, or to heyoka's", fontsize=8)
     return drawing
 
 

@@ -31,6 +31,25 @@ def test_table():
     )
 
 
+KINDS = [
+    bench.Row("fly", "exact", 2e-3, 1000, 1e-15, kind="up"),
+    bench.Row("fly", "heyoka", 4e-3, 1000, 1e-12, kind="up"),
+    bench.Row("fly", "exact", 3e-3, 1000, 1e-15, kind="down"),
+    bench.Row("fly", "heyoka", 2e-3, 1000, 1e-12, kind="down"),
+]
+
+
+def test_kinds_are_compared_and_the_worst_comes_first():
+    assert bench.table(KINDS) == (
+        "fly, exact and heyoka, and their ratio\n"
+        "  down                               3 ms      2 ms      1.5 ×  errors 1e-15, 1e-12 rad\n"
+        "  up                                 2 ms      4 ms      0.5 ×  errors 1e-15, 1e-12 rad"
+    )
+    assert [record["ratio"] for record in bench.records(KINDS)] == [1, 2, 1, pytest.approx(2 / 3)]
+    drawn = bench.figure([*KINDS, *ROWS])
+    assert [bar.get_width() for bar in drawn.axes[0].patches] == [1.5, 0.5]
+
+
 def test_records_are_json():
     records = json.loads(json.dumps(bench.records(ROWS)))
     assert [record["ratio"] for record in records] == [1.0, 4.0, None, 1.0]
@@ -72,7 +91,8 @@ def test_every_way_arrives_at_the_truth(k):
 @pytest.mark.parametrize("kind", bench.KINDS, ids=lambda kind: kind.name)
 def test_every_kind_arrives_at_the_truth(kind):
     exact, heyoka = bench._other(kind, 500)
-    for way, bound in ((exact, 5e-12), (heyoka, 1e-10)):
+    most = 5e-12 if kind.name == "near the separatrix" else 1e-13
+    for way, bound in ((exact, most), (heyoka, 1e-10)):
         if way.go is not None:
             assert way.error(way.go()) < bound
 
@@ -109,8 +129,8 @@ def reference(monkeypatch):
     return lambda kind: body(kind.moments, kind.omega) if kind.moments else top(*kind.start)
 
 
-@pytest.mark.parametrize("kind", bench.KINDS, ids=lambda kind: kind.name)
-def test_the_truth_of_every_kind_is_that_of_the_reference(kind, reference):
+@pytest.mark.parametrize("kind", bench.KINDS[4::4], ids=lambda kind: kind.name)
+def test_the_truth_of_a_kind_is_that_of_the_reference(kind, reference):
     alpha, beta = reference(kind)
     expected = alpha.real, -beta.imag, beta.real, alpha.imag
     assert kind.truth == pytest.approx(expected, abs=1e-15)
