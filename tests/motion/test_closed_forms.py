@@ -5,6 +5,7 @@
 
 import itertools
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -17,6 +18,7 @@ from scipy.special import ellipk
 
 import rigidtop as rt
 from rigidtop.motion import equations, many
+from rigidtop.motion.exact import samples
 
 TOP = rt.HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5)
 STEADY = TOP.steady_precession(theta=0.5, omega3=40.0)[0]
@@ -693,3 +695,45 @@ def test_many_samples_of_a_free_body_are_those_of_few(omega, count):
     run, few = motion.exact(times), motion.exact(times[:: count // 30])
     assert_allclose(run.quaternion[:: count // 30], few.quaternion, atol=1e-13)
     assert_allclose(run.omega[:: count // 30], few.omega, atol=1e-13)
+
+
+COURSES = {
+    "loops": ({"theta": 1.0, "phi_dot": -3.0, "omega3": 30.0}, samples.Harmonics),
+    "close to straight down": (
+        {"theta": 2.0, "theta_dot": 3.0, "phi_dot": -4.0, "omega3": 16.7},
+        samples.Harmonics,
+    ),
+    "steady": ({"theta": 1.0, "phi_dot": 0.25, "omega3": 39.3}, samples.Harmonics),
+    "falling": ({"theta": 0.1, "omega3": 2.0}, samples.Nodes),
+    "pendulum": ({"theta": 1.0, "theta_dot": 0.5, "omega3": 0.0}, samples.Nodes),
+}
+
+
+@pytest.mark.parametrize("end", [10.0, -37.0])
+@pytest.mark.parametrize("count", [300, 4_000, 100_000])
+@pytest.mark.parametrize("name", COURSES)
+def test_many_samples_of_a_top_are_those_of_few(name, count, end):
+    start, way = COURSES[name]
+    motion = TOP.motion(psi=1.0, **start)
+    times = np.linspace(0.7, end, count)
+    run = motion.exact(times)
+    if count == 4_000 and end > 0:
+        assert {*map(type, run.samples.parts)} == {way}
+    some = np.append(np.arange(0, count, count // 29), count - 1)
+    few = motion.exact(times[some])
+    for quantity in ("theta", "phi", "psi", "theta_dot", "phi_dot", "psi_dot", "cos_half"):
+        found, expected = getattr(run, quantity)[some], getattr(few, quantity)
+        size = 1 + np.abs(expected).max() + (quantity.endswith("dot") and np.ptp(few.phi))
+        late = 10 + abs(motion.orbit.rate * end)
+        assert_allclose(found, expected, rtol=0, atol=2e-15 * late * size, err_msg=quantity)
+
+
+def test_a_series_that_has_not_ended_is_not_taken():
+    """Of what is needed to rounding; a false strip promises too few harmonics."""
+    motion = TOP.motion(theta=2.0, theta_dot=3.0, phi_dot=-4.0, omega3=16.7)
+    times, orbit = np.linspace(0.0, 5.0, 4000), motion.orbit
+    for nearest, taken in ((orbit.course.nearest, True), (2.0, False)):
+        course = replace(orbit.course, nearest=nearest)
+        found = samples.samples(times, course, orbit.states, orbit.sizes(times))
+        ways = {type(part) for part in found.parts} if found else set()
+        assert (samples.Harmonics in ways) == taken

@@ -97,7 +97,6 @@ class Arrays:
     both = staticmethod(np.logical_and)
     either = staticmethod(np.logical_or)
     over = staticmethod(np.divide)
-    any = staticmethod(np.any)
 
     @staticmethod
     def circle(angle: Real) -> tuple[Real, Real]:
@@ -105,6 +104,10 @@ class Arrays:
         t = np.tan(angle / 2)
         per = 1 / (1 + t * t)
         return (1 - t * t) * per, 2 * t * per
+
+    @staticmethod
+    def any(condition: Truth) -> bool:
+        return condition if isinstance(condition, bool) else bool(condition.any())
 
     @staticmethod
     def where(condition: Truth, one: Any, other: Any) -> Any:

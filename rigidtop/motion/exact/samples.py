@@ -216,11 +216,14 @@ def samples(times: Floats, course: Course, states: States, sizes: Sizes) -> Samp
     step = _step(times)
     if not step:
         return None
-    if course.harmonics <= MOST_HARMONICS:
-        found = _in_harmonics(times, step, course, states, sizes)
+    ways = [_in_harmonics] if course.harmonics <= MOST_HARMONICS else []
+    # Of many samples the products cost the most, and those of pieces have NODES terms.
+    first = len(times) > MANY and course.harmonics > NODES / 2
+    for way in [_in_pieces, *ways] if first else [*ways, _in_pieces]:
+        found = way(times, step, course, states, sizes)
         if found is not None:
             return found
-    return _in_pieces(times, step, course, states, sizes)
+    return None
 
 
 def _in_harmonics(
