@@ -598,8 +598,6 @@ class Algebra:
         node = atoms.get(x, x)
         if node in self.letters.numbers:
             return Integer(0)
-        if isinstance(node, ELLIPTIC) and node.free_symbols <= self.letters.numbers:
-            return Integer(0)
         if node == TIME:
             return Integer(1)
         if isinstance(node, Dot):
@@ -709,13 +707,13 @@ def flattened(expression: Expr) -> tuple[Expr, dict[Symbol, Expr]]:
     atoms: dict[Symbol, Expr] = {}
 
     def go(node: Expr) -> Expr:
-        if isinstance(node, (Printed, *ELLIPTIC)):
+        if isinstance(node, Printed):
             found = next((d for d, known in atoms.items() if known == node), None)
             if found is None:
                 found = Dummy(real=True)
                 atoms[found] = node
             return found
-        if not node.args or not node.has(Printed, *ELLIPTIC):
+        if not node.args or not node.has(Printed):
             return node
         return node.func(*(go(part) for part in node.args))
 
@@ -766,9 +764,12 @@ def vanishes(expression: Expr) -> bool:
     if not expression.is_commutative:
         return bool(sympy.expand(expression) == 0)
     flat, _ = flattened(expression)
-    if not zero_in_digits(flat):
+    flat = flat.xreplace({node: Dummy(real=True) for node in flat.atoms(*ELLIPTIC)})
+    found = zero_in_digits(flat)
+    if found is False:
         return False
-    return decide.vanishes(flat) or decide.vanishes(_rooted(flat))
+    # What is real at no point is not worth a long search.
+    return decide.vanishes(flat) or (found is True and decide.vanishes(_rooted(flat)))
 
 
 def _rooted(expression: Expr) -> Expr:
@@ -776,13 +777,13 @@ def _rooted(expression: Expr) -> Expr:
     return sympy.radsimp(sympy.powdenest(sympy.together(sympy.expand(expression)), force=False))
 
 
-def zero_in_digits(expression: Expr, tries: int = 2) -> bool:
+def zero_in_digits(expression: Expr, tries: int = 2) -> bool | None:
     """Whether a scalar vanishes at some points in double precision: False refutes for certain.
 
-    What is real nowhere, such as √x + √−x, has to vanish at a point as a complex number.
+    None where no point is found at which it is real: of √x + √−x there is none.
     """
     letters = sorted(expression.free_symbols, key=str)
-    real = False
+    found = None
     for attempt in range(8 * tries):  # a root may be real at few points only
         point = {x: _number(x, k, attempt) for k, x in enumerate(letters)}
         [value, size] = decide.evaluate([expression, _sizes(expression)], point, {})
@@ -790,13 +791,10 @@ def zero_in_digits(expression: Expr, tries: int = 2) -> bool:
             continue
         if abs(value) > 1e-9 * (1 + (abs(size) if size == size else 0)):
             return False
-        real, tries = True, tries - 1
+        found, tries = True, tries - 1
         if not tries:
             break
-    if real:
-        return True
-    value = sympy.N(expression.xreplace(point))
-    return not (value.is_finite and abs(value) > 1e-9)
+    return found
 
 
 def _sizes(expression: Expr) -> Expr:
