@@ -494,7 +494,9 @@ def _tops(count: int) -> list[Way]:
     from rigidtop.motion.top import HeavyTop
 
     random = np.random.default_rng(1)
-    spread = {name: value * random.uniform(0.95, 1.05, count) for name, value in START.items()}
+    spread: dict[str, Any] = {
+        name: value * random.uniform(0.95, 1.05, count) for name, value in START.items()
+    }
     times = random.uniform(0.0, END, count)
 
     def exact() -> Any:
