@@ -168,20 +168,36 @@ def joined(left: str, right: str) -> str:
     return left + (" " if command and right[:1].isalpha() else "") + right
 
 
+def opened(text: str) -> str:
+    """The text with dots and hats apart from their letters; other accents stay as they are."""
+    made = []
+    for c in unicodedata.normalize("NFC", text):
+        apart = unicodedata.normalize("NFD", c)
+        made.append(apart if all(mark in MARKS for mark in apart[1:]) else c)
+    return "".join(made)
+
+
 def escape(text: str) -> str:
     """Text without mathematics, escaped for LaTeX."""
-    parts = _ALONE.split(unicodedata.normalize("NFC", text))
+    # Latin letters with accents stay whole: inputenc knows them.
+    whole = unicodedata.normalize("NFC", text)
+    parts = _ALONE.split("".join(c if ord(c) < 0x180 else opened(c) for c in whole))
     return "".join(
         _alone(part) if k % 2 else "".join(map(plain, part)) for k, part in enumerate(parts)
     )
 
 
 _KNOWN = "".join(c for c in MATHS if len(c) == 1 and c not in ESCAPES | PUNCTUATION)
-_ALONE = re.compile(f"([{''.join(SUBSCRIPTS)}]+|[{''.join(SUPERSCRIPTS)}]+|[{re.escape(_KNOWN)}])")
+_ALONE = re.compile(
+    f"(\\w[{''.join(MARKS)}]|[{''.join(SUBSCRIPTS)}]+|[{''.join(SUPERSCRIPTS)}]+"
+    f"|[{re.escape(_KNOWN)}])"
+)
 
 
 def _alone(part: str) -> str:
-    """Indices, an exponent or a mark that stands in a text by itself."""
+    """A letter, indices, an exponent or a mark that stands in a text and is not marked there."""
+    if part[1:] in MARKS:
+        return f"${MARKS[part[1:]] % MATHS.get(part[0], part[0])}$"
     for table, mark in ((SUBSCRIPTS, "_"), (SUPERSCRIPTS, "^")):
         if part[0] in table:
             return f"${mark}{{{''.join(table[c] for c in part)}}}$"

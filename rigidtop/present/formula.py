@@ -23,6 +23,7 @@ from rigidtop.notation.characters import (
     TEX_GREEK,
     escape,
     joined,
+    opened,
     plain,
 )
 from rigidtop.present import mathml as ml
@@ -44,15 +45,6 @@ class Piece:
     marks: str = ""
     bold: bool = False
     inside: tuple[Piece, ...] = ()
-
-
-def opened(text: str) -> str:
-    """The text with dots and hats apart from their letters; other accents stay as they are."""
-    made = []
-    for c in unicodedata.normalize("NFC", text):
-        apart = unicodedata.normalize("NFD", c)
-        made.append(apart if all(mark in MARKS for mark in apart[1:]) else c)
-    return "".join(made)
 
 
 # --- Reading -------------------------------------------------------------------------------------

@@ -18,12 +18,11 @@ from matplotlib.figure import Figure as Canvas
 from matplotlib.text import Text
 
 from rigidtop.notation import Notation
-from rigidtop.notation.characters import FUNCTIONS, TEX_GREEK
+from rigidtop.notation.characters import FUNCTIONS, TEX_GREEK, opened
 from rigidtop.notation.judged import judgement_in
 from rigidtop.notation.translate import Image
 from rigidtop.parameters import Parameter
 from rigidtop.present.figures.drawing import Drawing
-from rigidtop.present.formula import opened
 from rigidtop.present.latex import latex
 from rigidtop.present.report import Block, Symbols
 from rigidtop.present.text import letter, text

@@ -100,7 +100,7 @@ def judged(printed):
         "3.5.3",
         Verdict.ASSUMING,
         (
-            Finding(Check(lines[0], reason="θ̈ = 0 in (3.54)"), Verdict.PROVED),
+            Finding(Check(lines[0], reason="$θ̈ = 0$ in (3.54)"), Verdict.PROVED),
             Finding(
                 Check(lines[1], {psidot: omega3 - Omega * cos(theta)}, given=(thetaddot,)),
                 Verdict.ASSUMING,
