@@ -25,7 +25,7 @@ def written(tmp_path_factory):
 def test_every_kind_of_file_is_written(written):
     names = {path.relative_to(written).as_posix() for path in written.rglob("*.*")}
     assert {"lecture.tex", "lecture.html", "slides.html", "rigidtop.sty"} <= names
-    assert {"chapters/1-1.tex", "myst/myst.yml", "myst/section-1-1.md"} <= names
+    assert {"chapters/1.tex", "myst/myst.yml", "myst/section-1.md"} <= names
 
 
 def test_title_author_course_paper_and_preamble_are_ones_own(written):
