@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from keyword import iskeyword
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -403,7 +404,10 @@ class SystemTrajectory(Rows):
     """What forces have done since t = 0, where the energy is not conserved, shape (N,)."""
 
     events: Mapping[str, Floats] = field(default_factory=dict)
-    """The times of the zeros of each quantity that was asked for, t = 0 left out, increasing."""
+    """The times at which each quantity that was asked for changes its sign, increasing.
+
+    A zero at t = 0 is left out, and one at which a quantity only touches zero may be.
+    """
 
     ended: float | None = None
     """When `until` was zero, after which there are no rows; None if it was not."""
@@ -545,8 +549,31 @@ class Numeric:
 
     @cached_property
     def arguments(self) -> tuple[Symbol, ...]:
+        """The symbols for which numbers go in, in their order."""
         names = self.system.names
         return (names.t, *names.q, *names.v, *self.system.parameters)
+
+    @cached_property
+    def _python(self) -> dict[Symbol, Symbol]:
+        """Names for those whose own are none in Python, such as lambda or m_{1}."""
+        taken = {x.name for x in self.arguments} | {x.name for x, _ in self.system.program.shared}
+        free = (x for x in sympy.numbered_symbols("a") if x.name not in taken)
+        wrong = (x for x in self.arguments if not x.name.isidentifier() or iskeyword(x.name))
+        return {x: Symbol(next(free).name, **x.assumptions0) for x in wrong}
+
+    def _made(
+        self,
+        expressions: Sequence[Expr],
+        name: str,
+        shared: Sequence[tuple[Symbol, Expr]] = (),
+    ) -> Function:
+        own = self._python
+        return plain.function(
+            [x.xreplace(own) for x in expressions],
+            [own.get(x, x) for x in self.arguments],
+            name,
+            [(x, value.xreplace(own)) for x, value in shared],
+        )
 
     @cached_property
     def works(self) -> bool:
@@ -578,11 +605,16 @@ class Numeric:
         return self._function((*self.system.names.v, *results[:n], *more), "rates")
 
     def _function(self, results: Sequence[Expr], name: str) -> Function:
-        return plain.function(results, self.arguments, name, self.system.program.shared)
+        return self._made(results, name, self.system.program.shared)
 
     def of(self, expressions: tuple[Expr, ...]) -> Function:
-        """Other quantities."""
-        return plain.function(expressions, self.arguments, "quantity")
+        """Other quantities.  Raises RigidtopError for letters that the system does not have."""
+        unknown = set().union(*(x.free_symbols for x in expressions)) - {*self.arguments}
+        if unknown:
+            names = ", ".join(sorted(map(str, unknown)))
+            there = ", ".join(x.name for x in self.arguments)
+            raise RigidtopError(f"no number for {names}: the system has {there}")
+        return self._made(expressions, "quantity")
 
     def sized(self, value: Expr) -> Callable[..., tuple[float, float]]:
         """A quantity, and the sum of the magnitudes of its terms."""

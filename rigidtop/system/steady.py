@@ -14,6 +14,7 @@ from sympy import Expr, Matrix, Symbol
 
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks
+from rigidtop.proof import decide
 from rigidtop.system.names import expression
 
 if TYPE_CHECKING:
@@ -150,12 +151,13 @@ def small(system: System, about: Mapping[Any, Any]) -> Small:
     if missing:
         raise RigidtopError(f"the steady motion gives no value for {names.back(missing[0])}")
     residual = names.plain(system.equations).subs(dict.fromkeys(names.a, 0))
-    wrong = [sympy.simplify(x.subs(place)) for x in residual]
+    wrong = [x.subs(place) for x in residual]
     if any(x.has(names.t) for x in wrong):
         raise RigidtopError("the equations change in time there: no steady motion")
     for x in wrong:
-        if x.is_zero is False or (x.is_number and x != 0):
-            raise RigidtopError(f"this is no steady motion: a force of {names.back(x)} is left")
+        if not decide.vanishes(x) and not decide.vanishes(sympy.simplify(x)):
+            left = names.back(sympy.factor_terms(x))
+            raise RigidtopError(f"this is no steady motion: a force of {left} is left")
     moved = [x for x in names.q if place.get(names.v[names.q.index(x)], 0) != 0]
     for x in moved:
         if residual.has(x):
@@ -166,6 +168,8 @@ def small(system: System, about: Mapping[Any, Any]) -> Small:
         equations.jacobian(list(group)).subs(still).subs(place)
         for group in (names.a, names.v, names.q)
     )
+    if any(side.has(names.t) for side in (M, C, K)):
+        raise RigidtopError("the deviations change in time by themselves: no frequencies")
     given = {names.back(x): names.back(value) for x, value in place.items()}
     shown = (names.back(side.applyfunc(sympy.factor_terms)) for side in (M, C, K))
     return Small(system, given, *shown)

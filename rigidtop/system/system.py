@@ -188,6 +188,10 @@ class System:
                 for x in own_functions([each]):
                     if x.has(*(names.given[y].func for y in names.q if y in names.given)):
                         raise RigidtopError(f"{what} has {x}, which is none of the velocities")
+        known: dict[str, Symbol] = {}
+        for x in self._letters:
+            if known.setdefault(x.name, x) != x:
+                raise RigidtopError(f"two different symbols are called {x.name}")
         for each, rule in zip(self.rules, self.constraints, strict=True):
             if not each.has(*names.q, *names.v):
                 raise RigidtopError(f"the constraint {rule} = 0 has no coordinate and no velocity")
@@ -368,8 +372,8 @@ class System:
                 self.conjugate, names.q, self.generalised_forces, pushed, strict=True
             )
         ]
-        short = [short(row) if row.count_ops() < LARGEST else row for row in rows]
-        return names.back(Matrix(short))
+        made = [short(row) if row.count_ops() < LARGEST else row for row in rows]
+        return names.back(Matrix(made))
 
     @cached_property
     def accelerations(self) -> Matrix:
@@ -498,6 +502,10 @@ class System:
         rate = self.names.plain(self.rate(quantity))
         if decide.vanishes(rate):
             return True
+        if self.constraints:
+            raise RigidtopError(
+                "that it changes where the constraints do not hold tells nothing: see drift()"
+            )
         if decide.digits_vanish([rate]):
             raise RigidtopError(
                 "the rate is zero to 40 digits at random points, which is not shown symbolically"

@@ -150,3 +150,33 @@ def test_many_motions_are_the_single_ones():
         SPRING.motions(NUMBERS, 1)
     with pytest.raises(rt.RigidtopError, match="k must be numbers, not 'a'"):
         SPRING.motions({m: 1, k: "a"}, [1])
+
+
+def test_names_that_are_none_in_python():
+    odd, keyword = symbols("m_{1} lambda", positive=True)
+    spring = rt.System(odd * u**2 / 2 - keyword * x**2 / 2, x, u)
+    run = spring.motion({"m_{1}": 1, "lambda": 4}, 1).integrate([1.0], method="taylor")
+    assert run.q[0, 0] == pytest.approx(np.cos(2.0), abs=1e-9)
+    assert "double lambda, double m__1_" in spring.source("c")
+
+
+def test_what_is_not_the_system_s_is_refused():
+    run = SPRING.motion(NUMBERS, 1).integrate([1.0])
+    with pytest.raises(rt.RigidtopError, match="no number for g: the system has t, x, u, k, m"):
+        run.value(g * x)
+    with pytest.raises(rt.RigidtopError, match="no number for y"):
+        SPRING.motion(NUMBERS, 1).integrate([1.0], events={"there": y})
+    with pytest.raises(rt.RigidtopError, match="two different symbols are called m"):
+        rt.System(m * u**2 / 2 - Symbol("m") * x, x, u)
+    with pytest.raises(rt.RigidtopError, match="tells nothing"):
+        BOB.is_conserved(m * (u**2 + v**2) / 2 + m * g * y)
+
+
+def test_a_swing_that_is_pumped_has_no_frequencies():
+    t = symbols("t")
+    pumped = rt.System(m * u**2 / 2 - k * (2 + cos(t)) * x**2 / 2, x, u)
+    with pytest.raises(rt.RigidtopError, match="change in time by themselves"):
+        pumped.small({x: 0})
+    free = symbols("free")
+    with pytest.raises(rt.RigidtopError, match=r"a force of free\*k is left"):
+        SPRING.small({x: free})
