@@ -136,12 +136,14 @@ def derivation(system: System, section: str = "") -> Derivation:
     return Derivation(system, Lecture(writer.letters, (page,)))
 
 
+def _quantity(symbol: Symbol) -> Quantity | None:
+    """What is known of a symbol: of the lecture's own, and of one that brings its letter."""
+    return VOCABULARY.get(symbol) or getattr(symbol, "quantity", None)
+
+
 def _lettered(symbol: Symbol, place: int) -> Symbol:
     """The same with a letter and a place in print."""
-    vocabulary = VOCABULARY.get(symbol)
-    quantity = vocabulary or getattr(symbol, "quantity", None)
-    if quantity is None:
-        quantity = Quantity(glyph(symbol.name), "", "")
+    quantity = _quantity(symbol) or Quantity(glyph(symbol.name), "", "")
     return Lettered(symbol.name, quantity, place, **symbol._assumptions_orig)
 
 
@@ -157,9 +159,9 @@ class _Writer:
 
     @cached_property
     def shown(self) -> dict[Symbol, Symbol]:
-        """The system's letters with their places: parameters, rates, coordinates."""
+        """Rates and coordinates with their places in print; parameters have none of their own."""
         names = self.system.names
-        row = [*self.system.parameters, *names.a, *names.v, *names.q]
+        row = [*names.a, *names.v, *names.q]
         return {x: _lettered(x, place) for place, x in enumerate(row)} | {names.t: TIME}
 
     @cached_property
@@ -167,9 +169,11 @@ class _Writer:
         """What the engine has to know of the letters."""
         names, shown = self.system.names, self.shown
         q, v, a = (tuple(shown[x] for x in group) for group in (names.q, names.v, names.a))
-        units = {x: x.quantity.unit for x in shown.values() if isinstance(x, Lettered)}
+        every = (*self.system.parameters, *names.q, *names.v, *names.a)
+        known = {shown.get(x, x): _quantity(x) for x in every}
+        units = {x: quantity.unit for x, quantity in known.items() if quantity is not None}
         return Letters(
-            numbers=frozenset(shown[x] for x in self.system.parameters),
+            numbers=frozenset(self.system.parameters),
             coordinates=q,
             rates=dict(zip((*q, *v), (*v, *a), strict=True)),
             units=units,

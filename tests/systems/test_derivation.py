@@ -16,6 +16,7 @@ SYSTEMS = {
     "forced and damped": rt.System(
         m * u**2 / 2 - k * x**2 / 2, x, u, forces=F * cos(3 * t), rayleigh=c * u**2 / 2
     ),
+    "with the time": rt.System(m * u**2 / 2 - k * x**2 * cos(3 * t) / 2, x, u),
     "by a constraint": rt.System(
         m * (u**2 + v**2) / 2 - m * g * y, [x, y], [u, v], constraints=x**2 + y**2 - length**2
     ),
@@ -89,3 +90,13 @@ def test_functions_of_time_that_are_not_known_are_refused():
     lifted = rt.System(m * (u + Function("a")(t)) ** 2 / 2, x, u)
     with pytest.raises(rt.RigidtopError, match=r"L has the function a\(t\)"):
         lifted.derivation()
+
+
+def test_letters_without_assumptions_are_printed_as_parameters():
+    from sympy.physics.mechanics import dynamicsymbols
+
+    theta = dynamicsymbols("theta")
+    M, arm = symbols("M l")
+    made = rt.System(M * arm**2 * theta.diff() ** 2 / 2, theta).derivation()
+    assert "∂ℒ/∂θ̇ = Ml²θ̇" in str(made)
+    assert "where M ≠ 0 and l ≠ 0" in str(made) or "where l ≠ 0 and M ≠ 0" in str(made)

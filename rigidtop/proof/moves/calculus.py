@@ -62,7 +62,7 @@ def _slope(value: Value, by: Symbol, held: frozenset[Symbol], move: Move, algebr
     letters = algebra.letters
     flat, atoms = flattened(value)
     slope = flat.diff(by)
-    for x in flat.free_symbols - held - {by}:
+    for x in flat.free_symbols - held - {by, TIME}:  # the time is held fixed too
         node = atoms.get(x, x)
         if node in letters.functions and letters.arguments(node) <= held:
             if by in letters.functions[node]:
