@@ -105,7 +105,7 @@ def _place(key: Any, letters: Sequence[Symbol], system: System) -> int | None:
     names = system.names
     for k, x in enumerate(letters):
         own = (names.q[k], names.v[k], names.given.get(names.q[k]), names.given.get(names.v[k]))
-        if key in own or key in (x.name, names.q[k].name):
+        if key in own or key in (x.name, names.q[k].name, names.rate(k)[1]):
             return k
     return None
 
@@ -124,7 +124,7 @@ class SystemMotion:
     def __repr__(self) -> str:
         names = self.system.names
         start = [f"{x.name}={a:g}" for x, a in zip(names.q, self.q, strict=True)]
-        start += [f"{x.name}={a:g}" for x, a in zip(names.v, self.qdot, strict=True)]
+        start += [f"{names.rate(k)[1]}={a:g}" for k, a in enumerate(self.qdot)]
         return f"SystemMotion({', '.join(start)})"
 
     def check(self) -> None:
@@ -417,7 +417,7 @@ class SystemTrajectory(Rows):
         names = self._system.names
         made = {"t/s": self.t}
         made |= {_header(x): self.q[:, k] for k, x in enumerate(names.q)}
-        made |= {_header(x): self.qdot[:, k] for k, x in enumerate(names.v)}
+        made |= {_header(*names.rate(k)): self.qdot[:, k] for k in range(len(names.q))}
         return made | {"energy/J" if _in_si(self._system) else "energy": self.energy}
 
     @property
@@ -524,11 +524,12 @@ class SystemTrajectory(Rows):
         return made[0], np.abs(made[1:]).sum(axis=0)
 
 
-def _header(x: Symbol) -> str:
+def _header(x: Symbol, name: str = "") -> str:
     unit = getattr(getattr(x, "quantity", None), "unit", "")
+    name = name or x.name
     if not unit:
-        return x.name
-    return f"{x.name}/({unit})" if "/" in unit else f"{x.name}/{unit}"
+        return name
+    return f"{name}/({unit})" if "/" in unit else f"{name}/{unit}"
 
 
 def _in_si(system: System) -> bool:

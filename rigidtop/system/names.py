@@ -55,6 +55,10 @@ class Names:
         """Which symbol is whose rate."""
         return dict(zip((*self.q, *self.v), (*self.v, *self.a), strict=True))
 
+    def rate(self, k: int) -> tuple[Symbol, str]:
+        """The k-th velocity and its name: theta_dot, as of a top, or the name it was given."""
+        return self.v[k], f"{self.q[k].name}_dot" if self.given else self.v[k].name
+
     def find(self, name: Any) -> Symbol | None:
         """The coordinate that is meant: as it was given, its plain symbol, or its name."""
         for symbol in self.q:

@@ -104,7 +104,7 @@ def test_plots_have_the_values(rows):
 
 
 def test_a_phase_portrait():
-    axes = RUN.plot(("theta1", "theta1dot"), axes=RUN.plot(("theta2", "theta2dot")))
+    axes = RUN.plot(("theta1", "theta1_dot"), axes=RUN.plot(("theta2", "theta2_dot")))
     assert np.array_equal(axes.lines[1].get_xdata(), RUN.q[:, 0])
     assert np.array_equal(axes.lines[1].get_ydata(), RUN.qdot[:, 0])
 
@@ -134,3 +134,10 @@ def test_rods_are_what_keeps_its_length():
     assert len(_rods(RUN.places())) == 2
     apart = RUN.places() * np.linspace(1, 2, 501)[:, None]
     assert _rods(apart) == []
+
+
+def test_rates_are_spelled_as_those_of_a_top():
+    motion = PENDULUM.motion({m: 1, length: 1, g: 9.81}, [1.0, 0.5], {"theta2_dot": 2})
+    assert repr(motion) == "SystemMotion(theta1=1, theta2=0.5, theta1_dot=0, theta2_dot=2)"
+    assert motion.qdot == (0, 2)
+    assert "theta2_dot" in next(iter(RUN))
