@@ -42,7 +42,7 @@ READS = {
     "textfile": {"errors"},
     "elliptic": {"motion"},
     "notation": {"errors", "theory", "proof", "textfile"},
-    "read": {"errors", "theory", "notation", "proof"},
+    "read": {"errors", "theory", "notation", "proof", "textfile"},
     "mark": {"errors", "theory", "notation", "proof", "read", "derivations", "present"},
     "parameters": {"errors"},
     "bench": {"errors", "theory", "codegen", "motion", "system"},

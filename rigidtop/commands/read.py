@@ -3,77 +3,121 @@
 from __future__ import annotations
 
 import argparse
+import time
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands.output import print_json
-from rigidtop.textfile import text_of
 
 if TYPE_CHECKING:
-    from rigidtop.read.formula import Line
+    from rigidtop.notation import Notation
+    from rigidtop.read.formula import Habits, Line
+    from rigidtop.read.project import Source
 
-ABOUT = "read the equations of notes in Markdown or LaTeX, and say which are not understood"
+ABOUT = "read the equations of anyone's notes, and say which are not understood"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
-    parser.add_argument("file", metavar="FILE", help="the notes, Markdown with $…$ or LaTeX")
+    parser.add_argument(
+        "file", metavar="FILE", help="Markdown with $…$, LaTeX with its \\input files, a notebook"
+    )
+    parser.add_argument(
+        "--notation",
+        default="own",
+        metavar="NAME|FILE",
+        help="what the letters are: notes, goldstein, … or a table in TOML; without it every "
+        "letter is one of the file's own",
+    )
 
 
 def run(options: argparse.Namespace) -> int:
     """Print each equation as text with its line, or the reason why it is unread; 0 in any case."""
-    source = text_of(options.file)
-    from rigidtop.present.table import table
-    from rigidtop.read.document import bare, each_numbered, places, problems
+    from rigidtop.notation import OWN, named
+    from rigidtop.read.document import SECONDS
+    from rigidtop.read.project import habits, sources
+
+    until = time.monotonic() + SECONDS
+    found = sources(options.file)
+    notation = OWN if options.notation == "own" else named(options.notation)
+    known = habits(found, notation, until)
+    rows = [(source, *row) for source in found for row in _lines(source, notation, known, until)]
+    records = _records(rows, len(found) > 1)
+    if options.json:
+        print_json(records)
+    else:
+        _print(records)
+    return 0
+
+
+def _lines(
+    source: Source, notation: Notation, habits: Habits, until: float
+) -> Iterator[tuple[int, int, str, Line]]:
+    """Line and column, number and equation, of what a file has, and of what was not taken."""
+    from rigidtop.read.document import bare, each, each_numbered, places, problems
     from rigidtop.read.formula import Line
 
-    groups = list(each_numbered(source))
+    text = source.text
+    groups = list(each_numbered(text, notation, until - time.monotonic(), habits))
     inside = {formula.start for group, _ in groups for formula in group.formulas}
     found = [(group.number, line) for group, lines in groups for line in lines]
-    found += _besides(source, inside)
+    found += [
+        ("", line)  # a symbol in a sentence is no equation
+        for formula, lines in each(text, notation, until - time.monotonic(), habits, inside)
+        for line in lines
+        if line.equation is not None or formula.display or "=" in formula.text
+    ]
     told = {line.position for _, line in found if line.problem}
     found += [
         ("", Line(problem.position, None, problem.reason))
-        for problem in (*problems(source), *bare(source))
+        for problem in (*problems(text), *bare(text))
         if problem.position not in told
     ]
-    records = [_record(source, *row) for row in sorted(found, key=lambda row: row[1].position)]
-    place = places(source)
-    for record in records:
-        record["line"], record["column"] = place(record.pop("position"))
-    if options.json:
-        print_json(records)
-        return 0
+    place = places(text)
+    for number, line in sorted(found, key=lambda row: row[1].position):
+        yield (*place(min(line.position, len(text))), number or line.tag, line)
+
+
+def _records(rows: list[tuple[Source, int, int, str, Line]], several: bool) -> list[dict[str, Any]]:
+    from rigidtop.present.letters import roles
+    from rigidtop.present.text import text
+
+    known = roles([line.equation for *_, line in rows if line.equation is not None])
+    made = []
+    for source, row, column, number, line in rows:
+        own = roles([line.equation]) if line.equation is not None else {}
+        record = {
+            "line": row,
+            "column": column,
+            "number": number,
+            "equation": text(line.equation, "typed") if line.equation is not None else None,
+            "condition": line.condition or None,
+            "problem": line.problem or None,
+            "letters": {letter: known[letter] for letter in own},
+        }
+        if several:
+            record["file"] = source.path.name
+        if source.cells:
+            record["cell"], record["line"] = source.place(row)
+        made.append(record)
+    return made
+
+
+def _print(records: list[dict[str, Any]]) -> None:
+    from rigidtop.present.table import table
+
     rows = [
         [
-            f"{record['line']}:{record['column']}",
+            "".join(f"{record[key]}:" for key in ("file", "cell") if key in record)
+            + f"{record['line']}:{record['column']}",
             f"({record['number']})" if record["number"] else "",
-            record["equation"] or f"unread: {record['problem']}",
+            (record["equation"] or f"unread: {record['problem']}")
+            + (f"   [{record['condition']}]" if record["condition"] else ""),
         ]
         for record in records
     ]
     print(table(rows, ("line", "number", "equation")) or "no equation found")
-    return 0
-
-
-def _besides(source: str, inside: set[int]) -> list[tuple[str, Line]]:
-    """The equations that bear no number; a symbol in a sentence is none."""
-    from rigidtop.read.document import each
-
-    return [
-        ("", line)
-        for formula, lines in each(source)
-        if formula.start not in inside
-        for line in lines
-        if line.equation is not None or formula.display or "=" in formula.text
-    ]
-
-
-def _record(source: str, number: str, line: Line) -> dict[str, Any]:
-    from rigidtop.present.text import text
-
-    return {
-        "position": min(line.position, len(source)),
-        "number": number or line.tag,
-        "equation": text(line.equation) if line.equation is not None else None,
-        "problem": line.problem or None,
-    }
+    letters = {letter: role for record in records for letter, role in record["letters"].items()}
+    if letters:
+        print("\nletters that no table has")
+        print(table([[letter, letters[letter]] for letter in sorted(letters)]))

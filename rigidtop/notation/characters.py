@@ -57,7 +57,14 @@ TEX_GREEK = {letter: "\\" + name for name, letter in GREEK.items()} | {
     "ϕ": r"\varphi",
     "ϑ": r"\vartheta",
 }
-LETTERS = TEX_GREEK | {"ℒ": r"\mathcal{L}", "ℓ": r"\ell", "∞": r"\infty"}
+LETTERS = TEX_GREEK | {
+    "ℒ": r"\mathcal{L}",
+    "ℓ": r"\ell",
+    "∞": r"\infty",
+    "∇": r"\nabla",
+    "…": r"\ldots",
+}
+LETTERS |= {"ħ": r"\hbar"}
 SIGNS = {
     "=": "=",
     "≡": r"\equiv",
@@ -71,6 +78,14 @@ SIGNS = {
     "·": r"\cdot",
     "∥": r"\parallel",
     "⇒": r"\Rightarrow",
+    "≪": r"\ll",
+    "≫": r"\gg",
+    "≲": r"\lesssim",
+    "≳": r"\gtrsim",
+    "≃": r"\simeq",
+    "∼": r"\sim",
+    "∝": r"\propto",
+    "⊥": r"\perp",
     "→": r"\to",
     "∑": r"\sum",
     "∫": r"\int",

@@ -12,7 +12,8 @@ from sympy import Symbol
 from rigidtop.notation.translate import Image, inverse, translated
 from rigidtop.notation.written import Written
 from rigidtop.theory import symbols as s
-from rigidtop.theory.symbols import Glyph
+from rigidtop.theory.lettered import Lettered
+from rigidtop.theory.symbols import Glyph, Quantity
 
 MATRICES = frozenset({s.inertia, s.Lambda, s.O_matrix, s.A_matrix, s.B_matrix, s.C_matrix, s.unit})
 """Symbols that stand for square matrices."""
@@ -37,6 +38,13 @@ SEQUENCES: Mapping[str, Mapping[Symbol, Image]] = {
 role, with minus signs and quarter turns.  The claim ``euler-zxz`` proves it."""
 
 
+def own(glyph: Glyph) -> Lettered:
+    """The symbol of a letter that no table has: a number, or a vector if it is bold."""
+    bold = "_vec" if glyph.bold else ""
+    name = "_".join(filter(None, (glyph.base + glyph.accent + "p" * glyph.prime, glyph.sub))) + bold
+    return Lettered(name, Quantity(glyph, "a letter of its own", ""), real=True)
+
+
 @dataclass(frozen=True)
 class Notation:
     """A convention: the glyph of every symbol, and other spellings that are understood too.
@@ -55,6 +63,8 @@ class Notation:
     note: str = ""
     sequence: str = "zyz"
     letters: Mapping[Symbol, Written] = field(default_factory=dict)
+    open: bool = False
+    """Whether a letter that is in no table is one of its own, rather than an error."""
 
     @cached_property
     def names(self) -> Mapping[Glyph, Symbol]:
@@ -63,7 +73,8 @@ class Notation:
 
     def symbol(self, glyph: Glyph) -> Symbol | None:
         """The symbol of a glyph, a missing bold type forgiven where it is no other symbol's."""
-        return self.names.get(glyph) or self.names.get(replace(glyph, bold=True))
+        found = self.names.get(glyph) or self.names.get(replace(glyph, bold=True))
+        return own(glyph) if found is None and self.open else found
 
     def written(self, tree: Any) -> Any:
         """An expression, matrix, condition or `Equation` of the notes, in this notation's symbols.

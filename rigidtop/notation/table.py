@@ -123,8 +123,8 @@ def _notation(table: Mapping[str, Any], name: str) -> Notation:
     }
     spellings = _inherited(glyphs) | _spellings(table.get("spellings", {}), glyphs)
     words = {key: " ".join(str(table.get(key, "")).split()) for key in ("title", "source", "note")}
-    words["title"] = words["title"] or name
-    return Notation(name, glyphs, spellings, **words, sequence=sequence, letters=letters)
+    title, source, note = words["title"] or name, words["source"], words["note"]
+    return Notation(name, glyphs, spellings, title, source, note, sequence, letters)
 
 
 # --- Entries -------------------------------------------------------------------------------------

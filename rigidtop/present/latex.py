@@ -9,12 +9,13 @@ r"""LaTeX, for amsmath and amssymb.
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import singledispatch
 from typing import Any
 
-from rigidtop.notation.characters import LETTERS, MATHS, SIGNS, TEX_GREEK, escape, joined
+from rigidtop.notation.characters import LETTERS, MARKS, MATHS, SIGNS, TEX_GREEK, escape, joined
 from rigidtop.present import layout as lay
 from rigidtop.present.layout import Line, Node, Order
 from rigidtop.present.prose import prose
@@ -148,8 +149,13 @@ def letter(glyph: Glyph) -> str:
     >>> print(letter(Glyph("ω", "1", "dot")), letter(Glyph("e", "2", bold=True, prime=True)))
     \dot{\omega}_{1} \mathbf{e}_{2}'
     """
-    base = LETTERS.get(glyph.base, glyph.base)
-    if len(glyph.base) > 1:
+    before, glyph = lay.differential(glyph)
+    if before:
+        head = {"d": r"\mathrm{d}"}.get(before[0], TEX_GREEK.get(before[0], before[0]))
+        raised = f"^{{{unicodedata.normalize('NFKC', before[1:])}}}" if before[1:] else ""
+        return joined(head + raised, letter(glyph))
+    base = _base(glyph.base)
+    if len(glyph.base) > 1 and glyph.base.isascii():
         base = rf"\text{{{escape(glyph.base)}}}"
     elif glyph.bold:
         base = rf"\boldsymbol{{{base}}}" if glyph.base in TEX_GREEK else rf"\mathbf{{{base}}}"
@@ -158,6 +164,32 @@ def letter(glyph: Glyph) -> str:
     if glyph.sub:
         base += f"_{{{_subscript(glyph.sub)}}}"
     return base + ("'" if glyph.prime else "")
+
+
+_STYLES = {"SCRIPT": "mathcal", "DOUBLE-STRUCK": "mathbb", "FRAKTUR": "mathfrak"}
+_MARKS = MARKS | {
+    "\u0304": r"\bar{%s}",
+    "\u0303": r"\tilde{%s}",
+    "\u030c": r"\check{%s}",
+    "\u0306": r"\breve{%s}",
+    "\u030a": r"\mathring{%s}",
+}
+
+
+def _base(base: str) -> str:
+    """A letter with what is one with it: bars, primes, stars, another style."""
+    made = ""
+    for c in unicodedata.normalize("NFD", base):
+        if c in _MARKS:
+            made = _MARKS[c] % made
+            continue
+        name, plain = unicodedata.name(c, ""), unicodedata.normalize("NFKC", c)
+        style = next((tex for word, tex in _STYLES.items() if word in name), "")
+        if c not in LETTERS and style and plain != c:
+            made += rf"\{style}{{{plain}}}"
+        else:
+            made = joined(made, LETTERS.get(c, MATHS.get(c, c)))
+    return made
 
 
 def _subscript(sub: str) -> str:
@@ -278,9 +310,15 @@ def _(node: lay.Derivative) -> str:
 
 @_tex.register
 def _(node: lay.Big) -> str:
+    index = "" if node.index is None else _tex(node.index)
+    if node.limits is not None:
+        first, *last = map(_tex, node.limits)
+        below = f"{index}={first}" if index else first
+        above = f"^{{{last[0]}}}" if last else ""
+        return rf"{SIGNS[node.sign]}_{{{below}}}{above} {_tex(node.body)}"
     if node.sign == "∫":
-        return rf"\int{_tex(node.index)}\,{_tex(node.body)}"
-    return rf"\sum_{{{_tex(node.index)}}} {_tex(node.body)}"
+        return rf"\int{index}\,{_tex(node.body)}" if index else rf"\int {_tex(node.body)}"
+    return rf"\sum_{{{index}}} {_tex(node.body)}" if index else rf"\sum {_tex(node.body)}"
 
 
 @_tex.register

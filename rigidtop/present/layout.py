@@ -29,15 +29,20 @@ from sympy.core.relational import Relational
 
 from rigidtop.notation.characters import GREEK
 from rigidtop.proof.equation import (
+    At,
     Cross,
     Dot,
     Equation,
+    Evaluated,
     Group,
     IntegralOver,
+    Integrated,
     Matrices,
     Partial,
     Printed,
     Rate,
+    Slope,
+    SumFrom,
     SumOver,
     Transposed,
     Underbrace,
@@ -188,11 +193,12 @@ class Derivative:
 
 @dataclass(frozen=True)
 class Big:
-    """``∑`` over an index, or ``∫`` with a measure, before a body."""
+    """``∑`` over an index, or ``∫`` with a measure, before a body; `limits` from where to where."""
 
     sign: str
-    index: Node
+    index: Node | None
     body: Node
+    limits: tuple[Node, ...] | None = None
 
 
 @dataclass(frozen=True)
@@ -281,6 +287,17 @@ Glyph(base='c', sub='φ', accent='', bold=False, prime=False))
     if digits and not sub:
         stem, sub = digits.groups()
     return Glyph(GREEK.get(stem, stem), GREEK.get(sub, sub))
+
+
+def differential(glyph: Glyph) -> tuple[str, Glyph]:
+    """The d, d³, Δ or δ before a letter that is one with it, and the letter; "" for none.
+
+    >>> differential(Glyph("d³r")), differential(Glyph("drag"))
+    (('d³', Glyph(base='r', sub='', accent='', bold=False, prime=False)), \
+('', Glyph(base='drag', sub='', accent='', bold=False, prime=False)))
+    """
+    found = re.fullmatch("([dΔδ][²³]?)(\\w[\u0300-\u036f′]*)", glyph.base)
+    return (found[1], replace(glyph, base=found[2])) if found else ("", glyph)
 
 
 # --- Building blocks: brackets and joints -------------------------------------------------------
@@ -612,7 +629,14 @@ def _(tree: Any, order: Order) -> Node:
 
 @_node.register
 def _(tree: Partial, order: Order) -> Node:
-    return Derivative(_node(tree.args[0], order), _node(tree.args[1], order), True, True)
+    body, *by = tree.args
+    inside = isinstance(body, Symbol)
+    shown = _node(body, order)
+    for variable in reversed(by):
+        shown = shown if inside else bracketed(shown)
+        shown = Derivative(shown, _node(variable, order), True, inside)
+        inside = False
+    return shown
 
 
 @_node.register
@@ -632,9 +656,47 @@ def _(tree: Rate, order: Order) -> Node:
 
 
 @_node.register
+def _(tree: Slope, order: Order) -> Node:
+    body, *by = tree.args
+    inside = isinstance(body, Symbol)
+    shown = _node(body, order)
+    for variable in reversed(by):
+        shown = shown if inside else bracketed(shown)
+        shown = Derivative(shown, _node(variable, order), False, inside)
+        inside = False
+    return shown
+
+
+@_node.register
+def _(tree: At, order: Order) -> Node:
+    letter, *arguments = (_node(part, order) for part in tree.args)
+    name = letter if isinstance(letter, Letter) else Letter(Glyph("?"))
+    return Apply(name, tuple(arguments), brackets=True)
+
+
+@_node.register
+def _(tree: Evaluated, order: Order) -> Node:
+    body, place = tree.args
+    return product([bracketed(_node(body, order)), Letter(Glyph("|", str(place)))])
+
+
+@_node.register
+def _(tree: Integrated, order: Order) -> Node:
+    body, *limits = (_node(part, order) for part in tree.args)
+    return Big("∫", None, _under_big(body), tuple(limits) or None)
+
+
+@_node.register
 def _(tree: SumOver, order: Order) -> Node:
     index, body = tree.args
-    return Big("∑", _node(index, order), _under_big(_node(body, order)))
+    shown = _node(index, order) if str(index) else None
+    return Big("∑", shown, _under_big(_node(body, order)))
+
+
+@_node.register
+def _(tree: SumFrom, order: Order) -> Node:
+    index, first, last, body = (_node(part, order) for part in tree.args)
+    return Big("∑", index, _under_big(body), (first, last))
 
 
 @_node.register
@@ -1013,7 +1075,8 @@ def _(node: Derivative) -> float:
 
 @width.register
 def _(node: Big) -> float:
-    return 2.5 + (width(node.index) if node.sign == "∫" else 0) + width(node.body)
+    measure = width(node.index) if node.sign == "∫" and node.index is not None else 0
+    return 2.5 + measure + width(node.body)
 
 
 @width.register

@@ -268,14 +268,22 @@ def _(node: lay.Derivative) -> str:
 
 @_ml.register
 def _(node: lay.Big) -> str:
+    bounds = node.index.bounds if isinstance(node.index, lay.Measure) else ()
+    index = "" if node.index is None else _ml(node.index)
+    big = '<mo largeop="true" movablelimits="true">∑</mo>'
+    sign = "<mo>∫</mo>" if node.sign == "∫" else big
+    if node.limits is not None:
+        first, *last = map(_ml, node.limits)
+        below = _group(f"{index}<mo>=</mo>{first}") if index else first
+        both = "munderover" if last else "munder"
+        return _group(f"<{both}>{sign}{below}{''.join(last)}</{both}>{_ml(node.body)}")
+    if not index:
+        return _group(f"{sign}{_ml(node.body)}")
     if node.sign == "∫":
-        bounds = node.index.bounds if isinstance(node.index, lay.Measure) else ()
-        sign = "<mo>∫</mo>"
         if bounds:
             sign = f"<msubsup>{sign}{''.join(map(_ml, bounds))}</msubsup>"
-        return _group(f"{sign}{_ml(node.index)}{THIN}{_ml(node.body)}")
-    big = '<mo largeop="true" movablelimits="true">∑</mo>'
-    return _group(f"<munder>{big}{_ml(node.index)}</munder>{_ml(node.body)}")
+        return _group(f"{sign}{index}{THIN}{_ml(node.body)}")
+    return _group(f"<munder>{sign}{index}</munder>{_ml(node.body)}")
 
 
 @_ml.register

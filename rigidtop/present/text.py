@@ -42,7 +42,8 @@ def text(tree: Any, order: Order = "auto", *, tag: bool = False) -> str:
 
 def letter(glyph: Glyph) -> str:
     """A symbol: ω̇₁, e₁′, L_z."""
-    shown = glyph.base[0] + _ACCENTS[glyph.accent] + glyph.base[1:]
+    before, glyph = lay.differential(glyph)
+    shown = before + glyph.base[0] + _ACCENTS[glyph.accent] + glyph.base[1:]
     plain = glyph.sub.rstrip("′")
     if plain and all(c in "0123456789−+i" for c in plain):
         shown += glyph.sub.translate(_SUBSCRIPTS)
@@ -193,11 +194,16 @@ def _(node: lay.Derivative) -> str:
 
 @_text.register
 def _(node: lay.Big) -> str:
+    sign = {"∑": "Σ"}.get(node.sign, node.sign)
+    index = "" if node.index is None else _text(node.index)
+    if node.limits is not None:
+        ends = ", ".join(map(_text, node.limits))
+        return f"{sign}[{index + ' = ' if index else ''}{ends}] {_text(node.body)}"
     if node.sign == "∫":
         bounds = node.index.bounds if isinstance(node.index, lay.Measure) else ()
         between = f" from {' to '.join(map(_text, bounds))}" if bounds else ""
-        return f"∫{between} {_text(node.index)} {_text(node.body)}"
-    return f"Σ_{_text(node.index)} {_text(node.body)}"
+        return " ".join(filter(None, (sign + between, index, _text(node.body))))
+    return f"{sign}_{index} {_text(node.body)}" if index else f"{sign} {_text(node.body)}"
 
 
 @_text.register

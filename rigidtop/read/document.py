@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 import time
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import NOTES, Notation
-from rigidtop.read.formula import Line, read
+from rigidtop.read.formula import Habits, Line, read
 
 LONGEST = 2_000_000
 """A file is no longer than this (characters)."""
@@ -32,6 +32,9 @@ LONGEST_TICKS = 20
 
 SECONDS = 60.0
 """A file is not read for longer than this."""
+
+NONE = Habits()
+"""No macros, no functions."""
 
 DEEPEST = 40
 """Environments are not followed deeper."""
@@ -598,7 +601,7 @@ def _goes_on(
     return not source[before.end : this.opens].strip()
 
 
-def lines(group: Numbered, notation: Notation = NOTES) -> tuple[Line, ...]:
+def lines(group: Numbered, notation: Notation = NOTES, habits: Habits = NONE) -> tuple[Line, ...]:
     """The equations of a number, with their places in the file."""
     for formula in group.formulas:
         if formula.problem:
@@ -614,10 +617,7 @@ def lines(group: Numbered, notation: Notation = NOTES) -> tuple[Line, ...]:
         begun, start = max(pair for pair in starts if pair[0] <= position)
         return start + position - begun
 
-    made = [
-        Line(place(line.position), line.equation, line.problem, line.follows, line.tag)
-        for line in read(text, notation)
-    ]
+    made = [replace(line, position=place(line.position)) for line in read(text, notation, habits)]
     return tuple(_of_number(made, group.number))
 
 
@@ -635,11 +635,20 @@ def _of_number(made: Sequence[Line], number: str) -> Sequence[Line]:
 
 
 def each(
-    source: str, notation: Notation = NOTES, seconds: float = SECONDS
+    source: str,
+    notation: Notation = NOTES,
+    seconds: float = SECONDS,
+    habits: Habits = NONE,
+    but: Container[int] = (),
 ) -> Iterator[tuple[Formula, tuple[Line, ...]]]:
-    """Every formula with its equations; once the time is up the rest is unread, and says so."""
+    """Every formula with its equations; once the time is up the rest is unread, and says so.
+
+    Formulas that start where `but` says are left out.
+    """
     end = time.monotonic() + seconds
     for formula in formulas(source):
+        if formula.start in but:
+            continue
         if time.monotonic() > end:
             yield formula, (_late(formula, seconds),)
             continue
@@ -647,19 +656,25 @@ def each(
             formula,
             tuple(
                 replace(line, position=formula.start + line.position)
-                for line in read(formula.text, notation)
+                for line in read(formula.text, notation, habits)
             ),
         )
 
 
 def each_numbered(
-    source: str, notation: Notation = NOTES, seconds: float = SECONDS
+    source: str,
+    notation: Notation = NOTES,
+    seconds: float = SECONDS,
+    habits: Habits = NONE,
 ) -> Iterator[tuple[Numbered, tuple[Line, ...]]]:
     """Every number with its equations, in the same way."""
     end = time.monotonic() + seconds
     for group in numbered(source):
         late = time.monotonic() > end
-        yield group, (_late(group.formulas[0], seconds),) if late else lines(group, notation)
+        yield (
+            group,
+            (_late(group.formulas[0], seconds),) if late else lines(group, notation, habits),
+        )
 
 
 def _late(formula: Formula, seconds: float) -> Line:

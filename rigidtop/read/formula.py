@@ -8,11 +8,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources import files
-from itertools import pairwise
+from itertools import pairwise, takewhile
 from typing import Any
 
 import sympy
@@ -24,11 +25,15 @@ from lark.visitors import Transformer_NonRecursive
 from sympy import Add, Integer, Mul, Pow, Rational, Symbol
 
 from rigidtop.notation import MATRICES, NOTES, Notation
+from rigidtop.notation.convention import own
 from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import Equation
-from rigidtop.read.scan import Token, UnreadError, shown, tokens
+from rigidtop.read.macros import Macros, expanded
+from rigidtop.read.own import ANGLES, CONDITIONS, Own, words
+from rigidtop.read.scan import Scan, Token, UnreadError, limited, pieces, shown, tokens
 from rigidtop.theory import symbols as s
-from rigidtop.theory.lettered import known
+from rigidtop.theory.lettered import Lettered, known
+from rigidtop.theory.symbols import Glyph
 
 DEEPEST = 100
 """No expression is a deeper tree; a sum of n terms is one of n levels."""
@@ -56,18 +61,75 @@ class Line:
     problem: str = ""
     follows: bool = False
     tag: str = ""
+    condition: str = ""
+    """Words behind it, such as "for small angles", as they are written."""
 
 
-def read(text: str, notation: Notation = NOTES) -> tuple[Line, ...]:
+@dataclass(frozen=True)
+class Habits:
+    """What an author's file says of its formulas: macros, and letters that are functions."""
+
+    macros: Macros = field(default_factory=dict)
+    functions: frozenset[tuple[Glyph, str]] = frozenset()
+    """A letter and one that it is a function of: V and x."""
+    timed: frozenset[Glyph] = frozenset()
+    """Letters that depend on the time: x(t)."""
+
+
+def read(
+    text: str,
+    notation: Notation = NOTES,
+    habits: Habits = Habits(),
+) -> tuple[Line, ...]:
     """The equations of a formula, in order, each read or with the reason why not.
 
+    A notation that is `open` takes letters that it does not know, and any author's ways of writing.
     Text from strangers is welcome: nothing of it is evaluated, and its size and depth are limited.
     """
     try:
-        found = tokens(text, notation)
+        found = scanned(text, notation, habits)
     except UnreadError as error:
         return (Line(error.position, None, error.reason),)
-    return tuple(line for part in _parts(found) for line in _read(part, notation))
+    return tuple(line for part in _parts(found, text) for line in _read(part, notation))
+
+
+def scanned(text: str, notation: Notation, habits: Habits) -> list[Token]:
+    """The tokens of a formula, its macros put in."""
+    if not notation.open and not habits.macros:
+        return tokens(text, notation)
+    items = expanded(pieces(text), habits.macros)
+    if not notation.open:
+        return limited(Scan(items, notation))
+    found = limited(Own(items, notation, functions=habits.functions, timed=habits.timed))
+    here = _with(habits, found, text)
+    if here == habits:
+        return found
+    return limited(Own(items, notation, functions=here.functions, timed=here.timed))
+
+
+def with_habits(habits: Habits, text: str, notation: Notation) -> Habits:
+    """What is known of an author's letters, with what one more formula says of them."""
+    items = expanded(pieces(text), habits.macros)
+    return _with(habits, limited(Own(items, notation)), text)
+
+
+def _with(habits: Habits, found: Sequence[Token], text: str) -> Habits:
+    functions, timed = set(habits.functions), set(habits.timed)
+    for i, token in enumerate(found):
+        if not isinstance(token.value, Lettered):
+            continue
+        glyph = token.value.quantity.glyph
+        behind = found[i + 1] if i + 1 < len(found) else Token("", "", len(text))
+        if behind.kind == "OF":
+            inside = takewhile(lambda token: token.kind != "FO", found[i + 2 :])
+            among = [x.value for x in inside if isinstance(x.value, Lettered)]
+            functions |= {(glyph, x.quantity.glyph.base) for x in among} or {(glyph, "")}
+        if _OF_TIME.search(text, token.position, behind.position):
+            timed.add(glyph)
+    return replace(habits, functions=frozenset(functions), timed=frozenset(timed))
+
+
+_OF_TIME = re.compile(r"\(\s*t\s*(?:\\right)?\)")
 
 
 # --- Lines ---------------------------------------------------------------------------------------
@@ -81,24 +143,25 @@ class _Part:
     tag: str = ""
     follows: bool = False
     problem: UnreadError | None = None
+    condition: str = ""
 
     @property
     def kinds(self) -> list[str]:
         return [token.kind for token in self.tokens]
 
 
-_GOES_ON = frozenset({"RELATION", "SIGN", "CROSS", "DOT", "SLASH"})
+_GOES_ON = frozenset({"RELATION", "SIGN", "SIGNS", "CROSS", "DOT", "SLASH"})
 """A line that begins with one of these, or whose last line ended with one, goes on."""
 
 _BREAKS = frozenset({"LINE", "SEPARATOR", "ARROW"})
 _BLANK = frozenset({"SPACE", "ALIGN"})
 _OPENS = {"MATRIX": 1, "XIRTAM": -1, "OPEN": 1, "CLOSE": -1, "LIST": 1, "TSIL": -1}
-_OPENS |= {"_BEGIN": 1, "_END": -1}
+_OPENS |= {"_BEGIN": 1, "_END": -1, "OF": 1, "FO": -1, "BAR": 1, "RAB": -1}
 
 
-def _parts(found: Sequence[Token]) -> list[_Part]:
+def _parts(found: Sequence[Token], text: str) -> list[_Part]:
     """Tokens cut at separators, at arrows and at ends of lines, tags taken out."""
-    cutter = _Cutter(found)
+    cutter = _Cutter(found, text)
     for i in range(len(found)):
         cutter.take(i)
     cutter.close()
@@ -108,8 +171,8 @@ def _parts(found: Sequence[Token]) -> list[_Part]:
 class _Cutter:
     """Goes through the tokens of some lines and cuts them into equations."""
 
-    def __init__(self, found: Sequence[Token]) -> None:
-        self.found = found
+    def __init__(self, found: Sequence[Token], text: str) -> None:
+        self.found, self.text = found, text
         self.parts: list[_Part] = []
         self.current: list[Token] = []
         self.tag, self.follows, self.nested = "", False, 0
@@ -123,12 +186,32 @@ class _Cutter:
         kind = token.kind
         self.nested += _OPENS.get(kind, 0)
         inside = self.nested > 0
+        if self.condition is not None:
+            if (inside or kind not in ("LINE", "ARROW", "TAG")) and token is not self.found[-1]:
+                return
+            whole = token is self.found[-1] and kind not in ("LINE", "ARROW", "TAG")
+            self._conditioned(len(self.text) if whole else token.position)
+            if whole:
+                return
         if kind == "TAG":
             self.tag = token.value
+        elif kind == "WORDS":
+            self.close()
+            if token.value.split()[0].lower() in CONDITIONS:
+                self.condition = token.position
+                if token is self.found[-1]:
+                    self._conditioned(len(self.text))
         elif kind == "ARROW":
             self.close()
             self.follows = True
         elif kind == "SEPARATOR":
+            if self._is_list(i):
+                self.condition = self.current[0].position
+                self.current = []
+                if not self.parts:
+                    reason = "a list of values: for which values something holds is no equation"
+                    self.parts.append(_Part((token,), problem=UnreadError(reason, self.condition)))
+                return
             self.close(stop=token.value)
         elif kind == "LINE" and not inside:
             self._line(i)
@@ -177,6 +260,8 @@ class _Cutter:
         unread = next((token.value for token in kept if token.kind == "UNREAD"), self.problem)
         part = _Part(tuple(kept), self.tag, self.follows, unread)
         number = _bracketed(kept)
+        if self.parts and _is_range(kept):  # "(i = 1, 2)": for which i
+            kept = []
         if number and self.parts and not self.parts[-1].tag:  # it stands behind a comma or a space
             self.parts[-1] = replace(self.parts[-1], tag=number)
         elif kept and part.kinds == ["NUMBER"] and self.parts and self._listed:
@@ -197,6 +282,30 @@ class _Cutter:
         elif self.tag:
             self.tag = ""
 
+    def _is_list(self, i: int) -> bool:
+        """Whether values are listed: i = 1, 2, …, n behind the comma of which no relation comes."""
+        kinds = [token.kind for token in self.current]
+        if kinds not in (["SYMBOL", "RELATION", "NUMBER"], ["SYMBOL", "RELATION", "SYMBOL"]):
+            return False
+        dots = False
+        for token in self.found[i + 1 :]:
+            if token.kind in ("LINE", "ARROW", "TAG", "WORDS"):
+                break
+            if token.kind in ("RELATION", "OPEN"):
+                return False
+            dots = dots or token.value == _OMITTED or token.kind == "NUMBER"
+        return dots
+
+    condition: int | None = None
+    """Where words stand, such as "if", that all up to the end of the line belong to."""
+
+    def _conditioned(self, end: int) -> None:
+        """What stands behind such words belongs to the equation in front, unread."""
+        start, self.condition = self.condition, None
+        if self.parts and not self.parts[-1].condition:
+            said = words(self.text[start:end])
+            self.parts[-1] = replace(self.parts[-1], condition=said)
+
     _listed = False
     """Whether the last part ended with a number and a comma."""
 
@@ -212,6 +321,17 @@ def _ahead(found: Sequence[Token]) -> list[tuple[str, bool]]:
     return made[::-1]
 
 
+def _is_range(part: Sequence[Token]) -> bool:
+    """Whether a part stands in brackets with a relation of its own: it says where another holds."""
+    kinds = [token.kind for token in part]
+    return (
+        len(kinds) > 4
+        and kinds[0] in ("OPEN", "LIST")
+        and kinds[-1] in ("CLOSE", "TSIL")
+        and kinds[2] == "RELATION"
+    )
+
+
 def _bracketed(part: Sequence[Token]) -> str:
     """The number of an equation in brackets, if that is all there is."""
     plain = [t.kind for t in part] == ["OPEN", "NUMBER", "CLOSE"]
@@ -223,7 +343,11 @@ def _read(part: _Part, notation: Notation) -> list[Line]:
     try:
         if part.problem is not None:
             raise part.problem
-        lines = [line for chosen in _choices(part.tokens) for line in _lines(chosen, notation)]
+        lines = [
+            replace(line, condition=", ".join(filter(None, (condition, part.condition))))
+            for chosen, condition in _choices(part.tokens)
+            for line in _lines(chosen, notation)
+        ]
     except UnreadError as error:
         return [Line(error.position, None, error.reason, part.follows, part.tag)]
     lines = [replace(line, follows=part.follows) for line in lines]
@@ -235,19 +359,37 @@ def _read(part: _Part, notation: Notation) -> list[Line]:
     return lines
 
 
-def _choices(found: Sequence[Token]) -> list[list[Token]]:
-    """ω_{1,2} = … are two equations."""
-    counts = {len(t.value): t.position for t in found if t.kind == "CHOICE"}
-    if not counts:
-        return [list(found)]
+def _choices(found: Sequence[Token]) -> list[tuple[list[Token], str]]:
+    """ω_{1,2} = … are two equations, a = ±b too, and each of several cases with its condition."""
+    several = [t for t in found if t.kind in _SEVERAL]
+    if not several:
+        return [(list(found), "")]
+    counts = {len(t.value): t.position for t in several}
     if len(counts) > 1:
         raise UnreadError("lists of indices of different lengths", max(counts.values()))
+    branches = sum(t.kind == "BRANCHES" for t in several)
+    if branches and len(several) > 1:
+        raise UnreadError("cases beside other choices", several[0].position)
     [count] = counts
-    return [
-        [Token("SYMBOL", t.value[i], t.position) if t.kind == "CHOICE" else t for t in found]
-        for i in range(count)
-    ]
+    made = []
+    for i in range(count):
+        chosen: list[Token] = []
+        for token in found:
+            if token.kind == "BRANCHES":
+                chosen += token.value[i][0]
+            elif token.kind in _SEVERAL:
+                chosen.append(Token(_SEVERAL[token.kind], token.value[i], token.position))
+            else:
+                chosen.append(token)
+        made.append((chosen, several[0].value[i][1] if branches else ""))
+    return made
 
+
+_SEVERAL = {"CHOICE": "SYMBOL", "SIGNS": "SIGN", "BRANCHES": ""}
+
+
+_OMITTED = own(Glyph("…"))
+"""Dots for what is left out: a number or a vector, as need be."""
 
 _WRITTEN_OUT = frozenset({"TRANSPOSED", "MATRIX"})
 
@@ -353,6 +495,10 @@ def kind(node: Any) -> str:
         return kind(node.args[1])
     if isinstance(node, eq.IntegralOver):
         return kind(node.args[3])
+    if isinstance(node, eq.SumFrom):
+        return kind(node.args[3])
+    if isinstance(node, (eq.At, eq.Slope, eq.Partial, eq.Evaluated, eq.Integrated)):
+        return kind(node.args[0])
     if isinstance(node, (Add, Mul)):
         kinds = [kind(argument) for argument in node.args]
         return next((k for k in ("vector", "matrix") if k in kinds), "scalar")
@@ -373,6 +519,10 @@ _FUNCTIONS: dict[str, Any] = {
     "sinh": sympy.sinh,
     "cosh": sympy.cosh,
     "tanh": sympy.tanh,
+    "cot": sympy.cot,
+    "sec": sympy.sec,
+    "csc": sympy.csc,
+    "coth": sympy.coth,
     "K": sympy.elliptic_k,
     "F": sympy.elliptic_f,
 }
@@ -404,6 +554,8 @@ class _Value:
     ends: str = ""
     literal: bool = False
     bare: bool = False
+    alone: bool = False
+    """That it stands for all of its term, if brackets do not say for how much."""
 
     @property
     def closed(self) -> _Value:
@@ -450,7 +602,9 @@ class _Builder(Transformer_NonRecursive):
         if "matrix" in kinds:
             sides = [_as_matrix(side) for side in sides]
         for before, side in pairwise(sides):
-            free = (0, s.const)
+            free = (0, s.const, _OMITTED)
+            if self.notation.open and before.explicit != side.explicit:
+                continue  # a letter that is equal to a matrix is one
             if before.kind != side.kind and before.tree not in free and side.tree not in free:
                 raise UnreadError(
                     f"a {before.kind} and a {side.kind} are compared: is a symbol meant in bold?",
@@ -469,7 +623,10 @@ class _Builder(Transformer_NonRecursive):
         total, sign, term = items[0].closed, items[1], items[2].closed
         if "matrix" in (total.kind, term.kind):
             total, term = _as_matrix(total), _as_matrix(term)
-        if total.kind != term.kind and 0 not in (total.tree, term.tree):
+        wild = (0, _OMITTED)
+        if self.notation.open and (total.explicit or term.explicit):
+            return self._added_typed(total, sign, term)
+        if total.kind != term.kind and total.tree not in wild and term.tree not in wild:
             raise UnreadError(f"a {total.kind} and a {term.kind} are added", term.position)
         if sign.value == "-":
             term = _negative(term)
@@ -480,17 +637,37 @@ class _Builder(Transformer_NonRecursive):
             Add(total.tree, term.tree, evaluate=False), total.kind, total, term, digits=digits
         )
 
+    def _added_typed(self, total: _Value, sign: Token, term: _Value) -> _Value:
+        """A sum with matrices that are written out, as it is typed."""
+        trees = [
+            eq.Matrices(part.tree.as_immutable()) if part.explicit else part.tree
+            for part in (total, term)
+        ]
+        if sign.value == "-":
+            trees[1] = Mul(Integer(-1), trees[1], evaluate=False)
+        shape = total if total.explicit else term
+        return _made(Add(*trees, evaluate=False), shape.kind, total, term)
+
     def _sum(self, total: _Value, term: _Value) -> Any:
         if not (total.explicit and term.explicit and total.tree.shape == term.tree.shape):
             raise UnreadError("what is added is not of the same shape", term.position)
         return total.tree + term.tree
 
     def product(self, items: list[Any]) -> _Value:
+        if self.notation.open:
+            _definite(items)
         factors = self._of_time(items)
         vectors = [factor for factor in factors if factor.kind == "vector"]
+        form = False
+        if self.notation.open:
+            vectors = [x for x in vectors if not _may_be_tensor(x.tree)] or vectors[:1]
+            form = len(vectors) == 2 and isinstance(vectors[0].tree, eq.Transposed)
+            vectors = vectors[:1] if form else vectors
         if len(vectors) > 1:
             raise UnreadError("two vectors side by side: · or × between them?", vectors[1].position)
         for factor, after in pairwise(factors):
+            if (factor.alone and factor.ends) or (after.alone and after.ends):
+                raise UnreadError(factor.ends or after.ends, after.position)
             if after.literal:
                 raise UnreadError(
                     "a number behind a factor: a power x^2, an index x_2, or a factor 2x?",
@@ -502,16 +679,26 @@ class _Builder(Transformer_NonRecursive):
                 raise UnreadError("a vector before a matrix", after.position)
         made = factors[0]
         for factor in factors[1:]:
-            made = _times(made, factor)
-        return made
+            made = self._times(made, factor)
+        return replace(made, kind="scalar") if form else made
+
+    def _times(self, left: _Value, right: _Value) -> _Value:
+        """A product; of a matrix that is written out and of letters, as it is typed."""
+        if not self.notation.open or left.explicit == right.explicit:
+            return _times(left, right)
+        parts = [*_written_out(left), *_written_out(right)]
+        trees = [x.as_immutable() if isinstance(x, sympy.MatrixBase) else x for x in parts]
+        shape = left if left.explicit else right
+        return _made(eq.Matrices(*trees), shape.kind, left, right)
 
     def _of_time(self, factors: list[_Value]) -> list[_Value]:
         """sin Ωt is the sine of an angle: a rate in a function takes the time behind it along."""
         made: list[_Value] = []
         for factor in factors:
             last = made[-1] if made else None
-            if factor.tree == s.t and last is not None and last.pending is not None:
-                angle = Mul(last.tree, s.t, evaluate=False)
+            time = factor.tree == s.t or factor.tree == own(Glyph("t"))
+            if time and last is not None and last.pending is not None:
+                angle = Mul(last.tree, factor.tree, evaluate=False)
                 made[-1] = replace(last, tree=angle, depth=last.depth + 1).closed
             else:
                 made.append(factor)
@@ -521,6 +708,8 @@ class _Builder(Transformer_NonRecursive):
         left, _, right = items[0].closed, items[1], items[2].closed
         if left.kind == right.kind == "vector":
             return _made(eq.Cross(left.tree, right.tree), "vector", left, right)
+        if self.notation.open and left.kind == right.kind == "scalar" and _is_numeric(right.tree):
+            return _times(left, right)
         if left.digits and left.literal and right.kind == "scalar" and not right.tree.free_symbols:
             return _times(left, right)
         raise UnreadError(f"× between a {left.kind} and a {right.kind}", right.position)
@@ -530,6 +719,9 @@ class _Builder(Transformer_NonRecursive):
         if left.kind == right.kind == "vector":
             return _made(eq.Dot(left.tree, right.tree), "scalar", left, right)
         if left.kind == right.kind == "scalar":
+            letters = [part for part in (left, right) if not part.tree.is_number]
+            if self.notation.open and len(letters) == 2:  # of numbers, or of vectors
+                return _made(eq.Dot(left.tree, right.tree), "scalar", left, right)
             return _times(left, right)
         raise UnreadError(f"· between a {left.kind} and a {right.kind}", right.position)
 
@@ -546,9 +738,25 @@ class _Builder(Transformer_NonRecursive):
         return _ratio(left.closed, right.closed)
 
     def summed(self, items: list[Any]) -> _Value:
-        index, body = items[1], items[2].closed
-        made = eq.SumOver(Symbol(index.value), body.tree)
-        return _made(made, body.kind, body, position=items[0].position)
+        index, *limits, body = items[1], *(item.closed for item in items[2:])
+        label = Symbol(index.value)
+        if len(limits) == 2:
+            made = eq.SumFrom(label, *(limit.tree for limit in limits), body.tree)
+        else:
+            made = eq.SumOver(label, body.tree)
+        return _made(made, body.kind, body, *limits, position=items[0].position)
+
+    def integral(self, items: list[Any]) -> _Value:
+        """∫ of a term, which must hold as many differentials as integrals."""
+        *limits, body = (item.closed for item in items[1:])
+        nested = sum(isinstance(node, eq.Integrated) for node in _nodes(body.tree))
+        if sum(_is_differential(node) for node in _nodes(body.tree)) != nested + 1:
+            raise UnreadError(
+                "an integral without its dx: put brackets round all that it is of",
+                items[0].position,
+            )
+        tree = eq.Integrated(body.tree, *(limit.tree for limit in limits))
+        return _made(tree, body.kind, body, *limits, position=items[0].position)
 
     def integrated(self, items: list[Any]) -> _Value:
         body = items[1].closed
@@ -568,7 +776,7 @@ class _Builder(Transformer_NonRecursive):
 
     def transposed(self, items: list[Any]) -> _Value:
         base, raised = items
-        if base.kind == "scalar":
+        if base.kind == "scalar" and not self.notation.open:
             raise UnreadError("a scalar is transposed", raised.position)
         if base.explicit:
             return replace(base, tree=base.tree.T)
@@ -613,7 +821,7 @@ class _Builder(Transformer_NonRecursive):
         if len(rows) > LARGEST or len(rows[0]) > LARGEST:
             raise UnreadError(f"a matrix of more than {LARGEST} rows or columns", position)
         for entry in entries:
-            if entry.kind != "scalar":
+            if entry.kind != "scalar" and (entry.explicit or not self.notation.open):
                 raise UnreadError(f"a {entry.kind} as an entry", entry.position)
         tree = sympy.Matrix([[entry.tree for entry in row] for row in rows])
         digits = max(entry.digits for entry in entries)
@@ -657,20 +865,61 @@ class _Builder(Transformer_NonRecursive):
     def exponential(self, items: list[Any]) -> _Value:
         return self._call("exp", items[0], [items[1].closed])
 
+    # Functions of letters, and what is taken at a place
+
+    def at(self, items: list[Any]) -> _Value:
+        arguments = [item.closed for item in items[1:] if isinstance(item, _Value)]
+        letter = items[0].value
+        if not isinstance(letter, Symbol):
+            raise UnreadError("a number with arguments", items[0].position)
+        tree = eq.At(letter, *(argument.tree for argument in arguments))
+        at = _Value(letter, kind(letter), items[0].position)
+        return _made(tree, at.kind, at, *arguments, position=items[0].position)
+
+    def evaluated(self, items: list[Any]) -> _Value:
+        body, place = items[0].closed, items[1]
+        tree = eq.Evaluated(body.tree, Symbol(place.value))
+        ends = "" if isinstance(body.tree, (eq.Group, Symbol)) else "taken at a place: put brackets"
+        return _made(tree, body.kind, body, position=body.position, alone=True, ends=ends)
+
     # Slopes and rates
+
+    def slope(self, items: list[Any]) -> _Value:
+        of, *by = (item.closed for item in items[1:])
+        for variable in by:
+            if not isinstance(variable.tree, (Symbol, eq.At)):
+                raise UnreadError("a derivative is by a letter", variable.position)
+        node = eq.Partial if items[0].value == "∂" else eq.Slope
+        tree = node(of.tree, *(variable.tree for variable in by))
+        gradient = any(variable.kind == "vector" for variable in by)
+        shown = "vector" if gradient else of.kind
+        return _made(tree, shown, of, *by, position=items[0].position)
+
+    def slope_of(self, items: list[Any]) -> _Value:
+        operator, *by, of = items
+        return self.slope([operator, of, *by])
+
+    def slope_of_brackets(self, items: list[Any]) -> _Value:
+        operator, *by, _, of, _ = items
+        return self.slope([operator, of, *by])
+
+    def slope_of_symbol(self, items: list[Any]) -> _Value:
+        made = self.slope_of([*items[:-1], self.symbol(items[-1:])])
+        return replace(made, ends="the derivative could go on here: put brackets")
+
+    def rate_of_target(self, items: list[Any]) -> _Value:
+        operator, of = items[0], items[1].closed
+        tree = of.tree
+        for _ in range(operator.value):
+            tree = eq.Rate(tree)
+        ends = "the derivative could go on here: put brackets"
+        return _made(tree, of.kind, of, position=operator.position, ends=ends)
 
     def partial(self, items: list[Any]) -> _Value:
         of, by = items[1].closed, items[2].closed
         if of.kind != "scalar" or by.kind != "scalar" or not isinstance(by.tree, Symbol):
             raise UnreadError("a partial derivative is of a scalar by a letter", of.position)
         return _made(eq.Partial(of.tree, by.tree), "scalar", of, by, position=items[0].position)
-
-    def rate_of_partial(self, items: list[Any]) -> _Value:
-        made = self.partial(items[1:])
-        tree = made.tree
-        for _ in range(items[0].value):
-            tree = eq.Rate(tree)
-        return _made(tree, "scalar", made, position=items[0].position)
 
     def rate(self, items: list[Any]) -> _Value:
         operator, what = items[0], items[1].closed
@@ -693,19 +942,35 @@ class _Builder(Transformer_NonRecursive):
 
     def rate_of(self, items: list[Any]) -> _Value:
         inside = items[2].closed
-        if items[0].value != 1:
+        if items[0].value != 1 and not self.notation.open:
             raise UnreadError("a second derivative of brackets", items[0].position)
-        tree = eq.Rate(inside.tree)
+        tree = inside.tree
+        for _ in range(items[0].value):
+            tree = eq.Rate(tree)
         return _made(tree, inside.kind, inside, position=items[0].position)
 
     def rate_in(self, items: list[Any]) -> _Value:
         _, operator, what, _, frame = items
+        if self.notation.open:
+            return self.framed([items[0], what, None, frame])
         if frame.value not in _FRAMES:
             raise UnreadError(f"a rate as seen from {frame.value!r}: space or body", frame.position)
         if operator.value != 1:
             raise UnreadError("a second derivative as seen from a frame", operator.position)
         tree = eq.Rate(what.tree, _FRAMES[frame.value])
         return _made(tree, what.kind, what, position=items[0].position)
+
+    def framed(self, items: list[Any]) -> _Value:
+        """A rate in brackets with the frame that it is seen from."""
+        body, frame = items[1].closed, items[-1]
+        tree = body.tree
+        if isinstance(tree, eq.Partial) and tree.args[1:] == (own(Glyph("t")),):
+            tree = eq.Rate(tree.args[0])
+        if not self.notation.open or not isinstance(tree, (eq.Rate, Lettered)):
+            raise UnreadError("an index behind brackets", frame.position)
+        what = tree.args[0] if isinstance(tree, eq.Rate) else tree
+        seen = eq.Rate(what, _FRAMES.get(frame.value, Symbol(frame.value)))
+        return _made(seen, body.kind, body, position=items[0].position)
 
     def rate_in_brackets(self, items: list[Any]) -> _Value:
         operator, what = items[-3], items[-2]
@@ -756,6 +1021,8 @@ class _Builder(Transformer_NonRecursive):
         """A function without brackets: of an angle, or of a rate that the time may follow."""
         symbol = _last(argument.tree)
         unit = _unit(symbol) if isinstance(symbol, Symbol) else "1"
+        if self.notation.open and _is_open(symbol) and not _is_angle(symbol):
+            unit = "rad/s"  # or of what it may be: the time may follow
         if unit not in _ANGLES | _RATES and name.value in _OF_ANGLES:
             raise UnreadError(
                 f"{name.value} of what is no angle ({unit}): put brackets round all that it is of",
@@ -800,6 +1067,70 @@ class _Builder(Transformer_NonRecursive):
                 if glyph.base == f"{name} {letter}":
                     return _Value(symbol, "scalar", at.position)
         raise UnreadError(f"{name} of what has no name for it", at.position)
+
+
+def _is_open(node: Any) -> bool:
+    """Whether nothing is known of a letter but how it is written."""
+    return isinstance(node, Lettered) and not node.quantity.unit
+
+
+def _is_angle(node: Lettered) -> bool:
+    """Whether mechanics writes angles with that letter."""
+    glyph = node.quantity.glyph
+    return glyph.base[0] in ANGLES and not glyph.accent
+
+
+def _definite(factors: Sequence[_Value]) -> None:
+    """Refuse a function without brackets of which nobody can tell where its argument ends.
+
+    sin ωt and sin θ φ̇ are clear, sin kx and cos α t are not.
+    """
+    for factor, after in pairwise(factors):
+        if not factor.bare or after.bare or after.kind == "vector":
+            continue
+        last = after.tree
+        if not (isinstance(last, (Symbol, eq.Group, eq.At)) or last.is_number):
+            continue
+        time = isinstance(last, Lettered) and last.quantity.glyph == Glyph("t")
+        if _is_differential(last) or (factor.pending is None) != time:
+            continue
+        raise UnreadError(
+            "of how much the function is: put brackets round all that it is of", after.position
+        )
+
+
+def _may_be_tensor(node: Any) -> bool:
+    """Whether a bold letter may be a matrix: a capital, or what is made of one."""
+    if isinstance(node, Pow):
+        return _may_be_tensor(node.base)
+    if isinstance(node, (eq.Transposed, eq.Group)):
+        return _may_be_tensor(node.args[0])
+    if not isinstance(node, Lettered):
+        return isinstance(node, (Add, Mul))
+    base = node.quantity.glyph.base
+    return base[0].isupper() or base[0] in "∇01" or len(base) > 1
+
+
+def _is_numeric(tree: Any) -> bool:
+    """Whether a product begins with a number, such as 10³ m: × before it is that of numbers."""
+    first = tree.args[0] if isinstance(tree, Mul) else tree
+    return (isinstance(first, Mul) and _is_numeric(first)) or bool(first.is_number)
+
+
+def _nodes(tree: Any) -> Iterator[Any]:
+    """The parts of a tree, those of matrices too."""
+    ahead = [tree]
+    while ahead:
+        node = ahead.pop()
+        yield node
+        ahead += list(node) if isinstance(node, sympy.MatrixBase) else list(node.args)
+
+
+def _is_differential(node: Any) -> bool:
+    """Whether it is a letter such as dx, d³r."""
+    if not isinstance(node, Lettered):
+        return False
+    return bool(re.fullmatch("d[²³]?\\w[\u0300-\u036f′]*", node.quantity.glyph.base))
 
 
 def _number(token: Token) -> _Value:
@@ -863,6 +1194,8 @@ def _power(base: _Value, exponent: _Value) -> _Value:
     if base.kind == "matrix" or base.explicit:
         raise UnreadError("a power of a matrix: write the product, or ᵀ", exponent.position)
     if base.kind == "vector":
+        if exponent.tree == -1 and _is_open(base.tree) and _may_be_tensor(base.tree):
+            return _made(Pow(base.tree, Integer(-1), evaluate=False), "vector", base)
         if exponent.tree != 2:
             raise UnreadError("a power of a vector other than its square", exponent.position)
         return _made(eq.Dot(base.tree, base.tree), "scalar", base)
@@ -870,6 +1203,8 @@ def _power(base: _Value, exponent: _Value) -> _Value:
         raise UnreadError("a power of 0 that has no value", exponent.position)
     size = _size(exponent)
     named = bool(base.tree.free_symbols)
+    if any(_is_open(x) for x in exponent.tree.free_symbols):
+        size = min(size, 1)  # nothing is put in for it
     raised = base.raised * max(size, 1) if named else base.raised
     if raised > RAISED or size > 10**4:
         raise UnreadError("a power too high", exponent.position)

@@ -252,15 +252,20 @@ _LENGTH = re.compile(r"\s*-?[\d.]+\s*(?:pt|em|ex|mm|cm|in)\s*")
 
 def tokens(text: str, notation: Notation) -> list[Token]:
     """The tokens of a formula, of one line or more; `UnreadError` says what and where if not."""
+    return limited(Scan(pieces(text), notation))
+
+
+def limited(scan: Scan) -> list[Token]:
+    """All tokens, if they are not too many."""
     found: list[Token] = []
-    for token in _Scan(pieces(text), notation).tokens():
+    for token in scan.tokens():
         found.append(token)
         if len(found) > MOST:
             raise UnreadError(f"more than {MOST} symbols and signs", token.position)
     return found
 
 
-class _Scan:
+class Scan:
     """Goes through pieces from left to right."""
 
     def __init__(
@@ -305,9 +310,13 @@ class _Scan:
         if self.level > DEEPEST:
             raise UnreadError(f"nested deeper than {DEEPEST}", self.peek().position)
         depth = self.depth + nested
-        inner = _Scan(group, self.notation, depth, self.level + 1)
+        inner = self.within(group, depth)
         inner.called = -1 if self.called is not None else None
         yield from inner.tokens()
+
+    def within(self, group: Sequence[Piece], depth: int) -> Scan:
+        """What goes through the pieces of a group."""
+        return type(self)(group, self.notation, depth, self.level + 1)
 
     def braced(self, group: Sequence[Piece], position: int) -> Iterator[Token]:
         yield Token("_BEGIN", "{", position)
@@ -430,7 +439,7 @@ class _Scan:
         while self.peek().text in DECIMALS or (
             self.peek().text == "." and self.peek(1).text in DECIMALS and "." not in digits
         ):
-            if digits and self.peek().position != self.items[self.at - 1].position + 1:
+            if digits and self.peek().position > self.items[self.at - 1].position + 1:
                 raise UnreadError("two numbers side by side", self.peek().position)
             digits += self.take().text
             if len(digits) > DIGITS:
@@ -780,7 +789,7 @@ class _Scan:
     def letter_of(self, piece: Piece) -> Glyph:
         if self.level > DEEPEST:
             raise UnreadError(f"nested deeper than {DEEPEST}", piece.position)
-        inner = _Scan(piece.group, self.notation, self.depth, self.level + 1)
+        inner = self.within(piece.group, self.depth)
         glyph = inner.letter() if piece.group else None
         inner.skip()
         if glyph is None or inner.at < len(piece.group):

@@ -247,18 +247,20 @@ def test_quirks_of_markdown_from_a_pdf():
 def test_the_command_says_what_is_read_and_what_is_not(tmp_path, capsys):
     path = tmp_path / "notes.md"
     path.write_text("The angle $\\theta$.\n\n$$T = V,$$\n(3.5)\nand $q_9 = E$\n", encoding="utf-8")
-    assert main(["read", str(path), "--json"]) == 0
+    assert main(["read", str(path), "--notation", "notes", "--json"]) == 0
     first, second = json.loads(capsys.readouterr().out)
     assert first == {
         "number": "3.5",
         "equation": "T = V",
+        "condition": None,
         "problem": None,
+        "letters": {},
         "line": 3,
         "column": 3,
     }
     assert (second["line"], second["column"], second["equation"]) == (5, 6, None)
     assert "no symbol q_9" in second["problem"]
-    assert main(["read", str(path)]) == 0
+    assert main(["read", str(path), "--notation", "notes"]) == 0
     assert "unread: no symbol q_9" in capsys.readouterr().out
 
 

@@ -1,0 +1,137 @@
+r"""Files as authors have them: LaTeX in several files, notebooks, Markdown.
+
+A LaTeX file brings the files that it takes in with ``\input``, ``\include`` or ``\usepackage``, as
+far as they lie within its folder.  Of a notebook the cells of text are taken.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import time
+from bisect import bisect_right
+from dataclasses import dataclass
+from pathlib import Path
+
+from rigidtop.errors import RigidtopError
+from rigidtop.notation import Notation
+from rigidtop.read.document import formulas
+from rigidtop.read.formula import Habits, with_habits
+from rigidtop.read.macros import PACKAGES, Macros, defined
+from rigidtop.read.scan import UnreadError
+from rigidtop.textfile import text_of
+
+DEEPEST = 8
+"""Files are not taken into files deeper."""
+
+MOST = 200
+"""No more files are taken in."""
+
+LARGEST = 10_000_000
+"""All files together have no more characters."""
+
+_TAKES_IN = re.compile(
+    r"\\(?:input|include|subfile|usepackage|RequirePackage)\s*(?:\[[^\]\n]*\]\s*)?"
+    r"\{([^{}\n]{1,200})\}"
+)
+_COMMENT = re.compile(r"(?<!\\)%[^\n]*")
+
+
+@dataclass(frozen=True)
+class Source:
+    """The text of one file; `cells` are the lines in which a notebook's cells begin."""
+
+    path: Path
+    text: str
+    cells: tuple[int, ...] = ()
+
+    def place(self, line: int) -> tuple[int, int]:
+        """In which cell of text a line stands, counted from 1, and in which line of it.
+
+        >>> Source(Path("a.ipynb"), "one\\n\\ntwo", (1, 3)).place(3)
+        (2, 1)
+        """
+        cell = bisect_right(self.cells, line)
+        return cell, line - self.cells[cell - 1] + 1
+
+
+def sources(path: Path | str) -> tuple[Source, ...]:
+    """A file, and those that it takes in, in order.  Raises RigidtopError for what is no text."""
+    top = Path(path)
+    if top.suffix == ".ipynb":
+        return (_notebook(top),)
+    found = [Source(top, text_of(top))]
+    if top.suffix in (".tex", ".ltx", ".latex"):
+        folder = top.resolve().parent
+        _take_in(found, found[0], folder, {top.resolve()}, 1)
+    if sum(len(source.text) for source in found) > LARGEST:
+        raise RigidtopError(f"{path}: its files have more than {LARGEST} characters together")
+    return tuple(found)
+
+
+def _take_in(
+    found: list[Source], source: Source, folder: Path, seen: set[Path], depth: int
+) -> None:
+    if depth > DEEPEST:
+        return
+    for names in _TAKES_IN.findall(_COMMENT.sub("", source.text)):
+        for name in names.split(","):
+            inner = _within(folder, source.path.resolve().parent, name.strip())
+            if inner is None or inner in seen or len(found) >= MOST:
+                continue
+            seen.add(inner)
+            found.append(Source(inner, text_of(inner)))
+            _take_in(found, found[-1], folder, seen, depth + 1)
+
+
+def _within(folder: Path, beside: Path, name: str) -> Path | None:
+    """The file of that name, if it lies within the folder."""
+    for start in (folder, beside):
+        for ending in ("", ".tex", ".sty"):
+            path = start / (name + ending)
+            try:
+                path = path.resolve()
+                if path.is_relative_to(folder) and path.is_file() and path.suffix in _TAKEN:
+                    return path
+            except (OSError, ValueError):
+                continue
+    return None
+
+
+_TAKEN = frozenset({".tex", ".sty", ".ltx", ".cls"})
+
+
+def _notebook(path: Path) -> Source:
+    try:
+        content = json.loads(text_of(path))
+        cells = [c["source"] for c in content["cells"] if c["cell_type"] == "markdown"]
+        texts = ["".join(cell) for cell in cells]
+    except (ValueError, TypeError, KeyError, RecursionError):
+        raise RigidtopError(f"cannot read {path}: it is no Jupyter notebook") from None
+    lines, line = [], 1
+    for text in texts:
+        lines.append(line)
+        line += text.count("\n") + 2
+    return Source(path, "\n\n".join(texts), tuple(lines))
+
+
+def habits(found: tuple[Source, ...], notation: Notation, until: float = float("inf")) -> Habits:
+    """The macros and the functions of files that belong together.
+
+    Functions are looked for until a time of `time.monotonic`.
+    """
+    macros: Macros = PACKAGES
+    for source in found:
+        macros = defined(source.text, macros)
+    made = Habits(macros)
+    if not notation.open:
+        return made
+    for source in found:
+        for formula in formulas(source.text):
+            if "(" not in formula.text or time.monotonic() > until:
+                continue
+            try:
+                made = with_habits(made, formula.text, notation)
+            except UnreadError:
+                continue
+    return made

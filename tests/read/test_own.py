@@ -1,0 +1,191 @@
+"""Anyone's letters and ways of writing: what is read is what is written, or it is not read."""
+
+import re
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rigidtop.notation import OWN
+from rigidtop.present.latex import latex
+from rigidtop.present.mathml import mathml
+from rigidtop.present.text import text
+from rigidtop.read.formula import Habits, read
+from rigidtop.read.macros import PACKAGES, defined
+from rigidtop.theory.symbols import Glyph
+
+
+def shown(source, habits=Habits(PACKAGES)):  # noqa: B008
+    """What is read, as text; a reason in brackets."""
+    return [
+        text(line.equation, "typed") if line.equation else f"[{line.problem}]"
+        for line in read(source, OWN, habits)
+    ]
+
+
+READ = {
+    r"F = m\ddot x": ["F = mẍ"],
+    r"\tau^{(1)} = I_\mathrm{cm}\,\alpha": ["τ_(1) = I_cm α"],
+    r"\bar x' = \tilde y'' + \mathcal H": ["x̄′ = ỹ′′ + ℋ"],
+    # functions of letters
+    r"V(x) = f(q, \dot q, t)": ["V(x) = f(q, q̇, t)"],
+    r"x(t) = x(0) + v(t - t_0)": ["x(t) = x(0) + v(t − t₀)"],
+    r"S[q] = \int_{t_1}^{t_2} L(q, \dot q)\,dt": ["S(q) = ∫[t₁, t₂] L(q, q̇) dt"],
+    r"{R}(\theta) = R_1{(\phi)}": ["R(θ) = R₁(φ)"],
+    r"y(x + a) = y(x)": ["y(x + a) = y(x)"],
+    # derivatives
+    r"\frac{d}{dt}\left(\frac{\partial L}{\partial\dot q}\right) = \frac{\partial L}{\partial q}": [
+        "d/dt ∂L/∂q̇ = ∂L/∂q"
+    ],
+    r"\frac{\partial^2 f}{\partial x\partial y} = \frac{d^2 u}{d\phi^2}": [
+        "∂/∂x (∂f/∂y) = d/dφ (du/dφ)"
+    ],
+    r"\frac{\mathrm d p}{\mathrm d t} = \partial_x U": ["ṗ = ∂U/∂x"],
+    r"dL/dt = N": ["L̇ = N"],
+    r"\dv{p}{t} = \pdv{L}{q}": ["ṗ = ∂L/∂q"],
+    r"\mathrm dW = \vec F\cdot\mathrm d\vec r": ["dW = F · dr"],
+    r"\left(\frac{d\vec A}{dt}\right)_{\rm rot} = 0": ["(∂A/∂t)_rot = 0"],
+    r"\frac{d}{dt}\sum_i m_i v_i = 0": ["d/dt (Σ_i mᵢvᵢ) = 0"],
+    # sums, integrals, places
+    r"\sum_{i=1}^N m_i x_i = M X": ["Σ[i = 1, N] mᵢxᵢ = MX"],
+    r"I = \int_V \rho r^2\,dV": ["I = ∫[V] ρr² dV"],
+    r"t = \int \frac{dx}{\sqrt{x}}": ["t = ∫ dx/√x"],
+    r"\left.\frac{dV}{dx}\right|_{x = a} = 0": ["(dV/dx)|_x = a = 0"],
+    # signs, cases, lists
+    r"x = \pm a \mp b": ["x = a − b", "x = −a + b"],
+    r"x_{1,2} = -b\pm c": ["x₁ = −b + c", "x₂ = −b − c"],
+    r"f = \begin{cases} a & x < 0 \\ b & x > 0 \end{cases}": ["f = a", "f = b"],
+    r"\begin{cases} \dot x = y \\ \dot y = -x \end{cases}": ["ẋ = y", "ẏ = −x"],
+    r"\left\{\begin{array}{l} a = b \\ c = h \end{array}\right.": ["a = b", "c = h"],
+    r"q_i = 0, \quad i = 1, 2, \ldots, n": ["qᵢ = 0"],
+    r"a \leq b \ll c": ["a ≤ b", "b ≪ c"],
+    r"L := T - V \propto m": ["L ≡ T − V", "T − V ∝ m"],
+    # functions, spelled and bare
+    r"V = mglsin\theta": ["V = mgl sin θ"],
+    r"x = A\cos\omega t": ["x = A cos(ωt)"],
+    r"x = 2\sin\theta\dot\theta": ["x = 2 sin θ θ̇"],
+    r"y = a\cosh[x/a]": ["y = a cosh(x/a)"],
+    # vectors and matrices
+    r"\vec L = \vec r\times m\vec v": ["L = r × mv"],
+    r"T = \frac12\boldsymbol\omega^T\mathbf I\boldsymbol\omega": ["T = ½ωᵀIω"],
+    r"\vec r = (x, y, z)": ["r = [x, y, z]"],
+    r"Y = \begin{bmatrix} x \\ v \end{bmatrix}": ["Y = [x, v]ᵀ"],
+    r"\vec F = \vec F_1 + \cdots + \vec F_n = \mathbf 0": ["F = F₁ + … + F_n = 0"],
+    # what is only dress
+    r"\boxed{E = {\color{red} m} c^2}": ["E = mc²"],
+    r"E = {{a + b}\over c} \cr \underline{E = 0}": ["E = (a + b)/c", "E = 0"],
+    r"m = 5\,\text{kg},\quad v = 3\times 10^2\ \mathrm{m/s}": ["m = 5 kg", "v = 3·10² m/s"],
+    "T = ½ m ẋ², ω ≥ 0": ["T = ½mẋ²", "ω ≥ 0"],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("source", READ)
+def test_what_is_written_is_read(source):
+    assert shown(source) == READ[source]
+    for line in read(source, OWN, Habits(PACKAGES)):
+        assert line.equation is not None
+        latex(line.equation, "typed")
+        mathml(line.equation, "typed")
+
+
+ASKED = {
+    r"y = \cos kx": "of how much the function is",
+    r"y = \sin\alpha t": "of how much the function is",
+    r"W = m d \cos\theta + d x": "differential or a letter",
+    r"p = d(mv)": "a differential, or a factor",
+    r"x = f(a + b)": "or times it",
+    r"\frac{dx}{dt}(t_0) = 0": "at a place, or times",
+    r"a = q^i": "an index, or a power",
+    r"I = I^C + m": "an index, or a power",
+    r"z = Force\,a": "a word or a product",
+    r"\dot x = [x, H]": "a commutator",
+    r"\{x, p\} = 1": "a Poisson bracket",
+    r"x = Re(z)": "real or imaginary part",
+    r"y = D x": "a derivative, or a factor",
+    r"L = \vec r\times\vec p": "compared",
+    r"\vec a\vec b = c": "· or ×",
+    r"a \times b = c": "× between",
+    r"W = \int F": "an integral without its dx",
+    r"x = \foo y": r"the command \foo is not known",
+    r"\alpha = 30^\circ": "degrees",
+    r"x \in \mathbb R": "set",
+    r"\langle x\rangle = 0": "average",
+    r"a = 1/2 b": "above or below",
+    r"x(t + T) = x(t)": "at the time in brackets, or times it",
+    r"力 = m a": "words inside a formula",
+}
+
+
+@pytest.mark.parametrize("source", ASKED)
+def test_what_could_mean_two_things_is_asked_for(source):
+    assert any(ASKED[source] in line for line in shown(source)), shown(source)
+
+
+def test_words_behind_a_line_are_its_condition():
+    [line] = read(r"\ddot\theta = -\omega^2\theta \quad\text{for } \theta \ll 1", OWN)
+    assert (text(line.equation), line.condition) == ("θ̈ = −ω²θ", "for θ \\ll 1")
+    first, second = read(r"f = \begin{cases} a & x < 0 \\ b & \text{else} \end{cases}", OWN)
+    assert (first.condition, second.condition) == ("x < 0", "else")
+    assert shown(r"a = b \text{ and } c = h \text{ where } k = 1") == ["a = b", "c = h", "k = 1"]
+    assert shown(r"x_i = 0 \quad (i = 1, \dots, n)") == ["xᵢ = 0"]
+
+
+def test_a_letter_is_a_function_where_the_file_says_so():
+    assert shown("y = g(a + b)") == ["y = g(a + b)"]
+    [product] = read("y = g(a + b)", OWN)
+    habits = Habits(functions=frozenset({(Glyph("g"), "a")}))
+    [called] = read("y = g(a + b)", OWN, habits)
+    assert product.equation != called.equation
+    habits = Habits(functions=frozenset({(Glyph("g"), "x")}))
+    assert "or times it" in shown("y = g(a + b)", habits)[0]
+
+
+MACROS = r"""
+\newcommand{\half}{\tfrac12}  % a comment with \newcommand{\half}{\tfrac13}
+\newcommand*\pd[2]{\frac{\partial #1}{\partial #2}}
+\renewcommand{\vec}[1]{\mathbf{#1}}
+\newcommand{\rate}[2][t]{\frac{d #2}{d #1}}
+\def\w#1{\omega_{#1}}
+\let\eps\varepsilon
+\DeclareMathOperator{\sn}{sn}
+"""
+
+
+def test_an_authors_macros_are_put_in():
+    habits = Habits(defined(MACROS))
+    said = r"T = \half I\w3^2 + \pd Lq, \quad \vec F = \rate{\vec p}, \quad \rate[s]x = \eps"
+    assert shown(said, habits) == ["T = ½Iω₃² + ∂L/∂q", "F = ṗ", "dx/ds = ε"]
+
+
+@pytest.mark.parametrize(
+    "definition",
+    [
+        r"\def\x{\x}",
+        r"\def\x{\y}\def\y{\x}",
+        r"\def\x{\x\x}",
+        r"\def\a#1{#1#1}\def\b#1{\a{\a{\a{\a{#1}}}}}\def\c#1{\b{\b{\b{\b{#1}}}}}\def\x{\c{\c{a}}}",
+        r"\newcommand{\x}[1]{#1#1#1#1}",
+    ],
+)
+def test_macros_end(definition):
+    habits = Habits(defined(definition))
+    [reason] = shown(r"E = \x" + r"{\x" * 12 + "{a}" + "}" * 12, habits)
+    assert "macro" in reason or "longer" in reason or "more than" in reason
+
+
+PIECES = re.findall(
+    r"\\(?:begin|end)\{\w+\}|\\right\|_\{x=0\}|\{[dt]\}|\(t\)|\\left\.|\\[a-z]+|\\.|\S| ",
+    r"""\frac\left\right()[]\{\}{}|\|_^',.;&\\=+-/\pm\cdot\times d\partial\mathrm\vec\dot\int\sum
+    \begin{cases}\end{cases}\text\sin\begin{array}\end{array}\over\big xtqL\theta\omega 12\cdots
+    \mathbb{d}{t}(t)\left.\right|_{x=0}\dd\pdv\qty""",
+)
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.lists(st.sampled_from(PIECES), max_size=25).map("".join))
+def test_nothing_that_is_typed_breaks_the_reader(source):
+    for line in read(source, OWN, Habits(PACKAGES)):
+        assert (line.equation is None) == bool(line.problem)
+        if line.equation is not None:
+            assert text(line.equation, "typed")
+            assert latex(line.equation, "typed")
