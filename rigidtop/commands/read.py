@@ -41,7 +41,12 @@ def run(options: argparse.Namespace) -> int:
     found = sources(options.file)
     notation = OWN if options.notation == "own" else named(options.notation)
     known = habits(found, notation, until)
-    rows = [(source, *row) for source in found for row in _lines(source, notation, known, until)]
+    rows = [
+        (source, *row)
+        for source in found
+        if source.is_text
+        for row in _lines(source, notation, known, until)
+    ]
     records = _records(rows, len(found) > 1)
     if options.json:
         print_json(records)

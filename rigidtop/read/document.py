@@ -138,6 +138,7 @@ _MATHEMATICAL = re.compile(r"\$|\\[\[(]|\\begin\s*\{|\\tag")
 _BARE = re.compile(
     r"\\[A-Za-z]+\*?\s*\[[^\]\n]{0,400}\]|<[A-Za-z/!][^<>]{0,400}>|https?://\S+"
     r"|\\(?:url|href|label|hypersetup|setlength|geometry)\s*\{[^{}\n]{0,400}\}"
+    r"|\\(?:(?:re)?newcommand|providecommand|def|DeclareMathOperator)(?![A-Za-z])[^\n]{0,400}"
     r"|\]\([^)\n]{0,400}\)|\{:?\s*[#.][^{}\n]{0,400}\}|^[ \t]*=+[ \t]*$"
     r"|(?P<hit>(?<!\\)[=≈≡≠≤≥∝≃≅]|(?<=[^\s>][ ])[<>](?=[ ])|\\tag\*?\s*\{"
     rf"|\\(?:{_SIGNS}|[td]?frac|partial|sqrt|d?dot|sin|cos|mathbf|boldsymbol|mathcal|hat|vec"

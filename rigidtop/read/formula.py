@@ -196,6 +196,10 @@ class _Cutter:
         if kind == "TAG":
             self.tag = token.value
         elif kind == "WORDS":
+            if self.current and self.ahead[i][0] in _GOES_ON:
+                reason = "words in the middle of a formula"
+                self.current.append(Token("UNREAD", UnreadError(reason, token.position), 0))
+                return
             self.close()
             if token.value.split()[0].lower() in CONDITIONS:
                 self.condition = token.position
@@ -261,6 +265,9 @@ class _Cutter:
         part = _Part(tuple(kept), self.tag, self.follows, unread)
         number = _bracketed(kept)
         if self.parts and _is_range(kept):  # "(i = 1, 2)": for which i
+            said = words(self.text[kept[0].position : kept[-1].position + 1])
+            joint = ", ".join(filter(None, (self.parts[-1].condition, said)))
+            self.parts[-1] = replace(self.parts[-1], condition=joint)
             kept = []
         if number and self.parts and not self.parts[-1].tag:  # it stands behind a comma or a space
             self.parts[-1] = replace(self.parts[-1], tag=number)
@@ -287,14 +294,16 @@ class _Cutter:
         kinds = [token.kind for token in self.current]
         if kinds not in (["SYMBOL", "RELATION", "NUMBER"], ["SYMBOL", "RELATION", "SYMBOL"]):
             return False
-        dots = False
+        commas = 0
         for token in self.found[i + 1 :]:
             if token.kind in ("LINE", "ARROW", "TAG", "WORDS"):
                 break
             if token.kind in ("RELATION", "OPEN"):
                 return False
-            dots = dots or token.value == _OMITTED or token.kind == "NUMBER"
-        return dots
+            if token.value == _OMITTED:
+                return True
+            commas += token.kind == "SEPARATOR"
+        return commas > 1
 
     condition: int | None = None
     """Where words stand, such as "if", that all up to the end of the line belong to."""
@@ -740,6 +749,8 @@ class _Builder(Transformer_NonRecursive):
     def summed(self, items: list[Any]) -> _Value:
         index, *limits, body = items[1], *(item.closed for item in items[2:])
         label = Symbol(index.value)
+        if limits and not index.value:
+            raise UnreadError("a sum with an end and no index", items[0].position)
         if len(limits) == 2:
             made = eq.SumFrom(label, *(limit.tree for limit in limits), body.tree)
         else:
@@ -833,7 +844,7 @@ class _Builder(Transformer_NonRecursive):
     def fraction(self, items: list[Any]) -> _Value:
         over, below = items[1].closed, items[2].closed
         made = _ratio(over, below)
-        literal = over.literal and below.literal
+        literal = over.literal and below.literal and not self.notation.open
         return replace(made, literal=literal, position=items[0].position)
 
     def root(self, items: list[Any]) -> _Value:
@@ -987,7 +998,7 @@ class _Builder(Transformer_NonRecursive):
 
     def part(self, items: list[Any]) -> _Value:
         share = self.fraction(items[:3])
-        if not share.literal:
+        if not (items[1].literal and items[2].literal):
             raise UnreadError("the function could end here: put brackets", items[3].position)
         return _times(share, self.symbol(items[3:]))
 

@@ -15,6 +15,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 
 from rigidtop.read.scan import Piece, UnreadError, pieces
 
@@ -61,9 +62,7 @@ def defined(source: str, known: Macros | None = None) -> dict[str, Macro]:
     """The macros of a text, besides those that are `known`; of two of one name the last."""
     made = dict(known or {})
     text = _COMMENT.sub("", source)
-    for match in _DEFINES.finditer(text):
-        if len(made) >= MOST:
-            break
+    for match in islice(_DEFINES.finditer(text), MOST):
         name = next(filter(None, (match[group] for group in "abcde")))
         if match["same"]:
             made[name] = made.get(match["same"]) or Macro(0, (Piece(match["same"], 0),))

@@ -62,6 +62,12 @@ _LEFT_OUT = frozenset(
 )
 _WITH_ONE = frozenset({r"\color", r"\textcolor", r"\mspace", r"\hskip", r"\colorbox", r"\cite"})
 """Commands that are left out with their first argument."""
+_UPRIGHT_ALONE = frozenset({r"\mathrm", r"\operatorname", r"\operatorname*", r"\mathit"})
+_SIGNS_AROUND = frozenset({*scan._RELATIONS, *_RELATIONS, "+", "-", "_", "^", "/"})
+_SIGNS_AROUND |= {r"\cdot", r"\times"}
+_BEFORE_LAST = frozenset({"RELATION", "SIGN", "SIGNS", "SLASH", "DOT", "CROSS"})
+_BEFORE = _BEFORE_LAST | {"", "NUMBER", "ALIGN", "LINE", "SPACE", "SEPARATOR", "ARROW", "WORDS"}
+_BEFORE |= {"OPEN", "LIST", "OF", "COMMA"}
 _ORDERS = frozenset({"O", "o", "𝒪", "Δ", "δ", "Γ"})
 """Letters whose brackets never hold a factor."""
 _POTENTIALS = frozenset({"f", "F", "U", "V", "H", "ψ", "Ψ"})
@@ -226,6 +232,7 @@ class Own(Scan):
     ) -> None:
         super().__init__(_infix(items, level), notation, depth, level)
         self.functions, self.timed = functions, timed
+        self.pairs: dict[tuple[str, str], tuple[int, dict[int, int]]] = {}
         self.calls: set[int] = set()  # where brackets open that hold arguments
         self.ends: list[tuple[int, str]] = []  # how deep what closes otherwise than it looks
         self.last = ""
@@ -334,12 +341,8 @@ class Own(Scan):
     def left(self) -> Iterator[Token]:
         r"""``\left``, whose ``\right`` may be a full stop, or a bar with a place."""
         start = self.at
-        count, end = 0, -1
-        for i in range(start, len(self.items)):
-            count += {r"\left": 1, r"\right": -1}.get(self.items[i].text, 0)
-            if count == 0:
-                end = i
-                break
+        found = self.closing(start, (r"\left", r"\right"))
+        end = -1 if found is None else found
         opens = self.peek(1).text
         closes = self.items[end + 1].text if 0 < end + 1 < len(self.items) else ""
         if opens in ("<", r"\langle"):
@@ -388,30 +391,35 @@ class Own(Scan):
             return token
         return super().bar()
 
-    def closing(self, at: int, pair: str = "()") -> int | None:
+    def closing(self, at: int, pair: tuple[str, str] = ("(", ")")) -> int | None:
         """Where the bracket that opens there closes."""
-        depth = 0
-        for i in range(at, len(self.items)):
-            depth += {pair[0]: 1, pair[1]: -1}.get(self.items[i].text, 0)
-            if depth == 0:
-                return i
-        return None
+        known = self.pairs.get(pair)
+        if known is None or known[0] != len(self.items):
+            opened: list[int] = []
+            closes: dict[int, int] = {}
+            for i, piece in enumerate(self.items):
+                if piece.text == pair[0]:
+                    opened.append(i)
+                elif piece.text == pair[1] and opened:
+                    closes[opened.pop()] = i
+            known = self.pairs[pair] = len(self.items), closes
+        return known[1].get(at)
 
     def commas(self, at: int) -> bool:
         """Whether commas stand in the bracket that opens there, outside of inner ones."""
+        pair = {"(": ("(", ")"), "[": ("[", "]")}.get(self.items[at].text, (r"\{", r"\}"))
+        end = self.closing(at, pair)
         depth = 0
-        for piece in self.items[at:]:
+        for piece in self.items[at:end] if end is not None else ():
             text = piece.text.lstrip("\\")
             depth += (text in ("(", "[", "{")) - (text in (")", "]", "}"))
-            if depth == 0:
-                return False
             if depth == 1 and piece.text == ",":
                 return True
         return False
 
     def is_row(self, at: int) -> bool:
         """Whether square brackets hold the components of a vector: three, or two in a column."""
-        end = self.closing(at, "[]")
+        end = self.closing(at, ("[", "]"))
         if end is None:
             return False
         commas = sum(piece.text == "," for piece in self.items[at:end])
@@ -721,23 +729,28 @@ class Own(Scan):
                 yield Token("WORDS", plain, piece.position)
                 return
             raise UnreadError("mathematics in words inside a formula", piece.position)
-        elif _UNIT.fullmatch(plain) or (self.depth and len(plain) <= 40) or self.is_quantity(plain):
-            base = plain if len(plain) > 1 else f" {plain}"
-            yield Token("SYMBOL", self.notation.symbol(self.scripts(Glyph(base))), piece.position)
+        elif _UNIT.fullmatch(plain) and self.last in ("NUMBER", "_END", "CLOSE"):
+            base = plain if len(plain) > 1 else f" {plain}"  # metres are no masses
+            yield Token("SYMBOL", self.notation.symbol(Glyph(base)), piece.position)
+        elif self.is_quantity(plain):
+            yield Token("SYMBOL", self.notation.symbol(self.scripts(Glyph(plain))), piece.position)
+        elif piece.text in _UPRIGHT_ALONE and plain.isalnum():
+            raise UnreadError(f"the function {plain} is not known", piece.position)
         elif self.depth:
             raise UnreadError(f"words inside a formula: {plain[:40]!r}", piece.position)
         else:
             yield Token("WORDS", plain, piece.position)
 
     def is_quantity(self, said: str) -> bool:
-        """Whether a word stands where a quantity would: beside a sign or a relation."""
+        """Whether words stand where a quantity would: with nothing but signs around them."""
         if len(said) > 40 or said.split()[0].lower() in CONDITIONS | _CONNECTIVES:
             return False
-        signs = {*scan._RELATIONS, *_RELATIONS, "+", "-", "_", "^", "/", r"\cdot", r"\times"}
         self.skip()
         behind = self.peek().text
-        before = self.last in ("RELATION", "SIGN", "SIGNS", "SLASH", "DOT", "CROSS")
-        return before or behind in signs or (behind == "&" and self.peek(1).text in signs)
+        ends = {"", ")", "]", r"\right"} if self.depth or self.last in _BEFORE_LAST else set()
+        follows = behind in _SIGNS_AROUND | ends
+        aligned = behind == "&" and self.peek(1).text in _SIGNS_AROUND
+        return self.last in _BEFORE and (follows or aligned)
 
     def function(self, name: str, position: int) -> Iterator[Token]:
         at = self.at
@@ -751,19 +764,30 @@ class Own(Scan):
             power = Piece("^", self.items[at].position)  # \cos[2](x) of the package physics
             self.items[at : at + 3] = [power, self.items[at + 1]]
         elif at < len(self.items) and self.items[at].text == "[":
-            end = self.closing(at, "[]")
+            end = self.closing(at, ("[", "]"))
             if end is not None:
                 for i, text in ((at, "("), (end, ")")):
                     self.items[i] = replace(self.items[i], text=text)
         yield from super().function(name, position)
 
     def power(self) -> Iterator[Token]:
+        position, letter = self.peek().position, self.last == "SYMBOL"
+        if letter and _plain(self.peek(1)) in ("0", "1"):
+            raise UnreadError("0 or 1 above a letter: an index, or a power?", position)
+        function = self.last == "FUNCTION"
         yield from super().power()
-        behind = [self.peek(i).text for i in range(3)]
-        if behind == ["(", "t", ")"]:
-            if self.last == "FUNCTION":
-                return
-            self.at += 3
+        at = self.at
+        while at < len(self.items) and self.items[at].text in scan._NOTHING:
+            at += 1
+        if function or at >= len(self.items) or self.items[at].text != "(":
+            return
+        end = self.closing(at)
+        inner = [] if end is None else self.items[at + 1 : end]
+        inner = [piece for piece in inner if piece.text not in scan._NOTHING]
+        if [piece.text for piece in inner] == ["t"] and end is not None:
+            self.at = end + 1  # ω²(t): that it depends on the time is left out
+        elif letter and (self.commas(at) or self.one_letter(inner)):
+            raise UnreadError("a power, and then what it is a function of?", position)
 
     # Letters
 
@@ -915,7 +939,7 @@ class Own(Scan):
             at += 1
         if at >= len(self.items) or self.items[at].text != "[":
             return
-        end = self.closing(at, "[]")
+        end = self.closing(at, ("[", "]"))
         if end is None:
             return
         inner = [piece for piece in self.items[at + 1 : end] if piece.text not in scan._NOTHING]

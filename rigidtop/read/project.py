@@ -45,6 +45,11 @@ class Source:
     text: str
     cells: tuple[int, ...] = ()
 
+    @property
+    def is_text(self) -> bool:
+        """Whether it has more than definitions, as a style has."""
+        return self.path.suffix not in (".sty", ".cls")
+
     def place(self, line: int) -> tuple[int, int]:
         """In which cell of text a line stands, counted from 1, and in which line of it.
 

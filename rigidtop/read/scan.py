@@ -247,7 +247,7 @@ _OPENING, _CLOSING = frozenset({r"\lvert", r"\lVert"}), frozenset({r"\rvert", r"
 _BARS = frozenset({"|", r"\|", r"\vert", r"\Vert"}) | _OPENING | _CLOSING
 _TRANSPOSED = frozenset({"T", "⊤"})
 _CONSTANT = frozenset({"const", "constant", "konst"})
-_LENGTH = re.compile(r"\s*-?[\d.]+\s*(?:pt|em|ex|mm|cm|in)\s*")
+_LENGTH = re.compile(r"\s*-?[\d.,]+\s*(?:pt|em|ex|mm|cm|in)\s*")
 
 
 def tokens(text: str, notation: Notation) -> list[Token]:
@@ -968,4 +968,6 @@ def spelling(glyph: Glyph) -> str:
 def shown(token: Token, notation: Notation) -> str:
     """A token in words, for messages."""
     glyph = notation.glyphs.get(token.value) if token.kind == "SYMBOL" else None
-    return spelling(glyph) if glyph is not None else str(token.value)
+    if glyph is None and not isinstance(token.value, str):
+        return "what stands here"
+    return spelling(glyph) if glyph is not None else token.value or "this"

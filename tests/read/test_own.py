@@ -75,6 +75,8 @@ READ = {
     r"\boxed{E = {\color{red} m} c^2}": ["E = mc²"],
     r"E = {{a + b}\over c} \cr \underline{E = 0}": ["E = (a + b)/c", "E = 0"],
     r"m = 5\,\text{kg},\quad v = 3\times 10^2\ \mathrm{m/s}": ["m = 5 kg", "v = 3·10² m/s"],
+    r"\text{Work} = E_\text{kin} - \frac{\text{loss}}{2}": ["Work = E_kin − loss/2"],
+    r"L = \tfrac12 m \frac14 l^2": ["L = ½m·¼l²"],
     "T = ½ m ẋ², ω ≥ 0": ["T = ½mẋ²", "ω ≥ 0"],
 }  # fmt: skip
 
@@ -97,6 +99,11 @@ ASKED = {
     r"\frac{dx}{dt}(t_0) = 0": "at a place, or times",
     r"a = q^i": "an index, or a power",
     r"I = I^C + m": "an index, or a power",
+    r"P^0 = m": "an index, or a power",
+    r"y = f^2(x)": "what it is a function of",
+    r"F \text{ on a car} = m a": "words in the middle",
+    r"a = b \text{ by symmetry} + c": "words in the middle",
+    r"y = a\,\mathrm{cn}(\tau)": "the function cn is not known",
     r"z = Force\,a": "a word or a product",
     r"\dot x = [x, H]": "a commutator",
     r"\{x, p\} = 1": "a Poisson bracket",
@@ -127,7 +134,8 @@ def test_words_behind_a_line_are_its_condition():
     first, second = read(r"f = \begin{cases} a & x < 0 \\ b & \text{else} \end{cases}", OWN)
     assert (first.condition, second.condition) == ("x < 0", "else")
     assert shown(r"a = b \text{ and } c = h \text{ where } k = 1") == ["a = b", "c = h", "k = 1"]
-    assert shown(r"x_i = 0 \quad (i = 1, \dots, n)") == ["xᵢ = 0"]
+    [line] = read(r"x_i = 0 \quad (i = 1, \dots, n)", OWN)
+    assert (text(line.equation), line.condition) == ("xᵢ = 0", "(i = 1, \\dots, n)")
 
 
 def test_a_letter_is_a_function_where_the_file_says_so():

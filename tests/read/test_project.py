@@ -1,0 +1,101 @@
+"""Files as authors have them: several of LaTeX, notebooks, Markdown; nothing outside is read."""
+
+import json
+import time
+
+import pytest
+
+from rigidtop.cli import main
+from rigidtop.errors import RigidtopError
+from rigidtop.notation import OWN
+from rigidtop.read.document import each
+from rigidtop.read.project import habits, sources
+
+
+@pytest.fixture
+def project(tmp_path):
+    folder = tmp_path / "notes"
+    (folder / "parts").mkdir(parents=True)
+    (tmp_path / "outside.tex").write_text(r"\newcommand{\x}{outside}", "utf-8")
+    (folder / "main.tex").write_text(
+        "\\documentclass{article}\n\\usepackage{amsmath, own}\n\\begin{document}\n"
+        "\\input{parts/one}\n% \\input{parts/never}\n\\include{../outside}\\input{main}\n"
+        "\\[ \\vc F = \\half\\vc p \\tag{1} \\]\n\\end{document}\n",
+        "utf-8",
+    )
+    (folder / "own.sty").write_text(r"\newcommand{\vc}[1]{\mathbf{#1}}", "utf-8")
+    (folder / "parts" / "one.tex").write_text(
+        "\\def\\half{\\tfrac12}\n\\input{two}\n\\[ V(x) = \\half kx^2 \\]\n", "utf-8"
+    )
+    (folder / "parts" / "two.tex").write_text(r"\[ \x = V(x + a) \]", "utf-8")
+    (folder / "parts" / "never.tex").write_text(r"\[ never = 1 \]", "utf-8")
+    return folder / "main.tex"
+
+
+def test_a_project_is_read_with_what_it_takes_in(project, capsys):
+    names = [source.path.name for source in sources(project)]
+    assert names == ["main.tex", "own.sty", "one.tex", "two.tex"]
+    assert main(["read", str(project), "--json"]) == 0
+    records = json.loads(capsys.readouterr().out)
+    shown = [(r["file"], r["number"], r["equation"] or r["problem"]) for r in records]
+    assert shown == [
+        ("main.tex", "1", "F = ½p"),
+        ("one.tex", "", "V(x) = ½kx²"),
+        ("two.tex", "", r"the command \x is not known of TeX"),
+    ]
+
+
+def test_letters_are_said(tmp_path, capsys):
+    path = tmp_path / "notes.md"
+    path.write_text(
+        "$$L = T - V(x)$$\n\n$$\\vec F = m\\ddot{\\vec r} \\quad\\text{for all } t$$\n", "utf-8"
+    )
+    assert main(["read", str(path)]) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "L a number here: the Lagrangian, or the size of an angular momentum?" in said
+    assert "V a function of x" in said
+    assert "F a vector" in said
+    assert "F = mr̈ [for all t]" in said
+    path.write_text("$$\\frac{\\partial L}{\\partial\\dot q} = p$$ with $L$ any.\n", "utf-8")
+    assert main(["read", str(path)]) == 0
+    assert "L differentiated by q̇, the Lagrangian" in " ".join(capsys.readouterr().out.split())
+
+
+def test_a_notebook_says_in_which_cell(tmp_path, capsys):
+    path = tmp_path / "notes.ipynb"
+    cells = [
+        {"cell_type": "markdown", "source": ["# One\n", "\n", "$$a = b$$\n"]},
+        {"cell_type": "code", "source": ["c = d"]},
+        {"cell_type": "markdown", "source": "Two\n$$\\oint a = 0$$"},
+    ]
+    path.write_text(json.dumps({"cells": cells}), "utf-8")
+    assert main(["read", str(path), "--json"]) == 0
+    records = json.loads(capsys.readouterr().out)
+    assert [(r["cell"], r["line"], bool(r["equation"])) for r in records] == [
+        *((1, 3, True), (2, 2, False))
+    ]
+    for broken in ("{}", "[" * 100_000, '{"cells": [1]}', "no"):
+        path.write_text(broken, "utf-8")
+        with pytest.raises(RigidtopError, match="no Jupyter notebook"):
+            sources(path)
+
+
+HOSTILE = {
+    "openings": "$$" + r"\left(a" * 2_500 + "$$",
+    "calls": "$$" + "f(" * 8_000 + "$$",
+    "definitions": r"\newcommand{\a}{" * 100_000,
+    "macros": r"\def\a{bbbbbbbb}\def\b{\c\c\c\c\c\c\c\c}\def\c{\d\d\d\d\d\d\d\d}" * 2
+    + "$$x = \\a\\a\\a\\a$$\n" * 200,
+    "displays": "$$a=b$$\n\n" * 4_000,
+}
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_what_is_hostile_is_read_in_time(name, tmp_path):
+    path = tmp_path / "notes.md"
+    path.write_text(HOSTILE[name], "utf-8")
+    begun = time.process_time()
+    found = sources(path)
+    known = habits(found, OWN)
+    assert all(lines for _, lines in each(found[0].text, OWN, habits=known))
+    assert time.process_time() - begun < 20
