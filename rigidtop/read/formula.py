@@ -807,6 +807,10 @@ class _Builder(Transformer_NonRecursive):
         inside = items[1].closed
         if inside.explicit:
             return inside
+        if self.notation.open and inside.literal and inside.tree.is_Integer:
+            raise UnreadError(
+                "a number in brackets: of the equation, or a factor?", inside.position
+            )
         if inside.tree.is_Rational and not inside.tree.is_Integer and inside.tree > 1:
             raise UnreadError(
                 "a number in brackets: as the equation's own, put it behind a comma or in \\tag{}; "

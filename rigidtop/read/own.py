@@ -459,6 +459,14 @@ class Own(Scan):
         elif self.peek().text == "_":
             yield from super().frame()
 
+    def brace(self) -> Iterator[Token]:
+        body = self.peek(1).group
+        if body and body[0].text in ("+", "-") and self.last in ("SYMBOL", "CLOSE", "_END"):
+            raise UnreadError(
+                "a brace that begins with a sign: a term, or a factor?", self.peek().position
+            )
+        yield from super().brace()
+
     # Derivatives
 
     def fraction(self) -> Iterator[Token]:
