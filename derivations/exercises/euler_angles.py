@@ -17,10 +17,10 @@ from rigidtop.derivations.euler_angles import (
     momentum_primed,
     vertical,
 )
+from rigidtop.derivations.printed import printed
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
-from rigidtop.proof.equation import Equation, Group, as_printed
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Assumption, Check, Evidence, Measure, claim
 from rigidtop.theory.rotation import Z_AXIS, primed_matrix
@@ -30,15 +30,7 @@ from rigidtop.theory.symbols import (
     e1p,
     e2p,
     e3,
-    lambda1,
-    lambda3,
-    phi,
-    phidot,
-    psidot,
     theta,
-    xhat,
-    yhat,
-    zhat,
 )
 from rigidtop.theory.trig import reduce_trig
 
@@ -55,19 +47,13 @@ def vertical_trap() -> Iterator[Evidence]:
     """
     axes = primed_matrix()
     meaning = {e1p: axes[:, 0], e2p: axes[:, 1], e3: axes[:, 2], **SPACE_AXES}
-    sine, cosine = sympy.sin, sympy.cos
-    with as_printed():
-        downwards = Equation(
-            e1p,
-            cosine(theta) * Group(cosine(phi) * xhat + sine(phi) * yhat) - sine(theta) * zhat,
-        )
-        mistaken = Equation(
-            cosine(theta) * e3 + sine(theta) * e1p,
-            sine(2 * theta) * Group(cosine(phi) * xhat + sine(phi) * yhat)
-            + cosine(2 * theta) * zhat,
-        )
-    yield Check(downwards, meaning, reason="$e₁′$ is $e₃$ turned on by $90°$.", printed=False)
-    yield Check(mistaken, meaning, reason="What $+ sin θ$ would give.", printed=False)
+    leaning = r"(\cos\phi\,\hat{\mathbf x} + \sin\phi\,\hat{\mathbf y})"
+    for equation in (
+        rf"\mathbf e_1' = \cos\theta{leaning} - \sin\theta\,\hat{{\mathbf z}}",
+        r"\cos\theta\,\mathbf e_3 + \sin\theta\,\mathbf e_1' = "
+        rf"\sin2\theta{leaning} + \cos2\theta\,\hat{{\mathbf z}}",
+    ):
+        yield Check(printed(equation), meaning, printed=False)
 
 
 @exercise(
@@ -130,30 +116,18 @@ def azimuth_near_the_upright() -> Iterator[Evidence]:
     components = momentum_primed()
     along = reduce_trig((primed_matrix().T * Z_AXIS).dot(components))
     meaning = {L_z: along, L3: components[2]}
-    cosine = sympy.cos(theta)
-    with as_printed():
-        barrier = Equation(
-            lambda1 * sympy.sin(theta) ** 2 * Group(lambda1 * phidot**2 * sympy.sin(theta) ** 2),
-            Group(L_z - L3 * cosine) ** 2,
-        )
-        whole = Equation(
-            lambda1 * lambda3 * Group(1 + cosine) * Group(phidot + psidot),
-            lambda1 * Group(1 + cosine) * L3 + lambda3 * Group(L_z - L3 * cosine),
-        )
-        passing = Equation(lambda1 * Group(1 + cosine) * phidot, L3)
-    yield Check(
-        barrier,
-        meaning,
-        (SYMMETRIC,),
-        "Twice the energy of $φ̇$: it would grow as $1/sin²θ$.",
-        printed=False,
+    barrier = r"\lambda_1\sin^2\theta(\lambda_1\dot\phi^2\sin^2\theta) = (L_z - L_3\cos\theta)^2"
+    whole = (
+        r"\lambda_1\lambda_3(1 + \cos\theta)(\dot\phi + \dot\psi)"
+        r" = \lambda_1(1 + \cos\theta)L_3 + \lambda_3(L_z - L_3\cos\theta)"
     )
-    yield Check(whole, meaning, (SYMMETRIC,), "No $sin²θ$ is left.", printed=False)
+    leaning = Assumption(Ne(sympy.cos(theta), 1), "the top is not upright: there any $φ̇$ will do")
+    yield Check(printed(barrier), meaning, (SYMMETRIC,), printed=False)
+    yield Check(printed(whole), meaning, (SYMMETRIC,), printed=False)
     yield Check(
-        passing,
+        printed(r"\lambda_1(1 + \cos\theta)\dot\phi = L_3"),
         {L3: components[2]},
-        (SYMMETRIC, Assumption(Ne(cosine, 1), "the top is not upright: there any $φ̇$ will do")),
-        "With $L_z = L₃$; at the upright $2λ₁φ̇ = L₃$.",
+        (SYMMETRIC, leaning),
         given=(along - components[2],),
         printed=False,
     )

@@ -13,12 +13,12 @@ from scipy.special import ellipkm1
 from sympy import Expr
 
 from rigidtop.derivations.eulers_equations import axis_stability, principal_stays
+from rigidtop.derivations.printed import printed
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.body import FreeBody
 from rigidtop.parameters import Parameter
-from rigidtop.proof.equation import Equation, Group, as_printed
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Check, Evidence, Measure, Step, claim
+from rigidtop.proof.page import Check, Evidence, Measure, claim
 from rigidtop.theory.euler import (
     angular_momentum,
     body_accelerations,
@@ -28,9 +28,6 @@ from rigidtop.theory.symbols import (
     L,
     T,
     chi,
-    lambda1,
-    lambda2,
-    lambda3,
     m,
     omega,
     omega1,
@@ -38,7 +35,6 @@ from rigidtop.theory.symbols import (
     omega2dot,
     omega3,
     omega_0,
-    t,
     t_chi2,
 )
 
@@ -72,60 +68,23 @@ def flip_time() -> Iterator[Evidence]:
     goes from $ω$ to $−ω$ in $2K(m)/ν$ and is back in $4K(m)/ν$. As $ω₀$ goes to zero, $m$ goes to
     1 and $K(m)$ to $∞$.
     """
-    rates_of = angular_momentum().dot(angular_momentum())
-    with as_printed():
-        first = Equation(
-            lambda1 * Group(lambda3 - lambda1) * omega1**2,
-            2 * lambda3 * T - L**2 - lambda2 * Group(lambda3 - lambda2) * omega2**2,
-        )
-        third = Equation(
-            lambda3 * Group(lambda3 - lambda1) * omega3**2,
-            L**2 - 2 * lambda1 * T - lambda2 * Group(lambda2 - lambda1) * omega2**2,
-        )
-        rate = Equation(
-            lambda1 * lambda2**2 * lambda3 * omega2dot**2,
-            Group(2 * lambda3 * T - L**2 - lambda2 * Group(lambda3 - lambda2) * omega2**2)
-            * Group(L**2 - 2 * lambda1 * T - lambda2 * Group(lambda2 - lambda1) * omega2**2),
-        )
-        parameter = Equation(
-            m
-            * Group(
-                lambda1 * Group(lambda3 - lambda1) * omega_0**2
-                + lambda2 * Group(lambda3 - lambda2) * omega**2
-            ),
-            lambda2 * Group(lambda3 - lambda2) * omega**2,
-        )
-        legendre = Equation(
-            Group(
-                lambda1 * Group(lambda3 - lambda1) * omega_0**2
-                + lambda2 * Group(lambda3 - lambda2) * omega**2
-            )
-            * Group(lambda2 - lambda1)
-            * Group(1 - m * sympy.sin(chi) ** 2)
-            * t_chi2,
-            lambda1 * lambda2 * lambda3,
-        )
-        flip = Equation(
-            t,
-            2
-            * sympy.sqrt(
-                lambda1
-                * lambda2
-                * lambda3
-                / (
-                    Group(lambda2 - lambda1)
-                    * Group(
-                        lambda1 * Group(lambda3 - lambda1) * omega_0**2
-                        + lambda2 * Group(lambda3 - lambda2) * omega**2
-                    )
-                )
-            )
-            * sympy.elliptic_k(m),
-        )
-    meaning = {T: kinetic_energy(), L: rates_of**sympy.S.Half, omega2dot: body_accelerations()[1]}
-    yield Check(first, meaning, reason="Without $ω₃$,", printed=False)
-    yield Check(third, meaning, reason="and without $ω₁$:", printed=False)
-    yield Check(rate, meaning, reason="the square of $ω̇₂$ has no other rate in it.", printed=False)
+    first = r"2\lambda_3T - L^2 - \lambda_2(\lambda_3 - \lambda_2)\omega_2^2"
+    third = r"L^2 - 2\lambda_1T - \lambda_2(\lambda_2 - \lambda_1)\omega_2^2"
+    both = (
+        r"(\lambda_1(\lambda_3 - \lambda_1)\omega_0^2 + \lambda_2(\lambda_3 - \lambda_2)\omega^2)"
+    )
+    momentum = angular_momentum()
+    meaning = {
+        T: kinetic_energy(),
+        L: momentum.dot(momentum) ** sympy.S.Half,
+        omega2dot: body_accelerations()[1],
+    }
+    for equation in (
+        rf"\lambda_1(\lambda_3 - \lambda_1)\omega_1^2 = {first}",
+        rf"\lambda_3(\lambda_3 - \lambda_1)\omega_3^2 = {third}",
+        rf"\lambda_1\lambda_2^2\lambda_3\dot\omega_2^2 = ({first})({third})",
+    ):
+        yield Check(printed(equation), meaning, printed=False)
     # (dω₂/dχ)² over ω̇₂² is the square of dt/dχ; it has the form 1/(c − s sin² χ), and m = s/c.
     sine = sympy.Symbol("sine")
     against_chi = sympy.cancel(
@@ -134,18 +93,13 @@ def flip_time() -> Iterator[Evidence]:
     start, end = against_chi.subs(sine, 0), against_chi.subs(sine, 1)
     derived = sympy.cancel(1 - end / start)
     yield Check(
-        parameter,
-        {m: derived},
-        reason="With $ω₂ = ω sin χ$, from $ω₂ = ω$ and $ω₁ = ω₀$ at the start,",
-        printed=False,
+        printed(rf"m{both} = \lambda_2(\lambda_3 - \lambda_2)\omega^2"), {m: derived}, printed=False
     )
-    yield Check(
-        legendre,
-        {m: derived, t_chi2: 1 / against_chi.subs(sine, sympy.sin(chi))},
-        reason="$(dω₂/dχ)²$ over $ω̇₂²$ is the square of $dt/dχ$.",
-        printed=False,
+    legendre = (
+        rf"{both}(\lambda_2 - \lambda_1)(1 - m\sin^2\chi)t^2_\chi = \lambda_1\lambda_2\lambda_3"
     )
-    yield Step(flip, "Integrated from $χ = π/2$ to $−π/2$.")
+    squared = 1 / against_chi.subs(sine, sympy.sin(chi))
+    yield Check(printed(legendre), {m: derived, t_chi2: squared}, printed=False)
     yield from flip_measured()
 
 

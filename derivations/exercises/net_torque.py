@@ -11,13 +11,13 @@ import numpy as np
 import sympy
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
-from sympy import Matrix, Rational
+from sympy import Matrix
 
 from rigidtop.derivations.net_torque import D3R, POSITION, gravity, over_body, potential, torque
+from rigidtop.derivations.printed import printed
 from rigidtop.motion.attitude import from_euler_angles
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
-from rigidtop.proof.equation import Cross, Dot, Equation, Group, VolumeIntegral, as_printed
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
 from rigidtop.proof.page import Check, Evidence, Measure, claim
 from rigidtop.theory.inertia import Solid, cone
@@ -44,8 +44,6 @@ from rigidtop.theory.symbols import (
     r_vec,
     radius,
     rho,
-    theta,
-    thetadot,
     zhat,
 )
 
@@ -139,12 +137,12 @@ def torque_along_the_nodes() -> Iterator[Evidence]:
     measure = over_body(centre)
     acting = measure(POSITION.cross(-rho * g * Matrix(Z_AXIS)))
     lost = -total_derivative(M * g * centre[2], EULER_RATES)
-    with as_printed():
-        along = Equation(N_ext, M * g * R * sympy.sin(theta) * e2p)
-        power = Equation(Tdot, Dot(N_ext, omega_vec), M * g * R * thetadot * sympy.sin(theta))
     meaning = {N_ext: acting, e2p: axes[:, 1], omega_vec: Matrix(euler_omega("space")), Tdot: lost}
-    yield Check(along, meaning, reason="Horizontal, and across the axis.", printed=False)
-    yield Check(power, meaning, reason="The power of gravity.", printed=False)
+    for equation in (
+        r"\mathbf N^{(e)} = MgR\sin\theta\,\mathbf e_2'",
+        r"\dot T = \mathbf N^{(e)}\cdot\boldsymbol\omega = MgR\dot\theta\sin\theta",
+    ):
+        yield Check(printed(equation), meaning, printed=False)
 
 
 def over_solid(solid: Solid) -> Callable[[Any], Any]:
@@ -175,21 +173,13 @@ def cone_on_its_tip() -> Iterator[Evidence]:
     """
     solid = cone(radius, height).named(*GRAIN)
     tensor = solid.inertia(M)
-    with as_printed():
-        centre = Equation(R, Rational(3, 4) * height)
-        across = Equation(lambda1, Rational(3, 20) * M * Group(radius**2 + 4 * height**2))
-        along = Equation(lambda3, Rational(3, 10) * M * radius**2)
-        energy = Equation(
-            VolumeIntegral(D3R, rho * g * Dot(zhat, r_vec)),
-            Rational(3, 4) * M * g * height * sympy.cos(theta),
-        )
-        turning = Equation(
-            -g * VolumeIntegral(D3R, rho * Cross(r_vec, zhat)),
-            Rational(3, 4) * M * g * height * sympy.sin(theta) * e2p,
-        )
     shape = {R: solid.centre()[2], lambda1: tensor[0, 0], lambda3: tensor[2, 2]}
-    for equation in (centre, across, along):
-        yield Check(equation, shape, printed=False)
+    for equation in (
+        r"R = \tfrac34h",
+        r"\lambda_1 = \tfrac3{20}M(r^2 + 4h^2)",
+        r"\lambda_3 = \tfrac3{10}Mr^2",
+    ):
+        yield Check(printed(equation), shape, printed=False)
     axes = primed_matrix(sympy.Integer(0))
     tilted = {
         D3R: over_solid(solid),
@@ -198,8 +188,12 @@ def cone_on_its_tip() -> Iterator[Evidence]:
         zhat: Matrix(Z_AXIS),
         e2p: axes[:, 1],
     }
-    yield Check(energy, tilted, reason="$V$ of the cone,", printed=False)
-    yield Check(turning, tilted, reason="and $N$, where it leans towards $x̂$.", printed=False)
+    for equation in (
+        r"\int d^3\mathbf r\,\rho g\,\hat{\mathbf z}\cdot\mathbf r = \tfrac34Mgh\cos\theta",
+        r"-g\int d^3\mathbf r\,\rho\,\mathbf r\times\hat{\mathbf z}"
+        r" = \tfrac34Mgh\sin\theta\,\mathbf e_2'",
+    ):
+        yield Check(printed(equation), tilted, printed=False)
 
 
 def discs(radius: float, height: float, nodes: int = 8) -> tuple[Vectors, Vectors]:

@@ -12,8 +12,8 @@ from scipy.integrate import solve_ivp
 from sympy import Integer, Matrix
 
 from rigidtop.derivations.opening import STICK, angular_momentum, two_mass_points
+from rigidtop.derivations.printed import printed
 from rigidtop.parameters import Parameter
-from rigidtop.proof.equation import Cross, Equation, Group, as_printed
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
 from rigidtop.proof.page import Assumption, Check, Evidence, Measure, claim
 from rigidtop.theory.rotation import Z_AXIS, rotation_z
@@ -25,7 +25,6 @@ from rigidtop.theory.symbols import (
     L_vecdot,
     N_vec,
     a,
-    alpha,
     b,
     omega,
     omega_vec,
@@ -45,50 +44,24 @@ def bearing_torque() -> Iterator[Evidence]:
     Torque and force turn with the stick. The force vanishes when the bearing holds the centre of
     mass, the torque does not: that is the difference between static and dynamic balance.
     """
-    with as_printed():
-        carried = Equation(L_vecdot, Cross(omega_vec, L_vec))
-        size = Equation(
-            N_vec,
-            Group(M_1 * a**2 + M_2 * b**2) * omega**2 * sympy.sin(alpha) * sympy.cos(alpha) * xhat,
-        )
-        force = Equation(F, -(Group(M_1 * a - M_2 * b) * omega**2 * sympy.sin(alpha) * yhat))
-        balanced = Equation(F, 0)
     turned = angular_momentum(rotation_z(omega * t)).diff(t).subs(t, 0)
     positions = [(m, arm * rotation_z(omega * t) * STICK) for m, arm in ((M_1, a), (M_2, -b))]
     pushes = [(r.subs(t, 0), m * r.diff(t, 2).subs(t, 0)) for m, r in positions]
     axes = {xhat: Matrix([1, 0, 0]), yhat: Matrix([0, 1, 0])}
     spin = {omega_vec: omega * Matrix(Z_AXIS), L_vec: angular_momentum(rotation_z(Integer(0)))}
-    yield Check(
-        carried,
-        {**spin, L_vecdot: turned},
-        reason="The vector $𝐋$ turns with the stick.",
-        printed=False,
-    )
-    yield Check(
-        size,
-        {**axes, N_vec: turned},
-        reason="Masses in the yz plane, $𝛚$ along $ẑ$: $x̂$ is across both.",
-        printed=False,
-    )
-    yield Check(
-        size,
-        {**axes, N_vec: sum((r.cross(f) for r, f in pushes), Matrix([0, 0, 0]))},
-        reason="The forces that hold the masses on their circles give the same.",
-        printed=False,
-    )
+    size = printed(r"\mathbf N = (M_1a^2 + M_2b^2)\omega^2\sin\alpha\cos\alpha\,\hat{\mathbf x}")
+    arms = sum((r.cross(f) for r, f in pushes), Matrix([0, 0, 0]))
     total = sum((f for _, f in pushes), Matrix([0, 0, 0]))
-    yield Check(force, {**axes, F: total}, reason="And what they add up to.", printed=False)
-    yield Check(
-        balanced,
-        {F: total},
-        (
-            Assumption(
-                sympy.Eq(M_1, M_2 * b / a), "the bearing holds the centre of mass", stated=True
-            ),
-        ),
-        "Static balance: no force is left.",
-        printed=False,
+    centred = Assumption(
+        sympy.Eq(M_1, M_2 * b / a), "the bearing holds the centre of mass", stated=True
     )
+    carried = printed(r"\dot{\mathbf L} = \boldsymbol\omega\times\mathbf L")
+    force = printed(r"\mathbf F = -(M_1a - M_2b)\omega^2\sin\alpha\,\hat{\mathbf y}")
+    yield Check(carried, {**spin, L_vecdot: turned}, printed=False)
+    yield Check(size, {**axes, N_vec: turned}, printed=False)
+    yield Check(size, {**axes, N_vec: arms}, printed=False)
+    yield Check(force, {**axes, F: total}, printed=False)
+    yield Check(printed(r"\mathbf F = 0"), {F: total}, (centred,), printed=False)
 
 
 def free_flight(

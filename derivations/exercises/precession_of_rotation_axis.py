@@ -19,13 +19,14 @@ from rigidtop.derivations.precession_of_rotation_axis import (
     same_frequency,
     space_cone,
 )
+from rigidtop.derivations.printed import printed
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.trajectory import Trajectory
 from rigidtop.parameters import Parameter
-from rigidtop.proof.equation import BODY, SPACE, Cross, Dot, Equation, Group, Rate, as_printed
+from rigidtop.proof.equation import BODY, SPACE, Rate
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Assumption, Check, Evidence, Measure, Step, claim
+from rigidtop.proof.page import Assumption, Check, Evidence, Measure, claim
 from rigidtop.theory import top as theory
 from rigidtop.theory.euler import OMEGA, angular_momentum, body_accelerations
 from rigidtop.theory.inertia import cylinder, point_masses
@@ -53,7 +54,6 @@ from rigidtop.theory.symbols import (
     omega_0,
     omega_vec,
     radius,
-    theta,
 )
 
 from .bodies import FREE1, LAMBDA3
@@ -103,31 +103,22 @@ def widest_angle() -> Iterator[Evidence]:
     there the sine of the angle is $|λ₁ − λ₃|/(λ₁ + λ₃)$. A flat body, $λ₃ = 2λ₁$, has at most
     $19.5°$; a thin rod any angle up to $90°$.
     """
-    with as_printed():
-        across = Equation(
-            Cross(omega_vec, L_vec),
-            Group(lambda1 - lambda3) * Group(omega3 * Cross(e3, omega_vec)),
-        )
-        widest = Equation(
-            Group(lambda1 - lambda3) ** 2
-            * Group(Dot(omega_vec, omega_vec))
-            * Group(Dot(L_vec, L_vec)),
-            Group(lambda1 + lambda3) ** 2
-            * Group(Dot(Cross(omega_vec, L_vec), Cross(omega_vec, L_vec)))
-            + Group(lambda1 - lambda3) ** 2
-            * Group(lambda1 * omega_0**2 - lambda3 * omega3**2) ** 2,
-        )
     # An arm of any direction across e₃ would do; the symmetric body has none that is special.
     spin = Matrix([omega_0, 0, omega3])
-    momentum = sympy.diag(lambda1, lambda2, lambda3) * Matrix(OMEGA)
-    general = {omega_vec: Matrix(OMEGA), L_vec: momentum, e3: Matrix(Z_AXIS)}
-    yield Check(across, general, (SYMMETRIC,), "What makes the angle,", printed=False)
-    yield Check(
-        widest,
-        {omega_vec: spin, L_vec: sympy.diag(lambda1, lambda2, lambda3) * spin},
-        reason="and what bounds its sine $|𝛚 × 𝐋|/(ωL)$.",
-        printed=False,
+    moments = sympy.diag(lambda1, lambda2, lambda3)
+    general = {omega_vec: Matrix(OMEGA), L_vec: moments * Matrix(OMEGA), e3: Matrix(Z_AXIS)}
+    across = (
+        r"\boldsymbol\omega\times\mathbf L"
+        r" = (\lambda_1 - \lambda_3)(\omega_3\,\mathbf e_3\times\boldsymbol\omega)"
     )
+    widest = (
+        r"(\lambda_1 - \lambda_3)^2"
+        r"(\boldsymbol\omega\cdot\boldsymbol\omega)(\mathbf L\cdot\mathbf L)"
+        r" = (\lambda_1 + \lambda_3)^2(\boldsymbol\omega\times\mathbf L)^2"
+        r" + (\lambda_1 - \lambda_3)^2(\lambda_1\omega_0^2 - \lambda_3\omega_3^2)^2"
+    )
+    yield Check(printed(across), general, (SYMMETRIC,), printed=False)
+    yield Check(printed(widest), {omega_vec: spin, L_vec: moments * spin}, printed=False)
 
 
 @exercise(
@@ -242,10 +233,6 @@ def rolling() -> Iterator[Evidence]:
     decides whether the body cone rolls outside the space cone (prolate) or with the space cone
     inside it (oblate).
     """
-    with as_printed():
-        parts = Equation(omega_vec, L_vec / lambda1 + Omega_b * e3)
-        contact = Equation(Cross(L_vec / lambda1, omega_vec) + Omega_b * Cross(e3, omega_vec), 0)
-        arcs = Equation(Rate(omega_vec, SPACE), -Omega_b * Cross(e3, omega_vec))
     meaning = {
         omega_vec: Matrix(OMEGA),
         L_vec: angular_momentum(),
@@ -253,17 +240,14 @@ def rolling() -> Iterator[Evidence]:
         Omega_b: body_frequency(),
         Rate(omega_vec, SPACE): body_accelerations(),
     }
-    yield Check(parts, meaning, (SYMMETRIC,), "Two turns at once,", printed=False)
-    yield Check(
-        contact, meaning, (SYMMETRIC,), "which cancel for the points along $𝛚$;", printed=False
-    )
-    yield Check(
-        arcs,
-        meaning,
-        (SYMMETRIC,),
-        "the line of contact has the same velocity seen from space and from the body.",
-        printed=False,
-    )
+    for equation in (
+        r"\boldsymbol\omega = \frac{\mathbf L}{\lambda_1} + \Omega_b\mathbf e_3",
+        r"\frac{\mathbf L}{\lambda_1}\times\boldsymbol\omega"
+        r" + \Omega_b\,\mathbf e_3\times\boldsymbol\omega = 0",
+        r"\left(\frac{\partial\boldsymbol\omega}{\partial t}\right)_{\text{space}}"
+        r" = -\Omega_b\,\mathbf e_3\times\boldsymbol\omega",
+    ):
+        yield Check(printed(equation), meaning, (SYMMETRIC,), printed=False)
 
 
 @exercise(
@@ -363,50 +347,34 @@ def euler_period() -> Iterator[Evidence]:
     𝛚̂𝛚̂ᵀ)$, so $I𝛚$ is that of a rigid body with the moments $λ₁ + k(λ₃ − λ₁)$ and $λ₃$, and $𝐋̇ +
     𝛚 × 𝐋 = 0$ has the solution (3.38) with its $Ω_b$: slower, so the period is longer.
     """
-    with as_printed():
-        defined = Equation(lambda3 * ellipticity, lambda3 - lambda1)
-        rigid = Equation(Group(1 - ellipticity) * Omega_b, -(ellipticity * omega3))
-        yielding = Equation(
-            Group(lambda1 + follows * Group(lambda3 - lambda1)) * Omega_b,
-            -(Group(1 - follows) * Group(lambda3 - lambda1) * omega3),
-        )
-        conserved = Equation(0, Rate(L_vec, BODY) + Cross(omega_vec, L_vec))
-        like_rigid = Equation(
-            L_vec,
-            Group(lambda1 + follows * Group(lambda3 - lambda1)) * omega_vec
-            + Group(1 - follows) * Group(lambda3 - lambda1) * omega3 * e3,
-        )
-    shape = {ellipticity: (lambda3 - lambda1) / lambda3}
-    yield Step(defined, "What the dynamical ellipticity is.")
-    yield Check(rigid, {**shape, Omega_b: body_frequency()}, reason="Rigid:", printed=False)
+    shape = {ellipticity: (lambda3 - lambda1) / lambda3, Omega_b: body_frequency()}
+    yield Check(printed(r"(1 - H)\Omega_b = -H\omega_3"), shape, printed=False)
     spin, axis = Matrix(OMEGA), Matrix(Z_AXIS)
     bulge = (1 - follows) * axis * axis.T + follows * spin * spin.T / spin.dot(spin)
     momentum = ((lambda1 * sympy.eye(3) + (lambda3 - lambda1) * bulge) * spin).applyfunc(
         sympy.cancel
     )
-    yield Check(
-        like_rigid,
-        {L_vec: momentum, omega_vec: spin, e3: axis},
-        reason="Yielding: the part of the bulge that follows adds to $𝐋$ along $𝛚$ only,",
-        printed=False,
+    like_rigid = (
+        r"\mathbf L = (\lambda_1 + k(\lambda_3 - \lambda_1))\boldsymbol\omega"
+        r" + (1 - k)(\lambda_3 - \lambda_1)\omega_3\mathbf e_3"
     )
+    meaning = {L_vec: momentum, omega_vec: spin, e3: axis}
+    yield Check(printed(like_rigid), meaning, printed=False)
     # Put (3.38) into the first component of L̇ + ω × L = 0 and solve it; then hold all three.
     on_circle = Matrix([Omega_b * omega2, -Omega_b * omega1, 0])
     rate = momentum.jacobian(OMEGA) * on_circle
     balance = sympy.together((rate + spin.cross(momentum))[0])
     [found] = sympy.solve(balance, Omega_b)
-    yield Check(
-        conserved,
-        {L_vec: momentum, omega_vec: spin, Rate(L_vec, BODY): rate.subs(Omega_b, found)},
-        reason="and $ω$ turns about $e₃$ by (3.38), which conserves $L$,",
-        printed=False,
+    turning = {L_vec: momentum, omega_vec: spin, Rate(L_vec, BODY): rate.subs(Omega_b, found)}
+    conserved = (
+        r"0 = \left(\frac{\partial\mathbf L}{\partial t}\right)_{\text{body}}"
+        r" + \boldsymbol\omega\times\mathbf L"
     )
-    yield Check(
-        yielding,
-        {Omega_b: found},
-        reason="at another rate.",
-        printed=False,
+    yielding = (
+        r"(\lambda_1 + k(\lambda_3 - \lambda_1))\Omega_b = -(1 - k)(\lambda_3 - \lambda_1)\omega_3"
     )
+    yield Check(printed(conserved), turning, printed=False)
+    yield Check(printed(yielding), {Omega_b: found}, printed=False)
 
 
 ROUNDING = 1e-12
@@ -512,53 +480,25 @@ def wobble_to_spin() -> Iterator[Evidence]:
     Of a body in a plane each point adds as much to $λ₃$ as to $λ₁$ and $λ₂$ together. $θ$ is the
     angle between $e₃$ and $𝐋$.
     """
-    with as_printed():
-        flat = Equation(lambda3, lambda1 + lambda2)
-        steady = Equation(lambda1 * sympy.cos(theta) * Omega, lambda3 * omega3)
-        thick = Equation(
-            Group(3 * radius**2 + height**2) * sympy.cos(theta) * Omega, 6 * radius**2 * omega3
-        )
-        thin = Equation(sympy.cos(theta) * Omega, 2 * omega3)
-    points = [
-        (M_1, Matrix([X_1, Y_1, ABOVE])),
-        (M_2, Matrix([X_2, Y_2, ABOVE])),
-    ]
+    points = [(M_1, Matrix([X_1, Y_1, ABOVE])), (M_2, Matrix([X_2, Y_2, ABOVE]))]
     tensor = point_masses(points)
-    yield Check(
-        flat,
-        {lambda1: tensor[0, 0], lambda2: tensor[1, 1], lambda3: tensor[2, 2]},
-        (Assumption(Eq(ABOVE, 0), "no point lies above or below the plane", stated=True),),
-        "Two points (and so any number) in the plane of $e₁$ and $e₂$, at the height $z = 0$.",
-        printed=False,
-    )
+    moments = {lambda1: tensor[0, 0], lambda2: tensor[1, 1], lambda3: tensor[2, 2]}
+    level = Assumption(Eq(ABOVE, 0), "no point lies above or below the plane", stated=True)
+    yield Check(printed(r"\lambda_3 = \lambda_1 + \lambda_2"), moments, (level,), printed=False)
     # (3.57) without weight has another solution, Ω = 0, the rotation about e₃ at rest.
-    turns = Assumption(Ne(Omega, 0), "$e₃$ moves", stated=True)
+    turns = Assumption(Ne(Omega, 0), "$𝐞₃$ moves", stated=True)
     free = theory.steady_quadratic().subs(g, 0)
-    yield Check(
-        steady,
-        {},
-        (turns,),
-        "(3.57) without weight, $Ω$ divided out: $Ω₊$ is the free precession about $𝐋$.",
-        given=(free,),
-        printed=False,
-    )
+    steady = printed(r"\lambda_1\cos\theta\,\Omega = \lambda_3\omega_3")
+    yield Check(steady, {}, (turns,), given=(free,), printed=False)
     disc = cylinder(radius, height).inertia(M)
-    moments = {lambda1: disc[0, 0], lambda3: disc[2, 2]}
-    of_disc = sympy.cancel(free.subs(moments) * 12 / (M * Omega))
-    yield Check(
-        thick, {}, reason="A disc of radius $r$ and thickness $h$.", given=(of_disc,), printed=False
-    )
-    yield Check(
-        thin,
-        {},
-        (
-            Assumption(Eq(height, 0), "the plate is flat", stated=True),
-            Assumption(Ne(radius, 0), "it has a size", stated=True),
-        ),
-        "Twice as fast where $cosθ = 1$.",
-        given=(of_disc,),
-        printed=False,
-    )
+    of_disc = free.subs({lambda1: disc[0, 0], lambda3: disc[2, 2]})
+    given = (sympy.cancel(of_disc * 12 / (M * Omega)),)
+    flat = Assumption(Eq(height, 0), "the plate is flat", stated=True)
+    round_ = Assumption(Ne(radius, 0), "it has a size", stated=True)
+    thick = printed(r"(3r^2 + h^2)\cos\theta\,\Omega = 6r^2\omega_3")
+    yield Check(thick, given=given, printed=False)
+    thin = printed(r"\cos\theta\,\Omega = 2\omega_3")
+    yield Check(thin, assuming=(flat, round_), given=given, printed=False)
 
 
 def plate(radius: float, thickness: float) -> FreeBody:

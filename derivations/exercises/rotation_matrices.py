@@ -12,9 +12,9 @@ from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 from sympy import Matrix, cos
 
+from rigidtop.derivations.printed import printed
 from rigidtop.derivations.rotation_matrices import rotation_group
 from rigidtop.parameters import Parameter
-from rigidtop.proof.equation import Cross, Dot, Equation, Group, as_printed
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Check, Evidence, Measure, claim
 from rigidtop.theory.rotation import rotation, vee
@@ -52,18 +52,16 @@ def product_of_rotations() -> Iterator[Evidence]:
         trace_O: matrix.trace(),
         s_vec: axis_and_sine(matrix),
     }
-    sine = sympy.sin
-    with as_printed():
-        scalar = Group(cos(alpha1) * cos(alpha2) - sine(alpha1) * sine(alpha2) * Dot(n_1, n_2))
-        vector = Group(
-            sine(alpha1) * cos(alpha2) * n_1
-            + cos(alpha1) * sine(alpha2) * n_2
-            + sine(alpha1) * sine(alpha2) * Cross(n_1, n_2)
-        )
-        trace = Equation(trace_O, 4 * scalar**2 - 1)
-        axis = Equation(s_vec, 2 * scalar * vector)
-    yield Check(trace, meaning, reason="The angle of the product,", printed=False)
-    yield Check(axis, meaning, reason="and its axis.", printed=False)
+    scalar = r"(\cos\alpha_1\cos\alpha_2 - \sin\alpha_1\sin\alpha_2\,\mathbf n_1\cdot\mathbf n_2)"
+    vector = (
+        r"(\sin\alpha_1\cos\alpha_2\,\mathbf n_1 + \cos\alpha_1\sin\alpha_2\,\mathbf n_2"
+        r" + \sin\alpha_1\sin\alpha_2\,\mathbf n_1\times\mathbf n_2)"
+    )
+    for equation in (
+        rf"\operatorname{{tr}} O = 4{scalar}^2 - 1",
+        rf"\mathbf s = 2{scalar}{vector}",
+    ):
+        yield Check(printed(equation), meaning, printed=False)
 
 
 @claim("commutator-of-rotations", "Two small rotations fail to commute by the product of both.")
@@ -79,25 +77,11 @@ def commutator_of_rotations() -> Iterator[Evidence]:
     vector = (matrix - matrix.T) / 2
     lowest = vector.applyfunc(lambda x: x.diff(alpha1).subs(alpha1, 0))
     lowest = reduce_trig(lowest.applyfunc(lambda x: x.diff(alpha2).subs(alpha2, 0)))
-    sine = sympy.sin
-    with as_printed():
-        trace = Equation(
-            trace_O,
-            4 * Group(1 - 2 * sine(alpha1) ** 2 * sine(alpha2) ** 2 * sine(gamma) ** 2) ** 2 - 1,
-        )
-        small = Equation(s_vec, 2 * alpha1 * Group(2 * alpha2) * Cross(n_1, n_2))
-    yield Check(
-        trace,
-        {trace_O: reduce_trig(matrix.trace())},
-        reason="$cos(χ/2) = 1 − 2 sin²(χ/4)$ of the angle $χ$ stands in the bracket.",
-        printed=False,
-    )
-    yield Check(
-        small,
-        {s_vec: alpha1 * alpha2 * vee(lowest), n_1: FIRST_AXIS, n_2: SECOND_AXIS},
-        reason="To lowest order in both angles.",
-        printed=False,
-    )
+    trace = r"\operatorname{tr} O = 4(1 - 2\sin^2\alpha_1\sin^2\alpha_2\sin^2\gamma)^2 - 1"
+    yield Check(printed(trace), {trace_O: reduce_trig(matrix.trace())}, printed=False)
+    small = r"\mathbf s = 4\alpha_1\alpha_2\,\mathbf n_1\times\mathbf n_2"
+    axes = {n_1: FIRST_AXIS, n_2: SECOND_AXIS}
+    yield Check(printed(small), {s_vec: alpha1 * alpha2 * vee(lowest), **axes}, printed=False)
 
 
 Square = NDArray[np.float64]
