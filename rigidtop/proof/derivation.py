@@ -326,7 +326,7 @@ def _named(performed: Performed, pair: Pair, letters: Letters) -> Performed:
     roots = list(performed.pairs)
     roots[place] = replace(roots[place], left=pair.left)
     if vanishes(pair.right - roots[1 - place].right):
-        raise RefusedError("{} is the other root, unless a condition says so", pair.left)
+        raise RefusedError("{} is the other root", pair.left)
     return replace(performed, pairs=tuple(roots))
 
 

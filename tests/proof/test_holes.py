@@ -124,8 +124,8 @@ $$\lambda_1\ddot\theta = MgR\sin\theta - p_\psi\dot\phi\sin\theta$$
         "Solve the steady balance for $\\Omega$:\n" + PLUS_FIRST,
         "is the other root",
     ),
-    "roots not exchanged where a condition does it": (
-        "Solve the steady balance for $\\Omega$, for $\\cos\\theta < 0$:\n" + MINUS_FIRST,
+    "exchanged roots below the horizontal": (
+        "Solve the steady balance for $\\Omega$, for $\\cos\\theta < 0$:\n" + PLUS_FIRST,
         "is the other root",
     ),
 }
@@ -145,8 +145,6 @@ $$0 = -\lambda_1\cos\theta\,\Omega^2 + \lambda_3\omega_3\Omega - MgR$$
 Solve it for $\Omega$:
 """
     + MINUS_FIRST,
-    "exchanged roots where a condition says so": "Solve the steady balance for $\\Omega$, "
-    "for $\\cos\\theta < 0$:\n" + PLUS_FIRST,
 }
 
 

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import sympy
 from sympy import Dummy, Expr, Integer, Symbol
 
-from rigidtop.proof import decide
 from rigidtop.proof.algebra import Algebra, Vector, flattened
-from rigidtop.proof.moves.conditions import divided_by, flat_with
+from rigidtop.proof.moves.conditions import divided_by
 from rigidtop.proof.moves.move import (
     Condition,
     Move,
@@ -38,7 +37,7 @@ def solve(move: Move, algebra: Algebra) -> Performed:
     if all(row is not None for row in rows):
         return _solved_linear(move, [r for row in rows if row for r in row], atoms, scope)
     if len(unknowns) == 1 and len(pairs) == 1:
-        return _roots(pairs[0], unknowns[0], scope, move.where)
+        return _roots(pairs[0], unknowns[0], scope)
     raise RefusedError("this is not linear in {}", *move.by)
 
 
@@ -98,10 +97,10 @@ def _reduced(expression: Expr) -> Expr:
     return reduce_trig(flat).xreplace(nodes)
 
 
-def _roots(pair: Pair, unknown: Any, scope: Scope, where: Sequence[Condition]) -> Performed:
+def _roots(pair: Pair, unknown: Any, scope: Scope) -> Performed:
     """Both roots of a quadratic: that with − before the square root, then that with +.
 
-    Where the coefficient of the square is known to be negative, the smaller comes first.
+    No condition makes them change places: Ω₋ is the slow one below the horizontal too.
     """
     difference = components_of(pair)
     if isinstance(difference, dict):
@@ -116,8 +115,7 @@ def _roots(pair: Pair, unknown: Any, scope: Scope, where: Sequence[Condition]) -
     if a.could_extract_minus_sign():  # the first of the roots is the same whatever is divided by
         a, b, c = -a, -b, -c
     discriminant = b**2 - 4 * a * c
-    signs = (1, -1) if decide.positive(*flat_with(-a, where)) else (-1, 1)
-    roots = [(-b + sign * sympy.sqrt(discriminant)) / (2 * a) for sign in signs]
+    roots = [(-b + sign * sympy.sqrt(discriminant)) / (2 * a) for sign in (-1, 1)]
     conditions = [Condition(discriminant, "≥")]
     conditions += divided_by(a, ())
     pairs = tuple(Pair(unknown, root) for root in roots)
