@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import islice
 from typing import Any
 
 import sympy
@@ -609,14 +610,16 @@ class Change:
     what: str
 
 
-def changes(line: Line, letters: Letters, others: Sequence[Known] = ()) -> Iterator[Change]:
+def changes(
+    line: Line, letters: Letters, others: Sequence[Known] = (), every: int = 1
+) -> Iterator[Change]:
     """A line with a sign, factor or function changed; another equation cited, another move.
 
     What says the same as the line, such as cos(−θ) for cos θ, or as another of its equations, is
-    left out.
+    left out.  Of the changes of a sign, factor or function take `every` second, third …
     """
     for k, equation in enumerate(line.equations):
-        for changed in perturbations(equation, letters.families):
+        for changed in islice(perturbations(equation, letters.families), None, None, every):
             said = (equation, *(e for e in line.equations if e is not equation))
             if not any(same(changed.equation, each, letters) for each in said):
                 yield Change(_with_equation(line, k, changed.equation), changed.change)
@@ -641,13 +644,13 @@ def changes(line: Line, letters: Letters, others: Sequence[Known] = ()) -> Itera
 
 
 def survivors(
-    line: Line, letters: Letters, others: Sequence[Known] = ()
+    line: Line, letters: Letters, others: Sequence[Known] = (), every: int = 1
 ) -> tuple[int, tuple[str, ...]]:
     """How many changes of a line that follows were tried, and which of them follow too."""
     assert line.move is not None
     performed = perform(line.move, letters)
     tried, survived = 0, []
-    for change in changes(line, letters, others):
+    for change in changes(line, letters, others, every):
         tried += 1
         move = change.line.move
         assert move is not None

@@ -241,8 +241,11 @@ class Lecture:
                 if shown.problem:
                     yield text.file, shown.at, shown.problem
 
-    def trial(self, id: str) -> Trial:
-        """Drop what a line cites, change it, cite other lines, move otherwise: each has to fall."""
+    def trial(self, id: str, every: int = 1) -> Trial:
+        """Drop what a line cites, change it, cite other lines, move otherwise: each has to fall.
+
+        To be quicker, `every` second, third … change will do.
+        """
         judged = self.judged(id)
         move = judged.line.move
         if move is None or move.verb == "call" or not judged.follows:
@@ -253,7 +256,7 @@ class Lecture:
             near |= {*self.below(cited), *self.above(cited)}
         others = [self.judged(each).known for each in self.lines if each not in near]
         needless = tuple(known.id for known in unneeded(judged.line, self._with_units))
-        return Trial(needless, *survivors(judged.line, self._with_units, others[:OTHERS]))
+        return Trial(needless, *survivors(judged.line, self._with_units, others[:OTHERS], every))
 
 
 def with_standing(line: Line, standing: dict[str, Known]) -> Line:
