@@ -269,6 +269,11 @@ The symmetry:
 
 $$\mathbf v\cdot I\mathbf u = \mathbf u\cdot I\mathbf v$$
 
+The symmetry with more:
+
+$$\mathbf v\cdot I\mathbf u + \mathbf w\cdot I\mathbf w
+= \mathbf u\cdot I\mathbf v + \mathbf w\cdot I\mathbf w$$
+
 The inverse:
 
 $$AB = 1$$
@@ -371,9 +376,10 @@ $$I = I^T$$
     ),
     "symmetry where vectors are chosen": (
         r"""
-Set $\mathbf w = \mathbf u$ in the symmetry:
+Set $\mathbf w = \mathbf u$ in the symmetry with more:
 
-$$\mathbf v\cdot I\mathbf u = \mathbf u\cdot I\mathbf v$$
+$$\mathbf v\cdot I\mathbf u + \mathbf u\cdot I\mathbf u
+= \mathbf u\cdot I\mathbf v + \mathbf u\cdot I\mathbf u$$
 
 Strip $\mathbf u$ and $\mathbf v$ from it:
 
