@@ -352,10 +352,10 @@ def display(rows: Sequence[Row], room: float = lay.LINE) -> str:
 WIDE = 1.12
 """A line that is wider than this, in its room, does not fit in its usual size."""
 
-WIDEST_LINE = 1.9
+WIDEST_LINE = 1.45
 """A line that is wider than this, and can't be broken, is made smaller until it fits."""
 
-SIZES = ((1.55, "scriptsize"), (1.3, "footnotesize"), (WIDE, "small"))
+SIZES = ((1.38, "scriptsize"), (1.22, "footnotesize"), (WIDE, "small"))
 """From which width on a display is set in which size."""
 
 
