@@ -605,6 +605,9 @@ class Algebra:
             return self.dot(self.rate(a), b) + self.dot(a, self.rate(b))
         if isinstance(node, (SumOver, VolumeIntegral)):
             return self.summed(node, self._scalar_rate(node.args[1]))
+        if isinstance(node, ELLIPTIC):  # the chain rule
+            rates = map(self._scalar_rate, node.args)
+            return Add(*(node.fdiff(k) * rate for k, rate in enumerate(rates, 1) if rate != 0))
         if node in self.letters.rates:
             return self.atom(self.letters.rates[node])
         if node in self.letters.fixed_components:

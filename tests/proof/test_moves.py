@@ -550,6 +550,15 @@ Take the root of it, for $\theta < 0$:
 
 $$-\theta = \sqrt\chi$$
 """,
+    "the rate of Legendre's integral": r"""
+Call the amplitude:
+
+$$\chi = \operatorname{F}(\theta, m)$$
+
+Take the rate of it:
+
+$$\dot\chi = \frac{\dot\theta}{\sqrt{1 - m\sin^2\theta}}$$
+""",
     "the rate of a component along a fixed axis": r"""
 Set $\mathbf N = 0$ at all times in the law of angular momentum:
 
