@@ -133,7 +133,7 @@ TOLERANCE = 1e-12
 ROUNDS = 5
 STATES = 100_000
 TOPS = 1_000_000
-SHORTEST = 0.02
+SHORTEST = 0.05
 """A round repeats what is shorter than this (s)."""
 
 
@@ -246,15 +246,14 @@ def _rows(task: str, per: int, ways: Sequence[Way], rounds: int) -> list[Row]:
 
 
 def _once(go: Callable[[], Any] | None) -> float:
-    """Seconds of one go, of several if it is short."""
+    """Seconds of one go; if it is short, the median of several."""
     assert go is not None
-    begin, count = perf_counter(), 0
-    while True:
+    begin, taken = perf_counter(), list[float]()
+    while not taken or perf_counter() - begin < SHORTEST:
+        before = perf_counter()
         go()
-        count += 1
-        passed = perf_counter() - begin
-        if passed > SHORTEST:
-            return passed / count
+        taken.append(perf_counter() - before)
+    return statistics.median(taken)
 
 
 def _module(name: str) -> Any:

@@ -131,6 +131,6 @@ def _free_states(orbit: free.Orbit, attitude: Rotation, times: Floats) -> Floats
         times,
         orbit.course,
         lambda nodes: free.State(*samples.in_blocks(columns, nodes)),
-        lambda _: needed,
+        lambda _: lambda _: needed,
     )
     return even.of(*names) if even is not None else samples.in_blocks(columns, times)

@@ -277,7 +277,7 @@ class TopMotion(Motion):
         times = checks.times(t)
         orbit = self.orbit
         if len(times) > 1:
-            even = samples.samples(times, orbit.course, orbit.states, orbit.sizes(times))
+            even = samples.samples(times, orbit.course, orbit.states, orbit.sizes)
             if even is not None:
                 return EvenTop(self, times, even)
         return TopTrajectory(motion=self, t=times, **vars(orbit.states(times)))

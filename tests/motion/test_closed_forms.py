@@ -734,6 +734,6 @@ def test_a_series_that_has_not_ended_is_not_taken():
     times, orbit = np.linspace(0.0, 5.0, 4000), motion.orbit
     for nearest, taken in ((orbit.course.nearest, True), (2.0, False)):
         course = replace(orbit.course, nearest=nearest)
-        found = samples.samples(times, course, orbit.states, orbit.sizes(times))
+        found = samples.samples(times, course, orbit.states, orbit.sizes)
         ways = {type(part) for part in found.parts} if found else set()
         assert (samples.Harmonics in ways) == taken

@@ -27,6 +27,7 @@ the three roots meet, everything is made of the two differences that are small t
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -36,7 +37,7 @@ from numpy.typing import NDArray
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import theta
 from rigidtop.motion.exact.numbers import Kit, Plain, Real, Truth, kit
-from rigidtop.motion.exact.samples import BLOCK, Course, Sizes, in_blocks
+from rigidtop.motion.exact.samples import BLOCK, Course, in_blocks
 from rigidtop.motion.exact.theta import Cubic, Factor, Modulus, along, cubic, factor, modulus
 from rigidtop.motion.state import TopState
 
@@ -287,7 +288,7 @@ class Orbit:
         with np.errstate(all="ignore"):
             return self._at(k, t)
 
-    def sizes(self, times: Floats) -> Sizes:
+    def sizes(self, times: Floats) -> Callable[[TopState], Sequence[tuple[str, Floats | float]]]:
         """To what the quantities of states are needed, at times of this size."""
         latest = float(max(abs(times[0]), abs(times[-1])))
 

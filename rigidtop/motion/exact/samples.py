@@ -55,6 +55,9 @@ UNITS = 8 * float(np.finfo(float).eps)
 MOST_HARMONICS = 120
 """Longer series cost more than pieces."""
 
+LONG_SERIES = 40
+"""Harmonics from which any pieces are better, of few samples too."""
+
 LAST = 4
 """Coefficients that must be rounding."""
 
@@ -64,8 +67,10 @@ NEGLIGIBLE = float(np.finfo(float).eps) / 4
 States = Callable[[Floats], Any]
 """At times (N,), an object with arrays of that shape."""
 
-Sizes = Callable[[Any], Sequence[tuple[str, Floats | float]]]
-"""From states, which quantities must be right, and to what size, everywhere or at each time."""
+Sizes = Callable[[Floats], Callable[[Any], Sequence[tuple[str, Floats | float]]]]
+"""From times, and states: which quantities must be right, and to what size, everywhere or at each.
+
+A late time is not known as well as an early one, and so is what depends on it."""
 
 
 @dataclass(frozen=True)
@@ -104,8 +109,8 @@ class Course:
 
     @property
     def piece_anywhere(self) -> float:
-        """And in fewer pieces than not if these are small (s)."""
-        return 2 * self.nearest / self.rate if self.rate else math.inf
+        """And next to poles too (s)."""
+        return 2 * OF_STRIP * self.nearest / self.rate if self.rate else math.inf
 
 
 class Part(Protocol):
@@ -216,25 +221,44 @@ def samples(times: Floats, course: Course, states: States, sizes: Sizes) -> Samp
     step = _step(times)
     if not step:
         return None
-    ways = [_in_harmonics] if course.harmonics <= MOST_HARMONICS else []
-    # Of many samples the products cost the most, and those of pieces have NODES terms.
-    first = len(times) > MANY and course.harmonics > NODES / 2
-    for way in [_in_pieces, *ways] if first else [*ways, _in_pieces]:
-        found = way(times, step, course, states, sizes)
+    size = _size(len(times), step, course)
+    # Products cost what they have terms: of pieces always few, and long pieces have few nodes.
+    cheap = 2 * FEWEST if len(times) <= MANY and course.harmonics <= LONG_SERIES else FEWEST
+    if course.harmonics > MOST_HARMONICS:
+        ways = [_in_pieces]
+    elif course.harmonics > NODES / 2 and size >= cheap:
+        ways = [_in_pieces, _in_harmonics]
+    else:
+        ways = [_in_harmonics, _in_pieces]
+    for way in ways:
+        found = way(times, step, course, size, states, sizes)
         if found is not None:
             return found
     return None
 
 
+def _size(count: int, step: float, course: Course) -> int:
+    """How many samples of the first pieces; 0 if pieces are too short."""
+    if not abs(step) * FEWEST <= course.piece:
+        return 0
+    size, longest = FEWEST, course.piece
+    if count <= MANY:  # one size only is worth it
+        longest = min(longest, course.piece_anywhere)
+    most = min(longest / abs(step), MOST, count)
+    while 2 * size <= most:
+        size *= 2
+    return size
+
+
 def _in_harmonics(
-    times: Floats, step: float, course: Course, states: States, sizes: Sizes
+    times: Floats, step: float, course: Course, size: int, states: States, sizes: Sizes
 ) -> Samples | None:
     number = FEWEST
     while number < 2 * (course.harmonics + LAST):
         number *= 2
     nodes = np.linspace(0.0, course.period, number, endpoint=False)
     at_nodes = states(nodes)
-    needs = sizes(at_nodes)
+    needs = sizes(nodes)(at_nodes)
     values, units = _needed(at_nodes, needs, number)
     for row, (name, _) in zip(values[..., 0], needs, strict=True):
         if name in course.slopes:
@@ -298,17 +322,11 @@ def _powers(angles: Floats, most: int) -> Complexes:
 
 
 def _in_pieces(
-    times: Floats, step: float, course: Course, states: States, sizes: Sizes
+    times: Floats, step: float, course: Course, size: int, states: States, sizes: Sizes
 ) -> Samples | None:
-    count = len(times)
-    if not abs(step) * FEWEST <= course.piece:
+    if not size:
         return None
-    size, longest = FEWEST, course.piece
-    if count <= MANY:  # one size only is worth it
-        longest = min(longest / 2, course.piece_anywhere)
-    most = min(longest / abs(step), MOST, count)
-    while 2 * size <= most:
-        size *= 2
+    count, needed = len(times), sizes(times)
     padded = -(-count // size) * size
     left = np.ones(padded // FEWEST, dtype=bool)
     parts: list[Nodes] = []
@@ -320,7 +338,7 @@ def _in_pieces(
         middle = times[pieces * size] + step * ((size - 1) / 2)
         nodes = np.add.outer(step * ((size - 1) / 2) * np.cos(_angles()), middle)
         at_nodes = states(nodes.ravel())
-        values, units = _needed(at_nodes, sizes(at_nodes), NODES)
+        values, units = _needed(at_nodes, needed(at_nodes), NODES)
         changes = values - values[:, NODES // 2, None]
         last: Floats = np.abs(np.matmul(_weights(size)[1], changes)).max(axis=1)
         columns = np.flatnonzero((last <= UNITS * units).all(axis=0))
