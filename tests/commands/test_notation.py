@@ -149,7 +149,7 @@ def test_a_document_says_its_notation_first():
     whole, _ = lecture(judged, figures=(), notation=GOLDSTEIN)
     for made in (tex(whole, {}), html(whole, {}), typst(whole, {})):
         assert "Goldstein, Poole and Safko" in made
-    for words in ("Goldstein, Poole and Safko", "3rd edition (2002)", "z–x′–z″$: $R = Rz(φ) Rx(θ)"):
+    for words in ("Goldstein, Poole and Safko", "3rd edition (2002)", "z–x′–z″: R = Rz(φ) Rx(θ)"):
         assert words in unmarked(whole.colophon)
     assert whole.blocks[0].title == "Notation"
     [symbols] = [block for block in whole.blocks if isinstance(block, Symbols)]
