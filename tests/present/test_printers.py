@@ -374,7 +374,7 @@ def test_letters():
 
 def test_aligned_lines_with_reasons_and_a_tag(printed):
     made = aligned(
-        [printed["3.57b"], printed["3.57"]], order="typed", reasons=["ω₃ is constant", ""]
+        [printed["3.57b"], printed["3.57"]], order="typed", reasons=["$ω₃$ is constant", ""]
     )
     assert made == "\n".join(
         [

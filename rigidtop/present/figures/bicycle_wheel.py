@@ -130,7 +130,7 @@ def _caption(cord: float, **values: float) -> str:
     return (
         f"A bicycle wheel of {said(values['M'])} kg and radius {said(values['radius'])} m at $R = "
         f"{said(values['R'])}$ m from the end $O$ of its horizontal axle, with $ω₃ = "
-        f"{said(values['omega3'])}$ rad/s and $g = {said(values['g'])}$ $m/s²$: $L = "
+        f"{said(values['omega3'])}$ rad/s and $g = {said(values['g'])}$ m/s²: $L = "
         f"{said(momentum)}$ J s, and the torque about $O$, $N = {said(couple)}$ N m, turns it "
         f"{found['direction']}, as seen from above, at $Ω = {said(found['precession'])}$ rad/s, a "
         f"turn in {said(found['period'])} s. The cord of {said(cord)} m pulls with "

@@ -25,7 +25,7 @@ SPIN = Parameter("omega3", 40.0, "$ω₃$", "rad/s", above=0)
 def top_in_words(top: HeavyTop) -> str:
     """λ₁ = …, λ₃ = …, MgR = …."""
     return (
-        f"$λ₁ = {said(top.lambda1)}$ kg $m²$, $λ₃ = {said(top.lambda3)}$ kg $m²$ and "
+        f"$λ₁ = {said(top.lambda1)}$ kg m², $λ₃ = {said(top.lambda3)}$ kg m² and "
         f"$MgR = {said(top.M * top.g * top.R)}$ J"
     )
 

@@ -109,7 +109,7 @@ def _rates(motion: Motion) -> tuple[float, float]:
 
 def _shape(lambda1: float, lambda3: float) -> str:
     relation = ">" if lambda1 > lambda3 else "<" if lambda1 < lambda3 else "="
-    return f"$λ₁ = {said(lambda1)} {relation} λ₃ = {said(lambda3)}$ kg $m²$"
+    return f"$λ₁ = {said(lambda1)} {relation} λ₃ = {said(lambda3)}$ kg m²"
 
 
 def _cones_caption(lambda1: float, lambda3: float, omega_0: float, omega3: float) -> str:

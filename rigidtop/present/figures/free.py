@@ -170,7 +170,7 @@ def _draw_polhodes(**moments: float) -> Canvas:
 
 def _three(lambda1: float, lambda2: float, lambda3: float) -> str:
     values = ", ".join(map(said, (lambda1, lambda2, lambda3)))
-    return f"$λ₁$, $λ₂$, $λ₃ = {values}$ kg $m²$"
+    return f"$λ₁$, $λ₂$, $λ₃ = {values}$ kg m²"
 
 
 def _polhodes_caption(**moments: float) -> str:

@@ -53,7 +53,7 @@ SAMPLES = 1601
 
 def _top_in_words(top: SlidingTop) -> str:
     return (
-        f"$λ₁ = {said(top.lambda1)}$ and $λ₃ = {said(top.lambda3)}$ kg $m²$ about the centre of "
+        f"$λ₁ = {said(top.lambda1)}$ and $λ₃ = {said(top.lambda3)}$ kg m² about the centre of "
         f"mass, $Mg = {said(top.M * top.g)}$ N and $R = {said(top.R)}$ m"
     )
 

@@ -166,7 +166,7 @@ def _caption(tolerance: float, **values: float) -> str:
         f"A gyroscope, a disc of {said(values['M'])} kg and radius {said(values['radius'])} m at "
         f"$R = {said(values['R'])}$ m from the end $O$ of its axle, at $θ = "
         f"{degrees(values['theta'])}$ and $ω₃ = {said(values['omega3'])}$ rad/s, with $g = "
-        f"{said(values['g'])}$ $m/s²$: $L = {said(momentum)}$ J s, and the torque about $O$ of "
+        f"{said(values['g'])}$ m/s²: $L = {said(momentum)}$ J s, and the torque about $O$ of "
         f"{said(couple)} N m turns it {found['direction']}, as seen from above, at $Ω₋ = "
         f"{said(found['exact'])}$ rad/s, a turn in {said(found['period'])} s; dashed is the circle "
         "of the tip of $𝐋$. Below: this rate against the spin; (3.52) gives "

@@ -169,7 +169,7 @@ def _caption(
         phi=phi,
         g=g,
     )
-    weight = f"$g = {said(g)}$ $m/s²$"
+    weight = f"$g = {said(g)}$ m/s²"
     if vertical(theta):
         leans = f"on the vertical, $θ = {degrees(theta)}$, where $φ$ has no meaning and $N = 0$"
     else:
@@ -179,7 +179,7 @@ def _caption(
         )
     return (
         f"A solid cone on its tip, of radius {said(radius)} m, height {said(height)} m and density "
-        f"{said(density)} $kg/m³$, {leans}. Its centre of mass is at $R = ¾$ of the height $= "
+        f"{said(density)} kg/m³, {leans}. Its centre of mass is at $R = ¾$ of the height $= "
         f"{said(found['R'])}$ m, and with $M = {said(found['mass'])}$ kg and {weight} its "
         f"potential energy is $MgR cos θ = {said(found['potential'])}$ J. The cone is to scale, "
         "the arrows are not."

@@ -203,7 +203,7 @@ def _caption(**values: float) -> str:
         f"A top, a disc of {said(values['disc_mass'])} kg, radius {said(values['disc_radius'])} m "
         f"and thickness {said(values['disc_thickness'])} m at {said(values['disc_height'])} m on a "
         f"stem of {said(values['stem_mass'])} kg and {said(values['stem_length'])} m, with $g = "
-        f"{said(values['g'])}$ $m/s²$, leaning by $θ = {degrees(values['theta'])}$, to scale. "
+        f"{said(values['g'])}$ m/s², leaning by $θ = {degrees(values['theta'])}$, to scale. "
         f"Right: its axis from above, let go with {said(found['spin_rpm'], 4)} turns a minute and "
         f"$𝛚$ along $e₃$, {goes}. Below: against the spin, at this tilt. Here the axis takes "
         f"{said(found['slow_turn'])} s for a turn of steady precession, and nutates "

@@ -22,6 +22,7 @@ from rigidtop.present.figures import (
 from rigidtop.present.figures.catalog import named
 from rigidtop.present.figures.solved import answers
 from rigidtop.proof.exercise import Answer
+from rigidtop.proof.words import unmarked
 
 OF = {
     "two-masses": "two-masses",
@@ -63,7 +64,7 @@ def direction(vector):
 
 def caption(name, **given):
     drawing = named(name)
-    return drawing.caption(**drawing.values(given))
+    return unmarked(drawing.caption(**drawing.values(given)))
 
 
 @pytest.mark.parametrize("exercise", EXERCISES, ids=lambda exercise: exercise.name)

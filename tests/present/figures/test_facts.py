@@ -25,6 +25,7 @@ from rigidtop.present.figures import (
     torque,
 )
 from rigidtop.present.figures.catalog import named
+from rigidtop.proof.words import unmarked
 
 TOP = rt.HeavyTop(lambda1=0.02, lambda3=0.01, M=1.0, R=0.1, g=9.81)
 WEIGHT = 0.981
@@ -139,7 +140,7 @@ def test_the_bound_on_the_angle_is_never_crossed():
         assert angle[::100] == pytest.approx(np.degrees(np.arctan(tangent)), abs=0.01)
         assert bound >= np.degrees(np.arctan(tangent)).max() * (1 - 1e-6)
         near.append(angle.max() / bound)
-        drawing.caption(**given)
+        unmarked(drawing.caption(**given))
     assert max(near) > 0.99  # it is no larger than it must be
 
 
@@ -155,7 +156,7 @@ def test_the_largest_angle_is_that_of_a_fine_scan(axes, spin):
     assert np.radians(line(axes, "_angle")[:, 1]).max() == pytest.approx(scanned, rel=1e-7)
     drawing = named("parallel")
     values = drawing.values({"omega3": spin})
-    assert f"{style.degrees(float(scanned))} at most" in drawing.caption(**values)
+    assert f"{style.degrees(float(scanned))} at most" in unmarked(drawing.caption(**values))
     twice = scanned > math.asin(1 / 3) * (1 - 1e-7)  # |λ₁ − λ₃|/(λ₁ + λ₃)
     assert twice == (spin < 10)
     assert ("twice in every" in drawing.alternative(**values)) == twice
@@ -196,7 +197,9 @@ def test_torque_as_it_is_drawn(axes):
 def test_no_torque_on_the_vertical(axes):
     torque.draw_torque(axes, TOP.motion(theta=0.0, omega3=30.0))
     assert r"$\mathbf{N} = 0$" in [text.get_text() for text in axes.texts]
-    assert "there is none" in named("torque").caption(**named("torque").values({"theta": 0.0}))
+    assert "there is none" in unmarked(
+        named("torque").caption(**named("torque").values({"theta": 0.0}))
+    )
 
 
 # --- Euler's angles ------------------------------------------------------------------------------
@@ -372,7 +375,9 @@ def test_figure_and_exercise_agree_on_the_flip():
     dotted = [float(x.get_xdata()[0]) for x in panel.lines if x.get_label() == "_flip"]
     assert dotted == pytest.approx(seconds * (np.arange(len(dotted)) + 0.5), rel=1e-9)
     assert len(dotted) == 4
-    assert f"every {style.said(seconds)} s (dotted)" in drawing.caption(**drawing.values(given))
+    assert f"every {style.said(seconds)} s (dotted)" in unmarked(
+        drawing.caption(**drawing.values(given))
+    )
     later = free.flip(**given).integrate(dotted, rtol=1e-12, atol=1e-15)
     assert later.omega[:, 1] == pytest.approx(0, abs=1e-6)
 
@@ -387,7 +392,7 @@ def test_flip_wants_a_middle_axis():
 def test_a_flip_wants_a_small_kick(kick):
     drawing = named("flip")
     with pytest.raises(rt.RigidtopError, match="kick must be less than omega = 2 and at least"):
-        drawing.caption(**drawing.values({"kick": kick}))
+        unmarked(drawing.caption(**drawing.values({"kick": kick})))
 
 
 @pytest.mark.parametrize(("kick", "words"), [(0.01, "stays near"), (1.0, "swings between")])
@@ -411,7 +416,7 @@ def test_words_of_tumbling_follow_from_the_regime():
     def told(given):
         values = drawing.values(given)
         words = drawing.alternative(**values)
-        return drawing.caption(**values), words
+        return unmarked(drawing.caption(**values)), words
 
     usual, words = told({})
     assert "e₃ (thick) and e₁ never come back; 5 nutations" in usual
@@ -453,7 +458,7 @@ def test_words_of_tumbling_on_the_separatrix():
     given = {"lambda1": 1.0, "lambda2": 2.0, "lambda3": 2.5, "omega2": 0.0, "omega3": 1.0}
     values = drawing.values({**given, "omega1": math.sqrt(2.5 * 0.5)})
     assert free._tumbling(**values).regime == "separatrix"
-    caption = drawing.caption(**values)
+    caption = unmarked(drawing.caption(**values))
     assert "L tends to the middle axis and never comes back (separatrix)" in caption
     assert "nutations are drawn" not in caption
 
@@ -490,7 +495,7 @@ def test_paths_are_waves_cusps_and_loops():
 def test_on_the_vertical_phi_has_no_meaning(theta):
     for name in ("motion", "top", "effective-potential"):
         drawing = named(name)
-        caption = drawing.caption(**drawing.values({"theta": theta}))
+        caption = unmarked(drawing.caption(**drawing.values({"theta": theta})))
         assert "where φ has no meaning" in caption
         assert "φ̇" not in caption
         with pytest.raises(rt.RigidtopError, match="phi has no meaning: phi_dot must be 0"):
@@ -502,15 +507,17 @@ def test_on_the_vertical_phi_has_no_meaning(theta):
                 make(**drawing.values({"theta": theta}))
     drawing = named("motion")
     values = drawing.values({"theta": theta})
-    assert f"θ stays {math.degrees(theta):.0f}°" in drawing.caption(**values)
+    assert f"θ stays {math.degrees(theta):.0f}°" in unmarked(drawing.caption(**values))
     assert "no meaning" in drawing.alternative(**values)
-    assert "runs between" in drawing.caption(**drawing.values({"theta": theta, "theta_dot": 1.0}))
+    assert "runs between" in unmarked(
+        drawing.caption(**drawing.values({"theta": theta, "theta_dot": 1.0}))
+    )
 
 
 def test_a_steady_motion_is_told_as_such():
     drawing = named("motion")
     slow, _ = TOP.steady_precession(1.0, 40.0)
-    caption = drawing.caption(**drawing.values({"theta": 1.0, "phi_dot": slow}))
+    caption = unmarked(drawing.caption(**drawing.values({"theta": 1.0, "phi_dot": slow})))
     assert f"θ stays 57.3°, and φ goes on at {style.said(slow)} rad/s" in caption
 
 
@@ -588,8 +595,8 @@ def test_the_line_to_the_upright_begins_where_the_energy_reaches_it(axes, spin):
     )
     assert (path.theta.min() < 0.02) == (spin > up[:, 0].min())
     drawing = named("regimes")
-    assert "from 24.3 rad/s on" in drawing.caption(**drawing.values())
-    assert "upright" not in drawing.caption(**drawing.values({"omega3": 20.0}))
+    assert "from 24.3 rad/s on" in unmarked(drawing.caption(**drawing.values()))
+    assert "upright" not in unmarked(drawing.caption(**drawing.values({"omega3": 20.0})))
 
 
 # --- Falls ---------------------------------------------------------------------------------------

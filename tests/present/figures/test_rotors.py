@@ -14,6 +14,7 @@ import rigidtop as rt
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.present.figures import bicycle_wheel, gyroscope, plate, rotors, style, toy_top
 from rigidtop.present.figures.catalog import named
+from rigidtop.proof.words import unmarked
 
 GYROSCOPE, WHEEL = named("gyroscope"), named("bicycle-wheel")
 PLATE, TOY = named("wobbling-plate"), named("toy-top")
@@ -220,7 +221,7 @@ def test_numbers_of_what_is_held(drawing, view, given):
     body, theta, omega3, rate = held_top(drawing, given)
     # L from its parts along e₃ and across it, λ₃ω₃ and λ₁Ω sin θ.
     size = math.hypot(body.lambda3 * omega3, body.lambda1 * rate * math.sin(theta))
-    caption = drawing.caption(**drawing.values(given))
+    caption = unmarked(drawing.caption(**drawing.values(given)))
     couple = body.M * 9.81 * body.R * math.sin(theta)
     assert f"L = {style.said(size)} J s, and the torque about O" in caption
     assert f"{style.said(couple)} N m" in caption
@@ -258,7 +259,9 @@ def test_rates_against_the_spin(given):
 
     needed = brentq(apart, 150.0, 5000.0)
     assert line(chart, "_needed")[:, 0] == pytest.approx(needed)
-    assert f"{style.said(needed)} rad/s on" in GYROSCOPE.caption(**GYROSCOPE.values(given))
+    assert f"{style.said(needed)} rad/s on" in unmarked(
+        GYROSCOPE.caption(**GYROSCOPE.values(given))
+    )
     assert f"{100 * tolerance:.3g} % apart" in words(chart)
     dotted = [each for each in chart.lines if each.get_label() == "_least"]
     assert len(dotted) == (theta < math.pi / 2)
@@ -269,7 +272,7 @@ def test_rates_against_the_spin(given):
 
 def test_a_horizontal_gyroscope_is_said_to_have_no_least_spin():
     values = GYROSCOPE.values({"theta": math.pi / 2})
-    caption = GYROSCOPE.caption(**values)
+    caption = unmarked(GYROSCOPE.caption(**values))
     assert "is exact at 90°. Any spin but 0 lets it go round steadily." in caption
     assert "= 0 rad/s" not in caption
     _, chart = GYROSCOPE.draw(**values).axes
@@ -309,7 +312,7 @@ def test_the_cord_leans_as_newton_says(given):
     length = values["cord"] / math.hypot(values["R"], values["radius"])
     assert math.hypot(inward, up) == pytest.approx(min(length, bicycle_wheel.LONGEST))
     pull = values["M"] * math.hypot(9.81, rate**2 * reach)
-    caption = WHEEL.caption(**values)
+    caption = unmarked(WHEEL.caption(**values))
     assert (
         f"pulls with {style.said(pull)} N and leans by {style.degrees(math.asin(sine))}" in caption
     )
@@ -412,7 +415,7 @@ def test_pictures_of_the_plate(given):
 @pytest.mark.parametrize("given", THROWN)
 def test_numbers_of_the_plate(given):
     wobble, mark, _ = thrown(given)
-    caption = PLATE.caption(**PLATE.values(given))
+    caption = unmarked(PLATE.caption(**PLATE.values(given)))
     assert f"The wobble, at {style.said(wobble)} rad/s, is {style.said(wobble / mark)} times" in (
         caption
     )
@@ -462,7 +465,7 @@ def test_path_of_the_toy_top(given):
     assert np.abs(shown[::200].T - expected).max() < 1e-5
     turned = np.ptp(np.unwrap(np.arctan2(*shown.T[::-1])))
     assert turned == pytest.approx(2 * math.pi, rel=0.05)
-    assert f"for {style.said(last)} s, down to" in TOY.caption(**values)
+    assert f"for {style.said(last)} s, down to" in unmarked(TOY.caption(**values))
 
 
 def test_toy_top_whose_rim_touches():
@@ -478,7 +481,7 @@ def test_toy_top_whose_rim_touches():
     tilts = np.hypot(*shown.T)
     assert above(tilts[-1]) == pytest.approx(0, abs=1e-12)
     assert all(above(tilt) > 0 for tilt in tilts[:-1])
-    caption = TOY.caption(**values)
+    caption = unmarked(TOY.caption(**values))
     assert "until its rim touches the table, at 28.1°, after " in caption
     seconds = float(caption.split("at 28.1°, after ")[1].split()[0])
     assert path_of(values, body, [seconds])[:, 0] == pytest.approx(shown[-1], abs=0.1)
@@ -507,7 +510,7 @@ def test_rates_of_the_toy_top_against_its_spin(given):
         assert value == pytest.approx(np.interp(at, *line(chart, label).T), rel=1e-3)
     sleeping = 2 * math.sqrt(body.lambda1 * weight) / body.lambda3 * 30 / math.pi
     assert line(chart, "_sleeps")[:, 0] == pytest.approx(sleeping)
-    caption = TOY.caption(**values)
+    caption = unmarked(TOY.caption(**values))
     energy = body.lambda3 * values["omega3"] ** 2 / 2
     assert f"sleeps from {style.said(sleeping, 4)} turns a minute on" in caption
     lift = energy / (body.M * 9.81)
