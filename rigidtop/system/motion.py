@@ -292,7 +292,7 @@ def many(system: System, parameters: Mapping[Any, Any], q: Any, qdot: Any) -> Sy
             continue
         if isinstance(value, Mapping):
             given |= {(what, key): each for key, each in value.items()}
-        elif np.ndim(value) == 0 or len(value) != len(rows[what]):
+        elif not np.iterable(value) or len(list(value)) != len(rows[what]):
             shown = ", ".join(x.name for x in rows[what])
             raise RigidtopError(f"{what} has a number, or an array, for each of {shown}")
         else:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,6 +20,9 @@ from rigidtop.system.names import expression
 
 if TYPE_CHECKING:
     from rigidtop.system.system import System
+
+MOST_ANGLES = 6
+"""Of so many coordinates all angles of 0 and π are tried."""
 
 ROUNDING = 1e-9
 """Relative to the largest: real parts, frequencies and forces below this count as none."""
@@ -130,11 +134,20 @@ def equilibria(system: System) -> tuple[dict[Expr, Expr], ...]:
         found = sympy.solve(conditions, unknown, dict=True)
     except NotImplementedError:
         raise RigidtopError("SymPy does not solve the conditions: see S.balance") from None
-    return tuple(
-        {names.back(x): names.back(value) for x, value in each.items()}
-        for each in found
-        if all(value.is_real is not False for value in each.values())
-    )
+    real = [each for each in found if all(v.is_real is not False for v in each.values())]
+    # By half angles SymPy loses an angle of π.
+    if len(unknown) <= MOST_ANGLES:
+        for values in product((sympy.S.Zero, sympy.pi), repeat=len(unknown)):
+            place = dict(zip(unknown, values, strict=True))
+            rests = all(decide.vanishes(c.subs(place)) for c in conditions)
+            if rests and not any(_is_among(place, each) for each in real):
+                real.append(place)
+    return tuple({names.back(x): names.back(v) for x, v in each.items()} for each in real)
+
+
+def _is_among(place: Mapping[Expr, Expr], found: Mapping[Expr, Expr]) -> bool:
+    """Whether a solution, in which some coordinates may be free, has that place."""
+    return all(sympy.expand(value.subs(place) - place[x]) == 0 for x, value in found.items())
 
 
 def small(system: System, about: Mapping[Any, Any]) -> Small:

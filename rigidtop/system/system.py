@@ -646,6 +646,8 @@ class System:
     def equilibria(self) -> tuple[dict[Expr, Expr], ...]:
         """Where the system stays at rest, as SymPy solves it: the coordinates that are not free.
 
+        Angles of 0 and π, which SymPy may lose, are tried besides.
+
         Raises RigidtopError where SymPy does not, and for constraints.
 
         >>> from sympy import cos, symbols

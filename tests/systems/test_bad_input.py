@@ -180,3 +180,12 @@ def test_a_swing_that_is_pumped_has_no_frequencies():
     free = symbols("free")
     with pytest.raises(rt.RigidtopError, match=r"a force of free\*k is left"):
         SPRING.small({x: free})
+
+
+def test_many_starts_may_be_arrays_beside_numbers():
+    y_, v_ = symbols("y_ v_", real=True)
+    plane = rt.System(m * (u**2 + v_**2) / 2 - k * (x**2 + y_**2) / 2, [x, y_], [u, v_])
+    many = plane.motions(NUMBERS, q=(np.linspace(0, 1, 5), 0.5), qdot=(0, 0))
+    assert many.shape == (5,)
+    with pytest.raises(rt.RigidtopError, match="q has a number, or an array, for each of x, y_"):
+        plane.motions(NUMBERS, q=(np.linspace(0, 1, 5),))

@@ -5,6 +5,7 @@ Goldstein, Classical Mechanics, chapter 2; Taylor, Classical Mechanics, section 
 
 import math
 
+import numpy as np
 from sympy import acos, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
@@ -24,12 +25,8 @@ def answers():
     rest = math.acos(9.81 / (0.7 * 36))
     run = SYSTEM.motion(PARAMETERS, q=rest).integrate([5.0])
     yield "at rest", run.q[0] - rest, 1e-9
-    places = SYSTEM.equilibria()
-    yield (
-        "at rest in symbols",
-        min(abs(float(x[theta].subs(PARAMETERS)) - rest) for x in places),
-        1e-12,
-    )
+    places = sorted(float(x[theta].subs(PARAMETERS)) for x in SYSTEM.equilibria())
+    yield "at rest in symbols", np.array(places) - [-rest, 0, rest, math.pi], 1e-12
     beside = SYSTEM.small({theta: acos(g / (R * Omega**2))})
     yield "its rate", beside.frequencies(PARAMETERS) - 6 * math.sin(rest), 1e-12
     below = SYSTEM.small({theta: 0})
