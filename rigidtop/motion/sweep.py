@@ -345,6 +345,8 @@ def _fill(
                     pending[submit(block, sweep, start, stop)] = (start, stop)
             except Exception as error:  # an executor that takes no more work
                 failed.append(error)
+            if not (pending or failed):
+                return
             # What else has been computed by the time of a failure is kept.
             for future in wait(pending, 0 if failed else None, FIRST_COMPLETED).done:
                 start, stop = pending.pop(future)
@@ -359,8 +361,6 @@ def _fill(
                     progress(file.done, file.total)
             if failed:
                 raise _failure(failed[0], file)
-            if not pending:
-                return
     finally:
         for future in pending:
             future.cancel()
