@@ -158,9 +158,11 @@ def _list(collection: Collection, as_json: bool) -> int:
         print_json([listed(exercise) for exercise in collection.exercises])
         return 0
     from rigidtop.present.table import table
+    from rigidtop.proof.words import unmarked
 
     rows = [
-        [each.section, each.name, f"{each.title} ({each.asks})"] for each in collection.exercises
+        [each.section, each.name, unmarked(f"{each.title} ({each.asks})")]
+        for each in collection.exercises
     ]
     print(table(rows, ("section", "exercise", "what it is about")))
     return 0

@@ -140,7 +140,7 @@ def _print_list(figures: tuple[Drawing, ...], as_json: bool) -> None:
     width = shutil.get_terminal_size((80, 24)).columns
     room = max(columns(each.name) for each in figures) + 2
     for each in figures:
-        title = each.title + (" (moves)" if each.animate else "")
+        title = unmarked(each.title) + (" (moves)" if each.animate else "")
         start = padded(each.name, room)
         for line in wrapped(title, max(width - room, 12)):
             print(start + line)
@@ -154,7 +154,7 @@ def _record(drawing: Drawing) -> dict[str, Any]:
     """A figure as plain values."""
     return {
         "name": drawing.name,
-        "title": drawing.title,
+        "title": unmarked(drawing.title),
         "section": drawing.section,
         "kinds": [*STILL, *(MOVING if drawing.animate else ())],
         "parameters": [

@@ -17,6 +17,7 @@ def test_all_are_listed(capsys):
     assert main(["exercise"]) == 0
     shown = capsys.readouterr().out
     assert all(re.search(rf"^\S.* {name} ", shown, re.M) for name in NAMES)
+    assert "$" not in shown
     assert main(["exercise", "--json"]) == 0
     assert [row["name"] for row in json.loads(capsys.readouterr().out)] == NAMES
 

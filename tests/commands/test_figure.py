@@ -11,6 +11,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.present.figures.catalog import FIGURES
 from rigidtop.present.figures.drawing import KINDS, rendered
 from rigidtop.present.table import columns
+from rigidtop.proof.words import unmarked
 
 
 def run(*arguments):
@@ -33,10 +34,11 @@ def test_list_names_every_figure(width, capsys, monkeypatch):
     assert max(map(columns, shown.splitlines())) <= width
     of_each = re.split(r"^(?=\S)", shown, flags=re.MULTILINE)[1:]
     assert len(of_each) == len(FIGURES)
+    assert "$" not in shown
     for drawing, block in zip(FIGURES, of_each, strict=True):
         name, words = block.split(maxsplit=1)
         assert name == drawing.name
-        assert " ".join(words.split()).startswith(drawing.title)
+        assert " ".join(words.split()).startswith(unmarked(drawing.title))
         below = block.splitlines()[1:]
         defaults = " ".join(line.strip() for line in below if re.match(r" {4}\S", line))
         assert defaults.split() == [f"{p.name}={p.default:.4g}" for p in drawing.parameters]
@@ -46,6 +48,7 @@ def test_list_as_json(capsys):
     assert run("--json") == 0
     records = json.loads(capsys.readouterr().out)
     assert [record["name"] for record in records] == [drawing.name for drawing in FIGURES]
+    assert not any("$" in record["title"] for record in records)
     assert {kind for record in records for kind in record["kinds"]} <= {*KINDS, "gif", "mp4"}
     [paths] = [record for record in records if record["name"] == "paths"]
     assert {"name": "omega3", "default": 40.0, "unit": "rad/s", "about": "ω₃"} in paths[
