@@ -12,8 +12,8 @@ from sympy import Expr
 from rigidtop.codegen import numpy as plain
 from rigidtop.codegen.solve import solved
 from rigidtop.errors import RigidtopError
+from rigidtop.system.names import numbers
 from rigidtop.system.parts import newton_euler
-from rigidtop.system.steady import numbers_of
 
 if TYPE_CHECKING:
     from rigidtop.system.system import System
@@ -24,7 +24,7 @@ STATES = 20
 
 def certify(system: System, parameters: Mapping[Any, Any], seed: int = 0) -> dict[str, float]:
     """See `System.certify`."""
-    values = [float(x) for x in numbers_of(system, parameters).values()]
+    values = [float(x) for x in numbers(system.parameters, parameters).values()]
     n = len(system.q)
     rng = np.random.default_rng(seed)
     rows = rng.uniform(-1.0, 1.0, (2 * n, STATES))

@@ -23,8 +23,7 @@ from rigidtop.motion import checks
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import TAYLOR, Accuracy, Flow, flow, joined, on_both_sides
 from rigidtop.motion.rows import Rows
-from rigidtop.parameters import in_one_line
-from rigidtop.system.names import expression
+from rigidtop.system.names import expression, numbers
 
 if TYPE_CHECKING:
     from rigidtop.system.system import System
@@ -44,35 +43,12 @@ MOST_STEPS = 10_000_000
 
 def started(system: System, parameters: Mapping[Any, Any], q: Any, qdot: Any) -> SystemMotion:
     """See `System.motion`."""
-    if not isinstance(parameters, Mapping):
-        raise RigidtopError(
-            f"parameters are given as {{symbol: number}}, not {in_one_line(parameters)}"
-        )
-    values = _values(system, parameters)
+    values = numbers(system.parameters, parameters).values()
     names = system.names
     start = [_initial("q", q, names.q, system), _initial("qdot", qdot, names.v, system)]
-    made = SystemMotion(system, tuple(values), tuple(start[0]), tuple(start[1]))
+    made = SystemMotion(system, tuple(map(float, values)), tuple(start[0]), tuple(start[1]))
     made.check()
     return made
-
-
-def _values(system: System, given: Mapping[Any, Any]) -> list[float]:
-    """A number for each parameter, by symbol or by name."""
-    known = {x.name: x for x in system.parameters}
-    found: dict[str, float] = {}
-    for key, value in given.items():
-        name = getattr(key, "name", key)
-        if name not in known:
-            there = f"there are {', '.join(known)}" if known else "there are none"
-            raise RigidtopError(f"no parameter {key!s}: {there}")
-        found[name] = checks.number(str(name), value)
-        symbol = known[name]
-        if symbol.is_positive and not found[name] > 0:
-            raise RigidtopError(f"{name} must be positive, not {found[name]:g}")
-    missing = [name for name in known if name not in found]
-    if missing:
-        raise RigidtopError(f"no number for {', '.join(missing)}: give {{symbol: number}}")
-    return [found[name] for name in known]
 
 
 def _initial(what: str, given: Any, letters: Sequence[Symbol], system: System) -> list[float]:

@@ -16,6 +16,7 @@ from sympy import Derivative, Eq, Expr, MatrixBase, Symbol
 from sympy.core.function import AppliedUndef
 
 from rigidtop.errors import RigidtopError
+from rigidtop.motion import checks
 from rigidtop.parameters import in_one_line
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import Glyph, Quantity
@@ -220,3 +221,53 @@ def own_functions(expressions: Sequence[Expr]) -> Iterator[Expr]:
     """Functions of time and derivatives that are left: no coordinates, and no velocities."""
     for each in expressions:
         yield from sorted(each.atoms(Derivative, AppliedUndef), key=str)
+
+
+ASSUMED = [
+    "positive",
+    "negative",
+    "nonnegative",
+    "nonpositive",
+    "zero",
+    "nonzero",
+    "integer",
+    "noninteger",
+    "even",
+    "odd",
+    "prime",
+    "composite",
+    "real",
+    "imaginary",
+]
+"""What SymPy may have used of a symbol."""
+
+
+def numbers(letters: Sequence[Symbol], given: Any) -> dict[Expr, Expr]:
+    """A number for each letter, which are given by symbol or by name, as they are written.
+
+    Raises RigidtopError for one that is missing, unknown, or not what the symbol is assumed to be.
+    """
+    if not isinstance(given, Mapping):
+        raise RigidtopError(f"parameters are given as {{symbol: number}}, not {in_one_line(given)}")
+    known = {x.name: x for x in letters}
+    found: dict[str, Expr] = {}
+    for key, value in given.items():
+        name = str(getattr(key, "name", key))
+        if name not in known:
+            there = f"there are {', '.join(known)}" if known else "there are none"
+            raise RigidtopError(f"no parameter {key!s}: {there}")
+        number = checks.number(name, value)
+        exact = sympy.Rational(repr(number))
+        for wanted, said in ((True, "must be"), (False, "must not be")):
+            for word in (f"is_{each}" for each in ASSUMED):
+                if getattr(known[name], word) is wanted is not getattr(exact, word):
+                    raise RigidtopError(f"{name} {said} {word[3:]}, not {number:g}")
+        found[name] = sympy.Float(repr(number), WRITTEN)
+    missing = [name for name in known if name not in found]
+    if missing:
+        raise RigidtopError(f"no number for {', '.join(missing)}: give {{symbol: number}}")
+    return {known[name]: found[name] for name in known}
+
+
+WRITTEN = 60
+"""Digits to which a number counts as it is written: 0.1 is a tenth."""

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
+import mpmath
 import numpy as np
 import sympy
 from numpy.typing import NDArray
 from sympy import Expr, Matrix, Symbol
 
 from rigidtop.errors import RigidtopError
-from rigidtop.motion import checks
 from rigidtop.proof import decide
-from rigidtop.system.names import expression
+from rigidtop.system.names import expression, numbers
 
 if TYPE_CHECKING:
     from rigidtop.system.system import System
@@ -24,8 +24,20 @@ if TYPE_CHECKING:
 MOST_ANGLES = 6
 """Of so many coordinates all angles of 0 and π are tried."""
 
-ROUNDING = 1e-9
-"""Relative to the largest: real parts, frequencies and forces below this count as none."""
+DIGITS = 60
+"""Of the rates of deviations: a double root is found to half of them."""
+
+MANY = mpmath.MPContext()  # not mpmath's own, whose precision others may change meanwhile
+MANY.dps = DIGITS
+
+NEUTRAL = 1e-12
+"""Relative to the rates: real parts and rates below this count as none."""
+
+LEFT = 1e-50
+"""What of `DIGITS` digits is left by rounding, relatively, is below this."""
+
+LAST_DIGIT = 1e-15
+"""By so much parameters are changed, relatively, to see whether their rounding decides."""
 
 
 @dataclass(frozen=True)
@@ -55,46 +67,76 @@ class Small:
         return sympy.expand(made.det(method="berkowitz"))
 
     def rates(self, parameters: Mapping[Any, Any]) -> NDArray[np.complex128]:
-        """The 2n numbers s of the deviations e^{st} (1/s), by magnitude of the frequency."""
-        values = self.system.numbers_of(parameters)
-        M, C, K = (
-            np.array(side.xreplace(values).evalf().tolist(), dtype=float)
-            for side in (self.mass, self.damping, self.stiffness)
-        )
-        n = len(M)
-        first = np.linalg.solve(M, np.hstack([-K, -C]))
-        turned = np.vstack([np.hstack([np.zeros((n, n)), np.eye(n)]), first])
-        found = np.linalg.eigvals(turned)
-        return found[np.lexsort((found.imag, np.abs(found.imag)))].astype(complex)
+        """The 2n numbers s of the deviations e^{st} (1/s), by magnitude of the frequency.
+
+        `parameters` gives a number for each parameter, and for each other letter of `about`.
+        Raises RigidtopError where the steady motion does not exist for these numbers, or where
+        the mass matrix is singular.
+        """
+        found = np.array([complex(s) for s in _spectrum(*self._sides(self._at(parameters)))])
+        return found[np.lexsort((found.imag, np.abs(found.imag)))]
 
     def frequencies(self, parameters: Mapping[Any, Any]) -> NDArray[np.float64]:
         """Angular frequencies of what oscillates, once each (rad/s), increasing."""
         found = self.rates(parameters)
-        least = ROUNDING**0.5 * max(float(np.max(np.abs(found))), 1e-300)
+        least = NEUTRAL * max(float(np.max(np.abs(found))), 1e-300)
         return np.sort(found.imag[found.imag > least])
 
     def stability(self, parameters: Mapping[Any, Any]) -> str:
         """What the linear equations tell.
 
-        "unstable" and "asymptotically stable" by the real parts; "stable" where K is positive
-        definite and all forces have a potential, which is Lagrange's and Dirichlet's theorem;
-        "oscillates" where all deviations oscillate, which does not show that the motion itself is
-        stable; "undecided" where some deviation neither grows nor turns.
+        "unstable" and "asymptotically stable" by the real parts, Lyapunov's theorems; "stable"
+        where K is positive definite and all forces have a potential, which is Lagrange's and
+        Dirichlet's theorem; "oscillates" where all deviations oscillate and none grows, which does
+        not show that the motion itself is stable; "undecided" where some deviation neither decays
+        nor turns or grows as a power of t, where the last digit of a parameter decides, and where
+        the equations contain the time.
         """
-        values = self.system.numbers_of(parameters)
-        found = self.rates(parameters)
-        scale = max(float(np.max(np.abs(found))), 1e-300)
-        if np.any(found.real > ROUNDING**0.5 * scale):
+        values = self._at(parameters)
+        names = self.system.names
+        if names.plain(self.system.equations).has(names.t):
+            return "undecided"
+        near = (
+            {x: value * (1 + sign * k * LAST_DIGIT) for k, (x, value) in _counted(values)}
+            for sign in (0, 1, -1)
+        )
+        told = {self._told(*self._sides(each)) for each in near}
+        return told.pop() if len(told) == 1 else "undecided"
+
+    def _told(self, M: Any, C: Any, K: Any) -> str:
+        found = _spectrum(M, C, K)
+        none = NEUTRAL * max(map(abs, found))
+        neutral = [s for s in found if abs(s.real) <= NEUTRAL * abs(s) or abs(s) <= none]
+        if any(s.real > 0 and s not in neutral for s in found):
             return "unstable"
-        if np.all(found.real < -(ROUNDING**0.5) * scale):
+        if not neutral:
             return "asymptotically stable"
-        if self._has_potential and self._mass_is_positive(values):
-            K = np.array(self.stiffness.xreplace(values).evalf().tolist(), dtype=float)
-            if np.all(np.linalg.eigvalsh(K) > ROUNDING * max(float(np.abs(K).max()), 1e-300)):
-                return "stable"
-        if np.all(np.abs(found.imag) > ROUNDING**0.5 * scale):
+        if self._has_potential and _positive(M) and _positive(K):
+            return "stable"
+        if all(abs(s) > none for s in neutral) and not any(
+            _grows(s, M, C, K, sum(abs(s - other) <= none for other in neutral)) for s in neutral
+        ):
             return "oscillates"
         return "undecided"
+
+    def _at(self, parameters: Mapping[Any, Any]) -> dict[Expr, Expr]:
+        """Numbers for all letters."""
+        sides = (self.mass, self.damping, self.stiffness, *self.about.values())
+        letters = {*self.system.parameters}.union(*(x.free_symbols for x in sides))
+        values = numbers(sorted(letters, key=str), parameters)
+        for x, value in self.about.items():
+            number = value.xreplace(values).evalf()
+            if not number.is_real:
+                raise RigidtopError(f"there is no such motion: {x} would be {number.evalf(6)}")
+        return values
+
+    def _sides(self, values: Mapping[Expr, Expr]) -> Iterator[Any]:
+        """M, C and K as numbers."""
+        for side in (self.mass, self.damping, self.stiffness):
+            number = side.xreplace(values).evalf(DIGITS)
+            if not all(x.is_real for x in number):
+                raise RigidtopError("the deviations have no real coefficients for these numbers")
+            yield MANY.matrix(number.tolist())
 
     @cached_property
     def _has_potential(self) -> bool:
@@ -104,9 +146,37 @@ class Small:
             and (self.damping + self.damping.T).expand().is_zero_matrix
         )
 
-    def _mass_is_positive(self, values: Mapping[Expr, Expr]) -> bool:
-        M = np.array(self.mass.xreplace(values).evalf().tolist(), dtype=float)
-        return bool(np.all(np.linalg.eigvalsh(M) > 0))
+
+def _counted(values: Mapping[Expr, Expr]) -> Iterator[tuple[int, tuple[Expr, Expr]]]:
+    return enumerate(values.items(), start=1)
+
+
+def _spectrum(M: Any, C: Any, K: Any) -> list[Any]:
+    """The s for which M s² + C s + K is singular, to many digits."""
+    n = M.rows
+    if abs(MANY.det(M)) <= LEFT * MANY.fprod(MANY.norm(M[k, :]) for k in range(n)):
+        raise RigidtopError(
+            "the mass matrix is singular there: choose other coordinates near this motion"
+        )
+    first = MANY.zeros(2 * n)
+    for k in range(n):
+        first[k, n + k] = 1
+        first[n:, k] = -MANY.lu_solve(M, K[:, k])
+        first[n:, n + k] = -MANY.lu_solve(M, C[:, k])
+    found: list[Any] = MANY.eig(first, left=False, right=False)
+    return [MANY.mpc(s) for s in found]
+
+
+def _positive(side: Any) -> bool:
+    """Whether a symmetric matrix is positive definite."""
+    found = MANY.eigsy(side, eigvals_only=True)
+    return bool(min(found) > LEFT * max(map(abs, found)))
+
+
+def _grows(s: Any, M: Any, C: Any, K: Any, times: int) -> bool:
+    """Whether a root that is found several `times` has fewer deviations: some are tⁿe^{st}."""
+    sizes = MANY.svd_c(M * s**2 + C * s + K, compute_uv=False)
+    return sum(size <= NEUTRAL * max(sizes) for size in sizes) < times
 
 
 def balance(system: System, rates: Sequence[Symbol] = ()) -> Matrix:
@@ -195,12 +265,3 @@ def _acts(system: System, x: Symbol) -> bool:
 def _no_rules(system: System) -> None:
     if system.constraints:
         raise RigidtopError("a system with constraints: choose coordinates that need none")
-
-
-def numbers_of(system: System, given: Mapping[Any, Any]) -> dict[Expr, Expr]:
-    """Parameters, by symbol or by name, as numbers for all of them."""
-    names = {getattr(key, "name", key): value for key, value in given.items()}
-    missing = [x.name for x in system.parameters if x.name not in names]
-    if missing:
-        raise RigidtopError(f"no number for {', '.join(missing)}: give {{symbol: number}}")
-    return {x: sympy.Float(checks.number(x.name, names[x.name])) for x in system.parameters}

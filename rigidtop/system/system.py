@@ -15,7 +15,14 @@ from rigidtop.errors import RigidtopError
 from rigidtop.parameters import in_one_line
 from rigidtop.proof import decide
 from rigidtop.system.forms import LARGEST, expanded, grouped, parts_of, readable, short
-from rigidtop.system.names import Names, expression, multipliers, named, own_functions
+from rigidtop.system.names import (
+    Names,
+    expression,
+    multipliers,
+    named,
+    numbers,
+    own_functions,
+)
 from rigidtop.system.parts import Body, Mass, Part, kinetic_energy, potential_energy
 from rigidtop.theory import lagrangian as mechanics
 
@@ -672,9 +679,7 @@ class System:
 
     def numbers_of(self, parameters: Mapping[Any, Any]) -> dict[Expr, Expr]:
         """Numbers for all parameters, which are given by symbol or by name."""
-        from rigidtop.system.steady import numbers_of
-
-        return numbers_of(self, parameters)
+        return numbers(self.parameters, parameters)
 
     def certify(self, parameters: Mapping[Any, Any], seed: int = 0) -> dict[str, float]:
         """How far other ways to q̈ are from Lagrange's, at most, at states that are drawn.
