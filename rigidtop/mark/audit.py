@@ -12,7 +12,7 @@ import re
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import accumulate
+from itertools import accumulate, chain, pairwise
 from typing import Any
 
 import numpy as np
@@ -20,6 +20,10 @@ import sympy
 from sympy import Eq, Symbol
 
 from rigidtop.derivations.letters import LETTERS
+from rigidtop.mark import facts
+from rigidtop.mark.links import Link, number_text, pair_text
+from rigidtop.mark.links import Verdict as LinkVerdict
+from rigidtop.mark.links import judge as judge_in
 from rigidtop.notation import NOTES, Notation
 from rigidtop.present.records import note as said_of
 from rigidtop.present.report import numbers
@@ -741,6 +745,8 @@ def _ruled(equation: Equation, known: _Known, place: int | None) -> Ruling:
         own = _own(known, place)
         return Ruling(own, known=own.verdict is Verdict.FALSE)
     ruling = _judged(equation, _check(known.evidence[place]), known.letters)
+    if ruling.finding is None and equation.relation in ("=", "≡"):
+        ruling = _by_facts(equation, known, place) or ruling
     if isinstance(known.evidence[place], Definition) and ruling.verdict in _HOLDS:
         assert ruling.finding is not None
         return replace(ruling, finding=replace(ruling.finding, verdict=Verdict.DEFINITION))
@@ -755,6 +761,62 @@ def _ruled(equation: Equation, known: _Known, place: int | None) -> Ruling:
         check = replace(own.check, meaning=meant, other_reading=None)
         ruling = _judged(equation, check, known.letters)
     return replace(ruling, instead=printed)
+
+
+def _by_facts(equation: Equation, known: _Known, place: int) -> Ruling | None:
+    """What has symbols that the claim does not know, refuted where they are what the facts say.
+
+    The facts are those in which the claim's own equation holds; moments, masses and lengths of
+    which they do not speak have any value.
+    """
+    printed, check = _equation(known.evidence[place]), _check(known.evidence[place])
+    numbers = symbols_of(equation) & known.letters.numbers
+    for model in chain.from_iterable(facts.families()):
+        if not symbols_of(printed) <= model.symbols():
+            continue
+        if not all(judge_in(link, model).holds for link in _links(printed)):
+            continue
+        free = {x: x for x in numbers - model.symbols()}
+        wide = replace(model, meaning={**model.meaning, **free}) if free else model
+        said = [link for each in _asserted(equation, check) for link in _links(each)]
+        for link, found in [(link, judge_in(link, wide)) for link in said]:
+            if found.holds is False and found.at is not None:
+                false = Finding(replace(check, claimed=equation), Verdict.FALSE)
+                return Ruling(false, _at(link, found))
+        meant = {x: model.value(x) for x in sorted(numbers, key=str)}
+        equal = {x: of for x, of in meant.items() if of.is_Symbol and of != x}
+        if equal and all(judge_in(link, wide).holds for link in said):
+            where = ", ".join(f"{text(x)} = {text(of)}" for x, of in equal.items())
+            return Ruling(None, f"it holds where {where}, which the claim does not say")
+        return None
+    return None
+
+
+def _at(link: Link, found: LinkVerdict) -> str:
+    """A motion at which two sides differ, in words."""
+    assert found.at is not None
+    sides = [side for side in (link.left, link.right) if side is not None]
+    typed = sorted(set().union(*(side.free_symbols for side in sides)), key=str)
+    point = {x: found.at.point.get(x, found.at.meaning.get(x)) for x in typed} | {
+        x: v for x, v in found.at.point.items() if any(_is_spatial(y) for y in typed)
+    }
+    values = ", ".join(
+        f"{text(x)} = {number_text(v)}"
+        for x, v in point.items()
+        if v is not None and not isinstance(v, sympy.MatrixBase)
+    )
+    left, right = pair_text(found.left, found.right), pair_text(found.right, found.left)
+    return f"{f'at {values}: ' * bool(values)}the left side is {left}, the right side {right}"
+
+
+def _is_spatial(symbol: Any) -> bool:
+    return kind(symbol) != "scalar"
+
+
+def _links(equation: Equation) -> list[Link]:
+    return [
+        Link(left, None if right == const else right) for left, right in pairwise(equation.sides)
+    ]
 
 
 def _extra(equation: Equation, known: _Known) -> Ruling:

@@ -264,6 +264,8 @@ def _top(on_shell: bool) -> Model:
         s.omega3dot: total_derivative(omega[2], rates),
         s.omega_vec: omega,
         s.L_vec: momentum,
+        s.L1: s.lambda1 * body[0],
+        s.L2: s.lambda1 * body[1],
         s.L_vecdot: seen_from_space(momentum),
         s.e3dot: seen_from_space(axes[s.e3]),
         s.L3: momentum[2],
@@ -402,8 +404,13 @@ def _picture() -> Model:
     precession = s.M * s.g * s.R / (s.lambda3 * s.omega3)
     torque = s.M * s.g * s.R * vertical.cross(axis)
     turning = precession * vertical
+    attitude = euler_matrix()
     meaning: dict[Any, Any] = {
+        s.e1: attitude[:, 0],
+        s.e2: attitude[:, 1],
         s.e3: axis,
+        s.omega1: Integer(0),
+        s.omega2: Integer(0),
         s.e3dot: turning.cross(axis),
         s.xhat: Matrix([1, 0, 0]),
         s.yhat: Matrix([0, 1, 0]),

@@ -424,7 +424,8 @@ class Own(Scan):
             return False
         commas = sum(piece.text == "," for piece in self.items[at:end])
         behind = [piece.text for piece in self.items[end + 1 : end + 2]]
-        raised = behind == ["^"] and _plain(self.items[end + 2]) in scan._TRANSPOSED
+        above = "".join(map(_plain, self.items[end + 2 : end + 3]))
+        raised = behind == ["^"] and above in scan._TRANSPOSED
         return raised or (commas == 2 and self.commas(at))
 
     def sign(self) -> Iterator[Token]:
@@ -601,7 +602,10 @@ class Own(Scan):
                 break
         if above is not None and lower is None:
             raise UnreadError("a sum with an end and no start", position)
-        yield Token("INDEX", _said(index), position)
+        said = _said(index)
+        if below is not None and not said.strip("_ "):
+            raise UnreadError("a sum whose index is no letter", position)
+        yield Token("INDEX", said, position)
         for part in (lower, above):
             if part is not None:
                 yield from self.braced(part, position)

@@ -120,8 +120,33 @@ def test_the_changed_files_are_many():
     assert SOURCE not in files
 
 
+OPEN = {
+    "3.33": 2,
+    "3.35": 2,
+    "3.40": 2,
+    "3.41": 1,
+    "3.42": 1,
+    "3.43": 1,
+    "3.44": 2,
+    "3.49": 1,
+    "3.50": 3,
+    "3.51": 3,
+    "3.52": 2,
+    "3.53": 2,
+    "3.54": 2,
+    "3.55": 1,
+    "3.57": 7,
+}
+"""How many changes of an equation may come back undecided or unread."""
+
+
+def test_nearly_all_changes_are_found_false():
+    assert 10 * sum(OPEN.values()) < sum(1 for number in NUMBERS for _ in changed(number))
+
+
 @pytest.mark.parametrize("number", NUMBERS)
 def test_a_change_is_told_at_its_equation_and_nowhere_else(number, memo, unchanged):
+    left = 0
     for change, text in changed(number):
         found = audit(text, PAGES, memo=memo)
         assert [each.number for each in found] == NUMBERS, change
@@ -134,6 +159,8 @@ def test_a_change_is_told_at_its_equation_and_nowhere_else(number, memo, unchang
                 assert new.verdict in ("false", "undecided", UNREAD), (change, new.verdict)
                 assert not new.passed, change
                 assert new.note, change
+                left += new.verdict != "false"
+    assert left <= OPEN.get(number, 0)
 
 
 # Whether a change changes anything, found without the claims: by numbers.
@@ -235,8 +262,16 @@ def test_numbers_tell_what_says_the_same():
         ("3.99", "T = T", UNKNOWN, "no claim of this number"),
         ("3.44", r"T = \qux", UNREAD, r"column 7: \qux"),
         ("3.38", r"\boldsymbol{\omega} = [\omega_0, 0, \omega_3]", "false", "a vector and a row"),
-        ("3.40", r"\Omega_b = \omega_3 \lambda_2", "undecided", "does not say what λ₂ is"),
-        ("3.41", r"\boldsymbol{\omega} = \mathbf{L}", "undecided", "does not say what L is"),
+        ("3.40", r"\Omega_b = \omega_3 \lambda_2", "false", "λ₂ = 1, ω₃ = 2: the left side is 0"),
+        (
+            "3.54",
+            r"\lambda_2\ddot\theta = \lambda_1\dot\phi^2\sin\theta\cos\theta"
+            r" - \lambda_3(\dot\psi + \dot\phi\cos\theta)\dot\phi\sin\theta + MgR\sin\theta",
+            "undecided",
+            "it holds where λ₂ = λ₁, which the claim does not say",
+        ),
+        ("3.33", r"\dot{\mathbf L} = \mathbf{e}_1", "undecided", "does not say what e₁ is"),
+        ("3.41", r"\boldsymbol{\omega} = \mathbf{L}", "false", "at M = 1, R = 1"),
         ("3.40", r"\Omega_b = \text{const}", "undecided", "no meaning in this claim"),
         ("3.40", r"\Omega_b \approx \omega_3", "undecided", "no meaning in this claim"),
         ("3.55", r"p_\phi = \lambda_3", "false", "the claim has p_φ ="),

@@ -122,6 +122,10 @@ ASKED = {
     r"a = 1/2 b": "above or below",
     r"x(t + T) = x(t)": "at the time in brackets, or times it",
     r"力 = m a": "words inside a formula",
+    # what mutations of real files found
+    r"\sum_{ij}__{ij} q = 0": "a sum whose index is no letter",
+    r"\sum_\vec _iy_i = x\cdot y": "a sum whose index is no letter",
+    r"\int_{[3]^}^\infty dx = 0": "^ without what it is to act on",
 }
 
 
