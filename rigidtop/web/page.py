@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import re
+from base64 import b64encode
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from html import escape
@@ -56,7 +58,7 @@ def page(kind: str, first: Preset | None = None, height: int = Page.height) -> P
     parts = {
         "title": escape(title),
         "style": "\n".join((FOLDER / f"{name}.css").read_text("utf-8") for name in STYLES),
-        "three": three(),
+        "three": b64encode(gzip.compress(three().encode(), mtime=0)).decode(),
         "importmap": _json({"imports": dict(modules())}),
         "data": _json(data(kind, title, presets, shown)),
     }

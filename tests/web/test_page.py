@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import re
+from base64 import b64decode
 from html.parser import HTMLParser
 from urllib.parse import unquote
 
@@ -72,6 +74,12 @@ def test_nothing_is_loaded_from_elsewhere(written):
             target = attrs.get(name, "")
             assert not target or target.startswith(("#", "data:,")), (tag, target)
         assert not [name for name in attrs if name.startswith("on")], tag
+
+
+def test_the_page_is_small_and_holds_three_js_whole(written):
+    assert len(written.encode()) < 700_000
+    (packed,) = [t for attrs, t in Elements(written).scripts if attrs.get("id") == "three"]
+    assert gzip.decompress(b64decode(packed)).decode() == pages.three()
 
 
 def test_no_own_module_asks_for_anything():
@@ -188,7 +196,7 @@ def test_a_page_in_a_notebook_is_one_frame():
     assert frame[1]["srcdoc"] == made.html
     assert frame[1]["style"].endswith("height:500px")
     assert frame[1]["title"] == "The free body, live"
-    assert repr(made) == "Page(title='The free body, live', height=500)"  # not its megabyte
+    assert repr(made) == "Page(title='The free body, live', height=500)"  # not its half megabyte
 
 
 def test_without_three_js_one_line_says_what_to_install(monkeypatch):
