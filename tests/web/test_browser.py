@@ -673,6 +673,30 @@ def test_the_map_of_starts_sets_both(live):
     assert not live.find("#regimes").is_displayed()
 
 
+def test_omega_is_dragged_across_the_separatrix(live):
+    live.open(FREE, "#preset=largest&play=0")
+    moments = [live.values[f"lambda{k}"] for k in (1, 2, 3)]
+    energy = np.dot(moments, [live.values[f"omega{k}"] ** 2 for k in (1, 2, 3)])
+    box = live.find("#regimes canvas")
+    hand = ActionChains(live.driver, duration=0)
+    hand.move_to_element_with_offset(box, 0, -60).click_and_hold()
+    hand.move_by_offset(-60, 80).release().perform()
+    live.wait("document.querySelector('.verdict').textContent.includes('goes round e₁')")
+    omega = [live.values[f"omega{k}"] for k in (1, 2, 3)]
+    assert np.dot(moments, np.square(omega)) == pytest.approx(energy, rel=1e-12)
+    # Near the separatrix ω is taken onto it: halfway between e₂ and the plane across e₂.
+    front = np.array([0.52, 0.74, 0.42]) / np.linalg.norm([0.52, 0.74, 0.42])
+    up = np.array([0, 0, 1]) - front[2] * front
+    up /= np.linalg.norm(up)
+    u = np.array([math.sqrt(moments[2] - moments[1]), 0, math.sqrt(moments[1] - moments[0])])
+    u = (u / np.linalg.norm(u) + (0, 1, 0)) / math.sqrt(2)
+    em = float(box.value_of_css_property("font-size").removesuffix("px"))
+    radius = min(box.size["width"] / 2 - 2 * em, box.size["height"] / 2 - 1.9 * em)
+    x, y = radius * np.cross(up, front) @ u + 2, 0.3 * em - radius * up @ u
+    hand.move_to_element_with_offset(box, round(x), round(y)).click().perform()
+    live.wait("document.querySelector('.verdict').textContent.includes('on the separatrix')")
+
+
 def test_embedded_only_the_picture_and_time_are_left(live):
     live.open(HEAVY, "#preset=loops&embed=1&play=0")
     assert live.find("#scene canvas").is_displayed()

@@ -53,3 +53,23 @@ def test_the_period_is_that_of_the_closed_form(curves, moments, omega):
     turn = motion.exact([0.0, found]).omega
     assert np.allclose(turn[0], turn[1], atol=1e-7 * np.linalg.norm(omega))
     assert math.isclose(found, 2 * motion.nutation_period, rel_tol=1e-8) or len({*moments}) == 2
+
+
+@settings(max_examples=60)
+@given(st.sampled_from(BODIES[:3]), st.lists(st.floats(-4, 4), min_size=3, max_size=3))
+def test_the_next_flip_is_where_the_middle_component_vanishes(curves, moments, omega):
+    assume(min(map(abs, omega)) > 0.01)
+    motion = rt.FreeBody(*moments).motion(omega=omega)
+    assume(motion.regime not in ("separatrix", "steady"))
+    until, nearest = curves.run(
+        "[untilFlip(moments, omega), nearestToMiddle(moments, omega)]",
+        moments=moments, omega=omega,
+    )  # fmt: skip
+    middle = np.argsort(moments)[1]
+    assert 0 < until <= motion.nutation_period * (1 + 1e-9)
+    along = motion.exact(np.linspace(0, until, 400)).omega[:, middle]
+    assert abs(along[-1]) < 1e-7 * np.linalg.norm(omega)
+    assert np.all(np.sign(along[:-1]) == np.sign(along[0]))
+    whole = motion.exact(np.linspace(0, 2 * motion.nutation_period, 4000)).omega
+    share = np.abs(whole[:, middle]) * moments[middle] / np.linalg.norm(whole * moments, axis=1)
+    assert math.isclose(math.cos(nearest), share.max(), abs_tol=1e-5)

@@ -45,7 +45,7 @@ const LAYERS = /** @type {const} */ ([
   ["omega", "ω"],
   ["L", "L"],
   ["torque", "torque N"],
-  ["trail", "trail of e₃"],
+  ["trail", "trail"],
   ["cones", "cones"],
   ["poinsot", "Poinsot"],
 ]);

@@ -123,6 +123,31 @@ export function scale({ low, high }, from, to) {
 }
 
 /**
+ * Tell `moved` where a finger or the mouse is, in pixels from the corner of the container, as long
+ * as it is down; returns whether it is.
+ *
+ * @param {HTMLElement} container
+ * @param {(x: number, y: number, event: PointerEvent) => void} moved
+ */
+export function listenToHand(container, moved) {
+  let down = false;
+  const tell = (/** @type {PointerEvent} */ event) => {
+    const frame = container.getBoundingClientRect();
+    moved(event.clientX - frame.left, event.clientY - frame.top, event);
+  };
+  container.addEventListener("pointerdown", (event) => {
+    down = true;
+    container.setPointerCapture(event.pointerId);
+    tell(event);
+  });
+  container.addEventListener("pointermove", (event) => down && tell(event));
+  for (const name of ["pointerup", "pointercancel"]) {
+    container.addEventListener(name, () => (down = false));
+  }
+  return () => down;
+}
+
+/**
  * A canvas that fills its container, in device pixels, and is drawn anew when its size changes.
  *
  * @param {HTMLElement} container

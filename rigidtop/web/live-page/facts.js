@@ -11,7 +11,7 @@ import {
   steadyRates,
 } from "./equations.js";
 import { quantities } from "./motion.js";
-import { agm, polhodePeriod } from "./polhode.js";
+import { agm, nearestToMiddle, NEARLY_ALONG, polhodePeriod } from "./polhode.js";
 
 /** @typedef {import("./types").Facts} Facts */
 /** @typedef {import("./types").Motion} Motion */
@@ -25,9 +25,6 @@ const NEARLY_UPRIGHT = 0.1;
 
 /** A nutation by less is called hardly any (rad). */
 const HARDLY_SEEN = 0.01;
-
-/** So near the intermediate axis a body is thought to spin about it (rad). */
-const NEARLY_ALONG = 0.45;
 
 /**
  * All that is known of a motion at its start.
@@ -339,7 +336,7 @@ function freeFacts(motion) {
   const time = motion.setup.clock === "d" ? "days" : "s";
   const period = polhodePeriod(motion.moments, twiceT, L2);
   const flips =
-    Math.atan(across(middle) * length / Math.abs(L[middle])) < NEARLY_ALONG
+    nearestToMiddle(motion.moments, omega) < NEARLY_ALONG
       ? `It flips: it spins about ${axis(middle)}, the axis of the intermediate moment, and ` +
         `turns over every ${number(period / 2)} ${time}. `
       : "";

@@ -21,6 +21,7 @@ import { factsOf } from "./facts.js";
 import { createKeys } from "./keys.js";
 import { createMeter } from "./meter.js";
 import { createMotion } from "./motion.js";
+import { createPolhodeMap } from "./polhode_map.js";
 import { createPotentialPlot } from "./potential_plot.js";
 import { createRegimeMap } from "./regime_map.js";
 import { createScene } from "./scene.js";
@@ -101,9 +102,14 @@ const picture = find("scene");
 const scene = sceneIn(picture);
 const plots = createTimePlots(find("plots"), readColours());
 const potential = createPotentialPlot(find("potential"), readColours());
-const regimes = createRegimeMap(find("regimes"), readColours(), (phidot, omega3) => {
-  sliders.setAll({ phi_dot: phidot, omega3 });
-});
+const map =
+  data.kind === "free"
+    ? createPolhodeMap(find("regimes"), readColours(), ([omega1, omega2, omega3]) => {
+        sliders.setAll({ omega1, omega2, omega3 });
+      })
+    : createRegimeMap(find("regimes"), readColours(), (phidot, omega3) => {
+        sliders.setAll({ phi_dot: phidot, omega3 });
+      });
 const meter = createMeter(find("meter"));
 const equations = createEquationPanel(find("equations"), data.equations);
 
@@ -370,7 +376,7 @@ function begin(next) {
   scene?.setMotion(motion, state.shape);
   plots.setMotion(motion);
   potential.setMotion(motion);
-  regimes.setMotion(motion);
+  map.setMotion(motion);
   wake();
 }
 
@@ -428,7 +434,7 @@ function showTheme() {
   scene?.setColours(colours);
   plots.setColours(colours);
   potential.setColours(colours);
-  regimes.setColours(colours);
+  map.setColours(colours);
   wake();
 }
 
@@ -530,6 +536,7 @@ function draw(now) {
   scene?.draw(sample, preview ? mirrored : trail);
   plots.draw(sample, trail);
   potential.draw(sample);
+  map.draw(sample);
   meter.draw(motion.drift());
   equations.draw(sample, motion);
   const step = STEP * motion.timescale;

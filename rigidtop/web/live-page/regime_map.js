@@ -1,7 +1,8 @@
 /** The map of starts as a control: φ̇₀ across, ω₃ up, one point to drag. */
 
-import { atMostEvery, createPaper, drawAlongAxis, drawUpAxis, nice, scale, significant,
-  write } from "./axes.js";
+import { atMostEvery, createPaper, drawAlongAxis, drawUpAxis, listenToHand, nice, scale,
+  significant, write } from "./axes.js";
+import { drawDot } from "./curves.js";
 import { smallestSpin, steadyRates } from "./equations.js";
 import { quantities } from "./motion.js";
 import { backwards } from "./regimes.js";
@@ -31,7 +32,6 @@ export function createRegimeMap(container, colours, chosen) {
   let across = { low: -1, high: 1 };
   /** @type {Range} */
   let up = { low: -1, high: 1 };
-  let dragging = false;
   /** @type {Box | null} */
   let box = null;
   let em = 16;
@@ -40,7 +40,7 @@ export function createRegimeMap(container, colours, chosen) {
   [cells.width, cells.height] = CELLS;
   let made = "";
 
-  container.classList.add("regime-map");
+  container.classList.add("start-map");
   const paper = createPaper(container, redraw);
   const redrawSoon = atMostEvery(28, redraw);
 
@@ -153,48 +153,31 @@ export function createRegimeMap(container, colours, chosen) {
   }
 
   function point(
-    /** @type {import("./axes.js").Paper} */ { ctx }, /** @type {Box} */ place,
+    /** @type {import("./axes.js").Paper} */ { ctx, em }, /** @type {Box} */ place,
   ) {
     if (!shown) return;
     const x = scale(across, place.left, place.right)(shown.phidot);
     const y = scale(up, place.bottom, place.top)(shown.omega3);
-    ctx.beginPath();
-    ctx.arc(x, y, 0.5 * em, 0, 2 * Math.PI);
-    ctx.fillStyle = colours.ink;
-    ctx.fill();
-    ctx.strokeStyle = colours.paper;
-    ctx.lineWidth = 2;
-    ctx.stroke();
+    drawDot(ctx, x, y, 1.4 * em, colours, colours.ink);
   }
 
   /** Where the pointer is, on a branch if it is near one. */
-  function choose(/** @type {PointerEvent} */ event) {
+  const dragging = listenToHand(container, (atX, atY, { shiftKey }) => {
     if (!box || !shown) return;
-    const frame = container.getBoundingClientRect();
     const clip = (/** @type {number} */ value, /** @type {Range} */ { low, high }) =>
       Math.min(Math.max(value, low), high);
     const x = scale({ low: box.left, high: box.right }, across.low, across.high);
     const y = scale({ low: box.bottom, high: box.top }, up.low, up.high);
-    const omega3 = Number(clip(y(event.clientY - frame.top), up).toPrecision(3));
-    let phidot = Number(clip(x(event.clientX - frame.left), across).toPrecision(3));
+    const omega3 = Number(clip(y(atY), up).toPrecision(3));
+    let phidot = Number(clip(x(atX), across).toPrecision(3));
     const reach = (CATCH * em * (across.high - across.low)) / (box.right - box.left);
     const side = omega3 < 0 ? -1 : 1;
     const marks = [0, ...steady(Math.abs(omega3)).map((rate) => side * rate)]
       .filter((rate) => Number.isFinite(rate) && Math.abs(rate - phidot) < reach)
       .sort((one, other) => Math.abs(one - phidot) - Math.abs(other - phidot));
-    if (!event.shiftKey && marks.length > 0) [phidot] = marks;
+    if (!shiftKey && marks.length > 0) [phidot] = marks;
     chosen(phidot, omega3);
-  }
-
-  container.addEventListener("pointerdown", (event) => {
-    dragging = true;
-    container.setPointerCapture(event.pointerId);
-    choose(event);
   });
-  container.addEventListener("pointermove", (event) => dragging && choose(event));
-  for (const name of ["pointerup", "pointercancel"]) {
-    container.addEventListener(name, () => (dragging = false));
-  }
 
   return {
     /**
@@ -213,9 +196,11 @@ export function createRegimeMap(container, colours, chosen) {
         ? null
         : { top: { M, R, g, lambda1, lambda3 }, theta, phidot, omega3, unit: `rad/${setup.clock}` };
       // While the point is dragged the map stays under it.
-      if (shown && !dragging) fit();
+      if (shown && !dragging()) fit();
       redrawSoon();
     },
+    /** One frame: the start stays where it is. */
+    draw() {},
     /**
      * Another theme.
      *

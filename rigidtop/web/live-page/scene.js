@@ -335,7 +335,7 @@ export function createScene(container, colours) {
     pointTo(momentum.arrow, now.momentum, scales.momentum);
     pointTo(torque.arrow, now.torque, scales.torque);
 
-    if (dome.visible) trace.draw(now, past, trailOf(motion, view), 1);
+    if (dome.visible) trace.draw(now, past, trailOf(motion, view, layers), 1);
     if (layers.has("cones") && !cones.draw(now, past)) touch();
     if (construction) poinsot.draw(now, past);
 
@@ -456,17 +456,22 @@ function pointTo(
 }
 
 /**
- * The direction whose trail is drawn.  Seen from the body, e₃ rests and leaves none: there it is
- * the vertical that wanders for a heavy body, and the axis of rotation for a free one.
+ * The direction whose trail is drawn: of the body's axes the last whose arrow is.  Seen from the
+ * body these rest: there it is the vertical that wanders for a heavy body, and the axis of rotation
+ * for a free one.
  */
-function trailOf(/** @type {Motion} */ { setup }, /** @type {View} */ view) {
-  if (view === "space") return figureAxis;
-  return setup.kind === "free" ? rotationAxis : vertical;
+function trailOf(
+  /** @type {Motion} */ { setup }, /** @type {View} */ view, /** @type {ReadonlySet<Layer>} */ shown,
+) {
+  if (view === "body") return setup.kind === "free" ? rotationAxis : vertical;
+  return shown.has("e3") ? e3Axis : shown.has("e2") ? e2Axis : shown.has("e1") ? e1Axis : e3Axis;
 }
 
-function figureAxis(/** @type {Sample} */ { e3 }, /** @type {THREE.Vector3} */ out) {
-  out.set(e3[0], e3[1], e3[2]);
-}
+const [e1Axis, e2Axis, e3Axis] = [0, 1, 2].map(
+  (k) => (/** @type {Sample} */ { rotation }, /** @type {THREE.Vector3} */ out) => {
+    out.set(rotation[k], rotation[3 + k], rotation[6 + k]);
+  },
+);
 
 function rotationAxis(/** @type {Sample} */ { omega }, /** @type {THREE.Vector3} */ out) {
   out.set(omega[0], omega[1], omega[2]).normalize();
