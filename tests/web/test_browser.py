@@ -342,7 +342,7 @@ def test_the_address_brings_back_what_is_shown(live):
     )
     for part in ("preset=loops", "theta=35.5deg", "omega3=", "view=body", "layers=e1,e3"):
         assert part in hash
-    looks = "[...document.querySelectorAll('#looks :checked')].map((x) => x.value)"
+    looks = "[...document.querySelectorAll('#looks input:checked')].map((x) => x.value)"
     shown = live.js(looks)
     live.open(HEAVY, hash)
     live.wait("rigidtop.motion.now.t > 0")
@@ -695,6 +695,57 @@ def test_omega_is_dragged_across_the_separatrix(live):
     x, y = radius * np.cross(up, front) @ u + 2, 0.3 * em - radius * up @ u
     hand.move_to_element_with_offset(box, round(x), round(y)).click().perform()
     live.wait("document.querySelector('.verdict').textContent.includes('on the separatrix')")
+
+
+APART = """
+const done = arguments[0];
+Promise.all(["ghost", "motion", "facts"].map((name) => import(`rigidtop/${name}.js`)))
+  .then(([{ apart, ghostValues }, { createMotion }, { factsOf }]) => {
+    const { motion } = rigidtop;
+    const { tableau } = JSON.parse(document.getElementById("data").textContent);
+    const values = ghostValues("other", motion.setup.values, factsOf(motion));
+    const ghost = createMotion({ ...motion.setup, values }, tableau, motion.timescale);
+    motion.go(3), ghost.go(3);
+    const same = ghost.trail.every(({ t }, k) => t === motion.trail[k].t);
+    done([values.phi_dot, apart("heavy-top")(motion.now, ghost.now), same]);
+  });
+"""
+
+
+def test_the_ghost_has_one_setting_changed(live):
+    live.open(HEAVY, "#preset=slow&play=0")
+    alone = settled(live)
+    live.open(HEAVY, "#preset=slow&play=0&ghost=other&plot=energy")
+    live.wait(lambda: np.abs(np.asarray(picture(live), float) - alone).max() > 100)
+    rate, apart, same = live.driver.execute_async_script(APART)
+    slow, fast = TOP.steady_precession(TILT, SPIN)
+    assert rate == pytest.approx(fast, rel=1e-12)
+    tips = [TOP.motion(theta=TILT, phi_dot=r, omega3=SPIN).exact([3.0]).e3[0] for r in (slow, fast)]
+    assert math.cos(apart) == pytest.approx(tips[0] @ tips[1], abs=1e-9)
+    assert same
+    pick = "[...document.querySelectorAll('.pick select')].map((x) => x.value)"
+    assert live.js(pick) == ["energy", "other"]
+    live.show(HEAVY, "#preset=sleeping&theta=20deg&omega3=1&play=0&ghost=other")
+    assert "this top has no steady precession" in live.find("#notice").text
+    live.show(HEAVY, "#ghost=nobody&plot=__proto__&play=0")
+    assert "ghost=nobody, which is none of" in live.find("#notice").text
+
+
+@pytest.mark.parametrize(("kind", "plot"), [(HEAVY, "path"), (HEAVY, "energy"), (FREE, "angles")])
+def test_what_is_plotted_is_said(live, kind, plot):
+    live.open(kind, f"{STILL}&plot={plot}&t=1&ghost=larger")
+    live.wait("rigidtop.motion.now.t === 1")
+    said = live.wait(lambda: "At t = 1" in (text := aria(live)) and text)
+    sample = live.js("rigidtop.motion.now")
+    if plot == "energy":
+        assert f"E = {sample['energy']:.4g}"[:8] in said
+    else:
+        assert f"θ = {math.degrees(sample['theta']):.2f}°" in said
+    assert said.startswith("θ against φ" if plot == "path" else "Against time")
+
+
+def aria(live):
+    return live.js("document.querySelector('#plots canvas').ariaLabel") or ""
 
 
 def test_embedded_only_the_picture_and_time_are_left(live):

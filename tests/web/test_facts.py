@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -83,6 +84,18 @@ def test_special_starts(engine, tableau, state, regime):
     assert found["regime"] == regime == WORDS.get(motion.regime, motion.regime)
 
 
+@settings(max_examples=60)
+@given(st.floats(0.02, 3.1), st.floats(-8, 8), st.floats(-30, 30))
+def test_the_mean_precession_is_that_of_the_closed_form(engine, tableau, theta, phi_dot, omega3):
+    motion = TOP.motion(theta=theta, phi_dot=phi_dot, omega3=omega3)
+    assume(motion.regime in ("waves", "loops", "cusps"))
+    said = facts(engine, motion)["verdict"]
+    assume("on average" in said)
+    found = float(re.search(r"([-−.e\d]+) rad/s on average", said)[1].replace("−", "-"))
+    expected = motion.precession_per_period / motion.nutation_period
+    assert math.isclose(found, expected, rel_tol=6e-4, abs_tol=1e-9)
+
+
 @pytest.mark.parametrize("which", [0, 1])
 @pytest.mark.parametrize("omega3", [7.0, -7.0, 12.0, 40.0])
 def test_both_steady_rates_are_steady(engine, tableau, which, omega3):
@@ -99,7 +112,7 @@ def test_both_steady_rates_are_steady(engine, tableau, which, omega3):
 def test_the_nutation_has_its_period_in_words(engine, tableau):
     motion = TOP.motion(theta=0.5, phi_dot=-1.0, omega3=12.0)
     said = facts(engine, motion)["verdict"]
-    assert f" every {motion.nutation_period:.4g} s, and φ̇ changes sign." in said
+    assert f" every {motion.nutation_period:.4g} s, and φ̇ changes sign: " in said
     held = TOP.motion(theta=math.radians(1), omega3=1.2 * TOP.sleeping_spin())
     least, most = (math.degrees(angle) for angle in held.turning_points)
     assert least == pytest.approx(1)
@@ -178,7 +191,7 @@ def test_presets_are_what_their_names_say(engine, tableau):
         ({"theta": 0.0, "omega3": 6.0}, "with ω₃ = 6 rad/s it falls at the slightest push."),
         # 2λ₁MgR sin θ/(λ₃ω₃)² is 0.000686327 degrees.
         ({"theta": 0.5, "omega3": 1e3}, "It precesses, and nods by no more than 0.0006863° every "
-         "0.01167 s (cusps). "),
+         "0.01167 s (cusps): 0.006727 rad/s on average. "),
     ],
 )  # fmt: skip
 def test_the_verdict(engine, tableau, state, says):

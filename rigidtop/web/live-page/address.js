@@ -6,7 +6,9 @@
  */
 
 import { limits, numberFrom, shown } from "./controls.js";
+import { ghostsOf } from "./ghost.js";
 import { THEMES } from "./theme.js";
+import { plotsOf } from "./time_plots.js";
 
 /** @typedef {import("./types").PageData} PageData */
 /** @typedef {import("./types").Preset} Preset */
@@ -31,6 +33,8 @@ import { THEMES } from "./theme.js";
  * @property {Shape} shape
  * @property {number} speed Times the speed of the preset.
  * @property {Theme | null} theme
+ * @property {string} plot
+ * @property {string} ghost The change that the ghost has, or "" for none.
  * @property {boolean} embed Without all that stands around the picture, for a frame.
  */
 
@@ -91,6 +95,8 @@ export function stateOf(preset) {
     shape: preset.shape,
     speed: 1,
     theme: null,
+    plot: plotsOf(preset.setup.kind)[0][0],
+    ghost: "",
     embed: false,
   };
 }
@@ -171,6 +177,8 @@ export function writeAddress(state, data) {
   if (state.shape !== preset.shape) parts.push(`shape=${state.shape}`);
   if (state.speed !== 1) parts.push(`speed=${state.speed}`);
   if (state.theme !== null) parts.push(`theme=${state.theme}`);
+  if (state.plot !== stateOf(preset).plot) parts.push(`plot=${state.plot}`);
+  if (state.ghost) parts.push(`ghost=${state.ghost}`);
   if (state.embed) parts.push("embed=1");
   return `#${parts.join("&")}`;
 }
@@ -232,6 +240,14 @@ const LOOKS = {
   play(text, state, _data, complaints) {
     const word = oneOf("play", text, ["0", "1"], null, complaints);
     if (word !== null) state.play = word === "1";
+  },
+  plot(text, state, data, complaints) {
+    const plots = plotsOf(data.kind).map(([name]) => name);
+    state.plot = oneOf("plot", text, plots, state.plot, complaints) ?? state.plot;
+  },
+  ghost(text, state, data, complaints) {
+    const ghosts = ghostsOf(data.kind).map(([name]) => name);
+    state.ghost = oneOf("ghost", text, ghosts, null, complaints) ?? "";
   },
   embed(text, state, _data, complaints) {
     state.embed = oneOf("embed", text, ["0", "1"], null, complaints) === "1";

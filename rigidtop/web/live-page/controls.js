@@ -537,3 +537,25 @@ export function createChoice(container, label, names, changed) {
     },
   };
 }
+
+/**
+ * One of a list, folded.
+ *
+ * @param {HTMLElement} container
+ * @param {string} label
+ * @param {readonly (readonly [string, string])[]} names Each with its words.
+ * @param {(chosen: string) => void} changed
+ */
+export function createPick(container, label, names, changed) {
+  const select = element(
+    "select", {}, ...names.map(([name, words]) => element("option", { value: name }, words)),
+  );
+  select.addEventListener("change", () => changed(select.value));
+  container.append(element("label", { class: "pick" }, `${label} `, select));
+  return {
+    /** @param {string} chosen */
+    show(chosen) {
+      select.value = chosen;
+    },
+  };
+}

@@ -16,8 +16,9 @@ import { line, scale } from "./axes.js";
  * Of the samples that share a column of pixels it takes the first, the last, the least and the
  * largest: the picture is the same, and there are never more points than the canvas can show.
  *
+ * @template {{ t: number }} S
  * @param {Paper} sheet @param {Box} box @param {Range} times @param {Range} range
- * @param {readonly Sample[]} samples @param {Sample} now @param {Quantity} of
+ * @param {readonly S[]} samples @param {S} now @param {(sample: S) => number} of
  * @param {Colours} colours @param {string} colour
  */
 export function drawCurve({ ctx, em }, box, times, range, samples, now, of, colours, colour) {
@@ -72,6 +73,28 @@ export function drawCurve({ ctx, em }, box, times, range, samples, now, of, colo
     if (largest > Math.max(firstY, lastY)) ctx.lineTo(lastX, largest);
     ctx.lineTo(lastX, lastY);
   }
+}
+
+/**
+ * A curve through places, with the newest of them last; thin if it is still to come.
+ *
+ * @param {Paper} sheet @param {Box} box @param {readonly Sample[]} samples @param {Sample} now
+ * @param {(sample: Sample) => [number, number]} place @param {Colours} colours
+ * @param {string} colour
+ */
+export function drawPath({ ctx, em }, box, samples, now, place, colours, colour) {
+  const toCome = samples.length > 0 && samples[samples.length - 1].t > now.t;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(box.left, box.top, box.right - box.left, box.bottom - box.top);
+  ctx.clip();
+  ctx.strokeStyle = colour;
+  ctx.lineWidth = (toCome ? 0.08 : 0.14) * em * (colours.highContrast ? 1.4 : 1);
+  ctx.beginPath();
+  for (const sample of samples) ctx.lineTo(...place(sample));
+  if (!toCome) ctx.lineTo(...place(now));
+  ctx.stroke();
+  ctx.restore();
 }
 
 /**

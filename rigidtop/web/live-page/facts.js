@@ -19,6 +19,7 @@ import { agm, nearestToMiddle, NEARLY_ALONG, polhodePeriod } from "./polhode.js"
 /** What rounding of the initial state does to what decides the regime. */
 const ROUNDING = 1e-11;
 const BISECTIONS = 100;
+const MIDPOINTS = 2000;
 
 /** What sleeping and waking are about (rad). */
 const NEARLY_UPRIGHT = 0.1;
@@ -43,10 +44,11 @@ export function factsOf(motion) {
         "general only the energy and p_φ are conserved.";
     return { ...none, regime: "no symmetry", verdict };
   }
-  const { regime, turningPoints, nutationPeriod } = regimeOf(motion);
+  const nutation = regimeOf(motion);
+  const { regime, turningPoints } = nutation;
   const facts = steadyFacts(motion);
   const spins = Math.abs(motion.start.omega[2]) >= (facts.sleepingSpin ?? Infinity);
-  const words = inWords({ regime, turningPoints, nutationPeriod }, spins);
+  const words = inWords(nutation, spins);
   return { regime, turningPoints, ...facts, verdict: `${words}${facts.verdict}` };
 }
 
@@ -67,11 +69,12 @@ export function potentialOf(motion) {
  * @param {ReturnType<typeof regimeOf>} of
  * @param {boolean} asleep whether it spins fast enough to sleep upright
  */
-function inWords({ regime, turningPoints, nutationPeriod }, asleep) {
+function inWords({ regime, turningPoints, nutationPeriod, meanPrecession }, asleep) {
   const degrees = (/** @type {number} */ angle) => `${number((angle * 180) / Math.PI)}°`;
   const [least, most] = turningPoints.map(degrees);
   const size = turningPoints[1] - turningPoints[0];
   const every = Number.isFinite(nutationPeriod) ? ` every ${number(nutationPeriod)} s` : "";
+  const rate = `${number(meanPrecession)} rad/s on average`;
   const swings = ["waves", "cusps", "loops"].includes(regime);
   if (swings && turningPoints[0] < NEARLY_UPRIGHT) {
     if (asleep && turningPoints[1] < 2 * NEARLY_UPRIGHT) {
@@ -82,7 +85,7 @@ function inWords({ regime, turningPoints, nutationPeriod }, asleep) {
       : `It wakes up: the axis falls to ${most}, and comes back to ${least}${every}. `;
   }
   if (swings && size < HARDLY_SEEN) {
-    return `It precesses, and nods by no more than ${degrees(size)}${every} (${regime}). `;
+    return `It precesses, and nods by no more than ${degrees(size)}${every} (${regime}): ${rate}. `;
   }
   const between =
     least === most
@@ -93,9 +96,9 @@ function inWords({ regime, turningPoints, nutationPeriod }, asleep) {
     "steady precession": `Steady precession: θ stays at ${least}. `,
     "plane pendulum": `A pendulum in a plane: ${between}. `,
     "through the vertical": `Through the vertical: ${between}. `,
-    waves: `Waves: ${between}, and φ̇ keeps its sign. `,
-    cusps: `Cusps: ${between}, and φ̇ vanishes at one end. `,
-    loops: `Loops: ${between}, and φ̇ changes sign. `,
+    waves: `Waves: ${between}, and φ̇ keeps its sign: ${rate}. `,
+    cusps: `Cusps: ${between}, and φ̇ vanishes at one end: ${rate}. `,
+    loops: `Loops: ${between}, and φ̇ changes sign: ${rate}. `,
   };
   return sentences[regime] ?? "";
 }
@@ -117,7 +120,9 @@ function regimeOf(motion) {
     sine === 0 && resting ? [u, u] : cosines(cubic, poles, u, sine, resting);
   const turningPoints = /** @type {[number, number]} */ ([Math.acos(high), Math.acos(low)]);
   const nutationPeriod = periodBetween(cubic, low, high);
-  const found = (/** @type {string} */ regime) => ({ regime, turningPoints, nutationPeriod });
+  const meanPrecession = meanRate(cubic, [b, a], low, high);
+  const found = (/** @type {string} */ regime) =>
+    ({ regime, turningPoints, nutationPeriod, meanPrecession });
   if (weight[2] === 0) return found("free precession");
   if (sine === 0 && resting) return found(weight[2] * u > 0 ? "sleeping" : "hanging");
   if (high - low < ROUNDING * sine * sine) return found("steady precession");
@@ -145,6 +150,28 @@ function periodBetween([c3, c2], low, high) {
   const [far, near] = c3 > 0 ? [third - low, third - high] : [high - third, low - third];
   if (!(near > ROUNDING * far)) return Infinity;
   return (2 * Math.PI) / (agm(1, Math.sqrt(near / far)) * Math.sqrt(Math.abs(c3) * far));
+}
+
+/**
+ * φ̇ on average over a nutation.  With u = cos θ = m − h cos s between its turning points φ̇ and
+ * dt/ds are smooth and periodic in s, where the sums of the midpoint rule converge geometrically.
+ *
+ * @param {readonly number[]} cubic
+ * @param {readonly number[]} linear coefficients of u and 1 in φ̇ sin²θ
+ * @param {number} low
+ * @param {number} high
+ */
+function meanRate([c3, c2], [b, a], low, high) {
+  const third = -c2 / c3 - low - high;
+  let [turned, passed] = [0, 0];
+  for (let k = 0; k < MIDPOINTS; k++) {
+    const s = ((k + 0.5) * Math.PI) / MIDPOINTS;
+    const u = (low + high - (high - low) * Math.cos(s)) / 2;
+    const time = 1 / Math.sqrt(Math.abs(c3 * (third - u)));
+    turned += (time * (a + b * u)) / ((1 - u) * (1 + u));
+    passed += time;
+  }
+  return turned / passed;
 }
 
 /**

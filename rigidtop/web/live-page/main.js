@@ -11,6 +11,7 @@ import {
 import {
   createChecks,
   createChoice,
+  createPick,
   createPresets,
   createSliders,
   createVerdict,
@@ -18,6 +19,7 @@ import {
 } from "./controls.js";
 import { createEquationPanel } from "./equation_panel.js";
 import { factsOf } from "./facts.js";
+import { ghostsOf, ghostValues } from "./ghost.js";
 import { createKeys } from "./keys.js";
 import { createMeter } from "./meter.js";
 import { createMotion } from "./motion.js";
@@ -27,7 +29,7 @@ import { createRegimeMap } from "./regime_map.js";
 import { createScene } from "./scene.js";
 import { createTake } from "./take.js";
 import { preferredTheme, readColours, setTheme, THEMES } from "./theme.js";
-import { createTimePlots } from "./time_plots.js";
+import { createTimePlots, plotsOf } from "./time_plots.js";
 import { createTransport } from "./transport.js";
 
 /** @typedef {import("./types").Facts} Facts */
@@ -63,6 +65,12 @@ const prefersStill = matchMedia("(prefers-reduced-motion: reduce)");
 let state = stateOf(data.first);
 let motion = createMotion(setupOf(state), data.tableau);
 let facts = factsOf(motion);
+/**
+ * The same body with one setting changed.
+ *
+ * @type {Motion | null}
+ */
+let ghost = null;
 let playing = false;
 /** @type {1 | -1} */
 let direction = 1;
@@ -75,15 +83,15 @@ let goal = null;
 /** What is asked for by the sliders and not yet tried, with the name of the one moved last. */
 let asked = /** @type {{ values: Record<string, number>, name: string } | null} */ (null);
 /**
- * What is to come, while the page stands at t = 0.
+ * What is to come of the motion and its ghost, while the page stands at t = 0.
  *
- * @type {Sample[] | null}
+ * @type {Sample[][] | null}
  */
 let preview = null;
 /**
  * The same as if it were past, for the scene, which draws the past only.
  *
- * @type {Sample[]}
+ * @type {Sample[][]}
  */
 let mirrored = [];
 let previewTimer = 0;
@@ -163,6 +171,17 @@ const shape =
         scene?.setMotion(motion, chosen);
         showLooks();
       });
+const plotted = createPick(switches, "plotted", plotsOf(data.kind), (chosen) => {
+  state.plot = chosen;
+  plots.setMotion(motion, ghost, chosen);
+  showLooks();
+});
+const ghosts = ghostsOf(data.kind);
+const beside = createPick(switches, "beside it", [["", "nothing"], ...ghosts], (chosen) => {
+  state.ghost = chosen;
+  setGhost();
+  showLooks();
+});
 const themes = element(
   "select",
   { "aria-label": "Theme" },
@@ -374,16 +393,34 @@ function begin(next) {
   described = -Infinity;
   forgetPreview();
   scene?.setMotion(motion, state.shape);
-  plots.setMotion(motion);
+  setGhost();
   potential.setMotion(motion);
   map.setMotion(motion);
   wake();
 }
 
+/** The ghost that is asked for, at the time at which the motion is, if there is such a body. */
+function setGhost() {
+  ghost = null;
+  if (state.ghost) {
+    const words = ghosts.find(([name]) => name === state.ghost)?.[1];
+    const values = ghostValues(state.ghost, state.values, facts);
+    try {
+      if (!values) throw new Error("this top has no steady precession");
+      ghost = createMotion(setupOf({ ...state, values }), data.tableau, motion.timescale);
+      ghost.go(motion.now.t);
+    } catch (error) {
+      complain([`nothing is beside it with ${words}: ${messageOf(error)}`]);
+    }
+  }
+  forgetPreview();
+  plots.setMotion(motion, ghost, state.plot);
+}
+
 /** @param {Preset} preset */
 function choosePreset(preset) {
-  const { theme, speed, embed } = state;
-  state = { ...stateOf(preset), theme, speed, embed };
+  const { theme, speed, embed, plot, ghost: ghostNow } = state;
+  state = { ...stateOf(preset), theme, speed, embed, plot, ghost: ghostNow };
   start(createMotion(setupOf(state), data.tableau), playing);
 }
 
@@ -421,6 +458,8 @@ function showLooks() {
   scene?.setView(state.view);
   layers.show(state.layers);
   view.show(state.view);
+  plotted.show(state.plot);
+  beside.show(state.ghost);
   shape?.show(state.shape);
   address.changed();
   wake();
@@ -459,6 +498,7 @@ function toggle(way) {
 /** Begin anew, from the start itself. */
 function toStart() {
   motion.reset();
+  ghost?.reset();
   goal = null;
   behind = 0;
   described = -Infinity;
@@ -511,7 +551,9 @@ function frame(now) {
  * @param {number} t
  */
 function approach(t) {
-  if (motion.go(t, performance.now() + SLICE)) {
+  const reached = motion.go(t, performance.now() + SLICE);
+  ghost?.go(motion.now.t);
+  if (reached) {
     goal = null;
     if (!playing) described = -Infinity;
     address.changed();
@@ -524,6 +566,7 @@ function moveOn(seconds) {
   const shown = Math.min(seconds, LONGEST_FRAME);
   const t = Math.max(0, motion.now.t + direction * rate * shown);
   const reached = motion.go(t, performance.now() + FRAME) && shown === seconds;
+  ghost?.go(motion.now.t);
   behind = Math.max(0, Math.min(2 * BEHIND, behind + (reached ? -1 : 1)));
   if (direction < 0 && t === 0) pause();
   else address.changed();
@@ -532,9 +575,10 @@ function moveOn(seconds) {
 /** @param {number} now */
 function draw(now) {
   const sample = motion.now;
-  const trail = trailNow();
-  scene?.draw(sample, preview ? mirrored : trail);
-  plots.draw(sample, trail);
+  const [trail, ghostTrail] = trailsNow();
+  const [past, ghostPast] = preview ? mirrored : [trail, ghostTrail];
+  scene?.draw(sample, past, ghost && { sample: ghost.now, trail: ghostPast });
+  plots.draw({ sample, trail }, ghost && { sample: ghost.now, trail: ghostTrail });
   potential.draw(sample);
   map.draw(sample);
   meter.draw(motion.drift());
@@ -556,14 +600,18 @@ function draw(now) {
   }
 }
 
-/** The trail until now; at rest at t = 0, what is to come, as soon as it is computed. */
-function trailNow() {
+/**
+ * The trails of the motion and its ghost until now; at rest at t = 0, what is to come, as soon as
+ * it is computed.
+ */
+function trailsNow() {
+  const trails = [motion.trail, ghost?.trail ?? []];
   if (playing || goal || motion.now.t !== 0) {
     forgetPreview();
-    return motion.trail;
+    return trails;
   }
   if (!preview && !previewTimer) previewTimer = window.setTimeout(computePreview, PREVIEW_DELAY);
-  return preview ?? motion.trail;
+  return preview ?? trails;
 }
 
 function forgetPreview() {
@@ -575,11 +623,11 @@ function forgetPreview() {
 function computePreview() {
   const duration = PREVIEW * state.preset.speed;
   const count = Math.min(Math.max(300, (4 * duration) / motion.timescale), 3000);
-  preview = motion.ahead(duration, Math.round(count));
-  mirrored = preview.map((sample) => ({ ...sample, t: -sample.t })).reverse();
+  preview = [motion, ghost].map((each) => each?.ahead(duration, Math.round(count)) ?? []);
+  mirrored = preview.map((trail) =>
+    trail.map((sample) => ({ ...sample, t: -sample.t })).reverse());
   // The scene draws the same moment again only if something was set.
   scene?.setLayers(state.layers);
-  scene?.draw(motion.now, mirrored);
   wake();
 }
 

@@ -159,9 +159,10 @@ const short = (/** @type {number} */ x) => String(Number(x.toPrecision(4)));
  *
  * @param {Setup} setup
  * @param {Tableau} tableau
+ * @param {number} [pace] The timescale of another motion, at whose times it is sampled.
  * @returns {Motion}
  */
-export function createMotion(setup, tableau) {
+export function createMotion(setup, tableau, pace) {
   const initial = startOf(setup);
   const { moments, M, g, arm } = initial;
   const weight = arm.map((r) => M * g * r);
@@ -174,7 +175,7 @@ export function createMotion(setup, tableau) {
   const beginning = [...initial.q, ...initial.omega.slice(0, symmetric ? 2 : 3)];
   const turning =
     Math.hypot(...initial.omega) + Math.sqrt(Math.hypot(...weight) / Math.min(...moments));
-  const timescale = turning > 0 ? 1 / turning : 1;
+  const timescale = pace ?? (turning > 0 ? 1 / turning : 1);
   const spacing = timescale / PER_RADIAN;
   const state = new Float64Array(beginning.length);
 

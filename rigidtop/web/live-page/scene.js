@@ -68,6 +68,7 @@ export function createScene(container, colours) {
     }),
     true,
   );
+  const ghostTrace = createTrail(palette.line((c) => new THREE.Color(c.polhode), 2));
   const arrows = createArrows();
   const labels = createLabels(container);
 
@@ -81,7 +82,7 @@ export function createScene(container, colours) {
   world.add(space, inBody, dome);
   space.add(surroundings.axes, surroundings.floor, cones.space, poinsot.space);
   inBody.add(bodies.object, cones.body, poinsot.body);
-  dome.add(surroundings.sphere, trace.object);
+  dome.add(surroundings.sphere, trace.object, ghostTrace.object);
 
   const e1 = arrowOf("e₁", (c) => c.e1, 0.0105, inBody);
   const e2 = arrowOf("e₂", (c) => c.e2, 0.0105, inBody);
@@ -89,6 +90,7 @@ export function createScene(container, colours) {
   const omega = arrowOf("ω", (c) => c.omega, 0.0145, space);
   const momentum = arrowOf("L", (c) => c.L, 0.0125, space);
   const torque = arrowOf("N", (c) => c.torque, 0.0135, space);
+  const ghostAxis = arrowOf("", (c) => c.polhode, 0.008, space);
   e1.arrow.point(1, 0, 0, 1);
   e2.arrow.point(0, 1, 0, 1);
   e3.arrow.point(0, 0, 1, 1);
@@ -104,6 +106,8 @@ export function createScene(container, colours) {
   let sample = null;
   /** @type {readonly Sample[]} */
   let trail = [];
+  /** @type {import("./time_plots.js").Past | null} */
+  let ghost = null;
   let drawnTime = NaN;
   let dirty = true;
   let request = 0;
@@ -119,6 +123,7 @@ export function createScene(container, colours) {
   const attitude = new THREE.Quaternion();
   const inverse = new THREE.Quaternion();
   const still = new THREE.Quaternion();
+  const ghostAt = new THREE.Vector3();
 
   const governor = createGovernor((next) => {
     quality = next;
@@ -314,9 +319,13 @@ export function createScene(container, colours) {
   }
 
   /** One frame; nothing is done if it would be the same as the last one. */
-  function draw(/** @type {Sample} */ now, /** @type {readonly Sample[]} */ past) {
+  function draw(
+    /** @type {Sample} */ now, /** @type {readonly Sample[]} */ past,
+    /** @type {import("./time_plots.js").Past | null} */ beside = ghost,
+  ) {
     sample = now;
     trail = past;
+    ghost = beside;
     if (lost || ended || !motion || (!dirty && now.t === drawnTime)) return;
     if (now.t !== drawnTime) governor.tick(performance.now());
     dirty = false;
@@ -335,7 +344,15 @@ export function createScene(container, colours) {
     pointTo(momentum.arrow, now.momentum, scales.momentum);
     pointTo(torque.arrow, now.torque, scales.torque);
 
-    if (dome.visible) trace.draw(now, past, trailOf(motion, view, layers), 1);
+    const traced = trailOf(motion, view, layers);
+    if (dome.visible) trace.draw(now, past, traced, 1);
+    ghostTrace.object.visible = ghostAxis.holder.visible = ghost !== null;
+    if (ghost) {
+      ghostTrace.draw(ghost.sample, ghost.trail, traced, 1);
+      traced(ghost.sample, ghostAt);
+      ghostAxis.holder.visible = view === "space";
+      ghostAxis.arrow.point(ghostAt.x, ghostAt.y, ghostAt.z, 1);
+    }
     if (layers.has("cones") && !cones.draw(now, past)) touch();
     if (construction) poinsot.draw(now, past);
 
@@ -404,7 +421,7 @@ export function createScene(container, colours) {
       canvas.removeEventListener("webglcontextlost", onLost);
       canvas.removeEventListener("webglcontextrestored", onRestored);
       controls.dispose();
-      for (const part of [surroundings, bodies, cones, poinsot, trace, arrows, labels, palette]) {
+      for (const part of [surroundings, bodies, cones, poinsot, trace, ghostTrace, arrows, labels, palette]) {
         part.dispose();
       }
       renderer.dispose();
