@@ -10,7 +10,6 @@ from typing import Any
 from sympy import Symbol
 
 from rigidtop.notation.translate import Image, inverse, translated
-from rigidtop.notation.written import Written
 from rigidtop.theory import symbols as s
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import Glyph, Quantity
@@ -62,7 +61,7 @@ class Notation:
     source: str = ""
     note: str = ""
     sequence: str = "zyz"
-    letters: Mapping[Symbol, Written] = field(default_factory=dict)
+    letters: Mapping[Symbol, Lettered] = field(default_factory=dict)
     open: bool = False
     """Whether a letter that is in no table is one of its own, rather than an error."""
 

@@ -39,8 +39,8 @@ from sympy import Symbol
 
 from rigidtop.errors import RigidtopError
 from rigidtop.notation.convention import SEQUENCES, Notation
-from rigidtop.notation.written import Written
 from rigidtop.textfile import text_of
+from rigidtop.theory.lettered import instead
 from rigidtop.theory.symbols import VOCABULARY, Glyph
 
 BUILT_IN = ("notes", "goldstein", "landau", "taylor", "morin")
@@ -119,7 +119,7 @@ def _notation(table: Mapping[str, Any], name: str) -> Notation:
     changed |= set(meanings) | {image.symbol for image in SEQUENCES[sequence].values()}
     _unambiguous(glyphs, names, changed)
     letters = {
-        x: Written(names[x], glyphs[x], x, meanings.get(x, "")) for x in VOCABULARY if x in changed
+        x: instead(x, names[x], glyphs[x], meanings.get(x, "")) for x in VOCABULARY if x in changed
     }
     spellings = _inherited(glyphs) | _spellings(table.get("spellings", {}), glyphs)
     words = {key: " ".join(str(table.get(key, "")).split()) for key in ("title", "source", "note")}

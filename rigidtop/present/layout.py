@@ -48,7 +48,7 @@ from rigidtop.proof.equation import (
     Underbrace,
     VolumeIntegral,
 )
-from rigidtop.theory.lettered import BY_NAME, Lettered, known
+from rigidtop.theory.lettered import BY_NAME, Lettered, known, stands_for
 from rigidtop.theory.symbols import Glyph
 
 Order = Literal["typed", "printed", "mechanics", "auto"]
@@ -256,11 +256,6 @@ Node = (
 
 
 # --- Symbols -------------------------------------------------------------------------------------
-
-
-def _ordered_as(symbol: Symbol) -> Symbol:
-    """The symbol that tells where another stands: of one of another notation, its counterpart."""
-    return getattr(symbol, "stands", symbol)
 
 
 def glyph(name: str) -> Glyph:
@@ -847,7 +842,7 @@ _Key = tuple[Any, ...]
 
 def _weight(symbol: Symbol) -> int:
     """How many inverse seconds a symbol brings to a term."""
-    symbol = _ordered_as(symbol)
+    symbol = stands_for(symbol)
     _, quantity = known(symbol)
     if isinstance(symbol, Lettered):  # a velocity may be in m/s as well
         by_accent = _ACCENT_WEIGHT.get(symbol.quantity.glyph.accent, 0)
@@ -858,7 +853,7 @@ def _weight(symbol: Symbol) -> int:
 
 
 def _symbol_key(symbol: Symbol) -> _Key:
-    symbol = _ordered_as(symbol)
+    symbol = stands_for(symbol)
     position, quantity = known(symbol)
     shown = glyph(symbol.name) if quantity is None else quantity.glyph
     if shown.bold:

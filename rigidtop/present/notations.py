@@ -9,12 +9,12 @@ from typing import Any
 from sympy import Symbol
 
 from rigidtop.notation import Notation
-from rigidtop.notation.written import Written
 from rigidtop.present.layout import layout
 from rigidtop.present.report import Block, DataTable, Heading, Paragraph, Rich
 from rigidtop.present.text import text
 from rigidtop.proof.words import unmarked
 from rigidtop.theory import symbols as s
+from rigidtop.theory.lettered import Lettered, stands_for
 
 TURNS = {"zyz": "z–y′–z″", "zxz": "z–x′–z″"}
 WORDS = "The numbers of the equations are those of the notes."
@@ -33,7 +33,7 @@ def turns(notation: Notation) -> str:
     return f"Euler angles ${TURNS[notation.sequence]}$: $R = {product}$"
 
 
-def different(notation: Notation, among: Iterable[Symbol] | None = None) -> list[Written]:
+def different(notation: Notation, among: Iterable[Symbol] | None = None) -> list[Lettered]:
     """The symbols that look otherwise than in the notes or are others, in order of print."""
     used = None if among is None else set(among)
     return [
@@ -61,7 +61,7 @@ def record(notation: Notation) -> dict[str, Any]:
         "euler": notation.sequence,
         "symbols": [
             {
-                "symbol": x.stands.name,
+                "symbol": stands_for(x).name,
                 "name": x.name,
                 "letter": text(x),
                 "notes": text(notation.in_notes(x)),

@@ -773,8 +773,8 @@ def symbol_list(
     names = {symbol.name for symbol in used if not isinstance(symbol, Lettered)}
     # A symbol of another notation stands where that of the notes does, others before.
     own = {x for x in used if isinstance(x, Lettered)}
-    alone = sorted((x for x in own if not hasattr(x, "stands")), key=lambda x: (x.place, x.name))
-    placed = {x.place: x for x in own if hasattr(x, "stands")}
+    alone = sorted((x for x in own if x.stands is None), key=lambda x: (x.place, x.name))
+    placed = {x.place: x for x in own if x.stands is not None}
     quantities = [(symbol, symbol.quantity) for symbol in alone]
     for place, (symbol, quantity) in enumerate(VOCABULARY.items()):
         if symbol.name in names:

@@ -144,7 +144,7 @@ def _quantity(symbol: Symbol) -> Quantity | None:
 def _lettered(symbol: Symbol, place: int) -> Symbol:
     """The same with a letter and a place in print."""
     quantity = _quantity(symbol) or Quantity(glyph(symbol.name), "", "")
-    return Lettered(symbol.name, quantity, place, **symbol._assumptions_orig)
+    return Lettered(symbol.name, quantity, place, **symbol.assumptions0)
 
 
 @dataclass

@@ -160,8 +160,8 @@ class _Free:
         if name == wanted.name:
             return wanted
         if isinstance(wanted, Lettered):
-            return Lettered(name, wanted.quantity, wanted.place, **wanted._assumptions_orig)
-        return Symbol(name, **wanted._assumptions_orig)
+            return Lettered(name, wanted.quantity, wanted.place, **wanted.assumptions0)
+        return Symbol(name, **wanted.assumptions0)
 
 
 def _dotted(x: Symbol, free: _Free, order: int) -> Symbol:

@@ -1,8 +1,9 @@
 """Symbols that bring their own letter, for what the vocabulary of the lecture does not have.
 
-Another system has other quantities, or the same letters for others.  A `Lettered` symbol knows how
-it is written, what it means and its unit; it is never equal to a symbol of the lecture, whatever
-its name.  `in_order` gives symbols their order of print: parameters, momenta, rates, angles.
+Another system has other quantities, or the same letters for others, and so has another notation:
+Goldstein's φ is another angle than the φ of the notes.  A `Lettered` symbol knows how it is
+written, what it means and its unit; it is never equal to a symbol of the lecture, whatever its
+name.  `in_order` gives symbols their order of print: parameters, momenta, rates, angles.
 
 >>> m, k, x = in_order(
 ...     positive("m", Glyph("m"), "mass of the cart", "kg"),
@@ -17,6 +18,7 @@ k*x**2/m
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from sympy import Symbol
@@ -25,27 +27,35 @@ from rigidtop.theory.symbols import VOCABULARY, Glyph, Quantity
 
 
 class Lettered(Symbol):
-    """A symbol with its `quantity`; `place` is where it stands in the order of print."""
+    """A symbol with its `quantity`; `place` is where it stands in the order of print.
 
-    __slots__ = ("place", "quantity")
+    One of another notation has the symbol of the notes in whose place it `stands`.
+    """
+
+    __slots__ = ("place", "quantity", "stands")
 
     quantity: Quantity
     place: int
+    stands: Symbol | None
 
     def __new__(
-        cls, name: str, quantity: Quantity, place: int = 0, **assumptions: bool
+        cls,
+        name: str,
+        quantity: Quantity,
+        place: int = 0,
+        stands: Symbol | None = None,
+        **assumptions: bool,
     ) -> Lettered:
-        cls._sanitize(assumptions, cls)
         # SymPy's own cache of symbols knows a name and assumptions only.
         made = Symbol.__xnew__(cls, name, **assumptions)
-        made.quantity, made.place = quantity, place
+        made.quantity, made.place, made.stands = quantity, place, stands
         return made
 
     def __getnewargs_ex__(self) -> Any:
-        return (self.name, self.quantity, self.place), self._assumptions_orig
+        return (self.name, self.quantity, self.place, self.stands), self.assumptions0
 
     def _hashable_content(self) -> tuple[Any, ...]:
-        return (*super()._hashable_content(), repr(self.quantity), self.place)
+        return (*super()._hashable_content(), self.quantity, self.place)
 
 
 def positive(name: str, glyph: Glyph, meaning: str, unit: str) -> Lettered:
@@ -61,9 +71,27 @@ def real(name: str, glyph: Glyph, meaning: str, unit: str) -> Lettered:
 def in_order(*symbols: Lettered) -> tuple[Lettered, ...]:
     """The same symbols, to be printed in this order within a product."""
     return tuple(
-        Lettered(symbol.name, symbol.quantity, place, **symbol._assumptions_orig)
+        Lettered(symbol.name, symbol.quantity, place, **symbol.assumptions0)
         for place, symbol in enumerate(symbols)
     )
+
+
+def instead(stands: Symbol, name: str, glyph: Glyph, meaning: str = "") -> Lettered:
+    """What another notation writes for a symbol of the lecture: letter, name in code, meaning.
+
+    >>> from rigidtop.theory.symbols import lambda1
+    >>> I1 = instead(lambda1, "I1", Glyph("I", "1"))
+    >>> I1, I1.quantity.meaning, stands_for(I1), I1 == lambda1
+    (I1, 'principal moment of inertia about $e₁$', lambda1, False)
+    """
+    place, known = BY_NAME[stands.name]
+    quantity = replace(known, glyph=glyph, meaning=meaning or known.meaning)
+    return Lettered(name, quantity, place, stands, **stands.assumptions0)
+
+
+def stands_for(symbol: Symbol) -> Symbol:
+    """The notes' symbol in whose place a symbol stands: itself, if it is of no other notation."""
+    return getattr(symbol, "stands", None) or symbol
 
 
 BY_NAME: dict[str, tuple[int, Quantity]] = {

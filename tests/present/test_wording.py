@@ -10,7 +10,6 @@ from matplotlib.text import Text
 from rigidtop.derivations import PAGES
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.notation import BUILT_IN, named
-from rigidtop.notation.written import stands_for
 from rigidtop.present.figures.catalog import FIGURES
 from rigidtop.present.lecture import exercise_fragment, fragment, picture, solution_in
 from rigidtop.present.report import claim_blocks, symbols_used
@@ -18,6 +17,7 @@ from rigidtop.present.solutions import blocks, solved
 from rigidtop.present.text import letter
 from rigidtop.present.wording import Wording
 from rigidtop.proof.verdict import judge_page
+from rigidtop.theory.lettered import stands_for
 from rigidtop.theory.symbols import VOCABULARY
 
 NOTATIONS = [named(name) for name in BUILT_IN if name != "notes"]
