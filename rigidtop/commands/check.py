@@ -15,7 +15,7 @@ from rigidtop.progress import over
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
     from rigidtop.notation import Notation
-    from rigidtop.proof.lecture import Lecture
+    from rigidtop.proof.lecture import Lecture, Trial
 
 ABOUT = "judge every claim and compare the numbers"
 
@@ -73,7 +73,8 @@ def _run(
     solved = collection.exercises if every else collection.solved_by(claim for _, claim in found)
     lecture = None if options.quick else collection.lecture_with(solved)
     judgements = [judgement for _, judgement in claims.judged(found, collection.letters, lecture)]
-    amiss = tried(lecture, names) if lecture is not None and options.thorough else []
+    trials = tried(lecture, names) if lecture is not None and options.thorough else {}
+    amiss = [line for place, trial in trials.items() for line in _amiss(place, trial)]
     passed = all(judgement.passed for judgement in judgements) and not amiss
     records = [record(Wording(notation).judgement(judgement)) for judgement in judgements]
     if options.json:
@@ -98,18 +99,35 @@ def _run(
     print()
     for line in amiss:
         print(line)
+    if trials:
+        print(_counts([*trials.values()]))
     print(claims.summary(judgements))
     return 0 if passed else claims.FAILED
 
 
-def tried(lecture: Lecture, names: Sequence[str]) -> list[str]:
-    """What is amiss with lines whose premises are dropped and that are changed, a line each."""
+def tried(lecture: Lecture, names: Sequence[str]) -> dict[str, Trial]:
+    """What came of dropping the premises of each line and of changing it, by its place."""
     wanted = [name for name in names if name in lecture.names]
     ids = {id for name in wanted for id in lecture.way(name)[0]} if names else set(lecture.lines)
-    made = []
-    for id in over("changing lines", [each for each in lecture.lines if each in ids]):
-        trial = lecture.trial(id)
-        place = f"{lecture.lines[id].file}, line {lecture.lines[id].at}"
-        made += [f"{place}: {cited} is not needed" for cited in trial.unneeded]
-        made += [f"{place}: it still follows with {what}" for what in trial.survived]
-    return made
+    lines = [line for id, line in lecture.lines.items() if id in ids]
+    return {
+        f"{line.file}, line {line.at}": lecture.trial(line.id)
+        for line in over("changing lines", lines)
+    }
+
+
+def _amiss(place: str, trial: Trial) -> list[str]:
+    made = [f"{place}: {cited} is not needed" for cited in trial.unneeded]
+    return made + [f"{place}: it still follows with {what}" for what in trial.survived]
+
+
+def _counts(trials: Sequence[Trial]) -> str:
+    """How much was tried, and how much of it stood."""
+    made = [trial for trial in trials if trial.changes]
+    premises, changes = sum(t.premises for t in made), sum(t.changes for t in made)
+    fewest = min((trial.changes for trial in made), default=0)
+    stood = sum(len(trial.unneeded) + len(trial.survived) for trial in made)
+    return (
+        f"{len(made)} lines: {premises} premises dropped, {changes} changes, at least {fewest} a "
+        f"line; {stood or 'none'} of them passed unnoticed"
+    )

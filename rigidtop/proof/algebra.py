@@ -10,6 +10,7 @@ What is known of a letter comes with the `Letters` of the subject; there is no t
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, reduce
@@ -785,29 +786,18 @@ def zero_in_digits(expression: Expr, tries: int = 2) -> bool | None:
 
     None where no point is found at which it is real: of √x + √−x there is none.
     """
-    letters = sorted(expression.free_symbols, key=str)
     found = None
     for attempt in range(8 * tries):  # a root may be real at few points only
-        point = {x: _number(x, k, attempt) for k, x in enumerate(letters)}
-        [value, size] = decide.evaluate([expression, _sizes(expression)], point, {})
-        if value != value or value in (float("inf"), float("-inf")):
+        terms = decide.values(Add.make_args(expression), attempt)
+        value, size = sum(terms), sum(map(abs, terms))
+        if not math.isfinite(value):
             continue
-        if abs(value) > 1e-9 * (1 + (abs(size) if size == size else 0)):
+        if abs(value) > decide.TOLERANCE * (1 + size):
             return False
         found, tries = True, tries - 1
         if not tries:
             break
     return found
-
-
-def _sizes(expression: Expr) -> Expr:
-    terms = Add.make_args(expression)
-    return Add(*(sympy.Abs(term, evaluate=False) for term in terms), evaluate=False)
-
-
-def _number(x: Symbol, k: int, attempt: int) -> Expr:
-    """A number between ½ and 1½ that is no other letter's."""
-    return sympy.Rational(50 + (37 * k + 29 * attempt + 11) % 97, 97)
 
 
 def _factors(term: Expr) -> Iterator[Expr]:

@@ -36,13 +36,24 @@ class Perturbation:
     change: str
 
 
-def perturbations(equation: Equation, families: Families = ()) -> Iterator[Perturbation]:
+def perturbations(equation: Equation, families: Families = ()) -> tuple[Perturbation, ...]:
     """Every single change of sign, factor, exponent, index, function or term, side by side."""
-    for position, side in enumerate(equation.sides):
-        for changed, change in _changed_side(side, families):
-            sides = (*equation.sides[:position], changed, *equation.sides[position + 1 :])
-            new = Equation(*sides, relation=equation.relation, tag=equation.tag)
-            yield Perturbation(new, change)
+    # All at once: SymPy forgets what it has found out wherever it is told to leave trees alone.
+    with as_printed():
+        return tuple(
+            Perturbation(
+                Equation(
+                    *equation.sides[:k],
+                    changed,
+                    *equation.sides[k + 1 :],
+                    relation=equation.relation,
+                    tag=equation.tag,
+                ),
+                change,
+            )
+            for k, side in enumerate(equation.sides)
+            for changed, change in _changed_side(side, families)
+        )
 
 
 def _changed_side(side: Any, families: Families) -> Iterator[tuple[Any, str]]:
@@ -58,22 +69,16 @@ def _changed_side(side: Any, families: Families) -> Iterator[tuple[Any, str]]:
 
 def _changed(node: Any, families: Families) -> Iterator[tuple[Any, str]]:
     """The tree with one change at this node or below it."""
-    # Built as lists: a generator that pauses inside the context would leave it on for its caller.
-    with as_printed():
-        here = list(_changed_here(node, families))
-    yield from here
+    yield from _changed_here(node, families)
     if isinstance(node, Matrices):
         for k, matrix in enumerate(node.args):
             for changed, change in _changed_side(matrix, families):
                 yield Matrices(*node.args[:k], changed, *node.args[k + 1 :]), change
         return
     for k, argument in enumerate(node.args):
-        if _stands(node, k):
-            continue
-        for changed, change in _changed(argument, families):
-            with as_printed():
-                rebuilt = node.func(*node.args[:k], changed, *node.args[k + 1 :])
-            yield rebuilt, change
+        if not _stands(node, k):
+            for changed, change in _changed(argument, families):
+                yield node.func(*node.args[:k], changed, *node.args[k + 1 :]), change
 
 
 def _stands(node: Any, k: int) -> bool:

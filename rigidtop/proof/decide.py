@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 import random
+import zlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from typing import Any
@@ -233,15 +234,21 @@ _REDRAWS = 200
 """So often a point is drawn again when nothing has its numbers."""
 
 
-_FUNCTIONS: Mapping[Any, Callable[[float], float]] = {
-    sin: math.sin,
-    cos: math.cos,
-    sympy.tan: math.tan,
-    sympy.Abs: abs,
-}
-
 ROUNDING = 1e-15
 """Less than this is zero in double precision, for values of the size of those drawn."""
+
+
+@lru_cache(maxsize=KEPT)
+def somewhere(atom: Any, attempt: int) -> float:
+    """A number between ½ and 1½ that is hardly another atom's: of no special kind."""
+    return 0.5 + zlib.crc32(f"{attempt} {atom}".encode()) % 9973 / 9973
+
+
+def values(expressions: Sequence[Expr], attempt: int, names: Mapping[Any, Any] = {}) -> Floats:
+    """The expressions where each symbol, or what it names, is `somewhere`."""
+    free = set().union(*(e.free_symbols for e in expressions))
+    at = {x: somewhere(names.get(x, x), attempt) for x in free}
+    return [_number(e, at) for e in expressions]
 
 
 def angle_symbols(expressions: Sequence[Expr]) -> set[Symbol]:
@@ -262,12 +269,37 @@ def evaluate(expressions: Sequence[Expr], point: Point, hidden: Mapping[Symbol, 
 
 
 def _number(expression: Expr, at: Mapping[Symbol, float]) -> float:
+    return defined(_float, expression, at)
+
+
+def defined(function: Callable[..., float], *arguments: Any) -> float:
+    """The value of a function: infinite where divided by zero, NaN if not real."""
     try:
-        return _float(expression, at)
+        return function(*arguments)
     except ZeroDivisionError:
         return math.inf
     except (OverflowError, ValueError):
         return math.nan
+
+
+def _power(base: float, exponent: float) -> float:
+    if base < 0 and not exponent.is_integer():
+        raise ValueError("not real")
+    # A sine or cosine that is zero in exact numbers is 1e-16 here.
+    if abs(base) < ROUNDING and exponent < 0:
+        raise ZeroDivisionError
+    return base**exponent
+
+
+FUNCTIONS: Mapping[Any, Callable[..., float]] = {
+    sympy.Pow: _power,
+    sin: math.sin,
+    cos: math.cos,
+    sympy.tan: math.tan,
+    sympy.Abs: abs,
+    sympy.log: math.log,
+}
+"""Functions of floats."""
 
 
 def _float(node: Expr, at: Mapping[Symbol, float]) -> float:
@@ -281,17 +313,9 @@ def _float(node: Expr, at: Mapping[Symbol, float]) -> float:
         return math.fsum(_float(term, at) for term in node.args)
     if isinstance(node, sympy.Mul):
         return math.prod(_float(factor, at) for factor in node.args)
-    if isinstance(node, sympy.Pow):
-        base, exponent = (_float(argument, at) for argument in node.args)
-        if base < 0 and not exponent.is_integer():
-            raise ValueError("not real")
-        # A sine or cosine that is zero in exact numbers is 1e-16 here.
-        if abs(base) < ROUNDING and exponent < 0:
-            raise ZeroDivisionError
-        return base**exponent
-    function = _FUNCTIONS.get(node.func)
+    function = FUNCTIONS.get(node.func)
     if function is not None:
-        return function(_float(node.args[0], at))
+        return function(*(_float(argument, at) for argument in node.args))
     if node.args:
         node = node.func(*(sympy.Float(_float(argument, at)) for argument in node.args))
     if not node.is_real:

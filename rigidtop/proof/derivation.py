@@ -8,13 +8,13 @@ line that is not arrived at is a gap.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import islice
 from typing import Any
 
 import sympy
-from sympy import Add, Expr, Integer, MatrixBase, Mul, Pow, Rational, Symbol
+from sympy import Add, Expr, Integer, MatrixBase, Mul, Pow, Symbol
 
 from rigidtop.proof import decide, units
 from rigidtop.proof.algebra import (
@@ -48,6 +48,7 @@ from rigidtop.proof.moves import (
     perform,
     put_in,
 )
+from rigidtop.proof.numbers import Numbers
 from rigidtop.theory.symbols import const
 
 
@@ -484,13 +485,11 @@ def _difference(pair: Pair) -> dict[Any, Expr]:
 def _ratio(mine: Expr, theirs: Expr) -> Expr | None:
     """A simple number that two expressions may differ by, guessed at one point."""
     flat, _ = flattened(sympy.Tuple(mine, theirs))
-    letters = sorted(flat.free_symbols, key=str)
     if not getattr(mine, "is_commutative", True):
         return Integer(1) if sympy.expand(mine - theirs) == 0 else Integer(-1)
     for attempt in range(4):
-        point = {x: Rational(60 + (31 * k + 17 * attempt) % 89, 101) for k, x in enumerate(letters)}
-        a, b = decide.evaluate(list(flat), point, {})
-        if a != a or b != b or abs(b) < 1e-9 or abs(a) in (float("inf"),):
+        a, b = decide.values(list(flat), attempt)
+        if not (math.isfinite(a) and math.isfinite(b)) or abs(b) < decide.TOLERANCE:
             continue
         guess = sympy.nsimplify(a / b, rational=True, tolerance=1e-8)
         return guess if guess.q <= 64 and guess != 0 else None
@@ -610,19 +609,11 @@ class Change:
     what: str
 
 
-def changes(
-    line: Line, letters: Letters, others: Sequence[Known] = (), every: int = 1
-) -> Iterator[Change]:
-    """A line with a sign, factor or function changed; another equation cited, another move.
-
-    What says the same as the line, such as cos(−θ) for cos θ, or as another of its equations, is
-    left out.  Of the changes of a sign, factor or function take `every` second, third …
-    """
+def changes(line: Line, letters: Letters, others: Sequence[Known] = ()) -> Iterator[Change]:
+    """A line with a sign, factor or function changed; another equation cited, another move."""
     for k, equation in enumerate(line.equations):
-        for changed in islice(perturbations(equation, letters.families), None, None, every):
-            said = (equation, *(e for e in line.equations if e is not equation))
-            if not any(same(changed.equation, each, letters) for each in said):
-                yield Change(_with_equation(line, k, changed.equation), changed.change)
+        for changed in perturbations(equation, letters.families):
+            yield Change(_with_equation(line, k, changed.equation), changed.change)
         for i, side in enumerate(equation.sides):
             for letter in _letters(equation) if side == 0 else ():
                 sides = (*equation.sides[:i], letter, *equation.sides[i + 1 :])
@@ -644,21 +635,34 @@ def changes(
 
 
 def survivors(
-    line: Line, letters: Letters, others: Sequence[Known] = (), every: int = 1
+    line: Line, letters: Letters, others: Sequence[Known] = ()
 ) -> tuple[int, tuple[str, ...]]:
-    """How many changes of a line that follows were tried, and which of them follow too."""
+    """How many changes of a line that follows say something else, and which of them follow too.
+
+    What says the same as the line, such as cos(−θ) for cos θ, or as another of its equations,
+    is no change.  Numbers first: nearly all fall by them.
+    """
     assert line.move is not None
     performed = perform(line.move, letters)
+    numbers = Numbers(Algebra(letters, performed.given), performed.pairs)
+    compared = line.move.verb != "integrate" and not performed.every
     tried, survived = 0, []
-    for change in changes(line, letters, others, every):
+    for change in changes(line, letters, others):
         tried += 1
-        move = change.line.move
+        new, move = change.line.equations, change.line.move
         assert move is not None
+        made = performed if move is line.move else None
+        changed = [e for e in new if e not in line.equations]
         try:
-            arrive(change.line.equations, move, letters, performed if move is line.move else None)
+            if made and compared and any(map(numbers.refute, changed)):
+                continue
+            arrive(new, move, letters, made)
         except RefusedError:
             continue
-        survived.append(change.what)
+        if changed and all(any(same(e, old, letters) for old in line.equations) for e in changed):
+            tried -= 1
+        else:
+            survived.append(change.what)
     return tried, tuple(survived)
 
 

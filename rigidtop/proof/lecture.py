@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import islice
 from typing import Any
 
 from sympy import Symbol
@@ -81,6 +82,7 @@ OTHERS = 12
 class Trial:
     """What came of trying a line: what it cites for nothing, its changes, which of them stood."""
 
+    premises: int = 0
     unneeded: tuple[str, ...] = ()
     changes: int = 0
     survived: tuple[str, ...] = ()
@@ -241,11 +243,8 @@ class Lecture:
                 if shown.problem:
                     yield text.file, shown.at, shown.problem
 
-    def trial(self, id: str, every: int = 1) -> Trial:
-        """Drop what a line cites, change it, cite other lines, move otherwise: each has to fall.
-
-        To be quicker, `every` second, third … change will do.
-        """
+    def trial(self, id: str) -> Trial:
+        """Drop what a line cites, change it, cite other lines, move otherwise: each has to fall."""
         judged = self.judged(id)
         move = judged.line.move
         if move is None or move.verb == "call" or not judged.follows:
@@ -254,9 +253,10 @@ class Lecture:
         near = {id, *self.cites(id)}
         for cited in self.cites(id):
             near |= {*self.below(cited), *self.above(cited)}
-        others = [self.judged(each).known for each in self.lines if each not in near]
+        far = islice((each for each in self.lines if each not in near), OTHERS)
+        others = [self.judged(each).known for each in far]
         needless = tuple(known.id for known in unneeded(judged.line, self._with_units))
-        return Trial(needless, *survivors(judged.line, self._with_units, others[:OTHERS], every))
+        return Trial(len(move.using), needless, *survivors(judged.line, self._with_units, others))
 
 
 def with_standing(line: Line, standing: dict[str, Known]) -> Line:
