@@ -15,7 +15,7 @@ from typing import Any
 from rigidtop.present import layout as lay
 from rigidtop.present import mathml
 from rigidtop.present.html import NARROW, badge, style
-from rigidtop.present.prose import prose_html
+from rigidtop.present.sentences import prose_html
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.verdict import Verdict
 

@@ -12,7 +12,6 @@ from typing import Any
 from rigidtop.present import layout as lay
 from rigidtop.present import mathml
 from rigidtop.present.latex import latex
-from rigidtop.present.prose import prose_html
 from rigidtop.present.report import (
     COLORS,
     MARKS,
@@ -45,6 +44,7 @@ from rigidtop.present.report import (
     anchor,
     groups,
 )
+from rigidtop.present.sentences import prose_html
 from rigidtop.proof.verdict import Verdict
 
 NARROW = 36.0

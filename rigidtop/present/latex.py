@@ -18,7 +18,7 @@ from typing import Any
 from rigidtop.notation.characters import LETTERS, MARKS, MATHS, SIGNS, TEX_GREEK, escape, joined
 from rigidtop.present import layout as lay
 from rigidtop.present.layout import Line, Node, Order
-from rigidtop.present.prose import prose
+from rigidtop.present.sentences import prose
 from rigidtop.proof.equation import Equation
 from rigidtop.theory.symbols import Glyph
 

@@ -13,7 +13,6 @@ from typing import Any
 from rigidtop.present import layout as lay
 from rigidtop.present.latex import align_row, latex
 from rigidtop.present.layout import Node
-from rigidtop.present.prose import tex, written
 from rigidtop.present.report import (
     MARKS,
     Cited,
@@ -32,6 +31,7 @@ from rigidtop.present.report import (
     Subhead,
     Unit,
 )
+from rigidtop.present.sentences import tex, written
 
 LINE = 84.0
 """How many letters wide an equation may be before it is broken."""
@@ -53,7 +53,7 @@ def words(content: str) -> str:
     >>> print(words("$θ̈$ vanishes, [as] $sin θ ≠ 0$"))
     $\ddot{\theta}$ vanishes, &#91;as&#93; $\sin \theta \neq 0$
     """
-    return written(content, tex, _plain)
+    return written(content, lambda part: f"${tex(part)}$", _plain)
 
 
 def _plain(text: str) -> str:

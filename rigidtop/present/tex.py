@@ -14,7 +14,6 @@ from rigidtop.notation.characters import MATHS, SUPERSCRIPTS, escape
 from rigidtop.present import layout as lay
 from rigidtop.present import plain
 from rigidtop.present.latex import AlignRow, align, align_row, latex, seen
-from rigidtop.present.prose import prose
 from rigidtop.present.report import (
     COLORS,
     Cited,
@@ -45,6 +44,7 @@ from rigidtop.present.report import (
     Unit,
     anchor,
 )
+from rigidtop.present.sentences import prose
 
 
 def write(document: Document, figures: Mapping[str, str]) -> str:

@@ -9,9 +9,7 @@ from importlib.resources import files
 from typing import Any
 
 from rigidtop.present import layout as lay
-from rigidtop.present.formula import tex
 from rigidtop.present.latex import align_row, latex
-from rigidtop.present.prose import written
 from rigidtop.present.report import (
     COLORS,
     Cited,
@@ -43,6 +41,7 @@ from rigidtop.present.report import (
     anchor,
     groups,
 )
+from rigidtop.present.sentences import tex, written
 
 
 def write(document: Document, figures: Mapping[str, str]) -> str:

@@ -11,7 +11,7 @@ from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.parameters import settings
 from rigidtop.present.figures.catalog import FIGURES
-from rigidtop.present.prose import prose
+from rigidtop.present.sentences import prose
 from rigidtop.present.solutions import Solution, record
 from rigidtop.proof.exercise import Answer, Table
 from rigidtop.proof.page import Measure

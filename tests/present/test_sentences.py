@@ -7,7 +7,7 @@ import pytest
 
 from rigidtop.notation.characters import MATHS, SUBSCRIPTS, SUPERSCRIPTS, escape
 from rigidtop.present.mathml import APPLY, THIN, held
-from rigidtop.present.prose import prose, prose_html
+from rigidtop.present.sentences import prose, prose_html
 from rigidtop.proof.words import bold, parts, unbold, unmarked
 from rigidtop.theory.symbols import VOCABULARY
 

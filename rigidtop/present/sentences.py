@@ -1,13 +1,14 @@
-"""A formula as it stands in a sentence, in Unicode on one line, as LaTeX and as MathML.
+"""Sentences with formulas in Unicode between dollars, as LaTeX and as HTML.
 
-`pieces` reads it, from left to right; both writers spell out the same pieces.
+`pieces` reads a formula, from left to right; both writers spell out the same pieces.  A character
+that LaTeX would not know raises a `ValueError` that names it.
 """
 
 from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from html import escape as escape_html
 
@@ -27,8 +28,31 @@ from rigidtop.notation.characters import (
     plain,
 )
 from rigidtop.present import mathml as ml
-from rigidtop.proof.words import light, unbold
+from rigidtop.proof.words import light, parts, unbold
 from rigidtop.theory.symbols import Glyph
+
+
+def prose(text: str) -> str:
+    r"""A sentence as LaTeX.
+
+    >>> print(prose("$θ̈$ vanishes & $sin θ ≠ 0$ (3.54): 100 %"))
+    $\ddot{\theta}$ vanishes \& $\sin \theta \neq 0$ (3.54): 100 \%
+    """
+    return written(text, lambda part: f"${tex(part)}$", escape)
+
+
+def prose_html(text: str) -> str:
+    """The same as HTML, its formulas as MathML.
+
+    >>> prose_html("a & b's")
+    'a &amp; b’s'
+    """
+    return written(text, mathml, lambda part: escape_html(part.replace("'", "’"), quote=False))
+
+
+def written(text: str, maths: Callable[[str], str], plain: Callable[[str], str]) -> str:
+    """A sentence; `maths` writes its formulas, `plain` the rest."""
+    return "".join(maths(part) if is_maths else plain(part) for is_maths, part in parts(text))
 
 
 @dataclass(frozen=True)
