@@ -136,6 +136,7 @@ Tdot = _real("Tdot", Glyph("T", accent="dot"), "rate of the kinetic energy", "W"
 damping = _real("damping", Glyph("c"), "torque of the friction inside the body over $ζ$", "J s")
 c_3 = _real("c_3", Glyph("c", "3"), "drag torque of the air along $e₃$ over $ω₃$", "J s")
 sigma2 = _real("sigma2", Glyph("σ²"), "square of a growth rate", "1/s²")
+nu = _real("nu", Glyph("ν"), "frequency of a nutation, rate of a flip", "rad/s")
 omega_n2 = _real("omega_n2", Glyph("ω²", "n"), "square of the nutation frequency", "1/s²")
 A = _real("A", Glyph("A"), "amplitude of the nutation", "rad")
 delta = _real("delta", Glyph("δ"), "a deviation: of a shape, an angle, a start", "1")
