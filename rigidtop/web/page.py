@@ -22,6 +22,7 @@ from rigidtop.web import terms
 from rigidtop.web.presets import PRESETS
 from rigidtop.web.setup import FREE, HEAVY, Preset, setup_of
 from rigidtop.web.sliders import Slider, sliders
+from rigidtop.web.tours import TOURS
 
 FOLDER = Path(__file__).parent / "live-page"
 THREE = "static/r130/three.min.js"
@@ -127,6 +128,7 @@ def data(kind: str, title: str, presets: tuple[Preset, ...], first: Preset) -> M
         "presets": [_preset(p) for p in shown],
         "equations": [_equation(each) for each in _equations(kind)],
         "first": _preset(first),
+        "tour": [vars(step) for step in TOURS[kind]()],
     }
 
 

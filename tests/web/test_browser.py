@@ -14,6 +14,7 @@ import rigidtop as rt
 from rigidtop.web import terms
 from rigidtop.web.page import page, page_of
 from rigidtop.web.presets import PRESETS, SPIN, TILT, TOP
+from rigidtop.web.tours import TOURS
 
 from .conftest import page_data
 
@@ -695,6 +696,45 @@ def test_omega_is_dragged_across_the_separatrix(live):
     x, y = radius * np.cross(up, front) @ u + 2, 0.3 * em - radius * up @ u
     hand.move_to_element_with_offset(box, round(x), round(y)).click().perform()
     live.wait("document.querySelector('.verdict').textContent.includes('on the separatrix')")
+
+
+SEEN = {
+    HEAVY: ["Cusps:", "Cusps:", "Waves:", "Loops:", "Steady", "Steady", "Steady", "there is none",
+            "It sleeps", "It wakes up"],
+    FREE: ["Ω_s", "Ω_s", "round e₃", "round e₁", "turns over every 7.696 s",
+           "turns over every 10.39 s", "unstably", "on the separatrix", "round e₃"],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", TOURS)
+def test_the_tour_asks_and_then_shows(live, kind):
+    live.open(kind, STILL)
+    press(live, "t")
+    for number, (step, seen) in enumerate(zip(TOURS[kind](), SEEN[kind], strict=True), 1):
+        assert live.find(".tour-place").text.startswith(f"{number} of {len(SEEN[kind])}")
+        assert live.find(".tour-question").text == step.ask
+        # Nothing tells before it is asked.
+        assert not any(live.find(x).is_displayed() for x in (".verdict", "#plots", ".about"))
+        assert not live.find(".tour-told").text
+        assert not live.js("rigidtop.playing")
+        press(live, Keys.TAB * step.answer, Keys.ENTER)
+        live.wait("rigidtop.playing && rigidtop.motion.now.t > 0")
+        assert live.find(".tour-told").text == step.told
+        assert live.find("#tour .right").text == step.choices[step.answer]
+        assert live.find(".tour-place").text.endswith(f"; {number} of {number} foreseen")
+        said = live.find(".verdict")
+        assert said.is_displayed()
+        assert seen.replace("_", "") in said.text.replace("\n", "")
+        assert not live.find("#notice").is_displayed()
+        press(live, Keys.ENTER)
+    assert not live.find("#tour").is_displayed()
+    # A wrong answer is marked, and Escape ends it.
+    press(live, "t")
+    press(live, Keys.TAB * (TOURS[kind]()[0].answer == 0), Keys.ENTER)
+    assert live.find("#tour .wrong").is_displayed()
+    assert live.find(".tour-place").text.endswith("; 0 of 1 foreseen")
+    press(live, Keys.ESCAPE)
+    assert not live.find("#tour").is_displayed()
 
 
 APART = """

@@ -14,6 +14,7 @@ import { element } from "./controls.js";
  * @property {() => void} otherView
  * @property {(index: number) => void} preset
  * @property {() => void} present For a room, or back.
+ * @property {() => void} tour
  */
 
 /** How far one press turns the view, in radians, and brings it nearer. */
@@ -31,6 +32,7 @@ const LIST = [
   [["←", "→", "↑", "↓"], "turn the view, when the scene has the focus"],
   [["0"], "the view as it was at first"],
   [["P"], "show it to a room: the picture and one sentence; back"],
+  [["T"], "the guided tour"],
   [["?"], "this list"],
 ];
 
@@ -85,6 +87,7 @@ export function createKeys(scene, dialog, commands) {
     "−": () => commands.zoom(1 / ZOOM),
     0: commands.home,
     p: commands.present,
+    t: commands.tour,
     "?": help,
   };
 

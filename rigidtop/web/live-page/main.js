@@ -30,6 +30,7 @@ import { createScene } from "./scene.js";
 import { createTake } from "./take.js";
 import { preferredTheme, readColours, setTheme, THEMES } from "./theme.js";
 import { createTimePlots, plotsOf } from "./time_plots.js";
+import { createTour } from "./tour.js";
 import { createTransport } from "./transport.js";
 
 /** @typedef {import("./types").Facts} Facts */
@@ -206,7 +207,18 @@ const keys = createKeys(picture, /** @type {HTMLDialogElement} */ (find("keys"))
     if (index < presets.length) choosePreset(presets[index]);
   },
   present,
+  tour: () => tour.start(),
 });
+const tour = createTour(find("tour"), data.tour, {
+  show: (hash, plays) => readState(state.theme ? `${hash}&theme=${state.theme}` : hash, plays),
+  end: () => {
+    scene?.resize();
+    starter.focus();
+    wake();
+  },
+});
+const starter = element("button", { type: "button", title: "Guided tour (T)" }, "Tour");
+starter.addEventListener("click", tour.start);
 const keyList = element("button", { type: "button", "aria-label": "Keys", title: "Keys (?)" }, "?");
 keyList.addEventListener("click", keys.help);
 const screen = element("button", { type: "button", title: "Show it to a room (P)" }, "Present");
@@ -219,7 +231,7 @@ createTake(find("tools"), {
   motion: () => [motion, Math.max(motion.now.t, PREVIEW * state.preset.speed)],
   say: (sentence) => complain([sentence]),
 });
-find("tools").append(screen, themes, keyList);
+find("tools").append(starter, screen, themes, keyList);
 document.addEventListener("fullscreenchange", () => {
   if (!document.fullscreenElement) document.body.classList.remove("presenting");
   scene?.resize();
@@ -242,7 +254,7 @@ document.querySelector(".skip")?.addEventListener("click", (event) => {
   find("column").focus();
 });
 document.addEventListener("visibilitychange", () => (lastFrame = NaN));
-window.addEventListener("hashchange", readState);
+window.addEventListener("hashchange", () => readState(location.hash));
 new ResizeObserver(() => {
   scene?.resize();
   wake();
@@ -263,7 +275,7 @@ Object.assign(window, {
     },
   },
 });
-readState();
+readState(location.hash);
 
 /**
  * What Python wrote, with the first preset one of the presets if it is.
@@ -320,9 +332,14 @@ function setupOf({ values, clock }) {
   return { kind: data.kind, clock, values };
 }
 
-/** Take the state from the address. */
-function readState() {
-  const { state: said, complaints } = readAddress(location.hash, data);
+/**
+ * Take the state from an address.
+ *
+ * @param {string} hash
+ * @param {boolean} [plays] whatever the address says
+ */
+function readState(hash, plays) {
+  const { state: said, complaints } = readAddress(hash, data);
   let next = said;
   let found;
   try {
@@ -344,7 +361,8 @@ function readState() {
   state = next;
   document.body.classList.toggle("embedded", state.embed);
   complain(complaints);
-  start(found, state.play ?? !prefersStill.matches);
+  const usual = plays ?? true;
+  start(found, state.play ?? (usual && !prefersStill.matches));
   if (state.t > 0) setGoal(state.t);
 }
 
@@ -610,6 +628,7 @@ function trailsNow() {
     forgetPreview();
     return trails;
   }
+  if (asking()) return trails;
   if (!preview && !previewTimer) previewTimer = window.setTimeout(computePreview, PREVIEW_DELAY);
   return preview ?? trails;
 }
@@ -631,6 +650,11 @@ function computePreview() {
   wake();
 }
 
+/** Whether the tour asks what will happen: then nothing on the page tells. */
+function asking() {
+  return document.body.classList.contains("asking");
+}
+
 /** What there is to say about time, or "". */
 function note() {
   if (goal && goal[1] !== 0) {
@@ -649,7 +673,7 @@ function note() {
 function description({ t, theta, phi_dot }) {
   const degrees = (/** @type {number} */ angle) =>
     `${Number(((angle * 180) / Math.PI).toFixed(1))}°`;
-  const { regime, turningPoints } = facts;
+  const { regime, turningPoints } = asking() ? { regime: "", turningPoints: null } : facts;
   const unit = state.clock === "d" ? "day" : "second";
   const body = data.kind === "free" ? "A free body" : "A heavy top";
   const range =

@@ -186,6 +186,18 @@ export interface PageData {
   readonly equations: readonly Equation[];
   /** What is shown first: a preset, or a motion of one's own. */
   readonly first: Preset;
+  readonly tour: readonly TourStep[];
+}
+
+/** A question on a motion, and what is to be seen. */
+export interface TourStep {
+  /** An address of the page. */
+  readonly show: string;
+  readonly ask: string;
+  readonly choices: readonly string[];
+  /** The number of the choice that is right. */
+  readonly answer: number;
+  readonly told: string;
 }
 
 /** An explicit Runge-Kutta method with dense output: names as in `scipy.integrate.DOP853`. */
