@@ -42,6 +42,7 @@ from sympy.printing.octave import OctaveCodePrinter
 from sympy.printing.precedence import PRECEDENCE
 
 from rigidtop.codegen import numpy
+from rigidtop.codegen.solve import in_pieces, trimmed
 from rigidtop.codegen.source import INDENT, WIDTH, body, signature
 from rigidtop.codegen.values import Line, Value, Values
 from rigidtop.proof.equation import Equation
@@ -137,6 +138,7 @@ def _program(made: Values, language: Language, shown: Callable[[Any], str]) -> P
         reduced = expressions
     else:
         shared, reduced = shared_parts(expressions, fresh)
+    shared, reduced = in_pieces(shared, reduced, fresh)
     arguments = [(symbols[x], _argument(x, shown)) for x in made.arguments]
     results = [(o, _output(v, shown)) for o, v in zip(outputs, made.outputs, strict=True)]
     return Program(
@@ -454,10 +456,10 @@ def _octave(program: Program) -> Iterator[str]:
 
 
 def _python(program: Program) -> Iterator[str]:
-    values = dict(program.shared)
-    unfolded = [_unfolded(expression, values) for _, expression in program.results]
     symbols = [Symbol(name) for name in program.arguments]
-    made = numpy.function(unfolded, symbols, program.name)
+    lines = [(Symbol(name), value) for name, value in program.shared]
+    brief = trimmed(lines, [value for _, value in program.results])
+    made = numpy.function(brief.results, symbols, program.name, brief.shared)
     imported = sorted(_from_math(made.definition))
     if imported:
         yield f"from math import {', '.join(imported)}  # from numpy, and it takes arrays"
@@ -470,12 +472,6 @@ def _python(program: Program) -> Iterator[str]:
     yield from (INDENT + line for line in others)
     yield f'{INDENT}"""'
     yield from body(made.definition)
-
-
-def _unfolded(expression: Expr, shared: dict[str, Expr]) -> Expr:
-    for name, meaning in reversed(shared.items()):
-        expression = expression.xreplace({Symbol(name): meaning})
-    return expression
 
 
 def _from_math(definition: ast.FunctionDef) -> set[str]:

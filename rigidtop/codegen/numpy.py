@@ -33,6 +33,7 @@ from numpy.typing import NDArray
 from sympy import Symbol
 
 from rigidtop.codegen import source
+from rigidtop.codegen.solve import in_pieces
 
 
 @dataclass(frozen=True)
@@ -109,5 +110,10 @@ def _lambdified(
     module: str,
     shared: Sequence[tuple[Symbol, Any]],
 ) -> Any:
-    cse = (lambda _: (list(shared), expressions)) if shared else True
-    return sympy.lambdify(list(arguments), expressions, modules=module, cse=cse)
+    def lines(wanted: Sequence[Any]) -> tuple[list[tuple[Symbol, Any]], list[Any]]:
+        made, reduced = (shared, wanted) if shared else sympy.cse(wanted)
+        taken = {x.name for x in (*arguments, *(name for name, _ in made))}
+        free = (x for x in sympy.numbered_symbols("x") if x.name not in taken)
+        return in_pieces(made, reduced, free)
+
+    return sympy.lambdify(list(arguments), expressions, modules=module, cse=lines)

@@ -22,6 +22,9 @@ from dataclasses import dataclass, field
 import sympy
 from sympy import Expr, MatrixBase, Symbol
 
+MOST_TERMS = 64
+"""Terms of a sum on one line: Python's own compiler fails at sums of thousands."""
+
 
 class SingularError(ValueError):
     """A matrix that is singular whatever its letters are."""
@@ -91,7 +94,41 @@ def solved(matrix: MatrixBase, right: Sequence[Expr], names: Iterator[Symbol]) -
             if a[r, j] != 0:
                 rest -= program.named(a[r, j] / a[r, c]) * x[j]
         x[c] = program.named(rest)
-    return _trimmed(program.lines, [x[k] for k in range(n)])
+    return trimmed(program.lines, [x[k] for k in range(n)])
+
+
+def in_pieces(
+    lines: Sequence[tuple[Symbol, Expr]], results: Sequence[Expr], names: Iterator[Symbol]
+) -> tuple[list[tuple[Symbol, Expr]], list[Expr]]:
+    """The same with sums and products of very many terms in several lines; `names` are free.
+
+    >>> a = sympy.symbols("a:200")
+    >>> lines, [total] = in_pieces([], [sympy.Add(*a)], sympy.numbered_symbols("x"))
+    >>> len(lines), total
+    (4, x0 + x1 + x2 + x3)
+    """
+    made: list[tuple[Symbol, Expr]] = []
+
+    def is_long(value: Expr) -> bool:
+        return len(value.args) > MOST_TERMS and (value.is_Add or value.is_Mul)
+
+    def split(value: Expr) -> Expr:
+        args = value.args
+        while len(args) > MOST_TERMS:
+            groups = [args[k : k + MOST_TERMS] for k in range(0, len(args), MOST_TERMS)]
+            pieces = [(next(names), value.func(*group)) for group in groups]
+            made.extend(pieces)
+            args = tuple(name for name, _ in pieces)
+        return value.func(*args)
+
+    def broken(value: Expr) -> Expr:
+        if any(map(is_long, sympy.preorder_traversal(value))):
+            return value.replace(is_long, split)
+        return value
+
+    for name, value in lines:
+        made.append((name, broken(value)))
+    return made, list(map(broken, results))
 
 
 @dataclass
@@ -168,7 +205,7 @@ def _somewhere(shared: Sequence[tuple[Symbol, Expr]], entries: Sequence[Expr]) -
     return values
 
 
-def _trimmed(lines: Sequence[tuple[Symbol, Expr]], results: Sequence[Expr]) -> StraightLine:
+def trimmed(lines: Sequence[tuple[Symbol, Expr]], results: Sequence[Expr]) -> StraightLine:
     """Without what is used once, which is put in where it is used, and what is never used."""
     values = dict(lines)
     uses: dict[Symbol, int] = {}

@@ -496,8 +496,8 @@ class SystemTrajectory(Rows):
         return drifts
 
     def _sized(self, value: Expr) -> tuple[Floats, Floats]:
-        made = self._arrays((value, *sympy.Add.make_args(sympy.expand(value))))
-        return made[0], np.abs(made[1:]).sum(axis=0)
+        made = self._arrays((value, magnitude(value)))
+        return made[0], made[1]
 
 
 def _header(x: Symbol, name: str = "") -> str:
@@ -595,13 +595,27 @@ class Numeric:
 
     def sized(self, value: Expr) -> Callable[..., tuple[float, float]]:
         """A quantity, and the sum of the magnitudes of its terms."""
-        made = self.of((value, *sympy.Add.make_args(sympy.expand(value))))
+        made = self.of((value, magnitude(value)))
 
         def at(*row: float) -> tuple[float, float]:
             try:
-                first, *terms = made.scalar(*row)
+                found, size = made.scalar(*row)
             except (ZeroDivisionError, OverflowError, ValueError) as error:
                 raise RigidtopError(f"{value} can't be computed at the start: {error}") from None
-            return float(first), float(sum(map(abs, terms)))
+            return float(found), float(size)
 
         return at
+
+
+def magnitude(value: Expr) -> Expr:
+    """The sum of the magnitudes of the terms, of which rounding is a small part; as it stands.
+
+    >>> x, y = sympy.symbols("x y")
+    >>> magnitude((x - y)**2 * sympy.cos(x - y))
+    (Abs(x) + Abs(y))**2*Abs(cos(x - y))
+    """
+    if value.is_Add or value.is_Mul:
+        return value.func(*map(magnitude, value.args))
+    if value.is_Pow and value.exp.is_Integer and value.exp > 0:
+        return magnitude(value.base) ** value.exp
+    return sympy.Abs(value, evaluate=False) if value.args else sympy.Abs(value)

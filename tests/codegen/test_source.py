@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from sympy import Integer, Matrix, Rational, Symbol, cos, sin, sqrt, symbols
+from sympy import Add, Integer, Matrix, Rational, Symbol, cos, sin, sqrt, symbols
 
 from rigidtop.codegen.numpy import function
 
@@ -88,3 +88,11 @@ def test_long_sums_are_broken_at_their_signs():
     names = {}
     exec(source, names)
     assert names["f"](*range(14)) == (sum(k * k for k in range(14)), 0)
+
+
+def test_a_sum_of_thousands_of_terms_is_one_too():
+    """Python's own compiler fails at about 3,000."""
+    letters = symbols("a:3000")
+    made = function([y * Add(*letters)], (y, *letters), "long")
+    assert made(0.5, *range(3000)) == pytest.approx([0.25 * 2999 * 3000], rel=1e-12)
+    assert made.source.count(" + ") + made.source.count("\n        + ") > 2900

@@ -3,12 +3,14 @@
 import json
 import shutil
 import subprocess
+from itertools import pairwise
 
 import numpy as np
 import pytest
-from sympy import cos, sin, symbols
+from sympy import Add, cos, sin, symbols
 
 import rigidtop as rt
+from rigidtop.codegen.solve import StraightLine
 
 m, length, g, k = symbols("m length g k", positive=True)
 x, y, r, u, v, w = symbols("x y r u v w", real=True)
@@ -65,6 +67,27 @@ def test_javascript():
 def test_the_others_name_all_that_goes_in(language):
     made = BOB.source(language)
     assert all(name in made for name in (*STATE, *INSIDE, "multiplier1", "accelerations"))
+
+
+def test_a_system_of_many_terms_has_its_energy_and_its_source():
+    """As ten pendulums with masses and lengths of their own have them."""
+    springs = symbols("s:350", positive=True)
+    tied = rt.System(m * u**2 / 2 - Add(*springs) * x**2 / 2, x, u)
+    run = tied.motion({m: 2, **dict.fromkeys(springs, 1)}, 0.1).integrate([0.1])
+    assert run.drift()["energy"] < 1e-9
+    assert run.energy[0] == pytest.approx(350 * 0.1**2 / 2)
+    names = {}
+    exec(tied.source("python"), names)
+    assert names["accelerations"](0.1, 0.0, 2.0, *[1.0] * 350) == pytest.approx([-17.5])
+
+
+def test_a_program_in_python_keeps_its_lines():
+    """Put into one another they would double from line to line."""
+    ladder = rt.System(m * u**2 / 2 - k * x**2 / 2, x, u)
+    names = symbols("a0:40")
+    rungs = [(names[0], x + k), *((b, a * (a + k)) for a, b in pairwise(names))]
+    ladder.__dict__["program"] = StraightLine(tuple(rungs), (names[-1],))
+    assert ladder.source("python").count(" = ") == 39
 
 
 def test_bad_input_is_one_line():
