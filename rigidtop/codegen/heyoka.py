@@ -11,6 +11,7 @@ import importlib
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -98,10 +99,17 @@ def on_symbols(heyoka: Any, made: Function, name: str, symbols: Sequence[Any]) -
     unknown = sorted(word for word, function in called.items() if function is None)
     if unknown:
         raise RigidtopError(f"{name}: heyoka has no {', '.join(unknown)}")
-    names: dict[str, Any] = {"pi": math.pi, "e": math.e, **called}
+    both = {word: partial(_of_either, word, function) for word, function in called.items()}
+    names: dict[str, Any] = {"pi": math.pi, "e": math.e, **both}
     exec(made.source, names)
     # What is constant comes back as a plain number.
     return [
         heyoka.expression(value) if isinstance(value, int | float) else value
         for value in names[name](*symbols)
     ]
+
+
+def _of_either(word: str, compiled: Callable[..., Any], *values: Any) -> Any:
+    """Of plain numbers, such as √π, which heyoka's functions do not take, or of its symbols."""
+    plain_numbers = all(isinstance(value, int | float) for value in values)
+    return getattr(math, word)(*values) if plain_numbers else compiled(*values)

@@ -22,7 +22,9 @@ True
 from __future__ import annotations
 
 import ast
+import builtins
 import keyword
+import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -73,8 +75,8 @@ def function(
     in common is computed once.  What is `shared`, each in terms of those before it, is computed as
     it stands, and nothing else is looked for.
 
-    Raises ValueError if an expression contains a symbol that is not an argument, or if a name is
-    no Python identifier.
+    Raises ValueError if an expression contains a symbol that is not an argument or a function that
+    Python does not have, or if a name is no Python identifier.
     """
     wanted = [sympy.sympify(expression) for expression in expressions]
     unbound = set().union(*(e.free_symbols for e in (*wanted, *(x for _, x in shared))))
@@ -84,9 +86,16 @@ def function(
     for word in (name, *(a.name for a in arguments)):
         if not word.isidentifier() or keyword.iskeyword(word):
             raise ValueError(f"{word!r} cannot be a name in Python")
-    scalar = _lambdified(wanted, arguments, "math", shared)
-    over_arrays = _lambdified(wanted, arguments, "numpy", shared)
+    try:
+        scalar = _lambdified(wanted, arguments, "math", shared)
+        over_arrays = _lambdified(wanted, arguments, "numpy", shared)
+    except NotImplementedError as error:
+        [what] = re.findall(r"\w+(?='>)", str(error))[-1:] or [str(error)]
+        raise ValueError(f"{name}: Python has no {what}") from None
     definition = source.syntax_tree(scalar)
+    missing = source.names_called(definition) - {*scalar.__globals__, *dir(builtins)}
+    if missing:
+        raise ValueError(f"{name}: Python has no {', '.join(sorted(missing))}")
 
     def array(*values: Any) -> NDArray[np.float64]:
         inputs = [np.asarray(value, dtype=float) for value in values]
@@ -116,4 +125,14 @@ def _lambdified(
         free = (x for x in sympy.numbered_symbols("x") if x.name not in taken)
         return in_pieces(made, reduced, free)
 
-    return sympy.lambdify(list(arguments), expressions, modules=module, cse=lines)
+    modules: Any = module
+    if module == "numpy" and any(e.has(*OF_SCIPY) for e in (*expressions, *(x for _, x in shared))):
+        from scipy import special
+
+        names = {"erf": "erf", "erfc": "erfc", "gamma": "gamma", "lgamma": "gammaln"}
+        modules = [{name: getattr(special, own) for name, own in names.items()}, "numpy"]
+    return sympy.lambdify(list(arguments), expressions, modules=modules, cse=lines)
+
+
+OF_SCIPY = (sympy.erf, sympy.erfc, sympy.gamma, sympy.loggamma)
+"""What `math` has for one number, and NumPy for none."""

@@ -16,11 +16,15 @@ x1 = (-f*x0 + g)/(-b*x0 + c)
 
 from __future__ import annotations
 
+import random
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import sympy
-from sympy import Expr, MatrixBase, Symbol
+from sympy import Derivative, Expr, MatrixBase, Subs, Symbol
+from sympy.core.function import AppliedUndef
+
+from rigidtop.errors import RigidtopError
 
 MOST_TERMS = 64
 """Terms of a sum on one line: Python's own compiler fails at sums of thousands."""
@@ -53,7 +57,8 @@ class StraightLine:
 def solved(matrix: MatrixBase, right: Sequence[Expr], names: Iterator[Symbol]) -> StraightLine:
     """x of A x = b, for a matrix (n×n) and n right sides; `names` are free letters.
 
-    Raises SingularError where the determinant vanishes identically.
+    Raises SingularError where the determinant vanishes identically, RigidtopError where the
+    entries have no real values.
     """
     n = matrix.rows
     entries = [*matrix, *right]
@@ -187,22 +192,41 @@ def _with_signs(
     return kept, [e.xreplace(signed) for e in entries]
 
 
+TRIED = 60
+"""Points at which numbers are looked for, where square roots and logarithms may have none."""
+
+
+def points(letters: Sequence[Expr]) -> Iterator[dict[Expr, Expr]]:
+    """Numbers without a relation between them, first all from a half to three halves."""
+    first = {
+        x: sympy.N(sympy.Rational(1, 2) + sympy.frac(sympy.sqrt(sympy.prime(k + 5))), 60)
+        for k, x in enumerate(letters)
+    }
+    yield first
+    rng = random.Random(1)
+    for _ in range(TRIED):
+        yield {
+            x: value * (1 if x.is_positive or rng.random() < 0.5 else -1) * 4 ** rng.randint(-4, 4)
+            for x, value in first.items()
+        }
+
+
 def _somewhere(shared: Sequence[tuple[Symbol, Expr]], entries: Sequence[Expr]) -> list[sympy.Float]:
     """The entries at a point, to many digits."""
     own = {name for name, _ in shared}
     expressions = [*(value for _, value in shared), *entries]
-    letters = sorted(set().union(*(e.free_symbols for e in expressions)) - own, key=str)
-    # Numbers between a half and three halves without a relation between them.
-    point = {
-        x: sympy.N(sympy.Rational(1, 2) + sympy.frac(sympy.sqrt(sympy.prime(k + 5))), 60)
-        for k, x in enumerate(letters)
-    }
-    for name, value in shared:
-        point[name] = sympy.N(value.xreplace(point), 60)
-    values = [sympy.N(e.xreplace(point), 60) for e in entries]
-    if not all(value.is_comparable for value in values):
-        raise SingularError("no numbers come of the matrix")
-    return values
+    letters = set().union(*(e.free_symbols for e in expressions)) - own
+    # A function that is not known, and its derivatives, are letters too.
+    letters |= set().union(*(e.atoms(AppliedUndef, Derivative, Subs) for e in expressions))
+    for point in points(sorted(letters, key=str)):
+        for name, value in shared:
+            point[name] = sympy.N(value.xreplace(point), 60)
+        values = [sympy.N(e.xreplace(point), 60) for e in entries]
+        if all(value.is_comparable for value in values):
+            return values
+    raise RigidtopError(
+        "no masses and forces in real numbers come of L, at none of the points that were tried"
+    )
 
 
 def trimmed(lines: Sequence[tuple[Symbol, Expr]], results: Sequence[Expr]) -> StraightLine:

@@ -9,7 +9,6 @@ import numpy as np
 import sympy
 from sympy import Expr
 
-from rigidtop.codegen import numpy as plain
 from rigidtop.codegen.solve import solved
 from rigidtop.errors import RigidtopError
 from rigidtop.system.names import numbers
@@ -74,7 +73,7 @@ def _hamilton(system: System, times: Any, rows: Any, values: Any) -> Any:
         )
         for v in velocity
     ]
-    made = plain.function(turned, arguments, "hamilton")
+    made = system.numeric.made(turned, "hamilton", arguments=arguments)
     return made.array(times, *rows[:n], *momenta, *values)
 
 
@@ -89,7 +88,7 @@ def _newton_euler(system: System) -> Any:
     taken = {x.name for x in system.numeric.arguments}
     free = (x for x in sympy.numbered_symbols("x") if x.name not in taken)
     program = solved(_symmetric(matrix), right, free)
-    return plain.function(program.results, system.numeric.arguments, "newton", program.shared)
+    return system.numeric.made(program.results, "newton", program.shared)
 
 
 def _symmetric(matrix: Any) -> Any:

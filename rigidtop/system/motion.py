@@ -23,7 +23,7 @@ from rigidtop.motion import checks
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import TAYLOR, Accuracy, Flow, flow, joined, on_both_sides
 from rigidtop.motion.rows import Rows
-from rigidtop.system.names import expression, numbers
+from rigidtop.system.names import expression, numbers, own_functions
 
 if TYPE_CHECKING:
     from rigidtop.system.system import System
@@ -136,13 +136,8 @@ class SystemMotion:
 
     def _rates_at(self, state: Sequence[float]) -> tuple[float, ...]:
         """The same, what can't be computed in one line."""
-        try:
-            made = self._rates(state)
-        except (ZeroDivisionError, OverflowError, ValueError) as error:
-            made, why = (math.nan,), str(error)
-        else:
-            why = "they are not finite"
-        if not all(map(math.isfinite, made)):
+        made, why = _computed(self._rates, state)
+        if why:
             n = len(self.q)
             place = ", ".join(
                 f"{x.name} = {value:g}"
@@ -224,7 +219,11 @@ class SystemMotion:
         n = len(self.q)
 
         def at(time: float, state: Floats) -> float:
-            return float(made.scalar(time, *state[: 2 * n].tolist(), *self.parameters)[0])
+            row = (time, *state[: 2 * n].tolist(), *self.parameters)
+            found, why = _computed(lambda row: made.scalar(*row), row)
+            if why:
+                raise RigidtopError(f"the event {name} can't be computed at t = {time:g}: {why}")
+            return float(found[0])
 
         return at
 
@@ -329,6 +328,21 @@ class SystemMotions:
             raise RigidtopError("there are no motions: an array that was given is empty")
         stacked = np.stack(found, axis=1)
         return stacked.reshape(2, *self.shape, *stacked.shape[2:])
+
+
+def _computed(
+    function: Callable[[Sequence[float]], Sequence[float]], at: Sequence[float]
+) -> tuple[Sequence[float], str]:
+    """The values, and why there are none, if there are none."""
+    try:
+        made = function(at)
+        return made, "" if all(map(math.isfinite, made)) else "it is not finite"
+    except RigidtopError:
+        raise  # no numbers at all
+    except (ZeroDivisionError, OverflowError, ValueError) as error:
+        return (math.nan,), str(error)
+    except TypeError:
+        return (math.nan,), "a power of a negative number is not real"
 
 
 UNTIL = ""
@@ -533,24 +547,32 @@ class Numeric:
     @cached_property
     def _python(self) -> dict[Symbol, Symbol]:
         """Names for those whose own are none in Python, such as lambda or m_{1}."""
-        taken = {x.name for x in self.arguments} | {x.name for x, _ in self.system.program.shared}
+        letters = (*self.arguments, *self.system.names.p)
+        taken = {x.name for x in letters} | {x.name for x, _ in self.system.program.shared}
         free = (x for x in sympy.numbered_symbols("a") if x.name not in taken)
-        wrong = (x for x in self.arguments if not x.name.isidentifier() or iskeyword(x.name))
+        wrong = (x for x in letters if not x.name.isidentifier() or iskeyword(x.name))
         return {x: Symbol(next(free).name, **x.assumptions0) for x in wrong}
 
-    def _made(
+    def made(
         self,
         expressions: Sequence[Expr],
         name: str,
         shared: Sequence[tuple[Symbol, Expr]] = (),
+        arguments: Sequence[Symbol] | None = None,
     ) -> Function:
+        """Expressions as a function of numbers.  Raises RigidtopError where they have none."""
         own = self._python
-        return plain.function(
-            [x.xreplace(own) for x in expressions],
-            [own.get(x, x) for x in self.arguments],
-            name,
-            [(x, value.xreplace(own)) for x, value in shared],
-        )
+        for x in own_functions([*expressions, *(value for _, value in shared)]):
+            raise RigidtopError(f"{self.system.names.back(x)} has no numbers: put in what it is")
+        try:
+            return plain.function(
+                [x.xreplace(own) for x in expressions],
+                [own.get(x, x) for x in arguments or self.arguments],
+                name,
+                [(x, value.xreplace(own)) for x, value in shared],
+            )
+        except ValueError as error:
+            raise RigidtopError(str(error).removeprefix(f"{name}: ")) from None
 
     @cached_property
     def works(self) -> bool:
@@ -582,7 +604,7 @@ class Numeric:
         return self._function((*self.system.names.v, *results[:n], *more), "rates")
 
     def _function(self, results: Sequence[Expr], name: str) -> Function:
-        return self._made(results, name, self.system.program.shared)
+        return self.made(results, name, self.system.program.shared)
 
     def of(self, expressions: tuple[Expr, ...]) -> Function:
         """Other quantities.  Raises RigidtopError for letters that the system does not have."""
@@ -591,17 +613,16 @@ class Numeric:
             names = ", ".join(sorted(map(str, unknown)))
             there = ", ".join(x.name for x in self.arguments)
             raise RigidtopError(f"no number for {names}: the system has {there}")
-        return self._made(expressions, "quantity")
+        return self.made(expressions, "quantity")
 
     def sized(self, value: Expr) -> Callable[..., tuple[float, float]]:
         """A quantity, and the sum of the magnitudes of its terms."""
         made = self.of((value, magnitude(value)))
 
         def at(*row: float) -> tuple[float, float]:
-            try:
-                found, size = made.scalar(*row)
-            except (ZeroDivisionError, OverflowError, ValueError) as error:
-                raise RigidtopError(f"{value} can't be computed at the start: {error}") from None
+            (found, size), why = _computed(lambda row: made.scalar(*row), row)
+            if why:
+                raise RigidtopError(f"{value} can't be computed at the start: {why}")
             return float(found), float(size)
 
         return at

@@ -58,7 +58,8 @@ class Names:
 
     def rate(self, k: int) -> tuple[Symbol, str]:
         """The k-th velocity and its name: theta_dot, as of a top, or the name it was given."""
-        return self.v[k], f"{self.q[k].name}_dot" if self.given else self.v[k].name
+        of_function = isinstance(self.given.get(self.v[k]), Derivative)
+        return self.v[k], f"{self.q[k].name}_dot" if of_function else self.v[k].name
 
     def find(self, name: Any) -> Symbol | None:
         """The coordinate that is meant: as it was given, its plain symbol, or its name."""
@@ -116,13 +117,18 @@ def _of_symbols(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: set[str])
     for x in (*q, *qdot):
         if not isinstance(x, Symbol):
             raise RigidtopError(f"{x} is given with plain symbols: it has to be one too")
+        if x.is_real is False:
+            raise RigidtopError(f"{x} is a symbol for numbers that are not real")
     both = [x for x in qdot if x in q]
     if both:
         raise RigidtopError(f"{both[0]} is given as a coordinate and as a velocity")
     free = _Free(taken | {x.name for x in (*q, *qdot)})
     a = tuple(_dotted(x, free, 2) for x in q)
     p = tuple(_momentum(x, free) for x in q)
-    return Names(tuple(q), tuple(qdot), a, p, Symbol("t"), {})
+    # |x| has no derivative for SymPy where x might be complex.
+    real = {x: x if x.is_real else _like(x, x.name, real=True) for x in (*q, *qdot)}
+    given = {own: x for x, own in real.items() if own != x}
+    return Names(tuple(map(real.get, q)), tuple(map(real.get, qdot)), a, p, Symbol("t"), given)
 
 
 def _of_functions(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: set[str]) -> Names:
@@ -159,9 +165,15 @@ class _Free:
         self.taken.add(name)
         if name == wanted.name:
             return wanted
-        if isinstance(wanted, Lettered):
-            return Lettered(name, wanted.quantity, wanted.place, **wanted.assumptions0)
-        return Symbol(name, **wanted.assumptions0)
+        return _like(wanted, name)
+
+
+def _like(x: Symbol, name: str, **assumed: bool) -> Symbol:
+    """A symbol with the letter of another, if it has one, and its assumptions."""
+    assumptions = {**x.assumptions0, **assumed}
+    if isinstance(x, Lettered):
+        return Lettered(name, x.quantity, x.place, **assumptions)
+    return Symbol(name, **assumptions)
 
 
 def _dotted(x: Symbol, free: _Free, order: int) -> Symbol:
@@ -214,6 +226,8 @@ def expression(what: str, given: Any) -> Expr:
         raise RigidtopError(f"{what} must be an expression of SymPy, not {in_one_line(given)}")
     if made.has(sympy.nan, sympy.zoo, sympy.oo, -sympy.oo):
         raise RigidtopError(f"{what} must be finite, not {in_one_line(given)}")
+    if made.has(sympy.I):
+        raise RigidtopError(f"{what} must be real, not {in_one_line(given)}")
     return made
 
 

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import sympy
-from sympy import Expr, Integer, Matrix, Symbol
+from sympy import Expr, Integer, Matrix, Rational, Symbol
+from sympy.core.function import AppliedUndef
 
-from rigidtop.codegen.solve import SingularError, StraightLine, solved
+from rigidtop.codegen.solve import SingularError, StraightLine, points, solved
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import in_one_line
 from rigidtop.proof import decide
@@ -84,11 +85,15 @@ class System:
         acting = _forces(forces, coordinates)
         letters = set().union(*(x.free_symbols for x in (L, rayleigh, *rules, *acting)))
         names = named(coordinates, (qdot,) if isinstance(qdot, Expr) else qdot, letters)
-        times = {x for x in letters if x.name == "t" and x not in (*names.q, *names.v)}
-        if not names.given and times:
-            if len(times) > 1:
-                raise RigidtopError("two symbols named t: there is only one time")
-            names = Names(names.q, names.v, names.a, names.p, times.pop(), {})
+        plain = all(x.is_Symbol for x in coordinates)
+        times = {x for x in letters if x.name == names.t.name} - {*names.q, *names.v}
+        if len(times | ({names.t} if not plain else set())) > 1:
+            raise RigidtopError(
+                f"two symbols named {names.t}: there is only one time"
+                + ("" if plain else f", that of {coordinates[0]}")
+            )
+        if times:
+            names = replace(names, t=times.pop())
         for name, value in (
             ("L", L),
             ("q", tuple(names.back(x) for x in names.q)),
@@ -193,7 +198,7 @@ class System:
                         "the time may stand there"
                     )
                 for x in own_functions([each]):
-                    if x.has(*(names.given[y].func for y in names.q if y in names.given)):
+                    if x.has(*(y.func for y in self.q if isinstance(y, AppliedUndef))):
                         raise RigidtopError(f"{what} has {x}, which is none of the velocities")
         known: dict[str, Symbol] = {}
         for x in self._letters:
@@ -513,16 +518,27 @@ class System:
             raise RigidtopError(
                 "that it changes where the constraints do not hold tells nothing: see drift()"
             )
-        if decide.digits_vanish([rate]):
-            raise RigidtopError(
-                "the rate is zero to 40 digits at random points, which is not shown symbolically"
-            )
-        return False
+        for point in points(sorted(rate.free_symbols, key=str)):
+            value = sympy.N(rate.xreplace(point), 50)
+            if value.is_comparable and abs(value) > Rational(1, 10**30):
+                return False
+        raise RigidtopError(
+            "its rate is zero, or not real, wherever it was tried: neither shown nor refuted"
+        )
 
     def quantity(self, quantity: Expr) -> Expr:
         """With the momenta's letters, if there are any, written out."""
         values = dict(zip(self.names.p, self.conjugate, strict=True))
-        return self.names.plain(quantity).xreplace(values)
+        return self._own(quantity).xreplace(values)
+
+    def _own(self, quantity: Expr) -> Expr:
+        """A quantity, plain.  Raises RigidtopError where a letter only looks like the system's."""
+        made = self.names.plain(quantity)
+        own = {x.name: x for x in (self.names.t, *self.names.p, *self._letters)}
+        for x in made.free_symbols:
+            if own.get(x.name, x) != x:
+                raise RigidtopError(f"two different symbols are called {x.name}")
+        return made
 
     # --- Hamilton, Routh --------------------------------------------------------------------------
 
@@ -596,12 +612,8 @@ class System:
         (1, p_y)
         """
         names = self.names
-        f, g = (
-            names.plain(expression("the quantity", each)).xreplace(self._velocities)
-            if names.plain(expression("the quantity", each)).has(*names.v)
-            else names.plain(expression("the quantity", each))
-            for each in (first, second)
-        )
+        f, g = (self._own(expression("the quantity", each)) for each in (first, second))
+        f, g = (x.xreplace(self._velocities) if x.has(*names.v) else x for x in (f, g))
         pairs = zip(names.q, names.p, strict=True)
         bracket = [f.diff(x) * g.diff(p) - f.diff(p) * g.diff(x) for x, p in pairs]
         return names.back(readable(sympy.Add(*bracket)))
