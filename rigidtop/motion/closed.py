@@ -14,6 +14,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import free, heavy, samples
+from rigidtop.motion.exact.trace import Solved
 
 if TYPE_CHECKING:
     from rigidtop.motion.body import RigidBody
@@ -59,12 +60,10 @@ def axis(body: RigidBody) -> Axis:
     )
 
 
-def orbit(
-    body: RigidBody, attitude: Rotation, omega: tuple[float, float, float]
-) -> free.Orbit | heavy.Orbit:
+def solved(body: RigidBody, attitude: Rotation, omega: tuple[float, float, float]) -> Solved:
     """The closed form of a motion; RigidtopError for a body that has none here."""
     if not any(body.weight):
-        return free.solve(body.moments, omega)
+        return free.solved(body.moments, omega)
     found = axis(body)
     q, rates = attitudes.quaternions(attitude), omega
     if found.turn is not None:
@@ -75,7 +74,7 @@ def orbit(
     alpha, beta = attitudes.spinors(q)
     # ω = −φ̇ sin θ e₁′ + θ̇ e₂′ + ω₃e₃, and the body is turned by ψ about e₃ (3.42).
     sin_psi, cos_psi = math.sin(psi), math.cos(psi)
-    return heavy.solve(
+    return heavy.solved(
         start(
             found,
             omega3=rates[2],
@@ -103,27 +102,30 @@ def start(
 
 def states(motion: Motion, times: Floats) -> tuple[Floats, Floats]:
     """Quaternions (N, 4), scalar first, body to space, and ω (N, 3) in body components (rad/s)."""
-    solved = motion.orbit
-    if isinstance(solved, free.Orbit):
+    solved = motion.solved
+    if not any(motion.body.weight):
         rows = _free_states(solved, motion.attitude, times)
         return rows[:4].T, rows[4:].T
-    s, turn = solved.states(times), axis(motion.body).turn
+    s, turn = solved.orbit.states(times), axis(motion.body).turn
     if turn is None:
         return s.quaternion, s.omega
     whole = attitudes.product(s.quaternion, attitudes.conjugate(turn))
     return whole, np.asarray(attitudes.rotation(turn).apply(s.omega))
 
 
-def _free_states(orbit: free.Orbit, attitude: Rotation, times: Floats) -> Floats:
+def _free_states(solved: Solved, attitude: Rotation, times: Floats) -> Floats:
     """The quaternion and ω, (7, N)."""
     first = attitude.as_quat(scalar_first=True).tolist()
 
-    def columns(t: Floats | float) -> Sequence[Any]:
+    if len(times) == 1:
+        state = solved.at(float(times[0]))
+        return np.array([[*free.after(first, state[:4]), *state[4:]]]).T
+    orbit: free.Orbit = solved.orbit
+
+    def columns(t: Floats) -> Sequence[Any]:
         state = orbit.at(t)
         return *free.after(first, state.quaternion), *state.omega
 
-    if len(times) == 1:
-        return np.array([columns(float(times[0]))]).T
     rotation = 1 + float(max(abs(times[0]), abs(times[-1]))) * 2 * orbit.sigma
     names = [each.name for each in fields(free.State)]
     needed = [(name, rotation if name[0] == "q" else rotation * orbit.sigma) for name in names]

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -16,6 +17,7 @@ from rigidtop.motion import attitude as attitudes
 from rigidtop.motion import checks, closed, systems, taylor
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import free, heavy, samples
+from rigidtop.motion.exact.trace import Solved
 from rigidtop.motion.integrate import (
     TAYLOR,
     Accuracy,
@@ -26,6 +28,7 @@ from rigidtop.motion.integrate import (
     on_both_sides,
 )
 from rigidtop.motion.start import Start
+from rigidtop.motion.state import TopState
 from rigidtop.motion.trajectory import BodyTrajectory, EvenTop, TopTrajectory, Trajectory
 
 if TYPE_CHECKING:
@@ -116,9 +119,15 @@ class Motion:
         return BodyTrajectory(self, times, *self._attitudes(states, times))
 
     @cached_property
+    def solved(self) -> Solved:
+        """The closed form, for one time."""
+        return closed.solved(self.body, self.attitude, self.omega)
+
+    @property
     def orbit(self) -> free.Orbit | heavy.Orbit:
-        """The closed form: its periods, its turning points and its state at any time."""
-        return closed.orbit(self.body, self.attitude, self.omega)
+        """The closed form: its periods, its turning points and its state at any times."""
+        found: free.Orbit | heavy.Orbit = self.solved.orbit
+        return found
 
     @property
     def regime(self) -> str:
@@ -246,8 +255,17 @@ class TopMotion(Motion):
             return self._trajectory(
                 self._initial()[:, None], np.zeros(1), np.array([self.phi]), np.array([self.psi])
             )
-        state = heavy.beginning(self._from_euler(self.euler))
-        return TopTrajectory(motion=self, t=np.zeros(1), **vars(state))
+        s = self._from_euler(self.euler)
+        angles = s.cos_half, s.sin_half, s.phi, s.psi
+        return self._row(np.zeros(1), (*angles, s.v_theta, s.v_phi, s.omega3, s.b / 2))
+
+    def _row(self, times: Floats, state: Sequence[float]) -> TopTrajectory:
+        """One state, in the order of `TopState`."""
+        *changing, spin, upright = state
+        columns = [np.array([x]) for x in changing]
+        fixed = [np.array(spin), np.array(upright)]
+        named = zip((each.name for each in fields(TopState)), [*columns, *fixed], strict=True)
+        return TopTrajectory(motion=self, t=times, **dict(named))
 
     @property
     def _axis(self) -> closed.Axis:
@@ -275,19 +293,20 @@ class TopMotion(Motion):
         (array([0.5     , 0.463232]), array([     0.   , 247889.744]))
         """
         times = checks.times(t)
-        orbit = self.orbit
-        if len(times) > 1:
-            even = samples.samples(times, orbit.course, orbit.states, orbit.sizes)
-            if even is not None:
-                return EvenTop(self, times, even)
+        if len(times) == 1:
+            return self._row(times, self.solved.at(float(times[0])))
+        orbit: heavy.Orbit = self.solved.orbit
+        even = samples.samples(times, orbit.course, orbit.states, orbit.sizes)
+        if even is not None:
+            return EvenTop(self, times, even)
         return TopTrajectory(motion=self, t=times, **vars(orbit.states(times)))
 
     @cached_property
-    def orbit(self) -> heavy.Orbit:
+    def solved(self) -> Solved:
         if self.euler is not None:
-            return heavy.solve(self._from_euler(self.euler))
+            return heavy.solved(self._from_euler(self.euler))
         first = self.start()
-        return heavy.solve(
+        return heavy.solved(
             closed.start(
                 self._axis,
                 omega3=self.omega[2],

@@ -24,15 +24,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rigidtop.motion.exact import theta
-from rigidtop.motion.exact.numbers import Kit, Plain, Real, Truth, kit
+from rigidtop.motion.exact.numbers import Arrays, Kit, Real, Truth
 from rigidtop.motion.exact.samples import Course
 from rigidtop.motion.exact.theta import Factor, Modulus, Real4, cubic, factor, modulus, real4
+from rigidtop.motion.exact.trace import Solved, Written, written
 
 ROUNDING = 16 * float(np.finfo(float).eps)
 """What rounding of the initial state does to the distance from the separatrix."""
@@ -119,6 +121,8 @@ class Orbit:
     sine: Real
     cosine: Real
     """Of Landen's transformation, sn ∝ θ₁θ₄ and cn ∝ θ₂θ₃ over θ₄² + `weight` θ₁²."""
+    back: tuple[Real, ...] = ()
+    """The quaternion from the frame of L to e₁, e₂, e₃ at t = 0."""
 
     # --- Periods ---
 
@@ -189,17 +193,13 @@ class Orbit:
 
     def at(self, t: Real) -> State:
         """At times t (s), which broadcast against the orbit."""
-        k = kit(t, self.z0)
-        if k is Plain:
-            return self._at(k, t)
         with np.errstate(all="ignore"):
-            return self._at(k, t)
+            return self._at(Arrays, t)
 
     def _at(self, k: Kit, t: Real) -> State:
         def turning() -> tuple[Real, ...]:
-            first, _ = self._state(kit(self.z0), self.z0, 0.0)
             now, momentum = self._state(k, self.z0 + self.rate * t, t)
-            w, *turned = after(inverse(first), now)
+            w, *turned = after(self.back, now)
             rates = [
                 sign * part / moment * self.sigma
                 for sign, part, moment in zip(self.signs, momentum, self.moments, strict=True)
@@ -226,8 +226,8 @@ class Orbit:
         momentum = a1 * cn, a2 * sn, a3 * k.sqrt(self.m1 + self.m * cn * cn)
         n1, n2, n3 = (part / self.length for part in momentum)
         size = k.sqrt((1 + n3) / 2)
-        across = at.t * k.where(self.along.weighted, 1.0, at.plus) * cubic(self.along.odd, at.x)
-        phase = k.atan2(across, cubic(self.along.even, at.x))
+        f, g = k.cubics((self.along.odd, self.along.even), at.x)
+        phase = k.atan2(at.t * k.where(self.along.weighted, 1.0, at.plus) * f, g)
         phase = self.drift * t - phase - at.turns * self.along.turn
         c, s = k.circle(phase)
         b1, b2 = -n1 / (2 * size), -n2 / (2 * size)
@@ -260,12 +260,23 @@ def _renamed(k: Kit, axes: Triple, values: list[Real]) -> tuple[Real, ...]:
 
 
 def solve(moments: Triple, omega: Triple) -> Orbit:
-    """The orbit from three moments and ω in body components, floats or arrays that broadcast."""
-    k = kit(*moments, *omega)
-    if k is Plain:
-        return _solve(k, moments, omega)
+    """The orbits from three moments and ω in body components, arrays that broadcast."""
     with np.errstate(all="ignore"):
-        return _solve(k, moments, omega)
+        return _solve(Arrays, moments, omega)
+
+
+@cache
+def _written() -> Written:
+    return written(
+        6,
+        lambda k, s: _solve(k, (s[0], s[1], s[2]), (s[3], s[4], s[5])),
+        lambda k, orbit, t: orbit._at(k, t),
+    )
+
+
+def solved(moments: Triple, omega: Triple) -> Solved:
+    """One motion, from floats; its state is a `State`."""
+    return _written().solved(*moments, *omega)
 
 
 def _ordered(k: Kit, moments: Triple) -> tuple[Real, Real, Real]:
@@ -357,7 +368,7 @@ def _solve(k: Kit, moments: Triple, omega: Triple) -> Orbit:
     end3 = a3 * k1
     away = k.over(a2 * a2, length + end3)
     slow = (away / i2 + end3 / i3) / 2
-    return Orbit(
+    orbit = Orbit(
         omega=omega,
         sigma=sigma,
         axes=axes,
@@ -381,3 +392,9 @@ def _solve(k: Kit, moments: Triple, omega: Triple) -> Orbit:
         sine=(1 + lower) * per_sine,
         cosine=four * four / (two * three),
     )
+    back = k.pick(
+        uniform,
+        lambda: (1.0, 0.0, 0.0, 0.0),
+        lambda: inverse(orbit._state(k, z0, 0.0)[0]),
+    )
+    return replace(orbit, back=back)

@@ -21,24 +21,25 @@ roots of a quadratic whose discriminant is a sum; and at the threshold of the sl
 the three roots meet, everything is made of the two differences that are small there, b² − 4μ and
 φ̇ − b/y, so that their rounding is no more than another top or another start.
 
-`Start` and `Orbit` are floats for one motion, else arrays that broadcast.
+`Start` and `Orbit` are floats of one motion, else arrays that broadcast.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, fields
+from functools import cache, cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import theta
-from rigidtop.motion.exact.numbers import Kit, Plain, Real, Truth, kit
+from rigidtop.motion.exact.numbers import Arrays, Kit, Real, Truth
 from rigidtop.motion.exact.samples import BLOCK, Course, in_blocks
 from rigidtop.motion.exact.theta import Cubic, Factor, Modulus, along, cubic, factor, modulus
+from rigidtop.motion.exact.trace import Solved, Written, written
 from rigidtop.motion.state import TopState
 
 ROUNDING = 16 * float(np.finfo(float).eps)
@@ -136,6 +137,10 @@ class Half:
     drift: Real
     """What is linear in time of its phase (1/s)."""
     at_origin: bool
+
+    @property
+    def cubics(self) -> tuple[Cubic, Cubic, Cubic]:
+        return self.factor.odd, self.factor.even, self.factor.winding
 
 
 @dataclass(frozen=True)
@@ -282,11 +287,8 @@ class Orbit:
 
     def at(self, t: Real) -> TopState:
         """The state at times t (s), which broadcast against the orbit."""
-        k = kit(t, self.z0)
-        if k is Plain:
-            return self._at(k, t)
         with np.errstate(all="ignore"):
-            return self._at(k, t)
+            return self._at(Arrays, t)
 
     def sizes(self, times: Floats) -> Callable[[TopState], Sequence[tuple[str, Floats | float]]]:
         """To what the quantities of states are needed, at times of this size."""
@@ -312,14 +314,6 @@ class Orbit:
 
     def states(self, times: Floats) -> TopState:
         """The states at any number of times (N,) of one motion."""
-        s = self.start
-        if len(times) == 1:
-            one = self.at(float(times[0]))
-            found = {name: np.array([getattr(one, name)]) for name in CHANGING}
-            return TopState(
-                **found, omega3=np.asarray(s.omega3), upright_phi_dot=np.asarray(s.b / 2)
-            )
-
         if len(times) <= BLOCK:
             return self.at(times)
 
@@ -327,7 +321,7 @@ class Orbit:
             state = self.at(part)
             return tuple(getattr(state, name) for name in CHANGING)
 
-        found = dict(zip(CHANGING, in_blocks(columns, times), strict=True))
+        s, found = self.start, dict(zip(CHANGING, in_blocks(columns, times), strict=True))
         return TopState(**found, omega3=np.asarray(s.omega3), upright_phi_dot=np.asarray(s.b / 2))
 
     def _at(self, k: Kit, t: Real) -> TopState:
@@ -336,8 +330,9 @@ class Orbit:
             z = k.where(t == 0, self.z0, z)  # its sign counts
         at = theta.place(k, self.modulus, z)
         own, other = self.first, self.second
-        square1, phase1, f = _half(k, own, at)
-        square2, phase2, _ = _half(k, other, at)
+        cubics = k.cubics([*own.cubics, *other.cubics, self.sines], at.x)
+        square1, phase1 = _half(k, own, at, cubics[:3])
+        square2, phase2 = _half(k, other, at, cubics[3:6])
         share = 1 / (square1 + square2)
         root1, root2, root = k.sqrt(square1), k.sqrt(square2), k.sqrt(share)
         turned1 = own.drift * t + own.sense * (phase1 - self.begin[0])
@@ -349,7 +344,7 @@ class Orbit:
         sin_half = k.where(self.swapped, sides[0], sides[1])
         slope = k.over(at.t, root1)
         if k.any(root1 == 0):  # in a pole at the origin, where it is that of its neighbours
-            beside = f * k.sqrt(own.scale * at.plus)
+            beside = cubics[0] * k.sqrt(own.scale * at.plus)
             slope = k.where(root1 > 0, slope, k.over(k.copysign(1.0, z), beside))
         end, left = self.modulus.end, at.left
         q2 = (end - left) * (end - left)
@@ -362,7 +357,7 @@ class Orbit:
         sine = 2 * root1 * root2 * share
 
         def small() -> tuple[Real]:
-            rise = at.t * cubic(self.sines, at.x)
+            rise = at.t * cubics[6]
             return (self.momentum + self.momentum_rise * rise * rise * at.plus * share,)
 
         def wide() -> tuple[Real]:
@@ -387,16 +382,23 @@ class Orbit:
         )
 
 
-def _half(k: Kit, half: Half, at: theta.Place) -> tuple[Real, Real, Real]:
-    """The square of a spinor, but for the common denominator; its phase; and F."""
-    f, g = cubic(half.factor.odd, at.x), cubic(half.factor.even, at.x)
-    t = at.t * k.where(half.factor.weighted, 1.0, at.plus)
-    across = t * f
-    size = half.scale * (across * across + g * g)
-    square = size * k.where(half.factor.weighted, at.plus, 1.0)
+def _half(k: Kit, half: Half, at: theta.Place, cubics: Sequence[Real]) -> tuple[Real, Real]:
+    """The square of a spinor, but for the common denominator; and its phase."""
+    f, g, winding = cubics
+
+    def weighted() -> tuple[Real, ...]:
+        across = at.t * f
+        return at.t, across, half.scale * (across * across + g * g) * at.plus
+
+    def alone() -> tuple[Real, ...]:
+        t = at.t * at.plus
+        across = t * f
+        return t, across, half.scale * (across * across + g * g)
+
+    t, across, square = k.pick(half.factor.weighted, weighted, alone)
     angle = k.pick(
         half.factor.wound,
-        lambda: (k.atan2(t * cubic(half.factor.winding, at.x), g + at.t * across),),
+        lambda: (k.atan2(t * winding, g + at.t * across),),
         lambda: (k.atan2(across, g),),
     )[0]
     phase = angle + at.turns * half.factor.turn
@@ -407,24 +409,25 @@ def _half(k: Kit, half: Half, at: theta.Place) -> tuple[Real, Real, Real]:
             phase = k.where(half.through, k.where(odd, -angle, angle), phase)
         else:
             phase = k.where(half.through, k.where(odd, math.pi, 0.0), phase)
-    return square, phase, f
-
-
-def beginning(start: Start) -> TopState:
-    """One start, as a state of one row."""
-    parts = {name: np.array([getattr(start, name)]) for name in ("cos_half", "sin_half")}
-    parts |= {"theta_dot": np.array([start.v_theta]), "v_phi": np.array([start.v_phi])}
-    parts |= {name: np.array([getattr(start, name)]) for name in ("phi", "psi")}
-    return TopState(**parts, omega3=np.array(start.omega3), upright_phi_dot=np.array(start.b / 2))
+    return square, phase
 
 
 def solve(start: Start) -> Orbit:
-    """The orbit from a start; arrays broadcast."""
-    k = kit(*vars(start).values())
-    if k is Plain:
-        return _solve(k, start)
+    """The orbits from starts, which are arrays that broadcast."""
     with np.errstate(all="ignore"):
-        return _solve(k, start)
+        return _solve(Arrays, start)
+
+
+@cache
+def _written() -> Written:
+    return written(
+        len(fields(Start)), lambda k, s: _solve(k, Start(*s)), lambda k, orbit, t: orbit._at(k, t)
+    )
+
+
+def solved(start: Start) -> Solved:
+    """One motion, whose start is floats; its state is a `TopState`."""
+    return _written().solved(*vars(start).values())
 
 
 def _solve(k: Kit, start: Start) -> Orbit:
@@ -555,7 +558,10 @@ def _solve(k: Kit, start: Start) -> Orbit:
         falls=falls,
         momentum=sigma * k.where(swapped, a1, a2),
         momentum_rise=sigma * b * k.where(swapped, depth, -depth),
-        begin=(_half(k, halves[0], at)[1], _half(k, halves[1], at)[1]),
+        begin=(
+            _half(k, halves[0], at, k.cubics(halves[0].cubics, at.x))[1],
+            _half(k, halves[1], at, k.cubics(halves[1].cubics, at.x))[1],
+        ),
         still=still,
         steady=steady,
         asymptotic=k.where(k.either(still, steady), False, arrives),

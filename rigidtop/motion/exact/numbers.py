@@ -1,74 +1,26 @@
-"""The same formulas for one float, by `math`, and for arrays, by NumPy.
+"""The same formulas for arrays, by NumPy, and for one float.
 
-A formula is written once, for a kit `k`: `plain` for floats, where a call costs a tenth of a
-microsecond, or `arrays`, which broadcast.  Division by zero gives ±inf or NaN in both.
+A formula is written once, for a kit `k`: `Arrays`, which broadcast, or a `Trace`, which writes the
+formula out for floats.  Division by zero gives ±inf or NaN in both.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
 Real = Any
-"""A float, or an array of floats."""
+"""A float, an array of floats, or one that is traced."""
 
 Truth = Any
 """A bool, or an array of them."""
 
 
-class Plain:
-    """Floats."""
-
-    sqrt = staticmethod(math.sqrt)
-    sin = staticmethod(math.sin)
-    cos = staticmethod(math.cos)
-    tan = staticmethod(math.tan)
-    atan = staticmethod(math.atan)
-    atan2 = staticmethod(math.atan2)
-    sinh = staticmethod(math.sinh)
-    cosh = staticmethod(math.cosh)
-    tanh = staticmethod(math.tanh)
-    asinh = staticmethod(math.asinh)
-    atanh = staticmethod(math.atanh)
-    acos = staticmethod(math.acos)
-    exp = staticmethod(math.exp)
-    expm1 = staticmethod(math.expm1)
-    hypot = staticmethod(math.hypot)
-    copysign = staticmethod(math.copysign)
-    larger = staticmethod(max)
-    smaller = staticmethod(min)
-    rint = staticmethod(round)
-    finite = staticmethod(math.isfinite)
-    both = staticmethod(lambda a, b: a and b)
-    either = staticmethod(lambda a, b: a or b)
-
-    @staticmethod
-    def circle(angle: float) -> tuple[float, float]:
-        """cos and sin."""
-        return math.cos(angle), math.sin(angle)
-
-    @staticmethod
-    def over(a: float, b: float) -> float:
-        """a/b."""
-        if b:
-            return a / b
-        return math.copysign(math.inf, a) * math.copysign(1.0, b) if a else math.nan
-
-    @staticmethod
-    def where(condition: bool, one: Any, other: Any) -> Any:
-        return one if condition else other
-
-    @staticmethod
-    def pick(condition: bool, one: Callable[[], Any], other: Callable[[], Any]) -> Any:
-        """`one()` or `other()`, tuples of numbers."""
-        return one() if condition else other()
-
-    @staticmethod
-    def any(condition: bool) -> bool:
-        return condition
+def horner(c: Sequence[Real], x: Real) -> Real:
+    """A cubic, by its coefficients, the constant first."""
+    return ((c[3] * x + c[2]) * x + c[1]) * x + c[0]
 
 
 class Arrays:
@@ -106,12 +58,23 @@ class Arrays:
         return (1 - t * t) * per, 2 * t * per
 
     @staticmethod
+    def cubics(coefficients: Sequence[Sequence[Real]], x: Real) -> Sequence[Real]:
+        """Cubics of one x; of one motion they are one matrix product."""
+        if np.ndim(x) == 1 and isinstance(coefficients[0][0], float):
+            powers = np.empty((4, len(x)))
+            powers[0], powers[1] = 1.0, x
+            np.multiply(x, x, out=powers[2])
+            np.multiply(powers[2], x, out=powers[3])
+            return np.asarray(coefficients) @ powers
+        return [horner(c, x) for c in coefficients]
+
+    @staticmethod
     def any(condition: Truth) -> bool:
-        return condition if isinstance(condition, bool) else bool(condition.any())
+        return condition if isinstance(condition, bool) else bool(np.any(condition))
 
     @staticmethod
     def where(condition: Truth, one: Any, other: Any) -> Any:
-        if isinstance(condition, bool):  # of the one motion that there is
+        if isinstance(condition, (bool, np.bool_)):  # of the one motion that there is
             return one if condition else other
         return np.where(condition, one, other)
 
@@ -119,7 +82,7 @@ class Arrays:
     def pick(
         condition: Truth, one: Callable[[], Sequence[Real]], other: Callable[[], Sequence[Real]]
     ) -> Sequence[Real]:
-        if isinstance(condition, bool):
+        if isinstance(condition, (bool, np.bool_)):
             return one() if condition else other()
         if np.all(condition):
             return one()
@@ -130,9 +93,4 @@ class Arrays:
 
 
 Kit = Any
-"""`Plain` or `Arrays`."""
-
-
-def kit(*values: Real) -> Kit:
-    """For numbers like these."""
-    return Plain if all(isinstance(value, float) for value in values) else Arrays
+"""`Arrays`, or a `Trace`."""

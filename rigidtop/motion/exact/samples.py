@@ -29,7 +29,10 @@ NODES = 16
 """Values of a piece from which it is interpolated."""
 
 FEWEST, MOST = 64, 1024
-"""Samples of a piece, a power of 2: what is worth it, and what fits the processor's cache."""
+"""Samples of a piece: what is worth it, and what fits the processor's cache."""
+
+SIZES = 32
+"""Pieces of few samples have a multiple of so many; those of many a power of 2, to be halved."""
 
 HALF_PIECE = 0.5
 """In radians of z: 16 values give exp(2iz) to rounding there."""
@@ -241,13 +244,11 @@ def _size(count: int, step: float, course: Course) -> int:
     """How many samples of the first pieces; 0 if pieces are too short."""
     if not abs(step) * FEWEST <= course.piece:
         return 0
-    size, longest = FEWEST, course.piece
+    most = min(course.piece / abs(step), MOST, count)
     if count <= MANY:  # one size only is worth it
-        longest = min(longest, course.piece_anywhere)
-    most = min(longest / abs(step), MOST, count)
-    while 2 * size <= most:
-        size *= 2
-    return size
+        most = min(most, course.piece_anywhere / abs(step))
+        return max(int(most) // SIZES * SIZES, FEWEST)
+    return FEWEST << int(math.log2(most / FEWEST))
 
 
 def _in_harmonics(
@@ -328,10 +329,11 @@ def _in_pieces(
         return None
     count, needed = len(times), sizes(times)
     padded = -(-count // size) * size
-    left = np.ones(padded // FEWEST, dtype=bool)
+    unit = FEWEST if count > MANY else size
+    left = np.ones(padded // unit, dtype=bool)
     parts: list[Nodes] = []
     for _ in range(LEVELS if count > MANY else 1):
-        whole = left.reshape(-1, size // FEWEST)
+        whole = left.reshape(-1, size // unit)
         pieces = np.flatnonzero(np.all(whole[: -(-count // size)], axis=1))
         if not len(pieces):
             break
@@ -347,14 +349,14 @@ def _in_pieces(
         size //= 2
         if size < FEWEST or not left.any():
             break
-    others = np.flatnonzero(np.repeat(left, FEWEST)[:count])
+    others = np.flatnonzero(np.repeat(left, unit)[:count])
     if 2 * len(others) > count:
         return None
     at_others = states(times[others]) if len(others) else parts[0].states
     return Samples(count, padded, tuple(parts), others, at_others)
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=MOST // SIZES)
 def _weights(size: int) -> tuple[Floats, Floats]:
     """(NODES, size): from values at the nodes to samples; (2, NODES): to the last coefficients."""
     orders = np.arange(NODES)

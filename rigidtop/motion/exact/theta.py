@@ -24,6 +24,7 @@ import math
 from dataclasses import dataclass
 
 from rigidtop.motion.exact.numbers import Kit, Real, Truth
+from rigidtop.motion.exact.numbers import horner as cubic
 
 MEANS = 12
 """At most so many arithmetic-geometric means: 10 are enough for 1 and 1e-150."""
@@ -39,10 +40,6 @@ NO_MORE = 1e-35
 
 Cubic = tuple[Real, Real, Real, Real]
 """Coefficients, the constant first."""
-
-
-def cubic(c: Cubic, x: Real) -> Real:
-    return ((c[3] * x + c[2]) * x + c[1]) * x + c[0]
 
 
 @dataclass(frozen=True)
@@ -161,8 +158,8 @@ def place(k: Kit, mod: Modulus, z: Real) -> Place:
     """Where z is."""
 
     def circular() -> tuple[Real, ...]:
-        turns = k.rint(z * (1 / math.pi))
-        rest = k.where(turns == 0, z, z - turns * math.pi)  # a zero keeps its sign
+        turns = k.rint(z * (1 / math.pi)) + 0.0
+        rest = z - turns * math.pi  # a zero keeps its sign
         t = k.tan(rest)
         plus = 2 / (1 + t * t)
         x = mod.q * (plus - 1)
@@ -171,11 +168,12 @@ def place(k: Kit, mod: Modulus, z: Real) -> Place:
     def hyperbolic() -> tuple[Real, ...]:
         bounded = k.finite(mod.half)
         period = k.where(bounded, 2 * mod.half, 1.0)
-        turns = k.where(bounded, k.rint(z / period), 0.0)
-        rest = k.where(turns == 0, z, z - turns * period)
+        turns = k.where(bounded, k.rint(z / period), 0.0) + 0.0
+        rest = z - turns * period
         size = abs(rest)
         shrunk = k.exp(-2 * k.smaller(size, FARTHEST))
-        left = -k.expm1(2 * (size - mod.half)) * (1 - mod.q * shrunk) / 2
+        end = k.tanh(mod.half - size)
+        left = end / (1 + end) * (1 - mod.q * shrunk)
         plus = (1 + shrunk) * (1 + shrunk) / (2 * shrunk)
         return turns, rest, k.tanh(rest), plus, left, left
 
@@ -287,13 +285,14 @@ class Real4:
 
     def at(self, k: Kit, mod: Modulus, place: Place) -> tuple[Real, Real, Real, Real]:
         weight = k.sqrt(place.plus / 2)
-        x = place.x
-        return (
-            place.t * weight * cubic(self.first, x),
-            k.where(mod.circular, weight, 1.0) * cubic(self.second, x),
-            cubic(self.third, x),
-            k.where(mod.circular, 1.0, weight) * cubic(self.fourth, x),
+        all_four = self.first, self.second, self.third, self.fourth
+        first, second, third, fourth = k.cubics(all_four, place.x)
+        second, fourth = k.pick(
+            mod.circular,
+            lambda: (weight * second, fourth),
+            lambda: (second, weight * fourth),
         )
+        return place.t * weight * first, second, third, fourth
 
 
 def real4(k: Kit, mod: Modulus) -> Real4:
