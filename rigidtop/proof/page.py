@@ -4,7 +4,7 @@ A claim is a function.  Its docstring is the reason, in one sentence; its body t
 as the page prints it, lets the engine go its own way, and yields what there is to see: a `Check` of
 the equation against the engine, a `Correction`, a `Measure` of a computed motion, or a `Step` of
 the engine's own that no page prints.  `rigidtop.proof.verdict.judge` runs it.  Mathematics in
-sentences stands between dollars: `rigidtop.proof.words`.
+sentences stands between dollars: `rigidtop.proof.words`::
 
     @claim("3.45", "$φ̇$ from the two conserved momenta")
     def azimuthal_rate():

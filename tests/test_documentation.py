@@ -1,0 +1,129 @@
+"""What README and documentation show is what one gets."""
+
+from __future__ import annotations
+
+import doctest
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+import rigidtop
+from rigidtop.cli import main
+from rigidtop.commands.parser import parsed
+
+ROOT = Path(__file__).parents[1]
+README = ROOT / "README.md"
+SITE = ROOT / "notebooks" / "site"
+PAGES = [README, *(page for page in sorted(SITE.rglob("*.md")) if page.parent.name != "notebooks")]
+
+
+def name(page: Path) -> str:
+    return page.relative_to(ROOT).as_posix()
+
+
+def commands(page: Path) -> list[tuple[list[str], str]]:
+    """Each command line of a page as words, and what the page shows of its output."""
+    found = []
+    for block in re.findall(r"^```console\n(.*?)^```", page.read_text("utf-8"), re.M | re.S):
+        for command in re.split(r"^\$ ", block, flags=re.M)[1:]:
+            line, _, shown = command.partition("\n")
+            found.append((shlex.split(line, comments=True), shown))
+    return found
+
+
+def files(page: Path) -> list[tuple[str, str]]:
+    """What a page tells its reader to save, with its name."""
+    return re.findall(
+        r"as\s`(\S+)`:\n\n```(?:markdown|latex)\n(.*?)^```", page.read_text("utf-8"), re.M | re.S
+    )
+
+
+SHOWN = [
+    pytest.param(page, words, shown, id=f"{name(page)}: {shlex.join(words)}")
+    for page in PAGES
+    for words, shown in commands(page)
+    if shown and page != README
+]
+
+
+def agree(shown: str, out: str) -> bool:
+    """Whether the output is what is shown, in which … stands for any lines, or the rest of one."""
+    rows = [
+        r"(?:.*\n)*?" if row == "…" else re.escape(row).replace("…", ".*") + r"\n"
+        for row in shown.rstrip().splitlines()
+    ]
+    return re.fullmatch("".join(rows), out.rstrip() + "\n") is not None
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name)
+def test_examples_run(page, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    result = doctest.testfile(str(page), module_relative=False, encoding="utf-8")
+    assert result.failed == 0
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name)
+def test_every_command_is_one(page):
+    for words, _ in commands(page):
+        assert words[0] == "rigidtop"
+        assert parsed(words[1:]).command == words[1]
+
+
+@pytest.mark.parametrize(("page", "words", "shown"), SHOWN)
+def test_what_is_shown_comes_out(page, words, shown, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", "80")
+    for file, text in files(page):
+        (tmp_path / file).write_text(text, "utf-8")
+    main(words[1:])
+    assert agree(shown, capsys.readouterr().out)
+
+
+def test_there_are_such_pages():
+    assert sum(page.read_text("utf-8").count(">>>") for page in PAGES) > 30
+    assert len(SHOWN) >= 4
+    assert sum(len(commands(page)) for page in PAGES) > 30
+
+
+def test_the_readme_shows_a_derivation_and_a_slip_as_they_come_out(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    for file, text in files(SITE / "teach.md"):
+        (tmp_path / file).write_text(text, "utf-8")
+    for words, shown in commands(README):
+        main(words[1:])
+        assert agree(shown, capsys.readouterr().out)
+
+
+def test_the_verdicts_are_counted_as_they_are():
+    from rigidtop.derivations import PAGES as LECTURE
+    from rigidtop.proof.verdict import judge_page
+
+    verdicts = [judgement.verdict.value for page in LECTURE for judgement in judge_page(page)]
+    [sentence] = re.findall(r"^Of the (\d+ claims .*?)\.", README.read_text("utf-8"), re.M | re.S)
+    assert sentence.startswith(f"{len(verdicts)} claims ")
+    counted = re.findall(r"(\d+)(?: are)? `(\w+)`", sentence)
+    counts = {verdict: int(count) for count, verdict in counted}
+    assert counts == {verdict: verdicts.count(verdict) for verdict in set(verdicts)}
+
+
+def test_first_two_blocks_are_one_command_each():
+    blocks = re.findall(r"^```sh\n(.*?)^```", README.read_text("utf-8"), re.M | re.S)
+    assert len(blocks) == 2
+    assert all(block.count("\n") == 1 for block in blocks)
+    assert "rigidtop lecture --pdf" in blocks[0]
+    assert "pytest" in blocks[1]
+
+
+def test_every_public_name_is_in_the_reference():
+    there = "\n".join(page.read_text("utf-8") for page in (SITE / "reference").glob("*.md"))
+    named = set(re.findall(r"^\.\. auto\w+:: rigidtop\.(\w+)$", there, re.M))
+    assert set(rigidtop.__all__) - {"__version__"} <= named
+
+
+def test_every_link_to_a_file_leads_there():
+    for page in PAGES:
+        for target in re.findall(r"\]\(([^)#:]+?)(?:#[\w-]+)?\)", page.read_text("utf-8")):
+            made = target.startswith("figures/")
+            assert made or (page.parent / target).exists(), f"{page.name}: {target}"
