@@ -99,7 +99,9 @@ def on_symbols(heyoka: Any, made: Function, name: str, symbols: Sequence[Any]) -
     unknown = sorted(word for word, function in called.items() if function is None)
     if unknown:
         raise RigidtopError(f"{name}: heyoka has no {', '.join(unknown)}")
-    both = {word: partial(_of_either, word, function) for word, function in called.items()}
+    both = {
+        word: partial(_of_either, word, function) for word, function in called.items() if function
+    }
     names: dict[str, Any] = {"pi": math.pi, "e": math.e, **both}
     exec(made.source, names)
     # What is constant comes back as a plain number.

@@ -332,10 +332,10 @@ class SystemMotions:
 
 def _computed(
     function: Callable[[Sequence[float]], Sequence[float]], at: Sequence[float]
-) -> tuple[Sequence[float], str]:
+) -> tuple[tuple[float, ...], str]:
     """The values, and why there are none, if there are none."""
     try:
-        made = function(at)
+        made = tuple(function(at))
         return made, "" if all(map(math.isfinite, made)) else "it is not finite"
     except RigidtopError:
         raise  # no numbers at all
