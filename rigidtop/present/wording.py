@@ -12,23 +12,24 @@ import unicodedata
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, is_dataclass, replace
 from functools import cached_property
-from typing import Any, TypeVar
-
-from matplotlib.figure import Figure as Canvas
-from matplotlib.text import Text
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from rigidtop.notation import Notation
 from rigidtop.notation.characters import FUNCTIONS, TEX_GREEK, opened
 from rigidtop.notation.judged import judgement_in
 from rigidtop.notation.translate import Image
 from rigidtop.parameters import Parameter
-from rigidtop.present.figures.drawing import Drawing
 from rigidtop.present.latex import latex
 from rigidtop.present.report import Block, Symbols
 from rigidtop.present.text import letter, text
 from rigidtop.proof.verdict import Judgement
 from rigidtop.proof.words import bold, light, parts, unmarked
 from rigidtop.theory.symbols import VOCABULARY
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Canvas
+
+    from rigidtop.present.figures.drawing import Drawing
 
 T = TypeVar("T")
 
@@ -174,6 +175,7 @@ class Wording:
         """A figure whose caption and names are in the notation; it does not move."""
         if not self.notation.images:
             return drawing
+        from matplotlib.text import Text  # claims are judged without it
 
         def draw(**values: float) -> Canvas:
             canvas = drawing.draw(**values)

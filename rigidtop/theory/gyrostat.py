@@ -8,12 +8,16 @@ around the ball are λₖ − λ₀.  Vectors have body components.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from functools import cache, lru_cache
+from types import MappingProxyType
+
 from sympy import Expr, Matrix
 
 from rigidtop.theory import euler
 from rigidtop.theory import symbols as s
 from rigidtop.theory.rotation import total_derivative
-from rigidtop.theory.trig import reduce_ratio
+from rigidtop.theory.trig import CACHED, reduce_ratio
 
 RELATIVE = (s.zeta1, s.zeta2, s.zeta3)
 
@@ -30,7 +34,8 @@ def kinetic_energy() -> Expr:
     return euler.kinetic_energy() + with_ball
 
 
-def rates() -> dict[Expr, Expr]:
+@cache
+def rates() -> Mapping[Expr, Expr]:
     """ω̇ by Euler's equations of the body around the ball, ζ̇ by those of the ball (rad/s²).
 
     Each gets the torque of the oil from the other.
@@ -39,9 +44,11 @@ def rates() -> dict[Expr, Expr]:
     around = {moment: moment - s.ball for moment in euler.MOMENTS}
     turning = euler.body_accelerations(oil).subs(around, simultaneous=True)
     relative = -oil / s.ball - omega.cross(Matrix(RELATIVE)) - turning
-    return dict(zip([*euler.OMEGA, *RELATIVE], [*turning, *relative], strict=True))
+    made = dict(zip([*euler.OMEGA, *RELATIVE], [*turning, *relative], strict=True))
+    return MappingProxyType(made)
 
 
+@lru_cache(maxsize=CACHED)
 def along_flow(expression: Expr) -> Expr:
     """d/dt of a function of ω and ζ.
 

@@ -212,7 +212,9 @@ def linearise(L: Expr, q: Names, qdot: Names, about: Mapping[Expr, Expr]) -> Lin
     """
     _check_motion(L, q, qdot)
     second = hessian(L, [*qdot, *q])
-    rates = {**dict(zip(q, qdot, strict=True)), **dict.fromkeys(qdot, sympy.S.Zero)}
+    # What is at rest changes nothing, and need not be differentiated by.
+    moving = {x: v for x, v in zip(q, qdot, strict=True) if v.subs(about) != 0}
+    rates = {**moving, **dict.fromkeys(qdot, sympy.S.Zero)}
     if not reduce_trig(total_derivative(second, rates).subs(about)).is_zero_matrix:
         raise ValueError("no steady motion: a second derivative of L changes in time")
     n = len(qdot)
