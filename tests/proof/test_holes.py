@@ -25,6 +25,10 @@ Along the motion, the steady balance:
 
 $$0 = \lambda_1\cos\theta\,\Omega^2 - \lambda_3\omega_3\Omega + MgR$$
 
+The discriminant:
+
+$$D = (\lambda_3\omega_3)^2 - 4\lambda_1MgR + 2\lambda_3MgR$$
+
 Along the motion, the tip at rest:
 
 $$\dot{\mathbf r}_{tip} = 0$$
@@ -112,6 +116,14 @@ $$\lambda_1\ddot\theta \approx -p_\psi\dot\phi\sin\theta$$
 """,
         "for small theta it is not small against what is kept",
     ),
+    "as large a one is kept": (
+        r"""
+Neglect $-4\lambda_1MgR$ in the discriminant, for large $\omega_3$:
+
+$$D \approx (\lambda_3\omega_3)^2 + 2\lambda_3MgR$$
+""",
+        "for large omega3 it is no smaller than",
+    ),
     "what is set does not stand there": (
         r"""
 Set $\dot\theta = 0$ in the balance:
@@ -135,6 +147,11 @@ FOLLOWS = {
 Neglect $MgR\sin\theta$ in the balance, for large $p_\psi$:
 
 $$\lambda_1\ddot\theta \approx -p_\psi\dot\phi\sin\theta$$
+""",
+    "both small ones are neglected": r"""
+Neglect $-4\lambda_1MgR + 2\lambda_3MgR$ in the discriminant, for large $\omega_3$:
+
+$$D \approx (\lambda_3\omega_3)^2$$
 """,
     "roots as they are": "Solve the steady balance for $\\Omega$:\n" + MINUS_FIRST,
     "roots of the other sign": r"""

@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy
 from sympy import Add, Expr, Integer, MatrixBase, Symbol
 
-from rigidtop.proof.algebra import Algebra, Value, Vector, components, flattened, vanishes
+from rigidtop.proof.algebra import Algebra, Letters, Value, Vector, components, flattened, vanishes
 from rigidtop.proof.moves.move import Move, Order, Pair, Performed, RefusedError, name_of, the_one
 from rigidtop.proof.moves.pairs import all_pairs, put_in, scalars
 
@@ -83,7 +83,7 @@ def neglect(move: Move, algebra: Algebra) -> Performed:
             else:
                 if all(vanishes(part) for part in components(rest, Integer(0))):
                     raise RefusedError("nothing is left of a side: what is larger has to stay")
-                _outweighed(left_out, rest, move)
+                _outweighed(left_out, rest, move, algebra.letters)
                 sides = (rest, pair.right) if k == 0 else (pair.left, rest)
                 pairs.append(Pair(*sides, "≈"))
     if not pairs:
@@ -91,22 +91,32 @@ def neglect(move: Move, algebra: Algebra) -> Performed:
     return Performed(tuple(pairs), known.scope, order=Order(NEGLECTED, 1))
 
 
-def _outweighed(left_out: Sequence[Value], kept: Value, move: Move) -> None:
-    """Raises RefusedError unless terms are small against the largest of those that are kept."""
+def _outweighed(left_out: Sequence[Value], kept: Value, move: Move, letters: Letters) -> None:
+    """Raises RefusedError unless terms are small against the largest of those that are kept.
+
+    Beside one that is known to be no larger than what is left out, a line claims more than it has:
+    of a letter that changes in time the size is not known.
+    """
     letter = move.by[-1]
     if not isinstance(letter, Symbol):
         raise RefusedError("{} is no letter that could be large or small", letter)
+    where = "large" if move.power > 0 else "small"
 
-    def least(value: Value) -> Expr:
+    def terms(value: Value) -> list[Expr]:
         parts = [flattened(part)[0] for part in scalars(value) if part != 0]
-        scaled = letter * SMALL**-move.power
-        terms = [t for part in parts for t in Add.make_args(sympy.expand(part))]
-        return min(Order(SMALL, 1).lowest(term.subs(letter, scaled)) for term in terms)
+        return [t for part in parts for t in Add.make_args(sympy.expand(part))]
 
-    for term in left_out:
-        if least(term) <= least(kept):
-            where = "large" if move.power > 0 else "small"
+    def least(term: Expr) -> int:
+        return Order(SMALL, 1).lowest(term.subs(letter, letter * SMALL**-move.power))
+
+    largest = min(map(least, terms(kept)))
+    for term in (t for value in left_out for t in terms(value)):
+        if least(term) <= largest:
             raise RefusedError("for {} {} it is not small against what is kept", where, letter)
+        for other in terms(kept):
+            known = (term / other).free_symbols <= {letter, *letters.numbers}
+            if known and least(term) <= least(other):
+                raise RefusedError("for {} {} it is no smaller than {}", where, letter, other)
 
 
 def _contains(value: Value, term: Value) -> bool:
