@@ -21,6 +21,7 @@ from rigidtop.proof.page import Assumption, Correction, Step
 from rigidtop.proof.verdict import Finding, Judgement, Verdict
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
+from rigidtop.theory.lettered import stands_for
 
 
 class NothingToEvaluateError(ValueError):
@@ -395,7 +396,7 @@ def arguments(expressions: Iterable[Expr]) -> tuple[Symbol, ...]:
     parameters = {x.name for x in s.VOCABULARY if x.is_positive} | {"R1", "R2", "R3"}
     free = {x.name: x for e in expressions for x in e.free_symbols}
     # A symbol of another notation comes where that of the notes does.
-    notes = {name: getattr(x, "stands", x).name for name, x in free.items()}
+    notes = {name: stands_for(x).name for name, x in free.items()}
 
     def key(own: str) -> tuple[Any, ...]:
         name = notes[own]
@@ -439,7 +440,7 @@ def _along_axes(
     outputs: tuple[Value, ...], vectors: list[tuple[Symbol, Any]]
 ) -> tuple[tuple[Value, ...], list[tuple[Symbol, Any]]]:
     """Components along e₁′, e₂′, e₃ as they are in the other notation: (1, 0, 0), and so on."""
-    known = {getattr(vector, "stands", vector): part for vector, part in vectors}
+    known = {stands_for(vector): part for vector, part in vectors}
     if {s.e1p, s.e2p} - set(known) or any(known[axis].free_symbols for axis in (s.e1p, s.e2p)):
         return outputs, vectors
     turn = sympy.Matrix.hstack(known[s.e1p], known[s.e2p], sympy.Matrix([0, 0, 1])).T

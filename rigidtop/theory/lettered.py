@@ -21,41 +21,48 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from sympy import Symbol
+import sympy
 
 from rigidtop.theory.symbols import VOCABULARY, Glyph, Quantity
 
 
-class Lettered(Symbol):
+class Symbol(sympy.Symbol):
     """A symbol with its `quantity`; `place` is where it stands in the order of print.
 
-    One of another notation has the symbol of the notes in whose place it `stands`.
+    One of another notation has the symbol of the notes in whose place it `stands`, and SymPy puts
+    sums and products of it into the same order.
     """
 
-    __slots__ = ("place", "quantity", "stands")
+    __slots__ = ("_sorted_by", "place", "quantity", "stands")
 
     quantity: Quantity
     place: int
-    stands: Symbol | None
+    stands: sympy.Symbol | None
 
     def __new__(
         cls,
         name: str,
         quantity: Quantity,
         place: int = 0,
-        stands: Symbol | None = None,
+        stands: sympy.Symbol | None = None,
         **assumptions: bool,
-    ) -> Lettered:
+    ) -> Symbol:
         # SymPy's own cache of symbols knows a name and assumptions only.
-        made = Symbol.__xnew__(cls, name, **assumptions)
+        made = sympy.Symbol.__xnew__(cls, name, **assumptions)
         made.quantity, made.place, made.stands = quantity, place, stands
+        made._sorted_by = f"{stands_for(made).name} {name} {quantity} {place}"
         return made
 
     def __getnewargs_ex__(self) -> Any:
         return (self.name, self.quantity, self.place, self.stands), self.assumptions0
 
     def _hashable_content(self) -> tuple[Any, ...]:
-        return (*super()._hashable_content(), self.quantity, self.place)
+        _, *assumptions = super()._hashable_content()
+        return self._sorted_by, *assumptions
+
+
+Lettered = Symbol
+"""Its name where SymPy's own `Symbol` is at hand."""
 
 
 def positive(name: str, glyph: Glyph, meaning: str, unit: str) -> Lettered:
@@ -76,7 +83,7 @@ def in_order(*symbols: Lettered) -> tuple[Lettered, ...]:
     )
 
 
-def instead(stands: Symbol, name: str, glyph: Glyph, meaning: str = "") -> Lettered:
+def instead(stands: sympy.Symbol, name: str, glyph: Glyph, meaning: str = "") -> Lettered:
     """What another notation writes for a symbol of the lecture: letter, name in code, meaning.
 
     >>> from rigidtop.theory.symbols import lambda1
@@ -89,7 +96,7 @@ def instead(stands: Symbol, name: str, glyph: Glyph, meaning: str = "") -> Lette
     return Lettered(name, quantity, place, stands, **stands.assumptions0)
 
 
-def stands_for(symbol: Symbol) -> Symbol:
+def stands_for(symbol: sympy.Symbol) -> sympy.Symbol:
     """The notes' symbol in whose place a symbol stands: itself, if it is of no other notation."""
     return getattr(symbol, "stands", None) or symbol
 
@@ -100,7 +107,7 @@ BY_NAME: dict[str, tuple[int, Quantity]] = {
 }
 
 
-def known(symbol: Symbol) -> tuple[int, Quantity | None]:
+def known(symbol: sympy.Symbol) -> tuple[int, Quantity | None]:
     """The place of a symbol in the order of print, and its quantity if it has one.
 
     A symbol that brings its own letter is looked up nowhere, whatever its name.

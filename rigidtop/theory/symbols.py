@@ -16,7 +16,7 @@ from types import MappingProxyType
 from sympy import Symbol
 
 
-@dataclass(frozen=True, order=True)
+@dataclass(frozen=True)
 class Glyph:
     """How a symbol is written: ``Glyph("ω", sub="3", accent="dot")`` is ω̇₃."""
 
@@ -27,7 +27,7 @@ class Glyph:
     prime: bool = False
 
 
-@dataclass(frozen=True, order=True)
+@dataclass(frozen=True)
 class Quantity:
     """A row of the vocabulary.  `unit` is SI; "1" for a pure number.
 
