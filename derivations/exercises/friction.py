@@ -16,12 +16,12 @@ from sympy import Expr, Function, Matrix, symbols
 
 from rigidtop.derivations.euler_angles import TILTED
 from rigidtop.derivations.nutation import friction
+from rigidtop.derivations.printed import printed, worked
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.table.motion import SlidingTop
 from rigidtop.motion.table.trajectory import SlidingTrajectory
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
-from rigidtop.proof.equation import Equation, Group, as_printed
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Check, Evidence, Measure, Step, claim
 from rigidtop.theory.euler import OMEGA, body_accelerations
@@ -47,6 +47,7 @@ from rigidtop.theory.symbols import (
     r_t,
     t,
     theta,
+    theta_i,
     thetadot,
     v_tip,
 )
@@ -87,9 +88,7 @@ def jellett() -> Iterator[Evidence]:
     """
     vertical = Matrix(symbols("z_1 z_2 z_3", real=True))
     momentum = Matrix([lambda1, lambda1, lambda3]).multiply_elementwise(Matrix(OMEGA))
-    with as_printed():
-        kept = Equation(Group(R - r_t) * L3 + r_t * L_z, const)
-        upright = Equation(R * omega, Group(R - r_t * Group(1 - sympy.cos(theta))) * omega3)
+    kept = printed(r"(R - r_0)L_3 + r_0L_z = \text{const}")
     yield Check(
         kept,
         {
@@ -101,13 +100,14 @@ def jellett() -> Iterator[Evidence]:
         printed=False,
     )
     integral = (R - r_t) * L3 + r_t * L_z
-    start = integral.subs({L3: lambda3 * omega3, L_z: lambda3 * omega3 * sympy.cos(theta)})
+    spin = lambda3 * omega_30
+    start = integral.subs({L3: spin, L_z: spin * sympy.cos(theta_i)})
     end = integral.subs({L3: lambda3 * omega, L_z: lambda3 * omega})
     [final] = sympy.solve(start - end, omega)
     yield Check(
-        upright,
+        worked.of("jellett", r"R\omega"),
         {omega: final},
-        reason="From $ω₃$ along $e₃$ at $θ$ to a spin $ω$ that is upright.",
+        reason="From $ω₃$ along $e₃$ at $θᵢ$ to a spin $ω$ that is upright.",
         printed=False,
     )
 
@@ -124,10 +124,9 @@ def friction_raises() -> Iterator[Evidence]:
     vertical, figure_axis, nodes = Matrix(Z_AXIS), axes[:, 2], axes[:, 1]
     torque = reduce_trig(contact(figure_axis, vertical).cross(-mu * n * nodes))
     along_axis, along_vertical = figure_axis.dot(torque), vertical.dot(torque)
-    with as_printed():
-        slip = Equation(v_tip, r_t * omega3 * sympy.sin(theta) * e2p)
-        brakes = Equation(lambda3 * omega3dot, -mu * n * r_t * sympy.sin(theta))
-        raises = Equation(L3 * thetadot, -mu * n * Group(R - r_t + r_t * sympy.cos(theta)))
+    slip = worked.of("friction-raises", r"\mathbf v_{tip}")
+    brakes = worked.of("friction-raises", r"\lambda_3\dot\omega_3")
+    raises = printed(r"L_3\dot\theta = -\mu n(R - r_0 + r_0\cos\theta)")
     turned = (omega3 * figure_axis).cross(contact(figure_axis, vertical))
     yield Check(
         slip,
@@ -168,16 +167,10 @@ def spin_falls() -> Iterator[Evidence]:
 
     It wakes where $ω₃$ has come down to the sleeping spin; $λ₁$ is the moment about the tip.
     """
-    with as_printed():
-        spin = Equation(omega3, omega_30 * sympy.exp(-c_3 * t / lambda3))
-        asleep = Equation(
-            Group(lambda3 * omega_30) ** 2 * sympy.exp(-2 * c_3 * t / lambda3),
-            4 * lambda1 * M * g * R,
-        )
-        moment = Equation(
-            t,
-            lambda3 / c_3 * sympy.log(lambda3 * omega_30 / (2 * sympy.sqrt(lambda1 * M * g * R))),
-        )
+    spin, moment = (worked.of("spin-in-air", left) for left in (r"\omega_3", "t"))
+    asleep = worked.of(
+        "spin-in-air", r"(\lambda_3\omega_{3,0})^2\exp\left(-\frac{2c_3t}{\lambda_3}\right)"
+    )
     yield Check(spin, {omega3: spin_in_air()}, reason="Solved from $ω₃$ at $t = 0$.", printed=False)
     threshold = 2 * sympy.sqrt(lambda1 * M * g * R) / lambda3
     [time] = sympy.solve(spin_in_air() - threshold, t)

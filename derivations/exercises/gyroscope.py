@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 from sympy import Matrix
 
+from rigidtop.derivations.printed import printed, worked
 from rigidtop.derivations.simplified_picture import precession_vector, torque_direction
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.top import ROUNDING, HeavyTop
 from rigidtop.parameters import Parameter
-from rigidtop.proof.equation import Cross, Equation, Group, as_printed
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Check, Evidence, Measure, claim
 from rigidtop.theory import top as theory
@@ -36,7 +36,6 @@ from rigidtop.theory.symbols import (
     lambda1,
     lambda3,
     omega2p,
-    omega3,
     phi,
     radius,
     tau,
@@ -58,11 +57,8 @@ def spin_for_accuracy() -> Iterator[Evidence]:
     half of the truth.
     """
     off = theory.root_factors()[0] - 1
-    with as_printed():
-        needed = Equation(epsilon * Group(1 + tau) ** 2, tau)
-        spin = Equation(
-            epsilon * Group(lambda3 * omega3) ** 2, lambda1 * M * g * R * sympy.cos(theta)
-        )
+    needed = worked.of("spin-for-accuracy", r"\varepsilon(1 + \tau)^2")
+    spin = printed(r"\varepsilon(\lambda_3\omega_3)^2 = \lambda_1MgR\cos\theta")
     yield Check(needed, {tau: off}, reason="$τ = Ω₋$ over (3.52), less 1.", printed=False)
     yield Check(spin, {epsilon: theory.smallness()}, printed=False)
 
@@ -76,10 +72,8 @@ def on_an_arm(about_centre: Matrix) -> Matrix:
 def disc_on_an_arm() -> Iterator[Evidence]:
     """A cylinder without height, and Steiner's theorem; (3.52) with its $λ₃$."""
     tensor = on_an_arm(cylinder(radius, height).inertia(M).subs(height, 0))
-    with as_printed():
-        along = Equation(lambda3, M * radius**2 / 2)
-        across = Equation(lambda1, M * Group(radius**2 / 4 + R**2))
-        rate = Equation(radius**2 * omega3 * Omega, 2 * g * R)
+    across, along, *_ = worked.lines("disc-on-an-arm")
+    rate = printed(r"r^2\omega_3\Omega = 2gR")
     moments = {lambda1: tensor[0, 0], lambda3: tensor[2, 2]}
     yield Check(along, moments, printed=False)
     yield Check(across, moments, printed=False)
@@ -99,12 +93,10 @@ def wheel_on_an_axle() -> Iterator[Evidence]:
     pulled = (-R * axle).cross(M * g * vertical - F * axle)
     moments = {lambda1: tensor[0, 0], lambda3: tensor[2, 2]}
     horizontal = theory.steady_quadratic().subs(theta, sympy.pi / 2).subs(lambda3, tensor[2, 2])
-    with as_printed():
-        along = Equation(lambda3, M * radius**2)
-        across = Equation(lambda1, M * Group(radius**2 / 2 + R**2))
-        rate = Equation(radius**2 * omega3 * Omega, g * R)
-        torque = Equation(N_vec, M * g * R * Cross(zhat, e3))
-        dip = Equation(2 * epsilon_0 * Group(1 - delta**2), delta)
+    along, across = printed.lines(r"\lambda_3 = Mr^2, \quad \lambda_1 = M(\tfrac12r^2 + R^2)")
+    rate = worked.of("wheel-on-an-axle", r"r^2\omega_3\Omega")
+    torque = worked.of("wheel-on-an-axle", r"\mathbf N")
+    dip = printed(r"2\varepsilon_0(1 - \delta^2) = \delta")
     yield Check(along, moments, printed=False)
     yield Check(across, moments, printed=False)
     [root] = sympy.solve(horizontal, Omega)

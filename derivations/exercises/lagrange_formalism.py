@@ -11,26 +11,21 @@ from scipy.optimize import brentq
 from sympy import Expr
 
 from rigidtop.derivations.lagrange_formalism import HORIZONTAL, SPINNING, two_roots
+from rigidtop.derivations.printed import printed, worked
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
-from rigidtop.proof.equation import Equation, Group, as_printed
+from rigidtop.proof.equation import Equation
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Check, Evidence, Measure, claim
 from rigidtop.theory import top as theory
 from rigidtop.theory.symbols import (
-    M,
     Omega,
     Omega_minus,
     Omega_plus,
-    R,
     delta,
     epsilon,
     g,
-    lambda1,
-    lambda3,
-    omega3,
-    theta,
 )
 
 from .bodies import HEAVY_TOP, SPIN, TILT
@@ -47,22 +42,9 @@ def roots_in_powers() -> Iterator[Evidence]:
     """
     slow_root, fast_root = theory.steady_roots()
     slow_series, fast_series = theory.steady_expansions(4)
-    with as_printed():
-        total = Equation(
-            lambda1 * sympy.cos(theta) * Group(Omega_minus + Omega_plus), lambda3 * omega3
-        )
-        product = Equation(lambda1 * sympy.cos(theta) * Omega_minus * Omega_plus, M * g * R)
-        slow = Equation(
-            Omega_minus,
-            M * g * R / (lambda3 * omega3) * Group(1 + epsilon + 2 * epsilon**2 + 5 * epsilon**3),
-        )
-        fast = Equation(
-            Omega_plus,
-            lambda3
-            * omega3
-            / (lambda1 * sympy.cos(theta))
-            * Group(1 - epsilon - epsilon**2 - 2 * epsilon**3),
-        )
+    total = printed(r"\lambda_1\cos\theta(\Omega_- + \Omega_+) = \lambda_3\omega_3")
+    product = printed(r"\lambda_1\cos\theta\,\Omega_-\Omega_+ = MgR")
+    slow, _, fast, _ = (Equation(*line.sides) for line in worked.lines("roots-in-powers")[4:])
     roots = {Omega_minus: slow_root, Omega_plus: fast_root}
     yield Check(total, roots, reason="The sum of the roots of (3.57),", printed=False)
     yield Check(product, roots, reason="and their product.", printed=False)
@@ -98,10 +80,7 @@ def fast_enough() -> Iterator[Evidence]:
     large by $δ$; below the horizontal, where $cos θ < 0$, both $δ$ are negative.
     """
     slow_lead, fast_lead = theory.leading_roots()
-    with as_printed():
-        weight = lambda1 * M * g * R * sympy.cos(theta)
-        slow = Equation(weight, delta * Group(1 - delta) * Group(lambda3 * omega3) ** 2)
-        fast = Equation(weight * Group(1 + delta) ** 2, delta * Group(lambda3 * omega3) ** 2)
+    _, slow, _, fast = worked.lines("fast-enough")
     yield Check(
         slow,
         {g: gravity_with(slow_lead, 1 - delta)},

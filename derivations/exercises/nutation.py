@@ -16,27 +16,28 @@ from scipy.optimize import brentq
 from sympy import Expr, Symbol
 
 from rigidtop.derivations.nutation import azimuth, nutation
+from rigidtop.derivations.printed import printed, worked
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
-from rigidtop.proof.equation import Equation, Group, as_printed
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Check, Evidence, Measure, claim
 from rigidtop.theory import top as theory
 from rigidtop.theory.symbols import (
     A,
-    E,
     M,
     R,
+    T,
+    V,
     g,
     lambda1,
-    lambda3,
     omega3,
     p_phi,
     p_psi,
     p_theta,
     phidot,
+    phidot_i,
     psidot,
     theta,
     theta_i,
@@ -61,8 +62,8 @@ def from_turning_point(momenta: Mapping[Symbol, Expr]) -> Expr:
 
 
 def momenta_at_start() -> dict[Symbol, Expr]:
-    """p_φ and p_ψ of a top that is started at θᵢ with φ̇ and ω₃."""
-    rates = {psidot: omega3 - phidot * sympy.cos(theta)}
+    """p_φ and p_ψ of a top that is started at θᵢ with φ̇ᵢ and ω₃."""
+    rates = {psidot: omega3 - phidot_i * sympy.cos(theta), phidot: phidot_i}
     _, p_vertical, p_axis = theory.symmetric_momenta().subs(rates)
     return {p_phi: p_vertical.expand().subs(theta, theta_i), p_psi: p_axis.expand()}
 
@@ -83,19 +84,9 @@ def released_at_rest() -> Iterator[Evidence]:
     For small $MgR/(λ₃ω₃)²$ the turn is at $θᵢ + 2A$, so that the axis swings by $A$ about an angle
     that much below the release.
     """
-    with as_printed():
-        swing = Equation(
-            lambda1**2 * Group(thetadot * sympy.sin(theta)) ** 2,
-            Group(sympy.cos(theta_i) - sympy.cos(theta))
-            * Group(
-                2 * lambda1 * M * g * R * sympy.sin(theta) ** 2
-                - Group(lambda3 * omega3) ** 2 * Group(sympy.cos(theta_i) - sympy.cos(theta))
-            ),
-        )
-        amplitude = Equation(
-            Group(lambda3 * omega3) ** 2 * A, lambda1 * M * g * R * sympy.sin(theta_i)
-        )
-    rate = from_turning_point({x: p.subs(phidot, 0) for x, p in momenta_at_start().items()})
+    swing = worked.of("released-at-rest", r"\lambda_1^2(\dot\theta\sin\theta)^2")
+    amplitude = printed(r"(\lambda_3\omega_3)^2A = \lambda_1MgR\sin\theta_i")
+    rate = from_turning_point({x: p.subs(phidot_i, 0) for x, p in momenta_at_start().items()})
     turning = reduce_ratio(rate / (sympy.cos(theta_i) - sympy.cos(theta)))
     yield Check(swing, {thetadot: sympy.sqrt(rate)}, reason="By energy.", printed=False)
     yield Check(
@@ -113,35 +104,15 @@ def turning_points() -> Iterator[Evidence]:
     Of a top started at $θᵢ$ with $θ̇ = 0$ one root is known, and a quadratic is left. The third
     root is no angle: for $cos θ ≥ 1$ the cubic is positive again at last.
     """
-    with as_printed():
-        cubic = Equation(
-            lambda1**2 * Group(thetadot * sympy.sin(theta)) ** 2,
-            Group(
-                2 * lambda1 * E
-                - lambda1 * p_psi**2 / lambda3
-                - 2 * lambda1 * M * g * R * sympy.cos(theta)
-            )
-            * sympy.sin(theta) ** 2
-            - Group(p_phi - p_psi * sympy.cos(theta)) ** 2,
-        )
-        started = Equation(
-            lambda1**2 * Group(thetadot * sympy.sin(theta)) ** 2,
-            Group(sympy.cos(theta_i) - sympy.cos(theta))
-            * Group(
-                2 * lambda1 * M * g * R * sympy.sin(theta) ** 2
-                - Group(lambda3 * omega3) ** 2 * Group(sympy.cos(theta_i) - sympy.cos(theta))
-                - 2 * lambda1 * lambda3 * omega3 * phidot * sympy.sin(theta_i) ** 2
-                + Group(lambda1 * phidot * sympy.sin(theta_i)) ** 2
-                * Group(sympy.cos(theta_i) + sympy.cos(theta))
-            ),
-        )
+    cubic, *_, started = worked.lines("turning-points")
     total = theory.symmetric_hamiltonian().subs(p_theta, lambda1 * thetadot)
-    yield Check(cubic, {E: total}, reason="By energy.", printed=False)
-    rate = from_turning_point(momenta_at_start())
+    height = M * g * R * sympy.cos(theta)
+    yield Check(cubic, {T: total - height, V: height}, reason="By energy.", printed=False)
+    momenta = momenta_at_start()
     yield Check(
         started,
-        {thetadot: sympy.sqrt(rate)},
-        reason="With $θ̇ = 0$, $φ̇$ and $ω₃$ at $θᵢ$.",
+        {thetadot: sympy.sqrt(from_turning_point(momenta)), **momenta},
+        reason="With $θ̇ = 0$, $φ̇ᵢ$ and $ω₃$ at $θᵢ$.",
         printed=False,
     )
 
@@ -149,8 +120,8 @@ def turning_points() -> Iterator[Evidence]:
 def rate_on_the_vertical(side: int) -> Expr:
     """θ̇² upright (`side` 1) or hanging (−1) of a top started with p_φ = ±p_ψ (rad²/s²)."""
     momenta, cosine = momenta_at_start(), sympy.cos(theta)
-    [start] = sympy.solve(momenta[p_phi] - side * momenta[p_psi], phidot)
-    rate = from_turning_point(momenta).subs(phidot, start)
+    [start] = sympy.solve(momenta[p_phi] - side * momenta[p_psi], phidot_i)
+    rate = from_turning_point(momenta).subs(phidot_i, start)
     # Regular there once sin² is written as (1 − cos)(1 + cos).
     return sympy.cancel(rate.subs(sympy.sin(theta) ** 2, 1 - cosine**2)).subs(cosine, side)
 
@@ -161,50 +132,22 @@ def rate_on_the_vertical(side: int) -> Expr:
 def waves_or_loops() -> Iterator[Evidence]:
     """The axis sinks where (3.57) with $φ̇$ for $Ω$ is positive, and rises where it is negative.
 
-    For $cos θ > 0$ that is between the two roots, and nowhere below the spin at which there are
-    any; for $cos θ < 0$ it is outside of them. $φ̇$ vanishes on the way, in loops, where $θ̇²$
+    For $cos θ > 0$ it rises between the two roots, and nowhere below the spin at which there are
+    any; for $cos θ < 0$ it rises outside of them. $φ̇$ vanishes on the way, in loops, where $θ̇²$
     comes out positive there; at $φ̇ = 0$ it vanishes at a turning point, in cusps, and if
     $(λ₃ω₃)²$ exceeds $2λ₁MgR(1 + cos θ)$ also at $φ̇ = 2MgR/(λ₃ω₃)$. Where $p_φ = −p_ψ$ the axis
     passes straight down, and where $p_φ = p_ψ$ through the upright if by the same condition it has
-    the energy to get there; beyond that $φ̇ cos θ₀ = p_φ/p_ψ$ is no cosine and there are waves
-    again.
+    the energy to get there; beyond that $p_φ/p_ψ$ is no cosine and there are waves again.
     """
-    with as_printed():
-        sinks = Equation(
-            lambda1 * thetaddot,
-            Group(lambda1 * sympy.cos(theta) * phidot**2 - lambda3 * omega3 * phidot + M * g * R)
-            * sympy.sin(theta),
-        )
-        reached = Equation(
-            lambda3 * omega3 * thetadot**2,
-            phidot * Group(lambda3 * omega3 * phidot - 2 * M * g * R) * sympy.sin(theta_i) ** 2,
-        )
-        upright = Equation(
-            p_phi - p_psi,
-            Group(1 - sympy.cos(theta_i))
-            * Group(lambda1 * Group(1 + sympy.cos(theta_i)) * phidot - lambda3 * omega3),
-        )
-        hanging = Equation(
-            p_phi + p_psi,
-            Group(1 + sympy.cos(theta_i))
-            * Group(lambda1 * Group(1 - sympy.cos(theta_i)) * phidot + lambda3 * omega3),
-        )
-        upwards = Equation(
-            lambda1**2 * Group(1 + sympy.cos(theta_i)) * thetadot**2,
-            Group(1 - sympy.cos(theta_i))
-            * Group(
-                Group(lambda3 * omega3) ** 2
-                - 2 * lambda1 * M * g * R * Group(1 + sympy.cos(theta_i))
-            ),
-        )
-        downwards = Equation(
-            lambda1**2 * Group(1 - sympy.cos(theta_i)) * thetadot**2,
-            Group(1 + sympy.cos(theta_i))
-            * Group(
-                Group(lambda3 * omega3) ** 2
-                + 2 * lambda1 * M * g * R * Group(1 - sympy.cos(theta_i))
-            ),
-        )
+    sinks, *_, reached, upright, hanging = worked.lines("waves-or-loops")[:8]
+    upwards = printed(
+        r"\lambda_1^2(1 + \cos\theta_i)\dot\theta^2 = "
+        r"(1 - \cos\theta_i)((\lambda_3\omega_3)^2 - 2\lambda_1MgR(1 + \cos\theta_i))"
+    )
+    downwards = printed(
+        r"\lambda_1^2(1 - \cos\theta_i)\dot\theta^2 = "
+        r"(1 + \cos\theta_i)((\lambda_3\omega_3)^2 + 2\lambda_1MgR(1 - \cos\theta_i))"
+    )
     spinning = {psidot: omega3 - phidot * sympy.cos(theta), thetadot: 0}
     yield Check(
         sinks,
@@ -215,11 +158,11 @@ def waves_or_loops() -> Iterator[Evidence]:
     momenta = momenta_at_start()
     # Where φ̇ vanishes, only the height and θ̇ are left of the energy, besides the spin.
     rest = momenta[p_phi] / momenta[p_psi]
-    kinetic = lambda1 * phidot**2 * sympy.sin(theta_i) ** 2 / 2
+    kinetic = lambda1 * phidot_i**2 * sympy.sin(theta_i) ** 2 / 2
     gained = kinetic + M * g * R * (sympy.cos(theta_i) - rest)
     yield Check(
         reached,
-        {thetadot: sympy.sqrt(2 * gained / lambda1)},
+        {thetadot: sympy.sqrt(2 * gained / lambda1), **momenta},
         reason="$θ̇²$ at $cos θ₀ = p_φ/p_ψ$, where $φ̇$ vanishes.",
         printed=False,
     )

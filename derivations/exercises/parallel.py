@@ -13,12 +13,12 @@ from scipy.optimize import minimize_scalar
 from sympy import Expr, Gt, Matrix, Ne
 
 from rigidtop.derivations.euler_angles import TILTED
+from rigidtop.derivations.printed import printed, worked
 from rigidtop.derivations.simplified_picture import SPINNING, parallel
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
-from rigidtop.proof.equation import Cross, Dot, Equation, Group, as_printed
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Assumption, Check, Evidence, Measure, claim
 from rigidtop.theory import top as theory
@@ -39,7 +39,6 @@ from rigidtop.theory.symbols import (
     omega1p,
     omega2p,
     omega3,
-    omega_0,
     omega_vec,
     phidot,
     psidot,
@@ -90,17 +89,13 @@ def bound_on_the_axis() -> Iterator[Evidence]:
 
     Together: $|λ₃ω₃| |ω⊥| ≤ 2MgR sin θ$ at any spin, with both sides equal where $θ$ is largest.
     """
-    with as_printed():
-        across = Group(omega1p**2 + omega2p**2)
-        torque = 4 * Group(M * g * R) ** 2 * sympy.sin(theta) ** 2
-        momentum = Group(lambda3 * omega3) ** 2
-        sinking = Equation(lambda1 * across, 2 * M * g * R * delta)
-        turning = Equation(lambda3 * omega3 * delta, -lambda1 * omega1p * sympy.sin(theta))
-        short_of = Equation(
-            delta * Group(torque - momentum * across),
-            2 * lambda1 * M * g * R * omega2p**2 * sympy.sin(theta) ** 2,
-        )
-        bound = Equation(momentum * across, torque, relation="<")
+    sinking = printed(r"\lambda_1(\omega_{1'}^2 + \omega_{2'}^2) = 2MgR\delta")
+    turning = printed(r"\lambda_3\omega_3\delta = -\lambda_1\omega_{1'}\sin\theta")
+    *_, bound = worked.lines("bound-on-the-axis")
+    short_of = printed(
+        r"\delta(4(MgR)^2\sin^2\theta - (\lambda_3\omega_3)^2(\omega_{1'}^2 + \omega_{2'}^2)) = "
+        r"2\lambda_1MgR\omega_{2'}^2\sin^2\theta"
+    )
     state = released()
     yield Check(sinking, state, reason="By energy: the top can only sink.", printed=False)
     yield Check(turning, state, reason="$L_z$ is what it was.", printed=False)
@@ -120,23 +115,16 @@ def bound_on_the_tilt() -> Iterator[Evidence]:
     """
     sine2 = 1 - (sympy.cos(theta_i) - delta) ** 2
     sunk = {sympy.sin(theta): sympy.sqrt(sine2)}
-    with as_printed():
-        reach = Group(2 * epsilon_0 * sympy.sin(theta) ** 2 - delta)
-        narrowed = Group(1 - 4 * epsilon_0 * sympy.cos(theta_i)) * sympy.sin(theta) ** 2
-        lowest = Equation(omega1p**2 * reach, delta * omega2p**2)
-        tilts = Equation(
-            sympy.sin(theta_i) ** 2 - narrowed, delta**2 + 2 * sympy.cos(theta_i) * reach
-        )
-        bound = Equation(narrowed, sympy.sin(theta_i) ** 2, relation="<")
-    yield Check(
-        lowest, released(), reason="The bracket is zero at the lowest point.", printed=False
-    )
-    yield Check(tilts, sunk, reason="With $cos θ = cos θᵢ − δ$.", printed=False)
+    lowest = worked.of("bound-on-the-tilt", r"\delta(\omega_{1'}^2 + \omega_{2'}^2)")
+    *_, tilts, bound = worked.lines("bound-on-the-tilt")
+    turned = {**sunk, epsilon_0: delta / (2 * sine2)}
+    yield Check(lowest, released(), reason="$δ = 2ε₀ sin²θ$ at the lowest point.", printed=False)
+    yield Check(tilts, turned, reason="There, with $cos θ = cos θᵢ − δ$.", printed=False)
     yield Check(
         bound,
-        {**sunk, epsilon_0: delta / (2 * sine2)},
+        turned,
         (Assumption(Ne(delta, 0), "the top has sunk: it is not at the start"),),
-        "With the bracket zero: $δ²$ is left.",
+        "$δ²$ is left.",
         printed=False,
     )
 
@@ -148,34 +136,26 @@ def bound_on_the_tilt() -> Iterator[Evidence]:
 def bound_on_the_angle() -> Iterator[Evidence]:
     """The tangent of the angle is $|𝐋 × 𝛚|/𝐋·𝛚$, and $𝐋·𝛚$ is at least $λ₃ω₃²$.
 
-    With $ω⊥ = ω₀$ as large as it may be it is $2|λ₁ − λ₃| MgR sin θ/(λ₃ω₃)²$ at most: first order
+    With $ω⊥$ as large as it may be it is $2|λ₁ − λ₃| MgR sin θ/(λ₃ω₃)²$ at most: first order
     in the torque, $ε₀ = λ₁MgR/(λ₃ω₃)²$. At the lowest point $sin θ$ is at most $sin θᵢ/√(1 − 4ε₀
     cos θᵢ)$, so that $𝐋 ∥ 𝛚$ is as good an approximation as $ε₀$ is small.
     """
     parts = {
-        L_vec: Matrix([lambda1 * omega_0, 0, lambda3 * omega3]),
-        omega_vec: Matrix([omega_0, 0, omega3]),
+        L_vec: Matrix([lambda1 * omega1p, lambda1 * omega2p, lambda3 * omega3]),
+        omega_vec: Matrix([omega1p, omega2p, omega3]),
     }
-    with as_printed():
-        crossed = Dot(Cross(L_vec, omega_vec), Cross(L_vec, omega_vec))
-        apart = Group(lambda1 - lambda3) ** 2
-        size = Equation(crossed, apart * omega3**2 * omega_0**2)
-        along = Equation(Dot(L_vec, omega_vec), lambda1 * omega_0**2 + lambda3 * omega3**2)
-        bound = Equation(
-            Group(lambda3 * omega3) ** 4 * crossed,
-            4 * apart * Group(M * g * R) ** 2 * sympy.sin(theta) ** 2 * Dot(L_vec, omega_vec) ** 2,
-            relation="<",
-        )
+    size, *_, bound = worked.lines("bound-on-the-angle")
+    along = worked.of("bound-on-the-angle", r"\mathbf L\cdot\boldsymbol\omega")
     yield Check(size, parts, reason="Across each other,", printed=False)
     yield Check(along, parts, reason="and along.", printed=False)
-    # The bound on ω₀ as an equality: 4(MgR)² sin²θ = (λ₃ω₃)²(ω₀² + κ).
-    allowed = lambda3 * omega3 * sympy.sqrt(omega_0**2 + kappa) / (2 * M * g * R)
+    # The bound on ω⊥ as an equality: 4(MgR)² sin²θ = (λ₃ω₃)²(ω⊥² + κ).
+    allowed = lambda3 * omega3 * sympy.sqrt(omega1p**2 + omega2p**2 + kappa) / (2 * M * g * R)
     yield Check(
         bound,
         {**parts, sympy.sin(theta): allowed},
         (
             Assumption(Ne(lambda1, lambda3), "not a spherical top, whose $𝐋$ and $𝛚$ are parallel"),
-            Assumption(Gt(kappa, 0), "$κ$ is by how much $ω₀²$ stays below its bound"),
+            Assumption(Gt(kappa, 0), "$κ$ is by how much $ω⊥²$ stays below its bound"),
             SPINNING,
         ),
         "The square of the bound.",
@@ -229,11 +209,8 @@ def mean_of_the_cusps() -> Iterator[Evidence]:
     simple = M * g * R / (lambda3 * omega3)
     mean = mean_over_simple()
     weak = (theory.smallness() / sympy.cos(theta)).subs(theta, theta_i)
-    with as_printed():
-        faster = Equation(
-            lambda3 * omega3 * Omega, M * g * R * Group(1 + epsilon_0 * sympy.cos(theta_i))
-        )
-        steady = Equation(Omega, Omega_minus)
+    faster = printed(r"\lambda_3\omega_3\Omega = MgR(1 + \varepsilon_0\cos\theta_i)")
+    steady = printed(r"\Omega = \Omega_-")
     yield Check(
         faster,
         {Omega: simple * mean},

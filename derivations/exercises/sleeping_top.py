@@ -13,21 +13,18 @@ from scipy.special import ellipkm1
 from sympy import Expr, Integer, Symbol
 
 from rigidtop.derivations.nutation import nutation
+from rigidtop.derivations.printed import printed, worked
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
-from rigidtop.proof.equation import Equation, Group, as_printed
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Check, Evidence, Measure, Step, claim
 from rigidtop.theory import top as theory
 from rigidtop.theory.symbols import (
     A,
-    M,
-    R,
     U,
     chi,
-    g,
     lambda1,
     lambda3,
     m,
@@ -35,7 +32,6 @@ from rigidtop.theory.symbols import (
     p_phi,
     p_psi,
     sigma2,
-    t,
     t_chi2,
     theta,
     theta_1,
@@ -87,19 +83,12 @@ def upright_potential() -> Iterator[Evidence]:
     vanishes, but what is left of the potential has its minimum there: that top still sleeps.
     """
     upright = potential_when_upright()
-    with as_printed():
-        regular = Equation(
-            2 * lambda1 * Group(1 + sympy.cos(theta)) * U,
-            Group(lambda3 * omega3) ** 2 * Group(1 - sympy.cos(theta))
-            + 2 * lambda1 * M * g * R * sympy.cos(theta) * Group(1 + sympy.cos(theta)),
-        )
-        growth = Equation(
-            4 * lambda1**2 * sigma2, 4 * lambda1 * M * g * R - Group(lambda3 * omega3) ** 2
-        )
-        threshold = Equation(
-            Group(1 + sympy.cos(theta)) * Group(U - M * g * R),
-            M * g * R * Group(1 - sympy.cos(theta)) ** 2,
-        )
+    regular = printed(
+        r"2\lambda_1(1 + \cos\theta)U = "
+        r"(\lambda_3\omega_3)^2(1 - \cos\theta) + 2\lambda_1MgR\cos\theta(1 + \cos\theta)"
+    )
+    growth = printed(r"4\lambda_1^2\sigma^2 = 4\lambda_1MgR - (\lambda_3\omega_3)^2")
+    threshold = printed(r"(1 + \cos\theta)(U - MgR) = MgR(1 - \cos\theta)^2")
     yield Check(regular, {U: upright}, reason="Less the energy of the spin.", printed=False)
     yield Check(
         growth,
@@ -131,35 +120,11 @@ def waking() -> Iterator[Evidence]:
     $sin(θ/2) = sin(θ₁/2) √(1 − m sin²χ)$ and $1 − m = sin²(θᵢ/2)/sin²(θ₁/2)$ the time is Legendre's
     integral of the first kind; it grows with the logarithm of $1/θᵢ$.
     """
-    with as_printed():
-        disturbed = Equation(
-            lambda1**2 * Group(1 + sympy.cos(theta_i)) * Group(thetadot * sympy.sin(theta)) ** 2,
-            2
-            * Group(1 - sympy.cos(theta))
-            * Group(sympy.cos(theta_i) - sympy.cos(theta))
-            * Group(
-                lambda1 * M * g * R * Group(1 + sympy.cos(theta_i)) * Group(1 + sympy.cos(theta))
-                - Group(lambda3 * omega3) ** 2
-            ),
-        )
-        asleep = Equation(
-            lambda1**2 * Group(thetadot * sympy.sin(theta)) ** 2,
-            Group(1 - sympy.cos(theta)) ** 2
-            * Group(
-                2 * lambda1 * M * g * R * Group(1 + sympy.cos(theta)) - Group(lambda3 * omega3) ** 2
-            ),
-        )
-        growth = Equation(2 * lambda1 * sigma2, M * g * R * Group(1 - sympy.cos(theta_1)))
-        legendre = Equation(
-            Group(1 - m * sympy.sin(chi) ** 2) * M * g * R * Group(1 - sympy.cos(theta_1)) * t_chi2,
-            2 * lambda1,
-        )
-        period = Equation(
-            t,
-            2
-            * sympy.sqrt(2 * lambda1 / (M * g * R * Group(1 - sympy.cos(theta_1))))
-            * sympy.elliptic_k(m),
-        )
+    disturbed = worked.of("waking", r"\lambda_1^2(1 + \cos\theta_i)(\dot\theta\sin\theta)^2")
+    asleep = worked.of("waking", r"\lambda_1^2(\dot\theta\sin\theta)^2")
+    growth = printed(r"2\lambda_1\sigma^2 = MgR(1 - \cos\theta_1)")
+    legendre = printed(r"(1 - m\sin^2\chi)MgR(1 - \cos\theta_1)t^2_\chi = 2\lambda_1")
+    period = printed(r"t = 2\sqrt{\frac{2\lambda_1}{MgR(1 - \cos\theta_1)}}\operatorname{K}(m)")
     rate, undisturbed = waking_rate(theta_i), waking_rate(Integer(0))
     yield Check(disturbed, {thetadot: sympy.sqrt(rate)}, reason="By energy.", printed=False)
     yield Check(

@@ -11,25 +11,20 @@ from scipy.integrate import quad
 from scipy.special import elliprf
 from sympy import Expr
 
+from rigidtop.derivations.printed import printed, worked
 from rigidtop.derivations.simplified_picture import toppling
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
-from rigidtop.proof.equation import Equation, Group, as_printed
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
 from rigidtop.proof.page import Check, Evidence, Measure, Step, claim
 from rigidtop.theory import top as theory
 from rigidtop.theory.lagrangian import energy
 from rigidtop.theory.symbols import (
-    M,
-    R,
     chi,
-    g,
-    lambda1,
     m,
     phidot,
     psidot,
-    t,
     t_chi2,
     theta,
     theta_i,
@@ -59,15 +54,9 @@ def time_to_fall() -> Iterator[Evidence]:
     With $m = cos²(θᵢ/2)$ and $cos(θ/2) = √m sin χ$ it is Legendre's integral of the first kind;
     $χ$ falls from $π/2$ at the start. A pendulum would take as long from $π − θᵢ$ to $π − θ$.
     """
-    with as_printed():
-        rate = Equation(
-            thetadot**2, 2 * M * g * R / lambda1 * (sympy.cos(theta_i) - sympy.cos(theta))
-        )
-        legendre = Equation(Group(1 - m * sympy.sin(chi) ** 2) * t_chi2, lambda1 / (M * g * R))
-        whole = Equation(
-            t,
-            sympy.sqrt(lambda1 / (M * g * R)) * (sympy.elliptic_k(m) - sympy.elliptic_f(chi, m)),
-        )
+    rate = worked.of("time-to-fall", r"\lambda_1\dot\theta^2")
+    legendre = printed(r"(1 - m\sin^2\chi)t^2_\chi = \frac{\lambda_1}{MgR}")
+    whole = worked.of("time-to-fall", "t")
     derived = fall_rate_squared()
     yield Check(rate, {thetadot: sympy.sqrt(derived)}, reason="By energy.", printed=False)
     # cos θ = 2 cos²(θ/2) − 1, at the start and later.

@@ -7,14 +7,13 @@ from dataclasses import replace
 from math import atan2, pi
 
 import numpy as np
-from sympy import Matrix, Rational
+from sympy import Matrix
 
-from rigidtop.derivations.euler_angles import HALF
 from rigidtop.derivations.lagrange_formalism import two_roots
+from rigidtop.derivations.printed import worked
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
-from rigidtop.proof.equation import Equation, as_printed
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
 from rigidtop.proof.page import Check, Evidence, Measure, claim
 from rigidtop.theory.inertia import cylinder, parallel_axis
@@ -47,16 +46,9 @@ def disc_on_a_stem() -> Iterator[Evidence]:
     disc_centre = disc_height + cylinder(r_d, h_d).centre()
     stem_centre = stem_height + cylinder(r_d, l_s).centre()
     centre = (M_d * disc_centre + M_s * stem_centre) / (M_d + M_s)
-    with as_printed():
-        arm = Equation(M * R, M_d * z_d + HALF * M_s * l_s)
-        along = Equation(lambda3, HALF * M_d * r_d**2)
-        across = Equation(
-            lambda1,
-            Rational(1, 4) * M_d * r_d**2
-            + Rational(1, 12) * M_d * h_d**2
-            + M_d * z_d**2
-            + Rational(1, 3) * M_s * l_s**2,
-        )
+    arm, along, across = (
+        worked.of("disc-on-a-stem", left) for left in ("MR", r"\lambda_3", r"\lambda_1")
+    )
     yield Check(arm, {M: M_d + M_s, R: centre[2]}, reason="From the tip.", printed=False)
     yield Check(along, {lambda3: about_tip[2, 2]}, reason="The disc alone.", printed=False)
     yield Check(across, {lambda1: about_tip[0, 0]}, reason="About the tip.", printed=False)

@@ -234,6 +234,18 @@ class Displays:
             raise RigidtopError(f"{what} are {len(found)} equations, not one")
         return found[0]
 
+    def of(self, name: str, left: str) -> Equation:
+        r"""Of the equations of a name the one with a left side, in LaTeX.
+
+        >>> Displays("rigidtop.derivations").of("p-phi-is-Lz", r"p_\phi").sides[1]
+        L_z
+        """
+        wanted = self(f"{left} = 0").sides[0]
+        found = [line for line in self.lines(name) if line.sides[0] == wanted]
+        if len(found) != 1:
+            raise RigidtopError(f"{len(found)} equations of {name} have the left side {left}")
+        return found[0]
+
     def lines(self, what: str) -> tuple[Equation, ...]:
         """All equations of a number, of a name, or of a formula in LaTeX, in their order."""
         if what not in self._read:
