@@ -159,7 +159,7 @@ def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[
     yield Table(
         "small_turns",
         "Both angles halved: the angle of $A B A⁻¹B⁻¹$ and its axis",
-        ("alpha (rad)", "beta (rad)", "angle (rad)", "angle/(alpha beta)", "x", "y", "z"),
+        ("$α$ (rad)", "$β$ (rad)", "angle (rad)", "angle over $α β$", "x", "y", "z"),
         tuple(_commutator(first, second, alpha / 2**k, beta / 2**k) for k in range(HALVINGS + 1)),
     )
 

@@ -212,7 +212,9 @@ def _last_digits(motion: Motion) -> Table:
         lambda1, lambda2, lambda3, *omega = (values | {name: values[name] + added}).values()
         moved = FreeBody(lambda1, lambda2, lambda3).motion(omega=omega, attitude=motion.attitude)
         turn = float((there.inv() * moved.exact(time).rotation[0]).magnitude())
-        rows.append((name, change, degrees(turn)))
+        letter = name.translate(str.maketrans("123", "₁₂₃"))
+        letter = letter.replace("lambda", "λ").replace("omega", "ω")
+        rows.append((f"${letter}$", change, degrees(turn)))
     return Table(
         "last_digits",
         "Half of the last printed digit of the start, and the attitude of 2008",

@@ -329,9 +329,8 @@ def _called(claim: Claim, section: str) -> Rich:
     name = Cited(f"({claim.name})", anchor(claim.name)) if is_number(claim.name) else None
     if name is not None:
         return (name,)
-    says = claim.says.rstrip(".")
-    where = f" (section {section})" if section else ""
-    return (f"“{says[:1].lower() + says[1:]}”{where}",)
+    where = f" (section {section.partition(' ')[0]})" if section else ""
+    return (f"“{claim.says.rstrip('.')}”{where}",)
 
 
 def results(solution: Solution) -> list[Block]:
@@ -447,15 +446,19 @@ def linked(blocks: Sequence[Block]) -> list[Block]:
 ROOM = 54.0
 """Letters of a line beside a margin for notes."""
 
+COLUMN = 42.0
+"""Letters of a line in one of two columns."""
+
 
 def parted(blocks: Sequence[Block]) -> list[Block]:
     """Displays apart that have a sentence each, the lines of each with their anchors."""
     made: list[Block] = []
     seen: set[str] = set()
-    level, part, nameless = 1, 0, 0
+    level, part, nameless, room = 1, 0, 0, ROOM
     for block in blocks:
         if isinstance(block, Heading):
             level, part = block.level, 0
+            room = COLUMN if block.anchor == "solutions" else ROOM
             made.append(block)
         elif isinstance(block, Subhead):
             part = 1
@@ -480,7 +483,7 @@ def parted(blocks: Sequence[Block]) -> list[Block]:
                 if not any(row.anchor for row in rows):
                     nameless += 1
                     rows[-1] = replace(rows[-1], anchor=f"equation-{nameless}")
-            made += [replace(block, rows=tuple(rows), room=ROOM, step=True) for rows in groups]
+            made += [replace(block, rows=tuple(rows), room=room, step=True) for rows in groups]
         else:
             made.append(block)
     return made

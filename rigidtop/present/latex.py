@@ -38,7 +38,7 @@ class AlignRow:
     """An equation of an ``align``: its lines, its tag, the reason for it, in LaTeX.
 
     `mark` is a word that stands beside it in any case; `behind` follows the tag, `label` is the
-    name by which it is cited.
+    name by which it is cited.  Where it is `hung` its first line is its left side alone.
     """
 
     lines: tuple[Line, ...]
@@ -47,6 +47,7 @@ class AlignRow:
     mark: str = ""
     behind: str = ""
     label: str = ""
+    hung: bool = False
 
 
 def aligned(
@@ -81,9 +82,8 @@ def align(rows: Sequence[AlignRow], limit: float = lay.LINE) -> str:
     for i, row in enumerate(rows):
         if row.reason and not beside and made:
             made[-1] += _intertext(row.reason)
-        for j, line in enumerate(row.lines):
+        for j, tex in enumerate(row_lines(row)):
             last = j == len(row.lines) - 1
-            tex = align_row(line)
             words = " ".join(filter(None, [row.reason if beside else "", row.mark]))
             if last and words:
                 tex += rf" && \text{{{words}}}"
@@ -122,6 +122,14 @@ def _all_fit_beside(rows: Sequence[AlignRow], limit: float) -> bool:
 def seen(tex: str) -> str:
     """About as many characters as are seen of words in LaTeX."""
     return re.sub(r"\\[A-Za-z]+|[{}$^_]", "", tex)
+
+
+def row_lines(row: AlignRow) -> list[str]:
+    """Each line of a row with its alignment mark."""
+    first, *rest = map(align_row, row.lines)
+    if row.hung:
+        return [f"& {_tex(row.lines[0].right)}", *(rf"&\quad {line[1:]}" for line in rest)]
+    return [first, *rest]
 
 
 def align_row(line: Line) -> str:

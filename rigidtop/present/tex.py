@@ -10,10 +10,10 @@ from functools import singledispatch
 from importlib.resources import files
 from typing import Any
 
-from rigidtop.notation.characters import MATHS, SUPERSCRIPTS, escape
+from rigidtop.notation.characters import MATHS, SIGNS, SUPERSCRIPTS, escape
 from rigidtop.present import layout as lay
 from rigidtop.present import plain
-from rigidtop.present.latex import AlignRow, align, align_row, latex, seen
+from rigidtop.present.latex import AlignRow, align, align_row, latex, row_lines, seen
 from rigidtop.present.report import (
     COLORS,
     Cited,
@@ -102,7 +102,11 @@ def chapters(document: Document, figures: Mapping[str, str]) -> dict[str, str]:
 def _joined(blocks: Sequence[Any], figures: Mapping[str, str]) -> Iterator[str]:
     """The blocks; a sentence in front of an equation goes on the paragraph above it."""
     pending = ""
+    solved = False
     for block, after in zip(blocks, [*blocks[1:], None], strict=True):
+        if isinstance(block, Heading) and solved != (block.anchor == "solutions"):
+            solved = not solved
+            pending = "\\rtsolutions\n" if solved else "\\rtrest\n"
         words = pending + _shown(block, figures)
         pending = ""
         run_on = isinstance(block, Paragraph) and isinstance(after, Display) and after.step
@@ -110,6 +114,8 @@ def _joined(blocks: Sequence[Any], figures: Mapping[str, str]) -> Iterator[str]:
             pending = words + "\n"
         else:
             yield words
+    if solved:
+        yield r"\rtrest"
 
 
 def _stands_alone(block: Display) -> bool:
@@ -173,11 +179,6 @@ def _shown(block: Any, figures: Mapping[str, str]) -> str:
     return tex_block(block)
 
 
-def _mark(mark: Mark) -> str:
-    """A verdict in the margin beside a paragraph, with its note."""
-    return rf"\rtbeside{{{mark.verdict}}}{_note(mark)}"
-
-
 def _note(mark: Mark | None) -> str:
     return rf"\rtnote{{{rich(mark.note)}}}" if mark is not None and mark.note else ""
 
@@ -225,7 +226,22 @@ def _piece(piece: Piece) -> str:
         return _unit(piece.spaced)
     if isinstance(piece, Cited):
         return rf"\hyperref[{piece.anchor}]{{{prose(piece.words)}}}"
-    return prose(piece) if isinstance(piece, str) else f"${latex(piece)}$"
+    return prose(piece) if isinstance(piece, str) else f"${_in_words(piece)}$"
+
+
+def _in_words(node: lay.Node) -> str:
+    """Mathematics in a sentence: what is long may be broken between its factors."""
+    if isinstance(node, lay.Chain) and lay.width(node) > SENTENCE:
+        signs = ["", *(f" {SIGNS[sign]} " for sign in node.signs)]
+        return "".join(sign + _in_words(side) for sign, side in zip(signs, node.sides, strict=True))
+    if isinstance(node, lay.Fraction) and lay.width(node) > SENTENCE:
+        under = latex(lay.Brackets(node.under))
+        return rf"{_in_words(node.over)}/\allowbreak {under}"
+    return latex(node).replace(")(", r")\allowbreak (")
+
+
+SENTENCE = 24.0
+"""A fraction of more letters than this is written with a slash in a sentence."""
 
 
 @singledispatch
@@ -241,19 +257,14 @@ def _(block: Heading) -> str:
     plain = escape_for_bookmark(f"{block.number} {block.title}".strip())
     # Figures that wait for room come before the list of symbols, not behind it.
     begins = "\\clearpage\n" if block.anchor in APART else ""
-    size = {"solutions": r"\small\renewcommand{\rtscale}{0.8}", "results": r"\normalsize"}
-    return (
-        begins
-        + size.get(block.anchor, "")
-        + (
-            rf"\room\{command}*{{{title}}}\phantomsection\label{{{block.anchor}}}"
-            rf"\addcontentsline{{toc}}{{{'sub' * (level - 1)}section}}"
-            rf"{{\texorpdfstring{{{title}}}{{{plain}}}}}\markboth{{{title}}}{{}}"
-        )
+    return begins + (
+        rf"\room\{command}*{{{title}}}\phantomsection\label{{{block.anchor}}}"
+        rf"\addcontentsline{{toc}}{{{'sub' * (level - 1)}section}}"
+        rf"{{\texorpdfstring{{{title}}}{{{plain}}}}}\markboth{{{title}}}{{}}"
     )
 
 
-APART = ("symbols", "solutions", "results", "map")
+APART = ("symbols", "results", "map")
 """What begins a page."""
 
 
@@ -267,7 +278,7 @@ def _(block: Paragraph) -> str:
     words = rich(block.content)
     if block.mark is not None:
         anchored = rf"\phantomsection\label{{{block.anchor}}}" if block.anchor else ""
-        words = anchored + _mark(block.mark) + words
+        words = rf"{anchored}\rtmarked{{{block.mark.verdict}}}{{{rich(block.mark.note)}}}{{{words}}}"
     # A labelled paragraph, the reason, is not parted from what it is the reason for.
     return (
         rf"\lab{{{prose(block.label)}}}{words}\nopagebreak"
@@ -339,7 +350,7 @@ def display(rows: Sequence[Row], room: float = lay.LINE) -> str:
     together: list[list[AlignRow]] = []
     for row in rows:
         made = _align_row(row, room)
-        if together and _width([*together[-1], made]) <= max(WIDE * room, _width(together[-1])):
+        if together and _width([*together[-1], made]) <= WIDE * room:
             together[-1].append(made)
         else:
             together.append([made])
@@ -352,24 +363,28 @@ def display(rows: Sequence[Row], room: float = lay.LINE) -> str:
 WIDE = 1.12
 """A line that is wider than this, in its room, does not fit in its usual size."""
 
-WIDEST_LINE = 1.45
-"""A line that is wider than this, and can't be broken, is made smaller until it fits."""
-
-SIZES = ((1.38, "scriptsize"), (1.22, "footnotesize"), (WIDE, "small"))
-"""From which width on a display is set in which size."""
-
 
 def _sized(rows: Sequence[AlignRow], room: float) -> str:
-    tex = align(rows, room)
-    if _width(rows) > WIDEST_LINE * room and len(rows) == 1 and not rows[0].tag:
-        lines = r" \\ ".join(map(align_row, rows[0].lines))
-        inside = rf"$\begin{{aligned}}{lines}\end{{aligned}}$"
-        return rf"{rows[0].reason}\rtfit{{{inside}}}"
-    for width, size in SIZES:
-        if _width(rows) > width * room:
-            head, tex = (rows[0].reason, align([replace(rows[0], reason=""), *rows[1:]], room))
-            return f"{head}{{\\{size}" + f"\n{tex}\n}}"
-    return tex
+    if _width(rows) <= WIDE * room:
+        return align(rows, room)
+    (row,) = rows
+    inside = r" \\ ".join(row_lines(_hung(row)))
+    place = rf"\phantomsection\label{{{row.label}}}" if row.label else ""
+    behind = (f"({row.tag})" if row.tag else "") + row.behind
+    return rf"{row.reason}\rtfit{{{place}}}{{$\begin{{aligned}}{inside}\end{{aligned}}$}}{{{behind}}}"
+
+
+def _hung(row: AlignRow) -> AlignRow:
+    """A row with its left side in a line of its own, where that makes it less wide."""
+    first, *rest = row.lines
+    if first.left is None or lay.width(first.left) < HUNG:
+        return row
+    left = lay.Line(None, "", first.left)
+    return replace(row, lines=(left, replace(first, left=None), *rest), hung=True)
+
+
+HUNG = 6.0
+"""A left side that is shorter than this gives no room where it stands alone."""
 
 
 def _width(rows: Sequence[AlignRow]) -> float:
@@ -549,26 +564,15 @@ def _(block: Subhead) -> str:
 
 @tex_block.register
 def _(block: Quantities) -> str:
-    rows = "\n".join(
-        rf"{prose(what)} & {_value(value, '' if unit == '1' else unit)} \\"
+    rows = [
+        rf"\rtquantity{{{prose(what)}}}{{{_cell(value)}{'' if unit == '1' else _piece(Unit(unit))}}}"
         for what, value, unit in block.rows
-    )
-    return "\n".join(
-        [
-            rf"\lab{{{prose(block.label)}}}\par\nopagebreak{{\small\hspace*{{2em}}%",
-            r"\begin{tabular}{@{}p{0.6\linewidth}r@{\ }l@{}}",
-            r"\toprule",
-            rows,
-            r"\bottomrule\end{tabular}\par}",
-        ]
-    )
-
-
-def _value(value: str | lay.Node, unit: str) -> str:
-    """A number before its unit, or words."""
-    if isinstance(value, str):
-        return rf"\multicolumn{{2}}{{l@{{}}}}{{{prose(value)}}}"
-    return f"${latex(value)}$ & {_unit(unit)}"
+    ]
+    # Two of them at least stay together.
+    rows[1:1] = [r"\nobreak"]
+    rows[-1:-1] = [r"\nobreak"] * (len(block.rows) > 2)
+    label = rf"\lab{{{prose(block.label)}}}\par\nopagebreak" if block.label else ""
+    return f"{label}\\rtquantities{{{''.join(rows)}}}"
 
 
 @tex_block.register
