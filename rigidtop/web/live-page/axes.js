@@ -264,7 +264,8 @@ export function line(ctx, x1, y1, x2, y2) {
  */
 export function drawUpAxis(paper, box, range, colours) {
   const { ctx, em } = paper;
-  const { values, digits } = ticks(range, niceStep(range, Math.abs(box.bottom - box.top) / (1.6 * em)));
+  const room = Math.abs(box.bottom - box.top) / (1.6 * em);
+  const { values, digits } = ticks(range, niceStep(range, room));
   const y = scale(range, box.bottom, box.top);
   ctx.strokeStyle = colours.rule;
   ctx.fillStyle = colours.ink;

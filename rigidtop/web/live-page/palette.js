@@ -111,6 +111,12 @@ export function createPalette(/** @type {Colours} */ colours) {
       return keep(new THREE.MeshLambertMaterial(options), pick);
     },
 
+    /** Lit and polished: a light is seen in it. */
+    polished(/** @type {Pick} */ pick, /** @type {THREE.MaterialOptions} */ options = {}) {
+      const light = { specular: "#887755", shininess: 45 };
+      return keep(new THREE.MeshPhongMaterial({ ...light, ...options }), pick);
+    },
+
     /** One colour whatever the light, drawn only where something solid stands before it. */
     hidden(/** @type {Pick} */ pick) {
       const options = { depthFunc: THREE.GreaterDepth, depthWrite: false };

@@ -344,6 +344,7 @@ export function createScene(container, colours) {
     pointTo(momentum.arrow, now.momentum, scales.momentum);
     pointTo(torque.arrow, now.torque, scales.torque);
 
+    if (surroundings.floor.visible) surroundings.shade(bodies.ground, attitude, now.e3);
     const traced = trailOf(motion, view, layers);
     if (dome.visible) trace.draw(now, past, traced, 1);
     ghostTrace.object.visible = ghostAxis.holder.visible = ghost !== null;
@@ -421,9 +422,8 @@ export function createScene(container, colours) {
       canvas.removeEventListener("webglcontextlost", onLost);
       canvas.removeEventListener("webglcontextrestored", onRestored);
       controls.dispose();
-      for (const part of [surroundings, bodies, cones, poinsot, trace, ghostTrace, arrows, labels, palette]) {
-        part.dispose();
-      }
+      const drawn = [surroundings, bodies, cones, poinsot, trace, ghostTrace, arrows];
+      for (const part of [...drawn, labels, palette]) part.dispose();
       renderer.dispose();
       canvas.remove();
       notice.remove();

@@ -5,14 +5,15 @@
 import { axesByMoment } from "./polhode.js";
 import { createStrokes } from "./lines.js";
 import { markColour, mix } from "./palette.js";
+import { createWheelFace } from "./textures.js";
 
 /** @typedef {import("./types").Motion} Motion */
 /** @typedef {import("./types").Numbers} Numbers */
 /** @typedef {import("./types").Shape} Shape */
 /** @typedef {import("./palette").Palette} Palette */
 
-/** The colour of a rock, as far as a theme lets it. */
-const STONE = "#a3968a";
+/** The colours of a rock, of brass and of steel, as far as a theme lets them be. */
+const [STONE, BRASS, STEEL] = ["#a3968a", "#c79a3a", "#aab4be"];
 /** How far a body may reach from the origin, in units of the sphere of e₃. */
 const REACH = 0.72;
 
@@ -29,6 +30,8 @@ function turned(profile, from, to, segments) {
   const places = [];
   /** @type {number[]} */
   const normals = [];
+  /** Seen along z. @type {number[]} */
+  const faces = [];
   for (let p = 0; p + 1 < profile.length; p++) {
     const [r0, z0] = profile[p];
     const [r1, z1] = profile[p + 1];
@@ -43,6 +46,7 @@ function turned(profile, from, to, segments) {
         [r0, z0, a], [r1, z1, b], [r1, z1, a],
       ]) {
         places.push(r * Math.cos(angle), r * Math.sin(angle), z);
+        faces.push(0.5 + 0.5 * r * Math.cos(angle), 0.5 + 0.5 * r * Math.sin(angle));
         normals.push(out * Math.cos(angle), out * Math.sin(angle), up);
       }
     }
@@ -50,11 +54,11 @@ function turned(profile, from, to, segments) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(places), 3));
   geometry.setAttribute("normal", new THREE.BufferAttribute(new Float32Array(normals), 3));
+  geometry.setAttribute("uv", new THREE.BufferAttribute(new Float32Array(faces), 2));
   return geometry;
 }
 
 const FULL = 2 * Math.PI;
-const MARK = FULL / 6;
 
 /** A wheel with a hub; radius 1, and 1 thick at the rim. */
 const WHEEL = /** @type {const} */ ([
@@ -89,7 +93,15 @@ export function createBodies(/** @type {Palette} */ palette) {
   const behind = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
   const body = palette.solid((c) => new THREE.Color(c.body), behind);
   const mark = palette.solid((c) => mix(c.body, markColour(c), 0.55), behind);
-  const rod = palette.solid((c) => mix(c.body, markColour(c), 0.3));
+  const metal = (/** @type {string} */ colour) =>
+    palette.polished((c) =>
+      c.highContrast ? mix(c.body, markColour(c), 0.3) : new THREE.Color(colour));
+  const [rod, steel] = [metal(BRASS), metal(STEEL)];
+  const face = createWheelFace();
+  const wood = palette.polished(() => new THREE.Color("#ffffff"), {
+    map: face.texture, specular: "#221a10", shininess: 20,
+  });
+  palette.follow(face.paint);
   const rock = palette.solid((c) => mix(c.body, STONE, 0.7), { vertexColors: true });
   const edge = palette.line((c) => mix(c.body, markColour(c), 0.75), 1.4);
   const dot = palette.dot((c) => new THREE.Color(markColour(c)));
@@ -98,16 +110,19 @@ export function createBodies(/** @type {Palette} */ palette) {
   /** @type {Map<string, { object: THREE.Object3D, fit: (motion: Motion) => number[] }>} */
   const built = new Map();
   const builders = {
-    "held-top": () => heldTop(body, mark, rod, dot),
-    "top": () => freeTop(body, mark, rod),
+    "held-top": () => heldTop(wood, rod, dot, ground),
+    "top": () => freeTop(wood, rod),
     "brick": () => brick(body, mark, edge),
     "asteroid": () => asteroid(rock),
-    "T-handle": () => handle(body, mark),
+    "T-handle": () => handle(steel, rod),
   };
   let halves = [1, 1, 1];
+  /** Where the wheel of a held top is in the body, and how large. */
+  const ground = { centre: new THREE.Vector3(), radius: 0 };
 
   return {
     object,
+    ground,
 
     /** How far the body goes along e₁, e₂, e₃ from the origin, as drawn. */
     get halves() {
@@ -135,29 +150,19 @@ export function createBodies(/** @type {Palette} */ palette) {
   };
 }
 
-/** A wheel in the plane of e₁ and e₂ with a painted sector. */
-function wheel(/** @type {THREE.Material} */ body, /** @type {THREE.Material} */ mark) {
-  const group = new THREE.Group();
-  group.add(
-    new THREE.Mesh(turned(WHEEL, MARK / 2, FULL - MARK / 2, 40), body),
-    new THREE.Mesh(turned(WHEEL, -MARK / 2, MARK / 2, 8), mark),
-  );
-  return group;
-}
-
 /**
  * A wheel on a stem that stands on the pivot, its centre the centre of mass.  As an elliptic
  * plate has moments M b²/4 and M a²/4 in its plane and their sum about its axis, the semi-axes
  * are a², b² = 2(λ₃ ± (λ₂ − λ₁))/M about its centre: r² = 2λ₃/M for a disc.
  *
- * @param {THREE.Material} body
- * @param {THREE.Material} mark
+ * @param {THREE.Material} wood
  * @param {THREE.Material} rod
  * @param {THREE.Material} dot
+ * @param {{ centre: THREE.Vector3, radius: number }} ground What its shadow is made of.
  */
-function heldTop(body, mark, rod, dot) {
+function heldTop(wood, rod, dot, ground) {
   const object = new THREE.Group();
-  const disc = wheel(body, mark);
+  const disc = new THREE.Mesh(turned(WHEEL, 0, FULL, 64), wood);
   const stem = new THREE.Mesh(turned(ROD, 0, FULL, 16), rod);
   const foot = new THREE.Mesh(turned(FOOT, 0, FULL, 16), rod);
   const arm = new THREE.Mesh(turned(ROD, 0, FULL, 12), rod);
@@ -185,6 +190,8 @@ function heldTop(body, mark, rod, dot) {
 
     centre.position.set(scale * x, scale * y, scale * z);
     disc.position.copy(centre.position);
+    ground.centre.copy(centre.position);
+    ground.radius = Math.max(a, b);
     disc.scale.set(a, b, thick);
 
     // The stem stands on the pivot and ends a little beyond the wheel, on either side of it.
@@ -210,12 +217,9 @@ function heldTop(body, mark, rod, dot) {
 }
 
 /** A wheel with an axle, held nowhere. */
-function freeTop(
-  /** @type {THREE.Material} */ body, /** @type {THREE.Material} */ mark,
-  /** @type {THREE.Material} */ rod,
-) {
+function freeTop(/** @type {THREE.Material} */ wood, /** @type {THREE.Material} */ rod) {
   const object = new THREE.Group();
-  const disc = wheel(body, mark);
+  const disc = new THREE.Mesh(turned(WHEEL, 0, FULL, 64), wood);
   const axle = new THREE.Mesh(turned(ROD, 0, FULL, 16), rod);
   axle.position.set(0, 0, -0.4);
   axle.scale.set(0.026, 0.026, 0.8);

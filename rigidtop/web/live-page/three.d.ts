@@ -128,8 +128,17 @@ declare namespace THREE {
     constructor(radius: number, detail: number);
   }
 
+  class CanvasTexture {
+    constructor(canvas: HTMLCanvasElement);
+    needsUpdate: boolean;
+    dispose(): void;
+  }
+
   interface MaterialOptions {
     color?: string | number;
+    map?: CanvasTexture;
+    specular?: string | number;
+    shininess?: number;
     transparent?: boolean;
     opacity?: number;
     depthTest?: boolean;
@@ -145,7 +154,11 @@ declare namespace THREE {
   class Material {
     readonly color: Color;
     visible: boolean;
+    opacity: number;
     dispose(): void;
+  }
+  class MeshPhongMaterial extends Material {
+    constructor(options: MaterialOptions);
   }
   class MeshBasicMaterial extends Material {
     constructor(options: MaterialOptions);
