@@ -104,7 +104,7 @@ FORBIDDEN = {
     "proof": NUMERIC,
     "motion": SYMBOLIC | {"matplotlib"},
     "referee": SYMBOLIC | {"matplotlib"},
-    "codegen": {"scipy", "matplotlib"},
+    "codegen": {"matplotlib"},
     "derivations": {"matplotlib"},
     "starter": {"matplotlib"},
     "__init__": SYMBOLIC | NUMERIC,

@@ -155,7 +155,7 @@ def _program(made: Values, language: Language, shown: Callable[[Any], str]) -> P
 def _free_name(wanted: str, taken: set[str], ignores_case: bool) -> str:
     """`wanted`, with underscores behind it until it is free; it is taken from then on."""
     spoken_for = {name.lower() for name in taken} if ignores_case else taken
-    name = re.sub(r"\W", "_", wanted, flags=re.ASCII)
+    name = re.sub(r"^(?![A-Za-z])", "x", re.sub(r"\W", "_", wanted, flags=re.ASCII))
     while (name.lower() if ignores_case else name) in spoken_for:
         name += "_"
     taken.add(name)
@@ -319,6 +319,23 @@ class _C(_Printer, C99CodePrinter):
 class _Fortran(_Printer, FCodePrinter):
     def _print_Pi(self, expr: Expr) -> str:
         return f"{math.pi!r}d0"
+
+    # Beside reals, these take nothing but reals.
+
+    def _print_Max(self, expr: Expr) -> str:
+        return (
+            f"{expr.func.__name__.lower()}({', '.join(self._print(_real(x)) for x in expr.args)})"
+        )
+
+    _print_Min = _print_Max
+
+    def _print_Piecewise(self, expr: Expr) -> str:
+        cases = [(_real(value), condition) for value, condition in expr.args]
+        return str(super()._print_Piecewise(sympy.Piecewise(*cases, evaluate=False)))
+
+
+def _real(value: Expr) -> Expr:
+    return sympy.Float(value) if value.is_Integer else value
 
 
 class JavaScript(_Printer, JavascriptCodePrinter):

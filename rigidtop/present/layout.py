@@ -278,6 +278,8 @@ Glyph(base='c', sub='φ', accent='', bold=False, prime=False))
         if name.endswith(ending) and len(name) > len(ending):
             return replace(glyph(name.removesuffix(ending)), **change)
     stem, _, sub = name.partition("_")
+    if not stem:
+        return Glyph(name)
     digits = re.fullmatch(r"(.*?[^\d])(\d+)", stem)
     if digits and not sub:
         stem, sub = digits.groups()

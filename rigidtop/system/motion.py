@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import builtins
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from keyword import iskeyword
+from keyword import kwlist
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -36,6 +37,9 @@ STEPS_AT_ONCE = 20_000
 
 LOOKS = 8
 """A step of the solver is looked at so many times for an event."""
+
+MEANT = {*kwlist, *dir(builtins), *dir(math), *dir(np)}
+"""Names that mean something else in the functions that are made."""
 
 MOST_STEPS = 10_000_000
 """No Taylor series takes more steps: it would fill the memory."""
@@ -546,11 +550,11 @@ class Numeric:
 
     @cached_property
     def _python(self) -> dict[Symbol, Symbol]:
-        """Names for those whose own are none in Python, such as lambda or m_{1}."""
+        """Names for those whose own are none in Python, such as lambda, m_{1} or pi."""
         letters = (*self.arguments, *self.system.names.p)
         taken = {x.name for x in letters} | {x.name for x, _ in self.system.program.shared}
         free = (x for x in sympy.numbered_symbols("a") if x.name not in taken)
-        wrong = (x for x in letters if not x.name.isidentifier() or iskeyword(x.name))
+        wrong = (x for x in letters if not x.name.isidentifier() or x.name in MEANT)
         return {x: Symbol(next(free).name, **x.assumptions0) for x in wrong}
 
     def made(

@@ -41,4 +41,10 @@ def source(system: System, language: str, name: str) -> str:
         lines=(),
         shared=program.shared,
     )
-    return languages.source(made, language, text).text
+    try:
+        return languages.source(made, language, text).text
+    except NotImplementedError as error:
+        [what] = re.findall(r"by <class '[^']*'>: (?:<class '[\w.]*\.)?(\w+)", str(error))[:1] or [
+            error
+        ]
+        raise RigidtopError(f"there is no {what} in {language}") from None

@@ -202,6 +202,8 @@ class System:
                         raise RigidtopError(f"{what} has {x}, which is none of the velocities")
         known: dict[str, Symbol] = {}
         for x in self._letters:
+            if not x.name.strip():
+                raise RigidtopError("there is a symbol without a name")
             if known.setdefault(x.name, x) != x:
                 raise RigidtopError(f"two different symbols are called {x.name}")
         for each, rule in zip(self.rules, self.constraints, strict=True):

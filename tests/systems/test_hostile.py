@@ -207,3 +207,18 @@ def test_certified_with_names_that_are_none_in_python():
     odd, keyword = symbols("m_{1} lambda", positive=True)
     spring = rt.System(odd * u**2 / 2 - keyword * x**2 / 2, x, u)
     assert max(spring.certify({odd: 1, keyword: 4}).values()) < 1e-12
+
+
+@pytest.mark.parametrize("name", ["pi", "e", "sin", "abs", "None", "1a", "_p", "a%b"])
+def test_names_that_mean_something_else(name):
+    """A parameter called pi was not π's 3.14, and one called sin no function."""
+    letter = Symbol(name, positive=True)
+    spring = rt.System(u**2 / 2 - letter * (pi * x**2 / 2 + sin(x)), x, u)
+    known = rt.System(u**2 / 2 - k * (pi * x**2 / 2 + sin(x)), x, u)
+    runs = [s.motion({p: 2}, 1).integrate([1.0]) for s, p in ((spring, letter), (known, k))]
+    assert runs[0].q == pytest.approx(runs[1].q, rel=1e-12)
+    made = {}
+    exec(spring.source("python"), made)
+    assert made["accelerations"](0.3, 0.1, 2.0)[0] == pytest.approx(
+        float(-2 * (pi * 0.3 + cos(0.3))), rel=1e-14
+    )

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from sympy import Add, cos, sin, symbols
+from sympy import Add, Heaviside, Max, Piecewise, besselj, cos, sin, symbols
 
 import rigidtop as rt
 from rigidtop.codegen.solve import StraightLine
@@ -90,7 +90,40 @@ def test_a_program_in_python_keeps_its_lines():
     assert ladder.source("python").count(" = ") == 39
 
 
+def test_fortran_takes_reals_and_letters_of_one_case(tmp_path):
+    """max(0, x) and merge(0, …) are no Fortran beside reals, and M is m."""
+    if shutil.which("gfortran") is None:
+        pytest.skip("no gfortran")
+    big, odd = symbols("M _p", positive=True)
+    stop = rt.System(
+        (m * u**2 + big * v**2) / 2
+        - odd * Max(x, 0) ** 3
+        - Piecewise((y**2, y > 1), (0, True)) ** 3,
+        [x, y],
+        [u, v],
+    )
+    row = (0.7, 1.3, 0.1, 0.2, 2.0, 3.0, 5.0)
+    lines = stop.source("fortran", "stop_at").splitlines()
+    main = [
+        "program main",
+        "  use stop_at_module",
+        "  real(8) :: out(2)",
+        f"  call stop_at({', '.join(f'{value}d0' for value in row)}, out)",
+        "  print '(2es26.17)', out",
+        "end program",
+    ]
+    (tmp_path / "stop.f90").write_text("\n".join([*lines, *main, ""]), "utf-8")
+    subprocess.run(["gfortran", "stop.f90", "-o", "stop"], cwd=tmp_path, check=True)
+    said = subprocess.run([tmp_path / "stop"], capture_output=True, text=True, check=True).stdout
+    assert [float(value) for value in said.split()] == pytest.approx(
+        stop.numeric.solved.scalar(0.0, *row), rel=1e-14
+    )
+
+
 def test_bad_input_is_one_line():
+    for force, said in ((Heaviside(x), "there is no DiracDelta in c"), (besselj(0, x), "besselj")):
+        with pytest.raises(rt.RigidtopError, match=said):
+            rt.System(u**2 / 2 - force, x, u).source("c")
     with pytest.raises(rt.RigidtopError, match="no language 'rust': there are "):
         BOB.source("rust")
     with pytest.raises(rt.RigidtopError, match="'my code' is no name for a function"):
