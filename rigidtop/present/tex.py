@@ -278,7 +278,9 @@ def _(block: Paragraph) -> str:
     words = rich(block.content)
     if block.mark is not None:
         anchored = rf"\phantomsection\label{{{block.anchor}}}" if block.anchor else ""
-        words = rf"{anchored}\rtmarked{{{block.mark.verdict}}}{{{rich(block.mark.note)}}}{{{words}}}"
+        words = (
+            rf"{anchored}\rtmarked{{{block.mark.verdict}}}{{{rich(block.mark.note)}}}{{{words}}}"
+        )
     # A labelled paragraph, the reason, is not parted from what it is the reason for.
     return (
         rf"\lab{{{prose(block.label)}}}{words}\nopagebreak"
@@ -371,7 +373,9 @@ def _sized(rows: Sequence[AlignRow], room: float) -> str:
     inside = r" \\ ".join(row_lines(_hung(row)))
     place = rf"\phantomsection\label{{{row.label}}}" if row.label else ""
     behind = (f"({row.tag})" if row.tag else "") + row.behind
-    return rf"{row.reason}\rtfit{{{place}}}{{$\begin{{aligned}}{inside}\end{{aligned}}$}}{{{behind}}}"
+    return (
+        rf"{row.reason}\rtfit{{{place}}}{{$\begin{{aligned}}{inside}\end{{aligned}}$}}{{{behind}}}"
+    )
 
 
 def _hung(row: AlignRow) -> AlignRow:
@@ -564,9 +568,10 @@ def _(block: Subhead) -> str:
 
 @tex_block.register
 def _(block: Quantities) -> str:
+    units = ["" if unit == "1" else _piece(Unit(unit)) for _, _, unit in block.rows]
     rows = [
-        rf"\rtquantity{{{prose(what)}}}{{{_cell(value)}{'' if unit == '1' else _piece(Unit(unit))}}}"
-        for what, value, unit in block.rows
+        rf"\rtquantity{{{prose(what)}}}{{{_cell(value)}{behind}}}"
+        for (what, value, _), behind in zip(block.rows, units, strict=True)
     ]
     # Two of them at least stay together.
     rows[1:1] = [r"\nobreak"]
