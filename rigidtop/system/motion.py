@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import builtins
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 from keyword import kwlist
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy
 from numpy.typing import ArrayLike
-from scipy.optimize import brentq
+from scipy.optimize import brentq, minimize_scalar
 from sympy import Expr, Symbol
 
 from rigidtop.codegen import heyoka as compiled
@@ -36,10 +37,27 @@ STEPS_AT_ONCE = 20_000
 """Between so many steps of a Taylor series an interrupt from the keyboard is heard."""
 
 LOOKS = 8
-"""A step of the solver is looked at so many times for an event."""
+"""A step of the solver, or a part of it, is looked at so many times for an event."""
+
+DEEPEST = 8
+"""A step is halved so many times, where a quantity changes faster than what moves."""
+
+NOISE = 1e-10
+"""A quantity that goes less beyond zero, relative to its largest, is said to touch it only."""
+
+PLACES = (1 - np.cos(np.arange(LOOKS + 1) * np.pi / LOOKS)) / 2
+"""Where it is looked at, from 0 to 1: not evenly, which what is periodic could meet."""
+
+BETWEEN = np.vander(PLACES[1::2], LOOKS // 2 + 1) @ np.linalg.inv(
+    np.vander(PLACES[::2], LOOKS // 2 + 1)
+)
+"""Takes the values of a polynomial at every other of these places to those between them."""
 
 MEANT = {*kwlist, *dir(builtins), *dir(math), *dir(np)}
 """Names that mean something else in the functions that are made."""
+
+TOO_SMALL = 1e-3
+"""A motion that stays below this part of what its tolerances are fractions of is done again."""
 
 MOST_STEPS = 10_000_000
 """No Taylor series takes more steps: it would fill the memory."""
@@ -168,7 +186,8 @@ class SystemMotion:
         is a span, as SciPy has it, of 501 evenly spaced times.  `method` is one of
         `scipy.integrate.solve_ivp`, with `rtol` and `atol` for each step, or "taylor", the Taylor
         series of heyoka (``pip install 'rigidtop[taylor]'``), for which `rtol` bounds what a step
-        leaves out, relative to the largest component.
+        leaves out.  `atol` is that of a motion whose coordinates, or velocities, come to 1; where
+        the largest of them stays smaller, as in atoms, it is a fraction of that.
 
         `events` are quantities by name, of q, q̇ and t, whose zeros are wanted: see
         `SystemTrajectory.events`.  Rows after the first zero of `until` (before it, for t < 0) are
@@ -189,11 +208,11 @@ class SystemMotion:
             return motion.path(ordered)
 
         def flows(end: float) -> Flow:
-            if accuracy.method == TAYLOR:
-                return self._taylor(start, end, accuracy)
-            return flow(
-                lambda x: self._rates_at(x), start, end, accuracy, lambda _: np.ones(len(start))
-            )
+            made = self._flow(start, end, accuracy, self._sizes)
+            largest = self._sizes(np.abs(made.path(made.steps)).max(axis=1))
+            if np.all(largest > TOO_SMALL * self._sizes(start)):
+                return made
+            return self._flow(start, end, accuracy, lambda _: largest)
 
         with np.errstate(all="ignore"):
             states = on_both_sides(flows, start, times, sample)
@@ -231,18 +250,36 @@ class SystemMotion:
 
         return at
 
-    def _taylor(self, start: Floats, end: float, accuracy: Accuracy) -> Flow:
-        """By heyoka's Taylor series."""
+    def _sizes(self, state: Floats) -> Floats:
+        """What absolute tolerances are fractions of: at most 1, or of q, of q̇, of work."""
+        n, made = len(self.q), np.ones(len(state))
+        for part in (slice(n), slice(n, 2 * n), slice(2 * n, 2 * n + self.system.numeric.works)):
+            largest = np.max(np.abs(state[part]), initial=0.0)
+            if 0 < largest < 1:
+                made[part] = largest
+        return made
+
+    def _flow(
+        self, start: Floats, end: float, accuracy: Accuracy, sizes: Callable[[Floats], Floats]
+    ) -> Flow:
+        if accuracy.method == TAYLOR:
+            return self._taylor(start, end, accuracy, sizes(start))
+        return flow(lambda x: self._rates_at(x), start, end, accuracy, sizes)
+
+    def _taylor(self, start: Floats, end: float, accuracy: Accuracy, unit: Floats) -> Flow:
+        """By heyoka's Taylor series, of the state in `unit`s: below 1 its tolerance is absolute."""
         heyoka = compiled.loaded("method 'taylor' needs heyoka")
         numeric, n = self.system.numeric, len(self.q)
         state = heyoka.make_vars(*(f"x{k}" for k in range(len(start))))
         given = [heyoka.par[k] for k in range(len(self.parameters))]
         time = state[-1] if numeric.timed else heyoka.expression(0.0)
-        right = compiled.on_symbols(heyoka, numeric.rates, "rates", [time, *state[: 2 * n], *given])
+        own = [x * size for x, size in zip(state[: 2 * n], unit, strict=False)]
+        right = compiled.on_symbols(heyoka, numeric.rates, "rates", [time, *own, *given])
         if numeric.timed:
             right.append(heyoka.expression(1.0))
+        rows = [(x, rate / size) for x, rate, size in zip(state, right, unit, strict=True)]
         integrator = heyoka.taylor_adaptive(
-            list(zip(state, right, strict=True)), start, pars=self.parameters, tol=accuracy.rtol
+            rows, start / unit, pars=self.parameters, tol=accuracy.rtol
         )
         outcomes = heyoka.taylor_outcome
         pieces: list[Flow] = []
@@ -258,7 +295,7 @@ class SystemMotion:
                 )
             if len(pieces) * STEPS_AT_ONCE > MOST_STEPS:
                 raise RigidtopError(f"more than {MOST_STEPS} steps on the way to {end:g}")
-            pieces.append(Flow(_path(series), np.asarray(series.times)))
+            pieces.append(Flow(_path(series, unit), np.asarray(series.times)))
         return joined(pieces)
 
 
@@ -352,30 +389,65 @@ def _computed(
 UNTIL = ""
 
 
-def _path(series: Any) -> Callable[[Floats], Floats]:
-    return lambda times: np.ascontiguousarray(series(times).T)
+def _path(series: Any, unit: Floats) -> Callable[[Floats], Floats]:
+    return lambda times: np.ascontiguousarray((series(times) * unit).T)
 
 
 def _zeros(motion: Flow, value: Callable[[float, Floats], float], end: float) -> list[float]:
     """The times at which a quantity goes through zero, t = 0 left out."""
 
-    def at(time: float) -> float:
-        return value(time, motion.path(np.array([time]))[:, 0])
+    def of(times: Floats) -> Floats:
+        states = motion.path(times).T
+        return np.array([value(float(t), state) for t, state in zip(times, states, strict=True)])
 
-    steps = motion.steps
-    between = steps[:-1, None] + np.diff(steps)[:, None] * (np.arange(LOOKS) / LOOKS)
-    nodes = np.append(between.ravel(), steps[-1])
-    states = motion.path(nodes)
-    values = [value(float(time), state) for time, state in zip(nodes, states.T, strict=True)]
+    def at(time: float) -> float:
+        return float(of(np.array([time]))[0])
+
+    looks = [look for span in pairwise(motion.steps) for look in _looks(of, *span, DEEPEST)]
+    times, values = np.array([(0.0, at(0.0)), *looks]).T
+    # Between two zeros near each other, of three values with one sign the middle one is the least.
+    size = np.abs(values)
+    for k in np.flatnonzero((size[1:-1] < size[:-2]) & (size[1:-1] < size[2:])) + 1:
+        sign = np.sign(values[k])
+        if sign == np.sign(values[k - 1]) == np.sign(values[k + 1]):
+            around = sorted((float(times[k - 1]), float(times[k + 1])))
+            least, depth = _least(at, sign, *around)
+            if depth < -NOISE * size.max():
+                times, values = np.append(times, least), np.append(values, sign * depth)
+    order = np.argsort(np.abs(times))
     found = []
-    for k in range(len(nodes) - 1):
-        left, right = values[k], values[k + 1]
-        if right == 0:
-            found.append(float(nodes[k + 1]))
-        elif left * right < 0:
-            tiny = 4 * np.finfo(float).eps
-            found.append(float(brentq(at, nodes[k], nodes[k + 1], xtol=1e-14, rtol=tiny)))
+    for (left, before), (right, after) in pairwise(zip(times[order], values[order], strict=True)):
+        if after == 0 != before:
+            found.append(float(right))
+        elif before * after < 0:
+            zero = float(brentq(at, left, right, xtol=1e-14, rtol=4 * np.finfo(float).eps))
+            if abs(at(zero)) <= max(abs(before), abs(after)):  # at a pole the sign changes too
+                found.append(zero)
     return [x for x in found if abs(x) <= abs(end)]
+
+
+def _least(
+    value: Callable[[float], float], sign: float, left: float, right: float
+) -> tuple[float, float]:
+    """Where between two times ±value is least, and what it is there."""
+    found = minimize_scalar(lambda t: sign * value(t), bounds=(left, right), method="bounded")
+    return float(found.x), float(found.fun)
+
+
+def _looks(
+    of: Callable[[Floats], Floats], start: float, end: float, depth: int
+) -> Iterator[tuple[float, float]]:
+    """Times and values behind `start`, so dense that every other value follows from the rest."""
+    times = start + (end - start) * PLACES
+    times[-1] = end
+    values = of(times)
+    missed = np.abs(BETWEEN @ values[::2] - values[1::2]).max()
+    if depth == 0 or missed <= max(0.05 * np.ptp(values), 1e-12 * np.abs(values).max()):
+        yield from zip(times[1:], values[1:], strict=True)
+    else:
+        middle = (start + end) / 2
+        yield from _looks(of, start, middle, depth - 1)
+        yield from _looks(of, middle, end, depth - 1)
 
 
 @dataclass(frozen=True, eq=False, repr=False)

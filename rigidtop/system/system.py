@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -211,6 +211,10 @@ class System:
                 raise RigidtopError(f"the constraint {rule} = 0 has no coordinate and no velocity")
             if any(each.diff(v).has(*names.v) for v in names.v):
                 raise RigidtopError(f"the constraint {rule} = 0 is not linear in the velocities")
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Without what was computed: functions that are made cannot be pickled."""
+        return {each.name: getattr(self, each.name) for each in fields(self)}
 
     # --- in plain symbols, for what computes ------------------------------------------------------
 

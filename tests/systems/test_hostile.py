@@ -1,5 +1,7 @@
 """Answers that would be plausible and wrong: each of these was, or might have been, given."""
 
+import pickle
+
 import numpy as np
 import pytest
 from sympy import (
@@ -222,3 +224,52 @@ def test_names_that_mean_something_else(name):
     assert made["accelerations"](0.3, 0.1, 2.0)[0] == pytest.approx(
         float(-2 * (pi * 0.3 + cos(0.3))), rel=1e-14
     )
+
+
+@pytest.mark.parametrize("method", ["DOP853", "taylor"])
+@pytest.mark.parametrize(("size", "field"), [(1e-10, 1.0), (1e11, 1e20)])
+def test_an_orbit_is_as_exact_in_an_atom_as_in_the_sky(size, field, method):
+    """An absolute tolerance of 1e-12 m is a hundredth of an atom."""
+    kepler = rt.System(m * (u**2 + v**2) / 2 + k * m / sqrt(x**2 + y**2), [x, y], [u, v])
+    speed = np.sqrt(3 * field / size)  # at the perihelion, for ε = ½
+    motion = kepler.motion({m: 1e-30, k: field}, [size / 2, 0], [0, speed])
+    run = motion.integrate([6 * np.pi * np.sqrt(size**3 / field)], method=method)
+    assert run.q[0] / size == pytest.approx([0.5, 0], abs=1e-7)
+    assert max(run.drift().values()) < 1e-9
+
+
+@pytest.mark.parametrize("method", ["DOP853", "taylor"])
+@pytest.mark.parametrize("start", [(1e-14, 0), (0, 1e-14), (1e-17, 1), (1, 1e-17)])
+def test_small_motions_are_large_ones_made_small(start, method):
+    spring = rt.System(m * u**2 / 2 - k * x**2 / 2, x, u).motion({m: 1e-30, k: 1e-30}, *start)
+    run = spring.integrate([10.0], method=method)
+    known = start[0] * np.cos(10) + start[1] * np.sin(10)
+    assert run.q[0, 0] == pytest.approx(known, rel=1e-8)
+
+
+def test_no_zero_of_what_changes_fast_is_missed():
+    """The steps of a free motion are as long as they like."""
+    free = rt.System(u**2 / 2, x, u).motion({}, 0, 1)
+    found = free.integrate((0, 10), events={"zero": sin(50 * x)}).events["zero"]
+    assert found == pytest.approx(np.arange(1, 160) * np.pi / 50, abs=1e-9)
+
+
+def test_two_zeros_near_each_other_and_none():
+    spring = rt.System(u**2 / 2 - x**2 / 2, x, u).motion({}, 1)
+    watched = {"near": x - 1 + 1e-9, "touched": x - 1, "pole": 1 / x, "nothing": 0 * x}
+    found = spring.integrate((0, 7), events=watched).events
+    apart = np.sqrt(2e-9)
+    turn = 2 * np.pi
+    assert found.pop("near") == pytest.approx([apart, turn - apart, turn + apart], abs=1e-7)
+    assert not any(map(len, found.values()))
+
+
+def test_a_system_and_its_motions_can_be_pickled():
+    angle = dynamicsymbols("angle")
+    for system in (BEAD, rt.System(m * angle.diff() ** 2 / 2 + m * g * cos(angle), angle)):
+        numbers = dict.fromkeys(system.parameters, 1.5)
+        run = system.motion(numbers, 0.1).integrate([1.0])
+        again = pickle.loads(pickle.dumps(run))
+        assert again == run
+        assert again.motion == run.motion
+        assert again.motion.integrate([1.0]) == run
