@@ -194,7 +194,7 @@ def axis_stability() -> Iterator[Evidence]:
     momentum = printed(r"L^2 = \text{const}")
     turning = "+".join(rf"(1 - \frac{{\lambda_0}}{{\lambda_{k}}})\zeta_{k}^2" for k in (1, 2, 3))
     with_ball = printed(
-        r"2\lambda_3T - L^2 = \frac{\lambda_3 - \lambda_1}{\lambda_1}L_1^2"
+        r"2\lambda_3T_{\text{tot}} - L^2 = \frac{\lambda_3 - \lambda_1}{\lambda_1}L_1^2"
         rf" + \frac{{\lambda_3 - \lambda_2}}{{\lambda_2}}L_2^2 + \lambda_0\lambda_3({turning})"
     )
     meaning = {
@@ -240,16 +240,16 @@ def axis_stability() -> Iterator[Evidence]:
     )
     whole = gyrostat.angular_momentum()
     inside = {
-        s.T: gyrostat.kinetic_energy(),
+        s.T_tot: gyrostat.kinetic_energy(),
         s.const: gyrostat.along_flow,
-        s.Tdot: gyrostat.along_flow(gyrostat.kinetic_energy()),
+        s.T_totdot: gyrostat.along_flow(gyrostat.kinetic_energy()),
         s.L: whole.dot(whole) ** S.Half,
         s.L1: whole[0],
         s.L2: whole[1],
         s.zeta_vec: Matrix(gyrostat.RELATIVE),
     }
     yield Check(
-        printed(r"T = \text{const}"),
+        printed(r"T_{\text{tot}} = \text{const}"),
         inside,
         (Assumption(Eq(s.damping, 0), "no friction inside takes energy"),),
         printed=False,
@@ -259,10 +259,10 @@ def axis_stability() -> Iterator[Evidence]:
         with_ball, inside, reason="but this, the form above with the ball in it,", printed=False
     )
     yield Remark(
-        printed(r"\dot T = -c\boldsymbol\zeta\cdot\boldsymbol\zeta"),
+        printed(r"\dot T_{\text{tot}} = -c\boldsymbol\zeta\cdot\boldsymbol\zeta"),
         inside,
-        reason="falls as $T$ does: about the largest moment to zero, but about the smallest, where "
-        "it is negative with the ball at rest, ever further from zero.",
+        reason="falls as the energy does: about the largest moment to zero, but about the "
+        "smallest, where it is negative with the ball at rest, ever further from zero.",
         printed=False,
     )
     yield Remark(

@@ -74,6 +74,7 @@ LETTERS = Letters(
         s.L_vec: s.L_vecdot,
         s.E: s.Edot,
         s.T: s.Tdot,
+        s.T_tot: s.T_totdot,
     },
     vectors=frozenset(x for x, quantity in _ROWS if quantity.glyph.bold),
     operators=frozenset(MATRICES),

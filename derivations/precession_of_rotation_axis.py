@@ -375,7 +375,7 @@ def example_33() -> Iterator[Evidence]:
     yield Check(
         lost,
         {
-            s.Tdot: gyrostat.along_flow(gyrostat.kinetic_energy()),
+            s.T_totdot: gyrostat.along_flow(gyrostat.kinetic_energy()),
             s.zeta_vec: Matrix(gyrostat.RELATIVE),
         },
         printed=False,
@@ -387,7 +387,7 @@ def example_33() -> Iterator[Evidence]:
     )
     yield Check(
         falls,
-        {s.Tdot: -s.damping * s.delta**2},
+        {s.T_totdot: -s.damping * s.delta**2},
         (
             Assumption(Gt(s.damping, 0), "energy is lost inside the body"),
             Assumption(Ne(s.delta, 0), "$𝛚$ is not along a principal axis", stated=True),

@@ -108,6 +108,7 @@ det_B = _real("det_B", Glyph("det B"), "determinant of $B$", "1")
 det_C = _real("det_C", Glyph("det C"), "determinant of $C$", "1")
 O_matrix = _real("O_matrix", Glyph("O"), "matrix whose columns are $e₁$, $e₂$, $e₃$", "1")
 T = _real("T", Glyph("T"), "kinetic energy", "J")
+T_tot = _real("T_tot", Glyph("T", "tot"), "kinetic energy with that of a ball inside", "J")
 V = _real("V", Glyph("V"), "potential energy", "J")
 U = _real("U", Glyph("U"), "effective potential of $θ$", "J")
 U_slope = _real("U_slope", Glyph("U", prime=True), "slope of the effective potential", "J")
@@ -133,6 +134,9 @@ delta_k = _real("delta_k", Glyph("δ", "k"), "Dirac's $δ$ at particle $k$", "1/
 F_1 = _real("F_1", Glyph("F", "1"), "external force on the first particle, along $x̂$", "N")
 Edot = _real("Edot", Glyph("E", accent="dot"), "rate of the energy", "W")
 Tdot = _real("Tdot", Glyph("T", accent="dot"), "rate of the kinetic energy", "W")
+T_totdot = _real(
+    "T_totdot", Glyph("T", "tot", accent="dot"), "rate of the energy with a ball inside", "W"
+)
 damping = _real("damping", Glyph("c"), "torque of the friction inside the body over $ζ$", "J s")
 c_3 = _real("c_3", Glyph("c", "3"), "drag torque of the air along $e₃$ over $ω₃$", "J s")
 sigma2 = _real("sigma2", Glyph("σ²"), "square of a growth rate", "1/s²")

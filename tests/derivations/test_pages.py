@@ -90,3 +90,15 @@ def test_an_exercise_cites_the_lecture_and_no_other_exercise() -> None:
 def test_every_law_says_where_it_is_from() -> None:
     sources = {id: LECTURE.lines[id].source for id in LECTURE.laws}
     assert [id for id, source in sources.items() if not source] == []
+
+
+def test_no_two_laws_give_one_scalar_a_value() -> None:
+    """Cited together they would contradict each other; a vector's laws are of different frames.
+
+    An exercise may have a body of its own.
+    """
+    laws = [LECTURE.lines[id] for id in LECTURE.laws if not id.startswith("exercises/")]
+    sides = [e.sides[0] for line in laws for e in line.equations]
+    scalars = [x for x in sides if x.is_Symbol and x not in LETTERS.vectors]
+    assert len(scalars) > 10
+    assert [x for x in scalars if scalars.count(x) > 1] == []
