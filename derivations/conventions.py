@@ -14,7 +14,7 @@ from sympy import Expr, Matrix, Rational, Symbol, cos, diag, pi, sin
 from rigidtop.derivations.euler_angles import SYMMETRIC, momentum_primed
 from rigidtop.notation.convention import SEQUENCES
 from rigidtop.proof.equation import Equation, Group, as_printed
-from rigidtop.proof.page import Check, Evidence, Page, claim
+from rigidtop.proof.page import Evidence, Formal, Page, claim
 from rigidtop.theory.euler import MOMENTS
 from rigidtop.theory.lettered import real
 from rigidtop.theory.rotation import (
@@ -111,12 +111,11 @@ def attitude() -> Iterator[Evidence]:
         )
     turns = rotation_z(phi_x) * rotation_x(theta) * rotation_z(psi_x)
     said = Equation(O_matrix, printed)
-    yield Check(said, {O_matrix: turns}, reason="The product of the three turns.", printed=False)
-    yield Check(
+    yield Formal(said, {O_matrix: turns}, reason="The product of the three turns.")
+    yield Formal(
         said,
         {O_matrix: euler_matrix(), **ANGLES},
         reason="The attitude of the notes, with the angles shifted.",
-        printed=False,
     )
 
 
@@ -127,13 +126,10 @@ def nodes() -> Iterator[Evidence]:
     with as_printed():
         along, across = Equation(e1x, e2p), Equation(e2x, -e1p)
         vertical = Equation(zhat, cos(theta) * e3 + sin(theta) * e2x)
-    yield Check(along, axes(), reason="The line of nodes.", printed=False)
-    yield Check(across, axes(), reason="The axis across it and $e₃$.", printed=False)
-    yield Check(
-        vertical,
-        {**axes(), zhat: Z_AXIS},
-        reason="The vertical has no part along the nodes.",
-        printed=False,
+    yield Formal(along, axes(), reason="The line of nodes.")
+    yield Formal(across, axes(), reason="The axis across it and $e₃$.")
+    yield Formal(
+        vertical, {**axes(), zhat: Z_AXIS}, reason="The vertical has no part along the nodes."
     )
 
 
@@ -157,17 +153,13 @@ def rotational_velocity() -> Iterator[Evidence]:
                 ]
             ),
         )
-    yield Check(
-        along_nodes,
-        {omega_vec: euler_omega("space"), **axes()},
-        reason="(3.42) goes over.",
-        printed=False,
+    yield Formal(
+        along_nodes, {omega_vec: euler_omega("space"), **axes()}, reason="(3.42) goes over."
     )
-    yield Check(
+    yield Formal(
         along_body,
         {omega_vec: euler_omega("body"), **ANGLES},
         reason="The components along $e₁$, $e₂$ and $e₃$.",
-        printed=False,
     )
 
 
@@ -182,7 +174,7 @@ def momentum() -> Iterator[Evidence]:
             + lambda3 * Group(psidot + phidot * cos(theta)) * e3,
         )
     space = primed_matrix() * momentum_primed()
-    yield Check(printed, {L_vec: space, **axes()}, (SYMMETRIC,), printed=False)
+    yield Formal(printed, {L_vec: space, **axes()}, (SYMMETRIC,))
 
 
 @claim("lagrangian-zxz", "The Lagrangian (3.53) has the same form in the angles $z–x′–z″$.")
@@ -201,7 +193,7 @@ def lagrangian() -> Iterator[Evidence]:
             - M * g * R * cos(theta),
         )
     potential = potential_energy().subs(SYMMETRIC_TOP)
-    yield Check(printed, {Lagrangian: kinetic - potential}, (SYMMETRIC,), printed=False)
+    yield Formal(printed, {Lagrangian: kinetic - potential}, (SYMMETRIC,))
 
 
 page = Page(

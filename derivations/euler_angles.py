@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from sympy import Eq, Matrix, Ne, Rational, diag, sin
 
 from rigidtop.proof.equation import Equation
-from rigidtop.proof.page import Assumption, Check, Evidence, Page, claim
+from rigidtop.proof.page import Assumption, Check, Evidence, Formal, Page, claim
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.euler import MOMENTS
@@ -64,21 +64,11 @@ def euler_sequence() -> Iterator[Evidence]:
     """Rodrigues' formula about each axis in turn; the product is $Rz(φ) Ry(θ) Rz(ψ)$."""
     turned = sequence()
     meaning = {**turned, **SPACE_AXES}
-    yield Check(
-        printed(r"\mathbf e_2' = -\sin\phi\hat{\mathbf x} + \cos\phi\hat{\mathbf y}"),
-        meaning,
-        printed=False,
+    yield Formal(
+        printed(r"\mathbf e_2' = -\sin\phi\hat{\mathbf x} + \cos\phi\hat{\mathbf y}"), meaning
     )
-    yield Check(
-        printed.lines("euler-sequence")[0],
-        meaning,
-        printed=False,
-    )
-    yield Check(
-        Equation(s.O_matrix, euler_matrix()),
-        turned,
-        printed=False,
-    )
+    yield Formal(printed.lines("euler-sequence")[0], meaning)
+    yield Formal(Equation(s.O_matrix, euler_matrix()), turned)
 
 
 @claim("3.41", "$ω$ is the sum of the three turns' rotational velocities.")
@@ -110,14 +100,13 @@ def skip_last_step() -> Iterator[Evidence]:
     """A turn about $e₃$ leaves $diag(λ₁, λ₁, λ₃)$ as it is, so $ψ$ drops out of $L$ and $T$; $ψ̇$
     does not."""
     turn = rotation_z(s.psi)
-    yield Check(
+    yield Formal(
         printed(r"O\Lambda O^T = \Lambda"),
         {s.O_matrix: turn, s.Lambda: diag(*MOMENTS)},
         (SYMMETRIC,),
-        printed=False,
     )
     turned = Equation(s.T, top.kinetic_energy().subs(s.psi, 0))
-    yield Check(turned, {s.T: top.kinetic_energy()}, (SYMMETRIC,), printed=False)
+    yield Formal(turned, {s.T: top.kinetic_energy()}, (SYMMETRIC,))
 
 
 @claim("3.43", "$𝐋$ along $e₁′$, $e₂′$ and $e₃$.")
@@ -140,11 +129,8 @@ def azimuthal_rate() -> Iterator[Evidence]:
     Upright, $L_z = L₃$ whatever $φ̇$ is, and the right side is 0/0.
     """
     meaning = momentum_along_axes()
-    yield Check(
-        printed(r"L_z = \lambda_1\dot\phi\sin^2\theta + L_3\cos\theta"),
-        meaning,
-        (SYMMETRIC,),
-        printed=False,
+    yield Formal(
+        printed(r"L_z = \lambda_1\dot\phi\sin^2\theta + L_3\cos\theta"), meaning, (SYMMETRIC,)
     )
     yield Check(printed("3.45"), meaning, (SYMMETRIC, TILTED))
 

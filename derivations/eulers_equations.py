@@ -9,7 +9,7 @@ from sympy import Eq, Expr, Ge, Le, Matrix, Ne, S
 
 from rigidtop.codegen import shipped
 from rigidtop.proof.equation import BODY, Equation, Rate
-from rigidtop.proof.page import Assumption, Check, Evidence, Page, Remark, claim
+from rigidtop.proof.page import Assumption, Check, Evidence, Formal, Page, Remark, claim
 from rigidtop.theory import gyrostat, top
 from rigidtop.theory import symbols as s
 from rigidtop.theory.euler import (
@@ -81,13 +81,9 @@ def euler_equations() -> Iterator[Evidence]:
         yield Check(line, rates())
     integrated = dict(zip(RATES, shipped.symbolic("free_body"), strict=True))
     for line in lines:
-        yield Check(line, integrated, printed=False)
+        yield Formal(line, integrated)
     # The other two follow by renaming the axes in turn.
-    yield Check(
-        lines[2],
-        lagrange_third(S.Zero),
-        printed=False,
-    )
+    yield Formal(lines[2], lagrange_third(S.Zero))
 
 
 @claim("euler-with-torque", "There is a more complete version with external torque.")
@@ -98,12 +94,10 @@ def with_torque() -> Iterator[Evidence]:
     """
     lines = printed.lines("euler-with-torque")[-3:]
     for line in lines:
-        yield Check(line, rates(Matrix([s.N1, s.N2, s.N3])), printed=False)
+        yield Formal(line, rates(Matrix([s.N1, s.N2, s.N3])))
     vertical = euler_matrix().T * Z_AXIS
-    yield Check(
-        lines[2],
-        {**lagrange_third(top.potential_energy()), s.N3: top.gravity_torque(vertical)[2]},
-        printed=False,
+    yield Formal(
+        lines[2], {**lagrange_third(top.potential_energy()), s.N3: top.gravity_torque(vertical)[2]}
     )
     ours = shipped.symbolic("heavy_body")[4:]
     weight = top.gravity_torque(quaternion_matrix(Matrix(top.QUATERNION)).T * Z_AXIS)
@@ -112,11 +106,7 @@ def with_torque() -> Iterator[Evidence]:
         **dict(zip((s.N1, s.N2, s.N3), weight, strict=True)),
     }
     for line in lines:
-        yield Check(
-            line,
-            meaning,
-            printed=False,
-        )
+        yield Formal(line, meaning)
 
 
 def right_sides() -> tuple[Equation, ...]:
@@ -132,17 +122,16 @@ def right_sides() -> tuple[Equation, ...]:
 def principal_stays() -> Iterator[Evidence]:
     """Two of the three $ωₖ$ vanish, so every product on the right of (3.36) does."""
     for line in right_sides():
-        yield Check(line, rates(), printed=False)
+        yield Formal(line, rates())
     for axis in range(3):
         others = [w for k, w in enumerate(OMEGA) if k != axis]
-        yield Check(
+        yield Formal(
             printed(CONSTANT),
             rates(),
             tuple(
                 Assumption(Eq(w, 0), f"$𝛚$ lies along $e{'₁₂₃'[axis]}$", stated=True)
                 for w in others
             ),
-            printed=False,
         )
 
 
@@ -155,8 +144,8 @@ def off_axis() -> Iterator[Evidence]:
     rests where $𝛚 × 𝐋 = 0$, that is along any eigenvector of $I$.
     """
     for line in right_sides():
-        yield Check(line, rates(), printed=False)
-    yield Check(
+        yield Formal(line, rates())
+    yield Formal(
         printed(CONSTANT.replace("=", r"\neq")),
         rates(),
         (
@@ -164,7 +153,6 @@ def off_axis() -> Iterator[Evidence]:
             Assumption(Ne(s.omega2, 0), "two components are not zero", stated=True),
             Assumption(Ne(s.lambda1, s.lambda2), "the moments that go with these two differ"),
         ),
-        printed=False,
     )
     yield Remark(
         printed(
@@ -173,7 +161,6 @@ def off_axis() -> Iterator[Evidence]:
         ),
         {**rates(), s.L_vec: angular_momentum(), s.omega_vec: Matrix(OMEGA)},
         reason="Without naming axes: $𝛚$ rests only where $𝐋 ∥ 𝛚$, along an eigenvector of $I$.",
-        printed=False,
     )
 
 
@@ -203,7 +190,7 @@ def axis_stability() -> Iterator[Evidence]:
         s.L: (angular_momentum().dot(angular_momentum())) ** S.Half,
         s.const: along_flow,
     }
-    yield Check(growth, {s.sigma2: axis_growth(3)}, printed=False)
+    yield Formal(growth, {s.sigma2: axis_growth(3)})
     spins = Assumption(Ne(s.omega3, 0), "the body rotates", stated=True)
     differs = "no other moment equals that of the axis"
     unequal = (
@@ -224,20 +211,11 @@ def axis_stability() -> Iterator[Evidence]:
         "$λ₃$ is the middle moment", Ge(s.lambda3, s.lambda1), Le(s.lambda3, s.lambda2)
     )
     extreme = (*unequal, spins)
-    yield Check(stable, meaning, (*largest, *extreme), printed=False)
-    yield Check(stable, meaning, (*smallest, *extreme), printed=False)
-    yield Check(
-        unstable,
-        meaning,
-        (*between, *extreme),
-        printed=False,
-    )
-    yield Check(momentum, meaning, printed=False)
-    yield Check(
-        integral,
-        meaning,
-        printed=False,
-    )
+    yield Formal(stable, meaning, (*largest, *extreme))
+    yield Formal(stable, meaning, (*smallest, *extreme))
+    yield Formal(unstable, meaning, (*between, *extreme))
+    yield Formal(momentum, meaning)
+    yield Formal(integral, meaning)
     whole = gyrostat.angular_momentum()
     inside = {
         s.T_tot: gyrostat.kinetic_energy(),
@@ -248,22 +226,18 @@ def axis_stability() -> Iterator[Evidence]:
         s.L2: whole[1],
         s.zeta_vec: Matrix(gyrostat.RELATIVE),
     }
-    yield Check(
+    yield Formal(
         printed(r"T_{\text{tot}} = \text{const}"),
         inside,
         (Assumption(Eq(s.damping, 0), "no friction inside takes energy"),),
-        printed=False,
     )
-    yield Remark(momentum, inside, reason="With friction $L$ is kept all the same,", printed=False)
-    yield Remark(
-        with_ball, inside, reason="but this, the form above with the ball in it,", printed=False
-    )
+    yield Remark(momentum, inside, reason="With friction $L$ is kept all the same,")
+    yield Remark(with_ball, inside, reason="but this, the form above with the ball in it,")
     yield Remark(
         printed(r"\dot T_{\text{tot}} = -c\boldsymbol\zeta\cdot\boldsymbol\zeta"),
         inside,
         reason="falls as the energy does: about the largest moment to zero, but about the "
         "smallest, where it is negative with the ball at rest, ever further from zero.",
-        printed=False,
     )
     yield Remark(
         printed(CONSTANT),
@@ -273,7 +247,6 @@ def axis_stability() -> Iterator[Evidence]:
             for moment in (s.lambda2, s.lambda3)
         ),
         "With three equal moments no $ω$ is left, and none returned to.",
-        printed=False,
     )
     yield from evidence.axis_rates()
     yield from evidence.axis_with_friction()

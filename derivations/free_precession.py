@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from sympy import Eq, Matrix, diag, symbols
 
-from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Page, claim
+from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Formal, Page, claim
 from rigidtop.theory.euler import MOMENTS
 from rigidtop.theory.inertia import point_masses
 from rigidtop.theory.rotation import euler_matrix, total_derivative
@@ -55,10 +55,9 @@ def conservation() -> Iterator[Evidence]:
     line = printed("3.33")
     pairs = list(zip(MASSES, POSITIONS, strict=True))
     momentum = sum((m * r.cross(SPIN.cross(r)) for m, r in pairs), Matrix([0, 0, 0]))
-    yield Check(
+    yield Formal(
         printed(r"\mathbf L = I\boldsymbol\omega"),
         {L_vec: momentum, inertia: point_masses(pairs), omega_vec: SPIN},
-        printed=False,
     )
     # İω + Iω̇, with İ from ṙ = ω × r and ω̇ left open, is Σ r × m r̈: both are d(Iω)/dt.
     acceleration = Matrix(symbols("alpha_x alpha_y alpha_z", real=True))
@@ -69,7 +68,7 @@ def conservation() -> Iterator[Evidence]:
         rates |= dict(zip(r, velocity, strict=True))
         moved.append(acceleration.cross(r) + SPIN.cross(velocity))
     product = printed(r"\frac{d}{dt}(I\boldsymbol\omega) = \dot{\mathbf L}")
-    yield Check(
+    yield Formal(
         product,
         {
             product.sides[0]: total_derivative(point_masses(pairs) * SPIN, rates),
@@ -78,7 +77,6 @@ def conservation() -> Iterator[Evidence]:
                 Matrix([0, 0, 0]),
             ),
         },
-        printed=False,
     )
     rate = newton_rate()
     yield Check(line, {L_vecdot: rate, line.sides[2]: rate}, (TORQUE_FREE,))
@@ -88,7 +86,7 @@ def conservation() -> Iterator[Evidence]:
 def inertia_full() -> Iterator[Evidence]:
     """$I = OΛOᵀ$ turns with the body, and its off-diagonal components pass through zero."""
     tensor = reduce_trig(euler_matrix() * diag(*MOMENTS) * euler_matrix().T)
-    yield Check(printed(r"I_{xz} \neq 0"), {I_xz: tensor[0, 2]}, printed=False)
+    yield Formal(printed(r"I_{xz} \neq 0"), {I_xz: tensor[0, 2]})
     yield Correction(
         printed.lines("inertia-full")[3],
         {I_xz: tensor[0, 2]},

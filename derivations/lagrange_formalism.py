@@ -8,7 +8,7 @@ from sympy import Eq, Gt, Lt, Matrix, Ne, cos, sin
 
 from rigidtop.codegen import shipped
 from rigidtop.proof.equation import Equation, value
-from rigidtop.proof.page import Assumption, Check, Evidence, Page, Remark, Step, claim
+from rigidtop.proof.page import Assumption, Check, Evidence, Formal, Page, Remark, Step, claim
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.lagrangian import momenta
@@ -46,7 +46,7 @@ def lagrangian() -> Iterator[Evidence]:
     """$T$ of (3.44) minus the potential; the engine starts from three moments and any centre."""
     line = printed("3.53")
     yield Check(line, {s.Lagrangian: top.lagrangian()}, (SYMMETRIC, *ON_AXIS))
-    yield Check(line, {s.Lagrangian: top.symmetric_lagrangian()}, printed=False)  # as shipped
+    yield Formal(line, {s.Lagrangian: top.symmetric_lagrangian()})  # as shipped
 
 
 @claim("3.54", "Equation of motion for $θ$.")
@@ -56,7 +56,7 @@ def theta_equation() -> Iterator[Evidence]:
     yield Check(line, {s.thetaddot: top.symmetric_top_accelerations()[0]})
     integrated = shipped.symbolic("top_in_euler_angles")[0]
     for other in (top.newton_euler_thetaddot(), integrated):  # without a Lagrangian; as shipped
-        yield Check(line, {s.thetaddot: other}, printed=False)
+        yield Formal(line, {s.thetaddot: other})
 
 
 @claim("3.55", "$p_φ$ is constant.")
@@ -77,8 +77,8 @@ def p_phi_is_l_z() -> Iterator[Evidence]:
     """$∂T/∂φ̇$ is $ẑ·𝐋$ for every body, since $φ$ turns the whole body about $ẑ$."""
     meaning = {s.p_phi: momenta(top.lagrangian(), top.RATES)[1], **momentum_along_axes()}
     formula = Equation(s.L_z, printed("3.55").sides[1])
-    yield Check(printed("p-phi-is-Lz"), meaning, printed=False)
-    yield Check(formula, meaning, (SYMMETRIC,), printed=False)
+    yield Formal(printed("p-phi-is-Lz"), meaning)
+    yield Formal(formula, meaning, (SYMMETRIC,))
 
 
 @claim("p-psi-is-L3", "$p_ψ$ is $L₃$.")
@@ -86,8 +86,8 @@ def p_psi_is_l_3() -> Iterator[Evidence]:
     """$∂T/∂ψ̇$ is $e₃·𝐋$ for every body; it is conserved if the body is symmetric about $e₃$."""
     meaning = {s.p_psi: momenta(top.lagrangian(), top.RATES)[2], **momentum_along_axes()}
     formula = Equation(s.L3, printed("3.56").sides[1])
-    yield Check(printed(r"p_\psi = L_3"), meaning, printed=False)
-    yield Check(formula, meaning, printed=False)
+    yield Formal(printed(r"p_\psi = L_3"), meaning)
+    yield Formal(formula, meaning)
 
 
 @claim("constant-rate", "Constant $θ$ implies constant $φ̇$.")
@@ -98,8 +98,8 @@ def constant_rate() -> Iterator[Evidence]:
     balance = ((equations[1] - cos(s.theta) * equations[2]).expand(),)
     steady = (Assumption(Eq(s.thetadot, 0), "$θ$ is constant", stated=True), TILTED)
     rates, _, constant = printed.lines("constant-rate")
-    yield Check(rates, given=balance, printed=False)
-    yield Check(constant, {}, steady, given=balance, printed=False)
+    yield Formal(rates, given=balance)
+    yield Formal(constant, {}, steady, given=balance)
 
 
 @claim("3.57", "The quadratic for the rate of steady precession.")
@@ -123,20 +123,20 @@ def two_roots() -> Iterator[Evidence]:
     meaning = {s.D: top.discriminant()}
     for root, exact in zip((s.Omega_minus, s.Omega_plus), top.steady_roots(), strict=True):
         yield Step(Equation(root, exact), "For $ω₃ > 0$; regular at $cos θ = 0$.")
-        yield Check(Equation(*printed("3.57").sides), {s.Omega: exact}, printed=False)
+        yield Formal(Equation(*printed("3.57").sides), {s.Omega: exact})
         meaning[root] = exact
     for line in (
         printed.lines("two-roots")[0],
         printed(r"\lambda_1\cos\theta(\Omega_+ - \Omega_-) = \sqrt D"),
     ):
-        yield Check(line, meaning, printed=False)
-    yield Check(printed(r"\lambda_1\cos\theta \neq 0"), {}, (HORIZONTAL,), printed=False)
+        yield Formal(line, meaning)
+    yield Formal(printed(r"\lambda_1\cos\theta \neq 0"), {}, (HORIZONTAL,))
     below = Assumption(Lt(cos(s.theta), 0), "the top hangs below the horizontal")
     two = printed("D > 0")
     spin = s.lambda3**2 * s.omega3**2
     above = Assumption(Gt(spin, spin - top.discriminant()), "the spin is above the threshold")
-    yield Check(two, meaning, (above,), printed=False)
-    yield Remark(two, meaning, (below,), "No threshold there.", printed=False)
+    yield Formal(two, meaning, (above,))
+    yield Remark(two, meaning, (below,), "No threshold there.")
     yield Check(printed(r"\Omega_- = \frac{MgR}{\lambda_3\omega_3}"), ROOTS, (FAST, SPINNING))
     yield Check(printed(WITHOUT_G), ROOTS, (FAST, HORIZONTAL))
 
@@ -154,13 +154,8 @@ def slow_agrees() -> Iterator[Evidence]:
     footnote = printed(
         r"\varepsilon = \frac{\lambda_1(MgR/\delta^2)\cos\theta}{(\lambda_3\omega_3)^2}"
     )
-    yield Check(footnote, spun, (scaled, SPINNING), printed=False)
-    yield Check(
-        printed(r"\Omega_- = \boldsymbol\Omega\cdot\hat{\mathbf z}"),
-        meaning,
-        (FAST,),
-        printed=False,
-    )
+    yield Formal(footnote, spun, (scaled, SPINNING))
+    yield Formal(printed(r"\Omega_- = \boldsymbol\Omega\cdot\hat{\mathbf z}"), meaning, (FAST,))
 
 
 @claim("fast-is-free", "$Ω₊$ does not depend on $g$ and is the free precession of 3.2.3.")
@@ -171,8 +166,8 @@ def fast_is_free() -> Iterator[Evidence]:
     momentum = primed_matrix() * Matrix([across, 0, s.lambda3 * s.omega3])
     meaning = {**ROOTS, **UP, s.L_vec: momentum}
     free = printed(r"\Omega_+\hat{\mathbf z} = \frac{\mathbf L}{\lambda_1}")
-    yield Check(printed(WITHOUT_G), meaning, (FAST, HORIZONTAL), printed=False)
-    yield Check(free, meaning, (FAST,), printed=False)
+    yield Formal(printed(WITHOUT_G), meaning, (FAST, HORIZONTAL))
+    yield Formal(free, meaning, (FAST,))
     yield from evidence.fast_root_is_free()
 
 

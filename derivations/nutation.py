@@ -20,7 +20,7 @@ from sympy import (
 )
 
 from rigidtop.proof.equation import Equation
-from rigidtop.proof.page import Assumption, Check, Evidence, Page, Remark, Step, claim
+from rigidtop.proof.page import Assumption, Evidence, Formal, Page, Remark, Step, claim
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.euler import OMEGA, along_flow, kinetic_energy
@@ -91,36 +91,23 @@ def nutation() -> Iterator[Evidence]:
     curvature = potential_slope(2)
     meaning = {s.omega_n2: curvature / s.lambda1, s.g: steady_state()[s.g]}
     yield Step(Equation(s.U, top.top_effective_potential()), "Minus the Routhian at $θ̇ = 0$.")
-    yield Check(
-        printed(r"U' = 0"),
-        {s.U_slope: potential_slope(1)},
-        printed=False,
-    )
-    yield Check(printed.lines("nutation")[1], meaning, printed=False)
-    yield Check(
-        printed.lines("nutation")[0],
-        meaning,
-        printed=False,
-    )
-    yield Check(
+    yield Formal(printed(r"U' = 0"), {s.U_slope: potential_slope(1)})
+    yield Formal(printed.lines("nutation")[1], meaning)
+    yield Formal(printed.lines("nutation")[0], meaning)
+    yield Formal(
         printed(r"\delta_{\theta} = 0"),
         {s.mean_theta: mean_shift(curvature, potential_slope(3))},
         (SMALL,),
-        printed=False,
     )
     characteristic = upright().characteristic(s.Omega)
     [factor, _] = [f for f in factor_list(characteristic)[1] if f[0].has(s.p_psi)][:2]
     spin = {s.p_psi: s.lambda3 * s.omega3}
     lean = 1 - cos(s.theta)
     threshold = factor[0].as_poly(s.Omega).discriminant().subs(spin)
-    yield Check(
-        printed(r"D = (\lambda_3\omega_3)^2 - 4\lambda_1MgR"),
-        {s.D: threshold},
-        printed=False,
-    )
+    yield Formal(printed(r"D = (\lambda_3\omega_3)^2 - 4\lambda_1MgR"), {s.D: threshold})
     spinning = top.symmetric_momenta().subs(s.psidot, s.omega3 - s.phidot * cos(s.theta))
     momenta = dict(zip((s.p_theta, s.p_phi, s.p_psi), spinning, strict=True))
-    yield Check(
+    yield Formal(
         printed(
             r"E - \frac{p_{\psi}^2}{2\lambda_3} - MgR - \Omega(p_{\phi} - p_{\psi})"
             r" = \frac{\lambda_1}{2}(\dot\theta^2 + (\dot\phi - \Omega)^2\sin^2\theta) + \frac{(1"
@@ -132,9 +119,8 @@ def nutation() -> Iterator[Evidence]:
             s.Omega: s.lambda3 * s.omega3 / (2 * s.lambda1),
             s.D: threshold,
         },
-        printed=False,
     )
-    yield Check(
+    yield Formal(
         printed(r"2D + (\lambda_3\omega_3)^2(1 - \cos\theta) > 0"),
         {},
         (
@@ -145,7 +131,6 @@ def nutation() -> Iterator[Evidence]:
             Assumption(Ne(s.omega3, 0), "the top spins", stated=True),
             Assumption(Gt(lean, 0), "off the upright", stated=True),
         ),
-        printed=False,
     )
     yield from evidence.nutation()
 
@@ -162,24 +147,20 @@ def azimuth() -> Iterator[Evidence]:
         s.phidot
     ]
     momenta = top.symmetric_momenta()
-    yield Check(
+    yield Formal(
         printed(r"\dot\phi = \frac{p_{\phi} - p_{\psi}\cos\theta}{\lambda_1\sin^2\theta}"),
         {s.p_phi: momenta[1], s.p_psi: momenta[2]},
         (TILTED,),
-        printed=False,
     )
-    yield Check(
-        printed.lines("azimuth")[1],
-        {s.phidot: rate.subs(s.p_phi, s.p_psi * cos(s.theta_0))},
-        printed=False,
+    yield Formal(
+        printed.lines("azimuth")[1], {s.phidot: rate.subs(s.p_phi, s.p_psi * cos(s.theta_0))}
     )
-    yield Check(
+    yield Formal(
         printed(r"p_{\phi} = p_{\psi}\cos\theta"),
         {s.p_phi: momenta[1].subs(s.phidot, 0), s.p_psi: momenta[2].subs(s.phidot, 0)},
-        printed=False,
     )
     turning = s.p_psi * (1 + cos(s.theta) ** 2) - 2 * s.p_phi * cos(s.theta)
-    yield Check(
+    yield Formal(
         printed(r"\dot\phi_{\theta} \neq 0"),
         {s.phidot_slope: rate.diff(s.theta)},
         (
@@ -188,7 +169,6 @@ def azimuth() -> Iterator[Evidence]:
                 "$p_φ$ and $p_ψ$ do not both vanish, and $θ$ is not the one extremum",
             ),
         ),
-        printed=False,
     )
     yield from evidence.waves_cusps_loops()
 
@@ -209,27 +189,18 @@ def friction() -> Iterator[Evidence]:
     # power cancels against the potential energy, and Euler's equations give the rest.
     rate = velocity.dot(force) + along_flow(kinetic_energy(), torque)
     tip = velocity + Matrix(OMEGA).cross(contact)
-    yield Check(
-        printed.lines("friction")[0],
-        {s.Edot: rate, s.F: force, s.v_tip: tip},
-        printed=False,
-    )
+    yield Formal(printed.lines("friction")[0], {s.Edot: rate, s.F: force, s.v_tip: tip})
     direction = Matrix([cos(s.theta), sin(s.theta), 0])
     sliding = {s.F: -s.mu * s.n * direction, s.v_tip: s.slip * direction}
-    yield Check(
-        printed.lines("friction")[2],
-        {s.Edot: sliding[s.F].dot(sliding[s.v_tip])},
-        printed=False,
-    )
-    yield Check(
+    yield Formal(printed.lines("friction")[2], {s.Edot: sliding[s.F].dot(sliding[s.v_tip])})
+    yield Formal(
         printed(r"\dot E < 0"),
         {s.Edot: sliding[s.F].dot(sliding[s.v_tip])},
         (Assumption(Gt(s.slip, 0), "the contact point slips over the table"),),
-        printed=False,
     )
     figure_axis = Matrix([sin(s.theta), 0, cos(s.theta)])
     turning = s.Omega * Matrix([0, 0, 1])
-    yield Check(
+    yield Formal(
         printed(r"\boldsymbol\omega\times\delta\hat{\mathbf z} \neq [0, 0, 0]^T"),
         {s.omega_vec: Matrix([s.omega1, s.omega2, s.omega3]), s.zhat: Matrix([0, 0, 1])},
         (
@@ -238,13 +209,11 @@ def friction() -> Iterator[Evidence]:
             ),
             Assumption(Ne(s.omega1, 0), "the top does not turn about the vertical alone"),
         ),
-        printed=False,
     )
     yield Remark(
         printed.lines("friction")[6],
         {s.v_tip: -s.R * turning.cross(figure_axis)},
         reason="Without friction the centre keeps its place and the tip, at $−R e₃$, goes round.",
-        printed=False,
     )
 
 

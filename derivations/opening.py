@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from sympy import Integer, Matrix, Ne, cos, pi, sin
 
-from rigidtop.proof.page import Assumption, Check, Evidence, Page, claim
+from rigidtop.proof.page import Assumption, Evidence, Formal, Page, claim
 from rigidtop.theory import symbols as s
 from rigidtop.theory.inertia import point_masses
 from rigidtop.theory.rotation import Z_AXIS, rotation_z
@@ -58,37 +58,18 @@ def two_mass_points() -> Iterator[Evidence]:
         r"\mathbf L = (M_1a^2 + M_2b^2)\omega\sin\alpha(\sin\alpha\hat{\mathbf z}"
         r" - \cos\alpha\hat{\mathbf y})"
     )
-    yield Check(momentum, meaning, printed=False)
+    yield Formal(momentum, meaning)
     tensor = point_masses([(s.M_1, s.a * STICK), (s.M_2, -s.b * STICK)]) * meaning[s.omega_vec]
-    yield Check(
-        momentum,
-        {**meaning, s.L_vec: tensor},
-        printed=False,
-    )
-    yield Check(
-        printed(r"\mathbf L\cdot(\mathbf r_1\times\boldsymbol\omega) = 0"),
-        meaning,
-        printed=False,
-    )
+    yield Formal(momentum, {**meaning, s.L_vec: tensor})
+    yield Formal(printed(r"\mathbf L\cdot(\mathbf r_1\times\boldsymbol\omega) = 0"), meaning)
     tilted = (TILTED, TURNING, OBLIQUE)
-    yield Check(
-        printed(r"\mathbf L\times\boldsymbol\omega \neq 0"),
-        meaning,
-        tilted,
-        printed=False,
-    )
-    yield Check(
-        printed(r"\mathbf L_{\text{later}} \neq \mathbf L"),
-        meaning,
-        tilted,
-        printed=False,
-    )
-    yield Check(
+    yield Formal(printed(r"\mathbf L\times\boldsymbol\omega \neq 0"), meaning, tilted)
+    yield Formal(printed(r"\mathbf L_{\text{later}} \neq \mathbf L"), meaning, tilted)
+    yield Formal(
         printed(r"\boldsymbol\omega\times\mathbf r_1 = \boldsymbol\omega_{\perp}\times\mathbf r_1"),
         {**meaning, s.omega_perp: before / moment},
-        printed=False,
     )
-    yield Check(
+    yield Formal(
         printed(
             r"\boldsymbol\omega\times\mathbf r_1 \neq \boldsymbol\omega_{\perp}\times\mathbf r_1"
         ),
@@ -105,7 +86,6 @@ def two_mass_points() -> Iterator[Evidence]:
                 "the stick has a thickness $δ$, so that it shows a turn about itself",
             ),
         ),
-        printed=False,
     )
 
 

@@ -23,7 +23,7 @@ from rigidtop.proof.equation import (
     BODY,
     Rate,
 )
-from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Page, claim
+from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Formal, Page, claim
 from rigidtop.theory import gyrostat
 from rigidtop.theory import symbols as s
 from rigidtop.theory.euler import (
@@ -62,7 +62,7 @@ def body_cone() -> Matrix:
 def oscillating_pair() -> Iterator[Evidence]:
     """$λ₂ = λ₁$ in (3.36): the third equation has no right side left, and $ω₃$ is a number."""
     meaning = {**RATES, s.Omega_b: body_frequency()}
-    yield Check(printed(r"\dot\omega_3 = 0"), RATES, (SYMMETRIC,), printed=False)
+    yield Formal(printed(r"\dot\omega_3 = 0"), RATES, (SYMMETRIC,))
     for line in printed.lines("3.37"):
         yield Check(line, meaning, (SYMMETRIC,))
 
@@ -90,7 +90,7 @@ def omega_on_body_cone() -> Iterator[Evidence]:
         s.omega2dot: solution[1].diff(s.t),
     }
     for line in printed.lines(r"\dot\omega_1 = \Omega_b\omega_2, \dot\omega_2 = -\Omega_b\omega_1"):
-        yield Check(line, meaning, printed=False)  # (3.37), from any start
+        yield Formal(line, meaning)  # (3.37), from any start
     yield Check(printed("3.38"), {s.omega_vec: solution}, (START,))
     yield from evidence.body_cone()
 
@@ -132,21 +132,16 @@ def constant_angle() -> Iterator[Evidence]:
         s.T: kinetic_energy(),
         s.const: along_flow,
     }
-    yield Check(product, meaning, printed=False)
-    yield Check(printed(r"T = \text{const}"), meaning, printed=False)
+    yield Formal(product, meaning)
+    yield Formal(printed(r"T = \text{const}"), meaning)
     solution = body_cone()
     on_body_cone = {
         s.omega_vec: solution,
         s.L_vec: diag(s.lambda1, s.lambda2, s.lambda3) * solution,
     }
-    yield Check(
-        on_cone,
-        on_body_cone,
-        (SYMMETRIC, FROM_START),
-        printed=False,
-    )
-    yield Check(sizes[0], on_body_cone, (FROM_START,), printed=False)
-    yield Check(sizes[1], on_body_cone, (SYMMETRIC, FROM_START), printed=False)
+    yield Formal(on_cone, on_body_cone, (SYMMETRIC, FROM_START))
+    yield Formal(sizes[0], on_body_cone, (FROM_START,))
+    yield Formal(sizes[1], on_body_cone, (SYMMETRIC, FROM_START))
 
 
 @claim(
@@ -162,30 +157,24 @@ def coplanar() -> Iterator[Evidence]:
     """
     axis = Matrix(Z_AXIS)
     meaning = {s.e3: axis, s.omega_vec: Matrix(OMEGA), s.L_vec: angular_momentum()}
-    yield Check(printed.lines("coplanar")[0], meaning, (SYMMETRIC,), printed=False)
-    yield Check(
-        printed.lines("coplanar")[2],
-        meaning,
-        (SYMMETRIC,),
-        "So the three are in one plane.",
-        printed=False,
+    yield Formal(printed.lines("coplanar")[0], meaning, (SYMMETRIC,))
+    yield Formal(
+        printed.lines("coplanar")[2], meaning, (SYMMETRIC,), "So the three are in one plane."
     )
     behind = {
         s.e3: axis,
         s.omega_vec: Matrix([s.omega_0 * cos(s.phi), -s.omega_0 * sin(s.phi), s.omega3]),
         s.follower: Matrix([s.L1 * cos(s.phi + s.delta), -s.L1 * sin(s.phi + s.delta), s.L3]),
     }
-    yield Check(
+    yield Formal(
         printed(r"\boldsymbol\omega\cdot\mathbf w = \text{const}"),
         {**behind, s.const: lambda product: product.diff(s.phi)},
         reason="But $ω$ and any vector $𝐰$ that follows it by $δ$ keep their angle as $φ$ grows,",
-        printed=False,
     )
-    yield Check(
+    yield Formal(
         printed(r"\mathbf e_3\cdot(\boldsymbol\omega\times\mathbf w) = 0"),
         behind,
         reason="yet they are not in one plane with $e₃$.",
-        printed=False,
     )
     yield Correction(
         printed(
@@ -214,13 +203,8 @@ def same_frequency() -> Iterator[Evidence]:
     $λ₁/λ₃$."""
     momentum = angular_momentum()
     meaning = {s.L1: momentum[0], s.L2: momentum[1], s.L3: momentum[2]}
-    yield Check(
-        printed.lines("same-frequency")[2],
-        meaning,
-        (SYMMETRIC,),
-        printed=False,
-    )
-    yield Check(
+    yield Formal(printed.lines("same-frequency")[2], meaning, (SYMMETRIC,))
+    yield Formal(
         printed.lines("same-frequency")[6],
         meaning,
         (
@@ -228,7 +212,6 @@ def same_frequency() -> Iterator[Evidence]:
             Assumption(Ne(s.omega3, 0), "$𝛚$ is not across $e₃$ either"),
             Assumption(Ne(s.lambda1, s.lambda3), "the third moment is another"),
         ),
-        printed=False,
     )
 
 
@@ -250,23 +233,13 @@ def space_cone() -> Iterator[Evidence]:
         s.omega_vec: Matrix(OMEGA),
         omega_rate.sides[0]: body_accelerations(),
     }
-    yield Check(
-        axis,
-        meaning,
-        (SYMMETRIC,),
-        printed=False,
-    )
-    yield Check(
-        omega_rate,
-        meaning,
-        (SYMMETRIC,),
-        printed=False,
-    )
+    yield Formal(axis, meaning, (SYMMETRIC,))
+    yield Formal(omega_rate, meaning, (SYMMETRIC,))
     # Of a vector v that turns about L: L·(v × v̇)/L is Ω_s times the square of its distance.
     across = momentum.cross(Matrix(Z_AXIS))
     size = momentum.dot(momentum) ** Rational(1, 2)
     azimuth = momentum.dot(Matrix(Z_AXIS).cross(meaning[s.e3dot])) * size / across.dot(across)
-    yield Check(
+    yield Formal(
         rate,
         {**meaning, s.Omega_s: azimuth, s.L: size},
         (
@@ -277,7 +250,6 @@ def space_cone() -> Iterator[Evidence]:
                 stated=True,
             ),
         ),
-        printed=False,
     )
     yield from evidence.space_cone()
 
@@ -299,7 +271,7 @@ def free_fall() -> Iterator[Evidence]:
         {s.r_k: r, s.F_k: m * (tide * r - s.g * Matrix(Z_AXIS)) + air * Matrix(X_AXIS)}
         for m, r, air in zip(masses, positions, (s.F_1, 0), strict=True)
     ]
-    yield Check(
+    yield Formal(
         torque,
         {symbols("k"): terms, s.R_CM: centre},
         (
@@ -308,7 +280,6 @@ def free_fall() -> Iterator[Evidence]:
                 Eq(s.F_1, 0), "no air pushes one part more than another, here the first particle"
             ),
         ),
-        printed=False,
     )
 
 
@@ -337,22 +308,20 @@ def example_33() -> Iterator[Evidence]:
     for line in printed.lines(
         r"\lambda_1 \neq \lambda_2, \lambda_2 \neq \lambda_3, \lambda_3 \neq \lambda_1"
     ):
-        yield Check(line, observed, printed=False)
-    yield Check(
+        yield Formal(line, observed)
+    yield Formal(
         printed(r"\boldsymbol\omega\times\mathbf L \neq [0, 0, 0]^T"),
         {s.omega_vec: spin, s.L_vec: momentum},
-        printed=False,
     )
-    yield Check(
+    yield Formal(
         printed(r"[\dot\omega_1,\dot\omega_2,\dot\omega_3]^T \neq [0, 0, 0]^T"),
         {w: rate.subs({**observed, **changes}) for w, rate in RATES.items()},
-        printed=False,
     )
     squared = angular_momentum().dot(angular_momentum())
     meaning = {s.T: kinetic_energy(), s.L: squared ** Rational(1, 2)}
-    yield Check(excess, meaning, printed=False)
+    yield Formal(excess, meaning)
     largest = "$λ₃$ is the largest moment"
-    yield Check(
+    yield Formal(
         least,
         meaning,
         (
@@ -360,39 +329,31 @@ def example_33() -> Iterator[Evidence]:
             Assumption(Gt(s.lambda3, s.lambda2), largest, stated=True),
             Assumption(Ne(s.omega1, 0), "the rotation is another than about $e₃$", stated=True),
         ),
-        printed=False,
     )
     whole, rates = gyrostat.angular_momentum(), gyrostat.rates()
     relative, turning = (
         Matrix([rates[x] for x in letters]) for letters in (gyrostat.RELATIVE, OMEGA)
     )
     at_rest = dict.fromkeys(gyrostat.RELATIVE, 0)
-    yield Check(
-        kept,
-        {kept.sides[0]: total_derivative(whole, rates) + Matrix(OMEGA).cross(whole)},
-        printed=False,
-    )
-    yield Check(
+    yield Formal(kept, {kept.sides[0]: total_derivative(whole, rates) + Matrix(OMEGA).cross(whole)})
+    yield Formal(
         lost,
         {
             s.T_totdot: gyrostat.along_flow(gyrostat.kinetic_energy()),
             s.zeta_vec: Matrix(gyrostat.RELATIVE),
         },
-        printed=False,
     )
-    yield Check(
+    yield Formal(
         dragged,
         {dragged.sides[0]: relative.subs(at_rest), Rate(s.omega_vec, BODY): turning.subs(at_rest)},
-        printed=False,
     )
-    yield Check(
+    yield Formal(
         falls,
         {s.T_totdot: -s.damping * s.delta**2},
         (
             Assumption(Gt(s.damping, 0), "energy is lost inside the body"),
             Assumption(Ne(s.delta, 0), "$𝛚$ is not along a principal axis", stated=True),
         ),
-        printed=False,
     )
 
 

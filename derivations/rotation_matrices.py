@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from sympy import Eq, Matrix, cos, eye, sin, symbols
 
 from rigidtop.proof.equation import Equation, Transposed
-from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Page, claim
+from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Formal, Page, claim
 from rigidtop.theory import symbols as s
 from rigidtop.theory.rotation import euler_matrix
 from rigidtop.theory.trig import reduce_trig
@@ -32,14 +32,13 @@ def rotated_components() -> Iterator[Evidence]:
     handed = symbols("s", real=True)
     line = printed("3.46")
     yield Check(line, meaning)
-    yield Check(
+    yield Formal(
         printed(r"\mathbf r' = O\mathbf r"),
         meaning,
         reason="As the sentence has it: “multiplied to $r$”.",
         other_reading={**meaning, s.O_matrix: attitude.T},
-        printed=False,
     )
-    yield Check(
+    yield Formal(
         printed(r"\det O = 1"),
         {s.det_O: reduce_trig((handed * attitude).det())},
         (
@@ -49,7 +48,6 @@ def rotated_components() -> Iterator[Evidence]:
         ),
         "A rotation times $s$ with $s² = 1$ is orthogonal for both signs of $s$.",
         given=(handed**2 - 1,),
-        printed=False,
     )
     yield Correction(line, meaning, reason="It is $Oᵀ$ that is multiplied to $r$.")
 
@@ -89,27 +87,17 @@ def rotation_group() -> Iterator[Evidence]:
         A, B, C = (Matrix(size, size, symbols(f"{x}:{size * size}", real=True)) for x in "abc")
         one = eye(size)
         meaning = {s.A_matrix: A, s.B_matrix: B, s.C_matrix: C, s.unit: one}
-        yield Check(
-            printed(r"(AB)^TAB - 1 = B^T(A^TA - 1)B + B^TB - 1"),
-            meaning,
-            printed=False,
-        )
-        yield Check(printed(r"(AB)C = A(BC)"), meaning, printed=False)
-        yield Check(
+        yield Formal(printed(r"(AB)^TAB - 1 = B^T(A^TA - 1)B + B^TB - 1"), meaning)
+        yield Formal(printed(r"(AB)C = A(BC)"), meaning)
+        yield Formal(
             printed(r"\det O = \det A\det B"),
             {s.det_O: (A * B).det(method="berkowitz"), s.det_A: A.det(), s.det_B: B.det()},
-            printed=False,
         )
     attitude = euler_matrix()
-    yield Check(
-        printed(r"O^TO = 1"),
-        {s.O_matrix: attitude, s.unit: eye(3)},
-        printed=False,
-    )
-    yield Check(
+    yield Formal(printed(r"O^TO = 1"), {s.O_matrix: attitude, s.unit: eye(3)})
+    yield Formal(
         printed(r"O^T = A"),
         {s.O_matrix: attitude, s.A_matrix: euler_matrix(-s.psi, -s.theta, -s.phi)},
-        printed=False,
     )
 
 

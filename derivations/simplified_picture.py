@@ -7,7 +7,7 @@ from functools import cache
 
 from sympy import Eq, Expr, Gt, Matrix, Ne, Poly, cos, diag, sin, sqrt
 
-from rigidtop.proof.page import Assumption, Check, Evidence, Page, claim
+from rigidtop.proof.page import Assumption, Check, Evidence, Formal, Page, claim
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.rotation import (
@@ -100,13 +100,12 @@ def torque_balance() -> Iterator[Evidence]:
     omega = euler_omega("primed")
     spin = reduce_trig(axes * MOMENTS * omega)
     moving = axes[:, 2].diff(s.theta) * s.thetadot + axes[:, 2].diff(s.phi) * s.phidot
-    yield Check(
+    yield Formal(
         printed(
             r"\mathbf L = \lambda_3\omega_3\mathbf e_3"
             r" + \lambda_1\mathbf e_3\times\dot{\mathbf e}_3"
         ),
         {s.L_vec: spin, s.omega3: omega[2], s.e3: axes[:, 2], s.e3dot: moving},
-        printed=False,
     )
     yield Check(
         printed(
@@ -132,16 +131,11 @@ def perpendicular() -> Iterator[Evidence]:
     figure_axis = axes[:, 2]
     torque = s.M * s.g * s.R * Matrix(Z_AXIS).cross(figure_axis)
     meaning = {s.N_vec: torque, s.L_vec: exact}
-    yield Check(
-        printed.lines("torque-perpendicular")[1],
-        meaning,
-        printed=False,
-    )
-    yield Check(
+    yield Formal(printed.lines("torque-perpendicular")[1], meaning)
+    yield Formal(
         printed(r"\mathbf N\cdot\mathbf L = 0"),
         meaning,
         (Assumption(Eq(s.thetadot, 0), "$θ$ does not change, as in steady precession"),),
-        printed=False,
     )
 
 
@@ -169,16 +163,11 @@ def precession_vector() -> Iterator[Evidence]:
 @claim("torque-direction", "The torque of gravity points into the paper.")
 def torque_direction() -> Iterator[Evidence]:
     """$𝐍 = 𝐑_CM × M𝐠$ for $e₃$ in the paper: $x̂$ to the right, $ẑ$ up, so $ŷ$ points into it."""
-    yield Check(
-        printed(r"\mathbf N = MgR\sin\theta\hat{\mathbf y}"),
-        picture(),
-        printed=False,
-    )
-    yield Check(
+    yield Formal(printed(r"\mathbf N = MgR\sin\theta\hat{\mathbf y}"), picture())
+    yield Formal(
         printed(r"\mathbf N\cdot\hat{\mathbf y} > 0"),
         picture(),
         (Assumption(Gt(sin(s.theta), 0), "the top leans to the right of the figure"),),
-        printed=False,
     )
 
 
@@ -194,13 +183,11 @@ def parallel() -> Iterator[Evidence]:
     # Along the motion d/dt ½λ₁(φ̇² sin²θ + θ̇²) is the power of the weight.
     rates = euler_omega("primed")
     across = (rates[0] ** 2 + rates[1] ** 2) / 2
-    yield Check(
-        printed(r"\dot T = MgR\dot\theta\sin\theta"),
-        {s.Tdot: s.lambda1 * top.along_motion(across)},
-        printed=False,
+    yield Formal(
+        printed(r"\dot T = MgR\dot\theta\sin\theta"), {s.Tdot: s.lambda1 * top.along_motion(across)}
     )
     transverse = sqrt(s.omega_0**2 + 2 * s.kappa * s.M * s.g * s.R / s.lambda1 * s.delta)
-    yield Check(
+    yield Formal(
         printed(
             r"\frac{(\mathbf L\cdot\boldsymbol\omega)^2}"
             r"{(\mathbf L\cdot\mathbf L)\boldsymbol\omega\cdot\boldsymbol\omega} = 1"
@@ -214,7 +201,6 @@ def parallel() -> Iterator[Evidence]:
             Assumption(Eq(s.kappa, 0), "the torque $κMgR$ is weak", stated=True, otherwise=s.kappa),
             SPINNING,
         ),
-        printed=False,
     )
     yield from evidence.parallel()
 
@@ -229,19 +215,17 @@ def toppling() -> Iterator[Evidence]:
     momentum = reduce_trig(primed_matrix() * MOMENTS * euler_omega("primed")).subs(rest)
     accelerations = top.symmetric_top_accelerations().subs(rest)
     nodes = primed_matrix()[:, 1]
-    yield Check(
+    yield Formal(
         printed(r"[\ddot\phi,\ddot\psi]^T = [0, 0]^T"),
         {s.phiddot: accelerations[1], s.psiddot: accelerations[2]},
-        printed=False,
     )
-    yield Check(printed.lines("example-34")[3], {s.L_vec: momentum, s.e2p: nodes}, printed=False)
+    yield Formal(printed.lines("example-34")[3], {s.L_vec: momentum, s.e2p: nodes})
     figure_axis = primed_matrix()[:, 2]
-    yield Check(
+    yield Formal(
         printed(r"\mathbf N = MgR\sin\theta\mathbf e_2'"),
         {s.N_vec: s.M * s.g * s.R * Matrix(Z_AXIS).cross(figure_axis), s.e2p: nodes},
-        printed=False,
     )
-    yield Check(printed.lines("example-34")[6], {s.thetaddot: accelerations[0]}, printed=False)
+    yield Formal(printed.lines("example-34")[6], {s.thetaddot: accelerations[0]})
 
 
 page = Page(

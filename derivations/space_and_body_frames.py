@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from sympy import Integer, Matrix, diag, eye, symbols
 
-from rigidtop.proof.page import Check, Evidence, Page, claim
+from rigidtop.proof.page import Check, Evidence, Formal, Page, claim
 from rigidtop.theory import symbols as s
 from rigidtop.theory.inertia import point_masses, principal_axes
 from rigidtop.theory.rotation import euler_matrix
@@ -28,23 +28,18 @@ def principal() -> Iterator[Evidence]:
     u, v, *positions = (Matrix(symbols(f"{x}_1:4", real=True)) for x in "uvxy")
     masses = symbols("M_1 M_2", positive=True)
     tensor = point_masses(zip(masses, positions, strict=True))
-    yield Check(
+    yield Formal(
         printed(r"\mathbf u\cdot I\mathbf v = \mathbf v\cdot I\mathbf u"),
         {s.inertia: tensor, s.u_vec: u, s.v_vec: v},
-        printed=False,
     )
     places = ([1, 2, 2], [2, 1, -2], [2, -2, 1])
     body = point_masses((Integer(m), Matrix(r)) for m, r in enumerate(places, start=1))
     moments, axes = principal_axes(body)
     meaning = {s.inertia: body, s.O_matrix: axes, s.Lambda: diag(*moments), s.unit: eye(3)}
     *_, diagonal = printed.lines("principal-axes")
-    yield Check(diagonal, meaning, printed=False)
-    yield Check(printed(r"O^TO = 1"), meaning, printed=False)
-    yield Check(
-        printed(r"\det O = 1"),
-        {s.det_O: axes.det()},
-        printed=False,
-    )
+    yield Formal(diagonal, meaning)
+    yield Formal(printed(r"O^TO = 1"), meaning)
+    yield Formal(printed(r"\det O = 1"), {s.det_O: axes.det()})
 
 
 @claim("3.34", "$O$ with the principal axes as columns takes body components to space components.")

@@ -22,7 +22,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Assumption, Check, Evidence, Measure, claim
+from rigidtop.proof.page import Assumption, Evidence, Formal, Measure, claim
 from rigidtop.theory.rotation import Z_AXIS, primed_matrix
 from rigidtop.theory.symbols import (
     L3,
@@ -53,7 +53,7 @@ def vertical_trap() -> Iterator[Evidence]:
         r"\cos\theta\,\mathbf e_3 + \sin\theta\,\mathbf e_1' = "
         rf"\sin2\theta{leaning} + \cos2\theta\,\hat{{\mathbf z}}",
     ):
-        yield Check(printed(equation), meaning, printed=False)
+        yield Formal(printed(equation), meaning)
 
 
 @exercise(
@@ -122,14 +122,13 @@ def azimuth_near_the_upright() -> Iterator[Evidence]:
         r" = \lambda_1(1 + \cos\theta)L_3 + \lambda_3(L_z - L_3\cos\theta)"
     )
     leaning = Assumption(Ne(sympy.cos(theta), 1), "the top is not upright: there any $φ̇$ will do")
-    yield Check(printed(barrier), meaning, (SYMMETRIC,), printed=False)
-    yield Check(printed(whole), meaning, (SYMMETRIC,), printed=False)
-    yield Check(
+    yield Formal(printed(barrier), meaning, (SYMMETRIC,))
+    yield Formal(printed(whole), meaning, (SYMMETRIC,))
+    yield Formal(
         printed(r"\lambda_1(1 + \cos\theta)\dot\phi = L_3"),
         {L3: components[2]},
         (SYMMETRIC, leaning),
         given=(along - components[2],),
-        printed=False,
     )
 
 

@@ -18,7 +18,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion.body import FreeBody
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Check, Evidence, Measure, claim
+from rigidtop.proof.page import Evidence, Formal, Measure, claim
 from rigidtop.theory.euler import (
     angular_momentum,
     body_accelerations,
@@ -84,7 +84,7 @@ def flip_time() -> Iterator[Evidence]:
         rf"\lambda_3(\lambda_3 - \lambda_1)\omega_3^2 = {third}",
         rf"\lambda_1\lambda_2^2\lambda_3\dot\omega_2^2 = ({first})({third})",
     ):
-        yield Check(printed(equation), meaning, printed=False)
+        yield Formal(printed(equation), meaning)
     # (dω₂/dχ)² over ω̇₂² is the square of dt/dχ; it has the form 1/(c − s sin² χ), and m = s/c.
     sine = sympy.Symbol("sine")
     against_chi = sympy.cancel(
@@ -92,14 +92,12 @@ def flip_time() -> Iterator[Evidence]:
     )
     start, end = against_chi.subs(sine, 0), against_chi.subs(sine, 1)
     derived = sympy.cancel(1 - end / start)
-    yield Check(
-        printed(rf"m{both} = \lambda_2(\lambda_3 - \lambda_2)\omega^2"), {m: derived}, printed=False
-    )
+    yield Formal(printed(rf"m{both} = \lambda_2(\lambda_3 - \lambda_2)\omega^2"), {m: derived})
     legendre = (
         rf"{both}(\lambda_2 - \lambda_1)(1 - m\sin^2\chi)t^2_\chi = \lambda_1\lambda_2\lambda_3"
     )
     squared = 1 / against_chi.subs(sine, sympy.sin(chi))
-    yield Check(printed(legendre), {m: derived, t_chi2: squared}, printed=False)
+    yield Formal(printed(legendre), {m: derived, t_chi2: squared})
     yield from flip_measured()
 
 

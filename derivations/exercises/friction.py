@@ -23,7 +23,7 @@ from rigidtop.motion.table.trajectory import SlidingTrajectory
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Check, Evidence, Measure, Step, claim
+from rigidtop.proof.page import Evidence, Formal, Measure, Step, claim
 from rigidtop.theory.euler import OMEGA, body_accelerations
 from rigidtop.theory.rotation import Z_AXIS, primed_matrix, total_derivative
 from rigidtop.theory.symbols import (
@@ -89,7 +89,7 @@ def jellett() -> Iterator[Evidence]:
     vertical = Matrix(symbols("z_1 z_2 z_3", real=True))
     momentum = Matrix([lambda1, lambda1, lambda3]).multiply_elementwise(Matrix(OMEGA))
     kept = printed(r"(R - r_0)L_3 + r_0L_z = \text{const}")
-    yield Check(
+    yield Formal(
         kept,
         {
             L3: momentum[2],
@@ -97,18 +97,16 @@ def jellett() -> Iterator[Evidence]:
             const: lambda integral: rate_under_contact_force(integral, vertical),
         },
         reason="In body components, with $ẑ$ turning backwards.",
-        printed=False,
     )
     integral = (R - r_t) * L3 + r_t * L_z
     spin = lambda3 * omega_30
     start = integral.subs({L3: spin, L_z: spin * sympy.cos(theta_i)})
     end = integral.subs({L3: lambda3 * omega, L_z: lambda3 * omega})
     [final] = sympy.solve(start - end, omega)
-    yield Check(
+    yield Formal(
         worked.of("jellett", r"R\omega"),
         {omega: final},
         reason="From $ω₃$ along $e₃$ at $θᵢ$ to a spin $ω$ that is upright.",
-        printed=False,
     )
 
 
@@ -128,26 +126,23 @@ def friction_raises() -> Iterator[Evidence]:
     brakes = worked.of("friction-raises", r"\lambda_3\dot\omega_3")
     raises = printed(r"L_3\dot\theta = -\mu n(R - r_0 + r_0\cos\theta)")
     turned = (omega3 * figure_axis).cross(contact(figure_axis, vertical))
-    yield Check(
+    yield Formal(
         slip,
         {v_tip: turned, e2p: nodes},
         reason="What the spin adds to the velocity of the contact.",
-        printed=False,
     )
-    yield Check(
+    yield Formal(
         brakes,
         {omega3dot: reduce_trig(along_axis) / lambda3},
         reason="The torque of $−μn e₂′$ along $e₃$,",
-        printed=False,
     )
     balance = along_vertical - along_axis * sympy.cos(theta) + L3 * sympy.sin(theta) * thetadot
-    yield Check(
+    yield Formal(
         raises,
         {},
         (TILTED,),
         "and what it does to $L_z − L₃ cos θ = 0$.",
         given=(reduce_trig(balance),),
-        printed=False,
     )
 
 
@@ -171,10 +166,10 @@ def spin_falls() -> Iterator[Evidence]:
     asleep = worked.of(
         "spin-in-air", r"(\lambda_3\omega_{3,0})^2\exp\left(-\frac{2c_3t}{\lambda_3}\right)"
     )
-    yield Check(spin, {omega3: spin_in_air()}, reason="Solved from $ω₃$ at $t = 0$.", printed=False)
+    yield Formal(spin, {omega3: spin_in_air()}, reason="Solved from $ω₃$ at $t = 0$.")
     threshold = 2 * sympy.sqrt(lambda1 * M * g * R) / lambda3
     [time] = sympy.solve(spin_in_air() - threshold, t)
-    yield Check(asleep, {t: time}, reason="Down to the sleeping spin,", printed=False)
+    yield Formal(asleep, {t: time}, reason="Down to the sleeping spin,")
     yield Step(moment, "which is at this time.")
 
 

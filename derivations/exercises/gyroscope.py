@@ -17,7 +17,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion.top import ROUNDING, HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Check, Evidence, Measure, claim
+from rigidtop.proof.page import Evidence, Formal, Measure, claim
 from rigidtop.theory import top as theory
 from rigidtop.theory.inertia import cylinder, parallel_axis, torus
 from rigidtop.theory.rotation import Z_AXIS
@@ -59,8 +59,8 @@ def spin_for_accuracy() -> Iterator[Evidence]:
     off = theory.root_factors()[0] - 1
     needed = worked.of("spin-for-accuracy", r"\varepsilon(1 + \tau)^2")
     spin = printed(r"\varepsilon(\lambda_3\omega_3)^2 = \lambda_1MgR\cos\theta")
-    yield Check(needed, {tau: off}, reason="$τ = Ω₋$ over (3.52), less 1.", printed=False)
-    yield Check(spin, {epsilon: theory.smallness()}, printed=False)
+    yield Formal(needed, {tau: off}, reason="$τ = Ω₋$ over (3.52), less 1.")
+    yield Formal(spin, {epsilon: theory.smallness()})
 
 
 def on_an_arm(about_centre: Matrix) -> Matrix:
@@ -75,10 +75,10 @@ def disc_on_an_arm() -> Iterator[Evidence]:
     across, along, *_ = worked.lines("disc-on-an-arm")
     rate = printed(r"r^2\omega_3\Omega = 2gR")
     moments = {lambda1: tensor[0, 0], lambda3: tensor[2, 2]}
-    yield Check(along, moments, printed=False)
-    yield Check(across, moments, printed=False)
+    yield Formal(along, moments)
+    yield Formal(across, moments)
     simple = theory.leading_roots()[0].subs(lambda3, moments[lambda3])
-    yield Check(rate, {Omega: simple}, reason="(3.52).", printed=False)
+    yield Formal(rate, {Omega: simple}, reason="(3.52).")
 
 
 @claim("wheel-on-an-axle", "A hoop whose horizontal axle is held at one end: $Ω$ is exact.")
@@ -97,25 +97,21 @@ def wheel_on_an_axle() -> Iterator[Evidence]:
     rate = worked.of("wheel-on-an-axle", r"r^2\omega_3\Omega")
     torque = worked.of("wheel-on-an-axle", r"\mathbf N")
     dip = printed(r"2\varepsilon_0(1 - \delta^2) = \delta")
-    yield Check(along, moments, printed=False)
-    yield Check(across, moments, printed=False)
+    yield Formal(along, moments)
+    yield Formal(across, moments)
     [root] = sympy.solve(horizontal, Omega)
-    yield Check(rate, {Omega: root}, reason="(3.57) at $θ = 90°$.", printed=False)
-    yield Check(
+    yield Formal(rate, {Omega: root}, reason="(3.57) at $θ = 90°$.")
+    yield Formal(
         torque,
         {N_vec: pulled, zhat: vertical, e3: axle},
         reason="About the centre of mass, by the cord at the end of the axle.",
-        printed=False,
     )
     # At the lowest point ω₂′ = 0, and released at 90°, δ = −cos θ: that takes a weight.
     lowest = {name: x.subs(omega2p, 0) for name, x in released().items()}
     [weight] = sympy.solve(lowest[delta] + sympy.cos(theta), M)
     strength = reduce_ratio(lowest[epsilon_0].subs(M, weight))
-    yield Check(
-        dip,
-        {delta: -sympy.cos(theta), epsilon_0: strength},
-        reason="Where the axle is lowest.",
-        printed=False,
+    yield Formal(
+        dip, {delta: -sympy.cos(theta), epsilon_0: strength}, reason="Where the axle is lowest."
     )
 
 

@@ -17,7 +17,7 @@ from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Check, Evidence, Measure, claim
+from rigidtop.proof.page import Evidence, Formal, Measure, claim
 from rigidtop.theory import top as theory
 from rigidtop.theory.symbols import (
     Omega,
@@ -46,21 +46,19 @@ def roots_in_powers() -> Iterator[Evidence]:
     product = printed(r"\lambda_1\cos\theta\,\Omega_-\Omega_+ = MgR")
     slow, _, fast, _ = (Equation(*line.sides) for line in worked.lines("roots-in-powers")[4:])
     roots = {Omega_minus: slow_root, Omega_plus: fast_root}
-    yield Check(total, roots, reason="The sum of the roots of (3.57),", printed=False)
-    yield Check(product, roots, reason="and their product.", printed=False)
-    yield Check(
+    yield Formal(total, roots, reason="The sum of the roots of (3.57),")
+    yield Formal(product, roots, reason="and their product.")
+    yield Formal(
         slow,
         {Omega_minus: slow_series, epsilon: theory.smallness()},
         (SPINNING,),
         "The slow root, without terms of order $ε⁴$,",
-        printed=False,
     )
-    yield Check(
+    yield Formal(
         fast,
         {Omega_plus: fast_series, epsilon: theory.smallness()},
         (HORIZONTAL,),
         "and the fast one.",
-        printed=False,
     )
 
 
@@ -81,17 +79,13 @@ def fast_enough() -> Iterator[Evidence]:
     """
     slow_lead, fast_lead = theory.leading_roots()
     _, slow, _, fast = worked.lines("fast-enough")
-    yield Check(
-        slow,
-        {g: gravity_with(slow_lead, 1 - delta)},
-        reason="Where $MgR/(λ₃ω₃) = (1 − δ)Ω₋$,",
-        printed=False,
+    yield Formal(
+        slow, {g: gravity_with(slow_lead, 1 - delta)}, reason="Where $MgR/(λ₃ω₃) = (1 − δ)Ω₋$,"
     )
-    yield Check(
+    yield Formal(
         fast,
         {g: gravity_with(fast_lead, 1 + delta)},
         reason="and where $λ₃ω₃/(λ₁ cos θ) = (1 + δ)Ω₊$.",
-        printed=False,
     )
 
 

@@ -19,7 +19,7 @@ from rigidtop.motion.attitude import from_euler_angles
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
-from rigidtop.proof.page import Check, Evidence, Measure, claim
+from rigidtop.proof.page import Evidence, Formal, Measure, claim
 from rigidtop.theory.inertia import Solid, cone
 from rigidtop.theory.lettered import in_order, real
 from rigidtop.theory.rotation import (
@@ -142,7 +142,7 @@ def torque_along_the_nodes() -> Iterator[Evidence]:
         r"\mathbf N^{(e)} = MgR\sin\theta\,\mathbf e_2'",
         r"\dot T = \mathbf N^{(e)}\cdot\boldsymbol\omega = MgR\dot\theta\sin\theta",
     ):
-        yield Check(printed(equation), meaning, printed=False)
+        yield Formal(printed(equation), meaning)
 
 
 def over_solid(solid: Solid) -> Callable[[Any], Any]:
@@ -179,7 +179,7 @@ def cone_on_its_tip() -> Iterator[Evidence]:
         r"\lambda_1 = \tfrac3{20}M(r^2 + 4h^2)",
         r"\lambda_3 = \tfrac3{10}Mr^2",
     ):
-        yield Check(printed(equation), shape, printed=False)
+        yield Formal(printed(equation), shape)
     axes = primed_matrix(sympy.Integer(0))
     tilted = {
         D3R: over_solid(solid),
@@ -193,7 +193,7 @@ def cone_on_its_tip() -> Iterator[Evidence]:
         r"-g\int d^3\mathbf r\,\rho\,\mathbf r\times\hat{\mathbf z}"
         r" = \tfrac34Mgh\sin\theta\,\mathbf e_2'",
     ):
-        yield Check(printed(equation), tilted, printed=False)
+        yield Formal(printed(equation), tilted)
 
 
 def discs(radius: float, height: float, nodes: int = 8) -> tuple[Vectors, Vectors]:

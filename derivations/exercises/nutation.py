@@ -22,7 +22,7 @@ from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Check, Evidence, Measure, claim
+from rigidtop.proof.page import Evidence, Formal, Measure, claim
 from rigidtop.theory import top as theory
 from rigidtop.theory.symbols import (
     A,
@@ -88,12 +88,11 @@ def released_at_rest() -> Iterator[Evidence]:
     amplitude = printed(r"(\lambda_3\omega_3)^2A = \lambda_1MgR\sin\theta_i")
     rate = from_turning_point({x: p.subs(phidot_i, 0) for x, p in momenta_at_start().items()})
     turning = reduce_ratio(rate / (sympy.cos(theta_i) - sympy.cos(theta)))
-    yield Check(swing, {thetadot: sympy.sqrt(rate)}, reason="By energy.", printed=False)
-    yield Check(
+    yield Formal(swing, {thetadot: sympy.sqrt(rate)}, reason="By energy.")
+    yield Formal(
         amplitude,
         {A: first_shift(turning, theta_i) / 2},
         reason="Half the way to the other turning point, to first order in $g$.",
-        printed=False,
     )
 
 
@@ -107,13 +106,12 @@ def turning_points() -> Iterator[Evidence]:
     cubic, *_, started = worked.lines("turning-points")
     total = theory.symmetric_hamiltonian().subs(p_theta, lambda1 * thetadot)
     height = M * g * R * sympy.cos(theta)
-    yield Check(cubic, {T: total - height, V: height}, reason="By energy.", printed=False)
+    yield Formal(cubic, {T: total - height, V: height}, reason="By energy.")
     momenta = momenta_at_start()
-    yield Check(
+    yield Formal(
         started,
         {thetadot: sympy.sqrt(from_turning_point(momenta)), **momenta},
         reason="With $θ̇ = 0$, $φ̇ᵢ$ and $ω₃$ at $θᵢ$.",
-        printed=False,
     )
 
 
@@ -149,36 +147,30 @@ def waves_or_loops() -> Iterator[Evidence]:
         r"(1 + \cos\theta_i)((\lambda_3\omega_3)^2 + 2\lambda_1MgR(1 - \cos\theta_i))"
     )
     spinning = {psidot: omega3 - phidot * sympy.cos(theta), thetadot: 0}
-    yield Check(
+    yield Formal(
         sinks,
         {thetaddot: theory.symmetric_top_accelerations()[0].subs(spinning)},
         reason="(3.54) with $ω₃$: down where it is positive.",
-        printed=False,
     )
     momenta = momenta_at_start()
     # Where φ̇ vanishes, only the height and θ̇ are left of the energy, besides the spin.
     rest = momenta[p_phi] / momenta[p_psi]
     kinetic = lambda1 * phidot_i**2 * sympy.sin(theta_i) ** 2 / 2
     gained = kinetic + M * g * R * (sympy.cos(theta_i) - rest)
-    yield Check(
+    yield Formal(
         reached,
         {thetadot: sympy.sqrt(2 * gained / lambda1), **momenta},
         reason="$θ̇²$ at $cos θ₀ = p_φ/p_ψ$, where $φ̇$ vanishes.",
-        printed=False,
     )
-    yield Check(upright, momenta, reason="Upright only with $p_φ = p_ψ$,", printed=False)
-    yield Check(
+    yield Formal(upright, momenta, reason="Upright only with $p_φ = p_ψ$,")
+    yield Formal(
         upwards,
         {thetadot: sympy.sqrt(rate_on_the_vertical(1))},
         reason="where $θ̇²$ comes out positive there;",
-        printed=False,
     )
-    yield Check(hanging, momenta, reason="hanging only with $p_φ = −p_ψ$,", printed=False)
-    yield Check(
-        downwards,
-        {thetadot: sympy.sqrt(rate_on_the_vertical(-1))},
-        reason="where it always is.",
-        printed=False,
+    yield Formal(hanging, momenta, reason="hanging only with $p_φ = −p_ψ$,")
+    yield Formal(
+        downwards, {thetadot: sympy.sqrt(rate_on_the_vertical(-1))}, reason="where it always is."
     )
 
 

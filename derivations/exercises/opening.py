@@ -15,7 +15,7 @@ from rigidtop.derivations.opening import STICK, angular_momentum, two_mass_point
 from rigidtop.derivations.printed import printed
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
-from rigidtop.proof.page import Assumption, Check, Evidence, Measure, claim
+from rigidtop.proof.page import Assumption, Evidence, Formal, Measure, claim
 from rigidtop.theory.rotation import Z_AXIS, rotation_z
 from rigidtop.theory.symbols import (
     M_1,
@@ -57,11 +57,11 @@ def bearing_torque() -> Iterator[Evidence]:
     )
     carried = printed(r"\dot{\mathbf L} = \boldsymbol\omega\times\mathbf L")
     force = printed(r"\mathbf F = -(M_1a - M_2b)\omega^2\sin\alpha\,\hat{\mathbf y}")
-    yield Check(carried, {**spin, L_vecdot: turned}, printed=False)
-    yield Check(size, {**axes, N_vec: turned}, printed=False)
-    yield Check(size, {**axes, N_vec: arms}, printed=False)
-    yield Check(force, {**axes, F: total}, printed=False)
-    yield Check(printed(r"\mathbf F = 0"), {F: total}, (centred,), printed=False)
+    yield Formal(carried, {**spin, L_vecdot: turned})
+    yield Formal(size, {**axes, N_vec: turned})
+    yield Formal(size, {**axes, N_vec: arms})
+    yield Formal(force, {**axes, F: total})
+    yield Formal(printed(r"\mathbf F = 0"), {F: total}, (centred,))
 
 
 def free_flight(

@@ -20,7 +20,7 @@ from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Assumption, Check, Evidence, Measure, claim
+from rigidtop.proof.page import Assumption, Evidence, Formal, Measure, claim
 from rigidtop.theory import top as theory
 from rigidtop.theory.lagrangian import energy
 from rigidtop.theory.symbols import (
@@ -97,11 +97,11 @@ def bound_on_the_axis() -> Iterator[Evidence]:
         r"2\lambda_1MgR\omega_{2'}^2\sin^2\theta"
     )
     state = released()
-    yield Check(sinking, state, reason="By energy: the top can only sink.", printed=False)
-    yield Check(turning, state, reason="$L_z$ is what it was.", printed=False)
-    yield Check(short_of, state, reason="From both.", printed=False)
+    yield Formal(sinking, state, reason="By energy: the top can only sink.")
+    yield Formal(turning, state, reason="$L_z$ is what it was.")
+    yield Formal(short_of, state, reason="From both.")
     moving = Assumption(Ne(omega2p, 0), "$θ$ changes: at the lowest point both sides are equal")
-    yield Check(bound, state, (moving, TILTED), "The square of the bound.", printed=False)
+    yield Formal(bound, state, (moving, TILTED), "The square of the bound.")
 
 
 @claim("bound-on-the-tilt", "Where it is lowest, $sin²θ < sin²θᵢ/(1 − 4ε₀ cos θᵢ)$.")
@@ -118,14 +118,13 @@ def bound_on_the_tilt() -> Iterator[Evidence]:
     lowest = worked.of("bound-on-the-tilt", r"\delta(\omega_{1'}^2 + \omega_{2'}^2)")
     *_, tilts, bound = worked.lines("bound-on-the-tilt")
     turned = {**sunk, epsilon_0: delta / (2 * sine2)}
-    yield Check(lowest, released(), reason="$δ = 2ε₀ sin²θ$ at the lowest point.", printed=False)
-    yield Check(tilts, turned, reason="There, with $cos θ = cos θᵢ − δ$.", printed=False)
-    yield Check(
+    yield Formal(lowest, released(), reason="$δ = 2ε₀ sin²θ$ at the lowest point.")
+    yield Formal(tilts, turned, reason="There, with $cos θ = cos θᵢ − δ$.")
+    yield Formal(
         bound,
         turned,
         (Assumption(Ne(delta, 0), "the top has sunk: it is not at the start"),),
         "$δ²$ is left.",
-        printed=False,
     )
 
 
@@ -146,11 +145,11 @@ def bound_on_the_angle() -> Iterator[Evidence]:
     }
     size, *_, bound = worked.lines("bound-on-the-angle")
     along = worked.of("bound-on-the-angle", r"\mathbf L\cdot\boldsymbol\omega")
-    yield Check(size, parts, reason="Across each other,", printed=False)
-    yield Check(along, parts, reason="and along.", printed=False)
+    yield Formal(size, parts, reason="Across each other,")
+    yield Formal(along, parts, reason="and along.")
     # The bound on ω⊥ as an equality: 4(MgR)² sin²θ = (λ₃ω₃)²(ω⊥² + κ).
     allowed = lambda3 * omega3 * sympy.sqrt(omega1p**2 + omega2p**2 + kappa) / (2 * M * g * R)
-    yield Check(
+    yield Formal(
         bound,
         {**parts, sympy.sin(theta): allowed},
         (
@@ -159,7 +158,6 @@ def bound_on_the_angle() -> Iterator[Evidence]:
             SPINNING,
         ),
         "The square of the bound.",
-        printed=False,
     )
 
 
@@ -211,20 +209,16 @@ def mean_of_the_cusps() -> Iterator[Evidence]:
     weak = (theory.smallness() / sympy.cos(theta)).subs(theta, theta_i)
     faster = printed(r"\lambda_3\omega_3\Omega = MgR(1 + \varepsilon_0\cos\theta_i)")
     steady = printed(r"\Omega = \Omega_-")
-    yield Check(
-        faster,
-        {Omega: simple * mean},
-        reason="To first order in $ε₀$ of the weak torque.",
-        printed=False,
+    yield Formal(
+        faster, {Omega: simple * mean}, reason="To first order in $ε₀$ of the weak torque."
     )
-    yield Check(
+    yield Formal(
         steady,
         {
             Omega: simple * mean.subs(epsilon_0, weak),
             Omega_minus: theory.steady_expansions(2)[0].subs(theta, theta_i),
         },
         reason="$Ω₋$ of (3.57), to the same order.",
-        printed=False,
     )
 
 

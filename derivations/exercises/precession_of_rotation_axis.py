@@ -26,7 +26,7 @@ from rigidtop.motion.trajectory import Trajectory
 from rigidtop.parameters import Parameter
 from rigidtop.proof.equation import BODY, SPACE, Rate
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Assumption, Check, Evidence, Measure, claim
+from rigidtop.proof.page import Assumption, Evidence, Formal, Measure, claim
 from rigidtop.theory import top as theory
 from rigidtop.theory.euler import OMEGA, angular_momentum, body_accelerations
 from rigidtop.theory.inertia import cylinder, point_masses
@@ -117,8 +117,8 @@ def widest_angle() -> Iterator[Evidence]:
         r" = (\lambda_1 + \lambda_3)^2(\boldsymbol\omega\times\mathbf L)^2"
         r" + (\lambda_1 - \lambda_3)^2(\lambda_1\omega_0^2 - \lambda_3\omega_3^2)^2"
     )
-    yield Check(printed(across), general, (SYMMETRIC,), printed=False)
-    yield Check(printed(widest), {omega_vec: spin, L_vec: moments * spin}, printed=False)
+    yield Formal(printed(across), general, (SYMMETRIC,))
+    yield Formal(printed(widest), {omega_vec: spin, L_vec: moments * spin})
 
 
 @exercise(
@@ -247,7 +247,7 @@ def rolling() -> Iterator[Evidence]:
         r"\left(\frac{\partial\boldsymbol\omega}{\partial t}\right)_{\text{space}}"
         r" = -\Omega_b\,\mathbf e_3\times\boldsymbol\omega",
     ):
-        yield Check(printed(equation), meaning, (SYMMETRIC,), printed=False)
+        yield Formal(printed(equation), meaning, (SYMMETRIC,))
 
 
 @exercise(
@@ -348,7 +348,7 @@ def euler_period() -> Iterator[Evidence]:
     𝛚 × 𝐋 = 0$ has the solution (3.38) with its $Ω_b$: slower, so the period is longer.
     """
     shape = {ellipticity: (lambda3 - lambda1) / lambda3, Omega_b: body_frequency()}
-    yield Check(printed(r"(1 - H)\Omega_b = -H\omega_3"), shape, printed=False)
+    yield Formal(printed(r"(1 - H)\Omega_b = -H\omega_3"), shape)
     spin, axis = Matrix(OMEGA), Matrix(Z_AXIS)
     bulge = (1 - follows) * axis * axis.T + follows * spin * spin.T / spin.dot(spin)
     momentum = ((lambda1 * sympy.eye(3) + (lambda3 - lambda1) * bulge) * spin).applyfunc(
@@ -359,7 +359,7 @@ def euler_period() -> Iterator[Evidence]:
         r" + (1 - k)(\lambda_3 - \lambda_1)\omega_3\mathbf e_3"
     )
     meaning = {L_vec: momentum, omega_vec: spin, e3: axis}
-    yield Check(printed(like_rigid), meaning, printed=False)
+    yield Formal(printed(like_rigid), meaning)
     # Put (3.38) into the first component of L̇ + ω × L = 0 and solve it; then hold all three.
     on_circle = Matrix([Omega_b * omega2, -Omega_b * omega1, 0])
     rate = momentum.jacobian(OMEGA) * on_circle
@@ -373,8 +373,8 @@ def euler_period() -> Iterator[Evidence]:
     yielding = (
         r"(\lambda_1 + k(\lambda_3 - \lambda_1))\Omega_b = -(1 - k)(\lambda_3 - \lambda_1)\omega_3"
     )
-    yield Check(printed(conserved), turning, printed=False)
-    yield Check(printed(yielding), {Omega_b: found}, printed=False)
+    yield Formal(printed(conserved), turning)
+    yield Formal(printed(yielding), {Omega_b: found})
 
 
 ROUNDING = 1e-12
@@ -484,21 +484,21 @@ def wobble_to_spin() -> Iterator[Evidence]:
     tensor = point_masses(points)
     moments = {lambda1: tensor[0, 0], lambda2: tensor[1, 1], lambda3: tensor[2, 2]}
     level = Assumption(Eq(ABOVE, 0), "no point lies above or below the plane", stated=True)
-    yield Check(printed(r"\lambda_3 = \lambda_1 + \lambda_2"), moments, (level,), printed=False)
+    yield Formal(printed(r"\lambda_3 = \lambda_1 + \lambda_2"), moments, (level,))
     # (3.57) without weight has another solution, Ω = 0, the rotation about e₃ at rest.
     turns = Assumption(Ne(Omega, 0), "$𝐞₃$ moves", stated=True)
     free = theory.steady_quadratic().subs(g, 0)
     steady = printed(r"\lambda_1\cos\theta\,\Omega = \lambda_3\omega_3")
-    yield Check(steady, {}, (turns,), given=(free,), printed=False)
+    yield Formal(steady, {}, (turns,), given=(free,))
     disc = cylinder(radius, height).inertia(M)
     of_disc = free.subs({lambda1: disc[0, 0], lambda3: disc[2, 2]})
     given = (sympy.cancel(of_disc * 12 / (M * Omega)),)
     flat = Assumption(Eq(height, 0), "the plate is flat", stated=True)
     round_ = Assumption(Ne(radius, 0), "it has a size", stated=True)
     thick = printed(r"(3r^2 + h^2)\cos\theta\,\Omega = 6r^2\omega_3")
-    yield Check(thick, given=given, printed=False)
+    yield Formal(thick, given=given)
     thin = printed(r"\cos\theta\,\Omega = 2\omega_3")
-    yield Check(thin, assuming=(flat, round_), given=given, printed=False)
+    yield Formal(thin, assuming=(flat, round_), given=given)
 
 
 def plate(radius: float, thickness: float) -> FreeBody:

@@ -16,7 +16,7 @@ from rigidtop.derivations.printed import printed
 from rigidtop.derivations.rotation_matrices import rotation_group
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Check, Evidence, Measure, claim
+from rigidtop.proof.page import Evidence, Formal, Measure, claim
 from rigidtop.theory.rotation import rotation, vee
 from rigidtop.theory.symbols import alpha1, alpha2, gamma, n_1, n_2, s_vec, trace_O
 from rigidtop.theory.trig import reduce_trig
@@ -61,7 +61,7 @@ def product_of_rotations() -> Iterator[Evidence]:
         rf"\operatorname{{tr}} O = 4{scalar}^2 - 1",
         rf"\mathbf s = 2{scalar}{vector}",
     ):
-        yield Check(printed(equation), meaning, printed=False)
+        yield Formal(printed(equation), meaning)
 
 
 @claim("commutator-of-rotations", "Two small rotations fail to commute by the product of both.")
@@ -78,10 +78,10 @@ def commutator_of_rotations() -> Iterator[Evidence]:
     lowest = vector.applyfunc(lambda x: x.diff(alpha1).subs(alpha1, 0))
     lowest = reduce_trig(lowest.applyfunc(lambda x: x.diff(alpha2).subs(alpha2, 0)))
     trace = r"\operatorname{tr} O = 4(1 - 2\sin^2\alpha_1\sin^2\alpha_2\sin^2\gamma)^2 - 1"
-    yield Check(printed(trace), {trace_O: reduce_trig(matrix.trace())}, printed=False)
+    yield Formal(printed(trace), {trace_O: reduce_trig(matrix.trace())})
     small = r"\mathbf s = 4\alpha_1\alpha_2\,\mathbf n_1\times\mathbf n_2"
     axes = {n_1: FIRST_AXIS, n_2: SECOND_AXIS}
-    yield Check(printed(small), {s_vec: alpha1 * alpha2 * vee(lowest), **axes}, printed=False)
+    yield Formal(printed(small), {s_vec: alpha1 * alpha2 * vee(lowest), **axes})
 
 
 Square = NDArray[np.float64]

@@ -19,7 +19,7 @@ from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Check, Evidence, Measure, Step, claim
+from rigidtop.proof.page import Evidence, Formal, Measure, Step, claim
 from rigidtop.theory import top as theory
 from rigidtop.theory.symbols import (
     A,
@@ -89,25 +89,22 @@ def upright_potential() -> Iterator[Evidence]:
     )
     growth = printed(r"4\lambda_1^2\sigma^2 = 4\lambda_1MgR - (\lambda_3\omega_3)^2")
     threshold = printed(r"(1 + \cos\theta)(U - MgR) = MgR(1 - \cos\theta)^2")
-    yield Check(regular, {U: upright}, reason="Less the energy of the spin.", printed=False)
-    yield Check(
+    yield Formal(regular, {U: upright}, reason="Less the energy of the spin.")
+    yield Formal(
         growth,
         {sigma2: -upright.diff(theta, 2).subs(theta, 0) / lambda1},
         reason="$λ₁σ² = −U″$ at $θ = 0$.",
-        printed=False,
     )
-    yield Check(
+    yield Formal(
         growth,
         {sigma2: linear_growth()},
         reason="The same from the quadratic for the frequencies $Ω$, where these are not real.",
-        printed=False,
     )
     [critical] = sympy.solve(linear_growth().subs(omega3**2, A), A)
-    yield Check(
+    yield Formal(
         threshold,
         {U: upright.subs(omega3**2, critical)},
         reason="At the threshold, $(λ₃ω₃)² = 4λ₁MgR$.",
-        printed=False,
     )
 
 
@@ -126,26 +123,22 @@ def waking() -> Iterator[Evidence]:
     legendre = printed(r"(1 - m\sin^2\chi)MgR(1 - \cos\theta_1)t^2_\chi = 2\lambda_1")
     period = printed(r"t = 2\sqrt{\frac{2\lambda_1}{MgR(1 - \cos\theta_1)}}\operatorname{K}(m)")
     rate, undisturbed = waking_rate(theta_i), waking_rate(Integer(0))
-    yield Check(disturbed, {thetadot: sympy.sqrt(rate)}, reason="By energy.", printed=False)
-    yield Check(
-        asleep, {thetadot: sympy.sqrt(undisturbed)}, reason="Started upright.", printed=False
-    )
-    yield Check(
+    yield Formal(disturbed, {thetadot: sympy.sqrt(rate)}, reason="By energy.")
+    yield Formal(asleep, {thetadot: sympy.sqrt(undisturbed)}, reason="Started upright.")
+    yield Formal(
         growth,
         {sigma2: linear_growth().subs(spin_that_wakes(Integer(0), theta_1))},
         reason="The rate of growth and the tilt to which it leads.",
-        printed=False,
     )
     width = 1 - sympy.cos(theta_1)
     cosine, smallest = 1 - width * (1 - m * sympy.sin(chi) ** 2), 1 - width * (1 - m)
     speed = rate.subs(spin_that_wakes(theta_i, theta_1)) * sympy.sin(theta) ** 2
     along = speed.subs(sympy.sin(theta) ** 2, 1 - sympy.cos(theta) ** 2)
     along = along.subs({sympy.cos(theta): cosine, sympy.cos(theta_i): smallest})
-    yield Check(
+    yield Formal(
         legendre,
         {t_chi2: reduce_ratio(cosine.diff(chi) ** 2 / along)},
         reason="$(d cos θ/dχ)²$ over $(θ̇ sin θ)²$ is the square of $dt/dχ$.",
-        printed=False,
     )
     yield Step(period, "From one smallest $θ$ to the next: $χ$ goes from $−π/2$ to $π/2$.")
 

@@ -17,7 +17,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
-from rigidtop.proof.page import Check, Evidence, Measure, Step, claim
+from rigidtop.proof.page import Evidence, Formal, Measure, Step, claim
 from rigidtop.theory import top as theory
 from rigidtop.theory.lagrangian import energy
 from rigidtop.theory.symbols import (
@@ -58,16 +58,15 @@ def time_to_fall() -> Iterator[Evidence]:
     legendre = printed(r"(1 - m\sin^2\chi)t^2_\chi = \frac{\lambda_1}{MgR}")
     whole = worked.of("time-to-fall", "t")
     derived = fall_rate_squared()
-    yield Check(rate, {thetadot: sympy.sqrt(derived)}, reason="By energy.", printed=False)
+    yield Formal(rate, {thetadot: sympy.sqrt(derived)}, reason="By energy.")
     # cos θ = 2 cos²(θ/2) − 1, at the start and later.
     cosine = 2 * m * sympy.sin(chi) ** 2 - 1
     against_chi = cosine.diff(chi) ** 2 / (1 - cosine**2)
     slope = against_chi / derived.subs({sympy.cos(theta): cosine, sympy.cos(theta_i): 2 * m - 1})
-    yield Check(
+    yield Formal(
         legendre,
         {t_chi2: reduce_ratio(slope)},
         reason="$(dθ/dχ)²$ over $θ̇²$ is the square of $dt/dχ$.",
-        printed=False,
     )
     yield Step(whole, "Integrated from $χ$ to $π/2$.")
     top = HeavyTop(lambda1=1.3, lambda3=0.7, M=0.8, R=0.6)

@@ -15,7 +15,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
-from rigidtop.proof.page import Check, Evidence, Measure, claim
+from rigidtop.proof.page import Evidence, Formal, Measure, claim
 from rigidtop.theory.inertia import cylinder, parallel_axis
 from rigidtop.theory.symbols import (
     M,
@@ -49,9 +49,9 @@ def disc_on_a_stem() -> Iterator[Evidence]:
     arm, along, across = (
         worked.of("disc-on-a-stem", left) for left in ("MR", r"\lambda_3", r"\lambda_1")
     )
-    yield Check(arm, {M: M_d + M_s, R: centre[2]}, reason="From the tip.", printed=False)
-    yield Check(along, {lambda3: about_tip[2, 2]}, reason="The disc alone.", printed=False)
-    yield Check(across, {lambda1: about_tip[0, 0]}, reason="About the tip.", printed=False)
+    yield Formal(arm, {M: M_d + M_s, R: centre[2]}, reason="From the tip.")
+    yield Formal(along, {lambda3: about_tip[2, 2]}, reason="The disc alone.")
+    yield Formal(across, {lambda1: about_tip[0, 0]}, reason="About the tip.")
 
 
 def quadrature_moments(

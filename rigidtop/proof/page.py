@@ -48,8 +48,8 @@ class Check:
     A meaning, or a `given`, that is typed on the page and is the statement itself is refused.
     `given` are expressions known to vanish (an equation from which this one is said to follow).
     `other_reading` is the meaning under which the same content is right although the notes' own
-    definitions say otherwise.  `reason` is the sentence beside the line; `printed` is False for a
-    formal version of what the notes say in words.
+    definitions say otherwise.  `reason` is the sentence beside the line; `printed` says whether
+    the notes have the equation.
     """
 
     claimed: Equation
@@ -62,6 +62,13 @@ class Check:
 
 
 @dataclass(frozen=True)
+class Formal(Check):
+    """A formal version of what the notes say in words."""
+
+    printed: bool = False
+
+
+@dataclass(frozen=True)
 class Correction(Check):
     """The corrected form that stands beside a claim that is false or at odds with a definition."""
 
@@ -69,6 +76,8 @@ class Correction(Check):
 @dataclass(frozen=True)
 class Remark(Check):
     """What is true besides: judged, and it must hold, but its conditions are not the claim's."""
+
+    printed: bool = False
 
 
 @dataclass(frozen=True)
