@@ -15,7 +15,7 @@ READS = {
     "theory": set(),
     "proof": {"errors", "theory", "parameters"},
     "codegen": {"errors", "theory", "proof"},
-    "motion": {"errors", "parameters"},
+    "motion": {"errors", "parameters", "trace"},
     "system": {"errors", "theory", "parameters", "proof", "codegen", "motion", "present"},
     "derivations": {
         "errors",
@@ -39,6 +39,7 @@ READS = {
         "progress",
     },
     "progress": set(),
+    "trace": set(),
     "textfile": {"errors"},
     "elliptic": {"motion"},
     "notation": {"errors", "theory", "proof", "textfile"},
@@ -154,7 +155,7 @@ def complaints(room, text, package):
         allowed = {room} | READS[room] | late
         if top == "rigidtop" and rest and rest[0] in READS and rest[0] not in allowed:
             found.append(f"{room} imports {rest[0]}")
-    if room != "codegen":
+    if room not in WRITERS:
         found += [
             f"{room} calls {node.func.id}"
             for node in ast.walk(tree)
@@ -163,6 +164,10 @@ def complaints(room, text, package):
             and node.func.id in ("eval", "exec", "compile")
         ]
     return sorted(set(found))
+
+
+WRITERS = {"codegen", "trace"}
+"""They run what they have written themselves."""
 
 
 def package_of(room):

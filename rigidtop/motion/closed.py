@@ -14,7 +14,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import free, heavy, samples
-from rigidtop.motion.exact.trace import Solved
+from rigidtop.trace import Solved
 
 if TYPE_CHECKING:
     from rigidtop.motion.body import RigidBody

@@ -17,7 +17,6 @@ from rigidtop.motion import attitude as attitudes
 from rigidtop.motion import checks, closed, systems, taylor
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import free, heavy, samples
-from rigidtop.motion.exact.trace import Solved
 from rigidtop.motion.integrate import (
     TAYLOR,
     Accuracy,
@@ -30,6 +29,7 @@ from rigidtop.motion.integrate import (
 from rigidtop.motion.start import Start
 from rigidtop.motion.state import TopState
 from rigidtop.motion.trajectory import BodyTrajectory, EvenTop, TopTrajectory, Trajectory
+from rigidtop.trace import Solved
 
 if TYPE_CHECKING:
     from rigidtop.motion.body import RigidBody
@@ -246,18 +246,27 @@ class TopMotion(Motion):
     psi: float = 0.0
     """ψ at t = 0, from which ψ(t) continues (rad)."""
 
-    euler: Start | None = None
-    """If it is given by Euler angles, which keep the digits of large φ and ψ."""
-
     def start(self) -> TopTrajectory:
         """The initial state, as a trajectory of one row."""
-        if self.euler is None:
-            return self._trajectory(
-                self._initial()[:, None], np.zeros(1), np.array([self.phi]), np.array([self.psi])
-            )
-        s = self._from_euler(self.euler)
-        angles = s.cos_half, s.sin_half, s.phi, s.psi
-        return self._row(np.zeros(1), (*angles, s.v_theta, s.v_phi, s.omega3, s.b / 2))
+        return self._trajectory(
+            self._initial()[:, None], np.zeros(1), np.array([self.phi]), np.array([self.psi])
+        )
+
+    @property
+    def _solvable(self) -> heavy.Start:
+        first = self.start()
+        return self._of_halves(
+            halves=(float(first.cos_half[0]), float(first.sin_half[0])),
+            rates=(float(first.theta_dot[0]), float(first.v_phi[0])),
+        )
+
+    def _of_halves(self, halves: tuple[float, float], rates: tuple[float, float]) -> heavy.Start:
+        axis = closed.Axis(self.body.lambda1, self.body.lambda3, self.body.weight[2], None)
+        return closed.start(axis, self.omega[2], halves, rates, (self.phi, self.psi))
+
+    @cached_property
+    def solved(self) -> Solved:
+        return heavy.solved(self._solvable)
 
     def _row(self, times: Floats, state: Sequence[float]) -> TopTrajectory:
         """One state, in the order of `TopState`."""
@@ -266,20 +275,6 @@ class TopMotion(Motion):
         fixed = [np.array(spin), np.array(upright)]
         named = zip((each.name for each in fields(TopState)), [*columns, *fixed], strict=True)
         return TopTrajectory(motion=self, t=times, **dict(named))
-
-    @property
-    def _axis(self) -> closed.Axis:
-        return closed.Axis(self.body.lambda1, self.body.lambda3, self.body.weight[2], None)
-
-    def _from_euler(self, given: Start) -> heavy.Start:
-        theta, hanging = given.theta, given.theta == math.pi  # the float nearest to π means π
-        return closed.start(
-            self._axis,
-            omega3=self.omega[2],
-            halves=(0.0 if hanging else math.cos(theta / 2), math.sin(theta / 2)),
-            rates=(given.theta_dot, 0.0 if hanging else given.phi_dot * math.sin(theta)),
-            angles=(self.phi, self.psi),
-        )
 
     def exact(self, t: ArrayLike) -> TopTrajectory:
         """The motion at the times `t`, in closed form, with Euler angles: see `Motion.exact`.
@@ -300,21 +295,6 @@ class TopMotion(Motion):
         if even is not None:
             return EvenTop(self, times, even)
         return TopTrajectory(motion=self, t=times, **vars(orbit.states(times)))
-
-    @cached_property
-    def solved(self) -> Solved:
-        if self.euler is not None:
-            return heavy.solved(self._from_euler(self.euler))
-        first = self.start()
-        return heavy.solved(
-            closed.start(
-                self._axis,
-                omega3=self.omega[2],
-                halves=(float(first.cos_half[0]), float(first.sin_half[0])),
-                rates=(float(first.theta_dot[0]), float(first.v_phi[0])),
-                angles=(self.phi, self.psi),
-            )
-        )
 
     def integrate(
         self, t: ArrayLike, method: str = "DOP853", rtol: float = 1e-10, atol: float = 1e-12
@@ -370,4 +350,33 @@ class TopMotion(Motion):
             v_phi=omega2 * nodes.imag - omega1 * nodes.real,
             omega3=spin,
             upright_phi_dot=self.body.lambda3 * spin / (2 * self.body.lambda1),
+        )
+
+
+class EulerTopMotion(TopMotion):
+    """One that is given by Euler angles, which keep the digits of large φ and ψ."""
+
+    euler: Start
+
+    def __init__(self, body: HeavyTop, euler: Start) -> None:
+        omega = checks.vector("omega", euler.omega)
+        given = {"body": body, "euler": euler, "omega": omega, "phi": euler.phi, "psi": euler.psi}
+        for name, value in given.items():
+            object.__setattr__(self, name, value)
+
+    @cached_property
+    def attitude(self) -> Rotation:  # type: ignore[override]
+        return self.euler.attitude
+
+    def start(self) -> TopTrajectory:
+        s = self._solvable
+        angles = s.cos_half, s.sin_half, s.phi, s.psi
+        return self._row(np.zeros(1), (*angles, s.v_theta, s.v_phi, s.omega3, s.b / 2))
+
+    @property
+    def _solvable(self) -> heavy.Start:
+        theta, hanging = self.euler.theta, self.euler.theta == math.pi  # the float nearest to π: π
+        return self._of_halves(
+            halves=(0.0 if hanging else math.cos(theta / 2), math.sin(theta / 2)),
+            rates=(self.euler.theta_dot, 0.0 if hanging else self.euler.phi_dot * math.sin(theta)),
         )

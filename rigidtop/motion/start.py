@@ -29,12 +29,16 @@ class Start:
         return attitude.from_euler_angles(self.theta, self.phi, self.psi)
 
 
-def start(missing: str, **given: Any) -> Start:
-    """From `theta`, the spin as `psi_dot` or `omega3`, and the others, which are 0 if None.
+GIVEN = ("theta", "theta_dot", "phi", "phi_dot", "psi", "psi_dot", "omega3")
+
+
+def start(missing: str, *given: Any) -> Start:
+    """From what is `GIVEN`: θ, the spin as ψ̇ or ω₃, and the others, which are 0 if None.
 
     Raises RigidtopError for anything else: with `missing` where θ or the spin is.
     """
-    known = {name: checks.number(name, x) for name, x in given.items() if x is not None}
+    named = zip(GIVEN, given, strict=True)
+    known = {name: checks.number(name, x) for name, x in named if x is not None}
     if "psi_dot" in known and "omega3" in known:
         raise RigidtopError("give psi_dot or omega3, not both")
     if "theta" not in known or not ("psi_dot" in known or "omega3" in known):

@@ -14,7 +14,8 @@ from rigidtop.errors import NoSteadyPrecession, RigidtopError
 from rigidtop.motion import checks
 from rigidtop.motion.attitude import azimuth_and_spin
 from rigidtop.motion.body import RigidBody, Triple
-from rigidtop.motion.motion import TopMotion
+from rigidtop.motion.motion import EulerTopMotion, TopMotion
+from rigidtop.motion.start import GIVEN
 from rigidtop.motion.start import start as euler_start
 
 ROUNDING = 4e-16
@@ -182,17 +183,9 @@ class HeavyTop(RigidBody):
         ...
         rigidtop.errors.RigidtopError: give psi_dot or omega3, not both
         """
-        angles = {
-            "theta": theta,
-            "theta_dot": theta_dot,
-            "phi": phi,
-            "phi_dot": phi_dot,
-            "psi": psi,
-            "psi_dot": psi_dot,
-            "omega3": omega3,
-        }
-        given = {name: value for name, value in angles.items() if value is not None}
+        angles = theta, theta_dot, phi, phi_dot, psi, psi_dot, omega3
         if attitude is not None or omega is not None:
+            given = [name for name, x in zip(GIVEN, angles, strict=True) if x is not None]
             if given:
                 raise RigidtopError(
                     f"give attitude and omega, or Euler angles, not both: {', '.join(given)} too"
@@ -200,10 +193,8 @@ class HeavyTop(RigidBody):
             if attitude is None or omega is None:
                 raise RigidtopError("attitude and omega are needed together")
             return self._from_attitude(attitude, checks.vector("omega", omega))
-        start = euler_start(
-            "give theta and the spin (omega3 or psi_dot), or attitude and omega", **angles
-        )
-        return TopMotion(self, start.attitude, start.omega, start.phi, start.psi, start)
+        missing = "give theta and the spin (omega3 or psi_dot), or attitude and omega"
+        return EulerTopMotion(self, euler_start(missing, *angles))
 
     def _from_attitude(self, attitude: Rotation, omega: Triple) -> TopMotion:
         phi, psi = azimuth_and_spin(checks.single_rotation(attitude), omega)

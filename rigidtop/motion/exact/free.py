@@ -34,7 +34,7 @@ from rigidtop.motion.exact import theta
 from rigidtop.motion.exact.numbers import Arrays, Kit, Real, Truth
 from rigidtop.motion.exact.samples import Course
 from rigidtop.motion.exact.theta import Factor, Modulus, Real4, cubic, factor, modulus, real4
-from rigidtop.motion.exact.trace import Solved, Written, written
+from rigidtop.trace import Solved, Written, written
 
 ROUNDING = 16 * float(np.finfo(float).eps)
 """What rounding of the initial state does to the distance from the separatrix."""

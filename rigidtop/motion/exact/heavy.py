@@ -39,8 +39,8 @@ from rigidtop.motion.exact import theta
 from rigidtop.motion.exact.numbers import Arrays, Kit, Real, Truth
 from rigidtop.motion.exact.samples import BLOCK, Course, in_blocks
 from rigidtop.motion.exact.theta import Cubic, Factor, Modulus, along, cubic, factor, modulus
-from rigidtop.motion.exact.trace import Solved, Written, written
 from rigidtop.motion.state import TopState
+from rigidtop.trace import Solved, Written, written
 
 ROUNDING = 16 * float(np.finfo(float).eps)
 """What rounding of the initial state does to quantities that decide the regime."""
@@ -276,7 +276,7 @@ class Orbit:
         rate, strip, half = abs(self.rate), theta.strip(self.modulus), self.modulus.half
         nearest = min(strip / 2, self.first.factor.distance, self.second.factor.distance)
         if self.first.through or self.second.through or not rate:
-            return Course(rate, strip, rate)
+            return Course(rate, strip, rate, half=half)
         own, other = (
             each.drift + each.sense * each.factor.turn * rate / (2 * half)
             for each in (self.first, self.second)

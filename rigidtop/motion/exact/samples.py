@@ -40,6 +40,9 @@ HALF_PIECE = 0.5
 OF_STRIP = 0.2
 """And a function that is analytic so far from the real axis, in these, most of the time."""
 
+BESIDE = 2.5
+"""So many pieces are too near to a pole, each time that a motion comes to one."""
+
 LEVELS = 4
 """So many sizes of pieces are tried, where there are many samples."""
 
@@ -102,7 +105,7 @@ class Course:
 
     @property
     def period(self) -> float:
-        return 2 * self.half / self.rate
+        return 2 * self.half / self.rate if self.rate else math.inf
 
     @property
     def piece(self) -> float:
@@ -245,10 +248,13 @@ def _size(count: int, step: float, course: Course) -> int:
     if not abs(step) * FEWEST <= course.piece:
         return 0
     most = min(course.piece / abs(step), MOST, count)
-    if count <= MANY:  # one size only is worth it
-        most = min(most, course.piece_anywhere / abs(step))
-        return max(int(most) // SIZES * SIZES, FEWEST)
-    return FEWEST << int(math.log2(most / FEWEST))
+    if count > MANY:
+        return FEWEST << int(math.log2(most / FEWEST))
+    # One size only is worth it.  Beside each pole a piece or two are evaluated, sample by sample.
+    poles = count * abs(step) / course.period
+    balanced = math.sqrt(NODES * count / (BESIDE * poles)) if poles else math.inf
+    most = min(most, max(course.piece_anywhere / abs(step), balanced))
+    return max(int(most) // SIZES * SIZES, FEWEST)
 
 
 def _in_harmonics(
@@ -362,11 +368,7 @@ def _weights(size: int) -> tuple[Floats, Floats]:
     orders = np.arange(NODES)
     analysis = np.cos(np.multiply.outer(_angles(), orders)) * (2 / NODES)
     analysis[:, 0] /= 2
-    polynomials = np.empty((NODES, size))
-    x = np.linspace(-1.0, 1.0, size)
-    polynomials[0], polynomials[1] = 1.0, x
-    for k in range(2, NODES):
-        polynomials[k] = 2 * x * polynomials[k - 1] - polynomials[k - 2]
+    polynomials = np.cos(np.multiply.outer(orders, np.arccos(np.linspace(-1.0, 1.0, size))))
     return analysis @ polynomials, np.ascontiguousarray(analysis[:, -2:].T)
 
 

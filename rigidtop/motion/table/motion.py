@@ -117,16 +117,9 @@ class SlidingTop:
         >>> top.motion(theta=0.5, omega3=40.0, phi_dot=1.0, slip=(0.0, 0.0)).velocity.round(6) + 0.0
         array([0.      , 0.239713])
         """
-        start = euler_start(
-            "give theta and the spin, as omega3 or psi_dot",
-            theta=theta,
-            theta_dot=theta_dot,
-            phi=phi,
-            phi_dot=phi_dot,
-            psi=psi,
-            psi_dot=psi_dot,
-            omega3=omega3,
-        )
+        missing = "give theta and the spin, as omega3 or psi_dot"
+        angles = theta, theta_dot, phi, phi_dot, psi, psi_dot, omega3
+        start = euler_start(missing, *angles)
         if velocity is not None and slip is not None:
             raise RigidtopError("give velocity (of the centre of mass) or slip, not both")
         if start.theta >= self.fall and self.fall < math.pi:

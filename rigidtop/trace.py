@@ -15,8 +15,6 @@ from dataclasses import dataclass, fields, is_dataclass
 from functools import cached_property
 from typing import Any
 
-from rigidtop.motion.exact.numbers import horner
-
 Block = tuple[tuple[int, bool], ...]
 """The arms of branches, by their numbers, in which something is computed, the outermost first."""
 
@@ -132,7 +130,7 @@ class Trace:
 
     @staticmethod
     def cubics(coefficients: Sequence[Sequence[Any]], x: Any) -> Sequence[Any]:
-        return [horner(c, x) for c in coefficients]
+        return [((c[3] * x + c[2]) * x + c[1]) * x + c[0] for c in coefficients]
 
     @staticmethod
     def any(condition: Any) -> bool:
@@ -174,9 +172,15 @@ class Trace:
 
         return _mapped(tree, element)
 
-    def function(self, head: str, results: Sequence[Value]) -> str:
-        """Source of a function that returns the results, as floats."""
-        return "\n".join([f"def {head}:", *_Lines(self.values, results).lines()])
+    def function(self, head: str, results: Sequence[Value], into: str = "") -> str:
+        """Source of a function that returns the results, as floats; or writes them into a row."""
+        lines = _Lines(self.values, results)
+        body, shown = lines.body(), lines.shown()
+        if into:
+            body += [f"{into.format(k)} = {text}" for k, text in enumerate(shown)]
+        else:
+            body.append(f"return ({', '.join(shown)},)")
+        return "\n    ".join([f"def {head}:", *body])
 
 
 class _Lines:
@@ -212,7 +216,7 @@ class _Lines:
                 for part in self.parts[value]:
                     self._use(arm[part.arguments[1]], (*block, (id(value), kept)))
 
-    def lines(self) -> list[str]:
+    def body(self) -> list[str]:
         for number, value in enumerate(self.values):
             if value not in self.blocks:
                 continue
@@ -225,11 +229,13 @@ class _Lines:
                     self.statements[self.blocks[value]].append(f"v{number} = {text}")
                     text = f"v{number}"
                 self.texts[value] = text
-        shown = ", ".join(
-            f"1.0 if {text} else 0.0" if value.truth else text
-            for value, text in zip(self.results, map(self._text, self.results), strict=True)
-        )
-        return [f"    {line}" for line in [*self.statements[()], f"return ({shown},)"]]
+        return self.statements[()]
+
+    def shown(self) -> list[str]:
+        return [
+            f"1.0 if {self._text(each)} else 0.0" if each.truth else self._text(each)
+            for each in self.results
+        ]
 
     def _branch(self, number: int, branch: Value, arms: tuple[Any, Any]) -> None:
         block, condition = self.blocks[branch], self._text(branch.arguments[0])
