@@ -1,15 +1,13 @@
 """Many motions at once: arrays of parameters and initial states that broadcast, in closed form.
 
-Work goes in chunks that fit the processor's cache, so memory is what the results take.
+Work goes in chunks, so memory is little more than what the results take.
 """
 
 from __future__ import annotations
 
 import math
-import os
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any
@@ -25,8 +23,8 @@ from rigidtop.motion.exact import free, heavy
 from rigidtop.motion.integrate import TAYLOR, Accuracy, Progress
 from rigidtop.motion.state import TopState
 
-CHUNK = 1 << 11
-"""States at a time: arrays of these, some dozens, stay in the cache."""
+CHUNK = 1 << 13
+"""States at a time: so many that NumPy's calls cost little beside its loops."""
 
 
 def top_motions(
@@ -330,22 +328,17 @@ def _in_chunks(
     rows = whole or (1,)  # a single number has no place in an array
     every, at = np.broadcast_to(of_motion, rows), np.broadcast_to(times, rows)
 
-    def work(chunk: slice) -> list[Any]:
-        place = np.unravel_index(np.arange(chunk.start, chunk.stop), rows)
-        return states(every[place], at[place])
-
     # One chunk also of nothing, which says what kinds of arrays there are.
-    firsts = range(0, max(total, 1), CHUNK)
-    chunks = [slice(first, min(first + CHUNK, total)) for first in firsts]
-    # NumPy's loops run beside each other in threads.
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for chunk, parts in zip(chunks, pool.map(work, chunks), strict=True):
-            if not results:
-                results = [np.empty((total, *np.shape(part)[1:]), _kind(part)) for part in parts]
-            for result, part in zip(results, parts, strict=True):
-                result[chunk] = part
-            if progress is not None:
-                progress(chunk.stop, total)
+    for first in range(0, max(total, 1), CHUNK):
+        end = min(first + CHUNK, total)
+        place = np.unravel_index(np.arange(first, end), rows)
+        parts = states(every[place], at[place])
+        if not results:
+            results = [np.empty((total, *np.shape(part)[1:]), _kind(part)) for part in parts]
+        for result, part in zip(results, parts, strict=True):
+            result[first:end] = part
+        if progress is not None:
+            progress(end, total)
     return [result.reshape((*whole, *result.shape[1:])) for result in results]
 
 
