@@ -13,29 +13,33 @@ from typing import TYPE_CHECKING, Any
 from rigidtop.commands.claims import FAILED
 from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
-from rigidtop.textfile import text_of
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
     from rigidtop.mark.audit import Audited
+    from rigidtop.mark.notes import Row
     from rigidtop.notation import Notation
     from rigidtop.present.annotated import Formula as Shown
     from rigidtop.present.annotated import Mark
     from rigidtop.read.document import Formula
+    from rigidtop.read.project import Source
 
-ABOUT = "audit the numbered equations of notes in Markdown or LaTeX"
+ABOUT = "audit notes in Markdown, LaTeX or a notebook: anyone's, in any letters"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.epilog = (
-        "Each numbered equation of the file is read and judged by the claim of that number.\n"
-        "The exit code is 0 if every one was read and is as right as `rigidtop check` finds the\n"
-        "lecture's own (a convention at odds with a definition is a finding, not a failure), and\n"
-        "1 if one is false, undecided, unread, or has a number that no claim has.  Numbers of the\n"
-        "collection that the file leaves out between its first and its last are told as absent.\n"
-        "Formulas without a number are not judged, only counted.\n\n"
+        "In notes of the collection each numbered equation is judged by the claim of its number.\n"
+        "All other formulas, and anyone's notes in letters of their own, are held against\n"
+        "themselves: a line follows from the lines above it and from Lagrange's equations of the\n"
+        "file's own L, or contradicts them, with numbers; what nothing above speaks of is a\n"
+        "premise, taken as it stands, and not called right.\n"
+        "The exit code is 1 if a formula is false, or if one that has a number is undecided or\n"
+        "unread, else 0 (a convention at odds with a definition is a finding, not a failure).\n"
+        "Numbers of the collection that the file leaves out between its first and its last are\n"
+        "told as absent.\n\n"
         "examples:\n"
         "  rigidtop audit notes.md\n"
         "  rigidtop audit notes.md -o annotated.html\n"
@@ -45,8 +49,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "file",
         nargs="+",
         metavar="FILE",
-        help="the notes, Markdown with $…$ or LaTeX; before it a folder, if they are to be judged "
-        "by the collection there",
+        help="the notes, Markdown with $…$, LaTeX with its \\input files, or a notebook; before it "
+        "a folder, if they are to be judged by the collection there",
     )
     parser.add_argument(
         "-o", "--output", metavar="HTML", help="write the notes with verdicts as a page"
@@ -67,23 +71,35 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int:
-    source = text_of(path)
+    from rigidtop.mark.audit import ABSENT, UNREAD, audit, missing
+    from rigidtop.mark.notes import rows
+    from rigidtop.notation import OWN
+    from rigidtop.read.document import SECONDS
+    from rigidtop.read.project import habits, sources
+
+    until = time.monotonic() + SECONDS
+    found = sources(path)
+    source = found[0].text
     output = Path(options.output) if options.output else None
     if output is not None and output.resolve() == path.resolve():
         raise RigidtopError(f"{output} is the file that is audited: write the page elsewhere")
-    from rigidtop.mark.audit import ABSENT, UNJUDGED, UNREAD, audit, missing, unjudged
-    from rigidtop.read.document import places
-
-    audited = audit(source, collection.pages, collection.notation, letters=collection.letters)
+    audited = _of_collection(
+        audit(source, collection.pages, collection.notation, letters=collection.letters)
+    )
+    judged = {formula.opens for each in audited for formula in each.group.formulas}
+    known = habits(found, OWN, until)
+    others = [
+        (each, row)
+        for each in found
+        if each.is_text
+        for row in rows(each.text, known, max(until - time.monotonic(), 1.0))
+        if each is not found[0] or row.opens not in judged
+    ]
     unread = _unread(source)
-    if not audited and not unread:
-        raise RigidtopError(
-            f"{path}: no numbered equations; a number is \\tag{{3.57}}, or (3.57) behind a formula"
-        )
+    if not audited and not unread and not others:
+        raise RigidtopError(f"{path}: no formulas between dollars or the like that say something")
     absent = [claim.name for claim in missing(audited, collection.pages)]
-    place = places(source)
-    others = [place(position)[0] for position in unjudged(source, audited)]
-    told = summary(audited, unread, absent, len(others))
+    told = summary(audited, unread, absent, [row for _, row in others])
     if output is not None:
         from rigidtop.present.annotated import write
         from rigidtop.present.files import write_whole
@@ -101,15 +117,58 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
             [
                 *(record(each) for each in audited),
                 *(_bare_record("", line, UNREAD, reason, False) for line, reason in unread),
-                *(_bare_record("", line, UNJUDGED, "without a number", None) for line in others),
+                *(own_record(row, each, len(found) > 1) for each, row in others),
                 *(_bare_record(name, None, ABSENT, "not in the file", True) for name in absent),
             ]
         )
     else:
-        _print(audited, unread, told)
+        _print(audited, unread, others, told)
         if output is not None:
             print(output)
-    return 0 if not unread and all(each.passed for each in audited) else FAILED
+    right = all(each.passed for each in audited) and not any(amiss(row) for _, row in others)
+    return 0 if right and not unread else FAILED
+
+
+def _of_collection(audited: tuple[Audited, ...]) -> tuple[Audited, ...]:
+    """What claims speak of: the numbers that they have; none in a file in other letters."""
+    known = tuple(each for each in audited if each.judgement is not None)
+    foreign = any("no symbol" in placed.ruling.problem for each in known for placed in each.placed)
+    return known if any(each.passed for each in known) or not foreign else ()
+
+
+def amiss(row: Row) -> bool:
+    """Whether a formula is refuted, or bears a number and nothing can be said of it."""
+    from rigidtop.mark.notes import UNREAD
+    from rigidtop.proof.verdict import Verdict
+
+    open_ends = (Verdict.UNDECIDED.value, UNREAD)
+    return row.held.verdict == Verdict.FALSE.value or (
+        bool(row.number) and row.held.verdict in open_ends
+    )
+
+
+def own_record(row: Row, source: Source, several: bool) -> dict[str, Any]:
+    """What `--json` says of a formula that is held against the file itself."""
+    from rigidtop.present.text import text
+
+    equation = row.held.line.equation
+    passed = row.held.passed if row.number or row.held.verdict == "false" else None
+    made = _bare_record(row.number, row.line, row.held.verdict, row.held.note, passed)
+    made["from"] = list(row.lines)
+    made["equations"] = [
+        {
+            "line": row.line,
+            "column": row.column,
+            "read": text(equation, "typed") if equation is not None else None,
+            "verdict": row.held.verdict,
+            "problem": row.held.line.problem,
+        }
+    ]
+    if several:
+        made["file"] = source.path.name
+    if source.cells:
+        made["cell"], made["line"] = source.place(row.line)
+    return made
 
 
 def _unread(source: str) -> list[tuple[int, str]]:
@@ -124,51 +183,83 @@ def _unread(source: str) -> list[tuple[int, str]]:
     ]
 
 
-def _print(audited: Sequence[Audited], unread: Sequence[tuple[int, str]], told: str) -> None:
+def _print(
+    audited: Sequence[Audited],
+    unread: Sequence[tuple[int, str]],
+    others: Sequence[tuple[Source, Row]],
+    told: str,
+) -> None:
     from rigidtop.commands.check import VERDICT_COLORS
     from rigidtop.present.table import table, wants_color
 
     colors = None
     if wants_color(sys.stdout):
         colors = {**VERDICT_COLORS, "unread": "red", "unknown": "yellow"}
-    found = [(each.line, f"({each.number})", each.verdict, each.note) for each in audited]
+    found: list[tuple[int, str, str, str]] = [
+        (each.line, f"({each.number})", each.verdict, each.note) for each in audited
+    ]
     found += [(line, "", "unread", reason) for line, reason in unread]
-    rows = [[str(line), *others] for line, *others in sorted(found, key=lambda row: row[0])]
-    print(table(rows, ("line", "equation", "verdict", "note"), colors=colors, right=(0,)))
+    found.sort(key=lambda row: row[0])
+    of_own = [
+        (row.line, f"({row.number})" if row.number else "", row.held.verdict, _own_note(row))
+        for _, row in others
+        if row.display or row.number or row.held.passed is False
+    ]
+    if audited:  # of the collection: only what is wrong is told of the rest
+        of_own = [row for row in of_own if row[2] == "false"]
+    cells = [[str(line), *more] for line, *more in [*found, *of_own]]
+    print(table(cells, ("line", "equation", "verdict", "note"), colors=colors, right=(0,)))
     print()
     print(told)
+
+
+def _own_note(row: Row) -> str:
+    lines = ", ".join(map(str, row.lines))
+    if not lines:
+        return row.held.note
+    return f"{row.held.note} (from line{'s' * (len(row.lines) > 1)} {lines})"
 
 
 def summary(
     audited: Sequence[Audited],
     unread: Sequence[tuple[int, str]] = (),
     absent: Sequence[str] = (),
-    others: int = 0,
+    others: Sequence[Row] = (),
 ) -> str:
-    """Counts of the verdicts, what is wrong, how many formulas `others` are not judged for want of
-    a number, and which numbers the file does not have."""
-    from rigidtop.mark.audit import UNKNOWN, UNREAD
+    """Counts of the verdicts, what is wrong, what became of the formulas that are held against the
+    file itself, and which numbers the file does not have."""
+    from rigidtop.mark.audit import UNREAD
     from rigidtop.proof.verdict import Verdict
 
-    names = [*(verdict.value for verdict in Verdict), UNREAD, UNKNOWN]
+    names = [*(verdict.value for verdict in Verdict), UNREAD]
     counts = [(name, sum(each.verdict == name for each in audited)) for name in names]
     told = ", ".join(f"{count} {name}" for name, count in counts if count)
-    amiss = [f"({each.number})" for each in audited if not each.passed]
-    amiss += [f"line {line}" for line, _ in unread]
-    last = []
-    if amiss:
-        last.append(f"AMISS: {', '.join(amiss)}")
-    if others:
-        formulas = f"{others} formulas without a number were" if others > 1 else _ONE_OTHER
-        last.append(f"{formulas} not judged")
-    if not last:
-        last.append("nothing is wrong that the collection gets right")
-    left_out = f"; not in the file: {', '.join(f'({name})' for name in absent)}" if absent else ""
+    wrong = [f"({each.number})" for each in audited if not each.passed]
+    wrong += [f"line {line}" for line, _ in unread]
+    wrong += [
+        f"({row.number})" if row.number else f"line {row.line}" for row in others if amiss(row)
+    ]
     what = f"{len(audited)} numbered equation{'s' * (len(audited) != 1)}"
-    return f"{what}{': ' * bool(told)}{told}; {'; '.join(last)}{left_out}"
+    parts = [f"{what}{': ' * bool(told)}{told}"] if audited or not others else []
+    if others:
+        parts.append(_counted(others, "other " * bool(audited)))
+    last = f"AMISS: {', '.join(wrong)}" if wrong else "nothing is found wrong"
+    left_out = f"; not in the file: {', '.join(f'({name})' for name in absent)}" if absent else ""
+    return f"{'; '.join([*parts, last])}{left_out}"
 
 
-_ONE_OTHER = "1 formula without a number was"
+def _counted(others: Sequence[Row], which: str) -> str:
+    """What became of the formulas that are held against the file itself."""
+    verdicts = [row.held.verdict for row in others]
+    said = [
+        (sum(verdicts.count(v) for v in ("proved", "sampled", "assuming")), "follow"),
+        (verdicts.count("false"), "false"),
+        (verdicts.count("premise"), "taken as they stand"),
+        (verdicts.count("undecided"), "undecided"),
+        (verdicts.count("unread"), "unread"),
+    ]
+    counts = ", ".join(f"{count} {words}" for count, words in said if count)
+    return f"{len(others)} {which}formula{'s' * (len(others) != 1)}: {counts}"
 
 
 def _bare_record(

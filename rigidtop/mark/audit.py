@@ -42,13 +42,12 @@ from rigidtop.proof.verdict import (
     is_refuted,
     judge_check,
 )
-from rigidtop.read.document import Numbered, bare, formulas, lines, numbered, places, states
+from rigidtop.read.document import Numbered, lines, numbered, places
 from rigidtop.read.formula import Line, kind
 from rigidtop.theory.symbols import const, phi, phidot, psi, psidot, theta, thetadot, unit
 
-UNREAD, UNKNOWN, ABSENT, UNJUDGED = "unread", "unknown", "absent", "unjudged"
-"""What is said in place of a verdict: what is not understood, a number of no claim, no equation,
-a formula without a number."""
+UNREAD, UNKNOWN, ABSENT = "unread", "unknown", "absent"
+"""What is said in place of a verdict: what is not understood, a number of no claim, no equation."""
 
 SECONDS = 120.0
 """A file is not judged for longer than this."""
@@ -233,13 +232,6 @@ def missing(audited: Sequence[Audited], pages: Iterable[Page]) -> tuple[Claim, .
     if not places:
         return ()
     return tuple(c for c in claims[places[0] : places[-1]] if c.name not in there)
-
-
-def unjudged(source: str, audited: Sequence[Audited]) -> tuple[int, ...]:
-    """Where a formula of the file says something and bears no number, so that nothing judges it."""
-    judged = {formula.opens for each in audited for formula in each.group.formulas}
-    others = [f.opens for f in formulas(source) if f.opens not in judged and states(f)]
-    return tuple(sorted(others + [problem.position for problem in bare(source)]))
 
 
 @dataclass

@@ -125,8 +125,8 @@ def write(
 {body}
 </div>
 <footer class="colophon"><p>Each numbered equation as it was read, with the verdict of the
-collection of derivations. Formulas without a number were not judged. What was not read is shown
-as its TeX.</p></footer>
+collection of derivations; of other formulas only counts are given. What was not read is shown as
+its TeX.</p></footer>
 </main>
 </body>
 </html>

@@ -1,0 +1,975 @@
+"""Anyone's notes held against themselves: what each line says, and what the lines above say of it.
+
+The file's own definitions are put in, and Lagrange's equations are taken from its own ℒ: a line
+holds because of them, or contradicts them, with numbers.  What nothing above speaks of is taken as
+it stands, and not called right.  So notes on a system of which nobody has heard are checked.
+
+>>> from rigidtop.notation import OWN
+>>> from rigidtop.read.formula import read
+>>> text = (r"L = \\frac12 m\\dot x^2 - \\frac12 kx^2,\\quad m\\ddot x = -kx,\\quad m\\ddot x = kx")
+>>> for each in held(read(text, OWN)):
+...     print(each.verdict, each.note, sep=": ")
+premise: the Lagrangian of the equations that follow
+proved: by Lagrange's equations
+false: at k = 2, m = 1, x = 2: ẍ is −4 by Lagrange's equations; the two sides are −4 and 4
+"""
+
+from __future__ import annotations
+
+import random
+import re
+import time
+from bisect import bisect_right
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+from typing import Any
+
+import sympy
+from sympy import Add, Expr, Function, Integer, Mul, Pow, Rational, Symbol
+from sympy.core.function import AppliedUndef
+
+from rigidtop.notation import OWN
+from rigidtop.notation.convention import own
+from rigidtop.present.text import text
+from rigidtop.proof import decide
+from rigidtop.proof import equation as eq
+from rigidtop.proof.equation import Equation, NoMeaningError
+from rigidtop.proof.verdict import Verdict
+from rigidtop.read.document import Formula, each, numbered, places, states
+from rigidtop.read.formula import Habits, Line, kind
+from rigidtop.theory import lagrangian
+from rigidtop.theory.lettered import Lettered
+from rigidtop.theory.symbols import Glyph, const
+
+PREMISE = "premise"
+"""Said of what is taken as it stands: a law, a quantity of the file's own, a special motion."""
+
+UNREAD = "unread"
+
+MOST_OPERATIONS = 400
+"""An expression has no more operations, or it is not judged."""
+
+SHOWN_TO = 4000
+"""Beyond so many operations nothing is shown by normal forms: numbers only."""
+
+MOST_MISSING = 2
+"""A line with accelerations that lacks more numbers of the law is of a special case."""
+
+POINTS = 5
+DIGITS = 40
+TIME = own(Glyph("t"))
+_LAGRANGIANS = frozenset({"L", "ℒ"})
+_ENERGIES = frozenset({"H", "ℋ"})
+_ANGLES = frozenset("θφψϕϑαβγχ")
+
+
+@dataclass(frozen=True)
+class Held:
+    """What became of a line; `rests` are the numbers of the lines that it follows from."""
+
+    line: Line
+    verdict: str
+    note: str = ""
+    rests: tuple[int, ...] = ()
+
+    @property
+    def passed(self) -> bool | None:
+        """None: it was not judged."""
+        if self.verdict == PREMISE:
+            return None
+        return self.verdict in _HOLDS
+
+
+_HOLDS = frozenset(v.value for v in (Verdict.PROVED, Verdict.SAMPLED, Verdict.ASSUMING))
+_ORDER: tuple[str, ...] = (
+    *(Verdict.PROVED, Verdict.SAMPLED, Verdict.ASSUMING, PREMISE),
+    *(Verdict.UNDECIDED, Verdict.FALSE),
+)
+
+
+def held(
+    lines: Iterable[Line],
+    functions: Iterable[tuple[Glyph, str]] = (),
+    timed: Iterable[Glyph] = (),
+    sections: Sequence[int] = (),
+    until: float = float("inf"),
+) -> tuple[Held, ...]:
+    """Each line that was read, judged by the lines above it.
+
+    `functions` and `timed` are what `Habits` has of a file; `sections` says for each line under
+    which heading it stands.  After a time of `time.monotonic` no more are judged.
+    """
+    found = list(lines)
+    places = list(sections) or [0] * len(found)
+    under: dict[int, list[Line]] = {}
+    for line, place in zip(found, places, strict=True):
+        under.setdefault(place, []).append(line)
+    always = frozenset(own(glyph) for glyph in timed)
+    dotted = {place: _moving(some) | always for place, some in under.items()}
+    # Equations of motion often stand under a heading of their own.
+    moving = {place: some | dotted.get(place + 1, frozenset()) for place, some in dotted.items()}
+    known = frozenset().union(*moving.values())
+    of = {x: args for x, args in _arguments(functions).items() if x not in known}
+    ledger = _Ledger(moving, of)
+    made = []
+    for i, line in enumerate(found):
+        if line.equation is None:
+            made.append(Held(line, UNREAD, line.problem))
+            continue
+        if time.monotonic() > until:
+            made.append(Held(line, Verdict.UNDECIDED.value, "the time for the file was over"))
+            continue
+        ledger.section = places[i]
+        made.append(ledger.take(i, line))
+    return tuple(made)
+
+
+def _moving(lines: Iterable[Line]) -> frozenset[Symbol]:
+    """The letters that have a dot somewhere."""
+    found: set[Symbol] = set()
+    for line in lines:
+        for side in line.equation.sides if line.equation is not None else ():
+            for node in sympy.preorder_traversal(side):
+                if isinstance(node, Lettered) and node.quantity.glyph.accent in ("dot", "ddot"):
+                    found.add(own(replace(node.quantity.glyph, accent="")))
+                elif isinstance(node, eq.Rate) and isinstance(node.args[0], Lettered):
+                    found.add(node.args[0])
+    return frozenset(found)
+
+
+def _arguments(functions: Iterable[tuple[Glyph, str]]) -> dict[Symbol, tuple[Symbol, ...]]:
+    made: dict[Symbol, set[Symbol]] = {}
+    for glyph, base in functions:
+        if base:
+            made.setdefault(own(glyph), set()).add(own(Glyph(base)))
+    return {x: tuple(sorted(of, key=str)) for x, of in made.items()}
+
+
+def _dotted(letter: Lettered, times: int = 1) -> Lettered:
+    """ẋ of x, ẍ of ẋ; what comes then has no letter that is written."""
+    glyph = letter.quantity.glyph
+    for _ in range(times):
+        glyph = replace(glyph, accent={"": "dot", "dot": "ddot", "ddot": "dddot"}[glyph.accent])
+    return own(glyph)
+
+
+def _bare(letter: Symbol) -> Symbol:
+    """The letter without dots."""
+    glyph = letter.quantity.glyph if isinstance(letter, Lettered) else Glyph(letter.name)
+    return own(replace(glyph, accent="")) if "dot" in glyph.accent else letter
+
+
+@dataclass(frozen=True)
+class _Given:
+    """What a letter stands for, and the lines that say so."""
+
+    value: Expr
+    rests: frozenset[int]
+    section: int
+    roots: bool = False
+    """Whether it was said of its square, so that its sign is open."""
+
+
+@dataclass(frozen=True)
+class _Law:
+    """Equations that hold along the motion: coordinates, what vanishes, and whose lines they are.
+
+    `words` say what they are; `letters` are all that stand in them.
+    """
+
+    q: tuple[Lettered, ...]
+    vanishing: tuple[Expr, ...]
+    rests: frozenset[int]
+    words: str
+    section: int
+    lagrangian: Expr | None = None
+    broken: bool = False
+
+    @property
+    def functions(self) -> set[Any]:
+        """Functions of which nothing is known."""
+        return _functions(*self.vanishing)
+
+    def misses(self, symbols: set[Symbol]) -> int:
+        """How many numbers the equations of the accelerations among symbols have besides these; too
+        many where they have coordinates besides."""
+        a = [x for x in symbols if _accent(x) == "ddot"]
+        lost = [x.free_symbols - symbols - {*a, TIME} for x in self.vanishing if x.has(*a)]
+        return min(
+            (
+                MOST_MISSING + 1 if any(_bare(x) in self.q for x in each) else len(each)
+                for each in lost
+            ),
+            default=0,
+        )
+
+    @property
+    def letters(self) -> frozenset[Symbol]:
+        return frozenset(
+            _bare(x) for each in self.vanishing for x in each.free_symbols
+        ) | frozenset(self.q)
+
+
+@dataclass
+class _Ledger:
+    """Takes one line after the other, and keeps what they say."""
+
+    moves: Mapping[int, frozenset[Symbol]]
+    """The letters that change in time, under each heading."""
+    functions: Mapping[Symbol, tuple[Symbol, ...]]
+    given: dict[Symbol, _Given] = field(default_factory=dict)
+    law: _Law | None = None
+    sets: dict[Symbol, _Given] = field(default_factory=dict)
+    """What is set for a special motion: θ̇ by 0, φ̇ by Ω."""
+    section: int = 0
+    used: set[int] = field(default_factory=set)
+    places: dict[int, int] = field(default_factory=dict)
+    """The section of each line."""
+
+    @property
+    def moving(self) -> frozenset[Symbol]:
+        along = self.law.q if self.law is not None else ()
+        return self.moves.get(self.section, frozenset()) | {*along}
+
+    def take(self, number: int, line: Line) -> Held:
+        equation = line.equation
+        assert equation is not None
+        self.places[number] = self.section
+        self.sets = {x: g for x, g in self.sets.items() if g.section == self.section}
+        try:
+            if equation.relation not in ("=", "≡"):
+                raise NoMeaningError(f"{equation.relation} is not judged")
+            if any(sympy.count_ops(side, visual=False) > MOST_OPERATIONS for side in equation.sides
+                   if not isinstance(side, sympy.MatrixBase)):  # fmt: skip
+                raise NoMeaningError(f"more than {MOST_OPERATIONS} operations")
+            found = self.judged(number, line, equation)
+        except NoMeaningError as error:
+            found = Held(line, Verdict.UNDECIDED.value, str(error))
+        except (ArithmeticError, TypeError, ValueError, AttributeError, KeyError) as error:
+            said = " ".join(str(error).split())[:80]
+            found = Held(line, Verdict.UNDECIDED.value, f"it says nothing to compare ({said})")
+        except RecursionError:
+            found = Held(line, Verdict.UNDECIDED.value, "nested too deeply")
+        if found.verdict == Verdict.FALSE.value and line.condition:
+            note = f"holds at most “{line.condition}”, which is not judged"
+            return replace(found, verdict=Verdict.UNDECIDED.value, note=note)
+        return found
+
+    def judged(self, number: int, line: Line, equation: Equation) -> Held:
+        """All links of a chain; the first one may say what a letter stands for."""
+        first, *others = equation.sides
+        if const in others:
+            links = [(a, None if b == const else b) for a, b in pairwise(equation.sides)]
+        else:
+            links = list(pairwise(equation.sides))
+        made: list[Held] = []
+        inner = 0
+        defines = self.defines(first, others)
+        if defines:
+            made.append(self.defined(number, line, first, others))
+            links, inner = links[1:], 1
+        made += [
+            self.linked(number, line, left, right, bool(k))
+            for k, (left, right) in enumerate(links, inner)
+        ]
+        if defines and any(each.verdict == Verdict.FALSE for each in made):
+            del self.given[first]  # what comes below goes on from what was written last
+            self.defined(number, line, first, others[-1:])
+        worst = max(made, key=lambda each: _ORDER.index(each.verdict))
+        rests = sorted({x for each in made for x in each.rests} - {number})
+        return replace(worst, rests=tuple(rests))
+
+    # What letters stand for
+
+    def defines(self, first: Any, others: Sequence[Any]) -> bool:
+        """Whether a line says what a letter stands for, of which nothing was said above."""
+        if not isinstance(first, Lettered) or kind(first) != "scalar" or others[0] == const:
+            return False
+        if first.quantity.glyph.accent in ("dot", "ddot") or self.by_law(first) is not None:
+            return False
+        known = self.given.get(first)
+        if known is not None:
+            return known.section != self.section and not _closed_over(others[0], first)
+        if first in self.primitive() and self.is_set(first, others[-1]):
+            return False
+        side = others[-1] if others[-1] != const else others[0]
+        return first not in getattr(side, "free_symbols", set())
+
+    def defined(self, number: int, line: Line, first: Lettered, others: Sequence[Any]) -> Held:
+        if first in self.given and self.given[first].section != self.section:
+            old = self.section
+            self.given = {x: g for x, g in self.given.items() if g.section == old}
+            if self.law is not None and self.law.section != old:
+                self.law, self.sets = None, {}
+        values: list[tuple[Any, Expr, set[int]]] = []
+        last: NoMeaningError | None = None
+        for side in (side for side in others if side != const):
+            try:
+                self.used = set()
+                values.append((side, self.value(side), self.used))
+            except NoMeaningError as error:
+                last = error
+        if not values:
+            raise last or NoMeaningError("nothing is said of it")
+        side, value, used = next((found for found in values if found[2]), values[-1])
+        self.give(first, value, frozenset({number, *used}))
+        if _base(first) in _LAGRANGIANS:
+            return self.lagrangian(number, line, first, side)
+        return Held(line, PREMISE, f"what {text(first)} stands for", tuple(sorted(used)))
+
+    def give(
+        self, letter: Lettered, value: Expr, rests: frozenset[int], roots: bool = False
+    ) -> None:
+        """A letter that changes in time gives its rates too."""
+        times = 3 if letter in self.moving else 1
+        meant = {letter: value}
+        for k in range(1, times):
+            meant[_dotted(letter, k)] = self.total(
+                meant[_dotted(letter, k - 1) if k > 1 else letter]
+            )
+        for other, known in self.given.items():
+            if known.section == self.section and known.value.free_symbols & {*meant}:
+                new = known.value.subs(meant, simultaneous=True)
+                self.given[other] = replace(known, value=new, rests=known.rests | rests)
+        for k in range(times):
+            known = _Given(value, rests, self.section, roots)
+            self.given[_dotted(letter, k) if k else letter] = known
+            value = self.total(value) if k + 1 < times else value
+
+    def lagrangian(self, number: int, line: Line, letter: Lettered, side: Any) -> Held:
+        """Lagrange's equations of an ℒ that is written in coordinates and rates."""
+        known = self.given[letter]
+        value = known.value
+        rates = [x for x in value.free_symbols if _accent(x) == "dot"]
+        q = tuple(sorted((_bare(x) for x in rates), key=str))
+        if not q or any(_accent(x) == "ddot" for x in value.free_symbols):
+            return Held(line, PREMISE, f"what {text(letter)} stands for")
+        v = [_dotted(x) for x in q]
+        vanishing = lagrangian.euler_lagrange(value, q, v, [_dotted(x, 2) for x in q])
+        words = "by Lagrange's equations"
+        expanded = tuple(sympy.expand(x) for x in vanishing)
+        self.law = _Law(q, expanded, known.rests, words, self.section, value)
+        self.sets = {}
+        energies = self.energies(side)
+        if energies is not None and energies[1] != -1:
+            at = " − ".join(text(x) for x in energies[0])
+            return Held(
+                line, Verdict.FALSE.value, f"a Lagrangian is {at}: the sign of the potential"
+            )
+        rests = tuple(sorted(known.rests - {number}))
+        return Held(line, PREMISE, "the Lagrangian of the equations that follow", rests)
+
+    def energies(self, side: Any) -> tuple[tuple[Symbol, Symbol], int] | None:
+        """The letters T and V of a side T ± V, and the sign."""
+        letters = {_base(x): x for x in getattr(side, "free_symbols", set())}
+        potential = next((letters[b] for b in ("V", "U") if b in letters), None)
+        if len(letters) != 2 or "T" not in letters or potential is None:
+            return None
+        kinetic = letters["T"]
+        plain = sympy.expand(self.bare(side))
+        for sign in (1, -1):
+            if plain == kinetic + sign * potential:
+                return (kinetic, potential), sign
+        return None
+
+    def bare(self, side: Any) -> Expr:
+        """A side in its own letters, nothing put in."""
+        return _Ledger({0: self.moving}, {}).value(side)
+
+    def by_law(self, letter: Any) -> Expr | None:
+        """A momentum p_θ, or H, where ℒ says what it is."""
+        if self.law is None or self.law.lagrangian is None or not isinstance(letter, Lettered):
+            return None
+        glyph, L = letter.quantity.glyph, self.law.lagrangian
+        v = [_dotted(x) for x in self.law.q]
+        if glyph.accent or letter in self.given:
+            return None
+        if glyph.base == "p" and glyph.sub:
+            for q, rate in zip(self.law.q, v, strict=True):
+                named = q.quantity.glyph
+                if glyph.sub in (named.base + named.sub, f"{named.base}_{named.sub}"):
+                    return sympy.sympify(L.diff(rate))
+        if glyph.base in _ENERGIES and not glyph.sub:
+            return lagrangian.energy(L, v)
+        return None
+
+    # What trees say
+
+    def value(self, node: Any) -> Expr:
+        """A tree with all that is given put in.  Raises NoMeaningError."""
+        node = sympy.sympify(node)
+        if isinstance(node, sympy.MatrixBase):
+            raise NoMeaningError("components of a vector are not judged by the file alone")
+        if isinstance(node, Symbol):
+            return self.letter(node)
+        if not node.args:
+            return node
+        if isinstance(node, (eq.Group, eq.Underbrace)):
+            return self.value(node.args[0])
+        if isinstance(node, eq.Rate):
+            if len(node.args) > 1:
+                raise NoMeaningError("a rate as seen from a frame is not judged by the file alone")
+            return self.total(self.value(node.args[0]))
+        if isinstance(node, (eq.Partial, eq.Slope)):
+            return self.slope(node)
+        if isinstance(node, eq.At):
+            return self.at(node)
+        if isinstance(node, eq.Dot):
+            return self.value(Mul(*node.args, evaluate=False))
+        if isinstance(node, eq.Printed):
+            raise NoMeaningError(f"{_NAMES.get(type(node), 'what stands here')} is not judged")
+        return node.func(*map(self.value, node.args))
+
+    def letter(self, node: Symbol) -> Expr:
+        if node == const:
+            raise NoMeaningError("a constant stands in an expression")
+        if kind(node) != "scalar":
+            raise NoMeaningError("vectors are not judged by the file alone")
+        if isinstance(node, Lettered) and node.quantity.glyph.base == "…":
+            raise NoMeaningError("what is left out with dots is not known")
+        known = self.given.get(node)
+        if known is not None:
+            self.used |= known.rests
+            return known.value
+        law = self.by_law(node)
+        rate = self.by_law(_bare(node)) if _accent(node) == "dot" else None
+        if self.law is not None and (law is not None or rate is not None):
+            self.used |= self.law.rests
+            return law if law is not None else self.total(rate)
+        if node in self.functions:
+            return Function(node.name, real=True)(*self.functions[node])
+        return node
+
+    def slope(self, node: Expr) -> Expr:
+        of, *by = node.args
+        value = self.value(of)
+        if isinstance(of, Symbol) and value == of:
+            raise NoMeaningError(f"nothing above says what {text(of)} is")
+        for x in by:
+            if not isinstance(x, Lettered) or x in self.given:
+                raise NoMeaningError("a derivative by what is no free letter")
+            others = {_bare(y) for y in value.free_symbols} & self.moving - {_bare(x)}
+            if isinstance(node, eq.Slope) and (others or x == TIME):
+                value = self.total(value)
+                if x != TIME:
+                    raise NoMeaningError(f"d/d{text(x)} of what other letters change is not judged")
+            else:
+                value = value.diff(x)
+        return value
+
+    def at(self, node: Expr) -> Expr:
+        letter, *places = node.args
+        if letter in self.given:
+            if all(isinstance(x, Lettered) for x in places):
+                return self.letter(letter)
+            raise NoMeaningError(f"{text(letter)} at another place is not judged")
+        return Function(letter.name, real=True)(*map(self.value, places))
+
+    def total(self, value: Expr) -> Expr:
+        """d/dt."""
+        made: Any = value.diff(TIME)
+        for x in value.free_symbols:
+            if x in self.moving or (isinstance(x, Lettered) and _accent(x) in ("dot", "ddot")):
+                made += value.diff(x) * _dotted(x)
+        return made
+
+    # Whether two sides are equal
+
+    def linked(self, number: int, line: Line, left: Any, right: Any, inner: bool = False) -> Held:
+        self.used = set()
+        if right is None:
+            sides = (self.total(self.value(left)), sympy.sympify(0))
+        else:
+            sides = (self.value(left), self.value(right))
+        rests = set(self.used)
+        with sympy.evaluate(False):
+            whole = sides[0] - sides[1]
+        residual = sides[0] - sides[1]
+
+        def made(verdict: Verdict, note: str, *more: int) -> Held:
+            return Held(line, verdict.value, note, tuple(sorted({*rests, *more} - {number})))
+
+        shown = _vanishes(residual)
+        if shown is not None and not rests and left == right:
+            return made(Verdict.UNDECIDED, "it says nothing: both sides are the same")
+        if shown is not None:
+            where = self.turned(whole, holds=True)
+            if where is not None:
+                return made(Verdict.ASSUMING, f"where {text(where)} > 0")
+            return made(shown, "by what is said above" if rests else "whatever its letters are")
+        law = self.law
+        if law is not None:
+            shown = _along(residual, law)
+            if shown is not None:
+                return made(shown, law.words, *law.rests)
+        special = self.specially(sides)
+        if special is not None:
+            where, lines = special
+            return made(Verdict.ASSUMING, f"where {where}", *lines)
+        if self.turned(residual) is not None:
+            return made(Verdict.UNDECIDED, "it holds with the other sign of a root")
+        premise = self.premise(number, line, left, right, residual)
+        if premise is not None:
+            return premise
+        if self.is_other(left, right, residual):
+            self.give(left, self.value(right), frozenset({number, *self.used}))
+            if self.law is not None and self.law.rests & rests:
+                self.law, self.sets = None, {}
+            return Held(line, PREMISE, f"what {text(left)} stands for, another than above")
+        self.used = rests
+        return self.refuted(left, right, sides, inner, made)
+
+    def refuted(
+        self,
+        left: Any,
+        right: Any,
+        sides: tuple[Expr, Expr],
+        inner: bool,
+        made: Callable[..., Held],
+    ) -> Held:
+        """Numbers for which two sides differ, where nothing in them is open.
+
+        A line is refuted along the motion if it has accelerations, and of what is defined above if
+        it speaks of rates; other equations between the same letters may be of a special case.
+        """
+        law, residual, rests = self.law, sides[0] - sides[1], set(self.used)
+        symbols = set().union(*(side.free_symbols for side in sides))
+        letters = {_bare(x) for x in residual.free_symbols}
+        closed = self.letters_of(rests) | {TIME}
+        by_file = bool(rests) and self.is_closed(left, sides, inner)
+        along = law is not None and letters <= law.letters | closed
+        if not along and not by_file:
+            strange = sorted(letters - closed - (law.letters if law else set()), key=str)
+            said = ", ".join(map(text, strange)) or "what stands here"
+            return made(Verdict.UNDECIDED, f"nothing above says what {said} is")
+        if _nearly(residual, sides, law.q if law else tuple(self.moving)):
+            words = "it holds to the lowest order in the coordinates only: write ≈"
+            return made(Verdict.UNDECIDED, words)
+        if law is not None and along and any(_accent(x) == "ddot" for x in residual.free_symbols):
+            if law.broken:
+                words = "forces besides the Lagrangian act: it is not judged"
+                return made(Verdict.UNDECIDED, words)
+            special = law.misses(symbols) > MOST_MISSING or law.functions - _functions(*sides)
+            if special or law.lagrangian is None or _is_linear(residual, law):
+                return made(Verdict.UNDECIDED, "a special case of what is above, or a slip?")
+            found = _numbers(sides, law)
+            if found is not None:
+                return made(Verdict.FALSE, found, *law.rests)
+        elif by_file and any(_accent(x) in ("dot", "ddot") for x in symbols):
+            found = None if _functions(*sides) else _numbers(sides, None)
+            if found is not None:
+                return made(Verdict.FALSE, found)
+        elif law is not None and along and not by_file:
+            where = _at_rest(residual, law)
+            if where:
+                return made(Verdict.ASSUMING, f"where {where}", *law.rests)
+            return made(Verdict.UNDECIDED, "it holds for special motions at most: which?")
+        elif isinstance(left, Symbol) and left in self.given:
+            return made(Verdict.UNDECIDED, "another value than above: of another case, or a slip?")
+        return made(Verdict.UNDECIDED, "neither shown nor refuted")
+
+    def is_closed(self, left: Any, sides: tuple[Expr, Expr], inner: bool) -> bool:
+        """Whether the left side says by itself what the right one must be, all under one heading: a
+        derivative, or a quantity made of others and written in the same letters."""
+        if any(self.places.get(x) != self.section for x in self.used):
+            return False
+        if not all({_bare(x) for x in side.free_symbols} & self.moving for side in sides):
+            return False
+        mine, theirs = (side.free_symbols - {TIME} for side in sides)
+        if getattr(left, "atoms", lambda *_: False)(eq.Rate, eq.Partial) or (
+            _accent(left) and left in self.given
+        ):
+            return theirs <= mine
+        if isinstance(left, Lettered):
+            known = self.given.get(left)
+            made = known is not None and len(known.rests) > 1
+            return mine == theirs and (made or self.by_law(left) is not None)
+        return inner and mine == theirs
+
+    def is_other(self, left: Any, right: Any, residual: Expr) -> bool:
+        """Whether a letter of which something was said stands for something else from here on."""
+        if right is None or not isinstance(left, Lettered) or left not in self.given:
+            return False
+        letters = {_bare(x) for x in residual.free_symbols}
+        return not letters <= self.letters_of(set(self.given[left].rests)) | {TIME}
+
+    def letters_of(self, rests: set[int]) -> set[Symbol]:
+        """What stands in the values that were put in."""
+        values = [g.value for g in self.given.values() if g.rests & rests and g.rests <= rests]
+        return {_bare(x) for value in values for x in value.free_symbols}
+
+    def specially(self, sides: tuple[Expr, Expr]) -> tuple[str, set[int]] | None:
+        """Where a line holds for the special motion that was set, the words for that."""
+        residual = sides[0] - sides[1]
+        if not self.sets:
+            return None
+        meant = {x: g.value for x, g in self.sets.items()}
+        lines = set().union(*(g.rests for g in self.sets.values()))
+        words = ", ".join(
+            f"{text(x)} = {text(v)}" for x, v in meant.items() if _accent(x) != "ddot"
+        )
+        if not {*meant} & residual.free_symbols:
+            return None
+        bare = sympy.expand(residual.subs(meant).subs(meant))
+        if _vanishes(bare) is not None:
+            left = sympy.expand(sides[0].subs(meant).subs(meant))
+            return (words, lines) if _vanishes(left) is None else None
+        for vanishing in self.law.vanishing if self.law is not None else ():
+            given = vanishing.subs(meant).subs(meant)
+            if _vanishes(given) is not None:
+                continue
+            factor = decide.reduce_ratio(bare / given)
+            below = sympy.fraction(factor)[1]
+            if not below.has(Add):
+                lost = [x for x in below.atoms(sympy.sin, sympy.cos) if below.has(x)]
+                more = "".join(f", {text(x)} ≠ 0" for x in lost)
+                return words + more, lines | set(self.law.rests if self.law else ())
+        return None
+
+    def turned(self, residual: Expr, holds: bool = False) -> Symbol | None:
+        """The letter, known by its square, with whose other sign a line holds, or does not."""
+        for letter, known in self.given.items():
+            if known.roots and known.rests & self.used and residual.has(known.value):
+                other = residual.subs(known.value, -known.value)
+                if (_vanishes(other) is None) == holds:
+                    return letter
+        return None
+
+    def premise(
+        self, number: int, line: Line, left: Any, right: Any, residual: Expr
+    ) -> Held | None:
+        """What a line brings that is new: a quantity by its square, an equation of motion, what is
+        set for a special motion."""
+        if right is None:
+            return None
+        known = self.law.letters if self.law is not None else set()
+        here = {number, *self.used}
+        if isinstance(left, Pow) and isinstance(left.base, Lettered) and left.exp.is_Integer:
+            letter, value = left.base, self.value(right)
+            if letter not in self.given and letter not in known | value.free_symbols:
+                self.give(letter, value ** Rational(1, int(left.exp)), frozenset(here), True)
+                return Held(line, PREMISE, f"what {text(letter)} stands for", tuple(self.used))
+        if isinstance(left, Lettered) and self.is_set(left, right):
+            value = self.value(right)
+            for k in range(3 - ["", "dot", "ddot"].index(left.quantity.glyph.accent)):
+                self.sets[_dotted(left, k) if k else left] = _Given(
+                    value, frozenset(here), self.section
+                )
+                value = Integer(0)
+            return Held(line, PREMISE, "a special motion, or value", ())
+        generic = {x for side in (left, right) for x in side.atoms(eq.Rate, eq.Partial)}
+        if self.law is not None and any(isinstance(x, eq.Partial) for x in generic):
+            if {_bare(x) for x in residual.free_symbols} - known:
+                self.law = replace(self.law, broken=True)
+                return Held(line, PREMISE, "Lagrange's equation with a force besides", ())
+            return None
+        newest = sorted({_bare(x) for x in residual.free_symbols if _accent(x) == "ddot"}, key=str)
+        if newest and (self.law is None or not set(newest) <= set(self.law.q)):
+            return self.newton(number, line, residual, newest)
+        return None
+
+    def primitive(self) -> set[Symbol]:
+        """The letters that stand in what is defined, and in the law."""
+        values = [g.value for g in self.given.values() if g.section == self.section]
+        made = {_bare(x) for value in values for x in value.free_symbols}
+        return made | (set(self.law.letters) if self.law is not None else set())
+
+    def is_set(self, left: Lettered, right: Any) -> bool:
+        """θ̇ = 0, φ̇ = Ω, l₁ = l: a letter of the motion, or a number, and what does not change."""
+        accent = left.quantity.glyph.accent
+        if left in self.given or accent not in ("", "dot", "ddot"):
+            return False
+        if _bare(left) not in self.primitive():
+            return False
+        value = self.value(right)
+        return (value.is_Symbol or value.is_number) and not value.free_symbols & self.moving
+
+    def newton(self, number: int, line: Line, residual: Expr, newest: Sequence[Any]) -> Held | None:
+        """An equation of motion that is taken as it stands."""
+        law = self.law
+        if law is not None and law.section != self.section:
+            law = None
+        if law is not None and law.lagrangian is not None:
+            return None
+        before = law if law is not None else _Law((), (), frozenset(), "", self.section)
+        q = tuple(dict.fromkeys([*before.q, *newest]))
+        vanishing = (*before.vanishing, residual)
+        if len(vanishing) > len(q):
+            return None
+        self.law = _Law(
+            q, vanishing, before.rests | {number}, "by the equations of motion above", self.section
+        )
+        return Held(line, PREMISE, "an equation of motion, taken as it stands", ())
+
+
+_NAMES: Mapping[Any, str] = {
+    eq.SumOver: "a sum",
+    eq.SumFrom: "a sum",
+    eq.Integrated: "an integral",
+    eq.IntegralOver: "an integral",
+    eq.VolumeIntegral: "an integral",
+    eq.Cross: "a vector product",
+    eq.Evaluated: "a value at a place",
+    eq.Matrices: "a product of matrices",
+}
+
+
+def _functions(*expressions: Expr) -> set[Any]:
+    return {f.func for x in expressions for f in x.atoms(AppliedUndef)}
+
+
+def _base(letter: Symbol) -> str:
+    return letter.quantity.glyph.base if isinstance(letter, Lettered) else letter.name
+
+
+def _accent(letter: Symbol) -> str:
+    return letter.quantity.glyph.accent if isinstance(letter, Lettered) else ""
+
+
+def _closed_over(side: Any, letter: Symbol) -> bool:
+    return letter in getattr(side, "free_symbols", set())
+
+
+# --- Numbers and normal forms --------------------------------------------------------------------
+
+
+def _plain(expression: Expr) -> tuple[Expr, dict[Expr, Symbol]]:
+    """Functions of which nothing is known, and their slopes, as numbers at will."""
+    nodes = sorted(expression.atoms(AppliedUndef, sympy.Derivative), key=sympy.default_sort_key)
+    nodes.sort(key=sympy.count_ops, reverse=True)
+    names = {node: sympy.Dummy(f"f{i}", real=True) for i, node in enumerate(nodes)}
+    return expression.xreplace(names), names
+
+
+def _points(symbols: Iterable[Symbol], count: int) -> Iterator[dict[Symbol, Expr]]:
+    rng = random.Random(11)
+    names = sorted(symbols, key=str)
+    for _ in range(count):
+        yield {
+            x: Rational(rng.randint(3, 40), rng.choice((7, 11, 13)))
+            * (rng.choice((1, -1)) if _moves(x) else 1)
+            for x in names
+        }
+
+
+def _moves(x: Symbol) -> bool:
+    return "dot" in _accent(x) or _base(x)[:1] in _ANGLES
+
+
+def _is_zero(number: Any) -> bool | None:
+    """Whether a number vanishes; None where it is no real number."""
+    found = sympy.N(number, DIGITS)
+    if not (found.is_number and found.is_finite and found.is_real):
+        return None
+    return bool(abs(found) < sympy.Float(10) ** (8 - DIGITS))
+
+
+def _vanishes(residual: Expr) -> Verdict | None:
+    """PROVED or SAMPLED where an expression vanishes for all values; None where it does not."""
+    flat, _ = _plain(sympy.sympify(residual))
+    if flat == 0:
+        return Verdict.PROVED
+    tried = [_is_zero(flat.subs(point)) for point in _points(flat.free_symbols, POINTS)]
+    if False in tried or True not in tried:
+        return None
+    if sympy.count_ops(flat) < SHOWN_TO and decide.vanishes(flat):
+        return Verdict.PROVED
+    return Verdict.SAMPLED
+
+
+def _along(residual: Expr, law: _Law) -> Verdict | None:
+    """Whether an expression, linear in accelerations, vanishes along the motion."""
+    a = [_dotted(x, 2) for x in law.q]
+    flat, _ = _plain(sympy.Tuple(residual, *law.vanishing))
+    wanted, *given = flat
+    if len(given) == 1:
+        [given_one], slopes = given, [given[0].diff(x) for x in a]
+        over = [wanted.diff(x) for x in a]
+        k = next((i for i, slope in enumerate(slopes) if slope != 0), None)
+        if k is not None and over[k] != 0:
+            rest = sympy.expand(wanted * slopes[k] - given_one * over[k])
+            return _vanishes(rest)
+    tried = 0
+    for point in _points(
+        wanted.free_symbols.union(*(x.free_symbols for x in given)) - {*a}, POINTS
+    ):
+        solved = _accelerations([x.subs(point) for x in given], a)
+        if solved is None:
+            continue
+        zero = _is_zero(wanted.subs(point).subs(solved))
+        if zero is False:
+            return None
+        tried += zero is True
+    if not tried:
+        return None
+    matrix = sympy.Matrix([[x.diff(y) for y in a] for x in given])
+    bare = dict.fromkeys(a, Integer(0))
+    rest = sympy.Matrix([x.subs(bare) for x in given])
+    row = sympy.Matrix([[wanted.diff(y) for y in a]])
+    if matrix.is_square and sympy.count_ops(matrix) < SHOWN_TO:
+        whole = matrix.det() * wanted.subs(bare) - (row * matrix.adjugate() * rest)[0]
+        if sympy.count_ops(whole) < SHOWN_TO and decide.vanishes(sympy.expand(whole)):
+            return Verdict.PROVED
+    return Verdict.SAMPLED
+
+
+def _is_linear(residual: Expr, law: _Law) -> bool:
+    """Whether a line is linear in what moves and the law is not: it may be of small deviations."""
+    scale = sympy.Dummy("scale", positive=True)
+    scaled = {y: scale * y for x in law.q for y in (x, _dotted(x), _dotted(x, 2))}
+    twice = [sympy.expand(x.subs(scaled)).diff(scale, 2) for x in (residual, *law.vanishing)]
+    return twice[0] == 0 and any(x != 0 for x in twice[1:])
+
+
+def _at_rest(residual: Expr, law: _Law) -> str:
+    """The accelerations without which a line is one of the law's equations, in words."""
+    for vanishing in law.vanishing:
+        a = [_dotted(x, 2) for x in law.q if vanishing.has(_dotted(x, 2))]
+        given = sympy.expand(vanishing.subs(dict.fromkeys(a, 0)))
+        if given != 0 and not decide.reduce_ratio(residual / given).has(Add):
+            return ", ".join(f"{text(x)} = 0" for x in a)
+    return ""
+
+
+def _accelerations(vanishing: Sequence[Expr], a: Sequence[Symbol]) -> dict[Symbol, Expr] | None:
+    """The accelerations where numbers are put in for all else."""
+    matrix = sympy.Matrix([[x.diff(y) for y in a] for x in vanishing])
+    right = -sympy.Matrix([x.subs(dict.fromkeys(a, 0)) for x in vanishing])
+    matrix, right = (m.applyfunc(lambda x: sympy.N(x, DIGITS + 10)) for m in (matrix, right))
+    if not matrix.is_square or abs(matrix.det()) < sympy.Float(10) ** (10 - DIGITS):
+        columns = [k for k in range(len(a)) if any(matrix[i, k] != 0 for i in range(matrix.rows))]
+        if len(columns) != matrix.rows or not columns:
+            return None
+        matrix, a = matrix[:, columns], [a[k] for k in columns]
+        if abs(matrix.det()) < sympy.Float(10) ** (10 - DIGITS):
+            return None
+    return dict(zip(a, matrix.LUsolve(right), strict=True))
+
+
+def _nearly(residual: Expr, sides: tuple[Expr, Expr], q: Sequence[Symbol]) -> bool:
+    """Whether sides that are polynomials in coordinates and rates agree to their own order."""
+    small = sympy.Dummy("small", positive=True)
+    scaled = {
+        y: small * y
+        for x in q
+        if isinstance(x, Lettered)
+        for y in (x, _dotted(x), _dotted(x, 2))
+        if residual.has(y)
+    }
+    polynomial = [s for s in sides if all(s.is_polynomial(y) for y in scaled) and s != 0]
+    if not scaled or not polynomial:
+        return False
+    powers = [sympy.Poly(s.subs(scaled), small).degree() for s in polynomial]
+    highest = max(max(powers), 1)
+    series = residual.subs(scaled)
+    for order in range(highest + 1):
+        if _vanishes(series.diff(small, order).subs(small, 0)) is None:
+            return False
+    return True
+
+
+def _numbers(sides: tuple[Expr, Expr], law: _Law | None) -> str | None:
+    """Short numbers at which two sides differ, in words; accelerations are those of the law."""
+    flat, names = _plain(sympy.Tuple(*sides, *(law.vanishing if law is not None else ())))
+    if names and law is not None:
+        return "the two sides differ whatever the functions are"
+    if names:
+        return None
+    left, right, *given = flat
+    a = [_dotted(x, 2) for x in law.q] if law is not None else []
+    needed = left.free_symbols | right.free_symbols
+    if needed & {*a}:
+        needed = needed.union(*(x.free_symbols for x in given))
+    symbols = sorted(needed - {*a}, key=str)
+    angles = {x for x in symbols if _base(x)[:1] in _ANGLES and not _accent(x)}
+    for point in decide.points([*symbols], angles, 120):
+        if any(v == 0 for x, v in point.items() if not _moves(x)) or any(
+            v < 0 for x, v in point.items() if not _moves(x)
+        ):
+            continue
+        solved: dict[Symbol, Expr] = {}
+        if (left - right).free_symbols & {*a}:
+            found = _accelerations([x.subs(point) for x in given], a)
+            if found is None:
+                continue
+            solved = found
+        one, other = (sympy.N(x.subs(point).subs(solved), 20) for x in (left, right))
+        if not (one.is_real and other.is_real and one.is_finite and other.is_finite):
+            continue
+        if abs(one - other) < 1e-6 * (1 + abs(one)):
+            continue
+        values = ", ".join(f"{text(x)} = {text(v)}" for x, v in point.items())
+        rates = ", ".join(
+            f"{text(x)} is {_short(v)}" for x, v in solved.items() if (left - right).has(x)
+        )
+        words = f" {law.words}" if law is not None and rates else ""
+        said = f"{rates}{words}; " if rates else ""
+        return f"at {values}: {said}the left side is {_short(one)}, the right side {_short(other)}"
+    return None
+
+
+def _short(number: Any) -> str:
+    return re.sub(r"\.?0+$", "", f"{float(number):.6f}").replace("-", "−") or "0"
+
+
+# --- Files ---------------------------------------------------------------------------------------
+
+_HEADING = re.compile(
+    r"^[ \t]{0,3}#{1,6}[ \t]"
+    r"|\\(?:chapter|(?:sub)*section)\*?[ \t]*[\[{]"
+    r"|\\begin[ \t]*\{(?:example|problem|exercise|question|solution|theorem|proof)s?\}",
+    re.M,
+)
+"""Behind it another system may begin, and letters stand for other things."""
+_LABEL = re.compile(r"\\label\s*\{([^{}\n]{1,100})\}")
+
+
+@dataclass(frozen=True)
+class Row:
+    """A line of a file, counted from 1, with what became of it; `lines` are those that it rests on.
+
+    `number` is its number, or the name of its label; a symbol in a sentence is no row.
+    """
+
+    line: int
+    column: int
+    opens: int
+    number: str
+    display: bool
+    held: Held
+    lines: tuple[int, ...]
+
+
+def rows(source: str, habits: Habits, seconds: float) -> tuple[Row, ...]:
+    """Every formula of a file that says something, each judged by those above it.
+
+    Once the time is up the rest is unread, and says so.
+    """
+    end = time.monotonic() + seconds
+    tags = {
+        formula.start: group.number for group in numbered(source) for formula in group.formulas[-1:]
+    }
+    found: list[tuple[Formula, Line]] = [
+        (formula, line)
+        for formula, lines in each(source, OWN, seconds, habits)
+        if states(formula)
+        for line in lines
+        if line.equation is not None or formula.display
+    ]
+    headings = [match.start() for match in _HEADING.finditer(source)]
+    sections = [bisect_right(headings, line.position) for _, line in found]
+    lines = [line for _, line in found]
+    judged = held(lines, habits.functions, habits.timed, sections, end)
+    place = places(source)
+    at = [place(min(line.position, len(source))) for line in lines]
+    made = []
+    for i, (formula, line) in enumerate(found):
+        last = i + 1 == len(found) or found[i + 1][0] is not formula
+        stop = formula.end if last else lines[i + 1].position
+        label = _LABEL.search(source, line.position, stop)
+        number = line.tag or (tags.get(formula.start, "") if last else "")
+        number = number or (label[1] if label else "")
+        rests = tuple(sorted({at[k][0] for k in judged[i].rests}))
+        made.append(Row(*at[i], formula.opens, number, formula.display, judged[i], rests))
+    return tuple(made)
