@@ -48,6 +48,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--format", choices=["myst"], help="also the pages as a MyST project, for a course site"
     )
+    parser.add_argument(
+        "--live", action="store_true", help="figures of motions can be played in the HTML"
+    )
     add_look(parser)
     add_notation(parser)
 
@@ -69,11 +72,15 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
     from rigidtop.present.files import check_folder
     from rigidtop.present.lecture import Wanted, write_lecture
     from rigidtop.present.solutions import solved
+    from rigidtop.web.page import three
+    from rigidtop.web.player import player
 
-    if options.record and (options.slides or options.fragment or options.format):
+    if options.record and (options.slides or options.fragment or options.format or options.live):
         raise RigidtopError(
-            "--record is the record alone: leave --slides, --fragment, --format out"
+            "--record is the record alone: leave --slides, --fragment, --format, --live out"
         )
+    if options.live:
+        three()  # before half a minute of work, not after it
     notation, look = chosen(options), look_of(options)
     front, points = front_of(options, collection.front), points_of(options)
     check_folder(options.output)  # before half a minute of work, not after it
@@ -93,7 +100,13 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
         judged,
         solutions,
         options.output,
-        wanted=Wanted(options.pdf, options.slides, options.fragment, options.format == "myst"),
+        wanted=Wanted(
+            options.pdf,
+            options.slides,
+            options.fragment,
+            options.format == "myst",
+            player if options.live else None,
+        ),
         recorded=options.record,
         student=options.student,
         front=front,

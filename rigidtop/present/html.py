@@ -61,8 +61,10 @@ def style(*names: str) -> str:
     return made.replace("@COLORS@", colors)
 
 
-def write(document: Document, figures: Mapping[str, str], *, slides: bool = False) -> str:
-    """The document.  `figures` has the SVG of each figure by its name.
+def write(
+    document: Document, figures: Mapping[str, str], *, slides: bool = False, player: str = ""
+) -> str:
+    """The document.  `figures` has the SVG of each figure by its name; a `player` ends the body.
 
     As `slides` it is for the projector: a derivation is uncovered line by line with the keys.
     """
@@ -92,7 +94,7 @@ def write(document: Document, figures: Mapping[str, str], *, slides: bool = Fals
 {body}
 <footer class="colophon"><p>{prose_html(document.colophon)}</p></footer>
 </main>
-{script}</body>
+{player}{script}</body>
 </html>
 """
 
@@ -157,6 +159,7 @@ def _figure(block: Figure, figures: Mapping[str, str]) -> str:
     if block.number:
         caption = f"<strong>{block.label}.</strong> {caption}"
     place = f' id="{block.anchor}"' if block.number else ""
+    place += f' data-figure="{block.name}"'
     return f"<figure{place}>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>"
 
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from rigidtop.errors import RigidtopError
+from rigidtop.motion.motion import Motion
 from rigidtop.notation import NOTES as NOTES_NOTATION
 from rigidtop.notation import Notation
 from rigidtop.present import handout, html, myst, notations, plain, tex, typst
@@ -79,6 +80,11 @@ class Picture:
         same = self.drawing.name == other.drawing.name
         return same and self.drawing.values(self.given) == other.drawing.values(other.given)
 
+    def motions(self) -> Sequence[Motion]:
+        """Those that it shows."""
+        of = self.drawing.motions
+        return of(**self.drawing.values(self.given)) if of else ()
+
     def described(self) -> Figure:
         """As the blocks of a document know it."""
         values = self.drawing.values(self.given)
@@ -112,12 +118,16 @@ def solution_in(notation: Notation, solution: Solution) -> Solution:
 
 @dataclass(frozen=True)
 class Wanted:
-    """Which files: with a PDF, with slides, as chapters for another document, as MyST."""
+    """Which files: with a PDF, with slides, as chapters for another document, as MyST.
+
+    `player` makes of the motions of each figure what plays them in the HTML.
+    """
 
     pdf: bool = False
     slides: bool = False
     fragment: bool = False
     myst: bool = False
+    player: Callable[[Mapping[str, Sequence[Motion]]], str] | None = None
 
 
 def write_lecture(
@@ -429,13 +439,16 @@ def _write(
     pages = {name: page.decode() for name, (_, page) in drawn.items()}
     paths = {name: f"figures/{name}.pdf" for name in drawn}
     source = tex.write(whole, paths)
+    shown = {each.name: each.motions() for each in pictures}
+    player = wanted.player(shown) if wanted.player else ""
     contents = {
         **files,
         f"{stem}.tex": source.encode(),
-        f"{stem}.html": html.write(whole, pages).encode(),
+        f"{stem}.html": html.write(whole, pages, player=player).encode(),
     }
     if wanted.slides:
-        contents["slides.html"] = html.write(whole, pages, slides=True).encode()
+        slides = html.write(whole, pages, slides=True, player=player)
+        contents["slides.html"] = slides.encode()
     if wanted.fragment:
         contents |= {name: text.encode() for name, text in tex.chapters(whole, paths).items()}
     if wanted.myst:

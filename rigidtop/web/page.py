@@ -56,17 +56,25 @@ def page(kind: str, first: Preset | None = None, height: int = Page.height) -> P
     presets = PRESETS[kind]()
     shown = first or presets[0]
     title = TITLES[kind]
+    text = json_text(data(kind, title, presets, shown))
+    return Page(title, document(title, text), height)
+
+
+def document(title: str, text: str) -> str:
+    """The page with the JSON of its data.
+
+    Raises RigidtopError where three.js is not installed.
+    """
     parts = {
         "title": escape(title),
         "style": "\n".join((FOLDER / f"{name}.css").read_text("utf-8") for name in STYLES),
         "three": b64encode(gzip.compress(three().encode(), mtime=0)).decode(),
-        "importmap": _json({"imports": dict(modules())}),
-        "data": _json(data(kind, title, presets, shown)),
+        "importmap": json_text({"imports": dict(modules())}),
+        "data": text,
     }
     # In one pass: what is put in is not looked through again.
     template = (FOLDER / "page.html").read_text("utf-8")
-    html = re.sub(r"\{\{(\w+)\}\}", lambda place: parts[place[1]], template)
-    return Page(title, html, height)
+    return re.sub(r"\{\{(\w+)\}\}", lambda place: parts[place[1]], template)
 
 
 STYLES = ("style", "panels")
@@ -77,17 +85,20 @@ def page_of(motion: Motion, height: int = Page.height) -> Page:
 
     Raises RigidtopError for bodies that it doesn't know, and where three.js is not installed.
     """
+    preset = own_preset(motion, "own", "Own motion", "The motion that was given.")
+    return page(preset.setup.kind, preset, height)
+
+
+def own_preset(motion: Motion, name: str, title: str, about: str) -> Preset:
+    """A motion as an example of the page; raises RigidtopError for bodies that it doesn't know."""
     setup = setup_of(motion)
     rate = max(map(abs, motion.omega), default=0.0)
     layers = ("e3", "omega", "L", "trail")
-    about = "The motion that was given."
-    shape = "top" if setup.kind == HEAVY else "brick"
-    speed = 1.0 if rate < 60 else 60 / rate  # what turns ten times a second can't be followed
-    return page(
-        setup.kind,
-        Preset("own", "Own motion", about, setup, layers, shape, speed=speed),
-        height,
-    )
+    wheel = "top" if setup.kind == HEAVY else "wheel"
+    shape = wheel if setup.kind == HEAVY or motion.body.symmetric else "brick"
+    # What turns ten times a second can't be followed, nor a body that turns in days.
+    speed = 60 / rate if rate > 60 else 1 / rate if 0 < rate < 0.01 else 1.0
+    return Preset(name, title, about, setup, layers, shape, speed=speed)
 
 
 def three() -> str:
@@ -172,7 +183,7 @@ def _preset(preset: Preset) -> dict[str, Any]:
     return {**vars(preset), "setup": setup}
 
 
-def _json(value: Any) -> str:
+def json_text(value: Any) -> str:
     """For a script element: no "<" in it."""
     text = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     return text.replace("<", "\\u003c")

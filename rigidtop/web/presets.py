@@ -116,7 +116,7 @@ def free_presets() -> tuple[Preset, ...]:
             "space cone lies inside the body cone, which rolls around it.",
             free((1.0, 1.0, 2.0), (1.0, 0.0, 4.0)),
             cones,
-            "brick",
+            "wheel",
         ),
         Preset(
             "flip",

@@ -52,6 +52,7 @@ def test_a_verdict_is_a_mark_with_its_word(written):
     ("asked", "said"),
     [
         (["--record", "--slides"], "--record is the record alone"),
+        (["--record", "--live"], "--record is the record alone"),
         (["--language", "xx"], "no language 'xx'; there are en, de"),
         (["--preamble", "nowhere.tex"], "cannot read nowhere.tex: No such file"),
         (["--class", "a}b"], "--class wants the name of a LaTeX class"),

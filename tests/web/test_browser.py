@@ -110,8 +110,8 @@ import("rigidtop/motion.js").then(({ createMotion }) => {
   const { setup, speed } = data.presets.find((preset) => preset.name === name);
   const motion = createMotion(setup, data.tableau);
   let most = 0;
-  for (let frame = 1; frame <= 3600 * 60; frame++) {
-    motion.go((speed * frame) / 60);
+  for (let frame = 1; frame <= 3600 * 20; frame++) {
+    motion.go((speed * frame) / 20);
     most = Math.max(most, Math.abs(motion.now.energy / motion.start.energy - 1));
   }
   done([motion.now.t, most, motion.drift().map((drift) => drift.most)]);

@@ -164,17 +164,24 @@ def test_a_polhode_keeps_both_integrals(engine, small, middle, angle_, w1, w2, w
     assert np.allclose(kept, [twice_T, L2], rtol=1e-11)
 
 
+@pytest.fixture(scope="module")
+def sides():
+    """The momenta p_φ and p_ψ, and the functions that give both sides of an equation."""
+    groups = (terms.heavy(), terms.general(), terms.free())
+    return top.symmetric_momenta()[1:], [each.function for group in groups for each in group]
+
+
 @settings(max_examples=60)
 @given(quantities())
-def test_the_two_sides_of_each_equation_agree(engine, numbers):
+def test_the_two_sides_of_each_equation_agree(engine, sides, numbers):
     # p_φ and p_ψ are those of the motion here.
+    momenta, functions = sides
     n = dict(numbers)
-    momenta = [p.subs({x: n[x.name] for x in p.free_symbols}) for p in top.symmetric_momenta()]
-    n["p_phi"], n["p_psi"] = float(momenta[1]), float(momenta[2])
-    for group in (terms.heavy(), terms.general(), terms.free()):
-        for each in group:
-            left, *right = engine.run(f"{each.function}(n)", n=n)
-            assert math.isclose(left, sum(right), rel_tol=1e-9, abs_tol=1e-9 * sum(map(abs, right)))
+    for name, p in zip(("p_phi", "p_psi"), momenta, strict=True):
+        n[name] = float(p.subs({x: n[x.name] for x in p.free_symbols}))
+    for function in functions:
+        left, *right = engine.run(f"{function}(n)", n=n)
+        assert math.isclose(left, sum(right), rel_tol=1e-9, abs_tol=1e-9 * sum(map(abs, right)))
 
 
 def test_the_module_is_current_and_says_so(capsys):
@@ -184,15 +191,16 @@ def test_the_module_is_current_and_says_so(capsys):
 
 def test_a_module_that_is_not_what_the_theory_gives_is_found(tmp_path, monkeypatch, capsys):
     stale = tmp_path / "equations.js"
-    stale.write_text(equations.module_text().replace("lambda3*omega3", "lambda1*omega3", 1))
+    current = equations.PATH.read_text("utf-8")
+    stale.write_text(current.replace("lambda3*omega3", "lambda1*omega3", 1), "utf-8")
     monkeypatch.setattr("rigidtop.web.__main__.PATH", stale)
     assert main(["--check"]) == 1
     assert "run python -m rigidtop.web" in capsys.readouterr().out
     assert main([]) == 0
-    assert stale.read_text() == equations.module_text()
+    assert stale.read_text("utf-8") == current
 
 
 def test_every_function_is_tested():
     here = inspect.getsource(inspect.getmodule(test_every_function_is_tested))
-    for name in names_of(equations.module_text()):
+    for name in names_of(equations.PATH.read_text("utf-8")):
         assert name in EXPECTED or name in here, name

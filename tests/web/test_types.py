@@ -26,6 +26,8 @@ def test_a_wrong_type_is_found(tmp_path):
     for path in FOLDER.iterdir():
         shutil.copy(path, tmp_path)
     module = tmp_path / "motion.js"
+    options = tmp_path / "jsconfig.json"
+    options.write_text(options.read_text("utf-8").replace('"*.js"', '"motion.js"'), "utf-8")
     text = module.read_text("utf-8")
     module.write_text(text.replace("energy: energy(all),", 'energy: "much",', 1), "utf-8")
     done = subprocess.run(

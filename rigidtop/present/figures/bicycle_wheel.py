@@ -159,4 +159,5 @@ BICYCLE_WHEEL = Drawing(
     _draw,
     _caption,
     _in_words,
+    motions=lambda cord, **values: (_motion(**values),),
 )

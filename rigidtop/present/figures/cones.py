@@ -11,7 +11,7 @@ from matplotlib.figure import Figure as Canvas
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.motion import Motion
 from rigidtop.parameters import Parameter
-from rigidtop.present.figures.drawing import Drawing, Film
+from rigidtop.present.figures.drawing import Drawing, Film, one
 from rigidtop.present.figures.space import View, arrow, circle, curve, paper, unit
 from rigidtop.present.figures.style import (
     AXIS,
@@ -143,6 +143,7 @@ CONES = Drawing(
     _cones,
     _cones_caption,
     _cones_in_words,
+    motions=one(free_motion),
 )
 
 
@@ -292,4 +293,5 @@ ROLLING_CONES = Drawing(
     _rolling_caption,
     _rolling_in_words,
     _rolling_film,
+    motions=_rolling,
 )

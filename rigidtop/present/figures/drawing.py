@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from io import BytesIO
 from typing import Any
@@ -12,6 +12,7 @@ import matplotlib
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as Canvas
 
+from rigidtop.motion.motion import Motion
 from rigidtop.parameters import Parameter, settings
 from rigidtop.present.figures.style import STYLE
 
@@ -35,7 +36,8 @@ class Film:
 
 @dataclass(frozen=True)
 class Drawing:
-    """A figure.  `draw`, `caption`, `alternative` and `animate` take its parameters by name.
+    """A figure.  `draw`, `caption`, `alternative`, `animate` and `motions` take its parameters by
+    name.
 
     `section` is the section of the notes that it closes in the lecture; "" for none.  `alternative`
     says in ASCII what is to be seen.  No number of a caption can disagree with the picture: both
@@ -52,10 +54,17 @@ class Drawing:
     caption: Callable[..., str]
     alternative: Callable[..., str]
     animate: Callable[..., Film] | None = None
+    motions: Callable[..., Sequence[Motion]] | None = None
+    """Those that it shows, to be played."""
 
     def values(self, given: Mapping[str, float] | None = None) -> dict[str, float]:
         """Every parameter's value, those `given` checked against their ranges."""
         return settings(self.parameters, given or {})
+
+
+def one(motion: Callable[..., Motion]) -> Callable[..., Sequence[Motion]]:
+    """What a figure of a single motion shows."""
+    return lambda **values: (motion(**values),)
 
 
 def rendered(drawing: Drawing, kind: str, given: Mapping[str, float] | None = None) -> bytes:

@@ -14,7 +14,7 @@ from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.present.figures.bodies import TOP, top_in_words
-from rigidtop.present.figures.drawing import Drawing
+from rigidtop.present.figures.drawing import Drawing, one
 from rigidtop.present.figures.style import (
     COLUMN,
     DASHED,
@@ -114,6 +114,7 @@ TOPPLING = Drawing(
     _draw_toppling,
     _toppling_caption,
     _toppling_in_words,
+    motions=one(_toppling),
 )
 
 # --- The sleeping top ----------------------------------------------------------------------------

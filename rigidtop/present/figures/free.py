@@ -12,7 +12,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.motion import Motion
 from rigidtop.parameters import Parameter
-from rigidtop.present.figures.drawing import Drawing
+from rigidtop.present.figures.drawing import Drawing, one
 from rigidtop.present.figures.space import (
     View,
     arrow,
@@ -320,6 +320,7 @@ FLIP = Drawing(
     _draw_flip,
     _flip_caption,
     _flip_in_words,
+    motions=one(flip),
 )
 
 # --- Toutatis ------------------------------------------------------------------------------------
@@ -500,6 +501,7 @@ TUMBLING = Drawing(
     _draw_tumbling,
     _tumbling_caption,
     _tumbling_in_words,
+    motions=one(_tumbling),
 )
 """By default the asteroid of example 33: Takahashi, Busch & Scheeres 2013; moments in units of the
 smallest."""

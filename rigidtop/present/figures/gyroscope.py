@@ -212,4 +212,5 @@ GYROSCOPE = Drawing(
     _draw,
     _caption,
     _in_words,
+    motions=lambda tolerance, **values: (_motion(**values),),
 )

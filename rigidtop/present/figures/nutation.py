@@ -28,7 +28,7 @@ from rigidtop.present.figures.bodies import (
     top_in_words,
     vertical,
 )
-from rigidtop.present.figures.drawing import Drawing
+from rigidtop.present.figures.drawing import Drawing, one
 from rigidtop.present.figures.space import (
     UPRIGHT,
     View,
@@ -150,6 +150,7 @@ PATHS = Drawing(
     _draw_paths,
     _paths_caption,
     _paths_in_words,
+    motions=_paths,
 )
 
 
@@ -273,6 +274,7 @@ MOTION = Drawing(
     _draw_motion,
     _motion_caption,
     _motion_in_words,
+    motions=one(_start),
 )
 
 # --- A map of regimes ----------------------------------------------------------------------------

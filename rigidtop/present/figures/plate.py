@@ -18,7 +18,7 @@ from rigidtop.derivations.exercises.precession_of_rotation_axis import (
 from rigidtop.motion.attitude import from_euler_angles
 from rigidtop.motion.motion import Motion
 from rigidtop.motion.trajectory import Trajectory
-from rigidtop.present.figures.drawing import Drawing
+from rigidtop.present.figures.drawing import Drawing, one
 from rigidtop.present.figures.rotors import solid_disc
 from rigidtop.present.figures.solved import answers
 from rigidtop.present.figures.space import (
@@ -172,4 +172,5 @@ WOBBLING_PLATE = Drawing(
     _draw,
     _caption,
     _in_words,
+    motions=one(thrown),
 )

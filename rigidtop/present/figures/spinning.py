@@ -18,7 +18,7 @@ from rigidtop.present.figures.bodies import (
     start_in_words,
     top_in_words,
 )
-from rigidtop.present.figures.drawing import Drawing, Film
+from rigidtop.present.figures.drawing import Drawing, Film, one
 from rigidtop.present.figures.nutation import nutation_times
 from rigidtop.present.figures.space import (
     View,
@@ -183,4 +183,5 @@ SPINNING_TOP = Drawing(
     _caption,
     _in_words,
     _film,
+    motions=one(_motion),
 )

@@ -13,7 +13,7 @@ from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.present.figures.bodies import TOP, start_in_words, top_in_words
-from rigidtop.present.figures.drawing import Drawing
+from rigidtop.present.figures.drawing import Drawing, one
 from rigidtop.present.figures.space import (
     View,
     arrow,
@@ -181,4 +181,5 @@ TORQUE_ARROWS = Drawing(
     _draw,
     _caption,
     _in_words,
+    motions=one(_motion),
 )

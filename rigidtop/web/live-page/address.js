@@ -74,7 +74,7 @@ const LARGEST = 1e4;
  * @returns {Shape[]}
  */
 export function shapesOf(kind) {
-  return kind === "free" ? ["brick", "asteroid", "T-handle"] : ["top"];
+  return kind === "free" ? ["brick", "wheel", "asteroid", "T-handle"] : ["top"];
 }
 
 /**

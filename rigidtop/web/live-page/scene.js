@@ -478,7 +478,8 @@ function pointTo(
  * for a free one.
  */
 function trailOf(
-  /** @type {Motion} */ { setup }, /** @type {View} */ view, /** @type {ReadonlySet<Layer>} */ shown,
+  /** @type {Motion} */ { setup }, /** @type {View} */ view,
+  /** @type {ReadonlySet<Layer>} */ shown,
 ) {
   if (view === "body") return setup.kind === "free" ? rotationAxis : vertical;
   return shown.has("e3") ? e3Axis : shown.has("e2") ? e2Axis : shown.has("e1") ? e1Axis : e3Axis;

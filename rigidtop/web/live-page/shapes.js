@@ -110,8 +110,8 @@ export function createBodies(/** @type {Palette} */ palette) {
   /** @type {Map<string, { object: THREE.Object3D, fit: (motion: Motion) => number[] }>} */
   const built = new Map();
   const builders = {
-    "held-top": () => heldTop(wood, rod, dot, ground),
-    "top": () => freeTop(wood, rod),
+    "top": () => heldTop(wood, rod, dot, ground),
+    "wheel": () => freeWheel(wood, rod),
     "brick": () => brick(body, mark, edge),
     "asteroid": () => asteroid(rock),
     "T-handle": () => handle(steel, rod),
@@ -129,13 +129,12 @@ export function createBodies(/** @type {Palette} */ palette) {
       return halves;
     },
 
-    /** Show the body of a motion; a heavy one is always a top. */
+    /** Show the body of a motion. */
     show(/** @type {Motion} */ motion, /** @type {Shape} */ shape) {
-      const name = motion.setup.kind === "heavy-top" ? "held-top" : shape;
-      let chosen = built.get(name);
+      let chosen = built.get(shape);
       if (!chosen) {
-        chosen = builders[name]();
-        built.set(name, chosen);
+        chosen = builders[shape]();
+        built.set(shape, chosen);
         object.add(chosen.object);
       }
       for (const other of built.values()) other.object.visible = other === chosen;
@@ -217,7 +216,7 @@ function heldTop(wood, rod, dot, ground) {
 }
 
 /** A wheel with an axle, held nowhere. */
-function freeTop(/** @type {THREE.Material} */ wood, /** @type {THREE.Material} */ rod) {
+function freeWheel(/** @type {THREE.Material} */ wood, /** @type {THREE.Material} */ rod) {
   const object = new THREE.Group();
   const disc = new THREE.Mesh(turned(WHEEL, 0, FULL, 64), wood);
   const axle = new THREE.Mesh(turned(ROD, 0, FULL, 16), rod);

@@ -149,7 +149,7 @@ export interface Preset {
 }
 
 export type View = "space" | "body";
-export type Shape = "top" | "brick" | "asteroid" | "T-handle";
+export type Shape = "top" | "wheel" | "brick" | "asteroid" | "T-handle";
 export type Layer =
   | "e1" | "e2" | "e3" | "omega" | "L" | "torque" | "trail" | "cones" | "poinsot";
 

@@ -1,0 +1,70 @@
+// Figures of motions, played in place: the live page, unpacked when it is first asked for.
+(() => {
+  "use strict";
+  const read = (id) => document.getElementById(id).textContent;
+  /** By the names of the figures: kind of page, name and words of each of its motions. */
+  const motions = JSON.parse(read("live-motions"));
+  const addresses = new Map();
+  let unpacked = null;
+  /** The one that plays, and what brings its figure back. */
+  let stop = null;
+
+  async function unpack() {
+    const packed = Uint8Array.from(atob(read("live-page")), (letter) => letter.charCodeAt(0));
+    const plain = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    return new Response(plain).text();
+  }
+
+  async function addressOf(kind) {
+    unpacked ??= unpack();
+    const [before, after] = (await unpacked).split("{{data}}");
+    if (!addresses.has(kind)) {
+      const html = new Blob([before, read(`live-${kind}`), after], { type: "text/html" });
+      addresses.set(kind, URL.createObjectURL(html));
+    }
+    return addresses.get(kind);
+  }
+
+  function button(words, act) {
+    const made = document.createElement("button");
+    made.type = "button";
+    made.textContent = words;
+    made.addEventListener("click", act);
+    return made;
+  }
+
+  for (const figure of document.querySelectorAll("figure[data-figure]")) {
+    const own = motions[figure.dataset.figure] ?? [];
+    if (own.length === 0) continue;
+    const still = figure.querySelector("svg");
+    const bar = document.createElement("p");
+    bar.className = "live-bar";
+    const frame = document.createElement("iframe");
+    frame.className = "live-frame";
+    const back = button("■ Figure", () => stop?.());
+    const open = button("With sliders ↗", async () => {
+      const kind = own[0][0];
+      window.open(`${await addressOf(kind)}#preset=${frame.dataset.preset}`);
+    });
+    back.hidden = open.hidden = true;
+    for (const [kind, preset, words] of own) {
+      bar.append(button(`▶ ${words}`, async () => {
+        stop?.();
+        frame.title = `The motion of the figure: ${words}`;
+        frame.dataset.preset = preset;
+        frame.src = `${await addressOf(kind)}#preset=${preset}&embed=1&play=1`;
+        still.style.display = "none";
+        still.after(frame);
+        back.hidden = open.hidden = false;
+        stop = () => {
+          frame.remove();
+          still.style.display = "";
+          back.hidden = open.hidden = true;
+          stop = null;
+        };
+      }));
+    }
+    bar.append(back, open);
+    figure.querySelector("figcaption").before(bar);
+  }
+})();

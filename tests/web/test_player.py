@@ -1,0 +1,97 @@
+"""Figures of motions played in place, as in the lecture."""
+
+from __future__ import annotations
+
+import gzip
+import json
+import re
+from base64 import b64decode
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from rigidtop.present import html
+from rigidtop.present.figures.catalog import FIGURES
+from rigidtop.present.figures.drawing import both
+from rigidtop.present.lecture import Picture
+from rigidtop.web.player import player
+from rigidtop.web.setup import body_of, setup_of
+
+PICTURES = [Picture(each.name, each, {}) for each in FIGURES if each.motions]
+
+
+@pytest.fixture(scope="module")
+def made():
+    return player({each.name: each.motions() for each in PICTURES})
+
+
+def read(made, name):
+    return json.loads(re.search(rf'<script[^>]* id="{name}">(.*?)</script>', made, re.DOTALL)[1])
+
+
+def test_every_motion_of_a_figure_is_one_of_the_page(made):
+    shown = read(made, "live-motions")
+    assert set(shown) == {each.name for each in PICTURES}
+    pages = {kind: read(made, f"live-{kind}") for kind in ("free", "heavy-top")}
+    for each in PICTURES:
+        motions = each.motions()
+        assert len(shown[each.name]) == len(motions)
+        for (kind, name, words), motion in zip(shown[each.name], motions, strict=True):
+            (preset,) = [p for p in pages[kind]["presets"] if p["name"] == name]
+            setup = setup_of(motion)
+            assert preset["setup"]["values"] == pytest.approx(dict(setup.values), rel=1e-12)
+            assert body_of(setup).moments == motion.body.moments
+            assert words == ("Play" if len(motions) == 1 else motion.regime.capitalize())
+    for found in pages.values():
+        for slider in found["parameters"]:
+            values = [p["setup"]["values"][slider["name"]] for p in found["presets"]]
+            assert slider["least"] <= min(values) <= max(values) <= slider["most"]
+
+
+def test_it_is_markup_of_its_own_and_one_page(made):
+    ElementTree.fromstring(f"<body>{made}</body>")
+    packed = re.search(r'id="live-page">(.*?)</script>', made)[1]
+    page = gzip.decompress(b64decode(packed)).decode()
+    assert page.count("{{data}}") == 1
+    assert len(made) < 450_000
+    assert player({"two-masses": ()}) == ""
+
+
+def lecture_of(made, *names):
+    figures = "".join(
+        html._figure(each.described(), {each.name: both(each.drawing)[1].decode()})
+        for each in PICTURES
+        if each.name in names
+    )
+    return f'<!DOCTYPE html><meta charset="utf-8"><title>Lecture</title>{figures}{made}'
+
+
+def test_a_figure_is_played_in_its_place(live, made):
+    live.write("lecture", lecture_of(made, "paths", "flip"))
+    live.open("lecture", ready="")
+    bars = [[b.text for b in bar.find_elements("css selector", "button") if b.is_displayed()]
+            for bar in live.all(".live-bar")]  # fmt: skip
+    assert bars == [["▶ Play"], ["▶ Waves", "▶ Cusps", "▶ Loops"]]
+    assert not live.all("iframe")
+    for name, number in (("flip", 0), ("paths", 2)):
+        picture = next(each for each in PICTURES if each.name == name)
+        live.js(
+            f"""document.querySelectorAll('[data-figure="{name}"] .live-bar button')"""
+            f"[{number}].click()"
+        )
+        live.wait("document.querySelector('iframe')")
+        assert len(live.all("iframe")) == 1
+        assert not live.find(f'[data-figure="{name}"] svg').is_displayed()
+        live.driver.switch_to.frame(live.find("iframe"))
+        live.wait("window.rigidtop && rigidtop.motion.now.t > 0")
+        assert not live.find("#column").is_displayed()
+        assert not live.find("#notice").is_displayed()
+        t, e3 = live.js("[rigidtop.motion.now.t, [...rigidtop.motion.now.e3]]")
+        expected = picture.motions()[number].exact([t]).e3[0]
+        assert e3 == pytest.approx(np.asarray(expected), abs=1e-8)
+        live.driver.switch_to.default_content()
+    live.js("""document.querySelector('[data-figure="paths"] .live-bar button:nth-child(4)')"""
+            ".click()")  # fmt: skip
+    assert not live.all("iframe")
+    assert live.find('[data-figure="paths"] svg').is_displayed()
