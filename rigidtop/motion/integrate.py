@@ -53,6 +53,12 @@ GROWTH = 100.0
 SUBSTEPS = 8
 """A step of the solver is looked at this many times when turns are counted."""
 
+STRAYS = 10.0
+"""A motion is brought back to its constraints when it is off by so many tolerances."""
+
+MOST_RETURNS = 1000
+"""Of so many steps in a row that all lead away from the constraints none leads on."""
+
 BISECTIONS = 40
 """Near a pole the steps are halved up to so many times: 2⁻⁴⁰ is below the error of a motion."""
 
@@ -96,12 +102,24 @@ Progress = Callable[[int, int], None]
 """Is told how many motions of how many are done."""
 
 
-def flow(rates: Rates, start: Floats, end: float, accuracy: Accuracy, sizes: Sizes) -> Flow:
+Held = Callable[[float, Floats], Floats]
+"""A time and a state in, the state that keeps the constraints out."""
+
+
+def flow(
+    rates: Rates,
+    start: Floats,
+    end: float,
+    accuracy: Accuracy,
+    sizes: Sizes,
+    held: Held | None = None,
+) -> Flow:
     """Integrate ẋ = rates(x) from t = 0 to `end`, which may be negative.
 
+    Where it is `held` the motion is brought back whenever the solver's errors have led it away.
     Raises RigidtopError with the solver's message when it does not arrive.
     """
-    return joined(list(_stages(rates, start, end, accuracy, sizes)))
+    return joined(list(_stages(rates, start, end, accuracy, sizes, held)))
 
 
 def joined(pieces: Sequence[Flow]) -> Flow:
@@ -122,7 +140,12 @@ def joined(pieces: Sequence[Flow]) -> Flow:
 
 
 def _stages(
-    rates: Rates, start: Floats, end: float, accuracy: Accuracy, sizes: Sizes
+    rates: Rates,
+    start: Floats,
+    end: float,
+    accuracy: Accuracy,
+    sizes: Sizes,
+    held: Held | None,
 ) -> Iterator[Flow]:
     """The motion from 0 to `end` in pieces; usually one."""
 
@@ -131,14 +154,23 @@ def _stages(
 
     if not np.all(np.isfinite(right_hand_side(0.0, start))):
         raise RigidtopError("the rates overflow at the start: the velocities are too large")
-    time, state = 0.0, start
+    time, state, step, returns = 0.0, start, None, 0
     while time != end:
+        if held is not None:
+            state = held(time, state)
         unit = sizes(state)
 
         def growth(_: float, state: Floats, unit: Floats = unit) -> float:
             return float(np.max(sizes(state) / unit)) - GROWTH
 
-        growth.terminal = True  # type: ignore[attr-defined]
+        def strays(time: float, state: Floats, unit: Floats = unit) -> float:
+            assert held is not None
+            tolerance = accuracy.atol * unit + accuracy.rtol * np.abs(state)
+            return float(np.max(np.abs(held(time, state) - state) / tolerance)) - STRAYS
+
+        events = [growth] if held is None else [growth, strays]
+        for event in events:
+            event.terminal = True  # type: ignore[attr-defined]
         with warnings.catch_warnings():
             warnings.filterwarnings("ignore", category=UserWarning, message="lsoda")
             solution = solve_ivp(
@@ -149,13 +181,22 @@ def _stages(
                 rtol=accuracy.rtol,
                 atol=accuracy.atol * unit,
                 dense_output=True,
-                events=growth,
+                first_step=step and min(step, abs(end - time)),
+                events=events,
             )
         time, state = float(solution.t[-1]), solution.y[:, -1]
         path = solution.sol
         if path is None or solution.status < 0 or not np.all(np.isfinite(state)):
             reached = f"t = {time:g} on the way to {end:g}"
             raise RigidtopError(f"the integration stopped at {reached}: {solution.message}")
+        if held is not None:  # brought back, it goes on as it went
+            step = float(np.max(np.abs(np.diff(solution.t))))
+            returns = returns + 1 if len(solution.t) == 2 else 0
+            if returns > MOST_RETURNS:
+                raise RigidtopError(
+                    f"the integration stopped at t = {time:g} on the way to {end:g}: the "
+                    "constraints can't be kept"
+                )
         yield Flow(path, solution.t)
 
 

@@ -25,6 +25,7 @@ from rigidtop.motion import checks
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import TAYLOR, Accuracy, Flow, flow, joined, on_both_sides
 from rigidtop.motion.rows import Rows
+from rigidtop.system.held import Surface
 from rigidtop.system.names import expression, numbers, own_functions
 
 if TYPE_CHECKING:
@@ -35,6 +36,9 @@ HOLDS = 1e-9
 
 STEPS_AT_ONCE = 20_000
 """Between so many steps of a Taylor series an interrupt from the keyboard is heard."""
+
+STEPS_HELD = 20
+"""After so many steps of a Taylor series the constraints are put right."""
 
 LOOKS = 8
 """A step of the solver, or a part of it, is looked at so many times for an event."""
@@ -169,7 +173,7 @@ class SystemMotion:
                 f"the accelerations can't be computed at {place}: {why}; the mass matrix or a "
                 "force is singular there"
             )
-        return made
+        return tuple(made)
 
     def integrate(
         self,
@@ -191,7 +195,10 @@ class SystemMotion:
 
         `events` are quantities by name, of q, q̇ and t, whose zeros are wanted: see
         `SystemTrajectory.events`.  Rows after the first zero of `until` (before it, for t < 0) are
-        left out.  Raises RigidtopError where the solver does not arrive.
+        left out.  Constraints hold to rounding: when the solver's errors lead away from them, the
+        state is brought back, by as little as the masses allow.
+
+        Raises RigidtopError where the solver does not arrive.
         """
         times = checks.times(t)
         accuracy = Accuracy(method, rtol, atol)
@@ -205,7 +212,8 @@ class SystemMotion:
         def sample(motion: Flow, ordered: Floats) -> Floats:
             for name, value in wanted.items():
                 seen[name] += _zeros(motion, value, float(ordered[-1]))
-            return motion.path(ordered)
+            states = motion.path(ordered)
+            return self._surface.onto(ordered, states) if self.system.constraints else states
 
         def flows(end: float) -> Flow:
             made = self._flow(start, end, accuracy, self._sizes)
@@ -233,6 +241,14 @@ class SystemMotion:
             },
             ended=next((x for x in (last, first) if math.isfinite(x)), None),
         )
+
+    @cached_property
+    def _surface(self) -> Surface:
+        return Surface(self.system, self.parameters)
+
+    def _held(self, time: float, state: Floats) -> Floats:
+        """The state that keeps the constraints."""
+        return self._surface.onto(np.array([time]), state[:, None])[:, 0]
 
     def _watched(self, name: str, given: Any) -> Callable[[float, Floats], float]:
         """A quantity as a function of a time and a state."""
@@ -264,7 +280,10 @@ class SystemMotion:
     ) -> Flow:
         if accuracy.method == TAYLOR:
             return self._taylor(start, end, accuracy, sizes(start))
-        return flow(lambda x: self._rates_at(x), start, end, accuracy, sizes)
+        if not self.system.constraints:
+            return flow(self._rates_at, start, end, accuracy, sizes)
+        unit = sizes(start)
+        return flow(self._rates_at, start, end, accuracy, lambda _: unit, self._held)
 
     def _taylor(self, start: Floats, end: float, accuracy: Accuracy, unit: Floats) -> Flow:
         """By heyoka's Taylor series, of the state in `unit`s: below 1 its tolerance is absolute."""
@@ -277,15 +296,22 @@ class SystemMotion:
         right = compiled.on_symbols(heyoka, numeric.rates, "rates", [time, *own, *given])
         if numeric.timed:
             right.append(heyoka.expression(1.0))
+        # Those behind the last that occurs are not counted.
+        occurring = {str(x) for each in right for x in heyoka.get_params(each)}
+        values = [*self.parameters]
+        while values and str(given[len(values) - 1]) not in occurring:
+            values.pop()
         rows = [(x, rate / size) for x, rate, size in zip(state, right, unit, strict=True)]
-        integrator = heyoka.taylor_adaptive(
-            rows, start / unit, pars=self.parameters, tol=accuracy.rtol
-        )
+        integrator = heyoka.taylor_adaptive(rows, start / unit, pars=values, tol=accuracy.rtol)
         outcomes = heyoka.taylor_outcome
         pieces: list[Flow] = []
+        held = bool(self.system.constraints)
+        at_once = STEPS_HELD if held else STEPS_AT_ONCE
         while not pieces or integrator.time != end:
+            if held:
+                integrator.state[:] = self._held(integrator.time, integrator.state * unit) / unit
             outcome, *_, series, _ = integrator.propagate_until(
-                end, max_steps=STEPS_AT_ONCE, c_output=True
+                end, max_steps=at_once, c_output=True
             )
             fine = outcome in (outcomes.time_limit, outcomes.step_limit)
             if not (fine and np.all(np.isfinite(integrator.state))):
@@ -293,7 +319,7 @@ class SystemMotion:
                 raise RigidtopError(
                     f"the integration stopped at {reached}: the Taylor series overflows"
                 )
-            if len(pieces) * STEPS_AT_ONCE > MOST_STEPS:
+            if len(pieces) * at_once > MOST_STEPS:
                 raise RigidtopError(f"more than {MOST_STEPS} steps on the way to {end:g}")
             pieces.append(Flow(_path(series, unit), np.asarray(series.times)))
         return joined(pieces)

@@ -46,6 +46,7 @@ class Small:
 
     `about` are the steady values, of coordinates and velocities.  For forces that have a potential
     M and K are symmetric, and C is antisymmetric: gyroscopic.
+    With constraints δ are the deviations of the coordinates that are `free`; the others follow.
     """
 
     system: System
@@ -53,6 +54,7 @@ class Small:
     mass: Matrix
     damping: Matrix
     stiffness: Matrix
+    free: tuple[Expr, ...]
 
     def characteristic(self, frequency: Expr) -> Expr:
         """The determinant whose zeros are the angular frequencies.
@@ -180,22 +182,30 @@ def _grows(s: Any, M: Any, C: Any, K: Any, times: int) -> bool:
 
 
 def balance(system: System, rates: Sequence[Symbol] = ()) -> Matrix:
-    """∂L/∂q + Q with all velocities zero but the `rates`, which are constant (n×1, plain)."""
+    """∂L/∂q + Q + Aᵀλ with all velocities zero but the `rates`, which are constant (n×1, plain)."""
     names = system.names
     still = {v: sympy.S.Zero for v in names.v if v not in rates}
     forces = [
         (system.plain.diff(x) + Q).subs(still)
         for x, Q in zip(names.q, system.generalised_forces, strict=True)
     ]
-    return Matrix(forces)
+    return Matrix(forces) + _held(system)
+
+
+def _held(system: System) -> Matrix:
+    """Aᵀλ, the forces of the constraints (n×1)."""
+    n = len(system.q)
+    if not system.constraints:
+        return sympy.zeros(n, 1)
+    return system.rolling[:, :n].T * Matrix(system.multipliers)
 
 
 def equilibria(system: System) -> tuple[dict[Expr, Expr], ...]:
     """See `System.equilibria`."""
-    _no_rules(system)
+    _of_places(system)
     names = system.names
-    conditions = [x for x in balance(system) if x != 0]
-    unknown = [x for x in names.q if any(c.has(x) for c in conditions)]
+    conditions = [x for x in (*balance(system), *system.rules) if x != 0]
+    unknown = [x for x in (*names.q, *system.multipliers) if any(c.has(x) for c in conditions)]
     if not conditions:
         return ({},)
     if any(c.has(names.t) for c in conditions):
@@ -206,13 +216,14 @@ def equilibria(system: System) -> tuple[dict[Expr, Expr], ...]:
         raise RigidtopError("SymPy does not solve the conditions: see S.balance") from None
     real = [each for each in found if all(v.is_real is not False for v in each.values())]
     # By half angles SymPy loses an angle of π.
-    if len(unknown) <= MOST_ANGLES:
+    if len(unknown) <= MOST_ANGLES and not system.constraints:
         for values in product((sympy.S.Zero, sympy.pi), repeat=len(unknown)):
             place = dict(zip(unknown, values, strict=True))
             rests = all(decide.vanishes(c.subs(place)) for c in conditions)
             if rests and not any(_is_among(place, each) for each in real):
                 real.append(place)
-    return tuple({names.back(x): names.back(v) for x, v in each.items()} for each in real)
+    places = ({x: v for x, v in each.items() if x in names.q} for each in real)
+    return tuple({names.back(x): names.back(v) for x, v in each.items()} for each in places)
 
 
 def _is_among(place: Mapping[Expr, Expr], found: Mapping[Expr, Expr]) -> bool:
@@ -222,7 +233,7 @@ def _is_among(place: Mapping[Expr, Expr], found: Mapping[Expr, Expr]) -> bool:
 
 def small(system: System, about: Mapping[Any, Any]) -> Small:
     """See `System.small`."""
-    _no_rules(system)
+    _of_places(system)
     names = system.names
     place = dict.fromkeys(names.v, sympy.S.Zero)
     for key, value in about.items():
@@ -230,38 +241,68 @@ def small(system: System, about: Mapping[Any, Any]) -> Small:
         if symbol not in (*names.q, *names.v):
             raise RigidtopError(f"{key} is none of the coordinates and velocities")
         place[symbol] = names.plain(expression(f"the value of {key}", value))
-    missing = [x for x in names.q if x not in place and (system.plain.has(x) or _acts(system, x))]
+    missing = [x for x in names.q if x not in place and _acts(system, x)]
     if missing:
         raise RigidtopError(f"the steady motion gives no value for {names.back(missing[0])}")
-    residual = names.plain(system.equations).subs(dict.fromkeys(names.a, 0))
+    ways, free, pushed = _tangents(system, place)
+    equations = names.plain(system.equations).subs(pushed)
+    residual = equations.subs(dict.fromkeys(names.a, 0))
     wrong = [x.subs(place) for x in residual]
     if any(x.has(names.t) for x in wrong):
         raise RigidtopError("the equations change in time there: no steady motion")
     for x in wrong:
-        if not decide.vanishes(x) and not decide.vanishes(sympy.simplify(x)):
+        if not _is_zero(x):
             left = names.back(sympy.factor_terms(x))
             raise RigidtopError(f"this is no steady motion: a force of {left} is left")
     moved = [x for x in names.q if place.get(names.v[names.q.index(x)], 0) != 0]
     for x in moved:
-        if residual.has(x):
+        if residual.has(x) or any(rule.has(x) for rule in system.rules):
             raise RigidtopError(f"{names.back(x)} changes, and the equations contain it")
-    equations = names.plain(system.equations)
     still = dict.fromkeys(names.a, sympy.S.Zero)
     M, C, K = (
-        equations.jacobian(list(group)).subs(still).subs(place)
+        ways.T * equations.jacobian(list(group)).subs(still).subs(place) * ways
         for group in (names.a, names.v, names.q)
     )
     if any(side.has(names.t) for side in (M, C, K)):
         raise RigidtopError("the deviations change in time by themselves: no frequencies")
     given = {names.back(x): names.back(value) for x, value in place.items()}
-    shown = (names.back(side.applyfunc(sympy.factor_terms)) for side in (M, C, K))
-    return Small(system, given, *shown)
+    mass, damping, stiffness = (
+        names.back(side.applyfunc(sympy.factor_terms)) for side in (M, C, K)
+    )
+    own = tuple(system.q[k] for k in free)
+    return Small(system, given, mass, damping, stiffness, own)
 
 
 def _acts(system: System, x: Symbol) -> bool:
-    return any(Q.has(x) for Q in system.generalised_forces)
+    return any(y.has(x) for y in (system.plain, *system.generalised_forces, *system.rules))
 
 
-def _no_rules(system: System) -> None:
-    if system.constraints:
-        raise RigidtopError("a system with constraints: choose coordinates that need none")
+def _of_places(system: System) -> None:
+    for rule, of_places in zip(system.constraints, system.holonomic, strict=True):
+        if not of_places:
+            raise RigidtopError(f"{rule} = 0 is a constraint of velocities: see S.balance")
+
+
+def _tangents(
+    system: System, place: Mapping[Expr, Expr]
+) -> tuple[Matrix, list[int], dict[Expr, Expr]]:
+    """The deviations that the constraints allow as columns, whose they are, the multipliers."""
+    names, n = system.names, len(system.q)
+    if not system.constraints:
+        return sympy.eye(n), [*range(n)], {}
+    for rule, given in zip(system.rules, system.constraints, strict=True):
+        if not _is_zero(rule.subs(place)):
+            raise RigidtopError(f"the constraint {given} = 0 does not hold there")
+    A = system.rolling[:, :n].subs(place)
+    following = A.rref(iszerofunc=_is_zero)[1]
+    if len(following) < A.rows:
+        raise RigidtopError("the constraints depend on one another there")
+    still = dict.fromkeys(names.a, sympy.S.Zero)
+    left = names.plain(system.equations).subs(still).subs(place)
+    [pushed] = sympy.solve([left[k] for k in following], system.multipliers, dict=True)
+    columns = Matrix.hstack(*A.nullspace(iszerofunc=_is_zero), sympy.zeros(n, 0))
+    return columns, [k for k in range(n) if k not in following], pushed
+
+
+def _is_zero(value: Expr) -> bool:
+    return decide.vanishes(value) or decide.vanishes(sympy.simplify(value))

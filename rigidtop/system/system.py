@@ -663,7 +663,7 @@ class System:
 
     @cached_property
     def balance(self) -> Matrix:
-        """∂L/∂q + Q where all velocities vanish (n×1): zero at an equilibrium."""
+        """∂L/∂q + Q + Σ λA where all velocities vanish (n×1): zero at an equilibrium."""
         from rigidtop.system.steady import balance
 
         return self.names.back(balance(self).applyfunc(short))
@@ -671,9 +671,8 @@ class System:
     def equilibria(self) -> tuple[dict[Expr, Expr], ...]:
         """Where the system stays at rest, as SymPy solves it: the coordinates that are not free.
 
-        Angles of 0 and π, which SymPy may lose, are tried besides.
-
-        Raises RigidtopError where SymPy does not, and for constraints.
+        Angles of 0 and π, which SymPy may lose, are tried besides where there are no constraints.
+        Raises RigidtopError where SymPy does not, and for constraints of velocities.
 
         >>> from sympy import cos, symbols
         >>> m, l, g = symbols("m l g", positive=True)
@@ -689,7 +688,8 @@ class System:
         """Small deviations from a steady motion: matrices, frequencies, stability.
 
         `about` gives the steady values of coordinates and velocities; velocities that are not given
-        are zero.  Raises RigidtopError where that is no steady motion.
+        are zero.  With constraints of coordinates they are the deviations of as many coordinates as
+        are free.  Raises RigidtopError where that is no steady motion.
         """
         from rigidtop.system.steady import small
 

@@ -67,7 +67,6 @@ NUMBERS = {m: 1, k: 2}
         (lambda: SPRING.motion(NUMBERS, 1).integrate(1, method="euler"), "unknown method 'euler'"),
         (lambda: SPRING.small({x: 1}), "no steady motion: a force of k is left"),
         (lambda: SPRING.small({}), "gives no value for x"),
-        (lambda: BOB.small({x: 0, y: -1}), "choose coordinates that need none"),
         (lambda: rt.Mass(m, [1]), "a place has two or three components, not 1"),
         (lambda: rt.Body(m, [1, 2], [0, 0], None), "three principal moments, not 2"),
         (lambda: rt.System.of_parts([x], x, u), "a part is a Mass or a Body, not x"),

@@ -1,0 +1,64 @@
+"""States brought back to where the constraints hold, which rounding and a solver's errors leave."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rigidtop.codegen.numpy import Function
+from rigidtop.motion.attitude import Floats
+
+if TYPE_CHECKING:
+    from rigidtop.system.system import System
+
+STEPS = 2
+"""Of Newton's method, from what is as near as a solver's error."""
+
+
+@dataclass(frozen=True)
+class Surface:
+    """Where the constraints hold, for numbers of the parameters.
+
+    A state is moved by as little as can be, as the masses measure it: M δ + Aᵀλ = 0, A δ = −g for
+    the coordinates, and then for the velocities with what is left of A q̇ + b.
+    """
+
+    system: System
+    parameters: tuple[float, ...]
+
+    @cached_property
+    def _sides(self) -> Function:
+        """M, A with b behind it, and the constraints of coordinates."""
+        system = self.system
+        mass = system.names.plain(system.mass_matrix)
+        places = [x for x, of in zip(system.rules, system.holonomic, strict=True) if of]
+        return system.numeric.of((*mass, *system.rolling, *places))
+
+    def onto(self, times: Floats, states: Floats) -> Floats:
+        """The nearest states (x, N) of q, q̇ and what follows them; itself where there is none."""
+        n, made = len(self.system.q), states.copy()
+        chosen = np.array(self.system.holonomic, dtype=bool)
+        for last in (*[False] * STEPS, True):
+            with np.errstate(all="ignore"):
+                found = self._sides.array(times, *made[: 2 * n], *self.parameters)
+            mass = found[: n * n].T.reshape(-1, n, n)
+            rolling = found[n * n :][: len(chosen) * (n + 1)].T.reshape(-1, len(chosen), n + 1)
+            A, left = rolling[..., :n], found[n * n + len(chosen) * (n + 1) :].T
+            if last:
+                left = np.einsum("tkn,nt->tk", A, made[n : 2 * n]) + rolling[..., n]
+            else:
+                A = A[:, chosen]
+            k = A.shape[1]
+            border = np.zeros((len(times), n + k, n + k))
+            border[:, :n, :n], border[:, n:, :n] = mass, A
+            border[:, :n, n:] = A.swapaxes(1, 2)
+            right = np.concatenate([np.zeros((len(times), n)), -left], axis=1)
+            try:
+                moved = np.linalg.solve(border, right[..., None])[:, :n, 0].T
+            except np.linalg.LinAlgError:
+                return states
+            made[slice(n, 2 * n) if last else slice(n)] += moved
+        return np.where(np.isfinite(made), made, states)
