@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections import Counter
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -75,6 +76,10 @@ def _run(
     judgements = [judgement for _, judgement in claims.judged(found, collection.letters, lecture)]
     trials = tried(lecture, names) if lecture is not None and options.thorough else {}
     amiss = [line for place, trial in trials.items() for line in _amiss(place, trial)]
+    model: list[str] = []
+    if lecture is not None and collection.folder is None:
+        model = asked(lecture, [claim.name for _, claim in found] if names or not every else [])
+        amiss += model[:-1]
     passed = all(judgement.passed for judgement in judgements) and not amiss
     records = [record(Wording(notation).judgement(judgement)) for judgement in judgements]
     if options.json:
@@ -101,8 +106,33 @@ def _run(
         print(line)
     if trials:
         print(_counts([*trials.values()]))
+    for line in model[-1:]:
+        print(line)
     print(claims.summary(judgements))
     return 0 if passed else claims.FAILED
+
+
+def asked(lecture: Lecture, names: Sequence[str]) -> list[str]:
+    """Where lines and the models disagree, a line each; last how many were asked, and not."""
+    from rigidtop.mark.asked import ask
+
+    wanted = [name for name in names if name in lecture.names]
+    ids = {id for name in wanted for id in lecture.way(name)[0]}
+    found = ask(lecture, ids) if ids or not names else {}
+    said = []
+    for id, each in found.items():
+        follows = lecture.judged(id).follows
+        place = f"{each.line.file}, line {each.line.at}"
+        if each.holds is False:
+            follows_too = "it follows and" if follows else "it does not follow, and"
+            said.append(f"{place}: {follows_too} is false in the model")
+        elif each.holds and not follows:
+            said.append(f"{place}: it is true in the model and does not follow")
+    true = sum(each.holds is True for each in found.values())
+    others = Counter(each.why for each in found.values() if each.holds is None)
+    counts = "; ".join(f"{count}: {why}" for why, count in others.most_common())
+    last = f"{len(found)} lines, of which the model bears out {true}"
+    return [*said, f"{last}, and could not be asked of {counts}" if counts else last]
 
 
 def tried(lecture: Lecture, names: Sequence[str]) -> dict[str, Trial]:

@@ -138,6 +138,8 @@ class Model:
                 continue
             inside = value(rate.args[0], {**self.meaning, **found})
             found[rate] = self._derivative(inside)
+            if BODY in rate.args and isinstance(inside, MatrixBase):
+                found[rate] -= self.meaning[s.omega_vec].cross(inside)
         return found
 
     def _derivative(self, expression: Any) -> Any:
@@ -376,6 +378,28 @@ def _free(symmetric: bool) -> Model:
         return model
     meaning[s.Omega_b] = (s.lambda1 - s.lambda3) * s.omega3 / s.lambda1
     return replace(model, words="λ₂ = λ₁", meaning=meaning, limits=(_SYMMETRIC,))
+
+
+@cache
+def turning() -> Model:
+    """Euler's equations with any torque, in body components."""
+    torque = Matrix([s.N1, s.N2, s.N3])
+    free, rates = _free(symmetric=False), dict(zip(OMEGA, body_accelerations(torque), strict=True))
+    omega, momentum, energy = Matrix(OMEGA), angular_momentum(), kinetic_energy()
+    along = total_derivative(momentum, rates)
+    kept = {x: m for x, m in free.meaning.items() if x in (s.e1, s.e2, s.e3, s.omega_vec, s.L_vec)}
+    meaning: dict[Any, Any] = {
+        **kept,
+        **dict(zip((s.L1, s.L2, s.L3), momentum, strict=True)),
+        **dict(zip(OMEGA_DOT, rates.values(), strict=True)),
+        s.L: sympy.sqrt(momentum.dot(momentum)),
+        s.T: energy,
+        s.Tdot: total_derivative(energy, rates),
+        s.L_vecdot: along + omega.cross(momentum),
+        s.N_vec: torque,
+        s.N_ext: torque,
+    }
+    return Model("", meaning, rates, frame=omega)
 
 
 @cache

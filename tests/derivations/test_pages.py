@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import replace
 
 import pytest
+import sympy
+from sympy import Eq, Ge, Gt, Le, Lt, Ne
 
 from rigidtop.derivations import PAGES, lecture_with
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.derivations.letters import LETTERS
+from rigidtop.mark.asked import NAMES, NEARLY, NOWHERE, SPECIAL, STRANGE, ask
+from rigidtop.proof import decide
 from rigidtop.proof.derivation import judge_line
+from rigidtop.proof.equation import Printed
+from rigidtop.proof.page import Check, Correction, Remark
 from rigidtop.read.page import Raw
 
 LECTURE = lecture_with([each.text for each in EXERCISES if each.text])
@@ -102,3 +109,70 @@ def test_no_two_laws_give_one_scalar_a_value() -> None:
     scalars = [x for x in sides if x.is_Symbol and x not in LETTERS.vectors]
     assert len(scalars) > 10
     assert [x for x in scalars if scalars.count(x) > 1] == []
+
+
+# --- Are they true? -----------------------------------------------------------------------------
+
+
+def test_no_line_is_false_and_what_is_not_asked_has_its_reason() -> None:
+    found = ask(LECTURE)
+    assert {*found} == {*LECTURE.lines}
+    assert [id for id, each in found.items() if each.holds is False] == []
+    counts = Counter(each.why for each in found.values())
+    assert counts[""] >= 270
+    assert {*counts} == {"", STRANGE, NAMES, NEARLY, NOWHERE, SPECIAL}
+    assert all((each.holds is None) == bool(each.why) for each in found.values())
+
+
+# --- Conditions of the pages, assumptions of the claims ------------------------------------------
+
+_RELATIONS = {"≠": Ne, ">": Gt, "≥": Ge}
+
+DIFFER = {
+    "two-mass-points": "the page speaks of the general tilt, the claim of its exceptions",
+    "principal-axes": "the page: for two moments that differ, orthogonality is to be shown",
+    "space-cone": "the page takes positive roots; the claim says that ω is off the axis",
+    "example-33": "the page says it of ζ, the claim of an angle",
+    "3.52": "the page calls it Ω, and that it divides is said of (3.51)",
+    "parallel-approximation": "the page compares terms, the claim divides by them",
+    "two-roots": "the page takes ω₃ > 0, so that a root has a sign",
+    "slow-agrees": "the page takes ω₃ > 0, so that a root has a sign",
+    "fast-is-free": "the page divides by Ω, the claim by cos θ",
+    "nutation": "the page shows the frequency, the claim the sleeping top too",
+    "azimuth": "the page inherits that the axis is tilted; the slope is the claim's alone",
+    "friction": "the page speaks of the slip as it is, the claim of its size",
+}
+"""Where a page divides by something else than its claim, and why both are right."""
+
+
+def known_nonzero(expression: sympy.Expr, conditions: list[sympy.Rel]) -> bool:
+    return decide.nonzero(expression, conditions) or any(
+        decide.positive(sign * expression, conditions) for sign in (1, -1)
+    )
+
+
+def test_conditions_of_the_pages_are_the_assumptions_of_the_claims() -> None:
+    pages, differ = LECTURE, set()
+    for claim in (x for page in PAGES for x in page.claims if x.name in pages.names):
+        checks = [x for x in claim.evidence() if isinstance(x, Check)]
+        said = [x for x in checks if not isinstance(x, (Correction, Remark))]
+        assumed = [a.condition for x in said for a in x.assuming if not isinstance(a.condition, Eq)]
+        _, starts = pages.way(claim.name)
+        inherited = [c for id in starts for c in pages.judged(id).known.conditions]
+        own = [
+            c
+            for id in pages.names[claim.name]
+            for c in pages.judged(id).known.conditions
+            if c not in inherited and c.relation in _RELATIONS and not c.expression.has(Printed)
+        ]
+        recorded = [_RELATIONS[c.relation](c.expression, 0) for c in own]
+        unequal = [c for c in assumed if isinstance(c, Ne)]
+        agree = (
+            all(known_nonzero(c.expression, assumed) for c in own if c.relation == "≠")
+            and all(decide.positive(c.expression, assumed) for c in own if c.relation == ">")
+            and all(known_nonzero(c.lhs - c.rhs, recorded) for c in unequal)
+        )
+        assert all(isinstance(c, (Ne, Gt, Lt, Ge, Le)) for c in assumed)
+        if not agree:
+            differ.add(claim.name)
+    assert differ == {*DIFFER}

@@ -1,0 +1,244 @@
+"""The lines of the pages, asked of the models of the lecture: are they true, whoever follows?
+
+A line follows by its move from what it cites, which knows no model.  Apart from that its equations
+are held here against `rigidtop.theory`, by numbers: an identity at any q and q̇, what holds along
+the motion with q̈ by the equations of motion, what holds where something is set with that put in.
+Of the models that know its letters one has to bear it out.  It is false where one refutes it that
+bears out all that it cites; where none does the motion is a special one, and it can't be asked.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import pairwise
+from typing import Any
+
+import sympy
+from sympy import Expr, Integer, Symbol
+
+from rigidtop.mark import facts
+from rigidtop.mark.facts import Model
+from rigidtop.mark.links import ERRORS
+from rigidtop.proof import decide
+from rigidtop.proof.derivation import Line
+from rigidtop.proof.equation import BODY, SPACE, Equation, NoMeaningError, Partial
+from rigidtop.proof.lecture import Lecture
+from rigidtop.proof.moves import Condition, Known, Scope
+from rigidtop.proof.verdict import entries
+from rigidtop.theory import symbols as s
+from rigidtop.theory import top
+from rigidtop.theory.symbols import const
+
+PLACES, ATTEMPTS = 3, 12
+"""So many places at which all is real are enough; so often they are looked for."""
+
+NEARLY = "it holds approximately"
+STRANGE = "no model knows its letters"
+NOWHERE = "no model says what it speaks of"
+SPECIAL = "it holds for special bodies or motions"
+NAMES = "it gives a name"
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What the models say of a line: whether it holds; None with `why` it can't be asked."""
+
+    line: Line
+    holds: bool | None
+    why: str = ""
+
+
+def ask(lecture: Lecture, ids: Collection[str] = ()) -> dict[str, Asked]:
+    """What the models say of lines, or of all, and of those that they rest on, by their ids."""
+    wanted = {*ids, *(x for id in ids for x in lecture.above(id))} if ids else {*lecture.lines}
+    models = [_Asking(model, lecture) for model in _models()]
+    return {id: _asked(lecture, line, models) for id, line in lecture.lines.items() if id in wanted}
+
+
+def _asked(lecture: Lecture, line: Line, models: Sequence[_Asking]) -> Asked:
+    known = lecture.judged(line.id).known
+    if known.order is not None or any(e.relation == "≈" for e in line.equations):
+        return Asked(line, None, NEARLY)
+    if _is_named(line) and [model for model in models if model.names(line)]:
+        return Asked(line, None, NAMES)
+    refuting, why = [], STRANGE
+    for model in models:
+        found = model.holds(line.id)
+        if found is True:
+            return Asked(line, True)
+        if found is False:
+            refuting.append(model)
+        elif model.knows(line):
+            why = NOWHERE
+    if not refuting:
+        return Asked(line, None, why)
+    cited = [x for x in lecture.cites(line.id) if not _is_named(lecture.lines[x])]
+    if _is_given(line) or not any(all(map(model.holds, cited)) for model in refuting):
+        return Asked(line, None, SPECIAL)
+    return Asked(line, False)
+
+
+def _is_named(line: Line) -> bool:
+    return line.move is not None and line.move.verb == "call"
+
+
+def _is_given(line: Line) -> bool:
+    """Whether it says what an exercise is about, or names or sets something."""
+    if line.move is None:
+        return line.file.startswith("exercises/")
+    return line.move.verb in ("call", "set")
+
+
+def _letters(line: Line) -> set[Symbol]:
+    found = {x for e in line.equations for side in e.sides for x in side.free_symbols}
+    return found - {const, SPACE, BODY}
+
+
+def _models() -> list[Model]:
+    """The models that mark answers, and a body with a torque, with what pages write besides."""
+    lagrangian = top.symmetric_lagrangian()
+    slopes = {Partial(s.Lagrangian, x): lagrangian.diff(x) for x in (*top.ANGLES, *top.RATES)}
+    made = []
+    of_marks = (model for family in facts.families() for model in family)
+    for model in (*of_marks, facts.turning()):
+        more: dict[Any, Any] = dict(slopes) if s.Lagrangian in model.meaning else {}
+        if s.omega_vec in model.meaning and s.T in model.meaning:
+            symmetric = s.Lagrangian in model.meaning
+            more[s.inertia] = sympy.diag(
+                s.lambda1, s.lambda1 if symmetric else s.lambda2, s.lambda3
+            )
+        made.append(replace(model, meaning={**model.meaning, **more}))
+    return made
+
+
+# --- One model -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class _Asking:
+    """A model with the letters that pages define in its terms, and what it says of lines."""
+
+    model: Model
+    lecture: Lecture
+    defined: list[tuple[str, Symbol, Any]] = field(default_factory=list)
+    found: dict[str, bool | None] = field(default_factory=dict)
+
+    def names(self, line: Line) -> bool:
+        """Take a definition down; whether the model has no such letter of its own."""
+        letter, right = line.equations[0].sides[:2]
+        if letter in self.letters:
+            return False
+        if right.free_symbols <= self.letters | {*self._own(line.file)}:
+            with suppress(*ERRORS):  # else the letter stays unknown
+                self.defined.append((line.file, letter, self._on(line.file).before_limits(right)))
+        return True
+
+    @cached_property
+    def letters(self) -> set[Symbol]:
+        return self.model.symbols()
+
+    def _own(self, file: str) -> Mapping[Symbol, Any]:
+        """The letters that were defined on the page, or in the lecture before."""
+        return {x: v for of, x, v in self.defined if of == file or not of.startswith("exercises/")}
+
+    def _on(self, file: str) -> Model:
+        own = self._own(file)
+        return replace(self.model, meaning={**own, **self.model.meaning}) if own else self.model
+
+    def knows(self, line: Line) -> bool:
+        """Whether it has all letters of a line."""
+        return _letters(line) <= self.letters | {*self._own(line.file)}
+
+    @property
+    def _moves(self) -> bool:
+        """Whether the accelerations are those of the motion: an identity holds for any."""
+        return self.model.rates.get(s.thetadot, s.thetaddot) != s.thetaddot
+
+    def holds(self, id: str) -> bool | None:
+        """Whether a line holds here; None where that can't be asked."""
+        if id not in self.found:
+            line = self.lecture.lines[id]
+            self.found[id] = None
+            if self.knows(line):
+                with suppress(*ERRORS):
+                    known = self.lecture.judged(id).known
+                    cited = [self.lecture.judged(x).known.scope for x in self.lecture.cites(id)]
+                    # Of a line that does not follow it is not known where it should hold.
+                    if not self._moves or max([known.scope, *cited]) is not Scope.IDENTITY:
+                        self.found[id] = _holds(line, known, self._on(line.file))
+        return self.found[id]
+
+
+def _holds(line: Line, known: Known, model: Model) -> bool | None:
+    """Whether a line holds at a few places; None where nothing is real.
+
+    Raises one of `ERRORS` where the model has no value for it.
+    """
+    put = _where_set(known.conditions, model)
+    bounds = [
+        sympy.sympify(model.value(c.expression)).xreplace(put)
+        for c in known.conditions
+        if c.relation in (">", "≥")
+    ]
+    gaps = [
+        (e.relation, sympy.sympify(gap).xreplace(put))
+        for e in line.equations
+        for gap in _gaps(e, model)
+    ]
+    places = 0
+    for attempt in range(ATTEMPTS):
+        if any(not bound > 0 for bound in decide.values(bounds, attempt)):
+            continue
+        rows = [decide.values(sympy.Add.make_args(gap), attempt) for _, gap in gaps]
+        if not all(math.isfinite(x) for row in rows for x in row):
+            continue
+        if not all(_fits(relation, row) for (relation, _), row in zip(gaps, rows, strict=True)):
+            return False
+        places += 1
+        if places == PLACES:
+            break
+    return True if places else None
+
+
+def _fits(relation: str, terms: list[float]) -> bool:
+    """Whether a sum is as a relation to 0 says."""
+    total, rounding = sum(terms), decide.TOLERANCE * (1 + sum(map(abs, terms)))
+    if relation in ("<", "≤"):
+        return total < rounding
+    if relation in (">", "≥"):
+        return total > -rounding
+    return (abs(total) <= rounding) != (relation == "≠")
+
+
+def _gaps(equation: Equation, model: Model) -> Iterator[Expr]:
+    """What an equation compares with 0."""
+    for left, right in pairwise(equation.sides):
+        if left == const:
+            raise NoMeaningError("a constant of which nothing is known")
+        values = (
+            (model.rate(left), Integer(0)) if right == const else map(model.value, (left, right))
+        )
+        yield from entries(*values)
+
+
+def _where_set(conditions: Iterable[Condition], model: Model) -> Mapping[Symbol, Expr]:
+    """What is set, as values for free letters.  Raises NoMeaningError where it gives none."""
+    put: dict[Symbol, Expr] = {}
+    for condition in conditions:
+        if condition.relation != "=":
+            continue
+        gap = sympy.sympify(model.value(condition.expression)).xreplace(put)
+        for x in sorted(gap.free_symbols, key=str):
+            slope = gap.diff(x)
+            if slope.is_number and slope != 0:
+                new = {x: x - gap / slope}
+                put = {old: value.xreplace(new) for old, value in put.items()} | new
+                break
+        else:
+            if gap != 0:
+                raise NoMeaningError("what is set is none of the letters that are free")
+    return put
