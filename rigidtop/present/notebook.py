@@ -1,7 +1,6 @@
 """Jupyter: symbols print as in the notes, claims with their verdicts; pictures, and sliders.
 
-    from rigidtop.derivations.letters import LETTERS
-from rigidtop.present.notebook import enable, plot, sliders
+    from rigidtop.present.notebook import enable, plot, sliders
 
     enable()
 

@@ -130,10 +130,25 @@ def maths(tex: str) -> str:
     """A LaTeX formula as Typst mathematics, without the dollars."""
     from tylax import latex_to_typst
 
-    made = latex_to_typst(f"${tex}$").strip().strip("$").strip()
+    # What follows a fraction of single letters would be set close to it: 1/nux.
+    apart = re.sub(r"(\{(?:\\[A-Za-z]+|\w+)\})(?=[\w\\])", r"\1 ", tex)
+    made = latex_to_typst(f"${apart}$").strip().strip("$").strip()
     made = re.sub(r"#text\[([^\]]*)\]", lambda m: f'"{_words(m[1])}"', made)
     made = re.sub(r"_\(([^()]*)\)('+)", r"\2_(\1)", made)  # else the prime goes to the index
-    return re.sub(r"(\d+)/(\d+)", r"inline(\1/\2)", made)  # only a \tfrac becomes a plain a/b
+    return re.sub(r'"[^"]*"|(\w+)/ ?(\w+)', _fraction, made)
+
+
+def _fraction(found: re.Match[str]) -> str:
+    r"""A plain a/b, which a fraction becomes that has one letter or number above and one below.
+
+    >>> maths(r"\tfrac{1}{12}M + \frac{1}{\nu}\,x + \text{rad/s}")
+    'inline(1/12) M + frac(1, nu) thin x + "rad/s"'
+    """
+    over, under = found.groups()
+    if over is None:  # in words
+        return found[0]
+    whole = over.isdigit() and under.isdigit()
+    return f"inline({over}/{under})" if whole else f"frac({over}, {under})"
 
 
 def _words(text: str) -> str:

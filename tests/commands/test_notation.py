@@ -72,7 +72,7 @@ def test_the_conventions_as_json(capsys):
         ("text", "I₁θ̈ = I₁φ̇² sin θ cos θ − I₃(ψ̇ + φ̇ cos θ)φ̇ sin θ + Mgl sin θ  (3.54)"),
         ("latex", r"I_{1}\ddot{\theta} &= I_{1}\dot{\phi}^{2}\sin\theta\cos\theta - I_{3}"),
         ("html", "<msub><mi>I</mi><mn>1</mn></msub>"),
-        ("typst", "I_(1)dot.double(theta)"),
+        ("typst", "I_(1) dot.double(theta)"),
         ("python", "def equation_3_54(theta, thetadot, phidot, psidot, I1, I3, M, g, l):"),
         ("c", "double psidot, double I1"),
         ("fortran", "I1, I3, M, g, l, out)"),

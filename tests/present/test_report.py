@@ -390,14 +390,16 @@ def test_latex_fragment_is_equations_with_comments(judged):
 
 def test_typst_document(lecture):
     source = typst.write(lecture, {"small": "figures/small.svg"})
-    assert '#eq("3.57", "proved", $ 0 &= (lambda_(1)cos theta) Omega^(2)' in source
+    assert '#eq("3.57", "proved", $ 0 &= (lambda_(1) cos theta) Omega^(2)' in source
     assert "<claim" not in source  # labels are made by the function
     assert "inline(1/2)" in source
 
 
 def test_typst_keeps_primes_and_small_fractions():
     assert typst.maths(r"\mathbf{e}_{1}'") == "upright(bold(e))'_(1)"
-    assert typst.maths(r"\tfrac{1}{2}x") == "inline(1/2)x"
+    assert typst.maths(r"\tfrac{1}{2}x") == "inline(1/2) x"
+    assert typst.maths(r"\frac{\nu}{\mu}(x)") == "frac(nu, mu)(x)"
+    assert typst.maths(r"x\frac{a}{12}b") == "x frac(a, 12) b"
     assert typst.maths(r"x = \text{const}") == 'x = "const"'
 
 
