@@ -1,5 +1,6 @@
 """Jacobi's functions against mpmath at 50 digits, and where SciPy fails."""
 
+import itertools
 import math
 
 import numpy as np
@@ -18,7 +19,13 @@ def exactly(u, m, m1=None):
     """sn, cn, dn and their slopes by u."""
     mp = CONTEXT
     parameter = mp.mpf(m) if m1 is None else 1 - mp.mpf(m1)
-    sn, cn, dn = (mp.ellipfun(name, mp.mpf(u), m=parameter) for name in ("sn", "cn", "dn"))
+    turns, left = 0, mp.mpf(u)
+    if parameter < 1:
+        turns = mp.nint(left / (2 * mp.ellipk(parameter)))
+        left -= turns * 2 * mp.ellipk(parameter)
+    sn, cn, dn = (mp.ellipfun(name, left, m=parameter) for name in ("sn", "cn", "dn"))
+    sign = (-1) ** int(turns)
+    sn, cn = sign * sn, sign * cn
     return (sn, cn, dn), (cn * dn, -sn * dn, -parameter * sn * cn)
 
 
@@ -33,8 +40,15 @@ def drawn(count, seed):
         yield float(random.choice([u, u / 9, u * 1e-9, size * random.integers(-3, 4) + near])), m
 
 
+EXTREME = itertools.product(
+    (1e-30, 1e-8, -0.7, 40.0, -700.0, 1e5, -1e8, 1e15, -1e15),
+    (0.0, 1e-300, EPS / 2, 0.5, math.nextafter(0.5, 1), 1 - 1e-10, 1 - EPS / 2, 1.0),
+)
+"""Arguments and parameters."""
+
+
 def test_against_fifty_digits():
-    for u, m in drawn(800, 4):
+    for u, m in [*drawn(400, 4), *EXTREME]:
         found = jacobi(u, m)
         known, slopes = exactly(u, m)
         for value, true, slope in zip(found, known, slopes, strict=False):
@@ -90,6 +104,21 @@ def test_inverse_and_third_kind():
         amplitude = float(jacobi(u, m).am)
         true = mp.ellippi(mp.mpf(n), mp.mpf(amplitude), mp.mpf(m))
         assert float(third_kind(n, u, m)) == pytest.approx(float(true), rel=1e-13)
+
+
+def test_the_third_kind_next_to_its_pole_and_far_from_it():
+    mp, random = CONTEXT, np.random.default_rng(10)
+    for _ in range(200):
+        n = float(random.choice([-(10 ** random.uniform(-3, 3)), 1 - 10 ** random.uniform(-8, 0)]))
+        m = float(random.choice([random.random(), 1 - 10 ** random.uniform(-16, 0)]))
+        u = float(random.normal() * 10 ** random.uniform(-3, 2))
+        (sn, _, _), _ = exactly(u, m)
+        turns = mp.nint(mp.mpf(u) / (2 * mp.ellipk(m)))
+        true = mp.ellippi(n, mp.asin(sn) * (-1) ** int(turns) + mp.pi * turns, m)
+        allowed = (50 + 2 * math.log(1 / (1 - m))) * (abs(true) + abs(u)) + 8 * abs(u) / (
+            1 - n * sn**2
+        )
+        assert abs(float(third_kind(n, u, m)) - true) <= allowed * EPS, (n, u, m)
 
 
 @pytest.mark.parametrize("m", [-0.1, 1.1, math.nan])
