@@ -365,7 +365,7 @@ class EulerTopMotion(TopMotion):
             object.__setattr__(self, name, value)
 
     @cached_property
-    def attitude(self) -> Rotation:  # type: ignore[override]
+    def attitude(self) -> Rotation:
         return self.euler.attitude
 
     def start(self) -> TopTrajectory:

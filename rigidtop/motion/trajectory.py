@@ -180,6 +180,10 @@ class TopTrajectory(TopState, Trajectory):
         return {"energy": self.energy, "p_phi": self.p_phi, "p_psi": self.p_psi}
 
 
+def _sampled(name: str) -> cached_property[Floats]:
+    return cached_property(lambda self: self.samples.of(name)[0])
+
+
 class EvenTop(TopTrajectory):
     """The closed form at many evenly spaced times: what is asked for is interpolated."""
 
@@ -191,38 +195,12 @@ class EvenTop(TopTrajectory):
         for name, value in (values | {"upright_phi_dot": states.upright_phi_dot}).items():
             object.__setattr__(self, name, value)
 
-    @cached_property
-    def cos_half(self) -> Floats:
-        return self.samples.of("cos_half")[0]
-
-    @cached_property
-    def sin_half(self) -> Floats:
-        return self.samples.of("sin_half")[0]
-
-    @cached_property
-    def phi(self) -> Floats:
-        return self.samples.of("phi")[0]
-
-    @cached_property
-    def psi(self) -> Floats:
-        return self.samples.of("psi")[0]
-
-    @cached_property
-    def theta_dot(self) -> Floats:
-        return self.samples.of("theta_dot")[0]
-
-    @cached_property
-    def v_phi(self) -> Floats:
-        return self.samples.of("v_phi")[0]
-
-    @cached_property
-    def theta(self) -> Floats:
-        return self.samples.of("theta")[0]
-
-    @cached_property
-    def phi_dot(self) -> Floats:
-        return self.samples.of("phi_dot")[0]
-
-    @cached_property
-    def psi_dot(self) -> Floats:
-        return self.samples.of("psi_dot")[0]
+    cos_half = _sampled("cos_half")
+    sin_half = _sampled("sin_half")
+    phi = _sampled("phi")
+    psi = _sampled("psi")
+    theta_dot = _sampled("theta_dot")
+    v_phi = _sampled("v_phi")
+    theta = _sampled("theta")
+    phi_dot = _sampled("phi_dot")
+    psi_dot = _sampled("psi_dot")

@@ -39,7 +39,6 @@ class Arrays:
     atanh = staticmethod(np.arctanh)
     acos = staticmethod(np.arccos)
     exp = staticmethod(np.exp)
-    expm1 = staticmethod(np.expm1)
     hypot = staticmethod(np.hypot)
     copysign = staticmethod(np.copysign)
     larger = staticmethod(np.maximum)
@@ -58,7 +57,7 @@ class Arrays:
         return (1 - t * t) * per, 2 * t * per
 
     @staticmethod
-    def cubics(coefficients: Sequence[Sequence[Real]], x: Real) -> Sequence[Real]:
+    def cubics(coefficients: Sequence[Sequence[Real]], x: Real) -> Any:
         """Cubics of one x; of one motion they are one matrix product."""
         if np.ndim(x) == 1 and isinstance(coefficients[0][0], float):
             powers = np.empty((4, len(x)))
