@@ -35,18 +35,18 @@ STATE = (0.5, 0.0, 0.0, 0.1, 1.0, 40.0)
 """θ, φ, ψ and their rates at t = 0."""
 
 END = 10.0
-TRUTH = (0.4888053728390981437, 2.397747377595791806, 406.6868628059444844)
-"""θ, φ and ψ at the end, by Taylor series with 50 digits (tests/motion/reference/taylor.py)."""
 
 
 @dataclass(frozen=True)
 class Kind:
-    """A motion of another kind: of the example top, or of a free body."""
+    """A motion of the example top, or of a free body."""
 
     name: str
 
     truth: tuple[float, float, float, float]
-    """The quaternion of its attitude at the end, as `TRUTH`."""
+    """The quaternion of its attitude at the end, by Taylor series with 50 digits.
+
+    See tests/motion/reference/taylor.py."""
 
     start: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
     """θ, θ̇, φ̇ and ψ̇ of the top."""
@@ -56,6 +56,20 @@ class Kind:
 
     omega: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
+    def motion(self) -> Any:
+        from rigidtop.motion.body import FreeBody
+        from rigidtop.motion.top import HeavyTop
+
+        if self.moments is not None:
+            return FreeBody(*self.moments).motion(self.omega)
+        return HeavyTop(**TOP).motion(**dict(zip(START, self.start, strict=True)))
+
+
+EXAMPLE = Kind(
+    "the example top",
+    (-0.9151311559196205, 0.21371230694656781, 0.11348931310410929, -0.322462700379366),
+    (0.5, 0.1, 1.0, 40.0),
+)
 
 KINDS = (
     Kind(
@@ -129,6 +143,8 @@ KINDS = (
     ),
 )
 
+FREE = next(kind for kind in KINDS if kind.moments)
+
 TOLERANCE = 1e-12
 ROUNDS = 5
 STATES = 100_000
@@ -188,8 +204,8 @@ def measure(quick: bool = False, progress: Progress | None = None) -> list[Row]:
             for n in sizes
             for kind in KINDS
         ),
-        ("one time of a top", "", 1, _one_time_of_a_top),
-        ("one time of a free body", "", 1, _one_time_of_a_body),
+        ("one time of a top", "", 1, lambda: _one_time(EXAMPLE)),
+        ("one time of a free body", "", 1, lambda: _one_time(FREE)),
         (
             f"{TOPS // scale:,} tops, each at one time",
             "",
@@ -289,20 +305,11 @@ def _system(state: Sequence[float]) -> tuple[float, ...]:
     return theta_dot, phi_dot, psi_dot, *_by_hand(theta, theta_dot, phi_dot, psi_dot)
 
 
-def _error(last: Sequence[float]) -> float:
-    return max(abs(found - true) for found, true in zip(last, TRUTH, strict=True))
-
-
 def _trajectory(samples: int) -> list[Way]:
     from scipy.integrate import odeint, solve_ivp
 
-    from rigidtop.motion.top import HeavyTop
-
     t = np.linspace(0.0, END, samples)
-
-    def exact() -> Any:
-        run = HeavyTop(**TOP).motion(**START).exact(t)
-        return run.theta, run.phi, run.psi, run.theta_dot, run.phi_dot, run.psi_dot
+    exact, heyoka = _other(EXAMPLE, samples)
 
     def dop853() -> Any:
         return solve_ivp(
@@ -325,58 +332,45 @@ def _trajectory(samples: int) -> list[Way]:
             mxstep=100_000,
         ).T
 
-    def last(rows: Any) -> float:
-        return _error([row[-1] for row in rows[:3]])
-
     return [
-        Way("exact", exact, last),
-        _heyoka_grid(t, last),
-        Way("solve_ivp DOP853, 1e-12", dop853, last),
-        Way("odeint, 1e-12", lsoda, last, rounds=2 if samples > 100_000 else ROUNDS),
-        _pydy(t, last),
+        exact,
+        heyoka,
+        Way("solve_ivp DOP853, 1e-12", dop853, exact.error),
+        Way("odeint, 1e-12", lsoda, exact.error, rounds=2 if samples > 100_000 else ROUNDS),
+        _pydy(t, exact.error),
     ]
 
 
 def _other(kind: Kind, samples: int) -> list[Way]:
     """The closed form and the fastest of the others; of a free body attitude and ω."""
     from rigidtop.motion import attitude
-    from rigidtop.motion.body import FreeBody
-    from rigidtop.motion.top import HeavyTop
 
-    t, top = np.linspace(0.0, END, samples), kind.moments is None
-    theta, theta_dot, phi_dot, psi_dot = kind.start
-    start = dict(zip(START, kind.start, strict=True))
+    t, truth = np.linspace(0.0, END, samples), np.array(kind.truth)
+    theta, *rates = kind.start
 
     def exact() -> Any:
+        path = kind.motion().exact(t)
         if kind.moments is not None:
-            run: Any = FreeBody(*kind.moments).motion(kind.omega).exact(t)
-            return [*run.quaternion.T, *run.omega.T]
-        path = HeavyTop(**TOP).motion(**start).exact(t)
+            return [*path.quaternion.T, *path.omega.T]
         return path.theta, path.phi, path.psi, path.theta_dot, path.phi_dot, path.psi_dot
 
     def last(rows: Any) -> float:
         q = np.array([row[-1] for row in rows[:4]])
-        if top:
+        if kind.moments is None:
             q = attitude.from_spinors(np.cos(q[0] / 2), np.sin(q[0] / 2), q[1], q[2])
-        q, truth = q / np.linalg.norm(q), np.array(kind.truth)
+        q = q / np.linalg.norm(q)
         return 2 * float(min(np.linalg.norm(q - truth), np.linalg.norm(q + truth)))
 
-    if top:
-        return [
-            Way("exact", exact, last),
-            _heyoka_grid(t, last, (theta, 0.0, 0.0, theta_dot, phi_dot, psi_dot)),
-        ]
-    return [
-        Way("exact", exact, last),
-        _heyoka_grid(t, last, (1.0, 0.0, 0.0, 0.0, *kind.omega), kind.moments),
-    ]
+    body = (1.0, 0.0, 0.0, 0.0, *kind.omega)
+    start = (theta, 0.0, 0.0, *rates) if kind.moments is None else body
+    return [Way("exact", exact, last), _heyoka_grid(t, last, start, kind.moments)]
 
 
 def _heyoka_grid(
     t: Floats,
     last: Callable[[Any], float],
-    start: Sequence[float] = STATE,
-    moments: Sequence[float] | None = None,
+    start: Sequence[float],
+    moments: Sequence[float] | None,
 ) -> Way:
     """The example top in Euler angles, or a free body in its quaternion and ω."""
     from rigidtop.motion import equations
@@ -402,7 +396,7 @@ def _heyoka_grid(
     return Way(name, go, last)
 
 
-def _pydy(t: Floats, last: Callable[[Any], float]) -> Way:
+def _pydy(t: Floats, last: Callable[[Any], float] | None) -> Way:
     """The same top from Kane's equations, as PyDy's manual has it."""
     name = "PyDy System.integrate, 1e-12"
     with _quiet():
@@ -459,25 +453,10 @@ def _quiet() -> Iterator[None]:
 # --- One time ---
 
 
-def _one_time_of_a_top() -> list[Way]:
-    from rigidtop.motion.top import HeavyTop
-
-    known = HeavyTop(**TOP).motion(**START)
+def _one_time(kind: Kind) -> list[Way]:
+    known = kind.motion()
     return [
-        Way("exact, a new motion", lambda: HeavyTop(**TOP).motion(**START).exact(END)),
-        Way("exact, again", lambda: known.exact(END)),
-        Way("integrate, DOP853, 1e-12", lambda: known.integrate(END, rtol=1e-12), rounds=1),
-    ]
-
-
-def _one_time_of_a_body() -> list[Way]:
-    from rigidtop.motion.body import FreeBody
-
-    body = next(kind for kind in KINDS if kind.moments)
-    assert body.moments is not None
-    moments, known = body.moments, FreeBody(*body.moments).motion(body.omega)
-    return [
-        Way("exact, a new motion", lambda: FreeBody(*moments).motion(body.omega).exact(END)),
+        Way("exact, a new motion", lambda: kind.motion().exact(END)),
         Way("exact, again", lambda: known.exact(END)),
         Way("integrate, DOP853, 1e-12", lambda: known.integrate(END, rtol=1e-12), rounds=1),
     ]
@@ -766,6 +745,20 @@ def _compared(
         if exact.seconds and other.seconds:
             found.append((kind, exact, other, exact.seconds / other.seconds))
     return sorted(found, key=lambda one: -one[3])
+
+
+def markdown(rows: Sequence[Row]) -> str:
+    """Every kind of motion: a line of times over heyoka's, a column each task, the worst first."""
+    tasks = {task: _compared(ways) for task, ways in _by_task(rows)}
+    tasks = {task: found for task, found in tasks.items() if found}
+    lines = [["`exact`, over heyoka's time", *tasks, "error of `exact`, of heyoka (rad)"]]
+    lines.append(["---"] * len(lines[0]))
+    for kind in [found[0] for found in next(iter(tasks.values()), [])]:
+        one = {task: next(x for x in found if x[0] == kind) for task, found in tasks.items()}
+        errors = [row.error for row in list(one.values())[-1][1:3] if row.error is not None]
+        shares = [f"{share:.2f} ×" for _, _, _, share in one.values()]
+        lines.append([kind, *shares, ", ".join(f"{error:.0e}" for error in errors)])
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
 
 def records(rows: Sequence[Row]) -> list[dict[str, Any]]:

@@ -19,6 +19,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--quick", action="store_true", help="a tenth of the samples and one round, in seconds"
     )
+    parser.add_argument(
+        "--markdown", action="store_true", help="print the table of kinds of motions as Markdown"
+    )
     parser.add_argument("--plot", metavar="FILE", help="also draw the ratios (.png, .svg, .pdf)")
 
 
@@ -32,7 +35,8 @@ def run(options: argparse.Namespace) -> int:
     if plot is not None and plot.suffix not in PLOTS:
         raise RigidtopError(f"--plot wants a name that ends in {', '.join(PLOTS)}, not {plot}")
     rows = bench.measure(options.quick, bar("measuring"))
-    print(json.dumps(bench.records(rows), indent=1) if options.json else bench.table(rows))
+    shown = bench.markdown(rows) if options.markdown else bench.table(rows)
+    print(json.dumps(bench.records(rows), indent=1) if options.json else shown)
     if plot is not None:
         drawing = io.BytesIO()
         bench.figure(rows).savefig(drawing, format=plot.suffix[1:], dpi=150)
