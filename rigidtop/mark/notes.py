@@ -220,6 +220,8 @@ class _Ledger:
     functions: Mapping[Symbol, tuple[Symbol, ...]]
     given: dict[Symbol, _Given] = field(default_factory=dict)
     law: _Law | None = None
+    other: _Law | None = None
+    """That of another form of ℒ which contradicts it: which of them is meant is open."""
     sets: dict[Symbol, _Given] = field(default_factory=dict)
     """What is set for a special motion: θ̇ by 0, φ̇ by Ω."""
     section: int = 0
@@ -258,11 +260,11 @@ class _Ledger:
 
     def judged(self, number: int, line: Line, equation: Equation) -> Held:
         """All links of a chain; the first one may say what a letter stands for."""
-        first, *others = equation.sides
+        first, *others = map(self.named, equation.sides)
         if const in others:
-            links = [(a, None if b == const else b) for a, b in pairwise(equation.sides)]
+            links = [(a, None if b == const else b) for a, b in pairwise([first, *others])]
         else:
-            links = list(pairwise(equation.sides))
+            links = list(pairwise([first, *others]))
         made: list[Held] = []
         inner = 0
         defines = self.defines(first, others)
@@ -273,12 +275,23 @@ class _Ledger:
             self.linked(number, line, left, right, bool(k))
             for k, (left, right) in enumerate(links, inner)
         ]
-        if defines and any(each.verdict == Verdict.FALSE for each in made):
-            del self.given[first]  # what comes below goes on from what was written last
+        law, known = self.law, self.given.get(first)
+        wrong = any(each.verdict == Verdict.FALSE for each in made)
+        if defines and wrong and law is not None and _base(first) in _LAGRANGIANS:
             self.defined(number, line, first, others[-1:])
-        worst = max(made, key=lambda each: _ORDER.index(each.verdict))
+            self.law, self.other, self.given[first] = law, self.law, known or self.given[first]
+        said = made[1:] if defines and len(made) > 1 and made[0].verdict == PREMISE else made
+        worst = max(said, key=lambda each: _ORDER.index(each.verdict))
         rests = sorted({x for each in made for x in each.rests} - {number})
         return replace(worst, rests=tuple(rests))
+
+    def named(self, side: Any) -> Any:
+        """V for V(x, θ), of which nothing was said above."""
+        if not isinstance(side, eq.At) or side.args[0] in self.given:
+            return side
+        letter, *of = side.args
+        known = self.moving | {TIME}
+        return letter if len(of) > 1 and all(_bare(x) in known for x in of) else side
 
     # What letters stand for
 
@@ -350,7 +363,7 @@ class _Ledger:
         words = "by Lagrange's equations"
         expanded = tuple(sympy.expand(x) for x in vanishing)
         self.law = _Law(q, expanded, known.rests, words, self.section, value)
-        self.sets = {}
+        self.sets, self.other = {}, None
         energies = self.energies(side)
         if energies is not None and energies[1] != -1:
             at = " − ".join(text(x) for x in energies[0])
@@ -498,8 +511,7 @@ class _Ledger:
             if where is not None:
                 return made(Verdict.ASSUMING, f"where {text(where)} > 0")
             return made(shown, "by what is said above" if rests else "whatever its letters are")
-        law = self.law
-        if law is not None:
+        for law in filter(None, (self.law, self.other)):
             shown = _along(residual, law)
             if shown is not None:
                 return made(shown, law.words, *law.rests)
@@ -539,12 +551,18 @@ class _Ledger:
         closed = self.letters_of(rests) | {TIME}
         by_file = bool(rests) and self.is_closed(left, sides, inner)
         along = law is not None and letters <= law.letters | closed
+        against = self.against(sides) if law is not None and not law.broken else None
+        if against is not None and law is not None:
+            return made(Verdict.FALSE, against, *law.rests)
         if not along and not by_file:
             strange = sorted(letters - closed - (law.letters if law else set()), key=str)
             said = ", ".join(map(text, strange)) or "what stands here"
             return made(Verdict.UNDECIDED, f"nothing above says what {said} is")
         if _nearly(residual, sides, law.q if law else tuple(self.moving)):
             words = "it holds to the lowest order in the coordinates only: write ≈"
+            return made(Verdict.UNDECIDED, words)
+        if _is_polynomial(sides[1], self.moving) and not _is_polynomial(sides[0], self.moving):
+            words = "it may be an expansion about another place: write ≈"
             return made(Verdict.UNDECIDED, words)
         if law is not None and along and any(_accent(x) == "ddot" for x in residual.free_symbols):
             if law.broken:
@@ -577,15 +595,20 @@ class _Ledger:
         if not all({_bare(x) for x in side.free_symbols} & self.moving for side in sides):
             return False
         mine, theirs = (side.free_symbols - {TIME} for side in sides)
-        if getattr(left, "atoms", lambda *_: False)(eq.Rate, eq.Partial) or (
-            _accent(left) and left in self.given
-        ):
-            return theirs <= mine
-        if isinstance(left, Lettered):
-            known = self.given.get(left)
-            made = known is not None and len(known.rests) > 1
-            return mine == theirs and (made or self.by_law(left) is not None)
-        return inner and mine == theirs
+        law = self.law if self.law is not None and self.law.rests <= self.used else None
+        within = {_bare(x) for x in theirs} <= {_bare(x) for x in mine}.union(
+            law.letters if law is not None else ()
+        )
+        if getattr(left, "atoms", lambda *_: False)(eq.Rate, eq.Partial):
+            return within
+        if not isinstance(left, Lettered):
+            return inner and mine == theirs
+        known = self.given.get(left)
+        if _accent(left):  # a derivative, or a rate that stands in the momenta: solved for it
+            return (known is not None and theirs <= mine) or (law is not None and left in theirs)
+        if law is not None and (known is None or law.rests <= known.rests):
+            return within
+        return known is not None and len(known.rests) > 1 and mine == theirs
 
     def is_other(self, left: Any, right: Any, residual: Expr) -> bool:
         """Whether a letter of which something was said stands for something else from here on."""
@@ -609,7 +632,7 @@ class _Ledger:
         words = ", ".join(
             f"{text(x)} = {text(v)}" for x, v in meant.items() if _accent(x) != "ddot"
         )
-        if not {*meant} & residual.free_symbols:
+        if not {*meant}.union(*(x.free_symbols for x in meant.values())) & residual.free_symbols:
             return None
         bare = sympy.expand(residual.subs(meant).subs(meant))
         if _vanishes(bare) is not None:
@@ -619,12 +642,35 @@ class _Ledger:
             given = vanishing.subs(meant).subs(meant)
             if _vanishes(given) is not None:
                 continue
-            factor = decide.reduce_ratio(bare / given)
-            below = sympy.fraction(factor)[1]
-            if not below.has(Add):
-                lost = [x for x in below.atoms(sympy.sin, sympy.cos) if below.has(x)]
+            lost = _follows(bare, sympy.expand(given))
+            if lost is not None:
                 more = "".join(f", {text(x)} ≠ 0" for x in lost)
                 return words + more, lines | set(self.law.rests if self.law else ())
+        return None
+
+    def against(self, sides: tuple[Expr, Expr]) -> str | None:
+        """Numbers for the special motion that was set, at which a line does not hold."""
+        law = self.law
+        meant = {x: g.value for x, g in self.sets.items()}
+        new = {y for x in meant.values() for y in x.free_symbols}
+        if law is None or not ({*meant} | new) & (sides[0] - sides[1]).free_symbols:
+            return None
+        given = [sympy.expand(x.subs(meant).subs(meant)) for x in law.vanishing]
+        moved = {_dotted(x, 2) for x in law.q}
+        given = [x for x in given if not x.has(*moved) and _vanishes(x) is None]
+        known = {_bare(x) for x in (sides[0] - sides[1]).free_symbols} - law.letters
+        if len(given) != 1 or not known <= new | {TIME} or _functions(*sides, *given):
+            return None
+        linear = [x for x in given[0].free_symbols if not _moves(x) and given[0].diff(x, 2) == 0]
+        for x in sorted(linear, key=str):
+            solved = {x: -given[0].subs(x, 0) / given[0].diff(x)}
+            put = [sympy.expand(side.subs(meant).subs(meant)).subs(solved) for side in sides]
+            found = (
+                None if _vanishes(put[0] - put[1]) is not None else _numbers((put[0], put[1]), None)
+            )
+            if found is not None:
+                told = ", ".join(f"{text(y)} = {text(v)}" for y, v in meant.items() if v != 0)
+                return f"where {told}, {text(x)} balances: {found}"
         return None
 
     def turned(self, residual: Expr, holds: bool = False) -> Symbol | None:
@@ -770,7 +816,7 @@ def _vanishes(residual: Expr) -> Verdict | None:
     flat, _ = _plain(sympy.sympify(residual))
     if flat == 0:
         return Verdict.PROVED
-    tried = [_is_zero(flat.subs(point)) for point in _points(flat.free_symbols, POINTS)]
+    tried = [_is_zero(flat.xreplace(point)) for point in _points(flat.free_symbols, POINTS)]
     if False in tried or True not in tried:
         return None
     if sympy.count_ops(flat) < SHOWN_TO and decide.vanishes(flat):
@@ -794,10 +840,10 @@ def _along(residual: Expr, law: _Law) -> Verdict | None:
     for point in _points(
         wanted.free_symbols.union(*(x.free_symbols for x in given)) - {*a}, POINTS
     ):
-        solved = _accelerations([x.subs(point) for x in given], a)
+        solved = _accelerations([x.xreplace(point) for x in given], a)
         if solved is None:
             continue
-        zero = _is_zero(wanted.subs(point).subs(solved))
+        zero = _is_zero(wanted.xreplace(point).xreplace(solved))
         if zero is False:
             return None
         tried += zero is True
@@ -814,6 +860,12 @@ def _along(residual: Expr, law: _Law) -> Verdict | None:
     return Verdict.SAMPLED
 
 
+def _is_polynomial(side: Expr, moving: Iterable[Symbol]) -> bool:
+    """Whether a side with more than numbers is a polynomial in what moves."""
+    moves = {x for x in side.free_symbols if _bare(x) in moving}
+    return bool(moves) and side.is_polynomial(*moves)
+
+
 def _is_linear(residual: Expr, law: _Law) -> bool:
     """Whether a line is linear in what moves and the law is not: it may be of small deviations."""
     scale = sympy.Dummy("scale", positive=True)
@@ -822,21 +874,45 @@ def _is_linear(residual: Expr, law: _Law) -> bool:
     return twice[0] == 0 and any(x != 0 for x in twice[1:])
 
 
+def _follows(wanted: Expr, given: Expr) -> tuple[Expr, ...] | None:
+    """What must not vanish so that wanted = 0 says what given = 0 does; None where it does not.
+
+    The two are multiples of one sum; what they have besides are letters, sines and cosines.
+    """
+    ratio = decide.reduce_ratio(wanted / given)
+    functions = {f: sympy.Dummy() for f in (ratio + given).atoms(sympy.Function)}
+    over, below = (x.xreplace(functions) for x in sympy.fraction(ratio))
+    if below.has(Add) or over.has(Add) or not sympy.factor(given.xreplace(functions)).has(Add):
+        return None
+    kept = {new: old for old, new in functions.items()}
+    return tuple(kept[x] for x in sorted(below.free_symbols & {*kept}, key=str))
+
+
 def _at_rest(residual: Expr, law: _Law) -> str:
     """The accelerations without which a line is one of the law's equations, in words."""
     for vanishing in law.vanishing:
         a = [_dotted(x, 2) for x in law.q if vanishing.has(_dotted(x, 2))]
         given = sympy.expand(vanishing.subs(dict.fromkeys(a, 0)))
-        if given != 0 and not decide.reduce_ratio(residual / given).has(Add):
-            return ", ".join(f"{text(x)} = 0" for x in a)
+        lost = _follows(residual, given) if given != 0 else None
+        if lost is not None:
+            words = [f"{text(x)} = 0" for x in a] + [f"{text(x)} ≠ 0" for x in lost]
+            return ", ".join(words)
     return ""
 
 
 def _accelerations(vanishing: Sequence[Expr], a: Sequence[Symbol]) -> dict[Symbol, Expr] | None:
     """The accelerations where numbers are put in for all else."""
-    matrix = sympy.Matrix([[x.diff(y) for y in a] for x in vanishing])
-    right = -sympy.Matrix([x.subs(dict.fromkeys(a, 0)) for x in vanishing])
-    matrix, right = (m.applyfunc(lambda x: sympy.N(x, DIGITS + 10)) for m in (matrix, right))
+    none = dict.fromkeys(a, Integer(0))
+
+    def at(x: Expr, point: Mapping[Symbol, Expr]) -> Expr:
+        return sympy.N(x.xreplace(point), DIGITS + 10)
+
+    rest = [at(x, none) for x in vanishing]
+    rows = [
+        [at(x, {**none, y: Integer(1)}) - r for y in a]
+        for x, r in zip(vanishing, rest, strict=True)
+    ]
+    matrix, right = sympy.Matrix(rows), -sympy.Matrix(rest)
     if not matrix.is_square or abs(matrix.det()) < sympy.Float(10) ** (10 - DIGITS):
         columns = [k for k in range(len(a)) if any(matrix[i, k] != 0 for i in range(matrix.rows))]
         if len(columns) != matrix.rows or not columns:

@@ -1,0 +1,75 @@
+"""Anyone's notes held against themselves: what is right follows, what is wrong is told."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from rigidtop.mark.notes import held, rows
+from rigidtop.notation import OWN
+from rigidtop.read.formula import read
+from rigidtop.read.project import habits, sources
+
+AUTHORS = Path(__file__).with_name("authors")
+FILES = ("goldstein.tex", "landau.tex", "morin.tex", "arnold.md")
+FINE = {"proved", "sampled", "assuming", "premise"}
+
+
+def judged(path):
+    found = sources(path)
+    return rows(found[0].text, habits(found, OWN), 60)
+
+
+def verdicts(text):
+    return [each.verdict for each in held(read(text, OWN))]
+
+
+@pytest.mark.parametrize(("name", "follow"), [*zip(FILES, (9, 6, 9, 8), strict=True)])
+def test_the_notes_of_four_authors_follow_from_themselves(name, follow):
+    found = judged(AUTHORS / name)
+    assert {each.held.verdict for each in found} <= FINE
+    assert sum(each.held.passed is True for each in found) == follow
+    assert all(each.number or not each.display or each.held.verdict != "false" for each in found)
+
+
+SLIPS = [
+    ("goldstein.tex", r"\cos\theta\right)^2 - Mgl", r"\cos\theta\right)^2 + Mgl"),
+    ("goldstein.tex", r"= I_3(\dot\psi + \dot\phi\cos\theta) = ",
+     r"= I_3(\dot\psi - \dot\phi\cos\theta) = "),
+    ("goldstein.tex", r"I_1\sin^2\theta + I_3\cos^2", r"I_1\cos^2\theta + I_3\cos^2"),
+    ("goldstein.tex", r"\frac{b - a\cos\theta}{\sin^2\theta}, \label{eq:phidot}",
+     r"\frac{b + a\cos\theta}{\sin^2\theta}, \label{eq:phidot}"),
+    ("goldstein.tex", r"\frac{I_1 a}{I_3} - ", r"\frac{I_3 a}{I_1} - "),
+    ("goldstein.tex", r"\half I_1\frac{(b", r"I_1\frac{(b"),
+    ("goldstein.tex", r"\dot\phi\sin\theta + Mgl\sin", r"\dot\phi\sin\theta - Mgl\sin"),
+    ("goldstein.tex", r"\Omega + Mgl = 0", r"\Omega - Mgl = 0"),
+    ("landau.tex", r"= I_3(\dot\psi + \dot\varphi\cos", r"= I_1(\dot\psi + \dot\varphi\cos"),
+    ("landau.tex", r"(I_1'\sin^2", r"(I_1\sin^2"),
+    ("landau.tex", r"\frac{M_z - \M\cos\theta}{I_1'\sin^2\theta}, \tag{5}",
+     r"\frac{M_z - \M\sin\theta}{I_1'\sin^2\theta}, \tag{5}"),
+    ("landau.tex", r"\frac{\M}{I_3} - \cos", r"\frac{\M}{I_3} + \cos"),
+    ("landau.tex", r"- \mu g l(1 - \cos\theta)", r"- \mu g l(1 + \cos\theta)"),
+    ("morin.tex", r"+ mg(\ell + x)\cos\th - ", r"- mg(\ell + x)\cos\th - "),
+    ("morin.tex", r"= m(\ell + x)^2\dot\th.", r"= m(\ell + x)\dot\th."),
+    ("morin.tex", r"m\ddot x = m(\ell + x)\dot\th^2 + ", r"m\ddot x = -m(\ell + x)\dot\th^2 + "),
+    ("morin.tex", r"+ 2m\dot x\dot\th", r"+ m\dot x\dot\th"),
+    ("arnold.md", r"= r^2\dot\ph \tag", r"= r\dot\ph \tag"),
+    ("arnold.md", r"r\dot\ph^2 - \frac{\partial U}", r"r\dot\ph^2 + \frac{\partial U}"),
+    ("arnold.md", r"M = x\dot y - y\dot x", r"M = x\dot y + y\dot x"),
+]  # fmt: skip
+"""A file, what stands there, and a slip: a sign, a factor, a function, an index, a power."""
+
+
+@pytest.mark.parametrize(("name", "right", "wrong"), SLIPS)
+def test_a_slip_is_found_where_it_is_and_nothing_else_is_condemned(name, right, wrong, tmp_path):
+    text = (AUTHORS / name).read_text("utf-8")
+    assert text.count(right) == 1
+    path = tmp_path / name
+    path.write_text(text.replace(right, wrong), "utf-8")
+    line = text[: text.index(right)].count("\n") + 1
+    found = judged(path)
+    false = [each for each in found if each.held.verdict == "false"]
+    assert len(false) == 1
+    starts = [each.line for each in found if each.line <= line]
+    assert false[0].line in (line, max(starts))
+    assert re.search("the left side is .*, the right side|the two sides differ", false[0].held.note)
