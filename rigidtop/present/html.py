@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import singledispatch
 from html import escape
 from importlib.resources import files
@@ -291,19 +291,54 @@ def _numbers(block: Numbers) -> str:
     return f"{_label(block.label)}{sides}" + (f" at {values}." if values else ".")
 
 
+def _table(
+    head: Sequence[str],
+    rows: Iterable[Sequence[str]],
+    *,
+    numbers: Collection[int] = (),
+    titles: int = 0,
+    kind: str = "",
+    caption: str = "",
+) -> str:
+    """A table of HTML cells under their `head`; the column `titles` says what a row is about.
+
+    The columns `numbers` are aligned as such.
+    """
+
+    def cell(words: str, k: int, scope: str = "") -> str:
+        style = ' class="num"' if k in numbers else ""
+        if not scope or not words:
+            return f"<td{style}>{words}</td>"
+        return f'<th scope="{scope}"{style}>{_title(words)}</th>'
+
+    body = "\n".join(
+        f"<tr>{''.join(cell(x, k, 'row' * (k == titles)) for k, x in enumerate(row))}</tr>"
+        for row in rows
+    )
+    top = "".join(cell(words, k, "col") for k, words in enumerate(head))
+    name = f' class="{kind}"' if kind in ("found", "results") else ""
+    unseen = ' class="unseen"' if kind == "unseen" else ""
+    title = f"<caption>{caption}</caption>\n" if caption else ""
+    return (
+        f'<div class="scroll"><table{name}>\n{title}<thead{unseen}><tr>{top}</tr></thead>\n'
+        f"<tbody>\n{body}\n</tbody>\n</table></div>"
+    )
+
+
+def _title(words: str) -> str:
+    """The title of a column or a row; formulas alone are no text that a screen reader looks for."""
+    if re.sub(r"<math.*?</math>", "", words).strip():
+        return words
+    said = " ".join(re.findall(r'alttext="([^"]*)"', words))
+    hidden = words.replace("<math", '<math aria-hidden="true"')
+    return f'<span class="unseen">{said}</span>{hidden}'
+
+
 @html_block.register
 def _(block: Measures) -> str:
-    rows = "\n".join(
-        f'<tr><th scope="row">{prose_html(row.what)}</th><td class="num">{_power(row.error)}</td>'
-        f'<td class="num">{_power(row.tolerance)}</td></tr>'
-        for row in block.rows
-    )
-    return (
-        f'<p class="label">{prose_html(block.label)}</p>\n<div class="scroll"><table>\n<thead><tr>'
-        f'<th scope="col">{prose_html(block.compared)}</th><th scope="col" class="num">error</th>'
-        f'<th scope="col" class="num">tolerance</th></tr></thead>\n<tbody>\n{rows}\n</tbody>\n'
-        "</table></div>"
-    )
+    rows = ((prose_html(r.what), _power(r.error), _power(r.tolerance)) for r in block.rows)
+    head = (prose_html(block.compared), "error", "tolerance")
+    return f'<p class="label">{prose_html(block.label)}</p>\n{_table(head, rows, numbers=(1, 2))}'
 
 
 def _power(number: float) -> str:
@@ -312,47 +347,33 @@ def _power(number: float) -> str:
 
 @html_block.register
 def _(block: Summary) -> str:
-    rows = "\n".join(
-        f'<tr><th scope="row">{badge(verdict)}</th><td class="num">{count}</td>'
-        f"<td>{prose_html(meaning)}</td></tr>"
-        for verdict, count, meaning in block.rows
-    )
-    total = sum(count for _, count, _ in block.rows)
-    return (
-        '<table>\n<thead><tr><th scope="col">verdict</th><th scope="col" class="num">claims</th>'
-        f'<th scope="col">what it says</th></tr></thead>\n<tbody>\n{rows}\n'
-        f'<tr><th scope="row">all</th><td class="num">{total}</td><td></td></tr>\n'
-        "</tbody>\n</table>"
-    )
+    rows = [(badge(verdict), str(n), prose_html(meaning)) for verdict, n, meaning in block.rows]
+    rows.append(("all", str(sum(count for _, count, _ in block.rows)), ""))
+    return _table(("verdict", "claims", "what it says"), rows, numbers=(1,))
 
 
 @html_block.register
 def _(block: FoundList) -> str:
-    rows = "\n".join(
-        f'<tr><td>{prose_html(row.section)}</td><th scope="row"><a href="#{row.anchor}">'
-        f"{escape(row.name)}</a></th><td>{badge(row.verdict)}</td><td>{rich(row.content)}</td></tr>"
+    rows = (
+        (
+            prose_html(row.section),
+            f'<a href="#{row.anchor}">{escape(row.name)}</a>',
+            badge(row.verdict),
+            rich(row.content),
+        )
         for row in block.rows
     )
-    return (
-        '<div class="scroll"><table class="found">\n<thead><tr><th scope="col">section</th>'
-        '<th scope="col">claim</th><th scope="col">verdict</th>'
-        f'<th scope="col">what is amiss</th></tr></thead>\n<tbody>\n{rows}\n</tbody>\n'
-        "</table></div>"
-    )
+    head = ("section", "claim", "verdict", "what is amiss")
+    return _table(head, rows, titles=1, kind="found")
 
 
 @html_block.register
 def _(block: Symbols) -> str:
-    rows = "\n".join(
-        f'<tr><th scope="row">{mathml.mathml(node)}</th><td>{prose_html(meaning)}</td>'
-        f"<td>{escape(unit)}</td></tr>"
+    rows = (
+        (mathml.mathml(node), prose_html(meaning), escape(unit))
         for node, meaning, unit in block.rows
     )
-    return (
-        '<div class="scroll"><table>\n<thead><tr><th scope="col">symbol</th>'
-        '<th scope="col">meaning</th><th scope="col">unit</th></tr></thead>\n'
-        f"<tbody>\n{rows}\n</tbody>\n</table></div>"
-    )
+    return _table(("symbol", "meaning", "unit"), rows)
 
 
 @html_block.register
@@ -381,19 +402,15 @@ def _(block: NameLine) -> str:
 
 @html_block.register
 def _(block: Results) -> str:
-    rows = "\n".join(
-        f'<tr><th scope="row"><a href="#{anchor(number)}">({number})</a></th>'
-        f"<td>{mathml.mathml(equation, 'printed')}</td><td>{prose_html(words)}</td></tr>"
-        if number
-        else f"<tr><td></td><td>{mathml.mathml(equation, 'printed')}</td>"
-        f"<td>{prose_html(words)}</td></tr>"
+    rows = (
+        (
+            f'<a href="#{anchor(number)}">({number})</a>' if number else "",
+            mathml.mathml(equation, "printed"),
+            prose_html(words),
+        )
         for number, equation, words, _ in block.rows
     )
-    return (
-        '<div class="scroll"><table class="results">\n<thead><tr><th scope="col">number</th>'
-        '<th scope="col">equation</th><th scope="col">what it says</th></tr></thead>\n'
-        f"<tbody>\n{rows}\n</tbody>\n</table></div>"
-    )
+    return _table(("number", "equation", "what it says"), rows, kind="results")
 
 
 @html_block.register
@@ -405,34 +422,20 @@ def _(block: Subhead) -> str:
 
 @html_block.register
 def _(block: Quantities) -> str:
-    rows = "\n".join(
-        f'<tr><th scope="row">{prose_html(what)}</th><td class="num">{_cell(value)}</td>'
-        f"<td>{'' if unit == '1' else escape(unit)}</td></tr>"
+    rows = (
+        (prose_html(what), _cell(value), "" if unit == "1" else escape(unit))
         for what, value, unit in block.rows
     )
-    return (
-        f'<p class="label">{prose_html(block.label)}</p>\n<div class="scroll"><table>\n'
-        '<thead class="unseen"><tr><th scope="col">what</th><th scope="col">value</th>'
-        f'<th scope="col">unit</th></tr></thead>\n<tbody>\n{rows}\n</tbody>\n</table></div>'
-    )
+    table = _table(("what", "value", "unit"), rows, numbers=(1,), kind="unseen")
+    return (f'<p class="label">{prose_html(block.label)}</p>\n' if block.label else "") + table
 
 
 @html_block.register
 def _(block: DataTable) -> str:
-    first, *others = map(prose_html, block.columns)
-    head = f'<th scope="col">{first}</th>' + "".join(
-        f'<th scope="col" class="num">{words}</th>' for words in others
-    )
-    rows = "\n".join(
-        f'<tr><th scope="row">{_cell(row[0])}</th>'
-        + "".join(f'<td class="num">{_cell(value)}</td>' for value in row[1:])
-        + "</tr>"
-        for row in block.rows
-    )
-    return (
-        f'<div class="scroll"><table>\n<caption>{prose_html(block.title)}</caption>\n'
-        f"<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}\n</tbody>\n</table></div>"
-    )
+    head = [*map(prose_html, block.columns)]
+    rows = ([*map(_cell, row)] for row in block.rows)
+    numbers = range(1, len(head))
+    return _table(head, rows, numbers=numbers, caption=prose_html(block.title))
 
 
 def _cell(value: str | lay.Node) -> str:

@@ -568,7 +568,7 @@ def _(block: Subhead) -> str:
 
 @tex_block.register
 def _(block: Quantities) -> str:
-    units = ["" if unit == "1" else _piece(Unit(unit)) for _, _, unit in block.rows]
+    units = ["" if unit in ("", "1") else _piece(Unit(unit)) for _, _, unit in block.rows]
     rows = [
         rf"\rtquantity{{{prose(what)}}}{{{_cell(value)}{behind}}}"
         for (what, value, _), behind in zip(block.rows, units, strict=True)

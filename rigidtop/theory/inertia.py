@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import sympy
-from sympy import Expr, Matrix, MatrixBase, Symbol, cos, eye, pi, sin
+from sympy import Expr, ImmutableMatrix, Matrix, MatrixBase, Symbol, cos, eye, pi, sin
 
 from rigidtop.theory.trig import reduce_trig
 
@@ -24,6 +25,16 @@ def parallel_axis(about_centre: MatrixBase, mass: Expr, shift: MatrixBase) -> Ma
     return about_centre + point_masses([(mass, Matrix(shift))])
 
 
+Limits = tuple[tuple[Symbol, Expr, Expr], ...]
+
+
+@cache
+def _integral(position: ImmutableMatrix, limits: Limits, density: Expr) -> Expr:
+    """∫ d³r of the density, once for each: claims, exercises and figures ask for the same."""
+    jacobian = reduce_trig(position.jacobian([limit[0] for limit in limits]).det())
+    return sympy.factor(sympy.integrate(sympy.expand(density * jacobian), *limits))
+
+
 @dataclass(frozen=True)
 class Solid:
     """A uniform solid, swept by three parameters.
@@ -33,13 +44,11 @@ class Solid:
     """
 
     position: Matrix
-    limits: tuple[tuple[Symbol, Expr, Expr], ...]
+    limits: Limits
 
     def integral(self, density: Expr) -> Expr:
         """∫ d³r of `density`, given in the parameters."""
-        parameters = [limit[0] for limit in self.limits]
-        jacobian = reduce_trig(self.position.jacobian(parameters).det())
-        return sympy.factor(sympy.integrate(sympy.expand(density * jacobian), *self.limits))
+        return _integral(self.position.as_immutable(), self.limits, sympy.sympify(density))
 
     def named(self, *parameters: Symbol) -> Solid:
         """The same solid with other names for its parameters, for print."""

@@ -46,4 +46,13 @@
     });
     row.append(copy);
   }
+  // What can be scrolled can be reached by the keys.
+  const reach = () => {
+    for (const each of document.querySelectorAll(".eq, .scroll")) {
+      if (each.scrollWidth > each.clientWidth) each.tabIndex = 0;
+      else each.removeAttribute("tabindex");
+    }
+  };
+  addEventListener("resize", reach);
+  reach();
 })();
