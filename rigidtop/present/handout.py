@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -19,6 +19,7 @@ from rigidtop.present.layout import Node, decimal, layout, negated, width
 from rigidtop.present.report import (
     Block,
     Cited,
+    Conditions,
     DataTable,
     Display,
     ExerciseHead,
@@ -27,6 +28,7 @@ from rigidtop.present.report import (
     Judged,
     Legend,
     Mark,
+    Measures,
     Paragraph,
     Quantities,
     Results,
@@ -36,6 +38,7 @@ from rigidtop.present.report import (
     Unit,
     anchor,
     condition,
+    conditions,
     derivation,
     headings,
     is_number,
@@ -345,6 +348,15 @@ def results(solution: Solution) -> list[Block]:
             cells = tuple(tuple(shown(x, TABLE_DIGITS) for x in row) for row in outcome.rows)
             whole = len(cells) <= LONGEST
             made.append(DataTable(outcome.title, outcome.columns, cells, whole))
+    return made
+
+
+def checked(solution: Solution, told: Collection[str]) -> list[Block]:
+    """Under which assumptions a solution holds, and what its numbers were compared with."""
+    assumed = [t for j in solution.judgements if j.claim.name not in told for t in tested(j)]
+    made: list[Block] = [Conditions(conditions(assumed))] if assumed else []
+    if solution.measures:
+        made.append(Measures(solution.measures, "Confirmed", "by a second way"))
     return made
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import singledispatch
@@ -11,6 +12,7 @@ from typing import Any
 
 from rigidtop.present import layout as lay
 from rigidtop.present import mathml
+from rigidtop.present.languages import SHOWN, said
 from rigidtop.present.latex import latex
 from rigidtop.present.report import (
     COLORS,
@@ -72,10 +74,12 @@ def write(
     byline = f'\n<p class="byline">{escape(document.byline)}</p>' if document.byline else ""
     kinds = ["page.css", *["lecture.css"] * document.lecture, *["slides.css"] * slides]
     scripts = ["lecture.js"] * document.lecture + ["slides.js"] * slides
+    own = {each: said(each, document.look.language) for each in SHOWN}
+    words = f' data-words="{escape(json.dumps(own, ensure_ascii=False))}"' * document.lecture
     # The marks of CDATA are comments to a browser, and keep the page well-formed XML.
     script = f"<script>/*<![CDATA[*/{style(*scripts)}/*]]>*/</script>\n" if scripts else ""
     return f"""<!DOCTYPE html>
-<html lang="{document.look.language}"{' class="lecture"' * document.lecture}>
+<html lang="{document.look.language}"{' class="lecture"' * document.lecture}{words}>
 <head>
 <meta charset="utf-8"/>
 <meta name="viewport" content="width=device-width, initial-scale=1"/>
@@ -104,8 +108,9 @@ def _contents(document: Document) -> str:
     items = "\n".join(_entry(block) for block in document.blocks if isinstance(block, listed))
     # On a narrow page the contents of a lecture are closed, or its title would stand below them.
     state = "" if document.lecture else ' open="open"'
+    title = said("Contents", document.look.language)
     return (
-        f'<nav class="toc" aria-label="Contents"><details{state}><summary>Contents</summary>'
+        f'<nav class="toc" aria-label="{title}"><details{state}><summary>{title}</summary>'
         f"<ul>\n{items}\n</ul></details></nav>"
     )
 
@@ -391,7 +396,7 @@ def _(block: Legend) -> str:
     items = "".join(
         f"<li>{seal(Mark('', verdict))}{prose_html(words)}</li>" for verdict, words in block.rows
     )
-    return f'<div class="legend"><p>In the margin:</p><ul>{items}</ul></div>'
+    return f'<div class="legend"><p>{escape(block.head)}:</p><ul>{items}</ul></div>'
 
 
 @html_block.register

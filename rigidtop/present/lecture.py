@@ -15,6 +15,7 @@ from rigidtop.present.figures.catalog import FIGURES, named
 from rigidtop.present.figures.drawing import Drawing, both
 from rigidtop.present.files import write_all
 from rigidtop.present.handout import Parts, first_used, order_of_figures, spoken_of
+from rigidtop.present.languages import translated
 from rigidtop.present.map import contracted
 from rigidtop.present.map import picture as map_picture
 from rigidtop.present.pdf import make_pdf
@@ -239,7 +240,7 @@ def lecture(
         True,
         look,
     )
-    return _introduced(whole, notation), pictures
+    return _introduced(translated(whole), notation), pictures
 
 
 LEAST = 4
@@ -401,6 +402,7 @@ def sheet(
         if not student:
             made.append(Subhead("Solution"))
             made += handout.answer(each, parts, told)
+            made += handout.checked(each, told)
             told |= {j.claim.name: "" for j in each.judgements}
     made = handout.linked(handout.parted([*made, *handout.first_used(made)]))
     subtitle = "Questions" if student else "Questions and solutions"
@@ -414,7 +416,7 @@ def sheet(
         True,
         look,
     )
-    return _introduced(whole, notation), pictures
+    return _introduced(translated(whole), notation), pictures
 
 
 def _exercise(

@@ -289,6 +289,7 @@ class Figure:
     caption: str
     alternative: str
     number: int = 0
+    kind: str = "Figure"
 
     @property
     def anchor(self) -> str:
@@ -297,7 +298,7 @@ class Figure:
     @property
     def label(self) -> str:
         """What stands before the caption, where figures are numbered."""
-        return f"Figure {self.number}" if self.number else ""
+        return f"{self.kind} {self.number}" if self.number else ""
 
 
 @dataclass(frozen=True)
@@ -310,11 +311,12 @@ class ExerciseHead:
     number: int = 0
     points: str = ""
     level: int = 3
+    kind: str = "Exercise"
 
     @property
     def label(self) -> str:
         """What stands before the title."""
-        return f"Exercise {self.number}" if self.number else "Exercise"
+        return f"{self.kind} {self.number}" if self.number else self.kind
 
 
 @dataclass(frozen=True)
@@ -362,6 +364,7 @@ class Legend:
     """What the marks in the margin mean."""
 
     rows: tuple[tuple[Verdict, str], ...]
+    head: str = "In the margin"
 
 
 @dataclass(frozen=True)
@@ -564,7 +567,7 @@ def claim_blocks(judgement: Judgement, *, marks: bool = True) -> list[Block]:
             blocks.append(Display(meanings, "The engine's own expressions"))
     assumed = tested(judgement)
     if assumed:
-        blocks.append(Conditions(_conditions(assumed)))
+        blocks.append(Conditions(conditions(assumed)))
     blocks.extend(
         numbers(finding.counterexample)
         for finding in findings
@@ -574,16 +577,16 @@ def claim_blocks(judgement: Judgement, *, marks: bool = True) -> list[Block]:
     if corrected:
         made = tuple(replace(_notes_row(item, False), tag="") for item in corrected)
         blocks.append(Display(made, "Corrected form"))
-        conditions = _conditions([t for c in corrected for t in c.assumptions])
-        if conditions:
-            blocks.append(Conditions(conditions))
+        under = conditions([t for c in corrected for t in c.assumptions])
+        if under:
+            blocks.append(Conditions(under))
     remarks = judgement.remarks()
     if remarks:
         made = tuple(replace(_notes_row(item, False), tag="") for item in remarks)
         blocks.append(Display(made, "Besides"))
-        conditions = _conditions([t for r in remarks for t in r.assumptions])
-        if conditions:
-            blocks.append(Conditions(conditions))
+        under = conditions([t for r in remarks for t in r.assumptions])
+        if under:
+            blocks.append(Conditions(under))
     measures = tuple(item for item in judgement.items if isinstance(item, Measure))
     if measures:
         blocks.append(Measures(measures))
@@ -713,7 +716,7 @@ def condition(assumption: Assumption) -> Node:
     return relation
 
 
-def _conditions(assumed: Sequence[TestedAssumption]) -> tuple[Condition, ...]:
+def conditions(assumed: Sequence[TestedAssumption]) -> tuple[Condition, ...]:
     """Assumptions as they are listed: those with the same words together, one counterexample."""
     together: dict[tuple[str, bool], list[TestedAssumption]] = {}
     for item in assumed:

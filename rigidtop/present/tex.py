@@ -13,6 +13,7 @@ from typing import Any
 from rigidtop.notation.characters import MATHS, SIGNS, SUPERSCRIPTS, escape
 from rigidtop.present import layout as lay
 from rigidtop.present import plain
+from rigidtop.present.languages import said
 from rigidtop.present.latex import AlignRow, align, align_row, latex, row_lines, seen
 from rigidtop.present.report import (
     COLORS,
@@ -55,7 +56,8 @@ def write(document: Document, figures: Mapping[str, str]) -> str:
     if document.lecture and not any(block.number for block in _headings(document)):
         contents = r"\thispagestyle{plain}"
     elif document.lecture:
-        contents += r"\markboth{Contents}{}\thispagestyle{plain}"
+        words = prose(said("Contents", document.look.language))
+        contents += rf"\markboth{{{words}}}{{}}\thispagestyle{{plain}}"
     byline = [rf"{{\normalsize {escape(document.byline)}\par}}"] if document.byline else []
     return "\n".join(
         [
@@ -530,7 +532,7 @@ def _(block: Legend) -> str:
     items = r"\quad ".join(
         rf"\mbox{{\rtmark{{{verdict}}}}}~{prose(words)}." for verdict, words in block.rows
     )
-    return rf"{{\footnotesize\color{{muted}} In the margin: {items}\par}}"
+    return rf"{{\footnotesize\color{{muted}} {prose(block.head)}: {items}\par}}"
 
 
 @tex_block.register

@@ -9,6 +9,7 @@ from importlib.resources import files
 from typing import Any
 
 from rigidtop.present import layout as lay
+from rigidtop.present.languages import said
 from rigidtop.present.latex import align_row, latex
 from rigidtop.present.report import (
     COLORS,
@@ -51,6 +52,7 @@ def write(document: Document, figures: Mapping[str, str]) -> str:
         for block in document.blocks
     )
     depth = 2 if document.lecture else 3
+    contents = said("Contents", document.look.language)
     return "\n".join(
         [
             _preamble(document),
@@ -58,7 +60,7 @@ def write(document: Document, figures: Mapping[str, str]) -> str:
             f"#v(-0.4em)\n#text(size: 12pt, fill: muted)[{prose(document.subtitle)}]\n",
             *([plain(document.byline) + "\n"] if document.byline else []),
             f"#text(size: 9pt, fill: muted)[{prose(document.colophon)}]",
-            f"#text(size: 9.5pt)[#outline(title: [Contents], depth: {depth})]",
+            f"#text(size: 9.5pt)[#outline(title: [{contents}], depth: {depth})]",
             body,
             "",
         ]
@@ -330,7 +332,7 @@ def _(block: Subhead) -> str:
 @typst_block.register
 def _(block: Legend) -> str:
     items = " ".join(f'#sign("{verdict}") {prose(words)}.' for verdict, words in block.rows)
-    return f"#text(size: 9pt, fill: muted)[In the margin: {items}]"
+    return f"#text(size: 9pt, fill: muted)[{plain(block.head)}: {items}]"
 
 
 @typst_block.register

@@ -19,16 +19,19 @@ from rigidtop.present import layout as lay
 from rigidtop.present.figures.catalog import FIGURES
 from rigidtop.present.figures.drawing import both, rendered
 from rigidtop.present.handout import written
+from rigidtop.present.languages import SHOWN, WORDS, translated
 from rigidtop.present.lecture import FORMATS, fragment, lecture, record, sheet
 from rigidtop.present.report import (
     Cited,
     ClaimHead,
+    Conditions,
     DataTable,
     Display,
     ExerciseHead,
     Figure,
     Heading,
     Look,
+    Measures,
     NameLine,
     Paragraph,
     Quantities,
@@ -349,6 +352,12 @@ def test_a_sheet_is_signed_and_numbered(solutions):
 
 def test_a_sheet_has_the_claims_in_full(solutions):
     document, pictures = sheet(solutions)
+    measured = [row for b in document.blocks if isinstance(b, Measures) for row in b.rows]
+    assert measured == [m for s in solutions for m in s.measures]
+    assert len(measured) > 40
+    assumed = [item for b in document.blocks if isinstance(b, Conditions) for item in b.items]
+    assert any(not item.stated for item in assumed)
+    assert any(item.stated for item in assumed)
     assert _marked(document) >= {j.claim.name for s in solutions for j in s.judgements}
     assert {p.name for p in pictures} == {
         f"exercise-{exercise.name}" for exercise in EXERCISES if exercise.figure
@@ -391,6 +400,29 @@ def test_slides_have_their_keys(document, pictures):
     made = html.write(document, svg, slides=True)
     assert "ArrowRight" in made
     assert "ArrowRight" not in html.write(document, svg)
+
+
+def test_fixed_words_are_in_the_language_of_the_lecture(document):
+    own = translated(replace(document, look=Look(language="de")))
+    titles = [block.title for block in own.blocks if isinstance(block, Heading)]
+    assert "Lösungen der Aufgaben" in titles
+    assert "Solutions of the exercises" not in titles
+    labels = {block.label for block in own.blocks if isinstance(block, (Figure, ExerciseHead))}
+    assert {"Abbildung 1", "Aufgabe 1"} <= labels
+    words = [
+        piece.words
+        for block in own.blocks
+        for part in (block.rows if isinstance(block, Display) else [block])
+        for piece in (getattr(part, "content", None) or getattr(part, "reason", ""))
+        if isinstance(piece, Cited) and piece.anchor.startswith("figure-")
+    ]
+    assert words
+    assert all(word.startswith("Abbildung ") for word in words)
+    assert translated(document) is document
+    for language, known in WORDS.items():
+        assert language in tex.LANGUAGES
+        assert set(SHOWN) <= set(known)
+        assert all(known.values())
 
 
 def test_a_lecture_of_ones_own_looks(document):

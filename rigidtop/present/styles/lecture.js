@@ -2,22 +2,23 @@
 "use strict";
 (() => {
   const root = document.documentElement;
+  const words = JSON.parse(root.dataset.words);
   const contents = document.querySelector(".toc details");
   if (contents && matchMedia("(min-width: 78rem)").matches) contents.open = true;
   const tools = document.createElement("div");
   tools.className = "tools";
   tools.setAttribute("role", "group");
   tools.setAttribute("aria-label", "How the lecture is shown");
-  const button = (words, act) => {
+  const button = (said, act) => {
     const made = document.createElement("button");
     made.type = "button";
-    made.textContent = words;
+    made.textContent = words[said];
     made.addEventListener("click", () => act(made));
     tools.append(made);
     return made;
   };
   const ways = [["Results only", "results"], ["Steps", "steps"], ["Steps and reasons", "all"]];
-  const choices = ways.map(([words, way]) => [button(words, () => show(way)), way]);
+  const choices = ways.map(([said, way]) => [button(said, () => show(way)), way]);
   const show = (way) => {
     root.dataset.show = way;
     for (const [made, each] of choices) made.setAttribute("aria-pressed", String(each === way));
@@ -34,15 +35,15 @@
     const copy = document.createElement("button");
     copy.type = "button";
     copy.className = "copy";
-    copy.textContent = "Copy LaTeX";
+    copy.textContent = words["Copy LaTeX"];
     copy.addEventListener("click", async () => {
       try {
         await navigator.clipboard.writeText(row.dataset.tex);
-        copy.textContent = "Copied";
+        copy.textContent = words.Copied;
       } catch {
         prompt("LaTeX", row.dataset.tex);
       }
-      setTimeout(() => { copy.textContent = "Copy LaTeX"; }, 1500);
+      setTimeout(() => { copy.textContent = words["Copy LaTeX"]; }, 1500);
     });
     row.append(copy);
   }
