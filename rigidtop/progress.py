@@ -51,6 +51,24 @@ def over(label: str, items: Sequence[Item], stream: TextIO | None = None) -> Ite
     show(len(items), len(items))
 
 
+def ticking(label: str, stream: TextIO | None = None) -> Callable[[float], None]:
+    """What to call with the seconds that something of unknown length has taken: one line on stderr.
+
+    It is shown on a terminal, once a second; a negative number says that the end has come.
+    """
+    out = sys.stderr if stream is None else stream
+    last = 0
+
+    def show(seconds: float) -> None:
+        nonlocal last
+        if out.isatty() and (seconds < 0 < last or int(seconds) > last):
+            text = f"{label}, {int(seconds)} s" if seconds >= 0 else ""
+            print(f"\r\033[K{text}", end="", file=out, flush=True)
+            last = int(seconds)
+
+    return show
+
+
 def line(label: str, done: int, total: int, new: int, seconds: float) -> str:
     """The line, `new` of what is done having taken these seconds.
 

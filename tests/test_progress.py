@@ -46,3 +46,13 @@ def test_items_pass_through_with_a_bar(monkeypatch):
     lines = out.getvalue().split("\r\033[K")
     assert [line[:7] for line in lines] == ["", "judging", "judging", "judging", ""]
     assert lines[2].startswith("judging [######              ]  33%  1 of 3, ")
+
+
+def test_seconds_pass_where_the_length_is_unknown():
+    out, file = Terminal(), io.StringIO()
+    for stream in (out, file):
+        show = progress.ticking("typesetting", stream)
+        for seconds in (0.4, 1.2, 1.9, 2.0, -1):
+            show(seconds)
+    assert out.getvalue() == "\r\033[Ktypesetting, 1 s\r\033[Ktypesetting, 2 s\r\033[K"
+    assert file.getvalue() == ""

@@ -6,14 +6,19 @@ import os
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Callable, Mapping
+import time
+from collections.abc import Callable, Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
 
 from rigidtop.errors import RigidtopError
+from rigidtop.progress import ticking
 
 SECONDS = 180.0
 """How long latexmk may take."""
+
+EVERY = 0.2
+"""How often it is asked whether it is ready (s)."""
 
 NEITHER = (
     "no PDF: neither latexmk is on the PATH, nor are typst and tylax installed "
@@ -66,25 +71,38 @@ def by_latexmk(latexmk: str, source: str, figures: Mapping[str, bytes]) -> bytes
             "openin_any": "p",
             "openout_any": "p",
         }
-        try:
-            done = subprocess.run(
-                command,
-                cwd=folder,
-                env=environment,
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.DEVNULL,
-                timeout=SECONDS,
-                check=False,
-            )
-        except subprocess.TimeoutExpired:
-            raise RigidtopError(f"no PDF: latexmk took more than {SECONDS:.0f} s") from None
-        except OSError as error:
-            raise RigidtopError(f"no PDF: cannot run latexmk: {error.strerror}") from None
+        code = _run(command, folder, environment)
         made = folder / "lecture.pdf"
-        if done.returncode or not made.exists():
+        if code or not made.exists():
             raise RigidtopError(f"no PDF: latexmk failed: {_first_error(folder / 'lecture.log')}")
         return made.read_bytes()
+
+
+def _run(command: Sequence[str], folder: Path, environment: Mapping[str, str]) -> int:
+    """The exit code of latexmk; meanwhile the seconds are shown."""
+    show, start, nothing = ticking("typesetting"), time.monotonic(), subprocess.DEVNULL
+    try:
+        with subprocess.Popen(
+            command, cwd=folder, env=environment, stdin=nothing, stdout=nothing, stderr=nothing
+        ) as running:
+            while True:
+                try:
+                    return running.wait(EVERY)
+                except subprocess.TimeoutExpired:
+                    seconds = time.monotonic() - start
+                    show(seconds)
+                    if seconds > SECONDS:
+                        running.kill()
+                        raise RigidtopError(
+                            f"no PDF: latexmk took more than {SECONDS:.0f} s"
+                        ) from None
+                except BaseException:
+                    running.kill()
+                    raise
+    except OSError as error:
+        raise RigidtopError(f"no PDF: cannot run latexmk: {error.strerror}") from None
+    finally:
+        show(-1)
 
 
 def _first_error(log: Path) -> str:
