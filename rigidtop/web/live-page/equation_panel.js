@@ -46,6 +46,8 @@ function createEntry({ tag, title, mathml, function: name, symmetric, terms }) {
   const formula = document.createElement("div");
   formula.className = "equation-formula";
   formula.innerHTML = mathml;
+  // Mathematics is one thing to a screen reader, which would not find the terms in it.
+  formula.querySelector("math")?.setAttribute("role", "group");
   const number = document.createElement("span");
   number.className = "equation-tag";
   number.textContent = tag && `(${tag})`;

@@ -167,9 +167,9 @@ const bodies = shapesOf(data.kind);
 const shape =
   bodies.length < 2
     ? null
-    : createChoice(switches, "drawn as", bodies.map(namedAsItIs), (chosen) => {
-        state.shape = chosen;
-        scene?.setMotion(motion, chosen);
+    : createPick(switches, "drawn as", bodies.map((name) => [name, name]), (chosen) => {
+        state.shape = /** @type {import("./types").Shape} */ (chosen);
+        scene?.setMotion(motion, state.shape);
         showLooks();
       });
 const plotted = createPick(switches, "plotted", plotsOf(data.kind), (chosen) => {
@@ -224,9 +224,9 @@ keyList.addEventListener("click", keys.help);
 const screen = element("button", { type: "button", title: "Show it to a room (P)" }, "Present");
 screen.addEventListener("click", present);
 createTake(find("tools"), {
-  name: `${data.kind}-${data.first.name}`,
+  name: () => `${data.kind}-${state.preset.name}`,
   scene: picture,
-  picture: () => scene?.picture() ?? null,
+  picture: (finely) => scene?.picture(finely) ?? null,
   link: () => `${location.href.split("#")[0]}${currentAddress()}`,
   motion: () => [motion, Math.max(motion.now.t, PREVIEW * state.preset.speed)],
   say: (sentence) => complain([sentence]),
@@ -287,14 +287,6 @@ function pageData() {
   const written = JSON.parse(find("data").textContent ?? "");
   const { first, presets: all } = written;
   return { ...written, first: all.find((preset) => preset.name === first.name) ?? first };
-}
-
-/**
- * @param {import("./types").Shape} shape
- * @returns {[import("./types").Shape, string]}
- */
-function namedAsItIs(shape) {
-  return [shape, shape];
 }
 
 /** @param {string} id */

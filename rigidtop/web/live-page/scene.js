@@ -410,7 +410,9 @@ export function createScene(container, colours) {
     resize,
 
     /** The canvas with the picture in it, drawn once more: later it may be gone. */
-    picture() {
+    picture(finely = quality === 1) {
+      fine = finely;
+      if (finely) renderer.setPixelRatio(FINEST);
       renderer.render(scene, camera);
       return canvas;
     },

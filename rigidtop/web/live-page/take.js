@@ -11,6 +11,8 @@ const ROWS = 1001;
 /** How long a film is, in seconds, and its pictures in each of them. */
 const FILM = 10;
 const PICTURES = 30;
+/** Bits in each of them: enough for thin lines. */
+const BITS = 8e6;
 
 /**
  * The columns of the table: their names as the Python package has them, with units.
@@ -54,19 +56,17 @@ export function tableOf(motion, duration) {
 }
 
 /**
- * The picture with the letters over it.
+ * The picture with the letters over it, on a sheet of its own.
  *
+ * @param {CanvasRenderingContext2D} ctx
  * @param {HTMLCanvasElement} canvas just drawn
  * @param {HTMLElement} container
  */
-function withLetters(canvas, container) {
-  const copy = document.createElement("canvas");
-  [copy.width, copy.height] = [canvas.width, canvas.height];
-  const ctx = copy.getContext("2d");
-  if (!ctx) return canvas;
-  ctx.drawImage(canvas, 0, 0);
+function drawWithLetters(ctx, canvas, container) {
+  const { width, height } = ctx.canvas;
+  ctx.drawImage(canvas, 0, 0, width, height);
   const frame = container.getBoundingClientRect();
-  const ratio = canvas.width / frame.width;
+  const ratio = width / frame.width;
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
   for (const letter of container.querySelectorAll("span")) {
@@ -82,7 +82,14 @@ function withLetters(canvas, container) {
     ctx.fillText(letter.textContent ?? "", 0, 0);
     ctx.restore();
   }
-  return copy;
+}
+
+/** An empty sheet as large as the picture. */
+function sheetLike(/** @type {HTMLCanvasElement} */ { width, height }) {
+  const sheet = document.createElement("canvas");
+  // A film wants even numbers.
+  [sheet.width, sheet.height] = [width - (width % 2), height - (height % 2)];
+  return /** @type {CanvasRenderingContext2D} */ (sheet.getContext("2d"));
 }
 
 /**
@@ -102,8 +109,8 @@ function give(content, name) {
  *
  * @param {HTMLElement} container
  * @param {object} page
- * @param {string} page.name of the files
- * @param {() => HTMLCanvasElement | null} page.picture The scene, drawn just now.
+ * @param {() => string} page.name of the files
+ * @param {(finely?: boolean) => HTMLCanvasElement | null} page.picture The scene, drawn just now.
  * @param {HTMLElement} page.scene
  * @param {() => string} page.link
  * @param {() => [Motion, number]} page.motion With how much of it is worth a table.
@@ -133,12 +140,17 @@ export function createTake(container, { name, picture, scene, link, motion, say 
     }
   });
   add("Picture (PNG)", () => {
-    const drawn = picture();
-    if (!drawn) say("Without WebGL there is no picture");
-    else withLetters(drawn, scene).toBlob((blob) => blob && give(blob, `${name}.png`), "image/png");
+    const drawn = picture(true);
+    if (!drawn) {
+      say("Without WebGL there is no picture");
+      return;
+    }
+    const ctx = sheetLike(drawn);
+    drawWithLetters(ctx, drawn, scene);
+    ctx.canvas.toBlob((blob) => blob && give(blob, `${name()}.png`), "image/png");
   });
   add("Table (CSV)", () => {
-    give(new Blob([tableOf(...motion())], { type: "text/csv" }), `${name}.csv`);
+    give(new Blob([tableOf(...motion())], { type: "text/csv" }), `${name()}.csv`);
   });
   add(`Film of ${FILM} s (WebM)`, () => {
     const drawn = picture();
@@ -148,13 +160,23 @@ export function createTake(container, { name, picture, scene, link, motion, say 
     }
     /** @type {Blob[]} */
     const parts = [];
-    const recorder = new MediaRecorder(drawn.captureStream(PICTURES), { mimeType: "video/webm" });
+    const ctx = sheetLike(drawn);
+    const stream = ctx.canvas.captureStream(PICTURES);
+    const recorder = new MediaRecorder(stream, {
+      mimeType: "video/webm", videoBitsPerSecond: BITS,
+    });
+    const next = () => {
+      const now = picture();
+      if (now) drawWithLetters(ctx, now, scene);
+      if (recorder.state === "recording") requestAnimationFrame(next);
+    };
     recorder.addEventListener("dataavailable", (event) => parts.push(event.data));
     recorder.addEventListener("stop", () => {
-      give(new Blob(parts, { type: "video/webm" }), `${name}.webm`);
+      give(new Blob(parts, { type: "video/webm" }), `${name()}.webm`);
       say("The film is there");
     });
     recorder.start();
+    next();
     say(`Recording ${FILM} seconds of the picture`);
     setTimeout(() => recorder.stop(), FILM * 1000);
   });
