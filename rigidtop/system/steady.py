@@ -12,7 +12,7 @@ import mpmath
 import numpy as np
 import sympy
 from numpy.typing import NDArray
-from sympy import Expr, Matrix, Symbol
+from sympy import Expr, Matrix, Rational, Symbol
 
 from rigidtop.errors import RigidtopError
 from rigidtop.proof import decide
@@ -215,15 +215,45 @@ def equilibria(system: System) -> tuple[dict[Expr, Expr], ...]:
     except NotImplementedError:
         raise RigidtopError("SymPy does not solve the conditions: see S.balance") from None
     real = [each for each in found if all(v.is_real is not False for v in each.values())]
-    # By half angles SymPy loses an angle of π.
+    # By half angles SymPy loses an angle of π, or half a period.
     if len(unknown) <= MOST_ANGLES and not system.constraints:
-        for values in product((sympy.S.Zero, sympy.pi), repeat=len(unknown)):
+        tried = [(sympy.S.Zero, sympy.pi / (_rate(x, conditions) or 1)) for x in unknown]
+        for values in product(*tried):
             place = dict(zip(unknown, values, strict=True))
             rests = all(decide.vanishes(c.subs(place)) for c in conditions)
             if rests and not any(_is_among(place, each) for each in real):
                 real.append(place)
-    places = ({x: v for x, v in each.items() if x in names.q} for each in real)
+    turned = _turned(real, conditions)
+    places = ({x: v for x, v in each.items() if x in names.q} for each in turned)
     return tuple({names.back(x): names.back(v) for x, v in each.items()} for each in places)
+
+
+def _turned(
+    found: Sequence[Mapping[Expr, Expr]], conditions: Sequence[Expr]
+) -> list[dict[Expr, Expr]]:
+    """With what SymPy loses of sin 3θ = 0, a third of a turn further; each place once a turn."""
+    made: list[dict[Expr, Expr]] = []
+    for place in found:
+        rates = {x: _rate(x, conditions) for x in place}
+        for shifts in product(*(range(max(rate.p, 1)) for rate in rates.values())):
+            further = {}
+            for (x, rate), k in zip(rates.items(), shifts, strict=True):
+                value = place[x] + (2 * sympy.pi * k / rate if rate else 0)
+                turn = 2 * sympy.pi * rate.q
+                further[x] = value % turn if rate and value.is_number else value
+            if further not in made:
+                made.append(further)
+    return made
+
+
+def _rate(x: Symbol, conditions: Sequence[Expr]) -> Rational:
+    """The largest r for which x stands in sines and cosines of multiples of rx alone, or 0."""
+    waves = {f for c in conditions for f in c.atoms(sympy.sin, sympy.cos) if f.has(x)}
+    rates = [f.args[0].diff(x) for f in waves]
+    outside = [c.xreplace(dict.fromkeys(waves, Symbol("wave"))) for c in conditions]
+    if any(c.has(x) for c in outside) or not all(rate.is_Rational for rate in rates):
+        return sympy.S.Zero
+    return sympy.gcd_list(rates)
 
 
 def _is_among(place: Mapping[Expr, Expr], found: Mapping[Expr, Expr]) -> bool:

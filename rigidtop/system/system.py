@@ -671,7 +671,8 @@ class System:
     def equilibria(self) -> tuple[dict[Expr, Expr], ...]:
         """Where the system stays at rest, as SymPy solves it: the coordinates that are not free.
 
-        Angles of 0 and π, which SymPy may lose, are tried besides where there are no constraints.
+        Angles of 0 and π, which SymPy may lose, are tried besides where there are no constraints,
+        and parts of a turn everywhere; angles are from 0 to 2π where they are numbers.
         Raises RigidtopError where SymPy does not, and for constraints of velocities.
 
         >>> from sympy import cos, symbols

@@ -273,3 +273,20 @@ def test_a_system_and_its_motions_can_be_pickled():
         assert again == run
         assert again.motion == run.motion
         assert again.motion.integrate([1.0]) == run
+
+
+@pytest.mark.parametrize(
+    ("potential", "places"),
+    [
+        (cos(3 * x), [k * pi / 3 for k in range(6)]),
+        (cos(2 * x), [k * pi / 2 for k in range(4)]),
+        (cos(x / 2), [0, 2 * pi]),
+        (cos(x), [0, pi]),
+        (x**4 - x**2, [-sqrt(2) / 2, 0, sqrt(2) / 2]),
+    ],
+)
+def test_all_equilibria_of_a_turn_are_found_once(potential, places):
+    """SymPy has 0 and π/3 of sin 3x = 0."""
+    found = rt.System(u**2 / 2 - potential, x, u).equilibria()
+    assert len(found) == len(places)
+    assert {each[x] for each in found} == {*places}
