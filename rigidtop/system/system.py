@@ -633,6 +633,8 @@ class System:
     def _routhian(self) -> Expr:
         names = self.names
         chosen = [k for k, x in enumerate(self.q) if x in self.cyclic]
+        if not chosen:
+            return self.plain
         velocities, momenta = ([group[k] for k in chosen] for group in (names.v, names.p))
         try:
             return readable(mechanics.routhian(self.plain, velocities, momenta))

@@ -290,3 +290,9 @@ def test_all_equilibria_of_a_turn_are_found_once(potential, places):
     found = rt.System(u**2 / 2 - potential, x, u).equilibria()
     assert len(found) == len(places)
     assert {each[x] for each in found} == {*places}
+
+
+def test_without_cyclic_coordinates_the_routhian_is_the_lagrangian():
+    spring = rt.System(m * u**2 / 2 - k * x**2, x, u)
+    assert spring.routhian == spring.L
+    assert spring.effective_potential == k * x**2
