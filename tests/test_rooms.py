@@ -177,9 +177,7 @@ def package_of(room):
 @pytest.mark.parametrize("room", READS)
 def test_arrow_of_imports(room):
     for file in files(room):
-        # It runs what it has written itself, of the formulas beside it.
-        own = ["motion calls exec"] if file.name == "trace.py" else []
-        assert complaints(room, file.read_text("utf-8"), package_of(room)) == own, file.name
+        assert complaints(room, file.read_text("utf-8"), package_of(room)) == [], file.name
 
 
 def test_every_room_is_known_and_has_modules():
