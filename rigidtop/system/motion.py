@@ -7,6 +7,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from html import escape
 from itertools import pairwise
 from keyword import kwlist
 from typing import TYPE_CHECKING, Any
@@ -81,7 +82,7 @@ def _initial(what: str, given: Any, letters: Sequence[Symbol], system: System) -
     """A row of n numbers, in the order of the coordinates."""
     if given is None and what == "qdot":
         return [0.0] * len(letters)
-    shown = ", ".join(x.name for x in letters)
+    shown = ", ".join(map(system.names.spelled, letters))
     if given is None:
         raise RigidtopError(f"where does it start? q = a number for each of {shown}")
     if isinstance(given, Mapping):
@@ -107,7 +108,7 @@ def _place(key: Any, letters: Sequence[Symbol], system: System) -> int | None:
     names = system.names
     for k, x in enumerate(letters):
         own = (names.q[k], names.v[k], names.given.get(names.q[k]), names.given.get(names.v[k]))
-        if key in own or key in (x.name, names.q[k].name, names.rate(k)[1]):
+        if key in own or key in (x.name, names.q[k].name, names.spelled(names.v[k])):
             return k
     return None
 
@@ -126,8 +127,19 @@ class SystemMotion:
     def __repr__(self) -> str:
         names = self.system.names
         start = [f"{x.name}={a:g}" for x, a in zip(names.q, self.q, strict=True)]
-        start += [f"{names.rate(k)[1]}={a:g}" for k, a in enumerate(self.qdot)]
+        start += [f"{names.spelled(v)}={a:g}" for v, a in zip(names.v, self.qdot, strict=True)]
         return f"SystemMotion({', '.join(start)})"
+
+    def _repr_html_(self) -> str:
+        """Where it starts, and its parameters, for notebooks."""
+        names = self.system.names
+        values = {names.spelled(x): a for x, a in zip(names.q, self.q, strict=True)}
+        values |= {names.spelled(x): a for x, a in zip(names.v, self.qdot, strict=True)}
+        known = zip(self.system.parameters, self.parameters, strict=True)
+        values |= {x.name: a for x, a in known}
+        head = "".join(f"<th>{escape(name)}</th>" for name in values)
+        row = "".join(f"<td>{a:.6g}</td>" for a in values.values())
+        return f"<table><thead><tr>{head}</tr></thead><tbody><tr>{row}</tr></tbody></table>"
 
     def check(self) -> None:
         """Raises RigidtopError where the motion can't start so."""
@@ -335,7 +347,7 @@ def many(system: System, parameters: Mapping[Any, Any], q: Any, qdot: Any) -> Sy
         if isinstance(value, Mapping):
             given |= {(what, key): each for key, each in value.items()}
         elif not np.iterable(value) or len(list(value)) != len(rows[what]):
-            shown = ", ".join(x.name for x in rows[what])
+            shown = ", ".join(map(system.names.spelled, rows[what]))
             raise RigidtopError(f"{what} has a number, or an array, for each of {shown}")
         else:
             given |= {(what, x): each for x, each in zip(rows[what], value, strict=True)}
@@ -509,7 +521,7 @@ class SystemTrajectory(Rows):
         names = self._system.names
         made = {"t/s": self.t}
         made |= {_header(x): self.q[:, k] for k, x in enumerate(names.q)}
-        made |= {_header(*names.rate(k)): self.qdot[:, k] for k in range(len(names.q))}
+        made |= {_header(v, names.spelled(v)): self.qdot[:, k] for k, v in enumerate(names.v)}
         return made | {"energy/J" if _in_si(self._system) else "energy": self.energy}
 
     @property
@@ -713,7 +725,7 @@ class Numeric:
         unknown = set().union(*(x.free_symbols for x in expressions)) - {*self.arguments}
         if unknown:
             names = ", ".join(sorted(map(str, unknown)))
-            there = ", ".join(x.name for x in self.arguments)
+            there = ", ".join(map(self.system.names.spelled, self.arguments))
             raise RigidtopError(f"no number for {names}: the system has {there}")
         return self.made(expressions, "quantity")
 

@@ -56,10 +56,13 @@ class Names:
         """Which symbol is whose rate."""
         return dict(zip((*self.q, *self.v), (*self.v, *self.a), strict=True))
 
-    def rate(self, k: int) -> tuple[Symbol, str]:
-        """The k-th velocity and its name: theta_dot, as of a top, or the name it was given."""
-        of_function = isinstance(self.given.get(self.v[k]), Derivative)
-        return self.v[k], f"{self.q[k].name}_dot" if of_function else self.v[k].name
+    def spelled(self, x: Symbol) -> str:
+        """A name in tables and source: theta_dot, theta_ddot, or the one that it was given."""
+        of_functions = isinstance(self.given.get(self.v[0]), Derivative)
+        for group, rate in ((self.v, "dot"), (self.a, "ddot")):
+            if x in group and (of_functions or rate == "ddot"):
+                return f"{self.q[group.index(x)].name}_{rate}"
+        return x.name
 
     def find(self, name: Any) -> Symbol | None:
         """The coordinate that is meant: as it was given, its plain symbol, or its name."""
@@ -126,7 +129,7 @@ def _of_symbols(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: set[str])
     a = tuple(_dotted(x, free, 2) for x in q)
     p = tuple(_momentum(x, free) for x in q)
     # |x| has no derivative for SymPy where x might be complex.
-    real = {x: x if x.is_real else _like(x, x.name, real=True) for x in (*q, *qdot)}
+    real = {x: x if x.is_real else like(x, x.name, real=True) for x in (*q, *qdot)}
     given = {own: x for x, own in real.items() if own != x}
     return Names(tuple(map(real.get, q)), tuple(map(real.get, qdot)), a, p, Symbol("t"), given)
 
@@ -165,10 +168,10 @@ class _Free:
         self.taken.add(name)
         if name == wanted.name:
             return wanted
-        return _like(wanted, name)
+        return like(wanted, name)
 
 
-def _like(x: Symbol, name: str, **assumed: bool) -> Symbol:
+def like(x: Symbol, name: str, **assumed: bool) -> Symbol:
     """A symbol with the letter of another, if it has one, and its assumptions."""
     assumptions = {**x.assumptions0, **assumed}
     if isinstance(x, Lettered):

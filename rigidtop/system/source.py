@@ -10,6 +10,7 @@ from rigidtop.codegen.values import Value, Values
 from rigidtop.errors import RigidtopError
 from rigidtop.present.text import text
 from rigidtop.proof.equation import Equation
+from rigidtop.system.names import like
 
 if TYPE_CHECKING:
     from rigidtop.system.system import System
@@ -26,8 +27,10 @@ def source(system: System, language: str, name: str) -> str:
     n = len(names.q)
     letters = (*names.a, *system.multipliers)
     results = (*program.results[:n], *(-x for x in program.results[n:]))
+    own = {v: like(v, names.spelled(v)) for v in names.v}
+    back = {x: v for v, x in own.items()}
     outputs = tuple(
-        Value(x.name, value, Equation(x, value), x)
+        Value(names.spelled(x), value.xreplace(own), Equation(x, value), x)
         for x, value in zip(letters, results, strict=True)
     )
     used = set().union(*(x.free_symbols for x in (*results, *(e for _, e in program.shared))))
@@ -37,12 +40,12 @@ def source(system: System, language: str, name: str) -> str:
         claim=name,
         says="the accelerations of " + ", ".join(text(x) for x in names.q),
         outputs=outputs,
-        arguments=(*time, *names.q, *names.v, *(x for x in given if x not in time)),
+        arguments=(*time, *names.q, *own.values(), *(x for x in given if x not in time)),
         lines=(),
-        shared=program.shared,
+        shared=tuple((x, value.xreplace(own)) for x, value in program.shared),
     )
     try:
-        return languages.source(made, language, text).text
+        return languages.source(made, language, lambda x: text(back.get(x, x))).text
     except NotImplementedError as error:
         [what] = re.findall(r"by <class '[^']*'>: (?:<class '[\w.]*\.)?(\w+)", str(error))[:1] or [
             error

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
+from html import escape
 from typing import TYPE_CHECKING, Any
 
 import sympy
@@ -28,9 +29,13 @@ from rigidtop.system.parts import Body, Mass, Part, kinetic_energy, potential_en
 from rigidtop.theory import lagrangian as mechanics
 
 if TYPE_CHECKING:
+    from rigidtop.proof.equation import Equation
     from rigidtop.system.derivation import Derivation
     from rigidtop.system.motion import Numeric, SystemMotion, SystemMotions
     from rigidtop.system.steady import Small
+
+SHOWN = 60
+"""Operations in the right-hand side up to which a notebook shows the accelerations."""
 
 CRAMER = 3
 """Rows of a part of the mass matrix up to which determinants are written out."""
@@ -169,21 +174,35 @@ class System:
         return f"<{said}; parameters {given}>" if given else f"<{said}>"
 
     def _repr_latex_(self) -> str:
-        """L and the accelerations, as far as they are short."""
         return f"$${self.latex()}$$"
 
+    def _repr_html_(self) -> str:
+        """The same with MathML, for notebooks."""
+        from rigidtop.present.mathml import display
+
+        return f"<p>{escape(repr(self))}</p>\n{display(self._shown)}"
+
     def latex(self) -> str:
-        """L and the equations of motion in an ``aligned``, in amsmath's LaTeX."""
+        """L, the equations of motion and constraints, in amsmath's ``aligned``, where not long."""
         from rigidtop.present.latex import latex
+
+        lines = (" &= ".join(map(latex, row.sides)) for row in self._shown)
+        return r"\begin{aligned}" + r" \\ ".join(lines) + r"\end{aligned}"
+
+    @cached_property
+    def _shown(self) -> list[Equation]:
+        """L, and the accelerations where there are some and they are short."""
         from rigidtop.proof.equation import Equation
         from rigidtop.theory.symbols import Lagrangian
 
         rows = [Equation(Lagrangian, self.plain)]
-        right = self.names.plain(self.accelerations)
-        rows += [Equation(x, value) for x, value in zip(self.names.a, right, strict=True)]
-        rows += [Equation(rule, 0) for rule in self.rules]
-        lines = (" &= ".join(map(latex, row.sides)) for row in rows)
-        return r"\begin{aligned}" + r" \\ ".join(lines) + r"\end{aligned}"
+        try:
+            if self.program.operations <= SHOWN:
+                right = self.names.plain(self.accelerations)
+                rows += map(Equation, self.names.a, right)
+        except RigidtopError:
+            pass  # L alone is what there is to see
+        return [*rows, *(Equation(rule, 0) for rule in self.rules)]
 
     def _check(self) -> None:
         n, names = len(self.q), self.names

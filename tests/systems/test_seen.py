@@ -9,6 +9,7 @@ from sympy import cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import rigidtop as rt
+from rigidtop.system.pendulums import pendulums
 
 m, length, g = symbols("m length g", positive=True)
 first, second = dynamicsymbols("theta1 theta2")
@@ -141,3 +142,21 @@ def test_rates_are_spelled_as_those_of_a_top():
     assert repr(motion) == "SystemMotion(theta1=1, theta2=0.5, theta1_dot=0, theta2_dot=2)"
     assert motion.qdot == (0, 2)
     assert "theta2_dot" in next(iter(RUN))
+    made = PENDULUM.source("julia")
+    assert "theta2_dot" in made
+    assert "theta2_ddot" in made
+    assert "θ̇₂" in made
+    with pytest.raises(rt.RigidtopError, match="which is none of theta1_dot, theta2_dot"):
+        PENDULUM.motion({m: 1, length: 1, g: 9.81}, [1.0, 0.5], {"theta3_dot": 2})
+
+
+def test_notebooks_see_systems_and_motions():
+    x, v, k = symbols("x v k", positive=True)
+    spring = rt.System(m * v**2 / 2 - k * x**2 / 2, x, v)
+    assert spring._repr_html_().startswith("<p>&lt;System in x; parameters k, m&gt;</p>")
+    assert "; ẍ = −kx/m" in spring._repr_html_()
+    assert "<td>1.5</td>" in spring.motion({m: 2, k: 1.5}, 1)._repr_html_()
+    assert "θ̈₂ = " in PENDULUM._repr_html_()
+    assert "θ̈₃" not in pendulums(3)._repr_html_()  # long
+    singular = rt.System(m * v + x**2, x, v)
+    assert singular.latex() == r"\begin{aligned}\mathcal{L} &= mv + x^{2}\end{aligned}"
