@@ -41,6 +41,10 @@ class Rows(ABC):
         for row in zip(*columns.values(), strict=True):
             yield dict(zip(columns, map(float, row), strict=True))
 
+    def __getitem__(self, name: str) -> Floats:
+        """A column by its name.  Raises RigidtopError for one that there is not."""
+        return self.column(name)[1]
+
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):
             return NotImplemented

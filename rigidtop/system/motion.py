@@ -26,6 +26,7 @@ from rigidtop.motion import checks
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import TAYLOR, Accuracy, Flow, flow, joined, on_both_sides
 from rigidtop.motion.rows import Rows
+from rigidtop.parameters import in_one_line
 from rigidtop.system.held import Surface
 from rigidtop.system.names import expression, numbers, own_functions
 
@@ -216,6 +217,10 @@ class SystemMotion:
         accuracy = Accuracy(method, rtol, atol)
         numeric = self.system.numeric
         start = np.array([*self.q, *self.qdot, *([0.0] * self._more)])
+        if not isinstance(events or {}, Mapping):
+            raise RigidtopError(
+                f"events are given as {{name: quantity}}, not {in_one_line(events)}"
+            )
         wanted = {name: self._watched(name, x) for name, x in (events or {}).items()}
         if until is not None:
             wanted[UNTIL] = self._watched("until", until)

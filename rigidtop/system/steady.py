@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from sympy import Expr, Matrix, Rational, Symbol
 
 from rigidtop.errors import RigidtopError
+from rigidtop.parameters import in_one_line
 from rigidtop.proof import decide
 from rigidtop.system.names import expression, numbers
 
@@ -40,7 +41,7 @@ LAST_DIGIT = 1e-15
 """By so much parameters are changed, relatively, to see whether their rounding decides."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Small:
     """Small deviations δ from a steady motion: M δ̈ + C δ̇ + K δ = 0, in the system's own letters.
 
@@ -55,6 +56,12 @@ class Small:
     damping: Matrix
     stiffness: Matrix
     free: tuple[Expr, ...]
+
+    def __repr__(self) -> str:
+        place = ", ".join(f"{x} = {value}" for x, value in self.about.items() if value != 0)
+        return (
+            f"<Small deviations of {', '.join(map(str, self.free))}{place and f' about {place}'}>"
+        )
 
     def characteristic(self, frequency: Expr) -> Expr:
         """The determinant whose zeros are the angular frequencies.
@@ -265,6 +272,8 @@ def small(system: System, about: Mapping[Any, Any]) -> Small:
     """See `System.small`."""
     _of_places(system)
     names = system.names
+    if not isinstance(about, Mapping):
+        raise RigidtopError(f"a motion is given as {{coordinate: value}}, not {in_one_line(about)}")
     place = dict.fromkeys(names.v, sympy.S.Zero)
     for key, value in about.items():
         symbol = names.find(key) or names.plain(expression("a coordinate", key))

@@ -67,6 +67,13 @@ NUMBERS = {m: 1, k: 2}
         (lambda: SPRING.motion(NUMBERS, 1).integrate(1, method="euler"), "unknown method 'euler'"),
         (lambda: SPRING.small({x: 1}), "no steady motion: a force of k is left"),
         (lambda: SPRING.small({}), "gives no value for x"),
+        (lambda: SPRING.small(0), "a motion is given as {coordinate: value}, not 0"),
+        (
+            lambda: SPRING.motion(NUMBERS, 1).integrate(1, events=[x]),
+            "events are given as {name: q",
+        ),
+        (lambda: SPRING.motion(NUMBERS, 1).integrate(1)["y"], "no column 'y': there are t, x, u,"),
+        (lambda: SPRING.motion(NUMBERS, 1).integrate(1)[0], "no column 0: there are t, x, u,"),
         (lambda: rt.Mass(m, [1]), "a place has two or three components, not 1"),
         (lambda: rt.Body(m, [1, 2], [0, 0], None), "three principal moments, not 2"),
         (lambda: rt.System.of_parts([x], x, u), "a part is a Mass or a Body, not x"),

@@ -159,4 +159,6 @@ def test_notebooks_see_systems_and_motions():
     assert "θ̈₂ = " in PENDULUM._repr_html_()
     assert "θ̈₃" not in pendulums(3)._repr_html_()  # long
     singular = rt.System(m * v + x**2, x, v)
+    assert repr(spring.small({x: 0})) == "<Small deviations of x>"
+    assert np.array_equal(RUN["theta2_dot"], RUN.qdot[:, 1])
     assert singular.latex() == r"\begin{aligned}\mathcal{L} &= mv + x^{2}\end{aligned}"
