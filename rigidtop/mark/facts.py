@@ -459,9 +459,12 @@ def _components() -> Model:
     """O with e₁, e₂, e₃ as columns, and a vector that is the same in both frames."""
     attitude = euler_matrix()
     body = Matrix(sympy.symbols("r1 r2 r3", real=True))
+    short = ((s.c_theta, s.s_theta), (s.c_phi, s.s_phi), (s.c_psi, s.s_psi))
     return Model(
         "",
         {
+            **{cosine: cos(a) for (cosine, _), a in zip(short, top.ANGLES, strict=True)},
+            **{sine: sin(a) for (_, sine), a in zip(short, top.ANGLES, strict=True)},
             s.O_matrix: attitude,
             s.unit: eye(3),
             s.r_vecp: body,
@@ -527,7 +530,12 @@ def freed(model: Model, free: Meaning) -> Model:
 
 def column(name: str) -> Matrix:
     """A vector of which nothing is known."""
-    return Matrix(sympy.symbols(f"{name}_1:4", real=True))
+    return entries(name, 3, 1)
+
+
+def entries(name: str, rows: int, columns: int) -> Matrix:
+    """A matrix of which nothing is known."""
+    return Matrix(rows, columns, sympy.symbols(f"{name}_1:{rows * columns + 1}", real=True))
 
 
 _ANGULAR = frozenset(

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, partial
 from itertools import pairwise
 from typing import Any
 
 import sympy
-from sympy import Expr, MatrixBase
+from sympy import Expr, MatrixBase, Symbol
 
 from rigidtop.derivations import lecture
 from rigidtop.derivations.letters import LETTERS
@@ -41,12 +41,14 @@ def passage(start: str, goal: str) -> Passage:
             raise RigidtopError(f"{refused}: no line of the lecture is called {name!r}")
     if not _leads(start, goal):
         raise RigidtopError(f"{refused}: the lecture does not lead from the one to the other")
-    found = facts.GOALS[goal]() if goal in facts.GOALS else _by_models(goal)
-    if found is None:
-        raise RigidtopError(
-            f"{refused}: {goal} is no single equation, or one that is not judged here"
-        )
-    return replace(found, start=start)
+    try:
+        return replace(facts.GOALS.get(goal, partial(_by_models, goal))(), start=start)
+    except _NoGoalError as why:
+        raise RigidtopError(f"{refused}: {why}") from None
+
+
+class _NoGoalError(Exception):
+    """Why a line of the lecture is not marked as a goal."""
 
 
 def _leads(start: str, goal: str) -> bool:
@@ -83,27 +85,37 @@ def _derived(goal: str) -> tuple[Line, ...]:
 # --- A goal that is judged by the models there are ------------------------------------------------
 
 
-def _by_models(goal: str) -> Passage | None:
-    """The facts under which a goal holds: the most general ones, and all that are more general."""
+def _by_models(goal: str) -> Passage:
+    """The facts under which a goal holds: the most general ones, and all that are more general.
+
+    Raises _NoGoalError.
+    """
     lines = _derived(goal)
     if len(lines) != 1:
-        return None  # which of them is the goal?
+        raise _NoGoalError(f"{goal} is {len(lines)} lines there, not one")
     equations = lines[0].equations
-    if any(e.relation not in ("=", "≡") or _has_rates(e) for e in equations):
-        return None
+    odd = sorted({e.relation for e in equations} - {"=", "≡"})
+    if odd:
+        raise _NoGoalError(f"{goal} says {odd[0]}, and only equations are marked as goals")
+    if any(map(_has_rates, equations)):
+        raise _NoGoalError(f"{goal} is about a derivative, which every line of it could rename")
+    letters = {x for e in equations for x in symbols_of(e)}
+    strange: set[Symbol] = set(letters)
     for models in facts.families():
         for k, model in enumerate(models):
-            if not all(symbols_of(e) <= model.symbols() and _holds(e, model) for e in equations):
+            strange = min(strange, letters - model.symbols(), key=len)
+            if not (letters <= model.symbols() and all(_holds(e, model) for e in equations)):
                 continue
             loose = _loose(equations, model)
             if loose is not None:
-                letters = {x for e in equations for x in symbols_of(e)}
                 told = {x for e in equations for x in _told(e, model)}
                 for x in letters - told:
                     letters |= getattr(model.value(x), "free_symbols", set()) & {*LETTERS.units}
-                allowed = frozenset(letters)
-                return Passage(goal, models[: k + 1], loose, equations, allowed)
-    return None
+                return Passage(goal, models[: k + 1], loose, equations, frozenset(letters))
+    if strange:
+        named = ", ".join(sorted(map(text, strange)))
+        raise _NoGoalError(f"{goal} has letters of which no model here knows the values: {named}")
+    raise _NoGoalError(f"{goal} is no equation for one letter that a model here bears out")
 
 
 def _has_rates(equation: Equation) -> bool:
@@ -123,8 +135,9 @@ def _loose(equations: Sequence[Equation], model: Model) -> Model | None:
     """The model without what the goal tells; None where the goal is an identity all the same."""
     free: dict[Any, Any] = {}
     for x in (x for e in equations for x in _told(e, model)):
-        is_vector = isinstance(model.meaning[x], MatrixBase)
-        free[x] = facts.column(f"free_{x.name}") if is_vector else x
+        meant = model.meaning[x]
+        is_matrix = isinstance(meant, MatrixBase)
+        free[x] = facts.entries(f"free_{x.name}", *meant.shape) if is_matrix else x
     loose = facts.freed(model, free)
     try:
         gaps = [

@@ -560,26 +560,16 @@ def diagnose(
     equations: Sequence[Equation], cited: Sequence[Known], letters: Letters
 ) -> Diagnosis | None:
     """Whether equations follow from others by elimination; None where that can't be told."""
-    given: dict[Any, Value] = {}
-    for known in cited:
-        try:
-            given = put_in([*_kept(given, known)], letters)
-        except (RefusedError, NoMeaningError):
-            return None
-    algebra = Algebra(letters, given)
     try:
+        algebra = Algebra(letters, put_in(cited, letters))
         pairs = [p for e in equations for p in pairs_of(e, algebra)]
-    except NoMeaningError:
+    except (RefusedError, NoMeaningError):
         return None
     for pair in pairs:
         for part in _difference(pair).values():
             if not vanishes(part):
                 return _numbers(pair, letters)
     return Diagnosis(True)
-
-
-def _kept(given: dict[Any, Value], known: Known) -> Iterator[Known]:
-    yield known
 
 
 def _numbers(pair: Pair, letters: Letters) -> Diagnosis | None:

@@ -129,9 +129,37 @@ def test_what_comes_next_is_said_where_an_answer_stops(source, following):
     assert ("next on the page (lagrange_formalism.md, line" in found.summary) == bool(following)
 
 
-def test_names_that_are_no_single_equation_are_refused():
-    with pytest.raises(RigidtopError, match="constant-angle is no single equation"):
-        mark("", "3.38", "constant-angle")
+def matrix(first=r"c_\phi c_\theta c_\psi - s_\phi s_\psi"):
+    return rf"""$$O = \begin{{bmatrix}}
+{first} & -c_\phi c_\theta s_\psi - s_\phi c_\psi & c_\phi s_\theta\\
+s_\phi c_\theta c_\psi + c_\phi s_\psi & c_\phi c_\psi - s_\phi c_\theta s_\psi & s_\phi s_\theta\\
+-s_\theta c_\psi & s_\theta s_\psi & c_\theta
+\end{{bmatrix}}$$"""
+
+
+def test_a_matrix_may_be_the_goal():
+    right, wrong = (mark(source, "3.46", "3.47") for source in (matrix(), matrix(r"c_\phi c_\psi")))
+    assert right.passed
+    assert not wrong.passed
+    assert wrong.first_wrong is not None
+
+
+@pytest.mark.parametrize(
+    ("start", "goal", "why"),
+    [
+        ("3.38", "constant-angle", "constant-angle is 4 lines there, not one"),
+        ("1.20", "3.35", "3.35 is about a derivative"),
+        ("3.48", "3.49", "letters of which no model here knows the values: .*ρ"),
+        ("1.20", "3.50", "3.50 says ≈, and only equations are marked as goals"),
+        ("1.20", "3.51", "3.51 says ≈, and only equations are marked as goals"),
+    ],
+)
+def test_a_goal_that_is_not_marked_says_why(start, goal, why):
+    with pytest.raises(RigidtopError, match=why):
+        mark("", start, goal)
+
+
+def test_a_name_that_is_none_is_refused():
     with pytest.raises(RigidtopError, match="no line of the lecture is called 'x'"):
         mark("", "x", "3.53")
 
