@@ -118,8 +118,9 @@ def asked(lecture: Lecture, names: Sequence[str]) -> list[str]:
 
     wanted = [name for name in names if name in lecture.names]
     ids = {id for name in wanted for id in lecture.way(name)[0]}
-    found = ask(lecture, ids) if ids or not names else {}
-    said = []
+    if names and not ids:
+        return []
+    found, said = ask(lecture, ids), []
     for id, each in found.items():
         follows = lecture.judged(id).follows
         place = f"{each.line.file}, line {each.line.at}"

@@ -196,22 +196,13 @@ def _holds(line: Line, known: Known, model: Model) -> bool | None:
         rows = [decide.values(sympy.Add.make_args(gap), attempt) for _, gap in gaps]
         if not all(math.isfinite(x) for row in rows for x in row):
             continue
-        if not all(_fits(relation, row) for (relation, _), row in zip(gaps, rows, strict=True)):
-            return False
+        for (relation, _), row in zip(gaps, rows, strict=True):
+            if not decide.holds(relation, sum(row), 1 + sum(map(abs, row))):
+                return False
         places += 1
         if places == PLACES:
             break
     return True if places else None
-
-
-def _fits(relation: str, terms: list[float]) -> bool:
-    """Whether a sum is as a relation to 0 says."""
-    total, rounding = sum(terms), decide.TOLERANCE * (1 + sum(map(abs, terms)))
-    if relation in ("<", "≤"):
-        return total < rounding
-    if relation in (">", "≥"):
-        return total > -rounding
-    return (abs(total) <= rounding) != (relation == "≠")
 
 
 def _gaps(equation: Equation, model: Model) -> Iterator[Expr]:

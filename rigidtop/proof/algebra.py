@@ -792,7 +792,7 @@ def zero_in_digits(expression: Expr, tries: int = 2) -> bool | None:
         value, size = sum(terms), sum(map(abs, terms))
         if not math.isfinite(value):
             continue
-        if abs(value) > decide.TOLERANCE * (1 + size):
+        if not decide.holds("=", value, 1 + size):
             return False
         found, tries = True, tries - 1
         if not tries:

@@ -199,6 +199,24 @@ def anything(_: Point) -> bool:
     return True
 
 
+def holds(relation: str, gap: float, size: float = 1.0) -> bool:
+    """Whether a difference is as a relation to 0 says, beside `size`, that of what is compared.
+
+    >>> holds("=", 1e-7, 1e3), holds(">", 1e-12), holds("≥", -1e-12), holds("≠", 1.0)
+    (True, False, True, True)
+    """
+    rounding = TOLERANCE * size
+    if relation in ("=", "≡"):
+        return abs(gap) < rounding
+    if relation == "≠":
+        return abs(gap) >= rounding
+    if relation in (">", "≥"):
+        return gap > (rounding if relation == ">" else -rounding)
+    if relation in ("<", "≤"):
+        return gap < (-rounding if relation == "<" else rounding)
+    raise ValueError(f"numbers can't judge the relation {relation!r}")
+
+
 def points(
     symbols: Sequence[Symbol],
     angles: set[Symbol],

@@ -129,7 +129,7 @@ class _Gap:
     def vanishes(self) -> bool:
         """Whether it is nothing, as far as numbers tell."""
         return all(
-            abs(row[n]) <= decide.TOLERANCE * self.size[n]
+            decide.holds("=", row[n], self.size[n])
             for row in self.gaps.values()
             for n in self.places
         )

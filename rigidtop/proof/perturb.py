@@ -18,6 +18,7 @@ import sympy
 from sympy import Add, Integer, Symbol
 from sympy.matrices.exceptions import ShapeError
 
+from rigidtop.proof import decide
 from rigidtop.proof.algebra import Letters
 from rigidtop.proof.changed import Families, Perturbation, perturbations
 from rigidtop.proof.equation import (
@@ -91,7 +92,6 @@ def falls(check: Check, perturbation: Perturbation, letters: Letters = _ANY) -> 
 # --- whether a change says anything ------------------------------------------------------------
 
 _TRIALS = 3
-_TOLERANCE = 1e-9
 
 
 class _Trials:
@@ -118,7 +118,7 @@ class _Trials:
     def _says_nothing(self, changed: Equation) -> bool:
         """It holds whatever its symbols mean, as ω·(r × ω) = 0 does."""
         return all(
-            abs(difference) < _TOLERANCE
+            abs(difference) < decide.TOLERANCE
             for meaning in self._meanings
             for difference in _differences(changed, meaning)
         )
@@ -133,15 +133,15 @@ class _Trials:
             for a, b in zip(old, new, strict=True):
                 if a == b == 0:
                     continue
-                if abs(a) < _TOLERANCE or abs(b) < _TOLERANCE:
+                if abs(a) < decide.TOLERANCE or abs(b) < decide.TOLERANCE:
                     return False
                 factors.append(b / a)
-        return all(abs(f - factors[0]) < _TOLERANCE * abs(f) for f in factors)
+        return all(abs(f - factors[0]) < decide.TOLERANCE * abs(f) for f in factors)
 
     def _is_implied(self, changed: Equation) -> bool:
         """It holds with the names on the old one's sides given the values that make that true."""
         return bool(self._made_true) and all(
-            abs(difference) < _TOLERANCE
+            abs(difference) < decide.TOLERANCE
             for meaning in self._made_true
             for difference in _differences(changed, meaning)
         )
@@ -203,7 +203,7 @@ def _made_true(equation: Equation, meaning: dict[Any, Any]) -> dict[Any, Any] | 
     target = value(fixed[0] if fixed else equation.sides[0], true)
     for side in equation.sides:
         _solve(side, target, true)
-    small = all(abs(difference) < _TOLERANCE for difference in _differences(equation, true))
+    small = all(abs(difference) < decide.TOLERANCE for difference in _differences(equation, true))
     return true if small else None
 
 
