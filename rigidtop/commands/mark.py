@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import argparse
+import csv
 import sys
+from collections import Counter
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands.claims import FAILED
@@ -43,7 +46,12 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "example:\n"
         "  rigidtop mark answer.tex --from 3.53 --to 3.57"
     )
-    parser.add_argument("file", metavar="FILE", help="the answer; - reads it from standard input")
+    parser.add_argument(
+        "file",
+        metavar="FILE",
+        help="the answer; - reads it from standard input; a folder of answers becomes a table of "
+        "marks (CSV)",
+    )
     parser.add_argument(
         "--from", dest="start", required=True, metavar="N", help="the equation to start from"
     )
@@ -59,6 +67,8 @@ def run(options: argparse.Namespace) -> int:
     """Mark and print; 0 if every line follows and the derivation arrives."""
     if not 0 < options.seconds <= 3600:
         raise RigidtopError(f"--seconds must be between 0 and 3600, not {options.seconds:g}")
+    if options.file != "-" and Path(options.file).is_dir():
+        return _class(Path(options.file), options)
     source = _typed() if options.file == "-" else text_of(options.file)
     from rigidtop.mark.limits import marked
 
@@ -70,6 +80,45 @@ def run(options: argparse.Namespace) -> int:
     else:
         _print(found)
     return 0 if found.passed else FAILED
+
+
+COLUMNS = ("file", "points", "of", "passed", "wrong line", "slips", "summary")
+
+
+def _class(folder: Path, options: argparse.Namespace) -> int:
+    """A row of CSV for each answer of a folder; below it, on stderr, the commonest slips."""
+    from rigidtop.mark.limits import marked
+
+    files = sorted(path for path in folder.iterdir() if path.suffix in (".tex", ".md"))
+    if not files:
+        raise RigidtopError(f"{folder}: no answers in it, .tex or .md")
+    writer = csv.writer(sys.stdout, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    kinds: Counter[str] = Counter()
+    for path in files:
+        try:
+            found = marked(
+                text_of(path), options.start, options.goal, options.seconds, 6 * options.seconds
+            )
+        except RigidtopError as error:
+            writer.writerow([_cell(path.name), 0, 0, False, "", "", _cell(str(error))])
+            continue
+        slips = [slip for line in found.lines for slip in line.slips]
+        kinds.update({slip.kind for slip in slips})
+        wrong = found.first_wrong
+        words = _cell("; ".join(dict.fromkeys(slip.words for slip in slips)))
+        line = wrong.line if wrong is not None else ""
+        summary = _cell(found.summary)
+        row = [_cell(path.name), *found.points, found.passed, line, words, summary]
+        writer.writerow(row)
+    told = ", ".join(f"{kind} ({count})" for kind, count in kinds.most_common())
+    print(f"{len(files)} answers; slips: {told or 'none that is named'}", file=sys.stderr)
+    return 0
+
+
+def _cell(said: str) -> str:
+    """Text that a spreadsheet does not take for a formula."""
+    return f"'{said}" if said[:1] in ("=", "+", "-", "@", "\t", "\r") else said
 
 
 def record(found: Marking) -> dict[str, Any]:
@@ -85,6 +134,8 @@ def record(found: Marking) -> dict[str, Any]:
             }
             for line in found.lines
         ],
+        "points": found.points[0],
+        "of": found.points[1],
         "arrives": found.arrives,
         "lost": list(found.lost),
         "passed": found.passed,

@@ -85,6 +85,8 @@ class Marked:
     mark: Mark
     note: str = ""
     slips: tuple[slips.Slip, ...] = ()
+    behind: int = 0
+    """The wrong line that it follows from, if it does."""
 
 
 @dataclass(frozen=True)
@@ -106,17 +108,26 @@ class Marking:
         return next((line for line in self.lines if line.mark is Mark.WRONG), None)
 
     @property
+    def points(self) -> tuple[int, int]:
+        """How many lines are right, those right behind a wrong one among them, of how many."""
+        right = [line.mark in _SOUND or bool(line.behind) for line in self.lines]
+        return sum(right), len(right)
+
+    @property
     def passed(self) -> bool:
         """Every line was read and follows, and the goal is reached."""
-        sound = (Mark.FOLLOWS, Mark.DEFINITION, Mark.ASSUMPTION)
-        return self.arrives and all(line.mark in sound for line in self.lines)
+        return self.arrives and all(line.mark in _SOUND for line in self.lines)
 
     @property
     def summary(self) -> str:
         """One line for the whole."""
         wrong = self.first_wrong
         if wrong is not None:
-            return f"line {wrong.line} does not follow"
+            points = "{} of {}".format(*self.points)
+            behind = [str(line.line) for line in self.lines if line.behind]
+            lines = f"line{'s' * (len(behind) > 1)} {', '.join(behind)}"
+            right = f"; {lines} right from there" if behind else ""
+            return f"line {wrong.line} does not follow{right}: {points} lines"
         unsure = [line for line in self.lines if line.mark in (Mark.INCONCLUSIVE, Mark.UNREAD)]
         if unsure:
             return f"inconclusive: line {unsure[0].line} was {_UNSURE[unsure[0].mark]}"
@@ -131,6 +142,7 @@ class Marking:
         return f"{said}; {self.way}" if self.way else said
 
 
+_SOUND = (Mark.FOLLOWS, Mark.DEFINITION, Mark.ASSUMPTION)
 _UNSURE = {Mark.INCONCLUSIVE: "neither shown nor refuted", Mark.UNREAD: "not read"}
 
 
@@ -541,15 +553,16 @@ class _Answer:
         assert step.line.equation is not None
         whole = _replaced(step.line.equation, self._own_replaced)
         if found is Mark.CARRIED:
-            return Marked(step.number, said, found, self._carried(step.number, whole))
+            note, behind = self._carried(step.number, whole)
+            return Marked(step.number, said, found, note, behind=behind)
         self.wrong.append((step.number, whole))
         named = explain(link, self.passage) if self.explained else ()
         if named:
             note = f"{' or '.join(slip.words for slip in named)}; {note}"
         return Marked(step.number, said, found, note, named)
 
-    def _carried(self, number: int, equation: Equation) -> str:
-        """Whether what is false follows from a false line above it, in words."""
+    def _carried(self, number: int, equation: Equation) -> tuple[str, int]:
+        """Whether what is false follows from a false line above it, in words, and that line."""
         for line, above in reversed(self.wrong):
             try:
                 found = diagnose([equation], [Known("", (above,))], LETTERS)
@@ -557,8 +570,8 @@ class _Answer:
                 continue
             if found is not None and found.entailed:
                 self.wrong.append((number, equation))
-                return f"follows from line {line}, which does not"
-        return "does not hold either, behind a wrong line"
+                return f"follows from line {line}, which does not", line
+        return "does not hold either, behind a wrong line", 0
 
     def _judge_if_known(self, link: Link, model: Model) -> Verdict:
         """Ω means nothing for a motion that is not steady."""

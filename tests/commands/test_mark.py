@@ -1,5 +1,6 @@
 """``rigidtop mark``: what it prints, its exit codes, what it refuses."""
 
+import csv
 import json
 from pathlib import Path
 
@@ -31,10 +32,30 @@ def test_a_wrong_one(capsys, tmp_path):
     assert main(["mark", str(file), "--from", "3.54", "--to", "3.57", "--json"]) == 1
     found = json.loads(capsys.readouterr().out)
     assert (found["from"], found["to"], found["passed"]) == ("3.54", "3.57", False)
-    assert found["summary"] == "line 6 does not follow"
+    assert found["summary"] == "line 6 does not follow: 3 of 4 lines"
+    assert (found["points"], found["of"]) == (3, 4)
     [wrong] = [line for line in found["lines"] if line["verdict"] == "wrong"]
     assert wrong["line"] == 6
     assert wrong["slips"] == [{"kind": "sign", "words": "the sign of (λ₃ω₃)Ω"}]
+
+
+def test_a_folder_becomes_a_table_of_marks(capsys, tmp_path):
+    right = RIGHT.read_text("utf-8")
+    (tmp_path / "ann.tex").write_text(right, "utf-8")
+    wrong = right.replace(r"- (\lambda_3\omega_3)", r"+ (\lambda_3\omega_3)")
+    (tmp_path / "=bob.tex").write_text(wrong, "utf-8")
+    (tmp_path / "notes.txt").write_text("no answer")
+    assert main(["mark", str(tmp_path), "--from", "3.54", "--to", "3.57"]) == 0
+    out, err = capsys.readouterr()
+    head, bob, ann = csv.reader(out.splitlines())
+    assert head == ["file", "points", "of", "passed", "wrong line", "slips", "summary"]
+    assert bob[:6] == ["'=bob.tex", "3", "4", "False", "6", "the sign of (λ₃ω₃)Ω"]
+    assert (ann[0], ann[3], ann[4]) == ("ann.tex", "True", "")
+    assert ann[1] == ann[2]
+    assert err == "2 answers; slips: sign (1)\n"
+    (tmp_path / "none").mkdir()
+    assert main(["mark", str(tmp_path / "none"), "--from", "3.54", "--to", "3.57"]) == 2
+    assert "no answers in it" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("text", ["$$0 = 0$$", r"$$\ddot\theta \approx 0$$", "$$Q = Q$$"])
