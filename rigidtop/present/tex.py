@@ -166,6 +166,7 @@ def _preamble(document: Document) -> str:
     made = _style("lecture.tex" if document.lecture else "record.tex")
     made = made.replace("@PAPER@", f"{look.paper}paper")
     made = made.replace("@LANGUAGE@", LANGUAGES[look.language])
+    made = made.replace("@CONTENTS@", prose(said("Contents", look.language)))
     made = made.replace("@STYLE@", _inside(style_file()))
     if look.documentclass:
         made = made.replace("{article}", f"{{{look.documentclass}}}", 1)
@@ -361,7 +362,9 @@ def display(rows: Sequence[Row], room: float = lay.LINE) -> str:
     # Side notes go out from the sentence: inside the display there is no place for them.
     notes = "".join(_note(row.mark) for row in rows)
     together[0][0] = replace(together[0][0], reason=together[0][0].reason + notes)
-    return "\n".join(_sized(rows, room) for rows in together)
+    made = "\n".join(_sized(rows, room) for rows in together)
+    # Behind a side note LaTeX would allow the page to end.
+    return rf"{{\interlinepenalty10000 {made}\par}}" if notes else made
 
 
 WIDE = 1.12

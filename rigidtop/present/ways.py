@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
+from string import ascii_lowercase, ascii_uppercase
 from types import MappingProxyType
 from typing import Any
 
 import sympy
 
 from rigidtop.notation import NOTES, Notation
+from rigidtop.notation.characters import TEX_GREEK
 from rigidtop.present import plain
 from rigidtop.present.latex import latex
 from rigidtop.present.layout import Node, layout
@@ -239,8 +241,25 @@ def running(
         if isinstance(piece, str):
             made += _with_figures(piece, figures)
         else:
-            made.append(getattr(piece, "text", None) or layout(notation.written(piece), "printed"))
+            unread = getattr(piece, "latex", None)
+            made.append(_marked(unread) if unread else layout(notation.written(piece), "printed"))
     return tuple(made)
+
+
+_GREEK = {name: letter for letter, name in TEX_GREEK.items()}
+_BOLD = {c: chr(0x1D400 + k) for k, c in enumerate(ascii_uppercase + ascii_lowercase)}
+
+
+def _marked(tex: str) -> str:
+    r"""Mathematics that is no expression, marked as in sentences, its letters as characters.
+
+    >>> _marked(r"\mathbf u + i\mathbf v"), _marked(r"2\cos\alpha\,\mathbf{n}_k")
+    ('$𝐮 + i𝐯$', '$2 cos α 𝐧_k$')
+    """
+    bold = re.sub(r"\\mathbf\s*\{?([A-Za-z])\}?", lambda m: _BOLD[m[1]], tex)
+    words = re.sub(r"\\[A-Za-z]+", lambda m: _GREEK.get(m[0], f" {m[0][1:]} "), bold)
+    plain = re.sub(r"[{}]", "", words.replace(r"\,", " "))
+    return f"${' '.join(plain.split())}$"
 
 
 def called(line: Line, notation: Notation = NOTES) -> Rich:

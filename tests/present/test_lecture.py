@@ -430,7 +430,8 @@ def test_a_lecture_of_ones_own_looks(document):
     own = replace(document, look=look, title="Kreisel", byline="A. Lecturer, PHY 305")
     source = tex.write(own, {b.name: "x" for b in own.blocks if isinstance(b, Figure)})
     assert r"\documentclass[10pt,letterpaper,fleqn]{scrartcl}" in source
-    assert r"\usepackage[ngerman]{babel}" in source
+    assert r"\IfFileExists{ngerman.ldf}{\usepackage[ngerman]{babel}}" in source
+    assert r"\renewcommand{\contentsname}{Inhalt}" in source
     assert re.search(r"% mine\s+\\begin\{document\}", source)
     assert "A. Lecturer, PHY 305" in source
     assert "pdftitle={Kreisel}" in source
