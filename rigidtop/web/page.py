@@ -159,7 +159,9 @@ def _equation(pair: tuple[terms.TermsOf, bool | None]) -> dict[str, Any]:
         "mathml": each.mathml,
         "function": each.function,
         "symmetric": symmetric,
-        "terms": [{"text": t.text, "name": t.name, "unit": t.unit} for t in each.terms],
+        "terms": [
+            {"text": t.text, "name": t.name, "unit": t.unit, "arrow": t.arrow} for t in each.terms
+        ],
     }
 
 

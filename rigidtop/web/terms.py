@@ -44,6 +44,8 @@ class Term:
     expression: Expr
     name: str
     unit: str
+    arrow: str = ""
+    """The page's arrow of what it is a component of, if there is one."""
 
     @property
     def text(self) -> str:
@@ -63,13 +65,16 @@ class TermsOf:
     names: tuple[str, ...]
     unit: str
     meaning: Mapping[Any, Any]
+    arrows: tuple[str, ...] = ()
 
     @cached_property
     def terms(self) -> tuple[Term, ...]:
         """Of both sides; what says only that a quantity is constant is none."""
         found = [term for side in self.equation.sides for term in _terms(side)]
+        arrows = self.arrows or ("",) * len(found)
         return tuple(
-            Term(each, name, self.unit) for each, name in zip(found, self.names, strict=True)
+            Term(each, name, self.unit, arrow)
+            for each, name, arrow in zip(found, self.names, arrows, strict=True)
         )
 
     @property
@@ -123,6 +128,7 @@ def heavy() -> tuple[TermsOf, ...]:
             ),
             "N m",
             MEANING,
+            ("", "", "", "torque"),
         ),
         TermsOf(
             "pPhiTerms",
@@ -135,6 +141,7 @@ def heavy() -> tuple[TermsOf, ...]:
             ),
             "J s",
             MEANING,
+            ("L", "", ""),
         ),
         TermsOf(
             "pPsiTerms",
@@ -146,6 +153,7 @@ def heavy() -> tuple[TermsOf, ...]:
             ),
             "J s",
             MEANING,
+            ("L", ""),
         ),
     )
 
@@ -175,6 +183,7 @@ def _eulers(suffix: str, equations: list[Equation], *, torque: bool) -> tuple[Te
             ),
             "N m",
             meaning,
+            ("", "", *(["torque"] if torque else [])),
         )
         for axis, sub, equation in zip((1, 2, 3), "₁₂₃", equations, strict=True)
     )

@@ -559,6 +559,20 @@ def test_a_term_is_named_with_its_value(live, kind, hash):
         assert live.driver.switch_to.active_element == drawn[0]
 
 
+def test_a_term_lights_its_arrow(live):
+    live.show(HEAVY, f"{STILL}&preset=loops&layers=e3")
+    shown = "[...document.querySelectorAll('#scene span')].filter((x) => x.style.display !== 'none'"
+    shown += " && ['L', 'N', 'ω'].includes(x.textContent)).map((x) => x.textContent)"
+    terms_ = live.all("#equations figure:first-of-type [data-term]")
+    for term, arrows in ((terms_[3], ["N"]), (terms_[1], [])):
+        live.driver.execute_script("arguments[0].focus()", term)
+        live.wait(lambda arrows=arrows: live.js(shown) == arrows)
+    live.driver.execute_script("arguments[0].focus()", terms_[3])
+    live.wait(lambda: live.js(shown) == ["N"])
+    live.driver.execute_script("arguments[0].blur()", terms_[3])
+    live.wait(lambda: not live.js(shown))
+
+
 def quantities(live):
     """The state of the page by SymPy's names."""
     return live.driver.execute_async_script(

@@ -16,13 +16,14 @@ const ARROWS = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
  *
  * @param {HTMLElement} container
  * @param {readonly Equation[]} list
+ * @param {(arrow: import("./types").Term["arrow"]) => void} light Show what a term is part of.
  */
-export function createEquationPanel(container, list) {
+export function createEquationPanel(container, list, light) {
   container.classList.add("equations");
   const hint = document.createElement("p");
   hint.className = "equations-hint";
   hint.textContent = "Point at a term, tap it, or reach it with Tab and the arrow keys.";
-  const entries = list.map(createEntry);
+  const entries = list.map((each) => createEntry(each, light));
   container.replaceChildren(hint, ...entries.map((entry) => entry.figure));
 
   const update = atMostEvery(250, (/** @type {Sample} */ sample, /** @type {Motion} */ motion) => {
@@ -35,8 +36,9 @@ export function createEquationPanel(container, list) {
  * One equation with the line that names a term of it.
  *
  * @param {Equation} equation
+ * @param {(arrow: import("./types").Term["arrow"]) => void} light
  */
-function createEntry({ tag, title, mathml, function: name, symmetric, terms }) {
+function createEntry({ tag, title, mathml, function: values, symmetric, terms }, light) {
   const figure = document.createElement("figure");
   figure.className = "equation";
   figure.setAttribute("aria-label", tag ? `Equation (${tag}): ${title}` : title);
@@ -55,7 +57,7 @@ function createEntry({ tag, title, mathml, function: name, symmetric, terms }) {
   naming.className = "equation-naming";
   const amount = document.createElement("span");
   amount.className = "equation-amount";
-  amount.id = `amount-${name}`;
+  amount.id = `amount-${values}`;
   const meaning = document.createElement("span");
   naming.append(amount, meaning);
   const row = document.createElement("div");
@@ -95,7 +97,13 @@ function createEntry({ tag, title, mathml, function: name, symmetric, terms }) {
       each.removeAttribute("aria-describedby");
     }
     target.setAttribute("aria-describedby", amount.id);
+    name();
+  }
+
+  /** Name what is pointed at or chosen, and light its arrow. */
+  function name() {
     show();
+    light(terms[pointed >= 0 ? pointed : chosen]?.arrow ?? "");
   }
 
   function show() {
@@ -113,7 +121,7 @@ function createEntry({ tag, title, mathml, function: name, symmetric, terms }) {
   function amountOf(k) {
     const { text, unit } = terms[k];
     if (!present) return text;
-    const value = termValues(name, ...present)[k];
+    const value = termValues(values, ...present)[k];
     return Number.isFinite(value)
       ? `${text} = ${withUnit(significant(value), unitIn(unit, present[1]))}`
       : `${text} is not defined here (sin θ = 0)`;
@@ -122,12 +130,13 @@ function createEntry({ tag, title, mathml, function: name, symmetric, terms }) {
   formula.addEventListener("pointerover", (event) => {
     const target = targetOf(event);
     pointed = target ? termOf(target) : -1;
-    show();
+    name();
   });
   formula.addEventListener("pointerleave", () => {
     pointed = -1;
-    show();
+    name();
   });
+  formula.addEventListener("focusout", () => light(""));
   for (const type of ["focusin", "click"]) {
     formula.addEventListener(type, (event) => {
       const target = targetOf(event);

@@ -25,11 +25,11 @@ const nudged = ({ omega1, omega2, omega3 }) => ({
 
 /** @type {readonly (readonly [string, string, Kind | null, Change])[]} */
 const CHANGES = [
-  ["other", "the other of Ω₋, Ω₊", "heavy-top", otherRate],
-  ["spin", "ω₃ 5 % less", "heavy-top", times("omega3", 0.95)],
-  ["nudge", "ω₁ more by ω/100", "free", nudged],
-  ["larger", "λ₂ 1 % larger", null, times("lambda2", 1.01)],
-  ["smaller", "λ₂ 1 % smaller", null, times("lambda2", 0.99)],
+  ["other", "the other Ω±", "heavy-top", otherRate],
+  ["spin", "ω₃ − 5 %", "heavy-top", times("omega3", 0.95)],
+  ["nudge", "ω₁ + ω/100", "free", nudged],
+  ["larger", "λ₂ + 1 %", null, times("lambda2", 1.01)],
+  ["smaller", "λ₂ − 1 %", null, times("lambda2", 0.99)],
 ];
 
 /**

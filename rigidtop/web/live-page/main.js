@@ -55,6 +55,8 @@ const PREVIEW = 12;
 const PREVIEW_DELAY = 120;
 /** How often the picture's description is told anew, in ms. */
 const DESCRIPTION = 5000;
+/** How a sentence on a ghost that there can't be begins. */
+const NO_GHOST = "Nothing is beside it";
 /** Frames that fell behind, net of those that did not, until the page says so. */
 const BEHIND = 30;
 
@@ -120,16 +122,15 @@ const map =
         sliders.setAll({ phi_dot: phidot, omega3 });
       });
 const meter = createMeter(find("meter"));
-const equations = createEquationPanel(find("equations"), data.equations);
+const equations = createEquationPanel(find("equations"), data.equations, (arrow) => {
+  scene?.light(arrow);
+});
 
 const address = createAddressBar(currentAddress);
 const transport = createTransport(find("transport"), {
   toStart,
   toggle,
-  step: (way) => {
-    pause();
-    setGoal(Math.max(0, motion.now.t + way * STEP * motion.timescale));
-  },
+  step,
   setSpeed: (factor) => {
     state.speed = factor;
     behind = 0;
@@ -191,10 +192,7 @@ const themes = element(
 const keys = createKeys(picture, /** @type {HTMLDialogElement} */ (find("keys")), {
   play: () => (playing ? pause() : toggle(1)),
   backwards: () => toggle(-1),
-  step: (way) => {
-    pause();
-    setGoal(Math.max(0, motion.now.t + way * STEP * motion.timescale));
-  },
+  step,
   toStart,
   zoom: (factor) => scene?.zoom(factor),
   turn: (azimuth, elevation) => scene?.turn(azimuth, elevation),
@@ -412,6 +410,7 @@ function begin(next) {
 /** The ghost that is asked for, at the time at which the motion is, if there is such a body. */
 function setGhost() {
   ghost = null;
+  if (notice.textContent?.startsWith(NO_GHOST)) notice.hidden = true;
   if (state.ghost) {
     const words = ghosts.find(([name]) => name === state.ghost)?.[1];
     const values = ghostValues(state.ghost, state.values, facts);
@@ -420,7 +419,7 @@ function setGhost() {
       ghost = createMotion(setupOf({ ...state, values }), data.tableau, motion.timescale);
       ghost.go(motion.now.t);
     } catch (error) {
-      complain([`nothing is beside it with ${words}: ${messageOf(error)}`]);
+      complain([`${NO_GHOST} with ${words}: ${messageOf(error)}`]);
     }
   }
   forgetPreview();
@@ -503,6 +502,12 @@ function toggle(way) {
   behind = 0;
   lastFrame = NaN;
   wake();
+}
+
+/** A little on or back. */
+function step(/** @type {1 | -1} */ way) {
+  pause();
+  setGoal(Math.max(0, motion.now.t + way * STEP * motion.timescale));
 }
 
 /** Begin anew, from the start itself. */

@@ -102,6 +102,8 @@ export function createScene(container, colours) {
   let view = "space";
   /** @type {ReadonlySet<Layer>} */
   let layers = new Set(/** @type {Layer[]} */ (["e3", "omega", "L", "trail"]));
+  /** @type {import("./types").Term["arrow"]} */
+  let lit = "";
   /** @type {Sample | null} */
   let sample = null;
   /** @type {readonly Sample[]} */
@@ -164,8 +166,7 @@ export function createScene(container, colours) {
     const label = labels.add(text);
     palette.follow((c) => {
       label.element.style.color = pick(c);
-      const thick = c.highContrast ? 1.5 : 1;
-      arrow.thicken(thick);
+      arrow.thicken(c.highContrast ? 1.5 : 1);
     });
     return { arrow, holder, label };
   }
@@ -306,8 +307,11 @@ export function createScene(container, colours) {
     e2.holder.visible = layers.has("e2");
     e3.holder.visible = layers.has("e3");
     omega.holder.visible = layers.has("omega");
-    momentum.holder.visible = layers.has("L");
-    torque.holder.visible = layers.has("torque") && heavy;
+    momentum.holder.visible = layers.has("L") || lit === "L";
+    torque.holder.visible = heavy && (layers.has("torque") || lit === "torque");
+    const usual = palette.colours.highContrast ? 1.5 : 1;
+    momentum.arrow.thicken(lit === "L" ? 2 * usual : usual);
+    torque.arrow.thicken(lit === "torque" ? 2 * usual : usual);
     surroundings.floor.visible = heavy;
     dome.visible = layers.has("trail");
     surroundings.outline.visible = layers.has("trail");
@@ -390,6 +394,13 @@ export function createScene(container, colours) {
 
     setLayers(/** @type {readonly Layer[]} */ next) {
       layers = new Set(next);
+      arrange();
+    },
+
+    /** Make an arrow stand out, whether or not it is drawn else; "" for none. */
+    light(/** @type {import("./types").Term["arrow"]} */ arrow) {
+      if (lit === arrow) return;
+      lit = arrow;
       arrange();
     },
 

@@ -37,8 +37,8 @@ import { apart } from "./ghost.js";
 
 /** The plots of a page, by their names in the address; the first is shown at first. */
 const PLOTS = /** @type {const} */ ({
-  "heavy-top": [["angles", "θ, φ"], ["path", "θ against φ"], ["energy", "energies T, V, E"]],
-  free: [["rates", "ω₁, ω₂, ω₃"], ["angles", "θ, φ"], ["path", "θ against φ"]],
+  "heavy-top": [["angles", "θ, φ"], ["path", "θ(φ)"], ["energy", "T, V, E"]],
+  free: [["rates", "ω₁,₂,₃"], ["angles", "θ, φ"], ["path", "θ(φ)"]],
 });
 
 /**

@@ -2,6 +2,8 @@
 
 /** @typedef {import("./types").Parameter} Parameter */
 
+import { nice } from "./axes.js";
+
 const DEGREE = Math.PI / 180;
 
 /** Steps of a slider from end to end, at least. */
@@ -15,16 +17,6 @@ const CATCH = 0.012;
 
 /** With Shift a slider moves so much less than the hand. */
 const SLOWER = 0.1;
-
-/**
- * The least of 1, 2, 5 times a power of ten that is not below.
- *
- * @param {number} width
- */
-function niceStep(width) {
-  const power = 10 ** Math.floor(Math.log10(width));
-  return power * ([1, 2, 5].find((factor) => factor * power >= width * (1 - 1e-9)) ?? 10);
-}
 
 /**
  * The least and the largest position, the step, and the way there and back.
@@ -53,7 +45,7 @@ export function trackOf(parameter, least, most) {
     };
   }
   const unit = parameter.angle ? DEGREE : 1;
-  const step = niceStep((most - least) / unit / (2 * STEPS));
+  const step = nice((most - least) / unit / (2 * STEPS));
   const end = (/** @type {number} */ count) => Number((count * step).toPrecision(12));
   return {
     low: end(Math.floor(least / unit / step)),

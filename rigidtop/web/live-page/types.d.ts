@@ -172,6 +172,8 @@ export interface Term {
   /** "torque of gravity". */
   readonly name: string;
   readonly unit: string;
+  /** What lights up in the picture: the arrow of what the term is a component of; "" for none. */
+  readonly arrow: "" | "L" | "torque";
 }
 
 /** What Python writes into the page. */
