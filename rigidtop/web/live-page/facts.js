@@ -19,7 +19,7 @@ import { agm, nearestToMiddle, NEARLY_ALONG, polhodePeriod } from "./polhode.js"
 /** What rounding of the initial state does to what decides the regime. */
 const ROUNDING = 1e-11;
 const BISECTIONS = 100;
-const MIDPOINTS = 2000;
+const MIDPOINTS = 1000;
 
 /** What sleeping and waking are about (rad). */
 const NEARLY_UPRIGHT = 0.1;
@@ -155,6 +155,8 @@ function periodBetween([c3, c2], low, high) {
 /**
  * φ̇ on average over a nutation.  With u = cos θ = m − h cos s between its turning points φ̇ and
  * dt/ds are smooth and periodic in s, where the sums of the midpoint rule converge geometrically.
+ * Near the vertical φ̇ sin²θ/(1 − u²) is steep: the poles at u = ±1 are taken out, each of which
+ * turns φ by half a turn, since (a + bu)² is minus the cubic there.
  *
  * @param {readonly number[]} cubic
  * @param {readonly number[]} linear coefficients of u and 1 in φ̇ sin²θ
@@ -163,13 +165,20 @@ function periodBetween([c3, c2], low, high) {
  */
 function meanRate([c3, c2], [b, a], low, high) {
   const third = -c2 / c3 - low - high;
+  const poles = [1, -1].map((pole) => {
+    const numerator = a + b * pole;
+    const way = Math.sign(numerator);
+    return { pole, numerator, way, root: way * Math.sqrt((1 - pole * low) * (1 - pole * high)) };
+  });
   let [turned, passed] = [0, 0];
   for (let k = 0; k < MIDPOINTS; k++) {
     const s = ((k + 0.5) * Math.PI) / MIDPOINTS;
     const u = (low + high - (high - low) * Math.cos(s)) / 2;
     const time = 1 / Math.sqrt(Math.abs(c3 * (third - u)));
-    turned += (time * (a + b * u)) / ((1 - u) * (1 + u));
     passed += time;
+    for (const { pole, numerator, way, root } of poles) {
+      turned += way / 2 + (numerator * time - root) / (2 * (1 - pole * u));
+    }
   }
   return turned / passed;
 }
