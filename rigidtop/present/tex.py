@@ -354,11 +354,11 @@ def display(rows: Sequence[Row], room: float = lay.LINE) -> str:
     """
     together: list[list[AlignRow]] = []
     for row in rows:
-        made = _align_row(row, room)
-        if together and _width([*together[-1], made]) <= WIDE * room:
-            together[-1].append(made)
+        lines = _align_row(row, room)
+        if together and _width([*together[-1], lines]) <= WIDE * room:
+            together[-1].append(lines)
         else:
-            together.append([made])
+            together.append([lines])
     # Side notes go out from the sentence: inside the display there is no place for them.
     notes = "".join(_note(row.mark) for row in rows)
     together[0][0] = replace(together[0][0], reason=together[0][0].reason + notes)
