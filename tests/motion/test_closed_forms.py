@@ -698,14 +698,11 @@ def test_many_samples_of_a_free_body_are_those_of_few(omega, count):
 
 
 COURSES = {
-    "loops": ({"theta": 1.0, "phi_dot": -3.0, "omega3": 30.0}, samples.Harmonics),
-    "close to straight down": (
-        {"theta": 2.0, "theta_dot": 3.0, "phi_dot": -4.0, "omega3": 16.7},
-        samples.Harmonics,
-    ),
-    "steady": ({"theta": 1.0, "phi_dot": 0.25, "omega3": 39.3}, samples.Harmonics),
-    "falling": ({"theta": 0.1, "omega3": 2.0}, samples.Nodes),
-    "pendulum": ({"theta": 1.0, "theta_dot": 0.5, "omega3": 0.0}, samples.Nodes),
+    "loops": {"theta": 1.0, "phi_dot": -3.0, "omega3": 30.0},
+    "close to straight down": {"theta": 2.0, "theta_dot": 3.0, "phi_dot": -4.0, "omega3": 16.7},
+    "steady": {"theta": 1.0, "phi_dot": 0.25, "omega3": 39.3},
+    "falling": {"theta": 0.1, "omega3": 2.0},
+    "pendulum": {"theta": 1.0, "theta_dot": 0.5, "omega3": 0.0},
 }
 
 
@@ -713,12 +710,11 @@ COURSES = {
 @pytest.mark.parametrize("count", [300, 4_000, 100_000])
 @pytest.mark.parametrize("name", COURSES)
 def test_many_samples_of_a_top_are_those_of_few(name, count, end):
-    start, way = COURSES[name]
-    motion = TOP.motion(psi=1.0, **start)
+    motion = TOP.motion(psi=1.0, **COURSES[name])
     times = np.linspace(0.7, end, count)
     run = motion.exact(times)
-    if count == 4_000 and end > 0:
-        assert {*map(type, run.samples.parts)} == {way}
+    if count == 100_000:
+        assert len(run.samples.others) < count / 4
     some = np.append(np.arange(0, count, count // 29), count - 1)
     few = motion.exact(times[some])
     for quantity in ("theta", "phi", "psi", "theta_dot", "phi_dot", "psi_dot", "cos_half"):
@@ -728,12 +724,12 @@ def test_many_samples_of_a_top_are_those_of_few(name, count, end):
         assert_allclose(found, expected, rtol=0, atol=2e-15 * late * size, err_msg=quantity)
 
 
-def test_a_series_that_has_not_ended_is_not_taken():
-    """Of what is needed to rounding; a false strip promises too few harmonics."""
-    motion = TOP.motion(theta=2.0, theta_dot=3.0, phi_dot=-4.0, omega3=16.7)
+def test_pieces_that_are_too_long_are_not_taken():
+    """A motion that is said to be slower promises longer ones; then none is taken."""
+    motion = TOP.motion(theta=1.0, phi_dot=0.25, omega3=39.3)
     times, orbit = np.linspace(0.0, 5.0, 4000), motion.orbit
-    for nearest, taken in ((orbit.course.nearest, True), (2.0, False)):
-        course = replace(orbit.course, nearest=nearest)
+    for slower, taken in ((1, True), (30, False)):
+        rate, turning = orbit.course.rate / slower, orbit.course.turning / slower
+        course = replace(orbit.course, rate=rate, turning=turning)
         found = samples.samples(times, course, orbit.states, orbit.sizes)
-        ways = {type(part) for part in found.parts} if found else set()
-        assert (samples.Harmonics in ways) == taken
+        assert (found is not None) == taken

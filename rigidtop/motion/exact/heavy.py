@@ -277,13 +277,7 @@ class Orbit:
         nearest = min(strip / 2, self.first.factor.distance, self.second.factor.distance)
         if self.first.through or self.second.through or not rate:
             return Course(rate, strip, rate, half=half)
-        own, other = (
-            each.drift + each.sense * each.factor.turn * rate / (2 * half)
-            for each in (self.first, self.second)
-        )
-        up, down = (own, other) if self.swapped else (other, own)
-        slopes = {"phi": up + down, "psi": self.start.omega3 + down - up}
-        return Course(rate, strip, rate, nearest, half, slopes)
+        return Course(rate, strip, rate, nearest, half)
 
     def at(self, t: Real) -> TopState:
         """The state at times t (s), which broadcast against the orbit."""
@@ -396,19 +390,23 @@ def _half(k: Kit, half: Half, at: theta.Place, cubics: Sequence[Real]) -> tuple[
         return t, across, half.scale * (across * across + g * g)
 
     t, across, square = k.pick(half.factor.weighted, weighted, alone)
-    angle = k.pick(
-        half.factor.wound,
-        lambda: (k.atan2(t * winding, g + at.t * across),),
-        lambda: (k.atan2(across, g),),
-    )[0]
-    phase = angle + at.turns * half.factor.turn
-    if k.any(half.through):
+
+    def jumping() -> tuple[Real]:
         odd = at.turns % 2 == 1
-        if half.at_origin:
-            angle = k.where(at.t == 0, k.copysign(math.pi / 2, at.z), angle)
-            phase = k.where(half.through, k.where(odd, -angle, angle), phase)
-        else:
-            phase = k.where(half.through, k.where(odd, math.pi, 0.0), phase)
+        if not half.at_origin:
+            return (k.where(odd, math.pi, 0.0),)
+        angle = k.where(at.t == 0, k.copysign(math.pi / 2, at.z), k.atan2(across, g))
+        return (k.where(odd, -angle, angle),)
+
+    def growing() -> tuple[Real]:
+        angle = k.pick(
+            half.factor.wound,
+            lambda: (k.atan2(t * winding, g + at.t * across),),
+            lambda: (k.atan2(across, g),),
+        )[0]
+        return (angle + at.turns * half.factor.turn,)
+
+    phase = k.pick(half.through, jumping, growing)[0]
     return square, phase
 
 
