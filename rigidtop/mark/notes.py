@@ -496,8 +496,6 @@ class _Ledger:
         else:
             sides = (self.value(left), self.value(right))
         rests = set(self.used)
-        with sympy.evaluate(False):
-            whole = sides[0] - sides[1]
         residual = sides[0] - sides[1]
 
         def made(verdict: Verdict, note: str, *more: int) -> Held:
@@ -507,7 +505,7 @@ class _Ledger:
         if shown is not None and not rests and left == right:
             return made(Verdict.UNDECIDED, "it says nothing: both sides are the same")
         if shown is not None:
-            where = self.turned(whole, holds=True)
+            where = None if right is None else self.turned(left, right, holds=True)
             if where is not None:
                 return made(Verdict.ASSUMING, f"where {text(where)} > 0")
             return made(shown, "by what is said above" if rests else "whatever its letters are")
@@ -519,7 +517,7 @@ class _Ledger:
         if special is not None:
             where, lines = special
             return made(Verdict.ASSUMING, f"where {where}", *lines)
-        if self.turned(residual) is not None:
+        if right is not None and self.turned(left, right) is not None:
             return made(Verdict.UNDECIDED, "it holds with the other sign of a root")
         premise = self.premise(number, line, left, right, residual)
         if premise is not None:
@@ -595,14 +593,15 @@ class _Ledger:
         if not all({_bare(x) for x in side.free_symbols} & self.moving for side in sides):
             return False
         mine, theirs = (side.free_symbols - {TIME} for side in sides)
-        law = self.law if self.law is not None and self.law.rests <= self.used else None
+        here = max(self.places)  # of a chain that gives ℒ the first form is the law
+        law = self.law if self.law is not None and self.law.rests <= self.used | {here} else None
         within = {_bare(x) for x in theirs} <= {_bare(x) for x in mine}.union(
             law.letters if law is not None else ()
         )
         if getattr(left, "atoms", lambda *_: False)(eq.Rate, eq.Partial):
             return within
         if not isinstance(left, Lettered):
-            return inner and mine == theirs
+            return inner and (mine == theirs or (law is not None and within))
         known = self.given.get(left)
         if _accent(left):  # a derivative, or a rate that stands in the momenta: solved for it
             return (known is not None and theirs <= mine) or (law is not None and left in theirs)
@@ -673,13 +672,14 @@ class _Ledger:
                 return f"where {told}, {text(x)} balances: {found}"
         return None
 
-    def turned(self, residual: Expr, holds: bool = False) -> Symbol | None:
+    def turned(self, left: Any, right: Any, holds: bool = False) -> Symbol | None:
         """The letter, known by its square, with whose other sign a line holds, or does not."""
-        for letter, known in self.given.items():
-            if known.roots and known.rests & self.used and residual.has(known.value):
-                other = residual.subs(known.value, -known.value)
-                if (_vanishes(other) is None) == holds:
-                    return letter
+        roots = {x: g for x, g in self.given.items() if g.roots and g.rests & self.used}
+        for letter, known in roots.items():
+            turned = replace(known, value=-known.value)
+            other = replace(self, given={**self.given, letter: turned})
+            if (_vanishes(other.value(left) - other.value(right)) is None) == holds:
+                return letter
         return None
 
     def premise(

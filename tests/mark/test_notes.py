@@ -73,3 +73,43 @@ def test_a_slip_is_found_where_it_is_and_nothing_else_is_condemned(name, right, 
     starts = [each.line for each in found if each.line <= line]
     assert false[0].line in (line, max(starts))
     assert re.search("the left side is .*, the right side|the two sides differ", false[0].held.note)
+
+
+@pytest.mark.parametrize(
+    ("text", "last", "said"),
+    [
+        (r"x = y, x = y", "proved", "by what is said above"),
+        (r"q = q", "undecided", "says nothing"),
+        (r"T = \frac12 m\dot x^2, V = mgx, L = T + V", "false", "a Lagrangian is T − V"),
+        # approximations and special motions are neither passed nor condemned
+        (
+            r"L = \frac12 ml^2\dot\theta^2 + mgl\cos\theta, l\ddot\theta = -g\theta",
+            "undecided",
+            "a special case of what is above",
+        ),
+        (
+            r"L = \frac12 ml^2\dot\theta^2 + mgl\cos\theta, g\theta = \dot\theta",
+            "undecided",
+            "special",
+        ),
+        (
+            r"L = \frac12 m\dot x^2 - V(x), m\ddot x = -kx",
+            "undecided",
+            "nothing above says what k is",
+        ),
+        (r"\vec L = \vec r\times\vec p", "undecided", "vectors"),
+        (r"x < y", "undecided", "< is not judged"),
+        # a square leaves the sign open
+        (r"v^2 = 2gh, v = -\sqrt{2gh}", "undecided", "the other sign of a root"),
+        (r"v^2 = 2gh, v = \sqrt{2gh}", "assuming", "where v > 0"),
+        # one term of an equation is not the equation
+        (
+            r"L = \frac12 m\dot x^2 - mgx, \dot x = 0, m\ddot x = 0",
+            "false",
+            "by Lagrange's equations",
+        ),
+    ],
+)
+def test_what_is_said_of_the_last_line(text, last, said):
+    *_, found = held(read(text, OWN))
+    assert (found.verdict, said in found.note) == (last, True), found.note
