@@ -364,20 +364,20 @@ def test_a_sheet_has_the_claims_in_full(solutions):
     }
 
 
-def test_chapters_can_be_read_into_another_document(document, pictures, tmp_path):
-    paths = {p.name: f"figures/{p.name}.pdf" for p in pictures}
+def test_chapters_can_be_read_into_another_document(document, drawn, tmp_path):
+    paths = {name: f"figures/{name}.pdf" for name in drawn}
     made = tex.chapters(document, paths)
     assert {"rigidtop.sty", "chapters/3-5-3.tex", "chapters/solutions.tex"} <= set(made)
     if not shutil.which("pdflatex"):
         pytest.skip("needs pdflatex")
-    for name in ("rigidtop.sty", "chapters/3-5-3.tex"):
+    for name in ("rigidtop.sty", "chapters/3-5-3.tex", "chapters/solutions.tex"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(made[name], "utf-8")
     (tmp_path / "figures").mkdir()
-    for p in pictures:
-        if paths[p.name] in made["chapters/3-5-3.tex"]:
-            (tmp_path / paths[p.name]).write_bytes(rendered(p.drawing, "pdf", p.given))
-    own = r"\documentclass{report}\usepackage{rigidtop}\begin{document}\input{chapters/3-5-3}"
+    for name, (figure, _) in drawn.items():
+        (tmp_path / paths[name]).write_bytes(figure)
+    chosen = r"\input{chapters/3-5-3}\input{chapters/solutions}"
+    own = rf"\documentclass{{report}}\usepackage{{rigidtop}}\begin{{document}}{chosen}"
     (tmp_path / "own.tex").write_text(own + r"\end{document}", "utf-8")
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "own.tex"]
     subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, timeout=120)
