@@ -158,6 +158,7 @@ class SystemMotion:
                 if abs(value) > HOLDS * max(size, 1e-300):
                     said = f"the {'rate of the ' if k else ''}constraint {names.back(rule)} = 0"
                     raise RigidtopError(f"{said} does not hold at the start: it is {value:.6g}")
+        self._keeps_signs(np.array(self.q)[:, None])
         self._rates_at([*self.q, *self.qdot, *([0.0] * self._more)])
 
     @property
@@ -234,6 +235,7 @@ class SystemMotion:
 
         def flows(end: float) -> Flow:
             made = self._flow(start, end, accuracy, self._sizes)
+            self._keeps_signs(made.path(made.steps))
             largest = self._sizes(np.abs(made.path(made.steps)).max(axis=1))
             if np.all(largest > TOO_SMALL * self._sizes(start)):
                 return made
@@ -258,6 +260,23 @@ class SystemMotion:
             },
             ended=next((x for x in (last, first) if math.isfinite(x)), None),
         )
+
+    def _keeps_signs(self, states: Floats) -> None:
+        """Raises RigidtopError where a coordinate has left the side on which it was declared.
+
+        For SymPy |x| and √x² are x where x is positive: the equations hold there alone.
+        """
+        names = self.system.names
+        for x, along in zip(names.q, states, strict=False):
+            declared = names.given.get(x, x)
+            for sign, words in (
+                (declared.is_positive, "positive"),
+                (declared.is_negative, "negative"),
+            ):
+                if sign and not np.all(along > 0 if words == "positive" else along < 0):
+                    raise RigidtopError(
+                        f"{x.name} is declared {words}, and does not stay so: declare it real"
+                    )
 
     @cached_property
     def _surface(self) -> Surface:

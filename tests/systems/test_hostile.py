@@ -296,3 +296,21 @@ def test_without_cyclic_coordinates_the_routhian_is_the_lagrangian():
     spring = rt.System(m * u**2 / 2 - k * x**2, x, u)
     assert spring.routhian == spring.L
     assert spring.effective_potential == k * x**2
+
+
+def test_a_coordinate_stays_where_it_was_declared():
+    """|x|³ is x³ for SymPy where x is positive, and pushes away on the other side."""
+    x = dynamicsymbols("x", positive=True)
+    system = rt.System(m * x.diff() ** 2 / 2 - k * Abs(x) ** 3, [x])
+    motion = system.motion({m: 1, k: 1}, q=[1.0])
+    assert motion.integrate([0.5]).q[0, 0] < 1
+    with pytest.raises(rt.RigidtopError, match=r"^x is declared positive, and does not stay so"):
+        motion.integrate([2.5])
+    with pytest.raises(rt.RigidtopError, match=r"^x is declared positive"):
+        system.motion({m: 1, k: 1}, q=[-1.0])
+
+
+def test_a_velocity_has_both_signs():
+    x, v = symbols("x v", positive=True)
+    with pytest.raises(rt.RigidtopError, match="v is declared to have one sign"):
+        rt.System(m * v**2 / 2 - k * x**2 / 2, [x], [v])

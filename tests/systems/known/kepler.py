@@ -9,7 +9,8 @@ from sympy import cos, sin, symbols
 
 import rigidtop as rt
 
-m, k, r, phi, u, w = symbols("m k r phi u w", positive=True)
+m, k, r = symbols("m k r", positive=True)
+phi, u, w = symbols("phi u w", real=True)
 SYSTEM = rt.System.of_energies(m * (u**2 + r**2 * w**2) / 2, -k / r, [r, phi], [u, w])
 PARAMETERS = {m: 1, k: 1}
 CONSERVED = {"energy", "p_phi"}
