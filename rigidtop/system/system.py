@@ -531,7 +531,8 @@ class System:
         Raises RigidtopError where it is neither shown nor refuted.
 
         >>> from sympy import symbols
-        >>> m, k, x, y, u, v = symbols("m k x y u v", positive=True)
+        >>> m, k = symbols("m k", positive=True)
+        >>> x, y, u, v = symbols("x y u v", real=True)
         >>> well = System(m*(u**2 + v**2)/2 - k*(x**2 + y**2)/2, [x, y], [u, v])
         >>> well.is_conserved(x*v - y*u), well.is_conserved(x*v + y*u)
         (True, False)
@@ -588,7 +589,8 @@ class System:
         """H(q, p, t) = Σ p q̇ − L, with the letters `p`; without the constraints.
 
         >>> from sympy import symbols
-        >>> m, k, x, v = symbols("m k x v", positive=True)
+        >>> m, k = symbols("m k", positive=True)
+        >>> x, v = symbols("x v", real=True)
         >>> System(m*v**2/2 - k*x**2/2, [x], [v]).hamiltonian
         k*x**2/2 + p_x**2/(2*m)
         """
@@ -630,7 +632,8 @@ class System:
         What comes out has q and p.
 
         >>> from sympy import symbols
-        >>> m, x, y, u, v = symbols("m x y u v", positive=True)
+        >>> m = symbols("m", positive=True)
+        >>> x, y, u, v = symbols("x y u v", real=True)
         >>> free = System(m*(u**2 + v**2)/2, [x, y], [u, v])
         >>> p_x, p_y = free.p
         >>> free.poisson(x, p_x), free.poisson(x*p_y - y*p_x, p_x)
@@ -671,7 +674,8 @@ class System:
         Equations have the numbers 1, 2, …, or those of a `section`: 3.1, 3.2, ….
 
         >>> from sympy import symbols
-        >>> m, k, x, v = symbols("m k x v", positive=True)
+        >>> m, k = symbols("m k", positive=True)
+        >>> x, v = symbols("x v", real=True)
         >>> way = System(m*v**2/2 - k*x**2/2, [x], [v]).derivation()
         >>> way
         <Derivation: 11 lines, all follow>
@@ -741,7 +745,8 @@ class System:
         out.  Raises RigidtopError for another.
 
         >>> from sympy import symbols
-        >>> m, k, x, v = symbols("m k x v", positive=True)
+        >>> m, k = symbols("m k", positive=True)
+        >>> x, v = symbols("x v", real=True)
         >>> print(System(m*v**2/2 - k*x**2/2, [x], [v]).source("c"))    # doctest: +ELLIPSIS
         /*
         ...
@@ -777,7 +782,8 @@ class System:
         """Many motions: as `motion`, with arrays that broadcast in the place of numbers.
 
         >>> from sympy import symbols
-        >>> m, k, x, v = symbols("m k x v", positive=True)
+        >>> m, k = symbols("m k", positive=True)
+        >>> x, v = symbols("x v", real=True)
         >>> springs = System(m*v**2/2 - k*x**2/2, [x], [v]).motions({m: 1, k: [1, 4, 9]}, [1])
         >>> len(springs), springs.integrate([0, 1]).shape
         (3, (2, 3, 2, 1))
