@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import sympy
-from sympy import Add, Expr, Integer, MatrixBase, Mul, Pow, Symbol
+from sympy import Add, Expr, Integer, MatrixBase, Symbol
 
 from rigidtop.proof import decide, units
 from rigidtop.proof.algebra import (
@@ -681,19 +681,3 @@ def same(changed: Equation, equation: Equation, letters: Letters) -> bool:
         )
     except (NoMeaningError, RefusedError, TypeError, AttributeError):
         return False
-
-
-__all__ = [
-    "Change",
-    "Condition",
-    "Diagnosis",
-    "Judged",
-    "Line",
-    "Mul",
-    "Pow",
-    "arrive",
-    "changes",
-    "diagnose",
-    "judge_line",
-    "unneeded",
-]
