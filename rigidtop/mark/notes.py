@@ -8,10 +8,10 @@ it stands, and not called right.  So notes on a system of which nobody has heard
 >>> from rigidtop.read.formula import read
 >>> text = (r"L = \\frac12 m\\dot x^2 - \\frac12 kx^2,\\quad m\\ddot x = -kx,\\quad m\\ddot x = kx")
 >>> for each in held(read(text, OWN)):
-...     print(each.verdict, each.note, sep=": ")
+...     print(each.verdict, each.note.partition(";")[0], sep=": ")
 premise: the Lagrangian of the equations that follow
 proved: by Lagrange's equations
-false: at k = 2, m = 1, x = 2: ẍ is −4 by Lagrange's equations; the two sides are −4 and 4
+false: at k = 2, m = 1, x = 2: ẍ is −4 by Lagrange's equations
 """
 
 from __future__ import annotations
