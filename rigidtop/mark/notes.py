@@ -359,7 +359,7 @@ class _Ledger:
         if not q or any(_accent(x) == "ddot" for x in value.free_symbols):
             return Held(line, PREMISE, f"what {text(letter)} stands for")
         v = [_dotted(x) for x in q]
-        vanishing = lagrangian.euler_lagrange(value, q, v, [_dotted(x, 2) for x in q])
+        vanishing = [self.total(value.diff(y)) - value.diff(x) for x, y in zip(q, v, strict=True)]
         words = "by Lagrange's equations"
         expanded = tuple(sympy.expand(x) for x in vanishing)
         self.law = _Law(q, expanded, known.rests, words, self.section, value)
@@ -549,7 +549,8 @@ class _Ledger:
         closed = self.letters_of(rests) | {TIME}
         by_file = bool(rests) and self.is_closed(left, sides, inner)
         along = law is not None and letters <= law.letters | closed
-        against = self.against(sides) if law is not None and not law.broken else None
+        sure = law is not None and law.lagrangian is not None and not law.broken
+        against = self.against(sides) if sure else None
         if against is not None and law is not None:
             return made(Verdict.FALSE, against, *law.rests)
         if not along and not by_file:
@@ -601,7 +602,8 @@ class _Ledger:
         if getattr(left, "atoms", lambda *_: False)(eq.Rate, eq.Partial):
             return within
         if not isinstance(left, Lettered):
-            return inner and (mine == theirs or (law is not None and within))
+            gives = law is not None and here in law.rests
+            return inner and (mine == theirs or (gives and within))
         known = self.given.get(left)
         if _accent(left):  # a derivative, or a rate that stands in the momenta: solved for it
             return (known is not None and theirs <= mine) or (law is not None and left in theirs)

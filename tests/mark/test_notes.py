@@ -78,6 +78,12 @@ def test_a_slip_is_found_where_it_is_and_nothing_else_is_condemned(name, right, 
 @pytest.mark.parametrize(
     ("text", "last", "said"),
     [
+        # ℒ may have the time in it
+        (
+            r"L = \frac12 m e^{2bt}(\dot x^2 - w^2x^2), \ddot x + 2b\dot x + w^2x = 0",
+            "proved",
+            "by Lagrange's equations",
+        ),
         (r"x = y, x = y", "proved", "by what is said above"),
         (r"q = q", "undecided", "says nothing"),
         (r"T = \frac12 m\dot x^2, V = mgx, L = T + V", "false", "a Lagrangian is T − V"),
