@@ -74,7 +74,7 @@ def _block(block: Block) -> str:
             return "\n\n".join(_display(block))
         case Figure():
             return (
-                f":::{{figure}} ../figures/{block.name}.svg\n:label: {block.anchor}\n"
+                f":::{{figure}} ../figures/{block.name}.svg\n:name: {block.anchor}\n"
                 f":alt: {block.alternative}\n\n{markdown.words(block.caption)}\n:::"
             )
         case Paragraph(mark=Mark()) if block.mark is not None:
