@@ -262,21 +262,14 @@ class SystemMotion:
         )
 
     def _keeps_signs(self, states: Floats) -> None:
-        """Raises RigidtopError where a coordinate has left the side on which it was declared.
-
-        For SymPy |x| and √x² are x where x is positive: the equations hold there alone.
-        """
-        names = self.system.names
-        for x, along in zip(names.q, states, strict=False):
-            declared = names.given.get(x, x)
-            for sign, words in (
-                (declared.is_positive, "positive"),
-                (declared.is_negative, "negative"),
-            ):
-                if sign and not np.all(along > 0 if words == "positive" else along < 0):
-                    raise RigidtopError(
-                        f"{x.name} is declared {words}, and does not stay so: declare it real"
-                    )
+        """Raises RigidtopError where a coordinate has left the side on which it was declared."""
+        for k, sign in self.system.one_sided:
+            if not np.all(sign * states[k] > 0):
+                words = "positive" if sign > 0 else "negative"
+                raise RigidtopError(
+                    f"{self.system.names.q[k].name} is declared {words}, and does not stay so: "
+                    "declare it real"
+                )
 
     @cached_property
     def _surface(self) -> Surface:

@@ -122,9 +122,6 @@ def _of_symbols(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: set[str])
             raise RigidtopError(f"{x} is given with plain symbols: it has to be one too")
         if x.is_real is False:
             raise RigidtopError(f"{x} is a symbol for numbers that are not real")
-    for v in qdot:
-        if v.is_extended_nonnegative or v.is_extended_nonpositive:
-            raise RigidtopError(f"{v} is declared to have one sign: a velocity has both; real=True")
     both = [x for x in qdot if x in q]
     if both:
         raise RigidtopError(f"{both[0]} is given as a coordinate and as a velocity")

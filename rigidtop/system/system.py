@@ -9,7 +9,7 @@ from html import escape
 from typing import TYPE_CHECKING, Any
 
 import sympy
-from sympy import Expr, Integer, Matrix, Rational, Symbol
+from sympy import Dummy, Expr, Integer, Matrix, Rational, Symbol
 from sympy.core.function import AppliedUndef
 
 from rigidtop.codegen.solve import SingularError, StraightLine, points, solved
@@ -91,6 +91,14 @@ class System:
         letters = set().union(*(x.free_symbols for x in (L, rayleigh, *rules, *acting)))
         names = named(coordinates, (qdot,) if isinstance(qdot, Expr) else qdot, letters)
         plain = all(x.is_Symbol for x in coordinates)
+        pushed = rayleigh != 0 or any(Q != 0 for Q in acting)
+        for v in names.v:
+            lost = pushed or not all(_even(each, v) for each in (L, *rules))
+            if (v.is_positive or v.is_negative) and lost:
+                raise RigidtopError(
+                    f"{v} is declared to have one sign, and |{v}| is {v} then: "
+                    "a velocity has both, declare it real"
+                )
         times = {x for x in letters if x.name == names.t.name} - {*names.q, *names.v}
         if len(times | ({names.t} if not plain else set())) > 1:
             raise RigidtopError(
@@ -379,6 +387,23 @@ class System:
         from rigidtop.system.motion import Numeric
 
         return Numeric(self)
+
+    @cached_property
+    def one_sided(self) -> tuple[tuple[int, int], ...]:
+        """Which coordinates have to stay on the side on which they were declared, and that sign.
+
+        SymPy has taken |x| for x where x is positive.  What is the same for x and −x has no such
+        place; nor is one looked for within a function, where nobody would write it.
+        """
+        names = self.names
+        declared = [names.given.get(x, x) for x in names.q]
+        signs = [bool(x.is_positive) - bool(x.is_negative) for x in declared]
+        whole = (self.plain, *self.generalised_forces, *self.rules)
+        return tuple(
+            (k, sign)
+            for k, (x, sign) in enumerate(zip(names.q, signs, strict=True))
+            if sign and not all(_even(each, x) for each in whole)
+        )
 
     @cached_property
     def _letters(self) -> tuple[Symbol, ...]:
@@ -811,3 +836,9 @@ def _forces(forces: Any, q: Any) -> tuple[Expr, ...]:
 
 
 __all__ = ["System"]
+
+
+def _even(value: Expr, x: Symbol) -> bool:
+    """Whether −x gives the same as x, but for what stands within a function."""
+    inside = value.replace(lambda e: isinstance(e, sympy.Function) and e.has(x), lambda e: Dummy())
+    return bool(sympy.expand(inside - inside.subs(x, -x)) == 0)

@@ -311,6 +311,17 @@ def test_a_coordinate_stays_where_it_was_declared():
 
 
 def test_a_velocity_has_both_signs():
+    """Where it is said to have one, −cv|v| is −cv² and the sign of v is 1."""
     x, v = symbols("x v", positive=True)
-    with pytest.raises(rt.RigidtopError, match="v is declared to have one sign"):
-        rt.System(m * v**2 / 2 - k * x**2 / 2, [x], [v])
+    for force in (-c * v * Abs(v), -c * sign(v)):
+        with pytest.raises(rt.RigidtopError, match=r"^v is declared to have one sign"):
+            rt.System(m * v**2 / 2 - k * x**2 / 2, [x], [v], forces=[force])
+    with pytest.raises(rt.RigidtopError, match=r"^v is declared to have one sign"):
+        rt.System(m * v**2 / 2 + k * v, [x], [v])
+
+
+def test_what_is_the_same_on_both_sides_may_be_declared_on_one():
+    x, v = symbols("x v", positive=True)
+    swing = rt.System(m * v**2 / 2 - k * x**2 / 2, [x], [v])
+    run = swing.motion({m: 1, k: 1}, q=[1.0]).integrate([0.0, 3.0])
+    assert run.q[1, 0] == pytest.approx(np.cos(3.0), abs=1e-9)
