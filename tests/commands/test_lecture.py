@@ -35,9 +35,10 @@ def test_title_author_course_paper_and_preamble_are_ones_own(written):
     assert "letterpaper" in source
     assert r"\usepackage[ngerman]{babel}" in source
     assert "% my own preamble" in source
-    assert "{4 points}" in source
+    assert "{4 Punkte}" in source
     page = (written / "lecture.html").read_text("utf-8")
-    assert '<html lang="de" class="lecture">' in page
+    assert '<html lang="de" class="lecture"' in page
+    assert "{&quot;Results only&quot;: &quot;Nur Ergebnisse" in page
     assert '<p class="byline">A. Lecturer, PHY 1</p>' in page
     assert "<title>Pendulums</title>" in page
 

@@ -301,14 +301,17 @@ def test_a_deleted_map_is_computed_anew(tmp_path):
 
 
 SLOW = """
-import sys
+import sys, time
 from rigidtop.motion.sweep import Span, Sweep, run
+def progress(done, total):
+    print(done, total, flush=True)
+    time.sleep(float(sys.argv[2]))
 top = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "R": 0.5, "theta": 0.5, "t": 2.0}
 sweep = Sweep("phi", {"omega3": Span(1, 60, 1000), "phi_dot": Span(-5, 5, 300)}, top)
 if __name__ == "__main__":
-    run(sweep, sys.argv[1], block_size=1000, progress=lambda *at: print(*at, flush=True))
+    run(sweep, sys.argv[1], block_size=1000, progress=progress)
 """
-"""Some seconds."""
+"""Many seconds, where each block waits for some time."""
 
 
 def test_a_killed_run_loses_a_second_at_most(tmp_path):
@@ -316,14 +319,14 @@ def test_a_killed_run_loses_a_second_at_most(tmp_path):
     script.write_text(SLOW)
     path = tmp_path / "map.npy"
     command = [sys.executable, str(script), str(path)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+    with subprocess.Popen([*command, "0.1"], stdout=subprocess.PIPE, text=True) as process:
         while not store.journal_path(path).exists() or not store.journal_path(path).stat().st_size:
             assert process.stdout.readline()
         process.send_signal(signal.SIGKILL)
     assert process.returncode == -signal.SIGKILL
     assert json.loads(store.about_path(path).read_text())["complete"] is False
-    done = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
-    assert int(done[0].split()[0]) > 0
+    again = subprocess.run([*command, "0"], capture_output=True, text=True, check=True)
+    assert int(again.stdout.split()[0]) > 0
     found = load(path)
     assert np.array_equal(found.values.ravel(), in_blocks(found.sweep, 1000))
 
@@ -502,7 +505,7 @@ def test_the_grid_is_never_in_memory(tmp_path):
     run(SMALL, tmp_path / "small.npy")
     tracemalloc.start()
     try:
-        run(grid, tmp_path / "map.npy", Serial(), block_size=1 << 13, ahead=2)
+        run(grid, tmp_path / "map.npy", Serial(), block_size=1 << 11, ahead=2)
         peak = tracemalloc.get_traced_memory()[1]
     finally:
         tracemalloc.stop()
