@@ -560,7 +560,9 @@ def test_a_term_is_named_with_its_value(live, kind, hash):
 
 
 def test_a_term_lights_its_arrow(live):
+    live.driver.get("about:blank")  # nothing is folded away by what came before
     live.show(HEAVY, f"{STILL}&preset=loops&layers=e3")
+    ActionChains(live.driver, duration=0).move_to_element(live.find("h1")).perform()
     shown = "[...document.querySelectorAll('#scene span')].filter((x) => x.style.display !== 'none'"
     shown += " && ['L', 'N', 'ω'].includes(x.textContent)).map((x) => x.textContent)"
     terms_ = live.all("#equations figure:first-of-type [data-term]")
