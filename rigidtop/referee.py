@@ -119,6 +119,13 @@ def settings() -> tuple[Setting, ...]:
             for name in ("Euler", "implicit", "implicitfast", "RK4")
         ),
         Setting("Pinocchio", "pinocchio", "aba, semi-implicit Euler", 0.001, _pinocchio),
+        *(
+            Setting("Drake", "pydrake", name, 0.001, _drake(name))
+            for name in ("semi_explicit_euler", "runge_kutta2", "runge_kutta3")
+        ),
+        Setting("Exudyn", "exudyn", "generalised alpha", 0.001, _exudyn),
+        # Its own step is 1/240 s, of which no number meets the times.
+        Setting("PyBullet", "pybullet", "multibody", 0.004, _pybullet),
     )
 
 
@@ -199,6 +206,146 @@ def _pinocchio(case: Case, step: float) -> Floats:
             v = v + step * pin.aba(model, data, q, v, none)
             q = pin.integrate(model, q, step * v)
         found.append(q)
+    return np.stack(found)[:, [3, 0, 1, 2]]
+
+
+def _drake(integrator: str) -> Runner:
+    """With fixed steps: by itself it chooses them to an accuracy."""
+
+    def run(case: Case, step: float) -> Floats:
+        plants = importlib.import_module("pydrake.multibody.plant")
+        trees = importlib.import_module("pydrake.multibody.tree")
+        maths = importlib.import_module("pydrake.math")
+        analysis = importlib.import_module("pydrake.systems.analysis")
+        plant = plants.MultibodyPlant(0.0)
+        central = trees.RotationalInertia(*case.central)
+        inertia = trees.SpatialInertia.MakeFromCentralInertia(
+            case.mass, [0.0, 0.0, case.arm], central
+        )
+        body = plant.AddRigidBody("body", inertia)
+        if case.arm:
+            joint = trees.BallRpyJoint("point", plant.world_frame(), body.body_frame())
+            point = plant.AddJoint(joint)
+        plant.mutable_gravity_field().set_gravity_vector([0.0, 0.0, -case.gravity])
+        plant.Finalize()
+        context = plant.CreateDefaultContext()
+        attitude = maths.RotationMatrix(case.motion.attitude.as_matrix())
+        if case.arm:
+            point.set_angles(context, maths.RollPitchYaw(attitude).vector())
+            point.set_angular_velocity(context, _in_space(case))
+        else:
+            place = maths.RigidTransform(attitude, np.zeros(3))
+            velocity = importlib.import_module("pydrake.multibody.math").SpatialVelocity
+            plant.SetFreeBodyPose(context, body, place)
+            plant.SetFreeBodySpatialVelocity(context, body, velocity(_in_space(case), np.zeros(3)))
+        simulator = analysis.Simulator(plant, context)
+        analysis.ResetIntegratorFromFlags(simulator, integrator, step)
+        simulator.get_mutable_integrator().set_fixed_step_mode(True)
+        found = []
+        for t in case.times:
+            simulator.AdvanceTo(t)
+            seen = plant.EvalBodyPoseInWorld(context, body).rotation()
+            found.append(seen.ToQuaternion().wxyz())
+        return np.stack(found)
+
+    return run
+
+
+def _in_space(case: Case) -> Floats:
+    """ω at the start in the space frame (rad/s)."""
+    return np.asarray(case.motion.attitude.apply(case.motion.omega))
+
+
+def _exudyn(case: Case, step: float) -> Floats:
+    exudyn = importlib.import_module("exudyn")
+    items = importlib.import_module("exudyn.itemInterface")
+    utilities = importlib.import_module("exudyn.utilities")
+    system = exudyn.SystemContainer().AddSystem()
+    inertia = utilities.RigidBodyInertia(
+        mass=case.mass,
+        inertiaTensor=np.diag(case.motion.body.moments),  # about the origin of the body
+        com=np.array([0.0, 0.0, case.arm]),
+    )
+    body = system.CreateRigidBody(
+        inertia=inertia,
+        referencePosition=[0.0, 0.0, 0.0],
+        referenceRotationMatrix=case.motion.attitude.as_matrix(),
+        initialAngularVelocity=_in_space(case).tolist(),
+        gravity=[0.0, 0.0, -case.gravity],
+    )
+    if case.arm:
+        ground = system.AddObject(items.ObjectGround())
+        system.CreateSphericalJoint(itemNumbers=[ground, body], position=[0, 0, 0], show=False)
+    seen = items.SensorBody(
+        bodyNumber=body,
+        outputVariableType=exudyn.OutputVariableType.RotationMatrix,
+        storeInternal=True,
+    )
+    sensor = system.AddSensor(seen)
+    system.Assemble()
+    chosen = exudyn.SimulationSettings()
+    chosen.timeIntegration.numberOfSteps = SAMPLES * _every(case, step)
+    chosen.timeIntegration.endTime = case.end
+    chosen.timeIntegration.verboseMode = 0
+    chosen.solution.file.write = False
+    chosen.solution.sensors.writePeriod = case.end / SAMPLES
+    system.SolveDynamic(chosen)
+    rows = system.GetSensorStoredData(sensor)[:, 1:]
+    return Rotation.from_matrix(rows.reshape(-1, 3, 3)).as_quat()[:, [3, 0, 1, 2]]
+
+
+def _pybullet(case: Case, step: float) -> Floats:
+    bullet = importlib.import_module("pybullet")
+    world = {"physicsClientId": bullet.connect(bullet.DIRECT)}
+    start, none = case.quaternion[[1, 2, 3, 0]].tolist(), [0.0, 0.0, 0.0]
+    try:
+        bullet.setTimeStep(step, **world)
+        bullet.setGravity(0.0, 0.0, -case.gravity, **world)
+        bodies = {
+            "linkMasses": [case.mass],
+            "linkCollisionShapeIndices": [-1],
+            "linkVisualShapeIndices": [-1],
+            "linkPositions": [none],
+            "linkOrientations": [[0.0, 0.0, 0.0, 1.0]],
+            "linkInertialFramePositions": [[0.0, 0.0, case.arm]],
+            "linkInertialFrameOrientations": [[0.0, 0.0, 0.0, 1.0]],
+            "linkParentIndices": [0],
+            "linkJointTypes": [bullet.JOINT_SPHERICAL],
+            "linkJointAxis": [[0.0, 0.0, 1.0]],
+        }
+        held = bodies if case.arm else {"baseMass": case.mass}
+        body, link = bullet.createMultiBody(**held, **world), 0 if case.arm else -1
+        # Its own damping would be no motion of a free body; nor is the motor that holds its joints.
+        bullet.changeDynamics(
+            body,
+            link,
+            localInertiaDiagonal=case.central,
+            linearDamping=0,
+            angularDamping=0,
+            jointDamping=0,
+            **world,
+        )
+        if case.arm:
+            bullet.setJointMotorControlMultiDof(
+                body, 0, bullet.POSITION_CONTROL, [0.0, 0.0, 0.0, 1.0], force=none, **world
+            )
+            bullet.resetJointStateMultiDof(body, 0, start, list(case.motion.omega), **world)
+        else:
+            bullet.resetBasePositionAndOrientation(body, none, start, **world)
+            bullet.resetBaseVelocity(body, none, _in_space(case).tolist(), **world)
+
+        def attitude() -> Floats:
+            if case.arm:
+                return np.array(bullet.getJointStateMultiDof(body, 0, **world)[0])
+            return np.array(bullet.getBasePositionAndOrientation(body, **world)[1])
+
+        found = [attitude()]
+        for _ in range(SAMPLES):
+            for _ in range(_every(case, step)):
+                bullet.stepSimulation(**world)
+            found.append(attitude())
+    finally:
+        bullet.disconnect(**world)
     return np.stack(found)[:, [3, 0, 1, 2]]
 
 

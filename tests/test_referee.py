@@ -28,6 +28,23 @@ def test_pinocchio_is_of_first_order():
         assert score.errors[2] < 0.02
 
 
+@pytest.mark.parametrize(
+    ("module", "engine", "integrator", "order", "error"),
+    [
+        ("pydrake", "Drake", "semi_explicit_euler", 1, 0.2),
+        ("pydrake", "Drake", "runge_kutta2", 2, 2e-3),
+        ("pydrake", "Drake", "runge_kutta3", 3, 1e-5),
+        ("exudyn", "Exudyn", "generalised alpha", 2, 1e-3),
+        ("pybullet", "PyBullet", "multibody", 1, 0.05),
+    ],
+)
+def test_engines_that_are_seldom_installed(module, engine, integrator, order, error):
+    pytest.importorskip(module)
+    for score in referee.judge(_chosen((engine, integrator))):
+        assert score.order == pytest.approx(order, abs=0.1)
+        assert score.errors[2] < error
+
+
 def test_a_wrong_engine_is_far_off():
     def still(case, step):
         return np.tile(case.quaternion, (len(case.times), 1))
