@@ -157,8 +157,10 @@ def test_a_cluster_by_its_address(tmp_path):
 def test_an_interrupt_is_answered_and_the_same_command_goes_on(tmp_path, capsys, where):
     path = tmp_path / "map.npy"
     asked = ("--quantity", "phi", "--set", "t=2", "--axis", "omega3=1:60:1000",
-             "--axis", "phi_dot=-5:5:400", "--block", "1000", "--json")  # fmt: skip
-    command = [sys.executable, "-m", "rigidtop", "sweep", "-o", str(path), *asked, *where]
+             "--axis", "phi_dot=-5:5:400", "--json")  # fmt: skip
+    # In blocks of ten it would take many seconds, and is interrupted after one.
+    slow = (*asked, "--block", "10")
+    command = [sys.executable, "-m", "rigidtop", "sweep", "-o", str(path), *slow, *where]
     with subprocess.Popen(
         command, stderr=subprocess.PIPE, text=True, start_new_session=True
     ) as process:
