@@ -14,9 +14,9 @@ import numpy as np
 from sympy import Matrix, diag, factor
 
 import rigidtop as rt
-from rigidtop.present.figures.style import FIRST, GREY, SECOND, THIRD
-from rigidtop.present.notebook import enable, figure, plot, sliders
+from rigidtop.figures.style import FIRST, GREY, SECOND, THIRD
 from rigidtop.proof.equation import Equation
+from rigidtop.report.notebook import enable, figure, plot, sliders
 from rigidtop.theory.symbols import (
     L_vec,
     lambda1,
@@ -249,7 +249,7 @@ conserved.expand().collect([omega1, omega2], factor), along_the_motion(conserved
 # The same with all steps, and numbers for the body of this notebook (assignment 5 of the notes):
 
 # %% tags=["solution"]
-from rigidtop.present.notebook import solution
+from rigidtop.report.notebook import solution
 
 solution("stable-axes", lambda1=1.0, lambda2=2.0, lambda3=3.0)
 

@@ -11,10 +11,10 @@ import numpy as np
 from sympy import Function, Matrix, cos, diag, dsolve
 
 import rigidtop as rt
-from rigidtop.present.figures.cones import draw_cones
-from rigidtop.present.figures.style import FIRST, SECOND, THIRD
-from rigidtop.present.notebook import enable, figure, plot, sliders
+from rigidtop.figures.cones import draw_cones
+from rigidtop.figures.style import FIRST, SECOND, THIRD
 from rigidtop.proof.equation import Cross, Equation
+from rigidtop.report.notebook import enable, figure, plot, sliders
 from rigidtop.theory.euler import body_accelerations
 from rigidtop.theory.symbols import (
     L_vec,
@@ -282,7 +282,7 @@ for tilt in (0.3, 0.1, 0.01):
 # $\mathbf{e}_3$ to $\mathbf{L}$. For a small wobble that is $2\omega_3$: two wobbles a turn.
 
 # %% tags=["solution"]
-from rigidtop.present.notebook import solution
+from rigidtop.report.notebook import solution
 
 solution("wobbling-plate")
 

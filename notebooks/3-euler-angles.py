@@ -11,9 +11,9 @@ import numpy as np
 from sympy import Matrix, cos, diag, eye, pi, sin
 
 import rigidtop as rt
-from rigidtop.present.figures.style import FIRST, GREY, SECOND
-from rigidtop.present.notebook import enable, figure, sliders
+from rigidtop.figures.style import FIRST, GREY, SECOND
 from rigidtop.proof.equation import Equation
+from rigidtop.report.notebook import enable, figure, sliders
 from rigidtop.theory.symbols import (
     L3,
     L_z,

@@ -11,9 +11,9 @@ import numpy as np
 from sympy import Matrix, Rational, cos, diff, sin
 
 import rigidtop as rt
-from rigidtop.present.figures.style import FIRST, GREY
-from rigidtop.present.notebook import enable, figure, plot, sliders
+from rigidtop.figures.style import FIRST, GREY
 from rigidtop.proof.equation import Equation
+from rigidtop.report.notebook import enable, figure, plot, sliders
 from rigidtop.theory.symbols import (
     Lagrangian,
     M,
@@ -214,8 +214,8 @@ Equation(phidot, reduce_ratio(velocities[phidot])), Equation(U, effective)
 
 
 # %%
-from rigidtop.present.figures.nutation import draw_path, nutation_times
-from rigidtop.present.figures.potential import draw_effective_potential
+from rigidtop.figures.nutation import draw_path, nutation_times
+from rigidtop.figures.potential import draw_effective_potential
 
 
 def potential_and_path(left, right, theta, omega3):
@@ -262,7 +262,7 @@ print(f"e₃ is horizontal after {time_to_fall:.4f} s, when L_y = {momentum_then
 # The time is an elliptic integral. The whole solution:
 
 # %% tags=["solution"]
-from rigidtop.present.notebook import solution
+from rigidtop.report.notebook import solution
 
 solution("toppling-top", lambda1=0.02, M=1.0, R=0.1)
 

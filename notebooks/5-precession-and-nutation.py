@@ -10,9 +10,9 @@ import numpy as np
 from sympy import Poly, cos, series, sin, solve, sqrt
 
 import rigidtop as rt
-from rigidtop.present.figures.style import FIRST, SECOND
-from rigidtop.present.notebook import enable, plot, sliders
+from rigidtop.figures.style import FIRST, SECOND
 from rigidtop.proof.equation import Equation
+from rigidtop.report.notebook import enable, plot, sliders
 from rigidtop.theory.symbols import (
     D,
     M,
@@ -98,7 +98,7 @@ fast = series((1 + x) / 2, epsilon, 0, 3).removeO()
 ]
 
 # %%
-from rigidtop.present.figures.precession import draw_precession_rates
+from rigidtop.figures.precession import draw_precession_rates
 
 example = {"lambda1": 0.02, "lambda3": 0.01, "M": 1.0, "R": 0.1}
 top = rt.HeavyTop(**example)
@@ -199,7 +199,7 @@ for spin in (32.0, 40.0, 80.0, 160.0):
 # sets $\dot\phi$ at the start.
 
 # %%
-from rigidtop.present.figures.nutation import draw_path, draw_regimes, nutation_times
+from rigidtop.figures.nutation import draw_path, draw_regimes, nutation_times
 
 with plot("paths of e₃ on the sphere: waves, cusps, loops", columns=3, height=2.7) as panels:
     for axes, rate in zip(panels, (1.6, 0.0, -1.6), strict=True):

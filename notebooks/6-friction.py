@@ -11,9 +11,9 @@ import numpy as np
 from sympy import Matrix, Rational, simplify, sqrt, symbols
 
 import rigidtop as rt
-from rigidtop.present.figures.style import FIRST, GREY, SECOND, THIRD
-from rigidtop.present.notebook import enable, plot, sliders
+from rigidtop.figures.style import FIRST, GREY, SECOND, THIRD
 from rigidtop.proof.equation import Equation
+from rigidtop.report.notebook import enable, plot, sliders
 from rigidtop.theory.euler import OMEGA, along_flow, angular_momentum, kinetic_energy
 from rigidtop.theory.symbols import M, R, g, lambda1, lambda2, lambda3
 
@@ -295,6 +295,6 @@ print(f"c₃ = {own_lambda3 * np.log(start / own_sleeping) / 12:.2e} N m s")
 # And a top from the toy box, measured with more care:
 
 # %% tags=["solution"]
-from rigidtop.present.notebook import solution
+from rigidtop.report.notebook import solution
 
 solution("top-from-the-toy-box")

@@ -45,13 +45,13 @@ from rigidtop.errors import RigidtopError
 from rigidtop.notation import MATRICES, Notation
 from rigidtop.notation import NOTES as NOTATION
 from rigidtop.parameters import Parameter
-from rigidtop.present.report import NOTES, Front
 from rigidtop.proof.algebra import Letters
 from rigidtop.proof.exercise import Exercise
 from rigidtop.proof.independence import refuse_circular
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.page import Assumption, Check, Claim, Evidence, Measure, Page
 from rigidtop.read.page import read_exercises, read_lecture
+from rigidtop.report.report import NOTES, Front
 from rigidtop.textfile import text_of
 from rigidtop.theory import symbols
 from rigidtop.theory.lettered import Lettered

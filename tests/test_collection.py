@@ -19,13 +19,13 @@ from rigidtop.collection import built_in, load
 from rigidtop.commands import new
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
-from rigidtop.present.text import text
 from rigidtop.proof.changed import Perturbation
 from rigidtop.proof.perturb import falls, telling, upheld
 from rigidtop.proof.verdict import Finding, judge
 from rigidtop.theory import symbols
 from rigidtop.theory.lettered import Lettered, in_order, positive, real
 from rigidtop.theory.symbols import Glyph
+from rigidtop.typeset.text import text
 
 PENDULUM = Path(__file__).parent / "collections" / "spherical_pendulum"
 STARTER = new.STARTER

@@ -14,9 +14,20 @@ READS = {
     "errors": set(),
     "theory": set(),
     "proof": {"errors", "theory", "parameters"},
+    "typeset": {"errors", "theory", "notation", "proof"},
     "codegen": {"errors", "theory", "proof"},
     "motion": {"errors", "parameters", "trace"},
-    "system": {"errors", "theory", "parameters", "proof", "codegen", "motion", "present"},
+    "system": {
+        "errors",
+        "theory",
+        "parameters",
+        "proof",
+        "typeset",
+        "codegen",
+        "motion",
+        "figures",
+        "report",
+    },
     "derivations": {
         "errors",
         "theory",
@@ -27,15 +38,27 @@ READS = {
         "motion",
         "read",
     },
-    "present": {
+    "figures": {
+        "errors",
+        "theory",
+        "parameters",
+        "proof",
+        "typeset",
+        "codegen",
+        "motion",
+        "derivations",
+    },
+    "report": {
         "errors",
         "theory",
         "notation",
         "parameters",
         "proof",
+        "typeset",
         "codegen",
         "motion",
         "derivations",
+        "figures",
         "progress",
     },
     "progress": set(),
@@ -44,7 +67,7 @@ READS = {
     "elliptic": {"motion"},
     "notation": {"errors", "theory", "proof", "textfile"},
     "read": {"errors", "theory", "notation", "proof", "textfile"},
-    "mark": {"errors", "theory", "notation", "proof", "read", "derivations", "present"},
+    "mark": {"errors", "theory", "notation", "proof", "read", "typeset", "derivations", "report"},
     "parameters": {"errors"},
     "bench": {"errors", "theory", "codegen", "motion", "system"},
     "referee": {"errors", "motion"},
@@ -55,8 +78,8 @@ READS = {
         "notation",
         "parameters",
         "proof",
-        "present",
         "derivations",
+        "report",
         "read",
         "textfile",
     },
@@ -65,9 +88,10 @@ READS = {
         "theory",
         "proof",
         "codegen",
+        "typeset",
         "motion",
         "derivations",
-        "present",
+        "report",
     },
     "commands": {
         "web",
@@ -77,8 +101,10 @@ READS = {
         "proof",
         "codegen",
         "motion",
-        "present",
+        "typeset",
         "derivations",
+        "figures",
+        "report",
         "progress",
         "parameters",
         "mark",
@@ -94,7 +120,7 @@ READS = {
 }
 """What a room may import of the others; motion, which never loads SymPy, stands apart."""
 
-HANDS_ON = {"motion": {"present"}}
+HANDS_ON = {"motion": {"figures"}}
 """What else a room may import inside a function, for a method that only hands on: `Rows.plot`."""
 
 SYMBOLIC = {"sympy", "mpmath"}
@@ -103,6 +129,7 @@ FORBIDDEN = {
     "errors": SYMBOLIC | NUMERIC,
     "theory": NUMERIC,
     "proof": NUMERIC,
+    "typeset": NUMERIC,
     "motion": SYMBOLIC | {"matplotlib"},
     "referee": SYMBOLIC | {"matplotlib"},
     "codegen": {"matplotlib"},
@@ -199,10 +226,12 @@ def test_every_room_is_known_and_has_modules():
         ("motion", "from rigidtop.codegen import shipped", "motion imports codegen"),
         ("motion", "from rigidtop.web import page", "motion imports web"),
         ("codegen", "from rigidtop.motion import top", "codegen imports motion"),
-        ("derivations", "from rigidtop.present import html", "derivations imports present"),
-        ("present", "from rigidtop import cli", "present imports cli"),
+        ("derivations", "from rigidtop.report import html", "derivations imports report"),
+        ("typeset", "from rigidtop.report import html", "typeset imports report"),
+        ("figures", "from rigidtop.report import report", "figures imports report"),
+        ("report", "from rigidtop import cli", "report imports cli"),
         ("commands", "from rigidtop.cli import main", "commands imports cli"),
-        ("present", "eval('1')", "present calls eval"),
+        ("report", "eval('1')", "report calls eval"),
         ("derivations", "exec('x = 1')", "derivations calls exec"),
     ],
 )
@@ -216,9 +245,9 @@ def test_neighbours_in_a_room_are_allowed():
 
 
 def test_a_method_may_hand_on():
-    text = "class Rows:\n    def plot(self):\n        from rigidtop.present import figures"
+    text = "class Rows:\n    def plot(self):\n        from rigidtop.figures import trajectories"
     assert complaints("motion", text, "rigidtop.motion") == []
-    assert complaints("theory", text, "rigidtop.theory") == ["theory imports present"]
+    assert complaints("theory", text, "rigidtop.theory") == ["theory imports figures"]
 
 
 OF_EVERY_SUBJECT = {"const", "t", "unit"}

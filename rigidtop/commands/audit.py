@@ -19,10 +19,10 @@ if TYPE_CHECKING:
     from rigidtop.mark.audit import Audited
     from rigidtop.mark.notes import Row
     from rigidtop.notation import Notation
-    from rigidtop.present.annotated import Formula as Shown
-    from rigidtop.present.annotated import Mark
     from rigidtop.read.document import Formula
     from rigidtop.read.project import Source
+    from rigidtop.report.annotated import Formula as Shown
+    from rigidtop.report.annotated import Mark
 
 ABOUT = "audit notes in Markdown, LaTeX or a notebook: anyone's, in any letters"
 
@@ -101,8 +101,8 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
     absent = [claim.name for claim in missing(audited, collection.pages)]
     told = summary(audited, unread, absent, [row for _, row in others])
     if output is not None:
-        from rigidtop.present.annotated import write
-        from rigidtop.present.files import write_whole
+        from rigidtop.report.annotated import write
+        from rigidtop.report.files import write_whole
 
         page = write(
             path.name,
@@ -149,7 +149,7 @@ def amiss(row: Row) -> bool:
 
 def own_record(row: Row, source: Source, several: bool) -> dict[str, Any]:
     """What `--json` says of a formula that is held against the file itself."""
-    from rigidtop.present.text import text
+    from rigidtop.typeset.text import text
 
     equation = row.held.line.equation
     passed = row.held.passed if row.number or row.held.verdict == "false" else None
@@ -190,7 +190,7 @@ def _print(
     told: str,
 ) -> None:
     from rigidtop.commands.check import VERDICT_COLORS
-    from rigidtop.present.table import table, wants_color
+    from rigidtop.typeset.table import table, wants_color
 
     colors = None
     if wants_color(sys.stdout):
@@ -280,8 +280,8 @@ def _bare_record(
 
 def record(each: Audited) -> dict[str, Any]:
     """What `--json` says of an equation: what `rigidtop check` does, and its places."""
-    from rigidtop.present.records import record as of_judgement
-    from rigidtop.present.text import text
+    from rigidtop.report.records import record as of_judgement
+    from rigidtop.typeset.text import text
 
     made: dict[str, Any] = {"name": each.number, "reference": "", "assumptions": []}
     if each.judgement is not None:
@@ -317,8 +317,8 @@ def shown(
     source: str, audited: Sequence[Audited], notation: Notation
 ) -> tuple[list[Shown], list[Mark]]:
     """The formulas of the text and the marks beside those with a number."""
-    from rigidtop.present.annotated import Mark
     from rigidtop.read.document import SECONDS, formulas
+    from rigidtop.report.annotated import Mark
 
     until = time.monotonic() + SECONDS
     marks = []
@@ -349,7 +349,7 @@ def shown(
 
 def _whole(source: str, each: Audited) -> list[Shown]:
     """A group as one formula with all its equations; as its sources where one is unread."""
-    from rigidtop.present.annotated import Formula
+    from rigidtop.report.annotated import Formula
 
     equations = tuple(placed.equation for placed in each.placed if placed.equation is not None)
     if len(equations) == len(each.placed):
@@ -366,8 +366,8 @@ def _opening(source: str, formula: Formula) -> int:
 
 def _shown(source: str, formula: Formula, notation: Notation, until: float) -> Shown:
     """A formula of the text, typeset if it is read, in time, and nothing of it is lost."""
-    from rigidtop.present.annotated import Formula as Shown
     from rigidtop.read.formula import read
+    from rigidtop.report.annotated import Formula as Shown
 
     text = formula.text.strip()
     late = time.monotonic() > until

@@ -28,8 +28,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Measure and print."""
     from rigidtop import bench
-    from rigidtop.present.files import write_whole
     from rigidtop.progress import bar
+    from rigidtop.report.files import write_whole
 
     plot = Path(options.plot) if options.plot else None
     if plot is not None and plot.suffix not in PLOTS:

@@ -64,10 +64,10 @@ def run(options: argparse.Namespace) -> int:
 def _run(
     collection: Collection, names: Sequence[str], notation: Notation, options: argparse.Namespace
 ) -> int:
-    from rigidtop.present.records import measures, record
-    from rigidtop.present.table import table, wants_color
-    from rigidtop.present.wording import Wording
     from rigidtop.proof.words import unmarked
+    from rigidtop.report.records import measures, record
+    from rigidtop.report.wording import Wording
+    from rigidtop.typeset.table import table, wants_color
 
     found = claims.named(collection, names) if names else claims.every(collection)
     every = options.thorough and not names

@@ -72,7 +72,7 @@ def _elsewhere(collection: Collection) -> dict[str, str]:
     """Names of what is no claim, with the commands that ask for it."""
     found = {e.name: f"`{collection.command('exercise')} {e.name}`" for e in collection.exercises}
     if collection.folder is None:
-        from rigidtop.present.figures.catalog import FIGURES
+        from rigidtop.figures.catalog import FIGURES
 
         found = {figure.name: f"`rigidtop figure {figure.name}`" for figure in FIGURES} | found
     return found

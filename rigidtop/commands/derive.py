@@ -53,10 +53,10 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _run(collection: Collection, name: str, options: argparse.Namespace) -> int:
-    from rigidtop.present.lecture import fragment
-    from rigidtop.present.records import record
-    from rigidtop.present.ways import way_record
-    from rigidtop.present.wording import Wording
+    from rigidtop.report.lecture import fragment
+    from rigidtop.report.records import record
+    from rigidtop.report.ways import way_record
+    from rigidtop.report.wording import Wording
 
     notation = chosen(options)
     found = claims.named(collection, [name])
@@ -81,7 +81,7 @@ def _run(collection: Collection, name: str, options: argparse.Namespace) -> int:
 def _source(options: argparse.Namespace, judgement: Judgement, notation: Notation) -> int:
     from rigidtop.codegen.languages import source
     from rigidtop.codegen.values import NothingToEvaluateError, rewritten, values
-    from rigidtop.present.text import text
+    from rigidtop.typeset.text import text
 
     try:
         made = source(rewritten(values(judgement), notation.written), options.format, text)

@@ -18,8 +18,8 @@ from rigidtop.progress import over
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
     from rigidtop.notation import Notation
-    from rigidtop.present.solutions import Solution
     from rigidtop.proof.exercise import Exercise
+    from rigidtop.report.solutions import Solution
 
 ABOUT = "solve the exercises that the notes leave to their reader, in symbols and in numbers"
 
@@ -73,7 +73,7 @@ def _run(collection: Collection, names: Sequence[str], options: argparse.Namespa
         return _list(collection, options.json)
     if options.student:
         return _questions(collection, names, options)
-    from rigidtop.present.solutions import solved
+    from rigidtop.report.solutions import solved
 
     exercises = chosen(collection, names)
     lines = collection.lecture_with(exercises)
@@ -81,13 +81,13 @@ def _run(collection: Collection, names: Sequence[str], options: argparse.Namespa
     if options.sheet:
         _write(collection, solutions, options, notation if notation.images else None)
     elif options.json:
-        from rigidtop.present.lecture import solution_in
-        from rigidtop.present.solutions import record
+        from rigidtop.report.lecture import solution_in
+        from rigidtop.report.solutions import record
 
         records = [record(solution_in(notation, solution)) for solution in solutions]
         print_json(records[0] if len(records) == 1 else records)
     else:
-        from rigidtop.present.lecture import exercise_fragment
+        from rigidtop.report.lecture import exercise_fragment
 
         print("\n\n".join(exercise_fragment(each, notation) for each in solutions), end="")
     return 0 if all(solution.passed for solution in solutions) else FAILED
@@ -109,8 +109,8 @@ def chosen(collection: Collection, names: Sequence[str]) -> list[Exercise]:
 
 def _questions(collection: Collection, names: Sequence[str], options: argparse.Namespace) -> int:
     from rigidtop.parameters import settings
-    from rigidtop.present.plain import fragment
-    from rigidtop.present.solutions import Solution, question
+    from rigidtop.report.plain import fragment
+    from rigidtop.report.solutions import Solution, question
 
     exercises = chosen(collection, names)
     asked = [(each, settings(each.parameters, options.set)) for each in exercises]
@@ -129,8 +129,8 @@ def _write(
     options: argparse.Namespace,
     notation: Notation | None,
 ) -> None:
-    from rigidtop.present.files import check_folder
-    from rigidtop.present.lecture import write_sheet
+    from rigidtop.report.files import check_folder
+    from rigidtop.report.lecture import write_sheet
 
     look, front, points = look_of(options), front_of(options, collection.front), points_of(options)
     check_folder(options.sheet)
@@ -153,12 +153,12 @@ def _write(
 
 def _list(collection: Collection, as_json: bool) -> int:
     if as_json:
-        from rigidtop.present.solutions import listed
+        from rigidtop.report.solutions import listed
 
         print_json([listed(exercise) for exercise in collection.exercises])
         return 0
-    from rigidtop.present.table import table
     from rigidtop.proof.words import unmarked
+    from rigidtop.typeset.table import table
 
     rows = [
         [each.section, each.name, unmarked(f"{each.title} ({each.asks})")]

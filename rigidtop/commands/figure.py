@@ -15,7 +15,7 @@ from rigidtop.parameters import settings
 from rigidtop.proof.words import unmarked
 
 if TYPE_CHECKING:
-    from rigidtop.present.figures.drawing import Drawing
+    from rigidtop.figures.drawing import Drawing
 
 ABOUT = "draw a figure as SVG, PDF or PNG, or let it move as GIF or MP4"
 
@@ -51,7 +51,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """List the figures, or write one."""
-    from rigidtop.present.figures.catalog import FIGURES, named
+    from rigidtop.figures.catalog import FIGURES, named
 
     if options.name is None:
         options.set, more = apart(options.set)
@@ -63,7 +63,7 @@ def run(options: argparse.Namespace) -> int:
             raise RigidtopError("which figure?  `rigidtop figure` lists them")
         _print_list(FIGURES, options.json)
         return 0
-    from rigidtop.present.wording import Wording
+    from rigidtop.report.wording import Wording
 
     drawing, notation = named(options.name), chosen(options)
     values = settings(drawing.parameters, options.set)
@@ -81,7 +81,7 @@ def run(options: argparse.Namespace) -> int:
         "alternative": unmarked(drawing.alternative(**values)),
     }
     if kind in MOVING:
-        from rigidtop.present.figures.animation import FRAMES
+        from rigidtop.figures.animation import FRAMES
 
         record["frames"] = options.frames or FRAMES
     _write(drawing, path, kind, values, record.get("frames", 0))
@@ -94,8 +94,8 @@ def run(options: argparse.Namespace) -> int:
 
 def _check(options: argparse.Namespace, drawing: Drawing, path: Path, kind: str) -> None:
     """Refuse what can't be written before anything is drawn."""
-    from rigidtop.present.figures.catalog import FIGURES
-    from rigidtop.present.files import check_folder
+    from rigidtop.figures.catalog import FIGURES
+    from rigidtop.report.files import check_folder
 
     if kind not in STILL + MOVING:
         found = f"not .{kind}" if kind else f"and {str(path)!r} has none"
@@ -108,7 +108,7 @@ def _check(options: argparse.Namespace, drawing: Drawing, path: Path, kind: str)
             f"{drawing.name} does not move: write it as .svg, .pdf or .png (what moves: {those})"
         )
     if kind in MOVING:
-        from rigidtop.present.figures.animation import writer
+        from rigidtop.figures.animation import writer
 
         writer(kind)  # an mp4 wants ffmpeg
     if kind in STILL and options.frames:
@@ -117,22 +117,22 @@ def _check(options: argparse.Namespace, drawing: Drawing, path: Path, kind: str)
 
 
 def _write(drawing: Drawing, path: Path, kind: str, values: dict[str, float], frames: int) -> None:
-    from rigidtop.present.files import write_whole
     from rigidtop.progress import bar
+    from rigidtop.report.files import write_whole
 
     if kind in STILL:
-        from rigidtop.present.figures.drawing import rendered
+        from rigidtop.figures.drawing import rendered
 
         content = rendered(drawing, kind, values)
     else:
-        from rigidtop.present.figures.animation import animated
+        from rigidtop.figures.animation import animated
 
         content = animated(drawing, kind, values, frames=frames, progress=bar("drawing"))
     write_whole(path, content)
 
 
 def _print_list(figures: tuple[Drawing, ...], as_json: bool) -> None:
-    from rigidtop.present.table import columns, padded, wrapped
+    from rigidtop.typeset.table import columns, padded, wrapped
 
     if as_json:
         print_json([_record(each) for each in figures])

@@ -68,10 +68,10 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _run(collection: Collection, options: argparse.Namespace) -> int:
-    from rigidtop.present.figures.catalog import FIGURES
-    from rigidtop.present.files import check_folder
-    from rigidtop.present.lecture import Wanted, write_lecture
-    from rigidtop.present.solutions import solved
+    from rigidtop.figures.catalog import FIGURES
+    from rigidtop.report.files import check_folder
+    from rigidtop.report.lecture import Wanted, write_lecture
+    from rigidtop.report.solutions import solved
     from rigidtop.web.page import three
     from rigidtop.web.player import player
 

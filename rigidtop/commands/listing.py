@@ -20,9 +20,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Print the list."""
     from rigidtop.collection import opened
-    from rigidtop.present.records import claim_record
-    from rigidtop.present.table import table
     from rigidtop.proof.words import unmarked
+    from rigidtop.report.records import claim_record
+    from rigidtop.typeset.table import table
 
     with opened(options.name) as (collection, names):
         found = claims.named(collection, names) if names else claims.every(collection)

@@ -48,12 +48,12 @@ def run(options: argparse.Namespace) -> int:
 def _run(
     lecture: Lecture, names: list[str], options: argparse.Namespace, notation: Notation
 ) -> int:
-    from rigidtop.present.map import KINDS, drawn, label, part
+    from rigidtop.report.map import KINDS, drawn, label, part
 
     whole = lecture.map
     shown = part(whole, names) if names else whole
     if options.output is not None:
-        from rigidtop.present.files import check_folder, write_whole
+        from rigidtop.report.files import check_folder, write_whole
 
         path = Path(options.output)
         kind = path.suffix[1:].lower()

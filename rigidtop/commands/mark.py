@@ -144,7 +144,7 @@ def record(found: Marking) -> dict[str, Any]:
 
 
 def _print(found: Marking) -> None:
-    from rigidtop.present.table import table, wants_color, wrapped
+    from rigidtop.typeset.table import table, wants_color, wrapped
 
     rows = [[str(line.line or ""), line.mark.value, line.said] for line in found.lines]
     colors = COLORS if wants_color(sys.stdout) else None

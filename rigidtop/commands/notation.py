@@ -57,9 +57,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Print the conventions, or one symbol by symbol."""
     from rigidtop.notation import BUILT_IN, named
-    from rigidtop.present.notations import record, rows, turns
-    from rigidtop.present.table import table
     from rigidtop.proof.words import unmarked
+    from rigidtop.report.notations import record, rows, turns
+    from rigidtop.typeset.table import table
 
     notations = [named(name) for name in options.name or BUILT_IN]
     if options.json:

@@ -84,8 +84,8 @@ def _lines(
 
 
 def _records(rows: list[tuple[Source, int, int, str, Line]], several: bool) -> list[dict[str, Any]]:
-    from rigidtop.present.letters import roles
-    from rigidtop.present.text import text
+    from rigidtop.typeset.letters import roles
+    from rigidtop.typeset.text import text
 
     known = roles([line.equation for *_, line in rows if line.equation is not None])
     made = []
@@ -109,7 +109,7 @@ def _records(rows: list[tuple[Source, int, int, str, Line]], several: bool) -> l
 
 
 def _print(records: list[dict[str, Any]]) -> None:
-    from rigidtop.present.table import table
+    from rigidtop.typeset.table import table
 
     rows = [
         [

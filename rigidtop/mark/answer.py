@@ -38,7 +38,6 @@ from rigidtop.mark.links import (
 )
 from rigidtop.mark.passages import passage, way
 from rigidtop.notation import Notation
-from rigidtop.present.text import text
 from rigidtop.proof import decide
 from rigidtop.proof.derivation import diagnose
 from rigidtop.proof.equation import Equation, Rate, Underbrace, symbols_of, value
@@ -52,6 +51,7 @@ from rigidtop.theory import top
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import Glyph, Quantity
 from rigidtop.theory.trig import reduce_ratio
+from rigidtop.typeset.text import text
 
 MOST_LINES = 200
 """A derivation has no more lines."""

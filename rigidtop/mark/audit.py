@@ -25,9 +25,6 @@ from rigidtop.mark.links import Link, number_text, pair_text
 from rigidtop.mark.links import Verdict as LinkVerdict
 from rigidtop.mark.links import judge as judge_in
 from rigidtop.notation import NOTES, Notation
-from rigidtop.present.records import note as said_of
-from rigidtop.present.report import numbers
-from rigidtop.present.text import text
 from rigidtop.proof.algebra import Letters
 from rigidtop.proof.equation import Equation, Meaning, Underbrace, as_printed, symbols_of, value
 from rigidtop.proof.page import Check, Claim, Correction, Definition, Evidence, Page, Remark
@@ -44,7 +41,10 @@ from rigidtop.proof.verdict import (
 )
 from rigidtop.read.document import Numbered, lines, numbered, places
 from rigidtop.read.formula import Line, kind
+from rigidtop.report.records import note as said_of
+from rigidtop.report.report import numbers
 from rigidtop.theory.symbols import const, phi, phidot, psi, psidot, theta, thetadot, unit
+from rigidtop.typeset.text import text
 
 UNREAD, UNKNOWN, ABSENT = "unread", "unknown", "absent"
 """What is said in place of a verdict: what is not understood, a number of no claim, no equation."""

@@ -11,11 +11,11 @@ from sympy import Expr, MatrixBase, cos, sin
 
 from rigidtop.mark import facts
 from rigidtop.mark.facts import Model, Sample
-from rigidtop.present.text import text
 from rigidtop.proof import decide
 from rigidtop.proof.equation import NoMeaningError, Rate, value
 from rigidtop.proof.verdict import entries
 from rigidtop.theory import symbols as s
+from rigidtop.typeset.text import text
 
 
 @dataclass(frozen=True)

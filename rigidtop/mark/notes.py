@@ -31,7 +31,6 @@ from sympy.core.function import AppliedUndef
 
 from rigidtop.notation import OWN
 from rigidtop.notation.convention import own
-from rigidtop.present.text import text
 from rigidtop.proof import decide
 from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import Equation, NoMeaningError
@@ -41,6 +40,7 @@ from rigidtop.read.formula import Habits, Line, kind
 from rigidtop.theory import lagrangian
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import Glyph, const
+from rigidtop.typeset.text import text
 
 PREMISE = "premise"
 """Said of what is taken as it stands: a law, a quantity of the file's own, a special motion."""

@@ -22,12 +22,12 @@ from rigidtop.errors import RigidtopError
 from rigidtop.mark import facts
 from rigidtop.mark.facts import Model, Passage
 from rigidtop.mark.links import ERRORS, Link, judge
-from rigidtop.present.text import text
 from rigidtop.proof.derivation import Line, same
 from rigidtop.proof.equation import Equation, Partial, Rate, symbols_of
 from rigidtop.proof.verdict import entries
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
+from rigidtop.typeset.text import text
 
 
 @cache

@@ -17,9 +17,9 @@ from sympy import Add, Integer, Mul, Pow, Rational, Symbol, cos, sin
 
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.notation import MATRICES
-from rigidtop.present.text import text
 from rigidtop.proof.equation import Cross, Group, Transposed, as_printed
 from rigidtop.theory import symbols as s
+from rigidtop.typeset.text import text
 
 MOST = 400
 """So many repairs of a line are tried at most."""

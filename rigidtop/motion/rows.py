@@ -115,7 +115,7 @@ class Rows(ABC):
 
         Raises RigidtopError for a name that is none of the columns.
         """
-        from rigidtop.present.figures.trajectories import plotted
+        from rigidtop.figures.trajectories import plotted
 
         return plotted(self, names or self.plotted, axes)
 

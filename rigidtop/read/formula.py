@@ -1,6 +1,6 @@
 """Formulas in LaTeX become equations.
 
->>> from rigidtop.present.text import text
+>>> from rigidtop.typeset.text import text
 >>> [line] = read(r"\\lambda_1\\cos\\theta\\,\\Omega^2 = L_3\\Omega - MgR \\tag{3.57}")
 >>> text(line.equation), line.tag
 ('λ₁ cos θ Ω² = L₃Ω − MgR', '3.57')

@@ -17,24 +17,24 @@ import sympy
 from sympy import Expr, Symbol
 
 from rigidtop.errors import RigidtopError
-from rigidtop.present import html, plain, tex
-from rigidtop.present.latex import latex
-from rigidtop.present.layout import glyph
-from rigidtop.present.report import Display
-from rigidtop.present.ways import gap, step, text_blocks
 from rigidtop.proof.algebra import TIME, Letters
 from rigidtop.proof.derivation import Judged, Line
 from rigidtop.proof.equation import Equation, Partial, Rate
 from rigidtop.proof.lecture import Block, Heading, Lecture, Shown, Text
 from rigidtop.proof.moves import Known, Move, Scope
+from rigidtop.report import html, plain, tex
+from rigidtop.report.report import Display
+from rigidtop.report.ways import gap, step, text_blocks
 from rigidtop.system.forms import parts_of, short
 from rigidtop.system.names import own_functions
 from rigidtop.system.system import System
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import VOCABULARY, E, Lagrangian, Quantity, const
+from rigidtop.typeset.latex import latex
+from rigidtop.typeset.layout import glyph
 
 if TYPE_CHECKING:
-    from rigidtop.present.report import Block as Written
+    from rigidtop.report.report import Block as Written
 
 SOLVED = 4
 """Unknowns up to which equations are solved on the board."""

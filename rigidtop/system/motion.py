@@ -574,7 +574,7 @@ class SystemTrajectory(Rows):
 
         Raises RigidtopError for a system without parts, and where the file can't be written.
         """
-        from rigidtop.present.figures.trajectories import filmed
+        from rigidtop.figures.trajectories import filmed
 
         filmed(self, path, duration)
 

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from rigidtop.codegen import languages
 from rigidtop.codegen.values import Value, Values
 from rigidtop.errors import RigidtopError
-from rigidtop.present.text import text
 from rigidtop.proof.equation import Equation
 from rigidtop.system.names import like
+from rigidtop.typeset.text import text
 
 if TYPE_CHECKING:
     from rigidtop.system.system import System

@@ -186,13 +186,13 @@ class System:
 
     def _repr_html_(self) -> str:
         """The same with MathML, for notebooks."""
-        from rigidtop.present.mathml import display
+        from rigidtop.typeset.mathml import display
 
         return f"<p>{escape(repr(self))}</p>\n{display(self._shown)}"
 
     def latex(self) -> str:
         """L, the equations of motion and constraints, in amsmath's ``aligned``, where not long."""
-        from rigidtop.present.latex import latex
+        from rigidtop.typeset.latex import latex
 
         lines = (" &= ".join(map(latex, row.sides)) for row in self._shown)
         return r"\begin{aligned}" + r" \\ ".join(lines) + r"\end{aligned}"

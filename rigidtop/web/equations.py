@@ -14,9 +14,9 @@ from sympy import Expr, Matrix, diag, sqrt
 
 from rigidtop.codegen.javascript import quantity, rates
 from rigidtop.codegen.shipped import named
-from rigidtop.present.text import text
 from rigidtop.theory import euler, rotation, top
 from rigidtop.theory import symbols as s
+from rigidtop.typeset.text import text
 from rigidtop.web import terms
 
 PATH = Path(__file__).parent / "live-page" / "equations.js"

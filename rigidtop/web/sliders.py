@@ -6,10 +6,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from math import pi
 
-from rigidtop.present.mathml import letter
-from rigidtop.present.text import letter as text_letter
 from rigidtop.theory import symbols as s
 from rigidtop.theory.symbols import VOCABULARY, Glyph
+from rigidtop.typeset.mathml import letter
+from rigidtop.typeset.text import letter as text_letter
 from rigidtop.web.setup import HEAVY, Setup
 
 MOMENTS, RATES = (1e-3, 10.0), (-60.0, 60.0)

@@ -13,15 +13,15 @@ from typing import Any
 from sympy import Add, Expr, Matrix
 
 from rigidtop.derivations import eulers_equations, lagrange_formalism
-from rigidtop.present import layout as lay
-from rigidtop.present.mathml import labelled
-from rigidtop.present.text import text
 from rigidtop.proof.equation import Equation, value
 from rigidtop.proof.page import Check, Claim
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.euler import OMEGA_DOT, body_accelerations
 from rigidtop.theory.rotation import Z_AXIS, quaternion_matrix
+from rigidtop.typeset import layout as lay
+from rigidtop.typeset.mathml import labelled
+from rigidtop.typeset.text import text
 
 TORQUE = top.gravity_torque(quaternion_matrix(Matrix(top.QUATERNION)).T * Z_AXIS)
 """Of gravity, in body components (N m)."""

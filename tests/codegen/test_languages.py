@@ -33,13 +33,13 @@ from rigidtop.codegen.languages import LANGUAGES, Source, function_name, source
 from rigidtop.codegen.values import Line, NothingToEvaluateError, Value, Values, values
 from rigidtop.commands.derive import SOURCES
 from rigidtop.derivations import PAGES
-from rigidtop.present.text import text
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.page import Check, Correction, claim
 from rigidtop.proof.verdict import judge
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.rotation import euler_matrix
+from rigidtop.typeset.text import text
 
 NOTHING = {"principal-axes", "3.35", "same-frequency", "free-fall", "z-hat"}
 """The claims between vectors, and those that something vanishes or differs."""

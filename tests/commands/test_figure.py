@@ -8,10 +8,10 @@ import pytest
 
 from rigidtop.commands import figure
 from rigidtop.errors import RigidtopError
-from rigidtop.present.figures.catalog import FIGURES
-from rigidtop.present.figures.drawing import KINDS, rendered
-from rigidtop.present.table import columns
+from rigidtop.figures.catalog import FIGURES
+from rigidtop.figures.drawing import KINDS, rendered
 from rigidtop.proof.words import unmarked
+from rigidtop.typeset.table import columns
 
 
 def run(*arguments):

@@ -11,15 +11,15 @@ from rigidtop.codegen.values import NothingToEvaluateError, rewritten, values
 from rigidtop.derivations import PAGES
 from rigidtop.derivations.euler_angles import page
 from rigidtop.notation import GOLDSTEIN, named
-from rigidtop.present.html import write as html
-from rigidtop.present.lecture import lecture
-from rigidtop.present.notations import different
-from rigidtop.present.report import Symbols
-from rigidtop.present.tex import write as tex
-from rigidtop.present.text import text
-from rigidtop.present.typst import write as typst
 from rigidtop.proof.verdict import judge_page
 from rigidtop.proof.words import unmarked
+from rigidtop.report.html import write as html
+from rigidtop.report.lecture import lecture
+from rigidtop.report.notations import different
+from rigidtop.report.report import Symbols
+from rigidtop.report.tex import write as tex
+from rigidtop.report.typst import write as typst
+from rigidtop.typeset.text import text
 
 MINE = """
 title = "Mine"

@@ -18,10 +18,10 @@ from rigidtop.cli import main
 from rigidtop.derivations import PAGES
 from rigidtop.errors import RigidtopError
 from rigidtop.mark.audit import audit
-from rigidtop.present.text import text
 from rigidtop.read import document, scan
 from rigidtop.read.formula import DEEPEST, read
 from rigidtop.theory.symbols import VOCABULARY
+from rigidtop.typeset.text import text
 
 LABELS = {sympy.Symbol(name) for name in ("space", "body", "d3r", *"abcdefghijklmnopqrstuvwxyz")}
 """Frames, measures and indices of sums."""

@@ -7,14 +7,14 @@ from sympy import expand
 
 from rigidtop.derivations.lagrange_formalism import page
 from rigidtop.notation import BUILT_IN, GOLDSTEIN, NOTES, named
-from rigidtop.present.latex import latex
-from rigidtop.present.text import text
 from rigidtop.proof.equation import value
 from rigidtop.proof.page import Check
 from rigidtop.proof.verdict import Verdict, judge_check
 from rigidtop.read.formula import read
 from rigidtop.theory import symbols as s
 from rigidtop.theory.rotation import euler_omega
+from rigidtop.typeset.latex import latex
+from rigidtop.typeset.text import text
 
 CLAIMS = {claim.name: claim for claim in page.claims}
 

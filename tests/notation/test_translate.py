@@ -11,13 +11,13 @@ from sympy import Matrix, Ne, Rational, cos, diff, pi, sin, tan
 
 from rigidtop.notation import BUILT_IN, GOLDSTEIN, NOTES, named
 from rigidtop.notation.translate import is_typed
-from rigidtop.present.layout import layout
-from rigidtop.present.text import text
 from rigidtop.proof.equation import Cross, Equation, Group, Underbrace, as_printed, value
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.rotation import euler_matrix, euler_omega, rotation_x, rotation_z
 from rigidtop.theory.trig import reduce_trig
+from rigidtop.typeset.layout import layout
+from rigidtop.typeset.text import text
 
 ALL = [named(name) for name in BUILT_IN]
 TURNED = [notation for notation in ALL if notation.sequence == "zxz"]

@@ -7,15 +7,15 @@ import sympy
 
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.notation import NOTES
-from rigidtop.present.latex import latex
-from rigidtop.present.layout import layout
-from rigidtop.present.mathml import mathml
-from rigidtop.present.text import text
 from rigidtop.proof.algebra import Algebra, antiderivative
 from rigidtop.proof.equation import IntegralOver, NoMeaningError
 from rigidtop.read.formula import read
 from rigidtop.read.page import read_lecture
 from rigidtop.theory import symbols as s
+from rigidtop.typeset.latex import latex
+from rigidtop.typeset.layout import layout
+from rigidtop.typeset.mathml import mathml
+from rigidtop.typeset.text import text
 
 LAWS = r"""
 # Laws

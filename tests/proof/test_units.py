@@ -16,8 +16,6 @@ from rigidtop.derivations import PAGES, lecture
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.notation import NOTES
-from rigidtop.present.text import text
-from rigidtop.present.ways import gap
 from rigidtop.proof.algebra import Applied, Letters
 from rigidtop.proof.equation import (
     Cross,
@@ -37,8 +35,10 @@ from rigidtop.proof.page import Check
 from rigidtop.proof.units import UnitsError, check, defining, dimension, named, parsed
 from rigidtop.proof.verdict import led
 from rigidtop.read.page import read_lecture
+from rigidtop.report.ways import gap
 from rigidtop.starter import letters as starter
 from rigidtop.theory import symbols as s
+from rigidtop.typeset.text import text
 
 LECTURE = lecture()
 THING = Symbol("thing")

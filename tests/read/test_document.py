@@ -5,8 +5,8 @@ import json
 import pytest
 
 from rigidtop.cli import main
-from rigidtop.present.text import text
 from rigidtop.read.document import bare, each, formulas, lines, numbered, problems
+from rigidtop.typeset.text import text
 
 
 def found(source):

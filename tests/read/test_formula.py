@@ -9,15 +9,15 @@ from sympy import Matrix, Rational
 from rigidtop.derivations import PAGES
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.notation import MATRICES, NOTES
-from rigidtop.present.latex import AlignRow, align, aligned, latex
-from rigidtop.present.layout import lines as broken
-from rigidtop.present.text import text
 from rigidtop.proof.equation import Equation, Printed, Rate, SumOver, VolumeIntegral, as_printed
 from rigidtop.proof.equation import value as meaning_of
 from rigidtop.proof.page import Check, Definition, Step
 from rigidtop.read.document import lines, numbered
 from rigidtop.read.formula import kind, read
 from rigidtop.theory import symbols as s
+from rigidtop.typeset.latex import AlignRow, align, aligned, latex
+from rigidtop.typeset.layout import lines as broken
+from rigidtop.typeset.text import text
 
 CLAIMS = {claim.name: claim for page in PAGES for claim in page.claims} | {
     claim.name: claim for exercise in EXERCISES for claim in exercise.claims

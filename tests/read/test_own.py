@@ -7,12 +7,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rigidtop.notation import OWN
-from rigidtop.present.latex import latex
-from rigidtop.present.mathml import mathml
-from rigidtop.present.text import text
 from rigidtop.read.formula import Habits, read
 from rigidtop.read.macros import PACKAGES, defined
 from rigidtop.theory.symbols import Glyph
+from rigidtop.typeset.latex import latex
+from rigidtop.typeset.mathml import mathml
+from rigidtop.typeset.text import text
 
 
 def shown(source, habits=Habits(PACKAGES)):  # noqa: B008

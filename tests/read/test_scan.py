@@ -24,7 +24,7 @@ def test_juxtaposed_letters_are_factors_and_an_index_is_none():
 
 @pytest.mark.parametrize("symbol", VOCABULARY)
 def test_every_symbol_of_the_vocabulary_is_one_token(symbol):
-    from rigidtop.present.latex import latex
+    from rigidtop.typeset.latex import latex
 
     if " " in VOCABULARY[symbol].glyph.base or symbol in (s.unit, s.const, s.A_matrix):
         return  # det O is a function of O, 1 a number, const a word, A here an amplitude

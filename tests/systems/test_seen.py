@@ -131,7 +131,7 @@ def test_a_film(tmp_path):
 
 
 def test_rods_are_what_keeps_its_length():
-    from rigidtop.present.figures.trajectories import _rods
+    from rigidtop.figures.trajectories import _rods
 
     assert len(_rods(RUN.places())) == 2
     apart = RUN.places() * np.linspace(1, 2, 501)[:, None]

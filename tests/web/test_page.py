@@ -14,7 +14,7 @@ import pytest
 from scipy.integrate import DOP853
 
 import rigidtop as rt
-from rigidtop.present.text import text
+from rigidtop.typeset.text import text
 from rigidtop.web import page as pages
 from rigidtop.web import terms
 from rigidtop.web.page import FOLDER, page, page_of

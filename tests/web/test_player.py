@@ -11,10 +11,10 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from rigidtop.present import html
-from rigidtop.present.figures.catalog import FIGURES
-from rigidtop.present.figures.drawing import both
-from rigidtop.present.lecture import Picture
+from rigidtop.figures.catalog import FIGURES
+from rigidtop.figures.drawing import both
+from rigidtop.report import html
+from rigidtop.report.lecture import Picture
 from rigidtop.web.player import player
 from rigidtop.web.setup import body_of, setup_of
 

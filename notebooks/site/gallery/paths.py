@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import rigidtop as rt
-from rigidtop.present.figures.nutation import draw_path
+from rigidtop.figures.nutation import draw_path
 
 top = rt.HeavyTop(lambda1=0.02, lambda3=0.01, M=1.0, R=0.1)
 figure, axes = plt.subplots(1, 3, figsize=(9, 3.2), layout="constrained")

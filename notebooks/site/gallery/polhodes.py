@@ -9,7 +9,7 @@ motions about the first and about the last axis.
 import matplotlib.pyplot as plt
 
 import rigidtop as rt
-from rigidtop.present.figures.free import draw_polhodes
+from rigidtop.figures.free import draw_polhodes
 
 figure, axes = plt.subplots(figsize=(5, 5), layout="constrained")
 draw_polhodes(axes, rt.FreeBody(1.0, 2.0, 2.9))

@@ -9,16 +9,16 @@ import pytest
 from rigidtop.derivations import PAGES
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.derivations.letters import LETTERS
+from rigidtop.figures.catalog import FIGURES
 from rigidtop.parameters import settings
-from rigidtop.present.figures.catalog import FIGURES
-from rigidtop.present.sentences import prose
-from rigidtop.present.solutions import Solution, record
 from rigidtop.proof.exercise import Answer, Table
 from rigidtop.proof.page import Measure
 from rigidtop.proof.perturb import falls, telling, upheld
 from rigidtop.proof.verdict import Finding, Verdict, judge
 from rigidtop.proof.words import parts
+from rigidtop.report.solutions import Solution, record
 from rigidtop.theory.symbols import VOCABULARY
+from rigidtop.typeset.sentences import prose
 
 NAMES = [exercise.name for exercise in EXERCISES]
 OF_THE_NOTES = {claim.name for page in PAGES for claim in page.claims}

@@ -1,0 +1,81 @@
+"""Every figure by its name.
+
+>>> [drawing.name for drawing in FIGURES][:2]
+['two-masses', 'polhodes']
+"""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+
+from rigidtop.errors import RigidtopError
+from rigidtop.figures import (
+    angles,
+    bicycle_wheel,
+    cones,
+    falling,
+    free,
+    friction,
+    gyroscope,
+    leaning_cone,
+    nutation,
+    plate,
+    polar_motion,
+    potential,
+    precession,
+    rotation_order,
+    spinning,
+    torque,
+    toy_top,
+    two_masses,
+    weights,
+)
+from rigidtop.figures.drawing import Drawing
+
+FIGURES: tuple[Drawing, ...] = (
+    two_masses.TWO_MASSES,
+    free.POLHODES,
+    free.FLIP,
+    cones.CONES,
+    cones.ROLLING_CONES,
+    polar_motion.POLAR_MOTION,
+    plate.WOBBLING_PLATE,
+    free.TUMBLING,
+    angles.EULER_ANGLES,
+    rotation_order.ORDER_OF_ROTATIONS,
+    weights.WEIGHTS,
+    leaning_cone.LEANING_CONE,
+    torque.TORQUE_ARROWS,
+    precession.PARALLEL,
+    falling.TOPPLING,
+    gyroscope.GYROSCOPE,
+    bicycle_wheel.BICYCLE_WHEEL,
+    precession.PRECESSION_RATES,
+    precession.ASYMPTOTICS,
+    falling.SLEEPING,
+    potential.EFFECTIVE_POTENTIAL,
+    spinning.SPINNING_TOP,
+    nutation.PATHS,
+    nutation.MOTION,
+    nutation.REGIMES,
+    friction.RISING,
+    friction.WAKING,
+    toy_top.TOY_TOP,
+)
+"""In the order of the notes."""
+
+
+def named(name: str) -> Drawing:
+    """The figure of this name; RigidtopError, with the names that are near, if there is none.
+
+    >>> named("path")
+    Traceback (most recent call last):
+    ...
+    rigidtop.errors.RigidtopError: no figure 'path'; did you mean paths?
+    """
+    known = {drawing.name: drawing for drawing in FIGURES}
+    if name in known:
+        return known[name]
+    near = get_close_matches(name, known, n=3, cutoff=0.5)
+    hint = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(known)}"
+    raise RigidtopError(f"no figure {name!r}; {hint}")

@@ -1,0 +1,105 @@
+"""A figure by its name: what may be changed in it, how it is drawn, what its caption says."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from io import BytesIO
+from typing import Any
+
+import matplotlib
+from matplotlib.backends.backend_svg import FigureCanvasSVG
+from matplotlib.figure import Figure as Canvas
+
+from rigidtop.figures.style import STYLE
+from rigidtop.motion.motion import Motion
+from rigidtop.parameters import Parameter, settings
+
+KINDS = ("svg", "pdf", "png")
+"""Of a still figure, by the suffix of its file."""
+
+DOTS = 300
+"""Of a png, to the inch."""
+
+
+@dataclass(frozen=True)
+class Film:
+    """A figure that moves: `show` draws what it is at a share of its time, from 0 to 1.
+
+    It is played again and again: where the motion has a period, 1 is like 0.
+    """
+
+    canvas: Canvas
+    show: Callable[[float], None]
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A figure.  `draw`, `caption`, `alternative`, `animate` and `motions` take its parameters by
+    name.
+
+    `section` is the section of the notes that it closes in the lecture; "" for none.  `alternative`
+    says in ASCII what is to be seen.  No number of a caption can disagree with the picture: both
+    are computed from the same parameters.
+
+    All raise RigidtopError, in one line, for parameters that no such body or motion has.
+    """
+
+    name: str
+    title: str
+    section: str
+    parameters: tuple[Parameter, ...]
+    draw: Callable[..., Canvas]
+    caption: Callable[..., str]
+    alternative: Callable[..., str]
+    animate: Callable[..., Film] | None = None
+    motions: Callable[..., Sequence[Motion]] | None = None
+    """Those that it shows, to be played."""
+
+    def values(self, given: Mapping[str, float] | None = None) -> dict[str, float]:
+        """Every parameter's value, those `given` checked against their ranges."""
+        return settings(self.parameters, given or {})
+
+
+def one(motion: Callable[..., Motion]) -> Callable[..., Sequence[Motion]]:
+    """What a figure of a single motion shows."""
+    return lambda **values: (motion(**values),)
+
+
+def rendered(drawing: Drawing, kind: str, given: Mapping[str, float] | None = None) -> bytes:
+    """The bytes of a figure as "svg", "pdf" or "png"; the same each time."""
+    values = drawing.values(given)
+    with matplotlib.rc_context(STYLE):
+        canvas = drawing.draw(**values)
+        buffer = BytesIO()
+        about, clear = _ABOUT[kind], kind == "svg"
+        canvas.savefig(buffer, format=kind, metadata=about, dpi=DOTS, transparent=clear)
+    made = buffer.getvalue()
+    return _without_metadata(made) if kind == "svg" else made
+
+
+_ABOUT: Mapping[str, dict[str, Any]] = {
+    "svg": {},  # goes below
+    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+    "png": {"Software": None},
+}
+
+
+def both(drawing: Drawing, given: Mapping[str, float] | None = None) -> tuple[bytes, bytes]:
+    """A figure as PDF and as SVG, drawn and laid out once."""
+    values = drawing.values(given)
+    with matplotlib.rc_context(STYLE):
+        canvas = drawing.draw(**values)
+        paper = BytesIO()
+        canvas.savefig(paper, format="pdf", metadata=_ABOUT["pdf"])
+        canvas.set_layout_engine("none")
+        for patch in (canvas.patch, *(axes.patch for axes in canvas.axes)):
+            patch.set(facecolor="none", edgecolor="none")
+        page = BytesIO()
+        FigureCanvasSVG(canvas).print_svg(page)
+    return paper.getvalue(), _without_metadata(page.getvalue())
+
+
+def _without_metadata(svg: bytes) -> bytes:
+    return re.sub(rb"\s*<metadata>.*?</metadata>", b"", svg, flags=re.DOTALL)

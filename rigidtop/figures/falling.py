@@ -1,0 +1,192 @@
+"""Tops that fall: without spin, or with too little of it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure as Canvas
+from scipy.optimize import brentq
+
+from rigidtop.figures.bodies import TOP, top_in_words
+from rigidtop.figures.drawing import Drawing, one
+from rigidtop.figures.style import (
+    COLUMN,
+    DASHED,
+    DOTTED,
+    FIRST,
+    GREY,
+    INK,
+    SECOND,
+    canvas,
+    degrees,
+    name_at,
+    said,
+    spoken,
+)
+from rigidtop.motion.many import top_motions
+from rigidtop.motion.motion import TopMotion
+from rigidtop.motion.top import HeavyTop
+from rigidtop.parameters import Parameter
+
+# --- The toppling top ----------------------------------------------------------------------------
+
+
+def time_to_fall(motion: TopMotion) -> float:
+    """When θ of a top that is let go at rest comes to π/2 (s)."""
+
+    def above(t: float) -> float:
+        return float(motion.exact(t).theta[0]) - math.pi / 2
+
+    return float(brentq(above, 0.0, motion.nutation_period / 2, xtol=1e-12, rtol=1e-14))
+
+
+def draw_toppling(axes: Axes, motion: TopMotion) -> None:
+    """θ(t) of a top that is let go at rest, until it lies, and on as if there were no table."""
+    fall, period = time_to_fall(motion), motion.nutation_period
+    until, after = np.linspace(0.0, fall, 400), np.linspace(fall, period, 600)
+    for times, style in ((after, DASHED), (until, "-")):
+        theta = np.degrees(motion.exact(times).theta)
+        width = 1.0 if style == DASHED else 1.6
+        axes.plot(times, theta, color=GREY if style == DASHED else FIRST, ls=style, lw=width)
+    axes.plot([0, fall, fall], [90, 90, 0], color=INK, lw=0.8, ls=DOTTED)
+    axes.plot(fall, 90, "o", color=SECOND, ms=4.5)
+    left = fall > 0.3 * period
+    name_at(
+        axes,
+        fall,
+        90,
+        rf"$\theta = \pi/2$ at $t = {fall:.3g}$ s",
+        (-6, 5) if left else (7, -10),
+        ha="right" if left else "left",
+        color=INK,
+    )
+    axes.set_xlim(0, period)
+    axes.set_ylim(0, 190)
+    axes.set_yticks([0, 45, 90, 135, 180])
+    axes.set_xlabel("$t$  (s)")
+    axes.set_ylabel(r"$\theta$  (degrees)")
+
+
+def _toppling(theta: float, lambda1: float, M: float, R: float, g: float) -> TopMotion:
+    """As thin as can be: λ₃ plays no part without spin."""
+    top = HeavyTop(lambda1=lambda1, lambda3=1e-9 * lambda1, M=M, R=R, g=g)
+    return top.motion(theta=theta, omega3=0.0)
+
+
+def _draw_toppling(**values: float) -> Canvas:
+    drawn = canvas(COLUMN, 2.3)
+    draw_toppling(drawn.subplots(), _toppling(**values))
+    return drawn
+
+
+def _toppling_caption(**values: float) -> str:
+    motion = _toppling(**values)
+    top = motion.body
+    return (
+        f"$θ$ of a top with $λ₁ = {said(top.lambda1)}$ kg m² and $MgR = "
+        f"{said(top.M * top.g * top.R)}$ J that is let go without rotation at $θ = "
+        f"{degrees(values['theta'])}$: it lies after {said(time_to_fall(motion))} s. Dashed: what "
+        "it would do without the table, a pendulum that is back after "
+        f"{said(motion.nutation_period)} s."
+    )
+
+
+def _toppling_in_words(**values: float) -> str:
+    motion = _toppling(**values)
+    return (
+        f"Theta against time rises from {spoken(math.degrees(values['theta']))} degrees, slowly at "
+        f"first, to 90 degrees at {spoken(time_to_fall(motion))} seconds, where a dot is. A dashed "
+        "curve goes on to 180 degrees and back, as that of a pendulum."
+    )
+
+
+TOPPLING = Drawing(
+    "toppling",
+    "The toppling top: $θ(t)$ without rotation",
+    "",
+    (
+        TOP[0],
+        *TOP[2:],
+        Parameter("theta", 0.1, "$θ$ where it is let go", "rad", least=1e-6, most=1.57),
+    ),
+    _draw_toppling,
+    _toppling_caption,
+    _toppling_in_words,
+    motions=one(_toppling),
+)
+
+# --- The sleeping top ----------------------------------------------------------------------------
+
+
+def draw_sleeping(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> None:
+    """The turning points of θ against ω₃, of a top let go at a small θ with φ̇ = θ̇ = 0.
+
+    The dotted line is the least spin at which the upright top is stable; the dots are those of
+    `omega3` (rad/s).
+    """
+    wakes = top.sleeping_spin()
+    last = max(1.7 * wakes, 1.15 * omega3)
+    spins = np.unique(np.append(np.linspace(0.0, last, 801), np.linspace(0.9, 1.1, 201) * wakes))
+    tops = top_motions(**vars(top), theta=theta, omega3=spins)
+    first, second = np.degrees(tops.turning_points)
+    axes.fill_between(spins, first, second, color=FIRST, alpha=0.12, lw=0)
+    axes.plot(spins, second, color=FIRST, label="_largest")
+    axes.plot(spins, first, color=SECOND, ls=DASHED, label="_smallest")
+    axes.axvline(wakes, color=GREY, lw=0.9, ls=DOTTED)
+    marked = np.degrees(top.motion(theta=theta, omega3=omega3).turning_points)
+    axes.plot([omega3, omega3], marked, "-o", color=INK, ms=3.5, lw=0.8)
+    name_at(axes, wakes, 190, r"$\frac{2}{\lambda_3}\sqrt{\lambda_1 MgR}$", (5, -2), va="top")
+    name_at(axes, 0.62 * wakes, 40, "wakes", ha="center", color=INK)
+    name_at(axes, 0.5 * (wakes + last), 40, "sleeps", ha="center", color=INK)
+    for curve, words in ((second, r"$\theta_2$"), (first, r"$\theta_1$")):
+        at = float(np.interp(0.3 * wakes, spins, curve))
+        name_at(axes, 0.3 * wakes, at, words, (0, 5), ha="center", color=INK)
+    axes.set_xlim(0, last)
+    axes.set_ylim(0, 190)
+    axes.set_yticks([0, 45, 90, 135, 180])
+    axes.set_xlabel(r"$\omega_3$  (rad/s)")
+    axes.set_ylabel(r"$\theta$  (degrees)")
+
+
+def _draw_sleeping(theta: float, omega3: float, **top: float) -> Canvas:
+    drawn = canvas(COLUMN, 2.3)
+    draw_sleeping(drawn.subplots(), HeavyTop(**top), theta, omega3)
+    return drawn
+
+
+def _sleeping_caption(theta: float, omega3: float, **top: float) -> str:
+    body = HeavyTop(**top)
+    first, last = body.motion(theta=theta, omega3=omega3).turning_points
+    return (
+        f"How far a top with {top_in_words(body)} falls that is let go at $θ = {degrees(theta)}$ "
+        "with $φ̇ = θ̇ = 0$: the turning points $θ₁$ and $θ₂$ against $ω₃$. Left of the dotted "
+        f"line, $ω₃ = {said(body.sleeping_spin())}$ rad/s, the upright top is not stable. Dots: at "
+        f"$ω₃ = {said(omega3)}$ rad/s $θ$ runs between {degrees(first)} and {degrees(last)}."
+    )
+
+
+def _sleeping_in_words(theta: float, omega3: float, **top: float) -> str:
+    body = HeavyTop(**top)
+    return (
+        "The largest theta against the spin falls from 180 degrees without spin, ever more "
+        f"steeply, to nearly its start, {spoken(math.degrees(theta))} degrees, at the spin "
+        f"{spoken(body.sleeping_spin())} radians per second, and stays there; the smallest theta "
+        "stays at the start."
+    )
+
+
+SLEEPING = Drawing(
+    "sleeping",
+    "The sleeping top wakes: turning points of $θ$ against $ω₃$",
+    "",
+    (
+        *TOP,
+        Parameter("theta", math.radians(2), "$θ$ where it is let go", "rad", least=1e-6, most=0.5),
+        Parameter("omega3", 22.0, "$ω₃$ that is marked", "rad/s", least=0),
+    ),
+    _draw_sleeping,
+    _sleeping_caption,
+    _sleeping_in_words,
+)

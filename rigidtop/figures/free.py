@@ -1,0 +1,507 @@
+"""Free bodies with three moments: polhodes, the flip about the middle axis, Toutatis."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure as Canvas
+
+from rigidtop.errors import RigidtopError
+from rigidtop.figures.drawing import Drawing, one
+from rigidtop.figures.space import (
+    View,
+    arrow,
+    circle,
+    curve,
+    on_sphere,
+    paper,
+    sphere,
+    unit,
+)
+from rigidtop.figures.style import (
+    AXIS,
+    COLUMN,
+    DASH_DOT,
+    DASHED,
+    DOTTED,
+    FIRST,
+    GREY,
+    INK,
+    L_VEC,
+    RULE,
+    SECOND,
+    WIDE,
+    Floats,
+    canvas,
+    head,
+    name_at,
+    said,
+    spoken,
+)
+from rigidtop.motion.body import FreeBody
+from rigidtop.motion.motion import Motion
+from rigidtop.parameters import Parameter
+
+MOMENTS = (
+    Parameter("lambda1", 1.0, "moment about $e₁$", "kg m²", above=0),
+    Parameter("lambda2", 2.0, "moment about $e₂$", "kg m²", above=0),
+    Parameter("lambda3", 2.9, "moment about $e₃$", "kg m²", above=0),
+)
+LATE = 14.0
+"""Of a motion on the separatrix, in units of its rate: from then on it rests, to 10⁻⁶."""
+
+# --- Polhodes on the energy ellipsoid ------------------------------------------------------------
+
+
+def on_separatrix(body: FreeBody) -> list[Motion]:
+    """The motions with L² = 2Tλ of the middle axis, 2T = 1 J, that start between the other two.
+
+    There are four, ± about either; none where two moments are equal.
+    """
+    small, middle, large = np.argsort(body.moments, kind="stable")
+    low, mid, high = (body.moments[k] for k in (small, middle, large))
+    if low == mid or mid == high:
+        return []
+    found = []
+    for first in (1.0, -1.0):
+        for second in (1.0, -1.0):
+            omega = np.zeros(3)
+            omega[large] = first * math.sqrt((mid - low) / ((high - low) * high))
+            omega[small] = second * math.sqrt((high - mid) / ((high - low) * low))
+            found.append(body.motion(omega=tuple(omega)))
+    return found
+
+
+def polhodes(body: FreeBody, between: int = 4) -> list[Motion]:
+    """Motions with 2T = 1 J, evenly between the axes: on both sides of the separatrix, and ±."""
+    small, middle, large = np.argsort(body.moments, kind="stable")
+    low, mid, high = (body.moments[k] for k in (small, middle, large))
+    edge = math.atan2(math.sqrt(high - mid), math.sqrt(mid - low))
+    around_large = [edge * (k + 0.5) / between for k in range(between)] if high > mid else []
+    rest = math.pi / 2 - edge
+    around_small = [math.pi / 2 - rest * (k + 0.5) / between for k in range(between) if mid > low]
+    found = []
+    for angles, axis in ((around_large, large), (around_small, small)):
+        for angle in angles:
+            for sign in (1.0, -1.0):
+                omega = np.zeros(3)
+                omega[large] = math.cos(angle) / math.sqrt(high)
+                omega[small] = math.sin(angle) / math.sqrt(low)
+                omega[axis] *= sign
+                found.append(body.motion(omega=tuple(omega)))
+    return found
+
+
+def polhode(motion: Motion, samples: int = 481) -> Floats:
+    """ω in the body (N, 3) once round, or on the separatrix from one end to the other."""
+    period = 2 * motion.nutation_period  # θ from L is smallest twice on the way
+    if math.isfinite(period):
+        return motion.exact(np.linspace(0.0, period, samples)).omega
+    low, mid, high = sorted(motion.body.moments)
+    rate = math.sqrt((high - mid) * (mid - low) / (high * low * mid))  # at 2T = 1 J
+    return motion.exact(np.linspace(-LATE, LATE, samples) / rate).omega
+
+
+def draw_polhodes(axes: Axes, body: FreeBody) -> None:
+    """Polhodes on the energy ellipsoid Σ λₖωₖ² = 1 J in the body frame, and the separatrix."""
+    moments = np.array(body.moments)
+    if np.ptp(moments) == 0:
+        raise RigidtopError("with three equal moments every ω is constant: there are no polhodes")
+    small, middle, large = np.argsort(moments, kind="stable")
+    # The middle axis comes towards the eye, the largest moment's is upright.
+    turn = np.zeros((3, 3))
+    turn[0, middle], turn[1, small], turn[2, large] = 1.0, 1.0, 1.0
+    turn[1, small] = np.linalg.det(turn)
+    view = View(azimuth=0.5 * turn[1, small], elevation=0.38)  # all three towards the eye
+    eye = view.axes[2] @ turn
+    scale = math.sqrt(moments.min())  # the longest half axis is 1 on paper
+
+    def draw(points: Floats, **style: object) -> None:
+        curve(axes, view, scale * points @ turn.T, (points * moments) @ eye < 0, **style)
+
+    rim = circle(unit(np.sqrt(1 / moments) * eye * moments), math.pi / 2) / np.sqrt(moments)
+    across, up, _ = view(scale * rim @ turn.T)
+    axes.fill(across, up, fc="#f4f4f4", ec=GREY, lw=0.8, zorder=0)
+    for motion in polhodes(body):
+        path = polhode(motion)
+        draw(path, color=FIRST, lw=0.9)
+        _head(axes, *view(scale * path @ turn.T)[:2], (path * moments) @ eye)
+    for motion in on_separatrix(body):
+        draw(polhode(motion), color=SECOND, lw=1.7)
+    for k in range(3):
+        end = np.zeros(3)
+        end[k] = 1 / math.sqrt(moments[k])
+        for sign in (1.0, -1.0):
+            shown = sign * eye[k] > 0
+            x, y, _ = view(scale * sign * turn @ end)
+            axes.plot(x, y, "o", ms=3.2, color=INK if shown else "none", mec=INK, zorder=6)
+        longer = 0.5 if k == middle else 0.28
+        tip = end * (1 + longer * math.sqrt(moments[k] / moments.min()))
+        arrow(
+            axes,
+            view,
+            scale * turn @ tip,
+            rf"$\omega_{k + 1}$",
+            start=scale * turn @ end,
+            lw=1.0,
+            color=INK,
+            zorder=5,
+        )
+
+
+def _head(axes: Axes, x: Floats, y: Floats, near: Floats) -> None:
+    """A head on a closed curve, where it is nearest to the eye, that says which way it goes."""
+    at = int(np.argmax(near[:-8]))
+    if near[at] <= 0:
+        return
+    ends = (x[at], y[at]), (x[at + 7], y[at + 7])
+    head(axes, *ends, width=0.12, length=0.3, color=FIRST, lw=0.5, zorder=4)
+
+
+def _draw_polhodes(**moments: float) -> Canvas:
+    drawn = canvas(COLUMN, 2.7)
+    axes = drawn.subplots()
+    draw_polhodes(axes, FreeBody(**moments))
+    paper(axes, (-1.35, 1.35), (-0.98, 1.12))
+    return drawn
+
+
+def _three(lambda1: float, lambda2: float, lambda3: float) -> str:
+    values = ", ".join(map(said, (lambda1, lambda2, lambda3)))
+    return f"$λ₁$, $λ₂$, $λ₃ = {values}$ kg m²"
+
+
+def _polhodes_caption(**moments: float) -> str:
+    middle = int(np.argsort(list(moments.values()), kind="stable")[1])
+    index = "₁₂₃"[middle]
+    if on_separatrix(FreeBody(**moments)):
+        which = (
+            "about the axes of the largest and the smallest moment they are closed, and the "
+            f"separatrix (thick) through the middle axis $e{index}$ parts them"
+        )
+    else:
+        which = "two moments are equal, and all of them are circles"
+    return (
+        "Polhodes: the ways of $𝛚$ in the body frame on the energy ellipsoid "
+        f"$Σ λₖωₖ² = 2T$, for {_three(**moments)}; {which}. Dashed: behind."
+    )
+
+
+def _polhodes_in_words(**moments: float) -> str:
+    through = (
+        "Two thick curves cross at the ends of the middle axis, here omega"
+        f"{int(np.argsort(list(moments.values()), kind='stable')[1]) + 1}, and part the others."
+        if on_separatrix(FreeBody(**moments))
+        else "Two moments are equal, and every curve is a circle about the third axis."
+    )
+    return (
+        "An ellipsoid with closed curves around the ends of its shortest and of its longest half "
+        f"axis, with heads that say which way omega goes. {through}"
+    )
+
+
+POLHODES = Drawing(
+    "polhodes",
+    "Polhodes on the energy ellipsoid, with the separatrix",
+    "3.2.2",
+    MOMENTS,
+    _draw_polhodes,
+    _polhodes_caption,
+    _polhodes_in_words,
+)
+
+# --- The flip about the middle axis --------------------------------------------------------------
+
+FLIPS = 4
+
+
+def draw_rates(axes: Axes, motion: Motion, t: Floats) -> None:
+    """ω₁, ω₂, ω₃ (rad/s) of a motion against the time (s)."""
+    omega = motion.exact(t).omega
+    for k, (color, style) in enumerate(((SECOND, DASH_DOT), (FIRST, "-"), (INK, DASHED))):
+        axes.plot(t, omega[:, k], color=color, ls=style, label=rf"$\omega_{k + 1}$", lw=1.2)
+    axes.axhline(0, color=RULE, lw=0.6, zorder=0)
+    axes.set_xlim(t[0], t[-1])
+    axes.set_xlabel("$t$  (s)")
+    axes.set_ylabel(r"$\omega_k$  (rad/s)")
+    axes.legend(
+        loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3, handlelength=2.4, borderpad=0
+    )
+
+
+def flip(lambda1: float, lambda2: float, lambda3: float, omega: float, kick: float) -> Motion:
+    """A spin `omega` about the middle axis, and `kick` (rad/s) about that of the least moment."""
+    body = FreeBody(lambda1, lambda2, lambda3)
+    least, middle = _order(body)
+    if not 1e-8 * omega <= kick < omega:
+        raise RigidtopError(
+            f"kick must be less than omega = {omega:g} and at least 1e-08 of it, not {kick:g}"
+        )
+    rates = [0.0, 0.0, 0.0]
+    rates[middle], rates[least] = omega, kick
+    return body.motion(omega=rates)
+
+
+def _order(body: FreeBody) -> tuple[int, int]:
+    """Where the least moment is among the three, and where the middle one."""
+    low, middle, high = sorted(body.moments)
+    if low == middle or middle == high:
+        raise RigidtopError("a flip wants three different moments: two of these are equal")
+    least, between, _ = np.argsort(body.moments)
+    return int(least), int(between)
+
+
+def _flip_times(motion: Motion) -> Floats:
+    return np.linspace(0.0, FLIPS * motion.nutation_period, 1601)
+
+
+def share_near_ends(motion: Motion) -> float:
+    """The part of the time in which ω about the middle axis is above 0.9 of its largest value."""
+    _, middle = _order(FreeBody(*motion.body.moments))
+    rate = np.abs(motion.exact(_flip_times(motion)).omega[:, middle])
+    return float(np.mean(rate > 0.9 * rate.max()))
+
+
+def _draw_flip(**values: float) -> Canvas:
+    motion = flip(**values)
+    times = _flip_times(motion)
+    drawn = canvas(COLUMN, 2.35)
+    axes = drawn.subplots()
+    draw_rates(axes, motion, times)
+    for k in range(FLIPS):
+        at = (k + 0.5) * motion.nutation_period
+        axes.axvline(at, color=GREY, lw=0.8, ls=DOTTED, zorder=0, label="_flip")
+    return drawn
+
+
+def _flip_caption(lambda1: float, lambda2: float, lambda3: float, omega: float, kick: float) -> str:
+    motion = flip(lambda1, lambda2, lambda3, omega, kick)
+    least, middle = _order(FreeBody(lambda1, lambda2, lambda3))
+    return (
+        f"The flip about the middle axis $e{'₁₂₃'[middle]}$: $ω$ in the body frame for "
+        f"{_three(lambda1, lambda2, lambda3)}, from {said(omega)} rad/s about that axis and "
+        f"{said(kick)} rad/s about $e{'₁₂₃'[least]}$. The body turns over every "
+        f"{said(motion.nutation_period)} s (dotted)."
+    )
+
+
+def _flip_in_words(**values: float) -> str:
+    motion = flip(**values)
+    _, middle = _order(FreeBody(*motion.body.moments))
+    value = spoken(values["omega"])
+    if share_near_ends(motion) > 0.5:
+        course = (
+            f"stays near its first value, {value} radians per second, then falls to the opposite "
+            "value at once and stays there, again and again; the other two are near zero but for a "
+            "pulse at each turn"
+        )
+    else:
+        course = (
+            f"swings between its first value, {value} radians per second, and the opposite one; "
+            "the other two are never small together"
+        )
+    return (
+        f"The three components of omega against time. Omega {middle + 1} {course}. The time "
+        f"between turns is {spoken(motion.nutation_period)} seconds."
+    )
+
+
+FLIP = Drawing(
+    "flip",
+    "The flip about the middle axis",
+    "",
+    (
+        *MOMENTS,
+        Parameter("omega", 2.0, "$ω$ about the middle axis", "rad/s", above=0),
+        Parameter("kick", 0.01, "$ω$ about the axis of the least moment", "rad/s", above=0),
+    ),
+    _draw_flip,
+    _flip_caption,
+    _flip_in_words,
+    motions=one(flip),
+)
+
+# --- Toutatis ------------------------------------------------------------------------------------
+
+DAY = 86400.0
+NUTATIONS = 5
+
+
+def draw_tumbling(body_axes: Axes, space_axes: Axes, motion: Motion) -> None:
+    """L in the body frame, once round; e₃ and e₁ in space about L, some nutations long."""
+    view = View(azimuth=0.5, elevation=0.42)
+    steady = motion.regime == "steady"
+    period = 2 * motion.nutation_period
+    if steady or not math.isfinite(period):
+        period = 2 * LATE / math.hypot(*motion.omega)
+    upright = np.array([0.0, 0.0, 1.0])
+    moments = np.array(motion.body.moments)
+    in_body = motion.exact(np.linspace(0.0, period, 601)).omega * moments
+    in_body /= np.linalg.norm(in_body, axis=1)[:, None]
+    sphere(body_axes)
+    on_sphere(body_axes, view, circle(upright, math.pi / 2), color=RULE, lw=0.8)
+    for k in range(3):
+        arrow(
+            body_axes,
+            view,
+            1.4 * np.eye(3)[k],
+            rf"$\mathbf{{e}}_{k + 1}$",
+            start=np.eye(3)[k],
+            shift=(-13.0, 2.0) if k == 0 else None,  # beside the way of L of a long body
+            color=AXIS,
+            lw=1.0,
+        )
+    on_sphere(body_axes, view, in_body, color=INK, lw=1.4, label="_momentum")
+    _mark(body_axes, view, in_body[0], L_VEC)
+    turn = 2 * math.pi / math.hypot(*motion.omega)  # once round, if ω is constant
+    run = motion.exact(np.linspace(0.0, turn if steady else NUTATIONS * period / 2, 2401))
+    momentum = unit(run.angular_momentum[0])
+    across = unit(np.cross(momentum, [1.0, 0.0, 0.0] if abs(momentum[0]) < 0.9 else [0, 1.0, 0]))
+    frame = np.array([across, np.cross(momentum, across), momentum])
+    path = run.e3 @ frame.T
+    sphere(space_axes)
+    on_sphere(space_axes, view, circle(upright, math.pi / 2), color=RULE, lw=0.8)
+    arrow(space_axes, view, 1.4 * upright, L_VEC, start=upright, color=INK, lw=1.0)
+    first = run.rotation.as_matrix()[:, :, 0] @ frame.T
+    on_sphere(space_axes, view, first, color=GREY, lw=0.8)
+    on_sphere(space_axes, view, path, color=AXIS, lw=1.5, label="_axis")
+    _mark(space_axes, view, first[0], r"$\mathbf{e}_1$")
+    _mark(space_axes, view, path[0], r"$\mathbf{e}_3$")
+
+
+def _mark(axes: Axes, view: View, point: Floats, words: str) -> None:
+    """A dot with a name, open where it is behind."""
+    x, y, near = view(point)
+    axes.plot(x, y, "o", ms=4, color=INK if near > 0 else "white", mec=INK, zorder=6)
+    inwards = -12 * float(x), 5.0  # away from the outline of the sphere
+    name_at(axes, float(x), float(y), words, inwards, ha="center", color=INK, zorder=7)
+
+
+def _tumbling(omega1: float, omega2: float, omega3: float, **moments: float) -> Motion:
+    motion = FreeBody(**moments).motion(omega=(omega1, omega2, omega3))
+    if not any(motion.omega):
+        raise RigidtopError("omega1, omega2 and omega3 are all 0: the body is at rest")
+    return motion
+
+
+def _draw_tumbling(**values: float) -> Canvas:
+    drawn = canvas(WIDE, 2.9)
+    left, right = drawn.subplots(1, 2)
+    draw_tumbling(left, right, _tumbling(**values))
+    left.set_title(r"body frame: the way of $\mathbf{L}$")
+    right.set_title(r"space frame: the ways of $\mathbf{e}_3$ and $\mathbf{e}_1$")
+    for axes in (left, right):
+        paper(axes, (-1.3, 1.3), (-1.08, 1.45))
+    return drawn
+
+
+def _lasting(seconds: float) -> str:
+    return f"{said(seconds / DAY)} days" if seconds > DAY / 2 else f"{said(seconds)} s"
+
+
+def _own_axis(body: FreeBody) -> int:
+    """Which axis is that of symmetry, where two moments are equal."""
+    first, second, third = body.moments
+    return 2 if first == second else 1 if first == third else 0
+
+
+def _tumbling_course(motion: Motion) -> tuple[str, str]:
+    """What L does in the body, and what the axes do in space, in this kind of motion."""
+    kind, back = motion.regime, _lasting(2 * motion.nutation_period)
+    if kind == "steady":
+        turn = _lasting(2 * math.pi / math.hypot(*motion.omega))
+        still = np.abs(motion.omega) == np.linalg.norm(motion.omega)
+        if still[2] or still[0]:
+            rests, moves = ("$e₃$", "$e₁$") if still[2] else ("$e₁$", "$e₃$ (thick)")
+            ways = f"{rests} rests and {moves} goes round a circle"
+        else:
+            ways = "$e₃$ (thick) and $e₁$ go round circles"
+        return (
+            "$𝐋$ rests (steady)",
+            f"the body turns about $𝐋$, and {ways}, back after {turn}; one turn is drawn",
+        )
+    drawn = f"{NUTATIONS} nutations are drawn"
+    if kind == "separatrix":
+        return (
+            "$𝐋$ tends to the middle axis and never comes back (separatrix)",
+            "$e₃$ (thick) and $e₁$ turn about $𝐋$ and never come back, as the body comes to turn "
+            "about its middle axis",
+        )
+    turn = _lasting(2 * math.pi / abs(motion.mean_precession))
+    if kind == "regular precession":
+        own = _own_axis(FreeBody(*motion.body.moments))
+        circles = ("$e₁$", "$e₂$", "$e₃$ (thick)")[own]
+        rest = ("$e₃$ (thick) does", "$e₃$ (thick) and $e₁$ do", "$e₁$ does")[own]
+        return (
+            f"$𝐋$ goes round a circle and comes back after {back} ({kind})",
+            f"{circles} goes round a circle about $𝐋$, back after {turn}, and {rest} not in "
+            f"general come back; {drawn}",
+        )
+    return (
+        f"$𝐋$ comes back after {back} ({kind})",
+        f"its axis turns about $𝐋$, on the mean once in {turn}, and $e₃$ (thick) and $e₁$ never "
+        f"come back; {drawn}",
+    )
+
+
+def _tumbling_caption(omega1: float, omega2: float, omega3: float, **moments: float) -> str:
+    motion = _tumbling(omega1, omega2, omega3, **moments)
+    rates = ", ".join(map(said, motion.omega))
+    in_body, in_space = _tumbling_course(motion)
+    return (
+        f"A free body with {_three(**moments)} and at first $ω₁$, $ω₂$, $ω₃ = {rates}$ rad/s. "
+        f"Left: in the body {in_body}. Right: in space {in_space}. Dots: at first."
+    )
+
+
+def _tumbling_in_words(**values: float) -> str:
+    motion = _tumbling(**values)
+    left, right = {
+        "steady": (
+            "L rests at a point",
+            "the tips of e3 and of e1 go round circles about the upright L, or rest on it",
+        ),
+        "separatrix": (
+            "the tip of L goes on a curve to the middle axis, which does not close",
+            "the tips of e3 and of e1 wind around the upright L, and their paths do not close",
+        ),
+        "regular precession": (
+            "the tip of L goes round a circle about the axis of symmetry",
+            "the tips of e3 and of e1 go around the upright L; that of the axis of symmetry, where "
+            "it is one of them, goes round a circle",
+        ),
+    }.get(
+        motion.regime,
+        (
+            f"the tip of L goes on a closed curve, of the kind {motion.regime}",
+            "the tips of e3 and of e1 wind around the upright L, and their paths do not close",
+        ),
+    )
+    return f"Two spheres. On the left, in the body frame, {left}. On the right, in space, {right}."
+
+
+def _per_day(degrees_a_day: float) -> float:
+    return math.radians(degrees_a_day) / DAY
+
+
+TUMBLING = Drawing(
+    "tumbling",
+    "A tumbling body such as Toutatis, in the body frame and in space",
+    "",
+    (
+        Parameter("lambda1", 3.0836, "moment about $e₁$", "kg m²", above=0),
+        Parameter("lambda2", 3.235, "moment about $e₂$", "kg m²", above=0),
+        Parameter("lambda3", 1.0, "moment about $e₃$", "kg m²", above=0),
+        Parameter("omega1", _per_day(14.51), "$ω₁$ at the start", "rad/s"),
+        Parameter("omega2", _per_day(33.529), "$ω₂$ at the start", "rad/s"),
+        Parameter("omega3", _per_day(-98.709), "$ω₃$ at the start", "rad/s"),
+    ),
+    _draw_tumbling,
+    _tumbling_caption,
+    _tumbling_in_words,
+    motions=one(_tumbling),
+)
+"""By default the asteroid of example 33: Takahashi, Busch & Scheeres 2013; moments in units of the
+smallest."""

@@ -1,0 +1,114 @@
+"""Discs and wheels on paper, and which way they turn."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from numpy.typing import ArrayLike
+
+from rigidtop.figures.space import View, curve, outline, paper, unit
+from rigidtop.figures.style import EDGE, FACE, MANTLE, OMEGA, Floats, head, name_at
+
+TAIL, HEAD = 3.6, 1.0
+"""Where a curved arrow begins and ends, in angles from the side of the eye (rad)."""
+
+
+def ring(
+    centre: ArrayLike,
+    axis: ArrayLike,
+    radius: float,
+    towards: ArrayLike,
+    sweep: float = 2 * math.pi,
+    count: int = 121,
+) -> Floats:
+    """Points (count, 3) on a circle: by the angle `sweep` (rad) about `axis`, by the right hand.
+
+    They begin on the side `towards` which a vector points that is not along the axis.
+    """
+    along, wanted = unit(axis), np.asarray(towards, dtype=float)
+    first = unit(wanted - (wanted @ along) * along)
+    turn = np.linspace(0.0, sweep, count)[:, None]
+    second = np.cross(along, first)
+    points = radius * (np.cos(turn) * first + np.sin(turn) * second)
+    return np.asarray(centre, dtype=float) + points
+
+
+def nearest_side(view: View, axis: ArrayLike) -> Floats:
+    """A vector across `axis` to the side that is nearest to the eye; up where there is none."""
+    along, eye = unit(axis), view.axes[2]
+    across = eye - (eye @ along) * along
+    return unit(across) if float(np.linalg.norm(across)) > 1e-6 else view.axes[1]
+
+
+def solid_disc(
+    axes: Axes,
+    view: View,
+    centre: ArrayLike,
+    axis: ArrayLike,
+    radius: float,
+    thickness: float,
+    zorder: float = 2,
+) -> None:
+    """A cylinder with its middle at `centre`: its outline, and the face that is turned to us."""
+    along, middle = unit(axis), np.asarray(centre, dtype=float)
+    side = nearest_side(view, along)
+    faces = [ring(middle + half * thickness * along, along, radius, side) for half in (-0.5, 0.5)]
+    near = faces[1] if float(along @ view.axes[2]) > 0 else faces[0]
+    style: dict[str, Any] = {"ec": EDGE, "lw": 0.7, "joinstyle": "round"}
+    axes.fill(*outline(view, np.vstack(faces)).T, fc=MANTLE, zorder=zorder, **style)
+    axes.fill(*view(near)[:2], fc=FACE, zorder=zorder + 0.05, **style)
+
+
+def sense_of_turn(
+    axes: Axes,
+    view: View,
+    centre: ArrayLike,
+    axis: ArrayLike,
+    radius: float,
+    rate: float,
+    words: str,
+    *,
+    left: bool = False,
+    zorder: float = 4,
+) -> Floats:
+    """A curved arrow about `axis` in the sense of a `rate`, with its name beside it.
+
+    The head is on the side of the eye, what lies behind the axis is dashed.  Returns its points.
+    """
+    along = math.copysign(1.0, rate) * unit(axis)
+    middle = np.asarray(centre, dtype=float)
+    front = nearest_side(view, along)
+    first = ring(np.zeros(3), along, 1.0, front, -TAIL, 2)[1]
+    points = ring(middle, along, radius, first, TAIL + HEAD)
+    behind = view(points)[2] < float(view(middle)[2]) - 1e-9
+    curve(axes, view, points, behind, color=OMEGA, lw=1.2, zorder=zorder)
+    x, y, _ = view(points[[-8, -1]])
+    ends = (x[0], y[0]), (x[1], y[1])
+    head(axes, *ends, width=0.16, length=0.34, color=OMEGA, lw=0.8, zorder=zorder + 0.1)
+    x, y, _ = view(points)
+    k, shift, side = (np.argmin(x), -4, "right") if left else (np.argmax(x), 4, "left")
+    name_at(axes, x[k], y[k], words, (shift, -3), color=OMEGA, ha=side, zorder=8)
+    return points
+
+
+def fit(
+    axes: Axes,
+    view: View,
+    points: ArrayLike,
+    margins: tuple[float, float, float, float],
+) -> None:
+    """Paper just large enough for `points` (N, 3), with margins (left, right, below, above).
+
+    The margins are shares of the larger side: they are for words, whose size is that of letters.
+    """
+    x, y, _ = view(points)
+    size = max(float(np.ptp(x)), float(np.ptp(y)))
+    left, right, below, above = (size * margin for margin in margins)
+    paper(
+        axes,
+        (float(x.min()) - left, float(x.max()) + right),
+        (float(y.min()) - below, float(y.max()) + above),
+    )

@@ -1,0 +1,219 @@
+"""Space on paper: seen from far away, with what is hidden dashed."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from numpy.typing import ArrayLike, NDArray
+from scipy.spatial import ConvexHull
+
+from rigidtop.figures.style import (
+    EDGE,
+    FACE,
+    HIDDEN,
+    INK,
+    MANTLE,
+    RULE,
+    Floats,
+    name_at,
+)
+
+SIZE = 10
+"""Of the names of arrows (points)."""
+
+UPRIGHT = np.array([0.0, 0.0, 1.0])
+"""ẑ."""
+
+
+@dataclass(frozen=True)
+class View:
+    """Where the eye is: azimuth from x̂ towards ŷ, and elevation over the xy plane (rad)."""
+
+    azimuth: float = 0.0
+    elevation: float = 0.42
+
+    @property
+    def axes(self) -> Floats:
+        """Rows: to the right, up, and towards the eye, as vectors of space."""
+        ca, sa = math.cos(self.azimuth), math.sin(self.azimuth)
+        ce, se = math.cos(self.elevation), math.sin(self.elevation)
+        return np.array([[-sa, ca, 0.0], [-se * ca, -se * sa, ce], [ce * ca, ce * sa, se]])
+
+    def __call__(self, points: ArrayLike) -> tuple[Floats, Floats, Floats]:
+        """Right, up and towards the eye, of points (…, 3)."""
+        across, up, near = np.moveaxis(np.asarray(points, dtype=float) @ self.axes.T, -1, 0)
+        return across, up, near
+
+
+def unit(vector: ArrayLike) -> Floats:
+    """The direction of a vector (3,); a vector of no length stays."""
+    values = np.asarray(vector, dtype=float)
+    size = float(np.linalg.norm(values))
+    return values / size if size else values
+
+
+def circle(axis: ArrayLike, half_angle: float, count: int = 241, length: float = 1.0) -> Floats:
+    """Points (count, 3) at `length` from the origin and `half_angle` (rad) from an axis, round it.
+
+    They go round it by the right hand.
+    """
+    along = unit(axis)
+    across = unit(np.cross(along, [1.0, 0.0, 0.0] if abs(along[0]) < 0.9 else [0.0, 1.0, 0.0]))
+    third = np.cross(along, across)
+    turn = np.linspace(0.0, 2 * math.pi, count)[:, None]
+    ring = np.cos(turn) * across + np.sin(turn) * third
+    return length * (math.cos(half_angle) * along + math.sin(half_angle) * ring)
+
+
+def arc(first: ArrayLike, last: ArrayLike, count: int = 61, length: float = 1.0) -> Floats:
+    """Points (count, 3) on the shorter great circle between two directions."""
+    a, b = unit(first), unit(last)
+    angle = math.atan2(float(np.linalg.norm(np.cross(a, b))), float(a @ b))
+    across = unit(b - (a @ b) * a)
+    turn = np.linspace(0.0, angle, count)[:, None]
+    return length * (np.cos(turn) * a + np.sin(turn) * across)
+
+
+def curve(axes: Axes, view: View, points: Floats, hidden: NDArray[np.bool_], **style: Any) -> None:
+    """A curve (N, 3), dashed, thin and light where it is `hidden` (N,)."""
+    across, up, _ = view(points)
+    front, back = np.where(hidden, np.nan, 1.0), np.where(hidden, 1.0, np.nan)
+    # A front part goes on to the first point that is hidden, so that no gap is left.
+    front[1:][~hidden[:-1]] = 1.0
+    width = style.get("lw", 1.2)
+    style.setdefault("zorder", 3)
+    if np.any(hidden):
+        faint = {"lw": 0.65 * width, "alpha": 0.65, "ls": HIDDEN, "zorder": 1.5}
+        axes.plot(across * back, up * back, **{**style, **faint})
+    if not np.all(hidden):
+        axes.plot(across * front, up * front, **style)
+
+
+def on_sphere(axes: Axes, view: View, points: Floats, **style: Any) -> None:
+    """A curve (N, 3) on the unit sphere, which hides its far half."""
+    curve(axes, view, points, view(points)[2] < -1e-9, **style)
+
+
+def sphere(axes: Axes, radius: float = 1.0) -> None:
+    """The outline of a sphere about the origin."""
+    around = np.linspace(0.0, 2 * math.pi, 241)
+    axes.plot(radius * np.cos(around), radius * np.sin(around), color=RULE, lw=0.8, zorder=1)
+
+
+def arrow(
+    axes: Axes,
+    view: View,
+    tip: ArrayLike,
+    words: str = "",
+    *,
+    start: ArrayLike = (0.0, 0.0, 0.0),
+    shift: tuple[float, float] | None = None,
+    color: str = INK,
+    lw: float = 1.4,
+    ls: Any = "-",
+    zorder: float = 5,
+) -> None:
+    """An arrow from `start` to `tip` (3,), with its name beyond the tip.
+
+    One that points along the line of sight is drawn as the textbooks do: ⊙ towards the eye, ⊗ away
+    from it.
+    """
+    ends = np.array([start, tip], dtype=float)
+    (x0, x1), (y0, y1), (n0, n1) = view(ends)
+    length = math.hypot(x1 - x0, y1 - y0)
+    if length < 1e-3 * abs(n1 - n0):
+        axes.plot(x0, y0, "o", ms=9, mfc="white", mec=color, mew=lw, zorder=zorder)
+        axes.plot(x0, y0, "." if n1 > n0 else "x", ms=5, color=color, mew=lw, zorder=zorder + 0.1)
+    elif length:
+        axes.annotate(
+            "",
+            (x1, y1),
+            xytext=(x0, y0),
+            arrowprops={
+                "arrowstyle": "-|>,head_width=0.18,head_length=0.42",
+                "color": color,
+                "lw": lw,
+                "ls": ls,
+                "shrinkA": 0,
+                "shrinkB": 0,
+                "joinstyle": "miter",
+            },
+            zorder=zorder,
+        )
+    if words:
+        if shift is None:
+            towards = np.array([x1 - x0, y1 - y0]) / (length or 1.0)
+            shift = (9.0 * float(towards[0]), 9.0 * float(towards[1]))
+        name_at(
+            axes,
+            float(x1),
+            float(y1),
+            words,
+            shift,
+            ha="center",
+            va="center",
+            color=color,
+            fontsize=SIZE,
+            zorder=zorder + 0.2,
+        )
+
+
+def paper(axes: Axes, x: tuple[float, float], y: tuple[float, float]) -> None:
+    """Equal scales, no frame, these limits."""
+    axes.set_aspect("equal")
+    axes.set_xlim(*x)
+    axes.set_ylim(*y)
+    axes.set_axis_off()
+
+
+# --- Things --------------------------------------------------------------------------------------
+
+
+def outline(view: View, points: Floats) -> Floats:
+    """The outline (K, 2) on paper of a convex body that `points` (N, 3) span."""
+    across, up, _ = view(points)
+    flat = np.column_stack([across, up])
+    return flat[ConvexHull(flat).vertices]
+
+
+def top_body(
+    axes: Axes,
+    view: View,
+    e3: ArrayLike,
+    height: float = 0.9,
+    radius: float = 0.36,
+    *,
+    psi_mark: ArrayLike | None = None,
+    zorder: float = 2,
+) -> None:
+    """A top on its tip at the origin, its axis along `e3`: a cone with a lid.
+
+    `psi_mark` is a vector fixed in the body and across the axis, towards which a line on the lid
+    points, so that the turning can be seen.
+    """
+    axis = unit(e3)
+    slant, angle = math.hypot(height, radius), math.atan2(radius, height)
+    rim = circle(axis, angle, 121, slant)
+    seen_from_above = float(view(axis)[2]) > 0
+    mantle = outline(view, np.vstack([rim, np.zeros((1, 3))]))
+    lid = np.column_stack(view(rim)[:2])
+    parts = [(mantle, MANTLE), (lid, FACE)]
+    if not seen_from_above:
+        parts.reverse()
+    for step, (shape, color) in enumerate(parts):
+        axes.fill(*shape.T, fc="white", ec="none", zorder=zorder + 0.1 * step)
+        axes.fill(*shape.T, fc=color, ec=EDGE, lw=0.7, zorder=zorder + 0.1 * step + 0.05)
+    if psi_mark is not None and seen_from_above:
+        centre = height * axis
+        line = np.array([centre, centre + radius * unit(psi_mark)])
+        axes.plot(*view(line)[:2], color=EDGE, lw=1.2, zorder=zorder + 0.3)
+
+
+def table(axes: Axes, view: View, radius: float = 0.75) -> None:
+    """The table on which the tip stands: a disc about the origin."""
+    rim = circle([0.0, 0.0, 1.0], math.pi / 2, length=radius)
+    axes.fill(*view(rim)[:2], fc="#ececec", ec=RULE, lw=0.6, zorder=0)

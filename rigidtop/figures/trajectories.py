@@ -1,0 +1,134 @@
+"""Trajectories drawn: their columns over the time, one over another, and parts that move."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import matplotlib
+import numpy as np
+from matplotlib.axes import Axes
+
+from rigidtop.errors import RigidtopError
+from rigidtop.figures import animation
+from rigidtop.figures.space import View
+from rigidtop.figures.style import FIRST, GREY, INK, SECOND, STYLE, THIRD, canvas
+from rigidtop.motion.rows import Rows
+from rigidtop.typeset.latex import letter
+from rigidtop.typeset.layout import glyph
+
+if TYPE_CHECKING:
+    from rigidtop.motion.attitude import Floats
+
+COLOURS = (FIRST, SECOND, INK, THIRD, GREY)
+SIZE = (4.8, 3.0)
+"""Of a figure (inches)."""
+
+RIGID = 1e-6
+"""Two parts whose distance changes by less than this share of it are joined by a rod."""
+
+ALONG = 0.35
+"""The length of a body's axes, of the whole picture."""
+
+
+def plotted(rows: Rows, names: Sequence[str | tuple[str, str]], axes: Axes | None) -> Axes:
+    """See `rigidtop.motion.rows.Rows.plot`."""
+    with matplotlib.rc_context(STYLE):
+        if axes is None:
+            axes = canvas(*SIZE).add_subplot()
+        pairs = [name if isinstance(name, tuple) else ("t", name) for name in names]
+        for k, pair in enumerate(pairs):
+            if len(pair) != 2:
+                raise RigidtopError(f"two columns make a curve, not {len(pair)}")
+            (_, x), (header, y) = map(rows.column, pair)
+            order = np.argsort(x, kind="stable") if pair[0] == "t" else slice(None)
+            axes.plot(x[order], y[order], color=COLOURS[k % len(COLOURS)], label=_label(header))
+        across = {rows.column(first)[0] for first, _ in pairs}
+        up = [rows.column(second)[0] for _, second in pairs]
+        axes.set_xlabel(_label(across.pop()) if len(across) == 1 else "")
+        if len(up) == 1:
+            axes.set_ylabel(_label(up[0]))
+        else:
+            axes.legend()
+    return axes
+
+
+def _label(header: str) -> str:
+    """A column's letter and unit: $\\dot{\\theta}$ (rad/s)."""
+    name, _, unit = header.partition("/")
+    spelled = name.replace("_dot", "dot").replace("e3_", "e3")
+    made = name if name in ("energy", "rolling", "dissipated") else f"${letter(glyph(spelled))}$"
+    made = made.replace("_", " ") if made == name else made
+    return f"{made} ({unit.strip('()')})" if unit else made
+
+
+def filmed(run: Any, path: str, duration: float | None) -> None:
+    """See `rigidtop.system.motion.SystemTrajectory.animate`."""
+    kind = Path(path).suffix.removeprefix(".")
+    if kind not in animation.KINDS:
+        raise RigidtopError(f"a film is a .gif or an .mp4, not {path}")
+    places, attitudes = run.places(), run.attitudes()
+    if len(run) < 2:
+        raise RigidtopError("a film needs two times at least")
+    seconds = float(np.ptp(run.t)) if duration is None else duration
+    if not seconds > 0:
+        raise RigidtopError("a film takes some time: duration must be positive")
+    frames = max(2, round(seconds * animation.PER_SECOND))
+    shown = np.linspace(0, len(run) - 1, frames).round().astype(int)
+    out = animation.writer(kind)
+    with matplotlib.rc_context(STYLE):
+        figure = canvas(4.0, 4.0)
+        axes = figure.add_subplot()
+        try:
+            with out.saving(figure, str(path), animation.DOTS):
+                for row in shown:
+                    axes.clear()
+                    draw(axes, places, attitudes, int(row))
+                    out.grab_frame()
+        except (OSError, subprocess.CalledProcessError) as error:
+            raise RigidtopError(f"{path} cannot be written: {error}") from error
+
+
+def draw(axes: Axes, places: Floats, attitudes: Floats, row: int) -> None:
+    """The parts at one row: points, their paths so far, rods, the axes of bodies."""
+    flat = not np.any(places[..., 2]) and np.allclose(attitudes, np.eye(3))
+    project = (lambda p: (p[..., 0], p[..., 1])) if flat else (lambda p: View(0.7)(p)[:2])
+    points = np.concatenate([places.reshape(-1, 3), np.zeros((1, 3))])
+    across, up = project(points)
+    middle = [(side.max() + side.min()) / 2 for side in (across, up)]
+    half = 0.6 * max(float(np.ptp(across)), float(np.ptp(up)), 1e-12)
+    turned = not np.allclose(attitudes, np.eye(3))
+    half = half if half > 1e-11 else 1.0
+    length = ALONG * half if turned else 0.0
+    half += length
+    for side, centre in ((axes.set_xlim, middle[0]), (axes.set_ylim, middle[1])):
+        side(centre - half, centre + half)
+    axes.set_aspect("equal")
+    axes.set_axis_off()
+    for first, second in _rods(places):
+        ends = np.stack([first[row], second[row]])
+        axes.plot(*project(ends), color=INK, zorder=2)
+    axes.plot(*project(np.zeros((1, 3))), marker="+", color=GREY, zorder=1)
+    for k, (path, turning) in enumerate(zip(places, attitudes, strict=True)):
+        colour = COLOURS[k % len(COLOURS)]
+        axes.plot(*project(path[: row + 1]), color=colour, linewidth=0.6, alpha=0.6, zorder=1)
+        axes.plot(*project(path[row : row + 1]), marker="o", markersize=7, color=colour, zorder=3)
+        if np.allclose(turning, np.eye(3)):
+            continue
+        for axis, shade in zip(turning[row].T, (SECOND, THIRD, FIRST), strict=True):
+            end = np.stack([path[row], path[row] + length * axis])
+            axes.plot(*project(end), color=shade, zorder=2)
+
+
+def _rods(places: Floats) -> list[tuple[Floats, Floats]]:
+    """Neighbours, the origin before the first, that keep their distance."""
+    made = []
+    before = np.zeros_like(places[0])
+    for path in places:
+        distance = np.linalg.norm(path - before, axis=1)
+        if distance.max() > 0 and np.ptp(distance) < RIGID * distance.max():
+            made.append((before, path))
+        before = path
+    return made

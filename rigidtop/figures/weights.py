@@ -1,0 +1,201 @@
+"""The weights of a body of points, and one weight at its centre of mass (section 3.5.1)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure as Canvas
+
+from rigidtop.derivations.exercises.net_torque import POINTS, gravity_on_points
+from rigidtop.figures.drawing import Drawing
+from rigidtop.figures.solved import answers
+from rigidtop.figures.space import View, arrow, paper, unit
+from rigidtop.figures.style import (
+    COLUMN,
+    DOTTED,
+    EDGE,
+    FACE,
+    FIRST,
+    GREY,
+    INK,
+    RULE,
+    TORQUE,
+    Floats,
+    canvas,
+    in_math,
+    name_at,
+    said,
+    spoken,
+)
+
+SPACE = (r"$\hat{\mathbf{x}}$", r"$\hat{\mathbf{y}}$", r"$\hat{\mathbf{z}}$")
+VIEW = View(azimuth=0.6, elevation=0.36)
+ROUNDING = 1e-12
+
+
+@dataclass(frozen=True)
+class Points:
+    """Mass points (kg; m from the pivot), held together and held at the pivot, and g (m/s²)."""
+
+    masses: Floats
+    places: Floats
+    g: float
+
+    @property
+    def weights(self) -> Floats:
+        """The force on each (N, 3), N."""
+        return self.masses[:, None] * np.array([0.0, 0.0, -self.g])
+
+    @property
+    def centre(self) -> Floats:
+        """R_CM (3,), m."""
+        return self.masses @ self.places / self.masses.sum()
+
+    @property
+    def torque(self) -> Floats:
+        """N = Σ r × mg (3,), N m; zero where it is no more than rounding."""
+        each = np.cross(self.places, self.weights)
+        found = each.sum(axis=0)
+        most = np.linalg.norm(each, axis=1).sum()
+        return np.zeros(3) if np.linalg.norm(found) <= ROUNDING * most else found
+
+
+def points(g: float, **given: float) -> Points:
+    """As the exercise names them: m1, x1, y1, z1, and so on."""
+    numbers = range(1, POINTS + 1)
+    masses = np.array([given[f"m{k}"] for k in numbers])
+    return Points(masses, np.array([[given[f"{x}{k}"] for x in "xyz"] for k in numbers]), g)
+
+
+@dataclass(frozen=True)
+class Sketch:
+    """What is drawn: places with the farthest at 1, weights to a scale of their own, and N."""
+
+    places: Floats
+    weights: Floats
+    centre: Floats
+    couple: Floats
+
+
+def sketch(body: Points) -> Sketch:
+    """Lengths for the paper; all weights together have the length 0.75, N has 0.6."""
+    reach = float(np.linalg.norm(body.places, axis=1).max()) or 1.0
+    weights = 0.75 * body.weights / np.linalg.norm(body.weights, axis=1).sum()
+    return Sketch(body.places / reach, weights, body.centre / reach, 0.6 * unit(body.torque))
+
+
+def draw_weights(axes: Axes, body: Points) -> None:
+    """Each point with its weight, the whole weight at the centre of mass, and the torque of both.
+
+    The paper is as large as they need.
+    """
+    view, drawn = VIEW, sketch(body)
+    for tip, words in zip(0.45 * np.eye(3), SPACE, strict=True):
+        arrow(axes, view, tip, words, color=GREY, lw=0.7, zorder=1.5)
+    for k, place in enumerate(drawn.places):
+        size = 9 * float(np.cbrt(body.masses[k] / body.masses.max()))  # as balls of one material
+        _draw_point(axes, place, drawn.weights[k], f"$m_{k + 1}$", size)
+    end = drawn.centre + drawn.weights.sum(axis=0)
+    arrow(axes, view, end, r"$M\mathbf{g}$", start=drawn.centre, color=INK, lw=2.0)
+    arrow(axes, view, drawn.centre, color=INK, lw=1.6, zorder=5.5)
+    x, y, _ = view(drawn.centre)
+    axes.plot(x, y, "o", color=INK, ms=4, zorder=7)
+    side, shift = ("left", (5, 3)) if _room_on_the_right(drawn) else ("right", (-5, 3))
+    words = r"$\mathbf{R}_\mathrm{CM}$"
+    name_at(axes, float(x), float(y), words, shift, color=INK, ha=side, zorder=8)
+    if np.any(drawn.couple):
+        arrow(axes, view, drawn.couple, r"$\mathbf{N}$", color=TORQUE, lw=1.9)
+    else:
+        name_at(axes, 0.0, 0.0, r"$\mathbf{N} = 0$", (10, -22), color=TORQUE)
+    under = drawn.places + drawn.weights
+    x, y, _ = view(np.vstack([0.55 * np.eye(3), drawn.places, under, end, drawn.couple]))
+    paper(axes, (x.min() - 0.2, x.max() + 0.2), (y.min() - 0.15, y.max() + 0.15))
+
+
+def _room_on_the_right(drawn: Sketch) -> bool:
+    """Whether the name of the centre of mass is farther from balls and other names on the right."""
+    x, y, _ = VIEW(drawn.centre)
+    balls = np.column_stack(VIEW(drawn.places)[:2])
+    beside = balls + np.outer(np.where(balls[:, 0] >= 0, 0.09, -0.09), [1.0, 0.0])
+    tips = np.column_stack(VIEW(np.vstack([0.55 * np.eye(3), 1.15 * drawn.couple]))[:2])
+    others = np.vstack([balls, beside, tips])
+    right, left = (np.linalg.norm(others - [x + k * 0.1, y + 0.03], axis=1).min() for k in (1, -1))
+    return bool(right >= left)
+
+
+def _draw_point(axes: Axes, place: Floats, weight: Floats, words: str, size: float) -> None:
+    """A ball on its rod, its weight, and a plumb line to the plane of x̂ and ŷ."""
+    view = VIEW
+    axes.plot(*view(np.array([np.zeros(3), place]))[:2], color=RULE, lw=2.0, zorder=2)
+    foot = np.array([place[0], place[1], 0.0])
+    axes.plot(*view(np.array([place, foot]))[:2], color=GREY, lw=0.7, ls=DOTTED, zorder=1)
+    x, y, _ = view(foot)
+    axes.plot(x, y, ".", color=GREY, ms=3, zorder=1)
+    arrow(axes, view, place + weight, start=place, color=FIRST, lw=1.3)
+    x, y, _ = view(place)
+    axes.plot(x, y, "o", ms=size, mfc=FACE, mec=EDGE, mew=0.8, zorder=6)
+    side, away = ("left", 0.5 * size + 3) if x >= 0 else ("right", -0.5 * size - 3)
+    name_at(axes, float(x), float(y), words, (away, 2), color=INK, ha=side, zorder=7)
+
+
+def _draw(**values: float) -> Canvas:
+    drawn = canvas(COLUMN, 3.1)
+    axes = drawn.subplots()
+    body = points(**values)
+    draw_weights(axes, body)
+    size = in_math(float(np.linalg.norm(body.torque)))
+    one = r"\sum\mathbf{r}_i \times m_i\mathbf{g} = \mathbf{R}_\mathrm{CM} \times M\mathbf{g}"
+    axes.set_title(rf"$\mathbf{{N}} = {one}$,  $N = {size}$ N m")
+    return drawn
+
+
+def _caption(**values: float) -> str:
+    body, found = points(**values), answers(gravity_on_points, **values)
+    masses = ", ".join(f"$m{'₁₂₃'[k]} = {said(mass)}$" for k, mass in enumerate(body.masses))
+    centre = ", ".join(said(found[f"centre_{letter}"]) for letter in "xyz")
+    turning = "which is zero here"
+    if np.any(body.torque):
+        parts = ", ".join(said(found[f"torque_{letter}"] + 0.0) for letter in "xyz")
+        turning = f"here ({parts}) N m, of the magnitude {said(_size(found))} N m"
+    return (
+        f"Three masses, {masses} kg, held together by light rods and held at the origin, and their "
+        f"weights at $g = {said(values['g'])}$ m/s². The whole mass $M = {said(found['mass'])}$ "
+        f"kg at the centre of mass, $𝐑_CM = ({centre})$ m, has their torque: $Σ 𝐫 × m𝐠 = 𝐑_CM × "
+        f"M𝐠$, {turning}; and their potential energy, {said(found['potential'])} J. Weights are "
+        "drawn to one scale, places to another; dotted lines lead to the plane of $x̂$ and $ŷ$."
+    )
+
+
+def _size(found: dict[str, float]) -> float:
+    """The magnitude of the torque, N m."""
+    return math.hypot(*(found[f"torque_{letter}"] for letter in "xyz"))
+
+
+def _in_words(**values: float) -> str:
+    body, found = points(**values), answers(gravity_on_points, **values)
+    height = spoken(found["centre_z"])
+    seen = (
+        "Three balls at the ends of rods from one point, each with an arrow down, its weight. "
+        f"From the same point R_CM leads to the centre of mass, {height} metres above it, where "
+        "one arrow Mg points down, as long as the other three together. "
+    )
+    if np.any(body.torque):
+        return seen + (
+            f"The torque N, {spoken(_size(found))} newton metres, is horizontal and at right "
+            "angles to R_CM."
+        )
+    return seen + "There is no torque."
+
+
+WEIGHTS = Drawing(
+    "weights",
+    "The weights of three points, and one at their centre of mass",
+    "",
+    gravity_on_points.parameters,
+    _draw,
+    _caption,
+    _in_words,
+)

@@ -1,0 +1,283 @@
+"""Somebody's notes with verdicts beside their equations, as one HTML file that needs no network.
+
+The text is shown simply, and comes from strangers: every character of it is escaped, links and
+pictures are left out.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+from typing import Any
+
+from rigidtop.proof.equation import Equation
+from rigidtop.proof.verdict import Verdict
+from rigidtop.report.html import NARROW, badge, style
+from rigidtop.typeset import layout as lay
+from rigidtop.typeset import mathml
+from rigidtop.typeset.sentences import prose_html
+
+NARROWER = NARROW - 4
+"""How many letters wide a line is on a small screen inside the frame of an equation."""
+
+
+@dataclass(frozen=True)
+class Formula:
+    """A formula and its place in the text, dollars included.
+
+    `trees` are the equations, or the expression, that were read; the TeX `source` is shown where
+    nothing was.
+    """
+
+    start: int
+    end: int
+    source: str
+    trees: tuple[Any, ...] = ()
+    display: bool = False
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A numbered equation with its verdict; it stands in the text from `start` to `end`."""
+
+    start: int
+    end: int
+    number: str
+    line: int
+    verdict: str
+    passed: bool
+    note: str
+    formulas: tuple[Formula, ...]
+
+
+_OWN_STYLE = """
+.audited { display: grid; grid-template-columns: minmax(0, 1fr) auto; column-gap: 1rem;
+  align-items: center; margin: 1rem 0; padding: 0.35rem 0 0.35rem 0.9rem;
+  border-left: 3px solid var(--rule); font-size: 1.0625rem; font-weight: 400; }
+.audited.amiss { border-left: 6px double var(--false); padding-left: 0.7rem; }
+.audited .eq { display: block; padding-left: 0; }
+.audited .side { display: flex; flex-direction: column; align-items: flex-end; gap: 0.3rem; }
+.audited .why { display: block; overflow-wrap: anywhere; }
+.audited:target { background: color-mix(in srgb, var(--link) 10%, transparent); }
+.shown { display: block; overflow-x: auto; overflow-y: hidden; padding: 0.3rem 0 0.4rem 1.6rem; }
+code { font: 0.86em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace;
+  overflow-wrap: anywhere; white-space: pre-wrap; }
+.notes p, .notes li { overflow-wrap: break-word; }
+.notes h2, .notes h3, .notes h4 { margin-top: 2.2rem; }
+.findings { list-style: none; padding: 0; margin: 0.8rem 0 0; font-size: 0.95rem; }
+.findings li { margin: 0; padding: 0.45rem 0; border-top: 1px solid var(--rule);
+  overflow-wrap: anywhere; }
+.findings a { margin-right: 0.5em; }
+.summary { border-bottom: 1px solid var(--rule); padding-bottom: 1.2rem; margin-bottom: 2rem; }
+@media (max-width: 40rem) {
+  .audited { grid-template-columns: minmax(0, 1fr); }
+  .audited .side { flex-direction: row; justify-content: space-between; align-items: center; }
+  .shown { padding-left: 0.4rem; }
+}
+@media (min-width: 78rem) { body { display: block; } .page { margin: 0 auto; } }
+@media print { .audited { break-inside: avoid; } }
+"""
+
+
+def write(
+    title: str,
+    source: str,
+    formulas: Sequence[Formula],
+    marks: Sequence[Mark],
+    summary: str,
+    others: Sequence[str] = (),
+) -> str:
+    """The page.
+
+    `formulas` are those without a mark; `summary` is one sentence about all; `others` are findings
+    without a number.
+    """
+    inside = {**{f.start: (f.end, _inline(f)) for f in formulas}}
+    framed = {mark.start: (mark.end, _framed(mark, n)) for n, mark in enumerate(marks)}
+    body = _text(source, inside, framed)
+    found = "\n".join(
+        f'<li><a href="#{_anchor(mark, n)}">({escape(mark.number)})</a>'
+        f"{_badge(mark.verdict)} line {mark.line}: {_said(mark.note)}</li>"
+        for n, mark in enumerate(marks)
+        if not mark.passed or mark.verdict in (Verdict.CONVENTION, Verdict.FALSE)
+    )
+    found += "".join(f"\n<li>{escape(_clean(other))}</li>" for other in others)
+    listed = f'\n<ul class="findings">\n{found}\n</ul>' if found else ""
+    return f"""<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8"/>
+<meta name="viewport" content="width=device-width, initial-scale=1"/>
+<meta name="color-scheme" content="light dark"/>
+<title>{escape(title)}, audited</title>
+<style>{style("page.css")}{_OWN_STYLE}</style>
+</head>
+<body>
+<a class="skip" href="#content">Skip to the notes</a>
+<main class="page">
+<header class="summary">
+<h1>{escape(title)}, audited</h1>
+<p>{escape(summary)}</p>{listed}
+</header>
+<div class="notes" id="content">
+{body}
+</div>
+<footer class="colophon"><p>Each numbered equation as it was read, with the verdict of the
+collection of derivations; of other formulas only counts are given. What was not read is shown as
+its TeX.</p></footer>
+</main>
+</body>
+</html>
+"""
+
+
+# --- Equations -----------------------------------------------------------------------------------
+
+
+def _anchor(mark: Mark, n: int) -> str:
+    return f"eq-{n + 1}"
+
+
+def _said(note: str) -> str:
+    """A note with its mathematics; what is in it of the file may be of any kind."""
+    try:
+        return mathml.held(prose_html(_clean(note)))
+    except ValueError:
+        return escape(_clean(note))
+
+
+def _badge(verdict: str) -> str:
+    """The badge of a verdict, or of what stands in place of one."""
+    if verdict in list(Verdict):
+        return badge(Verdict(verdict))
+    return (
+        f'<span class="badge undecided"><span aria-hidden="true">? </span>{escape(verdict)}</span>'
+    )
+
+
+def _framed(mark: Mark, n: int) -> str:
+    """A numbered equation: what it says, its number and verdict, and why."""
+    shown = "".join(map(_block, mark.formulas))
+    amiss = "" if mark.passed else " amiss"
+    why = f'<span class="why">{_said(mark.note)}</span>' if mark.note else ""
+    return (
+        f'<span class="audited{amiss}" id="{_anchor(mark, n)}"><span class="eq">{shown}</span>'
+        f'<span class="side"><span class="tag">({escape(mark.number)})</span>'
+        f"{_badge(mark.verdict)}</span>{why}</span>"
+    )
+
+
+def _block(formula: Formula) -> str:
+    if not formula.trees:
+        return f"<code>{escape(formula.source.strip())}</code>"
+    wide, narrow = (
+        mathml.display(formula.trees, "printed", limit) for limit in (lay.LINE, NARROWER)
+    )
+    if wide == narrow:
+        return wide
+    return wide.replace("<math", '<math class="wide"', 1) + narrow.replace(
+        "<math", '<math class="narrow"', 1
+    )
+
+
+def _inline(formula: Formula) -> str:
+    if formula.display and all(isinstance(tree, Equation) for tree in formula.trees):
+        return f'<span class="shown eq">{_block(formula)}</span>'
+    if not formula.trees:
+        return f"<code>{escape(formula.source.strip())}</code>"
+    return ", ".join(mathml.mathml(tree, "printed") for tree in formula.trees)
+
+
+# --- Text ----------------------------------------------------------------------------------------
+
+_OPEN, _CLOSE = "\ue000", "\ue001"
+_PLACE = re.compile(f"{_OPEN}(\\d+){_CLOSE}")
+_UNSHOWN = re.compile("[\x00-\x08\x0b-\x1f\x7f\ue000\ue001\u202a-\u202e\u2066-\u2069]")
+"""Characters that have no shape, that turn the direction of text, or that mark places here."""
+
+# The lengths are limited where many may begin and none ends.
+_LEFT_OUT = re.compile(r"!\[[^][\n]*\]\([^)\n]{0,1000}\)|<span[^<>\n]*></span>")
+_COMMENT = re.compile(r"<!--.*?-->", re.S)
+_LINK = re.compile(r"\[([^][\n]*)\]\([^)\n]{0,1000}\)")
+_ITEM = re.compile(r"(?:[-*•]|\d+\.|\([ivx]+\)|- \([ivx]+\))\s+")
+_HEADING = re.compile(r"(#{1,6})\s+(.*)")
+
+
+def _text(
+    source: str, inside: dict[int, tuple[int, str]], framed: dict[int, tuple[int, str]]
+) -> str:
+    """The text as blocks, with HTML in the places of formulas."""
+    made: list[str] = []
+    frames: set[int] = set()
+    woven, at = "", 0
+    for start, (end, html) in sorted({**inside, **framed}.items()):
+        if start < at:
+            continue
+        if start in framed:
+            frames.add(len(made))
+        woven += _clean(source[at:start]) + f"{_OPEN}{len(made)}{_CLOSE}"
+        made.append(html)
+        at = end
+    woven += _clean(source[at:])
+    woven = re.sub(f"{_CLOSE}[ \t]+(?=[,.;:)])", _CLOSE, woven)
+    commented, mark, behind = woven.rpartition("-->")
+    woven = _LEFT_OUT.sub("", _COMMENT.sub("", commented + mark) + behind)
+    blocks = [
+        html
+        for block in re.split(r"\n[ \t]*\n", woven)
+        if block.strip()
+        for html in _html_blocks(block.strip(), frames)
+    ]
+    return _PLACE.sub(lambda place: made[int(place[1])], "\n".join(blocks))
+
+
+def _clean(text: str) -> str:
+    return _UNSHOWN.sub("\ufffd", text)
+
+
+def _html_blocks(block: str, frames: set[int]) -> list[str]:
+    """Headings, items and paragraphs of a piece of text between blank lines."""
+    made: list[str] = []
+    lines: list[str] = []
+    items: list[list[str]] = []
+
+    def close() -> None:
+        if lines:
+            made.append(f"<p>{_inner(' '.join(lines))}</p>")
+        if items:
+            made.append(
+                "<ul>" + "".join(f"<li>{_inner(' '.join(item))}</li>" for item in items) + "</ul>"
+            )
+        lines.clear()
+        items.clear()
+
+    for line in block.split("\n"):
+        heading = _HEADING.match(line)
+        item = _ITEM.match(line)
+        if heading:
+            close()
+            level = min(len(heading[1]) + 1, 4)
+            title = heading[2].rstrip().rstrip("#").rstrip()
+            words = _PLACE.sub(lambda p: "" if int(p[1]) in frames else p[0], title)
+            made.append(f"<h{level}>{_inner(words)}</h{level}>")
+            lines += [p[0] for p in _PLACE.finditer(title) if int(p[1]) in frames]
+        elif item:
+            if lines:
+                close()
+            items.append([line[item.end() :]])
+        elif items:
+            items[-1].append(line)
+        else:
+            lines.append(line)
+    close()
+    return made
+
+
+def _inner(text: str) -> str:
+    """A line of text: bold, italics, underlining and raised numbers; all else as it is written."""
+    html = escape(_LINK.sub(r"\1", text))
+    html = re.sub(r"\*\*(\S(?:[^*]*\S)?)\*\*", r"<b>\1</b>", html)
+    html = re.sub(r"(?<![\w*])\*(\S(?:[^*]*\S)?)\*(?![\w*])", r"<i>\1</i>", html)
+    return re.sub(r"&lt;(u|sup|sub)&gt;([^&<]*)&lt;/\1&gt;", r"<\1>\2</\1>", html)

@@ -1,0 +1,501 @@
+"""The lecture as it is handed out: its text, its figures, its exercises, and their solutions.
+
+`rigidtop.report.report` makes the record of every verdict; here a verdict is a mark in the margin.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import sympy
+from sympy import Symbol
+
+from rigidtop.notation import Notation
+from rigidtop.proof.exercise import Answer, Exercise, Table
+from rigidtop.proof.lecture import Lecture, Prose, Text
+from rigidtop.proof.page import Claim, Page
+from rigidtop.proof.verdict import Judgement, Verdict
+from rigidtop.report.report import (
+    Block,
+    Cited,
+    Conditions,
+    DataTable,
+    Display,
+    ExerciseHead,
+    Figure,
+    Heading,
+    Judged,
+    Legend,
+    Mark,
+    Measures,
+    Paragraph,
+    Quantities,
+    Results,
+    Rich,
+    Row,
+    Subhead,
+    Unit,
+    anchor,
+    condition,
+    conditions,
+    derivation,
+    headings,
+    is_number,
+    numbers,
+    symbol_list,
+    tagged_rows,
+    tested,
+)
+from rigidtop.report.solutions import DIGITS, SMALLEST_ANGLE, TABLE_DIGITS, Solution, shown
+from rigidtop.report.ways import cited_figures, text_blocks
+from rigidtop.typeset.layout import Node, decimal, layout, negated, width
+
+LEGEND: Mapping[Verdict, str] = {
+    Verdict.PROVED: "the line was shown to hold, in symbols",
+    Verdict.SAMPLED: "it holds at random points to 40 digits, and was not shown in symbols",
+    Verdict.ASSUMING: "it holds under the condition beside it, which the notes do not state",
+    Verdict.CONVENTION: "right in content, at odds with the notes’ own definitions",
+    Verdict.FALSE: "it does not hold as the notes have it; the right form stands beneath",
+    Verdict.UNDECIDED: "neither shown nor refuted",
+}
+
+
+# --- Marks ---------------------------------------------------------------------------------------
+
+
+def marked(judgement: Judgement) -> tuple[Mark | Block, ...]:
+    """The mark of a claim; behind it, where the notes are wrong, the numbers and the right form."""
+    claim, verdict = judgement.claim, judgement.verdict
+    if verdict in (Verdict.FALSE, Verdict.CONVENTION):
+        return (Mark(claim.name, verdict), *_set_right(judgement))
+    return (Mark(claim.name, verdict, _note(judgement)),)
+
+
+def _note(judgement: Judgement) -> Rich:
+    """Under which conditions that the notes do not state a claim holds."""
+    if judgement.verdict is not Verdict.ASSUMING:
+        return ()
+    together: dict[str, list[Node]] = {}
+    for item in tested(judgement):
+        if not item.assumption.stated:
+            words = item.assumption.words.rstrip(".")
+            together.setdefault(words, []).append(condition(item.assumption))
+    pieces: list[Any] = []
+    for words, relations in together.items():
+        pieces.append("; if " if pieces else "if ")
+        pieces.append(f"{words} (" if words else "")
+        for k, relation in enumerate(relations):
+            pieces += [", " if k else "", relation]
+        pieces.append(")" if words else "")
+    return tuple(piece for piece in pieces if piece != "")
+
+
+SHORT = 45.0
+"""An equation of so many letters stands in a sentence."""
+
+
+def _set_right(judgement: Judgement) -> Iterable[Block]:
+    """A statement that is wrong, its numbers, and its corrected form, in a sentence."""
+    claim = judgement.claim
+    said = {
+        Verdict.FALSE: " This is false",
+        Verdict.CONVENTION: " This is at odds with the notes’ own definitions",
+    }[judgement.verdict]
+    words: list[Any] = [f"The notes say: {claim.says.rstrip('.')}.{said}"]
+    found = next((f.counterexample for f in judgement.findings() if f.counterexample), None)
+    if found is not None:
+        against = numbers(found)
+        for k, (name, value) in enumerate(against.values):
+            words += [", " if k else ": with ", name, " = ", value]
+        words += [", " if against.values else ": ", *_sides(against.left, against.right)]
+    corrected = judgement.corrections()
+    equations = [finding.check.claimed for finding in corrected]
+    short = [layout(equation, "printed") for equation in equations]
+    if len(short) == 1 and width(short[0]) < SHORT and not corrected[0].check.reason:
+        words += [". It should be ", short[0], *_under(corrected[0]), "."]
+        yield Paragraph(tuple(words), mark=None)
+        return
+    yield Paragraph((*words, "."), held=bool(corrected))
+    rows = tuple(
+        Row(finding.check.claimed, "printed", reason=_colon(finding.check.reason, finding))
+        for finding in corrected
+    )
+    if rows:
+        yield Display(rows)
+
+
+def _sides(left: Node | None, right: Node | None) -> list[Any]:
+    if left == right and left is not None:
+        return ["both sides are ", left]
+    sides = [piece if piece is not None else "undefined" for piece in (left, right)]
+    return ["the left side is ", sides[0], ", the right side ", sides[1]]
+
+
+def _under(finding: Any) -> list[Any]:
+    """The conditions of a corrected form."""
+    made: list[Any] = []
+    for k, item in enumerate(finding.assumptions):
+        made += [", " if k else ", where ", condition(item.assumption)]
+    return made
+
+
+def _colon(reason: str, finding: Any) -> Rich:
+    words = reason.strip().rstrip(".:") or "What holds"
+    return (words, *_under(finding), ":")
+
+
+# --- Sections ------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Parts:
+    """What a handout is made of, besides its judged pages, all in the notation of the handout."""
+
+    lines: Lecture
+    notation: Notation
+    figures: Mapping[str, Figure]
+    closing: Mapping[str, str]
+    """To which section a figure belongs, by its name."""
+    points: str = ""
+
+
+def sections(judged: Judged, exercises: Sequence[Solution], parts: Parts) -> list[Block]:
+    """The lecture section by section: text with figures, then exercises."""
+    named = {text.name: text for text in parts.lines.texts}
+    made: list[Block] = []
+    numbered = {id(each): k for k, each in enumerate(exercises, 1)}
+    for page, judgements in judged:
+        made += headings(page)
+        text = named.get(page.text)
+        if text is None:
+            made.append(Paragraph((page.about,), held=True))
+        else:
+            marks = {j.claim.name: marked(j) for j in judgements}
+            made += text_blocks(parts.lines, text, parts.notation, marks, parts.figures)
+        for judgement in judgements:
+            if text is None or judgement.claim.name not in parts.lines.names:
+                made += stated(judgement)
+        shown_ = {block.name for block in made if isinstance(block, Figure)}
+        made += [
+            each
+            for name, each in parts.figures.items()
+            if parts.closing.get(name) == page.section and name not in shown_
+        ]
+        asked = [each for each in exercises if each.exercise.section == page.section]
+        if asked:
+            made.append(Subhead("Exercises" if len(asked) > 1 else "Exercise"))
+        for each in asked:
+            made += question(each.exercise, each.settings, numbered[id(each)], parts.points)
+    return made
+
+
+def order_of_figures(
+    lines: Lecture, pages: Iterable[Page], closing: Mapping[str, str]
+) -> list[str]:
+    """Names of figures as they come: those that a text speaks of, then those of its section.
+
+    `closing` says to which section a figure belongs.
+    """
+    named = {text.name: text for text in lines.texts}
+    made: list[str] = []
+    for page in pages:
+        text = named.get(page.text)
+        made += [] if text is None else [n for n in spoken_of(text) if n in closing]
+        made += [name for name, section in closing.items() if section == page.section]
+    return list(dict.fromkeys(made))
+
+
+def spoken_of(text: Text) -> list[str]:
+    """The names of the figures that a text speaks of."""
+    made: list[str] = []
+    for block in text.blocks:
+        if isinstance(block, Prose):
+            made += cited_figures(block.pieces)
+        elif getattr(block, "line", None) is not None:
+            made += cited_figures(block.line.words)  # type: ignore[union-attr]
+    return made
+
+
+def stated(judgement: Judgement) -> list[Block]:
+    """A claim without lines of its own: its words, its reason, its equation as it is printed."""
+    mark, *behind = marked(judgement)
+    assert isinstance(mark, Mark)
+    claim = judgement.claim
+    words = " ".join(filter(None, [claim.says.rstrip(".") + ".", claim.reason]))
+    rows = tagged_rows(judgement)
+    made: list[Block] = [Paragraph((words,), held=bool(rows), mark=mark)]
+    if rows:
+        made.append(Display(rows))
+    for block in derivation(judgement, False):
+        made.append(replace(block, label="") if isinstance(block, Display) else block)
+    return [*made, *(block for block in behind if not isinstance(block, Mark))]
+
+
+# --- Exercises -----------------------------------------------------------------------------------
+
+
+def question(
+    exercise: Exercise, values: Mapping[str, float], number: int, points: str = ""
+) -> list[Block]:
+    """An exercise as it is asked, its numbers as people write them."""
+    head = ExerciseHead(exercise.title, anchor(exercise.name), exercise.asks, number, points)
+    parts = [" ".join(part.split()) for part in exercise.statement.split("\n\n")]
+    made: list[Block] = [head, *(Paragraph((part,)) for part in parts)]
+    given: list[Any] = []
+    for parameter in exercise.parameters:
+        given += ["; " if given else "", parameter.about]
+        name = parameter.name
+        if len(name) > 2 and re.search(rf"\b{re.escape(name)}\b", exercise.statement):
+            given.append(f" (“{name}”)")
+        given += [": ", *written(values[name], parameter.unit)]
+    if given:
+        made.append(Paragraph((*(piece for piece in given if piece), "."), "Given"))
+    return made
+
+
+def written(value: float | str, unit: str, digits: int = DIGITS) -> Rich:
+    """A number with its unit, an angle in degrees, a small one in seconds of arc.
+
+    >>> written(0.5235987755982988, "rad"), written(4.84813681e-07, "rad")
+    ((Number(text='30'), Unit(letters='°')), (Number(text='0.1'), Unit(letters='″')))
+    """
+    if isinstance(value, str):
+        return (value,)
+    if unit == "rad":
+        small = 0 < abs(value) < SMALLEST_ANGLE
+        value = math.degrees(value) * (3600 if small else 1)
+        unit = "″" if small else "°"
+    number = _number(value, digits)
+    return (number, Unit(unit)) if unit != "1" else (number,)
+
+
+def _number(value: float, digits: int) -> Node:
+    node = decimal(abs(value), digits)
+    return negated(node) if value < 0 else node
+
+
+def solutions(
+    exercises: Sequence[Solution],
+    parts: Parts,
+    told: Mapping[str, str],
+) -> list[Block]:
+    """The appendix.  `told` says in which section a claim of the lecture was derived."""
+    made: list[Block] = [Heading(1, "", "Solutions of the exercises", "solutions")]
+    known = dict(told)
+    for number, each in enumerate(exercises, 1):
+        made += solution(each, number, parts, known)
+        known |= {j.claim.name: "" for j in each.judgements}
+    return made
+
+
+def solution(solution: Solution, number: int, parts: Parts, told: Mapping[str, str]) -> list[Block]:
+    """What an exercise comes to, in symbols and in numbers."""
+    exercise = solution.exercise
+    head = ExerciseHead(exercise.title, f"{anchor(exercise.name)}-solution", "", number)
+    return [head, *answer(solution, parts, told)]
+
+
+def answer(solution: Solution, parts: Parts, told: Mapping[str, str]) -> list[Block]:
+    """The same without its title."""
+    exercise = solution.exercise
+    made: list[Block] = []
+    there = [j.claim for j in solution.judgements if j.claim.name in told]
+    if there:
+        names: list[Any] = []
+        for k, claim in enumerate(there):
+            between = "" if k == 0 else " and " if k == len(there) - 1 else ", "
+            names += [between, *_called(claim, told[claim.name])]
+        made.append(Paragraph(("We have ", *(n for n in names if n), ".")))
+    text, lines = solution.text, solution.lines
+    new = [j for j in solution.judgements if j.claim.name not in told]
+    here = {line.id for line in text.lines} if text is not None else set()
+    said = {name for name, ids in lines.names.items() if here & set(ids)}
+    if text is not None:
+        marks = {j.claim.name: marked(j) for j in new}
+        made += text_blocks(lines, text, parts.notation, marks, parts.figures)
+    for judgement in new:
+        if judgement.claim.name not in said:
+            made += stated(judgement)
+    made += results(solution)
+    own = f"exercise-{exercise.name}"
+    if own in parts.figures:
+        made.append(parts.figures[own])
+    return made
+
+
+def _called(claim: Claim, section: str) -> Rich:
+    """A claim of the lecture, to be looked up."""
+    name = Cited(f"({claim.name})", anchor(claim.name)) if is_number(claim.name) else None
+    if name is not None:
+        return (name,)
+    where = f" (section {section.partition(' ')[0]})" if section else ""
+    return (f"“{claim.says.rstrip('.')}”{where}",)
+
+
+def results(solution: Solution) -> list[Block]:
+    """The numbers of a solution."""
+    made: list[Block] = [Paragraph((solution.exercise.method,))]
+    answers = [outcome for outcome in solution.outcomes if isinstance(outcome, Answer)]
+    if answers:
+        rows = tuple((a.what, *_apart(a.value, a.unit)) for a in answers)
+        made.append(Quantities("", rows))
+    for outcome in solution.outcomes:
+        if isinstance(outcome, Table):
+            cells = tuple(tuple(shown(x, TABLE_DIGITS) for x in row) for row in outcome.rows)
+            whole = len(cells) <= LONGEST
+            made.append(DataTable(outcome.title, outcome.columns, cells, whole))
+    return made
+
+
+def checked(solution: Solution, told: Collection[str]) -> list[Block]:
+    """Under which assumptions a solution holds, and what its numbers were compared with."""
+    assumed = [t for j in solution.judgements if j.claim.name not in told for t in tested(j)]
+    made: list[Block] = [Conditions(conditions(assumed))] if assumed else []
+    if solution.measures:
+        made.append(Measures(solution.measures, "Confirmed", "by a second way"))
+    return made
+
+
+LONGEST = 30
+"""Rows of a table that stands on one page."""
+
+
+def _apart(value: float | str, unit: str) -> tuple[str | Node, str]:
+    """A number and its unit for two columns."""
+    if isinstance(value, str):
+        return value, ""
+    number, *rest = written(value, unit)
+    assert not isinstance(number, Cited | Unit)
+    return number, rest[0].letters if rest and isinstance(rest[0], Unit) else "1"
+
+
+# --- Front and back ------------------------------------------------------------------------------
+
+
+def legend(judgements: Iterable[Judgement]) -> Legend:
+    """What the marks mean that are used."""
+    used = {judgement.verdict for judgement in judgements}
+    return Legend(tuple((v, words) for v, words in LEGEND.items() if v in used))
+
+
+def summary(judged: Judged) -> list[Block]:
+    """Every numbered equation once, on one page."""
+    rows = []
+    for _, judgements in judged:
+        for judgement in judgements:
+            name = judgement.claim.name
+            if is_number(name):
+                printed = tagged_rows(judgement)
+                corrected = [f.check.claimed for f in judgement.corrections()]
+                shown_ = [corrected[0]] if corrected else [row.equation for row in printed]
+                mark = Mark(name, judgement.verdict)
+                for k, equation in enumerate(shown_):
+                    last = k == len(shown_) - 1
+                    words = judgement.claim.says if k == 0 else ""
+                    rows.append((name if last else "", equation, words, mark if last else None))
+    if not rows:
+        return []
+    return [Heading(1, "", "Summary of results", "results"), Results(tuple(rows))]
+
+
+def first_used(blocks: Sequence[Block]) -> list[Block]:
+    """The symbols of all displays under a heading, in the order of first use."""
+    order: dict[str, int] = {}
+    for block in blocks:
+        if isinstance(block, Display):
+            for row in block.rows:
+                for side in row.equation.sides:
+                    for node in sympy.preorder_traversal(side):
+                        if isinstance(node, Symbol):
+                            order.setdefault(node.name, len(order))
+    head, *rest = symbol_list(blocks, order) or (None,)
+    return [Heading(1, "", "List of symbols", "letters"), *rest] if head is not None else []
+
+
+def linked(blocks: Sequence[Block]) -> list[Block]:
+    """The same, every (3.54) in a sentence leading to its equation."""
+    there = {
+        row.tag for block in blocks if isinstance(block, Display) for row in block.rows if row.tag
+    }
+
+    def cited(content: Rich) -> Rich:
+        made: list[Any] = []
+        for piece in content:
+            if not isinstance(piece, str):
+                made.append(piece)
+                continue
+            for k, part in enumerate(re.split(r"\((\d+\.\d+[a-z]?)\)", piece)):
+                if k % 2:
+                    made.append(Cited(f"({part})", anchor(part)) if part in there else f"({part})")
+                elif part:
+                    made.append(part)
+        return tuple(made)
+
+    made: list[Block] = []
+    for block in blocks:
+        if isinstance(block, Paragraph):
+            made.append(replace(block, content=cited(block.content)))
+        elif isinstance(block, Display):
+            rows = (
+                replace(
+                    row,
+                    reason=cited((row.reason,) if isinstance(row.reason, str) else row.reason)
+                    if row.reason
+                    else "",
+                )
+                for row in block.rows
+            )
+            made.append(replace(block, rows=tuple(rows)))
+        else:
+            made.append(block)
+    return made
+
+
+ROOM = 54.0
+"""Letters of a line beside a margin for notes."""
+
+COLUMN = 42.0
+"""Letters of a line in one of two columns."""
+
+
+def parted(blocks: Sequence[Block]) -> list[Block]:
+    """Displays apart that have a sentence each, the lines of each with their anchors."""
+    made: list[Block] = []
+    seen: set[str] = set()
+    level, part, nameless, room = 1, 0, 0, ROOM
+    for block in blocks:
+        if isinstance(block, Heading):
+            level, part = block.level, 0
+            room = COLUMN if block.anchor == "solutions" else ROOM
+            made.append(block)
+        elif isinstance(block, Subhead):
+            part = 1
+            made.append(replace(block, level=level + 1))
+        elif isinstance(block, ExerciseHead):
+            made.append(replace(block, level=level + part + 1))
+        elif isinstance(block, Paragraph) and block.mark is not None:
+            name = block.mark.name
+            place = anchor(name) if name not in seen and not is_number(name) else ""
+            seen.add(name if place else "")
+            made.append(replace(block, anchor=place))
+        elif isinstance(block, Display):
+            groups: list[list[Row]] = []
+            for row in block.rows:
+                if row.reason or not groups:
+                    groups.append([])
+                name = row.tag or (row.mark.name if row.mark is not None else "")
+                place = anchor(name) if name and name not in seen else row.anchor
+                seen.add(name)
+                groups[-1].append(replace(row, anchor=place))
+            for rows in groups:
+                if not any(row.anchor for row in rows):
+                    nameless += 1
+                    rows[-1] = replace(rows[-1], anchor=f"equation-{nameless}")
+            made += [replace(block, rows=tuple(rows), room=room, step=True) for rows in groups]
+        else:
+            made.append(block)
+    return made

@@ -1,0 +1,447 @@
+"""The lecture as one HTML file that needs no network: MathML, inline figures, inline style."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from functools import singledispatch
+from html import escape
+from importlib.resources import files
+from typing import Any
+
+from rigidtop.proof.verdict import Verdict
+from rigidtop.report.languages import SHOWN, said
+from rigidtop.report.report import (
+    COLORS,
+    MARKS,
+    Cited,
+    ClaimHead,
+    Condition,
+    Conditions,
+    DataTable,
+    Display,
+    Document,
+    ExerciseHead,
+    Figure,
+    FoundList,
+    Heading,
+    Legend,
+    Mark,
+    Measures,
+    NameLine,
+    Numbers,
+    Paragraph,
+    Piece,
+    Quantities,
+    Results,
+    Rich,
+    Row,
+    Subhead,
+    Summary,
+    Symbols,
+    Unit,
+    anchor,
+    groups,
+)
+from rigidtop.typeset import layout as lay
+from rigidtop.typeset import mathml
+from rigidtop.typeset.latex import latex
+from rigidtop.typeset.sentences import prose_html
+
+NARROW = 36.0
+"""How many letters wide a line is on a small screen."""
+
+
+def style(*names: str) -> str:
+    """Style sheets and scripts of this package, one behind the other."""
+    folder = files("rigidtop.report").joinpath("styles")
+    colors = " ".join(
+        f"--{verdict}: light-dark(#{light}, #{dark});" for verdict, (light, dark) in COLORS.items()
+    )
+    made = "".join(folder.joinpath(name).read_text("utf-8") for name in names)
+    return made.replace("@COLORS@", colors)
+
+
+def write(
+    document: Document, figures: Mapping[str, str], *, slides: bool = False, player: str = ""
+) -> str:
+    """The document.  `figures` has the SVG of each figure by its name; a `player` ends the body.
+
+    As `slides` it is for the projector: a derivation is uncovered line by line with the keys.
+    """
+    body = mathml.held("\n".join(_sections(document, figures)))
+    byline = f'\n<p class="byline">{escape(document.byline)}</p>' if document.byline else ""
+    kinds = ["page.css", *["lecture.css"] * document.lecture, *["slides.css"] * slides]
+    scripts = ["lecture.js"] * document.lecture + ["slides.js"] * slides
+    own = {each: said(each, document.look.language) for each in SHOWN}
+    words = f' data-words="{escape(json.dumps(own, ensure_ascii=False))}"' * document.lecture
+    # The marks of CDATA are comments to a browser, and keep the page well-formed XML.
+    script = f"<script>/*<![CDATA[*/{style(*scripts)}/*]]>*/</script>\n" if scripts else ""
+    return f"""<!DOCTYPE html>
+<html lang="{document.look.language}"{' class="lecture"' * document.lecture}{words}>
+<head>
+<meta charset="utf-8"/>
+<meta name="viewport" content="width=device-width, initial-scale=1"/>
+<meta name="color-scheme" content="light dark"/>
+<title>{escape(document.title)}</title>
+<style>{style(*kinds)}</style>
+</head>
+<body>
+<a class="skip" href="#content">Skip to the lecture</a>
+{_contents(document)}
+<main class="page" id="content">
+<header>
+<h1>{prose_html(document.title)}</h1>
+<p class="subtitle">{prose_html(document.subtitle)}</p>{byline}
+</header>
+{body}
+<footer class="colophon"><p>{prose_html(document.colophon)}</p></footer>
+</main>
+{player}{script}</body>
+</html>
+"""
+
+
+def _contents(document: Document) -> str:
+    listed = Heading if document.lecture else (Heading, ExerciseHead)
+    items = "\n".join(_entry(block) for block in document.blocks if isinstance(block, listed))
+    # On a narrow page the contents of a lecture are closed, or its title would stand below them.
+    state = "" if document.lecture else ' open="open"'
+    title = said("Contents", document.look.language)
+    return (
+        f'<nav class="toc" aria-label="{title}"><details{state}><summary>{title}</summary>'
+        f"<ul>\n{items}\n</ul></details></nav>"
+    )
+
+
+def _entry(block: Heading | ExerciseHead) -> str:
+    """A line of the contents."""
+    if isinstance(block, ExerciseHead):
+        kind, number = "deep ask", "Ex."
+    else:
+        kind, number = "deep" if block.level > 1 else "", block.number
+    name = f' class="{kind}"' if kind else ""
+    title = f'<span class="n">{number}</span>{prose_html(block.title)}'
+    return f'<li{name}><a href="#{block.anchor}">{title}</a></li>'
+
+
+def _sections(document: Document, figures: Mapping[str, str]) -> list[str]:
+    """The blocks, those of each claim in an element of its own."""
+    made: list[str] = []
+    inside = False
+    for block in document.blocks:
+        if inside and isinstance(block, (ClaimHead, ExerciseHead, Heading, Figure, Subhead)):
+            made.append("</section>")
+            inside = False
+        if isinstance(block, (ClaimHead, ExerciseHead)):
+            kind = "claim" if isinstance(block, ClaimHead) else "exercise"
+            made.append(f'<section class="{kind}" id="{block.anchor}">')
+            inside = True
+        made.append(_figure(block, figures) if isinstance(block, Figure) else html_block(block))
+    return [*made, "</section>"] if inside else made
+
+
+def fragment(blocks: Sequence[Any]) -> str:
+    """The blocks of one claim, to be pasted into a page."""
+    (head,) = [block for block in blocks if isinstance(block, ClaimHead)]
+    inner = mathml.held("\n".join(html_block(block) for block in blocks))
+    return f'<section class="claim" id="{head.anchor}">\n{inner}\n</section>\n'
+
+
+def _figure(block: Figure, figures: Mapping[str, str]) -> str:
+    """The SVG inline, its identifiers made unique, and its content in words."""
+    svg = figures[block.name]
+    svg = svg[svg.index("<svg") :].strip()
+    svg = re.sub(r'\bid="', f'id="{block.name}-', svg)
+    svg = re.sub(r'(href="#|url\(#)', rf"\g<1>{block.name}-", svg)
+    label = escape(block.alternative)
+    # Larger than in print, where figures have their own size.
+    size = re.search(r'width="([\d.]+)pt"', svg)
+    room = f' style="max-width: {float(size[1]) / 8:.1f}rem"' if size else ""
+    svg = svg.replace("<svg", f'<svg role="img" aria-label="{label}"{room}', 1)
+    caption = prose_html(block.caption)
+    if block.number:
+        caption = f"<strong>{block.label}.</strong> {caption}"
+    place = f' id="{block.anchor}"' if block.number else ""
+    place += f' data-figure="{block.name}"'
+    return f"<figure{place}>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>"
+
+
+def rich(content: Rich) -> str:
+    """Running text with formulas."""
+    return "".join(map(_piece, content))
+
+
+def _piece(piece: Piece) -> str:
+    if isinstance(piece, Unit):
+        return escape(piece.spaced)
+    if isinstance(piece, Cited):
+        return f'<a href="#{piece.anchor}">{escape(piece.words)}</a>'
+    return prose_html(piece) if isinstance(piece, str) else mathml.mathml(piece)
+
+
+def badge(verdict: Verdict) -> str:
+    """A verdict as a mark and a word, so that colour is not needed."""
+    mark = f'<span aria-hidden="true">{MARKS[verdict]} </span>'
+    return f'<span class="badge {verdict}">{mark}{verdict}</span>'
+
+
+@singledispatch
+def html_block(block: Any) -> str:
+    """A block as HTML."""
+    raise TypeError(f"no HTML for {type(block).__name__}")
+
+
+@html_block.register
+def _(block: Heading) -> str:
+    level = block.level + 1
+    number = f'<span class="n">{block.number}</span>' if block.number else ""
+    return f'<h{level} id="{block.anchor}">{number}{prose_html(block.title)}</h{level}>'
+
+
+@html_block.register
+def _(block: Paragraph) -> str:
+    if block.mark is None:
+        return f"<p>{_label(block.label)}{rich(block.content)}</p>"
+    words = f"{seal(block.mark)}{rich(block.content)}"
+    place = f' id="{block.anchor}"' if block.anchor else ""
+    return f'<p class="marked"{place}>{words}</p>{_aside(block.mark)}'
+
+
+def seal(mark: Mark) -> str:
+    """A verdict in the margin: a mark, its word for those who do not see it."""
+    sign = f'<span aria-hidden="true">{MARKS[mark.verdict]}</span>'
+    word = f'<span class="unseen">{mark.verdict}: </span>'
+    return f'<span class="seal {mark.verdict}" title="{mark.verdict}">{sign}{word}</span>'
+
+
+def _aside(mark: Mark | None) -> str:
+    """The condition of a verdict as a side note."""
+    return f'<p class="side">{rich(mark.note)}</p>' if mark is not None and mark.note else ""
+
+
+def _label(words: str) -> str:
+    return f'<span class="label">{prose_html(words)}</span> ' if words else ""
+
+
+@html_block.register
+def _(block: ClaimHead) -> str:
+    return (
+        f'<div class="head"><h4>{escape(block.shown)}</h4>{badge(block.verdict)}</div>\n'
+        f'<p class="says">{prose_html(block.says)}</p>'
+    )
+
+
+@html_block.register
+def _(block: Display) -> str:
+    label = f'<p class="label">{prose_html(block.label)}</p>\n' if block.label else ""
+    rows = "\n".join(_row(group, block.step) for group in groups(block))
+    return f'{label}<div class="display">\n{rows}\n</div>'
+
+
+def _row(group: Sequence[Row], step: bool = False) -> str:
+    last = group[-1]
+    speaker = group[0]
+    why = f'<p class="why">{rich(speaker.spoken)}</p>' if speaker.reason else ""
+    equations = [row.equation for row in group]
+    wide, narrow = (mathml.display(equations, last.order, n) for n in (lay.LINE, NARROW))
+    shown = wide if wide == narrow else _classed(wide, "wide") + _classed(narrow, "narrow")
+    side = badge(last.verdict) if last.verdict is not None else ""
+    number = f'<span class="tag">({last.tag})</span>' if last.tag else ""
+    mark = next((row.mark for row in reversed(group) if row.mark is not None), None)
+    place = next((row.anchor for row in reversed(group) if row.anchor), "")
+    if place and number:
+        number = f'<a class="place" href="#{place}">{number}</a>'
+    side += f" {number}" if number else ""
+    side += seal(mark) if mark is not None else ""
+    line = f'<div class="eq">{shown}</div>' + (f"<div>{side.strip()}</div>" if side else "")
+    if not step:
+        return f'<div class="row">{why}{line}</div>'
+    kind = "row result" if last.tag or mark is not None else "row step"
+    source = escape(r" \\ ".join(latex(each, last.order) for each in equations))
+    name = f' id="{place}"' if place else ""
+    return f'<div class="{kind}"{name} data-tex="{source}">{why}{line}</div>{_aside(mark)}'
+
+
+def _classed(math: str, name: str) -> str:
+    return math.replace("<math", f'<math class="{name}"', 1)
+
+
+@html_block.register
+def _(block: Conditions) -> str:
+    items = "\n".join(f"<li>{_condition(item)}</li>" for item in block.items)
+    return f'<p class="label">Assumptions</p>\n<ul class="conditions">\n{items}\n</ul>'
+
+
+def _condition(item: Condition) -> str:
+    words = f", {prose_html(item.words)}" if item.words else ""
+    kind, said = ("stated", "stated") if item.stated else ("unstated", "not stated")
+    return (
+        f'{mathml.mathml(item.relation)}{words} <span class="{kind}">({said})</span>. '
+        f"{_numbers(item.without)}"
+    )
+
+
+@html_block.register
+def _(block: Numbers) -> str:
+    return f"<p>{_numbers(block)}</p>"
+
+
+def _numbers(block: Numbers) -> str:
+    values = ", ".join(
+        mathml.mathml(lay.Chain((name, value), ("=",))) for name, value in block.values
+    )
+    sides = block.said(mathml.mathml)
+    return f"{_label(block.label)}{sides}" + (f" at {values}." if values else ".")
+
+
+def _table(
+    head: Sequence[str],
+    rows: Iterable[Sequence[str]],
+    *,
+    numbers: Collection[int] = (),
+    titles: int = 0,
+    kind: str = "",
+    caption: str = "",
+) -> str:
+    """A table of HTML cells under their `head`; the column `titles` says what a row is about.
+
+    The columns `numbers` are aligned as such.
+    """
+
+    def cell(words: str, k: int, scope: str = "") -> str:
+        style = ' class="num"' if k in numbers else ""
+        if not scope or not words:
+            return f"<td{style}>{words}</td>"
+        return f'<th scope="{scope}"{style}>{_title(words)}</th>'
+
+    body = "\n".join(
+        f"<tr>{''.join(cell(x, k, 'row' * (k == titles)) for k, x in enumerate(row))}</tr>"
+        for row in rows
+    )
+    top = "".join(cell(words, k, "col") for k, words in enumerate(head))
+    name = f' class="{kind}"' if kind in ("found", "results") else ""
+    unseen = ' class="unseen"' if kind == "unseen" else ""
+    title = f"<caption>{caption}</caption>\n" if caption else ""
+    return (
+        f'<div class="scroll"><table{name}>\n{title}<thead{unseen}><tr>{top}</tr></thead>\n'
+        f"<tbody>\n{body}\n</tbody>\n</table></div>"
+    )
+
+
+def _title(words: str) -> str:
+    """The title of a column or a row; formulas alone are no text that a screen reader looks for."""
+    if re.sub(r"<math.*?</math>", "", words).strip():
+        return words
+    said = " ".join(re.findall(r'alttext="([^"]*)"', words))
+    hidden = words.replace("<math", '<math aria-hidden="true"')
+    return f'<span class="unseen">{said}</span>{hidden}'
+
+
+@html_block.register
+def _(block: Measures) -> str:
+    rows = ((prose_html(r.what), _power(r.error), _power(r.tolerance)) for r in block.rows)
+    head = (prose_html(block.compared), "error", "tolerance")
+    return f'<p class="label">{prose_html(block.label)}</p>\n{_table(head, rows, numbers=(1, 2))}'
+
+
+def _power(number: float) -> str:
+    return mathml.mathml(lay.decimal(number, 2))
+
+
+@html_block.register
+def _(block: Summary) -> str:
+    rows = [(badge(verdict), str(n), prose_html(meaning)) for verdict, n, meaning in block.rows]
+    rows.append(("all", str(sum(count for _, count, _ in block.rows)), ""))
+    return _table(("verdict", "claims", "what it says"), rows, numbers=(1,))
+
+
+@html_block.register
+def _(block: FoundList) -> str:
+    rows = (
+        (
+            prose_html(row.section),
+            f'<a href="#{row.anchor}">{escape(row.name)}</a>',
+            badge(row.verdict),
+            rich(row.content),
+        )
+        for row in block.rows
+    )
+    head = ("section", "claim", "verdict", "what is amiss")
+    return _table(head, rows, titles=1, kind="found")
+
+
+@html_block.register
+def _(block: Symbols) -> str:
+    rows = (
+        (mathml.mathml(node), prose_html(meaning), escape(unit))
+        for node, meaning, unit in block.rows
+    )
+    return _table(("symbol", "meaning", "unit"), rows)
+
+
+@html_block.register
+def _(block: ExerciseHead) -> str:
+    title = f"{block.label}{'.' if block.number else ':'} {prose_html(block.title)}"
+    points = f" {escape(block.points)}" if block.points else ""
+    return (
+        f'<div class="head"><h{block.level + 1}>{title}</h{block.level + 1}>'
+        f'<span class="asks">{prose_html(block.asks)}{points}</span></div>'
+    )
+
+
+@html_block.register
+def _(block: Legend) -> str:
+    items = "".join(
+        f"<li>{seal(Mark('', verdict))}{prose_html(words)}</li>" for verdict, words in block.rows
+    )
+    return f'<div class="legend"><p>{escape(block.head)}:</p><ul>{items}</ul></div>'
+
+
+@html_block.register
+def _(block: NameLine) -> str:
+    words = "".join(f"<span>{escape(word)}:</span>" for word in block.words)
+    return f'<p class="names">{words}</p>'
+
+
+@html_block.register
+def _(block: Results) -> str:
+    rows = (
+        (
+            f'<a href="#{anchor(number)}">({number})</a>' if number else "",
+            mathml.mathml(equation, "printed"),
+            prose_html(words),
+        )
+        for number, equation, words, _ in block.rows
+    )
+    return _table(("number", "equation", "what it says"), rows, kind="results")
+
+
+@html_block.register
+def _(block: Subhead) -> str:
+    level = block.level + 1 if block.level else 5
+    kind = ' class="sub"' if block.level else ""
+    return f"<h{level}{kind}>{prose_html(block.words)}</h{level}>"
+
+
+@html_block.register
+def _(block: Quantities) -> str:
+    rows = (
+        (prose_html(what), _cell(value), "" if unit == "1" else escape(unit))
+        for what, value, unit in block.rows
+    )
+    table = _table(("what", "value", "unit"), rows, numbers=(1,), kind="unseen")
+    return (f'<p class="label">{prose_html(block.label)}</p>\n' if block.label else "") + table
+
+
+@html_block.register
+def _(block: DataTable) -> str:
+    head = [*map(prose_html, block.columns)]
+    rows = ([*map(_cell, row)] for row in block.rows)
+    numbers = range(1, len(head))
+    return _table(head, rows, numbers=numbers, caption=prose_html(block.title))
+
+
+def _cell(value: str | lay.Node) -> str:
+    return prose_html(value) if isinstance(value, str) else mathml.mathml(value)

@@ -1,0 +1,123 @@
+"""The words that every lecture has, in the language that is asked for: Figure, Exercise, Solution.
+
+>>> said("Exercise", "de"), said("Exercise", "fr"), said("Exercise", "en")
+('Aufgabe', 'Exercice', 'Exercise')
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from rigidtop.report.report import (
+    Cited,
+    Display,
+    Document,
+    ExerciseHead,
+    Figure,
+    Heading,
+    Legend,
+    NameLine,
+    Paragraph,
+    Rich,
+    Subhead,
+)
+
+_TABLE = """
+Figure | Abbildung | Figure | Figura | Figura
+Exercise | Aufgabe | Exercice | Ejercicio | Esercizio
+Exercises | Aufgaben | Exercices | Ejercicios | Esercizi
+Solution | Lösung | Solution | Solución | Soluzione
+Solutions of the exercises | Lösungen der Aufgaben | Solutions des exercices \
+| Soluciones de los ejercicios | Soluzioni degli esercizi
+Summary of results | Zusammenfassung der Ergebnisse | Résumé des résultats \
+| Resumen de los resultados | Riassunto dei risultati
+What rests on what | Was worauf beruht | Ce qui repose sur quoi | Qué se apoya en qué \
+| Che cosa poggia su che cosa
+List of symbols | Formelzeichen | Liste des symboles | Lista de símbolos | Elenco dei simboli
+Contents | Inhalt | Table des matières | Índice | Indice
+Given | Gegeben | Données | Datos | Dati
+Questions | Fragen | Questions | Preguntas | Domande
+Questions and solutions | Fragen und Lösungen | Questions et solutions \
+| Preguntas y soluciones | Domande e soluzioni
+Name | Name | Nom | Nombre | Nome
+Date | Datum | Date | Fecha | Data
+point | Punkt | point | punto | punto
+points | Punkte | points | puntos | punti
+In the margin | Am Rand | En marge | Al margen | A margine
+Results only | Nur Ergebnisse | Résultats seuls | Solo resultados | Solo i risultati
+Steps | Schritte | Étapes | Pasos | Passi
+Steps and reasons | Schritte und Gründe | Étapes et raisons | Pasos y razones | Passi e ragioni
+Light or dark | Hell oder dunkel | Clair ou sombre | Claro u oscuro | Chiaro o scuro
+Copy LaTeX | LaTeX kopieren | Copier LaTeX | Copiar LaTeX | Copia LaTeX
+Copied | Kopiert | Copié | Copiado | Copiato
+"""
+_CODES = ("de", "fr", "es", "it")
+WORDS: Mapping[str, Mapping[str, str]] = {
+    code: {row[0]: row[k] for row in (line.split(" | ") for line in _TABLE.strip().splitlines())}
+    for k, code in enumerate(_CODES, 1)
+}
+"""By the language's code, then by the English words."""
+
+SHOWN = ("Results only", "Steps", "Steps and reasons", "Light or dark", "Copy LaTeX", "Copied")
+"""What the buttons of a page say."""
+
+
+def said(words: str, language: str) -> str:
+    """The words in a language; as they are where it has no others for them."""
+    return WORDS.get(language, {}).get(words, words)
+
+
+def translated(document: Document) -> Document:
+    """The document with its fixed words in its language; what authors wrote is theirs."""
+    language = document.look.language
+    if language not in WORDS:
+        return document
+    blocks = tuple(_block(block, language) for block in document.blocks)
+    return replace(document, blocks=blocks, subtitle=said(document.subtitle, language))
+
+
+def _block(block: Any, language: str) -> Any:
+    match block:
+        case Heading(number=""):
+            return replace(block, title=said(block.title, language))
+        case Subhead():
+            return replace(block, words=said(block.words, language))
+        case Figure():
+            return replace(block, kind=said("Figure", language))
+        case ExerciseHead():
+            count, _, unit = block.points.partition(" ")
+            points = f"{count} {said(unit, language)}".strip()
+            return replace(block, kind=said("Exercise", language), points=points)
+        case NameLine():
+            return replace(block, words=tuple(said(words, language) for words in block.words))
+        case Legend():
+            return replace(block, head=said(block.head, language))
+        case Paragraph():
+            content = _rich(block.content, language)
+            return replace(block, content=content, label=said(block.label, language))
+        case Display():
+            reasons = [(r.reason,) if isinstance(r.reason, str) else r.reason for r in block.rows]
+            rows = (
+                replace(row, reason=_rich(words, language) if row.reason else "")
+                for row, words in zip(block.rows, reasons, strict=True)
+            )
+            return replace(block, rows=tuple(rows))
+    return block
+
+
+def _rich(content: Rich, language: str) -> Rich:
+    """Running text that cites figures."""
+    name = said("Figure", language)
+    # A noun has a capital in German everywhere.
+    inside = name if language == "de" else name.lower()
+
+    def cited(piece: Any) -> Any:
+        if not isinstance(piece, Cited):
+            return piece
+        words = re.sub(r"^Figure\b", name, re.sub(r"^figure\b", inside, piece.words))
+        return replace(piece, words=words)
+
+    return tuple(map(cited, content))

@@ -1,0 +1,463 @@
+"""The lecture and sheets of exercises as files, and one claim as a fragment to paste."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from rigidtop.errors import RigidtopError
+from rigidtop.figures.catalog import FIGURES, named
+from rigidtop.figures.drawing import Drawing, both
+from rigidtop.motion.motion import Motion
+from rigidtop.notation import NOTES as NOTES_NOTATION
+from rigidtop.notation import Notation
+from rigidtop.progress import over
+from rigidtop.proof.lecture import Lecture
+from rigidtop.proof.verdict import Judgement
+from rigidtop.report import handout, html, myst, notations, plain, tex, typst
+from rigidtop.report.files import write_all
+from rigidtop.report.handout import Parts, first_used, order_of_figures, spoken_of
+from rigidtop.report.languages import translated
+from rigidtop.report.map import contracted
+from rigidtop.report.map import picture as map_picture
+from rigidtop.report.pdf import make_pdf
+from rigidtop.report.report import (
+    NOTES,
+    Block,
+    Document,
+    Figure,
+    Front,
+    Heading,
+    Judged,
+    Look,
+    NameLine,
+    Subhead,
+    claim_blocks,
+    document,
+    is_number,
+    symbols_used,
+)
+from rigidtop.report.solutions import Solution, blocks, question
+from rigidtop.report.ways import led_blocks, text_blocks
+from rigidtop.report.wording import Wording
+
+PLAIN = Look()
+
+FORMATS = ("text", "latex", "html", "typst")
+
+
+def fragment(
+    judgement: Judgement, format: str, notation: Notation = NOTES_NOTATION, deep: bool = False
+) -> str:
+    """A claim as "text", "latex", "html" or "typst", with its derivation and its verdict.
+
+    A `deep` derivation starts from laws and definitions.
+    """
+    made = claim_blocks(Wording(notation).judgement(judgement), marks=format == "text")
+    made[1:1] = led_blocks(judgement, notation, deep)
+    made[1:1] = notations.remark(notation, symbols_used(made))
+    if format == "text":
+        return plain.fragment(made)
+    if format == "latex":
+        return tex.fragment(made)
+    if format == "html":
+        return html.fragment(made)
+    if format == "typst":
+        return typst.fragment(made)
+    raise RigidtopError(f"unknown format {format!r}: choose from {', '.join(FORMATS)}")
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure of the catalogue in a document: under a name of its own, with these parameters."""
+
+    name: str
+    drawing: Drawing
+    given: Mapping[str, float]
+
+    def shows_what(self, other: Picture) -> bool:
+        """Whether the other picture is this one under another name."""
+        same = self.drawing.name == other.drawing.name
+        return same and self.drawing.values(self.given) == other.drawing.values(other.given)
+
+    def motions(self) -> Sequence[Motion]:
+        """Those that it shows."""
+        of = self.drawing.motions
+        return of(**self.drawing.values(self.given)) if of else ()
+
+    def described(self) -> Figure:
+        """As the blocks of a document know it."""
+        values = self.drawing.values(self.given)
+        return Figure(self.name, self.drawing.caption(**values), self.drawing.alternative(**values))
+
+
+def picture(solution: Solution, notation: Notation | None = None) -> Picture | None:
+    """The figure of an exercise, with those of its settings that the figure has too."""
+    if not solution.exercise.figure:
+        return None
+    drawing = named(solution.exercise.figure)
+    known = {parameter.name for parameter in drawing.parameters}
+    given = {name: value for name, value in solution.settings.items() if name in known}
+    shown = Wording(notation or NOTES_NOTATION).drawing(drawing)
+    return Picture(f"exercise-{solution.exercise.name}", shown, given)
+
+
+def exercise_fragment(solution: Solution, notation: Notation = NOTES_NOTATION) -> str:
+    """An exercise with its solution as text."""
+    made = blocks(solution_in(notation, solution), notation=notation)
+    made[1:1] = notations.remark(notation, symbols_used(made))
+    return plain.fragment(made)
+
+
+def solution_in(notation: Notation, solution: Solution) -> Solution:
+    """A solution with its words and the equations of its claims in a notation."""
+    exercise, outcomes = Wording(notation).of((solution.exercise, solution.outcomes))
+    judgements = _in(notation, solution.judgements)
+    return replace(solution, exercise=exercise, outcomes=outcomes, judgements=judgements)
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """Which files: with a PDF, with slides, as chapters for another document, as MyST.
+
+    `player` makes of the motions of each figure what plays them in the HTML.
+    """
+
+    pdf: bool = False
+    slides: bool = False
+    fragment: bool = False
+    myst: bool = False
+    player: Callable[[Mapping[str, Sequence[Motion]]], str] | None = None
+
+
+def write_lecture(
+    judged: Judged,
+    solutions: Sequence[Solution],
+    out: Path | str,
+    *,
+    pdf: bool = False,
+    wanted: Wanted | None = None,
+    recorded: bool = False,
+    student: bool = False,
+    front: Front = NOTES,
+    figures: Sequence[Drawing] = FIGURES,
+    notation: Notation | None = None,
+    lines: Lecture | None = None,
+    points: str = "",
+    look: Look = PLAIN,
+) -> list[Path]:
+    """Write lecture.tex, lecture.html and figures/ into `out`, and what else is `wanted`.
+
+    With `recorded` it is the record of every verdict, record.tex and record.html.  Equations are in
+    the `notation`, of which the first page tells where one is given.  The exercises are without
+    solutions for a `student`.  Everything is made before anything is written, and each file is
+    replaced only by a whole one.  Raises RigidtopError, with one line, where the PDF cannot be made
+    or the folder not written.
+    """
+    files = wanted or Wanted(pdf=pdf)
+    if recorded:
+        made = record(
+            judged,
+            solutions,
+            student=student,
+            front=front,
+            figures=figures,
+            notation=notation,
+            lines=lines,
+        )
+        return _write("record", *made, out, files)
+    made = lecture(
+        judged,
+        solutions,
+        student=student,
+        front=front,
+        figures=figures,
+        notation=notation,
+        lines=lines,
+        points=points,
+        look=look,
+    )
+    return _write("lecture", *made, out, files)
+
+
+Illustrated = tuple[Document, Sequence[Picture]]
+"""A document and its figures."""
+
+
+def lecture(
+    judged: Judged,
+    solutions: Sequence[Solution] = (),
+    *,
+    student: bool = False,
+    front: Front = NOTES,
+    figures: Sequence[Drawing] = FIGURES,
+    notation: Notation | None = None,
+    lines: Lecture | None = None,
+    points: str = "",
+    look: Look = PLAIN,
+) -> Illustrated:
+    """The lecture as it is handed out: its text, figures, exercises, and their solutions.
+
+    A `student` gets no solutions.  Figures stand where the text speaks of them.
+    """
+    lines = lines or Lecture()
+    judged, figures, solutions = _written(notation, judged, figures, solutions)
+    drawings = {each.name: each for each in (*figures, *(FIGURES if figures else ()))}
+    sections = {page.section for page, _ in judged}
+    closing = {each.name: each.section for each in figures if each.section in sections}
+    texts = {page.text for page, _ in judged}
+    spoken = [name for text in lines.texts if text.name in texts for name in spoken_of(text)]
+    closing |= {name: "" for name in spoken if name in drawings and name not in closing}
+    order = order_of_figures(lines, [page for page, _ in judged], closing)
+    pictures = [Picture(name, drawings[name], {}) for name in order]
+    for each in () if student else solutions:
+        own = picture(each, notation)
+        if own is not None and not any(own.shows_what(other) for other in pictures):
+            pictures.append(own)
+    numbered = {p.name: replace(p.described(), number=k) for k, p in enumerate(pictures, 1)}
+    parts = Parts(lines, notation or NOTES_NOTATION, numbered, closing, points)
+    everything = [judgement for _, judgements in judged for judgement in judgements]
+    told = {j.claim.name: page.section for page, judgements in judged for j in judgements}
+    blocks: list[Block] = [handout.legend(everything)]
+    blocks += handout.sections(judged, solutions, parts)
+    if not student and solutions:
+        blocks += handout.solutions(solutions, parts, told)
+    blocks += handout.summary(judged)
+    chart = _map(lines, notation or NOTES_NOTATION)
+    if chart is not None:
+        pictures.append(chart)
+        blocks.append(Heading(1, "", "What rests on what", "map"))
+        blocks.append(replace(chart.described(), number=len(pictures)))
+    blocks = handout.linked(handout.parted([*blocks, *first_used(blocks)]))
+    whole = Document(
+        front.title,
+        front.subtitle,
+        tuple(blocks),
+        front.source,
+        front.author,
+        front.byline,
+        True,
+        look,
+    )
+    return _introduced(translated(whole), notation), pictures
+
+
+LEAST = 4
+"""So many numbered equations make a map."""
+
+
+def _map(lines: Lecture, notation: Notation) -> Picture | None:
+    """Which numbered equation rests on which, where there are several."""
+    numbered = contracted(lines.map, {name for name in lines.names if is_number(name)})
+    if len(numbered) < LEAST:
+        return None
+    kept = {
+        name for name, on in numbered.items() if on or any(name in x for x in numbered.values())
+    }
+    shown = {name: on for name, on in numbered.items() if name in kept}
+    caption = (
+        "Which numbered equation rests on which, by the lines of the text; arrows that a chain of "
+        "others says too are left out. Light: what the lecture starts from."
+    )
+    alternative = "A chart from left to right: " + "; ".join(
+        f"{name} rests on {', '.join(on)}" for name, on in shown.items() if on
+    )
+    drawing = Drawing(
+        "map",
+        "What rests on what",
+        "",
+        (),
+        draw=lambda: map_picture(lines, shown, notation, COLUMN),
+        caption=lambda: caption,
+        alternative=lambda: alternative,
+    )
+    return Picture("map", drawing, {})
+
+
+COLUMN = 0.68
+"""The width of a column of the map on a page (inches)."""
+
+
+def _written(
+    notation: Notation | None,
+    judged: Judged,
+    figures: Sequence[Drawing],
+    solutions: Sequence[Solution],
+) -> tuple[Judged, Sequence[Drawing], Sequence[Solution]]:
+    """Everything in a notation, where one is given."""
+    if notation is None:
+        return judged, figures, solutions
+    wording = Wording(notation)
+    return (
+        [(wording.of(page), _in(notation, judgements)) for page, judgements in judged],
+        [wording.drawing(each) for each in figures],
+        [solution_in(notation, each) for each in solutions],
+    )
+
+
+def record(
+    judged: Judged,
+    solutions: Sequence[Solution] = (),
+    *,
+    student: bool = False,
+    front: Front = NOTES,
+    figures: Sequence[Drawing] = FIGURES,
+    notation: Notation | None = None,
+    lines: Lecture | None = None,
+) -> Illustrated:
+    """The record of every verdict: the lecture's text with its `lines`, then what was found.
+
+    Figures and exercises close the sections that they belong to.
+    """
+    judged, figures, solutions = _written(notation, judged, figures, solutions)
+    sections = {page.section for page, _ in judged}
+    pictures = [Picture(each.name, each, {}) for each in figures if each.section in sections]
+    closing: list[tuple[str, Block]] = [
+        (picture.drawing.section, picture.described()) for picture in pictures
+    ]
+    told = {judgement.claim.name for _, judgements in judged for judgement in judgements}
+    for solution in solutions:
+        own = None if student else picture(solution, notation)
+        if own and any(own.shows_what(other) for other in pictures):
+            own = None  # the section has it
+        made = _exercise(solution, own, student, told, notation or NOTES_NOTATION)
+        closing += [(solution.exercise.section, block) for block in made]
+        pictures += [own] if own else []
+        told |= {judgement.claim.name for judgement in solution.judgements}
+    texts = {} if lines is None else _texts(lines, judged, notation or NOTES_NOTATION)
+    return _introduced(document(judged, closing, front, texts), notation), pictures
+
+
+def _texts(lines: Lecture, judged: Judged, notation: Notation) -> dict[str, list[Block]]:
+    """The text of each section that has one."""
+    named = {text.name: text for text in lines.texts}
+    return {
+        page.section: text_blocks(lines, named[page.text], notation)
+        for page, _ in judged
+        if page.text in named
+    }
+
+
+def _introduced(whole: Document, notation: Notation | None) -> Document:
+    """A document that begins with its notation, where one is given.
+
+    A lecture in the notation of the notes needs no words about it.
+    """
+    if notation is None or (whole.lecture and not notation.images):
+        return whole
+    first = notations.front(notation, symbols_used(whole.blocks))
+    said = f"{whole.colophon} {notations.origin(notation)}"
+    blocks = (*first, *map(Wording(notation).symbols, whole.blocks))
+    return replace(whole, blocks=blocks, colophon=said)
+
+
+def _in(notation: Notation, judgements: Sequence[Judgement]) -> tuple[Judgement, ...]:
+    return tuple(map(Wording(notation).judgement, judgements))
+
+
+def write_sheet(
+    solutions: Sequence[Solution],
+    out: Path | str,
+    *,
+    pdf: bool = False,
+    student: bool = False,
+    front: Front = NOTES,
+    notation: Notation | None = None,
+    points: str = "",
+    look: Look = PLAIN,
+) -> list[Path]:
+    """Write exercises.tex, exercises.html and figures/ into `out`: see `write_lecture`."""
+    made = sheet(
+        solutions,
+        student=student,
+        front=front,
+        notation=notation,
+        points=points,
+        look=look,
+    )
+    return _write("exercises", *made, out, Wanted(pdf=pdf))
+
+
+def sheet(
+    solutions: Sequence[Solution],
+    *,
+    student: bool = False,
+    front: Front = NOTES,
+    notation: Notation | None = None,
+    points: str = "",
+    look: Look = PLAIN,
+) -> Illustrated:
+    """Exercises one after the other, for a `student` without solutions and with a line to sign."""
+    if notation is not None:
+        solutions = [solution_in(notation, each) for each in solutions]
+    own = [] if student else [picture(each, notation) for each in solutions]
+    pictures = [each for each in own if each is not None]
+    numbered = {p.name: replace(p.described(), number=k) for k, p in enumerate(pictures, 1)}
+    parts = Parts(Lecture(), notation or NOTES_NOTATION, numbered, {}, points)
+    made: list[Block] = [NameLine()] if student else []
+    told: dict[str, str] = {}
+    for number, each in enumerate(solutions, 1):
+        made += handout.question(each.exercise, each.settings, number, points)
+        if not student:
+            made.append(Subhead("Solution"))
+            made += handout.answer(each, parts, told)
+            made += handout.checked(each, told)
+            told |= {j.claim.name: "" for j in each.judgements}
+    made = handout.linked(handout.parted([*made, *handout.first_used(made)]))
+    subtitle = "Questions" if student else "Questions and solutions"
+    whole = Document(
+        front.exercises,
+        subtitle,
+        tuple(made),
+        front.source,
+        front.author,
+        front.byline,
+        True,
+        look,
+    )
+    return _introduced(translated(whole), notation), pictures
+
+
+def _exercise(
+    solution: Solution,
+    own: Picture | None,
+    student: bool,
+    told: Collection[str],
+    notation: Notation,
+) -> list[Block]:
+    """The exercise; claims that were told before are named only."""
+    if student:
+        return question(solution.exercise, solution.settings, named=not notation.images)
+    return blocks(solution, own.described() if own else None, told=told, notation=notation)
+
+
+def _write(
+    stem: str, whole: Document, pictures: Sequence[Picture], out: Path | str, wanted: Wanted
+) -> list[Path]:
+    drawn = {each.name: both(each.drawing, each.given) for each in over("drawing", pictures)}
+    files = {f"figures/{name}.pdf": paper for name, (paper, _) in drawn.items()}
+    files |= {f"figures/{name}.svg": page for name, (_, page) in drawn.items()}
+    pages = {name: page.decode() for name, (_, page) in drawn.items()}
+    paths = {name: f"figures/{name}.pdf" for name in drawn}
+    source = tex.write(whole, paths)
+    shown = {each.name: each.motions() for each in pictures}
+    player = wanted.player(shown) if wanted.player else ""
+    contents = {
+        **files,
+        f"{stem}.tex": source.encode(),
+        f"{stem}.html": html.write(whole, pages, player=player).encode(),
+    }
+    if wanted.slides:
+        slides = html.write(whole, pages, slides=True, player=player)
+        contents["slides.html"] = slides.encode()
+    if wanted.fragment:
+        contents |= {name: text.encode() for name, text in tex.chapters(whole, paths).items()}
+    if wanted.myst:
+        contents |= {name: text.encode() for name, text in myst.write(whole).items()}
+    if wanted.pdf:
+        vectors = {name: f"figures/{name}.svg" for name in drawn}
+        contents[f"{stem}.pdf"] = make_pdf(
+            lambda: source, lambda: typst.write(whole, vectors), files
+        )
+    return write_all(Path(out), contents)

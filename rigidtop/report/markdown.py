@@ -1,0 +1,172 @@
+"""Claims and solutions as Markdown with LaTeX between dollars: what a notebook shows.
+
+Notebooks take MathML and styles away from pages that are not trusted, as those that somebody else
+has executed; Markdown they show in any case, in the colours of their theme.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import singledispatch
+from typing import Any
+
+from rigidtop.report.report import (
+    MARKS,
+    Cited,
+    ClaimHead,
+    Condition,
+    Conditions,
+    DataTable,
+    Display,
+    ExerciseHead,
+    Numbers,
+    Paragraph,
+    Piece,
+    Quantities,
+    Rich,
+    Row,
+    Subhead,
+    Unit,
+)
+from rigidtop.typeset import layout as lay
+from rigidtop.typeset.latex import align_row, latex
+from rigidtop.typeset.layout import Node
+from rigidtop.typeset.sentences import tex, written
+
+LINE = 84.0
+"""How many letters wide an equation may be before it is broken."""
+
+
+def markdown(blocks: Sequence[Any]) -> str:
+    """The blocks of a claim or of an exercise, one below the other."""
+    return "\n\n".join(map(_block, blocks))
+
+
+def formula(node: Any) -> str:
+    """In running text."""
+    return f"${latex(node)}$"
+
+
+def words(content: str) -> str:
+    r"""Running text with the mathematics in it.
+
+    >>> print(words("$θ̈$ vanishes, [as] $sin θ ≠ 0$"))
+    $\ddot{\theta}$ vanishes, &#91;as&#93; $\sin \theta \neq 0$
+    """
+    return written(content, lambda part: f"${tex(part)}$", _plain)
+
+
+def _plain(text: str) -> str:
+    """What means something in Markdown, as entities."""
+    return "".join(f"&#{ord(c)};" if c in "\\*_`$|<>&[]#" else c for c in text)
+
+
+def running(content: Rich) -> str:
+    """Running text with formulas."""
+    return "".join(map(_piece, content))
+
+
+def _piece(piece: Piece) -> str:
+    if isinstance(piece, Unit):
+        return _plain(piece.spaced)
+    if isinstance(piece, Cited):
+        return f"[{_plain(piece.words)}](#{piece.anchor})"
+    return words(piece) if isinstance(piece, str) else formula(piece)
+
+
+def _label(label: str) -> str:
+    return f"*{words(label)}.* " if label else ""
+
+
+@singledispatch
+def _block(block: Any) -> str:
+    raise TypeError(f"no Markdown for {type(block).__name__}")
+
+
+@_block.register
+def _(block: ClaimHead) -> str:
+    verdict = f"{MARKS[block.verdict]} {block.verdict}"
+    return f"**{_plain(block.shown)}** — **{verdict}**\n\n*The claim.* {words(block.says)}"
+
+
+@_block.register
+def _(block: Paragraph) -> str:
+    return _label(block.label) + running(block.content)
+
+
+@_block.register
+def _(block: Display) -> str:
+    return "\n\n".join(filter(None, [_label(block.label).strip(), *map(_row, block.rows)]))
+
+
+def _row(row: Row) -> str:
+    reason = running(row.spoken)
+    lines = [align_row(line) for line in lay.lines(row.equation, row.order, LINE)]
+    lines[-1] += rf" && \text{{({row.tag})}}" if row.tag else ""
+    lines[-1] += rf" && \text{{{row.verdict}}}" if row.verdict is not None else ""
+    display = f"$$\n{aligned(lines)}\n$$"
+    return "\n\n".join(filter(None, [reason, display]))
+
+
+def aligned(lines: Sequence[str]) -> str:
+    """Lines below each other; unlike an ``align`` this may stand between dollars."""
+    # A bracket at the start of a line would be read as an option.
+    safe = ["{}" + line if line.startswith("[") else line for line in lines]
+    return "\\begin{aligned}\n" + " \\\\\n".join(safe) + "\n\\end{aligned}"
+
+
+@_block.register
+def _(block: Conditions) -> str:
+    return "*Assumptions.*\n\n" + "\n".join(f"- {_condition(item)}" for item in block.items)
+
+
+def _condition(item: Condition) -> str:
+    said = f", {words(item.words)}" if item.words else ""
+    stated = "stated in the notes" if item.stated else "**not stated**"
+    return f"{formula(item.relation)}{said} ({stated}). {_numbers(item.without)}"
+
+
+@_block.register
+def _(block: Numbers) -> str:
+    return _numbers(block)
+
+
+def _numbers(block: Numbers) -> str:
+    values = ", ".join(f"${latex(name)} = {latex(value)}$" for name, value in block.values)
+    label = f"*{words(block.label)}:* " if block.label else ""
+    return label + block.said(formula) + (f" at {values}." if values else ".")
+
+
+@_block.register
+def _(block: ExerciseHead) -> str:
+    return f"**{words(block.title)}** ({words(block.asks)})"
+
+
+@_block.register
+def _(block: Subhead) -> str:
+    return f"**{words(block.words)}**"
+
+
+@_block.register
+def _(block: Quantities) -> str:
+    rows = [
+        (words(what), _cell(value), "" if unit == "1" else _plain(unit))  # s is a second, no letter
+        for what, value, unit in block.rows
+    ]
+    return _table((words(block.label), "", ""), rows)
+
+
+@_block.register
+def _(block: DataTable) -> str:
+    rows = [tuple(map(_cell, row)) for row in block.rows]
+    return f"*{words(block.title)}*\n\n" + _table(tuple(map(words, block.columns)), rows)
+
+
+def _cell(value: str | Node) -> str:
+    return words(value) if isinstance(value, str) else formula(value)
+
+
+def _table(head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> str:
+    rule = ":--" + "|--:" * (len(head) - 1)
+    lines = [" | ".join(head), rule, *(" | ".join(row) for row in rows)]
+    return "\n".join(f"| {line} |" if line is not rule else f"|{line}|" for line in lines)

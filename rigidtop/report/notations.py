@@ -1,0 +1,104 @@
+"""What a notation writes otherwise: as sentences, rows of a table and records."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import asdict
+from typing import Any
+
+from sympy import Symbol
+
+from rigidtop.notation import Notation
+from rigidtop.proof.words import unmarked
+from rigidtop.report.report import Block, DataTable, Heading, Paragraph, Rich
+from rigidtop.theory import symbols as s
+from rigidtop.theory.lettered import Lettered, stands_for
+from rigidtop.typeset.layout import layout
+from rigidtop.typeset.text import text
+
+TURNS = {"zyz": "z–y′–z″", "zxz": "z–x′–z″"}
+WORDS = "The numbers of the equations are those of the notes."
+
+
+def turns(notation: Notation) -> str:
+    """The sequence of the Euler angles, in words.
+
+    >>> from rigidtop.notation import GOLDSTEIN
+    >>> turns(GOLDSTEIN)
+    'Euler angles $z–x′–z″$: $R = Rz(φ) Rx(θ) Rz(ψ)$'
+    """
+    first, second, third = (text(notation.letters.get(x, x)) for x in (s.phi, s.theta, s.psi))
+    axis = notation.sequence[1]
+    product = f"Rz({first}) R{axis}({second}) Rz({third})"
+    return f"Euler angles ${TURNS[notation.sequence]}$: $R = {product}$"
+
+
+def different(notation: Notation, among: Iterable[Symbol] | None = None) -> list[Lettered]:
+    """The symbols that look otherwise than in the notes or are others, in order of print."""
+    used = None if among is None else set(among)
+    return [
+        letter
+        for letter in notation.letters.values()
+        if (used is None or letter in used) and text(letter) != text(notation.in_notes(letter))
+    ]
+
+
+def rows(notation: Notation) -> list[list[str]]:
+    """Letter, the same in the notes, name in code, meaning."""
+    return [
+        [text(x), text(notation.in_notes(x)), x.name, unmarked(x.quantity.meaning)]
+        for x in different(notation)
+    ]
+
+
+def record(notation: Notation) -> dict[str, Any]:
+    """What `rigidtop notation --json` says."""
+    return {
+        "name": notation.name,
+        "title": notation.title,
+        "source": notation.source,
+        "note": notation.note,
+        "euler": notation.sequence,
+        "symbols": [
+            {
+                "symbol": stands_for(x).name,
+                "name": x.name,
+                "letter": text(x),
+                "notes": text(notation.in_notes(x)),
+                "glyph": asdict(x.quantity.glyph),
+                "meaning": unmarked(x.quantity.meaning),
+                "unit": x.quantity.unit,
+            }
+            for x in different(notation)
+        ],
+    }
+
+
+def origin(notation: Notation) -> str:
+    """Whose notation it is, where that can be read, and its Euler angles."""
+    return f"Notation: {notation.title} ({notation.source}). {turns(notation)}."
+
+
+def front(notation: Notation, used: Iterable[Symbol]) -> list[Block]:
+    """A section about the notation and its symbols, of those that are `used`."""
+    made: list[Block] = [Heading(1, "", "Notation", "notation")]
+    made.append(Paragraph((origin(notation).removeprefix("Notation: "),)))
+    found = different(notation, used)
+    if notation.images:
+        made.append(Paragraph((f"{notation.note} {WORDS}".strip(),)))
+    if found:
+        cells = tuple((x.quantity.meaning, layout(x), layout(notation.in_notes(x))) for x in found)
+        made.append(DataTable("Written otherwise", ("meaning", "here", "in the notes"), cells))
+    return made
+
+
+def remark(notation: Notation, used: Iterable[Symbol]) -> list[Block]:
+    """The same for a single claim, in one paragraph; nothing in the notation of the notes."""
+    if not notation.images:
+        return []
+    pieces: Rich = (f"As in {notation.title}; {turns(notation)}.",)
+    for i, letter in enumerate(different(notation, used)):
+        between = " Here " if i == 0 else ", "
+        pieces = (*pieces, between, layout(letter), " is ", layout(notation.in_notes(letter)))
+    said = " of the notes." if len(pieces) > 1 else ""
+    return [Paragraph((*pieces, said), "Notation")]

@@ -1,0 +1,152 @@
+"""A claim as plain text for the terminal."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+from functools import singledispatch
+from typing import Any
+
+from rigidtop.proof.words import unmarked
+from rigidtop.report.report import (
+    Cited,
+    ClaimHead,
+    Condition,
+    Conditions,
+    DataTable,
+    Display,
+    ExerciseHead,
+    Measures,
+    Numbers,
+    Paragraph,
+    Piece,
+    Quantities,
+    Rich,
+    Subhead,
+    Unit,
+)
+from rigidtop.typeset.layout import Node
+from rigidtop.typeset.table import table
+from rigidtop.typeset.text import text
+
+
+def fragment(blocks: Sequence[Any], width: int = 88) -> str:
+    """The blocks of a claim or an exercise in `width` columns; equations are never wrapped."""
+    made = "\n".join(line for block in blocks for line in _lines(block, width))
+    return made.lstrip("\n") + "\n"
+
+
+def rich(content: Rich) -> str:
+    """Running text with formulas."""
+    return "".join(map(_piece, content))
+
+
+def _piece(piece: Piece) -> str:
+    if isinstance(piece, Unit):
+        return piece.spaced
+    if isinstance(piece, Cited):
+        return piece.words
+    return unmarked(piece) if isinstance(piece, str) else text(piece)
+
+
+def _wrapped(words: str, width: int, first: str = "", rest: str = "") -> list[str]:
+    return textwrap.wrap(
+        unmarked(words), width, initial_indent=first, subsequent_indent=rest, break_on_hyphens=False
+    )
+
+
+@singledispatch
+def _lines(block: Any, width: int) -> list[str]:
+    raise TypeError(f"no text for {type(block).__name__}")
+
+
+@_lines.register
+def _(block: ClaimHead, width: int) -> list[str]:
+    return ["", f"{block.shown}  [{block.verdict}]", *_wrapped(block.says, width)]
+
+
+@_lines.register
+def _(block: Paragraph, width: int) -> list[str]:
+    label = f"{block.label}: " if block.label else ""
+    return ["", *_wrapped(label + rich(block.content), width)]
+
+
+@_lines.register
+def _(block: Display, width: int) -> list[str]:
+    made = ["", f"{block.label}:"] if block.label else [""]
+    for row in block.rows:
+        reason = _wrapped(rich(row.spoken), width, "    ", "    ") if row.reason else []
+        marks = (f"({row.tag})" if row.tag else "", f"[{row.verdict}]" if row.verdict else "")
+        equation = "  ".join(filter(None, (f"  {text(row.equation, row.order)}", *marks)))
+        made += [*reason, equation]
+    return made
+
+
+@_lines.register
+def _(block: Conditions, width: int) -> list[str]:
+    made = ["", "Assumptions:"]
+    for item in block.items:
+        made += _wrapped(_condition(item), width, "  • ", "    ")
+    return made
+
+
+def _condition(item: Condition) -> str:
+    words = f", {item.words}" if item.words else ""
+    stated = "stated" if item.stated else "not stated"
+    return f"{text(item.relation)}{words} ({stated}). {_numbers(item.without)}"
+
+
+@_lines.register
+def _(block: Numbers, width: int) -> list[str]:
+    return ["", *_wrapped(_numbers(block), width)]
+
+
+def _numbers(block: Numbers) -> str:
+    values = ", ".join(f"{text(name)} = {text(value)}" for name, value in block.values)
+    return f"{block.label}: {block.said(text)}" + (f" at {values}." if values else ".")
+
+
+@_lines.register
+def _(block: Measures, width: int) -> list[str]:
+    rows = [
+        f"  {unmarked(row.what)}: error {row.error:.1e}, tolerance {row.tolerance:.1e}"
+        for row in block.rows
+    ]
+    return ["", f"{block.label}:", *rows]
+
+
+@_lines.register
+def _(block: ExerciseHead, width: int) -> list[str]:
+    return _wrapped(f"{block.title}  ({block.asks})", width)
+
+
+@_lines.register
+def _(block: Subhead, width: int) -> list[str]:
+    return ["", f"── {unmarked(block.words)} ".ljust(width, "─")]
+
+
+@_lines.register
+def _(block: Quantities, width: int) -> list[str]:
+    rows = [
+        (cell(value), "" if unit == "1" else unit, unmarked(what))
+        for what, value, unit in block.rows
+    ]
+    return ["", f"{block.label}:", *_indented(table(rows, right=(0,), width=width - 2))]
+
+
+@_lines.register
+def _(block: DataTable, width: int) -> list[str]:
+    # The last column of a table is text: here one without any.
+    rows = [(*map(cell, row), "") for row in block.rows]
+    right = range(1, len(block.columns))
+    made = table(rows, (*map(unmarked, block.columns), ""), right=right, width=width - 2)
+    return ["", *_wrapped(f"{block.title}:", width), *_indented(made)]
+
+
+def cell(value: str | Node) -> str:
+    """A cell of a table."""
+    return unmarked(value) if isinstance(value, str) else text(value)
+
+
+def _indented(lines: str) -> list[str]:
+    return [f"  {line}" for line in lines.splitlines()]

@@ -1,0 +1,238 @@
+"""Exercises solved: as blocks of a page, as records for programs."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from rigidtop.derivations.letters import LETTERS
+from rigidtop.errors import RigidtopError
+from rigidtop.notation import NOTES, Notation
+from rigidtop.parameters import settings
+from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table
+from rigidtop.proof.lecture import Lecture, Text
+from rigidtop.proof.page import Measure
+from rigidtop.proof.verdict import Judgement, judge
+from rigidtop.proof.words import unmarked
+from rigidtop.report.plain import cell
+from rigidtop.report.records import measure_record
+from rigidtop.report.records import record as judgement_record
+from rigidtop.report.report import (
+    Block,
+    DataTable,
+    ExerciseHead,
+    Figure,
+    Measures,
+    Paragraph,
+    Quantities,
+    Subhead,
+    anchor,
+    claim_blocks,
+    is_number,
+)
+from rigidtop.report.ways import led_blocks, text_blocks
+from rigidtop.typeset.layout import Node, decimal, negated
+
+DIGITS = 6
+"""Of a number in print."""
+
+SMALLEST_ANGLE = 1e-4
+"""Smaller angles say nothing in degrees (rad)."""
+
+TABLE_DIGITS = 4
+"""Of a number in a table."""
+
+
+@dataclass(frozen=True)
+class Solution:
+    """An exercise, solved for its settings; its `text`, if it has one, is among the `lines`."""
+
+    exercise: Exercise
+    settings: Mapping[str, float]
+    judgements: tuple[Judgement, ...]
+    outcomes: tuple[Outcome, ...]
+    seconds: float
+    text: Text | None = None
+    lines: Lecture = field(default_factory=Lecture)
+
+    @property
+    def measures(self) -> tuple[Measure, ...]:
+        return tuple(outcome for outcome in self.outcomes if isinstance(outcome, Measure))
+
+    @property
+    def passed(self) -> bool:
+        """Whether every claim holds, every number is confirmed by a second way, no line a gap."""
+        lines = self.text.lines if self.text else ()
+        return (
+            all(j.passed for j in self.judgements)
+            and all(m.passed for m in self.measures)
+            and all(self.lines.judged(line.id).follows for line in lines)
+        )
+
+
+def solved(
+    exercise: Exercise,
+    given: Mapping[str, float] | Sequence[str] = (),
+    judged: Mapping[str, Judgement] | None = None,
+    lines: Lecture | None = None,
+) -> Solution:
+    """Solve an exercise; `judged` are judgements of claims, by name, that need not be made again.
+
+    `lines` is the lecture with the exercise's own text, whose moves are made.  Raises RigidtopError
+    for settings that make no sense, and for a number that is not finite.
+    """
+    start = time.perf_counter()
+    values = settings(exercise.parameters, given)
+    outcomes = tuple(exercise.solve(**values))
+    for outcome in outcomes:
+        if any(isinstance(x, float) and not math.isfinite(x) for x in _numbers(outcome)):
+            raise RigidtopError(f"{exercise.name} has no finite answer for these settings")
+    known = judged or {}
+    lines = lines or Lecture()
+    judgements = tuple(
+        known.get(claim.name) or judge(claim, letters=LETTERS, lecture=lines)
+        for claim in exercise.claims
+    )
+    text = next((each for each in lines.texts if each.name == exercise.text), None)
+    seconds = time.perf_counter() - start
+    return Solution(exercise, values, judgements, outcomes, seconds, text, lines)
+
+
+def _numbers(outcome: Outcome) -> list[float | str]:
+    if isinstance(outcome, Answer):
+        return [outcome.value]
+    if isinstance(outcome, Table):
+        return [cell for row in outcome.rows for cell in row]
+    return []
+
+
+def blocks(
+    solution: Solution,
+    figure: Figure | None = None,
+    *,
+    told: Collection[str] = (),
+    notation: Notation = NOTES,
+) -> list[Block]:
+    """The exercise and its solution; claims that were `told` before are named only."""
+    exercise = solution.exercise
+    made = question(exercise, solution.settings, named=not notation.images)
+    made.append(Subhead("Solution in symbols"))
+    own = {shown.name for shown in solution.text.shown} if solution.text else set()
+    if solution.text is not None:
+        made.extend(text_blocks(solution.lines, solution.text, notation))
+    there = [judgement.claim for judgement in solution.judgements if judgement.claim.name in told]
+    if there:
+        names = ", ".join(f"({c.name})" if is_number(c.name) else c.name for c in there)
+        kind = "claim" if len(there) == 1 else "claims"
+        made.append(Paragraph((f"See the {kind} {names} above.",)))
+    for judgement in solution.judgements:
+        if judgement.claim.name not in told:
+            head, *rest = claim_blocks(judgement)
+            way = [] if judgement.claim.name in own else led_blocks(judgement, notation)
+            made.extend((head, *way, *rest))
+    made.append(Subhead("Solution in numbers"))
+    made.append(Paragraph((exercise.method,)))
+    answers = [outcome for outcome in solution.outcomes if isinstance(outcome, Answer)]
+    if answers:
+        rows = tuple((a.what, shown(a.value), _unit(a.unit, a.value)) for a in answers)
+        made.append(Quantities("Found", rows))
+    for outcome in solution.outcomes:
+        if isinstance(outcome, Table):
+            cells = tuple(tuple(shown(x, TABLE_DIGITS) for x in row) for row in outcome.rows)
+            made.append(DataTable(outcome.title, outcome.columns, cells))
+    if solution.measures:
+        made.append(Measures(solution.measures, "Confirmed", "by a second way"))
+    if figure is not None:
+        made.append(figure)
+    return made
+
+
+def question(exercise: Exercise, values: Mapping[str, float], *, named: bool = True) -> list[Block]:
+    """The exercise as a student gets it, with nothing of its solution.
+
+    The settings are `named` as in the shell, where that is no other letter than in the formulas.
+    """
+    head = ExerciseHead(exercise.title, anchor(exercise.name), exercise.asks)
+    paragraphs = [" ".join(part.split()) for part in exercise.statement.split("\n\n")]
+    given = tuple(
+        (p.about + f" ({p.name})" * named, shown(values[p.name]), _unit(p.unit, values[p.name]))
+        for p in exercise.parameters
+    )
+    made: list[Block] = [head, *(Paragraph((part,)) for part in paragraphs)]
+    return [*made, Quantities("Given", given)] if given else made
+
+
+def shown(value: float | str, digits: int = DIGITS) -> str | Node:
+    """A cell as it is printed.
+
+    >>> from rigidtop.typeset.text import text
+    >>> text(shown(-0.25)), shown("waves")
+    ('−0.25', 'waves')
+    """
+    if isinstance(value, str):
+        return value
+    node = decimal(abs(value), digits)
+    return negated(node) if value < 0 else node
+
+
+def _unit(unit: str, value: float | str) -> str:
+    """The unit, and degrees beside radians.
+
+    >>> _unit("m", 2.0), _unit("rad", -0.25)
+    ('m', 'rad = −14.32°')
+    """
+    if unit != "rad" or isinstance(value, str) or abs(value) < SMALLEST_ANGLE:
+        return unit
+    degrees = shown(math.degrees(value), 4)
+    return f"rad = {cell(degrees)}°"
+
+
+def record(solution: Solution) -> dict[str, Any]:
+    """What `rigidtop exercise --json` says."""
+    exercise = solution.exercise
+    return {
+        **listed(exercise),
+        "statement": unmarked(exercise.statement),
+        "settings": dict(solution.settings),
+        "answers": [
+            {"name": o.name, "what": unmarked(o.what), "value": _unmarked(o.value), "unit": o.unit}
+            for o in solution.outcomes
+            if isinstance(o, Answer)
+        ],
+        "tables": [
+            {
+                "name": o.name,
+                "title": unmarked(o.title),
+                "columns": [*map(unmarked, o.columns)],
+                "rows": [[*map(_unmarked, row)] for row in o.rows],
+            }
+            for o in solution.outcomes
+            if isinstance(o, Table)
+        ],
+        "measures": [measure_record(measure) for measure in solution.measures],
+        "claims": [judgement_record(judgement) for judgement in solution.judgements],
+        "passed": solution.passed,
+        "seconds": round(solution.seconds, 4),
+    }
+
+
+def _unmarked(value: float | str) -> float | str:
+    return unmarked(value) if isinstance(value, str) else value
+
+
+def listed(exercise: Exercise) -> dict[str, Any]:
+    """What `rigidtop exercise --json` says where none is named."""
+    return {
+        "name": exercise.name,
+        "title": unmarked(exercise.title),
+        "reference": exercise.section,
+        "asks": unmarked(exercise.asks),
+        "figure": exercise.figure,
+        "parameters": [
+            {"name": p.name, "default": p.default, "unit": p.unit, "about": unmarked(p.about)}
+            for p in exercise.parameters
+        ],
+    }

@@ -1,0 +1,654 @@
+"""The lecture as a LaTeX document that needs no more than a basic TeX Live."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import singledispatch
+from importlib.resources import files
+from typing import Any
+
+from rigidtop.notation.characters import MATHS, SIGNS, SUPERSCRIPTS, escape
+from rigidtop.report import plain
+from rigidtop.report.languages import said
+from rigidtop.report.report import (
+    COLORS,
+    Cited,
+    ClaimHead,
+    Condition,
+    Conditions,
+    DataTable,
+    Display,
+    Document,
+    ExerciseHead,
+    Figure,
+    FoundList,
+    Heading,
+    Legend,
+    Mark,
+    Measures,
+    NameLine,
+    Numbers,
+    Paragraph,
+    Piece,
+    Quantities,
+    Results,
+    Rich,
+    Row,
+    Subhead,
+    Summary,
+    Symbols,
+    Unit,
+    anchor,
+)
+from rigidtop.typeset import layout as lay
+from rigidtop.typeset.latex import AlignRow, align, align_row, latex, row_lines, seen
+from rigidtop.typeset.sentences import prose
+
+
+def write(document: Document, figures: Mapping[str, str]) -> str:
+    """The document.  `figures` says where the file of each figure lies, as seen from it."""
+    body = "\n\n".join(_joined(document.blocks, figures))
+    title = prose(document.title)
+    contents = r"{\small\setlength{\parskip}{0pt}\tableofcontents}"
+    if document.lecture and not any(block.number for block in _headings(document)):
+        contents = r"\thispagestyle{plain}"
+    elif document.lecture:
+        words = prose(said("Contents", document.look.language))
+        contents += rf"\markboth{{{words}}}{{}}\thispagestyle{{plain}}"
+    byline = [rf"{{\normalsize {escape(document.byline)}\par}}"] if document.byline else []
+    return "\n".join(
+        [
+            _preamble(document),
+            r"\begin{document}",
+            rf"{{\LARGE\bfseries\raggedright {title}\par}}",
+            rf"{{\large\raggedright {prose(document.subtitle)}\par}}",
+            *byline,
+            r"\vspace{0.5\baselineskip}",
+            rf"{{\footnotesize\color{{muted}} {prose(document.colophon)}\par}}",
+            r"\vspace{0.5\baselineskip}",
+            contents,
+            body,
+            r"\end{document}",
+            "",
+        ]
+    )
+
+
+USE = r"""% A chapter for a document of one's own.  In its preamble:
+%   \usepackage{rigidtop}        (rigidtop.sty lies beside the folder of the chapters)
+%   \graphicspath{{@OUT@}}       where the folder figures/ is
+% and where the chapter is to stand: \input{chapters/@NAME@}
+"""
+
+
+def chapters(document: Document, figures: Mapping[str, str]) -> dict[str, str]:
+    """Each numbered section as a file to be read into another document, and rigidtop.sty."""
+    made = {"rigidtop.sty": style_file()}
+    parts: dict[str, list[Any]] = {}
+    name = ""
+    for block in document.blocks:
+        if isinstance(block, Heading):
+            name = block.number or block.anchor
+            name = name if name not in parts else f"{name}-{block.anchor}"
+        if name:
+            parts.setdefault(name.replace(".", "-"), []).append(block)
+    for name, blocks in parts.items():
+        head = USE.replace("@NAME@", name).replace("@OUT@", "./")
+        made[f"chapters/{name}.tex"] = head + "\n\n".join(_joined(blocks, figures)) + "\n"
+    return made
+
+
+def _joined(blocks: Sequence[Any], figures: Mapping[str, str]) -> Iterator[str]:
+    """The blocks; a sentence in front of an equation goes on the paragraph above it."""
+    pending = ""
+    solved = False
+    for block, after in zip(blocks, [*blocks[1:], None], strict=True):
+        if isinstance(block, Heading) and solved != (block.anchor == "solutions"):
+            solved = not solved
+            pending = "\\rtsolutions\n" if solved else "\\rtrest\n"
+        words = pending + _shown(block, figures)
+        pending = ""
+        run_on = isinstance(block, Paragraph) and isinstance(after, Display) and after.step
+        if run_on and not block.held and after.rows[0].reason and not _stands_alone(after):
+            pending = words + "\n"
+        else:
+            yield words
+    if solved:
+        yield r"\rtrest"
+
+
+def _stands_alone(block: Display) -> bool:
+    """Whether a step is a line of its own."""
+    return bool(_in_line(_beside(block.rows, block.room), block.room))
+
+
+def _headings(document: Document) -> list[Heading]:
+    return [block for block in document.blocks if isinstance(block, Heading)]
+
+
+LANGUAGES = {"en": "british", "de": "ngerman", "fr": "french", "es": "spanish", "it": "italian"}
+"""What babel calls a language."""
+
+
+def style_file() -> str:
+    """rigidtop.sty, which a lecture and fragments of it are written with."""
+    colors = "\n".join(
+        rf"\definecolor{{{verdict}}}{{HTML}}{{{color.upper()}}}"
+        for verdict, (color, _) in COLORS.items()
+    )
+    return _style("rigidtop.sty").replace("@COLORS@", colors)
+
+
+def _inside(style: str) -> str:
+    """A style file as a part of a preamble."""
+    lines = (
+        line for line in style.splitlines() if not re.match(r"\\(Needs|Provides|endinput)", line)
+    )
+    body = "\n".join(lines).replace(r"\RequirePackage", r"\usepackage")
+    return "\\makeatletter\n" + body + "\n\\makeatother"
+
+
+def _style(name: str) -> str:
+    return files("rigidtop.report").joinpath("styles", name).read_text("utf-8")
+
+
+def _preamble(document: Document) -> str:
+    about = {
+        "@TITLE@": document.title,
+        "@AUTHOR@": document.author,
+        "@SUBJECT@": document.subtitle,
+        "@KEYWORDS@": "; ".join(document.keywords),
+    }
+    look = document.look
+    made = _style("lecture.tex" if document.lecture else "record.tex")
+    made = made.replace("@PAPER@", f"{look.paper}paper")
+    made = made.replace("@LANGUAGE@", LANGUAGES[look.language])
+    made = made.replace("@CONTENTS@", prose(said("Contents", look.language)))
+    made = made.replace("@STYLE@", _inside(style_file()))
+    if look.documentclass:
+        made = made.replace("{article}", f"{{{look.documentclass}}}", 1)
+    made += look.preamble
+    for place, words in about.items():
+        made = made.replace(place, escape_for_bookmark(words))
+    return made
+
+
+def _shown(block: Any, figures: Mapping[str, str]) -> str:
+    if isinstance(block, Figure):
+        return _figure(block, figures[block.name])
+    return tex_block(block)
+
+
+def _note(mark: Mark | None) -> str:
+    return rf"\rtnote{{{rich(mark.note)}}}" if mark is not None and mark.note else ""
+
+
+def _figure(block: Figure, path: str) -> str:
+    if block.number:
+        about = (path, block.anchor, block.label, prose(block.caption))
+        return r"\rtfigure" + "".join(f"{{{part}}}" for part in about)
+    return "\n".join(
+        [
+            r"\begin{figure}[!ht]\centering",
+            rf"\rtdrawn{{{path}}}",
+            r"\par\vspace{2pt}",
+            r"\begin{minipage}{0.86\linewidth}\footnotesize",
+            prose(block.caption),
+            r"\end{minipage}",
+            r"\end{figure}",
+        ]
+    )
+
+
+def fragment(blocks: Sequence[Any]) -> str:
+    """The equations of one claim, to be pasted; what else there is to say stands in comments."""
+    made: list[str] = []
+    for block in blocks:
+        if isinstance(block, Display):
+            first, *rest = block.rows
+            made.append(f"% {block.label}")
+            if first.follows and first.reason:  # no sentence: it would stand alone
+                made += [f"% {line}" for line in textwrap.wrap(plain.rich(first.spoken), 88)]
+                first = replace(first, reason="")
+            made.append(display((first, *rest)))
+        else:
+            made += [f"% {line}" for line in plain.fragment([block]).splitlines() if line]
+    return "\n".join(made) + "\n"
+
+
+def rich(content: Rich) -> str:
+    """Running text with formulas."""
+    return "".join(map(_piece, content))
+
+
+def _piece(piece: Piece) -> str:
+    if isinstance(piece, Unit):
+        return _unit(piece.spaced)
+    if isinstance(piece, Cited):
+        return rf"\hyperref[{piece.anchor}]{{{prose(piece.words)}}}"
+    return prose(piece) if isinstance(piece, str) else f"${_in_words(piece)}$"
+
+
+def _in_words(node: lay.Node) -> str:
+    """Mathematics in a sentence: what is long may be broken between its factors."""
+    if isinstance(node, lay.Chain) and lay.width(node) > SENTENCE:
+        signs = ["", *(f" {SIGNS[sign]} " for sign in node.signs)]
+        return "".join(sign + _in_words(side) for sign, side in zip(signs, node.sides, strict=True))
+    if isinstance(node, lay.Fraction) and lay.width(node) > SENTENCE:
+        under = latex(lay.Brackets(node.under))
+        return rf"{_in_words(node.over)}/\allowbreak {under}"
+    return latex(node).replace(")(", r")\allowbreak (")
+
+
+SENTENCE = 24.0
+"""A fraction of more letters than this is written with a slash in a sentence."""
+
+
+@singledispatch
+def tex_block(block: Any) -> str:
+    """A block as LaTeX."""
+    raise TypeError(f"no LaTeX for {type(block).__name__}")
+
+
+@tex_block.register
+def _(block: Heading) -> str:
+    command, level = ("section", 1) if block.level == 1 else ("subsection", 2)
+    title = prose(f"{block.number}\u2002{block.title}" if block.number else block.title)
+    plain = escape_for_bookmark(f"{block.number} {block.title}".strip())
+    # Figures that wait for room come before the list of symbols, not behind it.
+    begins = "\\clearpage\n" if block.anchor in APART else ""
+    return begins + (
+        rf"\room\{command}*{{{title}}}\phantomsection\label{{{block.anchor}}}"
+        rf"\addcontentsline{{toc}}{{{'sub' * (level - 1)}section}}"
+        rf"{{\texorpdfstring{{{title}}}{{{plain}}}}}\markboth{{{title}}}{{}}"
+    )
+
+
+APART = ("symbols", "results", "map")
+"""What begins a page."""
+
+
+def escape_for_bookmark(text: str) -> str:
+    """Bookmarks are Unicode, without mathematics."""
+    return "".join(c if c.isalnum() or c in " .,:;()'-" else " " for c in text)
+
+
+@tex_block.register
+def _(block: Paragraph) -> str:
+    words = rich(block.content)
+    if block.mark is not None:
+        anchored = rf"\phantomsection\label{{{block.anchor}}}" if block.anchor else ""
+        words = (
+            rf"{anchored}\rtmarked{{{block.mark.verdict}}}{{{rich(block.mark.note)}}}{{{words}}}"
+        )
+    # A labelled paragraph, the reason, is not parted from what it is the reason for.
+    return (
+        rf"\lab{{{prose(block.label)}}}{words}\nopagebreak"
+        if block.label
+        else words + r"\held" * block.held
+    )
+
+
+@tex_block.register
+def _(block: ClaimHead) -> str:
+    parts = (prose(block.shown), block.anchor, prose(block.says), block.verdict)
+    return r"\claim" + "".join(f"{{{part}}}" for part in parts)
+
+
+@tex_block.register
+def _(block: Display) -> str:
+    label = rf"\lab{{{prose(block.label)}}}" + "\n" if block.label else ""
+    if block.step:
+        rows = _beside(block.rows, block.room)
+        return label + (_in_line(rows, block.room) or display(rows, block.room))
+    return label + display(block.rows, block.room)
+
+
+def _beside(rows: Sequence[Row], room: float) -> Sequence[Row]:
+    """Short equations of one step side by side, as many as have room in a line."""
+    if any(row.tag or row.beside or row.reason for row in rows[1:]) or rows[0].tag:
+        return rows
+    made: list[Row] = []
+    used = 0.0
+    for row in rows:
+        needed = lay.width(lay.layout(row.equation, row.order)) + 5
+        if made and used + needed <= room:
+            made[-1] = replace(
+                made[-1],
+                beside=(*made[-1].beside, row.equation),
+                mark=row.mark or made[-1].mark,
+                anchor=row.anchor or made[-1].anchor,
+            )
+        else:
+            made.append(row)
+            used = 0.0
+        used += needed
+    return made
+
+
+WORD = 0.66
+"""The width of a letter of a sentence in letters of an equation."""
+
+
+def _in_line(rows: Sequence[Row], room: float) -> str:
+    """A short step in one line with its sentence; nothing where it is longer, or has a number."""
+    row, *more = rows
+    if more or row.tag or row.mark is not None or not row.reason:
+        return ""
+    equations = (row.equation, *row.beside)
+    words = rich(row.spoken)
+    width = sum(lay.width(lay.layout(each, row.order)) + 3 for each in equations)
+    if WORD * len(seen(words)) + width > room:
+        return ""
+    shown = r" \qquad ".join(latex(each, row.order) for each in equations)
+    return rf"\rtstep{{{words}}}{{{shown}}}"
+
+
+def display(rows: Sequence[Row], room: float = lay.LINE) -> str:
+    """The rows in ``align``, smaller where a line is too wide for the page.
+
+    Rows share their = sign as long as that does not make them too wide together.
+    """
+    together: list[list[AlignRow]] = []
+    for row in rows:
+        lines = _align_row(row, room)
+        if together and _width([*together[-1], lines]) <= WIDE * room:
+            together[-1].append(lines)
+        else:
+            together.append([lines])
+    # Side notes go out from the sentence: inside the display there is no place for them.
+    notes = "".join(_note(row.mark) for row in rows)
+    together[0][0] = replace(together[0][0], reason=together[0][0].reason + notes)
+    made = "\n".join(_sized(rows, room) for rows in together)
+    # Behind a side note LaTeX would allow the page to end.
+    return rf"{{\interlinepenalty10000 {made}\par}}" if notes else made
+
+
+WIDE = 1.12
+"""A line that is wider than this, in its room, does not fit in its usual size."""
+
+
+def _sized(rows: Sequence[AlignRow], room: float) -> str:
+    if _width(rows) <= WIDE * room:
+        return align(rows, room)
+    (row,) = rows
+    inside = r" \\ ".join(row_lines(_hung(row)))
+    place = rf"\phantomsection\label{{{row.label}}}" if row.label else ""
+    behind = (f"({row.tag})" if row.tag else "") + row.behind
+    return (
+        rf"{row.reason}\rtfit{{{place}}}{{$\begin{{aligned}}{inside}\end{{aligned}}$}}{{{behind}}}"
+    )
+
+
+def _hung(row: AlignRow) -> AlignRow:
+    """A row with its left side in a line of its own, where that makes it less wide."""
+    first, *rest = row.lines
+    if first.left is None or lay.width(first.left) < HUNG:
+        return row
+    left = lay.Line(None, "", first.left)
+    return replace(row, lines=(left, replace(first, left=None), *rest), hung=True)
+
+
+HUNG = 6.0
+"""A left side that is shorter than this gives no room where it stands alone."""
+
+
+def _width(rows: Sequence[AlignRow]) -> float:
+    """What rows need that share their = sign, in letters."""
+    lines = [line for row in rows for line in row.lines]
+    left = max(lay.width(line.left) if line.left else 0 for line in lines)
+    return left + 3 + max(lay.width(line.right) for line in lines)
+
+
+def _align_row(row: Row, room: float) -> AlignRow:
+    mark = f"({row.verdict})" if row.verdict is not None else ""
+    lines = tuple(lay.lines(row.equation, row.order, room))
+    if row.beside:
+        every = [lay.layout(each, row.order) for each in (row.equation, *row.beside)]
+        first, *more = every
+        assert isinstance(first, lay.Chain)
+        (line,) = lay.lines(first, row.order, 10 * room)
+        lines = (replace(line, right=lay.Listed((line.right, *more), "")),)
+    seal = rf"\rtseal{{{row.mark.verdict}}}" if row.mark is not None else ""
+    label = row.anchor if seal or row.tag else ""
+    return AlignRow(lines, row.tag, rich(row.spoken), mark, seal, label)
+
+
+@tex_block.register
+def _(block: Conditions) -> str:
+    items = "\n".join(r"\item " + _condition(item) for item in block.items)
+    return (
+        r"\lab{Assumptions}\par\nobreak\vspace{-0.6\baselineskip}"
+        + "\n"
+        + r"\begin{itemize}\setlength{\itemsep}{1pt}\setlength{\parskip}{0pt}"
+        + f"\n{items}\n"
+        + r"\end{itemize}"
+    )
+
+
+def _condition(item: Condition) -> str:
+    words = f", {prose(item.words)}" if item.words else ""
+    stated = "stated" if item.stated else r"\textbf{not stated}"
+    return rf"${latex(item.relation)}${words} ({stated}). " + tex_block(item.without)
+
+
+@tex_block.register
+def _(block: Numbers) -> str:
+    values = ", ".join(rf"${latex(name)} = {latex(value)}$" for name, value in block.values)
+    sides = block.said(lambda node: f"${latex(node)}$")
+    return rf"\lab{{{prose(block.label)}}}{sides}" + (f" at {values}." if values else ".")
+
+
+@tex_block.register
+def _(block: Measures) -> str:
+    rows = "\n".join(
+        rf"{prose(row.what)} & {_power_of_ten(row.error)} & {_power_of_ten(row.tolerance)} \\"
+        for row in block.rows
+    )
+    return "\n".join(
+        [
+            rf"\lab{{{prose(block.label)}}}\par\nopagebreak{{\small\hspace*{{2em}}%",
+            r"\begin{tabular}{@{}p{0.62\linewidth}rr@{}}",
+            rf"\toprule {prose(block.compared)} & error & tolerance \\ \midrule",
+            rows,
+            r"\bottomrule\end{tabular}\par}",
+        ]
+    )
+
+
+def _power_of_ten(number: float) -> str:
+    return f"${latex(lay.decimal(number, 2))}$"
+
+
+@tex_block.register
+def _(block: Summary) -> str:
+    rows = "\n".join(
+        rf"\verdict{{{verdict}}} & {count} & {prose(meaning)} \\[3pt]"
+        for verdict, count, meaning in block.rows
+    )
+    total = sum(count for _, count, _ in block.rows)
+    return "\n".join(
+        [
+            r"\begin{center}\begin{tabular}{@{}lr@{\quad}p{0.68\linewidth}@{}}",
+            r"\toprule verdict & claims & what it says \\ \midrule",
+            rows,
+            rf"\midrule & {total} & \\ \bottomrule",
+            r"\end{tabular}\end{center}",
+        ]
+    )
+
+
+@tex_block.register
+def _(block: FoundList) -> str:
+    rows = "\n".join(
+        rf"{prose(row.section)} & \hyperref[{row.anchor}]{{{escape(row.name)}}} & "
+        rf"\verdict{{{row.verdict}}} & {rich(row.content)} \\[3pt]"
+        for row in block.rows
+    )
+    return "\n".join(
+        [
+            r"{\small",
+            r"\begin{longtable}{@{}l>{\raggedright}p{0.17\linewidth}l"
+            r">{\raggedright\arraybackslash}p{0.50\linewidth}@{}}",
+            r"\toprule section & claim & verdict & what is amiss \\ \midrule \endhead",
+            rows,
+            r"\bottomrule\end{longtable}}",
+        ]
+    )
+
+
+def _unit(unit: str) -> str:
+    """A unit in upright letters."""
+    return "".join(map(_unit_character, unit))
+
+
+def _unit_character(c: str) -> str:
+    if c in SUPERSCRIPTS:
+        return f"$^{{{SUPERSCRIPTS[c]}}}$"
+    return f"${MATHS[c]}$" if c in "−×″" else escape(c)
+
+
+@tex_block.register
+def _(block: Symbols) -> str:
+    rows = "\n".join(
+        rf"\rtsymbol{{${latex(node)}$}}{{{prose(meaning)}}}{{{'' if unit == '1' else _unit(unit)}}}"
+        for node, meaning, unit in block.rows
+    )
+    begin = r"\begin{multicols}{2}\footnotesize\setlength{\parskip}{2pt}"
+    return f"{begin}{rows}\\end{{multicols}}"
+
+
+@tex_block.register
+def _(block: ExerciseHead) -> str:
+    parts = (prose(block.title), block.anchor, prose(block.asks))
+    if not block.number:
+        return r"\exercise" + "".join(f"{{{part}}}" for part in parts)
+    title = prose(f"{block.label}. {block.title}")
+    return rf"\rtexercise{{{title}}}{{{parts[1]}}}{{{parts[2]}}}{{{prose(block.points)}}}"
+
+
+@tex_block.register
+def _(block: Legend) -> str:
+    items = r"\quad ".join(
+        rf"\mbox{{\rtmark{{{verdict}}}}}~{prose(words)}." for verdict, words in block.rows
+    )
+    return rf"{{\footnotesize\color{{muted}} {prose(block.head)}: {items}\par}}"
+
+
+@tex_block.register
+def _(block: NameLine) -> str:
+    return r"\noindent " + r"\quad ".join(rf"{prose(word)}: \hrulefill" for word in block.words)
+
+
+@tex_block.register
+def _(block: Results) -> str:
+    made: list[str] = []
+    for number, equation, words, mark in block.rows:
+        lines = [align_row(line).replace("&", "") for line in lay.lines(equation, "printed", ROOM)]
+        shown = r" \newline ".join(rf"$\displaystyle {line}$" for line in lines)
+        link = rf"\hyperref[{anchor(number)}]{{({number})}}" if number else ""
+        sign = rf"\rtmark{{{mark.verdict}}}" if mark is not None else ""
+        made.append(rf"{sign} & {link} & {shown} & {prose(words)} \\[1pt]")
+    return "\n".join(
+        [
+            r"\noindent\makebox[0pt][l]{\footnotesize\begin{tabular}{@{}r@{\ }l@{\ \ }"
+            r"p{112mm}>{\raggedright\arraybackslash}p{40mm}@{}}",
+            *made,
+            r"\end{tabular}}",
+        ]
+    )
+
+
+ROOM = 62.0
+"""Letters of a line in the summary of results."""
+
+
+@tex_block.register
+def _(block: Subhead) -> str:
+    return rf"\{'rtsub' if block.level else 'subhead'}{{{prose(block.words)}}}"
+
+
+@tex_block.register
+def _(block: Quantities) -> str:
+    units = ["" if unit in ("", "1") else _piece(Unit(unit)) for _, _, unit in block.rows]
+    rows = [
+        rf"\rtquantity{{{prose(what)}}}{{{_cell(value)}{behind}}}"
+        for (what, value, _), behind in zip(block.rows, units, strict=True)
+    ]
+    # Two of them at least stay together.
+    rows[1:1] = [r"\nobreak"]
+    rows[-1:-1] = [r"\nobreak"] * (len(block.rows) > 2)
+    label = rf"\lab{{{prose(block.label)}}}\par\nopagebreak" if block.label else ""
+    return f"{label}\\rtquantities{{{''.join(rows)}}}"
+
+
+@tex_block.register
+def _(block: DataTable) -> str:
+    first, *others = (_stacked(words) for words in block.columns)
+    head = " & ".join([_head(first, "l"), *(_head(lines, "r") for lines in others)])
+    count = len(block.columns)
+    together = WHOLE if len(block.rows) <= WHOLE else 3
+    rows = "\n".join(
+        " & ".join(map(_cell, row)) + (r" \\*" if i < together else r" \\")
+        for i, row in enumerate(block.rows)
+    )
+    if block.whole:
+        inside = rows.replace(r"\\*", r"\\")
+        return (
+            rf"\rttable{{{prose(block.title)}}}{{"
+            rf"\begin{{tabular}}{{@{{}}l*{{{count - 1}}}{{r}}@{{}}}}"
+            rf"\toprule {head} \\ \midrule {inside} \bottomrule\end{{tabular}}}}"
+        )
+    # The title is part of the head, or a page could end beneath it.
+    title = rf"\multicolumn{{{count}}}{{@{{}}l@{{}}}}{{\tabletitle{{{prose(block.title)}}}}} \\*"
+    return "\n".join(
+        [
+            r"{\scriptsize\setlength{\tabcolsep}{3pt}" if _is_wide(block) else r"{\footnotesize",
+            rf"\begin{{longtable}}[l]{{@{{\hspace*{{2em}}}}l*{{{count - 1}}}{{r}}@{{}}}}",
+            rf"{title} \toprule {head} \\ \midrule \endfirsthead",
+            rf"\toprule {head} \\ \midrule \endhead",
+            rows,
+            r"\bottomrule\end{longtable}}",
+        ]
+    )
+
+
+WHOLE = 14
+"""A table of no more rows stays on one page."""
+
+WIDEST = 84
+"""Letters of a table in its usual size; a wider one is set smaller."""
+
+
+def _is_wide(block: DataTable) -> bool:
+    heads = (max(_stacked(words), key=len) for words in block.columns)
+    columns = zip(heads, *block.rows, strict=True)
+    return sum(2 + max(_letters(value) for value in column) for column in columns) > WIDEST
+
+
+NARROW = 13
+"""Letters of a line in the head of a table, where its words allow it."""
+
+
+def _stacked(words: str) -> list[str]:
+    """The head of a column in lines."""
+    return textwrap.wrap(words, NARROW, break_long_words=False, break_on_hyphens=False) or [""]
+
+
+def _head(lines: Sequence[str], side: str) -> str:
+    shown = [prose(line) for line in lines]
+    if len(shown) == 1:
+        return shown[0]
+    inner = r" \\ ".join(shown)
+    return rf"\begin{{tabular}}[b]{{@{{}}{side}@{{}}}}{inner}\end{{tabular}}"
+
+
+def _letters(value: str | lay.Node) -> float:
+    return len(value) if isinstance(value, str) else lay.width(value)
+
+
+def _cell(value: str | lay.Node) -> str:
+    return prose(value) if isinstance(value, str) else f"${latex(value)}$"

@@ -1,0 +1,378 @@
+"""The lecture as a Typst document; formulas come through `tylax` from our LaTeX (extra ``pdf``)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from functools import singledispatch
+from importlib.resources import files
+from typing import Any
+
+from rigidtop.report.languages import said
+from rigidtop.report.report import (
+    COLORS,
+    Cited,
+    ClaimHead,
+    Condition,
+    Conditions,
+    DataTable,
+    Display,
+    Document,
+    ExerciseHead,
+    Figure,
+    FoundList,
+    Heading,
+    Legend,
+    Mark,
+    Measures,
+    NameLine,
+    Numbers,
+    Paragraph,
+    Piece,
+    Quantities,
+    Results,
+    Rich,
+    Row,
+    Subhead,
+    Summary,
+    Symbols,
+    Unit,
+    anchor,
+    groups,
+)
+from rigidtop.typeset import layout as lay
+from rigidtop.typeset.latex import align_row, latex
+from rigidtop.typeset.sentences import tex, written
+
+
+def write(document: Document, figures: Mapping[str, str]) -> str:
+    """The document.  `figures` says where the file of each figure lies, as seen from it."""
+    body = "\n\n".join(
+        _figure(block, figures[block.name]) if isinstance(block, Figure) else typst_block(block)
+        for block in document.blocks
+    )
+    depth = 2 if document.lecture else 3
+    contents = said("Contents", document.look.language)
+    return "\n".join(
+        [
+            _preamble(document),
+            f'#text(size: 17pt, weight: "bold")[{prose(document.title)}]',
+            f"#v(-0.4em)\n#text(size: 12pt, fill: muted)[{prose(document.subtitle)}]\n",
+            *([plain(document.byline) + "\n"] if document.byline else []),
+            f"#text(size: 9pt, fill: muted)[{prose(document.colophon)}]",
+            f"#text(size: 9.5pt)[#outline(title: [{contents}], depth: {depth})]",
+            body,
+            "",
+        ]
+    )
+
+
+def _preamble(document: Document) -> str:
+    about = {
+        "@TITLE@": _quoted(document.title),
+        "@AUTHOR@": _quoted(document.author),
+        "@SUBJECT@": _quoted(document.subtitle),
+        "@KEYWORDS@": "".join(f"{_quoted(words)}, " for words in document.keywords),
+    }
+    about["@PAPER@"] = {"a4": "a4", "letter": "us-letter"}[document.look.paper]
+    about["@LANGUAGE@"] = document.look.language
+    about["@RIGHT@"] = "52mm" if document.lecture else "28mm"
+    made = _style()
+    for place, words in about.items():
+        made = made.replace(place, words)
+    return made
+
+
+def _style() -> str:
+    """What every document begins with."""
+    made = files("rigidtop.report").joinpath("styles", "document.typ").read_text("utf-8")
+    colors = (f'"{verdict}": rgb("#{light}")' for verdict, (light, _) in COLORS.items())
+    return made.replace("@COLORS@", ", ".join(colors))
+
+
+def fragment(blocks: Sequence[Any]) -> str:
+    """The blocks of one claim, with the functions that they use."""
+    style = _style()
+    functions = style[style.index("#let muted") :]
+    return functions + "\n" + "\n\n".join(map(typst_block, blocks)) + "\n"
+
+
+def _figure(block: Figure, path: str) -> str:
+    alternative = block.alternative.replace('"', "'")
+    label = f"*{block.label}.* " if block.number else ""
+    made = (
+        f'#figure(image("{path}", alt: "{alternative}"), placement: top, numbering: none, '
+        f"caption: [{label}{prose(block.caption)}])"
+    )
+    return f"{made} <{block.anchor}>" if block.number else made
+
+
+# --- Text and formulas ---------------------------------------------------------------------------
+
+
+def plain(text: str) -> str:
+    """Text as a Typst string, in which nothing has to be escaped but quotes and backslashes.
+
+    >>> print(plain('a #b "c"'))
+    #"a #b \\"c\\"";
+    """
+    return f"#{_quoted(text)};"
+
+
+def _quoted(text: str) -> str:
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("'", "’") + '"'
+
+
+def prose(text: str) -> str:
+    """A sentence with mathematics between dollars."""
+    return written(text, lambda part: f"${maths(tex(part))}$", plain)
+
+
+def maths(tex: str) -> str:
+    """A LaTeX formula as Typst mathematics, without the dollars."""
+    from tylax import latex_to_typst
+
+    # What follows a fraction of single letters would be set close to it: 1/nux.
+    apart = re.sub(r"(\{(?:\\[A-Za-z]+|\w+)\})(?=[\w\\])", r"\1 ", tex)
+    made = latex_to_typst(f"${apart}$").strip().strip("$").strip()
+    made = re.sub(r"#text\[([^\]]*)\]", lambda m: f'"{_words(m[1])}"', made)
+    made = re.sub(r"_\(([^()]*)\)('+)", r"\2_(\1)", made)  # else the prime goes to the index
+    return re.sub(r'"[^"]*"|(\w+)/ ?(\w+)', _fraction, made)
+
+
+def _fraction(found: re.Match[str]) -> str:
+    r"""A plain a/b, which a fraction becomes that has one letter or number above and one below.
+
+    >>> maths(r"\tfrac{1}{12}M + \frac{1}{\nu}\,x + \text{rad/s}")
+    'inline(1/12) M + frac(1, nu) thin x + "rad/s"'
+    """
+    over, under = found.groups()
+    if over is None:  # in words
+        return found[0]
+    whole = over.isdigit() and under.isdigit()
+    return f"inline({over}/{under})" if whole else f"frac({over}, {under})"
+
+
+def _words(text: str) -> str:
+    """Words of a formula, in which Typst makes no dashes."""
+    return text.replace("\\", "").replace("---", "—").replace("--", "–")
+
+
+def rich(content: Rich) -> str:
+    """Running text with formulas."""
+    return "".join(map(_piece, content))
+
+
+def _piece(piece: Piece) -> str:
+    if isinstance(piece, Unit):
+        return plain(piece.spaced)
+    if isinstance(piece, Cited):
+        return f'#link(label("{piece.anchor}"))[{plain(piece.words)}]'
+    return prose(piece) if isinstance(piece, str) else f"${maths(latex(piece))}$"
+
+
+def _note(mark: Mark | None) -> str:
+    return f"#note[{rich(mark.note)}]" if mark is not None and mark.note else ""
+
+
+# --- Blocks --------------------------------------------------------------------------------------
+
+
+@singledispatch
+def typst_block(block: Any) -> str:
+    """A block as Typst."""
+    raise TypeError(f"no Typst for {type(block).__name__}")
+
+
+@typst_block.register
+def _(block: Heading) -> str:
+    number = plain(block.number) + "#h(0.7em)" if block.number else ""
+    return f"{'=' * block.level} {number}{prose(block.title)} <{block.anchor}>"
+
+
+@typst_block.register
+def _(block: Paragraph) -> str:
+    words = rich(block.content)
+    if block.mark is not None:
+        seal = f'#seal("{block.mark.verdict}"){_note(block.mark)}'
+        place = f' #label("{block.anchor}")' if block.anchor else ""
+        words = f"{seal}{words}{place}"
+    # A labelled paragraph, the reason, is not parted from what it is the reason for.
+    held = block.label or block.held
+    return f"#block(sticky: true)[{_label(block.label)}{words}]" if held else words
+
+
+def _head(words: str) -> str:
+    return f"#head[{prose(words)}]"
+
+
+def _label(words: str) -> str:
+    return f"#lab[{prose(words)}]" if words else ""
+
+
+@typst_block.register
+def _(block: ClaimHead) -> str:
+    shown, says = prose(block.shown), prose(block.says)
+    return f'#claim([{shown}], "{block.anchor}", [{says}], "{block.verdict}")'
+
+
+@typst_block.register
+def _(block: Display) -> str:
+    label = _head(block.label) + "\n\n" if block.label else ""
+    return label + "\n\n".join(_rows(group) for group in groups(block))
+
+
+def _rows(group: Sequence[Row]) -> str:
+    last = group[-1]
+    reason = rich(group[0].spoken)
+    rows = [align_row(line) for row in group for line in lay.lines(row.equation, row.order)]
+    body = maths(r" \\ ".join(rows))
+    shown = f'#eq("{last.tag}", "{last.verdict or ""}", $ {body} $)'
+    mark = next((row.mark for row in group if row.mark is not None), None)
+    place = next((row.anchor for row in group if row.anchor), "")
+    if place:
+        shown += f' #label("{place}")'
+    if mark is not None:
+        reason = f'#seal("{mark.verdict}"){_note(mark)}{reason}'
+    return f"#why[{reason}]\n{shown}" if reason else shown
+
+
+@typst_block.register
+def _(block: Conditions) -> str:
+    items = "\n".join(f"- {_condition(item)}" for item in block.items)
+    return f"{_head('Assumptions')}\n{items}"
+
+
+def _condition(item: Condition) -> str:
+    words = f", {prose(item.words)}" if item.words else ""
+    stated = "stated" if item.stated else "*not stated*"
+    return f"${maths(latex(item.relation))}${words} ({stated}). {typst_block(item.without)}"
+
+
+@typst_block.register
+def _(block: Numbers) -> str:
+    values = ", ".join(f"${maths(f'{latex(n)} = {latex(v)}')}$" for n, v in block.values)
+    sides = block.said(lambda node: f"${maths(latex(node))}$")
+    return f"{_label(block.label)}{sides}" + (f" at {values}." if values else ".")
+
+
+WHOLE = 14
+"""A table of no more rows stays on one page."""
+
+
+def _table(columns: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    cells = "\n".join("  " + ", ".join(f"[{cell}]" for cell in row) + "," for row in rows)
+    heads = ", ".join(f"text(fill: muted)[{words}]" for words in head)
+    header = f"table.header({heads}), table.hline(stroke: 0.4pt)," if head else ""
+    breakable = "true" if len(rows) > WHOLE else "false"
+    return (
+        f"#block(breakable: {breakable}, text(size: 9.5pt)[#set par(justify: false)\n"
+        f"#table(columns: {columns}, stroke: none, inset: (x: 5pt, y: 3.5pt),\n"
+        f"  table.hline(stroke: 0.8pt), {header}\n"
+        f"{cells}\n  table.hline(stroke: 0.8pt))])"
+    )
+
+
+@typst_block.register
+def _(block: Measures) -> str:
+    rows = [(prose(r.what), _power(r.error), _power(r.tolerance)) for r in block.rows]
+    head = (prose(block.compared), "error", "tolerance")
+    return _head(block.label) + "\n" + _table("(1fr, auto, auto)", head, rows)
+
+
+def _power(number: float) -> str:
+    return f"${maths(latex(lay.decimal(number, 2)))}$"
+
+
+@typst_block.register
+def _(block: Summary) -> str:
+    rows = [(f'#verdict("{v}")', str(count), prose(meaning)) for v, count, meaning in block.rows]
+    rows.append(("all", str(sum(count for _, count, _ in block.rows)), ""))
+    return _table("(auto, auto, 1fr)", ("verdict", "claims", "what it says"), rows)
+
+
+@typst_block.register
+def _(block: FoundList) -> str:
+    rows = [
+        (
+            prose(row.section),
+            f'#link(label("{row.anchor}"))[{plain(row.name)}]',
+            f'#verdict("{row.verdict}")',
+            rich(row.content),
+        )
+        for row in block.rows
+    ]
+    head = ("section", "claim", "verdict", "what is amiss")
+    return _table("(auto, 7.5em, auto, 1fr)", head, rows)
+
+
+@typst_block.register
+def _(block: Symbols) -> str:
+    rows = [
+        (f"${maths(latex(node))}$", prose(meaning), plain(unit))
+        for node, meaning, unit in block.rows
+    ]
+    return _table("(auto, 1fr, auto)", ("symbol", "meaning", "unit"), rows)
+
+
+@typst_block.register
+def _(block: ExerciseHead) -> str:
+    title, asks = prose(block.title), prose(block.asks)
+    if block.number:
+        points = prose(block.points)
+        return f'#asked([{block.label}. {title}], "{block.anchor}", [{asks}], [{points}])'
+    return f'#exercise([{title}], "{block.anchor}", [{asks}])'
+
+
+@typst_block.register
+def _(block: Subhead) -> str:
+    return f"#subhead[{prose(block.words)}]"
+
+
+@typst_block.register
+def _(block: Legend) -> str:
+    items = " ".join(f'#sign("{verdict}") {prose(words)}.' for verdict, words in block.rows)
+    return f"#text(size: 9pt, fill: muted)[{plain(block.head)}: {items}]"
+
+
+@typst_block.register
+def _(block: NameLine) -> str:
+    columns = ", ".join(
+        f"[{prose(word)}: #box(width: 1fr, line(length: 100%))]" for word in block.words
+    )
+    return f"#grid(columns: {len(block.words)}, column-gutter: 2em, {columns})"
+
+
+@typst_block.register
+def _(block: Results) -> str:
+    rows = [
+        (
+            f'#link(label("{anchor(number)}"))[{plain(f"({number})")}]' if number else "",
+            f"$ {maths(latex(equation, 'printed'))} $",
+            prose(words),
+        )
+        for number, equation, words, _ in block.rows
+    ]
+    return _table("(auto, 1fr, 30%)", ("number", "equation", "what it says"), rows)
+
+
+@typst_block.register
+def _(block: Quantities) -> str:
+    rows = [
+        (prose(what), f"#align(right)[{_cell(value)}]", plain("" if unit == "1" else unit))
+        for what, value, unit in block.rows
+    ]
+    return _head(block.label) + "\n" + _table("(1fr, auto, auto)", (), rows)
+
+
+@typst_block.register
+def _(block: DataTable) -> str:
+    rows = [(_cell(row[0]), *(f"#align(right)[{_cell(x)}]" for x in row[1:])) for row in block.rows]
+    columns = ", ".join(["auto"] * len(block.columns))
+    head = [prose(words) for words in block.columns]
+    title = f"#title[{prose(block.title)}]"
+    return title + "\n" + _table(f"({columns},)", head, rows)
+
+
+def _cell(value: str | lay.Node) -> str:
+    return prose(value) if isinstance(value, str) else f"${maths(latex(value))}$"

@@ -1,0 +1,359 @@
+"""Derivations as they are shown: each line after the sentence that says its move."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import replace
+from string import ascii_lowercase, ascii_uppercase
+from types import MappingProxyType
+from typing import Any
+
+import sympy
+
+from rigidtop.notation import NOTES, Notation
+from rigidtop.notation.characters import TEX_GREEK
+from rigidtop.proof.algebra import Letters
+from rigidtop.proof.derivation import Judged, Line, diagnose
+from rigidtop.proof.equation import Equation
+from rigidtop.proof.lecture import Heading, Lecture, Shown, Text
+from rigidtop.proof.moves import Condition
+from rigidtop.proof.units import UnitsError
+from rigidtop.proof.verdict import Judgement, Led
+from rigidtop.report import plain
+from rigidtop.report.report import (
+    Block,
+    Cited,
+    Display,
+    Figure,
+    Mark,
+    Paragraph,
+    Rich,
+    Row,
+    Subhead,
+)
+from rigidtop.typeset.latex import latex
+from rigidtop.typeset.layout import Node, layout
+from rigidtop.typeset.text import text
+
+
+def way_blocks(
+    lecture: Lecture, name: str, notation: Notation = NOTES, deep: bool = False
+) -> list[Block]:
+    """The lines that lead to what a name names, and what they start from.
+
+    What does not follow is said.  A `deep` way starts from laws and definitions alone.
+    """
+    ids, starts = lecture.way(name, deep)
+    rows = [row for id in ids for row in line_rows(lecture, id, notation, starts)]
+    blocks: list[Block] = [Display(tuple(rows), "Derivation")]
+    if starts:
+        names = [called(lecture.lines[id], notation) for id in starts]
+        blocks.append(Paragraph((*_listed(names), "."), "From"))
+    return [*blocks, *gaps(lecture, (*ids, *(x for x in starts if x in lecture.laws)))]
+
+
+def led_blocks(judgement: Judgement, notation: Notation = NOTES, deep: bool = False) -> list[Block]:
+    """The lines that lead to a claim that was judged with them; none where there are none."""
+    return [
+        block
+        for item in judgement.items
+        if isinstance(item, Led)
+        for block in way_blocks(item.lecture, item.name, notation, deep)
+    ]
+
+
+def text_blocks(
+    lecture: Lecture,
+    text: Text,
+    notation: Notation = NOTES,
+    marks: Mapping[str, Sequence[Block | Mark]] = MappingProxyType({}),
+    figures: Mapping[str, Figure] = MappingProxyType({}),
+) -> list[Block]:
+    """A page as it is read: its paragraphs, its headings, and every line after its sentence.
+
+    `marks` stand beside the last line of what they name, and blocks among them behind it.  Each of
+    the `figures` stands behind the paragraph that speaks of it first, and is cited by its number.
+    """
+    blocks: list[Block] = []
+    rows: list[Row] = []
+    placed: set[str] = set()
+    own = [line.id for line in text.lines]
+    at: dict[str, Sequence[Block | Mark]] = {}
+    for name, beside in marks.items():
+        ids = [id for id in own if id in lecture.names.get(name, ())]
+        if ids:
+            at[ids[-1]] = (*at.get(ids[-1], ()), *beside)
+
+    def close() -> None:
+        if rows:
+            blocks.append(Display(tuple(rows)))
+            rows.clear()
+
+    def place(words: Sequence[Any]) -> None:
+        """The figures that were spoken of."""
+        for name in cited_figures(words):
+            if name in figures and name not in placed:
+                placed.add(name)
+                blocks.append(figures[name])
+
+    for block in text.blocks[1:] if _is_title(text) else text.blocks:
+        if isinstance(block, Shown):
+            if block.line is not None:
+                beside = at.get(block.line.id, ())
+                made = line_rows(lecture, block.line.id, notation, figures=figures)
+                marked = [each for each in beside if isinstance(each, Mark)]
+                rows += [*made[:-1], replace(made[-1], mark=marked[0] if marked else None)]
+                behind = [each for each in beside if not isinstance(each, Mark)]
+                if behind or cited_figures(block.line.words):
+                    close()
+                    place(block.line.words)
+                    blocks += behind
+            continue
+        close()
+        content = running(block.pieces, notation, figures)
+        if isinstance(block, Heading):
+            blocks.append(Subhead(plain.rich(content)))
+        else:
+            blocks.append(Paragraph(content))
+            place(block.pieces)
+    close()
+    return [*blocks, *gaps(lecture, [line.id for line in text.lines])]
+
+
+_FIGURE = re.compile(r"\[([^\]]+)\]\(#figure-([\w-]+)\)")
+
+
+def cited_figures(words: Sequence[Any]) -> list[str]:
+    """The names of the figures that running text speaks of: [the figure](#figure-cones)."""
+    return [m[2] for piece in words if isinstance(piece, str) for m in _FIGURE.finditer(piece)]
+
+
+def _with_figures(words: str, figures: Mapping[str, Figure]) -> Rich:
+    """Text that cites figures by their numbers; in its own words where they have none."""
+    made: list[Any] = []
+    end = 0
+    for found in _FIGURE.finditer(words):
+        made.append(words[end : found.start()])
+        figure = figures.get(found[2])
+        if figure is None:
+            made.append(found[1])
+        else:
+            label = figure.label if found[1][:1].isupper() else figure.label.lower()
+            made.append(Cited(label, figure.anchor))
+        end = found.end()
+    return tuple(piece for piece in (*made, words[end:]) if piece)
+
+
+def _is_title(text: Text) -> bool:
+    return bool(text.blocks) and isinstance(text.blocks[0], Heading)
+
+
+def line_rows(
+    lecture: Lecture,
+    id: str,
+    notation: Notation = NOTES,
+    above: Collection[str] = (),
+    figures: Mapping[str, Figure] = MappingProxyType({}),
+) -> list[Row]:
+    """A line with its sentence.  What stands `above`, and is not shown, is called by its name."""
+    judged = lecture.judged(id)
+    words = _without_it(lecture, judged.line, above, notation, figures)
+    words = _spoken(words, judged, notation)
+    place = "line-" + re.sub(r"[^A-Za-z0-9]+", "-", id)
+    last = len(judged.line.equations) - 1
+    return [
+        Row(
+            notation.written(equation),
+            "printed",
+            equation.tag,
+            words if k == 0 else "",
+            anchor=place if k == last else "",
+        )
+        for k, equation in enumerate(judged.line.equations)
+    ]
+
+
+def gaps(lecture: Lecture, ids: Iterable[str]) -> list[Block]:
+    """What does not follow, with its place."""
+    found = [lecture.judged(id) for id in ids]
+    return [
+        Paragraph((f"{gap(each, lecture.letters)}.",), "Gap") for each in found if not each.follows
+    ]
+
+
+_IT = re.compile(r"\bit\b(?! is)")
+
+
+def _without_it(
+    lecture: Lecture,
+    line: Line,
+    above: Collection[str],
+    notation: Notation,
+    figures: Mapping[str, Figure],
+) -> Rich:
+    """A sentence in which "it" is a name where the line just above is not shown."""
+    words = running(line.words, notation, figures)
+    if line.move is None:
+        return words
+    before = lecture.before(line.id)
+    if before not in above or before not in {known.id for known in line.move.cited}:
+        return words
+    name = called(lecture.lines[before], notation)
+    made: list[Any] = []
+    for piece in words:
+        parts = _IT.split(piece) if isinstance(piece, str) else [piece]
+        for k, part in enumerate(parts):
+            made += [*name, part] if k else [part]
+    return tuple(made)
+
+
+def _spoken(words: Rich, judged: Judged, notation: Notation) -> Rich:
+    """A sentence, with the condition that its move brings: "where sin θ ≠ 0"."""
+    move = judged.line.move
+    cited = () if move is None else move.cited
+    old = [c for known in cited for c in known.conditions]
+    old += () if move is None else move.where
+    new = [c for c in judged.known.conditions if c not in old and c.relation not in ("=", "start")]
+    if not (new and words and isinstance(words[-1], str)):
+        return words
+    made: list[Any] = [*words[:-1], words[-1].rstrip().rstrip(":")]
+    for k, condition in enumerate(new):
+        made += [" and " if k else ", where ", relation(condition, notation)]
+    return (*made, ":")
+
+
+def relation(condition: Condition, notation: Notation = NOTES) -> Node:
+    """A condition as it is printed: sin θ ≠ 0."""
+    sign = "=" if condition.relation == "start" else condition.relation
+    equation = Equation(condition.expression, sympy.Integer(0), relation=sign)
+    return layout(notation.written(equation), "auto")
+
+
+def running(
+    words: Sequence[Any],
+    notation: Notation = NOTES,
+    figures: Mapping[str, Figure] = MappingProxyType({}),
+) -> Rich:
+    """Running text with its mathematics laid out."""
+    made: list[Any] = []
+    for piece in words:
+        if isinstance(piece, str):
+            made += _with_figures(piece, figures)
+        else:
+            unread = getattr(piece, "latex", None)
+            made.append(_marked(unread) if unread else layout(notation.written(piece), "printed"))
+    return tuple(made)
+
+
+_GREEK = {name: letter for letter, name in TEX_GREEK.items()}
+_BOLD = {c: chr(0x1D400 + k) for k, c in enumerate(ascii_uppercase + ascii_lowercase)}
+
+
+def _marked(tex: str) -> str:
+    r"""Mathematics that is no expression, marked as in sentences, its letters as characters.
+
+    >>> _marked(r"\mathbf u + i\mathbf v"), _marked(r"2\cos\alpha\,\mathbf{n}_k")
+    ('$𝐮 + i𝐯$', '$2 cos α 𝐧_k$')
+    """
+    bold = re.sub(r"\\mathbf\s*\{?([A-Za-z])\}?", lambda m: _BOLD[m[1]], tex)
+    words = re.sub(r"\\[A-Za-z]+", lambda m: _GREEK.get(m[0], f" {m[0][1:]} "), bold)
+    plain = re.sub(r"[{}]", "", words.replace(r"\,", " "))
+    return f"${' '.join(plain.split())}$"
+
+
+def called(line: Line, notation: Notation = NOTES) -> Rich:
+    """What an equation is called: by its number, else by its name, else by its place."""
+    tag = next((e.tag for e in line.equations if e.tag), "")
+    if tag:
+        return (f"({tag})",)
+    if not line.called:
+        return (f"line {line.at}",)
+    first, *rest = running(line.words, notation)
+    name = (
+        re.sub(r"^(?:Along the motion,? |At the moment,? |Call )", "", first)
+        if isinstance(first, str)
+        else first
+    )
+    if isinstance(name, str):
+        name = name[:1].lower() + name[1:] if name.startswith("The ") else name
+    made = (name, *rest)
+    last = made[-1]
+    return (*made[:-1], last.rstrip(": \n")) if isinstance(last, str) else made
+
+
+def gap(judged: Judged, letters: Letters, notation: Notation = NOTES) -> str:
+    """Why a line does not follow, with its place, and numbers against it where there are."""
+    line, problem = judged.line, judged.problem
+    assert problem is not None
+
+    def said(node: Any) -> str:
+        return text(notation.written(node))
+
+    if line.move is None or isinstance(problem, UnitsError):
+        return f"{line.file}, line {line.at}: {problem.words(said)}"
+    cited = line.move.cited
+    found = None if line.move.verb == "call" else diagnose(line.equations, cited, letters)
+    place = f"{line.file}, line {line.at}, does not follow: {problem.words(said)}"
+    if found is None:
+        return place
+    if found.entailed:
+        return f"{place}; it follows from what is cited, but not by this move"
+    if not found.at:
+        return place
+    values = ", ".join(f"{said(x)} = {said(value)}" for x, value in found.at.items())
+    sides = f"the left side is {said(found.left)}, the right side {said(found.right)}"
+    return f"{place}; with what is cited, at {values}, {sides}"
+
+
+def _listed(names: Sequence[Rich]) -> Rich:
+    made: list[Any] = []
+    for k, name in enumerate(names):
+        between = "" if k == 0 else " and " if k == len(names) - 1 else ", "
+        made += [between, *name] if between else name
+    return tuple(made)
+
+
+def steps(
+    lecture: Lecture, name: str, notation: Notation = NOTES, deep: bool = False
+) -> list[dict[str, Any]]:
+    """The lines as records for programs."""
+    return [step(lecture, id, notation) for id in lecture.way(name, deep)[0]]
+
+
+def step(lecture: Lecture, id: str, notation: Notation = NOTES) -> dict[str, Any]:
+    """A line as a record for programs."""
+    each = lecture.judged(id)
+    equations = [notation.written(equation) for equation in each.line.equations]
+    return {
+        "id": id,
+        "equation": "; ".join(text(equation) for equation in equations),
+        "latex": r",\quad ".join(latex(equation) for equation in equations),
+        "move": " ".join(each.line.sentence.split()).rstrip(":"),
+        "from": list(lecture.cites(id)),
+        "conditions": [_condition(c, notation) for c in each.known.conditions],
+        "verdict": _verdict(each),
+    }
+
+
+def _condition(condition: Condition, notation: Notation) -> str:
+    when = " at the start" if condition.relation == "start" else ""
+    return text(relation(condition, notation)) + when
+
+
+def way_record(
+    lecture: Lecture, name: str, notation: Notation = NOTES, deep: bool = False
+) -> tuple[list[dict[str, Any]], list[str]]:
+    """The lines to what a name names, and what they rest on; nothing where there are no lines."""
+    if name not in lecture.names:
+        return [], []
+    starts = lecture.way(name, deep)[1]
+    names = [plain.rich(called(lecture.lines[id], notation)) for id in starts]
+    return steps(lecture, name, notation, deep), names
+
+
+def _verdict(judged: Judged) -> str:
+    if not judged.follows:
+        return "gap"
+    move = judged.line.move
+    return "definition" if move is None or move.verb == "call" else "follows"

@@ -1,0 +1,357 @@
+r"""LaTeX, for amsmath and amssymb.
+
+>>> from sympy import cos, sin
+>>> from rigidtop.theory.symbols import lambda1, phidot, theta, thetadot
+>>> latex(lambda1 * (phidot**2 * sin(theta) ** 2 + thetadot**2) / 2)
+'\\tfrac{1}{2}\\lambda_{1}(\\dot{\\phi}^{2}\\sin^{2}\\theta + \\dot{\\theta}^{2})'
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import singledispatch
+from typing import Any
+
+from rigidtop.notation.characters import LETTERS, MARKS, MATHS, SIGNS, TEX_GREEK, escape, joined
+from rigidtop.proof.equation import Equation
+from rigidtop.theory.symbols import Glyph
+from rigidtop.typeset import layout as lay
+from rigidtop.typeset.layout import Line, Node, Order
+from rigidtop.typeset.sentences import prose
+
+_ACCENTS = {"dot": r"\dot{%s}", "ddot": r"\ddot{%s}", "hat": r"\hat{%s}"}
+_KNOWN = frozenset(
+    ("sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln", "det")
+)
+
+
+def latex(tree: Any, order: Order = "auto") -> str:
+    r"""An expression, a matrix, a condition, or an `Equation` on one line, without its tag."""
+    return _tex(tree if _is_node(tree) else lay.layout(tree, order))
+
+
+@dataclass(frozen=True)
+class AlignRow:
+    """An equation of an ``align``: its lines, its tag, the reason for it, in LaTeX.
+
+    `mark` is a word that stands beside it in any case; `behind` follows the tag, `label` is the
+    name by which it is cited.  Where it is `hung` its first line is its left side alone.
+    """
+
+    lines: tuple[Line, ...]
+    tag: str = ""
+    reason: str = ""
+    mark: str = ""
+    behind: str = ""
+    label: str = ""
+    hung: bool = False
+
+
+def aligned(
+    equations: Sequence[Equation],
+    *,
+    order: Order = "auto",
+    reasons: Sequence[str] = (),
+    limit: float = lay.LINE,
+) -> str:
+    r"""An ``align`` with a line for each equation, more where it is long, and tags behind.
+
+    ``reasons[i]`` is prose that stands beside equation i if all fit there, else above it.
+    """
+    return align(
+        [
+            AlignRow(
+                tuple(lay.lines(equation, order, limit)),
+                equation.tag,
+                prose(reasons[i]) if i < len(reasons) else "",
+            )
+            for i, equation in enumerate(equations)
+        ],
+        limit,
+    )
+
+
+def align(rows: Sequence[AlignRow], limit: float = lay.LINE) -> str:
+    r"""The ``align`` environment of some rows; ``align*`` if none has a tag."""
+    star = "" if any(row.tag or row.behind for row in rows) else "*"
+    beside = _all_fit_beside(rows, limit)
+    made: list[str] = []
+    for i, row in enumerate(rows):
+        if row.reason and not beside and made:
+            made[-1] += _intertext(row.reason)
+        for j, tex in enumerate(row_lines(row)):
+            last = j == len(row.lines) - 1
+            words = " ".join(filter(None, [row.reason if beside else "", row.mark]))
+            if last and words:
+                tex += rf" && \text{{{words}}}"
+            if last and row.behind:
+                number = f"({row.tag})" if row.tag else ""
+                tex += rf" \tag*{{{number}{row.behind}}}"
+            elif last and row.tag:
+                tex += rf" \tag{{{row.tag}}}"
+            elif not star:
+                tex += r" \notag"
+            if last and row.label:
+                tex += rf"\label{{{row.label}}}"
+            made.append(tex if last and i == len(rows) - 1 else tex + r" \\")
+    # What stands above the first line is a paragraph of its own.
+    before = rows[0].reason + "\n" if rows[0].reason and not beside else ""
+    body = "\n".join(made)
+    return f"{before}\\begin{{align{star}}}\n{body}\n\\end{{align{star}}}"
+
+
+def _intertext(words: str) -> str:
+    return "\n" + rf"\intertext{{{words}}}"
+
+
+def _all_fit_beside(rows: Sequence[AlignRow], limit: float) -> bool:
+    """Whether all reasons fit into a column right of the widest line.
+
+    A sentence that ends in a colon stands in front of its equation.
+    """
+    if any(row.reason.endswith(":") for row in rows):
+        return False
+    widest = max(_line_width(line) for row in rows for line in row.lines)
+    longest = max(0.8 * len(seen(row.reason) + row.mark) + (8 if row.tag else 0) for row in rows)
+    return widest + longest + 4 < limit
+
+
+def seen(tex: str) -> str:
+    """About as many characters as are seen of words in LaTeX."""
+    return re.sub(r"\\[A-Za-z]+|[{}$^_]", "", tex)
+
+
+def row_lines(row: AlignRow) -> list[str]:
+    """Each line of a row with its alignment mark."""
+    first, *rest = map(align_row, row.lines)
+    if row.hung:
+        return [f"& {_tex(row.lines[0].right)}", *(rf"&\quad {line[1:]}" for line in rest)]
+    return [first, *rest]
+
+
+def align_row(line: Line) -> str:
+    """One line with its alignment mark."""
+    left = _tex(line.left) + " " if line.left is not None else ""
+    sign = SIGNS[line.sign] + " " if line.sign else r"\quad {}"
+    return f"{left}&{sign}{_tex(line.right)}"
+
+
+def _line_width(line: Line) -> float:
+    left = lay.width(line.left) if line.left is not None else 0
+    return left + 3 + lay.width(line.right)
+
+
+def _is_node(tree: Any) -> bool:
+    return type(tree).__module__ == lay.__name__
+
+
+# --- Letters -------------------------------------------------------------------------------------
+
+
+def letter(glyph: Glyph) -> str:
+    r"""A symbol: ``\dot{\omega}_{1}``, ``\mathbf{e}_{1}'``.
+
+    >>> print(letter(Glyph("ω", "1", "dot")), letter(Glyph("e", "2", bold=True, prime=True)))
+    \dot{\omega}_{1} \mathbf{e}_{2}'
+    """
+    before, glyph = lay.differential(glyph)
+    if before:
+        head = {"d": r"\mathrm{d}"}.get(before[0], TEX_GREEK.get(before[0], before[0]))
+        raised = f"^{{{unicodedata.normalize('NFKC', before[1:])}}}" if before[1:] else ""
+        return joined(head + raised, letter(glyph))
+    base = _base(glyph.base)
+    if len(glyph.base) > 1 and glyph.base.isascii():
+        base = rf"\text{{{escape(glyph.base)}}}"
+    elif glyph.bold:
+        base = rf"\boldsymbol{{{base}}}" if glyph.base in TEX_GREEK else rf"\mathbf{{{base}}}"
+    if glyph.accent:
+        base = _ACCENTS[glyph.accent] % base
+    if glyph.sub:
+        base += f"_{{{_subscript(glyph.sub)}}}"
+    return base + ("'" if glyph.prime else "")
+
+
+_STYLES = {"SCRIPT": "mathcal", "DOUBLE-STRUCK": "mathbb", "FRAKTUR": "mathfrak"}
+_MARKS = MARKS | {
+    "\u0304": r"\bar{%s}",
+    "\u0303": r"\tilde{%s}",
+    "\u030c": r"\check{%s}",
+    "\u0306": r"\breve{%s}",
+    "\u030a": r"\mathring{%s}",
+}
+
+
+def _base(base: str) -> str:
+    """A letter with what is one with it: bars, primes, stars, another style."""
+    made = ""
+    for c in unicodedata.normalize("NFD", base):
+        if c in _MARKS:
+            made = _MARKS[c] % made
+            continue
+        name, plain = unicodedata.name(c, ""), unicodedata.normalize("NFKC", c)
+        style = next((tex for word, tex in _STYLES.items() if word in name), "")
+        if c not in LETTERS and style and plain != c:
+            made += rf"\{style}{{{plain}}}"
+        else:
+            made = joined(made, LETTERS.get(c, MATHS.get(c, c)))
+    return made
+
+
+def _subscript(sub: str) -> str:
+    plain = sub.rstrip("′")
+    primes = "'" * (len(sub) - len(plain))
+    if len(plain) > 1 and plain.isalpha() and not set(plain) <= set("xyzijk"):
+        return rf"\text{{{plain}}}" + primes
+    return "".join(MATHS.get(c, c) for c in plain) + primes
+
+
+# --- Nodes ---------------------------------------------------------------------------------------
+
+
+@singledispatch
+def _tex(node: Any) -> str:
+    raise TypeError(f"no LaTeX for {type(node).__name__}")
+
+
+@_tex.register
+def _(node: lay.Number) -> str:
+    return LETTERS.get(node.text, node.text)
+
+
+@_tex.register
+def _(node: lay.Letter) -> str:
+    return letter(node.glyph)
+
+
+@_tex.register
+def _(node: lay.Sum) -> str:
+    first, *rest = node.terms
+    text = ("-" if first.negative else "") + _tex(first.body)
+    if isinstance(node, lay.Continued):
+        text = ("- " if first.negative else "+ ") + _tex(first.body)
+    return text + "".join((" - " if t.negative else " + ") + _tex(t.body) for t in rest)
+
+
+_JOINTS = {"": "", "function": "", "thin": r"\,", "dot": r" \cdot "}
+
+
+@_tex.register
+def _(node: lay.Product) -> str:
+    text = _tex(node.factors[0])
+    for joint, factor in zip(node.joints, node.factors[1:], strict=True):
+        text = joined(text + _JOINTS[joint], _tex(factor))
+    return text
+
+
+@_tex.register
+def _(node: lay.Fraction) -> str:
+    command = r"\tfrac" if node.small else r"\frac"
+    return rf"{command}{{{_tex(node.over)}}}{{{_tex(node.under)}}}"
+
+
+@_tex.register
+def _(node: lay.Power) -> str:
+    return f"{_tex(node.base)}^{{{_tex(node.exponent)}}}"
+
+
+@_tex.register
+def _(node: lay.Root) -> str:
+    index = f"[{node.index}]" if node.index else ""
+    return rf"\sqrt{index}{{{_tex(node.body)}}}"
+
+
+@_tex.register
+def _(node: lay.Apply) -> str:
+    if isinstance(node.name, lay.Letter):
+        name = _tex(node.name)
+    else:
+        name = "\\" + node.name if node.name in _KNOWN else rf"\operatorname{{{node.name}}}"
+    if node.power is not None:
+        name += f"^{{{_tex(node.power)}}}"
+    inside = ", ".join(map(_tex, node.arguments))
+    return name + _enclosed(inside, "()", node.arguments) if node.brackets else joined(name, inside)
+
+
+def _enclosed(inside: str, shape: str, nodes: Sequence[Node]) -> str:
+    if any(map(lay.is_tall, nodes)):
+        return rf"\left{shape[0]}{inside}\right{shape[1]}"
+    left, right = (r"\lvert ", r"\rvert") if shape == "||" else (shape[0], shape[1])
+    return left + inside + right
+
+
+@_tex.register
+def _(node: lay.Brackets) -> str:
+    return _enclosed(_tex(node.body), node.shape, [node.body])
+
+
+@_tex.register
+def _(node: lay.Braced) -> str:
+    return rf"\underbrace{{{_tex(node.body)}}}_{{\equiv {_tex(node.label)}}}"
+
+
+@_tex.register
+def _(node: lay.Infix) -> str:
+    return f"{_tex(node.left)} {SIGNS[node.sign]} {_tex(node.right)}"
+
+
+@_tex.register
+def _(node: lay.TransposeOf) -> str:
+    return f"{_tex(node.body)}^{{T}}"
+
+
+@_tex.register
+def _(node: lay.Derivative) -> str:
+    d = r"\partial" if node.partial else "d"
+    order = f"^{{{node.order}}}" if node.order > 1 else ""
+    over, under = d + order, joined(d, _tex(node.by)) + order
+    if node.inside:
+        text = rf"\frac{{{joined(over, _tex(node.body))}}}{{{under}}}"
+    else:
+        text = rf"\frac{{{over}}}{{{under}}}{_tex(node.body)}"
+    if node.frame:
+        return rf"\left({text}\right)_{{\text{{{escape(node.frame)}}}}}"
+    return text
+
+
+@_tex.register
+def _(node: lay.Big) -> str:
+    index = "" if node.index is None else _tex(node.index)
+    if node.limits is not None:
+        first, *last = map(_tex, node.limits)
+        below = f"{index}={first}" if index else first
+        above = f"^{{{last[0]}}}" if last else ""
+        return rf"{SIGNS[node.sign]}_{{{below}}}{above} {_tex(node.body)}"
+    if node.sign == "∫":
+        return rf"\int{index}\,{_tex(node.body)}" if index else rf"\int {_tex(node.body)}"
+    return rf"\sum_{{{index}}} {_tex(node.body)}" if index else rf"\sum {_tex(node.body)}"
+
+
+@_tex.register
+def _(node: lay.Measure) -> str:
+    if node.bounds:
+        low, high = map(_tex, node.bounds)
+        return f"_{{{low}}}^{{{high}}} d{_tex(node.variable)}"
+    return f" d^{{{node.dimension}}}{_tex(node.variable)}"
+
+
+@_tex.register
+def _(node: lay.Grid) -> str:
+    rows = r" \\ ".join(" & ".join(map(_tex, row)) for row in node.rows)
+    return rf"\begin{{bmatrix}} {rows} \end{{bmatrix}}"
+
+
+@_tex.register
+def _(node: lay.Listed) -> str:
+    between = ", " if node.between == "," else rf" \quad\text{{{node.between}}}\quad "
+    return between.join(map(_tex, node.items))
+
+
+@_tex.register
+def _(node: lay.Chain) -> str:
+    text = _tex(node.sides[0])
+    for sign, side in zip(node.signs, node.sides[1:], strict=True):
+        text += f" {SIGNS[sign]} {_tex(side)}"
+    return text

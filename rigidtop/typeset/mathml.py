@@ -1,0 +1,318 @@
+"""Native presentation MathML, within what browsers share (MathML Core).
+
+Bold upright vectors carry their style with them, so that a fragment needs no style sheet and no
+font with a bold alphabet.  ``alttext`` is the equation as `rigidtop.typeset.text` writes it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from functools import singledispatch
+from html import escape
+from typing import Any
+
+from rigidtop.notation.characters import GREEK
+from rigidtop.proof.equation import Equation
+from rigidtop.theory.symbols import Glyph
+from rigidtop.typeset import layout as lay
+from rigidtop.typeset.layout import Line, Order
+from rigidtop.typeset.text import text
+
+# Not accent="true": browsers then lay a dot into the letter beneath it.
+_ACCENTS = {
+    "dot": '<mo scriptlevel="0">˙</mo>',
+    "ddot": '<mo scriptlevel="0">¨</mo>',
+    "hat": '<mo stretchy="false">^</mo>',
+}
+_SHAPES = {"φ": "ϕ", "ε": "ϵ"}  # as LaTeX draws them
+_VECTOR = ' mathvariant="normal" style="font-weight:bold"'
+_BOLD_GREEK = ' style="font-weight:bold"'
+THIN = '<mspace width="0.1667em"/>'
+APPLY = "<mo>&#x2061;</mo>"
+
+
+def mathml(tree: Any, order: Order = "auto", *, display: bool = False) -> str:
+    """A ``<math>`` element for an expression, a condition, or an `Equation` without its tag."""
+    node = tree if type(tree).__module__ == lay.__name__ else lay.layout(tree, order)
+    return element(_ml(node), text(node), display)
+
+
+def display(equations: Sequence[Equation], order: Order = "auto", limit: float = lay.LINE) -> str:
+    """A block ``<math>``: the lines of the equations, aligned at their relation signs."""
+    broken = [line for equation in equations for line in lay.lines(equation, order, limit)]
+    alt = "; ".join(text(equation, order) for equation in equations)
+    if len(broken) == 1:
+        return element(_ml(lay.layout(equations[0], order)), alt, True)
+    rows = "".join(map(_row, broken))
+    return element(f'<mtable displaystyle="true">{rows}</mtable>', alt, True)
+
+
+def _row(line: Line) -> str:
+    left = _ml(line.left) if line.left is not None else ""
+    sign = f"<mo>{escape(line.sign)}</mo>" if line.sign else '<mspace width="2em"/>'
+    start, end = (f'<mtd style="text-align:{side};padding:0.25em 0">' for side in ("right", "left"))
+    return f"<mtr>{start}{left}</mtd>{end}<mrow><mi></mi>{sign}{_ml(line.right)}</mrow></mtd></mtr>"
+
+
+def element(inside: str, alt: str, block: bool) -> str:
+    """The ``<math>`` round its inside; `alt` says it in words."""
+    shown = ' display="block"' if block else ""
+    return (
+        f'<math xmlns="http://www.w3.org/1998/Math/MathML"{shown} alttext="{escape(alt)}">'
+        f"{inside}</math>"
+    )
+
+
+_BESIDE = re.compile(r"([^\s<>]*)(<math(?![^>]*display=)[^>]*>.*?</math>)([^\s<]*)", re.S)
+
+
+def held(html: str) -> str:
+    """HTML in which no line ends between a formula and the comma or the bracket beside it.
+
+    Browsers break a line there, as they do beside a picture.
+    """
+    return _BESIDE.sub(lambda m: f'<span class="m">{m[0]}</span>' if m[1] or m[3] else m[0], html)
+
+
+def labelled(sides: Sequence[tuple[Sequence[Any], int | None]], alt: str) -> str:
+    """A block ``<math>`` of an equation, each term in an ``<mrow>`` that says which it is.
+
+    A side is its terms as layout nodes and the number of the first, ``data-term``; terms without a
+    number are plain.
+    """
+    made = ""
+    for place, (nodes, number) in enumerate(sides):
+        made += "<mo>=</mo>" if place else ""
+        for k, node in enumerate(nodes):
+            negative = isinstance(node, lay.Sum) and len(node.terms) == 1
+            inside = _ml(node.terms[0].body) if negative else _ml(node)
+            form = "infix" if k else "prefix"
+            if k or negative:
+                inside = f'<mo form="{form}">{"−" if negative else "+"}</mo>{inside}'
+            mark = "" if number is None else f' data-term="{number + k}"'
+            made += f"<mrow{mark}>{inside}</mrow>"
+    return element(made, alt, True)
+
+
+def letter(glyph: Glyph) -> str:
+    """A symbol."""
+    if len(glyph.base) > 1:
+        base = f"<mtext>{escape(glyph.base)}</mtext>"
+    else:
+        greek = glyph.base in GREEK.values()
+        style = (_BOLD_GREEK if greek and glyph.base.islower() else _VECTOR) if glyph.bold else ""
+        if not style and greek and glyph.base.isupper():
+            style = ' mathvariant="normal"'
+        base = f"<mi{style}>{_SHAPES.get(glyph.base, escape(glyph.base))}</mi>"
+    if glyph.accent:
+        base = f"<mover>{base}{_ACCENTS[glyph.accent]}</mover>"
+    if glyph.sub:
+        base = f"<msub>{base}{subscript(glyph.sub)}</msub>"
+    return _group(f"{base}<mo>′</mo>") if glyph.prime else base
+
+
+def subscript(sub: str) -> str:
+    """An index: 1, ⊥, φ, CM, 1′."""
+    plain = sub.rstrip("′")
+    if plain.isdigit():
+        made = f"<mn>{plain}</mn>"
+    elif plain in ("+", "−", "⊥"):
+        made = f"<mo>{plain}</mo>"
+    elif not plain.isalpha():
+        made = f"<mn>{escape(plain)}</mn>"
+    elif len(plain) > 1 and set(plain) <= set("xyzijk"):
+        made = _group("".join(f"<mi>{c}</mi>" for c in plain))
+    elif len(plain) > 1:
+        made = f"<mtext>{escape(plain)}</mtext>"
+    else:
+        made = f"<mi>{_SHAPES.get(plain, escape(plain))}</mi>"
+    return _group(f"{made}<mo>′</mo>") if plain != sub else made
+
+
+def _group(inside: str) -> str:
+    return f"<mrow>{inside}</mrow>"
+
+
+@singledispatch
+def _ml(node: Any) -> str:
+    raise TypeError(f"no MathML for {type(node).__name__}")
+
+
+@_ml.register
+def _(node: lay.Number) -> str:
+    return f"<mn>{node.text}</mn>" if node.text != "∞" else "<mi>∞</mi>"
+
+
+@_ml.register
+def _(node: lay.Letter) -> str:
+    return letter(node.glyph)
+
+
+@_ml.register
+def _(node: lay.Sum) -> str:
+    first, *rest = node.terms
+    made = ""
+    if isinstance(node, lay.Continued):  # as an infix, with the space of one
+        made = f'<mo form="infix">{"−" if first.negative else "+"}</mo>'
+    elif first.negative:
+        made = '<mo form="prefix">−</mo>'
+    made += _ml(first.body)
+    made += "".join(f"<mo>{'−' if t.negative else '+'}</mo>{_ml(t.body)}" for t in rest)
+    return _group(made)
+
+
+_JOINTS = {
+    "": "<mo>&#x2062;</mo>",
+    "function": f"<mo>&#x2062;</mo>{THIN}",
+    "thin": f"<mo>&#x2062;</mo>{THIN}",
+    "dot": "<mo>·</mo>",
+}
+
+
+@_ml.register
+def _(node: lay.Product) -> str:
+    made = _ml(node.factors[0])
+    for joint, factor in zip(node.joints, node.factors[1:], strict=True):
+        made += _JOINTS[joint] + _ml(factor)
+    return _group(made)
+
+
+@_ml.register
+def _(node: lay.Fraction) -> str:
+    made = f"<mfrac>{_ml(node.over)}{_ml(node.under)}</mfrac>"
+    return f'<mstyle displaystyle="false">{made}</mstyle>' if node.small else made
+
+
+@_ml.register
+def _(node: lay.Power) -> str:
+    return with_superscript(_ml(node.base), _ml(node.exponent))
+
+
+def with_superscript(base: str, exponent: str) -> str:
+    """An index and an exponent of one letter stand above each other."""
+    if base.startswith("<msub>") and base.endswith("</msub>"):
+        return f"<msubsup>{base[6:-7]}{exponent}</msubsup>"
+    return f"<msup>{base}{exponent}</msup>"
+
+
+@_ml.register
+def _(node: lay.Root) -> str:
+    if node.index:
+        return f"<mroot>{_ml(node.body)}<mn>{node.index}</mn></mroot>"
+    return f"<msqrt>{_ml(node.body)}</msqrt>"
+
+
+@_ml.register
+def _(node: lay.Apply) -> str:
+    name = f"<mi>{node.name}</mi>" if isinstance(node.name, str) else _ml(node.name)
+    if node.power is not None:
+        name = f"<msup>{name}{_ml(node.power)}</msup>"
+    inside = "<mo>,</mo>".join(map(_ml, node.arguments))
+    if node.brackets:
+        tall = any(map(lay.is_tall, node.arguments))
+        return _group(name + APPLY + _fenced(inside, "()", tall))
+    return _group(name + APPLY + THIN + inside)
+
+
+def _fenced(inside: str, shape: str, tall: bool) -> str:
+    stretchy = "true" if tall else "false"
+    left, right = (
+        f'<mo form="{form}" fence="true" stretchy="{stretchy}">{mark}</mo>'
+        for form, mark in zip(("prefix", "postfix"), shape, strict=True)
+    )
+    return _group(left + inside + right)
+
+
+@_ml.register
+def _(node: lay.Brackets) -> str:
+    return _fenced(_ml(node.body), node.shape, lay.is_tall(node.body))
+
+
+@_ml.register
+def _(node: lay.Braced) -> str:
+    # A stretched ⏟ comes out too short in the cells of a table; a border never does, and dots are
+    # no fraction bar.
+    brace = "border-bottom:2px dotted;padding-bottom:0.15em"
+    label = _group(f"<mo>≡</mo>{_ml(node.label)}")
+    return f'<munder><mrow style="{brace}">{_ml(node.body)}</mrow>{label}</munder>'
+
+
+@_ml.register
+def _(node: lay.Infix) -> str:
+    return _group(f"{_ml(node.left)}<mo>{node.sign}</mo>{_ml(node.right)}")
+
+
+@_ml.register
+def _(node: lay.TransposeOf) -> str:
+    return f"<msup>{_ml(node.body)}<mi>T</mi></msup>"
+
+
+@_ml.register
+def _(node: lay.Derivative) -> str:
+    d = "<mo>∂</mo>" if node.partial else "<mi>d</mi>"
+    over = under_order = d
+    by = _ml(node.by)
+    if node.order > 1:
+        over = f"<msup>{d}<mn>{node.order}</mn></msup>"
+        by = with_superscript(by, f"<mn>{node.order}</mn>")
+    under = _group(under_order + by)
+    if node.inside:
+        made = f"<mfrac>{_group(over + _ml(node.body))}{under}</mfrac>"
+    else:
+        made = _group(f"<mfrac>{over}{under}</mfrac>{_ml(node.body)}")
+    if node.frame:
+        return f"<msub>{_fenced(made, '()', True)}<mtext>{escape(node.frame)}</mtext></msub>"
+    return made
+
+
+@_ml.register
+def _(node: lay.Big) -> str:
+    bounds = node.index.bounds if isinstance(node.index, lay.Measure) else ()
+    index = "" if node.index is None else _ml(node.index)
+    big = '<mo largeop="true" movablelimits="true">∑</mo>'
+    sign = "<mo>∫</mo>" if node.sign == "∫" else big
+    if node.limits is not None:
+        first, *last = map(_ml, node.limits)
+        below = _group(f"{index}<mo>=</mo>{first}") if index else first
+        both = "munderover" if last else "munder"
+        return _group(f"<{both}>{sign}{below}{''.join(last)}</{both}>{_ml(node.body)}")
+    if not index:
+        return _group(f"{sign}{_ml(node.body)}")
+    if node.sign == "∫":
+        if bounds:
+            sign = f"<msubsup>{sign}{''.join(map(_ml, bounds))}</msubsup>"
+        return _group(f"{sign}{index}{THIN}{_ml(node.body)}")
+    return _group(f"<munder>{sign}{index}</munder>{_ml(node.body)}")
+
+
+@_ml.register
+def _(node: lay.Measure) -> str:
+    if node.bounds:
+        return _group(f"<mi>d</mi>{_ml(node.variable)}")
+    return _group(f"<msup><mi>d</mi><mn>{node.dimension}</mn></msup>{_ml(node.variable)}")
+
+
+@_ml.register
+def _(node: lay.Grid) -> str:
+    rows = "".join(
+        "<mtr>" + "".join(f"<mtd>{_ml(entry)}</mtd>" for entry in row) + "</mtr>"
+        for row in node.rows
+    )
+    return _fenced(f"<mtable>{rows}</mtable>", "[]", True)
+
+
+@_ml.register
+def _(node: lay.Listed) -> str:
+    if node.between == ",":
+        return _group("<mo>,</mo>".join(map(_ml, node.items)))
+    word = f'<mspace width="1em"/><mtext>{node.between}</mtext><mspace width="1em"/>'
+    return _group(word.join(map(_ml, node.items)))
+
+
+@_ml.register
+def _(node: lay.Chain) -> str:
+    made = _ml(node.sides[0])
+    for sign, side in zip(node.signs, node.sides[1:], strict=True):
+        made += f"<mo>{escape(sign)}</mo>{_ml(side)}"
+    return _group(made)

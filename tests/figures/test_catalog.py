@@ -1,0 +1,122 @@
+"""Every figure: it comes out the same each time, shows its parameters, and says what it shows."""
+
+import sys
+from xml.etree import ElementTree
+
+import matplotlib
+import numpy as np
+import pytest
+
+from rigidtop.errors import RigidtopError
+from rigidtop.figures import friction, nutation
+from rigidtop.figures.catalog import FIGURES, named
+from rigidtop.figures.drawing import rendered
+from rigidtop.figures.style import COLUMN, STYLE, WIDE
+from rigidtop.report import tex
+
+every_figure = pytest.mark.parametrize("drawing", FIGURES, ids=lambda drawing: drawing.name)
+
+
+@pytest.fixture(scope="module")
+def as_it_is():
+    """Each figure as it is without any setting, as SVG."""
+    return {drawing.name: rendered(drawing, "svg") for drawing in FIGURES}
+
+
+def test_names_are_unique():
+    assert len({drawing.name for drawing in FIGURES}) == len(FIGURES)
+
+
+def test_named():
+    for drawing in FIGURES:
+        assert named(drawing.name) is drawing
+    with pytest.raises(RigidtopError, match=r"no figure 'cone'; did you mean .*cones"):
+        named("cone")
+    with pytest.raises(RigidtopError, match=r"no figure 'xyzzy'; there are .*cones"):
+        named("xyzzy")
+
+
+@every_figure
+def test_svg_is_well_formed_and_the_same_each_time(drawing, as_it_is):
+    made = as_it_is[drawing.name]
+    assert made == rendered(drawing, "svg")
+    assert b"<metadata" not in made
+    root = ElementTree.fromstring(made)
+    assert root.tag.endswith("svg")
+    assert b"font-family" not in made  # letters are paths, no font is asked for
+    width = float(root.get("width").removesuffix("pt")) / 72
+    assert width == pytest.approx(COLUMN, abs=0.01) or width == pytest.approx(WIDE, abs=0.01)
+
+
+@pytest.mark.parametrize("kind", ["pdf", "png"])
+def test_other_kinds_are_the_same_each_time(kind):
+    drawing = named("precession-rates")
+    assert rendered(drawing, kind) == rendered(drawing, kind)
+
+
+def test_pyplot_is_not_touched():
+    assert (
+        "matplotlib.pyplot" not in sys.modules or not sys.modules["matplotlib.pyplot"].get_fignums()
+    )
+
+
+def content(drawing, given):
+    """What is drawn: lines, areas, words, and the frame around them."""
+    with matplotlib.rc_context(STYLE):
+        canvas = drawing.draw(**drawing.values(given))
+    found = []
+    for axes in canvas.axes:
+        found += [axes.get_title(), *axes.get_xlim(), *axes.get_ylim()]
+        found += [line.get_xydata().tobytes() for line in axes.lines]
+        found += [patch.get_path().vertices.tobytes() for patch in axes.patches]
+        found += [(text.get_text(), *text.xy) for text in axes.texts]
+        for area in axes.collections:
+            found += [path.vertices.tobytes() for path in area.get_paths()]
+    return found
+
+
+@every_figure
+def test_every_parameter_changes_the_picture_and_its_caption(drawing):
+    """A caption is typeset, words for the ear are ASCII, and no parameter is without effect."""
+    values = drawing.values()
+    picture, caption = content(drawing, {}), drawing.caption(**values)
+    words = drawing.alternative(**values)
+    assert tex.rich((caption,))
+    assert words.isascii()
+    assert len(words) > 80
+    of_the_frame = ("omega3", "phi_dot") if drawing.name == "regimes" else ()
+    for parameter in drawing.parameters:
+        given = {parameter.name: 0.97 * parameter.default or 0.3}
+        assert content(drawing, given) != picture, parameter.name
+        if parameter.name not in of_the_frame:
+            assert drawing.caption(**drawing.values(given)) != caption, parameter.name
+
+
+@pytest.fixture
+def cheap(monkeypatch):
+    """Shorter motions and coarser maps."""
+    monkeypatch.setattr(friction, "MOST_TURNS", 200)
+    monkeypatch.setattr(nutation, "COUNTS", (61, 51))
+    friction._risen.cache_clear()
+    friction._woken.cache_clear()
+    yield
+    friction._risen.cache_clear()
+    friction._woken.cache_clear()
+
+
+@every_figure
+def test_what_is_legal_is_drawn_or_refused_in_one_line(drawing, cheap):
+    refused = []
+    for parameter in drawing.parameters:
+        far = [50 * parameter.default, parameter.default / 50, parameter.least, parameter.most]
+        for value in far:
+            if not parameter.least <= value <= parameter.most or not np.isfinite(value):
+                continue
+            given = drawing.values({parameter.name: value})
+            try:
+                assert content(drawing, given)
+                said = drawing.caption(**given) + drawing.alternative(**given)
+                assert "nan" not in said.split()
+            except RigidtopError as refusal:
+                refused.append(str(refusal))
+    assert not any("\n" in each for each in refused)

@@ -1,0 +1,3 @@
+from ..typeset.conftest import printed
+
+__all__ = ["printed"]

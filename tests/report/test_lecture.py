@@ -1,0 +1,437 @@
+"""The real pages: the lecture and its record can be written in every way, and fit their paper."""
+
+import io
+import math
+import re
+import shutil
+import subprocess
+from dataclasses import replace
+from xml.etree import ElementTree
+
+import numpy as np
+import pypdf
+import pytest
+
+from rigidtop.derivations import PAGES, lecture_with
+from rigidtop.derivations.exercises import EXERCISES
+from rigidtop.figures.catalog import FIGURES
+from rigidtop.figures.drawing import both, rendered
+from rigidtop.proof.verdict import judge_page
+from rigidtop.report import html, myst, pdf, plain, tex, typst
+from rigidtop.report.handout import written
+from rigidtop.report.languages import SHOWN, WORDS, translated
+from rigidtop.report.lecture import FORMATS, fragment, lecture, record, sheet
+from rigidtop.report.report import (
+    Cited,
+    ClaimHead,
+    Conditions,
+    DataTable,
+    Display,
+    ExerciseHead,
+    Figure,
+    Heading,
+    Look,
+    Measures,
+    NameLine,
+    Paragraph,
+    Quantities,
+    Subhead,
+    claim_blocks,
+    symbols_used,
+)
+from rigidtop.report.solutions import solved
+from rigidtop.theory import symbols as s
+from rigidtop.typeset import layout as lay
+from rigidtop.typeset.text import text
+
+
+@pytest.fixture(scope="module")
+def judged():
+    return [(page, judge_page(page)) for page in PAGES]
+
+
+@pytest.fixture(scope="module")
+def solutions(judged, lines):
+    known = {j.claim.name: j for _, judgements in judged for j in judgements}
+    return [solved(exercise, judged=known, lines=lines) for exercise in EXERCISES]
+
+
+@pytest.fixture(scope="module")
+def lines():
+    return lecture_with([exercise.text for exercise in EXERCISES if exercise.text])
+
+
+@pytest.fixture(scope="module")
+def recorded(judged, solutions):
+    return record(judged, solutions)[0]
+
+
+@pytest.fixture(scope="module")
+def whole(judged, solutions, lines):
+    return lecture(judged, solutions, lines=lines)
+
+
+@pytest.fixture(scope="module")
+def document(whole):
+    return whole[0]
+
+
+@pytest.fixture(scope="module")
+def pictures(whole):
+    return whole[1]
+
+
+def test_every_figure_has_its_section():
+    assert {each.section for each in FIGURES} - {""} <= {page.section for page in PAGES}
+
+
+def test_every_claim_has_every_fragment(judged):
+    for _, judgements in judged:
+        for judgement in judgements:
+            for kind in FORMATS:
+                assert fragment(judgement, kind).strip()
+
+
+def test_html_of_all_pages(document, pictures):
+    svg = {p.name: rendered(p.drawing, "svg", p.given).decode() for p in pictures}
+    made = html.write(document, svg)
+    root = ElementTree.fromstring(made.removeprefix("<!DOCTYPE html>\n"))
+    names = [e.get("id") for e in root.iter() if e.get("id")]
+    assert len(set(names)) == len(names)
+    assert not re.search(r"\b(src|srcset)=|@import|url\((?!#)|<link|<script [^>]*src", made)
+    tags = [e.text for e in root.iter("span") if e.get("class") == "tag"]
+    numbers = [f"(3.{n})" for n in range(33, 58)]
+    assert set(numbers) <= set(tags)
+    links = {e.get("href")[1:] for e in root.iter("a")}
+    assert links <= set(names)
+    places = {e.get("id") for e in root.iter("div") if e.get("data-tex")}
+    assert None not in places  # every equation can be linked to
+    assert len(places) > 300
+
+
+@pytest.fixture(scope="module")
+def drawn(pictures):
+    """Each figure as PDF and as SVG."""
+    return {p.name: both(p.drawing, p.given) for p in pictures}
+
+
+@pytest.fixture(scope="module", params=["latexmk", "typst"])
+def paper(request, document, drawn):
+    """The PDF of the lecture, both ways."""
+    latexmk = shutil.which("latexmk")
+    if request.param == "latexmk" and not latexmk:
+        pytest.skip("needs latexmk")
+    kind, by, way = ("pdf", tex, latexmk) if request.param == "latexmk" else ("svg", typst, None)
+    names = {name: f"figures/{name}.{kind}" for name in drawn}
+    files = {names[name]: each[kind == "svg"] for name, each in drawn.items()}
+    source = by.write(document, names)
+    return pdf.by_latexmk(way, source, files) if way else pdf.by_typst(source, files)
+
+
+@pytest.mark.skipif(not shutil.which("pdftoppm"), reason="needs pdftoppm")
+def test_pages_have_no_white_gaps(paper, tmp_path):
+    (tmp_path / "lecture.pdf").write_bytes(paper)
+    command = ["pdftoppm", "-r", "36", "-gray", "lecture.pdf", "page"]
+    subprocess.run(command, cwd=tmp_path, check=True, timeout=120)
+    reader = pypdf.PdfReader(io.BytesIO(paper))
+    # By Typst, which is there for those without LaTeX, the solutions are in one column.
+    columns = "TeX" in reader.metadata.get("/Creator", "")
+    assert len(reader.pages) < (60 if columns else 100)
+    starts = {
+        entry.title: reader.get_destination_page_number(entry)
+        for entry in reader.outline
+        if not isinstance(entry, list)
+    }
+    solved, results = starts["Solutions of the exercises"], starts["Summary of results"]
+    ends = {solved - 1, results - 1, starts["What rests on what"] - 1, len(reader.pages) - 1}
+    for k, path in enumerate(sorted(tmp_path.glob("page-*.pgm"))):
+        _, size, _, dots = path.read_bytes().split(b"\n", 3)
+        width, height = map(int, size.split())
+        page = np.frombuffer(dots, np.uint8).reshape(height, width)
+        two = columns and solved <= k < results
+        for part in (page[:, : width // 2], page[:, width // 2 :]) if two else (page,):
+            rows = np.flatnonzero((part < 250).any(axis=1)) / height
+            body = rows[rows < (0.94 if columns else 0.905)]
+            assert np.diff(body).max() < 0.06, f"inside page {k + 1}"
+            if k not in ends:
+                least = 0.06 if columns else 0.22
+                assert body[-1] > (0.94 if columns else 0.905) - least, f"beneath page {k + 1}"
+
+
+def test_no_heading_ends_a_page(paper, document):
+    kinds = (Heading, ExerciseHead, Subhead)
+    titles = {
+        b.words if isinstance(b, Subhead) else b.title
+        for b in document.blocks
+        if isinstance(b, kinds)
+    }
+    titles = {_letters(title) for title in titles} - {""}
+    seen = 0
+    for page in pypdf.PdfReader(io.BytesIO(paper)).pages[1:]:  # behind the contents
+        lines = [_letters(line) for line in page.extract_text().splitlines() if line.strip()]
+        seen += sum(line in titles for line in lines)
+        # The number of a page has no letters.
+        assert [line for line in lines if line][-1] not in titles
+    assert seen > 50
+
+
+def _letters(line):
+    """The letters of a line, without the word that begins the title of an exercise."""
+    return "".join(re.findall(r"[a-z]+", line.lower())).removeprefix("exercise")
+
+
+def test_a_pdf_says_what_it_is(paper, document):
+    about = pypdf.PdfReader(io.BytesIO(paper)).metadata
+    assert (about.title, about.author) == (document.title, "rigidtop")
+    assert about.subject == document.subtitle
+    assert "Euler angles" in document.keywords
+    words = about["/Keywords"].replace("’", "'")
+    assert re.split("[,;] ", words) == list(document.keywords)
+
+
+@pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
+@pytest.mark.parametrize("which", ["lecture", "record"])
+def test_no_line_leaves_the_page(document, recorded, pictures, tmp_path, which):
+    (tmp_path / "figures").mkdir()
+    one = rendered(pictures[0].drawing, "pdf", pictures[0].given)
+    (tmp_path / "figures" / "one.pdf").write_bytes(one)
+    shown = document if which == "lecture" else recorded
+    figures = {b.name: "figures/one.pdf" for b in shown.blocks if isinstance(b, Figure)}
+    source = tex.write(shown, figures)
+    (tmp_path / "lecture.tex").write_text(source, encoding="utf-8")
+    command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "lecture.tex"]
+    subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, timeout=120)
+    log = (tmp_path / "lecture.log").read_text(encoding="utf-8", errors="replace")
+    wide = [float(points) for points in re.findall(r"Overfull \\hbox \(([\d.]+)pt", log)]
+    # A lecture has none; a record, of 444 points of a line and of 77 points of margin, small ones.
+    assert max(wide, default=0) < (0.6 if which == "lecture" else 12)
+
+
+@pytest.mark.parametrize("paper", ["typst"], indirect=True)
+def test_typst_of_all_pages(paper):
+    made = pypdf.PdfReader(io.BytesIO(paper))
+    words = "\n".join(page.extract_text() for page in made.pages)
+    for number in range(33, 58):
+        assert f"(3.{number})" in words
+    assert len(made.pages) > 20
+    for number in range(1, len(EXERCISES) + 1):
+        assert words.count(f"Exercise {number}.") == 2  # asked and solved
+
+
+# --- Exercises ------------------------------------------------------------------------------------
+
+
+def test_titles_of_tables_begin_with_a_capital(recorded):
+    titles = [block.title for block in recorded.blocks if isinstance(block, DataTable)]
+    assert titles
+    assert [title for title in titles if title[0].islower()] == []
+
+
+MOMENTS = {s.lambda1, s.lambda2, s.lambda3}
+
+
+def test_moments_are_made_of_masses_and_lengths(recorded):
+    units: dict[str, dict[str, str]] = {}
+    for block in recorded.blocks:
+        for row in block.rows if isinstance(block, Display) else ():
+            left, right = row.equation.sides[0], row.equation.sides[-1]
+            made_of = {x: lay.known(x)[1] for x in right.free_symbols}
+            found = {str(x): quantity.unit for x, quantity in made_of.items() if quantity}
+            if left in MOMENTS and "kg" in found.values():
+                units[text(row.equation)] = found
+    assert len(units) > 5
+    made_of = {unit for found in units.values() for unit in found.values()}
+    assert made_of - {""} == {"kg", "m"}  # an index has no unit
+
+
+@pytest.mark.parametrize("name", ["principal-axes", "cone-on-its-tip", "wobble-to-spin"])
+def test_symbols_of_their_own_are_explained(judged, solutions, name):
+    everything = [
+        *(j for _, row in judged for j in row),
+        *(j for x in solutions for j in x.judgements),
+    ]
+    judgement = next(judgement for judgement in everything if judgement.claim.name == name)
+    used = symbols_used(claim_blocks(judgement))
+    # Of any two vectors there are components, which need no words.
+    free = {f"{x}_{k}" for x in "uv" for k in (1, 2, 3)} | {"d3r"}
+    assert {x.name for x in used if lay.known(x)[1] is None} <= free
+
+
+def test_every_exercise_stands_once_in_its_section(recorded):
+    titles = [block.title for block in recorded.blocks if isinstance(block, ExerciseHead)]
+    assert sorted(titles) == sorted(exercise.title for exercise in EXERCISES)
+
+
+def test_a_claim_of_the_lecture_is_named_and_not_repeated(recorded, solutions):
+    heads = [block.name for block in recorded.blocks if isinstance(block, ClaimHead)]
+    assert len(set(heads)) == len(heads)
+    assert {j.claim.name for solution in solutions for j in solution.judgements} <= set(heads)
+    assert ("See the claim example-34 above.",) in [
+        block.content for block in recorded.blocks if isinstance(block, Paragraph)
+    ]
+
+
+def test_a_student_sees_no_solution(judged, solutions, lines):
+    (document, pictures), (whole, _) = (
+        lecture(judged, solutions, student=student, lines=lines) for student in (True, False)
+    )
+    assert not any(picture.name.startswith("exercise-") for picture in pictures)
+    assert not any(isinstance(block, DataTable | Quantities) for block in document.blocks)
+    heads = [b.number for b in document.blocks if isinstance(b, ExerciseHead)]
+    assert heads == list(range(1, len(EXERCISES) + 1))
+    new = {j.claim.name for s in solutions for j in s.judgements} - {
+        claim.name for page in PAGES for claim in page.claims
+    }
+    assert new
+    assert not new & _marked(document)
+    assert new <= _marked(whole)
+
+
+def _marked(document):
+    """The claims that have a mark."""
+    rows = (row for b in document.blocks if isinstance(b, Display) for row in b.rows)
+    said = (block for block in document.blocks if isinstance(block, Paragraph))
+    return {each.mark.name for each in (*rows, *said) if each.mark is not None}
+
+
+def test_every_claim_of_the_notes_has_its_mark(document, judged):
+    names = {j.claim.name for _, judgements in judged for j in judgements}
+    assert names <= _marked(document)
+    rows = (row for b in document.blocks if isinstance(b, Display) for row in b.rows)
+    marks = {row.mark.name: row.mark for row in rows if row.mark is not None}
+    assert marks["coplanar"].verdict.value == "false"
+    assert plain.rich(marks["3.45"].note) == (
+        "if the top is not upright and does not hang (sin θ ≠ 0)"
+    )
+    assert marks["3.54"].note == ()
+
+
+def test_a_false_statement_stands_with_its_numbers_and_its_right_form(document):
+    said = [plain.rich(b.content) for b in document.blocks if isinstance(b, Paragraph)]
+    (words,) = [each for each in said if each.startswith("The notes say: In the space frame all")]
+    assert "This is false: with λ₁ = 1, λ₂ = 2" in words
+    assert "both sides are 0" in words
+    place = said.index(words)
+    (row,) = next(
+        b.rows
+        for b in document.blocks[document.blocks.index(_paragraph(document, place)) :]
+        if isinstance(b, Display)
+    )
+    assert text(row.equation) == "I_xz = (λ₃ − λ₁) sin θ cos θ cos φ"
+
+
+def _paragraph(document, place):
+    return [block for block in document.blocks if isinstance(block, Paragraph)][place]
+
+
+def test_figures_are_numbered_in_order_and_cited(document):
+    figures = [block for block in document.blocks if isinstance(block, Figure)]
+    assert [figure.number for figure in figures] == list(range(1, len(figures) + 1))
+    contents = [b.content for b in document.blocks if isinstance(b, Paragraph)]
+    contents += [row.spoken for b in document.blocks if isinstance(b, Display) for row in b.rows]
+    cited = {piece.anchor for c in contents for piece in c if isinstance(piece, Cited)}
+    spoken = {f.anchor for f in figures if not f.name.startswith("exercise-")} - {"figure-map"}
+    assert spoken <= cited
+
+
+def test_numbers_are_written_as_people_do():
+    assert plain.rich(written(math.pi / 6, "rad")) == "30°"
+    assert plain.rich(written(-0.5, "m/s")) == "−0.5\u2009m/s"
+    assert plain.rich(written(math.radians(0.1 / 3600), "rad")) == "0.1″"
+    assert written("waves", "1") == ("waves",)
+
+
+def test_a_sheet_is_signed_and_numbered(solutions):
+    document, pictures = sheet(solutions, student=True, points="5 points")
+    assert isinstance(document.blocks[0], NameLine)
+    heads = [block for block in document.blocks if isinstance(block, ExerciseHead)]
+    assert [head.number for head in heads] == list(range(1, len(EXERCISES) + 1))
+    assert {head.points for head in heads} == {"5 points"}
+    assert pictures == []
+
+
+def test_a_sheet_has_the_claims_in_full(solutions):
+    document, pictures = sheet(solutions)
+    measured = [row for b in document.blocks if isinstance(b, Measures) for row in b.rows]
+    assert measured == [m for s in solutions for m in s.measures]
+    assert len(measured) > 40
+    assumed = [item for b in document.blocks if isinstance(b, Conditions) for item in b.items]
+    assert any(not item.stated for item in assumed)
+    assert any(item.stated for item in assumed)
+    assert _marked(document) >= {j.claim.name for s in solutions for j in s.judgements}
+    assert {p.name for p in pictures} == {
+        f"exercise-{exercise.name}" for exercise in EXERCISES if exercise.figure
+    }
+
+
+def test_chapters_can_be_read_into_another_document(document, drawn, tmp_path):
+    paths = {name: f"figures/{name}.pdf" for name in drawn}
+    made = tex.chapters(document, paths)
+    assert {"rigidtop.sty", "chapters/3-5-3.tex", "chapters/solutions.tex"} <= set(made)
+    if not shutil.which("pdflatex"):
+        pytest.skip("needs pdflatex")
+    for name in ("rigidtop.sty", "chapters/3-5-3.tex", "chapters/solutions.tex"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(made[name], "utf-8")
+    (tmp_path / "figures").mkdir()
+    for name, (figure, _) in drawn.items():
+        (tmp_path / paths[name]).write_bytes(figure)
+    chosen = r"\input{chapters/3-5-3}\input{chapters/solutions}"
+    own = rf"\documentclass{{report}}\usepackage{{rigidtop}}\begin{{document}}{chosen}"
+    (tmp_path / "own.tex").write_text(own + r"\end{document}", "utf-8")
+    command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "own.tex"]
+    subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, timeout=120)
+    assert (tmp_path / "own.pdf").exists()
+
+
+def test_a_myst_project_has_every_numbered_equation(document):
+    made = myst.write(document)
+    whole = "\n".join(made.values())
+    for number in range(33, 58):
+        assert f":label: claim-3-{number}\n:enumerator: 3.{number}\n" in whole
+    files = re.findall(r"- file: (\S+)", made["myst/myst.yml"])
+    assert {f"myst/{file}" for file in files} == set(made) - {"myst/myst.yml"}
+    labels = re.findall(r":label: (\S+)", whole)
+    assert len(set(labels)) == len(labels)
+
+
+def test_slides_have_their_keys(document, pictures):
+    svg = {p.name: "<svg width='9pt'/>" for p in pictures}
+    made = html.write(document, svg, slides=True)
+    assert "ArrowRight" in made
+    assert "ArrowRight" not in html.write(document, svg)
+
+
+def test_fixed_words_are_in_the_language_of_the_lecture(document):
+    own = translated(replace(document, look=Look(language="de")))
+    titles = [block.title for block in own.blocks if isinstance(block, Heading)]
+    assert "Lösungen der Aufgaben" in titles
+    assert "Solutions of the exercises" not in titles
+    labels = {block.label for block in own.blocks if isinstance(block, (Figure, ExerciseHead))}
+    assert {"Abbildung 1", "Aufgabe 1"} <= labels
+    words = [
+        piece.words
+        for block in own.blocks
+        for part in (block.rows if isinstance(block, Display) else [block])
+        for piece in (getattr(part, "content", None) or getattr(part, "reason", ""))
+        if isinstance(piece, Cited) and piece.anchor.startswith("figure-")
+    ]
+    assert words
+    assert all(word.startswith("Abbildung ") for word in words)
+    assert translated(document) is document
+    for language, known in WORDS.items():
+        assert language in tex.LANGUAGES
+        assert set(SHOWN) <= set(known)
+        assert all(known.values())
+
+
+def test_a_lecture_of_ones_own_looks(document):
+    look = Look("letter", "de", "% mine\n", "scrartcl")
+    own = replace(document, look=look, title="Kreisel", byline="A. Lecturer, PHY 305")
+    source = tex.write(own, {b.name: "x" for b in own.blocks if isinstance(b, Figure)})
+    assert r"\documentclass[10pt,letterpaper,fleqn]{scrartcl}" in source
+    assert r"\IfFileExists{ngerman.ldf}{\usepackage[ngerman]{babel}}" in source
+    assert r"\renewcommand{\contentsname}{Inhalt}" in source
+    assert re.search(r"% mine\s+\\begin\{document\}", source)
+    assert "A. Lecturer, PHY 305" in source
+    assert "pdftitle={Kreisel}" in source

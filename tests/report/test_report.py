@@ -1,0 +1,661 @@
+"""The lecture as a document: what it says, how it is written, and that files are whole."""
+
+import io
+import os
+import re
+import shutil
+import subprocess
+import sys
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pypdf
+import pytest
+from sympy import Eq, Integer, Ne, Rational, cos, sin, sqrt
+
+from rigidtop.errors import RigidtopError
+from rigidtop.figures.catalog import FIGURES
+from rigidtop.proof import verdict
+from rigidtop.proof.equation import Equation, as_printed
+from rigidtop.proof.page import (
+    Assumption,
+    Check,
+    Claim,
+    Correction,
+    Definition,
+    Measure,
+    Page,
+    Step,
+)
+from rigidtop.proof.verdict import (
+    Counterexample,
+    Finding,
+    Judgement,
+    Verdict,
+)
+from rigidtop.report import files, html, pdf, plain, tex, typst
+from rigidtop.report.lecture import FORMATS, Picture, fragment, write_lecture
+from rigidtop.report.report import (
+    ClaimHead,
+    Conditions,
+    DataTable,
+    Display,
+    Document,
+    ExerciseHead,
+    Figure,
+    FoundList,
+    Heading,
+    Measures,
+    Numbers,
+    Paragraph,
+    Row,
+    Summary,
+    anchor,
+    claim_blocks,
+    document,
+    groups,
+    is_number,
+    short_number,
+)
+from rigidtop.theory.symbols import (
+    L3,
+    L_z,
+    Omega,
+    inertia,
+    lambda1,
+    lambda3,
+    omega3,
+    phidot,
+    psidot,
+    theta,
+    thetaddot,
+)
+from rigidtop.typeset import layout as lay
+from rigidtop.typeset.text import text
+
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="9pt"><g id="a"><use href="#a"/></g></svg>'
+FIGURE = Figure("small", "The caption of λ₁.", 'A "quoted" thing & more.')
+
+
+def _claim(name: str, says: str, reason: str = "") -> Claim:
+    def evidence():
+        return ()
+
+    evidence.__doc__ = reason
+    return Claim(name, says, evidence)
+
+
+@pytest.fixture(scope="session")
+def judged(printed):
+    """Three claims by hand: one assuming in three lines, one false, one proved with a measure."""
+    lines = [printed[number] for number in ("3.57a", "3.57b", "3.57")]
+    lines = [Equation(*line.sides, tag="3.57" if i == 2 else "") for i, line in enumerate(lines)]
+    tilted = Assumption(Ne(sin(theta), 0), "the top is not upright")
+    spinning = Assumption(Ne(omega3, 0), stated=True)
+    at = Counterexample({theta: Integer(0), Omega: Rational(1, 2)}, Integer(0), sqrt(2) * 7**5 / 49)
+    quadratic = Judgement(
+        _claim("3.57", "Steady precession & its rate.", "The factor sin θ is divided out (100 %)."),
+        "3.5.3",
+        Verdict.ASSUMING,
+        (
+            Finding(Check(lines[0], reason="$θ̈ = 0$ in (3.54)"), Verdict.PROVED),
+            Finding(
+                Check(lines[1], {psidot: omega3 - Omega * cos(theta)}, given=(thetaddot,)),
+                Verdict.ASSUMING,
+                (verdict.TestedAssumption(tilted, at), verdict.TestedAssumption(spinning, at)),
+            ),
+            Finding(Check(lines[2]), Verdict.PROVED),
+            Step(printed["3.54"], "Lagrange's equation of (3.53)."),
+            Measure("θ held over 100 turns", 1.6e-12, 1e-9),
+        ),
+        0.1,
+    )
+    with as_printed():
+        wrong = Equation(inertia, lambda1 - lambda3)
+        right = Equation(inertia, lambda3 - lambda1)
+    false = Judgement(
+        _claim("no-number", "I is λ₁ − λ₃."),
+        "3.5.3",
+        Verdict.FALSE,
+        (
+            Finding(Check(wrong), Verdict.FALSE, (), replace(at, left=None)),
+            Finding(Correction(right, reason="The other sign."), Verdict.PROVED),
+        ),
+        0.1,
+        "it fails <somehow>",
+    )
+    simple = Judgement(
+        _claim("3.45", "φ̇ from L_z and L₃."),
+        "3.5.3",
+        Verdict.PROVED,
+        (
+            Definition(Equation(Omega, phidot), "The rate of φ."),
+            Finding(Check(printed["3.45"], {L_z: L3 * cos(theta)}), Verdict.PROVED),
+        ),
+        0.1,
+    )
+    page = Page("3.5.3", "Precession & more", "About θ̈ and λ₁.", ())
+    return [(page, (quadratic, false, simple))]
+
+
+@pytest.fixture(scope="session")
+def lecture(judged):
+    return document(judged, [("3.5.3", FIGURE)])
+
+
+# --- What is said ---------------------------------------------------------------------------------
+
+
+def _labelled(judgement, label):
+    (block,) = [b for b in claim_blocks(judgement) if getattr(b, "label", "") == label]
+    return block
+
+
+def test_the_order_of_a_claim(judged):
+    blocks = claim_blocks(judged[0][1][0])
+    assert [type(block) for block in blocks] == [
+        ClaimHead,
+        Display,
+        Paragraph,
+        Display,
+        Display,
+        Conditions,
+        Measures,
+    ]
+    assert [b.label for b in blocks if isinstance(b, Display)] == [
+        "The notes print",
+        "Derivation",
+        "The engine's own expressions",
+    ]
+
+
+def test_the_tag_stands_once_behind_the_last_line(judged):
+    (shown,) = [
+        b for b in claim_blocks(judged[0][1][0]) if getattr(b, "label", "") == "The notes print"
+    ]
+    assert [row.tag for row in shown.rows] == ["", "", "3.57"]
+    assert [row.follows for row in shown.rows] == [False, True, False]
+    assert [row.verdict for row in shown.rows] == ["proved", "assuming", "proved"]
+
+
+def test_a_number_that_several_lines_bear_stands_behind_the_last(printed):
+    lines = [Equation(*printed[n].sides, tag="3.37") for n in ("3.37", "3.37b")]
+    judgement = Judgement(
+        _claim("3.37", ""),
+        "",
+        Verdict.PROVED,
+        tuple(Finding(Check(line), Verdict.PROVED) for line in lines),
+        0.0,
+    )
+    assert [row.tag for row in _labelled(judgement, "The notes print").rows] == ["", "3.37"]
+
+
+def test_a_claim_of_one_verdict_repeats_it_nowhere(judged):
+    (shown,) = [
+        b for b in claim_blocks(judged[0][1][2]) if getattr(b, "label", "") == "The notes print"
+    ]
+    assert {row.verdict for row in shown.rows} == {None}
+    assert [row.tag for row in shown.rows] == ["", "3.45"]
+
+
+def test_the_engines_meaning_is_shown_where_it_says_something(judged):
+    shown = _labelled(judged[0][1][0], "The engine's own expressions")
+    assert [text(row.equation) for row in shown.rows] == ["ψ̇ = ω₃ − Ω cos θ"]
+
+
+def test_a_false_claim_has_its_numbers_and_its_correction(judged):
+    blocks = claim_blocks(judged[0][1][1])
+    (numbers,) = [block for block in blocks if isinstance(block, Numbers)]
+    assert numbers.said(text) == "the left side is undefined, the right side 343√2"
+    assert [(text(a), text(b)) for a, b in numbers.values] == [("Ω", "½"), ("θ", "0")]
+    corrected = _labelled(judged[0][1][1], "Corrected form")
+    assert text(corrected.rows[0].equation, "printed") == "I = λ₃ − λ₁"
+    assert blocks[-1] == Paragraph(("This claim does not pass. It fails <somehow>.",))
+
+
+def test_equal_sides_are_said_once():
+    assert Numbers("", (), short_number(2), short_number(2)).said(text) == "both sides are 2"
+
+
+def test_the_front_counts_and_lists(lecture):
+    (summary,) = [block for block in lecture.blocks if isinstance(block, Summary)]
+    assert [(str(v), n) for v, n, _ in summary.rows] == [
+        ("proved", 1),
+        ("assuming", 1),
+        ("false", 1),
+    ]
+    (found,) = [block for block in lecture.blocks if isinstance(block, FoundList)]
+    assert [row.name for row in found.rows] == ["3.57", "no-number"]
+    assert plain.rich(found.rows[0].content) == "Not stated: sin θ ≠ 0 (the top is not upright)."
+    assert plain.rich(found.rows[1].content) == "I is λ₁ − λ₃. Corrected: I = λ₃ − λ₁."
+
+
+def _listed(printed, *numbers):
+    """What the list of findings has of a false claim, with the equations of these numbers right."""
+    with as_printed():
+        right = [Equation(*printed[number].sides) for number in numbers]
+    made = tuple(Finding(Correction(equation), Verdict.PROVED) for equation in right)
+    page = Page("3.2", "x", "y", ())
+    judgement = Judgement(_claim("false", "It is not."), "3.2", Verdict.FALSE, made, 0.1)
+    blocks = document([(page, (judgement,))]).blocks
+    (found,) = [block for block in blocks if isinstance(block, FoundList)]
+    return found.rows[0].content
+
+
+def test_a_correction_with_a_fraction_is_listed(printed):
+    content = _listed(printed, "3.45")
+    assert plain.rich(content) == "It is not. Corrected: φ̇ = (L_z − L₃ cos θ)/(λ₁ sin² θ)."
+    assert r"\frac{L_{z} - L_{3}\cos\theta}{\lambda_{1}\sin^{2}\theta}" in tex.rich(content)
+
+
+def test_every_correction_is_listed_or_said_to_stand_elsewhere(printed):
+    both = "It is not. Corrected: r′ = Oᵀr; λ₁ω̇₁ = (λ₂ − λ₃)ω₂ω₃."
+    assert plain.rich(_listed(printed, "3.34", "3.36")) == both
+    assert plain.rich(_listed(printed, "3.47")) == "It is not. Corrected at the claim."
+    assert plain.rich(_listed(printed, "3.49")) == "It is not. Corrected at the claim."
+    some = "It is not. Corrected: r′ = Oᵀr; more at the claim."
+    assert plain.rich(_listed(printed, "3.34", "3.38")) == some
+
+
+def test_rows_are_grouped_between_reasons_and_tags(judged):
+    shown = Display(tuple(claim_blocks(judged[0][1][2])[1].rows))
+    assert [len(group) for group in groups(shown)] == [2]
+    reasons = tuple(replace(row, reason="why") for row in shown.rows)
+    assert [len(group) for group in groups(Display(reasons))] == [1, 1]
+    bare = Display(tuple(replace(row, reason="", tag="") for row in shown.rows))
+    assert [len(group) for group in groups(bare)] == [2]
+
+
+def test_names():
+    assert is_number("3.57")
+    assert not is_number("two-roots")
+    assert anchor("3.57") == "claim-3-57"
+
+
+def test_short_numbers():
+    assert text(short_number(sqrt(3) / 16)) == "(1/16)√3"
+    assert text(short_number(sin(Rational(2, 7)))) == "0.281843"
+    assert text(short_number(Rational(-123456789, 1000))) == "−123457"
+
+
+# --- HTML -----------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="session")
+def page(lecture):
+    return html.write(lecture, {"small": SVG})
+
+
+@pytest.fixture(scope="session")
+def root(page):
+    return ElementTree.fromstring(page.removeprefix("<!DOCTYPE html>\n"))
+
+
+def _named(root, name):
+    return [e for e in root.iter() if e.tag.rpartition("}")[2] == name]
+
+
+def test_html_is_well_formed_and_in_english(root):
+    assert root.get("lang") == "en"
+    assert [e.text for e in _named(root, "title")] == [
+        "Rigid rotation and the spinning top: derived and judged"
+    ]
+
+
+def test_html_loads_nothing(page, root):
+    assert not re.search(r"\b(src|srcset|action)=|@import|url\((?!#)|<link|<script|<iframe", page)
+    links = [value for e in root.iter() for key, value in e.items() if key.endswith("href")]
+    assert links
+    assert all(link.startswith("#") for link in links)
+
+
+def test_html_identifiers_are_unique_and_links_lead_somewhere(root):
+    names = [e.get("id") for e in root.iter() if e.get("id")]
+    assert len(set(names)) == len(names)
+    links = {v[1:] for e in root.iter() for k, v in e.items() if k.endswith("href")}
+    assert links <= set(names)
+    assert {"content", "claim-3-57", "section-3-5-3", "small-a"} <= set(names)
+
+
+def test_html_headings_descend_one_by_one(root):
+    levels = [int(e.tag[1]) for e in root.iter() if re.fullmatch(r"h[1-6]", e.tag)]
+    assert levels[0] == 1
+    assert levels.count(1) == 1
+    assert all(after <= before + 1 for before, after in pairwise(levels))
+
+
+def test_html_says_its_figures_and_formulas_in_words(root):
+    (svg,) = _named(root, "svg")
+    assert svg.get("role") == "img"
+    assert svg.get("aria-label") == 'A "quoted" thing & more.'
+    formulas = _named(root, "math")
+    assert formulas
+    assert all(e.get("alttext") for e in formulas)
+
+
+def test_html_badges_are_words(root):
+    badges = [e for e in root.iter("span") if "badge" in (e.get("class") or "")]
+    assert badges
+    for badge in badges:
+        words = "".join(badge.itertext()).split()
+        assert words[-1] in {str(v) for v in Verdict}
+        assert badge[0].get("aria-hidden") == "true"
+
+
+def test_html_escapes(page):
+    assert "It fails &lt;somehow&gt;." in page
+    assert "Steady precession &amp; its rate." in page
+
+
+# --- LaTeX, Typst, text ---------------------------------------------------------------------------
+
+
+def test_latex_document(lecture):
+    source = tex.write(lecture, {"small": "figures/small.pdf"})
+    assert source.isascii() or "ü" in source
+    assert {c for c in source if not c.isascii()} <= {"ü"}
+    assert r"\tag{3.57}" in source
+    assert r"\rtdrawn{figures/small.pdf}" in source
+    assert source.count(r"\begin{align") == source.count(r"\end{align")
+    used = set(re.findall(r"\\usepackage(?:\[[^]]*\])?\{([^}]*)\}", source))
+    basic = (
+        "fontenc inputenc lmodern microtype geometry amsmath amssymb graphicx booktabs longtable"
+    )
+    assert {p for group in used for p in group.split(",")} <= {
+        *basic.split(),
+        "array",
+        "multicol",
+        "xcolor",
+        "hyperref",
+    }
+
+
+def test_a_latex_fragment_begins_with_an_equation_or_a_sentence(judged):
+    for _, judgements in judged:
+        for judgement in judgements:
+            for paste in re.split(r"^%.*\n", tex.fragment(claim_blocks(judgement)), flags=re.M):
+                assert not paste.startswith("$\\Rightarrow")
+
+
+def test_latex_fragment_is_equations_with_comments(judged):
+    made = fragment(judged[0][1][0], "latex")
+    assert made.startswith("% (3.57)  [assuming]\n% Steady precession & its rate.\n")
+    outside = re.sub(r"\\begin\{align\*?\}.*?\\end\{align\*?\}", "", made, flags=re.DOTALL)
+    kept = [line for line in outside.splitlines() if line and not line.startswith("%")]
+    assert kept == [r"$\ddot{\theta} = 0$ in (3.54)", r"Lagrange's equation of (3.53)."]
+    assert made.count(r"\tag{3.57}") == 1
+
+
+def test_typst_document(lecture):
+    source = typst.write(lecture, {"small": "figures/small.svg"})
+    assert '#eq("3.57", "proved", $ 0 &= (lambda_(1) cos theta) Omega^(2)' in source
+    assert "<claim" not in source  # labels are made by the function
+    assert "inline(1/2)" in source
+
+
+def test_typst_keeps_primes_and_small_fractions():
+    assert typst.maths(r"\mathbf{e}_{1}'") == "upright(bold(e))'_(1)"
+    assert typst.maths(r"\tfrac{1}{2}x") == "inline(1/2) x"
+    assert typst.maths(r"\frac{\nu}{\mu}(x)") == "frac(nu, mu)(x)"
+    assert typst.maths(r"x\frac{a}{12}b") == "x frac(a, 12) b"
+    assert typst.maths(r"x = \text{const}") == 'x = "const"'
+
+
+def test_dashes_of_words_in_a_typst_formula():
+    assert "--" not in typst.prose("turns z–y′–z″")
+
+
+def test_text_fragment(judged):
+    assert fragment(judged[0][1][0], "text").splitlines()[:8] == [
+        "(3.57)  [assuming]",
+        "Steady precession & its rate.",
+        "",
+        "The notes print:",
+        "    θ̈ = 0 in (3.54)",
+        "  0 = λ₁φ̇² sin θ cos θ − λ₃(ψ̇ + φ̇ cos θ)φ̇ sin θ + MgR sin θ  [proved]",
+        "  0 = λ₁Ω² cos θ − λ₃(ψ̇ + φ̇ cos θ)Ω + MgR, with ψ̇ + φ̇ cos θ ≡ ω₃  [assuming]",
+        "  0 = (λ₁ cos θ)Ω² − (λ₃ω₃)Ω + MgR  (3.57)  [proved]",
+    ]
+
+
+@pytest.mark.parametrize("format", FORMATS)
+def test_every_claim_has_a_fragment(judged, format):
+    for judgement in judged[0][1]:
+        made = fragment(judgement, format)
+        assert made.endswith("\n")
+        if format == "html":
+            ElementTree.fromstring(made)
+
+
+def test_an_unknown_format_is_one_line(judged):
+    with pytest.raises(RigidtopError, match="unknown format 'rtf': choose from text, latex, html"):
+        fragment(judged[0][1][0], "rtf")
+
+
+# --- PDF ------------------------------------------------------------------------------------------
+
+
+@pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
+def test_pdf_by_latexmk(lecture):
+    source = tex.write(replace(lecture, blocks=tuple(b for b in lecture.blocks if b != FIGURE)), {})
+    made = pdf.by_latexmk(shutil.which("latexmk") or "", source, {})
+    assert made.startswith(b"%PDF")
+
+
+BESIDE = ExerciseHead("A short title", "claim-short", "asks little")
+BENEATH = ExerciseHead(
+    "A top that friction raises",
+    "claim-long",
+    "“friction will cause the point of contact of the top to do something that takes long to say”",
+)
+
+
+def _lines_of_a_pdf(made: bytes) -> list[str]:
+    pages = pypdf.PdfReader(io.BytesIO(made)).pages
+    return [line.strip() for page in pages for line in page.extract_text().splitlines()]
+
+
+def _heads(lines: list[str]) -> list[str]:
+    """Behind the contents."""
+    return lines[max(i for i, line in enumerate(lines) if line.startswith("Exercise: A short")) :]
+
+
+@pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
+def test_a_long_remark_stands_beneath_its_heading_in_latex():
+    source = tex.write(Document("T", "S", (BESIDE, BENEATH), "C"), {})
+    lines = _heads(_lines_of_a_pdf(pdf.by_latexmk(shutil.which("latexmk") or "", source, {})))
+    assert lines[0] == "Exercise: A short title asks little"
+    assert lines[1] == "Exercise: A top that friction raises"
+    assert lines[2].startswith("“friction will cause")
+
+
+def test_a_long_remark_stands_beneath_its_heading_in_typst():
+    source = typst.write(Document("T", "S", (BESIDE, BENEATH), "C"), {})
+    lines = _heads(_lines_of_a_pdf(pdf.by_typst(source, {})))
+    title = next(i for i, line in enumerate(lines) if "friction raises" in line)
+    assert lines[title] == "Exercise: A top that friction raises"
+    assert lines[title + 1].startswith("“friction will cause")
+
+
+def test_a_long_remark_may_stand_beneath_its_heading_in_html():
+    assert re.search(r"\.head \{[^}]*flex-wrap: wrap", html.style("page.css"))
+
+
+OPENING = (
+    Heading(1, "1", "An opening", "section-1"),
+    Paragraph(("What it is about.",), held=True),
+    ClaimHead("a-claim", "claim-a", "It says so.", Verdict.PROVED),
+    Paragraph(("The reason.",), "Reason"),
+    Display((Row(Equation(lambda1, lambda3), "printed"),), "Derivation"),
+)
+
+
+def _page_of(made: bytes, words: str) -> int:
+    """The last page that has the words: the first has the contents."""
+    pages = [page.extract_text() for page in pypdf.PdfReader(io.BytesIO(made)).pages]
+    return max(i for i, text in enumerate(pages) if words in text)
+
+
+@pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
+def test_a_section_opens_with_its_first_claim_in_latex():
+    for count in range(26, 36, 2):
+        source = tex.write(Document("T", "S", (*FILL[:count], *OPENING), "C"), {})
+        made = pdf.by_latexmk(shutil.which("latexmk") or "", source, {})
+        assert _page_of(made, "An opening") == _page_of(made, "The reason."), count
+
+
+def test_a_section_opens_with_its_first_claim_in_typst():
+    for count in range(24, 45):
+        source = typst.write(Document("T", "S", (*FILL[:count], *OPENING), "C"), {})
+        made = pdf.by_typst(source, {})
+        assert _page_of(made, "An opening") == _page_of(made, "The reason."), count
+
+
+FILL = tuple(Paragraph((f"Line {i}.",)) for i in range(90))
+TABLE = DataTable("The title of the table", ("first", "second"), ((lay.Number("1.5"),) * 2,) * 6)
+
+
+def _places(made: bytes) -> dict[str, int]:
+    """The pages on which the title of the table, its first and its last row stand."""
+    pages = [page.extract_text() for page in pypdf.PdfReader(io.BytesIO(made)).pages]
+    titles = [i for i, words in enumerate(pages) if "The title of the table" in words]
+    rows = [i for i, words in enumerate(pages) if "1.5" in words]
+    assert len(titles) == 1
+    return {"title": titles[0], "first": rows[0], "last": rows[-1]}
+
+
+@pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
+def test_a_table_stays_with_its_title_in_latex():
+    for count in range(26, 40, 2):
+        source = tex.write(Document("T", "S", (*FILL[:count], TABLE), "C"), {})
+        made = pdf.by_latexmk(shutil.which("latexmk") or "", source, {})
+        assert len(set(_places(made).values())) == 1, count
+
+
+def test_a_table_stays_with_its_title_in_typst():
+    for count in range(24, 45):
+        source = typst.write(Document("T", "S", (*FILL[:count], TABLE), "C"), {})
+        assert len(set(_places(pdf.by_typst(source, {})).values())) == 1, count
+
+
+def test_a_long_table_may_be_broken():
+    long = replace(TABLE, rows=TABLE.rows * 20)
+    made = pdf.by_typst(typst.write(Document("T", "S", (long,), "C"), {}), {})
+    assert len(pypdf.PdfReader(io.BytesIO(made)).pages) > 1
+    assert tex.tex_block(TABLE).count(r"$1.5$ \\*") == len(TABLE.rows)
+    assert tex.tex_block(long).count(r"$1.5$ \\*") == 3
+
+
+@pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
+def test_an_error_of_latex_is_one_line():
+    source = "\\documentclass{article}\n\\begin{document}\n\\nonsense\n\\end{document}\n"
+    with pytest.raises(RigidtopError) as caught:
+        pdf.by_latexmk(shutil.which("latexmk") or "", source, {})
+    assert str(caught.value) == (
+        r"no PDF: latexmk failed: Undefined control sequence. l.3 \nonsense"
+    )
+
+
+def _sleeper(folder: Path) -> str:
+    script = folder / "latexmk"
+    script.write_text("#!/bin/sh\nexec sleep 60\n")
+    script.chmod(0o755)
+    return str(script)
+
+
+def test_latexmk_has_a_time_limit(tmp_path, monkeypatch):
+    monkeypatch.setattr(pdf, "SECONDS", 0.2)
+    with pytest.raises(RigidtopError, match="latexmk took more than 0 s"):
+        pdf.by_latexmk(_sleeper(tmp_path), "", {})
+
+
+def test_pdf_by_typst(lecture):
+    source = typst.write(lecture, {"small": "figures/small.svg"})
+    made = pdf.by_typst(source, {"figures/small.svg": SVG.encode()})
+    assert made.startswith(b"%PDF")
+
+
+def test_an_error_of_typst_is_one_line():
+    with pytest.raises(RigidtopError, match=r"^no PDF: typst failed: .*unknown variable: nonsense"):
+        pdf.by_typst("#nonsense", {})
+
+
+def test_without_latexmk_typst_is_used(monkeypatch):
+    monkeypatch.setattr(pdf.shutil, "which", lambda name: None)
+    assert pdf.make_pdf(lambda: "", lambda: "A page.", {}).startswith(b"%PDF")
+
+
+def test_without_either_one_line_names_both(monkeypatch, judged, tmp_path):
+    monkeypatch.setattr(pdf.shutil, "which", lambda name: None)
+    monkeypatch.setattr(pdf, "find_spec", lambda name: None)
+    with pytest.raises(RigidtopError, match=r"latexmk.*typst and tylax") as caught:
+        write_lecture(judged, (), tmp_path / "out", pdf=True)
+    assert "\n" not in str(caught.value)
+    assert not (tmp_path / "out").exists()  # nothing half-written
+
+
+# --- Files ----------------------------------------------------------------------------------------
+
+
+def test_the_lecture_is_written_whole(judged, tmp_path):
+    written = write_lecture(judged, (), tmp_path / "deep" / "out")
+    folder = tmp_path / "deep" / "out"
+    names = sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*.*"))
+    assert names == sorted(path.relative_to(folder).as_posix() for path in written)
+    assert names == [
+        "figures/precession-rates.pdf",
+        "figures/precession-rates.svg",
+        "lecture.html",
+        "lecture.tex",
+    ]
+    ElementTree.fromstring(
+        (folder / "lecture.html").read_text(encoding="utf-8").removeprefix("<!DOCTYPE html>\n")
+    )
+
+
+def test_the_lecture_is_the_same_each_time(judged, tmp_path):
+    once, again = (write_lecture(judged, (), tmp_path / name) for name in "ab")
+    assert [path.read_bytes() for path in once] == [path.read_bytes() for path in again]
+
+
+def test_a_failure_leaves_the_old_file(tmp_path, monkeypatch):
+    target = tmp_path / "lecture.tex"
+    target.write_text("old")
+
+    def refuse(source, destination):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(files.os, "replace", refuse)
+    with pytest.raises(RigidtopError, match=r"cannot write .*lecture.tex: No space left on device"):
+        files.write_whole(target, b"new")
+    assert target.read_text() == "old"
+    assert os.listdir(tmp_path) == ["lecture.tex"]
+
+
+def test_a_folder_that_is_a_file_is_one_line(judged, tmp_path):
+    (tmp_path / "out").write_text("a file")
+    with pytest.raises(RigidtopError, match=r"^cannot write [^\n]*$"):
+        write_lecture(judged, (), tmp_path / "out")
+    assert (tmp_path / "out").read_text() == "a file"
+
+
+def test_the_printers_load_neither_matplotlib_nor_scipy():
+    code = (
+        "import sys, rigidtop.typeset.latex, rigidtop.typeset.text, rigidtop.typeset.table;"
+        "print([m for m in ('matplotlib', 'scipy', 'typst', 'tylax') if m in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+
+
+def test_every_figure_of_the_lecture_has_words():
+    for figure in (Picture(each.name, each, {}).described() for each in FIGURES):
+        assert len(figure.alternative) > 80
+        assert figure.alternative.isascii()  # it is spoken
+        assert tex.rich((figure.caption,))
+
+
+def test_equality_of_conditions():
+    assert text(Eq(lambda1, lambda3)) == "λ₁ = λ₃"

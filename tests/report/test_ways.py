@@ -1,0 +1,35 @@
+"""Derivations as they are shown: all of them, in every form."""
+
+from __future__ import annotations
+
+import pytest
+
+from rigidtop.derivations import lecture
+from rigidtop.notation import NOTES, named
+from rigidtop.report import html, plain, tex, typst
+from rigidtop.report.ways import steps, text_blocks, way_blocks
+
+LECTURE = lecture()
+
+
+@pytest.mark.parametrize("notation", [NOTES, named("landau")], ids=["notes", "landau"])
+@pytest.mark.parametrize("text", LECTURE.texts, ids=[text.name for text in LECTURE.texts])
+def test_a_page_is_written_in_every_form(text, notation) -> None:
+    blocks = text_blocks(LECTURE, text, notation)
+    shown = plain.fragment(blocks)
+    assert "\\" not in shown
+    assert "$" not in shown
+    for block in blocks:
+        assert tex.tex_block(block)
+        assert html.html_block(block)
+        assert typst.typst_block(block)
+
+
+@pytest.mark.parametrize("name", LECTURE.names)
+def test_a_way_is_shown_from_the_laws(name: str) -> None:
+    shown = plain.fragment(way_blocks(LECTURE, name, deep=True))
+    assert "Gap" not in shown
+    for step in steps(LECTURE, name):
+        assert step["verdict"] in ("follows", "definition")
+        assert step["equation"]
+        assert step["latex"]

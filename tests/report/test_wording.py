@@ -1,0 +1,146 @@
+"""No letter stands for two things on a page, in any notation: in formulas, words or figures."""
+
+import re
+import unicodedata
+from collections import defaultdict
+
+import pytest
+from matplotlib.text import Text
+
+from rigidtop.derivations import PAGES
+from rigidtop.derivations.exercises import EXERCISES
+from rigidtop.figures.catalog import FIGURES
+from rigidtop.notation import BUILT_IN, named
+from rigidtop.proof.verdict import judge_page
+from rigidtop.report.lecture import exercise_fragment, fragment, picture, solution_in
+from rigidtop.report.report import claim_blocks, symbols_used
+from rigidtop.report.solutions import blocks, solved
+from rigidtop.report.wording import Wording
+from rigidtop.theory.lettered import stands_for
+from rigidtop.theory.symbols import VOCABULARY
+from rigidtop.typeset.text import letter
+
+NOTATIONS = [named(name) for name in BUILT_IN if name != "notes"]
+
+
+def origins(monkeypatch, notation):
+    """For each letter that words get, the letters of the notes in whose place it stands."""
+    found = defaultdict(set)
+    other = Wording._other
+
+    def noted(self, old, primes, alone):
+        made = other(self, old, primes, alone)
+        plain = re.fullmatch(r"\(?(?:½π \+ |−)?(.*?)(?: − ½π)?\)?", made)[1]
+        found[unicodedata.normalize("NFC", plain)].add(old + primes)
+        return made
+
+    monkeypatch.setattr(Wording, "_other", noted)
+    return found
+
+
+def of_symbols(found, symbols):
+    for symbol in symbols:
+        origin = stands_for(symbol)
+        if origin in VOCABULARY and (origin is not symbol or symbol in VOCABULARY):
+            shown = getattr(symbol, "quantity", None) or VOCABULARY[symbol]
+            found[letter(shown.glyph)].add(letter(VOCABULARY[origin].glyph))
+
+
+# The letters that change places where the line of nodes is e₁′ stand for the same role.
+ROLES = {"e₁′": "e₂′", "ω₁′": "ω₂′", "s_φ": "c_φ", "s_ψ": "c_ψ"}
+
+
+def ambiguous(found):
+    roles = {at: {ROLES.get(old, old) for old in olds} for at, olds in found.items()}
+    return {at: olds for at, olds in roles.items() if len(olds) > 1}
+
+
+@pytest.fixture(scope="module")
+def judged():
+    return {judgement.claim.name: judgement for page in PAGES for judgement in judge_page(page)}
+
+
+@pytest.mark.parametrize("notation", NOTATIONS, ids=lambda notation: notation.name)
+def test_no_claim_has_a_letter_for_two_things(judged, notation, monkeypatch):
+    for judgement in judged.values():
+        found = origins(monkeypatch, notation)
+        made = Wording(notation).judgement(judgement)
+        of_symbols(found, symbols_used(claim_blocks(made)))
+        assert ambiguous(found) == {}, judgement.claim.name
+        monkeypatch.undo()
+
+
+@pytest.mark.parametrize("notation", NOTATIONS, ids=lambda notation: notation.name)
+def test_no_exercise_has_a_letter_for_two_things(judged, notation, monkeypatch):
+    for exercise in EXERCISES:
+        found = origins(monkeypatch, notation)
+        solution = solution_in(notation, solved(exercise, judged=judged))
+        drawn = picture(solution, notation)
+        if drawn is not None:
+            drawn.described()
+        of_symbols(found, symbols_used(blocks(solution, notation=notation)))
+        assert found
+        assert ambiguous(found) == {}, exercise.name
+        monkeypatch.undo()
+
+
+def gone(notation):
+    """Letters of the notes that the notation has for nothing; MgR where it has another R."""
+    printed = {letter(glyph) for glyph in notation.glyphs.values()}
+    olds = {letter(VOCABULARY[x].glyph) for x in notation.images} - printed
+    return {x for x in olds if not x.isascii()} | ({"MgR"} if "R" in olds else set())
+
+
+@pytest.mark.parametrize("notation", NOTATIONS, ids=lambda notation: notation.name)
+def test_what_the_notes_alone_write_is_nowhere_else(judged, notation):
+    exercises = [solved(exercise, judged=judged) for exercise in EXERCISES]
+    made = [exercise_fragment(each, notation) for each in exercises]
+    made += [fragment(each, "text", notation) for each in judged.values()]
+    for text in made:
+        words = re.sub(r"\nNotation: .*?\n\n", "\n", text, count=1, flags=re.DOTALL)
+        words = re.sub("MgR[₁₂₃]|ω_n²", "", words)  # of these the tables have no other
+        assert not {old for old in gone(notation) if old in words}, words[:60]
+
+
+@pytest.mark.parametrize("notation", NOTATIONS, ids=lambda notation: notation.name)
+@pytest.mark.parametrize("figure", FIGURES, ids=lambda figure: figure.name)
+def test_captions_and_names_in_figures(figure, notation, monkeypatch):
+    found = origins(monkeypatch, notation)
+    values, shown = figure.values(), Wording(notation).drawing(figure)
+    caption = shown.caption(**values)
+    assert ambiguous(found) == {}
+    assert not {old for old in gone(notation) if old in caption}
+    canvas = shown.draw(**values)
+    names = " ".join(name.get_text() for name in canvas.findobj(Text))
+    for old, tex in (("λ₁", r"\lambda"), ("ω₃", r"\omega"), ("MgR", "MgR")):
+        assert old not in gone(notation) or tex not in names
+    canvas.draw_without_rendering()  # Matplotlib knows the letters
+
+
+def test_names_in_figures_are_other_letters():
+    label = Wording(named("landau")).label
+    assert label(r"$\mathbf{N}$ in N") == r"$\mathbf{K}$ in N"
+    assert label(r"$\omega_k$, $\Omega_s$") == r"$\Omega_{k}$, $\Omega_{s}$"
+    assert label(r"$\mathbf{R}_\mathrm{CM}$") == r"$\mathbf{R}_\mathrm{CM}$"
+    assert label("M of N") == "M of N"
+
+
+def test_an_eigenvalue_is_no_tensor_of_inertia():
+    words = Wording(named("goldstein"))
+    assert words("$(λ − λ′) 𝐮·𝐯$, and $Lᵢ = λᵢωᵢ$") == "$(λ − λ′) 𝐮·𝐯$, and $Lᵢ = Iᵢωᵢ$"
+    assert words("$ṘRᵀ$ of $R = Rz(φ)$") == "$ṘRᵀ$ of $R = Rz(φ − ½π)$"
+    assert (
+        words("$sin φ$ is 3 N m, at $R$ (N m), 2 kg $m²$")
+        == "$sin (φ − ½π)$ is 3 N m, at $l$ (N m), 2 kg $m²$"
+    )
+    landau = Wording(named("landau"))
+    assert landau("$R$ in m, $N$ (N m), 5 N/m³") == "$l$ in m, $K$ (N m), 5 N/m³"
+    assert landau("along $𝐋̇$ and $𝛚$") == "along $𝐌̇$ and $𝛀$"
+
+
+def test_the_notes_stay_as_they_are(judged):
+    words = Wording(named("notes"))
+    each = judged["3.52"]
+    assert words.of(each) is each
+    assert words.drawing(FIGURES[0]) is FIGURES[0]
+    assert words("λ₁") == "λ₁"
