@@ -7,7 +7,6 @@ from operator import itemgetter
 
 from sympy import Eq, Expr, Ge, Le, Matrix, Ne, S
 
-from rigidtop.codegen import shipped
 from rigidtop.proof.equation import BODY, Equation, Rate
 from rigidtop.proof.page import Assumption, Check, Evidence, Formal, Page, Remark, claim
 from rigidtop.theory import gyrostat, top
@@ -30,7 +29,6 @@ from rigidtop.theory.rotation import (
     total_derivative,
 )
 
-from . import evidence
 from .printed import printed
 
 RATES = (s.omega1dot, s.omega2dot, s.omega3dot)
@@ -76,6 +74,8 @@ def lagrange_third(potential: Expr) -> dict:
 @claim("3.36", "Euler's equations for the case of no external torque.")
 def euler_equations() -> Iterator[Evidence]:
     """$Lₖ = λₖωₖ$ put into (3.35), component by component."""
+    from rigidtop.codegen import shipped
+
     lines = printed.lines("3.36")
     for line in lines:
         yield Check(line, rates())
@@ -92,6 +92,8 @@ def with_torque() -> Iterator[Evidence]:
 
     For gravity that is not cumbersome: $ẑ$ in body components obeys $γ̇ = γ × 𝛚$.
     """
+    from rigidtop.codegen import shipped
+
     lines = printed.lines("euler-with-torque")[-3:]
     for line in lines:
         yield Formal(line, rates(Matrix([s.N1, s.N2, s.N3])))
@@ -177,6 +179,8 @@ def axis_stability() -> Iterator[Evidence]:
     covered: with $λ₁ = λ₂ ≠ λ₃$ the axis $e₁$ has an extreme moment and is left all the same, and
     with three every axis stays and none is returned to.
     """
+    from . import evidence
+
     growth, stable, unstable, integral = itemgetter(2, 5, 7, 9)(printed.lines("axis-stability"))
     momentum = printed(r"L^2 = \text{const}")
     turning = "+".join(rf"(1 - \frac{{\lambda_0}}{{\lambda_{k}}})\zeta_{k}^2" for k in (1, 2, 3))

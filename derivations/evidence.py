@@ -1,4 +1,7 @@
-"""Motions computed as evidence beside the symbols, each compared with what a page derives."""
+"""Motions computed as evidence beside the symbols, each compared with what a page derives.
+
+Pages load it when they are judged: a browser's Python marks answers without NumPy.
+"""
 
 from __future__ import annotations
 

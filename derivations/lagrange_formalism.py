@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from sympy import Eq, Gt, Lt, Matrix, Ne, cos, sin
 
-from rigidtop.codegen import shipped
 from rigidtop.proof.equation import Equation, value
 from rigidtop.proof.page import Assumption, Check, Evidence, Formal, Page, Remark, Step, claim
 from rigidtop.theory import symbols as s
@@ -14,7 +13,6 @@ from rigidtop.theory import top
 from rigidtop.theory.lagrangian import momenta
 from rigidtop.theory.rotation import Z_AXIS, primed_matrix
 
-from . import evidence
 from .euler_angles import SYMMETRIC, TILTED, momentum_along_axes
 from .printed import printed
 
@@ -52,6 +50,8 @@ def lagrangian() -> Iterator[Evidence]:
 @claim("3.54", "Equation of motion for $θ$.")
 def theta_equation() -> Iterator[Evidence]:
     """Lagrange's equation of (3.53) for $θ$."""
+    from rigidtop.codegen import shipped
+
     line = printed("3.54")
     yield Check(line, {s.thetaddot: top.symmetric_top_accelerations()[0]})
     integrated = shipped.symbolic("top_in_euler_angles")[0]
@@ -68,6 +68,8 @@ def momentum_phi() -> Iterator[Evidence]:
 @claim("3.56", "$p_ψ$ is constant.")
 def momentum_psi() -> Iterator[Evidence]:
     """$ψ$ does not enter (3.53) either."""
+    from . import evidence
+
     yield Check(printed("3.56"), {s.p_psi: top.symmetric_momenta()[2], **CONSERVED})
     yield from evidence.conserved()
 
@@ -105,6 +107,8 @@ def constant_rate() -> Iterator[Evidence]:
 @claim("3.57", "The quadratic for the rate of steady precession.")
 def steady_precession() -> Iterator[Evidence]:
     """$θ̈$ vanishes in (3.54); dividing by $sin θ$ loses the tops for which every $Ω$ is steady."""
+    from . import evidence
+
     resting = top.symmetric_equations()[0].subs({s.thetaddot: 0, s.thetadot: 0})
     steady = {s.phidot: s.Omega, s.psidot: s.omega3 - s.Omega * cos(s.theta)}
     balance, divided, ordered = printed.lines("3.57")
@@ -162,6 +166,8 @@ def slow_agrees() -> Iterator[Evidence]:
 def fast_is_free() -> Iterator[Evidence]:
     """Without weight the top turns about $𝐋$ at $Ω_s = L/λ₁$ (not $Ω_b$), $𝐋$ vertical if $θ$ is
     constant."""
+    from . import evidence
+
     across = -s.lambda1 * ROOTS[s.Omega_plus] * sin(s.theta)
     momentum = primed_matrix() * Matrix([across, 0, s.lambda3 * s.omega3])
     meaning = {**ROOTS, **UP, s.L_vec: momentum}

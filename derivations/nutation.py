@@ -27,7 +27,6 @@ from rigidtop.theory.euler import OMEGA, along_flow, kinetic_energy
 from rigidtop.theory.lagrangian import Linearisation, cyclic_velocities, linearise
 from rigidtop.theory.trig import reduce_ratio
 
-from . import evidence
 from .euler_angles import TILTED
 from .printed import printed
 
@@ -88,6 +87,8 @@ def nutation() -> Iterator[Evidence]:
     the amplitude $λ₁MgR sin θ/(λ₃ω₃)²$ about an angle that much below the release. With finite
     amplitude $A$ the mean lies off the steady angle, by $−A²U‴/(4U″)$.
     """
+    from . import evidence
+
     curvature = potential_slope(2)
     meaning = {s.omega_n2: curvature / s.lambda1, s.g: steady_state()[s.g]}
     yield Step(Equation(s.U, top.top_effective_potential()), "Minus the Routhian at $θ̇ = 0$.")
@@ -143,6 +144,8 @@ def azimuth() -> Iterator[Evidence]:
     that is released at rest has $θ₀$ where it is released: cusps. With $p_φ = p_ψ = 0$ (example
     34) $φ$ rests although $θ$ changes.
     """
+    from . import evidence
+
     rate = cyclic_velocities(top.symmetric_lagrangian(), (s.phidot, s.psidot), (s.p_phi, s.p_psi))[
         s.phidot
     ]

