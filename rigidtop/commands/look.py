@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from rigidtop.errors import RigidtopError
 
 if TYPE_CHECKING:
-    from rigidtop.report.report import Front, Look
+    from rigidtop.report.blocks import Front, Look
 
 MOST_POINTS = 1000
 
@@ -56,7 +56,7 @@ def front_of(options: argparse.Namespace, front: Front) -> Front:
 
 def look_of(options: argparse.Namespace) -> Look:
     """Paper, language, preamble and class; RigidtopError where one of them is none."""
-    from rigidtop.report.report import Look
+    from rigidtop.report.blocks import Look
     from rigidtop.report.tex import LANGUAGES
 
     language = options.language or "en"

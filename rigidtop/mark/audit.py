@@ -41,8 +41,8 @@ from rigidtop.proof.verdict import (
 )
 from rigidtop.read.document import Numbered, lines, numbered, places
 from rigidtop.read.formula import Line, kind
+from rigidtop.report.claims import numbers
 from rigidtop.report.records import note as said_of
-from rigidtop.report.report import numbers
 from rigidtop.theory.symbols import const, phi, phidot, psi, psidot, theta, thetadot, unit
 from rigidtop.typeset.text import text
 

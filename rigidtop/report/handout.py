@@ -1,6 +1,6 @@
 """The lecture as it is handed out: its text, its figures, its exercises, and their solutions.
 
-`rigidtop.report.report` makes the record of every verdict; here a verdict is a mark in the margin.
+`rigidtop.report.record` makes the record of every verdict; here a verdict is a mark in the margin.
 """
 
 from __future__ import annotations
@@ -19,38 +19,10 @@ from rigidtop.proof.exercise import Answer, Exercise, Table
 from rigidtop.proof.lecture import Lecture, Prose, Text
 from rigidtop.proof.page import Claim, Page
 from rigidtop.proof.verdict import Judgement, Verdict
-from rigidtop.report.report import (
-    Block,
-    Cited,
-    Conditions,
-    DataTable,
-    Display,
-    ExerciseHead,
-    Figure,
-    Heading,
-    Judged,
-    Legend,
-    Mark,
-    Measures,
-    Paragraph,
-    Quantities,
-    Results,
-    Rich,
-    Row,
-    Subhead,
-    Unit,
-    anchor,
-    condition,
-    conditions,
-    derivation,
-    headings,
-    is_number,
-    numbers,
-    symbol_list,
-    tagged_rows,
-    tested,
-)
+from rigidtop.report import blocks as b
+from rigidtop.report.claims import condition, conditions, derivation, numbers, tagged_rows, tested
 from rigidtop.report.solutions import DIGITS, SMALLEST_ANGLE, TABLE_DIGITS, Solution, shown
+from rigidtop.report.symbols import symbol_list
 from rigidtop.report.ways import cited_figures, text_blocks
 from rigidtop.typeset.layout import Node, decimal, layout, negated, width
 
@@ -67,15 +39,15 @@ LEGEND: Mapping[Verdict, str] = {
 # --- Marks ---------------------------------------------------------------------------------------
 
 
-def marked(judgement: Judgement) -> tuple[Mark | Block, ...]:
+def marked(judgement: Judgement) -> tuple[b.Mark | b.Block, ...]:
     """The mark of a claim; behind it, where the notes are wrong, the numbers and the right form."""
     claim, verdict = judgement.claim, judgement.verdict
     if verdict in (Verdict.FALSE, Verdict.CONVENTION):
-        return (Mark(claim.name, verdict), *_set_right(judgement))
-    return (Mark(claim.name, verdict, _note(judgement)),)
+        return (b.Mark(claim.name, verdict), *_set_right(judgement))
+    return (b.Mark(claim.name, verdict, _note(judgement)),)
 
 
-def _note(judgement: Judgement) -> Rich:
+def _note(judgement: Judgement) -> b.Rich:
     """Under which conditions that the notes do not state a claim holds."""
     if judgement.verdict is not Verdict.ASSUMING:
         return ()
@@ -98,7 +70,7 @@ SHORT = 45.0
 """An equation of so many letters stands in a sentence."""
 
 
-def _set_right(judgement: Judgement) -> Iterable[Block]:
+def _set_right(judgement: Judgement) -> Iterable[b.Block]:
     """A statement that is wrong, its numbers, and its corrected form, in a sentence."""
     claim = judgement.claim
     said = {
@@ -117,15 +89,15 @@ def _set_right(judgement: Judgement) -> Iterable[Block]:
     short = [layout(equation, "printed") for equation in equations]
     if len(short) == 1 and width(short[0]) < SHORT and not corrected[0].check.reason:
         words += [". It should be ", short[0], *_under(corrected[0]), "."]
-        yield Paragraph(tuple(words), mark=None)
+        yield b.Paragraph(tuple(words), mark=None)
         return
-    yield Paragraph((*words, "."), held=bool(corrected))
+    yield b.Paragraph((*words, "."), held=bool(corrected))
     rows = tuple(
-        Row(finding.check.claimed, "printed", reason=_colon(finding.check.reason, finding))
+        b.Row(finding.check.claimed, "printed", reason=_colon(finding.check.reason, finding))
         for finding in corrected
     )
     if rows:
-        yield Display(rows)
+        yield b.Display(rows)
 
 
 def _sides(left: Node | None, right: Node | None) -> list[Any]:
@@ -143,7 +115,7 @@ def _under(finding: Any) -> list[Any]:
     return made
 
 
-def _colon(reason: str, finding: Any) -> Rich:
+def _colon(reason: str, finding: Any) -> b.Rich:
     words = reason.strip().rstrip(".:") or "What holds"
     return (words, *_under(finding), ":")
 
@@ -157,29 +129,29 @@ class Parts:
 
     lines: Lecture
     notation: Notation
-    figures: Mapping[str, Figure]
+    figures: Mapping[str, b.Figure]
     closing: Mapping[str, str]
     """To which section a figure belongs, by its name."""
     points: str = ""
 
 
-def sections(judged: Judged, exercises: Sequence[Solution], parts: Parts) -> list[Block]:
+def sections(judged: b.Judged, exercises: Sequence[Solution], parts: Parts) -> list[b.Block]:
     """The lecture section by section: text with figures, then exercises."""
     named = {text.name: text for text in parts.lines.texts}
-    made: list[Block] = []
+    made: list[b.Block] = []
     numbered = {id(each): k for k, each in enumerate(exercises, 1)}
     for page, judgements in judged:
-        made += headings(page)
+        made += b.headings(page)
         text = named.get(page.text)
         if text is None:
-            made.append(Paragraph((page.about,), held=True))
+            made.append(b.Paragraph((page.about,), held=True))
         else:
             marks = {j.claim.name: marked(j) for j in judgements}
             made += text_blocks(parts.lines, text, parts.notation, marks, parts.figures)
         for judgement in judgements:
             if text is None or judgement.claim.name not in parts.lines.names:
                 made += stated(judgement)
-        shown_ = {block.name for block in made if isinstance(block, Figure)}
+        shown_ = {block.name for block in made if isinstance(block, b.Figure)}
         made += [
             each
             for name, each in parts.figures.items()
@@ -187,7 +159,7 @@ def sections(judged: Judged, exercises: Sequence[Solution], parts: Parts) -> lis
         ]
         asked = [each for each in exercises if each.exercise.section == page.section]
         if asked:
-            made.append(Subhead("Exercises" if len(asked) > 1 else "Exercise"))
+            made.append(b.Subhead("Exercises" if len(asked) > 1 else "Exercise"))
         for each in asked:
             made += question(each.exercise, each.settings, numbered[id(each)], parts.points)
     return made
@@ -220,19 +192,19 @@ def spoken_of(text: Text) -> list[str]:
     return made
 
 
-def stated(judgement: Judgement) -> list[Block]:
+def stated(judgement: Judgement) -> list[b.Block]:
     """A claim without lines of its own: its words, its reason, its equation as it is printed."""
     mark, *behind = marked(judgement)
-    assert isinstance(mark, Mark)
+    assert isinstance(mark, b.Mark)
     claim = judgement.claim
     words = " ".join(filter(None, [claim.says.rstrip(".") + ".", claim.reason]))
     rows = tagged_rows(judgement)
-    made: list[Block] = [Paragraph((words,), held=bool(rows), mark=mark)]
+    made: list[b.Block] = [b.Paragraph((words,), held=bool(rows), mark=mark)]
     if rows:
-        made.append(Display(rows))
+        made.append(b.Display(rows))
     for block in derivation(judgement, False):
-        made.append(replace(block, label="") if isinstance(block, Display) else block)
-    return [*made, *(block for block in behind if not isinstance(block, Mark))]
+        made.append(replace(block, label="") if isinstance(block, b.Display) else block)
+    return [*made, *(block for block in behind if not isinstance(block, b.Mark))]
 
 
 # --- Exercises -----------------------------------------------------------------------------------
@@ -240,11 +212,11 @@ def stated(judgement: Judgement) -> list[Block]:
 
 def question(
     exercise: Exercise, values: Mapping[str, float], number: int, points: str = ""
-) -> list[Block]:
+) -> list[b.Block]:
     """An exercise as it is asked, its numbers as people write them."""
-    head = ExerciseHead(exercise.title, anchor(exercise.name), exercise.asks, number, points)
+    head = b.ExerciseHead(exercise.title, b.anchor(exercise.name), exercise.asks, number, points)
     parts = [" ".join(part.split()) for part in exercise.statement.split("\n\n")]
-    made: list[Block] = [head, *(Paragraph((part,)) for part in parts)]
+    made: list[b.Block] = [head, *(b.Paragraph((part,)) for part in parts)]
     given: list[Any] = []
     for parameter in exercise.parameters:
         given += ["; " if given else "", parameter.about]
@@ -253,11 +225,11 @@ def question(
             given.append(f" (“{name}”)")
         given += [": ", *written(values[name], parameter.unit)]
     if given:
-        made.append(Paragraph((*(piece for piece in given if piece), "."), "Given"))
+        made.append(b.Paragraph((*(piece for piece in given if piece), "."), "Given"))
     return made
 
 
-def written(value: float | str, unit: str, digits: int = DIGITS) -> Rich:
+def written(value: float | str, unit: str, digits: int = DIGITS) -> b.Rich:
     """A number with its unit, an angle in degrees, a small one in seconds of arc.
 
     >>> written(0.5235987755982988, "rad"), written(4.84813681e-07, "rad")
@@ -270,7 +242,7 @@ def written(value: float | str, unit: str, digits: int = DIGITS) -> Rich:
         value = math.degrees(value) * (3600 if small else 1)
         unit = "″" if small else "°"
     number = _number(value, digits)
-    return (number, Unit(unit)) if unit != "1" else (number,)
+    return (number, b.Unit(unit)) if unit != "1" else (number,)
 
 
 def _number(value: float, digits: int) -> Node:
@@ -282,9 +254,9 @@ def solutions(
     exercises: Sequence[Solution],
     parts: Parts,
     told: Mapping[str, str],
-) -> list[Block]:
+) -> list[b.Block]:
     """The appendix.  `told` says in which section a claim of the lecture was derived."""
-    made: list[Block] = [Heading(1, "", "Solutions of the exercises", "solutions")]
+    made: list[b.Block] = [b.Heading(1, "", "Solutions of the exercises", "solutions")]
     known = dict(told)
     for number, each in enumerate(exercises, 1):
         made += solution(each, number, parts, known)
@@ -292,24 +264,26 @@ def solutions(
     return made
 
 
-def solution(solution: Solution, number: int, parts: Parts, told: Mapping[str, str]) -> list[Block]:
+def solution(
+    solution: Solution, number: int, parts: Parts, told: Mapping[str, str]
+) -> list[b.Block]:
     """What an exercise comes to, in symbols and in numbers."""
     exercise = solution.exercise
-    head = ExerciseHead(exercise.title, f"{anchor(exercise.name)}-solution", "", number)
+    head = b.ExerciseHead(exercise.title, f"{b.anchor(exercise.name)}-solution", "", number)
     return [head, *answer(solution, parts, told)]
 
 
-def answer(solution: Solution, parts: Parts, told: Mapping[str, str]) -> list[Block]:
+def answer(solution: Solution, parts: Parts, told: Mapping[str, str]) -> list[b.Block]:
     """The same without its title."""
     exercise = solution.exercise
-    made: list[Block] = []
+    made: list[b.Block] = []
     there = [j.claim for j in solution.judgements if j.claim.name in told]
     if there:
         names: list[Any] = []
         for k, claim in enumerate(there):
             between = "" if k == 0 else " and " if k == len(there) - 1 else ", "
             names += [between, *_called(claim, told[claim.name])]
-        made.append(Paragraph(("We have ", *(n for n in names if n), ".")))
+        made.append(b.Paragraph(("We have ", *(n for n in names if n), ".")))
     text, lines = solution.text, solution.lines
     new = [j for j in solution.judgements if j.claim.name not in told]
     here = {line.id for line in text.lines} if text is not None else set()
@@ -327,36 +301,36 @@ def answer(solution: Solution, parts: Parts, told: Mapping[str, str]) -> list[Bl
     return made
 
 
-def _called(claim: Claim, section: str) -> Rich:
+def _called(claim: Claim, section: str) -> b.Rich:
     """A claim of the lecture, to be looked up."""
-    name = Cited(f"({claim.name})", anchor(claim.name)) if is_number(claim.name) else None
+    name = b.Cited(f"({claim.name})", b.anchor(claim.name)) if b.is_number(claim.name) else None
     if name is not None:
         return (name,)
     where = f" (section {section.partition(' ')[0]})" if section else ""
     return (f"“{claim.says.rstrip('.')}”{where}",)
 
 
-def results(solution: Solution) -> list[Block]:
+def results(solution: Solution) -> list[b.Block]:
     """The numbers of a solution."""
-    made: list[Block] = [Paragraph((solution.exercise.method,))]
+    made: list[b.Block] = [b.Paragraph((solution.exercise.method,))]
     answers = [outcome for outcome in solution.outcomes if isinstance(outcome, Answer)]
     if answers:
         rows = tuple((a.what, *_apart(a.value, a.unit)) for a in answers)
-        made.append(Quantities("", rows))
+        made.append(b.Quantities("", rows))
     for outcome in solution.outcomes:
         if isinstance(outcome, Table):
             cells = tuple(tuple(shown(x, TABLE_DIGITS) for x in row) for row in outcome.rows)
             whole = len(cells) <= LONGEST
-            made.append(DataTable(outcome.title, outcome.columns, cells, whole))
+            made.append(b.DataTable(outcome.title, outcome.columns, cells, whole))
     return made
 
 
-def checked(solution: Solution, told: Collection[str]) -> list[Block]:
+def checked(solution: Solution, told: Collection[str]) -> list[b.Block]:
     """Under which assumptions a solution holds, and what its numbers were compared with."""
     assumed = [t for j in solution.judgements if j.claim.name not in told for t in tested(j)]
-    made: list[Block] = [Conditions(conditions(assumed))] if assumed else []
+    made: list[b.Block] = [b.Conditions(conditions(assumed))] if assumed else []
     if solution.measures:
-        made.append(Measures(solution.measures, "Confirmed", "by a second way"))
+        made.append(b.Measures(solution.measures, "Confirmed", "by a second way"))
     return made
 
 
@@ -369,60 +343,60 @@ def _apart(value: float | str, unit: str) -> tuple[str | Node, str]:
     if isinstance(value, str):
         return value, ""
     number, *rest = written(value, unit)
-    assert not isinstance(number, Cited | Unit)
-    return number, rest[0].letters if rest and isinstance(rest[0], Unit) else "1"
+    assert not isinstance(number, b.Cited | b.Unit)
+    return number, rest[0].letters if rest and isinstance(rest[0], b.Unit) else "1"
 
 
 # --- Front and back ------------------------------------------------------------------------------
 
 
-def legend(judgements: Iterable[Judgement]) -> Legend:
+def legend(judgements: Iterable[Judgement]) -> b.Legend:
     """What the marks mean that are used."""
     used = {judgement.verdict for judgement in judgements}
-    return Legend(tuple((v, words) for v, words in LEGEND.items() if v in used))
+    return b.Legend(tuple((v, words) for v, words in LEGEND.items() if v in used))
 
 
-def summary(judged: Judged) -> list[Block]:
+def summary(judged: b.Judged) -> list[b.Block]:
     """Every numbered equation once, on one page."""
     rows = []
     for _, judgements in judged:
         for judgement in judgements:
             name = judgement.claim.name
-            if is_number(name):
+            if b.is_number(name):
                 printed = tagged_rows(judgement)
                 corrected = [f.check.claimed for f in judgement.corrections()]
                 shown_ = [corrected[0]] if corrected else [row.equation for row in printed]
-                mark = Mark(name, judgement.verdict)
+                mark = b.Mark(name, judgement.verdict)
                 for k, equation in enumerate(shown_):
                     last = k == len(shown_) - 1
                     words = judgement.claim.says if k == 0 else ""
                     rows.append((name if last else "", equation, words, mark if last else None))
     if not rows:
         return []
-    return [Heading(1, "", "Summary of results", "results"), Results(tuple(rows))]
+    return [b.Heading(1, "", "Summary of results", "results"), b.Results(tuple(rows))]
 
 
-def first_used(blocks: Sequence[Block]) -> list[Block]:
+def first_used(blocks: Sequence[b.Block]) -> list[b.Block]:
     """The symbols of all displays under a heading, in the order of first use."""
     order: dict[str, int] = {}
     for block in blocks:
-        if isinstance(block, Display):
+        if isinstance(block, b.Display):
             for row in block.rows:
                 for side in row.equation.sides:
                     for node in sympy.preorder_traversal(side):
                         if isinstance(node, Symbol):
                             order.setdefault(node.name, len(order))
     head, *rest = symbol_list(blocks, order) or (None,)
-    return [Heading(1, "", "List of symbols", "letters"), *rest] if head is not None else []
+    return [b.Heading(1, "", "List of symbols", "letters"), *rest] if head is not None else []
 
 
-def linked(blocks: Sequence[Block]) -> list[Block]:
+def linked(blocks: Sequence[b.Block]) -> list[b.Block]:
     """The same, every (3.54) in a sentence leading to its equation."""
     there = {
-        row.tag for block in blocks if isinstance(block, Display) for row in block.rows if row.tag
+        row.tag for block in blocks if isinstance(block, b.Display) for row in block.rows if row.tag
     }
 
-    def cited(content: Rich) -> Rich:
+    def cited(content: b.Rich) -> b.Rich:
         made: list[Any] = []
         for piece in content:
             if not isinstance(piece, str):
@@ -430,16 +404,18 @@ def linked(blocks: Sequence[Block]) -> list[Block]:
                 continue
             for k, part in enumerate(re.split(r"\((\d+\.\d+[a-z]?)\)", piece)):
                 if k % 2:
-                    made.append(Cited(f"({part})", anchor(part)) if part in there else f"({part})")
+                    made.append(
+                        b.Cited(f"({part})", b.anchor(part)) if part in there else f"({part})"
+                    )
                 elif part:
                     made.append(part)
         return tuple(made)
 
-    made: list[Block] = []
+    made: list[b.Block] = []
     for block in blocks:
-        if isinstance(block, Paragraph):
+        if isinstance(block, b.Paragraph):
             made.append(replace(block, content=cited(block.content)))
-        elif isinstance(block, Display):
+        elif isinstance(block, b.Display):
             rows = (
                 replace(
                     row,
@@ -462,33 +438,33 @@ COLUMN = 42.0
 """Letters of a line in one of two columns."""
 
 
-def parted(blocks: Sequence[Block]) -> list[Block]:
+def parted(blocks: Sequence[b.Block]) -> list[b.Block]:
     """Displays apart that have a sentence each, the lines of each with their anchors."""
-    made: list[Block] = []
+    made: list[b.Block] = []
     seen: set[str] = set()
     level, part, nameless, room = 1, 0, 0, ROOM
     for block in blocks:
-        if isinstance(block, Heading):
+        if isinstance(block, b.Heading):
             level, part = block.level, 0
             room = COLUMN if block.anchor == "solutions" else ROOM
             made.append(block)
-        elif isinstance(block, Subhead):
+        elif isinstance(block, b.Subhead):
             part = 1
             made.append(replace(block, level=level + 1))
-        elif isinstance(block, ExerciseHead):
+        elif isinstance(block, b.ExerciseHead):
             made.append(replace(block, level=level + part + 1))
-        elif isinstance(block, Paragraph) and block.mark is not None:
+        elif isinstance(block, b.Paragraph) and block.mark is not None:
             name = block.mark.name
-            place = anchor(name) if name not in seen and not is_number(name) else ""
+            place = b.anchor(name) if name not in seen and not b.is_number(name) else ""
             seen.add(name if place else "")
             made.append(replace(block, anchor=place))
-        elif isinstance(block, Display):
-            groups: list[list[Row]] = []
+        elif isinstance(block, b.Display):
+            groups: list[list[b.Row]] = []
             for row in block.rows:
                 if row.reason or not groups:
                     groups.append([])
                 name = row.tag or (row.mark.name if row.mark is not None else "")
-                place = anchor(name) if name and name not in seen else row.anchor
+                place = b.anchor(name) if name and name not in seen else row.anchor
                 seen.add(name)
                 groups[-1].append(replace(row, anchor=place))
             for rows in groups:

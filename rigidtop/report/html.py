@@ -11,39 +11,8 @@ from importlib.resources import files
 from typing import Any
 
 from rigidtop.proof.verdict import Verdict
+from rigidtop.report import blocks as b
 from rigidtop.report.languages import SHOWN, said
-from rigidtop.report.report import (
-    COLORS,
-    MARKS,
-    Cited,
-    ClaimHead,
-    Condition,
-    Conditions,
-    DataTable,
-    Display,
-    Document,
-    ExerciseHead,
-    Figure,
-    FoundList,
-    Heading,
-    Legend,
-    Mark,
-    Measures,
-    NameLine,
-    Numbers,
-    Paragraph,
-    Piece,
-    Quantities,
-    Results,
-    Rich,
-    Row,
-    Subhead,
-    Summary,
-    Symbols,
-    Unit,
-    anchor,
-    groups,
-)
 from rigidtop.typeset import layout as lay
 from rigidtop.typeset import mathml
 from rigidtop.typeset.latex import latex
@@ -57,14 +26,15 @@ def style(*names: str) -> str:
     """Style sheets and scripts of this package, one behind the other."""
     folder = files("rigidtop.report").joinpath("styles")
     colors = " ".join(
-        f"--{verdict}: light-dark(#{light}, #{dark});" for verdict, (light, dark) in COLORS.items()
+        f"--{verdict}: light-dark(#{light}, #{dark});"
+        for verdict, (light, dark) in b.COLORS.items()
     )
     made = "".join(folder.joinpath(name).read_text("utf-8") for name in names)
     return made.replace("@COLORS@", colors)
 
 
 def write(
-    document: Document, figures: Mapping[str, str], *, slides: bool = False, player: str = ""
+    document: b.Document, figures: Mapping[str, str], *, slides: bool = False, player: str = ""
 ) -> str:
     """The document.  `figures` has the SVG of each figure by its name; a `player` ends the body.
 
@@ -103,8 +73,8 @@ def write(
 """
 
 
-def _contents(document: Document) -> str:
-    listed = Heading if document.lecture else (Heading, ExerciseHead)
+def _contents(document: b.Document) -> str:
+    listed = b.Heading if document.lecture else (b.Heading, b.ExerciseHead)
     items = "\n".join(_entry(block) for block in document.blocks if isinstance(block, listed))
     # On a narrow page the contents of a lecture are closed, or its title would stand below them.
     state = "" if document.lecture else ' open="open"'
@@ -115,9 +85,9 @@ def _contents(document: Document) -> str:
     )
 
 
-def _entry(block: Heading | ExerciseHead) -> str:
+def _entry(block: b.Heading | b.ExerciseHead) -> str:
     """A line of the contents."""
-    if isinstance(block, ExerciseHead):
+    if isinstance(block, b.ExerciseHead):
         kind, number = "deep ask", "Ex."
     else:
         kind, number = "deep" if block.level > 1 else "", block.number
@@ -126,30 +96,32 @@ def _entry(block: Heading | ExerciseHead) -> str:
     return f'<li{name}><a href="#{block.anchor}">{title}</a></li>'
 
 
-def _sections(document: Document, figures: Mapping[str, str]) -> list[str]:
+def _sections(document: b.Document, figures: Mapping[str, str]) -> list[str]:
     """The blocks, those of each claim in an element of its own."""
     made: list[str] = []
     inside = False
     for block in document.blocks:
-        if inside and isinstance(block, (ClaimHead, ExerciseHead, Heading, Figure, Subhead)):
+        if inside and isinstance(
+            block, (b.ClaimHead, b.ExerciseHead, b.Heading, b.Figure, b.Subhead)
+        ):
             made.append("</section>")
             inside = False
-        if isinstance(block, (ClaimHead, ExerciseHead)):
-            kind = "claim" if isinstance(block, ClaimHead) else "exercise"
+        if isinstance(block, (b.ClaimHead, b.ExerciseHead)):
+            kind = "claim" if isinstance(block, b.ClaimHead) else "exercise"
             made.append(f'<section class="{kind}" id="{block.anchor}">')
             inside = True
-        made.append(_figure(block, figures) if isinstance(block, Figure) else html_block(block))
+        made.append(_figure(block, figures) if isinstance(block, b.Figure) else html_block(block))
     return [*made, "</section>"] if inside else made
 
 
 def fragment(blocks: Sequence[Any]) -> str:
     """The blocks of one claim, to be pasted into a page."""
-    (head,) = [block for block in blocks if isinstance(block, ClaimHead)]
+    (head,) = [block for block in blocks if isinstance(block, b.ClaimHead)]
     inner = mathml.held("\n".join(html_block(block) for block in blocks))
     return f'<section class="claim" id="{head.anchor}">\n{inner}\n</section>\n'
 
 
-def _figure(block: Figure, figures: Mapping[str, str]) -> str:
+def _figure(block: b.Figure, figures: Mapping[str, str]) -> str:
     """The SVG inline, its identifiers made unique, and its content in words."""
     svg = figures[block.name]
     svg = svg[svg.index("<svg") :].strip()
@@ -168,22 +140,22 @@ def _figure(block: Figure, figures: Mapping[str, str]) -> str:
     return f"<figure{place}>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>"
 
 
-def rich(content: Rich) -> str:
+def rich(content: b.Rich) -> str:
     """Running text with formulas."""
     return "".join(map(_piece, content))
 
 
-def _piece(piece: Piece) -> str:
-    if isinstance(piece, Unit):
+def _piece(piece: b.Piece) -> str:
+    if isinstance(piece, b.Unit):
         return escape(piece.spaced)
-    if isinstance(piece, Cited):
+    if isinstance(piece, b.Cited):
         return f'<a href="#{piece.anchor}">{escape(piece.words)}</a>'
     return prose_html(piece) if isinstance(piece, str) else mathml.mathml(piece)
 
 
 def badge(verdict: Verdict) -> str:
     """A verdict as a mark and a word, so that colour is not needed."""
-    mark = f'<span aria-hidden="true">{MARKS[verdict]} </span>'
+    mark = f'<span aria-hidden="true">{b.MARKS[verdict]} </span>'
     return f'<span class="badge {verdict}">{mark}{verdict}</span>'
 
 
@@ -194,14 +166,14 @@ def html_block(block: Any) -> str:
 
 
 @html_block.register
-def _(block: Heading) -> str:
+def _(block: b.Heading) -> str:
     level = block.level + 1
     number = f'<span class="n">{block.number}</span>' if block.number else ""
     return f'<h{level} id="{block.anchor}">{number}{prose_html(block.title)}</h{level}>'
 
 
 @html_block.register
-def _(block: Paragraph) -> str:
+def _(block: b.Paragraph) -> str:
     if block.mark is None:
         return f"<p>{_label(block.label)}{rich(block.content)}</p>"
     words = f"{seal(block.mark)}{rich(block.content)}"
@@ -209,14 +181,14 @@ def _(block: Paragraph) -> str:
     return f'<p class="marked"{place}>{words}</p>{_aside(block.mark)}'
 
 
-def seal(mark: Mark) -> str:
+def seal(mark: b.Mark) -> str:
     """A verdict in the margin: a mark, its word for those who do not see it."""
-    sign = f'<span aria-hidden="true">{MARKS[mark.verdict]}</span>'
+    sign = f'<span aria-hidden="true">{b.MARKS[mark.verdict]}</span>'
     word = f'<span class="unseen">{mark.verdict}: </span>'
     return f'<span class="seal {mark.verdict}" title="{mark.verdict}">{sign}{word}</span>'
 
 
-def _aside(mark: Mark | None) -> str:
+def _aside(mark: b.Mark | None) -> str:
     """The condition of a verdict as a side note."""
     return f'<p class="side">{rich(mark.note)}</p>' if mark is not None and mark.note else ""
 
@@ -226,7 +198,7 @@ def _label(words: str) -> str:
 
 
 @html_block.register
-def _(block: ClaimHead) -> str:
+def _(block: b.ClaimHead) -> str:
     return (
         f'<div class="head"><h4>{escape(block.shown)}</h4>{badge(block.verdict)}</div>\n'
         f'<p class="says">{prose_html(block.says)}</p>'
@@ -234,13 +206,13 @@ def _(block: ClaimHead) -> str:
 
 
 @html_block.register
-def _(block: Display) -> str:
+def _(block: b.Display) -> str:
     label = f'<p class="label">{prose_html(block.label)}</p>\n' if block.label else ""
-    rows = "\n".join(_row(group, block.step) for group in groups(block))
+    rows = "\n".join(_row(group, block.step) for group in b.groups(block))
     return f'{label}<div class="display">\n{rows}\n</div>'
 
 
-def _row(group: Sequence[Row], step: bool = False) -> str:
+def _row(group: Sequence[b.Row], step: bool = False) -> str:
     last = group[-1]
     speaker = group[0]
     why = f'<p class="why">{rich(speaker.spoken)}</p>' if speaker.reason else ""
@@ -269,12 +241,12 @@ def _classed(math: str, name: str) -> str:
 
 
 @html_block.register
-def _(block: Conditions) -> str:
+def _(block: b.Conditions) -> str:
     items = "\n".join(f"<li>{_condition(item)}</li>" for item in block.items)
     return f'<p class="label">Assumptions</p>\n<ul class="conditions">\n{items}\n</ul>'
 
 
-def _condition(item: Condition) -> str:
+def _condition(item: b.Condition) -> str:
     words = f", {prose_html(item.words)}" if item.words else ""
     kind, said = ("stated", "stated") if item.stated else ("unstated", "not stated")
     return (
@@ -284,11 +256,11 @@ def _condition(item: Condition) -> str:
 
 
 @html_block.register
-def _(block: Numbers) -> str:
+def _(block: b.Numbers) -> str:
     return f"<p>{_numbers(block)}</p>"
 
 
-def _numbers(block: Numbers) -> str:
+def _numbers(block: b.Numbers) -> str:
     values = ", ".join(
         mathml.mathml(lay.Chain((name, value), ("=",))) for name, value in block.values
     )
@@ -340,7 +312,7 @@ def _title(words: str) -> str:
 
 
 @html_block.register
-def _(block: Measures) -> str:
+def _(block: b.Measures) -> str:
     rows = ((prose_html(r.what), _power(r.error), _power(r.tolerance)) for r in block.rows)
     head = (prose_html(block.compared), "error", "tolerance")
     return f'<p class="label">{prose_html(block.label)}</p>\n{_table(head, rows, numbers=(1, 2))}'
@@ -351,14 +323,14 @@ def _power(number: float) -> str:
 
 
 @html_block.register
-def _(block: Summary) -> str:
+def _(block: b.Summary) -> str:
     rows = [(badge(verdict), str(n), prose_html(meaning)) for verdict, n, meaning in block.rows]
     rows.append(("all", str(sum(count for _, count, _ in block.rows)), ""))
     return _table(("verdict", "claims", "what it says"), rows, numbers=(1,))
 
 
 @html_block.register
-def _(block: FoundList) -> str:
+def _(block: b.FoundList) -> str:
     rows = (
         (
             prose_html(row.section),
@@ -373,7 +345,7 @@ def _(block: FoundList) -> str:
 
 
 @html_block.register
-def _(block: Symbols) -> str:
+def _(block: b.Symbols) -> str:
     rows = (
         (mathml.mathml(node), prose_html(meaning), escape(unit))
         for node, meaning, unit in block.rows
@@ -382,7 +354,7 @@ def _(block: Symbols) -> str:
 
 
 @html_block.register
-def _(block: ExerciseHead) -> str:
+def _(block: b.ExerciseHead) -> str:
     title = f"{block.label}{'.' if block.number else ':'} {prose_html(block.title)}"
     points = f" {escape(block.points)}" if block.points else ""
     return (
@@ -392,24 +364,24 @@ def _(block: ExerciseHead) -> str:
 
 
 @html_block.register
-def _(block: Legend) -> str:
+def _(block: b.Legend) -> str:
     items = "".join(
-        f"<li>{seal(Mark('', verdict))}{prose_html(words)}</li>" for verdict, words in block.rows
+        f"<li>{seal(b.Mark('', verdict))}{prose_html(words)}</li>" for verdict, words in block.rows
     )
     return f'<div class="legend"><p>{escape(block.head)}:</p><ul>{items}</ul></div>'
 
 
 @html_block.register
-def _(block: NameLine) -> str:
+def _(block: b.NameLine) -> str:
     words = "".join(f"<span>{escape(word)}:</span>" for word in block.words)
     return f'<p class="names">{words}</p>'
 
 
 @html_block.register
-def _(block: Results) -> str:
+def _(block: b.Results) -> str:
     rows = (
         (
-            f'<a href="#{anchor(number)}">({number})</a>' if number else "",
+            f'<a href="#{b.anchor(number)}">({number})</a>' if number else "",
             mathml.mathml(equation, "printed"),
             prose_html(words),
         )
@@ -419,14 +391,14 @@ def _(block: Results) -> str:
 
 
 @html_block.register
-def _(block: Subhead) -> str:
+def _(block: b.Subhead) -> str:
     level = block.level + 1 if block.level else 5
     kind = ' class="sub"' if block.level else ""
     return f"<h{level}{kind}>{prose_html(block.words)}</h{level}>"
 
 
 @html_block.register
-def _(block: Quantities) -> str:
+def _(block: b.Quantities) -> str:
     rows = (
         (prose_html(what), _cell(value), "" if unit == "1" else escape(unit))
         for what, value, unit in block.rows
@@ -436,7 +408,7 @@ def _(block: Quantities) -> str:
 
 
 @html_block.register
-def _(block: DataTable) -> str:
+def _(block: b.DataTable) -> str:
     head = [*map(prose_html, block.columns)]
     rows = ([*map(_cell, row)] for row in block.rows)
     numbers = range(1, len(head))

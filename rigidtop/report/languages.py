@@ -11,19 +11,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from rigidtop.report.report import (
-    Cited,
-    Display,
-    Document,
-    ExerciseHead,
-    Figure,
-    Heading,
-    Legend,
-    NameLine,
-    Paragraph,
-    Rich,
-    Subhead,
-)
+from rigidtop.report import blocks as b
 
 _TABLE = """
 Figure | Abbildung | Figure | Figura | Figura
@@ -70,7 +58,7 @@ def said(words: str, language: str) -> str:
     return WORDS.get(language, {}).get(words, words)
 
 
-def translated(document: Document) -> Document:
+def translated(document: b.Document) -> b.Document:
     """The document with its fixed words in its language; what authors wrote is theirs."""
     language = document.look.language
     if language not in WORDS:
@@ -81,24 +69,24 @@ def translated(document: Document) -> Document:
 
 def _block(block: Any, language: str) -> Any:
     match block:
-        case Heading(number=""):
+        case b.Heading(number=""):
             return replace(block, title=said(block.title, language))
-        case Subhead():
+        case b.Subhead():
             return replace(block, words=said(block.words, language))
-        case Figure():
+        case b.Figure():
             return replace(block, kind=said("Figure", language))
-        case ExerciseHead():
+        case b.ExerciseHead():
             count, _, unit = block.points.partition(" ")
             points = f"{count} {said(unit, language)}".strip()
             return replace(block, kind=said("Exercise", language), points=points)
-        case NameLine():
+        case b.NameLine():
             return replace(block, words=tuple(said(words, language) for words in block.words))
-        case Legend():
+        case b.Legend():
             return replace(block, head=said(block.head, language))
-        case Paragraph():
+        case b.Paragraph():
             content = _rich(block.content, language)
             return replace(block, content=content, label=said(block.label, language))
-        case Display():
+        case b.Display():
             reasons = [(r.reason,) if isinstance(r.reason, str) else r.reason for r in block.rows]
             rows = (
                 replace(row, reason=_rich(words, language) if row.reason else "")
@@ -108,14 +96,14 @@ def _block(block: Any, language: str) -> Any:
     return block
 
 
-def _rich(content: Rich, language: str) -> Rich:
+def _rich(content: b.Rich, language: str) -> b.Rich:
     """Running text that cites figures."""
     name = said("Figure", language)
     # A noun has a capital in German everywhere.
     inside = name if language == "de" else name.lower()
 
     def cited(piece: Any) -> Any:
-        if not isinstance(piece, Cited):
+        if not isinstance(piece, b.Cited):
             return piece
         words = re.sub(r"^Figure\b", name, re.sub(r"^figure\b", inside, piece.words))
         return replace(piece, words=words)

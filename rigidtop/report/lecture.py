@@ -15,34 +15,22 @@ from rigidtop.notation import Notation
 from rigidtop.progress import over
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.verdict import Judgement
+from rigidtop.report import blocks as b
 from rigidtop.report import handout, html, myst, notations, plain, tex, typst
+from rigidtop.report.claims import claim_blocks
 from rigidtop.report.files import write_all
 from rigidtop.report.handout import Parts, first_used, order_of_figures, spoken_of
 from rigidtop.report.languages import translated
 from rigidtop.report.map import contracted
 from rigidtop.report.map import picture as map_picture
 from rigidtop.report.pdf import make_pdf
-from rigidtop.report.report import (
-    NOTES,
-    Block,
-    Document,
-    Figure,
-    Front,
-    Heading,
-    Judged,
-    Look,
-    NameLine,
-    Subhead,
-    claim_blocks,
-    document,
-    is_number,
-    symbols_used,
-)
+from rigidtop.report.record import document
 from rigidtop.report.solutions import Solution, blocks, question
+from rigidtop.report.symbols import symbols_used
 from rigidtop.report.ways import led_blocks, text_blocks
 from rigidtop.report.wording import Wording
 
-PLAIN = Look()
+PLAIN = b.Look()
 
 FORMATS = ("text", "latex", "html", "typst")
 
@@ -86,10 +74,12 @@ class Picture:
         of = self.drawing.motions
         return of(**self.drawing.values(self.given)) if of else ()
 
-    def described(self) -> Figure:
+    def described(self) -> b.Figure:
         """As the blocks of a document know it."""
         values = self.drawing.values(self.given)
-        return Figure(self.name, self.drawing.caption(**values), self.drawing.alternative(**values))
+        return b.Figure(
+            self.name, self.drawing.caption(**values), self.drawing.alternative(**values)
+        )
 
 
 def picture(solution: Solution, notation: Notation | None = None) -> Picture | None:
@@ -132,7 +122,7 @@ class Wanted:
 
 
 def write_lecture(
-    judged: Judged,
+    judged: b.Judged,
     solutions: Sequence[Solution],
     out: Path | str,
     *,
@@ -140,12 +130,12 @@ def write_lecture(
     wanted: Wanted | None = None,
     recorded: bool = False,
     student: bool = False,
-    front: Front = NOTES,
+    front: b.Front = b.NOTES,
     figures: Sequence[Drawing] = FIGURES,
     notation: Notation | None = None,
     lines: Lecture | None = None,
     points: str = "",
-    look: Look = PLAIN,
+    look: b.Look = PLAIN,
 ) -> list[Path]:
     """Write lecture.tex, lecture.html and figures/ into `out`, and what else is `wanted`.
 
@@ -181,21 +171,21 @@ def write_lecture(
     return _write("lecture", *made, out, files)
 
 
-Illustrated = tuple[Document, Sequence[Picture]]
+Illustrated = tuple[b.Document, Sequence[Picture]]
 """A document and its figures."""
 
 
 def lecture(
-    judged: Judged,
+    judged: b.Judged,
     solutions: Sequence[Solution] = (),
     *,
     student: bool = False,
-    front: Front = NOTES,
+    front: b.Front = b.NOTES,
     figures: Sequence[Drawing] = FIGURES,
     notation: Notation | None = None,
     lines: Lecture | None = None,
     points: str = "",
-    look: Look = PLAIN,
+    look: b.Look = PLAIN,
 ) -> Illustrated:
     """The lecture as it is handed out: its text, figures, exercises, and their solutions.
 
@@ -219,7 +209,7 @@ def lecture(
     parts = Parts(lines, notation or NOTES_NOTATION, numbered, closing, points)
     everything = [judgement for _, judgements in judged for judgement in judgements]
     told = {j.claim.name: page.section for page, judgements in judged for j in judgements}
-    blocks: list[Block] = [handout.legend(everything)]
+    blocks: list[b.Block] = [handout.legend(everything)]
     blocks += handout.sections(judged, solutions, parts)
     if not student and solutions:
         blocks += handout.solutions(solutions, parts, told)
@@ -227,10 +217,10 @@ def lecture(
     chart = _map(lines, notation or NOTES_NOTATION)
     if chart is not None:
         pictures.append(chart)
-        blocks.append(Heading(1, "", "What rests on what", "map"))
+        blocks.append(b.Heading(1, "", "What rests on what", "map"))
         blocks.append(replace(chart.described(), number=len(pictures)))
     blocks = handout.linked(handout.parted([*blocks, *first_used(blocks)]))
-    whole = Document(
+    whole = b.Document(
         front.title,
         front.subtitle,
         tuple(blocks),
@@ -249,7 +239,7 @@ LEAST = 4
 
 def _map(lines: Lecture, notation: Notation) -> Picture | None:
     """Which numbered equation rests on which, where there are several."""
-    numbered = contracted(lines.map, {name for name in lines.names if is_number(name)})
+    numbered = contracted(lines.map, {name for name in lines.names if b.is_number(name)})
     if len(numbered) < LEAST:
         return None
     kept = {
@@ -281,10 +271,10 @@ COLUMN = 0.68
 
 def _written(
     notation: Notation | None,
-    judged: Judged,
+    judged: b.Judged,
     figures: Sequence[Drawing],
     solutions: Sequence[Solution],
-) -> tuple[Judged, Sequence[Drawing], Sequence[Solution]]:
+) -> tuple[b.Judged, Sequence[Drawing], Sequence[Solution]]:
     """Everything in a notation, where one is given."""
     if notation is None:
         return judged, figures, solutions
@@ -297,11 +287,11 @@ def _written(
 
 
 def record(
-    judged: Judged,
+    judged: b.Judged,
     solutions: Sequence[Solution] = (),
     *,
     student: bool = False,
-    front: Front = NOTES,
+    front: b.Front = b.NOTES,
     figures: Sequence[Drawing] = FIGURES,
     notation: Notation | None = None,
     lines: Lecture | None = None,
@@ -313,7 +303,7 @@ def record(
     judged, figures, solutions = _written(notation, judged, figures, solutions)
     sections = {page.section for page, _ in judged}
     pictures = [Picture(each.name, each, {}) for each in figures if each.section in sections]
-    closing: list[tuple[str, Block]] = [
+    closing: list[tuple[str, b.Block]] = [
         (picture.drawing.section, picture.described()) for picture in pictures
     ]
     told = {judgement.claim.name for _, judgements in judged for judgement in judgements}
@@ -329,7 +319,7 @@ def record(
     return _introduced(document(judged, closing, front, texts), notation), pictures
 
 
-def _texts(lines: Lecture, judged: Judged, notation: Notation) -> dict[str, list[Block]]:
+def _texts(lines: Lecture, judged: b.Judged, notation: Notation) -> dict[str, list[b.Block]]:
     """The text of each section that has one."""
     named = {text.name: text for text in lines.texts}
     return {
@@ -339,7 +329,7 @@ def _texts(lines: Lecture, judged: Judged, notation: Notation) -> dict[str, list
     }
 
 
-def _introduced(whole: Document, notation: Notation | None) -> Document:
+def _introduced(whole: b.Document, notation: Notation | None) -> b.Document:
     """A document that begins with its notation, where one is given.
 
     A lecture in the notation of the notes needs no words about it.
@@ -362,10 +352,10 @@ def write_sheet(
     *,
     pdf: bool = False,
     student: bool = False,
-    front: Front = NOTES,
+    front: b.Front = b.NOTES,
     notation: Notation | None = None,
     points: str = "",
-    look: Look = PLAIN,
+    look: b.Look = PLAIN,
 ) -> list[Path]:
     """Write exercises.tex, exercises.html and figures/ into `out`: see `write_lecture`."""
     made = sheet(
@@ -383,10 +373,10 @@ def sheet(
     solutions: Sequence[Solution],
     *,
     student: bool = False,
-    front: Front = NOTES,
+    front: b.Front = b.NOTES,
     notation: Notation | None = None,
     points: str = "",
-    look: Look = PLAIN,
+    look: b.Look = PLAIN,
 ) -> Illustrated:
     """Exercises one after the other, for a `student` without solutions and with a line to sign."""
     if notation is not None:
@@ -395,18 +385,18 @@ def sheet(
     pictures = [each for each in own if each is not None]
     numbered = {p.name: replace(p.described(), number=k) for k, p in enumerate(pictures, 1)}
     parts = Parts(Lecture(), notation or NOTES_NOTATION, numbered, {}, points)
-    made: list[Block] = [NameLine()] if student else []
+    made: list[b.Block] = [b.NameLine()] if student else []
     told: dict[str, str] = {}
     for number, each in enumerate(solutions, 1):
         made += handout.question(each.exercise, each.settings, number, points)
         if not student:
-            made.append(Subhead("Solution"))
+            made.append(b.Subhead("Solution"))
             made += handout.answer(each, parts, told)
             made += handout.checked(each, told)
             told |= {j.claim.name: "" for j in each.judgements}
     made = handout.linked(handout.parted([*made, *handout.first_used(made)]))
     subtitle = "Questions" if student else "Questions and solutions"
-    whole = Document(
+    whole = b.Document(
         front.exercises,
         subtitle,
         tuple(made),
@@ -425,7 +415,7 @@ def _exercise(
     student: bool,
     told: Collection[str],
     notation: Notation,
-) -> list[Block]:
+) -> list[b.Block]:
     """The exercise; claims that were told before are named only."""
     if student:
         return question(solution.exercise, solution.settings, named=not notation.images)
@@ -433,7 +423,7 @@ def _exercise(
 
 
 def _write(
-    stem: str, whole: Document, pictures: Sequence[Picture], out: Path | str, wanted: Wanted
+    stem: str, whole: b.Document, pictures: Sequence[Picture], out: Path | str, wanted: Wanted
 ) -> list[Path]:
     drawn = {each.name: both(each.drawing, each.given) for each in over("drawing", pictures)}
     files = {f"figures/{name}.pdf": paper for name, (paper, _) in drawn.items()}

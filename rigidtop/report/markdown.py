@@ -10,24 +10,7 @@ from collections.abc import Sequence
 from functools import singledispatch
 from typing import Any
 
-from rigidtop.report.report import (
-    MARKS,
-    Cited,
-    ClaimHead,
-    Condition,
-    Conditions,
-    DataTable,
-    Display,
-    ExerciseHead,
-    Numbers,
-    Paragraph,
-    Piece,
-    Quantities,
-    Rich,
-    Row,
-    Subhead,
-    Unit,
-)
+from rigidtop.report import blocks as b
 from rigidtop.typeset import layout as lay
 from rigidtop.typeset.latex import align_row, latex
 from rigidtop.typeset.layout import Node
@@ -61,15 +44,15 @@ def _plain(text: str) -> str:
     return "".join(f"&#{ord(c)};" if c in "\\*_`$|<>&[]#" else c for c in text)
 
 
-def running(content: Rich) -> str:
+def running(content: b.Rich) -> str:
     """Running text with formulas."""
     return "".join(map(_piece, content))
 
 
-def _piece(piece: Piece) -> str:
-    if isinstance(piece, Unit):
+def _piece(piece: b.Piece) -> str:
+    if isinstance(piece, b.Unit):
         return _plain(piece.spaced)
-    if isinstance(piece, Cited):
+    if isinstance(piece, b.Cited):
         return f"[{_plain(piece.words)}](#{piece.anchor})"
     return words(piece) if isinstance(piece, str) else formula(piece)
 
@@ -84,22 +67,22 @@ def _block(block: Any) -> str:
 
 
 @_block.register
-def _(block: ClaimHead) -> str:
-    verdict = f"{MARKS[block.verdict]} {block.verdict}"
+def _(block: b.ClaimHead) -> str:
+    verdict = f"{b.MARKS[block.verdict]} {block.verdict}"
     return f"**{_plain(block.shown)}** — **{verdict}**\n\n*The claim.* {words(block.says)}"
 
 
 @_block.register
-def _(block: Paragraph) -> str:
+def _(block: b.Paragraph) -> str:
     return _label(block.label) + running(block.content)
 
 
 @_block.register
-def _(block: Display) -> str:
+def _(block: b.Display) -> str:
     return "\n\n".join(filter(None, [_label(block.label).strip(), *map(_row, block.rows)]))
 
 
-def _row(row: Row) -> str:
+def _row(row: b.Row) -> str:
     reason = running(row.spoken)
     lines = [align_row(line) for line in lay.lines(row.equation, row.order, LINE)]
     lines[-1] += rf" && \text{{({row.tag})}}" if row.tag else ""
@@ -116,39 +99,39 @@ def aligned(lines: Sequence[str]) -> str:
 
 
 @_block.register
-def _(block: Conditions) -> str:
+def _(block: b.Conditions) -> str:
     return "*Assumptions.*\n\n" + "\n".join(f"- {_condition(item)}" for item in block.items)
 
 
-def _condition(item: Condition) -> str:
+def _condition(item: b.Condition) -> str:
     said = f", {words(item.words)}" if item.words else ""
     stated = "stated in the notes" if item.stated else "**not stated**"
     return f"{formula(item.relation)}{said} ({stated}). {_numbers(item.without)}"
 
 
 @_block.register
-def _(block: Numbers) -> str:
+def _(block: b.Numbers) -> str:
     return _numbers(block)
 
 
-def _numbers(block: Numbers) -> str:
+def _numbers(block: b.Numbers) -> str:
     values = ", ".join(f"${latex(name)} = {latex(value)}$" for name, value in block.values)
     label = f"*{words(block.label)}:* " if block.label else ""
     return label + block.said(formula) + (f" at {values}." if values else ".")
 
 
 @_block.register
-def _(block: ExerciseHead) -> str:
+def _(block: b.ExerciseHead) -> str:
     return f"**{words(block.title)}** ({words(block.asks)})"
 
 
 @_block.register
-def _(block: Subhead) -> str:
+def _(block: b.Subhead) -> str:
     return f"**{words(block.words)}**"
 
 
 @_block.register
-def _(block: Quantities) -> str:
+def _(block: b.Quantities) -> str:
     rows = [
         (words(what), _cell(value), "" if unit == "1" else _plain(unit))  # s is a second, no letter
         for what, value, unit in block.rows
@@ -157,7 +140,7 @@ def _(block: Quantities) -> str:
 
 
 @_block.register
-def _(block: DataTable) -> str:
+def _(block: b.DataTable) -> str:
     rows = [tuple(map(_cell, row)) for row in block.rows]
     return f"*{words(block.title)}*\n\n" + _table(tuple(map(words, block.columns)), rows)
 

@@ -8,33 +8,17 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 
+from rigidtop.report import blocks as b
 from rigidtop.report import markdown
-from rigidtop.report.report import (
-    MARKS,
-    Block,
-    Display,
-    Document,
-    ExerciseHead,
-    Figure,
-    Heading,
-    Legend,
-    Mark,
-    Paragraph,
-    Results,
-    Row,
-    Subhead,
-    Symbols,
-    anchor,
-)
 from rigidtop.typeset import layout as lay
 from rigidtop.typeset.latex import align_row, latex
 
 
-def write(document: Document) -> dict[str, str]:
+def write(document: b.Document) -> dict[str, str]:
     """The files of the project by their paths, in the folder ``myst``; figures are in figures/."""
-    parts: list[tuple[str, list[Block]]] = [("index", [])]
+    parts: list[tuple[str, list[b.Block]]] = [("index", [])]
     for block in document.blocks:
-        if isinstance(block, Heading) and block.anchor != parts[-1][0]:
+        if isinstance(block, b.Heading) and block.anchor != parts[-1][0]:
             parts.append((block.anchor, []))
         parts[-1][1].append(block)
     made = {f"myst/{name}.md": _page(blocks) for name, blocks in parts if name != "index"}
@@ -46,7 +30,7 @@ def write(document: Document) -> dict[str, str]:
     return made
 
 
-def _project(document: Document, names: Sequence[str]) -> str:
+def _project(document: b.Document, names: Sequence[str]) -> str:
     """myst.yml; what stands in quotes for JSON does so for YAML."""
     pages = "\n".join(f"    - file: {name}.md" for name in names)
     return (
@@ -56,40 +40,40 @@ def _project(document: Document, names: Sequence[str]) -> str:
     )
 
 
-def _page(blocks: Sequence[Block]) -> str:
+def _page(blocks: Sequence[b.Block]) -> str:
     return "\n\n".join(filter(None, map(_block, blocks))) + "\n"
 
 
-def _block(block: Block) -> str:
+def _block(block: b.Block) -> str:
     match block:
-        case Heading():
+        case b.Heading():
             title = f"{block.number} {block.title}".strip()
             return f"({block.anchor})=\n# {markdown.words(title)}"
-        case Subhead():
+        case b.Subhead():
             return f"## {markdown.words(block.words)}"
-        case ExerciseHead():
+        case b.ExerciseHead():
             head = f"{block.label}. {block.title}"
             return f"({block.anchor})=\n### {markdown.words(head)}"
-        case Display():
+        case b.Display():
             return "\n\n".join(_display(block))
-        case Figure():
+        case b.Figure():
             return (
                 f":::{{figure}} ../figures/{block.name}.svg\n:name: {block.anchor}\n"
                 f":alt: {block.alternative}\n\n{markdown.words(block.caption)}\n:::"
             )
-        case Paragraph(mark=Mark()) if block.mark is not None:
+        case b.Paragraph(mark=b.Mark()) if block.mark is not None:
             return f"{markdown.markdown([block])}\n\n{_margin(block.mark)}"
-        case Legend():
-            return "\n".join(f"- {MARKS[v]} {markdown.words(words)}" for v, words in block.rows)
-        case Results():
+        case b.Legend():
+            return "\n".join(f"- {b.MARKS[v]} {markdown.words(words)}" for v, words in block.rows)
+        case b.Results():
             return "\n".join(
                 ["| | |", "|---|---|"]
                 + [
-                    f"| {f'[({n})](#{anchor(n)})' if n else ''} | ${latex(e, 'printed')}$ |"
+                    f"| {f'[({n})](#{b.anchor(n)})' if n else ''} | ${latex(e, 'printed')}$ |"
                     for n, e, _, _ in block.rows
                 ]
             )
-        case Symbols():
+        case b.Symbols():
             return "\n".join(
                 ["| | | |", "|---|---|---|"]
                 + [
@@ -100,10 +84,10 @@ def _block(block: Block) -> str:
     return markdown.markdown([block])
 
 
-def _display(block: Display) -> list[str]:
+def _display(block: b.Display) -> list[str]:
     """The sentences and the equations, each with its name; behind it its verdict."""
     made: list[str] = []
-    group: list[Row] = []
+    group: list[b.Row] = []
     for k, row in enumerate(block.rows):
         group.append(row)
         after = block.rows[k + 1 : k + 2]
@@ -125,6 +109,6 @@ def _display(block: Display) -> list[str]:
     return made
 
 
-def _margin(mark: Mark) -> str:
+def _margin(mark: b.Mark) -> str:
     note = f" {markdown.running(mark.note)}" if mark.note else ""
-    return f"```{{margin}}\n{MARKS[mark.verdict]} {mark.verdict}{note}\n```"
+    return f"```{{margin}}\n{b.MARKS[mark.verdict]} {mark.verdict}{note}\n```"

@@ -10,7 +10,7 @@ from sympy import Symbol
 
 from rigidtop.notation import Notation
 from rigidtop.proof.words import unmarked
-from rigidtop.report.report import Block, DataTable, Heading, Paragraph, Rich
+from rigidtop.report.blocks import Block, DataTable, Heading, Paragraph, Rich
 from rigidtop.theory import symbols as s
 from rigidtop.theory.lettered import Lettered, stands_for
 from rigidtop.typeset.layout import layout

@@ -39,8 +39,9 @@ from rigidtop.proof.page import Claim
 from rigidtop.proof.verdict import Judgement, judge
 from rigidtop.proof.words import unmarked
 from rigidtop.report import plain
+from rigidtop.report.blocks import Display, Measures
+from rigidtop.report.claims import claim_blocks
 from rigidtop.report.markdown import LINE, aligned, markdown
-from rigidtop.report.report import Display, Measures, claim_blocks
 from rigidtop.report.solutions import Solution, question, solved
 from rigidtop.report.solutions import blocks as solution_blocks
 from rigidtop.theory.symbols import VOCABULARY

@@ -8,23 +8,7 @@ from functools import singledispatch
 from typing import Any
 
 from rigidtop.proof.words import unmarked
-from rigidtop.report.report import (
-    Cited,
-    ClaimHead,
-    Condition,
-    Conditions,
-    DataTable,
-    Display,
-    ExerciseHead,
-    Measures,
-    Numbers,
-    Paragraph,
-    Piece,
-    Quantities,
-    Rich,
-    Subhead,
-    Unit,
-)
+from rigidtop.report import blocks as b
 from rigidtop.typeset.layout import Node
 from rigidtop.typeset.table import table
 from rigidtop.typeset.text import text
@@ -36,15 +20,15 @@ def fragment(blocks: Sequence[Any], width: int = 88) -> str:
     return made.lstrip("\n") + "\n"
 
 
-def rich(content: Rich) -> str:
+def rich(content: b.Rich) -> str:
     """Running text with formulas."""
     return "".join(map(_piece, content))
 
 
-def _piece(piece: Piece) -> str:
-    if isinstance(piece, Unit):
+def _piece(piece: b.Piece) -> str:
+    if isinstance(piece, b.Unit):
         return piece.spaced
-    if isinstance(piece, Cited):
+    if isinstance(piece, b.Cited):
         return piece.words
     return unmarked(piece) if isinstance(piece, str) else text(piece)
 
@@ -61,18 +45,18 @@ def _lines(block: Any, width: int) -> list[str]:
 
 
 @_lines.register
-def _(block: ClaimHead, width: int) -> list[str]:
+def _(block: b.ClaimHead, width: int) -> list[str]:
     return ["", f"{block.shown}  [{block.verdict}]", *_wrapped(block.says, width)]
 
 
 @_lines.register
-def _(block: Paragraph, width: int) -> list[str]:
+def _(block: b.Paragraph, width: int) -> list[str]:
     label = f"{block.label}: " if block.label else ""
     return ["", *_wrapped(label + rich(block.content), width)]
 
 
 @_lines.register
-def _(block: Display, width: int) -> list[str]:
+def _(block: b.Display, width: int) -> list[str]:
     made = ["", f"{block.label}:"] if block.label else [""]
     for row in block.rows:
         reason = _wrapped(rich(row.spoken), width, "    ", "    ") if row.reason else []
@@ -83,31 +67,31 @@ def _(block: Display, width: int) -> list[str]:
 
 
 @_lines.register
-def _(block: Conditions, width: int) -> list[str]:
+def _(block: b.Conditions, width: int) -> list[str]:
     made = ["", "Assumptions:"]
     for item in block.items:
         made += _wrapped(_condition(item), width, "  • ", "    ")
     return made
 
 
-def _condition(item: Condition) -> str:
+def _condition(item: b.Condition) -> str:
     words = f", {item.words}" if item.words else ""
     stated = "stated" if item.stated else "not stated"
     return f"{text(item.relation)}{words} ({stated}). {_numbers(item.without)}"
 
 
 @_lines.register
-def _(block: Numbers, width: int) -> list[str]:
+def _(block: b.Numbers, width: int) -> list[str]:
     return ["", *_wrapped(_numbers(block), width)]
 
 
-def _numbers(block: Numbers) -> str:
+def _numbers(block: b.Numbers) -> str:
     values = ", ".join(f"{text(name)} = {text(value)}" for name, value in block.values)
     return f"{block.label}: {block.said(text)}" + (f" at {values}." if values else ".")
 
 
 @_lines.register
-def _(block: Measures, width: int) -> list[str]:
+def _(block: b.Measures, width: int) -> list[str]:
     rows = [
         f"  {unmarked(row.what)}: error {row.error:.1e}, tolerance {row.tolerance:.1e}"
         for row in block.rows
@@ -116,17 +100,17 @@ def _(block: Measures, width: int) -> list[str]:
 
 
 @_lines.register
-def _(block: ExerciseHead, width: int) -> list[str]:
+def _(block: b.ExerciseHead, width: int) -> list[str]:
     return _wrapped(f"{block.title}  ({block.asks})", width)
 
 
 @_lines.register
-def _(block: Subhead, width: int) -> list[str]:
+def _(block: b.Subhead, width: int) -> list[str]:
     return ["", f"── {unmarked(block.words)} ".ljust(width, "─")]
 
 
 @_lines.register
-def _(block: Quantities, width: int) -> list[str]:
+def _(block: b.Quantities, width: int) -> list[str]:
     rows = [
         (cell(value), "" if unit == "1" else unit, unmarked(what))
         for what, value, unit in block.rows
@@ -135,7 +119,7 @@ def _(block: Quantities, width: int) -> list[str]:
 
 
 @_lines.register
-def _(block: DataTable, width: int) -> list[str]:
+def _(block: b.DataTable, width: int) -> list[str]:
     # The last column of a table is text: here one without any.
     rows = [(*map(cell, row), "") for row in block.rows]
     right = range(1, len(block.columns))

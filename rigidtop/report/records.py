@@ -8,7 +8,8 @@ from typing import Any
 from rigidtop.proof.page import Claim, Measure
 from rigidtop.proof.verdict import Finding, Judgement, Led, TestedAssumption, Verdict
 from rigidtop.proof.words import unmarked
-from rigidtop.report.report import Numbers, condition, numbers, tested
+from rigidtop.report.blocks import Numbers
+from rigidtop.report.claims import condition, numbers, tested
 from rigidtop.report.ways import gap
 from rigidtop.typeset.text import text
 

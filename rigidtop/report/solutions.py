@@ -17,22 +17,11 @@ from rigidtop.proof.lecture import Lecture, Text
 from rigidtop.proof.page import Measure
 from rigidtop.proof.verdict import Judgement, judge
 from rigidtop.proof.words import unmarked
+from rigidtop.report import blocks as b
+from rigidtop.report.claims import claim_blocks
 from rigidtop.report.plain import cell
 from rigidtop.report.records import measure_record
 from rigidtop.report.records import record as judgement_record
-from rigidtop.report.report import (
-    Block,
-    DataTable,
-    ExerciseHead,
-    Figure,
-    Measures,
-    Paragraph,
-    Quantities,
-    Subhead,
-    anchor,
-    claim_blocks,
-    is_number,
-)
 from rigidtop.report.ways import led_blocks, text_blocks
 from rigidtop.typeset.layout import Node, decimal, negated
 
@@ -111,58 +100,60 @@ def _numbers(outcome: Outcome) -> list[float | str]:
 
 def blocks(
     solution: Solution,
-    figure: Figure | None = None,
+    figure: b.Figure | None = None,
     *,
     told: Collection[str] = (),
     notation: Notation = NOTES,
-) -> list[Block]:
+) -> list[b.Block]:
     """The exercise and its solution; claims that were `told` before are named only."""
     exercise = solution.exercise
     made = question(exercise, solution.settings, named=not notation.images)
-    made.append(Subhead("Solution in symbols"))
+    made.append(b.Subhead("Solution in symbols"))
     own = {shown.name for shown in solution.text.shown} if solution.text else set()
     if solution.text is not None:
         made.extend(text_blocks(solution.lines, solution.text, notation))
     there = [judgement.claim for judgement in solution.judgements if judgement.claim.name in told]
     if there:
-        names = ", ".join(f"({c.name})" if is_number(c.name) else c.name for c in there)
+        names = ", ".join(f"({c.name})" if b.is_number(c.name) else c.name for c in there)
         kind = "claim" if len(there) == 1 else "claims"
-        made.append(Paragraph((f"See the {kind} {names} above.",)))
+        made.append(b.Paragraph((f"See the {kind} {names} above.",)))
     for judgement in solution.judgements:
         if judgement.claim.name not in told:
             head, *rest = claim_blocks(judgement)
             way = [] if judgement.claim.name in own else led_blocks(judgement, notation)
             made.extend((head, *way, *rest))
-    made.append(Subhead("Solution in numbers"))
-    made.append(Paragraph((exercise.method,)))
+    made.append(b.Subhead("Solution in numbers"))
+    made.append(b.Paragraph((exercise.method,)))
     answers = [outcome for outcome in solution.outcomes if isinstance(outcome, Answer)]
     if answers:
         rows = tuple((a.what, shown(a.value), _unit(a.unit, a.value)) for a in answers)
-        made.append(Quantities("Found", rows))
+        made.append(b.Quantities("Found", rows))
     for outcome in solution.outcomes:
         if isinstance(outcome, Table):
             cells = tuple(tuple(shown(x, TABLE_DIGITS) for x in row) for row in outcome.rows)
-            made.append(DataTable(outcome.title, outcome.columns, cells))
+            made.append(b.DataTable(outcome.title, outcome.columns, cells))
     if solution.measures:
-        made.append(Measures(solution.measures, "Confirmed", "by a second way"))
+        made.append(b.Measures(solution.measures, "Confirmed", "by a second way"))
     if figure is not None:
         made.append(figure)
     return made
 
 
-def question(exercise: Exercise, values: Mapping[str, float], *, named: bool = True) -> list[Block]:
+def question(
+    exercise: Exercise, values: Mapping[str, float], *, named: bool = True
+) -> list[b.Block]:
     """The exercise as a student gets it, with nothing of its solution.
 
     The settings are `named` as in the shell, where that is no other letter than in the formulas.
     """
-    head = ExerciseHead(exercise.title, anchor(exercise.name), exercise.asks)
+    head = b.ExerciseHead(exercise.title, b.anchor(exercise.name), exercise.asks)
     paragraphs = [" ".join(part.split()) for part in exercise.statement.split("\n\n")]
     given = tuple(
         (p.about + f" ({p.name})" * named, shown(values[p.name]), _unit(p.unit, values[p.name]))
         for p in exercise.parameters
     )
-    made: list[Block] = [head, *(Paragraph((part,)) for part in paragraphs)]
-    return [*made, Quantities("Given", given)] if given else made
+    made: list[b.Block] = [head, *(b.Paragraph((part,)) for part in paragraphs)]
+    return [*made, b.Quantities("Given", given)] if given else made
 
 
 def shown(value: float | str, digits: int = DIGITS) -> str | Node:

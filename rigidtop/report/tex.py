@@ -11,44 +11,15 @@ from importlib.resources import files
 from typing import Any
 
 from rigidtop.notation.characters import MATHS, SIGNS, SUPERSCRIPTS, escape
+from rigidtop.report import blocks as b
 from rigidtop.report import plain
 from rigidtop.report.languages import said
-from rigidtop.report.report import (
-    COLORS,
-    Cited,
-    ClaimHead,
-    Condition,
-    Conditions,
-    DataTable,
-    Display,
-    Document,
-    ExerciseHead,
-    Figure,
-    FoundList,
-    Heading,
-    Legend,
-    Mark,
-    Measures,
-    NameLine,
-    Numbers,
-    Paragraph,
-    Piece,
-    Quantities,
-    Results,
-    Rich,
-    Row,
-    Subhead,
-    Summary,
-    Symbols,
-    Unit,
-    anchor,
-)
 from rigidtop.typeset import layout as lay
 from rigidtop.typeset.latex import AlignRow, align, align_row, latex, row_lines, seen
 from rigidtop.typeset.sentences import prose
 
 
-def write(document: Document, figures: Mapping[str, str]) -> str:
+def write(document: b.Document, figures: Mapping[str, str]) -> str:
     """The document.  `figures` says where the file of each figure lies, as seen from it."""
     body = "\n\n".join(_joined(document.blocks, figures))
     title = prose(document.title)
@@ -84,13 +55,13 @@ USE = r"""% A chapter for a document of one's own.  In its preamble:
 """
 
 
-def chapters(document: Document, figures: Mapping[str, str]) -> dict[str, str]:
+def chapters(document: b.Document, figures: Mapping[str, str]) -> dict[str, str]:
     """Each numbered section as a file to be read into another document, and rigidtop.sty."""
     made = {"rigidtop.sty": style_file()}
     parts: dict[str, list[Any]] = {}
     name = ""
     for block in document.blocks:
-        if isinstance(block, Heading):
+        if isinstance(block, b.Heading):
             name = block.number or block.anchor
             name = name if name not in parts else f"{name}-{block.anchor}"
         if name:
@@ -106,12 +77,12 @@ def _joined(blocks: Sequence[Any], figures: Mapping[str, str]) -> Iterator[str]:
     pending = ""
     solved = False
     for block, after in zip(blocks, [*blocks[1:], None], strict=True):
-        if isinstance(block, Heading) and solved != (block.anchor == "solutions"):
+        if isinstance(block, b.Heading) and solved != (block.anchor == "solutions"):
             solved = not solved
             pending = "\\rtsolutions\n" if solved else "\\rtrest\n"
         words = pending + _shown(block, figures)
         pending = ""
-        run_on = isinstance(block, Paragraph) and isinstance(after, Display) and after.step
+        run_on = isinstance(block, b.Paragraph) and isinstance(after, b.Display) and after.step
         if run_on and not block.held and after.rows[0].reason and not _stands_alone(after):
             pending = words + "\n"
         else:
@@ -120,13 +91,13 @@ def _joined(blocks: Sequence[Any], figures: Mapping[str, str]) -> Iterator[str]:
         yield r"\rtrest"
 
 
-def _stands_alone(block: Display) -> bool:
+def _stands_alone(block: b.Display) -> bool:
     """Whether a step is a line of its own."""
     return bool(_in_line(_beside(block.rows, block.room), block.room))
 
 
-def _headings(document: Document) -> list[Heading]:
-    return [block for block in document.blocks if isinstance(block, Heading)]
+def _headings(document: b.Document) -> list[b.Heading]:
+    return [block for block in document.blocks if isinstance(block, b.Heading)]
 
 
 LANGUAGES = {"en": "british", "de": "ngerman", "fr": "french", "es": "spanish", "it": "italian"}
@@ -137,7 +108,7 @@ def style_file() -> str:
     """rigidtop.sty, which a lecture and fragments of it are written with."""
     colors = "\n".join(
         rf"\definecolor{{{verdict}}}{{HTML}}{{{color.upper()}}}"
-        for verdict, (color, _) in COLORS.items()
+        for verdict, (color, _) in b.COLORS.items()
     )
     return _style("rigidtop.sty").replace("@COLORS@", colors)
 
@@ -155,7 +126,7 @@ def _style(name: str) -> str:
     return files("rigidtop.report").joinpath("styles", name).read_text("utf-8")
 
 
-def _preamble(document: Document) -> str:
+def _preamble(document: b.Document) -> str:
     about = {
         "@TITLE@": document.title,
         "@AUTHOR@": document.author,
@@ -177,16 +148,16 @@ def _preamble(document: Document) -> str:
 
 
 def _shown(block: Any, figures: Mapping[str, str]) -> str:
-    if isinstance(block, Figure):
+    if isinstance(block, b.Figure):
         return _figure(block, figures[block.name])
     return tex_block(block)
 
 
-def _note(mark: Mark | None) -> str:
+def _note(mark: b.Mark | None) -> str:
     return rf"\rtnote{{{rich(mark.note)}}}" if mark is not None and mark.note else ""
 
 
-def _figure(block: Figure, path: str) -> str:
+def _figure(block: b.Figure, path: str) -> str:
     if block.number:
         about = (path, block.anchor, block.label, prose(block.caption))
         return r"\rtfigure" + "".join(f"{{{part}}}" for part in about)
@@ -207,7 +178,7 @@ def fragment(blocks: Sequence[Any]) -> str:
     """The equations of one claim, to be pasted; what else there is to say stands in comments."""
     made: list[str] = []
     for block in blocks:
-        if isinstance(block, Display):
+        if isinstance(block, b.Display):
             first, *rest = block.rows
             made.append(f"% {block.label}")
             if first.follows and first.reason:  # no sentence: it would stand alone
@@ -219,15 +190,15 @@ def fragment(blocks: Sequence[Any]) -> str:
     return "\n".join(made) + "\n"
 
 
-def rich(content: Rich) -> str:
+def rich(content: b.Rich) -> str:
     """Running text with formulas."""
     return "".join(map(_piece, content))
 
 
-def _piece(piece: Piece) -> str:
-    if isinstance(piece, Unit):
+def _piece(piece: b.Piece) -> str:
+    if isinstance(piece, b.Unit):
         return _unit(piece.spaced)
-    if isinstance(piece, Cited):
+    if isinstance(piece, b.Cited):
         return rf"\hyperref[{piece.anchor}]{{{prose(piece.words)}}}"
     return prose(piece) if isinstance(piece, str) else f"${_in_words(piece)}$"
 
@@ -254,7 +225,7 @@ def tex_block(block: Any) -> str:
 
 
 @tex_block.register
-def _(block: Heading) -> str:
+def _(block: b.Heading) -> str:
     command, level = ("section", 1) if block.level == 1 else ("subsection", 2)
     title = prose(f"{block.number}\u2002{block.title}" if block.number else block.title)
     plain = escape_for_bookmark(f"{block.number} {block.title}".strip())
@@ -277,7 +248,7 @@ def escape_for_bookmark(text: str) -> str:
 
 
 @tex_block.register
-def _(block: Paragraph) -> str:
+def _(block: b.Paragraph) -> str:
     words = rich(block.content)
     if block.mark is not None:
         anchored = rf"\phantomsection\label{{{block.anchor}}}" if block.anchor else ""
@@ -293,13 +264,13 @@ def _(block: Paragraph) -> str:
 
 
 @tex_block.register
-def _(block: ClaimHead) -> str:
+def _(block: b.ClaimHead) -> str:
     parts = (prose(block.shown), block.anchor, prose(block.says), block.verdict)
     return r"\claim" + "".join(f"{{{part}}}" for part in parts)
 
 
 @tex_block.register
-def _(block: Display) -> str:
+def _(block: b.Display) -> str:
     label = rf"\lab{{{prose(block.label)}}}" + "\n" if block.label else ""
     if block.step:
         rows = _beside(block.rows, block.room)
@@ -307,11 +278,11 @@ def _(block: Display) -> str:
     return label + display(block.rows, block.room)
 
 
-def _beside(rows: Sequence[Row], room: float) -> Sequence[Row]:
+def _beside(rows: Sequence[b.Row], room: float) -> Sequence[b.Row]:
     """Short equations of one step side by side, as many as have room in a line."""
     if any(row.tag or row.beside or row.reason for row in rows[1:]) or rows[0].tag:
         return rows
-    made: list[Row] = []
+    made: list[b.Row] = []
     used = 0.0
     for row in rows:
         needed = lay.width(lay.layout(row.equation, row.order)) + 5
@@ -333,7 +304,7 @@ WORD = 0.66
 """The width of a letter of a sentence in letters of an equation."""
 
 
-def _in_line(rows: Sequence[Row], room: float) -> str:
+def _in_line(rows: Sequence[b.Row], room: float) -> str:
     """A short step in one line with its sentence; nothing where it is longer, or has a number."""
     row, *more = rows
     if more or row.tag or row.mark is not None or not row.reason:
@@ -347,7 +318,7 @@ def _in_line(rows: Sequence[Row], room: float) -> str:
     return rf"\rtstep{{{words}}}{{{shown}}}"
 
 
-def display(rows: Sequence[Row], room: float = lay.LINE) -> str:
+def display(rows: Sequence[b.Row], room: float = lay.LINE) -> str:
     """The rows in ``align``, smaller where a line is too wide for the page.
 
     Rows share their = sign as long as that does not make them too wide together.
@@ -403,7 +374,7 @@ def _width(rows: Sequence[AlignRow]) -> float:
     return left + 3 + max(lay.width(line.right) for line in lines)
 
 
-def _align_row(row: Row, room: float) -> AlignRow:
+def _align_row(row: b.Row, room: float) -> AlignRow:
     mark = f"({row.verdict})" if row.verdict is not None else ""
     lines = tuple(lay.lines(row.equation, row.order, room))
     if row.beside:
@@ -418,7 +389,7 @@ def _align_row(row: Row, room: float) -> AlignRow:
 
 
 @tex_block.register
-def _(block: Conditions) -> str:
+def _(block: b.Conditions) -> str:
     items = "\n".join(r"\item " + _condition(item) for item in block.items)
     return (
         r"\lab{Assumptions}\par\nobreak\vspace{-0.6\baselineskip}"
@@ -429,21 +400,21 @@ def _(block: Conditions) -> str:
     )
 
 
-def _condition(item: Condition) -> str:
+def _condition(item: b.Condition) -> str:
     words = f", {prose(item.words)}" if item.words else ""
     stated = "stated" if item.stated else r"\textbf{not stated}"
     return rf"${latex(item.relation)}${words} ({stated}). " + tex_block(item.without)
 
 
 @tex_block.register
-def _(block: Numbers) -> str:
+def _(block: b.Numbers) -> str:
     values = ", ".join(rf"${latex(name)} = {latex(value)}$" for name, value in block.values)
     sides = block.said(lambda node: f"${latex(node)}$")
     return rf"\lab{{{prose(block.label)}}}{sides}" + (f" at {values}." if values else ".")
 
 
 @tex_block.register
-def _(block: Measures) -> str:
+def _(block: b.Measures) -> str:
     rows = "\n".join(
         rf"{prose(row.what)} & {_power_of_ten(row.error)} & {_power_of_ten(row.tolerance)} \\"
         for row in block.rows
@@ -464,7 +435,7 @@ def _power_of_ten(number: float) -> str:
 
 
 @tex_block.register
-def _(block: Summary) -> str:
+def _(block: b.Summary) -> str:
     rows = "\n".join(
         rf"\verdict{{{verdict}}} & {count} & {prose(meaning)} \\[3pt]"
         for verdict, count, meaning in block.rows
@@ -482,7 +453,7 @@ def _(block: Summary) -> str:
 
 
 @tex_block.register
-def _(block: FoundList) -> str:
+def _(block: b.FoundList) -> str:
     rows = "\n".join(
         rf"{prose(row.section)} & \hyperref[{row.anchor}]{{{escape(row.name)}}} & "
         rf"\verdict{{{row.verdict}}} & {rich(row.content)} \\[3pt]"
@@ -512,7 +483,7 @@ def _unit_character(c: str) -> str:
 
 
 @tex_block.register
-def _(block: Symbols) -> str:
+def _(block: b.Symbols) -> str:
     rows = "\n".join(
         rf"\rtsymbol{{${latex(node)}$}}{{{prose(meaning)}}}{{{'' if unit == '1' else _unit(unit)}}}"
         for node, meaning, unit in block.rows
@@ -522,7 +493,7 @@ def _(block: Symbols) -> str:
 
 
 @tex_block.register
-def _(block: ExerciseHead) -> str:
+def _(block: b.ExerciseHead) -> str:
     parts = (prose(block.title), block.anchor, prose(block.asks))
     if not block.number:
         return r"\exercise" + "".join(f"{{{part}}}" for part in parts)
@@ -531,7 +502,7 @@ def _(block: ExerciseHead) -> str:
 
 
 @tex_block.register
-def _(block: Legend) -> str:
+def _(block: b.Legend) -> str:
     items = r"\quad ".join(
         rf"\mbox{{\rtmark{{{verdict}}}}}~{prose(words)}." for verdict, words in block.rows
     )
@@ -539,17 +510,17 @@ def _(block: Legend) -> str:
 
 
 @tex_block.register
-def _(block: NameLine) -> str:
+def _(block: b.NameLine) -> str:
     return r"\noindent " + r"\quad ".join(rf"{prose(word)}: \hrulefill" for word in block.words)
 
 
 @tex_block.register
-def _(block: Results) -> str:
+def _(block: b.Results) -> str:
     made: list[str] = []
     for number, equation, words, mark in block.rows:
         lines = [align_row(line).replace("&", "") for line in lay.lines(equation, "printed", ROOM)]
         shown = r" \newline ".join(rf"$\displaystyle {line}$" for line in lines)
-        link = rf"\hyperref[{anchor(number)}]{{({number})}}" if number else ""
+        link = rf"\hyperref[{b.anchor(number)}]{{({number})}}" if number else ""
         sign = rf"\rtmark{{{mark.verdict}}}" if mark is not None else ""
         made.append(rf"{sign} & {link} & {shown} & {prose(words)} \\[1pt]")
     return "\n".join(
@@ -567,13 +538,13 @@ ROOM = 62.0
 
 
 @tex_block.register
-def _(block: Subhead) -> str:
+def _(block: b.Subhead) -> str:
     return rf"\{'rtsub' if block.level else 'subhead'}{{{prose(block.words)}}}"
 
 
 @tex_block.register
-def _(block: Quantities) -> str:
-    units = ["" if unit in ("", "1") else _piece(Unit(unit)) for _, _, unit in block.rows]
+def _(block: b.Quantities) -> str:
+    units = ["" if unit in ("", "1") else _piece(b.Unit(unit)) for _, _, unit in block.rows]
     rows = [
         rf"\rtquantity{{{prose(what)}}}{{{_cell(value)}{behind}}}"
         for (what, value, _), behind in zip(block.rows, units, strict=True)
@@ -586,7 +557,7 @@ def _(block: Quantities) -> str:
 
 
 @tex_block.register
-def _(block: DataTable) -> str:
+def _(block: b.DataTable) -> str:
     first, *others = (_stacked(words) for words in block.columns)
     head = " & ".join([_head(first, "l"), *(_head(lines, "r") for lines in others)])
     count = len(block.columns)
@@ -623,7 +594,7 @@ WIDEST = 84
 """Letters of a table in its usual size; a wider one is set smaller."""
 
 
-def _is_wide(block: DataTable) -> bool:
+def _is_wide(block: b.DataTable) -> bool:
     heads = (max(_stacked(words), key=len) for words in block.columns)
     columns = zip(heads, *block.rows, strict=True)
     return sum(2 + max(_letters(value) for value in column) for column in columns) > WIDEST

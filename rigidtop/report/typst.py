@@ -8,47 +8,17 @@ from functools import singledispatch
 from importlib.resources import files
 from typing import Any
 
+from rigidtop.report import blocks as b
 from rigidtop.report.languages import said
-from rigidtop.report.report import (
-    COLORS,
-    Cited,
-    ClaimHead,
-    Condition,
-    Conditions,
-    DataTable,
-    Display,
-    Document,
-    ExerciseHead,
-    Figure,
-    FoundList,
-    Heading,
-    Legend,
-    Mark,
-    Measures,
-    NameLine,
-    Numbers,
-    Paragraph,
-    Piece,
-    Quantities,
-    Results,
-    Rich,
-    Row,
-    Subhead,
-    Summary,
-    Symbols,
-    Unit,
-    anchor,
-    groups,
-)
 from rigidtop.typeset import layout as lay
 from rigidtop.typeset.latex import align_row, latex
 from rigidtop.typeset.sentences import tex, written
 
 
-def write(document: Document, figures: Mapping[str, str]) -> str:
+def write(document: b.Document, figures: Mapping[str, str]) -> str:
     """The document.  `figures` says where the file of each figure lies, as seen from it."""
     body = "\n\n".join(
-        _figure(block, figures[block.name]) if isinstance(block, Figure) else typst_block(block)
+        _figure(block, figures[block.name]) if isinstance(block, b.Figure) else typst_block(block)
         for block in document.blocks
     )
     depth = 2 if document.lecture else 3
@@ -67,7 +37,7 @@ def write(document: Document, figures: Mapping[str, str]) -> str:
     )
 
 
-def _preamble(document: Document) -> str:
+def _preamble(document: b.Document) -> str:
     about = {
         "@TITLE@": _quoted(document.title),
         "@AUTHOR@": _quoted(document.author),
@@ -86,7 +56,7 @@ def _preamble(document: Document) -> str:
 def _style() -> str:
     """What every document begins with."""
     made = files("rigidtop.report").joinpath("styles", "document.typ").read_text("utf-8")
-    colors = (f'"{verdict}": rgb("#{light}")' for verdict, (light, _) in COLORS.items())
+    colors = (f'"{verdict}": rgb("#{light}")' for verdict, (light, _) in b.COLORS.items())
     return made.replace("@COLORS@", ", ".join(colors))
 
 
@@ -97,7 +67,7 @@ def fragment(blocks: Sequence[Any]) -> str:
     return functions + "\n" + "\n\n".join(map(typst_block, blocks)) + "\n"
 
 
-def _figure(block: Figure, path: str) -> str:
+def _figure(block: b.Figure, path: str) -> str:
     alternative = block.alternative.replace('"', "'")
     label = f"*{block.label}.* " if block.number else ""
     made = (
@@ -158,20 +128,20 @@ def _words(text: str) -> str:
     return text.replace("\\", "").replace("---", "—").replace("--", "–")
 
 
-def rich(content: Rich) -> str:
+def rich(content: b.Rich) -> str:
     """Running text with formulas."""
     return "".join(map(_piece, content))
 
 
-def _piece(piece: Piece) -> str:
-    if isinstance(piece, Unit):
+def _piece(piece: b.Piece) -> str:
+    if isinstance(piece, b.Unit):
         return plain(piece.spaced)
-    if isinstance(piece, Cited):
+    if isinstance(piece, b.Cited):
         return f'#link(label("{piece.anchor}"))[{plain(piece.words)}]'
     return prose(piece) if isinstance(piece, str) else f"${maths(latex(piece))}$"
 
 
-def _note(mark: Mark | None) -> str:
+def _note(mark: b.Mark | None) -> str:
     return f"#note[{rich(mark.note)}]" if mark is not None and mark.note else ""
 
 
@@ -185,13 +155,13 @@ def typst_block(block: Any) -> str:
 
 
 @typst_block.register
-def _(block: Heading) -> str:
+def _(block: b.Heading) -> str:
     number = plain(block.number) + "#h(0.7em)" if block.number else ""
     return f"{'=' * block.level} {number}{prose(block.title)} <{block.anchor}>"
 
 
 @typst_block.register
-def _(block: Paragraph) -> str:
+def _(block: b.Paragraph) -> str:
     words = rich(block.content)
     if block.mark is not None:
         seal = f'#seal("{block.mark.verdict}"){_note(block.mark)}'
@@ -211,18 +181,18 @@ def _label(words: str) -> str:
 
 
 @typst_block.register
-def _(block: ClaimHead) -> str:
+def _(block: b.ClaimHead) -> str:
     shown, says = prose(block.shown), prose(block.says)
     return f'#claim([{shown}], "{block.anchor}", [{says}], "{block.verdict}")'
 
 
 @typst_block.register
-def _(block: Display) -> str:
+def _(block: b.Display) -> str:
     label = _head(block.label) + "\n\n" if block.label else ""
-    return label + "\n\n".join(_rows(group) for group in groups(block))
+    return label + "\n\n".join(_rows(group) for group in b.groups(block))
 
 
-def _rows(group: Sequence[Row]) -> str:
+def _rows(group: Sequence[b.Row]) -> str:
     last = group[-1]
     reason = rich(group[0].spoken)
     rows = [align_row(line) for row in group for line in lay.lines(row.equation, row.order)]
@@ -238,19 +208,19 @@ def _rows(group: Sequence[Row]) -> str:
 
 
 @typst_block.register
-def _(block: Conditions) -> str:
+def _(block: b.Conditions) -> str:
     items = "\n".join(f"- {_condition(item)}" for item in block.items)
     return f"{_head('Assumptions')}\n{items}"
 
 
-def _condition(item: Condition) -> str:
+def _condition(item: b.Condition) -> str:
     words = f", {prose(item.words)}" if item.words else ""
     stated = "stated" if item.stated else "*not stated*"
     return f"${maths(latex(item.relation))}${words} ({stated}). {typst_block(item.without)}"
 
 
 @typst_block.register
-def _(block: Numbers) -> str:
+def _(block: b.Numbers) -> str:
     values = ", ".join(f"${maths(f'{latex(n)} = {latex(v)}')}$" for n, v in block.values)
     sides = block.said(lambda node: f"${maths(latex(node))}$")
     return f"{_label(block.label)}{sides}" + (f" at {values}." if values else ".")
@@ -274,7 +244,7 @@ def _table(columns: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> 
 
 
 @typst_block.register
-def _(block: Measures) -> str:
+def _(block: b.Measures) -> str:
     rows = [(prose(r.what), _power(r.error), _power(r.tolerance)) for r in block.rows]
     head = (prose(block.compared), "error", "tolerance")
     return _head(block.label) + "\n" + _table("(1fr, auto, auto)", head, rows)
@@ -285,14 +255,14 @@ def _power(number: float) -> str:
 
 
 @typst_block.register
-def _(block: Summary) -> str:
+def _(block: b.Summary) -> str:
     rows = [(f'#verdict("{v}")', str(count), prose(meaning)) for v, count, meaning in block.rows]
     rows.append(("all", str(sum(count for _, count, _ in block.rows)), ""))
     return _table("(auto, auto, 1fr)", ("verdict", "claims", "what it says"), rows)
 
 
 @typst_block.register
-def _(block: FoundList) -> str:
+def _(block: b.FoundList) -> str:
     rows = [
         (
             prose(row.section),
@@ -307,7 +277,7 @@ def _(block: FoundList) -> str:
 
 
 @typst_block.register
-def _(block: Symbols) -> str:
+def _(block: b.Symbols) -> str:
     rows = [
         (f"${maths(latex(node))}$", prose(meaning), plain(unit))
         for node, meaning, unit in block.rows
@@ -316,7 +286,7 @@ def _(block: Symbols) -> str:
 
 
 @typst_block.register
-def _(block: ExerciseHead) -> str:
+def _(block: b.ExerciseHead) -> str:
     title, asks = prose(block.title), prose(block.asks)
     if block.number:
         points = prose(block.points)
@@ -325,18 +295,18 @@ def _(block: ExerciseHead) -> str:
 
 
 @typst_block.register
-def _(block: Subhead) -> str:
+def _(block: b.Subhead) -> str:
     return f"#subhead[{prose(block.words)}]"
 
 
 @typst_block.register
-def _(block: Legend) -> str:
+def _(block: b.Legend) -> str:
     items = " ".join(f'#sign("{verdict}") {prose(words)}.' for verdict, words in block.rows)
     return f"#text(size: 9pt, fill: muted)[{plain(block.head)}: {items}]"
 
 
 @typst_block.register
-def _(block: NameLine) -> str:
+def _(block: b.NameLine) -> str:
     columns = ", ".join(
         f"[{prose(word)}: #box(width: 1fr, line(length: 100%))]" for word in block.words
     )
@@ -344,10 +314,10 @@ def _(block: NameLine) -> str:
 
 
 @typst_block.register
-def _(block: Results) -> str:
+def _(block: b.Results) -> str:
     rows = [
         (
-            f'#link(label("{anchor(number)}"))[{plain(f"({number})")}]' if number else "",
+            f'#link(label("{b.anchor(number)}"))[{plain(f"({number})")}]' if number else "",
             f"$ {maths(latex(equation, 'printed'))} $",
             prose(words),
         )
@@ -357,7 +327,7 @@ def _(block: Results) -> str:
 
 
 @typst_block.register
-def _(block: Quantities) -> str:
+def _(block: b.Quantities) -> str:
     rows = [
         (prose(what), f"#align(right)[{_cell(value)}]", plain("" if unit == "1" else unit))
         for what, value, unit in block.rows
@@ -366,7 +336,7 @@ def _(block: Quantities) -> str:
 
 
 @typst_block.register
-def _(block: DataTable) -> str:
+def _(block: b.DataTable) -> str:
     rows = [(_cell(row[0]), *(f"#align(right)[{_cell(x)}]" for x in row[1:])) for row in block.rows]
     columns = ", ".join(["auto"] * len(block.columns))
     head = [prose(words) for words in block.columns]

@@ -20,18 +20,8 @@ from rigidtop.proof.lecture import Heading, Lecture, Shown, Text
 from rigidtop.proof.moves import Condition
 from rigidtop.proof.units import UnitsError
 from rigidtop.proof.verdict import Judgement, Led
+from rigidtop.report import blocks as b
 from rigidtop.report import plain
-from rigidtop.report.report import (
-    Block,
-    Cited,
-    Display,
-    Figure,
-    Mark,
-    Paragraph,
-    Rich,
-    Row,
-    Subhead,
-)
 from rigidtop.typeset.latex import latex
 from rigidtop.typeset.layout import Node, layout
 from rigidtop.typeset.text import text
@@ -39,21 +29,23 @@ from rigidtop.typeset.text import text
 
 def way_blocks(
     lecture: Lecture, name: str, notation: Notation = NOTES, deep: bool = False
-) -> list[Block]:
+) -> list[b.Block]:
     """The lines that lead to what a name names, and what they start from.
 
     What does not follow is said.  A `deep` way starts from laws and definitions alone.
     """
     ids, starts = lecture.way(name, deep)
     rows = [row for id in ids for row in line_rows(lecture, id, notation, starts)]
-    blocks: list[Block] = [Display(tuple(rows), "Derivation")]
+    blocks: list[b.Block] = [b.Display(tuple(rows), "Derivation")]
     if starts:
         names = [called(lecture.lines[id], notation) for id in starts]
-        blocks.append(Paragraph((*_listed(names), "."), "From"))
+        blocks.append(b.Paragraph((*_listed(names), "."), "From"))
     return [*blocks, *gaps(lecture, (*ids, *(x for x in starts if x in lecture.laws)))]
 
 
-def led_blocks(judgement: Judgement, notation: Notation = NOTES, deep: bool = False) -> list[Block]:
+def led_blocks(
+    judgement: Judgement, notation: Notation = NOTES, deep: bool = False
+) -> list[b.Block]:
     """The lines that lead to a claim that was judged with them; none where there are none."""
     return [
         block
@@ -67,19 +59,19 @@ def text_blocks(
     lecture: Lecture,
     text: Text,
     notation: Notation = NOTES,
-    marks: Mapping[str, Sequence[Block | Mark]] = MappingProxyType({}),
-    figures: Mapping[str, Figure] = MappingProxyType({}),
-) -> list[Block]:
+    marks: Mapping[str, Sequence[b.Block | b.Mark]] = MappingProxyType({}),
+    figures: Mapping[str, b.Figure] = MappingProxyType({}),
+) -> list[b.Block]:
     """A page as it is read: its paragraphs, its headings, and every line after its sentence.
 
     `marks` stand beside the last line of what they name, and blocks among them behind it.  Each of
     the `figures` stands behind the paragraph that speaks of it first, and is cited by its number.
     """
-    blocks: list[Block] = []
-    rows: list[Row] = []
+    blocks: list[b.Block] = []
+    rows: list[b.Row] = []
     placed: set[str] = set()
     own = [line.id for line in text.lines]
-    at: dict[str, Sequence[Block | Mark]] = {}
+    at: dict[str, Sequence[b.Block | b.Mark]] = {}
     for name, beside in marks.items():
         ids = [id for id in own if id in lecture.names.get(name, ())]
         if ids:
@@ -87,7 +79,7 @@ def text_blocks(
 
     def close() -> None:
         if rows:
-            blocks.append(Display(tuple(rows)))
+            blocks.append(b.Display(tuple(rows)))
             rows.clear()
 
     def place(words: Sequence[Any]) -> None:
@@ -102,9 +94,9 @@ def text_blocks(
             if block.line is not None:
                 beside = at.get(block.line.id, ())
                 made = line_rows(lecture, block.line.id, notation, figures=figures)
-                marked = [each for each in beside if isinstance(each, Mark)]
+                marked = [each for each in beside if isinstance(each, b.Mark)]
                 rows += [*made[:-1], replace(made[-1], mark=marked[0] if marked else None)]
-                behind = [each for each in beside if not isinstance(each, Mark)]
+                behind = [each for each in beside if not isinstance(each, b.Mark)]
                 if behind or cited_figures(block.line.words):
                     close()
                     place(block.line.words)
@@ -113,9 +105,9 @@ def text_blocks(
         close()
         content = running(block.pieces, notation, figures)
         if isinstance(block, Heading):
-            blocks.append(Subhead(plain.rich(content)))
+            blocks.append(b.Subhead(plain.rich(content)))
         else:
-            blocks.append(Paragraph(content))
+            blocks.append(b.Paragraph(content))
             place(block.pieces)
     close()
     return [*blocks, *gaps(lecture, [line.id for line in text.lines])]
@@ -129,7 +121,7 @@ def cited_figures(words: Sequence[Any]) -> list[str]:
     return [m[2] for piece in words if isinstance(piece, str) for m in _FIGURE.finditer(piece)]
 
 
-def _with_figures(words: str, figures: Mapping[str, Figure]) -> Rich:
+def _with_figures(words: str, figures: Mapping[str, b.Figure]) -> b.Rich:
     """Text that cites figures by their numbers; in its own words where they have none."""
     made: list[Any] = []
     end = 0
@@ -140,7 +132,7 @@ def _with_figures(words: str, figures: Mapping[str, Figure]) -> Rich:
             made.append(found[1])
         else:
             label = figure.label if found[1][:1].isupper() else figure.label.lower()
-            made.append(Cited(label, figure.anchor))
+            made.append(b.Cited(label, figure.anchor))
         end = found.end()
     return tuple(piece for piece in (*made, words[end:]) if piece)
 
@@ -154,8 +146,8 @@ def line_rows(
     id: str,
     notation: Notation = NOTES,
     above: Collection[str] = (),
-    figures: Mapping[str, Figure] = MappingProxyType({}),
-) -> list[Row]:
+    figures: Mapping[str, b.Figure] = MappingProxyType({}),
+) -> list[b.Row]:
     """A line with its sentence.  What stands `above`, and is not shown, is called by its name."""
     judged = lecture.judged(id)
     words = _without_it(lecture, judged.line, above, notation, figures)
@@ -163,7 +155,7 @@ def line_rows(
     place = "line-" + re.sub(r"[^A-Za-z0-9]+", "-", id)
     last = len(judged.line.equations) - 1
     return [
-        Row(
+        b.Row(
             notation.written(equation),
             "printed",
             equation.tag,
@@ -174,11 +166,13 @@ def line_rows(
     ]
 
 
-def gaps(lecture: Lecture, ids: Iterable[str]) -> list[Block]:
+def gaps(lecture: Lecture, ids: Iterable[str]) -> list[b.Block]:
     """What does not follow, with its place."""
     found = [lecture.judged(id) for id in ids]
     return [
-        Paragraph((f"{gap(each, lecture.letters)}.",), "Gap") for each in found if not each.follows
+        b.Paragraph((f"{gap(each, lecture.letters)}.",), "Gap")
+        for each in found
+        if not each.follows
     ]
 
 
@@ -190,8 +184,8 @@ def _without_it(
     line: Line,
     above: Collection[str],
     notation: Notation,
-    figures: Mapping[str, Figure],
-) -> Rich:
+    figures: Mapping[str, b.Figure],
+) -> b.Rich:
     """A sentence in which "it" is a name where the line just above is not shown."""
     words = running(line.words, notation, figures)
     if line.move is None:
@@ -208,7 +202,7 @@ def _without_it(
     return tuple(made)
 
 
-def _spoken(words: Rich, judged: Judged, notation: Notation) -> Rich:
+def _spoken(words: b.Rich, judged: Judged, notation: Notation) -> b.Rich:
     """A sentence, with the condition that its move brings: "where sin θ ≠ 0"."""
     move = judged.line.move
     cited = () if move is None else move.cited
@@ -233,8 +227,8 @@ def relation(condition: Condition, notation: Notation = NOTES) -> Node:
 def running(
     words: Sequence[Any],
     notation: Notation = NOTES,
-    figures: Mapping[str, Figure] = MappingProxyType({}),
-) -> Rich:
+    figures: Mapping[str, b.Figure] = MappingProxyType({}),
+) -> b.Rich:
     """Running text with its mathematics laid out."""
     made: list[Any] = []
     for piece in words:
@@ -262,7 +256,7 @@ def _marked(tex: str) -> str:
     return f"${' '.join(plain.split())}$"
 
 
-def called(line: Line, notation: Notation = NOTES) -> Rich:
+def called(line: Line, notation: Notation = NOTES) -> b.Rich:
     """What an equation is called: by its number, else by its name, else by its place."""
     tag = next((e.tag for e in line.equations if e.tag), "")
     if tag:
@@ -306,7 +300,7 @@ def gap(judged: Judged, letters: Letters, notation: Notation = NOTES) -> str:
     return f"{place}; with what is cited, at {values}, {sides}"
 
 
-def _listed(names: Sequence[Rich]) -> Rich:
+def _listed(names: Sequence[b.Rich]) -> b.Rich:
     made: list[Any] = []
     for k, name in enumerate(names):
         between = "" if k == 0 else " and " if k == len(names) - 1 else ", "

@@ -21,7 +21,7 @@ from rigidtop.notation.translate import Image
 from rigidtop.parameters import Parameter
 from rigidtop.proof.verdict import Judgement
 from rigidtop.proof.words import bold, light, parts, unmarked
-from rigidtop.report.report import Block, Symbols
+from rigidtop.report.blocks import Block, Symbols
 from rigidtop.theory.symbols import VOCABULARY
 from rigidtop.typeset.latex import latex
 from rigidtop.typeset.text import letter, text

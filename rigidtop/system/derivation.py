@@ -23,7 +23,7 @@ from rigidtop.proof.equation import Equation, Partial, Rate
 from rigidtop.proof.lecture import Block, Heading, Lecture, Shown, Text
 from rigidtop.proof.moves import Known, Move, Scope
 from rigidtop.report import html, plain, tex
-from rigidtop.report.report import Display
+from rigidtop.report.blocks import Display
 from rigidtop.report.ways import gap, step, text_blocks
 from rigidtop.system.forms import parts_of, short
 from rigidtop.system.names import own_functions
@@ -34,7 +34,7 @@ from rigidtop.typeset.latex import latex
 from rigidtop.typeset.layout import glyph
 
 if TYPE_CHECKING:
-    from rigidtop.report.report import Block as Written
+    from rigidtop.report.blocks import Block as Written
 
 SOLVED = 4
 """Unknowns up to which equations are solved on the board."""

@@ -13,10 +13,10 @@ from rigidtop.derivations.euler_angles import page
 from rigidtop.notation import GOLDSTEIN, named
 from rigidtop.proof.verdict import judge_page
 from rigidtop.proof.words import unmarked
+from rigidtop.report.blocks import Symbols
 from rigidtop.report.html import write as html
 from rigidtop.report.lecture import lecture
 from rigidtop.report.notations import different
-from rigidtop.report.report import Symbols
 from rigidtop.report.tex import write as tex
 from rigidtop.report.typst import write as typst
 from rigidtop.typeset.text import text

@@ -18,10 +18,7 @@ from rigidtop.figures.catalog import FIGURES
 from rigidtop.figures.drawing import both, rendered
 from rigidtop.proof.verdict import judge_page
 from rigidtop.report import html, myst, pdf, plain, tex, typst
-from rigidtop.report.handout import written
-from rigidtop.report.languages import SHOWN, WORDS, translated
-from rigidtop.report.lecture import FORMATS, fragment, lecture, record, sheet
-from rigidtop.report.report import (
+from rigidtop.report.blocks import (
     Cited,
     ClaimHead,
     Conditions,
@@ -36,10 +33,13 @@ from rigidtop.report.report import (
     Paragraph,
     Quantities,
     Subhead,
-    claim_blocks,
-    symbols_used,
 )
+from rigidtop.report.claims import claim_blocks
+from rigidtop.report.handout import written
+from rigidtop.report.languages import SHOWN, WORDS, translated
+from rigidtop.report.lecture import FORMATS, fragment, lecture, record, sheet
 from rigidtop.report.solutions import solved
+from rigidtop.report.symbols import symbols_used
 from rigidtop.theory import symbols as s
 from rigidtop.typeset import layout as lay
 from rigidtop.typeset.text import text

@@ -20,8 +20,8 @@ from rigidtop.motion.top import HeavyTop
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.verdict import judge
 from rigidtop.report import notebook
+from rigidtop.report.blocks import Quantities
 from rigidtop.report.markdown import markdown
-from rigidtop.report.report import Quantities
 from rigidtop.report.solutions import solved
 from rigidtop.theory.symbols import (
     VOCABULARY,

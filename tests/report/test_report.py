@@ -36,8 +36,7 @@ from rigidtop.proof.verdict import (
     Verdict,
 )
 from rigidtop.report import files, html, pdf, plain, tex, typst
-from rigidtop.report.lecture import FORMATS, Picture, fragment, write_lecture
-from rigidtop.report.report import (
+from rigidtop.report.blocks import (
     ClaimHead,
     Conditions,
     DataTable,
@@ -53,12 +52,12 @@ from rigidtop.report.report import (
     Row,
     Summary,
     anchor,
-    claim_blocks,
-    document,
     groups,
     is_number,
-    short_number,
 )
+from rigidtop.report.claims import claim_blocks, short_number
+from rigidtop.report.lecture import FORMATS, Picture, fragment, write_lecture
+from rigidtop.report.record import document
 from rigidtop.theory.symbols import (
     L3,
     L_z,

@@ -12,9 +12,10 @@ from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.figures.catalog import FIGURES
 from rigidtop.notation import BUILT_IN, named
 from rigidtop.proof.verdict import judge_page
+from rigidtop.report.claims import claim_blocks
 from rigidtop.report.lecture import exercise_fragment, fragment, picture, solution_in
-from rigidtop.report.report import claim_blocks, symbols_used
 from rigidtop.report.solutions import blocks, solved
+from rigidtop.report.symbols import symbols_used
 from rigidtop.report.wording import Wording
 from rigidtop.theory.lettered import stands_for
 from rigidtop.theory.symbols import VOCABULARY

@@ -1,0 +1,451 @@
+"""The blocks of a document, which `tex`, `html`, `typst` and the others write down."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from rigidtop.proof.equation import Equation
+from rigidtop.proof.page import Measure, Page
+from rigidtop.proof.verdict import (
+    Judgement,
+    Verdict,
+)
+from rigidtop.typeset import layout as lay
+from rigidtop.typeset.layout import Node, Order
+
+Judged = Sequence[tuple[Page, Sequence[Judgement]]]
+
+
+@dataclass(frozen=True)
+class Front:
+    """What stands on the first page of a lecture and of its exercises, and whose claims it has."""
+
+    title: str
+    subtitle: str
+    source: str
+    exercises: str
+    author: str = "rigidtop"
+    byline: str = ""
+
+
+NOTES = Front(
+    "Rigid rotation and the spinning top: derived and judged",
+    "Free precession, Euler angles and the heavy symmetric top, equations (3.33) to (3.57)",
+    "The numbered equations and the claims are those of the lecture notes of Sebastian Wüster, "
+    "PHY 305 Classical Mechanics, IISER Bhopal, 2020, week 8. The wording, the derivations and "
+    "the verdicts are ours. Every verdict on these pages was computed when they were written.",
+    "Rigid rotation and the spinning top: exercises",
+)
+"""The lecture notes on the top."""
+
+
+MEANINGS: Mapping[Verdict, str] = {
+    Verdict.PROVED: "the residual vanishes identically",
+    Verdict.SAMPLED: "the residual vanishes to 40 digits at random points; not shown in symbols",
+    Verdict.ASSUMING: "true only under conditions that the notes do not state beside the claim",
+    Verdict.CONVENTION: "right in content, at odds with the notes' own definitions",
+    Verdict.FALSE: "refuted by numbers",
+    Verdict.DEFINITION: "introduces a name; there is nothing to prove",
+    Verdict.UNDECIDED: "neither shown nor refuted",
+}
+MARKS: Mapping[Verdict, str] = {
+    Verdict.PROVED: "✓",
+    Verdict.SAMPLED: "≈",
+    Verdict.ASSUMING: "◐",
+    Verdict.CONVENTION: "⇄",
+    Verdict.FALSE: "✗",
+    Verdict.DEFINITION: "≔",
+    Verdict.UNDECIDED: "?",
+}
+
+
+@dataclass(frozen=True)
+class Cited:
+    """Words that lead to another place of the document, such as (3.54)."""
+
+    words: str
+    anchor: str
+
+
+COLORS: Mapping[Verdict, tuple[str, str]] = {
+    Verdict.PROVED: ("1e5b3a", "86cfa5"),
+    Verdict.SAMPLED: ("3e5f2b", "b0cf8f"),
+    Verdict.ASSUMING: ("7a4b00", "e6b865"),
+    Verdict.CONVENTION: ("5b2d83", "cba6ee"),
+    Verdict.FALSE: ("8e1b1b", "f29b9b"),
+    Verdict.DEFINITION: ("2b4c7e", "9cbcf0"),
+    Verdict.UNDECIDED: ("444444", "bbbbbb"),
+}
+"""Of the verdicts, on white and on black."""
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit behind a number, in upright letters: kg m², °."""
+
+    letters: str
+
+    @property
+    def spaced(self) -> str:
+        """With the thin space that stands before it."""
+        return self.letters if self.letters[:1] in "°″%" else "\u2009" + self.letters
+
+
+Piece = str | Node | Cited | Unit
+Rich = tuple[Piece, ...]
+"""Running text: prose, with formulas as layout nodes, units and citations between."""
+
+
+# --- Blocks --------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Heading:
+    """A section, level 1 for 3.2, level 2 for 3.2.1."""
+
+    level: int
+    number: str
+    title: str
+    anchor: str
+
+
+@dataclass(frozen=True)
+class Mark:
+    """The verdict on a claim in the margin beside it; the `note` tells its conditions."""
+
+    name: str
+    verdict: Verdict
+    note: Rich = ()
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    """Running text, with a short label before it ("Reason"); `held` to what follows.
+
+    A `mark` stands in the margin; `anchor` is its place for what cites it.
+    """
+
+    content: Rich
+    label: str = ""
+    held: bool = False
+    mark: Mark | None = None
+    anchor: str = ""
+
+
+@dataclass(frozen=True)
+class Row:
+    """An equation of a display.
+
+    `reason` is the sentence that belongs to it; `follows` says that it follows from the line
+    above, which `spoken` says too; `verdict` is shown where the verdicts of one claim differ, a
+    `mark` stands in the margin; `anchor` is its place for what cites it.
+    Equations `beside` it stand in the same line.
+    """
+
+    equation: Equation
+    order: Order
+    tag: str = ""
+    reason: str | Rich = ""
+    follows: bool = False
+    verdict: Verdict | None = None
+    mark: Mark | None = None
+    anchor: str = ""
+    beside: tuple[Equation, ...] = ()
+
+    @property
+    def spoken(self) -> Rich:
+        if not self.reason:
+            return ()
+        words = (self.reason,) if isinstance(self.reason, str) else self.reason
+        return ("⇒ ", *words) if self.follows else words
+
+
+@dataclass(frozen=True)
+class Display:
+    """Equations below each other, each after its reason, under a short label.
+
+    Lines are broken that have no `room`, in letters.  A `step` of a derivation goes on with the
+    paragraph above it, or stands in one line with its sentence where it is short.
+    """
+
+    rows: tuple[Row, ...]
+    label: str = ""
+    room: float = lay.LINE
+    step: bool = False
+
+
+@dataclass(frozen=True)
+class ClaimHead:
+    """The name of a claim, what it asserts, and its verdict."""
+
+    name: str
+    anchor: str
+    says: str
+    verdict: Verdict
+
+    @property
+    def shown(self) -> str:
+        """(3.57) for an equation, the name itself for a slug."""
+        return f"({self.name})" if is_number(self.name) else self.name
+
+
+@dataclass(frozen=True)
+class Numbers:
+    """Values of symbols at which two sides differ."""
+
+    label: str
+    values: tuple[tuple[Node, Node], ...]
+    left: Node | None
+    right: Node | None
+
+    def said(self, written: Callable[[Node], str]) -> str:
+        """The two sides in words, each number `written` by the target."""
+        left, right = (
+            "undefined" if side is None else written(side) for side in (self.left, self.right)
+        )
+        if left == right:
+            return f"both sides are {left}"
+        return f"the left side is {left}, the right side {right}"
+
+
+@dataclass(frozen=True)
+class Condition:
+    """An assumption: the relation, words for it, and what happens without it."""
+
+    relation: Node
+    words: str
+    stated: bool
+    without: Numbers
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """The assumptions of a claim."""
+
+    items: tuple[Condition, ...]
+
+
+@dataclass(frozen=True)
+class Measures:
+    """What was compared: on computed motions, or by a second way to the same number."""
+
+    rows: tuple[Measure, ...]
+    label: str = "Measured"
+    compared: str = "on a computed motion"
+
+
+@dataclass(frozen=True)
+class Summary:
+    """How many claims got which verdict."""
+
+    rows: tuple[tuple[Verdict, int, str], ...]
+
+
+@dataclass(frozen=True)
+class Found:
+    """A line of the list of what was found in the notes."""
+
+    section: str
+    name: str
+    anchor: str
+    verdict: Verdict
+    content: Rich
+
+
+@dataclass(frozen=True)
+class FoundList:
+    """What was found in the notes."""
+
+    rows: tuple[Found, ...]
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A figure by its name, with its caption, and its content in words."""
+
+    name: str
+    caption: str
+    alternative: str
+    number: int = 0
+    kind: str = "Figure"
+
+    @property
+    def anchor(self) -> str:
+        return f"figure-{self.name}"
+
+    @property
+    def label(self) -> str:
+        """What stands before the caption, where figures are numbered."""
+        return f"{self.kind} {self.number}" if self.number else ""
+
+
+@dataclass(frozen=True)
+class ExerciseHead:
+    """The title of an exercise, and where the notes ask for it; `points` that it can bring."""
+
+    title: str
+    anchor: str
+    asks: str
+    number: int = 0
+    points: str = ""
+    level: int = 3
+    kind: str = "Exercise"
+
+    @property
+    def label(self) -> str:
+        """What stands before the title."""
+        return f"{self.kind} {self.number}" if self.number else self.kind
+
+
+@dataclass(frozen=True)
+class Subhead:
+    """The name of a part of an exercise, or of a section, there with the `level` of a heading."""
+
+    words: str
+    level: int = 0
+
+
+@dataclass(frozen=True)
+class Quantities:
+    """What was given or found: words, value, unit."""
+
+    label: str
+    rows: tuple[tuple[str, str | Node, str], ...]
+
+
+@dataclass(frozen=True)
+class DataTable:
+    """Many numbers, under their columns; on one page where it is kept `whole`."""
+
+    title: str
+    columns: tuple[str, ...]
+    rows: tuple[tuple[str | Node, ...], ...]
+    whole: bool = False
+
+
+@dataclass(frozen=True)
+class Symbols:
+    """The list of symbols: glyph, meaning, unit."""
+
+    rows: tuple[tuple[Node, str, str], ...]
+
+
+@dataclass(frozen=True)
+class Results:
+    """The numbered equations on one page: each with its number, its words and its mark."""
+
+    rows: tuple[tuple[str, Equation, str, Mark | None], ...]
+
+
+@dataclass(frozen=True)
+class Legend:
+    """What the marks in the margin mean."""
+
+    rows: tuple[tuple[Verdict, str], ...]
+    head: str = "In the margin"
+
+
+@dataclass(frozen=True)
+class NameLine:
+    """Where a student writes a name, and a date."""
+
+    words: tuple[str, ...] = ("Name", "Date")
+
+
+Block = (
+    Heading
+    | Paragraph
+    | Display
+    | ClaimHead
+    | Numbers
+    | Conditions
+    | Measures
+    | Summary
+    | FoundList
+    | Figure
+    | ExerciseHead
+    | Subhead
+    | Quantities
+    | DataTable
+    | Symbols
+    | Results
+    | Legend
+    | NameLine
+)
+PAPERS = ("a4", "letter")
+
+
+@dataclass(frozen=True)
+class Look:
+    """How a document is set: its paper, its language, a preamble and a class of one's own."""
+
+    paper: str = "a4"
+    language: str = "en"
+    preamble: str = ""
+    documentclass: str = ""
+
+
+@dataclass(frozen=True)
+class Document:
+    """Title, subtitle, blocks, colophon.
+
+    `byline` stands beneath the title: author, course, date.  A `lecture` has its verdicts in the
+    margin, a record among its lines.
+    """
+
+    title: str
+    subtitle: str
+    blocks: tuple[Block, ...]
+    colophon: str
+    author: str = "rigidtop"
+    byline: str = ""
+    lecture: bool = False
+    look: Look = Look()
+
+    @property
+    def keywords(self) -> tuple[str, ...]:
+        """The titles of its numbered sections, or else of its exercises."""
+        sections = [b.title for b in self.blocks if isinstance(b, Heading) and b.number]
+        exercises = [b.title for b in self.blocks if isinstance(b, ExerciseHead)]
+        return tuple(dict.fromkeys(sections or exercises))
+
+
+# --- Building ------------------------------------------------------------------------------------
+
+
+def groups(block: Display) -> list[list[Row]]:
+    """Rows between which no reason and no tag stands: they are aligned with each other."""
+    made: list[list[Row]] = []
+    for row in block.rows:
+        last = made[-1][-1] if made else None
+        if last is None or last.tag or last.verdict or last.order != row.order or row.reason:
+            made.append([row])
+        else:
+            made[-1].append(row)
+    return made
+
+
+def is_number(name: str) -> bool:
+    """Whether a claim is named by its equation's number."""
+    return bool(re.fullmatch(r"\d+\.\d+[a-z]?", name))
+
+
+def anchor(name: str) -> str:
+    """A name for links: letters, digits and hyphens."""
+    return "claim-" + re.sub(r"[^A-Za-z0-9]+", "-", name).strip("-")
+
+
+def headings(page: Page) -> Iterable[Heading]:
+    """The heading of a page, after that of the section above where the page opens it."""
+    number = page.section if re.fullmatch(r"[\d.]+", page.section) else ""
+    if page.opens:
+        above = number.rpartition(".")[0]
+        yield Heading(1, above, page.opens, _section_anchor(above))
+    level = 2 if page.section.count(".") >= 2 else 1
+    yield Heading(level, number, page.title, _section_anchor(page.section))
+
+
+def _section_anchor(section: str) -> str:
+    return "section-" + re.sub(r"\W+", "-", section).strip("-")

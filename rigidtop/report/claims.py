@@ -1,0 +1,247 @@
+"""A judged claim as blocks: what is said and in which order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy
+from sympy import Expr, Symbol
+
+from rigidtop.proof.equation import Equation, Printed
+from rigidtop.proof.page import Assumption, Correction, Definition, Measure, Step
+from rigidtop.proof.verdict import (
+    Counterexample,
+    Finding,
+    Judgement,
+    Led,
+    TestedAssumption,
+    Verdict,
+)
+from rigidtop.report import blocks as b
+from rigidtop.typeset import layout as lay
+from rigidtop.typeset.layout import Node, layout, width
+from rigidtop.typeset.text import text
+
+
+def claim_blocks(judgement: Judgement, *, marks: bool = True) -> list[b.Block]:
+    """A claim with all that its evidence showed; `marks` puts verdicts that differ beside lines."""
+    claim = judgement.claim
+    findings = judgement.findings()
+    blocks: list[b.Block] = [
+        b.ClaimHead(claim.name, b.anchor(claim.name), claim.says, judgement.verdict)
+    ]
+    mixed = marks and len({finding.verdict for finding in findings}) > 1
+    led = any(isinstance(item, Led) for item in judgement.items)
+    rows = tagged_rows(judgement, mixed)
+    amiss = judgement.verdict in (Verdict.FALSE, Verdict.CONVENTION)
+    if rows and (amiss or not led):
+        blocks.append(b.Display(rows, "The notes print"))
+    if not led:  # else its lines say the rest
+        if claim.reason:
+            blocks.append(b.Paragraph((claim.reason,), "Reason"))
+        blocks.extend(derivation(judgement, mixed))
+        meanings = _meanings(judgement)
+        if meanings:
+            blocks.append(b.Display(meanings, "The engine's own expressions"))
+    assumed = tested(judgement)
+    if assumed:
+        blocks.append(b.Conditions(conditions(assumed)))
+    blocks.extend(
+        numbers(finding.counterexample)
+        for finding in findings
+        if finding.counterexample is not None
+    )
+    corrected = judgement.corrections()
+    if corrected:
+        made = tuple(replace(_notes_row(item, False), tag="") for item in corrected)
+        blocks.append(b.Display(made, "Corrected form"))
+        under = conditions([t for c in corrected for t in c.assumptions])
+        if under:
+            blocks.append(b.Conditions(under))
+    remarks = judgement.remarks()
+    if remarks:
+        made = tuple(replace(_notes_row(item, False), tag="") for item in remarks)
+        blocks.append(b.Display(made, "Besides"))
+        under = conditions([t for r in remarks for t in r.assumptions])
+        if under:
+            blocks.append(b.Conditions(under))
+    measures = tuple(item for item in judgement.items if isinstance(item, Measure))
+    if measures:
+        blocks.append(b.Measures(measures))
+    if judgement.problem and not any(isinstance(i, Led) and i.gaps for i in judgement.items):
+        blocks.append(
+            b.Paragraph((f"This claim does not pass. {_sentence(judgement.problem)}",), "")
+        )
+    return blocks
+
+
+def tagged_rows(judgement: Judgement, mixed: bool = False) -> tuple[b.Row, ...]:
+    """What the notes print of a claim, with its number."""
+    items: list[Definition | Finding] = [
+        *(item for item in judgement.items if isinstance(item, Definition)),
+        *(finding for finding in judgement.findings() if finding.check.printed),
+    ]
+    rows = [_notes_row(item, mixed) for item in items]
+    return _tagged(rows, judgement.claim.name) if rows else ()
+
+
+def derivation(judgement: Judgement, mixed: bool) -> Iterable[b.Block]:
+    """Steps and formal checks in their order; an equation that stands already is not repeated."""
+    rows: list[b.Row] = []
+    again: list[str] = []
+    seen = {_said(f) for f in judgement.findings() if f.check.printed}
+    for item in judgement.items:
+        if isinstance(item, Step):
+            rows.append(b.Row(item.equation, "auto", reason=item.reason))
+        elif isinstance(item, Finding) and item in judgement.findings():
+            if item.check.printed:
+                continue
+            if _said(item) in seen:
+                again.append(item.check.reason)
+                continue
+            seen.add(_said(item))
+            rows.append(replace(_notes_row(item, mixed), tag=""))
+    if rows:
+        yield b.Display(tuple(rows), "Derivation")
+    sentences = list(dict.fromkeys(filter(None, again)))
+    if sentences:
+        yield b.Paragraph((" ".join(map(_sentence, sentences)),), "Checked again")
+
+
+def _said(finding: Finding) -> tuple[Any, ...]:
+    """What a line says: the equation, its verdict, and, where a reason tells, under what."""
+    check = finding.check
+    conditions = {str(a.condition) for a in check.assuming} if check.reason else ()
+    return (*check.claimed.sides, check.claimed.relation, finding.verdict, frozenset(conditions))
+
+
+def _sentence(words: str) -> str:
+    return words[:1].upper() + words[1:].rstrip(".") + "."
+
+
+def _notes_row(item: Definition | Finding, mixed: bool) -> b.Row:
+    if isinstance(item, Definition):
+        return b.Row(item.equation, "printed", item.equation.tag, item.reason)
+    check = item.check
+    return b.Row(
+        check.claimed,
+        "printed",
+        check.claimed.tag,
+        check.reason,
+        bool(check.given) and not isinstance(check, Correction),
+        item.verdict if mixed else None,
+    )
+
+
+def _tagged(rows: Sequence[b.Row], name: str) -> tuple[b.Row, ...]:
+    """Each number once, behind the last of its lines; the claim's own if no line has one."""
+    tags = [row.tag for row in rows]
+    if not any(tags) and b.is_number(name):
+        tags[-1] = name
+    once = [tag if tag not in tags[i + 1 :] else "" for i, tag in enumerate(tags)]
+    return tuple(replace(row, tag=tag) for row, tag in zip(rows, once, strict=True))
+
+
+LONGEST = 110.0
+"""A meaning that is wider than this is not printed, nor one that does not go into two lines."""
+
+
+def _meanings(judgement: Judgement) -> tuple[b.Row, ...]:
+    """What the symbols of the claim stand for in the engine, where that is short and the same
+    in all checks of what the notes print, and not shown as a step."""
+    checks = [finding.check for finding in judgement.findings()]
+    shown = {item.equation.sides for item in judgement.items if isinstance(item, Step)}
+    found: dict[str, set[b.Row]] = {}
+    for check in [c for c in checks if c.printed] or checks:
+        for symbol, meaning in check.meaning.items():
+            used = any(side.has(symbol) for side in check.claimed.sides)
+            if used and _is_shown(symbol, meaning):
+                row = b.Row(Equation(symbol, meaning), "auto")
+                found.setdefault(text(symbol), set()).add(row)
+    rows = [
+        row for alternatives in found.values() if len(alternatives) == 1 for row in alternatives
+    ]
+    return tuple(row for row in rows if row.equation.sides not in shown and _is_short(row.equation))
+
+
+def _is_short(equation: Equation) -> bool:
+    if width(layout(equation)) > LONGEST:
+        return False
+    return all(width(line.right) <= lay.LINE for line in lay.lines(equation))
+
+
+def _is_shown(symbol: Any, meaning: Any) -> bool:
+    if not isinstance(symbol, (Symbol, Printed)):
+        return False
+    if isinstance(meaning, sympy.MatrixBase):  # an axis along itself says nothing
+        return bool(meaning.free_symbols)
+    return isinstance(meaning, Expr) and not meaning.is_Atom
+
+
+def tested(judgement: Judgement) -> list[TestedAssumption]:
+    """The assumptions of all findings, each once."""
+    once: dict[tuple[str, str], TestedAssumption] = {}
+    for finding in judgement.findings():
+        for tested in finding.assumptions:
+            key = (str(tested.assumption.condition), tested.assumption.words)
+            once.setdefault(key, tested)
+    return list(once.values())
+
+
+def condition(assumption: Assumption) -> Node:
+    """The relation as it is written; a limit, ε = 0 for the engine, as ε → 0."""
+    relation = layout(assumption.condition)
+    if assumption.otherwise is not None and isinstance(relation, lay.Chain):
+        return replace(relation, signs=("→",))
+    return relation
+
+
+def conditions(assumed: Sequence[TestedAssumption]) -> tuple[b.Condition, ...]:
+    """Assumptions as they are listed: those with the same words together, one counterexample."""
+    together: dict[tuple[str, bool], list[TestedAssumption]] = {}
+    for item in assumed:
+        words = item.assumption.words.rstrip(".")
+        key = (words or str(item.assumption.condition), item.assumption.stated)
+        together.setdefault(key, []).append(item)
+    return tuple(map(_condition, together.values()))
+
+
+def _condition(items: Sequence[TestedAssumption]) -> b.Condition:
+    relations = tuple(dict.fromkeys(condition(item.assumption) for item in items))
+    first = items[0].assumption
+    return b.Condition(
+        relations[0] if len(relations) == 1 else lay.Listed(relations),
+        first.words.rstrip("."),
+        first.stated,
+        numbers(items[0].without, "Without it" if len(relations) == 1 else "Without the first"),
+    )
+
+
+def numbers(found: Counterexample, label: str = "Counterexample") -> b.Numbers:
+    """A counterexample in the order of the vocabulary, its numbers shortened."""
+    ordered = sorted(found.values.items(), key=lambda kv: (lay.known(kv[0])[0], str(kv[0])))
+    values = tuple((layout(symbol), short_number(value)) for symbol, value in ordered)
+    return b.Numbers(label, values, _real_number(found.left), _real_number(found.right))
+
+
+def _real_number(side: Any) -> Node | None:
+    """A side of a counterexample; None where it has no real value there."""
+    if side is None or not sympy.sympify(side).evalf(12).is_real:
+        return None
+    return short_number(side)
+
+
+def short_number(number: Any) -> Node:
+    """An exact number where it is short, else six digits of it.
+
+    >>> third = sympy.Rational(3, 7)
+    >>> text(short_number(third)), text(short_number(sympy.sin(third / 3 * 2)))
+    ('3/7', '0.281843')
+    """
+    number = sympy.sympify(number)
+    exact = layout(number)
+    if width(exact) <= 6 and not number.has(sympy.Function):
+        return exact
+    return layout(sympy.Float(number.evalf(12)))
