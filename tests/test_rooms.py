@@ -86,10 +86,12 @@ READS = {
     "web": {
         "errors",
         "theory",
+        "parameters",
         "proof",
         "codegen",
         "typeset",
         "motion",
+        "system",
         "derivations",
         "report",
     },

@@ -17,7 +17,7 @@ export function height({ R, theta }) {
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import sympy
 from sympy import Expr, Symbol
@@ -74,6 +74,56 @@ def rates(name: str, side: RightHandSide) -> str:
     for index, result in enumerate(results):
         lines += _broken(f"    rates[{index}] = {result};")
     return "\n".join([*lines, "  };", "}"])
+
+
+def of_arrays(
+    name: str,
+    about: str,
+    takes: Mapping[str, Sequence[Symbol]],
+    wanted: Sequence[Expr],
+    shared: Sequence[tuple[Symbol, Expr]] = (),
+) -> str:
+    """A function of arrays of numbers, one for each group of symbols, which writes into `out`.
+
+    What the symbols are called stays outside: the first of a group ``s`` is ``s0`` inside.  What is
+    computed once is `shared` if it is given.  Raises ValueError or NotImplementedError, as SymPy's
+    printers do, for what has no counterpart.
+
+    >>> x, m = sympy.symbols("x m")
+    >>> print(of_arrays("force", "The force (N).", {"s": [x], "p": [m]}, [m * x]))
+    /**
+     * The force (N).
+     *
+     * @param {ArrayLike<number>} s
+     * @param {ArrayLike<number>} p
+     * @param {Float64Array} out
+     */
+    export function force(s, p, out) {
+      const s0 = s[0];
+      const p0 = p[0];
+      out[0] = p0*s0;
+    }
+    """
+    inside = {x: Symbol(f"{group}{k}") for group, row in takes.items() for k, x in enumerate(row)}
+    parts = {x: Symbol(f"x{k}") for k, (x, _) in enumerate(shared)}
+    own = inside | parts
+    results = [sympy.sympify(each).xreplace(own) for each in wanted]
+    once = [(parts[x], value.xreplace(own)) for x, value in shared]
+    if not shared:
+        once, results = shared_parts(results, sympy.numbered_symbols("x"))
+    used = set().union(*(e.free_symbols for e in (*results, *(e for _, e in once))))
+    kinds = [*(f"@param {{ArrayLike<number>}} {group}" for group in takes)]
+    lines = _comment(about, *kinds, "@param {Float64Array} out")
+    lines.append(f"export function {name}({', '.join([*takes, 'out'])}) {{")
+    for group, row in takes.items():
+        read = (k for k, x in enumerate(row) if inside[x] in used)
+        lines += [f"  const {group}{k} = {group}[{k}];" for k in read]
+    printer = JavaScript()
+    for x, value in once:
+        lines += _broken(f"  const {x.name} = {printer.text(value)};")
+    for k, result in enumerate(results):
+        lines += _broken(f"  out[{k}] = {printer.text(result)};")
+    return "\n".join([*lines, "}"])
 
 
 def _texts(expressions: Sequence[Expr]) -> tuple[list[str], list[str]]:

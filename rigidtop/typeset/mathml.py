@@ -205,7 +205,7 @@ def _(node: lay.Root) -> str:
 
 @_ml.register
 def _(node: lay.Apply) -> str:
-    name = f"<mi>{node.name}</mi>" if isinstance(node.name, str) else _ml(node.name)
+    name = f"<mi>{escape(node.name)}</mi>" if isinstance(node.name, str) else _ml(node.name)
     if node.power is not None:
         name = f"<msup>{name}{_ml(node.power)}</msup>"
     inside = "<mo>,</mo>".join(map(_ml, node.arguments))

@@ -60,20 +60,22 @@ def page(kind: str, first: Preset | None = None, height: int = Page.height) -> P
     return Page(title, document(title, text), height)
 
 
-def document(title: str, text: str) -> str:
-    """The page with the JSON of its data.
+def document(title: str, text: str, kind: str = "page", derived: str = "") -> str:
+    """The page with the JSON of its data; `derived` is a module that its modules may import.
 
-    Raises RigidtopError where three.js is not installed.
+    Raises RigidtopError where three.js is wanted and not installed.
     """
+    main = "main" if kind == "page" else kind
     parts = {
         "title": escape(title),
         "style": "\n".join((FOLDER / f"{name}.css").read_text("utf-8") for name in STYLES),
-        "three": b64encode(gzip.compress(three().encode(), mtime=0)).decode(),
-        "importmap": json_text({"imports": dict(modules())}),
+        "importmap": json_text({"imports": dict(modules(main, derived))}),
         "data": text,
     }
+    if kind == "page":
+        parts["three"] = b64encode(gzip.compress(three().encode(), mtime=0)).decode()
     # In one pass: what is put in is not looked through again.
-    template = (FOLDER / "page.html").read_text("utf-8")
+    template = (FOLDER / f"{kind}.html").read_text("utf-8")
     return re.sub(r"\{\{(\w+)\}\}", lambda place: parts[place[1]], template)
 
 
@@ -109,17 +111,27 @@ def three() -> str:
         raise RigidtopError("the live page wants three.js: pip install 'rigidtop[web]'") from None
 
 
-def modules() -> Iterator[tuple[str, str]]:
-    """The page's own modules: the name that each is imported by, and a URL that holds it.
+def modules(main: str = "main", derived: str = "") -> Iterator[tuple[str, str]]:
+    """A module and all that it imports: the name that each is imported by, and a URL that holds it.
 
     A module whose own address is its text can't name others by where they lie, so "./motion.js"
     becomes "rigidtop/motion.js", which the import map knows.
     """
-    for path in sorted(FOLDER.glob("*.js")):
-        text = path.read_text("utf-8")
-        linked = re.sub(r'(?m)^(import .*|.*\} from )"\./', r'\1"rigidtop/', text)
-        named = f"{linked}//# sourceURL=rigidtop/{path.name}\n"
-        yield f"rigidtop/{path.name}", f"data:text/javascript;charset=utf-8,{_quoted(named)}"
+    texts = {"derived": derived}
+    wanted = [main]
+    while wanted:
+        name = wanted.pop()
+        if name not in texts:
+            texts[name] = (FOLDER / f"{name}.js").read_text("utf-8")
+            wanted += re.findall(_IMPORTED, texts[name])
+    for name, text in sorted(texts.items()):
+        linked = re.sub(_IMPORTED, r'from "rigidtop/\1.js"', text)
+        named = f"{linked}//# sourceURL=rigidtop/{name}.js\n"
+        if text:
+            yield f"rigidtop/{name}.js", f"data:text/javascript;charset=utf-8,{_quoted(named)}"
+
+
+_IMPORTED = r'from "\./(\w+)\.js"'
 
 
 def _quoted(text: str) -> str:
@@ -134,13 +146,18 @@ def data(kind: str, title: str, presets: tuple[Preset, ...], first: Preset) -> M
         "kind": kind,
         "version": version("rigidtop"),
         "title": title,
-        "tableau": {name: getattr(DOP853, name).tolist() for name in TABLEAU},
+        "tableau": tableau(),
         "parameters": [_slider(each) for each in sliders(kind, (p.setup for p in shown))],
         "presets": [_preset(p) for p in shown],
         "equations": [_equation(each) for each in _equations(kind)],
         "first": _preset(first),
         "tour": [vars(step) for step in TOURS[kind]()],
     }
+
+
+def tableau() -> dict[str, Any]:
+    """The coefficients of DOP853."""
+    return {name: getattr(DOP853, name).tolist() for name in TABLEAU}
 
 
 def _equations(kind: str) -> tuple[tuple[terms.TermsOf, bool | None], ...]:

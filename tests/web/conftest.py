@@ -16,6 +16,8 @@ from rigidtop.web.presets import PRESETS
 class Engine:
     """Modules of the page, all their names global; values go in and come out as JSON."""
 
+    folder = FOLDER
+
     def __init__(self, *names):
         self.context = pytest.importorskip("quickjs", reason="quickjs-ng is missing").Context()
         self.context.eval("globalThis.performance = { now: () => 0 };")
@@ -177,9 +179,9 @@ def chrome(*flags):
     return webdriver.Chrome(options=options, service=webdriver.ChromeService(DRIVER))
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def browser(tmp_path_factory):
-    """One for all tests of a module."""
+    """One for all tests of a process."""
     driver = chrome("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
     try:
         driver.set_script_timeout(60)

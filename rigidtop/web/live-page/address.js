@@ -8,7 +8,7 @@
 import { limits, numberFrom, shown } from "./controls.js";
 import { ghostsOf } from "./ghost.js";
 import { THEMES } from "./theme.js";
-import { plotsOf } from "./time_plots.js";
+import { plotsOf } from "./plotted.js";
 
 /** @typedef {import("./types").PageData} PageData */
 /** @typedef {import("./types").Preset} Preset */

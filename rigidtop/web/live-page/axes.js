@@ -65,6 +65,17 @@ export function decimal(value, digits) {
 }
 
 /**
+ * With so many decimals, or as "2.5·10⁻¹⁰" where that would be too long for an axis.
+ *
+ * @param {number} value
+ * @param {number} digits
+ */
+function short(value, digits) {
+  if (digits < 5 && Math.abs(value) < 1e5) return decimal(value, digits);
+  return scientific(Math.abs(value) < 10 ** -digits / 2 ? 0 : value, 2);
+}
+
+/**
  * A number and its unit, which a thin space keeps together.
  *
  * @param {string} number
@@ -275,7 +286,7 @@ export function drawUpAxis(paper, box, range, colours) {
   for (const value of values) {
     const at = Math.round(y(value)) + 0.5;
     line(ctx, box.left, at, end, at);
-    write(paper, decimal(value, digits), box.left - 0.5 * em, at, "right");
+    write(paper, short(value, digits), box.left - 0.5 * em, at, "right");
   }
 }
 
@@ -293,7 +304,7 @@ export function drawAlongAxis(paper, box, range, colours, label, step = 0) {
   const below = box.bottom + em;
   const apart = step || niceStep(range, (box.right - box.left) / (3.2 * em));
   let { values, digits } = ticks(range, apart);
-  const widest = ctx.measureText(decimal(range.high, digits)).width;
+  const widest = ctx.measureText(short(range.high, digits)).width;
   if (x(apart) - x(0) < widest + em) ({ values, digits } = ticks(range, nice(1.01 * apart)));
   ctx.strokeStyle = colours.rule;
   ctx.fillStyle = colours.ink;
@@ -304,7 +315,7 @@ export function drawAlongAxis(paper, box, range, colours, label, step = 0) {
   for (const value of values) {
     const at = Math.round(x(value)) + 0.5;
     line(ctx, at, top, at, box.bottom);
-    const text = decimal(value, digits);
+    const text = short(value, digits);
     if (label && at + ctx.measureText(text).width / 2 < end) {
       write(paper, text, at, below, "center");
     }

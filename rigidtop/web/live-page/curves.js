@@ -78,8 +78,9 @@ export function drawCurve({ ctx, em }, box, times, range, samples, now, of, colo
 /**
  * A curve through places, with the newest of them last; thin if it is still to come.
  *
- * @param {Paper} sheet @param {Box} box @param {readonly Sample[]} samples @param {Sample} now
- * @param {(sample: Sample) => [number, number]} place @param {Colours} colours
+ * @template {{ t: number }} S
+ * @param {Paper} sheet @param {Box} box @param {readonly S[]} samples @param {S} now
+ * @param {(sample: S) => [number, number]} place @param {Colours} colours
  * @param {string} colour
  */
 export function drawPath({ ctx, em }, box, samples, now, place, colours, colour) {

@@ -23,13 +23,14 @@ import { ghostsOf, ghostValues } from "./ghost.js";
 import { createKeys } from "./keys.js";
 import { createMeter } from "./meter.js";
 import { createMotion } from "./motion.js";
+import { plotsOf, plottedOf } from "./plotted.js";
 import { createPolhodeMap } from "./polhode_map.js";
 import { createPotentialPlot } from "./potential_plot.js";
 import { createRegimeMap } from "./regime_map.js";
 import { createScene } from "./scene.js";
-import { createTake } from "./take.js";
+import { createTake, tableOf } from "./take.js";
 import { preferredTheme, readColours, setTheme, THEMES } from "./theme.js";
-import { createTimePlots, plotsOf } from "./time_plots.js";
+import { createTimePlots } from "./time_plots.js";
 import { createTour } from "./tour.js";
 import { createTransport } from "./transport.js";
 
@@ -111,7 +112,7 @@ find("version").textContent =
 
 const picture = find("scene");
 const scene = sceneIn(picture);
-const plots = createTimePlots(find("plots"), readColours());
+const plots = createTimePlots(find("plots"), readColours(), plottedOf);
 const potential = createPotentialPlot(find("potential"), readColours());
 const map =
   data.kind === "free"
@@ -226,7 +227,7 @@ createTake(find("tools"), {
   scene: picture,
   picture: (finely) => scene?.picture(finely) ?? null,
   link: () => `${location.href.split("#")[0]}${currentAddress()}`,
-  motion: () => [motion, Math.max(motion.now.t, PREVIEW * state.preset.speed)],
+  table: () => tableOf(motion, Math.max(motion.now.t, PREVIEW * state.preset.speed)),
   say: (sentence) => complain([sentence]),
 });
 find("tools").append(starter, screen, themes, keyList);

@@ -2,13 +2,14 @@
 
 import { atMostEvery, powerOfTen, scientific } from "./axes.js";
 
-/** @typedef {import("./types").Drift} Drift */
+/** @typedef {Omit<import("./types").Drift, "name"> & { name: string }} Drift */
 
 /** Exponents of ten at the ends of the bars, and of what is promised. */
 const LEAST = -16;
 const MOST = -6;
 const PROMISE = -9;
 
+/** @type {Record<string, { symbol: string, meaning: string }>} */
 const NAMES = {
   E: { symbol: "E", meaning: "energy" },
   p_phi: { symbol: "p<sub>φ</sub>", meaning: "p φ, the momentum of φ" },
@@ -62,17 +63,18 @@ function heading() {
  * A row at the end of the container, and the function that shows a drift in it.
  *
  * @param {HTMLElement} container
- * @param {Drift["name"]} name
+ * @param {string} name
  */
 function createRow(container, name) {
-  const { symbol, meaning } = NAMES[name];
+  const { symbol, meaning } = NAMES[name] ?? { symbol: "", meaning: name };
   const row = element("div", "meter-row");
   row.setAttribute("role", "meter");
   row.setAttribute("aria-label", `Relative drift of ${meaning}`);
   row.setAttribute("aria-valuemin", String(LEAST));
   row.setAttribute("aria-valuemax", String(MOST));
   const letter = element("span", "meter-name");
-  letter.innerHTML = symbol;
+  if (symbol) letter.innerHTML = symbol;
+  else letter.textContent = meaning;
   const bar = element("span", "meter-bar");
   const now = element("span", "meter-number");
   const most = element("span", "meter-number");

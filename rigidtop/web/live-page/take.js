@@ -112,11 +112,11 @@ function give(content, name) {
  * @param {() => string} page.name of the files
  * @param {(finely?: boolean) => HTMLCanvasElement | null} page.picture The scene, drawn just now.
  * @param {HTMLElement} page.scene
- * @param {() => string} page.link
- * @param {() => [Motion, number]} page.motion With how much of it is worth a table.
+ * @param {(() => string) | null} page.link Of what is set, where the address has it.
+ * @param {() => string} page.table Comma-separated values.
  * @param {(sentence: string) => void} page.say
  */
-export function createTake(container, { name, picture, scene, link, motion, say }) {
+export function createTake(container, { name, picture, scene, link, table, say }) {
   const menu = element("details", { class: "menu" }, element("summary", {}, "Take along"));
   const list = element("div", { class: "menu-list" });
   menu.append(list);
@@ -131,7 +131,7 @@ export function createTake(container, { name, picture, scene, link, motion, say 
     });
     list.append(button);
   };
-  add("Copy link", async () => {
+  if (link) add("Copy link", async () => {
     try {
       await navigator.clipboard.writeText(link());
       say("The link to what is shown is copied");
@@ -142,7 +142,7 @@ export function createTake(container, { name, picture, scene, link, motion, say 
   add("Picture (PNG)", () => {
     const drawn = picture(true);
     if (!drawn) {
-      say("Without WebGL there is no picture");
+      say("There is no picture here");
       return;
     }
     const ctx = sheetLike(drawn);
@@ -150,7 +150,7 @@ export function createTake(container, { name, picture, scene, link, motion, say 
     ctx.canvas.toBlob((blob) => blob && give(blob, `${name()}.png`), "image/png");
   });
   add("Table (CSV)", () => {
-    give(new Blob([tableOf(...motion())], { type: "text/csv" }), `${name()}.csv`);
+    give(new Blob([table()], { type: "text/csv" }), `${name()}.csv`);
   });
   add(`Film of ${FILM} s (WebM)`, () => {
     const drawn = picture();

@@ -1,55 +1,51 @@
 /** What goes on: quantities against time, those of the ghost beside them, and θ against φ. */
 
-import { atMostEvery, createPaper, decimal, drawAlongAxis, drawUpAxis, line, nice, scale,
-  significant, withUnit, write } from "./axes.js";
+import { atMostEvery, createPaper, drawAlongAxis, drawUpAxis, line, nice, scale, significant,
+  withUnit, write } from "./axes.js";
 import { drawCurve, drawDot, drawPath } from "./curves.js";
-import { factsOf } from "./facts.js";
-import { apart } from "./ghost.js";
 
 /** @typedef {import("./types").Colours} Colours */
-/** @typedef {import("./types").Kind} Kind */
-/** @typedef {import("./types").Motion} Motion */
-/** @typedef {import("./types").Sample} Sample */
 /** @typedef {import("./axes.js").Box} Box */
 /** @typedef {import("./axes.js").Paper} Paper */
 /** @typedef {import("./axes.js").Range} Range */
-/** @typedef {import("./curves.js").Quantity} Quantity */
-/** @typedef {"e1" | "e2" | "e3" | "omega" | "L" | "torque" | "ink"} Colour */
+/** @typedef {{ t: number }} Timed */
+/** @typedef {Exclude<keyof Colours, "highContrast">} Colour */
 
 /**
  * A panel: what is drawn in it, where its axis goes, and what stands above it.
  *
+ * @template S
  * @typedef {object} Panel
  * @property {string} title
- * @property {readonly (readonly [Quantity, Colour])[]} curves
+ * @property {readonly (readonly [(sample: S) => number, Colour])[]} curves
  * @property {(old: Range, seen: Range) => Range} follow
  * @property {readonly number[]} guides Dashed lines.
- * @property {(sample: Sample) => string} now
+ * @property {(sample: S) => string} now
  * @property {Range} range
  * @property {Range | null} expected What is seen of it in the first window of time.
  */
 
 /**
- * The motion and its ghost at the same times: what is drawn now, and until now.
+ * What is plotted of a motion: panels against time, or the first of two across the other, up or
+ * down; `apart` is how far, in radians, a ghost is.
  *
- * @typedef {{ sample: Sample, trail: readonly Sample[] }} Past
+ * @template S
+ * @typedef {object} Plotted
+ * @property {Panel<S>[]} panels
+ * @property {"" | "up" | "down"} across
+ * @property {string} clock
+ * @property {number} duration The window of time.
+ * @property {((one: S, other: S) => number) | null} apart
  */
 
-/** The plots of a page, by their names in the address; the first is shown at first. */
-const PLOTS = /** @type {const} */ ({
-  "heavy-top": [["angles", "θ, φ"], ["path", "θ(φ)"], ["energy", "T, V, E"]],
-  free: [["rates", "ω₁,₂,₃"], ["angles", "θ, φ"], ["path", "θ(φ)"]],
-});
+/** @template S @typedef {{ ahead(duration: number, count: number): readonly S[] }} Moving */
 
 /**
- * @param {Kind} kind
- * @returns {readonly (readonly [string, string])[]}
+ * The motion and its ghost at the same times: what is drawn now, and until now.
+ *
+ * @template S
+ * @typedef {{ sample: S, trail: readonly S[] }} Past
  */
-export function plotsOf(kind) {
-  return PLOTS[kind];
-}
-
-const DEGREE = 180 / Math.PI;
 
 /** The part of the window of time that fills before it scrolls. */
 const FILLED = 0.9;
@@ -57,94 +53,34 @@ const FILLED = 0.9;
 /** Plots are drawn at most this often, in milliseconds: half as often as the scene is enough. */
 const EVERY = 28;
 
-/** The slowest motion that the window of time is made for, in times of the motion. */
-const SLOWEST = 40;
-
 /** So many samples of the first window say how far the axes go. */
 const LOOKS_AHEAD = 60;
 
-/** @type {Quantity} */
-const theta = (sample) => sample.theta * DEGREE;
-/** @type {Quantity} */
-const phi = (sample) => sample.phi * DEGREE;
+const DEGREE = 180 / Math.PI;
 
 /** @type {Range} */
-const UNIT = { low: 0, high: 1 };
+export const UNIT = { low: 0, high: 1 };
 
 /**
- * The panels of a motion, one above the other.
- *
- * @param {Motion} motion
- * @param {string} plot
- * @returns {Panel[]}
- */
-function panelsOf(motion, plot) {
-  const { clock } = motion.setup;
-  const usual = { guides: [], range: UNIT, expected: null };
-  if (plot === "rates") {
-    const rates = /** @type {const} */ (["e1", "e2", "e3"]).map((name, k) =>
-      /** @type {const} */ ([(/** @type {Sample} */ sample) => sample.omega[k], name]));
-    const now = (/** @type {Sample} */ { omega }) =>
-      Array.from(omega, (w, k) => `ω_${k + 1} = ${decimal(w, 2)}`).join("  ");
-    return [{ ...usual, title: `ω in rad/${clock}`, curves: rates, follow: around, guides: [0],
-      now }];
-  }
-  if (plot === "energy") {
-    const { weight } = motion;
-    /** @type {Quantity} */
-    const height = ({ rotation: R }) => R[6] * weight[0] + R[7] * weight[1] + R[8] * weight[2];
-    const parts = /** @type {const} */ ([
-      ["T", (/** @type {Sample} */ sample) => sample.energy - height(sample), "omega"],
-      ["V", height, "torque"],
-      ["E", (/** @type {Sample} */ sample) => sample.energy, "ink"],
-    ]);
-    return parts.map(([name, of, colour]) => ({
-      ...usual,
-      title: `${name} in J`,
-      curves: [[of, colour]],
-      follow: (old, seen) => fitted(old, seen, -Infinity, Infinity),
-      now: (sample) => `${name} = ${significant(of(sample))}`,
-    }));
-  }
-  const guides = (factsOf(motion).turningPoints ?? []).map((angle) => angle * DEGREE);
-  return [
-    {
-      ...usual,
-      title: "θ in °",
-      curves: [[theta, "e3"]],
-      follow: (old, seen) => fitted(old, seen, 0, 180),
-      guides,
-      now: (sample) => `θ = ${decimal(theta(sample), 2)}°`,
-      range: { low: 0, high: 180 },
-    },
-    {
-      ...usual,
-      title: "φ in °",
-      curves: [[phi, "e3"]],
-      follow: followed,
-      now: (sample) => `φ = ${decimal(phi(sample), 1)}°`,
-    },
-  ];
-}
-
-/**
+ * @template {Timed} S
+ * @template {Moving<S>} M
  * @param {HTMLElement} container
  * @param {Colours} colours
+ * @param {(motion: M, plot: string) => Plotted<S>} plottedOf
  */
-export function createTimePlots(container, colours) {
-  /** @type {Motion | null} */
+export function createTimePlots(container, colours, plottedOf) {
+  /** @type {M | null} */
   let motion = null;
-  /** @type {Motion | null} */
+  /** @type {M | null} */
   let ghost = null;
   let plot = "";
-  /** @type {Past | null} */
+  /** @type {Past<S> | null} */
   let last = null;
-  /** @type {Past | null} */
+  /** @type {Past<S> | null} */
   let lastGhost = null;
-  /** @type {Panel[]} */
-  let panels = [];
+  /** @type {Plotted<S>} */
+  let plotted = { panels: [], across: "", clock: "s", duration: 1, apart: null };
   let apartRange = UNIT;
-  let duration = 1;
   container.classList.add("time-plots");
   const paper = createPaper(container, redraw);
   const drawSoon = atMostEvery(EVERY, redraw);
@@ -153,7 +89,7 @@ export function createTimePlots(container, colours) {
     const sheet = motion && last && paper.clear();
     if (!motion || !last || !sheet) return;
     const { sample } = last;
-    const { clock } = motion.setup;
+    const { panels, across, clock, duration } = plotted;
     const start = Math.max(0, sample.t - FILLED * duration);
     const times = { low: start, high: start + duration };
     const shown = within(last.trail, times);
@@ -172,29 +108,31 @@ export function createTimePlots(container, colours) {
       const seen = extent(beside ? [...shown, ...beside.trail] : shown, of, values, known);
       panel.range = panel.follow(panel.range, seen);
     }
-    if (plot === "path") drawAcross(sheet, shown, sample, beside);
+    if (across) drawAcross(sheet, shown, sample, beside);
     else drawPanels(sheet, times, shown, sample, beside);
     const said = panels.map((panel) => panel.now(sample).replace(/_/g, "")).join(", ");
+    const letters = panels.map(({ title }) => title.split(" ")[0]);
     paper.describe(
-      `${plot === "path" ? "θ against φ" : "Against time"}. ` +
+      `${across ? letters.join(" against ") : "Against time"}. ` +
         `At t = ${withUnit(significant(sample.t), clock)}: ${said}.`,
     );
   }
 
   /** The panels one above the other; of two the ghost's distance takes the place of the last. */
   function drawPanels(
-    /** @type {Paper} */ sheet, /** @type {Range} */ times, /** @type {readonly Sample[]} */ shown,
-    /** @type {Sample} */ sample, /** @type {Past | null} */ beside,
+    /** @type {Paper} */ sheet, /** @type {Range} */ times, /** @type {readonly S[]} */ shown,
+    /** @type {S} */ sample, /** @type {Past<S> | null} */ beside,
   ) {
+    const { panels, clock, apart: between } = plotted;
     const { em, width, height } = sheet;
-    const [left, right] = [4.4 * em, width - 0.8 * em];
+    const [left, right] = [room(panels) * em, width - 0.8 * em];
     const drawn = beside && panels.length === 2 ? panels.slice(0, 1) : panels;
     const count = drawn.length + (beside ? 1 : 0);
     const each = (height - 1.8 * em) / count - 2.2 * em;
     const frame = (/** @type {number} */ k, /** @type {Range} */ range, title = "", now = "") => {
       const top = 1.9 * em + k * (each + 2.2 * em);
       const box = { left, right, top, bottom: top + each };
-      const label = k === count - 1 ? `t in ${motion?.setup.clock}` : "";
+      const label = k === count - 1 ? `t in ${clock}` : "";
       drawAlongAxis(sheet, box, times, colours, label);
       drawUpAxis(sheet, box, range, colours);
       write(sheet, title, 0.2 * em, top - 1.1 * em);
@@ -216,8 +154,7 @@ export function createTimePlots(container, colours) {
         drawCurve(sheet, box, times, range, shown, sample, of, colours, colours[name]);
       }
     });
-    if (!beside || !motion) return;
-    const between = apart(motion.setup.kind);
+    if (!beside || !between) return;
     const pairs = shown.flatMap((one, k) => {
       const other = beside.trail[k];
       return other?.t === one.t ? [{ t: one.t, angle: between(one, other) * DEGREE }] : [];
@@ -229,28 +166,29 @@ export function createTimePlots(container, colours) {
     drawCurve(sheet, box, times, apartRange, pairs, now, angle, colours, colours.polhode);
   }
 
-  /** θ over φ, as on the unrolled sphere: the least θ is at the top. */
+  /** As θ over φ on the unrolled sphere, where the least θ is at the top, or upwards. */
   function drawAcross(
-    /** @type {Paper} */ sheet, /** @type {readonly Sample[]} */ shown,
-    /** @type {Sample} */ sample, /** @type {Past | null} */ beside,
+    /** @type {Paper} */ sheet, /** @type {readonly S[]} */ shown,
+    /** @type {S} */ sample, /** @type {Past<S> | null} */ beside,
   ) {
+    const { panels, across: way } = plotted;
     const { em, width, height } = sheet;
-    const box = { left: 4.4 * em, right: width - 0.8 * em, top: 1.9 * em,
+    const box = { left: room(panels) * em, right: width - 0.8 * em, top: 1.9 * em,
       bottom: height - 1.8 * em };
     const [up, across] = panels.map(({ range }) => range);
-    // Upside down: θ = 0 is the vertical.
-    const turned = { ...box, top: box.bottom, bottom: box.top };
-    drawAlongAxis(sheet, box, across, colours, "φ in °");
+    const turned = way === "down" ? { ...box, top: box.bottom, bottom: box.top } : box;
+    drawAlongAxis(sheet, box, across, colours, panels[1].title);
     drawUpAxis(sheet, turned, up, colours);
     drawGuides(sheet, turned, up, panels[0].guides, colours);
-    write(sheet, "θ in °, down", 0.2 * em, 0.8 * em);
+    write(sheet, panels[0].title + (way === "down" ? ", down" : ""), 0.2 * em, 0.8 * em);
     write(sheet, panels.map((panel) => panel.now(sample)).join("  "), box.right, 0.8 * em, "right");
-    const [x, y] = [scale(across, box.left, box.right), scale(up, box.top, box.bottom)];
+    const [upwards, along] = panels.map(({ curves }) => curves[0][0]);
+    const [x, y] = [scale(across, box.left, box.right), scale(up, turned.bottom, turned.top)];
     const one = /** @type {const} */ ([shown, sample, colours.trail]);
     const other = beside && /** @type {const} */ ([beside.trail, beside.sample, colours.polhode]);
     for (const [samples, now, colour] of other ? [other, one] : [one]) {
-      const place = (/** @type {Sample} */ each) =>
-        /** @type {[number, number]} */ ([x(phi(each)), y(theta(each))]);
+      const place = (/** @type {S} */ each) =>
+        /** @type {[number, number]} */ ([x(along(each)), y(upwards(each))]);
       drawPath(sheet, box, samples, now, place, colours, colour);
       drawDot(sheet.ctx, ...place(now), em, colours, colour);
     }
@@ -260,26 +198,26 @@ export function createTimePlots(container, colours) {
     /**
      * Another motion, another ghost or another plot; the window of time fits the motion.
      *
-     * @param {Motion} next
-     * @param {Motion | null} beside
+     * @param {M} next
+     * @param {M | null} beside
      * @param {string} chosen
      */
     setMotion(next, beside, chosen) {
-      const before = plot === chosen ? panels : [];
+      const before = plot === chosen ? plotted.panels : [];
       [motion, ghost, plot] = [next, beside, chosen];
       last = null;
-      panels = panelsOf(next, chosen);
+      plotted = plottedOf(next, chosen);
+      const { panels } = plotted;
       // An axis that still fits stays.
       if (before.length === panels.length) {
         panels.forEach((panel, k) => (panel.range = before[k].range));
       }
-      duration = windowOf(next);
     },
     /**
      * One frame.
      *
-     * @param {Past} now
-     * @param {Past | null} beside
+     * @param {Past<S>} now
+     * @param {Past<S> | null} beside
      */
     draw(now, beside) {
       [last, lastGhost] = [now, beside];
@@ -298,26 +236,20 @@ export function createTimePlots(container, colours) {
 }
 
 /**
- * How much of time to show: some periods of what e₃ does, which may be slower than the body spins.
+ * For the numbers beside the axes: more for those with a power of ten.
  *
- * @param {Motion} motion
+ * @param {readonly { range: Range }[]} panels
  */
-function windowOf({ setup, moments, weight, start, timescale }) {
-  if (setup.kind === "free") return nice(40 * timescale);
-  const rate = length(start.momentum) / moments[0] + Math.sqrt(length(weight) / moments[0]);
-  // What moves so slowly that it can't be computed ahead is shown as if it rested.
-  return nice(40 * Math.min(Math.max(timescale, 1 / rate), SLOWEST * timescale));
-}
-
-/** @param {import("./types").Numbers} vector */
-function length(vector) {
-  return Math.hypot(vector[0], vector[1], vector[2]);
+function room(panels) {
+  const sizes = panels.map(({ range: { low, high } }) => Math.max(-low, high));
+  return sizes.some((size) => size >= 1e5 || size < 1e-3) ? 6 : 4.4;
 }
 
 /**
  * The samples in a window of time, and one beyond each end.
  *
- * @param {readonly Sample[]} trail
+ * @template {Timed} S
+ * @param {readonly S[]} trail
  * @param {Range} times
  */
 function within(trail, { low, high }) {
@@ -327,7 +259,7 @@ function within(trail, { low, high }) {
 /**
  * The index of the first sample after t.
  *
- * @param {readonly Sample[]} trail
+ * @param {readonly Timed[]} trail
  * @param {number} t
  */
 function firstAfter(trail, t) {
@@ -365,31 +297,18 @@ function extent(samples, quantities, more, known = { low: Infinity, high: -Infin
 }
 
 /**
- * The range of an axis of rates around zero; the old one as long as it serves.
- *
- * @param {Range} old
- * @param {Range} seen
- * @returns {Range}
- */
-function around(old, seen) {
-  const size = Math.max(-seen.low, seen.high) || 1;
-  if (old.low === -old.high && size <= old.high && old.high < 2.6 * size) return old;
-  const high = nice(size / 4) * Math.ceil((1.05 * size) / nice(size / 4));
-  return { low: -high, high };
-}
-
-/**
  * The range of an axis on which `seen` has room, within its ends: the old one as long as it does.
  *
  * @param {Range} old
  * @param {Range} seen
  * @param {number} least
  * @param {number} most
+ * @param {number} [finest] What changes by less is drawn as if it rested.
  * @returns {Range}
  */
-function fitted(old, seen, least, most) {
-  const still = seen.high - seen.low < 0.005;
-  const size = still ? 2 : seen.high - seen.low;
+export function fitted(old, seen, least, most, finest = 0.005) {
+  const still = seen.high - seen.low < finest;
+  const size = still ? 400 * finest : seen.high - seen.low;
   if (seen.low >= old.low && seen.high <= old.high && old.high - old.low < 3 * size) return old;
   const middle = (seen.low + seen.high) / 2;
   const step = nice(size / 8);
@@ -397,23 +316,6 @@ function fitted(old, seen, least, most) {
     low: Math.max(least, Math.floor((middle - 0.56 * size) / step) * step),
     high: Math.min(most, Math.ceil((middle + 0.56 * size) / step) * step),
   };
-}
-
-/**
- * The range of an axis of φ, which `seen` pushes up or down, and widens where it is too small.
- *
- * @param {Range} old
- * @param {Range} seen
- * @returns {Range}
- */
-function followed(old, seen) {
-  const size = Math.max(1, seen.high - seen.low);
-  const oldSpan = old.high - old.low;
-  const kept = 1.04 * size < oldSpan && oldSpan < 4 * size;
-  const span = kept ? oldSpan : nice(1.1 * size);
-  const margin = 0.02 * span;
-  const low = Math.min(Math.max(old.low, seen.high + margin - span), seen.low - margin);
-  return { low, high: low + span };
 }
 
 /**

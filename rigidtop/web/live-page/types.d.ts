@@ -191,6 +191,33 @@ export interface PageData {
   readonly tour: readonly TourStep[];
 }
 
+/** What Python writes into the page of a system. */
+export interface SystemData {
+  readonly version: string;
+  readonly title: string;
+  readonly tableau: Tableau;
+  /** q, then q̇: of what the sliders of the start are. */
+  readonly state: readonly Letter[];
+  /** q, q̇, and the time where the equations have it. */
+  readonly start: readonly number[];
+  readonly parameters: readonly (Letter & Reach)[];
+  readonly values: readonly number[];
+  /** Of each parameter whether a constraint has it, and whether there are constraints. */
+  readonly tied: readonly boolean[];
+  readonly bound: boolean;
+  /** Coordinates that must keep a sign, with it. */
+  readonly sides: readonly (readonly [number, number])[];
+  /** How many points there are, which of them are bodies, and whether all lie in a plane. */
+  readonly points: number;
+  readonly bodies: readonly number[];
+  readonly planar: boolean;
+  readonly kept: readonly string[];
+  readonly equations: string;
+}
+
+export type Letter = Pick<Parameter, "letter" | "math" | "meaning" | "unit" | "angle">;
+export type Reach = Pick<Parameter, "least" | "most" | "logarithmic">;
+
 /** A question on a motion, and what is to be seen. */
 export interface TourStep {
   /** An address of the page. */

@@ -1,0 +1,157 @@
+/** What is plotted of a top or a free body: its panels, and how much of time they show. */
+
+import { decimal, nice, significant } from "./axes.js";
+import { factsOf } from "./facts.js";
+import { apart } from "./ghost.js";
+import { fitted, UNIT } from "./time_plots.js";
+
+/** @typedef {import("./types").Kind} Kind */
+/** @typedef {import("./types").Motion} Motion */
+/** @typedef {import("./types").Sample} Sample */
+/** @typedef {import("./axes.js").Range} Range */
+/** @typedef {import("./curves.js").Quantity} Quantity */
+/** @template S @typedef {import("./time_plots.js").Panel<S>} Panel */
+
+/** The plots of a page, by their names in the address; the first is shown at first. */
+const PLOTS = /** @type {const} */ ({
+  "heavy-top": [["angles", "θ, φ"], ["path", "θ(φ)"], ["energy", "T, V, E"]],
+  free: [["rates", "ω₁,₂,₃"], ["angles", "θ, φ"], ["path", "θ(φ)"]],
+});
+
+/**
+ * @param {Kind} kind
+ * @returns {readonly (readonly [string, string])[]}
+ */
+export function plotsOf(kind) {
+  return PLOTS[kind];
+}
+
+const DEGREE = 180 / Math.PI;
+
+/** The slowest motion that the window of time is made for, in times of the motion. */
+const SLOWEST = 40;
+
+/** @type {Quantity} */
+const theta = (sample) => sample.theta * DEGREE;
+/** @type {Quantity} */
+const phi = (sample) => sample.phi * DEGREE;
+
+/**
+ * The panels of a motion, one above the other.
+ *
+ * @param {Motion} motion
+ * @param {string} plot
+ * @returns {Panel<Sample>[]}
+ */
+function panelsOf(motion, plot) {
+  const { clock } = motion.setup;
+  const usual = { guides: [], range: UNIT, expected: null };
+  if (plot === "rates") {
+    const rates = /** @type {const} */ (["e1", "e2", "e3"]).map((name, k) =>
+      /** @type {const} */ ([(/** @type {Sample} */ sample) => sample.omega[k], name]));
+    const now = (/** @type {Sample} */ { omega }) =>
+      Array.from(omega, (w, k) => `ω_${k + 1} = ${decimal(w, 2)}`).join("  ");
+    return [{ ...usual, title: `ω in rad/${clock}`, curves: rates, follow: around, guides: [0],
+      now }];
+  }
+  if (plot === "energy") {
+    const { weight } = motion;
+    /** @type {Quantity} */
+    const height = ({ rotation: R }) => R[6] * weight[0] + R[7] * weight[1] + R[8] * weight[2];
+    const parts = /** @type {const} */ ([
+      ["T", (/** @type {Sample} */ sample) => sample.energy - height(sample), "omega"],
+      ["V", height, "torque"],
+      ["E", (/** @type {Sample} */ sample) => sample.energy, "ink"],
+    ]);
+    return parts.map(([name, of, colour]) => ({
+      ...usual,
+      title: `${name} in J`,
+      curves: [[of, colour]],
+      follow: (old, seen) => fitted(old, seen, -Infinity, Infinity),
+      now: (sample) => `${name} = ${significant(of(sample))}`,
+    }));
+  }
+  const guides = (factsOf(motion).turningPoints ?? []).map((angle) => angle * DEGREE);
+  return [
+    {
+      ...usual,
+      title: "θ in °",
+      curves: [[theta, "e3"]],
+      follow: (old, seen) => fitted(old, seen, 0, 180),
+      guides,
+      now: (sample) => `θ = ${decimal(theta(sample), 2)}°`,
+      range: { low: 0, high: 180 },
+    },
+    {
+      ...usual,
+      title: "φ in °",
+      curves: [[phi, "e3"]],
+      follow: followed,
+      now: (sample) => `φ = ${decimal(phi(sample), 1)}°`,
+    },
+  ];
+}
+
+/**
+ * @param {Motion} motion
+ * @param {string} plot
+ * @returns {import("./time_plots.js").Plotted<Sample>}
+ */
+export function plottedOf(motion, plot) {
+  const { clock, kind } = motion.setup;
+  return {
+    panels: panelsOf(motion, plot),
+    across: plot === "path" ? "down" : "",
+    clock,
+    duration: windowOf(motion),
+    apart: apart(kind),
+  };
+}
+
+/**
+ * How much of time to show: some periods of what e₃ does, which may be slower than the body spins.
+ *
+ * @param {Motion} motion
+ */
+function windowOf({ setup, moments, weight, start, timescale }) {
+  if (setup.kind === "free") return nice(40 * timescale);
+  const rate = length(start.momentum) / moments[0] + Math.sqrt(length(weight) / moments[0]);
+  // What moves so slowly that it can't be computed ahead is shown as if it rested.
+  return nice(40 * Math.min(Math.max(timescale, 1 / rate), SLOWEST * timescale));
+}
+
+/** @param {import("./types").Numbers} vector */
+function length(vector) {
+  return Math.hypot(vector[0], vector[1], vector[2]);
+}
+
+/**
+ * The range of an axis of rates around zero; the old one as long as it serves.
+ *
+ * @param {Range} old
+ * @param {Range} seen
+ * @returns {Range}
+ */
+function around(old, seen) {
+  const size = Math.max(-seen.low, seen.high) || 1;
+  if (old.low === -old.high && size <= old.high && old.high < 2.6 * size) return old;
+  const high = nice(size / 4) * Math.ceil((1.05 * size) / nice(size / 4));
+  return { low: -high, high };
+}
+
+/**
+ * The range of an axis of φ, which `seen` pushes up or down, and widens where it is too small.
+ *
+ * @param {Range} old
+ * @param {Range} seen
+ * @returns {Range}
+ */
+function followed(old, seen) {
+  const size = Math.max(1, seen.high - seen.low);
+  const oldSpan = old.high - old.low;
+  const kept = 1.04 * size < oldSpan && oldSpan < 4 * size;
+  const span = kept ? oldSpan : nice(1.1 * size);
+  const margin = 0.02 * span;
+  const low = Math.min(Math.max(old.low, seen.high + margin - span), seen.low - margin);
+  return { low, high: low + span };
+}

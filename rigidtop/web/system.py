@@ -1,0 +1,199 @@
+"""The page of a system: what L gives, as JavaScript, with a scene of points and their trails."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from importlib.metadata import version
+from typing import Any
+
+import sympy
+from sympy import Expr, MatrixBase, Symbol
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
+
+from rigidtop.codegen.javascript import of_arrays
+from rigidtop.errors import RigidtopError
+from rigidtop.parameters import in_one_line
+from rigidtop.present.mathml import display, mathml
+from rigidtop.present.text import text
+from rigidtop.proof.equation import Equation
+from rigidtop.system.motion import SystemMotion, magnitude
+from rigidtop.system.parts import Body, Mass
+from rigidtop.system.system import System
+from rigidtop.web.page import Page, document, json_text, tableau
+
+Points = Sequence[Sequence[Any]]
+
+LONGEST, WIDTH = 150, 30.0
+"""Operations in an equation that a reader can take in, and how wide a line of it is, in em."""
+
+
+def page_of_system(motion: SystemMotion, points: Points = (), height: int = Page.height) -> Page:
+    """The page of a system's motion; see `rigidtop.show`."""
+    title = "Motion in " + ", ".join(map(text, motion.system.names.q))
+    scene = Scene(motion.system, points)
+    written = document(title, json_text(data(motion, scene, title)), "system", scene.module())
+    return Page(title, written, height)
+
+
+class Scene:
+    """Where a system's points are, in plain symbols, and which of them are bodies."""
+
+    def __init__(self, system: System, points: Points = ()) -> None:
+        self.system = system
+        if points:
+            parts: Sequence[Mass | Body] = [Mass(1, each) for each in _several(points)]
+        else:
+            parts = system.parts
+        self.places = [system.names.plain(part.place) for part in parts]
+        self.attitudes: dict[int, MatrixBase] = {
+            k: system.names.plain(part.attitude)
+            for k, part in enumerate(parts)
+            if isinstance(part, Body)
+        }
+        system.numeric.of(self.seen)  # raises for letters that the system does not have
+
+    @property
+    def seen(self) -> tuple[Expr, ...]:
+        """x, y, z of each point, then the entries of each attitude, row by row."""
+        groups = (*self.places, *self.attitudes.values())
+        return tuple(entry for group in groups for entry in group)
+
+    @property
+    def planar(self) -> bool:
+        """Whether all of it lies in the plane of x and y."""
+        return not self.attitudes and all(place[2] == 0 for place in self.places)
+
+    @property
+    def state(self) -> tuple[Symbol, ...]:
+        """q, q̇, and the time where the equations or the places have it."""
+        system = self.system
+        timed = system.numeric.timed or any(x.has(system.names.t) for x in self.measured)
+        return (*system.names.q, *system.names.v, *([system.names.t] if timed else []))
+
+    @property
+    def kept(self) -> Mapping[str, Expr]:
+        """What stays as it was, by its name; of a constraint zero."""
+        rules = {f"constraint {k}": rule for k, rule in enumerate(self.system.rules, 1)}
+        return {**self.system.constant, **rules}
+
+    @property
+    def measured(self) -> tuple[Expr, ...]:
+        """Jacobi's integral, and of what is kept the value and the size of its terms."""
+        pairs = ((value, magnitude(value)) for value in self.kept.values())
+        return (self.system.jacobi, *(x for pair in pairs for x in pair), *self.seen)
+
+    def module(self) -> str:
+        """The page's own module: rates, points and quantities of a state and of parameters.
+
+        Raises RigidtopError for what has no counterpart in JavaScript.
+        """
+        system = self.system
+        takes = {"s": self.state, "p": system.parameters}
+        count = len(system.q)
+        clock = (sympy.Integer(1),) * (len(self.state) - 2 * count)
+        moved = (*system.names.v, *system.program.results[:count], *clock)
+        measured = self.measured[: len(self.measured) - len(self.seen)]
+        try:
+            return "\n\n".join(
+                (
+                    of_arrays("rates", "What the state changes by.", takes, moved, self._program),
+                    of_arrays("points", "Where points are, then attitudes.", takes, self.seen),
+                    of_arrays("measures", "E, and constants with their sizes.", takes, measured),
+                )
+            )
+        except (NotImplementedError, ValueError) as error:
+            what = re.search(r">: (?:<class '[\w.]*\.)?(\w+)|words for (\S+)", str(error))
+            which = (what[1] or what[2]) if what else "a part of it"
+            raise RigidtopError(f"there is no {which} in JavaScript, which a page needs") from None
+
+    @property
+    def _program(self) -> Sequence[tuple[Symbol, Expr]]:
+        return self.system.program.shared
+
+    def angle(self, x: Symbol) -> bool:
+        """Whether a coordinate stands in sines and cosines alone."""
+        whole = (self.system.plain, *self.system.rules, *self.seen)
+        bare = {f: sympy.Dummy() for e in whole for f in e.atoms(TrigonometricFunction)}
+        return any(f.has(x) for f in bare) and not any(e.xreplace(bare).has(x) for e in whole)
+
+
+def _several(points: Points) -> Points:
+    if isinstance(points, (str, bytes, Mapping)) or not all(
+        hasattr(each, "__len__") for each in points
+    ):
+        raise RigidtopError(
+            "points are places, each of two or three components, such as [[x, y]], "
+            f"not {in_one_line(points)}"
+        )
+    return points
+
+
+def data(motion: SystemMotion, scene: Scene, title: str) -> Mapping[str, Any]:
+    """`SystemData` of the page's types."""
+    system = motion.system
+    count = len(system.q)
+    angles = [scene.angle(x) for x in system.names.q]
+    return {
+        "version": version("rigidtop"),
+        "title": title,
+        "tableau": tableau(),
+        "state": [
+            _letter(x, angle, f"{what} at the start", unit if angle else "")
+            for group, what, unit in ((system.names.q, "", "rad"), (system.names.v, "", "rad/s"))
+            for x, angle in zip(group, angles, strict=True)
+        ],
+        "start": [*motion.q, *motion.qdot, *[0.0] * (len(scene.state) - 2 * count)],
+        "parameters": [
+            _letter(x, False, "", "") | _range(x, value)
+            for x, value in zip(system.parameters, motion.parameters, strict=True)
+        ],
+        "values": motion.parameters,
+        "tied": [
+            x in set().union(*(r.free_symbols for r in system.rules), set())
+            for x in system.parameters
+        ],
+        "bound": bool(system.rules),
+        "sides": system.one_sided,
+        "points": len(scene.places),
+        "bodies": list(scene.attitudes),
+        "planar": scene.planar,
+        "kept": list(scene.kept),
+        "equations": display(list(_equations(system)), limit=WIDTH),
+    }
+
+
+def _letter(x: Symbol, angle: bool, meaning: str, unit: str) -> dict[str, Any]:
+    """What a slider says of a symbol."""
+    quantity = getattr(x, "quantity", None)
+    return {
+        "letter": text(x),
+        "math": mathml(x),
+        "meaning": " ".join(filter(None, (getattr(quantity, "meaning", ""), meaning))).strip(),
+        "unit": "" if angle and unit == "rad" else unit or getattr(quantity, "unit", ""),
+        "angle": angle and unit == "rad",
+    }
+
+
+def _range(x: Symbol, value: float) -> dict[str, Any]:
+    """From where to where a parameter goes, so that its sign stays what it was declared."""
+    if x.is_positive:
+        return {"least": value / 10, "most": 10 * value, "logarithmic": True}
+    if x.is_negative:
+        return {"least": 10 * value, "most": value / 10, "logarithmic": False}
+    size = 3 * abs(value) or 1.0
+    least = 0.0 if x.is_nonnegative else -size
+    return {"least": least, "most": 0.0 if x.is_nonpositive else size, "logarithmic": False}
+
+
+def _equations(system: System) -> Iterator[Equation]:
+    """L and the accelerations, where they are short enough to be read."""
+    from rigidtop.theory.symbols import Lagrangian
+
+    if sympy.count_ops(system.plain) <= LONGEST:
+        yield Equation(Lagrangian, system.plain)
+    right = system.names.plain(system.accelerations)
+    for a, value in zip(system.names.a, right, strict=True):
+        if sympy.count_ops(value) <= LONGEST:
+            yield Equation(a, value)
+    yield from (Equation(rule, 0) for rule in system.rules)

@@ -1,0 +1,212 @@
+"""The page of a system: what it computes, and how it looks in a browser."""
+
+from __future__ import annotations
+
+import json
+import re
+
+import numpy as np
+import pytest
+import sympy
+from sympy import cos, sin, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+import rigidtop as rt
+from rigidtop.errors import RigidtopError
+from rigidtop.theory import rotation
+from rigidtop.theory import symbols as s
+from rigidtop.web.notebook import page_for
+from rigidtop.web.system import Scene, data
+
+from .conftest import Engine
+
+m, l, g, k, c, F, w = symbols("m l g k c F w", positive=True)  # noqa: E741
+q, x, y, alpha = dynamicsymbols("q x y alpha")
+theta, phi, psi = dynamicsymbols("theta phi psi")
+
+
+def double_pendulum():
+    upper = sympy.Matrix([l * sin(theta), -l * cos(theta)])
+    lower = upper + sympy.Matrix([l * sin(phi), -l * cos(phi)])
+    parts = [rt.Mass(m, upper), rt.Mass(2 * m, lower)]
+    system = rt.System.of_parts(parts, [theta, phi], gravity=[0, -g])
+    return system.motion({m: 1, l: 1, g: 9.81}, [2, 1])
+
+
+def gyrostat():
+    """A body with a rotor whose axis is e₃, both about a fixed point."""
+    attitude = rotation.euler_matrix().xreplace({s.phi: phi, s.theta: theta, s.psi: psi})
+    turn = sympy.Matrix([[cos(alpha), -sin(alpha), 0], [sin(alpha), cos(alpha), 0], [0, 0, 1]])
+    carrier = rt.Body(0, [2, 2, 1], [0, 0, 0], attitude)
+    rotor = rt.Body(0, [m, m, m], [0, 0, 0], attitude * turn)
+    system = rt.System.of_parts([carrier, rotor], [phi, theta, psi, alpha])
+    return system.motion({m: 0.3}, [0, 1, 0, 0], [1, 0, 2, 10])
+
+
+def spring(**more):
+    return rt.System(m * q.diff() ** 2 / 2 - k * q**2 / 2, [q], **more)
+
+
+def driven():
+    return spring(forces=[F * cos(w * dynamicsymbols._t)], rayleigh=c * q.diff() ** 2 / 2).motion(
+        {m: 1, k: 4, F: 1, w: 2.1, c: 0.1}, [0]
+    )
+
+
+def atom():
+    """As far and as fast as in a molecule."""
+    return spring().motion({m: 1.6e-27, k: 500}, [1e-11])
+
+
+def bead():
+    falls = rt.System(
+        m * (x.diff() ** 2 + y.diff() ** 2) / 2 - m * g * y,
+        [x, y],
+        constraints=[x**2 + y**2 - l**2],
+    )
+    return falls.motion({m: 1, l: 1, g: 9.81}, [0.6, 0.8])
+
+
+MOTIONS = {
+    "double": (double_pendulum, (), 3.0),
+    "gyrostat": (gyrostat, (), 5.0),
+    "driven": (driven, [[q, 0]], 20.0),
+    "atom": (atom, [[q, 0]], 1e-12),
+    "bead": (bead, [[x, y]], 3.0),
+}
+
+
+def engine_of(motion, points=()):
+    scene = Scene(motion.system, points)
+    made = data(motion, scene, "")
+    engine = Engine("dop853")
+    for text in (scene.module(), (Engine.folder / "flow.js").read_text("utf-8")):
+        text = re.sub(r"(?ms)^import .*?;\n", "", text)
+        engine.context.eval(re.sub(r"(?m)^export ", "", text))
+    engine.run(
+        "globalThis.flow = createFlow(data, data.start, data.values); 0",
+        data=json.loads(json.dumps(made)),
+    )
+    return engine
+
+
+@pytest.mark.parametrize("name", MOTIONS)
+def test_the_page_computes_what_python_computes(name):
+    make, points, until = MOTIONS[name]
+    motion = make()
+    engine = engine_of(motion, points)
+    found = engine.run(
+        f"flow.go({until}); ({{ t: flow.now.t, state: Array.from(flow.now.state),"
+        " energy: flow.now.energy, points: Array.from(flow.now.points), drift: flow.drift() })"
+    )
+    run = motion.integrate([until], rtol=1e-12, atol=1e-14)
+    expected = np.concatenate([run.q[0], run.qdot[0]])
+    n = len(run.q[0])
+    sizes = np.repeat([np.abs(run.q).max(), np.abs(run.qdot).max()], n)
+    assert found["t"] == until
+    assert np.all(np.abs(np.array(found["state"][: 2 * n]) - expected) < 1e-7 * sizes)
+    assert found["energy"] == pytest.approx(float(run.energy[0]), rel=1e-8)
+    assert all(each["most"] < 1e-11 for each in found["drift"])
+    assert [each["name"] for each in found["drift"]] == list(Scene(motion.system, points).kept)
+    if not points:
+        places = run.places()[:, 0].ravel()
+        assert found["points"][: len(places)] == pytest.approx(places, abs=1e-6)
+
+
+def test_back_is_where_it_was():
+    engine = engine_of(driven(), [[q, 0]])
+    there = "(flow.go({}), Array.from(flow.now.state))"
+    once = engine.run(there.format(1.3))
+    engine.run(there.format(8))
+    assert engine.run(there.format(1.3)) == pytest.approx(once, rel=1e-11)
+    assert engine.run("(flow.reset(), flow.now.t)") == 0
+    times = engine.run("(flow.go(5), flow.trail.map(({ t }) => t))")
+    assert np.ptp(np.diff(times)) < 1e-12
+    assert times[-1] <= 5 < times[-1] + 2 * (times[1] - times[0])
+
+
+def test_a_motion_that_ends_says_so():
+    r = symbols("r", positive=True)
+    v = symbols("v", real=True)
+    falls = rt.System(m * v**2 / 2 + k / r, [r], [v]).motion({m: 1, k: 1}, [1.0])
+    said = engine_of(falls).run(
+        "(() => { try { flow.go(10); return ''; } catch (e) { return e.message; } })()"
+    )
+    assert "stuck" in said or "leaves that side" in said
+
+
+def test_what_cannot_be_shown_is_said_in_one_line():
+    motion = spring().motion({m: 1, k: 4}, [1])
+    odd = spring(forces=[sympy.erf(q)]).motion({m: 1, k: 4}, [1])
+    wrong = (
+        (motion, {"points": [[symbols("b"), 0]]}, "no number for b"),
+        (motion, {"points": [3]}, "places"),
+        (motion, {"points": [[1, 2, 3, 4]]}, "two or three components"),
+        (odd, {}, "there is no erf in JavaScript"),
+        (3, {}, "not a int"),
+        (rt.FreeBody(1, 2, 2.5).motion(omega=(1, 0, 0)), {"points": [[q, 0]]}, "own picture"),
+    )
+    for given, more, said in wrong:
+        with pytest.raises(RigidtopError, match=said) as error:
+            page_for(given, **more)
+        assert "\n" not in str(error.value)
+
+
+def test_sliders_keep_signs_and_constraints():
+    free = data(double_pendulum(), Scene(double_pendulum().system), "")
+    assert [each["letter"] for each in free["parameters"]] == ["g", "l", "m"]
+    assert all(each["logarithmic"] and each["least"] > 0 for each in free["parameters"])
+    assert [each["angle"] for each in free["state"]] == [True, True, False, False]
+    held = data(bead(), Scene(bead().system, [[x, y]]), "")
+    assert held["bound"]
+    assert dict(zip("glm", held["tied"], strict=True)) == {"g": False, "l": True, "m": False}
+    assert not data(driven(), Scene(driven().system), "")["state"][0]["angle"]
+
+
+def test_a_name_is_never_markup():
+    evil = symbols("</script><img/src=x>", positive=True)
+    motion = rt.System(evil * q.diff() ** 2 / 2 - q**2 / 2, [q]).motion({evil: 1}, [1])
+    html = page_for(motion).html
+    assert "<img" not in html
+    assert html.count("</script>") == page_for(spring().motion({m: 1, k: 1}, [1])).html.count(
+        "</script>"
+    )
+
+
+def test_in_a_browser(live):
+    live.write("double", page_for(double_pendulum()).html)
+    live.write("spring", page_for(driven()).html)
+    live.open("double", ready="window.rigidtop && rigidtop.frames > 3")
+    live.wait("rigidtop.flow.now.t > 0.1")
+    assert live.find("h1").text == "Motion in θ, φ"
+    assert live.js("document.querySelectorAll('#start input[type=range]').length") == 7
+    live.find("#scene").send_keys(" ")
+    live.wait("document.querySelector('button[aria-label=Play]')")
+    # A slider begins another motion, with another end.
+    live.js(
+        "(document.querySelector('#number-s0').value = '30',"
+        " document.querySelector('#number-s0').dispatchEvent(new Event('change')))"
+    )
+    live.wait("rigidtop.flow.now.t === 0")
+    assert live.js("rigidtop.flow.start.state[0]") == pytest.approx(np.radians(30), rel=1e-12)
+    colours = live.js(
+        "(() => { const c = document.querySelector('#scene canvas');"
+        " const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
+        " return new Set(new Uint32Array(d.buffer)).size; })()"
+    )
+    assert colours > 20
+    live.wait("document.querySelector('#scene canvas').ariaLabel?.includes('θ = 0.52')")
+    live.js("document.querySelector('button[aria-label=\"One step on\"]').click()")
+    live.wait("rigidtop.flow.now.t > 0")
+    for name in ("v", "E", "phase", "path"):
+        live.js(
+            "(document.querySelector('.pick select').value = arguments[0],"
+            " document.querySelector('.pick select').dispatchEvent(new Event('change')))",
+            name,
+        )
+        live.drawn()
+    assert "θ" in live.js("document.querySelector('#equations').textContent")
+    live.open("spring", ready="window.rigidtop && rigidtop.frames > 3")
+    assert live.js("document.querySelectorAll('#scene canvas').length") == 2
+    live.js("(document.querySelector('#more details:last-child').open = true)")
+    assert "m" in live.js("document.querySelector('#start').textContent")
