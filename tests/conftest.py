@@ -1,5 +1,8 @@
 """Times are measured by the benchmarks, never by a test; draws are the same in every run."""
 
+from dataclasses import replace
+
+import pytest
 from hypothesis import settings
 
 # What lands has passed what is run again.
@@ -7,3 +10,45 @@ settings.register_profile("same", deadline=None, derandomize=True)
 # Other draws each time: `pytest --hypothesis-profile=other`.
 settings.register_profile("other", deadline=None, derandomize=False)
 settings.load_profile("same")
+
+
+@pytest.fixture(scope="session")
+def fallen():
+    """Of changes of what a judgement upholds, each third: how many are refuted, and what stands.
+
+    What stands may say the same (0 = −a), or what holds besides (0 = a²): of a check that holds
+    whatever it prints nothing falls.
+    """
+    from rigidtop.derivations.letters import LETTERS
+    from rigidtop.proof.changed import Perturbation, perturbations
+    from rigidtop.proof.equation import Equation, NoMeaningError
+    from rigidtop.proof.verdict import Finding, Verdict, is_refuted
+
+    def refuted(check):
+        try:
+            return is_refuted(check, check.assuming, 40, letters=LETTERS)
+        except (NoMeaningError, TypeError, AttributeError, ValueError):
+            return None  # ∫ρ² d³r is nothing that a body has, the square of a vector no vector
+
+    def tried(judged):
+        fell, stood = 0, []
+        for finding in (item for item in judged.items if isinstance(item, Finding)):
+            check = finding.check
+            if finding.verdict is Verdict.CONVENTION and check.other_reading is not None:
+                check = replace(check, meaning=check.other_reading, other_reading=None)
+            elif finding.verdict not in (Verdict.PROVED, Verdict.SAMPLED, Verdict.ASSUMING):
+                continue
+            assert not refuted(check)
+            claimed = check.claimed
+            opposite = {"≠": "=", ">": "<", "<": ">"}.get(claimed.relation)
+            changes = perturbations(claimed, LETTERS.families)[::3]
+            if opposite is not None:  # it stays true under many changes but this one
+                turned = Equation(*claimed.sides, relation=opposite)
+                changes = (Perturbation(turned, f"{opposite} for {claimed.relation}"),)
+            for change in changes:
+                found = refuted(replace(check, claimed=change.equation))
+                fell += found is True
+                stood += [change.change] if found is False else []
+        return fell, stood
+
+    return tried
