@@ -11,18 +11,18 @@ it stands, and not called right.  So notes on a system of which nobody has heard
 ...     print(each.verdict, each.note.partition(";")[0], sep=": ")
 premise: the Lagrangian of the equations that follow
 proved: by Lagrange's equations
-false: at k = 2, m = 1, x = 2: ẍ is −4 by Lagrange's equations
+false: at k = 1, m = 1, x = 2: ẍ is −2 by Lagrange's equations
 """
 
 from __future__ import annotations
 
-import random
+import math
 import re
 import time
 from bisect import bisect_right
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import Any
 
 import sympy
@@ -50,14 +50,12 @@ UNREAD = "unread"
 MOST_OPERATIONS = 400
 """An expression has no more operations, or it is not judged."""
 
-SHOWN_TO = 4000
-"""Beyond so many operations nothing is shown by normal forms: numbers only."""
-
 MOST_MISSING = 2
 """A line with accelerations that lacks more numbers of the law is of a special case."""
 
-POINTS = 5
-DIGITS = 40
+MOST_SIGNS = 3
+"""So many letters of a line may be known by their squares alone."""
+
 TIME = own(Glyph("t"))
 _LAGRANGIANS = frozenset({"L", "ℒ"})
 _ENERGIES = frozenset({"H", "ℋ"})
@@ -167,8 +165,6 @@ class _Given:
     value: Expr
     rests: frozenset[int]
     section: int
-    roots: bool = False
-    """Whether it was said of its square, so that its sign is open."""
 
 
 @dataclass(frozen=True)
@@ -224,6 +220,8 @@ class _Ledger:
     """That of another form of ℒ which contradicts it: which of them is meant is open."""
     sets: dict[Symbol, _Given] = field(default_factory=dict)
     """What is set for a special motion: θ̇ by 0, φ̇ by Ω."""
+    signs: dict[Symbol, Lettered] = field(default_factory=dict)
+    """What stands in values for the sign, 1 or −1, of a letter that is known by its square."""
     section: int = 0
     used: set[int] = field(default_factory=set)
     places: dict[int, int] = field(default_factory=dict)
@@ -331,9 +329,7 @@ class _Ledger:
             return self.lagrangian(number, line, first, side)
         return Held(line, PREMISE, f"what {text(first)} stands for", tuple(sorted(used)))
 
-    def give(
-        self, letter: Lettered, value: Expr, rests: frozenset[int], roots: bool = False
-    ) -> None:
+    def give(self, letter: Lettered, value: Expr, rests: frozenset[int]) -> None:
         """A letter that changes in time gives its rates too."""
         times = 3 if letter in self.moving else 1
         meant = {letter: value}
@@ -346,7 +342,7 @@ class _Ledger:
                 new = known.value.subs(meant, simultaneous=True)
                 self.given[other] = replace(known, value=new, rests=known.rests | rests)
         for k in range(times):
-            known = _Given(value, rests, self.section, roots)
+            known = _Given(value, rests, self.section)
             self.given[_dotted(letter, k) if k else letter] = known
             value = self.total(value) if k + 1 < times else value
 
@@ -501,24 +497,24 @@ class _Ledger:
         def made(verdict: Verdict, note: str, *more: int) -> Held:
             return Held(line, verdict.value, note, tuple(sorted({*rests, *more} - {number})))
 
-        shown = _vanishes(residual)
-        if shown is not None and not rests and left == right:
-            return made(Verdict.UNDECIDED, "it says nothing: both sides are the same")
-        if shown is not None:
-            where = None if right is None else self.turned(left, right, holds=True)
-            if where is not None:
-                return made(Verdict.ASSUMING, f"where {text(where)} > 0")
-            return made(shown, "by what is said above" if rests else "whatever its letters are")
-        for law in filter(None, (self.law, self.other)):
-            shown = _along(residual, law)
-            if shown is not None:
-                return made(shown, law.words, *law.rests)
+        for law in (None, *filter(None, (self.law, self.other))):
+            found = self.shown(residual, law)
+            if found is None:
+                continue
+            if law is None and not rests and left == right:
+                return made(Verdict.UNDECIDED, "it says nothing: both sides are the same")
+            said = "by what is said above" if rests else "whatever its letters are"
+            verdict, where = found
+            if law is not None:
+                return made(verdict, where or law.words, *law.rests)
+            return made(verdict, where or said)
+        plus = dict.fromkeys(self.signs, Integer(1))
+        sides = (sides[0].xreplace(plus), sides[1].xreplace(plus))
+        residual = sides[0] - sides[1]
         special = self.specially(sides)
         if special is not None:
             where, lines = special
             return made(Verdict.ASSUMING, f"where {where}", *lines)
-        if right is not None and self.turned(left, right) is not None:
-            return made(Verdict.UNDECIDED, "it holds with the other sign of a root")
         premise = self.premise(number, line, left, right, residual)
         if premise is not None:
             return premise
@@ -555,8 +551,9 @@ class _Ledger:
             return made(Verdict.FALSE, against, *law.rests)
         if not along and not by_file:
             strange = sorted(letters - closed - (law.letters if law else set()), key=str)
-            said = ", ".join(map(text, strange)) or "what stands here"
-            return made(Verdict.UNDECIDED, f"nothing above says what {said} is")
+            named = ", ".join(map(text, strange))
+            said = f"says what {named} is" if named else "leads here"
+            return made(Verdict.UNDECIDED, f"nothing above {said}")
         if _nearly(residual, sides, law.q if law else tuple(self.moving)):
             words = "it holds to the lowest order in the coordinates only: write ≈"
             return made(Verdict.UNDECIDED, words)
@@ -674,15 +671,46 @@ class _Ledger:
                 return f"where {told}, {text(x)} balances: {found}"
         return None
 
-    def turned(self, left: Any, right: Any, holds: bool = False) -> Symbol | None:
-        """The letter, known by its square, with whose other sign a line holds, or does not."""
-        roots = {x: g for x, g in self.given.items() if g.roots and g.rests & self.used}
-        for letter, known in roots.items():
-            turned = replace(known, value=-known.value)
-            other = replace(self, given={**self.given, letter: turned})
-            if (_vanishes(other.value(left) - other.value(right)) is None) == holds:
-                return letter
-        return None
+    def shown(self, residual: Expr, law: _Law | None) -> tuple[Verdict, str] | None:
+        """Whether an expression vanishes, along the motion of a law if there is one, and where:
+        for which signs of what is known by its square, and of what stands under a root."""
+        vanishing = law.vanishing if law is not None else ()
+        a = [_dotted(x, 2) for x in law.q] if law is not None else []
+        letters = set().union(*(x.free_symbols for x in (residual, *vanishing)))
+        signs = [x for x in self.signs if x in letters]
+        if len(signs) > MOST_SIGNS:
+            raise NoMeaningError(f"more than {MOST_SIGNS} letters are known by their squares")
+
+        def holds(put: Mapping[Symbol, Any]) -> Verdict | None:
+            return _vanishes(residual.xreplace(put), [x.xreplace(put) for x in vanishing], a)
+
+        def turned(k: int) -> tuple[int, ...]:
+            return tuple(1 - 2 * (i == k) for i in range(len(signs)))
+
+        found = {
+            turns: holds(dict(zip(signs, map(Integer, turns), strict=True)))
+            for turns in product((1, -1), repeat=len(signs))
+        }
+        verdicts = [verdict for verdict in found.values() if verdict is not None]
+        if len(verdicts) == len(found):
+            return max(verdicts, key=[*Verdict].index), ""
+        if found[turned(-1)] is not None:
+            needed = [self.signs[x] for k, x in enumerate(signs) if found[turned(k)] is None]
+            where = needed or [self.signs[x] for x in signs]
+            return Verdict.ASSUMING, "where " + ", ".join(f"{text(x)} > 0" for x in where)
+        if verdicts:
+            return Verdict.UNDECIDED, "it holds with the other sign of a root"
+        roots = {x for p in residual.atoms(Pow, sympy.Abs, sympy.log) for x in p.free_symbols
+                 if not (p.is_Pow and p.exp.is_Integer)}  # fmt: skip
+        plus: dict[Symbol, Any] = dict.fromkeys(signs, Integer(1))
+        plus |= {x: sympy.Dummy(positive=True) for x in roots if not _moves(x) and x not in signs}
+        if len(plus) == len(signs) or holds(plus) is None:
+            return None
+        needed = [x for x in plus if x not in signs and
+                  holds({y: v for y, v in plus.items() if y != x}) is None]  # fmt: skip
+        return Verdict.ASSUMING, "where " + ", ".join(
+            f"{text(x)} > 0" for x in sorted(needed, key=str)
+        )
 
     def premise(
         self, number: int, line: Line, left: Any, right: Any, residual: Expr
@@ -696,7 +724,12 @@ class _Ledger:
         if isinstance(left, Pow) and isinstance(left.base, Lettered) and left.exp.is_Integer:
             letter, value = left.base, self.value(right)
             if letter not in self.given and letter not in known | value.free_symbols:
-                self.give(letter, value ** Rational(1, int(left.exp)), frozenset(here), True)
+                root = value ** Rational(1, int(left.exp))
+                if left.exp % 2 == 0:
+                    sign = sympy.Dummy(f"sign of {letter}", real=True)
+                    self.signs[sign] = letter
+                    root *= sign
+                self.give(letter, root, frozenset(here))
                 return Held(line, PREMISE, f"what {text(letter)} stands for", tuple(self.used))
         if isinstance(left, Lettered) and self.is_set(left, right):
             value = self.value(right)
@@ -784,82 +817,23 @@ def _closed_over(side: Any, letter: Symbol) -> bool:
 
 def _plain(expression: Expr) -> tuple[Expr, dict[Expr, Symbol]]:
     """Functions of which nothing is known, and their slopes, as numbers at will."""
-    nodes = sorted(expression.atoms(AppliedUndef, sympy.Derivative), key=sympy.default_sort_key)
+    nodes = sorted(expression.atoms(AppliedUndef, sympy.Derivative, sympy.Subs), key=sympy.default_sort_key)
     nodes.sort(key=sympy.count_ops, reverse=True)
     names = {node: sympy.Dummy(f"f{i}", real=True) for i, node in enumerate(nodes)}
     return expression.xreplace(names), names
-
-
-def _points(symbols: Iterable[Symbol], count: int) -> Iterator[dict[Symbol, Expr]]:
-    rng = random.Random(11)
-    names = sorted(symbols, key=str)
-    for _ in range(count):
-        yield {
-            x: Rational(rng.randint(3, 40), rng.choice((7, 11, 13)))
-            * (rng.choice((1, -1)) if _moves(x) else 1)
-            for x in names
-        }
 
 
 def _moves(x: Symbol) -> bool:
     return "dot" in _accent(x) or _base(x)[:1] in _ANGLES
 
 
-def _is_zero(number: Any) -> bool | None:
-    """Whether a number vanishes; None where it is no real number."""
-    found = sympy.N(number, DIGITS)
-    if not (found.is_number and found.is_finite and found.is_real):
-        return None
-    return bool(abs(found) < sympy.Float(10) ** (8 - DIGITS))
-
-
-def _vanishes(residual: Expr) -> Verdict | None:
-    """PROVED or SAMPLED where an expression vanishes for all values; None where it does not."""
-    flat, _ = _plain(sympy.sympify(residual))
-    if flat == 0:
-        return Verdict.PROVED
-    tried = [_is_zero(flat.xreplace(point)) for point in _points(flat.free_symbols, POINTS)]
-    if False in tried or True not in tried:
-        return None
-    if sympy.count_ops(flat) < SHOWN_TO and decide.vanishes(flat):
-        return Verdict.PROVED
-    return Verdict.SAMPLED
-
-
-def _along(residual: Expr, law: _Law) -> Verdict | None:
-    """Whether an expression, linear in accelerations, vanishes along the motion."""
-    a = [_dotted(x, 2) for x in law.q]
-    flat, _ = _plain(sympy.Tuple(residual, *law.vanishing))
-    wanted, *given = flat
-    if len(given) == 1:
-        [given_one], slopes = given, [given[0].diff(x) for x in a]
-        over = [wanted.diff(x) for x in a]
-        k = next((i for i, slope in enumerate(slopes) if slope != 0), None)
-        if k is not None and over[k] != 0:
-            rest = sympy.expand(wanted * slopes[k] - given_one * over[k])
-            return _vanishes(rest)
-    tried = 0
-    for point in _points(
-        wanted.free_symbols.union(*(x.free_symbols for x in given)) - {*a}, POINTS
-    ):
-        solved = _accelerations([x.xreplace(point) for x in given], a)
-        if solved is None:
-            continue
-        zero = _is_zero(wanted.xreplace(point).xreplace(solved))
-        if zero is False:
-            return None
-        tried += zero is True
-    if not tried:
-        return None
-    matrix = sympy.Matrix([[x.diff(y) for y in a] for x in given])
-    bare = dict.fromkeys(a, Integer(0))
-    rest = sympy.Matrix([x.subs(bare) for x in given])
-    row = sympy.Matrix([[wanted.diff(y) for y in a]])
-    if matrix.is_square and sympy.count_ops(matrix) < SHOWN_TO:
-        whole = matrix.det() * wanted.subs(bare) - (row * matrix.adjugate() * rest)[0]
-        if sympy.count_ops(whole) < SHOWN_TO and decide.vanishes(sympy.expand(whole)):
-            return Verdict.PROVED
-    return Verdict.SAMPLED
+def _vanishes(
+    residual: Expr, given: Sequence[Expr] = (), unknowns: Sequence[Symbol] = ()
+) -> Verdict | None:
+    """PROVED or SAMPLED where an expression vanishes, perhaps because others do; else None."""
+    wanted, *known = _plain(sympy.Tuple(residual, *given))[0]
+    rest = decide.eliminated(wanted, known, unknowns) if known else wanted
+    return None if rest is None else decide.evidence(rest)
 
 
 def _is_polynomial(side: Expr, moving: Iterable[Symbol]) -> bool:
@@ -902,27 +876,15 @@ def _at_rest(residual: Expr, law: _Law) -> str:
     return ""
 
 
-def _accelerations(vanishing: Sequence[Expr], a: Sequence[Symbol]) -> dict[Symbol, Expr] | None:
+def _accelerations(
+    vanishing: Sequence[Expr], a: Sequence[Symbol], point: Mapping[Symbol, Expr]
+) -> dict[Symbol, Expr] | None:
     """The accelerations where numbers are put in for all else."""
-    none = dict.fromkeys(a, Integer(0))
-
-    def at(x: Expr, point: Mapping[Symbol, Expr]) -> Expr:
-        return sympy.N(x.xreplace(point), DIGITS + 10)
-
-    rest = [at(x, none) for x in vanishing]
-    rows = [
-        [at(x, {**none, y: Integer(1)}) - r for y in a]
-        for x, r in zip(vanishing, rest, strict=True)
-    ]
-    matrix, right = sympy.Matrix(rows), -sympy.Matrix(rest)
-    if not matrix.is_square or abs(matrix.det()) < sympy.Float(10) ** (10 - DIGITS):
-        columns = [k for k in range(len(a)) if any(matrix[i, k] != 0 for i in range(matrix.rows))]
-        if len(columns) != matrix.rows or not columns:
-            return None
-        matrix, a = matrix[:, columns], [a[k] for k in columns]
-        if abs(matrix.det()) < sympy.Float(10) ** (10 - DIGITS):
-            return None
-    return dict(zip(a, matrix.LUsolve(right), strict=True))
+    used = [x for x in a if any(each.has(x) for each in vanishing)]
+    matrix, right = sympy.linear_eq_to_matrix([x.subs(point) for x in vanishing], used)
+    if not matrix.is_square or abs(matrix.det().evalf()) < decide.TOLERANCE:
+        return None
+    return dict(zip(used, matrix.evalf().LUsolve(right.evalf()), strict=True))
 
 
 def _nearly(residual: Expr, sides: tuple[Expr, Expr], q: Sequence[Symbol]) -> bool:
@@ -961,21 +923,18 @@ def _numbers(sides: tuple[Expr, Expr], law: _Law | None) -> str | None:
         needed = needed.union(*(x.free_symbols for x in given))
     symbols = sorted(needed - {*a}, key=str)
     angles = {x for x in symbols if _base(x)[:1] in _ANGLES and not _accent(x)}
-    for point in decide.points([*symbols], angles, 120):
-        if any(v == 0 for x, v in point.items() if not _moves(x)) or any(
-            v < 0 for x, v in point.items() if not _moves(x)
-        ):
-            continue
+    # A length or a mass, whatever its letter, has no short number that is not positive.
+    drawn = {x: x if _moves(x) else sympy.Dummy(x.name, positive=True) for x in symbols}
+    for found in decide.points([*drawn.values()], angles, 120):
+        point = {x: found[drawn[x]] for x in symbols}
         solved: dict[Symbol, Expr] = {}
         if (left - right).free_symbols & {*a}:
-            found = _accelerations([x.subs(point) for x in given], a)
-            if found is None:
+            solved = _accelerations(given, a, point) or {}
+            if not solved:
                 continue
-            solved = found
-        one, other = (sympy.N(x.subs(point).subs(solved), 20) for x in (left, right))
-        if not (one.is_real and other.is_real and one.is_finite and other.is_finite):
-            continue
-        if abs(one - other) < 1e-6 * (1 + abs(one)):
+        one, other = decide.evaluate([left, right], {**point, **solved}, {})
+        gap, size = one - other, 1 + abs(one) + abs(other)
+        if not (math.isfinite(size) and decide.holds("≠", gap, size)):
             continue
         values = ", ".join(f"{text(x)} = {text(v)}" for x, v in point.items())
         rates = ", ".join(

@@ -10,7 +10,6 @@ What is known of a letter comes with the `Letters` of the subject; there is no t
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, reduce
@@ -769,7 +768,7 @@ def vanishes(expression: Expr) -> bool:
         return bool(sympy.expand(expression) == 0)
     flat, _ = flattened(expression)
     flat = flat.xreplace({node: Dummy(real=True) for node in flat.atoms(*ELLIPTIC)})
-    found = zero_in_digits(flat)
+    found = decide.zero_in_digits(flat)
     if found is False:
         return False
     # What is real at no point is not worth a long search.
@@ -779,25 +778,6 @@ def vanishes(expression: Expr) -> bool:
 def _rooted(expression: Expr) -> Expr:
     """√(x²y) as |x|√y where signs are known: a last attempt, on what is zero in digits."""
     return sympy.radsimp(sympy.powdenest(sympy.together(sympy.expand(expression)), force=False))
-
-
-def zero_in_digits(expression: Expr, tries: int = 2) -> bool | None:
-    """Whether a scalar vanishes at some points in double precision: False refutes for certain.
-
-    None where no point is found at which it is real: of √x + √−x there is none.
-    """
-    found = None
-    for attempt in range(8 * tries):  # a root may be real at few points only
-        terms = decide.values(Add.make_args(expression), attempt)
-        value, size = sum(terms), sum(map(abs, terms))
-        if not math.isfinite(value):
-            continue
-        if not decide.holds("=", value, 1 + size):
-            return False
-        found, tries = True, tries - 1
-        if not tries:
-            break
-    return found
 
 
 def _factors(term: Expr) -> Iterator[Expr]:

@@ -11,7 +11,9 @@ import math
 import random
 import zlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from enum import StrEnum
 from functools import lru_cache
+from itertools import combinations
 from typing import Any
 
 import sympy
@@ -20,6 +22,19 @@ from sympy.core.relational import Relational
 
 from rigidtop.theory.symbols import t
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
+
+
+class Verdict(StrEnum):
+    """From what needs nothing to what can't be let pass; a claim gets the last of its checks'."""
+
+    DEFINITION = "definition"
+    PROVED = "proved"
+    SAMPLED = "sampled"
+    ASSUMING = "assuming"
+    CONVENTION = "convention"
+    FALSE = "false"
+    UNDECIDED = "undecided"
+
 
 Point = Mapping[Symbol, Expr]
 Floats = list[float]
@@ -52,6 +67,73 @@ def vanishes(expression: Expr) -> bool:
         return reduce_trig(expression) == 0
     numerator, denominator = sympy.fraction(sympy.together(expression))
     return reduce_trig(numerator) == 0 and reduce_trig(denominator) != 0
+
+
+MOST_SHOWN = 4000
+"""Beyond so many operations nothing is shown by normal forms: numbers only."""
+
+
+def evidence(expression: Expr) -> Verdict | None:
+    """PROVED or SAMPLED where an expression vanishes whatever its symbols are; None where not.
+
+    >>> from sympy.abc import x
+    >>> evidence(sin(x)**2 + cos(x)**2 - 1).value, evidence(sin(x) - x)
+    ('proved', None)
+    """
+    if expression == 0:
+        return Verdict.PROVED
+    if zero_in_digits(expression) is False:
+        return None
+    if sympy.count_ops(expression) < MOST_SHOWN and vanishes(expression):
+        return Verdict.PROVED
+    return Verdict.SAMPLED if digits_vanish([expression]) else None
+
+
+def zero_in_digits(expression: Expr, tries: int = 2) -> bool | None:
+    """Whether a scalar vanishes at some points in double precision: False refutes for certain.
+
+    None where no point is found at which it is real: of √x + √−x there is none.
+    """
+    found = None
+    for attempt in range(8 * tries):  # a root may be real at few points only
+        terms = values(sympy.Add.make_args(expression), attempt)
+        value, size = sum(terms), sum(map(abs, terms))
+        if not math.isfinite(value):
+            continue
+        if not holds("=", value, 1 + size):
+            return False
+        found, tries = True, tries - 1
+        if not tries:
+            break
+    return found
+
+
+def eliminated(wanted: Expr, given: Sequence[Expr], unknowns: Sequence[Symbol]) -> Expr | None:
+    """What vanishes where `wanted` does because `given` do, all linear in unknowns.
+
+    None where they are not, or where what is given says nothing of the unknowns.  As many of these
+    are eliminated as there are equations; the others stand in what is left.
+
+    >>> a, b, x = sympy.symbols("a b x")
+    >>> eliminated(a + b - 3*x, [a - x, b - 2*x], [a, b]), eliminated(a - x, [b - x], [a, b])
+    (0, None)
+    """
+    rows = [[e.diff(x) for x in unknowns] for e in (*given, wanted)]
+    used = [k for k in range(len(unknowns)) if any(row[k] != 0 for row in rows[:-1])]
+    if any(slope.has(*unknowns) for row in rows for slope in row) or not any(
+        rows[-1][k] != 0 for k in used
+    ):
+        return None
+    for chosen in combinations(used, len(given)):
+        none = dict.fromkeys((unknowns[k] for k in chosen), Integer(0))
+        parts = [
+            [*(row[k] for k in chosen), e.subs(none)]
+            for row, e in zip(rows, (*given, wanted), strict=True)
+        ]
+        whole = sympy.Matrix(parts)
+        if chosen and evidence(whole[:-1, :-1].det(method="berkowitz")) is None:
+            return whole.det(method="berkowitz")
+    return None
 
 
 def nonzero(expression: Expr, conditions: Sequence[Relational] = ()) -> bool:
@@ -177,10 +259,14 @@ def digits_vanish(expressions: Sequence[Expr], points: int = 5, digits: int = 40
     found = 0
     for _ in range(20 * points):
         point = {x: _anywhere(x, rng) for x in symbols}
-        values = [sympy.N(e.subs(point), digits + 10) for e in expressions]
-        if not all(v.is_number and v.is_finite and v.is_real for v in values):
+        numbers = [
+            [sympy.N(term.subs(point), digits + 10) for term in sympy.Add.make_args(e)]
+            for e in expressions
+        ]
+        if not all(v.is_number and v.is_finite and v.is_real for row in numbers for v in row):
             continue
-        if any(abs(v) > Rational(10) ** -digits for v in values):
+        limit = Rational(10) ** -digits
+        if any(abs(sympy.Add(*row)) > limit * (1 + sympy.Add(*map(abs, row))) for row in numbers):
             return False
         found += 1
         if found == points:

@@ -6,7 +6,6 @@ import math
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from enum import StrEnum
 from typing import Any
 
 import sympy
@@ -15,6 +14,7 @@ from sympy.core.relational import Relational
 
 from rigidtop.proof import decide
 from rigidtop.proof.algebra import Letters
+from rigidtop.proof.decide import Verdict as Verdict
 from rigidtop.proof.derivation import Judged
 from rigidtop.proof.equation import Equation, Meaning, Underbrace, value
 from rigidtop.proof.independence import refuse_circular
@@ -31,18 +31,6 @@ from rigidtop.proof.page import (
     Step,
 )
 from rigidtop.theory.symbols import const
-
-
-class Verdict(StrEnum):
-    """From what needs nothing to what can't be let pass; a claim gets the last of its checks'."""
-
-    DEFINITION = "definition"
-    PROVED = "proved"
-    SAMPLED = "sampled"
-    ASSUMING = "assuming"
-    CONVENTION = "convention"
-    FALSE = "false"
-    UNDECIDED = "undecided"
 
 
 class UnneededAssumptionError(Exception):
@@ -252,16 +240,16 @@ def _shown(
         if relation in ("=", "≡"):
             given = [_impose(h, equal) for h in check.given]
             for difference in differences:
-                if decide.vanishes(difference):
-                    continue
                 if any(decide.follows(difference, h, conditions) for h in given):
                     continue
+                found = decide.evidence(difference)
                 # Digits are evidence only where a wide search for a counterexample failed.
-                if given or not decide.digits_vanish([difference]):
+                if found is None or (
+                    found is Verdict.SAMPLED
+                    and (given or is_refuted(check, assuming, 600, meaning, letters))
+                ):
                     return None
-                if is_refuted(check, assuming, 600, meaning, letters):
-                    return None
-                sampled = True
+                sampled |= found is Verdict.SAMPLED
         elif relation == "≠":
             if not any(decide.nonzero(d, conditions) for d in differences):
                 return None

@@ -108,6 +108,22 @@ def test_a_slip_is_found_where_it_is_and_nothing_else_is_condemned(name, right, 
         # a square leaves the sign open
         (r"v^2 = 2gh, v = -\sqrt{2gh}", "undecided", "the other sign of a root"),
         (r"v^2 = 2gh, v = \sqrt{2gh}", "assuming", "where v > 0"),
+        # so it does in what is made of it, and along a motion
+        (r"v^2 = 2gh, u = v/2, p = mu, p = \frac m2\sqrt{2gh}", "assuming", "where v > 0"),
+        (r"v^2 = 2gh, p = mv, p = -m\sqrt{2gh}", "undecided", "the other sign of a root"),
+        (r"v^2 = 2gh, T = \frac12 mv^2, T = mgh", "proved", "by what is said above"),
+        (
+            r"L = \frac12 m\dot x^2 - mgx, v^2 = 2gh, m\ddot x v = -mg\sqrt{2gh}",
+            "assuming",
+            "where v > 0",
+        ),
+        (
+            r"w^2 = k/m, x = A\cos wt, x = A\cos(\sqrt{k/m}t)",
+            "proved",
+            "by what is said above",
+        ),
+        # and a root that of what stands under it
+        (r"\sqrt{a^2b} = a\sqrt b", "assuming", "where a > 0"),
         # one term of an equation is not the equation
         (
             r"L = \frac12 m\dot x^2 - mgx, \dot x = 0, m\ddot x = 0",
