@@ -817,7 +817,9 @@ def _closed_over(side: Any, letter: Symbol) -> bool:
 
 def _plain(expression: Expr) -> tuple[Expr, dict[Expr, Symbol]]:
     """Functions of which nothing is known, and their slopes, as numbers at will."""
-    nodes = sorted(expression.atoms(AppliedUndef, sympy.Derivative, sympy.Subs), key=sympy.default_sort_key)
+    nodes = sorted(
+        expression.atoms(AppliedUndef, sympy.Derivative, sympy.Subs), key=sympy.default_sort_key
+    )
     nodes.sort(key=sympy.count_ops, reverse=True)
     names = {node: sympy.Dummy(f"f{i}", real=True) for i, node in enumerate(nodes)}
     return expression.xreplace(names), names

@@ -14,12 +14,12 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from rigidtop.codegen.javascript import of_arrays
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import in_one_line
-from rigidtop.present.mathml import display, mathml
-from rigidtop.present.text import text
 from rigidtop.proof.equation import Equation
 from rigidtop.system.motion import SystemMotion, magnitude
 from rigidtop.system.parts import Body, Mass
 from rigidtop.system.system import System
+from rigidtop.typeset.mathml import display, mathml
+from rigidtop.typeset.text import text
 from rigidtop.web.page import Page, document, json_text, tableau
 
 Points = Sequence[Sequence[Any]]
