@@ -9,6 +9,7 @@ from io import BytesIO
 from typing import Any
 
 import matplotlib
+from matplotlib.backends.backend_pdf import FigureCanvasPdf
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as Canvas
 
@@ -19,8 +20,8 @@ from rigidtop.parameters import Parameter, settings
 KINDS = ("svg", "pdf", "png")
 """Of a still figure, by the suffix of its file."""
 
-DOTS = 300
-"""Of a png, to the inch."""
+DOTS, POINTS = 300, 72
+"""Of a png, and of what is drawn in lines, to the inch."""
 
 
 @dataclass(frozen=True)
@@ -87,17 +88,24 @@ _ABOUT: Mapping[str, dict[str, Any]] = {
 
 
 def both(drawing: Drawing, given: Mapping[str, float] | None = None) -> tuple[bytes, bytes]:
-    """A figure as PDF and as SVG, drawn and laid out once."""
+    """A figure as PDF and as SVG, drawn and laid out once.
+
+    The letters of the PDF are outlines (Type 3): to cut a font for each figure takes longer than
+    all the rest of it.
+    """
     values = drawing.values(given)
-    with matplotlib.rc_context(STYLE):
+    paper, page = BytesIO(), BytesIO()
+    with matplotlib.rc_context({**STYLE, "pdf.fonttype": 3}):
         canvas = drawing.draw(**values)
-        paper = BytesIO()
-        canvas.savefig(paper, format="pdf", metadata=_ABOUT["pdf"])
-        canvas.set_layout_engine("none")
+        canvas.dpi = POINTS
+        svg = FigureCanvasSVG(canvas)
+        if engine := canvas.get_layout_engine():
+            engine.execute(canvas)
+            canvas.set_layout_engine("none")
+        FigureCanvasPdf(canvas).print_pdf(paper, metadata=_ABOUT["pdf"])
         for patch in (canvas.patch, *(axes.patch for axes in canvas.axes)):
             patch.set(facecolor="none", edgecolor="none")
-        page = BytesIO()
-        FigureCanvasSVG(canvas).print_svg(page)
+        svg.print_svg(page)
     return paper.getvalue(), _without_metadata(page.getvalue())
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 
 import sympy
-from sympy import Expr, ImmutableMatrix, Matrix, MatrixBase, Symbol, cos, eye, pi, sin
+from sympy import Add, Expr, ImmutableMatrix, Matrix, MatrixBase, Symbol, cos, eye, pi, sin
 
 from rigidtop.theory.trig import reduce_trig
 
@@ -32,7 +32,18 @@ Limits = tuple[tuple[Symbol, Expr, Expr], ...]
 def _integral(position: ImmutableMatrix, limits: Limits, density: Expr) -> Expr:
     """∫ d³r of the density, once for each: claims, exercises and figures ask for the same."""
     jacobian = reduce_trig(position.jacobian([limit[0] for limit in limits]).det())
-    return sympy.factor(sympy.integrate(sympy.expand(density * jacobian), *limits))
+    made = density * jacobian
+    for limit in limits:
+        terms = Add.make_args(sympy.expand(made))
+        parts = [term.as_independent(limit[0], as_Add=False) for term in terms]
+        made = Add(*(outside * _single(inside, limit) for outside, inside in parts))
+    return sympy.factor(made)
+
+
+@cache
+def _single(part: Expr, limit: tuple[Symbol, Expr, Expr]) -> Expr:
+    """∫ of a product of powers and of sines and cosines of one parameter: they are few."""
+    return sympy.integrate(part, limit)
 
 
 @dataclass(frozen=True)

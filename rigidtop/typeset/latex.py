@@ -12,7 +12,6 @@ import re
 import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import singledispatch
 from typing import Any
 
 from rigidtop.notation.characters import LETTERS, MARKS, MATHS, SIGNS, TEX_GREEK, escape, joined
@@ -211,68 +210,92 @@ def _subscript(sub: str) -> str:
 # --- Nodes ---------------------------------------------------------------------------------------
 
 
-@singledispatch
-def _tex(node: Any) -> str:
-    raise TypeError(f"no LaTeX for {type(node).__name__}")
-
-
-@_tex.register
-def _(node: lay.Number) -> str:
-    return LETTERS.get(node.text, node.text)
-
-
-@_tex.register
-def _(node: lay.Letter) -> str:
-    return letter(node.glyph)
-
-
-@_tex.register
-def _(node: lay.Sum) -> str:
-    first, *rest = node.terms
-    text = ("-" if first.negative else "") + _tex(first.body)
-    if isinstance(node, lay.Continued):
-        text = ("- " if first.negative else "+ ") + _tex(first.body)
-    return text + "".join((" - " if t.negative else " + ") + _tex(t.body) for t in rest)
+def _tex(node: lay.Node) -> str:
+    match node:
+        case lay.Number():
+            return LETTERS.get(node.text, node.text)
+        case lay.Letter():
+            return letter(node.glyph)
+        case lay.Sum():
+            first, *rest = node.terms
+            text = ("-" if first.negative else "") + _tex(first.body)
+            if isinstance(node, lay.Continued):
+                text = ("- " if first.negative else "+ ") + _tex(first.body)
+            return text + "".join((" - " if t.negative else " + ") + _tex(t.body) for t in rest)
+        case lay.Product():
+            text = _tex(node.factors[0])
+            for joint, factor in zip(node.joints, node.factors[1:], strict=True):
+                text = joined(text + _JOINTS[joint], _tex(factor))
+            return text
+        case lay.Fraction():
+            command = r"\tfrac" if node.small else r"\frac"
+            return rf"{command}{{{_tex(node.over)}}}{{{_tex(node.under)}}}"
+        case lay.Power():
+            return f"{_tex(node.base)}^{{{_tex(node.exponent)}}}"
+        case lay.Root():
+            index = f"[{node.index}]" if node.index else ""
+            return rf"\sqrt{index}{{{_tex(node.body)}}}"
+        case lay.Apply():
+            if isinstance(node.name, lay.Letter):
+                name = _tex(node.name)
+            else:
+                name = "\\" + node.name if node.name in _KNOWN else rf"\operatorname{{{node.name}}}"
+            if node.power is not None:
+                name += f"^{{{_tex(node.power)}}}"
+            inside = ", ".join(map(_tex, node.arguments))
+            return (
+                name + _enclosed(inside, "()", node.arguments)
+                if node.brackets
+                else joined(name, inside)
+            )
+        case lay.Brackets():
+            return _enclosed(_tex(node.body), node.shape, [node.body])
+        case lay.Braced():
+            return rf"\underbrace{{{_tex(node.body)}}}_{{\equiv {_tex(node.label)}}}"
+        case lay.Infix():
+            return f"{_tex(node.left)} {SIGNS[node.sign]} {_tex(node.right)}"
+        case lay.TransposeOf():
+            return f"{_tex(node.body)}^{{T}}"
+        case lay.Derivative():
+            d = r"\partial" if node.partial else "d"
+            order = f"^{{{node.order}}}" if node.order > 1 else ""
+            over, under = d + order, joined(d, _tex(node.by)) + order
+            if node.inside:
+                text = rf"\frac{{{joined(over, _tex(node.body))}}}{{{under}}}"
+            else:
+                text = rf"\frac{{{over}}}{{{under}}}{_tex(node.body)}"
+            if node.frame:
+                return rf"\left({text}\right)_{{\text{{{escape(node.frame)}}}}}"
+            return text
+        case lay.Big():
+            index = "" if node.index is None else _tex(node.index)
+            if node.limits is not None:
+                start, *end = map(_tex, node.limits)
+                below = f"{index}={start}" if index else start
+                above = f"^{{{end[0]}}}" if end else ""
+                return rf"{SIGNS[node.sign]}_{{{below}}}{above} {_tex(node.body)}"
+            if node.sign == "∫":
+                return rf"\int{index}\,{_tex(node.body)}" if index else rf"\int {_tex(node.body)}"
+            return rf"\sum_{{{index}}} {_tex(node.body)}" if index else rf"\sum {_tex(node.body)}"
+        case lay.Measure():
+            if node.bounds:
+                low, high = map(_tex, node.bounds)
+                return f"_{{{low}}}^{{{high}}} d{_tex(node.variable)}"
+            return f" d^{{{node.dimension}}}{_tex(node.variable)}"
+        case lay.Grid():
+            rows = r" \\ ".join(" & ".join(map(_tex, row)) for row in node.rows)
+            return rf"\begin{{bmatrix}} {rows} \end{{bmatrix}}"
+        case lay.Listed():
+            between = ", " if node.between == "," else rf" \quad\text{{{node.between}}}\quad "
+            return between.join(map(_tex, node.items))
+        case lay.Chain():
+            text = _tex(node.sides[0])
+            for sign, side in zip(node.signs, node.sides[1:], strict=True):
+                text += f" {SIGNS[sign]} {_tex(side)}"
+            return text
 
 
 _JOINTS = {"": "", "function": "", "thin": r"\,", "dot": r" \cdot "}
-
-
-@_tex.register
-def _(node: lay.Product) -> str:
-    text = _tex(node.factors[0])
-    for joint, factor in zip(node.joints, node.factors[1:], strict=True):
-        text = joined(text + _JOINTS[joint], _tex(factor))
-    return text
-
-
-@_tex.register
-def _(node: lay.Fraction) -> str:
-    command = r"\tfrac" if node.small else r"\frac"
-    return rf"{command}{{{_tex(node.over)}}}{{{_tex(node.under)}}}"
-
-
-@_tex.register
-def _(node: lay.Power) -> str:
-    return f"{_tex(node.base)}^{{{_tex(node.exponent)}}}"
-
-
-@_tex.register
-def _(node: lay.Root) -> str:
-    index = f"[{node.index}]" if node.index else ""
-    return rf"\sqrt{index}{{{_tex(node.body)}}}"
-
-
-@_tex.register
-def _(node: lay.Apply) -> str:
-    if isinstance(node.name, lay.Letter):
-        name = _tex(node.name)
-    else:
-        name = "\\" + node.name if node.name in _KNOWN else rf"\operatorname{{{node.name}}}"
-    if node.power is not None:
-        name += f"^{{{_tex(node.power)}}}"
-    inside = ", ".join(map(_tex, node.arguments))
-    return name + _enclosed(inside, "()", node.arguments) if node.brackets else joined(name, inside)
 
 
 def _enclosed(inside: str, shape: str, nodes: Sequence[Node]) -> str:
@@ -280,78 +303,3 @@ def _enclosed(inside: str, shape: str, nodes: Sequence[Node]) -> str:
         return rf"\left{shape[0]}{inside}\right{shape[1]}"
     left, right = (r"\lvert ", r"\rvert") if shape == "||" else (shape[0], shape[1])
     return left + inside + right
-
-
-@_tex.register
-def _(node: lay.Brackets) -> str:
-    return _enclosed(_tex(node.body), node.shape, [node.body])
-
-
-@_tex.register
-def _(node: lay.Braced) -> str:
-    return rf"\underbrace{{{_tex(node.body)}}}_{{\equiv {_tex(node.label)}}}"
-
-
-@_tex.register
-def _(node: lay.Infix) -> str:
-    return f"{_tex(node.left)} {SIGNS[node.sign]} {_tex(node.right)}"
-
-
-@_tex.register
-def _(node: lay.TransposeOf) -> str:
-    return f"{_tex(node.body)}^{{T}}"
-
-
-@_tex.register
-def _(node: lay.Derivative) -> str:
-    d = r"\partial" if node.partial else "d"
-    order = f"^{{{node.order}}}" if node.order > 1 else ""
-    over, under = d + order, joined(d, _tex(node.by)) + order
-    if node.inside:
-        text = rf"\frac{{{joined(over, _tex(node.body))}}}{{{under}}}"
-    else:
-        text = rf"\frac{{{over}}}{{{under}}}{_tex(node.body)}"
-    if node.frame:
-        return rf"\left({text}\right)_{{\text{{{escape(node.frame)}}}}}"
-    return text
-
-
-@_tex.register
-def _(node: lay.Big) -> str:
-    index = "" if node.index is None else _tex(node.index)
-    if node.limits is not None:
-        first, *last = map(_tex, node.limits)
-        below = f"{index}={first}" if index else first
-        above = f"^{{{last[0]}}}" if last else ""
-        return rf"{SIGNS[node.sign]}_{{{below}}}{above} {_tex(node.body)}"
-    if node.sign == "∫":
-        return rf"\int{index}\,{_tex(node.body)}" if index else rf"\int {_tex(node.body)}"
-    return rf"\sum_{{{index}}} {_tex(node.body)}" if index else rf"\sum {_tex(node.body)}"
-
-
-@_tex.register
-def _(node: lay.Measure) -> str:
-    if node.bounds:
-        low, high = map(_tex, node.bounds)
-        return f"_{{{low}}}^{{{high}}} d{_tex(node.variable)}"
-    return f" d^{{{node.dimension}}}{_tex(node.variable)}"
-
-
-@_tex.register
-def _(node: lay.Grid) -> str:
-    rows = r" \\ ".join(" & ".join(map(_tex, row)) for row in node.rows)
-    return rf"\begin{{bmatrix}} {rows} \end{{bmatrix}}"
-
-
-@_tex.register
-def _(node: lay.Listed) -> str:
-    between = ", " if node.between == "," else rf" \quad\text{{{node.between}}}\quad "
-    return between.join(map(_tex, node.items))
-
-
-@_tex.register
-def _(node: lay.Chain) -> str:
-    text = _tex(node.sides[0])
-    for sign, side in zip(node.signs, node.sides[1:], strict=True):
-        text += f" {SIGNS[sign]} {_tex(side)}"
-    return text

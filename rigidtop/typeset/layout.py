@@ -994,107 +994,58 @@ def is_tall(node: Any) -> bool:
     return isinstance(node, Chain) and any(map(is_tall, node.sides))
 
 
-@singledispatch
-def width(node: Any) -> float:
+def width(node: Node) -> float:
     """About how many letters wide a node is printed."""
-    raise TypeError(f"no width for {type(node).__name__}")
-
-
-@width.register
-def _(node: Number) -> float:
-    return len(node.text)
-
-
-@width.register
-def _(node: Letter) -> float:
-    return len(node.glyph.base) + 0.6 * len(node.glyph.sub)
-
-
-@width.register
-def _(node: Sum) -> float:
-    return sum(width(term.body) for term in node.terms) + 2.5 * len(node.terms) - 1
-
-
-@width.register
-def _(node: Product) -> float:
-    spaces = sum(0.4 for joint in node.joints if joint)
-    return sum(map(width, node.factors)) + spaces
-
-
-@width.register
-def _(node: Fraction) -> float:
-    return max(width(node.over), width(node.under)) * (0.6 if node.small else 1) + 0.4
-
-
-@width.register
-def _(node: Power) -> float:
-    return width(node.base) + 0.6 * width(node.exponent)
-
-
-@width.register
-def _(node: Root) -> float:
-    return width(node.body) + 1.5
-
-
-@width.register
-def _(node: Apply) -> float:
-    name = len(node.name) if isinstance(node.name, str) else width(node.name)
-    power = 0.6 * width(node.power) if node.power else 0
-    return name + power + sum(map(width, node.arguments)) + (1.5 if node.brackets else 0.4)
-
-
-@width.register
-def _(node: Brackets) -> float:
-    return width(node.body) + 1.5
-
-
-@width.register
-def _(node: Braced) -> float:
-    return max(width(node.body), 1 + 0.7 * width(node.label))
-
-
-@width.register
-def _(node: Infix) -> float:
-    return width(node.left) + width(node.right) + 2
-
-
-@width.register
-def _(node: TransposeOf) -> float:
-    return width(node.body) + 1
-
-
-@width.register
-def _(node: Derivative) -> float:
-    inner = width(node.body)
-    head = 1.5 + (inner if node.inside else 0)
-    return head + (0 if node.inside else inner) + (2 + 0.6 * len(node.frame) if node.frame else 0)
-
-
-@width.register
-def _(node: Big) -> float:
-    measure = width(node.index) if node.sign == "∫" and node.index is not None else 0
-    return 2.5 + measure + width(node.body)
-
-
-@width.register
-def _(node: Measure) -> float:
-    return 1.6 + width(node.variable) + max(map(width, node.bounds), default=0.0)
-
-
-@width.register
-def _(node: Grid) -> float:
-    columns = zip(*node.rows, strict=True)
-    return sum(max(map(width, column)) + 2 for column in columns)
-
-
-@width.register
-def _(node: Listed) -> float:
-    return sum(map(width, node.items)) + (1.5 if node.between == "," else 5) * len(node.items)
-
-
-@width.register
-def _(node: Chain) -> float:
-    return sum(map(width, node.sides)) + 3 * len(node.signs)
+    match node:
+        case Number():
+            return len(node.text)
+        case Letter():
+            return len(node.glyph.base) + 0.6 * len(node.glyph.sub)
+        case Sum():
+            return sum(width(term.body) for term in node.terms) + 2.5 * len(node.terms) - 1
+        case Product():
+            spaces = sum(0.4 for joint in node.joints if joint)
+            return sum(map(width, node.factors)) + spaces
+        case Fraction():
+            return max(width(node.over), width(node.under)) * (0.6 if node.small else 1) + 0.4
+        case Power():
+            return width(node.base) + 0.6 * width(node.exponent)
+        case Root():
+            return width(node.body) + 1.5
+        case Apply():
+            name = len(node.name) if isinstance(node.name, str) else width(node.name)
+            power = 0.6 * width(node.power) if node.power else 0
+            return name + power + sum(map(width, node.arguments)) + (1.5 if node.brackets else 0.4)
+        case Brackets():
+            return width(node.body) + 1.5
+        case Braced():
+            return max(width(node.body), 1 + 0.7 * width(node.label))
+        case Infix():
+            return width(node.left) + width(node.right) + 2
+        case TransposeOf():
+            return width(node.body) + 1
+        case Derivative():
+            inner = width(node.body)
+            head = 1.5 + (inner if node.inside else 0)
+            return (
+                head
+                + (0 if node.inside else inner)
+                + (2 + 0.6 * len(node.frame) if node.frame else 0)
+            )
+        case Big():
+            measure = width(node.index) if node.sign == "∫" and node.index is not None else 0
+            return 2.5 + measure + width(node.body)
+        case Measure():
+            return 1.6 + width(node.variable) + max(map(width, node.bounds), default=0.0)
+        case Grid():
+            columns = zip(*node.rows, strict=True)
+            return sum(max(map(width, column)) + 2 for column in columns)
+        case Listed():
+            return sum(map(width, node.items)) + (1.5 if node.between == "," else 5) * len(
+                node.items
+            )
+        case Chain():
+            return sum(map(width, node.sides)) + 3 * len(node.signs)
 
 
 @dataclass(frozen=True)

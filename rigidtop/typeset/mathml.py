@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from functools import singledispatch
 from html import escape
 from typing import Any
 
@@ -134,32 +133,111 @@ def _group(inside: str) -> str:
     return f"<mrow>{inside}</mrow>"
 
 
-@singledispatch
-def _ml(node: Any) -> str:
-    raise TypeError(f"no MathML for {type(node).__name__}")
-
-
-@_ml.register
-def _(node: lay.Number) -> str:
-    return f"<mn>{node.text}</mn>" if node.text != "∞" else "<mi>∞</mi>"
-
-
-@_ml.register
-def _(node: lay.Letter) -> str:
-    return letter(node.glyph)
-
-
-@_ml.register
-def _(node: lay.Sum) -> str:
-    first, *rest = node.terms
-    made = ""
-    if isinstance(node, lay.Continued):  # as an infix, with the space of one
-        made = f'<mo form="infix">{"−" if first.negative else "+"}</mo>'
-    elif first.negative:
-        made = '<mo form="prefix">−</mo>'
-    made += _ml(first.body)
-    made += "".join(f"<mo>{'−' if t.negative else '+'}</mo>{_ml(t.body)}" for t in rest)
-    return _group(made)
+def _ml(node: lay.Node) -> str:
+    match node:
+        case lay.Number():
+            return f"<mn>{node.text}</mn>" if node.text != "∞" else "<mi>∞</mi>"
+        case lay.Letter():
+            return letter(node.glyph)
+        case lay.Sum():
+            first, *rest = node.terms
+            made = ""
+            if isinstance(node, lay.Continued):  # as an infix, with the space of one
+                made = f'<mo form="infix">{"−" if first.negative else "+"}</mo>'
+            elif first.negative:
+                made = '<mo form="prefix">−</mo>'
+            made += _ml(first.body)
+            made += "".join(f"<mo>{'−' if t.negative else '+'}</mo>{_ml(t.body)}" for t in rest)
+            return _group(made)
+        case lay.Product():
+            made = _ml(node.factors[0])
+            for joint, factor in zip(node.joints, node.factors[1:], strict=True):
+                made += _JOINTS[joint] + _ml(factor)
+            return _group(made)
+        case lay.Fraction():
+            made = f"<mfrac>{_ml(node.over)}{_ml(node.under)}</mfrac>"
+            return f'<mstyle displaystyle="false">{made}</mstyle>' if node.small else made
+        case lay.Power():
+            return with_superscript(_ml(node.base), _ml(node.exponent))
+        case lay.Root():
+            if node.index:
+                return f"<mroot>{_ml(node.body)}<mn>{node.index}</mn></mroot>"
+            return f"<msqrt>{_ml(node.body)}</msqrt>"
+        case lay.Apply():
+            name = f"<mi>{escape(node.name)}</mi>" if isinstance(node.name, str) else _ml(node.name)
+            if node.power is not None:
+                name = f"<msup>{name}{_ml(node.power)}</msup>"
+            inside = "<mo>,</mo>".join(map(_ml, node.arguments))
+            if node.brackets:
+                tall = any(map(lay.is_tall, node.arguments))
+                return _group(name + APPLY + _fenced(inside, "()", tall))
+            return _group(name + APPLY + THIN + inside)
+        case lay.Brackets():
+            return _fenced(_ml(node.body), node.shape, lay.is_tall(node.body))
+        case lay.Braced():
+            # A stretched ⏟ comes out too short in the cells of a table; a border never does, and
+            # dots are no fraction bar.
+            brace = "border-bottom:2px dotted;padding-bottom:0.15em"
+            label = _group(f"<mo>≡</mo>{_ml(node.label)}")
+            return f'<munder><mrow style="{brace}">{_ml(node.body)}</mrow>{label}</munder>'
+        case lay.Infix():
+            return _group(f"{_ml(node.left)}<mo>{node.sign}</mo>{_ml(node.right)}")
+        case lay.TransposeOf():
+            return f"<msup>{_ml(node.body)}<mi>T</mi></msup>"
+        case lay.Derivative():
+            d = "<mo>∂</mo>" if node.partial else "<mi>d</mi>"
+            over = under_order = d
+            by = _ml(node.by)
+            if node.order > 1:
+                over = f"<msup>{d}<mn>{node.order}</mn></msup>"
+                by = with_superscript(by, f"<mn>{node.order}</mn>")
+            under = _group(under_order + by)
+            if node.inside:
+                made = f"<mfrac>{_group(over + _ml(node.body))}{under}</mfrac>"
+            else:
+                made = _group(f"<mfrac>{over}{under}</mfrac>{_ml(node.body)}")
+            if node.frame:
+                return (
+                    f"<msub>{_fenced(made, '()', True)}<mtext>{escape(node.frame)}</mtext></msub>"
+                )
+            return made
+        case lay.Big():
+            bounds = node.index.bounds if isinstance(node.index, lay.Measure) else ()
+            index = "" if node.index is None else _ml(node.index)
+            big = '<mo largeop="true" movablelimits="true">∑</mo>'
+            sign = "<mo>∫</mo>" if node.sign == "∫" else big
+            if node.limits is not None:
+                start, *end = map(_ml, node.limits)
+                below = _group(f"{index}<mo>=</mo>{start}") if index else start
+                both = "munderover" if end else "munder"
+                return _group(f"<{both}>{sign}{below}{''.join(end)}</{both}>{_ml(node.body)}")
+            if not index:
+                return _group(f"{sign}{_ml(node.body)}")
+            if node.sign == "∫":
+                if bounds:
+                    sign = f"<msubsup>{sign}{''.join(map(_ml, bounds))}</msubsup>"
+                return _group(f"{sign}{index}{THIN}{_ml(node.body)}")
+            return _group(f"<munder>{sign}{index}</munder>{_ml(node.body)}")
+        case lay.Measure():
+            if node.bounds:
+                return _group(f"<mi>d</mi>{_ml(node.variable)}")
+            return _group(f"<msup><mi>d</mi><mn>{node.dimension}</mn></msup>{_ml(node.variable)}")
+        case lay.Grid():
+            rows = "".join(
+                "<mtr>" + "".join(f"<mtd>{_ml(entry)}</mtd>" for entry in row) + "</mtr>"
+                for row in node.rows
+            )
+            return _fenced(f"<mtable>{rows}</mtable>", "[]", True)
+        case lay.Listed():
+            if node.between == ",":
+                return _group("<mo>,</mo>".join(map(_ml, node.items)))
+            word = f'<mspace width="1em"/><mtext>{node.between}</mtext><mspace width="1em"/>'
+            return _group(word.join(map(_ml, node.items)))
+        case lay.Chain():
+            made = _ml(node.sides[0])
+            for sign, side in zip(node.signs, node.sides[1:], strict=True):
+                made += f"<mo>{escape(sign)}</mo>{_ml(side)}"
+            return _group(made)
 
 
 _JOINTS = {
@@ -170,49 +248,11 @@ _JOINTS = {
 }
 
 
-@_ml.register
-def _(node: lay.Product) -> str:
-    made = _ml(node.factors[0])
-    for joint, factor in zip(node.joints, node.factors[1:], strict=True):
-        made += _JOINTS[joint] + _ml(factor)
-    return _group(made)
-
-
-@_ml.register
-def _(node: lay.Fraction) -> str:
-    made = f"<mfrac>{_ml(node.over)}{_ml(node.under)}</mfrac>"
-    return f'<mstyle displaystyle="false">{made}</mstyle>' if node.small else made
-
-
-@_ml.register
-def _(node: lay.Power) -> str:
-    return with_superscript(_ml(node.base), _ml(node.exponent))
-
-
 def with_superscript(base: str, exponent: str) -> str:
     """An index and an exponent of one letter stand above each other."""
     if base.startswith("<msub>") and base.endswith("</msub>"):
         return f"<msubsup>{base[6:-7]}{exponent}</msubsup>"
     return f"<msup>{base}{exponent}</msup>"
-
-
-@_ml.register
-def _(node: lay.Root) -> str:
-    if node.index:
-        return f"<mroot>{_ml(node.body)}<mn>{node.index}</mn></mroot>"
-    return f"<msqrt>{_ml(node.body)}</msqrt>"
-
-
-@_ml.register
-def _(node: lay.Apply) -> str:
-    name = f"<mi>{escape(node.name)}</mi>" if isinstance(node.name, str) else _ml(node.name)
-    if node.power is not None:
-        name = f"<msup>{name}{_ml(node.power)}</msup>"
-    inside = "<mo>,</mo>".join(map(_ml, node.arguments))
-    if node.brackets:
-        tall = any(map(lay.is_tall, node.arguments))
-        return _group(name + APPLY + _fenced(inside, "()", tall))
-    return _group(name + APPLY + THIN + inside)
 
 
 def _fenced(inside: str, shape: str, tall: bool) -> str:
@@ -222,97 +262,3 @@ def _fenced(inside: str, shape: str, tall: bool) -> str:
         for form, mark in zip(("prefix", "postfix"), shape, strict=True)
     )
     return _group(left + inside + right)
-
-
-@_ml.register
-def _(node: lay.Brackets) -> str:
-    return _fenced(_ml(node.body), node.shape, lay.is_tall(node.body))
-
-
-@_ml.register
-def _(node: lay.Braced) -> str:
-    # A stretched ⏟ comes out too short in the cells of a table; a border never does, and dots are
-    # no fraction bar.
-    brace = "border-bottom:2px dotted;padding-bottom:0.15em"
-    label = _group(f"<mo>≡</mo>{_ml(node.label)}")
-    return f'<munder><mrow style="{brace}">{_ml(node.body)}</mrow>{label}</munder>'
-
-
-@_ml.register
-def _(node: lay.Infix) -> str:
-    return _group(f"{_ml(node.left)}<mo>{node.sign}</mo>{_ml(node.right)}")
-
-
-@_ml.register
-def _(node: lay.TransposeOf) -> str:
-    return f"<msup>{_ml(node.body)}<mi>T</mi></msup>"
-
-
-@_ml.register
-def _(node: lay.Derivative) -> str:
-    d = "<mo>∂</mo>" if node.partial else "<mi>d</mi>"
-    over = under_order = d
-    by = _ml(node.by)
-    if node.order > 1:
-        over = f"<msup>{d}<mn>{node.order}</mn></msup>"
-        by = with_superscript(by, f"<mn>{node.order}</mn>")
-    under = _group(under_order + by)
-    if node.inside:
-        made = f"<mfrac>{_group(over + _ml(node.body))}{under}</mfrac>"
-    else:
-        made = _group(f"<mfrac>{over}{under}</mfrac>{_ml(node.body)}")
-    if node.frame:
-        return f"<msub>{_fenced(made, '()', True)}<mtext>{escape(node.frame)}</mtext></msub>"
-    return made
-
-
-@_ml.register
-def _(node: lay.Big) -> str:
-    bounds = node.index.bounds if isinstance(node.index, lay.Measure) else ()
-    index = "" if node.index is None else _ml(node.index)
-    big = '<mo largeop="true" movablelimits="true">∑</mo>'
-    sign = "<mo>∫</mo>" if node.sign == "∫" else big
-    if node.limits is not None:
-        first, *last = map(_ml, node.limits)
-        below = _group(f"{index}<mo>=</mo>{first}") if index else first
-        both = "munderover" if last else "munder"
-        return _group(f"<{both}>{sign}{below}{''.join(last)}</{both}>{_ml(node.body)}")
-    if not index:
-        return _group(f"{sign}{_ml(node.body)}")
-    if node.sign == "∫":
-        if bounds:
-            sign = f"<msubsup>{sign}{''.join(map(_ml, bounds))}</msubsup>"
-        return _group(f"{sign}{index}{THIN}{_ml(node.body)}")
-    return _group(f"<munder>{sign}{index}</munder>{_ml(node.body)}")
-
-
-@_ml.register
-def _(node: lay.Measure) -> str:
-    if node.bounds:
-        return _group(f"<mi>d</mi>{_ml(node.variable)}")
-    return _group(f"<msup><mi>d</mi><mn>{node.dimension}</mn></msup>{_ml(node.variable)}")
-
-
-@_ml.register
-def _(node: lay.Grid) -> str:
-    rows = "".join(
-        "<mtr>" + "".join(f"<mtd>{_ml(entry)}</mtd>" for entry in row) + "</mtr>"
-        for row in node.rows
-    )
-    return _fenced(f"<mtable>{rows}</mtable>", "[]", True)
-
-
-@_ml.register
-def _(node: lay.Listed) -> str:
-    if node.between == ",":
-        return _group("<mo>,</mo>".join(map(_ml, node.items)))
-    word = f'<mspace width="1em"/><mtext>{node.between}</mtext><mspace width="1em"/>'
-    return _group(word.join(map(_ml, node.items)))
-
-
-@_ml.register
-def _(node: lay.Chain) -> str:
-    made = _ml(node.sides[0])
-    for sign, side in zip(node.signs, node.sides[1:], strict=True):
-        made += f"<mo>{escape(sign)}</mo>{_ml(side)}"
-    return _group(made)

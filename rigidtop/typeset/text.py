@@ -12,7 +12,6 @@ import re
 import unicodedata
 from collections.abc import Iterable, Iterator
 from dataclasses import fields, is_dataclass
-from functools import singledispatch
 from typing import Any
 
 from rigidtop.proof.equation import Equation
@@ -52,42 +51,95 @@ def letter(glyph: Glyph) -> str:
     return shown + ("′" if glyph.prime else "")
 
 
-@singledispatch
-def _text(node: Any) -> str:
-    raise TypeError(f"no text for {type(node).__name__}")
-
-
-@_text.register
-def _(node: lay.Number) -> str:
-    return node.text
-
-
-@_text.register
-def _(node: lay.Letter) -> str:
-    return letter(node.glyph)
-
-
-@_text.register
-def _(node: lay.Sum) -> str:
-    first, *rest = node.terms
-    made = ("−" if first.negative else "") + _text(first.body)
-    if isinstance(node, lay.Continued):
-        made = ("− " if first.negative else "+ ") + _text(first.body)
-    return made + "".join((" − " if t.negative else " + ") + _text(t.body) for t in rest)
-
-
-@_text.register
-def _(node: lay.Product) -> str:
-    made = _factor(node.factors[0])
-    for joint, factor in zip(node.joints, node.factors[1:], strict=True):
-        right = _factor(factor)
-        between = _JOINTS[joint]
-        if not between and re.search(r"_\w+$", made) and right[0] not in "([|":
-            between = " "  # Ω_b ω₂, lest the index runs on
-        if not between and ("/" in right or (made[-1].isalpha() and re.match(r"\w+_", right))):
-            between = " "
-        made += between + right
-    return made
+def _text(node: lay.Node) -> str:
+    match node:
+        case lay.Number():
+            return node.text
+        case lay.Letter():
+            return letter(node.glyph)
+        case lay.Sum():
+            first, *rest = node.terms
+            made = ("−" if first.negative else "") + _text(first.body)
+            if isinstance(node, lay.Continued):
+                made = ("− " if first.negative else "+ ") + _text(first.body)
+            return made + "".join((" − " if t.negative else " + ") + _text(t.body) for t in rest)
+        case lay.Product():
+            made = _factor(node.factors[0])
+            for joint, factor in zip(node.joints, node.factors[1:], strict=True):
+                right = _factor(factor)
+                between = _JOINTS[joint]
+                if not between and re.search(r"_\w+$", made) and right[0] not in "([|":
+                    between = " "  # Ω_b ω₂, lest the index runs on
+                if not between and (
+                    "/" in right or (made[-1].isalpha() and re.match(r"\w+_", right))
+                ):
+                    between = " "
+                made += between + right
+            return made
+        case lay.Fraction():
+            over, under = _text(node.over), _text(node.under)
+            if node.small and f"{over}/{under}" in _VULGAR:
+                return _VULGAR[f"{over}/{under}"]
+            if isinstance(node.over, (lay.Sum, lay.Infix, lay.Big, lay.Fraction)):
+                over = f"({over})"
+            if not _is_simple(node.under):
+                under = f"({under})"
+            return f"{over}/{under}"
+        case lay.Power():
+            return _text(node.base) + _superscript(node.exponent)
+        case lay.Root():
+            body = _text(node.body)
+            sign = {"": "√", "3": "∛", "4": "∜"}.get(node.index, f"({node.index})√")
+            return sign + (body if isinstance(node.body, (lay.Number, lay.Letter)) else f"({body})")
+        case lay.Apply():
+            name = node.name if isinstance(node.name, str) else _text(node.name)
+            if node.power is not None:
+                name += _superscript(node.power)
+            inside = ", ".join(map(_text, node.arguments))
+            return f"{name}({inside})" if node.brackets else f"{name} {inside}"
+        case lay.Brackets():
+            return f"{node.shape[0]}{_text(node.body)}{node.shape[1]}"
+        case lay.Braced():
+            body = _text(node.body)
+            alone = isinstance(node.body, (lay.Letter, lay.Number, lay.Brackets))
+            return body if alone else f"({body})"
+        case lay.Infix():
+            return f"{_text(node.left)} {node.sign} {_text(node.right)}"
+        case lay.TransposeOf():
+            return _text(node.body) + "ᵀ"
+        case lay.Derivative():
+            d = "∂" if node.partial else "d"
+            order = str(node.order).translate(_SUPERSCRIPTS) if node.order > 1 else ""
+            body, by = _text(node.body), _text(node.by)
+            made = (
+                f"{d}{order}{body}/{d}{by}{order}"
+                if node.inside
+                else f"{d}{order}/{d}{by}{order} {body}"
+            )
+            return f"({made})_{node.frame}" if node.frame else made
+        case lay.Big():
+            sign = {"∑": "Σ"}.get(node.sign, node.sign)
+            index = "" if node.index is None else _text(node.index)
+            if node.limits is not None:
+                ends = ", ".join(map(_text, node.limits))
+                return f"{sign}[{index + ' = ' if index else ''}{ends}] {_text(node.body)}"
+            if node.sign == "∫":
+                bounds = node.index.bounds if isinstance(node.index, lay.Measure) else ()
+                between = f" from {' to '.join(map(_text, bounds))}" if bounds else ""
+                return " ".join(filter(None, (sign + between, index, _text(node.body))))
+            return f"{sign}_{index} {_text(node.body)}" if index else f"{sign} {_text(node.body)}"
+        case lay.Measure():
+            return "d" + node.dimension.translate(_SUPERSCRIPTS) + _text(node.variable)
+        case lay.Grid():
+            return "[" + "; ".join(", ".join(map(_text, row)) for row in node.rows) + "]"
+        case lay.Listed():
+            between = ", " if node.between == "," else f" {node.between} "
+            return between.join(map(_text, node.items))
+        case lay.Chain():
+            made = _text(node.sides[0])
+            for sign, side in zip(node.signs, node.sides[1:], strict=True):
+                made += f" {sign} {_text(side)}"
+            return made
 
 
 def _factor(node: Any) -> str:
@@ -103,56 +155,11 @@ def _is_simple(node: Any) -> bool:
     return isinstance(node, alone)
 
 
-@_text.register
-def _(node: lay.Fraction) -> str:
-    over, under = _text(node.over), _text(node.under)
-    if node.small and f"{over}/{under}" in _VULGAR:
-        return _VULGAR[f"{over}/{under}"]
-    if isinstance(node.over, (lay.Sum, lay.Infix, lay.Big, lay.Fraction)):
-        over = f"({over})"
-    if not _is_simple(node.under):
-        under = f"({under})"
-    return f"{over}/{under}"
-
-
 def _superscript(node: Any) -> str:
     shown = _text(node)
     if all(c in "0123456789−" for c in shown):
         return shown.translate(_SUPERSCRIPTS)
     return "^" + (shown if _is_simple(node) and len(shown) == 1 else f"({shown})")
-
-
-@_text.register
-def _(node: lay.Power) -> str:
-    return _text(node.base) + _superscript(node.exponent)
-
-
-@_text.register
-def _(node: lay.Root) -> str:
-    body = _text(node.body)
-    sign = {"": "√", "3": "∛", "4": "∜"}.get(node.index, f"({node.index})√")
-    return sign + (body if isinstance(node.body, (lay.Number, lay.Letter)) else f"({body})")
-
-
-@_text.register
-def _(node: lay.Apply) -> str:
-    name = node.name if isinstance(node.name, str) else _text(node.name)
-    if node.power is not None:
-        name += _superscript(node.power)
-    inside = ", ".join(map(_text, node.arguments))
-    return f"{name}({inside})" if node.brackets else f"{name} {inside}"
-
-
-@_text.register
-def _(node: lay.Brackets) -> str:
-    return f"{node.shape[0]}{_text(node.body)}{node.shape[1]}"
-
-
-@_text.register
-def _(node: lay.Braced) -> str:
-    body = _text(node.body)
-    alone = isinstance(node.body, (lay.Letter, lay.Number, lay.Brackets))
-    return body if alone else f"({body})"
 
 
 def _bare(node: Any) -> Any:
@@ -169,62 +176,3 @@ def _braced(node: Any) -> Iterator[lay.Braced]:
         parts = (getattr(node, field.name) for field in fields(node)) if is_dataclass(node) else ()
     for part in parts:
         yield from _braced(part)
-
-
-@_text.register
-def _(node: lay.Infix) -> str:
-    return f"{_text(node.left)} {node.sign} {_text(node.right)}"
-
-
-@_text.register
-def _(node: lay.TransposeOf) -> str:
-    return _text(node.body) + "ᵀ"
-
-
-@_text.register
-def _(node: lay.Derivative) -> str:
-    d = "∂" if node.partial else "d"
-    order = str(node.order).translate(_SUPERSCRIPTS) if node.order > 1 else ""
-    body, by = _text(node.body), _text(node.by)
-    made = (
-        f"{d}{order}{body}/{d}{by}{order}" if node.inside else f"{d}{order}/{d}{by}{order} {body}"
-    )
-    return f"({made})_{node.frame}" if node.frame else made
-
-
-@_text.register
-def _(node: lay.Big) -> str:
-    sign = {"∑": "Σ"}.get(node.sign, node.sign)
-    index = "" if node.index is None else _text(node.index)
-    if node.limits is not None:
-        ends = ", ".join(map(_text, node.limits))
-        return f"{sign}[{index + ' = ' if index else ''}{ends}] {_text(node.body)}"
-    if node.sign == "∫":
-        bounds = node.index.bounds if isinstance(node.index, lay.Measure) else ()
-        between = f" from {' to '.join(map(_text, bounds))}" if bounds else ""
-        return " ".join(filter(None, (sign + between, index, _text(node.body))))
-    return f"{sign}_{index} {_text(node.body)}" if index else f"{sign} {_text(node.body)}"
-
-
-@_text.register
-def _(node: lay.Measure) -> str:
-    return "d" + node.dimension.translate(_SUPERSCRIPTS) + _text(node.variable)
-
-
-@_text.register
-def _(node: lay.Grid) -> str:
-    return "[" + "; ".join(", ".join(map(_text, row)) for row in node.rows) + "]"
-
-
-@_text.register
-def _(node: lay.Listed) -> str:
-    between = ", " if node.between == "," else f" {node.between} "
-    return between.join(map(_text, node.items))
-
-
-@_text.register
-def _(node: lay.Chain) -> str:
-    made = _text(node.sides[0])
-    for sign, side in zip(node.signs, node.sides[1:], strict=True):
-        made += f" {sign} {_text(side)}"
-    return made
