@@ -45,7 +45,8 @@ from rigidtop.proof.moves import Known
 from rigidtop.proof.verdict import entries
 from rigidtop.read.document import Formula, Problem, bare, formulas, places, problems
 from rigidtop.read.formula import Line, read
-from rigidtop.read.scan import Token, UnreadError, tokens
+from rigidtop.read.scan import Token, tokens
+from rigidtop.read.tex import UnreadError
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.lettered import Lettered

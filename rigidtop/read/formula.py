@@ -29,8 +29,8 @@ from rigidtop.notation.convention import own
 from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import Equation
 from rigidtop.read.macros import Macros, expanded
-from rigidtop.read.own import ANGLES, CONDITIONS, Own, words
-from rigidtop.read.scan import Scan, Token, UnreadError, limited, pieces, shown, tokens
+from rigidtop.read.scan import ANGLES, CONDITIONS, Scan, Token, limited, shown
+from rigidtop.read.tex import UnreadError, pieces, words
 from rigidtop.theory import symbols as s
 from rigidtop.theory.lettered import Lettered, known
 from rigidtop.theory.symbols import Glyph
@@ -95,22 +95,18 @@ def read(
 
 def scanned(text: str, notation: Notation, habits: Habits) -> list[Token]:
     """The tokens of a formula, its macros put in."""
-    if not notation.open and not habits.macros:
-        return tokens(text, notation)
     items = expanded(pieces(text), habits.macros)
-    if not notation.open:
-        return limited(Scan(items, notation))
-    found = limited(Own(items, notation, functions=habits.functions, timed=habits.timed))
-    here = _with(habits, found, text)
+    found = limited(Scan(items, notation, habits.functions, habits.timed))
+    here = _with(habits, found, text) if notation.open else habits
     if here == habits:
         return found
-    return limited(Own(items, notation, functions=here.functions, timed=here.timed))
+    return limited(Scan(items, notation, here.functions, here.timed))
 
 
 def with_habits(habits: Habits, text: str, notation: Notation) -> Habits:
     """What is known of an author's letters, with what one more formula says of them."""
     items = expanded(pieces(text), habits.macros)
-    return _with(habits, limited(Own(items, notation)), text)
+    return _with(habits, limited(Scan(items, notation)), text)
 
 
 def _with(habits: Habits, found: Sequence[Token], text: str) -> Habits:
@@ -600,6 +596,8 @@ class _Builder(Transformer_NonRecursive):
     def __init__(self, notation: Notation) -> None:
         super().__init__()
         self.notation = notation
+        self.differentials: dict[Any, tuple[int, Any]] = {}
+        """Of dx, d³r: the order, and the letter."""
 
     def __default_token__(self, token: Lexeme) -> Token:
         return token.value
@@ -677,7 +675,7 @@ class _Builder(Transformer_NonRecursive):
         for factor, after in pairwise(factors):
             if (factor.alone and factor.ends) or (after.alone and after.ends):
                 raise UnreadError(factor.ends or after.ends, after.position)
-            if after.literal:
+            if after.literal and not _is_differential(factor.tree):
                 raise UnreadError(
                     "a number behind a factor: a power x^2, an index x_2, or a factor 2x?",
                     after.position,
@@ -758,27 +756,35 @@ class _Builder(Transformer_NonRecursive):
         return _made(made, body.kind, body, *limits, position=items[0].position)
 
     def integral(self, items: list[Any]) -> _Value:
-        """∫ of a term, which must hold as many differentials as integrals."""
+        """∫ of a term, which must hold as many differentials as integrals.
+
+        In the letters of a table it is over d³r, or over a letter between two ends.
+        """
         *limits, body = (item.closed for item in items[1:])
+        place = items[0].position
+        found = [node for node in _nodes(body.tree) if _is_differential(node)]
         nested = sum(isinstance(node, eq.Integrated) for node in _nodes(body.tree))
-        if sum(_is_differential(node) for node in _nodes(body.tree)) != nested + 1:
-            raise UnreadError(
-                "an integral without its dx: put brackets round all that it is of",
-                items[0].position,
-            )
-        tree = eq.Integrated(body.tree, *(limit.tree for limit in limits))
-        return _made(tree, body.kind, body, *limits, position=items[0].position)
+        if len(found) != nested + 1:
+            reason = "an integral without its dx: put brackets round all that it is of"
+            raise UnreadError(reason, place)
+        ends = [limit.tree for limit in limits]
+        tree: Any = eq.Integrated(body.tree, *ends)
+        if not self.notation.open:
+            order, of = self.differentials[found[0]]
+            rest = _without(body.tree, found[0])
+            if rest is not None and (order, of, ends) == (3, s.r_vec, []):
+                tree = eq.VolumeIntegral(Symbol("d3r"), rest)
+            elif rest is not None and order == 1 and kind(of) == "scalar" and len(ends) == 2:
+                tree = eq.IntegralOver(of, *ends, rest)
+            else:
+                reason = r"an integral is \int d^3\mathbf r, or \int_a^b dx with its dx as a factor"
+                raise UnreadError(reason, place)
+        return _made(tree, body.kind, body, *limits, position=place)
 
-    def integrated(self, items: list[Any]) -> _Value:
-        body = items[1].closed
-        made = eq.VolumeIntegral(Symbol("d3r"), body.tree)
-        return _made(made, body.kind, body, position=items[0].position)
-
-    def between(self, items: list[Any]) -> _Value:
-        parts = [item.closed for item in items if isinstance(item, _Value)]
-        *bounds, body = parts
-        made = eq.IntegralOver(*(part.tree for part in bounds), body.tree)
-        return _made(made, body.kind, body, position=items[0].position)
+    def differential(self, items: list[Any]) -> _Value:
+        tree, order, of = items[0].value
+        self.differentials[tree] = order, of
+        return _Value(tree, kind(tree), items[0].position)
 
     # Factors
 
@@ -855,7 +861,7 @@ class _Builder(Transformer_NonRecursive):
         body = items[1].closed
         if body.kind != "scalar":
             raise UnreadError(f"the root of a {body.kind}", body.position)
-        tree = Pow(body.tree, Rational(1, 2), evaluate=False)
+        tree = Pow(body.tree, Rational(1, items[0].value), evaluate=False)
         return _made(tree, "scalar", body, position=items[0].position)
 
     def size(self, items: list[Any]) -> _Value:
@@ -893,6 +899,8 @@ class _Builder(Transformer_NonRecursive):
 
     def evaluated(self, items: list[Any]) -> _Value:
         body, place = items[0].closed, items[1]
+        if not self.notation.open:
+            raise UnreadError("a value at one place", place.position)
         tree = eq.Evaluated(body.tree, Symbol(place.value))
         ends = "" if isinstance(body.tree, (eq.Group, Symbol)) else "taken at a place: put brackets"
         return _made(tree, body.kind, body, position=body.position, alone=True, ends=ends)
@@ -905,6 +913,10 @@ class _Builder(Transformer_NonRecursive):
             if not isinstance(variable.tree, (Symbol, eq.At)):
                 raise UnreadError("a derivative is by a letter", variable.position)
         node = eq.Partial if items[0].value == "∂" else eq.Slope
+        simple = len(by) == 1 and of.kind == by[0].kind == "scalar"
+        if not (self.notation.open or (simple and node is eq.Partial)):
+            reason = "a derivative is by the time, or a partial one of a scalar by a letter"
+            raise UnreadError(reason, items[0].position)
         tree = node(of.tree, *(variable.tree for variable in by))
         gradient = any(variable.kind == "vector" for variable in by)
         shown = "vector" if gradient else of.kind
@@ -929,12 +941,6 @@ class _Builder(Transformer_NonRecursive):
             tree = eq.Rate(tree)
         ends = "the derivative could go on here: put brackets"
         return _made(tree, of.kind, of, position=operator.position, ends=ends)
-
-    def partial(self, items: list[Any]) -> _Value:
-        of, by = items[1].closed, items[2].closed
-        if of.kind != "scalar" or by.kind != "scalar" or not isinstance(by.tree, Symbol):
-            raise UnreadError("a partial derivative is of a scalar by a letter", of.position)
-        return _made(eq.Partial(of.tree, by.tree), "scalar", of, by, position=items[0].position)
 
     def rate(self, items: list[Any]) -> _Value:
         operator, what = items[0], items[1].closed
@@ -1146,6 +1152,22 @@ def _is_differential(node: Any) -> bool:
     if not isinstance(node, Lettered):
         return False
     return bool(re.fullmatch("d[²³]?\\w[\u0300-\u036f′]*", node.quantity.glyph.base))
+
+
+def _without(tree: Any, factor: Any) -> Any | None:
+    """A product without one of its factors; None if it is no factor of it."""
+    if tree == factor:
+        return Integer(1)
+    if not isinstance(tree, (Mul, eq.Cross, eq.Dot)):
+        return None
+    for i, part in enumerate(tree.args):
+        rest = _without(part, factor)
+        if rest is None or (rest == 1 and not isinstance(tree, Mul)):
+            continue
+        kept = [*tree.args[:i], *([] if rest == 1 else [rest]), *tree.args[i + 1 :]]
+        whole = {"evaluate": False} if isinstance(tree, Mul) else {}
+        return tree.func(*kept, **whole) if len(kept) > 1 else kept[0]
+    return None
 
 
 def _number(token: Token) -> _Value:

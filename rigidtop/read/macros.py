@@ -4,7 +4,7 @@ They are taken from ``\newcommand``, ``\renewcommand``, ``\providecommand``, ``\
 ``\DeclareMathOperator``, and put in piece by piece: nothing else of TeX is carried out.  How deep
 macros may stand in macros, and how much may come of them, is limited.
 
->>> from rigidtop.read.scan import pieces
+>>> from rigidtop.read.tex import pieces
 >>> known = defined(r"\newcommand{\dd}[2][t]{\frac{d #2}{d #1}}")
 >>> "".join(p.text for p in expanded(pieces(r"\dd{x}+\dd[s]{y}"), known))
 '\\frac{}{}+\\frac{}{}'
@@ -17,7 +17,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
 
-from rigidtop.read.scan import Piece, UnreadError, pieces
+from rigidtop.read.tex import Piece, UnreadError, pieces
 
 DEEPEST = 20
 """Macros are not put into macros deeper."""

@@ -34,7 +34,7 @@ from rigidtop.proof.lecture import Block, Heading, Lecture, Prose, Shown, Text
 from rigidtop.proof.moves import Known, Move, Scope
 from rigidtop.read import sentence as language
 from rigidtop.read.formula import read
-from rigidtop.read.scan import unread
+from rigidtop.read.tex import unread
 
 _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z])")
 _HIDDEN = re.compile(r"\$\$|\\\[|\\begin\{|^```+ *math", re.M)

@@ -18,7 +18,7 @@ from rigidtop.notation import Notation
 from rigidtop.read.document import formulas
 from rigidtop.read.formula import Habits, with_habits
 from rigidtop.read.macros import PACKAGES, Macros, defined
-from rigidtop.read.scan import UnreadError
+from rigidtop.read.tex import UnreadError
 from rigidtop.textfile import text_of
 
 DEEPEST = 8

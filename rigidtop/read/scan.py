@@ -1,33 +1,47 @@
-"""TeX taken apart: groups, commands and letters become the tokens of a formula, with their places.
+r"""A formula taken apart: the tokens of our pages, and of anyone's notes, with their places.
 
 What has a meaning only in TeX ends here: spacing, sizes of brackets, fonts, accents, scripts.  A
-letter with its font, accent, index and prime is one token: the symbol that the notation declares.
-Unicode, HTML's entities and its tags for indices are understood as the TeX that they stand for.
+letter with its font, accent, index and prime is one token: the symbol that the notation has for
+it, or, if the notation is open, a symbol of its own.  Where a text could mean two things it is not
+read, and the reason says which two.
+
+>>> from rigidtop.notation import OWN
+>>> [token.kind for token in tokens(r"V(x) = \int_0^x F\,dx", OWN)][:6]
+['SYMBOL', 'OF', 'SYMBOL', 'FO', 'RELATION', 'INTEGRAL']
 """
 
 from __future__ import annotations
 
-import html
 import re
 import unicodedata
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
+from itertools import pairwise
 from typing import Any
 
 import sympy
 
-from rigidtop.errors import RigidtopError
 from rigidtop.notation import Notation
-from rigidtop.notation.characters import GREEK, MARKS, MATHS, SUBSCRIPTS, SUPERSCRIPTS
-from rigidtop.theory import symbols as s
+from rigidtop.notation.convention import own
+from rigidtop.read.tex import (
+    BOLD,
+    DEEPEST,
+    FONTS,
+    GREEKS,
+    NOTHING,
+    TEXTS,
+    UPRIGHT,
+    Piece,
+    UnreadError,
+    commands,
+    flat,
+    listed,
+    pieces,
+    plain,
+    said,
+    split,
+)
 from rigidtop.theory.symbols import VOCABULARY, Glyph
-
-LONGEST = 20_000
-"""A formula is no longer than this (characters)."""
-
-DEEPEST = 40
-"""Groups, brackets and environments are not nested deeper."""
 
 MOST = 4_000
 """A formula has no more tokens."""
@@ -35,17 +49,8 @@ MOST = 4_000
 DIGITS = 40
 """A number has no more digits."""
 
-
 MOST_INDICES = 6
 """ω_{1,2,…} is a list of no more."""
-
-
-class UnreadError(RigidtopError):
-    """What can't be read, and where: `position` counts characters from the start of the text."""
-
-    def __init__(self, reason: str, position: int) -> None:
-        super().__init__(reason)
-        self.reason, self.position = reason, position
 
 
 @dataclass(frozen=True)
@@ -57,143 +62,52 @@ class Token:
     position: int
 
 
-# --- TeX -----------------------------------------------------------------------------------------
+# --- What is written how -------------------------------------------------------------------------
 
-
-@dataclass(frozen=True)
-class Piece:
-    """A command with its backslash, a character, or (``{}``) a group of pieces."""
-
-    text: str
-    position: int
-    group: tuple[Piece, ...] = ()
-
-
-_RAISED, _LOWERED = "".join(SUPERSCRIPTS), "".join(SUBSCRIPTS)
-_TEX = re.compile(
-    r"\\(?:tag|operatorname)\*|\\[A-Za-z]+|\\.|%[^\n]*"
-    r"|&(?:#\d{1,6}|#x[0-9A-Fa-f]{1,6}|[A-Za-z]{2,31});"
-    r"|</?(?:sup|sub|b|i|em|strong|u|span|br)\b[^<>\n]{0,40}>"
-    rf"|[{_RAISED}]+|[{_LOWERED}]+|\s+|[^\\\s]|\\",
-    re.S,
+_SPACES = commands("quad qquad enspace hfill")
+_SKIPPED = commands("label hspace vspace phantom hphantom vphantom color textcolor mspace hskip")
+_SKIPPED |= commands("colorbox cite")
+"""Commands that are left out with their first argument."""
+_LEFT_OUT = commands(
+    "boxed fbox mathop mathord mathrel ensuremath scriptstyle displaylimits strut mathstrut null "
+    "relax qedhere smash mathclap bf@series protect hfil centering nobreak / -"
 )
-_CONTROL = re.compile("[\x00-\x08\x0e-\x1b\x7f]")
-_TAGS = {"<sup>": "^{", "<sub>": "_{", "<b>": r"\mathbf{", "<strong>": r"\mathbf{", "<br>": r"\\"}
-_TAGS |= {"</sup>": "}", "</sub>": "}", "</b>": "}", "</strong>": "}"}
-_COMBINING = {mark: tex.split("{")[0] for mark, tex in MARKS.items()}
-
-
-def pieces(text: str) -> tuple[Piece, ...]:
-    """The pieces of TeX, what stands in braces taken together, spaces and comments left out.
-
-    >>> [piece.text for piece in pieces(r"\\frac{a}2 % half")]
-    ['\\\\frac', '{}', '2']
-    >>> [piece.text for piece in pieces("ω̇₃²")]
-    ['\\\\dot', '{}', '_', '{}', '^', '{}']
-    """
-    if len(text) > LONGEST:
-        raise UnreadError(f"longer than {LONGEST} characters", LONGEST)
-    control = _CONTROL.search(text)
-    if control is not None:
-        reason = f"a control character (U+{ord(control[0]):04X}), which no formula has"
-        raise UnreadError(reason, control.start())
-    stack: list[tuple[int, list[Piece]]] = [(0, [])]
-    for found, position in _atoms(text):
-        inside = stack[-1][1]
-        if found == "{":
-            if len(stack) > DEEPEST:
-                raise UnreadError(f"nested deeper than {DEEPEST}", position)
-            stack.append((position, []))
-        elif found == "}":
-            if len(stack) == 1:
-                raise UnreadError("a } without its {", position)
-            start, done = stack.pop()
-            stack[-1][1].append(Piece("{}", start, tuple(done)))
-        elif found in _COMBINING:
-            if not inside:
-                raise UnreadError("an accent above nothing", position)
-            last = inside.pop()
-            inside += [Piece(_COMBINING[found], last.position), Piece("{}", position, (last,))]
-        else:
-            inside.append(Piece(found, position))
-    if len(stack) > 1:
-        raise UnreadError("a { without its }", stack[-1][0])
-    return tuple(stack[0][1])
-
-
-def _atoms(text: str) -> Iterator[tuple[str, int]]:
-    for match in _TEX.finditer(text):
-        found = match[0]
-        if found.isspace() or (found[0] == "%" and found != "%"):
-            continue
-        written = _written(found)
-        if written is None:
-            yield found, match.start()
-        else:
-            for inner in _TEX.finditer(written):
-                if not inner[0].isspace():
-                    yield inner[0], match.start()
-
-
-@cache
-def _written(found: str) -> str | None:
-    """The TeX for what is not TeX; None for TeX."""
-    if found[0] == "&" and len(found) > 1:
-        character = html.unescape(found)
-        if len(character) > 1:
-            return None
-        return _written(character) or character
-    if found[0] == "<" and len(found) > 1:
-        return _TAGS.get(re.sub(r"\s.*|(?<=br)/", "", found[:-1], flags=re.S) + ">", "")
-    if found[0].isascii():
-        return None
-    if found[0] in SUPERSCRIPTS:
-        return "^{" + "".join(SUPERSCRIPTS[c] for c in found) + "}"
-    if found[0] in SUBSCRIPTS:
-        return "_{" + "".join(SUBSCRIPTS[c] for c in found) + "}"
-    if found in MATHS:
-        return MATHS[found]
-    return _taken_apart(found)
-
-
-def _taken_apart(character: str) -> str | None:
-    """A letter with an accent, or of another style: ẑ, 𝐋."""
-    parts = unicodedata.normalize("NFD", character)
-    if len(parts) == 2 and parts[1] in _COMBINING:
-        return _COMBINING[parts[1]] + "{" + parts[0] + "}"
-    plain = unicodedata.normalize("NFKC", character)
-    if plain == character or len(plain) != 1:
-        return " " if character.isspace() else None
-    if "BOLD" in unicodedata.name(character, ""):
-        return r"\mathbf{" + plain + "}"
-    return MATHS.get(plain, plain)
-
-
-# --- Formulas ------------------------------------------------------------------------------------
-
-_NOTHING = frozenset(
-    "\\" + name
-    for name in (
-        *(",", ";", ":", "!", " ", "\n", "thinspace", "displaystyle", "textstyle", "limits"),
-        *("nolimits", "nonumber", "notag", "left", "right", "middle", "allowbreak", "noindent"),
-        *(size + side for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r", "m")),
-    )
-) | {"~"}
-_SPACES = frozenset({r"\quad", r"\qquad", r"\enspace", r"\hfill"})
-_SKIPPED = frozenset({r"\label", r"\hspace", r"\vspace", r"\phantom", r"\hphantom", r"\vphantom"})
-_BETWEEN = frozenset({r"\intertext", r"\shortintertext"})
-_RELATIONS = {
+_BETWEEN = commands("intertext shortintertext")
+_JUDGED = {
     "=": "=",
-    r"\equiv": "≡",
-    r"\neq": "≠",
-    r"\ne": "≠",
     "<": "<",
     ">": ">",
     r"\lt": "<",
     r"\gt": ">",
+    r"\equiv": "≡",
+    r"\neq": "≠",
+    r"\ne": "≠",
     r"\approx": "≈",
 }
-_PLAIN = {
+"""The relations that our pages have."""
+_RELATIONS = {
+    **_JUDGED,
+    **dict.fromkeys(commands("le leq leqslant"), "≤"),
+    **dict.fromkeys(commands("ge geq geqslant"), "≥"),
+    **dict.fromkeys(commands("simeq cong approxeq"), "≃"),
+    **dict.fromkeys(commands("triangleq coloneqq doteq eqqcolon coloneq"), "≡"),
+    r"\ll": "≪",
+    r"\gg": "≫",
+    r"\sim": "∼",
+    r"\propto": "∝",
+    r"\lesssim": "≲",
+    r"\gtrsim": "≳",
+    r"\perp": "⊥",
+    r"\parallel": "∥",
+}
+_ARROWS = commands(
+    "Rightarrow Longrightarrow implies Leftrightarrow iff Longleftrightarrow therefore "
+    "rightarrow to longrightarrow leftrightarrow longleftrightarrow because"
+)
+_SIGNS = {r"\pm": ("+", "-"), r"\mp": ("-", "+")}
+_MATHEMATICAL = frozenset({*_RELATIONS, *_SIGNS, "$", r"\to", r"\in"})
+_OMITTED = commands("cdots ldots dots dotsb dotsc vdots") | {"…", "⋯"}
+_BRACKETS = {
     "(": "OPEN",
     ")": "CLOSE",
     r"\{": "OPEN",
@@ -207,47 +121,107 @@ _PLAIN = {
     r"\times": "CROSS",
     r"\sum": "SUM",
 }
-_PLAIN |= dict.fromkeys(
-    (
-        *(r"\Rightarrow", r"\Longrightarrow", r"\implies", r"\Leftrightarrow", r"\iff"),
-        *(r"\Longleftrightarrow", r"\therefore"),
-    ),
-    "ARROW",
+_REFUSED = {
+    **dict.fromkeys(commands("langle rangle"), "an average or a product in ⟨ ⟩"),
+    **dict.fromkeys(commands("in notin subset subseteq cup cap"), "a set"),
+    **dict.fromkeys(commands("forall exists mapsto colon"), "a map or a quantifier"),
+    **dict.fromkeys(commands("lim limsup liminf"), "a limit"),
+    **dict.fromkeys(commands("max min sup inf arg"), "an extremum"),
+    **dict.fromkeys(commands("otimes oplus wedge circ bullet"), "a product of a kind"),
+    **dict.fromkeys(commands("prod coprod binom"), "a product over an index, or a binomial"),
+    **dict.fromkeys(commands("cancel bcancel xcancel cancelto"), "what is struck out"),
+    **dict.fromkeys(commands("iint iiint oint"), "an integral of several dimensions"),
+    **dict.fromkeys(commands("includegraphics xymatrix tikz"), "a picture"),
+    "*": "a star: a product is written without one",
+    "!": "a factorial",
+    "?": "a question mark",
+}
+_DEGREES = "an angle in degrees: the reader knows radians"
+_FRACTIONS = commands("dfrac cfrac tfrac frac nicefrac")
+_FUNCTIONS = commands(
+    "sin cos tan arcsin arccos arctan sinh cosh tanh exp log ln det cot sec csc coth"
 )
-_FUNCTIONS = frozenset(
-    "\\" + name
-    for name in (
-        *("sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh"),
-        *("exp", "log", "ln", "det"),
-    )
+_SPELLED = ("sin", "cos", "tan", "exp", "log")
+_WORDS = frozenset(name[1:] for name in _FUNCTIONS) | {"tr", "Tr"}
+"""Functions that are written as words."""
+_ELLIPTIC = frozenset({"K", "F"})
+"""In the letters of a table these are functions too: ``\\operatorname{K}``."""
+
+_OVER = {r"\dot": 1, r"\ddot": 2}
+_MARKS = {
+    **dict.fromkeys(commands("bar overline"), "\u0304"),
+    **dict.fromkeys(commands("tilde widetilde"), "\u0303"),
+    r"\check": "\u030c",
+    r"\breve": "\u0306",
+    r"\mathring": "\u030a",
+}
+_STYLES = {
+    r"\mathcal": "SCRIPT",
+    r"\mathscr": "SCRIPT",
+    r"\cal": "SCRIPT",
+    r"\mathfrak": "FRAKTUR",
+    r"\mathbb": "DOUBLE-STRUCK",
+}
+_HATS = commands("hat widehat")
+"""With a small hat a letter is a unit vector; a wide one is a matrix, or what an author makes."""
+_DRESSES = FONTS | _HATS | frozenset(_MARKS) | frozenset(_OVER)
+_WORDED = UPRIGHT | commands("textrm text textit mathtt mbox textsf")
+_UPRIGHT_ALONE = commands("mathrm operatorname operatorname* mathit")
+_LETTERS = {
+    **GREEKS,
+    r"\ell": "ℓ",
+    r"\hbar": "ħ",
+    r"\imath": "i",
+    r"\jmath": "j",
+    r"\infty": "∞",
+    "∞": "∞",
+    r"\varpi": "ϖ",
+    r"\digamma": "Ϝ",
+}
+_ALPHABET = frozenset("αβγδεζηθικλμνξοπρσςτυφχψωΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩϕϑϖϵℓℒħℋ")
+_SETS = frozenset("RNZCQ")
+_TIME = own(Glyph("t"))
+ANGLES = frozenset("θφψϕϑαβγχϖ")
+_TIMELY = frozenset("xyzrqθφψϕsuvω")
+_INDEXES = frozenset("ijklμνcefgos") | frozenset("ABCDEFGHIJKLMOPQRSUVWXYZ")
+"""Letters that above another may be its index; n, m, p, x are rather a power."""
+_ORDERS = frozenset({"O", "o", "𝒪", "Δ", "δ", "Γ"})
+"""Letters whose brackets never hold a factor."""
+_POTENTIALS = frozenset({"f", "F", "U", "V", "H", "ψ", "Ψ"})
+"""Letters whose brackets may hold either: it is not guessed."""
+
+CONDITIONS: frozenset[str] = listed(
+    "for if when whenever unless provided assuming as at per se quando für wenn falls bei pour "
+    "quand si para cuando om når hvis since because 当 若 如果 因为"
 )
-_WORDS = frozenset(name[1:] for name in _FUNCTIONS) | {"tr", "Tr", "K", "F"}
-"""Functions that are written as words: `\\operatorname{K}`."""
-_BOLD = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\vec", r"\bf", r"\pmb", r"\bold"})
-_UPRIGHT = frozenset({r"\mathrm", r"\mathit", r"\mathnormal", r"\mathsf", r"\rm", r"\it"})
-_FONTS = _BOLD | _UPRIGHT
-_ACCENTS = {r"\dot": "dot", r"\ddot": "ddot", r"\hat": "hat", r"\widehat": "hat"}
-_SCRIPT = frozenset({r"\mathcal", r"\mathscr", r"\cal"})
-_VARIANTS = {"varphi": "φ", "vartheta": "θ", "varepsilon": "ε", "varrho": "ρ", "varOmega": "Ω"}
-_GREEK = {"\\" + name: letter for name, letter in {**GREEK, **_VARIANTS}.items()}
-_LETTERS = _GREEK | {r"\perp": "⊥", r"\parallel": "∥", r"\partial": "∂", r"\top": "T"}
-_LETTERS |= {r"\intercal": "T", r"\prime": "′", "'": "′"}
-_TEXTS = frozenset({r"\text", r"\textrm", r"\textit", r"\mbox", r"\hbox", r"\operatorname"})
-_TEXTS |= {r"\operatorname*", r"\mathrm", r"\textnormal", r"\mathit"}
-_MATRICES = frozenset({"matrix", "pmatrix", "bmatrix", "Bmatrix"})
-_LINES = frozenset(
-    name + star
-    for name in (
-        *("aligned", "align", "array", "split", "gather", "gathered", "eqnarray", "equation"),
-        *("alignat", "alignedat", "multline", "flalign"),
-    )
-    for star in ("", "*")
+_CONNECTIVES = listed(
+    "and or where with so then thus hence but is are from by to let we that which e ed ou et oder "
+    "und wobei dove con med og y avec où soit i.e. e.g. otherwise therefore now"
 )
-_OPENING, _CLOSING = frozenset({r"\lvert", r"\lVert"}), frozenset({r"\rvert", r"\rVert"})
-_BARS = frozenset({"|", r"\|", r"\vert", r"\Vert"}) | _OPENING | _CLOSING
-_TRANSPOSED = frozenset({"T", "⊤"})
 _CONSTANT = frozenset({"const", "constant", "konst"})
+_UNIT = re.compile(
+    r"\(?(?:[kmcMGμn]?(?:m|g|s|N|J|W|Hz|Pa|K|C|V|A|eV|cal)|rad|deg|kg|min|h|hr|km|mi|yr|AU|sec)"
+    r"(?:\^?\{?[-−]?\d\}?)?(?:[·/ ]?(?:[kmcMGμn]?(?:m|g|s|N|J|W|Hz|Pa|K|C|V|A)|rad|kg|min|h|hr)"
+    r"(?:\^?\{?[-−]?\d\}?)?)*\)?"
+)
 _LENGTH = re.compile(r"\s*-?[\d.,]+\s*(?:pt|em|ex|mm|cm|in)\s*")
+_NUMBER_OF = re.compile(r"\(\d+(?:\.\d+)*[a-z]?\)")
+
+_CASES = listed("cases dcases rcases numcases cases* dcases*")
+_MATRICES = listed("matrix pmatrix bmatrix Bmatrix smallmatrix pmatrix* bmatrix* matrix*")
+_LINES = listed(
+    "aligned align array split gather gathered eqnarray equation alignat alignedat multline "
+    "flalign empheq subequations multlined dmath displaymath math IEEEeqnarray Aligned"
+)
+_ARGUED = listed("alignedat alignat IEEEeqnarray empheq")
+_OPENING, _CLOSING = commands("lvert lVert"), commands("rvert rVert")
+_BARS = frozenset({"|", r"\|"}) | commands("vert Vert") | _OPENING | _CLOSING
+_TRANSPOSED = frozenset({"T", "⊤"})
+DECIMALS = frozenset("0123456789")
+_SIGNS_AROUND = frozenset({*_RELATIONS, "+", "-", "_", "^", "/", r"\cdot", r"\times"})
+_BEFORE_LAST = frozenset({"RELATION", "SIGN", "SIGNS", "SLASH", "DOT", "CROSS"})
+_BEFORE = _BEFORE_LAST | {"", "NUMBER", "ALIGN", "LINE", "SPACE", "SEPARATOR", "ARROW", "WORDS"}
+_BEFORE |= {"OPEN", "LIST", "OF", "COMMA"}
 
 
 def tokens(text: str, notation: Notation) -> list[Token]:
@@ -266,20 +240,42 @@ def limited(scan: Scan) -> list[Token]:
 
 
 class Scan:
-    """Goes through pieces from left to right."""
+    """Goes through pieces from left to right.
+
+    In an open notation any letter is one, in any dress.  `functions` are the letters that are
+    functions elsewhere in the file, each with a letter that it is a function of: V with x where
+    V(x) stands; `timed` are those that depend on the time: x where x(t) stands.
+    """
 
     def __init__(
-        self, items: Sequence[Piece], notation: Notation, depth: int = 0, level: int = 0
+        self,
+        items: Sequence[Piece],
+        notation: Notation,
+        functions: frozenset[tuple[Glyph, str]] = frozenset(),
+        timed: frozenset[Glyph] = frozenset(),
+        depth: int = 0,
+        outer: Scan | None = None,
     ) -> None:
-        self.items, self.notation, self.at = list(items), notation, 0
-        self.depth, self.level = depth, level
-        """Of brackets: commas outside all separate equations, inside entries.  Of groups."""
+        self.level: int = outer.level + 1 if outer is not None else 0
+        self.items, self.notation, self.at = list(_infix(items, self.level)), notation, 0
+        self.open = notation.open
+        self.functions, self.timed = functions, timed
+        self.depth = depth
+        """Of brackets: commas outside all separate equations, inside entries."""
         self.nested = depth > 0
         self.bars: list[bool] = []
         self.called: int | None = None
         """How deep the function stands whose brackets are open."""
         self.commented = -1
         """Where && stood: words there are a comment."""
+        self.pairs: dict[tuple[str, str], tuple[int, dict[int, int]]] = {}
+        self.calls: set[int] = set()  # where brackets open that hold arguments
+        self.ends: list[tuple[int, str]] = []  # how deep what closes otherwise than it looks
+        self.last = ""
+        texts = set() if outer else {piece.text for piece in flat(items)}
+        self.two_signs: bool = outer.two_signs if outer else bool(texts & set(_SIGNS))
+        self.integrals: bool = outer.integrals if outer else r"\int" in texts
+        self.lonely_d: bool = outer.lonely_d if outer else _lonely_d(items)
 
     # Moving
 
@@ -295,42 +291,96 @@ class Scan:
         return piece
 
     def skip(self) -> None:
-        while self.peek().text in _NOTHING:
-            self.at += 1
+        self.at = self.behind(self.at)
+
+    def behind(self, at: int, nothing: frozenset[str] = NOTHING) -> int:
+        """Where something stands, from a place on."""
+        while at < len(self.items) and self.items[at].text in nothing:
+            at += 1
+        return at
 
     def argument(self, of: Piece) -> tuple[Piece, ...]:
-        """What a command takes: a group, or one piece."""
+        r"""What a command takes, with what that takes in turn: ``x_\mathrm{cm}``."""
         self.skip()
         piece = self.take()
         if not piece.text:
             raise UnreadError(f"{of.text} without what it is to act on", of.position)
-        return piece.group if piece.text == "{}" else (piece,)
+        if piece.text == "{}":
+            return piece.group
+        takes = 2 if piece.text in _FRACTIONS else piece.text in _DRESSES | TEXTS | set(_STYLES)
+        return (piece, *(self.take() for _ in range(takes) if self.peek().text))
 
-    def inside(self, group: Sequence[Piece], nested: bool = True) -> Iterator[Token]:
+    def within(self, group: Sequence[Piece], depth: int = 0) -> Scan:
+        """What goes through the pieces of a group."""
         if self.level > DEEPEST:
             raise UnreadError(f"nested deeper than {DEEPEST}", self.peek().position)
-        depth = self.depth + nested
-        inner = self.within(group, depth)
+        return Scan(group, self.notation, self.functions, self.timed, depth, self)
+
+    def inside(self, group: Sequence[Piece], nested: bool = True) -> Iterator[Token]:
+        inner = self.within(group, self.depth + nested)
         inner.called = -1 if self.called is not None else None
         yield from inner.tokens()
-
-    def within(self, group: Sequence[Piece], depth: int) -> Scan:
-        """What goes through the pieces of a group."""
-        return type(self)(group, self.notation, depth, self.level + 1)
 
     def braced(self, group: Sequence[Piece], position: int) -> Iterator[Token]:
         yield Token("_BEGIN", "{", position)
         yield from self.inside(group)
         yield Token("_END", "}", group[-1].position + 1 if group else position)
 
-    # Reading
+    def closing(self, at: int, pair: tuple[str, str] = ("(", ")")) -> int | None:
+        """Where the bracket that opens there closes."""
+        known = self.pairs.get(pair)
+        if known is None or known[0] != len(self.items):
+            opened: list[int] = []
+            closes: dict[int, int] = {}
+            for i, piece in enumerate(self.items):
+                if piece.text == pair[0]:
+                    opened.append(i)
+                elif piece.text == pair[1] and opened:
+                    closes[opened.pop()] = i
+            known = self.pairs[pair] = len(self.items), closes
+        return known[1].get(at)
+
+    def bracketed(self, at: int, pair: tuple[str, str] = ("(", ")")) -> tuple[list[Piece], int]:
+        """What stands in the bracket that opens there, and where it closes; -1 if it does not."""
+        end = self.closing(at, pair) if at < len(self.items) else None
+        if end is None:
+            return [], -1
+        return [piece for piece in self.items[at + 1 : end] if piece.text not in NOTHING], end
+
+    def is_letter(self, at: int) -> bool:
+        """Whether what stands there is one letter, whatever it has above or at it."""
+        return self.one_letter(self.items[at : at + 2])
+
+    def one_letter(self, inner: Sequence[Piece]) -> bool:
+        found = self.within(inner)
+        try:
+            found.letter()
+        except UnreadError:
+            return False
+        return bool(inner) and found.at >= len(found.items)
+
+    def starts_letter(self, at: int) -> bool:
+        """Whether a letter begins there."""
+        text = self.items[at].text if at < len(self.items) else ""
+        if text == "{}":
+            group = self.items[at].group
+            return bool(group) and self.within(group).starts_letter(0)
+        return text in _DRESSES or text in _LETTERS or text in _STYLES or self.is_alphabetic(text)
+
+    def is_alphabetic(self, text: str) -> bool:
+        """Whether it is a letter that formulas have: in a table any may stand."""
+        return len(text) == 1 and text.isalpha() and (not self.open or _is_latin(text))
+
+    # What stands there
 
     def tokens(self) -> Iterator[Token]:
         """Outside all brackets what can't be read is a token too, and the rest is read on."""
         while self.at < len(self.items):
             begun = self.at
             try:
-                yield from self.next()
+                for token in self.next():
+                    self.last = token.kind
+                    yield token
             except UnreadError as error:
                 if self.nested:
                     raise
@@ -340,26 +390,26 @@ class Scan:
     def next(self) -> Iterator[Token]:
         piece = self.peek()
         text, position = piece.text, piece.position
-        if text in _NOTHING:
+        single = self.single()
+        if single is not None:
+            yield Token(*single, position)
+        elif text == r"\left":
+            yield from self.left()
+        elif text in NOTHING or text in _LEFT_OUT:
             self.take()
-            if text in (r"\left", r"\right") and self.peek().text == ".":
+            if text == r"\right" and self.peek().text == ".":
                 self.take()
-        elif text in _SPACES:
-            self.take()
-            yield Token("SPACE", text, position)
         elif text in _SKIPPED:
             self.take()
             self.argument(piece)
-        elif text in _RELATIONS:
+        elif text == r"\underline" and not self.is_letter(self.at):
             self.take()
-            yield Token("RELATION", _RELATIONS[text], position)
-        elif text in _PLAIN:
+        elif text in _REFUSED:
+            raise UnreadError(f"{_REFUSED[text]}: that is not read", position)
+        elif text in _BRACKETS:
             yield from self.sign()
         elif text in DECIMALS or (text == "." and self.peek(1).text in DECIMALS):
             yield self.number()
-        elif text in (",", ";"):
-            self.take()
-            yield Token("COMMA" if self.depth else "SEPARATOR", text, position)
         elif text == ".":
             self.take()
             if self.depth:
@@ -378,14 +428,10 @@ class Scan:
             yield from self.power()
         elif text == "{}":
             yield from self.group()
-        elif text in (r"\frac", r"\tfrac", r"\dfrac"):
+        elif text in _FRACTIONS:
             yield from self.fraction()
         elif text == r"\sqrt":
-            self.take()
-            if self.peek().text == "[":
-                raise UnreadError("roots other than the square root are not read", position)
-            yield Token("ROOT", text, position)
-            yield from self.braced(self.argument(piece), position)
+            yield from self.root()
         elif text in _FUNCTIONS:
             self.take()
             yield from self.function(text[1:].replace("ln", "log"), position)
@@ -395,9 +441,9 @@ class Scan:
             yield from self.stacked()
         elif text in _BETWEEN:
             self.take()
-            words = self.argument(piece)
+            between = self.argument(piece)
             yield Token("LINE", text, position)
-            if _mathematical(words):
+            if _mathematical(between):
                 reason = "mathematics between the lines: write it as a line of its own"
                 yield Token("UNREAD", UnreadError(reason, position), position)
                 yield Token("LINE", text, position)
@@ -411,27 +457,44 @@ class Scan:
             yield self.tag()
         elif text in _BARS:
             yield self.bar()
+        elif text in _OVER and self.peek(1).text == "{}" and not self.is_letter(self.at):
+            self.take()
+            yield Token("RATE", _OVER[text], position)
+            yield from self.braced(self.argument(piece), position)
         elif self.constant_spelled():
             yield Token("CONSTANT", "const", position)
-        elif text in _TEXTS and self.are_words():
+        elif text in TEXTS and self.are_words():
             yield from self.words()
         else:
             yield from self.symbol()
 
-    def sign(self) -> Iterator[Token]:
-        piece = self.take()
-        kind = _PLAIN[piece.text]
-        self.depth += (kind in ("OPEN", "LIST")) - (kind in ("CLOSE", "TSIL"))
-        if self.depth > DEEPEST:
-            raise UnreadError(f"nested deeper than {DEEPEST}", piece.position)
-        self.depth = max(self.depth, 0)
-        if self.called is not None and self.depth <= self.called:
-            self.called = None
-        yield Token(kind, piece.text, piece.position)
-        if piece.text == r"\sum":
-            yield from self.under()
-        elif kind == "CLOSE":
-            yield from self.frame()
+    def single(self) -> tuple[str, Any] | None:
+        """What is one token and takes nothing with it; what our pages do not have is refused."""
+        text, behind, position = self.peek().text, self.peek(1).text, self.peek().position
+        count, reason = 1, ""
+        found: tuple[str, Any] = ("", "")
+        if (text, behind) in ((":", "="), ("=", ":")):
+            count, found = 2, ("RELATION", "≡")
+        elif text in _RELATIONS:
+            found = ("RELATION", _RELATIONS[text])
+            reason = "" if text in _JUDGED else "a relation that is not read"
+        elif text in _SPACES:
+            found = ("SPACE", text)
+        elif text in _ARROWS:
+            found = ("ARROW", text)
+        elif text in (",", ";") or (text == ":" and not self.depth):
+            found = ("COMMA" if self.depth else "SEPARATOR", text)
+        elif text in _SIGNS:
+            found, reason = ("SIGNS", _SIGNS[text]), "two signs at once: write an equation for each"
+        elif text in _OMITTED or (text == behind == self.peek(2).text == "."):
+            count, found = 1 if text in _OMITTED else 3, ("SYMBOL", own(Glyph("…")))
+            reason = "dots for what is left out"
+        if not found[0]:
+            return None
+        if reason and not self.open:
+            raise UnreadError(reason, position)
+        self.at += count
+        return found
 
     def number(self) -> Token:
         first = self.peek()
@@ -454,57 +517,501 @@ class Scan:
         if "]" in ahead and _LENGTH.fullmatch("".join(ahead[: ahead.index("]")])):
             self.at += ahead.index("]") + 2
 
+    def tag(self) -> Token:
+        piece = self.take()
+        if piece.text in (r"\eqno", r"\leqno"):
+            number = ""
+            while self.peek().text and self.peek().text != r"\\":
+                number += self.take().text
+        else:
+            number = plain(*self.argument(piece))
+        return Token("TAG", number.strip("()$ "), piece.position)
+
+    def stacked(self) -> Iterator[Token]:
+        """What stands above a relation is a comment, unless it is a relation too."""
+        piece = self.take()
+        above = self.argument(piece)
+        below = list(self.inside(self.argument(piece), nested=False))
+        if [token.kind for token in below] not in (["RELATION"], ["ARROW"]):
+            raise UnreadError("a sign above what is no relation", piece.position)
+        if _mathematical(above):
+            raise UnreadError("a relation above a relation", piece.position)
+        yield from below
+
+    # Brackets
+
+    def sign(self) -> Iterator[Token]:
+        piece = self.peek()
+        text, position = piece.text, piece.position
+        called = self.at in self.calls
+        row = text == "[" and self.is_row(self.at)
+        if self.open and text in ("[", r"\{") and not (called or row) and self.commas(self.at):
+            reason = "brackets with a comma: an interval, a row, a commutator or a Poisson bracket?"
+            raise UnreadError(reason, position)
+        entries = row or (text == "(" and self.last != "FUNCTION" and self.commas(self.at))
+        self.take()
+        if called or entries:
+            kind, closes = ("OF", "FO") if called else ("LIST", "TSIL")
+            self.depth += 1
+            self.ends.append((self.depth, closes))
+            yield Token(kind, "(", position)
+            return
+        if text in (")", "]") and self.ends and self.ends[-1][0] == self.depth:
+            self.depth -= 1
+            yield Token(self.ends.pop()[1], ")", position)
+            return
+        kind = _BRACKETS[text]
+        self.depth += (kind in ("OPEN", "LIST")) - (kind in ("CLOSE", "TSIL"))
+        if self.depth > DEEPEST:
+            raise UnreadError(f"nested deeper than {DEEPEST}", position)
+        self.depth = max(self.depth, 0)
+        if self.called is not None and self.depth <= self.called:
+            self.called = None
+        yield Token(kind, text, position)
+        if kind == "SUM":
+            yield from self.under()
+        elif kind in ("CLOSE", "TSIL"):
+            yield from self.frame()
+
+    def commas(self, at: int) -> bool:
+        """Whether commas stand in the bracket that opens there, outside of inner ones."""
+        pair = {"(": ("(", ")"), "[": ("[", "]")}.get(self.items[at].text, (r"\{", r"\}"))
+        end = self.closing(at, pair)
+        depth = 0
+        for piece in self.items[at:end] if end is not None else ():
+            text = piece.text.lstrip("\\")
+            depth += (text in ("(", "[", "{")) - (text in (")", "]", "}"))
+            if depth == 1 and piece.text == ",":
+                return True
+        return False
+
+    def is_row(self, at: int) -> bool:
+        """Whether square brackets hold the components of a vector: three, or two in a column."""
+        end = self.closing(at, ("[", "]"))
+        if end is None:
+            return False
+        count = sum(piece.text == "," for piece in self.items[at:end])
+        raised = self.items[end + 1 : end + 2] and self.items[end + 1].text == "^"
+        above = plain(*self.items[end + 2 : end + 3])
+        return bool(raised and above in _TRANSPOSED) or (count == 2 and self.commas(at))
+
+    def frame(self) -> Iterator[Token]:
+        """An index behind brackets is a place, (…)_{x=0}, or the frame of a rate."""
+        if self.peek().text != "_":
+            return
+        if "=" in plain(self.peek(1)):
+            yield from self.taken_at(self.peek().position)
+            return
+        piece = self.take()
+        yield Token("FRAME", plain(*self.argument(piece)), piece.position)
+
+    def left(self) -> Iterator[Token]:
+        r"""``\left``, whose ``\right`` may be a full stop, or a bar with a place."""
+        start, position = self.at, self.peek().position
+        inner, end = self.items[start + 2 :], self.closing(start, (r"\left", r"\right"))
+        opens, closes = self.peek(1).text, ""
+        if end is not None and end + 1 < len(self.items):
+            inner, closes = self.items[start + 2 : end], self.items[end + 1].text
+        if opens in ("<", r"\langle"):
+            raise UnreadError(f"{_REFUSED[chr(92) + 'langle']}: that is not read", position)
+        if end is None or (opens != "." and closes != "." and opens not in _BARS):
+            self.take()
+            return
+        self.at = end + 2
+        if opens == "." and closes in _BARS:
+            yield Token("OPEN", "(", position)
+            yield from self.inside(inner)
+            yield Token("CLOSE", ")", position)
+            yield from self.taken_at(position)
+        elif opens in _BARS and closes in _BARS:
+            yield Token("BAR", "|", position)
+            yield from self.inside(inner)
+            yield Token("RAB", "|", position)
+        elif (opens, closes) in ((".", "."), (r"\{", "."), (".", r"\}")):
+            yield from self.inside(inner, nested=False)
+            yield Token("SPACE", r"\right", position)
+        else:
+            raise UnreadError("a bracket on one side alone", position)
+
+    def bar(self) -> Token:
+        ahead = self.peek(1)
+        if ahead.text == "|" == self.peek().text and ahead.position == self.peek().position + 1:
+            self.take()  # || is the size of a vector too
+        elif ahead.text == "_" and not self.bars and self.peek().text in ("|", r"\vert"):
+            piece = self.take()
+            [token] = self.taken_at(piece.position)
+            return token
+        piece = self.take()
+        closes = piece.text in _CLOSING or (bool(self.bars) and piece.text not in _OPENING)
+        if closes and self.bars:
+            self.bars.pop()
+            self.depth -= 1
+        elif not closes:
+            self.bars.append(True)
+            self.depth += 1
+        return Token("RAB" if closes else "BAR", "|", piece.position)
+
+    def taken_at(self, position: int) -> Iterator[Token]:
+        """The place at which something is taken, behind its bar."""
+        if self.peek().text != "_":
+            raise UnreadError("a bar without the place at which something is taken", position)
+        piece = self.take()
+        place = said(self.argument(piece))
+        if self.peek().text == "^":
+            raise UnreadError("a value between two limits", position)
+        yield Token("EVALUATED", place, piece.position)
+
+    def brace(self) -> Iterator[Token]:
+        piece = self.take()
+        body = self.argument(piece)
+        if self.open and body[0].text in ("+", "-") and self.last in ("SYMBOL", "CLOSE", "_END"):
+            reason = "a brace that begins with a sign: a term, or a factor?"
+            raise UnreadError(reason, piece.position)
+        self.skip()
+        if self.peek().text != {r"\underbrace": "_", r"\overbrace": "^"}[piece.text]:
+            raise UnreadError("a brace without what stands at it", piece.position)
+        self.take()
+        label = self.argument(piece)
+        while label and label[0].text in {*NOTHING, "=", r"\equiv"}:
+            label = label[1:]
+        yield Token("BRACE", "", piece.position)
+        yield from self.braced(body, piece.position)
+        yield from self.braced(label, piece.position)
+
     def group(self) -> Iterator[Token]:
         """Braces that TeX does not need: {θ}, {}, {\\bf L}, {const}."""
         piece = self.peek()
+        sign, count = operator_at(self.items, self.at)
         first = piece.group[0].text if piece.group else ""
         behind = self.peek(1).text
-        scripted = behind == "_" or behind == "'" or first in _FONTS
-        if _words(piece.group).strip(".") in _CONSTANT:
+        if sign:
+            yield from self.operator(sign, count)
+        elif plain(piece).strip(".") in _CONSTANT:
             self.take()
             yield Token("CONSTANT", "const", piece.position)
-        elif scripted:
+        elif piece.group and self.one_letter([piece]):
+            yield from self.lettered()
+        elif first in _WORDED and len(plain(piece)) > 1:
+            self.take()
+            self.items[self.at : self.at] = [
+                piece.group[0],
+                Piece("{}", piece.group[0].position, piece.group[1:]),
+            ]
+            yield from self.words()
+        elif behind == "_" or behind == "'" or first in FONTS:
             yield from self.symbol()
         elif behind == "^" and len(piece.group) > 1:
             self.take()
             inner = list(self.inside(piece.group))
             if len(inner) != 1:
-                raise UnreadError(
-                    "a power of braces that are not seen: put brackets", behind_of(piece)
-                )
+                reason = "a power of braces that are not seen: put brackets"
+                raise UnreadError(reason, piece.group[-1].position)
             yield from inner
         else:
             self.take()
             yield from self.inside(piece.group, nested=False)
 
+    # Derivatives, powers, functions
+
+    def fraction(self) -> Iterator[Token]:
+        piece = self.take()
+        over, below = self.argument(piece), self.argument(piece)
+        found = _operator(over, below, piece.position)
+        if found is None:
+            yield Token("FRACTION", piece.text, piece.position)
+            yield from self.braced(over, piece.position)
+            yield from self.braced(below, piece.position)
+            return
+        sign, rest, by = found
+        self.taken_of(piece.position)
+        body = [list(self.inside(rest))] if rest else []
+        variables = [self.variable(part, piece.position) for part in by]
+        yield from self.derivative(sign, body, variables, piece.position)
+
+    def variable(self, part: Sequence[Piece], position: int) -> list[Token]:
+        """What is differentiated by; the time is, whether a table has it or not."""
+        if [piece.text for piece in flat(part)] == ["t"]:
+            return [Token("SYMBOL", _TIME, position)]
+        return list(self.inside(part))
+
+    def taken_of(self, position: int) -> None:
+        """Refuse brackets behind a derivative that may say where it is taken."""
+        at = self.behind(self.at)
+        if not self.open or at >= len(self.items) or self.items[at].text != "(":
+            return
+        inner, end = self.bracketed(at)
+        if [piece.text for piece in inner] == ["t"]:
+            self.at = end + 1
+        elif plain(*inner) == "0" or self.one_letter(inner) or "t" in _terms(inner):
+            reason = "a derivative at a place, or times what stands in brackets?"
+            raise UnreadError(reason, position)
+
+    def derivative(
+        self, sign: str, body: list[list[Token]], by: list[list[Token]], position: int
+    ) -> Iterator[Token]:
+        """The tokens of d^n…/dx^n, of a body that stands above the bar, or of none."""
+        times = all(len(part) == 1 and part[0].value == _TIME for part in by)
+        if times and len(by) <= 2 and (sign == "d" or not self.open):
+            yield Token("RATE", len(by), position)
+            by = []
+        else:
+            yield Token("SLOPE" if body else "OPERATOR", sign, position)
+        for part in (*body, *by):
+            yield Token("_BEGIN", "{", position)
+            yield from part
+            yield Token("_END", "}", position)
+
+    def operator(self, sign: str, count: int) -> Iterator[Token]:
+        r"""A d or ∂ outside of a fraction: dx/dt, ``\partial_x``, or a differential."""
+        start, position = self.at, self.peek().position
+        self.at += count
+        if sign == "∂" and not self.open:
+            raise UnreadError(
+                r"∂ outside of a fraction: write \frac{\partial…}{\partial…}", position
+            )
+        if sign == "∂" and self.peek().text == "_":
+            piece = self.take()
+            index = self.argument(piece)
+            if plain(index[0] if len(index) == 1 else piece) in frozenset("ijklμν_"):
+                raise UnreadError("∂ with an index: by what is it differentiated?", position)
+            yield from self.derivative("∂", [], [self.variable(index, position)], position)
+            return
+        order = 1
+        if self.peek().text == "^" and plain(self.peek(1)).isdigit():
+            order = int(plain(self.peek(1))[:2])
+            self.at += 2
+        self.skip()
+        apart = self.peek().position - self.items[start + count - 1].position
+        if not self.starts_letter(self.at):
+            upright = count > 1 or self.items[start].text == "{}"
+            if sign == "d" and (upright or self.peek().text in ("(", "[")):
+                reason = "d before more than a letter: a differential, or a factor?"
+                raise UnreadError(reason, position)
+            self.at = start
+            if sign == "∂":
+                raise UnreadError("∂ without what it is to act on", position)
+            yield from self.lettered()
+            return
+        glyph = self.letter()
+        behind = self.at
+        self.skip()
+        if self.peek().text == "/":
+            below, n = operator_at(self.items, self.at + 1)
+            if below == sign:
+                self.at += 1 + n
+                by = self.at
+                if not self.starts_letter(self.at):
+                    raise UnreadError("a derivative by what is no letter", position)
+                self.letter()
+                if order > 1:
+                    raise UnreadError("a derivative of higher order on one line", position)
+                body = list(self.resolved(glyph, position))
+                variable = self.variable(self.items[by : self.at], position)
+                yield from self.derivative(sign, [body], [variable], position)
+                return
+        self.at = behind
+        if sign == "∂":
+            raise UnreadError("∂ without what it is differentiated by", position)
+        single = count == 1 and self.items[start].text == "d" and order == 1
+        if not self.open and not self.integrals:
+            raise UnreadError(r"a differential: a derivative is a dot or \frac{d…}{dt}", position)
+        if single and (self.lonely_d or (apart > 1 and not self.integrals)):
+            raise UnreadError(r"d: a differential or a letter? write \mathrm{d}", position)
+        if order > 3:
+            raise UnreadError("a differential of higher order", position)
+        raised = ("", "²", "³")[order - 1]
+        [of] = self.resolved(glyph, position)
+        dressed = replace(glyph, base=f"d{raised}{glyph.base}", bold=glyph.bold and order == 1)
+        yield Token("DIFFERENTIAL", (own(dressed), order, of.value), position)
+
+    def power(self) -> Iterator[Token]:
+        piece = self.take()
+        letter, function = self.last == "SYMBOL", self.last == "FUNCTION"
+        raised = self.argument(piece)
+        if plain(*raised) in (r"\circ", "°"):
+            raise UnreadError(_DEGREES, piece.position)
+        if letter and plain(*raised) in ("0", "1"):
+            raise UnreadError("0 or 1 above a letter: an index, or a power?", piece.position)
+        if plain(*raised) in _TRANSPOSED:
+            yield Token("TRANSPOSED", "T", piece.position)
+        else:
+            yield Token("POWER", "^", piece.position)
+            yield from self.braced(raised, piece.position)
+        at = self.behind(self.at)
+        if function or at >= len(self.items) or self.items[at].text != "(":
+            return
+        inner, end = self.bracketed(at)
+        if [piece.text for piece in inner] == ["t"]:
+            self.at = end + 1  # ω²(t): that it depends on the time is left out
+        elif self.open and letter and (self.commas(at) or self.one_letter(inner)):
+            raise UnreadError("a power, and then what it is a function of?", piece.position)
+
+    def root(self) -> Iterator[Token]:
+        piece = self.take()
+        index = "2"
+        if self.peek().text == "[":
+            inner, end = self.bracketed(self.at, ("[", "]"))
+            index = plain(*inner)
+            if end < 0 or not re.fullmatch("[2-9]", index):
+                raise UnreadError("a root whose index is no small number", piece.position)
+            if not self.open and index != "2":
+                raise UnreadError("roots other than the square root are not read", piece.position)
+            self.at = end + 1
+        yield Token("ROOT", int(index), piece.position)
+        yield from self.braced(self.argument(piece), piece.position)
+
     def function(self, name: str, position: int) -> Iterator[Token]:
         """A function; what stands in braces behind it must not be a sum."""
+        at = self.behind(self.at + 2 * (self.peek().text == "^"))
+        inner, end = self.bracketed(at, ("[", "]"))
+        if end >= 0 and plain(*inner).isdigit() and end + 1 < len(self.items):
+            power = Piece("^", self.items[at].position)  # \cos[2](x) of the package physics
+            self.items[at : end + 1] = [power, Piece("{}", power.position, tuple(inner))]
+        elif end >= 0:
+            for i, text in ((at, "("), (end, ")")):
+                self.items[i] = replace(self.items[i], text=text)
         yield Token("FUNCTION", name, position)
         self.skip()
         if self.peek().text == "^":
+            self.last = "FUNCTION"
             yield from self.power()
             self.skip()
-        if self.peek().text in ("(", "[") and self.called is None:
+        if self.peek().text == "(" and self.called is None:
             self.called = self.depth
-        if self.peek().text == "{}":
-            seen = {piece.text for piece in self.peek().group}
-            if self.peek().group and self.peek().group[0].text in ("(", r"\left"):
-                return
-            if seen & {"+", "-", "/"} or self.several(self.peek().group):
-                raise UnreadError(
-                    "what the function acts on: put it in brackets", self.peek().position
-                )
+        group = self.peek().group
+        if self.peek().text != "{}" or (group and group[0].text in ("(", r"\left")):
+            return
+        if {piece.text for piece in group} & {"+", "-", "/"} or self.several(group):
+            reason = "what the function acts on: put it in brackets"
+            raise UnreadError(reason, self.peek().position)
 
     def several(self, group: Sequence[Piece]) -> bool:
         """Whether what stands in braces is more than an angle with a number, or a rate times t."""
         found = list(self.inside(group))
-        if len(found) > 1 and found[-1].value == s.t:
+        if len(found) > 1 and found[-1].value == self.notation.symbol(Glyph("t")):
             found.pop()
         kinds = [token.kind for token in found]
         if kinds[:1] in (["NUMBER"], ["FRACTION"], ["FUNCTION"]):
             symbols = kinds.count("SYMBOL") if kinds[0] == "NUMBER" else 0
             return symbols > 1
         return kinds.count("SYMBOL") > 1
+
+    # Sums and integrals
+
+    def limits(self) -> list[tuple[Piece, ...] | None]:
+        """What stands below and above, in any order."""
+        found: dict[str, tuple[Piece, ...]] = {}
+        self.skip()
+        while self.peek().text in ("_", "^"):
+            piece = self.take()
+            found[piece.text] = self.argument(piece)
+            self.skip()
+        return [found.get("_"), found.get("^")]
+
+    def under(self) -> Iterator[Token]:
+        """The index of a sum, and its limits."""
+        position = self.peek().position
+        below, above = self.limits()
+        index, lower = below or (), None
+        for i, piece in enumerate(index):
+            if piece.text == "=" and above is not None:
+                index, lower = index[:i], index[i + 1 :]
+                break
+        if above is not None and lower is None:
+            raise UnreadError("a sum with an end and no start", position)
+        over = said(index)
+        if below is not None and not over.strip("_ "):
+            raise UnreadError("a sum whose index is no letter", position)
+        if not self.open and (above is not None or not re.fullmatch(r"[a-z]", over)):
+            reason = f"a sum over {over!r}: only over an index, such as k"
+            raise UnreadError(reason if below else "a sum without its index", position)
+        yield Token("INDEX", over, position)
+        for part in (lower, above):
+            if part is not None:
+                yield from self.braced(part, position)
+
+    def integral(self) -> Iterator[Token]:
+        piece = self.take()
+        below, above = self.limits()
+        if below is None and above is not None:
+            raise UnreadError("an integral with an end and no start", piece.position)
+        yield Token("INTEGRAL", "", piece.position)
+        for part in (below, above):
+            if part is not None:
+                yield from self.braced(part, piece.position)
+
+    # Environments
+
+    def environment(self) -> Iterator[Token]:
+        piece = self.peek()
+        name, end = self.named_environment()
+        kind = name.rstrip("*")
+        inner = self.items[self.at + 2 : end]
+        if kind in ("array", *_ARGUED):
+            while inner and inner[0].text in ("[", "{}"):
+                inner = inner[_behind(inner) :]
+        self.at = end + 2
+        whole = self.last != "OPEN" and not self.depth
+        if (name in _CASES and self.open) or (kind in ("array", "matrix") and whole):
+            yield from self.system(name, inner, piece.position)
+        elif name in _MATRICES or kind == "array":
+            yield from self.rows(name, inner, piece.position)
+        elif kind in _LINES:
+            yield from self.inside(inner, nested=False)
+            yield Token("SPACE", r"\end", piece.position)
+        elif kind.endswith("vmatrix") or kind == "Vmatrix":
+            raise UnreadError("a determinant that is written out", piece.position)
+        else:
+            raise UnreadError(f"the environment {name}", piece.position)
+
+    def named_environment(self) -> tuple[str, int]:
+        r"""The name of the environment that begins here, and where its ``\end`` stands."""
+        position = self.peek().position
+        name = plain(self.peek(1))
+        depth = 0
+        for i in range(self.at, len(self.items)):
+            depth += {r"\begin": 1, r"\end": -1}.get(self.items[i].text, 0)
+            if depth > DEEPEST:
+                raise UnreadError(f"nested deeper than {DEEPEST}", position)
+            if depth == 0:
+                ends = plain(*self.items[i + 1 : i + 2])
+                if ends != name:
+                    raise UnreadError(rf"\begin{{{name}}} that ends as {ends}", position)
+                return name, i
+        raise UnreadError(rf"\begin{{{name}}} without its \end", position)
+
+    def system(self, name: str, inner: Sequence[Piece], position: int) -> Iterator[Token]:
+        """Equations below one another, or the values that one side has in several cases."""
+        cells = [split(row, "&") for row in split(inner, r"\\") if row]
+        related = any(p.text in _RELATIONS for row in cells if row for p in flat(row[0]))
+        aligned = any(p.text in _RELATIONS for row in cells if len(row) > 1 for p in row[1][:1])
+        if name not in _CASES or (self.last != "RELATION" and (related or aligned)):
+            yield from self.inside(inner, nested=False)
+            yield Token("SPACE", r"\end", position)
+            return
+        branches = []
+        for row in cells:
+            value = [t for t in self.inside(row[0]) if t.kind not in ("ALIGN", "SPACE")]
+            while value and value[-1].kind in ("COMMA", "SEPARATOR"):
+                value.pop()
+            condition = " ".join(filter(None, map(said, row[1:])))
+            branches.append((tuple(value), condition))
+        if not branches:
+            raise UnreadError("cases without any", position)
+        yield Token("BRANCHES", tuple(branches), position)
+
+    def rows(self, name: str, inner: Sequence[Piece], position: int) -> Iterator[Token]:
+        yield Token("MATRIX", name, position)
+        for i, row in enumerate(split(inner, r"\\")):
+            if i:
+                yield Token("LINE", r"\\", position)
+            for j, cell in enumerate(split(row, "&")):
+                if j:
+                    yield Token("COMMA", "&", position)
+                yield from self.inside(cell)
+        yield Token("XIRTAM", name, position)
+
+    # Words
 
     def constant_spelled(self) -> bool:
         for word in ("constant", "const"):
@@ -516,440 +1023,517 @@ class Scan:
         return False
 
     def are_words(self) -> bool:
-        following = self.peek(1)
-        if self.peek().text.startswith((r"\operatorname", r"\text", r"\mbox", r"\hbox")):
-            return True
-        said = _words(following.group)
-        return said in _WORDS - {"K", "F"} or said.strip(". ") in _CONSTANT or len(said) > 3
+        """Whether text is more than a letter; in a table's letters an index may be upright."""
+        written = plain(self.peek(1))
+        if self.open:
+            return written != "d" and not (self.peek().text in UPRIGHT and len(written) < 2)
+        named = written in _WORDS or written.strip(". ") in _CONSTANT or len(written) > 3
+        return named or self.peek().text not in UPRIGHT
 
     def words(self) -> Iterator[Token]:
         piece = self.take()
-        words = self.argument(piece)
-        said = _words(words).strip()
-        plain = said.strip(".,").lower()
-        if plain in _CONSTANT:
+        inner = self.argument(piece)
+        written = said(inner)
+        bare = written.strip(" .,;:")
+        if not bare:
+            yield Token("SEPARATOR" if written and not self.depth else "SPACE", "", piece.position)
+        elif bare.lower() in _CONSTANT:
             yield Token("CONSTANT", "const", piece.position)
-        elif said in _WORDS:
-            name = {"ln": "log", "Tr": "tr"}.get(said, said)
-            yield from self.function(name, piece.position)
-        elif _mathematical(words):
+        elif bare in _WORDS or (bare in _ELLIPTIC and not self.open):
+            yield from self.function({"ln": "log", "Tr": "tr"}.get(bare, bare), piece.position)
+        elif _NUMBER_OF.fullmatch(bare):
+            yield Token("TAG", bare.strip("()"), piece.position)
+        elif _mathematical(inner):
+            if self.open and bare.split()[0].lower() in CONDITIONS and not self.depth:
+                yield Token("WORDS", bare, piece.position)
+                return
             raise UnreadError("mathematics in words inside a formula", piece.position)
         elif self.commented >= 0 and self.at - self.commented <= 3:
             return
-        elif re.fullmatch(r"\(\d+\.\d+[a-z]?\)", plain):
-            yield Token("TAG", plain.strip("()"), piece.position)
-        elif plain in ("and", ""):
-            yield Token("SEPARATOR", said, piece.position)
+        elif not self.open:
+            if self.depth or bare.lower() != "and":
+                raise UnreadError(f"words inside a formula: {bare!r}", piece.position)
+            yield Token("SEPARATOR", bare, piece.position)
+        elif _UNIT.fullmatch(bare) and self.last in ("NUMBER", "_END", "CLOSE"):
+            base = bare if len(bare) > 1 else f" {bare}"  # metres are no masses
+            yield Token("SYMBOL", self.notation.symbol(Glyph(base)), piece.position)
+        elif self.is_quantity(bare):
+            yield Token("SYMBOL", self.notation.symbol(self.scripts(Glyph(bare))), piece.position)
+        elif piece.text in _UPRIGHT_ALONE and bare.isalnum():
+            raise UnreadError(f"the function {bare} is not known", piece.position)
+        elif self.depth:
+            raise UnreadError(f"words inside a formula: {bare[:40]!r}", piece.position)
         else:
-            raise UnreadError(f"words inside a formula: {said!r}", piece.position)
+            yield Token("WORDS", bare, piece.position)
 
-    def tag(self) -> Token:
-        piece = self.take()
-        if piece.text in (r"\eqno", r"\leqno"):
-            said = ""
-            while self.peek().text and self.peek().text != r"\\":
-                said += self.take().text
-        else:
-            said = _words(self.argument(piece))
-        return Token("TAG", said.strip("()$ "), piece.position)
-
-    def bar(self) -> Token:
-        piece = self.take()
-        closes = piece.text in _CLOSING or (bool(self.bars) and piece.text not in _OPENING)
-        if closes and self.bars:
-            self.bars.pop()
-            self.depth -= 1
-        elif not closes:
-            self.bars.append(True)
-            self.depth += 1
-        return Token("RAB" if closes else "BAR", "|", piece.position)
-
-    def power(self) -> Iterator[Token]:
-        piece = self.take()
-        raised = self.argument(piece)
-        if _words(raised) in _TRANSPOSED:
-            yield Token("TRANSPOSED", "T", piece.position)
-            return
-        yield Token("POWER", "^", piece.position)
-        yield from self.braced(raised, piece.position)
-
-    def stacked(self) -> Iterator[Token]:
-        """What stands above a relation is a comment, unless it is a relation too."""
-        piece = self.take()
-        above = self.argument(piece)
-        below = list(self.inside(self.argument(piece), nested=False))
-        if [token.kind for token in below] not in (["RELATION"], ["ARROW"]):
-            raise UnreadError("a sign above what is no relation", piece.position)
-        if any(each.text in _RELATIONS or each.text in _NOT_READ for each in _flat(above)):
-            raise UnreadError("a relation above a relation", piece.position)
-        yield from below
-
-    def under(self) -> Iterator[Token]:
-        """The index of a sum."""
+    def is_quantity(self, written: str) -> bool:
+        """Whether words stand where a quantity would: with nothing but signs around them."""
+        if len(written) > 40 or written.split()[0].lower() in CONDITIONS | _CONNECTIVES:
+            return False
         self.skip()
-        if self.peek().text != "_":
-            raise UnreadError("a sum without its index", self.peek().position)
-        piece = self.take()
-        said = _words(self.argument(piece))
-        if not re.fullmatch(r"[a-z]", said):
-            raise UnreadError(f"a sum over {said!r}: only over an index, such as k", piece.position)
-        yield Token("INDEX", said, piece.position)
-
-    def frame(self) -> Iterator[Token]:
-        """The frame in which a rate is seen, behind its brackets."""
-        if self.peek().text == "_":
-            piece = self.take()
-            yield Token("FRAME", _words(self.argument(piece)), piece.position)
-
-    def fraction(self) -> Iterator[Token]:
-        piece = self.take()
-        over, below = self.argument(piece), self.argument(piece)
-        order = {"dt": 1, "∂t": 1, "dt^2": 2}.get(_words(below), 0)
-        rest = _differentiated(over, order) if order else None
-        if rest is not None:
-            yield Token("RATE", order, piece.position)
-            if rest:
-                yield from self.braced(rest, piece.position)
-            return
-        slope = _slope(over, below)
-        if slope is not None:
-            yield Token("PARTIAL", "", piece.position)
-            for part in slope:
-                yield from self.braced(part, piece.position)
-            return
-        yield Token("FRACTION", piece.text, piece.position)
-        yield from self.braced(over, piece.position)
-        yield from self.braced(below, piece.position)
-
-    def integral(self) -> Iterator[Token]:
-        piece = self.take()
-        self.skip()
-        if self.peek().text in ("_", "^"):
-            yield from self.bounded(piece)
-            return
-        measure = ""
-        while self.peek().text and len(measure) < 3:
-            self.skip()
-            measure += _words((self.take(),)).replace("^", "")
-        if measure != "d3r":
-            raise UnreadError("an integral that is not over d³r", piece.position)
-        yield Token("INTEGRAL", "d3r", piece.position)
-
-    def bounded(self, piece: Piece) -> Iterator[Token]:
-        """``\\int_a^b dx``, what is integrated behind it."""
-        bounds = {}
-        while (sign := self.peek().text) in ("_", "^") and sign not in bounds:
-            self.take()
-            bounds[sign] = self.argument(piece)
-            self.skip()
-        if len(bounds) < 2 or _words((self.take(),)) != "d":
-            wanted = r"an integral is written \int_a^b dx, with what is integrated behind it"
-            raise UnreadError(wanted, piece.position)
-        self.skip()
-        begin = self.at
-        letters = [*self.symbol()]
-        if [token.kind for token in letters] != ["SYMBOL"]:
-            raise UnreadError("an integral over what is no letter", piece.position)
-        variable = self.items[begin : self.at]
-        yield Token("BOUNDS", "", piece.position)
-        for part in (variable, bounds["_"], bounds["^"]):
-            yield from self.braced(part, piece.position)
-
-    def brace(self) -> Iterator[Token]:
-        piece = self.take()
-        body = self.argument(piece)
-        behind = {r"\underbrace": "_", r"\overbrace": "^"}[piece.text]
-        self.skip()
-        if self.peek().text != behind:
-            raise UnreadError("a brace without what stands at it", piece.position)
-        self.take()
-        label = self.argument(piece)
-        while label and label[0].text in {*_NOTHING, "=", r"\equiv"}:
-            label = label[1:]
-        yield Token("BRACE", "", piece.position)
-        yield from self.braced(body, piece.position)
-        yield from self.braced(label, piece.position)
-
-    def environment(self) -> Iterator[Token]:
-        piece = self.take()
-        name = _words(self.argument(piece))
-        begin, depth = self.at, 1
-        while depth:
-            if not self.peek().text:
-                raise UnreadError(rf"\begin{{{name}}} without its \end", piece.position)
-            depth += {r"\begin": 1, r"\end": -1}.get(self.take().text, 0)
-            if depth > DEEPEST:
-                raise UnreadError(f"nested deeper than {DEEPEST}", self.peek().position)
-        inner = self.items[begin : self.at - 1]
-        ends = _words(self.argument(piece))
-        if ends != name:
-            raise UnreadError(rf"\begin{{{name}}} that ends as {ends}", piece.position)
-        if name in _LINES:
-            if name.startswith(("array", "alignat", "alignedat")) and inner[:1]:
-                inner = inner[1:] if inner[0].text == "{}" else inner
-            yield from self.inside(inner, nested=False)
-            yield Token("SPACE", r"\end", piece.position)
-            return
-        if name not in _MATRICES:
-            raise UnreadError(f"the environment {name}", piece.position)
-        yield Token("MATRIX", name, piece.position)
-        for i, row in enumerate(_split(inner, r"\\")):
-            if i:
-                yield Token("LINE", r"\\", piece.position)
-            for j, cell in enumerate(_split(row, "&")):
-                if j:
-                    yield Token("COMMA", "&", piece.position)
-                yield from self.inside(cell)
-        yield Token("XIRTAM", name, piece.position)
+        behind = self.peek().text
+        ends = {"", ")", "]", r"\right"} if self.depth or self.last in _BEFORE_LAST else set()
+        follows = behind in _SIGNS_AROUND | ends
+        aligned = behind == "&" and self.peek(1).text in _SIGNS_AROUND
+        return self.last in _BEFORE and (follows or aligned)
 
     # Letters
 
     def symbol(self) -> Iterator[Token]:
         position = self.peek().position
-        glyph = self.letter()
+        sign, count = operator_at(self.items, self.at)
+        word = "" if sign else self.spelled()
+        if sign:
+            yield from self.operator(sign, count)
+        elif word in _SPELLED:
+            self.at += len(word)
+            yield from self.function(word, position)
+        elif word in ("Re", "Im"):
+            raise UnreadError("a real or imaginary part: that is not read", position)
+        elif word:
+            reason = "a word or a product? put words in \\text{}, spaces between letters"
+            raise UnreadError(f"{word}: {reason}", position)
+        else:
+            yield from self.lettered()
+
+    def spelled(self) -> str:
+        """A function spelled with single letters, or a row of letters that looks like a word."""
+        run = ""
+        for i in range(40):
+            piece = self.peek(i)
+            if not (_is_latin(piece.text) and piece.text.isascii()):
+                break
+            if i and piece.position != self.peek(i - 1).position + 1:
+                break
+            run += piece.text
+        for name in _SPELLED:
+            if run.startswith(name):
+                return name
+        if not self.open:
+            return ""
+        bracketed = self.peek(len(run)).text in ("(", "[", r"\left", r"\{")
+        if run in ("Re", "Im") and bracketed:
+            return run
+        before = self.items[self.at - 1] if self.at else Piece("", -9)
+        joined = _is_latin(before.text) and before.position + 1 == self.peek().position
+        cut = min((run.find(name) for name in _SPELLED if name in run), default=len(run))
+        twice = cut == 3 and any(a == b for a, b in pairwise(run[:cut]))
+        return run if (twice or cut >= 4) and not joined and not _is_product(run[:cut]) else ""
+
+    def lettered(self) -> Iterator[Token]:
+        """A letter, with the brackets behind it if it is a function of what they hold."""
+        position, before = self.peek().position, self.last
+        pair = self.peek().text + self.peek(1).text
+        if self.open and pair in ("KE", "PE") and self.peek(1).position == position + 1:
+            self.at += 2
+            glyph = self.scripts(Glyph(pair))
+        else:
+            glyph = self.letter()
         if glyph == Glyph("e") and self.peek().text == "^":
             piece = self.take()
             yield Token("EXPONENTIAL", "e", position)
             yield from self.braced(self.argument(piece), piece.position)
             return
-        known = sympy.pi if glyph == Glyph("π") else self.known(glyph)
-        if known is None and self.peek().text == "^" and _words((self.peek(1),)) == "2":
+        change = glyph == Glyph("Δ") or (glyph == Glyph("δ") and before != "NUMBER")
+        if (
+            self.open
+            and change
+            and self.starts_letter(self.at)
+            and not operator_at(self.items, self.at)[0]
+        ):
+            of = self.letter()
+            glyph = replace(of, base=glyph.base + of.base)
+        if glyph == Glyph("π"):
+            if [self.peek(i).text for i in range(3)] == ["(", "t", ")"]:
+                raise UnreadError("π of the time: another letter than the number", position)
+            yield Token("SYMBOL", sympy.pi, position)
+            return
+        if self.open and glyph == Glyph("D") and self.starts_letter(self.at):
+            raise UnreadError("D before a letter: a derivative, or a factor?", position)
+        found = list(self.resolved(glyph, position))
+        if self.open:
+            self.arguments(glyph)
+            self.functional()
+        else:
+            self.of_time()
+        yield from found
+
+    def resolved(self, glyph: Glyph, position: int) -> Iterator[Token]:
+        """The symbol of a letter; of one with dots or several indices, what it is made of."""
+        several = glyph.sub.split(",")
+        known = self.known(glyph)
+        if known is None and self.peek().text == "^" and plain(self.peek(1)) == "2":
             known = self.notation.symbol(replace(glyph, base=glyph.base + "²"))
             self.at += 2 if known is not None else 0
-        if known is None and 0 < glyph.sub.count(",") < MOST_INDICES:
-            several = [self.known(replace(glyph, sub=sub)) for sub in glyph.sub.split(",")]
-            if all(symbol is not None for symbol in several):
-                self.of_time()
-                yield Token("CHOICE", tuple(several), position)
+        several_of = known is None or (self.two_signs and all(part.isdigit() for part in several))
+        if several_of and 1 < len(several) <= (2 if self.open else MOST_INDICES):
+            made = tuple(self.known(replace(glyph, sub=sub)) for sub in several)
+            if None not in made:
+                yield Token("CHOICE", made, position)
                 return
-        if known is None and glyph.accent in ("dot", "ddot"):
-            rates = self.rate_of(glyph)
-            if rates is not None:
-                order, letter = rates
+        if known is not None:
+            yield Token("SYMBOL", known, position)
+            return
+        for order, accent in {"dot": ((1, ""),), "ddot": ((1, "dot"), (2, ""))}.get(
+            glyph.accent, ()
+        ):
+            letter = self.known(replace(glyph, accent=accent))
+            if letter is not None:
                 yield Token("RATE", order, position)
                 yield Token("_BEGIN", "{", position)
                 yield Token("SYMBOL", letter, position)
                 yield Token("_END", "}", position)
                 return
-        if known is None:
-            hint = ""
-            if glyph.sub in _INDICES:
-                hint = ": write an equation for each value of the index"
-            elif glyph == Glyph("d"):
-                hint = r": a derivative is a dot or \frac{d…}{dt}"
-            raise UnreadError(f"no symbol {spelling(glyph)} in this notation{hint}", position)
-        self.of_time()
-        yield Token("SYMBOL", known, position)
-
-    def rate_of(self, glyph: Glyph) -> tuple[int, sympy.Symbol] | None:
-        """Of a letter with dots that has no symbol: how many dots are to be taken off to one."""
-        below = {"dot": ((1, ""),), "ddot": ((1, "dot"), (2, ""))}[glyph.accent]
-        for order, accent in below:
-            letter = self.known(replace(glyph, accent=accent))
-            if letter is not None:
-                return order, letter
-        return None
+        hint = ""
+        if glyph.sub in frozenset("ijkl"):
+            hint = ": write an equation for each value of the index"
+        elif glyph == Glyph("d"):
+            hint = r": a derivative is a dot or \frac{d…}{dt}"
+        raise UnreadError(f"no symbol {spelling(glyph)} in this notation{hint}", position)
 
     def known(self, glyph: Glyph) -> sympy.Symbol | None:
         """The symbol of a glyph, also of a unit vector with a hat that it does not need."""
         found = self.notation.symbol(glyph)
+        if found is None and "(ext)" in glyph.sub:
+            sub = glyph.sub.replace("(ext)", "(e)" if "," in glyph.sub else "ext")
+            found = self.notation.symbol(replace(glyph, sub=sub))
         if found is not None or glyph.accent != "hat":
             return found
-        plain = self.notation.symbol(replace(glyph, accent="", bold=True))
-        return plain if plain in VOCABULARY and VOCABULARY[plain].unit == "" else None
+        bare = self.notation.symbol(replace(glyph, accent="", bold=True))
+        return bare if bare in VOCABULARY and VOCABULARY[bare].unit == "" else None
+
+    def of_time(self) -> None:
+        """Leave out that a symbol of a table depends on time or place: ω(t), ρ(r)."""
+        at = self.behind(self.at)
+        if at >= len(self.items) or self.items[at].text != "(":
+            return
+        inner, end = self.bracketed(at)
+        inside, place = plain(*inner), self.items[at].position
+        if inside == "t" and self.called is not None:
+            reason = "of the time, or times t? leave (t) out, or t without brackets"
+            raise UnreadError(reason, place)
+        if inside in ("t", "r"):
+            self.at = end + 1
+        elif inside == "0" or inside.startswith("t="):
+            raise UnreadError("a value at one time", place)
+
+    def arguments(self, glyph: Glyph) -> None:
+        """Decide whether brackets behind a letter hold what it is a function of.
+
+        That it depends on time, x(t), is left out.
+        """
+        at = self.behind(self.at, NOTHING - {" ", r"\,"})
+        if at < len(self.items) and self.items[at].text == "{}":
+            inner = [p for p in self.items[at].group if p.text not in NOTHING]
+            if len(inner) > 2 and (inner[0].text, inner[-1].text) == ("(", ")"):
+                self.items[at : at + 1] = inner  # R{(θ)}
+        if at >= len(self.items) or self.items[at].text != "(":
+            return
+        inner, end = self.bracketed(at)
+        if end < 0:
+            return
+        inside, place = plain(*inner), self.items[at].position
+        function = any(known == glyph for known, _ in self.functions)
+        if inside == "t":
+            if self.called is not None and glyph.base not in _TIMELY:
+                reason = "of the time, or times t? leave (t) out, or t without brackets"
+                raise UnreadError(reason, place)
+            if function:
+                self.calls.add(at)
+            else:
+                self.at = end + 1
+        elif inside.startswith("t="):
+            del self.items[at + 1 : at + 3]
+            self.calls.add(at)
+        elif (
+            inside == "0"
+            or self.one_letter(inner)
+            or self.commas(at)
+            or _listed(inner)
+            or glyph.base in _ORDERS
+            or any((glyph, term) in self.functions for term in _terms(inner))
+        ):
+            self.calls.add(at)
+        elif glyph in self.timed and any(piece.text == "t" for piece in inner) and not function:
+            raise UnreadError(f"{spelling(glyph)} at the time in brackets, or times it?", place)
+        elif function or glyph.base in _POTENTIALS or inside.replace(".", "").isdigit():
+            raise UnreadError(f"{spelling(glyph)} of what stands in brackets, or times it?", place)
+
+    def functional(self) -> None:
+        """Decide whether square brackets behind a letter hold what it is a functional of, S[q]."""
+        at = self.behind(self.at, NOTHING - {" ", r"\,"})
+        inner, end = self.bracketed(at, ("[", "]"))
+        if end < 0:
+            return
+        texts = [piece.text for piece in inner]
+        bracket = texts.index("(") if "(" in texts else len(inner)
+        alone = self.one_letter(inner[:bracket]) and texts[-1:] in ([")"], texts[bracket - 1 :])
+        if self.commas(at) or alone:
+            self.calls.add(at)
 
     def letter(self) -> Glyph:
         """A letter with its fonts, accents, index and prime, in any order."""
-        commands: list[Piece] = []
-        while self.peek().text in _FONTS or self.peek().text in _ACCENTS:
-            commands.append(self.take())
+        dresses: list[Piece] = []
+        while self.peek().text in _DRESSES:
+            dresses.append(self.take())
             self.skip()
         piece = self.take()
         text = piece.text
-        if text in _SCRIPT:
-            base = _words(self.argument(piece))
-            glyph = Glyph({"L": "ℒ"}.get(base, base))
+        if text in _STYLES:
+            glyph = Glyph(_styled(plain(*self.argument(piece)), text, piece.position))
         elif text == "{}":
-            glyph = self.letter_of(piece)
-        elif text in _GREEK:
-            glyph = Glyph(_GREEK[text])
-        elif len(text) == 1 and text.isalpha():
+            glyph = self.dressed(piece, {dress.text for dress in dresses})
+        elif text == r"\nabla":
+            glyph = Glyph("∇", bold=True)
+        elif text in _LETTERS:
+            glyph = Glyph(_LETTERS[text])
+        elif self.is_alphabetic(text):
             glyph = Glyph(text)
+        elif text in ("0", "1") and any(dress.text in BOLD for dress in dresses):
+            glyph = Glyph(text, bold=True)
+        elif text in TEXTS and self.peek().text == "{}":
+            glyph = Glyph(said(self.argument(piece)))
+        elif text.startswith("\\") and len(text) > 1:
+            known = "of TeX" if text[1:].isalpha() else "here"
+            raise UnreadError(f"the command {text} is not known {known}", piece.position)
+        elif len(text) == 1 and text.isalpha():
+            raise UnreadError(f"words inside a formula: {text!r}", piece.position)
         else:
-            raise UnreadError(_instead_of_a_symbol(text), piece.position)
-        for command in reversed(commands):
-            if command.text in _BOLD:
-                glyph = replace(glyph, bold=True)
-            elif command.text in _ACCENTS:
-                if glyph.accent:
-                    raise UnreadError("an accent above an accent", command.position)
-                glyph = replace(glyph, accent=_ACCENTS[command.text])
+            reason = f"{text or 'the end'} where a symbol should be"
+            raise UnreadError(reason, piece.position)
+        for dress in reversed(dresses):
+            glyph = _dressed(glyph, dress)
         return self.scripts(glyph)
 
-    def letter_of(self, piece: Piece) -> Glyph:
-        if self.level > DEEPEST:
-            raise UnreadError(f"nested deeper than {DEEPEST}", piece.position)
+    def dressed(self, piece: Piece, worn: set[str]) -> Glyph:
+        """The letter in braces; several beneath one arrow, or upright, are one letter."""
+        whole = worn & ({r"\vec", r"\overrightarrow", r"\overline"} | UPRIGHT)
+        written = plain(piece)
+        if self.open and whole and len(written) > 1 and written.isascii() and written.isalnum():
+            return Glyph(written)
+        if written in ("0", "1") and worn & BOLD:
+            return Glyph(written, bold=True)
+        if not piece.group:
+            raise UnreadError("an empty group", piece.position)
         inner = self.within(piece.group, self.depth)
-        glyph = inner.letter() if piece.group else None
+        glyph = inner.letter()
         inner.skip()
-        if glyph is None or inner.at < len(piece.group):
-            words = glyph is None or "no single symbol"
-            raise UnreadError(
-                "an empty group" if words is True else f"{words} in braces", piece.position
-            )
+        if inner.at < len(inner.items):
+            raise UnreadError("no single symbol in braces", piece.position)
         return glyph
 
     def scripts(self, glyph: Glyph) -> Glyph:
         while True:
             piece = self.peek()
-            if piece.text == "^" and self.peek(2).text == "_":  # x^2_1 is x_1^2
-                at = self.at
-                self.items[at : at + 4] = [*self.items[at + 2 : at + 4], *self.items[at : at + 2]]
-                piece = self.peek()
-            raised = _words((self.peek(1),)) if piece.text == "^" else ""
-            if piece.text == "'" or raised == "′":
+            if piece.text == "'":
                 self.take()
-                if raised:
-                    self.argument(piece)
-                if glyph.prime:
-                    raise UnreadError("two primes", piece.position)
-                glyph = replace(glyph, prime=True)
+                glyph = _primed(glyph)
             elif piece.text == "_":
                 self.take()
-                sub = _index(self.argument(piece))
-                if glyph.sub and glyph.sub != "(e)":
+                sub = said(self.argument(piece)).replace("-", "−")
+                sub = sub if self.open else sub.replace(" ", "")
+                if not sub:
+                    raise UnreadError("an empty index", piece.position)
+                if glyph.sub and not glyph.sub.startswith("("):
                     raise UnreadError("two indices", piece.position)
                 glyph = replace(glyph, sub=",".join(filter(None, (sub, glyph.sub))))
-            elif raised in ("(e)", "ext", "(ext)"):
-                self.take()
-                self.argument(piece)
-                said = raised if raised == "(e)" or not glyph.sub else "(e)"
-                said = "ext" if "ext" in raised and not glyph.sub else said
-                glyph = replace(glyph, sub=",".join(filter(None, (glyph.sub, said))))
+            elif piece.text == "^" and self.peek(2).text == "_":
+                at = self.at  # x^2_1 is x_1^2
+                self.items[at : at + 4] = [*self.items[at + 2 : at + 4], *self.items[at : at + 2]]
+            elif piece.text == "^":
+                found = self.raised(glyph, self.peek(1))
+                if found is None:
+                    return glyph
+                self.at += 2
+                glyph = found
             else:
                 return glyph
 
-    def of_time(self) -> None:
-        """Leave out that a symbol depends on time or place: ω(t), ρ(r)."""
-        if self.peek().text not in _AROUND:
-            return
-        ahead = [i for i in range(12) if self.peek(i).text not in _NOTHING | _FONTS][:4]
-        said = [_words((self.peek(i),)) for i in ahead]
-        if said[:3] == ["(", "t", ")"] and self.called is not None:
-            raise UnreadError(
-                "of the time, or times t? leave (t) out, or t without brackets",
-                self.peek(ahead[0]).position,
-            )
-        if said[:3] in (["(", "t", ")"], ["(", "r", ")"]):
-            self.at += ahead[2] + 1
-        elif said[:3] == ["(", "0", ")"] or said[:3] == ["(", "t", "="]:
-            raise UnreadError("a value at one time", self.peek(ahead[0]).position)
+    def raised(self, glyph: Glyph, above: Piece) -> Glyph | None:
+        """The letter with what stands above it, if that is no power."""
+        if glyph.base == "e" and not glyph.bold:
+            return None
+        written = plain(above)
+        if written and set(written) == {"′"}:
+            for _ in written:
+                glyph = _primed(glyph)
+            return glyph
+        if written in ("*", r"\ast", r"\star", r"\dagger", "+", "-"):
+            sign = {"-": "⁻", "+": "⁺", r"\dagger": "†"}.get(written, "*")
+            return replace(glyph, base=glyph.base + sign)
+        first = above.group[0].text if above.group else above.text
+        bracketed = re.fullmatch(r"\(\w{1,4}\)", written)
+        worded = first in TEXTS | UPRIGHT and len(written) > 1 and len(above.group) == 2
+        if bracketed or worded or (written == "ext" and not self.open):
+            sub = f"({written.strip('()')})"
+            return replace(glyph, sub=",".join(filter(None, (glyph.sub, sub))))
+        if self.open and written in _INDEXES and not glyph.bold:
+            raise UnreadError(f"{written} above a letter: an index, or a power?", above.position)
+        return None
 
 
-DECIMALS = frozenset("0123456789")
-_INDICES = frozenset("ijkl")
-_AROUND = _NOTHING | {"("}
+# --- Looking at pieces ---------------------------------------------------------------------------
 
 
-def behind_of(piece: Piece) -> int:
-    """Where the last piece of a group stands."""
-    return piece.group[-1].position if piece.group else piece.position
+def operator_at(items: Sequence[Piece], at: int) -> tuple[str, int]:
+    r"""Whether a d or ∂ stands there, and in how many pieces: ``d``, ``\mathrm d``, ``{\rm d}``."""
+    text = items[at].text if at < len(items) else ""
+    if text == "d":
+        return "d", 1
+    if text == r"\partial":
+        return "∂", 1
+    if text in _WORDED and at + 1 < len(items) and plain(items[at + 1]) == "d":
+        return "d", 2
+    if text == "{}" and items[at].group and items[at].group[0].text in _WORDED:
+        return ("d", 1) if plain(items[at]) == "d" else ("", 0)
+    return "", 0
 
 
-def _flat(group: Sequence[Piece]) -> Iterator[Piece]:
-    """Pieces and what stands in their braces."""
-    for piece in group:
-        yield piece
-        yield from _flat(piece.group)
+def _operator(
+    over: Sequence[Piece], below: Sequence[Piece], position: int
+) -> tuple[str, Sequence[Piece], list[Sequence[Piece]]] | None:
+    """What is differentiated and by what, of a fraction that is a derivative."""
+    over, below = ([p for p in part if p.text not in NOTHING] for part in (over, below))
+    sign, count = operator_at(over, 0)
+    if not sign:
+        return None
+    order = 1
+    if count < len(over) - 1 and over[count].text == "^":
+        if not plain(over[count + 1]).isdigit():
+            return None
+        order, count = int(plain(over[count + 1])[:2]), count + 2
+    by: list[Sequence[Piece]] = []
+    i = 0
+    while i < len(below):
+        also, n = operator_at(below, i)
+        if also != sign:
+            return None
+        start = i = i + n
+        while i < len(below) and not operator_at(below, i)[0]:
+            i += 1
+        variable = below[start:i]
+        times = 1
+        if len(variable) > 2 and variable[-2].text == "^" and plain(variable[-1]).isdigit():
+            times, variable = int(plain(variable[-1])[:1]), variable[:-2]
+        if not variable or variable[0].text in ("_", "^", "'", "+", "-"):
+            return None
+        by += [variable] * times
+    if not by:
+        return None
+    if len(by) != order or order > 4:
+        raise UnreadError("a derivative whose orders above and below differ", position)
+    return sign, over[count:], by
+
+
+def _infix(items: Sequence[Piece], level: int) -> Sequence[Piece]:
+    r"""Pieces without TeX's own ``\over`` and ``\cr``."""
+    texts = [piece.text for piece in items]
+    if r"\cr" in texts:
+        items = [replace(p, text=r"\\") if p.text == r"\cr" else p for p in items]
+    if not level or texts.count(r"\over") != 1:
+        return items
+    at = texts.index(r"\over")
+    place = items[at].position
+    halves = (tuple(items[:at]), tuple(items[at + 1 :]))
+    return [Piece(r"\frac", place), *(Piece("{}", place, half) for half in halves)]
+
+
+def _lonely_d(items: Sequence[Piece]) -> bool:
+    """Whether a d stands alone: a letter, a distance say."""
+    ends = {*_RELATIONS, "+", "-", ")", "", "_", "/", ",", r"\cdot"}
+    for i, piece in enumerate(items):
+        if piece.text == "{}":
+            over = piece.group[:1] and piece.group[0].text == "d"  # the bar of a derivative
+            if over and (len(piece.group) == 1 or piece.group[1].text == "^"):
+                continue
+            if _lonely_d(piece.group):
+                return True
+        if piece.text != "d" or (i and items[i - 1].text in _WORDED | {"_", "^"}):
+            continue
+        behind = items[i + 1].text if i + 1 < len(items) else ""
+        if behind in ends and not (i and items[i - 1].text == r"\frac"):
+            return True
+    return False
 
 
 def _mathematical(words: Sequence[Piece]) -> bool:
     """Whether a relation stands among words."""
-    return any(
-        piece.text in _RELATIONS or piece.text in _NOT_READ or piece.text == "$"
-        for piece in _flat(words)
-    )
+    return any(piece.text in _MATHEMATICAL for piece in flat(words))
 
 
-def _split(items: Sequence[Piece], at: str) -> list[Sequence[Piece]]:
-    """The parts between the pieces `at`, outside inner environments."""
+def _listed(inner: Sequence[Piece]) -> bool:
+    """Whether letters are listed with dots and without commas: x₁ … x_n."""
+    texts = [piece.text for piece in inner]
+    return any(text in _OMITTED for text in texts) and not {"+", "-"} & set(texts)
+
+
+def _terms(inner: Sequence[Piece]) -> set[str]:
+    """The letters that are terms of a sum, without index or prime: x of x − ct."""
+    made = set()
     parts: list[list[Piece]] = [[]]
-    depth = 0
-    for piece in items:
-        depth += {r"\begin": 1, r"\end": -1}.get(piece.text, 0)
-        if piece.text == at and not depth:
+    for piece in inner:
+        if piece.text in ("+", "-"):
             parts.append([])
         else:
             parts[-1].append(piece)
-    return [*(parts if parts[-1] or len(parts) == 1 else parts[:-1])]
+    for part in parts:
+        bare = [p for p in part if p.text not in _DRESSES]
+        if bare and (len(bare) == 1 or bare[1].text in ("_", "'")) and len(bare) <= 3:
+            made.add(_LETTERS.get(plain(bare[0]), plain(bare[0])))
+    return made
 
 
-def _differentiated(over: Sequence[Piece], order: int) -> tuple[Piece, ...] | None:
-    """What stands behind the d above the bar of d…/dt; None if there is no d."""
-    flat: list[Piece] = []
-    for piece in over:
-        inner = piece.group if piece.text == "{}" and _words(piece.group) in "d" else (piece,)
-        flat.extend(inner)
-    while flat and flat[0].text in _NOTHING | _UPRIGHT:
-        flat.pop(0)
-    if not flat or flat[0].text not in ("d", r"\partial"):
-        return None
-    rest = flat[1:]
-    if order == 2:
-        if len(rest) < 2 or rest[0].text != "^" or _words((rest[1],)) != "2":
-            return None
-        rest = rest[2:]
-    return tuple(rest)
+def _behind(inner: Sequence[Piece]) -> int:
+    """Behind an argument in braces or square brackets."""
+    if inner[0].text == "{}":
+        return 1
+    return next((i + 1 for i, piece in enumerate(inner) if piece.text == "]"), 1)
 
 
-def _slope(over: Sequence[Piece], below: Sequence[Piece]) -> list[Sequence[Piece]] | None:
-    """f and x of ∂f/∂x; None if it is another fraction."""
-    parts = [[p for p in part if p.text not in _NOTHING] for part in (over, below)]
-    if not all(len(part) > 1 and part[0].text == r"\partial" for part in parts):
-        return None
-    return [part[1:] for part in parts]
+def _is_latin(text: str) -> bool:
+    """Whether it is a letter that formulas have."""
+    return len(text) == 1 and text.isalpha() and (text.isascii() or text in _ALPHABET)
 
 
-def _words(group: Sequence[Piece]) -> str:
-    """Pieces as text, without braces and fonts, Greek letters as letters.
-
-    >>> _words(pieces(r"\\text{CM}")), _words(pieces(r"d^{3}\\mathbf{r}"))
-    ('CM', 'd^3r')
-    """
-    made = []
-    for piece in group:
-        if piece.text == "{}":
-            made.append(_words(piece.group))
-        elif piece.text not in _TEXTS | _FONTS | _NOTHING:
-            made.append(_LETTERS.get(piece.text, piece.text))
-    return "".join(made)
+def _is_product(run: str) -> bool:
+    """Whether a row of letters is rather a product, such as mgRh: no vowels in it."""
+    return not set(run.lower()) & set("aeiouy")
 
 
-def unread(text: str) -> str:
-    """Mathematics that is not read, without TeX: ``\\lambda_r + i\\lambda_i`` as λ_r + iλ_i."""
-    try:
-        shown = "".join(f" {p.text} " if p.text in "+-=" else _words((p,)) for p in pieces(text))
-    except UnreadError:
-        return text
-    return " ".join(shown.split())
+# --- Glyphs --------------------------------------------------------------------------------------
 
 
-def _index(group: Sequence[Piece]) -> str:
-    """An index as glyphs have it: 1, CM, 1′, φ, −."""
-    return _words(group).replace("-", "−")
+def _styled(written: str, style: str, position: int) -> str:
+    if len(written) != 1:
+        raise UnreadError("no single symbol in braces", position)
+    if style == r"\mathbb" and written in _SETS:
+        raise UnreadError("a set: that is not read", position)
+    case = "CAPITAL" if written.isupper() else "SMALL"
+    for prefix in ("MATHEMATICAL ", ""):
+        try:
+            return unicodedata.lookup(f"{prefix}{_STYLES[style]} {case} {written.upper()}")
+        except KeyError:
+            continue
+    return written
 
 
-_NOT_READ = dict.fromkeys(
-    (
-        *(r"\ge", r"\geq", r"\le", r"\leq", r"\geqslant", r"\leqslant", r"\ll", r"\gg", r"\sim"),
-        *(r"\simeq", r"\cong", r"\propto", r"\to", r"\parallel", r"\in", r"\gtrsim", r"\lesssim"),
-    ),
-    "a relation that is not read",
-) | dict.fromkeys((r"\pm", r"\mp"), "two signs at once: write an equation for each")
+def _primed(glyph: Glyph) -> Glyph:
+    return replace(glyph, base=glyph.base + "′") if glyph.prime else replace(glyph, prime=True)
 
 
-def _instead_of_a_symbol(text: str) -> str:
-    return _NOT_READ.get(text, f"{text or 'the end'} where a symbol should be")
+def _dressed(glyph: Glyph, dress: Piece) -> Glyph:
+    if dress.text in BOLD:
+        return replace(glyph, bold=True)
+    if dress.text in _MARKS:
+        return replace(glyph, base=glyph.base + _MARKS[dress.text])
+    if dress.text in UPRIGHT:
+        return glyph
+    accent = "hat" if dress.text in _HATS else {1: "dot", 2: "ddot"}[_OVER[dress.text]]
+    if glyph.accent == "hat" and accent != "hat":
+        glyph = replace(glyph, base=glyph.base[0] + "\u0302" + glyph.base[1:], accent="")
+    if glyph.accent:
+        raise UnreadError("an accent above an accent", dress.position)
+    return replace(glyph, accent=accent, bold=glyph.bold or dress.text == r"\hat")
 
 
 def spelling(glyph: Glyph) -> str:
@@ -960,9 +1544,9 @@ def spelling(glyph: Glyph) -> str:
     """
     extras = [{"dot": "a dot", "ddot": "two dots", "hat": "a hat"}.get(glyph.accent, "")]
     extras += ["a prime" if glyph.prime else "", "bold type" if glyph.bold else ""]
-    said = " and ".join(filter(None, extras))
+    joint = " and ".join(filter(None, extras))
     name = f"{glyph.base}_{glyph.sub}" if glyph.sub else glyph.base
-    return f"{name} with {said}" if said else name
+    return f"{name} with {joint}" if joint else name
 
 
 def shown(token: Token, notation: Notation) -> str:

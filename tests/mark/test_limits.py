@@ -18,7 +18,7 @@ from rigidtop.cli import main
 from rigidtop.derivations import PAGES
 from rigidtop.errors import RigidtopError
 from rigidtop.mark.audit import audit
-from rigidtop.read import document, scan
+from rigidtop.read import document, tex
 from rigidtop.read.formula import DEEPEST, read
 from rigidtop.theory.symbols import VOCABULARY
 from rigidtop.typeset.text import text
@@ -220,8 +220,8 @@ def test_a_long_sum_is_read_and_a_very_long_one_is_not():
 
 
 def test_the_length_and_the_depth_are_said():
-    assert str(scan.LONGEST) in read("a" * (scan.LONGEST + 1))[0].problem
-    assert str(scan.DEEPEST) in read("{" * 99)[0].problem
+    assert str(tex.LONGEST) in read("a" * (tex.LONGEST + 1))[0].problem
+    assert str(tex.DEEPEST) in read("{" * 99)[0].problem
 
 
 # --- Files ---------------------------------------------------------------------------------------
@@ -378,7 +378,7 @@ def calls(source):
     }
 
 
-@pytest.mark.parametrize("module", ["scan.py", "formula.py", "document.py"])
+@pytest.mark.parametrize("module", ["tex.py", "scan.py", "formula.py", "document.py"])
 def test_no_module_evaluates_text(module):
     [path] = [path for path in MODULES if path.name == module]
     assert calls(path.read_text("utf-8")) == set()

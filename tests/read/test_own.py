@@ -64,6 +64,7 @@ READ = {
     r"V = mglsin\theta": ["V = mgl sin θ"],
     r"x = A\cos\omega t": ["x = A cos(ωt)"],
     r"x = 2\sin\theta\dot\theta": ["x = 2 sin θ θ̇"],
+    r"y = \sqrt[3]{x}": ["y = ∛x"],
     r"y = a\cosh[x/a]": ["y = a cosh(x/a)"],
     # vectors and matrices
     r"\vec L = \vec r\times m\vec v": ["L = r × mv"],
