@@ -7,7 +7,7 @@ import csv
 import sys
 from collections import Counter
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rigidtop.commands.claims import FAILED
 from rigidtop.commands.motions import number
@@ -70,6 +70,7 @@ def run(options: argparse.Namespace) -> int:
     if options.file != "-" and Path(options.file).is_dir():
         return _class(Path(options.file), options)
     source = _typed() if options.file == "-" else text_of(options.file)
+    from rigidtop.mark.cell import record
     from rigidtop.mark.limits import marked
 
     found = marked(source, options.start, options.goal, options.seconds, 6 * options.seconds)
@@ -119,28 +120,6 @@ def _class(folder: Path, options: argparse.Namespace) -> int:
 def _cell(said: str) -> str:
     """Text that a spreadsheet does not take for a formula."""
     return f"'{said}" if said[:1] in ("=", "+", "-", "@", "\t", "\r") else said
-
-
-def record(found: Marking) -> dict[str, Any]:
-    """A marking as plain values."""
-    return {
-        "lines": [
-            {
-                "line": line.line,
-                "read": line.said,
-                "verdict": line.mark.value,
-                "note": line.note,
-                "slips": [{"kind": slip.kind, "words": slip.words} for slip in line.slips],
-            }
-            for line in found.lines
-        ],
-        "points": found.points[0],
-        "of": found.points[1],
-        "arrives": found.arrives,
-        "lost": list(found.lost),
-        "passed": found.passed,
-        "summary": found.summary,
-    }
 
 
 def _print(found: Marking) -> None:

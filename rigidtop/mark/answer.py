@@ -44,7 +44,7 @@ from rigidtop.proof.equation import Equation, Rate, Underbrace, symbols_of, valu
 from rigidtop.proof.moves import Known
 from rigidtop.proof.verdict import entries
 from rigidtop.read.document import Formula, Problem, bare, formulas, places, problems
-from rigidtop.read.formula import Line, read
+from rigidtop.read.formula import Habits, Line, read
 from rigidtop.read.scan import Token, tokens
 from rigidtop.read.tex import UnreadError
 from rigidtop.theory import symbols as s
@@ -323,7 +323,7 @@ def _steps(
         notation, glyphs={**notation.glyphs, **{x: glyph for glyph, x in heard.items()}}
     )
     try:
-        found = read(written, known)
+        found = read(written, known, Habits(conditions=True))
     except RecursionError:
         found = (Line(0, None, "nested too deeply"),)
     for line in _with_doubts(found, _doubtful(scanned, written, known), written):
@@ -544,6 +544,9 @@ class _Answer:
             bad = next((i for i, v in enumerate(verdicts) if v.holds is False), None)
             unsure = next((v for v in verdicts if v.holds is None), None)
             failed = None if bad is None else (links[bad], verdicts[bad], model)
+        if failed is not None and step.line.condition:
+            note = f"it does not hold always; whether it does {step.line.condition} is not judged"
+            return Marked(step.number, said, Mark.INCONCLUSIVE, note)
         if failed is None:
             assert unsure is not None
             return Marked(step.number, said, Mark.INCONCLUSIVE, unsure.why)
@@ -635,7 +638,7 @@ class _Answer:
     def _implies(self, given: Expr, goal: Expr) -> bool:
         """Whether goal = 0 follows from given = 0, neither of them an identity."""
         conditions = [*self.passage.given, *self.stated]
-        factor = reduce_ratio(given / goal)
+        factor = reduce_ratio(sympy.expand_trig(given) / goal)
         if factor.is_number:
             return bool(factor != 0)  # 0 = 0 implies nothing
         # Its numerator: what the line divides by is not zero where the line says anything.

@@ -652,7 +652,9 @@ def _momentum_on_cone() -> Passage:
 
 
 def _precession_vector() -> Passage:
-    model = _picture()
+    picture = _picture()
+    # λ₁ is in no line of the picture: one that has it is false, not unread.
+    model = replace(picture, meaning={**picture.meaning, s.lambda1: s.lambda1})
     return Passage(
         "3.52",
         (model,),

@@ -74,6 +74,8 @@ class Habits:
     """A letter and one that it is a function of: V and x."""
     timed: frozenset[Glyph] = frozenset()
     """Letters that depend on the time: x(t)."""
+    conditions: bool = False
+    """Whether words behind a line, "for θ ≠ 0", are taken in the letters of a table too."""
 
 
 def read(
@@ -90,7 +92,18 @@ def read(
         found = scanned(text, notation, habits)
     except UnreadError as error:
         return (Line(error.position, None, error.reason),)
-    return tuple(line for part in _parts(found, text) for line in _read(part, notation))
+    lines = tuple(line for part in _parts(found, text) for line in _read(part, notation))
+    if notation.open or habits.conditions:
+        return lines
+    return tuple(_unconditioned(line) for line in lines)
+
+
+def _unconditioned(line: Line) -> Line:
+    """A line without words behind it; one that has some is unread."""
+    if not line.condition:
+        return line
+    reason = f"words inside a formula: {line.condition[:40]!r}"
+    return Line(line.position, None, reason, line.follows, line.tag)
 
 
 def scanned(text: str, notation: Notation, habits: Habits) -> list[Token]:

@@ -615,7 +615,7 @@ class Scan:
         if opens in ("<", r"\langle"):
             raise UnreadError(f"{_REFUSED[chr(92) + 'langle']}: that is not read", position)
         if end is None or (opens != "." and closes != "." and opens not in _BARS):
-            self.take()
+            self.at += 1 + (opens == ".")
             return
         self.at = end + 2
         if opens == "." and closes in _BARS:
@@ -1050,10 +1050,12 @@ class Scan:
             raise UnreadError("mathematics in words inside a formula", piece.position)
         elif self.commented >= 0 and self.at - self.commented <= 3:
             return
-        elif not self.open:
-            if self.depth or bare.lower() != "and":
-                raise UnreadError(f"words inside a formula: {bare!r}", piece.position)
+        elif not self.open and bare.lower() == "and" and not self.depth:
             yield Token("SEPARATOR", bare, piece.position)
+        elif not self.open and (self.depth or bare.split()[0].lower() not in CONDITIONS):
+            raise UnreadError(f"words inside a formula: {bare!r}", piece.position)
+        elif not self.open:
+            yield Token("WORDS", bare, piece.position)
         elif _UNIT.fullmatch(bare) and self.last in ("NUMBER", "_END", "CLOSE"):
             base = bare if len(bare) > 1 else f" {bare}"  # metres are no masses
             yield Token("SYMBOL", self.notation.symbol(Glyph(base)), piece.position)

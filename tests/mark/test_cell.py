@@ -1,0 +1,61 @@
+"""An answer in a cell: the student sees its marks, the teacher has the record."""
+
+import json
+
+import pytest
+
+from rigidtop.errors import RigidtopError
+from rigidtop.mark.cell import EXERCISES, RECORD, answer, ends, load_ipython_extension
+
+WRONG = r"$$\dot\theta = 0$$ $$\lambda_1\cos\theta\,\Omega^2 + \lambda_3\omega_3\Omega + MgR = 0$$"
+
+
+def test_a_cell_is_marked_where_it_stands_and_recorded(tmp_path):
+    kept = tmp_path / "marks.jsonl"
+    found = answer(f"3.54 3.57 --record {kept}", WRONG)
+    shown = found._repr_mimebundle_()
+    assert "the sign of λ₃ω₃Ω" in shown["text/plain"]
+    assert "| 1 | θ̇ = 0 | follows |" in shown["text/markdown"]
+    assert shown[RECORD] == json.loads(kept.read_text("utf-8"))
+    assert (shown[RECORD]["points"], shown[RECORD]["of"], shown[RECORD]["passed"]) == (1, 2, False)
+    assert shown[RECORD]["lines"][1]["slips"][0]["kind"] == "sign"
+
+
+def test_an_exercise_says_from_where_to_where():
+    assert ends("fast-spin-roots") == ("3.57", "two-roots")
+    assert ends("azimuthal-rate")[1] == "3.45"
+    marked = []
+    for exercise in EXERCISES:
+        try:
+            ends(exercise.name)
+        except RigidtopError:
+            continue
+        marked.append(exercise.name)
+    assert {"gyroscope", "space-rate", "bicycle-wheel"} <= set(marked)
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("", "%%answer EXERCISE"),
+        ("a b c", "%%answer EXERCISE"),
+        ('"', "%%answer EXERCISE"),
+        ("--record", "%%answer EXERCISE"),
+        ("no-such", "no exercise is called 'no-such'"),
+        ("two-masses", "no line of two-masses is marked"),
+        ("3.57 3.54", "no derivation from 3.57 to 3.54"),
+        ("3.54 3.57", "no formula in the cell"),
+    ],
+)
+def test_a_bad_line_is_told_in_words(line, said, capsys):
+    with pytest.raises(RigidtopError, match=r".*".join(said.split("'"))):
+        answer(line, "no formula")
+    magics = {}
+
+    class Shell:
+        def register_magic_function(self, function, kind, name):
+            magics[kind, name] = function
+
+    load_ipython_extension(Shell())
+    assert magics["cell", "answer"](line, "no formula") is None
+    assert said in capsys.readouterr().out
