@@ -68,8 +68,12 @@ def pieces(text: str) -> tuple[Piece, ...]:
         reason = f"a control character (U+{ord(control[0]):04X}), which no formula has"
         raise UnreadError(reason, control.start())
     stack: list[tuple[int, list[Piece]]] = [(0, [])]
+    accents = 0
     for found, position in _atoms(text):
         inside = stack[-1][1]
+        accents = accents + 1 if found in _COMBINING else 0
+        if accents > DEEPEST:
+            raise UnreadError(f"nested deeper than {DEEPEST}", position)
         if found == "{":
             if len(stack) > DEEPEST:
                 raise UnreadError(f"nested deeper than {DEEPEST}", position)
@@ -173,10 +177,12 @@ _SAID |= {r"\intercal": "T", r"\prime": "′", "'": "′"}
 
 def flat(items: Sequence[Piece]) -> Iterator[Piece]:
     """Pieces and what stands in their braces."""
-    for piece in items:
+    left = [*reversed(items)]
+    while left:
+        piece = left.pop()
         if piece.text != "{}":
             yield piece
-        yield from flat(piece.group)
+        left.extend(reversed(piece.group))
 
 
 def plain(*items: Piece) -> str:
