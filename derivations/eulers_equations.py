@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 from operator import itemgetter
 
 from sympy import Eq, Expr, Ge, Le, Matrix, Ne, S
@@ -19,7 +20,7 @@ from rigidtop.theory.euler import (
     body_accelerations,
     kinetic_energy,
 )
-from rigidtop.theory.lagrangian import euler_lagrange
+from rigidtop.theory.lagrangian import momenta
 from rigidtop.theory.rotation import (
     EULER_RATES,
     Z_AXIS,
@@ -63,12 +64,19 @@ def transport() -> Iterator[Evidence]:
 
 def lagrange_third(potential: Expr) -> dict:
     """ω₃ and its rate in Euler angles, ψ̈ taken from Lagrange's equation for ψ."""
-    lagrangian = top.kinetic_energy() - potential
-    for_psi = euler_lagrange(lagrangian, top.ANGLES, top.RATES, top.ACCELERATIONS)[2]
-    solution = -for_psi.subs(s.psiddot, 0) / for_psi.diff(s.psiddot)
-    omega = euler_omega("body")
+    rest, inertia, omega = _for_psi()
+    solution = -(rest + potential.diff(s.psi)) / inertia
     rate = total_derivative(omega[2], EULER_RATES).subs(s.psiddot, solution)
     return {s.omega1: omega[0], s.omega2: omega[1], s.omega3: omega[2], s.omega3dot: rate}
+
+
+@cache
+def _for_psi() -> tuple[Expr, Expr, Matrix]:
+    """d/dt ∂T/∂ψ̇ − ∂T/∂ψ as what is left without ψ̈ and what multiplies it; ω in the body."""
+    kinetic = top.kinetic_energy()
+    [momentum] = momenta(kinetic, (s.psidot,))
+    whole = total_derivative(momentum, EULER_RATES) - kinetic.diff(s.psi)
+    return whole.subs(s.psiddot, 0), whole.diff(s.psiddot), euler_omega("body")
 
 
 @claim("3.36", "Euler's equations for the case of no external torque.")

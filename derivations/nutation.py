@@ -15,7 +15,6 @@ from sympy import (
     factor_list,
     pi,
     sin,
-    solve,
     symbols,
 )
 
@@ -24,7 +23,7 @@ from rigidtop.proof.page import Assumption, Evidence, Formal, Page, Remark, Step
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.euler import OMEGA, along_flow, kinetic_energy
-from rigidtop.theory.lagrangian import Linearisation, cyclic_velocities, linearise
+from rigidtop.theory.lagrangian import Linearisation, cyclic_velocities, energy, linearise
 from rigidtop.theory.trig import reduce_ratio
 
 from .euler_angles import TILTED
@@ -58,7 +57,7 @@ def mean_shift(second: Expr, third: Expr) -> Expr:
     order = (balance.diff(s.A, 2) / 2).subs(s.A, 0)
     # The mean over four quarters of a turn is exact: there is no harmonic above the third.
     constant = sum(order.subs(phase, k * pi / 2) for k in range(4)) / 4
-    [solution] = solve(constant, shift)
+    solution = -constant.subs(shift, 0) / constant.diff(shift)
     return s.A**2 * solution.subs({u2: second, u3: third})
 
 
@@ -106,7 +105,8 @@ def nutation() -> Iterator[Evidence]:
     lean = 1 - cos(s.theta)
     threshold = factor[0].as_poly(s.Omega).discriminant().subs(spin)
     yield Formal(printed(r"D = (\lambda_3\omega_3)^2 - 4\lambda_1MgR"), {s.D: threshold})
-    spinning = top.symmetric_momenta().subs(s.psidot, s.omega3 - s.phidot * cos(s.theta))
+    slower = {s.psidot: s.omega3 - s.phidot * cos(s.theta)}
+    spinning = top.symmetric_momenta().subs(slower)
     momenta = dict(zip((s.p_theta, s.p_phi, s.p_psi), spinning, strict=True))
     yield Formal(
         printed(
@@ -116,7 +116,7 @@ def nutation() -> Iterator[Evidence]:
         ),
         {
             **momenta,
-            s.E: top.symmetric_hamiltonian().subs(momenta),
+            s.E: energy(top.symmetric_lagrangian(), top.RATES).subs(slower),
             s.Omega: s.lambda3 * s.omega3 / (2 * s.lambda1),
             s.D: threshold,
         },

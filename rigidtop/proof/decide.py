@@ -317,18 +317,11 @@ def points(
     for attempt in range(tries):
         # The choice widens slowly, so that what is found first can be read aloud.
         width = 2 + attempt // 60
-
-        def draw(x: Symbol, width: int = width) -> Expr:
-            if x in angles:
-                pool = (*_ANGLES[:width], Integer(0), *(-a for a in _ANGLES[: width - 2]))
-            elif x.is_positive:
-                pool = _POSITIVE[:width]
-            else:
-                pool = (*_REAL[:width], Integer(0))
-            return rng.choice(pool)
-
+        turns = (*_ANGLES[:width], Integer(0), *(-a for a in _ANGLES[: width - 2]))
+        positive, real = _POSITIVE[:width], (*_REAL[:width], Integer(0))
+        pools = [turns if x in angles else positive if x.is_positive else real for x in symbols]
         for _ in range(_REDRAWS):
-            point = {x: draw(x) for x in symbols}
+            point = {x: rng.choice(pool) for x, pool in zip(symbols, pools, strict=True)}
             if exists(point):
                 yield point
                 break
@@ -357,7 +350,7 @@ def values(expressions: Sequence[Expr], attempt: int, names: Mapping[Any, Any] =
 
 def angle_symbols(expressions: Sequence[Expr]) -> set[Symbol]:
     """The symbols that stand inside a sine or a cosine, but for factors of the time."""
-    inside = [f.args[0].subs(t, 0) for e in expressions for f in e.atoms(sin, cos)]
+    inside = {f.args[0].xreplace({t: Integer(0)}) for e in expressions for f in e.atoms(sin, cos)}
     return set().union(*(argument.free_symbols for argument in inside)) if inside else set()
 
 
@@ -366,10 +359,20 @@ def evaluate(expressions: Sequence[Expr], point: Point, hidden: Mapping[Symbol, 
 
     `hidden` are symbols of the expressions that are themselves expressions in the point's.
     """
-    at = {x: _plain(v) for x, v in point.items()}
-    inner = {x: _number(e, at) for x, e in hidden.items()}
-    at |= {x: v if math.isfinite(v) else math.nan for x, v in inner.items()}
+    at = _Values({x: _plain(v) for x, v in point.items()}, hidden)
     return [_number(e, at) for e in expressions]
+
+
+class _Values(dict[Symbol, float]):
+    """The numbers of symbols; what is `hidden` is evaluated when it is asked for."""
+
+    def __init__(self, known: Mapping[Symbol, float], hidden: Mapping[Symbol, Expr]) -> None:
+        super().__init__(known)
+        self.hidden = hidden
+
+    def __missing__(self, x: Symbol) -> float:
+        value = _number(self.hidden[x], self)
+        return self.setdefault(x, value if math.isfinite(value) else math.nan)
 
 
 def _number(expression: Expr, at: Mapping[Symbol, float]) -> float:

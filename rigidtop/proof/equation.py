@@ -18,6 +18,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
+from operator import add, mul
 from typing import Any
 
 import sympy
@@ -151,10 +152,8 @@ def value(node: Side, meaning: Meaning) -> Any:
     if not node.args:
         return node
     parts = [value(argument, meaning) for argument in node.args]
-    if isinstance(node, Add):
-        return _fold(parts, lambda a, b: a + b)
-    if isinstance(node, Mul):
-        return _fold(parts, lambda a, b: a * b)
+    if isinstance(node, (Add, Mul)) and any(isinstance(x, sympy.MatrixBase) for x in parts):
+        return _fold(parts, add if isinstance(node, Add) else mul)
     return node.func(*parts)
 
 
@@ -163,7 +162,7 @@ def _printed_value(node: Printed, meaning: Meaning) -> Any:
         return value(node.args[0], meaning)
     if isinstance(node, SumOver):
         index, body = node.args
-        return _fold([value(body, {**meaning, **term}) for term in meaning[index]], _plus)
+        return _fold([value(body, {**meaning, **term}) for term in meaning[index]], add)
     if isinstance(node, VolumeIntegral):
         measure, body = node.args
         return meaning[measure](value(body, meaning))
@@ -177,12 +176,8 @@ def _printed_value(node: Printed, meaning: Meaning) -> Any:
     if isinstance(node, Transposed):
         return operands[0].T
     if isinstance(node, Matrices):
-        return _fold(operands, lambda a, b: a * b)
+        return _fold(operands, mul)
     raise TypeError(f"no meaning for {type(node).__name__}")
-
-
-def _plus(a: Any, b: Any) -> Any:
-    return a + b
 
 
 def _fold(parts: list[Any], join: Callable[[Any, Any], Any]) -> Any:

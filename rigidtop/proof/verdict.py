@@ -6,6 +6,7 @@ import math
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any
 
 import sympy
@@ -334,7 +335,7 @@ def _split(assuming: Sequence[Assumption]) -> tuple[dict[Any, Any], list[Relatio
 def _impose(expression: Any, equal: Mapping[Any, Any]) -> Any:
     """Put the equalities in, twice, since one may bring in the symbol of another."""
     replaced = set().union(*(old.free_symbols for old in equal))
-    for _ in range(2):
+    for _ in range(2 if equal else 0):
         if expression.free_symbols & replaced:
             expression = expression.subs(equal)
     return expression
@@ -446,19 +447,16 @@ def _search(
     undefined: Failure | None = None
     patience = 20
     for point in decide.points(symbols, decide.angle_symbols(seen), tries, letters.exists):
-        numbers = decide.evaluate(everything, point, hidden)
-        values = numbers[: len(flat)]
-        gap = numbers[len(flat) : len(flat) + len(gaps)]
-        division, *rest = numbers[len(flat) + len(gaps) :]
-        if abs(division) < decide.TOLERANCE:
-            continue
-        zero, divided_by = rest[: len(given)], rest[len(given) :]
-        if not all(abs(h) < decide.TOLERANCE for h in zero):
+        # What is asked of a point first: most are not at places where the rest would count.
+        division, *rest = decide.evaluate([divisor, *given, *gaps], point, hidden)
+        zero, gap = rest[: len(given)], rest[len(given) :]
+        if abs(division) < decide.TOLERANCE or not all(abs(h) < decide.TOLERANCE for h in zero):
             continue
         holds = [_holds(c, x) for c, x in zip(extra, gap, strict=True)]
-        wanted = [True] * len(conditions) + [False] * (len(extra) - len(conditions))
-        if holds != wanted:
+        if holds != [True] * len(conditions) + [False] * (len(extra) - len(conditions)):
             continue
+        numbers = decide.evaluate([*flat, *divisors], point, hidden)
+        values, divided_by = numbers[: len(flat)], numbers[len(flat) :]
         if any(abs(d) < decide.TOLERANCE for d in divided_by):
             # Numbers that differ say more than a division by zero: look on for a while.
             undefined = undefined or (sides, point, hidden)
@@ -484,7 +482,7 @@ def _opaque(meaning: Meaning) -> tuple[Meaning, dict[Symbol, Expr]]:
         expression = sympy.sympify(expression)
         if expression.is_Atom:
             return expression
-        stand_in = sympy.Dummy(real=True)
+        stand_in = _stand_in(len(hidden))
         hidden[stand_in] = expression
         return stand_in
 
@@ -493,6 +491,12 @@ def _opaque(meaning: Meaning) -> tuple[Meaning, dict[Symbol, Expr]]:
         for key, m in meaning.items()
     }
     return used, hidden
+
+
+@cache
+def _stand_in(count: int) -> Symbol:
+    """The same at every search: SymPy remembers what it found out about it."""
+    return sympy.Dummy(f"stand_in_{count}", real=True)
 
 
 def _solve_given(given: list[Expr]) -> tuple[dict[Symbol, Expr], list[Expr], Expr]:

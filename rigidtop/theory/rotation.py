@@ -120,7 +120,8 @@ def total_derivative(expression: Expr | MatrixBase, rates: Mapping[Expr, Expr]) 
     lettered = expression.xreplace(letters)
     words = {letter: x for x, letter in letters.items()}
     present = lettered.free_symbols
-    terms = (lettered.diff(x) * moving[words[x]] for x in words if x in present)
+    changing = (x for x in words if x in present and moving[words[x]] != 0)
+    terms = (lettered.diff(x) * moving[words[x]] for x in changing)
     return sum((term.xreplace(words) for term in terms), Integer(0))
 
 
@@ -185,14 +186,12 @@ def euler_omega(frame: str) -> ImmutableMatrix:
     >>> euler_omega("primed").T
     Matrix([[-phidot*sin(theta), thetadot, phidot*cos(theta) + psidot]])
     """
-    attitude = euler_matrix()
-    if frame == "body":
-        return ImmutableMatrix(omega_body(attitude, EULER_RATES))
-    space = omega_space(attitude, EULER_RATES)
     if frame == "space":
-        return ImmutableMatrix(space)
+        return ImmutableMatrix(omega_space(euler_matrix(), EULER_RATES))
     if frame == "primed":
-        return ImmutableMatrix(reduce_trig(primed_matrix().T * space))
+        return ImmutableMatrix(reduce_trig(primed_matrix().T * euler_omega("space")))
+    if frame == "body":
+        return ImmutableMatrix(reduce_trig(rotation_z(s.psi).T * euler_omega("primed")))
     raise ValueError(f"unknown frame {frame!r}: it is 'space', 'body' or 'primed'")
 
 
