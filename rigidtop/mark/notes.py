@@ -53,6 +53,9 @@ MOST_OPERATIONS = 400
 MOST_MISSING = 2
 """A line with accelerations that lacks more numbers of the law is of a special case."""
 
+MOST_SOLVED = 3
+"""Of more equations of motion at once it is not asked by what they are divided."""
+
 MOST_SIGNS = 3
 """So many letters of a line may be known by their squares alone."""
 
@@ -109,7 +112,7 @@ def held(
     moving = {place: some | dotted.get(place + 1, frozenset()) for place, some in dotted.items()}
     known = frozenset().union(*moving.values())
     of = {x: args for x, args in _arguments(functions).items() if x not in known}
-    ledger = _Ledger(moving, of)
+    ledger = _Ledger(moving, of, _twins(found))
     made = []
     for i, line in enumerate(found):
         if line.equation is None:
@@ -121,6 +124,18 @@ def held(
         ledger.section = places[i]
         made.append(ledger.take(i, line))
     return tuple(made)
+
+
+def _twins(lines: Sequence[Line]) -> dict[int, Equation]:
+    """The lines that ± makes: two at one place, with the same left side."""
+    made: dict[int, Equation] = {}
+    for (i, one), (k, two) in pairwise(enumerate(lines)):
+        a, b = one.equation, two.equation
+        if a is None or b is None or one.position != two.position:
+            continue
+        if a.sides[0] == b.sides[0] and len(a.sides) == len(b.sides) == 2:
+            made |= {i: b, k: a}
+    return made
 
 
 def _moving(lines: Iterable[Line]) -> frozenset[Symbol]:
@@ -165,6 +180,8 @@ class _Given:
     value: Expr
     rests: frozenset[int]
     section: int
+    stated: bool = True
+    """Whether it is said, rather than the rate of what is said."""
 
 
 @dataclass(frozen=True)
@@ -214,6 +231,8 @@ class _Ledger:
     moves: Mapping[int, frozenset[Symbol]]
     """The letters that change in time, under each heading."""
     functions: Mapping[Symbol, tuple[Symbol, ...]]
+    twins: Mapping[int, Equation] = field(default_factory=dict)
+    """Of a line that ± makes, by its number, the other one."""
     given: dict[Symbol, _Given] = field(default_factory=dict)
     law: _Law | None = None
     other: _Law | None = None
@@ -222,6 +241,8 @@ class _Ledger:
     """What is set for a special motion: θ̇ by 0, φ̇ by Ω."""
     signs: dict[Symbol, Lettered] = field(default_factory=dict)
     """What stands in values for the sign, 1 or −1, of a letter that is known by its square."""
+    at_places: set[Symbol] = field(default_factory=set)
+    """Letters of functions, as V in V(x): V′(x) is then its slope."""
     section: int = 0
     used: set[int] = field(default_factory=set)
     places: dict[int, int] = field(default_factory=dict)
@@ -266,6 +287,9 @@ class _Ledger:
         made: list[Held] = []
         inner = 0
         defines = self.defines(first, others)
+        twin = self.twins.get(number)
+        if twin is not None and len(others) == 1:
+            return self.either(line, first, others[0], self.named(twin.sides[-1]))
         if defines:
             made.append(self.defined(number, line, first, others))
             links, inner = links[1:], 1
@@ -473,7 +497,13 @@ class _Ledger:
             if all(isinstance(x, Lettered) for x in places):
                 return self.letter(letter)
             raise NoMeaningError(f"{text(letter)} at another place is not judged")
-        return Function(letter.name, real=True)(*map(self.value, places))
+        at = [*map(self.value, places)]
+        glyph = letter.quantity.glyph if isinstance(letter, Lettered) else Glyph("")
+        of = own(replace(glyph, prime=False))
+        if glyph.prime and len(at) == 1 and isinstance(at[0], Symbol) and of in self.at_places:
+            return Function(of.name, real=True)(*at).diff(*at)
+        self.at_places.add(letter)
+        return Function(letter.name, real=True)(*at)
 
     def total(self, value: Expr) -> Expr:
         """d/dt."""
@@ -525,6 +555,30 @@ class _Ledger:
             return Held(line, PREMISE, f"what {text(left)} stands for, another than above")
         self.used = rests
         return self.refuted(left, right, sides, inner, made)
+
+    def either(self, line: Line, left: Any, right: Any, other: Any) -> Held:
+        """One of two lines that ± makes: where it does not hold the other one has to."""
+        self.used = set()
+        one, two = (self.value(left) - self.value(side) for side in (right, other))
+        rests = tuple(sorted(self.used))
+        found = self.shown(one, None)
+        if found is not None:
+            return Held(line, found[0].value, found[1] or "by what is said above", rests)
+        meant = {x: g.value for x, g in self.sets.items()}
+        both, solved = (one * two).subs(meant).subs(meant), [dict[Symbol, Expr]()]
+        for v in self.law.vanishing if self.law is not None else ():
+            given = sympy.expand(v.subs(meant).subs(meant))
+            if not given.has(*(_dotted(x, 2) for x in self.moving)):
+                linear = [x for x in given.free_symbols if given.diff(x) != 0 == given.diff(x, 2)]
+                solved += [{x: -given.subs(x, 0) / given.diff(x)} for x in sorted(linear, key=str)]
+        for put in solved:
+            if self.shown(sympy.expand(both.subs(put)), None) is not None:
+                said = ", ".join(filter(None, (_said(meant), "with one of the two signs")))
+                law = self.law.rests if put and self.law is not None else frozenset()
+                return Held(line, Verdict.ASSUMING.value, f"where {said}", tuple({*rests, *law}))
+        if isinstance(left, Symbol) and left not in self.given and left not in self.primitive():
+            return Held(line, PREMISE, f"one of two values of {text(left)}: which is not said")
+        return Held(line, Verdict.UNDECIDED.value, "neither of the two signs was shown")
 
     def refuted(
         self,
@@ -627,9 +681,15 @@ class _Ledger:
             return None
         meant = {x: g.value for x, g in self.sets.items()}
         lines = set().union(*(g.rests for g in self.sets.values()))
-        words = ", ".join(
-            f"{text(x)} = {text(v)}" for x, v in meant.items() if _accent(x) != "ddot"
-        )
+        words = _said(meant)
+        law, stated = self.law, {x: meant[x] for x, g in self.sets.items() if g.stated}
+        for put in (stated, meant) if law is not None and not law.broken else ():
+            assert law is not None
+            given = tuple(x.subs(put) for x in law.vanishing)
+            found = self.shown(residual.subs(put), replace(law, vanishing=given))
+            if found is not None and found[0] is not Verdict.UNDECIDED:
+                more = found[1].removeprefix("where ") if found[0] is Verdict.ASSUMING else ""
+                return ", ".join(filter(None, (_said(put), more))), lines | law.rests
         if not {*meant}.union(*(x.free_symbols for x in meant.values())) & residual.free_symbols:
             return None
         bare = sympy.expand(residual.subs(meant).subs(meant))
@@ -693,24 +753,28 @@ class _Ledger:
         }
         verdicts = [verdict for verdict in found.values() if verdict is not None]
         if len(verdicts) == len(found):
-            return max(verdicts, key=[*Verdict].index), ""
+            where = _divided(residual, vanishing, a) if law is not None else ""
+            return (Verdict.ASSUMING, where) if where else (max(verdicts, key=[*Verdict].index), "")
         if found[turned(-1)] is not None:
             needed = [self.signs[x] for k, x in enumerate(signs) if found[turned(k)] is None]
-            where = needed or [self.signs[x] for x in signs]
-            return Verdict.ASSUMING, "where " + ", ".join(f"{text(x)} > 0" for x in where)
+            needed = needed or [self.signs[x] for x in signs]
+            return Verdict.ASSUMING, "where " + ", ".join(f"{text(x)} > 0" for x in needed)
         if verdicts:
             return Verdict.UNDECIDED, "it holds with the other sign of a root"
         roots = {x for p in residual.atoms(Pow, sympy.Abs, sympy.log) for x in p.free_symbols
-                 if not (p.is_Pow and p.exp.is_Integer)}  # fmt: skip
-        plus: dict[Symbol, Any] = dict.fromkeys(signs, Integer(1))
-        plus |= {x: sympy.Dummy(positive=True) for x in roots if not _moves(x) and x not in signs}
-        if len(plus) == len(signs) or holds(plus) is None:
-            return None
-        needed = [x for x in plus if x not in signs and
-                  holds({y: v for y, v in plus.items() if y != x}) is None]  # fmt: skip
-        return Verdict.ASSUMING, "where " + ", ".join(
-            f"{text(x)} > 0" for x in sorted(needed, key=str)
-        )
+                 if not (p.is_Pow and p.exp.is_Integer)} - {*signs}  # fmt: skip
+        positive: dict[Symbol, Any] = {x: sympy.Dummy(positive=True) for x in roots}
+        plus = dict.fromkeys(signs, Integer(1))
+        for negative in ({}, *({x: -positive[x]} for x in roots if _bare(x) in self.moving)):
+            put = {**plus, **positive, **negative}
+            if roots and holds(put) is not None:
+                needed = [
+                    y for y in roots if holds({z: v for z, v in put.items() if z != y}) is None
+                ]
+                said = [f"{text(y)} {'<' if y in negative else '>'} 0" for y in needed]
+                said += [f"{text(self.signs[y])} > 0" for y in signs]
+                return Verdict.ASSUMING, "where " + ", ".join(sorted(said))
+        return None
 
     def premise(
         self, number: int, line: Line, left: Any, right: Any, residual: Expr
@@ -735,7 +799,7 @@ class _Ledger:
             value = self.value(right)
             for k in range(3 - ["", "dot", "ddot"].index(left.quantity.glyph.accent)):
                 self.sets[_dotted(left, k) if k else left] = _Given(
-                    value, frozenset(here), self.section
+                    value, frozenset(here), self.section, k == 0
                 )
                 value = Integer(0)
             return Held(line, PREMISE, "a special motion, or value", ())
@@ -808,6 +872,11 @@ def _accent(letter: Symbol) -> str:
     return letter.quantity.glyph.accent if isinstance(letter, Lettered) else ""
 
 
+def _said(meant: Mapping[Symbol, Expr]) -> str:
+    """What is set, in words."""
+    return ", ".join(f"{text(x)} = {text(v)}" for x, v in meant.items() if _accent(x) != "ddot")
+
+
 def _closed_over(side: Any, letter: Symbol) -> bool:
     return letter in getattr(side, "free_symbols", set())
 
@@ -834,8 +903,33 @@ def _vanishes(
 ) -> Verdict | None:
     """PROVED or SAMPLED where an expression vanishes, perhaps because others do; else None."""
     wanted, *known = _plain(sympy.Tuple(residual, *given))[0]
-    rest = decide.eliminated(wanted, known, unknowns) if known else wanted
-    return None if rest is None else decide.evidence(rest)
+    if not known:
+        return decide.evidence(wanted)
+    rest = decide.eliminated(wanted, known, unknowns)
+    return None if rest is None else decide.evidence(rest[0])
+
+
+def _divided(residual: Expr, given: Sequence[Expr], unknowns: Sequence[Symbol]) -> str:
+    """What must not vanish for a line to follow, in words: beside what it divides by itself."""
+    if len(given) > MOST_SOLVED:
+        return ""
+    flat, names = _plain(sympy.Tuple(residual, *given))
+    open_to_vanish = {_bare(x) for x in unknowns}
+    flat = flat.xreplace(
+        {
+            x: sympy.Dummy(x.name, positive=True)
+            for x in flat.free_symbols
+            if isinstance(x, Lettered) and not _moves(x) and x not in open_to_vanish
+        }
+    )
+    wanted, *known = flat
+    found = decide.eliminated(sympy.fraction(sympy.together(wanted))[0], known, unknowns)
+    lost = [] if found is None else decide.divided_by(found[1])
+    typed = sympy.fraction(sympy.together(wanted))[1]
+    kept = {new: old for old, new in names.items()}
+    lost = [x for x in lost if not decide.nonzero(x)
+            and not decide.positive(x) and typed.subs(x, 0) != 0]  # fmt: skip
+    return "where " + ", ".join(f"{text(x.xreplace(kept))} ≠ 0" for x in lost) if lost else ""
 
 
 def _is_polynomial(side: Expr, moving: Iterable[Symbol]) -> bool:

@@ -17,7 +17,7 @@ from itertools import combinations
 from typing import Any
 
 import sympy
-from sympy import Expr, Integer, Rational, Symbol, cos, pi, sin
+from sympy import Expr, Integer, Matrix, Rational, Symbol, cos, pi, sin
 from sympy.core.relational import Relational
 
 from rigidtop.theory.symbols import t
@@ -108,32 +108,43 @@ def zero_in_digits(expression: Expr, tries: int = 2) -> bool | None:
     return found
 
 
-def eliminated(wanted: Expr, given: Sequence[Expr], unknowns: Sequence[Symbol]) -> Expr | None:
+def eliminated(
+    wanted: Expr, given: Sequence[Expr], unknowns: Sequence[Symbol]
+) -> tuple[Expr, Matrix] | None:
     """What vanishes where `wanted` does because `given` do, all linear in unknowns.
 
     None where they are not, or where what is given says nothing of the unknowns.  As many of these
-    are eliminated as there are equations; the others stand in what is left.
+    are eliminated as there are equations; the others stand in what is left.  With it the matrix of
+    slopes, of `given` and in the last row of `wanted`, whose minor was multiplied by.
 
     >>> a, b, x = sympy.symbols("a b x")
-    >>> eliminated(a + b - 3*x, [a - x, b - 2*x], [a, b]), eliminated(a - x, [b - x], [a, b])
+    >>> eliminated(a + b - 3*x, [a - x, b - 2*x], [a, b])[0], eliminated(a, [b - x], [a, b])
     (0, None)
     """
-    rows = [[e.diff(x) for x in unknowns] for e in (*given, wanted)]
-    used = [k for k in range(len(unknowns)) if any(row[k] != 0 for row in rows[:-1])]
-    if any(slope.has(*unknowns) for row in rows for slope in row) or not any(
-        rows[-1][k] != 0 for k in used
-    ):
+    everything = [*given, wanted]
+    slopes = sympy.Matrix([[e.diff(x) for x in unknowns] for e in everything])
+    used = [k for k in range(len(unknowns)) if any(slopes[:-1, k])]
+    if slopes.has(*unknowns) or not any(slopes[-1, k] for k in used):
         return None
     for chosen in combinations(used, len(given)):
-        none = dict.fromkeys((unknowns[k] for k in chosen), Integer(0))
-        parts = [
-            [*(row[k] for k in chosen), e.subs(none)]
-            for row, e in zip(rows, (*given, wanted), strict=True)
-        ]
-        whole = sympy.Matrix(parts)
-        if chosen and evidence(whole[:-1, :-1].det(method="berkowitz")) is None:
-            return whole.det(method="berkowitz")
+        matrix = slopes[:, list(chosen)]
+        if evidence(matrix[:-1, :].det(method="berkowitz")) is None:
+            none = dict.fromkeys((unknowns[k] for k in chosen), Integer(0))
+            whole = matrix.row_join(sympy.Matrix([e.subs(none) for e in everything]))
+            return whole.det(method="berkowitz"), matrix
     return None
+
+
+def divided_by(slopes: Matrix) -> list[Expr]:
+    """The factors by which the last row is divided where it is a sum of multiples of the others.
+
+    >>> r, x = sympy.symbols("r x")
+    >>> divided_by(Matrix([[r**2, 0], [0, x], [r, x]])), divided_by(Matrix([[r], [r**2]]))
+    ([r], [])
+    """
+    factors = slopes[:-1, :].T.LUsolve(slopes[-1, :].T)
+    below = [sympy.fraction(reduce_ratio(factor))[1] for factor in factors]
+    return list(dict.fromkeys(x for each in below for x in _factors(each) if x.free_symbols))
 
 
 def nonzero(expression: Expr, conditions: Sequence[Relational] = ()) -> bool:

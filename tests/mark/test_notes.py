@@ -135,3 +135,32 @@ def test_a_slip_is_found_where_it_is_and_nothing_else_is_condemned(name, right, 
 def test_what_is_said_of_the_last_line(text, last, said):
     *_, found = held(read(text, OWN))
     assert (found.verdict, said in found.note) == (last, True), found.note
+
+
+SETS = Path(__file__).with_name("short_notes.txt").read_text("utf-8").split("\n\n")
+"""Short notes, a line a display.  What is wrong has ! before it, what holds in a case that it does
+not state ~, what is right and can't be told ?."""
+
+
+@pytest.mark.parametrize("number", range(len(SETS)))
+def test_short_notes(number, tmp_path):
+    lines = SETS[number].strip().split("\n")
+    path = tmp_path / "notes.md"
+    path.write_text("\n\n".join(f"$${line.lstrip('!~?')}$$" for line in lines) + "\n", "utf-8")
+    found = judged(path)
+    assert len({row.line for row in found}) == len(lines)
+    for row in found:
+        kind, said = lines[(row.line - 1) // 2][0], (row.held.verdict, row.held.note)
+        if kind == "!":
+            assert row.held.verdict in ("false", "undecided", "premise"), said
+        elif kind == "~":
+            assert row.held.verdict == "assuming", said
+        elif kind == "?":
+            assert row.held.verdict in ("undecided", "unread"), said
+        else:
+            assert row.held.verdict in FINE, said
+
+
+def test_how_many_are_wrong_and_how_many_are_open():
+    marks = [line[0] for each in SETS for line in each.strip().split("\n")]
+    assert (marks.count("!"), marks.count("?")) == (105, 11)

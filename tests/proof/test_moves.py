@@ -559,6 +559,16 @@ Take the rate of it:
 
 $$\dot\chi = \frac{\dot\theta}{\sqrt{1 - m\sin^2\theta}}$$
 """,
+    "add to what holds to an order": r"""
+Expand the rate of spin to second order in $\omega_1$:
+
+$$\dot\omega_3 \approx \frac{\lambda_1 - \lambda_2}{\lambda_3}\omega_1\omega_2$$
+
+Subtract it from the sum of the pair:
+
+$$\dot\omega_1 + \dot\omega_2 - \dot\omega_3
+\approx \frac{\lambda_2 - \lambda_1}{\lambda_3}\omega_1\omega_2$$
+""",
     "the rate of a component along a fixed axis": r"""
 Set $\mathbf N = 0$ at all times in the law of angular momentum:
 
@@ -635,6 +645,43 @@ Neglect $MgR\sin\theta$ in the balance, for large $p_\psi$:
 $$0 = \lambda_1\dot\phi^2\sin\theta\cos\theta - p_\psi\dot\phi\sin\theta$$
 """,
         "only ≈ follows",
+    ),
+    "= for the sum of what is approximate": (
+        r"""
+Expand the rate of spin to second order in $\omega_1$:
+
+$$\dot\omega_3 \approx \frac{\lambda_1 - \lambda_2}{\lambda_3}\omega_1\omega_2$$
+
+Add it to the sum of the pair:
+
+$$\dot\omega_1 + \dot\omega_2 + \dot\omega_3
+= \frac{\lambda_1 - \lambda_2}{\lambda_3}\omega_1\omega_2$$
+""",
+        "only ≈ follows",
+    ),
+    "what is left of two approximate lines may be as small as their errors": (
+        r"""
+Expand the rate of spin to zeroth order in $\omega_1$:
+
+$$\dot\omega_3 \approx 0$$
+
+Subtract the rate of spin from it:
+
+$$0 \approx -\frac{\lambda_1 - \lambda_2}{\lambda_3}\omega_1\omega_2$$
+""",
+        "the error is as large as what stands there",
+    ),
+    "a sum with what was neglected": (
+        r"""
+Neglect $MgR\sin\theta$ in the balance, for large $p_\psi$:
+
+$$0 \approx \lambda_1\dot\phi^2\sin\theta\cos\theta - p_\psi\dot\phi\sin\theta$$
+
+Subtract the balance from it:
+
+$$0 \approx -MgR\sin\theta$$
+""",
+        "of what is neglected no order is known",
     ),
     "≈ where nothing is neglected": (
         r"""

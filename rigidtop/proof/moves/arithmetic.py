@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -24,6 +24,7 @@ from rigidtop.proof.moves.move import (
     is_equation,
     the_one,
 )
+from rigidtop.proof.moves.orders import NEGLECTED
 from rigidtop.proof.moves.pairs import all_pairs, mapped, pairs_of, said_pairs, scalars, settle
 
 
@@ -87,9 +88,22 @@ def adding(sign: int) -> Callable[[Move, Algebra], Performed]:
             for a in first
             for c in second
         ]
-        return Performed(tuple(pairs), max(k.scope for k in move.of))
+        order = _of_both([_shifted(k.order, f) for k, f in zip(move.of, factors, strict=True)])
+        return Performed(tuple(pairs), max(k.scope for k in move.of), order=order)
 
     return combine
+
+
+def _of_both(orders: Sequence[Order | None]) -> Order | None:
+    """The order of the error of a sum, from those of the two that are added: the larger error."""
+    known = [order for order in orders if order is not None]
+    if any(order.small == NEGLECTED for order in known):
+        raise RefusedError(
+            "of what is neglected no order is known: beside what is added it may not be small"
+        )
+    if len({(order.small, order.together) for order in known}) > 1:
+        raise RefusedError("two small quantities at once: expand in one after the other")
+    return min(known, key=lambda order: order.power, default=None)
 
 
 _TURNED = {"<": ">", ">": "<", "≤": "≥", "≥": "≤"}
@@ -112,6 +126,10 @@ def _times(factor: Value, pair: Pair, algebra: Algebra, move: Move) -> Pair:
 
 def _of_sum(one: str, other: str) -> str:
     """The relation between sums of sides; strict if that of one of the two is."""
+    if "≈" in (one, other):
+        if {one, other} <= {"=", "≈"}:
+            return "≈"
+        raise RefusedError("{} and {}: nothing follows for the sum", one, other)
     ways = {"less" if relation in "<≤" else "more" for relation in (one, other) if relation != "="}
     if len(ways) > 1:
         raise RefusedError("{} and {}: nothing follows for the sum", one, other)

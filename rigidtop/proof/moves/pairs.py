@@ -170,13 +170,14 @@ def all_pairs(known: Known, algebra: Algebra) -> list[Pair]:
 
 
 def said_pairs(known: Known, algebra: Algebra) -> list[Pair]:
-    """The pairs of equal sides; of a chain that ends in a constant, without its rate."""
+    """The pairs of equal sides, or nearly so; of a chain to a constant without its rate."""
     pairs = []
     for equation in known.equations:
         sides = [side for side in equation.sides if side != const]
         if len(sides) > 1:
             equation = Equation(*sides, relation=equation.relation)
-        pairs += [p for p in pairs_of(equation, algebra, chain=True) if is_equation(p)]
+        made = pairs_of(equation, algebra, chain=True)
+        pairs += [p for p in made if p.relation == "≈" or is_equation(p)]
     return pairs
 
 
