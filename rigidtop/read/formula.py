@@ -485,13 +485,12 @@ def _parsed(found: Sequence[Token], notation: Notation) -> tuple[list[Any], list
             raise UnreadError("a relation without its left side", token.position) from None
         reason = _SAID.get(token.kind, f"{shown(token, notation)} is out of place")
         raise UnreadError(reason, token.position) from None
-    with eq.as_printed():
-        try:
-            return _Builder(notation).transform(tree)
-        except VisitError as error:
-            if isinstance(error.orig_exc, UnreadError):
-                raise error.orig_exc from None
-            raise UnreadError("this has no meaning", found[0].position) from None
+    try:
+        return _Builder(notation).transform(tree)
+    except VisitError as error:
+        if isinstance(error.orig_exc, UnreadError):
+            raise error.orig_exc from None
+        raise UnreadError("this has no meaning", found[0].position) from None
 
 
 def kind(node: Any) -> str:
@@ -1212,13 +1211,19 @@ def _negative(value: _Value) -> _Value:
 def _times(left: _Value, right: _Value) -> _Value:
     kinds = (left.kind, right.kind)
     both = next((k for k in ("vector", "matrix") if k in kinds), "scalar")
-    if left.explicit or right.explicit or isinstance(left.tree, eq.Matrices):
-        if "scalar" not in kinds:
-            return _matrices(left, right)
-        tree = left.tree * right.tree
-    else:
-        tree = Mul(left.tree, right.tree, evaluate=False)
-    return _made(tree, both, left, right)
+    written_out = left.explicit or right.explicit or isinstance(left.tree, eq.Matrices)
+    if written_out and "scalar" not in kinds:
+        return _matrices(left, right)
+    return _made(_product(left.tree, right.tree), both, left, right)
+
+
+def _product(left: Any, right: Any) -> Any:
+    """As it is typed, entry by entry where one is a matrix that is written out."""
+    if isinstance(left, sympy.MatrixBase):
+        return left.applyfunc(lambda entry: entry and _product(entry, right))
+    if isinstance(right, sympy.MatrixBase):
+        return right.applyfunc(lambda entry: entry and _product(left, entry))
+    return Mul(left, right, evaluate=False)
 
 
 def _matrices(left: _Value, right: _Value) -> _Value:
@@ -1289,6 +1294,4 @@ def _ratio(over: _Value, below: _Value) -> _Value:
     if isinstance(over.tree, Rational) and isinstance(below.tree, Rational):
         return _made(Rational(over.tree, below.tree), "scalar", over, below)
     one_over = _made(Pow(below.tree, Integer(-1), evaluate=False), "scalar", below)
-    if over.explicit:
-        return _made(over.tree * one_over.tree, over.kind, over, one_over)
-    return _made(Mul(over.tree, one_over.tree, evaluate=False), over.kind, over, one_over)
+    return _made(_product(over.tree, one_over.tree), over.kind, over, one_over)
