@@ -172,15 +172,15 @@ class Trace:
 
         return _mapped(tree, element)
 
-    def function(self, head: str, results: Sequence[Value], into: str = "") -> str:
-        """Source of a function that returns the results, as floats; or writes them into a row."""
+    def lines(self, results: Sequence[Value]) -> tuple[list[str], list[str]]:
+        """The lines that compute the results, and what these then are, as floats."""
         lines = _Lines(self.values, results)
-        body, shown = lines.body(), lines.shown()
-        if into:
-            body += [f"{into.format(k)} = {text}" for k, text in enumerate(shown)]
-        else:
-            body.append(f"return ({', '.join(shown)},)")
-        return "\n    ".join([f"def {head}:", *body])
+        return lines.body(), lines.shown()
+
+    def function(self, head: str, results: Sequence[Value]) -> str:
+        """Source of a function that returns the results."""
+        body, shown = self.lines(results)
+        return "\n    ".join([f"def {head}:", *body, f"return ({', '.join(shown)},)"])
 
 
 class _Lines:
@@ -304,11 +304,13 @@ class Solved:
         return self.written.at(self.numbers, t)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Written:
     """The closed form of one motion, for floats; its numbers are a row of floats."""
 
     source: str
+    orbit: Any
+    """As it was traced."""
     solve: Callable[[Sequence[float]], tuple[float, ...]]
     """What the motion starts from, to its numbers."""
     build: Callable[[Sequence[float]], Any]
@@ -330,7 +332,7 @@ def written(
     orbit = solve(first, [first.value(f"s[{k}]") for k in range(count)])
     inputs = second.inputs("o", orbit)
     state = at(second, inputs, second.value("t"))
-    names = dict(NAMES)
+    names: dict[str, Any] = {}
     source = "\n\n\n".join(
         [
             first.function("solve(s)", leaves(orbit)),
@@ -338,5 +340,12 @@ def written(
             f"def build(o):\n    return {_constructed(inputs, names)}\n",
         ]
     )
-    exec(source, names)
-    return Written(source, *(names[name] for name in ("solve", "build", "at")))
+    made = loaded(source, names)
+    return Written(source, orbit, *(made[name] for name in ("solve", "build", "at")))
+
+
+def loaded(source: str, names: dict[str, Any]) -> dict[str, Any]:
+    """What source that was written here defines; `names` are those that it uses beside `NAMES`."""
+    found = NAMES | names
+    exec(source, found)
+    return found

@@ -100,39 +100,41 @@ def start(
     return heavy.Start(mu, b, omega3, *halves, *rates, *angles)
 
 
-def states(motion: Motion, times: Floats) -> tuple[Floats, Floats]:
+def states(motion: Motion, times: Floats, compiled: bool) -> tuple[Floats, Floats]:
     """Quaternions (N, 4), scalar first, body to space, and ω (N, 3) in body components (rad/s)."""
     solved = motion.solved
     if not any(motion.body.weight):
-        rows = _free_states(solved, motion.attitude, times)
+        rows = _free_states(solved, motion.attitude, times, compiled)
         return rows[:4].T, rows[4:].T
-    s, turn = solved.orbit.states(times), axis(motion.body).turn
+    s, turn = heavy.states(solved, times, compiled), axis(motion.body).turn
     if turn is None:
         return s.quaternion, s.omega
     whole = attitudes.product(s.quaternion, attitudes.conjugate(turn))
     return whole, np.asarray(attitudes.rotation(turn).apply(s.omega))
 
 
-def _free_states(solved: Solved, attitude: Rotation, times: Floats) -> Floats:
+def _free_states(solved: Solved, attitude: Rotation, times: Floats, compiled: bool) -> Floats:
     """The quaternion and ω, (7, N)."""
     first = attitude.as_quat(scalar_first=True).tolist()
 
     if len(times) == 1:
         state = solved.at(float(times[0]))
         return np.array([[*free.after(first, state[:4]), *state[4:]]]).T
+    if compiled and len(times) <= samples.MANY:
+        return free.rows(solved, first, times)
     orbit: free.Orbit = solved.orbit
 
     def columns(t: Floats) -> Sequence[Any]:
         state = orbit.at(t)
         return *free.after(first, state.quaternion), *state.omega
 
+    def states(t: Floats) -> Floats:
+        return free.rows(solved, first, t) if compiled else samples.in_blocks(columns, t)
+
     rotation = 1 + float(max(abs(times[0]), abs(times[-1]))) * 2 * orbit.sigma
     names = [each.name for each in fields(free.State)]
     needed = [(name, rotation if name[0] == "q" else rotation * orbit.sigma) for name in names]
     even = samples.samples(
-        times,
-        orbit.course,
-        lambda nodes: free.State(*samples.in_blocks(columns, nodes)),
-        lambda _: lambda _: needed,
+        times, orbit.course, lambda nodes: free.State(*states(nodes)), lambda _: lambda _: needed
     )
-    return even.of(*names) if even is not None else samples.in_blocks(columns, times)
+    return even.of(*names) if even is not None else states(times)

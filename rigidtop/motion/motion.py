@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -28,7 +28,7 @@ from rigidtop.motion.integrate import (
 )
 from rigidtop.motion.start import Start
 from rigidtop.motion.state import TopState
-from rigidtop.motion.trajectory import BodyTrajectory, EvenTop, TopTrajectory, Trajectory
+from rigidtop.motion.trajectory import BodyTrajectory, SampledTop, TopTrajectory, Trajectory
 from rigidtop.trace import Solved
 
 if TYPE_CHECKING:
@@ -60,11 +60,15 @@ class Motion:
         """The initial state, as a trajectory of one row."""
         return BodyTrajectory(self, np.zeros(1), *self._attitudes(self._initial(), np.zeros(1)))
 
-    def exact(self, t: ArrayLike) -> Trajectory:
+    def exact(self, t: ArrayLike, compiled: bool = False) -> Trajectory:
         """The motion at the times `t`, in closed form.
 
         `t` (s) is a float or a row of N floats in any order, also negative; the result has one row
         for each.  A late time costs what an early one costs.
+
+        `compiled` computes many times by Numba (``pip install 'rigidtop[numba]'``): a few times
+        as fast, with the same errors.  The first such call of a process compiles, for some seconds,
+        one for heavy bodies and one for free ones.
 
         The error is a few units in the last place of what the motion does when the initial state,
         the body and t change by theirs, near separatrices, poles and steady precession too, and of
@@ -76,10 +80,11 @@ class Motion:
 
         Closed forms exist for every free body, for a heavy body with two equal moments and its
         centre of mass on the axis of the third, and for one with three equal moments.  Raises
-        RigidtopError for other bodies, and for times that are not finite.
+        RigidtopError for other bodies, for times that are not finite, and without Numba if
+        `compiled` asks for it.
         """
         times = checks.times(t)
-        return BodyTrajectory(self, times, *closed.states(self, times))
+        return BodyTrajectory(self, times, *closed.states(self, times, compiled))
 
     def integrate(
         self, t: ArrayLike, method: str = "DOP853", rtol: float = 1e-10, atol: float = 1e-12
@@ -276,7 +281,7 @@ class TopMotion(Motion):
         named = zip((each.name for each in fields(TopState)), [*columns, *fixed], strict=True)
         return TopTrajectory(motion=self, t=times, **dict(named))
 
-    def exact(self, t: ArrayLike) -> TopTrajectory:
+    def exact(self, t: ArrayLike, compiled: bool = False) -> TopTrajectory:
         """The motion at the times `t`, in closed form, with Euler angles: see `Motion.exact`.
 
         φ and ψ count every turn, however far apart the times are.
@@ -290,10 +295,15 @@ class TopMotion(Motion):
         times = checks.times(t)
         if len(times) == 1:
             return self._row(times, self.solved.at(float(times[0])))
-        orbit: heavy.Orbit = self.solved.orbit
-        even = samples.samples(times, orbit.course, orbit.states, orbit.sizes)
+        spin, even = self.omega[2], None
+        if not compiled or len(times) > samples.MANY:
+            orbit: heavy.Orbit = self.solved.orbit
+            states = partial(heavy.states, self.solved, compiled=compiled)
+            even = samples.samples(times, orbit.course, states, orbit.sizes)
         if even is not None:
-            return EvenTop(self, times, even)
+            return SampledTop(self, times, lambda name: even.of(name)[0], spin)
+        if compiled:
+            return SampledTop(self, times, heavy.rows(self.solved, times).__getitem__, spin)
         return TopTrajectory(motion=self, t=times, **vars(orbit.states(times)))
 
     def integrate(

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
 from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
+from rigidtop.motion.exact.numbers import Arrays, Kit
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -49,20 +51,19 @@ class TopState:
         return 2 * np.arctan2(self.sin_half, self.cos_half)
 
     @cached_property
+    def _rates(self) -> tuple[Floats, Floats]:
+        with np.errstate(all="ignore"):
+            return rates(Arrays, self)
+
+    @property
     def phi_dot(self) -> Floats:
         """φ̇ (rad/s).  Exactly at θ = 0 or π it is the limit along a motion through it."""
-        sine = 2 * self.sin_half * self.cos_half
-        vertical = sine == 0
-        if not np.any(vertical):
-            return self.v_phi / sine
-        limit = np.copysign(1.0, self.cos_half - self.sin_half) * self.upright_phi_dot
-        return np.where(vertical, limit, self.v_phi / np.where(vertical, 1.0, sine))
+        return self._rates[0]
 
     @property
     def psi_dot(self) -> Floats:
         """ψ̇ = ω₃ − φ̇ cos θ (rad/s)."""
-        c, s = self.cos_half, self.sin_half
-        return self.omega3 - self.phi_dot * ((c - s) * (c + s))
+        return self._rates[1]
 
     @property
     def quaternion(self) -> Floats:
@@ -76,3 +77,14 @@ class TopState:
         first = self.theta_dot * sin_psi - self.v_phi * cos_psi
         second = self.theta_dot * cos_psi + self.v_phi * sin_psi
         return np.stack([first, second, np.broadcast_to(self.omega3, first.shape)], axis=-1)
+
+
+def rates(k: Kit, state: Any) -> tuple[Any, Any]:
+    """φ̇ and ψ̇, of the numbers of a kit."""
+    c, s = state.cos_half, state.sin_half
+    sine, cosine = 2 * s * c, (c - s) * (c + s)
+    phi_dot = k.over(state.v_phi, sine)
+    if k.any(sine == 0):
+        limit = k.copysign(1.0, c - s) * state.upright_phi_dot
+        phi_dot = k.where(sine == 0, limit, phi_dot)
+    return phi_dot, state.omega3 - phi_dot * cosine

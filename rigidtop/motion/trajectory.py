@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -13,7 +13,6 @@ from scipy.spatial.transform import Rotation
 
 from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.exact.samples import Samples
 from rigidtop.motion.rows import Rows
 from rigidtop.motion.state import TopState
 
@@ -181,18 +180,21 @@ class TopTrajectory(TopState, Trajectory):
 
 
 def _sampled(name: str) -> cached_property[Floats]:
-    return cached_property(lambda self: self.samples.of(name)[0])
+    return cached_property(lambda self: self.samples(name))
 
 
-class EvenTop(TopTrajectory):
-    """The closed form at many evenly spaced times: what is asked for is interpolated."""
+class SampledTop(TopTrajectory):
+    """The closed form at many times: what is asked for is taken from `samples`, by its name."""
 
-    samples: Samples
+    samples: Callable[[str], Floats]
 
-    def __init__(self, motion: TopMotion, times: Floats, samples: Samples) -> None:
-        states = samples.states
-        values = {"motion": motion, "t": times, "samples": samples, "omega3": states.omega3}
-        for name, value in (values | {"upright_phi_dot": states.upright_phi_dot}).items():
+    def __init__(
+        self, motion: TopMotion, times: Floats, samples: Callable[[str], Floats], spin: float
+    ) -> None:
+        upright = motion.body.lambda3 * spin / (2 * motion.body.lambda1)
+        values = {"motion": motion, "t": times, "samples": samples}
+        fixed = {"omega3": np.asarray(spin), "upright_phi_dot": np.asarray(upright)}
+        for name, value in (values | fixed).items():
             object.__setattr__(self, name, value)
 
     cos_half = _sampled("cos_half")

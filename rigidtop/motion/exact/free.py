@@ -30,11 +30,12 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from rigidtop.motion.exact import theta
+from rigidtop.motion.attitude import Floats
+from rigidtop.motion.exact import compiled, theta
 from rigidtop.motion.exact.numbers import Arrays, Kit, Real, Truth
 from rigidtop.motion.exact.samples import Course
 from rigidtop.motion.exact.theta import Factor, Modulus, Real4, cubic, factor, modulus, real4
-from rigidtop.trace import Solved, Written, written
+from rigidtop.trace import Solved, Written, leaves, written
 
 ROUNDING = 16 * float(np.finfo(float).eps)
 """What rounding of the initial state does to the distance from the separatrix."""
@@ -201,7 +202,7 @@ class Orbit:
             now, momentum = self._state(k, self.z0 + self.rate * t, t)
             w, *turned = after(self.back, now)
             rates = [
-                sign * part / moment * self.sigma
+                sign * part * (self.sigma / moment)
                 for sign, part, moment in zip(self.signs, momentum, self.moments, strict=True)
             ]
             own = [sign * part for sign, part in zip(self.signs, turned, strict=True)]
@@ -218,19 +219,21 @@ class Orbit:
         """The quaternion from e₁, e₂, e₃ to the frame of L, but for a constant turn; and L."""
         at = theta.place(k, self.modulus, z)
         one, two, three, four = self.functions.at(k, self.modulus, at)
-        denominator = four * four + self.weight * one * one
-        sign = k.where(at.turns % 2 == 1, -1.0, 1.0)
-        sn = self.sine * sign * k.over(one, denominator) * four
-        cn = self.cosine * sign * k.over(two, denominator) * three
+        per = k.over(1.0, four * four + self.weight * one * one)
+        sign = k.where(at.turns == 2 * k.rint(at.turns / 2), 1.0, -1.0)
+        sn = self.sine * sign * one * per * four
+        cn = self.cosine * sign * two * per * three
         a1, a2, a3 = self.amplitudes
         momentum = a1 * cn, a2 * sn, a3 * k.sqrt(self.m1 + self.m * cn * cn)
-        n1, n2, n3 = (part / self.length for part in momentum)
+        per = k.over(1.0, self.length)
+        n1, n2, n3 = (part * per for part in momentum)
         size = k.sqrt((1 + n3) / 2)
         f, g = k.cubics((self.along.odd, self.along.even), at.x)
         phase = k.atan2(at.t * k.where(self.along.weighted, 1.0, at.plus) * f, g)
         phase = self.drift * t - phase - at.turns * self.along.turn
         c, s = k.circle(phase)
-        b1, b2 = -n1 / (2 * size), -n2 / (2 * size)
+        per = -0.5 / size
+        b1, b2 = n1 * per, n2 * per
         return (size * c, -(b1 * s + b2 * c), b1 * c - b2 * s, size * s), momentum
 
 
@@ -272,6 +275,18 @@ def _written() -> Written:
         lambda k, s: _solve(k, (s[0], s[1], s[2]), (s[3], s[4], s[5])),
         lambda k, orbit, t: orbit._at(k, t),
     )
+
+
+def rows(solved: Solved, start: Sequence[float], times: Floats) -> Floats:
+    """Quaternion and ω at many times, from that at t = 0, compiled."""
+    return compiled.rows(solved, _turned, times, *start)
+
+
+def _turned(k: Kit, orbit: Orbit, t: Real) -> tuple[Real, ...]:
+    first = len(leaves(orbit))  # behind the numbers of the orbit
+    start = tuple(k.value(f"o[{first + part}]") for part in range(4))
+    state = orbit._at(k, t)
+    return *after(start, state.quaternion), *state.omega
 
 
 def solved(moments: Triple, omega: Triple) -> Solved:

@@ -35,11 +35,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.exact import theta
+from rigidtop.motion.exact import compiled, theta
 from rigidtop.motion.exact.numbers import Arrays, Kit, Real, Truth
 from rigidtop.motion.exact.samples import BLOCK, Course, in_blocks
 from rigidtop.motion.exact.theta import Cubic, Factor, Modulus, along, cubic, factor, modulus
-from rigidtop.motion.state import TopState
+from rigidtop.motion.state import TopState, rates
 from rigidtop.trace import Solved, Written, written
 
 ROUNDING = 16 * float(np.finfo(float).eps)
@@ -315,8 +315,12 @@ class Orbit:
             state = self.at(part)
             return tuple(getattr(state, name) for name in CHANGING)
 
-        s, found = self.start, dict(zip(CHANGING, in_blocks(columns, times), strict=True))
-        return TopState(**found, omega3=np.asarray(s.omega3), upright_phi_dot=np.asarray(s.b / 2))
+        return self._state(dict(zip(CHANGING, in_blocks(columns, times), strict=True)))
+
+    def _state(self, changing: dict[str, Floats]) -> TopState:
+        s = self.start
+        fixed = {"omega3": np.asarray(s.omega3), "upright_phi_dot": np.asarray(s.b / 2)}
+        return TopState(**changing, **fixed)
 
     def _at(self, k: Kit, t: Real) -> TopState:
         z = self.z0 + self.rate * t
@@ -391,22 +395,17 @@ def _half(k: Kit, half: Half, at: theta.Place, cubics: Sequence[Real]) -> tuple[
 
     t, across, square = k.pick(half.factor.weighted, weighted, alone)
 
+    y, x = k.pick(half.factor.wound, lambda: (t * winding, g + at.t * across), lambda: (across, g))
+    angle = k.atan2(y, x)
+
     def jumping() -> tuple[Real]:
-        odd = at.turns % 2 == 1
+        odd = at.turns != 2 * k.rint(at.turns / 2)
         if not half.at_origin:
             return (k.where(odd, math.pi, 0.0),)
-        angle = k.where(at.t == 0, k.copysign(math.pi / 2, at.z), k.atan2(across, g))
-        return (k.where(odd, -angle, angle),)
+        turned = k.where(at.t == 0, k.copysign(math.pi / 2, at.z), angle)
+        return (k.where(odd, -turned, turned),)
 
-    def growing() -> tuple[Real]:
-        angle = k.pick(
-            half.factor.wound,
-            lambda: (k.atan2(t * winding, g + at.t * across),),
-            lambda: (k.atan2(across, g),),
-        )[0]
-        return (angle + at.turns * half.factor.turn,)
-
-    phase = k.pick(half.through, jumping, growing)[0]
+    phase = k.pick(half.through, jumping, lambda: (angle + at.turns * half.factor.turn,))[0]
     return square, phase
 
 
@@ -421,6 +420,27 @@ def _written() -> Written:
     return written(
         len(fields(Start)), lambda k, s: _solve(k, Start(*s)), lambda k, orbit, t: orbit._at(k, t)
     )
+
+
+def rows(solved: Solved, times: Floats) -> dict[str, Floats]:
+    """What changes of the states at many times, and θ, φ̇ and ψ̇, compiled."""
+    names = (*CHANGING, "theta", "phi_dot", "psi_dot")
+    return dict(zip(names, compiled.rows(solved, _whole, times), strict=True))
+
+
+def states(solved: Solved, times: Floats, compiled: bool) -> TopState:
+    """The states at any number of times (N,), by NumPy or compiled."""
+    orbit: Orbit = solved.orbit
+    if not compiled:
+        return orbit.states(times)
+    found = rows(solved, times)
+    return orbit._state({name: found[name] for name in CHANGING})
+
+
+def _whole(k: Kit, orbit: Orbit, t: Real) -> tuple[Real, ...]:
+    state = orbit._at(k, t)
+    theta = 2 * k.atan2(state.sin_half, state.cos_half)
+    return *(getattr(state, name) for name in CHANGING), theta, *rates(k, state)
 
 
 def solved(start: Start) -> Solved:

@@ -12,7 +12,8 @@ import argparse
 import sys
 import warnings
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import partial
 from multiprocessing import Pool
 from typing import Any
 
@@ -41,17 +42,17 @@ def reference(one: Drawn, result: tuple[Any, ...]) -> Reference:
     )
 
 
-def worst(known: Reference) -> float:
+def worst(known: Reference, runs: Sequence[judge.Run]) -> float:
     """The largest ratio of an error to what is allowed."""
     measures = [judge.ratios]
     if len(known.inputs) == len(draw.TOP_INPUTS):
         measures.append(judge.axis_ratios)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        return max(float(measure(known).max()) for measure in measures)
+        return max(float(measure(known, run).max()) for measure in measures for run in runs)
 
 
-def judged(one: Drawn) -> tuple[Drawn, float, str]:
+def judged(one: Drawn, runs: Sequence[judge.Run]) -> tuple[Drawn, float, str]:
     """The ratio, and what to say of one above 1."""
     try:
         is_top = len(one.inputs) == len(draw.TOP_INPUTS)
@@ -61,12 +62,12 @@ def judged(one: Drawn) -> tuple[Drawn, float, str]:
             states = taylor.follow_top(numbers, make.top_of(numbers, one.inputs), times)
         else:
             states = taylor.follow_body(numbers, make.body_of(numbers, one.inputs), times)
-        ratio = worst(reference(one, (*make.rounded(states), np.zeros((len(times), 3)))))
+        ratio = worst(reference(one, (*make.rounded(states), np.zeros((len(times), 3)))), runs)
         if ratio <= 1:
             return one, ratio, ""
         known = reference(one, make.compute_top(one) if is_top else make.compute_body(one))
-        ratio = worst(known)
-        return one, ratio, judge.describe(known) if ratio > 1 else ""
+        ratio = worst(known, runs)
+        return one, ratio, "\n".join(judge.describe(known, run) for run in runs if ratio > 1)
     except Exception as problem:
         return one, np.inf, f"{one}: {type(problem).__name__}: {problem}"
 
@@ -77,13 +78,17 @@ def main() -> int:
     parser.add_argument("-n", type=int, default=2000, help="how many motions (default: 2000)")
     parser.add_argument("--seed", type=int, default=draw.SEED + 1)
     parser.add_argument("--jobs", type=int, default=2, help="processes")
+    parser.add_argument("--compiled", action="store_true", help="judge the path by Numba too")
     options = parser.parse_args()
+    runs = [judge.exact, judge.compiled] if options.compiled else [judge.exact]
     names = options.family or [*draw.TOP_FAMILIES, *draw.BODY_FAMILIES]
     found: dict[str, list[float]] = defaultdict(list)
     wrong = 0
     with Pool(options.jobs) as pool:
         every = drawn(names, options.n, options.seed)
-        for done, (one, ratio, message) in enumerate(pool.imap_unordered(judged, every, 8), 1):
+        for done, (one, ratio, message) in enumerate(
+            pool.imap_unordered(partial(judged, runs=runs), every, 8), 1
+        ):
             found[one.family].append(ratio)
             if not ratio <= 1:
                 wrong += 1

@@ -128,6 +128,10 @@ def exact(motion: Any, times: Floats) -> Any:
     return motion.exact(times)
 
 
+def compiled(motion: Any, times: Floats) -> Any:
+    return motion.exact(times, compiled=True)
+
+
 def errors(reference: Reference, run: Any) -> Floats:
     """For each time, the errors of attitude (rad) and ω (rad/s)."""
     computed = np.roll(run.rotation.as_quat(), 1, axis=-1)
@@ -212,12 +216,13 @@ def main() -> None:
     parser.add_argument(
         "--integrate", action="store_true", help="judge the integrator at rtol=1e-12, not `exact`"
     )
+    parser.add_argument("--compiled", action="store_true", help="judge `exact` by Numba")
     parser.add_argument(
         "--axis", action="store_true", help="judge sin θ exp(iφ) of tops, relative to the tilt"
     )
     options = parser.parse_args()
     measure = axis_ratios if options.axis else ratios
-    run: Run = exact
+    run: Run = compiled if options.compiled else exact
     if options.integrate:
         run = lambda motion, times: motion.integrate(times, rtol=1e-12, atol=1e-14)  # noqa: E731
     print(f"{'family':28}{'motions':>8}{'fail':>6}{'median':>9}{'worst':>9}  worst motion")
