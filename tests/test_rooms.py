@@ -69,7 +69,7 @@ READS = {
     "read": {"errors", "theory", "notation", "proof", "textfile"},
     "mark": {"errors", "theory", "notation", "proof", "read", "typeset", "derivations", "report"},
     "parameters": {"errors"},
-    "bench": {"errors", "theory", "codegen", "motion", "system"},
+    "bench": {"motion"},
     "referee": {"errors", "motion"},
     "starter": {"theory", "parameters", "proof", "system"},
     "collection": {
