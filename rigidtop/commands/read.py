@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from rigidtop.notation import Notation
     from rigidtop.read.formula import Habits, Line
     from rigidtop.read.project import Source
+    from rigidtop.read.spoken import Spoken
+    from rigidtop.theory.symbols import Glyph
 
 ABOUT = "read the equations of anyone's notes, and say which are not understood"
 
@@ -36,6 +38,7 @@ def run(options: argparse.Namespace) -> int:
     from rigidtop.notation import OWN, named
     from rigidtop.read.document import SECONDS
     from rigidtop.read.project import habits, sources
+    from rigidtop.read.spoken import spoken
 
     until = time.monotonic() + SECONDS
     found = sources(options.file)
@@ -47,7 +50,10 @@ def run(options: argparse.Namespace) -> int:
         if source.is_text
         for row in _lines(source, notation, known, until)
     ]
-    records = _records(rows, len(found) > 1)
+    said: dict[Glyph, Spoken] = {}
+    for source in reversed(found):
+        said |= spoken(source.text, notation)
+    records = _records(rows, said, len(found) > 1)
     if options.json:
         print_json(records)
     else:
@@ -83,11 +89,18 @@ def _lines(
         yield (*place(min(line.position, len(text))), number or line.tag, line)
 
 
-def _records(rows: list[tuple[Source, int, int, str, Line]], several: bool) -> list[dict[str, Any]]:
-    from rigidtop.typeset.letters import roles
-    from rigidtop.typeset.text import text
+def _records(
+    rows: list[tuple[Source, int, int, str, Line]], said: dict[Glyph, Spoken], several: bool
+) -> list[dict[str, Any]]:
+    from rigidtop.typeset.letters import OPEN, roles
+    from rigidtop.typeset.text import letter, text
 
     known = roles([line.equation for *_, line in rows if line.equation is not None])
+    for glyph, spoken in said.items():  # what the file itself says of its letters
+        role = known.get(letter(glyph))
+        if role is not None:
+            role = "a number" if role == OPEN and spoken.kind else role
+            known[letter(glyph)] = f"{role}; line {spoken.line}: {spoken.words}"
     made = []
     for source, row, column, number, line in rows:
         own = roles([line.equation]) if line.equation is not None else {}

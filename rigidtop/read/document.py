@@ -11,7 +11,7 @@ from functools import cached_property, lru_cache
 
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import NOTES, Notation
-from rigidtop.read.formula import Habits, Line, read
+from rigidtop.read.formula import NO_HABITS, Habits, Line, read
 
 LONGEST = 2_000_000
 """A file is no longer than this (characters)."""
@@ -32,9 +32,6 @@ LONGEST_TICKS = 20
 
 SECONDS = 60.0
 """A file is not read for longer than this."""
-
-NONE = Habits()
-"""No macros, no functions."""
 
 DEEPEST = 40
 """Environments are not followed deeper."""
@@ -602,7 +599,9 @@ def _goes_on(
     return not source[before.end : this.opens].strip()
 
 
-def lines(group: Numbered, notation: Notation = NOTES, habits: Habits = NONE) -> tuple[Line, ...]:
+def lines(
+    group: Numbered, notation: Notation = NOTES, habits: Habits = NO_HABITS
+) -> tuple[Line, ...]:
     """The equations of a number, with their places in the file."""
     for formula in group.formulas:
         if formula.problem:
@@ -639,7 +638,7 @@ def each(
     source: str,
     notation: Notation = NOTES,
     seconds: float = SECONDS,
-    habits: Habits = NONE,
+    habits: Habits = NO_HABITS,
     but: Container[int] = (),
 ) -> Iterator[tuple[Formula, tuple[Line, ...]]]:
     """Every formula with its equations; once the time is up the rest is unread, and says so.
@@ -666,7 +665,7 @@ def each_numbered(
     source: str,
     notation: Notation = NOTES,
     seconds: float = SECONDS,
-    habits: Habits = NONE,
+    habits: Habits = NO_HABITS,
 ) -> Iterator[tuple[Numbered, tuple[Line, ...]]]:
     """Every number with its equations, in the same way."""
     end = time.monotonic() + seconds

@@ -78,10 +78,14 @@ class Habits:
     """Whether words behind a line, "for θ ≠ 0", are taken in the letters of a table too."""
 
 
+NO_HABITS = Habits()
+"""No macros, no functions."""
+
+
 def read(
     text: str,
     notation: Notation = NOTES,
-    habits: Habits = Habits(),
+    habits: Habits = NO_HABITS,
 ) -> tuple[Line, ...]:
     """The equations of a formula, in order, each read or with the reason why not.
 

@@ -165,6 +165,7 @@ _STYLES = {
 _HATS = commands("hat widehat")
 """With a small hat a letter is a unit vector; a wide one is a matrix, or what an author makes."""
 _DRESSES = FONTS | _HATS | frozenset(_MARKS) | frozenset(_OVER)
+_SWITCHES = commands("bf rm it bfseries boldmath")
 _WORDED = UPRIGHT | commands("textrm text textit mathtt mbox textsf")
 _UPRIGHT_ALONE = commands("mathrm operatorname operatorname* mathit")
 _LETTERS = {
@@ -698,7 +699,7 @@ class Scan:
                 Piece("{}", piece.group[0].position, piece.group[1:]),
             ]
             yield from self.words()
-        elif behind == "_" or behind == "'" or first in FONTS:
+        elif behind == "_" or behind == "'" or first in _SWITCHES:
             yield from self.symbol()
         elif behind == "^" and len(piece.group) > 1:
             self.take()

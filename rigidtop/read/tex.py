@@ -172,7 +172,9 @@ GREEKS = {"\\" + name: letter for name, letter in GREEK.items()}
 GREEKS |= {r"\varphi": "φ", r"\vartheta": "θ", r"\varepsilon": "ε", r"\varrho": "ρ"}
 GREEKS |= {r"\var" + name: letter for name, letter in GREEK.items() if name[0].isupper()}
 _SAID = {**GREEKS, r"\perp": "⊥", r"\parallel": "∥", r"\partial": "∂", r"\top": "T"}
-_SAID |= {r"\intercal": "T", r"\prime": "′", "'": "′"}
+_SAID |= {r"\intercal": "T", r"\prime": "′", "'": "′", r"\to": "→", r"\rightarrow": "→"}
+_SAID |= {r"\ll": "≪", r"\gg": "≫", r"\le": "≤", r"\leq": "≤", r"\ge": "≥", r"\geq": "≥"}
+_SAID |= {r"\neq": "≠", r"\ne": "≠", r"\approx": "≈", r"\dots": "…", r"\ldots": "…"}
 
 
 def flat(items: Sequence[Piece]) -> Iterator[Piece]:

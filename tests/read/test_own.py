@@ -64,6 +64,7 @@ READ = {
     r"V = mglsin\theta": ["V = mgl sin θ"],
     r"x = A\cos\omega t": ["x = A cos(ωt)"],
     r"x = 2\sin\theta\dot\theta": ["x = 2 sin θ θ̇"],
+    r"{\vec F\cdot\vec v} = \underline{\underline{a + b}}": ["F · v = a + b"],
     r"y = \sqrt[3]{x}": ["y = ∛x"],
     r"y = a\cosh[x/a]": ["y = a cosh(x/a)"],
     # vectors and matrices
@@ -137,12 +138,12 @@ def test_what_could_mean_two_things_is_asked_for(source):
 
 def test_words_behind_a_line_are_its_condition():
     [line] = read(r"\ddot\theta = -\omega^2\theta \quad\text{for } \theta \ll 1", OWN)
-    assert (text(line.equation), line.condition) == ("θ̈ = −ω²θ", "for θ \\ll 1")
+    assert (text(line.equation), line.condition) == ("θ̈ = −ω²θ", "for θ ≪ 1")
     first, second = read(r"f = \begin{cases} a & x < 0 \\ b & \text{else} \end{cases}", OWN)
     assert (first.condition, second.condition) == ("x < 0", "else")
     assert shown(r"a = b \text{ and } c = h \text{ where } k = 1") == ["a = b", "c = h", "k = 1"]
     [line] = read(r"x_i = 0 \quad (i = 1, \dots, n)", OWN)
-    assert (text(line.equation), line.condition) == ("xᵢ = 0", "(i = 1, \\dots, n)")
+    assert (text(line.equation), line.condition) == ("xᵢ = 0", "(i = 1, …, n)")
 
 
 def test_a_letter_is_a_function_where_the_file_says_so():
