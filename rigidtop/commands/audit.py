@@ -149,11 +149,14 @@ def amiss(row: Row) -> bool:
 
 def own_record(row: Row, source: Source, several: bool) -> dict[str, Any]:
     """What `--json` says of a formula that is held against the file itself."""
+    from rigidtop.read.labels import counted, row_of
     from rigidtop.typeset.text import text
 
     equation = row.held.line.equation
     passed = row.held.passed if row.number or row.held.verdict == "false" else None
     made = _bare_record(row.number, row.line, row.held.verdict, row.held.note, passed)
+    named = row_of(counted(source.text), row.held.line.position)
+    made["label"] = named.label if named is not None else ""
     made["from"] = list(row.lines)
     made["equations"] = [
         {

@@ -48,7 +48,7 @@ def run(options: argparse.Namespace) -> int:
         (source, *row)
         for source in found
         if source.is_text
-        for row in _lines(source, notation, known, until)
+        for row in _lines(source, notation, known, until, whole=source is found[0])
     ]
     said: dict[Glyph, Spoken] = {}
     for source in reversed(found):
@@ -62,11 +62,15 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _lines(
-    source: Source, notation: Notation, habits: Habits, until: float
-) -> Iterator[tuple[int, int, str, Line]]:
-    """Line and column, number and equation, of what a file has, and of what was not taken."""
+    source: Source, notation: Notation, habits: Habits, until: float, whole: bool
+) -> Iterator[tuple[int, int, str, str, Line]]:
+    """Line and column, number, label and equation, of what a file has, and of what was not taken.
+
+    In a file that another one takes in (not `whole`) nobody knows how far the class has counted.
+    """
     from rigidtop.read.document import bare, each, each_numbered, places, problems
     from rigidtop.read.formula import Line
+    from rigidtop.read.labels import counted, row_of
 
     text = source.text
     groups = list(each_numbered(text, notation, until - time.monotonic(), habits))
@@ -84,13 +88,16 @@ def _lines(
         for problem in (*problems(text), *bare(text))
         if problem.position not in told
     ]
-    place = places(text)
+    place, rows = places(text), counted(text)
     for number, line in sorted(found, key=lambda row: row[1].position):
-        yield (*place(min(line.position, len(text))), number or line.tag, line)
+        row = row_of(rows, line.position)
+        number = number or line.tag or (row.number if row is not None and whole else "")
+        label = row.label if row is not None else ""
+        yield (*place(min(line.position, len(text))), number, label, line)
 
 
 def _records(
-    rows: list[tuple[Source, int, int, str, Line]], said: dict[Glyph, Spoken], several: bool
+    rows: list[tuple[Source, int, int, str, str, Line]], said: dict[Glyph, Spoken], several: bool
 ) -> list[dict[str, Any]]:
     from rigidtop.typeset.letters import OPEN, roles
     from rigidtop.typeset.text import letter, text
@@ -102,12 +109,13 @@ def _records(
             role = "a number" if role == OPEN and spoken.kind else role
             known[letter(glyph)] = f"{role}; line {spoken.line}: {spoken.words}"
     made = []
-    for source, row, column, number, line in rows:
+    for source, row, column, number, label, line in rows:
         own = roles([line.equation]) if line.equation is not None else {}
         record = {
             "line": row,
             "column": column,
             "number": number,
+            "label": label or None,
             "equation": text(line.equation, "typed") if line.equation is not None else None,
             "condition": line.condition or None,
             "problem": line.problem or None,

@@ -7,9 +7,9 @@ concluded from a letter alone.
 >>> text = r"A bead of mass $m$. Let $x(t)$ be the displacement, where $I_1$ is the moment."
 >>> for letter, said in spoken(text, OWN).items():
 ...     print(letter.base + letter.sub, (said.words, said.kind))
-m: mass: mass
-x: the displacement: length
-I1: the moment:
+m ('mass', 'mass')
+x ('the displacement', 'length')
+I1 ('the moment', '')
 """
 
 from __future__ import annotations
