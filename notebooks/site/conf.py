@@ -1,18 +1,14 @@
 """The site of the documentation: ``sphinx-build -W notebooks/site out/site``.
 
-The lecture on it is what `rigidtop lecture` writes; one that stands already is taken from the
-folder that RIGIDTOP_LECTURE names.
+The lecture on it, with a page for each claim, is what `rigidtop lecture` writes into the folder
+``lecture``.
 """
 
 from __future__ import annotations
 
-import os
 import re
 import shutil
 from pathlib import Path
-
-from docutils import nodes
-from latex2mathml.converter import convert
 
 from rigidtop.cli import main
 
@@ -22,19 +18,21 @@ copyright = "the authors of rigidtop, BSD-3-Clause"
 extensions = [
     "myst_nb",
     "sphinx.ext.autodoc",
+    "sphinx.ext.mathjax",
+    "sphinx-mathjax-offline",
     "sphinx.ext.viewcode",
     "sphinx_gallery.gen_gallery",
 ]
-exclude_patterns = ["gallery/*", "figures/*.ipynb", "**/sg_execution_times.rst", "lecture/*"]
+exclude_patterns = ["gallery/*", "figures/*.ipynb", "**/sg_execution_times.rst"]
 nb_execution_mode = "off"
 myst_enable_extensions = ["dollarmath", "deflist", "attrs_inline"]
 myst_heading_anchors = 3
 
 html_theme = "furo"
 html_title = "rigidtop"
-html_static_path: list[str] = []
+html_static_path = ["static"]
+html_css_files = ["site.css"]
 html_show_sphinx = False
-html_math_renderer = "mathml"
 
 # Docstrings mark code by single backticks.
 default_role = "code"
@@ -58,26 +56,17 @@ sphinx_gallery_conf = {
 shutil.copytree(HERE.parent / "teacher", HERE / "notebooks", dirs_exist_ok=True)
 
 
-def lecture() -> str:
-    """The folder with lecture.html, written if it does not stand."""
-    given = os.environ.get("RIGIDTOP_LECTURE")
-    folder = Path(given).resolve() if given else HERE / "lecture"
-    if not (folder / "lecture.html").is_file() and main(["lecture", "-o", str(folder)]):
-        raise SystemExit("rigidtop lecture failed")
-    return str(folder / "lecture.html")
+LECTURE = HERE / "lecture"
+if main(["lecture", "--format", "myst", "--live", "-o", str(LECTURE)]):
+    raise SystemExit("rigidtop lecture failed")
+html_extra_path = [str(LECTURE / "lecture.html")]
 
-
-html_extra_path = [lecture()]
-
-
-def _inline(writer, node):
-    writer.body.append(convert(node.astext()))
-    raise nodes.SkipNode
-
-
-def _block(writer, node):
-    writer.body.append(convert(node.astext(), display="block"))
-    raise nodes.SkipNode
+# Sphinx takes the order of pages from trees of contents, where mystmd has a file.
+pages = re.findall(r"- file: (\S+)\.md", (LECTURE / "myst" / "myst.yml").read_text("utf-8"))
+for above, inside in (("index", "[^/]+"), ("claims", "claims/.+")):
+    below = [page for page in pages[1:] if re.fullmatch(inside, page)]
+    with (LECTURE / "myst" / f"{above}.md").open("a", encoding="utf-8") as file:
+        print("\n```{toctree}\n:hidden:\n", *below, "```", sep="\n", file=file)
 
 
 def _as_it_stands(app, what, name, obj, options, lines):
@@ -92,6 +81,4 @@ def _as_it_stands(app, what, name, obj, options, lines):
 
 
 def setup(app):
-    # Formulas as MathML, which browsers draw without a script and without a network.
-    app.add_html_math_renderer("mathml", (_inline, None), (_block, None))
     app.connect("autodoc-process-docstring", _as_it_stands)

@@ -22,6 +22,7 @@ from rigidtop.report.files import write_all
 from rigidtop.report.handout import Parts, first_used, order_of_figures, spoken_of
 from rigidtop.report.languages import translated
 from rigidtop.report.map import contracted
+from rigidtop.report.map import label as map_label
 from rigidtop.report.map import picture as map_picture
 from rigidtop.report.pdf import make_pdf
 from rigidtop.report.record import document
@@ -42,9 +43,7 @@ def fragment(
 
     A `deep` derivation starts from laws and definitions.
     """
-    made = claim_blocks(Wording(notation).judgement(judgement), marks=format == "text")
-    made[1:1] = led_blocks(judgement, notation, deep)
-    made[1:1] = notations.remark(notation, symbols_used(made))
+    made = _told(judgement, notation, deep, marks=format == "text")
     if format == "text":
         return plain.fragment(made)
     if format == "latex":
@@ -54,6 +53,16 @@ def fragment(
     if format == "typst":
         return typst.fragment(made)
     raise RigidtopError(f"unknown format {format!r}: choose from {', '.join(FORMATS)}")
+
+
+def _told(
+    judgement: Judgement, notation: Notation, deep: bool = False, *, marks: bool = False
+) -> list[b.Block]:
+    """A claim with its derivation and all that was found, its head first."""
+    made = claim_blocks(Wording(notation).judgement(judgement), marks=marks)
+    made[1:1] = led_blocks(judgement, notation, deep)
+    made[1:1] = notations.remark(notation, symbols_used(made))
+    return made
 
 
 @dataclass(frozen=True)
@@ -98,6 +107,36 @@ def exercise_fragment(solution: Solution, notation: Notation = NOTES_NOTATION) -
     made = blocks(solution_in(notation, solution), notation=notation)
     made[1:1] = notations.remark(notation, symbols_used(made))
     return plain.fragment(made)
+
+
+def claims_told(
+    judged: b.Judged, solutions: Sequence[Solution], lines: Lecture, notation: Notation
+) -> list[tuple[b.ClaimHead, list[b.Block]]]:
+    """Each claim, of the lecture and of the solutions, with what its page tells.
+
+    That is its derivation, what was found, what it rests on, and what rests on it.
+    """
+    known = {j.claim.name: j for _, judgements in judged for j in judgements}
+    known |= {j.claim.name: j for each in solutions for j in each.judgements}
+
+    def named(label: str, names: Sequence[str]) -> b.Paragraph:
+        made: list[b.Piece] = []
+        for name in names:
+            words = map_label(lines, name, notation)
+            there = myst.page_of(b.anchor(name))
+            made += [", "] if made else []
+            made.append(b.Cited(words, there) if name in known else words)
+        return b.Paragraph((*made, "."), label)
+
+    made: list[tuple[b.ClaimHead, list[b.Block]]] = []
+    for name, judgement in known.items():
+        head, *told = _told(judgement, notation)
+        assert isinstance(head, b.ClaimHead)
+        if name in lines.names:
+            said = {"Rests on": lines.map[name], "On it rest": lines.resting(name)}
+            told += [named(label, names) for label, names in said.items() if names]
+        made.append((head, told))
+    return made
 
 
 def solution_in(notation: Notation, solution: Solution) -> Solution:
@@ -168,7 +207,11 @@ def write_lecture(
         points=points,
         look=look,
     )
-    return _write("lecture", *made, out, files)
+    claims: myst.Claims = ()
+    if files.myst:
+        told = () if student else solutions
+        claims = claims_told(judged, told, lines or Lecture(), notation or NOTES_NOTATION)
+    return _write("lecture", *made, out, files, claims)
 
 
 Illustrated = tuple[b.Document, Sequence[Picture]]
@@ -423,7 +466,12 @@ def _exercise(
 
 
 def _write(
-    stem: str, whole: b.Document, pictures: Sequence[Picture], out: Path | str, wanted: Wanted
+    stem: str,
+    whole: b.Document,
+    pictures: Sequence[Picture],
+    out: Path | str,
+    wanted: Wanted,
+    claims: myst.Claims = (),
 ) -> list[Path]:
     drawn = {each.name: both(each.drawing, each.given) for each in over("drawing", pictures)}
     files = {f"figures/{name}.pdf": paper for name, (paper, _) in drawn.items()}
@@ -444,7 +492,7 @@ def _write(
     if wanted.fragment:
         contents |= {name: text.encode() for name, text in tex.chapters(whole, paths).items()}
     if wanted.myst:
-        contents |= {name: text.encode() for name, text in myst.write(whole).items()}
+        contents |= {name: text.encode() for name, text in myst.write(whole, claims).items()}
     if wanted.pdf:
         vectors = {name: f"figures/{name}.svg" for name in drawn}
         contents[f"{stem}.pdf"] = make_pdf(

@@ -131,6 +131,16 @@ def _(block: b.Subhead) -> str:
 
 
 @_block.register
+def _(block: b.Measures) -> str:
+    rows = [
+        (words(row.what), *(formula(lay.decimal(x, 2)) for x in (row.error, row.tolerance)))
+        for row in block.rows
+    ]
+    head = (words(block.compared), "error", "tolerance")
+    return f"*{words(block.label)}*\n\n{_table(head, rows)}"
+
+
+@_block.register
 def _(block: b.Quantities) -> str:
     rows = [
         (words(what), _cell(value), "" if unit == "1" else _plain(unit))  # s is a second, no letter

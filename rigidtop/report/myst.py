@@ -1,6 +1,7 @@
 """The lecture as a MyST project: pages that a course site or a Jupyter Book takes as they are.
 
-Equations keep the numbers of the notes, and are cited by name: `[](#claim-3-54)`.
+Equations keep the numbers of the notes, and are cited by name: `[(3.54)](#claim-3-54)`.  Only what
+mystmd and Sphinx have alike is used; each claim has a page, to which its mark in the margin leads.
 """
 
 from __future__ import annotations
@@ -13,8 +14,11 @@ from rigidtop.report import markdown
 from rigidtop.typeset import layout as lay
 from rigidtop.typeset.latex import align_row, latex
 
+Claims = Sequence[tuple[b.ClaimHead, Sequence[b.Block]]]
+"""Claims, and what their pages tell: the derivation, what it rests on, what rests on it."""
 
-def write(document: b.Document) -> dict[str, str]:
+
+def write(document: b.Document, claims: Claims = ()) -> dict[str, str]:
     """The files of the project by their paths, in the folder ``myst``; figures are in figures/."""
     parts: list[tuple[str, list[b.Block]]] = [("index", [])]
     for block in document.blocks:
@@ -26,25 +30,67 @@ def write(document: b.Document) -> dict[str, str]:
     front += [document.byline] if document.byline else []
     front += [_page(parts[0][1]), markdown.words(document.colophon)]
     made["myst/index.md"] = "\n\n".join(front) + "\n"
-    made["myst/myst.yml"] = _project(document, [name for name, _ in parts])
+    names = [name for name, _ in parts]
+    if claims:
+        names += ["claims", *(_path(head.anchor) for head, _ in claims)]
+        made["myst/claims.md"] = _list_of(claims)
+        for head, blocks in claims:
+            stands = any(f"({head.anchor})=" in page for page in made.values())
+            made[f"myst/{_path(head.anchor)}.md"] = _claim(head, blocks, stands)
+    made["myst/myst.yml"] = _project(document, names)
     return made
 
 
 def _project(document: b.Document, names: Sequence[str]) -> str:
     """myst.yml; what stands in quotes for JSON does so for YAML."""
     pages = "\n".join(f"    - file: {name}.md" for name in names)
+    title, author = (json.dumps(x, ensure_ascii=False) for x in (document.title, document.author))
     return (
-        f"version: 1\nproject:\n  title: {json.dumps(document.title, ensure_ascii=False)}\n"
-        f"  authors:\n    - name: {json.dumps(document.author, ensure_ascii=False)}\n"
+        f"version: 1\nproject:\n  title: {title}\n"
+        f"  authors:\n    - name:\n        literal: {author}\n"
+        # Equations and figures bring their own numbers.
+        f"  numbering:\n    equation: false\n    figure: false\n"
         f"  toc:\n{pages}\nsite:\n  template: book-theme\n"
     )
 
 
+def _path(anchor: str) -> str:
+    """Where the page of a claim is."""
+    return anchor.replace("claim-", "claims/", 1)
+
+
+def page_of(anchor: str) -> str:
+    """The anchor of the page of a claim, of which `anchor` is its place in the text."""
+    return f"page-of-{anchor}"
+
+
+def _list_of(claims: Claims) -> str:
+    items = "\n".join(
+        f"- {b.MARKS[head.verdict]} [{_title(head)}](#{page_of(head.anchor)}): {head.verdict}"
+        for head, _ in claims
+    )
+    return f"# Every claim\n\n{items}\n"
+
+
+def _title(head: b.ClaimHead) -> str:
+    says = markdown.words(head.says.rstrip("."))
+    return f"{head.shown} {says}" if b.is_number(head.name) else says
+
+
+def _claim(head: b.ClaimHead, blocks: Sequence[b.Block], stands: bool) -> str:
+    title = f"({page_of(head.anchor)})=\n# {_title(head)}"
+    verdict = f"**{b.MARKS[head.verdict]} {head.verdict}**, `rigidtop derive {head.name}`"
+    verdict += f", [in the text](#{head.anchor})" if stands else ""
+    return "\n\n".join([title, verdict, markdown.markdown(blocks)]) + "\n"
+
+
 def _page(blocks: Sequence[b.Block]) -> str:
-    return "\n\n".join(filter(None, map(_block, blocks))) + "\n"
+    above = next((block.level - 1 for block in blocks if isinstance(block, b.Heading)), 0)
+    return "\n\n".join(filter(None, (_block(block, above) for block in blocks))) + "\n"
 
 
-def _block(block: b.Block) -> str:
+def _block(block: b.Block, above: int) -> str:
+    """A block of a page that stands as many levels below the title of the whole."""
     match block:
         case b.Heading():
             title = f"{block.number} {block.title}".strip()
@@ -53,16 +99,18 @@ def _block(block: b.Block) -> str:
             return f"## {markdown.words(block.words)}"
         case b.ExerciseHead():
             head = f"{block.label}. {block.title}"
-            return f"({block.anchor})=\n### {markdown.words(head)}"
+            level = "#" * (block.level - above)
+            return f"({block.anchor})=\n{level} {markdown.words(head)}"
         case b.Display():
             return "\n\n".join(_display(block))
         case b.Figure():
+            label = f"**{block.label}.** " if block.label else ""
             return (
-                f":::{{figure}} ../figures/{block.name}.svg\n:name: {block.anchor}\n"
-                f":alt: {block.alternative}\n\n{markdown.words(block.caption)}\n:::"
+                f"```{{figure}} ../figures/{block.name}.svg\n:name: {block.anchor}\n"
+                f":alt: {block.alternative}\n\n{label}{markdown.words(block.caption)}\n```"
             )
         case b.Paragraph(mark=b.Mark()) if block.mark is not None:
-            return f"{markdown.markdown([block])}\n\n{_margin(block.mark)}"
+            return f"{_margin(block.mark)}\n\n{markdown.markdown([block])}"
         case b.Legend():
             return "\n".join(f"- {b.MARKS[v]} {markdown.words(words)}" for v, words in block.rows)
         case b.Results():
@@ -85,13 +133,16 @@ def _block(block: b.Block) -> str:
 
 
 def _display(block: b.Display) -> list[str]:
-    """The sentences and the equations, each with its name; behind it its verdict."""
+    """The sentences and the equations, each with its name; before them its verdict."""
     made: list[str] = []
     group: list[b.Row] = []
     for k, row in enumerate(block.rows):
         group.append(row)
         after = block.rows[k + 1 : k + 2]
         if not after or after[0].reason or row.tag:
+            mark = next((each.mark for each in group if each.mark is not None), None)
+            if mark is not None:
+                made.append(_margin(mark))
             if group[0].reason:
                 made.append(markdown.running(group[0].spoken))
             lines = [
@@ -99,16 +150,16 @@ def _display(block: b.Display) -> list[str]:
                 for each in group
                 for line in lay.lines(each.equation, each.order, markdown.LINE)
             ]
-            options = [f":label: {row.anchor}"] if row.anchor else []
-            options.append(f":enumerator: {row.tag}" if row.tag else ":enumerated: false")
-            made.append("\n".join(["```{math}", *options, markdown.aligned(lines), "```"]))
-            mark = next((each.mark for each in group if each.mark is not None), None)
-            if mark is not None:
-                made.append(_margin(mark))
+            number = rf" \tag{{{row.tag}}}" if row.tag else ""
+            # Sphinx puts what has \\ into a split, in which there is no \tag.
+            equation = markdown.aligned(lines).replace("\\\\\n", "\\cr\n") + number
+            place = [f"({row.anchor})="] if row.anchor else []
+            made.append("\n".join([*place, "```{math}", equation, "```"]))
             group = []
     return made
 
 
 def _margin(mark: b.Mark) -> str:
     note = f" {markdown.running(mark.note)}" if mark.note else ""
-    return f"```{{margin}}\n{b.MARKS[mark.verdict]} {mark.verdict}{note}\n```"
+    verdict = f"{b.MARKS[mark.verdict]} [{mark.verdict}](#{page_of(b.anchor(mark.name))})"
+    return f"```{{sidebar}}\n{verdict}{note}\n```"

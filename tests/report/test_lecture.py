@@ -388,10 +388,12 @@ def test_a_myst_project_has_every_numbered_equation(document):
     made = myst.write(document)
     whole = "\n".join(made.values())
     for number in range(33, 58):
-        assert f":label: claim-3-{number}\n:enumerator: 3.{number}\n" in whole
+        assert re.search(
+            rf"^\(claim-3-{number}\)=\n```{{math}}[^`]*\\tag{{3.{number}}}$", whole, re.M
+        )
     files = re.findall(r"- file: (\S+)", made["myst/myst.yml"])
     assert {f"myst/{file}" for file in files} == set(made) - {"myst/myst.yml"}
-    labels = re.findall(r":label: (\S+)", whole)
+    labels = re.findall(r"^\((\S+)\)=$", whole, re.M)
     assert len(set(labels)) == len(labels)
 
 
