@@ -103,7 +103,7 @@ def test_changes_make_claims_fall(judgements, fallen):
         ("engine.py", "WEIGHT = Matrix([0, 0, -m * g])", "WEIGHT = Matrix([0, 0, m * g])", None),
         ("conical.py", "yield Correction(right, meaning)", "", {"nods-twice"}),
         ("evidence.py", "(1 + 3 * cos(TILT) ** 2)", "4", {"2.3"}),
-        ("evidence.py", "v @ v - gravity", "v @ v + gravity", {"1.5", "2.2", "2.3"}),
+        ("evidence.py", "v @ v - gravity", "v @ v - 0.9 * gravity", {"1.5", "2.2", "2.3"}),
     ],
 )
 def test_a_slip_in_a_page_is_found(tmp_path, capsys, file, old, new, broken):

@@ -12,11 +12,10 @@ import numpy as np
 import pypdf
 import pytest
 
-from rigidtop.derivations import PAGES, lecture_with
+from rigidtop.derivations import PAGES
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.figures.catalog import FIGURES
 from rigidtop.figures.drawing import both, rendered
-from rigidtop.proof.verdict import judge_page
 from rigidtop.report import html, myst, pdf, plain, tex, typst
 from rigidtop.report.blocks import (
     Cited,
@@ -38,27 +37,10 @@ from rigidtop.report.claims import claim_blocks
 from rigidtop.report.handout import written
 from rigidtop.report.languages import SHOWN, WORDS, translated
 from rigidtop.report.lecture import FORMATS, fragment, lecture, record, sheet
-from rigidtop.report.solutions import solved
 from rigidtop.report.symbols import symbols_used
 from rigidtop.theory import symbols as s
 from rigidtop.typeset import layout as lay
 from rigidtop.typeset.text import text
-
-
-@pytest.fixture(scope="module")
-def judged():
-    return [(page, judge_page(page)) for page in PAGES]
-
-
-@pytest.fixture(scope="module")
-def solutions(judged, lines):
-    known = {j.claim.name: j for _, judgements in judged for j in judgements}
-    return [solved(exercise, judged=known, lines=lines) for exercise in EXERCISES]
-
-
-@pytest.fixture(scope="module")
-def lines():
-    return lecture_with([exercise.text for exercise in EXERCISES if exercise.text])
 
 
 @pytest.fixture(scope="module")
@@ -92,9 +74,14 @@ def test_every_claim_has_every_fragment(judged):
                 assert fragment(judgement, kind).strip()
 
 
-def test_html_of_all_pages(document, pictures):
-    svg = {p.name: rendered(p.drawing, "svg", p.given).decode() for p in pictures}
-    made = html.write(document, svg)
+@pytest.fixture(scope="module")
+def drawn(pictures):
+    """Each figure as PDF and as SVG."""
+    return {p.name: both(p.drawing, p.given) for p in pictures}
+
+
+def test_html_of_all_pages(document, drawn):
+    made = html.write(document, {name: svg.decode() for name, (_, svg) in drawn.items()})
     root = ElementTree.fromstring(made.removeprefix("<!DOCTYPE html>\n"))
     names = [e.get("id") for e in root.iter() if e.get("id")]
     assert len(set(names)) == len(names)
@@ -109,12 +96,6 @@ def test_html_of_all_pages(document, pictures):
     assert len(places) > 300
 
 
-@pytest.fixture(scope="module")
-def drawn(pictures):
-    """Each figure as PDF and as SVG."""
-    return {p.name: both(p.drawing, p.given) for p in pictures}
-
-
 @pytest.fixture(scope="module", params=["latexmk", "typst"])
 def paper(request, document, drawn):
     """The PDF of the lecture, both ways."""
@@ -126,6 +107,12 @@ def paper(request, document, drawn):
     files = {names[name]: each[kind == "svg"] for name, each in drawn.items()}
     source = by.write(document, names)
     return pdf.by_latexmk(way, source, files) if way else pdf.by_typst(source, files)
+
+
+@pytest.fixture(scope="module")
+def words(paper):
+    """The text of each page."""
+    return [page.extract_text() for page in pypdf.PdfReader(io.BytesIO(paper)).pages]
 
 
 @pytest.mark.skipif(not shutil.which("pdftoppm"), reason="needs pdftoppm")
@@ -158,7 +145,7 @@ def test_pages_have_no_white_gaps(paper, tmp_path):
                 assert body[-1] > (0.94 if columns else 0.905) - least, f"beneath page {k + 1}"
 
 
-def test_no_heading_ends_a_page(paper, document):
+def test_no_heading_ends_a_page(words, document):
     kinds = (Heading, ExerciseHead, Subhead)
     titles = {
         b.words if isinstance(b, Subhead) else b.title
@@ -167,8 +154,8 @@ def test_no_heading_ends_a_page(paper, document):
     }
     titles = {_letters(title) for title in titles} - {""}
     seen = 0
-    for page in pypdf.PdfReader(io.BytesIO(paper)).pages[1:]:  # behind the contents
-        lines = [_letters(line) for line in page.extract_text().splitlines() if line.strip()]
+    for page in words[1:]:  # behind the contents
+        lines = [_letters(line) for line in page.splitlines() if line.strip()]
         seen += sum(line in titles for line in lines)
         # The number of a page has no letters.
         assert [line for line in lines if line][-1] not in titles
@@ -208,14 +195,13 @@ def test_no_line_leaves_the_page(document, recorded, pictures, tmp_path, which):
 
 
 @pytest.mark.parametrize("paper", ["typst"], indirect=True)
-def test_typst_of_all_pages(paper):
-    made = pypdf.PdfReader(io.BytesIO(paper))
-    words = "\n".join(page.extract_text() for page in made.pages)
+def test_typst_of_all_pages(words):
+    whole = "\n".join(words)
     for number in range(33, 58):
-        assert f"(3.{number})" in words
-    assert len(made.pages) > 20
+        assert f"(3.{number})" in whole
+    assert len(words) > 20
     for number in range(1, len(EXERCISES) + 1):
-        assert words.count(f"Exercise {number}.") == 2  # asked and solved
+        assert whole.count(f"Exercise {number}.") == 2  # asked and solved
 
 
 # --- Exercises ------------------------------------------------------------------------------------

@@ -7,14 +7,11 @@ from collections import defaultdict
 import pytest
 from matplotlib.text import Text
 
-from rigidtop.derivations import PAGES
-from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.figures.catalog import FIGURES
 from rigidtop.notation import BUILT_IN, named
-from rigidtop.proof.verdict import judge_page
 from rigidtop.report.claims import claim_blocks
 from rigidtop.report.lecture import exercise_fragment, fragment, picture, solution_in
-from rigidtop.report.solutions import blocks, solved
+from rigidtop.report.solutions import blocks
 from rigidtop.report.symbols import symbols_used
 from rigidtop.report.wording import Wording
 from rigidtop.theory.lettered import stands_for
@@ -56,14 +53,9 @@ def ambiguous(found):
     return {at: olds for at, olds in roles.items() if len(olds) > 1}
 
 
-@pytest.fixture(scope="module")
-def judged():
-    return {judgement.claim.name: judgement for page in PAGES for judgement in judge_page(page)}
-
-
 @pytest.mark.parametrize("notation", NOTATIONS, ids=lambda notation: notation.name)
-def test_no_claim_has_a_letter_for_two_things(judged, notation, monkeypatch):
-    for judgement in judged.values():
+def test_no_claim_has_a_letter_for_two_things(known, notation, monkeypatch):
+    for judgement in known.values():
         found = origins(monkeypatch, notation)
         made = Wording(notation).judgement(judgement)
         of_symbols(found, symbols_used(claim_blocks(made)))
@@ -72,16 +64,16 @@ def test_no_claim_has_a_letter_for_two_things(judged, notation, monkeypatch):
 
 
 @pytest.mark.parametrize("notation", NOTATIONS, ids=lambda notation: notation.name)
-def test_no_exercise_has_a_letter_for_two_things(judged, notation, monkeypatch):
-    for exercise in EXERCISES:
+def test_no_exercise_has_a_letter_for_two_things(solutions, notation, monkeypatch):
+    for each in solutions:
         found = origins(monkeypatch, notation)
-        solution = solution_in(notation, solved(exercise, judged=judged))
+        solution = solution_in(notation, each)
         drawn = picture(solution, notation)
         if drawn is not None:
             drawn.described()
         of_symbols(found, symbols_used(blocks(solution, notation=notation)))
         assert found
-        assert ambiguous(found) == {}, exercise.name
+        assert ambiguous(found) == {}, solution.exercise.name
         monkeypatch.undo()
 
 
@@ -93,10 +85,9 @@ def gone(notation):
 
 
 @pytest.mark.parametrize("notation", NOTATIONS, ids=lambda notation: notation.name)
-def test_what_the_notes_alone_write_is_nowhere_else(judged, notation):
-    exercises = [solved(exercise, judged=judged) for exercise in EXERCISES]
-    made = [exercise_fragment(each, notation) for each in exercises]
-    made += [fragment(each, "text", notation) for each in judged.values()]
+def test_what_the_notes_alone_write_is_nowhere_else(known, solutions, notation):
+    made = [exercise_fragment(each, notation) for each in solutions]
+    made += [fragment(each, "text", notation) for each in known.values()]
     for text in made:
         words = re.sub(r"\nNotation: .*?\n\n", "\n", text, count=1, flags=re.DOTALL)
         words = re.sub("MgR[₁₂₃]|ω_n²", "", words)  # of these the tables have no other
@@ -139,9 +130,9 @@ def test_an_eigenvalue_is_no_tensor_of_inertia():
     assert landau("along $𝐋̇$ and $𝛚$") == "along $𝐌̇$ and $𝛀$"
 
 
-def test_the_notes_stay_as_they_are(judged):
+def test_the_notes_stay_as_they_are(known):
     words = Wording(named("notes"))
-    each = judged["3.52"]
+    each = known["3.52"]
     assert words.of(each) is each
     assert words.drawing(FIGURES[0]) is FIGURES[0]
     assert words("λ₁") == "λ₁"

@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pytest
 import sympy
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import Derivative, Function, Matrix, Rational, cos, sin, symbols
 from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
@@ -362,6 +362,7 @@ POWERS = st.tuples(*[st.integers(0, 2)] * 5)
 TERMS = st.lists(st.tuples(st.integers(-4, 4), POWERS), max_size=4)
 
 
+@settings(max_examples=20)
 @given(TERMS)
 def test_lagranges_equations_of_any_L_of_functions_and_time_are_sympys(terms):
     # h(t) is a motion that is given; t enters besides.

@@ -83,7 +83,8 @@ def button(label):
 
 @pytest.mark.parametrize(("kind", "name"), NAMES)
 def test_each_preset_opens_by_its_address_and_plays(live, kind, name):
-    live.open(kind, f"#preset={name}")
+    # One is opened anew, the others by their addresses put into the page that stands.
+    (live.open if name == PRESETS[kind]()[0].name else live.show)(kind, f"#preset={name}")
     live.wait("rigidtop.motion.now.t > 0.2")
     preset = named(name)
     assert live.values == pytest.approx(dict(preset.setup.values), rel=1e-15)
