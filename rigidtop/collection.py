@@ -52,7 +52,7 @@ from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.page import Assumption, Check, Claim, Evidence, Measure, Page
 from rigidtop.read.page import read_exercises, read_lecture
 from rigidtop.report.blocks import NOTES, Front
-from rigidtop.textfile import text_of
+from rigidtop.terminal.files import text_of
 from rigidtop.theory import symbols
 from rigidtop.theory.lettered import Lettered
 

@@ -6,11 +6,11 @@ With ``--check`` nothing is written: the exit code is 1 if the module is not wha
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from collections.abc import Sequence
 
 from rigidtop.codegen import shipped
+from rigidtop.terminal.files import write_whole
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -24,9 +24,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"{path} is not what the theory gives: run python -m rigidtop.codegen")
         return 1
     if not current:
-        draft = path.with_suffix(".new")
-        draft.write_text(text, "utf-8")
-        os.replace(draft, path)
+        write_whole(path, text.encode())
     print(f"{path} is current" if current else f"{path} rewritten")
     return 0
 

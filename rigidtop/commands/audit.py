@@ -102,7 +102,7 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
     told = summary(audited, unread, absent, [row for _, row in others])
     if output is not None:
         from rigidtop.report.annotated import write
-        from rigidtop.report.files import write_whole
+        from rigidtop.terminal.files import write_whole
 
         page = write(
             path.name,
@@ -193,7 +193,7 @@ def _print(
     told: str,
 ) -> None:
     from rigidtop.commands.check import VERDICT_COLORS
-    from rigidtop.typeset.table import table, wants_color
+    from rigidtop.terminal.table import table, wants_color
 
     colors = None
     if wants_color(sys.stdout):

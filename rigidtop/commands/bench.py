@@ -28,8 +28,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Measure and print."""
     from rigidtop import bench
-    from rigidtop.progress import bar
-    from rigidtop.report.files import write_whole
+    from rigidtop.terminal.files import write_whole
+    from rigidtop.terminal.progress import bar
 
     plot = Path(options.plot) if options.plot else None
     if plot is not None and plot.suffix not in PLOTS:

@@ -86,7 +86,7 @@ def record(found: Certificate) -> dict[str, Any]:
 
 def text(found: Certificate, asked: str) -> str:
     """A certificate as tables for the terminal; `asked` says what for."""
-    from rigidtop.typeset.table import table
+    from rigidtop.terminal.table import table
 
     parts = [f"One motion in {len(found.ways)} ways, {asked}"]
     if found.ways:
@@ -136,7 +136,7 @@ def verdict(found: Certificate) -> str:
 
 def _numbers(rows: Sequence[Sequence[str]], head: Sequence[str]) -> str:
     """A table of which all columns but the first are numbers."""
-    from rigidtop.typeset.table import table
+    from rigidtop.terminal.table import table
 
     # The last column of a table is text: here one without any.
     return table([[*row, ""] for row in rows], (*head, ""), right=range(1, len(head)))

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from rigidtop.commands import claims
 from rigidtop.commands.notation import add_notation, chosen
 from rigidtop.commands.output import print_json
-from rigidtop.progress import over
+from rigidtop.terminal.progress import over
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
@@ -67,7 +67,7 @@ def _run(
     from rigidtop.proof.words import unmarked
     from rigidtop.report.records import measures, record
     from rigidtop.report.wording import Wording
-    from rigidtop.typeset.table import table, wants_color
+    from rigidtop.terminal.table import table, wants_color
 
     found = claims.named(collection, names) if names else claims.every(collection)
     every = options.thorough and not names

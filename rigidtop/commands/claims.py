@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rigidtop.errors import RigidtopError
-from rigidtop.progress import over
+from rigidtop.terminal.progress import over
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection

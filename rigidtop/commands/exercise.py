@@ -13,7 +13,7 @@ from rigidtop.commands.notation import chosen as chosen_notation
 from rigidtop.commands.output import print_json
 from rigidtop.commands.settings import add_settings, apart
 from rigidtop.errors import RigidtopError
-from rigidtop.progress import over
+from rigidtop.terminal.progress import over
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
@@ -129,8 +129,8 @@ def _write(
     options: argparse.Namespace,
     notation: Notation | None,
 ) -> None:
-    from rigidtop.report.files import check_folder
     from rigidtop.report.lecture import write_sheet
+    from rigidtop.terminal.files import check_folder
 
     look, front, points = look_of(options), front_of(options, collection.front), points_of(options)
     check_folder(options.sheet)
@@ -158,7 +158,7 @@ def _list(collection: Collection, as_json: bool) -> int:
         print_json([listed(exercise) for exercise in collection.exercises])
         return 0
     from rigidtop.proof.words import unmarked
-    from rigidtop.typeset.table import table
+    from rigidtop.terminal.table import table
 
     rows = [
         [each.section, each.name, unmarked(f"{each.title} ({each.asks})")]

@@ -95,7 +95,7 @@ def run(options: argparse.Namespace) -> int:
 def _check(options: argparse.Namespace, drawing: Drawing, path: Path, kind: str) -> None:
     """Refuse what can't be written before anything is drawn."""
     from rigidtop.figures.catalog import FIGURES
-    from rigidtop.report.files import check_folder
+    from rigidtop.terminal.files import check_folder
 
     if kind not in STILL + MOVING:
         found = f"not .{kind}" if kind else f"and {str(path)!r} has none"
@@ -117,8 +117,8 @@ def _check(options: argparse.Namespace, drawing: Drawing, path: Path, kind: str)
 
 
 def _write(drawing: Drawing, path: Path, kind: str, values: dict[str, float], frames: int) -> None:
-    from rigidtop.progress import bar
-    from rigidtop.report.files import write_whole
+    from rigidtop.terminal.files import write_whole
+    from rigidtop.terminal.progress import bar
 
     if kind in STILL:
         from rigidtop.figures.drawing import rendered
@@ -132,7 +132,7 @@ def _write(drawing: Drawing, path: Path, kind: str, values: dict[str, float], fr
 
 
 def _print_list(figures: tuple[Drawing, ...], as_json: bool) -> None:
-    from rigidtop.typeset.table import columns, padded, wrapped
+    from rigidtop.terminal.table import columns, padded, wrapped
 
     if as_json:
         print_json([_record(each) for each in figures])

@@ -10,7 +10,7 @@ from rigidtop.commands.look import add_look, front_of, look_of, points_of
 from rigidtop.commands.notation import add_notation, chosen
 from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
-from rigidtop.progress import over
+from rigidtop.terminal.progress import over
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
@@ -69,9 +69,9 @@ def run(options: argparse.Namespace) -> int:
 
 def _run(collection: Collection, options: argparse.Namespace) -> int:
     from rigidtop.figures.catalog import FIGURES
-    from rigidtop.report.files import check_folder
     from rigidtop.report.lecture import Wanted, write_lecture
     from rigidtop.report.solutions import solved
+    from rigidtop.terminal.files import check_folder
     from rigidtop.web.page import three
     from rigidtop.web.player import player
 

@@ -22,7 +22,7 @@ def run(options: argparse.Namespace) -> int:
     from rigidtop.collection import opened
     from rigidtop.proof.words import unmarked
     from rigidtop.report.records import claim_record
-    from rigidtop.typeset.table import table
+    from rigidtop.terminal.table import table
 
     with opened(options.name) as (collection, names):
         found = claims.named(collection, names) if names else claims.every(collection)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import argparse
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rigidtop.errors import RigidtopError
+from rigidtop.terminal.files import text_of
 
 if TYPE_CHECKING:
     from rigidtop.report.blocks import Front, Look
@@ -62,13 +62,7 @@ def look_of(options: argparse.Namespace) -> Look:
     language = options.language or "en"
     if language not in LANGUAGES:
         raise RigidtopError(f"no language {language!r}; there are {', '.join(LANGUAGES)}")
-    preamble = ""
-    if options.preamble:
-        try:
-            preamble = Path(options.preamble).read_text("utf-8")
-        except (OSError, UnicodeDecodeError) as error:
-            why = getattr(error, "strerror", None) or "it is not UTF-8 text"
-            raise RigidtopError(f"cannot read {options.preamble}: {why}") from error
+    preamble = text_of(options.preamble) if options.preamble else ""
     own = options.own_class or ""
     if own and not own.replace("-", "").replace("_", "").isalnum():
         raise RigidtopError(f"--class wants the name of a LaTeX class, not {own!r}")

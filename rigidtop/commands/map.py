@@ -53,7 +53,7 @@ def _run(
     whole = lecture.map
     shown = part(whole, names) if names else whole
     if options.output is not None:
-        from rigidtop.report.files import check_folder, write_whole
+        from rigidtop.terminal.files import check_folder, write_whole
 
         path = Path(options.output)
         kind = path.suffix[1:].lower()

@@ -13,7 +13,7 @@ from rigidtop.commands.claims import FAILED
 from rigidtop.commands.motions import number
 from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
-from rigidtop.textfile import LONGEST, text_of
+from rigidtop.terminal.files import LONGEST, text_of
 
 if TYPE_CHECKING:
     from rigidtop.mark.answer import Marking
@@ -123,7 +123,7 @@ def _cell(said: str) -> str:
 
 
 def _print(found: Marking) -> None:
-    from rigidtop.typeset.table import table, wants_color, wrapped
+    from rigidtop.terminal.table import table, wants_color, wrapped
 
     rows = [[str(line.line or ""), line.mark.value, line.said] for line in found.lines]
     colors = COLORS if wants_color(sys.stdout) else None

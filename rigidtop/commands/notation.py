@@ -59,7 +59,7 @@ def run(options: argparse.Namespace) -> int:
     from rigidtop.notation import BUILT_IN, named
     from rigidtop.proof.words import unmarked
     from rigidtop.report.notations import record, rows, turns
-    from rigidtop.typeset.table import table
+    from rigidtop.terminal.table import table
 
     notations = [named(name) for name in options.name or BUILT_IN]
     if options.json:

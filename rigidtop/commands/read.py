@@ -130,7 +130,7 @@ def _records(
 
 
 def _print(records: list[dict[str, Any]]) -> None:
-    from rigidtop.typeset.table import table
+    from rigidtop.terminal.table import table
 
     rows = [
         [

@@ -29,8 +29,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Judge and print, or write."""
     from rigidtop import referee
-    from rigidtop.progress import bar
-    from rigidtop.report.files import write_all
+    from rigidtop.terminal.files import write_all
+    from rigidtop.terminal.progress import bar
 
     if options.output is not None:
         contents = {

@@ -111,7 +111,7 @@ def _print_table(columns: dict[str, Any], options: argparse.Namespace) -> None:
     if options.output:
         print(options.output)
         return
-    from rigidtop.typeset.table import table
+    from rigidtop.terminal.table import table
 
     # + 0.0 writes −0 as 0
     rows = [[f"{x + 0.0:.6g}" for x in row] for row in zip(*columns.values(), strict=True)]
@@ -175,7 +175,7 @@ def _regime(motion: Motion) -> str:
 def _write(name: str, columns: dict[str, Any]) -> None:
     from pathlib import Path
 
-    from rigidtop.report.files import write_whole
+    from rigidtop.terminal.files import write_whole
 
     lines = [",".join(columns)]
     lines += [",".join(map(repr, map(float, row))) for row in zip(*columns.values(), strict=True)]

@@ -134,7 +134,7 @@ def one(name: str, text: str) -> float:
 def run(options: argparse.Namespace) -> int:
     """Compute what is missing in the file, and say what it holds."""
     from rigidtop.motion import sweep
-    from rigidtop.progress import bar
+    from rigidtop.terminal.progress import bar
 
     if not options.output.endswith(".npy"):
         raise RigidtopError(f"--output wants a name that ends in .npy, not {options.output!r}")

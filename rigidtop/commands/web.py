@@ -50,7 +50,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Write the page."""
-    from rigidtop.report.files import write_whole
+    from rigidtop.terminal.files import write_whole
     from rigidtop.web.page import page
     from rigidtop.web.presets import PRESETS
 

@@ -102,10 +102,10 @@ def both(drawing: Drawing, given: Mapping[str, float] | None = None) -> tuple[by
         if engine := canvas.get_layout_engine():
             engine.execute(canvas)
             canvas.set_layout_engine("none")
-        FigureCanvasPdf(canvas).print_pdf(paper, metadata=_ABOUT["pdf"])
+        FigureCanvasPdf(canvas).print_pdf(paper, metadata=_ABOUT["pdf"])  # type: ignore[no-untyped-call]
         for patch in (canvas.patch, *(axes.patch for axes in canvas.axes)):
             patch.set(facecolor="none", edgecolor="none")
-        svg.print_svg(page)
+        svg.print_svg(page)  # type: ignore[no-untyped-call]
     return paper.getvalue(), _without_metadata(page.getvalue())
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigidtop.errors import RigidtopError
+from rigidtop.terminal.files import write_whole
 
 Floats = NDArray[np.float64]
 
@@ -83,10 +84,7 @@ class Rows(ABC):
         ]
         text = "\n".join(lines) + "\n"
         if path is not None:
-            try:
-                Path(path).write_text(text, "utf-8")
-            except OSError as error:
-                raise RigidtopError(f"cannot write {path}: {error.strerror or error}") from error
+            write_whole(Path(path), text.encode())
         return text
 
     def to_pandas(self) -> Any:

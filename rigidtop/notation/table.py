@@ -39,7 +39,7 @@ from sympy import Symbol
 
 from rigidtop.errors import RigidtopError
 from rigidtop.notation.convention import SEQUENCES, Notation
-from rigidtop.textfile import text_of
+from rigidtop.terminal.files import text_of
 from rigidtop.theory.lettered import instead
 from rigidtop.theory.symbols import VOCABULARY, Glyph
 

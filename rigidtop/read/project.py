@@ -19,7 +19,7 @@ from rigidtop.read.document import formulas
 from rigidtop.read.formula import Habits, with_habits
 from rigidtop.read.macros import PACKAGES, Macros, defined
 from rigidtop.read.tex import UnreadError
-from rigidtop.textfile import text_of
+from rigidtop.terminal.files import text_of
 
 DEEPEST = 8
 """Files are not taken into files deeper."""

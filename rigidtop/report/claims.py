@@ -20,6 +20,7 @@ from rigidtop.proof.verdict import (
     Verdict,
 )
 from rigidtop.report import blocks as b
+from rigidtop.theory.lettered import known
 from rigidtop.typeset import layout as lay
 from rigidtop.typeset.layout import Node, layout, width
 from rigidtop.typeset.text import text
@@ -221,7 +222,7 @@ def _condition(items: Sequence[TestedAssumption]) -> b.Condition:
 
 def numbers(found: Counterexample, label: str = "Counterexample") -> b.Numbers:
     """A counterexample in the order of the vocabulary, its numbers shortened."""
-    ordered = sorted(found.values.items(), key=lambda kv: (lay.known(kv[0])[0], str(kv[0])))
+    ordered = sorted(found.values.items(), key=lambda kv: (known(kv[0])[0], str(kv[0])))
     values = tuple((layout(symbol), short_number(value)) for symbol, value in ordered)
     return b.Numbers(label, values, _real_number(found.left), _real_number(found.right))
 

@@ -12,13 +12,11 @@ from rigidtop.figures.drawing import Drawing, both
 from rigidtop.motion.motion import Motion
 from rigidtop.notation import NOTES as NOTES_NOTATION
 from rigidtop.notation import Notation
-from rigidtop.progress import over
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.verdict import Judgement
 from rigidtop.report import blocks as b
 from rigidtop.report import handout, html, myst, notations, plain, tex, typst
 from rigidtop.report.claims import claim_blocks
-from rigidtop.report.files import write_all
 from rigidtop.report.handout import Parts, first_used, order_of_figures, spoken_of
 from rigidtop.report.languages import translated
 from rigidtop.report.map import contracted
@@ -30,6 +28,8 @@ from rigidtop.report.solutions import Solution, blocks, question
 from rigidtop.report.symbols import symbols_used
 from rigidtop.report.ways import led_blocks, text_blocks
 from rigidtop.report.wording import Wording
+from rigidtop.terminal.files import write_all
+from rigidtop.terminal.progress import over
 
 PLAIN = b.Look()
 

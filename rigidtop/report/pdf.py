@@ -12,7 +12,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from rigidtop.errors import RigidtopError
-from rigidtop.progress import ticking
+from rigidtop.terminal.progress import ticking
 
 SECONDS = 180.0
 """How long latexmk may take."""

@@ -9,8 +9,8 @@ from typing import Any
 
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
+from rigidtop.terminal.table import table
 from rigidtop.typeset.layout import Node
-from rigidtop.typeset.table import table
 from rigidtop.typeset.text import text
 
 

@@ -9,7 +9,7 @@ import argparse
 import sys
 from collections.abc import Sequence
 
-from rigidtop.report.files import write_whole
+from rigidtop.terminal.files import write_whole
 from rigidtop.web.equations import PATH, module_text
 
 

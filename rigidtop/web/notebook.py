@@ -38,7 +38,7 @@ def show(
             "show() wants a notebook; `rigidtop web` writes the page as a file, and so does "
             "rigidtop.web.notebook.page_for(motion).html"
         )
-    display(page_for(motion, height, points))
+    display(page_for(motion, height, points))  # type: ignore[no-untyped-call]
 
 
 def page_for(

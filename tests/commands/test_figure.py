@@ -11,7 +11,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.figures.catalog import FIGURES
 from rigidtop.figures.drawing import KINDS, rendered
 from rigidtop.proof.words import unmarked
-from rigidtop.typeset.table import columns
+from rigidtop.terminal.table import columns
 
 
 def run(*arguments):

@@ -35,7 +35,7 @@ from rigidtop.proof.verdict import (
     Judgement,
     Verdict,
 )
-from rigidtop.report import files, html, pdf, plain, tex, typst
+from rigidtop.report import html, pdf, plain, tex, typst
 from rigidtop.report.blocks import (
     ClaimHead,
     Conditions,
@@ -58,6 +58,7 @@ from rigidtop.report.blocks import (
 from rigidtop.report.claims import claim_blocks, short_number
 from rigidtop.report.lecture import FORMATS, Picture, fragment, write_lecture
 from rigidtop.report.record import document
+from rigidtop.terminal import files
 from rigidtop.theory.symbols import (
     L3,
     L_z,
@@ -642,7 +643,7 @@ def test_a_folder_that_is_a_file_is_one_line(judged, tmp_path):
 
 def test_the_printers_load_neither_matplotlib_nor_scipy():
     code = (
-        "import sys, rigidtop.typeset.latex, rigidtop.typeset.text, rigidtop.typeset.table;"
+        "import sys, rigidtop.typeset.latex, rigidtop.typeset.text, rigidtop.terminal.table;"
         "print([m for m in ('matplotlib', 'scipy', 'typst', 'tylax') if m in sys.modules])"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -5,7 +5,7 @@ import io
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rigidtop.typeset.table import columns, cut, padded, table, wants_color, wrapped
+from rigidtop.terminal.table import columns, cut, padded, table, wants_color, wrapped
 
 ROWS = [
     ("3.54", "proved", "λ₁θ̈ and φ̇"),

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from rigidtop.cli import main
-from rigidtop.textfile import text_of
+from rigidtop.terminal.files import text_of
 
 COMMANDS = {
     "audit": ["audit", "{}"],

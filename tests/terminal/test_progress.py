@@ -2,7 +2,7 @@
 
 import io
 
-from rigidtop import progress
+from rigidtop.terminal import progress
 
 
 class Terminal(io.StringIO):
