@@ -42,7 +42,7 @@
     const frame = document.createElement("iframe");
     frame.className = "live-frame";
     const back = button("■ Figure", () => stop?.());
-    const open = button("With sliders ↗", async () => {
+    const open = button("Whole page ↗", async () => {
       const kind = own[0][0];
       window.open(`${await addressOf(kind)}#preset=${frame.dataset.preset}`);
     });
@@ -52,7 +52,7 @@
         stop?.();
         frame.title = `The motion of the figure: ${words}`;
         frame.dataset.preset = preset;
-        frame.src = `${await addressOf(kind)}#preset=${preset}&embed=1&play=1`;
+        frame.src = `${await addressOf(kind)}#preset=${preset}&embed=2&play=1`;
         still.style.display = "none";
         still.after(frame);
         back.hidden = open.hidden = false;

@@ -648,7 +648,7 @@ def test_cause_and_effect_are_in_view_together(live, kind, size):
         live.open(kind, STILL)
         sliders = "#start input[type=range]"
         assert len(live.all(sliders)) == 3
-        for selector in ("#scene", "#verdict .verdict", "#plots", sliders):
+        for selector in ("#scene", "#verdict .verdict", "#plots", "#regimes canvas", sliders):
             for each in live.all(selector):
                 box = each.rect
                 assert box["x"] >= 0, selector
@@ -657,6 +657,7 @@ def test_cause_and_effect_are_in_view_together(live, kind, size):
                 assert box["y"] + box["height"] <= height, selector
         assert all(each.size["width"] >= 150 for each in live.all(sliders))
         assert live.find("#plots").size["height"] >= 150
+        assert live.find("#regimes").size["width"] >= 180
     finally:
         live.cdp("Emulation.clearDeviceMetricsOverride")
 
@@ -788,7 +789,9 @@ def test_the_ghost_has_one_setting_changed(live):
     assert "ghost=nobody, which is none of" in live.find("#notice").text
 
 
-@pytest.mark.parametrize(("kind", "plot"), [(HEAVY, "path"), (HEAVY, "energy"), (FREE, "angles")])
+@pytest.mark.parametrize(
+    ("kind", "plot"), [(HEAVY, "path"), (HEAVY, "phase"), (HEAVY, "energy"), (FREE, "angles")]
+)
 def test_what_is_plotted_is_said(live, kind, plot):
     live.open(kind, f"{STILL}&plot={plot}&t=1&ghost=larger")
     live.wait("rigidtop.motion.now.t === 1")
@@ -798,7 +801,8 @@ def test_what_is_plotted_is_said(live, kind, plot):
         assert f"E = {sample['energy']:.4g}"[:8] in said
     else:
         assert f"θ = {math.degrees(sample['theta']):.2f}°" in said
-    assert said.startswith("θ against φ" if plot == "path" else "Against time")
+    begins = {"path": "θ against φ", "phase": "θ̇ against θ"}
+    assert said.startswith(begins.get(plot, "Against time"))
 
 
 def aria(live):
@@ -809,10 +813,33 @@ def test_embedded_only_the_picture_and_time_are_left(live):
     live.open(HEAVY, "#preset=loops&embed=1&play=0")
     assert live.find("#scene canvas").is_displayed()
     assert live.find("#transport").is_displayed()
-    for selector in ("header", "footer", "#column", "#looks"):
+    for selector in ("#tools", "footer", "#column", "#looks", "#corner"):
         assert not live.find(selector).is_displayed()
     live.open(HEAVY, "#embed=yes&play=0")
-    assert "embed=yes, which is none of 0, 1" in live.find("#notice").text
+    assert "embed=yes, which is none of 0, 1, 2" in live.find("#notice").text
+
+
+def test_a_blow_goes_on_from_where_it_is(live):
+    live.open(HEAVY, "#preset=slow&play=0&t=1")
+    live.wait("rigidtop.motion.now.t === 1")
+    before = live.js("rigidtop.motion.now")
+    press(live, "b")
+    live.wait("rigidtop.motion.now.t === 0")
+    after = live.js("rigidtop.motion.now")
+    speed = 0.5 * math.sqrt(TOP.M * TOP.g * TOP.R / TOP.lambda1)
+    assert after["theta_dot"] == pytest.approx(before["theta_dot"] + speed, rel=1e-9)
+    for name in ("theta", "phi", "phi_dot"):
+        assert after[name] == pytest.approx(before[name], rel=1e-9, abs=1e-12)
+    assert after["omega"][2] == pytest.approx(before["omega"][2], rel=1e-12)
+    _, high = TOP.motion(
+        theta=after["theta"], theta_dot=after["theta_dot"], phi_dot=after["phi_dot"],
+        omega3=after["omega"][2],
+    ).turning_points  # fmt: skip
+    assert f"{math.degrees(high):.4g}°" in live.find(".verdict").text
+    hash = live.wait("location.hash.includes('theta_dot') && location.hash")
+    values = live.values
+    live.open(HEAVY, hash)
+    assert live.values == pytest.approx(values, rel=1e-9)
 
 
 def test_shown_to_a_room(live):

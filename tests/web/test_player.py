@@ -85,11 +85,25 @@ def test_a_figure_is_played_in_its_place(live, made):
         assert not live.find(f'[data-figure="{name}"] svg').is_displayed()
         live.driver.switch_to.frame(live.find("iframe"))
         live.wait("window.rigidtop && rigidtop.motion.now.t > 0")
-        assert not live.find("#column").is_displayed()
+        assert live.find("#start").is_displayed()
+        assert live.find(".verdict").is_displayed()
+        assert not live.find("#plots").is_displayed()
         assert not live.find("#notice").is_displayed()
         t, e3 = live.js("[rigidtop.motion.now.t, [...rigidtop.motion.now.e3]]")
         expected = picture.motions()[number].exact([t]).e3[0]
         assert e3 == pytest.approx(np.asarray(expected), abs=1e-8)
+        # What a slider sets is in the picture, in the sentence and beside the equation.
+        slider, set_to = ("omega2", 3.0) if name == "flip" else ("omega3", 14.0)
+        said = live.find(".verdict").text
+        live.js(
+            "(document.querySelector(arguments[0]).value = arguments[1],"
+            " document.querySelector(arguments[0]).dispatchEvent(new Event('change')))",
+            f"#number-{slider}",
+            str(set_to),
+        )
+        live.wait("rigidtop.motion.setup.values[arguments[0]] === arguments[1]", slider, set_to)
+        assert live.find(".verdict").text != said
+        assert live.find("#equations [data-term]").is_displayed()
         live.driver.switch_to.default_content()
     live.js("""document.querySelector('[data-figure="paths"] .live-bar button:nth-child(4)')"""
             ".click()")  # fmt: skip

@@ -35,7 +35,8 @@ import { plotsOf } from "./plotted.js";
  * @property {Theme | null} theme
  * @property {string} plot
  * @property {string} ghost The change that the ghost has, or "" for none.
- * @property {boolean} embed Without all that stands around the picture, for a frame.
+ * @property {0 | 1 | 2} embed For a frame: the picture and time alone (1), or with the sliders, the
+ *   verdict and the equations (2).
  */
 
 /** The slowest and the fastest that the page plays, times the preset's speed. */
@@ -97,7 +98,7 @@ export function stateOf(preset) {
     theme: null,
     plot: plotsOf(preset.setup.kind)[0][0],
     ghost: "",
-    embed: false,
+    embed: 0,
   };
 }
 
@@ -179,7 +180,7 @@ export function writeAddress(state, data) {
   if (state.theme !== null) parts.push(`theme=${state.theme}`);
   if (state.plot !== stateOf(preset).plot) parts.push(`plot=${state.plot}`);
   if (state.ghost) parts.push(`ghost=${state.ghost}`);
-  if (state.embed) parts.push("embed=1");
+  if (state.embed) parts.push(`embed=${state.embed}`);
   return `#${parts.join("&")}`;
 }
 
@@ -250,7 +251,8 @@ const LOOKS = {
     state.ghost = oneOf("ghost", text, ghosts, null, complaints) ?? "";
   },
   embed(text, state, _data, complaints) {
-    state.embed = oneOf("embed", text, ["0", "1"], null, complaints) === "1";
+    const said = oneOf("embed", text, ["0", "1", "2"], null, complaints);
+    state.embed = /** @type {0 | 1 | 2} */ (Number(said));
   },
   clock(text, state, data, complaints) {
     const clocks = /** @type {Clock[]} */ (data.kind === "free" ? ["s", "d"] : ["s"]);

@@ -127,12 +127,14 @@ function createRow(parameter, changed) {
   const { name } = parameter;
   const scale = parameter.angle ? DEGREE : 1;
   const range = element("input", { type: "range", id: `slider-${name}` });
+  // Mathematics alone is no name to everyone.
+  if (!parameter.meaning) range.setAttribute("aria-label", parameter.letter);
   const field = element("input", {
     type: "text",
     id: `number-${name}`,
     autocomplete: "off",
     spellcheck: "false",
-    "aria-label": `${parameter.letter}, ${parameter.meaning}`,
+    "aria-label": [parameter.letter, parameter.meaning].filter(Boolean).join(", "),
     "aria-describedby": `error-${name} unit-${name}`,
   });
   if (parameter.least >= 0) field.inputMode = "decimal";

@@ -8,6 +8,7 @@ import { element } from "./controls.js";
  * @property {() => void} backwards
  * @property {(direction: 1 | -1) => void} step
  * @property {() => void} toStart
+ * @property {() => void} push A blow on the axis of a heavy top.
  * @property {(factor: number) => void} zoom
  * @property {(azimuth: number, elevation: number) => void} turn In radians.
  * @property {() => void} home The view as it was at first.
@@ -26,6 +27,7 @@ const LIST = [
   [["J"], "play backwards"],
   [[".", ","], "one step on, one step back"],
   [["R", "Home"], "to the start"],
+  [["B"], "a blow on the axis of a heavy top, downwards"],
   [["1", "…", "9"], "the examples"],
   [["F"], "see it from space, from the body"],
   [["+", "−"], "zoom"],
@@ -80,6 +82,7 @@ export function createKeys(scene, dialog, commands) {
     ",": () => commands.step(-1),
     r: commands.toStart,
     Home: commands.toStart,
+    b: commands.push,
     f: commands.otherView,
     "+": () => commands.zoom(ZOOM),
     "=": () => commands.zoom(ZOOM),

@@ -54,8 +54,12 @@ const FARTHEST = 1e5;
 /** While it stands at t = 0 the page shows what is to come in so many seconds of playing. */
 const PREVIEW = 12;
 const PREVIEW_DELAY = 120;
+/** How fast a blow makes a top that stands still, in √(MgR/λ₁). */
+const BLOW = 0.5;
 /** How often the picture's description is told anew, in ms. */
 const DESCRIPTION = 5000;
+/** Where there is no room for the map over the picture, as in style.css. */
+const narrow = matchMedia("(max-width: 700px), (max-width: 1000px) and (orientation: portrait)");
 /** How a sentence on a ghost that there can't be begins. */
 const NO_GHOST = "Nothing is beside it";
 /** Frames that fell behind, net of those that did not, until the page says so. */
@@ -137,6 +141,7 @@ const transport = createTransport(find("transport"), {
     behind = 0;
     wake();
   },
+  ...(data.kind === "heavy-top" && { push }),
 });
 const examples = createPresets(find("presets"), presets, choosePreset);
 const verdict = createVerdict(find("verdict"), (rate) => {
@@ -195,6 +200,7 @@ const keys = createKeys(picture, /** @type {HTMLDialogElement} */ (find("keys"))
   backwards: () => toggle(-1),
   step,
   toStart,
+  push,
   zoom: (factor) => scene?.zoom(factor),
   turn: (azimuth, elevation) => scene?.turn(azimuth, elevation),
   home: () => scene?.home(),
@@ -245,6 +251,8 @@ themes.addEventListener("change", () => {
 for (const query of ["(prefers-color-scheme: dark)", "(prefers-contrast: more)"]) {
   matchMedia(query).addEventListener("change", showTheme);
 }
+narrow.addEventListener("change", placeMap);
+find("corner").addEventListener("toggle", placeMap);
 const notice = find("notice");
 notice.querySelector("button")?.addEventListener("click", () => (notice.hidden = true));
 // The address holds the state, so the link to the controls must not set it.
@@ -350,11 +358,21 @@ function readState(hash, plays) {
     next = { ...next, t: 0 };
   }
   state = next;
-  document.body.classList.toggle("embedded", state.embed);
+  document.body.classList.toggle("embedded", state.embed > 0);
+  document.body.classList.toggle("settable", state.embed === 2);
+  placeMap();
   complain(complaints);
   const usual = plays ?? true;
   start(found, state.play ?? (usual && !prefersStill.matches));
   if (state.t > 0) setGoal(state.t);
+}
+
+/** The map of starts, over a corner of the picture or, on a phone, below what it sets. */
+function placeMap() {
+  const corner = find("corner");
+  if (narrow.matches) find("more").prepend(corner);
+  else picture.after(corner);
+  scene?.setAside(corner.offsetWidth > 0 && !narrow.matches && corner.hasAttribute("open"));
 }
 
 /** What is shown now, as an address. */
@@ -520,6 +538,15 @@ function toStart() {
   described = -Infinity;
   address.changed();
   wake();
+}
+
+/** A blow on the axis, downwards: the motion goes on from where it is with more θ̇. */
+function push() {
+  const { theta, theta_dot, phi, phi_dot, psi, omega } = motion.now;
+  if (data.kind === "free" || !Number.isFinite(phi_dot)) return;
+  const blow = BLOW * Math.sqrt(Math.hypot(...Array.from(motion.weight)) / motion.moments[0]);
+  const rates = { theta_dot: theta_dot + blow, phi_dot, omega3: omega[2] };
+  sliders.setAll({ theta, phi, psi, ...rates });
 }
 
 function pause() {

@@ -14,7 +14,8 @@ import { fitted, UNIT } from "./time_plots.js";
 
 /** The plots of a page, by their names in the address; the first is shown at first. */
 const PLOTS = /** @type {const} */ ({
-  "heavy-top": [["angles", "θ, φ"], ["path", "θ(φ)"], ["energy", "T, V, E"]],
+  "heavy-top": [["angles", "θ, φ"], ["path", "θ(φ)"],
+    ["phase", "θ̇(θ)"], ["energy", "T, V, E"]],
   free: [["rates", "ω₁,₂,₃"], ["angles", "θ, φ"], ["path", "θ(φ)"]],
 });
 
@@ -71,6 +72,15 @@ function panelsOf(motion, plot) {
       now: (sample) => `${name} = ${significant(of(sample))}`,
     }));
   }
+  if (plot === "phase") {
+    return [
+      { ...usual, title: `θ̇ in rad/${clock}`, curves: [[({ theta_dot: rate }) => rate, "e3"]],
+        follow: around, now: ({ theta_dot: rate }) => `θ̇ = ${decimal(rate, 2)}` },
+      { ...usual, title: "θ in °", curves: [[theta, "e3"]],
+        follow: (old, seen) => fitted(old, seen, 0, 180),
+        now: (sample) => `θ = ${decimal(theta(sample), 2)}°` },
+    ];
+  }
   const guides = (factsOf(motion).turningPoints ?? []).map((angle) => angle * DEGREE);
   return [
     {
@@ -101,7 +111,7 @@ export function plottedOf(motion, plot) {
   const { clock, kind } = motion.setup;
   return {
     panels: panelsOf(motion, plot),
-    across: plot === "path" ? "down" : "",
+    across: plot === "path" ? "down" : plot === "phase" ? "up" : "",
     clock,
     duration: windowOf(motion),
     apart: apart(kind),

@@ -55,7 +55,7 @@ export function createRegimeMap(container, colours, chosen) {
     ctx.drawImage(cells, box.left, box.top, box.right - box.left, box.bottom - box.top);
     drawAlongAxis(sheet, box, across, colours, `φ̇₀ in ${shown.unit}`);
     drawUpAxis(sheet, box, up, colours);
-    write(sheet, `ω₃ in ${shown.unit}`, 0.2 * em, 0.9 * em);
+    write(sheet, width > 24 * em ? `ω₃ in ${shown.unit}` : "ω₃", 0.2 * em, 0.9 * em);
     key(sheet, box.right, 0.9 * em);
     branches(sheet, box);
     point(sheet, box);

@@ -21,6 +21,8 @@ import { createTrail } from "./trail.js";
 const SIGHT = (13.5 * Math.PI) / 180;
 /** What stands on the origin needs room above: the origin is lower by this part of the height. */
 const LOWER = 0.045;
+/** What lies over its left corner moves it to the right by this part of the width. */
+const ASIDE = 0.06;
 /** Where the camera is at first: distance, azimuth from x, elevation. */
 const HOME = { distance: 5.2, azimuth: 0.6, elevation: 0.36 };
 /** Lengths of arrows for the values at t = 0, and the longest that is drawn. */
@@ -117,6 +119,7 @@ export function createScene(container, colours) {
   let ended = false;
   let width = 1;
   let height = 1;
+  let aside = false;
   let quality = 1;
   let fine = false;
   let settling = 0;
@@ -233,7 +236,7 @@ export function createScene(container, colours) {
     camera.fov = (2 * Math.atan(tangent) * 180) / Math.PI;
     const stands = view === "space" || motion?.setup.kind === "heavy-top";
     const lower = stands ? LOWER * height : 0;
-    camera.setViewOffset(width, height, 0, -lower, width, height);
+    camera.setViewOffset(width, height, aside ? -ASIDE * width : 0, -lower, width, height);
   }
 
   function recolour() {
@@ -413,6 +416,13 @@ export function createScene(container, colours) {
     setColours(/** @type {Colours} */ next) {
       palette.setColours(next);
       recolour();
+    },
+
+    /** Whether something lies over the left corner. */
+    setAside(/** @type {boolean} */ next) {
+      aside = next;
+      aim();
+      touch();
     },
 
     turn,

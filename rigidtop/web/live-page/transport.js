@@ -15,6 +15,7 @@ const ICONS = {
   play: "M6 4v16l13-8z",
   pause: "M6 4h4.5v16H6zM13.5 4H18v16h-4.5z",
   forward: "M4 5h3v14H4zM10 5v14l10-7z",
+  push: "M10 3h4v9h5l-7 9-7-9h5z",
 };
 
 /** @param {keyof typeof ICONS} name */
@@ -35,6 +36,7 @@ function icon(name) {
  * @property {(direction: 1 | -1) => void} toggle Play that way, or pause if it does.
  * @property {(direction: 1 | -1) => void} step
  * @property {(factor: number) => void} setSpeed
+ * @property {() => void} [push] A blow on the axis.
  */
 
 /**
@@ -74,6 +76,8 @@ export function createTransport(container, actions) {
   const play = button("play", "Play", "space", () => actions.toggle(1));
   const forward = button("forward", "One step on", ".", () => actions.step(1));
   play.classList.add("main");
+  const { push } = actions;
+  const blow = push ? [button("push", "Push the axis down", "B", push)] : [];
 
   const speed = element("input", {
     type: "range",
@@ -90,7 +94,8 @@ export function createTransport(container, actions) {
   container.replaceChildren(
     element("div", { class: "buttons" }, start, backwards, back, play, forward),
     clock,
-    element("div", { class: "speed" }, element("label", { for: "speed" }, "speed"), speed, factor),
+    element("div", { class: "speed" }, element("label", { for: "speed" }, "speed"), speed, factor,
+      element("div", { class: "buttons" }, ...blow)),
     note,
   );
   /** @type {Partial<Transport>} */
