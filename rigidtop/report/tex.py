@@ -525,7 +525,7 @@ def _(block: b.Results) -> str:
         made.append(rf"{sign} & {link} & {shown} & {prose(words)} \\[1pt]")
     return "\n".join(
         [
-            r"\noindent\makebox[0pt][l]{\footnotesize\begin{tabular}{@{}r@{\ }l@{\ \ }"
+            r"\rtonepage{\begin{tabular}{@{}r@{\ }l@{\ \ }"
             r"p{112mm}>{\raggedright\arraybackslash}p{40mm}@{}}",
             *made,
             r"\end{tabular}}",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -27,9 +28,74 @@ def divided_by(factor: Expr, conditions: Sequence[Condition]) -> tuple[Condition
 def nonzero(factor: Expr, conditions: Sequence[Condition]) -> bool:
     """Whether an expression is known not to vanish."""
     flat, relations = flat_with(factor, conditions)
+    if _vanishes_somewhere(flat, relations):
+        return False
     return decide.nonzero(flat, relations) or any(
         decide.positive(sign * flat, relations) for sign in (1, -1)
     )
+
+
+DRAWS, STEPS = 8, 24
+"""Points drawn for two of opposite sign, and steps made from one to the other."""
+
+
+def _vanishes_somewhere(flat: Expr, relations: Sequence[Any]) -> bool:
+    """Whether a zero where all relations hold is found by numbers, sooner than by symbols.
+
+    It lies between two points at which the expression has opposite signs.
+    """
+    known = [relation.lhs for relation in relations]
+    symbols = [*flat.free_symbols.union(*(each.free_symbols for each in known))]
+    if not all(map(_is_drawn, symbols)):
+        return False
+
+    def value(expression: Expr, x: Sequence[float]) -> float:
+        [found] = decide.evaluate([expression], dict(zip(symbols, x, strict=True)), {})
+        return found
+
+    ends: dict[bool, tuple[list[float], float]] = {}
+    for attempt in range(DRAWS):
+        drawn = [(x.is_positive, decide.somewhere(x, attempt)) for x in symbols]
+        point = [at**3 if positive else 3 * at - 3 for positive, at in drawn]
+        height = value(flat, point)
+        if math.isfinite(height):
+            ends[height > 0] = point, height
+        if len(ends) == 2:
+            break
+    else:
+        return False
+    (low, below), (high, above) = ends[False], ends[True]
+    least, stays = decide.TOLERANCE * (above - below), 0
+    for _ in range(STEPS):
+        share = below / (below - above)
+        middle = [a + share * (b - a) for a, b in zip(low, high, strict=True)]
+        height = value(flat, middle)
+        if abs(height) < least:
+            gaps = [value(each, middle) for each in known]
+            far = [
+                gap if x.func is sympy.Gt else abs(gap)
+                for gap, x in zip(gaps, relations, strict=True)
+            ]
+            far += [abs(at) for at, x in zip(middle, symbols, strict=True) if x.is_nonzero]
+            return all(each > LEAST for each in far)
+        # An end that stays twice counts half (Illinois), or it would stay for ever.
+        if height > 0:
+            high, above, below = middle, height, below / 2 if stays < 0 else below
+            stays = -1
+        else:
+            low, below, above = middle, height, above / 2 if stays > 0 else above
+            stays = 1
+    return False
+
+
+def _is_drawn(x: Any) -> bool:
+    """Whether a number of any size, or any positive one, is one that a letter can have."""
+    either = x.is_nonnegative is None and x.is_nonpositive is None
+    return bool(x.is_real and not x.is_integer and (x.is_positive or either))
+
+
+LEAST = 1e-3
+"""What is to differ from zero is this far from it."""
 
 
 _STRICT = {"≠": sympy.Ne, ">": sympy.Gt}

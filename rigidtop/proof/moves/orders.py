@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import sympy
-from sympy import Add, Expr, Integer, MatrixBase, Symbol
+from sympy import Add, Expr, Integer, MatrixBase, Mul, Pow, Symbol, cos, exp, factorial, sin, tan
 
 from rigidtop.proof.algebra import Algebra, Letters, Value, Vector, components, flattened, vanishes
 from rigidtop.proof.moves.move import Move, Order, Pair, Performed, RefusedError, name_of, the_one
@@ -51,7 +51,7 @@ def expand(move: Move, algebra: Algebra) -> Performed:
                 raise RefusedError(
                     "{} is defined by {}: put its definition in first", x, move.by[0]
                 )
-        made = sympy.series(counted, order.small, 0, order.power).removeO()
+        made = _series(counted, order)
         return (made.subs(SMALL, 1) if together else made).xreplace(nodes)
 
     pairs = [
@@ -60,6 +60,28 @@ def expand(move: Move, algebra: Algebra) -> Performed:
         if pair.relation in ("=", "≈")
     ]
     return Performed(tuple(pairs), known.scope, order=order)
+
+
+_SMOOTH = (Add, Mul, Pow, sin, cos, tan, exp, Symbol, sympy.Number, sympy.NumberSymbol)
+"""What has all its derivatives where one of them is finite: no bars, no steps."""
+
+
+def _series(counted: Expr, order: Order) -> Expr:
+    """The terms below an order, by Taylor, or as far as that has no derivatives by SymPy's series.
+
+    A last derivative that is finite bounds the rest.
+    """
+    made, slope, by = Integer(0), counted, order.small
+    if all(isinstance(part, _SMOOTH) for part in sympy.preorder_traversal(counted)):
+        for power in range(order.power + 1):
+            at = slope.subs(by, 0)
+            if at.has(sympy.nan, sympy.zoo, sympy.oo):
+                break
+            if power == order.power:
+                return sympy.expand(made)
+            made += at * by**power / factorial(power)
+            slope = slope.diff(by)
+    return sympy.series(counted, by, 0, order.power).removeO()
 
 
 def neglect(move: Move, algebra: Algebra) -> Performed:
