@@ -34,7 +34,6 @@ from rigidtop.mark.links import (
     number_text,
     one_angle,
     pair_text,
-    rates_of,
 )
 from rigidtop.mark.passages import passage, way
 from rigidtop.notation import Notation
@@ -824,15 +823,9 @@ def _repaired(link: Link, model: Model) -> tuple[slips.Slip, ...]:
 
 def _holds(link: Link, model: Model) -> bool:
     """Whether a link holds at a few motions."""
-    symbolic = rates_of(link, model)
-    defined = 0
-    for sample in facts.samples(model)[-TRIALS:]:
-        sides = in_numbers(link, model, sample, symbolic)
-        if sides is not None:
-            defined += 1
-            if apart(*sides):
-                return False
-    return defined > TRIALS // 2
+    found = in_numbers(link, model, facts.samples(model)[-TRIALS:])
+    known = [sides for sides in found if sides is not None]
+    return len(known) > TRIALS // 2 and not any(apart(*sides) for sides in known)
 
 
 def _partial(link: Link, passage: Passage) -> slips.Slip | None:
@@ -883,9 +876,9 @@ def _lost_root(link: Link, model: Model) -> slips.Slip | None:
         turned = {root: sympy.Mul(sympy.Integer(-1), root)}
         other = Link(link.left.xreplace(turned), link.right.xreplace(turned))
     seen = set()
-    for sample in facts.samples(model):
-        both = [in_numbers(each, model, sample, rates_of(each, model)) for each in (link, other)]
-        if both[0] is None or both[1] is None:
+    samples = facts.samples(model)
+    for both in zip(*(in_numbers(each, model, samples) for each in (link, other)), strict=True):
+        if None in both:
             continue
         holds = tuple(not apart(*pair) for pair in both if pair is not None)
         if not any(holds):

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,9 +13,8 @@ from sympy import Expr, MatrixBase, cos, sin
 from rigidtop.mark import facts
 from rigidtop.mark.facts import Model, Sample
 from rigidtop.proof import decide
-from rigidtop.proof.equation import NoMeaningError, Rate, value
+from rigidtop.proof.equation import NoMeaningError
 from rigidtop.proof.verdict import entries
-from rigidtop.theory import symbols as s
 from rigidtop.typeset.text import text
 
 
@@ -37,7 +37,6 @@ class Verdict:
     why: str = ""
 
 
-_TOLERANCE = sympy.Float("1e-15")
 ERRORS = (ArithmeticError, TypeError, ValueError, AttributeError, NoMeaningError)
 FEWEST = 6
 """A line that has values at fewer motions than this is not judged."""
@@ -46,21 +45,20 @@ FEWEST = 6
 def judge(link: Link, model: Model) -> Verdict:
     """Whether a link holds for every motion of a model."""
     try:
-        symbolic = rates_of(link, model)
-        defined = 0
-        refuted: Verdict | None = None
-        for sample in facts.samples(model):
-            sides = in_numbers(link, model, sample, symbolic)
-            if sides is None:
-                continue
-            defined += 1
-            if apart(*sides):
-                refuted = refuted or Verdict(False, sample, *sides)
-                if pair_text(*sides) != pair_text(*reversed(sides)):
-                    return Verdict(False, sample, *sides)
-        if refuted is not None:
-            return refuted
-        if defined < FEWEST:
+        samples = facts.samples(model)
+        found = [
+            (sample, sides)
+            for sample, sides in zip(samples, in_numbers(link, model, samples), strict=True)
+            if sides is not None
+        ]
+        refuted = [Verdict(False, sample, *sides) for sample, sides in found if apart(*sides)]
+        for verdict in refuted:
+            sides = verdict.left, verdict.right
+            if pair_text(*sides) != pair_text(*reversed(sides)):
+                return verdict
+        if refuted:
+            return refuted[0]
+        if len(found) < FEWEST:
             return Verdict(None, why="it has a value for hardly any motion")
         return Verdict(True if is_shown(link, model) else None, why="neither shown nor refuted")
     except ERRORS as error:
@@ -69,55 +67,42 @@ def judge(link: Link, model: Model) -> Verdict:
         return Verdict(None, why="nested too deeply")
 
 
-def rates_of(link: Link, model: Model) -> dict[Any, Any]:
-    """The values of the derivatives in a link, once for all motions."""
-    found: dict[Any, Any] = {}
-    for side in (link.left, link.right):
-        if side is None:
-            continue
-        for tree in side if _is_matrix(side) else [side]:
-            for rate in tree.atoms(Rate):
-                found[rate] = model.value(rate)
+def sides_of(link: Link, model: Model) -> tuple[Any, Any]:
+    """The values of the two sides in the free symbols; a rate and 0 of what is constant."""
     if link.right is None:
-        found[s.const] = model.rate(link.left)
-    return found
+        left = model.rate(link.left)
+        return left, sympy.zeros(*left.shape) if _is_matrix(left) else sympy.Integer(0)
+    return model.value(link.left), model.value(link.right)
 
 
-def in_numbers(
-    link: Link, model: Model, sample: Sample, symbolic: Mapping[Any, Any]
-) -> tuple[Any, Any] | None:
-    """The two sides for one motion; None where a side has no finite real value."""
-    point = {x: facts.number(v) for x, v in sample.point.items()}
-
-    def number(found: Any) -> Any:
-        if _is_matrix(found):
-            return found.applyfunc(number)
-        return sympy.N(sympy.sympify(found).xreplace(point), facts.DIGITS)
-
-    rates = {node: number(found) for node, found in symbolic.items()}
-    if link.right is None:
-        left: Any = rates[s.const]
-        right: Any = sympy.zeros(*left.shape) if _is_matrix(left) else sympy.Integer(0)
-    else:
-        meaning = {**sample.meaning, **rates}
-        left, right = (number(value(side, meaning)) for side in (link.left, link.right))
-    flat = [e for side in (left, right) for e in (side if _is_matrix(side) else [side])]
-    return (left, right) if all(e.is_number and e.is_finite and e.is_real for e in flat) else None
+def in_numbers(link: Link, model: Model, samples: Sequence[Sample]) -> list[tuple[Any, Any] | None]:
+    """The two sides for each of some motions; None where a side has no finite real value."""
+    sides = sides_of(link, model)
+    flat = [e for side in sides for e in (side if _is_matrix(side) else [sympy.sympify(side)])]
+    count = len(sides[0]) if _is_matrix(sides[0]) else 1
+    free = set().union(*(e.free_symbols for e in flat))
+    made: list[tuple[Any, Any] | None] = []
+    for sample in samples:
+        row = decide.evaluate(flat, sample.point, {}) if free <= {*sample.point} else [math.nan]
+        numbers = [*map(sympy.Float, row)] if all(map(math.isfinite, row)) else []
+        pair = [
+            sympy.Matrix(*side.shape, part) if _is_matrix(side) else part[0]
+            for side, part in zip(sides, (numbers[:count], numbers[count:]), strict=True)
+            if numbers
+        ]
+        made.append((pair[0], pair[1]) if pair else None)
+    return made
 
 
 def apart(left: Any, right: Any) -> bool:
-    """Whether two values in digits differ by more than rounding."""
+    """Whether two values differ by more than rounding."""
     size = 1 + max(abs(e) for side in (left, right) for e in (side if _is_matrix(side) else [side]))
-    return any(abs(difference) > _TOLERANCE * size for difference in entries(left, right))
+    return any(decide.holds("≠", difference, size) for difference in entries(left, right))
 
 
 def is_shown(link: Link, model: Model) -> bool:
     """Whether the difference of the sides has the normal form 0."""
-    if link.right is None:
-        left, right = model.rate(link.left), sympy.Integer(0)
-    else:
-        left, right = model.value(link.left), model.value(link.right)
-    return all(decide.vanishes(one_angle(difference)) for difference in entries(left, right))
+    return all(decide.vanishes(one_angle(gap)) for gap in entries(*sides_of(link, model)))
 
 
 def one_angle(expression: Expr) -> Expr:
@@ -140,7 +125,7 @@ def pair_text(found: Any, other: Any, digits: int = 6) -> str:
     return "[" + ", ".join(map(shown, found)) + "]" if _is_matrix(found) else shown(found)
 
 
-_NOISE = sympy.Float("1e-25")
+_NOISE = 1e-13
 
 
 def number_text(found: Any, digits: int = 6) -> str:
