@@ -6,7 +6,7 @@ import math
 
 from rigidtop.errors import RigidtopError
 from rigidtop.figures.style import degrees, said
-from rigidtop.motion.top import HeavyTop
+from rigidtop.motion.rigid import SymmetricTop
 from rigidtop.parameters import Parameter
 
 TOP = (
@@ -22,7 +22,7 @@ THETA = Parameter("theta", math.pi / 3, "$θ$ at the start", "rad", least=0, mos
 SPIN = Parameter("omega3", 40.0, "$ω₃$", "rad/s", above=0)
 
 
-def top_in_words(top: HeavyTop) -> str:
+def top_in_words(top: SymmetricTop) -> str:
     """λ₁ = …, λ₃ = …, MgR = …."""
     return (
         f"$λ₁ = {said(top.lambda1)}$ kg m², $λ₃ = {said(top.lambda3)}$ kg m² and "

@@ -49,7 +49,7 @@ from rigidtop.figures.style import (
 )
 from rigidtop.figures.torque import torque
 from rigidtop.motion.motion import TopMotion
-from rigidtop.motion.top import HeavyTop
+from rigidtop.motion.rigid import SymmetricTop
 
 VIEW = View(azimuth=-0.6, elevation=0.3)
 """From the side that is held: what points into the paper goes up and to the left."""
@@ -105,7 +105,7 @@ def height_of_post(theta: float, arm: float, half: float) -> float:
 
 
 def draw_simple_and_exact(
-    axes: Axes, top: HeavyTop, theta: float, omega3: float, tolerance: float
+    axes: Axes, top: SymmetricTop, theta: float, omega3: float, tolerance: float
 ) -> None:
     """|Ω₋| of (3.57) and |Ω| of (3.52) against |ω₃|, a dot at the spin `omega3` (rad/s).
 

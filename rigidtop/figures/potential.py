@@ -34,6 +34,7 @@ from rigidtop.figures.style import (
     spoken,
 )
 from rigidtop.motion.motion import TopMotion
+from rigidtop.motion.rigid import SymmetricTop
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 
@@ -41,7 +42,7 @@ NEAREST = 1e-4
 """To the vertical that the curve is drawn (rad); there it may be infinite."""
 
 
-def effective_potential(top: HeavyTop, theta: ArrayLike, p_phi: float, p_psi: float) -> Floats:
+def effective_potential(top: SymmetricTop, theta: ArrayLike, p_phi: float, p_psi: float) -> Floats:
     """(p_φ − p_ψ cos θ)²/(2λ₁ sin² θ) + MgR cos θ, in J; θ in rad, the momenta in J s."""
     angle = np.asarray(theta, dtype=float)
     turning = (p_phi - p_psi * np.cos(angle)) ** 2 / (2 * top.lambda1 * np.sin(angle) ** 2)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -12,27 +11,7 @@ from scipy.spatial.transform import Rotation
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks
 from rigidtop.motion.motion import Motion
-
-Triple = tuple[float, float, float]
-
-
-class RigidBody(ABC):
-    """What a motion needs to know of a body."""
-
-    @property
-    @abstractmethod
-    def moments(self) -> Triple:
-        """λ₁, λ₂, λ₃ about the point that stays at rest (kg m²)."""
-
-    @property
-    @abstractmethod
-    def weight(self) -> Triple:
-        """Mg (R₁, R₂, R₃) in body components (N m): the potential energy is this · ẑ."""
-
-    @property
-    def symmetric(self) -> bool:
-        """Whether e₃ is an axis of symmetry, also for the weight; then ω₃ is constant."""
-        return self.moments[0] == self.moments[1] and self.weight[:2] == (0.0, 0.0)
+from rigidtop.motion.rigid import RigidBody, Triple
 
 
 @dataclass(frozen=True)

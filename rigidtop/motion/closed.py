@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -14,11 +14,8 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import free, heavy, samples
+from rigidtop.motion.rigid import RigidBody
 from rigidtop.trace import Solved
-
-if TYPE_CHECKING:
-    from rigidtop.motion.body import RigidBody
-    from rigidtop.motion.motion import Motion
 
 
 @dataclass(frozen=True)
@@ -100,13 +97,14 @@ def start(
     return heavy.Start(mu, b, omega3, *halves, *rates, *angles)
 
 
-def states(motion: Motion, times: Floats, compiled: bool) -> tuple[Floats, Floats]:
+def states(
+    solved: Solved, body: RigidBody, attitude: Rotation, times: Floats, compiled: bool
+) -> tuple[Floats, Floats]:
     """Quaternions (N, 4), scalar first, body to space, and ω (N, 3) in body components (rad/s)."""
-    solved = motion.solved
-    if not any(motion.body.weight):
-        rows = _free_states(solved, motion.attitude, times, compiled)
+    if not any(body.weight):
+        rows = _free_states(solved, attitude, times, compiled)
         return rows[:4].T, rows[4:].T
-    s, turn = heavy.states(solved, times, compiled), axis(motion.body).turn
+    s, turn = heavy.states(solved, times, compiled), axis(body).turn
     if turn is None:
         return s.quaternion, s.omega
     whole = attitudes.product(s.quaternion, attitudes.conjugate(turn))

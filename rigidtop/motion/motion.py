@@ -6,7 +6,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from functools import cached_property, partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -26,15 +25,11 @@ from rigidtop.motion.integrate import (
     flow,
     on_both_sides,
 )
+from rigidtop.motion.rigid import RigidBody, SymmetricTop
 from rigidtop.motion.start import Start
 from rigidtop.motion.state import TopState
 from rigidtop.motion.trajectory import BodyTrajectory, SampledTop, TopTrajectory, Trajectory
 from rigidtop.trace import Solved
-
-if TYPE_CHECKING:
-    from rigidtop.motion.body import RigidBody
-    from rigidtop.motion.top import HeavyTop
-
 
 MOST_TURNS = 1e7
 """No integration goes on for longer: it would run for hours and fill the memory."""
@@ -84,7 +79,9 @@ class Motion:
         `compiled` asks for it.
         """
         times = checks.times(t)
-        return BodyTrajectory(self, times, *closed.states(self, times, compiled))
+        return BodyTrajectory(
+            self, times, *closed.states(self.solved, self.body, self.attitude, times, compiled)
+        )
 
     def integrate(
         self, t: ArrayLike, method: str = "DOP853", rtol: float = 1e-10, atol: float = 1e-12
@@ -243,7 +240,7 @@ def _units(states: Floats) -> Floats:
 class TopMotion(Motion):
     """The motion of a symmetric top; made by `HeavyTop.motion`."""
 
-    body: HeavyTop
+    body: SymmetricTop
 
     phi: float = 0.0
     """φ at t = 0, from which φ(t) continues (rad)."""
@@ -368,7 +365,7 @@ class EulerTopMotion(TopMotion):
 
     euler: Start
 
-    def __init__(self, body: HeavyTop, euler: Start) -> None:
+    def __init__(self, body: SymmetricTop, euler: Start) -> None:
         omega = checks.vector("omega", euler.omega)
         given = {"body": body, "euler": euler, "omega": omega, "phi": euler.phi, "psi": euler.psi}
         for name, value in given.items():

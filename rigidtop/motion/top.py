@@ -13,8 +13,8 @@ from scipy.spatial.transform import Rotation
 from rigidtop.errors import NoSteadyPrecession, RigidtopError
 from rigidtop.motion import checks
 from rigidtop.motion.attitude import azimuth_and_spin
-from rigidtop.motion.body import RigidBody, Triple
 from rigidtop.motion.motion import EulerTopMotion, TopMotion
+from rigidtop.motion.rigid import SymmetricTop, Triple
 from rigidtop.motion.start import GIVEN
 from rigidtop.motion.start import start as euler_start
 
@@ -23,7 +23,7 @@ ROUNDING = 4e-16
 
 
 @dataclass(frozen=True, kw_only=True)
-class HeavyTop(RigidBody):
+class HeavyTop(SymmetricTop):
     """The heavy symmetric top (3.53), its tip held, in gravity g ≥ 0 along −ẑ (m/s²).
 
     λ₁ = λ₂ and λ₃ are moments about the pivot (kg m²), M is the mass (kg), R ≥ 0 the distance of

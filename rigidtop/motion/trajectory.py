@@ -6,24 +6,22 @@ from abc import abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
+from rigidtop.motion.rigid import Moving
 from rigidtop.motion.rows import Rows
 from rigidtop.motion.state import TopState
-
-if TYPE_CHECKING:
-    from rigidtop.motion.motion import Motion, TopMotion
 
 
 class Turning(Rows):
     """How a body turns, at N times, one row each, in the order in which they were asked for."""
 
-    motion: Any
+    motion: Moving
     """The motion that it belongs to, with its body and its initial state."""
 
     t: Floats
@@ -57,8 +55,6 @@ class Turning(Rows):
 
 class Trajectory(Turning):
     """A motion at N times of a body that is free, or held at one point."""
-
-    motion: Motion
 
     @property
     def vertical(self) -> Floats:
@@ -119,7 +115,7 @@ def euler_columns(path: Any) -> dict[str, Floats]:
 class BodyTrajectory(Trajectory):
     """The motion of any body, known by its quaternion and ω."""
 
-    motion: Motion
+    motion: Moving
     t: Floats
 
     quaternion: Floats
@@ -147,7 +143,7 @@ class TopTrajectory(TopState, Trajectory):
     the jumps take turns; in an integrated motion rounding decides the signs.
     """
 
-    motion: TopMotion
+    motion: Moving
     t: Floats
 
     __repr__ = Rows.__repr__
@@ -189,7 +185,7 @@ class SampledTop(TopTrajectory):
     samples: Callable[[str], Floats]
 
     def __init__(
-        self, motion: TopMotion, times: Floats, samples: Callable[[str], Floats], spin: float
+        self, motion: Moving, times: Floats, samples: Callable[[str], Floats], spin: float
     ) -> None:
         upright = motion.body.lambda3 * spin / (2 * motion.body.lambda1)
         values = {"motion": motion, "t": times, "samples": samples}

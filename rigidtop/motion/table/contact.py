@@ -11,7 +11,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.optimize import brentq
@@ -21,13 +20,27 @@ from rigidtop.motion import equations
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.equations import Number, Rates
 
-if TYPE_CHECKING:
-    from rigidtop.motion.table.motion import SlidingTop
-
 VARIABLES = 14
 
 Direction = tuple[float, float]
 NOWHERE: Direction = 0.0, 0.0
+
+
+class Sliding:
+    """A top with a round tip on a table: see `SlidingTop`."""
+
+    lambda1: float
+    lambda3: float
+    M: float
+    R: float
+    tip: float
+    g: float
+    mu: float
+    viscosity: float
+    drag: float
+    drag1: float
+    drag3: float
+    fall: float
 
 
 @dataclass(frozen=True)
@@ -43,7 +56,7 @@ class Moment:
 class Contact:
     """The equations of one top, of states as floats or as arrays."""
 
-    def __init__(self, body: SlidingTop) -> None:
+    def __init__(self, body: Sliding) -> None:
         b = body
         drags = b.drag, b.drag1, b.drag3
         shape = b.lambda1, b.lambda3, b.M, b.R, b.tip
@@ -160,7 +173,7 @@ class Contact:
         return direction
 
 
-def units(body: SlidingTop) -> Floats:
+def units(body: Sliding) -> Floats:
     """What the absolute tolerance multiplies, for each variable: 1, √(g/R), R and so on."""
     rate, length = math.sqrt(body.g / body.R), body.R
     speed, energy = rate * length, body.M * body.g * body.R

@@ -17,12 +17,12 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
 from rigidtop.motion import checks, systems
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.body import Triple
 from rigidtop.motion.integrate import TAYLOR, Accuracy, counted_phases, joined
 from rigidtop.motion.motion import MOST_TURNS
+from rigidtop.motion.rigid import Triple
 from rigidtop.motion.start import start as euler_start
 from rigidtop.motion.table import smooth
-from rigidtop.motion.table.contact import VARIABLES, Contact
+from rigidtop.motion.table.contact import VARIABLES, Contact, Sliding
 from rigidtop.motion.table.phases import Course, course
 from rigidtop.motion.table.trajectory import SlidingTrajectory
 
@@ -30,7 +30,7 @@ Pair = tuple[float, float]
 
 
 @dataclass(frozen=True, kw_only=True)
-class SlidingTop:
+class SlidingTop(Sliding):
     """A symmetric top that stands with a round tip on a horizontal table, in gravity g > 0 (m/s²).
 
     λ₁ = λ₂ and λ₃ are moments about the **centre of mass** (kg m²), not about a pivot.  M is the

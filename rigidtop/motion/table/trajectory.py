@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,13 +11,11 @@ from scipy.spatial.transform import Rotation
 
 from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
+from rigidtop.motion.rigid import Moving
 from rigidtop.motion.state import TopState
 from rigidtop.motion.table.contact import Contact
 from rigidtop.motion.table.phases import ENDINGS, Event
 from rigidtop.motion.trajectory import Turning, euler_columns
-
-if TYPE_CHECKING:
-    from rigidtop.motion.table.motion import SlidingMotion
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
@@ -31,7 +28,7 @@ class SlidingTrajectory(TopState, Turning):
     the space frame have the table at z = 0.
     """
 
-    motion: SlidingMotion
+    motion: Moving
     """The motion that it belongs to, with its body and its initial state."""
 
     t: Floats
