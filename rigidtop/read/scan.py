@@ -105,6 +105,8 @@ _ARROWS = commands(
     "rightarrow to longrightarrow leftrightarrow longleftrightarrow because"
 )
 _SIGNS = {r"\pm": ("+", "-"), r"\mp": ("-", "+")}
+_BOTH = {"±": "+,−", "∓": "−,+"}
+"""ε_± is ε₊ with the upper sign and ε₋ with the lower."""
 _MATHEMATICAL = frozenset({*_RELATIONS, *_SIGNS, "$", r"\to", r"\in"})
 _OMITTED = commands("cdots ldots dots dotsb dotsc vdots") | {"…", "⋯"}
 _BRACKETS = {
@@ -181,6 +183,8 @@ _LETTERS = {
 }
 _ALPHABET = frozenset("αβγδεζηθικλμνξοπρσςτυφχψωΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩϕϑϖϵℓℒħℋ")
 _SETS = frozenset("RNZCQ")
+_ENERGY = re.compile("E[ckmp][a-z]?")
+"""A product, or the name of an energy."""
 _TIME = own(Glyph("t"))
 ANGLES = frozenset("θφψϕϑαβγχϖ")
 _TIMELY = frozenset("xyzrqθφψϕsuvω")
@@ -401,7 +405,7 @@ class Scan:
             if text == r"\right" and self.peek().text == ".":
                 self.take()
         elif text in _SKIPPED:
-            self.take()
+            self.at += 1 + (self.peek(1).text == "*")
             self.argument(piece)
         elif text == r"\underline" and not self.is_letter(self.at):
             self.take()
@@ -417,8 +421,7 @@ class Scan:
                 raise UnreadError("a full stop inside a formula", position)
             yield Token("SEPARATOR", text, position)
         elif text == r"\\":
-            self.take()
-            self.length()
+            self.at += 1 + _length(self.items[self.at + 1 : self.at + 13])
             yield Token("LINE", text, position)
         elif text == "&":
             self.take()
@@ -509,14 +512,6 @@ class Scan:
             if len(digits) > DIGITS:
                 raise UnreadError(f"a number of more than {DIGITS} digits", first.position)
         return Token("NUMBER", digits, first.position)
-
-    def length(self) -> None:
-        """Leave out the distance to the next line: `\\\\[2pt]`."""
-        if self.peek().text != "[":
-            return
-        ahead = [self.peek(i).text for i in range(1, 12)]
-        if "]" in ahead and _LENGTH.fullmatch("".join(ahead[: ahead.index("]")])):
-            self.at += ahead.index("]") + 2
 
     def tag(self) -> Token:
         piece = self.take()
@@ -983,7 +978,7 @@ class Scan:
 
     def system(self, name: str, inner: Sequence[Piece], position: int) -> Iterator[Token]:
         """Equations below one another, or the values that one side has in several cases."""
-        cells = [split(row, "&") for row in split(inner, r"\\") if row]
+        cells = [split(row, "&") for row in _rows(inner) if row]
         related = any(p.text in _RELATIONS for row in cells if row for p in flat(row[0]))
         aligned = any(p.text in _RELATIONS for row in cells if len(row) > 1 for p in row[1][:1])
         if name not in _CASES or (self.last != "RELATION" and (related or aligned)):
@@ -1003,7 +998,7 @@ class Scan:
 
     def rows(self, name: str, inner: Sequence[Piece], position: int) -> Iterator[Token]:
         yield Token("MATRIX", name, position)
-        for i, row in enumerate(split(inner, r"\\")):
+        for i, row in enumerate(_rows(inner)):
             if i:
                 yield Token("LINE", r"\\", position)
             for j, cell in enumerate(split(row, "&")):
@@ -1120,6 +1115,8 @@ class Scan:
         before = self.items[self.at - 1] if self.at else Piece("", -9)
         joined = _is_latin(before.text) and before.position + 1 == self.peek().position
         cut = min((run.find(name) for name in _SPELLED if name in run), default=len(run))
+        if not joined and _ENERGY.fullmatch(run) and self.peek(len(run)).text == "=":
+            return run
         twice = cut == 3 and any(a == b for a, b in pairwise(run[:cut]))
         return run if (twice or cut >= 4) and not joined and not _is_product(run[:cut]) else ""
 
@@ -1163,12 +1160,15 @@ class Scan:
 
     def resolved(self, glyph: Glyph, position: int) -> Iterator[Token]:
         """The symbol of a letter; of one with dots or several indices, what it is made of."""
-        several = glyph.sub.split(",")
+        several = _BOTH.get(glyph.sub, glyph.sub).split(",") if self.two_signs else []
+        several = several or glyph.sub.split(",")
         known = self.known(glyph)
         if known is None and self.peek().text == "^" and plain(self.peek(1)) == "2":
             known = self.notation.symbol(replace(glyph, base=glyph.base + "²"))
             self.at += 2 if known is not None else 0
-        several_of = known is None or (self.two_signs and all(part.isdigit() for part in several))
+        several_of = known is None or (
+            self.two_signs and all(x.isdigit() or x in "+−" for x in several)
+        )
         if several_of and 1 < len(several) <= (2 if self.open else MOST_INDICES):
             made = tuple(self.known(replace(glyph, sub=sub)) for sub in several)
             if None not in made:
@@ -1254,7 +1254,7 @@ class Scan:
             or self.commas(at)
             or _listed(inner)
             or glyph.base in _ORDERS
-            or any((glyph, term) in self.functions for term in _terms(inner))
+            or any((glyph, term) in self.functions for term in _shifted(inner))
         ):
             self.calls.add(at)
         elif glyph in self.timed and any(piece.text == "t" for piece in inner) and not function:
@@ -1399,6 +1399,9 @@ def _operator(
     over, below = ([p for p in part if p.text not in NOTHING] for part in (over, below))
     sign, count = operator_at(over, 0)
     if not sign:
+        marked = [p.text for p in flat(over) if p.text not in _DRESSES | TEXTS] == ["d"]
+        if marked and operator_at(below, 0)[0]:
+            raise UnreadError("a derivative whose d has a mark of its own", position)
         return None
     order = 1
     if count < len(over) - 1 and over[count].text == "^":
@@ -1484,6 +1487,25 @@ def _terms(inner: Sequence[Piece]) -> set[str]:
         if bare and (len(bare) == 1 or bare[1].text in ("_", "'")) and len(bare) <= 3:
             made.add(_LETTERS.get(plain(bare[0]), plain(bare[0])))
     return made
+
+
+def _length(items: Sequence[Piece]) -> int:
+    """How many pieces are the distance to the next line: `\\\\[2pt]`."""
+    texts = [piece.text for piece in items[:12]]
+    if texts[:1] != ["["] or "]" not in texts:
+        return 0
+    end = texts.index("]")
+    return end + 1 if _LENGTH.fullmatch("".join(texts[1:end])) else 0
+
+
+def _rows(inner: Sequence[Piece]) -> list[Sequence[Piece]]:
+    """The rows of an environment, without the distances between them."""
+    return [row[_length(row) :] for row in split(inner, r"\\")]
+
+
+def _shifted(inner: Sequence[Piece]) -> set[str]:
+    """The letters of a sum without powers, which may be an argument: x − ct, not y − x² + 1."""
+    return set() if any(piece.text == "^" for piece in inner) else _terms(inner)
 
 
 def _behind(inner: Sequence[Piece]) -> int:

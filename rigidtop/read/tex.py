@@ -174,7 +174,9 @@ GREEKS |= {r"\var" + name: letter for name, letter in GREEK.items() if name[0].i
 _SAID = {**GREEKS, r"\perp": "⊥", r"\parallel": "∥", r"\partial": "∂", r"\top": "T"}
 _SAID |= {r"\intercal": "T", r"\prime": "′", "'": "′", r"\to": "→", r"\rightarrow": "→"}
 _SAID |= {r"\ll": "≪", r"\gg": "≫", r"\le": "≤", r"\leq": "≤", r"\ge": "≥", r"\geq": "≥"}
-_SAID |= {r"\neq": "≠", r"\ne": "≠", r"\approx": "≈", r"\dots": "…", r"\ldots": "…"}
+_SAID |= {r"\neq": "≠", r"\ne": "≠", r"\approx": "≈", r"\dots": "…", r"\ldots": "…", r"\cdots": "…"}
+_SAID |= {r"\leqslant": "≤", r"\geqslant": "≥", r"\pm": "±", r"\mp": "∓", r"\times": "×"}
+_SAID |= {r"\bot": "⊥"}
 
 
 def flat(items: Sequence[Piece]) -> Iterator[Piece]:
@@ -204,7 +206,8 @@ def said(items: Sequence[Piece]) -> str:
         if piece.text in NOTHING | TEXTS | FONTS | {"$"}:
             continue
         made += " " * (end >= 0 and piece.position > end)
-        made += _SAID.get(piece.text, piece.text)
+        named = piece.text[:1] == "\\" and piece.text[1:].isalpha()
+        made += _SAID.get(piece.text, piece.text[1:] if named else piece.text)
         end = piece.position + len(piece.text)
     return " ".join(made.split()).replace(" ,", ",")
 
