@@ -79,7 +79,8 @@ def counted(source: str) -> tuple[Counted, ...]:
                 heads[k:] = [_next(heads[k]), *[0] * (2 - k)]
                 count = 0 if k < depth else count
             elif what["appendix"]:
-                heads[(k := 0 if level == "chapter" else 1) :] = ["@", *[0] * (2 - k)]
+                k = 0 if level == "chapter" else 1
+                heads[k:] = ["@", *[0] * (2 - k)]
             else:
                 lettered = what["side"] == "begin"
                 count, letter = count + lettered, 0

@@ -61,3 +61,11 @@ def test_a_row_stands_where_it_stands():
     source = "\\begin{align} a &= b \\\\ c &= d \\label{here}\\end{align}"
     [_, row] = counted(source)
     assert source[row.start : row.end].strip() == "c &= d \\label{here}"
+
+
+def test_an_appendix_behind_subsections():
+    source = "\\documentclass{article}\\numberwithin{equation}{section}\\section{A}\\subsection{s}"
+    source += (
+        EQ % "x" + "\\appendix\\section{B}\\subsection{t}" + EQ % "y" + "\\section{C}" + EQ % "z"
+    )
+    assert numbers(source) == [("1.1", "x"), ("A.1", "y"), ("B.1", "z")]
