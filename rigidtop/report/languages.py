@@ -40,6 +40,7 @@ Steps | Schritte | Étapes | Pasos | Passi
 Steps and reasons | Schritte und Gründe | Étapes et raisons | Pasos y razones | Passi e ragioni
 Light or dark | Hell oder dunkel | Clair ou sombre | Claro u oscuro | Chiaro o scuro
 Copy LaTeX | LaTeX kopieren | Copier LaTeX | Copiar LaTeX | Copia LaTeX
+Link | Link | Lien | Enlace | Collegamento
 Copied | Kopiert | Copié | Copiado | Copiato
 """
 _CODES = ("de", "fr", "es", "it")
@@ -49,7 +50,10 @@ WORDS: Mapping[str, Mapping[str, str]] = {
 }
 """By the language's code, then by the English words."""
 
-SHOWN = ("Results only", "Steps", "Steps and reasons", "Light or dark", "Copy LaTeX", "Copied")
+SHOWN = (
+    *("Results only", "Steps", "Steps and reasons", "Light or dark"),
+    *("Link", "Copy LaTeX", "Copied"),
+)
 """What the buttons of a page say."""
 
 

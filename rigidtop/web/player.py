@@ -40,13 +40,17 @@ def player(figures: Mapping[str, Sequence[Motion]]) -> str:
             parts.append(_json(f"live-{kind}", data(kind, TITLES[kind], tuple(found), found[0])))
     parts.append(f'<script type="text/plain" id="live-page">{b64encode(page).decode()}</script>')
     script = (FOLDER / "player.js").read_text("utf-8")
-    style = (FOLDER / "player.css").read_text("utf-8")
+    style = _text(f"<style>{(FOLDER / 'player.css').read_text('utf-8')}</style>")
+    script += f'\ndocument.head.insertAdjacentHTML("beforeend", {style});'  # a body has no style
     # The marks of CDATA are comments to a browser, and keep the page well-formed XML.
-    parts.append(f"<style>{style}</style>\n<script>/*<![CDATA[*/{script}/*]]>*/</script>")
+    parts.append(f"<script>/*<![CDATA[*/{script}/*]]>*/</script>")
     return "\n".join(parts) + "\n"
 
 
 def _json(name: str, value: object) -> str:
+    return f'<script type="application/json" id="{name}">{_text(value)}</script>'
+
+
+def _text(value: object) -> str:
     """Data that neither HTML nor XML takes for markup."""
-    text = json_text(value).replace("&", "\\u0026").replace(">", "\\u003e")
-    return f'<script type="application/json" id="{name}">{text}</script>'
+    return json_text(value).replace("&", "\\u0026").replace(">", "\\u003e")

@@ -30,6 +30,11 @@ def read(made, name):
     return json.loads(re.search(rf'<script[^>]* id="{name}">(.*?)</script>', made, re.DOTALL)[1])
 
 
+def test_a_body_has_no_style(made):
+    assert "<style" not in made
+    assert "\\u003cstyle" in made
+
+
 def test_every_motion_of_a_figure_is_one_of_the_page(made):
     shown = read(made, "live-motions")
     assert set(shown) == {each.name for each in PICTURES}

@@ -34,7 +34,6 @@
   for (const row of document.querySelectorAll("[data-tex]")) {
     const copy = document.createElement("button");
     copy.type = "button";
-    copy.className = "copy";
     copy.textContent = words["Copy LaTeX"];
     copy.addEventListener("click", async () => {
       try {
@@ -45,7 +44,13 @@
       }
       setTimeout(() => { copy.textContent = words["Copy LaTeX"]; }, 1500);
     });
-    row.append(copy);
+    const link = document.createElement("a");
+    link.href = `#${row.id}`;
+    link.textContent = words.Link;
+    const take = document.createElement("div");
+    take.className = "take";
+    take.append(link, copy);
+    row.append(take);
   }
   // What can be scrolled can be reached by the keys.
   const reach = () => {
