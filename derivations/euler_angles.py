@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 from sympy import Eq, Matrix, Ne, Rational, diag, sin
 
@@ -38,14 +39,14 @@ def momentum_primed() -> Matrix:
     return reduce_trig(turn * diag(*MOMENTS) * turn.T) * euler_omega("primed")
 
 
-def momentum_along_axes() -> dict:
+def momentum_along_axes() -> dict[Any, Any]:
     """L along ẑ and along e₃, for any three moments (J s)."""
     components = momentum_primed()
     vertical_primed = primed_matrix().T * Z_AXIS
     return {s.L_z: reduce_trig(vertical_primed.dot(components)), s.L3: components[2]}
 
 
-def sequence() -> dict:
+def sequence() -> dict[Any, Any]:
     """The three turns of the figure as rotations about axes that move: e₂′, e₃ and all of O."""
     first = rotation_z(s.phi)
     line_of_nodes = first * Y

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 from sympy import Eq, Matrix, diag, symbols
 
@@ -43,7 +44,7 @@ def newton_rate() -> Matrix:
         (m * r.cross(v) for m, r, v in zip(MASSES, POSITIONS, VELOCITIES, strict=True)),
         Matrix([0, 0, 0]),
     )
-    rates: dict = {}
+    rates: dict[Any, Any] = {}
     for m, r, v, force in zip(MASSES, POSITIONS, VELOCITIES, forces, strict=True):
         rates |= dict(zip(r, v, strict=True)) | dict(zip(v, force / m, strict=True))
     return total_derivative(momentum, rates).expand()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 from sympy import (
     Eq,
@@ -32,7 +33,7 @@ from .printed import printed
 SMALL = Assumption(Eq(s.A, 0), "small oscillations", stated=True, otherwise=s.A)
 
 
-def steady_state() -> dict:
+def steady_state() -> dict[Any, Any]:
     """p_φ, p_ψ and g of a steady precession at θ with ω₃ and Ω."""
     rates = {s.phidot: s.Omega, s.psidot: s.omega3 - s.Omega * cos(s.theta)}
     weight = (s.lambda3 * s.omega3 * s.Omega - s.lambda1 * cos(s.theta) * s.Omega**2) / (s.M * s.R)

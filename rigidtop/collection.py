@@ -515,4 +515,5 @@ def _sound(item: Any) -> Evidence:
                 raise TypeError(f"{_a(assumption)} is no Assumption")
             if not isinstance(assumption.condition, Relational):
                 raise TypeError(f"the assumption is {assumption.condition}: it says nothing")
-    return item
+    sound: Evidence = item
+    return sound

@@ -138,7 +138,8 @@ def flip_integrated(moments: tuple[float, float, float], spin: float, kick: floa
     inertia = np.array(moments)
 
     def rates(_: float, w: NDArray[np.float64]) -> NDArray[np.float64]:
-        return -np.cross(w, inertia * w) / inertia
+        made: NDArray[np.float64] = -np.cross(w, inertia * w) / inertia
+        return made
 
     def crossing(_: float, w: NDArray[np.float64]) -> float:
         return float(w[1])

@@ -74,7 +74,8 @@ MOST_ANGLE = 1e4
 def angles(a: Vectors, b: Vectors) -> Vectors:
     """The angles (N,) between the rows of two arrays (N, 3), in radians."""
     across = np.linalg.norm(np.cross(a, b), axis=-1)
-    return np.arctan2(across, np.sum(a * b, axis=-1))
+    made: Vectors = np.arctan2(across, np.sum(a * b, axis=-1))
+    return made
 
 
 def turned(vectors: Vectors, axis: Vectors) -> float:

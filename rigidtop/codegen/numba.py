@@ -42,7 +42,8 @@ def function(expressions: Iterable[Any], arguments: Sequence[Symbol], name: str)
 
     @cache
     def loop(arrays: tuple[bool, ...]) -> Callable[..., None]:
-        return numba.njit(_loop(element, arrays, count), error_model="numpy")
+        made: Callable[..., None] = numba.njit(_loop(element, arrays, count), error_model="numpy")
+        return made
 
     def array(*values: Any) -> NDArray[np.float64]:
         inputs = [np.asarray(value, dtype=float) for value in values]

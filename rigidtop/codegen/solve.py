@@ -167,7 +167,7 @@ def _pivot(
     scale = max(abs(at[i, j]) for i in rows for j in columns)
 
     def others(i: int, j: int) -> int:
-        return sum(a[k, j] != 0 for k in rows) * sum(a[i, k] != 0 for k in columns)
+        return int(sum(a[k, j] != 0 for k in rows) * sum(a[i, k] != 0 for k in columns))
 
     places = [(i, i) for i in sorted(rows)] if symmetric else []
     for group in (places, [(i, j) for i in sorted(rows) for j in sorted(columns)]):

@@ -22,7 +22,8 @@ def syntax_tree(function: Callable[..., Any]) -> ast.FunctionDef:
     """The definition that `lambdify` wrote for a function, with 1/2·x rewritten as x/2."""
     (definition,) = ast.parse(inspect.getsource(function)).body
     assert isinstance(definition, ast.FunctionDef)
-    return ast.fix_missing_locations(_FractionsLast().visit(definition))
+    made: ast.FunctionDef = ast.fix_missing_locations(_FractionsLast().visit(definition))
+    return made
 
 
 def operations(tree: ast.AST) -> int:
@@ -67,7 +68,8 @@ def body(definition: ast.FunctionDef, depth: int = 1) -> list[str]:
 def expression(value: sympy.Expr) -> ast.expr:
     """The syntax tree of one expression."""
     tree = ast.parse(sympy.pycode(value, fully_qualified_modules=False), mode="eval").body
-    return ast.fix_missing_locations(_FractionsLast().visit(tree))
+    made: ast.expr = ast.fix_missing_locations(_FractionsLast().visit(tree))
+    return made
 
 
 def assignment(target: str, value: ast.expr, depth: int = 1) -> list[str]:

@@ -158,7 +158,8 @@ def parts(path: SlidingTrajectory) -> dict[str, Floats]:
 def spent(path: SlidingTrajectory) -> Floats:
     """What ½λ₃ω₃² has lost since t = 0 (J)."""
     squares = path.omega[:, 2] ** 2
-    return path.motion.body.lambda3 * (squares[0] - squares) / 2
+    made: Floats = path.motion.body.lambda3 * (squares[0] - squares) / 2
+    return made
 
 
 FILLS = {"heat": SECOND, "weight": FIRST, "other motion": THIRD}

@@ -60,7 +60,10 @@ def thrown(theta: float, radius: float, thickness: float, omega3: float) -> Moti
     attitude = from_euler_angles(theta, math.pi / 2, -math.pi / 2)
     # ω is the wobble about L, which is upright, and ψ̇ about e₃.
     across = attitude.inv().apply(wobble * UPRIGHT)
-    return body.motion(omega=(float(across[0]), float(across[1]), omega3), attitude=attitude)
+    made: Motion = body.motion(
+        omega=(float(across[0]), float(across[1]), omega3), attitude=attitude
+    )
+    return made
 
 
 def turned(path: Trajectory) -> tuple[Floats, Floats]:

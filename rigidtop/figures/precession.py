@@ -196,7 +196,8 @@ def draw_asymptotics(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> 
     def errors(at: Floats) -> Floats:
         """Shape (order, root, N)."""
         exact = np.array([top.steady_precession(theta, spin) for spin in at]).T
-        return np.abs(large_spin_formulas(top, theta, at) / exact - 1)
+        made: Floats = np.abs(large_spin_formulas(top, theta, at) / exact - 1)
+        return made
 
     lines, dots = errors(spins), errors(marked)
     for order, width in ((0, 1.5), (1, 1.0)):
@@ -310,7 +311,7 @@ def largest_sine(motion: TopMotion) -> float:
 
 def _at_lowest(motion: TopMotion) -> float:
     """ω across e₃ (rad/s) at the lowest point of a top that is let go with ω along e₃."""
-    return parallel.fastest_across(motion.body, motion.turning_points[0], motion.omega[2])
+    return float(parallel.fastest_across(motion.body, motion.turning_points[0], motion.omega[2]))
 
 
 def _widest_across(motion: TopMotion) -> float:
@@ -320,7 +321,7 @@ def _widest_across(motion: TopMotion) -> float:
 
 def largest_angle(motion: TopMotion) -> float:
     """The largest angle between L and ω (rad) of a top that is let go with ω along e₃."""
-    return parallel.largest_angle(motion.body, motion.turning_points[0], motion.omega[2])
+    return float(parallel.largest_angle(motion.body, motion.turning_points[0], motion.omega[2]))
 
 
 def widest_between(motion: TopMotion) -> bool:

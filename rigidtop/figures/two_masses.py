@@ -56,7 +56,8 @@ class Stick:
     def momentum(self) -> Floats:
         """L = Σ m r × (ω × r), J s."""
         velocities = np.cross(self.omega, self.positions)
-        return np.cross(self.positions, self.masses[:, None] * velocities).sum(axis=0)
+        made: Floats = np.cross(self.positions, self.masses[:, None] * velocities).sum(axis=0)
+        return made
 
     @property
     def torque(self) -> Floats:

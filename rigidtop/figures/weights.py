@@ -47,12 +47,14 @@ class Points:
     @property
     def weights(self) -> Floats:
         """The force on each (N, 3), N."""
-        return self.masses[:, None] * np.array([0.0, 0.0, -self.g])
+        made: Floats = self.masses[:, None] * np.array([0.0, 0.0, -self.g])
+        return made
 
     @property
     def centre(self) -> Floats:
         """R_CM (3,), m."""
-        return self.masses @ self.places / self.masses.sum()
+        made: Floats = self.masses @ self.places / self.masses.sum()
+        return made
 
     @property
     def torque(self) -> Floats:

@@ -156,7 +156,7 @@ class _Asking:
     @property
     def _moves(self) -> bool:
         """Whether the accelerations are those of the motion: an identity holds for any."""
-        return self.model.rates.get(s.thetadot, s.thetaddot) != s.thetaddot
+        return bool(self.model.rates.get(s.thetadot, s.thetaddot) != s.thetaddot)
 
     def holds(self, id: str) -> bool | None:
         """Whether a line holds here; None where that can't be asked."""

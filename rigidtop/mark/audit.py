@@ -460,7 +460,7 @@ def _likeness(one: Equation, other: Equation) -> float:
     """1 for a common left side that is not 0, and the share of the symbols that both have."""
     here, there = symbols_of(one), symbols_of(other)
     same = one.sides[0] == other.sides[0] and one.sides[0] != 0
-    return same + len(here & there) / max(len(here | there), 1)
+    return float(same + len(here & there) / max(len(here | there), 1))
 
 
 # --- Whether a line says as much -----------------------------------------------------------------

@@ -520,7 +520,7 @@ def _printed(number: str) -> tuple[Equation, ...]:
     """The equations that the lecture has under a number."""
     lines = lecture().lines.values()
     [found] = [line.equations for line in lines if any(e.tag == number for e in line.equations)]
-    return found
+    return tuple(found)
 
 
 def freed(model: Model, free: Meaning) -> Model:

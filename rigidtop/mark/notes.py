@@ -40,6 +40,7 @@ from rigidtop.read.formula import Habits, Line, kind
 from rigidtop.theory import lagrangian
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import Glyph, const
+from rigidtop.theory.trig import reduce_ratio
 from rigidtop.typeset.text import text
 
 PREMISE = "premise"
@@ -951,7 +952,7 @@ def _follows(wanted: Expr, given: Expr) -> tuple[Expr, ...] | None:
 
     The two are multiples of one sum; what they have besides are letters, sines and cosines.
     """
-    ratio = decide.reduce_ratio(wanted / given)
+    ratio = reduce_ratio(wanted / given)
     functions = {f: sympy.Dummy() for f in (ratio + given).atoms(sympy.Function)}
     over, below = (x.xreplace(functions) for x in sympy.fraction(ratio))
     if below.has(Add) or over.has(Add) or not sympy.factor(given.xreplace(functions)).has(Add):

@@ -85,7 +85,8 @@ def product(p: Floats, q: Floats) -> Floats:
 
 def conjugate(q: Floats) -> Floats:
     """The inverse of unit quaternions (…, 4), scalar first."""
-    return q * np.array([1.0, -1.0, -1.0, -1.0])
+    made: Floats = q * np.array([1.0, -1.0, -1.0, -1.0])
+    return made
 
 
 def spinors(q: Floats) -> tuple[Complexes, Complexes]:

@@ -52,6 +52,13 @@ def not_negative(name: str, value: Any) -> float:
     return _not_tiny(name, result) if result else result
 
 
+def whole(name: str, value: Any, least: int) -> int:
+    """An integer, of Python or NumPy."""
+    if not isinstance(value, (int, np.integer)) or isinstance(value, bool) or value < least:
+        raise RigidtopError(f"{name} must be a whole number from {least}, not {value!r}")
+    return int(value)
+
+
 def _not_tiny(name: str, value: float) -> float:
     if value < SMALLEST:
         raise RigidtopError(f"{name} must be at least {SMALLEST:g}, not {value:g}: use other units")
@@ -176,7 +183,7 @@ SPAN = 501
 """So many evenly spaced times make a span."""
 
 
-def times(value: ArrayLike) -> NDArray[np.float64]:
+def times(value: Any) -> NDArray[np.float64]:
     """Finite times, shape (N,) with N ≥ 1; a tuple (start, end) is a span, as SciPy has it."""
     if type(value) is float and abs(value) <= LARGEST:
         return np.array([value])

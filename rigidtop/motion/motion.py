@@ -233,7 +233,8 @@ def _units(states: Floats) -> Floats:
             "the integration lost the attitude, its quaternion is far from a unit: "
             "smaller rtol and atol are needed"
         )
-    return (quaternions / norms).T
+    made: Floats = (quaternions / norms).T
+    return made
 
 
 @dataclass(frozen=True, eq=False)

@@ -68,8 +68,7 @@ class Span:
     def __post_init__(self) -> None:
         for name in ("start", "stop"):
             object.__setattr__(self, name, checks.number(name, getattr(self, name)))
-        if not isinstance(self.count, (int, np.integer)) or self.count < 2:
-            raise RigidtopError(f"count must be a whole number from 2, not {self.count!r}")
+        checks.whole("count", self.count, 2)
         object.__setattr__(self, "count", int(self.count))
 
     def at(self, index: NDArray[np.intp]) -> Floats:
@@ -288,8 +287,7 @@ def run(
     array([0.553991, 0.522175, 0.51215 ])
     """
     for name, number in (("block_size", block_size), ("ahead", ahead)):
-        if not isinstance(number, int) or number < 1:
-            raise RigidtopError(f"{name} must be a whole number from 1, not {number!r}")
+        checks.whole(name, number, 1)
     path = store.place(path)
     with store.open_store(path, sweep.about, sweep.dtype, sweep.shape) as file:
         if progress is not None:

@@ -66,7 +66,8 @@ class Trajectory(Turning):
         """½ Σ λₖωₖ² + Mg × (height of the centre of mass above the pivot), shape (N,), in J."""
         body = self.motion.body
         kinetic = self.omega**2 @ np.array(body.moments) / 2
-        return kinetic + self.vertical @ np.array(body.weight)
+        made: Floats = kinetic + self.vertical @ np.array(body.weight)
+        return made
 
     def columns(self) -> dict[str, Floats]:
         """t, ω in the body, e₃ and the energy."""

@@ -303,7 +303,7 @@ class Algebra:
                     self._image(base, atom).times(before) for atom, before in made.terms.items()
                 )
                 made = made if isinstance(made, Vector) else ZERO
-        return made.times(Mul(*scalars))
+        return _as_vector(made.times(Mul(*scalars)))
 
     def _image(self, operator: Expr, atom: Expr) -> Vector:
         """What an operator makes of an atom."""
@@ -311,7 +311,7 @@ class Algebra:
             operator, atom = self._shortened(operator * atom.args[0]), atom.args[1]
             scalars, factors = operator.args_cnc()
             if scalars or not factors or operator.is_Add:
-                return self.times(operator, self._one(atom))
+                return _as_vector(self.times(operator, self._one(atom)))
         return _as_vector(self.atom(Applied(operator, atom)))
 
     def _shortened(self, product: Expr) -> Expr:
@@ -387,11 +387,12 @@ class Algebra:
             return ZERO
         if not (isinstance(left, Vector) and isinstance(right, Vector)):
             raise NoMeaningError("a vector product of what is no vector")
-        return self.total(
+        terms = (
             self._cross_atoms(a, b).times(p * q)
             for a, p in left.terms.items()
             for b, q in right.terms.items()
         )
+        return _as_vector(self.total(terms))
 
     def _cross_atoms(self, a: Expr, b: Expr) -> Vector:
         if a == b:
@@ -503,7 +504,7 @@ class Algebra:
         outside, inside = self._parted(node, term)
         turned = self._exchanged(node, Mul(inside, atom, evaluate=False))
         if turned is not None:
-            return self.times(outside, turned)
+            return _as_vector(self.times(outside, turned))
 
         def varies(part: Expr) -> bool:
             return node.args[0] in self._indices(part)
@@ -637,12 +638,13 @@ class Algebra:
         if isinstance(atom, Cross):
             a, b = atom.args
             first = self.cross(self._atom_rate(a, frame), self._one(b))
-            return self.total([first, self.cross(self._one(a), self._atom_rate(b, frame))])
+            second = self.cross(self._one(a), self._atom_rate(b, frame))
+            return _as_vector(self.total([first, second]))
         if isinstance(atom, (SumOver, VolumeIntegral)):
             factors = Mul.make_args(atom.args[1])
             [inner] = [f for f in factors if self._is_vector(f)]
             scalar = Mul(*(f for f in factors if f is not inner))
-            return self.summed(atom, self.rate(Vector({inner: scalar}), frame))
+            return _as_vector(self.summed(atom, self.rate(Vector({inner: scalar}), frame)))
         if seen is None and atom in self.letters.rates:
             made = self.atom(self.letters.rates[atom])
         else:
@@ -794,7 +796,7 @@ def _outside(node: Expr) -> tuple[bool, str]:
 
 
 def _place(node: Expr) -> str:
-    return sympy.srepr(node)
+    return str(sympy.srepr(node))
 
 
 def _is_zero(value: Value) -> bool:

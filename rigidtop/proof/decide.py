@@ -64,9 +64,9 @@ def vanishes(expression: Expr) -> bool:
     ):
         expression = sympy.expand_trig(expression.rewrite(sympy.tan, sin))
     if all(power.exp.is_nonnegative for power in expression.atoms(sympy.Pow)):
-        return reduce_trig(expression) == 0
+        return bool(reduce_trig(expression) == 0)
     numerator, denominator = sympy.fraction(sympy.together(expression))
-    return reduce_trig(numerator) == 0 and reduce_trig(denominator) != 0
+    return bool(reduce_trig(numerator) == 0 and reduce_trig(denominator) != 0)
 
 
 MOST_SHOWN = 4000
@@ -406,7 +406,7 @@ def _power(base: float, exponent: float) -> float:
     # A sine or cosine that is zero in exact numbers is 1e-16 here.
     if abs(base) < ROUNDING and exponent < 0:
         raise ZeroDivisionError
-    return base**exponent
+    return float(base**exponent)
 
 
 FUNCTIONS: Mapping[Any, Callable[..., float]] = {

@@ -27,7 +27,8 @@ from sympy import Add, Expr, Mul, Symbol
 
 def as_printed() -> AbstractContextManager[Any]:
     """Inside this context SymPy keeps expressions as they are typed."""
-    return sympy.evaluate(False)
+    made: AbstractContextManager[Any] = sympy.evaluate(False)
+    return made
 
 
 class NoMeaningError(ValueError):

@@ -490,7 +490,8 @@ def _parsed(found: Sequence[Token], notation: Notation) -> tuple[list[Any], list
         reason = _SAID.get(token.kind, f"{shown(token, notation)} is out of place")
         raise UnreadError(reason, token.position) from None
     try:
-        return _Builder(notation).transform(tree)
+        made: tuple[list[Any], list[str]] = _Builder(notation).transform(tree)
+        return made
     except VisitError as error:
         if isinstance(error.orig_exc, UnreadError):
             raise error.orig_exc from None
@@ -606,7 +607,7 @@ def _made(tree: Any, kind: str, *parts: _Value, **known: Any) -> _Value:
     return _Value(tree, kind, position, depth, **known)
 
 
-class _Builder(Transformer_NonRecursive):
+class _Builder(Transformer_NonRecursive[Lexeme, Any]):
     """The tree of the grammar as the tree of an equation; one method a rule."""
 
     def __init__(self, notation: Notation) -> None:
@@ -616,7 +617,8 @@ class _Builder(Transformer_NonRecursive):
         """Of dx, d³r: the order, and the letter."""
 
     def __default_token__(self, token: Lexeme) -> Token:
-        return token.value
+        value: Token = token.value
+        return value
 
     def start(self, items: list[Any]) -> tuple[list[Any], list[str]]:
         sides = [item.closed for item in items if isinstance(item, _Value)]
@@ -808,6 +810,7 @@ class _Builder(Transformer_NonRecursive):
         return _power(items[0].closed, items[2].closed)
 
     def transposed(self, items: list[Any]) -> _Value:
+        base: _Value
         base, raised = items
         if base.kind == "scalar" and not self.notation.open:
             raise UnreadError("a scalar is transposed", raised.position)
@@ -826,7 +829,7 @@ class _Builder(Transformer_NonRecursive):
         return _Value(s.const, "scalar", items[0].position)
 
     def brackets(self, items: list[Any]) -> _Value:
-        inside = items[1].closed
+        inside: _Value = items[1].closed
         if inside.explicit:
             return inside
         if self.notation.open and inside.literal and inside.tree.is_Integer:

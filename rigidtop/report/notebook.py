@@ -284,7 +284,7 @@ def _display(shown: Any) -> None:
         from IPython.display import display
     except ImportError:
         raise _missing() from None
-    display(shown)
+    display(shown)  # type: ignore[no-untyped-call]
 
 
 # --- Sliders -------------------------------------------------------------------------------------

@@ -580,8 +580,9 @@ class SystemTrajectory(Rows):
 
     def value(self, quantity: Any) -> Floats:
         """A quantity of q, q̇, p, t and the parameters along the motion, shape (N,)."""
-        made = self._arrays((self._system.quantity(expression("the quantity", quantity)),))
-        return made[0]
+        asked = self._system.quantity(expression("the quantity", quantity))
+        made: Floats = self._arrays((asked,))[0]
+        return made
 
     @property
     def _system(self) -> System:
@@ -595,7 +596,8 @@ class SystemTrajectory(Rows):
     @cached_property
     def energy(self) -> Floats:
         """Jacobi's integral, shape (N,), in J."""
-        return self._arrays((self._system.jacobi,))[0]
+        made: Floats = self._arrays((self._system.jacobi,))[0]
+        return made
 
     @cached_property
     def momenta(self) -> Floats:

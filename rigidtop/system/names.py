@@ -62,7 +62,7 @@ class Names:
         for group, rate in ((self.v, "dot"), (self.a, "ddot")):
             if x in group and (of_functions or rate == "ddot"):
                 return f"{self.q[group.index(x)].name}_{rate}"
-        return x.name
+        return str(x.name)
 
     def find(self, name: Any) -> Symbol | None:
         """The coordinate that is meant: as it was given, its plain symbol, or its name."""

@@ -185,7 +185,7 @@ def _positive(side: Any) -> bool:
 def _grows(s: Any, M: Any, C: Any, K: Any, times: int) -> bool:
     """Whether a root that is found several `times` has fewer deviations: some are tⁿe^{st}."""
     sizes = MANY.svd_c(M * s**2 + C * s + K, compute_uv=False)
-    return sum(size <= NEUTRAL * max(sizes) for size in sizes) < times
+    return bool(sum(size <= NEUTRAL * max(sizes) for size in sizes) < times)
 
 
 def balance(system: System, rates: Sequence[Symbol] = ()) -> Matrix:

@@ -48,7 +48,7 @@ class Symbol(sympy.Symbol):
         **assumptions: bool,
     ) -> Symbol:
         # SymPy's own cache of symbols knows a name and assumptions only.
-        made = sympy.Symbol.__xnew__(cls, name, **assumptions)
+        made: Symbol = sympy.Symbol.__xnew__(cls, name, **assumptions)
         made.quantity, made.place, made.stands = quantity, place, stands
         made._sorted_by = f"{stands_for(made).name} {name} {quantity} {place}"
         return made

@@ -42,7 +42,8 @@ from rigidtop.theory.trig import reduce_trig
 
 
 def _real(names: str) -> tuple[Symbol, ...]:
-    return sympy.symbols(names, real=True, seq=True)
+    made: tuple[Symbol, ...] = sympy.symbols(names, real=True, seq=True)
+    return made
 
 
 tip, viscosity, drag, drag1, drag3 = _real("tip viscosity drag drag1 drag3")

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.errors import RigidtopError
+from rigidtop.motion import checks
 from rigidtop.motion.motion import Motion
 from rigidtop.web.page import Page, page_of
 
@@ -26,8 +27,7 @@ def show(
     Raises RigidtopError where there is no notebook, for what has no counterpart in JavaScript, and
     where three.js is not installed.
     """
-    if not isinstance(height, int) or height < 1:
-        raise RigidtopError(f"height must be a whole number of pixels from 1, not {height!r}")
+    checks.whole("height", height, 1)
     try:
         from IPython import get_ipython
         from IPython.display import display

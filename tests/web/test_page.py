@@ -221,5 +221,5 @@ def test_show_outside_a_notebook_says_what_to_do():
     motion = TOP.motion(theta=0.3, omega3=20.0)
     with pytest.raises(rt.RigidtopError, match="`rigidtop web` writes the page as a file"):
         rt.show(motion)
-    with pytest.raises(rt.RigidtopError, match="height must be a whole number of pixels"):
+    with pytest.raises(rt.RigidtopError, match="height must be a whole number from 1"):
         rt.show(motion, height=0)

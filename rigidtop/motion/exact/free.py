@@ -33,8 +33,9 @@ from numpy.typing import NDArray
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import compiled, theta
 from rigidtop.motion.exact.numbers import Arrays, Kit, Real, Truth
+from rigidtop.motion.exact.numbers import horner as cubic
 from rigidtop.motion.exact.samples import Course
-from rigidtop.motion.exact.theta import Factor, Modulus, Real4, cubic, factor, modulus, real4
+from rigidtop.motion.exact.theta import Factor, Modulus, Real4, factor, modulus, real4
 from rigidtop.trace import Solved, Written, leaves, written
 
 ROUNDING = 16 * float(np.finfo(float).eps)

@@ -37,8 +37,9 @@ from numpy.typing import NDArray
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import compiled, theta
 from rigidtop.motion.exact.numbers import Arrays, Kit, Real, Truth
+from rigidtop.motion.exact.numbers import horner as cubic
 from rigidtop.motion.exact.samples import BLOCK, Course, in_blocks
-from rigidtop.motion.exact.theta import Cubic, Factor, Modulus, along, cubic, factor, modulus
+from rigidtop.motion.exact.theta import Cubic, Factor, Modulus, along, factor, modulus
 from rigidtop.motion.state import TopState, rates
 from rigidtop.trace import Solved, Written, written
 

@@ -130,7 +130,8 @@ def along(k: Kit, mod: Modulus, c: Cubic) -> Cubic:
         first = c[1] + (2 * c[2] + 3 * c[3] * mod.end) * mod.end
         return cubic(c, mod.end), -first, c[2] + 3 * c[3] * mod.end, -c[3]
 
-    return k.pick(mod.circular, lambda: c, from_end)
+    made: Cubic = k.pick(mod.circular, lambda: c, from_end)
+    return made
 
 
 @dataclass(frozen=True)

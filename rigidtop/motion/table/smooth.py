@@ -164,7 +164,8 @@ class Orbit:
         whole = 2 * np.pi * turns
 
         def counted(line: Line) -> Floats:
-            return line.slope * whole + line.at(chi) - line.at(first)
+            made: Floats = line.slope * whole + line.at(chi) - line.at(first)
+            return made
 
         safe = np.where(sine > 0, sine, 1.0)
         slope = self.slope(upright, hanging)

@@ -105,7 +105,8 @@ class SlidingTrajectory(TopState, Turning):
         """The point of the table that is touched, shape (N, 3), in m."""
         body = self.motion.body
         below = self.position - (body.R - body.tip) * self.e3
-        return below * np.array([1.0, 1.0, 0.0])
+        made: Floats = below * np.array([1.0, 1.0, 0.0])
+        return made
 
     @cached_property
     def _force(self) -> Floats:
@@ -125,7 +126,8 @@ class SlidingTrajectory(TopState, Turning):
     @property
     def normal_force(self) -> Floats:
         """N, with which the table pushes upwards, shape (N,), in N."""
-        return self._force[2]
+        made: Floats = self._force[2]
+        return made
 
     @property
     def friction_force(self) -> Floats:
@@ -137,7 +139,8 @@ class SlidingTrajectory(TopState, Turning):
         """½MV² + ½ Σ λₖωₖ² + Mgz, kinetic and potential, shape (N,), in J; zero on the table."""
         body = self.motion.body
         kinetic = self.omega**2 @ np.array(body.moments) + body.M * np.sum(self.velocity**2, axis=1)
-        return kinetic / 2 + body.M * body.g * self.position[:, 2]
+        made: Floats = kinetic / 2 + body.M * body.g * self.position[:, 2]
+        return made
 
     @property
     def jellett(self) -> Floats:
