@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,13 +29,21 @@ def from_euler_angles(theta: float, phi: float, psi: float) -> Rotation:
     >>> from_euler_angles(np.pi / 2, 0.0, 0.0).apply([0, 0, 1]).round(12)    # e₃ lies along x̂
     array([1., 0., 0.])
     """
-    # The float nearest to π means π: a top that hangs straight down, exactly.
-    c, s = 0.0 if theta == math.pi else math.cos(theta / 2), math.sin(theta / 2)
+    c, s, _ = of_polar_angle(theta)
     cos_phi, sin_phi = math.cos(phi / 2), math.sin(phi / 2)
     cos_psi, sin_psi = math.cos(psi / 2), math.sin(psi / 2)
     q0, q3 = cos_phi * cos_psi - sin_phi * sin_psi, sin_phi * cos_psi + cos_phi * sin_psi
     q2, q1 = cos_phi * cos_psi + sin_phi * sin_psi, cos_phi * sin_psi - sin_phi * cos_psi
     return Rotation.from_quat((s * q1, s * q2, c * q3, c * q0))
+
+
+def of_polar_angle(theta: Any, library: Any = math) -> tuple[Any, Any, Any]:
+    """cos(θ/2), sin(θ/2) and sin θ of a float, or of an array by NumPy.
+
+    The float nearest to π means π: a top that hangs straight down, exactly.
+    """
+    tilted = theta != math.pi
+    return library.cos(theta / 2) * tilted, library.sin(theta / 2), library.sin(theta) * tilted
 
 
 def quaternions(rotation: Rotation) -> Floats:
@@ -103,8 +112,7 @@ def body_rates(
     theta: float, psi: float, theta_dot: float, phi_dot: float, psi_dot: float
 ) -> tuple[float, float, float]:
     """ω in body components (rad/s) from Euler angles and their rates: (3.42) turned by ψ."""
-    sine = 0.0 if theta == math.pi else math.sin(theta)
-    omega1p, omega2p = -phi_dot * sine, theta_dot
+    omega1p, omega2p = -phi_dot * of_polar_angle(theta)[2], theta_dot
     c, s = math.cos(psi), math.sin(psi)
     spin = psi_dot + phi_dot * math.cos(theta)
     return omega1p * c + omega2p * s, omega2p * c - omega1p * s, spin

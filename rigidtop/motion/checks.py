@@ -13,6 +13,9 @@ from scipy.spatial.transform import Rotation
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import in_one_line, real
 
+MOST_TURNS = 1e7
+"""No integration goes on for longer: it would run for hours and fill the memory."""
+
 TOLERANCE = 1e-12
 """Relative slack in inequalities that a real body may satisfy with equality (a flat body)."""
 
@@ -201,3 +204,15 @@ def times(value: Any) -> NDArray[np.float64]:
     if np.abs(result).max() > LARGEST:
         raise RigidtopError(f"t must be at most {LARGEST:g} in magnitude: use other units")
     return result
+
+
+def times_within_reach(value: ArrayLike, rate: float) -> NDArray[np.float64]:
+    """Times at which a motion that turns at this rate (rad/s) can be integrated."""
+    found = times(value)
+    turns = rate * float(np.abs(found).max()) / (2 * math.pi)
+    if turns > MOST_TURNS:
+        raise RigidtopError(
+            f"about {turns:.0e} turns: at most {MOST_TURNS:.0e} can be integrated, "
+            "so ask for earlier times"
+        )
+    return found

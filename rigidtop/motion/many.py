@@ -21,7 +21,7 @@ from rigidtop.motion import checks, integrate, systems, taylor
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import free, heavy
 from rigidtop.motion.integrate import TAYLOR, Accuracy, Progress
-from rigidtop.motion.state import TopState
+from rigidtop.motion.state import TopState, of_spinors
 
 CHUNK = 1 << 13
 """States at a time: so many that NumPy's calls cost little beside its loops."""
@@ -172,14 +172,13 @@ class TopMotions(_Motions):
 
     @cached_property
     def _start(self) -> heavy.Start:
-        hanging = self.theta == math.pi
-        sine = np.where(hanging, 0.0, np.sin(self.theta))
+        cos_half, sin_half, sine = attitudes.of_polar_angle(self.theta, np)
         return heavy.Start(
             mu=self.M * self.g * self.R / self.lambda1,
             b=self.lambda3 * self.omega3 / self.lambda1,
             omega3=self.omega3,
-            cos_half=np.where(hanging, 0.0, np.cos(self.theta / 2)),
-            sin_half=np.sin(self.theta / 2),
+            cos_half=cos_half,
+            sin_half=sin_half,
             v_theta=self.theta_dot,
             v_phi=self.phi_dot * sine,
             phi=self.phi,
@@ -243,19 +242,12 @@ class TopMotions(_Motions):
         turn = np.exp(0.5j * self.omega3 * times.reshape(-1, *[1] * len(self.shape)))
         alpha, beta = alpha * turn, beta * turn.conj()
         half_sum, half_difference = np.angle(alpha), np.angle(beta)
-        product = alpha * beta.conj()
-        size = np.abs(product)
-        vertical = size < systems.SMALLEST_SIZE  # there ψ is what one says it is
-        by_angle = np.exp(1j * (half_sum - half_difference))
-        nodes = np.where(vertical, by_angle, product / np.where(vertical, 1.0, size))
-        omega = (states[4] + 1j * states[5]) * turn.conj() ** 2
+        phi, psi = half_sum + half_difference, half_sum - half_difference
+        across = (states[4] + 1j * states[5]) * turn.conj() ** 2
         return TopState(
-            cos_half=np.abs(alpha),
-            sin_half=np.abs(beta),
-            phi=_principal(half_sum + half_difference),
-            psi=_principal(half_sum - half_difference),
-            theta_dot=omega.real * nodes.imag + omega.imag * nodes.real,
-            v_phi=omega.imag * nodes.imag - omega.real * nodes.real,
+            **of_spinors((alpha, beta), (across.real, across.imag), psi),
+            phi=_principal(phi),
+            psi=_principal(psi),
             omega3=self.omega3,
             upright_phi_dot=self.lambda3 * self.omega3 / (2 * self.lambda1),
         )

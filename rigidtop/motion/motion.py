@@ -27,12 +27,9 @@ from rigidtop.motion.integrate import (
 )
 from rigidtop.motion.rigid import RigidBody, SymmetricTop
 from rigidtop.motion.start import Start
-from rigidtop.motion.state import TopState
+from rigidtop.motion.state import TopState, of_spinors
 from rigidtop.motion.trajectory import BodyTrajectory, SampledTop, TopTrajectory, Trajectory
 from rigidtop.trace import Solved
-
-MOST_TURNS = 1e7
-"""No integration goes on for longer: it would run for hours and fill the memory."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,16 +177,9 @@ class Motion:
         return float(self.orbit.mean_precession)
 
     def _times(self, t: ArrayLike) -> Floats:
-        times = checks.times(t)
         moments, weight = self.body.moments, self.body.weight
         rate = math.hypot(*self.omega) + math.sqrt(math.hypot(*weight) / min(moments))
-        turns = rate * float(np.abs(times).max()) / (2 * math.pi)
-        if turns > MOST_TURNS:
-            raise RigidtopError(
-                f"about {turns:.0e} turns: at most {MOST_TURNS:.0e} can be integrated, "
-                "so ask for earlier times"
-            )
-        return times
+        return checks.times_within_reach(t, rate)
 
     def _flows(self, accuracy: Accuracy) -> Flows:
         """The motion from t = 0 on, as `accuracy` says."""
@@ -339,23 +329,13 @@ class TopMotion(Motion):
         self, states: Floats, times: Floats, phi: Floats, psi_in_frame: Floats
     ) -> TopTrajectory:
         """From states (6, N) and continuous angles in the frame that does not turn about e₃."""
-        alpha, beta = attitudes.spinors(_units(states).T)
-        # cos ψ + i sin ψ: from the attitude, and where that has no ψ, from the counted one.
-        product = alpha * beta.conj()
-        size = np.abs(product)
-        seen = size > systems.SMALLEST_SIZE
-        nodes = np.divide(product, size, out=np.exp(1j * psi_in_frame), where=seen)
-        omega1, omega2 = states[4:]
         spin = np.asarray(self.omega[2])
         return TopTrajectory(
             motion=self,
             t=times,
-            cos_half=np.abs(alpha),
-            sin_half=np.abs(beta),
+            **of_spinors(attitudes.spinors(_units(states).T), states[4:6], psi_in_frame),
             phi=phi,
             psi=psi_in_frame + spin * times,
-            theta_dot=omega1 * nodes.imag + omega2 * nodes.real,
-            v_phi=omega2 * nodes.imag - omega1 * nodes.real,
             omega3=spin,
             upright_phi_dot=self.body.lambda3 * spin / (2 * self.body.lambda1),
         )
@@ -383,8 +363,6 @@ class EulerTopMotion(TopMotion):
 
     @property
     def _solvable(self) -> heavy.Start:
-        theta, hanging = self.euler.theta, self.euler.theta == math.pi  # the float nearest to π: π
-        return self._of_halves(
-            halves=(0.0 if hanging else math.cos(theta / 2), math.sin(theta / 2)),
-            rates=(self.euler.theta_dot, 0.0 if hanging else self.euler.phi_dot * math.sin(theta)),
-        )
+        cos_half, sin_half, sine = attitudes.of_polar_angle(self.euler.theta)
+        rates = self.euler.theta_dot, self.euler.phi_dot * sine
+        return self._of_halves((cos_half, sin_half), rates)

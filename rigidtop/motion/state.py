@@ -11,6 +11,7 @@ import numpy as np
 from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact.numbers import Arrays, Kit
+from rigidtop.motion.systems import SMALLEST_SIZE
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -88,3 +89,20 @@ def rates(k: Kit, state: Any) -> tuple[Any, Any]:
         limit = k.copysign(1.0, c - s) * state.upright_phi_dot
         phi_dot = k.where(sine == 0, limit, phi_dot)
     return phi_dot, state.omega3 - phi_dot * cosine
+
+
+def of_spinors(
+    spinors: tuple[Any, Any], omega: Floats | tuple[Floats, Floats], psi: Floats
+) -> dict[str, Floats]:
+    """What of a state an attitude and ω₁, ω₂ tell; ψ counts where the attitude has none."""
+    alpha, beta = spinors
+    product = alpha * beta.conj()
+    size = np.abs(product)
+    # cos ψ + i sin ψ.
+    nodes = np.divide(product, size, out=np.exp(1j * psi), where=size > SMALLEST_SIZE)
+    return {
+        "cos_half": np.abs(alpha),
+        "sin_half": np.abs(beta),
+        "theta_dot": omega[0] * nodes.imag + omega[1] * nodes.real,
+        "v_phi": omega[1] * nodes.imag - omega[0] * nodes.real,
+    }

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from rigidtop import FreeBody, HeavyBody, HeavyTop
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.exact import compiled
-from rigidtop.motion.exact.numbers import horner
+from rigidtop.motion.exact.numbers import cubic
 from rigidtop.trace import loaded
 
 TOP = HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5)
@@ -56,7 +56,7 @@ def test_a_circle_has_the_errors_of_its_angle(angle):
 
 
 def test_a_series_is_the_polynomial():
-    assert compiled.series([1.0, 2.0, 3.0, 4.0], 0.5) == horner([1.0, 2.0, 3.0, 4.0], 0.5) == 3.25
+    assert compiled.series([1.0, 2.0, 3.0, 4.0], 0.5) == cubic([1.0, 2.0, 3.0, 4.0], 0.5) == 3.25
 
 
 def test_without_numba_one_line_says_so(monkeypatch):

@@ -32,20 +32,18 @@ from numpy.typing import NDArray
 
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import compiled, theta
-from rigidtop.motion.exact.numbers import Arrays, Kit, Real, Truth
-from rigidtop.motion.exact.numbers import horner as cubic
+from rigidtop.motion.exact.numbers import ROUNDING, SMALLEST_PART, Arrays, Kit, Real, Truth, cubic
 from rigidtop.motion.exact.samples import Course
-from rigidtop.motion.exact.theta import Factor, Modulus, Real4, factor, modulus, real4
+from rigidtop.motion.exact.theta import (
+    LARGEST_RATIO,
+    Factor,
+    Modulus,
+    Real4,
+    factor,
+    modulus,
+    real4,
+)
 from rigidtop.trace import Solved, Written, leaves, written
-
-ROUNDING = 16 * float(np.finfo(float).eps)
-"""What rounding of the initial state does to the distance from the separatrix."""
-
-SMALLEST_PART = 1e-280
-"""Of squares: a deviation from the separatrix of 1e-140 and less counts as none."""
-
-LARGEST_RATIO = 1e45
-"""Of sine and cosine: a larger one is that of a right angle."""
 
 Triple = tuple[Real, Real, Real]
 

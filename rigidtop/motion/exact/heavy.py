@@ -36,24 +36,17 @@ from numpy.typing import NDArray
 
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import compiled, theta
-from rigidtop.motion.exact.numbers import Arrays, Kit, Real, Truth
-from rigidtop.motion.exact.numbers import horner as cubic
+from rigidtop.motion.exact.numbers import ROUNDING, SMALLEST_PART, Arrays, Kit, Real, Truth, cubic
 from rigidtop.motion.exact.samples import BLOCK, Course, in_blocks
 from rigidtop.motion.exact.theta import Cubic, Factor, Modulus, along, factor, modulus
 from rigidtop.motion.state import TopState, rates
 from rigidtop.trace import Solved, Written, written
-
-ROUNDING = 16 * float(np.finfo(float).eps)
-"""What rounding of the initial state does to quantities that decide the regime."""
 
 UNITS = 2 * float(np.finfo(float).eps)
 """What rounding does to a sum that decides how near to a pole or a separatrix a motion comes."""
 
 SMALLEST_TILT = 1e-150
 """Squares of less would lose digits; an attitude does not notice."""
-
-SMALLEST_PART = 1e-280
-"""Of squares: deviations from a separatrix or a pole of 1e-140 and less count as none."""
 
 REGIMES = (
     "free precession",

@@ -18,7 +18,14 @@ Truth = Any
 """A bool, or an array of them."""
 
 
-def horner(c: Sequence[Real], x: Real) -> Real:
+ROUNDING = 16 * float(np.finfo(float).eps)
+"""What rounding of the initial state does to quantities that decide the regime."""
+
+SMALLEST_PART = 1e-280
+"""Of squares: deviations from a separatrix or a pole of 1e-140 and less count as none."""
+
+
+def cubic(c: Sequence[Real], x: Real) -> Real:
     """A cubic, by its coefficients, the constant first."""
     return ((c[3] * x + c[2]) * x + c[1]) * x + c[0]
 
@@ -65,7 +72,7 @@ class Arrays:
             np.multiply(x, x, out=powers[2])
             np.multiply(powers[2], x, out=powers[3])
             return np.asarray(coefficients) @ powers
-        return [horner(c, x) for c in coefficients]
+        return [cubic(c, x) for c in coefficients]
 
     @staticmethod
     def any(condition: Truth) -> bool:

@@ -23,8 +23,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from rigidtop.motion.exact.numbers import Kit, Real, Truth
-from rigidtop.motion.exact.numbers import horner as cubic
+from rigidtop.motion.exact.numbers import Kit, Real, Truth, cubic
 
 MEANS = 12
 """At most so many arithmetic-geometric means: 10 are enough for 1 and 1e-150."""

@@ -15,12 +15,12 @@ from scipy.spatial.transform import Rotation
 
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
-from rigidtop.motion import checks, systems
+from rigidtop.motion import checks
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import TAYLOR, Accuracy, counted_phases, joined
-from rigidtop.motion.motion import MOST_TURNS
 from rigidtop.motion.rigid import Triple
 from rigidtop.motion.start import start as euler_start
+from rigidtop.motion.state import of_spinors
 from rigidtop.motion.table import smooth
 from rigidtop.motion.table.contact import VARIABLES, Contact, Sliding
 from rigidtop.motion.table.phases import Course, course
@@ -299,17 +299,11 @@ class SlidingMotion:
         )
 
     def _times(self, t: ArrayLike) -> Floats:
-        times = checks.times(t)
+        rate = math.hypot(*self.omega) + math.sqrt(self.body.g / self.body.R)
+        times = checks.times_within_reach(t, rate)
         if times.min() < 0:
             raise RigidtopError(
                 f"t must not be negative, as {times.min():g}: what friction has done has no past"
-            )
-        rate = math.hypot(*self.omega) + math.sqrt(self.body.g / self.body.R)
-        turns = rate * float(times.max()) / (2 * math.pi)
-        if turns > MOST_TURNS:
-            raise RigidtopError(
-                f"about {turns:.0e} turns: at most {MOST_TURNS:.0e} can be integrated, "
-                "so ask for earlier times"
             )
         return times
 
@@ -338,22 +332,15 @@ class SlidingMotion:
         found: Course,
     ) -> SlidingTrajectory:
         """From states (14, N) and continuous φ and ψ in the frame that does not turn about e₃."""
-        alpha, beta = attitudes.spinors(states[:4] / np.linalg.norm(states[:4], axis=0))
+        spinors = attitudes.spinors(states[:4] / np.linalg.norm(states[:4], axis=0))
         phi, psi_in_frame = angles
-        product = alpha * beta.conj()
-        size = np.abs(product)
-        seen = size > systems.SMALLEST_SIZE
-        nodes = np.divide(product, size, out=np.exp(1j * psi_in_frame), where=seen)
-        omega1, omega2, omega3, slip_x, slip_y, turned, x, y, friction, air = states[4:]
+        omega3, slip_x, slip_y, turned, x, y, friction, air = states[6:]
         return SlidingTrajectory(
             motion=self,
             t=times,
-            cos_half=np.abs(alpha),
-            sin_half=np.abs(beta),
+            **of_spinors(spinors, states[4:6], psi_in_frame),
             phi=phi,
             psi=psi_in_frame + turned,
-            theta_dot=omega1 * nodes.imag + omega2 * nodes.real,
-            v_phi=omega2 * nodes.imag - omega1 * nodes.real,
             omega3=omega3,
             upright_phi_dot=self.body.lambda3 * omega3 / (2 * self.body.lambda1),
             centre=np.column_stack([x, y]),
