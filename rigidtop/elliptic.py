@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.special import ellipkm1, elliprf, elliprj
 
 from rigidtop.motion.exact import theta
-from rigidtop.motion.exact.numbers import Arrays, horner
+from rigidtop.motion.exact.numbers import Arrays, cubic
 
 Floats = NDArray[np.float64]
 
@@ -51,7 +51,7 @@ def jacobi(u: ArrayLike, m: ArrayLike, m1: ArrayLike | None = None) -> Jacobi:
         at = theta.place(k, mod, mod.rate * argument)
         one, two, three, four = functions.at(k, mod, at)
         sign = np.where(at.turns % 2 == 1, -1.0, 1.0)
-        sn = four0 / (mod.rate * horner(mod.sines, mod.q)) * one / four
+        sn = four0 / (mod.rate * cubic(mod.sines, mod.q)) * one / four
         cn, dn = four0 / two0 * two / four, four0 / three0 * three / four
         sech = 1 / np.cosh(np.minimum(np.abs(argument), 700.0))
         cn, dn = (np.where(rest == 0, sech, part) for part in (cn, dn))

@@ -169,7 +169,8 @@ class TopTrajectory(TopState, Trajectory):
     @property
     def p_psi(self) -> Floats:
         """Momentum conjugate to ψ (3.56), which is L₃, shape (N,), in J s."""
-        return self.motion.body.lambda3 * self.omega[:, 2]
+        lambda3: float = self.motion.body.lambda3
+        return lambda3 * self.omega[:, 2]
 
     def conserved(self) -> Mapping[str, Floats]:
         """The energy, p_φ and p_ψ."""

@@ -16,8 +16,9 @@ from rigidtop.motion.attitude import (
     rotation,
     spinors,
 )
-from rigidtop.motion.body import FreeBody, HeavyBody, RigidBody
+from rigidtop.motion.body import FreeBody, HeavyBody
 from rigidtop.motion.motion import Motion, TopMotion
+from rigidtop.motion.rigid import RigidBody
 from rigidtop.motion.top import HeavyTop
 
 HEAVY, FREE = "heavy-top", "free"

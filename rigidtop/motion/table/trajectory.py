@@ -13,7 +13,7 @@ from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.rigid import Moving
 from rigidtop.motion.state import TopState
-from rigidtop.motion.table.contact import Contact
+from rigidtop.motion.table.contact import Contact, Sliding
 from rigidtop.motion.table.phases import ENDINGS, Event
 from rigidtop.motion.trajectory import Turning, euler_columns
 
@@ -148,7 +148,7 @@ class SlidingTrajectory(TopState, Turning):
 
         No force at the contact changes it, whatever the friction; the air does.
         """
-        body = self.motion.body
+        body: Sliding = self.motion.body
         along = body.lambda3 * self.omega[:, 2]
         return (body.R - body.tip) * along + body.tip * self.angular_momentum[:, 2]
 
@@ -158,7 +158,8 @@ class SlidingTrajectory(TopState, Turning):
         Relative to the kinetic energy at t = 0 and MgR together.
         """
         start = self.motion.start()
-        body, initial = self.motion.body, float(start.energy[0])
+        body: Sliding = self.motion.body
+        initial = float(start.energy[0])
         total = self.energy + self.dissipated_by_friction + self.dissipated_by_air
         height = float(start.position[0, 2])
         scale = initial + body.M * body.g * (body.R - height)
