@@ -4,6 +4,8 @@ A collection is a folder with an ``__init__.py`` that defines
 
     PAGES      its pages, a tuple of `rigidtop.proof.page.Page` in reading order
     EXERCISES  a tuple of `rigidtop.proof.exercise.Exercise`; may be left out
+    MODELS     a tuple of `rigidtop.mark.facts.Model`, which lines are held against, whoever
+               follows; may be left out
     TITLE, SUBTITLE, SOURCE  what stands on the first page of the lecture; may be left out
     AUTHOR     whom its PDF names as author; may be left out
 
@@ -75,6 +77,7 @@ class Collection:
     besides: tuple[Page, ...] = ()
     read: Callable[[Sequence[str]], Lecture] = lambda _: Lecture()
     letters: Letters = LETTERS
+    models: tuple[Any, ...] = ()
 
     @property
     def lecture(self) -> Lecture:
@@ -310,7 +313,16 @@ def _collection(module: ModuleType, folder: Path) -> Collection:
         notation := _notation(folder),
         read=partial(_lecture, folder, pages, notation, letters := letters_of(notation)),
         letters=letters,
+        models=_models(module),
     )
+
+
+def _models(module: ModuleType) -> tuple[Any, ...]:
+    if not hasattr(module, "MODELS"):
+        return ()
+    from rigidtop.mark.facts import Model  # which knows the top, and is slow to load
+
+    return _many(module.MODELS, Model, "MODELS")
 
 
 LAWS = "laws"

@@ -119,6 +119,41 @@ def test_a_slip_in_a_page_is_found(tmp_path, capsys, file, old, new, broken):
 # --- The commands ---------------------------------------------------------------------------------
 
 
+MODEL = """
+from rigidtop.mark.facts import Model
+from rigidtop.theory.lagrangian import accelerations
+
+from . import letters as x
+from .pendulum import lagrangian
+
+T = x.m * x.length**2 * x.thetadot**2 / 2
+[acceleration] = accelerations(lagrangian(), [x.theta], [x.thetadot])
+MEANING = {x.Lagrangian: lagrangian(), x.T: T, x.V: T - lagrangian(), x.E: 2 * T - lagrangian()}
+RATES = {x.theta: x.thetadot, x.thetadot: acceleration}
+MODELS = (
+    Model("", {**MEANING, x.thetaddot: x.thetaddot}, {**RATES, x.thetadot: x.thetaddot}),
+    Model("", {**MEANING, x.thetaddot: acceleration}, RATES, along=True),
+)
+"""
+
+
+def test_lines_are_held_against_the_models_of_a_collection(tmp_path, capsys):
+    folder = shutil.copytree(STARTER, tmp_path / "course", ignore=lambda *_: ["__pycache__"])
+    start = (folder / "__init__.py").read_text("utf-8")
+    (folder / "__init__.py").write_text(start + MODEL, "utf-8")
+    assert main(["check", f"{folder}/"]) == 0
+    said = capsys.readouterr().out
+    assert "the model bears out 1" in said
+    assert "false in the model" not in said
+    wrong = MODEL.replace("x.V: T - lagrangian()", "x.V: lagrangian() - T")
+    (folder / "__init__.py").write_text(start + wrong, "utf-8")
+    assert main(["check", f"{folder}/"]) == 1
+    assert "follows and is false in the model" in capsys.readouterr().out
+    (folder / "__init__.py").write_text(start + "MODELS = ('theta',)\n", "utf-8")
+    assert main(["check", f"{folder}/"]) == 2
+    assert "MODELS[0] is" in capsys.readouterr().err
+
+
 def test_check_in_the_shell(capsys):
     assert main(["check", f"{PENDULUM}/", "2", "speed"]) == 0
     out = capsys.readouterr().out

@@ -6,7 +6,7 @@ import argparse
 import sys
 from collections import Counter
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands import claims
 from rigidtop.commands.notation import add_notation, chosen
@@ -77,8 +77,12 @@ def _run(
     trials = tried(lecture, names) if lecture is not None and options.thorough else {}
     amiss = [line for place, trial in trials.items() for line in _amiss(place, trial)]
     model: list[str] = []
-    if lecture is not None and collection.folder is None:
-        model = asked(lecture, [claim.name for _, claim in found] if names or not every else [])
+    if lecture is not None and (collection.models or collection.folder is None):
+        model = asked(
+            lecture,
+            collection.models,
+            [claim.name for _, claim in found] if names or not every else [],
+        )
         amiss += model[:-1]
     passed = all(judgement.passed for judgement in judgements) and not amiss
     records = [record(Wording(notation).judgement(judgement)) for judgement in judgements]
@@ -112,7 +116,7 @@ def _run(
     return 0 if passed else claims.FAILED
 
 
-def asked(lecture: Lecture, names: Sequence[str]) -> list[str]:
+def asked(lecture: Lecture, models: Sequence[Any], names: Sequence[str]) -> list[str]:
     """Where lines and the models disagree, a line each; last how many were asked, and not."""
     from rigidtop.mark.asked import ask
 
@@ -120,7 +124,7 @@ def asked(lecture: Lecture, names: Sequence[str]) -> list[str]:
     ids = {id for name in wanted for id in lecture.way(name)[0]}
     if names and not ids:
         return []
-    found, said = ask(lecture, ids), []
+    found, said = ask(lecture, ids, models), []
     for id, each in found.items():
         follows = lecture.judged(id).follows
         place = f"{each.line.file}, line {each.line.at}"

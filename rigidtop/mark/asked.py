@@ -24,13 +24,13 @@ from rigidtop.mark import facts
 from rigidtop.mark.facts import Model
 from rigidtop.mark.links import ERRORS
 from rigidtop.proof import decide
+from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.derivation import Line
 from rigidtop.proof.equation import BODY, SPACE, Equation, NoMeaningError, Partial
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.moves import Condition, Known, Scope
 from rigidtop.proof.verdict import entries
 from rigidtop.theory import symbols as s
-from rigidtop.theory import top
 from rigidtop.theory.symbols import const
 
 PLACES, ATTEMPTS = 3, 12
@@ -52,11 +52,16 @@ class Asked:
     why: str = ""
 
 
-def ask(lecture: Lecture, ids: Collection[str] = ()) -> dict[str, Asked]:
-    """What the models say of lines, or of all, and of those that they rest on, by their ids."""
+def ask(
+    lecture: Lecture, ids: Collection[str] = (), models: Sequence[Model] = ()
+) -> dict[str, Asked]:
+    """What models say of lines, or of all, and of those that they rest on, by their ids.
+
+    The models are those of the top if none is given.
+    """
     wanted = {*ids, *(x for id in ids for x in lecture.above(id))} if ids else {*lecture.lines}
-    models = [_Asking(model, lecture) for model in _models()]
-    return {id: _asked(lecture, line, models) for id, line in lecture.lines.items() if id in wanted}
+    asking = [_Asking(model, lecture) for model in models or of_the_top()]
+    return {id: _asked(lecture, line, asking) for id, line in lecture.lines.items() if id in wanted}
 
 
 def _asked(lecture: Lecture, line: Line, models: Sequence[_Asking]) -> Asked:
@@ -98,14 +103,12 @@ def _letters(line: Line) -> set[Symbol]:
     return found - {const, SPACE, BODY}
 
 
-def _models() -> list[Model]:
+def of_the_top() -> list[Model]:
     """The models that mark answers, and a body with a torque, with what pages write besides."""
-    lagrangian = top.symmetric_lagrangian()
-    slopes = {Partial(s.Lagrangian, x): lagrangian.diff(x) for x in (*top.ANGLES, *top.RATES)}
     made = []
     of_marks = (model for family in facts.families() for model in family)
     for model in (*of_marks, facts.turning()):
-        more: dict[Any, Any] = dict(slopes) if s.Lagrangian in model.meaning else {}
+        more: dict[Any, Any] = {}
         if s.omega_vec in model.meaning and s.T in model.meaning:
             symmetric = s.Lagrangian in model.meaning
             more[s.inertia] = sympy.diag(
@@ -124,8 +127,10 @@ class _Asking:
 
     model: Model
     lecture: Lecture
-    defined: list[tuple[str, Symbol, Any]] = field(default_factory=list)
+    defined: list[tuple[str, Any, Any]] = field(default_factory=list)
     found: dict[str, bool | None] = field(default_factory=dict)
+    slopes: dict[Any, Expr] = field(default_factory=dict)
+    """Of letters that are functions of others: their slopes, in these."""
 
     def names(self, line: Line) -> bool:
         """Take a definition down; whether the model has no such letter of its own."""
@@ -134,29 +139,46 @@ class _Asking:
             return False
         if right.free_symbols <= self.letters | {*self._own(line.file)}:
             with suppress(*ERRORS):  # else the letter stays unknown
-                self.defined.append((line.file, letter, self._on(line.file).before_limits(right)))
+                self.defined.append((line.file, letter, self._on(line).before_limits(right)))
+                self._function(line, letter, right)
         return True
+
+    def _function(self, line: Line, letter: Symbol, right: Any) -> None:
+        """Take the slopes of a letter down that is a function of others, which are held fixed."""
+        letters = self.lecture.letters
+        of = letters.functions.get(letter, ())
+        value = Algebra(letters, self.slopes).value(right) if of else None
+        if value is None or not value.free_symbols <= {*of, *letters.numbers}:
+            return
+        for x in of:
+            self.slopes[Partial(letter, x)] = slope = value.diff(x)
+            meant = self._on(line).before_limits(slope)
+            self.defined.append((line.file, Partial(letter, x), meant))
 
     @cached_property
     def letters(self) -> set[Symbol]:
         return self.model.symbols()
 
-    def _own(self, file: str) -> Mapping[Symbol, Any]:
+    def _own(self, file: str) -> Mapping[Any, Any]:
         """The letters that were defined on the page, or in the lecture before."""
         return {x: v for of, x, v in self.defined if of == file or not of.startswith("exercises/")}
 
-    def _on(self, file: str) -> Model:
-        own = self._own(file)
-        return replace(self.model, meaning={**own, **self.model.meaning}) if own else self.model
+    def _on(self, line: Line) -> Model:
+        """With what was defined, and with slopes: a letter is one of coordinates and rates."""
+        own, meaning = self._own(line.file), self.model.meaning
+        slopes = {node for e in line.equations for x in e.sides for node in x.atoms(Partial)}
+        known: dict[Any, Any] = {
+            Partial(f, x): meaning[f].diff(x)
+            for f, x in (node.args for node in slopes)
+            if f in meaning and f not in self.lecture.letters.functions and x in self.model.rates
+        }
+        return (
+            replace(self.model, meaning={**own, **known, **meaning}) if own or known else self.model
+        )
 
     def knows(self, line: Line) -> bool:
         """Whether it has all letters of a line."""
         return _letters(line) <= self.letters | {*self._own(line.file)}
-
-    @property
-    def _moves(self) -> bool:
-        """Whether the accelerations are those of the motion: an identity holds for any."""
-        return bool(self.model.rates.get(s.thetadot, s.thetaddot) != s.thetaddot)
 
     def holds(self, id: str) -> bool | None:
         """Whether a line holds here; None where that can't be asked."""
@@ -168,8 +190,8 @@ class _Asking:
                     known = self.lecture.judged(id).known
                     cited = [self.lecture.judged(x).known.scope for x in self.lecture.cites(id)]
                     # Of a line that does not follow it is not known where it should hold.
-                    if not self._moves or max([known.scope, *cited]) is not Scope.IDENTITY:
-                        self.found[id] = _holds(line, known, self._on(line.file))
+                    if not self.model.along or max([known.scope, *cited]) is not Scope.IDENTITY:
+                        self.found[id] = _holds(line, known, self._on(line))
         return self.found[id]
 
 

@@ -108,6 +108,8 @@ class Model:
     """Nothing is said of time: no derivative has a meaning."""
     frozen: frozenset[Symbol] = frozenset()
     """Symbols whose rate is left out: for a derivative that forgets them."""
+    along: bool = False
+    """Whether its accelerations are those of the motion: an identity holds for any."""
 
     def before_limits(self, node: Any) -> Any:
         """The value of a typed tree for the general motion; NoMeaningError if it has none."""
@@ -294,7 +296,7 @@ def _top(on_shell: bool) -> Model:
         meaning[OTHER_RATES[quantity]] = total_derivative(meaning[quantity], rates)
     if on_shell:
         meaning |= accelerations
-    return Model("", meaning, rates, frame=frame)
+    return Model("", meaning, rates, frame=frame, along=on_shell)
 
 
 def off_shell() -> Model:
@@ -314,17 +316,16 @@ def _steady() -> Model:
     weight = s.M * s.g * s.R
     balanced = {s.omega3: (s.lambda1 * cos(s.theta) * s.Omega**2 + weight) / (s.lambda3 * s.Omega)}
     upright = tuple(
-        Model("", meaning, general.rates, (at_rest, turning, {s.theta: angle}), frame=general.frame)
+        replace(general, meaning=meaning, limits=(at_rest, turning, {s.theta: angle}))
         for angle in (Integer(0), sympy.pi)
     )
-    return Model(
-        "θ constant",
-        meaning,
-        general.rates,
-        (at_rest, turning, balanced),
+    return replace(
+        general,
+        words="θ constant",
+        meaning=meaning,
+        limits=(at_rest, turning, balanced),
         branch=upright,
         lost=sin(s.theta),
-        frame=general.frame,
     )
 
 
