@@ -17,7 +17,7 @@ from rigidtop.figures.space import View
 from rigidtop.figures.style import FIRST, GREY, INK, SECOND, STYLE, THIRD, canvas
 from rigidtop.motion.rows import Rows
 from rigidtop.typeset.latex import letter
-from rigidtop.typeset.layout import glyph
+from rigidtop.typeset.nodes import glyph
 
 if TYPE_CHECKING:
     from rigidtop.motion.attitude import Floats

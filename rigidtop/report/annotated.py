@@ -15,8 +15,7 @@ from typing import Any
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.verdict import Verdict
 from rigidtop.report.html import NARROW, badge, style
-from rigidtop.typeset import layout as lay
-from rigidtop.typeset import mathml
+from rigidtop.typeset import mathml, sizes
 from rigidtop.typeset.sentences import prose_html
 
 NARROWER = NARROW - 4
@@ -173,7 +172,7 @@ def _block(formula: Formula) -> str:
     if not formula.trees:
         return f"<code>{escape(formula.source.strip())}</code>"
     wide, narrow = (
-        mathml.display(formula.trees, "printed", limit) for limit in (lay.LINE, NARROWER)
+        mathml.display(formula.trees, "printed", limit) for limit in (sizes.LINE, NARROWER)
     )
     if wide == narrow:
         return wide

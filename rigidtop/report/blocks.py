@@ -12,8 +12,9 @@ from rigidtop.proof.verdict import (
     Judgement,
     Verdict,
 )
-from rigidtop.typeset import layout as lay
-from rigidtop.typeset.layout import Node, Order
+from rigidtop.typeset import sizes
+from rigidtop.typeset.layout import Order
+from rigidtop.typeset.nodes import Node
 
 Judged = Sequence[tuple[Page, Sequence[Judgement]]]
 
@@ -172,7 +173,7 @@ class Display:
 
     rows: tuple[Row, ...]
     label: str = ""
-    room: float = lay.LINE
+    room: float = sizes.LINE
     step: bool = False
 
 

@@ -21,8 +21,11 @@ from rigidtop.proof.verdict import (
 )
 from rigidtop.report import blocks as b
 from rigidtop.theory.lettered import known
-from rigidtop.typeset import layout as lay
-from rigidtop.typeset.layout import Node, layout, width
+from rigidtop.typeset import nodes as lay
+from rigidtop.typeset import sizes
+from rigidtop.typeset.layout import layout
+from rigidtop.typeset.nodes import Node
+from rigidtop.typeset.sizes import width
 from rigidtop.typeset.text import text
 
 
@@ -170,7 +173,7 @@ def _meanings(judgement: Judgement) -> tuple[b.Row, ...]:
 def _is_short(equation: Equation) -> bool:
     if width(layout(equation)) > LONGEST:
         return False
-    return all(width(line.right) <= lay.LINE for line in lay.lines(equation))
+    return all(width(line.right) <= sizes.LINE for line in sizes.lines(equation))
 
 
 def _is_shown(symbol: Any, meaning: Any) -> bool:

@@ -24,7 +24,9 @@ from rigidtop.report.claims import condition, conditions, derivation, numbers, t
 from rigidtop.report.solutions import DIGITS, SMALLEST_ANGLE, TABLE_DIGITS, Solution, shown
 from rigidtop.report.symbols import symbol_list
 from rigidtop.report.ways import cited_figures, text_blocks
-from rigidtop.typeset.layout import Node, decimal, layout, negated, width
+from rigidtop.typeset.layout import layout
+from rigidtop.typeset.nodes import Node, decimal, negated
+from rigidtop.typeset.sizes import width
 
 LEGEND: Mapping[Verdict, str] = {
     Verdict.PROVED: "the line was shown to hold, in symbols",

@@ -13,8 +13,8 @@ from typing import Any
 from rigidtop.proof.verdict import Verdict
 from rigidtop.report import blocks as b
 from rigidtop.report.languages import SHOWN, said
-from rigidtop.typeset import layout as lay
-from rigidtop.typeset import mathml
+from rigidtop.typeset import mathml, sizes
+from rigidtop.typeset import nodes as lay
 from rigidtop.typeset.latex import latex
 from rigidtop.typeset.sentences import prose_html
 
@@ -217,7 +217,7 @@ def _row(group: Sequence[b.Row], step: bool = False) -> str:
     speaker = group[0]
     why = f'<p class="why">{rich(speaker.spoken)}</p>' if speaker.reason else ""
     equations = [row.equation for row in group]
-    wide, narrow = (mathml.display(equations, last.order, n) for n in (lay.LINE, NARROW))
+    wide, narrow = (mathml.display(equations, last.order, n) for n in (sizes.LINE, NARROW))
     shown = wide if wide == narrow else _classed(wide, "wide") + _classed(narrow, "narrow")
     side = badge(last.verdict) if last.verdict is not None else ""
     number = f'<span class="tag">({last.tag})</span>' if last.tag else ""

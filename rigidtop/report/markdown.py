@@ -11,9 +11,10 @@ from functools import singledispatch
 from typing import Any
 
 from rigidtop.report import blocks as b
-from rigidtop.typeset import layout as lay
+from rigidtop.typeset import nodes as lay
+from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import align_row, latex
-from rigidtop.typeset.layout import Node
+from rigidtop.typeset.nodes import Node
 from rigidtop.typeset.sentences import tex, written
 
 LINE = 84.0
@@ -84,7 +85,7 @@ def _(block: b.Display) -> str:
 
 def _row(row: b.Row) -> str:
     reason = running(row.spoken)
-    lines = [align_row(line) for line in lay.lines(row.equation, row.order, LINE)]
+    lines = [align_row(line) for line in sizes.lines(row.equation, row.order, LINE)]
     lines[-1] += rf" && \text{{({row.tag})}}" if row.tag else ""
     lines[-1] += rf" && \text{{{row.verdict}}}" if row.verdict is not None else ""
     display = f"$$\n{aligned(lines)}\n$$"

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from rigidtop.report import blocks as b
 from rigidtop.report import markdown
-from rigidtop.typeset import layout as lay
+from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import align_row, latex
 
 Claims = Sequence[tuple[b.ClaimHead, Sequence[b.Block]]]
@@ -148,7 +148,7 @@ def _display(block: b.Display) -> list[str]:
             lines = [
                 align_row(line)
                 for each in group
-                for line in lay.lines(each.equation, each.order, markdown.LINE)
+                for line in sizes.lines(each.equation, each.order, markdown.LINE)
             ]
             number = rf" \tag{{{row.tag}}}" if row.tag else ""
             # Sphinx puts what has \\ into a split, in which there is no \tag.

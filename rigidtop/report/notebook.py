@@ -45,7 +45,7 @@ from rigidtop.report.markdown import LINE, aligned, markdown
 from rigidtop.report.solutions import Solution, question, solved
 from rigidtop.report.solutions import blocks as solution_blocks
 from rigidtop.theory.symbols import VOCABULARY
-from rigidtop.typeset import layout as lay
+from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import align_row, latex
 from rigidtop.typeset.text import letter as text_letter
 from rigidtop.typeset.text import text
@@ -156,7 +156,7 @@ def _aligned(equations: Sequence[Equation]) -> str:
     rows = []
     for equation in equations:
         try:
-            lines = [align_row(line) for line in lay.lines(equation, "auto", LINE)]
+            lines = [align_row(line) for line in sizes.lines(equation, "auto", LINE)]
         except TypeError:
             left, *others = map(_tex, equation.sides)
             lines = [f"{left} &{equation.relation} " + f" {equation.relation} ".join(others)]

@@ -10,7 +10,7 @@ from typing import Any
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.terminal.table import table
-from rigidtop.typeset.layout import Node
+from rigidtop.typeset.nodes import Node
 from rigidtop.typeset.text import text
 
 

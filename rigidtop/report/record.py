@@ -17,7 +17,9 @@ from rigidtop.proof.verdict import (
 from rigidtop.report import blocks as b
 from rigidtop.report.claims import claim_blocks, condition, tested
 from rigidtop.report.symbols import symbol_list
-from rigidtop.typeset.layout import Node, layout, width
+from rigidtop.typeset.layout import layout
+from rigidtop.typeset.nodes import Node
+from rigidtop.typeset.sizes import width
 
 READING = (
     "Each claim of the notes is typed as it is printed there and held against what a computer "

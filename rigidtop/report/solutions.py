@@ -23,7 +23,7 @@ from rigidtop.report.plain import cell
 from rigidtop.report.records import measure_record
 from rigidtop.report.records import record as judgement_record
 from rigidtop.report.ways import led_blocks, text_blocks
-from rigidtop.typeset.layout import Node, decimal, negated
+from rigidtop.typeset.nodes import Node, decimal, negated
 
 DIGITS = 6
 """Of a number in print."""

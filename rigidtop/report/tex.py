@@ -14,8 +14,10 @@ from rigidtop.notation.characters import MATHS, SIGNS, SUPERSCRIPTS, escape
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
 from rigidtop.report.languages import said
-from rigidtop.typeset import layout as lay
+from rigidtop.typeset import nodes as lay
+from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import AlignRow, align, align_row, latex, row_lines, seen
+from rigidtop.typeset.layout import layout
 from rigidtop.typeset.sentences import prose
 
 
@@ -205,10 +207,10 @@ def _piece(piece: b.Piece) -> str:
 
 def _in_words(node: lay.Node) -> str:
     """Mathematics in a sentence: what is long may be broken between its factors."""
-    if isinstance(node, lay.Chain) and lay.width(node) > SENTENCE:
+    if isinstance(node, lay.Chain) and sizes.width(node) > SENTENCE:
         signs = ["", *(f" {SIGNS[sign]} " for sign in node.signs)]
         return "".join(sign + _in_words(side) for sign, side in zip(signs, node.sides, strict=True))
-    if isinstance(node, lay.Fraction) and lay.width(node) > SENTENCE:
+    if isinstance(node, lay.Fraction) and sizes.width(node) > SENTENCE:
         under = latex(lay.Brackets(node.under))
         return rf"{_in_words(node.over)}/\allowbreak {under}"
     return latex(node).replace(")(", r")\allowbreak (")
@@ -285,7 +287,7 @@ def _beside(rows: Sequence[b.Row], room: float) -> Sequence[b.Row]:
     made: list[b.Row] = []
     used = 0.0
     for row in rows:
-        needed = lay.width(lay.layout(row.equation, row.order)) + 5
+        needed = sizes.width(layout(row.equation, row.order)) + 5
         if made and used + needed <= room:
             made[-1] = replace(
                 made[-1],
@@ -311,14 +313,14 @@ def _in_line(rows: Sequence[b.Row], room: float) -> str:
         return ""
     equations = (row.equation, *row.beside)
     words = rich(row.spoken)
-    width = sum(lay.width(lay.layout(each, row.order)) + 3 for each in equations)
+    width = sum(sizes.width(layout(each, row.order)) + 3 for each in equations)
     if WORD * len(seen(words)) + width > room:
         return ""
     shown = r" \qquad ".join(latex(each, row.order) for each in equations)
     return rf"\rtstep{{{words}}}{{{shown}}}"
 
 
-def display(rows: Sequence[b.Row], room: float = lay.LINE) -> str:
+def display(rows: Sequence[b.Row], room: float = sizes.LINE) -> str:
     """The rows in ``align``, smaller where a line is too wide for the page.
 
     Rows share their = sign as long as that does not make them too wide together.
@@ -357,9 +359,9 @@ def _sized(rows: Sequence[AlignRow], room: float) -> str:
 def _hung(row: AlignRow) -> AlignRow:
     """A row with its left side in a line of its own, where that makes it less wide."""
     first, *rest = row.lines
-    if first.left is None or lay.width(first.left) < HUNG:
+    if first.left is None or sizes.width(first.left) < HUNG:
         return row
-    left = lay.Line(None, "", first.left)
+    left = sizes.Line(None, "", first.left)
     return replace(row, lines=(left, replace(first, left=None), *rest), hung=True)
 
 
@@ -370,18 +372,18 @@ HUNG = 6.0
 def _width(rows: Sequence[AlignRow]) -> float:
     """What rows need that share their = sign, in letters."""
     lines = [line for row in rows for line in row.lines]
-    left = max(lay.width(line.left) if line.left else 0 for line in lines)
-    return left + 3 + max(lay.width(line.right) for line in lines)
+    left = max(sizes.width(line.left) if line.left else 0 for line in lines)
+    return left + 3 + max(sizes.width(line.right) for line in lines)
 
 
 def _align_row(row: b.Row, room: float) -> AlignRow:
     mark = f"({row.verdict})" if row.verdict is not None else ""
-    lines = tuple(lay.lines(row.equation, row.order, room))
+    lines = tuple(sizes.lines(row.equation, row.order, room))
     if row.beside:
-        every = [lay.layout(each, row.order) for each in (row.equation, *row.beside)]
+        every = [layout(each, row.order) for each in (row.equation, *row.beside)]
         first, *more = every
         assert isinstance(first, lay.Chain)
-        (line,) = lay.lines(first, row.order, 10 * room)
+        (line,) = sizes.lines(first, row.order, 10 * room)
         lines = (replace(line, right=lay.Listed((line.right, *more), "")),)
     seal = rf"\rtseal{{{row.mark.verdict}}}" if row.mark is not None else ""
     label = row.anchor if seal or row.tag else ""
@@ -518,7 +520,9 @@ def _(block: b.NameLine) -> str:
 def _(block: b.Results) -> str:
     made: list[str] = []
     for number, equation, words, mark in block.rows:
-        lines = [align_row(line).replace("&", "") for line in lay.lines(equation, "printed", ROOM)]
+        lines = [
+            align_row(line).replace("&", "") for line in sizes.lines(equation, "printed", ROOM)
+        ]
         shown = r" \newline ".join(rf"$\displaystyle {line}$" for line in lines)
         link = rf"\hyperref[{b.anchor(number)}]{{({number})}}" if number else ""
         sign = rf"\rtmark{{{mark.verdict}}}" if mark is not None else ""
@@ -618,7 +622,7 @@ def _head(lines: Sequence[str], side: str) -> str:
 
 
 def _letters(value: str | lay.Node) -> float:
-    return len(value) if isinstance(value, str) else lay.width(value)
+    return len(value) if isinstance(value, str) else sizes.width(value)
 
 
 def _cell(value: str | lay.Node) -> str:

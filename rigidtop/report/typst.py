@@ -10,7 +10,8 @@ from typing import Any
 
 from rigidtop.report import blocks as b
 from rigidtop.report.languages import said
-from rigidtop.typeset import layout as lay
+from rigidtop.typeset import nodes as lay
+from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import align_row, latex
 from rigidtop.typeset.sentences import tex, written
 
@@ -195,7 +196,7 @@ def _(block: b.Display) -> str:
 def _rows(group: Sequence[b.Row]) -> str:
     last = group[-1]
     reason = rich(group[0].spoken)
-    rows = [align_row(line) for row in group for line in lay.lines(row.equation, row.order)]
+    rows = [align_row(line) for row in group for line in sizes.lines(row.equation, row.order)]
     body = maths(r" \\ ".join(rows))
     shown = f'#eq("{last.tag}", "{last.verdict or ""}", $ {body} $)'
     mark = next((row.mark for row in group if row.mark is not None), None)

@@ -23,7 +23,8 @@ from rigidtop.proof.verdict import Judgement, Led
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
 from rigidtop.typeset.latex import latex
-from rigidtop.typeset.layout import Node, layout
+from rigidtop.typeset.layout import layout
+from rigidtop.typeset.nodes import Node
 from rigidtop.typeset.text import text
 
 

@@ -31,7 +31,7 @@ from rigidtop.system.system import System
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import VOCABULARY, E, Lagrangian, Quantity, const
 from rigidtop.typeset.latex import latex
-from rigidtop.typeset.layout import glyph
+from rigidtop.typeset.nodes import glyph
 
 if TYPE_CHECKING:
     from rigidtop.report.blocks import Block as Written

@@ -17,9 +17,12 @@ from typing import Any
 from rigidtop.notation.characters import LETTERS, MARKS, MATHS, SIGNS, TEX_GREEK, escape, joined
 from rigidtop.proof.equation import Equation
 from rigidtop.theory.symbols import Glyph
-from rigidtop.typeset import layout as lay
-from rigidtop.typeset.layout import Line, Node, Order
+from rigidtop.typeset import nodes as lay
+from rigidtop.typeset import sizes
+from rigidtop.typeset.layout import Order, layout
+from rigidtop.typeset.nodes import Node
 from rigidtop.typeset.sentences import prose
+from rigidtop.typeset.sizes import Line
 
 _ACCENTS = {"dot": r"\dot{%s}", "ddot": r"\ddot{%s}", "hat": r"\hat{%s}"}
 _KNOWN = frozenset(
@@ -29,7 +32,7 @@ _KNOWN = frozenset(
 
 def latex(tree: Any, order: Order = "auto") -> str:
     r"""An expression, a matrix, a condition, or an `Equation` on one line, without its tag."""
-    return _tex(tree if _is_node(tree) else lay.layout(tree, order))
+    return _tex(tree if _is_node(tree) else layout(tree, order))
 
 
 @dataclass(frozen=True)
@@ -54,7 +57,7 @@ def aligned(
     *,
     order: Order = "auto",
     reasons: Sequence[str] = (),
-    limit: float = lay.LINE,
+    limit: float = sizes.LINE,
 ) -> str:
     r"""An ``align`` with a line for each equation, more where it is long, and tags behind.
 
@@ -63,7 +66,7 @@ def aligned(
     return align(
         [
             AlignRow(
-                tuple(lay.lines(equation, order, limit)),
+                tuple(sizes.lines(equation, order, limit)),
                 equation.tag,
                 prose(reasons[i]) if i < len(reasons) else "",
             )
@@ -73,7 +76,7 @@ def aligned(
     )
 
 
-def align(rows: Sequence[AlignRow], limit: float = lay.LINE) -> str:
+def align(rows: Sequence[AlignRow], limit: float = sizes.LINE) -> str:
     r"""The ``align`` environment of some rows; ``align*`` if none has a tag."""
     star = "" if any(row.tag or row.behind for row in rows) else "*"
     beside = _all_fit_beside(rows, limit)
@@ -139,8 +142,8 @@ def align_row(line: Line) -> str:
 
 
 def _line_width(line: Line) -> float:
-    left = lay.width(line.left) if line.left is not None else 0
-    return left + 3 + lay.width(line.right)
+    left = sizes.width(line.left) if line.left is not None else 0
+    return left + 3 + sizes.width(line.right)
 
 
 def _is_node(tree: Any) -> bool:
@@ -299,7 +302,7 @@ _JOINTS = {"": "", "function": "", "thin": r"\,", "dot": r" \cdot "}
 
 
 def _enclosed(inside: str, shape: str, nodes: Sequence[Node]) -> str:
-    if any(map(lay.is_tall, nodes)):
+    if any(map(sizes.is_tall, nodes)):
         return rf"\left{shape[0]}{inside}\right{shape[1]}"
     left, right = (r"\lvert ", r"\rvert") if shape == "||" else (shape[0], shape[1])
     return left + inside + right

@@ -14,8 +14,10 @@ from typing import Any
 from rigidtop.notation.characters import GREEK
 from rigidtop.proof.equation import Equation
 from rigidtop.theory.symbols import Glyph
-from rigidtop.typeset import layout as lay
-from rigidtop.typeset.layout import Line, Order
+from rigidtop.typeset import nodes as lay
+from rigidtop.typeset import sizes
+from rigidtop.typeset.layout import Order, layout
+from rigidtop.typeset.sizes import Line
 from rigidtop.typeset.text import text
 
 # Not accent="true": browsers then lay a dot into the letter beneath it.
@@ -33,16 +35,16 @@ APPLY = "<mo>&#x2061;</mo>"
 
 def mathml(tree: Any, order: Order = "auto", *, display: bool = False) -> str:
     """A ``<math>`` element for an expression, a condition, or an `Equation` without its tag."""
-    node = tree if type(tree).__module__ == lay.__name__ else lay.layout(tree, order)
+    node = tree if type(tree).__module__ == lay.__name__ else layout(tree, order)
     return element(_ml(node), text(node), display)
 
 
-def display(equations: Sequence[Equation], order: Order = "auto", limit: float = lay.LINE) -> str:
+def display(equations: Sequence[Equation], order: Order = "auto", limit: float = sizes.LINE) -> str:
     """A block ``<math>``: the lines of the equations, aligned at their relation signs."""
-    broken = [line for equation in equations for line in lay.lines(equation, order, limit)]
+    broken = [line for equation in equations for line in sizes.lines(equation, order, limit)]
     alt = "; ".join(text(equation, order) for equation in equations)
     if len(broken) == 1:
-        return element(_ml(lay.layout(equations[0], order)), alt, True)
+        return element(_ml(layout(equations[0], order)), alt, True)
     rows = "".join(map(_row, broken))
     return element(f'<mtable displaystyle="true">{rows}</mtable>', alt, True)
 
@@ -169,11 +171,11 @@ def _ml(node: lay.Node) -> str:
                 name = f"<msup>{name}{_ml(node.power)}</msup>"
             inside = "<mo>,</mo>".join(map(_ml, node.arguments))
             if node.brackets:
-                tall = any(map(lay.is_tall, node.arguments))
+                tall = any(map(sizes.is_tall, node.arguments))
                 return _group(name + APPLY + _fenced(inside, "()", tall))
             return _group(name + APPLY + THIN + inside)
         case lay.Brackets():
-            return _fenced(_ml(node.body), node.shape, lay.is_tall(node.body))
+            return _fenced(_ml(node.body), node.shape, sizes.is_tall(node.body))
         case lay.Braced():
             # A stretched ⏟ comes out too short in the cells of a table; a border never does, and
             # dots are no fraction bar.

@@ -16,8 +16,8 @@ from typing import Any
 
 from rigidtop.proof.equation import Equation
 from rigidtop.theory.symbols import Glyph
-from rigidtop.typeset import layout as lay
-from rigidtop.typeset.layout import Order
+from rigidtop.typeset import nodes as lay
+from rigidtop.typeset.layout import Order, layout
 
 _ACCENTS = {"": "", "dot": "\u0307", "ddot": "\u0308", "hat": "\u0302"}
 _SUBSCRIPTS = str.maketrans("0123456789−+i", "₀₁₂₃₄₅₆₇₈₉₋₊ᵢ")
@@ -28,7 +28,7 @@ _JOINTS = {"": "", "function": " ", "thin": " ", "dot": "·"}
 
 def text(tree: Any, order: Order = "auto", *, tag: bool = False) -> str:
     """An expression, a matrix, a condition or an `Equation`, with its tag behind it if wanted."""
-    node = tree if type(tree).__module__ == lay.__name__ else lay.layout(tree, order)
+    node = tree if type(tree).__module__ == lay.__name__ else layout(tree, order)
     made = unicodedata.normalize("NFC", _text(node))
     # On one line a name of a part would read as a side of the equation.
     named = [f"{_text(_bare(b.body))} ≡ {_text(b.label)}" for b in _braced(node)]

@@ -19,7 +19,7 @@ from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.euler import OMEGA_DOT, body_accelerations
 from rigidtop.theory.rotation import Z_AXIS, quaternion_matrix
-from rigidtop.typeset import layout as lay
+from rigidtop.typeset.layout import layout
 from rigidtop.typeset.mathml import labelled
 from rigidtop.typeset.text import text
 
@@ -89,7 +89,7 @@ class TermsOf:
         sides = []
         for side in self.equation.sides:
             count = len(_terms(side))
-            sides.append((tuple(map(lay.layout, _summands(side))), first if count else None))
+            sides.append((tuple(map(layout, _summands(side))), first if count else None))
             first += count
         return labelled(sides, text(self.equation))
 

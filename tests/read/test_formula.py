@@ -16,7 +16,7 @@ from rigidtop.read.document import lines, numbered
 from rigidtop.read.formula import kind, read
 from rigidtop.theory import symbols as s
 from rigidtop.typeset.latex import AlignRow, align, aligned, latex
-from rigidtop.typeset.layout import lines as broken
+from rigidtop.typeset.sizes import lines as broken
 from rigidtop.typeset.text import text
 
 CLAIMS = {claim.name: claim for page in PAGES for claim in page.claims} | {

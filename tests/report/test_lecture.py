@@ -39,7 +39,7 @@ from rigidtop.report.languages import SHOWN, WORDS, translated
 from rigidtop.report.lecture import FORMATS, fragment, lecture, record, sheet
 from rigidtop.report.symbols import symbols_used
 from rigidtop.theory import symbols as s
-from rigidtop.typeset import layout as lay
+from rigidtop.theory.lettered import known
 from rigidtop.typeset.text import text
 
 
@@ -221,7 +221,7 @@ def test_moments_are_made_of_masses_and_lengths(recorded):
     for block in recorded.blocks:
         for row in block.rows if isinstance(block, Display) else ():
             left, right = row.equation.sides[0], row.equation.sides[-1]
-            made_of = {x: lay.known(x)[1] for x in right.free_symbols}
+            made_of = {x: known(x)[1] for x in right.free_symbols}
             found = {str(x): quantity.unit for x, quantity in made_of.items() if quantity}
             if left in MOMENTS and "kg" in found.values():
                 units[text(row.equation)] = found
@@ -240,7 +240,7 @@ def test_symbols_of_their_own_are_explained(judged, solutions, name):
     used = symbols_used(claim_blocks(judgement))
     # Of any two vectors there are components, which need no words.
     free = {f"{x}_{k}" for x in "uv" for k in (1, 2, 3)} | {"d3r"}
-    assert {x.name for x in used if lay.known(x)[1] is None} <= free
+    assert {x.name for x in used if known(x)[1] is None} <= free
 
 
 def test_every_exercise_stands_once_in_its_section(recorded):
@@ -407,10 +407,10 @@ def test_fixed_words_are_in_the_language_of_the_lecture(document):
     assert words
     assert all(word.startswith("Abbildung ") for word in words)
     assert translated(document) is document
-    for language, known in WORDS.items():
+    for language, fixed in WORDS.items():
         assert language in tex.LANGUAGES
-        assert set(SHOWN) <= set(known)
-        assert all(known.values())
+        assert set(SHOWN) <= set(fixed)
+        assert all(fixed.values())
 
 
 def test_a_lecture_of_ones_own_looks(document):

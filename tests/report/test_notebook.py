@@ -31,7 +31,7 @@ from rigidtop.theory.symbols import (
     phidot,
     theta,
 )
-from rigidtop.typeset.layout import Number
+from rigidtop.typeset.nodes import Number
 
 
 @pytest.fixture(scope="module")

@@ -72,7 +72,7 @@ from rigidtop.theory.symbols import (
     theta,
     thetaddot,
 )
-from rigidtop.typeset import layout as lay
+from rigidtop.typeset import nodes as lay
 from rigidtop.typeset.text import text
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="9pt"><g id="a"><use href="#a"/></g></svg>'

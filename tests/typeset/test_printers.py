@@ -43,10 +43,12 @@ from rigidtop.theory.symbols import (
     thetaddot,
     thetadot,
 )
-from rigidtop.typeset import layout as lay
+from rigidtop.typeset import nodes as lay
+from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import aligned, latex, letter
-from rigidtop.typeset.layout import glyph, is_typed, layout
+from rigidtop.typeset.layout import is_typed, layout
 from rigidtop.typeset.mathml import display, mathml
+from rigidtop.typeset.nodes import glyph
 from rigidtop.typeset.text import text
 
 LATEX = {
@@ -242,7 +244,7 @@ def test_the_order_of_mechanics(tree, shown):
 def test_every_renderer_knows_every_node(tree):
     assert latex(tree)
     ElementTree.fromstring(mathml(tree))
-    assert lay.width(layout(tree)) > 0
+    assert sizes.width(layout(tree)) > 0
 
 
 def test_latex_details():
@@ -398,7 +400,7 @@ def test_a_long_chain_is_broken_before_a_relation(printed):
 def test_a_long_sum_is_broken_before_a_sign():
     letters = symbols("a b c d", positive=True)
     terms = sum(lambda1 * x * sin(theta) ** i for i, x in enumerate(letters, start=2))
-    broken = lay.lines(Equation(p_phi, terms - lambda2), limit=24)
+    broken = sizes.lines(Equation(p_phi, terms - lambda2), limit=24)
     assert len(broken) > 1
     assert broken[0].left is not None
     assert all(line.left is None and line.sign == "" for line in broken[1:])

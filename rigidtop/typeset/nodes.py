@@ -1,0 +1,383 @@
+"""The nodes of a layout, and how they are put together: brackets, signs, joints."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+from rigidtop.notation.characters import GREEK
+from rigidtop.theory.lettered import BY_NAME
+from rigidtop.theory.symbols import Glyph
+
+
+@dataclass(frozen=True)
+class Number:
+    """Digits without a sign."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Letter:
+    """A symbol."""
+
+    glyph: Glyph
+
+
+@dataclass(frozen=True)
+class Signed:
+    """A term of a sum."""
+
+    negative: bool
+    body: Node
+
+
+@dataclass(frozen=True)
+class Sum:
+    """Signed terms; a single negative term is a negation."""
+
+    terms: tuple[Signed, ...]
+
+
+@dataclass(frozen=True)
+class Continued(Sum):
+    """The rest of a sum on a new line: its first sign is always shown."""
+
+
+@dataclass(frozen=True)
+class Product:
+    """Factors side by side.  ``joints[i]`` stands between factor i and i + 1.
+
+    A joint is "" (nothing), "thin" (a thin space), "function" (the space beside the name of a
+    function, which TeX puts there by itself) or "dot" (a visible ·, before a number).
+    """
+
+    factors: tuple[Node, ...]
+    joints: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Fraction:
+    """A fraction; `small` when both parts are numbers."""
+
+    over: Node
+    under: Node
+    small: bool = False
+
+
+@dataclass(frozen=True)
+class Power:
+    """``base`` raised to ``exponent``; brackets round the base are already there."""
+
+    base: Node
+    exponent: Node
+
+
+@dataclass(frozen=True)
+class Root:
+    """A square root, or with an `index` another root."""
+
+    body: Node
+    index: str = ""
+
+
+@dataclass(frozen=True)
+class Apply:
+    """A function with its arguments.  Without `brackets` the single argument stands bare.
+
+    `name` is a word that is set upright ("sin"), or a `Letter` ("ρ(r)").
+    """
+
+    name: str | Letter
+    arguments: tuple[Node, ...]
+    brackets: bool
+    power: Node | None = None
+
+
+@dataclass(frozen=True)
+class Brackets:
+    """Brackets of one shape: "()", "[]" or "||"."""
+
+    body: Node
+    shape: str = "()"
+
+
+@dataclass(frozen=True)
+class Braced:
+    """A body with a brace beneath it and ≡ label beneath that."""
+
+    body: Node
+    label: Node
+
+
+@dataclass(frozen=True)
+class Infix:
+    """``left × right`` or ``left · right``."""
+
+    sign: str
+    left: Node
+    right: Node
+
+
+@dataclass(frozen=True)
+class TransposeOf:
+    """Bodyᵀ."""
+
+    body: Node
+
+
+@dataclass(frozen=True)
+class Derivative:
+    """A derivative: ∂ or d, of a body by a variable, as seen from a frame ("" for none).
+
+    `inside` says whether the body stands over the fraction bar, or behind the fraction.
+    """
+
+    body: Node
+    by: Node
+    partial: bool
+    inside: bool
+    frame: str = ""
+    order: int = 1
+
+
+@dataclass(frozen=True)
+class Big:
+    """``∑`` over an index, or ``∫`` with a measure, before a body; `limits` from where to where."""
+
+    sign: str
+    index: Node | None
+    body: Node
+    limits: tuple[Node, ...] | None = None
+
+
+@dataclass(frozen=True)
+class Measure:
+    """The measure d³r of an integral, or dx with bounds."""
+
+    dimension: str
+    variable: Node
+    bounds: tuple[Node, ...] = ()
+
+
+@dataclass(frozen=True)
+class Grid:
+    """A matrix."""
+
+    rows: tuple[tuple[Node, ...], ...]
+
+
+@dataclass(frozen=True)
+class Listed:
+    """Nodes with a comma, "and" or "or" between them."""
+
+    items: tuple[Node, ...]
+    between: str = ","
+
+
+@dataclass(frozen=True)
+class Chain:
+    """Sides with a relation sign between each pair of neighbours."""
+
+    sides: tuple[Node, ...]
+    signs: tuple[str, ...]
+
+
+Node = (
+    Number
+    | Letter
+    | Sum
+    | Product
+    | Fraction
+    | Power
+    | Root
+    | Apply
+    | Brackets
+    | Braced
+    | Infix
+    | TransposeOf
+    | Derivative
+    | Big
+    | Measure
+    | Grid
+    | Listed
+    | Chain
+)
+
+
+# --- Symbols -------------------------------------------------------------------------------------
+
+
+def glyph(name: str) -> Glyph:
+    """The vocabulary's glyph of a symbol, or one read off its name.
+
+    >>> glyph("lambda1"), glyph("c_phi")
+    (Glyph(base='λ', sub='1', accent='', bold=False, prime=False), \
+Glyph(base='c', sub='φ', accent='', bold=False, prime=False))
+    """
+    if name in BY_NAME:
+        return BY_NAME[name][1].glyph
+    if name.endswith("p") and name[:-1] in BY_NAME:
+        return replace(glyph(name[:-1]), prime=True)
+    for ending, change in (
+        ("_vec", {"bold": True}),
+        ("ddot", {"accent": "ddot"}),
+        ("dot", {"accent": "dot"}),
+        ("hat", {"accent": "hat", "bold": True}),
+    ):
+        if name.endswith(ending) and len(name) > len(ending):
+            return replace(glyph(name.removesuffix(ending)), **change)
+    stem, _, sub = name.partition("_")
+    if not stem:
+        return Glyph(name)
+    digits = re.fullmatch(r"(.*?[^\d])(\d+)", stem)
+    if digits and not sub:
+        stem, sub = digits.groups()
+    return Glyph(GREEK.get(stem, stem), GREEK.get(sub, sub))
+
+
+def differential(glyph: Glyph) -> tuple[str, Glyph]:
+    """The d, d³, Δ or δ before a letter that is one with it, and the letter; "" for none.
+
+    >>> differential(Glyph("d³r")), differential(Glyph("drag"))
+    (('d³', Glyph(base='r', sub='', accent='', bold=False, prime=False)), \
+('', Glyph(base='drag', sub='', accent='', bold=False, prime=False)))
+    """
+    found = re.fullmatch("([dΔδ][²³]?)(\\w[\u0300-\u036f′]*)", glyph.base)
+    return (found[1], replace(glyph, base=found[2])) if found else ("", glyph)
+
+
+# --- Building blocks: brackets and joints -------------------------------------------------------
+
+
+def negated(node: Node) -> Node:
+    """−node, with the sign drawn out of a negation."""
+    if isinstance(node, Sum) and len(node.terms) == 1:
+        (term,) = node.terms
+        return term.body if term.negative else Sum((Signed(True, term.body),))
+    return Sum((Signed(True, bracketed(node) if isinstance(node, Sum) else node),))
+
+
+def bracketed(node: Node) -> Node:
+    """The node in round brackets, unless it has brackets of its own."""
+    return node if isinstance(node, (Brackets, Grid)) else Brackets(node)
+
+
+def as_factor(node: Node, last: bool) -> Node:
+    if isinstance(node, Sum):
+        return Brackets(node)
+    if isinstance(node, (Infix, Big, Chain, Listed)) and not last:
+        return Brackets(node)
+    if isinstance(node, Derivative) and not node.inside and not last:
+        return Brackets(node)
+    if isinstance(node, Braced):
+        return replace(node, body=as_factor(node.body, last))
+    return node
+
+
+def _starts_with_digit(node: Node) -> bool:
+    if isinstance(node, Number):
+        return True
+    if isinstance(node, Fraction):
+        return node.small
+    if isinstance(node, Power):
+        return _starts_with_digit(node.base)
+    return isinstance(node, Product) and _starts_with_digit(node.factors[0])
+
+
+def _is_word(node: Node) -> bool:
+    return isinstance(node, Letter) and len(node.glyph.base) > 1
+
+
+def _joint(left: Node, right: Node) -> str:
+    if _starts_with_digit(right):
+        return "dot"
+    if isinstance(right, Apply) and isinstance(right.name, str):
+        return "function"
+    if isinstance(left, Apply) and not left.brackets:
+        return "thin"
+    if isinstance(right, Big):
+        return "function"
+    if isinstance(right, Derivative) or isinstance(left, Derivative):
+        return "thin"
+    return "thin" if _is_word(left) or _is_word(right) else ""
+
+
+def product(factors: Iterable[Node]) -> Node:
+    """Factors side by side, each in brackets where it needs them."""
+    flat: list[Node] = []
+    for factor in factors:
+        flat.extend(factor.factors if isinstance(factor, Product) else (factor,))
+    if not flat:
+        return Number("1")
+    if len(flat) == 1:
+        return flat[0]
+    parts = [as_factor(factor, last=i == len(flat) - 1) for i, factor in enumerate(flat)]
+    return Product(tuple(parts), tuple(_joint(a, b) for a, b in pairwise(parts)))
+
+
+def total(terms: Iterable[Node]) -> Node:
+    """A sum; negations become its minus signs."""
+    flat: list[Signed] = []
+    for term in terms:
+        flat.extend(term.terms if isinstance(term, Sum) else (Signed(False, term),))
+    if len(flat) == 1 and not flat[0].negative:
+        return flat[0].body
+    return Sum(tuple(flat))
+
+
+def as_operand(node: Node) -> Node:
+    """An operand of × or ·."""
+    return Brackets(node) if isinstance(node, (Sum, Infix, Big)) else node
+
+
+def raised(base: Node, exponent: Node) -> Node:
+    if isinstance(base, Apply) and base.power is None and isinstance(base.name, str):
+        return replace(base, power=exponent)
+    simple = (Letter, Number, Brackets, Grid)
+    return Power(base if isinstance(base, simple) else Brackets(base), exponent)
+
+
+def ratio(over: Node, under: Node) -> Node:
+    small = isinstance(over, Number) and isinstance(under, Number)
+    if isinstance(over, Sum) and len(over.terms) == 1:  # the minus stands before the fraction
+        return negated(ratio(over.terms[0].body, under))
+    return Fraction(over, under, small)
+
+
+# --- From SymPy ----------------------------------------------------------------------------------
+
+
+def lettered(shown: Glyph) -> Node:
+    """A glyph as a node: ω²ₙ has its exponent above its index, det O is a function of O.
+
+    >>> lettered(Glyph("ω²", "n")) == Power(Letter(Glyph("ω", "n")), Number("2"))
+    True
+    """
+    if shown.base.isdigit() and shown.base.isascii():
+        return Number(shown.base)
+    name, _, argument = shown.base.partition(" ")
+    if argument:
+        return Apply(name, (Letter(replace(shown, base=argument)),), brackets=False)
+    stem = shown.base.rstrip("⁰¹²³⁴⁵⁶⁷⁸⁹")
+    exponent = unicodedata.normalize("NFKC", shown.base.removeprefix(stem))
+    letter = Letter(replace(shown, base=stem))
+    return Power(letter, Number(exponent)) if exponent else letter
+
+
+def decimal(number: float, digits_shown: int = 6) -> Node:
+    """A decimal number that is not negative, with a power of ten where it needs one.
+
+    >>> decimal(0.25)
+    Number(text='0.25')
+    """
+    digits, _, exponent = f"{number:.{digits_shown}g}".partition("e")
+    if not exponent:
+        return Number(digits)
+    size = abs(int(exponent))
+    power = Number(str(size))
+    ten = Power(Number("10"), power if int(exponent) > 0 else negated(power))
+    return Infix("×", Number(digits), ten)

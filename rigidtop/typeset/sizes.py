@@ -1,0 +1,138 @@
+"""Height and width of a layout, and how an equation is broken into lines."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from rigidtop.proof.equation import (
+    Equation,
+)
+from rigidtop.typeset import nodes as lay
+from rigidtop.typeset.layout import Order, layout
+
+_TALL = (lay.Fraction, lay.Braced, lay.Big, lay.Derivative, lay.Grid, lay.Root)
+
+
+def is_tall(node: Any) -> bool:
+    """Whether brackets round a node must grow."""
+    if isinstance(node, lay.Fraction):
+        return not node.small
+    if isinstance(node, _TALL):
+        return True
+    if isinstance(node, lay.Sum):
+        return any(is_tall(term.body) for term in node.terms)
+    if isinstance(node, lay.Product):
+        return any(map(is_tall, node.factors))
+    if isinstance(node, lay.Listed):
+        return any(map(is_tall, node.items))
+    if isinstance(node, (lay.Power, lay.Brackets, lay.TransposeOf)):
+        return is_tall(node.base if isinstance(node, lay.Power) else node.body)
+    if isinstance(node, lay.Infix):
+        return is_tall(node.left) or is_tall(node.right)
+    return isinstance(node, lay.Chain) and any(map(is_tall, node.sides))
+
+
+def width(node: lay.Node) -> float:
+    """About how many letters wide a node is printed."""
+    match node:
+        case lay.Number():
+            return len(node.text)
+        case lay.Letter():
+            return len(node.glyph.base) + 0.6 * len(node.glyph.sub)
+        case lay.Sum():
+            return sum(width(term.body) for term in node.terms) + 2.5 * len(node.terms) - 1
+        case lay.Product():
+            spaces = sum(0.4 for joint in node.joints if joint)
+            return sum(map(width, node.factors)) + spaces
+        case lay.Fraction():
+            return max(width(node.over), width(node.under)) * (0.6 if node.small else 1) + 0.4
+        case lay.Power():
+            return width(node.base) + 0.6 * width(node.exponent)
+        case lay.Root():
+            return width(node.body) + 1.5
+        case lay.Apply():
+            name = len(node.name) if isinstance(node.name, str) else width(node.name)
+            power = 0.6 * width(node.power) if node.power else 0
+            return name + power + sum(map(width, node.arguments)) + (1.5 if node.brackets else 0.4)
+        case lay.Brackets():
+            return width(node.body) + 1.5
+        case lay.Braced():
+            return max(width(node.body), 1 + 0.7 * width(node.label))
+        case lay.Infix():
+            return width(node.left) + width(node.right) + 2
+        case lay.TransposeOf():
+            return width(node.body) + 1
+        case lay.Derivative():
+            inner = width(node.body)
+            head = 1.5 + (inner if node.inside else 0)
+            return (
+                head
+                + (0 if node.inside else inner)
+                + (2 + 0.6 * len(node.frame) if node.frame else 0)
+            )
+        case lay.Big():
+            measure = width(node.index) if node.sign == "∫" and node.index is not None else 0
+            return 2.5 + measure + width(node.body)
+        case lay.Measure():
+            return 1.6 + width(node.variable) + max(map(width, node.bounds), default=0.0)
+        case lay.Grid():
+            columns = zip(*node.rows, strict=True)
+            return sum(max(map(width, column)) + 2 for column in columns)
+        case lay.Listed():
+            return sum(map(width, node.items)) + (1.5 if node.between == "," else 5) * len(
+                node.items
+            )
+        case lay.Chain():
+            return sum(map(width, node.sides)) + 3 * len(node.signs)
+
+
+@dataclass(frozen=True)
+class Line:
+    """One line of a display: what stands left of the alignment, the sign, what stands right.
+
+    The first line of an equation has a `left` side; a line that continues a sum has no `sign`.
+    """
+
+    left: lay.Node | None
+    sign: str
+    right: lay.Node
+
+
+LINE = 62.0
+"""How many letters wide a line of the page is."""
+
+
+def lines(equation: Equation | lay.Chain, order: Order = "auto", limit: float = LINE) -> list[Line]:
+    """An equation broken before its relation signs, and long sums before a + or −."""
+    chain = layout(equation, order) if isinstance(equation, Equation) else equation
+    assert isinstance(chain, lay.Chain)
+    first = chain.sides[0]
+    margin = min(width(first) + 3, limit / 2)
+    packed: list[tuple[list[lay.Node], list[str]]] = [([chain.sides[1]], [chain.signs[0]])]
+    for sign, side in zip(chain.signs[1:], chain.sides[2:], strict=True):
+        sides, signs = packed[-1]
+        if margin + sum(map(width, sides)) + 3 * len(signs) + width(side) <= limit:
+            sides.append(side)
+            signs.append(sign)
+        else:
+            packed.append(([side], [sign]))
+    made: list[Line] = []
+    for sides, signs in packed:
+        pieces = _broken(sides[0], limit - margin) if len(sides) == 1 else [sides[0]]
+        joined = pieces if len(sides) == 1 else [lay.Chain(tuple(sides), tuple(signs[1:]))]
+        for i, piece in enumerate(joined):
+            left = first if not made else None
+            made.append(Line(left, signs[0] if i == 0 else "", piece))
+    return made
+
+
+def _broken(node: lay.Node, limit: float) -> list[lay.Node]:
+    if not isinstance(node, lay.Sum) or width(node) <= limit:
+        return [node]
+    rows: list[list[lay.Signed]] = [[]]
+    for term in node.terms:
+        if rows[-1] and width(lay.Sum((*rows[-1], term))) > limit:
+            rows.append([])
+        rows[-1].append(term)
+    return [lay.Sum(tuple(rows[0])), *(lay.Continued(tuple(row)) for row in rows[1:])]
