@@ -99,7 +99,7 @@ def wheel_on_an_axle() -> Iterator[Evidence]:
     dip = printed(r"2\varepsilon_0(1 - \delta^2) = \delta")
     yield Formal(along, moments)
     yield Formal(across, moments)
-    [root] = sympy.solve(horizontal, Omega)
+    [root] = sympy.solve(horizontal, Omega, simplify=False)
     yield Formal(rate, {Omega: root}, reason="(3.57) at $θ = 90°$.")
     yield Formal(
         torque,
@@ -108,7 +108,7 @@ def wheel_on_an_axle() -> Iterator[Evidence]:
     )
     # At the lowest point ω₂′ = 0, and released at 90°, δ = −cos θ: that takes a weight.
     lowest = {name: x.subs(omega2p, 0) for name, x in released().items()}
-    [weight] = sympy.solve(lowest[delta] + sympy.cos(theta), M)
+    [weight] = sympy.solve(lowest[delta] + sympy.cos(theta), M, simplify=False)
     strength = reduce_ratio(lowest[epsilon_0].subs(M, weight))
     yield Formal(
         dip, {delta: -sympy.cos(theta), epsilon_0: strength}, reason="Where the axle is lowest."

@@ -64,7 +64,7 @@ def roots_in_powers() -> Iterator[Evidence]:
 
 def gravity_with(lead: Expr, ratio: Expr) -> Expr:
     """g at which the leading term of a root of (3.57) is `ratio` times the root itself (m/s²)."""
-    [gravity] = sympy.solve(theory.steady_quadratic().subs(Omega, lead / ratio), g)
+    [gravity] = sympy.solve(theory.steady_quadratic().subs(Omega, lead / ratio), g, simplify=False)
     return gravity
 
 

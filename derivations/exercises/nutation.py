@@ -118,7 +118,7 @@ def turning_points() -> Iterator[Evidence]:
 def rate_on_the_vertical(side: int) -> Expr:
     """θ̇² upright (`side` 1) or hanging (−1) of a top started with p_φ = ±p_ψ (rad²/s²)."""
     momenta, cosine = momenta_at_start(), sympy.cos(theta)
-    [start] = sympy.solve(momenta[p_phi] - side * momenta[p_psi], phidot_i)
+    [start] = sympy.solve(momenta[p_phi] - side * momenta[p_psi], phidot_i, simplify=False)
     rate = from_turning_point(momenta).subs(phidot_i, start)
     # Regular there once sin² is written as (1 − cos)(1 + cos).
     return sympy.cancel(rate.subs(sympy.sin(theta) ** 2, 1 - cosine**2)).subs(cosine, side)

@@ -71,8 +71,8 @@ def conserved() -> tuple[Expr, Expr]:
 def released() -> dict[Expr, Expr]:
     """δ, ω₃ and ε₀ of the release from which a top came to be at θ with ω₁′ and ω₂′ across e₃."""
     total, momentum = conserved()
-    [sunk] = sympy.solve(total, delta)
-    [spin] = sympy.solve(momentum.subs(delta, sunk), omega3)
+    [sunk] = sympy.solve(total, delta, simplify=False)
+    [spin] = sympy.solve(momentum.subs(delta, sunk), omega3, simplify=False)
     across = {phidot: -omega1p / sympy.sin(theta), thetadot: omega2p}
     state = {name: reduce_ratio(x.subs(across)) for name, x in ((delta, sunk), (omega3, spin))}
     weak = theory.smallness() / sympy.cos(theta)
@@ -173,9 +173,11 @@ def powers(expression: Expr, order: int) -> Expr:
 def mean_over_simple() -> Expr:
     """Mean φ̇ over MgR/(λ₃ω₃) of a top released with ω along e₃, to first order in ε₀."""
     total, momentum = conserved()
-    [azimuth] = sympy.solve(momentum, phidot)
+    [azimuth] = sympy.solve(momentum, phidot, simplify=False)
     square = sympy.Symbol("square")
-    [fall] = sympy.solve(total.subs(phidot, azimuth).subs(thetadot**2, square), square)
+    [fall] = sympy.solve(
+        total.subs(phidot, azimuth).subs(thetadot**2, square), square, simplify=False
+    )
     sine2 = 1 - (sympy.cos(theta_i) - delta) ** 2
     weak = {M: epsilon_0 * (lambda3 * omega3) ** 2 / (lambda1 * g * R)}
     # The square of dδ/dt = θ̇ sin θ is δ times a quadratic: δ is zero at the start, δ₂ at the lowest

@@ -365,7 +365,7 @@ def euler_period() -> Iterator[Evidence]:
     on_circle = Matrix([Omega_b * omega2, -Omega_b * omega1, 0])
     rate = momentum.jacobian(OMEGA) * on_circle
     balance = sympy.together((rate + spin.cross(momentum))[0])
-    [found] = sympy.solve(balance, Omega_b)
+    [found] = sympy.solve(balance, Omega_b, simplify=False)
     turning = {L_vec: momentum, omega_vec: spin, Rate(L_vec, BODY): rate.subs(Omega_b, found)}
     conserved = (
         r"0 = \left(\frac{\partial\mathbf L}{\partial t}\right)_{\text{body}}"

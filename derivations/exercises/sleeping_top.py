@@ -66,7 +66,7 @@ def spin_that_wakes(start: Expr, end: Expr) -> dict[Expr, Expr]:
     """ω₃² with which a top that has θ̇ = 0 at θ = `start` has it at `end` too."""
     square = Symbol("square")
     balance = waking_rate(start).subs(theta, end).subs(omega3**2, square)
-    [solution] = sympy.solve(balance, square)
+    [solution] = sympy.solve(balance, square, simplify=False)
     return {omega3**2: solution}
 
 
@@ -100,7 +100,7 @@ def upright_potential() -> Iterator[Evidence]:
         {sigma2: linear_growth()},
         reason="The same from the quadratic for the frequencies $Ω$, where these are not real.",
     )
-    [critical] = sympy.solve(linear_growth().subs(omega3**2, A), A)
+    [critical] = sympy.solve(linear_growth().subs(omega3**2, A), A, simplify=False)
     yield Formal(
         threshold,
         {U: upright.subs(omega3**2, critical)},

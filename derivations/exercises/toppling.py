@@ -41,7 +41,7 @@ def fall_rate_squared() -> Expr:
     gained = energy(falling, [thetadot])
     at_rest = gained.subs({thetadot: 0, theta: theta_i})
     square = sympy.Symbol("square")
-    [rate] = sympy.solve((gained - at_rest).subs(thetadot**2, square), square)
+    [rate] = sympy.solve((gained - at_rest).subs(thetadot**2, square), square, simplify=False)
     return rate
 
 

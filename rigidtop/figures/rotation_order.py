@@ -8,6 +8,7 @@ from typing import TypeAlias
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
+from scipy.spatial.transform import Rotation
 
 from rigidtop.derivations.exercises.rotation_matrices import about, rotations_form_a_group
 from rigidtop.figures.drawing import Drawing
@@ -127,7 +128,8 @@ def draw_turned(axes: Axes, turn: Floats, gamma: float, last: Turn | None = None
         axes.plot(*view(stripe)[:2], color=TURNED_ABOUT, lw=4.5, solid_capstyle="round", zorder=1)
         # Around the end of the axis, from above it.
         start = 0.82 * ends[k] + np.array([0.0, 0.0, 0.34])
-        way = np.array([about(unit(ends[k]), angle * s) @ start for s in np.linspace(0, 1, 61)])
+        turns = np.outer(np.linspace(0, angle, 61), unit(ends[k]))
+        way = Rotation.from_rotvec(turns).apply(start)
         _draw_way(axes, way, angle, 5.5 if leaves(turn, ends[k])[1] else 2.5)
     draw_book(axes, turn)
     below = (-3.0, -10.0) if gamma < CLOSE else None
