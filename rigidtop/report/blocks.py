@@ -314,6 +314,7 @@ class Quantities:
 
     label: str
     rows: tuple[tuple[str, str | Node, str], ...]
+    head: tuple[str, ...] = ("what", "value", "unit")
 
 
 @dataclass(frozen=True)
@@ -331,6 +332,7 @@ class Symbols:
     """The list of symbols: glyph, meaning, unit."""
 
     rows: tuple[tuple[Node, str, str], ...]
+    head: tuple[str, ...] = ("symbol", "meaning", "unit")
 
 
 @dataclass(frozen=True)
@@ -338,6 +340,7 @@ class Results:
     """The numbered equations on one page: each with its number, its words and its mark."""
 
     rows: tuple[tuple[str, Equation, str, Mark | None], ...]
+    head: tuple[str, ...] = ("number", "equation", "what it says")
 
 
 @dataclass(frozen=True)

@@ -350,7 +350,7 @@ def _(block: b.Symbols) -> str:
         (mathml.mathml(node), prose_html(meaning), escape(unit))
         for node, meaning, unit in block.rows
     )
-    return _table(("symbol", "meaning", "unit"), rows)
+    return _table(block.head, rows)
 
 
 @html_block.register
@@ -387,7 +387,7 @@ def _(block: b.Results) -> str:
         )
         for number, equation, words, _ in block.rows
     )
-    return _table(("number", "equation", "what it says"), rows, kind="results")
+    return _table(block.head, rows, kind="results")
 
 
 @html_block.register
@@ -403,7 +403,7 @@ def _(block: b.Quantities) -> str:
         (prose_html(what), _cell(value), "" if unit == "1" else escape(unit))
         for what, value, unit in block.rows
     )
-    table = _table(("what", "value", "unit"), rows, numbers=(1,), kind="unseen")
+    table = _table(block.head, rows, numbers=(1,), kind="unseen")
     return (f'<p class="label">{prose_html(block.label)}</p>\n' if block.label else "") + table
 
 

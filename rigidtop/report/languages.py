@@ -41,6 +41,14 @@ Steps and reasons | Schritte und Gründe | Étapes et raisons | Pasos y razones 
 Light or dark | Hell oder dunkel | Clair ou sombre | Claro u oscuro | Chiaro o scuro
 Copy LaTeX | LaTeX kopieren | Copier LaTeX | Copiar LaTeX | Copia LaTeX
 Link | Link | Lien | Enlace | Collegamento
+symbol | Zeichen | symbole | símbolo | simbolo
+meaning | Bedeutung | signification | significado | significato
+unit | Einheit | unité | unidad | unità
+number | Nummer | numéro | número | numero
+equation | Gleichung | équation | ecuación | equazione
+what it says | was sie sagt | ce qu'elle dit | lo que dice | che cosa dice
+what | was | quoi | qué | che cosa
+value | Wert | valeur | valor | valore
 Copied | Kopiert | Copié | Copiado | Copiato
 """
 _CODES = ("de", "fr", "es", "it")
@@ -87,6 +95,8 @@ def _block(block: Any, language: str) -> Any:
             return replace(block, words=tuple(said(words, language) for words in block.words))
         case b.Legend():
             return replace(block, head=said(block.head, language))
+        case b.Symbols() | b.Results() | b.Quantities():
+            return replace(block, head=tuple(said(words, language) for words in block.head))
         case b.Paragraph():
             content = _rich(block.content, language)
             return replace(block, content=content, label=said(block.label, language))

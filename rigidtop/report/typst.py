@@ -283,7 +283,7 @@ def _(block: b.Symbols) -> str:
         (f"${maths(latex(node))}$", prose(meaning), plain(unit))
         for node, meaning, unit in block.rows
     ]
-    return _table("(auto, 1fr, auto)", ("symbol", "meaning", "unit"), rows)
+    return _table("(auto, 1fr, auto)", block.head, rows)
 
 
 @typst_block.register

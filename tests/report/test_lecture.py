@@ -32,6 +32,7 @@ from rigidtop.report.blocks import (
     Paragraph,
     Quantities,
     Subhead,
+    Symbols,
 )
 from rigidtop.report.claims import claim_blocks
 from rigidtop.report.handout import written
@@ -406,6 +407,10 @@ def test_fixed_words_are_in_the_language_of_the_lecture(document):
     ]
     assert words
     assert all(word.startswith("Abbildung ") for word in words)
+    [symbols] = [block for block in own.blocks if isinstance(block, Symbols)]
+    assert symbols.head == ("Zeichen", "Bedeutung", "Einheit")
+    shown = html.html_block(symbols)
+    assert all(f'<th scope="col">{word}</th>' in shown for word in symbols.head)
     assert translated(document) is document
     for language, fixed in WORDS.items():
         assert language in tex.LANGUAGES
