@@ -20,7 +20,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.proof.algebra import TIME, Letters
 from rigidtop.proof.derivation import Judged, Line
 from rigidtop.proof.equation import Equation, Partial, Rate
-from rigidtop.proof.lecture import Block, Heading, Lecture, Shown, Text
+from rigidtop.proof.lecture import Block, Heading, Lecture, Prose, Shown, Text
 from rigidtop.proof.moves import Known, Move, Scope
 from rigidtop.report import html, plain, tex
 from rigidtop.report.blocks import Display
@@ -112,6 +112,8 @@ class Derivation:
                 if isinstance(after, Shown) and after.name:
                     made.append(f'<a id="{after.name}"></a>')
                 made.append(f"{'#' * block.level} {block.words}")
+            elif isinstance(block, Prose):
+                made.append(block.words)
             elif isinstance(block, Shown) and block.line is not None:
                 tag = next((e.tag for e in block.line.equations if e.tag), "")
                 number = rf" \tag{{{tag}}}" if tag else ""
@@ -328,12 +330,12 @@ class _Writer:
         parts = parts_of(names.plain(system.mass_matrix))
         if held:
             parts = [list(range(len(unknown)))]
-        if max(map(len, parts)) > SOLVED:
-            return []
-        values = [*map(names.plain, (*system.accelerations, *system.constraint_forces))]
-        if any(value.count_ops() > LONG for value in values):
-            return []
         self.heading("The accelerations", name="accelerations")
+        if (most := max(map(len, parts))) > SOLVED:
+            return self.unsolved(f"{most} unknowns stand in {most} equations at once")
+        values = [*map(names.plain, (*system.accelerations, *system.constraint_forces))]
+        if (most := max(value.count_ops() for value in values)) > LONG:
+            return self.unsolved(f"the longest of them would have {most} operations")
         made = []
         for part in parts:
             equations = [(*balanced, *held)[k] for k in part]
@@ -347,6 +349,12 @@ class _Writer:
                 )
             )
         return made
+
+    def unsolved(self, why: str) -> list[Known]:
+        """Say why equations are not solved on the board."""
+        said = f"They are not solved here: {why}. In numbers `accelerations` has them."
+        self.blocks.append(Prose(said, len(self.blocks) + 1, (said,)))
+        return []
 
     def energy(self, momenta: Sequence[Known], solved: Sequence[Known]) -> None:
         """Jacobi's integral, and that it is constant where it is."""

@@ -63,6 +63,17 @@ def test_it_ends_at_the_accelerations():
     assert back == list(ORBIT.accelerations)
 
 
+def test_where_it_stops_before_the_accelerations_it_says_why():
+    q, v = symbols("q1:6", real=True), symbols("v1:6", real=True)
+    coupled = m * (sum(v) ** 2 + sum(rate**2 for rate in v)) / 2 - k * sum(z**2 for z in q) / 2
+    way = rt.System(coupled, q, v).derivation()
+    assert way.follows
+    said = "They are not solved here: 5 unknowns stand in 5 equations at once"
+    assert said in str(way)
+    assert said in way.markdown()
+    assert "not solved here" not in str(ORBIT.derivation())
+
+
 def test_a_wrong_lagrangian_is_a_gap():
     way = ORBIT.derivation()
     for judged in way:
