@@ -563,7 +563,7 @@ class _Ledger:
         one, two = (self.value(left) - self.value(side) for side in (right, other))
         rests = tuple(sorted(self.used))
         found = self.shown(one, None)
-        if found is not None:
+        if found is not None and found[0] is not Verdict.UNDECIDED:
             return Held(line, found[0].value, found[1] or "by what is said above", rests)
         meant = {x: g.value for x, g in self.sets.items()}
         both, solved = (one * two).subs(meant).subs(meant), [dict[Symbol, Expr]()]
@@ -577,7 +577,8 @@ class _Ledger:
                 said = ", ".join(filter(None, (_said(meant), "with one of the two signs")))
                 law = self.law.rests if put and self.law is not None else frozenset()
                 return Held(line, Verdict.ASSUMING.value, f"where {said}", tuple({*rests, *law}))
-        if isinstance(left, Symbol) and left not in self.given and left not in self.primitive():
+        known = self.primitive().union(*(x.free_symbols for x in meant.values()), self.given)
+        if isinstance(left, Symbol) and _bare(left) not in known:
             return Held(line, PREMISE, f"one of two values of {text(left)}: which is not said")
         return Held(line, Verdict.UNDECIDED.value, "neither of the two signs was shown")
 
@@ -829,6 +830,9 @@ class _Ledger:
         if _bare(left) not in self.primitive():
             return False
         value = self.value(right)
+        law = self.law
+        if accent == "ddot" and law is not None and value and value.free_symbols <= law.letters:
+            return False  # it is what the law says, or wrong
         return (value.is_Symbol or value.is_number) and not value.free_symbols & self.moving
 
     def newton(self, number: int, line: Line, residual: Expr, newest: Sequence[Any]) -> Held | None:

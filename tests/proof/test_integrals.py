@@ -169,10 +169,10 @@ def test_it_is_read_and_printed() -> None:
 @pytest.mark.parametrize(
     ("tex", "problem"),
     [
-        (r"M = \int_0^h r_3", "an integral is written"),
-        (r"M = \int_0 dr_3\,r_3", "an integral is written"),
-        (r"M = \int_0^h d2\,r_3", "where a symbol should be"),
-        (r"M = \int r_3", "not over d³r"),
+        (r"M = \int_0^h r_3", "an integral without its dx"),
+        (r"M = \int_0 dr_3\,r_3", "with its dx as a factor"),
+        (r"M = \int_0^h d2\,r_3", "no symbol d in this notation"),
+        (r"M = \int r_3", "an integral without its dx"),
     ],
 )
 def test_what_is_no_integral_is_not_read(tex: str, problem: str) -> None:
