@@ -16,9 +16,11 @@ from rigidtop.errors import RigidtopError
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
+    from rigidtop.mark.alike import Alike
     from rigidtop.mark.audit import Audited
     from rigidtop.mark.notes import Row
     from rigidtop.notation import Notation
+    from rigidtop.proof.equation import Equation
     from rigidtop.read.document import Formula
     from rigidtop.read.project import Source
     from rigidtop.report.annotated import Formula as Shown
@@ -100,6 +102,7 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
         raise RigidtopError(f"{path}: no formulas between dollars or the like that say something")
     absent = [claim.name for claim in missing(audited, collection.pages)]
     told = summary(audited, unread, absent, [row for _, row in others])
+    claims = _named(collection) if others else ()
     if output is not None:
         from rigidtop.report.annotated import write
         from rigidtop.terminal.files import write_whole
@@ -117,12 +120,12 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
             [
                 *(record(each) for each in audited),
                 *(_bare_record("", line, UNREAD, reason, False) for line, reason in unread),
-                *(own_record(row, each, len(found) > 1) for each, row in others),
+                *(own_record(row, each, claims, len(found) > 1) for each, row in others),
                 *(_bare_record(name, None, ABSENT, "not in the file", True) for name in absent),
             ]
         )
     else:
-        _print(audited, unread, others, told)
+        _print(audited, unread, others, claims, told)
         if output is not None:
             print(output)
     right = all(each.passed for each in audited) and not any(amiss(row) for _, row in others)
@@ -147,7 +150,25 @@ def amiss(row: Row) -> bool:
     )
 
 
-def own_record(row: Row, source: Source, several: bool) -> dict[str, Any]:
+Named = Sequence[tuple[str, "Equation"]]
+"""Equations with their numbers."""
+
+
+def _named(collection: Collection) -> Named:
+    """The equations of a collection that have a number."""
+    lines = collection.lecture.lines.values()
+    return [(e.tag, e) for line in lines for e in line.equations if e.tag]
+
+
+def _form(row: Row, claims: Named) -> Alike | None:
+    """The equation of the collection whose form a row has in other letters, if any."""
+    from rigidtop.mark.alike import alike
+
+    equation = row.held.line.equation
+    return alike(equation, claims) if equation is not None else None
+
+
+def own_record(row: Row, source: Source, claims: Named, several: bool) -> dict[str, Any]:
     """What `--json` says of a formula that is held against the file itself."""
     from rigidtop.read.labels import counted, row_of
     from rigidtop.typeset.text import text
@@ -157,6 +178,9 @@ def own_record(row: Row, source: Source, several: bool) -> dict[str, Any]:
     made = _bare_record(row.number, row.line, row.held.verdict, row.held.note, passed)
     named = row_of(counted(source.text), row.held.line.position)
     made["label"] = named.label if named is not None else ""
+    form = _form(row, claims)
+    made["claim"] = form.name if form is not None else ""
+    made["letters"] = form.words if form is not None else ""
     made["from"] = list(row.lines)
     made["equations"] = [
         {
@@ -190,6 +214,7 @@ def _print(
     audited: Sequence[Audited],
     unread: Sequence[tuple[int, str]],
     others: Sequence[tuple[Source, Row]],
+    claims: Named,
     told: str,
 ) -> None:
     from rigidtop.commands.check import VERDICT_COLORS
@@ -204,7 +229,12 @@ def _print(
     found += [(line, "", "unread", reason) for line, reason in unread]
     found.sort(key=lambda row: row[0])
     of_own = [
-        (row.line, f"({row.number})" if row.number else "", row.held.verdict, _own_note(row))
+        (
+            row.line,
+            f"({row.number})" if row.number else "",
+            row.held.verdict,
+            _own_note(row, claims),
+        )
         for _, row in others
         if row.display or row.number or row.held.passed is False
     ]
@@ -216,11 +246,12 @@ def _print(
     print(told)
 
 
-def _own_note(row: Row) -> str:
-    lines = ", ".join(map(str, row.lines))
-    if not lines:
-        return row.held.note
-    return f"{row.held.note} (from line{'s' * (len(row.lines) > 1)} {lines})"
+def _own_note(row: Row, claims: Named) -> str:
+    lines, form = ", ".join(map(str, row.lines)), _form(row, claims)
+    note = row.held.note
+    if lines:
+        note = f"{note} (from line{'s' * (len(row.lines) > 1)} {lines})"
+    return note if form is None else f"{note}; the form of ({form.name}): {form.words}"
 
 
 def summary(

@@ -260,7 +260,7 @@ def test_numbers_tell_what_says_the_same():
     ("number", "formula", "verdict", "said"),
     [
         ("3.99", "T = T", UNKNOWN, "no claim of this number"),
-        ("3.44", r"T = \qux", UNREAD, r"column 7: \qux"),
+        ("3.44", r"T = \qux", UNREAD, r"column 7: the command \qux is not known"),
         ("3.38", r"\boldsymbol{\omega} = [\omega_0, 0, \omega_3]", "false", "a vector and a row"),
         ("3.40", r"\Omega_b = \omega_3 \lambda_2", "false", "λ₂ = 1, ω₃ = 2: the left side is 0"),
         (
