@@ -70,8 +70,8 @@ def run(options: argparse.Namespace) -> int:
     if options.file != "-" and Path(options.file).is_dir():
         return _class(Path(options.file), options)
     source = _typed() if options.file == "-" else text_of(options.file)
-    from rigidtop.mark.cell import record
     from rigidtop.mark.limits import marked
+    from rigidtop.mark.record import record
 
     found = marked(source, options.start, options.goal, options.seconds, 6 * options.seconds)
     if not found.lines:

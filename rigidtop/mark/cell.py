@@ -25,37 +25,12 @@ from rigidtop.errors import RigidtopError
 from rigidtop.mark.answer import Marking
 from rigidtop.mark.limits import marked
 from rigidtop.mark.passages import passage
+from rigidtop.mark.record import record
 
 RECORD = "application/vnd.rigidtop.marking+json"
 """The kind of output in which a notebook keeps the record."""
 
 USAGE = "%%answer EXERCISE, or %%answer FROM TO, and --record FILE if a file is to have it too"
-
-
-def record(found: Marking) -> dict[str, Any]:
-    """A marking as plain values.
-
-    >>> record(Marking((), True, "3.57"))["summary"]
-    'there is no line to mark'
-    """
-    return {
-        "lines": [
-            {
-                "line": line.line,
-                "read": line.said,
-                "verdict": line.mark.value,
-                "note": line.note,
-                "slips": [{"kind": slip.kind, "words": slip.words} for slip in line.slips],
-            }
-            for line in found.lines
-        ],
-        "points": found.points[0],
-        "of": found.points[1],
-        "arrives": found.arrives,
-        "lost": list(found.lost),
-        "passed": found.passed,
-        "summary": found.summary,
-    }
 
 
 @dataclass(frozen=True)

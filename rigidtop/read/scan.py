@@ -274,6 +274,7 @@ class Scan:
         self.commented = -1
         """Where && stood: words there are a comment."""
         self.pairs: dict[tuple[str, str], tuple[int, dict[int, int]]] = {}
+        self.listing: tuple[int, set[int]] = -1, set()  # where brackets open that hold commas
         self.calls: set[int] = set()  # where brackets open that hold arguments
         self.ends: list[tuple[int, str]] = []  # how deep what closes otherwise than it looks
         self.last = ""
@@ -571,15 +572,20 @@ class Scan:
 
     def commas(self, at: int) -> bool:
         """Whether commas stand in the bracket that opens there, outside of inner ones."""
+        if self.listing[0] != len(self.items):
+            opened: list[int] = []
+            found: set[int] = set()
+            for i, piece in enumerate(self.items):
+                text = piece.text.lstrip("\\")
+                if text in ("(", "[", "{"):
+                    opened.append(i)
+                elif text in (")", "]", "}") and opened:
+                    opened.pop()
+                elif text == "," and opened:
+                    found.add(opened[-1])
+            self.listing = len(self.items), found
         pair = {"(": ("(", ")"), "[": ("[", "]")}.get(self.items[at].text, (r"\{", r"\}"))
-        end = self.closing(at, pair)
-        depth = 0
-        for piece in self.items[at:end] if end is not None else ():
-            text = piece.text.lstrip("\\")
-            depth += (text in ("(", "[", "{")) - (text in (")", "]", "}"))
-            if depth == 1 and piece.text == ",":
-                return True
-        return False
+        return at in self.listing[1] and self.closing(at, pair) is not None
 
     def is_row(self, at: int) -> bool:
         """Whether square brackets hold the components of a vector: three, or two in a column."""
