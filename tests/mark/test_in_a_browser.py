@@ -19,7 +19,7 @@ ANSWER = r"""
 \[ \frac{\partial\mathcal L}{\partial\dot\theta} = \lambda_1\dot\theta \]
 \[ 0 = \lambda_1\Omega^2\cos\theta + \lambda_3\omega_3\Omega + MgR \]
 """
-MARK = ["mark", "answer.tex", "--from", "3.53", "--to", "3.57", "--json"]
+MARK = ["mark", "answer.tex", "--from", "3.53", "--to", "3.57", "--seconds", "3600", "--json"]
 
 PAGE = """
 import { loadPyodide } from "pyodide";
