@@ -25,6 +25,7 @@ extensions = [
 ]
 exclude_patterns = ["gallery/*", "figures/*.ipynb", "**/sg_execution_times.rst"]
 nb_execution_mode = "off"
+nb_render_markdown_format = "myst"
 myst_enable_extensions = ["dollarmath", "deflist", "attrs_inline"]
 myst_heading_anchors = 3
 
