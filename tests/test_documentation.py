@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import doctest
+import importlib
 import re
 import shlex
 from pathlib import Path
@@ -126,6 +127,21 @@ def test_every_public_name_is_in_the_reference():
     there = "\n".join(page.read_text("utf-8") for page in (SITE / "reference").glob("*.md"))
     named = set(re.findall(r"^\.\. auto\w+:: rigidtop\.(\w+)$", there, re.M))
     assert set(rigidtop.__all__) - {"__version__"} <= named
+
+
+@pytest.mark.parametrize("room", ["theory", "proof", "typeset", "codegen"])
+def test_every_public_module_is_in_the_reference_and_says_what_its_names_are(room):
+    public = importlib.import_module(f"rigidtop.{room}").__all__
+    page = (SITE / "reference" / f"{room}.md").read_text("utf-8")
+    assert sorted(re.findall(rf"^\.\. automodule:: rigidtop\.{room}\.(\w+)$", page, re.M)) == public
+    for name in public:
+        module = importlib.import_module(f"rigidtop.{room}.{name}")
+        there = [
+            x for x in vars(module).values() if getattr(x, "__module__", "") == module.__name__
+        ]
+        made = [x for x in there if callable(x) and not x.__name__.startswith("_")]
+        assert [x.__name__ for x in made if not x.__doc__] == []
+        assert module.__doc__
 
 
 def test_every_link_to_a_file_leads_there():

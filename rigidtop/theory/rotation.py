@@ -60,14 +60,17 @@ def rotation(axis: MatrixBase, angle: Expr) -> Matrix:
 
 
 def rotation_x(angle: Expr) -> Matrix:
+    """The turn by an angle (rad) about x̂."""
     return rotation(X_AXIS, angle)
 
 
 def rotation_y(angle: Expr) -> Matrix:
+    """The turn by an angle (rad) about ŷ."""
     return rotation(Y_AXIS, angle)
 
 
 def rotation_z(angle: Expr) -> Matrix:
+    """The turn by an angle (rad) about ẑ."""
     return rotation(Z_AXIS, angle)
 
 
