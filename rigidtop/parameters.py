@@ -7,6 +7,7 @@ import re
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any
 
 from rigidtop.errors import RigidtopError
@@ -15,6 +16,14 @@ _UNITS = {"deg": math.pi / 180, "°": math.pi / 180, "rpm": math.pi / 30}
 _SUFFIXES = {"rad": ("deg", "°"), "rad/s": ("deg", "°", "rpm")}
 _EXAMPLES = {"rad": "0.5 or 30deg", "rad/s": "0.5, 30deg or 600rpm"}
 """An angle and its rate may have a unit behind them; another number is in SI units."""
+
+EXAMPLE_TOP: Mapping[str, float] = MappingProxyType(
+    {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "g": 9.81, "R": 0.5}
+)
+"""The heavy top of what is not told another, in SI units; the order is that of the equations."""
+
+EXAMPLE_SPIN = 40.0
+"""Its ω₃ (rad/s)."""
 
 LONGEST = 60
 """Characters of what is no number, in a message."""

@@ -24,6 +24,7 @@ from rigidtop.motion.attitude import Floats
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.motion import Motion
 from rigidtop.motion.top import HeavyTop
+from rigidtop.parameters import EXAMPLE_TOP
 
 SAMPLES = 20
 """So many times after t = 0."""
@@ -70,7 +71,7 @@ class Case:
 
 def cases() -> tuple[Case, ...]:
     """A top that nutates, and a free body with three moments."""
-    top = HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5)
+    top = HeavyTop(**EXAMPLE_TOP)
     free = FreeBody(1.0, 1.7, 2.5)
     return (
         Case("heavy top", top.motion(theta=0.5, phi_dot=1.0, omega3=20.0), 1.6, 1.0, 0.5, top.g),

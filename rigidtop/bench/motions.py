@@ -25,10 +25,11 @@ from rigidtop.motion import attitude, equations
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.many import top_motions
 from rigidtop.motion.top import HeavyTop
+from rigidtop.parameters import EXAMPLE_TOP
 
 Floats = NDArray[np.float64]
 
-TOP = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "g": 9.81, "R": 0.5}
+TOP = EXAMPLE_TOP
 START = {"theta": 0.5, "theta_dot": 0.1, "phi_dot": 1.0, "psi_dot": 40.0}
 STATE = (0.5, 0.0, 0.0, 0.1, 1.0, 40.0)
 """θ, φ, ψ and their rates at t = 0."""

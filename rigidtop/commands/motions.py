@@ -5,10 +5,11 @@ from __future__ import annotations
 import argparse
 import math
 import re
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
 from rigidtop.errors import RigidtopError
-from rigidtop.parameters import Parameter, quantity
+from rigidtop.parameters import EXAMPLE_SPIN, EXAMPLE_TOP, Parameter, quantity
 
 if TYPE_CHECKING:
     from rigidtop.motion.motion import Motion
@@ -24,6 +25,9 @@ TABLE_OPTIONS = (
     *("tip", "mu", "viscosity", "drag", "drag1", "drag3", "fall"),
     *("velocity", "slip"),
 )
+
+OTHER_NAMES = {"mass": "M", "arm": "R", "gravity": "g"}
+"""Of the properties of a top, in options."""
 
 START = ("phi", "psi", "theta_dot", "phi_dot", "omega3", "psi_dot")
 
@@ -81,21 +85,21 @@ def add_motion(parser: argparse.ArgumentParser, table: bool = False) -> None:
         about = "a heavy symmetric top with its tip held, a free body, or a top on a table"
     parser.add_argument("body", choices=bodies, help=about)
     top = parser.add_argument_group("the top (defaults: the example top)")
-    for flags, default, about in (
-        (["--lambda1"], 1.0, "moment across the axis, about the pivot, kg m²"),
-        (["--lambda3"], 0.5, "moment about the axis, kg m²"),
-        (["--mass", "--M"], 1.0, "mass M, kg"),
-        (["--arm", "--R"], 0.5, "distance R from the pivot to the centre of mass, m"),
-        (["--gravity", "--g"], 9.81, "g, m/s²"),
+    for *flags, name, about in (
+        ("--lambda1", "lambda1", "moment across the axis, about the pivot, kg m²"),
+        ("--lambda3", "lambda3", "moment about the axis, kg m²"),
+        ("--mass", "--M", "M", "mass M, kg"),
+        ("--arm", "--R", "R", "distance R from the pivot to the centre of mass, m"),
+        ("--gravity", "--g", "g", "g, m/s²"),
     ):
-        top.add_argument(*flags, type=number, default=None, help=f"{about} (default {default:g})")
+        top.add_argument(*flags, type=number, help=f"{about} (default {EXAMPLE_TOP[name]:g})")
     top.add_argument("--theta", type=angle, help="θ at t = 0 (default 0.5)")
     top.add_argument("--phi", type=angle, help="φ at t = 0")
     top.add_argument("--psi", type=angle, help="ψ at t = 0")
     top.add_argument("--theta-dot", type=rate, help="θ̇ at t = 0, per second")
     top.add_argument("--phi-dot", type=rate, help="φ̇ at t = 0, per second")
     spin = top.add_mutually_exclusive_group()
-    spin.add_argument("--omega3", type=rate, help="ω₃, per second (default 40)")
+    spin.add_argument("--omega3", type=rate, help=f"ω₃, per second (default {EXAMPLE_SPIN:g})")
     spin.add_argument("--psi-dot", type=rate, help="ψ̇ at t = 0, per second, instead of ω₃")
     top.add_argument("--steady", choices=("slow", "fast"), help="start with φ̇ = Ω₋ or Ω₊")
     free = parser.add_argument_group("the free body")
@@ -151,17 +155,11 @@ def on_table(options: argparse.Namespace, command: str) -> SlidingMotion:
 
     _check(options, command, (*FREE_OPTIONS, "steady"), TABLE_OPTIONS)
     given = {name: value for name, value in vars(options).items() if value is not None}
-    properties = ("lambda1", "lambda3", *TABLE_OPTIONS[:-2])
-    top = rigidtop.SlidingTop(
-        M=given.get("mass", 1.0),
-        R=given.get("arm", 0.5),
-        g=given.get("gravity", 9.81),
-        **{"lambda1": 0.75, "lambda3": 0.5}
-        | {name: given[name] for name in properties if name in given},
-    )
+    more = {name: given[name] for name in TABLE_OPTIONS[:-2] if name in given}
+    top = rigidtop.SlidingTop(**{**EXAMPLE_TOP, "lambda1": 0.75, **_properties(given), **more})
     start = {name: given[name] for name in (*START, "velocity", "slip") if name in given}
     if "omega3" not in start and "psi_dot" not in start:
-        start["omega3"] = 40.0
+        start["omega3"] = EXAMPLE_SPIN
     return top.motion(theta=THETA.checked(given.get("theta", THETA.default)), **start)
 
 
@@ -180,21 +178,21 @@ def _check(
         raise RigidtopError("--time 0 leaves nothing to compute: give a time in seconds")
 
 
+def _properties(given: Mapping[str, Any]) -> dict[str, float]:
+    """What the options say of a top, by the names of its own."""
+    named = {OTHER_NAMES.get(name, name): value for name, value in given.items()}
+    return {name: named[name] for name in EXAMPLE_TOP if name in named}
+
+
 def _top(options: argparse.Namespace) -> Motion:
     import rigidtop
 
     given = {name: value for name, value in vars(options).items() if value is not None}
-    top = rigidtop.HeavyTop(
-        lambda1=given.get("lambda1", 1.0),
-        lambda3=given.get("lambda3", 0.5),
-        M=given.get("mass", 1.0),
-        R=given.get("arm", 0.5),
-        g=given.get("gravity", 9.81),
-    )
+    top = rigidtop.HeavyTop(**{**EXAMPLE_TOP, **_properties(given)})
     start = {name: given[name] for name in START if name in given}
     theta = THETA.checked(given.get("theta", THETA.default))
     if "omega3" not in start and "psi_dot" not in start:
-        start["omega3"] = 40.0
+        start["omega3"] = EXAMPLE_SPIN
     if options.steady:
         for other in ("phi_dot", "psi_dot", "theta_dot"):
             if other in start:

@@ -20,18 +20,15 @@ from rigidtop.commands import motions
 from rigidtop.commands.output import print_json
 from rigidtop.commands.settings import add_settings
 from rigidtop.errors import RigidtopError
-from rigidtop.parameters import quantity
+from rigidtop.parameters import EXAMPLE_SPIN, EXAMPLE_TOP, quantity
 
 if TYPE_CHECKING:
     from rigidtop.motion.sweep import Axis, Map
 
 ABOUT = "map a grid of tops into a file, on one machine or a cluster"
 
-EXAMPLE_TOP = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "R": 0.5, "g": 9.81, "theta": 0.5}
-"""What is neither set nor an axis; ω₃ is 40 rad/s then."""
-
-OTHER_NAMES = {"mass": "M", "arm": "R", "gravity": "g"}
-"""As the options of `rigidtop simulate`."""
+EXAMPLE = {**EXAMPLE_TOP, "theta": motions.THETA.default}
+"""What is neither set nor an axis."""
 
 UNITS = dict.fromkeys(("lambda1", "lambda3", "M", "R", "g", "t"), "1") | dict.fromkeys(
     ("theta", "phi", "psi"), "rad"
@@ -96,7 +93,7 @@ def axis(text: str) -> tuple[str, str]:
     if not name or not value:
         raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE")
     name = name.replace("-", "_")
-    return OTHER_NAMES.get(name, name), value
+    return motions.OTHER_NAMES.get(name, name), value
 
 
 setting = axis
@@ -140,9 +137,9 @@ def run(options: argparse.Namespace) -> int:
         raise RigidtopError(f"--output wants a name that ends in .npy, not {options.output!r}")
     axes = {name: numbers(name, text) for name, text in _once("--axis", options.axis).items()}
     given = {name: one(name, text) for name, text in _once("--set", options.set).items()}
-    fixed = {name: value for name, value in EXAMPLE_TOP.items() if name not in axes} | given
+    fixed = {name: value for name, value in EXAMPLE.items() if name not in axes} | given
     if not {"omega3", "psi_dot"} & {*axes, *fixed}:
-        fixed["omega3"] = 40.0
+        fixed["omega3"] = EXAMPLE_SPIN
     asked = sweep.Sweep(options.quantity, axes, fixed)
     size = options.block or sweep.BLOCK
     show = bar("sweeping")

@@ -708,10 +708,6 @@ def _differences(left: Any, right: Any, model: Model) -> list[Expr]:
         return []
 
 
-def _has(equation: Equation, symbol: Symbol) -> bool:
-    return symbol in symbols_of(equation)
-
-
 def _is_own(node: Any) -> bool:
     return isinstance(node, Lettered) and node.quantity.meaning == "defined in the answer"
 

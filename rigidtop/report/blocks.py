@@ -378,7 +378,6 @@ Block = (
     | Legend
     | NameLine
 )
-PAPERS = ("a4", "letter")
 
 
 @dataclass(frozen=True)

@@ -27,12 +27,13 @@ import numpy as np
 
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import equations
+from rigidtop.parameters import EXAMPLE_TOP
 
 PATIENCE = 120
 ELEMENTS = 100_000
 ROUNDS = 15
 
-TOP = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "g": 9.81, "R": 0.5}
+TOP = EXAMPLE_TOP
 BODY = {
     "lambda1": 3.0,
     "lambda2": 2.0,

@@ -11,7 +11,7 @@ import pytest
 
 import rigidtop as rt
 from rigidtop.cli import main
-from rigidtop.commands.sweep import EXAMPLE_TOP, noted_interrupts
+from rigidtop.commands.sweep import EXAMPLE, noted_interrupts
 from rigidtop.motion import store
 from rigidtop.motion.sweep import REGIMES, Span, Sweep, load
 
@@ -66,7 +66,7 @@ def test_json_is_the_contract(tmp_path, capsys):
 def test_damage_is_said(tmp_path, capsys):
     """A partial file whose only block is no longer what was written."""
     path = tmp_path / "map.npy"
-    half = Sweep("regime", {"omega3": Span(0, 60, 20), "phi_dot": Span(-5, 5, 11)}, EXAMPLE_TOP)
+    half = Sweep("regime", {"omega3": Span(0, 60, 20), "phi_dot": Span(-5, 5, 11)}, EXAMPLE)
     with store.open_store(path, half.about, half.dtype, half.shape) as file:
         file.write(0, np.zeros(110, np.uint8))
     with path.open("r+b") as data:
