@@ -11,18 +11,22 @@ from rigidtop.motion.motion import Motion
 from rigidtop.web.page import Page, page_of
 
 if TYPE_CHECKING:
+    from rigidtop.motion.table.motion import SlidingMotion
     from rigidtop.system.motion import SystemMotion
 
 
 def show(
-    motion: Motion | SystemMotion, height: int = 760, points: Sequence[Sequence[Any]] = ()
+    motion: Motion | SystemMotion | SlidingMotion,
+    height: int = 760,
+    points: Sequence[Sequence[Any]] = (),
 ) -> None:
     """Show a motion in a notebook, from its start: the page computes it in the browser.
 
     `height` is that of the page, in pixels.  A top or a free body has the page of `rigidtop web`,
     which wants ``pip install 'rigidtop[web]'``.  Of a system the page has the coordinates against
     time, sliders of its parameters and its start, and a picture of its masses and bodies, or of
-    `points`: places of two or three components, expressions of q and t.  No page needs a network.
+    `points`: places of two or three components, expressions of q and t.  A top on a table is
+    computed here, for 20 s, and played there.  No page needs a network.
 
     Raises RigidtopError where there is no notebook, for what has no counterpart in JavaScript, and
     where three.js is not installed.
@@ -42,7 +46,9 @@ def show(
 
 
 def page_for(
-    motion: Motion | SystemMotion, height: int = 760, points: Sequence[Sequence[Any]] = ()
+    motion: Motion | SystemMotion | SlidingMotion,
+    height: int = 760,
+    points: Sequence[Sequence[Any]] = (),
 ) -> Page:
     """The page that `show` displays; its `html` is a file that needs nothing else.
 
@@ -58,11 +64,17 @@ def page_for(
     >>> page_for(pendulum.motion({m: 1, l: 1, g: 9.81}, q=0.5)).title
     'Motion in θ'
     """
-    if isinstance(motion, Motion):
+    from rigidtop.motion.table.motion import SlidingMotion
+    from rigidtop.system.motion import SystemMotion
+
+    if isinstance(motion, (Motion, SlidingMotion)):
         if points:
             raise RigidtopError("points are those of a system; a top has its own picture")
-        return page_of(motion, height)
-    from rigidtop.system.motion import SystemMotion
+        if isinstance(motion, Motion):
+            return page_of(motion, height)
+        from rigidtop.web.table import page_of_table
+
+        return page_of_table(motion, height)
     from rigidtop.web.system import page_of_system
 
     if not isinstance(motion, SystemMotion):

@@ -158,8 +158,11 @@ def data(motion: SystemMotion, scene: Scene, title: str) -> Mapping[str, Any]:
         "points": len(scene.places),
         "bodies": list(scene.attitudes),
         "planar": scene.planar,
+        "follow": None,
         "kept": list(scene.kept),
         "equations": display(list(_equations(system)), limit=WIDTH),
+        "about": "",
+        "recording": None,
     }
 
 

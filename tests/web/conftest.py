@@ -16,15 +16,16 @@ from rigidtop.web.presets import PRESETS
 class Engine:
     """Modules of the page, all their names global; values go in and come out as JSON."""
 
-    folder = FOLDER
-
     def __init__(self, *names):
         self.context = pytest.importorskip("quickjs", reason="quickjs-ng is missing").Context()
         self.context.eval("globalThis.performance = { now: () => 0 };")
         for name in names:
-            text = (FOLDER / f"{name}.js").read_text("utf-8")
-            text = re.sub(r"(?ms)^import .*?;\n", "", text)
-            self.context.eval(re.sub(r"(?m)^export ", "", text))
+            self.load((FOLDER / f"{name}.js").read_text("utf-8"))
+
+    def load(self, text):
+        """A module more."""
+        text = re.sub(r"(?ms)^import .*?;\n", "", text)
+        self.context.eval(re.sub(r"(?m)^export ", "", text))
 
     def run(self, text, **given):
         """The value of an expression, or of the last statement; `given` are global there."""

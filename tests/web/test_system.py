@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 
 import numpy as np
 import pytest
@@ -15,7 +14,9 @@ import rigidtop as rt
 from rigidtop.errors import RigidtopError
 from rigidtop.theory import rotation
 from rigidtop.theory import symbols as s
+from rigidtop.web import table
 from rigidtop.web.notebook import page_for
+from rigidtop.web.page import FOLDER
 from rigidtop.web.system import Scene, data
 
 from .conftest import Engine
@@ -80,9 +81,8 @@ def engine_of(motion, points=()):
     scene = Scene(motion.system, points)
     made = data(motion, scene, "")
     engine = Engine("dop853")
-    for text in (scene.module(), (Engine.folder / "flow.js").read_text("utf-8")):
-        text = re.sub(r"(?ms)^import .*?;\n", "", text)
-        engine.context.eval(re.sub(r"(?m)^export ", "", text))
+    for text in (scene.module(), (FOLDER / "flow.js").read_text("utf-8")):
+        engine.load(text)
     engine.run(
         "globalThis.flow = createFlow(data, data.start, data.values); 0",
         data=json.loads(json.dumps(made)),
@@ -210,3 +210,43 @@ def test_in_a_browser(live):
     assert live.js("document.querySelectorAll('#scene canvas').length") == 2
     live.js("(document.querySelector('#more details:last-child').open = true)")
     assert "m" in live.js("document.querySelector('#start').textContent")
+
+
+def sliding():
+    top = rt.SlidingTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5, tip=0.1, mu=0.3)
+    return top.motion(theta=0.3, omega3=60.0)
+
+
+def test_a_top_on_a_table_is_played_as_it_was_computed():
+    run = sliding().integrate(np.arange(0, 1, 1 / table.ROWS))
+    made = table.data(run, "")
+    engine = Engine()
+    for text in (table.module(run.motion.body), (FOLDER / "recording.js").read_text("utf-8")):
+        engine.load(text)
+    engine.run("globalThis.flow = createRecording(data, data.recording); 0", data=made)
+    k = 70
+    found = engine.run(
+        f"(flow.go({run.t[k]}), {{ points: Array.from(flow.now.points), E: flow.now.energy }})"
+    )
+    contact, _, centre, top = np.reshape(found["points"][:12], (4, 3))
+    assert contact == pytest.approx(run.contact[k], abs=1e-6)
+    assert centre == pytest.approx(run.position[k], abs=1e-6)
+    assert top == pytest.approx(run.position[k] + 0.5 * run.e3[k], abs=1e-6)
+    assert found["points"][12:] == pytest.approx(run.rotation.as_matrix()[k].ravel(), abs=1e-6)
+    assert found["E"] == pytest.approx(run.energy[k], rel=1e-8)
+    # Between two rows it is between them, and at the end it says why it ends.
+    between = engine.run(f"(flow.go({run.t[k : k + 2].mean()}), flow.now.energy)")
+    assert between == pytest.approx(run.energy[k : k + 2].mean(), rel=1e-8)
+    said = "(() => { try { flow.go(2); return ''; } catch (e) { return e.message; } })()"
+    assert engine.run(said) == "it was computed for 10 s"
+    assert engine.run("flow.now.t") == pytest.approx(run.t[-1])
+    assert made["about"].startswith("λ₁ = 1 kg m², λ₃ = 0.5 kg m², M = 1 kg, R = 0.5 m, r = 0.1 m")
+    assert "At t = 0.5438 s its contact stops slipping" in made["about"]
+
+
+def test_a_top_that_falls_says_so():
+    top = rt.SlidingTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5, mu=0.3)
+    run = top.motion(theta=1.0, omega3=1.0).integrate(np.arange(0, 3, 0.1))
+    made = table.data(run, "")
+    assert made["recording"]["ended"] == "the top lies on the table"
+    assert len(made["recording"]["rows"]) == len(run.t) < 30

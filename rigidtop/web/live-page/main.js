@@ -8,6 +8,7 @@ import {
   stateOf,
   writeAddress,
 } from "./address.js";
+import { createClock } from "./clock.js";
 import {
   createChecks,
   createChoice,
@@ -26,6 +27,7 @@ import { createMotion } from "./motion.js";
 import { plotsOf, plottedOf } from "./plotted.js";
 import { createPolhodeMap } from "./polhode_map.js";
 import { createPotentialPlot } from "./potential_plot.js";
+import { createPreview } from "./preview.js";
 import { createRegimeMap } from "./regime_map.js";
 import { createScene } from "./scene.js";
 import { createTake, tableOf } from "./take.js";
@@ -43,17 +45,11 @@ import { createTransport } from "./transport.js";
 /** @typedef {import("./address.js").State} State */
 /** @typedef {import("./theme.js").Theme} Theme */
 
-/** The most that time moves on in one frame, in seconds; a page that was hidden does not jump. */
-const LONGEST_FRAME = 1 / 20;
-/** What a frame may spend on the motion while it plays, and on the way to a time far off, in ms. */
-const FRAME = 8;
-const SLICE = 14;
 /** A single step and the farthest time that an address may ask for, in times of the motion. */
 const STEP = 1 / 10;
 const FARTHEST = 1e5;
 /** While it stands at t = 0 the page shows what is to come in so many seconds of playing. */
 const PREVIEW = 12;
-const PREVIEW_DELAY = 120;
 /** How fast a blow makes a top that stands still, in √(MgR/λ₁). */
 const BLOW = 0.5;
 /** How often the picture's description is told anew, in ms. */
@@ -62,8 +58,6 @@ const DESCRIPTION = 5000;
 const narrow = matchMedia("(max-width: 700px), (max-width: 1000px) and (orientation: portrait)");
 /** How a sentence on a ghost that there can't be begins. */
 const NO_GHOST = "Nothing is beside it";
-/** Frames that fell behind, net of those that did not, until the page says so. */
-const BEHIND = 30;
 
 const data = pageData();
 const presets = data.presets.includes(data.first) ? data.presets : [data.first, ...data.presets];
@@ -79,34 +73,9 @@ let facts = factsOf(motion);
  * @type {Motion | null}
  */
 let ghost = null;
-let playing = false;
-/** @type {1 | -1} */
-let direction = 1;
-/**
- * A time on the way to which the page is, and where it set out.
- *
- * @type {[number, number] | null}
- */
-let goal = null;
 /** What is asked for by the sliders and not yet tried, with the name of the one moved last. */
 let asked = /** @type {{ values: Record<string, number>, name: string } | null} */ (null);
-/**
- * What is to come of the motion and its ghost, while the page stands at t = 0.
- *
- * @type {Sample[][] | null}
- */
-let preview = null;
-/**
- * The same as if it were past, for the scene, which draws the past only.
- *
- * @type {Sample[][]}
- */
-let mirrored = [];
-let previewTimer = 0;
-let behind = 0;
 let described = -Infinity;
-let lastFrame = NaN;
-let frameAsked = false;
 let frames = 0;
 
 setTheme(preferredTheme());
@@ -131,15 +100,41 @@ const equations = createEquationPanel(find("equations"), data.equations, (arrow)
   scene?.light(arrow);
 });
 
+const clock = createClock({
+  now: () => motion.now.t,
+  go: (t, deadline) => {
+    const reached = motion.go(t, deadline);
+    ghost?.go(motion.now.t);
+    return reached;
+  },
+  rate: () => state.preset.speed * state.speed,
+  before: tryAsked,
+  draw,
+  moved: (rests) => {
+    if (rests) described = -Infinity;
+    address.changed(rests);
+  },
+});
+const preview = createPreview(
+  () => {
+    const duration = PREVIEW * state.preset.speed;
+    const count = Math.round(Math.min(Math.max(300, (4 * duration) / motion.timescale), 3000));
+    return [motion, ghost].map((each) => each?.ahead(duration, count) ?? []);
+  },
+  () => {
+    // The scene draws the same moment again only if something was set.
+    scene?.setLayers(state.layers);
+    clock.wake();
+  },
+);
 const address = createAddressBar(currentAddress);
 const transport = createTransport(find("transport"), {
   toStart,
-  toggle,
+  toggle: clock.toggle,
   step,
   setSpeed: (factor) => {
     state.speed = factor;
-    behind = 0;
-    wake();
+    clock.wake();
   },
   ...(data.kind === "heavy-top" && { push }),
 });
@@ -153,7 +148,7 @@ const sliders = createSliders(
   data.parameters,
   (values, name) => {
     asked = { values, name };
-    wake();
+    clock.wake();
   },
 );
 const switches = find("switches");
@@ -196,8 +191,8 @@ const themes = element(
   ...THEMES.map(([name, words]) => element("option", { value: name }, words)),
 );
 const keys = createKeys(picture, /** @type {HTMLDialogElement} */ (find("keys")), {
-  play: () => (playing ? pause() : toggle(1)),
-  backwards: () => toggle(-1),
+  play: () => (clock.playing ? clock.pause() : clock.toggle(1)),
+  backwards: () => clock.toggle(-1),
   step,
   toStart,
   push,
@@ -219,7 +214,7 @@ const tour = createTour(find("tour"), data.tour, {
   end: () => {
     scene?.resize();
     starter.focus();
-    wake();
+    clock.wake();
   },
 });
 const starter = element("button", { type: "button", title: "Guided tour (T)" }, "Tour");
@@ -240,7 +235,7 @@ find("tools").append(starter, screen, themes, keyList);
 document.addEventListener("fullscreenchange", () => {
   if (!document.fullscreenElement) document.body.classList.remove("presenting");
   scene?.resize();
-  wake();
+  clock.wake();
 });
 
 themes.addEventListener("change", () => {
@@ -260,11 +255,10 @@ document.querySelector(".skip")?.addEventListener("click", (event) => {
   event.preventDefault();
   find("column").focus();
 });
-document.addEventListener("visibilitychange", () => (lastFrame = NaN));
 window.addEventListener("hashchange", () => readState(location.hash));
 new ResizeObserver(() => {
   scene?.resize();
-  wake();
+  clock.wake();
 }).observe(picture);
 
 // For tests and the curious.
@@ -274,7 +268,7 @@ Object.assign(window, {
       return motion;
     },
     get playing() {
-      return playing;
+      return clock.playing;
     },
     /** Frames drawn since the page was opened. */
     get frames() {
@@ -364,7 +358,7 @@ function readState(hash, plays) {
   complain(complaints);
   const usual = plays ?? true;
   start(found, state.play ?? (usual && !prefersStill.matches));
-  if (state.t > 0) setGoal(state.t);
+  if (state.t > 0) clock.setGoal(state.t);
 }
 
 /** The map of starts, over a corner of the picture or, on a phone, below what it sets. */
@@ -377,7 +371,7 @@ function placeMap() {
 
 /** What is shown now, as an address. */
 function currentAddress() {
-  return writeAddress({ ...state, t: motion.now.t, play: playing }, data);
+  return writeAddress({ ...state, t: motion.now.t, play: clock.playing }, data);
 }
 
 /** The picture and one sentence on the whole screen, or all as it was. */
@@ -386,7 +380,7 @@ function present() {
   if (shows) document.documentElement.requestFullscreen?.().catch(() => {});
   else if (document.fullscreenElement) document.exitFullscreen().catch(() => {});
   scene?.resize();
-  wake();
+  clock.wake();
 }
 
 /** One line on what is wrong with the address, which the reader can send away. */
@@ -401,9 +395,8 @@ function complain(/** @type {readonly string[]} */ complaints) {
 
 /** Show a motion that begins, with everything that belongs to it. */
 function start(/** @type {Motion} */ next, /** @type {boolean} */ plays) {
-  playing = plays;
-  direction = 1;
   asked = null;
+  clock.start(plays);
   begin(next);
   sliders.show(state.values, state.clock, state.preset);
   showTheme();
@@ -415,15 +408,13 @@ function start(/** @type {Motion} */ next, /** @type {boolean} */ plays) {
 function begin(next) {
   motion = next;
   facts = factsOf(motion);
-  goal = null;
-  behind = 0;
   described = -Infinity;
-  forgetPreview();
+  preview.forget();
   scene?.setMotion(motion, state.shape);
   setGhost();
   potential.setMotion(motion);
   map.setMotion(motion);
-  wake();
+  clock.fresh();
 }
 
 /** The ghost that is asked for, at the time at which the motion is, if there is such a body. */
@@ -441,7 +432,7 @@ function setGhost() {
       complain([`${NO_GHOST} with ${words}: ${messageOf(error)}`]);
     }
   }
-  forgetPreview();
+  preview.forget();
   plots.setMotion(motion, ghost, state.plot);
 }
 
@@ -449,7 +440,7 @@ function setGhost() {
 function choosePreset(preset) {
   const { theme, speed, embed, plot, ghost: ghostNow } = state;
   state = { ...stateOf(preset), theme, speed, embed, plot, ghost: ghostNow };
-  start(createMotion(setupOf(state), data.tableau), playing);
+  start(createMotion(setupOf(state), data.tableau), clock.playing);
 }
 
 /** What the sliders ask for, if there is such a body; if not, the slider says why. */
@@ -490,7 +481,7 @@ function showLooks() {
   beside.show(state.ghost);
   shape?.show(state.shape);
   address.changed();
-  wake();
+  clock.wake();
 }
 
 function showTheme() {
@@ -502,42 +493,21 @@ function showTheme() {
   plots.setColours(colours);
   potential.setColours(colours);
   map.setColours(colours);
-  wake();
-}
-
-/**
- * Play that way, or pause if it does.
- *
- * @param {1 | -1} way
- */
-function toggle(way) {
-  if (playing && direction === way) {
-    pause();
-    return;
-  }
-  if (way < 0 && motion.now.t <= 0) return;
-  playing = true;
-  direction = way;
-  behind = 0;
-  lastFrame = NaN;
-  wake();
+  clock.wake();
 }
 
 /** A little on or back. */
 function step(/** @type {1 | -1} */ way) {
-  pause();
-  setGoal(Math.max(0, motion.now.t + way * STEP * motion.timescale));
+  clock.step(way * STEP * motion.timescale);
 }
 
 /** Begin anew, from the start itself. */
 function toStart() {
   motion.reset();
   ghost?.reset();
-  goal = null;
-  behind = 0;
   described = -Infinity;
   address.changed();
-  wake();
+  clock.fresh();
 }
 
 /** A blow on the axis, downwards: the motion goes on from where it is with more θ̇. */
@@ -549,77 +519,10 @@ function push() {
   sliders.setAll({ theta, phi, psi, ...rates });
 }
 
-function pause() {
-  playing = false;
-  described = -Infinity;
-  wake();
-  address.changed(true);
-}
-
-/**
- * Go to a time, in several frames if it is far off.
- *
- * @param {number} t
- */
-function setGoal(t) {
-  goal = [motion.now.t, t];
-  behind = 0;
-  wake();
-}
-
-/** Ask for a frame, unless one is asked for. */
-function wake() {
-  if (frameAsked) return;
-  frameAsked = true;
-  requestAnimationFrame(frame);
-}
-
-/** @param {number} now */
-function frame(now) {
-  frameAsked = false;
-  const passed = Number.isNaN(lastFrame) || document.hidden ? 0 : (now - lastFrame) / 1000;
-  lastFrame = now;
-  tryAsked();
-  if (goal) approach(goal[1]);
-  else if (playing) moveOn(passed);
-  draw(now);
-  frames += 1;
-  if (playing || goal) wake();
-  else lastFrame = NaN;
-}
-
-/**
- * A slice of the way to a time.
- *
- * @param {number} t
- */
-function approach(t) {
-  const reached = motion.go(t, performance.now() + SLICE);
-  ghost?.go(motion.now.t);
-  if (reached) {
-    goal = null;
-    if (!playing) described = -Infinity;
-    address.changed();
-  }
-}
-
-/** @param {number} seconds */
-function moveOn(seconds) {
-  const rate = state.preset.speed * state.speed;
-  const shown = Math.min(seconds, LONGEST_FRAME);
-  const t = Math.max(0, motion.now.t + direction * rate * shown);
-  const reached = motion.go(t, performance.now() + FRAME) && shown === seconds;
-  ghost?.go(motion.now.t);
-  behind = Math.max(0, Math.min(2 * BEHIND, behind + (reached ? -1 : 1)));
-  if (direction < 0 && t === 0) pause();
-  else address.changed();
-}
-
 /** @param {number} now */
 function draw(now) {
   const sample = motion.now;
-  const [trail, ghostTrail] = trailsNow();
-  const [past, ghostPast] = preview ? mirrored : [trail, ghostTrail];
+  const { ahead: [trail, ghostTrail], mirrored: [past, ghostPast] } = trailsNow();
   scene?.draw(sample, past, ghost && { sample: ghost.now, trail: ghostPast });
   plots.draw({ sample, trail }, ghost && { sample: ghost.now, trail: ghostTrail });
   potential.draw(sample);
@@ -631,63 +534,34 @@ function draw(now) {
     t: sample.t,
     clock: state.clock,
     digits: Math.min(Math.max(2, Math.ceil(-Math.log10(step))), 6),
-    playing,
-    direction,
+    playing: clock.playing,
+    direction: clock.direction,
     factor: state.speed,
     rate: state.preset.speed * state.speed,
-    note: note(),
+    note: clock.note(state.clock),
   });
   if (now > described + DESCRIPTION) {
     described = now;
     picture.setAttribute("aria-label", description(sample));
   }
+  frames += 1;
 }
 
 /**
- * The trails of the motion and its ghost until now; at rest at t = 0, what is to come, as soon as
- * it is computed.
+ * The trails of the motion and its ghost until now, for the plots and for the scene; at rest at
+ * t = 0 what is to come, as soon as it is computed.
  */
 function trailsNow() {
   const trails = [motion.trail, ghost?.trail ?? []];
-  if (playing || goal || motion.now.t !== 0) {
-    forgetPreview();
-    return trails;
-  }
-  if (asking()) return trails;
-  if (!preview && !previewTimer) previewTimer = window.setTimeout(computePreview, PREVIEW_DELAY);
-  return preview ?? trails;
-}
-
-function forgetPreview() {
-  clearTimeout(previewTimer);
-  previewTimer = 0;
-  preview = null;
-}
-
-function computePreview() {
-  const duration = PREVIEW * state.preset.speed;
-  const count = Math.min(Math.max(300, (4 * duration) / motion.timescale), 3000);
-  preview = [motion, ghost].map((each) => each?.ahead(duration, Math.round(count)) ?? []);
-  mirrored = preview.map((trail) =>
-    trail.map((sample) => ({ ...sample, t: -sample.t })).reverse());
-  // The scene draws the same moment again only if something was set.
-  scene?.setLayers(state.layers);
-  wake();
+  const usual = { ahead: trails, mirrored: trails };
+  const rests = !clock.runs && motion.now.t === 0;
+  if (!rests) preview.forget();
+  return (rests && !asking() && preview.shown()) || usual;
 }
 
 /** Whether the tour asks what will happen: then nothing on the page tells. */
 function asking() {
   return document.body.classList.contains("asking");
-}
-
-/** What there is to say about time, or "". */
-function note() {
-  if (goal && goal[1] !== 0) {
-    const [from, to] = goal;
-    const done = Math.floor((100 * (motion.now.t - from)) / (to - from || 1));
-    return `computing to t = ${Number(to.toPrecision(6))} ${state.clock}: ${done} %`;
-  }
-  return behind > BEHIND ? "runs slower than asked: this is all that the machine can do" : "";
 }
 
 /**
@@ -711,6 +585,6 @@ function description({ t, theta, phi_dot }) {
   const time = `at t = ${Number(t.toPrecision(3))} ${unit}s`;
   return (
     `${body}, ${regime || "in motion"}${range}. Now θ = ${degrees(theta)}${turning}, ${time}; ` +
-    `${playing ? "playing" : "paused"}.`
+    `${clock.playing ? "playing" : "paused"}.`
   );
 }

@@ -26,7 +26,7 @@ const AXES = /** @type {const} */ (["e1", "e2", "e3"]);
  * @param {Colours} colours
  * @param {SystemData} data
  */
-export function createPoints(container, colours, { points: count, bodies, planar }) {
+export function createPoints(container, colours, { points: count, bodies, planar, follow }) {
   let { azimuth, elevation, zoom } = HOME;
   /** @type {[Moment, readonly Moment[]] | null} */
   let last = null;
@@ -73,14 +73,16 @@ export function createPoints(container, colours, { points: count, bodies, planar
     if (!last || !sheet) return;
     const [now, trail] = last;
     const { ctx, width, height, em } = sheet;
+    const [middleX, middleY] = [0, 1].map((k) =>
+      follow === null ? 0 : now.points[3 * follow + k]);
     const size = (FILLED * zoom * Math.min(width, height)) / 2 / reach;
     /** @returns {[number, number]} */
     const place = (/** @type {ArrayLike<number>} */ at, from = 0) => {
-      const [x, y] = seen(at, from);
+      const [x, y] = seen([at[from] - middleX, at[from + 1] - middleY, at[from + 2]]);
       return [width / 2 + size * x, height / 2 - size * y];
     };
     const thick = (colours.highContrast ? 1.5 : 1) * em;
-    drawAxes(sheet, place);
+    drawAxes(sheet, (end) => place([end[0] + middleX, end[1] + middleY, end[2]]));
     const past = trail.slice(-TRAIL);
     for (let k = 0; k < count; k++) {
       ctx.strokeStyle = colourOf(k);
@@ -165,7 +167,8 @@ export function createPoints(container, colours, { points: count, bodies, planar
     setMotion(/** @type {readonly Moment[]} */ ahead) {
       const finite = ahead.filter(({ points }) => points.every(Number.isFinite));
       const extent = Math.max(0, ...finite.map(({ points }) =>
-        Math.max(...points.subarray(0, 3 * count).map(Math.abs))));
+        Math.max(...points.subarray(0, 3 * count).map((x, k) =>
+          Math.abs(follow === null || k % 3 === 2 ? x : x - points[3 * follow + (k % 3)])))));
       // A body that turns about a fixed point is all there is.
       [reach, along] = extent > 0 ? [extent, ALONG] : [1, 1];
       rods = [];

@@ -1,10 +1,12 @@
 /** The page of a system: its motion, moved on and drawn frame by frame, with what sets it. */
 
 import { decimal, nice, significant } from "./axes.js";
+import { createClock } from "./clock.js";
 import { createPick, createSliders, element } from "./controls.js";
 import { createFlow } from "./flow.js";
 import { createMeter } from "./meter.js";
 import { createPoints } from "./points.js";
+import { createRecording } from "./recording.js";
 import { createTake } from "./take.js";
 import { preferredTheme, readColours, setTheme, THEMES } from "./theme.js";
 import { createTimePlots, fitted, UNIT } from "./time_plots.js";
@@ -16,9 +18,6 @@ import { createTransport } from "./transport.js";
 /** @typedef {import("./flow.js").Moment} Moment */
 /** @typedef {import("./time_plots.js").Colour} Colour */
 
-/** The most that time moves on in one frame (s), and what a frame may spend on it (ms). */
-const LONGEST_FRAME = 1 / 20;
-const FRAME = 10;
 /** The first look at a motion is played in about so many seconds; the plots show so many. */
 const LOOK = 20;
 const WINDOW = 10;
@@ -36,7 +35,9 @@ const data = JSON.parse(find("data").textContent ?? "");
 const half = data.state.length / 2;
 let start = [...data.start];
 let values = [...data.values];
-let flow = createFlow(data, start, values);
+let flow = data.recording
+  ? createRecording(data, data.recording)
+  : createFlow(data, start, values);
 const speed = playing(flow.pace);
 /** Sliders of the start go as far as the motion that was given, and further. */
 const parameters = [
@@ -44,13 +45,8 @@ const parameters = [
   ...data.state.flatMap((each, k) =>
     (data.bound ? [] : [named({ ...each, ...reach(k) }, `s${k}`)])),
 ];
-let plays = !matchMedia("(prefers-reduced-motion: reduce)").matches;
-/** @type {1 | -1} */
-let direction = 1;
 let factor = 1;
 let frames = 0;
-let lastFrame = NaN;
-let asked = false;
 let plot = "";
 /** Why there is no more of the motion. */
 let ended = "";
@@ -58,9 +54,13 @@ let ended = "";
 setTheme(preferredTheme());
 find("title").textContent = data.title;
 find("version").textContent =
-  `rigidtop ${data.version}. This page computes everything itself and sends nothing.`;
+  `rigidtop ${data.version}. This page ${data.recording ? "plays what was computed before it" :
+    "computes everything itself"} and sends nothing.`;
 
 const picture = find("scene");
+find("about").textContent = data.about;
+find("start-title").hidden = data.recording !== null;
+find("more").hidden = data.recording !== null;
 find("equations").innerHTML = data.equations; // written by the package, as the whole page is
 const scene = createPoints(picture, readColours(), data);
 /** Without points there is the motion in its phase plane. */
@@ -68,17 +68,18 @@ const portrait = data.points > 0 ? null : createTimePlots(picture, readColours()
 const plots = createTimePlots(find("plots"), readColours(), plottedOf);
 const meter = createMeter(find("meter"));
 const refused = find("refused");
+const clock = createClock({ now: () => flow.now.t, go, rate: () => speed * factor, draw });
 const transport = createTransport(find("transport"), {
   toStart: () => {
     flow.reset();
     ended = "";
-    wake();
+    clock.fresh();
   },
-  toggle,
+  toggle: clock.toggle,
   step,
   setSpeed: (next) => {
     factor = next;
-    wake();
+    clock.wake();
   },
 });
 const sliders = createSliders({ start: find("start"), body: find("start") }, "free", parameters,
@@ -108,7 +109,7 @@ const choices = [["q", "coordinates"], ["v", "velocities"], ["E", "energy"],
 createPick(find("tools"), "plotted", choices.map(([name, words]) => [name, words]), (chosen) => {
   plot = chosen;
   plots.setMotion(flow, null, plot);
-  wake();
+  clock.wake();
 }).show("q");
 const themes = element("select", { "aria-label": "Theme" },
   ...THEMES.map(([name, words]) => element("option", { value: name }, words)));
@@ -136,12 +137,11 @@ document.addEventListener("keydown", ({ key, target, ctrlKey, altKey, metaKey })
     ArrowLeft: () => scene.turn(-TURN, 0), ArrowRight: () => scene.turn(TURN, 0),
     ArrowUp: () => scene.turn(0, TURN), ArrowDown: () => scene.turn(0, -TURN),
   };
-  const does = { ...arrows, " ": () => toggle(1), "+": () => scene.zoom(1.1),
+  const does = { ...arrows, " ": () => clock.toggle(1), "+": () => scene.zoom(1.1),
     "-": () => scene.zoom(1 / 1.1), "0": scene.home, ".": () => step(1), ",": () => step(-1) };
   const act = Object.entries(does).find(([name]) => name === key)?.[1];
   if (act) act();
 });
-document.addEventListener("visibilitychange", () => (lastFrame = NaN));
 // For tests and the curious.
 Object.assign(window, { rigidtop: {
   get flow() {
@@ -152,6 +152,7 @@ Object.assign(window, { rigidtop: {
   },
 } });
 begin();
+clock.start(!matchMedia("(prefers-reduced-motion: reduce)").matches);
 
 /** @param {string} id */
 function find(id) {
@@ -192,7 +193,7 @@ function begin() {
   scene.setMotion(flow.ahead(LOOK * speed, AHEAD));
   plots.setMotion(flow, null, plot);
   portrait?.setMotion(flow, null, "phase");
-  wake();
+  clock.fresh();
 }
 
 /**
@@ -243,44 +244,23 @@ function line(title, of, colour, say, size = Math.abs(of(flow.start)) || 1) {
 }
 
 /** @param {1 | -1} way */
-function toggle(way) {
-  plays = !(plays && direction === way) && (way < 0 || !ended);
-  direction = way;
-  lastFrame = NaN;
-  wake();
-}
-
-/** @param {1 | -1} way */
 function step(way) {
-  plays = false;
-  move(flow.now.t + (way * WINDOW * speed) / 100);
-  wake();
+  clock.step((way * WINDOW * speed) / 100);
 }
 
-/** As far towards t as a frame allows; where the motion ends, it stands. */
-function move(/** @type {number} */ t) {
+/** Towards t; where the motion ends it stands. */
+function go(/** @type {number} */ t, /** @type {number} */ deadline) {
   try {
-    flow.go(Math.max(0, t), performance.now() + FRAME);
     ended = "";
+    return flow.go(t, deadline);
   } catch (error) {
-    plays = false;
     ended = `the motion ends here: ${messageOf(error)}`;
+    clock.pause();
+    return true;
   }
 }
 
-function wake() {
-  if (asked) return;
-  asked = true;
-  requestAnimationFrame(frame);
-}
-
-/** @param {number} time */
-function frame(time) {
-  asked = false;
-  const passed = Number.isNaN(lastFrame) || document.hidden ? 0 : (time - lastFrame) / 1000;
-  lastFrame = time;
-  if (plays) move(flow.now.t + direction * Math.min(passed, LONGEST_FRAME) * speed * factor);
-  if (direction < 0 && flow.now.t <= 0) plays = false;
+function draw() {
   const { now, trail } = flow;
   if (portrait) portrait.draw({ sample: now, trail }, null);
   else scene.draw(now, trail);
@@ -293,15 +273,13 @@ function frame(time) {
     t: now.t,
     clock: "s",
     digits: Math.min(Math.max(0, 2 - Math.floor(Math.log10(speed))), 15),
-    playing: plays,
-    direction,
+    playing: clock.playing,
+    direction: clock.direction,
     factor,
     rate: speed * factor,
-    note: ended,
+    note: ended || clock.note("s"),
   });
   frames += 1;
-  if (plays) wake();
-  else lastFrame = NaN;
 }
 
 /** The motion from t = 0 as comma-separated values. */

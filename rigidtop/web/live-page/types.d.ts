@@ -211,8 +211,21 @@ export interface SystemData {
   readonly points: number;
   readonly bodies: readonly number[];
   readonly planar: boolean;
+  /** The point that the picture goes along with, or null. */
+  readonly follow: number | null;
   readonly kept: readonly string[];
   readonly equations: string;
+  /** A sentence or two on what is played, or "". */
+  readonly about: string;
+  /** Of a motion that Python has computed; null of one that the page computes. */
+  readonly recording: Recording | null;
+}
+
+/** States at even steps of time, and why there are no more. */
+export interface Recording {
+  readonly step: number;
+  readonly rows: readonly (readonly number[])[];
+  readonly ended: string;
 }
 
 export type Letter = Pick<Parameter, "letter" | "math" | "meaning" | "unit" | "angle">;

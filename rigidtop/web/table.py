@@ -1,0 +1,144 @@
+"""The page of a top on a table: computed here, with its changes between sliding and rolling."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib.metadata import version
+from math import pi
+from typing import Any
+
+import numpy as np
+import sympy
+from sympy import Matrix, cos
+
+from rigidtop.codegen.javascript import of_arrays
+from rigidtop.motion.table.motion import SlidingMotion, SlidingTop
+from rigidtop.motion.table.trajectory import SlidingTrajectory
+from rigidtop.theory import rotation
+from rigidtop.theory import symbols as s
+from rigidtop.web.page import Page, document, json_text, tableau
+
+LONGEST, ROWS = 10.0, 200
+"""How long it is played (s), and rows in a second of it."""
+
+X, Y, E = sympy.symbols("X Y E", real=True)
+COLUMNS = (
+    ("θ", "rad"),
+    ("φ", "rad"),
+    ("X", "m"),
+    ("Y", "m"),
+    ("θ̇", "rad/s"),
+    ("slip", "m/s"),
+    ("ω₃", "rad/s"),
+    ("W", "J"),
+)
+"""What is plotted, with its unit: W is what friction and air have taken."""
+
+ENDS = {
+    "fall": "the top lies on the table",
+    "lift-off": "the top leaves the table",
+    "": f"it was computed for {LONGEST:g} s",
+}
+HAPPENS = {"standstill": "its contact stops slipping", "slip": "its contact slips again"}
+
+
+def page_of_table(motion: SlidingMotion, height: int = Page.height) -> Page:
+    """The page of a top on a table; see `rigidtop.show`.
+
+    Raises RigidtopError where it cannot be integrated.
+    """
+    title = "A top on a table"
+    run = motion.integrate(np.arange(0, LONGEST + 0.5 / ROWS, 1 / ROWS))
+    text = json_text(data(run, title))
+    return Page(title, document(title, text, "system", module(motion.body)), height)
+
+
+def places(body: SlidingTop) -> tuple[Matrix, ...]:
+    """The contact, the centre of the round tip, the centre of mass, and the axis above it."""
+    axis = Matrix(rotation.euler_matrix()[:, 2])
+    below = body.R - body.tip
+    centre = Matrix([X, Y, body.tip + below * cos(s.theta)])
+    tip = centre - below * axis
+    contact = Matrix([*tip[:2], 0])
+    return contact, tip, centre, centre + body.R * axis
+
+
+def module(body: SlidingTop) -> str:
+    """The places and the attitude as functions of a row."""
+    row = [s.theta, s.phi, X, Y, *sympy.symbols("thetadot slip omega3 W"), s.psi, E]
+    takes = {"s": row, "p": ()}
+    seen = [x for place in places(body) for x in place] + list(rotation.euler_matrix())
+    return "\n\n".join(
+        (
+            of_arrays("rates", "What a page of rows does not ask for.", takes, ()),
+            of_arrays("points", "Contact, tip, centre, axis, then the attitude.", takes, seen),
+            of_arrays("measures", "E (J).", takes, [E]),
+        )
+    )
+
+
+def data(run: SlidingTrajectory, title: str) -> Mapping[str, Any]:
+    """`SystemData` of the page's types."""
+    taken = run.dissipated_by_friction + run.dissipated_by_air
+    slip = np.hypot(*run.slip.T)
+    rows = np.column_stack(
+        (
+            *(run.theta, run.phi, run.centre, run.theta_dot, slip, run.omega[:, 2], taken),
+            *(run.psi, run.energy),
+        )
+    )
+    return {
+        "version": version("rigidtop"),
+        "title": title,
+        "tableau": tableau(),
+        "state": [
+            {
+                "letter": letter,
+                "math": "",
+                "meaning": "",
+                "unit": "" if unit == "rad" else unit,
+                "angle": unit == "rad",
+            }
+            for letter, unit in COLUMNS
+        ],
+        "start": rows[0].tolist(),
+        "parameters": [],
+        "values": [],
+        "tied": [],
+        "bound": True,
+        "sides": [],
+        "points": 4,
+        "bodies": [2],
+        "planar": False,
+        "follow": 2,
+        "kept": [],
+        "equations": "",
+        "about": said(run),
+        "recording": {
+            "step": 1 / ROWS,
+            "rows": [[float(f"{x:.9g}") for x in row] for row in rows],
+            "ended": ENDS[run.ended.kind if run.ended else ""],
+        },
+    }
+
+
+def said(run: SlidingTrajectory) -> str:
+    """The body, and what happens in the course of the motion."""
+    body = run.motion.body
+    numbers = {
+        "λ₁": (body.lambda1, "kg m²"),
+        "λ₃": (body.lambda3, "kg m²"),
+        "M": (body.M, "kg"),
+        "R": (body.R, "m"),
+        "r": (body.tip, "m"),
+        "μ": (body.mu, ""),
+        "γ": (body.viscosity, "N s/m"),
+    }
+    given = ", ".join(f"{name} = {x:g} {unit}".strip() for name, (x, unit) in numbers.items() if x)
+    happens = [f"at t = {e.time:.4g} s {HAPPENS[e.kind]}" for e in run.events if e.kind in HAPPENS]
+    more = f" and {len(happens) - 3} changes more" if len(happens) > 3 else ""
+    course = f" {'; '.join(happens[:3])}{more}.".replace(" at", " At", 1) if happens else ""
+    turned = float(run.theta[-1] - run.theta[0]) * 180 / pi
+    way = "falls" if turned > 0 else "rises"
+    last = f" In {run.t[-1]:.4g} s its axis {way} by {abs(turned):.3g}°." if abs(turned) > 1 else ""
+    return f"{given}.{course}{last} The trails are those of the contact, the centre and the axis."
