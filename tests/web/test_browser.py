@@ -111,8 +111,8 @@ import("rigidtop/motion.js").then(({ createMotion }) => {
   const { setup, speed } = data.presets.find((preset) => preset.name === name);
   const motion = createMotion(setup, data.tableau);
   let most = 0;
-  for (let frame = 1; frame <= 3600 * 20; frame++) {
-    motion.go((speed * frame) / 20);
+  for (let frame = 1; frame <= 3600 * 10; frame++) {
+    motion.go((speed * frame) / 10);
     most = Math.max(most, Math.abs(motion.now.energy / motion.start.energy - 1));
   }
   done([motion.now.t, most, motion.drift().map((drift) => drift.most)]);
