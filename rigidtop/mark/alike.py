@@ -78,7 +78,7 @@ def alike(equation: Equation, others: Iterable[tuple[str, Equation]]) -> Alike |
 
 def _stand_alike(residual: Expr, one: Symbol, other: Symbol) -> bool:
     """Whether two letters may be exchanged, as λ₃ and ω₃ in λ₃ω₃."""
-    return residual.xreplace({one: other, other: one}) == residual
+    return bool(residual.xreplace({one: other, other: one}) == residual)
 
 
 def _base(letter: Symbol) -> tuple[str, str]:
