@@ -456,3 +456,15 @@ def test_the_number_of_an_equation_is_no_factor(text):
     assert text[line.position] == "("
     [tagged] = read("T = V, (3.57)")
     assert tagged.tag == "3.57"
+
+
+def test_reading_leaves_the_caches_of_sympy_alone(monkeypatch):
+    def thrown(_):
+        raise AssertionError("SymPy's switch for evaluation, which empties its caches")
+
+    monkeypatch.setattr(sympy, "evaluate", thrown)
+    [line] = read(r"\mathbf L = 2\lambda_1\,[\sin\theta, 3\omega_3, 0]^T/R")
+    first, second, third = line.equation.sides[1]
+    assert str(first) == "((2*lambda1)*sin(theta))/R"
+    assert str(second) == "((2*lambda1)*(3*omega3))/R"
+    assert third == 0
