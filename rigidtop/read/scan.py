@@ -581,7 +581,7 @@ class Scan:
                     opened.append(i)
                 elif text in (")", "]", "}") and opened:
                     opened.pop()
-                elif text == "," and opened:
+                elif piece.text == "," and opened:
                     found.add(opened[-1])
             self.listing = len(self.items), found
         pair = {"(": ("(", ")"), "[": ("[", "]")}.get(self.items[at].text, (r"\{", r"\}"))

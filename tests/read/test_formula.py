@@ -468,3 +468,10 @@ def test_reading_leaves_the_caches_of_sympy_alone(monkeypatch):
     assert str(first) == "((2*lambda1)*sin(theta))/R"
     assert str(second) == "((2*lambda1)*(3*omega3))/R"
     assert third == 0
+
+
+def test_a_thin_space_is_no_comma():
+    [spaced] = read(r"\frac{d}{dt}\left(\delta\,\dot\theta\right) = 0")
+    [plain] = read(r"\frac{d}{dt}(\delta\dot\theta) = 0")
+    assert spaced.equation is not None
+    assert spaced.equation.sides == plain.equation.sides
