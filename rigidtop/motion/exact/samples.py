@@ -25,7 +25,7 @@ FEWEST, MOST = 64, 1024
 """Samples of a piece: what is worth it, and what fits the processor's cache."""
 
 SIZES = 32
-"""Pieces of few samples have a multiple of so many; those of many a power of 2, to be halved."""
+"""Pieces have a multiple of so many."""
 
 HALF_PIECE = 0.5
 """In radians of z: 16 values give exp(2iz) to rounding there."""
@@ -36,11 +36,8 @@ OF_STRIP = 0.2
 THROUGH, BESIDE = 1.0, 3.0
 """So many pieces are too near to a pole, each time that a motion goes through one, or beside it."""
 
-LEVELS = 4
-"""So many sizes of pieces are tried, where there are many samples."""
-
 MANY = 1 << 15
-"""Fewer samples are worth one size only, of half as many."""
+"""Fewer samples cost less where a compiled formula computes each."""
 
 BLOCK = 2560
 """States at a time: some dozens of arrays stay in the processor's cache."""
@@ -92,55 +89,37 @@ class Course:
 
 
 @dataclass(frozen=True, eq=False)
-class Nodes:
-    """Some of the pieces, and their values at Chebyshev's points."""
-
-    size: int
-    """Samples of a piece."""
-    rows: NDArray[np.intp]
-    """Which pieces, in order."""
-    columns: NDArray[np.intp]
-    """Which of all pieces whose states these are."""
-    states: Any
-
-    def fill(self, table: Floats, name: str) -> None:
-        """The samples of these pieces, of a table of all pieces (P, size)."""
-        values = getattr(self.states, name).reshape(NODES, -1)[:, self.columns]
-        added, basis, rows = values[NODES // 2], _weights(self.size)[0], self.rows
-        coefficients = (values - added).T
-        per_block = max(PRODUCT // (NODES * self.size), 1)
-        for begin in range(0, len(rows), per_block):
-            block = rows[begin : begin + per_block]
-            whole = block[-1] - block[0] == len(block) - 1
-            place = slice(block[0], block[-1] + 1)
-            found = table[place] if whole else np.empty((len(block), self.size))
-            np.matmul(coefficients[begin : begin + per_block], basis, out=found)
-            found += added[begin : begin + per_block, None]
-            if not whole:
-                table[block] = found
-
-
-@dataclass(frozen=True, eq=False)
 class Samples:
     """Evenly spaced samples of a motion, made by `samples`."""
 
     count: int
-    padded: int
-    """With those behind the last that fill its piece."""
-    parts: tuple[Nodes, ...]
+    size: int
+    """Samples of a piece."""
+    nodes: Any
+    """The states of all pieces at Chebyshev's points."""
     others: NDArray[np.intp]
-    """Which samples are evaluated, and the states there."""
+    """Which samples are evaluated, for their pieces are no polynomials, and the states there."""
     states: Any
 
     def of(self, *names: str) -> Floats:
         """All samples of some quantities of the states, (len(names), count)."""
-        result = np.empty((len(names), self.padded))
+        result = np.empty((len(names), -(-self.count // self.size) * self.size))
         for row, name in zip(result, names, strict=True):
-            for part in self.parts:
-                part.fill(row.reshape(-1, part.size), name)
+            self._interpolate(row.reshape(-1, self.size), name)
             if len(self.others):
                 row[self.others] = getattr(self.states, name)
         return result[:, : self.count]
+
+    def _interpolate(self, table: Floats, name: str) -> None:
+        """Fill a table of all pieces (P, size)."""
+        values = getattr(self.nodes, name).reshape(NODES, -1)
+        added, basis = values[NODES // 2], _weights(self.size)[0]
+        coefficients = (values - added).T
+        per_block = max(PRODUCT // (NODES * self.size), 1)
+        for begin in range(0, len(table), per_block):
+            block = slice(begin, begin + per_block)
+            np.matmul(coefficients[block], basis, out=table[block])
+            table[block] += added[block, None]
 
 
 def samples(times: Floats, course: Course, states: States, sizes: Sizes) -> Samples | None:
@@ -149,46 +128,30 @@ def samples(times: Floats, course: Course, states: States, sizes: Sizes) -> Samp
     size = _size(len(times), step, course) if step else 0
     if not size:
         return None
-    count, needed = len(times), sizes(times)
-    padded = -(-count // size) * size
-    unit = FEWEST if count > MANY else size
-    left = np.ones(padded // unit, dtype=bool)
-    parts: list[Nodes] = []
-    for _ in range(LEVELS if count > MANY else 1):
-        whole = left.reshape(-1, size // unit)
-        pieces = np.flatnonzero(np.all(whole[: -(-count // size)], axis=1))
-        if not len(pieces):
-            break
-        middle = times[pieces * size] + step * ((size - 1) / 2)
-        nodes = np.add.outer(step * ((size - 1) / 2) * np.cos(_angles()), middle)
-        at_nodes = states(nodes.ravel())
-        values, units = _needed(at_nodes, needed(at_nodes), NODES)
-        changes = values - values[:, NODES // 2, None]
-        last: Floats = np.abs(np.matmul(_weights(size)[1], changes)).max(axis=1)
-        columns = np.flatnonzero((last <= UNITS * units).all(axis=0))
-        parts.append(Nodes(size, pieces[columns], columns, at_nodes))
-        whole[pieces[columns]] = False
-        size //= 2
-        if size < FEWEST or not left.any():
-            break
-    others = np.flatnonzero(np.repeat(left, unit)[:count])
-    if 2 * len(others) > count:
+    half = step * ((size - 1) / 2)
+    at_nodes = states(np.add.outer(half * np.cos(_angles()), times[::size] + half).ravel())
+    values, units = _needed(at_nodes, sizes(times)(at_nodes), NODES)
+    changes = values - values[:, NODES // 2, None]
+    last: Floats = np.abs(np.matmul(_weights(size)[1], changes)).max(axis=1)
+    wrong = np.flatnonzero(~(last <= UNITS * units).all(axis=0))
+    others = np.add.outer(wrong * size, np.arange(size)).ravel()
+    others = others[others < len(times)]
+    if 2 * len(others) > len(times):
         return None
-    at_others = states(times[others]) if len(others) else parts[0].states
-    return Samples(count, padded, tuple(parts), others, at_others)
+    return Samples(
+        len(times), size, at_nodes, others, states(times[others]) if len(others) else at_nodes
+    )
 
 
 def _size(count: int, step: float, course: Course) -> int:
-    """How many samples of the first pieces; 0 if pieces are too short."""
+    """How many samples of a piece; 0 if pieces are too short."""
     if not abs(step) * FEWEST <= course.piece:
         return 0
-    most = min(course.piece / abs(step), MOST, count)
-    if count > MANY:
-        return FEWEST << int(math.log2(most / FEWEST))
-    # One size only is worth it.  Beside each pole a piece or two are evaluated, sample by sample.
+    # Beside each pole a piece or two are evaluated, sample by sample.
     poles = count * abs(step) / course.period
     lost = (BESIDE if course.nearest else THROUGH) * poles
     balanced = math.sqrt(NODES * count / lost) if lost else math.inf
+    most = min(course.piece / abs(step), MOST, count)
     most = min(most, max(course.piece_anywhere / abs(step), balanced))
     return max(int(most) // SIZES * SIZES, FEWEST)
 
