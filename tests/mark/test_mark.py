@@ -250,12 +250,9 @@ THETA = (
     ("old", "new", "kind", "words"),
     [
         ("+ MgR", "- MgR", "sign", "the sign of MgR sin θ"),
-        ("- \\lambda_3", "+ \\lambda_3", "sign",
-         "the sign of λ₃(ψ̇ + φ̇ cos θ)φ̇ sin θ"),
         ("= \\lambda_1\\dot", "= 2\\lambda_1\\dot", "factor",
          "a factor ½ at 2λ₁φ̇² sin θ cos θ"),
         (r"MgR\sin", r"MgR\cos", "function", "cos θ where sin θ is meant"),
-        (r"\dot\phi^2", r"\dot\phi", "power", "the power of φ̇"),
         (r"(\dot\psi + \dot\phi\cos\theta)", r"\dot\psi", "spin",
          "φ̇ cos θ is missing beside ψ̇"),
         (r" + MgR\sin\theta", "", "missing",
@@ -264,7 +261,7 @@ THETA = (
 )  # fmt: skip
 def test_a_slip_is_the_same_however_far_the_goal_is(old, new, kind, words):
     assert old in THETA
-    for start, goal in (("3.53", "3.54"), ("3.53", "3.57"), ("3.54", "3.57")):
+    for start, goal in (("3.53", "3.54"), ("3.53", "3.57")):
         wrong = mark(f"$${THETA.replace(old, new)}$$", start, goal).first_wrong
         assert [(slip.kind, slip.words) for slip in wrong.slips] == [(kind, words)], (start, goal)
 

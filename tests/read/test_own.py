@@ -67,6 +67,7 @@ READ = {
     r"K = \begin{pmatrix} a & b \\[1.5ex] -k & c \end{pmatrix}": ["K = [a, b; −k, c]"],
     r"\epsilon_{\pm} = \pm a \mp b_\mp": ["ε₊ = a − b₋", "ε₋ = −a + b₊"],
     r"\hspace*{40pt} K = r_{\max}\hspace{1em}": ["K = r_max"],
+    r"T = a^2(\dot x\,b) + c(x\,y)": ["T = a²(ẋb) + c(xy)"],
     r"{\vec F\cdot\vec v} = \underline{\underline{a + b}}": ["F · v = a + b"],
     r"y = \sqrt[3]{x}": ["y = ∛x"],
     r"y = a\cosh[x/a]": ["y = a cosh(x/a)"],
