@@ -40,7 +40,7 @@ from rigidtop.read.formula import Habits, Line, kind
 from rigidtop.theory import lagrangian
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import Glyph, const
-from rigidtop.theory.trig import reduce_ratio
+from rigidtop.theory.trig import reduce_ratio, reduce_trig
 from rigidtop.typeset.text import text
 
 PREMISE = "premise"
@@ -932,9 +932,17 @@ def _divided(residual: Expr, given: Sequence[Expr], unknowns: Sequence[Symbol]) 
     lost = [] if found is None else decide.divided_by(found[1])
     typed = sympy.fraction(sympy.together(wanted))[1]
     kept = {new: old for old, new in names.items()}
-    lost = [x for x in lost if not decide.nonzero(x)
-            and not decide.positive(x) and typed.subs(x, 0) != 0]  # fmt: skip
+    lost = [x for x in lost if not _has_sign(x) and typed.subs(x, 0) != 0]
     return "where " + ", ".join(f"{text(x.xreplace(kept))} ≠ 0" for x in lost) if lost else ""
+
+
+def _has_sign(x: Expr) -> bool:
+    """Whether something is never 0, its letters being positive: m₁ + m₂ − m₂ cos² θ is not."""
+    for form in (reduce_trig(sign * x, keep) for sign in (1, -1) for keep in ("cos", "sin")):
+        squares = [p for p in form.atoms(Pow) if p.exp.is_even]
+        if form.xreplace({p: sympy.Dummy(nonnegative=True) for p in squares}).is_positive:
+            return True
+    return decide.nonzero(x)
 
 
 def _is_polynomial(side: Expr, moving: Iterable[Symbol]) -> bool:

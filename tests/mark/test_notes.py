@@ -124,6 +124,15 @@ def test_a_slip_is_found_where_it_is_and_nothing_else_is_condemned(name, right, 
         ),
         # and a root that of what stands under it
         (r"\sqrt{a^2b} = a\sqrt b", "assuming", "where a > 0"),
+        # of what is divided by, m₁ + m₂ sin² never vanishes
+        (
+            r"L = \frac12(m_1+m_2)\dot x^2 + m_2l\dot x\dot\theta\cos\theta"
+            r" + \frac12m_2l^2\dot\theta^2 + m_2gl\cos\theta,"
+            r"\ddot x(2m_1+m_2-m_2\cos 2\theta)"
+            r" = 2m_2l\dot\theta^2\sin\theta + m_2g\sin 2\theta",
+            "proved",
+            "by Lagrange's equations",
+        ),
         # one term of an equation is not the equation
         (
             r"L = \frac12 m\dot x^2 - mgx, \dot x = 0, m\ddot x = 0",
