@@ -666,7 +666,8 @@ class Scan:
     def brace(self) -> Iterator[Token]:
         piece = self.take()
         body = self.argument(piece)
-        if self.open and body[0].text in ("+", "-") and self.last in ("SYMBOL", "CLOSE", "_END"):
+        first = body[0].text if body else ""
+        if self.open and first in ("+", "-") and self.last in ("SYMBOL", "CLOSE", "_END"):
             reason = "a brace that begins with a sign: a term, or a factor?"
             raise UnreadError(reason, piece.position)
         self.skip()

@@ -134,6 +134,7 @@ ASKED = {
     # what mutations of real files found
     r"\sum_{ij}__{ij} q = 0": "a sum whose index is no letter",
     r"\sum_\vec _iy_i = x\cdot y": "a sum whose index is no letter",
+    r"x = \underbrace{}{M}_y": "a brace without what stands at it",
     r"\int_{[3]^}^\infty dx = 0": "^ without what it is to act on",
 }
 
