@@ -79,7 +79,7 @@ def _title(head: b.ClaimHead) -> str:
 
 def _claim(head: b.ClaimHead, blocks: Sequence[b.Block], stands: bool) -> str:
     title = f"({page_of(head.anchor)})=\n# {_title(head)}"
-    verdict = f"**{b.MARKS[head.verdict]} {head.verdict}**, `rigidtop derive {head.name}`"
+    verdict = f"**{b.MARKS[head.verdict]} {head.verdict}**, `{head.name}`"
     verdict += f", [in the text](#{head.anchor})" if stands else ""
     return "\n\n".join([title, verdict, markdown.markdown(blocks)]) + "\n"
 

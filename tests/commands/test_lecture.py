@@ -49,6 +49,18 @@ def test_a_verdict_is_a_mark_with_its_word(written):
     assert "data-tex=" in page
 
 
+def test_every_link_of_a_course_site_leads_somewhere(written):
+    pages = {path.stem: path.read_text("utf-8") for path in (written / "myst").rglob("*.md")}
+    whole = "\n".join(pages.values())
+    places = set(re.findall(r"^(?:\(|:name: )([\w-]+)(?:\)=)?$", whole, re.M))
+    assert set(re.findall(r"\]\(#([\w-]+)\)", whole)) <= places
+    listed = re.findall(r"\(#page-of-claim-([\w-]+)\)", pages["claims"])
+    assert listed
+    for name in listed:
+        assert f"[in the text](#claim-{name})" in pages[name]
+    assert any("*Rests on.* " in pages[name] for name in listed)
+
+
 @pytest.mark.parametrize(
     ("asked", "said"),
     [
