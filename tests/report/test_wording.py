@@ -7,11 +7,12 @@ from collections import defaultdict
 import pytest
 from matplotlib.text import Text
 
+from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.figures.catalog import FIGURES
 from rigidtop.notation import BUILT_IN, named
 from rigidtop.report.claims import claim_blocks
 from rigidtop.report.lecture import exercise_fragment, fragment, picture, solution_in
-from rigidtop.report.solutions import blocks
+from rigidtop.report.solutions import blocks, solved
 from rigidtop.report.symbols import symbols_used
 from rigidtop.report.wording import Wording
 from rigidtop.theory.lettered import stands_for
@@ -51,6 +52,12 @@ ROLES = {"e₁′": "e₂′", "ω₁′": "ω₂′", "s_φ": "c_φ", "s_ψ": "
 def ambiguous(found):
     roles = {at: {ROLES.get(old, old) for old in olds} for at, olds in found.items()}
     return {at: olds for at, olds in roles.items() if len(olds) > 1}
+
+
+@pytest.fixture(scope="module")
+def solutions(known):
+    """Without their derivations, which have letters of their own."""
+    return [solved(exercise, judged=known) for exercise in EXERCISES]
 
 
 @pytest.mark.parametrize("notation", NOTATIONS, ids=lambda notation: notation.name)
