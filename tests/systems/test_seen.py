@@ -59,7 +59,7 @@ def test_csv_into_a_file(tmp_path):
     text = RUN.to_csv(tmp_path / "run.csv")
     assert (tmp_path / "run.csv").read_text("utf-8") == text
     with pytest.raises(rt.RigidtopError, match="cannot write"):
-        RUN.to_csv(tmp_path / "nowhere" / "run.csv")
+        RUN.to_csv(tmp_path / "run.csv" / "run.csv")
 
 
 def test_pandas_and_xarray(rows):
