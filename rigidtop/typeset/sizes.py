@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Any
 
 from rigidtop.proof.equation import (
@@ -129,18 +128,8 @@ def lines(equation: Equation | lay.Chain, order: Order = "auto", limit: float = 
 
 
 def _broken(node: lay.Node, limit: float) -> list[lay.Node]:
-    """A long sum before a + or −, a long product between two brackets."""
-    if width(node) <= limit or not isinstance(node, (lay.Sum, lay.Product)):
+    if not isinstance(node, lay.Sum) or width(node) <= limit:
         return [node]
-    if isinstance(node, lay.Product):
-        cuts, factors = [0], node.factors
-        for k, factor in enumerate(factors):
-            line = factors[cuts[-1] : k + 1]
-            brackets = sum(isinstance(part, lay.Brackets) for part in line)
-            is_bracket = isinstance(factor, lay.Brackets)
-            if is_bracket and brackets > 1 and width(lay.product(line)) > limit:
-                cuts.append(k)
-        return [lay.product(factors[a:b]) for a, b in pairwise([*cuts, len(factors)])]
     rows: list[list[lay.Signed]] = [[]]
     for term in node.terms:
         if rows[-1] and width(lay.Sum((*rows[-1], term))) > limit:

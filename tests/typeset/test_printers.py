@@ -566,15 +566,3 @@ def test_the_order_of_mechanics_keeps_the_value(tree):
     except ZeroDivisionError:
         return
     assert read == Fraction(int(expected.p), int(expected.q)), text(tree, "mechanics")
-
-
-def test_a_long_product_is_broken_between_its_brackets():
-    first = lambda1 * cos(theta) - lambda3 * sin(theta) * phidot
-    second = lambda1 * phidot**2 * sin(theta) - lambda3 * phidot
-    equation = Equation(L_z, 2 * first * second)
-    [whole] = sizes.lines(equation)
-    one, two = sizes.lines(equation, limit=30.0)
-    assert text(whole.right) == text(one.right) + text(two.right)
-    assert text(two.right)[0] + text(two.right)[-1] == "()"
-    # One bracket alone stays with what is before it.
-    assert len(sizes.lines(Equation(L_z, lambda1 * first), limit=10.0)) == 1
