@@ -252,6 +252,7 @@ def test_the_command_says_what_is_read_and_what_is_not(tmp_path, capsys):
     assert first == {
         "number": "3.5",
         "equation": "T = V",
+        "label": None,
         "condition": None,
         "problem": None,
         "letters": {},
