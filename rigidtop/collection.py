@@ -1,6 +1,6 @@
 """Collections of derivation pages: the lecture on the top, or a folder of one's own.
 
-A collection is a folder with an ``__init__.py`` that defines
+A collection is a folder with an ``__init__.py`` that defines::
 
     PAGES      its pages, a tuple of `rigidtop.proof.page.Page` in reading order
     EXERCISES  a tuple of `rigidtop.proof.exercise.Exercise`; may be left out
