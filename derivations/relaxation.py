@@ -88,8 +88,8 @@ def relaxed(
         method="DOP853",
         events=ends,
         dense_output=True,
-        rtol=1e-10,
-        atol=1e-12,
+        rtol=1e-11,
+        atol=1e-13,
     )
     times = np.linspace(0.0, path.t[-1], samples)
     states = path.sol(times).T

@@ -928,6 +928,9 @@ def _divided(residual: Expr, given: Sequence[Expr], unknowns: Sequence[Symbol]) 
         }
     )
     wanted, *known = flat
+    # A multiple of one of them is divided by nothing else.
+    if any(decide.follows(sympy.expand_trig(wanted), sympy.expand_trig(one)) for one in known):
+        return ""
     found = decide.eliminated(sympy.fraction(sympy.together(wanted))[0], known, unknowns)
     lost = [] if found is None else decide.divided_by(found[1])
     typed = sympy.fraction(sympy.together(wanted))[1]

@@ -263,8 +263,21 @@ def follows(residual: Expr, given: Expr, conditions: Sequence[Relational] = ()) 
     return factor.is_number or nonzero(factor, conditions)
 
 
-def digits_vanish(expressions: Sequence[Expr], points: int = 5, digits: int = 40) -> bool:
+POINTS, POINTS_OF_BRANCHES = 5, 60
+"""How many points are evidence; more where a root may have either sign: √((a − b)²) is a − b at
+half of them."""
+
+
+def branches(expression: Expr) -> bool:
+    """Whether an expression may be another function where its symbols have other numbers."""
+    if expression.has(sympy.Abs, sympy.sign, sympy.Max, sympy.Min, sympy.log, sympy.atan2):
+        return True
+    return any(p.base.free_symbols and not p.exp.is_Integer for p in expression.atoms(sympy.Pow))
+
+
+def digits_vanish(expressions: Sequence[Expr], digits: int = 40) -> bool:
     """True if every expression is zero to `digits` digits at random rational points."""
+    points = POINTS_OF_BRANCHES if any(map(branches, expressions)) else POINTS
     rng = random.Random(7)
     symbols = sorted(set().union(*(e.free_symbols for e in expressions)), key=str)
     found = 0

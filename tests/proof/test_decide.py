@@ -264,3 +264,11 @@ def test_points_can_be_read_aloud():
 def test_angles_are_what_stands_inside_a_sine():
     assert decide.angle_symbols([sin(x) + y, cos(2 * c), a]) == {x, c}
     assert decide.angle_symbols([a + x]) == set()
+
+
+@pytest.mark.parametrize("names", [("a", "b"), ("b", "a"), ("x", "y"), ("p", "m")])
+def test_a_root_is_tried_on_both_sides_of_where_it_turns(names):
+    a, b = sympy.symbols(names, positive=True)
+    assert decide.evidence(sqrt(a**2 - 2 * a * b + b**2) - (a - b)) is None
+    assert decide.evidence(sqrt(a**2 - 18 * a * b + 81 * b**2) - (9 * b - a)) is None
+    assert decide.evidence(sqrt(a**2 - 2 * a * b + b**2) - sympy.Abs(a - b)) is not None
