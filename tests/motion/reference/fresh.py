@@ -80,6 +80,10 @@ def main() -> int:
     parser.add_argument("--jobs", type=int, default=2, help="processes")
     parser.add_argument("--compiled", action="store_true", help="judge the path by Numba too")
     options = parser.parse_args()
+    try:
+        taylor.gmpy2_numbers()
+    except ImportError:
+        parser.error("40 digits need gmpy2: pip install gmpy2")
     runs = [judge.exact, judge.compiled] if options.compiled else [judge.exact]
     names = options.family or [*draw.TOP_FAMILIES, *draw.BODY_FAMILIES]
     found: dict[str, list[float]] = defaultdict(list)
