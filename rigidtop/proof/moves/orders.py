@@ -81,7 +81,13 @@ def _series(counted: Expr, order: Order) -> Expr:
                 return sympy.expand(made)
             made += at * by**power / factorial(power)
             slope = slope.diff(by)
-    return sympy.series(counted, by, 0, order.power).removeO()
+    above = sympy.series(counted, by, 0, order.power).removeO()
+    if not by.is_nonnegative:
+        # SymPy's series holds for a small quantity above zero.
+        below = sympy.series(counted, by, 0, order.power, dir="-").removeO()
+        if sympy.expand(above - below) != 0:
+            raise RefusedError("below {} = 0 the terms are others than above it", by)
+    return above
 
 
 def neglect(move: Move, algebra: Algebra) -> Performed:
