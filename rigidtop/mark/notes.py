@@ -362,10 +362,14 @@ class _Ledger:
             meant[_dotted(letter, k)] = self.total(
                 meant[_dotted(letter, k - 1) if k > 1 else letter]
             )
+        coordinates = self.law.q if self.law is not None else ()
         for other, known in self.given.items():
             if known.section == self.section and known.value.free_symbols & {*meant}:
                 new = known.value.subs(meant, simultaneous=True)
                 self.given[other] = replace(known, value=new, rests=known.rests | rests)
+                # ω = ẋ/r behind ℒ says what ℒ is; r = r(φ) of an orbit is no constraint.
+                if _base(other) in _LAGRANGIANS and letter not in coordinates:
+                    self.law = self.of_lagrangian(other) or self.law
         for k in range(times):
             known = _Given(value, rests, self.section)
             self.given[_dotted(letter, k) if k else letter] = known
@@ -373,26 +377,30 @@ class _Ledger:
 
     def lagrangian(self, number: int, line: Line, letter: Lettered, side: Any) -> Held:
         """Lagrange's equations of an ℒ that is written in coordinates and rates."""
-        known = self.given[letter]
-        value = known.value
-        rates = [x for x in value.free_symbols if _accent(x) == "dot"]
-        q = tuple(sorted((_bare(x) for x in rates), key=str))
-        if not q or any(_accent(x) == "ddot" for x in value.free_symbols):
+        law = self.of_lagrangian(letter)
+        if law is None:
             return Held(line, PREMISE, f"what {text(letter)} stands for")
-        v = [_dotted(x) for x in q]
-        vanishing = [self.total(value.diff(y)) - value.diff(x) for x, y in zip(q, v, strict=True)]
-        words = "by Lagrange's equations"
-        expanded = tuple(sympy.expand(x) for x in vanishing)
-        self.law = _Law(q, expanded, known.rests, words, self.section, value)
-        self.sets, self.other = {}, None
+        self.law, self.sets, self.other = law, {}, None
         energies = self.energies(side)
         if energies is not None and energies[1] != -1:
             at = " − ".join(text(x) for x in energies[0])
             return Held(
                 line, Verdict.FALSE.value, f"a Lagrangian is {at}: the sign of the potential"
             )
-        rests = tuple(sorted(known.rests - {number}))
+        rests = tuple(sorted(law.rests - {number}))
         return Held(line, PREMISE, "the Lagrangian of the equations that follow", rests)
+
+    def of_lagrangian(self, letter: Symbol) -> _Law | None:
+        known = self.given[letter]
+        value = known.value
+        rates = [x for x in value.free_symbols if _accent(x) == "dot"]
+        q = tuple(sorted((_bare(x) for x in rates), key=str))
+        if not q or any(_accent(x) == "ddot" for x in value.free_symbols):
+            return None
+        v = [_dotted(x) for x in q]
+        vanishing = [self.total(value.diff(y)) - value.diff(x) for x, y in zip(q, v, strict=True)]
+        expanded = tuple(sympy.expand(x) for x in vanishing)
+        return _Law(q, expanded, known.rests, "by Lagrange's equations", known.section, value)
 
     def energies(self, side: Any) -> tuple[tuple[Symbol, Symbol], int] | None:
         """The letters T and V of a side T ± V, and the sign."""
@@ -833,7 +841,8 @@ class _Ledger:
         law = self.law
         if accent == "ddot" and law is not None and value and value.free_symbols <= law.letters:
             return False  # it is what the law says, or wrong
-        return (value.is_Symbol or value.is_number) and not value.free_symbols & self.moving
+        moves = {_bare(x) for x in value.free_symbols} & self.moving
+        return (value.is_Symbol or value.is_number) and not moves
 
     def newton(self, number: int, line: Line, residual: Expr, newest: Sequence[Any]) -> Held | None:
         """An equation of motion that is taken as it stands."""
