@@ -183,6 +183,8 @@ class _Given:
     section: int
     stated: bool = True
     """Whether it is said, rather than the rate of what is said."""
+    side: Any = None
+    """As it was written, where the letter itself is said."""
 
 
 @dataclass(frozen=True)
@@ -330,7 +332,9 @@ class _Ledger:
         if first in self.primitive() and self.is_set(first, others[-1]):
             return False
         side = others[-1] if others[-1] != const else others[0]
-        return first not in getattr(side, "free_symbols", set())
+        made = {y for x in getattr(side, "free_symbols", ()) if x in self.given
+                for y in self.given[x].value.free_symbols}  # fmt: skip
+        return first not in getattr(side, "free_symbols", set()) | made
 
     def defined(self, number: int, line: Line, first: Lettered, others: Sequence[Any]) -> Held:
         if first in self.given and self.given[first].section != self.section:
@@ -349,12 +353,12 @@ class _Ledger:
         if not values:
             raise last or NoMeaningError("nothing is said of it")
         side, value, used = next((found for found in values if found[2]), values[-1])
-        self.give(first, value, frozenset({number, *used}))
+        self.give(first, value, frozenset({number, *used}), side)
         if _base(first) in _LAGRANGIANS:
             return self.lagrangian(number, line, first, side)
         return Held(line, PREMISE, f"what {text(first)} stands for", tuple(sorted(used)))
 
-    def give(self, letter: Lettered, value: Expr, rests: frozenset[int]) -> None:
+    def give(self, letter: Lettered, value: Expr, rests: frozenset[int], side: Any = None) -> None:
         """A letter that changes in time gives its rates too."""
         times = 3 if letter in self.moving else 1
         meant = {letter: value}
@@ -371,7 +375,7 @@ class _Ledger:
                 if _base(other) in _LAGRANGIANS and letter not in coordinates:
                     self.law = self.of_lagrangian(other) or self.law
         for k in range(times):
-            known = _Given(value, rests, self.section)
+            known = _Given(value, rests, self.section, side=None if k else side)
             self.given[_dotted(letter, k) if k else letter] = known
             value = self.total(value) if k + 1 < times else value
 
@@ -488,6 +492,13 @@ class _Ledger:
         value = self.value(of)
         if isinstance(of, Symbol) and value == of:
             raise NoMeaningError(f"nothing above says what {text(of)} is")
+        momenta = self.momenta()
+        if len(by) == 1 and self.by_law(of) is not None and _base(of) in _ENERGIES:
+            return self.of_hamiltonian(by[0], momenta)
+        if momenta and _base(of) not in _LAGRANGIANS and all(_accent(x) != "dot" for x in by):
+            held = self.without(momenta)
+            if momenta.keys() & held.value(of).free_symbols:
+                return self.value(held.slope(node))
         for x in by:
             if not isinstance(x, Lettered) or x in self.given:
                 raise NoMeaningError("a derivative by what is no free letter")
@@ -499,6 +510,35 @@ class _Ledger:
             else:
                 value = value.diff(x)
         return value
+
+    def momenta(self) -> dict[Symbol, Expr]:
+        """The letters of which is said that they are momenta ∂ℒ/∂q̇, and the q̇ of each."""
+        if self.law is None or self.law.lagrangian is None:
+            return {}
+        rates = {self.law.lagrangian.diff(_dotted(q)).expand(): _dotted(q) for q in self.law.q}
+        values = {x: g.value.expand() for x, g in self.given.items() if not _accent(x)}
+        return {x: rates[value] for x, value in values.items() if value in rates}
+
+    def without(self, letters: Iterable[Symbol]) -> _Ledger:
+        """What is said, where letters are left as they are written: held as others change."""
+        made = _Ledger(self.moves, self.functions, section=self.section)
+        for x, known in self.given.items():
+            if known.side is not None and x not in letters and isinstance(x, Lettered):
+                made.give(x, made.value(known.side), known.rests, known.side)
+        return made
+
+    def of_hamiltonian(self, by: Symbol, momenta: Mapping[Symbol, Expr]) -> Expr:
+        """∂ℋ/∂p = q̇, and ∂ℋ/∂q = −∂ℒ/∂q: the momenta are held in one, the rates in the other."""
+        law = self.law
+        assert law is not None and law.lagrangian is not None
+        found, slopes = self.by_law(by), {law.lagrangian.diff(_dotted(q)): q for q in law.q}
+        if by in momenta:
+            return momenta[by]
+        if found in slopes:
+            return _dotted(slopes[found])
+        if by in law.q:
+            return -law.lagrangian.diff(by)
+        raise NoMeaningError("a derivative of H by what is neither a coordinate nor a momentum")
 
     def at(self, node: Expr) -> Expr:
         letter, *places = node.args
@@ -674,7 +714,7 @@ class _Ledger:
 
     def is_other(self, left: Any, right: Any, residual: Expr) -> bool:
         """Whether a letter of which something was said stands for something else from here on."""
-        if right is None or not isinstance(left, Lettered) or left not in self.given:
+        if right is None or left not in self.given or _accent(left):
             return False
         letters = {_bare(x) for x in residual.free_symbols}
         return not letters <= self.letters_of(set(self.given[left].rests)) | {TIME}
@@ -813,6 +853,9 @@ class _Ledger:
                 )
                 value = Integer(0)
             return Held(line, PREMISE, "a special motion, or value", ())
+        if self.defines(right, [left]) and right not in self.primitive():
+            self.give(right, self.value(left), frozenset(here), left)
+            return Held(line, PREMISE, f"what {text(right)} stands for", tuple(self.used))
         generic = {x for side in (left, right) for x in side.atoms(eq.Rate, eq.Partial)}
         if self.law is not None and any(isinstance(x, eq.Partial) for x in generic):
             if {_bare(x) for x in residual.free_symbols} - known:
