@@ -530,7 +530,8 @@ class _Ledger:
     def of_hamiltonian(self, by: Symbol, momenta: Mapping[Symbol, Expr]) -> Expr:
         """∂ℋ/∂p = q̇, and ∂ℋ/∂q = −∂ℒ/∂q: the momenta are held in one, the rates in the other."""
         law = self.law
-        assert law is not None and law.lagrangian is not None
+        assert law is not None
+        assert law.lagrangian is not None
         found, slopes = self.by_law(by), {law.lagrangian.diff(_dotted(q)): q for q in law.q}
         if by in momenta:
             return momenta[by]
