@@ -207,6 +207,12 @@ class _Law:
         """Functions of which nothing is known."""
         return _functions(*self.vanishing)
 
+    @property
+    def highest(self) -> list[Lettered]:
+        """The rates for which the law is solved: ẍ, or ω̇ of an equation of first order."""
+        stands = set().union(*(x.free_symbols for x in self.vanishing))
+        return [_dotted(x, 2 if _dotted(x, 2) in stands else 1) for x in self.q]
+
     def misses(self, symbols: set[Symbol]) -> int:
         """How many numbers the equations of the accelerations among symbols have besides these; too
         many where they have coordinates besides."""
@@ -665,7 +671,7 @@ class _Ledger:
         if _is_polynomial(sides[1], self.moving) and not _is_polynomial(sides[0], self.moving):
             words = "it may be an expansion about another place: write ≈"
             return made(Verdict.UNDECIDED, words)
-        if law is not None and along and any(_accent(x) == "ddot" for x in residual.free_symbols):
+        if law is not None and along and residual.free_symbols & {*law.highest}:
             if law.broken:
                 words = "forces besides the Lagrangian act: it is not judged"
                 return made(Verdict.UNDECIDED, words)
@@ -786,7 +792,10 @@ class _Ledger:
         """Whether an expression vanishes, along the motion of a law if there is one, and where:
         for which signs of what is known by its square, and of what stands under a root."""
         vanishing = law.vanishing if law is not None else ()
-        a = [_dotted(x, 2) for x in law.q] if law is not None else []
+        a = law.highest if law is not None else []
+        if any(_accent(x) == "dot" and _dotted(x) in residual.free_symbols for x in a):
+            vanishing = (*vanishing, *map(self.total, vanishing))
+            a = [*a, *map(_dotted, a)]
         letters = set().union(*(x.free_symbols for x in (residual, *vanishing)))
         signs = [x for x in self.signs if x in letters]
         if len(signs) > MOST_SIGNS:
@@ -864,6 +873,9 @@ class _Ledger:
                 return Held(line, PREMISE, "Lagrange's equation with a force besides", ())
             return None
         newest = sorted({_bare(x) for x in residual.free_symbols if _accent(x) == "ddot"}, key=str)
+        rates = [x for x in residual.free_symbols if _accent(x) == "dot"]
+        if not newest and _degree(residual, rates) == 1:
+            newest = sorted(map(_bare, rates), key=str)
         if newest and (self.law is None or not set(newest) <= set(self.law.q)):
             return self.newton(number, line, residual, newest)
         return None
@@ -1007,6 +1019,13 @@ def _is_polynomial(side: Expr, moving: Iterable[Symbol]) -> bool:
     return bool(moves) and side.is_polynomial(*moves)
 
 
+def _degree(residual: Expr, letters: Sequence[Symbol]) -> int:
+    over = sympy.fraction(sympy.together(residual))[0]
+    if not letters or not over.is_polynomial(*letters):
+        return 0
+    return int(sympy.Poly(over, *letters).total_degree())
+
+
 def _is_linear(residual: Expr, law: _Law) -> bool:
     """Whether a line is linear in what moves and the law is not: it may be of small deviations."""
     scale = sympy.Dummy("scale", positive=True)
@@ -1082,7 +1101,7 @@ def _numbers(sides: tuple[Expr, Expr], law: _Law | None) -> str | None:
     if names:
         return None
     left, right, *given = flat
-    a = [_dotted(x, 2) for x in law.q] if law is not None else []
+    a = law.highest if law is not None else []
     needed = left.free_symbols | right.free_symbols
     if needed & {*a}:
         needed = needed.union(*(x.free_symbols for x in given))
