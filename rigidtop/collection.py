@@ -4,7 +4,7 @@ A collection is a folder with an ``__init__.py`` that defines::
 
     PAGES      its pages, a tuple of `rigidtop.proof.page.Page` in reading order
     EXERCISES  a tuple of `rigidtop.proof.exercise.Exercise`; may be left out
-    MODELS     a tuple of `rigidtop.mark.facts.Model`, which lines are held against, whoever
+    MODELS     a tuple of `rigidtop.proof.model.Model`, which lines are held against, whoever
                follows; may be left out
     TITLE, SUBTITLE, SOURCE  what stands on the first page of the lecture; may be left out
     AUTHOR     whom its PDF names as author; may be left out
@@ -51,6 +51,7 @@ from rigidtop.proof.algebra import Letters
 from rigidtop.proof.exercise import Exercise
 from rigidtop.proof.independence import refuse_circular
 from rigidtop.proof.lecture import Lecture
+from rigidtop.proof.model import Model
 from rigidtop.proof.page import Assumption, Check, Claim, Evidence, Measure, Page
 from rigidtop.read.page import read_exercises, read_lecture
 from rigidtop.report.blocks import NOTES, Front
@@ -320,8 +321,6 @@ def _collection(module: ModuleType, folder: Path) -> Collection:
 def _models(module: ModuleType) -> tuple[Any, ...]:
     if not hasattr(module, "MODELS"):
         return ()
-    from rigidtop.mark.facts import Model  # which knows the top, and is slow to load
-
     return _many(module.MODELS, Model, "MODELS")
 
 

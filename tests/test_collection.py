@@ -120,7 +120,7 @@ def test_a_slip_in_a_page_is_found(tmp_path, capsys, file, old, new, broken):
 
 
 MODEL = """
-from rigidtop.mark.facts import Model
+from rigidtop.proof.model import Model
 from rigidtop.theory.lagrangian import accelerations
 
 from . import letters as x

@@ -21,9 +21,9 @@ from typing import Any
 import sympy
 from sympy import Expr, MatrixBase, Ne, Pow, Symbol, cos, sin
 
+from rigidtop.derivations import models
 from rigidtop.derivations.letters import LETTERS
-from rigidtop.mark import facts, slips
-from rigidtop.mark.facts import Model, Passage
+from rigidtop.mark import slips
 from rigidtop.mark.links import (
     ERRORS,
     Link,
@@ -35,11 +35,12 @@ from rigidtop.mark.links import (
     one_angle,
     pair_text,
 )
-from rigidtop.mark.passages import passage, way
+from rigidtop.mark.passages import letters_of, passage, way
 from rigidtop.notation import Notation
 from rigidtop.proof import decide
 from rigidtop.proof.derivation import diagnose
 from rigidtop.proof.equation import Equation, Rate, Underbrace, symbols_of, value
+from rigidtop.proof.model import Model, Passage, samples
 from rigidtop.proof.moves import Known
 from rigidtop.proof.verdict import entries
 from rigidtop.read.document import Formula, Problem, bare, formulas, places, problems
@@ -159,7 +160,7 @@ def mark(
     line as soon as it is marked.  Raises RigidtopError where there are no facts for these two.
     """
     answer = _Answer(passage(start, goal))
-    for i, step in enumerate(steps(source, answer.passage.notation)):
+    for i, step in enumerate(steps(source, letters_of(answer.passage))):
         heard(answer.take(step, judged=i not in skip))
     return answer.marking()
 
@@ -238,7 +239,7 @@ def _doubtful(scanned: Sequence[Token], written: str, known: Notation) -> dict[i
         bracketed = scanned[i + 1 : i + 2] and scanned[i + 1].kind == "_BEGIN"
         glyphs = [known.glyphs.get(x.value) for x in operand if x.kind == "SYMBOL"]
         of_vector = any(glyph is not None and glyph.bold for glyph in glyphs)
-        either = _EITHER_L.match(written, token.position) and facts.EXPLICIT in known.glyphs
+        either = _EITHER_L.match(written, token.position) and models.EXPLICIT in known.glyphs
         if either:
             found[token.position] = "∂L/∂t: write \\mathcal L for the Lagrangian"
         elif _BY_PARTIAL.match(written, token.position) and not of_vector:
@@ -308,7 +309,7 @@ def _steps(
         rest = source[formula.position : formula.position + 60].split("\n", 1)[0]
         yield Step(place(formula.position)[0], Line(0, None, formula.reason), rest)
         return
-    written = prepared(formula.text, explicit=facts.EXPLICIT in notation.glyphs)
+    written = prepared(formula.text, explicit=models.EXPLICIT in notation.glyphs)
     listening = _Listening(**vars_of(notation))
     scanned: list[Token] = []
     try:
@@ -386,7 +387,7 @@ class _Answer:
     marked: list[Marked] = field(default_factory=list)
     true: list[Equation] = field(default_factory=list)
     definitions: dict[Any, Any] = field(
-        default_factory=lambda: {slope: p for p, slope in facts.SLOPES_IN_RATES.items()}
+        default_factory=lambda: {slope: p for p, slope in models.SLOPES_IN_RATES.items()}
     )
     wrong: list[tuple[int, Equation]] = field(default_factory=list)
     stated: list[Any] = field(default_factory=list)
@@ -695,7 +696,7 @@ def _under_rate(side: Any) -> list[Any]:
     """What a side is the rate of: d/dt p, ṗ."""
     if isinstance(side, Rate):
         return [side.args[0]]
-    for quantity, rate in {**facts.MOMENTUM_RATES, **facts.OTHER_RATES}.items():
+    for quantity, rate in {**models.MOMENTUM_RATES, **models.OTHER_RATES}.items():
         if side == rate:
             return [quantity]
     return []
@@ -798,9 +799,9 @@ def explain(link: Link, passage: Passage) -> tuple[slips.Slip, ...]:
     forgotten = _partial(link, passage)
     if forgotten:
         return (forgotten,)
-    models = [model for model in passage.models if not _foreign(link, model)]
+    fitting = [model for model in passage.models if not _foreign(link, model)]
     for named in (_repaired, _missing):
-        for model in models:
+        for model in fitting:
             found = named(link, model)
             if found:
                 return found
@@ -819,7 +820,7 @@ def _repaired(link: Link, model: Model) -> tuple[slips.Slip, ...]:
 
 def _holds(link: Link, model: Model) -> bool:
     """Whether a link holds at a few motions."""
-    found = in_numbers(link, model, facts.samples(model)[-TRIALS:])
+    found = in_numbers(link, model, samples(model)[-TRIALS:])
     known = [sides for sides in found if sides is not None]
     return len(known) > TRIALS // 2 and not any(apart(*sides) for sides in known)
 
@@ -828,14 +829,14 @@ def _partial(link: Link, passage: Passage) -> slips.Slip | None:
     """∂/∂t for d/dt: the line holds if only velocities change, the angles being forgotten."""
     if not set(top.RATES) <= set(passage.models[0].rates):
         return None
-    free = facts.off_shell()
+    free = models.heavy_top(along=False)
     angles = frozenset(top.ANGLES)
     momenta = {p: free.meaning[p] for p in top.CONJUGATE}
     forgetful = replace(free, frozen=angles)
     rates = {p: forgetful._derivative(momentum) for p, momentum in momenta.items()}
     forgetful = replace(
         forgetful,
-        meaning={**free.meaning, **{facts.MOMENTUM_RATES[p]: r for p, r in rates.items()}},
+        meaning={**free.meaning, **{models.MOMENTUM_RATES[p]: r for p, r in rates.items()}},
     )
     slip = slips.Slip("partial", "∂/∂t where d/dt is meant: the angles change in time too")
     try:
@@ -847,7 +848,7 @@ def _partial(link: Link, passage: Passage) -> slips.Slip | None:
         [difference] = entries(free.value(link.left), free.value(link.right))
         for p in (s.p_phi, s.p_psi):
             if rates[p] != 0 and reduce_ratio(difference / rates[p]).is_number:
-                complete = free.meaning[facts.MOMENTUM_RATES[p]]
+                complete = free.meaning[models.MOMENTUM_RATES[p]]
                 if not decide.vanishes(complete - rates[p]) and difference != 0:
                     return slip
     except ERRORS:
@@ -872,8 +873,8 @@ def _lost_root(link: Link, model: Model) -> slips.Slip | None:
         turned = {root: sympy.Mul(sympy.Integer(-1), root)}
         other = Link(link.left.xreplace(turned), link.right.xreplace(turned))
     seen = set()
-    samples = facts.samples(model)
-    for both in zip(*(in_numbers(each, model, samples) for each in (link, other)), strict=True):
+    tried = samples(model)
+    for both in zip(*(in_numbers(each, model, tried) for each in (link, other)), strict=True):
         if None in both:
             continue
         holds = tuple(not apart(*pair) for pair in both if pair is not None)

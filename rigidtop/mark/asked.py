@@ -20,14 +20,14 @@ from typing import Any
 import sympy
 from sympy import Expr, Integer, Symbol
 
-from rigidtop.mark import facts
-from rigidtop.mark.facts import Model
+from rigidtop.derivations import models
 from rigidtop.mark.links import ERRORS
 from rigidtop.proof import decide
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.derivation import Line
 from rigidtop.proof.equation import BODY, SPACE, Equation, NoMeaningError, Partial
 from rigidtop.proof.lecture import Lecture
+from rigidtop.proof.model import Model
 from rigidtop.proof.moves import Condition, Known, Scope
 from rigidtop.proof.verdict import entries
 from rigidtop.theory import symbols as s
@@ -106,8 +106,8 @@ def _letters(line: Line) -> set[Symbol]:
 def of_the_top() -> list[Model]:
     """The models that mark answers, and a body with a torque, with what pages write besides."""
     made = []
-    of_marks = (model for family in facts.families() for model in family)
-    for model in (*of_marks, facts.turning()):
+    of_marks = (model for family in models.families() for model in family)
+    for model in (*of_marks, models.turning()):
         more: dict[Any, Any] = {}
         if s.omega_vec in model.meaning and s.T in model.meaning:
             symmetric = s.Lagrangian in model.meaning

@@ -19,8 +19,8 @@ import numpy as np
 import sympy
 from sympy import Eq, Symbol
 
+from rigidtop.derivations import models
 from rigidtop.derivations.letters import LETTERS
-from rigidtop.mark import facts
 from rigidtop.mark.links import Link, number_text, pair_text
 from rigidtop.mark.links import Verdict as LinkVerdict
 from rigidtop.mark.links import judge as judge_in
@@ -763,7 +763,7 @@ def _by_facts(equation: Equation, known: _Known, place: int) -> Ruling | None:
     """
     printed, check = _equation(known.evidence[place]), _check(known.evidence[place])
     numbers = symbols_of(equation) & known.letters.numbers
-    for model in chain.from_iterable(facts.families()):
+    for model in chain.from_iterable(models.families()):
         if not symbols_of(printed) <= model.symbols():
             continue
         if not all(judge_in(link, model).holds for link in _links(printed)):

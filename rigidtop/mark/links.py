@@ -10,10 +10,9 @@ from typing import Any
 import sympy
 from sympy import Expr, MatrixBase, cos, sin
 
-from rigidtop.mark import facts
-from rigidtop.mark.facts import Model, Sample
 from rigidtop.proof import decide
 from rigidtop.proof.equation import NoMeaningError
+from rigidtop.proof.model import Model, Sample, samples
 from rigidtop.proof.verdict import entries
 from rigidtop.typeset.text import text
 
@@ -45,10 +44,10 @@ FEWEST = 6
 def judge(link: Link, model: Model) -> Verdict:
     """Whether a link holds for every motion of a model."""
     try:
-        samples = facts.samples(model)
+        tried = samples(model)
         found = [
             (sample, sides)
-            for sample, sides in zip(samples, in_numbers(link, model, samples), strict=True)
+            for sample, sides in zip(tried, in_numbers(link, model, tried), strict=True)
             if sides is not None
         ]
         refuted = [Verdict(False, sample, *sides) for sample, sides in found if apart(*sides)]

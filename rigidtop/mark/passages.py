@@ -1,29 +1,30 @@
 """From one equation of the lecture to another: where a derivation may start, and what it may use.
 
 Any start and goal are a passage where the pages lead from the one to the other.  The facts that a
-line is judged by are those of the goal (`rigidtop.mark.facts`); the lines that a page has between
-say how much of the way an answer shows, and what comes next.
+line is judged by are those of the goal (`rigidtop.derivations.goals`); the lines that a page has
+between say how much of the way an answer shows, and what comes next.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cache, partial
+from functools import cache
 from itertools import pairwise
 from typing import Any
 
 import sympy
 from sympy import Expr, MatrixBase, Symbol
 
-from rigidtop.derivations import lecture
+from rigidtop.derivations import lecture, models
+from rigidtop.derivations.goals import goals
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
-from rigidtop.mark import facts
-from rigidtop.mark.facts import Model, Passage
 from rigidtop.mark.links import ERRORS, Link, judge
+from rigidtop.notation import NOTES, Notation
 from rigidtop.proof.derivation import Line, same
 from rigidtop.proof.equation import Equation, Partial, Rate, symbols_of
+from rigidtop.proof.model import Model, Passage, unknown
 from rigidtop.proof.verdict import entries
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
@@ -42,9 +43,23 @@ def passage(start: str, goal: str) -> Passage:
     if not _leads(start, goal):
         raise RigidtopError(f"{refused}: the lecture does not lead from the one to the other")
     try:
-        return replace(facts.GOALS.get(goal, partial(_by_models, goal))(), start=start)
+        return replace(goals().get(goal) or _by_models(goal), start=start)
     except _NoGoalError as why:
         raise RigidtopError(f"{refused}: {why}") from None
+
+
+def letters_of(passage: Passage) -> Notation:
+    """The notes' letters, but only those that mean something here."""
+    known = set().union(*(model.symbols() for model in passage.models))
+    glyphs = {x: glyph for x, glyph in NOTES.glyphs.items() if x in known}
+    spellings = {g: x for g, x in NOTES.spellings.items() if x in known}
+    if s.p_phi in known:
+        known |= set(models.SLOPES_IN_RATES.values())
+    made = (models.SLOPES, models.SLOPES_IN_RATES, models.MOMENTUM_RATES, models.OTHER_RATES)
+    for x in (models.EXPLICIT, *(x for symbols in made for x in symbols.values())):
+        if x in known:
+            glyphs[x] = x.quantity.glyph
+    return replace(NOTES, glyphs=glyphs, spellings=spellings)
 
 
 class _NoGoalError(Exception):
@@ -101,8 +116,8 @@ def _by_models(goal: str) -> Passage:
         raise _NoGoalError(f"{goal} is about a derivative, which every line of it could rename")
     letters = {x for e in equations for x in symbols_of(e)}
     strange: set[Symbol] = set(letters)
-    for models in facts.families():
-        for k, model in enumerate(models):
+    for family in models.families():
+        for k, model in enumerate(family):
             strange = min(strange, letters - model.symbols(), key=len)
             if not (letters <= model.symbols() and all(_holds(e, model) for e in equations)):
                 continue
@@ -111,7 +126,7 @@ def _by_models(goal: str) -> Passage:
                 told = {x for e in equations for x in _told(e, model)}
                 for x in letters - told:
                     letters |= getattr(model.value(x), "free_symbols", set()) & {*LETTERS.units}
-                return Passage(goal, models[: k + 1], loose, equations, frozenset(letters))
+                return Passage(goal, family[: k + 1], loose, equations, frozenset(letters))
     if strange:
         named = ", ".join(sorted(map(text, strange)))
         raise _NoGoalError(f"{goal} has letters of which no model here knows the values: {named}")
@@ -137,8 +152,8 @@ def _loose(equations: Sequence[Equation], model: Model) -> Model | None:
     for x in (x for e in equations for x in _told(e, model)):
         meant = model.meaning[x]
         is_matrix = isinstance(meant, MatrixBase)
-        free[x] = facts.entries(f"free_{x.name}", *meant.shape) if is_matrix else x
-    loose = facts.freed(model, free)
+        free[x] = unknown(f"free_{x.name}", *meant.shape) if is_matrix else x
+    loose = model.freed(free)
     try:
         gaps = [
             difference
@@ -198,8 +213,8 @@ def way(start: str, goal: str) -> Way:
 def _of_page(equation: Equation) -> Iterator[Equation]:
     """An equation of an answer as the pages may have it: ∂ℒ/∂q̇ is the momentum, or not yet."""
     slopes: dict[Any, Expr] = {
-        **{slope: Partial(s.Lagrangian, q) for q, slope in facts.SLOPES.items()},
-        **{dotted: Rate(p) for p, dotted in facts.MOMENTUM_RATES.items()},
+        **{slope: Partial(s.Lagrangian, q) for q, slope in models.SLOPES.items()},
+        **{dotted: Rate(p) for p, dotted in models.MOMENTUM_RATES.items()},
     }
     momenta: dict[Any, Expr] = {
         p: Partial(s.Lagrangian, rate) for p, rate in zip(top.CONJUGATE, top.RATES, strict=True)

@@ -9,23 +9,18 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache
 
-import sympy
 from sympy import (
-    Derivative,
-    Dummy,
     Expr,
     ImmutableMatrix,
-    Integer,
     Matrix,
     MatrixBase,
     cos,
     eye,
     sin,
 )
-from sympy.core.function import AppliedUndef
 
 from rigidtop.theory import symbols as s
-from rigidtop.theory.lettered import Lettered
+from rigidtop.theory.rates import total_derivative as total_derivative
 from rigidtop.theory.trig import reduce_trig
 
 X_AXIS, Y_AXIS, Z_AXIS = (ImmutableMatrix(eye(3)[:, k]) for k in range(3))
@@ -99,64 +94,6 @@ def quaternion_matrix(q: MatrixBase) -> Matrix:
     """
     v = hat(Matrix(q[1:4]))
     return eye(3) + 2 * q[0] * v + 2 * v * v
-
-
-def total_derivative(expression: Expr | MatrixBase, rates: Mapping[Expr, Expr]) -> Expr | Matrix:
-    """d/dt by the chain rule: Σ ∂/∂q · q̇ over the q in `rates`, and ∂/∂t.
-
-    The q are symbols, or functions of time and their derivatives.  A function of time that has no
-    rate there is differentiated; the symbol named t is the time; other symbols are constant.
-
-    >>> total_derivative(sin(s.theta), {s.theta: s.thetadot})
-    thetadot*cos(theta)
-    >>> x = sympy.Function("x")(s.t)
-    >>> total_derivative(s.t*x**2, {x: s.omega})
-    2*omega*t*x(t) + x(t)**2
-
-    Raises ValueError where it cannot be known what a rate belongs to, or which symbol is the time.
-    """
-    if isinstance(expression, MatrixBase):
-        return expression.applyfunc(lambda entry: total_derivative(entry, rates))
-    moving = _moving(expression, rates)
-    # A letter for each: SymPy would find a function within its own derivatives.
-    letters = {x: x if x.is_Symbol else Dummy() for x in moving}
-    lettered = expression.xreplace(letters)
-    words = {letter: x for x, letter in letters.items()}
-    present = lettered.free_symbols
-    changing = (x for x in words if x in present and moving[words[x]] != 0)
-    terms = (lettered.diff(x) * moving[words[x]] for x in changing)
-    return sum((term.xreplace(words) for term in terms), Integer(0))
-
-
-def _moving(expression: Expr, rates: Mapping[Expr, Expr]) -> dict[Expr, Expr]:
-    """What changes in time, each with its rate: `rates`, the time, derivatives of the functions."""
-    functions = {x.expr if isinstance(x, Derivative) else x for x in rates if not x.is_Symbol}
-    unknown = [x for x in functions if not (isinstance(x, AppliedUndef) and len(x.args) == 1)]
-    if unknown:
-        raise ValueError(f"{unknown[0]} has a rate, but is no symbol and no function of time")
-    times = {x.args[0] for x in functions}
-    times |= {x for x in expression.free_symbols if _is_time(x)}
-    if len(times) > 1:
-        both = " and ".join(sorted(map(sympy.srepr, times)))
-        raise ValueError(f"two times, {both}: there is only one")
-    moving = {**dict.fromkeys(times, Integer(1)), **rates}
-    for x in expression.atoms(AppliedUndef):
-        if len(x.args) == 1 and x.args[0].is_Symbol and x.args[0] not in moving:
-            raise ValueError(f"is {x.args[0]} in {x} the time? Then give it the rate 1, else 0")
-    for x in expression.atoms(Derivative):
-        own = functions & x.atoms(AppliedUndef)
-        if x in rates or not own or not times & {*x.variables}:
-            continue
-        lower = [f for f in rates if f.has(*own) and rates[f] != f.diff(*times)]
-        if lower or x.expr not in own:
-            raise ValueError(f"{x} does not go with the rate given for {', '.join(map(str, own))}")
-        moving[x] = x.diff(*times)
-    return moving
-
-
-def _is_time(symbol: Expr) -> bool:
-    """By its name; but a t of one's own may be a thickness."""
-    return str(symbol) == "t" and (not isinstance(symbol, Lettered) or symbol.quantity.unit == "s")
 
 
 EULER_RATES: Mapping[Expr, Expr] = {

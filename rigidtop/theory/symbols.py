@@ -2,7 +2,7 @@
 
 A symbol's *name* is a Python identifier, so that generated code is readable; its `Glyph` says how
 it is written, from which LaTeX, MathML and terminal text are all made.  Velocities are plain
-symbols (`thetadot`), not derivatives of functions: `rigidtop.theory.rotation.total_derivative`
+symbols (`thetadot`), not derivatives of functions: `rigidtop.theory.rates.total_derivative`
 knows which symbol is whose rate.  The order of `VOCABULARY` is the order in which factors are
 printed: constants, parameters, momenta, rates, angles.
 """

@@ -7,11 +7,12 @@ from pathlib import Path
 
 import pytest
 
+from rigidtop.derivations.goals import goals
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
-from rigidtop.mark import facts, limits
+from rigidtop.mark import limits
 from rigidtop.mark.answer import Mark, mark, steps
-from rigidtop.mark.passages import passage
+from rigidtop.mark.passages import letters_of, passage
 from rigidtop.proof.changed import perturbations
 
 _SPEC = importlib.util.spec_from_file_location("motions", Path(__file__).with_name("motions.py"))
@@ -25,8 +26,7 @@ ANSWERS = {
 
 
 def test_there_is_an_answer_for_every_goal_with_facts_of_its_own():
-    goals = {goal for _, goal, _ in ANSWERS.values()}
-    assert goals | {"two-roots"} == set(facts.GOALS)
+    assert {goal for _, goal, _ in ANSWERS.values()} | {"two-roots"} == set(goals())
 
 
 @pytest.mark.parametrize("name", ANSWERS)
@@ -275,7 +275,7 @@ def test_no_part_of_a_sum_without_brackets_is_blamed_as_one():
 def changed(name, stride):
     """Steps with one small change that makes a line wrong, and the lines before it as they were."""
     start, goal, source = ANSWERS[name]
-    lines = list(steps(source, passage(start, goal).notation))
+    lines = list(steps(source, letters_of(passage(start, goal))))
     count = 0
     for i, step in enumerate(lines):
         equation = step.line.equation
