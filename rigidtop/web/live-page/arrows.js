@@ -70,11 +70,6 @@ export function createArrows() {
         },
       };
     },
-
-    dispose() {
-      shafts.dispose();
-      heads.dispose();
-    },
   };
 }
 

@@ -89,11 +89,6 @@ function createFan(
     },
     add,
     show,
-    dispose() {
-      geometry.dispose();
-      edge.object.geometry.dispose();
-      rays.object.geometry.dispose();
-    },
   };
 }
 
@@ -223,11 +218,6 @@ export function createCones(/** @type {Palette} */ palette) {
       else if (followed) compute(motion);
       followed = beyond;
       return true;
-    },
-
-    dispose() {
-      body.dispose();
-      space.dispose();
     },
   };
 }

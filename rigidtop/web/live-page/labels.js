@@ -91,10 +91,6 @@ export function createLabels(/** @type {HTMLElement} */ container) {
         return Math.max(0.55 * em, Math.min(size - 0.55 * em, place));
       }
     },
-
-    dispose() {
-      layer.remove();
-    },
   };
 }
 

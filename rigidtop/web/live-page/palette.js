@@ -78,8 +78,6 @@ export function createPalette(/** @type {Colours} */ colours) {
   let current = colours;
   /** @type {((colours: Colours) => void)[]} */
   const rules = [];
-  /** @type {THREE.Material[]} */
-  const materials = [];
   const size = { value: new THREE.Vector2(1, 1) };
   const distance = { value: 1 };
 
@@ -95,7 +93,6 @@ export function createPalette(/** @type {Colours} */ colours) {
    * @param {Pick} pick
    */
   function keep(material, pick) {
-    materials.push(material);
     follow((c) => material.color.set(pick(c)));
     return material;
   }
@@ -163,8 +160,7 @@ export function createPalette(/** @type {Colours} */ colours) {
         depthWrite: false,
         side: THREE.DoubleSide,
       });
-      materials.push(material);
-      follow((c) => {
+        follow((c) => {
         colour.value.set(pick(c));
         oldColour.value.set(old(c));
         wide.value = c.highContrast ? THICKER * width ** 1.4 : width;
@@ -187,10 +183,6 @@ export function createPalette(/** @type {Colours} */ colours) {
     setColours(/** @type {Colours} */ next) {
       current = next;
       for (const rule of rules) rule(next);
-    },
-
-    dispose() {
-      for (const material of materials) material.dispose();
     },
   };
 }

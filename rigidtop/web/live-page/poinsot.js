@@ -192,14 +192,6 @@ export function createPoinsot(/** @type {Palette} */ palette) {
       const { omegaSpace } = sample;
       contact.position.set(omegaSpace[0], omegaSpace[1], omegaSpace[2]).multiplyScalar(scale);
     },
-
-    dispose() {
-      for (const object of [body, space]) {
-        object.traverse((part) => {
-          if (part instanceof THREE.Mesh) part.geometry.dispose();
-        });
-      }
-    },
   };
 }
 

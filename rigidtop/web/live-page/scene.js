@@ -116,7 +116,6 @@ export function createScene(container, colours) {
   let dirty = true;
   let request = 0;
   let lost = false;
-  let ended = false;
   let width = 1;
   let height = 1;
   let aside = false;
@@ -190,7 +189,7 @@ export function createScene(container, colours) {
   /** Something changed: draw again soon, whether or not time goes on. */
   function touch() {
     dirty = true;
-    if (!request && !ended) request = requestAnimationFrame(again);
+    if (!request) request = requestAnimationFrame(again);
   }
 
   function again() {
@@ -212,7 +211,7 @@ export function createScene(container, colours) {
 
   /** A picture that stands may take its time: once more, with smooth edges. */
   function settle() {
-    if (lost || ended || resolution() >= FINEST) return;
+    if (lost || resolution() >= FINEST) return;
     fine = true;
     renderer.setPixelRatio(FINEST);
     renderer.render(scene, camera);
@@ -333,7 +332,7 @@ export function createScene(container, colours) {
     sample = now;
     trail = past;
     ghost = beside;
-    if (lost || ended || !motion || (!dirty && now.t === drawnTime)) return;
+    if (lost || !motion || (!dirty && now.t === drawnTime)) return;
     if (now.t !== drawnTime) governor.tick(performance.now());
     dirty = false;
     drawnTime = now.t;
@@ -436,20 +435,6 @@ export function createScene(container, colours) {
       if (finely) renderer.setPixelRatio(FINEST);
       renderer.render(scene, camera);
       return canvas;
-    },
-
-    dispose() {
-      ended = true;
-      cancelAnimationFrame(request);
-      clearTimeout(settling);
-      canvas.removeEventListener("webglcontextlost", onLost);
-      canvas.removeEventListener("webglcontextrestored", onRestored);
-      controls.dispose();
-      const drawn = [surroundings, bodies, cones, poinsot, trace, ghostTrace, arrows];
-      for (const part of [...drawn, labels, palette]) part.dispose();
-      renderer.dispose();
-      canvas.remove();
-      notice.remove();
     },
   };
 }

@@ -140,12 +140,6 @@ export function createBodies(/** @type {Palette} */ palette) {
       for (const other of built.values()) other.object.visible = other === chosen;
       halves = chosen.fit(motion);
     },
-
-    dispose() {
-      object.traverse((part) => {
-        if (part instanceof THREE.Mesh) part.geometry.dispose();
-      });
-    },
   };
 }
 

@@ -105,13 +105,5 @@ export function createSurroundings(/** @type {Palette} */ palette) {
       outline.scale.set(radius, radius, radius);
       outline.lookAt(position);
     },
-
-    dispose() {
-      for (const object of [axes, floor, sphere, outline]) {
-        object.traverse((part) => {
-          if (part instanceof THREE.Mesh) part.geometry.dispose();
-        });
-      }
-    },
   };
 }

@@ -105,7 +105,6 @@ declare namespace THREE {
     computeVertexNormals(): void;
     translate(x: number, y: number, z: number): this;
     rotateX(angle: number): this;
-    dispose(): void;
   }
   class BoxGeometry extends BufferGeometry {
     constructor(width: number, height: number, depth: number);
@@ -131,7 +130,6 @@ declare namespace THREE {
   class CanvasTexture {
     constructor(canvas: HTMLCanvasElement);
     needsUpdate: boolean;
-    dispose(): void;
   }
 
   interface MaterialOptions {
@@ -155,7 +153,6 @@ declare namespace THREE {
     readonly color: Color;
     visible: boolean;
     opacity: number;
-    dispose(): void;
   }
   class MeshPhongMaterial extends Material {
     constructor(options: MaterialOptions);
@@ -193,7 +190,6 @@ declare namespace THREE {
     setPixelRatio(ratio: number): void;
     setSize(width: number, height: number, style?: boolean): void;
     render(scene: Scene, camera: Camera): void;
-    dispose(): void;
   }
 
   class OrbitControls {
@@ -205,6 +201,5 @@ declare namespace THREE {
     rotateSpeed: number;
     update(): boolean;
     addEventListener(type: "change", listener: () => void): void;
-    dispose(): void;
   }
 }

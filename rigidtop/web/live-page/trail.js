@@ -59,10 +59,6 @@ export function createTrail(/** @type {Line} */ line, fading = false) {
         places[3 * k + 2] = scale * at.z;
       }
     },
-
-    dispose() {
-      pieces.object.geometry.dispose();
-    },
   };
 
   /** Slopes at the samples 0 and 1; that at 0 is known unless it is the first. */
