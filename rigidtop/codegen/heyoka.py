@@ -1,95 +1,23 @@
-"""Derived expressions compiled by heyoka, an extra: the call of `rigidtop.codegen.numpy.function`.
-
-As many elements are computed at once as a processor's registers hold, sines too, and large arrays
-by several threads.
-"""
+"""Derived expressions in heyoka's symbols, of which it makes Taylor series; heyoka is an extra."""
 
 from __future__ import annotations
 
 import ast
-import importlib
 import math
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-from sympy import Symbol
-
-from rigidtop.codegen import numpy as plain
 from rigidtop.codegen import source
 from rigidtop.codegen.numpy import Function
 from rigidtop.errors import RigidtopError
 
-Floats = NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class BatchFunction(Function):
-    """A function that also takes all its arguments in one array."""
-
-    batch: Callable[..., Floats]
-    """An array (arguments, N) in, contiguous, and one (expressions, N) out, or into ``outputs``.
-
-    Nothing is copied: `array` and `scalar` put their arguments into such an array first.
-    """
-
-
-def function(
-    expressions: Iterable[Any],
-    arguments: Sequence[Symbol],
-    name: str,
-    shared: Sequence[tuple[Symbol, Any]] = (),
-) -> BatchFunction:
-    """As `rigidtop.codegen.numpy.function`.
-
-    What is divided by zero becomes infinite or NaN, without a warning, also for floats.
-
-    Raises RigidtopError if heyoka is not installed, or if it has no counterpart of a function that
-    occurs.
-    """
-    heyoka = loaded("heyoka is not installed")
-    made = plain.function(expressions, arguments, name, shared)
-    symbols = [heyoka.expression(argument.name) for argument in arguments]
-    compiled = heyoka.cfunc(on_symbols(heyoka, made, name, symbols), symbols)
-
-    def scalar(*values: float) -> list[float]:
-        result: list[float] = compiled(np.array(values, dtype=float)).tolist()
-        return result
-
-    def array(*values: Any) -> Floats:
-        inputs = [np.asarray(value, dtype=float) for value in values]
-        shape = np.broadcast_shapes(*(value.shape for value in inputs))
-        rows = np.empty((len(inputs), *shape))
-        for k, value in enumerate(inputs):
-            rows[k, ...] = value
-        result: Floats = compiled(rows.reshape(len(inputs), -1))
-        return result.reshape(len(result), *shape)
-
-    return BatchFunction(
-        scalar=scalar,
-        array=array,
-        source=made.source,
-        operations=made.operations,
-        definition=made.definition,
-        batch=compiled,
-    )
-
-
-def loaded(without: str) -> Any:
-    """heyoka.  Raises RigidtopError, which says what is the matter `without` it."""
-    try:
-        return importlib.import_module("heyoka")
-    except ImportError:
-        raise RigidtopError(
-            f"{without}: pip install 'rigidtop[taylor]' (wheels for Linux only)"
-        ) from None
-
 
 def on_symbols(heyoka: Any, made: Function, name: str, symbols: Sequence[Any]) -> list[Any]:
-    """The source of a function, run on heyoka's symbols."""
+    """The source of a function, run on heyoka's symbols.
+
+    Raises RigidtopError if heyoka has no counterpart of a function that occurs.
+    """
     # A choice between cases would be made once, for symbols, which are neither true nor false.
     if any(
         isinstance(node, ast.IfExp | ast.BoolOp | ast.Compare) for node in ast.walk(made.definition)

@@ -16,18 +16,26 @@ allows.  A motion near the vertical is thus as accurate, relative to itself, as 
 from __future__ import annotations
 
 import importlib
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.integrate import Accuracy, Flow, Progress, joined, sides
+from rigidtop.motion.integrate import Accuracy, Flow, Held, Progress, joined, sides
 from rigidtop.motion.systems import SMALLEST_SIZE, System
 
 STEPS_AT_ONCE = 20_000
 """Between so many steps, some milliseconds, an interrupt from the keyboard is heard."""
+
+STEPS_HELD = 20
+"""After so many steps the constraints are put right, where there are some."""
+
+MOST_STEPS = 10_000_000
+"""No Taylor series takes more steps: it would fill the memory."""
 
 
 def flow(
@@ -37,7 +45,7 @@ def flow(
 
     Raises RigidtopError without heyoka, and where the motion overflows.
     """
-    heyoka = _heyoka()
+    heyoka = loaded()
     rate, unit = _rate_and_unit(system, np.array(parameters), start)
     of_state, of_parameters = _units(system, unit)
     integrator = heyoka.taylor_adaptive(
@@ -46,21 +54,41 @@ def flow(
         pars=parameters / of_parameters,
         tol=accuracy.rtol,
     )
+    return propagated(integrator, end, of_state, float(unit), float(unit / rate))
+
+
+def propagated(
+    integrator: Any,
+    end: float,
+    of_state: Floats,
+    unit: float = 1.0,
+    max_delta_t: float = math.inf,
+    held: Held | None = None,
+) -> Flow:
+    """The flow of one of heyoka's integrators, from t = 0 to `end` (s).
+
+    Its state is in `of_state`s, its time and `max_delta_t` are in 1/`unit`.  Where it is `held` the
+    motion is brought back time and again.
+    """
     pieces: list[Flow] = []
+    at_once = STEPS_AT_ONCE if held is None else STEPS_HELD
     while not pieces or integrator.time != end * unit:
-        outcome, _, _, _, series, _ = integrator.propagate_until(
-            end * unit,
-            max_delta_t=float(unit / rate),
-            max_steps=STEPS_AT_ONCE,
-            c_output=True,
+        if held is not None:
+            state = held(integrator.time / unit, integrator.state * of_state)
+            integrator.state[:] = state / of_state
+        outcome, *_, series, _ = integrator.propagate_until(
+            end * unit, max_delta_t=max_delta_t, max_steps=at_once, c_output=True
         )
-        _check(heyoka, outcome, float(integrator.time / unit), end, integrator.state)
-        pieces.append(Flow(_path(series, unit, of_state), np.asarray(series.times) / unit))
+        _check(outcome, float(integrator.time / unit), end, integrator.state)
+        if len(pieces) * at_once > MOST_STEPS:
+            raise RigidtopError(f"more than {MOST_STEPS} steps on the way to {end:g}")
+        path = partial(_path, series, unit, of_state)
+        pieces.append(Flow(path, np.asarray(series.times) / unit))
     return joined(pieces)
 
 
-def _path(series: Any, unit: Floats, of_state: Floats) -> Callable[[Floats], Floats]:
-    return lambda times: series(times * unit).T * of_state[:, None]
+def _path(series: Any, unit: float, of_state: Floats, times: Floats) -> Floats:
+    return np.ascontiguousarray((series(times * unit) * of_state).T)
 
 
 def grid(
@@ -75,7 +103,7 @@ def grid(
 
     A processor that adds eight numbers at once integrates eight motions at once.
     """
-    heyoka = _heyoka()
+    heyoka = loaded()
     lanes, total = heyoka.recommended_simd_size(), start.shape[1]
     rate, unit = _rate_and_unit(system, parameters, start)
     of_state, of_parameters = _units(system, unit)
@@ -102,14 +130,15 @@ def grid(
             )
             for lane, (outcome, *_) in enumerate(integrator.propagate_res):
                 reached = float(integrator.time[lane] / unit[batch[lane]])
-                _check(heyoka, outcome, reached, ordered[-1], values[..., lane])
+                _check(outcome, reached, ordered[-1], values[..., lane])
             states[np.ix_(rows, np.arange(system.variables), batch)] = values[at[1:]]
         if progress is not None:
             progress(min(first + lanes, total), total)
     return states * of_state
 
 
-def _heyoka() -> Any:
+def loaded() -> Any:
+    """heyoka.  Raises RigidtopError where it is not installed."""
     try:
         return importlib.import_module("heyoka")
     except ImportError:
@@ -139,8 +168,9 @@ def _units(system: System, unit: Floats) -> tuple[Floats, Floats]:
     return np.stack(of_state), np.stack([unit**power for power in system.per_time])
 
 
-def _check(heyoka: Any, outcome: Any, reached: float, end: float, states: Floats) -> None:
-    arrived = heyoka.taylor_outcome.time_limit, heyoka.taylor_outcome.step_limit
+def _check(outcome: Any, reached: float, end: float, states: Floats) -> None:
+    outcomes = loaded().taylor_outcome
+    arrived = outcomes.time_limit, outcomes.step_limit
     if outcome not in arrived or not np.all(np.isfinite(states)):
         raise RigidtopError(
             f"the integration stopped at t = {reached:g} on the way to {end:g}: "

@@ -18,13 +18,13 @@ from numpy.typing import ArrayLike
 from scipy.optimize import brentq, minimize_scalar
 from sympy import Expr, Symbol
 
-from rigidtop.codegen import heyoka as compiled
 from rigidtop.codegen import numpy as plain
+from rigidtop.codegen.heyoka import on_symbols
 from rigidtop.codegen.numpy import Function
 from rigidtop.errors import RigidtopError
-from rigidtop.motion import checks
+from rigidtop.motion import checks, taylor
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.integrate import TAYLOR, Accuracy, Flow, flow, joined, on_both_sides
+from rigidtop.motion.integrate import TAYLOR, Accuracy, Flow, flow, on_both_sides
 from rigidtop.motion.rows import Rows
 from rigidtop.parameters import in_one_line
 from rigidtop.system.held import Surface
@@ -35,12 +35,6 @@ if TYPE_CHECKING:
 
 HOLDS = 1e-9
 """How well a constraint has to hold at the start, relative to its terms."""
-
-STEPS_AT_ONCE = 20_000
-"""Between so many steps of a Taylor series an interrupt from the keyboard is heard."""
-
-STEPS_HELD = 20
-"""After so many steps of a Taylor series the constraints are put right."""
 
 LOOKS = 8
 """A step of the solver, or a part of it, is looked at so many times for an event."""
@@ -64,9 +58,6 @@ MEANT = {*kwlist, *dir(builtins), *dir(math), *dir(np)}
 
 TOO_SMALL = 1e-3
 """A motion that stays below this part of what its tolerances are fractions of is done again."""
-
-MOST_STEPS = 10_000_000
-"""No Taylor series takes more steps: it would fill the memory."""
 
 
 def started(system: System, parameters: Mapping[Any, Any], q: Any, qdot: Any) -> SystemMotion:
@@ -316,13 +307,13 @@ class SystemMotion:
 
     def _taylor(self, start: Floats, end: float, accuracy: Accuracy, unit: Floats) -> Flow:
         """By heyoka's Taylor series, of the state in `unit`s: below 1 its tolerance is absolute."""
-        heyoka = compiled.loaded("method 'taylor' needs heyoka")
+        heyoka = taylor.loaded()
         numeric, n = self.system.numeric, len(self.q)
         state = heyoka.make_vars(*(f"x{k}" for k in range(len(start))))
         given = [heyoka.par[k] for k in range(len(self.parameters))]
         time = state[-1] if numeric.timed else heyoka.expression(0.0)
         own = [x * size for x, size in zip(state[: 2 * n], unit, strict=False)]
-        right = compiled.on_symbols(heyoka, numeric.rates, "rates", [time, *own, *given])
+        right = on_symbols(heyoka, numeric.rates, "rates", [time, *own, *given])
         if numeric.timed:
             right.append(heyoka.expression(1.0))
         # Those behind the last that occurs are not counted.
@@ -332,26 +323,8 @@ class SystemMotion:
             values.pop()
         rows = [(x, rate / size) for x, rate, size in zip(state, right, unit, strict=True)]
         integrator = heyoka.taylor_adaptive(rows, start / unit, pars=values, tol=accuracy.rtol)
-        outcomes = heyoka.taylor_outcome
-        pieces: list[Flow] = []
-        held = bool(self.system.constraints)
-        at_once = STEPS_HELD if held else STEPS_AT_ONCE
-        while not pieces or integrator.time != end:
-            if held:
-                integrator.state[:] = self._held(integrator.time, integrator.state * unit) / unit
-            outcome, *_, series, _ = integrator.propagate_until(
-                end, max_steps=at_once, c_output=True
-            )
-            fine = outcome in (outcomes.time_limit, outcomes.step_limit)
-            if not (fine and np.all(np.isfinite(integrator.state))):
-                reached = f"t = {integrator.time:g} on the way to {end:g}"
-                raise RigidtopError(
-                    f"the integration stopped at {reached}: the Taylor series overflows"
-                )
-            if len(pieces) * at_once > MOST_STEPS:
-                raise RigidtopError(f"more than {MOST_STEPS} steps on the way to {end:g}")
-            pieces.append(Flow(_path(series, unit), np.asarray(series.times)))
-        return joined(pieces)
+        held = self._held if self.system.constraints else None
+        return taylor.propagated(integrator, end, unit, held=held)
 
 
 def many(system: System, parameters: Mapping[Any, Any], q: Any, qdot: Any) -> SystemMotions:
@@ -442,10 +415,6 @@ def _computed(
 
 
 UNTIL = ""
-
-
-def _path(series: Any, unit: Floats) -> Callable[[Floats], Floats]:
-    return lambda times: np.ascontiguousarray((series(times) * unit).T)
 
 
 def _zeros(motion: Flow, value: Callable[[float, Floats], float], end: float) -> list[float]:

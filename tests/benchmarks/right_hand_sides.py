@@ -12,7 +12,6 @@ and gets at most `PATIENCE` seconds.
 from __future__ import annotations
 
 import argparse
-import importlib
 import json
 import math
 import statistics
@@ -25,7 +24,6 @@ from typing import Any
 
 import numpy as np
 
-from rigidtop.errors import RigidtopError
 from rigidtop.motion import equations
 from rigidtop.parameters import EXAMPLE_TOP
 
@@ -182,29 +180,6 @@ def shipped_candidate(label: str, name: str, state: list[float], **parameters: f
     return Candidate(label, derived(name), lambda: floats(state), lambda: elements(arrays))
 
 
-def compiled_candidate(backend: str, state: list[float]) -> Candidate:
-    """The derived top by Numba or heyoka; nothing where that is not installed."""
-    from rigidtop.codegen import shipped
-
-    label, side = f"derived, {backend}", shipped.named("top_in_euler_angles")
-    try:
-        module = importlib.import_module(f"rigidtop.codegen.{backend}")
-        made = module.function(side.derive(), (*side.state, *side.parameters), "rates")
-    except (ImportError, RigidtopError):
-        return Candidate(f"{label}: not installed", None, None, None)
-    values, constants = spread(state), list(TOP.values())
-    if backend == "numba":
-        return Candidate(
-            label,
-            None,
-            lambda: made.scalar(*state, *constants),
-            lambda: made.array(*values, *constants),
-        )
-    inputs = np.vstack([*values, *np.broadcast_to(np.array(constants)[:, None], (5, ELEMENTS))])
-    results = np.empty((3, ELEMENTS))
-    return Candidate(label, None, None, lambda: made.batch(inputs, outputs=results))
-
-
 def lagrange_candidate(name: str, parameters: dict[str, float]) -> Candidate:
     label, found = "LagrangesMethod, Euler angles", derived(name)
     if found is None:
@@ -261,7 +236,7 @@ def report(title: str, candidates: list[Candidate]) -> None:
             *(_cells(call, scalar[-1], 1e6)),
             *(_cells(element, array[-1], 1e9)),
         ]
-        if candidate.array is None and not candidate.label.endswith("installed"):
+        if candidate.array is None:
             cells[0] = f"> {PATIENCE}"
         print(f"{candidate.label:44}" + "".join(f"{cell:>13}" for cell in cells))
 
@@ -285,7 +260,6 @@ def main() -> None:
                 "shipped, quaternion", "heavy_top", across, **TOP, omega3=OMEGA["omega3"]
             ),
             lagrange_candidate("lagrange_top", TOP),
-            *(compiled_candidate(backend, angles) for backend in ("numba", "heyoka")),
             Candidate(
                 "by hand, Euler angles",
                 None,

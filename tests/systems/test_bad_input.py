@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
-from sympy import Eq, Function, Rational, Symbol, cos, oo, sin, symbols
+from sympy import Eq, Function, Piecewise, Rational, Symbol, cos, gamma, oo, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import rigidtop as rt
+from rigidtop.motion import taylor
 
 m, k, length, g = symbols("m k length g", positive=True)
 x, y, u, v = symbols("x y u v", real=True)
@@ -195,3 +196,27 @@ def test_many_starts_may_be_arrays_beside_numbers():
     assert many.shape == (5,)
     with pytest.raises(rt.RigidtopError, match="q has a number, or an array, for each of x, y_"):
         plane.motions(NUMBERS, q=(np.linspace(0, 1, 5),))
+
+
+@pytest.mark.parametrize(
+    ("force", "said"),
+    [
+        (Piecewise((x, x > 0), (-k, True)), "rates: heyoka's functions have no cases"),
+        (gamma(2 + x**2), "rates: heyoka has no gamma"),
+        (abs(u), "rates: heyoka has no abs"),
+    ],
+)
+def test_forces_that_taylor_series_do_not_know(force, said):
+    pytest.importorskip("heyoka", reason="heyoka has no wheel here")
+    moved = rt.System(m * u**2 / 2 - k * x**2 / 2, x, u, forces=[force]).motion(NUMBERS, 1)
+    with pytest.raises(rt.RigidtopError) as caught:
+        moved.integrate([1.0], method="taylor")
+    assert str(caught.value) == said
+
+
+def test_a_taylor_series_does_not_go_on_for_ever(monkeypatch):
+    pytest.importorskip("heyoka", reason="heyoka has no wheel here")
+    monkeypatch.setattr(taylor, "MOST_STEPS", 100)
+    monkeypatch.setattr(taylor, "STEPS_AT_ONCE", 10)
+    with pytest.raises(rt.RigidtopError, match="more than 100 steps on the way to 1000"):
+        SPRING.motion(NUMBERS, 1).integrate([1000.0], method="taylor")
