@@ -8,10 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from time import perf_counter
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+from typing import Any
 
 Progress = Callable[[int, int], None]
 
@@ -191,44 +188,6 @@ def markdown(rows: Sequence[Row]) -> str:
     cells = [[*head, "errors (rad)"], ["---"] * (len(head) + 1)]
     cells += [[kind, *line] for kind, line in lines.items()]
     return "\n".join(f"| {' | '.join(line)} |" for line in cells)
-
-
-def figure(rows: Sequence[Row]) -> Figure:
-    """The ratios as bars, on a logarithmic scale."""
-    from matplotlib.figure import Figure
-
-    panels = []
-    for task, kinds in _groups(rows):
-        bars = [
-            (row.kind or row.way, share, row, not row.kind and k > 0)
-            for ways in kinds
-            for k, (row, share) in enumerate(zip(ways, _shares(ways), strict=True))
-            if share is not None and not (row.kind and (k > 0 or math.isnan(share)))
-        ]
-        one = kinds[0]
-        if bars:
-            panels.append(
-                (f"{task}: {one[0].way} over {one[-1].way}" if one[0].kind else task, bars)
-            )
-    heights = [len(bars) for _, bars in panels]
-    size = 7.2, 0.32 * sum(heights) + 0.75 * len(panels)
-    drawing = Figure(figsize=size, layout="constrained")
-    axes = drawing.subplots(len(panels), 1, height_ratios=[h + 0.6 for h in heights], squeeze=False)
-    for axis, (title, bars) in zip(axes[:, 0], panels, strict=True):
-        ratios = [ratio for _, ratio, _, _ in bars]
-        grey = ["0.7" if light else "0.25" for *_, light in bars]
-        axis.barh([name for name, *_ in bars], ratios, color=grey, height=0.7, left=0)
-        axis.set_xscale("log")
-        axis.set_xlim(min(0.1, *ratios) / 2, max(ratios) * 60)
-        axis.invert_yaxis()
-        axis.set_title(title, loc="left", fontsize=9)
-        axis.tick_params(labelsize=8)
-        axis.spines[["top", "right"]].set_visible(False)
-        for place, (_, ratio, row, _) in enumerate(bars):
-            label = f" {_digits(ratio)} ×  ({_time(row.seconds or 0)})"
-            axis.text(ratio, place, label, va="center", fontsize=8)
-    axes[-1, 0].set_xlabel("time, relative to the first way, or to heyoka's", fontsize=8)
-    return drawing
 
 
 def _time(seconds: float) -> str:

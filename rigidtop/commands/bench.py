@@ -3,13 +3,8 @@
 from __future__ import annotations
 
 import argparse
-import io
-import json
-from pathlib import Path
 
-from rigidtop.errors import RigidtopError
-
-PLOTS = (".png", ".svg", ".pdf")
+from rigidtop.commands.output import print_json
 
 ABOUT = "measure the numbers beside what one would otherwise take"
 
@@ -22,25 +17,16 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--markdown", action="store_true", help="print the table of kinds of motions as Markdown"
     )
-    parser.add_argument("--plot", metavar="FILE", help="also draw the ratios (.png, .svg, .pdf)")
 
 
 def run(options: argparse.Namespace) -> int:
     """Measure and print."""
     from rigidtop import bench
-    from rigidtop.terminal.files import write_whole
     from rigidtop.terminal.progress import bar
 
-    plot = Path(options.plot) if options.plot else None
-    if plot is not None and plot.suffix not in PLOTS:
-        raise RigidtopError(f"--plot wants a name that ends in {', '.join(PLOTS)}, not {plot}")
     rows = bench.measure(options.quick, bar("measuring"))
-    shown = bench.markdown(rows) if options.markdown else bench.table(rows)
-    print(json.dumps(bench.records(rows), indent=1) if options.json else shown)
-    if plot is not None:
-        drawing = io.BytesIO()
-        bench.figure(rows).savefig(drawing, format=plot.suffix[1:], dpi=150)
-        write_whole(plot, drawing.getvalue())
-        if not options.json:
-            print(plot)
+    if options.json:
+        print_json(bench.records(rows))
+    else:
+        print(bench.markdown(rows) if options.markdown else bench.table(rows))
     return 0
