@@ -8,41 +8,12 @@ from __future__ import annotations
 import re
 import unicodedata
 
-GREEK = {
-    "alpha": "α",
-    "beta": "β",
-    "gamma": "γ",
-    "delta": "δ",
-    "epsilon": "ε",
-    "zeta": "ζ",
-    "eta": "η",
-    "theta": "θ",
-    "iota": "ι",
-    "kappa": "κ",
-    "lambda": "λ",
-    "mu": "μ",
-    "nu": "ν",
-    "xi": "ξ",
-    "pi": "π",
-    "rho": "ρ",
-    "sigma": "σ",
-    "tau": "τ",
-    "upsilon": "υ",
-    "phi": "φ",
-    "chi": "χ",
-    "psi": "ψ",
-    "omega": "ω",
-    "Gamma": "Γ",
-    "Delta": "Δ",
-    "Theta": "Θ",
-    "Lambda": "Λ",
-    "Xi": "Ξ",
-    "Pi": "Π",
-    "Sigma": "Σ",
-    "Phi": "Φ",
-    "Psi": "Ψ",
-    "Omega": "Ω",
-}
+_SMALL = (
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau "
+    "upsilon phi chi psi omega"
+)
+_CAPITAL = "Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega"
+GREEK = dict(zip(f"{_SMALL} {_CAPITAL}".split(), "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΦΨΩ", strict=True))
 """Greek letters by the names of TeX."""
 
 FUNCTIONS = (
@@ -63,8 +34,8 @@ LETTERS = TEX_GREEK | {
     "∞": r"\infty",
     "∇": r"\nabla",
     "…": r"\ldots",
+    "ħ": r"\hbar",
 }
-LETTERS |= {"ħ": r"\hbar"}
 SIGNS = {
     "=": "=",
     "≡": r"\equiv",
@@ -140,17 +111,8 @@ MATHS = {
     "±": r"\pm",
     "∓": r"\mp",
     "⟂": r"\perp",
-    "⊥": r"\perp",
-    "∝": r"\propto",
-    "≪": r"\ll",
-    "≫": r"\gg",
-    "≲": r"\lesssim",
-    "≳": r"\gtrsim",
-    "≃": r"\simeq",
     "≅": r"\cong",
-    "∼": r"\sim",
     "∂": r"\partial",
-    "∇": r"\nabla",
     "∈": r"\in",
     "∧": r"\wedge",
     "√": r"\sqrt",
