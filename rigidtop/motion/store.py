@@ -1,9 +1,9 @@
 """An array in a file that fills block by block, in as many runs as it takes.
 
 Three files: PATH, a .npy that `numpy.load` reads; PATH.json, which says what it holds; and, until
-it is complete, PATH.journal, a line for each block that is on the disk, with a checksum.  A line is
-written after its block has reached the disk, so a run may end anywhere: what the journal does not
-name is computed again, and so is what is no longer what was written.
+it is complete, PATH.journal, a line for each block that has been written, with a checksum.  A run
+may end anywhere: what the journal does not name is computed again, and so is what is no longer, or
+never came to be, what was written.
 """
 
 from __future__ import annotations
@@ -14,11 +14,10 @@ import os
 import re
 import shutil
 import sys
-import time
 import zlib
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager, suppress
-from dataclasses import dataclass, field
+from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -26,10 +25,7 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from rigidtop.errors import RigidtopError
-
-SYNC_SECONDS = 1.0
-"""Between two journal entries: waiting for the disk after each block could take most of the time;
-a run that is killed loses what it finished since."""
+from rigidtop.terminal.files import write_whole
 
 PIECE = 1 << 20
 """Bytes at a time, of a block that is read again."""
@@ -54,8 +50,6 @@ class Store:
     """How many numbers are there."""
     damaged: int = 0
     """How many of those missing had been there, and were no longer what was written."""
-    _waiting: list[str] = field(default_factory=list)
-    _synced: float = field(default_factory=time.monotonic)
 
     def write(self, start: int, values: NDArray[Any]) -> None:
         """Numbers from the index `start` on."""
@@ -63,19 +57,10 @@ class Store:
         self.data.seek(self.offset + start * values.itemsize)
         written = np.ascontiguousarray(values).data
         self.data.write(written)
-        self._waiting.append(_line((start, start + len(values)), [written]))
+        self.data.flush()
+        self.journal.write(f"{_line((start, start + len(values)), [written])}\n".encode())
+        self.journal.flush()
         self.done += len(values)
-        if time.monotonic() - self._synced >= SYNC_SECONDS:
-            self.sync()
-
-    def sync(self) -> None:
-        """Bring what has been written to the disk, and then its lines in the journal."""
-        if self._waiting:
-            _to_disk(self.data)
-            self.journal.write("".join(self._waiting).encode())
-            _to_disk(self.journal)
-            self._waiting.clear()
-        self._synced = time.monotonic()
 
 
 @contextmanager
@@ -87,14 +72,14 @@ def open_store(
     Complete when the body ends with nothing missing.  Raises RigidtopError for a file that holds
     something else, for one that another run is writing, and where the system refuses.
     """
-    header = _header(np.dtype(dtype), shape)
+    dtype = np.dtype(dtype)
     total = int(np.prod(shape, dtype=object))
-    size = len(header) + total * np.dtype(dtype).itemsize
+    size = total * dtype.itemsize
     with readable_errors(path):
         if path.is_file() and read_about(path) == {**about, "complete": True}:
-            _check(path, header, size)
+            _check(path, dtype, shape)
             with path.open("rb") as data:
-                yield Store(path, total, data, io.BytesIO(), len(header), [], total)
+                yield Store(path, total, data, io.BytesIO(), 0, [], total)
             return
         if not _begun(path, about):
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -104,31 +89,26 @@ def open_store(
         # Until here all is as it was: what is refused gets no journal beside it.
         with journal_path(path).open("a+b") as journal:
             _lock(journal, path)
-            if _begun(path, about):  # by another run, perhaps, since
-                _check(path, header, size)
-            else:
+            if not _begun(path, about):  # nor by another run, since
                 journal.truncate(0)
-                _replace(about_path(path), _json(about, complete=False))
-                _replace(path, header, size)
+                _say(path, about, complete=False)
+                part = path.with_name(f".{path.name}.{os.getpid()}.part")
+                np.lib.format.open_memmap(part, "w+", dtype, shape)  # a header, and a hole
+                os.replace(part, path)
+            _check(path, dtype, shape)
             journal.seek(0)
-            lines, length = read_journal(journal.read(), total)
-            journal.truncate(length)  # or the next line would continue a torn one
+            lines = read_journal(journal.read(), total)
+            journal.write(b"\n")  # behind what may be a torn line
             with path.open("r+b") as data:
-                sound = _sound(data, lines, len(header), np.dtype(dtype).itemsize)
+                offset = data.seek(0, os.SEEK_END) - size
+                sound = _sound(data, lines, offset, dtype.itemsize)
                 missing = gaps(sound, total)
                 there, named = (total - _size(gaps(part, total)) for part in (sound, lines))
-                store = Store(
-                    path, total, data, journal, len(header), missing, there, named - there
-                )
-                try:
-                    yield store
-                except BaseException:
-                    with suppress(OSError):  # a full disk, say: the first error is the one to see
-                        store.sync()
-                    raise
-                store.sync()
+                store = Store(path, total, data, journal, offset, missing, there, named - there)
+                yield store
+                os.fsync(data.fileno())
             if store.done == total:
-                _replace(about_path(path), _json(about, complete=True))
+                _say(path, about, complete=True)
                 journal_path(path).unlink(missing_ok=True)
 
 
@@ -167,21 +147,15 @@ def read_about(path: Path) -> dict[str, Any] | None:
     return about if isinstance(about, dict) else None
 
 
-def read_journal(text: bytes, total: int) -> tuple[dict[Interval, str], int]:
-    r"""The blocks that it names, with their lines, and how many of its bytes make sense.
+def read_journal(text: bytes, total: int) -> dict[Interval, str]:
+    r"""The blocks that it names, with their lines; a line that a crash has torn names none.
 
-    >>> read_journal(b"0 10 0badcafe\n20 30 00c0ffee\n30 4", 100)
-    ({(0, 10): '0 10 0badcafe\n', (20, 30): '20 30 00c0ffee\n'}, 29)
+    >>> read_journal(b"0 10 0badcafe\n20 30 00c0\n40 50 00c0ffee\n", 100)
+    {(0, 10): '0 10 0badcafe', (40, 50): '40 50 00c0ffee'}
     """
-    found, length = {}, 0
-    # A line torn by a crash ends the journal: its block, and any after it, are computed again.
-    for line in text.splitlines(keepends=True):
-        numbers = re.fullmatch(rb"(\d{1,19}) (\d{1,19}) [0-9a-f]{8}\n", line)
-        if numbers is None or not int(numbers[1]) < int(numbers[2]) <= total:
-            break
-        found[int(numbers[1]), int(numbers[2])] = line.decode()
-        length += len(line)
-    return found, length
+    lines = re.findall(rb"^((\d{1,19}) (\d{1,19}) [0-9a-f]{8})$", text, re.MULTILINE)
+    found = {(int(start), int(stop)): line.decode() for line, start, stop in lines}
+    return {(start, stop): line for (start, stop), line in found.items() if start < stop <= total}
 
 
 def gaps(done: Iterable[Interval], total: int) -> list[Interval]:
@@ -208,7 +182,7 @@ def _line(block: Interval, content: Iterable[Any]) -> str:
     checksum = zlib.crc32(place.encode())
     for piece in content:
         checksum = zlib.crc32(piece, checksum)
-    return f"{place} {checksum:08x}\n"
+    return f"{place} {checksum:08x}"
 
 
 def _sound(
@@ -249,44 +223,19 @@ def _begun(path: Path, about: Mapping[str, Any]) -> bool:
     )
 
 
-def _header(dtype: np.dtype[Any], shape: tuple[int, ...]) -> bytes:
-    buffer = io.BytesIO()
-    description = {"descr": np.lib.format.dtype_to_descr(dtype), "fortran_order": False}
-    np.lib.format.write_array_header_1_0(buffer, {**description, "shape": shape})
-    return buffer.getvalue()
-
-
-def _check(path: Path, header: bytes, size: int) -> None:
+def _check(path: Path, dtype: np.dtype[Any], shape: tuple[int, ...]) -> None:
     """Raises RigidtopError for a file that has been replaced or cut since."""
-    with path.open("rb") as file:
-        if file.read(len(header)) != header or path.stat().st_size != size:
-            raise RigidtopError(
-                f"{path} is not as the sweep left it: delete it, or write elsewhere"
-            )
-
-
-def _json(about: Mapping[str, Any], complete: bool) -> bytes:
-    text = json.dumps({**about, "complete": complete}, indent=1, allow_nan=False)
-    return f"{text}\n".encode()
-
-
-def _replace(path: Path, content: bytes, size: int | None = None) -> None:
-    """A file, whole or not there; of a size beyond its content, the rest is zeros and a hole."""
-    part = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:
-        with part.open("wb") as file:
-            file.write(content)
-            if size is not None:
-                file.truncate(size)
-            _to_disk(file)
-        os.replace(part, path)
-    finally:
-        part.unlink(missing_ok=True)
+        found = np.load(path, mmap_mode="r")
+    except (ValueError, EOFError):
+        found = None
+    if found is None or (found.dtype, found.shape) != (dtype, shape):
+        raise RigidtopError(f"{path} is not as the sweep left it: delete it, or write elsewhere")
 
 
-def _to_disk(file: BinaryIO) -> None:
-    file.flush()
-    os.fsync(file.fileno())
+def _say(path: Path, about: Mapping[str, Any], complete: bool) -> None:
+    text = json.dumps({**about, "complete": complete}, indent=1, allow_nan=False)
+    write_whole(about_path(path), f"{text}\n".encode())
 
 
 def _lock(journal: BinaryIO, path: Path) -> None:
