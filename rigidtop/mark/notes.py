@@ -681,7 +681,7 @@ class _Ledger:
             found = _numbers(sides, law)
             if found is not None:
                 return made(Verdict.FALSE, found, *law.rests)
-        elif by_file and any(_accent(x) in ("dot", "ddot") for x in symbols):
+        elif by_file and (_differentiates(left) or any(map(_accent, symbols))):
             found = None if _functions(*sides) else _numbers(sides, None)
             if found is not None:
                 return made(Verdict.FALSE, found)
@@ -707,7 +707,7 @@ class _Ledger:
         within = {_bare(x) for x in theirs} <= {_bare(x) for x in mine}.union(
             law.letters if law is not None else ()
         )
-        if getattr(left, "atoms", lambda *_: False)(eq.Rate, eq.Partial):
+        if _differentiates(left):
             return within
         if not isinstance(left, Lettered):
             gives = law is not None and here in law.rests
@@ -945,6 +945,10 @@ def _accent(letter: Symbol) -> str:
 def _said(meant: Mapping[Symbol, Expr]) -> str:
     """What is set, in words."""
     return ", ".join(f"{text(x)} = {text(v)}" for x, v in meant.items() if _accent(x) != "ddot")
+
+
+def _differentiates(side: Any) -> bool:
+    return bool(side.atoms(eq.Rate, eq.Partial, eq.Slope)) if isinstance(side, Expr) else False
 
 
 def _closed_over(side: Any, letter: Symbol) -> bool:
