@@ -372,13 +372,15 @@ class _Ledger:
             meant[_dotted(letter, k)] = self.total(
                 meant[_dotted(letter, k - 1) if k > 1 else letter]
             )
-        coordinates = self.law.q if self.law is not None else ()
+        coordinates = {*self.law.q} if self.law is not None else set()
+        turned = {_bare(x) for x in value.free_symbols} & self.moving - coordinates
         for other, known in self.given.items():
             if known.section == self.section and known.value.free_symbols & {*meant}:
                 new = known.value.subs(meant, simultaneous=True)
                 self.given[other] = replace(known, value=new, rests=known.rests | rests)
-                # ω = ẋ/r behind ℒ says what ℒ is; r = r(φ) of an orbit is no constraint.
-                if _base(other) in _LAGRANGIANS and letter not in coordinates:
+                # ω = ẋ/r behind ℒ says what ℒ is, and r = r₀ + ρ; r = r(φ) of an orbit is no
+                # constraint.
+                if _base(other) in _LAGRANGIANS and (letter not in coordinates or turned):
                     self.law = self.of_lagrangian(other) or self.law
         for k in range(times):
             known = _Given(value, rests, self.section, side=None if k else side)
@@ -501,9 +503,9 @@ class _Ledger:
         momenta = self.momenta()
         if len(by) == 1 and self.by_law(of) is not None and _base(of) in _ENERGIES:
             return self.of_hamiltonian(by[0], momenta)
-        if momenta and _base(of) not in _LAGRANGIANS and all(_accent(x) != "dot" for x in by):
+        if _base(of) not in _LAGRANGIANS and all(_accent(x) != "dot" for x in by):
             held = self.without(momenta)
-            if momenta.keys() & held.value(of).free_symbols:
+            if any(x in momenta or self.by_law(x) for x in held.value(of).free_symbols):
                 return self.value(held.slope(node))
         for x in by:
             if not isinstance(x, Lettered) or x in self.given:
