@@ -15,7 +15,34 @@ from rigidtop.motion.rigid import RigidBody, Triple
 
 
 @dataclass(frozen=True)
-class FreeBody(RigidBody):
+class AnyBody(RigidBody):
+    """A body with three moments (kg m²)."""
+
+    lambda1: float
+    lambda2: float
+    lambda3: float
+
+    @property
+    def moments(self) -> Triple:
+        return self.lambda1, self.lambda2, self.lambda3
+
+    def motion(self, omega: Sequence[float], attitude: Rotation | None = None) -> Motion:
+        """The motion from ω in body components (rad/s) and an attitude, body to space.
+
+        The attitude at t = 0 is the identity (e₃ upright) unless given.  Raises RigidtopError if
+        `omega` is not three finite numbers or `attitude` not a single rotation.
+
+        >>> brick = HeavyBody(3.0, 2.0, 1.5, M=1.0, centre_of_mass=(0.2, 0.3, 0.4))
+        >>> run = brick.motion(omega=(1.0, 2.0, 3.0)).integrate([0.0, 5.0])
+        >>> all(change < 1e-9 for change in run.drift().values())
+        True
+        """
+        start = Rotation.identity() if attitude is None else attitude
+        return Motion(self, start, checks.vector("omega", omega))
+
+
+@dataclass(frozen=True)
+class FreeBody(AnyBody):
     """A body without torque; moments about its centre of mass (kg m²).
 
     `physical=False` lets moments through that no body has, as benchmarks use them.
@@ -29,9 +56,6 @@ class FreeBody(RigidBody):
 body has such moments about its centre of mass (physical=False lets them through)
     """
 
-    lambda1: float
-    lambda2: float
-    lambda3: float
     # A float too, so that numbers by name, as figures have them, may be all arguments.
     physical: bool | float = field(default=True, repr=False, compare=False)
 
@@ -48,25 +72,12 @@ body has such moments about its centre of mass (physical=False lets them through
             )
 
     @property
-    def moments(self) -> Triple:
-        return self.lambda1, self.lambda2, self.lambda3
-
-    @property
     def weight(self) -> Triple:
         return 0.0, 0.0, 0.0
 
-    def motion(self, omega: Sequence[float], attitude: Rotation | None = None) -> Motion:
-        """The motion from ω in body components (rad/s) and an attitude, body to space.
-
-        The attitude at t = 0 is the identity unless given.  Raises RigidtopError if `omega` is not
-        three finite numbers or `attitude` not a single rotation.
-        """
-        start = Rotation.identity() if attitude is None else attitude
-        return Motion(self, start, checks.vector("omega", omega))
-
 
 @dataclass(frozen=True)
-class HeavyBody(RigidBody):
+class HeavyBody(AnyBody):
     """A body with one point held, in uniform gravity g ≥ 0 along −ẑ (m/s²).
 
     λ₁, λ₂, λ₃ are the moments about the pivot (kg m²) along principal axes there; `centre_of_mass`
@@ -76,9 +87,6 @@ class HeavyBody(RigidBody):
     λ − M(R² − R⊗R), must obey the triangle inequality; `physical=False` lets others through.
     """
 
-    lambda1: float
-    lambda2: float
-    lambda3: float
     M: float
     centre_of_mass: Triple
     g: float = 9.81
@@ -103,24 +111,6 @@ class HeavyBody(RigidBody):
             )
 
     @property
-    def moments(self) -> Triple:
-        return self.lambda1, self.lambda2, self.lambda3
-
-    @property
     def weight(self) -> Triple:
         first, second, third = (self.M * self.g * arm for arm in self.centre_of_mass)
         return first, second, third
-
-    def motion(self, omega: Sequence[float], attitude: Rotation | None = None) -> Motion:
-        """The motion from ω in body components (rad/s) and an attitude, body to space.
-
-        The attitude at t = 0 is the identity (e₃ upright) unless given.  Raises RigidtopError if
-        `omega` is not three finite numbers or `attitude` not a single rotation.
-
-        >>> brick = HeavyBody(3.0, 2.0, 1.5, M=1.0, centre_of_mass=(0.2, 0.3, 0.4))
-        >>> run = brick.motion(omega=(1.0, 2.0, 3.0)).integrate([0.0, 5.0])
-        >>> all(change < 1e-9 for change in run.drift().values())
-        True
-        """
-        start = Rotation.identity() if attitude is None else attitude
-        return Motion(self, start, checks.vector("omega", omega))

@@ -251,17 +251,12 @@ def by_lagrange(motion: Motion, times: Floats, rtol: float) -> Trajectory:
     """Lagrange's equations: state θ, φ, ψ, θ̇, φ̇, ψ̇."""
     start = _start(motion, times)
     if motion.body.symmetric:
-        rates = equations.top_in_euler_angles(*_top(motion))
-
-        def right_hand_side(state: Sequence[float]) -> tuple[float, ...]:
-            theta, _, _, *velocities = state
-            return *velocities, *rates((theta, *velocities))
+        rates, at = equations.top_in_euler_angles(*_top(motion)), [0, 3, 4, 5]
     else:
-        of_body = equations.body_in_euler_angles(*_body(motion))
+        rates, at = equations.body_in_euler_angles(*_body(motion)), [0, 2, 3, 4, 5]
 
-        def right_hand_side(state: Sequence[float]) -> tuple[float, ...]:
-            theta, _, psi, *velocities = state
-            return *velocities, *of_body((theta, psi, *velocities))
+    def right_hand_side(state: Sequence[float]) -> tuple[float, ...]:
+        return *state[3:], *rates([state[k] for k in at])
 
     first = np.array([*start.angles, *start.velocities])
     units = np.repeat([1.0, _rate(motion) or 1.0], 3)
@@ -274,25 +269,18 @@ def by_hamilton(motion: Motion, times: Floats, rtol: float) -> Trajectory:
     start = _start(motion, times)
     p_theta, p_phi, p_psi = start.momenta
     if motion.body.symmetric:
-        parameters = (*_top(motion), p_phi, p_psi)
-        rates = equations.top_by_hamilton(*parameters)
-        over_arrays = equations.top_by_hamilton(*parameters, sin=np.sin, cos=np.cos)
-        first, at = np.array([*start.angles, p_theta]), [0, 3]
+        law = _laws(equations.top_by_hamilton, *_top(motion), p_phi, p_psi)
+        at, moving = [0, 3], [p_theta]
     else:
-        parameters = (*_body(motion), p_phi)
-        rates = equations.body_by_hamilton(*parameters)
-        over_arrays = equations.body_by_hamilton(*parameters, sin=np.sin, cos=np.cos)
-        first, at = np.array([*start.angles, p_theta, p_psi]), [0, 2, 3, 4]
+        law = _laws(equations.body_by_hamilton, *_body(motion), p_phi)
+        at, moving = [0, 2, 3, 4], [p_theta, p_psi]
+    rates, over_arrays = law
+    first = np.array([*start.angles, *moving])
     units = np.full(len(first), max(motion.body.moments) * (_rate(motion) or 1.0))
     units[:3] = 1.0
-    if motion.body.symmetric:
 
-        def right_hand_side(state: Sequence[float]) -> tuple[float, ...]:
-            return rates((state[0], state[3]))
-    else:
-
-        def right_hand_side(state: Sequence[float]) -> tuple[float, ...]:
-            return rates((state[0], *state[2:]))
+    def right_hand_side(state: Sequence[float]) -> tuple[float, ...]:
+        return rates([state[k] for k in at])
 
     states = _solved(right_hand_side, first, times, rtol, units)
     velocities = np.array(over_arrays(list(states[at]))[:3])
@@ -304,9 +292,7 @@ def by_routh(motion: Motion, times: Floats, rtol: float) -> Trajectory:
     if not motion.body.symmetric:
         raise RigidtopError("ψ is not cyclic: the body has no symmetry about e₃")
     start = _start(motion, times)
-    parameters = (*_top(motion), *start.momenta[1:])
-    rates = equations.top_by_routh(*parameters)
-    over_arrays = equations.top_by_routh(*parameters, sin=np.sin, cos=np.cos)
+    rates, over_arrays = _laws(equations.top_by_routh, *_top(motion), *start.momenta[1:])
     theta, phi, psi = start.angles
 
     def right_hand_side(state: Sequence[float]) -> tuple[float, ...]:
@@ -325,6 +311,13 @@ def by_routh(motion: Motion, times: Floats, rtol: float) -> Trajectory:
     angles = np.stack([states[0], phi + states[2], psi + states[3]])
     velocities = np.stack([states[1], *over_arrays(list(states[:1]))[1:]])
     return start.trajectory(motion, times, angles, velocities)
+
+
+def _laws(
+    shipped: Callable[..., equations.Rates], *parameters: float
+) -> tuple[equations.Rates, equations.Rates]:
+    """A right-hand side of floats, and of arrays."""
+    return shipped(*parameters), shipped(*parameters, sin=np.sin, cos=np.cos)
 
 
 WAYS: Mapping[str, Way] = MappingProxyType(

@@ -117,14 +117,14 @@ def _free_states(solved: Solved, attitude: Rotation, times: Floats, compiled: bo
 
     if len(times) == 1:
         state = solved.at(float(times[0]))
-        return np.array([[*free.after(first, state[:4]), *state[4:]]]).T
+        return np.array([[*attitudes.after(first, state[:4]), *state[4:]]]).T
     if compiled and len(times) <= samples.MANY:
         return free.rows(solved, first, times)
     orbit: free.Orbit = solved.orbit
 
     def columns(t: Floats) -> Sequence[Any]:
         state = orbit.at(t)
-        return *free.after(first, state.quaternion), *state.omega
+        return *attitudes.after(first, state.quaternion), *state.omega
 
     def states(t: Floats) -> Floats:
         return free.rows(solved, first, t) if compiled else samples.in_blocks(columns, t)

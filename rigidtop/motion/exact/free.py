@@ -30,7 +30,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from rigidtop.motion.attitude import Floats
+from rigidtop.motion.attitude import Floats, after
 from rigidtop.motion.exact import compiled, theta
 from rigidtop.motion.exact.numbers import ROUNDING, SMALLEST_PART, Arrays, Kit, Real, Truth, cubic
 from rigidtop.motion.exact.samples import Course
@@ -236,21 +236,8 @@ class Orbit:
         return (size * c, -(b1 * s + b2 * c), b1 * c - b2 * s, size * s), momentum
 
 
-def inverse(q: Sequence[Real]) -> tuple[Real, ...]:
-    """Of a unit quaternion, scalar first."""
-    return q[0], -q[1], -q[2], -q[3]
-
-
-def after(p: Sequence[Real], q: Sequence[Real]) -> tuple[Real, ...]:
-    """The quaternion of rotation q followed by p."""
-    p0, p1, p2, p3 = p
-    q0, q1, q2, q3 = q
-    return (
-        p0 * q0 - p1 * q1 - p2 * q2 - p3 * q3,
-        p0 * q1 + p1 * q0 + p2 * q3 - p3 * q2,
-        p0 * q2 - p1 * q3 + p2 * q0 + p3 * q1,
-        p0 * q3 + p1 * q2 - p2 * q1 + p3 * q0,
-    )
+def _inverse(q0: Real, q1: Real, q2: Real, q3: Real) -> tuple[Real, ...]:
+    return q0, -q1, -q2, -q3
 
 
 def _renamed(k: Kit, axes: Triple, values: list[Real]) -> tuple[Real, ...]:
@@ -409,6 +396,6 @@ def _solve(k: Kit, moments: Triple, omega: Triple) -> Orbit:
     back = k.pick(
         uniform,
         lambda: (1.0, 0.0, 0.0, 0.0),
-        lambda: inverse(orbit._state(k, z0, 0.0)[0]),
+        lambda: _inverse(*orbit._state(k, z0, 0.0)[0]),
     )
     return replace(orbit, back=back)

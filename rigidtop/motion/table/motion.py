@@ -172,15 +172,7 @@ class SlidingMotion:
 
     def start(self) -> SlidingTrajectory:
         """The initial state, as a trajectory of one row."""
-        contact, state = Contact(self.body), self._initial()
-        rolling = not any(self.slip) and contact.holds(state)
-        return self._trajectory(
-            np.array(state)[:, None],
-            np.zeros(1),
-            np.array([[self.phi], [self.psi]]),
-            np.array([rolling]),
-            Course((), ()),
-        )
+        return self._repeated(1, Course((), ()))
 
     def exact(self, t: ArrayLike) -> SlidingTrajectory:
         """The motion on a smooth table without air at the times `t`, in closed form.
@@ -312,7 +304,7 @@ class SlidingMotion:
         return [*q, *self.omega, *self.slip, *[0.0] * (VARIABLES - 9)]
 
     def _repeated(self, rows: int, found: Course) -> SlidingTrajectory:
-        """The initial state alone was asked for."""
+        """The initial state, so many times."""
         contact, state = Contact(self.body), self._initial()
         rolling = not any(self.slip) and contact.holds(state)
         return self._trajectory(
