@@ -28,25 +28,25 @@ if TYPE_CHECKING:
 
 ABOUT = "audit notes in Markdown, LaTeX or a notebook: anyone's, in any letters"
 
+EPILOG = """\
+In notes of the collection each numbered equation is judged by the claim of its number.
+All other formulas, and anyone's notes in letters of their own, are held against
+themselves: a line follows from the lines above it and from Lagrange's equations of the
+file's own L, or contradicts them, with numbers; what nothing above speaks of is a
+premise, taken as it stands, and not called right.
+The exit code is 1 if a formula is false, or if one that has a number is undecided or
+unread, else 0 (a convention at odds with a definition is a finding, not a failure).
+Numbers of the collection that the file leaves out between its first and its last are
+told as absent.
+
+examples:
+  rigidtop audit notes.md
+  rigidtop audit notes.md -o annotated.html
+  rigidtop audit my_course/ my_notes.tex      # against your own collection"""
+
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
-    parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.epilog = (
-        "In notes of the collection each numbered equation is judged by the claim of its number.\n"
-        "All other formulas, and anyone's notes in letters of their own, are held against\n"
-        "themselves: a line follows from the lines above it and from Lagrange's equations of the\n"
-        "file's own L, or contradicts them, with numbers; what nothing above speaks of is a\n"
-        "premise, taken as it stands, and not called right.\n"
-        "The exit code is 1 if a formula is false, or if one that has a number is undecided or\n"
-        "unread, else 0 (a convention at odds with a definition is a finding, not a failure).\n"
-        "Numbers of the collection that the file leaves out between its first and its last are\n"
-        "told as absent.\n\n"
-        "examples:\n"
-        "  rigidtop audit notes.md\n"
-        "  rigidtop audit notes.md -o annotated.html\n"
-        "  rigidtop audit my_course/ my_notes.tex      # against your own collection"
-    )
     parser.add_argument(
         "file",
         nargs="+",

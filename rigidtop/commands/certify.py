@@ -14,6 +14,14 @@ if TYPE_CHECKING:
 
 ABOUT = "compute one motion in several ways and compare them"
 
+EPILOG = """\
+Euler's equations on quaternions, Lagrange's, Routh's and Hamilton's in Euler angles,
+and the closed form must give the same attitudes.  Exit code 1 if they do not.
+
+examples:
+  rigidtop certify top --theta 0.5 --theta-dot 0.1 --phi-dot 1 --psi-dot 40
+  rigidtop certify free --moments 1 2 3 --omega 0.01 2 0.01 --time 30"""
+
 DISAGREE = 1
 """The exit code."""
 
@@ -23,14 +31,6 @@ KEPT = {"energy": "energy", "p_phi": "p_φ", "p_psi": "p_ψ", "L": "|L|"}
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
-    parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.epilog = (
-        "Euler's equations on quaternions, Lagrange's, Routh's and Hamilton's in Euler angles,\n"
-        "and the closed form must give the same attitudes.  Exit code 1 if they do not.\n\n"
-        "examples:\n"
-        "  rigidtop certify top --theta 0.5 --theta-dot 0.1 --phi-dot 1 --psi-dot 40\n"
-        "  rigidtop certify free --moments 1 2 3 --omega 0.01 2 0.01 --time 30"
-    )
     motions.add_motion(parser)
     run = parser.add_argument_group("the computation")
     run.add_argument(
@@ -69,16 +69,7 @@ def record(found: Certificate) -> dict[str, Any]:
         "undecided": found.undecided,
         "amplification": found.amplification,
         "drifts": {way: dict(drift) for way, drift in found.drifts.items()},
-        "orders": [
-            {
-                "method": order.method,
-                "classical": order.classical,
-                "observed": order.observed,
-                "steps": list(order.steps),
-                "errors": list(order.errors),
-            }
-            for order in found.orders
-        ],
+        "orders": [dict(vars(order)) for order in found.orders],
         "left_out": dict(found.left_out),
         "stray": list(found.stray),
     }

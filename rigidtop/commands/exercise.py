@@ -23,18 +23,18 @@ if TYPE_CHECKING:
 
 ABOUT = "solve the exercises that the notes leave to their reader, in symbols and in numbers"
 
+EPILOG = """\
+Without a name the exercises are listed.  Angles are radians, or degrees with the suffix
+deg; rates are rad/s, or turns a minute with the suffix rpm.
+
+examples:
+  rigidtop exercise toppling-top --set theta=30deg
+  rigidtop exercise toppling-top --student
+  rigidtop exercise --sheet out --student --pdf     # all of them, without solutions"""
+
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
-    parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.epilog = (
-        "Without a name the exercises are listed.  Angles are radians, or degrees with the suffix\n"
-        "deg; rates are rad/s, or turns a minute with the suffix rpm.\n\n"
-        "examples:\n"
-        "  rigidtop exercise toppling-top --set theta=30deg\n"
-        "  rigidtop exercise toppling-top --student\n"
-        "  rigidtop exercise --sheet out --student --pdf     # all of them, without solutions"
-    )
     parser.add_argument("name", nargs="*", help=f"an exercise, such as toppling-top; {FOLDER}")
     add_settings(parser, "change its settings, such as theta=30deg")
     parser.add_argument(

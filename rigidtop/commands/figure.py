@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands.notation import add_notation, chosen
 from rigidtop.commands.output import print_json
-from rigidtop.commands.settings import add_settings, apart
+from rigidtop.commands.settings import add_settings, apart, whole
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import settings
 from rigidtop.proof.words import unmarked
@@ -19,22 +19,22 @@ if TYPE_CHECKING:
 
 ABOUT = "draw a figure as SVG, PDF or PNG, or let it move as GIF or MP4"
 
+EPILOG = """\
+Without NAME it lists the figures and what can be set in each.  Angles are radians, or
+degrees with the suffix deg; rates rad/s, or turns a minute with the suffix rpm.
+
+examples:
+  rigidtop figure
+  rigidtop figure torque -o torque.pdf
+  rigidtop figure paths --set theta=30deg omega3=400rpm -o paths.svg
+  rigidtop figure rolling-cones -o cones.gif"""
+
 STILL, MOVING = ("svg", "pdf", "png"), ("gif", "mp4")
 MOST_FRAMES = 2000
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
-    parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.epilog = (
-        "Without NAME it lists the figures and what can be set in each.  Angles are radians, or\n"
-        "degrees with the suffix deg; rates rad/s, or turns a minute with the suffix rpm.\n\n"
-        "examples:\n"
-        "  rigidtop figure\n"
-        "  rigidtop figure torque -o torque.pdf\n"
-        "  rigidtop figure paths --set theta=30deg omega3=400rpm -o paths.svg\n"
-        "  rigidtop figure rolling-cones -o cones.gif"
-    )
     parser.add_argument("name", nargs="?", metavar="NAME", help="the figure")
     parser.add_argument(
         "-o",
@@ -44,7 +44,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     add_settings(parser, "change parameters of the figure, such as theta=30deg")
     parser.add_argument(
-        "--frames", type=_frames, metavar="N", help="of a gif or mp4, 20 a second (default: 80)"
+        "--frames",
+        type=whole(2, MOST_FRAMES),
+        metavar="N",
+        help="of a gif or mp4, 20 a second (default: 80)",
     )
     add_notation(parser)
 
@@ -162,9 +165,3 @@ def _record(drawing: Drawing) -> dict[str, Any]:
             for p in drawing.parameters
         ],
     }
-
-
-def _frames(text: str) -> int:
-    if not text.isdecimal() or len(text) > 6 or not 2 <= int(text) <= MOST_FRAMES:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 2 to {MOST_FRAMES}")
-    return int(text)

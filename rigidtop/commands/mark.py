@@ -20,6 +20,18 @@ if TYPE_CHECKING:
 
 ABOUT = "mark a derivation: the first line that does not follow, and the slip"
 
+EPILOG = """\
+FILE is LaTeX, or Markdown with dollars; every formula in it is a line of the answer.
+A line follows if it holds for every motion that the lecture allows between the two
+equations, in whatever form and order.  It is judged by its truth for these, not by
+the line before; where nothing of the way is shown, that is said.  N is the number of
+an equation, or the name of a claim, such as two-roots.  The exit code is 0 only
+if every line follows and the last equation is reached; a line that is wrong, unread
+or inconclusive gives 1.
+
+example:
+  rigidtop mark answer.tex --from 3.53 --to 3.57"""
+
 COLORS = {
     "follows": "green",
     "definition": "dim",
@@ -33,19 +45,6 @@ COLORS = {
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
-    parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.epilog = (
-        "FILE is LaTeX, or Markdown with dollars; every formula in it is a line of the answer.\n"
-        "A line follows if it holds for every motion that the lecture allows between the two\n"
-        "equations, in whatever form and order.  It is judged by its truth for these, not by\n"
-        "the line before; where nothing of the way is shown, that is said.  N is the number of\n"
-        "an equation, or the name of a claim, such as two-roots.  The exit code is 0 only\n"
-        "if every line follows and the last equation is reached; a line that is wrong, unread\n"
-        "or inconclusive gives 1.\n"
-        "\n"
-        "example:\n"
-        "  rigidtop mark answer.tex --from 3.53 --to 3.57"
-    )
     parser.add_argument(
         "file",
         metavar="FILE",

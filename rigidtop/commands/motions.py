@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import argparse
 import math
-import re
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from rigidtop.commands.settings import whole
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import EXAMPLE_SPIN, EXAMPLE_TOP, Parameter, quantity
 
@@ -66,15 +66,8 @@ def _typed(text: str, unit: str) -> float:
         raise argparse.ArgumentTypeError(str(error)) from None
 
 
-def count(text: str) -> int:
-    """A number of rows.
-
-    >>> count("21")
-    21
-    """
-    if not re.fullmatch(r"\d{1,7}", text) or int(text) < 2:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 2 to 9999999")
-    return int(text)
+count = whole(2, 9_999_999)
+"""A number of rows."""
 
 
 def add_motion(parser: argparse.ArgumentParser, table: bool = False) -> None:

@@ -13,20 +13,19 @@ from rigidtop.errors import RigidtopError
 
 ABOUT = "start a collection of one's own: a folder with a page, two claims and an exercise"
 
+EPILOG = """\
+A collection is Python and runs as such. What is written passes at once:
+  rigidtop new my_course
+  rigidtop check my_course/
+  rigidtop lecture my_course/ -o out
+  rigidtop new --system my_system"""
+
 STARTER = Path(__file__).parents[1] / "starter"
 """The package that is copied, so that what is started has been tested as it stands."""
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
-    parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.epilog = (
-        "A collection is Python and runs as such. What is written passes at once:\n"
-        "  rigidtop new my_course\n"
-        "  rigidtop check my_course/\n"
-        "  rigidtop lecture my_course/ -o out\n"
-        "  rigidtop new --system my_system"
-    )
     parser.add_argument(
         "--system",
         action="store_true",

@@ -12,6 +12,23 @@ if TYPE_CHECKING:
 
 ABOUT = "list the notations of other books and what each writes otherwise"
 
+EPILOG = """\
+A table of one's own is a file in TOML, for instance:
+
+  title = "My lecture"
+  source = "PHY 305, 2026, week 8"
+  [euler]
+  sequence = "zxz"
+  [letters]
+  "λ" = "I"
+  [symbols]
+  R = { base = "l", meaning = "distance from the pivot to the centre of mass" }
+
+examples:
+  rigidtop notation landau
+  rigidtop derive 3.54 --notation goldstein --format latex
+  rigidtop lecture --notation my_table.toml"""
+
 
 def add_notation(parser: argparse.ArgumentParser) -> None:
     """The option that other commands have."""
@@ -33,22 +50,6 @@ def chosen(options: argparse.Namespace) -> Notation:
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
-    parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.epilog = (
-        "A table of one's own is a file in TOML, for instance:\n\n"
-        '  title = "My lecture"\n'
-        '  source = "PHY 305, 2026, week 8"\n'
-        "  [euler]\n"
-        '  sequence = "zxz"\n'
-        "  [letters]\n"
-        '  "λ" = "I"\n'
-        "  [symbols]\n"
-        '  R = { base = "l", meaning = "distance from the pivot to the centre of mass" }\n\n'
-        "examples:\n"
-        "  rigidtop notation landau\n"
-        "  rigidtop derive 3.54 --notation goldstein --format latex\n"
-        "  rigidtop lecture --notation my_table.toml"
-    )
     parser.add_argument(
         "name", nargs="*", metavar="NAME|FILE", help="only these; a file is checked (default: all)"
     )

@@ -47,7 +47,8 @@ COMMANDS = {
     "bench": bench,
     "referee": referee,
 }
-"""Each module has ABOUT, `add_options(parser)` and `run(options)`, which returns the exit code."""
+"""Each module has ABOUT, perhaps an EPILOG, `add_options(parser)`, and `run(options)`, which gives
+the exit code."""
 
 
 class Parser(argparse.ArgumentParser):
@@ -78,6 +79,9 @@ def _parser() -> Parser:
         command = commands.add_parser(
             name, help=about, description=about[0].upper() + about[1:] + "."
         )
+        if epilog := getattr(module, "EPILOG", None):
+            command.epilog = epilog
+            command.formatter_class = argparse.RawDescriptionHelpFormatter
         command.add_argument("--json", action="store_true", help="print JSON instead of text")
         command.set_defaults(run=module.run, refuse=command.error)
         module.add_options(command)

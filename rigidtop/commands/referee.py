@@ -9,15 +9,14 @@ from rigidtop.commands.output import print_json
 
 ABOUT = "hold installed simulators against the exact top and free body"
 
+EPILOG = """\
+Engines that are known: MuJoCo (pip install mujoco), Pinocchio (pip install pin).
+With -o the exact motions are written, for those who write simulators:
+  rigidtop referee -o exact"""
+
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
-    parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.epilog = (
-        "Engines that are known: MuJoCo (pip install mujoco), Pinocchio (pip install pin).\n"
-        "With -o the exact motions are written, for those who write simulators:\n"
-        "  rigidtop referee -o exact"
-    )
     parser.add_argument(
         "-o",
         "--output",

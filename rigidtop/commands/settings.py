@@ -1,9 +1,9 @@
-"""The option ``--set name=value …``, the same in every command."""
+"""Options that are the same in every command: ``--set name=value …``, and whole numbers."""
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 
@@ -25,3 +25,21 @@ def apart(given: Sequence[str]) -> tuple[list[str], list[str]]:
     (['theta=30deg'], ['toppling-top'])
     """
     return [word for word in given if "=" in word], [word for word in given if "=" not in word]
+
+
+def whole(least: int, most: int | None = None) -> Callable[[str], int]:
+    """What reads a whole number in a range.
+
+    >>> whole(2)("21")
+    21
+    """
+
+    said = f"from {least}" + (f" to {most}" if most else "")
+
+    def read(text: str) -> int:
+        known = text.isdecimal() and len(text) <= 12 and least <= int(text)
+        if not known or (most and int(text) > most):
+            raise argparse.ArgumentTypeError(f"{text!r} is not a whole number {said}")
+        return int(text)
+
+    return read

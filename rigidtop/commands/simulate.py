@@ -16,22 +16,22 @@ if TYPE_CHECKING:
 
 ABOUT = "compute a motion, its periods and the drift of what it keeps"
 
+EPILOG = """\
+Angles are in radians, or in degrees with the suffix deg; everything else is SI.
+Attitudes are R = Rz(φ) Ry(θ) Rz(ψ), body to space.
+
+examples:
+  rigidtop simulate top --theta 30deg --omega3 40 --time 2 --samples 81
+  rigidtop simulate top --theta 0.5 --omega3 40 --steady slow --time 20
+  rigidtop simulate free --moments 1 2 3 --omega 0.01 2 0.01 -o flip.csv
+  rigidtop simulate sliding --theta 0.3 --omega3 60 --tip 0.02 --mu 0.3"""
+
 EXACT = "exact"
 INTEGRATED = "DOP853"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
-    parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.epilog = (
-        "Angles are in radians, or in degrees with the suffix deg; everything else is SI.\n"
-        "Attitudes are R = Rz(φ) Ry(θ) Rz(ψ), body to space.\n\n"
-        "examples:\n"
-        "  rigidtop simulate top --theta 30deg --omega3 40 --time 2 --samples 81\n"
-        "  rigidtop simulate top --theta 0.5 --omega3 40 --steady slow --time 20\n"
-        "  rigidtop simulate free --moments 1 2 3 --omega 0.01 2 0.01 -o flip.csv\n"
-        "  rigidtop simulate sliding --theta 0.3 --omega3 60 --tip 0.02 --mu 0.3"
-    )
     motions.add_motion(parser, table=True)
     run = parser.add_argument_group("the computation")
     run.add_argument("--time", type=motions.number, default=10.0, help="to this time, s (10)")
@@ -63,7 +63,7 @@ def run(options: argparse.Namespace) -> int:
     path = _computed(motion, np.linspace(0.0, options.time, options.samples), options)
     columns, drift, about = path.columns(), path.drift(), _about(motion)
     if options.output:
-        _write(options.output, columns)
+        path.to_csv(options.output)
     if options.json:
         _print_json(columns, {"drift": drift, **about})
         return 0
@@ -85,7 +85,7 @@ def _run_on_table(options: argparse.Namespace) -> int:
     columns = path.columns()
     events = [{"time": event.time, "kind": event.kind} for event in path.events]
     if options.output:
-        _write(options.output, columns)
+        path.to_csv(options.output)
     if options.json:
         ended = path.ended.kind if path.ended else None
         _print_json(columns, {"budget": path.budget(), "events": events, "ended": ended})
@@ -170,16 +170,6 @@ def _regime(motion: Motion) -> str:
         if abs(motion.omega[2]) < least:
             return f"sleeping, but not stable (it is from |ω₃| = {least:.6g} rad/s on)"
     return regime
-
-
-def _write(name: str, columns: dict[str, Any]) -> None:
-    from pathlib import Path
-
-    from rigidtop.terminal.files import write_whole
-
-    lines = [",".join(columns)]
-    lines += [",".join(map(repr, map(float, row))) for row in zip(*columns.values(), strict=True)]
-    write_whole(Path(name), ("\n".join(lines) + "\n").encode())
 
 
 def _warn_of_few_samples(period: float | None, options: argparse.Namespace) -> None:

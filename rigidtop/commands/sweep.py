@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands import motions
 from rigidtop.commands.output import print_json
-from rigidtop.commands.settings import add_settings
+from rigidtop.commands.settings import add_settings, whole
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import EXAMPLE_SPIN, EXAMPLE_TOP, quantity
 
@@ -26,6 +26,21 @@ if TYPE_CHECKING:
     from rigidtop.motion.sweep import Axis, Map
 
 ABOUT = "map a grid of tops into a file, on one machine or a cluster"
+
+EPILOG = """\
+quantities: regime (codes; their names are in FILE.json), nutation_period,
+  mean_precession, precession_per_period, theta_min, theta_max; and at a time t: theta,
+  phi, psi, theta_dot, phi_dot, psi_dot
+names: lambda1, lambda3, M, R, g, theta, theta_dot, phi, phi_dot, psi, t, and omega3 or
+  psi_dot; angles and their rates in radians, or degrees with the suffix deg
+
+FILE can be read by numpy.load.  Interrupted, the same command goes on from there.
+
+examples:
+  rigidtop sweep -o map.npy --axis omega3=0:60:10000 --axis phi_dot=-5:5:10000
+  rigidtop sweep -o tilt.npy --quantity theta --axis t=0:10:1001 --axis omega3=10,20,40
+  rigidtop sweep -o map.npy --axis theta=1deg:179deg:2000 --axis omega3=0:60:2000 \
+--scheduler tcp://host:8786"""
 
 EXAMPLE = {**EXAMPLE_TOP, "theta": motions.THETA.default}
 """What is neither set nor an axis."""
@@ -40,20 +55,6 @@ CONNECT_SECONDS = 10
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
-    parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.epilog = (
-        "quantities: regime (codes; their names are in FILE.json), nutation_period,\n"
-        "  mean_precession, precession_per_period, theta_min, theta_max; and at a time t: theta,\n"
-        "  phi, psi, theta_dot, phi_dot, psi_dot\n"
-        "names: lambda1, lambda3, M, R, g, theta, theta_dot, phi, phi_dot, psi, t, and omega3 or\n"
-        "  psi_dot; angles and their rates in radians, or degrees with the suffix deg\n\n"
-        "FILE can be read by numpy.load.  Interrupted, the same command goes on from there.\n\n"
-        "examples:\n"
-        "  rigidtop sweep -o map.npy --axis omega3=0:60:10000 --axis phi_dot=-5:5:10000\n"
-        "  rigidtop sweep -o tilt.npy --quantity theta --axis t=0:10:1001 --axis omega3=10,20,40\n"
-        "  rigidtop sweep -o map.npy --axis theta=1deg:179deg:2000 --axis omega3=0:60:2000 "
-        "--scheduler tcp://host:8786"
-    )
     parser.add_argument(
         "-o", "--output", metavar="FILE", required=True, help="the file, a .npy for numpy.load"
     )
@@ -71,7 +72,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     where = parser.add_mutually_exclusive_group()
     where.add_argument(
         "--workers",
-        type=_whole,
+        type=whole(1),
         metavar="N",
         help="compute in processes (default: in threads, which are enough for a few cores)",
     )
@@ -79,7 +80,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--scheduler", metavar="ADDRESS", help="compute on a Dask cluster; wants the extra cluster"
     )
     parser.add_argument(
-        "--block", type=_whole, metavar="POINTS", help="computed at a time (default: 131072)"
+        "--block", type=whole(1), metavar="POINTS", help="computed at a time (default: 131072)"
     )
 
 
@@ -303,9 +304,3 @@ def _once(option: str, pairs: Sequence[tuple[str, str]]) -> dict[str, str]:
             raise RigidtopError(f"{option} {name} is given twice")
         found[name] = value
     return found
-
-
-def _whole(text: str) -> int:
-    if not text.isdecimal() or len(text) > 12 or int(text) < 1:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 1")
-    return int(text)

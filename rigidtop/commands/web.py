@@ -18,28 +18,29 @@ if TYPE_CHECKING:
 
 ABOUT = "write a live page that computes a motion in the browser, without a network"
 
+EPILOG = """\
+The page needs no network: open the file, or send it.  Its address records what is set,
+so it can be shared as a link.  It needs the extra web: pip install 'rigidtop[web]'
+
+--preset is what the page shows first, --set changes a number of that:
+  heavy-top: slow, fast, waves, cusps, loops, sleeping, waking, toppling
+    lambda1, lambda2, lambda3 (kg m²), M (kg), g (m/s²), R1, R2, R (m), theta, phi, psi,
+    theta_dot, phi_dot, omega3
+  free: free-precession, plate, flip, largest, smallest, toutatis
+    lambda1, lambda2, lambda3, omega1, omega2, omega3
+Angles are radians, or degrees with the suffix deg; rates rad/s, or turns a minute with
+the suffix rpm.
+
+examples:
+  rigidtop web heavy-top -o top.html
+  rigidtop web heavy-top --preset loops --set theta=45deg omega3=20 -o loops.html
+  rigidtop web free --preset toutatis -o toutatis.html"""
+
 KINDS = ("heavy-top", "free")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
-    parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.epilog = (
-        "The page needs no network: open the file, or send it.  Its address records what is set,\n"
-        "so it can be shared as a link.  It needs the extra web: pip install 'rigidtop[web]'\n\n"
-        "--preset is what the page shows first, --set changes a number of that:\n"
-        "  heavy-top: slow, fast, waves, cusps, loops, sleeping, waking, toppling\n"
-        "    lambda1, lambda2, lambda3 (kg m²), M (kg), g (m/s²), R1, R2, R (m), theta, phi, psi,\n"
-        "    theta_dot, phi_dot, omega3\n"
-        "  free: free-precession, plate, flip, largest, smallest, toutatis\n"
-        "    lambda1, lambda2, lambda3, omega1, omega2, omega3\n"
-        "Angles are radians, or degrees with the suffix deg; rates rad/s, or turns a minute with\n"
-        "the suffix rpm.\n\n"
-        "examples:\n"
-        "  rigidtop web heavy-top -o top.html\n"
-        "  rigidtop web heavy-top --preset loops --set theta=45deg omega3=20 -o loops.html\n"
-        "  rigidtop web free --preset toutatis -o toutatis.html"
-    )
     parser.add_argument("kind", nargs="?", metavar="PAGE", help="heavy-top or free")
     parser.add_argument(
         "-o", "--output", metavar="FILE", help="the page (default: heavy-top.html, free.html)"
