@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import argparse
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands.output import print_json
 
 if TYPE_CHECKING:
     from rigidtop.notation import Notation
-    from rigidtop.read.formula import Habits, Line
+    from rigidtop.read.formula import Line
+    from rigidtop.read.habits import Habits
+    from rigidtop.read.kinds import Spoken
     from rigidtop.read.project import Source
-    from rigidtop.read.spoken import Spoken
     from rigidtop.theory.symbols import Glyph
 
 ABOUT = "read the equations of anyone's notes, and say which are not understood"
@@ -38,7 +39,6 @@ def run(options: argparse.Namespace) -> int:
     from rigidtop.notation import OWN, named
     from rigidtop.read.document import SECONDS
     from rigidtop.read.project import habits, sources
-    from rigidtop.read.spoken import spoken
 
     until = time.monotonic() + SECONDS
     found = sources(options.file)
@@ -50,10 +50,7 @@ def run(options: argparse.Namespace) -> int:
         if source.is_text
         for row in _lines(source, notation, known, until, whole=source is found[0])
     ]
-    said: dict[Glyph, Spoken] = {}
-    for source in reversed(found):
-        said |= spoken(source.text, notation)
-    records = _records(rows, said, len(found) > 1)
+    records = _records(rows, known.said, len(found) > 1)
     if options.json:
         print_json(records)
     else:
@@ -97,17 +94,22 @@ def _lines(
 
 
 def _records(
-    rows: list[tuple[Source, int, int, str, str, Line]], said: dict[Glyph, Spoken], several: bool
+    rows: list[tuple[Source, int, int, str, str, Line]], said: Mapping[Glyph, Spoken], several: bool
 ) -> list[dict[str, Any]]:
-    from rigidtop.typeset.letters import OPEN, roles
+    from rigidtop.typeset.letters import is_letter, roles
     from rigidtop.typeset.text import letter, text
 
-    known = roles([line.equation for *_, line in rows if line.equation is not None])
+    known = roles(
+        [line.equation for *_, line in rows if line.equation is not None],
+        {glyph: spoken.role for glyph, spoken in said.items()},
+    )
     for glyph, spoken in said.items():  # what the file itself says of its letters
-        role = known.get(letter(glyph))
-        if role is not None:
-            role = "a number" if role == OPEN and spoken.kind else role
-            known[letter(glyph)] = f"{role}; line {spoken.line}: {spoken.words}"
+        if letter(glyph) in known:
+            known[letter(glyph)] += f"; line {spoken.line}: {spoken.words}"
+    for _, row, *_, line in rows:
+        first = line.equation.sides[0] if line.equation is not None else None
+        if line.equation is not None and line.equation.relation == "≡" and is_letter(first):
+            known[letter(first.quantity.glyph)] += f"; defined in line {row}"
     made = []
     for source, row, column, number, label, line in rows:
         own = roles([line.equation]) if line.equation is not None else {}

@@ -36,7 +36,8 @@ from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import Equation, NoMeaningError
 from rigidtop.proof.verdict import Verdict
 from rigidtop.read.document import Formula, each, numbered, places, states
-from rigidtop.read.formula import Habits, Line, kind
+from rigidtop.read.formula import Line, kind
+from rigidtop.read.habits import Habits
 from rigidtop.theory import lagrangian
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import Glyph, const
@@ -96,11 +97,12 @@ def held(
     timed: Iterable[Glyph] = (),
     sections: Sequence[int] = (),
     until: float = float("inf"),
+    kinds: Callable[[Glyph], str] = lambda _: "",
 ) -> tuple[Held, ...]:
     """Each line that was read, judged by the lines above it.
 
-    `functions` and `timed` are what `Habits` has of a file; `sections` says for each line under
-    which heading it stands.  After a time of `time.monotonic` no more are judged.
+    `functions`, `timed` and `kinds` are what `Habits` has of a file; `sections` says for each line
+    under which heading it stands.  After a time of `time.monotonic` no more are judged.
     """
     found = list(lines)
     places = list(sections) or [0] * len(found)
@@ -113,7 +115,7 @@ def held(
     moving = {place: some | dotted.get(place + 1, frozenset()) for place, some in dotted.items()}
     known = frozenset().union(*moving.values())
     of = {x: args for x, args in _arguments(functions).items() if x not in known}
-    ledger = _Ledger(moving, of, _twins(found))
+    ledger = _Ledger(moving, of, _twins(found), kinds)
     made = []
     for i, line in enumerate(found):
         if line.equation is None:
@@ -242,6 +244,8 @@ class _Ledger:
     functions: Mapping[Symbol, tuple[Symbol, ...]]
     twins: Mapping[int, Equation] = field(default_factory=dict)
     """Of a line that ± makes, by its number, the other one."""
+    kinds: Callable[[Glyph], str] = lambda _: ""
+    """The quantity that the file's words say a letter is."""
     given: dict[Symbol, _Given] = field(default_factory=dict)
     law: _Law | None = None
     other: _Law | None = None
@@ -391,7 +395,12 @@ class _Ledger:
         """Lagrange's equations of an ℒ that is written in coordinates and rates."""
         law = self.of_lagrangian(letter)
         if law is None:
-            return Held(line, PREMISE, f"what {text(letter)} stands for")
+            named = self.kinds(letter.quantity.glyph)
+            rates = any(_accent(x) == "dot" for x in self.given[letter].value.free_symbols)
+            said = f"what {text(letter)} stands for" + (f": {named}" if named else "")
+            if rates and not named:
+                said = f"{text(letter)}: ℒ, or an angular momentum? nothing says"
+            return Held(line, PREMISE, said)
         self.law, self.sets, self.other = law, {}, None
         energies = self.energies(side)
         if energies is not None and energies[1] != -1:
@@ -402,7 +411,7 @@ class _Ledger:
         rests = tuple(sorted(law.rests - {number}))
         return Held(line, PREMISE, "the Lagrangian of the equations that follow", rests)
 
-    def of_lagrangian(self, letter: Symbol) -> _Law | None:
+    def of_lagrangian(self, letter: Lettered) -> _Law | None:
         known = self.given[letter]
         value = known.value
         rates = [x for x in value.free_symbols if _accent(x) == "dot"]
@@ -410,6 +419,10 @@ class _Ledger:
         if not q or any(_accent(x) == "ddot" for x in value.free_symbols):
             return None
         v = [_dotted(x) for x in q]
+        named = self.kinds(letter.quantity.glyph)
+        linear = all(value.diff(x, y) == 0 for x in v for y in v)
+        if named not in ("", "the Lagrangian") or (linear and not named):
+            return None
         vanishing = [self.total(value.diff(y)) - value.diff(x) for x, y in zip(q, v, strict=True)]
         expanded = tuple(sympy.expand(x) for x in vanishing)
         return _Law(q, expanded, known.rests, "by Lagrange's equations", known.section, value)
@@ -1187,7 +1200,7 @@ def rows(source: str, habits: Habits, seconds: float) -> tuple[Row, ...]:
     headings = [match.start() for match in _HEADING.finditer(source)]
     sections = [bisect_right(headings, line.position) for _, line in found]
     lines = [line for _, line in found]
-    judged = held(lines, habits.functions, habits.timed, sections, end)
+    judged = held(lines, habits.functions, habits.timed, sections, end, habits.kind)
     place = places(source)
     at = [place(min(line.position, len(source))) for line in lines]
     made = []

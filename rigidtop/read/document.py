@@ -11,7 +11,8 @@ from functools import cached_property, lru_cache
 
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import NOTES, Notation
-from rigidtop.read.formula import NO_HABITS, Habits, Line, read
+from rigidtop.read.formula import Line, read
+from rigidtop.read.habits import NO_HABITS, Habits
 
 LONGEST = 2_000_000
 """A file is no longer than this (characters)."""

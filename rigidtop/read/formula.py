@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cache
 from importlib.resources import files
 from itertools import pairwise, takewhile
@@ -28,7 +28,8 @@ from rigidtop.notation import MATRICES, NOTES, Notation
 from rigidtop.notation.convention import own
 from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import Equation
-from rigidtop.read.macros import Macros, expanded
+from rigidtop.read.habits import NO_HABITS, Habits
+from rigidtop.read.macros import expanded
 from rigidtop.read.scan import ANGLES, CONDITIONS, Scan, Token, limited, shown
 from rigidtop.read.tex import UnreadError, pieces, words
 from rigidtop.theory import symbols as s
@@ -65,23 +66,6 @@ class Line:
     """Words behind it, such as "for small angles", as they are written."""
 
 
-@dataclass(frozen=True)
-class Habits:
-    """What an author's file says of its formulas: macros, and letters that are functions."""
-
-    macros: Macros = field(default_factory=dict)
-    functions: frozenset[tuple[Glyph, str]] = frozenset()
-    """A letter and one that it is a function of: V and x."""
-    timed: frozenset[Glyph] = frozenset()
-    """Letters that depend on the time: x(t)."""
-    conditions: bool = False
-    """Whether words behind a line, "for θ ≠ 0", are taken in the letters of a table too."""
-
-
-NO_HABITS = Habits()
-"""No macros, no functions."""
-
-
 def read(
     text: str,
     notation: Notation = NOTES,
@@ -113,11 +97,9 @@ def _unconditioned(line: Line) -> Line:
 def scanned(text: str, notation: Notation, habits: Habits) -> list[Token]:
     """The tokens of a formula, its macros put in."""
     items = expanded(pieces(text), habits.macros)
-    found = limited(Scan(items, notation, habits.functions, habits.timed))
+    found = limited(Scan(items, notation, habits))
     here = _with(habits, found, text) if notation.open else habits
-    if here == habits:
-        return found
-    return limited(Scan(items, notation, here.functions, here.timed))
+    return found if here == habits else limited(Scan(items, notation, here))
 
 
 def with_habits(habits: Habits, text: str, notation: Notation) -> Habits:

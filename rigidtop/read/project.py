@@ -16,10 +16,14 @@ from pathlib import Path
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import Notation
 from rigidtop.read.document import formulas
-from rigidtop.read.formula import Habits, with_habits
+from rigidtop.read.formula import with_habits
+from rigidtop.read.habits import Habits
+from rigidtop.read.kinds import Spoken
 from rigidtop.read.macros import PACKAGES, Macros, defined
+from rigidtop.read.spoken import spoken
 from rigidtop.read.tex import UnreadError
 from rigidtop.terminal.files import text_of
+from rigidtop.theory.symbols import Glyph
 
 DEEPEST = 8
 """Files are not taken into files deeper."""
@@ -121,16 +125,19 @@ def _notebook(path: Path) -> Source:
 
 
 def habits(found: tuple[Source, ...], notation: Notation, until: float = float("inf")) -> Habits:
-    """The macros and the functions of files that belong together.
+    """The macros of files that belong together, their functions, and what they say of letters.
 
-    Functions are looked for until a time of `time.monotonic`.
+    All but the macros are looked for until a time of `time.monotonic`.
     """
     macros: Macros = PACKAGES
     for source in found:
         macros = defined(source.text, macros)
-    made = Habits(macros)
     if not notation.open:
-        return made
+        return Habits(macros)
+    said: dict[Glyph, Spoken] = {}
+    for source in reversed(found):
+        said |= spoken(source.text, notation)
+    made = Habits(macros, timed=frozenset(x for x, each in said.items() if each.timed), said=said)
     for source in found:
         for formula in formulas(source.text):
             if "(" not in formula.text or time.monotonic() > until:

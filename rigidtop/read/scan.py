@@ -23,6 +23,8 @@ import sympy
 
 from rigidtop.notation import Notation
 from rigidtop.notation.convention import own
+from rigidtop.read.habits import NO_HABITS, Habits
+from rigidtop.read.kinds import Sort
 from rigidtop.read.tex import (
     BOLD,
     DEEPEST,
@@ -247,24 +249,21 @@ def limited(scan: Scan) -> list[Token]:
 class Scan:
     """Goes through pieces from left to right.
 
-    In an open notation any letter is one, in any dress.  `functions` are the letters that are
-    functions elsewhere in the file, each with a letter that it is a function of: V with x where
-    V(x) stands; `timed` are those that depend on the time: x where x(t) stands.
+    In an open notation any letter is one, in any dress.
     """
 
     def __init__(
         self,
         items: Sequence[Piece],
         notation: Notation,
-        functions: frozenset[tuple[Glyph, str]] = frozenset(),
-        timed: frozenset[Glyph] = frozenset(),
+        habits: Habits = NO_HABITS,
         depth: int = 0,
         outer: Scan | None = None,
     ) -> None:
         self.level: int = outer.level + 1 if outer is not None else 0
         self.items, self.notation, self.at = list(_infix(items, self.level)), notation, 0
         self.open = notation.open
-        self.functions, self.timed = functions, timed
+        self.habits = habits
         self.depth = depth
         """Of brackets: commas outside all separate equations, inside entries."""
         self.nested = depth > 0
@@ -279,6 +278,9 @@ class Scan:
         self.ends: list[tuple[int, str]] = []  # how deep what closes otherwise than it looks
         self.last = ""
         texts = set() if outer else {piece.text for piece in flat(items)}
+        plainly = self.open and not texts & BOLD and bool(habits.said)
+        self.crossed: bool = outer.crossed if outer else plainly and _crossed(items)
+        """Whether × stands and nothing in bold type: words then make vectors of letters."""
         self.two_signs: bool = outer.two_signs if outer else bool(texts & set(_SIGNS))
         self.integrals: bool = outer.integrals if outer else r"\int" in texts
         self.lonely_d: bool = outer.lonely_d if outer else _lonely_d(items)
@@ -320,7 +322,7 @@ class Scan:
         """What goes through the pieces of a group."""
         if self.level > DEEPEST:
             raise UnreadError(f"nested deeper than {DEEPEST}", self.peek().position)
-        return Scan(group, self.notation, self.functions, self.timed, depth, self)
+        return Scan(group, self.notation, self.habits, depth, self)
 
     def inside(self, group: Sequence[Piece], nested: bool = True) -> Iterator[Token]:
         inner = self.within(group, self.depth + nested)
@@ -1243,7 +1245,8 @@ class Scan:
         if end < 0:
             return
         inside, place = plain(*inner), self.items[at].position
-        function = any(known == glyph for known, _ in self.functions)
+        texts = {piece.text for piece in inner}
+        function = any(known == glyph for known, _ in self.habits.functions)
         if inside == "t":
             if self.called is not None and glyph.base not in _TIMELY:
                 reason = "of the time, or times t? leave (t) out, or t without brackets"
@@ -1261,11 +1264,14 @@ class Scan:
             or self.commas(at)
             or _listed(inner)
             or glyph.base in _ORDERS
-            or any((glyph, term) in self.functions for term in _shifted(inner))
+            or any((glyph, term) in self.habits.functions for term in _shifted(inner))
+            or self.habits.is_a(glyph, Sort.FUNCTION)
         ):
             self.calls.add(at)
-        elif glyph in self.timed and any(piece.text == "t" for piece in inner) and not function:
+        elif glyph in self.habits.timed and "t" in texts and not function:
             raise UnreadError(f"{spelling(glyph)} at the time in brackets, or times it?", place)
+        elif self.habits.is_a(glyph, Sort.NUMBER) and not function and "t" not in texts:
+            return  # a mass, a length: times what stands in brackets
         elif function or glyph.base in _POTENTIALS or inside.replace(".", "").isdigit():
             raise UnreadError(f"{spelling(glyph)} of what stands in brackets, or times it?", place)
 
@@ -1313,7 +1319,10 @@ class Scan:
             raise UnreadError(reason, piece.position)
         for dress in reversed(dresses):
             glyph = _dressed(glyph, dress)
-        return self.scripts(glyph)
+        glyph = self.scripts(glyph)
+        still = replace(glyph, accent="" if "dot" in glyph.accent else glyph.accent)
+        spatial = self.crossed and self.habits.is_a(still, Sort.SPATIAL)
+        return replace(glyph, bold=True) if spatial else glyph
 
     def dressed(self, piece: Piece, worn: set[str]) -> Glyph:
         """The letter in braces; several beneath one arrow, or upright, are one letter."""
@@ -1449,6 +1458,15 @@ def _infix(items: Sequence[Piece], level: int) -> Sequence[Piece]:
     place = items[at].position
     halves = (tuple(items[:at]), tuple(items[at + 1 :]))
     return [Piece(r"\frac", place), *(Piece("{}", place, half) for half in halves)]
+
+
+def _crossed(items: Sequence[Piece]) -> bool:
+    """Whether × stands anywhere but before or behind a number."""
+    return any(_crossed(piece.group) for piece in items) or any(
+        piece.text == r"\times"
+        and not (items[max(i - 1, 0)].text in DECIMALS or plain(*items[i + 1 : i + 2]).isdigit())
+        for i, piece in enumerate(items)
+    )
 
 
 def _lonely_d(items: Sequence[Piece]) -> bool:

@@ -214,6 +214,8 @@ def said(items: Sequence[Piece]) -> str:
 
 def words(text: str) -> str:
     """Words and mathematics as they are written, without TeX: "for θ = 0"."""
+    if not set(text) & set("\\${}^_~&<"):
+        return " ".join(text.split()).strip(" .,;")
     try:
         return said(pieces(text)).strip(" .,;")
     except UnreadError:

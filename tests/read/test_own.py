@@ -7,7 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rigidtop.notation import OWN
-from rigidtop.read.formula import Habits, read
+from rigidtop.read.formula import read
+from rigidtop.read.habits import Habits
 from rigidtop.read.macros import PACKAGES, defined
 from rigidtop.theory.symbols import Glyph
 from rigidtop.typeset.latex import latex
