@@ -250,6 +250,21 @@ def _factors(ratio: Expr) -> list[Expr]:
     return [f.as_base_exp()[0] for f in sympy.Mul.make_args(sympy.factor(numerator))]
 
 
+def lost(wanted: Expr, given: Expr, conditions: Sequence[Relational] = ()) -> list[Expr]:
+    """What may vanish of that by which given = 0 is divided to make wanted = 0.
+
+    Where it is no multiple, this is given itself.
+
+    >>> x, y = sympy.symbols("x y", real=True)
+    >>> lost(y - 1, x*(y - 1)), lost(y - 1, y - x)
+    ([x], [x - y])
+    """
+    if vanishes(wanted):
+        return []
+    factor = reduce_ratio(given / wanted)
+    return [x for x in _factors(factor) if not nonzero(x, conditions)]
+
+
 def follows(residual: Expr, given: Expr, conditions: Sequence[Relational] = ()) -> bool:
     """True only if given = 0 implies residual = 0: their ratio is a factor known to be nonzero.
 
@@ -257,10 +272,7 @@ def follows(residual: Expr, given: Expr, conditions: Sequence[Relational] = ()) 
     >>> follows(y - 1, x*(y - 1)), follows(y - 1, x*(y - 1), [sympy.Ne(x, 0)])
     (False, True)
     """
-    if vanishes(residual):
-        return True
-    factor = reduce_ratio(given / residual)
-    return factor.is_number or nonzero(factor, conditions)
+    return not lost(residual, given, conditions)
 
 
 POINTS, POINTS_OF_BRANCHES = 5, 60
@@ -325,6 +337,16 @@ def holds(relation: str, gap: float, size: float = 1.0) -> bool:
     if relation in ("<", "≤"):
         return gap < (-rounding if relation == "<" else rounding)
     raise ValueError(f"numbers can't judge the relation {relation!r}")
+
+
+def apart(left: float, right: float) -> bool:
+    """Whether two numbers differ by more than rounding; what is infinite or none tells nothing.
+
+    >>> apart(0.1 + 0.2, 0.3), apart(1, 2), apart(1, math.inf)
+    (False, True, False)
+    """
+    size = 1 + abs(left) + abs(right)
+    return math.isfinite(size) and holds("≠", left - right, size)
 
 
 def points(

@@ -581,7 +581,7 @@ def _numbers(pair: Pair, letters: Letters) -> Diagnosis | None:
     angles = decide.angle_symbols(list(flat))
     for point in decide.points(free, angles, exists=letters.exists):
         left, right = decide.evaluate(list(flat), point, {})
-        if decide.holds("≠", left - right, 1 + abs(left) + abs(right)):
+        if decide.apart(left, right):
             exact = [side.xreplace(dict(point)) for side in flat]
             at = {nodes.get(x, x): value for x, value in point.items()}
             return Diagnosis(False, at, exact[0], exact[1])

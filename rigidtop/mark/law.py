@@ -1,0 +1,283 @@
+"""Equations of motion that a file has: what follows by them, and numbers against what does not."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import sympy
+from sympy import Add, Expr, Pow, Symbol
+from sympy.core.function import AppliedUndef
+
+from rigidtop.notation.convention import own
+from rigidtop.proof import decide
+from rigidtop.proof.verdict import Verdict
+from rigidtop.theory.lettered import Lettered
+from rigidtop.theory.symbols import Glyph
+from rigidtop.theory.trig import reduce_trig
+from rigidtop.typeset.text import text
+
+MOST_MISSING = 2
+"""A line with accelerations that lacks more numbers of the law is of a special case."""
+
+MOST_SOLVED = 3
+"""Of more equations of motion at once it is not asked by what they are divided."""
+
+TIME = own(Glyph("t"))
+
+ANGLES = frozenset("θφψϕϑαβγχ")
+
+
+def dotted(letter: Lettered, times: int = 1) -> Lettered:
+    """ẋ of x, ẍ of ẋ; what comes then has no letter that is written."""
+    glyph = letter.quantity.glyph
+    for _ in range(times):
+        glyph = replace(glyph, accent={"": "dot", "dot": "ddot", "ddot": "dddot"}[glyph.accent])
+    return own(glyph)
+
+
+def bare(letter: Symbol) -> Symbol:
+    """The letter without dots."""
+    glyph = letter.quantity.glyph if isinstance(letter, Lettered) else Glyph(letter.name)
+    return own(replace(glyph, accent="")) if "dot" in glyph.accent else letter
+
+
+def base(letter: Symbol) -> str:
+    return letter.quantity.glyph.base if isinstance(letter, Lettered) else letter.name
+
+
+def accent(letter: Symbol) -> str:
+    return letter.quantity.glyph.accent if isinstance(letter, Lettered) else ""
+
+
+def moves(x: Symbol) -> bool:
+    return "dot" in accent(x) or base(x)[:1] in ANGLES
+
+
+def functions_of(*expressions: Expr) -> set[Any]:
+    return {f.func for x in expressions for f in x.atoms(AppliedUndef)}
+
+
+def words_of(meant: Mapping[Symbol, Expr]) -> str:
+    """What is set, in words."""
+    return ", ".join(f"{text(x)} = {text(v)}" for x, v in meant.items() if accent(x) != "ddot")
+
+
+@dataclass(frozen=True)
+class Law:
+    """Equations that hold along the motion: coordinates, what vanishes, and whose lines they are.
+
+    `words` say what they are; `letters` are all that stand in them.
+    """
+
+    q: tuple[Lettered, ...]
+    vanishing: tuple[Expr, ...]
+    rests: frozenset[int]
+    words: str
+    section: int
+    lagrangian: Expr | None = None
+    broken: bool = False
+
+    @property
+    def functions(self) -> set[Any]:
+        """Functions of which nothing is known."""
+        return functions_of(*self.vanishing)
+
+    @property
+    def highest(self) -> list[Lettered]:
+        """The rates for which the law is solved: ẍ, or ω̇ of an equation of first order."""
+        stands = set().union(*(x.free_symbols for x in self.vanishing))
+        return [dotted(x, 2 if dotted(x, 2) in stands else 1) for x in self.q]
+
+    def misses(self, symbols: set[Symbol]) -> int:
+        """How many numbers the equations of the accelerations among symbols have besides these; too
+        many where they have coordinates besides."""
+        a = [x for x in symbols if accent(x) == "ddot"]
+        lost = [x.free_symbols - symbols - {*a, TIME} for x in self.vanishing if x.has(*a)]
+        return min(
+            (
+                MOST_MISSING + 1 if any(bare(x) in self.q for x in each) else len(each)
+                for each in lost
+            ),
+            default=0,
+        )
+
+    @property
+    def letters(self) -> frozenset[Symbol]:
+        return frozenset(bare(x) for each in self.vanishing for x in each.free_symbols) | frozenset(
+            self.q
+        )
+
+
+def plain(expression: Expr) -> tuple[Expr, dict[Expr, Symbol]]:
+    """Functions of which nothing is known, and their slopes, as numbers at will."""
+    nodes = sorted(
+        expression.atoms(AppliedUndef, sympy.Derivative, sympy.Subs), key=sympy.default_sort_key
+    )
+    nodes.sort(key=sympy.count_ops, reverse=True)
+    names = {node: sympy.Dummy(f"f{i}", real=True) for i, node in enumerate(nodes)}
+    return expression.xreplace(names), names
+
+
+def vanishes(
+    residual: Expr, given: Sequence[Expr] = (), unknowns: Sequence[Symbol] = ()
+) -> Verdict | None:
+    """PROVED or SAMPLED where an expression vanishes, perhaps because others do; else None."""
+    wanted, *known = plain(sympy.Tuple(residual, *given))[0]
+    if not known:
+        return decide.evidence(wanted)
+    rest = decide.eliminated(wanted, known, unknowns)
+    return None if rest is None else decide.evidence(rest[0])
+
+
+def divided(residual: Expr, given: Sequence[Expr], unknowns: Sequence[Symbol]) -> str:
+    """What must not vanish for a line to follow, in words: beside what it divides by itself."""
+    if len(given) > MOST_SOLVED:
+        return ""
+    flat, names = plain(sympy.Tuple(residual, *given))
+    open_to_vanish = {bare(x) for x in unknowns}
+    flat = flat.xreplace(
+        {
+            x: sympy.Dummy(x.name, positive=True)
+            for x in flat.free_symbols
+            if isinstance(x, Lettered) and not moves(x) and x not in open_to_vanish
+        }
+    )
+    wanted, *known = flat
+    # A multiple of one of them is divided by nothing else.
+    if any(decide.follows(sympy.expand_trig(wanted), sympy.expand_trig(one)) for one in known):
+        return ""
+    found = decide.eliminated(sympy.fraction(sympy.together(wanted))[0], known, unknowns)
+    lost = [] if found is None else decide.divided_by(found[1])
+    typed = sympy.fraction(sympy.together(wanted))[1]
+    kept = {new: old for old, new in names.items()}
+    lost = [x for x in lost if not has_sign(x) and typed.subs(x, 0) != 0]
+    return "where " + ", ".join(f"{text(x.xreplace(kept))} ≠ 0" for x in lost) if lost else ""
+
+
+def has_sign(x: Expr) -> bool:
+    """Whether something is never 0, its letters being positive: m₁ + m₂ − m₂ cos² θ is not."""
+    for form in (reduce_trig(sign * x, keep) for sign in (1, -1) for keep in ("cos", "sin")):
+        squares = [p for p in form.atoms(Pow) if p.exp.is_even]
+        if form.xreplace({p: sympy.Dummy(nonnegative=True) for p in squares}).is_positive:
+            return True
+    return decide.nonzero(x)
+
+
+def is_polynomial(side: Expr, moving: Iterable[Symbol]) -> bool:
+    """Whether a side with more than numbers is a polynomial in what moves."""
+    moves = {x for x in side.free_symbols if bare(x) in moving}
+    return bool(moves) and side.is_polynomial(*moves)
+
+
+def degree(residual: Expr, letters: Sequence[Symbol]) -> int:
+    over = sympy.fraction(sympy.together(residual))[0]
+    if not letters or not over.is_polynomial(*letters):
+        return 0
+    return int(sympy.Poly(over, *letters).total_degree())
+
+
+def is_linear(residual: Expr, law: Law) -> bool:
+    """Whether a line is linear in what moves and the law is not: it may be of small deviations."""
+    scale = sympy.Dummy("scale", positive=True)
+    scaled = {y: scale * y for x in law.q for y in (x, dotted(x), dotted(x, 2))}
+    twice = [sympy.expand(x.subs(scaled)).diff(scale, 2) for x in (residual, *law.vanishing)]
+    return twice[0] == 0 and any(x != 0 for x in twice[1:])
+
+
+def lost(wanted: Expr, given: Expr) -> tuple[Expr, ...] | None:
+    """What must not vanish so that wanted = 0 says what given = 0 does; None where it does not.
+
+    The two are multiples of one sum; what they have besides are letters, sines and cosines.
+    """
+    found = decide.lost(wanted, given)
+    if any(x.has(Add) for x in found) or not sympy.factor(given).has(Add):
+        return None
+    return tuple(x for x in found if x.has(sympy.Function))
+
+
+def at_rest(residual: Expr, law: Law) -> str:
+    """The accelerations without which a line is one of the law's equations, in words."""
+    for vanishing in law.vanishing:
+        a = [dotted(x, 2) for x in law.q if vanishing.has(dotted(x, 2))]
+        given = sympy.expand(vanishing.subs(dict.fromkeys(a, 0)))
+        divided = lost(residual, given) if given != 0 else None
+        if divided is not None:
+            words = [f"{text(x)} = 0" for x in a] + [f"{text(x)} ≠ 0" for x in divided]
+            return ", ".join(words)
+    return ""
+
+
+def accelerations(
+    vanishing: Sequence[Expr], a: Sequence[Symbol], point: Mapping[Symbol, Expr]
+) -> dict[Symbol, Expr] | None:
+    """The accelerations where numbers are put in for all else."""
+    used = [x for x in a if any(each.has(x) for each in vanishing)]
+    matrix, right = sympy.linear_eq_to_matrix([x.subs(point) for x in vanishing], used)
+    if not matrix.is_square or abs(matrix.det().evalf()) < decide.TOLERANCE:
+        return None
+    return dict(zip(used, matrix.evalf().LUsolve(right.evalf()), strict=True))
+
+
+def nearly(residual: Expr, sides: tuple[Expr, Expr], q: Sequence[Symbol]) -> bool:
+    """Whether sides that are polynomials in coordinates and rates agree to their own order."""
+    small = sympy.Dummy("small", positive=True)
+    scaled = {
+        y: small * y
+        for x in q
+        if isinstance(x, Lettered)
+        for y in (x, dotted(x), dotted(x, 2))
+        if residual.has(y)
+    }
+    polynomial = [s for s in sides if all(s.is_polynomial(y) for y in scaled) and s != 0]
+    if not scaled or not polynomial:
+        return False
+    powers = [sympy.Poly(s.subs(scaled), small).degree() for s in polynomial]
+    highest = max(max(powers), 1)
+    series = residual.subs(scaled)
+    for order in range(highest + 1):
+        if vanishes(series.diff(small, order).subs(small, 0)) is None:
+            return False
+    return True
+
+
+def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:
+    """Short numbers at which two sides differ, in words; accelerations are those of the law."""
+    flat, names = plain(sympy.Tuple(*sides, *(law.vanishing if law is not None else ())))
+    if names and law is not None:
+        return "the two sides differ whatever the functions are"
+    if names:
+        return None
+    left, right, *given = flat
+    a = law.highest if law is not None else []
+    needed = left.free_symbols | right.free_symbols
+    if needed & {*a}:
+        needed = needed.union(*(x.free_symbols for x in given))
+    symbols = sorted(needed - {*a}, key=str)
+    angles = {x for x in symbols if base(x)[:1] in ANGLES and not accent(x)}
+    # A length or a mass, whatever its letter, has no short number that is not positive.
+    drawn = {x: x if moves(x) else sympy.Dummy(x.name, positive=True) for x in symbols}
+    for found in decide.points([*drawn.values()], angles, 120):
+        point = {x: found[drawn[x]] for x in symbols}
+        solved: dict[Symbol, Expr] = {}
+        if (left - right).free_symbols & {*a}:
+            solved = accelerations(given, a, point) or {}
+            if not solved:
+                continue
+        one, other = decide.evaluate([left, right], {**point, **solved}, {})
+        if not decide.apart(one, other):
+            continue
+        values = ", ".join(f"{text(x)} = {text(v)}" for x, v in point.items())
+        rates = ", ".join(
+            f"{text(x)} is {short(v)}" for x, v in solved.items() if (left - right).has(x)
+        )
+        words = f" {law.words}" if law is not None and rates else ""
+        said = f"{rates}{words}; " if rates else ""
+        return f"at {values}: {said}the left side is {short(one)}, the right side {short(other)}"
+    return None
+
+
+def short(number: Any) -> str:
+    return re.sub(r"\.?0+$", "", f"{float(number):.6f}").replace("-", "−") or "0"
