@@ -22,6 +22,8 @@ from rigidtop.proof.page import Measure
 TOP = HeavyTop(lambda1=1.3, lambda3=0.7, M=0.8, R=0.6, g=9.81)
 THETA, SPIN = 0.5, 6.8
 TIGHT: Any = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-13}
+LOOSE: Any = {"rtol": 1e-8, "atol": 1e-10}
+"""Enough where the neglected terms, or signs, decide."""
 
 
 def axis_rates() -> Iterator[Measure]:
@@ -112,7 +114,7 @@ def mean_precession() -> Iterator[Measure]:
     epsilon = TOP.lambda1 * TOP.M * TOP.g * TOP.R / (TOP.lambda3 * spin) ** 2
     rate = TOP.M * TOP.g * TOP.R / (TOP.lambda3 * spin)
     periods = 20 * 2 * pi * TOP.lambda1 / (TOP.lambda3 * spin)
-    path = TOP.motion(theta=THETA, omega3=spin).integrate([periods], **TIGHT)
+    path = TOP.motion(theta=THETA, omega3=spin).integrate([periods], **LOOSE)
     error = abs(float(path.phi[0]) / (rate * periods) - 1)
     yield Measure("mean $φ̇$ of a top released at rest, 20 nutations, relative", error, 5 * epsilon)
 
@@ -121,7 +123,7 @@ def parallel() -> Iterator[Measure]:
     """The angle between L and ω of a top released with ω along e₃, against its bound."""
     spin = 300.0
     times = np.linspace(0, 20 * 2 * pi / spin, 201)
-    path = TOP.motion(theta=THETA, omega3=spin).integrate(times, **TIGHT)
+    path = TOP.motion(theta=THETA, omega3=spin).integrate(times, **LOOSE)
     momentum, omega = path.angular_momentum, path.omega_space
     sine = np.linalg.norm(np.cross(momentum, omega), axis=1) / (
         np.linalg.norm(momentum, axis=1) * np.linalg.norm(omega, axis=1)
@@ -140,7 +142,7 @@ def steady(fast: bool) -> tuple[float, TopTrajectory]:
     rate = TOP.steady_precession(THETA, SPIN)[fast]
     times = np.linspace(0, 100 * 2 * pi / abs(rate), 201)
     motion = TOP.motion(theta=THETA, phi_dot=rate, omega3=SPIN)
-    return rate, motion.integrate(times, rtol=1e-11, atol=1e-12)
+    return rate, motion.integrate(times, rtol=3e-11)
 
 
 def steady_precession() -> Iterator[Measure]:
@@ -156,7 +158,7 @@ def steady_precession() -> Iterator[Measure]:
 def conserved() -> Iterator[Measure]:
     """Drift of what is conserved, in a motion with nutation."""
     motion = TOP.motion(theta=THETA, theta_dot=0.1, phi_dot=1.0, omega3=SPIN)
-    drift = motion.integrate(np.linspace(0, 100, 101), **TIGHT).drift()
+    drift = motion.integrate(np.linspace(0, 100, 101)).drift()
     for name, value in drift.items():
         shown = f"${name}$" if name.startswith("p_") else name
         yield Measure(f"drift of {shown} over 100 s, relative", value, 1e-9)
@@ -210,7 +212,7 @@ def waves_cusps_loops() -> Iterator[Measure]:
     spin = 20.0
     slow = TOP.steady_precession(THETA, spin)[0]
     for name, start in (("waves", 0.5 * slow), ("cusps", 0.0), ("loops", -slow)):
-        path = TOP.motion(theta=THETA, phi_dot=start, omega3=spin).integrate(times, **TIGHT)
+        path = TOP.motion(theta=THETA, phi_dot=start, omega3=spin).integrate(times, **LOOSE)
         rest = float(path.p_phi[0] / path.p_psi[0])
         lowest, highest = float(np.cos(path.theta).min()), float(np.cos(path.theta).max())
         inside = lowest + 1e-9 < rest < highest - 1e-9

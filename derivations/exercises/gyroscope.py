@@ -108,7 +108,7 @@ def wheel_on_an_axle() -> Iterator[Evidence]:
     )
     # At the lowest point ω₂′ = 0, and released at 90°, δ = −cos θ: that takes a weight.
     lowest = {name: x.subs(omega2p, 0) for name, x in released().items()}
-    [weight] = sympy.solve(lowest[delta] + sympy.cos(theta), M, simplify=False)
+    [weight] = sympy.solve(lowest[delta] + sympy.cos(theta), M, simplify=False, check=False)
     strength = reduce_ratio(lowest[epsilon_0].subs(M, weight))
     yield Formal(
         dip, {delta: -sympy.cos(theta), epsilon_0: strength}, reason="Where the axle is lowest."

@@ -74,9 +74,10 @@ def commutator_of_rotations() -> Iterator[Evidence]:
     """
     first, second = turn(FIRST_AXIS, alpha1), turn(SECOND_AXIS, alpha2)
     matrix = first * second * first.T * second.T
-    vector = (matrix - matrix.T) / 2
-    lowest = vector.applyfunc(lambda x: x.diff(alpha1).subs(alpha1, 0))
-    lowest = reduce_trig(lowest.applyfunc(lambda x: x.diff(alpha2).subs(alpha2, 0)))
+    # ∂O/∂α₁ where A is 1, of which the slope with α₂ where B is 1.
+    turning = first.diff(alpha1).subs(alpha1, 0)
+    slope = turning + second * turning.T * second.T
+    lowest = slope.diff(alpha2).subs(alpha2, 0)
     trace = r"\operatorname{tr} O = 4(1 - 2\sin^2\alpha_1\sin^2\alpha_2\sin^2\gamma)^2 - 1"
     yield Formal(printed(trace), {trace_O: reduce_trig(matrix.trace())})
     small = r"\mathbf s = 4\alpha_1\alpha_2\,\mathbf n_1\times\mathbf n_2"

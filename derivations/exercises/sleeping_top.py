@@ -38,7 +38,7 @@ from rigidtop.theory.symbols import (
     theta_i,
     thetadot,
 )
-from rigidtop.theory.trig import reduce_ratio
+from rigidtop.theory.trig import factored, reduce_ratio
 
 from .bodies import HEAVY_TOP, SPIN
 from .nutation import TIGHT
@@ -59,7 +59,7 @@ def potential_when_upright() -> Expr:
 def waking_rate(start: Expr) -> Expr:
     """θ̇² of such a top with θ̇ = 0 at θ = `start` (rad²/s²)."""
     potential = potential_when_upright()
-    return 2 * (potential.subs(theta, start) - potential) / lambda1
+    return factored(2 * (potential.subs(theta, start) - potential) / lambda1)
 
 
 def spin_that_wakes(start: Expr, end: Expr) -> dict[Expr, Expr]:
@@ -67,7 +67,7 @@ def spin_that_wakes(start: Expr, end: Expr) -> dict[Expr, Expr]:
     square = Symbol("square")
     balance = waking_rate(start).subs(theta, end).subs(omega3**2, square)
     [solution] = sympy.solve(balance, square, simplify=False)
-    return {omega3**2: solution}
+    return {omega3**2: factored(solution)}
 
 
 def linear_growth() -> Expr:

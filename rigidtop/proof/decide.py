@@ -21,7 +21,7 @@ from sympy import Expr, Integer, Matrix, Rational, Symbol, cos, pi, sin
 from sympy.core.relational import Relational
 
 from rigidtop.theory.symbols import t
-from rigidtop.theory.trig import reduce_ratio, reduce_trig
+from rigidtop.theory.trig import factored, reduce_ratio, reduce_trig
 
 
 class Verdict(StrEnum):
@@ -247,7 +247,7 @@ def _strict(condition: Relational) -> bool:
 
 def _factors(ratio: Expr) -> list[Expr]:
     numerator, _ = sympy.fraction(ratio)
-    return [f.as_base_exp()[0] for f in sympy.Mul.make_args(sympy.factor(numerator))]
+    return [f.as_base_exp()[0] for f in sympy.Mul.make_args(factored(numerator))]
 
 
 def lost(wanted: Expr, given: Expr, conditions: Sequence[Relational] = ()) -> list[Expr]:

@@ -283,9 +283,9 @@ def steady_expansions(order: int = 2) -> tuple[Expr, Expr]:
     """
 
     def expanded(lead: Expr, factor: Expr) -> Expr:
-        series = sympy.series(factor, s.epsilon, 0, order + 1).removeO()
-        powers = sympy.Poly(series, s.epsilon).all_coeffs()[::-1][:order]
-        return sum(sympy.cancel(lead * k * smallness() ** n) for n, k in enumerate(powers))
+        slopes = (factor.diff(s.epsilon, n).subs(s.epsilon, 0) for n in range(order))
+        powers = (k * smallness() ** n / sympy.factorial(n) for n, k in enumerate(slopes))
+        return sum(sympy.cancel(lead * power) for power in powers)
 
     slow, fast = map(expanded, leading_roots(), root_factors())
     return slow, fast

@@ -13,6 +13,12 @@ ExprOrMatrix = TypeVar("ExprOrMatrix", Expr, MatrixBase)
 CACHED = 1000
 """Forms that are kept, as SymPy keeps its own: a lecture asks for most of them more than once."""
 
+_HINTS = {"log": False, "basic": False, "power_exp": False}
+"""What `expand` would look for in every part of an expression, and is in no polynomial."""
+
+factored = lru_cache(maxsize=CACHED)(sympy.factor)
+"""`sympy.factor`, of which SymPy keeps nothing."""
+
 
 def reduce_trig(expression: ExprOrMatrix, keep: str = "cos") -> ExprOrMatrix:
     """Expand a polynomial in sines and cosines and eliminate sin² by sin² = 1 − cos².
@@ -32,15 +38,14 @@ def reduce_trig(expression: ExprOrMatrix, keep: str = "cos") -> ExprOrMatrix:
 @lru_cache(maxsize=CACHED)
 def _reduced(expression: Expr, keep: str) -> Expr:
     gone, kept = (sin, cos) if keep == "cos" else (cos, sin)
-    expanded = sympy.expand(expression)
+    expanded = expression.expand(**_HINTS)
     while True:
         terms = [_lower(term, gone, kept) for term in Add.make_args(expanded)]
         if all(new is None for new in terms):
             return expanded
         old = Add.make_args(expanded)
-        expanded = sympy.expand(
-            Add(*(term if new is None else new for term, new in zip(old, terms, strict=True)))
-        )
+        lowered = (term if new is None else new for term, new in zip(old, terms, strict=True))
+        expanded = Add(*lowered).expand(**_HINTS)
 
 
 def _lower(term: Expr, gone: Any, kept: Any) -> Expr | None:
@@ -75,7 +80,7 @@ def reduce_ratio(expression: Expr) -> Expr:
 def _factors(polynomial: Expr) -> dict[Expr, int]:
     """Bases and powers, each base with one choice of sign, (cos x − 1)(cos x + 1) as −sin² x."""
     powers: dict[Expr, int] = {}
-    for factor in Mul.make_args(sympy.factor(reduce_trig(polynomial))):
+    for factor in Mul.make_args(factored(reduce_trig(polynomial))):
         base, power = factor.as_base_exp()
         if isinstance(base, Add) and base.could_extract_minus_sign() and power.is_Integer:
             base = -base
