@@ -16,6 +16,7 @@ from rigidtop.derivations.euler_angles import SYMMETRIC, momentum_primed
 from rigidtop.notation.convention import SEQUENCES
 from rigidtop.proof.equation import Equation, Group, as_printed
 from rigidtop.proof.page import Evidence, Formal, Page, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory.euler import MOMENTS
 from rigidtop.theory.lettered import real
 from rigidtop.theory.rotation import (
@@ -27,37 +28,15 @@ from rigidtop.theory.rotation import (
     rotation_x,
     rotation_z,
 )
-from rigidtop.theory.symbols import (
-    Glyph,
-    L_vec,
-    Lagrangian,
-    M,
-    O_matrix,
-    R,
-    e1p,
-    e2p,
-    e3,
-    g,
-    lambda1,
-    lambda3,
-    omega_vec,
-    phi,
-    phidot,
-    psi,
-    psidot,
-    theta,
-    thetadot,
-    zhat,
-)
 from rigidtop.theory.top import SYMMETRIC as SYMMETRIC_TOP
 from rigidtop.theory.top import potential_energy
 
 HALF = Rational(1, 2)
 
-phi_x = real("phi_x", Glyph("φ", "x"), "first Euler angle z–x′–z″: azimuth of the nodes", "rad")
-psi_x = real("psi_x", Glyph("ψ", "x"), "third Euler angle z–x′–z″: turn from the nodes", "rad")
-e1x = real("e1x", Glyph("e", "1x", bold=True), "line of nodes: e₁ after the turn by φₓ", "")
-e2x = real("e2x", Glyph("e", "2x", bold=True), "e₂ before the turn by ψₓ", "")
+phi_x = real("phi_x", s.Glyph("φ", "x"), "first Euler angle z–x′–z″: azimuth of the nodes", "rad")
+psi_x = real("psi_x", s.Glyph("ψ", "x"), "third Euler angle z–x′–z″: turn from the nodes", "rad")
+e1x = real("e1x", s.Glyph("e", "1x", bold=True), "line of nodes: e₁ after the turn by φₓ", "")
+e2x = real("e2x", s.Glyph("e", "2x", bold=True), "e₂ before the turn by ψₓ", "")
 
 
 def counted(angle: Symbol) -> Expr:
@@ -65,12 +44,12 @@ def counted(angle: Symbol) -> Expr:
     return angle - SEQUENCES["zxz"][angle].quarters * pi / 2
 
 
-ANGLES = {phi_x: counted(phi), psi_x: counted(psi)}
+ANGLES = {phi_x: counted(s.phi), psi_x: counted(s.psi)}
 
 
 def nodes_matrix() -> Matrix:
     """Rz(φₓ) Rx(θ): its columns are the line of nodes, the axis across it, and e₃."""
-    return rotation_z(ANGLES[phi_x]) * rotation_x(theta)
+    return rotation_z(ANGLES[phi_x]) * rotation_x(s.theta)
 
 
 def axes() -> dict[Any, Any]:
@@ -79,9 +58,9 @@ def axes() -> dict[Any, Any]:
     return {
         e1x: nodes[:, 0],
         e2x: nodes[:, 1],
-        e1p: primed[:, 0],
-        e2p: primed[:, 1],
-        e3: primed[:, 2],
+        s.e1p: primed[:, 0],
+        s.e2p: primed[:, 1],
+        s.e3: primed[:, 2],
     }
 
 
@@ -98,24 +77,24 @@ def attitude() -> Iterator[Evidence]:
         printed = Matrix(
             [
                 [
-                    cos(phi_x) * cos(psi_x) - sin(phi_x) * cos(theta) * sin(psi_x),
-                    -cos(phi_x) * sin(psi_x) - sin(phi_x) * cos(theta) * cos(psi_x),
-                    sin(phi_x) * sin(theta),
+                    cos(phi_x) * cos(psi_x) - sin(phi_x) * cos(s.theta) * sin(psi_x),
+                    -cos(phi_x) * sin(psi_x) - sin(phi_x) * cos(s.theta) * cos(psi_x),
+                    sin(phi_x) * sin(s.theta),
                 ],
                 [
-                    sin(phi_x) * cos(psi_x) + cos(phi_x) * cos(theta) * sin(psi_x),
-                    -sin(phi_x) * sin(psi_x) + cos(phi_x) * cos(theta) * cos(psi_x),
-                    -cos(phi_x) * sin(theta),
+                    sin(phi_x) * cos(psi_x) + cos(phi_x) * cos(s.theta) * sin(psi_x),
+                    -sin(phi_x) * sin(psi_x) + cos(phi_x) * cos(s.theta) * cos(psi_x),
+                    -cos(phi_x) * sin(s.theta),
                 ],
-                [sin(theta) * sin(psi_x), sin(theta) * cos(psi_x), cos(theta)],
+                [sin(s.theta) * sin(psi_x), sin(s.theta) * cos(psi_x), cos(s.theta)],
             ]
         )
-    turns = rotation_z(phi_x) * rotation_x(theta) * rotation_z(psi_x)
-    said = Equation(O_matrix, printed)
-    yield Formal(said, {O_matrix: turns}, reason="The product of the three turns.")
+    turns = rotation_z(phi_x) * rotation_x(s.theta) * rotation_z(psi_x)
+    said = Equation(s.O_matrix, printed)
+    yield Formal(said, {s.O_matrix: turns}, reason="The product of the three turns.")
     yield Formal(
         said,
-        {O_matrix: euler_matrix(), **ANGLES},
+        {s.O_matrix: euler_matrix(), **ANGLES},
         reason="The attitude of the notes, with the angles shifted.",
     )
 
@@ -125,12 +104,12 @@ def nodes() -> Iterator[Evidence]:
     """The line of nodes is $e₂′$ in one sequence and the first axis in the other; $e₃$ is the
     same."""
     with as_printed():
-        along, across = Equation(e1x, e2p), Equation(e2x, -e1p)
-        vertical = Equation(zhat, cos(theta) * e3 + sin(theta) * e2x)
+        along, across = Equation(e1x, s.e2p), Equation(e2x, -s.e1p)
+        vertical = Equation(s.zhat, cos(s.theta) * s.e3 + sin(s.theta) * e2x)
     yield Formal(along, axes(), reason="The line of nodes.")
     yield Formal(across, axes(), reason="The axis across it and $e₃$.")
     yield Formal(
-        vertical, {**axes(), zhat: Z_AXIS}, reason="The vertical has no part along the nodes."
+        vertical, {**axes(), s.zhat: Z_AXIS}, reason="The vertical has no part along the nodes."
     )
 
 
@@ -141,25 +120,27 @@ def rotational_velocity() -> Iterator[Evidence]:
     """The engine takes $ω$ from $ṘRᵀ$ and $RᵀṘ$ of the notes' angles; the rates are the same."""
     with as_printed():
         along_nodes = Equation(
-            omega_vec,
-            thetadot * e1x + phidot * sin(theta) * e2x + Group(psidot + phidot * cos(theta)) * e3,
+            s.omega_vec,
+            s.thetadot * e1x
+            + s.phidot * sin(s.theta) * e2x
+            + Group(s.psidot + s.phidot * cos(s.theta)) * s.e3,
         )
         along_body = Equation(
-            omega_vec,
+            s.omega_vec,
             Matrix(
                 [
-                    phidot * sin(theta) * sin(psi_x) + thetadot * cos(psi_x),
-                    phidot * sin(theta) * cos(psi_x) - thetadot * sin(psi_x),
-                    phidot * cos(theta) + psidot,
+                    s.phidot * sin(s.theta) * sin(psi_x) + s.thetadot * cos(psi_x),
+                    s.phidot * sin(s.theta) * cos(psi_x) - s.thetadot * sin(psi_x),
+                    s.phidot * cos(s.theta) + s.psidot,
                 ]
             ),
         )
     yield Formal(
-        along_nodes, {omega_vec: euler_omega("space"), **axes()}, reason="(3.42) goes over."
+        along_nodes, {s.omega_vec: euler_omega("space"), **axes()}, reason="(3.42) goes over."
     )
     yield Formal(
         along_body,
-        {omega_vec: euler_omega("body"), **ANGLES},
+        {s.omega_vec: euler_omega("body"), **ANGLES},
         reason="The components along $e₁$, $e₂$ and $e₃$.",
     )
 
@@ -169,32 +150,32 @@ def momentum() -> Iterator[Evidence]:
     """(3.43) goes over; the engine has $𝐋 = I𝛚$ along $e₁′$, $e₂′$ and $e₃$, turned into space."""
     with as_printed():
         printed = Equation(
-            L_vec,
-            lambda1 * thetadot * e1x
-            + lambda1 * phidot * sin(theta) * e2x
-            + lambda3 * Group(psidot + phidot * cos(theta)) * e3,
+            s.L_vec,
+            s.lambda1 * s.thetadot * e1x
+            + s.lambda1 * s.phidot * sin(s.theta) * e2x
+            + s.lambda3 * Group(s.psidot + s.phidot * cos(s.theta)) * s.e3,
         )
     space = primed_matrix() * momentum_primed()
-    yield Formal(printed, {L_vec: space, **axes()}, (SYMMETRIC,))
+    yield Formal(printed, {s.L_vec: space, **axes()}, (SYMMETRIC,))
 
 
 @claim("lagrangian-zxz", "The Lagrangian (3.53) has the same form in the angles $z–x′–z″$.")
 def lagrangian() -> Iterator[Evidence]:
     """$T$ from $RᵀṘ$ with $R = Rz(φₓ) Rx(θ) Rz(ψₓ)$, for any three moments, less $V$, at height $R
     cos θ$."""
-    turns = rotation_z(phi_x) * rotation_x(theta) * rotation_z(psi_x)
-    rates = {theta: thetadot, phi_x: phidot, psi_x: psidot}
+    turns = rotation_z(phi_x) * rotation_x(s.theta) * rotation_z(psi_x)
+    rates = {s.theta: s.thetadot, phi_x: s.phidot, psi_x: s.psidot}
     omega = omega_body(turns, rates)
     kinetic = HALF * omega.dot(diag(*MOMENTS) * omega)
     with as_printed():
         printed = Equation(
-            Lagrangian,
-            HALF * lambda1 * Group(phidot**2 * sin(theta) ** 2 + thetadot**2)
-            + HALF * lambda3 * Group(psidot + phidot * cos(theta)) ** 2
-            - M * g * R * cos(theta),
+            s.Lagrangian,
+            HALF * s.lambda1 * Group(s.phidot**2 * sin(s.theta) ** 2 + s.thetadot**2)
+            + HALF * s.lambda3 * Group(s.psidot + s.phidot * cos(s.theta)) ** 2
+            - s.M * s.g * s.R * cos(s.theta),
         )
     potential = potential_energy().subs(SYMMETRIC_TOP)
-    yield Formal(printed, {Lagrangian: kinetic - potential}, (SYMMETRIC,))
+    yield Formal(printed, {s.Lagrangian: kinetic - potential}, (SYMMETRIC,))
 
 
 page = Page(

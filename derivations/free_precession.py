@@ -8,22 +8,10 @@ from typing import Any
 from sympy import Eq, Matrix, diag, symbols
 
 from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Formal, Page, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory.euler import MOMENTS
 from rigidtop.theory.inertia import point_masses
 from rigidtop.theory.rotation import euler_matrix, total_derivative
-from rigidtop.theory.symbols import (
-    F_1,
-    M_1,
-    M_2,
-    I_xz,
-    L_vec,
-    L_vecdot,
-    inertia,
-    kappa,
-    lambda1,
-    lambda2,
-    omega_vec,
-)
 from rigidtop.theory.trig import reduce_trig
 
 from .printed import printed
@@ -31,15 +19,15 @@ from .printed import printed
 POSITIONS = tuple(Matrix(symbols(f"x{k} y{k} z{k}", real=True)) for k in (1, 2))
 VELOCITIES = tuple(Matrix(symbols(f"u{k} v{k} w{k}", real=True)) for k in (1, 2))
 SPIN = Matrix(symbols("omega_x omega_y omega_z", real=True))
-MASSES = (M_1, M_2)
+MASSES = (s.M_1, s.M_2)
 
-TORQUE_FREE = Assumption(Eq(F_1, 0), "no external torque", stated=True)
+TORQUE_FREE = Assumption(Eq(s.F_1, 0), "no external torque", stated=True)
 
 
 def newton_rate() -> Matrix:
     """d/dt Σ r × m ṙ of two particles: a central force κ(r₁ − r₂) between them, F₁ x̂ on one."""
-    between = kappa * (POSITIONS[0] - POSITIONS[1])
-    forces = (-between + F_1 * Matrix([1, 0, 0]), between)
+    between = s.kappa * (POSITIONS[0] - POSITIONS[1])
+    forces = (-between + s.F_1 * Matrix([1, 0, 0]), between)
     momentum = sum(
         (m * r.cross(v) for m, r, v in zip(MASSES, POSITIONS, VELOCITIES, strict=True)),
         Matrix([0, 0, 0]),
@@ -58,7 +46,7 @@ def conservation() -> Iterator[Evidence]:
     momentum = sum((m * r.cross(SPIN.cross(r)) for m, r in pairs), Matrix([0, 0, 0]))
     yield Formal(
         printed(r"\mathbf L = I\boldsymbol\omega"),
-        {L_vec: momentum, inertia: point_masses(pairs), omega_vec: SPIN},
+        {s.L_vec: momentum, s.inertia: point_masses(pairs), s.omega_vec: SPIN},
     )
     # İω + Iω̇, with İ from ṙ = ω × r and ω̇ left open, is Σ r × m r̈: both are d(Iω)/dt.
     acceleration = Matrix(symbols("alpha_x alpha_y alpha_z", real=True))
@@ -73,25 +61,25 @@ def conservation() -> Iterator[Evidence]:
         product,
         {
             product.sides[0]: total_derivative(point_masses(pairs) * SPIN, rates),
-            L_vecdot: sum(
-                (m * r.cross(s) for (m, r), s in zip(pairs, moved, strict=True)),
+            s.L_vecdot: sum(
+                (m * r.cross(v) for (m, r), v in zip(pairs, moved, strict=True)),
                 Matrix([0, 0, 0]),
             ),
         },
     )
     rate = newton_rate()
-    yield Check(line, {L_vecdot: rate, line.sides[2]: rate}, (TORQUE_FREE,))
+    yield Check(line, {s.L_vecdot: rate, line.sides[2]: rate}, (TORQUE_FREE,))
 
 
 @claim("inertia-full", "In the space frame all components of $I$ are nonzero.")
 def inertia_full() -> Iterator[Evidence]:
     """$I = OΛOᵀ$ turns with the body, and its off-diagonal components pass through zero."""
     tensor = reduce_trig(euler_matrix() * diag(*MOMENTS) * euler_matrix().T)
-    yield Formal(printed(r"I_{xz} \neq 0"), {I_xz: tensor[0, 2]})
+    yield Formal(printed(r"I_{xz} \neq 0"), {s.I_xz: tensor[0, 2]})
     yield Correction(
         printed.lines("inertia-full")[3],
-        {I_xz: tensor[0, 2]},
-        (Assumption(Eq(lambda2, lambda1), "a symmetric top"),),
+        {s.I_xz: tensor[0, 2]},
+        (Assumption(Eq(s.lambda2, s.lambda1), "a symmetric top"),),
         "It vanishes for every upright top, and at all times for a sphere. What makes (3.33) hard "
         "to use is that $I$ changes in the space frame, unless the body turns about an axis of "
         "symmetry.",

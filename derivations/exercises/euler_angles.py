@@ -23,15 +23,8 @@ from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Assumption, Evidence, Formal, Measure, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory.rotation import Z_AXIS, primed_matrix
-from rigidtop.theory.symbols import (
-    L3,
-    L_z,
-    e1p,
-    e2p,
-    e3,
-    theta,
-)
 from rigidtop.theory.trig import reduce_trig
 
 from .bodies import HEAVY_TOP, SPIN
@@ -46,7 +39,7 @@ def vertical_trap() -> Iterator[Evidence]:
     $2π − 2θ$ where $θ$ exceeds $90°$.
     """
     axes = primed_matrix()
-    meaning = {e1p: axes[:, 0], e2p: axes[:, 1], e3: axes[:, 2], **SPACE_AXES}
+    meaning = {s.e1p: axes[:, 0], s.e2p: axes[:, 1], s.e3: axes[:, 2], **SPACE_AXES}
     leaning = r"(\cos\phi\,\hat{\mathbf x} + \sin\phi\,\hat{\mathbf y})"
     for equation in (
         rf"\mathbf e_1' = \cos\theta{leaning} - \sin\theta\,\hat{{\mathbf z}}",
@@ -115,18 +108,18 @@ def azimuth_near_the_upright() -> Iterator[Evidence]:
     """
     components = momentum_primed()
     along = reduce_trig((primed_matrix().T * Z_AXIS).dot(components))
-    meaning = {L_z: along, L3: components[2]}
+    meaning = {s.L_z: along, s.L3: components[2]}
     barrier = r"\lambda_1\sin^2\theta(\lambda_1\dot\phi^2\sin^2\theta) = (L_z - L_3\cos\theta)^2"
     whole = (
         r"\lambda_1\lambda_3(1 + \cos\theta)(\dot\phi + \dot\psi)"
         r" = \lambda_1(1 + \cos\theta)L_3 + \lambda_3(L_z - L_3\cos\theta)"
     )
-    leaning = Assumption(Ne(sympy.cos(theta), 1), "the top is not upright: there any $φ̇$ will do")
+    leaning = Assumption(Ne(sympy.cos(s.theta), 1), "the top is not upright: there any $φ̇$ will do")
     yield Formal(printed(barrier), meaning, (SYMMETRIC,))
     yield Formal(printed(whole), meaning, (SYMMETRIC,))
     yield Formal(
         printed(r"\lambda_1(1 + \cos\theta)\dot\phi = L_3"),
-        {L3: components[2]},
+        {s.L3: components[2]},
         (SYMMETRIC, leaning),
         given=(along - components[2],),
     )

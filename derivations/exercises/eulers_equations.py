@@ -19,26 +19,14 @@ from rigidtop.motion.body import FreeBody
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Evidence, Formal, Measure, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory.euler import (
     angular_momentum,
     body_accelerations,
     kinetic_energy,
 )
-from rigidtop.theory.symbols import (
-    L,
-    T,
-    chi,
-    m,
-    omega,
-    omega1,
-    omega2,
-    omega2dot,
-    omega3,
-    omega_0,
-    t_chi2,
-)
 
-START = {omega1: omega_0, omega2: omega, omega3: sympy.S.Zero}
+START = {s.omega1: s.omega_0, s.omega2: s.omega, s.omega3: sympy.S.Zero}
 """ω₂ at its largest: ω off the middle axis by ω₀ towards e₁."""
 
 
@@ -51,11 +39,13 @@ def middle_rate_squared() -> Expr:
     kept = [integral - integral.subs(START) for integral in (twice_energy, squared)]
     squares = sympy.symbols("square1 square3")
     in_squares = [
-        sympy.expand(k).subs({omega1**2: squares[0], omega3**2: squares[1]}) for k in kept
+        sympy.expand(k).subs({s.omega1**2: squares[0], s.omega3**2: squares[1]}) for k in kept
     ]
     solution = sympy.solve(in_squares, squares, dict=True)[0]
     rate = body_accelerations()[1] ** 2
-    return sympy.factor(rate.subs({omega1**2: squares[0], omega3**2: squares[1]}).subs(solution))
+    return sympy.factor(
+        rate.subs({s.omega1**2: squares[0], s.omega3**2: squares[1]}).subs(solution)
+    )
 
 
 @claim(
@@ -75,9 +65,9 @@ def flip_time() -> Iterator[Evidence]:
     )
     momentum = angular_momentum()
     meaning = {
-        T: kinetic_energy(),
-        L: momentum.dot(momentum) ** sympy.S.Half,
-        omega2dot: body_accelerations()[1],
+        s.T: kinetic_energy(),
+        s.L: momentum.dot(momentum) ** sympy.S.Half,
+        s.omega2dot: body_accelerations()[1],
     }
     for equation in (
         rf"\lambda_1(\lambda_3 - \lambda_1)\omega_1^2 = {first}",
@@ -88,16 +78,16 @@ def flip_time() -> Iterator[Evidence]:
     # (dω₂/dχ)² over ω̇₂² is the square of dt/dχ; it has the form 1/(c − s sin² χ), and m = s/c.
     sine = sympy.Symbol("sine")
     against_chi = sympy.cancel(
-        middle_rate_squared().subs(omega2, omega * sine) / (omega**2 * (1 - sine**2))
+        middle_rate_squared().subs(s.omega2, s.omega * sine) / (s.omega**2 * (1 - sine**2))
     )
     start, end = against_chi.subs(sine, 0), against_chi.subs(sine, 1)
     derived = sympy.cancel(1 - end / start)
-    yield Formal(printed(rf"m{both} = \lambda_2(\lambda_3 - \lambda_2)\omega^2"), {m: derived})
+    yield Formal(printed(rf"m{both} = \lambda_2(\lambda_3 - \lambda_2)\omega^2"), {s.m: derived})
     legendre = (
         rf"{both}(\lambda_2 - \lambda_1)(1 - m\sin^2\chi)t^2_\chi = \lambda_1\lambda_2\lambda_3"
     )
-    squared = 1 / against_chi.subs(sine, sympy.sin(chi))
-    yield Formal(printed(legendre), {m: derived, t_chi2: squared})
+    squared = 1 / against_chi.subs(sine, sympy.sin(s.chi))
+    yield Formal(printed(legendre), {s.m: derived, s.t_chi2: squared})
     yield from flip_measured()
 
 

@@ -24,33 +24,9 @@ from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Evidence, Formal, Measure, Step, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory.euler import OMEGA, body_accelerations
 from rigidtop.theory.rotation import Z_AXIS, primed_matrix, total_derivative
-from rigidtop.theory.symbols import (
-    L3,
-    L_z,
-    M,
-    R,
-    c_3,
-    const,
-    e2p,
-    g,
-    lambda1,
-    lambda2,
-    lambda3,
-    mu,
-    n,
-    omega,
-    omega3,
-    omega3dot,
-    omega_30,
-    r_t,
-    t,
-    theta,
-    theta_i,
-    thetadot,
-    v_tip,
-)
 from rigidtop.theory.trig import reduce_trig
 
 from .bodies import GRAVITY
@@ -66,13 +42,13 @@ FORCE = Matrix(symbols("C_1 C_2 C_3", real=True))
 
 def contact(figure_axis: Matrix, vertical: Matrix) -> Matrix:
     """From the centre of mass to the point of a round tip that touches the table (3×1, m)."""
-    return -(R - r_t) * figure_axis - r_t * vertical
+    return -(s.R - s.r_t) * figure_axis - s.r_t * vertical
 
 
 def rate_under_contact_force(quantity: Expr, vertical: Matrix) -> Expr:
     """d/dt in body components, with Euler's equations about the centre of mass and any force."""
     torque = contact(Matrix(Z_AXIS), vertical).cross(FORCE)
-    turning = body_accelerations(torque).subs(lambda2, lambda1)
+    turning = body_accelerations(torque).subs(s.lambda2, s.lambda1)
     falling = -Matrix(OMEGA).cross(vertical)
     rates = dict(zip([*OMEGA, *vertical], [*turning, *falling], strict=True))
     return total_derivative(quantity, rates)
@@ -87,25 +63,25 @@ def jellett() -> Iterator[Evidence]:
     It is Jellett's integral. With it the spin of a top that has come upright is known.
     """
     vertical = Matrix(symbols("z_1 z_2 z_3", real=True))
-    momentum = Matrix([lambda1, lambda1, lambda3]).multiply_elementwise(Matrix(OMEGA))
+    momentum = Matrix([s.lambda1, s.lambda1, s.lambda3]).multiply_elementwise(Matrix(OMEGA))
     kept = printed(r"(R - r_0)L_3 + r_0L_z = \text{const}")
     yield Formal(
         kept,
         {
-            L3: momentum[2],
-            L_z: momentum.dot(vertical),
-            const: lambda integral: rate_under_contact_force(integral, vertical),
+            s.L3: momentum[2],
+            s.L_z: momentum.dot(vertical),
+            s.const: lambda integral: rate_under_contact_force(integral, vertical),
         },
         reason="In body components, with $ẑ$ turning backwards.",
     )
-    integral = (R - r_t) * L3 + r_t * L_z
-    spin = lambda3 * omega_30
-    start = integral.subs({L3: spin, L_z: spin * sympy.cos(theta_i)})
-    end = integral.subs({L3: lambda3 * omega, L_z: lambda3 * omega})
-    [final] = sympy.solve(start - end, omega)
+    integral = (s.R - s.r_t) * s.L3 + s.r_t * s.L_z
+    spin = s.lambda3 * s.omega_30
+    start = integral.subs({s.L3: spin, s.L_z: spin * sympy.cos(s.theta_i)})
+    end = integral.subs({s.L3: s.lambda3 * s.omega, s.L_z: s.lambda3 * s.omega})
+    [final] = sympy.solve(start - end, s.omega)
     yield Formal(
         worked.of("jellett", r"R\omega"),
-        {omega: final},
+        {s.omega: final},
         reason="From $ω₃$ along $e₃$ at $θᵢ$ to a spin $ω$ that is upright.",
     )
 
@@ -120,23 +96,25 @@ def friction_raises() -> Iterator[Evidence]:
     """
     axes = primed_matrix()
     vertical, figure_axis, nodes = Matrix(Z_AXIS), axes[:, 2], axes[:, 1]
-    torque = reduce_trig(contact(figure_axis, vertical).cross(-mu * n * nodes))
+    torque = reduce_trig(contact(figure_axis, vertical).cross(-s.mu * s.n * nodes))
     along_axis, along_vertical = figure_axis.dot(torque), vertical.dot(torque)
     slip = worked.of("friction-raises", r"\mathbf v_{tip}")
     brakes = worked.of("friction-raises", r"\lambda_3\dot\omega_3")
     raises = printed(r"L_3\dot\theta = -\mu n(R - r_0 + r_0\cos\theta)")
-    turned = (omega3 * figure_axis).cross(contact(figure_axis, vertical))
+    turned = (s.omega3 * figure_axis).cross(contact(figure_axis, vertical))
     yield Formal(
         slip,
-        {v_tip: turned, e2p: nodes},
+        {s.v_tip: turned, s.e2p: nodes},
         reason="What the spin adds to the velocity of the contact.",
     )
     yield Formal(
         brakes,
-        {omega3dot: reduce_trig(along_axis) / lambda3},
+        {s.omega3dot: reduce_trig(along_axis) / s.lambda3},
         reason="The torque of $−μn e₂′$ along $e₃$,",
     )
-    balance = along_vertical - along_axis * sympy.cos(theta) + L3 * sympy.sin(theta) * thetadot
+    balance = (
+        along_vertical - along_axis * sympy.cos(s.theta) + s.L3 * sympy.sin(s.theta) * s.thetadot
+    )
     yield Formal(
         raises,
         {},
@@ -149,9 +127,9 @@ def friction_raises() -> Iterator[Evidence]:
 def spin_in_air() -> Expr:
     """ω₃(t) of a symmetric body that the air brakes by the torque −c₃ω₃ (rad/s)."""
     spin = Function("spin")
-    drag = Matrix([0, 0, -c_3 * omega3])
-    law = body_accelerations(drag)[2].subs(lambda2, lambda1).subs(omega3, spin(t))
-    return sympy.dsolve(spin(t).diff(t) - law, spin(t), ics={spin(0): omega_30}).rhs
+    drag = Matrix([0, 0, -s.c_3 * s.omega3])
+    law = body_accelerations(drag)[2].subs(s.lambda2, s.lambda1).subs(s.omega3, spin(s.t))
+    return sympy.dsolve(spin(s.t).diff(s.t) - law, spin(s.t), ics={spin(0): s.omega_30}).rhs
 
 
 @claim(
@@ -166,10 +144,10 @@ def spin_falls() -> Iterator[Evidence]:
     asleep = worked.of(
         "spin-in-air", r"(\lambda_3\omega_{3,0})^2\exp\left(-\frac{2c_3t}{\lambda_3}\right)"
     )
-    yield Formal(spin, {omega3: spin_in_air()}, reason="Solved from $ω₃$ at $t = 0$.")
-    threshold = 2 * sympy.sqrt(lambda1 * M * g * R) / lambda3
-    [time] = sympy.solve(spin_in_air() - threshold, t)
-    yield Formal(asleep, {t: time}, reason="Down to the sleeping spin,")
+    yield Formal(spin, {s.omega3: spin_in_air()}, reason="Solved from $ω₃$ at $t = 0$.")
+    threshold = 2 * sympy.sqrt(s.lambda1 * s.M * s.g * s.R) / s.lambda3
+    [time] = sympy.solve(spin_in_air() - threshold, s.t)
+    yield Formal(asleep, {s.t: time}, reason="Down to the sleeping spin,")
     yield Step(moment, "which is at this time.")
 
 

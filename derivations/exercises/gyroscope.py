@@ -18,30 +18,10 @@ from rigidtop.motion.top import ROUNDING, HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Evidence, Formal, Measure, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory import top as theory
 from rigidtop.theory.inertia import cylinder, parallel_axis, torus
 from rigidtop.theory.rotation import Z_AXIS
-from rigidtop.theory.symbols import (
-    F,
-    M,
-    N_vec,
-    Omega,
-    R,
-    delta,
-    e3,
-    epsilon,
-    epsilon_0,
-    g,
-    height,
-    lambda1,
-    lambda3,
-    omega2p,
-    phi,
-    radius,
-    tau,
-    theta,
-    zhat,
-)
 from rigidtop.theory.trig import reduce_ratio
 
 from .bodies import GRAVITY, least_spin
@@ -59,26 +39,26 @@ def spin_for_accuracy() -> Iterator[Evidence]:
     off = theory.root_factors()[0] - 1
     needed = worked.of("spin-for-accuracy", r"\varepsilon(1 + \tau)^2")
     spin = printed(r"\varepsilon(\lambda_3\omega_3)^2 = \lambda_1MgR\cos\theta")
-    yield Formal(needed, {tau: off}, reason="$τ = Ω₋$ over (3.52), less 1.")
-    yield Formal(spin, {epsilon: theory.smallness()})
+    yield Formal(needed, {s.tau: off}, reason="$τ = Ω₋$ over (3.52), less 1.")
+    yield Formal(spin, {s.epsilon: theory.smallness()})
 
 
 def on_an_arm(about_centre: Matrix) -> Matrix:
     """The tensor about a pivot on e₃ at R from the centre (3×3, kg m²)."""
-    return parallel_axis(about_centre, M, Matrix([0, 0, R]))
+    return parallel_axis(about_centre, s.M, Matrix([0, 0, s.R]))
 
 
 @claim("disc-on-an-arm", "A disc on an axle without mass, held at $R$: the mass drops out of $Ω$.")
 def disc_on_an_arm() -> Iterator[Evidence]:
     """A cylinder without height, and Steiner's theorem; (3.52) with its $λ₃$."""
-    tensor = on_an_arm(cylinder(radius, height).inertia(M).subs(height, 0))
+    tensor = on_an_arm(cylinder(s.radius, s.height).inertia(s.M).subs(s.height, 0))
     across, along, *_ = worked.lines("disc-on-an-arm")
     rate = printed(r"r^2\omega_3\Omega = 2gR")
-    moments = {lambda1: tensor[0, 0], lambda3: tensor[2, 2]}
+    moments = {s.lambda1: tensor[0, 0], s.lambda3: tensor[2, 2]}
     yield Formal(along, moments)
     yield Formal(across, moments)
-    simple = theory.leading_roots()[0].subs(lambda3, moments[lambda3])
-    yield Formal(rate, {Omega: simple}, reason="(3.52).")
+    simple = theory.leading_roots()[0].subs(s.lambda3, moments[s.lambda3])
+    yield Formal(rate, {s.Omega: simple}, reason="(3.52).")
 
 
 @claim("wheel-on-an-axle", "A hoop whose horizontal axle is held at one end: $Ω$ is exact.")
@@ -88,30 +68,32 @@ def wheel_on_an_axle() -> Iterator[Evidence]:
     A cord that leans pulls along the horizontal axle with some $F$ besides: about the centre of
     mass that has no torque, and the rate is the same. Let go at rest, the axle dips by $arcsin δ$.
     """
-    tensor = on_an_arm(torus(radius, height).inertia(M).subs(height, 0))
-    axle, vertical = Matrix([sympy.cos(phi), sympy.sin(phi), 0]), Matrix(Z_AXIS)
-    pulled = (-R * axle).cross(M * g * vertical - F * axle)
-    moments = {lambda1: tensor[0, 0], lambda3: tensor[2, 2]}
-    horizontal = theory.steady_quadratic().subs(theta, sympy.pi / 2).subs(lambda3, tensor[2, 2])
+    tensor = on_an_arm(torus(s.radius, s.height).inertia(s.M).subs(s.height, 0))
+    axle, vertical = Matrix([sympy.cos(s.phi), sympy.sin(s.phi), 0]), Matrix(Z_AXIS)
+    pulled = (-s.R * axle).cross(s.M * s.g * vertical - s.F * axle)
+    moments = {s.lambda1: tensor[0, 0], s.lambda3: tensor[2, 2]}
+    horizontal = theory.steady_quadratic().subs(s.theta, sympy.pi / 2).subs(s.lambda3, tensor[2, 2])
     along, across = printed.lines(r"\lambda_3 = Mr^2, \quad \lambda_1 = M(\tfrac12r^2 + R^2)")
     rate = worked.of("wheel-on-an-axle", r"r^2\omega_3\Omega")
     torque = worked.of("wheel-on-an-axle", r"\mathbf N")
     dip = printed(r"2\varepsilon_0(1 - \delta^2) = \delta")
     yield Formal(along, moments)
     yield Formal(across, moments)
-    [root] = sympy.solve(horizontal, Omega, simplify=False)
-    yield Formal(rate, {Omega: root}, reason="(3.57) at $θ = 90°$.")
+    [root] = sympy.solve(horizontal, s.Omega, simplify=False)
+    yield Formal(rate, {s.Omega: root}, reason="(3.57) at $θ = 90°$.")
     yield Formal(
         torque,
-        {N_vec: pulled, zhat: vertical, e3: axle},
+        {s.N_vec: pulled, s.zhat: vertical, s.e3: axle},
         reason="About the centre of mass, by the cord at the end of the axle.",
     )
     # At the lowest point ω₂′ = 0, and released at 90°, δ = −cos θ: that takes a weight.
-    lowest = {name: x.subs(omega2p, 0) for name, x in released().items()}
-    [weight] = sympy.solve(lowest[delta] + sympy.cos(theta), M, simplify=False, check=False)
-    strength = reduce_ratio(lowest[epsilon_0].subs(M, weight))
+    lowest = {name: x.subs(s.omega2p, 0) for name, x in released().items()}
+    [weight] = sympy.solve(lowest[s.delta] + sympy.cos(s.theta), s.M, simplify=False, check=False)
+    strength = reduce_ratio(lowest[s.epsilon_0].subs(s.M, weight))
     yield Formal(
-        dip, {delta: -sympy.cos(theta), epsilon_0: strength}, reason="Where the axle is lowest."
+        dip,
+        {s.delta: -sympy.cos(s.theta), s.epsilon_0: strength},
+        reason="Where the axle is lowest.",
     )
 
 

@@ -18,15 +18,8 @@ from rigidtop.parameters import Parameter
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Evidence, Formal, Measure, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory import top as theory
-from rigidtop.theory.symbols import (
-    Omega,
-    Omega_minus,
-    Omega_plus,
-    delta,
-    epsilon,
-    g,
-)
 
 from .bodies import HEAVY_TOP, SPIN, TILT
 
@@ -45,18 +38,18 @@ def roots_in_powers() -> Iterator[Evidence]:
     total = printed(r"\lambda_1\cos\theta(\Omega_- + \Omega_+) = \lambda_3\omega_3")
     product = printed(r"\lambda_1\cos\theta\,\Omega_-\Omega_+ = MgR")
     slow, _, fast, _ = (Equation(*line.sides) for line in worked.lines("roots-in-powers")[4:])
-    roots = {Omega_minus: slow_root, Omega_plus: fast_root}
+    roots = {s.Omega_minus: slow_root, s.Omega_plus: fast_root}
     yield Formal(total, roots, reason="The sum of the roots of (3.57),")
     yield Formal(product, roots, reason="and their product.")
     yield Formal(
         slow,
-        {Omega_minus: slow_series, epsilon: theory.smallness()},
+        {s.Omega_minus: slow_series, s.epsilon: theory.smallness()},
         (SPINNING,),
         "The slow root, without terms of order $ε⁴$,",
     )
     yield Formal(
         fast,
-        {Omega_plus: fast_series, epsilon: theory.smallness()},
+        {s.Omega_plus: fast_series, s.epsilon: theory.smallness()},
         (HORIZONTAL,),
         "and the fast one.",
     )
@@ -64,7 +57,9 @@ def roots_in_powers() -> Iterator[Evidence]:
 
 def gravity_with(lead: Expr, ratio: Expr) -> Expr:
     """g at which the leading term of a root of (3.57) is `ratio` times the root itself (m/s²)."""
-    [gravity] = sympy.solve(theory.steady_quadratic().subs(Omega, lead / ratio), g, simplify=False)
+    [gravity] = sympy.solve(
+        theory.steady_quadratic().subs(s.Omega, lead / ratio), s.g, simplify=False
+    )
     return gravity
 
 
@@ -80,11 +75,11 @@ def fast_enough() -> Iterator[Evidence]:
     slow_lead, fast_lead = theory.leading_roots()
     _, slow, _, fast = worked.lines("fast-enough")
     yield Formal(
-        slow, {g: gravity_with(slow_lead, 1 - delta)}, reason="Where $MgR/(λ₃ω₃) = (1 − δ)Ω₋$,"
+        slow, {s.g: gravity_with(slow_lead, 1 - s.delta)}, reason="Where $MgR/(λ₃ω₃) = (1 − δ)Ω₋$,"
     )
     yield Formal(
         fast,
-        {g: gravity_with(fast_lead, 1 + delta)},
+        {s.g: gravity_with(fast_lead, 1 + s.delta)},
         reason="and where $λ₃ω₃/(λ₁ cos θ) = (1 + δ)Ω₊$.",
     )
 

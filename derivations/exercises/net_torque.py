@@ -20,6 +20,7 @@ from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
 from rigidtop.proof.page import Evidence, Formal, Measure, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory.inertia import Solid, cone
 from rigidtop.theory.lettered import in_order, real
 from rigidtop.theory.rotation import (
@@ -28,23 +29,6 @@ from rigidtop.theory.rotation import (
     euler_omega,
     primed_matrix,
     total_derivative,
-)
-from rigidtop.theory.symbols import (
-    Glyph,
-    M,
-    N_ext,
-    R,
-    Tdot,
-    e2p,
-    g,
-    height,
-    lambda1,
-    lambda3,
-    omega_vec,
-    r_vec,
-    radius,
-    rho,
-    zhat,
 )
 
 from .bodies import GRAVITY, least_spin
@@ -133,11 +117,16 @@ def torque_along_the_nodes() -> Iterator[Evidence]:
     It works on $θ̇$ alone, as $MgR cos θ$ depends on $θ$ alone: what $V$ loses $T$ gains.
     """
     axes = primed_matrix()
-    centre = R * axes[:, 2]
+    centre = s.R * axes[:, 2]
     measure = over_body(centre)
-    acting = measure(POSITION.cross(-rho * g * Matrix(Z_AXIS)))
-    lost = -total_derivative(M * g * centre[2], EULER_RATES)
-    meaning = {N_ext: acting, e2p: axes[:, 1], omega_vec: Matrix(euler_omega("space")), Tdot: lost}
+    acting = measure(POSITION.cross(-s.rho * s.g * Matrix(Z_AXIS)))
+    lost = -total_derivative(s.M * s.g * centre[2], EULER_RATES)
+    meaning = {
+        s.N_ext: acting,
+        s.e2p: axes[:, 1],
+        s.omega_vec: Matrix(euler_omega("space")),
+        s.Tdot: lost,
+    }
     for equation in (
         r"\mathbf N^{(e)} = MgR\sin\theta\,\mathbf e_2'",
         r"\dot T = \mathbf N^{(e)}\cdot\boldsymbol\omega = MgR\dot\theta\sin\theta",
@@ -157,9 +146,9 @@ def over_solid(solid: Solid) -> Callable[[Any], Any]:
 
 
 GRAIN = in_order(
-    real("u", Glyph("u"), "distance of a grain from the axis of the cone over its height", "1"),
-    real("eta", Glyph("η"), "azimuth of a grain about the axis of the cone", "rad"),
-    real("z", Glyph("z"), "height of a grain along the axis of the cone", "m"),
+    real("u", s.Glyph("u"), "distance of a grain from the axis of the cone over its height", "1"),
+    real("eta", s.Glyph("η"), "azimuth of a grain about the axis of the cone", "rad"),
+    real("z", s.Glyph("z"), "height of a grain along the axis of the cone", "m"),
 )
 """Where a grain of the cone is."""
 
@@ -171,9 +160,9 @@ def cone_on_its_tip() -> Iterator[Evidence]:
     Tilted by $θ$, every grain $r$ has its own arm and its own height; (3.49) and $MgR cos θ$ come
     out.
     """
-    solid = cone(radius, height).named(*GRAIN)
-    tensor = solid.inertia(M)
-    shape = {R: solid.centre()[2], lambda1: tensor[0, 0], lambda3: tensor[2, 2]}
+    solid = cone(s.radius, s.height).named(*GRAIN)
+    tensor = solid.inertia(s.M)
+    shape = {s.R: solid.centre()[2], s.lambda1: tensor[0, 0], s.lambda3: tensor[2, 2]}
     for equation in (
         r"R = \tfrac34h",
         r"\lambda_1 = \tfrac3{20}M(r^2 + 4h^2)",
@@ -183,10 +172,10 @@ def cone_on_its_tip() -> Iterator[Evidence]:
     axes = primed_matrix(sympy.Integer(0))
     tilted = {
         D3R: over_solid(solid),
-        rho: M / solid.volume(),
-        r_vec: axes * solid.position,
-        zhat: Matrix(Z_AXIS),
-        e2p: axes[:, 1],
+        s.rho: s.M / solid.volume(),
+        s.r_vec: axes * solid.position,
+        s.zhat: Matrix(Z_AXIS),
+        s.e2p: axes[:, 1],
     }
     for equation in (
         r"\int d^3\mathbf r\,\rho g\,\hat{\mathbf z}\cdot\mathbf r = \tfrac34Mgh\cos\theta",

@@ -23,27 +23,8 @@ from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Evidence, Formal, Measure, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory import top as theory
-from rigidtop.theory.symbols import (
-    A,
-    M,
-    R,
-    T,
-    V,
-    g,
-    lambda1,
-    omega3,
-    p_phi,
-    p_psi,
-    p_theta,
-    phidot,
-    phidot_i,
-    psidot,
-    theta,
-    theta_i,
-    thetaddot,
-    thetadot,
-)
 from rigidtop.theory.trig import reduce_ratio
 
 from .bodies import HEAVY_TOP, SPIN, TILT
@@ -57,21 +38,21 @@ TIGHT: Any = {"rtol": 1e-12, "atol": 1e-14}
 def from_turning_point(momenta: Mapping[Symbol, Expr]) -> Expr:
     """θ̇² of a top that has θ̇ = 0 at θᵢ, with these p_φ and p_ψ (rad²/s²)."""
     potential = theory.top_effective_potential()
-    spent = potential.subs(theta, theta_i) - potential
-    return 2 * spent.subs(momenta, simultaneous=True) / lambda1
+    spent = potential.subs(s.theta, s.theta_i) - potential
+    return 2 * spent.subs(momenta, simultaneous=True) / s.lambda1
 
 
 def momenta_at_start() -> dict[Symbol, Expr]:
     """p_φ and p_ψ of a top that is started at θᵢ with φ̇ᵢ and ω₃."""
-    rates = {psidot: omega3 - phidot_i * sympy.cos(theta), phidot: phidot_i}
+    rates = {s.psidot: s.omega3 - s.phidot_i * sympy.cos(s.theta), s.phidot: s.phidot_i}
     _, p_vertical, p_axis = theory.symmetric_momenta().subs(rates)
-    return {p_phi: p_vertical.expand().subs(theta, theta_i), p_psi: p_axis.expand()}
+    return {s.p_phi: p_vertical.expand().subs(s.theta, s.theta_i), s.p_psi: p_axis.expand()}
 
 
 def first_shift(turning: Expr, start: Expr) -> Expr:
     """How far a root θ of `turning` lies from `start`, its place at g = 0, to first order in g."""
-    slope = -turning.diff(g) / turning.diff(theta)
-    return reduce_ratio(g * slope.subs(g, 0).subs(theta, start))
+    slope = -turning.diff(s.g) / turning.diff(s.theta)
+    return reduce_ratio(s.g * slope.subs(s.g, 0).subs(s.theta, start))
 
 
 @claim(
@@ -86,12 +67,12 @@ def released_at_rest() -> Iterator[Evidence]:
     """
     swing = worked.of("released-at-rest", r"\lambda_1^2(\dot\theta\sin\theta)^2")
     amplitude = printed(r"(\lambda_3\omega_3)^2A = \lambda_1MgR\sin\theta_i")
-    rate = from_turning_point({x: p.subs(phidot_i, 0) for x, p in momenta_at_start().items()})
-    turning = reduce_ratio(rate / (sympy.cos(theta_i) - sympy.cos(theta)))
-    yield Formal(swing, {thetadot: sympy.sqrt(rate)}, reason="By energy.")
+    rate = from_turning_point({x: p.subs(s.phidot_i, 0) for x, p in momenta_at_start().items()})
+    turning = reduce_ratio(rate / (sympy.cos(s.theta_i) - sympy.cos(s.theta)))
+    yield Formal(swing, {s.thetadot: sympy.sqrt(rate)}, reason="By energy.")
     yield Formal(
         amplitude,
-        {A: first_shift(turning, theta_i) / 2},
+        {s.A: first_shift(turning, s.theta_i) / 2},
         reason="Half the way to the other turning point, to first order in $g$.",
     )
 
@@ -104,24 +85,24 @@ def turning_points() -> Iterator[Evidence]:
     root is no angle: for $cos θ ≥ 1$ the cubic is positive again at last.
     """
     cubic, *_, started = worked.lines("turning-points")
-    total = theory.symmetric_hamiltonian().subs(p_theta, lambda1 * thetadot)
-    height = M * g * R * sympy.cos(theta)
-    yield Formal(cubic, {T: total - height, V: height}, reason="By energy.")
+    total = theory.symmetric_hamiltonian().subs(s.p_theta, s.lambda1 * s.thetadot)
+    height = s.M * s.g * s.R * sympy.cos(s.theta)
+    yield Formal(cubic, {s.T: total - height, s.V: height}, reason="By energy.")
     momenta = momenta_at_start()
     yield Formal(
         started,
-        {thetadot: sympy.sqrt(from_turning_point(momenta)), **momenta},
+        {s.thetadot: sympy.sqrt(from_turning_point(momenta)), **momenta},
         reason="With $θ̇ = 0$, $φ̇ᵢ$ and $ω₃$ at $θᵢ$.",
     )
 
 
 def rate_on_the_vertical(side: int) -> Expr:
     """θ̇² upright (`side` 1) or hanging (−1) of a top started with p_φ = ±p_ψ (rad²/s²)."""
-    momenta, cosine = momenta_at_start(), sympy.cos(theta)
-    [start] = sympy.solve(momenta[p_phi] - side * momenta[p_psi], phidot_i, simplify=False)
-    rate = from_turning_point(momenta).subs(phidot_i, start)
+    momenta, cosine = momenta_at_start(), sympy.cos(s.theta)
+    [start] = sympy.solve(momenta[s.p_phi] - side * momenta[s.p_psi], s.phidot_i, simplify=False)
+    rate = from_turning_point(momenta).subs(s.phidot_i, start)
     # Regular there once sin² is written as (1 − cos)(1 + cos).
-    return sympy.cancel(rate.subs(sympy.sin(theta) ** 2, 1 - cosine**2)).subs(cosine, side)
+    return sympy.cancel(rate.subs(sympy.sin(s.theta) ** 2, 1 - cosine**2)).subs(cosine, side)
 
 
 @claim(
@@ -146,31 +127,31 @@ def waves_or_loops() -> Iterator[Evidence]:
         r"\lambda_1^2(1 - \cos\theta_i)\dot\theta^2 = "
         r"(1 + \cos\theta_i)((\lambda_3\omega_3)^2 + 2\lambda_1MgR(1 - \cos\theta_i))"
     )
-    spinning = {psidot: omega3 - phidot * sympy.cos(theta), thetadot: 0}
+    spinning = {s.psidot: s.omega3 - s.phidot * sympy.cos(s.theta), s.thetadot: 0}
     yield Formal(
         sinks,
-        {thetaddot: theory.symmetric_top_accelerations()[0].subs(spinning)},
+        {s.thetaddot: theory.symmetric_top_accelerations()[0].subs(spinning)},
         reason="(3.54) with $ω₃$: down where it is positive.",
     )
     momenta = momenta_at_start()
     # Where φ̇ vanishes, only the height and θ̇ are left of the energy, besides the spin.
-    rest = momenta[p_phi] / momenta[p_psi]
-    kinetic = lambda1 * phidot_i**2 * sympy.sin(theta_i) ** 2 / 2
-    gained = kinetic + M * g * R * (sympy.cos(theta_i) - rest)
+    rest = momenta[s.p_phi] / momenta[s.p_psi]
+    kinetic = s.lambda1 * s.phidot_i**2 * sympy.sin(s.theta_i) ** 2 / 2
+    gained = kinetic + s.M * s.g * s.R * (sympy.cos(s.theta_i) - rest)
     yield Formal(
         reached,
-        {thetadot: sympy.sqrt(2 * gained / lambda1), **momenta},
+        {s.thetadot: sympy.sqrt(2 * gained / s.lambda1), **momenta},
         reason="$θ̇²$ at $cos θ₀ = p_φ/p_ψ$, where $φ̇$ vanishes.",
     )
     yield Formal(upright, momenta, reason="Upright only with $p_φ = p_ψ$,")
     yield Formal(
         upwards,
-        {thetadot: sympy.sqrt(rate_on_the_vertical(1))},
+        {s.thetadot: sympy.sqrt(rate_on_the_vertical(1))},
         reason="where $θ̇²$ comes out positive there;",
     )
     yield Formal(hanging, momenta, reason="hanging only with $p_φ = −p_ψ$,")
     yield Formal(
-        downwards, {thetadot: sympy.sqrt(rate_on_the_vertical(-1))}, reason="where it always is."
+        downwards, {s.thetadot: sympy.sqrt(rate_on_the_vertical(-1))}, reason="where it always is."
     )
 
 
@@ -196,12 +177,12 @@ class Swing:
     @cached_property
     def _roots(self) -> tuple[float, float]:
         """cos θ at the other turning point, and at the root beyond 1, less cos θ at the start."""
-        u, s = cos(self.tilt), sin(self.tilt)
+        u, sine = cos(self.tilt), sin(self.tilt)
         w = self.top.lambda1 * self.top.weight[2]
-        spin, turn = self.top.lambda3 * self.spin, self.top.lambda1 * self.phi_dot * s
+        spin, turn = self.top.lambda3 * self.spin, self.top.lambda1 * self.phi_dot * sine
         # 2w x² − linear x − constant = 0 for x = u − u₀, without differences of large numbers.
         linear = spin**2 + turn**2 - 4 * w * u
-        constant = 2 * self.top.lambda1 * s**2 * self.steepness
+        constant = 2 * self.top.lambda1 * sine**2 * self.steepness
         square = linear**2 + 8 * w * constant
         if square <= 1e-14 * linear**2:  # these two are one, the upright, to half of all digits
             raise RigidtopError(

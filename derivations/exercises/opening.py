@@ -16,22 +16,8 @@ from rigidtop.derivations.printed import printed
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
 from rigidtop.proof.page import Assumption, Evidence, Formal, Measure, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory.rotation import Z_AXIS, rotation_z
-from rigidtop.theory.symbols import (
-    M_1,
-    M_2,
-    F,
-    L_vec,
-    L_vecdot,
-    N_vec,
-    a,
-    b,
-    omega,
-    omega_vec,
-    t,
-    xhat,
-    yhat,
-)
 
 
 @claim(
@@ -44,24 +30,29 @@ def bearing_torque() -> Iterator[Evidence]:
     Torque and force turn with the stick. The force vanishes when the bearing holds the centre of
     mass, the torque does not: that is the difference between static and dynamic balance.
     """
-    turned = angular_momentum(rotation_z(omega * t)).diff(t).subs(t, 0)
-    positions = [(m, arm * rotation_z(omega * t) * STICK) for m, arm in ((M_1, a), (M_2, -b))]
-    pushes = [(r.subs(t, 0), m * r.diff(t, 2).subs(t, 0)) for m, r in positions]
-    axes = {xhat: Matrix([1, 0, 0]), yhat: Matrix([0, 1, 0])}
-    spin = {omega_vec: omega * Matrix(Z_AXIS), L_vec: angular_momentum(rotation_z(Integer(0)))}
+    turned = angular_momentum(rotation_z(s.omega * s.t)).diff(s.t).subs(s.t, 0)
+    positions = [
+        (m, arm * rotation_z(s.omega * s.t) * STICK) for m, arm in ((s.M_1, s.a), (s.M_2, -s.b))
+    ]
+    pushes = [(r.subs(s.t, 0), m * r.diff(s.t, 2).subs(s.t, 0)) for m, r in positions]
+    axes = {s.xhat: Matrix([1, 0, 0]), s.yhat: Matrix([0, 1, 0])}
+    spin = {
+        s.omega_vec: s.omega * Matrix(Z_AXIS),
+        s.L_vec: angular_momentum(rotation_z(Integer(0))),
+    }
     size = printed(r"\mathbf N = (M_1a^2 + M_2b^2)\omega^2\sin\alpha\cos\alpha\,\hat{\mathbf x}")
     arms = sum((r.cross(f) for r, f in pushes), Matrix([0, 0, 0]))
     total = sum((f for _, f in pushes), Matrix([0, 0, 0]))
     centred = Assumption(
-        sympy.Eq(M_1, M_2 * b / a), "the bearing holds the centre of mass", stated=True
+        sympy.Eq(s.M_1, s.M_2 * s.b / s.a), "the bearing holds the centre of mass", stated=True
     )
     carried = printed(r"\dot{\mathbf L} = \boldsymbol\omega\times\mathbf L")
     force = printed(r"\mathbf F = -(M_1a - M_2b)\omega^2\sin\alpha\,\hat{\mathbf y}")
-    yield Formal(carried, {**spin, L_vecdot: turned})
-    yield Formal(size, {**axes, N_vec: turned})
-    yield Formal(size, {**axes, N_vec: arms})
-    yield Formal(force, {**axes, F: total})
-    yield Formal(printed(r"\mathbf F = 0"), {F: total}, (centred,))
+    yield Formal(carried, {**spin, s.L_vecdot: turned})
+    yield Formal(size, {**axes, s.N_vec: turned})
+    yield Formal(size, {**axes, s.N_vec: arms})
+    yield Formal(force, {**axes, s.F: total})
+    yield Formal(printed(r"\mathbf F = 0"), {s.F: total}, (centred,))
 
 
 def free_flight(

@@ -21,31 +21,9 @@ from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Assumption, Evidence, Formal, Measure, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory import top as theory
 from rigidtop.theory.lagrangian import energy
-from rigidtop.theory.symbols import (
-    L_vec,
-    M,
-    Omega,
-    Omega_minus,
-    R,
-    chi,
-    delta,
-    epsilon_0,
-    g,
-    kappa,
-    lambda1,
-    lambda3,
-    omega1p,
-    omega2p,
-    omega3,
-    omega_vec,
-    phidot,
-    psidot,
-    theta,
-    theta_i,
-    thetadot,
-)
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
 from .bodies import HEAVY_TOP, SPIN
@@ -57,12 +35,12 @@ def conserved() -> tuple[Expr, Expr]:
 
     Both as they are now less as they were, which is zero; cos θ_i = cos θ + δ.
     """
-    now = {psidot: omega3 - phidot * sympy.cos(theta)}
-    start = {psidot: omega3, phidot: 0, thetadot: 0}
+    now = {s.psidot: s.omega3 - s.phidot * sympy.cos(s.theta)}
+    start = {s.psidot: s.omega3, s.phidot: 0, s.thetadot: 0}
     total = energy(theory.symmetric_lagrangian(), theory.RATES)
     changed = []
     for quantity in (total, theory.symmetric_momenta()[1]):
-        then = quantity.subs(start).subs(sympy.cos(theta), sympy.cos(theta) + delta)
+        then = quantity.subs(start).subs(sympy.cos(s.theta), sympy.cos(s.theta) + s.delta)
         changed.append(reduce_trig(quantity.subs(now) - then, keep="sin"))
     return changed[0], changed[1]
 
@@ -71,12 +49,12 @@ def conserved() -> tuple[Expr, Expr]:
 def released() -> dict[Expr, Expr]:
     """δ, ω₃ and ε₀ of the release from which a top came to be at θ with ω₁′ and ω₂′ across e₃."""
     total, momentum = conserved()
-    [sunk] = sympy.solve(total, delta, simplify=False)
-    [spin] = sympy.solve(momentum.subs(delta, sunk), omega3, simplify=False)
-    across = {phidot: -omega1p / sympy.sin(theta), thetadot: omega2p}
-    state = {name: reduce_ratio(x.subs(across)) for name, x in ((delta, sunk), (omega3, spin))}
-    weak = theory.smallness() / sympy.cos(theta)
-    return {**state, epsilon_0: reduce_ratio(weak.subs(state))}
+    [sunk] = sympy.solve(total, s.delta, simplify=False)
+    [spin] = sympy.solve(momentum.subs(s.delta, sunk), s.omega3, simplify=False)
+    across = {s.phidot: -s.omega1p / sympy.sin(s.theta), s.thetadot: s.omega2p}
+    state = {name: reduce_ratio(x.subs(across)) for name, x in ((s.delta, sunk), (s.omega3, spin))}
+    weak = theory.smallness() / sympy.cos(s.theta)
+    return {**state, s.epsilon_0: reduce_ratio(weak.subs(state))}
 
 
 @claim(
@@ -100,7 +78,7 @@ def bound_on_the_axis() -> Iterator[Evidence]:
     yield Formal(sinking, state, reason="By energy: the top can only sink.")
     yield Formal(turning, state, reason="$L_z$ is what it was.")
     yield Formal(short_of, state, reason="From both.")
-    moving = Assumption(Ne(omega2p, 0), "$θ$ changes: at the lowest point both sides are equal")
+    moving = Assumption(Ne(s.omega2p, 0), "$θ$ changes: at the lowest point both sides are equal")
     yield Formal(bound, state, (moving, TILTED), "The square of the bound.")
 
 
@@ -113,17 +91,17 @@ def bound_on_the_tilt() -> Iterator[Evidence]:
     θᵢ$ is small. It says nothing where that exceeds 1: below the spin of a steady precession at
     $θᵢ$.
     """
-    sine2 = 1 - (sympy.cos(theta_i) - delta) ** 2
-    sunk = {sympy.sin(theta): sympy.sqrt(sine2)}
+    sine2 = 1 - (sympy.cos(s.theta_i) - s.delta) ** 2
+    sunk = {sympy.sin(s.theta): sympy.sqrt(sine2)}
     lowest = worked.of("bound-on-the-tilt", r"\delta(\omega_{1'}^2 + \omega_{2'}^2)")
     *_, tilts, bound = worked.lines("bound-on-the-tilt")
-    turned = {**sunk, epsilon_0: delta / (2 * sine2)}
+    turned = {**sunk, s.epsilon_0: s.delta / (2 * sine2)}
     yield Formal(lowest, released(), reason="$δ = 2ε₀ sin²θ$ at the lowest point.")
     yield Formal(tilts, turned, reason="There, with $cos θ = cos θᵢ − δ$.")
     yield Formal(
         bound,
         turned,
-        (Assumption(Ne(delta, 0), "the top has sunk: it is not at the start"),),
+        (Assumption(Ne(s.delta, 0), "the top has sunk: it is not at the start"),),
         "$δ²$ is left.",
     )
 
@@ -140,21 +118,28 @@ def bound_on_the_angle() -> Iterator[Evidence]:
     cos θᵢ)$, so that $𝐋 ∥ 𝛚$ is as good an approximation as $ε₀$ is small.
     """
     parts = {
-        L_vec: Matrix([lambda1 * omega1p, lambda1 * omega2p, lambda3 * omega3]),
-        omega_vec: Matrix([omega1p, omega2p, omega3]),
+        s.L_vec: Matrix([s.lambda1 * s.omega1p, s.lambda1 * s.omega2p, s.lambda3 * s.omega3]),
+        s.omega_vec: Matrix([s.omega1p, s.omega2p, s.omega3]),
     }
     size, *_, bound = worked.lines("bound-on-the-angle")
     along = worked.of("bound-on-the-angle", r"\mathbf L\cdot\boldsymbol\omega")
     yield Formal(size, parts, reason="Across each other,")
     yield Formal(along, parts, reason="and along.")
     # The bound on ω⊥ as an equality: 4(MgR)² sin²θ = (λ₃ω₃)²(ω⊥² + κ).
-    allowed = lambda3 * omega3 * sympy.sqrt(omega1p**2 + omega2p**2 + kappa) / (2 * M * g * R)
+    allowed = (
+        s.lambda3
+        * s.omega3
+        * sympy.sqrt(s.omega1p**2 + s.omega2p**2 + s.kappa)
+        / (2 * s.M * s.g * s.R)
+    )
     yield Formal(
         bound,
-        {**parts, sympy.sin(theta): allowed},
+        {**parts, sympy.sin(s.theta): allowed},
         (
-            Assumption(Ne(lambda1, lambda3), "not a spherical top, whose $𝐋$ and $𝛚$ are parallel"),
-            Assumption(Gt(kappa, 0), "$κ$ is by how much $ω⊥²$ stays below its bound"),
+            Assumption(
+                Ne(s.lambda1, s.lambda3), "not a spherical top, whose $𝐋$ and $𝛚$ are parallel"
+            ),
+            Assumption(Gt(s.kappa, 0), "$κ$ is by how much $ω⊥²$ stays below its bound"),
             SPINNING,
         ),
         "The square of the bound.",
@@ -164,36 +149,39 @@ def bound_on_the_angle() -> Iterator[Evidence]:
 def powers(expression: Expr, order: int) -> Expr:
     """The Taylor series of an expression in ε₀, up to this power."""
     terms = (
-        expression.diff(epsilon_0, n).subs(epsilon_0, 0) / factorial(n) for n in range(order + 1)
+        expression.diff(s.epsilon_0, n).subs(s.epsilon_0, 0) / factorial(n)
+        for n in range(order + 1)
     )
-    return sum(term * epsilon_0**n for n, term in enumerate(terms))
+    return sum(term * s.epsilon_0**n for n, term in enumerate(terms))
 
 
 @cache
 def mean_over_simple() -> Expr:
     """Mean φ̇ over MgR/(λ₃ω₃) of a top released with ω along e₃, to first order in ε₀."""
     total, momentum = conserved()
-    [azimuth] = sympy.solve(momentum, phidot, simplify=False)
+    [azimuth] = sympy.solve(momentum, s.phidot, simplify=False)
     square = sympy.Symbol("square")
     [fall] = sympy.solve(
-        total.subs(phidot, azimuth).subs(thetadot**2, square), square, simplify=False
+        total.subs(s.phidot, azimuth).subs(s.thetadot**2, square), square, simplify=False
     )
-    sine2 = 1 - (sympy.cos(theta_i) - delta) ** 2
-    weak = {M: epsilon_0 * (lambda3 * omega3) ** 2 / (lambda1 * g * R)}
+    sine2 = 1 - (sympy.cos(s.theta_i) - s.delta) ** 2
+    weak = {s.M: s.epsilon_0 * (s.lambda3 * s.omega3) ** 2 / (s.lambda1 * s.g * s.R)}
     # The square of dδ/dt = θ̇ sin θ is δ times a quadratic: δ is zero at the start, δ₂ at the lowest
     # point, and the third zero δ₃ is negative.
-    cubic = sympy.expand(fall * sympy.sin(theta) ** 2).subs(sympy.sin(theta) ** 2, sine2)
-    c2, c1, c0 = sympy.Poly(sympy.cancel(cubic.subs(weak) / delta), delta).all_coeffs()
+    cubic = sympy.expand(fall * sympy.sin(s.theta) ** 2).subs(sympy.sin(s.theta) ** 2, sine2)
+    c2, c1, c0 = sympy.Poly(sympy.cancel(cubic.subs(weak) / s.delta), s.delta).all_coeffs()
     root = sympy.sqrt(sympy.cancel(1 - 4 * c2 * c0 / c1**2))
     lowest = powers(sympy.cancel(-2 * c0 / c1) / (1 + root), 2)
     # With δ = δ₂ sin²χ the time is an integral over χ from 0 to π/2 of 1/√(1 − δ/δ₃).
-    moved = lowest * sympy.sin(chi) ** 2
+    moved = lowest * sympy.sin(s.chi) ** 2
     slowness = 1 / sympy.sqrt(1 - sympy.cancel(moved * lowest * c2 / c0))
-    simple = (M * g * R / (lambda3 * omega3)).subs(weak)
-    rate = sympy.cancel((azimuth.subs(sympy.sin(theta) ** 2, sine2) / simple).subs(delta, moved))
+    simple = (s.M * s.g * s.R / (s.lambda3 * s.omega3)).subs(weak)
+    rate = sympy.cancel(
+        (azimuth.subs(sympy.sin(s.theta) ** 2, sine2) / simple).subs(s.delta, moved)
+    )
     # The mean over χ of what goes as sin²χ and sin⁴χ is that of three.
     over, whole = (
-        sum(powers(x, 1).subs(chi, k * sympy.pi / 3) for k in range(3)) / 3
+        sum(powers(x, 1).subs(s.chi, k * sympy.pi / 3) for k in range(3)) / 3
         for x in (rate * slowness, slowness)
     )
     return powers(over / whole, 1)
@@ -208,19 +196,19 @@ def mean_of_the_cusps() -> Iterator[Evidence]:
 
     It is the rate $Ω₋$ of a steady precession at $θᵢ$: to this order the nutation changes nothing.
     """
-    simple = M * g * R / (lambda3 * omega3)
+    simple = s.M * s.g * s.R / (s.lambda3 * s.omega3)
     mean = mean_over_simple()
-    weak = (theory.smallness() / sympy.cos(theta)).subs(theta, theta_i)
+    weak = (theory.smallness() / sympy.cos(s.theta)).subs(s.theta, s.theta_i)
     faster = printed(r"\lambda_3\omega_3\Omega = MgR(1 + \varepsilon_0\cos\theta_i)")
     steady = printed(r"\Omega = \Omega_-")
     yield Formal(
-        faster, {Omega: simple * mean}, reason="To first order in $ε₀$ of the weak torque."
+        faster, {s.Omega: simple * mean}, reason="To first order in $ε₀$ of the weak torque."
     )
     yield Formal(
         steady,
         {
-            Omega: simple * mean.subs(epsilon_0, weak),
-            Omega_minus: theory.steady_expansions(2)[0].subs(theta, theta_i),
+            s.Omega: simple * mean.subs(s.epsilon_0, weak),
+            s.Omega_minus: theory.steady_expansions(2)[0].subs(s.theta, s.theta_i),
         },
         reason="$Ω₋$ of (3.57), to the same order.",
     )

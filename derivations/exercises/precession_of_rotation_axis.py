@@ -27,34 +27,12 @@ from rigidtop.parameters import Parameter
 from rigidtop.proof.equation import BODY, SPACE, Rate
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Assumption, Evidence, Formal, Measure, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory import top as theory
 from rigidtop.theory.euler import OMEGA, angular_momentum, body_accelerations
 from rigidtop.theory.inertia import cylinder, point_masses
 from rigidtop.theory.lettered import in_order, real
 from rigidtop.theory.rotation import Z_AXIS
-from rigidtop.theory.symbols import (
-    M_1,
-    M_2,
-    Glyph,
-    L_vec,
-    M,
-    Omega,
-    Omega_b,
-    e3,
-    ellipticity,
-    follows,
-    g,
-    height,
-    lambda1,
-    lambda2,
-    lambda3,
-    omega1,
-    omega2,
-    omega3,
-    omega_0,
-    omega_vec,
-    radius,
-)
 
 from .bodies import FREE1, LAMBDA3
 
@@ -105,9 +83,9 @@ def widest_angle() -> Iterator[Evidence]:
     $19.5°$; a thin rod any angle up to $90°$.
     """
     # An arm of any direction across e₃ would do; the symmetric body has none that is special.
-    spin = Matrix([omega_0, 0, omega3])
-    moments = sympy.diag(lambda1, lambda2, lambda3)
-    general = {omega_vec: Matrix(OMEGA), L_vec: moments * Matrix(OMEGA), e3: Matrix(Z_AXIS)}
+    spin = Matrix([s.omega_0, 0, s.omega3])
+    moments = sympy.diag(s.lambda1, s.lambda2, s.lambda3)
+    general = {s.omega_vec: Matrix(OMEGA), s.L_vec: moments * Matrix(OMEGA), s.e3: Matrix(Z_AXIS)}
     across = (
         r"\boldsymbol\omega\times\mathbf L"
         r" = (\lambda_1 - \lambda_3)(\omega_3\,\mathbf e_3\times\boldsymbol\omega)"
@@ -119,7 +97,7 @@ def widest_angle() -> Iterator[Evidence]:
         r" + (\lambda_1 - \lambda_3)^2(\lambda_1\omega_0^2 - \lambda_3\omega_3^2)^2"
     )
     yield Formal(printed(across), general, (SYMMETRIC,))
-    yield Formal(printed(widest), {omega_vec: spin, L_vec: moments * spin})
+    yield Formal(printed(widest), {s.omega_vec: spin, s.L_vec: moments * spin})
 
 
 @exercise(
@@ -235,11 +213,11 @@ def rolling() -> Iterator[Evidence]:
     inside it (oblate).
     """
     meaning = {
-        omega_vec: Matrix(OMEGA),
-        L_vec: angular_momentum(),
-        e3: Matrix(Z_AXIS),
-        Omega_b: body_frequency(),
-        Rate(omega_vec, SPACE): body_accelerations(),
+        s.omega_vec: Matrix(OMEGA),
+        s.L_vec: angular_momentum(),
+        s.e3: Matrix(Z_AXIS),
+        s.Omega_b: body_frequency(),
+        Rate(s.omega_vec, SPACE): body_accelerations(),
     }
     for equation in (
         r"\boldsymbol\omega = \frac{\mathbf L}{\lambda_1} + \Omega_b\mathbf e_3",
@@ -348,25 +326,29 @@ def euler_period() -> Iterator[Evidence]:
     𝛚̂𝛚̂ᵀ)$, so $I𝛚$ is that of a rigid body with the moments $λ₁ + k(λ₃ − λ₁)$ and $λ₃$, and $𝐋̇ +
     𝛚 × 𝐋 = 0$ has the solution (3.38) with its $Ω_b$: slower, so the period is longer.
     """
-    shape = {ellipticity: (lambda3 - lambda1) / lambda3, Omega_b: body_frequency()}
+    shape = {s.ellipticity: (s.lambda3 - s.lambda1) / s.lambda3, s.Omega_b: body_frequency()}
     yield Formal(printed(r"(1 - H)\Omega_b = -H\omega_3"), shape)
     spin, axis = Matrix(OMEGA), Matrix(Z_AXIS)
-    bulge = (1 - follows) * axis * axis.T + follows * spin * spin.T / spin.dot(spin)
-    momentum = ((lambda1 * sympy.eye(3) + (lambda3 - lambda1) * bulge) * spin).applyfunc(
+    bulge = (1 - s.follows) * axis * axis.T + s.follows * spin * spin.T / spin.dot(spin)
+    momentum = ((s.lambda1 * sympy.eye(3) + (s.lambda3 - s.lambda1) * bulge) * spin).applyfunc(
         sympy.cancel
     )
     like_rigid = (
         r"\mathbf L = (\lambda_1 + k(\lambda_3 - \lambda_1))\boldsymbol\omega"
         r" + (1 - k)(\lambda_3 - \lambda_1)\omega_3\mathbf e_3"
     )
-    meaning = {L_vec: momentum, omega_vec: spin, e3: axis}
+    meaning = {s.L_vec: momentum, s.omega_vec: spin, s.e3: axis}
     yield Formal(printed(like_rigid), meaning)
     # Put (3.38) into the first component of L̇ + ω × L = 0 and solve it; then hold all three.
-    on_circle = Matrix([Omega_b * omega2, -Omega_b * omega1, 0])
+    on_circle = Matrix([s.Omega_b * s.omega2, -s.Omega_b * s.omega1, 0])
     rate = momentum.jacobian(OMEGA) * on_circle
     balance = sympy.together((rate + spin.cross(momentum))[0])
-    [found] = sympy.solve(balance, Omega_b, simplify=False)
-    turning = {L_vec: momentum, omega_vec: spin, Rate(L_vec, BODY): rate.subs(Omega_b, found)}
+    [found] = sympy.solve(balance, s.Omega_b, simplify=False)
+    turning = {
+        s.L_vec: momentum,
+        s.omega_vec: spin,
+        Rate(s.L_vec, BODY): rate.subs(s.Omega_b, found),
+    }
     conserved = (
         r"0 = \left(\frac{\partial\mathbf L}{\partial t}\right)_{\text{body}}"
         r" + \boldsymbol\omega\times\mathbf L"
@@ -375,7 +357,7 @@ def euler_period() -> Iterator[Evidence]:
         r"(\lambda_1 + k(\lambda_3 - \lambda_1))\Omega_b = -(1 - k)(\lambda_3 - \lambda_1)\omega_3"
     )
     yield Formal(printed(conserved), turning)
-    yield Formal(printed(yielding), {Omega_b: found})
+    yield Formal(printed(yielding), {s.Omega_b: found})
 
 
 ROUNDING = 1e-12
@@ -466,11 +448,11 @@ def earth_euler_period(
 
 
 X_1, Y_1, X_2, Y_2, ABOVE = in_order(
-    real("x_1", Glyph("x", "1"), "place of the first point, along e₁", "m"),
-    real("y_1", Glyph("y", "1"), "place of the first point, along e₂", "m"),
-    real("x_2", Glyph("x", "2"), "place of the second point, along e₁", "m"),
-    real("y_2", Glyph("y", "2"), "place of the second point, along e₂", "m"),
-    real("z", Glyph("z"), "place of the points along e₃", "m"),
+    real("x_1", s.Glyph("x", "1"), "place of the first point, along e₁", "m"),
+    real("y_1", s.Glyph("y", "1"), "place of the first point, along e₂", "m"),
+    real("x_2", s.Glyph("x", "2"), "place of the second point, along e₁", "m"),
+    real("y_2", s.Glyph("y", "2"), "place of the second point, along e₂", "m"),
+    real("z", s.Glyph("z"), "place of the points along e₃", "m"),
 )
 
 
@@ -481,21 +463,21 @@ def wobble_to_spin() -> Iterator[Evidence]:
     Of a body in a plane each point adds as much to $λ₃$ as to $λ₁$ and $λ₂$ together. $θ$ is the
     angle between $e₃$ and $𝐋$.
     """
-    points = [(M_1, Matrix([X_1, Y_1, ABOVE])), (M_2, Matrix([X_2, Y_2, ABOVE]))]
+    points = [(s.M_1, Matrix([X_1, Y_1, ABOVE])), (s.M_2, Matrix([X_2, Y_2, ABOVE]))]
     tensor = point_masses(points)
-    moments = {lambda1: tensor[0, 0], lambda2: tensor[1, 1], lambda3: tensor[2, 2]}
+    moments = {s.lambda1: tensor[0, 0], s.lambda2: tensor[1, 1], s.lambda3: tensor[2, 2]}
     level = Assumption(Eq(ABOVE, 0), "no point lies above or below the plane", stated=True)
     yield Formal(printed(r"\lambda_3 = \lambda_1 + \lambda_2"), moments, (level,))
     # (3.57) without weight has another solution, Ω = 0, the rotation about e₃ at rest.
-    turns = Assumption(Ne(Omega, 0), "$𝐞₃$ moves", stated=True)
-    free = theory.steady_quadratic().subs(g, 0)
+    turns = Assumption(Ne(s.Omega, 0), "$𝐞₃$ moves", stated=True)
+    free = theory.steady_quadratic().subs(s.g, 0)
     steady = printed(r"\lambda_1\cos\theta\,\Omega = \lambda_3\omega_3")
     yield Formal(steady, {}, (turns,), given=(free,))
-    disc = cylinder(radius, height).inertia(M)
-    of_disc = free.subs({lambda1: disc[0, 0], lambda3: disc[2, 2]})
-    given = (sympy.cancel(of_disc * 12 / (M * Omega)),)
-    flat = Assumption(Eq(height, 0), "the plate is flat", stated=True)
-    round_ = Assumption(Ne(radius, 0), "it has a size", stated=True)
+    disc = cylinder(s.radius, s.height).inertia(s.M)
+    of_disc = free.subs({s.lambda1: disc[0, 0], s.lambda3: disc[2, 2]})
+    given = (sympy.cancel(of_disc * 12 / (s.M * s.Omega)),)
+    flat = Assumption(Eq(s.height, 0), "the plate is flat", stated=True)
+    round_ = Assumption(Ne(s.radius, 0), "it has a size", stated=True)
     thick = printed(r"(3r^2 + h^2)\cos\theta\,\Omega = 6r^2\omega_3")
     yield Formal(thick, given=given)
     thin = printed(r"\cos\theta\,\Omega = 2\omega_3")

@@ -17,12 +17,12 @@ from rigidtop.derivations.rotation_matrices import rotation_group
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Evidence, Formal, Measure, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory.rotation import rotation, vee
-from rigidtop.theory.symbols import alpha1, alpha2, gamma, n_1, n_2, s_vec, trace_O
 from rigidtop.theory.trig import reduce_trig
 
 FIRST_AXIS = Matrix([0, 0, 1])
-SECOND_AXIS = Matrix([sympy.sin(gamma), 0, cos(gamma)])
+SECOND_AXIS = Matrix([sympy.sin(s.gamma), 0, cos(s.gamma)])
 """Two axes at the angle γ: any two are these, seen in a frame that suits them."""
 
 
@@ -45,12 +45,12 @@ def product_of_rotations() -> Iterator[Evidence]:
     so the brackets are $cos α₃$ and $sin α₃ n₃$. The product $n₁ × n₂$ alone knows which came
     first.
     """
-    matrix = reduce_trig(turn(FIRST_AXIS, alpha1) * turn(SECOND_AXIS, alpha2))
+    matrix = reduce_trig(turn(FIRST_AXIS, s.alpha1) * turn(SECOND_AXIS, s.alpha2))
     meaning = {
-        n_1: FIRST_AXIS,
-        n_2: SECOND_AXIS,
-        trace_O: matrix.trace(),
-        s_vec: axis_and_sine(matrix),
+        s.n_1: FIRST_AXIS,
+        s.n_2: SECOND_AXIS,
+        s.trace_O: matrix.trace(),
+        s.s_vec: axis_and_sine(matrix),
     }
     scalar = r"(\cos\alpha_1\cos\alpha_2 - \sin\alpha_1\sin\alpha_2\,\mathbf n_1\cdot\mathbf n_2)"
     vector = (
@@ -72,17 +72,17 @@ def commutator_of_rotations() -> Iterator[Evidence]:
     either angle vanishes, so its series starts with the product of both: for small turns about
     $x̂$ and $ŷ$, a turn about $ẑ$.
     """
-    first, second = turn(FIRST_AXIS, alpha1), turn(SECOND_AXIS, alpha2)
+    first, second = turn(FIRST_AXIS, s.alpha1), turn(SECOND_AXIS, s.alpha2)
     matrix = first * second * first.T * second.T
     # ∂O/∂α₁ where A is 1, of which the slope with α₂ where B is 1.
-    turning = first.diff(alpha1).subs(alpha1, 0)
+    turning = first.diff(s.alpha1).subs(s.alpha1, 0)
     slope = turning + second * turning.T * second.T
-    lowest = slope.diff(alpha2).subs(alpha2, 0)
+    lowest = slope.diff(s.alpha2).subs(s.alpha2, 0)
     trace = r"\operatorname{tr} O = 4(1 - 2\sin^2\alpha_1\sin^2\alpha_2\sin^2\gamma)^2 - 1"
-    yield Formal(printed(trace), {trace_O: reduce_trig(matrix.trace())})
+    yield Formal(printed(trace), {s.trace_O: reduce_trig(matrix.trace())})
     small = r"\mathbf s = 4\alpha_1\alpha_2\,\mathbf n_1\times\mathbf n_2"
-    axes = {n_1: FIRST_AXIS, n_2: SECOND_AXIS}
-    yield Formal(printed(small), {s_vec: alpha1 * alpha2 * vee(lowest), **axes})
+    axes = {s.n_1: FIRST_AXIS, s.n_2: SECOND_AXIS}
+    yield Formal(printed(small), {s.s_vec: s.alpha1 * s.alpha2 * vee(lowest), **axes})
 
 
 Square = NDArray[np.float64]

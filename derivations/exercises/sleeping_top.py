@@ -20,24 +20,8 @@ from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Evidence, Formal, Measure, Step, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory import top as theory
-from rigidtop.theory.symbols import (
-    A,
-    U,
-    chi,
-    lambda1,
-    lambda3,
-    m,
-    omega3,
-    p_phi,
-    p_psi,
-    sigma2,
-    t_chi2,
-    theta,
-    theta_1,
-    theta_i,
-    thetadot,
-)
 from rigidtop.theory.trig import factored, reduce_ratio
 
 from .bodies import HEAVY_TOP, SPIN
@@ -49,30 +33,30 @@ RPM = 30 / pi
 
 def potential_when_upright() -> Expr:
     """U − p_ψ²/(2λ₃) of a top that is upright once in a while, p_φ = p_ψ = λ₃ω₃ (J)."""
-    spin = lambda3 * omega3
-    potential = theory.top_effective_potential() - p_psi**2 / (2 * lambda3)
-    same = potential.subs({p_phi: spin, p_psi: spin})
+    spin = s.lambda3 * s.omega3
+    potential = theory.top_effective_potential() - s.p_psi**2 / (2 * s.lambda3)
+    same = potential.subs({s.p_phi: spin, s.p_psi: spin})
     # Regular at θ = 0 once sin² is written as (1 − cos)(1 + cos).
-    return sympy.cancel(same.subs(sympy.sin(theta) ** 2, 1 - sympy.cos(theta) ** 2))
+    return sympy.cancel(same.subs(sympy.sin(s.theta) ** 2, 1 - sympy.cos(s.theta) ** 2))
 
 
 def waking_rate(start: Expr) -> Expr:
     """θ̇² of such a top with θ̇ = 0 at θ = `start` (rad²/s²)."""
     potential = potential_when_upright()
-    return factored(2 * (potential.subs(theta, start) - potential) / lambda1)
+    return factored(2 * (potential.subs(s.theta, start) - potential) / s.lambda1)
 
 
 def spin_that_wakes(start: Expr, end: Expr) -> dict[Expr, Expr]:
     """ω₃² with which a top that has θ̇ = 0 at θ = `start` has it at `end` too."""
     square = Symbol("square")
-    balance = waking_rate(start).subs(theta, end).subs(omega3**2, square)
+    balance = waking_rate(start).subs(s.theta, end).subs(s.omega3**2, square)
     [solution] = sympy.solve(balance, square, simplify=False)
-    return {omega3**2: factored(solution)}
+    return {s.omega3**2: factored(solution)}
 
 
 def linear_growth() -> Expr:
     """σ² of a small tilt e^{σt} that turns at λ₃ω₃/(2λ₁), from the quadratic at θ = 0 (1/s²)."""
-    return -theory.discriminant().subs(theta, 0) / (2 * lambda1) ** 2
+    return -theory.discriminant().subs(s.theta, 0) / (2 * s.lambda1) ** 2
 
 
 @claim("upright-potential", "The upright top is stable if $(λ₃ω₃)²$ is at least $4λ₁MgR$.")
@@ -89,21 +73,21 @@ def upright_potential() -> Iterator[Evidence]:
     )
     growth = printed(r"4\lambda_1^2\sigma^2 = 4\lambda_1MgR - (\lambda_3\omega_3)^2")
     threshold = printed(r"(1 + \cos\theta)(U - MgR) = MgR(1 - \cos\theta)^2")
-    yield Formal(regular, {U: upright}, reason="Less the energy of the spin.")
+    yield Formal(regular, {s.U: upright}, reason="Less the energy of the spin.")
     yield Formal(
         growth,
-        {sigma2: -upright.diff(theta, 2).subs(theta, 0) / lambda1},
+        {s.sigma2: -upright.diff(s.theta, 2).subs(s.theta, 0) / s.lambda1},
         reason="$λ₁σ² = −U″$ at $θ = 0$.",
     )
     yield Formal(
         growth,
-        {sigma2: linear_growth()},
+        {s.sigma2: linear_growth()},
         reason="The same from the quadratic for the frequencies $Ω$, where these are not real.",
     )
-    [critical] = sympy.solve(linear_growth().subs(omega3**2, A), A, simplify=False)
+    [critical] = sympy.solve(linear_growth().subs(s.omega3**2, s.A), s.A, simplify=False)
     yield Formal(
         threshold,
-        {U: upright.subs(omega3**2, critical)},
+        {s.U: upright.subs(s.omega3**2, critical)},
         reason="At the threshold, $(λ₃ω₃)² = 4λ₁MgR$.",
     )
 
@@ -122,22 +106,22 @@ def waking() -> Iterator[Evidence]:
     growth = printed(r"2\lambda_1\sigma^2 = MgR(1 - \cos\theta_1)")
     legendre = printed(r"(1 - m\sin^2\chi)MgR(1 - \cos\theta_1)t^2_\chi = 2\lambda_1")
     period = printed(r"t = 2\sqrt{\frac{2\lambda_1}{MgR(1 - \cos\theta_1)}}\operatorname{K}(m)")
-    rate, undisturbed = waking_rate(theta_i), waking_rate(Integer(0))
-    yield Formal(disturbed, {thetadot: sympy.sqrt(rate)}, reason="By energy.")
-    yield Formal(asleep, {thetadot: sympy.sqrt(undisturbed)}, reason="Started upright.")
+    rate, undisturbed = waking_rate(s.theta_i), waking_rate(Integer(0))
+    yield Formal(disturbed, {s.thetadot: sympy.sqrt(rate)}, reason="By energy.")
+    yield Formal(asleep, {s.thetadot: sympy.sqrt(undisturbed)}, reason="Started upright.")
     yield Formal(
         growth,
-        {sigma2: linear_growth().subs(spin_that_wakes(Integer(0), theta_1))},
+        {s.sigma2: linear_growth().subs(spin_that_wakes(Integer(0), s.theta_1))},
         reason="The rate of growth and the tilt to which it leads.",
     )
-    width = 1 - sympy.cos(theta_1)
-    cosine, smallest = 1 - width * (1 - m * sympy.sin(chi) ** 2), 1 - width * (1 - m)
-    speed = rate.subs(spin_that_wakes(theta_i, theta_1)) * sympy.sin(theta) ** 2
-    along = speed.subs(sympy.sin(theta) ** 2, 1 - sympy.cos(theta) ** 2)
-    along = along.subs({sympy.cos(theta): cosine, sympy.cos(theta_i): smallest})
+    width = 1 - sympy.cos(s.theta_1)
+    cosine, smallest = 1 - width * (1 - s.m * sympy.sin(s.chi) ** 2), 1 - width * (1 - s.m)
+    speed = rate.subs(spin_that_wakes(s.theta_i, s.theta_1)) * sympy.sin(s.theta) ** 2
+    along = speed.subs(sympy.sin(s.theta) ** 2, 1 - sympy.cos(s.theta) ** 2)
+    along = along.subs({sympy.cos(s.theta): cosine, sympy.cos(s.theta_i): smallest})
     yield Formal(
         legendre,
-        {t_chi2: reduce_ratio(cosine.diff(chi) ** 2 / along)},
+        {s.t_chi2: reduce_ratio(cosine.diff(s.chi) ** 2 / along)},
         reason="$(d cos θ/dχ)²$ over $(θ̇ sin θ)²$ is the square of $dt/dχ$.",
     )
     yield Step(period, "From one smallest $θ$ to the next: $χ$ goes from $−π/2$ to $π/2$.")

@@ -18,18 +18,9 @@ from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
 from rigidtop.proof.page import Evidence, Formal, Measure, Step, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory import top as theory
 from rigidtop.theory.lagrangian import energy
-from rigidtop.theory.symbols import (
-    chi,
-    m,
-    phidot,
-    psidot,
-    t_chi2,
-    theta,
-    theta_i,
-    thetadot,
-)
 from rigidtop.theory.trig import reduce_ratio
 
 from .bodies import ARM, GRAVITY, LAMBDA1, MASS
@@ -37,11 +28,11 @@ from .bodies import ARM, GRAVITY, LAMBDA1, MASS
 
 def fall_rate_squared() -> Expr:
     """θ̇² of a top let go at θ_i without rotation, from its energy (rad²/s²)."""
-    falling = theory.symmetric_lagrangian().subs({phidot: 0, psidot: 0})
-    gained = energy(falling, [thetadot])
-    at_rest = gained.subs({thetadot: 0, theta: theta_i})
+    falling = theory.symmetric_lagrangian().subs({s.phidot: 0, s.psidot: 0})
+    gained = energy(falling, [s.thetadot])
+    at_rest = gained.subs({s.thetadot: 0, s.theta: s.theta_i})
     square = sympy.Symbol("square")
-    [rate] = sympy.solve((gained - at_rest).subs(thetadot**2, square), square, simplify=False)
+    [rate] = sympy.solve((gained - at_rest).subs(s.thetadot**2, square), square, simplify=False)
     return rate
 
 
@@ -58,14 +49,16 @@ def time_to_fall() -> Iterator[Evidence]:
     legendre = printed(r"(1 - m\sin^2\chi)t^2_\chi = \frac{\lambda_1}{MgR}")
     whole = worked.of("time-to-fall", "t")
     derived = fall_rate_squared()
-    yield Formal(rate, {thetadot: sympy.sqrt(derived)}, reason="By energy.")
+    yield Formal(rate, {s.thetadot: sympy.sqrt(derived)}, reason="By energy.")
     # cos θ = 2 cos²(θ/2) − 1, at the start and later.
-    cosine = 2 * m * sympy.sin(chi) ** 2 - 1
-    against_chi = cosine.diff(chi) ** 2 / (1 - cosine**2)
-    slope = against_chi / derived.subs({sympy.cos(theta): cosine, sympy.cos(theta_i): 2 * m - 1})
+    cosine = 2 * s.m * sympy.sin(s.chi) ** 2 - 1
+    against_chi = cosine.diff(s.chi) ** 2 / (1 - cosine**2)
+    slope = against_chi / derived.subs(
+        {sympy.cos(s.theta): cosine, sympy.cos(s.theta_i): 2 * s.m - 1}
+    )
     yield Formal(
         legendre,
-        {t_chi2: reduce_ratio(slope)},
+        {s.t_chi2: reduce_ratio(slope)},
         reason="$(dθ/dχ)²$ over $θ̇²$ is the square of $dt/dχ$.",
     )
     yield Step(whole, "Integrated from $χ$ to $π/2$.")

@@ -16,19 +16,8 @@ from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
 from rigidtop.proof.page import Evidence, Formal, Measure, claim
+from rigidtop.theory import symbols as s
 from rigidtop.theory.inertia import cylinder, parallel_axis
-from rigidtop.theory.symbols import (
-    M,
-    M_d,
-    M_s,
-    R,
-    h_d,
-    l_s,
-    lambda1,
-    lambda3,
-    r_d,
-    z_d,
-)
 
 from .bodies import GRAVITY, SPIN
 from .nutation import INCLINED, TIGHT, small_frequency
@@ -38,20 +27,20 @@ from .sleeping_top import RPM, upright_potential
 @claim("disc-on-a-stem", "Mass, centre of mass and moments of a disc on a thin stem.")
 def disc_on_a_stem() -> Iterator[Evidence]:
     """Both are cylinders about their own centres, the stem without thickness; then Steiner."""
-    disc_height, stem_height = Matrix([0, 0, z_d]), Matrix([0, 0, l_s / 2])
-    stem = cylinder(r_d, l_s).inertia(M_s).subs(r_d, 0)
-    about_tip = parallel_axis(cylinder(r_d, h_d).inertia(M_d), M_d, disc_height) + parallel_axis(
-        stem, M_s, stem_height
-    )
-    disc_centre = disc_height + cylinder(r_d, h_d).centre()
-    stem_centre = stem_height + cylinder(r_d, l_s).centre()
-    centre = (M_d * disc_centre + M_s * stem_centre) / (M_d + M_s)
+    disc_height, stem_height = Matrix([0, 0, s.z_d]), Matrix([0, 0, s.l_s / 2])
+    stem = cylinder(s.r_d, s.l_s).inertia(s.M_s).subs(s.r_d, 0)
+    about_tip = parallel_axis(
+        cylinder(s.r_d, s.h_d).inertia(s.M_d), s.M_d, disc_height
+    ) + parallel_axis(stem, s.M_s, stem_height)
+    disc_centre = disc_height + cylinder(s.r_d, s.h_d).centre()
+    stem_centre = stem_height + cylinder(s.r_d, s.l_s).centre()
+    centre = (s.M_d * disc_centre + s.M_s * stem_centre) / (s.M_d + s.M_s)
     arm, along, across = (
         worked.of("disc-on-a-stem", left) for left in ("MR", r"\lambda_3", r"\lambda_1")
     )
-    yield Formal(arm, {M: M_d + M_s, R: centre[2]}, reason="From the tip.")
-    yield Formal(along, {lambda3: about_tip[2, 2]}, reason="The disc alone.")
-    yield Formal(across, {lambda1: about_tip[0, 0]}, reason="About the tip.")
+    yield Formal(arm, {s.M: s.M_d + s.M_s, s.R: centre[2]}, reason="From the tip.")
+    yield Formal(along, {s.lambda3: about_tip[2, 2]}, reason="The disc alone.")
+    yield Formal(across, {s.lambda1: about_tip[0, 0]}, reason="About the tip.")
 
 
 def quadrature_moments(
