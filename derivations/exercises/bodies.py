@@ -19,6 +19,12 @@ GRAVITY = Parameter("g", 9.81, "acceleration of gravity", "m/s²", above=0)
 HEAVY_TOP = (LAMBDA1, LAMBDA3, MASS, ARM, GRAVITY)
 """What `HeavyTop` takes."""
 
+
+def heavy_top(lambda1: float, lambda3: float, M: float, R: float, g: float) -> HeavyTop:
+    """The top of these settings."""
+    return HeavyTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g)
+
+
 TILT = Parameter("theta", pi / 6, "$θ$ at the start", "rad", above=0, most=pi)
 SPIN = Parameter("omega3", 20.0, "$ω₃$", "rad/s")
 

@@ -27,7 +27,7 @@ from rigidtop.theory import symbols as s
 from rigidtop.theory.rotation import Z_AXIS, primed_matrix
 from rigidtop.theory.trig import reduce_trig
 
-from .bodies import HEAVY_TOP, SPIN
+from .bodies import HEAVY_TOP, SPIN, heavy_top
 
 
 @claim("vertical-trap", "With the wrong sign “$ẑ$” points as far beyond $e₃$ as $e₃$ is from $ẑ$.")
@@ -150,14 +150,7 @@ MISSES = (0.1, 0.03, 0.01, 0.003, 0.001)
     text="exercises/azimuthal_rate",
 )
 def azimuth_of_a_motion(
-    theta: float,
-    phi_dot: float,
-    omega3: float,
-    lambda1: float,
-    lambda3: float,
-    M: float,
-    R: float,
-    g: float,
+    theta: float, phi_dot: float, omega3: float, **shape: float
 ) -> Iterator[Outcome]:
     """The motion is integrated over a nutation with quaternions, which know neither $φ$ nor $L_z$;
     the axis moves by $𝐞̇₃ = 𝛚 × e₃$, and its azimuth at the rate $(xẏ − yẋ)/(x² + y²)$. Tops that
@@ -166,19 +159,19 @@ def azimuth_of_a_motion(
     smallest $θ$ is that of the motion in closed form."""
     if omega3 == 0:
         raise RigidtopError("omega3 must not be 0: L_z/L₃ says how closely a spinning top passes")
-    top = HeavyTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g)
+    top = heavy_top(**shape)
     motion = top.motion(theta=theta, phi_dot=phi_dot, omega3=omega3)
-    spin = lambda3 * omega3
-    vertical_momentum = lambda1 * phi_dot * sin(theta) ** 2 + spin * cos(theta)
+    spin = top.lambda3 * omega3
+    vertical_momentum = top.lambda1 * phi_dot * sin(theta) ** 2 + spin * cos(theta)
     yield Answer("L_z", "$L_z$, conserved", vertical_momentum, "J s")
     yield Answer("L_3", "$L₃$, conserved", spin, "J s")
 
     period = motion.nutation_period
     # In an odd number of steps: halfway the axis may be at the vertical, where φ has no rate.
-    times = np.linspace(0.0, period if period < inf else sqrt(lambda1 / top.weight[2]), 10)
+    times = np.linspace(0.0, period if period < inf else sqrt(top.lambda1 / top.weight[2]), 10)
     path = motion.integrate(times, rtol=1e-12, atol=1e-14)
     by_momenta = (vertical_momentum - spin * path.e3[:, 2]) / (
-        lambda1 * (1 - path.e3[:, 2]) * (1 + path.e3[:, 2])
+        top.lambda1 * (1 - path.e3[:, 2]) * (1 + path.e3[:, 2])
     )
     moving = np.cross(path.omega_space, path.e3)
     x, y, _ = path.e3.T
@@ -193,7 +186,7 @@ def azimuth_of_a_motion(
     error = float(np.abs(by_momenta - seen).max()) / largest
     yield Measure("$φ̇$ by (3.45) against the azimuth of $e₃$, relative", error, 1e-8)
 
-    yield Answer("at_the_upright", "$φ̇ → L₃/2λ₁$ for $L_z = L₃$", spin / (2 * lambda1), "rad/s")
+    yield Answer("at_the_upright", "$φ̇ → L₃/2λ₁$ for $L_z = L₃$", spin / (2 * top.lambda1), "rad/s")
     passes = tuple(_pass(top, theta, omega3, miss) for miss in MISSES)
     yield Table(
         "near_the_upright",

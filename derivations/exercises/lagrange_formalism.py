@@ -21,7 +21,7 @@ from rigidtop.proof.page import Evidence, Formal, Measure, claim
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top as theory
 
-from .bodies import HEAVY_TOP, SPIN, TILT
+from .bodies import HEAVY_TOP, SPIN, TILT, heavy_top
 
 
 @claim("roots-in-powers", "Both rates of a fast top as power series in $ε = λ₁MgR cos θ/(λ₃ω₃)²$.")
@@ -150,18 +150,11 @@ def spin_by_search(top: HeavyTop, tilt: float, accuracy: float) -> tuple[float, 
     text="exercises/fast_spin_roots",
 )
 def fast_spin_roots(
-    lambda1: float,
-    lambda3: float,
-    M: float,
-    R: float,
-    g: float,
-    theta: float,
-    omega3: float,
-    accuracy: float,
+    theta: float, omega3: float, accuracy: float, **shape: float
 ) -> Iterator[Outcome]:
     """Both roots are compared order by order with the series in $ε$; the spin from which the
     leading terms suffice is known in closed form, and found once more by searching for it."""
-    top = HeavyTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g)
+    top = heavy_top(**shape)
     if abs(cos(theta)) < 1e-9:
         raise RigidtopError(
             f"theta = {theta:g}: a horizontal axis has the slow rate alone, MgR/(λ₃ω₃) exactly"
@@ -169,7 +162,7 @@ def fast_spin_roots(
     exact = top.steady_precession(theta, omega3)
     if omega3 == 0:
         raise RigidtopError("omega3 = 0: the leading terms are those of a top that spins")
-    smallness = lambda1 * top.weight[2] * cos(theta) / (lambda3 * omega3) ** 2
+    smallness = top.lambda1 * top.weight[2] * cos(theta) / (top.lambda3 * omega3) ** 2
     lead = leading(top, theta, omega3)
     yield Answer("epsilon", "$ε = λ₁MgR cos θ/(λ₃ω₃)²$", smallness)
     rows = []
@@ -197,7 +190,7 @@ def fast_spin_roots(
         "slow_spin", "$|ω₃|$ from which $MgR/(λ₃ω₃)$ is accurate enough", spins[0], "rad/s"
     )
     yield Answer("fast_spin", "$|ω₃|$ from which $λ₃ω₃/(λ₁ cos θ)$ is", spins[1], "rad/s")
-    coefficients = [lambda1 * cos(theta), -lambda3 * omega3, top.weight[2]]
+    coefficients = [top.lambda1 * cos(theta), -top.lambda3 * omega3, top.weight[2]]
     companion = sorted(np.roots(coefficients).real, key=abs)
     difference = max(abs(a / b - 1) for a, b in zip(companion, exact, strict=True))
     scale = max(1.0, abs(exact[1] / exact[0]))  # eigenvalues have errors of the size of the larger

@@ -27,7 +27,7 @@ from rigidtop.theory import symbols as s
 from rigidtop.theory import top as theory
 from rigidtop.theory.trig import reduce_ratio
 
-from .bodies import HEAVY_TOP, SPIN, TILT
+from .bodies import HEAVY_TOP, SPIN, TILT, heavy_top
 
 INCLINED = replace(TILT, least=0.01, most=3.1)
 """Well away from both verticals, where a small swing is one in θ."""
@@ -293,12 +293,10 @@ def lowest_potential(swing: Swing) -> tuple[float, float]:
     figure="effective-potential",
     text="exercises/small_nutation",
 )
-def small_nutation(
-    lambda1: float, lambda3: float, M: float, R: float, g: float, theta: float, omega3: float
-) -> Iterator[Outcome]:
+def small_nutation(theta: float, omega3: float, **shape: float) -> Iterator[Outcome]:
     """The formulas for small nutation and for fast tops stand beside the period and the turning
     points in closed form, and beside the same by quadrature and by integration."""
-    top = HeavyTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g)
+    top = heavy_top(**shape)
     slow, _ = top.steady_precession(theta, omega3)
     if omega3 == 0:
         raise RigidtopError("omega3 = 0: a top that is let go at rest without spin falls over")
@@ -308,7 +306,7 @@ def small_nutation(
     yield Answer(
         "fast_frequency",
         "the same for a fast top, $|λ₃ω₃|/λ₁$",
-        lambda3 * abs(omega3) / lambda1,
+        top.lambda3 * abs(omega3) / top.lambda1,
         "rad/s",
     )
     kicked = top.motion(theta=theta, theta_dot=1e-6 * frequency, phi_dot=slow, omega3=omega3)
@@ -316,7 +314,10 @@ def small_nutation(
     yield Measure("frequency of a nutation of $10⁻⁶$ rad in closed form, relative", error, 1e-8)
 
     swing, motion = Swing(top, theta, 0.0, omega3), top.motion(theta=theta, omega3=omega3)
-    period, predicted = motion.nutation_period, lambda1 * top.weight[2] / (lambda3 * omega3) ** 2
+    period, predicted = (
+        motion.nutation_period,
+        top.lambda1 * top.weight[2] / (top.lambda3 * omega3) ** 2,
+    )
     yield Answer("turn", "let go at rest: $θ$ of the other turning point", swing.other, "rad")
     yield Answer("amplitude", "half the way to it", (swing.other - theta) / 2, "rad")
     yield Answer(
@@ -429,19 +430,12 @@ def seen(motion: TopMotion, period: float) -> str:
     text="exercises/waves_cusps_loops",
 )
 def waves_cusps_loops(
-    lambda1: float,
-    lambda3: float,
-    M: float,
-    R: float,
-    g: float,
-    theta: float,
-    phi_dot: float,
-    omega3: float,
+    theta: float, phi_dot: float, omega3: float, **shape: float
 ) -> Iterator[Outcome]:
     """The turning points are roots of the cubic, one of which is the start; period and precession
     are integrals between them by quadrature. The closed form in elliptic functions and the
     integrated path are compared with all of it."""
-    top = HeavyTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g)
+    top = heavy_top(**shape)
     if omega3 == 0:
         raise RigidtopError("omega3 = 0: without spin φ̇ never changes its sign")
     swing = Swing(top, theta, phi_dot, omega3)

@@ -26,7 +26,7 @@ from rigidtop.theory import top as theory
 from rigidtop.theory.lagrangian import energy
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
-from .bodies import HEAVY_TOP, SPIN
+from .bodies import HEAVY_TOP, SPIN, heavy_top
 
 
 @cache
@@ -297,25 +297,23 @@ DOUBLINGS = 8
     figure="parallel",
     text="exercises/parallel_bound",
 )
-def parallel_bound(
-    theta: float, omega3: float, lambda1: float, lambda3: float, M: float, R: float, g: float
-) -> Iterator[Outcome]:
+def parallel_bound(theta: float, omega3: float, **shape: float) -> Iterator[Outcome]:
     """The largest angle is a closed form: at the lowest point of a fast top, on the way to it of a
     slow one. The mean precession of the exact motion is a closed form too. The table doubles the
     spin from row to row. The motion integrated with quaternions is searched for the same angle."""
-    top = HeavyTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g)
+    top = heavy_top(**shape)
     if omega3 == 0:
         raise RigidtopError(
             "omega3 must not be 0: without spin the top topples, and ε₀ is infinite"
         )
-    if lambda1 == lambda3:
+    if top.lambda1 == top.lambda3:
         raise RigidtopError("lambda1 and lambda3 must differ: with equal moments L is along ω")
 
     def compared(spin: float) -> tuple[float, ...]:
         weak, bound = smallness(top, spin), bound_of_angle(top, theta, spin)
         largest = largest_angle(top, theta, spin)
         mean = top.motion(theta=theta, omega3=spin).mean_precession
-        off = mean / (top.weight[2] / (lambda3 * spin)) - 1
+        off = mean / (top.weight[2] / (top.lambda3 * spin)) - 1
         return spin, weak, bound, largest, largest / bound, mean, off, off / weak
 
     rows = tuple(compared(omega3 * 2**k) for k in range(DOUBLINGS))
@@ -324,7 +322,7 @@ def parallel_bound(
     yield Answer("bound", "no angle between $𝐋$ and $𝛚$ exceeds", bound, "rad")
     yield Answer("largest", "the largest angle is", largest, "rad")
     yield Answer("share", "the largest angle over the bound", share)
-    yield Answer("simple", "$Ω$ by (3.52)", top.weight[2] / (lambda3 * omega3), "rad/s")
+    yield Answer("simple", "$Ω$ by (3.52)", top.weight[2] / (top.lambda3 * omega3), "rad/s")
     yield Answer("mean", "mean precession", mean, "rad/s")
     yield Answer("off", "by how much it exceeds (3.52), relative", off)
     yield Answer(
@@ -359,7 +357,7 @@ def parallel_bound(
     across = float(np.hypot(*path.omega[0, :2]))
     yield Measure(
         "$|ω⊥|$ at the lowest point against $2Ω sin θ$ there, relative",
-        abs(across / (2 * top.weight[2] * sin(lowest) / abs(lambda3 * omega3)) - 1),
+        abs(across / (2 * top.weight[2] * sin(lowest) / abs(top.lambda3 * omega3)) - 1),
         1e-8,
     )
 

@@ -24,7 +24,7 @@ from rigidtop.theory import symbols as s
 from rigidtop.theory import top as theory
 from rigidtop.theory.trig import factored, reduce_ratio
 
-from .bodies import HEAVY_TOP, SPIN
+from .bodies import HEAVY_TOP, SPIN, heavy_top
 from .nutation import TIGHT
 
 RPM = 30 / pi
@@ -192,19 +192,11 @@ class Waking:
     figure="sleeping",
     text="exercises/sleeping_top",
 )
-def sleeping_top(
-    lambda1: float,
-    lambda3: float,
-    M: float,
-    R: float,
-    g: float,
-    omega3: float,
-    disturbance: float,
-) -> Iterator[Outcome]:
+def sleeping_top(omega3: float, disturbance: float, **shape: float) -> Iterator[Outcome]:
     """Threshold, growth and tilt are closed forms, the time of waking is a complete elliptic
     integral. The motion from the disturbance is integrated and compared, and so is a search for
     the spin at which the potential of $θ$ changes its curvature."""
-    top = HeavyTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g)
+    top = heavy_top(**shape)
     threshold = top.sleeping_spin()
     waking = Waking(top, omega3, disturbance)
     asleep = abs(omega3) >= threshold
