@@ -5,19 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from sympy import (
-    Eq,
-    Expr,
-    Ge,
-    Gt,
-    Matrix,
-    Ne,
-    cos,
-    factor_list,
-    pi,
-    sin,
-    symbols,
-)
+from sympy import Eq, Expr, Ge, Gt, Matrix, Ne, cos, factor_list, pi, sin, symbols
 
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.page import Assumption, Evidence, Formal, Page, Remark, Step, claim

@@ -5,24 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from sympy import (
-    Eq,
-    Expr,
-    Gt,
-    Matrix,
-    Ne,
-    Rational,
-    cos,
-    diag,
-    pi,
-    sin,
-    symbols,
-)
+from sympy import Eq, Expr, Gt, Matrix, Ne, Rational, cos, diag, pi, sin, symbols
 
-from rigidtop.proof.equation import (
-    BODY,
-    Rate,
-)
+from rigidtop.proof.equation import BODY, Rate
 from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Formal, Page, claim
 from rigidtop.theory import gyrostat
 from rigidtop.theory import symbols as s

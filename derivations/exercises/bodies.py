@@ -29,6 +29,16 @@ TILT = Parameter("theta", pi / 6, "$θ$ at the start", "rad", above=0, most=pi)
 SPIN = Parameter("omega3", 20.0, "$ω₃$", "rad/s")
 
 
+def smallness(top: HeavyTop, spin: float) -> float:
+    """ε₀ = λ₁MgR/(λ₃ω₃)²."""
+    return top.lambda1 * top.weight[2] / (top.lambda3 * spin) ** 2
+
+
+def simple_rate(top: HeavyTop, spin: float) -> float:
+    """Ω by (3.52) (rad/s)."""
+    return top.weight[2] / (top.lambda3 * spin)
+
+
 def least_spin(top: HeavyTop, theta: float) -> float | str:
     """The smallest |ω₃| with a steady precession at θ (rad/s), in words where there is none.
 

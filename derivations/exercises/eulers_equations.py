@@ -20,11 +20,7 @@ from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Evidence, Formal, Measure, claim
 from rigidtop.theory import symbols as s
-from rigidtop.theory.euler import (
-    angular_momentum,
-    body_accelerations,
-    kinetic_energy,
-)
+from rigidtop.theory.euler import angular_momentum, body_accelerations, kinetic_energy
 
 START = {s.omega1: s.omega_0, s.omega2: s.omega, s.omega3: sympy.S.Zero}
 """ω₂ at its largest: ω off the middle axis by ω₀ towards e₁."""

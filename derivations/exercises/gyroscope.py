@@ -24,8 +24,8 @@ from rigidtop.theory.inertia import cylinder, parallel_axis, torus
 from rigidtop.theory.rotation import Z_AXIS
 from rigidtop.theory.trig import reduce_ratio
 
-from .bodies import GRAVITY, least_spin
-from .parallel import bound_on_the_tilt, released, smallness
+from .bodies import GRAVITY, least_spin, simple_rate, smallness
+from .parallel import bound_on_the_tilt, released
 
 
 @claim("spin-for-accuracy", "(3.52) is off by the share $τ$ where $ε = τ/(1 + τ)²$.")
@@ -163,11 +163,6 @@ def disc_on_axle(M: float, radius: float, R: float, g: float) -> HeavyTop:
 def hoop_on_axle(M: float, radius: float, R: float, g: float) -> HeavyTop:
     """A wheel that is all rim, on an axle without mass that is held at R from it."""
     return HeavyTop(lambda1=M * (radius**2 / 2 + R**2), lambda3=M * radius**2, M=M, R=R, g=g)
-
-
-def simple_rate(top: HeavyTop, spin: float) -> float:
-    """Ω by (3.52) (rad/s)."""
-    return top.weight[2] / (top.lambda3 * spin)
 
 
 def spin_for(tolerance: float, top: HeavyTop, theta: float) -> float:

@@ -21,7 +21,7 @@ from rigidtop.proof.page import Evidence, Formal, Measure, claim
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top as theory
 
-from .bodies import HEAVY_TOP, SPIN, TILT, heavy_top
+from .bodies import HEAVY_TOP, SPIN, TILT, heavy_top, simple_rate, smallness
 
 
 @claim("roots-in-powers", "Both rates of a fast top as power series in $ε = λ₁MgR cos θ/(λ₃ω₃)²$.")
@@ -98,7 +98,7 @@ def series_factors(terms: int, smallness: float) -> tuple[float, float]:
 
 def leading(top: HeavyTop, tilt: float, spin: float) -> tuple[float, float]:
     """MgR/(λ₃ω₃) and λ₃ω₃/(λ₁ cos θ) (rad/s)."""
-    return top.weight[2] / (top.lambda3 * spin), top.lambda3 * spin / (top.lambda1 * cos(tilt))
+    return simple_rate(top, spin), top.lambda3 * spin / (top.lambda1 * cos(tilt))
 
 
 def spin_for(top: HeavyTop, tilt: float, accuracy: float) -> tuple[float, float]:
@@ -162,12 +162,12 @@ def fast_spin_roots(
     exact = top.steady_precession(theta, omega3)
     if omega3 == 0:
         raise RigidtopError("omega3 = 0: the leading terms are those of a top that spins")
-    smallness = top.lambda1 * top.weight[2] * cos(theta) / (top.lambda3 * omega3) ** 2
+    epsilon = smallness(top, omega3) * cos(theta)
     lead = leading(top, theta, omega3)
-    yield Answer("epsilon", "$ε = λ₁MgR cos θ/(λ₃ω₃)²$", smallness)
+    yield Answer("epsilon", "$ε = λ₁MgR cos θ/(λ₃ω₃)²$", epsilon)
     rows = []
     for terms in range(1, 6):
-        pair = [x * f for x, f in zip(lead, series_factors(terms, smallness), strict=True)]
+        pair = [x * f for x, f in zip(lead, series_factors(terms, epsilon), strict=True)]
         errors = [x / root - 1 for x, root in zip(pair, exact, strict=True)]
         rows.append((terms, pair[0], errors[0], pair[1], errors[1]))
     for k, name, sign in ((0, "slow", "₋"), (1, "fast", "₊")):

@@ -27,7 +27,7 @@ from rigidtop.theory import symbols as s
 from rigidtop.theory import top as theory
 from rigidtop.theory.trig import reduce_ratio
 
-from .bodies import HEAVY_TOP, SPIN, TILT, heavy_top
+from .bodies import HEAVY_TOP, SPIN, TILT, heavy_top, smallness
 
 INCLINED = replace(TILT, least=0.01, most=3.1)
 """Well away from both verticals, where a small swing is one in θ."""
@@ -314,10 +314,7 @@ def small_nutation(theta: float, omega3: float, **shape: float) -> Iterator[Outc
     yield Measure("frequency of a nutation of $10⁻⁶$ rad in closed form, relative", error, 1e-8)
 
     swing, motion = Swing(top, theta, 0.0, omega3), top.motion(theta=theta, omega3=omega3)
-    period, predicted = (
-        motion.nutation_period,
-        top.lambda1 * top.weight[2] / (top.lambda3 * omega3) ** 2,
-    )
+    period, predicted = motion.nutation_period, smallness(top, omega3)
     yield Answer("turn", "let go at rest: $θ$ of the other turning point", swing.other, "rad")
     yield Answer("amplitude", "half the way to it", (swing.other - theta) / 2, "rad")
     yield Answer(
@@ -365,7 +362,7 @@ def _released(top: HeavyTop, tilt: float, spin: float) -> tuple[float, ...]:
         small_frequency(top, steady, precession, spin),
         top.lambda3 * abs(spin) / top.lambda1,
         (swing.other - tilt) / 2,
-        top.lambda1 * top.weight[2] * sin(tilt) / (top.lambda3 * spin) ** 2,
+        smallness(top, spin) * sin(tilt),
     )
 
 

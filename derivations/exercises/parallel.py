@@ -26,7 +26,7 @@ from rigidtop.theory import top as theory
 from rigidtop.theory.lagrangian import energy
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
-from .bodies import HEAVY_TOP, SPIN, heavy_top
+from .bodies import HEAVY_TOP, SPIN, heavy_top, simple_rate, smallness
 
 
 @cache
@@ -214,11 +214,6 @@ def mean_of_the_cusps() -> Iterator[Evidence]:
     )
 
 
-def smallness(top: HeavyTop, spin: float) -> float:
-    """ε₀ = λ₁MgR/(λ₃ω₃)²."""
-    return top.lambda1 * top.weight[2] / (top.lambda3 * spin) ** 2
-
-
 def bound_of_angle(top: HeavyTop, start: float, spin: float) -> float:
     """No angle between L and ω of a top released at θ = `start` with ω along e₃ exceeds this (rad).
 
@@ -313,7 +308,7 @@ def parallel_bound(theta: float, omega3: float, **shape: float) -> Iterator[Outc
         weak, bound = smallness(top, spin), bound_of_angle(top, theta, spin)
         largest = largest_angle(top, theta, spin)
         mean = top.motion(theta=theta, omega3=spin).mean_precession
-        off = mean / (top.weight[2] / (top.lambda3 * spin)) - 1
+        off = mean / simple_rate(top, spin) - 1
         return spin, weak, bound, largest, largest / bound, mean, off, off / weak
 
     rows = tuple(compared(omega3 * 2**k) for k in range(DOUBLINGS))
@@ -322,7 +317,7 @@ def parallel_bound(theta: float, omega3: float, **shape: float) -> Iterator[Outc
     yield Answer("bound", "no angle between $𝐋$ and $𝛚$ exceeds", bound, "rad")
     yield Answer("largest", "the largest angle is", largest, "rad")
     yield Answer("share", "the largest angle over the bound", share)
-    yield Answer("simple", "$Ω$ by (3.52)", top.weight[2] / (top.lambda3 * omega3), "rad/s")
+    yield Answer("simple", "$Ω$ by (3.52)", simple_rate(top, omega3), "rad/s")
     yield Answer("mean", "mean precession", mean, "rad/s")
     yield Answer("off", "by how much it exceeds (3.52), relative", off)
     yield Answer(

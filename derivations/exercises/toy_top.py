@@ -19,7 +19,7 @@ from rigidtop.proof.page import Evidence, Formal, Measure, claim
 from rigidtop.theory import symbols as s
 from rigidtop.theory.inertia import cylinder, parallel_axis
 
-from .bodies import GRAVITY, SPIN
+from .bodies import GRAVITY, SPIN, simple_rate
 from .nutation import INCLINED, TIGHT, small_frequency
 from .sleeping_top import RPM, upright_potential
 
@@ -160,7 +160,7 @@ def top_from_the_toy_box(
     yield Answer("least_rpm", "least spin at this tilt", top.smallest_spin(theta) * RPM, "rpm")
     yield Answer("spin_rpm", "the given spin", omega3 * RPM, "rpm")
     yield Answer("slow", "slow precession $Ω₋$", slow, "rad/s")
-    yield Answer("slow_leading", "by $MgR/(λ₃ω₃)$", top.weight[2] / (lambda3 * omega3), "rad/s")
+    yield Answer("slow_leading", "by $MgR/(λ₃ω₃)$", simple_rate(top, omega3), "rad/s")
     yield Answer("slow_turn", "time for one turn of the axis", 2 * pi / abs(slow), "s")
     yield Answer("fast", "fast precession $Ω₊$", fast, "rad/s")
     yield Answer("nutation", "nutations in a second", frequency / (2 * pi), "1/s")

@@ -8,10 +8,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 
+from rigidtop.derivations.exercises.bodies import simple_rate
 from rigidtop.derivations.exercises.gyroscope import (
     disc_on_axle,
     gyroscope,
-    simple_rate,
     spin_for,
     spinning,
 )

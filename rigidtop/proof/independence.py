@@ -24,15 +24,7 @@ from typing import Any
 from sympy import Basic, MatrixBase, Mul, Number, NumberSymbol, Symbol, expand
 from sympy.core.function import FunctionClass
 
-from rigidtop.proof.equation import (
-    Cross,
-    Dot,
-    Group,
-    SumOver,
-    Transposed,
-    VolumeIntegral,
-    value,
-)
+from rigidtop.proof.equation import Cross, Dot, Group, SumOver, Transposed, VolumeIntegral, value
 from rigidtop.proof.page import Check
 from rigidtop.theory.symbols import const
 
