@@ -160,9 +160,8 @@ def functions() -> Iterator[str]:
         "ω on the polhode round e₃, ω₃ > 0, with given 2T and L², at an angle on it (rad/s).",
         polhode(),
     )
-    for group in (terms.heavy(), terms.general(), terms.free()):
-        for each in group:
-            yield quantity(each.function, f"The terms of {text(each.equation)}.", each.values)
+    for each in (*terms.heavy(), *terms.general()):
+        yield quantity(each.function, f"The terms of {text(each.equation)}.", each.values)
 
 
 def module_text() -> str:

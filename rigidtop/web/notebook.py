@@ -26,7 +26,8 @@ def show(
     which wants ``pip install 'rigidtop[web]'``.  Of a system the page has the coordinates against
     time, sliders of its parameters and its start, and a picture of its masses and bodies, or of
     `points`: places of two or three components, expressions of q and t.  A top on a table is
-    computed here, for 20 s, and played there.  No page needs a network.
+    computed here, for 10 s, also with other friction and less spin, and played there.  No page
+    needs a network.
 
     Raises RigidtopError where there is no notebook, for what has no counterpart in JavaScript, and
     where three.js is not installed.

@@ -6,7 +6,7 @@ import gzip
 import json
 import re
 from base64 import b64encode
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from html import escape
 from importlib.metadata import version
@@ -27,7 +27,7 @@ from rigidtop.web.tours import TOURS
 FOLDER = Path(__file__).parent / "live-page"
 THREE = "static/r130/three.min.js"
 TITLES = {HEAVY: "The heavy top, live", FREE: "The free body, live"}
-TABLEAU = ("A", "B", "C", "E3", "E5", "D", "A_EXTRA", "C_EXTRA")
+TABLEAU = ("A", "B", "E3", "E5", "D", "A_EXTRA")
 
 
 @dataclass(frozen=True)
@@ -60,23 +60,27 @@ def page(kind: str, first: Preset | None = None, height: int = Page.height) -> P
     return Page(title, document(title, text), height)
 
 
-def document(title: str, text: str, kind: str = "page", derived: str = "") -> str:
-    """The page with the JSON of its data; `derived` is a module that its modules may import.
+def document(title: str, text: str, main: str = "top", derived: str = "") -> str:
+    """The page with the JSON of its data, its first module, and a module that those may import.
 
     Raises RigidtopError where three.js is wanted and not installed.
     """
-    main = "main" if kind == "page" else kind
     parts = {
         "title": escape(title),
+        "main": main,
+        "three": _packed(three()) if main == "top" else "",
         "style": "\n".join((FOLDER / f"{name}.css").read_text("utf-8") for name in STYLES),
         "importmap": json_text({"imports": dict(modules(main, derived))}),
         "data": text,
     }
-    if kind == "page":
-        parts["three"] = b64encode(gzip.compress(three().encode(), mtime=0)).decode()
     # In one pass: what is put in is not looked through again.
-    template = (FOLDER / f"{kind}.html").read_text("utf-8")
+    template = (FOLDER / "page.html").read_text("utf-8")
     return re.sub(r"\{\{(\w+)\}\}", lambda place: parts[place[1]], template)
+
+
+def _packed(script: str) -> str:
+    packed = b64encode(gzip.compress(script.encode(), mtime=0)).decode()
+    return f'<script type="text/plain" id="three">{packed}</script>'
 
 
 STYLES = ("style", "panels")
@@ -111,7 +115,7 @@ def three() -> str:
         raise RigidtopError("the live page wants three.js: pip install 'rigidtop[web]'") from None
 
 
-def modules(main: str = "main", derived: str = "") -> Iterator[tuple[str, str]]:
+def modules(main: str = "top", derived: str = "") -> Iterator[tuple[str, str]]:
     """A module and all that it imports: the name that each is imported by, and a URL that holds it.
 
     A module whose own address is its text can't name others by where they lie, so "./motion.js"
@@ -142,16 +146,31 @@ def _quoted(text: str) -> str:
 def data(kind: str, title: str, presets: tuple[Preset, ...], first: Preset) -> Mapping[str, Any]:
     """`PageData` of the page's types; what is not one of the presets stands behind them."""
     shown = presets if first in presets else (*presets, first)
+    parameters = [_slider(each) for each in sliders(kind, (p.setup for p in shown))]
+    return common(kind, title, parameters, shown, first) | {
+        "equations": [_equation(each) for each in _equations(kind)],
+        "tour": [vars(step) for step in TOURS[kind]()],
+    }
+
+
+def common(
+    kind: str,
+    title: str,
+    parameters: Sequence[Mapping[str, Any]],
+    presets: Sequence[Preset],
+    first: Preset,
+) -> dict[str, Any]:
+    """`PageData` of any page, so far without equations and a tour."""
     return {
         "kind": kind,
         "version": version("rigidtop"),
         "title": title,
         "tableau": tableau(),
-        "parameters": [_slider(each) for each in sliders(kind, (p.setup for p in shown))],
-        "presets": [_preset(p) for p in shown],
-        "equations": [_equation(each) for each in _equations(kind)],
+        "parameters": parameters,
+        "presets": [_preset(p) for p in presets],
+        "equations": [],
         "first": _preset(first),
-        "tour": [vars(step) for step in TOURS[kind]()],
+        "tour": [],
     }
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from importlib.metadata import version
+from math import pi
 from typing import Any
 
 import sympy
@@ -20,7 +20,8 @@ from rigidtop.system.parts import Body, Mass
 from rigidtop.system.system import System
 from rigidtop.typeset.mathml import display, mathml
 from rigidtop.typeset.text import text
-from rigidtop.web.page import Page, document, json_text, tableau
+from rigidtop.web.page import Page, common, document, json_text
+from rigidtop.web.setup import Preset, Setup
 
 Points = Sequence[Sequence[Any]]
 
@@ -130,39 +131,40 @@ def _several(points: Points) -> Points:
 
 
 def data(motion: SystemMotion, scene: Scene, title: str) -> Mapping[str, Any]:
-    """`SystemData` of the page's types."""
+    """`SystemData` of the page's types: parameters are p0, p1 …, the start is s0, s1 …"""
     system = motion.system
     count = len(system.q)
     angles = [scene.angle(x) for x in system.names.q]
-    return {
-        "version": version("rigidtop"),
-        "title": title,
-        "tableau": tableau(),
-        "state": [
-            _letter(x, angle, f"{what} at the start", unit if angle else "")
-            for group, what, unit in ((system.names.q, "", "rad"), (system.names.v, "", "rad/s"))
-            for x, angle in zip(group, angles, strict=True)
-        ],
-        "start": [*motion.q, *motion.qdot, *[0.0] * (len(scene.state) - 2 * count)],
-        "parameters": [
-            _letter(x, False, "", "") | _range(x, value)
-            for x, value in zip(system.parameters, motion.parameters, strict=True)
-        ],
-        "values": motion.parameters,
-        "tied": [
-            x in set().union(*(r.free_symbols for r in system.rules), set())
-            for x in system.parameters
-        ],
-        "bound": bool(system.rules),
+    state = [
+        _letter(x, angle, "at the start", unit if angle else "")
+        for group, unit in ((system.names.q, "rad"), (system.names.v, "rad/s"))
+        for x, angle in zip(group, angles, strict=True)
+    ]
+    start = (*motion.q, *motion.qdot)
+    tied = set().union(*(rule.free_symbols for rule in system.rules), set())
+    sliders = {
+        f"p{k}": (_letter(x, False, "", "") | _range(x, value), value)
+        for k, (x, value) in enumerate(zip(system.parameters, motion.parameters, strict=True))
+        if x not in tied
+    }
+    if not system.rules:
+        angle = {"least": -pi, "most": pi, "logarithmic": False}
+        sliders |= {f"s{k}": (each | angle, start[k]) for k, each in enumerate(state)}
+    parameters = [{**each, "name": name, "start": True} for name, (each, _) in sliders.items()]
+    values = {name: value for name, (_, value) in sliders.items()}
+    given = Preset("given", "As given", "", Setup("system", values), (), "")
+    return common("system", title, parameters, (given,), given) | {
+        "state": state,
+        "start": [*start, *[0.0] * (len(scene.state) - 2 * count)],
+        "given": motion.parameters,
         "sides": system.one_sided,
         "points": len(scene.places),
         "bodies": list(scene.attitudes),
         "planar": scene.planar,
         "follow": None,
         "kept": list(scene.kept),
-        "equations": display(list(_equations(system)), limit=WIDTH),
-        "about": "",
-        "recording": None,
+        "written": display(list(_equations(system)), limit=WIDTH),
+        "recordings": {},
     }
 
 

@@ -1,9 +1,14 @@
-"""The page of a top on a table: computed here, with its changes between sliding and rolling."""
+"""The page of a top on a table: computed here, with its changes between sliding and rolling.
+
+Beside the motion that was given there are some with one thing changed: Coulomb's friction has no
+equations that a page could integrate from end to end.
+"""
 
 from __future__ import annotations
 
+from base64 import b64encode
 from collections.abc import Mapping
-from importlib.metadata import version
+from dataclasses import replace
 from math import pi
 from typing import Any
 
@@ -12,11 +17,13 @@ import sympy
 from sympy import Matrix, cos
 
 from rigidtop.codegen.javascript import of_arrays
+from rigidtop.errors import RigidtopError
 from rigidtop.motion.table.motion import SlidingMotion, SlidingTop
 from rigidtop.motion.table.trajectory import SlidingTrajectory
 from rigidtop.theory import rotation
 from rigidtop.theory import symbols as s
-from rigidtop.web.page import Page, document, json_text, tableau
+from rigidtop.web.page import Page, common, document, json_text
+from rigidtop.web.setup import Preset, Setup
 
 LONGEST, ROWS = 10.0, 200
 """How long it is played (s), and rows in a second of it."""
@@ -48,9 +55,29 @@ def page_of_table(motion: SlidingMotion, height: int = Page.height) -> Page:
     Raises RigidtopError where it cannot be integrated.
     """
     title = "A top on a table"
-    run = motion.integrate(np.arange(0, LONGEST + 0.5 / ROWS, 1 / ROWS))
-    text = json_text(data(run, title))
+    runs = {"As given": integrated(motion)}
+    for name, changed in variants(motion).items():
+        try:
+            runs[name] = integrated(changed)
+        except RigidtopError:
+            continue  # the motion that was given is possible, this one is not
+    text = json_text(data(runs, title))
     return Page(title, document(title, text, "system", module(motion.body)), height)
+
+
+def integrated(motion: SlidingMotion) -> SlidingTrajectory:
+    """As far as it is played."""
+    return motion.integrate(np.arange(0, LONGEST + 0.5 / ROWS, 1 / ROWS))
+
+
+def variants(motion: SlidingMotion) -> dict[str, SlidingMotion]:
+    """The same top with less friction, with more, and with less spin, by their titles."""
+    body, (omega1, omega2, omega3) = motion.body, motion.omega
+    rubbing = (("Half the friction", 0.5), ("Twice the friction", 2.0)) if body.mu else ()
+    slower = {"Half the spin": replace(motion, omega=(omega1, omega2, omega3 / 2))}
+    return {
+        name: replace(motion, body=replace(body, mu=factor * body.mu)) for name, factor in rubbing
+    } | (slower if omega3 else {})
 
 
 def places(body: SlidingTop) -> tuple[Matrix, ...]:
@@ -77,8 +104,40 @@ def module(body: SlidingTop) -> str:
     )
 
 
-def data(run: SlidingTrajectory, title: str) -> Mapping[str, Any]:
-    """`SystemData` of the page's types."""
+def data(runs: Mapping[str, SlidingTrajectory], title: str) -> Mapping[str, Any]:
+    """`SystemData` of the page's types, of motions by their titles, that which is given first."""
+    state = [
+        {
+            "letter": letter,
+            "math": "",
+            "meaning": "",
+            "unit": "" if unit == "rad" else unit,
+            "angle": unit == "rad",
+        }
+        for letter, unit in COLUMNS
+    ]
+    presets = [
+        Preset(name.replace(" ", "-").lower(), name, said(run), Setup("system", {}), (), "")
+        for name, run in runs.items()
+    ]
+    pairs = zip(presets, runs.values(), strict=True)
+    return common("system", title, [], presets, presets[0]) | {
+        "state": state,
+        "start": [],
+        "given": [],
+        "sides": [],
+        "points": 4,
+        "bodies": [2],
+        "planar": False,
+        "follow": 2,
+        "kept": [],
+        "written": "",
+        "recordings": {preset.name: recording(run) for preset, run in pairs},
+    }
+
+
+def recording(run: SlidingTrajectory) -> Mapping[str, Any]:
+    """Its rows, as numbers of four bytes, and why there are no more."""
     taken = run.dissipated_by_friction + run.dissipated_by_air
     slip = np.hypot(*run.slip.T)
     rows = np.column_stack(
@@ -88,37 +147,10 @@ def data(run: SlidingTrajectory, title: str) -> Mapping[str, Any]:
         )
     )
     return {
-        "version": version("rigidtop"),
-        "title": title,
-        "tableau": tableau(),
-        "state": [
-            {
-                "letter": letter,
-                "math": "",
-                "meaning": "",
-                "unit": "" if unit == "rad" else unit,
-                "angle": unit == "rad",
-            }
-            for letter, unit in COLUMNS
-        ],
-        "start": rows[0].tolist(),
-        "parameters": [],
-        "values": [],
-        "tied": [],
-        "bound": True,
-        "sides": [],
-        "points": 4,
-        "bodies": [2],
-        "planar": False,
-        "follow": 2,
-        "kept": [],
-        "equations": "",
-        "about": said(run),
-        "recording": {
-            "step": 1 / ROWS,
-            "rows": [[float(f"{x:.9g}") for x in row] for row in rows],
-            "ended": ENDS[run.ended.kind if run.ended else ""],
-        },
+        "step": 1 / ROWS,
+        "width": rows.shape[1],
+        "rows": b64encode(rows.astype("<f4").tobytes()).decode(),
+        "ended": ENDS[run.ended.kind if run.ended else ""],
     }
 
 

@@ -160,20 +160,20 @@ def heavy() -> tuple[TermsOf, ...]:
 
 def general() -> tuple[TermsOf, ...]:
     """Euler's equations with the torque of gravity, for any heavy body."""
-    return _eulers("Gravity", _printed(eulers_equations.with_torque), torque=True)
+    return _eulers(_printed(eulers_equations.with_torque), torque=True)
 
 
 def free() -> tuple[TermsOf, ...]:
-    """(3.36)."""
-    return _eulers("Free", _printed(eulers_equations.euler_equations), torque=False)
+    """(3.36): the page's functions are those of a heavy body, here without weight."""
+    return _eulers(_printed(eulers_equations.euler_equations), torque=False)
 
 
-def _eulers(suffix: str, equations: list[Equation], *, torque: bool) -> tuple[TermsOf, ...]:
+def _eulers(equations: list[Equation], *, torque: bool) -> tuple[TermsOf, ...]:
     rates = top.body_accelerations_with(TORQUE) if torque else body_accelerations()
     meaning = {**MEANING, **dict(zip(OMEGA_DOT, rates, strict=True))}
     return tuple(
         TermsOf(
-            f"euler{suffix}{axis}",
+            f"euler{axis}",
             f"along e{sub}",
             equation,
             (

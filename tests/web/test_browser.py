@@ -535,7 +535,7 @@ def test_a_term_is_named_with_its_value(live, kind, hash):
     for figure in figures:
         found = figure.find_element("css selector", ".equation-naming")
         of = found.find_element("css selector", ".equation-amount")
-        each = terms_of(of.get_attribute("id").removeprefix("amount-"))
+        each = terms_of(of.get_attribute("id").removeprefix("amount-"), kind)
         drawn = figure.find_elements("css selector", "[data-term]")
         assert {int(x.get_attribute("data-term")) for x in drawn} == {*range(len(each.terms))}
         assert not found.text
@@ -584,9 +584,9 @@ def quantities(live):
     )
 
 
-def terms_of(function):
-    groups = (terms.heavy(), terms.general(), terms.free())
-    return next(each for group in groups for each in group if each.function == function)
+def terms_of(function, kind):
+    known = terms.free() if kind == FREE else (*terms.heavy(), *terms.general())
+    return next(each for each in known if each.function == function)
 
 
 def value_of(expression, numbers):
@@ -858,8 +858,9 @@ def test_shown_to_a_room(live):
 def test_the_table_holds_the_motion(live):
     live.open(HEAVY, "#preset=loops&play=0")
     text = live.driver.execute_async_script(
-        "const done = arguments[0]; import('rigidtop/take.js').then(({ tableOf }) =>"
-        " done(tableOf(rigidtop.motion, 5)));"
+        "const done = arguments[0];"
+        "Promise.all(['plotted', 'take'].map((name) => import(`rigidtop/${name}.js`)))"
+        ".then(([{ tableOf }, { separated }]) => done(separated(tableOf(rigidtop.motion, 5))));"
     )
     names, *rows = [line.split(",") for line in text.strip().split("\r\n")]
     assert names[:2] == ["t (s)", "theta (rad)"]

@@ -56,8 +56,7 @@ EXPECTED = {
     "bodyConeRate": lambda: [equations.body_cone_rate()],
     **{
         each.function: (lambda each=each: each.values)
-        for group in (terms.heavy(), terms.general(), terms.free())
-        for each in group
+        for each in (*terms.heavy(), *terms.general())
     },
 }
 
@@ -167,8 +166,8 @@ def test_a_polhode_keeps_both_integrals(engine, small, middle, angle_, w1, w2, w
 @pytest.fixture(scope="module")
 def sides():
     """The momenta p_φ and p_ψ, and the functions that give both sides of an equation."""
-    groups = (terms.heavy(), terms.general(), terms.free())
-    return top.symmetric_momenta()[1:], [each.function for group in groups for each in group]
+    groups = (*terms.heavy(), *terms.general())
+    return top.symmetric_momenta()[1:], [each.function for each in groups]
 
 
 @settings(max_examples=60)

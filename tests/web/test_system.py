@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from base64 import b64decode
 
 import numpy as np
 import pytest
@@ -84,7 +85,7 @@ def engine_of(motion, points=()):
     for text in (scene.module(), (FOLDER / "flow.js").read_text("utf-8")):
         engine.load(text)
     engine.run(
-        "globalThis.flow = createFlow(data, data.start, data.values); 0",
+        "globalThis.flow = createFlow(data, data.start, data.given); 0",
         data=json.loads(json.dumps(made)),
     )
     return engine
@@ -154,12 +155,14 @@ def test_what_cannot_be_shown_is_said_in_one_line():
 
 def test_sliders_keep_signs_and_constraints():
     free = data(double_pendulum(), Scene(double_pendulum().system), "")
-    assert [each["letter"] for each in free["parameters"]] == ["g", "l", "m"]
-    assert all(each["logarithmic"] and each["least"] > 0 for each in free["parameters"])
+    names = ["p0", "p1", "p2", "s0", "s1", "s2", "s3"]
+    assert [each["name"] for each in free["parameters"]] == names
+    assert list(free["first"]["setup"]["values"]) == names
+    assert [each["letter"] for each in free["parameters"][:3]] == ["g", "l", "m"]
+    assert all(each["logarithmic"] and each["least"] > 0 for each in free["parameters"][:3])
     assert [each["angle"] for each in free["state"]] == [True, True, False, False]
     held = data(bead(), Scene(bead().system, [[x, y]]), "")
-    assert held["bound"]
-    assert dict(zip("glm", held["tied"], strict=True)) == {"g": False, "l": True, "m": False}
+    assert [each["letter"] for each in held["parameters"]] == ["g", "m"]
     assert not data(driven(), Scene(driven().system), "")["state"][0]["angle"]
 
 
@@ -177,7 +180,7 @@ def test_in_a_browser(live):
     live.write("double", page_for(double_pendulum()).html)
     live.write("spring", page_for(driven()).html)
     live.open("double", ready="window.rigidtop && rigidtop.frames > 3")
-    live.wait("rigidtop.flow.now.t > 0.1")
+    live.wait("rigidtop.motion.now.t > 0.1")
     assert live.find("h1").text == "Motion in θ, φ"
     assert live.js("document.querySelectorAll('#start input[type=range]').length") == 7
     live.find("#scene").send_keys(" ")
@@ -187,17 +190,17 @@ def test_in_a_browser(live):
         "(document.querySelector('#number-s0').value = '30',"
         " document.querySelector('#number-s0').dispatchEvent(new Event('change')))"
     )
-    live.wait("rigidtop.flow.now.t === 0")
-    assert live.js("rigidtop.flow.start.state[0]") == pytest.approx(np.radians(30), rel=1e-12)
+    live.wait("rigidtop.motion.now.t === 0")
+    assert live.js("rigidtop.motion.start.state[0]") == pytest.approx(np.radians(30), rel=1e-12)
     colours = live.js(
         "(() => { const c = document.querySelector('#scene canvas');"
         " const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
         " return new Set(new Uint32Array(d.buffer)).size; })()"
     )
     assert colours > 20
-    live.wait("document.querySelector('#scene canvas').ariaLabel?.includes('θ = 0.52')")
+    live.wait("document.querySelector('#scene').ariaLabel?.includes('θ = 0.52')")
     live.js("document.querySelector('button[aria-label=\"One step on\"]').click()")
-    live.wait("rigidtop.flow.now.t > 0")
+    live.wait("rigidtop.motion.now.t > 0")
     for name in ("v", "E", "phase", "path"):
         live.js(
             "(document.querySelector('.pick select').value = arguments[0],"
@@ -206,8 +209,18 @@ def test_in_a_browser(live):
         )
         live.drawn()
     assert "θ" in live.js("document.querySelector('#equations').textContent")
+    # The address holds what is set, and a ghost that differs a little in one thing.
+    hash = live.wait("location.hash.includes('plot=path') && location.hash")
+    assert "s0=30deg" in hash
+    live.open("double", f"{hash.replace('plot=path', 'plot=v')}&ghost=s0")
+    assert live.js("rigidtop.motion.start.state[0]") == pytest.approx(np.radians(30), rel=1e-12)
+    picks = "[...document.querySelectorAll('.pick select')].map((x) => x.value)"
+    assert live.js(picks) == ["v", "s0"]
+    assert not live.find("#notice").is_displayed()
+    live.open("double", "#s0=400deg&view=body&p9=1")
+    assert "out of range; 115° is used (and 2 more)" in live.find("#notice").text
     live.open("spring", ready="window.rigidtop && rigidtop.frames > 3")
-    assert live.js("document.querySelectorAll('#scene canvas').length") == 2
+    assert live.js("document.querySelectorAll('#scene canvas').length") == 1
     live.js("(document.querySelector('#more details:last-child').open = true)")
     assert "m" in live.js("document.querySelector('#start').textContent")
 
@@ -219,11 +232,16 @@ def sliding():
 
 def test_a_top_on_a_table_is_played_as_it_was_computed():
     run = sliding().integrate(np.arange(0, 1, 1 / table.ROWS))
-    made = table.data(run, "")
+    made = table.data({"As given": run}, "")
+    (preset,) = made["presets"]
     engine = Engine()
     for text in (table.module(run.motion.body), (FOLDER / "recording.js").read_text("utf-8")):
         engine.load(text)
-    engine.run("globalThis.flow = createRecording(data, data.recording); 0", data=made)
+    recording = made["recordings"][preset["name"]]
+    bytes_ = b64decode(recording["rows"]).decode("latin-1")
+    engine.run("globalThis.atob = () => bytes; 0", bytes=bytes_)
+    engine.run("globalThis.flow = createRecording(data, recording); 0", data=made,
+               recording=recording)  # fmt: skip
     k = 70
     found = engine.run(
         f"(flow.go({run.t[k]}), {{ points: Array.from(flow.now.points), E: flow.now.energy }})"
@@ -232,21 +250,39 @@ def test_a_top_on_a_table_is_played_as_it_was_computed():
     assert contact == pytest.approx(run.contact[k], abs=1e-6)
     assert centre == pytest.approx(run.position[k], abs=1e-6)
     assert top == pytest.approx(run.position[k] + 0.5 * run.e3[k], abs=1e-6)
-    assert found["points"][12:] == pytest.approx(run.rotation.as_matrix()[k].ravel(), abs=1e-6)
-    assert found["E"] == pytest.approx(run.energy[k], rel=1e-8)
+    assert found["points"][12:] == pytest.approx(run.rotation.as_matrix()[k].ravel(), abs=1e-5)
+    assert found["E"] == pytest.approx(run.energy[k], rel=1e-7)
     # Between two rows it is between them, and at the end it says why it ends.
     between = engine.run(f"(flow.go({run.t[k : k + 2].mean()}), flow.now.energy)")
-    assert between == pytest.approx(run.energy[k : k + 2].mean(), rel=1e-8)
+    assert between == pytest.approx(run.energy[k : k + 2].mean(), rel=1e-7)
     said = "(() => { try { flow.go(2); return ''; } catch (e) { return e.message; } })()"
     assert engine.run(said) == "it was computed for 10 s"
     assert engine.run("flow.now.t") == pytest.approx(run.t[-1])
-    assert made["about"].startswith("λ₁ = 1 kg m², λ₃ = 0.5 kg m², M = 1 kg, R = 0.5 m, r = 0.1 m")
-    assert "At t = 0.5438 s its contact stops slipping" in made["about"]
+    about = preset["about"]
+    assert about.startswith("λ₁ = 1 kg m², λ₃ = 0.5 kg m², M = 1 kg, R = 0.5 m, r = 0.1 m")
+    assert "At t = 0.5438 s its contact stops slipping" in about
+
+
+def test_other_friction_and_other_spin_stand_beside_it(live):
+    changed = table.variants(sliding())
+    assert [(m.body.mu, m.omega[2]) for m in changed.values()] == [(0.15, 60), (0.6, 60), (0.3, 30)]
+    smooth = rt.SlidingTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5).motion(theta=0.3, omega3=60.0)
+    assert list(table.variants(smooth)) == ["Half the spin"]
+    html = page_for(sliding()).html
+    assert len(html) < 700_000
+    live.write("table", html)
+    live.open("table", "#preset=twice-the-friction&t=0.3&play=0&ghost=as-given")
+    live.wait("rigidtop.motion.now.t === 0.3")
+    run = changed["Twice the friction"].integrate([0.3])
+    assert live.js("rigidtop.motion.now.state[0]") == pytest.approx(run.theta[0], rel=1e-6)
+    assert "μ = 0.6" in live.find(".about").text
+    assert not live.find("#corner, #equations, #verdict").is_displayed()
+    assert not live.find("#notice").is_displayed()
 
 
 def test_a_top_that_falls_says_so():
     top = rt.SlidingTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5, mu=0.3)
     run = top.motion(theta=1.0, omega3=1.0).integrate(np.arange(0, 3, 0.1))
-    made = table.data(run, "")
-    assert made["recording"]["ended"] == "the top lies on the table"
-    assert len(made["recording"]["rows"]) == len(run.t) < 30
+    made = table.recording(run)
+    assert made["ended"] == "the top lies on the table"
+    assert len(b64decode(made["rows"])) == 4 * made["width"] * len(run.t) < 30 * 40

@@ -1,9 +1,20 @@
 /** What the panels share: numbers as text, axes on a canvas, and doing things not too often. */
 
+import { readColours } from "./theme.js";
+
 /** @typedef {import("./types").Colours} Colours */
 /** @typedef {{left: number, right: number, top: number, bottom: number}} Box */
 /** @typedef {{low: number, high: number}} Range */
-/** @typedef {{ctx: CanvasRenderingContext2D, width: number, height: number, em: number}} Paper */
+/**
+ * A sheet to draw on, with the size of its letters.
+ *
+ * @typedef {object} Paper
+ * @property {CanvasRenderingContext2D} ctx
+ * @property {number} width
+ * @property {number} height
+ * @property {number} em
+ * @property {Colours} colours
+ */
 
 const SUPERSCRIPTS = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷",
   8: "⁸", 9: "⁹" };
@@ -158,13 +169,16 @@ export function listenToHand(container, moved) {
   return () => down;
 }
 
+/** Plots are drawn at most this often, in milliseconds: half as often as the scene is enough. */
+const EVERY = 28;
+
 /**
  * A canvas that fills its container, in device pixels, and is drawn anew when its size changes.
  *
  * @param {HTMLElement} container
- * @param {() => void} redraw
+ * @param {(sheet: Paper) => void} onto draws on an empty sheet
  */
-export function createPaper(container, redraw) {
+export function createPaper(container, onto) {
   const canvas = document.createElement("canvas");
   canvas.setAttribute("role", "img");
   container.append(canvas);
@@ -175,6 +189,7 @@ export function createPaper(container, redraw) {
   let height = 0;
   let em = 16;
   let seen = true;
+  let colours = readColours();
   // What is scrolled out of sight is not drawn.
   new IntersectionObserver((entries) => {
     const before = seen;
@@ -193,28 +208,33 @@ export function createPaper(container, redraw) {
     canvas.setAttribute("aria-label", text);
   });
 
+  /** Now, unless there is no room or none of it is in sight. */
+  function redraw() {
+    if (!seen || width === 0 || height === 0) return;
+    const ratio = window.devicePixelRatio;
+    const columns = Math.round(width * ratio);
+    const rows = Math.round(height * ratio);
+    if (canvas.width !== columns || canvas.height !== rows) {
+      canvas.width = columns;
+      canvas.height = rows;
+    }
+    ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
+    ctx.clearRect(0, 0, width, height);
+    ctx.lineJoin = "round";
+    ctx.textBaseline = "middle";
+    ctx.font = font(em);
+    onto({ ctx, width, height, em, colours });
+  }
+
   return {
+    canvas,
     describe,
-    /**
-     * An empty sheet, or null while there is no room for one or none of it is in sight.
-     *
-     * @returns {Paper | null}
-     */
-    clear() {
-      if (!seen || width === 0 || height === 0) return null;
-      const ratio = window.devicePixelRatio;
-      const columns = Math.round(width * ratio);
-      const rows = Math.round(height * ratio);
-      if (canvas.width !== columns || canvas.height !== rows) {
-        canvas.width = columns;
-        canvas.height = rows;
-      }
-      ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
-      ctx.clearRect(0, 0, width, height);
-      ctx.lineJoin = "round";
-      ctx.textBaseline = "middle";
-      ctx.font = font(em);
-      return { ctx, width, height, em };
+    redraw,
+    redrawSoon: atMostEvery(EVERY, redraw),
+    /** Another theme. */
+    setColours(/** @type {Colours} */ next) {
+      colours = next;
+      redraw();
     },
   };
 }
@@ -271,10 +291,10 @@ export function line(ctx, x1, y1, x2, y2) {
 /**
  * Lines of a grid, or in high contrast marks, and numbers at the left of a box.
  *
- * @param {Paper} paper @param {Box} box @param {Range} range @param {Colours} colours
+ * @param {Paper} paper @param {Box} box @param {Range} range
  */
-export function drawUpAxis(paper, box, range, colours) {
-  const { ctx, em } = paper;
+export function drawUpAxis(paper, box, range) {
+  const { ctx, em, colours } = paper;
   const room = Math.abs(box.bottom - box.top) / (1.6 * em);
   const { values, digits } = ticks(range, niceStep(range, room));
   const y = scale(range, box.bottom, box.top);
@@ -294,12 +314,11 @@ export function drawUpAxis(paper, box, range, colours) {
  * Lines of a grid, or in high contrast marks, and, where there is a label, numbers below a box with
  * the label after them.
  *
- * @param {Paper} paper @param {Box} box @param {Range} range @param {Colours} colours
- * @param {string} label
+ * @param {Paper} paper @param {Box} box @param {Range} range @param {string} label
  * @param {number} step between the lines, instead of a nice one
  */
-export function drawAlongAxis(paper, box, range, colours, label, step = 0) {
-  const { ctx, em } = paper;
+export function drawAlongAxis(paper, box, range, label, step = 0) {
+  const { ctx, em, colours } = paper;
   const x = scale(range, box.left, box.right);
   const below = box.bottom + em;
   const apart = step || niceStep(range, (box.right - box.left) / (3.2 * em));

@@ -3,7 +3,7 @@
  * along ω, and the first rolls on the second without slipping.
  */
 import { createPieces, showCurve } from "./lines.js";
-import { enclosedAxis, invariants, polhodePeriod, polhodePoint } from "./polhode.js";
+import { enclosedAxis, invariants, polhodeOf, polhodePeriod } from "./polhode.js";
 
 /** @typedef {import("./types").Colours} Colours */
 /** @typedef {import("./types").Motion} Motion */
@@ -145,10 +145,8 @@ export function createCones(/** @type {Palette} */ palette) {
     samples.forEach(spacePoint);
     if (period < Infinity) {
       const side = Math.sign(start.omega[axis]) || 1;
-      const point = [0, 0, 0];
-      for (let i = 0; i <= 144; i++) {
-        polhodePoint(moments, twiceEnergy, squareL, axis, side, (i * Math.PI) / 72, point);
-        body.add(point[0], point[1], point[2]);
+      for (const [x, y, z] of polhodeOf(moments, twiceEnergy, squareL, axis, side, 144)) {
+        body.add(x, y, z);
       }
     } else {
       // On the separatrix ω takes for ever to come to the intermediate axis, where it rests.

@@ -2,7 +2,6 @@
 
 import { line, scale } from "./axes.js";
 
-/** @typedef {import("./types").Colours} Colours */
 /** @typedef {import("./types").Sample} Sample */
 /** @typedef {import("./axes.js").Box} Box */
 /** @typedef {import("./axes.js").Paper} Paper */
@@ -19,9 +18,10 @@ import { line, scale } from "./axes.js";
  * @template {{ t: number }} S
  * @param {Paper} sheet @param {Box} box @param {Range} times @param {Range} range
  * @param {readonly S[]} samples @param {S} now @param {(sample: S) => number} of
- * @param {Colours} colours @param {string} colour
+ * @param {string} colour
  */
-export function drawCurve({ ctx, em }, box, times, range, samples, now, of, colours, colour) {
+export function drawCurve(sheet, box, times, range, samples, now, of, colour) {
+  const { ctx, em, colours } = sheet;
   const x = scale(times, box.left, box.right);
   const y = scale(range, box.bottom, box.top);
   const present = { x: x(now.t), y: y(of(now)) };
@@ -66,7 +66,7 @@ export function drawCurve({ ctx, em }, box, times, range, samples, now, of, colo
   if (!toCome) ctx.lineTo(present.x, present.y);
   ctx.stroke();
   ctx.restore();
-  drawDot(ctx, present.x, present.y, em, colours, colour);
+  drawDot(sheet, present.x, present.y, colour);
 
   function finishColumn() {
     if (least < Math.min(firstY, lastY)) ctx.lineTo(lastX, least);
@@ -80,10 +80,9 @@ export function drawCurve({ ctx, em }, box, times, range, samples, now, of, colo
  *
  * @template {{ t: number }} S
  * @param {Paper} sheet @param {Box} box @param {readonly S[]} samples @param {S} now
- * @param {(sample: S) => [number, number]} place @param {Colours} colours
- * @param {string} colour
+ * @param {(sample: S) => [number, number]} place @param {string} colour
  */
-export function drawPath({ ctx, em }, box, samples, now, place, colours, colour) {
+export function drawPath({ ctx, em, colours }, box, samples, now, place, colour) {
   const toCome = samples.length > 0 && samples[samples.length - 1].t > now.t;
   ctx.save();
   ctx.beginPath();
@@ -101,12 +100,12 @@ export function drawPath({ ctx, em }, box, samples, now, place, colours, colour)
 /**
  * Where the top is now.
  *
- * @param {CanvasRenderingContext2D} ctx @param {number} x @param {number} y @param {number} em
- * @param {Colours} colours @param {string} colour
+ * @param {Paper} sheet @param {number} x @param {number} y @param {string} colour
+ * @param {number} size times the usual one
  */
-export function drawDot(ctx, x, y, em, colours, colour = colours.e3) {
+export function drawDot({ ctx, em, colours }, x, y, colour, size = 1) {
   ctx.beginPath();
-  ctx.arc(x, y, 0.36 * em, 0, 2 * Math.PI);
+  ctx.arc(x, y, 0.36 * size * em, 0, 2 * Math.PI);
   ctx.fillStyle = colour;
   ctx.fill();
   ctx.strokeStyle = colours.paper;

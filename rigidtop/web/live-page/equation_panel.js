@@ -1,6 +1,7 @@
 /** The equations of motion, of which each term can be asked what it is and how large it is now. */
 
 import { atMostEvery, significant, withUnit } from "./axes.js";
+import { element } from "./shell.js";
 import * as equations from "./equations.js";
 import { quantities } from "./motion.js";
 
@@ -19,17 +20,22 @@ const ARROWS = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
  * @param {(arrow: import("./types").Term["arrow"]) => void} light Show what a term is part of.
  */
 export function createEquationPanel(container, list, light) {
-  container.classList.add("equations");
-  const hint = document.createElement("p");
-  hint.className = "equations-hint";
-  hint.textContent = "Point at a term, tap it, or reach it with Tab and the arrow keys.";
+  const hint = "Point at a term, tap it, or reach it with Tab and the arrow keys.";
   const entries = list.map((each) => createEntry(each, light));
-  container.replaceChildren(hint, ...entries.map((entry) => entry.figure));
+  container.replaceChildren(
+    element("p", { class: "equations-hint" }, hint), ...entries.map((entry) => entry.figure));
+  /** @type {Motion | null} */
+  let motion = null;
 
-  const update = atMostEvery(250, (/** @type {Sample} */ sample, /** @type {Motion} */ motion) => {
-    for (const entry of entries) entry.update(sample, motion);
-  });
-  return { draw: update };
+  return {
+    setMotion(/** @type {Motion} */ next) {
+      motion = next;
+    },
+    draw: atMostEvery(250, (/** @type {Sample} */ sample) => {
+      if (motion) for (const entry of entries) entry.update(sample, motion);
+    }),
+    setColours() {},
+  };
 }
 
 /**
@@ -39,45 +45,31 @@ export function createEquationPanel(container, list, light) {
  * @param {(arrow: import("./types").Term["arrow"]) => void} light
  */
 function createEntry({ tag, title, mathml, function: values, symmetric, terms }, light) {
-  const figure = document.createElement("figure");
-  figure.className = "equation";
-  figure.setAttribute("aria-label", tag ? `Equation (${tag}): ${title}` : title);
-  const heading = document.createElement("p");
-  heading.className = "equation-title";
+  const heading = element("p");
   setWords(heading, title);
-  const formula = document.createElement("div");
-  formula.className = "equation-formula";
+  const formula = element("div", { class: "equation-formula" });
   formula.innerHTML = mathml;
-  // Mathematics is one thing to a screen reader, which would not find the terms in it.
-  formula.querySelector("math")?.setAttribute("role", "group");
-  const number = document.createElement("span");
-  number.className = "equation-tag";
-  number.textContent = tag && `(${tag})`;
-  const naming = document.createElement("p");
-  naming.className = "equation-naming";
-  const amount = document.createElement("span");
-  amount.className = "equation-amount";
-  amount.id = `amount-${values}`;
-  const meaning = document.createElement("span");
-  naming.append(amount, meaning);
-  const row = document.createElement("div");
-  row.className = "equation-row";
-  row.append(formula, number);
-  figure.append(heading, row, naming);
+  formula.replaceChildren(
+    ...[...(formula.firstElementChild?.children ?? [])].map((part) => partOf(part, terms)));
+  const number = element("span", { class: "equation-tag" }, tag && `(${tag})`);
+  const amount = element("span", { class: "equation-amount", id: `amount-${values}` });
+  const meaning = element("span");
+  const figure = element(
+    "figure",
+    { class: "equation", "aria-label": tag ? `Equation (${tag}): ${title}` : title },
+    heading,
+    element("div", { class: "equation-row" }, formula, number),
+    element("p", { class: "equation-naming" }, amount, meaning),
+  );
 
-  const targets = /** @type {MathMLElement[]} */ ([...formula.querySelectorAll("[data-term]")]);
+  const targets = /** @type {HTMLElement[]} */ ([...formula.querySelectorAll("[data-term]")]);
   /** The term that stays named, and the one under the pointer; −1 for none. */
   let chosen = -1;
   let pointed = -1;
   /** @type {[Sample, Motion] | null} */
   let present = null;
 
-  for (const target of targets) {
-    const term = terms[termOf(target)];
-    target.setAttribute("role", "button");
-    target.setAttribute("aria-label", `${term.text}: ${term.name}`.replace(/_/g, " "));
-    target.tabIndex = target === targets[0] ? 0 : -1;
-  }
+  targets.forEach((target, k) => (target.tabIndex = k === 0 ? 0 : -1));
 
   /**
    * The target that an event is about.
@@ -85,11 +77,11 @@ function createEntry({ tag, title, mathml, function: values, symmetric, terms },
    * @param {Event} event
    */
   function targetOf(event) {
-    const element = /** @type {Element} */ (event.target).closest("[data-term]");
-    return /** @type {MathMLElement | null} */ (element);
+    const target = /** @type {Element} */ (event.target).closest("[data-term]");
+    return /** @type {HTMLElement | null} */ (target);
   }
 
-  /** @param {number} term @param {MathMLElement} target */
+  /** @param {number} term @param {HTMLElement} target */
   function choose(term, target) {
     chosen = term;
     for (const each of targets) {
@@ -165,9 +157,28 @@ function createEntry({ tag, title, mathml, function: values, symmetric, terms },
 }
 
 /**
+ * A term or a sign as mathematics of its own: one formula is one thing to a screen reader, which
+ * would not find the terms in it.
+ *
+ * @param {Element} part
+ * @param {readonly import("./types").Term[]} terms
+ */
+function partOf(part, terms) {
+  const math = /** @type {Element} */ (part.parentElement).cloneNode(false);
+  const term = part.getAttribute("data-term");
+  const name = term && terms[Number(term)].name.replace(/_/g, " ");
+  if (math instanceof Element) math.removeAttribute("alttext");
+  part.removeAttribute("data-term");
+  math.appendChild(part.cloneNode(true));
+  if (!term) return math;
+  const words = element("span", { class: "unseen" }, `: ${name}`);
+  return element("span", { role: "button", "data-term": term }, math, words);
+}
+
+/**
  * The number of the term that an element stands for.
  *
- * @param {MathMLElement} target
+ * @param {HTMLElement} target
  */
 function termOf(target) {
   return Number(target.dataset.term);
@@ -176,19 +187,15 @@ function termOf(target) {
 /**
  * Words in which "p_φ" becomes p with an index; nothing is touched where they are there already.
  *
- * @param {HTMLElement} element
+ * @param {HTMLElement} holder
  * @param {string} words
  */
-function setWords(element, words) {
-  if (element.dataset.words === words) return;
-  element.dataset.words = words;
-  const parts = words.split(/_(\p{L})/u).map((part, k) => {
-    if (k % 2 === 0) return part;
-    const index = document.createElement("sub");
-    index.textContent = part;
-    return index;
-  });
-  element.replaceChildren(...parts);
+function setWords(holder, words) {
+  if (holder.dataset.words === words) return;
+  holder.dataset.words = words;
+  const parts = words.split(/_(\p{L})/u);
+  holder.replaceChildren(
+    ...parts.map((part, k) => (k % 2 === 0 ? part : element("sub", {}, part))));
 }
 
 /**

@@ -428,7 +428,7 @@ export function pPsiTerms({ lambda3, p_psi, phidot, psidot, theta }) {
  *   }} quantities
  * @returns {number[]}
  */
-export function eulerGravity1({ M, R2, R3, g, lambda1, lambda2, lambda3, omega2, omega3, q0, q1, q2,
+export function euler1({ M, R2, R3, g, lambda1, lambda2, lambda3, omega2, omega3, q0, q1, q2,
     q3 }) {
   const x0 = 1/lambda1;
   const x1 = omega2*omega3*(lambda2 - lambda3);
@@ -448,7 +448,7 @@ export function eulerGravity1({ M, R2, R3, g, lambda1, lambda2, lambda3, omega2,
  *   }} quantities
  * @returns {number[]}
  */
-export function eulerGravity2({ M, R1, R3, g, lambda1, lambda2, lambda3, omega1, omega3, q0, q1, q2,
+export function euler2({ M, R1, R3, g, lambda1, lambda2, lambda3, omega1, omega3, q0, q1, q2,
     q3 }) {
   const x0 = 1/lambda2;
   const x1 = lambda1 - lambda3;
@@ -470,7 +470,7 @@ export function eulerGravity2({ M, R1, R3, g, lambda1, lambda2, lambda3, omega1,
  *   }} quantities
  * @returns {number[]}
  */
-export function eulerGravity3({ M, R1, R2, g, lambda1, lambda2, lambda3, omega1, omega2, q0, q1, q2,
+export function euler3({ M, R1, R2, g, lambda1, lambda2, lambda3, omega1, omega2, q0, q1, q2,
     q3 }) {
   const x0 = 1/lambda3;
   const x1 = omega1*omega2*(lambda1 - lambda2);
@@ -480,48 +480,5 @@ export function eulerGravity3({ M, R1, R2, g, lambda1, lambda2, lambda3, omega1,
     lambda3*(x0*x1 + x0*x3),
     x1,
     x3,
-  ];
-}
-
-/**
- * The terms of λ₁ω̇₁ = (λ₂ − λ₃)ω₂ω₃.
- *
- * @param {{ lambda2: number, lambda3: number, omega2: number, omega3: number }} quantities
- * @returns {number[]}
- */
-export function eulerFree1({ lambda2, lambda3, omega2, omega3 }) {
-  const x0 = omega2*omega3*(lambda2 - lambda3);
-  return [
-    x0,
-    x0,
-  ];
-}
-
-/**
- * The terms of λ₂ω̇₂ = (λ₃ − λ₁)ω₃ω₁.
- *
- * @param {{ lambda1: number, lambda3: number, omega1: number, omega3: number }} quantities
- * @returns {number[]}
- */
-export function eulerFree2({ lambda1, lambda3, omega1, omega3 }) {
-  const x0 = lambda1 - lambda3;
-  const x1 = omega1*omega3;
-  return [
-    -x0*x1,
-    -x0*x1,
-  ];
-}
-
-/**
- * The terms of λ₃ω̇₃ = (λ₁ − λ₂)ω₁ω₂.
- *
- * @param {{ lambda1: number, lambda2: number, omega1: number, omega2: number }} quantities
- * @returns {number[]}
- */
-export function eulerFree3({ lambda1, lambda2, omega1, omega2 }) {
-  const x0 = omega1*omega2*(lambda1 - lambda2);
-  return [
-    x0,
-    x0,
   ];
 }

@@ -20,7 +20,10 @@ const ROUGH = { rtol: 1e-6, atol: 1e-300 };
 /** Of a step, on q and q̇ in units of the largest of either. */
 const ACCURACY = { rtol: 2.5e-14, atol: 1e-14 };
 
-/** @typedef {ReturnType<typeof createFlow>} Flow */
+/**
+ * @typedef {import("./types").Moving<Moment> & { sizes: readonly number[] }} Flow `sizes` are the
+ *   largest |q| and |q̇| of the first look.
+ */
 
 /**
  * The motion; throws an Error with one sentence where it cannot start so.
@@ -28,9 +31,11 @@ const ACCURACY = { rtol: 2.5e-14, atol: 1e-14 };
  * @param {SystemData} data
  * @param {readonly number[]} start
  * @param {readonly number[]} values of the parameters
+ * @param {number} [beside] The timescale of another motion, at whose times it is sampled.
+ * @returns {Flow}
  */
 export function createFlow({ tableau, state: letters, sides, points: count, bodies, kept }, start,
-  values) {
+  values, beside) {
   const half = letters.length / 2;
   const size = start.length;
   const seen = 3 * count + 9 * bodies.length;
@@ -52,6 +57,7 @@ export function createFlow({ tableau, state: letters, sides, points: count, bodi
     // What ends soon is seen as far as it goes.
   }
   const pace = trial.t > 0 ? trial.t / LOOK : 1;
+  const timescale = beside ?? pace;
   const units = [0, half].flatMap((from) => {
     const most = Math.max(...largest.slice(from, from + half));
     return Array(half).fill(most > 0 ? most : 1);
@@ -148,7 +154,7 @@ export function createFlow({ tableau, state: letters, sides, points: count, bodi
   /** The samples that are due until t, which lies in the solver's last step. */
   function record(/** @type {number} */ t) {
     for (;;) {
-      const due = trail[trail.length - 1].t + pace / PER_STEP;
+      const due = trail[trail.length - 1].t + timescale / PER_STEP;
       if (due > t) return;
       trail.push(at(solver, due));
       if (trail.length > 1.25 * KEPT) trail.splice(0, trail.length - KEPT);
@@ -157,9 +163,7 @@ export function createFlow({ tableau, state: letters, sides, points: count, bodi
 
   return {
     start: first,
-    /** About the time in which things change. */
-    pace,
-    /** The largest |q| and |q̇| of the first look. */
+    timescale,
     sizes: units.slice(0, 2 * half),
     get now() {
       return now;

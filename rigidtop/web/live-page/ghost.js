@@ -36,7 +36,7 @@ const CHANGES = [
  * The ghosts of a page, by their names in the address, with words.
  *
  * @param {Kind} kind
- * @returns {[string, string][]}
+ * @returns {import("./types").Choices}
  */
 export function ghostsOf(kind) {
   return CHANGES.filter(([, , of]) => of === null || of === kind).map(([name, words]) =>

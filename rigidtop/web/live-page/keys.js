@@ -1,6 +1,6 @@
 /** The keyboard: every key, what it does, and the list of them that `?` opens. */
 
-import { element } from "./controls.js";
+import { element } from "./shell.js";
 
 /**
  * @typedef {object} Commands
@@ -8,35 +8,19 @@ import { element } from "./controls.js";
  * @property {() => void} backwards
  * @property {(direction: 1 | -1) => void} step
  * @property {() => void} toStart
- * @property {() => void} push A blow on the axis of a heavy top.
+ * @property {(() => void) | undefined} push A blow on the axis of a heavy top.
  * @property {(factor: number) => void} zoom
  * @property {(azimuth: number, elevation: number) => void} turn In radians.
  * @property {() => void} home The view as it was at first.
- * @property {() => void} otherView
+ * @property {(() => void) | undefined} otherView
  * @property {(index: number) => void} preset
  * @property {() => void} present For a room, or back.
- * @property {() => void} tour
+ * @property {(() => void) | undefined} tour
  */
 
 /** How far one press turns the view, in radians, and brings it nearer. */
 const TURN = Math.PI / 36;
 const ZOOM = 1.1;
-
-const LIST = [
-  [["Space", "K"], "play, pause"],
-  [["J"], "play backwards"],
-  [[".", ","], "one step on, one step back"],
-  [["R", "Home"], "to the start"],
-  [["B"], "a blow on the axis of a heavy top, downwards"],
-  [["1", "…", "9"], "the examples"],
-  [["F"], "see it from space, from the body"],
-  [["+", "−"], "zoom"],
-  [["←", "→", "↑", "↓"], "turn the view, when the scene has the focus"],
-  [["0"], "the view as it was at first"],
-  [["P"], "show it to a room: the picture and one sentence; back"],
-  [["T"], "the guided tour"],
-  [["?"], "this list"],
-];
 
 /** Elements whose own keys come first. */
 const TYPING =
@@ -55,44 +39,47 @@ const WITH_ARROWS = "input[type=range], input[type=radio]";
  * @returns {{ help(): void }} `help` opens the list of keys.
  */
 export function createKeys(scene, dialog, commands) {
-  const rows = LIST.map(([keys, does]) =>
+  const { step, zoom, turn, toStart } = commands;
+  /**
+   * The keys as they are listed, in words what they do, and by their names what is done.
+   *
+   * @type {[string[], string, Record<string, (() => void) | undefined>][]}
+   */
+  const all = [
+    [["Space", "K"], "play, pause", { " ": commands.play, k: commands.play }],
+    [["J"], "play backwards", { j: commands.backwards }],
+    [[".", ","], "one step on, one step back", { ".": () => step(1), ",": () => step(-1) }],
+    [["R", "Home"], "to the start", { r: toStart, Home: toStart }],
+    [["B"], "a blow on the axis, downwards", { b: commands.push }],
+    [["1", "…", "9"], "the examples", {}],
+    [["F"], "see it from space, from the body", { f: commands.otherView }],
+    [["+", "−"], "zoom", { "+": () => zoom(ZOOM), "=": () => zoom(ZOOM),
+      "-": () => zoom(1 / ZOOM), "−": () => zoom(1 / ZOOM) }],
+    [["←", "→", "↑", "↓"], "turn the view, when the scene has the focus", {}],
+    [["0"], "the view as it was at first", { 0: commands.home }],
+    [["P"], "show it to a room: the picture and one sentence; back", { p: commands.present }],
+    [["T"], "the guided tour", { t: commands.tour }],
+    [["?"], "this list", { "?": help }],
+  ];
+  const possible = all.filter(([, , does]) => Object.values(does).every(Boolean));
+  const anywhere = Object.assign({}, ...possible.map(([, , does]) => does));
+  /** @type {Record<string, () => void>} */
+  const arrows = {
+    ArrowLeft: () => turn(-TURN, 0),
+    ArrowRight: () => turn(TURN, 0),
+    ArrowUp: () => turn(0, TURN),
+    ArrowDown: () => turn(0, -TURN),
+  };
+  const rows = possible.map(([keys, words]) =>
     element(
       "tr",
       {},
-      element("th", { scope: "row" }, ...[...keys].map((key) => element("kbd", {}, key))),
-      element("td", {}, String(does)),
+      element("th", { scope: "row" }, ...keys.map((key) => element("kbd", {}, key))),
+      element("td", {}, words),
     ),
   );
   dialog.querySelector("tbody")?.replaceChildren(...rows);
   dialog.querySelector("button")?.addEventListener("click", () => dialog.close());
-
-  /** @type {Record<string, () => void>} */
-  const arrows = {
-    ArrowLeft: () => commands.turn(-TURN, 0),
-    ArrowRight: () => commands.turn(TURN, 0),
-    ArrowUp: () => commands.turn(0, TURN),
-    ArrowDown: () => commands.turn(0, -TURN),
-  };
-  /** @type {Record<string, () => void>} */
-  const anywhere = {
-    " ": commands.play,
-    k: commands.play,
-    j: commands.backwards,
-    ".": () => commands.step(1),
-    ",": () => commands.step(-1),
-    r: commands.toStart,
-    Home: commands.toStart,
-    b: commands.push,
-    f: commands.otherView,
-    "+": () => commands.zoom(ZOOM),
-    "=": () => commands.zoom(ZOOM),
-    "-": () => commands.zoom(1 / ZOOM),
-    "−": () => commands.zoom(1 / ZOOM),
-    0: commands.home,
-    p: commands.present,
-    t: commands.tour,
-    "?": help,
-  };
 
   /**
    * What a key does there, if anything.

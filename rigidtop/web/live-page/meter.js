@@ -1,8 +1,9 @@
 /** How far the computed motion has strayed from what the exact one keeps. */
 
 import { atMostEvery, powerOfTen, scientific } from "./axes.js";
+import { element } from "./shell.js";
 
-/** @typedef {Omit<import("./types").Drift, "name"> & { name: string }} Drift */
+/** @typedef {import("./types").Drift} Drift */
 
 /** Exponents of ten at the ends of the bars, and of what is promised. */
 const LEAST = -16;
@@ -38,7 +39,7 @@ export function createMeter(container) {
       rows = drifts.map((drift) => createRow(container, drift.name));
       const exact = drifts.some((drift) => drift.exact) ? " ω₃, and with it λ₃ω₃, is" +
         " constant by the form of the equations that are integrated: its zero says nothing." : "";
-      container.append(element("p", "meter-note",
+      container.append(element("p", { class: "meter-note" },
         `The mark at ${powerOfTen(PROMISE)} is what the page promises. A small drift shows that` +
         ` the motion is integrated well, not how large its error in time is.${exact}`));
     }
@@ -47,16 +48,14 @@ export function createMeter(container) {
   return { draw };
 }
 
+const span = (/** @type {string} */ name, text = "") => element("span", { class: name }, text);
+
 /** The words above the columns. */
 function heading() {
-  const row = element("div", "meter-row meter-heading");
-  row.setAttribute("aria-hidden", "true");
-  const scale = element("span", "meter-scale");
-  scale.append(element("span", "", powerOfTen(LEAST)), element("span", "", powerOfTen(PROMISE)),
-    element("span", "", powerOfTen(MOST)));
-  row.append(element("span", ""), scale, element("span", "", "now"), element("span", "", "largest"),
-    element("span", ""));
-  return row;
+  const [least, promise, most] = [LEAST, PROMISE, MOST].map((n) => span("", powerOfTen(n)));
+  const scale = element("span", { class: "meter-scale" }, least, promise, most);
+  return element("div", { class: "meter-row meter-heading", "aria-hidden": "true" },
+    span(""), scale, span("", "now"), span("", "largest"), span(""));
 }
 
 /**
@@ -67,19 +66,14 @@ function heading() {
  */
 function createRow(container, name) {
   const { symbol, meaning } = NAMES[name] ?? { symbol: "", meaning: name };
-  const row = element("div", "meter-row");
-  row.setAttribute("role", "meter");
-  row.setAttribute("aria-label", `Relative drift of ${meaning}`);
-  row.setAttribute("aria-valuemin", String(LEAST));
-  row.setAttribute("aria-valuemax", String(MOST));
-  const letter = element("span", "meter-name");
+  const letter = span("meter-name");
   if (symbol) letter.innerHTML = symbol;
   else letter.textContent = meaning;
-  const bar = element("span", "meter-bar");
-  const now = element("span", "meter-number");
-  const most = element("span", "meter-number");
-  const word = element("span", "meter-word");
-  row.append(letter, bar, now, most, word);
+  const bar = span("meter-bar");
+  const [now, most, word] = [span("meter-number"), span("meter-number"), span("meter-word")];
+  const row = element("div", { class: "meter-row", role: "meter",
+    "aria-label": `Relative drift of ${meaning}`, "aria-valuemin": String(LEAST),
+    "aria-valuemax": String(MOST) }, letter, bar, now, most, word);
   container.append(row);
   let shown = "";
 
@@ -128,12 +122,4 @@ function spoken(drift) {
   if (!Number.isFinite(drift)) return "unknown";
   const [mantissa, power] = drift.toExponential(0).split("e");
   return `${mantissa} times 10 to the ${power.replace("-", "minus ")}`;
-}
-
-/** @param {string} tag @param {string} className */
-function element(tag, className, text = "") {
-  const made = document.createElement(tag);
-  made.className = className;
-  made.textContent = text;
-  return made;
 }

@@ -20,8 +20,8 @@ const PLOTS = /** @type {const} */ ({
 });
 
 /**
- * @param {Kind} kind
- * @returns {readonly (readonly [string, string])[]}
+ * @param {Exclude<Kind, "system">} kind
+ * @returns {import("./types").Choices}
  */
 export function plotsOf(kind) {
   return PLOTS[kind];
@@ -164,4 +164,46 @@ function followed(old, seen) {
   const margin = 0.02 * span;
   const low = Math.min(Math.max(old.low, seen.high + margin - span), seen.low - margin);
   return { low, high: low + span };
+}
+
+/** Rows of the table. */
+const ROWS = 1001;
+
+/**
+ * The columns of the table: their names as the Python package has them, with units.
+ *
+ * @type {readonly (readonly [string, (sample: Sample) => number])[]}
+ */
+const COLUMNS = [
+  ["t", (s) => s.t],
+  ["theta (rad)", (s) => s.theta],
+  ["phi (rad)", (s) => s.phi],
+  ["psi (rad)", (s) => s.psi],
+  ["theta_dot", (s) => s.theta_dot],
+  ["phi_dot", (s) => s.phi_dot],
+  ["psi_dot", (s) => s.psi_dot],
+  ["omega1", (s) => s.omega[0]],
+  ["omega2", (s) => s.omega[1]],
+  ["omega3", (s) => s.omega[2]],
+  ["e3_x", (s) => s.e3[0]],
+  ["e3_y", (s) => s.e3[1]],
+  ["e3_z", (s) => s.e3[2]],
+  ["energy (J)", (s) => s.energy],
+];
+
+/**
+ * The motion from t = 0 as a table.
+ *
+ * @param {Motion} motion
+ * @param {number} duration
+ */
+export function tableOf(motion, duration) {
+  const { clock } = motion.setup;
+  const names = COLUMNS.map(([name]) => {
+    if (name === "t") return `t (${clock})`;
+    if (/dot|omega/.test(name)) return `${name} (rad/${clock})`;
+    return clock === "s" ? name : name.replace("J", `1/${clock}²`);
+  });
+  const rows = motion.ahead(duration, ROWS).map((sample) => COLUMNS.map(([, of]) => of(sample)));
+  return { names, rows };
 }

@@ -3,9 +3,9 @@
  * body, rolls on the invariable plane; it touches the plane at ω, which runs along the polhode on
  * the ellipsoid and along the herpolhode in the plane.
  */
-import { createPieces, createStrokes, ringOf, showCurve } from "./lines.js";
+import { createPieces, createStrokes, ringOf } from "./lines.js";
 import { mix } from "./palette.js";
-import { axesByMoment, enclosedAxis, invariants, polhodePoint } from "./polhode.js";
+import { enclosedAxis, familyOf, invariants, polhodeOf, polhodePoint } from "./polhode.js";
 import { createTrail } from "./trail.js";
 
 /** @typedef {import("./types").Motion} Motion */
@@ -59,35 +59,23 @@ export function createPoinsot(/** @type {Palette} */ palette) {
   /** @type {Motion | null} */
   let motion = null;
   const point = [0, 0, 0];
-  const curve = new Float32Array(3 * (FINE + 1));
 
-  /**
-   * Write one polhode behind those that are written already.
-   *
-   * @param {Pieces} pieces
-   * @param {number} count pieces so far
-   * @param {number} twiceEnergy
-   * @param {number} squareL
-   * @param {number} axis
-   * @param {number} side
-   */
-  function append(pieces, count, twiceEnergy, squareL, axis, side) {
-    const { moments } = /** @type {Motion} */ (motion);
-    let [x, y, z] = [0, 0, 0];
-    for (let i = 0; i <= COARSE; i++) {
-      const angle = (2 * Math.PI * i) / COARSE;
-      polhodePoint(moments, twiceEnergy, squareL, axis, side, angle, point);
-      const [p, q, r] = point;
-      if (i > 0) pieces.set(count + i - 1, x, y, z, scale * p, scale * q, scale * r);
-      [x, y, z] = [scale * p, scale * q, scale * r];
+  /** Write curves, as drawn. */
+  function write(/** @type {Pieces} */ pieces, /** @type {number[][][]} */ curves) {
+    let count = 0;
+    for (const curve of curves) {
+      for (let i = 1; i < curve.length; i++) {
+        const [[a, b, c], [p, q, r]] = [curve[i - 1], curve[i]];
+        pieces.set(count, scale * a, scale * b, scale * c, scale * p, scale * q, scale * r);
+        count += 1;
+      }
     }
-    return count + COARSE;
+    pieces.show(count);
   }
 
   function rebuild(/** @type {Motion} */ of) {
     const { moments, start } = of;
     const { twiceEnergy, squareL } = invariants(moments, start.omega);
-    const [a, b, c] = axesByMoment(moments);
 
     ellipsoid.scale.set(
       ...(/** @type {[number, number, number]} */ (
@@ -96,37 +84,11 @@ export function createPoinsot(/** @type {Palette} */ palette) {
     );
 
     const axis = enclosedAxis(moments, twiceEnergy, squareL);
-    let count = 0;
-    if (axis >= 0) {
-      const side = Math.sign(start.omega[axis]) || 1;
-      for (; count <= FINE; count++) {
-        const angle = (2 * Math.PI * count) / FINE;
-        polhodePoint(moments, twiceEnergy, squareL, axis, side, angle, point);
-        for (let k = 0; k < 3; k++) curve[3 * count + k] = scale * point[k];
-      }
-    }
-    showCurve(own, curve, count);
-
-    // Where two moments are equal, all polhodes go around the third axis and none parts them.
-    let written = 0;
-    const apart = 1e-9 * moments[c];
-    for (const outer of [a, c]) {
-      if (Math.abs(moments[outer] - moments[b]) <= apart) continue;
-      for (const part of NEIGHBOURS) {
-        const squared = twiceEnergy * (moments[b] + part * (moments[outer] - moments[b]));
-        for (const side of [1, -1]) {
-          written = append(others, written, twiceEnergy, squared, outer, side);
-        }
-      }
-    }
-    others.show(written);
-    written = 0;
-    if (moments[c] - moments[b] > apart && moments[b] - moments[a] > apart) {
-      for (const side of [1, -1]) {
-        written = append(separatrix, written, twiceEnergy, twiceEnergy * moments[b], c, side);
-      }
-    }
-    separatrix.show(written);
+    const side = Math.sign(start.omega[axis]) || 1;
+    write(own, axis < 0 ? [] : [polhodeOf(moments, twiceEnergy, squareL, axis, side, FINE)]);
+    const family = familyOf(moments, twiceEnergy, NEIGHBOURS, COARSE);
+    write(others, family.others);
+    write(separatrix, family.separatrix);
 
     // The plane is at the distance 2T/L from the centre, across L.
     const { momentum } = start;

@@ -2,9 +2,12 @@
 
 import { createPaper, line, listenToHand, write } from "./axes.js";
 
-/** @typedef {import("./types").Colours} Colours */
 /** @typedef {import("./types").SystemData} SystemData */
+/** @typedef {import("./axes.js").Paper} Paper */
+/** @typedef {import("./flow.js").Flow} Flow */
 /** @typedef {import("./flow.js").Moment} Moment */
+/** @typedef {import("./types").Past<Moment>} Past */
+/** @typedef {(at: ArrayLike<number>, from?: number) => [number, number]} Place */
 
 /** Where one looks from at first, as at a top. */
 const HOME = { azimuth: 0.6, elevation: 0.36, zoom: 1 };
@@ -15,26 +18,33 @@ const RIGID = 1e-6;
 /** The part of half the picture that things fill, and the length of a body's axes. */
 const FILLED = 0.82;
 const ALONG = 0.3;
-/** Of the trail, so many samples are seen. */
+/** Of the trail, so many samples are seen, and of what is to come so many are looked at. */
 const TRAIL = 1200;
+const AHEAD = 400;
 
 const COLOURS = /** @type {const} */ (["e3", "omega", "e1", "e2", "torque", "polhode"]);
 const AXES = /** @type {const} */ (["e1", "e2", "e3"]);
 
 /**
  * @param {HTMLElement} container
- * @param {Colours} colours
  * @param {SystemData} data
+ * @param {number} look How much of the motion says what room it takes (s).
+ * @returns {import("./types").Picture<Moment, Flow>}
  */
-export function createPoints(container, colours, { points: count, bodies, planar, follow }) {
+export function createPoints(container, { points: count, bodies, planar, follow }, look) {
   let { azimuth, elevation, zoom } = HOME;
-  /** @type {[Moment, readonly Moment[]] | null} */
+  /** @type {Past | null} */
   let last = null;
+  /** @type {Past | null} */
+  let ghost = null;
   /** @type {[number, number][]} Points that are joined; −1 is the origin. */
   let rods = [];
   let reach = 1;
   let along = ALONG;
-  const paper = createPaper(container, redraw);
+  container.classList.add("points");
+  const paper = createPaper(container, drawOn);
+  // The container says what is seen.
+  paper.canvas.setAttribute("aria-hidden", "true");
   let hand = /** @type {[number, number] | null} */ (null);
   const held = listenToHand(container, (x, y) => {
     if (hand && held()) turn((hand[0] - x) * TURN, (y - hand[1]) * TURN);
@@ -50,12 +60,12 @@ export function createPoints(container, colours, { points: count, bodies, planar
     if (planar) return;
     azimuth += around;
     elevation = Math.max(-1.55, Math.min(1.55, elevation + up));
-    redraw();
+    paper.redraw();
   }
 
   function zoomBy(/** @type {number} */ factor) {
     zoom = Math.max(0.2, Math.min(20, zoom * factor));
-    redraw();
+    paper.redraw();
   }
 
   /** x to the right, y upwards and the depth of a place, in units of length. */
@@ -68,22 +78,37 @@ export function createPoints(container, colours, { points: count, bodies, planar
     return [y * c - x * s, z * level - near * up, near * level + z * up];
   }
 
-  function redraw() {
-    const sheet = last && paper.clear();
-    if (!last || !sheet) return;
-    const [now, trail] = last;
-    const { ctx, width, height, em } = sheet;
-    const [middleX, middleY] = [0, 1].map((k) =>
-      follow === null ? 0 : now.points[3 * follow + k]);
+  function drawOn(/** @type {Paper} */ sheet) {
+    if (!last) return;
+    const { ctx, width, height, colours } = sheet;
+    const { points } = last.sample;
+    const [middleX, middleY] = [0, 1].map((k) => (follow === null ? 0 : points[3 * follow + k]));
     const size = (FILLED * zoom * Math.min(width, height)) / 2 / reach;
-    /** @returns {[number, number]} */
-    const place = (/** @type {ArrayLike<number>} */ at, from = 0) => {
+    /** @type {Place} */
+    const place = (at, from = 0) => {
       const [x, y] = seen([at[from] - middleX, at[from + 1] - middleY, at[from + 2]]);
       return [width / 2 + size * x, height / 2 - size * y];
     };
-    const thick = (colours.highContrast ? 1.5 : 1) * em;
     drawAxes(sheet, (end) => place([end[0] + middleX, end[1] + middleY, end[2]]));
-    const past = trail.slice(-TRAIL);
+    if (ghost) drawMotion(sheet, place, ghost, () => colours.muted);
+    drawMotion(sheet, place, last, (k) => colours[COLOURS[k % COLOURS.length]]);
+    ctx.globalAlpha = 1;
+  }
+
+  /**
+   * The trails, then rods and points, and the axes of bodies.
+   *
+   * @param {Paper} sheet
+   * @param {Place} place
+   * @param {Past} past
+   * @param {(k: number) => string} colourOf
+   */
+  function drawMotion(sheet, place, { sample, trail }, colourOf) {
+    const { ctx, em, colours } = sheet;
+    const { points, t } = sample;
+    const thick = (colours.highContrast ? 1.5 : 1) * em;
+    const shown = trail.slice(-TRAIL);
+    const toCome = shown.length > 0 && shown[shown.length - 1].t > t;
     for (let k = 0; k < count; k++) {
       ctx.strokeStyle = colourOf(k);
       ctx.lineWidth = 0.09 * thick;
@@ -91,30 +116,28 @@ export function createPoints(container, colours, { points: count, bodies, planar
       for (const [part, alpha] of /** @type {const} */ ([[0, 0.3], [0.5, 0.75]])) {
         ctx.globalAlpha = colours.highContrast ? 1 : alpha;
         ctx.beginPath();
-        const from = Math.floor(part * past.length);
-        for (const each of past.slice(from, part ? past.length : past.length / 2 + 1)) {
+        const from = Math.floor(part * shown.length);
+        for (const each of shown.slice(from, part ? shown.length : shown.length / 2 + 1)) {
           ctx.lineTo(...place(each.points, 3 * k));
         }
-        if (part && trail.length > 0 && trail[trail.length - 1].t <= now.t) {
-          ctx.lineTo(...place(now.points, 3 * k));
-        }
+        if (part && !toCome) ctx.lineTo(...place(points, 3 * k));
         ctx.stroke();
       }
     }
     ctx.globalAlpha = 1;
-    ctx.strokeStyle = colours.ink;
+    ctx.strokeStyle = sample === last?.sample ? colours.ink : colours.muted;
     ctx.lineWidth = 0.14 * thick;
     for (const [from, to] of rods) {
-      line(ctx, ...place(from < 0 ? [0, 0, 0] : now.points, 3 * Math.max(from, 0)),
-        ...place(now.points, 3 * to));
+      line(ctx, ...place(from < 0 ? [0, 0, 0] : points, 3 * Math.max(from, 0)),
+        ...place(points, 3 * to));
     }
     const order = Array.from({ length: count }, (_, k) => k).sort((a, b) =>
-      seen(now.points, 3 * a)[2] - seen(now.points, 3 * b)[2]);
+      seen(points, 3 * a)[2] - seen(points, 3 * b)[2]);
     for (const k of order) {
       const body = bodies.indexOf(k);
-      if (body >= 0) drawBody(sheet, place, now.points, k, 3 * count + 9 * body);
+      if (body >= 0) drawBody(sheet, place, points, k, 3 * count + 9 * body);
       ctx.beginPath();
-      ctx.arc(...place(now.points, 3 * k), (body < 0 ? 0.55 : 0.25) * thick, 0, 2 * Math.PI);
+      ctx.arc(...place(points, 3 * k), (body < 0 ? 0.55 : 0.25) * thick, 0, 2 * Math.PI);
       ctx.fillStyle = colourOf(k);
       ctx.fill();
       ctx.strokeStyle = colours.paper;
@@ -125,14 +148,13 @@ export function createPoints(container, colours, { points: count, bodies, planar
 
   /** e₁, e₂, e₃ of a body from where it is. */
   function drawBody(
-    /** @type {import("./axes.js").Paper} */ sheet,
-    /** @type {(at: ArrayLike<number>, from?: number) => [number, number]} */ place,
-    /** @type {Float64Array} */ all, /** @type {number} */ point, /** @type {number} */ matrix,
+    /** @type {Paper} */ sheet, /** @type {Place} */ place, /** @type {Float64Array} */ all,
+    /** @type {number} */ point, /** @type {number} */ matrix,
   ) {
     const centre = all.subarray(3 * point, 3 * point + 3);
     AXES.forEach((name, axis) => {
       const tip = centre.map((x, row) => x + along * reach * all[matrix + 3 * row + axis]);
-      sheet.ctx.strokeStyle = sheet.ctx.fillStyle = colours[name];
+      sheet.ctx.strokeStyle = sheet.ctx.fillStyle = sheet.colours[name];
       sheet.ctx.lineWidth = 0.2 * sheet.em;
       line(sheet.ctx, ...place(centre), ...place(tip));
       const [x, y] = place(centre.map((from, k) => from + 1.12 * (tip[k] - from)));
@@ -141,11 +163,8 @@ export function createPoints(container, colours, { points: count, bodies, planar
   }
 
   /** x, y and z, thin, with the origin. */
-  function drawAxes(
-    /** @type {import("./axes.js").Paper} */ sheet,
-    /** @type {(at: ArrayLike<number>) => [number, number]} */ place,
-  ) {
-    const { ctx } = sheet;
+  function drawAxes(/** @type {Paper} */ sheet, /** @type {Place} */ place) {
+    const { ctx, colours } = sheet;
     ctx.strokeStyle = colours.rule;
     ctx.fillStyle = colours.muted;
     ctx.lineWidth = 1;
@@ -158,14 +177,11 @@ export function createPoints(container, colours, { points: count, bodies, planar
     });
   }
 
-  function colourOf(/** @type {number} */ k) {
-    return colours[COLOURS[k % COLOURS.length]];
-  }
-
   return {
     /** What is to come says how much room it takes, and what is rigid. */
-    setMotion(/** @type {readonly Moment[]} */ ahead) {
-      const finite = ahead.filter(({ points }) => points.every(Number.isFinite));
+    setMotion(motion) {
+      const finite = motion.ahead(look, AHEAD)
+        .filter(({ points }) => points.every(Number.isFinite));
       const extent = Math.max(0, ...finite.map(({ points }) =>
         Math.max(...points.subarray(0, 3 * count).map((x, k) =>
           Math.abs(follow === null || k % 3 === 2 ? x : x - points[3 * follow + (k % 3)])))));
@@ -180,22 +196,17 @@ export function createPoints(container, colours, { points: count, bodies, planar
         if (most > 1e-12 * reach && most - least < RIGID * most) rods.push([k - 1, k]);
       }
     },
-    draw(/** @type {Moment} */ now, /** @type {readonly Moment[]} */ trail) {
-      last = [now, trail];
-      redraw();
+    draw(sample, trail, beside) {
+      [last, ghost] = [{ sample, trail }, beside];
+      paper.redraw();
     },
-    setColours(/** @type {Colours} */ next) {
-      colours = next;
-      redraw();
-    },
+    setColours: paper.setColours,
     turn,
     zoom: zoomBy,
     home() {
       ({ azimuth, elevation, zoom } = HOME);
-      redraw();
+      paper.redraw();
     },
-    /** The canvas with the picture in it. */
-    picture: () => container.querySelector("canvas"),
-    describe: paper.describe,
+    picture: () => paper.canvas,
   };
 }

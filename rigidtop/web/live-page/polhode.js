@@ -59,6 +59,36 @@ export function polhodePoint(moments, twiceEnergy, squareL, k, side, u, out) {
   return out;
 }
 
+/** A polhode around the axis k as points, of which the first comes again at its end. */
+export function polhodeOf(
+  /** @type {Numbers} */ moments, /** @type {number} */ twiceEnergy, /** @type {number} */ squareL,
+  /** @type {number} */ k, /** @type {number} */ side, /** @type {number} */ count,
+) {
+  return Array.from({ length: count + 1 }, (_, n) =>
+    polhodePoint(moments, twiceEnergy, squareL, k, side, (2 * Math.PI * n) / count, [0, 0, 0]));
+}
+
+/**
+ * The polhodes of an energy: those at parts of the way from the separatrix to an outer axis, and
+ * the separatrix.  Where two moments are equal all go around the third axis and nothing parts them.
+ *
+ * @param {Numbers} moments
+ * @param {number} twiceEnergy
+ * @param {readonly number[]} parts
+ * @param {number} count points of each
+ */
+export function familyOf(moments, twiceEnergy, parts, count) {
+  const [a, b, c] = axesByMoment(moments);
+  const outer = [a, c].filter((k) => !same(moments[k], moments[b]));
+  const both = (/** @type {number} */ moment, /** @type {number} */ k) => [1, -1].map((side) =>
+    polhodeOf(moments, twiceEnergy, twiceEnergy * moment, k, side, count));
+  return {
+    others: outer.flatMap((k) => parts.flatMap((part) =>
+      both(moments[b] + part * (moments[k] - moments[b]), k))),
+    separatrix: outer.length === 2 ? both(moments[b], c) : [],
+  };
+}
+
 /**
  * What the closed form of ω on its polhode is made of: the axis k that it goes around, the one of
  * the intermediate moment and the other outer one, the rate p, and 1 − k² of its modulus.

@@ -5,14 +5,15 @@
  * intermediate moment is two great circles through its axis.
  */
 
-import { atMostEvery, createPaper, line, listenToHand, significant, withUnit,
+import { createPaper, line, listenToHand, significant, withUnit,
   write } from "./axes.js";
 import { drawDot } from "./curves.js";
-import { axesByMoment, enclosedAxis, invariants, nearestToMiddle, NEARLY_ALONG, polhodePoint,
-  untilFlip } from "./polhode.js";
+import { axesByMoment, enclosedAxis, familyOf, invariants, nearestToMiddle, NEARLY_ALONG,
+  polhodeOf, untilFlip } from "./polhode.js";
 
 /** @typedef {import("./types").Colours} Colours */
 /** @typedef {import("./types").Motion} Motion */
+/** @typedef {import("./axes.js").Paper} Paper */
 /** @typedef {import("./types").Numbers} Numbers */
 /** @typedef {import("./types").Sample} Sample */
 
@@ -28,10 +29,9 @@ const CATCH = 0.035;
 
 /**
  * @param {HTMLElement} container
- * @param {Colours} colours
  * @param {(omega: number[]) => void} chosen
  */
-export function createPolhodeMap(container, colours, chosen) {
+export function createPolhodeMap(container, chosen) {
   /** @type {Motion | null} */
   let motion = null;
   /** @type {Sample | null} */
@@ -44,8 +44,7 @@ export function createPolhodeMap(container, colours, chosen) {
   let made = "";
 
   container.classList.add("start-map");
-  const paper = createPaper(container, redraw);
-  const redrawSoon = atMostEvery(28, redraw);
+  const paper = createPaper(container, drawOn);
   const dragging = listenToHand(container, (x, y, { shiftKey }) => {
     if (!motion) return;
     const { moments, start } = motion;
@@ -60,42 +59,25 @@ export function createPolhodeMap(container, colours, chosen) {
     chosen(caught.map((u, k) => u * Math.sqrt(twiceEnergy / moments[k])));
   });
 
-  function redraw() {
-    const sheet = motion && last && paper.clear();
-    if (!motion || !last || !sheet) return;
-    const { ctx, width, height, em } = sheet;
+  function drawOn(/** @type {Paper} */ sheet) {
+    if (!motion || !last) return;
+    const { ctx, width, height, em, colours } = sheet;
     const { moments, start } = motion;
     const radius = Math.min(width / 2 - 2 * em, height / 2 - 1.9 * em);
     centre = { x: width / 2, y: height / 2 + 0.3 * em, radius };
     const { twiceEnergy, squareL } = invariants(moments, start.omega);
-    fill(moments);
+    fill(moments, colours);
     ctx.drawImage(cells, centre.x - radius, centre.y - radius, 2 * radius, 2 * radius);
 
     const axes = axesByMoment(moments);
-    const [small, middle, large] = axes;
-    const path = (/** @type {number} */ square, /** @type {number} */ k, side = 1) =>
-      Array.from({ length: POINTS + 1 }, (_, n) => {
-        const angle = (2 * Math.PI * n) / POINTS;
-        return polhodePoint(moments, twiceEnergy, square, k, side, angle, [0, 0, 0]);
-      });
-    for (const outer of [small, large].filter((k) => moments[k] !== moments[middle])) {
-      for (const part of NEIGHBOURS) {
-        const square =
-          twiceEnergy * (moments[middle] + part * (moments[outer] - moments[middle]));
-        for (const side of [1, -1]) {
-          curve(sheet, path(square, outer, side), colours.muted, 0.06 * em);
-        }
-      }
-    }
-    const apart = moments[small] !== moments[middle] && moments[middle] !== moments[large];
-    if (apart) {
-      for (const side of [1, -1]) {
-        const square = twiceEnergy * moments[middle];
-        curve(sheet, path(square, large, side), colours.ink, 0.14 * em);
-      }
-    }
+    const [small, , large] = axes;
+    const { others, separatrix } = familyOf(moments, twiceEnergy, NEIGHBOURS, POINTS);
+    for (const each of others) curve(sheet, each, colours.muted, 0.06 * em);
+    for (const each of separatrix) curve(sheet, each, colours.ink, 0.14 * em);
+    const apart = separatrix.length > 0;
     const k = enclosedAxis(moments, twiceEnergy, squareL);
-    const own = path(squareL, k, Math.sign(start.omega[k]) || 1);
+    const side = Math.sign(start.omega[k]) || 1;
+    const own = polhodeOf(moments, twiceEnergy, squareL, k, side, POINTS);
     curve(sheet, own, colours.polhode, (colours.highContrast ? 0.3 : 0.22) * em, true);
     ctx.strokeStyle = colours.muted;
     ctx.lineWidth = 1;
@@ -105,9 +87,9 @@ export function createPolhodeMap(container, colours, chosen) {
     for (const i of axes) tip(sheet, i);
 
     const [startX, startY] = placeOf(start.omega, twiceEnergy);
-    drawDot(ctx, startX, startY, 1.5 * em, colours, colours.ink);
+    drawDot(sheet, startX, startY, colours.ink, 1.5);
     const [x, y] = placeOf(last.omega, twiceEnergy);
-    drawDot(ctx, x, y, em, colours, colours.omega);
+    drawDot(sheet, x, y, colours.omega);
     if (apart) legend(sheet, small, large);
     const said = apart ? future(motion, last) : "";
     write(sheet, said, width / 2, height - 0.7 * em, "center");
@@ -130,7 +112,7 @@ export function createPolhodeMap(container, colours, chosen) {
 
   /** A curve on the sphere, as far as it lies in front; what is behind is dashed where asked. */
   function curve(
-    /** @type {import("./axes.js").Paper} */ { ctx }, /** @type {number[][]} */ omegas,
+    /** @type {Paper} */ { ctx }, /** @type {number[][]} */ omegas,
     /** @type {string} */ colour, /** @type {number} */ wide, behind = false,
   ) {
     const { twiceEnergy } = invariants(/** @type {Motion} */ (motion).moments, omegas[0]);
@@ -153,7 +135,7 @@ export function createPolhodeMap(container, colours, chosen) {
   }
 
   /** The sides of the separatrix in the colours of the axes that ω goes round there. */
-  function fill(/** @type {Numbers} */ moments) {
+  function fill(/** @type {Numbers} */ moments, /** @type {Colours} */ colours) {
     const now = JSON.stringify([Array.from(moments), view, colours]);
     if (now === made) return;
     made = now;
@@ -171,25 +153,25 @@ export function createPolhodeMap(container, colours, chosen) {
           const u = x * view[0][k] + y * view[1][k] + front * view[2][k];
           excess += (moments[k] - moments[middle]) * u * u;
         }
-        ctx.fillStyle = tint(excess < 0 ? small : large);
+        ctx.fillStyle = tint(colours, excess < 0 ? small : large);
         ctx.globalAlpha = (colours.highContrast ? 0.35 : 0.16) + 0.14 * front;
         ctx.fillRect(i, j, 1, 1);
       }
     }
   }
 
-  function tint(/** @type {number} */ k) {
+  function tint(/** @type {Colours} */ colours, /** @type {number} */ k) {
     return [colours.e1, colours.e2, colours.e3][k];
   }
 
   /** Where an axis comes out of the sphere towards the reader. */
-  function tip(/** @type {import("./axes.js").Paper} */ sheet, /** @type {number} */ k) {
-    const { ctx, em } = sheet;
+  function tip(/** @type {Paper} */ sheet, /** @type {number} */ k) {
+    const { ctx, em, colours } = sheet;
     const sign = view[2][k] < 0 ? -1 : 1;
     const [x, y] = [
       centre.x + sign * centre.radius * view[0][k], centre.y - sign * centre.radius * view[1][k],
     ];
-    ctx.strokeStyle = tint(k);
+    ctx.strokeStyle = tint(colours, k);
     ctx.lineWidth = 0.16 * em;
     line(ctx, x - 0.4 * em, y, x + 0.4 * em, y);
     line(ctx, x, y - 0.4 * em, x, y + 0.4 * em);
@@ -199,13 +181,12 @@ export function createPolhodeMap(container, colours, chosen) {
 
   /** What the colours and lines mean. */
   function legend(
-    /** @type {import("./axes.js").Paper} */ sheet, /** @type {number} */ small,
-    /** @type {number} */ large,
+    /** @type {Paper} */ sheet, /** @type {number} */ small, /** @type {number} */ large,
   ) {
-    const { ctx, em, width } = sheet;
+    const { ctx, em, width, colours } = sheet;
     let at = 0.2 * em;
     for (const k of [small, large]) {
-      ctx.fillStyle = tint(k);
+      ctx.fillStyle = tint(colours, k);
       ctx.globalAlpha = colours.highContrast ? 0.5 : 0.3;
       ctx.fillRect(at, 0.4 * em, 1.1 * em, 0.8 * em);
       ctx.globalAlpha = 1;
@@ -233,7 +214,7 @@ export function createPolhodeMap(container, colours, chosen) {
       last = next.now;
       // While the point is dragged the sphere stays under it.
       if (motion && !dragging()) view = viewOf(next.moments, next.start.omega);
-      redrawSoon();
+      paper.redrawSoon();
     },
     /**
      * One frame.
@@ -242,17 +223,9 @@ export function createPolhodeMap(container, colours, chosen) {
      */
     draw(sample) {
       last = sample;
-      redrawSoon();
+      paper.redrawSoon();
     },
-    /**
-     * Another theme.
-     *
-     * @param {Colours} next
-     */
-    setColours(next) {
-      colours = next;
-      redraw();
-    },
+    setColours: paper.setColours,
   };
 }
 

@@ -1,11 +1,10 @@
 /** The effective potential, with the energy and the point that moves between the turning points. */
 
-import { atMostEvery, createPaper, decimal, drawAlongAxis, drawUpAxis, line, scale, significant,
+import { createPaper, decimal, drawAlongAxis, drawUpAxis, line, scale, significant,
   withUnit, write } from "./axes.js";
 import { drawDot } from "./curves.js";
 import { factsOf, potentialOf } from "./facts.js";
 
-/** @typedef {import("./types").Colours} Colours */
 /** @typedef {import("./types").Motion} Motion */
 /** @typedef {import("./types").Sample} Sample */
 /** @typedef {import("./axes.js").Box} Box */
@@ -15,36 +14,30 @@ import { factsOf, potentialOf } from "./facts.js";
 
 const DEGREE = 180 / Math.PI;
 
-/** Plots are drawn at most this often, in milliseconds: half as often as the scene is enough. */
-const EVERY = 28;
-
 /**
  * U_eff(θ) with the energy, the turning points and the moving point.
  *
  * @param {HTMLElement} container
- * @param {Colours} colours
  */
-export function createPotentialPlot(container, colours) {
+export function createPotentialPlot(container) {
   /** @type {Landscape | null} */
   let landscape = null;
   /** @type {Sample | null} */
   let last = null;
   container.classList.add("potential-plot");
-  const paper = createPaper(container, redraw);
-  const drawSoon = atMostEvery(EVERY, redraw);
+  const paper = createPaper(container, drawOn);
 
-  function redraw() {
-    const sheet = landscape && last && paper.clear();
-    if (!landscape || !last || !sheet) return;
+  function drawOn(/** @type {Paper} */ sheet) {
+    if (!landscape || !last) return;
     const { em, width, height } = sheet;
     const right = width - 0.8 * em;
     const box = { left: 4.4 * em, right, top: 2.1 * em, bottom: height - 1.8 * em };
     const step = box.right - box.left > 24 * em ? 30 : 60;
-    drawForbidden(sheet, box, landscape, colours);
-    drawAlongAxis(sheet, box, ANGLES, colours, "θ in °", step);
-    drawUpAxis(sheet, box, landscape.range, colours);
+    drawForbidden(sheet, box, landscape);
+    drawAlongAxis(sheet, box, ANGLES, "θ in °", step);
+    drawUpAxis(sheet, box, landscape.range);
     write(sheet, `U_eff in ${landscape.unit}`, 0.2 * em, 0.8 * em);
-    drawLandscape(sheet, box, landscape, last, colours);
+    drawLandscape(sheet, box, landscape, last);
     paper.describe(`Effective potential against θ. ${describe(landscape, last)}`);
   }
 
@@ -66,17 +59,9 @@ export function createPotentialPlot(container, colours) {
      */
     draw(sample) {
       last = sample;
-      drawSoon();
+      paper.redrawSoon();
     },
-    /**
-     * Another theme.
-     *
-     * @param {Colours} next
-     */
-    setColours(next) {
-      colours = next;
-      redraw();
-    },
+    setColours: paper.setColours,
   };
 }
 
@@ -156,9 +141,9 @@ function splitEnergy(landscape, sample) {
 /**
  * Shade where θ may not be.
  *
- * @param {Paper} sheet @param {Box} box @param {Landscape} landscape @param {Colours} colours
+ * @param {Paper} sheet @param {Box} box @param {Landscape} landscape
  */
-function drawForbidden({ ctx, em }, box, { allowed }, colours) {
+function drawForbidden({ ctx, em, colours }, box, { allowed }) {
   const x = scale(ANGLES, box.left, box.right);
   const [least, largest] = allowed.map((angle) => x(angle * DEGREE));
   const height = box.bottom - box.top;
@@ -180,10 +165,9 @@ function drawForbidden({ ctx, em }, box, { allowed }, colours) {
  * The curve, the energy, the turning points, and the point that moves between them.
  *
  * @param {Paper} sheet @param {Box} box @param {Landscape} landscape @param {Sample} sample
- * @param {Colours} colours
  */
-function drawLandscape(sheet, box, landscape, sample, colours) {
-  const { ctx, em } = sheet;
+function drawLandscape(sheet, box, landscape, sample) {
+  const { ctx, em, colours } = sheet;
   const { heights, energy, allowed, range } = landscape;
   const x = scale(ANGLES, box.left, box.right);
   const y = scale(range, box.bottom, box.top);
@@ -219,7 +203,7 @@ function drawLandscape(sheet, box, landscape, sample, colours) {
   ctx.strokeStyle = colours.omega;
   ctx.lineWidth = 2 * thick;
   line(ctx, at, level, at, y(height));
-  drawDot(ctx, at, y(height), em, colours);
+  drawDot(sheet, at, y(height), colours.e3);
   ctx.clearRect(box.right - 1.5 * em, level - 1.4 * em, 1.3 * em, 1.2 * em);
   write(sheet, "E", box.right - 0.5 * em, level - 0.8 * em, "right");
   const text = `½λ₁θ̇² = ${withUnit(decimal(kinetic, landscape.digits), landscape.unit)}`;

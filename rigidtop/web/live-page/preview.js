@@ -1,18 +1,17 @@
 /** What is to come, as the page shows it while it stands at t = 0. */
 
-/** @typedef {import("./types").Sample} Sample */
-
 /** How long the page rests before it is computed, in ms. */
 const DELAY = 120;
 
 /**
- * @param {() => Sample[][]} compute Of the motion and its ghost.
+ * @template {import("./types").Timed} S
+ * @param {() => S[][]} compute Of the motion and its ghost.
  * @param {() => void} computed
  */
 export function createPreview(compute, computed) {
-  /** @type {Sample[][] | null} */
+  /** @type {S[][] | null} */
   let ahead = null;
-  /** @type {Sample[][]} */
+  /** @type {S[][]} */
   let mirrored = [];
   let timer = 0;
   return {

@@ -17,16 +17,20 @@ const KEPT = 4000;
  * @param {Recording} recording
  * @returns {Flow}
  */
-export function createRecording({ points: count, bodies, state: letters }, { step, rows, ended }) {
-  const last = step * (rows.length - 1);
+export function createRecording({ points: count, bodies }, { step, width, rows, ended }) {
+  const bytes = Uint8Array.from(atob(rows), (letter) => letter.charCodeAt(0));
+  const numbers = new Float32Array(bytes.buffer);
+  const most = numbers.length / width - 1;
+  const last = step * most;
   const first = at(0);
   let now = first;
 
   function at(/** @type {number} */ t) {
-    const place = Math.min(t / step, rows.length - 1);
-    const k = Math.min(Math.floor(place), Math.max(rows.length - 2, 0));
-    const [before, after] = [rows[k], rows[Math.min(k + 1, rows.length - 1)]];
-    const state = Float64Array.from(before, (x, i) => x + (place - k) * (after[i] - x));
+    const place = Math.min(t / step, most);
+    const k = Math.floor(place);
+    const next = Math.min(k + 1, most);
+    const state = Float64Array.from(numbers.subarray(k * width, (k + 1) * width), (x, i) =>
+      x + (place - k) * (numbers[next * width + i] - x));
     const seen = new Float64Array(3 * count + 9 * bodies.length);
     points(state, [], seen);
     const energy = new Float64Array(1);
@@ -34,11 +38,12 @@ export function createRecording({ points: count, bodies, state: letters }, { ste
     return { t, state, points: seen, energy: energy[0] };
   }
 
-  const all = rows.map((_, k) => at(k * step));
+  const all = Array.from({ length: most + 1 }, (_, k) => at(k * step));
   return {
     start: first,
-    pace: 1,
-    sizes: letters.map((_, k) => Math.max(...rows.map((row) => Math.abs(row[k]))) || 1),
+    timescale: 50 * step,
+    sizes: Array.from({ length: width }, (_, i) =>
+      Math.max(...all.map(({ state }) => Math.abs(state[i]))) || 1),
     get now() {
       return now;
     },
@@ -55,8 +60,7 @@ export function createRecording({ points: count, bodies, state: letters }, { ste
       return true;
     },
     ahead: (/** @type {number} */ duration, /** @type {number} */ many) =>
-      Array.from({ length: many }, (_, k) =>
-        at(Math.min((duration * k) / (many - 1), last))),
+      Array.from({ length: many }, (_, k) => at(Math.min((duration * k) / (many - 1), last))),
     drift: () => [],
   };
 }

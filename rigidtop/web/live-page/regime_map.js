@@ -1,16 +1,16 @@
 /** The map of starts as a control: φ̇₀ across, ω₃ up, one point to drag. */
 
-import { atMostEvery, createPaper, drawAlongAxis, drawUpAxis, listenToHand, nice, scale,
+import { createPaper, drawAlongAxis, drawUpAxis, listenToHand, nice, scale,
   significant, write } from "./axes.js";
 import { drawDot } from "./curves.js";
 import { smallestSpin, steadyRates } from "./equations.js";
 import { quantities } from "./motion.js";
 import { backwards } from "./regimes.js";
 
-/** @typedef {import("./types").Colours} Colours */
 /** @typedef {import("./types").Facts} Facts */
 /** @typedef {import("./types").Motion} Motion */
 /** @typedef {import("./axes.js").Box} Box */
+/** @typedef {import("./axes.js").Paper} Paper */
 /** @typedef {import("./axes.js").Range} Range */
 /** @typedef {import("./regimes.js").Top} Top */
 
@@ -22,10 +22,9 @@ const CATCH = 0.7;
 
 /**
  * @param {HTMLElement} container
- * @param {Colours} colours
  * @param {(phidot: number, omega3: number) => void} chosen
  */
-export function createRegimeMap(container, colours, chosen) {
+export function createRegimeMap(container, chosen) {
   /** @type {{ top: Top, theta: number, phidot: number, omega3: number, unit: string } | null} */
   let shown = null;
   /** @type {Range} */
@@ -41,24 +40,23 @@ export function createRegimeMap(container, colours, chosen) {
   let made = "";
 
   container.classList.add("start-map");
-  const paper = createPaper(container, redraw);
-  const redrawSoon = atMostEvery(28, redraw);
+  const paper = createPaper(container, drawOn);
 
-  function redraw() {
-    const sheet = shown && paper.clear();
-    if (!shown || !sheet) return;
+  function drawOn(/** @type {Paper} */ sheet) {
+    if (!shown) return;
     const { ctx, width, height } = sheet;
     em = sheet.em;
     box = { left: 3.6 * em, right: width - 0.8 * em, top: 2.2 * em, bottom: height - 1.9 * em };
-    fill(shown.top, shown.theta);
+    fill(shown.top, shown.theta, sheet.colours);
     ctx.imageSmoothingEnabled = true;
     ctx.drawImage(cells, box.left, box.top, box.right - box.left, box.bottom - box.top);
-    drawAlongAxis(sheet, box, across, colours, `φ̇₀ in ${shown.unit}`);
-    drawUpAxis(sheet, box, up, colours);
+    drawAlongAxis(sheet, box, across, `φ̇₀ in ${shown.unit}`);
+    drawUpAxis(sheet, box, up);
     write(sheet, width > 24 * em ? `ω₃ in ${shown.unit}` : "ω₃", 0.2 * em, 0.9 * em);
     key(sheet, box.right, 0.9 * em);
     branches(sheet, box);
-    point(sheet, box);
+    const [x, y] = [scale(across, box.left, box.right), scale(up, box.bottom, box.top)];
+    drawDot(sheet, x(shown.phidot), y(shown.omega3), sheet.colours.ink, 1.4);
     paper.describe(
       `Motions by their start: loops where the map is coloured, waves elsewhere, cusps between. ` +
         `Now φ̇₀ = ${significant(shown.phidot)} and ω₃ = ${significant(shown.omega3)} ` +
@@ -67,7 +65,10 @@ export function createRegimeMap(container, colours, chosen) {
   }
 
   /** The cells where e₃ draws loops, if they are not drawn yet. */
-  function fill(/** @type {Top} */ top, /** @type {number} */ theta) {
+  function fill(
+    /** @type {Top} */ top, /** @type {number} */ theta,
+    /** @type {import("./types").Colours} */ colours,
+  ) {
     const now = JSON.stringify([top, theta, across, up, colours.trail]);
     if (now === made) return;
     made = now;
@@ -88,11 +89,9 @@ export function createRegimeMap(container, colours, chosen) {
 
   /** What the colours and lines mean, written from the right. */
   function key(
-    /** @type {import("./axes.js").Paper} */ sheet,
-    /** @type {number} */ right,
-    /** @type {number} */ y,
+    /** @type {Paper} */ sheet, /** @type {number} */ right, /** @type {number} */ y,
   ) {
-    const { ctx } = sheet;
+    const { ctx, colours } = sheet;
     const names = /** @type {const} */ ([
       ["loops", colours.trail], ["waves", colours.paper], ["Ω₊", colours.omega],
       ["Ω₋", colours.e3],
@@ -113,9 +112,7 @@ export function createRegimeMap(container, colours, chosen) {
   }
 
   /** Ω₋ and Ω₊ against ω₃, as far as there are any. */
-  function branches(
-    /** @type {import("./axes.js").Paper} */ { ctx }, /** @type {Box} */ place,
-  ) {
+  function branches(/** @type {Paper} */ { ctx, colours }, /** @type {Box} */ place) {
     const x = scale(across, place.left, place.right);
     const y = scale(up, place.bottom, place.top);
     ctx.save();
@@ -150,15 +147,6 @@ export function createRegimeMap(container, colours, chosen) {
   /** Ω₋ and Ω₊ at a positive spin. */
   function steady(/** @type {number} */ omega3) {
     return shown ? steadyRates({ ...shown.top, theta: shown.theta, omega3 }) : [NaN, NaN];
-  }
-
-  function point(
-    /** @type {import("./axes.js").Paper} */ { ctx, em }, /** @type {Box} */ place,
-  ) {
-    if (!shown) return;
-    const x = scale(across, place.left, place.right)(shown.phidot);
-    const y = scale(up, place.bottom, place.top)(shown.omega3);
-    drawDot(ctx, x, y, 1.4 * em, colours, colours.ink);
   }
 
   /** Where the pointer is, on a branch if it is near one. */
@@ -197,19 +185,11 @@ export function createRegimeMap(container, colours, chosen) {
         : { top: { M, R, g, lambda1, lambda3 }, theta, phidot, omega3, unit: `rad/${setup.clock}` };
       // While the point is dragged the map stays under it.
       if (shown && !dragging()) fit();
-      redrawSoon();
+      paper.redrawSoon();
     },
     /** One frame: the start stays where it is. */
     draw() {},
-    /**
-     * Another theme.
-     *
-     * @param {Colours} next
-     */
-    setColours(next) {
-      colours = next;
-      redraw();
-    },
+    setColours: paper.setColours,
   };
 
   /** Ranges that hold the point, the least spin and both branches at the spin of the point. */

@@ -110,7 +110,7 @@ export function createScene(container, colours) {
   let sample = null;
   /** @type {readonly Sample[]} */
   let trail = [];
-  /** @type {import("./time_plots.js").Past<Sample> | null} */
+  /** @type {import("./types").Past<Sample> | null} */
   let ghost = null;
   let drawnTime = NaN;
   let dirty = true;
@@ -327,7 +327,7 @@ export function createScene(container, colours) {
   /** One frame; nothing is done if it would be the same as the last one. */
   function draw(
     /** @type {Sample} */ now, /** @type {readonly Sample[]} */ past,
-    /** @type {import("./time_plots.js").Past<Sample> | null} */ beside = ghost,
+    /** @type {import("./types").Past<Sample> | null} */ beside = ghost,
   ) {
     sample = now;
     trail = past;

@@ -1,12 +1,6 @@
 /** What a reader takes along: the link, a picture, a table of numbers, a film. */
 
-import { element } from "./controls.js";
-
-/** @typedef {import("./types").Motion} Motion */
-/** @typedef {import("./types").Sample} Sample */
-
-/** Rows of the table. */
-const ROWS = 1001;
+import { element } from "./shell.js";
 
 /** How long a film is, in seconds, and its pictures in each of them. */
 const FILM = 10;
@@ -15,44 +9,13 @@ const PICTURES = 30;
 const BITS = 8e6;
 
 /**
- * The columns of the table: their names as the Python package has them, with units.
+ * Comma-separated values; what is open, as φ̇ at a pole, stays empty.
  *
- * @type {readonly (readonly [string, (sample: Sample) => number])[]}
+ * @param {{ names: readonly string[], rows: (string | number)[][] }} table
  */
-const COLUMNS = [
-  ["t", (s) => s.t],
-  ["theta (rad)", (s) => s.theta],
-  ["phi (rad)", (s) => s.phi],
-  ["psi (rad)", (s) => s.psi],
-  ["theta_dot", (s) => s.theta_dot],
-  ["phi_dot", (s) => s.phi_dot],
-  ["psi_dot", (s) => s.psi_dot],
-  ["omega1", (s) => s.omega[0]],
-  ["omega2", (s) => s.omega[1]],
-  ["omega3", (s) => s.omega[2]],
-  ["e3_x", (s) => s.e3[0]],
-  ["e3_y", (s) => s.e3[1]],
-  ["e3_z", (s) => s.e3[2]],
-  ["energy (J)", (s) => s.energy],
-];
-
-/**
- * The motion from t = 0 as comma-separated values; what is open, as φ̇ at a pole, stays empty.
- *
- * @param {Motion} motion
- * @param {number} duration
- */
-export function tableOf(motion, duration) {
-  const { clock } = motion.setup;
-  const names = COLUMNS.map(([name]) => {
-    if (name === "t") return `t (${clock})`;
-    if (/dot|omega/.test(name)) return `${name} (rad/${clock})`;
-    return clock === "s" ? name : name.replace("J", `1/${clock}²`);
-  });
-  const rows = motion.ahead(duration, ROWS).map((sample) =>
-    COLUMNS.map(([, of]) => (Number.isFinite(of(sample)) ? String(of(sample)) : "")).join(","),
-  );
-  return `${[names.join(","), ...rows].join("\r\n")}\r\n`;
+export function separated({ names, rows }) {
+  const written = rows.map((row) => row.map((x) => (x === x ? x : "")).join(","));
+  return `${[names.join(","), ...written].join("\r\n")}\r\n`;
 }
 
 /**
@@ -112,7 +75,7 @@ function give(content, name) {
  * @param {() => string} page.name of the files
  * @param {(finely?: boolean) => HTMLCanvasElement | null} page.picture The scene, drawn just now.
  * @param {HTMLElement} page.scene
- * @param {(() => string) | null} page.link Of what is set, where the address has it.
+ * @param {() => string} page.link Of what is set.
  * @param {() => string} page.table Comma-separated values.
  * @param {(sentence: string) => void} page.say
  */
@@ -131,7 +94,7 @@ export function createTake(container, { name, picture, scene, link, table, say }
     });
     list.append(button);
   };
-  if (link) add("Copy link", async () => {
+  add("Copy link", async () => {
     try {
       await navigator.clipboard.writeText(link());
       say("The link to what is shown is copied");

@@ -60,7 +60,6 @@ declare namespace THREE {
     renderOrder: number;
     add(...objects: Object3D[]): this;
     lookAt(v: Vector3): void;
-    traverse(visit: (object: Object3D) => void): void;
   }
 
   class Group extends Object3D {}
@@ -85,7 +84,6 @@ declare namespace THREE {
     setViewOffset(
       fullWidth: number, fullHeight: number, x: number, y: number, width: number, height: number,
     ): void;
-    updateProjectionMatrix(): void;
   }
 
   class BufferAttribute {

@@ -1,6 +1,6 @@
 /** What goes on: quantities against time, those of the ghost beside them, and θ against φ. */
 
-import { atMostEvery, createPaper, drawAlongAxis, drawUpAxis, line, nice, scale, significant,
+import { createPaper, drawAlongAxis, drawUpAxis, line, nice, scale, significant,
   withUnit, write } from "./axes.js";
 import { drawCurve, drawDot, drawPath } from "./curves.js";
 
@@ -8,7 +8,8 @@ import { drawCurve, drawDot, drawPath } from "./curves.js";
 /** @typedef {import("./axes.js").Box} Box */
 /** @typedef {import("./axes.js").Paper} Paper */
 /** @typedef {import("./axes.js").Range} Range */
-/** @typedef {{ t: number }} Timed */
+/** @typedef {import("./types").Timed} Timed */
+/** @template {Timed} S @typedef {import("./types").Past<S>} Past */
 /** @typedef {Exclude<keyof Colours, "highContrast">} Colour */
 
 /**
@@ -29,7 +30,7 @@ import { drawCurve, drawDot, drawPath } from "./curves.js";
  * What is plotted of a motion: panels against time, or the first of two across the other, up or
  * down; `apart` is how far, in radians, a ghost is.
  *
- * @template S
+ * @template {Timed} S
  * @typedef {object} Plotted
  * @property {Panel<S>[]} panels
  * @property {"" | "up" | "down"} across
@@ -38,20 +39,8 @@ import { drawCurve, drawDot, drawPath } from "./curves.js";
  * @property {((one: S, other: S) => number) | null} apart
  */
 
-/** @template S @typedef {{ ahead(duration: number, count: number): readonly S[] }} Moving */
-
-/**
- * The motion and its ghost at the same times: what is drawn now, and until now.
- *
- * @template S
- * @typedef {{ sample: S, trail: readonly S[] }} Past
- */
-
 /** The part of the window of time that fills before it scrolls. */
 const FILLED = 0.9;
-
-/** Plots are drawn at most this often, in milliseconds: half as often as the scene is enough. */
-const EVERY = 28;
 
 /** So many samples of the first window say how far the axes go. */
 const LOOKS_AHEAD = 60;
@@ -63,12 +52,11 @@ export const UNIT = { low: 0, high: 1 };
 
 /**
  * @template {Timed} S
- * @template {Moving<S>} M
+ * @template {import("./types").Moving<S>} M
  * @param {HTMLElement} container
- * @param {Colours} colours
  * @param {(motion: M, plot: string) => Plotted<S>} plottedOf
  */
-export function createTimePlots(container, colours, plottedOf) {
+export function createTimePlots(container, plottedOf) {
   /** @type {M | null} */
   let motion = null;
   /** @type {M | null} */
@@ -82,12 +70,10 @@ export function createTimePlots(container, colours, plottedOf) {
   let plotted = { panels: [], across: "", clock: "s", duration: 1, apart: null };
   let apartRange = UNIT;
   container.classList.add("time-plots");
-  const paper = createPaper(container, redraw);
-  const drawSoon = atMostEvery(EVERY, redraw);
+  const paper = createPaper(container, drawOn);
 
-  function redraw() {
-    const sheet = motion && last && paper.clear();
-    if (!motion || !last || !sheet) return;
+  function drawOn(/** @type {Paper} */ sheet) {
+    if (!motion || !last) return;
     const { sample } = last;
     const { panels, across, clock, duration } = plotted;
     const start = Math.max(0, sample.t - FILLED * duration);
@@ -124,17 +110,17 @@ export function createTimePlots(container, colours, plottedOf) {
     /** @type {S} */ sample, /** @type {Past<S> | null} */ beside,
   ) {
     const { panels, clock, apart: between } = plotted;
-    const { em, width, height } = sheet;
+    const { em, width, height, colours } = sheet;
     const [left, right] = [room(panels) * em, width - 0.8 * em];
-    const drawn = beside && panels.length === 2 ? panels.slice(0, 1) : panels;
-    const count = drawn.length + (beside ? 1 : 0);
+    const drawn = beside && between && panels.length === 2 ? panels.slice(0, 1) : panels;
+    const count = drawn.length + (beside && between ? 1 : 0);
     const each = (height - 1.8 * em) / count - 2.2 * em;
     const frame = (/** @type {number} */ k, /** @type {Range} */ range, title = "", now = "") => {
       const top = 1.9 * em + k * (each + 2.2 * em);
       const box = { left, right, top, bottom: top + each };
       const label = k === count - 1 ? `t in ${clock}` : "";
-      drawAlongAxis(sheet, box, times, colours, label);
-      drawUpAxis(sheet, box, range, colours);
+      drawAlongAxis(sheet, box, times, label);
+      drawUpAxis(sheet, box, range);
       write(sheet, title, 0.2 * em, top - 1.1 * em);
       write(sheet, now, right, top - 1.1 * em, "right");
       return box;
@@ -142,16 +128,16 @@ export function createTimePlots(container, colours, plottedOf) {
     drawn.forEach((panel, k) => {
       const { range } = panel;
       const box = frame(k, range, panel.title, panel.now(sample));
-      drawGuides(sheet, box, range, panel.guides, colours);
+      drawGuides(sheet, box, range, panel.guides);
       for (const [of, name] of panel.curves) {
         if (beside) {
           const { ctx } = sheet;
           ctx.globalAlpha = colours.highContrast ? 0.7 : 0.5;
           const colour = panel.curves.length > 1 ? colours[name] : colours.polhode;
-          drawCurve(sheet, box, times, range, beside.trail, beside.sample, of, colours, colour);
+          drawCurve(sheet, box, times, range, beside.trail, beside.sample, of, colour);
           ctx.globalAlpha = 1;
         }
-        drawCurve(sheet, box, times, range, shown, sample, of, colours, colours[name]);
+        drawCurve(sheet, box, times, range, shown, sample, of, colours[name]);
       }
     });
     if (!beside || !between) return;
@@ -163,7 +149,7 @@ export function createTimePlots(container, colours, plottedOf) {
     const now = { t: sample.t, angle: between(sample, beside.sample) * DEGREE };
     apartRange = fitted(apartRange, extent(pairs, [angle], [0, now.angle]), 0, 180);
     const box = frame(count - 1, apartRange, "apart in °", `${significant(now.angle)}°`);
-    drawCurve(sheet, box, times, apartRange, pairs, now, angle, colours, colours.polhode);
+    drawCurve(sheet, box, times, apartRange, pairs, now, angle, colours.polhode);
   }
 
   /** As θ over φ on the unrolled sphere, where the least θ is at the top, or upwards. */
@@ -172,14 +158,14 @@ export function createTimePlots(container, colours, plottedOf) {
     /** @type {S} */ sample, /** @type {Past<S> | null} */ beside,
   ) {
     const { panels, across: way } = plotted;
-    const { em, width, height } = sheet;
+    const { em, width, height, colours } = sheet;
     const box = { left: room(panels) * em, right: width - 0.8 * em, top: 1.9 * em,
       bottom: height - 1.8 * em };
     const [up, across] = panels.map(({ range }) => range);
     const turned = way === "down" ? { ...box, top: box.bottom, bottom: box.top } : box;
-    drawAlongAxis(sheet, box, across, colours, panels[1].title);
-    drawUpAxis(sheet, turned, up, colours);
-    drawGuides(sheet, turned, up, panels[0].guides, colours);
+    drawAlongAxis(sheet, box, across, panels[1].title);
+    drawUpAxis(sheet, turned, up);
+    drawGuides(sheet, turned, up, panels[0].guides);
     write(sheet, panels[0].title + (way === "down" ? ", down" : ""), 0.2 * em, 0.8 * em);
     write(sheet, panels.map((panel) => panel.now(sample)).join("  "), box.right, 0.8 * em, "right");
     const [upwards, along] = panels.map(({ curves }) => curves[0][0]);
@@ -189,8 +175,8 @@ export function createTimePlots(container, colours, plottedOf) {
     for (const [samples, now, colour] of other ? [other, one] : [one]) {
       const place = (/** @type {S} */ each) =>
         /** @type {[number, number]} */ ([x(along(each)), y(upwards(each))]);
-      drawPath(sheet, box, samples, now, place, colours, colour);
-      drawDot(sheet.ctx, ...place(now), em, colours, colour);
+      drawPath(sheet, box, samples, now, place, colour);
+      drawDot(sheet, ...place(now), colour);
     }
   }
 
@@ -221,17 +207,10 @@ export function createTimePlots(container, colours, plottedOf) {
      */
     draw(now, beside) {
       [last, lastGhost] = [now, beside];
-      drawSoon();
+      paper.redrawSoon();
     },
-    /**
-     * Another theme.
-     *
-     * @param {Colours} next
-     */
-    setColours(next) {
-      colours = next;
-      redraw();
-    },
+    setColours: paper.setColours,
+    canvas: paper.canvas,
   };
 }
 
@@ -322,9 +301,8 @@ export function fitted(old, seen, least, most, finest = 0.005) {
  * Dashed lines at the turning points.
  *
  * @param {Paper} sheet @param {Box} box @param {Range} range @param {readonly number[]} values
- * @param {Colours} colours
  */
-function drawGuides({ ctx, em }, box, range, values, colours) {
+function drawGuides({ ctx, em, colours }, box, range, values) {
   const y = scale(range, box.bottom, box.top);
   ctx.strokeStyle = colours.muted;
   ctx.lineWidth = colours.highContrast ? 2 : 1;

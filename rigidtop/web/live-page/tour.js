@@ -1,6 +1,6 @@
 /** The guided tour: it asks what will happen, and then shows it. */
 
-import { element } from "./controls.js";
+import { element } from "./shell.js";
 
 /** @typedef {import("./types").TourStep} TourStep */
 

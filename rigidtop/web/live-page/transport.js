@@ -1,6 +1,6 @@
 /** The buttons of time: to the start, backwards, one step, play and pause, how fast, the clock. */
 
-import { element } from "./controls.js";
+import { element } from "./shell.js";
 
 /** @typedef {import("./types").Clock} Clock */
 

@@ -1,7 +1,7 @@
 /** The shapes of what the modules of the page hand each other. */
 
-/** Which page: a heavy body with one point held, or a body without torque. */
-export type Kind = "heavy-top" | "free";
+/** Which page: a heavy body with one point held, a body without torque, or any system. */
+export type Kind = "heavy-top" | "free" | "system";
 
 /**
  * The unit of every time in a setup: all rates are per second, or all are per day.  By the day it
@@ -28,9 +28,13 @@ export interface Setup {
 /** Three numbers, or four of a quaternion, scalar first. */
 export type Numbers = ArrayLike<number>;
 
-/** A motion at one time. */
-export interface Sample {
+/** What is at one time. */
+export interface Timed {
   readonly t: number;
+}
+
+/** A top or a body at one time. */
+export interface Sample extends Timed {
   /** Unit quaternion, body components to space components. */
   readonly q: Numbers;
   /** The same as a matrix, row by row; its columns are e₁, e₂, e₃ in space. */
@@ -60,7 +64,7 @@ export interface Sample {
 
 /** What the exact motion keeps, and by how much it has strayed. */
 export interface Drift {
-  readonly name: "E" | "p_phi" | "p_psi" | "L";
+  readonly name: string;
   /**
    * Relative: the energy to T₀ + MgR without the part of a constant ω₃, a momentum to what no |L|
    * of the body exceeds, √(2λ(T₀ + MgR)) with the largest moment λ.
@@ -72,23 +76,19 @@ export interface Drift {
   readonly exact: boolean;
 }
 
-/** A motion that can be moved to any time; made by `createMotion`. */
-export interface Motion {
-  readonly setup: Setup;
-  /** Moments, the centre of mass, and Mg times that, in body components. */
-  readonly moments: Numbers;
-  readonly arm: Numbers;
-  readonly weight: Numbers;
-  /** λ₁ = λ₂ with the centre of mass on e₃: then ω₃ is constant. */
-  readonly symmetric: boolean;
+/** A motion that can be moved to any time. */
+export interface Moving<S extends Timed> {
   /** About how long the fastest change takes, one radian of it; in units of the clock. */
   readonly timescale: number;
   /** The motion at t = 0, and where it is now. */
-  readonly start: Sample;
-  readonly now: Sample;
+  readonly start: S;
+  readonly now: S;
   /** Samples from the earliest that is kept until now, evenly spaced in time, oldest first. */
-  readonly trail: readonly Sample[];
-  /** Move to the time t, at most until performance.now() = deadline; whether it was reached. */
+  readonly trail: readonly S[];
+  /**
+   * Move to the time t, at most until performance.now() = deadline; whether it was reached.  Throws
+   * an Error with one sentence where the motion ends before.
+   */
   go(t: number, deadline?: number): boolean;
   /** Begin anew at t = 0; the trail and the drifts are forgotten. */
   reset(): void;
@@ -96,8 +96,19 @@ export interface Motion {
    * `count` samples, evenly spaced, from t = 0 to `duration`, or to the farthest that can be
    * computed at once; computed apart from the motion itself.
    */
-  ahead(duration: number, count: number): Sample[];
-  drift(): Drift[];
+  ahead(duration: number, count: number): S[];
+  drift(): readonly Drift[];
+}
+
+/** The motion of a top or a body; made by `createMotion`. */
+export interface Motion extends Moving<Sample> {
+  readonly setup: Setup;
+  /** Moments, the centre of mass, and Mg times that, in body components. */
+  readonly moments: Numbers;
+  readonly arm: Numbers;
+  readonly weight: Numbers;
+  /** λ₁ = λ₂ with the centre of mass on e₃: then ω₃ is constant. */
+  readonly symmetric: boolean;
 }
 
 /** What can be said of a motion before it moves: see `facts.js`. */
@@ -191,20 +202,13 @@ export interface PageData {
   readonly tour: readonly TourStep[];
 }
 
-/** What Python writes into the page of a system. */
-export interface SystemData {
-  readonly version: string;
-  readonly title: string;
-  readonly tableau: Tableau;
-  /** q, then q̇: of what the sliders of the start are. */
+/** What Python writes into the page of a system besides. */
+export interface SystemData extends PageData {
+  /** q, then q̇. */
   readonly state: readonly Letter[];
-  /** q, q̇, and the time where the equations have it. */
+  /** q, q̇, and the time where the equations have it, and the values of all parameters. */
   readonly start: readonly number[];
-  readonly parameters: readonly (Letter & Reach)[];
-  readonly values: readonly number[];
-  /** Of each parameter whether a constraint has it, and whether there are constraints. */
-  readonly tied: readonly boolean[];
-  readonly bound: boolean;
+  readonly given: readonly number[];
   /** Coordinates that must keep a sign, with it. */
   readonly sides: readonly (readonly [number, number])[];
   /** How many points there are, which of them are bodies, and whether all lie in a plane. */
@@ -214,22 +218,110 @@ export interface SystemData {
   /** The point that the picture goes along with, or null. */
   readonly follow: number | null;
   readonly kept: readonly string[];
-  readonly equations: string;
-  /** A sentence or two on what is played, or "". */
-  readonly about: string;
-  /** Of a motion that Python has computed; null of one that the page computes. */
-  readonly recording: Recording | null;
+  /** L and the equations of motion. */
+  readonly written: string;
+  /** By the names of the presets: of motions that Python has computed. */
+  readonly recordings: Readonly<Record<string, Recording>>;
 }
 
-/** States at even steps of time, and why there are no more. */
+/** States at even steps of time, each of `width` numbers of four bytes, and why no more. */
 export interface Recording {
   readonly step: number;
-  readonly rows: readonly (readonly number[])[];
+  readonly width: number;
+  readonly rows: string;
   readonly ended: string;
 }
 
 export type Letter = Pick<Parameter, "letter" | "math" | "meaning" | "unit" | "angle">;
-export type Reach = Pick<Parameter, "least" | "most" | "logarithmic">;
+
+/** Words that may be chosen, each with what a reader sees. */
+export type Choices = readonly (readonly [string, string])[];
+
+export type Theme = "light" | "dark" | "contrast";
+
+/** Everything that the address can say; "" where the reader's system decides, or for none. */
+export interface State {
+  readonly preset: Preset;
+  readonly values: Record<string, number>;
+  readonly clock: Clock;
+  readonly t: number;
+  readonly play: "" | "0" | "1";
+  readonly view: View;
+  readonly layers: readonly Layer[];
+  readonly shape: Shape;
+  /** Times the speed of the preset. */
+  readonly speed: number;
+  readonly theme: Theme | "";
+  readonly plot: string;
+  /** The change that the ghost has. */
+  readonly ghost: string;
+  /**
+   * For a frame: the picture and time alone ("1"), or with the sliders, the verdict and the
+   * equations ("2").
+   */
+  readonly embed: "0" | "1" | "2";
+}
+
+/** What the address and the switches of a page offer, with the usual one first; [] for none. */
+export interface Offers {
+  readonly clock: Choices;
+  readonly view: Choices;
+  readonly shape: Choices;
+  readonly plot: Choices;
+  readonly ghost: Choices;
+  readonly layers: readonly (readonly [Layer, string])[];
+}
+
+/** The motion until now, as it is drawn. */
+export interface Past<S extends Timed> {
+  readonly sample: S;
+  readonly trail: readonly S[];
+}
+
+/** The picture of a motion; what is optional is for pictures in three dimensions. */
+export interface Picture<S extends Timed, M extends Moving<S>> {
+  setMotion(motion: M, shape: Shape): void;
+  draw(sample: S, trail: readonly S[], ghost: Past<S> | null): void;
+  setColours(colours: Colours): void;
+  /** The canvas with the picture in it, just drawn, with smooth edges where asked. */
+  picture(finely?: boolean): HTMLCanvasElement | null;
+  turn?(azimuth: number, elevation: number): void;
+  zoom?(factor: number): void;
+  home?(): void;
+  resize?(): void;
+  setLayers?(layers: readonly Layer[]): void;
+  setView?(view: View): void;
+  setAside?(aside: boolean): void;
+  light?(arrow: Term["arrow"]): void;
+}
+
+/** Whatever else follows the motion. */
+export interface Panel<S extends Timed, M extends Moving<S>> {
+  setMotion(motion: M): void;
+  draw(sample: S): void;
+  setColours(colours: Colours): void;
+}
+
+/** What is particular to a page: that of tops and bodies, or that of systems. */
+export interface Subject<S extends Timed, M extends Moving<S>> {
+  readonly offers: Offers;
+  /** Throws an Error with one sentence where there is none; `beside` is what it is a ghost of. */
+  motionOf(state: State, beside?: M): M;
+  factsOf(motion: M): Facts;
+  /** The state with one thing changed; throws an Error where it cannot be. */
+  ghostOf(ghost: string, state: State, facts: Facts): State;
+  plottedOf(motion: M, plot: string): import("./time_plots.js").Plotted<S>;
+  pictureIn(container: HTMLElement, colours: Colours): Picture<S, M>;
+  panels(
+    set: (values: Record<string, number>) => void, light: (arrow: Term["arrow"]) => void,
+  ): Panel<S, M>[];
+  /** The motion in words; without `facts` what is not to be told. */
+  describe(motion: M, facts: Facts | null): string;
+  /** Names of columns, and rows of the motion as far as `duration`. */
+  table(motion: M, duration: number): { names: readonly string[]; rows: (string | number)[][] };
+  /** What the sliders are to be after a blow on the axis; null where there is none. */
+  blow?(motion: M): Record<string, number> | null;
+}
 
 /** A question on a motion, and what is to be seen. */
 export interface TourStep {
@@ -246,12 +338,10 @@ export interface TourStep {
 export interface Tableau {
   readonly A: readonly (readonly number[])[];
   readonly B: readonly number[];
-  readonly C: readonly number[];
   readonly E3: readonly number[];
   readonly E5: readonly number[];
   readonly D: readonly (readonly number[])[];
   readonly A_EXTRA: readonly (readonly number[])[];
-  readonly C_EXTRA: readonly number[];
 }
 
 /** Colours of the page's theme, for what is drawn: read from the style sheet by `theme.js`. */
