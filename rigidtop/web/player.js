@@ -41,6 +41,22 @@
     bar.className = "live-bar";
     const frame = document.createElement("iframe");
     frame.className = "live-frame";
+    // What is printed under the figure gives way to what is true of a motion that was changed.
+    const caption = figure.querySelector("figcaption");
+    const printed = document.createElement("span");
+    const changed = document.createElement("span");
+    changed.className = "live-caption";
+    changed.setAttribute("role", "status");
+    const label = caption.querySelector(":scope > strong");
+    printed.append(...[...caption.childNodes].filter((part) => part !== label));
+    caption.append(printed, changed);
+    const say = (words) => {
+      changed.textContent = words;
+      printed.hidden = words !== "";
+    };
+    window.addEventListener("message", ({ source, data }) => {
+      if (source === frame.contentWindow && typeof data?.caption === "string") say(data.caption);
+    });
     const back = button("■ Figure", () => stop?.());
     const open = button("Whole page ↗", async () => {
       const kind = own[0][0];
@@ -58,6 +74,7 @@
         back.hidden = open.hidden = false;
         stop = () => {
           frame.remove();
+          say("");
           still.style.display = "";
           back.hidden = open.hidden = true;
           stop = null;
@@ -65,6 +82,6 @@
       }));
     }
     bar.append(back, open);
-    figure.querySelector("figcaption").before(bar);
+    caption.before(bar);
   }
 })();

@@ -109,8 +109,20 @@ def test_a_figure_is_played_in_its_place(live, made):
         live.wait("rigidtop.motion.setup.values[arguments[0]] === arguments[1]", slider, set_to)
         assert live.find(".verdict").text != said
         assert live.find("#equations [data-term]").is_displayed()
+        verdict = live.find(".verdict").text
         live.driver.switch_to.default_content()
+        # And in the caption, whose printed numbers are those of another motion.
+        caption = f'[data-figure="{name}"] figcaption'
+        letter, printed = ("ω₂", "about the middle axis") if name == "flip" else ("ω₃", "path of")
+        now = live.wait(
+            lambda place=caption, words=f"{letter} = {set_to:g} rad/s": words
+            in live.find(place).text and live.find(place).text)  # fmt: skip
+        assert now.endswith(verdict)
+        assert printed not in now
     live.js("""document.querySelector('[data-figure="paths"] .live-bar button:nth-child(4)')"""
             ".click()")  # fmt: skip
     assert not live.all("iframe")
     assert live.find('[data-figure="paths"] svg').is_displayed()
+    for name in ("flip", "paths"):
+        assert "changed" not in live.find(f'[data-figure="{name}"] figcaption').text
+    assert "path of" in live.find('[data-figure="paths"] figcaption').text
