@@ -402,12 +402,16 @@ const at = document.activeElement;
 const shown = getComputedStyle(at).opacity === "0" ? at.closest("label") : at;
 const box = shown.getBoundingClientRect();
 const { outlineStyle, outlineWidth } = getComputedStyle(shown);
+const over = document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
 return {
   place: [...document.querySelectorAll("*")].indexOf(at), body: at === document.body,
   what: at.outerHTML.slice(0, 200),
   marked: outlineStyle !== "none" && parseFloat(outlineWidth) >= 2,
   seen: box.width > 0 && box.right > 0 && box.left < innerWidth
     && box.bottom > 0 && box.top < innerHeight,
+  // By nothing that stays where it is while the page scrolls.
+  covered: over && !shown.contains(over) && !over.contains(shown)
+    && over.closest("#stage") && !shown.closest("#stage"),
 };
 """
 
@@ -423,6 +427,7 @@ def test_tab_goes_round_and_shows_where_it_is(live, kind):
             break
         assert focused["marked"], focused["what"]
         assert focused["seen"], focused["what"]
+        assert not focused["covered"], focused["what"]
         assert live.driver.switch_to.active_element.accessible_name.strip(), focused["what"]
         seen.append(focused["place"])
     else:
@@ -438,6 +443,17 @@ def test_tab_goes_round_and_shows_where_it_is(live, kind):
     assert len(seen) > 30
     shift_tab(live)
     assert live.driver.execute_script(FOCUSED)["place"] == seen[-1]
+
+
+def test_on_a_phone_nothing_lies_over_what_has_the_focus(phone):
+    phone.open(FREE, STILL)
+    seen = set()
+    for step in range(90):
+        (press(phone, Keys.TAB) if step < 60 else shift_tab(phone))
+        focused = phone.driver.execute_script(FOCUSED)
+        assert not focused["covered"], focused["what"]
+        seen.add(focused["what"])
+    assert len(seen) > 25
 
 
 def test_everything_by_the_keyboard_alone(live):
