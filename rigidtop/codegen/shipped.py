@@ -19,7 +19,7 @@ from sympy import Expr, Symbol
 
 from rigidtop.codegen import source
 from rigidtop.codegen.numpy import Function, function
-from rigidtop.theory import euler, sliding, top
+from rigidtop.theory import sliding, top
 from rigidtop.theory import symbols as s
 
 PATH = Path(__file__).parents[1] / "motion" / "equations.py"
@@ -68,13 +68,6 @@ class RightHandSide:
 
 
 SHIPPED = (
-    RightHandSide(
-        "free_body",
-        "ω̇₁, ω̇₂, ω̇₃ of a free body: Euler's equations (3.36).",
-        (s.omega1, s.omega2, s.omega3),
-        (s.lambda1, s.lambda2, s.lambda3),
-        euler.body_accelerations,
-    ),
     RightHandSide(
         "top_in_euler_angles",
         "θ̈, φ̈, ψ̈ of the heavy symmetric top: (3.54)-(3.56).  Singular where sin θ = 0.",
@@ -202,7 +195,7 @@ def derived(name: str) -> tuple[Expr, ...]:
 def symbolic(name: str, text: str | None = None) -> tuple[Expr, ...]:
     """What is shipped: the source run on symbols, with SymPy's sine and cosine.
 
-    >>> symbolic("free_body")[2]
+    >>> symbolic("heavy_body")[6].subs(s.g, 0)
     omega1*omega2*(lambda1 - lambda2)/lambda3
     """
     side = named(name)
@@ -288,11 +281,11 @@ HEADER = '''\
 
 Written by `python -m rigidtop.codegen` from `rigidtop.theory`: do not edit.
 
-Each function takes the parameters once and returns the rates as a function of the state.  The
-numbers may be floats, NumPy arrays that broadcast, or symbols; where angles occur, `sin` and `cos`
-are those of `math` unless others are given.  SI units and radians; λ₁, λ₂, λ₃ are the moments of
-inertia about the pivot (for a free body, and for a top on a table, about the centre of mass), and
-ω₁, ω₂, ω₃ are components in the body frame unless said otherwise.
+Each function takes the parameters once, in the order of its first line, and returns the rates as a
+function of the state.  The numbers may be floats, NumPy arrays that broadcast, or symbols; where
+angles occur, `sin` and `cos` are those of `math` unless others are given.  SI units and radians;
+λ₁, λ₂, λ₃ are the moments of inertia about the pivot (for a free body, and for a top on a table,
+about the centre of mass), and ω₁, ω₂, ω₃ are components in the body frame unless said otherwise.
 """
 
 import math
@@ -300,6 +293,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 Number = Any  # a float, an array or a symbol
+Function = Callable[[Number], Number]
 Rates = Callable[[Sequence[Number]], tuple[Number, ...]]
 '''
 
@@ -311,27 +305,29 @@ def module_text() -> str:
 
 def _text(side: RightHandSide) -> str:
     parts = split(side)
-    parameters = [f"{p.name}: Number" for p in side.parameters]
     called = sorted(source.names_called(parts.rates.definition))
-    if called:
-        parameters += ["*", *(f"{word}: Callable[[Any], Any] = math.{word}" for word in called)]
-    state = ", ".join(x.name for x in side.state)
-    unpacked = state if len(side.state) > 1 else f"({state},)"
+    more = [f"{word}: Function = math.{word}" for word in called]
     lines = [
-        *source.signature(side.name, parameters, returns="Rates"),
+        *source.signature(side.name, ["*parameters: Number", *more], returns="Rates"),
         f'    """{side.about}',
         "",
-        f"    The state is ({state}).",
+        f"    The state is ({', '.join(x.name for x in side.state)}).",
         '    """',
+        f"    {_row(side.parameters)} = parameters",
     ]
     for name, constant in parts.constants.items():
         lines += source.assignment(name.name, source.expression(constant))
     lines += [
         "",
         "    def rates(state: Sequence[Number]) -> tuple[Number, ...]:",
-        f"        {unpacked} = state",
+        f"        {_row(side.state)} = state",
         *source.body(parts.rates.definition, depth=2),
         "",
         "    return rates",
     ]
     return "\n".join(lines)
+
+
+def _row(symbols: Sequence[Symbol]) -> str:
+    names = ", ".join(x.name for x in symbols)
+    return names if len(symbols) > 1 else f"({names},)"

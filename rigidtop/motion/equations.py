@@ -2,11 +2,11 @@
 
 Written by `python -m rigidtop.codegen` from `rigidtop.theory`: do not edit.
 
-Each function takes the parameters once and returns the rates as a function of the state.  The
-numbers may be floats, NumPy arrays that broadcast, or symbols; where angles occur, `sin` and `cos`
-are those of `math` unless others are given.  SI units and radians; λ₁, λ₂, λ₃ are the moments of
-inertia about the pivot (for a free body, and for a top on a table, about the centre of mass), and
-ω₁, ω₂, ω₃ are components in the body frame unless said otherwise.
+Each function takes the parameters once, in the order of its first line, and returns the rates as a
+function of the state.  The numbers may be floats, NumPy arrays that broadcast, or symbols; where
+angles occur, `sin` and `cos` are those of `math` unless others are given.  SI units and radians;
+λ₁, λ₂, λ₃ are the moments of inertia about the pivot (for a free body, and for a top on a table,
+about the centre of mass), and ω₁, ω₂, ω₃ are components in the body frame unless said otherwise.
 """
 
 import math
@@ -14,43 +14,18 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 Number = Any  # a float, an array or a symbol
+Function = Callable[[Number], Number]
 Rates = Callable[[Sequence[Number]], tuple[Number, ...]]
 
 
-def free_body(lambda1: Number, lambda2: Number, lambda3: Number) -> Rates:
-    """ω̇₁, ω̇₂, ω̇₃ of a free body: Euler's equations (3.36).
-
-    The state is (omega1, omega2, omega3).
-    """
-    c0 = (lambda2 - lambda3) / lambda1
-    c1 = (lambda1 - lambda3) / lambda2
-    c2 = (lambda1 - lambda2) / lambda3
-
-    def rates(state: Sequence[Number]) -> tuple[Number, ...]:
-        omega1, omega2, omega3 = state
-        return (
-            c0 * omega2 * omega3,
-            -c1 * omega1 * omega3,
-            c2 * omega1 * omega2,
-        )
-
-    return rates
-
-
 def top_in_euler_angles(
-    lambda1: Number,
-    lambda3: Number,
-    M: Number,
-    g: Number,
-    R: Number,
-    *,
-    cos: Callable[[Any], Any] = math.cos,
-    sin: Callable[[Any], Any] = math.sin,
+    *parameters: Number, cos: Function = math.cos, sin: Function = math.sin
 ) -> Rates:
     """θ̈, φ̈, ψ̈ of the heavy symmetric top: (3.54)-(3.56).  Singular where sin θ = 0.
 
     The state is (theta, thetadot, phidot, psidot).
     """
+    lambda1, lambda3, M, g, R = parameters
     c0 = (lambda1 - lambda3) / lambda1
     c1 = M * R * g / lambda1
     c2 = lambda3 / lambda1
@@ -73,20 +48,12 @@ def top_in_euler_angles(
     return rates
 
 
-def heavy_body(
-    lambda1: Number,
-    lambda2: Number,
-    lambda3: Number,
-    M: Number,
-    g: Number,
-    R1: Number,
-    R2: Number,
-    R3: Number,
-) -> Rates:
+def heavy_body(*parameters: Number) -> Rates:
     """q̇₀ … q̇₃, ω̇₁, ω̇₂, ω̇₃ of a heavy body about a pivot, centre of mass anywhere in it.
 
     The state is (q0, q1, q2, q3, omega1, omega2, omega3).
     """
+    lambda1, lambda2, lambda3, M, g, R1, R2, R3 = parameters
     c0 = (lambda2 - lambda3) / lambda1
     c1 = M * R2 * g / lambda1
     c2 = 2 * M * R3 * g / lambda1
@@ -120,13 +87,12 @@ def heavy_body(
     return rates
 
 
-def heavy_top(
-    lambda1: Number, lambda3: Number, M: Number, g: Number, R: Number, omega3: Number
-) -> Rates:
+def heavy_top(*parameters: Number) -> Rates:
     """q̇₀ … q̇₃, ω̇₁, ω̇₂ of the symmetric top, in the frame that does not turn about e₃.
 
     The state is (q0, q1, q2, q3, omega1, omega2).
     """
+    lambda1, lambda3, M, g, R, omega3 = parameters
     c0 = lambda3 * omega3 / lambda1
     c1 = 2 * M * R * g / lambda1
 
@@ -146,22 +112,12 @@ def heavy_top(
     return rates
 
 
-def top_by_routh(
-    lambda1: Number,
-    lambda3: Number,
-    M: Number,
-    g: Number,
-    R: Number,
-    p_phi: Number,
-    p_psi: Number,
-    *,
-    cos: Callable[[Any], Any] = math.cos,
-    sin: Callable[[Any], Any] = math.sin,
-) -> Rates:
+def top_by_routh(*parameters: Number, cos: Function = math.cos, sin: Function = math.sin) -> Rates:
     """θ̈, φ̇, ψ̇ of the heavy symmetric top from its Routhian.  Singular where sin θ = 0.
 
     The state is (theta).
     """
+    lambda1, lambda3, M, g, R, p_phi, p_psi = parameters
     c0 = 1 / lambda1
     c1 = M * R * g
     c2 = p_psi / lambda1
@@ -183,21 +139,13 @@ def top_by_routh(
 
 
 def top_by_hamilton(
-    lambda1: Number,
-    lambda3: Number,
-    M: Number,
-    g: Number,
-    R: Number,
-    p_phi: Number,
-    p_psi: Number,
-    *,
-    cos: Callable[[Any], Any] = math.cos,
-    sin: Callable[[Any], Any] = math.sin,
+    *parameters: Number, cos: Function = math.cos, sin: Function = math.sin
 ) -> Rates:
     """θ̇, φ̇, ψ̇, ṗ_θ of the heavy symmetric top: Hamilton's equations, singular at sin θ = 0.
 
     The state is (theta, p_theta).
     """
+    lambda1, lambda3, M, g, R, p_phi, p_psi = parameters
     c0 = 1 / lambda1
     c1 = p_psi / lambda3
     c2 = M * R * g
@@ -220,22 +168,13 @@ def top_by_hamilton(
 
 
 def body_in_euler_angles(
-    lambda1: Number,
-    lambda2: Number,
-    lambda3: Number,
-    M: Number,
-    g: Number,
-    R1: Number,
-    R2: Number,
-    R3: Number,
-    *,
-    cos: Callable[[Any], Any] = math.cos,
-    sin: Callable[[Any], Any] = math.sin,
+    *parameters: Number, cos: Function = math.cos, sin: Function = math.sin
 ) -> Rates:
     """θ̈, φ̈, ψ̈ of a heavy body about a pivot: Lagrange's equations, singular at sin θ = 0.
 
     The state is (theta, psi, thetadot, phidot, psidot).
     """
+    lambda1, lambda2, lambda3, M, g, R1, R2, R3 = parameters
     c0 = (lambda1 - lambda2 + lambda3) / lambda1
     c1 = M * R3 * g / lambda1
     c2 = (lambda2 - lambda3) / lambda1
@@ -329,23 +268,13 @@ def body_in_euler_angles(
 
 
 def body_by_hamilton(
-    lambda1: Number,
-    lambda2: Number,
-    lambda3: Number,
-    M: Number,
-    g: Number,
-    R1: Number,
-    R2: Number,
-    R3: Number,
-    p_phi: Number,
-    *,
-    cos: Callable[[Any], Any] = math.cos,
-    sin: Callable[[Any], Any] = math.sin,
+    *parameters: Number, cos: Function = math.cos, sin: Function = math.sin
 ) -> Rates:
     """θ̇, φ̇, ψ̇, ṗ_θ, ṗ_ψ of a heavy body: Hamilton's equations, singular at sin θ = 0.
 
     The state is (theta, psi, p_theta, p_psi).
     """
+    lambda1, lambda2, lambda3, M, g, R1, R2, R3, p_phi = parameters
     c0 = 1 / lambda1
     c1 = 1 / lambda2
     c2 = 1 / lambda3
@@ -379,21 +308,12 @@ def body_by_hamilton(
     return rates
 
 
-def contact_kinematics(
-    lambda1: Number,
-    lambda3: Number,
-    M: Number,
-    g: Number,
-    R: Number,
-    tip: Number,
-    drag: Number,
-    drag1: Number,
-    drag3: Number,
-) -> Rates:
+def contact_kinematics(*parameters: Number) -> Rates:
     """Of a top on a table e₃, the velocity of its centre of mass, and a (see `theory.sliding`).
 
     The state is (q0, q1, q2, q3, omega1, omega2, omega3, v_x, v_y).
     """
+    lambda1, lambda3, M, g, R, tip, drag, drag1, drag3 = parameters
     c0 = R
     c1 = 2 * tip
     c2 = 2 * R - 2 * tip
@@ -479,19 +399,12 @@ def contact_kinematics(
     return rates
 
 
-def sliding_force(
-    lambda1: Number,
-    lambda3: Number,
-    M: Number,
-    R: Number,
-    tip: Number,
-    mu: Number,
-    viscosity: Number,
-) -> Rates:
+def sliding_force(*parameters: Number) -> Rates:
     """F_x, F_y, N of a tip that slides in the direction d, v̇, and by what N was divided.
 
     The state is (e_x, e_y, e_z, v_x, v_y, d_x, d_y, a_x, a_y, a_z).
     """
+    lambda1, lambda3, M, R, tip, mu, viscosity = parameters
     c0 = 1 / M
     c1 = 1 / lambda1
     c2 = (-R + tip) ** 2
@@ -532,11 +445,12 @@ def sliding_force(
     return rates
 
 
-def rolling_force(lambda1: Number, lambda3: Number, M: Number, R: Number, tip: Number) -> Rates:
+def rolling_force(*parameters: Number) -> Rates:
     """F_x, F_y, N that let the point of contact rest.
 
     The state is (e_x, e_y, e_z, a_x, a_y, a_z).
     """
+    lambda1, lambda3, M, R, tip = parameters
     c0 = tip**2 * (1 / lambda3 - 1 / lambda1)
     c1 = (-R + tip) ** 2 / lambda1
     c2 = 1 / M
@@ -582,19 +496,12 @@ def rolling_force(lambda1: Number, lambda3: Number, M: Number, R: Number, tip: N
     return rates
 
 
-def sliding_top(
-    lambda1: Number,
-    lambda3: Number,
-    R: Number,
-    tip: Number,
-    drag: Number,
-    drag1: Number,
-    drag3: Number,
-) -> Rates:
+def sliding_top(*parameters: Number) -> Rates:
     """Rates of q₀ … q₃, ω and what friction and air dissipate, from the contact force.
 
     The state is (q0, q1, q2, q3, omega1, omega2, omega3, v_x, v_y, V_x, V_y, V_z, F_x, F_y, N).
     """
+    lambda1, lambda3, R, tip, drag, drag1, drag3 = parameters
     c0 = R / lambda1
     c1 = drag1 / lambda1
     c2 = lambda3 / lambda1

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import argparse
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from rigidtop.errors import RigidtopError
@@ -74,3 +75,22 @@ def check_folder(folder: Path | str) -> None:
         raise RigidtopError(f"cannot write into {path}: {error.strerror or error}") from error
     if not os.access(path, os.W_OK | os.X_OK):
         raise RigidtopError(f"cannot write into {path}: no permission")
+
+
+def rewrite(command: str, about: str | None, path: Path, text: str, words: Sequence[str]) -> int:
+    """A command for a module that a program writes: it writes the text, or says if it is current.
+
+    With ``--check`` among its `words` nothing is written.  Returns the exit code, 1 where the file
+    should be written and is not.
+    """
+    parser = argparse.ArgumentParser(command, description=about)
+    parser.add_argument("--check", action="store_true", help="only say whether it is current")
+    check = parser.parse_args(words).check
+    current = path.exists() and path.read_text("utf-8") == text
+    if check and not current:
+        print(f"{path} is not what the theory gives: run {command}")
+        return 1
+    if not current:
+        write_whole(path, text.encode())
+    print(f"{path} is current" if current else f"{path} rewritten")
+    return 0

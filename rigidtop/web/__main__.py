@@ -5,29 +5,17 @@ With ``--check`` nothing is written: the exit code is 1 if the module is not wha
 
 from __future__ import annotations
 
-import argparse
 import sys
 from collections.abc import Sequence
 
-from rigidtop.terminal.files import write_whole
+from rigidtop.terminal.files import rewrite
 from rigidtop.web.equations import PATH, module_text
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
+def main(words: Sequence[str]) -> int:
     """Run the command; returns the exit code."""
-    parser = argparse.ArgumentParser("python -m rigidtop.web", description=__doc__)
-    parser.add_argument("--check", action="store_true", help="only say whether it is current")
-    options = parser.parse_args(arguments)
-    text = module_text()
-    current = PATH.exists() and PATH.read_text("utf-8") == text
-    if options.check and not current:
-        print(f"{PATH} is not what the theory gives: run python -m rigidtop.web")
-        return 1
-    if not current:
-        write_whole(PATH, text.encode())
-    print(f"{PATH} is current" if current else f"{PATH} rewritten")
-    return 0
+    return rewrite("python -m rigidtop.web", __doc__, PATH, module_text(), words)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

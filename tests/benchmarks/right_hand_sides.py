@@ -176,7 +176,7 @@ def spread(values: list[float]) -> list[np.ndarray]:
 def shipped_candidate(label: str, name: str, state: list[float], **parameters: float) -> Candidate:
     make, arrays = getattr(equations, name), spread(state)
     over_arrays = {"sin": np.sin, "cos": np.cos} if make.__kwdefaults__ else {}
-    floats, elements = make(**parameters), make(**parameters, **over_arrays)
+    floats, elements = make(*parameters.values()), make(*parameters.values(), **over_arrays)
     return Candidate(label, derived(name), lambda: floats(state), lambda: elements(arrays))
 
 
