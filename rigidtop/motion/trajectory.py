@@ -53,6 +53,24 @@ class Turning(Rows):
         return self.rotation.as_matrix()[:, :, 2]
 
 
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class TurningTop(TopState, Turning):
+    """How a symmetric top turns, known by its Euler angles and their rates."""
+
+    motion: Moving
+    t: Floats
+
+    __repr__ = Rows.__repr__
+
+    @cached_property
+    def rotation(self) -> Rotation:
+        return attitude.rotation(self.quaternion)
+
+    @cached_property
+    def omega(self) -> Floats:
+        return super().omega
+
+
 class Trajectory(Turning):
     """A motion at N times of a body that is free, or held at one point."""
 
@@ -135,7 +153,7 @@ class BodyTrajectory(Trajectory):
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class TopTrajectory(TopState, Trajectory):
+class TopTrajectory(TurningTop, Trajectory):
     """The motion of a symmetric top, with its Euler angles, of shape (N,).
 
     φ and ψ are continuous in t, from the values at t = 0 that the motion was given: they count
@@ -144,22 +162,9 @@ class TopTrajectory(TopState, Trajectory):
     the jumps take turns; in an integrated motion rounding decides the signs.
     """
 
-    motion: Moving
-    t: Floats
-
-    __repr__ = Rows.__repr__
-
     def columns(self) -> dict[str, Floats]:
         """t, the Euler angles, their rates and the energy."""
         return euler_columns(self) | {"energy/J": self.energy}
-
-    @cached_property
-    def rotation(self) -> Rotation:
-        return attitude.rotation(self.quaternion)
-
-    @cached_property
-    def omega(self) -> Floats:
-        return super().omega
 
     @property
     def p_phi(self) -> Floats:

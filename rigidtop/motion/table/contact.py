@@ -26,21 +26,22 @@ Direction = tuple[float, float]
 NOWHERE: Direction = 0.0, 0.0
 
 
+@dataclass(frozen=True, kw_only=True)
 class Sliding:
-    """A top with a round tip on a table: see `SlidingTop`."""
+    """The numbers of a top with a round tip on a table, in SI units: see `SlidingTop`."""
 
     lambda1: float
     lambda3: float
     M: float
     R: float
-    tip: float
-    g: float
-    mu: float
-    viscosity: float
-    drag: float
-    drag1: float
-    drag3: float
-    fall: float
+    tip: float = 0.0
+    g: float = 9.81
+    mu: float = 0.0
+    viscosity: float = 0.0
+    drag: float = 0.0
+    drag1: float = 0.0
+    drag3: float = 0.0
+    fall: float = math.pi / 2
 
 
 @dataclass(frozen=True)

@@ -52,19 +52,6 @@ class SlidingTop(Sliding):
     (True, True)
     """
 
-    lambda1: float
-    lambda3: float
-    M: float
-    R: float
-    tip: float = 0.0
-    g: float = 9.81
-    mu: float = 0.0
-    viscosity: float = 0.0
-    drag: float = 0.0
-    drag1: float = 0.0
-    drag3: float = 0.0
-    fall: float = math.pi / 2
-
     def __post_init__(self) -> None:
         for name in ("lambda1", "lambda3", "M", "R", "g"):
             object.__setattr__(self, name, checks.positive(name, getattr(self, name)))

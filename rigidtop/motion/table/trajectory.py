@@ -7,19 +7,15 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
-from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.rigid import Moving
-from rigidtop.motion.state import TopState
 from rigidtop.motion.table.contact import Contact, Sliding
 from rigidtop.motion.table.phases import ENDINGS, Event
-from rigidtop.motion.trajectory import Turning, euler_columns
+from rigidtop.motion.trajectory import TurningTop, euler_columns
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class SlidingTrajectory(TopState, Turning):
+class SlidingTrajectory(TurningTop):
     """A top on a table at N times, one row each, in the order in which they were asked for.
 
     Times after a fall or a lift-off are left out: see `ended`.  Angles, their rates and ω are those
@@ -27,12 +23,6 @@ class SlidingTrajectory(TopState, Turning):
     the **centre of mass**.  Vectors with three components in
     the space frame have the table at z = 0.
     """
-
-    motion: Moving
-    """The motion that it belongs to, with its body and its initial state."""
-
-    t: Floats
-    """Times, shape (N,), in s."""
 
     centre: Floats
     """X and Y of the centre of mass, shape (N, 2), in m."""
@@ -52,8 +42,6 @@ class SlidingTrajectory(TopState, Turning):
     events: tuple[Event, ...] = ()
     """What happened until the last of the times asked for, in order of time."""
 
-    __repr__ = Turning.__repr__
-
     def columns(self) -> dict[str, Floats]:
         """t, the Euler angles and rates, place, slip, rolling, the table's force, energies."""
         return {
@@ -70,16 +58,6 @@ class SlidingTrajectory(TopState, Turning):
     def ended(self) -> Event | None:
         """The fall or the lift-off after which there are no rows, None if there was none."""
         return self.events[-1] if self.events and self.events[-1].kind in ENDINGS else None
-
-    @cached_property
-    def rotation(self) -> Rotation:
-        """Attitudes, N of them: body components to space components."""
-        return attitude.rotation(self.quaternion)
-
-    @cached_property
-    def omega(self) -> Floats:
-        """Rotational velocity in body components, shape (N, 3), in rad/s."""
-        return super().omega
 
     @cached_property
     def _known(self) -> Floats:
