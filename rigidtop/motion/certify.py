@@ -158,7 +158,7 @@ def certify(motion: Motion, t: ArrayLike, rtol: float = 1e-12) -> Certificate:
     differences = np.array([[angle(one, other) for other in paths] for one in paths])
     span = float(np.abs(times).max())
     amplification = _amplification(motion, times, rtol)
-    turned = _rate(motion) * span
+    turned = motion.rate * span
     step = 10 * max(rtol, ROUNDING) * amplification
     measured, unmeasured = orders(motion)
     return Certificate(
@@ -186,12 +186,6 @@ def _finite(path: Trajectory) -> Trajectory:
     if not np.all(np.isfinite(path.omega)) or not np.all(np.isfinite(path.rotation.as_quat())):
         raise RigidtopError("it leaves the numbers")
     return path
-
-
-def _rate(motion: Motion) -> float:
-    """A rate that the motion does not much exceed (1/s)."""
-    moments, weight = motion.body.moments, motion.body.weight
-    return math.hypot(*motion.omega) + math.sqrt(math.hypot(*weight) / min(moments))
 
 
 def _drift(path: Trajectory) -> dict[str, float]:
@@ -228,7 +222,7 @@ def _amplification(motion: Motion, times: Floats, rtol: float) -> float:
     reference = followed(motion.attitude, omega)
     nudges = NUDGE * np.eye(3)
     nearby = [followed(motion.attitude * Rotation.from_rotvec(turn), omega) for turn in nudges]
-    nearby += [followed(motion.attitude, omega + _rate(motion) * push) for push in nudges]
+    nearby += [followed(motion.attitude, omega + motion.rate * push) for push in nudges]
     return max(1.0, *(angle(reference, other) / NUDGE for other in nearby))
 
 
@@ -259,7 +253,7 @@ def by_lagrange(motion: Motion, times: Floats, rtol: float) -> Trajectory:
         return *state[3:], *rates([state[k] for k in at])
 
     first = np.array([*start.angles, *start.velocities])
-    units = np.repeat([1.0, _rate(motion) or 1.0], 3)
+    units = np.repeat([1.0, motion.rate or 1.0], 3)
     states = _solved(right_hand_side, first, times, rtol, units)
     return start.trajectory(motion, times, states[:3], states[3:])
 
@@ -276,7 +270,7 @@ def by_hamilton(motion: Motion, times: Floats, rtol: float) -> Trajectory:
         at, moving = [0, 2, 3, 4], [p_theta, p_psi]
     rates, over_arrays = law
     first = np.array([*start.angles, *moving])
-    units = np.full(len(first), max(motion.body.moments) * (_rate(motion) or 1.0))
+    units = np.full(len(first), max(motion.body.moments) * (motion.rate or 1.0))
     units[:3] = 1.0
 
     def right_hand_side(state: Sequence[float]) -> tuple[float, ...]:
@@ -306,7 +300,7 @@ def by_routh(motion: Motion, times: Floats, rtol: float) -> Trajectory:
         return np.concatenate([motion.path(ordered), integrals])
 
     first = np.array([theta, start.velocities[0]])
-    units = np.array([1.0, _rate(motion) or 1.0])
+    units = np.array([1.0, motion.rate or 1.0])
     states = _solved(right_hand_side, first, times, rtol, units, sample)
     angles = np.stack([states[0], phi + states[2], psi + states[3]])
     velocities = np.stack([states[1], *over_arrays(list(states[:1]))[1:]])

@@ -259,23 +259,30 @@ def grid(
     return states
 
 
-def counted_phases(
-    motion: Flow, times: Floats, start: tuple[float, float], idle: tuple[float, float]
+def counted_angles(
+    motion: Flow, times: Floats, start: tuple[float, float], upright: float
 ) -> Floats:
-    """The phases of α and β at `times`, continuous along the motion from `start` (2, N).
+    """φ and ψ at `times`, continuous along the motion from `start`, (2, N).
 
-    α and β are followed along the dense output with steps so short that neither can go round zero
-    unseen, however far apart `times` are.  As long as one of them is exactly zero (a sleeping top)
-    its phase advances at the rate `idle`.
+    ψ is that in the frame of the state.  α and β, whose phases are half their sum and difference,
+    are followed along the dense output with steps so short that neither can go round zero unseen,
+    however far apart `times` are.  As long as one of them is exactly zero (a sleeping top) its
+    phase advances at the rate `upright`, or backwards.
     """
+    phi, psi = start
+    starts = (phi + psi) / 2, (phi - psi) / 2
     fractions = np.arange(SUBSTEPS) / SUBSTEPS
     steps = motion.steps
     between = (steps[:-1, None] + np.diff(steps)[:, None] * fractions).ravel()
     nodes = np.unique(np.abs(np.concatenate([between, steps[-1:], times])))
     direction = -1.0 if times[-1] < 0 else 1.0
     nodes, z = _refined(lambda t: np.stack(spinors(motion.path(direction * t))), nodes)
-    phases = [_unwrapped(*row, direction * nodes) for row in zip(z, start, idle, strict=True)]
-    return np.stack(phases)[:, np.searchsorted(nodes, np.abs(times))]
+    phases = [
+        _unwrapped(*row, direction * nodes)
+        for row in zip(z, starts, (-upright, upright), strict=True)
+    ]
+    half_sum, half_difference = np.stack(phases)[:, np.searchsorted(nodes, np.abs(times))]
+    return np.stack([half_sum + half_difference, half_sum - half_difference])
 
 
 def _refined(path: Callable[[Floats], Complexes], nodes: Floats) -> tuple[Floats, Complexes]:

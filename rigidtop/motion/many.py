@@ -21,7 +21,7 @@ from rigidtop.motion import checks, integrate, systems, taylor
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import free, heavy
 from rigidtop.motion.integrate import TAYLOR, Accuracy, Progress
-from rigidtop.motion.state import TopState, of_spinors
+from rigidtop.motion.state import TopState, of_spinors, spinning
 
 CHUNK = 1 << 13
 """States at a time: so many that NumPy's calls cost little beside its loops."""
@@ -248,8 +248,7 @@ class TopMotions(_Motions):
             **of_spinors((alpha, beta), (across.real, across.imag), psi),
             phi=_principal(phi),
             psi=_principal(psi),
-            omega3=self.omega3,
-            upright_phi_dot=self.lambda3 * self.omega3 / (2 * self.lambda1),
+            **spinning(self, self.omega3),
         )
 
 

@@ -21,13 +21,13 @@ from rigidtop.motion.integrate import (
     Accuracy,
     Flow,
     Flows,
-    counted_phases,
+    counted_angles,
     flow,
     on_both_sides,
 )
 from rigidtop.motion.rigid import RigidBody, SymmetricTop
 from rigidtop.motion.start import Start
-from rigidtop.motion.state import TopState, of_spinors
+from rigidtop.motion.state import TopState, of_spinors, spinning
 from rigidtop.motion.trajectory import BodyTrajectory, SampledTop, TopTrajectory, Trajectory
 from rigidtop.trace import Solved
 
@@ -176,10 +176,14 @@ class Motion:
         """
         return float(self.orbit.mean_precession)
 
-    def _times(self, t: ArrayLike) -> Floats:
+    @property
+    def rate(self) -> float:
+        """|ω| + √(MgR/λ) with the smallest moment, which the motion does not much exceed (1/s)."""
         moments, weight = self.body.moments, self.body.weight
-        rate = math.hypot(*self.omega) + math.sqrt(math.hypot(*weight) / min(moments))
-        return checks.times_within_reach(t, rate)
+        return math.hypot(*self.omega) + math.sqrt(math.hypot(*weight) / min(moments))
+
+    def _times(self, t: ArrayLike) -> Floats:
+        return checks.times_within_reach(t, self.rate)
 
     def _flows(self, accuracy: Accuracy) -> Flows:
         """The motion from t = 0 on, as `accuracy` says."""
@@ -283,15 +287,15 @@ class TopMotion(Motion):
         times = checks.times(t)
         if len(times) == 1:
             return self._row(times, self.solved.at(float(times[0])))
-        spin, even = self.omega[2], None
+        even = None
         if not compiled or len(times) > samples.MANY:
             orbit: heavy.Orbit = self.solved.orbit
             states = partial(heavy.states, self.solved, compiled=compiled)
             even = samples.samples(times, orbit.course, states, orbit.sizes)
         if even is not None:
-            return SampledTop(self, times, lambda name: even.of(name)[0], spin)
+            return SampledTop(self, times, lambda name: even.of(name)[0])
         if compiled:
-            return SampledTop(self, times, heavy.rows(self.solved, times).__getitem__, spin)
+            return SampledTop(self, times, heavy.rows(self.solved, times).__getitem__)
         return TopTrajectory(motion=self, t=times, **vars(orbit.states(times)))
 
     def integrate(
@@ -307,37 +311,28 @@ class TopMotion(Motion):
         (True, True)
         """
         times = self._times(t)
-        spin = self.omega[2]
-        # Halves of φ ± (ψ − ω₃t), the phases in the frame that does not turn about e₃.
-        phases = (self.phi + self.psi) / 2, (self.phi - self.psi) / 2
-        # φ̇ of a top that stays upright, hanging (α = 0) or standing (β = 0).
-        precession = self.body.lambda3 * spin / (2 * self.body.lambda1)
-        idle = -precession, precession
+        upright = float(spinning(self.body, self.omega[2])["upright_phi_dot"])
 
         def sample(motion: Flow, ordered: Floats) -> Floats:
-            counted = counted_phases(motion, ordered, phases, idle)
+            counted = counted_angles(motion, ordered, (self.phi, self.psi), upright)
             return np.concatenate([motion.path(ordered), counted])
 
         flows = self._flows(Accuracy(method, rtol, atol))
         states = on_both_sides(flows, self._initial(), times, sample)
-        half_sum, half_difference = states[6:]
-        return self._trajectory(
-            states[:6], times, half_sum + half_difference, half_sum - half_difference
-        )
+        return self._trajectory(states[:6], times, *states[6:])
 
     def _trajectory(
         self, states: Floats, times: Floats, phi: Floats, psi_in_frame: Floats
     ) -> TopTrajectory:
         """From states (6, N) and continuous angles in the frame that does not turn about e₃."""
-        spin = np.asarray(self.omega[2])
+        spin = self.omega[2]
         return TopTrajectory(
             motion=self,
             t=times,
             **of_spinors(attitudes.spinors(_units(states).T), states[4:6], psi_in_frame),
             phi=phi,
             psi=psi_in_frame + spin * times,
-            omega3=spin,
-            upright_phi_dot=self.body.lambda3 * spin / (2 * self.body.lambda1),
+            **spinning(self.body, spin),
         )
 
 

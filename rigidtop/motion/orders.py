@@ -102,11 +102,9 @@ def order(motion: Motion, method: Fixed) -> Order:
 
     RigidtopError where there is no closed form, or nothing to see.
     """
-    moments, weight = motion.body.moments, motion.body.weight
-    rate = math.hypot(*motion.omega) + math.sqrt(math.hypot(*weight) / min(moments))
-    if rate == 0:
+    if motion.rate == 0:
         raise RigidtopError("nothing moves")
-    unit = 2.0 ** math.floor(-math.log2(rate))
+    unit = 2.0 ** math.floor(-math.log2(motion.rate))
     smallest = SMALLEST_IMPLICIT if method in IMPLICIT else SMALLEST_ERROR
     counts: list[int] = []
     errors: list[float] = []

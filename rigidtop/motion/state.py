@@ -80,6 +80,12 @@ class TopState:
         return np.stack([first, second, np.broadcast_to(self.omega3, first.shape)], axis=-1)
 
 
+def spinning(body: Any, omega3: Any) -> dict[str, Any]:
+    """What of a state ω₃ tells, of a body with λ₁ and λ₃."""
+    upright = body.lambda3 * omega3 / (2 * body.lambda1)
+    return {"omega3": np.asarray(omega3), "upright_phi_dot": np.asarray(upright)}
+
+
 def rates(k: Kit, state: Any) -> tuple[Any, Any]:
     """φ̇ and ψ̇, of the numbers of a kit."""
     c, s = state.cos_half, state.sin_half

@@ -15,7 +15,7 @@ from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.rigid import Moving
 from rigidtop.motion.rows import Rows
-from rigidtop.motion.state import TopState
+from rigidtop.motion.state import TopState, spinning
 
 
 class Turning(Rows):
@@ -191,13 +191,9 @@ class SampledTop(TopTrajectory):
 
     samples: Callable[[str], Floats]
 
-    def __init__(
-        self, motion: Moving, times: Floats, samples: Callable[[str], Floats], spin: float
-    ) -> None:
-        upright = motion.body.lambda3 * spin / (2 * motion.body.lambda1)
+    def __init__(self, motion: Moving, times: Floats, samples: Callable[[str], Floats]) -> None:
         values = {"motion": motion, "t": times, "samples": samples}
-        fixed = {"omega3": np.asarray(spin), "upright_phi_dot": np.asarray(upright)}
-        for name, value in (values | fixed).items():
+        for name, value in (values | spinning(motion.body, motion.omega[2])).items():
             object.__setattr__(self, name, value)
 
     cos_half = _sampled("cos_half")

@@ -20,18 +20,38 @@ from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
 from rigidtop.bench.motions import END, TOLERANCE
 from rigidtop.bench.rows import ROUNDS, Row, Task, Way, measured, missing, table
-from rigidtop.system import pendulums
+from rigidtop.system.parts import Mass
+from rigidtop.system.system import System
 
 SOLVED = 4
 """More pendulums than these SymPy does not solve in a reasonable time."""
 
+m, length, g = sympy.symbols("m length g", positive=True)
+PARAMETERS = {m: 1.0, length: 1.0, g: 9.81}
+
+
+def masses(n: int) -> tuple[list[Any], list[Mass]]:
+    """Of pendulums in a row their angles to the vertical, and the masses with their places."""
+    angles = [dynamicsymbols(f"theta{k + 1}") for k in range(n)]
+    x, y, found = sympy.S.Zero, sympy.S.Zero, []
+    for angle in angles:
+        x, y = x + length * sympy.sin(angle), y - length * sympy.cos(angle)
+        found.append(Mass(m, [x, y]))
+    return angles, found
+
+
+def pendulums(n: int) -> System:
+    """n equal masses, each on a rod from the one before, by their angles to the vertical."""
+    angles, parts = masses(n)
+    return System.of_parts(parts, angles, gravity=[0, -g])
+
 
 def by_sympy(n: int) -> LagrangesMethod:
     """With its equations formed."""
-    angles, masses = pendulums.masses(n)
+    angles, parts = masses(n)
     t = dynamicsymbols._t
-    T = sum(part.mass * part.place.diff(t).dot(part.place.diff(t)) for part in masses) / 2
-    V = sum(part.mass * pendulums.g * part.place[1] for part in masses)
+    T = sum(part.mass * part.place.diff(t).dot(part.place.diff(t)) for part in parts) / 2
+    V = sum(part.mass * g * part.place[1] for part in parts)
     method = LagrangesMethod(T - V, angles)
     method.form_lagranges_equations()
     return method
@@ -47,17 +67,16 @@ def derivation(n: int) -> list[Row]:
     """To q̈ as lines, or, where SymPy does not get there, to M and f of Mq̈ = f."""
     task = f"derive {n} pendulums in a row, to the right-hand side"
     told = "rhs()" if n <= SOLVED else "mass_matrix, *method.forcing"
-    ours = "from rigidtop.system.pendulums import pendulums"
-    theirs = f"import sys; sys.path.insert(0, {str(Path(__file__).parent)!r}); import systems"
+    imports = f"import sys; sys.path.insert(0, {str(Path(__file__).parent)!r}); import systems"
     counted = f"systems.operations([*method.{told}])"
-    made = pendulums.pendulums(n).program.operations
-    seconds, count = fresh(theirs, f"method = systems.by_sympy({n}); count = {counted}", "count")
+    made = pendulums(n).program.operations
+    seconds, count = fresh(imports, f"method = systems.by_sympy({n}); count = {counted}", "count")
     said = f"{count:.0f} operations" + ("" if n <= SOLVED else ", not solved")
     return [
         Row(
             task,
             "rigidtop.System",
-            fresh(ours, f"pendulums({n}).program", "0")[0],
+            fresh(imports, f"systems.pendulums({n}).program", "0")[0],
             note=f"{made} operations",
         ),
         Row(task, "sympy LagrangesMethod, cse", seconds, note=said),
@@ -78,7 +97,7 @@ def fresh(imports: str, statement: str, told: str) -> tuple[float, float]:
 def two_pendulums() -> list[Way]:
     """From 1 and 0.5 rad at rest; the errors are those of the angles, against Taylor series."""
     t = np.linspace(0.0, END, 1000)
-    motion = pendulums.pendulums(2).motion(pendulums.PARAMETERS, q=[1.0, 0.5])
+    motion = pendulums(2).motion(PARAMETERS, q=[1.0, 0.5])
     truth = motion.integrate(t, "taylor", 2.3e-16).q
 
     def error(found: NDArray[np.float64]) -> float:
@@ -107,11 +126,11 @@ def by_pydy(t: NDArray[np.float64], error: Callable[[Any], float]) -> Way:
             method.forcing.xreplace(rates),
             list(method.q),
             list(speeds),
-            tuple(pendulums.PARAMETERS),
+            tuple(PARAMETERS),
             mass_matrix=method.mass_matrix.xreplace(rates),
             coordinate_derivatives=sympy.Matrix(speeds),
         )
-    values, start = np.array(list(pendulums.PARAMETERS.values())), np.array([1.0, 0.5, 0.0, 0.0])
+    values, start = np.array(list(PARAMETERS.values())), np.array([1.0, 0.5, 0.0, 0.0])
 
     def go() -> NDArray[np.float64]:
         found = odeint(right, start, t, args=(values,), rtol=TOLERANCE, atol=TOLERANCE)

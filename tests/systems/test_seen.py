@@ -9,10 +9,9 @@ from sympy import cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import rigidtop as rt
-from rigidtop.system.pendulums import pendulums
 
 m, length, g = symbols("m length g", positive=True)
-first, second = dynamicsymbols("theta1 theta2")
+first, second, third = dynamicsymbols("theta1 theta2 theta3")
 near = [length * sin(first), -length * cos(first)]
 far = [near[0] + length * sin(second), near[1] - length * cos(second)]
 PENDULUM = rt.System.of_parts([rt.Mass(m, near), rt.Mass(m, far)], [first, second], gravity=[0, -g])
@@ -159,7 +158,10 @@ def test_notebooks_see_systems_and_motions():
     assert "; ẍ = −kx/m" in spring._repr_html_()
     assert "<td>1.5</td>" in spring.motion({m: 2, k: 1.5}, 1)._repr_html_()
     assert "θ̈₂ = " in PENDULUM._repr_html_()
-    assert "θ̈₃" not in pendulums(3)._repr_html_()  # long
+    low = [far[0] + length * sin(third), far[1] - length * cos(third)]
+    bobs = [rt.Mass(m, place) for place in (near, far, low)]
+    triple = rt.System.of_parts(bobs, [first, second, third], gravity=[0, -g])
+    assert "θ̈₃" not in triple._repr_html_()  # long
     singular = rt.System(m * v + x**2, x, v)
     assert repr(spring.small({x: 0})) == "<Small deviations of x>"
     assert np.array_equal(RUN["theta2_dot"], RUN.qdot[:, 1])

@@ -17,10 +17,10 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
 from rigidtop.motion import checks
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.integrate import TAYLOR, Accuracy, counted_phases, joined
+from rigidtop.motion.integrate import TAYLOR, Accuracy, counted_angles, joined
 from rigidtop.motion.rigid import Triple
 from rigidtop.motion.start import start as euler_start
-from rigidtop.motion.state import of_spinors
+from rigidtop.motion.state import of_spinors, spinning
 from rigidtop.motion.table import smooth
 from rigidtop.motion.table.contact import VARIABLES, Contact, Sliding
 from rigidtop.motion.table.phases import Course, course
@@ -212,8 +212,7 @@ class SlidingMotion:
             psi=self.psi + at.psi,
             theta_dot=at.theta_dot,
             v_phi=at.v_phi,
-            omega3=np.asarray(self.omega[2]),
-            upright_phi_dot=np.asarray(body.lambda3 * self.omega[2] / (2 * body.lambda1)),
+            **spinning(body, self.omega[2]),
             centre=times[:, None] * velocity,
             slip=np.zeros((len(times), 2)),
             dissipated_by_friction=np.zeros(len(times)),
@@ -262,17 +261,15 @@ class SlidingMotion:
         order = np.argsort(times, kind="stable")
         ordered = times[order]
         flow = joined([phase.flow for phase in found.phases])
-        halves = (self.phi + self.psi) / 2, (self.phi - self.psi) / 2
-        precession = self.body.lambda3 * self.omega[2] / (2 * self.body.lambda1)
-        counted = counted_phases(flow, ordered, halves, (-precession, precession))
+        upright = float(spinning(self.body, self.omega[2])["upright_phi_dot"])
+        counted = counted_angles(flow, ordered, (self.phi, self.psi), upright)
         ends = np.array([phase.flow.steps[-1] for phase in found.phases[:-1]])
         laws = np.array([phase.rolling for phase in found.phases])
         back = np.argsort(order, kind="stable")
-        half_sum, half_difference = counted[:, back]
         return self._trajectory(
             flow.path(ordered)[:, back],
             times,
-            np.stack([half_sum + half_difference, half_sum - half_difference]),
+            counted[:, back],
             laws[np.searchsorted(ends, times)],
             found,
         )
@@ -320,8 +317,7 @@ class SlidingMotion:
             **of_spinors(spinors, states[4:6], psi_in_frame),
             phi=phi,
             psi=psi_in_frame + turned,
-            omega3=omega3,
-            upright_phi_dot=self.body.lambda3 * omega3 / (2 * self.body.lambda1),
+            **spinning(self.body, omega3),
             centre=np.column_stack([x, y]),
             slip=np.column_stack([slip_x, slip_y]),
             dissipated_by_friction=friction,
