@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
-from sympy import Eq, Matrix, Ne, Rational, diag, sin
+from sympy import Eq, Expr, Matrix, Ne, Rational, diag, sin
 
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.page import Assumption, Check, Evidence, Formal, Page, claim
@@ -39,14 +38,14 @@ def momentum_primed() -> Matrix:
     return reduce_trig(turn * diag(*MOMENTS) * turn.T) * euler_omega("primed")
 
 
-def momentum_along_axes() -> dict[Any, Any]:
+def momentum_along_axes() -> dict[Expr, Expr]:
     """L along ẑ and along e₃, for any three moments (J s)."""
     components = momentum_primed()
     vertical_primed = primed_matrix().T * Z_AXIS
     return {s.L_z: reduce_trig(vertical_primed.dot(components)), s.L3: components[2]}
 
 
-def sequence() -> dict[Any, Any]:
+def sequence() -> dict[Expr, Expr]:
     """The three turns of the figure as rotations about axes that move: e₂′, e₃ and all of O."""
     first = rotation_z(s.phi)
     line_of_nodes = first * Y

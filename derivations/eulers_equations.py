@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 from operator import itemgetter
-from typing import Any
 
 from sympy import Eq, Expr, Ge, Le, Matrix, Ne, S
 
@@ -37,7 +36,7 @@ RATES = (s.omega1dot, s.omega2dot, s.omega3dot)
 CONSTANT = r"[\dot\omega_1,\dot\omega_2,\dot\omega_3]^T = [0, 0, 0]^T"
 
 
-def rates(torque: Matrix | None = None) -> dict[Any, Any]:
+def rates(torque: Matrix | None = None) -> dict[Expr, Expr]:
     """ω̇ by Euler's equations (rad/s²)."""
     return dict(zip(RATES, body_accelerations(torque), strict=True))
 
@@ -63,7 +62,7 @@ def transport() -> Iterator[Evidence]:
     )
 
 
-def lagrange_third(potential: Expr) -> dict[Any, Any]:
+def lagrange_third(potential: Expr) -> dict[Expr, Expr]:
     """ω₃ and its rate in Euler angles, ψ̈ taken from Lagrange's equation for ψ."""
     rest, inertia, omega = _for_psi()
     solution = -(rest + potential.diff(s.psi)) / inertia

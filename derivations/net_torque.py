@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from itertools import combinations
 from typing import Any
 
-from sympy import Eq, Integer, Matrix, Symbol, symbols
+from sympy import Eq, Expr, Integer, Matrix, MatrixBase, Symbol, symbols
 
 from rigidtop.proof.equation import (
     Cross,
@@ -44,7 +44,7 @@ def over_particles(places: list[tuple[Matrix, Matrix]], density: Matrix) -> Call
 def over_body(centre: Matrix) -> Callable[[Any], Any]:
     """∫ d³r of ρ times what is linear in r, for any ρ: its mass M and centre of mass decide."""
 
-    def integral(integrand: Any) -> Any:
+    def integral(integrand: Expr | MatrixBase) -> Expr | MatrixBase:
         if isinstance(integrand, Matrix):
             return integrand.applyfunc(integral)
         linear = integrand.expand()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from sympy import Eq, Expr, Ge, Gt, Matrix, Ne, cos, factor_list, pi, sin, symbols
 
@@ -21,7 +20,7 @@ from .printed import printed
 SMALL = Assumption(Eq(s.A, 0), "small oscillations", stated=True, otherwise=s.A)
 
 
-def steady_state() -> dict[Any, Any]:
+def steady_state() -> dict[Expr, Expr]:
     """p_φ, p_ψ and g of a steady precession at θ with ω₃ and Ω."""
     rates = {s.phidot: s.Omega, s.psidot: s.omega3 - s.Omega * cos(s.theta)}
     weight = (s.lambda3 * s.omega3 * s.Omega - s.lambda1 * cos(s.theta) * s.Omega**2) / (s.M * s.R)

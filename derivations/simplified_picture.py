@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
-from typing import Any
 
-from sympy import Eq, Expr, Gt, Matrix, Ne, Poly, cos, diag, sin, sqrt
+from sympy import Eq, Expr, Gt, Matrix, MatrixBase, Ne, Poly, cos, diag, sin, sqrt
 
 from rigidtop.proof.page import Assumption, Check, Evidence, Formal, Page, claim
 from rigidtop.theory import symbols as s
@@ -63,7 +62,7 @@ def steady_rate() -> Expr:
     return -2 * c / b / (1 + sqrt(1 - (4 * a * c / b**2).expand()))
 
 
-def picture() -> dict[Any, Any]:
+def picture() -> dict[Expr, Expr | MatrixBase]:
     """e₃ at angle θ in the plane of x̂ and ẑ, precessing at Ω (space components).
 
     θ̇ is left in: a top that nutates.

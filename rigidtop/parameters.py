@@ -82,7 +82,7 @@ def real(value: Any) -> float:
     raise TypeError(in_one_line(value))
 
 
-def in_one_line(value: Any) -> str:
+def in_one_line(value: object) -> str:
     """What is no number, in a message."""
     text = " ".join(repr(value).split())
     return text if len(text) <= LONGEST else f"{text[:LONGEST]}…"

@@ -32,7 +32,7 @@ from typing import Any
 import numpy as np
 import sympy
 from numpy.typing import NDArray
-from sympy import Symbol
+from sympy import Expr, Symbol
 
 from rigidtop.codegen import source
 from rigidtop.codegen.solve import in_pieces
@@ -63,7 +63,7 @@ class Function:
 
 
 def function(
-    expressions: Iterable[Any],
+    expressions: Iterable[Expr],
     arguments: Sequence[Symbol],
     name: str,
     shared: Sequence[tuple[Symbol, Any]] = (),
@@ -114,12 +114,12 @@ def function(
 
 
 def _lambdified(
-    expressions: list[Any],
+    expressions: list[Expr],
     arguments: Sequence[Symbol],
     module: str,
     shared: Sequence[tuple[Symbol, Any]],
 ) -> Any:
-    def lines(wanted: Sequence[Any]) -> tuple[list[tuple[Symbol, Any]], list[Any]]:
+    def lines(wanted: Sequence[Expr]) -> tuple[list[tuple[Symbol, Any]], list[Any]]:
         made, reduced = (shared, wanted) if shared else sympy.cse(wanted)
         taken = {x.name for x in (*arguments, *(name for name, _ in made))}
         free = (x for x in sympy.numbered_symbols("x") if x.name not in taken)

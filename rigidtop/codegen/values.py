@@ -212,7 +212,7 @@ def _of_equation(source: _Source, again: bool) -> Iterator[Value]:
     yield from _entries(wanted.name, wanted, [e / factor for e in entries], shape, equation)
 
 
-def _target(left: Any) -> tuple[Expr, Symbol | list[Symbol]] | None:
+def _target(left: Expr) -> tuple[Expr, Symbol | list[Symbol]] | None:
     """What a left side names: x, or c·x as it is printed, or a column of symbols."""
     if isinstance(left, Symbol):
         return sympy.S.One, left
@@ -231,7 +231,7 @@ def _is_dot(left: Any) -> bool:
     return isinstance(left, Dot) and all(isinstance(x, Symbol) for x in left.args)
 
 
-def _atoms(meaning: Meaning, left: Any) -> set[Symbol]:
+def _atoms(meaning: Meaning, left: Expr) -> set[Symbol]:
     """The symbols that a left side consists of, if it consists of nothing else."""
     target = _target(left)
     if target is None:
@@ -248,7 +248,7 @@ def _components(vector: Any, like: sympy.MatrixBase) -> sympy.MatrixBase:
 
 
 def _evaluated(
-    side: Any, meaning: Meaning, source: _Source
+    side: Expr, meaning: Meaning, source: _Source
 ) -> tuple[list[Expr], tuple[int, int]] | None:
     """A side as numbers would go into it; None if it stays one of vectors."""
     try:
@@ -271,7 +271,7 @@ def _imposed(assumption: Assumption) -> Any:
     return assumption.condition.rhs if assumption.otherwise is None else assumption.otherwise
 
 
-def _is_vector(symbol: Any) -> bool:
+def _is_vector(symbol: Expr) -> bool:
     quantity = s.VOCABULARY.get(symbol)
     matrices = (s.inertia, s.Lambda, s.O_matrix, s.A_matrix, s.B_matrix, s.C_matrix, s.unit)
     return symbol in matrices or (quantity is not None and quantity.glyph.bold)

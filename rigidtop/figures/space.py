@@ -114,7 +114,7 @@ def arrow(
     shift: tuple[float, float] | None = None,
     color: str = INK,
     lw: float = 1.4,
-    ls: Any = "-",
+    ls: str = "-",
     zorder: float = 5,
 ) -> None:
     """An arrow from `start` to `tip` (3,), with its name beyond the tip.

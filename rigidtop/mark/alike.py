@@ -110,7 +110,7 @@ def _residuals(equation: Equation) -> tuple[Expr, ...]:
     return tuple(made)
 
 
-def _bare(tree: Any) -> Any:
+def _bare(tree: Expr) -> Expr:
     """A tree without what is there for the page only; what is printed otherwise stays one node."""
     if isinstance(tree, (Group, Underbrace)):
         return _bare(tree.args[0])
@@ -181,7 +181,10 @@ def _power(term: Expr, letter: Symbol) -> Any:
 
 
 def _maps(
-    letters: list[Symbol], here: Mapping[Any, Any], there: Mapping[Any, Any], made: dict[Any, Any]
+    letters: list[Symbol],
+    here: Mapping[Expr, Any],
+    there: Mapping[Expr, Any],
+    made: dict[Expr, Expr],
 ) -> Iterator[dict[Symbol, Symbol]]:
     if not letters:
         yield dict(made)
@@ -192,7 +195,7 @@ def _maps(
             yield from _maps(rest, here, there, {**made, letter: other})
 
 
-def _fits(letter: Symbol, other: Symbol, made: Mapping[Any, Any]) -> bool:
+def _fits(letter: Symbol, other: Symbol, made: Mapping[Expr, Expr]) -> bool:
     """Whether dots agree: θ̇ for α̇ wants θ for α."""
     mine, theirs = (replace(_glyph(x), accent="") for x in (letter, other))
     for one, image in made.items():

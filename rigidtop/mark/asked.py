@@ -143,7 +143,7 @@ class _Asking:
                 self._function(line, letter, right)
         return True
 
-    def _function(self, line: Line, letter: Symbol, right: Any) -> None:
+    def _function(self, line: Line, letter: Symbol, right: Expr) -> None:
         """Take the slopes of a letter down that is a function of others, which are held fixed."""
         letters = self.lecture.letters
         of = letters.functions.get(letter, ())
@@ -159,7 +159,7 @@ class _Asking:
     def letters(self) -> set[Symbol]:
         return self.model.symbols()
 
-    def _own(self, file: str) -> Mapping[Any, Any]:
+    def _own(self, file: str) -> Mapping[Expr, Expr]:
         """The letters that were defined on the page, or in the lecture before."""
         return {x: v for of, x, v in self.defined if of == file or not of.startswith("exercises/")}
 

@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 import sympy
-from sympy import Eq, Symbol
+from sympy import Eq, Expr, MatrixBase, Symbol
 
 from rigidtop.derivations import models
 from rigidtop.derivations.letters import LETTERS
@@ -589,15 +589,15 @@ class _Near:
             # An integral or a sum can't follow every variation: it then says nothing of it.
             return []
 
-    def _imposed(self, expression: Any) -> Any:
+    def _imposed(self, expression: Expr) -> Expr:
         expression = sympy.sympify(expression)
         return expression.subs(self._equal).subs(self._equal)
 
-    def _number(self, expression: Any) -> float:
+    def _number(self, expression: Expr) -> float:
         values = {x: self._point.get(x) or _somewhere(x) for x in expression.free_symbols}
         return float(expression.xreplace(values).doit().evalf())
 
-    def _varied(self, name: Any) -> list[dict[Any, Any]]:
+    def _varied(self, name: Expr) -> list[dict[Any, Any]]:
         """The meanings in which one number of a name varies; what stands for it follows."""
         check, step = self._check, self._step
         meant = check.meaning.get(name, name)
@@ -619,7 +619,7 @@ class _Near:
             return [{**self._following(name), **varied} for varied in made]
         return [{**check.meaning, **self._equals(), **varied} for varied in made]
 
-    def _following(self, name: Any) -> dict[Any, Any]:
+    def _following(self, name: Expr) -> dict[Expr, Any]:
         """The meaning in which the names that are not in the equation vary with a symbol of it."""
         varied = {name: name + self._step}
         return {
@@ -635,7 +635,7 @@ class _Near:
     def _equals(self) -> dict[Any, Any]:
         return {x: m for x, m in self._equal.items() if x not in self._check.meaning}
 
-    def _found(self) -> dict[Any, Any]:
+    def _found(self) -> dict[Expr, Expr]:
         """A point at which the assumptions hold and what is given vanishes."""
         check, rng = self._check, random.Random(5)
         given = [self._imposed(h) for h in check.given]
@@ -653,7 +653,7 @@ class _Near:
         return point
 
 
-def _solved(vanishing: Any, point: Mapping[Any, Any]) -> dict[Any, Any]:
+def _solved(vanishing: Expr, point: Mapping[Expr, Expr]) -> dict[Expr, Expr]:
     """A symbol with the value that makes an expression vanish."""
     for symbol in sorted(vanishing.free_symbols, key=str):
         if not vanishing.is_polynomial(symbol):
@@ -665,14 +665,14 @@ def _solved(vanishing: Any, point: Mapping[Any, Any]) -> dict[Any, Any]:
     return {}
 
 
-def _somewhere(symbol: Any, rng: random.Random | None = None) -> sympy.Float:
+def _somewhere(symbol: Expr, rng: random.Random | None = None) -> sympy.Float:
     """A number of no special kind; without a generator always the same one."""
     rng = rng if rng is not None else random.Random(str(symbol))
     sign = 1 if symbol.is_positive else rng.choice((1, 1, -1))
     return sympy.Float(sign * rng.uniform(0.4, 1.9))
 
 
-def _each_varied(meant: Any, step: Symbol) -> list[Any]:
+def _each_varied(meant: Expr | MatrixBase, step: Symbol) -> list[Expr | MatrixBase]:
     """What is meant with one of its numbers varied."""
     if not isinstance(meant, sympy.MatrixBase):
         return [meant + step]
@@ -684,12 +684,12 @@ def _each_varied(meant: Any, step: Symbol) -> list[Any]:
     return made
 
 
-def _names(check: Check) -> set[Any]:
+def _names(check: Check) -> set[Expr]:
     """What stands for something in a check's equation, braces left out."""
     equal = {a.condition.lhs for a in check.assuming if isinstance(a.condition, Eq)}
     names: set[Any] = set()
 
-    def walk(node: Any) -> None:
+    def walk(node: Expr) -> None:
         if node in check.meaning or node.is_Symbol:
             names.add(node)
             return
@@ -706,7 +706,7 @@ def _names(check: Check) -> set[Any]:
     return {x for x in names if x != unit and (x in check.meaning or x not in equal)}
 
 
-def _bare(node: Any) -> Any:
+def _bare(node: Expr) -> Expr:
     """An expression without what stands under its braces."""
     if isinstance(node, sympy.MatrixBase):
         return sympy.ImmutableMatrix(*node.shape, [_bare(entry) for entry in node])

@@ -120,7 +120,7 @@ class Ledger:
         """A side in its own letters, nothing put in."""
         return Ledger({0: self.moving}, {}).value(side)
 
-    def by_law(self, letter: Any) -> Expr | None:
+    def by_law(self, letter: Expr) -> Expr | None:
         """A momentum p_θ, or H, where ℒ says what it is."""
         if self.law is None or self.law.lagrangian is None or not isinstance(letter, Lettered):
             return None
@@ -269,7 +269,7 @@ class Ledger:
         made = {bare(x) for value in values for x in value.free_symbols}
         return made | (set(self.law.letters) if self.law is not None else set())
 
-    def is_set(self, left: Lettered, right: Any) -> bool:
+    def is_set(self, left: Lettered, right: Expr) -> bool:
         """θ̇ = 0, φ̇ = Ω, l₁ = l: a letter of the motion, or a number, and what does not change."""
         accent = left.quantity.glyph.accent
         if left in self.given or accent not in ("", "dot", "ddot"):

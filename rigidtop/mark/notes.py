@@ -227,7 +227,7 @@ class _Judge(Ledger):
         rests = sorted({x for each in made for x in each.rests} - {number})
         return replace(worst, rests=tuple(rests))
 
-    def named(self, side: Any) -> Any:
+    def named(self, side: Expr) -> Expr:
         """V for V(x, θ), of which nothing was said above."""
         if not isinstance(side, eq.At) or side.args[0] in self.given:
             return side
@@ -235,7 +235,7 @@ class _Judge(Ledger):
         known = self.moving | {TIME}
         return letter if len(of) > 1 and all(bare(x) in known for x in of) else side
 
-    def defines(self, first: Any, others: Sequence[Any]) -> bool:
+    def defines(self, first: Expr, others: Sequence[Expr]) -> bool:
         """Whether a line says what a letter stands for, of which nothing was said above."""
         if not isinstance(first, Lettered) or kind(first) != "scalar" or others[0] == const:
             return False
@@ -251,7 +251,7 @@ class _Judge(Ledger):
                 for y in self.given[x].value.free_symbols}  # fmt: skip
         return first not in getattr(side, "free_symbols", set()) | made
 
-    def defined(self, number: int, line: Line, first: Lettered, others: Sequence[Any]) -> Held:
+    def defined(self, number: int, line: Line, first: Lettered, others: Sequence[Expr]) -> Held:
         if first in self.given and self.given[first].section != self.section:
             old = self.section
             self.given = {x: g for x, g in self.given.items() if g.section == old}
@@ -273,7 +273,7 @@ class _Judge(Ledger):
             return self.lagrangian(number, line, first, side)
         return Held(line, PREMISE, f"what {text(first)} stands for", tuple(sorted(used)))
 
-    def lagrangian(self, number: int, line: Line, letter: Lettered, side: Any) -> Held:
+    def lagrangian(self, number: int, line: Line, letter: Lettered, side: Expr) -> Held:
         """Lagrange's equations of an ℒ that is written in coordinates and rates."""
         law = self.of_lagrangian(letter)
         if law is None:
@@ -293,7 +293,7 @@ class _Judge(Ledger):
         rests = tuple(sorted(law.rests - {number}))
         return Held(line, PREMISE, "the Lagrangian of the equations that follow", rests)
 
-    def energies(self, side: Any) -> tuple[tuple[Symbol, Symbol], int] | None:
+    def energies(self, side: Expr) -> tuple[tuple[Symbol, Symbol], int] | None:
         """The letters T and V of a side T ± V, and the sign."""
         letters = {base(x): x for x in getattr(side, "free_symbols", set())}
         potential = next((letters[b] for b in ("V", "U") if b in letters), None)

@@ -26,7 +26,7 @@ SMALLEST = 1e-100
 """Their quotients too, when moments, masses, lengths and the like are above this."""
 
 
-def number(name: str, value: Any) -> float:
+def number(name: str, value: object) -> float:
     """A finite float of at most `LARGEST` in magnitude."""
     try:
         result = real(value)
@@ -41,21 +41,21 @@ def number(name: str, value: Any) -> float:
     return result
 
 
-def positive(name: str, value: Any) -> float:
+def positive(name: str, value: object) -> float:
     result = number(name, value)
     if result <= 0:
         raise RigidtopError(f"{name} must be positive, not {result:g}")
     return _not_tiny(name, result)
 
 
-def not_negative(name: str, value: Any) -> float:
+def not_negative(name: str, value: object) -> float:
     result = number(name, value)
     if result < 0:
         raise RigidtopError(f"{name} must be zero or positive, not {result:g}")
     return _not_tiny(name, result) if result else result
 
 
-def whole(name: str, value: Any, least: int) -> int:
+def whole(name: str, value: object, least: int) -> int:
     """An integer, of Python or NumPy."""
     if not isinstance(value, (int, np.integer)) or isinstance(value, bool) or value < least:
         raise RigidtopError(f"{name} must be a whole number from {least}, not {value!r}")
@@ -68,13 +68,13 @@ def _not_tiny(name: str, value: float) -> float:
     return value
 
 
-def vector(name: str, value: Any) -> tuple[float, float, float]:
+def vector(name: str, value: object) -> tuple[float, float, float]:
     """Three finite floats."""
     first, second, third = _row(name, value, 3, "three numbers")
     return first, second, third
 
 
-def pair(name: str, value: Any) -> tuple[float, float]:
+def pair(name: str, value: object) -> tuple[float, float]:
     """Two finite floats, along x̂ and ŷ."""
     first, second = _row(name, value, 2, "two numbers, along x and y")
     return first, second
@@ -87,14 +87,14 @@ def _row(name: str, value: Any, count: int, wanted: str) -> list[float]:
     return [number(f"{name}[{k}]", x) for k, x in enumerate(value)]
 
 
-def polar_angle(value: Any) -> float:
+def polar_angle(value: object) -> float:
     result = number("theta", value)
     if not 0 <= result <= math.pi:
         raise RigidtopError(f"theta must lie between 0 and pi radians, not at {result:g}")
     return result
 
 
-def single_rotation(value: Any) -> Rotation:
+def single_rotation(value: object) -> Rotation:
     if not isinstance(value, Rotation):
         raise RigidtopError(f"attitude must be a scipy Rotation, not {type(value).__name__}")
     if not value.single:
@@ -132,7 +132,7 @@ def _floats(value: ArrayLike) -> NDArray[np.float64]:
     return found.astype(float, copy=False)
 
 
-def _masked(value: Any) -> bool:
+def _masked(value: object) -> bool:
     if isinstance(value, (list, tuple)):
         return any(map(_masked, value))
     return isinstance(value, np.ma.MaskedArray) and bool(np.ma.is_masked(value))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
-from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -122,7 +121,7 @@ def _free_states(solved: Solved, attitude: Rotation, times: Floats, compiled: bo
         return free.rows(solved, first, times)
     orbit: free.Orbit = solved.orbit
 
-    def columns(t: Floats) -> Sequence[Any]:
+    def columns(t: Floats) -> Sequence[Floats]:
         state = orbit.at(t)
         return *attitudes.after(first, state.quaternion), *state.omega
 

@@ -333,6 +333,6 @@ def _in_chunks(
     return [result.reshape((*whole, *result.shape[1:])) for result in results]
 
 
-def _kind(part: Any) -> Any:
+def _kind(part: ArrayLike) -> np.dtype[np.generic]:
     # Names of regimes have different lengths in different chunks.
     return np.dtype("U32") if np.asarray(part).dtype.kind == "U" else np.asarray(part).dtype

@@ -6,13 +6,18 @@ import importlib
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rigidtop.errors import RigidtopError
 from rigidtop.terminal.files import write_whole
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
 
 Floats = NDArray[np.float64]
 
@@ -87,7 +92,7 @@ class Rows(ABC):
             write_whole(Path(path), text.encode())
         return text
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> pandas.DataFrame:
         """A `pandas.DataFrame` with t as its index; units stand in ``.attrs["units"]``."""
         pandas = _loaded("pandas")
         columns = self.columns()
@@ -95,7 +100,7 @@ class Rows(ABC):
         frame.attrs["units"] = {_name(header): _unit(header) for header in columns}
         return frame.set_index("t")
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> xarray.Dataset:
         """An `xarray.Dataset` over the dimension t; each variable has its unit as ``.units``."""
         xarray = _loaded("xarray")
         made = {
@@ -139,7 +144,7 @@ def _unit(header: str) -> str:
     return header.partition("/")[2].strip("()") or "1"
 
 
-def _loaded(module: str) -> Any:
+def _loaded(module: str) -> ModuleType:
     try:
         return importlib.import_module(module)
     except ImportError:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 from scipy.spatial.transform import Rotation
 
@@ -32,7 +31,7 @@ class Start:
 GIVEN = ("theta", "theta_dot", "phi", "phi_dot", "psi", "psi_dot", "omega3")
 
 
-def start(missing: str, *given: Any) -> Start:
+def start(missing: str, *given: object) -> Start:
     """From what is `GIVEN`: θ, the spin as ψ̇ or ω₃, and the others, which are 0 if None.
 
     Raises RigidtopError for anything else: with `missing` where θ or the spin is.

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.exact.numbers import Arrays, Kit
+from rigidtop.motion.exact.numbers import Arrays, Kit, Real
 from rigidtop.motion.systems import SMALLEST_SIZE
 
 
@@ -80,13 +80,13 @@ class TopState:
         return np.stack([first, second, np.broadcast_to(self.omega3, first.shape)], axis=-1)
 
 
-def spinning(body: Any, omega3: Any) -> dict[str, Any]:
+def spinning(body: Real, omega3: Real) -> dict[str, Real]:
     """What of a state ω₃ tells, of a body with λ₁ and λ₃."""
     upright = body.lambda3 * omega3 / (2 * body.lambda1)
     return {"omega3": np.asarray(omega3), "upright_phi_dot": np.asarray(upright)}
 
 
-def rates(k: Kit, state: Any) -> tuple[Any, Any]:
+def rates(k: Kit, state: Real) -> tuple[Real, Real]:
     """φ̇ and ψ̇, of the numbers of a kit."""
     c, s = state.cos_half, state.sin_half
     sine, cosine = 2 * s * c, (c - s) * (c + s)
@@ -98,7 +98,9 @@ def rates(k: Kit, state: Any) -> tuple[Any, Any]:
 
 
 def of_spinors(
-    spinors: tuple[Any, Any], omega: Floats | tuple[Floats, Floats], psi: Floats
+    spinors: tuple[NDArray[np.complex128], NDArray[np.complex128]],
+    omega: Floats | tuple[Floats, Floats],
+    psi: Floats,
 ) -> dict[str, Floats]:
     """What of a state an attitude and ω₁, ω₂ tell; ψ counts where the attitude has none."""
     alpha, beta = spinors

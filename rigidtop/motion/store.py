@@ -51,7 +51,7 @@ class Store:
     damaged: int = 0
     """How many of those missing had been there, and were no longer what was written."""
 
-    def write(self, start: int, values: NDArray[Any]) -> None:
+    def write(self, start: int, values: NDArray[np.generic]) -> None:
         """Numbers from the index `start` on."""
         # No memory map: its pages would count as this process's memory until they are reclaimed.
         self.data.seek(self.offset + start * values.itemsize)
@@ -65,7 +65,7 @@ class Store:
 
 @contextmanager
 def open_store(
-    path: Path, about: Mapping[str, Any], dtype: DTypeLike, shape: tuple[int, ...]
+    path: Path, about: Mapping[str, object], dtype: DTypeLike, shape: tuple[int, ...]
 ) -> Iterator[Store]:
     """The file, new or as an earlier run with the same `about` left it.
 
@@ -176,7 +176,7 @@ def _size(intervals: Iterable[Interval]) -> int:
     return sum(stop - start for start, stop in intervals)
 
 
-def _line(block: Interval, content: Iterable[Any]) -> str:
+def _line(block: Interval, content: Iterable[bytes | memoryview]) -> str:
     """Of the journal; the checksum is also one of the place."""
     place = "{} {}".format(*block)
     checksum = zlib.crc32(place.encode())
@@ -200,7 +200,7 @@ def _sound(
     return [block for block, line in lines.items() if _line(block, pieces(*block)) == line]
 
 
-def _begun(path: Path, about: Mapping[str, Any]) -> bool:
+def _begun(path: Path, about: Mapping[str, object]) -> bool:
     """Whether an earlier run began this file; raises RigidtopError where it is another's."""
     if not path.exists():
         return False
@@ -214,7 +214,7 @@ def _begun(path: Path, about: Mapping[str, Any]) -> bool:
             f"{path} is there, and no {about_path(path).name} says that a sweep wrote it: delete "
             "it, or write elsewhere"
         )
-    now: Mapping[str, Any] = {**about, "complete": there.get("complete")}
+    now: Mapping[str, object] = {**about, "complete": there.get("complete")}
     differ = " and ".join(
         name for name in sorted({*there, *now}) if there.get(name) != now.get(name)
     )
@@ -223,7 +223,7 @@ def _begun(path: Path, about: Mapping[str, Any]) -> bool:
     )
 
 
-def _check(path: Path, dtype: np.dtype[Any], shape: tuple[int, ...]) -> None:
+def _check(path: Path, dtype: np.dtype[np.generic], shape: tuple[int, ...]) -> None:
     """Raises RigidtopError for a file that has been replaced or cut since."""
     try:
         found = np.load(path, mmap_mode="r")
@@ -233,7 +233,7 @@ def _check(path: Path, dtype: np.dtype[Any], shape: tuple[int, ...]) -> None:
         raise RigidtopError(f"{path} is not as the sweep left it: delete it, or write elsewhere")
 
 
-def _say(path: Path, about: Mapping[str, Any], complete: bool) -> None:
+def _say(path: Path, about: Mapping[str, object], complete: bool) -> None:
     text = json.dumps({**about, "complete": complete}, indent=1, allow_nan=False)
     write_whole(about_path(path), f"{text}\n".encode())
 

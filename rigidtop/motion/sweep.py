@@ -16,7 +16,6 @@ from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExec
 from contextlib import nullcontext
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -172,12 +171,12 @@ class Sweep:
         return math.prod(self.shape)
 
     @property
-    def dtype(self) -> np.dtype[Any]:
+    def dtype(self) -> np.dtype[np.generic]:
         """Of the values: codes of regimes in `REGIMES`, or floats."""
         return np.dtype(np.uint8 if self.quantity == "regime" else np.float64)
 
     @property
-    def about(self) -> dict[str, Any]:
+    def about(self) -> Mapping[str, object]:
         """All of it, for JSON."""
         axes = {name: asdict(axis) for name, axis in self.axes.items()}
         for axis in axes.values():
@@ -202,16 +201,16 @@ class Map:
         return {n: axis.at(np.arange(axis.count)) for n, axis in self.sweep.axes.items()}
 
     @property
-    def values(self) -> NDArray[Any]:
+    def values(self) -> NDArray[np.generic]:
         """Of the sweep's shape, read from the file as they are used; regimes are codes."""
         with store.readable_errors(self.path):
             try:
-                values: NDArray[Any] = np.load(self.path, mmap_mode="r")
+                values: NDArray[np.generic] = np.load(self.path, mmap_mode="r")
             except ValueError as error:
                 raise RigidtopError(f"cannot read {self.path}: {error}") from error
         return values
 
-    def pieces(self, size: int = BLOCK) -> Iterator[NDArray[Any]]:
+    def pieces(self, size: int = BLOCK) -> Iterator[NDArray[np.generic]]:
         """The same, flattened, so many at a time: for maps that are larger than the memory."""
         with store.readable_errors(self.path), self.path.open("rb") as file:
             file.seek(-self.sweep.size * self.sweep.dtype.itemsize, os.SEEK_END)
@@ -220,7 +219,7 @@ class Map:
                 yield np.frombuffer(file.read(count * self.sweep.dtype.itemsize), self.sweep.dtype)
 
 
-def block(sweep: Sweep, start: int, stop: int) -> NDArray[Any]:
+def block(sweep: Sweep, start: int, stop: int) -> NDArray[np.generic]:
     """The values at the points `start` to `stop` of the flattened grid.
 
     Where blocks are cut may change the last digit.
@@ -247,7 +246,7 @@ def _motions(sweep: Sweep, coordinates: Mapping[str, Floats]) -> TopMotions:
     return top_motions(**arguments)  # type: ignore[arg-type]
 
 
-def _quantity(name: str, motions: TopMotions, t: Floats | float) -> NDArray[Any]:
+def _quantity(name: str, motions: TopMotions, t: Floats | float) -> NDArray[np.generic]:
     if name == "regime":
         regimes = motions.regime
         codes = np.zeros(regimes.shape, np.uint8)
@@ -328,13 +327,13 @@ def _blocks(missing: list[store.Interval], size: int) -> Iterator[store.Interval
 def _fill(
     sweep: Sweep,
     file: store.Store,
-    submit: Callable[..., Future[NDArray[Any]]],
+    submit: Callable[..., Future[NDArray[np.generic]]],
     block_size: int,
     ahead: int,
     progress: Progress | None,
 ) -> None:
     blocks = _blocks(file.missing, block_size)
-    pending: dict[Future[NDArray[Any]], store.Interval] = {}
+    pending: dict[Future[NDArray[np.generic]], store.Interval] = {}
     failed: list[Exception] = []
     try:
         while True:
@@ -364,7 +363,7 @@ def _fill(
             future.cancel()
 
 
-def _check(values: NDArray[Any], sweep: Sweep, count: int) -> None:
+def _check(values: NDArray[np.generic], sweep: Sweep, count: int) -> None:
     """A worker with another version of this package must not write over other blocks."""
     if values.shape != (count,) or values.dtype != sweep.dtype:
         raise RigidtopError(

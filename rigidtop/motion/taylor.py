@@ -17,9 +17,10 @@ from __future__ import annotations
 
 import importlib
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -27,6 +28,9 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import Accuracy, Flow, Held, Progress, joined, sides
 from rigidtop.motion.systems import SMALLEST_SIZE, System
+
+if TYPE_CHECKING:
+    import heyoka
 
 STEPS_AT_ONCE = 20_000
 """Between so many steps, some milliseconds, an interrupt from the keyboard is heard."""
@@ -87,7 +91,9 @@ def propagated(
     return joined(pieces)
 
 
-def _path(series: Any, unit: float, of_state: Floats, times: Floats) -> Floats:
+def _path(
+    series: Callable[[Floats], Floats], unit: float, of_state: Floats, times: Floats
+) -> Floats:
     return np.ascontiguousarray((series(times * unit) * of_state).T)
 
 
@@ -147,7 +153,9 @@ def loaded() -> Any:
         ) from None
 
 
-def _symbolic(heyoka: Any, system: System) -> list[Any]:
+def _symbolic(
+    heyoka: ModuleType, system: System
+) -> list[tuple[heyoka.expression, heyoka.expression]]:
     """The shipped equations, run on heyoka's symbols."""
     state = heyoka.make_vars(*(f"x{k}" for k in range(system.variables)))
     parameters = [heyoka.par[k] for k in range(len(system.per_time))]
@@ -168,7 +176,7 @@ def _units(system: System, unit: Floats) -> tuple[Floats, Floats]:
     return np.stack(of_state), np.stack([unit**power for power in system.per_time])
 
 
-def _check(outcome: Any, reached: float, end: float, states: Floats) -> None:
+def _check(outcome: object, reached: float, end: float, states: Floats) -> None:
     outcomes = loaded().taylor_outcome
     arrived = outcomes.time_limit, outcomes.step_limit
     if outcome not in arrived or not np.all(np.isfinite(states)):

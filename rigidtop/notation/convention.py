@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from sympy import Symbol
+from sympy import Expr, Symbol
 
 from rigidtop.notation.translate import Image, inverse, translated
 from rigidtop.theory import symbols as s
@@ -82,7 +82,7 @@ class Notation:
         """
         return translated(tree, self.images)
 
-    def in_notes(self, tree: Any) -> Any:
+    def in_notes(self, tree: Expr) -> Expr:
         """The way back: what is in this notation's symbols, in those of the notes."""
         return translated(tree, self._back)
 

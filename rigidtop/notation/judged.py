@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
-from sympy import Basic, Matrix, MatrixBase, pi
+from sympy import Basic, Expr, Matrix, MatrixBase, pi
 
 from rigidtop.notation.convention import Notation
 from rigidtop.proof.page import Assumption, Check, Definition, Measure, Step
@@ -70,7 +69,7 @@ def _assumption(notation: Notation, assumption: Assumption) -> Assumption:
     )
 
 
-def _resolved(notation: Notation, meaning: Mapping[Any, Any]) -> dict[Any, Any]:
+def _resolved(notation: Notation, meaning: Mapping[Expr, Expr]) -> dict[Expr, Expr]:
     """What symbols mean; vectors along this notation's e₁′ and e₂′ where they are along primes."""
     made = _meaning(notation, meaning)
     axes = {s.e1p: X_AXIS, s.e2p: Y_AXIS}
@@ -85,7 +84,7 @@ def _resolved(notation: Notation, meaning: Mapping[Any, Any]) -> dict[Any, Any]:
     }
 
 
-def _meaning(notation: Notation, meaning: Mapping[Any, Any]) -> dict[Any, Any]:
+def _meaning(notation: Notation, meaning: Mapping[Expr, Expr]) -> dict[Expr, Expr]:
     """What symbols mean; of −e₂′ its meaning with the other sign, where e₁′ had one."""
     made = {}
     for key, means in meaning.items():
@@ -101,7 +100,7 @@ def _meaning(notation: Notation, meaning: Mapping[Any, Any]) -> dict[Any, Any]:
     return made
 
 
-def _meant(notation: Notation, means: Any) -> Any:
+def _meant(notation: Notation, means: Expr) -> Expr:
     """A meaning: an expression, the terms of a sum, or a function such as d/dt."""
     if isinstance(means, (list, tuple)):
         return [_meaning(notation, term) for term in means]

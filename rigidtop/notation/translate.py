@@ -83,7 +83,7 @@ def _concerns(tree: Any, images: Images) -> bool:
     return any(symbol in images for symbol in tree.atoms(Symbol))
 
 
-def is_typed(tree: Any) -> bool:
+def is_typed(tree: Expr) -> bool:
     """Whether SymPy would put a tree together otherwise."""
     if isinstance(tree, sympy.MatrixBase):
         return any(map(is_typed, tree))
@@ -103,7 +103,7 @@ Signed = tuple[bool, Any]
 """Whether a minus sign that came up stands before a tree, and the tree."""
 
 
-def _signed(tree: Any, images: Images) -> Signed:
+def _signed(tree: Expr, images: Images) -> Signed:
     if isinstance(tree, Symbol):
         image = images.get(tree)
         if image is None:
@@ -145,18 +145,18 @@ def _signed(tree: Any, images: Images) -> Signed:
     return False, tree.func(*(_made(*_signed(argument, images)) for argument in tree.args))
 
 
-def _made(negative: bool, tree: Any) -> Any:
+def _made(negative: bool, tree: Expr) -> Expr:
     """−tree, where a minus sign came up."""
     return _negated(tree) if negative else tree
 
 
-def _negated(tree: Any) -> Any:
+def _negated(tree: Expr) -> Expr:
     """−tree with two minus signs made none, also where one stands in brackets."""
     positive = _without_minus(tree)
     return positive if positive is not None else Mul(-1, tree)
 
 
-def _without_minus(tree: Any) -> Any | None:
+def _without_minus(tree: Expr) -> Any | None:
     """What a minus sign stands before, if one does."""
     if tree.is_Number:
         return -tree if tree < 0 else None
@@ -174,7 +174,7 @@ def _without_minus(tree: Any) -> Any | None:
     return None
 
 
-def _product(tree: Any, parts: list[Signed]) -> Signed:
+def _product(tree: Expr, parts: list[Signed]) -> Signed:
     negative = sum(minus for minus, _ in parts) % 2 == 1
     made = tree.func(*(part for _, part in parts))
     if negative:
@@ -184,7 +184,7 @@ def _product(tree: Any, parts: list[Signed]) -> Signed:
     return negative, made
 
 
-def _sum(parts: list[Signed]) -> Any:
+def _sum(parts: list[Signed]) -> Expr:
     """Terms in their order, but none to which a minus sign came first, where it need not be."""
     if parts[0][0]:
         parts.sort(key=lambda part: part[0])

@@ -575,7 +575,7 @@ class Algebra:
 
     # --- rates -------------------------------------------------------------------------------
 
-    def rate(self, value: Value, frame: Any = None) -> Value:
+    def rate(self, value: Value, frame: Expr | None = None) -> Value:
         """d/dt along the motion; of vectors as seen from space, or from the body."""
         if isinstance(value, Vector):
             parts: list[Value] = []
@@ -628,7 +628,7 @@ class Algebra:
             return self.cross(*(self._node_vector(part) for part in node.args))
         return Vector({node: Integer(1)})
 
-    def _atom_rate(self, atom: Expr, frame: Any) -> Vector:
+    def _atom_rate(self, atom: Expr, frame: Expr) -> Vector:
         """The rate of a vector that is an atom."""
         seen = frame if frame == BODY else None
         if seen is None and atom in self.letters.numbers:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import sympy
-from sympy import Add, Integer, Mul, Pow, Rational, Symbol, cos, sin
+from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol, cos, sin
 
 from rigidtop.proof.equation import (
     Cross,
@@ -56,7 +56,7 @@ def perturbations(equation: Equation, families: Families = ()) -> tuple[Perturba
         )
 
 
-def _changed_side(side: Any, families: Families) -> Iterator[tuple[Any, str]]:
+def _changed_side(side: Expr, families: Families) -> Iterator[tuple[Any, str]]:
     """A side with one change in it; of a matrix one entry is changed."""
     if not isinstance(side, sympy.MatrixBase):
         yield from _changed(side, families)
@@ -67,7 +67,7 @@ def _changed_side(side: Any, families: Families) -> Iterator[tuple[Any, str]]:
             yield sympy.ImmutableMatrix(*side.shape, new), f"entry {k + 1}: {change}"
 
 
-def _changed(node: Any, families: Families) -> Iterator[tuple[Any, str]]:
+def _changed(node: Expr, families: Families) -> Iterator[tuple[Any, str]]:
     """The tree with one change at this node or below it."""
     yield from _changed_here(node, families)
     if isinstance(node, Matrices):
@@ -81,7 +81,7 @@ def _changed(node: Any, families: Families) -> Iterator[tuple[Any, str]]:
                 yield node.func(*node.args[:k], changed, *node.args[k + 1 :]), change
 
 
-def _stands(node: Any, k: int) -> bool:
+def _stands(node: Expr, k: int) -> bool:
     """Whether argument k is left alone.
 
     The label of a brace, the index of a sum and the measure of an integral assert nothing; a rate
@@ -94,7 +94,7 @@ def _stands(node: Any, k: int) -> bool:
     )
 
 
-def _changed_here(node: Any, families: Families) -> Iterator[tuple[Any, str]]:
+def _changed_here(node: Expr, families: Families) -> Iterator[tuple[Any, str]]:
     """The changes of a node itself, typed as printed."""
     if node in (0, const):
         return

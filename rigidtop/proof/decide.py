@@ -382,7 +382,7 @@ ROUNDING = 1e-15
 
 
 @lru_cache(maxsize=KEPT)
-def somewhere(atom: Any, attempt: int) -> float:
+def somewhere(atom: Expr, attempt: int) -> float:
     """A number between ½ and 1½ that is hardly another atom's: of no special kind."""
     return 0.5 + zlib.crc32(f"{attempt} {atom}".encode()) % 9973 / 9973
 

@@ -222,7 +222,7 @@ def _is_scalar(pair: Pair) -> bool:
     )
 
 
-def _as_it_is_used(letter: Symbol, right: Any, letters: Letters) -> None:
+def _as_it_is_used(letter: Symbol, right: Expr, letters: Letters) -> None:
     """Raises RefusedError where a definition contradicts what is known of its letter."""
     value = Algebra(letters).value(right)
     for (axis, vector), component in letters.components.items():
@@ -306,7 +306,7 @@ def _at_a_moment(equation: Equation, performed: Performed) -> None:
                 )
 
 
-def _is_gone(letters: Sequence[Any], equation: Equation) -> None:
+def _is_gone(letters: Sequence[Expr], equation: Equation) -> None:
     for letter in letters:
         if letter in symbols_of(equation):
             raise RefusedError("{} is set and stands there still", letter)

@@ -22,7 +22,7 @@ from operator import add, mul
 from typing import Any
 
 import sympy
-from sympy import Add, Expr, Mul, Symbol
+from sympy import Add, Expr, MatrixBase, Mul, Symbol
 
 
 def as_printed() -> AbstractContextManager[Any]:
@@ -137,7 +137,7 @@ class Equation:
 Meaning = Mapping[Any, Any]
 
 
-def value(node: Side, meaning: Meaning) -> Any:
+def value(node: Side, meaning: Meaning) -> Expr | MatrixBase:
     """What a printed tree says, with every symbol replaced by its meaning.
 
     `meaning` maps symbols to expressions, to 3×1 matrices (vectors) or to square matrices; the
@@ -158,7 +158,7 @@ def value(node: Side, meaning: Meaning) -> Any:
     return node.func(*parts)
 
 
-def _printed_value(node: Printed, meaning: Meaning) -> Any:
+def _printed_value(node: Printed, meaning: Meaning) -> Expr | MatrixBase:
     if isinstance(node, (Group, Underbrace)):
         return value(node.args[0], meaning)
     if isinstance(node, SumOver):
@@ -181,7 +181,7 @@ def _printed_value(node: Printed, meaning: Meaning) -> Any:
     raise TypeError(f"no meaning for {type(node).__name__}")
 
 
-def _fold(parts: list[Any], join: Callable[[Any, Any], Any]) -> Any:
+def _fold(parts: list[Expr | MatrixBase], join: Callable[[Any, Any], Any]) -> Expr | MatrixBase:
     total = parts[0]
     for part in parts[1:]:
         total = join(total, part)

@@ -21,7 +21,7 @@ from itertools import pairwise
 from types import CodeType, ModuleType
 from typing import Any
 
-from sympy import Basic, MatrixBase, Mul, Number, NumberSymbol, Symbol, expand
+from sympy import Basic, Expr, MatrixBase, Mul, Number, NumberSymbol, Symbol, expand
 from sympy.core.function import FunctionClass
 
 from rigidtop.proof.equation import Cross, Dot, Group, SumOver, Transposed, VolumeIntegral, value
@@ -95,7 +95,7 @@ def _has_work(meanings: Iterable[Any]) -> bool:
     return any(isinstance(m, (Basic, MatrixBase)) and m.has(*WORK) for m in meanings)
 
 
-def _gives(side: Any, other: Any, x: Any) -> bool:
+def _gives(side: Expr, other: Expr, x: Expr) -> bool:
     """Whether one side is x, or a multiple of it, and the other is what x is said to be."""
     factors = side.args if isinstance(side, (Mul, Group)) else ()
     return not other.has(x) and (side == x or any(_gives(part, other, x) for part in factors))
@@ -167,7 +167,7 @@ class _Text:
             return []
         return _Text(_tree(module.__file__), vars(module))._named(name)
 
-    def found(self, key: Any, mapping: ast.AST | None) -> list[tuple[_Text, ast.AST]]:
+    def found(self, key: Expr, mapping: ast.AST | None) -> list[tuple[_Text, ast.AST]]:
         """Where the page has what a mapping gives for a key; nothing where it has no such key."""
         there = self.known(mapping)
         if mapping is None or (isinstance(there, Mapping) and key not in there):

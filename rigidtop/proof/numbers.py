@@ -15,7 +15,7 @@ from itertools import pairwise
 from typing import Any
 
 import sympy
-from sympy import Add, Mul
+from sympy import Add, Expr, Mul
 
 from rigidtop.proof import decide
 from rigidtop.proof.algebra import ELLIPTIC, Algebra, Value, Vector, flattened
@@ -74,7 +74,7 @@ class Numbers:
         for left, right in pairwise(equation.sides):
             yield _Gap(self.value(left), self.value(right))
 
-    def value(self, node: Any) -> Rows:
+    def value(self, node: Expr) -> Rows:
         """The numbers of a printed tree.  Raises UnsureError, or NoMeaningError."""
         if isinstance(node, (Group, Underbrace)):
             return self.value(node.args[0])
@@ -98,7 +98,7 @@ class Numbers:
             return {k: self._row(entry) for k, entry in enumerate(value)}
         return {SCALAR: self._row(value)}
 
-    def _row(self, expression: Any) -> Row:
+    def _row(self, expression: Expr) -> Row:
         if not expression.is_commutative:
             raise UnsureError
         flat, names = flattened(expression)

@@ -24,7 +24,7 @@ from functools import cache
 from typing import Any
 
 import sympy
-from sympy import Add, MatrixBase, Mul, Pow, Symbol
+from sympy import Add, Expr, MatrixBase, Mul, Pow, Symbol
 
 from rigidtop.proof.algebra import Applied, Letters
 from rigidtop.proof.equation import (
@@ -157,7 +157,7 @@ def defining(letters: Letters, equation: Equation) -> Letters:
     return replace(letters, units={**letters.units, letter: _spelled(found)})
 
 
-def dimension(tree: Any, letters: Letters) -> Dimension | None:
+def dimension(tree: Expr, letters: Letters) -> Dimension | None:
     """What a printed tree is in; None for what fits all, or is not known.
 
     Raises UnitsError where something in it disagrees.
@@ -205,7 +205,7 @@ def _of_letter(letter: Symbol, letters: Letters) -> Dimension | None:
     return parsed(unit or "")
 
 
-def _raised_to(base: Any, exponent: Any, letters: Letters) -> Dimension | None:
+def _raised_to(base: Expr, exponent: Expr, letters: Letters) -> Dimension | None:
     _pure(exponent, "an exponent is a pure number", letters)
     found, number = dimension(base, letters), value(exponent, {})
     if found is None or found == NUMBER:
@@ -213,13 +213,13 @@ def _raised_to(base: Any, exponent: Any, letters: Letters) -> Dimension | None:
     return _power(found, Fraction(int(number.p), int(number.q))) if number.is_Rational else None
 
 
-def _pure(tree: Any, needed: str, letters: Letters) -> None:
+def _pure(tree: Expr, needed: str, letters: Letters) -> None:
     found = dimension(tree, letters)
     if found not in (None, NUMBER):
         raise UnitsError(f"the units disagree: {needed}, {{}} is {{}}", tree, _said(found, letters))
 
 
-def _common(sides: Iterable[Any], letters: Letters) -> Dimension | None:
+def _common(sides: Iterable[Expr], letters: Letters) -> Dimension | None:
     """What all terms are in."""
     known: tuple[Any, Dimension] | None = None
     for term in (term for side in sides for term in _terms(side)):
@@ -233,7 +233,7 @@ def _common(sides: Iterable[Any], letters: Letters) -> Dimension | None:
     return None if known is None else known[1]
 
 
-def _terms(tree: Any) -> Iterator[Any]:
+def _terms(tree: Expr) -> Iterator[Expr]:
     """The terms of a sum, in brackets or not, without their signs."""
     if isinstance(tree, (Add, Group)):
         for part in tree.args:

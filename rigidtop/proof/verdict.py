@@ -10,7 +10,7 @@ from functools import cache
 from typing import Any
 
 import sympy
-from sympy import Eq, Expr, Integer, Symbol
+from sympy import Eq, Expr, Integer, MatrixBase, Symbol
 from sympy.core.relational import Relational
 
 from rigidtop.proof import decide
@@ -263,7 +263,7 @@ def _shown(
     return Verdict.SAMPLED if sampled else Verdict.PROVED
 
 
-def typed_divisors(claimed: Equation, meaning: Meaning) -> list[Any]:
+def typed_divisors(claimed: Equation, meaning: Meaning) -> list[Expr]:
     """What the equation divides by as it is typed: a division has a condition, loses a branch."""
     sides = [e for side in claimed.sides for e in (side if _is_matrix(side) else [side])]
     powers = set().union(*(side.atoms(sympy.Pow) for side in sides))
@@ -271,11 +271,11 @@ def typed_divisors(claimed: Equation, meaning: Meaning) -> list[Any]:
     return [value(base, meaning) for base in sorted(typed, key=str)]
 
 
-def _is_matrix(side: Any) -> bool:
+def _is_matrix(side: Expr) -> bool:
     return isinstance(side, sympy.MatrixBase)
 
 
-def _covered(divisor: Any, equal: Mapping[Any, Any], conditions: Sequence[Relational]) -> bool:
+def _covered(divisor: Expr, equal: Mapping[Expr, Expr], conditions: Sequence[Relational]) -> bool:
     """Whether the symbols or the conditions keep a divisor from vanishing."""
     imposed = _without_bars(_impose(divisor, equal), conditions)
     return decide.nonzero(imposed, conditions) or any(
@@ -302,7 +302,7 @@ def assertions(claimed: Equation, meaning: Meaning) -> list[tuple[str, Any, Any]
     return pairs
 
 
-def entries(left: Any, right: Any) -> list[Expr]:
+def entries(left: Expr | MatrixBase, right: Expr | MatrixBase) -> list[Expr]:
     """The differences that decide: entry by entry for matrices; 0 fits every shape."""
     if isinstance(left, sympy.MatrixBase) and isinstance(right, sympy.MatrixBase):
         return list(left - right)
@@ -313,7 +313,7 @@ def entries(left: Any, right: Any) -> list[Expr]:
     return [sympy.sympify(left - right)]
 
 
-def _fitting(matrix: sympy.MatrixBase, scalar: Any) -> list[Expr]:
+def _fitting(matrix: sympy.MatrixBase, scalar: Expr) -> list[Expr]:
     if scalar != 0:
         raise TypeError("a vector can't equal a number other than 0")
     return list(matrix)
@@ -332,7 +332,7 @@ def _split(assuming: Sequence[Assumption]) -> tuple[dict[Any, Any], list[Relatio
     return equal, conditions
 
 
-def _impose(expression: Any, equal: Mapping[Any, Any]) -> Any:
+def _impose(expression: Any, equal: Mapping[Expr, Expr]) -> Any:
     """Put the equalities in, twice, since one may bring in the symbol of another."""
     replaced = set().union(*(old.free_symbols for old in equal))
     for _ in range(2 if equal else 0):
@@ -478,7 +478,7 @@ def _opaque(meaning: Meaning) -> tuple[Meaning, dict[Symbol, Expr]]:
         return meaning, {}
     hidden: dict[Symbol, Expr] = {}
 
-    def dummy(expression: Any) -> Any:
+    def dummy(expression: Expr) -> Expr:
         expression = sympy.sympify(expression)
         if expression.is_Atom:
             return expression
@@ -521,7 +521,7 @@ def _needed(condition: Any, divisor: Expr) -> bool:
     return isinstance(condition, sympy.Ne) and divisor.subs(condition.lhs, condition.rhs) == 0
 
 
-def _sideentries(left: Any, right: Any) -> list[tuple[Expr, Expr]]:
+def _sideentries(left: Expr | MatrixBase, right: Expr | MatrixBase) -> list[tuple[Expr, Expr]]:
     matrices = [side for side in (left, right) if isinstance(side, sympy.MatrixBase)]
     if not matrices:
         return [(sympy.sympify(left), sympy.sympify(right))]

@@ -22,7 +22,7 @@ from lark import Token as Lexeme
 from lark.exceptions import VisitError
 from lark.lexer import Lexer
 from lark.visitors import Transformer_NonRecursive
-from sympy import Add, Integer, Mul, Pow, Rational, Symbol
+from sympy import Add, Expr, Integer, MatrixBase, Mul, Pow, Rational, Symbol
 
 from rigidtop.notation import MATRICES, NOTES, Notation
 from rigidtop.notation.convention import own
@@ -480,7 +480,7 @@ def _parsed(found: Sequence[Token], notation: Notation) -> tuple[list[Any], list
         raise UnreadError("this has no meaning", found[0].position) from None
 
 
-def kind(node: Any) -> str:
+def kind(node: Expr) -> str:
     """ "scalar", "vector" or "matrix"."""
     if isinstance(node, sympy.MatrixBase):
         return "vector" if 1 in node.shape else "matrix"
@@ -573,7 +573,7 @@ class _Value:
         return isinstance(self.tree, sympy.MatrixBase)
 
 
-def _made(tree: Any, kind: str, *parts: _Value, **known: Any) -> _Value:
+def _made(tree: Expr, kind: str, *parts: _Value, **known: Any) -> _Value:
     """A value of parts; a depth beyond the limit is unread at the last part."""
     depth = 1 + max(part.depth for part in parts)
     if depth > DEEPEST:
@@ -1053,7 +1053,7 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
         if unit not in _RATES:
             return replace(raised(self._call(name.value, name, [argument.closed])), bare=True)
 
-        def call(inside: Any) -> Any:
+        def call(inside: Expr) -> Expr:
             return raised(self._call(name.value, name, [replace(argument, tree=inside)])).tree
 
         made = raised(self._call(name.value, name, [argument]))
@@ -1091,7 +1091,7 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
         raise UnreadError(f"{name} of what has no name for it", at.position)
 
 
-def _is_open(node: Any) -> bool:
+def _is_open(node: Expr) -> bool:
     """Whether nothing is known of a letter but how it is written."""
     return isinstance(node, Lettered) and not node.quantity.unit
 
@@ -1121,7 +1121,7 @@ def _definite(factors: Sequence[_Value]) -> None:
         )
 
 
-def _may_be_tensor(node: Any) -> bool:
+def _may_be_tensor(node: Expr) -> bool:
     """Whether a bold letter may be a matrix: a capital, or what is made of one."""
     if isinstance(node, Pow):
         return _may_be_tensor(node.base)
@@ -1139,7 +1139,7 @@ def _is_numeric(tree: Any) -> bool:
     return (isinstance(first, Mul) and _is_numeric(first)) or bool(first.is_number)
 
 
-def _nodes(tree: Any) -> Iterator[Any]:
+def _nodes(tree: Expr) -> Iterator[Expr]:
     """The parts of a tree, those of matrices too."""
     ahead = [tree]
     while ahead:
@@ -1148,14 +1148,14 @@ def _nodes(tree: Any) -> Iterator[Any]:
         ahead += list(node) if isinstance(node, sympy.MatrixBase) else list(node.args)
 
 
-def _is_differential(node: Any) -> bool:
+def _is_differential(node: Expr) -> bool:
     """Whether it is a letter such as dx, d³r."""
     if not isinstance(node, Lettered):
         return False
     return bool(re.fullmatch("d[²³]?\\w[\u0300-\u036f′]*", node.quantity.glyph.base))
 
 
-def _without(tree: Any, factor: Any) -> Any | None:
+def _without(tree: Expr, factor: Expr) -> Expr | None:
     """A product without one of its factors; None if it is no factor of it."""
     if tree == factor:
         return Integer(1)
@@ -1178,7 +1178,7 @@ def _number(token: Token) -> _Value:
     return _Value(tree, "scalar", token.position, digits=len(whole + decimals), literal=True)
 
 
-def _last(tree: Any) -> Any:
+def _last(tree: Expr) -> Expr:
     """The symbol in Ω or 2Ω."""
     return tree.args[-1] if isinstance(tree, Mul) else tree
 
@@ -1206,7 +1206,7 @@ def _times(left: _Value, right: _Value) -> _Value:
     return _made(_product(left.tree, right.tree), both, left, right)
 
 
-def _product(left: Any, right: Any) -> Any:
+def _product(left: Expr, right: Expr) -> Expr:
     """As it is typed, entry by entry where one is a matrix that is written out."""
     if isinstance(left, sympy.MatrixBase):
         return left.applyfunc(lambda entry: entry and _product(entry, right))
@@ -1228,7 +1228,7 @@ def _matrices(left: _Value, right: _Value) -> _Value:
     return _made(tree, kind(factors[-1]), replace(left, depth=depth), right, digits=digits)
 
 
-def _written_out(part: _Value) -> tuple[Any, ...]:
+def _written_out(part: _Value) -> tuple[Expr | MatrixBase, ...]:
     return part.tree.args if isinstance(part.tree, eq.Matrices) else (part.tree,)
 
 

@@ -39,7 +39,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from sympy import Symbol
+from sympy import Expr, Symbol
 
 from rigidtop.notation import Notation
 from rigidtop.proof.equation import BODY, SPACE, Equation
@@ -125,7 +125,7 @@ def _equation(latex: str, context: Context) -> Equation:
     return lines[0].equation
 
 
-def _expression(latex: str, context: Context) -> Any:
+def _expression(latex: str, context: Context) -> Expr:
     side, *more = _equation(latex + " = 0", context).sides
     if len(more) > 1:
         raise SentenceError(f"${latex}$ is an equation: its left side says which is meant")
@@ -142,7 +142,7 @@ class _Words:
     def known(self, name: str) -> tuple[Known, ...]:
         return _list(self.parts[name], self.context)
 
-    def math(self, name: str) -> tuple[Any, ...]:
+    def math(self, name: str) -> tuple[Expr, ...]:
         return tuple(_expression(latex, self.context) for latex in _only_and(self.parts[name]))
 
     def equations(self, name: str) -> tuple[Equation, ...]:
@@ -198,7 +198,7 @@ def _named(said: str, context: Context) -> Known | None:
     return next((k for k in reversed(context.above) if k.called and _key(k.called) == name), None)
 
 
-def _of_letter(letter: Any, context: Context) -> Known | None:
+def _of_letter(letter: Expr, context: Context) -> Known | None:
     """The last equation of this page, else of those before, that says what a letter is."""
     for lines in (context.page, context.above):
         for known in reversed(lines):
@@ -216,7 +216,7 @@ def _of_letter(letter: Any, context: Context) -> Known | None:
     return None
 
 
-def _says_what(letter: Any, equation: Equation) -> bool:
+def _says_what(letter: Expr, equation: Equation) -> bool:
     return (
         equation.sides[0] == letter
         and equation.sides[1:] != (const,)
@@ -263,7 +263,7 @@ def _put(w: _Words) -> Move:
     return Move("put", w.known("b"), using=w.known("a"))
 
 
-def _rate(frame: Any = None) -> Callable[[_Words], Move]:
+def _rate(frame: Expr | None = None) -> Callable[[_Words], Move]:
     return lambda w: Move("rate", w.known("a"), by=() if frame is None else (frame,))
 
 

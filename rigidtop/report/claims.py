@@ -230,14 +230,14 @@ def numbers(found: Counterexample, label: str = "Counterexample") -> b.Numbers:
     return b.Numbers(label, values, _real_number(found.left), _real_number(found.right))
 
 
-def _real_number(side: Any) -> Node | None:
+def _real_number(side: Expr) -> Node | None:
     """A side of a counterexample; None where it has no real value there."""
     if side is None or not sympy.sympify(side).evalf(12).is_real:
         return None
     return short_number(side)
 
 
-def short_number(number: Any) -> Node:
+def short_number(number: Expr) -> Node:
     """An exact number where it is short, else six digits of it.
 
     >>> third = sympy.Rational(3, 7)

@@ -21,7 +21,7 @@ STATES = 20
 """States that are drawn."""
 
 
-def certify(system: System, parameters: Mapping[Any, Any], seed: int = 0) -> dict[str, float]:
+def certify(system: System, parameters: Mapping[Expr, Any], seed: int = 0) -> dict[str, float]:
     """See `System.certify`."""
     values = [float(x) for x in numbers(system.parameters, parameters).values()]
     n = len(system.q)

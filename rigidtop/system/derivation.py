@@ -221,7 +221,7 @@ class _Writer:
         self.name = name
         self.blocks.append(Heading(level, _said(words), len(self.blocks) + 1, words))
 
-    def law(self, called: str, equation: Equation, *more: Any, along: bool = False) -> Known:
+    def law(self, called: str, equation: Equation, *more: Expr, along: bool = False) -> Known:
         """What stands by itself; some of it holds along the motion only."""
         words = ("Along the motion, " + called if along else called, *more)
         scope = Scope.MOTION if along else Scope.IDENTITY
@@ -390,12 +390,12 @@ def _listed(words: Sequence[str]) -> str:
     return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
 
 
-def _between(letters: Sequence[Any]) -> list[Any]:
+def _between(letters: Sequence[Expr]) -> list[Any]:
     """x, y and z."""
     return _more(letters)[1:]
 
 
-def _more(letters: Sequence[Any]) -> list[Any]:
+def _more(letters: Sequence[Expr]) -> list[Any]:
     """…, x, y and z."""
     made: list[Any] = []
     for k, x in enumerate(letters):

@@ -60,7 +60,7 @@ TOO_SMALL = 1e-3
 """A motion that stays below this part of what its tolerances are fractions of is done again."""
 
 
-def started(system: System, parameters: Mapping[Any, Any], q: Any, qdot: Any) -> SystemMotion:
+def started(system: System, parameters: Mapping[Expr, Any], q: Any, qdot: Any) -> SystemMotion:
     """See `System.motion`."""
     values = numbers(system.parameters, parameters).values()
     names = system.names
@@ -95,7 +95,7 @@ def _initial(what: str, given: Any, letters: Sequence[Symbol], system: System) -
     return [checks.number(x.name, value) for x, value in zip(letters, row, strict=True)]
 
 
-def _place(key: Any, letters: Sequence[Symbol], system: System) -> int | None:
+def _place(key: Expr, letters: Sequence[Symbol], system: System) -> int | None:
     """Which coordinate is meant, also where its velocity is: by symbol, function or name."""
     names = system.names
     for k, x in enumerate(letters):
@@ -270,7 +270,7 @@ class SystemMotion:
         """The state that keeps the constraints."""
         return self._surface.onto(np.array([time]), state[:, None])[:, 0]
 
-    def _watched(self, name: str, given: Any) -> Callable[[float, Floats], float]:
+    def _watched(self, name: str, given: Expr) -> Callable[[float, Floats], float]:
         """A quantity as a function of a time and a state."""
         system = self.system
         value = system.quantity(expression(f"the event {name}", given))
@@ -327,7 +327,7 @@ class SystemMotion:
         return taylor.propagated(integrator, end, unit, held=held)
 
 
-def many(system: System, parameters: Mapping[Any, Any], q: Any, qdot: Any) -> SystemMotions:
+def many(system: System, parameters: Mapping[Expr, Any], q: Any, qdot: Any) -> SystemMotions:
     """See `System.motions`."""
     rows = {"q": system.names.q, "qdot": system.names.v}
     given: dict[Any, Any] = dict(parameters)
@@ -547,7 +547,7 @@ class SystemTrajectory(Rows):
 
         filmed(self, path, duration)
 
-    def value(self, quantity: Any) -> Floats:
+    def value(self, quantity: Expr) -> Floats:
         """A quantity of q, q̇, p, t and the parameters along the motion, shape (N,)."""
         asked = self._system.quantity(expression("the quantity", quantity))
         made: Floats = self._arrays((asked,))[0]

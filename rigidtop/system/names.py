@@ -64,7 +64,7 @@ class Names:
                 return f"{self.q[group.index(x)].name}_{rate}"
         return str(x.name)
 
-    def find(self, name: Any) -> Symbol | None:
+    def find(self, name: Expr) -> Symbol | None:
         """The coordinate that is meant: as it was given, its plain symbol, or its name."""
         for symbol in self.q:
             if name in (symbol, self.given.get(symbol), symbol.name):

@@ -75,7 +75,7 @@ class Small:
         made = -(frequency**2) * self.mass + sympy.I * frequency * self.damping + self.stiffness
         return sympy.expand(made.det(method="berkowitz"))
 
-    def rates(self, parameters: Mapping[Any, Any]) -> NDArray[np.complex128]:
+    def rates(self, parameters: Mapping[Expr, Any]) -> NDArray[np.complex128]:
         """The 2n numbers s of the deviations e^{st} (1/s), by magnitude of the frequency.
 
         `parameters` gives a number for each parameter, and for each other letter of `about`.
@@ -85,13 +85,13 @@ class Small:
         found = np.array([complex(s) for s in _spectrum(*self._sides(self._at(parameters)))])
         return found[np.lexsort((found.imag, np.abs(found.imag)))]
 
-    def frequencies(self, parameters: Mapping[Any, Any]) -> NDArray[np.float64]:
+    def frequencies(self, parameters: Mapping[Expr, Any]) -> NDArray[np.float64]:
         """Angular frequencies of what oscillates, once each (rad/s), increasing."""
         found = self.rates(parameters)
         least = NEUTRAL * max(float(np.max(np.abs(found))), 1e-300)
         return np.sort(found.imag[found.imag > least])
 
-    def stability(self, parameters: Mapping[Any, Any]) -> str:
+    def stability(self, parameters: Mapping[Expr, Any]) -> str:
         """What the linear equations tell.
 
         "unstable" and "asymptotically stable" by the real parts, Lyapunov's theorems; "stable"
@@ -128,7 +128,7 @@ class Small:
             return "oscillates"
         return "undecided"
 
-    def _at(self, parameters: Mapping[Any, Any]) -> dict[Expr, Expr]:
+    def _at(self, parameters: Mapping[Expr, Any]) -> dict[Expr, Expr]:
         """Numbers for all letters."""
         sides = (self.mass, self.damping, self.stiffness, *self.about.values())
         letters = {*self.system.parameters}.union(*(x.free_symbols for x in sides))
@@ -268,7 +268,7 @@ def _is_among(place: Mapping[Expr, Expr], found: Mapping[Expr, Expr]) -> bool:
     return all(sympy.expand(value.subs(place) - place[x]) == 0 for x, value in found.items())
 
 
-def small(system: System, about: Mapping[Any, Any]) -> Small:
+def small(system: System, about: Mapping[Expr, Any]) -> Small:
     """See `System.small`."""
     _of_places(system)
     names = system.names

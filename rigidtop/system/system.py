@@ -74,7 +74,7 @@ class System:
 
     def __init__(
         self,
-        L: Any,
+        L: Expr,
         q: Any,
         qdot: Any = None,
         forces: Any = None,
@@ -542,7 +542,7 @@ class System:
                 found[name.name] = p
         return found
 
-    def rate(self, quantity: Any) -> Expr:
+    def rate(self, quantity: Expr) -> Expr:
         """d/dt of a quantity (of q, q̇, p and t) along the motion."""
         names = self.names
         plain = self.quantity(expression("the quantity", quantity))
@@ -550,7 +550,7 @@ class System:
         rates = {x: rate.xreplace(motion) for x, rate in names.rates.items()}
         return names.back(readable(self._rate(plain, rates)))
 
-    def is_conserved(self, quantity: Any) -> bool:
+    def is_conserved(self, quantity: Expr) -> bool:
         """Whether a quantity is constant along every motion, shown symbolically.
 
         Raises RigidtopError where it is neither shown nor refuted.
@@ -735,7 +735,7 @@ class System:
 
         return equilibria(self)
 
-    def small(self, about: Mapping[Any, Any]) -> Small:
+    def small(self, about: Mapping[Expr, Any]) -> Small:
         """Small deviations from a steady motion: matrices, frequencies, stability.
 
         `about` gives the steady values of coordinates and velocities; velocities that are not given
@@ -750,7 +750,7 @@ class System:
         """Numbers for all parameters, which are given by symbol or by name."""
         return numbers(self.parameters, parameters)
 
-    def certify(self, parameters: Mapping[Any, Any], seed: int = 0) -> dict[str, float]:
+    def certify(self, parameters: Mapping[Expr, Any], seed: int = 0) -> dict[str, float]:
         """How far other ways to q̈ are from Lagrange's, at most, at states that are drawn.
 
         "Hamilton" by H(q, p); "Newton–Euler" by d'Alembert's principle, where the system was made

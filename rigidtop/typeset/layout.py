@@ -21,7 +21,7 @@ from functools import cmp_to_key, singledispatch
 from typing import Any, Literal
 
 import sympy
-from sympy import Add, Basic, Mul, Pow, Symbol
+from sympy import Add, Basic, Expr, Mul, Pow, Symbol
 from sympy.core.relational import Relational
 
 from rigidtop.proof.equation import (
@@ -87,12 +87,12 @@ def is_typed(tree: Any) -> bool:
     return any(is_typed(part) for part in tree.args)
 
 
-def is_evaluated(tree: Any) -> bool:
+def is_evaluated(tree: Expr) -> bool:
     """Whether SymPy put a tree together: what is typed has two operands at each node."""
     return not is_typed(tree) and _has_wide_node(tree)
 
 
-def _has_wide_node(tree: Any) -> bool:
+def _has_wide_node(tree: Expr) -> bool:
     if isinstance(tree, sympy.MatrixBase):
         return any(map(_has_wide_node, tree))
     if isinstance(tree, (Add, Mul)) and len(tree.args) - (tree.args[0] == -1) > 2:
@@ -126,7 +126,7 @@ def _node(tree: Any, order: Order) -> lay.Node:
 
 @_node.register(Symbol)
 @_node.register(sympy.MatrixSymbol)
-def _(tree: Any, order: Order) -> lay.Node:
+def _(tree: Expr, order: Order) -> lay.Node:
     return lay.lettered(tree.quantity.glyph if isinstance(tree, Lettered) else lay.glyph(tree.name))
 
 
@@ -160,7 +160,7 @@ def _(tree: sympy.core.numbers.NegativeInfinity, order: Order) -> lay.Node:
 
 @_node.register(Add)
 @_node.register(sympy.MatAdd)
-def _(tree: Any, order: Order) -> lay.Node:
+def _(tree: Expr, order: Order) -> lay.Node:
     terms = tree.args if order == "typed" else ordered_terms(tree.args)
     nodes = [_node(term, order) for term in terms]
     if order == "mechanics" and isinstance(nodes[0], lay.Sum) and nodes[0].terms[0].negative:
@@ -173,13 +173,13 @@ def _(tree: Any, order: Order) -> lay.Node:
 
 @_node.register(Mul)
 @_node.register(sympy.MatMul)
-def _(tree: Any, order: Order) -> lay.Node:
+def _(tree: Expr, order: Order) -> lay.Node:
     return _typed_product(tree) if order == "typed" else _ordered_product(tree)
 
 
 @_node.register(Pow)
 @_node.register(sympy.MatPow)
-def _(tree: Any, order: Order) -> lay.Node:
+def _(tree: Expr, order: Order) -> lay.Node:
     base, exponent = tree.args
     if not isinstance(tree, sympy.MatPow) and _divides(tree):
         return lay.ratio(lay.Number("1"), _denominator(tree, order))
@@ -205,7 +205,7 @@ def _(tree: Matrices, order: Order) -> lay.Node:
 
 @_node.register(sympy.Transpose)
 @_node.register(Transposed)
-def _(tree: Any, order: Order) -> lay.Node:
+def _(tree: Expr, order: Order) -> lay.Node:
     body = _node(tree.args[0], order)
     if isinstance(body, lay.TransposeOf):  # a column, which is printed as a row already
         return body
@@ -248,7 +248,7 @@ def _(tree: Underbrace, order: Order) -> lay.Node:
 
 @_node.register(Cross)
 @_node.register(Dot)
-def _(tree: Any, order: Order) -> lay.Node:
+def _(tree: Expr, order: Order) -> lay.Node:
     left, right = (lay.as_operand(_node(part, order)) for part in tree.args)
     return lay.Infix("×" if isinstance(tree, Cross) else "·", left, right)
 
@@ -348,7 +348,7 @@ def _under_big(body: lay.Node) -> lay.Node:
 
 @_node.register(sympy.And)
 @_node.register(sympy.Or)
-def _(tree: Any, order: Order) -> lay.Node:
+def _(tree: Expr, order: Order) -> lay.Node:
     parts = sorted(tree.args, key=sympy.default_sort_key)
     between = "and" if isinstance(tree, sympy.And) else "or"
     return lay.Listed(tuple(_node(part, order) for part in parts), between)
@@ -360,11 +360,11 @@ def _(tree: sympy.Tuple, order: Order) -> lay.Node:
 
 
 @_node.register(sympy.logic.boolalg.BooleanAtom)
-def _(tree: Any, order: Order) -> lay.Node:
+def _(tree: Expr, order: Order) -> lay.Node:
     return lay.Letter(Glyph("true" if tree else "false"))
 
 
-def _matrix(tree: Any, order: Order) -> lay.Node:
+def _matrix(tree: Expr, order: Order) -> lay.Node:
     rows, columns = tree.shape
     entries = [_node(entry, order) for entry in tree]
     if columns == 1 and rows > 1:  # a column is printed as the notes do, as a transposed row
@@ -386,7 +386,7 @@ _NAMES = {
 """Elliptic integrals as in DLMF 19.2, with the parameter m = k², not the modulus."""
 
 
-def _function(tree: Any, order: Order) -> lay.Node:
+def _function(tree: Expr, order: Order) -> lay.Node:
     arguments = tuple(_node(argument, order) for argument in tree.args)
     if isinstance(tree, sympy.core.function.AppliedUndef):
         return lay.Apply(lay.Letter(lay.glyph(tree.func.__name__)), arguments, brackets=True)
@@ -399,7 +399,7 @@ def _function(tree: Any, order: Order) -> lay.Node:
 # --- Products as typed ---------------------------------------------------------------------------
 
 
-def _divides(factor: Any) -> bool:
+def _divides(factor: Expr) -> bool:
     """Whether a factor stands below the fraction bar."""
     return isinstance(factor, Pow) and bool(factor.exp.is_number and factor.exp.is_negative)
 
@@ -411,7 +411,7 @@ def _denominator(factor: Pow, order: Order) -> lay.Node:
     return _node(Pow(factor.base, exponent, evaluate=False), order)
 
 
-def _typed_product(tree: Any) -> lay.Node:
+def _typed_product(tree: Expr) -> lay.Node:
     negative, parts = _typed_parts(tree)
     done: list[lay.Node] = []
     start = 0  # where the numerator of the next division begins
@@ -433,7 +433,7 @@ def _typed_product(tree: Any) -> lay.Node:
     return lay.negated(node) if negative else node
 
 
-def _typed_parts(tree: Any) -> tuple[bool, list[tuple[bool, lay.Node]]]:
+def _typed_parts(tree: Expr) -> tuple[bool, list[tuple[bool, lay.Node]]]:
     """The sign, and the factors from left to right, each with whether it is divided by."""
     negative = False
     parts: list[tuple[bool, lay.Node]] = []
@@ -462,7 +462,7 @@ def _typed_parts(tree: Any) -> tuple[bool, list[tuple[bool, lay.Node]]]:
 # --- The order of mechanics ----------------------------------------------------------------------
 
 
-def _ordered_product(tree: Any) -> lay.Node:
+def _ordered_product(tree: Expr) -> lay.Node:
     if isinstance(tree, sympy.MatMul):  # matrices do not commute
         return _typed_product(tree)
     factors = sorted(with_one_root(tree.args), key=factor_key)

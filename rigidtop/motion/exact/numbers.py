@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 Real = Any
 """A float, an array of floats, or one that is traced."""
@@ -64,7 +65,7 @@ class Arrays:
         return (1 - t * t) * per, 2 * t * per
 
     @staticmethod
-    def cubics(coefficients: Sequence[Sequence[Real]], x: Real) -> Any:
+    def cubics(coefficients: Sequence[Sequence[Real]], x: Real) -> NDArray[np.float64] | list[Real]:
         """Cubics of one x; of one motion they are one matrix product."""
         if np.ndim(x) == 1 and isinstance(coefficients[0][0], float):
             powers = np.empty((4, len(x)))
@@ -79,7 +80,7 @@ class Arrays:
         return condition if isinstance(condition, bool) else bool(np.any(condition))
 
     @staticmethod
-    def where(condition: Truth, one: Any, other: Any) -> Any:
+    def where(condition: Truth, one: Real, other: Real) -> Real:
         if isinstance(condition, (bool, np.bool_)):  # of the one motion that there is
             return one if condition else other
         return np.where(condition, one, other)

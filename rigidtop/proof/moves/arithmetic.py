@@ -216,7 +216,7 @@ def exchange(move: Move, algebra: Algebra) -> Performed:
     letters = algebra.letters
     there = {**letters.exchanged, **{new: old for old, new in letters.exchanged.items()}}
 
-    def turned(tree: Any) -> Any:
+    def turned(tree: Expr) -> Expr:
         if isinstance(tree, (SumOver, VolumeIntegral)):
             index, body = tree.args
             return tree.func({one: two, two: one}.get(index, index), turned(body))

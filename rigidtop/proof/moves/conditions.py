@@ -88,7 +88,7 @@ def _vanishes_somewhere(flat: Expr, relations: Sequence[Any]) -> bool:
     return False
 
 
-def _is_drawn(x: Any) -> bool:
+def _is_drawn(x: Expr) -> bool:
     """Whether a number of any size, or any positive one, is one that a letter can have."""
     either = x.is_nonnegative is None and x.is_nonpositive is None
     return bool(x.is_real and not x.is_integer and (x.is_positive or either))

@@ -78,7 +78,7 @@ def strip(move: Move, algebra: Algebra) -> Performed:
     return Performed(tuple(made), scope)
 
 
-def _on_axes(pairs: Sequence[Pair], axes: Sequence[Any], algebra: Algebra) -> list[Pair]:
+def _on_axes(pairs: Sequence[Pair], axes: Sequence[Expr], algebra: Algebra) -> list[Pair]:
     images: dict[Any, list[tuple[Expr, Vector]]] = {u: [] for u in axes}
     entries: dict[Any, dict[tuple[int, int], Expr]] = {}
     for pair in pairs:
@@ -109,7 +109,7 @@ def _on_axes(pairs: Sequence[Pair], axes: Sequence[Any], algebra: Algebra) -> li
     return [pair for pair in made if is_operator(pair.left)]
 
 
-def _acting(value: Value, u: Any) -> Expr | None:
+def _acting(value: Value, u: Expr) -> Expr | None:
     """The operator A of a vector Au; None if it is no such vector."""
     if not isinstance(value, Vector):
         return None
@@ -126,8 +126,8 @@ def _acting(value: Value, u: Any) -> Expr | None:
 def _enter(
     left: Value,
     right: Value,
-    axes: Sequence[Any],
-    entries: dict[Any, dict[tuple[int, int], Expr]],
+    axes: Sequence[Expr],
+    entries: dict[Expr, dict[tuple[int, int], Expr]],
     algebra: Algebra,
 ) -> None:
     """Of u·Av = c the entry of A, and that of its transpose."""
@@ -147,7 +147,7 @@ def _plain(matrix: MatrixBase) -> Value:
     return matrix[0, 0] if matrix == matrix[0, 0] * sympy.eye(3) else matrix
 
 
-def _on_any(pairs: Sequence[Pair], axes: Sequence[Any], algebra: Algebra) -> list[Pair]:
+def _on_any(pairs: Sequence[Pair], axes: Sequence[Expr], algebra: Algebra) -> list[Pair]:
     made = []
     for pair in pairs:
         left, right = (
@@ -160,7 +160,7 @@ def _on_any(pairs: Sequence[Pair], axes: Sequence[Any], algebra: Algebra) -> lis
     return made
 
 
-def _between(value: Value, u: Any, v: Any, algebra: Algebra) -> Expr | None:
+def _between(value: Value, u: Expr, v: Expr, algebra: Algebra) -> Expr | None:
     """The operator A of a scalar u·Av; None if it is no such scalar."""
     if isinstance(value, (Vector, MatrixBase)):
         return None

@@ -61,7 +61,7 @@ def named_components(pairs: Sequence[Pair], algebra: Algebra) -> list[Pair]:
     return made
 
 
-def put_in(known: Sequence[Known], letters: Letters) -> dict[Any, Value]:
+def put_in(known: Sequence[Known], letters: Letters) -> dict[Expr, Value]:
     """What to put in for atoms, so that the equations hold: each equation gives one atom."""
     given: dict[Any, Value] = {}
     for each in known:
@@ -70,7 +70,7 @@ def put_in(known: Sequence[Known], letters: Letters) -> dict[Any, Value]:
     return given
 
 
-def _give(equation: Equation, source: Known, given: dict[Any, Value], letters: Letters) -> None:
+def _give(equation: Equation, source: Known, given: dict[Expr, Value], letters: Letters) -> None:
     if equation.relation not in ("=", "≡", "≈"):
         raise RefusedError(
             "{} says {}: only an equation can be put in", name_of(source), equation.relation
@@ -119,7 +119,7 @@ def _differ_by_number(left: Value, right: Value) -> bool:
     return any(part.is_number and part != 0 for part in components(left, right))
 
 
-def settle(given: dict[Any, Value], atom: Any, value: Value, letters: Letters) -> None:
+def settle(given: dict[Expr, Value], atom: Expr, value: Value, letters: Letters) -> None:
     """Put a value in for an atom, also in what is given already."""
     one = Algebra(letters, {atom: value})
     for old in list(given):
@@ -159,7 +159,7 @@ def _scaled_atom(value: Value) -> tuple[Any, Expr] | None:
 _MADE = (Dot, Rate)
 
 
-def nodes_of(tree: Any) -> set[Any]:
+def nodes_of(tree: Expr) -> set[Expr]:
     """A tree and everything in it."""
     return set(sympy.preorder_traversal(tree))
 
@@ -199,7 +199,7 @@ def is_operator(value: Value) -> bool:
     )
 
 
-def atom_of(value: Value, typed: Any) -> Any:
+def atom_of(value: Value, typed: Expr) -> Expr:
     """The atom of a value that is `typed`.  Raises RefusedError where it is more."""
     single = single_atom(value)
     if single is None:

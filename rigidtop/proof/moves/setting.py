@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from sympy import Integer, MatrixBase
+from sympy import Expr, Integer, MatrixBase
 
 from rigidtop.proof.algebra import TIME, Algebra, Letters, Value, Vector, agree, atoms_of, vanishes
 from rigidtop.proof.equation import Rate
@@ -73,7 +73,7 @@ def set_to(move: Move, algebra: Algebra) -> Performed:
     return Performed(tuple(pairs), scope, conditions, known.order, given)
 
 
-def _stand_there(move: Move, known: Known, given: Mapping[Any, Value], algebra: Algebra) -> None:
+def _stand_there(move: Move, known: Known, given: Mapping[Expr, Value], algebra: Algebra) -> None:
     """Refuse to set what does not stand in what is cited: nothing is done there."""
     sides = [
         side
@@ -91,7 +91,7 @@ def _stand_there(move: Move, known: Known, given: Mapping[Any, Value], algebra: 
             raise RefusedError("{} does not stand in {}", atom, name_of(known))
 
 
-def _with_rates(atom: Any, letters: Letters) -> set[Any]:
+def _with_rates(atom: Expr, letters: Letters) -> set[Expr]:
     found = {atom}
     while atom in letters.rates:
         atom = letters.rates[atom]
@@ -112,7 +112,7 @@ def _constant(pairs: Sequence[Pair], known: Known, move: Move, letters: Letters)
             raise RefusedError("at the start scalars are set")
 
 
-def _values(move: Move, algebra: Algebra) -> dict[Any, Value]:
+def _values(move: Move, algebra: Algebra) -> dict[Expr, Value]:
     given: dict[Any, Value] = {}
     for equation in move.by:
         atom = atom_of(algebra.value(equation.sides[0]), equation.sides[0])
@@ -120,7 +120,7 @@ def _values(move: Move, algebra: Algebra) -> dict[Any, Value]:
     return given
 
 
-def _not_under_a_rate(given: Mapping[Any, Value], known: Known, algebra: Algebra) -> None:
+def _not_under_a_rate(given: Mapping[Expr, Value], known: Known, algebra: Algebra) -> None:
     for pair in all_pairs(known, algebra):
         for side in (pair.left, pair.right):
             for node in atoms_of(side):

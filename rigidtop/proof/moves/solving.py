@@ -42,7 +42,7 @@ def solve(move: Move, algebra: Algebra) -> Performed:
 
 
 def _linear(
-    difference: Any, atoms: Mapping[Any, Symbol]
+    difference: Any, atoms: Mapping[Expr, Symbol]
 ) -> list[tuple[dict[Any, Any], Any]] | None:
     """(coefficients of the unknowns, the rest), where they enter linearly; vectors are one row."""
     if isinstance(difference, dict):
@@ -65,7 +65,7 @@ def _linear(
 
 
 def _solved_linear(
-    move: Move, rows: list[tuple[dict[Any, Any], Any]], atoms: Mapping[Any, Symbol], scope: Scope
+    move: Move, rows: list[tuple[dict[Any, Any], Any]], atoms: Mapping[Expr, Symbol], scope: Scope
 ) -> Performed:
     """Gauss: as many rows as unknowns; what is not asked for is eliminated besides."""
     wanted = list(atoms)
@@ -97,7 +97,7 @@ def _reduced(expression: Expr) -> Expr:
     return reduce_trig(flat).xreplace(nodes)
 
 
-def _roots(pair: Pair, unknown: Any, scope: Scope) -> Performed:
+def _roots(pair: Pair, unknown: Expr, scope: Scope) -> Performed:
     """Both roots of a quadratic: that with − before the square root, then that with +.
 
     No condition makes them change places: Ω₋ is the slow one below the horizontal too.
