@@ -166,6 +166,15 @@ def has_sign(x: Expr) -> bool:
     return decide.nonzero(x)
 
 
+def reduced(side: Expr) -> Expr:
+    """A side without what falls out of it: R²sin²φ + R²cos²φ as R², √x(x/√x + y/√x) as x + y."""
+    if any(not p.exp.is_Integer for p in side.atoms(Pow)):
+        side = sympy.expand(side)
+    if not side.has(sympy.sin, sympy.cos) or any(not p.exp.is_nonnegative for p in side.atoms(Pow)):
+        return side
+    return reduce_trig(side)
+
+
 def is_polynomial(side: Expr, moving: Iterable[Symbol]) -> bool:
     """Whether a side with more than numbers is a polynomial in what moves."""
     moves = {x for x in side.free_symbols if bare(x) in moving}
@@ -251,6 +260,7 @@ def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:
     if names:
         return None
     left, right, *given = flat
+    rooted = decide.branches(left - right)
     a = law.highest if law is not None else []
     needed = left.free_symbols | right.free_symbols
     if needed & {*a}:
@@ -267,7 +277,8 @@ def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:
             if not solved:
                 continue
         one, other = decide.evaluate([left, right], {**point, **solved}, {})
-        if not decide.apart(one, other):
+        # A root may be meant with its other sign.
+        if not decide.apart(*((one**2, other**2) if rooted else (one, other))):
             continue
         values = ", ".join(f"{text(x)} = {text(v)}" for x, v in point.items())
         rates = ", ".join(

@@ -21,7 +21,7 @@ import time
 from bisect import bisect_right
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise, product
+from itertools import compress, pairwise, product
 from typing import Any
 
 import sympy
@@ -45,6 +45,7 @@ from rigidtop.mark.law import (
     lost,
     moves,
     nearly,
+    reduced,
     vanishes,
     words_of,
 )
@@ -241,15 +242,17 @@ class _Judge(Ledger):
             return False
         if first.quantity.glyph.accent in ("dot", "ddot") or self.by_law(first) is not None:
             return False
+        if first in self.set_to:
+            return False
         known = self.given.get(first)
         if known is not None:
-            return known.section != self.section and not _closed_over(others[0], first)
+            return known.section != self.section and first not in _letters(others[0])
         if first in self.primitive() and self.is_set(first, others[-1]):
             return False
         side = others[-1] if others[-1] != const else others[0]
-        made = {y for x in getattr(side, "free_symbols", ()) if x in self.given
+        made = {y for x in _letters(side) if x in self.given
                 for y in self.given[x].value.free_symbols}  # fmt: skip
-        return first not in getattr(side, "free_symbols", set()) | made
+        return first not in _letters(side) | made
 
     def defined(self, number: int, line: Line, first: Lettered, others: Sequence[Expr]) -> Held:
         if first in self.given and self.given[first].section != self.section:
@@ -295,7 +298,7 @@ class _Judge(Ledger):
 
     def energies(self, side: Expr) -> tuple[tuple[Symbol, Symbol], int] | None:
         """The letters T and V of a side T ± V, and the sign."""
-        letters = {base(x): x for x in getattr(side, "free_symbols", set())}
+        letters = {base(x): x for x in _letters(side)}
         potential = next((letters[b] for b in ("V", "U") if b in letters), None)
         if len(letters) != 2 or "T" not in letters or potential is None:
             return None
@@ -367,10 +370,24 @@ class _Judge(Ledger):
                 said = ", ".join(filter(None, (words_of(meant), "with one of the two signs")))
                 law = self.law.rests if put and self.law is not None else frozenset()
                 return Held(line, Verdict.ASSUMING.value, f"where {said}", tuple({*rests, *law}))
-        known = self.primitive().union(*(x.free_symbols for x in meant.values()), self.given)
+        refuted = self.neither(left, right, both, two)
+        if refuted is not None:
+            law = self.law.rests if self.sets and self.law is not None else frozenset()
+            return Held(line, Verdict.FALSE.value, refuted, tuple(sorted({*rests, *law})))
+        known = self.primitive().union(self.set_to, self.given)
         if isinstance(left, Symbol) and bare(left) not in known:
             return Held(line, PREMISE, f"one of two values of {text(left)}: which is not said")
         return Held(line, Verdict.UNDECIDED.value, "neither of the two signs was shown")
+
+    def neither(self, left: Any, right: Any, both: Expr, other: Expr) -> str | None:
+        """Numbers at which neither sign of ± is right, where the file says what both have to be."""
+        sure = self.law is not None and self.law.lagrangian is not None and not self.law.broken
+        found = self.against((both, Integer(0))) if sure else None
+        stands = {x for x in both.free_symbols - {left} if bare(x) in self.moving}
+        solved = accent(left) and left in (other - left).expand().free_symbols
+        if found is None and solved and stands <= right.free_symbols and not functions_of(both):
+            found = differ_at((both, Integer(0)), None)
+        return found and f"with neither sign: {found.partition('; the')[0].partition(': the')[0]}"
 
     def refuted(
         self,
@@ -385,11 +402,14 @@ class _Judge(Ledger):
         A line is refuted along the motion if it has accelerations, and of what is defined above if
         it speaks of rates; other equations between the same letters may be of a special case.
         """
+        typed, sides = sides, (reduced(sides[0]), reduced(sides[1]))
         law, residual, rests = self.law, sides[0] - sides[1], set(self.used)
         symbols = set().union(*(side.free_symbols for side in sides))
         letters = {bare(x) for x in residual.free_symbols}
         closed = self.letters_of(rests) | {TIME}
-        by_file = bool(rests) and self.is_closed(left, sides, inner)
+        by_file = bool(rests) and any(
+            self.is_closed(left, right, form, inner) for form in (typed, sides)
+        )
         along = law is not None and letters <= law.letters | closed
         sure = law is not None and law.lagrangian is not None and not law.broken
         against = self.against(sides) if sure else None
@@ -407,16 +427,21 @@ class _Judge(Ledger):
             words = "it may be an expansion about another place: write ≈"
             return made(Verdict.UNDECIDED, words)
         if law is not None and along and residual.free_symbols & {*law.highest}:
+            at_set = self.where_set(sides) if sure else None
+            if at_set is not None:
+                return made(Verdict.FALSE, at_set, *law.rests)
             if law.broken:
                 words = "forces besides the Lagrangian act: it is not judged"
                 return made(Verdict.UNDECIDED, words)
             special = law.misses(symbols) > MOST_MISSING or law.functions - functions_of(*sides)
-            if special or law.lagrangian is None or is_linear(residual, law):
+            # Of what is defined there is no other case that is the same in all its letters.
+            other = law.lagrangian is None and (not rests or law.misses(symbols) > 0)
+            if special or other or is_linear(residual, law):
                 return made(Verdict.UNDECIDED, "a special case of what is above, or a slip?")
             found = differ_at(sides, law)
             if found is not None:
                 return made(Verdict.FALSE, found, *law.rests)
-        elif by_file and (_differentiates(left) or any(map(accent, symbols))):
+        elif by_file and (_differentiates(left) or any(map(accent, symbols | _letters(left)))):
             found = None if functions_of(*sides) else differ_at(sides, None)
             if found is not None:
                 return made(Verdict.FALSE, found)
@@ -429,12 +454,14 @@ class _Judge(Ledger):
             return made(Verdict.UNDECIDED, "another value than above: of another case, or a slip?")
         return made(Verdict.UNDECIDED, "neither shown nor refuted")
 
-    def is_closed(self, left: Any, sides: tuple[Expr, Expr], inner: bool) -> bool:
+    def is_closed(self, left: Any, right: Any, sides: tuple[Expr, Expr], inner: bool) -> bool:
         """Whether the left side says by itself what the right one must be, all under one heading: a
         derivative, or a quantity made of others and written in the same letters."""
         if any(self.places.get(x) != self.section for x in self.used):
             return False
-        if not all({bare(x) for x in side.free_symbols} & self.moving for side in sides):
+        made = _letters(left) <= {*self.given}
+        moving = self.moving | ({TIME} if made and any(map(accent, _letters(left))) else set())
+        if not all({bare(x) for x in side.free_symbols} & moving for side in sides):
             return False
         mine, theirs = (side.free_symbols - {TIME} for side in sides)
         here = max(self.places)  # of a chain that gives ℒ the first form is the law
@@ -446,13 +473,14 @@ class _Judge(Ledger):
             return within
         if not isinstance(left, Lettered):
             gives = law is not None and here in law.rests
-            return inner and (mine == theirs or (gives and within))
+            return (made or inner) and (mine == theirs or (inner and gives and within))
         known = self.given.get(left)
         if accent(left):  # a derivative, or a rate that stands in the momenta: solved for it
             return (known is not None and theirs <= mine) or (law is not None and left in theirs)
         if law is not None and (known is None or law.rests <= known.rests):
             return within
-        return known is not None and len(known.rests) > 1 and mine == theirs
+        told = known is not None and (len(known.rests) > 1 or right.has(*self.given))
+        return told and mine == theirs
 
     def is_other(self, left: Any, right: Any, residual: Expr) -> bool:
         """Whether a letter of which something was said stands for something else from here on."""
@@ -470,8 +498,13 @@ class _Judge(Ledger):
         lines = set().union(*(g.rests for g in self.sets.values()))
         words = words_of(meant)
         law, stated = self.law, {x: meant[x] for x, g in self.sets.items() if g.stated}
-        for put in (stated, meant) if law is not None and not law.broken else ():
-            assert law is not None
+        tried = [] if law is None or law.broken else [(stated, law), (meant, law)]
+        if law is not None and tried and law.lagrangian is not None:
+            # What holds a coordinate takes its equation, and leaves the others.
+            free = [x not in {bare(y) for y in meant} for x in law.q]
+            if any(free) and vanishes(residual.subs(meant)) is None:
+                tried.append((meant, replace(law, vanishing=tuple(compress(law.vanishing, free)))))
+        for put, law in tried:
             given = tuple(x.subs(put) for x in law.vanishing)
             found = self.shown(residual.subs(put), replace(law, vanishing=given))
             if found is not None and found[0] is not Verdict.UNDECIDED:
@@ -479,25 +512,45 @@ class _Judge(Ledger):
                 return ", ".join(filter(None, (words_of(put), more))), lines | law.rests
         if not {*meant}.union(*(x.free_symbols for x in meant.values())) & residual.free_symbols:
             return None
-        bare = sympy.expand(residual.subs(meant).subs(meant))
-        if vanishes(bare) is not None:
+        under = sympy.expand(residual.subs(meant).subs(meant))
+        if vanishes(under) is not None:
             left = sympy.expand(sides[0].subs(meant).subs(meant))
             return (words, lines) if vanishes(left) is None else None
         for vanishing in self.law.vanishing if self.law is not None else ():
             given = vanishing.subs(meant).subs(meant)
             if vanishes(given) is not None:
                 continue
-            divided = lost(bare, sympy.expand(given))
+            divided = lost(under, sympy.expand(given))
             if divided is not None:
                 more = "".join(f", {text(x)} ≠ 0" for x in divided)
                 return words + more, lines | set(self.law.rests if self.law else ())
         return None
 
+    def where_set(self, sides: tuple[Expr, Expr]) -> str | None:
+        """Numbers for what the line just above has set, at which a line does not hold."""
+        here, law = max(self.places), self.law
+        put = {x: g.value for x, g in self.sets.items() if g.stated}
+        if law is None or not any(here - 1 in g.rests for g in self.sets.values()):
+            return None
+        vanishing = [sympy.expand(x.subs(put)) for x in law.vanishing]
+        where = replace(law, vanishing=tuple(x for x in vanishing if vanishes(x) is None))
+        left, right = (sympy.expand(side.subs(put)) for side in sides)
+        strange = {bare(x) for x in (left - right).free_symbols} - where.letters - {TIME}
+        if strange - self.set_to or law.functions or is_linear(left - right, where):
+            return None
+        found = differ_at((left, right), where)
+        return found and f"where {words_of(put)}, {found}"
+
+    @property
+    def set_to(self) -> set[Symbol]:
+        """The letters that are values of what is set: Ω of φ̇ = Ω."""
+        return set().union(*(g.value.free_symbols for g in self.sets.values()))
+
     def against(self, sides: tuple[Expr, Expr]) -> str | None:
         """Numbers for the special motion that was set, at which a line does not hold."""
         law = self.law
         meant = {x: g.value for x, g in self.sets.items()}
-        new = {y for x in meant.values() for y in x.free_symbols}
+        new = self.set_to
         if law is None or not ({*meant} | new) & (sides[0] - sides[1]).free_symbols:
             return None
         given = [sympy.expand(x.subs(meant).subs(meant)) for x in law.vanishing]
@@ -577,7 +630,8 @@ class _Judge(Ledger):
         here = {number, *self.used}
         if isinstance(left, Pow) and isinstance(left.base, Lettered) and left.exp.is_Integer:
             letter, value = left.base, self.value(right)
-            if letter not in self.given and letter not in known | value.free_symbols:
+            said = {*self.given, *self.set_to, *known, *value.free_symbols}
+            if letter not in said and bare(letter) not in known:
                 root = value ** Rational(1, int(left.exp))
                 if left.exp % 2 == 0:
                     sign = sympy.Dummy(f"sign of {letter}", real=True)
@@ -603,7 +657,8 @@ class _Judge(Ledger):
                 return Held(line, PREMISE, "Lagrange's equation with a force besides", ())
             return None
         newest = sorted({bare(x) for x in residual.free_symbols if accent(x) == "ddot"}, key=str)
-        rates = [x for x in residual.free_symbols if accent(x) == "dot"]
+        told = not isinstance(left, Symbol) and left.free_symbols <= {*self.given}
+        rates = [x for x in residual.free_symbols if accent(x) == "dot" and not told]
         if not newest and degree(residual, rates) == 1:
             newest = sorted(map(bare, rates), key=str)
         if newest and (self.law is None or not set(newest) <= set(self.law.q)):
@@ -628,8 +683,8 @@ class _Judge(Ledger):
         return Held(line, PREMISE, "an equation of motion, taken as it stands", ())
 
 
-def _closed_over(side: Any, letter: Symbol) -> bool:
-    return letter in getattr(side, "free_symbols", set())
+def _letters(side: Any) -> set[Symbol]:
+    return set(getattr(side, "free_symbols", ()))
 
 
 def _differentiates(side: Any) -> bool:

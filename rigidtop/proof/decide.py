@@ -256,8 +256,8 @@ def lost(wanted: Expr, given: Expr, conditions: Sequence[Relational] = ()) -> li
     Where it is no multiple, this is given itself.
 
     >>> x, y = sympy.symbols("x y", real=True)
-    >>> lost(y - 1, x*(y - 1)), lost(y - 1, y - x)
-    ([x], [x - y])
+    >>> lost(y - 1, x*(y - 1)), lost(x*(y - 1), y - 1)
+    ([x], [])
     """
     if vanishes(wanted):
         return []
