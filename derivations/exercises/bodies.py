@@ -4,8 +4,13 @@ from __future__ import annotations
 
 from math import cos, pi
 
+import numpy as np
+from numpy.typing import NDArray
+
 from rigidtop.motion.top import ROUNDING, HeavyTop
 from rigidtop.parameters import Parameter
+
+Vectors = NDArray[np.float64]
 
 # About the pivot; no two numbers are equal, so that a formula with two of them exchanged shows.
 LAMBDA1 = Parameter("lambda1", 1.3, "$λ₁$ about the pivot", "kg m²", above=0)
@@ -27,6 +32,13 @@ def heavy_top(lambda1: float, lambda3: float, M: float, R: float, g: float) -> H
 
 TILT = Parameter("theta", pi / 6, "$θ$ at the start", "rad", above=0, most=pi)
 SPIN = Parameter("omega3", 20.0, "$ω₃$", "rad/s")
+
+
+def angles(a: Vectors, b: Vectors) -> Vectors:
+    """The angles (N,) between the rows of two arrays (N, 3), in radians."""
+    across = np.linalg.norm(np.cross(a, b), axis=-1)
+    made: Vectors = np.arctan2(across, np.sum(a * b, axis=-1))
+    return made
 
 
 def smallness(top: HeavyTop, spin: float) -> float:

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
-from math import acos, asin, cos, inf, pi, sin, sqrt
+from math import cos, inf, pi, sin, sqrt
 from typing import Any
 
 import numpy as np
 import sympy
-from scipy.integrate import quad
 from scipy.optimize import brentq
 from sympy import Expr, Symbol
 
@@ -156,11 +155,8 @@ def waves_or_loops() -> Iterator[Evidence]:
 
 
 @dataclass(frozen=True)
-class Swing:
-    """The motion of θ of a top started with θ̇ = 0, by a way that no elliptic function is used on.
-
-    With u = cos θ it is u̇² = 2(MgR/λ₁)(u₀ − u)(u − u₀ − gap)(u₀ + far − u), u₀ at the start.
-    """
+class Start:
+    """θ, φ̇ and ω₃ (rad, rad/s) of a top at a moment at which θ̇ = 0."""
 
     top: HeavyTop
     tilt: float
@@ -169,93 +165,32 @@ class Swing:
 
     @property
     def steepness(self) -> float:
-        """(3.57) with φ̇ for Ω: λ₁θ̈/sin θ at the start (N m); positive where the axis sinks."""
+        """(3.57) with φ̇ for Ω: λ₁θ̈/sin θ (N m); positive where the axis sinks."""
         top, rate = self.top, self.phi_dot
-        square, linear = top.lambda1 * cos(self.tilt), top.lambda3 * self.spin
-        return (square * rate - linear) * rate + top.weight[2]
+        return (top.lambda1 * cos(self.tilt) * rate - top.lambda3 * self.spin) * rate + top.weight[
+            2
+        ]
+
+    @property
+    def first(self) -> str:
+        """What the axis does then."""
+        return "stays" if kind(self) == "steady" else "sinks" if self.steepness > 0 else "rises"
 
     @cached_property
-    def _roots(self) -> tuple[float, float]:
-        """cos θ at the other turning point, and at the root beyond 1, less cos θ at the start."""
-        u, sine = cos(self.tilt), sin(self.tilt)
-        w = self.top.lambda1 * self.top.weight[2]
-        spin, turn = self.top.lambda3 * self.spin, self.top.lambda1 * self.phi_dot * sine
-        # 2w x² − linear x − constant = 0 for x = u − u₀, without differences of large numbers.
-        linear = spin**2 + turn**2 - 4 * w * u
-        constant = 2 * self.top.lambda1 * sine**2 * self.steepness
-        square = linear**2 + 8 * w * constant
-        if square <= 1e-14 * linear**2:  # these two are one, the upright, to half of all digits
+    def motion(self) -> TopMotion:
+        return self.top.motion(theta=self.tilt, phi_dot=self.phi_dot, omega3=self.spin)
+
+    @cached_property
+    def other(self) -> Start:
+        """The other turning point, half a period later."""
+        half = self.motion.nutation_period / 2
+        if half == inf:
             raise RigidtopError(
                 f"phi_dot = {self.phi_dot:g} takes the axis so slowly so close to the upright that "
                 "its other turning point is lost in rounding: change it or omega3 a little"
             )
-        root = sqrt(square)
-        if linear >= 0:
-            return -2 * constant / (linear + root), (linear + root) / (4 * w)
-        return (linear - root) / (4 * w), 2 * constant / (root - linear)
-
-    @cached_property
-    def _nearer(self) -> tuple[int, float, float]:
-        """±1, the vertical on the other turning point's side, 1 ∓ cos θ there, and p_φ ∓ p_ψ.
-
-        Without differences of large numbers, also where the axis almost passes through it.
-        """
-        side = 1 if self.gap > 0 else -1
-        away = 2 * (sin(self.tilt / 2) if side == 1 else cos(self.tilt / 2)) ** 2
-        top, spin = self.top, self.top.lambda3 * self.spin
-        barrier = away * (top.lambda1 * (2 - away) * self.phi_dot - side * spin)
-        there = away - abs(self.gap)
-        third = abs(side * self._roots[1] - away)  # by how much that root is beyond the vertical
-        if there < third:
-            # From u̇² = −(p_φ ∓ p_ψ)²/λ₁² at the vertical, the product of all three.
-            there = barrier**2 / (2 * top.lambda1 * top.weight[2] * away * third)
-        return side, there, barrier
-
-    @property
-    def gap(self) -> float:
-        """cos θ at the other turning point less cos θ at the start."""
-        return self._roots[0]
-
-    @property
-    def other(self) -> float:
-        """θ at the other turning point (rad)."""
-        side, there, _ = self._nearer
-        tilt = 2 * asin(min(1.0, sqrt(there / 2)))
-        return tilt if side == 1 else pi - tilt
-
-    def _below(self, x: float) -> float:
-        """u − u₀ at the phase x, which goes from π at the start to 0 at the other turning point."""
-        return self.gap * cos(x / 2) ** 2
-
-    def _slowness(self, x: float) -> float:
-        """dt/dx (s)."""
-        far = self._roots[1] - self._below(x)
-        return 1 / sqrt(2 * self.top.weight[2] / self.top.lambda1 * far)
-
-    def rate(self, x: float) -> float:
-        """φ̇ at the phase x (rad/s), from p_φ and p_ψ."""
-        side, there, barrier = self._nearer
-        away = there + abs(self.gap) * sin(x / 2) ** 2
-        turn = barrier + side * self.top.lambda3 * self.spin * away
-        return turn / (self.top.lambda1 * away * (2 - away))
-
-    def over_a_period(self, integrand: Callable[[float], float], error: float = 0.0) -> float:
-        """2∫ integrand dt from one turning point to the other, to 1e-11 of it or to `error`."""
-        found, _ = quad(
-            lambda x: integrand(x) * self._slowness(x), 0, pi, epsabs=error, epsrel=1e-11, limit=400
-        )
-        return 2 * float(found)
-
-    @property
-    def period(self) -> float:
-        """The time from a turning point to the next of its kind (s)."""
-        return self.over_a_period(lambda x: 1.0)
-
-    @property
-    def precession(self) -> float:
-        """By how much φ grows in that time (rad)."""
-        # Two turns almost through a vertical may cancel each other.
-        return self.over_a_period(self.rate, error=1e-11)
+        there = self.motion.turning_points[self.steepness > 0]
+        return replace(self, tilt=there, phi_dot=float(self.motion.exact([half]).phi_dot[0]))
 
 
 def small_frequency(top: HeavyTop, tilt: float, phi_dot: float, spin: float) -> float:
@@ -268,15 +203,16 @@ def small_frequency(top: HeavyTop, tilt: float, phi_dot: float, spin: float) -> 
     return sqrt(square) / top.lambda1
 
 
-def lowest_potential(swing: Swing) -> tuple[float, float]:
-    """θ at which a motion with the momenta of this one could be steady, and Ω there."""
+def lowest_potential(start: Start) -> Start:
+    """Where a motion with the momenta of one that starts at rest could be steady, and Ω there."""
 
-    def state(x: float) -> Swing:
-        tilt = acos(cos(swing.tilt) + swing.gap * cos(x / 2) ** 2)
-        return replace(swing, tilt=tilt, phi_dot=swing.rate(x))
+    def at(tilt: float) -> Start:
+        fallen = 2 * sin((tilt + start.tilt) / 2) * sin((tilt - start.tilt) / 2)
+        turning = start.top.lambda3 * start.spin * fallen
+        return replace(start, tilt=tilt, phi_dot=turning / (start.top.lambda1 * sin(tilt) ** 2))
 
-    phase = float(brentq(lambda x: state(x).steepness, 0, pi, xtol=1e-14))
-    return state(phase).tilt, state(phase).phi_dot
+    ends = start.tilt, start.other.tilt
+    return at(float(brentq(lambda tilt: at(tilt).steepness, *ends, xtol=1e-14)))
 
 
 @exercise(
@@ -295,7 +231,7 @@ def lowest_potential(swing: Swing) -> tuple[float, float]:
 )
 def small_nutation(theta: float, omega3: float, **shape: float) -> Iterator[Outcome]:
     """The formulas for small nutation and for fast tops stand beside the period and the turning
-    points in closed form, and beside the same by quadrature and by integration."""
+    points in closed form; the motion integrated for half a period is compared with these."""
     top = heavy_top(**shape)
     slow, _ = top.steady_precession(theta, omega3)
     if omega3 == 0:
@@ -313,22 +249,22 @@ def small_nutation(theta: float, omega3: float, **shape: float) -> Iterator[Outc
     error = abs(2 * pi / kicked.nutation_period / frequency - 1)
     yield Measure("frequency of a nutation of $10⁻⁶$ rad in closed form, relative", error, 1e-8)
 
-    swing, motion = Swing(top, theta, 0.0, omega3), top.motion(theta=theta, omega3=omega3)
-    period, predicted = motion.nutation_period, smallness(top, omega3)
-    yield Answer("turn", "let go at rest: $θ$ of the other turning point", swing.other, "rad")
-    yield Answer("amplitude", "half the way to it", (swing.other - theta) / 2, "rad")
+    released, predicted = Start(top, theta, 0.0, omega3), smallness(top, omega3)
+    period, turn = released.motion.nutation_period, released.other.tilt
+    yield Answer("turn", "let go at rest: $θ$ of the other turning point", turn, "rad")
+    yield Answer("amplitude", "half the way to it", (turn - theta) / 2, "rad")
     yield Answer(
         "fast_amplitude", "for a fast top, $λ₁MgR sin θ/(λ₃ω₃)²$", predicted * sin(theta), "rad"
     )
-    yield Answer("centre", "middle between the turning points", (swing.other + theta) / 2, "rad")
+    yield Answer("centre", "middle between the turning points", (turn + theta) / 2, "rad")
     yield Answer("fast_centre", "for a fast top", theta + predicted * sin(theta), "rad")
-    steady, precession = lowest_potential(swing)
-    yield Answer("steady_angle", "angle at which its potential is lowest", steady, "rad")
+    steady = lowest_potential(released)
+    yield Answer("steady_angle", "angle at which its potential is lowest", steady.tilt, "rad")
     yield Answer("released_frequency", "frequency of this nutation", 2 * pi / period, "rad/s")
     yield Answer(
         "harmonic_frequency",
         "$√(U″/λ₁)$ at that angle",
-        small_frequency(top, steady, precession, omega3),
+        small_frequency(top, steady.tilt, steady.phi_dot, omega3),
         "rad/s",
     )
     yield Table(
@@ -344,24 +280,23 @@ def small_nutation(theta: float, omega3: float, **shape: float) -> Iterator[Outc
         ),
         tuple(_released(top, theta, factor * omega3) for factor in (1, 1.5, 2, 4, 8, 16)),
     )
-    yield Measure("its period by quadrature, relative", abs(swing.period / period - 1), 1e-10)
-    closed = motion.turning_points[1]
-    yield Measure("its turning point in closed form (rad)", abs(closed - swing.other), 1e-10)
-    turned = motion.integrate(swing.period / 2, **TIGHT)
-    there = abs(float(turned.theta[0]) - swing.other)
+    turned = released.motion.integrate(period / 2, **TIGHT)
+    there = abs(float(turned.theta[0]) - turn)
     yield Measure("its turning point half a period later, integrated (rad)", there, 1e-9)
+    slowed = abs(float(turned.theta_dot[0])) / (2 * pi / period * (turn - theta))
+    yield Measure("$θ̇$ there over that of a small nutation, integrated", slowed, 1e-9)
 
 
 def _released(top: HeavyTop, tilt: float, spin: float) -> tuple[float, ...]:
     """A row of the table: spin, frequencies and amplitudes of a top that is let go at rest."""
-    swing = Swing(top, tilt, 0.0, spin)
-    steady, precession = lowest_potential(swing)
+    released = Start(top, tilt, 0.0, spin)
+    steady = lowest_potential(released)
     return (
         spin,
-        2 * pi / top.motion(theta=tilt, omega3=spin).nutation_period,
-        small_frequency(top, steady, precession, spin),
+        2 * pi / released.motion.nutation_period,
+        small_frequency(top, steady.tilt, steady.phi_dot, spin),
         top.lambda3 * abs(spin) / top.lambda1,
-        (swing.other - tilt) / 2,
+        (released.other.tilt - tilt) / 2,
         smallness(top, spin) * sin(tilt),
     )
 
@@ -383,14 +318,14 @@ def changes(top: HeavyTop, tilt: float, spin: float) -> list[tuple[float, str]]:
     return sorted(found)
 
 
-def kind(swing: Swing) -> str:
+def kind(start: Start) -> str:
     """Waves or loops, by the φ̇ at the start; on a boundary what is there."""
-    top, rate = swing.top, swing.phi_dot
-    momentum = top.lambda3 * swing.spin
-    for boundary, name in changes(top, swing.tilt, swing.spin):
+    top, rate = start.top, start.phi_dot
+    momentum = top.lambda3 * start.spin
+    for boundary, name in changes(top, start.tilt, start.spin):
         if abs(rate - boundary) <= 1e-14 * abs(boundary):
             return "through the vertical" if name.startswith("through") else name
-    towards = swing.tilt if rate * momentum < 0 else pi - swing.tilt
+    towards = start.tilt if rate * momentum < 0 else pi - start.tilt
     within = abs(top.lambda1 * rate) * 2 * sin(towards / 2) ** 2 < abs(momentum)
     turns_back = rate * (momentum * rate - 2 * top.weight[2]) * momentum > 0
     return "loops" if within and turns_back else "waves"
@@ -429,19 +364,20 @@ def seen(motion: TopMotion, period: float) -> str:
 def waves_cusps_loops(
     theta: float, phi_dot: float, omega3: float, **shape: float
 ) -> Iterator[Outcome]:
-    """The turning points are roots of the cubic, one of which is the start; period and precession
-    are integrals between them by quadrature. The closed form in elliptic functions and the
-    integrated path are compared with all of it."""
+    """What the path is follows from the conditions of the claim; turning points, period and
+    precession from the closed form in elliptic functions. Both are compared, and the path is
+    integrated over half a period and over a whole one."""
     top = heavy_top(**shape)
     if omega3 == 0:
         raise RigidtopError("omega3 = 0: without spin φ̇ never changes its sign")
-    swing = Swing(top, theta, phi_dot, omega3)
-    drawn = kind(swing)
+    start = Start(top, theta, phi_dot, omega3)
+    drawn = kind(start)
     if drawn == "through the vertical":
         raise RigidtopError(
             f"phi_dot = {phi_dot:g} takes the axis through the vertical, where φ has no value"
         )
-    motion = top.motion(theta=theta, phi_dot=phi_dot, omega3=omega3)
+    motion, other = start.motion, start.other
+    period, precession = motion.nutation_period, motion.precession_per_period
     rows, wrong = _between(top, theta, omega3)
     yield Table(
         "boundaries",
@@ -450,34 +386,27 @@ def waves_cusps_loops(
         tuple(rows),
     )
     yield Answer("path", "path for the given $φ̇$", drawn)
-    yield Answer("at_first", "at first the axis", _first(swing))
-    yield Answer("turn", "$θ$ at the other turning point", swing.other, "rad")
-    yield Answer("turn_rate", "$φ̇$ at the other turning point", swing.rate(0.0), "rad/s")
-    yield Answer("period", "time from one nutation to the next", swing.period, "s")
-    yield Answer("precession", "by how much $φ$ grows in that time", swing.precession, "rad")
-    yield Answer("mean_rate", "mean $φ̇$", swing.precession / swing.period, "rad/s")
+    yield Answer("at_first", "at first the axis", start.first)
+    yield Answer("turn", "$θ$ at the other turning point", other.tilt, "rad")
+    yield Answer("turn_rate", "$φ̇$ at the other turning point", other.phi_dot, "rad/s")
+    yield Answer("period", "time from one nutation to the next", period, "s")
+    yield Answer("precession", "by how much $φ$ grows in that time", precession, "rad")
+    yield Answer("mean_rate", "mean $φ̇$", precession / period, "rad/s")
     yield Measure("$φ̇$ chosen between the boundaries with another path in closed form", wrong, 0.5)
     yield Measure("path as in closed form", float(motion.regime != drawn), 0.5)
-    ends = sorted((theta, swing.other))
-    error = max(abs(a - b) for a, b in zip(motion.turning_points, ends, strict=True))
-    yield Measure("turning points in closed form (rad)", error, 1e-9)
-    error = abs(motion.nutation_period / swing.period - 1)
-    yield Measure("period in closed form, relative", error, 1e-9)
-    error = abs(motion.precession_per_period - swing.precession)
-    yield Measure("precession in closed form (rad)", error, 1e-9 * max(1.0, abs(swing.precession)))
     if drawn != "steady":
-        by_signs = float(seen(motion, swing.period) != drawn)
+        by_signs = float(seen(motion, period) != drawn)
         yield Measure("path by the signs of $φ̇$, integrated", by_signs, 0.5)
-    path = motion.integrate(swing.period / 2, **TIGHT)
-    error = abs(float(path.phi_dot[0]) - swing.rate(0.0))
-    scale = max(abs(phi_dot), abs(swing.rate(0.0)), 1.0)
+    path = motion.integrate([period / 2, period], **TIGHT)
+    errors = np.abs(path.theta - [other.tilt, theta])
+    yield Measure(
+        "$θ$ half a period later, and a whole one, integrated (rad)", float(errors.max()), 1e-9
+    )
+    scale = max(abs(phi_dot), abs(other.phi_dot), 1.0)
+    error = abs(float(path.phi_dot[0]) - other.phi_dot)
     yield Measure("$φ̇$ half a period later, integrated (rad/s)", error, 1e-7 * scale)
-
-
-def _first(swing: Swing) -> str:
-    if abs(swing.gap) < 1e-15:
-        return "stays"
-    return "sinks" if swing.steepness > 0 else "rises"
+    error = abs(float(path.phi[1]) - precession)
+    yield Measure("$φ$ a period later, integrated (rad)", error, 1e-9 * max(1.0, abs(precession)))
 
 
 def _between(
@@ -498,9 +427,9 @@ def _between(
     upper: list[float | str] = [*rates, "$∞$"]
     there = [*(name for _, name in found), "–"]
     for sample, low, high, what in zip(samples, lower, upper, there, strict=True):
-        swing = Swing(top, tilt, sample, spin)
-        rows.append((low, high, kind(swing), _first(swing), what))
-        wrong += top.motion(theta=tilt, phi_dot=sample, omega3=spin).regime != kind(swing)
+        start = Start(top, tilt, sample, spin)
+        rows.append((low, high, kind(start), start.first, what))
+        wrong += start.motion.regime != kind(start)
     return rows, float(wrong)
 
 

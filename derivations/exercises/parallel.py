@@ -8,7 +8,6 @@ from math import atan, atan2, cos, factorial, hypot, pi, sin, sqrt
 
 import numpy as np
 import sympy
-from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 from sympy import Expr, Gt, Matrix, Ne
 
@@ -26,7 +25,7 @@ from rigidtop.theory import top as theory
 from rigidtop.theory.lagrangian import energy
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
-from .bodies import HEAVY_TOP, SPIN, heavy_top, simple_rate, smallness
+from .bodies import HEAVY_TOP, SPIN, angles, heavy_top, simple_rate, smallness
 
 
 @cache
@@ -248,18 +247,12 @@ def largest_angle(top: HeavyTop, theta: float, omega3: float) -> float:
     return atan2(crossed, top.lambda1 * across**2 + top.lambda3 * omega3**2)
 
 
-def angle_between(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Of the rows (N, 3) of both (rad)."""
-    across = np.linalg.norm(np.cross(a, b), axis=1)
-    return np.asarray(np.arctan2(across, np.sum(a * b, axis=1)))
-
-
 def widest_on_the_way(motion: TopMotion) -> float:
     """The largest angle between L and ω in space on the way down, integrated (rad)."""
 
     def missing(time: float) -> float:
         path = motion.integrate(time, rtol=1e-12, atol=1e-14)
-        return -float(angle_between(path.angular_momentum, path.omega_space)[0])
+        return -float(angles(path.angular_momentum, path.omega_space)[0])
 
     down = motion.nutation_period / 2
     # The angle has one maximum on the way, or is largest at its end.

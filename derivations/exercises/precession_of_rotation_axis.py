@@ -34,7 +34,7 @@ from rigidtop.theory.inertia import cylinder, point_masses
 from rigidtop.theory.lettered import in_order, real
 from rigidtop.theory.rotation import Z_AXIS
 
-from .bodies import FREE1, LAMBDA3
+from .bodies import FREE1, LAMBDA3, angles
 
 Vectors = NDArray[np.float64]
 
@@ -47,13 +47,6 @@ PARALLEL = 1e-7
 
 MOST_ANGLE = 1e4
 """No body is followed for longer than it takes to turn by this (rad)."""
-
-
-def angles(a: Vectors, b: Vectors) -> Vectors:
-    """The angles (N,) between the rows of two arrays (N, 3), in radians."""
-    across = np.linalg.norm(np.cross(a, b), axis=-1)
-    made: Vectors = np.arctan2(across, np.sum(a * b, axis=-1))
-    return made
 
 
 def turned(vectors: Vectors, axis: Vectors) -> float:

@@ -7,7 +7,6 @@ from math import cos, pi, sin, sqrt
 
 import numpy as np
 import sympy
-from scipy.integrate import quad
 from scipy.special import elliprf
 from sympy import Expr
 
@@ -106,8 +105,8 @@ def fall(top: HeavyTop, start: float, end: float) -> tuple[float, float]:
 def toppling_top(
     theta: float, until: float, lambda1: float, M: float, R: float, g: float
 ) -> Iterator[Outcome]:
-    """The elliptic integral is evaluated; the same time comes from the integral of $dθ/θ̇$ by
-    quadrature, and the motion in closed form is where it should be at that time."""
+    """The elliptic integral is evaluated, and the motion in closed form, another one, is where it
+    should be at that time."""
     if until <= theta:
         raise RigidtopError(f"until = {until:g} must be more than theta = {theta:g}: the top falls")
     # λ₃ plays no part: that of a body with three equal moments about its centre of mass.
@@ -125,14 +124,6 @@ def toppling_top(
         "s",
     )
 
-    def slowness(x: float) -> float:
-        # θ = θᵢ + (θ − θᵢ)x²: the inverse root at the start is gone.
-        passed = (until - theta) * x * x
-        fallen = sin(theta + passed / 2) * sin(passed / 2)
-        return (until - theta) * x / (growth * sqrt(fallen))
-
-    numeric, _ = quad(slowness, 0.0, 1.0, epsabs=0.0, epsrel=1e-12, limit=400)
-    yield Measure("that time by quadrature, relative", abs(numeric / seconds - 1), 1e-10)
     moved = top.motion(theta=theta, omega3=0.0).exact(seconds)
     yield Measure(
         "$θ$ at that time, in closed form (rad)", abs(float(moved.theta[0]) - until), 1e-9

@@ -21,7 +21,8 @@ from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Measure
 
-from .precession_of_rotation_axis import MOST_ANGLE, angles, turned
+from .bodies import angles
+from .precession_of_rotation_axis import MOST_ANGLE, turned
 
 Vectors = NDArray[np.float64]
 
