@@ -31,6 +31,12 @@ class Symbol(sympy.Symbol):
 
     One of another notation has the symbol of the notes in whose place it `stands`, and SymPy puts
     sums and products of it into the same order.
+
+    It takes two names of SymPy's that are not documented.  Made in the ordinary way, symbols of
+    one name and the same assumptions are one object, whatever else they know: `__xnew__` makes a
+    new one.  And SymPy tells symbols apart, and puts them in order, by `_hashable_content` alone.
+    A `Dummy` is never another either, but it is ordered by a running number, so that factors would
+    change places from run to run of a program, and two made alike would not be equal.
     """
 
     __slots__ = ("_sorted_by", "place", "quantity", "stands")
