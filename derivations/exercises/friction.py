@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import cos, exp, log, pi, sqrt
+from math import cos, exp, expm1, log, log1p, pi, sqrt
 from typing import Any
 
 import numpy as np
@@ -18,7 +18,7 @@ from rigidtop.derivations.euler_angles import TILTED
 from rigidtop.derivations.nutation import friction
 from rigidtop.derivations.printed import printed, worked
 from rigidtop.errors import RigidtopError
-from rigidtop.motion.table.motion import SlidingTop
+from rigidtop.motion.table.motion import SlidingMotion, SlidingTop
 from rigidtop.motion.table.trajectory import SlidingTrajectory
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
@@ -164,19 +164,28 @@ ABOUT_CENTRE = (
 """What `SlidingTop` takes besides friction: a top of a hand's size."""
 
 
-def smooth_precession(top: SlidingTop, tilt: float, spin: float) -> float:
-    """The slow steady φ̇ on a smooth table (rad/s): (3.57) about the centre of mass.
+def rising(theta: float, omega3: float, **body: float) -> SlidingMotion:
+    """A top with a round tip that slides, at the slow precession that is steady without friction.
 
-    There the table turns the top about its centre with the weight at the middle of the tip.
+    On a smooth table that is (3.57) about the centre of mass: there the table turns the top with
+    the weight at the middle of the tip.  Raises RigidtopError where there is none.
     """
-    a, b = top.lambda1 * cos(tilt), top.lambda3 * spin
-    c = top.M * top.g * (top.R - top.tip)
-    if b**2 < 4 * a * c:
+    top = SlidingTop(**body)
+    if top.tip >= top.R:
         raise RigidtopError(
-            f"omega3 = {spin:g} is too slow for a steady precession on a smooth table: at least "
-            f"{2 * sqrt(a * c) / top.lambda3:g} rad/s"
+            f"tip = {top.tip:g} must be less than R = {top.R:g}: the centre of mass is above its "
+            "middle"
         )
-    return 2 * c / (b + sqrt(b**2 - 4 * a * c))
+    smooth = HeavyTop(
+        lambda1=top.lambda1,
+        lambda3=top.lambda3,
+        M=top.M,
+        R=top.R - top.tip,
+        g=top.g,
+        physical=False,
+    )
+    slow, _ = smooth.steady_precession(theta, omega3)
+    return top.motion(theta=theta, phi_dot=slow, omega3=omega3)
 
 
 def rise_by_gyroscope(top: SlidingTop, start: float, end: float, spin: float) -> float:
@@ -274,34 +283,22 @@ def budget(path: SlidingTrajectory, rows: int, last: int) -> Table:
     text="exercises/rising_top",
 )
 def rising_top(
-    lambda1: float,
-    lambda3: float,
-    M: float,
-    R: float,
-    g: float,
-    tip: float,
-    mu: float,
-    theta: float,
-    until: float,
-    omega3: float,
+    tip: float, mu: float, theta: float, until: float, omega3: float, **shape: float
 ) -> Iterator[Outcome]:
     """The motion with Coulomb friction is integrated. Jellett's integral and the sum of all
     energies must keep their values, and $L_z$ must grow by the time integral of the torque."""
     if until >= theta:
         raise RigidtopError(f"until = {until:g} must be less than theta = {theta:g}: the top rises")
-    if tip >= R:
-        raise RigidtopError(
-            f"tip = {tip:g} must be less than R = {R:g}: the centre of mass is above its middle"
-        )
-    top = SlidingTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g, tip=tip, mu=mu)
-    precession = smooth_precession(top, theta, omega3)
-    motion = top.motion(theta=theta, phi_dot=precession, omega3=omega3)
+    motion = rising(theta, omega3, tip=tip, mu=mu, **shape)
+    top, weight = motion.body, motion.body.M * motion.body.g
     expected = rise_by_gyroscope(top, theta, until, omega3)
     seconds = risen(motion.integrate(np.linspace(0, 3 * expected, 1201), **TIGHT), until)
     path = motion.integrate(np.linspace(0, seconds, 801), **TIGHT)
     before, after = energies(path, 0), energies(path, -1)
     lost = before[0] - after[0]
-    yield Answer("phi_dot", "$φ̇$ at the start, steady if nothing rubs", precession, "rad/s")
+    yield Answer(
+        "phi_dot", "$φ̇$ at the start, steady if nothing rubs", float(path.phi_dot[0]), "rad/s"
+    )
     yield Answer("time_to_rise", "time until $θ$ has the value “until”", seconds, "s")
     yield Answer(
         "time_gyroscope", "by $L₃θ̇ = −μMg(R − r₀ + r₀ cos θ)$, for comparison", expected, "s"
@@ -314,10 +311,10 @@ def rising_top(
     yield Answer(
         "omega3_upright",
         "$ω₃$ of the upright top, if it gets there",
-        omega3 * (1 - tip / R * (1 - cos(theta))),
+        omega3 * (1 - tip / top.R * (1 - cos(theta))),
         "rad/s",
     )
-    yield Answer("rise", "rise of the centre of mass", (after[2] - before[2]) / (M * g), "m")
+    yield Answer("rise", "rise of the centre of mass", (after[2] - before[2]) / weight, "m")
     yield Answer("spin_lost", "energy that the spin lost", lost, "J")
     yield Answer("to_weight", "share of it in the weight", (after[2] - before[2]) / lost)
     yield Answer("to_motion", "share of it in other motion", (after[1] - before[1]) / lost)
@@ -330,9 +327,9 @@ def rising_top(
     gained = float(path.angular_momentum[-1, 2] - path.angular_momentum[0, 2])
     error = abs(friction_impulse(path) / gained - 1)
     yield Measure("$L_z$ gained, by the time integral of the torque, relative", error, 1e-3)
-    arms = R - tip + tip * cos(theta), R - tip + tip * cos(until)
-    ratio = float(path.omega[-1, 2]) * arms[1] / (omega3 * arms[0])
-    small = lambda1 * M * g * R / (lambda3 * omega3) ** 2
+    grown = (top.R - tip * (1 - cos(until))) / (top.R - tip * (1 - cos(theta)))
+    ratio = float(path.omega[-1, 2]) / omega3 * grown
+    small = top.lambda1 * weight * top.R / (top.lambda3 * omega3) ** 2
     yield Measure(
         "$ω₃$ at the end, by Jellett's integral with $𝐋$ along $e₃$", abs(ratio - 1), small
     )
@@ -340,28 +337,43 @@ def rising_top(
 
 # --- a top that wakes ----------------------------------------------------------------------------
 
-HELD = 1.0
-"""Friction that holds the sharp tip of a top that is nearly upright."""
-
 MOST_TURNS = 1000
 """No top is integrated here for longer."""
 
 
-def waking_time(decay: float, sleeping: float, size: float, folds: float) -> float:
-    """How long after the sleeping spin a tilt has grown by e^folds (s).
+HELD = 1.0
+"""Friction that holds the sharp tip of a top that is nearly upright."""
 
-    The growth rate is that of the spin at each moment, size √(sleeping² − ω₃²).
+
+def about_tip(lambda1: float, lambda3: float, M: float, R: float, g: float) -> HeavyTop:
+    """The same top on a pivot, from its moments about the centre of mass."""
+    return HeavyTop(lambda1=lambda1 + M * R**2, lambda3=lambda3, M=M, R=R, g=g)
+
+
+def time_asleep(omega3: float, drag3: float, **body: float) -> float:
+    """When the air has brought ω₃ down to the sleeping spin, (λ₃/c₃) ln(ω₃/ω_s), in s."""
+    sleeping = about_tip(**body).sleeping_spin()
+    if omega3 <= sleeping:
+        raise RigidtopError(
+            f"omega3 = {omega3:g} must be more than the sleeping spin, {sleeping:g} rad/s"
+        )
+    return body["lambda3"] / drag3 * log(omega3 / sleeping)
+
+
+def time_to_grow(folds: float, drag3: float, **body: float) -> float:
+    """How long from then on a small tilt takes to grow by e^folds, by the rate of each moment (s).
+
+    The rate is (λ₃/2λ₁)√(ω_s² − ω₃²) with ω₃ = ω_s e^−dt, d = c₃/λ₃; its integral is
+    (λ₃/2λ₁)(ω_s/d)(artanh s − s) with s² = 1 − e^−2dt.
     """
+    top, decay = about_tip(**body), drag3 / body["lambda3"]
+    size = top.lambda3 / (2 * top.lambda1) * top.sleeping_spin() / decay
 
-    def grown(seconds: float) -> float:
-        # With ω₃ = sleeping e^{−decay t}.
-        total, _ = quad(lambda x: sqrt(-np.expm1(-2 * decay * x)), 0, seconds)
-        return size * sleeping * float(total) - folds
+    def grown(later: float) -> float:  # dt, and artanh s = dt + ln(1 + s)
+        s = sqrt(-expm1(-2 * later))
+        return size * (later + log1p(s) - s) - folds
 
-    high = 1 / decay
-    while grown(high) < 0:
-        high *= 2
-    return float(brentq(grown, 0.0, high, rtol=1e-12))
+    return float(brentq(grown, 0.0, folds / size + 1, xtol=1e-14, rtol=1e-12)) / decay
 
 
 def small_tilt_time(
@@ -416,31 +428,23 @@ def small_tilt_time(
     text="exercises/waking_top",
 )
 def waking_top(
-    lambda1: float,
-    lambda3: float,
-    M: float,
-    R: float,
-    g: float,
-    drag3: float,
-    omega3: float,
-    disturbance: float,
-    visible: float,
+    drag3: float, omega3: float, disturbance: float, visible: float, **shape: float
 ) -> Iterator[Outcome]:
-    """The time to the sleeping spin is a closed form; from then on the growth rate of the spin at
-    each moment is summed, which is good if ln(visible/disturbance) is large: it is off by about one
-    part in that. The top with its disturbance is integrated on the table, and so is the
+    """The time to the sleeping spin is a closed form, and so is the integral of the growth rate
+    from then on, which is good if ln(visible/disturbance) is large: it is off by about one part in
+    that. The top with its disturbance is integrated on the table, and so is the
     linear equation of a small tilt."""
-    about_tip = HeavyTop(lambda1=lambda1 + M * R**2, lambda3=lambda3, M=M, R=R, g=g)
-    sleeping = about_tip.sleeping_spin()
-    if omega3 <= sleeping:
-        raise RigidtopError(
-            f"omega3 = {omega3:g} must be more than the sleeping spin, {sleeping:g} rad/s"
-        )
-    decay, size = drag3 / lambda3, lambda3 / (2 * about_tip.lambda1)
-    asleep = log(omega3 / sleeping) / decay
-    folds = log(visible / disturbance)
-    growing = waking_time(decay, sleeping, size, folds)
-    yield Answer("sleeping_spin", "smallest $ω₃$ at which the upright is stable", sleeping, "rad/s")
+    top = SlidingTop(**shape, mu=HELD, drag3=drag3)
+    pivot = about_tip(**shape)
+    asleep = time_asleep(omega3, drag3, **shape)
+    folds, decay = log(visible / disturbance), drag3 / top.lambda3
+    growing = time_to_grow(folds, drag3, **shape)
+    yield Answer(
+        "sleeping_spin",
+        "smallest $ω₃$ at which the upright is stable",
+        pivot.sleeping_spin(),
+        "rad/s",
+    )
     yield Answer("time_asleep", "time until $ω₃$ has come down to it", asleep, "s")
     yield Answer("half_life", "time in which $ω₃$ halves", log(2) / decay, "s")
     yield Answer(
@@ -452,8 +456,7 @@ def waking_top(
             f"about {turns:.0f} turns until the top wakes, at most {MOST_TURNS} are integrated "
             "here: give a larger drag3 or a smaller omega3"
         )
-    top = SlidingTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g, mu=HELD, drag3=drag3)
-    turning = size * omega3
+    turning = top.lambda3 * omega3 / (2 * pivot.lambda1)
     motion = top.motion(theta=disturbance, phi_dot=turning, omega3=omega3, slip=(0.0, 0.0))
     # The tilt is known relative to what it was at first.
     accuracy: Any = {"rtol": 1e-9, "atol": 1e-6 * disturbance}
@@ -467,7 +470,7 @@ def waking_top(
     yield Answer("phi_dot", "$φ̇$ at the start, $λ₃ω₃/2$ over $λ₁ + MR²$", turning, "rad/s")
     yield Answer("seen", "time until the tilt is visible, integrated", seen, "s")
     yield Answer("omega3_then", "$ω₃$ then", omega3 * exp(-decay * seen), "rad/s")
-    at_rest = small_tilt_time(about_tip, omega3, decay, disturbance, visible, 0.0)
+    at_rest = small_tilt_time(pivot, omega3, decay, disturbance, visible, 0.0)
     yield Answer("seen_at_rest", "time from $φ̇ = 0$, by the equation of a small tilt", at_rest, "s")
     awake = int(np.searchsorted(path.t, seen))
     largest = float(np.max(path.theta[path.t <= asleep]))
@@ -480,7 +483,7 @@ def waking_top(
     yield Measure("sum of energies and heat, relative", path.budget(), 1e-7)
     error = abs(seen - asleep - growing) / growing
     yield Measure("time from the sleeping spin, by the growth rate, relative", error, 1.5 / folds)
-    linear = small_tilt_time(about_tip, omega3, decay, disturbance, visible, turning)
+    linear = small_tilt_time(pivot, omega3, decay, disturbance, visible, turning)
     allowed = visible**2 / 10 + 100 * disturbance**2
     yield Measure(
         "time, by the linear equation of a small tilt, relative", abs(linear / seen - 1), allowed

@@ -8,9 +8,16 @@ from functools import lru_cache
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
-from scipy.interpolate import CubicHermiteSpline
-from scipy.optimize import brentq
 
+from rigidtop.derivations.exercises.friction import (
+    ABOUT_CENTRE,
+    HELD,
+    about_tip,
+    crossing,
+    rising,
+    time_asleep,
+    time_to_grow,
+)
 from rigidtop.errors import RigidtopError
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.style import (
@@ -31,19 +38,9 @@ from rigidtop.figures.style import (
     said,
     spoken,
 )
-from rigidtop.motion.table.motion import SlidingMotion, SlidingTop
+from rigidtop.motion.table.motion import SlidingTop
 from rigidtop.motion.table.trajectory import SlidingTrajectory
-from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
-
-ABOUT_CENTRE = (
-    Parameter("lambda1", 4e-5, "$λ₁$ about the centre of mass", "kg m²", above=0),
-    Parameter("lambda3", 2.5e-5, "$λ₃$ about the axis", "kg m²", above=0),
-    Parameter("M", 0.1, "mass", "kg", above=0),
-    Parameter("R", 0.03, "height of the centre of mass of the upright top", "m", above=0),
-    Parameter("g", 9.81, "acceleration of gravity", "m/s²", above=0),
-)
-"""A top of a hand's size, as in the exercises."""
 
 MOST_TURNS = 1000
 """About e₃; a motion is followed no longer."""
@@ -58,18 +55,6 @@ def _top_in_words(top: SlidingTop) -> str:
     )
 
 
-def passes(path: SlidingTrajectory, theta: float) -> float | None:
-    """The first time at which θ passes through `theta` (rad), between two rows (s), if it does."""
-    sides = np.sign(path.theta - theta)
-    [at] = np.nonzero(sides[:-1] * sides[1:] <= 0)
-    if not at.size:
-        return None
-    piece = slice(int(at[0]), int(at[0]) + 2)
-    curve = CubicHermiteSpline(path.t[piece], path.theta[piece], path.theta_dot[piece])
-    before, after = map(float, path.t[piece])
-    return float(brentq(lambda x: float(curve(x)) - theta, before, after, xtol=1e-15))
-
-
 def stands(path: SlidingTrajectory) -> float | None:
     """The time of the first standstill of the contact (s), if there is one."""
     return next((event.time for event in path.events if event.kind == "standstill"), None)
@@ -82,26 +67,6 @@ def slips_again(path: SlidingTrajectory) -> bool:
 
 
 # --- A top that rises ----------------------------------------------------------------------------
-
-
-def rising(theta: float, omega3: float, **body: float) -> SlidingMotion:
-    """A top with a round tip that slides, at the slow precession that is steady without friction.
-
-    Raises RigidtopError where there is none.
-    """
-    top = SlidingTop(**body)
-    if top.tip >= top.R:
-        raise RigidtopError(f"tip = {top.tip:g} must be less than R = {top.R:g}")
-    a, b = top.lambda1 * math.cos(theta), top.lambda3 * omega3
-    c = top.M * top.g * (top.R - top.tip)
-    if b * b < 4 * a * c:
-        raise RigidtopError(
-            f"omega3 = {omega3:g} is too slow for a steady precession on a smooth table: at least "
-            f"{2 * math.sqrt(a * c) / top.lambda3:g} rad/s"
-        )
-    return top.motion(
-        theta=theta, phi_dot=2 * c / (b + math.sqrt(b * b - 4 * a * c)), omega3=omega3
-    )
 
 
 @lru_cache(maxsize=8)
@@ -135,7 +100,7 @@ def _end_of(path: SlidingTrajectory) -> list[float]:
 def draw_tilt(axes: Axes, path: SlidingTrajectory, until: float) -> None:
     """θ(t) (degrees), and when it has come down to `until` (rad)."""
     axes.plot(path.t, np.degrees(path.theta), color=FIRST, label="_theta")
-    then = passes(path, until)
+    then = crossing(path, until)
     if then is not None:
         axes.plot(then, math.degrees(until), "o", color=SECOND, ms=4, label="_until")
         name_at(axes, then, math.degrees(until), f"{then:.3g} s", (5, 3), color=INK)
@@ -250,7 +215,7 @@ def _draw_rising(until: float, **values: float) -> Canvas:
 
 def _rising_caption(until: float, **values: float) -> str:
     path = _risen(until, **values)
-    top, then = path.motion.body, passes(path, until)
+    top, then = path.motion.body, crossing(path, until)
     reached = (
         f"is down to {degrees(until)} after {said(then)} s"
         if then is not None
@@ -314,40 +279,6 @@ RISING = Drawing(
 
 # --- A top that wakes ----------------------------------------------------------------------------
 
-HELD = 1.0
-"""Friction that holds the sharp tip of a top that is nearly upright."""
-
-
-def about_tip(lambda1: float, lambda3: float, M: float, R: float, g: float) -> HeavyTop:
-    """The same top on a pivot, from its moments about the centre of mass."""
-    return HeavyTop(lambda1=lambda1 + M * R**2, lambda3=lambda3, M=M, R=R, g=g)
-
-
-def time_asleep(omega3: float, drag3: float, **body: float) -> float:
-    """When the air has brought ω₃ down to the sleeping spin, (λ₃/c₃) ln(ω₃/ω_s), in s."""
-    sleeping = about_tip(**body).sleeping_spin()
-    if omega3 <= sleeping:
-        raise RigidtopError(
-            f"omega3 = {omega3:g} must be more than the sleeping spin, {sleeping:g} rad/s"
-        )
-    return body["lambda3"] / drag3 * math.log(omega3 / sleeping)
-
-
-def time_to_grow(folds: float, drag3: float, **body: float) -> float:
-    """How long from then on a small tilt takes to grow by e^folds, by the rate of each moment (s).
-
-    The rate is (λ₃/2λ₁)√(ω_s² − ω₃²) with ω₃ = ω_s e^−dt, d = c₃/λ₃; its integral is
-    (λ₃/2λ₁)(ω_s/d)(artanh s − s) with s² = 1 − e^−2dt.
-    """
-    top, decay = about_tip(**body), drag3 / body["lambda3"]
-    size = top.lambda3 / (2 * top.lambda1) * top.sleeping_spin() / decay
-
-    def grown(later: float) -> float:  # dt, and artanh s = dt + ln(1 + s)
-        s = math.sqrt(-math.expm1(-2 * later))
-        return size * (later + math.log1p(s) - s) - folds
-
-    return float(brentq(grown, 0.0, folds / size + 1, xtol=1e-14, rtol=1e-12)) / decay
-
 
 @lru_cache(maxsize=8)
 def _woken(
@@ -389,7 +320,7 @@ def draw_waking(
     spin.plot(path.t, path.omega[:, 2], color=FIRST, label="_omega3")
     spin.set_ylabel(r"$\omega_3$  (rad/s)")
     spin.set_xlabel("$t$  (s)")
-    seen = passes(path, visible)
+    seen = crossing(path, visible)
     asleep = float(np.interp(-sleeping, -path.omega[:, 2], path.t))
     for axes in (tilt, spin):
         axes.set_xlim(0, path.t[-1])
@@ -431,7 +362,7 @@ def _waking_facts(**values: float) -> tuple[SlidingTrajectory, float, float, flo
     path = _woken(**values)
     body = {p.name: values[p.name] for p in ABOUT_CENTRE}
     asleep = time_asleep(values["omega3"], values["drag3"], **body)
-    return path, about_tip(**body).sleeping_spin(), asleep, passes(path, values["visible"])
+    return path, about_tip(**body).sleeping_spin(), asleep, crossing(path, values["visible"])
 
 
 def _waking_caption(**values: float) -> str:

@@ -149,7 +149,7 @@ def test_other_fates(given, words, monkeypatch):
     [
         ({"until": 0.6}, "until = 0.6 must be less than theta = 0.5"),
         ({"tip": 0.04}, "tip = 0.04 must be less than R = 0.03"),
-        ({"omega3": 20.0}, "omega3 = 20 is too slow for a steady precession on a smooth table"),
+        ({"omega3": 20.0}, "no steady precession at theta = 0.5 with omega3 = 20"),
     ],
 )
 def test_no_rise(given, message):
