@@ -6,7 +6,7 @@ import argparse
 import re
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from rigidtop.mark.audit import Audited
     from rigidtop.mark.notes import Row
     from rigidtop.notation import Notation
-    from rigidtop.proof.equation import Equation
     from rigidtop.read.document import Formula
     from rigidtop.read.project import Source
     from rigidtop.report.annotated import Formula as Shown
@@ -79,7 +78,7 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
     from rigidtop.read.document import SECONDS
     from rigidtop.read.project import habits, sources
 
-    until = time.monotonic() + SECONDS
+    until = time.process_time() + SECONDS
     found = sources(path)
     source = found[0].text
     output = Path(options.output) if options.output else None
@@ -94,7 +93,7 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
         (each, row)
         for each in found
         if each.is_text
-        for row in rows(each.text, known, max(until - time.monotonic(), 1.0))
+        for row in rows(each.text, known, max(until - time.process_time(), 1.0))
         if each is not found[0] or row.opens not in judged
     ]
     unread = _unread(source)
@@ -102,7 +101,7 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
         raise RigidtopError(f"{path}: no formulas between dollars or the like that say something")
     absent = [claim.name for claim in missing(audited, collection.pages)]
     told = summary(audited, unread, absent, [row for _, row in others])
-    claims = _named(collection) if others else ()
+    form = _forms(collection, until + SECONDS)
     if output is not None:
         from rigidtop.report.annotated import write
         from rigidtop.terminal.files import write_whole
@@ -120,12 +119,12 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
             [
                 *(record(each) for each in audited),
                 *(_bare_record("", line, UNREAD, reason, False) for line, reason in unread),
-                *(own_record(row, each, claims, len(found) > 1) for each, row in others),
+                *(own_record(row, each, form(row), len(found) > 1) for each, row in others),
                 *(_bare_record(name, None, ABSENT, "not in the file", True) for name in absent),
             ]
         )
     else:
-        _print(audited, unread, others, claims, told)
+        _print(audited, unread, others, form, told)
         if output is not None:
             print(output)
     right = all(each.passed for each in audited) and not any(amiss(row) for _, row in others)
@@ -150,25 +149,26 @@ def amiss(row: Row) -> bool:
     )
 
 
-Named = Sequence[tuple[str, "Equation"]]
-"""Equations with their numbers."""
+Form = Callable[["Row"], "Alike | None"]
+"""Tells the equation of the collection whose form a row has in other letters, if any."""
 
 
-def _named(collection: Collection) -> Named:
-    """The equations of a collection that have a number."""
-    lines = collection.lecture.lines.values()
-    return [(e.tag, e) for line in lines for e in line.equations if e.tag]
-
-
-def _form(row: Row, claims: Named) -> Alike | None:
-    """The equation of the collection whose form a row has in other letters, if any."""
+def _forms(collection: Collection, until: float) -> Form:
+    """What compares rows with the collection's numbered equations, up to a time."""
     from rigidtop.mark.alike import alike
 
-    equation = row.held.line.equation
-    return alike(equation, claims) if equation is not None else None
+    lines = collection.lecture.lines.values()
+    claims = [(e.tag, e) for line in lines for e in line.equations if e.tag]
+
+    def form(row: Row) -> Alike | None:
+        equation = row.held.line.equation
+        late = time.process_time() > until
+        return None if equation is None or late else alike(equation, claims)
+
+    return form
 
 
-def own_record(row: Row, source: Source, claims: Named, several: bool) -> dict[str, Any]:
+def own_record(row: Row, source: Source, form: Alike | None, several: bool) -> dict[str, Any]:
     """What `--json` says of a formula that is held against the file itself."""
     from rigidtop.read.labels import counted, row_of
     from rigidtop.typeset.text import text
@@ -178,7 +178,6 @@ def own_record(row: Row, source: Source, claims: Named, several: bool) -> dict[s
     made = _bare_record(row.number, row.line, row.held.verdict, row.held.note, passed)
     named = row_of(counted(source.text), row.held.line.position)
     made["label"] = named.label if named is not None else ""
-    form = _form(row, claims)
     made["claim"] = form.name if form is not None else ""
     made["letters"] = form.words if form is not None else ""
     made["from"] = list(row.lines)
@@ -214,7 +213,7 @@ def _print(
     audited: Sequence[Audited],
     unread: Sequence[tuple[int, str]],
     others: Sequence[tuple[Source, Row]],
-    claims: Named,
+    form: Form,
     told: str,
 ) -> None:
     from rigidtop.commands.check import VERDICT_COLORS
@@ -233,7 +232,7 @@ def _print(
             row.line,
             f"({row.number})" if row.number else "",
             row.held.verdict,
-            _own_note(row, claims),
+            _own_note(row, form(row)),
         )
         for _, row in others
         if row.display or row.number or row.held.passed is False
@@ -246,9 +245,8 @@ def _print(
     print(told)
 
 
-def _own_note(row: Row, claims: Named) -> str:
-    lines, form = ", ".join(map(str, row.lines)), _form(row, claims)
-    note = row.held.note
+def _own_note(row: Row, form: Alike | None) -> str:
+    lines, note = ", ".join(map(str, row.lines)), row.held.note
     if lines:
         note = f"{note} (from line{'s' * (len(row.lines) > 1)} {lines})"
     return note if form is None else f"{note}; the form of ({form.name}): {form.words}"
@@ -354,7 +352,7 @@ def shown(
     from rigidtop.read.document import SECONDS, formulas
     from rigidtop.report.annotated import Mark
 
-    until = time.monotonic() + SECONDS
+    until = time.process_time() + SECONDS
     marks = []
     for each in audited:
         found = each.group.formulas
@@ -404,7 +402,7 @@ def _shown(source: str, formula: Formula, notation: Notation, until: float) -> S
     from rigidtop.report.annotated import Formula as Shown
 
     text = formula.text.strip()
-    late = time.monotonic() > until
+    late = time.process_time() > until
     trees: tuple[Any, ...] = () if late else tuple(line.equation for line in read(text, notation))
     if not late and (None in trees or not trees):
         # A quantity, without a relation, is what could be equal to 0.

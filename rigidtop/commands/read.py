@@ -40,7 +40,7 @@ def run(options: argparse.Namespace) -> int:
     from rigidtop.read.document import SECONDS
     from rigidtop.read.project import habits, sources
 
-    until = time.monotonic() + SECONDS
+    until = time.process_time() + SECONDS
     found = sources(options.file)
     notation = OWN if options.notation == "own" else named(options.notation)
     known = habits(found, notation, until)
@@ -70,12 +70,12 @@ def _lines(
     from rigidtop.read.labels import counted, row_of
 
     text = source.text
-    groups = list(each_numbered(text, notation, until - time.monotonic(), habits))
+    groups = list(each_numbered(text, notation, until - time.process_time(), habits))
     inside = {formula.start for group, _ in groups for formula in group.formulas}
     found = [(group.number, line) for group, lines in groups for line in lines]
     found += [
         ("", line)  # a symbol in a sentence is no equation
-        for formula, lines in each(text, notation, until - time.monotonic(), habits, inside)
+        for formula, lines in each(text, notation, until - time.process_time(), habits, inside)
         for line in lines
         if line.equation is not None or formula.display or "=" in formula.text
     ]

@@ -154,6 +154,7 @@ def _partner(renamed: Expr, theirs: Expr) -> Expr:
     return next((x for x in Add.make_args(theirs) if x.as_coeff_Mul()[1] == bare), sympy.Integer(1))
 
 
+@lru_cache(maxsize=512)
 def _signs(residual: Expr) -> Mapping[Symbol, tuple[Any, ...]]:
     """Of each letter how it stands in the terms: what another must have in common with it."""
     made: dict[Symbol, tuple[Any, ...]] = {}

@@ -50,7 +50,7 @@ UNREAD, UNKNOWN, ABSENT = "unread", "unknown", "absent"
 """What is said in place of a verdict: what is not understood, a number of no claim, no equation."""
 
 SECONDS = 120.0
-"""A file is not judged for longer than this."""
+"""A file is not judged for longer than this (of the processor's time)."""
 
 MOST_LINES = 50
 """Under one number no more lines are judged."""
@@ -259,7 +259,7 @@ def audit(
     """
     memo = memo if memo is not None else Memo()
     claims = {claim.name: (page, claim) for page in pages for claim in page.claims}
-    place, end = places(source), time.monotonic() + seconds
+    place, end = places(source), time.process_time() + seconds
     return tuple(
         _audited(place, group, claims, notation, letters, memo, end) for group in numbered(source)
     )
@@ -309,7 +309,7 @@ def _audited(
     key = group.number, tuple(formula.text for formula in group.formulas)
     if key in memo.groups:
         outcome = memo.groups[key]
-    elif time.monotonic() > end:
+    elif time.process_time() > end:
         outcome = _Outcome((Line(0, None, LATE),), (Ruling(None, LATE),), None, ())
     else:
         known = _known(group.number, claims, letters, memo)

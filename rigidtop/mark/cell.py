@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import json
 import shlex
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -71,7 +72,8 @@ def ends(exercise: str) -> tuple[str, str]:
     """The equations between which an answer to an exercise is marked.
 
     The goal is the first of its claims that can be marked, the start the last equation with a
-    number that leads there.  Raises RigidtopError for an exercise that has none.
+    number that leads there.  Raises RigidtopError for an exercise that has none, with what can be
+    marked instead.
 
     >>> ends("fast-spin-roots")
     ('3.57', 'two-roots')
@@ -79,16 +81,29 @@ def ends(exercise: str) -> tuple[str, str]:
     claims = {each.name: [claim.name for claim in each.claims] for each in EXERCISES}
     if exercise not in claims:
         raise RigidtopError(f"no exercise is called {exercise!r}: {', '.join(claims)}")
+    found = _ends(claims[exercise])
+    if found is not None:
+        return found
+    marked = [name for name, goals in claims.items() if _ends(goals) is not None]
+    raise RigidtopError(
+        f"no line of {exercise} is marked: its answer is no one equation that the models here bear "
+        f"out. Exercises with one are {', '.join(marked)}; or name two equations of the lecture, "
+        "%%answer 3.54 3.57"
+    )
+
+
+def _ends(goals: Iterable[str]) -> tuple[str, str] | None:
+    """The first of some claims that can be marked, behind the last number that leads there."""
     names = lecture().names
     numbers = [name for name in reversed(names) if name[:1].isdigit()]
-    for goal in claims[exercise]:
+    for goal in goals:
         for start in numbers if goal in names else ():
             try:
                 passage(start, goal)
             except RigidtopError:
                 continue
             return start, goal
-    raise RigidtopError(f"no line of {exercise} is marked: name two equations, %%answer 3.54 3.57")
+    return None
 
 
 def answer(line: str, cell: str) -> Answered:

@@ -110,7 +110,7 @@ def held(
     """Each line that was read, judged by the lines above it.
 
     `functions`, `timed` and `kinds` are what `Habits` has of a file; `sections` says for each line
-    under which heading it stands.  After a time of `time.monotonic` no more are judged.
+    under which heading it stands.  After a time of `time.process_time` no more are judged.
     """
     found = list(lines)
     places = list(sections) or [0] * len(found)
@@ -129,7 +129,7 @@ def held(
         if line.equation is None:
             made.append(Held(line, UNREAD, line.problem))
             continue
-        if time.monotonic() > until:
+        if time.process_time() > until:
             made.append(Held(line, Verdict.UNDECIDED.value, "the time for the file was over"))
             continue
         ledger.section = places[i]
@@ -725,7 +725,7 @@ def rows(source: str, habits: Habits, seconds: float) -> tuple[Row, ...]:
 
     Once the time is up the rest is unread, and says so.
     """
-    end = time.monotonic() + seconds
+    end = time.process_time() + seconds
     tags = {
         formula.start: group.number for group in numbered(source) for formula in group.formulas[-1:]
     }

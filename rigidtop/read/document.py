@@ -32,7 +32,7 @@ LONGEST_TICKS = 20
 """Longer rows of ` or ~ do not begin code: looking for the end of each takes time."""
 
 SECONDS = 60.0
-"""A file is not read for longer than this."""
+"""A file is not read for longer than this (of the processor's time)."""
 
 DEEPEST = 40
 """Environments are not followed deeper."""
@@ -646,11 +646,11 @@ def each(
 
     Formulas that start where `but` says are left out.
     """
-    end = time.monotonic() + seconds
+    end = time.process_time() + seconds
     for formula in formulas(source):
         if formula.start in but:
             continue
-        if time.monotonic() > end:
+        if time.process_time() > end:
             yield formula, (_late(formula, seconds),)
             continue
         yield (
@@ -669,9 +669,9 @@ def each_numbered(
     habits: Habits = NO_HABITS,
 ) -> Iterator[tuple[Numbered, tuple[Line, ...]]]:
     """Every number with its equations, in the same way."""
-    end = time.monotonic() + seconds
+    end = time.process_time() + seconds
     for group in numbered(source):
-        late = time.monotonic() > end
+        late = time.process_time() > end
         yield (
             group,
             (_late(group.formulas[0], seconds),) if late else lines(group, notation, habits),

@@ -925,23 +925,10 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
 
     def slope_of(self, items: list[Any]) -> _Value:
         operator, *by, of = items
-        return self.slope([operator, of, *by])
+        return _acting(of, lambda inside: self.slope([operator, inside, *by]))
 
-    def slope_of_brackets(self, items: list[Any]) -> _Value:
-        operator, *by, _, of, _ = items
-        return self.slope([operator, of, *by])
-
-    def slope_of_symbol(self, items: list[Any]) -> _Value:
-        made = self.slope_of([*items[:-1], self.symbol(items[-1:])])
-        return replace(made, ends="the derivative could go on here: put brackets")
-
-    def rate_of_target(self, items: list[Any]) -> _Value:
-        operator, of = items[0], items[1].closed
-        tree = of.tree
-        for _ in range(operator.value):
-            tree = eq.Rate(tree)
-        ends = "the derivative could go on here: put brackets"
-        return _made(tree, of.kind, of, position=operator.position, ends=ends)
+    def rate_of(self, items: list[Any]) -> _Value:
+        return _acting(items[1], lambda inside: self.rate([items[0], inside]))
 
     def rate(self, items: list[Any]) -> _Value:
         operator, what = items[0], items[1].closed
@@ -957,19 +944,6 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
         if glyph is None or glyph.accent not in accents:
             return None
         return self.notation.names.get(replace(glyph, accent=accents[glyph.accent]))
-
-    def rate_of_symbol(self, items: list[Any]) -> _Value:
-        made = self.rate([items[0], self.symbol(items[1:])])
-        return replace(made, ends="the derivative could go on here: put brackets")
-
-    def rate_of(self, items: list[Any]) -> _Value:
-        inside = items[2].closed
-        if items[0].value != 1 and not self.notation.open:
-            raise UnreadError("a second derivative of brackets", items[0].position)
-        tree = inside.tree
-        for _ in range(items[0].value):
-            tree = eq.Rate(tree)
-        return _made(tree, inside.kind, inside, position=items[0].position)
 
     def rate_in(self, items: list[Any]) -> _Value:
         _, operator, what, _, frame = items
@@ -1014,15 +988,12 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
         return _times(share, self.symbol(items[3:]))
 
     def applied(self, items: list[Any]) -> _Value:
-        return self._call(items[0].value, items[0], [items[2].closed])
+        arguments = [item.closed for item in items if isinstance(item, _Value)]
+        return self._call(items[0].value, items[0], arguments)
 
     def applied_power(self, items: list[Any]) -> _Value:
         made = self._call(items[0].value, items[0], [items[4].closed])
         return self._raised(made, items[2].closed)
-
-    def applied_to_many(self, items: list[Any]) -> _Value:
-        arguments = [item.closed for item in items if isinstance(item, _Value)]
-        return self._call(items[0].value, items[0], arguments)
 
     def bare(self, items: list[Any]) -> _Value:
         return self._bare(items[0], items[1], lambda made: made)
@@ -1089,6 +1060,20 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
                 if glyph.base == f"{name} {letter}":
                     return _Value(symbol, "scalar", at.position)
         raise UnreadError(f"{name} of what has no name for it", at.position)
+
+
+def _acting(of: _Value, derivative: Callable[[_Value], _Value]) -> _Value:
+    """A derivative of what stands behind it, which ends with it unless it stands in brackets."""
+    group = isinstance(of.tree, eq.Group)
+    made = derivative(replace(of.closed, tree=of.tree.args[0]) if group else of.closed)
+    ends = "" if group else "the derivative could go on here: put brackets"
+    if of.pending is None:
+        return replace(made, ends=ends)
+
+    def pending(inside: Any) -> Any:
+        return derivative(replace(of, tree=inside).closed).tree
+
+    return replace(made, tree=of.tree, pending=pending, ends=ends, bare=True)
 
 
 def _is_open(node: Expr) -> bool:

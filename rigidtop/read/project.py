@@ -127,7 +127,7 @@ def _notebook(path: Path) -> Source:
 def habits(found: tuple[Source, ...], notation: Notation, until: float = float("inf")) -> Habits:
     """The macros of files that belong together, their functions, and what they say of letters.
 
-    All but the macros are looked for until a time of `time.monotonic`.
+    All but the macros are looked for until a time of `time.process_time`.
     """
     macros: Macros = PACKAGES
     for source in found:
@@ -140,7 +140,7 @@ def habits(found: tuple[Source, ...], notation: Notation, until: float = float("
     made = Habits(macros, timed=frozenset(x for x, each in said.items() if each.timed), said=said)
     for source in found:
         for formula in formulas(source.text):
-            if "(" not in formula.text or time.monotonic() > until:
+            if "(" not in formula.text or time.process_time() > until:
                 continue
             try:
                 made = with_habits(made, formula.text, notation)

@@ -214,3 +214,25 @@ def test_nothing_that_is_typed_breaks_the_reader(source):
         if line.equation is not None:
             assert text(line.equation, "typed")
             assert latex(line.equation, "typed")
+
+
+@pytest.mark.parametrize(
+    ("source", "read_as"),
+    [
+        # a derivative acts on all of the power behind it
+        (r"\frac{d}{dt} r^2 = 2r\dot r", "d/dt (r²) = 2rṙ"),
+        (r"\frac{d}{dx}(x + 1)^2 = 2", "d/dx ((x + 1)²) = 2"),
+        (r"\frac{d}{dt}\sin\theta = \dot\theta\cos\theta", "d/dt (sin θ) = θ̇ cos θ"),
+        (r"\frac{d}{dt}\cos\omega t = 0", "d/dt (cos(ωt)) = 0"),
+        (r"\frac{d}{dt}\frac{d}{dt}x = 0", "ẍ = 0"),
+    ],
+)
+def test_what_a_derivative_acts_on(source, read_as):
+    [line] = read(source, OWN)
+    assert line.equation is not None
+    assert text(line.equation, "typed") == read_as
+
+
+def test_what_a_derivative_of_a_function_acts_on_is_not_guessed():
+    [line] = read(r"y = \frac{d}{dt}\sin\theta\dot\phi", OWN)
+    assert line.problem == "the derivative could go on here: put brackets"
