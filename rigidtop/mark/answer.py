@@ -43,10 +43,11 @@ from rigidtop.proof.equation import Equation, Rate, Underbrace, symbols_of, valu
 from rigidtop.proof.model import Model, Passage, samples
 from rigidtop.proof.moves import Known
 from rigidtop.proof.verdict import entries
+from rigidtop.read.cursor import Token
 from rigidtop.read.document import Formula, Problem, bare, formulas, places, problems
 from rigidtop.read.formula import Line, read
 from rigidtop.read.habits import Habits
-from rigidtop.read.scan import Token, tokens
+from rigidtop.read.scan import tokens
 from rigidtop.read.tex import UnreadError
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top

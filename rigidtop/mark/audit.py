@@ -40,7 +40,8 @@ from rigidtop.proof.verdict import (
     judge_check,
 )
 from rigidtop.read.document import Numbered, lines, numbered, places
-from rigidtop.read.formula import Line, kind
+from rigidtop.read.formula import Line
+from rigidtop.read.values import kind
 from rigidtop.report.claims import numbers
 from rigidtop.report.records import note as said_of
 from rigidtop.theory.symbols import const, phi, phidot, psi, psidot, theta, thetadot, unit

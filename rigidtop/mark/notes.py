@@ -56,8 +56,9 @@ from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import Equation, NoMeaningError
 from rigidtop.proof.verdict import Verdict
 from rigidtop.read.document import Formula, each, numbered, places, states
-from rigidtop.read.formula import Line, kind
+from rigidtop.read.formula import Line
 from rigidtop.read.habits import Habits
+from rigidtop.read.values import kind
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import Glyph, const
 from rigidtop.typeset.text import text

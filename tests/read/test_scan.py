@@ -3,7 +3,8 @@
 import pytest
 
 from rigidtop.notation import NOTES
-from rigidtop.read.scan import spelling, tokens
+from rigidtop.read.look import spelling
+from rigidtop.read.scan import tokens
 from rigidtop.read.tex import UnreadError, pieces
 from rigidtop.theory import symbols as s
 from rigidtop.theory.symbols import VOCABULARY, Glyph
