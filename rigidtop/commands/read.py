@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands.output import print_json
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from rigidtop.read.formula import Line
     from rigidtop.read.habits import Habits
     from rigidtop.read.kinds import Spoken
+    from rigidtop.read.labels import Counted
     from rigidtop.read.project import Source
     from rigidtop.theory.symbols import Glyph
 
@@ -38,17 +39,18 @@ def run(options: argparse.Namespace) -> int:
     """Print each equation as text with its line, or the reason why it is unread; 0 in any case."""
     from rigidtop.notation import OWN, named
     from rigidtop.read.document import SECONDS
-    from rigidtop.read.project import habits, sources
+    from rigidtop.read.project import habits, numbers, sources
 
     until = time.process_time() + SECONDS
     found = sources(options.file)
     notation = OWN if options.notation == "own" else named(options.notation)
     known = habits(found, notation, until)
+    counts = numbers(found)
     rows = [
         (source, *row)
         for source in found
         if source.is_text
-        for row in _lines(source, notation, known, until, whole=source is found[0])
+        for row in _lines(source, notation, known, until, counts[source.path])
     ]
     records = _records(rows, known.said, len(found) > 1)
     if options.json:
@@ -59,15 +61,15 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _lines(
-    source: Source, notation: Notation, habits: Habits, until: float, whole: bool
+    source: Source, notation: Notation, habits: Habits, until: float, rows: Sequence[Counted]
 ) -> Iterator[tuple[int, int, str, str, Line]]:
     """Line and column, number, label and equation, of what a file has, and of what was not taken.
 
-    In a file that another one takes in (not `whole`) nobody knows how far the class has counted.
+    `rows` are those that bear a number.
     """
     from rigidtop.read.document import bare, each, each_numbered, places, problems
     from rigidtop.read.formula import Line
-    from rigidtop.read.labels import counted, row_of
+    from rigidtop.read.labels import row_of
 
     text = source.text
     groups = list(each_numbered(text, notation, until - time.process_time(), habits))
@@ -85,10 +87,10 @@ def _lines(
         for problem in (*problems(text), *bare(text))
         if problem.position not in told
     ]
-    place, rows = places(text), counted(text)
+    place = places(text)
     for number, line in sorted(found, key=lambda row: row[1].position):
         row = row_of(rows, line.position)
-        number = number or line.tag or (row.number if row is not None and whole else "")
+        number = number or line.tag or (row.number if row is not None else "")
         label = row.label if row is not None else ""
         yield (*place(min(line.position, len(text))), number, label, line)
 

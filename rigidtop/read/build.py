@@ -153,6 +153,8 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
             raise UnreadError(f"a {total.kind} and a {term.kind} are added", term.position)
         if sign.value == "-":
             term = v.negative(term)
+        if self.notation.open and v.goes_on(total.tree, term.tree):
+            raise UnreadError("the sum over an index could go on here: put brackets", term.position)
         digits = max(total.digits, term.digits) + 1
         if total.explicit or term.explicit:
             return built(self._sum(total, term), total.kind, total, term, digits=digits)

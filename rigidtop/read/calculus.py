@@ -107,7 +107,10 @@ class Calculus(Letters):
                 raise UnreadError("∂ without what it is to act on", position)
             yield from self.lettered()
             return
-        glyph = self.letter()
+        glyph, ahead = self.letter(), self.peek()
+        if glyph.base == "E" and not glyph.sub and ahead.text in ("c", "k", "m", "p"):
+            reason = f"E{ahead.text}: an energy, or a product? put an index, E_{ahead.text}"
+            raise UnreadError(reason, position)
         behind = self.at
         self.skip()
         if self.peek().text == "/":

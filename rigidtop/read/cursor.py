@@ -22,6 +22,7 @@ from rigidtop.read.tex import (
     UnreadError,
     flat,
 )
+from rigidtop.theory.symbols import Glyph
 
 
 @dataclass(frozen=True)
@@ -64,6 +65,8 @@ class Cursor:
         self.calls: set[int] = set()  # where brackets open that hold arguments
         self.ends: list[tuple[int, str]] = []  # how deep what closes otherwise than it looks
         self.last = ""
+        self.worn: dict[Glyph, bool] = outer.worn if outer else {}
+        """Whether a bold letter has an arrow, or stands in bold type."""
         texts = set() if outer else {piece.text for piece in flat(items)}
         plainly = self.open and not texts & BOLD and bool(habits.said)
         self.crossed: bool = outer.crossed if outer else plainly and crossed(items)

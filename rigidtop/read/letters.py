@@ -63,20 +63,25 @@ class Letters(Cursor):
         before = self.items[self.at - 1] if self.at else Piece("", -9)
         joined = is_latin(before.text) and before.position + 1 == self.peek().position
         cut = min((run.find(name) for name in signs.SPELLED if name in run), default=len(run))
-        if not joined and signs.ENERGY.fullmatch(run) and self.peek(len(run)).text == "=":
+        if not joined and signs.ENERGY.fullmatch(run) and self.peek(len(run)).text in ("=", ""):
             return run
         twice = cut == 3 and any(a == b for a, b in pairwise(run[:cut]))
         return run if (twice or cut >= 4) and not joined and not is_product(run[:cut]) else ""
 
     def lettered(self) -> Iterator[Token]:
         """A letter, with the brackets behind it if it is a function of what they hold."""
-        position, before = self.peek().position, self.last
+        position, before, dress = self.peek().position, self.last, self.peek().text
         pair = self.peek().text + self.peek(1).text
         if self.open and pair in ("KE", "PE") and self.peek(1).position == position + 1:
             self.at += 2
             glyph = self.scripts(Glyph(pair))
         else:
             glyph = self.letter()
+        if self.open and dress in BOLD:
+            arrow = dress in signs.ARROWS_OVER
+            if self.worn.setdefault(glyph, arrow) is not arrow:
+                reason = f"{glyph.base} in bold type, and with an arrow: one letter, or two?"
+                raise UnreadError(reason, position)
         if glyph == Glyph("e") and self.peek().text == "^":
             piece = self.take()
             yield Token("EXPONENTIAL", "e", position)

@@ -10,15 +10,17 @@ import json
 import re
 import time
 from bisect import bisect_right
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import Notation
-from rigidtop.read.document import formulas
+from rigidtop.read.document import LONGEST, formulas
 from rigidtop.read.formula import with_habits
 from rigidtop.read.habits import Habits
 from rigidtop.read.kinds import Spoken
+from rigidtop.read.labels import Counted, counted
 from rigidtop.read.macros import PACKAGES, Macros, defined
 from rigidtop.read.spoken import spoken
 from rigidtop.read.tex import UnreadError
@@ -83,14 +85,52 @@ def _take_in(
 ) -> None:
     if depth > DEEPEST:
         return
-    for names in _TAKES_IN.findall(_COMMENT.sub("", source.text)):
-        for name in names.split(","):
+    for _, inner in _inputs(source, folder):
+        if inner in seen or len(found) >= MOST:
+            continue
+        seen.add(inner)
+        found.append(Source(inner, text_of(inner)))
+        _take_in(found, found[-1], folder, seen, depth + 1)
+
+
+def _inputs(source: Source, folder: Path) -> Iterator[tuple[re.Match[str], Path]]:
+    """Where a file takes others in, in order, and which."""
+    bare = _COMMENT.sub(lambda found: " " * len(found[0]), source.text)
+    for match in _TAKES_IN.finditer(bare):
+        for name in match[1].split(","):
             inner = _within(folder, source.path.resolve().parent, name.strip())
-            if inner is None or inner in seen or len(found) >= MOST:
-                continue
-            seen.add(inner)
-            found.append(Source(inner, text_of(inner)))
-            _take_in(found, found[-1], folder, seen, depth + 1)
+            if inner is not None:
+                yield match, inner
+
+
+def numbers(found: tuple[Source, ...]) -> dict[Path, list[Counted]]:
+    """The rows of each file that bear a number, counted through all where they are taken in."""
+    left = {source.path.resolve(): source for source in found[1:] if source.is_text}
+    laid: list[tuple[int, Source, int, str]] = []  # where in all, of which file, where there, what
+    length = 0
+
+    def lay(source: Source, start: int, end: int) -> None:
+        nonlocal length
+        laid.append((length, source, start, source.text[start:end]))
+        length += end - start
+
+    def lay_out(source: Source) -> None:
+        at = 0
+        for match, inner in _inputs(source, found[0].path.resolve().parent) if left else ():
+            if inner in left:
+                lay(source, at, match.start())
+                lay_out(left.pop(inner))
+                at = match.end()
+        lay(source, at, len(source.text))
+
+    lay_out(found[0])
+    made: dict[Path, list[Counted]] = {source.path: [] for source in found}
+    for row in counted("".join(text for *_, text in laid)) if length <= LONGEST else ():
+        begun, source, start, text = laid[bisect_right(laid, row.start, key=lambda x: x[0]) - 1]
+        by = start - begun
+        if row.end <= begun + len(text):
+            made[source.path].append(replace(row, start=row.start + by, end=row.end + by))
+    return made
 
 
 def _within(folder: Path, beside: Path, name: str) -> Path | None:

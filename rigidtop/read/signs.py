@@ -118,6 +118,7 @@ STYLES = {
 HATS = commands("hat widehat")
 """With a small hat a letter is a unit vector; a wide one is a matrix, or what an author makes."""
 DRESSES = FONTS | HATS | frozenset(MARKS) | frozenset(OVER)
+ARROWS_OVER = commands("vec overrightarrow overrightharpoon")
 TAKING = DRESSES | TEXTS | frozenset(STYLES)
 """Commands that take an argument."""
 SWITCHES = commands("bf rm it bfseries boldmath")

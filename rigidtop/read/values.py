@@ -133,6 +133,28 @@ def acting(of: Value, derivative: Callable[[Value], Value]) -> Value:
     return replace(made, tree=of.tree, pending=pending, ends=ends, bare=True)
 
 
+def goes_on(total: Expr, term: Expr) -> bool:
+    """Whether the index of a sum at the end of a total stands in the term behind it too.
+
+    In what a letter is a function of, L(q_k), and beneath a sum it may.
+    """
+    last = total.args[-1] if isinstance(total, Add) else total
+    last = next((x for x in (last, *last.args) if isinstance(x, (eq.SumOver, eq.SumFrom))), None)
+    if last is None:
+        return False
+    index = last.args[0].name.partition("=")[0][:1]
+    ahead = [term]
+    while index.isalpha() and ahead:
+        node = ahead.pop()
+        if isinstance(node, Lettered):
+            glyph = node.quantity.glyph
+            if index in (glyph.base, *glyph.sub.split(",")):
+                return True
+        if not isinstance(node, (eq.At, eq.SumOver, eq.SumFrom)):
+            ahead += list(node.args)
+    return False
+
+
 def is_open(node: Expr) -> bool:
     """Whether nothing is known of a letter but how it is written."""
     return isinstance(node, Lettered) and not node.quantity.unit

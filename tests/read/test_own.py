@@ -236,3 +236,23 @@ def test_what_a_derivative_acts_on(source, read_as):
 def test_what_a_derivative_of_a_function_acts_on_is_not_guessed():
     [line] = read(r"y = \frac{d}{dt}\sin\theta\dot\phi", OWN)
     assert line.problem == "the derivative could go on here: put brackets"
+
+
+@pytest.mark.parametrize(
+    ("source", "problem"),
+    [
+        (r"\vec p = (\frac Ec, \mathbf p)", "p in bold type, and with an arrow"),
+        (r"F = \sum_{n>0} f_n\cos(n\omega t) + g_n\sin(n\omega t)", "the sum over an index"),
+        (r"\frac{dEc}{dt} = 0", "Ec: a word or a product?"),
+        (r"\mathrm{d}Ep = -\delta W", "Ep: an energy, or a product?"),
+    ],
+)
+def test_what_could_be_two_things_is_not_read(source, problem):
+    [line] = read(source, OWN)
+    assert line.equation is None
+    assert line.problem.startswith(problem)
+
+
+def test_an_index_of_a_sum_may_stand_in_what_a_letter_is_a_function_of():
+    [line] = read(r"H = \sum_i p_i\dot q_i - L(q_i, \dot q_i)", OWN)
+    assert line.equation is not None

@@ -9,7 +9,7 @@ from rigidtop.cli import main
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import OWN
 from rigidtop.read.document import each
-from rigidtop.read.project import habits, sources
+from rigidtop.read.project import habits, numbers, sources
 
 
 @pytest.fixture
@@ -99,3 +99,25 @@ def test_what_is_hostile_is_read_in_time(name, tmp_path):
     known = habits(found, OWN)
     assert all(lines for _, lines in each(found[0].text, OWN, habits=known))
     assert time.process_time() - begun < 20
+
+
+def test_equations_are_counted_through_the_files_that_are_taken_in(tmp_path):
+    text = "\\begin{equation} a = b \\end{equation}\n"
+    (tmp_path / "b.tex").write_text("\\section{B}" + text * 2, "utf-8")
+    (tmp_path / "c.tex").write_text(text, "utf-8")
+    top = tmp_path / "a.tex"
+    top.write_text(
+        "\\documentclass{article}\\numberwithin{equation}{section}\n\\section{A}\n" + text
+        + "% \\input{c}\n\\input{b}\n" + text + "\\input{c}\n",
+        "utf-8",
+    )  # fmt: skip
+    found = sources(top)
+    counts = numbers(found)
+    assert [[row.number for row in counts[x.path]] for x in found] == [
+        ["1.1", "2.3"],
+        ["2.1", "2.2"],
+        ["2.4"],
+    ]
+    for source in found:
+        for row in counts[source.path]:
+            assert source.text[row.start : row.end].strip().startswith("a = b")
