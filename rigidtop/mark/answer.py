@@ -10,61 +10,39 @@ derivation has to arrive: at the goal, or at what is the goal times a factor tha
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass, field
 from enum import StrEnum
-from functools import cache
 from itertools import combinations, pairwise
 from typing import Any
 
 import sympy
-from sympy import Expr, MatrixBase, Ne, Pow, Symbol, cos, sin
+from sympy import Expr, Ne, Pow, Symbol, cos, sin
 
 from rigidtop.derivations import models
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.mark import slips
+from rigidtop.mark.explain import explain, foreign, is_own, side_text, symbols_in, with_slopes
 from rigidtop.mark.links import (
     ERRORS,
     Link,
     Verdict,
-    apart,
-    in_numbers,
     judge,
     number_text,
     one_angle,
     pair_text,
 )
 from rigidtop.mark.passages import letters_of, passage, way
-from rigidtop.notation import Notation
+from rigidtop.mark.steps import Step, is_matrix, steps, too_large
 from rigidtop.proof import decide
 from rigidtop.proof.derivation import diagnose
-from rigidtop.proof.equation import Equation, Rate, Underbrace, symbols_of, value
-from rigidtop.proof.model import Model, Passage, samples
+from rigidtop.proof.equation import Equation, Rate, Underbrace
+from rigidtop.proof.model import Model, Passage
 from rigidtop.proof.moves import Known
 from rigidtop.proof.verdict import entries
-from rigidtop.read.cursor import Token
-from rigidtop.read.document import Formula, Problem, bare, formulas, places, problems
-from rigidtop.read.formula import Line, read
-from rigidtop.read.habits import Habits
-from rigidtop.read.scan import tokens
-from rigidtop.read.tex import UnreadError
 from rigidtop.theory import symbols as s
-from rigidtop.theory import top
-from rigidtop.theory.lettered import Lettered
-from rigidtop.theory.symbols import Glyph, Quantity
 from rigidtop.theory.trig import reduce_ratio
 from rigidtop.typeset.text import text
-
-MOST_LINES = 200
-"""A derivation has no more lines."""
-
-LARGEST_POWER = 12
-"""No exponent is larger: what is multiplied out grows with it."""
-
-LARGEST_NUMBER = 10**12
-MOST_OPERATIONS = 600
-"""A line has no more operations."""
 
 
 class Mark(StrEnum):
@@ -167,217 +145,6 @@ def mark(
     return answer.marking()
 
 
-# --- What was written ----------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class Step:
-    """A line of the answer as it was read; `own` are letters that the facts do not know."""
-
-    number: int
-    line: Line
-    source: str
-    own: frozenset[Symbol] = frozenset()
-
-
-_D = r"\\[td]?frac\s*\{\s*\\partial\s*(?:\\mathcal\s*\{\s*L\s*\}|\\mathcal\s+L|L)\s*\}"
-_ANGLE = r"\\(?:var)?(?P<angle>theta|phi|psi)\b"
-_SLOPE = re.compile(rf"{_D}\s*\{{\s*\\partial\s*(?:{_ANGLE})\s*\}}")
-_MOMENTUM = re.compile(
-    rf"{_D}\s*\{{\s*\\partial\s*\\dot\s*(?:\{{\s*)?(?:{_ANGLE})\s*(?:\}}\s*)?\}}"
-)
-_OVER_TIME = r"\s*\{\s*\\partial\s*t\s*\}"
-_EXPLICIT = re.compile(
-    r"\\[td]?frac\s*\{\s*\\partial\s*\\mathcal\s*(?:\{\s*L\s*\}|L)\s*\}" + _OVER_TIME
-)
-_EITHER_L = re.compile(r"\\[td]?frac\s*\{\s*\\partial\s*L\s*\}" + _OVER_TIME)
-_BY_PARTIAL = re.compile(r"\\[td]?frac\s*(?:\{\s*)?\\partial")
-_OF_TIME = re.compile(r"\(\s*t\s*\)")
-_UPRIGHT = re.compile(r"\\mathrm\s*(?:\{d\}|d)(?=\s*[\\}a-zA-Z])")
-
-
-def prepared(formula: str, explicit: bool = True) -> str:
-    r"""A formula with ∂ℒ/∂q̇ written as the momentum that it is, and ∂ℒ/∂q as one letter.
-
-    So is ∂ℒ/∂t, if `explicit`: elsewhere L is the angular momentum, and this its rate.
-
-    Whatever stands behind keeps its place.
-
-    >>> " ".join(prepared(r"\frac{d}{dt}\frac{\partial L}{\partial\dot\theta} = 0").split())
-    '\\frac{d}{dt}Đ_{\\theta} = 0'
-    """
-    made = _UPRIGHT.sub(lambda found: _padded(found, "d"), formula)
-    if explicit:
-        made = _EXPLICIT.sub(lambda found: _padded(found, "Ł_t"), made)
-    made = _MOMENTUM.sub(lambda found: _padded(found, rf"Đ_{{\{found['angle']}}}"), made)
-    return _SLOPE.sub(lambda found: _padded(found, rf"Ł_{{\{found['angle']}}}"), made)
-
-
-def _padded(found: re.Match[str], new: str) -> str:
-    """A replacement with as many characters and lines as what it replaces."""
-    spaces = re.sub(r"[^\n]", " ", found[0])
-    return new + (spaces[len(new) :] if "\n" not in spaces[: len(new)] else spaces.strip(" "))
-
-
-_ENDS = frozenset(
-    {"RELATION", "SIGN", "COMMA", "SEPARATOR", "CLOSE", "RAB", "_END", "TAG", "XIRTAM"}
-)
-"""What a product ends at."""
-_BLANK = frozenset({"ALIGN", "SPACE"})
-_GOES_ON = frozenset({"DOT", "CROSS", "SLASH", "POWER"})
-_STEADY = frozenset({s.Omega_b, s.omega_0, s.lambda1, s.lambda2, s.lambda3, s.g, s.M, s.R})
-
-
-def _doubtful(scanned: Sequence[Token], written: str, known: Notation) -> dict[int, str]:
-    """Where a line could say two things, by position: what a derivative is of, what (t) is."""
-    found: dict[int, str] = {}
-    for i, token in enumerate(scanned):
-        behind = next((x.position for x in scanned[i + 1 :]), len(written))
-        if token.value in _STEADY and _OF_TIME.search(written, token.position, behind):
-            found[token.position] = f"(t) behind {text(token.value)}: a factor, or that it changes?"
-        if token.kind != "RATE":
-            continue
-        operand = _operand(scanned, i + 1)
-        bracketed = scanned[i + 1 : i + 2] and scanned[i + 1].kind == "_BEGIN"
-        glyphs = [known.glyphs.get(x.value) for x in operand if x.kind == "SYMBOL"]
-        of_vector = any(glyph is not None and glyph.bold for glyph in glyphs)
-        either = _EITHER_L.match(written, token.position) and models.EXPLICIT in known.glyphs
-        if either:
-            found[token.position] = "∂L/∂t: write \\mathcal L for the Lagrangian"
-        elif _BY_PARTIAL.match(written, token.position) and not of_vector:
-            found[token.position] = "∂/∂t: write d/dt, or with a dot, if all that changes is meant"
-        if not bracketed and _goes_on(scanned[i + 1 + len(operand) :]):
-            found[token.position] = "the derivative could go on here: put brackets"
-    return found
-
-
-def _goes_on(behind: Sequence[Token]) -> bool:
-    """Whether the product in front goes on, perhaps in the next row."""
-    kinds = (token.kind for token in behind if token.kind not in _BLANK)
-    first = next(kinds, "")
-    if first == "LINE":
-        return next(kinds, "") in _GOES_ON
-    return bool(first) and first not in _ENDS
-
-
-def _operand(scanned: Sequence[Token], at: int) -> Sequence[Token]:
-    """The symbol, or all to the closing bracket, that stands behind d/dt."""
-    depth = 0
-    for end in range(at, len(scanned)):
-        depth += {"OPEN": 1, "_BEGIN": 1, "CLOSE": -1, "_END": -1}.get(scanned[end].kind, 0)
-        if depth <= 0:
-            return scanned[at : end + 1]
-    return scanned[at:]
-
-
-class _Listening(Notation):
-    """Takes letters that it does not know down."""
-
-    def symbol(self, glyph: Glyph) -> Symbol | None:
-        known = super().symbol(glyph)
-        if known is None and not (glyph.accent or glyph.bold or glyph.prime):
-            heard: dict[Glyph, Symbol] = self.__dict__.setdefault("heard", {})
-            name = "own_" + glyph.base + glyph.sub
-            meaning = Quantity(glyph, "defined in the answer", "")
-            return heard.setdefault(glyph, Lettered(name, meaning, real=True))
-        return known
-
-
-def steps(source: str, notation: Notation) -> Iterator[Step]:
-    """The lines of an answer, in order; where mathematics was passed over, that too."""
-    taken: list[Formula | Problem] = [*formulas(source), *problems(source), *bare(source)]
-    place = places(source)
-    count = 0
-    for found in sorted(taken, key=_position):
-        for step in _steps(source, found, notation, place):
-            count += 1
-            if count > MOST_LINES:
-                yield Step(step.number, Line(0, None, f"more than {MOST_LINES} lines"), "")
-                return
-            yield step
-
-
-def _position(found: Formula | Problem) -> int:
-    return found.start if isinstance(found, Formula) else found.position
-
-
-def _steps(
-    source: str,
-    formula: Formula | Problem,
-    notation: Notation,
-    place: Callable[[int], tuple[int, int]],
-) -> Iterator[Step]:
-    if isinstance(formula, Problem):
-        rest = source[formula.position : formula.position + 60].split("\n", 1)[0]
-        yield Step(place(formula.position)[0], Line(0, None, formula.reason), rest)
-        return
-    written = prepared(formula.text, explicit=models.EXPLICIT in notation.glyphs)
-    listening = _Listening(**vars_of(notation))
-    scanned: list[Token] = []
-    try:
-        scanned = tokens(written, listening)
-    except UnreadError:
-        pass  # `read` says so again, with the line
-    except RecursionError:
-        pass
-    heard: dict[Glyph, Symbol] = listening.__dict__.get("heard", {})
-    known = replace(
-        notation, glyphs={**notation.glyphs, **{x: glyph for glyph, x in heard.items()}}
-    )
-    try:
-        found = read(written, known, Habits(conditions=True))
-    except RecursionError:
-        found = (Line(0, None, "nested too deeply"),)
-    for line in _with_doubts(found, _doubtful(scanned, written, known), written):
-        if line.equation is None and not formula.display and "no relation" in line.problem:
-            continue  # a symbol in the running text
-        at, _ = place(formula.start + min(line.position, len(formula.text)))
-        own = frozenset(heard.values())
-        if line.equation is not None:
-            own &= symbols_of(line.equation)
-        yield Step(at, line, " ".join(formula.text.split()), own)
-
-
-def _with_doubts(lines: Sequence[Line], doubts: Mapping[int, str], written: str) -> list[Line]:
-    """Lines, those unread within which there is a doubt."""
-    made = list(lines)
-    for position, problem in doubts.items():
-        within = [i for i, line in enumerate(made) if line.position <= position]
-        i = within[-1] if within else 0
-        behind = made[i + 1 : i + 2]
-        if behind and behind[0].equation is None and "\\\\" in written[made[i].position : position]:
-            continue  # it stands in the line behind, which is told by the place of its fault
-        if made and made[i].equation is not None:
-            made[i] = Line(made[i].position, None, problem)
-    return made
-
-
-def vars_of(notation: Notation) -> dict[str, Any]:
-    """The fields of a notation, to make another one of them."""
-    return {name: getattr(notation, name) for name in notation.__dataclass_fields__}
-
-
-def too_large(equation: Equation) -> str:
-    """What makes an equation too large to be multiplied out, or nothing."""
-    trees = [e for side in equation.sides for e in (side if _is_matrix(side) else [side])]
-    if sum(int(sympy.count_ops(tree)) for tree in trees) > MOST_OPERATIONS:
-        return f"more than {MOST_OPERATIONS} operations"
-    for tree in trees:
-        for power in tree.atoms(Pow):
-            exponent = power.exp if power.exp.has(Pow) else value(power.exp, {})
-            if not exponent.is_Number or abs(exponent) > LARGEST_POWER:
-                return f"an exponent that is not a number up to {LARGEST_POWER}"
-            if power.base.atoms(Pow) and abs(exponent) > 4:
-                return "a high power of a power"
-        if any(max(abs(n.p), n.q) > LARGEST_NUMBER for n in tree.atoms(sympy.Rational)):
-            return f"a number beyond {LARGEST_NUMBER:.0e}"
-    return ""
-
-
-def _is_matrix(side: Any) -> bool:
-    return isinstance(side, MatrixBase)
-
-
 # --- The answer ----------------------------------------------------------------------------------
 
 
@@ -437,7 +204,7 @@ class _Answer:
             return Marked(step.number, said, Mark.UNREAD, large)
         links, defined = self._links(equation)
         undefined = sorted(
-            {x for link in links for x in _symbols(link) if _is_own(x)} - set(self.definitions),
+            {x for link in links for x in symbols_in(link) if is_own(x)} - set(self.definitions),
             key=str,
         )
         if undefined:
@@ -484,15 +251,15 @@ class _Answer:
         return links, defined
 
     def _defines(self, equation: Equation, name: Any, meant: Any) -> bool:
-        if equation.relation not in ("=", "≡") or not _is_own(name) or name in self.definitions:
+        if equation.relation not in ("=", "≡") or not is_own(name) or name in self.definitions:
             return False
-        if meant == s.const or _is_matrix(meant):
+        if meant == s.const or is_matrix(meant):
             return False
-        return not any(_is_own(x) and x not in self.definitions for x in meant.free_symbols)
+        return not any(is_own(x) and x not in self.definitions for x in meant.free_symbols)
 
     def _own_replaced(self, side: Any) -> Any:
         """A side with the student's letters replaced by what they were defined as."""
-        if _is_matrix(side):
+        if is_matrix(side):
             return side.applyfunc(self._own_replaced)
         if side in self.definitions:
             return self.definitions[side]
@@ -554,7 +321,7 @@ class _Answer:
             return Marked(step.number, said, Mark.INCONCLUSIVE, unsure.why)
         link, verdict, model = failed
         [found] = self._wrong()
-        where = f"{_side_text(link.left)} = {_side_text(link.right)}: " if len(links) > 1 else ""
+        where = f"{side_text(link.left)} = {side_text(link.right)}: " if len(links) > 1 else ""
         note = where + _counterexample(link, verdict)
         assert step.line.equation is not None
         whole = _replaced(step.line.equation, self._own_replaced)
@@ -581,7 +348,7 @@ class _Answer:
 
     def _judge_if_known(self, link: Link, model: Model) -> Verdict:
         """Ω means nothing for a motion that is not steady."""
-        unknown = _foreign(link, model)
+        unknown = foreign(link, model)
         if unknown:
             names = ", ".join(text(x) for x in sorted(unknown, key=str))
             return Verdict(None, why=f"{names} means nothing here")
@@ -659,14 +426,14 @@ class _Answer:
         loose, momentum = self.passage.loose, self.passage.conserved
         if what == momentum:
             return True
-        if _is_matrix(what) or not what.free_symbols <= self.passage.allowed | {s.L3}:
+        if is_matrix(what) or not what.free_symbols <= self.passage.allowed | {s.L3}:
             return False
         found = loose.value(what)
         return decide.vanishes(found - momentum + goal) or decide.vanishes(found - momentum - goal)
 
     def _is_written_out(self, side: Any) -> bool:
         """Whether it is the momentum in moments and rates, not another letter for it."""
-        if _is_matrix(side) or not side.free_symbols & {s.lambda1, s.lambda3}:
+        if is_matrix(side) or not side.free_symbols & {s.lambda1, s.lambda3}:
             return False
         return self.passage.conserved != s.p_psi or s.L3 not in side.free_symbols
 
@@ -688,7 +455,7 @@ def _is_analytic(side: Any) -> bool:
 
     What such an assumption excludes has no interior; nearly every motion remains.
     """
-    if _is_matrix(side) or _atoms(side, Underbrace):
+    if is_matrix(side) or _atoms(side, Underbrace):
         return False
     functions = {type(f) for f in side.atoms(sympy.Function)}
     return functions <= {sin, cos} and all(power.exp.is_Integer for power in side.atoms(Pow))
@@ -711,27 +478,8 @@ def _differences(left: Any, right: Any, model: Model) -> list[Expr]:
         return []
 
 
-def _is_own(node: Any) -> bool:
-    return isinstance(node, Lettered) and node.quantity.meaning == "defined in the answer"
-
-
-@cache
-def _known(model: Model) -> set[Symbol]:
-    return model.symbols()
-
-
-def _symbols(link: Link) -> set[Symbol]:
-    sides = [side for side in (link.left, link.right) if side is not None]
-    return set().union(*(side.free_symbols for side in sides))
-
-
-def _foreign(link: Link, model: Model) -> set[Symbol]:
-    """The symbols of a link that mean nothing in a model."""
-    return {x for x in _symbols(link) if not _is_own(x)} - _known(model)
-
-
 def _atoms(side: Any, kind: Any) -> set[Any]:
-    trees = list(side) if _is_matrix(side) else [side]
+    trees = list(side) if is_matrix(side) else [side]
     return set().union(*(tree.atoms(kind) for tree in trees))
 
 
@@ -746,36 +494,24 @@ def _replaced(equation: Equation, change: Any) -> Equation:
 def _said(equation: Equation, source: str) -> str:
     """The equation as it was read, with Ł as what it stands for."""
     try:
-        return _with_slopes(text(equation))
+        return with_slopes(text(equation))
     except (TypeError, AttributeError, ValueError, KeyError):
         return source
-
-
-def _with_slopes(said: str) -> str:
-    said = re.sub(r"dĐ_(\w)/dt", r"d/dt Đ_\1", said)
-    return re.sub(r"Đ_(\w)", "∂ℒ/∂\\1\u0307", re.sub(r"Ł_(\w)", r"∂ℒ/∂\1", said))
-
-
-def _side_text(side: Any) -> str:
-    try:
-        return "const" if side is None else _with_slopes(text(side))
-    except (TypeError, AttributeError, ValueError, KeyError):
-        return "…"
 
 
 def _counterexample(link: Link, verdict: Verdict) -> str:
     """The motion at which a link fails, in the symbols that stand in it, and its two sides."""
     assert verdict.at is not None
     sample = verdict.at
-    typed = sorted(_symbols(link), key=str)
+    typed = sorted(symbols_in(link), key=str)
     shown = []
     for symbol in typed:
         found = sample.point.get(symbol, sample.meaning.get(symbol))
-        if found is not None and not _is_matrix(found):
-            shown.append(f"{_side_text(symbol)} = {number_text(found)}")
-    if any(_is_matrix(sample.meaning.get(symbol)) for symbol in typed) or link.right is None:
+        if found is not None and not is_matrix(found):
+            shown.append(f"{side_text(symbol)} = {number_text(found)}")
+    if any(is_matrix(sample.meaning.get(symbol)) for symbol in typed) or link.right is None:
         others = [x for x in sample.point if x not in typed]
-        shown += [f"{_side_text(x)} = {number_text(sample.point[x])}" for x in others]
+        shown += [f"{side_text(x)} = {number_text(sample.point[x])}" for x in others]
     left = pair_text(verdict.left, verdict.right)
     right = pair_text(verdict.right, verdict.left)
     if left == right:
@@ -784,122 +520,3 @@ def _counterexample(link: Link, verdict: Verdict) -> str:
     if link.right is None:
         return f"at {', '.join(shown)} the rate is {left}, not 0"
     return f"at {', '.join(shown)} the left side is {left}, the right side {right}"
-
-
-# --- Slips ---------------------------------------------------------------------------------------
-
-TRIALS = 10
-"""Motions at which a repaired line is tried."""
-
-
-def explain(link: Link, passage: Passage) -> tuple[slips.Slip, ...]:
-    """What kind of slip a wrong link may be, one of a kind; none where no small repair helps.
-
-    A repair after which the link holds for every motion comes before one after which it holds for
-    special motions: there many repairs help, and only the goal says that the motion is special.
-    """
-    forgotten = _partial(link, passage)
-    if forgotten:
-        return (forgotten,)
-    fitting = [model for model in passage.models if not _foreign(link, model)]
-    for named in (_repaired, _missing):
-        for model in fitting:
-            found = named(link, model)
-            if found:
-                return found
-    return ()
-
-
-def _repaired(link: Link, model: Model) -> tuple[slips.Slip, ...]:
-    """The slips after whose repair a link holds for the motions of a model."""
-    lost = _lost_root(link, model)
-    if lost:
-        return (lost,)
-    if link.right is None:
-        return slips.found(link.left, s.const, lambda left, _: _holds(Link(left, None), model))
-    return slips.found(link.left, link.right, lambda a, b: _holds(Link(a, b), model))
-
-
-def _holds(link: Link, model: Model) -> bool:
-    """Whether a link holds at a few motions."""
-    found = in_numbers(link, model, samples(model)[-TRIALS:])
-    known = [sides for sides in found if sides is not None]
-    return len(known) > TRIALS // 2 and not any(apart(*sides) for sides in known)
-
-
-def _partial(link: Link, passage: Passage) -> slips.Slip | None:
-    """∂/∂t for d/dt: the line holds if only velocities change, the angles being forgotten."""
-    if not set(top.RATES) <= set(passage.models[0].rates):
-        return None
-    free = models.heavy_top(along=False)
-    angles = frozenset(top.ANGLES)
-    momenta = {p: free.meaning[p] for p in top.CONJUGATE}
-    forgetful = replace(free, frozen=angles)
-    rates = {p: forgetful._derivative(momentum) for p, momentum in momenta.items()}
-    forgetful = replace(
-        forgetful,
-        meaning={**free.meaning, **{models.MOMENTUM_RATES[p]: r for p, r in rates.items()}},
-    )
-    slip = slips.Slip("partial", "∂/∂t where d/dt is meant: the angles change in time too")
-    try:
-        if link.right is None or not _symbols(link) <= _known(free):
-            return None
-        if judge(link, forgetful).holds and judge(link, free).holds is False:
-            return slip
-        # What is left of d/dt p = 0 without the angles' rates.
-        [difference] = entries(free.value(link.left), free.value(link.right))
-        for p in (s.p_phi, s.p_psi):
-            if rates[p] != 0 and reduce_ratio(difference / rates[p]).is_number:
-                complete = free.meaning[models.MOMENTUM_RATES[p]]
-                if not decide.vanishes(complete - rates[p]) and difference != 0:
-                    return slip
-    except ERRORS:
-        return None
-    return None
-
-
-def _lost_root(link: Link, model: Model) -> slips.Slip | None:
-    """For every motion the line holds with one sign of the root, but not always with the same."""
-    if link.right is None or _is_matrix(link.left) or _is_matrix(link.right):
-        return None
-    roots = {
-        power
-        for side in (link.left, link.right)
-        for power in side.atoms(Pow)
-        if power.exp == sympy.Rational(1, 2)
-    }
-    if len(roots) != 1:
-        return None
-    [root] = roots
-    with sympy.evaluate(False):
-        turned = {root: sympy.Mul(sympy.Integer(-1), root)}
-        other = Link(link.left.xreplace(turned), link.right.xreplace(turned))
-    seen = set()
-    tried = samples(model)
-    for both in zip(*(in_numbers(each, model, tried) for each in (link, other)), strict=True):
-        if None in both:
-            continue
-        holds = tuple(not apart(*pair) for pair in both if pair is not None)
-        if not any(holds):
-            return None
-        seen.add(holds)
-    if (False, True) in seen and (True, False) in seen:
-        return slips.Slip("root", f"the root with the other sign of {text(root)} is lost")
-    return None
-
-
-def _missing(link: Link, model: Model) -> tuple[slips.Slip, ...]:
-    """The one term by which the sides differ."""
-    try:
-        if link.right is None:
-            return ()
-        [difference] = entries(model.value(link.left), model.value(link.right))
-        difference = reduce_ratio(one_angle(difference))
-    except ERRORS:
-        return ()
-    if difference.is_Add or sympy.count_ops(difference) > 25:
-        return ()
-    _, below = sympy.fraction(difference)
-    if below.has(sympy.Add):
-        return ()
-    return (slips.Slip("missing", f"a term: the left side is more by {_side_text(difference)}"),)

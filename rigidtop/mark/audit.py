@@ -7,7 +7,6 @@ would have, had it printed this.
 
 from __future__ import annotations
 
-import random
 import re
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -17,34 +16,37 @@ from typing import Any
 
 import numpy as np
 import sympy
-from sympy import Eq, Expr, MatrixBase, Symbol
 
 from rigidtop.derivations import models
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.mark.links import Link, number_text, pair_text
 from rigidtop.mark.links import Verdict as LinkVerdict
 from rigidtop.mark.links import judge as judge_in
+from rigidtop.mark.ruling import (
+    HOLDS,
+    ORDER,
+    Ruling,
+    asserted,
+    check_of,
+    judged,
+    refutation,
+)
+from rigidtop.mark.surroundings import Near, among, scaled
 from rigidtop.notation import NOTES, Notation
 from rigidtop.proof.algebra import Letters
-from rigidtop.proof.equation import Equation, Meaning, Underbrace, as_printed, symbols_of, value
+from rigidtop.proof.equation import Equation, symbols_of
 from rigidtop.proof.page import Check, Claim, Correction, Definition, Evidence, Page, Remark
 from rigidtop.proof.verdict import (
-    Counterexample,
     Finding,
     Judgement,
-    UnneededAssumptionError,
     Verdict,
-    assertions,
-    entries,
-    is_refuted,
     judge_check,
 )
 from rigidtop.read.document import Numbered, lines, numbered, places
 from rigidtop.read.formula import Line
 from rigidtop.read.values import kind
-from rigidtop.report.claims import numbers
 from rigidtop.report.records import note as said_of
-from rigidtop.theory.symbols import const, phi, phidot, psi, psidot, theta, thetadot, unit
+from rigidtop.theory.symbols import const
 from rigidtop.typeset.text import text
 
 UNREAD, UNKNOWN, ABSENT = "unread", "unknown", "absent"
@@ -57,34 +59,6 @@ MOST_LINES = 50
 """Under one number no more lines are judged."""
 
 LATE = "not judged: the time for the file was over"
-
-_ORDER = list(Verdict)
-_HOLDS = (Verdict.DEFINITION, Verdict.PROVED, Verdict.SAMPLED, Verdict.ASSUMING)
-_RATES = {phi: phidot, theta: thetadot, psi: psidot}
-"""Where a claim speaks of the rate of an angle and not of the angle, that may have any value."""
-
-
-@dataclass(frozen=True)
-class Ruling:
-    """What became of one equation: a finding, or the reason why there is none.
-
-    `instead` is what the claim prints in its place, where that says something else.
-    """
-
-    finding: Finding | None
-    problem: str = ""
-    instead: Equation | None = None
-    known: bool = False
-    """Whether the claim itself prints what is false, and says so."""
-
-    @property
-    def verdict(self) -> Verdict:
-        return self.finding.verdict if self.finding is not None else Verdict.UNDECIDED
-
-    @property
-    def wrong(self) -> bool:
-        """Refuted or undecided, and not as the collection has it."""
-        return self.verdict in (Verdict.FALSE, Verdict.UNDECIDED) and not self.known
 
 
 @dataclass(frozen=True)
@@ -159,7 +133,7 @@ class Audited:
         ruling, found = each.ruling, each.ruling.finding
         parts = [ruling.problem] if ruling.problem else []
         if found is not None and found.counterexample is not None and not ruling.problem:
-            parts.append(_refutation(found, found.counterexample))
+            parts.append(refutation(found, found.counterexample))
         if found is not None and not parts:
             parts.append("neither shown nor refuted")
         if ruling.instead is not None:
@@ -167,62 +141,6 @@ class Audited:
         where = [f"line {each.line}"] if each.line != self.line else []
         where += [f"column {each.column}"] if each.equation is None and parts != [LATE] else []
         return (f"{', '.join(where)}: " if where else "") + "; ".join(parts)
-
-
-def _refutation(found: Finding, counterexample: Counterexample) -> str:
-    """The numbers that refute a line: two sides that differ, or a rate that does not vanish."""
-    visible = _visible(found, counterexample)
-    shown = numbers(visible)
-    said = shown.said(text)
-    if None not in (visible.left, visible.right) and _apart(visible.left, visible.right) == 0:
-        said = "it does not hold"
-    elif shown.left == shown.right and shown.left is not None:
-        said = "it does not hold, by less than the digits that are shown"
-    if visible.right == 0 and found.check.claimed.sides[-1] == const and shown.left is not None:
-        said = f"what is to be constant changes at the rate {text(shown.left)}"
-    values = ", ".join(f"{text(symbol)} = {text(at)}" for symbol, at in shown.values)
-    return f"at {values}: {said}" if values else said
-
-
-def _visible(found: Finding, counterexample: Counterexample) -> Counterexample:
-    """The counterexample with that pair of sides that differs most, where its own is equal."""
-    if counterexample.left is None or counterexample.right is None:
-        return counterexample
-    if _apart(counterexample.left, counterexample.right) > _VISIBLE:
-        return counterexample
-    pairs = []
-    for _, left, right in assertions(found.check.claimed, found.check.meaning):
-        shape = next((m.shape for m in (left, right) if isinstance(m, sympy.MatrixBase)), None)
-        sides = [
-            list(m)
-            if isinstance(m, sympy.MatrixBase)
-            else [m] * (shape[0] * shape[1] if shape else 1)
-            for m in (left, right)
-        ]
-        pairs += list(zip(*sides, strict=True))
-    equal = {a.condition.lhs: a.condition.rhs for a in found.check.assuming
-             if isinstance(a.condition, Eq)}  # fmt: skip
-    at = dict(counterexample.values)
-    exact = [
-        tuple(sympy.sympify(m).subs(equal).subs(equal).xreplace(at) for m in pair) for pair in pairs
-    ]
-    known = [pair for pair in exact if all(m.is_number for m in pair)]
-    left, right = max(known, key=lambda pair: _apart(*pair), default=(None, None))
-    if left is None or _apart(left, right) <= _VISIBLE:
-        return counterexample
-    return Counterexample(counterexample.values, left, right)
-
-
-_VISIBLE = 1e-9
-
-
-def _apart(left: Any, right: Any) -> float:
-    """How far two numbers are from each other, relative to them; 0 where one is none."""
-    try:
-        one, other = complex(left), complex(right)
-    except (TypeError, ValueError, OverflowError, ZeroDivisionError):
-        return 0.0
-    return abs(one - other) / (1 + abs(one) + abs(other))
 
 
 def missing(audited: Sequence[Audited], pages: Iterable[Page]) -> tuple[Claim, ...]:
@@ -423,7 +341,7 @@ def _judgement(
                 verdicts.append(known.others[i].verdict)
         else:
             items.append(item)
-    verdict = max(verdicts, key=_ORDER.index)
+    verdict = max(verdicts, key=ORDER.index)
     return Judgement(known.claim, known.section, verdict, tuple(items), 0.0)
 
 
@@ -465,11 +383,6 @@ def _likeness(one: Equation, other: Equation) -> float:
 
 
 # --- Whether a line says as much -----------------------------------------------------------------
-#
-# What is true need not be the equation that bears the number: 0 = 0 is true under every number.
-# Near a point where the claim's equation holds let the meaning of each name in it vary on its own.
-# To first order the equation then is a set of linear conditions on the variations, and so are the
-# lines of the file: they say as much if its conditions are among the combinations of theirs.
 
 
 def _weighed(
@@ -482,7 +395,7 @@ def _weighed(
     held = [
         equation
         for equation, ruling in zip(found, rulings, strict=True)
-        if equation is not None and ruling.verdict in (*_HOLDS, Verdict.CONVENTION)
+        if equation is not None and ruling.verdict in (*HOLDS, Verdict.CONVENTION)
     ]
     made = []
     for equation, ruling, place in zip(found, rulings, places, strict=True):
@@ -506,10 +419,10 @@ def _weighed(
 
 def _bases(known: _Known, place: int, verdict: Verdict = Verdict.PROVED) -> list[Check]:
     """What a line in a place has to say: the printed equation, or what corrects it."""
-    check = _check(known.evidence[place])
+    check = check_of(known.evidence[place])
     if verdict is Verdict.CONVENTION and check.other_reading is not None:
         return [replace(check, meaning=check.other_reading)]
-    if _own(known, place).verdict in _HOLDS:
+    if _own(known, place).verdict in HOLDS:
         return [check]
     return [item for item in known.evidence if isinstance(item, Correction)]
 
@@ -519,204 +432,21 @@ def _say_as_much(equation: Equation, held: Sequence[Equation], check: Check) -> 
     one = check.claimed.relation
     if equation.relation != one and not {equation.relation, one} <= {"=", "≡"}:
         return False
-    near = _Near(check)
-    return _among(near.own, np.vstack([near.conditions(line) for line in held]))
+    near = Near(check)
+    return among(near.own, np.vstack([near.conditions(line) for line in held]))
 
 
 def _says_something(equation: Equation, place: int, known: _Known, ruling: Ruling) -> bool:
     """Whether a line is about anything that is in a printed equation, whichever way it goes."""
     bases = _bases(known, place, ruling.verdict)
-    return any(bool(len(_scaled(_Near(base).conditions(equation)))) for base in bases)
+    return any(bool(len(scaled(Near(base).conditions(equation)))) for base in bases)
 
 
 def _is_of(equation: Equation, check: Check) -> bool:
     """Whether a line says something, and nothing that the check's equation does not."""
-    near = _Near(check)
+    near = Near(check)
     here = near.conditions(equation)
-    return bool(len(_scaled(here))) and _among(here, near.own)
-
-
-_CLOSE = 1e-7
-
-
-def _among(rows: Any, others: Any) -> bool:
-    """Whether each row is a combination of the others."""
-    rows, others = _scaled(rows), _scaled(others)
-    if not len(rows):
-        return True
-    if not len(others):
-        return False
-    weights = np.linalg.lstsq(others.T, rows.T, rcond=1e-10)[0]
-    return bool(np.abs(others.T @ weights - rows.T).max() < _CLOSE)
-
-
-def _scaled(rows: Any) -> Any:
-    """The rows that are not 0, each of length 1."""
-    lengths = np.linalg.norm(rows, axis=1) if len(rows) else np.zeros(0)
-    return rows[lengths > _CLOSE] / lengths[lengths > _CLOSE, None]
-
-
-class _Near:
-    """The surroundings of a point at which a check's equation holds."""
-
-    def __init__(self, check: Check) -> None:
-        self._check = check
-        self._equal = {
-            a.condition.lhs: a.condition.rhs for a in check.assuming if isinstance(a.condition, Eq)
-        }
-        self._step = sympy.Dummy("step", real=True)
-        self._names = sorted(_names(check), key=str)
-        self._meanings = [m for name in self._names for m in self._varied(name)]
-        self._point = self._found()
-        # Braces explain; what a line has to say is in the chain.
-        bare = Equation(*map(_bare, check.claimed.sides), relation=check.claimed.relation)
-        self.own = self.conditions(bare)
-
-    def conditions(self, equation: Equation) -> Any:
-        """A row for each thing that the equation says to be 0: how fast it grows with each name."""
-        columns = [self._rates(equation, meaning) for meaning in self._meanings]
-        height = max((len(column) for column in columns if column), default=0)
-        full = [column if len(column) == height else [0.0] * height for column in columns]
-        return np.array(full).reshape(len(columns), height).T
-
-    def _rates(self, equation: Equation, meaning: Meaning) -> list[float]:
-        try:
-            return [
-                self._number(entry.diff(self._step).subs(self._step, 0))
-                for _, left, right in assertions(equation, meaning)
-                for entry in map(self._imposed, entries(left, right))
-            ]
-        except Exception:
-            # An integral or a sum can't follow every variation: it then says nothing of it.
-            return []
-
-    def _imposed(self, expression: Expr) -> Expr:
-        expression = sympy.sympify(expression)
-        return expression.subs(self._equal).subs(self._equal)
-
-    def _number(self, expression: Expr) -> float:
-        values = {x: self._point.get(x) or _somewhere(x) for x in expression.free_symbols}
-        return float(expression.xreplace(values).doit().evalf())
-
-    def _varied(self, name: Expr) -> list[dict[Any, Any]]:
-        """The meanings in which one number of a name varies; what stands for it follows."""
-        check, step = self._check, self._step
-        meant = check.meaning.get(name, name)
-        made: list[dict[Any, Any]] = []
-        if name == const:
-            made.append({const: lambda left: meant(left) + step * left})
-        elif callable(meant) and not isinstance(meant, sympy.Basic):
-            made.append({name: lambda integrand: meant(integrand) * (1 + step)})
-        elif isinstance(meant, (list, tuple)):
-            for n, term in enumerate(meant):
-                for x, old in term.items():
-                    made += [
-                        {name: [*meant[:n], {**term, x: new}, *meant[n + 1 :]]}
-                        for new in _each_varied(old, step)
-                    ]
-        else:
-            made += [{name: new} for new in _each_varied(meant, step)]
-        if meant == name:
-            return [{**self._following(name), **varied} for varied in made]
-        return [{**check.meaning, **self._equals(), **varied} for varied in made]
-
-    def _following(self, name: Expr) -> dict[Expr, Any]:
-        """The meaning in which the names that are not in the equation vary with a symbol of it."""
-        varied = {name: name + self._step}
-        return {
-            **{
-                x: self._imposed(m).subs(varied)
-                if x not in self._names and isinstance(m, (sympy.Basic, sympy.MatrixBase))
-                else m
-                for x, m in self._check.meaning.items()
-            },
-            **{x: sympy.sympify(m).subs(varied) for x, m in self._equals().items()},
-        }
-
-    def _equals(self) -> dict[Any, Any]:
-        return {x: m for x, m in self._equal.items() if x not in self._check.meaning}
-
-    def _found(self) -> dict[Expr, Expr]:
-        """A point at which the assumptions hold and what is given vanishes."""
-        check, rng = self._check, random.Random(5)
-        given = [self._imposed(h) for h in check.given]
-        conditions = [
-            self._imposed(a.condition) for a in check.assuming if not isinstance(a.condition, Eq)
-        ]
-        symbols = set().union(*(e.free_symbols for e in (*given, *conditions)), set())
-        point: dict[Any, Any] = {}
-        for _ in range(60):
-            point = {x: _somewhere(x, rng) for x in sorted(symbols, key=str)}
-            for h in given:
-                point |= _solved(h, point)
-            if all(c.xreplace(point) == sympy.true for c in conditions if c != sympy.true):
-                break
-        return point
-
-
-def _solved(vanishing: Expr, point: Mapping[Expr, Expr]) -> dict[Expr, Expr]:
-    """A symbol with the value that makes an expression vanish."""
-    for symbol in sorted(vanishing.free_symbols, key=str):
-        if not vanishing.is_polynomial(symbol):
-            continue
-        others = {x: v for x, v in point.items() if x != symbol}
-        roots = [r for r in sympy.solve(vanishing.xreplace(others), symbol) if r.is_real]
-        if roots:
-            return {symbol: max(roots)}
-    return {}
-
-
-def _somewhere(symbol: Expr, rng: random.Random | None = None) -> sympy.Float:
-    """A number of no special kind; without a generator always the same one."""
-    rng = rng if rng is not None else random.Random(str(symbol))
-    sign = 1 if symbol.is_positive else rng.choice((1, 1, -1))
-    return sympy.Float(sign * rng.uniform(0.4, 1.9))
-
-
-def _each_varied(meant: Expr | MatrixBase, step: Symbol) -> list[Expr | MatrixBase]:
-    """What is meant with one of its numbers varied."""
-    if not isinstance(meant, sympy.MatrixBase):
-        return [meant + step]
-    made = []
-    for k in range(len(meant)):
-        new = meant.as_mutable()
-        new[k] += step
-        made.append(new)
-    return made
-
-
-def _names(check: Check) -> set[Expr]:
-    """What stands for something in a check's equation, braces left out."""
-    equal = {a.condition.lhs for a in check.assuming if isinstance(a.condition, Eq)}
-    names: set[Any] = set()
-
-    def walk(node: Expr) -> None:
-        if node in check.meaning or node.is_Symbol:
-            names.add(node)
-            return
-        arguments = node.args[:1] if isinstance(node, Underbrace) else node.args
-        for argument in arguments:
-            walk(argument)
-
-    for side in check.claimed.sides:
-        for entry in side if isinstance(side, sympy.MatrixBase) else [side]:
-            walk(entry)
-    # A symbol that is assumed to be equal to another one varies with that.
-    names |= {x for e in check.assuming if isinstance(e.condition, Eq) and e.condition.lhs in names
-              for x in e.condition.rhs.free_symbols}  # fmt: skip
-    return {x for x in names if x != unit and (x in check.meaning or x not in equal)}
-
-
-def _bare(node: Expr) -> Expr:
-    """An expression without what stands under its braces."""
-    if isinstance(node, sympy.MatrixBase):
-        return sympy.ImmutableMatrix(*node.shape, [_bare(entry) for entry in node])
-    if isinstance(node, Underbrace):
-        return _bare(node.args[0])
-    if not node.has(Underbrace):
-        return node
-    with as_printed():
-        return node.func(*map(_bare, node.args))
+    return bool(len(scaled(here))) and among(here, near.own)
 
 
 # --- Judging -------------------------------------------------------------------------------------
@@ -737,10 +467,10 @@ def _ruled(equation: Equation, known: _Known, place: int | None) -> Ruling:
     if _same(equation, printed):
         own = _own(known, place)
         return Ruling(own, known=own.verdict is Verdict.FALSE)
-    ruling = _judged(equation, _check(known.evidence[place]), known.letters)
+    ruling = judged(equation, check_of(known.evidence[place]), known.letters)
     if ruling.finding is None and equation.relation in ("=", "≡"):
         ruling = _by_facts(equation, known, place) or ruling
-    if isinstance(known.evidence[place], Definition) and ruling.verdict in _HOLDS:
+    if isinstance(known.evidence[place], Definition) and ruling.verdict in HOLDS:
         assert ruling.finding is not None
         return replace(ruling, finding=replace(ruling.finding, verdict=Verdict.DEFINITION))
     if not ruling.wrong:
@@ -752,7 +482,7 @@ def _ruled(equation: Equation, known: _Known, place: int | None) -> Ruling:
         # What differs in the reading in which the claim holds is what is wrong with the line.
         meant = own.check.other_reading or own.check.meaning
         check = replace(own.check, meaning=meant, other_reading=None)
-        ruling = _judged(equation, check, known.letters)
+        ruling = judged(equation, check, known.letters)
     return replace(ruling, instead=printed)
 
 
@@ -762,7 +492,7 @@ def _by_facts(equation: Equation, known: _Known, place: int) -> Ruling | None:
     The facts are those in which the claim's own equation holds; moments, masses and lengths of
     which they do not speak have any value.
     """
-    printed, check = _equation(known.evidence[place]), _check(known.evidence[place])
+    printed, check = _equation(known.evidence[place]), check_of(known.evidence[place])
     numbers = symbols_of(equation) & known.letters.numbers
     for model in chain.from_iterable(models.families()):
         if not symbols_of(printed) <= model.symbols():
@@ -771,7 +501,7 @@ def _by_facts(equation: Equation, known: _Known, place: int) -> Ruling | None:
             continue
         free = {x: x for x in numbers - model.symbols()}
         wide = replace(model, meaning={**model.meaning, **free}) if free else model
-        said = [link for each in _asserted(equation, check) for link in _links(each)]
+        said = [link for each in asserted(equation, check) for link in _links(each)]
         for link, found in [(link, judge_in(link, wide)) for link in said]:
             if found.holds is False and found.at is not None:
                 false = Finding(replace(check, claimed=equation), Verdict.FALSE)
@@ -815,8 +545,8 @@ def _links(equation: Equation) -> list[Link]:
 def _extra(equation: Equation, known: _Known) -> Ruling:
     """A line to which nothing in the claim corresponds: it may still hold as one of its lines."""
     for place in known.printed:
-        ruling = _judged(equation, _check(known.evidence[place]), known.letters)
-        if ruling.verdict in _HOLDS:
+        ruling = judged(equation, check_of(known.evidence[place]), known.letters)
+        if ruling.verdict in HOLDS:
             return ruling
     return Ruling(None, f"the claim has no such line: {text(equation)}")
 
@@ -828,146 +558,10 @@ def _own(known: _Known, place: int) -> Finding:
         known.own[place] = (
             judge_check(item, known.letters)
             if isinstance(item, Check)
-            else Finding(_check(item), Verdict.DEFINITION)
+            else Finding(check_of(item), Verdict.DEFINITION)
         )
     return known.own[place]
 
 
 def _same(one: Equation, other: Equation) -> bool:
     return one.sides == other.sides and one.relation == other.relation
-
-
-def _check(item: Evidence) -> Check:
-    """A definition as a check: its left side means its right side, and vectors are any vectors."""
-    if isinstance(item, Check):
-        return item
-    assert isinstance(item, Definition)
-    left, *others = item.equation.sides
-    meaning = {symbol: _any(symbol) for symbol in symbols_of(item.equation)}
-    meaning[left] = value(others[0], meaning)
-    return Check(item.equation, meaning, reason=item.reason)
-
-
-def _any(symbol: Symbol) -> Any:
-    """The symbol as a number, a vector or a matrix of which nothing is known."""
-    rows, columns = {"vector": (3, 1), "matrix": (3, 3)}.get(kind(symbol), (0, 0))
-    if not rows:
-        return symbol
-    entries = sympy.symbols(f"{symbol.name}_(:{rows * columns})", real=True)
-    return sympy.Matrix(rows, columns, list(entries))
-
-
-def _judged(equation: Equation, check: Check, letters: Letters) -> Ruling:
-    """A read equation with the meaning and under the assumptions of a check."""
-    known = _known_symbols(check)
-    rulings = [_one(replace(check, claimed=e), known, letters) for e in _asserted(equation, check)]
-    worst = max(rulings, key=lambda ruling: _ORDER.index(ruling.verdict))
-    if worst.finding is None:
-        return worst
-    return replace(worst, finding=replace(worst.finding, check=replace(check, claimed=equation)))
-
-
-def _one(check: Check, known: set[Symbol], letters: Letters) -> Ruling:
-    free = {angle for angle, rate in _RATES.items() if rate in known}
-    strangers = sorted(symbols_of(check.claimed) - known - free, key=str)
-    unsaid = f"the claim does not say what {_listed(strangers)} is here" if strangers else ""
-    spatial = {x: _any(x) for x in strangers if kind(x) != "scalar"}
-    try:
-        clash = _clash(check.claimed, {**check.meaning, **spatial})
-        if clash:
-            return Ruling(Finding(check, Verdict.FALSE), clash)
-        if spatial:
-            return Ruling(None, unsaid)
-        # With a value at will for a symbol that the claim does not know, nothing is refuted.
-        if strangers and is_refuted(check, check.assuming, 40, letters=letters):
-            return Ruling(None, unsaid)
-        finding = _lightest(check, letters)
-    except Exception as error:
-        # What was typed can be anything, and SymPy's errors are many; none of them is a pass.
-        return Ruling(None, unsaid or f"it has no meaning in this claim ({_brief(error)})")
-    if strangers and finding.verdict not in _HOLDS:
-        return Ruling(None, unsaid)
-    return Ruling(finding)
-
-
-def _brief(error: Exception) -> str:
-    said = " ".join(str(error).split())
-    return f"{type(error).__name__}: {said}"[:120]
-
-
-def _listed(symbols: Sequence[Symbol]) -> str:
-    return ", ".join(map(text, symbols))
-
-
-def _known_symbols(check: Check) -> set[Symbol]:
-    """The symbols that mean something in a claim."""
-    expressions = [*check.meaning, *check.meaning.values(), *check.given]
-    expressions += [assumption.condition for assumption in check.assuming]
-    for meant in check.meaning.values():
-        if isinstance(meant, (list, tuple)):  # the terms of a sum
-            expressions += [symbol for term in meant for symbol in term]
-    known = symbols_of(check.claimed) | {const}
-    return known.union(*(getattr(e, "free_symbols", ()) for e in expressions))
-
-
-def _clash(equation: Equation, meaning: Meaning) -> str:
-    """Words for sides that can't be equal whatever their values; 0 fits every shape."""
-    shapes: dict[tuple[int, ...], None] = {}
-    for side in equation.sides:
-        if side == const:
-            continue
-        meant = value(side, meaning)
-        if meant != 0:
-            shapes[getattr(meant, "shape", ())] = None
-    if len(shapes) < 2:
-        return ""
-    return " and ".join(map(_shape, shapes)) + " can't be equal"
-
-
-def _shape(shape: tuple[int, ...]) -> str:
-    if not shape:
-        return "a number"
-    if 1 not in shape:
-        return "a matrix"
-    return "a row" if shape[0] == 1 else "a vector"
-
-
-def _lightest(check: Check, letters: Letters) -> Finding:
-    """The finding with those assumptions only that the equation needs."""
-    try:
-        return judge_check(check, letters)
-    except UnneededAssumptionError:
-        for assumption in check.assuming:
-            others = tuple(other for other in check.assuming if other is not assumption)
-            finding = _lightest(replace(check, assuming=others), letters)
-            if finding.verdict in _HOLDS:
-                return finding
-        # Shown under all of them, only that none can be spared was not.
-        return Finding(check, Verdict.ASSUMING)
-
-
-def _asserted(equation: Equation, check: Check) -> list[Equation]:
-    """What an equation says: itself, and what stands under its braces.
-
-    A brace over a name says what the name is; where neither is one, the two sides are equal.
-    """
-    braces = sorted(
-        set().union(*(side.atoms(Underbrace) for side in equation.sides)),
-        key=sympy.default_sort_key,
-    )
-    turned: dict[Any, Any] = {}
-    beneath = []
-    for brace in braces:
-        body, label = brace.args
-        if label in check.meaning:
-            continue
-        if body in check.meaning:
-            with as_printed():
-                turned[brace] = Underbrace(label, body)
-        else:
-            beneath.append(Equation(body, label))
-    if not turned:
-        return [equation, *beneath]
-    with as_printed():
-        sides = [side.xreplace(turned) for side in equation.sides]
-    return [Equation(*sides, relation=equation.relation, tag=equation.tag), *beneath]

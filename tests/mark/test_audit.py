@@ -10,6 +10,7 @@ from sympy import Symbol, cos, sin
 
 from rigidtop.derivations import PAGES
 from rigidtop.mark import audit as home
+from rigidtop.mark import ruling
 from rigidtop.mark.audit import UNKNOWN, UNREAD, Memo, audit
 from rigidtop.proof.equation import Equation, Rate, Underbrace, value
 from rigidtop.proof.page import Assumption, Check, Correction, Definition, Page, claim
@@ -366,7 +367,7 @@ def test_a_rate_is_told_that_is_visibly_not_0(memo):
     (placed,) = one(r"\lambda_3\dot\psi = \text{const}", "3.56", memo).placed
     found = placed.ruling.finding
     noise = Counterexample(found.counterexample.values, sympy.Float("-2.95e-126"), sympy.Integer(0))
-    said = home._refutation(found, noise)
+    said = ruling.refutation(found, noise)
     assert "e-126" not in said
     assert "10⁻" not in said
     assert re.search(r"what is to be constant changes at the rate −?\d", said)
@@ -480,6 +481,7 @@ def test_what_is_known_is_not_judged_again(memo, unchanged, monkeypatch):
         raise AssertionError("judged again")
 
     monkeypatch.setattr(home, "judge_check", no)
+    monkeypatch.setattr(ruling, "judge_check", no)
     monkeypatch.setattr(home, "lines", no)
     moved = audit(f"One line more.\n\n{SOURCE}", PAGES, memo=memo)
     assert [each.line - 2 for each in moved] == [each.line for each in unchanged]

@@ -19,7 +19,8 @@ from rigidtop.derivations import PAGES
 from rigidtop.errors import RigidtopError
 from rigidtop.mark.audit import audit
 from rigidtop.read import document, tex
-from rigidtop.read.formula import DEEPEST, read
+from rigidtop.read.formula import read
+from rigidtop.read.values import DEEPEST
 from rigidtop.theory.symbols import VOCABULARY
 from rigidtop.typeset.text import text
 

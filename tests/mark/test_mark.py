@@ -11,8 +11,9 @@ from rigidtop.derivations.goals import goals
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
 from rigidtop.mark import limits
-from rigidtop.mark.answer import Mark, mark, steps
+from rigidtop.mark.answer import Mark, mark
 from rigidtop.mark.passages import letters_of, passage
+from rigidtop.mark.steps import steps
 from rigidtop.proof.changed import perturbations
 
 _SPEC = importlib.util.spec_from_file_location("motions", Path(__file__).with_name("motions.py"))

@@ -1,0 +1,181 @@
+"""What kind of slip a wrong line may be."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import sympy
+from sympy import Pow, Symbol
+
+from rigidtop.derivations import models
+from rigidtop.mark import slips
+from rigidtop.mark.links import (
+    ERRORS,
+    Link,
+    apart,
+    in_numbers,
+    judge,
+    one_angle,
+)
+from rigidtop.mark.steps import is_matrix
+from rigidtop.proof import decide
+from rigidtop.proof.model import Model, Passage, samples
+from rigidtop.proof.verdict import entries
+from rigidtop.theory import symbols as s
+from rigidtop.theory import top
+from rigidtop.theory.lettered import Lettered
+from rigidtop.theory.trig import reduce_ratio
+from rigidtop.typeset.text import text
+
+TRIALS = 10
+"""Motions at which a repaired line is tried."""
+
+
+def explain(link: Link, passage: Passage) -> tuple[slips.Slip, ...]:
+    """What kind of slip a wrong link may be, one of a kind; none where no small repair helps.
+
+    A repair after which the link holds for every motion comes before one after which it holds for
+    special motions: there many repairs help, and only the goal says that the motion is special.
+    """
+    forgotten = _partial(link, passage)
+    if forgotten:
+        return (forgotten,)
+    fitting = [model for model in passage.models if not foreign(link, model)]
+    for named in (_repaired, _missing):
+        for model in fitting:
+            found = named(link, model)
+            if found:
+                return found
+    return ()
+
+
+def _repaired(link: Link, model: Model) -> tuple[slips.Slip, ...]:
+    """The slips after whose repair a link holds for the motions of a model."""
+    lost = _lost_root(link, model)
+    if lost:
+        return (lost,)
+    if link.right is None:
+        return slips.found(link.left, s.const, lambda left, _: _holds(Link(left, None), model))
+    return slips.found(link.left, link.right, lambda a, b: _holds(Link(a, b), model))
+
+
+def _holds(link: Link, model: Model) -> bool:
+    """Whether a link holds at a few motions."""
+    found = in_numbers(link, model, samples(model)[-TRIALS:])
+    known = [sides for sides in found if sides is not None]
+    return len(known) > TRIALS // 2 and not any(apart(*sides) for sides in known)
+
+
+def _partial(link: Link, passage: Passage) -> slips.Slip | None:
+    """∂/∂t for d/dt: the line holds if only velocities change, the angles being forgotten."""
+    if not set(top.RATES) <= set(passage.models[0].rates):
+        return None
+    free = models.heavy_top(along=False)
+    angles = frozenset(top.ANGLES)
+    momenta = {p: free.meaning[p] for p in top.CONJUGATE}
+    forgetful = replace(free, frozen=angles)
+    rates = {p: forgetful._derivative(momentum) for p, momentum in momenta.items()}
+    forgetful = replace(
+        forgetful,
+        meaning={**free.meaning, **{models.MOMENTUM_RATES[p]: r for p, r in rates.items()}},
+    )
+    slip = slips.Slip("partial", "∂/∂t where d/dt is meant: the angles change in time too")
+    try:
+        if link.right is None or not symbols_in(link) <= known_in(free):
+            return None
+        if judge(link, forgetful).holds and judge(link, free).holds is False:
+            return slip
+        # What is left of d/dt p = 0 without the angles' rates.
+        [difference] = entries(free.value(link.left), free.value(link.right))
+        for p in (s.p_phi, s.p_psi):
+            if rates[p] != 0 and reduce_ratio(difference / rates[p]).is_number:
+                complete = free.meaning[models.MOMENTUM_RATES[p]]
+                if not decide.vanishes(complete - rates[p]) and difference != 0:
+                    return slip
+    except ERRORS:
+        return None
+    return None
+
+
+def _lost_root(link: Link, model: Model) -> slips.Slip | None:
+    """For every motion the line holds with one sign of the root, but not always with the same."""
+    if link.right is None or is_matrix(link.left) or is_matrix(link.right):
+        return None
+    roots = {
+        power
+        for side in (link.left, link.right)
+        for power in side.atoms(Pow)
+        if power.exp == sympy.Rational(1, 2)
+    }
+    if len(roots) != 1:
+        return None
+    [root] = roots
+    with sympy.evaluate(False):
+        turned = {root: sympy.Mul(sympy.Integer(-1), root)}
+        other = Link(link.left.xreplace(turned), link.right.xreplace(turned))
+    seen = set()
+    tried = samples(model)
+    for both in zip(*(in_numbers(each, model, tried) for each in (link, other)), strict=True):
+        if None in both:
+            continue
+        holds = tuple(not apart(*pair) for pair in both if pair is not None)
+        if not any(holds):
+            return None
+        seen.add(holds)
+    if (False, True) in seen and (True, False) in seen:
+        return slips.Slip("root", f"the root with the other sign of {text(root)} is lost")
+    return None
+
+
+def _missing(link: Link, model: Model) -> tuple[slips.Slip, ...]:
+    """The one term by which the sides differ."""
+    try:
+        if link.right is None:
+            return ()
+        [difference] = entries(model.value(link.left), model.value(link.right))
+        difference = reduce_ratio(one_angle(difference))
+    except ERRORS:
+        return ()
+    if difference.is_Add or sympy.count_ops(difference) > 25:
+        return ()
+    _, below = sympy.fraction(difference)
+    if below.has(sympy.Add):
+        return ()
+    return (slips.Slip("missing", f"a term: the left side is more by {side_text(difference)}"),)
+
+
+# --- Links in words -------------------------------------------------------------------------------
+
+
+@cache
+def known_in(model: Model) -> set[Symbol]:
+    return model.symbols()
+
+
+def symbols_in(link: Link) -> set[Symbol]:
+    sides = [side for side in (link.left, link.right) if side is not None]
+    return set().union(*(side.free_symbols for side in sides))
+
+
+def foreign(link: Link, model: Model) -> set[Symbol]:
+    """The symbols of a link that mean nothing in a model."""
+    return {x for x in symbols_in(link) if not is_own(x)} - known_in(model)
+
+
+def is_own(node: Any) -> bool:
+    return isinstance(node, Lettered) and node.quantity.meaning == "defined in the answer"
+
+
+def with_slopes(said: str) -> str:
+    said = re.sub(r"dĐ_(\w)/dt", r"d/dt Đ_\1", said)
+    return re.sub(r"Đ_(\w)", "∂ℒ/∂\\1\u0307", re.sub(r"Ł_(\w)", r"∂ℒ/∂\1", said))
+
+
+def side_text(side: Any) -> str:
+    try:
+        return "const" if side is None else with_slopes(text(side))
+    except (TypeError, AttributeError, ValueError, KeyError):
+        return "…"
