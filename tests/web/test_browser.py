@@ -646,6 +646,12 @@ def test_a_narrow_screen(phone, kind):
         assert box["x"] >= 0
         assert box["x"] + box["width"] <= 390
         assert box["y"] + box["height"] <= 844
+    # What is set, what it will do and the beginning of the plot are in view with the picture.
+    for selector in ("#start .row:last-child", ".verdict", "#plots canvas"):
+        box = phone.find(selector).rect
+        assert box["y"] + min(box["height"], 50) <= 844
+    for each in phone.all("#start input[type=range]"):
+        assert each.size["width"] >= 150
     # A finger needs room.
     for each in phone.all("#transport button"):
         assert min(each.size.values()) >= 40

@@ -31,7 +31,7 @@ function createChips(container, attributes, all) {
  * @param {(preset: Preset) => void} choose
  */
 export function createPresets(container, presets, choose) {
-  const { inputs } = createChips(
+  const { group, inputs } = createChips(
     container,
     { class: "chips", role: "radiogroup", "aria-label": "Examples" },
     presets.map(({ name: value, title }, k) => {
@@ -49,7 +49,13 @@ export function createPresets(container, presets, choose) {
      * @param {boolean} changed Sliders were moved since.
      */
     show(preset, changed) {
-      inputs.forEach((input, k) => (input.checked = presets[k] === preset));
+      inputs.forEach((input, k) => {
+        if (presets[k] !== preset || input.checked) return;
+        input.checked = true;
+        // On a phone the row is longer than the screen.
+        const [row, chip] = [group, input].map((each) => each.getBoundingClientRect());
+        group.scrollLeft += chip.x + chip.width / 2 - row.x - row.width / 2;
+      });
       const text = changed
         ? `Changed from “${preset.title}”; choose it again to return.`
         : preset.about;

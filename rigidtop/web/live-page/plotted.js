@@ -124,10 +124,10 @@ export function plottedOf(motion, plot) {
  * @param {Motion} motion
  */
 function windowOf({ setup, moments, weight, start, timescale }) {
-  if (setup.kind === "free") return nice(40 * timescale);
+  if (setup.kind === "free") return nice(30 * timescale);
   const rate = length(start.momentum) / moments[0] + Math.sqrt(length(weight) / moments[0]);
   // What moves so slowly that it can't be computed ahead is shown as if it rested.
-  return nice(40 * Math.min(Math.max(timescale, 1 / rate), SLOWEST * timescale));
+  return nice(30 * Math.min(Math.max(timescale, 1 / rate), SLOWEST * timescale));
 }
 
 /** @param {import("./types").Numbers} vector */

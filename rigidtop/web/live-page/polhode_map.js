@@ -84,12 +84,12 @@ export function createPolhodeMap(container, chosen) {
     ctx.beginPath();
     ctx.arc(centre.x, centre.y, radius, 0, 2 * Math.PI);
     ctx.stroke();
-    for (const i of axes) tip(sheet, i);
 
     const [startX, startY] = placeOf(start.omega, twiceEnergy);
     drawDot(sheet, startX, startY, colours.ink, 1.5);
     const [x, y] = placeOf(last.omega, twiceEnergy);
     drawDot(sheet, x, y, colours.omega);
+    for (const i of axes) tip(sheet, i);
     if (apart) legend(sheet, small, large);
     const said = apart ? future(motion, last) : "";
     write(sheet, said, width / 2, height - 0.7 * em, "center");
