@@ -335,9 +335,10 @@ export function drawAlongAxis(paper, box, range, label, step = 0) {
     const at = Math.round(x(value)) + 0.5;
     line(ctx, at, top, at, box.bottom);
     const text = short(value, digits);
-    if (label && at + ctx.measureText(text).width / 2 < end) {
-      write(paper, text, at, below, "center");
-    }
+    const half = ctx.measureText(text).width / 2;
+    // The first is not to touch the numbers of the other axis.
+    const place = Math.max(at, box.left + half - 0.4 * em);
+    if (label && place + half < end) write(paper, text, place, below, "center");
   }
 }
 

@@ -122,7 +122,7 @@ function createRow(parameter, changed) {
   const error = element("p", { class: "error", id: `error-${name}`, "aria-live": "polite" });
   const label = element(
     "label",
-    { for: range.id },
+    { for: range.id, title: parameter.meaning },
     letterOf(parameter),
     " ",
     element("span", { class: "meaning" }, parameter.meaning),

@@ -84,7 +84,10 @@ export function createLabels(/** @type {HTMLElement} */ container) {
         label.y = within(originY + dy + beyond * y + aside * up * x, height);
       }
       separate(all, APART * em);
-      for (const label of all) show(label);
+      for (const label of all) {
+        [label.x, label.y] = [within(label.x, width), within(label.y, height)];
+        show(label);
+      }
 
       /** A letter stays in the picture, even where its arrow leaves it. */
       function within(/** @type {number} */ place, /** @type {number} */ size) {
