@@ -99,6 +99,9 @@ def is_typed(tree: Expr) -> bool:
 
 # --- Trees with a sign before them ---------------------------------------------------------------
 
+LINEAR = {Group: 0, Transposed: 0, Rate: 0, SumOver: 1, VolumeIntegral: 1, IntegralOver: 3}
+"""The argument of which a minus sign is drawn out."""
+
 Signed = tuple[bool, Any]
 """Whether a minus sign that came up stands before a tree, and the tree."""
 
@@ -127,22 +130,14 @@ def _signed(tree: Expr, images: Images) -> Signed:
         return False, _sum([_signed(argument, images) for argument in tree.args])
     if isinstance(tree, Matrices):
         return False, Matrices(*(translated(matrix, images) for matrix in tree.args))
-    if isinstance(tree, (Group, Transposed)):
-        negative, body = _signed(tree.args[0], images)
-        return negative, tree.func(body)
-    if isinstance(tree, Rate):
-        negative, body = _signed(tree.args[0], images)
-        return negative, tree.func(body, *tree.args[1:])
     if isinstance(tree, (Eq, Ne)) and tree.rhs == 0:  # what vanishes does so with either sign
         return False, tree.func(_signed(tree.lhs, images)[1], tree.rhs)
-    if isinstance(tree, IntegralOver):
-        variable, *ends = (_made(*_signed(part, images)) for part in tree.args[:3])
-        negative, body = _signed(tree.args[3], images)
-        return negative, tree.func(variable, *ends, body)
-    if isinstance(tree, (SumOver, VolumeIntegral)):
-        negative, body = _signed(tree.args[1], images)
-        return negative, tree.func(tree.args[0], body)
-    return False, tree.func(*(_made(*_signed(argument, images)) for argument in tree.args))
+    parts = [_signed(argument, images) for argument in tree.args]
+    negative = False
+    for kind, k in LINEAR.items():
+        if isinstance(tree, kind):
+            negative, parts[k] = parts[k][0], (False, parts[k][1])
+    return negative, tree.func(*(_made(*part) for part in parts))
 
 
 def _made(negative: bool, tree: Expr) -> Expr:
