@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import math
 import sys
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands import motions
@@ -57,66 +58,59 @@ def run(options: argparse.Namespace) -> int:
 
     if options.output == "":
         raise RigidtopError("--output wants the name of a file")
+    told = _of_table if options.body == "sliding" else _of_motion
     if options.body == "sliding":
-        return _run_on_table(options)
-    motion = motions.motion(options, "simulate")
+        motion: Any = motions.on_table(options, "simulate")
+        options.method = options.method or (EXACT if motion.body.smooth else INTEGRATED)
+    else:
+        motion = motions.motion(options, "simulate")
     path = _computed(motion, np.linspace(0.0, options.time, options.samples), options)
-    columns, drift, about = path.columns(), path.drift(), _about(motion)
+    columns, (record, said, warned) = path.columns(), told(path, options)
     if options.output:
         path.to_csv(options.output)
     if options.json:
-        _print_json(columns, {"drift": drift, **about})
+        values = {name: [float(x) for x in column] for name, column in columns.items()}
+        print_json({"columns": values, **record})
         return 0
-    _print_table(columns, options)
-    print(_sentence(motion, about))
-    kept = ", ".join(f"{name} {value:.1e}" for name, value in drift.items())
-    print(f"relative drift of what the exact motion keeps: {kept}")
-    _warn_of_few_samples(about["nutation_period"], options)
-    return 0
-
-
-def _run_on_table(options: argparse.Namespace) -> int:
-    """The same for a top that slides, rolls, and may fall before the time is over."""
-    import numpy as np
-
-    motion = motions.on_table(options, "simulate")
-    options.method = options.method or (EXACT if motion.body.smooth else INTEGRATED)
-    path = _computed(motion, np.linspace(0.0, options.time, options.samples), options)
-    columns = path.columns()
-    events = [{"time": event.time, "kind": event.kind} for event in path.events]
-    if options.output:
-        path.to_csv(options.output)
-    if options.json:
-        ended = path.ended.kind if path.ended else None
-        _print_json(columns, {"budget": path.budget(), "events": events, "ended": ended})
-        return 0
-    _print_table(columns, options)
-    taken = path.dissipated_by_friction[-1] + 0.0, path.dissipated_by_air[-1] + 0.0
-    print(f"dissipated by friction {taken[0]:.6g} J, by the air {taken[1]:.6g} J")
-    print(f"relative gap in the budget of the energy: {path.budget():.1e}")
-    for event in path.events:
-        print(f"{event.kind} at t = {event.time:.6g} s", file=sys.stderr)
-    if path.ended:
-        print(f"the motion ends there: {len(path.t)} of {options.samples} rows", file=sys.stderr)
-    return 0
-
-
-def _print_json(columns: dict[str, Any], about: dict[str, Any]) -> None:
-    values = {name: [float(x) for x in column] for name, column in columns.items()}
-    print_json({"columns": values, **about})
-
-
-def _print_table(columns: dict[str, Any], options: argparse.Namespace) -> None:
-    """The table, or the name of the file where it is."""
     if options.output:
         print(options.output)
-        return
-    from rigidtop.terminal.table import table
+    else:
+        from rigidtop.terminal.table import table
 
-    # + 0.0 writes −0 as 0
-    rows = [[f"{x + 0.0:.6g}" for x in row] for row in zip(*columns.values(), strict=True)]
-    print(table(rows, tuple(columns), right=range(len(columns))))
-    print()
+        # + 0.0 writes −0 as 0
+        rows = [[f"{x + 0.0:.6g}" for x in row] for row in zip(*columns.values(), strict=True)]
+        print(table(rows, tuple(columns), right=range(len(columns))) + "\n")
+    print("\n".join(said))
+    for line in warned:
+        print(line, file=sys.stderr)
+    return 0
+
+
+Told = tuple[dict[str, Any], list[str], list[str]]
+"""What JSON has besides the columns, what stands below the table, and what on stderr."""
+
+
+def _of_motion(path: Any, options: argparse.Namespace) -> Told:
+    drift, about = path.drift(), _about(path.motion)
+    kept = ", ".join(f"{name} {value:.1e}" for name, value in drift.items())
+    said = f"relative drift of what the exact motion keeps: {kept}"
+    warned = list(_few_samples(about["nutation_period"], options))
+    return {"drift": drift, **about}, [_sentence(path.motion, about), said], warned
+
+
+def _of_table(path: Any, options: argparse.Namespace) -> Told:
+    """Of a top that slides, rolls, and may fall before the time is over."""
+    events = [{"time": event.time, "kind": event.kind} for event in path.events]
+    budget, ended = path.budget(), path.ended.kind if path.ended else None
+    friction, air = path.dissipated_by_friction[-1] + 0.0, path.dissipated_by_air[-1] + 0.0
+    said = [
+        f"dissipated by friction {friction:.6g} J, by the air {air:.6g} J",
+        f"relative gap in the budget of the energy: {budget:.1e}",
+    ]
+    warned = [f"{event.kind} at t = {event.time:.6g} s" for event in path.events]
+    if ended:
+        warned.append(f"the motion ends there: {len(path)} of {options.samples} rows")
+    return {"budget": budget, "events": events, "ended": ended}, said, warned
 
 
 def _computed(motion: Any, times: Any, options: argparse.Namespace) -> Any:
@@ -172,13 +166,12 @@ def _regime(motion: Motion) -> str:
     return regime
 
 
-def _warn_of_few_samples(period: float | None, options: argparse.Namespace) -> None:
+def _few_samples(period: float | None, options: argparse.Namespace) -> Iterator[str]:
     spacing = abs(options.time) / (options.samples - 1)
     if period and spacing > period / 4:
         enough = math.ceil(abs(options.time) / period * 20) + 1
         advice = f"--samples {enough}" if enough < motions.MOST_ROWS else "an earlier --time"
-        print(
+        yield (
             f"a row every {spacing:.2g} s, but the nutation takes {period:.2g} s: "
-            f"for a plot use {advice}",
-            file=sys.stderr,
+            f"for a plot use {advice}"
         )
