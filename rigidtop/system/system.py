@@ -22,7 +22,6 @@ from rigidtop.system.names import (
     expression,
     multipliers,
     named,
-    numbers,
     own_functions,
 )
 from rigidtop.system.parts import Body, Mass, Part, kinetic_energy, potential_energy
@@ -745,10 +744,6 @@ class System:
         from rigidtop.system.steady import small
 
         return small(self, about)
-
-    def numbers_of(self, parameters: Mapping[Any, Any]) -> dict[Expr, Expr]:
-        """Numbers for all parameters, which are given by symbol or by name."""
-        return numbers(self.parameters, parameters)
 
     def certify(self, parameters: Mapping[Expr, Any], seed: int = 0) -> dict[str, float]:
         """How far other ways to q̈ are from Lagrange's, at most, at states that are drawn.

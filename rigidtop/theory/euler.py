@@ -54,11 +54,6 @@ def first_integrals() -> tuple[Expr, Expr]:
     return 2 * kinetic_energy(), momentum.dot(momentum)
 
 
-def body_frame_rate(vector: MatrixBase) -> Matrix:
-    """Rate, in body components, of a vector that is fixed in space: −ω × v (3×1)."""
-    return -Matrix(OMEGA).cross(vector)
-
-
 def along_flow(expression: Expr, torque: MatrixBase | None = None) -> Expr:
     """d/dt of a function of ω₁, ω₂, ω₃ along Euler's equations."""
     return total_derivative(expression, dict(zip(OMEGA, body_accelerations(torque), strict=True)))

@@ -48,11 +48,6 @@ def test_a_torque_does_the_work_omega_times_it():
     assert sympy.expand(power - TORQUE.dot(Matrix(euler.OMEGA))) == 0
 
 
-def test_a_vector_fixed_in_space_turns_backwards_in_the_body():
-    fixed = np.array([0.2, 1.0, -0.4])
-    assert numeric(euler.body_frame_rate(Matrix(fixed))) == pytest.approx(-np.cross(OMEGA, fixed))
-
-
 def test_the_time_counts_along_the_flow():
     turning = s.omega1 * sympy.cos(s.Omega * s.t)
     rate = euler.along_flow(turning) - euler.along_flow(s.omega1) * sympy.cos(s.Omega * s.t)
