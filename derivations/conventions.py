@@ -8,7 +8,6 @@ Lagrangian keeps its form.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from sympy import Expr, Matrix, Rational, Symbol, cos, diag, pi, sin
 
@@ -52,7 +51,7 @@ def nodes_matrix() -> Matrix:
     return rotation_z(ANGLES[phi_x]) * rotation_x(s.theta)
 
 
-def axes() -> dict[Any, Any]:
+def axes() -> dict[Expr, Expr]:
     """The axes after the second turn of either sequence, in the space frame."""
     nodes, primed = nodes_matrix(), primed_matrix()
     return {

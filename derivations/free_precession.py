@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
-from sympy import Eq, Matrix, diag, symbols
+from sympy import Eq, Expr, Matrix, diag, symbols
 
 from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Formal, Page, claim
 from rigidtop.theory import symbols as s
@@ -32,7 +31,7 @@ def newton_rate() -> Matrix:
         (m * r.cross(v) for m, r, v in zip(MASSES, POSITIONS, VELOCITIES, strict=True)),
         Matrix([0, 0, 0]),
     )
-    rates: dict[Any, Any] = {}
+    rates: dict[Expr, Expr] = {}
     for m, r, v, force in zip(MASSES, POSITIONS, VELOCITIES, forces, strict=True):
         rates |= dict(zip(r, v, strict=True)) | dict(zip(v, force / m, strict=True))
     return total_derivative(momentum, rates).expand()

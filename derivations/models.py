@@ -11,7 +11,7 @@ from functools import cache, partial
 from typing import Any
 
 import sympy
-from sympy import Expr, Integer, Matrix, Symbol, cos, eye, sin
+from sympy import Expr, Integer, Matrix, MatrixBase, Symbol, cos, eye, sin
 
 from rigidtop.derivations.letters import is_a_body
 from rigidtop.proof.equation import BODY, SPACE, Rate
@@ -74,7 +74,7 @@ PHASE = Symbol("chi", real=True)
 _SYMMETRIC = {s.lambda2: s.lambda1}
 
 
-def _axes() -> dict[Any, Any]:
+def _axes() -> dict[Expr, Expr]:
     """Unit vectors, e₁′, e₂′ and e₃ being the basis."""
     space = primed_matrix().T
     last = rotation_z(s.psi)
@@ -113,7 +113,7 @@ def heavy_top(along: bool) -> Model:
     def seen_from_space(vector: Matrix) -> Matrix:
         return total_derivative(vector, rates) + frame.cross(vector)
 
-    meaning: dict[Any, Any] = {
+    meaning: dict[Expr, Expr | MatrixBase] = {
         **axes,
         s.lambda2: s.lambda1,
         s.omega1p: omega[0],
@@ -206,10 +206,10 @@ def free(symmetric: bool) -> Model:
     rates = dict(zip(OMEGA, body_accelerations(), strict=True))
     momentum = angular_momentum()
 
-    def along(expression: Any) -> Any:
+    def along(expression: Expr) -> Any:
         return total_derivative(expression, rates)
 
-    meaning: dict[Any, Any] = {
+    meaning: dict[Expr, Expr | MatrixBase] = {
         s.e1: Matrix([1, 0, 0]),
         s.e2: Matrix([0, 1, 0]),
         s.e3: Matrix([0, 0, 1]),
@@ -242,7 +242,7 @@ def turning() -> Model:
     )
     omega, momentum, energy = Matrix(OMEGA), angular_momentum(), kinetic_energy()
     along = total_derivative(momentum, rates)
-    meaning: dict[Any, Any] = {
+    meaning: dict[Expr, Expr | MatrixBase] = {
         **{x: kept[x] for x in (s.e1, s.e2, s.e3, s.omega_vec, s.L_vec)},
         **dict(zip((s.L1, s.L2, s.L3), momentum, strict=True)),
         **dict(zip(OMEGA_DOT, rates.values(), strict=True)),
@@ -283,7 +283,7 @@ def picture() -> Model:
     torque = s.M * s.g * s.R * vertical.cross(axis)
     turning = precession * vertical
     attitude = euler_matrix()
-    meaning: dict[Any, Any] = {
+    meaning: dict[Expr, Expr | MatrixBase] = {
         s.e1: attitude[:, 0],
         s.e2: attitude[:, 1],
         s.e3: axis,

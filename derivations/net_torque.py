@@ -86,7 +86,7 @@ def torque() -> Iterator[Evidence]:
         along = Symbol(f"c{one}{other}", real=True) * (positions[one] - positions[other])
         inner[one] += along
         inner[other] -= along
-    rates: dict[Any, Any] = {}
+    rates: dict[Expr, Expr] = {}
     momentum = Matrix([0, 0, 0])
     for m, r, v, outer, between in zip(masses, positions, velocities, forces, inner, strict=True):
         rates |= dict(zip(r, v, strict=True)) | dict(zip(v, (outer + between) / m, strict=True))

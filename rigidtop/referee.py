@@ -14,7 +14,6 @@ import json
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -350,7 +349,7 @@ def _pybullet(case: Case, step: float) -> Floats:
     return np.stack(found)[:, [3, 0, 1, 2]]
 
 
-def reference(case: Case) -> dict[str, Any]:
+def reference(case: Case) -> dict[str, object]:
     """A motion as data that a writer of simulators can test against, floats with all digits."""
     run = case.motion.exact(case.times)
     x, y, z, w = run.rotation.as_quat(canonical=True).T
@@ -391,7 +390,7 @@ def table(scores: Sequence[Score]) -> str:
     return "\n\n".join([*blocks, said])
 
 
-def records(scores: Sequence[Score]) -> list[Mapping[str, Any]]:
+def records(scores: Sequence[Score]) -> list[Mapping[str, object]]:
     """The scores for JSON."""
     return [
         {**vars(score), "order": score.order if math.isfinite(score.order) else None}

@@ -18,6 +18,9 @@ from typing import Any
 Block = tuple[tuple[int, bool], ...]
 """The arms of branches, by their numbers, in which something is computed, the outermost first."""
 
+Number = Any
+"""A float, a bool, or a `Value` that stands for one: one formula takes all."""
+
 LONGEST = 400
 """An expression with more characters gets a name, for it would be nested too deeply."""
 
@@ -35,13 +38,15 @@ NAMES: dict[str, Any] = {
 """What the lines call."""
 
 
-def _infix(sign: str, truth: bool = False, turned: bool = False) -> Callable[[Any, Any], Value]:
+def _infix(
+    sign: str, truth: bool = False, turned: bool = False
+) -> Callable[[Number, Number], Value]:
     template = "({1} %s {0})" if turned else "({0} %s {1})"
     return lambda one, other: one.trace.value(template % sign, one, other, truth=truth)
 
 
 def _call(name: str, truth: bool = False) -> Any:
-    def call(self: Trace, *arguments: Any) -> Value:
+    def call(self: Trace, *arguments: Number) -> Value:
         places = ", ".join(f"{{{k}}}" for k in range(len(arguments)))
         return self.value(f"{name}({places})", *arguments, truth=truth)
 
@@ -55,9 +60,9 @@ class Value:
     trace: Trace
     template: str
     """Its expression, of those of the arguments; none of a branch, and of what comes of one."""
-    arguments: tuple[Any, ...]
+    arguments: tuple[Number, ...]
     truth: bool = False
-    arms: tuple[tuple[Any, ...], tuple[Any, ...]] | None = None
+    arms: tuple[tuple[Number, ...], tuple[Number, ...]] | None = None
     """Of a branch, whose argument is the condition: what comes of either."""
 
     __add__, __radd__ = _infix("+"), _infix("+", turned=True)
@@ -98,9 +103,9 @@ class Trace:
 
     def __init__(self) -> None:
         self.values: list[Value] = []
-        self._known: list[dict[Any, Value]] = [{}]  # of the arms that are open
+        self._known: list[dict[tuple[object, ...], Value]] = [{}]  # of the arms that are open
 
-    def value(self, template: str, *arguments: Any, truth: bool = False) -> Value:
+    def value(self, template: str, *arguments: Number, truth: bool = False) -> Value:
         key = (template, *(x if isinstance(x, Value) else repr(x) for x in arguments))
         for known in self._known:
             if key in known:
@@ -109,39 +114,42 @@ class Trace:
         self.values.append(made)
         return made
 
-    def both(self, a: Any, b: Any) -> Any:
+    def both(self, a: Number, b: Number) -> Number:
         return self.value("({0} and {1})", a, b, truth=True)
 
-    def either(self, a: Any, b: Any) -> Any:
+    def either(self, a: Number, b: Number) -> Number:
         return self.value("({0} or {1})", a, b, truth=True)
 
-    def larger(self, a: Any, b: Any) -> Any:
+    def larger(self, a: Number, b: Number) -> Number:
         return self.where(self.value("({0} > {1})", b, a, truth=True), b, a)
 
-    def smaller(self, a: Any, b: Any) -> Any:
+    def smaller(self, a: Number, b: Number) -> Number:
         return self.where(self.value("({0} < {1})", b, a, truth=True), b, a)
 
-    def over(self, a: Any, b: Any) -> Any:
+    def over(self, a: Number, b: Number) -> Number:
         return self.pick(b != 0, lambda: (a / b,), lambda: (self._over(a, b),))[0]
 
-    def circle(self, angle: Any) -> tuple[Any, Any]:
+    def circle(self, angle: Number) -> tuple[Number, Number]:
         """cos and sin."""
         return self.cos(angle), self.sin(angle)
 
     @staticmethod
-    def cubics(coefficients: Sequence[Sequence[Any]], x: Any) -> Sequence[Any]:
+    def cubics(coefficients: Sequence[Sequence[Number]], x: Number) -> Sequence[Number]:
         return [((c[3] * x + c[2]) * x + c[1]) * x + c[0] for c in coefficients]
 
     @staticmethod
-    def any(condition: Any) -> bool:
+    def any(condition: Number) -> bool:
         return condition if isinstance(condition, bool) else True
 
-    def where(self, condition: Any, one: Any, other: Any) -> Any:
+    def where(self, condition: Number, one: Number, other: Number) -> Number:
         return self.pick(condition, lambda: (one,), lambda: (other,))[0]
 
     def pick(
-        self, condition: Any, one: Callable[[], Sequence[Any]], other: Callable[[], Sequence[Any]]
-    ) -> Sequence[Any]:
+        self,
+        condition: Number,
+        one: Callable[[], Sequence[Number]],
+        other: Callable[[], Sequence[Number]],
+    ) -> Sequence[Number]:
         if isinstance(condition, bool):
             return one() if condition else other()
         arms = []
@@ -156,7 +164,7 @@ class Trace:
             for k, pair in enumerate(zip(*arms, strict=True))
         )
 
-    def _part(self, branch: Value, index: int, pair: tuple[Any, Any]) -> Value:
+    def _part(self, branch: Value, index: int, pair: tuple[Number, Number]) -> Value:
         truth = all(x.truth if isinstance(x, Value) else isinstance(x, bool) for x in pair)
         made = Value(self, "", (branch, index), truth)
         self.values.append(made)
@@ -237,7 +245,7 @@ class _Lines:
             for each in self.results
         ]
 
-    def _branch(self, number: int, branch: Value, arms: tuple[Any, Any]) -> None:
+    def _branch(self, number: int, branch: Value, arms: tuple[Number, Number]) -> None:
         block, condition = self.blocks[branch], self._text(branch.arguments[0])
         sides = [(*block, (id(branch), kept)) for kept in (True, False)]
         parts = {part.arguments[1]: part for part in self.parts[branch]}

@@ -15,6 +15,7 @@ import warnings
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -167,7 +168,7 @@ def measure(quick: bool = False, progress: Progress | None = None) -> list[Row]:
     return measured(tasks, 1 if quick else ROUNDS, progress)
 
 
-def _module(name: str) -> Any:
+def _module(name: str) -> ModuleType | None:
     """A package that may be missing."""
     try:
         return importlib.import_module(name)
@@ -202,7 +203,7 @@ def _trajectory(samples: int) -> list[Way]:
     t = np.linspace(0.0, END, samples)
     exact, compiled, heyoka = _other(EXAMPLE, samples)
 
-    def dop853() -> Any:
+    def dop853() -> object:
         return solve_ivp(
             lambda _, state: _system(state.tolist()),
             (0.0, END),
@@ -213,7 +214,7 @@ def _trajectory(samples: int) -> list[Way]:
             atol=TOLERANCE,
         ).y
 
-    def lsoda() -> Any:
+    def lsoda() -> object:
         return odeint(
             lambda state, _: _system(state.tolist()),
             STATE,
@@ -238,7 +239,7 @@ def _other(kind: Kind, samples: int) -> list[Way]:
     t, truth = np.linspace(0.0, END, samples), np.array(kind.truth)
     theta, *rates = kind.start
 
-    def exact(compiled: bool = False) -> Any:
+    def exact(compiled: bool = False) -> object:
         path = kind.motion().exact(t, compiled)
         if kind.moments is not None:
             return [*path.quaternion.T, *path.omega.T]
@@ -281,7 +282,7 @@ def _heyoka_grid(
         rates = list(equations.heavy_body(*moments, *[0.0] * 5)(state))
     integrator = heyoka.taylor_adaptive(list(zip(state, rates, strict=True)), list(start))
 
-    def go() -> Any:
+    def go() -> object:
         integrator.time = 0.0
         integrator.state[:] = start
         return integrator.propagate_grid(t)[-1].T
@@ -328,7 +329,7 @@ def _pydy(t: Floats, last: Callable[[Any], float] | None) -> Way:
         system.generate_ode_function(generator="lambdify")
     order = [system.states.index(x) for x in (*angles, *speeds)]
 
-    def go() -> Any:
+    def go() -> object:
         with _quiet():
             return system.integrate(rtol=TOLERANCE, atol=TOLERANCE, mxstep=100_000).T[order]
 

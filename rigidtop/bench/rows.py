@@ -22,7 +22,7 @@ class Way:
     """One way of doing something: `go` returns what was computed, and is None without a package."""
 
     name: str
-    go: Callable[[], Any] | None
+    go: Callable[[], object] | None
     error: Callable[[Any], float] | None = None
     note: str = ""
     rounds: int = ROUNDS
@@ -63,7 +63,7 @@ class Row:
     kind: str = ""
 
 
-def seconds(go: Callable[[], Any]) -> float:
+def seconds(go: Callable[[], object]) -> float:
     """Of one go; if it is short, the median of several."""
     begin, taken = perf_counter(), list[float]()
     while not taken or perf_counter() - begin < SHORTEST:
@@ -74,7 +74,7 @@ def seconds(go: Callable[[], Any]) -> float:
 
 
 def rows_of(
-    task: Task, rounds: int, clock: Callable[[Callable[[], Any]], float] = seconds
+    task: Task, rounds: int, clock: Callable[[Callable[[], object]], float] = seconds
 ) -> list[Row]:
     """A row for each of its ways."""
     ways = task.ways()
@@ -124,7 +124,7 @@ def _shares(ways: Sequence[Row]) -> list[float | None]:
     return [None if way.seconds is None else way.seconds / unit for way in ways]
 
 
-def records(rows: Sequence[Row]) -> list[dict[str, Any]]:
+def records(rows: Sequence[Row]) -> list[dict[str, object]]:
     """The rows for JSON, with their ratios."""
     return [
         {**vars(row), "ratio": None if share is None or math.isnan(share) else share}

@@ -28,10 +28,9 @@ import re
 import textwrap
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy
-from sympy import Expr, Pow, Symbol
+from sympy import Basic, Expr, Pow, Symbol
 from sympy.core.relational import Relational
 from sympy.printing.c import C99CodePrinter
 from sympy.printing.codeprinter import CodePrinter
@@ -63,14 +62,14 @@ class Source:
     text: str
 
 
-def plain(tree: Any) -> str:
+def plain(tree: Basic) -> str:
     """Equations, conditions and symbols in SymPy's own words."""
     if isinstance(tree, Equation):
         return f" {tree.relation} ".join(map(str, tree.sides))
     return f"{tree.lhs} {tree.rel_op} {tree.rhs}" if isinstance(tree, Relational) else str(tree)
 
 
-def source(made: Values, language: str, shown: Callable[[Any], str] = plain) -> Source:
+def source(made: Values, language: str, shown: Callable[[Expr], str] = plain) -> Source:
     """What a claim has to evaluate, as a file in one of `LANGUAGES`.
 
     `shown` writes equations, conditions and symbols in the comment.  Names that a language
@@ -116,7 +115,7 @@ class Language:
     ignores_case: bool = False
 
 
-def _program(made: Values, language: Language, shown: Callable[[Any], str]) -> Program:
+def _program(made: Values, language: Language, shown: Callable[[Expr], str]) -> Program:
     taken = set(language.reserved)
     name = _free_name(function_name(made.claim), taken, language.ignores_case)
     taken.add(f"{name}_module")
@@ -181,7 +180,7 @@ def shared_parts(
     return shared, reduced[: len(expressions)]
 
 
-def _about(made: Values, name: str, shown: Callable[[Any], str]) -> Iterator[str]:
+def _about(made: Values, name: str, shown: Callable[[Expr], str]) -> Iterator[str]:
     """Name, claim, equations, axes, conditions."""
     yield from textwrap.wrap(f"{name}: {unmarked(made.says)}", WIDTH - 8)
     yield ""
@@ -208,7 +207,7 @@ def _about(made: Values, name: str, shown: Callable[[Any], str]) -> Iterator[str
     yield ""
 
 
-def _conditions(line: Line, shown: Callable[[Any], str]) -> str:
+def _conditions(line: Line, shown: Callable[[Expr], str]) -> str:
     return "; ".join(dict.fromkeys(_condition(c, shown) for c in line.assuming))
 
 
@@ -217,7 +216,7 @@ def _hanging(text: str) -> list[str]:
     return textwrap.wrap(text, WIDTH - 8, subsequent_indent=indent, break_long_words=False)
 
 
-def _condition(assumption: Assumption, shown: Callable[[Any], str]) -> str:
+def _condition(assumption: Assumption, shown: Callable[[Expr], str]) -> str:
     relation = shown(assumption.condition)
     if assumption.otherwise is not None:
         relation = relation.replace(" = ", " → ", 1).replace(" == ", " → ", 1)
@@ -225,7 +224,7 @@ def _condition(assumption: Assumption, shown: Callable[[Any], str]) -> str:
     return f"{relation} ({words})" if words else relation
 
 
-def _argument(symbol: Symbol, shown: Callable[[Any], str]) -> str:
+def _argument(symbol: Symbol, shown: Callable[[Expr], str]) -> str:
     quantity = symbol.quantity if isinstance(symbol, Lettered) else VOCABULARY.get(symbol)
     letter = "" if shown(symbol) == symbol.name else shown(symbol)
     if quantity is None:
@@ -234,7 +233,7 @@ def _argument(symbol: Symbol, shown: Callable[[Any], str]) -> str:
     return ", ".join(filter(None, [letter, unmarked(quantity.meaning)])) + unit
 
 
-def _output(value: Value, shown: Callable[[Any], str]) -> str:
+def _output(value: Value, shown: Callable[[Expr], str]) -> str:
     if value.symbol is None:
         return "" if value.name == "residual" else shown(value.equation.sides[0])
     place = ", ".join(map(str, value.index))
@@ -258,8 +257,8 @@ class _Printer(CodePrinter):
 
     def text(self, expression: Expr) -> str:
         """One expression on one line."""
-        self._not_supported: set[Any] = set()
-        self._number_symbols: set[Any] = set()
+        self._not_supported: set[Expr] = set()
+        self._number_symbols: set[Expr] = set()
         text = str(self._print(expression))
         unknown = self._not_supported | self._number_symbols
         if unknown:

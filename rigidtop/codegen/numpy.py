@@ -66,7 +66,7 @@ def function(
     expressions: Iterable[Expr],
     arguments: Sequence[Symbol],
     name: str,
-    shared: Sequence[tuple[Symbol, Any]] = (),
+    shared: Sequence[tuple[Symbol, Expr]] = (),
 ) -> Function:
     """Make a function of `arguments`, in this order, that returns the values of `expressions`.
 
@@ -117,9 +117,9 @@ def _lambdified(
     expressions: list[Expr],
     arguments: Sequence[Symbol],
     module: str,
-    shared: Sequence[tuple[Symbol, Any]],
+    shared: Sequence[tuple[Symbol, Expr]],
 ) -> Any:
-    def lines(wanted: Sequence[Expr]) -> tuple[list[tuple[Symbol, Any]], list[Any]]:
+    def lines(wanted: Sequence[Expr]) -> tuple[list[tuple[Symbol, Expr]], list[Any]]:
         made, reduced = (shared, wanted) if shared else sympy.cse(wanted)
         taken = {x.name for x in (*arguments, *(name for name, _ in made))}
         free = (x for x in sympy.numbered_symbols("x") if x.name not in taken)

@@ -11,10 +11,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import sympy
 from sympy import Eq, Expr, Mul, Symbol
+from sympy.logic.boolalg import Boolean
 
 from rigidtop.proof.equation import Dot, Equation, Meaning, NoMeaningError, value
 from rigidtop.proof.page import Assumption, Correction, Step
@@ -61,7 +61,7 @@ class Values:
     outputs: tuple[Value, ...]
     arguments: tuple[Symbol, ...]
     lines: tuple[Line, ...]
-    vectors: tuple[tuple[Symbol, Any], ...] = ()
+    vectors: tuple[tuple[Symbol, Expr], ...] = ()
     """The axes and vectors of the equations with their components, where these are short."""
 
     note: str = ""
@@ -227,7 +227,7 @@ def _target(left: Expr) -> tuple[Expr, Symbol | list[Symbol]] | None:
     return None
 
 
-def _is_dot(left: Any) -> bool:
+def _is_dot(left: Expr) -> bool:
     return isinstance(left, Dot) and all(isinstance(x, Symbol) for x in left.args)
 
 
@@ -242,7 +242,7 @@ def _atoms(meaning: Meaning, left: Expr) -> set[Symbol]:
     return set(flat) if all(isinstance(e, Symbol) for e in flat) else set()
 
 
-def _components(vector: Any, like: sympy.MatrixBase) -> sympy.MatrixBase:
+def _components(vector: Expr, like: sympy.MatrixBase) -> sympy.MatrixBase:
     names = [f"{vector.name}{''.join(map(str, place))}" for place in _places(like.shape)]
     return sympy.Matrix(*like.shape, [Symbol(name, real=True) for name in names])
 
@@ -266,7 +266,7 @@ def _evaluated(
     return entries, made.shape if matrix else (1, 1)
 
 
-def _imposed(assumption: Assumption) -> Any:
+def _imposed(assumption: Assumption) -> Boolean:
     """What stands for a symbol that is fixed; in a limit the symbol's own value."""
     return assumption.condition.rhs if assumption.otherwise is None else assumption.otherwise
 
@@ -353,7 +353,7 @@ def _complete(
     return complete, "Solved together with (3.55) and (3.56); singular where sin θ = 0."
 
 
-def _vectors(sources: Iterable[_Source], takes: set[str]) -> Iterator[tuple[Symbol, Any]]:
+def _vectors(sources: Iterable[_Source], takes: set[str]) -> Iterator[tuple[Symbol, Expr]]:
     """Axes of what is resolved along them, and vectors whose components are arguments."""
     said: set[Symbol] = set()
     for source in sources:
@@ -398,7 +398,7 @@ def arguments(expressions: Iterable[Expr]) -> tuple[Symbol, ...]:
     # A symbol of another notation comes where that of the notes does.
     notes = {name: stands_for(x).name for name, x in free.items()}
 
-    def key(own: str) -> tuple[Any, ...]:
+    def key(own: str) -> tuple[int | str, ...]:
         name = notes[own]
         digits = [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", name)]
         place = 0 if name in state else 2 if name in parameters else 1
@@ -410,7 +410,7 @@ def arguments(expressions: Iterable[Expr]) -> tuple[Symbol, ...]:
 # --- In the symbols of another notation ----------------------------------------------------------
 
 
-def rewritten(made: Values, written: Callable[[Any], Any]) -> Values:
+def rewritten(made: Values, written: Callable[[Expr], Expr]) -> Values:
     """The same values with other symbols: `written` takes expressions and equations into them.
 
     What is −x of the other notation gives x, with its sign turned.
@@ -437,14 +437,14 @@ def rewritten(made: Values, written: Callable[[Any], Any]) -> Values:
 
 
 def _along_axes(
-    outputs: tuple[Value, ...], vectors: list[tuple[Symbol, Any]]
-) -> tuple[tuple[Value, ...], list[tuple[Symbol, Any]]]:
+    outputs: tuple[Value, ...], vectors: list[tuple[Symbol, Expr]]
+) -> tuple[tuple[Value, ...], list[tuple[Symbol, Expr]]]:
     """Components along e₁′, e₂′, e₃ as they are in the other notation: (1, 0, 0), and so on."""
     known = {stands_for(vector): part for vector, part in vectors}
     if {s.e1p, s.e2p} - set(known) or any(known[axis].free_symbols for axis in (s.e1p, s.e2p)):
         return outputs, vectors
     turn = sympy.Matrix.hstack(known[s.e1p], known[s.e2p], sympy.Matrix([0, 0, 1])).T
-    groups: dict[Any, list[Value]] = {}
+    groups: dict[Expr, list[Value]] = {}
     for output in outputs:
         groups.setdefault(output.symbol, []).append(output)
     turned: list[Value] = []
@@ -456,7 +456,7 @@ def _along_axes(
     return tuple(turned), [(vector, turn * part) for vector, part in vectors]
 
 
-def _rewritten(output: Value, written: Callable[[Any], Any]) -> Value:
+def _rewritten(output: Value, written: Callable[[Expr], Expr]) -> Value:
     expression, equation = written(output.expression), written(output.equation)
     if output.symbol is None:
         names = [x.name for x in getattr(equation.sides[0], "args", ()) if isinstance(x, Symbol)]

@@ -296,7 +296,7 @@ def _counted(others: Sequence[Row], which: str) -> str:
 
 def _bare_record(
     name: str, line: int | None, verdict: str, note: str, passed: bool | None
-) -> dict[str, Any]:
+) -> dict[str, object]:
     """What `--json` says where there is no numbered equation; `passed` null: not judged."""
     return {
         "name": name,
@@ -310,12 +310,12 @@ def _bare_record(
     }
 
 
-def record(each: Audited) -> dict[str, Any]:
+def record(each: Audited) -> dict[str, object]:
     """What `--json` says of an equation: what `rigidtop check` does, and its places."""
     from rigidtop.report.records import record as of_judgement
     from rigidtop.typeset.text import text
 
-    made: dict[str, Any] = {"name": each.number, "reference": "", "assumptions": []}
+    made: dict[str, object] = {"name": each.number, "reference": "", "assumptions": []}
     if each.judgement is not None:
         judged = of_judgement(each.judgement)
         made |= {key: judged[key] for key in ("reference", "assumptions")}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rigidtop.commands import motions
 from rigidtop.commands.output import print_json
@@ -58,7 +58,7 @@ def run(options: argparse.Namespace) -> int:
     return 0 if found.passed else DISAGREE
 
 
-def record(found: Certificate) -> dict[str, Any]:
+def record(found: Certificate) -> dict[str, object]:
     """A certificate as plain values."""
     return {
         "passed": found.passed,

@@ -90,7 +90,8 @@ def _run(
         print_json(records)
         return 0 if passed else claims.FAILED
     colors = VERDICT_COLORS if wants_color(sys.stdout) else None
-    rows = [[r["reference"], r["name"], r["verdict"], r["note"]] for r in records]
+    columns = ("reference", "name", "verdict", "note")
+    rows = [[str(each[column]) for column in columns] for each in records]
     print(table(rows, ("section", "claim", "verdict", "note"), colors=colors))
     measured = measures(judgements)
     if measured:

@@ -153,7 +153,7 @@ def _print_list(figures: tuple[Drawing, ...], as_json: bool) -> None:
             print("    " + line)
 
 
-def _record(drawing: Drawing) -> dict[str, Any]:
+def _record(drawing: Drawing) -> dict[str, object]:
     """A figure as plain values."""
     return {
         "name": drawing.name,

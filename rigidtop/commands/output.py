@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import json
-from typing import Any
 
 
-def print_json(value: Any) -> None:
+def print_json(value: object) -> None:
     """Values as JSON, with every letter as it is written; NaN is an error, since it is none."""
     print(json.dumps(value, ensure_ascii=False, indent=1, allow_nan=False))

@@ -97,7 +97,7 @@ def _lines(
 
 def _records(
     rows: list[tuple[Source, int, int, str, str, Line]], said: Mapping[Glyph, Spoken], several: bool
-) -> list[dict[str, Any]]:
+) -> list[dict[str, object]]:
     from rigidtop.typeset.letters import is_letter, roles
     from rigidtop.typeset.text import letter, text
 

@@ -180,13 +180,13 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def summary(found: Map) -> dict[str, Any]:
+def summary(found: Map) -> dict[str, object]:
     """What a map holds, as plain values, read piece by piece."""
     import numpy as np
 
     from rigidtop.motion.sweep import REGIMES
 
-    record: dict[str, Any] = {
+    record: dict[str, object] = {
         "file": str(found.path),
         "quantity": found.sweep.quantity,
         "axes": list(found.sweep.axes),

@@ -38,7 +38,7 @@ from rigidtop.figures.style import (
     said,
     spoken,
 )
-from rigidtop.motion.table.motion import SlidingTop
+from rigidtop.motion.table.motion import SlidingMotion, SlidingTop
 from rigidtop.motion.table.trajectory import SlidingTrajectory
 from rigidtop.parameters import Parameter
 
@@ -76,7 +76,7 @@ def _risen(until: float, **values: float) -> SlidingTrajectory:
         raise RigidtopError(
             f"until = {until:g} must be less than theta = {values['theta']:g}: the top rises"
         )
-    motion = rising(**values)
+    motion: SlidingMotion = rising(**values)
     top, spin = motion.body, values["omega3"]
     # The weight's friction turns L, of about λ₃ω₃, upright; the slip ends about then.
     upright = values["theta"] * top.lambda3 * spin / (top.mu * top.M * top.g * top.R)

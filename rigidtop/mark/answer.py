@@ -155,7 +155,7 @@ class _Answer:
     passage: Passage
     marked: list[Marked] = field(default_factory=list)
     true: list[Equation] = field(default_factory=list)
-    definitions: dict[Any, Any] = field(
+    definitions: dict[Expr, Expr] = field(
         default_factory=lambda: {slope: p for p, slope in models.SLOPES_IN_RATES.items()}
     )
     wrong: list[tuple[int, Equation]] = field(default_factory=list)
@@ -257,7 +257,7 @@ class _Answer:
             return False
         return not any(is_own(x) and x not in self.definitions for x in meant.free_symbols)
 
-    def _own_replaced(self, side: Any) -> Any:
+    def _own_replaced(self, side: Expr) -> Any:
         """A side with the student's letters replaced by what they were defined as."""
         if is_matrix(side):
             return side.applyfunc(self._own_replaced)
@@ -422,7 +422,7 @@ class _Answer:
             candidates += [x for side in equation.sides for x in _under_rate(side)]
         return [what for what in candidates if self._is_momentum(what, goal)]
 
-    def _is_momentum(self, what: Any, goal: Expr) -> bool:
+    def _is_momentum(self, what: Expr, goal: Expr) -> bool:
         loose, momentum = self.passage.loose, self.passage.conserved
         if what == momentum:
             return True
@@ -431,13 +431,13 @@ class _Answer:
         found = loose.value(what)
         return decide.vanishes(found - momentum + goal) or decide.vanishes(found - momentum - goal)
 
-    def _is_written_out(self, side: Any) -> bool:
+    def _is_written_out(self, side: Expr) -> bool:
         """Whether it is the momentum in moments and rates, not another letter for it."""
         if is_matrix(side) or not side.free_symbols & {s.lambda1, s.lambda3}:
             return False
         return self.passage.conserved != s.p_psi or s.L3 not in side.free_symbols
 
-    def _is_shown(self, what: Any) -> bool:
+    def _is_shown(self, what: Expr) -> bool:
         """Whether what is constant is written out, there or in another line."""
         if self._is_written_out(what):
             return True
@@ -450,7 +450,7 @@ class _Answer:
 _NO_ASSUMPTION = "an assumption is that a rational expression in sines and cosines is not zero"
 
 
-def _is_analytic(side: Any) -> bool:
+def _is_analytic(side: Expr) -> bool:
     """Whether it vanishes at single motions only, or for all: no |x|, root or inverse function.
 
     What such an assumption excludes has no interior; nearly every motion remains.
@@ -461,7 +461,7 @@ def _is_analytic(side: Any) -> bool:
     return functions <= {sin, cos} and all(power.exp.is_Integer for power in side.atoms(Pow))
 
 
-def _under_rate(side: Any) -> list[Any]:
+def _under_rate(side: Expr) -> list[Any]:
     """What a side is the rate of: d/dt p, ṗ."""
     if isinstance(side, Rate):
         return [side.args[0]]
@@ -471,7 +471,7 @@ def _under_rate(side: Any) -> list[Any]:
     return []
 
 
-def _differences(left: Any, right: Any, model: Model) -> list[Expr]:
+def _differences(left: Expr, right: Expr, model: Model) -> list[Expr]:
     try:
         return [one_angle(d) for d in entries(model.value(left), model.value(right))]
     except ERRORS:

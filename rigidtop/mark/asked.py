@@ -15,7 +15,6 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import pairwise
-from typing import Any
 
 import sympy
 from sympy import Expr, Integer, Symbol
@@ -108,7 +107,7 @@ def of_the_top() -> list[Model]:
     made = []
     of_marks = (model for family in models.families() for model in family)
     for model in (*of_marks, models.turning()):
-        more: dict[Any, Any] = {}
+        more: dict[Expr, Expr] = {}
         if s.omega_vec in model.meaning and s.T in model.meaning:
             symmetric = s.Lagrangian in model.meaning
             more[s.inertia] = sympy.diag(
@@ -127,9 +126,9 @@ class _Asking:
 
     model: Model
     lecture: Lecture
-    defined: list[tuple[str, Any, Any]] = field(default_factory=list)
+    defined: list[tuple[str, Expr, Expr]] = field(default_factory=list)
     found: dict[str, bool | None] = field(default_factory=dict)
-    slopes: dict[Any, Expr] = field(default_factory=dict)
+    slopes: dict[Expr, Expr] = field(default_factory=dict)
     """Of letters that are functions of others: their slopes, in these."""
 
     def names(self, line: Line) -> bool:
@@ -167,7 +166,7 @@ class _Asking:
         """With what was defined, and with slopes: a letter is one of coordinates and rates."""
         own, meaning = self._own(line.file), self.model.meaning
         slopes = {node for e in line.equations for x in e.sides for node in x.atoms(Partial)}
-        known: dict[Any, Any] = {
+        known: dict[Expr, Expr] = {
             Partial(f, x): meaning[f].diff(x)
             for f, x in (node.args for node in slopes)
             if f in meaning and f not in self.lecture.letters.functions and x in self.model.rates

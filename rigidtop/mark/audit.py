@@ -532,7 +532,7 @@ def _at(link: Link, found: LinkVerdict) -> str:
     return f"{f'at {values}: ' * bool(values)}the left side is {left}, the right side {right}"
 
 
-def _is_spatial(symbol: Any) -> bool:
+def _is_spatial(symbol: sympy.Expr) -> bool:
     return kind(symbol) != "scalar"
 
 

@@ -44,7 +44,7 @@ class Answered:
     marking: Marking
 
     @property
-    def record(self) -> dict[str, Any]:
+    def record(self) -> dict[str, object]:
         """What the teacher keeps."""
         named = {"exercise": self.asked, "from": self.start, "to": self.goal}
         return {**named, **record(self.marking)}
@@ -57,7 +57,7 @@ class Answered:
     def lines(self) -> Any:
         return self.marking.lines
 
-    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, object]:
         """What a front end shows: a table, and the words; the record goes with it, unseen."""
         rows = ["| line | read | verdict | |", "|---|---|---|---|"]
         for x in self.lines:

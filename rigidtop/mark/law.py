@@ -56,7 +56,7 @@ def moves(x: Symbol) -> bool:
     return "dot" in accent(x) or base(x)[:1] in ANGLES
 
 
-def functions_of(*expressions: Expr) -> set[Any]:
+def functions_of(*expressions: Expr) -> set[Expr]:
     return {f.func for x in expressions for f in x.atoms(AppliedUndef)}
 
 
@@ -81,7 +81,7 @@ class Law:
     broken: bool = False
 
     @property
-    def functions(self) -> set[Any]:
+    def functions(self) -> set[Expr]:
         """Functions of which nothing is known."""
         return functions_of(*self.vanishing)
 

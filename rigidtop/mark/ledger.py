@@ -44,7 +44,7 @@ class Given:
     section: int
     stated: bool = True
     """Whether it is said, rather than the rate of what is said."""
-    side: Any = None
+    side: Expr | None = None
     """As it was written, where the letter itself is said."""
 
 
@@ -79,7 +79,9 @@ class Ledger:
         along = self.law.q if self.law is not None else ()
         return self.moves.get(self.section, frozenset()) | {*along}
 
-    def give(self, letter: Lettered, value: Expr, rests: frozenset[int], side: Any = None) -> None:
+    def give(
+        self, letter: Lettered, value: Expr, rests: frozenset[int], side: Expr | None = None
+    ) -> None:
         """A letter that changes in time gives its rates too."""
         times = 3 if letter in self.moving else 1
         meant = {letter: value}
@@ -116,7 +118,7 @@ class Ledger:
         expanded = tuple(sympy.expand(x) for x in vanishing)
         return Law(q, expanded, known.rests, "by Lagrange's equations", known.section, value)
 
-    def bare(self, side: Any) -> Expr:
+    def bare(self, side: Expr) -> Expr:
         """A side in its own letters, nothing put in."""
         return Ledger({0: self.moving}, {}).value(side)
 
@@ -137,7 +139,7 @@ class Ledger:
             return lagrangian.energy(L, v)
         return None
 
-    def value(self, node: Any) -> Expr:
+    def value(self, node: Expr) -> Expr:
         """A tree with all that is given put in.  Raises NoMeaningError."""
         node = sympy.sympify(node)
         if isinstance(node, sympy.MatrixBase):

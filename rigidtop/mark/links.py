@@ -21,8 +21,8 @@ from rigidtop.typeset.text import text
 class Link:
     """Two neighbouring sides.  `right` None: the left one is constant."""
 
-    left: Any
-    right: Any
+    left: Expr
+    right: Expr
 
 
 @dataclass(frozen=True)
@@ -31,8 +31,8 @@ class Verdict:
 
     holds: bool | None
     at: Sample | None = None
-    left: Any = None
-    right: Any = None
+    left: Expr | None = None
+    right: Expr | None = None
     why: str = ""
 
 
@@ -66,7 +66,7 @@ def judge(link: Link, model: Model) -> Verdict:
         return Verdict(None, why="nested too deeply")
 
 
-def sides_of(link: Link, model: Model) -> tuple[Any, Any]:
+def sides_of(link: Link, model: Model) -> tuple[Expr, Expr]:
     """The values of the two sides in the free symbols; a rate and 0 of what is constant."""
     if link.right is None:
         left = model.rate(link.left)
@@ -93,7 +93,7 @@ def in_numbers(link: Link, model: Model, samples: Sequence[Sample]) -> list[tupl
     return made
 
 
-def apart(left: Any, right: Any) -> bool:
+def apart(left: Expr, right: Expr) -> bool:
     """Whether two values differ by more than rounding."""
     size = 1 + max(abs(e) for side in (left, right) for e in (side if _is_matrix(side) else [side]))
     return any(decide.holds("≠", difference, size) for difference in entries(left, right))
@@ -110,7 +110,7 @@ def one_angle(expression: Expr) -> Expr:
     return expression.xreplace({angle: sympy.cancel(angle) for angle in angles})
 
 
-def _is_matrix(side: Any) -> bool:
+def _is_matrix(side: Expr) -> bool:
     return isinstance(side, MatrixBase)
 
 

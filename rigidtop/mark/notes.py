@@ -310,7 +310,7 @@ class _Judge(Ledger):
                 return (kinetic, potential), sign
         return None
 
-    def linked(self, number: int, line: Line, left: Any, right: Any, inner: bool = False) -> Held:
+    def linked(self, number: int, line: Line, left: Expr, right: Expr, inner: bool = False) -> Held:
         self.used = set()
         if right is None:
             sides = (self.total(self.value(left)), sympy.sympify(0))
@@ -351,7 +351,7 @@ class _Judge(Ledger):
         self.used = rests
         return self.refuted(left, right, sides, inner, made)
 
-    def either(self, line: Line, left: Any, right: Any, other: Any) -> Held:
+    def either(self, line: Line, left: Expr, right: Expr, other: Any) -> Held:
         """One of two lines that ± makes: where it does not hold the other one has to."""
         self.used = set()
         one, two = (self.value(left) - self.value(side) for side in (right, other))
@@ -392,8 +392,8 @@ class _Judge(Ledger):
 
     def refuted(
         self,
-        left: Any,
-        right: Any,
+        left: Expr,
+        right: Expr,
         sides: tuple[Expr, Expr],
         inner: bool,
         made: Callable[..., Held],
@@ -483,7 +483,7 @@ class _Judge(Ledger):
         told = known is not None and (len(known.rests) > 1 or right.has(*self.given))
         return told and mine == theirs
 
-    def is_other(self, left: Any, right: Any, residual: Expr) -> bool:
+    def is_other(self, left: Expr, right: Expr, residual: Expr) -> bool:
         """Whether a letter of which something was said stands for something else from here on."""
         if right is None or left not in self.given or accent(left):
             return False
@@ -621,7 +621,7 @@ class _Judge(Ledger):
         return None
 
     def premise(
-        self, number: int, line: Line, left: Any, right: Any, residual: Expr
+        self, number: int, line: Line, left: Expr, right: Expr, residual: Expr
     ) -> Held | None:
         """What a line brings that is new: a quantity by its square, an equation of motion, what is
         set for a special motion."""
@@ -688,7 +688,7 @@ def _letters(side: Any) -> set[Symbol]:
     return set(getattr(side, "free_symbols", ()))
 
 
-def _differentiates(side: Any) -> bool:
+def _differentiates(side: Expr) -> bool:
     return bool(side.atoms(eq.Rate, eq.Partial, eq.Slope)) if isinstance(side, Expr) else False
 
 

@@ -148,7 +148,7 @@ def _told(equation: Equation, model: Model) -> list[Any]:
 
 def _loose(equations: Sequence[Equation], model: Model) -> Model | None:
     """The model without what the goal tells; None where the goal is an identity all the same."""
-    free: dict[Any, Any] = {}
+    free: dict[Expr, Expr] = {}
     for x in (x for e in equations for x in _told(e, model)):
         meant = model.meaning[x]
         is_matrix = isinstance(meant, MatrixBase)
@@ -212,11 +212,11 @@ def way(start: str, goal: str) -> Way:
 
 def _of_page(equation: Equation) -> Iterator[Equation]:
     """An equation of an answer as the pages may have it: ∂ℒ/∂q̇ is the momentum, or not yet."""
-    slopes: dict[Any, Expr] = {
+    slopes: dict[Expr, Expr] = {
         **{slope: Partial(s.Lagrangian, q) for q, slope in models.SLOPES.items()},
         **{dotted: Rate(p) for p, dotted in models.MOMENTUM_RATES.items()},
     }
-    momenta: dict[Any, Expr] = {
+    momenta: dict[Expr, Expr] = {
         p: Partial(s.Lagrangian, rate) for p, rate in zip(top.CONJUGATE, top.RATES, strict=True)
     }
     with sympy.evaluate(False):

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from rigidtop.mark.answer import Marking
 
 
-def record(found: Marking) -> dict[str, Any]:
+def record(found: Marking) -> dict[str, object]:
     """A marking as plain values.
 
     >>> record(Marking((), True, "3.57"))["summary"]

@@ -13,7 +13,7 @@ from functools import partial
 from typing import Any
 
 import sympy
-from sympy import Add, Integer, Mul, Pow, Rational, Symbol, cos, sin
+from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol, cos, sin
 
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.notation import MATRICES
@@ -38,13 +38,13 @@ class Repair:
     """A slip, and the side without it."""
 
     slip: Slip
-    side: Any
+    side: Expr
 
 
 Holds = Callable[[Any, Any], bool]
 
 
-def found(left: Any, right: Any, holds: Holds) -> tuple[Slip, ...]:
+def found(left: Expr, right: Expr, holds: Holds) -> tuple[Slip, ...]:
     """The slips that would explain why left = right fails, one of a kind.
 
     `holds` tells whether two sides are equal, by numbers; a repair for which it raises an
@@ -68,7 +68,7 @@ def found(left: Any, right: Any, holds: Holds) -> tuple[Slip, ...]:
     return tuple(made.values())
 
 
-def repairs(side: Any) -> Iterator[Repair]:
+def repairs(side: Expr) -> Iterator[Repair]:
     """A side with one thing in it put right, for every thing that could be a slip."""
     if isinstance(side, sympy.MatrixBase):
         for k, entry in enumerate(side):
@@ -84,7 +84,7 @@ def repairs(side: Any) -> Iterator[Repair]:
     yield from _inside(side)
 
 
-def _inside(node: Any) -> Iterator[Repair]:
+def _inside(node: Expr) -> Iterator[Repair]:
     yield from _here(node)
     for k, argument in enumerate(node.args):
         if isinstance(node, Pow) and k == 1:
@@ -95,7 +95,7 @@ def _inside(node: Any) -> Iterator[Repair]:
             yield Repair(repair.slip, rebuilt)
 
 
-def _of_term(term: Any, put: Callable[[Any], Any]) -> list[Repair]:
+def _of_term(term: Expr, put: Callable[[Any], Any]) -> list[Repair]:
     """What can be wrong with a term as a whole."""
     shown = _shown(term)
     lost = [
@@ -121,7 +121,7 @@ def _of_term(term: Any, put: Callable[[Any], Any]) -> list[Repair]:
     return made
 
 
-def _here(node: Any) -> Iterator[Repair]:
+def _here(node: Expr) -> Iterator[Repair]:
     if isinstance(node, Add):
         for k, term in enumerate(node.args):
             if isinstance(term, Add):
@@ -153,11 +153,11 @@ def _here(node: Any) -> Iterator[Repair]:
         yield Repair(Slip("sign", f"the order of {text(a)} × {text(b)}"), Cross(b, a))
 
 
-def _between(before: tuple[Any, ...], behind: tuple[Any, ...], term: Any) -> Any:
+def _between(before: tuple[Any, ...], behind: tuple[Any, ...], term: Expr) -> Any:
     return Add(*before, term, *behind, evaluate=False)
 
 
-def _raised(base: Any, exponent: Any) -> Any:
+def _raised(base: Expr, exponent: Expr) -> Any:
     return Pow(base, exponent, evaluate=False)
 
 
@@ -178,7 +178,7 @@ def _of_symbol(node: Symbol) -> Iterator[Repair]:
     yield Repair(Slip("power", f"the power of {text(node)}"), _raised(node, Integer(2)))
 
 
-def _shown(term: Any) -> str:
+def _shown(term: Expr) -> str:
     """A term without its sign."""
     if isinstance(term, Mul) and term.args[0] == -1:
         term = Mul(*term.args[1:], evaluate=False) if len(term.args) > 2 else term.args[1]

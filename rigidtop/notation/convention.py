@@ -75,7 +75,7 @@ class Notation:
         found = self.names.get(glyph) or self.names.get(replace(glyph, bold=True))
         return own(glyph) if found is None and self.open else found
 
-    def written(self, tree: Any) -> Any:
+    def written(self, tree: Expr) -> Any:
         """An expression, matrix, condition or `Equation` of the notes, in this notation's symbols.
 
         Where the Euler angles differ, φ and ψ are shifted by a quarter turn.  It stays typed.
@@ -86,7 +86,7 @@ class Notation:
         """The way back: what is in this notation's symbols, in those of the notes."""
         return translated(tree, self._back)
 
-    def read(self, tree: Any) -> Any:
+    def read(self, tree: Expr) -> Any:
         """What was read by this notation's glyphs, in the symbols of the notes.
 
         The reader names a role, `phi` for what is written φ; here it becomes what it means.

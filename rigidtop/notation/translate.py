@@ -58,7 +58,7 @@ def inverse(images: Images) -> dict[Symbol, Image]:
     }
 
 
-def translated(tree: Any, images: Images) -> Any:
+def translated(tree: Expr, images: Images) -> Any:
     """An expression, a matrix, a condition or an `Equation` with every symbol replaced.
 
     >>> from rigidtop.theory.symbols import phi, psi, theta
@@ -74,12 +74,12 @@ def translated(tree: Any, images: Images) -> Any:
     if isinstance(tree, sympy.MatrixBase):
         return type(tree)(*tree.shape, [translated(entry, images) for entry in tree])
     typed = is_typed(tree)
-    context: AbstractContextManager[Any] = as_printed() if typed else nullcontext()
+    context: AbstractContextManager[None] = as_printed() if typed else nullcontext()
     with context:
         return _made(*_signed(tree, images))
 
 
-def _concerns(tree: Any, images: Images) -> bool:
+def _concerns(tree: Expr, images: Images) -> bool:
     return any(symbol in images for symbol in tree.atoms(Symbol))
 
 
@@ -151,7 +151,7 @@ def _negated(tree: Expr) -> Expr:
     return positive if positive is not None else Mul(-1, tree)
 
 
-def _without_minus(tree: Expr) -> Any | None:
+def _without_minus(tree: Expr) -> Expr | None:
     """What a minus sign stands before, if one does."""
     if tree.is_Number:
         return -tree if tree < 0 else None
@@ -213,7 +213,7 @@ def _derivative(tree: Derivative, images: Images) -> Signed:
     return negative, Derivative(body, *variables)
 
 
-def _trigonometric(tree: Any, images: Images) -> Signed:
+def _trigonometric(tree: Expr, images: Images) -> Signed:
     """sin, cos or tan with whole quarter turns taken out of the argument."""
     argument = tree.args[0]
     offset = _offset(argument, images)
@@ -246,7 +246,7 @@ def _shifted(argument: Expr, images: Images) -> Iterator[Symbol]:
     return (x for x in argument.free_symbols if x in images and images[x].quarters)
 
 
-def _turned(function: Any, quarters: int) -> tuple[bool, Any]:
+def _turned(function: Any, quarters: int) -> tuple[bool, Expr]:
     """f(x + quarters · π/2) as ± g(x); of the tangent after an odd number, as −1/tan x."""
     if function is tan:
         return bool(quarters % 2), tan

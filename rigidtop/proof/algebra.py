@@ -152,11 +152,11 @@ class Algebra:
     """Computes with printed trees; `known` has the values that are put in for atoms."""
 
     letters: Letters
-    known: Mapping[Any, Value] = field(default_factory=dict)
+    known: Mapping[Expr, Value] = field(default_factory=dict)
 
     # --- trees -------------------------------------------------------------------------------
 
-    def value(self, node: Any) -> Value:
+    def value(self, node: Expr) -> Value:
         """What a printed tree says, with what is known put in."""
         if isinstance(node, Vector):
             return self.total(
@@ -561,7 +561,7 @@ class Algebra:
         scalar = Mul(*(f for f in Mul.make_args(term) if f is not atom))
         return scalar * self._dot_atoms(atom, other)
 
-    def integrated(self, variable: Symbol, low: Any, high: Any, body: Any) -> Expr:
+    def integrated(self, variable: Symbol, low: Expr, high: Expr, body: Expr) -> Expr:
         """The integral of a scalar, where a primitive of it is known."""
         bound = Dummy(real=True)
         flat, nodes = flattened(self.value(body.xreplace({variable: bound})))

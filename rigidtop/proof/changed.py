@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol, cos, sin
@@ -56,7 +55,7 @@ def perturbations(equation: Equation, families: Families = ()) -> tuple[Perturba
         )
 
 
-def _changed_side(side: Expr, families: Families) -> Iterator[tuple[Any, str]]:
+def _changed_side(side: Expr, families: Families) -> Iterator[tuple[Expr, str]]:
     """A side with one change in it; of a matrix one entry is changed."""
     if not isinstance(side, sympy.MatrixBase):
         yield from _changed(side, families)
@@ -67,7 +66,7 @@ def _changed_side(side: Expr, families: Families) -> Iterator[tuple[Any, str]]:
             yield sympy.ImmutableMatrix(*side.shape, new), f"entry {k + 1}: {change}"
 
 
-def _changed(node: Expr, families: Families) -> Iterator[tuple[Any, str]]:
+def _changed(node: Expr, families: Families) -> Iterator[tuple[Expr, str]]:
     """The tree with one change at this node or below it."""
     yield from _changed_here(node, families)
     if isinstance(node, Matrices):
@@ -94,7 +93,7 @@ def _stands(node: Expr, k: int) -> bool:
     )
 
 
-def _changed_here(node: Expr, families: Families) -> Iterator[tuple[Any, str]]:
+def _changed_here(node: Expr, families: Families) -> Iterator[tuple[Expr, str]]:
     """The changes of a node itself, typed as printed."""
     if node in (0, const):
         return

@@ -387,7 +387,7 @@ def somewhere(atom: Expr, attempt: int) -> float:
     return 0.5 + zlib.crc32(f"{attempt} {atom}".encode()) % 9973 / 9973
 
 
-def values(expressions: Sequence[Expr], attempt: int, names: Mapping[Any, Any] = {}) -> Floats:
+def values(expressions: Sequence[Expr], attempt: int, names: Mapping[Expr, Expr] = {}) -> Floats:
     """The expressions where each symbol, or what it names, is `somewhere`."""
     free = set().union(*(e.free_symbols for e in expressions))
     at = {x: somewhere(names.get(x, x), attempt) for x in free}

@@ -342,7 +342,7 @@ def solves(equations: Sequence[Equation], move: Move, letters: Letters) -> None:
         raise RefusedError("what holds at a moment, or approximately, can't be integrated")
     bare = Algebra(letters)
     given = put_in(move.using, letters)
-    found: dict[Any, Value] = {}
+    found: dict[Expr, Value] = {}
     for equation in equations:
         for pair in pairs_of(equation, bare):
             if pair.left in letters.numbers or pair.left not in letters.rates:
@@ -470,7 +470,7 @@ def _factor(pair: Pair, made: Pair, move: Move) -> Expr | None:
     return None
 
 
-def _difference(pair: Pair) -> dict[Any, Expr]:
+def _difference(pair: Pair) -> dict[Expr, Expr]:
     if isinstance(pair.left, Vector) or isinstance(pair.right, Vector):
         total = Vector({})
         for side, sign in ((pair.left, 1), (pair.right, -1)):
@@ -552,8 +552,8 @@ class Diagnosis:
 
     entailed: bool
     at: dict[Symbol, Expr] = field(default_factory=dict)
-    left: Any = None
-    right: Any = None
+    left: Expr | None = None
+    right: Expr | None = None
 
 
 def diagnose(

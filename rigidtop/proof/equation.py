@@ -19,15 +19,15 @@ from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from operator import add, mul
-from typing import Any
+from typing import Any, TypeAlias
 
 import sympy
 from sympy import Add, Expr, MatrixBase, Mul, Symbol
 
 
-def as_printed() -> AbstractContextManager[Any]:
+def as_printed() -> AbstractContextManager[None]:
     """Inside this context SymPy keeps expressions as they are typed."""
-    made: AbstractContextManager[Any] = sympy.evaluate(False)
+    made: AbstractContextManager[None] = sympy.evaluate(False)
     return made
 
 
@@ -111,7 +111,7 @@ class IntegralOver(Printed):
 SPACE, BODY = Symbol("space"), Symbol("body")
 """The frames in which a `Rate` is seen."""
 
-Side = Any
+Side: TypeAlias = Expr | MatrixBase
 """A SymPy expression or a Matrix of them."""
 
 
@@ -134,7 +134,7 @@ class Equation:
         object.__setattr__(self, "tag", tag)
 
 
-Meaning = Mapping[Any, Any]
+Meaning = Mapping[Expr, Side]
 
 
 def value(node: Side, meaning: Meaning) -> Expr | MatrixBase:

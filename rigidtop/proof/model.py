@@ -48,15 +48,15 @@ class Model:
     exists: Callable[[Mapping[Symbol, Expr]], bool] = decide.anything
     """Whether there is something with these numbers: a body with these moments."""
 
-    def before_limits(self, node: Any) -> Any:
+    def before_limits(self, node: Expr) -> Any:
         """The value of a typed tree for the general motion; NoMeaningError if it has none."""
         return value(node, {**self.meaning, **self._of_rates(node)})
 
-    def value(self, node: Any) -> Any:
+    def value(self, node: Expr) -> Any:
         """The value of a typed tree: a scalar, a column or a matrix in the state's symbols."""
         return self.limited(self.before_limits(node))
 
-    def rate(self, node: Any) -> Any:
+    def rate(self, node: Expr) -> Any:
         """The value of d/dt of a typed tree."""
         return self.limited(self._derivative(self.before_limits(node)))
 
@@ -67,9 +67,9 @@ class Model:
             found = found.xreplace(dict(limit))
         return found
 
-    def _of_rates(self, node: Any) -> dict[Any, Any]:
+    def _of_rates(self, node: Expr) -> dict[Expr, Expr]:
         """The meaning of every rate in a tree, inner ones first."""
-        found: dict[Any, Any] = {}
+        found: dict[Expr, Expr] = {}
         sides = list(node) if isinstance(node, MatrixBase) else [node]
         rates = set().union(*(side.atoms(Rate) for side in sides))
         for rate in sorted(rates, key=lambda r: sympy.count_ops(r, visual=False)):
@@ -83,7 +83,7 @@ class Model:
                 found[rate] -= self.omega.cross(inside)
         return found
 
-    def _derivative(self, expression: Any) -> Any:
+    def _derivative(self, expression: Expr) -> Any:
         """d/dt, of vectors as seen from space."""
         if self.timeless:
             raise NoMeaningError("a rate where nothing is said of time")

@@ -12,7 +12,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
-from typing import Any
 
 import sympy
 from sympy import Add, Expr, Mul
@@ -26,7 +25,7 @@ from rigidtop.theory.symbols import const
 Row = list[float]
 """A number for each place; NaN where there is none."""
 
-Rows = dict[Any, Row]
+Rows = dict[Expr, Row]
 """A row for each atom of a vector or each entry of a matrix; of a scalar one, under `SCALAR`."""
 
 SCALAR = "scalar"
@@ -46,7 +45,7 @@ class Numbers:
 
     algebra: Algebra
     made: Sequence[Pair]
-    kept: dict[Any, Rows] = field(default_factory=dict)
+    kept: dict[Expr, Rows] = field(default_factory=dict)
 
     def refute(self, equation: Equation) -> bool:
         """Whether numbers tell that an equation is no multiple of any of the pairs.

@@ -17,9 +17,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import Any
 
 from sympy import Expr
+from sympy.logic.boolalg import Boolean
 
 from rigidtop.proof.equation import Equation, Meaning
 
@@ -35,7 +35,7 @@ class Assumption:
     that go together.
     """
 
-    condition: Any
+    condition: Boolean
     words: str = ""
     stated: bool = False
     otherwise: Expr | None = None

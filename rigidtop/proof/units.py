@@ -21,7 +21,6 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
-from typing import Any
 
 import sympy
 from sympy import Add, Expr, MatrixBase, Mul, Pow, Symbol
@@ -221,7 +220,7 @@ def _pure(tree: Expr, needed: str, letters: Letters) -> None:
 
 def _common(sides: Iterable[Expr], letters: Letters) -> Dimension | None:
     """What all terms are in."""
-    known: tuple[Any, Dimension] | None = None
+    known: tuple[Expr, Dimension] | None = None
     for term in (term for side in sides for term in _terms(side)):
         found = dimension(term, letters)
         if known is None:

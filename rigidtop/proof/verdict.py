@@ -12,6 +12,7 @@ from typing import Any
 import sympy
 from sympy import Eq, Expr, Integer, MatrixBase, Symbol
 from sympy.core.relational import Relational
+from sympy.logic.boolalg import Boolean
 
 from rigidtop.proof import decide
 from rigidtop.proof.algebra import Letters
@@ -43,8 +44,8 @@ class Counterexample:
     """Values at which a claimed relation fails, and its two sides there (None: undefined)."""
 
     values: Mapping[Symbol, Expr]
-    left: Any
-    right: Any
+    left: Expr
+    right: Expr
 
 
 @dataclass(frozen=True)
@@ -283,7 +284,7 @@ def _covered(divisor: Expr, equal: Mapping[Expr, Expr], conditions: Sequence[Rel
     )
 
 
-def assertions(claimed: Equation, meaning: Meaning) -> list[tuple[str, Any, Any]]:
+def assertions(claimed: Equation, meaning: Meaning) -> list[tuple[str, Expr, Expr]]:
     """Neighbouring sides of the chain with their meanings; "= const" as a rate that vanishes."""
     values: list[Any] = []
     for side in claimed.sides:
@@ -319,9 +320,9 @@ def _fitting(matrix: sympy.MatrixBase, scalar: Expr) -> list[Expr]:
     return list(matrix)
 
 
-def _split(assuming: Sequence[Assumption]) -> tuple[dict[Any, Any], list[Relational]]:
+def _split(assuming: Sequence[Assumption]) -> tuple[dict[Expr, Expr], list[Relational]]:
     """Assumptions that are put in (equalities) and those that decide signs."""
-    equal: dict[Any, Any] = {}
+    equal: dict[Expr, Expr] = {}
     conditions: list[Relational] = []
     for assumption in assuming:
         condition = assumption.condition
@@ -332,7 +333,7 @@ def _split(assuming: Sequence[Assumption]) -> tuple[dict[Any, Any], list[Relatio
     return equal, conditions
 
 
-def _impose(expression: Any, equal: Mapping[Expr, Expr]) -> Any:
+def _impose(expression: Expr, equal: Mapping[Expr, Expr]) -> Any:
     """Put the equalities in, twice, since one may bring in the symbol of another."""
     replaced = set().union(*(old.free_symbols for old in equal))
     for _ in range(2 if equal else 0):
@@ -421,7 +422,7 @@ def _search(
     if dropped is not None and dropped.otherwise is not None:
         equal = {**equal, dropped.condition.lhs: dropped.otherwise}
 
-    def both(expression: Any) -> Any:
+    def both(expression: Expr) -> Any:
         return _impose(_impose(expression, equal), solved)
 
     hidden = {dummy: both(expression) for dummy, expression in hidden.items()}
@@ -516,7 +517,7 @@ def _solve_given(given: list[Expr]) -> tuple[dict[Symbol, Expr], list[Expr], Exp
     return {}, given, sympy.S.One
 
 
-def _needed(condition: Any, divisor: Expr) -> bool:
+def _needed(condition: Boolean, divisor: Expr) -> bool:
     """Whether the divisor vanishes where the condition, f ≠ 0, is violated."""
     return isinstance(condition, sympy.Ne) and divisor.subs(condition.lhs, condition.rhs) == 0
 

@@ -114,7 +114,7 @@ def derivation(judgement: Judgement, mixed: bool) -> Iterable[b.Block]:
         yield b.Paragraph((" ".join(map(_sentence, sentences)),), "Checked again")
 
 
-def _said(finding: Finding) -> tuple[Any, ...]:
+def _said(finding: Finding) -> b.Rich:
     """What a line says: the equation, its verdict, and, where a reason tells, under what."""
     check = finding.check
     conditions = {str(a.condition) for a in check.assuming} if check.reason else ()

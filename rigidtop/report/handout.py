@@ -58,7 +58,7 @@ def _note(judgement: Judgement) -> b.Rich:
         if not item.assumption.stated:
             words = item.assumption.words.rstrip(".")
             together.setdefault(words, []).append(condition(item.assumption))
-    pieces: list[Any] = []
+    pieces: list[b.Piece] = []
     for words, relations in together.items():
         pieces.append("; if " if pieces else "if ")
         pieces.append(f"{words} (" if words else "")
@@ -79,7 +79,7 @@ def _set_right(judgement: Judgement) -> Iterable[b.Block]:
         Verdict.FALSE: " This is false",
         Verdict.CONVENTION: " This is at odds with the notes’ own definitions",
     }[judgement.verdict]
-    words: list[Any] = [f"The notes say: {claim.says.rstrip('.')}.{said}"]
+    words: list[b.Piece] = [f"The notes say: {claim.says.rstrip('.')}.{said}"]
     found = next((f.counterexample for f in judgement.findings() if f.counterexample), None)
     if found is not None:
         against = numbers(found)

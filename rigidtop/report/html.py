@@ -8,7 +8,6 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import singledispatch
 from html import escape
 from importlib.resources import files
-from typing import Any
 
 from rigidtop.proof.verdict import Verdict
 from rigidtop.report import blocks as b
@@ -114,7 +113,7 @@ def _sections(document: b.Document, figures: Mapping[str, str]) -> list[str]:
     return [*made, "</section>"] if inside else made
 
 
-def fragment(blocks: Sequence[Any]) -> str:
+def fragment(blocks: Sequence[b.Block]) -> str:
     """The blocks of one claim, to be pasted into a page."""
     (head,) = [block for block in blocks if isinstance(block, b.ClaimHead)]
     inner = mathml.held("\n".join(html_block(block) for block in blocks))
@@ -160,7 +159,7 @@ def badge(verdict: Verdict) -> str:
 
 
 @singledispatch
-def html_block(block: Any) -> str:
+def html_block(block: b.Block) -> str:
     """A block as HTML."""
     raise TypeError(f"no HTML for {type(block).__name__}")
 

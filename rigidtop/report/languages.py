@@ -79,7 +79,7 @@ def translated(document: b.Document) -> b.Document:
     return replace(document, blocks=blocks, subtitle=said(document.subtitle, language))
 
 
-def _block(block: Any, language: str) -> Any:
+def _block(block: b.Block, language: str) -> Any:
     match block:
         case b.Heading(number=""):
             return replace(block, title=said(block.title, language))

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import singledispatch
-from typing import Any
+
+from sympy import Basic
 
 from rigidtop.report import blocks as b
 from rigidtop.typeset import nodes as lay
@@ -21,12 +22,12 @@ LINE = 84.0
 """How many letters wide an equation may be before it is broken."""
 
 
-def markdown(blocks: Sequence[Any]) -> str:
+def markdown(blocks: Sequence[b.Block]) -> str:
     """The blocks of a claim or of an exercise, one below the other."""
     return "\n\n".join(map(_block, blocks))
 
 
-def formula(node: Any) -> str:
+def formula(node: Basic) -> str:
     """In running text."""
     return f"${latex(node)}$"
 
@@ -63,7 +64,7 @@ def _label(label: str) -> str:
 
 
 @singledispatch
-def _block(block: Any) -> str:
+def _block(block: b.Block) -> str:
     raise TypeError(f"no Markdown for {type(block).__name__}")
 
 

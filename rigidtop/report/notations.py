@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import asdict
-from typing import Any
 
 from sympy import Symbol
 
@@ -51,7 +50,7 @@ def rows(notation: Notation) -> list[list[str]]:
     ]
 
 
-def record(notation: Notation) -> dict[str, Any]:
+def record(notation: Notation) -> dict[str, object]:
     """What `rigidtop notation --json` says."""
     return {
         "name": notation.name,

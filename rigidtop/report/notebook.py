@@ -25,6 +25,7 @@ import sympy
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 from PIL import Image
+from sympy import Basic
 
 from rigidtop.derivations import lecture_with
 from rigidtop.derivations.exercises import EXERCISES
@@ -102,7 +103,7 @@ def _missing() -> RigidtopError:
 # --- Formulas ------------------------------------------------------------------------------------
 
 
-def typeset(tree: Any) -> str | None:
+def typeset(tree: Basic) -> str | None:
     r"""LaTeX between dollars; None for what is no formula.
 
     A sequence of equations is aligned at their signs, a mapping is shown as equations.
@@ -140,7 +141,7 @@ def _symbolic(item: Any) -> bool:
     return isinstance(item, (sympy.Basic, sympy.MatrixBase, Equation))
 
 
-def _tex(tree: Any) -> str:
+def _tex(tree: Basic) -> str:
     try:
         return latex(tree)
     except TypeError:  # an integral, a set: SymPy's own layout, with the letters of the notes
@@ -165,7 +166,7 @@ def _aligned(equations: Sequence[Equation]) -> str:
     return aligned(rows)
 
 
-def _words(tree: Any) -> str:
+def _words(tree: Basic) -> str:
     try:
         return text(tree, tag=True)
     except TypeError:

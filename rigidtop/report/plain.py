@@ -5,7 +5,6 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Sequence
 from functools import singledispatch
-from typing import Any
 
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
@@ -14,7 +13,7 @@ from rigidtop.typeset.nodes import Node
 from rigidtop.typeset.text import text
 
 
-def fragment(blocks: Sequence[Any], width: int = 88) -> str:
+def fragment(blocks: Sequence[b.Block], width: int = 88) -> str:
     """The blocks of a claim or an exercise in `width` columns; equations are never wrapped."""
     made = "\n".join(line for block in blocks for line in _lines(block, width))
     return made.lstrip("\n") + "\n"
@@ -40,7 +39,7 @@ def _wrapped(words: str, width: int, first: str = "", rest: str = "") -> list[st
 
 
 @singledispatch
-def _lines(block: Any, width: int) -> list[str]:
+def _lines(block: b.Block, width: int) -> list[str]:
     raise TypeError(f"no text for {type(block).__name__}")
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 from rigidtop.proof.page import Claim, Measure
 from rigidtop.proof.verdict import Finding, Judgement, Led, TestedAssumption, Verdict
@@ -14,7 +13,7 @@ from rigidtop.report.ways import gap
 from rigidtop.typeset.text import text
 
 
-def record(judgement: Judgement) -> dict[str, Any]:
+def record(judgement: Judgement) -> dict[str, object]:
     """What `rigidtop check --json` says of a claim."""
     return {
         "name": judgement.claim.name,
@@ -28,7 +27,7 @@ def record(judgement: Judgement) -> dict[str, Any]:
     }
 
 
-def measure_record(measure: Measure) -> dict[str, Any]:
+def measure_record(measure: Measure) -> dict[str, object]:
     """A measure as plain values."""
     return {
         "what": unmarked(measure.what),
@@ -38,7 +37,7 @@ def measure_record(measure: Measure) -> dict[str, Any]:
     }
 
 
-def claim_record(claim: Claim, section: str) -> dict[str, Any]:
+def claim_record(claim: Claim, section: str) -> dict[str, object]:
     """What `rigidtop list --json` says of a claim."""
     return {
         "name": claim.name,

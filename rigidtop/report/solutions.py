@@ -6,7 +6,6 @@ import math
 import time
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
@@ -181,7 +180,7 @@ def _unit(unit: str, value: float | str) -> str:
     return f"rad = {cell(degrees)}°"
 
 
-def record(solution: Solution) -> dict[str, Any]:
+def record(solution: Solution) -> dict[str, object]:
     """What `rigidtop exercise --json` says."""
     exercise = solution.exercise
     return {
@@ -214,7 +213,7 @@ def _unmarked(value: float | str) -> float | str:
     return unmarked(value) if isinstance(value, str) else value
 
 
-def listed(exercise: Exercise) -> dict[str, Any]:
+def listed(exercise: Exercise) -> dict[str, object]:
     """What `rigidtop exercise --json` says where none is named."""
     return {
         "name": exercise.name,

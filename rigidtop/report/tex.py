@@ -74,7 +74,7 @@ def chapters(document: b.Document, figures: Mapping[str, str]) -> dict[str, str]
     return made
 
 
-def _joined(blocks: Sequence[Any], figures: Mapping[str, str]) -> Iterator[str]:
+def _joined(blocks: Sequence[b.Block], figures: Mapping[str, str]) -> Iterator[str]:
     """The blocks; a sentence in front of an equation goes on the paragraph above it."""
     pending = ""
     solved = False
@@ -84,8 +84,12 @@ def _joined(blocks: Sequence[Any], figures: Mapping[str, str]) -> Iterator[str]:
             pending = "\\rtsolutions\n" if solved else "\\rtrest\n"
         words = pending + _shown(block, figures)
         pending = ""
-        run_on = isinstance(block, b.Paragraph) and isinstance(after, b.Display) and after.step
-        if run_on and not block.held and after.rows[0].reason and not _stands_alone(after):
+        if (
+            isinstance(block, b.Paragraph)
+            and isinstance(after, b.Display)
+            and (after.step and after.rows[0].reason and not block.held)
+            and not _stands_alone(after)
+        ):
             pending = words + "\n"
         else:
             yield words
@@ -149,7 +153,7 @@ def _preamble(document: b.Document) -> str:
     return made
 
 
-def _shown(block: Any, figures: Mapping[str, str]) -> str:
+def _shown(block: b.Block, figures: Mapping[str, str]) -> str:
     if isinstance(block, b.Figure):
         return _figure(block, figures[block.name])
     return tex_block(block)
@@ -176,7 +180,7 @@ def _figure(block: b.Figure, path: str) -> str:
     )
 
 
-def fragment(blocks: Sequence[Any]) -> str:
+def fragment(blocks: Sequence[b.Block]) -> str:
     """The equations of one claim, to be pasted; what else there is to say stands in comments."""
     made: list[str] = []
     for block in blocks:
@@ -221,7 +225,7 @@ SENTENCE = 24.0
 
 
 @singledispatch
-def tex_block(block: Any) -> str:
+def tex_block(block: b.Block) -> str:
     """A block as LaTeX."""
     raise TypeError(f"no LaTeX for {type(block).__name__}")
 

@@ -6,7 +6,6 @@ import re
 from collections.abc import Mapping, Sequence
 from functools import singledispatch
 from importlib.resources import files
-from typing import Any
 
 from rigidtop.report import blocks as b
 from rigidtop.report.languages import said
@@ -61,7 +60,7 @@ def _style() -> str:
     return made.replace("@COLORS@", ", ".join(colors))
 
 
-def fragment(blocks: Sequence[Any]) -> str:
+def fragment(blocks: Sequence[b.Block]) -> str:
     """The blocks of one claim, with the functions that they use."""
     style = _style()
     functions = style[style.index("#let muted") :]
@@ -150,7 +149,7 @@ def _note(mark: b.Mark | None) -> str:
 
 
 @singledispatch
-def typst_block(block: Any) -> str:
+def typst_block(block: b.Block) -> str:
     """A block as Typst."""
     raise TypeError(f"no Typst for {type(block).__name__}")
 

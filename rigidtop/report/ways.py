@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import Any
 
 import sympy
+from sympy import Basic
 
 from rigidtop.notation import NOTES, Notation
 from rigidtop.notation.characters import TEX_GREEK
@@ -83,7 +84,7 @@ def text_blocks(
             blocks.append(b.Display(tuple(rows)))
             rows.clear()
 
-    def place(words: Sequence[Any]) -> None:
+    def place(words: Sequence[b.Piece]) -> None:
         """The figures that were spoken of."""
         for name in cited_figures(words):
             if name in figures and name not in placed:
@@ -117,7 +118,7 @@ def text_blocks(
 _FIGURE = re.compile(r"\[([^\]]+)\]\(#figure-([\w-]+)\)")
 
 
-def cited_figures(words: Sequence[Any]) -> list[str]:
+def cited_figures(words: Sequence[b.Piece]) -> list[str]:
     """The names of the figures that running text speaks of: [the figure](#figure-cones)."""
     return [m[2] for piece in words if isinstance(piece, str) for m in _FIGURE.finditer(piece)]
 
@@ -226,7 +227,7 @@ def relation(condition: Condition, notation: Notation = NOTES) -> Node:
 
 
 def running(
-    words: Sequence[Any],
+    words: Sequence[b.Piece],
     notation: Notation = NOTES,
     figures: Mapping[str, b.Figure] = MappingProxyType({}),
 ) -> b.Rich:
@@ -282,7 +283,7 @@ def gap(judged: Judged, letters: Letters, notation: Notation = NOTES) -> str:
     line, problem = judged.line, judged.problem
     assert problem is not None
 
-    def said(node: Any) -> str:
+    def said(node: Basic) -> str:
         return text(notation.written(node))
 
     if line.move is None or isinstance(problem, UnitsError):
@@ -311,12 +312,12 @@ def _listed(names: Sequence[b.Rich]) -> b.Rich:
 
 def steps(
     lecture: Lecture, name: str, notation: Notation = NOTES, deep: bool = False
-) -> list[dict[str, Any]]:
+) -> list[dict[str, object]]:
     """The lines as records for programs."""
     return [step(lecture, id, notation) for id in lecture.way(name, deep)[0]]
 
 
-def step(lecture: Lecture, id: str, notation: Notation = NOTES) -> dict[str, Any]:
+def step(lecture: Lecture, id: str, notation: Notation = NOTES) -> dict[str, object]:
     """A line as a record for programs."""
     each = lecture.judged(id)
     equations = [notation.written(equation) for equation in each.line.equations]

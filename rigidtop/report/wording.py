@@ -14,6 +14,8 @@ from dataclasses import dataclass, fields, is_dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from sympy import Basic
+
 from rigidtop.notation import Notation
 from rigidtop.notation.characters import FUNCTIONS, TEX_GREEK, opened
 from rigidtop.notation.judged import judgement_in
@@ -132,7 +134,7 @@ class Wording:
         made: T = self._walked(tree, False)
         return made
 
-    def _walked(self, tree: Any, are_words: bool) -> Any:
+    def _walked(self, tree: Basic, are_words: bool) -> Any:
         if isinstance(tree, str):
             return self(tree) if are_words else tree
         if isinstance(tree, tuple):

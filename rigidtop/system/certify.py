@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy
-from sympy import Expr
+from sympy import Expr, MatrixBase
 
 from rigidtop.codegen.solve import solved
 from rigidtop.errors import RigidtopError
@@ -21,7 +21,7 @@ STATES = 20
 """States that are drawn."""
 
 
-def certify(system: System, parameters: Mapping[Expr, Any], seed: int = 0) -> dict[str, float]:
+def certify(system: System, parameters: Mapping[Expr, object], seed: int = 0) -> dict[str, float]:
     """See `System.certify`."""
     values = [float(x) for x in numbers(system.parameters, parameters).values()]
     n = len(system.q)
@@ -91,7 +91,7 @@ def _newton_euler(system: System) -> Any:
     return system.numeric.made(program.results, "newton", program.shared)
 
 
-def _symmetric(matrix: Any) -> Any:
+def _symmetric(matrix: MatrixBase) -> MatrixBase:
     lower: dict[tuple[int, int], Expr] = {
         (i, j): matrix[i, j] for i in range(matrix.rows) for j in range(i + 1)
     }

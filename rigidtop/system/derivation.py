@@ -123,7 +123,7 @@ class Derivation:
     def _repr_html_(self) -> str:
         return self.html()
 
-    def steps(self) -> list[dict[str, Any]]:
+    def steps(self) -> list[dict[str, object]]:
         """The lines as records for programs, as `rigidtop derive --json` gives them."""
         return [step(self.lecture, id) for id in self.lecture.lines]
 
@@ -217,7 +217,7 @@ class _Writer:
         """An equation's number, in the section if there is one."""
         return f"{self.section}.{number}" if self.section else number
 
-    def heading(self, *words: Any, level: int = 2, name: str = "") -> None:
+    def heading(self, *words: Expr | str, level: int = 2, name: str = "") -> None:
         self.name = name
         self.blocks.append(Heading(level, _said(words), len(self.blocks) + 1, words))
 
@@ -229,7 +229,7 @@ class _Writer:
 
     def line(
         self,
-        words: Sequence[Any],
+        words: Sequence[Expr | str],
         equations: Equation | Sequence[Equation],
         move: Move | None,
         scope: Scope = Scope.IDENTITY,
@@ -381,7 +381,7 @@ def _numbered(what: str, k: int, count: int) -> str:
     return what if count == 1 else f"{what} no. {k + 1}"
 
 
-def _said(words: Sequence[Any]) -> str:
+def _said(words: Sequence[Expr | str]) -> str:
     """A sentence with its mathematics in dollars."""
     return "".join(x if isinstance(x, str) else f"${latex(x)}$" for x in words)
 
@@ -397,7 +397,7 @@ def _between(letters: Sequence[Expr]) -> list[Any]:
 
 def _more(letters: Sequence[Expr]) -> list[Any]:
     """…, x, y and z."""
-    made: list[Any] = []
+    made: list[Expr | str] = []
     for k, x in enumerate(letters):
         made += [" and " if k == len(letters) - 1 else ", ", x]
     return made

@@ -28,7 +28,7 @@ from rigidtop.motion.integrate import TAYLOR, Accuracy, Flow, flow, on_both_side
 from rigidtop.motion.rows import Rows
 from rigidtop.parameters import in_one_line
 from rigidtop.system.held import Surface
-from rigidtop.system.names import expression, numbers, own_functions
+from rigidtop.system.names import Given, expression, numbers, own_functions
 
 if TYPE_CHECKING:
     from rigidtop.system.system import System
@@ -60,7 +60,9 @@ TOO_SMALL = 1e-3
 """A motion that stays below this part of what its tolerances are fractions of is done again."""
 
 
-def started(system: System, parameters: Mapping[Expr, Any], q: Any, qdot: Any) -> SystemMotion:
+def started(
+    system: System, parameters: Mapping[Expr, object], q: Given, qdot: Given
+) -> SystemMotion:
     """See `System.motion`."""
     values = numbers(system.parameters, parameters).values()
     names = system.names
@@ -70,7 +72,7 @@ def started(system: System, parameters: Mapping[Expr, Any], q: Any, qdot: Any) -
     return made
 
 
-def _initial(what: str, given: Any, letters: Sequence[Symbol], system: System) -> list[float]:
+def _initial(what: str, given: Given, letters: Sequence[Symbol], system: System) -> list[float]:
     """A row of n numbers, in the order of the coordinates."""
     if given is None and what == "qdot":
         return [0.0] * len(letters)
@@ -186,8 +188,8 @@ class SystemMotion:
         method: str = "DOP853",
         rtol: float = 1e-10,
         atol: float = 1e-12,
-        events: Mapping[str, Any] | None = None,
-        until: Any = None,
+        events: Mapping[str, Given] | None = None,
+        until: Given = None,
     ) -> SystemTrajectory:
         """The motion at the times `t`, integrated from the state at t = 0.
 
@@ -327,10 +329,10 @@ class SystemMotion:
         return taylor.propagated(integrator, end, unit, held=held)
 
 
-def many(system: System, parameters: Mapping[Expr, Any], q: Any, qdot: Any) -> SystemMotions:
+def many(system: System, parameters: Mapping[Expr, object], q: Given, qdot: Given) -> SystemMotions:
     """See `System.motions`."""
     rows = {"q": system.names.q, "qdot": system.names.v}
-    given: dict[Any, Any] = dict(parameters)
+    given: dict[Expr, Expr] = dict(parameters)
     for what, value in (("q", q), ("qdot", qdot)):
         if value is None and what == "qdot":
             continue
@@ -346,7 +348,7 @@ def many(system: System, parameters: Mapping[Expr, Any], q: Any, qdot: Any) -> S
     flat = {key: np.broadcast_to(value, shape).ravel() for key, value in arrays.items()}
     made = []
     for k in range(math.prod(shape)):
-        one: dict[str, dict[Any, float]] = {"": {}, "q": {}, "qdot": {}}
+        one: dict[str, dict[Expr, float]] = {"": {}, "q": {}, "qdot": {}}
         for key, values in flat.items():
             what, name = key if isinstance(key, tuple) else ("", key)
             one[what][name] = float(values[k])

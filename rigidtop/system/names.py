@@ -23,6 +23,9 @@ from rigidtop.theory.symbols import Glyph, Quantity
 
 ExprOrMatrix = TypeVar("ExprOrMatrix", Expr, MatrixBase)
 
+Given = Any
+"""What SymPy takes for an expression; sequences and mappings of such."""
+
 
 @dataclass(frozen=True)
 class Names:
@@ -97,7 +100,7 @@ def named(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: Iterable[Symbol
     return _of_symbols(q, qdot, {x.name for x in taken})
 
 
-def _row(what: str, given: Any) -> tuple[Expr, ...]:
+def _row(what: str, given: Given) -> tuple[Expr, ...]:
     if isinstance(given, (str, bytes)) or not isinstance(
         given, (Sequence, MatrixBase, Expr, sympy.Tuple)
     ):
@@ -214,7 +217,7 @@ def multipliers(count: int, taken: Iterable[Symbol]) -> tuple[Symbol, ...]:
     return tuple(made)
 
 
-def expression(what: str, given: Any) -> Expr:
+def expression(what: str, given: Given) -> Expr:
     """An expression of SymPy, or a number; of an equation the left side less the right.
 
     Raises RigidtopError.
@@ -259,7 +262,7 @@ ASSUMED = [
 """What SymPy may have used of a symbol."""
 
 
-def numbers(letters: Sequence[Symbol], given: Any) -> dict[Expr, Expr]:
+def numbers(letters: Sequence[Symbol], given: Given) -> dict[Expr, Expr]:
     """A number for each letter, which are given by symbol or by name, as they are written.
 
     Raises RigidtopError for one that is missing, unknown, or not what the symbol is assumed to be.

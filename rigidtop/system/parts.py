@@ -7,14 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy
 from sympy import Expr, Integer, Matrix, MatrixBase, Rational
 
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import in_one_line
-from rigidtop.system.names import Names, expression
+from rigidtop.system.names import Given, Names, expression
 from rigidtop.theory.rotation import vee
 from rigidtop.theory.trig import reduce_trig
 
@@ -32,7 +31,7 @@ class Mass:
     mass: Expr
     place: MatrixBase
 
-    def __init__(self, mass: Any, place: Any) -> None:
+    def __init__(self, mass: Expr, place: Given) -> None:
         object.__setattr__(self, "mass", expression("a mass", mass))
         object.__setattr__(self, "place", _place(place))
 
@@ -50,7 +49,7 @@ class Body:
     place: MatrixBase
     attitude: MatrixBase
 
-    def __init__(self, mass: Any, moments: Sequence[Any], place: Any, attitude: Any) -> None:
+    def __init__(self, mass: Expr, moments: Sequence[Expr], place: Given, attitude: Given) -> None:
         object.__setattr__(self, "mass", expression("a mass", mass))
         made = tuple(expression("a moment", x) for x in moments)
         if len(made) != 3:
@@ -65,7 +64,7 @@ class Body:
 Part = Mass | Body
 
 
-def _place(given: Any) -> MatrixBase:
+def _place(given: Given) -> MatrixBase:
     """Three components."""
     if isinstance(given, (str, bytes)) or not hasattr(given, "__len__"):
         raise RigidtopError(f"a place has two or three components, not {in_one_line(given)}")

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import mpmath
 import numpy as np
 import sympy
+from mpmath import matrix, mpc
 from numpy.typing import NDArray
 from sympy import Expr, Matrix, Rational, Symbol
 
@@ -75,7 +76,7 @@ class Small:
         made = -(frequency**2) * self.mass + sympy.I * frequency * self.damping + self.stiffness
         return sympy.expand(made.det(method="berkowitz"))
 
-    def rates(self, parameters: Mapping[Expr, Any]) -> NDArray[np.complex128]:
+    def rates(self, parameters: Mapping[Expr, object]) -> NDArray[np.complex128]:
         """The 2n numbers s of the deviations e^{st} (1/s), by magnitude of the frequency.
 
         `parameters` gives a number for each parameter, and for each other letter of `about`.
@@ -85,13 +86,13 @@ class Small:
         found = np.array([complex(s) for s in _spectrum(*self._sides(self._at(parameters)))])
         return found[np.lexsort((found.imag, np.abs(found.imag)))]
 
-    def frequencies(self, parameters: Mapping[Expr, Any]) -> NDArray[np.float64]:
+    def frequencies(self, parameters: Mapping[Expr, object]) -> NDArray[np.float64]:
         """Angular frequencies of what oscillates, once each (rad/s), increasing."""
         found = self.rates(parameters)
         least = NEUTRAL * max(float(np.max(np.abs(found))), 1e-300)
         return np.sort(found.imag[found.imag > least])
 
-    def stability(self, parameters: Mapping[Expr, Any]) -> str:
+    def stability(self, parameters: Mapping[Expr, object]) -> str:
         """What the linear equations tell.
 
         "unstable" and "asymptotically stable" by the real parts, Lyapunov's theorems; "stable"
@@ -112,7 +113,7 @@ class Small:
         told = {self._told(*self._sides(each)) for each in near}
         return told.pop() if len(told) == 1 else "undecided"
 
-    def _told(self, M: Any, C: Any, K: Any) -> str:
+    def _told(self, M: matrix, C: matrix, K: matrix) -> str:
         found = _spectrum(M, C, K)
         none = NEUTRAL * max(map(abs, found))
         neutral = [s for s in found if abs(s.real) <= NEUTRAL * abs(s) or abs(s) <= none]
@@ -128,7 +129,7 @@ class Small:
             return "oscillates"
         return "undecided"
 
-    def _at(self, parameters: Mapping[Expr, Any]) -> dict[Expr, Expr]:
+    def _at(self, parameters: Mapping[Expr, object]) -> dict[Expr, Expr]:
         """Numbers for all letters."""
         sides = (self.mass, self.damping, self.stiffness, *self.about.values())
         letters = {*self.system.parameters}.union(*(x.free_symbols for x in sides))
@@ -139,7 +140,7 @@ class Small:
                 raise RigidtopError(f"there is no such motion: {x} would be {number.evalf(6)}")
         return values
 
-    def _sides(self, values: Mapping[Expr, Expr]) -> Iterator[Any]:
+    def _sides(self, values: Mapping[Expr, Expr]) -> Iterator[matrix]:
         """M, C and K as numbers."""
         for side in (self.mass, self.damping, self.stiffness):
             number = side.xreplace(values).evalf(DIGITS)
@@ -160,7 +161,7 @@ def _counted(values: Mapping[Expr, Expr]) -> Iterator[tuple[int, tuple[Expr, Exp
     return enumerate(values.items(), start=1)
 
 
-def _spectrum(M: Any, C: Any, K: Any) -> list[Any]:
+def _spectrum(M: matrix, C: matrix, K: matrix) -> list[Any]:
     """The s for which M s² + C s + K is singular, to many digits."""
     n = M.rows
     if abs(MANY.det(M)) <= LEFT * MANY.fprod(MANY.norm(M[k, :]) for k in range(n)):
@@ -176,13 +177,13 @@ def _spectrum(M: Any, C: Any, K: Any) -> list[Any]:
     return [MANY.mpc(s) for s in found]
 
 
-def _positive(side: Any) -> bool:
+def _positive(side: matrix) -> bool:
     """Whether a symmetric matrix is positive definite."""
     found = MANY.eigsy(side, eigvals_only=True)
     return bool(min(found) > LEFT * max(map(abs, found)))
 
 
-def _grows(s: Any, M: Any, C: Any, K: Any, times: int) -> bool:
+def _grows(s: mpc, M: matrix, C: matrix, K: matrix, times: int) -> bool:
     """Whether a root that is found several `times` has fewer deviations: some are tⁿe^{st}."""
     sizes = MANY.svd_c(M * s**2 + C * s + K, compute_uv=False)
     return bool(sum(size <= NEUTRAL * max(sizes) for size in sizes) < times)
@@ -268,7 +269,7 @@ def _is_among(place: Mapping[Expr, Expr], found: Mapping[Expr, Expr]) -> bool:
     return all(sympy.expand(value.subs(place) - place[x]) == 0 for x, value in found.items())
 
 
-def small(system: System, about: Mapping[Expr, Any]) -> Small:
+def small(system: System, about: Mapping[Expr, object]) -> Small:
     """See `System.small`."""
     _of_places(system)
     names = system.names

@@ -18,6 +18,7 @@ from rigidtop.parameters import in_one_line
 from rigidtop.proof import decide
 from rigidtop.system.forms import LARGEST, expanded, grouped, parts_of, readable, short
 from rigidtop.system.names import (
+    Given,
     Names,
     expression,
     multipliers,
@@ -74,12 +75,12 @@ class System:
     def __init__(
         self,
         L: Expr,
-        q: Any,
-        qdot: Any = None,
-        forces: Any = None,
-        constraints: Any = (),
+        q: Given,
+        qdot: Given = None,
+        forces: Given = None,
+        constraints: Given = (),
         *,
-        rayleigh: Any = 0,
+        rayleigh: Given = 0,
     ) -> None:
         L, rayleigh = expression("L", L), expression("rayleigh", rayleigh)
         if isinstance(constraints, (Expr, sympy.Eq)):
@@ -130,7 +131,7 @@ class System:
     """V, where it is known apart."""
 
     @classmethod
-    def of_energies(cls, T: Any, V: Any, q: Any, qdot: Any = None, **more: Any) -> System:
+    def of_energies(cls, T: Given, V: Given, q: Given, qdot: Given = None, **more: Any) -> System:
         """L = T − V; `more` are `forces`, `constraints` and `rayleigh`."""
         V = expression("V", V)
         made = cls(expression("T", T) - V, q, qdot, **more)
@@ -141,11 +142,11 @@ class System:
     def of_parts(
         cls,
         parts: Part | Sequence[Part],
-        q: Any,
-        qdot: Any = None,
+        q: Given,
+        qdot: Given = None,
         *,
-        V: Any = 0,
-        gravity: Any = None,
+        V: Given = 0,
+        gravity: Given = None,
         **more: Any,
     ) -> System:
         """From masses and bodies, with their places and attitudes as functions of q and t.
@@ -650,7 +651,7 @@ class System:
         pushed = Matrix([*sympy.zeros(n, 1), *acting]).xreplace(self._velocities)
         return names.back((made + pushed).applyfunc(sympy.factor_terms))
 
-    def poisson(self, first: Any, second: Any) -> Expr:
+    def poisson(self, first: Expr, second: Expr) -> Expr:
         """The bracket {f, g} = Σ ∂f/∂q ∂g/∂p − ∂f/∂p ∂g/∂q of quantities of q, q̇ and p.
 
         What comes out has q and p.
@@ -734,7 +735,7 @@ class System:
 
         return equilibria(self)
 
-    def small(self, about: Mapping[Expr, Any]) -> Small:
+    def small(self, about: Mapping[Expr, object]) -> Small:
         """Small deviations from a steady motion: matrices, frequencies, stability.
 
         `about` gives the steady values of coordinates and velocities; velocities that are not given
@@ -783,7 +784,7 @@ class System:
     # --- motions ----------------------------------------------------------------------------------
 
     def motion(
-        self, parameters: Mapping[Any, Any] | None = None, q: Any = None, qdot: Any = None
+        self, parameters: Mapping[Expr, object] | None = None, q: Given = None, qdot: Given = None
     ) -> SystemMotion:
         """The motion from an initial state at t = 0.
 
@@ -797,7 +798,7 @@ class System:
         return started(self, parameters or {}, q, qdot)
 
     def motions(
-        self, parameters: Mapping[Any, Any] | None = None, q: Any = None, qdot: Any = None
+        self, parameters: Mapping[Expr, object] | None = None, q: Given = None, qdot: Given = None
     ) -> SystemMotions:
         """Many motions: as `motion`, with arrays that broadcast in the place of numbers.
 
@@ -813,7 +814,7 @@ class System:
         return many(self, parameters or {}, q, qdot)
 
 
-def _forces(forces: Any, q: Any) -> tuple[Expr, ...]:
+def _forces(forces: Given, q: Given) -> tuple[Expr, ...]:
     """In the order of the coordinates; nothing for None."""
     if forces is None:
         return ()

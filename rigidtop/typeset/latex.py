@@ -12,7 +12,8 @@ import re
 import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+
+from sympy import Basic
 
 from rigidtop.notation.characters import LETTERS, MARKS, MATHS, SIGNS, TEX_GREEK, escape, joined
 from rigidtop.proof.equation import Equation
@@ -30,7 +31,7 @@ _KNOWN = frozenset(
 )
 
 
-def latex(tree: Any, order: Order = "auto") -> str:
+def latex(tree: Basic, order: Order = "auto") -> str:
     r"""An expression, a matrix, a condition, or an `Equation` on one line, without its tag."""
     return _tex(tree if _is_node(tree) else layout(tree, order))
 
@@ -146,7 +147,7 @@ def _line_width(line: Line) -> float:
     return left + 3 + sizes.width(line.right)
 
 
-def _is_node(tree: Any) -> bool:
+def _is_node(tree: Basic) -> bool:
     return type(tree).__module__ == lay.__name__
 
 

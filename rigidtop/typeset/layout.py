@@ -18,7 +18,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from functools import cmp_to_key, singledispatch
-from typing import Any, Literal
+from typing import Literal
 
 import sympy
 from sympy import Add, Basic, Expr, Mul, Pow, Symbol
@@ -68,7 +68,7 @@ _RELATIONS = {
 }
 
 
-def is_typed(tree: Any) -> bool:
+def is_typed(tree: Basic) -> bool:
     """Whether a tree has an order that SymPy would not have given it."""
     if isinstance(tree, sympy.MatrixBase):
         return any(is_typed(entry) for entry in tree)
@@ -100,7 +100,7 @@ def _has_wide_node(tree: Expr) -> bool:
     return isinstance(tree, Basic) and any(map(_has_wide_node, tree.args))
 
 
-def layout(tree: Any, order: Order = "auto") -> lay.Node:
+def layout(tree: Basic, order: Order = "auto") -> lay.Node:
     """The layout of an expression, a matrix, a condition or an `Equation`, each side by itself."""
     if isinstance(tree, Equation):
         sides = tuple(layout(side, order) for side in tree.sides)
@@ -114,7 +114,7 @@ def layout(tree: Any, order: Order = "auto") -> lay.Node:
 
 
 @singledispatch
-def _node(tree: Any, order: Order) -> lay.Node:
+def _node(tree: Basic, order: Order) -> lay.Node:
     if isinstance(tree, sympy.MatrixBase):
         return _matrix(tree, order)
     if isinstance(tree, Relational):
@@ -469,7 +469,7 @@ def _ordered_product(tree: Expr) -> lay.Node:
     negative = False
     over: list[lay.Node] = []
     under: list[lay.Node] = []
-    number: Any = sympy.S.One
+    number: Expr = sympy.S.One
     for factor in factors:
         if factor.is_Rational:
             number = number * factor

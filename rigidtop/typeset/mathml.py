@@ -11,6 +11,8 @@ from collections.abc import Sequence
 from html import escape
 from typing import Any
 
+from sympy import Basic
+
 from rigidtop.notation.characters import GREEK
 from rigidtop.proof.equation import Equation
 from rigidtop.theory.symbols import Glyph
@@ -33,7 +35,7 @@ THIN = '<mspace width="0.1667em"/>'
 APPLY = "<mo>&#x2061;</mo>"
 
 
-def mathml(tree: Any, order: Order = "auto", *, display: bool = False) -> str:
+def mathml(tree: Basic, order: Order = "auto", *, display: bool = False) -> str:
     """A ``<math>`` element for an expression, a condition, or an `Equation` without its tag."""
     node = tree if type(tree).__module__ == lay.__name__ else layout(tree, order)
     return element(_ml(node), text(node), display)

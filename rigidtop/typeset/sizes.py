@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+
+from sympy import Basic
 
 from rigidtop.proof.equation import (
     Equation,
@@ -14,7 +15,7 @@ from rigidtop.typeset.layout import Order, layout
 _TALL = (lay.Fraction, lay.Braced, lay.Big, lay.Derivative, lay.Grid, lay.Root)
 
 
-def is_tall(node: Any) -> bool:
+def is_tall(node: Basic) -> bool:
     """Whether brackets round a node must grow."""
     if isinstance(node, lay.Fraction):
         return not node.small

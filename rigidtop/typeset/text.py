@@ -14,6 +14,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import fields, is_dataclass
 from typing import Any
 
+from sympy import Basic
+
 from rigidtop.proof.equation import Equation
 from rigidtop.theory.symbols import Glyph
 from rigidtop.typeset import nodes as lay
@@ -26,7 +28,7 @@ _VULGAR = {"1/2": "½", "1/3": "⅓", "2/3": "⅔", "1/4": "¼", "3/4": "¾", "1
 _JOINTS = {"": "", "function": " ", "thin": " ", "dot": "·"}
 
 
-def text(tree: Any, order: Order = "auto", *, tag: bool = False) -> str:
+def text(tree: Basic, order: Order = "auto", *, tag: bool = False) -> str:
     """An expression, a matrix, a condition or an `Equation`, with its tag behind it if wanted."""
     node = tree if type(tree).__module__ == lay.__name__ else layout(tree, order)
     made = unicodedata.normalize("NFC", _text(node))
@@ -142,7 +144,7 @@ def _text(node: lay.Node) -> str:
             return made
 
 
-def _factor(node: Any) -> str:
+def _factor(node: Basic) -> str:
     """A quotient among other factors stands in brackets, ½ does not."""
     if isinstance(node, lay.Fraction):
         shown = _text(node)
@@ -150,23 +152,23 @@ def _factor(node: Any) -> str:
     return _text(node)
 
 
-def _is_simple(node: Any) -> bool:
+def _is_simple(node: Basic) -> bool:
     alone = (lay.Number, lay.Letter, lay.Power, lay.Brackets, lay.Root, lay.Apply)
     return isinstance(node, alone)
 
 
-def _superscript(node: Any) -> str:
+def _superscript(node: Basic) -> str:
     shown = _text(node)
     if all(c in "0123456789−" for c in shown):
         return shown.translate(_SUPERSCRIPTS)
     return "^" + (shown if _is_simple(node) and len(shown) == 1 else f"({shown})")
 
 
-def _bare(node: Any) -> Any:
+def _bare(node: Basic) -> Any:
     return node.body if isinstance(node, lay.Brackets) else node
 
 
-def _braced(node: Any) -> Iterator[lay.Braced]:
+def _braced(node: Basic) -> Iterator[lay.Braced]:
     """The parts of a tree that have a brace beneath them."""
     if isinstance(node, lay.Braced):
         yield node

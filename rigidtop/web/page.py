@@ -143,7 +143,7 @@ def _quoted(text: str) -> str:
     return re.sub(r"[%#\n\r\t]", lambda mark: f"%{ord(mark[0]):02X}", text)
 
 
-def data(kind: str, title: str, presets: tuple[Preset, ...], first: Preset) -> Mapping[str, Any]:
+def data(kind: str, title: str, presets: tuple[Preset, ...], first: Preset) -> Mapping[str, object]:
     """`PageData` of the page's types; what is not one of the presets stands behind them."""
     shown = presets if first in presets else (*presets, first)
     parameters = [_slider(each) for each in sliders(kind, (p.setup for p in shown))]
@@ -174,7 +174,7 @@ def common(
     }
 
 
-def tableau() -> dict[str, Any]:
+def tableau() -> dict[str, object]:
     """The coefficients of DOP853."""
     return {name: getattr(DOP853, name).tolist() for name in TABLEAU}
 
@@ -187,7 +187,7 @@ def _equations(kind: str) -> tuple[tuple[terms.TermsOf, bool | None], ...]:
     return symmetric + tuple((each, False) for each in terms.general())
 
 
-def _equation(pair: tuple[terms.TermsOf, bool | None]) -> dict[str, Any]:
+def _equation(pair: tuple[terms.TermsOf, bool | None]) -> dict[str, object]:
     each, symmetric = pair
     return {
         "tag": each.equation.tag,
@@ -201,7 +201,7 @@ def _equation(pair: tuple[terms.TermsOf, bool | None]) -> dict[str, Any]:
     }
 
 
-def _slider(slider: Slider) -> dict[str, Any]:
+def _slider(slider: Slider) -> dict[str, object]:
     return {
         "name": slider.name,
         "letter": slider.letter,
@@ -216,12 +216,12 @@ def _slider(slider: Slider) -> dict[str, Any]:
     }
 
 
-def _preset(preset: Preset) -> dict[str, Any]:
+def _preset(preset: Preset) -> dict[str, object]:
     setup = {**vars(preset.setup), "values": dict(preset.setup.values)}
     return {**vars(preset), "setup": setup}
 
 
-def json_text(value: Any) -> str:
+def json_text(value: object) -> str:
     """For a script element: no "<" in it."""
     text = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     return text.replace("<", "\\u003c")

@@ -130,7 +130,7 @@ def _several(points: Points) -> Points:
     return points
 
 
-def data(motion: SystemMotion, scene: Scene, title: str) -> Mapping[str, Any]:
+def data(motion: SystemMotion, scene: Scene, title: str) -> Mapping[str, object]:
     """`SystemData` of the page's types: parameters are p0, p1 …, the start is s0, s1 …"""
     system = motion.system
     count = len(system.q)

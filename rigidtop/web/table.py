@@ -10,7 +10,6 @@ from base64 import b64encode
 from collections.abc import Mapping
 from dataclasses import replace
 from math import pi
-from typing import Any
 
 import numpy as np
 import sympy
@@ -104,7 +103,7 @@ def module(body: SlidingTop) -> str:
     )
 
 
-def data(runs: Mapping[str, SlidingTrajectory], title: str) -> Mapping[str, Any]:
+def data(runs: Mapping[str, SlidingTrajectory], title: str) -> Mapping[str, object]:
     """`SystemData` of the page's types, of motions by their titles, that which is given first."""
     state = [
         {
@@ -136,7 +135,7 @@ def data(runs: Mapping[str, SlidingTrajectory], title: str) -> Mapping[str, Any]
     }
 
 
-def recording(run: SlidingTrajectory) -> Mapping[str, Any]:
+def recording(run: SlidingTrajectory) -> Mapping[str, object]:
     """Its rows, as numbers of four bytes, and why there are no more."""
     taken = run.dissipated_by_friction + run.dissipated_by_air
     slip = np.hypot(*run.slip.T)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any
 
 from sympy import Expr, Integer, MatrixBase, Symbol
 
@@ -174,7 +173,7 @@ def divide(move: Move, algebra: Algebra) -> Performed:
 
 def _where_set(known: Known, letters: Letters) -> Algebra:
     """What has been set for an equation to hold, put in: at all times with its rate."""
-    given: dict[Any, Value] = {}
+    given: dict[Expr, Value] = {}
     for condition in known.conditions:
         if condition.relation != "=":
             continue

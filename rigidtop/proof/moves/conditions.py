@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
 
 import sympy
 from sympy import Expr, Mul
+from sympy.core.relational import Relational
 
 from rigidtop.proof import decide
 from rigidtop.proof.algebra import flattened
@@ -39,7 +39,7 @@ DRAWS, STEPS = 8, 24
 """Points drawn for two of opposite sign, and steps made from one to the other."""
 
 
-def _vanishes_somewhere(flat: Expr, relations: Sequence[Any]) -> bool:
+def _vanishes_somewhere(flat: Expr, relations: Sequence[Relational]) -> bool:
     """Whether a zero where all relations hold is found by numbers, sooner than by symbols.
 
     It lies between two points at which the expression has opposite signs.
@@ -101,7 +101,7 @@ LEAST = 1e-3
 _STRICT = {"≠": sympy.Ne, ">": sympy.Gt}
 
 
-def flat_with(value: Expr, conditions: Sequence[Condition]) -> tuple[Expr, list[Any]]:
+def flat_with(value: Expr, conditions: Sequence[Condition]) -> tuple[Expr, list[Relational]]:
     """A value and strict relations, what is no letter being the same in all of them."""
     strict = [c for c in conditions if c.relation in _STRICT]
     [flat, *known] = flattened(sympy.Tuple(value, *(c.expression for c in strict)))[0]

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import sympy
 from sympy import MatrixBase
+from sympy.core.function import FunctionClass
 
 from rigidtop.proof import decide
 from rigidtop.proof.algebra import Algebra, Vector
@@ -24,7 +24,7 @@ from rigidtop.proof.moves.move import (
 from rigidtop.proof.moves.pairs import all_pairs, is_operator
 
 
-def function(of: Any) -> Callable[[Move, Algebra], Performed]:
+def function(of: FunctionClass) -> Callable[[Move, Algebra], Performed]:
     """The move that takes a function of both sides; for a logarithm they have to be positive."""
 
     def taken(move: Move, algebra: Algebra) -> Performed:

@@ -134,7 +134,7 @@ class Performed:
     scope: Scope
     conditions: tuple[Condition, ...] = ()
     order: Order | None = None
-    given: Mapping[Any, Value] = field(default_factory=dict)
+    given: Mapping[Expr, Value] = field(default_factory=dict)
     every: bool = False
     """Whether the line has to show all pairs (both roots)."""
 

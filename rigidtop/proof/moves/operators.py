@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
 import sympy
 from sympy import Add, Expr, Integer, MatrixBase, Mul
@@ -79,8 +78,8 @@ def strip(move: Move, algebra: Algebra) -> Performed:
 
 
 def _on_axes(pairs: Sequence[Pair], axes: Sequence[Expr], algebra: Algebra) -> list[Pair]:
-    images: dict[Any, list[tuple[Expr, Vector]]] = {u: [] for u in axes}
-    entries: dict[Any, dict[tuple[int, int], Expr]] = {}
+    images: dict[Expr, list[tuple[Expr, Vector]]] = {u: [] for u in axes}
+    entries: dict[Expr, dict[tuple[int, int], Expr]] = {}
     for pair in pairs:
         for left, right in ((pair.left, pair.right), (pair.right, pair.left)):
             for u in axes:

@@ -63,7 +63,7 @@ def named_components(pairs: Sequence[Pair], algebra: Algebra) -> list[Pair]:
 
 def put_in(known: Sequence[Known], letters: Letters) -> dict[Expr, Value]:
     """What to put in for atoms, so that the equations hold: each equation gives one atom."""
-    given: dict[Any, Value] = {}
+    given: dict[Expr, Value] = {}
     for each in known:
         for equation in each.equations:
             _give(equation, each, given, letters)
@@ -127,7 +127,7 @@ def settle(given: dict[Expr, Value], atom: Expr, value: Value, letters: Letters)
     given[atom] = value
 
 
-def single_atom(value: Value) -> tuple[Any, Expr] | None:
+def single_atom(value: Value) -> tuple[Expr, Expr] | None:
     """The atom of a value that is a number times one atom."""
     if isinstance(value, Vector):
         [*terms] = value.terms.items()
@@ -145,7 +145,7 @@ def single_atom(value: Value) -> tuple[Any, Expr] | None:
     return (atom, number) if is_atom and number != 0 else None
 
 
-def _scaled_atom(value: Value) -> tuple[Any, Expr] | None:
+def _scaled_atom(value: Value) -> tuple[Expr, Expr] | None:
     """The atom of a value that is one vector, or one product or rate, times what can't vanish."""
     if isinstance(value, Vector) and len(value.terms) == 1:
         [(atom, factor)] = value.terms.items()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
 
 from sympy import Expr, Integer, MatrixBase
 
@@ -113,7 +112,7 @@ def _constant(pairs: Sequence[Pair], known: Known, move: Move, letters: Letters)
 
 
 def _values(move: Move, algebra: Algebra) -> dict[Expr, Value]:
-    given: dict[Any, Value] = {}
+    given: dict[Expr, Value] = {}
     for equation in move.by:
         atom = atom_of(algebra.value(equation.sides[0]), equation.sides[0])
         given[atom] = algebra.value(equation.sides[1])

@@ -42,8 +42,8 @@ def solve(move: Move, algebra: Algebra) -> Performed:
 
 
 def _linear(
-    difference: Any, atoms: Mapping[Expr, Symbol]
-) -> list[tuple[dict[Any, Any], Any]] | None:
+    difference: Expr, atoms: Mapping[Expr, Symbol]
+) -> list[tuple[dict[Expr, Expr], Any]] | None:
     """(coefficients of the unknowns, the rest), where they enter linearly; vectors are one row."""
     if isinstance(difference, dict):
         coefficients = {x: difference.get(x, Integer(0)) for x in atoms}
@@ -65,7 +65,7 @@ def _linear(
 
 
 def _solved_linear(
-    move: Move, rows: list[tuple[dict[Any, Any], Any]], atoms: Mapping[Expr, Symbol], scope: Scope
+    move: Move, rows: list[tuple[dict[Expr, Expr], Any]], atoms: Mapping[Expr, Symbol], scope: Scope
 ) -> Performed:
     """Gauss: as many rows as unknowns; what is not asked for is eliminated besides."""
     wanted = list(atoms)
@@ -80,7 +80,7 @@ def _solved_linear(
     inverse = matrix.adjugate().applyfunc(_reduced)
     pairs = []
     for i, x in enumerate(wanted):
-        total: Any = None
+        total: Expr | None = None
         for j, row in enumerate(rows):
             share = -inverse[i, j] / determinant
             part = row[1].times(share) if isinstance(row[1], Vector) else share * row[1]
