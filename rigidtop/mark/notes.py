@@ -74,6 +74,8 @@ PREMISE = "premise"
 
 UNREAD = "unread"
 
+IMAGINARY = own(Glyph("i"))
+
 
 @dataclass(frozen=True)
 class Held:
@@ -336,6 +338,13 @@ class _Judge(Ledger):
         plus = dict.fromkeys(self.signs, Integer(1))
         sides = (sides[0].xreplace(plus), sides[1].xreplace(plus))
         residual = sides[0] - sides[1]
+        if self.is_open(IMAGINARY) and IMAGINARY in residual.free_symbols:
+            unit = residual.xreplace({IMAGINARY: sympy.I})
+            if self.shown(unit, None) or (self.law is not None and self.shown(unit, self.law)):
+                return made(
+                    Verdict.ASSUMING, "where i² = −1", *(self.law.rests if self.law else ())
+                )
+            return made(Verdict.UNDECIDED, "i: a number, or the imaginary unit? nothing says")
         special = self.specially(sides)
         if special is not None:
             where, lines = special
@@ -620,6 +629,19 @@ class _Judge(Ledger):
                 return Verdict.ASSUMING, "where " + ", ".join(sorted(said))
         return None
 
+    def is_open(self, letter: Lettered) -> bool:
+        """Whether nothing says what a letter is."""
+        said = self.kinds(letter.quantity.glyph)
+        return not said and letter not in self.given and letter not in self.moving
+
+    def is_integral(self, residual: Expr, law: Law) -> bool:
+        """Whether an equation between coordinates and rates stays true along the motion."""
+        found = residual.free_symbols
+        if found & {*law.highest} or not any(dotted(x) in found for x in law.q):
+            return False
+        shown = self.shown(self.total(residual), law)
+        return shown is not None and shown[0] is not Verdict.UNDECIDED
+
     def premise(
         self, number: int, line: Line, left: Expr, right: Expr, residual: Expr
     ) -> Held | None:
@@ -629,17 +651,24 @@ class _Judge(Ledger):
             return None
         known = self.law.letters if self.law is not None else set()
         here = {number, *self.used}
+        law = self.law
+        kept = law is not None and law.lagrangian is not None and self.is_integral(residual, law)
         if isinstance(left, Pow) and isinstance(left.base, Lettered) and left.exp.is_Integer:
             letter, value = left.base, self.value(right)
             said = {*self.given, *self.set_to, *known, *value.free_symbols}
-            if letter not in said and bare(letter) not in known:
+            if letter not in said and (kept or bare(letter) not in known):
                 root = value ** Rational(1, int(left.exp))
                 if left.exp % 2 == 0:
                     sign = sympy.Dummy(f"sign of {letter}", real=True)
                     self.signs[sign] = letter
                     root *= sign
                 self.give(letter, root, frozenset(here))
-                return Held(line, PREMISE, f"what {text(letter)} stands for", tuple(self.used))
+                words = f"what {text(letter)} stands for"
+                if kept:
+                    words = "an integral of the motion, its constant taken as it stands"
+                    assert law is not None
+                    self.used |= law.rests
+                return Held(line, PREMISE, words, tuple(self.used))
         if isinstance(left, Lettered) and self.is_set(left, right):
             value = self.value(right)
             for k in range(3 - ["", "dot", "ddot"].index(left.quantity.glyph.accent)):
