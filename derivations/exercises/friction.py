@@ -144,9 +144,10 @@ def spin_falls() -> Iterator[Evidence]:
     asleep = worked.of(
         "spin-in-air", r"(\lambda_3\omega_{3,0})^2\exp\left(-\frac{2c_3t}{\lambda_3}\right)"
     )
-    yield Formal(spin, {s.omega3: spin_in_air()}, reason="Solved from $ω₃$ at $t = 0$.")
+    falling = spin_in_air()
+    yield Formal(spin, {s.omega3: falling}, reason="Solved from $ω₃$ at $t = 0$.")
     threshold = 2 * sympy.sqrt(s.lambda1 * s.M * s.g * s.R) / s.lambda3
-    [time] = sympy.solve(spin_in_air() - threshold, s.t)
+    [time] = sympy.solve(falling - threshold, s.t)
     yield Formal(asleep, {s.t: time}, reason="Down to the sleeping spin,")
     yield Step(moment, "which is at this time.")
 

@@ -29,9 +29,8 @@ def disc_on_a_stem() -> Iterator[Evidence]:
     """Both are cylinders about their own centres, the stem without thickness; then Steiner."""
     disc_height, stem_height = Matrix([0, 0, s.z_d]), Matrix([0, 0, s.l_s / 2])
     stem = cylinder(s.r_d, s.l_s).inertia(s.M_s).subs(s.r_d, 0)
-    about_tip = parallel_axis(
-        cylinder(s.r_d, s.h_d).inertia(s.M_d), s.M_d, disc_height
-    ) + parallel_axis(stem, s.M_s, stem_height)
+    disc = parallel_axis(cylinder(s.r_d, s.h_d).inertia(s.M_d), s.M_d, disc_height)
+    about_tip = disc + parallel_axis(stem, s.M_s, stem_height)
     disc_centre = disc_height + cylinder(s.r_d, s.h_d).centre()
     stem_centre = stem_height + cylinder(s.r_d, s.l_s).centre()
     centre = (s.M_d * disc_centre + s.M_s * stem_centre) / (s.M_d + s.M_s)
