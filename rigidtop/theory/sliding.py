@@ -30,15 +30,13 @@ from functools import cache
 from types import MappingProxyType
 
 import sympy
-from sympy import Expr, ImmutableMatrix, Matrix, Symbol, eye
+from sympy import ImmutableMatrix, Matrix, Symbol, eye
 
 from rigidtop.theory import symbols as s
-from rigidtop.theory import top
 from rigidtop.theory.euler import OMEGA, body_accelerations
 from rigidtop.theory.rotation import Z_AXIS, hat, quaternion_matrix, quaternion_rates
 from rigidtop.theory.symbols import Glyph, Quantity
 from rigidtop.theory.top import QUATERNION, body_accelerations_with
-from rigidtop.theory.trig import reduce_trig
 
 
 def _real(names: str) -> tuple[Symbol, ...]:
@@ -202,19 +200,3 @@ def rates() -> ImmutableMatrix:
             of_air,
         ]
     )
-
-
-def height() -> Expr:
-    """Of the centre of mass above the table, r + (R − r) cos θ (m)."""
-    return tip + CENTRE_ABOVE_TIP * sympy.cos(s.theta)
-
-
-@cache
-def smooth_lagrangian() -> Expr:
-    """T − V of the top on a smooth plane, the uniform drift of its centre left out (J).
-
-    Of the centre of mass only the height moves with the angles.
-    """
-    turning = top.kinetic_energy().subs(_SYMMETRIC)
-    rising = height().diff(s.theta) * s.thetadot
-    return reduce_trig(turning) + s.M * rising**2 / 2 - s.M * s.g * height()
