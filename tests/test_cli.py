@@ -162,25 +162,9 @@ def test_simulate_steady_keeps_theta(capsys: pytest.CaptureFixture[str]) -> None
 
 
 def test_simulate_says_what_kind_of_motion_it_is(capsys: pytest.CaptureFixture[str]) -> None:
-    assert (
-        main(
-            [
-                "simulate",
-                "top",
-                "--theta",
-                "0.5",
-                "--omega3",
-                "40",
-                "--time",
-                "1",
-                "--samples",
-                "81",
-            ]
-        )
-        == 0
-    )
-    last = capsys.readouterr().out.splitlines()[-2:]
-    assert last[0] == (
+    arguments = "simulate top --theta 0.5 --omega3 40 --time 1 --samples 81"
+    assert main(arguments.split()) == 0
+    assert capsys.readouterr().out.splitlines()[-2] == (
         "cusps, θ from 0.5 to 0.51215 rad, nutation period 0.321111 s, "
         "mean precession 0.247929 rad/s"
     )
