@@ -252,6 +252,31 @@ def nearly(residual: Expr, sides: tuple[Expr, Expr], q: Sequence[Symbol]) -> boo
     return True
 
 
+def to_first_order(sides: tuple[Expr, Expr], law: Law | None, moving: Iterable[Symbol]) -> str:
+    """The letters in which two sides agree to first order, along a law that is at rest where they
+    are 0; none where they do not, or where one has more than that order."""
+    letters = sorted(law.q if law is not None else moving, key=str)
+    small = sympy.Dummy("small", positive=True)
+    scaled = {y: small * y for x in letters for y in (x, *(dotted(x, k) for k in (1, 2)))}
+    found = set().union(*(x.free_symbols for x in sides))
+    if not found & scaled.keys():
+        return ""
+    put = [x.subs(scaled) for x in (*sides, *(law.vanishing if law is not None else ()))]
+    degrees = [sympy.degree(x, small) for x in put[:2] if x != 0 and x.is_polynomial(small)]
+    if max(degrees, default=0) != 1:
+        return ""
+    still, first = ([x.diff(small, k).subs(small, 0) for x in put] for k in (0, 1))
+    if any(x.has(sympy.nan, sympy.zoo, sympy.oo, -sympy.oo) for x in (*still, *first)):
+        return ""
+    if any(vanishes(x) is None for x in (still[0] - still[1], *still[2:])):
+        return ""
+    a = law.highest if law is not None else []
+    residual = first[0] - first[1]
+    if vanishes(residual) is None and vanishes(residual, first[2:], a) is None:
+        return ""
+    return ", ".join(text(x) for x in letters if found & {x, *(dotted(x, k) for k in (1, 2))})
+
+
 def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:
     """Short numbers at which two sides differ, in words; accelerations are those of the law."""
     flat, names = plain(sympy.Tuple(*sides, *(law.vanishing if law is not None else ())))

@@ -46,6 +46,7 @@ from rigidtop.mark.law import (
     moves,
     nearly,
     reduced,
+    to_first_order,
     vanishes,
     words_of,
 )
@@ -183,12 +184,15 @@ class _Judge(Ledger):
         self.places[number] = self.section
         self.sets = {x: g for x, g in self.sets.items() if g.section == self.section}
         try:
-            if equation.relation not in ("=", "≡"):
+            if equation.relation not in ("=", "≡", "≈"):
                 raise NoMeaningError(f"{equation.relation} is not judged")
             if any(sympy.count_ops(side, visual=False) > MOST_OPERATIONS for side in equation.sides
                    if not isinstance(side, sympy.MatrixBase)):  # fmt: skip
                 raise NoMeaningError(f"more than {MOST_OPERATIONS} operations")
-            found = self.judged(number, line, equation)
+            if equation.relation == "≈":
+                found = self.approximate(line, *map(self.named, equation.sides))
+            else:
+                found = self.judged(number, line, equation)
         except NoMeaningError as error:
             found = Held(line, Verdict.UNDECIDED.value, str(error))
         except (ArithmeticError, TypeError, ValueError, AttributeError, KeyError) as error:
@@ -200,6 +204,22 @@ class _Judge(Ledger):
             note = f"holds at most “{line.condition}”, which is not judged"
             return replace(found, verdict=Verdict.UNDECIDED.value, note=note)
         return found
+
+    def approximate(self, line: Line, *sides: Expr) -> Held:
+        """A line of motions that are small: it holds to first order, or is open."""
+        rests, found = set[int](), ""
+        for left, right in pairwise(sides):
+            if left == sides[0] and self.defines(left, [right]):
+                continue
+            self.used = set()
+            found = to_first_order((self.value(left), self.value(right)), self.law, self.moving)
+            if not found:
+                raise NoMeaningError("≈ is shown to first order in what moves, and no further")
+            rests |= self.used | (self.law.rests if self.law is not None else frozenset())
+        if not found:
+            return Held(line, PREMISE, f"about what {text(sides[0])} stands for")
+        note = f"where the motion is small: to first order in {found}"
+        return Held(line, Verdict.ASSUMING.value, note, tuple(sorted(rests)))
 
     def judged(self, number: int, line: Line, equation: Equation) -> Held:
         """All links of a chain; the first one may say what a letter stands for."""
