@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from rigidtop.collection import Collection
     from rigidtop.mark.alike import Alike
     from rigidtop.mark.audit import Audited
-    from rigidtop.mark.notes import Row
+    from rigidtop.mark.rows import Row
     from rigidtop.notation import Notation
     from rigidtop.read.document import Formula
     from rigidtop.read.project import Source
@@ -73,7 +73,7 @@ def run(options: argparse.Namespace) -> int:
 
 def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int:
     from rigidtop.mark.audit import ABSENT, UNREAD, audit, missing
-    from rigidtop.mark.notes import rows
+    from rigidtop.mark.rows import rows
     from rigidtop.notation import OWN
     from rigidtop.read.document import SECONDS
     from rigidtop.read.project import habits, sources

@@ -9,15 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import partial
 from typing import Any
 
 import sympy
-from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol, cos, sin
+from sympy import Add, Expr, Integer, Mul, Pow, Rational, cos, sin
 
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.notation import MATRICES
-from rigidtop.proof.equation import Cross, Group, Transposed, as_printed
+from rigidtop.proof.changed import Single, changes, walked
+from rigidtop.proof.equation import Group, Transposed, as_printed
 from rigidtop.theory import symbols as s
 from rigidtop.typeset.text import text
 
@@ -33,14 +33,6 @@ class Slip:
     words: str
 
 
-@dataclass(frozen=True)
-class Repair:
-    """A slip, and the side without it."""
-
-    slip: Slip
-    side: Expr
-
-
 Holds = Callable[[Any, Any], bool]
 
 
@@ -53,129 +45,79 @@ def found(left: Expr, right: Expr, holds: Holds) -> tuple[Slip, ...]:
     made: dict[str, Slip] = {}
     tried = 0
     for first, side, other in ((True, right, left), (False, left, right)):
-        for repair in repairs(side):
+        for repaired, slip in repairs(side):
             tried += 1
             if tried > MOST:
                 break
-            if repair.slip.kind in made:
+            if slip.kind in made:
                 continue
-            pair = (other, repair.side) if first else (repair.side, other)
+            pair = (other, repaired) if first else (repaired, other)
             try:
                 if holds(*pair):
-                    made[repair.slip.kind] = repair.slip
+                    made[slip.kind] = slip
             except (ArithmeticError, TypeError, ValueError, AttributeError):
                 continue
     return tuple(made.values())
 
 
-def repairs(side: Expr) -> Iterator[Repair]:
+def repairs(side: Expr) -> Iterator[tuple[Expr, Slip]]:
     """A side with one thing in it put right, for every thing that could be a slip."""
     if isinstance(side, sympy.MatrixBase):
         for k, entry in enumerate(side):
-            for repair in repairs(entry):
-                entries = [*side[:k], repair.side, *side[k + 1 :]]
-                words = f"{repair.slip.words} (entry {k + 1})"
-                yield Repair(
-                    Slip(repair.slip.kind, words), sympy.ImmutableMatrix(*side.shape, entries)
-                )
+            for new, slip in repairs(entry):
+                entries = [*side[:k], new, *side[k + 1 :]]
+                placed = Slip(slip.kind, f"{slip.words} (entry {k + 1})")
+                yield sympy.ImmutableMatrix(*side.shape, entries), placed
         return
-    if not isinstance(side, Add) and side not in (0, s.const):
-        yield from _of_term(side, lambda new: new)
-    yield from _inside(side)
+    with as_printed():
+        alone = [] if isinstance(side, Add) or side in (0, s.const) else [*_of_term(side)]
+    for new, single in [*alone, *walked(side, _here)]:
+        yield new, Slip(single.kind, single.words.format(*map(_shown, single.of)))
 
 
-def _inside(node: Expr) -> Iterator[Repair]:
-    yield from _here(node)
-    for k, argument in enumerate(node.args):
-        if isinstance(node, Pow) and k == 1:
-            continue
-        for repair in _inside(argument):
-            with as_printed():
-                rebuilt = node.func(*node.args[:k], repair.side, *node.args[k + 1 :])
-            yield Repair(repair.slip, rebuilt)
-
-
-def _of_term(term: Expr, put: Callable[[Any], Any]) -> list[Repair]:
+def _of_term(term: Expr) -> Iterator[tuple[Expr, Single]]:
     """What can be wrong with a term as a whole."""
-    shown = _shown(term)
-    lost = [
-        factor
-        for factor in (sin(s.theta), cos(s.theta), sin(s.theta) ** 2)
-        if not term.has(*factor.atoms(sin, cos))
-    ]
-    changed = [
-        ("sign", f"the sign of {shown}", Integer(-1)),
-        ("factor", f"a factor 2 at {shown}", Integer(2)),
-        ("factor", f"a factor ½ at {shown}", Rational(1, 2)),
-        *(("factor lost", f"{text(factor)} is missing from {shown}", factor) for factor in lost),
-    ]
-    made = [
-        Repair(Slip(kind, words), put(Mul(factor, term, evaluate=False)))
-        for kind, words, factor in changed
-    ]
-    kept = [k for k, factor in enumerate(Mul.make_args(term)) if isinstance(factor, (sin, cos))]
-    for k in kept if isinstance(term, Mul) else ():
-        words = f"{text(term.args[k])} is too much at {shown}"
-        rest = Mul(*term.args[:k], *term.args[k + 1 :], evaluate=False)
-        made.append(Repair(Slip("factor kept", words), put(rest)))
-    return made
+    yield Mul(Integer(-1), term), Single("sign", (term,), "the sign of {}")
+    yield Mul(Integer(2), term), Single("factor", (term,), "a factor 2 at {}")
+    yield Mul(Rational(1, 2), term), Single("factor", (term,), "a factor ½ at {}")
+    for lost in (sin(s.theta), cos(s.theta), sin(s.theta) ** 2):
+        if not term.has(*lost.atoms(sin, cos)):
+            yield Mul(lost, term), Single("factor lost", (lost, term), "{} is missing from {}")
+    for k, kept in enumerate(term.args if isinstance(term, Mul) else ()):
+        if isinstance(kept, (sin, cos)):
+            rest = Mul(*term.args[:k], *term.args[k + 1 :])
+            yield rest, Single("factor kept", (kept, term), "{} is too much at {}")
 
 
-def _here(node: Expr) -> Iterator[Repair]:
+def _here(node: Expr) -> Iterator[tuple[Expr, Single]]:
+    """What can be wrong with a node; of a sum the terms are what has a sign and a factor."""
+    power, other = "the power of {}", "{} where {} is meant"
     if isinstance(node, Add):
         for k, term in enumerate(node.args):
-            if isinstance(term, Add):
-                continue  # without brackets: its terms are terms of the whole sum
-            before, behind = node.args[:k], node.args[k + 1 :]
-            yield from _of_term(term, partial(_between, before, behind))
-            rest = (*before, *behind)
-            yield Repair(
-                Slip("too much", f"{_shown(term)} is too much"),
-                Add(*rest, evaluate=False) if len(rest) > 1 else rest[0],
-            )
-    elif isinstance(node, Pow) and node.exp.is_Integer and abs(node.exp) > 1:
-        step = 1 if node.exp > 0 else -1
-        for exponent in (node.exp - step, node.exp + step):
-            yield Repair(
-                Slip("power", f"the power of {text(node.base)}"), _raised(node.base, exponent)
-            )
-    elif isinstance(node, (sin, cos)):
-        other = (cos if isinstance(node, sin) else sin)(*node.args, evaluate=False)
-        yield Repair(Slip("function", f"{text(node)} where {text(other)} is meant"), other)
-        yield Repair(Slip("power", f"the power of {text(node)}"), _raised(node, Integer(2)))
-    elif isinstance(node, Symbol):
-        yield from _of_symbol(node)
-    elif isinstance(node, Transposed):
-        inside = node.args[0]
-        yield Repair(Slip("transpose", f"{text(node)} where {text(inside)} is meant"), inside)
-    elif isinstance(node, Cross):
-        a, b = node.args
-        yield Repair(Slip("sign", f"the order of {text(a)} × {text(b)}"), Cross(b, a))
-
-
-def _between(before: tuple[Any, ...], behind: tuple[Any, ...], term: Expr) -> Any:
-    return Add(*before, term, *behind, evaluate=False)
-
-
-def _raised(base: Expr, exponent: Expr) -> Any:
-    return Pow(base, exponent, evaluate=False)
-
-
-def _of_symbol(node: Symbol) -> Iterator[Repair]:
+            if not isinstance(term, Add):  # without brackets: its terms are those of the whole sum
+                for new, single in _of_term(term):
+                    yield Add(*node.args[:k], new, *node.args[k + 1 :]), single
     if node in MATRICES and node != s.unit:
         turned = Transposed(node)
-        yield Repair(Slip("transpose", f"{text(node)} where {text(turned)} is meant"), turned)
+        yield turned, Single("transpose", (node, turned), other)
         return
     if node == s.psidot:
-        spin = Group(Add(node, s.phidot * cos(s.theta), evaluate=False))
-        yield Repair(Slip("spin", "φ̇ cos θ is missing beside ψ̇"), spin)
-    for family in LETTERS.families:
-        if node in family:
-            for other in family:
-                if other != node:
-                    words = f"{text(node)} where {text(other)} is meant"
-                    yield Repair(Slip("index", words), other)
-    yield Repair(Slip("power", f"the power of {text(node)}"), _raised(node, Integer(2)))
+        spin = Group(Add(node, s.phidot * cos(s.theta)))
+        yield spin, Single("spin", (), "φ̇ cos θ is missing beside ψ̇")
+    if isinstance(node, Pow):
+        for step in (-1, 1) if node.exp.is_Integer and abs(node.exp) > 1 else ():
+            new = Pow(node.base, Integer(int(node.exp) + step))
+            yield new, Single("power", (node.base,), power)
+        return
+    for new, single in changes(node, LETTERS.families):
+        if single.kind == "order":
+            yield new, Single("sign", node.args, "the order of {} × {}")
+        elif single.kind == "too much" and not isinstance(single.of, Add):
+            yield new, Single(single.kind, (single.of,), "{} is too much")
+        elif single.kind == "power":
+            yield new, Single(single.kind, (node,), power)
+        elif single.kind in ("function", "index", "transpose"):
+            yield new, Single(single.kind, (node, single.of), other)
 
 
 def _shown(term: Expr) -> str:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import sympy
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol, cos, sin
@@ -12,7 +13,6 @@ from rigidtop.proof.equation import (
     Cross,
     Equation,
     IntegralOver,
-    Matrices,
     Partial,
     Rate,
     SumOver,
@@ -28,6 +28,17 @@ Families = Sequence[tuple[Symbol, ...]]
 
 
 @dataclass(frozen=True)
+class Single:
+    """A change of one node: its kind, such as "sign", what it is of, and `words` for it."""
+
+    kind: str
+    of: Any
+    words: str
+    entry: int = 0
+    """Of a matrix: which entry, counted from 1."""
+
+
+@dataclass(frozen=True)
 class Perturbation:
     """A changed equation and what was changed."""
 
@@ -37,94 +48,91 @@ class Perturbation:
 
 def perturbations(equation: Equation, families: Families = ()) -> tuple[Perturbation, ...]:
     """Every single change of sign, factor, exponent, index, function or term, side by side."""
+    made = []
+    for k, side in enumerate(equation.sides):
+        for changed, single in walked(side, lambda node: changes(node, families), (Partial, Rate)):
+            sides = (*equation.sides[:k], changed, *equation.sides[k + 1 :])
+            new = Equation(*sides, relation=equation.relation, tag=equation.tag)
+            place = f"entry {single.entry}: " if single.entry else ""
+            made.append(Perturbation(new, place + single.words))
+    return tuple(made)
+
+
+Changed = Iterable[tuple[Expr, Single]]
+
+
+def walked(
+    side: Expr, here: Callable[[Expr], Changed], whole: tuple[type, ...] = ()
+) -> list[tuple[Expr, Single]]:
+    """A side with one node of it changed, for every node and all that comes of it `here`.
+
+    What is of a type of `whole` is changed as one thing, not within.
+    """
     # All at once: SymPy forgets what it has found out wherever it is told to leave trees alone.
     with as_printed():
-        return tuple(
-            Perturbation(
-                Equation(
-                    *equation.sides[:k],
-                    changed,
-                    *equation.sides[k + 1 :],
-                    relation=equation.relation,
-                    tag=equation.tag,
-                ),
-                change,
-            )
-            for k, side in enumerate(equation.sides)
-            for changed, change in _changed_side(side, families)
-        )
+        return [*_walked(side, here, whole)]
 
 
-def _changed_side(side: Expr, families: Families) -> Iterator[tuple[Expr, str]]:
-    """A side with one change in it; of a matrix one entry is changed."""
-    if not isinstance(side, sympy.MatrixBase):
-        yield from _changed(side, families)
+def _walked(
+    node: Expr, here: Callable[[Expr], Changed], whole: tuple[type, ...]
+) -> Iterator[tuple[Expr, Single]]:
+    if isinstance(node, sympy.MatrixBase):
+        for k, entry in enumerate(node):
+            for new, single in _walked(entry, here, whole):
+                entries = [*node[:k], new, *node[k + 1 :]]
+                placed = Single(single.kind, single.of, single.words, k + 1)
+                yield sympy.ImmutableMatrix(*node.shape, entries), placed
         return
-    for k, entry in enumerate(side):
-        for changed, change in _changed(entry, families):
-            new = [*side[:k], changed, *side[k + 1 :]]
-            yield sympy.ImmutableMatrix(*side.shape, new), f"entry {k + 1}: {change}"
-
-
-def _changed(node: Expr, families: Families) -> Iterator[tuple[Expr, str]]:
-    """The tree with one change at this node or below it."""
-    yield from _changed_here(node, families)
-    if isinstance(node, Matrices):
-        for k, matrix in enumerate(node.args):
-            for changed, change in _changed_side(matrix, families):
-                yield Matrices(*node.args[:k], changed, *node.args[k + 1 :]), change
-        return
+    yield from here(node)
     for k, argument in enumerate(node.args):
-        if not _stands(node, k):
-            for changed, change in _changed(argument, families):
-                yield node.func(*node.args[:k], changed, *node.args[k + 1 :]), change
+        if not isinstance(node, whole) and not _stands(node, k):
+            for new, single in _walked(argument, here, whole):
+                yield node.func(*node.args[:k], new, *node.args[k + 1 :]), single
 
 
 def _stands(node: Expr, k: int) -> bool:
     """Whether argument k is left alone.
 
-    The label of a brace, the index of a sum and the measure of an integral assert nothing; a rate
-    is one thing with a meaning of its own; a power changes its exponent itself.
+    The label of a brace, the index of a sum and the measure of an integral assert nothing; a power
+    changes its exponent itself.
     """
-    return (
-        isinstance(node, (Partial, Rate))
-        or (isinstance(node, (Underbrace, Pow)) and k == 1 and not node.args[1].args)
-        or (isinstance(node, (IntegralOver, SumOver, VolumeIntegral)) and k == 0)
+    return (isinstance(node, (Underbrace, Pow)) and k == 1 and not node.args[1].args) or (
+        isinstance(node, (IntegralOver, SumOver, VolumeIntegral)) and k == 0
     )
 
 
-def _changed_here(node: Expr, families: Families) -> Iterator[tuple[Expr, str]]:
+def changes(node: Expr, families: Families) -> Iterator[tuple[Expr, Single]]:
     """The changes of a node itself, typed as printed."""
     if node in (0, const):
         return
     if isinstance(node, Add):
         for k, term in enumerate(node.args):
-            others = (*node.args[:k], *node.args[k + 1 :])
-            yield Add(*node.args[:k], -term, *node.args[k + 1 :]), f"sign of {term}"
-            yield (Add(*others) if len(others) > 1 else others[0]), f"{term} dropped"
-            yield Add(*node.args[:k], 2 * term, *node.args[k + 1 :]), f"twice {term}"
-    elif isinstance(node, Pow):
+            before, behind = node.args[:k], node.args[k + 1 :]
+            others = (*before, *behind)
+            yield Add(*before, -term, *behind), Single("sign", term, f"sign of {term}")
+            rest = Add(*others) if len(others) > 1 else others[0]
+            yield rest, Single("too much", term, f"{term} dropped")
+            yield Add(*before, 2 * term, *behind), Single("factor", term, f"twice {term}")
+        return
+    if isinstance(node, Pow):
         base, exponent = node.args
-        yield Pow(base, exponent + 1), f"exponent of {base}"
-        yield Mul(node, Integer(-1)), f"sign of {node}"
+        yield Pow(base, exponent + 1), Single("power", base, f"exponent of {base}")
     elif isinstance(node, Symbol):
-        for family in families:
-            if node in family:
-                yield from ((other, f"{other} for {node}") for other in family if other != node)
-        yield Mul(Integer(2), node), f"twice {node}"
-        yield Mul(Integer(-1), node), f"sign of {node}"
-        yield Mul(node, node), f"square of {node}"
+        for family in (family for family in families if node in family):
+            for other in (other for other in family if other != node):
+                yield other, Single("index", other, f"{other} for {node}")
+        yield 2 * node, Single("factor", node, f"twice {node}")
+        yield Pow(node, 2), Single("power", node, f"square of {node}")
     elif isinstance(node, (sin, cos)):
-        yield (cos if isinstance(node, sin) else sin)(*node.args), f"the other function in {node}"
-        yield Mul(Integer(-1), node), f"sign of {node}"
-        yield Pow(node, Integer(2)), f"square of {node}"
-    elif isinstance(node, (Partial, Rate)):
-        yield Mul(Integer(-1), node), f"sign of {node}"
+        other = (cos if isinstance(node, sin) else sin)(*node.args)
+        yield other, Single("function", other, f"the other function in {node}")
+        yield Pow(node, 2), Single("power", node, f"square of {node}")
     elif isinstance(node, Cross):
-        yield Cross(node.args[1], node.args[0]), "factors of × exchanged"
+        yield Cross(*node.args[::-1]), Single("order", node, "factors of × exchanged")
     elif isinstance(node, Transposed):
-        yield node.args[0], "transposition dropped"
+        yield node.args[0], Single("transpose", node.args[0], "transposition dropped")
     elif node.is_Number:
         larger = Rational(node.p + node.q, node.q)
-        yield larger, f"{larger} for {node}"
-        yield Mul(Integer(-1), node), f"sign of {node}"
+        yield larger, Single("number", larger, f"{larger} for {node}")
+    if isinstance(node, (Pow, Symbol, sin, cos, Partial, Rate)) or node.is_Number:
+        yield Mul(Integer(-1), node), Single("sign", node, f"sign of {node}")

@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from rigidtop.mark.notes import held, rows
+from rigidtop.mark.notes import held
+from rigidtop.mark.rows import rows
 from rigidtop.notation import OWN
 from rigidtop.read.formula import read
 from rigidtop.read.project import habits, sources

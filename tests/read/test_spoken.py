@@ -4,7 +4,7 @@ import pytest
 from sympy import Mul
 
 from rigidtop.commands.read import run
-from rigidtop.mark.notes import rows
+from rigidtop.mark.rows import rows
 from rigidtop.notation import OWN
 from rigidtop.proof.equation import At
 from rigidtop.read.document import formulas

@@ -1,0 +1,74 @@
+"""The formulas of a file, each judged by those above it."""
+
+from __future__ import annotations
+
+import re
+import time
+from bisect import bisect_right
+from dataclasses import dataclass
+
+from rigidtop.mark.notes import Held, held
+from rigidtop.notation import OWN
+from rigidtop.read.document import Formula, each, numbered, places, states
+from rigidtop.read.formula import Line
+from rigidtop.read.habits import Habits
+
+_HEADING = re.compile(
+    r"^[ \t]{0,3}#{1,6}[ \t]"
+    r"|\\(?:chapter|(?:sub)*section)\*?[ \t]*[\[{]"
+    r"|\\begin[ \t]*\{(?:example|problem|exercise|question|solution|theorem|proof)s?\}",
+    re.M,
+)
+"""Behind it another system may begin, and letters stand for other things."""
+
+_LABEL = re.compile(r"\\label\s*\{([^{}\n]{1,100})\}")
+
+
+@dataclass(frozen=True)
+class Row:
+    """A line of a file, counted from 1, with what became of it; `lines` are those that it rests on.
+
+    `number` is its number, or the name of its label; a symbol in a sentence is no row.
+    """
+
+    line: int
+    column: int
+    opens: int
+    number: str
+    display: bool
+    held: Held
+    lines: tuple[int, ...]
+
+
+def rows(source: str, habits: Habits, seconds: float) -> tuple[Row, ...]:
+    """Every formula of a file that says something, each judged by those above it.
+
+    Once the time is up the rest is unread, and says so.
+    """
+    end = time.process_time() + seconds
+    tags = {
+        formula.start: group.number for group in numbered(source) for formula in group.formulas[-1:]
+    }
+    found: list[tuple[Formula, Line]] = [
+        (formula, line)
+        for formula, lines in each(source, OWN, seconds, habits)
+        if states(formula)
+        for line in lines
+        if line.equation is not None or formula.display
+    ]
+    headings = [match.start() for match in _HEADING.finditer(source)]
+    sections = [bisect_right(headings, line.position) for _, line in found]
+    lines = [line for _, line in found]
+    judged = held(lines, habits.functions, habits.timed, sections, end, habits.kind)
+    place = places(source)
+    at = [place(min(line.position, len(source))) for line in lines]
+    made = []
+    for i, (formula, line) in enumerate(found):
+        last = i + 1 == len(found) or found[i + 1][0] is not formula
+        stop = formula.end if last else lines[i + 1].position
+        label = _LABEL.search(source, line.position, stop)
+        number = line.tag or (tags.get(formula.start, "") if last else "")
+        number = number or (label[1] if label else "")
+        rests = tuple(sorted({at[k][0] for k in judged[i].rests}))
+        made.append(Row(*at[i], formula.opens, number, formula.display, judged[i], rests))
+    return tuple(made)
