@@ -97,6 +97,9 @@ class Ledger:
                 # constraint.
                 if base(other) in LAGRANGIANS and (letter not in coordinates or turned):
                     self.law = self.of_lagrangian(other) or self.law
+                elif base(other) in LAGRANGIANS and self.law is not None:
+                    # x = Rθ may be kept by a force.
+                    self.law = replace(self.law, broken=True)
         for k in range(times):
             known = Given(value, rests, self.section, side=None if k else side)
             self.given[dotted(letter, k) if k else letter] = known
