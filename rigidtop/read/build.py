@@ -79,21 +79,12 @@ def parsed(found: Sequence[Token], notation: Notation) -> tuple[list[Any], list[
 
 
 _FUNCTIONS: dict[str, Any] = {
-    "sin": sympy.sin,
-    "cos": sympy.cos,
-    "tan": sympy.tan,
-    "exp": sympy.exp,
-    "log": sympy.log,
-    "arcsin": sympy.asin,
-    "arccos": sympy.acos,
-    "arctan": sympy.atan,
-    "sinh": sympy.sinh,
-    "cosh": sympy.cosh,
-    "tanh": sympy.tanh,
-    "cot": sympy.cot,
-    "sec": sympy.sec,
-    "csc": sympy.csc,
-    "coth": sympy.coth,
+    **{
+        name: getattr(sympy, name)
+        for name in ["sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh"]
+    },
+    **{name: getattr(sympy, name) for name in ["cot", "sec", "csc", "coth"]},
+    **{f"arc{name}": getattr(sympy, f"a{name}") for name in ("sin", "cos", "tan")},
     "K": sympy.elliptic_k,
     "F": sympy.elliptic_f,
 }

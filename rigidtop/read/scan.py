@@ -12,7 +12,7 @@ read, and the reason says which two.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from rigidtop.notation import Notation
@@ -35,6 +35,7 @@ from rigidtop.read.tex import (
     UPRIGHT,
     Piece,
     UnreadError,
+    commands,
     flat,
     pieces,
     plain,
@@ -88,8 +89,8 @@ class Scan(Calculus):
         single = self.single()
         if single is not None:
             yield Token(*single, position)
-        elif text == r"\left":
-            yield from self.left()
+        elif text in _TAKES:
+            yield from _TAKES[text](self)
         elif text in NOTHING or text in signs.LEFT_OUT:
             self.take()
             if text == r"\right" and self.peek().text == ".":
@@ -118,21 +119,9 @@ class Scan(Calculus):
             if self.peek(-2).text == "&" and self.at > 1:
                 self.commented = self.at
             yield Token("ALIGN", text, position)
-        elif text == "^":
-            yield from self.power()
-        elif text == "{}":
-            yield from self.group()
-        elif text in signs.FRACTIONS:
-            yield from self.fraction()
-        elif text == r"\sqrt":
-            yield from self.root()
         elif text in signs.FUNCTIONS:
             self.take()
             yield from self.function(text[1:].replace("ln", "log"), position)
-        elif text == r"\int":
-            yield from self.integral()
-        elif text in (r"\stackrel", r"\overset"):
-            yield from self.stacked()
         elif text in signs.BETWEEN:
             self.take()
             between = self.argument(piece)
@@ -141,16 +130,6 @@ class Scan(Calculus):
                 reason = "mathematics between the lines: write it as a line of its own"
                 yield Token("UNREAD", UnreadError(reason, position), position)
                 yield Token("LINE", text, position)
-        elif text in (r"\underbrace", r"\overbrace"):
-            yield from self.brace()
-        elif text == r"\begin":
-            yield from self.environment()
-        elif text == r"\end":
-            raise UnreadError(r"an \end without its \begin", position)
-        elif text in (r"\tag", r"\tag*", r"\eqno", r"\leqno"):
-            yield self.tag()
-        elif text in signs.BARS:
-            yield self.bar()
         elif text in signs.OVER and self.peek(1).text == "{}" and not self.is_letter(self.at):
             self.take()
             yield Token("RATE", signs.OVER[text], position)
@@ -204,7 +183,7 @@ class Scan(Calculus):
                 raise UnreadError(f"a number of more than {DIGITS} digits", first.position)
         return Token("NUMBER", digits, first.position)
 
-    def tag(self) -> Token:
+    def tag(self) -> Iterator[Token]:
         piece = self.take()
         if piece.text in (r"\eqno", r"\leqno"):
             number = ""
@@ -212,7 +191,7 @@ class Scan(Calculus):
                 number += self.take().text
         else:
             number = plain(*self.argument(piece))
-        return Token("TAG", number.strip("()$ "), piece.position)
+        yield Token("TAG", number.strip("()$ "), piece.position)
 
     def stacked(self) -> Iterator[Token]:
         """What stands above a relation is a comment, unless it is a relation too."""
@@ -325,14 +304,14 @@ class Scan(Calculus):
         else:
             raise UnreadError("a bracket on one side alone", position)
 
-    def bar(self) -> Token:
+    def bar(self) -> Iterator[Token]:
         ahead = self.peek(1)
         if ahead.text == "|" == self.peek().text and ahead.position == self.peek().position + 1:
             self.take()  # || is the size of a vector too
         elif ahead.text == "_" and not self.bars and self.peek().text in ("|", r"\vert"):
             piece = self.take()
-            [token] = self.taken_at(piece.position)
-            return token
+            yield from self.taken_at(piece.position)
+            return
         piece = self.take()
         closes = piece.text in signs.CLOSING or (
             bool(self.bars) and piece.text not in signs.OPENING
@@ -343,7 +322,7 @@ class Scan(Calculus):
         elif not closes:
             self.bars.append(True)
             self.depth += 1
-        return Token("RAB" if closes else "BAR", "|", piece.position)
+        yield Token("RAB" if closes else "BAR", "|", piece.position)
 
     def taken_at(self, position: int) -> Iterator[Token]:
         """The place at which something is taken, behind its bar."""
@@ -544,6 +523,22 @@ class Scan(Calculus):
         follows = behind in signs.SIGNS_AROUND | ends
         aligned = behind == "&" and self.peek(1).text in signs.SIGNS_AROUND
         return self.last in signs.BEFORE and (follows or aligned)
+
+
+_TAKES: Mapping[str, Callable[[Scan], Iterator[Token]]] = {
+    "^": Scan.power,
+    "{}": Scan.group,
+    r"\sqrt": Scan.root,
+    r"\int": Scan.integral,
+    r"\left": Scan.left,
+    r"\begin": Scan.environment,
+    **dict.fromkeys(signs.FRACTIONS, Scan.fraction),
+    **dict.fromkeys(signs.BARS, Scan.bar),
+    **dict.fromkeys(commands("stackrel overset"), Scan.stacked),
+    **dict.fromkeys(commands("underbrace overbrace"), Scan.brace),
+    **dict.fromkeys(commands("tag tag* eqno leqno"), Scan.tag),
+}
+"""What takes a piece with all that belongs to it."""
 
 
 def shown(token: Token, notation: Notation) -> str:

@@ -85,6 +85,7 @@ REFUSED = {
     **dict.fromkeys(commands("cancel bcancel xcancel cancelto"), "what is struck out"),
     **dict.fromkeys(commands("iint iiint oint"), "an integral of several dimensions"),
     **dict.fromkeys(commands("includegraphics xymatrix tikz"), "a picture"),
+    r"\end": r"an \end without its \begin",
     "*": "a star: a product is written without one",
     "!": "a factorial",
     "?": "a question mark",

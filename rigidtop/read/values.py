@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any
@@ -37,35 +37,30 @@ OMITTED = own(Glyph("…"))
 """Dots for what is left out: a number or a vector, as need be."""
 
 
+_CARRIES: Mapping[Any, int] = {
+    **dict.fromkeys((eq.Group, eq.Underbrace, eq.Rate, eq.Transposed, Pow), 0),
+    **dict.fromkeys((eq.At, eq.Slope, eq.Partial, eq.Evaluated, eq.Integrated), 0),
+    **dict.fromkeys((eq.SumOver, eq.VolumeIntegral), 1),
+    **dict.fromkeys((eq.IntegralOver, eq.SumFrom), 3),
+    eq.Matrices: -1,
+}
+"""Which of its parts a node has its kind from."""
+
+
 def kind(node: Expr) -> str:
     """ "scalar", "vector" or "matrix"."""
     if isinstance(node, sympy.MatrixBase):
         return "vector" if 1 in node.shape else "matrix"
     if isinstance(node, Symbol):
-        if node in MATRICES:
-            return "matrix"
         _, quantity = known(node)
-        return "vector" if quantity is not None and quantity.glyph.bold else "scalar"
-    if isinstance(node, eq.Cross):
-        return "vector"
-    if isinstance(node, eq.Matrices):
-        return kind(node.args[-1])
-    if isinstance(node, (eq.Group, eq.Underbrace, eq.Rate, eq.Transposed)):
-        return kind(node.args[0])
-    if isinstance(node, (eq.SumOver, eq.VolumeIntegral)):
-        return kind(node.args[1])
-    if isinstance(node, eq.IntegralOver):
-        return kind(node.args[3])
-    if isinstance(node, eq.SumFrom):
-        return kind(node.args[3])
-    if isinstance(node, (eq.At, eq.Slope, eq.Partial, eq.Evaluated, eq.Integrated)):
-        return kind(node.args[0])
+        bold = quantity is not None and quantity.glyph.bold
+        return "matrix" if node in MATRICES else "vector" if bold else "scalar"
+    if type(node) in _CARRIES:
+        return kind(node.args[_CARRIES[type(node)]])
     if isinstance(node, (Add, Mul)):
         kinds = [kind(argument) for argument in node.args]
         return next((k for k in ("vector", "matrix") if k in kinds), "scalar")
-    if isinstance(node, Pow):
-        return kind(node.base)
-    return "scalar"
+    return "vector" if isinstance(node, eq.Cross) else "scalar"
 
 
 @dataclass(frozen=True)
