@@ -23,15 +23,7 @@ from rigidtop.derivations import models
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.mark import slips
 from rigidtop.mark.explain import explain, foreign, is_own, side_text, symbols_in, with_slopes
-from rigidtop.mark.links import (
-    ERRORS,
-    Link,
-    Verdict,
-    judge,
-    number_text,
-    one_angle,
-    pair_text,
-)
+from rigidtop.mark.links import ERRORS, Link, Verdict, judge, number_text, one_angle, pair_text
 from rigidtop.mark.passages import letters_of, passage, way
 from rigidtop.mark.steps import Step, is_matrix, steps, too_large
 from rigidtop.proof import decide

@@ -22,26 +22,13 @@ from rigidtop.derivations.letters import LETTERS
 from rigidtop.mark.links import Link, number_text, pair_text
 from rigidtop.mark.links import Verdict as LinkVerdict
 from rigidtop.mark.links import judge as judge_in
-from rigidtop.mark.ruling import (
-    HOLDS,
-    ORDER,
-    Ruling,
-    asserted,
-    check_of,
-    judged,
-    refutation,
-)
+from rigidtop.mark.ruling import HOLDS, ORDER, Ruling, asserted, check_of, judged, refutation
 from rigidtop.mark.surroundings import Near, among, scaled
 from rigidtop.notation import NOTES, Notation
 from rigidtop.proof.algebra import Letters
 from rigidtop.proof.equation import Equation, symbols_of
 from rigidtop.proof.page import Check, Claim, Correction, Definition, Evidence, Page, Remark
-from rigidtop.proof.verdict import (
-    Finding,
-    Judgement,
-    Verdict,
-    judge_check,
-)
+from rigidtop.proof.verdict import Finding, Judgement, Verdict, judge_check
 from rigidtop.read.document import Numbered, lines, numbered, places
 from rigidtop.read.formula import Line
 from rigidtop.read.values import kind

@@ -12,14 +12,7 @@ from sympy import Pow, Symbol
 
 from rigidtop.derivations import models
 from rigidtop.mark import slips
-from rigidtop.mark.links import (
-    ERRORS,
-    Link,
-    apart,
-    in_numbers,
-    judge,
-    one_angle,
-)
+from rigidtop.mark.links import ERRORS, Link, apart, in_numbers, judge, one_angle
 from rigidtop.mark.steps import is_matrix
 from rigidtop.proof import decide
 from rigidtop.proof.model import Model, Passage, samples

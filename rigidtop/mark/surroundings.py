@@ -18,10 +18,7 @@ from sympy import Eq, Expr, MatrixBase, Symbol
 
 from rigidtop.proof.equation import Equation, Meaning, Underbrace, as_printed
 from rigidtop.proof.page import Check
-from rigidtop.proof.verdict import (
-    assertions,
-    entries,
-)
+from rigidtop.proof.verdict import assertions, entries
 from rigidtop.theory.symbols import const, unit
 
 _CLOSE = 1e-7

@@ -10,18 +10,8 @@ from rigidtop.notation.convention import own
 from rigidtop.read import signs
 from rigidtop.read.cursor import Token
 from rigidtop.read.letters import Letters
-from rigidtop.read.look import (
-    operator,
-    operator_at,
-    terms,
-)
-from rigidtop.read.tex import (
-    Piece,
-    UnreadError,
-    flat,
-    plain,
-    said,
-)
+from rigidtop.read.look import operator, operator_at, terms
+from rigidtop.read.tex import Piece, UnreadError, flat, plain, said
 from rigidtop.theory.symbols import Glyph
 
 

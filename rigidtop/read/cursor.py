@@ -9,19 +9,8 @@ from typing import Any, Self
 from rigidtop.notation import Notation
 from rigidtop.read import signs
 from rigidtop.read.habits import NO_HABITS, Habits
-from rigidtop.read.look import (
-    crossed,
-    infix,
-    lonely_d,
-)
-from rigidtop.read.tex import (
-    BOLD,
-    DEEPEST,
-    NOTHING,
-    Piece,
-    UnreadError,
-    flat,
-)
+from rigidtop.read.look import crossed, infix, lonely_d
+from rigidtop.read.tex import BOLD, DEEPEST, NOTHING, Piece, UnreadError, flat
 from rigidtop.theory.symbols import Glyph
 
 

@@ -23,16 +23,7 @@ from rigidtop.read.look import (
     spelling,
     styled,
 )
-from rigidtop.read.tex import (
-    BOLD,
-    NOTHING,
-    TEXTS,
-    UPRIGHT,
-    Piece,
-    UnreadError,
-    plain,
-    said,
-)
+from rigidtop.read.tex import BOLD, NOTHING, TEXTS, UPRIGHT, Piece, UnreadError, plain, said
 from rigidtop.theory.symbols import VOCABULARY, Glyph
 
 MOST_INDICES = 6

@@ -7,17 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from rigidtop.read import signs
-from rigidtop.read.tex import (
-    BOLD,
-    NOTHING,
-    TEXTS,
-    UPRIGHT,
-    Piece,
-    UnreadError,
-    flat,
-    plain,
-    split,
-)
+from rigidtop.read.tex import BOLD, NOTHING, TEXTS, UPRIGHT, Piece, UnreadError, flat, plain, split
 from rigidtop.theory.symbols import Glyph
 
 

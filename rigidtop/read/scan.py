@@ -20,14 +20,7 @@ from rigidtop.notation.convention import own
 from rigidtop.read import signs
 from rigidtop.read.calculus import Calculus
 from rigidtop.read.cursor import Token
-from rigidtop.read.look import (
-    behind,
-    length,
-    mathematical,
-    operator_at,
-    rows,
-    spelling,
-)
+from rigidtop.read.look import behind, length, mathematical, operator_at, rows, spelling
 from rigidtop.read.tex import (
     DEEPEST,
     NOTHING,

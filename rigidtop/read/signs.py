@@ -5,14 +5,7 @@ from __future__ import annotations
 import re
 
 from rigidtop.notation.convention import own
-from rigidtop.read.tex import (
-    FONTS,
-    GREEKS,
-    TEXTS,
-    UPRIGHT,
-    commands,
-    listed,
-)
+from rigidtop.read.tex import FONTS, GREEKS, TEXTS, UPRIGHT, commands, listed
 from rigidtop.theory.symbols import Glyph
 
 SPACES = commands("quad qquad enspace hfill")
