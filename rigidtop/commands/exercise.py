@@ -129,21 +129,13 @@ def _write(
     options: argparse.Namespace,
     notation: Notation | None,
 ) -> None:
-    from rigidtop.report.lecture import write_sheet
+    from rigidtop.report.lecture import Edition, Wanted, write_sheet
     from rigidtop.terminal.files import check_folder
 
     look, front, points = look_of(options), front_of(options, collection.front), points_of(options)
     check_folder(options.sheet)
-    files = write_sheet(
-        solutions,
-        options.sheet,
-        pdf=options.pdf,
-        student=options.student,
-        front=front,
-        notation=notation,
-        points=points,
-        look=look,
-    )
+    edition = Edition(options.student, front, notation=notation, points=points, look=look)
+    files = write_sheet(solutions, options.sheet, edition, Wanted(options.pdf))
     if options.json:
         passed = all(solution.passed for solution in solutions)
         print_json({"files": [str(file) for file in files], "passed": passed})

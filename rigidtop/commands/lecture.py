@@ -69,7 +69,7 @@ def run(options: argparse.Namespace) -> int:
 
 def _run(collection: Collection, options: argparse.Namespace) -> int:
     from rigidtop.figures.catalog import FIGURES
-    from rigidtop.report.lecture import Wanted, write_lecture
+    from rigidtop.report.lecture import Edition, Wanted, write_lecture
     from rigidtop.report.solutions import solved
     from rigidtop.terminal.files import check_folder
     from rigidtop.web.page import three
@@ -100,22 +100,24 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
         judged,
         solutions,
         options.output,
-        wanted=Wanted(
+        Edition(
+            options.student,
+            front,
+            FIGURES if collection.folder is None else (),
+            # Pages of one's own need not be about Euler angles.
+            notation if collection.folder is None or notation.images else None,
+            lines,
+            points,
+            look,
+        ),
+        Wanted(
             options.pdf,
             options.slides,
             options.fragment,
             options.format == "myst",
             player if options.live else None,
         ),
-        recorded=options.record,
-        student=options.student,
-        front=front,
-        look=look,
-        points=points,
-        figures=FIGURES if collection.folder is None else (),
-        # Pages of one's own need not be about Euler angles.
-        notation=notation if collection.folder is None or notation.images else None,
-        lines=lines,
+        options.record,
     )
     unsolved = [solution.exercise.name for solution in solutions if not solution.passed]
     passed = all(judgement.passed for judgement in judgements) and not unsolved

@@ -31,7 +31,7 @@ from rigidtop.report.wording import Wording
 from rigidtop.terminal.files import write_all
 from rigidtop.terminal.progress import over
 
-PLAIN = b.Look()
+NO_LINES, PLAIN = Lecture(), b.Look()
 
 FORMATS = ("text", "latex", "html", "typst")
 
@@ -147,6 +147,35 @@ def solution_in(notation: Notation, solution: Solution) -> Solution:
 
 
 @dataclass(frozen=True)
+class Edition:
+    """For whom a document is written, and in what form.
+
+    A `student` gets no solutions.  Equations are in the `notation`, of which the first page tells
+    where one is given; the text is that of `lines`.  An exercise can bring so many `points`.
+    """
+
+    student: bool = False
+    front: b.Front = b.NOTES
+    figures: Sequence[Drawing] = FIGURES
+    notation: Notation | None = None
+    lines: Lecture = NO_LINES
+    points: str = ""
+    look: b.Look = PLAIN
+
+    @property
+    def letters(self) -> Notation:
+        """The notation that its equations have."""
+        return self.notation or NOTES_NOTATION
+
+    def handed_out(self, title: str, subtitle: str, blocks: Sequence[b.Block]) -> b.Document:
+        """What is handed out, with verdicts in the margin and the fixed words in its language."""
+        front = self.front
+        about = front.source, front.author, front.byline
+        whole = b.Document(title, subtitle, tuple(blocks), *about, True, self.look)
+        return _introduced(translated(whole), self.notation)
+
+
+@dataclass(frozen=True)
 class Wanted:
     """Which files: with a PDF, with slides, as chapters for another document, as MyST.
 
@@ -164,54 +193,23 @@ def write_lecture(
     judged: b.Judged,
     solutions: Sequence[Solution],
     out: Path | str,
-    *,
-    pdf: bool = False,
-    wanted: Wanted | None = None,
+    edition: Edition = Edition(),
+    wanted: Wanted = Wanted(),
     recorded: bool = False,
-    student: bool = False,
-    front: b.Front = b.NOTES,
-    figures: Sequence[Drawing] = FIGURES,
-    notation: Notation | None = None,
-    lines: Lecture | None = None,
-    points: str = "",
-    look: b.Look = PLAIN,
 ) -> list[Path]:
     """Write lecture.tex, lecture.html and figures/ into `out`, and what else is `wanted`.
 
-    With `recorded` it is the record of every verdict, record.tex and record.html.  Equations are in
-    the `notation`, of which the first page tells where one is given.  The exercises are without
-    solutions for a `student`.  Everything is made before anything is written, and each file is
-    replaced only by a whole one.  Raises RigidtopError, with one line, where the PDF cannot be made
-    or the folder not written.
+    With `recorded` it is the record of every verdict, record.tex and record.html.  Everything is
+    made before anything is written, and each file is replaced only by a whole one.  Raises
+    RigidtopError, with one line, where the PDF cannot be made or the folder not written.
     """
-    files = wanted or Wanted(pdf=pdf)
     if recorded:
-        made = record(
-            judged,
-            solutions,
-            student=student,
-            front=front,
-            figures=figures,
-            notation=notation,
-            lines=lines,
-        )
-        return _write("record", *made, out, files)
-    made = lecture(
-        judged,
-        solutions,
-        student=student,
-        front=front,
-        figures=figures,
-        notation=notation,
-        lines=lines,
-        points=points,
-        look=look,
-    )
+        return _write("record", *record(judged, solutions, edition), out, wanted)
     claims: myst.Claims = ()
-    if files.myst:
-        told = () if student else solutions
-        claims = claims_told(judged, told, lines or Lecture(), notation or NOTES_NOTATION)
-    return _write("lecture", *made, out, files, claims)
+    if wanted.myst:
+        told = () if edition.student else solutions
+        claims = claims_told(judged, told, edition.lines, edition.letters)
+    return _write("lecture", *lecture(judged, solutions, edition), out, wanted, claims)
 
 
 Illustrated = tuple[b.Document, Sequence[Picture]]
@@ -219,23 +217,14 @@ Illustrated = tuple[b.Document, Sequence[Picture]]
 
 
 def lecture(
-    judged: b.Judged,
-    solutions: Sequence[Solution] = (),
-    *,
-    student: bool = False,
-    front: b.Front = b.NOTES,
-    figures: Sequence[Drawing] = FIGURES,
-    notation: Notation | None = None,
-    lines: Lecture | None = None,
-    points: str = "",
-    look: b.Look = PLAIN,
+    judged: b.Judged, solutions: Sequence[Solution] = (), edition: Edition = Edition()
 ) -> Illustrated:
     """The lecture as it is handed out: its text, figures, exercises, and their solutions.
 
-    A `student` gets no solutions.  Figures stand where the text speaks of them.
+    Figures stand where the text speaks of them.
     """
-    lines = lines or Lecture()
-    judged, figures, solutions = _written(notation, judged, figures, solutions)
+    lines, notation, student = edition.lines, edition.letters, edition.student
+    judged, figures, solutions = _written(edition, judged, solutions)
     drawings = {each.name: each for each in (*figures, *(FIGURES if figures else ()))}
     sections = {page.section for page, _ in judged}
     closing = {each.name: each.section for each in figures if each.section in sections}
@@ -245,11 +234,11 @@ def lecture(
     order = order_of_figures(lines, [page for page, _ in judged], closing)
     pictures = [Picture(name, drawings[name], {}) for name in order]
     for each in () if student else solutions:
-        own = picture(each, notation)
+        own = picture(each, edition.notation)
         if own is not None and not any(own.shows_what(other) for other in pictures):
             pictures.append(own)
     numbered = {p.name: replace(p.described(), number=k) for k, p in enumerate(pictures, 1)}
-    parts = Parts(lines, notation or NOTES_NOTATION, numbered, closing, points)
+    parts = Parts(lines, notation, numbered, closing, edition.points)
     everything = [judgement for _, judgements in judged for judgement in judgements]
     told = {j.claim.name: page.section for page, judgements in judged for j in judgements}
     blocks: list[b.Block] = [handout.legend(everything)]
@@ -257,23 +246,14 @@ def lecture(
     if not student and solutions:
         blocks += handout.solutions(solutions, parts, told)
     blocks += handout.summary(judged)
-    chart = _map(lines, notation or NOTES_NOTATION)
+    chart = _map(lines, notation)
     if chart is not None:
         pictures.append(chart)
         blocks.append(b.Heading(1, "", "What rests on what", "map"))
         blocks.append(replace(chart.described(), number=len(pictures)))
     blocks = handout.linked(handout.parted([*blocks, *first_used(blocks)]))
-    whole = b.Document(
-        front.title,
-        front.subtitle,
-        tuple(blocks),
-        front.source,
-        front.author,
-        front.byline,
-        True,
-        look,
-    )
-    return _introduced(translated(whole), notation), pictures
+    front = edition.front
+    return edition.handed_out(front.title, front.subtitle, blocks), pictures
 
 
 LEAST = 4
@@ -313,12 +293,10 @@ COLUMN = 0.68
 
 
 def _written(
-    notation: Notation | None,
-    judged: b.Judged,
-    figures: Sequence[Drawing],
-    solutions: Sequence[Solution],
+    edition: Edition, judged: b.Judged, solutions: Sequence[Solution]
 ) -> tuple[b.Judged, Sequence[Drawing], Sequence[Solution]]:
     """Everything in a notation, where one is given."""
+    notation, figures = edition.notation, edition.figures
     if notation is None:
         return judged, figures, solutions
     wording = Wording(notation)
@@ -330,20 +308,14 @@ def _written(
 
 
 def record(
-    judged: b.Judged,
-    solutions: Sequence[Solution] = (),
-    *,
-    student: bool = False,
-    front: b.Front = b.NOTES,
-    figures: Sequence[Drawing] = FIGURES,
-    notation: Notation | None = None,
-    lines: Lecture | None = None,
+    judged: b.Judged, solutions: Sequence[Solution] = (), edition: Edition = Edition()
 ) -> Illustrated:
-    """The record of every verdict: the lecture's text with its `lines`, then what was found.
+    """The record of every verdict: the lecture's text with its lines, then what was found.
 
     Figures and exercises close the sections that they belong to.
     """
-    judged, figures, solutions = _written(notation, judged, figures, solutions)
+    notation, student = edition.notation, edition.student
+    judged, figures, solutions = _written(edition, judged, solutions)
     sections = {page.section for page, _ in judged}
     pictures = [Picture(each.name, each, {}) for each in figures if each.section in sections]
     closing: list[tuple[str, b.Block]] = [
@@ -354,22 +326,17 @@ def record(
         own = None if student else picture(solution, notation)
         if own and any(own.shows_what(other) for other in pictures):
             own = None  # the section has it
-        made = _exercise(solution, own, student, told, notation or NOTES_NOTATION)
+        made = _exercise(solution, own, student, told, edition.letters)
         closing += [(solution.exercise.section, block) for block in made]
         pictures += [own] if own else []
         told |= {judgement.claim.name for judgement in solution.judgements}
-    texts = {} if lines is None else _texts(lines, judged, notation or NOTES_NOTATION)
-    return _introduced(document(judged, closing, front, texts), notation), pictures
-
-
-def _texts(lines: Lecture, judged: b.Judged, notation: Notation) -> dict[str, list[b.Block]]:
-    """The text of each section that has one."""
-    named = {text.name: text for text in lines.texts}
-    return {
-        page.section: text_blocks(lines, named[page.text], notation)
+    named = {text.name: text for text in edition.lines.texts}
+    texts = {
+        page.section: text_blocks(edition.lines, named[page.text], edition.letters)
         for page, _ in judged
         if page.text in named
     }
+    return _introduced(document(judged, closing, edition.front, texts), notation), pictures
 
 
 def _introduced(whole: b.Document, notation: Notation | None) -> b.Document:
@@ -392,42 +359,22 @@ def _in(notation: Notation, judgements: Sequence[Judgement]) -> tuple[Judgement,
 def write_sheet(
     solutions: Sequence[Solution],
     out: Path | str,
-    *,
-    pdf: bool = False,
-    student: bool = False,
-    front: b.Front = b.NOTES,
-    notation: Notation | None = None,
-    points: str = "",
-    look: b.Look = PLAIN,
+    edition: Edition = Edition(),
+    wanted: Wanted = Wanted(),
 ) -> list[Path]:
     """Write exercises.tex, exercises.html and figures/ into `out`: see `write_lecture`."""
-    made = sheet(
-        solutions,
-        student=student,
-        front=front,
-        notation=notation,
-        points=points,
-        look=look,
-    )
-    return _write("exercises", *made, out, Wanted(pdf=pdf))
+    return _write("exercises", *sheet(solutions, edition), out, wanted)
 
 
-def sheet(
-    solutions: Sequence[Solution],
-    *,
-    student: bool = False,
-    front: b.Front = b.NOTES,
-    notation: Notation | None = None,
-    points: str = "",
-    look: b.Look = PLAIN,
-) -> Illustrated:
-    """Exercises one after the other, for a `student` without solutions and with a line to sign."""
+def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illustrated:
+    """Exercises one after the other, for a student without solutions and with a line to sign."""
+    notation, student, points = edition.notation, edition.student, edition.points
     if notation is not None:
         solutions = [solution_in(notation, each) for each in solutions]
     own = [] if student else [picture(each, notation) for each in solutions]
     pictures = [each for each in own if each is not None]
     numbered = {p.name: replace(p.described(), number=k) for k, p in enumerate(pictures, 1)}
-    parts = Parts(Lecture(), notation or NOTES_NOTATION, numbered, {}, points)
+    parts = Parts(Lecture(), edition.letters, numbered, {}, points)
     made: list[b.Block] = [b.NameLine()] if student else []
     told: dict[str, str] = {}
     for number, each in enumerate(solutions, 1):
@@ -439,17 +386,7 @@ def sheet(
             told |= {j.claim.name: "" for j in each.judgements}
     made = handout.linked(handout.parted([*made, *handout.first_used(made)]))
     subtitle = "Questions" if student else "Questions and solutions"
-    whole = b.Document(
-        front.exercises,
-        subtitle,
-        tuple(made),
-        front.source,
-        front.author,
-        front.byline,
-        True,
-        look,
-    )
-    return _introduced(translated(whole), notation), pictures
+    return edition.handed_out(edition.front.exercises, subtitle, made), pictures
 
 
 def _exercise(

@@ -15,7 +15,7 @@ from rigidtop.proof.verdict import judge_page
 from rigidtop.proof.words import unmarked
 from rigidtop.report.blocks import Symbols
 from rigidtop.report.html import write as html
-from rigidtop.report.lecture import lecture
+from rigidtop.report.lecture import Edition, lecture
 from rigidtop.report.notations import different
 from rigidtop.report.tex import write as tex
 from rigidtop.report.typst import write as typst
@@ -146,7 +146,7 @@ def test_the_change_of_angles_is_a_claim(capsys):
 
 def test_a_document_says_its_notation_first():
     judged = [(page, judge_page(page))]
-    whole, _ = lecture(judged, figures=(), notation=GOLDSTEIN)
+    whole, _ = lecture(judged, (), Edition(figures=(), notation=GOLDSTEIN))
     for made in (tex(whole, {}), html(whole, {}), typst(whole, {})):
         assert "Goldstein, Poole and Safko" in made
     for words in ("Goldstein, Poole and Safko", "3rd edition (2002)", "z–x′–z″: R = Rz(φ) Rx(θ)"):

@@ -37,7 +37,7 @@ from rigidtop.report.blocks import (
 from rigidtop.report.claims import claim_blocks
 from rigidtop.report.handout import written
 from rigidtop.report.languages import SHOWN, WORDS, translated
-from rigidtop.report.lecture import FORMATS, fragment, lecture, record, sheet
+from rigidtop.report.lecture import FORMATS, Edition, fragment, lecture, record, sheet
 from rigidtop.report.symbols import symbols_used
 from rigidtop.theory import symbols as s
 from rigidtop.theory.lettered import known
@@ -51,7 +51,7 @@ def recorded(judged, solutions):
 
 @pytest.fixture(scope="module")
 def whole(judged, solutions, lines):
-    return lecture(judged, solutions, lines=lines)
+    return lecture(judged, solutions, Edition(lines=lines))
 
 
 @pytest.fixture(scope="module")
@@ -131,7 +131,14 @@ def test_pages_have_no_white_gaps(paper, tmp_path):
         if not isinstance(entry, list)
     }
     solved, results = starts["Solutions of the exercises"], starts["Summary of results"]
-    ends = {solved - 1, results - 1, starts["What rests on what"] - 1, len(reader.pages) - 1}
+    # By LaTeX the contents have a page of their own.
+    ends = {
+        -1 + columns,
+        solved - 1,
+        results - 1,
+        starts["What rests on what"] - 1,
+        len(reader.pages) - 1,
+    }
     for k, path in enumerate(sorted(tmp_path.glob("page-*.pgm"))):
         _, size, _, dots = path.read_bytes().split(b"\n", 3)
         width, height = map(int, size.split())
@@ -260,7 +267,7 @@ def test_a_claim_of_the_lecture_is_named_and_not_repeated(recorded, solutions):
 
 def test_a_student_sees_no_solution(judged, solutions, lines):
     (document, pictures), (whole, _) = (
-        lecture(judged, solutions, student=student, lines=lines) for student in (True, False)
+        lecture(judged, solutions, Edition(student, lines=lines)) for student in (True, False)
     )
     assert not any(picture.name.startswith("exercise-") for picture in pictures)
     assert not any(isinstance(block, DataTable | Quantities) for block in document.blocks)
@@ -329,7 +336,7 @@ def test_numbers_are_written_as_people_do():
 
 
 def test_a_sheet_is_signed_and_numbered(solutions):
-    document, pictures = sheet(solutions, student=True, points="5 points")
+    document, pictures = sheet(solutions, Edition(student=True, points="5 points"))
     assert isinstance(document.blocks[0], NameLine)
     heads = [block for block in document.blocks if isinstance(block, ExerciseHead)]
     assert [head.number for head in heads] == list(range(1, len(EXERCISES) + 1))
