@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from io import BytesIO
 from typing import Any
 
 import matplotlib
-from matplotlib.backends.backend_pdf import FigureCanvasPdf
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as Canvas
+from matplotlib.transforms import Bbox
 
 from rigidtop.figures.style import STYLE
 from rigidtop.motion.motion import Motion
@@ -19,6 +20,9 @@ from rigidtop.parameters import Parameter, settings
 
 KINDS = ("svg", "pdf", "png")
 """Of a still figure, by the suffix of its file."""
+
+RIM = 0.03
+"""Above and below what is drawn (inches)."""
 
 DOTS, POINTS = 300, 72
 """Of a png, and of what is drawn in lines, to the inch."""
@@ -97,16 +101,28 @@ def both(drawing: Drawing, given: Mapping[str, float] | None = None) -> tuple[by
     paper, page = BytesIO(), BytesIO()
     with matplotlib.rc_context({**STYLE, "pdf.fonttype": 3}):
         canvas = drawing.draw(**values)
+        FigureCanvasSVG(canvas)
         canvas.dpi = POINTS
-        svg = FigureCanvasSVG(canvas)
         if engine := canvas.get_layout_engine():
             engine.execute(canvas)
             canvas.set_layout_engine("none")
-        FigureCanvasPdf(canvas).print_pdf(paper, metadata=_ABOUT["pdf"])  # type: ignore[no-untyped-call]
-        for patch in (canvas.patch, *(axes.patch for axes in canvas.axes)):
-            patch.set(facecolor="none", edgecolor="none")
-        svg.print_svg(page)  # type: ignore[no-untyped-call]
+        # As wide as it was made, and no higher than what is drawn.
+        extents = [extent for axes in canvas.axes for extent in _extents(axes)]
+        low, high = (y / POINTS for y in Bbox.union(extents).intervaly)
+        box = Bbox.from_extents(0, low - RIM, canvas.get_figwidth(), high + RIM)
+        about: dict[str, Any] = {"dpi": POINTS, "bbox_inches": box}
+        canvas.savefig(paper, format="pdf", metadata=_ABOUT["pdf"], **about)
+        canvas.savefig(page, format="svg", transparent=True, **about)
     return paper.getvalue(), _without_metadata(page.getvalue())
+
+
+def _extents(axes: Axes) -> Iterator[Bbox]:
+    """Where something is drawn (dots): without a frame, that of each curve, face and name."""
+    parts = [*axes.lines, *axes.patches, *axes.collections, *axes.texts, axes.title]
+    for part in [axes] if axes.axison else parts:
+        extent = part.get_tightbbox()
+        if extent is not None and extent.height > 0:
+            yield extent
 
 
 def _without_metadata(svg: bytes) -> bytes:

@@ -337,9 +337,9 @@ class Symbols:
 
 @dataclass(frozen=True)
 class Results:
-    """The numbered equations on one page: each with its number, its words and its mark."""
+    """The numbered equations on one page: each number with its lines, its words, its verdict."""
 
-    rows: tuple[tuple[str, Equation, str, Mark | None], ...]
+    rows: tuple[tuple[str, tuple[Equation, ...], str, Verdict], ...]
     head: tuple[str, ...] = ("number", "equation", "what it says")
 
 

@@ -25,7 +25,7 @@ from rigidtop.report.solutions import DIGITS, SMALLEST_ANGLE, TABLE_DIGITS, Solu
 from rigidtop.report.symbols import symbol_list
 from rigidtop.report.ways import cited_figures, text_blocks
 from rigidtop.typeset.layout import layout
-from rigidtop.typeset.nodes import Node, decimal, negated
+from rigidtop.typeset.nodes import Chain, Node, decimal, negated
 from rigidtop.typeset.sizes import width
 
 LEGEND: Mapping[Verdict, str] = {
@@ -84,7 +84,7 @@ def _set_right(judgement: Judgement) -> Iterable[b.Block]:
     if found is not None:
         against = numbers(found)
         for k, (name, value) in enumerate(against.values):
-            words += [", " if k else ": with ", name, " = ", value]
+            words += [", " if k else ": with ", Chain((name, value), ("=",))]
         words += [", " if against.values else ": ", *_sides(against.left, against.right)]
     corrected = judgement.corrections()
     equations = [finding.check.claimed for finding in corrected]
@@ -160,8 +160,8 @@ def sections(judged: b.Judged, exercises: Sequence[Solution], parts: Parts) -> l
             if parts.closing.get(name) == page.section and name not in shown_
         ]
         asked = [each for each in exercises if each.exercise.section == page.section]
-        if asked:
-            made.append(b.Subhead("Exercises" if len(asked) > 1 else "Exercise"))
+        if len(asked) > 1:  # one says by itself what it is
+            made.append(b.Subhead("Exercises"))
         for each in asked:
             made += question(each.exercise, each.settings, numbered[id(each)], parts.points)
     return made
@@ -367,12 +367,8 @@ def summary(judged: b.Judged) -> list[b.Block]:
             if b.is_number(name):
                 printed = tagged_rows(judgement)
                 corrected = [f.check.claimed for f in judgement.corrections()]
-                shown_ = [corrected[0]] if corrected else [row.equation for row in printed]
-                mark = b.Mark(name, judgement.verdict)
-                for k, equation in enumerate(shown_):
-                    last = k == len(shown_) - 1
-                    words = judgement.claim.says if k == 0 else ""
-                    rows.append((name if last else "", equation, words, mark if last else None))
+                shown_ = corrected[:1] or [row.equation for row in printed]
+                rows.append((name, tuple(shown_), judgement.claim.says, judgement.verdict))
     if not rows:
         return []
     return [b.Heading(1, "", "Summary of results", "results"), b.Results(tuple(rows))]

@@ -380,11 +380,11 @@ def _(block: b.NameLine) -> str:
 def _(block: b.Results) -> str:
     rows = (
         (
-            f'<a href="#{b.anchor(number)}">({number})</a>' if number else "",
-            mathml.mathml(equation, "printed"),
+            f'<a href="#{b.anchor(number)}">({number})</a>',
+            mathml.display(equations, "printed", NARROW),
             prose_html(words),
         )
-        for number, equation, words, _ in block.rows
+        for number, equations, words, _ in block.rows
     )
     return _table(block.head, rows, kind="results")
 

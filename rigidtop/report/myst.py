@@ -117,8 +117,10 @@ def _block(block: b.Block, above: int) -> str:
             return "\n".join(
                 ["| | |", "|---|---|"]
                 + [
-                    f"| {f'[({n})](#{b.anchor(n)})' if n else ''} | ${latex(e, 'printed')}$ |"
-                    for n, e, _, _ in block.rows
+                    f"| [({name})](#{b.anchor(name)}) | "
+                    + " <br/> ".join(f"${latex(each, 'printed')}$" for each in equations)
+                    + " |"
+                    for name, equations, _, _ in block.rows
                 ]
             )
         case b.Symbols():

@@ -23,7 +23,11 @@ from rigidtop.typeset.sentences import prose
 
 def write(document: b.Document, figures: Mapping[str, str]) -> str:
     """The document.  `figures` says where the file of each figure lies, as seen from it."""
-    body = "\n\n".join(_joined(document.blocks, figures))
+    parts = list(_joined(document.blocks, figures))
+    if isinstance(document.blocks[0], b.Legend) and len(_headings(document)) > FEW:
+        # Then the pages of all that follows do not depend on how long the contents are.
+        parts.insert(1, r"\clearpage")
+    body = "\n\n".join(parts)
     title = prose(document.title)
     contents = r"{\small\setlength{\parskip}{0pt}\tableofcontents}"
     if document.lecture and not any(block.number for block in _headings(document)):
@@ -36,7 +40,7 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
         [
             _preamble(document),
             r"\begin{document}",
-            rf"{{\LARGE\bfseries\raggedright {title}\par}}",
+            rf"{{\LARGE\bfseries\raggedright {title.replace(': ', TURN)}\par}}",
             rf"{{\large\raggedright {prose(document.subtitle)}\par}}",
             *byline,
             r"\vspace{0.5\baselineskip}",
@@ -49,6 +53,12 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
         ]
     )
 
+
+FEW = 8
+"""With more headings the contents have a page of their own."""
+
+TURN = r":\hfil\penalty-100\hfilneg\ "
+"""A title of two lines is broken here, if it can."""
 
 USE = r"""% A chapter for a document of one's own.  In its preamble:
 %   \usepackage{rigidtop}        (rigidtop.sty lies beside the folder of the chapters)
@@ -210,18 +220,26 @@ def _piece(piece: b.Piece) -> str:
 
 
 def _in_words(node: lay.Node) -> str:
-    """Mathematics in a sentence: what is long may be broken between its factors."""
-    if isinstance(node, lay.Chain) and sizes.width(node) > SENTENCE:
-        signs = ["", *(f" {SIGNS[sign]} " for sign in node.signs)]
-        return "".join(sign + _in_words(side) for sign, side in zip(signs, node.sides, strict=True))
-    if isinstance(node, lay.Fraction) and sizes.width(node) > SENTENCE:
-        under = latex(lay.Brackets(node.under))
-        return rf"{_in_words(node.over)}/\allowbreak {under}"
+    """Mathematics in a sentence: fractions with a slash; what is long may be broken."""
+    match node:
+        case lay.Chain():
+            signs = ["", *(f" {SIGNS[sign]} " for sign in node.signs)]
+            sides = zip(signs, node.sides, strict=True)
+            return "".join(sign + _in_words(side) for sign, side in sides)
+        case lay.Sum(terms=(lay.Signed(negative=True, body=body),)):
+            return "-" + _in_words(body)
+        case lay.Derivative(body=lay.Letter(), inside=True, order=1):
+            d = r"\partial " if node.partial else "d"
+            flat = f"{d}{latex(node.body)}/{d}{latex(node.by)}"
+            return rf"({flat})_{{\text{{{escape(node.frame)}}}}}" if node.frame else flat
+        case lay.Fraction(small=False):
+            ends = [node.over.factors[-1] if isinstance(node.over, lay.Product) else node.over]
+            bare = any(isinstance(end, lay.Apply) and not end.brackets for end in ends)
+            over = lay.Brackets(node.over) if bare else lay.as_factor(node.over, False)
+            single = isinstance(node.under, lay.Letter | lay.Number | lay.Power | lay.Root)
+            under = node.under if single else lay.bracketed(node.under)
+            return rf"{_in_words(over)}/\allowbreak {latex(under)}"
     return latex(node).replace(")(", r")\allowbreak (")
-
-
-SENTENCE = 24.0
-"""A fraction of more letters than this is written with a slash in a sentence."""
 
 
 @singledispatch
@@ -485,7 +503,7 @@ def _unit(unit: str) -> str:
 def _unit_character(c: str) -> str:
     if c in SUPERSCRIPTS:
         return f"$^{{{SUPERSCRIPTS[c]}}}$"
-    return f"${MATHS[c]}$" if c in "−×″" else escape(c)
+    return f"${MATHS[c]}$" if c in "−×″" else r"\," if c == " " else escape(c)
 
 
 @tex_block.register
@@ -523,18 +541,17 @@ def _(block: b.NameLine) -> str:
 @tex_block.register
 def _(block: b.Results) -> str:
     made: list[str] = []
-    for number, equation, words, mark in block.rows:
-        lines = [
-            align_row(line).replace("&", "") for line in sizes.lines(equation, "printed", ROOM)
-        ]
-        shown = r" \newline ".join(rf"$\displaystyle {line}$" for line in lines)
-        link = rf"\hyperref[{b.anchor(number)}]{{({number})}}" if number else ""
-        sign = rf"\rtmark{{{mark.verdict}}}" if mark is not None else ""
-        made.append(rf"{sign} & {link} & {shown} & {prose(words)} \\[1pt]")
+    for number, equations, words, verdict in block.rows:
+        lines = [line for each in equations for line in sizes.lines(each, "printed", ROOM)]
+        shown = r" \\ ".join(map(align_row, lines))
+        made.append(
+            rf"\rtmark{{{verdict}}} & \hyperref[{b.anchor(number)}]{{({number})}} & "
+            rf"\rtrows{{{shown}}} & {prose(words)} \\"
+        )
     return "\n".join(
         [
             r"\rtonepage{\begin{tabular}{@{}r@{\ }l@{\ \ }"
-            r"p{112mm}>{\raggedright\arraybackslash}p{40mm}@{}}",
+            r"l@{\quad}>{\raggedright\arraybackslash}p{48mm}@{}}",
             *made,
             r"\end{tabular}}",
         ]

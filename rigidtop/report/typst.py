@@ -12,7 +12,7 @@ from rigidtop.report.languages import said
 from rigidtop.typeset import nodes as lay
 from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import align_row, latex
-from rigidtop.typeset.sentences import tex, written
+from rigidtop.typeset.sentences import tex, tied, written
 
 
 def write(document: b.Document, figures: Mapping[str, str]) -> str:
@@ -95,7 +95,7 @@ def _quoted(text: str) -> str:
 
 def prose(text: str) -> str:
     """A sentence with mathematics between dollars."""
-    return written(text, lambda part: f"${maths(tex(part))}$", plain)
+    return written(tied(text), lambda part: f"${maths(tex(part))}$", plain)
 
 
 def maths(tex: str) -> str:
@@ -317,13 +317,13 @@ def _(block: b.NameLine) -> str:
 def _(block: b.Results) -> str:
     rows = [
         (
-            f'#link(label("{b.anchor(number)}"))[{plain(f"({number})")}]' if number else "",
-            f"$ {maths(latex(equation, 'printed'))} $",
+            f'#link(label("{b.anchor(number)}"))[{plain(f"({number})")}]',
+            "".join(f"$ {maths(latex(each, 'printed'))} $" for each in equations),
             prose(words),
         )
-        for number, equation, words, _ in block.rows
+        for number, equations, words, _ in block.rows
     ]
-    return _table("(auto, 1fr, 30%)", ("number", "equation", "what it says"), rows)
+    return _table("(auto, 1fr, 30%)", block.head, rows)
 
 
 @typst_block.register

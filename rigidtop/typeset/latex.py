@@ -305,5 +305,5 @@ _JOINTS = {"": "", "function": "", "thin": r"\,", "dot": r" \cdot "}
 def _enclosed(inside: str, shape: str, nodes: Sequence[Node]) -> str:
     if any(map(sizes.is_tall, nodes)):
         return rf"\left{shape[0]}{inside}\right{shape[1]}"
-    left, right = (r"\lvert ", r"\rvert") if shape == "||" else (shape[0], shape[1])
-    return left + inside + right
+    left, right = (r"\lvert ", r"\rvert") if shape == "||" else tuple(shape.replace(".", " "))
+    return f"{left}{inside}{right}".strip()

@@ -262,7 +262,7 @@ def with_superscript(base: str, exponent: str) -> str:
 def _fenced(inside: str, shape: str, tall: bool) -> str:
     stretchy = "true" if tall else "false"
     left, right = (
-        f'<mo form="{form}" fence="true" stretchy="{stretchy}">{mark}</mo>'
+        f'<mo form="{form}" fence="true" stretchy="{stretchy}">{mark}</mo>' * (mark != ".")
         for form, mark in zip(("prefix", "postfix"), shape, strict=True)
     )
     return _group(left + inside + right)

@@ -99,7 +99,7 @@ class Apply:
 
 @dataclass(frozen=True)
 class Brackets:
-    """Brackets of one shape: "()", "[]" or "||"."""
+    """Brackets of one shape: "()", "[]" or "||"; "(." and ".)" where a line ends between them."""
 
     body: Node
     shape: str = "()"

@@ -36,9 +36,9 @@ def prose(text: str) -> str:
     r"""A sentence as LaTeX.
 
     >>> print(prose("$θ̈$ vanishes & $sin θ ≠ 0$ (3.54): 100 %"))
-    $\ddot{\theta}$ vanishes \& $\sin \theta \neq 0$ (3.54): 100 \%
+    $\ddot{\theta}$ vanishes \& $\sin \theta \neq 0$ (3.54): 100~\%
     """
-    return written(text, lambda part: f"${tex(part)}$", escape)
+    return written(tied(text), lambda part: f"${tex(part)}$", escape)
 
 
 def prose_html(text: str) -> str:
@@ -47,12 +47,23 @@ def prose_html(text: str) -> str:
     >>> prose_html("a & b's")
     'a &amp; b’s'
     """
-    return written(text, mathml, lambda part: escape_html(part.replace("'", "’"), quote=False))
+    return written(
+        tied(text), mathml, lambda part: escape_html(part.replace("'", "’"), quote=False)
+    )
 
 
 def written(text: str, maths: Callable[[str], str], plain: Callable[[str], str]) -> str:
     """A sentence; `maths` writes its formulas, `plain` the rest."""
     return "".join(maths(part) if is_maths else plain(part) for is_maths, part in parts(text))
+
+
+def tied(text: str) -> str:
+    """A sentence in which no line ends between a number and its unit, nor inside a unit."""
+    return _APART.sub("\u00a0", text)
+
+
+_NAMES = r"(?:kg|rad|days|turns|[cmk]?m|[mkμ]?J|[NWs%])(?![A-Za-z])"
+_APART = re.compile(rf"(?<=[\d∞]) (?={_NAMES})|(?<=[\d∞]\$) (?={_NAMES})|(?<=\b[gNJ]) (?=[ms]\b)")
 
 
 @dataclass(frozen=True)

@@ -103,6 +103,9 @@ class Line:
 LINE = 62.0
 """How many letters wide a line of the page is."""
 
+HUNG = 4.0
+"""Letters by which a right side begins to the right that has a line of its own."""
+
 
 def lines(equation: Equation | lay.Chain, order: Order = "auto", limit: float = LINE) -> list[Line]:
     """An equation broken before its relation signs, and long sums before a + or −."""
@@ -120,7 +123,11 @@ def lines(equation: Equation | lay.Chain, order: Order = "auto", limit: float = 
             packed.append(([side], [sign]))
     made: list[Line] = []
     for sides, signs in packed:
-        pieces = _broken(sides[0], limit - margin) if len(sides) == 1 else [sides[0]]
+        pieces = [sides[0]]
+        if len(sides) == 1:
+            terms = [t.body for t in sides[0].terms] if isinstance(sides[0], lay.Sum) else pieces
+            fit = all(width(term) <= limit - HUNG for term in terms)
+            pieces = _broken(sides[0], limit - (margin if fit else HUNG), limit - HUNG)
         joined = pieces if len(sides) == 1 else [lay.Chain(tuple(sides), tuple(signs[1:]))]
         for i, piece in enumerate(joined):
             left = first if not made else None
@@ -128,12 +135,30 @@ def lines(equation: Equation | lay.Chain, order: Order = "auto", limit: float = 
     return made
 
 
-def _broken(node: lay.Node, limit: float) -> list[lay.Node]:
-    if not isinstance(node, lay.Sum) or width(node) <= limit:
-        return [node]
-    rows: list[list[lay.Signed]] = [[]]
-    for term in node.terms:
-        if rows[-1] and width(lay.Sum((*rows[-1], term))) > limit:
-            rows.append([])
-        rows[-1].append(term)
-    return [lay.Sum(tuple(rows[0])), *(lay.Continued(tuple(row)) for row in rows[1:])]
+def _broken(node: lay.Node, limit: float, whole: float) -> list[lay.Node]:
+    """A node in lines: sums before a + or −, before a bracket what no `whole` line has room for."""
+    match node:
+        case _ if width(node) <= limit:
+            return [node]
+        case lay.Sum():
+            rows: list[list[lay.Signed]] = [[]]
+            for term in node.terms:
+                if rows[-1] and width(lay.Sum((*rows[-1], term))) > limit:
+                    rows.append([])
+                rows[-1].append(term)
+            made: list[lay.Node] = []
+            for row in rows:
+                first, *rest = (
+                    _broken(row[0].body, limit, whole) if len(row) == 1 else [row[0].body]
+                )
+                terms = (lay.Signed(row[0].negative, first), *row[1:])
+                made += [lay.Continued(terms) if made else lay.Sum(terms), *rest]
+            return made
+        case lay.Product(factors=(*before, lay.Brackets() as last)) if width(node) > whole:
+            head = lay.Product(tuple(before), node.joints[:-1]) if before[1:] else before[0]
+            return [*_broken(head, limit, whole), *_broken(last, limit, whole)]
+        case lay.Brackets(body=lay.Sum() as inside, shape="()") if width(node) > whole:
+            first, *rest = _broken(inside, limit - 1.5, whole)
+            if rest:
+                return [lay.Brackets(first, "(."), *rest[:-1], lay.Brackets(rest[-1], ".)")]
+    return [node]

@@ -13,7 +13,7 @@ from xml.etree import ElementTree
 
 import pypdf
 import pytest
-from sympy import Eq, Integer, Ne, Rational, cos, sin, sqrt
+from sympy import Add, Eq, Integer, Ne, Rational, cos, sin, sqrt, symbols
 
 from rigidtop.errors import RigidtopError
 from rigidtop.figures.catalog import FIGURES
@@ -56,7 +56,7 @@ from rigidtop.report.blocks import (
     is_number,
 )
 from rigidtop.report.claims import claim_blocks, short_number
-from rigidtop.report.lecture import FORMATS, Picture, fragment, write_lecture
+from rigidtop.report.lecture import FORMATS, Picture, Wanted, fragment, write_lecture
 from rigidtop.report.record import document
 from rigidtop.terminal import files
 from rigidtop.theory.symbols import (
@@ -73,6 +73,9 @@ from rigidtop.theory.symbols import (
     thetaddot,
 )
 from rigidtop.typeset import nodes as lay
+from rigidtop.typeset import sizes
+from rigidtop.typeset.latex import latex
+from rigidtop.typeset.layout import layout
 from rigidtop.typeset.text import text
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="9pt"><g id="a"><use href="#a"/></g></svg>'
@@ -247,7 +250,34 @@ def _listed(printed, *numbers):
 def test_a_correction_with_a_fraction_is_listed(printed):
     content = _listed(printed, "3.45")
     assert plain.rich(content) == "It is not. Corrected: φ̇ = (L_z − L₃ cos θ)/(λ₁ sin² θ)."
-    assert r"\frac{L_{z} - L_{3}\cos\theta}{\lambda_{1}\sin^{2}\theta}" in tex.rich(content)
+    flat = r"(L_{z} - L_{3}\cos\theta)/\allowbreak (\lambda_{1}\sin^{2}\theta)"
+    assert flat in tex.rich(content)
+
+
+def test_fractions_in_sentences_have_brackets_where_they_need_them():
+    a, b, c = symbols("a b c")
+    shown = {
+        (a + b) / c: "(a + b)/c",
+        -a / (b * c): "-a/(bc)",
+        a / (b + c): "a/(b + c)",
+        a * cos(b) / c: r"(a\cos b)/c",
+        a / b**2: "a/b^{2}",
+        Rational(1, 2) * a: r"\tfrac{1}{2}a",
+    }
+    for value, written in shown.items():
+        assert tex.rich((layout(value),)).replace(r"\allowbreak ", "") == f"${written}$"
+
+
+def test_products_too_long_for_a_line_are_broken_before_and_inside_brackets():
+    a, b, *many = symbols("a b x1:31")
+    lines = sizes.lines(Equation(a, b * Add(*many)), limit=40)
+    assert max(sizes.width(line.right) for line in lines) <= 40
+    assert latex(lines[0].right) == "b"
+    bracket = [latex(line.right) for line in lines[1:]]
+    assert (bracket[0][0], bracket[-1][-1]) == ("(", ")")
+    assert "".join(bracket).count("x_") == 30
+    short = sizes.lines(Equation(a, b * Add(*many[:5])), limit=40)
+    assert [latex(line.right) for line in short] == ["b(x_{1} + x_{2} + x_{3} + x_{4} + x_{5})"]
 
 
 def test_every_correction_is_listed_or_said_to_stand_elsewhere(printed):
@@ -591,7 +621,7 @@ def test_without_either_one_line_names_both(monkeypatch, judged, tmp_path):
     monkeypatch.setattr(pdf.shutil, "which", lambda name: None)
     monkeypatch.setattr(pdf, "find_spec", lambda name: None)
     with pytest.raises(RigidtopError, match=r"latexmk.*typst and tylax") as caught:
-        write_lecture(judged, (), tmp_path / "out", pdf=True)
+        write_lecture(judged, (), tmp_path / "out", wanted=Wanted(pdf=True))
     assert "\n" not in str(caught.value)
     assert not (tmp_path / "out").exists()  # nothing half-written
 
