@@ -29,6 +29,12 @@ export function setTheme(theme) {
   document.documentElement.dataset.theme = theme;
 }
 
+/** What the style sheet has a colour for, by the names of its variables. */
+const NAMES = /** @type {const} */ ([
+  "paper", "ink", "muted", "rule", "body", "e1", "e2", "e3", "omega", "L", "torque", "trail",
+  "bodyCone", "spaceCone", "polhode",
+]);
+
 /**
  * The colours of the theme that the page wears now.
  *
@@ -36,24 +42,7 @@ export function setTheme(theme) {
  */
 export function readColours() {
   const style = getComputedStyle(document.documentElement);
-  /** @param {string} name */
-  const colour = (name) => style.getPropertyValue(`--${name}`).trim();
-  return {
-    paper: colour("paper"),
-    ink: colour("ink"),
-    muted: colour("muted"),
-    rule: colour("rule"),
-    body: colour("body"),
-    e1: colour("e1"),
-    e2: colour("e2"),
-    e3: colour("e3"),
-    omega: colour("omega"),
-    L: colour("L"),
-    torque: colour("torque"),
-    trail: colour("trail"),
-    bodyCone: colour("body-cone"),
-    spaceCone: colour("space-cone"),
-    polhode: colour("polhode"),
-    highContrast: document.documentElement.dataset.theme === "contrast",
-  };
+  const colours = NAMES.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]);
+  const highContrast = document.documentElement.dataset.theme === "contrast";
+  return { ...Object.fromEntries(colours), highContrast };
 }
