@@ -263,7 +263,6 @@ def test_simulate_writes_csv(tmp_path: Path, capsys: pytest.CaptureFixture[str])
         ("simulate top -o /dev/null/x.csv", "cannot write /dev/null/x.csv"),
         ("simulate top -o /dev/null", "is not an ordinary file"),
         ("simulate top --rtol 1e-9", "--rtol is for integration: give a --method too"),
-        ("bench --plot map.gif", "--plot wants a name that ends in .png, .svg, .pdf, not map.gif"),
         ("simulate top --time 0", "--time 0 leaves nothing to compute"),
         ("simulate top --theta 0 --steady slow", "--steady wants a tilt"),
         ("derive 3.35 --format c", "derive: 3.35 has no expression to evaluate; it holds between"),
