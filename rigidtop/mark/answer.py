@@ -242,7 +242,7 @@ class _Answer:
                     links.append(Link(self._own_replaced(left), self._own_replaced(right)))
         return links, defined
 
-    def _defines(self, equation: Equation, name: Any, meant: Any) -> bool:
+    def _defines(self, equation: Equation, name: Expr, meant: Expr) -> bool:
         if equation.relation not in ("=", "≡") or not is_own(name) or name in self.definitions:
             return False
         if meant == s.const or is_matrix(meant):
@@ -470,7 +470,7 @@ def _differences(left: Expr, right: Expr, model: Model) -> list[Expr]:
         return []
 
 
-def _atoms(side: Any, kind: Any) -> set[Any]:
+def _atoms(side: Expr, kind: Any) -> set[Expr]:
     trees = list(side) if is_matrix(side) else [side]
     return set().union(*(tree.atoms(kind) for tree in trees))
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import sympy
-from sympy import Pow, Symbol
+from sympy import Expr, Pow, Symbol
 
 from rigidtop.derivations import models
 from rigidtop.mark import slips
@@ -158,7 +157,7 @@ def foreign(link: Link, model: Model) -> set[Symbol]:
     return {x for x in symbols_in(link) if not is_own(x)} - known_in(model)
 
 
-def is_own(node: Any) -> bool:
+def is_own(node: Expr) -> bool:
     return isinstance(node, Lettered) and node.quantity.meaning == "defined in the answer"
 
 
@@ -167,7 +166,7 @@ def with_slopes(said: str) -> str:
     return re.sub(r"Đ_(\w)", "∂ℒ/∂\\1\u0307", re.sub(r"Ł_(\w)", r"∂ℒ/∂\1", said))
 
 
-def side_text(side: Any) -> str:
+def side_text(side: Expr) -> str:
     try:
         return "const" if side is None else with_slopes(text(side))
     except (TypeError, AttributeError, ValueError, KeyError):

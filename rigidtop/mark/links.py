@@ -114,7 +114,7 @@ def _is_matrix(side: Expr) -> bool:
     return isinstance(side, MatrixBase)
 
 
-def pair_text(found: Any, other: Any, digits: int = 6) -> str:
+def pair_text(found: Any, other: Expr, digits: int = 6) -> str:
     """One side of two; what is nothing beside the largest number in them is 0."""
     largest = max(abs(e) for side in (found, other) for e in (side if _is_matrix(side) else [side]))
 

@@ -278,7 +278,7 @@ class _Judge(Ledger):
             self.given = {x: g for x, g in self.given.items() if g.section == old}
             if self.law is not None and self.law.section != old:
                 self.law, self.sets = None, {}
-        values: list[tuple[Any, Expr, set[int]]] = []
+        values: list[tuple[Expr, Expr, set[int]]] = []
         last: NoMeaningError | None = None
         for side in (side for side in others if side != const):
             try:
@@ -375,7 +375,7 @@ class _Judge(Ledger):
         self.used = rests
         return self.refuted(left, right, sides, inner, made)
 
-    def either(self, line: Line, left: Expr, right: Expr, other: Any) -> Held:
+    def either(self, line: Line, left: Expr, right: Expr, other: Expr) -> Held:
         """One of two lines that ± makes: where it does not hold the other one has to."""
         self.used = set()
         one, two = (self.value(left) - self.value(side) for side in (right, other))
@@ -404,7 +404,7 @@ class _Judge(Ledger):
             return Held(line, PREMISE, f"one of two values of {text(left)}: which is not said")
         return Held(line, Verdict.UNDECIDED.value, "neither of the two signs was shown")
 
-    def neither(self, left: Any, right: Any, both: Expr, other: Expr) -> str | None:
+    def neither(self, left: Expr, right: Expr, both: Expr, other: Expr) -> str | None:
         """Numbers at which neither sign of ± is right, where the file says what both have to be."""
         sure = self.law is not None and self.law.lagrangian is not None and not self.law.broken
         found = self.against((both, Integer(0))) if sure else None
@@ -479,7 +479,7 @@ class _Judge(Ledger):
             return made(Verdict.UNDECIDED, "another value than above: of another case, or a slip?")
         return made(Verdict.UNDECIDED, "neither shown nor refuted")
 
-    def is_closed(self, left: Any, right: Any, sides: tuple[Expr, Expr], inner: bool) -> bool:
+    def is_closed(self, left: Expr, right: Expr, sides: tuple[Expr, Expr], inner: bool) -> bool:
         """Whether the left side says by itself what the right one must be, all under one heading: a
         derivative, or a quantity made of others and written in the same letters."""
         if any(self.places.get(x) != self.section for x in self.used):
@@ -609,7 +609,7 @@ class _Judge(Ledger):
         if len(signs) > MOST_SIGNS:
             raise NoMeaningError(f"more than {MOST_SIGNS} letters are known by their squares")
 
-        def holds(put: Mapping[Symbol, Any]) -> Verdict | None:
+        def holds(put: Mapping[Symbol, Expr]) -> Verdict | None:
             return vanishes(residual.xreplace(put), [x.xreplace(put) for x in vanishing], a)
 
         def turned(k: int) -> tuple[int, ...]:
@@ -710,7 +710,9 @@ class _Judge(Ledger):
             return self.newton(number, line, residual, newest)
         return None
 
-    def newton(self, number: int, line: Line, residual: Expr, newest: Sequence[Any]) -> Held | None:
+    def newton(
+        self, number: int, line: Line, residual: Expr, newest: Sequence[Expr]
+    ) -> Held | None:
         """An equation of motion that is taken as it stands."""
         law = self.law
         if law is not None and law.section != self.section:
@@ -728,7 +730,7 @@ class _Judge(Ledger):
         return Held(line, PREMISE, "an equation of motion, taken as it stands", ())
 
 
-def _letters(side: Any) -> set[Symbol]:
+def _letters(side: Expr) -> set[Symbol]:
     return set(getattr(side, "free_symbols", ()))
 
 

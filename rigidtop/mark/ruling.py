@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy
-from sympy import Eq, Symbol
+from sympy import Eq, Expr, Symbol
 
 from rigidtop.proof.algebra import Letters
 from rigidtop.proof.equation import Equation, Meaning, Underbrace, as_printed, symbols_of, value
@@ -173,7 +173,7 @@ def asserted(equation: Equation, check: Check) -> list[Equation]:
         set().union(*(side.atoms(Underbrace) for side in equation.sides)),
         key=sympy.default_sort_key,
     )
-    turned: dict[Any, Any] = {}
+    turned: dict[Expr, Expr] = {}
     beneath = []
     for brace in braces:
         body, label = brace.args
@@ -241,7 +241,7 @@ def _visible(found: Finding, counterexample: Counterexample) -> Counterexample:
 _VISIBLE = 1e-9
 
 
-def _apart(left: Any, right: Any) -> float:
+def _apart(left: Expr, right: Expr) -> float:
     """How far two numbers are from each other, relative to them; 0 where one is none."""
     try:
         one, other = complex(left), complex(right)

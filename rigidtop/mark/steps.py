@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy
-from sympy import MatrixBase, Pow, Symbol
+from sympy import Expr, MatrixBase, Pow, Symbol
 
 from rigidtop.derivations import models
 from rigidtop.notation import Notation
@@ -239,5 +239,5 @@ def too_large(equation: Equation) -> str:
     return ""
 
 
-def is_matrix(side: Any) -> bool:
+def is_matrix(side: Expr) -> bool:
     return isinstance(side, MatrixBase)

@@ -83,11 +83,11 @@ class Near:
         values = {x: self._point.get(x) or _somewhere(x) for x in expression.free_symbols}
         return float(expression.xreplace(values).doit().evalf())
 
-    def _varied(self, name: Expr) -> list[dict[Any, Any]]:
+    def _varied(self, name: Expr) -> list[dict[Expr, Expr]]:
         """The meanings in which one number of a name varies; what stands for it follows."""
         check, step = self._check, self._step
         meant = check.meaning.get(name, name)
-        made: list[dict[Any, Any]] = []
+        made: list[dict[Expr, Expr]] = []
         if name == const:
             made.append({const: lambda left: meant(left) + step * left})
         elif callable(meant) and not isinstance(meant, sympy.Basic):
@@ -118,7 +118,7 @@ class Near:
             **{x: sympy.sympify(m).subs(varied) for x, m in self._equals().items()},
         }
 
-    def _equals(self) -> dict[Any, Any]:
+    def _equals(self) -> dict[Expr, Expr]:
         return {x: m for x, m in self._equal.items() if x not in self._check.meaning}
 
     def _found(self) -> dict[Expr, Expr]:
@@ -129,7 +129,7 @@ class Near:
             self._imposed(a.condition) for a in check.assuming if not isinstance(a.condition, Eq)
         ]
         symbols = set().union(*(e.free_symbols for e in (*given, *conditions)), set())
-        point: dict[Any, Any] = {}
+        point: dict[Expr, Expr] = {}
         for _ in range(60):
             point = {x: _somewhere(x, rng) for x in sorted(symbols, key=str)}
             for h in given:
@@ -173,7 +173,7 @@ def _each_varied(meant: Expr | MatrixBase, step: Symbol) -> list[Expr | MatrixBa
 def _names(check: Check) -> set[Expr]:
     """What stands for something in a check's equation, braces left out."""
     equal = {a.condition.lhs for a in check.assuming if isinstance(a.condition, Eq)}
-    names: set[Any] = set()
+    names: set[Expr] = set()
 
     def walk(node: Expr) -> None:
         if node in check.meaning or node.is_Symbol:

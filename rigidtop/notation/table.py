@@ -61,6 +61,9 @@ _KNOWN: Mapping[str, type] = {
     "spellings": dict,
 }
 
+Toml = Mapping[str, Any]
+"""A table as the file has it: text, flags, lists and tables."""
+
 
 def named(name: str) -> Notation:
     """One of `BUILT_IN`, or the table in a file.  Raises RigidtopError, in one line, for another.
@@ -90,14 +93,14 @@ class _TableError(ValueError):
     """What is wrong with a table, and with which entry."""
 
 
-def _toml(text: str) -> Mapping[str, Any]:
+def _toml(text: str) -> Toml:
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise _TableError(f"not TOML: {error}") from None
 
 
-def _notation(table: Mapping[str, Any], name: str) -> Notation:
+def _notation(table: Toml, name: str) -> Notation:
     _require(any(table.values()), "it is no table of a notation: no title, no entry")
     for key, value in table.items():
         _require(key in _KNOWN, f"no entry {key!r} in a notation", key, _KNOWN)
@@ -160,9 +163,7 @@ def _symbol(key: str, where: str) -> Symbol:
     return _BY_NAME[key]
 
 
-def _glyph(
-    entry: Mapping[str, Any], where: str, start: Glyph, others: tuple[str, ...] = ()
-) -> Glyph:
+def _glyph(entry: Toml, where: str, start: Glyph, others: tuple[str, ...] = ()) -> Glyph:
     """A glyph from its parts.  With a base of its own it has nothing of what it was before."""
     for key in entry:
         _require(key in (*_PARTS, *others), f"{where}: no part {key!r}", key, (*_PARTS, *others))
@@ -181,7 +182,7 @@ def _glyph(
     return Glyph(**parts)
 
 
-def _euler(entry: Mapping[str, Any]) -> tuple[str, tuple[str, ...]]:
+def _euler(entry: Toml) -> tuple[str, tuple[str, ...]]:
     for key in entry:
         _require(
             key in ("sequence", "angles"), f"euler: no entry {key!r}", key, ("sequence", "angles")
@@ -214,7 +215,7 @@ def _with(glyph: Glyph, new: Mapping[str, str]) -> Glyph:
     return replace(glyph, base=new.get(glyph.base, glyph.base), sub=new.get(glyph.sub, glyph.sub))
 
 
-def _lettered(letters: Mapping[str, Any]) -> dict[Symbol, Glyph]:
+def _lettered(letters: Toml) -> dict[Symbol, Glyph]:
     """A letter for another in every symbol that has it as its base."""
     for old, new in letters.items():
         known = {glyph.base for glyph in _PRINTED.values()}
@@ -227,7 +228,7 @@ def _lettered(letters: Mapping[str, Any]) -> dict[Symbol, Glyph]:
     }
 
 
-def _spellings(entries: Mapping[str, Any], glyphs: Mapping[Symbol, Glyph]) -> dict[Glyph, Symbol]:
+def _spellings(entries: Toml, glyphs: Mapping[Symbol, Glyph]) -> dict[Glyph, Symbol]:
     """What is understood besides."""
     made: dict[Glyph, Symbol] = {}
     for key, listed in entries.items():

@@ -96,6 +96,10 @@ _ANGLES = frozenset({"rad", "1", ""})
 _RATES = frozenset({"rad/s", "1/s"})
 
 
+Items = list[Any]
+"""What Lark hands to a rule: tokens, and what other rules made of theirs."""
+
+
 class _Builder(Transformer_NonRecursive[Lexeme, Any]):
     """The tree of the grammar as the tree of an equation; one method a rule."""
 
@@ -109,7 +113,7 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
         value: Token = token.value
         return value
 
-    def start(self, items: list[Any]) -> tuple[list[Any], list[str]]:
+    def start(self, items: Items) -> tuple[list[Any], list[str]]:
         sides = [item.closed for item in items if isinstance(item, Value)]
         relations = [item.value for item in items if isinstance(item, Token)]
         kinds = {side.kind for side in sides}
@@ -128,12 +132,12 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
 
     # Sums and products
 
-    def signed(self, items: list[Any]) -> Value:
+    def signed(self, items: Items) -> Value:
         sign, term = items
         made = v.negative(term.closed) if sign.value == "-" else term.closed
         return replace(made, position=sign.position)
 
-    def added(self, items: list[Any]) -> Value:
+    def added(self, items: Items) -> Value:
         total, sign, term = items[0].closed, items[1], items[2].closed
         if "matrix" in (total.kind, term.kind):
             total, term = v.as_matrix(total), v.as_matrix(term)
@@ -169,7 +173,7 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
             raise UnreadError("what is added is not of the same shape", term.position)
         return total.tree + term.tree
 
-    def product(self, items: list[Any]) -> Value:
+    def product(self, items: Items) -> Value:
         if self.notation.open:
             v.definite(items)
         factors = self._of_time(items)
@@ -220,7 +224,7 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
                 made.append(factor)
         return [factor.closed for factor in made]
 
-    def cross(self, items: list[Any]) -> Value:
+    def cross(self, items: Items) -> Value:
         left, _, right = items[0].closed, items[1], items[2].closed
         if left.kind == right.kind == "vector":
             return built(eq.Cross(left.tree, right.tree), "vector", left, right)
@@ -230,7 +234,7 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
             return v.times(left, right)
         raise UnreadError(f"× between a {left.kind} and a {right.kind}", right.position)
 
-    def dot(self, items: list[Any]) -> Value:
+    def dot(self, items: Items) -> Value:
         left, _, right = items[0].closed, items[1], items[2].closed
         if left.kind == right.kind == "vector":
             return built(eq.Dot(left.tree, right.tree), "scalar", left, right)
@@ -241,7 +245,7 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
             return v.times(left, right)
         raise UnreadError(f"· between a {left.kind} and a {right.kind}", right.position)
 
-    def over(self, items: list[Any]) -> Value:
+    def over(self, items: Items) -> Value:
         left, _, right = items
         if isinstance(right.tree, Mul):
             raise UnreadError(
@@ -253,7 +257,7 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
             )
         return v.ratio(left.closed, right.closed)
 
-    def summed(self, items: list[Any]) -> Value:
+    def summed(self, items: Items) -> Value:
         index, *limits, body = items[1], *(item.closed for item in items[2:])
         label = Symbol(index.value)
         if limits and not index.value:
@@ -264,7 +268,7 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
             made = eq.SumOver(label, body.tree)
         return built(made, body.kind, body, *limits, position=items[0].position)
 
-    def integral(self, items: list[Any]) -> Value:
+    def integral(self, items: Items) -> Value:
         """∫ of a term, which must hold as many differentials as integrals.
 
         In the letters of a table it is over d³r, or over a letter between two ends.
@@ -290,17 +294,17 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
                 raise UnreadError(reason, place)
         return built(tree, body.kind, body, *limits, position=place)
 
-    def differential(self, items: list[Any]) -> Value:
+    def differential(self, items: Items) -> Value:
         tree, order, of = items[0].value
         self.differentials[tree] = order, of
         return Value(tree, kind(tree), items[0].position)
 
     # Factors
 
-    def power(self, items: list[Any]) -> Value:
+    def power(self, items: Items) -> Value:
         return v.power(items[0].closed, items[2].closed)
 
-    def transposed(self, items: list[Any]) -> Value:
+    def transposed(self, items: Items) -> Value:
         base: Value
         base, raised = items
         if base.kind == "scalar" and not self.notation.open:
@@ -309,17 +313,17 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
             return replace(base, tree=base.tree.T)
         return built(eq.Transposed(base.tree), base.kind, base)
 
-    def symbol(self, items: list[Any]) -> Value:
+    def symbol(self, items: Items) -> Value:
         tree = items[0].value
         return Value(tree, kind(tree), items[0].position)
 
-    def number(self, items: list[Any]) -> Value:
+    def number(self, items: Items) -> Value:
         return v.number(items[0])
 
-    def constant(self, items: list[Any]) -> Value:
+    def constant(self, items: Items) -> Value:
         return Value(s.const, "scalar", items[0].position)
 
-    def brackets(self, items: list[Any]) -> Value:
+    def brackets(self, items: Items) -> Value:
         inside: Value = items[1].closed
         if inside.explicit:
             return inside
@@ -335,13 +339,13 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
             )
         return built(eq.Group(inside.tree), inside.kind, inside, position=items[0].position)
 
-    def listed(self, items: list[Any]) -> Value:
+    def listed(self, items: Items) -> Value:
         entries = [item.closed for item in items if isinstance(item, Value)]
         if len(entries) == 1:
             return self.brackets(items)
         return self._matrix([entries], items[0].position)
 
-    def matrix(self, items: list[Any]) -> Value:
+    def matrix(self, items: Items) -> Value:
         rows = [item for item in items if isinstance(item, list)]
         if len({len(row) for row in rows}) > 1:
             raise UnreadError("a matrix with rows of different lengths", items[0].position)
@@ -358,23 +362,23 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
         digits = max(entry.digits for entry in entries)
         return built(tree, kind(tree), *entries, digits=digits, position=position)
 
-    def row(self, items: list[Any]) -> list[Value]:
+    def row(self, items: Items) -> list[Value]:
         return [item.closed for item in items if isinstance(item, Value)]
 
-    def fraction(self, items: list[Any]) -> Value:
+    def fraction(self, items: Items) -> Value:
         over, below = items[1].closed, items[2].closed
         made = v.ratio(over, below)
         literal = over.literal and below.literal and not self.notation.open
         return replace(made, literal=literal, position=items[0].position)
 
-    def root(self, items: list[Any]) -> Value:
+    def root(self, items: Items) -> Value:
         body = items[1].closed
         if body.kind != "scalar":
             raise UnreadError(f"the root of a {body.kind}", body.position)
         tree = Pow(body.tree, Rational(1, items[0].value), evaluate=False)
         return built(tree, "scalar", body, position=items[0].position)
 
-    def size(self, items: list[Any]) -> Value:
+    def size(self, items: Items) -> Value:
         inside = items[1].closed
         if inside.kind == "matrix":
             raise UnreadError("bars round a matrix: write det", inside.position)
@@ -384,7 +388,7 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
             tree = sympy.Abs(inside.tree, evaluate=False)
         return built(tree, "scalar", inside, position=items[0].position)
 
-    def brace(self, items: list[Any]) -> Value:
+    def brace(self, items: Items) -> Value:
         body, label = items[1].closed, items[2].closed
         if body.kind != label.kind:
             raise UnreadError(
@@ -393,12 +397,12 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
         tree = eq.Underbrace(body.tree, label.tree)
         return built(tree, body.kind, body, label, position=items[0].position)
 
-    def exponential(self, items: list[Any]) -> Value:
+    def exponential(self, items: Items) -> Value:
         return self._call("exp", items[0], [items[1].closed])
 
     # Functions of letters, and what is taken at a place
 
-    def at(self, items: list[Any]) -> Value:
+    def at(self, items: Items) -> Value:
         arguments = [item.closed for item in items[1:] if isinstance(item, Value)]
         letter = items[0].value
         if not isinstance(letter, Symbol):
@@ -407,7 +411,7 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
         at = Value(letter, kind(letter), items[0].position)
         return built(tree, at.kind, at, *arguments, position=items[0].position)
 
-    def evaluated(self, items: list[Any]) -> Value:
+    def evaluated(self, items: Items) -> Value:
         body, place = items[0].closed, items[1]
         if not self.notation.open:
             raise UnreadError("a value at one place", place.position)
@@ -417,7 +421,7 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
 
     # Slopes and rates
 
-    def slope(self, items: list[Any]) -> Value:
+    def slope(self, items: Items) -> Value:
         of, *by = (item.closed for item in items[1:])
         for variable in by:
             if not isinstance(variable.tree, (Symbol, eq.At)):
@@ -432,14 +436,14 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
         shown = "vector" if gradient else of.kind
         return built(tree, shown, of, *by, position=items[0].position)
 
-    def slope_of(self, items: list[Any]) -> Value:
+    def slope_of(self, items: Items) -> Value:
         operator, *by, of = items
         return acting(of, lambda inside: self.slope([operator, inside, *by]))
 
-    def rate_of(self, items: list[Any]) -> Value:
+    def rate_of(self, items: Items) -> Value:
         return acting(items[1], lambda inside: self.rate([items[0], inside]))
 
-    def rate(self, items: list[Any]) -> Value:
+    def rate(self, items: Items) -> Value:
         operator, what = items[0], items[1].closed
         tree = what.tree
         for _ in range(operator.value):
@@ -454,7 +458,7 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
             return None
         return self.notation.names.get(replace(glyph, accent=accents[glyph.accent]))
 
-    def rate_in(self, items: list[Any]) -> Value:
+    def rate_in(self, items: Items) -> Value:
         _, operator, what, _, frame = items
         if self.notation.open:
             return self.framed([items[0], what, None, frame])
@@ -465,7 +469,7 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
         tree = eq.Rate(what.tree, _FRAMES[frame.value])
         return built(tree, what.kind, what, position=items[0].position)
 
-    def framed(self, items: list[Any]) -> Value:
+    def framed(self, items: Items) -> Value:
         """A rate in brackets with the frame that it is seen from."""
         body, frame = items[1].closed, items[-1]
         tree = body.tree
@@ -477,7 +481,7 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
         seen = eq.Rate(what, _FRAMES.get(frame.value, Symbol(frame.value)))
         return built(seen, body.kind, body, position=items[0].position)
 
-    def rate_in_brackets(self, items: list[Any]) -> Value:
+    def rate_in_brackets(self, items: Items) -> Value:
         operator, what = items[-3], items[-2]
         made = self.rate([operator, what])
         sign = items[1] if len(items) == 5 else None
@@ -487,27 +491,27 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
 
     # Functions
 
-    def multiple(self, items: list[Any]) -> Value:
+    def multiple(self, items: Items) -> Value:
         return v.times(v.number(items[0]), self.symbol(items[1:]))
 
-    def part(self, items: list[Any]) -> Value:
+    def part(self, items: Items) -> Value:
         share = self.fraction(items[:3])
         if not (items[1].literal and items[2].literal):
             raise UnreadError("the function could end here: put brackets", items[3].position)
         return v.times(share, self.symbol(items[3:]))
 
-    def applied(self, items: list[Any]) -> Value:
+    def applied(self, items: Items) -> Value:
         arguments = [item.closed for item in items if isinstance(item, Value)]
         return self._call(items[0].value, items[0], arguments)
 
-    def applied_power(self, items: list[Any]) -> Value:
+    def applied_power(self, items: Items) -> Value:
         made = self._call(items[0].value, items[0], [items[4].closed])
         return self._raised(made, items[2].closed)
 
-    def bare(self, items: list[Any]) -> Value:
+    def bare(self, items: Items) -> Value:
         return self._bare(items[0], items[1], lambda made: made)
 
-    def bare_power(self, items: list[Any]) -> Value:
+    def bare_power(self, items: Items) -> Value:
         exponent = items[2].closed
         return self._bare(items[0], items[3], lambda made: self._raised(made, exponent))
 
