@@ -1,12 +1,11 @@
 """What the derived right-hand sides cost, beside SymPy's LagrangesMethod and code by hand.
 
-Run ``python tests/benchmarks/right_hand_sides.py`` from the repository.  One run prints, for the
-symmetric top and for the heavy body with three moments and any centre of mass: the time of the
-derivation (in a process of its own, SymPy's import not counted), the operations as derived and
-those of one call (+ those done once for a motion), the time of one call on floats and of one
-element of an array of 10⁵, and both as ratios to the functions written by hand.  Times are medians
-of interleaved rounds.  LagrangesMethod is lambdified by the same bridge, without simplification,
-and gets at most `PATIENCE` seconds.
+Run ``python tests/benchmarks/right_hand_sides.py`` from the repository.  For the symmetric top,
+and for the heavy body with three moments and any centre of mass, one run prints the times of a call
+on floats and of one on arrays, over those of the functions written by hand; and of each the time of
+its derivation (in a process of its own, SymPy's import not counted), the operations as derived, and
+those of one call (+ those done once for a motion).  LagrangesMethod is lambdified by the same
+bridge, without simplification, and gets at most `PATIENCE` seconds.
 """
 
 from __future__ import annotations
@@ -14,7 +13,6 @@ from __future__ import annotations
 import argparse
 import json
 import math
-import statistics
 import subprocess
 import sys
 from collections.abc import Callable
@@ -24,6 +22,7 @@ from typing import Any
 
 import numpy as np
 
+from rigidtop.bench.rows import Task, Way, measured, table
 from rigidtop.motion import equations
 from rigidtop.parameters import EXAMPLE_TOP
 
@@ -154,17 +153,25 @@ def body_by_hand(q0: Any, q1: Any, q2: Any, q3: Any, w1: Any, w2: Any, w3: Any) 
     )
 
 
-# The table
+# The tables
 
 
 @dataclass(frozen=True)
 class Candidate:
-    """One row: what it is, and how to call it once on floats and once on arrays."""
+    """One row: what it is, what its derivation took, how to call it on floats and on arrays."""
 
     label: str
-    derivation: dict[str, Any] | None
-    scalar: Callable[[], Any] | None
-    array: Callable[[], Any] | None
+    note: str
+    on_floats: Callable[[], object] | None = None
+    on_arrays: Callable[[], object] | None = None
+
+
+def said(found: dict[str, Any] | None) -> str:
+    """What a derivation took, and what came of it."""
+    if found is None:
+        return f"not derived within {PATIENCE} s"
+    took = "derived in {seconds:.3f} s, {written out} operations, {operations} of a call"
+    return took.format_map(found)
 
 
 def spread(values: list[float]) -> list[np.ndarray]:
@@ -177,13 +184,14 @@ def shipped_candidate(label: str, name: str, state: list[float], **parameters: f
     make, arrays = getattr(equations, name), spread(state)
     over_arrays = {"sin": np.sin, "cos": np.cos} if make.__kwdefaults__ else {}
     floats, elements = make(*parameters.values()), make(*parameters.values(), **over_arrays)
-    return Candidate(label, derived(name), lambda: floats(state), lambda: elements(arrays))
+    made = said(derived(name))
+    return Candidate(label, made, lambda: floats(state), lambda: elements(arrays))
 
 
 def lagrange_candidate(name: str, parameters: dict[str, float]) -> Candidate:
     label, found = "LagrangesMethod, Euler angles", derived(name)
     if found is None:
-        return Candidate(label, None, None, None)
+        return Candidate(label, said(None))
     state, constants = list(ANGLES.values()), list(parameters.values())
     floats: dict[str, Any] = {"sin": math.sin, "cos": math.cos}
     elements: dict[str, Any] = {"sin": np.sin, "cos": np.cos}
@@ -192,59 +200,20 @@ def lagrange_candidate(name: str, parameters: dict[str, float]) -> Candidate:
     arrays = spread(state)
     return Candidate(
         label,
-        found,
+        said(found),
         lambda: floats["rates"](*state, *constants),
         lambda: elements["rates"](*arrays, *constants),
     )
 
 
-def seconds_per_call(call: Callable[[], Any], calls: int) -> float:
-    begin = perf_counter()
-    for _ in range(calls):
-        call()
-    return (perf_counter() - begin) / calls
-
-
-def medians(calls: list[Callable[[], Any] | None], repeat: int) -> list[float | None]:
-    """Median seconds of one call each, in rounds that take turns."""
-    rounds = [[c and seconds_per_call(c, repeat) for c in calls] for _ in range(ROUNDS)]
-    columns = zip(*rounds, strict=True)
-    return [None if c[0] is None else statistics.median(c) for c in columns]
-
-
-def report(title: str, candidates: list[Candidate]) -> None:
-    """Print one table; the last candidate is the one by hand."""
-    scalar = medians([c.scalar for c in candidates], 3000)
-    array = [t and t / ELEMENTS for t in medians([c.array for c in candidates], 3)]
-    print(f"\n{title}")
-    head = (
-        "derived in s",
-        "written out",
-        "operations",
-        "call, µs",
-        "ratio",
-        "element, ns",
-        "ratio",
-    )
-    print(f"{'':44}" + "".join(f"{word:>13}" for word in head))
-    for candidate, call, element in zip(candidates, scalar, array, strict=True):
-        made = candidate.derivation or {}
-        cells = [
-            f"{made['seconds']:.3f}" if made else "",
-            str(made.get("written out", "")),
-            str(made.get("operations", "")),
-            *(_cells(call, scalar[-1], 1e6)),
-            *(_cells(element, array[-1], 1e9)),
-        ]
-        if candidate.array is None:
-            cells[0] = f"> {PATIENCE}"
-        print(f"{candidate.label:44}" + "".join(f"{cell:>13}" for cell in cells))
-
-
-def _cells(seconds: float | None, reference: float | None, scale: float) -> tuple[str, str]:
-    if not seconds or not reference:
-        return "", ""
-    return f"{seconds * scale:.3g}", f"{seconds / reference:.2f}"
+def tasks(title: str, candidates: list[Candidate]) -> list[Task]:
+    """A call on floats and one on arrays; the first candidate is the one by hand."""
+    floats = [Way(c.label, c.on_floats, note=c.note) for c in candidates]
+    arrays = [Way(c.label, c.on_arrays) for c in candidates]
+    return [
+        Task(f"{title}: a call on floats", lambda: floats),
+        Task(f"{title}: arrays of 10⁵ states", lambda: arrays, ELEMENTS),
+    ]
 
 
 def main() -> None:
@@ -252,35 +221,31 @@ def main() -> None:
     attitude = [*ATTITUDE.values()]
     whole, across = [*attitude, *OMEGA.values()], [*attitude, OMEGA["omega1"], OMEGA["omega2"]]
     angle_arrays, whole_arrays = spread(angles), spread(whole)
-    report(
-        "Symmetric top",
-        [
-            shipped_candidate("shipped, Euler angles", "top_in_euler_angles", angles, **TOP),
-            shipped_candidate(
-                "shipped, quaternion", "heavy_top", across, **TOP, omega3=OMEGA["omega3"]
-            ),
-            lagrange_candidate("lagrange_top", TOP),
-            Candidate(
-                "by hand, Euler angles",
-                None,
-                lambda: top_by_hand(*angles),
-                lambda: top_by_hand(*angle_arrays, sin=np.sin, cos=np.cos),
-            ),
-        ],
-    )
-    report(
-        "Heavy body, three moments, any centre of mass",
-        [
-            shipped_candidate("shipped, quaternion", "heavy_body", whole, **BODY),
-            lagrange_candidate("lagrange_body", BODY),
-            Candidate(
-                "by hand, quaternion",
-                None,
-                lambda: body_by_hand(*whole),
-                lambda: body_by_hand(*whole_arrays),
-            ),
-        ],
-    )
+    top = [
+        Candidate(
+            "by hand, Euler angles",
+            "",
+            lambda: top_by_hand(*angles),
+            lambda: top_by_hand(*angle_arrays, sin=np.sin, cos=np.cos),
+        ),
+        shipped_candidate("shipped, Euler angles", "top_in_euler_angles", angles, **TOP),
+        shipped_candidate(
+            "shipped, quaternion", "heavy_top", across, **TOP, omega3=OMEGA["omega3"]
+        ),
+        lagrange_candidate("lagrange_top", TOP),
+    ]
+    body = [
+        Candidate(
+            "by hand, quaternion",
+            "",
+            lambda: body_by_hand(*whole),
+            lambda: body_by_hand(*whole_arrays),
+        ),
+        shipped_candidate("shipped, quaternion", "heavy_body", whole, **BODY),
+        lagrange_candidate("lagrange_body", BODY),
+    ]
+    heavy = "Heavy body, three moments, any centre of mass"
+    print(table(measured([*tasks("Symmetric top", top), *tasks(heavy, body)], ROUNDS)))
 
 
 if __name__ == "__main__":

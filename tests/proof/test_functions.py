@@ -65,13 +65,6 @@ Call the effective potential:
 $$U = \frac{p_\psi^2}{2\lambda_3}\cos\theta + \Omega p_\phi$$
 """
 
-DIFFERENCE = r"""
-Subtract $\cos\theta$ times (3.56) from (3.55):
-
-$$p_\phi - p_\psi\cos\theta = \lambda_1\dot\phi\sin^2\theta + p_\psi\cos\theta
-- \lambda_3(\dot\psi + \dot\phi\cos\theta)\cos\theta$$
-"""
-
 SHORT = r"""
 Put (3.56) into (3.55):
 
