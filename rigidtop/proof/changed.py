@@ -122,7 +122,7 @@ def changes(node: Expr, families: Families) -> Iterator[tuple[Expr, Single]]:
             for other in (other for other in family if other != node):
                 yield other, Single("index", other, f"{other} for {node}")
         yield 2 * node, Single("factor", node, f"twice {node}")
-        yield Pow(node, 2), Single("power", node, f"square of {node}")
+        yield Mul(node, node), Single("power", node, f"square of {node}")
     elif isinstance(node, (sin, cos)):
         other = (cos if isinstance(node, sin) else sin)(*node.args)
         yield other, Single("function", other, f"the other function in {node}")

@@ -59,6 +59,8 @@ def vanishes(expression: Expr) -> bool:
     """
     if expression == 0:
         return True
+    if expression.has(sympy.log):
+        expression = sympy.expand_log(expression)
     if any(not f.args[0].is_Symbol for f in expression.atoms(sin, cos)) or expression.has(
         sympy.tan
     ):
