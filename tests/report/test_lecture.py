@@ -31,6 +31,7 @@ from rigidtop.report.blocks import (
     NameLine,
     Paragraph,
     Quantities,
+    Results,
     Subhead,
     Symbols,
 )
@@ -435,3 +436,11 @@ def test_a_lecture_of_ones_own_looks(document):
     assert re.search(r"% mine\s+\\begin\{document\}", source)
     assert "A. Lecturer, PHY 305" in source
     assert "pdftitle={Kreisel}" in source
+
+
+def test_a_matrix_keeps_its_columns_in_the_summary(document):
+    (results,) = (block for block in document.blocks if isinstance(block, Results))
+    (row,) = (row for row in results.rows if row[0] == "3.47")
+    (rows,) = re.findall(r"\\begin{bmatrix}(.*?)\\end{bmatrix}", tex.tex_block(Results((row,))))
+    assert [line.count("&") for line in rows.split(r"\\")] == [2, 2, 2]
+    assert len({number for number, *_ in results.rows}) == len(results.rows)
