@@ -893,6 +893,19 @@ def test_the_table_holds_the_motion(live):
     assert table[:, names.index("phi_dot (rad/s)")] == pytest.approx(exact.phi_dot, abs=1e-9)
 
 
+@pytest.mark.parametrize("preset", ["waking", "toppling"])
+def test_the_window_of_time_holds_a_few_nutations(live, preset):
+    live.open(HEAVY, f"#preset={preset}&play=0")
+    duration, period = live.driver.execute_async_script(
+        "const done = arguments[0]; const { motion } = rigidtop;"
+        "Promise.all(['plotted', 'facts'].map((name) => import(`rigidtop/${name}.js`)))"
+        ".then(([{ plottedOf }, { factsOf }]) =>"
+        " done([plottedOf(motion, 'angles').duration, factsOf(motion).nutationPeriod]));"
+    )
+    assert f" every {period:.4g} s" in live.find(".verdict").text
+    assert 1.8 <= duration / period <= 4.6
+
+
 def test_a_finger_turns_the_view(phone):
     phone.open(HEAVY, STILL)
     before = settled(phone)

@@ -122,6 +122,9 @@ function ticks({ low, high }, step) {
   return { values, digits };
 }
 
+/** More lines of a grid than these are no help to the eye, however much room there is. */
+const MOST_LINES = 12;
+
 /**
  * A nice step of which about `count` fit in a range.
  *
@@ -295,7 +298,7 @@ export function line(ctx, x1, y1, x2, y2) {
  */
 export function drawUpAxis(paper, box, range) {
   const { ctx, em, colours } = paper;
-  const room = Math.abs(box.bottom - box.top) / (1.6 * em);
+  const room = Math.min(MOST_LINES, Math.abs(box.bottom - box.top) / (1.6 * em));
   const { values, digits } = ticks(range, niceStep(range, room));
   const y = scale(range, box.bottom, box.top);
   ctx.strokeStyle = colours.rule;

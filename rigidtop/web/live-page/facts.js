@@ -45,11 +45,11 @@ export function factsOf(motion) {
     return { ...none, regime: "no symmetry", verdict };
   }
   const nutation = regimeOf(motion);
-  const { regime, turningPoints } = nutation;
+  const { regime, turningPoints, nutationPeriod } = nutation;
   const facts = steadyFacts(motion);
   const spins = Math.abs(motion.start.omega[2]) >= (facts.sleepingSpin ?? Infinity);
   const words = inWords(nutation, spins);
-  return { regime, turningPoints, ...facts, verdict: `${words}${facts.verdict}` };
+  return { regime, turningPoints, nutationPeriod, ...facts, verdict: `${words}${facts.verdict}` };
 }
 
 /**

@@ -32,6 +32,10 @@ const DEGREE = 180 / Math.PI;
 /** The slowest motion that the window of time is made for, in times of the motion. */
 const SLOWEST = 40;
 
+/** At least so many nutations fill the window of time, unless they are this much slower. */
+const NUTATIONS = 1.8;
+const MUCH_SLOWER = 5;
+
 /** @type {Quantity} */
 const theta = (sample) => sample.theta * DEGREE;
 /** @type {Quantity} */
@@ -123,11 +127,16 @@ export function plottedOf(motion, plot) {
  *
  * @param {Motion} motion
  */
-function windowOf({ setup, moments, weight, start, timescale }) {
+function windowOf(motion) {
+  const { setup, moments, weight, start, timescale } = motion;
   if (setup.kind === "free") return nice(30 * timescale);
   const rate = length(start.momentum) / moments[0] + Math.sqrt(length(weight) / moments[0]);
   // What moves so slowly that it can't be computed ahead is shown as if it rested.
-  return nice(30 * Math.min(Math.max(timescale, 1 / rate), SLOWEST * timescale));
+  const most = 30 * SLOWEST * timescale;
+  const usual = Math.min(30 * Math.max(timescale, 1 / rate), most);
+  const { regime, nutationPeriod = Infinity } = factsOf(motion);
+  const nutates = Number.isFinite(nutationPeriod) && regime !== "steady precession";
+  return nice(nutates ? Math.min(NUTATIONS * nutationPeriod, MUCH_SLOWER * usual, most) : usual);
 }
 
 /** @param {import("./types").Numbers} vector */
@@ -160,7 +169,8 @@ function followed(old, seen) {
   const size = Math.max(1, seen.high - seen.low);
   const oldSpan = old.high - old.low;
   const kept = 1.04 * size < oldSpan && oldSpan < 4 * size;
-  const span = kept ? oldSpan : nice(1.1 * size);
+  const step = nice(size / 8);
+  const span = kept ? oldSpan : Math.ceil((1.1 * size) / step) * step;
   const margin = 0.02 * span;
   const low = Math.min(Math.max(old.low, seen.high + margin - span), seen.low - margin);
   return { low, high: low + span };

@@ -122,7 +122,7 @@ export function createTimePlots(container, plottedOf) {
       drawAlongAxis(sheet, box, times, label);
       drawUpAxis(sheet, box, range);
       write(sheet, title, 0.2 * em, top - 1.1 * em);
-      write(sheet, now, right, top - 1.1 * em, "right");
+      write(sheet, now, width - 0.2 * em, top - 1.1 * em, "right");
       return box;
     };
     drawn.forEach((panel, k) => {

@@ -117,6 +117,8 @@ export interface Facts {
   readonly regime: string;
   /** Smallest and largest θ, where θ moves between turning points; else null. */
   readonly turningPoints: readonly [number, number] | null;
+  /** Of θ between them, in units of the clock; infinite where it comes to no end. */
+  readonly nutationPeriod?: number;
   /** Smallest |ω₃| with a steady precession at θ₀ (heavy symmetric top); else null. */
   readonly smallestSpin: number | null;
   /** Smallest |ω₃| at which the upright top is stable; else null. */
