@@ -71,6 +71,7 @@
         frame.src = `${await addressOf(kind)}#preset=${preset}&embed=2&play=1`;
         still.style.display = "none";
         still.after(frame);
+        frame.scrollIntoView({ block: "nearest" });
         back.hidden = open.hidden = false;
         stop = () => {
           frame.remove();

@@ -25,8 +25,11 @@ def player(figures: Mapping[str, Sequence[Motion]]) -> str:
     presets: dict[str, list[Preset]] = {kind: [] for kind in TITLES}
     shown: dict[str, list[tuple[str, str, str]]] = {}
     for name, motions in figures.items():
+        regimes = [motion.regime for motion in motions]
         for number, motion in enumerate(motions, 1):
             words = "Play" if len(motions) == 1 else motion.regime.capitalize()
+            if regimes.count(motion.regime) > 1:
+                words += f" {number}"
             title = name.replace("-", " ").capitalize()
             preset = own_preset(motion, f"{name}-{number}", title, "The motion of the figure.")
             presets[preset.setup.kind].append(preset)

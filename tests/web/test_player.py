@@ -41,13 +41,13 @@ def test_every_motion_of_a_figure_is_one_of_the_page(made):
     pages = {kind: read(made, f"live-{kind}") for kind in ("free", "heavy-top")}
     for each in PICTURES:
         motions = each.motions()
-        assert len(shown[each.name]) == len(motions)
+        assert len({words for *_, words in shown[each.name]}) == len(motions)
         for (kind, name, words), motion in zip(shown[each.name], motions, strict=True):
             (preset,) = [p for p in pages[kind]["presets"] if p["name"] == name]
             setup = setup_of(motion)
             assert preset["setup"]["values"] == pytest.approx(dict(setup.values), rel=1e-12)
             assert body_of(setup).moments == motion.body.moments
-            assert words == ("Play" if len(motions) == 1 else motion.regime.capitalize())
+            assert words.startswith("Play" if len(motions) == 1 else motion.regime.capitalize())
     for found in pages.values():
         for slider in found["parameters"]:
             values = [p["setup"]["values"][slider["name"]] for p in found["presets"]]
