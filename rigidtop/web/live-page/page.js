@@ -96,11 +96,7 @@ export function createPage(data, subject) {
       const count = Math.round(Math.min(Math.max(300, (4 * duration) / motion.timescale), 3000));
       return [motion, ghost].map((each) => each?.ahead(duration, count) ?? []);
     },
-    () => {
-      // The scene draws the same moment again only if something was set.
-      scene?.setLayers?.(state.layers);
-      clock.wake();
-    },
+    () => clock.wake(),
   );
   const address = createAddressBar(currentAddress);
   const { blow } = subject;

@@ -329,6 +329,8 @@ export function createScene(container, colours) {
     /** @type {Sample} */ now, /** @type {readonly Sample[]} */ past,
     /** @type {import("./types").Past<Sample> | null} */ beside = ghost,
   ) {
+    // Of the same moment another motion, or what is to come of it, is drawn too.
+    if (past !== trail) dirty = true;
     sample = now;
     trail = past;
     ghost = beside;
