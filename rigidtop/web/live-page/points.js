@@ -146,19 +146,24 @@ export function createPoints(container, { points: count, bodies, planar, follow 
     }
   }
 
-  /** e₁, e₂, e₃ of a body from where it is. */
+  /** e₁, e₂, e₃ of a body from where it is; of the second with a prime, and so on. */
   function drawBody(
     /** @type {Paper} */ sheet, /** @type {Place} */ place, /** @type {Float64Array} */ all,
     /** @type {number} */ point, /** @type {number} */ matrix,
   ) {
     const centre = all.subarray(3 * point, 3 * point + 3);
+    const { em, width, height } = sheet;
+    const body = bodies.indexOf(point);
+    const within = (/** @type {number} */ at, /** @type {number} */ size) =>
+      Math.max(0.8 * em, Math.min(size - 0.8 * em, at));
     AXES.forEach((name, axis) => {
       const tip = centre.map((x, row) => x + along * reach * all[matrix + 3 * row + axis]);
       sheet.ctx.strokeStyle = sheet.ctx.fillStyle = sheet.colours[name];
-      sheet.ctx.lineWidth = 0.2 * sheet.em;
+      sheet.ctx.lineWidth = 0.2 * em;
       line(sheet.ctx, ...place(centre), ...place(tip));
-      const [x, y] = place(centre.map((from, k) => from + 1.12 * (tip[k] - from)));
-      write(sheet, `e_${axis + 1}`, x, y, "center");
+      const [x, y] = place(centre.map((from, k) => from + (1.12 + 0.2 * body) * (tip[k] - from)));
+      const letter = `e${"′".repeat(body)}_${axis + 1}`;
+      write(sheet, letter, within(x, width), within(y, height), "center");
     });
   }
 

@@ -55,7 +55,9 @@ export function createVerdict(container, setPrecession) {
       container.hidden = facts.verdict === "";
       if (said !== facts.verdict) {
         said = facts.verdict;
-        sentence.replaceChildren(...withRelations(facts.verdict));
+        const end = said.indexOf(". ") + 1 || said.length;
+        const further = element("span", { class: "further" }, ...withRelations(said.slice(end)));
+        sentence.replaceChildren(...withRelations(said.slice(0, end)), further);
         clearTimeout(timer);
         timer = window.setTimeout(() => (aloud.textContent = sentence.textContent), REST);
       }
