@@ -241,23 +241,29 @@ def energies(path: SlidingTrajectory, k: int) -> tuple[float, ...]:
     return spin, rest, height, *heat, spin + rest + height + sum(heat)
 
 
-def budget(path: SlidingTrajectory, rows: int, last: int) -> Table:
-    """Where the energy is at so many times, up to the row `last` of the path."""
+def budget(path: SlidingTrajectory, rows: int, last: int, title: str) -> Table:
+    """Where the energy is at so many times, up to the row `last` of the path.
+
+    What gives no heat at any of them has no column.
+    """
     places = np.linspace(0, last, rows).round().astype(int)
+    cells = [(float(path.t[k]), float(path.theta[k]), *energies(path, int(k))) for k in places]
+    columns = (
+        "$t$ (s)",
+        "$θ$ (rad)",
+        "spin $½λ₃ω₃²$ (J)",
+        "other motion (J)",
+        "weight (J)",
+        "heat by friction (J)",
+        "heat by air (J)",
+        "sum (J)",
+    )
+    kept = [k for k, name in enumerate(columns) if "heat" not in name or any(r[k] for r in cells)]
     return Table(
         "budget",
-        "Where the energy is",
-        (
-            "$t$ (s)",
-            "$θ$ (rad)",
-            "spin $½λ₃ω₃²$ (J)",
-            "other motion (J)",
-            "weight (J)",
-            "heat by friction (J)",
-            "heat by air (J)",
-            "sum (J)",
-        ),
-        tuple((float(path.t[k]), float(path.theta[k]), *energies(path, int(k))) for k in places),
+        title,
+        tuple(columns[k] for k in kept),
+        tuple(tuple(row[k] for k in kept) for row in cells),
     )
 
 
@@ -320,7 +326,7 @@ def rising_top(
     yield Answer("to_weight", "share of it in the weight", (after[2] - before[2]) / lost)
     yield Answer("to_motion", "share of it in other motion", (after[1] - before[1]) / lost)
     yield Answer("to_heat", "share of it in heat", after[3] / lost)
-    yield budget(path, 9, len(path.t) - 1)
+    yield budget(path, 9, len(path.t) - 1, "Where the energy is while the top rises")
     integral = path.jellett
     drift = float(np.max(np.abs(integral / integral[0] - 1)))
     yield Measure("Jellett's integral against its value at the start, relative", drift, 1e-9)
@@ -476,7 +482,7 @@ def waking_top(
     awake = int(np.searchsorted(path.t, seen))
     largest = float(np.max(path.theta[path.t <= asleep]))
     yield Answer("tilt_asleep", "largest $θ$ before the sleeping spin", largest, "rad")
-    yield budget(path, 9, awake)
+    yield budget(path, 9, awake, "Where the energy is until the tilt is visible")
     error = float(
         np.max(np.abs(path.omega[:awake, 2] / omega3 * np.exp(decay * path.t[:awake]) - 1))
     )

@@ -48,7 +48,7 @@ def front_of(options: argparse.Namespace, front: Front) -> Front:
     return replace(
         front,
         title=title,
-        exercises=f"{title}: exercises" if options.title else front.exercises,
+        exercises=options.title or front.exercises,
         author=options.author or front.author,
         byline=", ".join(words for words in told if words),
     )
