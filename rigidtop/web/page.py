@@ -99,7 +99,7 @@ def own_preset(motion: Motion, name: str, title: str, about: str) -> Preset:
     """A motion as an example of the page; raises RigidtopError for bodies that it doesn't know."""
     setup = setup_of(motion)
     rate = max(map(abs, motion.omega), default=0.0)
-    rolls = setup.kind == FREE and motion.body.symmetric
+    rolls = setup.kind == FREE and motion.regime == "regular precession"
     layers = ("e3", "omega", "L", "cones" if rolls else "trail")
     wheel = "top" if setup.kind == HEAVY else "wheel"
     shape = wheel if setup.kind == HEAVY or motion.body.symmetric else "brick"
