@@ -67,11 +67,11 @@ def element(inside: str, alt: str, block: bool) -> str:
     )
 
 
-_BESIDE = re.compile(r"([^\s<>]*)(<math(?![^>]*display=)[^>]*>.*?</math>)([^\s<]*)", re.S)
+_BESIDE = re.compile(r"([^ \n<>]*)(<math(?![^>]*display=)[^>]*>.*?</math>)([^ \n<]*)", re.S)
 
 
 def held(html: str) -> str:
-    """HTML in which no line ends between a formula and the comma or the bracket beside it.
+    """HTML in which no line ends between a formula and the comma, bracket or unit beside it.
 
     Browsers break a line there, as they do beside a picture.
     """

@@ -58,11 +58,15 @@ def written(text: str, maths: Callable[[str], str], plain: Callable[[str], str])
 
 
 def tied(text: str) -> str:
-    """A sentence in which no line ends between a number and its unit, nor inside a unit."""
-    return _APART.sub("\u00a0", text)
+    """A sentence in which no line ends between a number and its unit, nor inside a unit.
+
+    A thin space stands there, as in the tables; before a word, such as days, a whole one.
+    """
+    return _APART.sub("\u202f", _COUNTED.sub("\u00a0", text))
 
 
-_NAMES = r"(?:kg|rad|days|turns|[cmk]?m|[mkμ]?J|[NWs%])(?![A-Za-z])"
+_NAMES = r"(?:kg|rad|[cmk]?m|[mkμ]?J|[NWs%])(?![A-Za-z])"
+_COUNTED = re.compile(r"(?<=\d) (?=(?:days|turns)\b)|(?<=\d\$) (?=(?:days|turns)\b)")
 _APART = re.compile(rf"(?<=[\d∞]) (?={_NAMES})|(?<=[\d∞]\$) (?={_NAMES})|(?<=\b[gNJ]) (?=[ms]\b)")
 
 

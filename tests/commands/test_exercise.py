@@ -102,13 +102,15 @@ def test_a_number_that_is_not_confirmed_fails(capsys, monkeypatch):
 
 @pytest.mark.parametrize("student", [True, False])
 def test_sheet(capsys, tmp_path, student):
-    more = ["--student"] if student else []
+    more = ["--title", "Sheet 3", *(["--student"] if student else [])]
     assert main(["exercise", "toppling-top", "--sheet", str(tmp_path / "out"), *more]) == 0
     listed = capsys.readouterr().out.split()
     assert {f"{tmp_path}/out/exercises.tex", f"{tmp_path}/out/exercises.html"} <= set(listed)
     for kind in ("tex", "html"):
         made = (tmp_path / "out" / f"exercises.{kind}").read_text("utf-8")
         assert "The toppling top" in made
+        assert "Sheet 3" in made
+        assert "Sheet 3: exercises" not in made
         words = re.sub(r"^%.*", "", made, flags=re.M)  # what TeX leaves out
         assert ("Solution" in words) is not student
         assert ("time-to-fall" in made) is not student

@@ -13,7 +13,7 @@ from rigidtop.typeset.sentences import prose, prose_html
 
 CASES = {
     "$θ̈$ vanishes": r"$\ddot{\theta}$ vanishes",
-    "100 % & $a_b$ #1 {x}": r"100~\% \& $a_{b}$ \#1 \{x\}",
+    "100 % & $a_b$ #1 {x}": r"100\,\% \& $a_{b}$ \#1 \{x\}",
     "$sin θ ≠ 0$, or $sin²θ$": r"$\sin \theta \neq 0$, or $\sin^{2}\theta$",
     "$cosθ = 0$": r"$\cos\theta = 0$",
     "along $ẑ$ and $e₃$": r"along $\hat{\mathbf{z}}$ and $\mathbf{e}_{3}$",
@@ -58,8 +58,8 @@ CASES = {
     "$e^(−x/2)$": r"$e^{-x/2}$",
     "$ln(8 sin(θ/2))$": r"$\ln(8 \sin(\theta/2))$",
     "$(C − A)/C$ and $(AB)C$": r"$(C - A)/C$ and $(AB)C$",
-    "0.981 N at 3 m, 2 J s": "0.981~N at 3~m, 2~J~s",
-    "$N = 2$ N m": r"$N = 2$~N~m",
+    "0.981 N at 3 m, 2 J s": r"0.981\,N at 3\,m, 2\,J\,s",
+    "$N = 2$ N m": r"$N = 2$\,N\,m",
     "a height $h$ (m), as $s$ grows": r"a height $h$ (m), as $s$ grows",
     "at the distances $a$ and $b$": r"at the distances $a$ and $b$",
     "A top turns by $A$": r"A top turns by $A$",
@@ -171,9 +171,11 @@ def test_escape_covers_what_tex_reserves():
 
 
 def test_no_line_ends_between_a_formula_and_its_comma():
-    made = held(prose_html("It is $√3$; so ($θ$) is, or $θ$ here."))
+    made = held(prose_html("It is $√3$; so ($θ$) is, or $θ$ here, $F = 2$ N m, 3 N, 45 turns."))
     assert re.findall(r'<span class="m">([^<]*)<math.*?</math>([^<]*)</span>', made) == [
         ("", ";"),
         ("(", ")"),
+        ("", "\u202fN\u202fm,"),
     ]
-    assert made.count("<span") == 2
+    assert made.endswith("3\u202fN, 45\u00a0turns.")
+    assert made.count("<span") == 3
