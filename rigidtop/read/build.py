@@ -243,6 +243,8 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
             if self.notation.open and len(letters) == 2:  # of numbers, or of vectors
                 return built(eq.Dot(left.tree, right.tree), "scalar", left, right)
             return v.times(left, right)
+        if left.kind == "scalar" and isinstance(right.tree, eq.Group) and not self.notation.open:
+            return v.times(left, right)  # as a product is broken before a bracket
         raise UnreadError(f"· between a {left.kind} and a {right.kind}", right.position)
 
     def over(self, items: Items) -> Value:

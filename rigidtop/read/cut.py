@@ -51,7 +51,7 @@ class _Cutter:
         self.found, self.text = found, text
         self.parts: list[Part] = []
         self.current: list[Token] = []
-        self.tag, self.follows, self.nested = "", False, 0
+        self.tag, self.follows, self.nested, self.bracketed = "", False, 0, 0
         self.problem: UnreadError | None = None
         self.ahead = _ahead(found)
         """For each token the kind of the next one that is not blank, and whether a relation
@@ -61,6 +61,7 @@ class _Cutter:
         token = self.found[i]
         kind = token.kind
         self.nested += _OPENS.get(kind, 0)
+        self.bracketed += {"OPEN": 1, "CLOSE": -1}.get(kind, 0)
         inside = self.nested > 0
         if self.condition is not None:
             if (inside or kind not in ("LINE", "ARROW", "TAG")) and token is not self.found[-1]:
@@ -95,6 +96,8 @@ class _Cutter:
             self.close(stop=token.value)
         elif kind == "LINE" and not inside:
             self._line(i)
+        elif inside and kind in ("LINE", "ALIGN") and self.nested == self.bracketed:
+            return  # a bracket may be closed on another line, the entries of a matrix may not
         elif kind in _BLANK:
             if not inside and not self._goes_on(i):
                 self.close()

@@ -303,7 +303,12 @@ _JOINTS = {"": "", "function": "", "thin": r"\,", "dot": r" \cdot "}
 
 
 def _enclosed(inside: str, shape: str, nodes: Sequence[Node]) -> str:
+    if "." in shape:  # no \left and \right on two lines
+        size = r"\Big" if any(map(sizes.is_tall, nodes)) else ""
+        left, right = ("" if mark == "." else size + side * bool(size) + mark
+                       for side, mark in zip("lr", shape, strict=True))  # fmt: skip
+        return left + inside + right
     if any(map(sizes.is_tall, nodes)):
         return rf"\left{shape[0]}{inside}\right{shape[1]}"
-    left, right = (r"\lvert ", r"\rvert") if shape == "||" else tuple(shape.replace(".", " "))
-    return f"{left}{inside}{right}".strip()
+    left, right = (r"\lvert ", r"\rvert") if shape == "||" else (shape[0], shape[1])
+    return left + inside + right

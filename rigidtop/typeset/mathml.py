@@ -140,7 +140,7 @@ def _group(inside: str) -> str:
 def _ml(node: lay.Node) -> str:
     match node:
         case lay.Number():
-            return f"<mn>{node.text}</mn>" if node.text != "∞" else "<mi>∞</mi>"
+            return f"<mn>{node.text}</mn>" * bool(node.text) if node.text != "∞" else "<mi>∞</mi>"
         case lay.Letter():
             return letter(node.glyph)
         case lay.Sum():

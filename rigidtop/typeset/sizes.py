@@ -136,7 +136,8 @@ def lines(equation: Equation | lay.Chain, order: Order = "auto", limit: float = 
 
 
 def _broken(node: lay.Node, limit: float, whole: float) -> list[lay.Node]:
-    """A node in lines: sums before a + or −, before a bracket what no `whole` line has room for."""
+    """A node in lines: sums before a + or −, before a bracket, with a ·, what no `whole` line has
+    room for."""
     match node:
         case _ if width(node) <= limit:
             return [node]
@@ -156,7 +157,9 @@ def _broken(node: lay.Node, limit: float, whole: float) -> list[lay.Node]:
             return made
         case lay.Product(factors=(*before, lay.Brackets() as last)) if width(node) > whole:
             head = lay.Product(tuple(before), node.joints[:-1]) if before[1:] else before[0]
-            return [*_broken(head, limit, whole), *_broken(last, limit, whole)]
+            first, *rest = _broken(last, limit, whole)
+            times = lay.Product((lay.Number(""), first), ("dot",))
+            return [*_broken(head, limit, whole), times, *rest]
         case lay.Brackets(body=lay.Sum() as inside, shape="()") if width(node) > whole:
             first, *rest = _broken(inside, limit - 1.5, whole)
             if rest:

@@ -274,7 +274,8 @@ def test_products_too_long_for_a_line_are_broken_before_and_inside_brackets():
     assert max(sizes.width(line.right) for line in lines) <= 40
     assert latex(lines[0].right) == "b"
     bracket = [latex(line.right) for line in lines[1:]]
-    assert (bracket[0][0], bracket[-1][-1]) == ("(", ")")
+    assert bracket[0].startswith(r" \cdot (")
+    assert bracket[-1].endswith(")")
     assert "".join(bracket).count("x_") == 30
     short = sizes.lines(Equation(a, b * Add(*many[:5])), limit=40)
     assert [latex(line.right) for line in short] == ["b(x_{1} + x_{2} + x_{3} + x_{4} + x_{5})"]
