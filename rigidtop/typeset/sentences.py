@@ -36,7 +36,7 @@ def prose(text: str) -> str:
     r"""A sentence as LaTeX.
 
     >>> print(prose("$θ̈$ vanishes & $sin θ ≠ 0$ (3.54): 100 %"))
-    $\ddot{\theta}$ vanishes \& $\sin \theta \neq 0$ (3.54): 100~\%
+    $\ddot{\theta}$ vanishes \& $\sin \theta \neq 0$ (3.54): 100\,\%
     """
     return written(tied(text), lambda part: f"${tex(part)}$", escape)
 
