@@ -47,7 +47,7 @@ def files(page: Path) -> list[tuple[str, str]]:
 
 
 def is_whole_lecture(words: list[str]) -> bool:
-    """What takes too long for a test: .ci/run makes each of them."""
+    """What takes too long for every page: the README's first command and tests/commands make it."""
     return words[1] == "lecture" and not any(word.endswith("/") for word in words)
 
 
