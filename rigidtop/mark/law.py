@@ -274,7 +274,8 @@ def to_first_order(sides: tuple[Expr, Expr], law: Law | None, moving: Iterable[S
     residual = first[0] - first[1]
     if vanishes(residual) is None and vanishes(residual, first[2:], a) is None:
         return ""
-    return ", ".join(text(x) for x in letters if found & {x, *(dotted(x, k) for k in (1, 2))})
+    stands = found.union(*(x.free_symbols for x in law.vanishing)) if law is not None else found
+    return ", ".join(text(x) for x in letters if stands & {x, *(dotted(x, k) for k in (1, 2))})
 
 
 def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:

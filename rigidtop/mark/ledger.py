@@ -223,7 +223,8 @@ class Ledger:
         """What is said, where letters are left as they are written: held as others change."""
         made = Ledger(self.moves, self.functions, section=self.section)
         for x, known in self.given.items():
-            if known.side is not None and x not in letters and isinstance(x, Lettered):
+            said = isinstance(x, Lettered) and base(x) not in LAGRANGIANS and x not in letters
+            if said and known.side is not None:
                 made.give(x, made.value(known.side), known.rests, known.side)
         return made
 

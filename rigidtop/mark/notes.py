@@ -207,6 +207,8 @@ class _Judge(Ledger):
             if left == sides[0] and self.defines(left, [right]):
                 continue
             self.used = set()
+            if self.law is not None and self.law.broken:
+                raise NoMeaningError("forces besides the Lagrangian act: it is not judged")
             found = to_first_order((self.value(left), self.value(right)), self.law, self.moving)
             if not found:
                 raise NoMeaningError("≈ is shown to first order in what moves, and no further")
@@ -339,7 +341,8 @@ class _Judge(Ledger):
         def made(verdict: Verdict, note: str, *more: int) -> Held:
             return Held(line, verdict.value, note, tuple(sorted({*rests, *more} - {number})))
 
-        for law in (None, *filter(None, (self.law, self.other))):
+        sound = [law for law in (self.law, self.other) if law is not None and not law.broken]
+        for law in (None, *sound):
             found = self.shown(residual, law)
             if found is None:
                 continue
@@ -355,10 +358,13 @@ class _Judge(Ledger):
         residual = sides[0] - sides[1]
         if self.is_open(IMAGINARY) and IMAGINARY in residual.free_symbols:
             unit = residual.xreplace({IMAGINARY: sympy.I})
-            if self.shown(unit, None) or (self.law is not None and self.shown(unit, self.law)):
-                return made(
-                    Verdict.ASSUMING, "where i² = −1", *(self.law.rests if self.law else ())
-                )
+            for law in (None, *sound):
+                found = self.shown(unit, law)
+                if found is not None and found[0] is not Verdict.UNDECIDED:
+                    more = found[1].removeprefix("where ")
+                    where = ", ".join(filter(None, ("i² = −1", more)))
+                    rested = law.rests if law is not None else ()
+                    return made(Verdict.ASSUMING, f"where {where}", *rested)
             return made(Verdict.UNDECIDED, "i: a number, or the imaginary unit? nothing says")
         special = self.specially(sides)
         if special is not None:
@@ -649,6 +655,17 @@ class _Judge(Ledger):
         said = self.kinds(letter.quantity.glyph)
         return not said and letter not in self.given and letter not in self.moving
 
+    def forced(self, law: Law, residual: Expr, number: int) -> Law:
+        """The law with a force besides the Lagrangian, in the equation that names it."""
+        for k, vanishing in enumerate(law.vanishing):
+            for sign in (1, -1):
+                force = sympy.expand(residual - sign * vanishing)
+                if not force.free_symbols & {*law.highest}:
+                    given = (*law.vanishing[:k], residual, *law.vanishing[k + 1 :])
+                    words = "by the equations of motion above"
+                    return Law(law.q, given, law.rests | {number}, words, law.section)
+        return replace(law, broken=True)
+
     def is_integral(self, residual: Expr, law: Law) -> bool:
         """Whether an equation between coordinates and rates stays true along the motion."""
         found = residual.free_symbols
@@ -698,7 +715,7 @@ class _Judge(Ledger):
         generic = {x for side in (left, right) for x in side.atoms(eq.Rate, eq.Partial)}
         if self.law is not None and any(isinstance(x, eq.Partial) for x in generic):
             if {bare(x) for x in residual.free_symbols} - known:
-                self.law = replace(self.law, broken=True)
+                self.law = self.forced(self.law, residual, number)
                 return Held(line, PREMISE, "Lagrange's equation with a force besides", ())
             return None
         newest = sorted({bare(x) for x in residual.free_symbols if accent(x) == "ddot"}, key=str)
