@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from io import BytesIO
+from io import BytesIO, StringIO
 from typing import Any
 
 import matplotlib
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_svg import FigureCanvasSVG
+from matplotlib.backends.backend_svg import FigureCanvasSVG, RendererSVG
 from matplotlib.figure import Figure as Canvas
 from matplotlib.transforms import Bbox
 
@@ -73,22 +73,11 @@ def one(motion: Callable[..., Motion]) -> Callable[..., Sequence[Motion]]:
 
 
 def rendered(drawing: Drawing, kind: str, given: Mapping[str, float] | None = None) -> bytes:
-    """The bytes of a figure as "svg", "pdf" or "png"; the same each time."""
-    values = drawing.values(given)
-    with matplotlib.rc_context(STYLE):
-        canvas = drawing.draw(**values)
-        buffer = BytesIO()
-        about, clear = _ABOUT[kind], kind == "svg"
-        canvas.savefig(buffer, format=kind, metadata=about, dpi=DOTS, transparent=clear)
-    made = buffer.getvalue()
-    return _without_metadata(made) if kind == "svg" else made
+    """The bytes of a figure as "svg", "pdf" or "png"; the same each time.
 
-
-_ABOUT: Mapping[str, dict[str, Any]] = {
-    "svg": {},  # goes below
-    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
-    "png": {"Software": None},
-}
+    It is as wide as it was made, and no higher than what is drawn.
+    """
+    return _saved(drawing, given, kind)[0]
 
 
 def both(drawing: Drawing, given: Mapping[str, float] | None = None) -> tuple[bytes, bytes]:
@@ -97,33 +86,77 @@ def both(drawing: Drawing, given: Mapping[str, float] | None = None) -> tuple[by
     The letters of the PDF are outlines (Type 3): to cut a font for each figure takes longer than
     all the rest of it.
     """
-    values = drawing.values(given)
-    paper, page = BytesIO(), BytesIO()
-    with matplotlib.rc_context({**STYLE, "pdf.fonttype": 3}):
-        canvas = drawing.draw(**values)
-        FigureCanvasSVG(canvas)
-        canvas.dpi = POINTS
-        if engine := canvas.get_layout_engine():
-            engine.execute(canvas)
-            canvas.set_layout_engine("none")
-        # As wide as it was made, and no higher than what is drawn.
-        extents = [extent for axes in canvas.axes for extent in _extents(axes)]
+    paper, page = _saved(drawing, given, "pdf", "svg", fonttype=3)
+    return paper, page
+
+
+def _saved(
+    drawing: Drawing, given: Mapping[str, float] | None, *kinds: str, fonttype: int = 42
+) -> list[bytes]:
+    """A figure as each of the kinds, "svg" last, which has no white behind it."""
+    with matplotlib.rc_context({**STYLE, "pdf.fonttype": fonttype}):
+        figure = drawing.draw(**drawing.values(given))
+        figure.dpi = POINTS
+        vector = _Vector(figure)
+        if engine := figure.get_layout_engine():
+            engine.execute(figure)
+            figure.set_layout_engine(None)
+        extents = [each for axes in figure.axes for each in _extents(axes, vector.get_renderer())]
         low, high = (y / POINTS for y in Bbox.union(extents).intervaly)
-        box = Bbox.from_extents(0, low - RIM, canvas.get_figwidth(), high + RIM)
-        about: dict[str, Any] = {"dpi": POINTS, "bbox_inches": box}
-        canvas.savefig(paper, format="pdf", metadata=_ABOUT["pdf"], **about)
-        canvas.savefig(page, format="svg", transparent=True, **about)
-    return paper.getvalue(), _without_metadata(page.getvalue())
+        box = Bbox.from_extents(0, low - RIM, figure.get_figwidth(), high + RIM)
+        return [
+            vector.cropped(box) if kind == "svg" else _bytes(figure, box, kind) for kind in kinds
+        ]
 
 
-def _extents(axes: Axes) -> Iterator[Bbox]:
+class _Vector(FigureCanvasSVG):
+    """Lays out and draws by one renderer: each new one reads every formula anew."""
+
+    def __init__(self, figure: Canvas) -> None:
+        super().__init__(figure)
+        self._page = StringIO()
+        self._renderer = RendererSVG(*(POINTS * figure.get_size_inches()), self._page)
+
+    def get_renderer(self) -> RendererSVG:
+        """The one that is asked for the sizes of letters."""
+        return self._renderer
+
+    def cropped(self, box: Bbox) -> bytes:
+        """The SVG of what is in the box (inches)."""
+        for part in (self.figure, *self.figure.axes):
+            part.patch.set_visible(False)
+        self.figure.draw(self._renderer)
+        self._renderer.finalize()
+        left, low, width, height = (POINTS * x for x in box.bounds)
+        top = POINTS * self.figure.get_figheight() - low - height
+        size = f'width="{width:.6g}pt" height="{height:.6g}pt"'
+        place = f'viewBox="{left:.6g} {top:.6g} {width:.6g} {height:.6g}"'
+        page = re.sub(
+            r'width="\S*" height="\S*" viewBox="[^"]*"',
+            f"{size} {place}",
+            self._page.getvalue(),
+            count=1,
+        )
+        return re.sub(r"\s*<metadata>.*?</metadata>", "", page, flags=re.DOTALL).encode()
+
+
+_ABOUT: Mapping[str, dict[str, Any]] = {
+    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+    "png": {"Software": None},
+}
+
+
+def _bytes(figure: Canvas, box: Bbox, kind: str) -> bytes:
+    buffer = BytesIO()
+    dots = DOTS if kind == "png" else POINTS
+    figure.savefig(buffer, format=kind, metadata=_ABOUT[kind], dpi=dots, bbox_inches=box)
+    return buffer.getvalue()
+
+
+def _extents(axes: Axes, renderer: RendererSVG) -> Iterator[Bbox]:
     """Where something is drawn (dots): without a frame, that of each curve, face and name."""
     parts = [*axes.lines, *axes.patches, *axes.collections, *axes.texts, axes.title]
     for part in [axes] if axes.axison else parts:
-        extent = part.get_tightbbox()
+        extent = part.get_tightbbox(renderer)
         if extent is not None and extent.height > 0:
             yield extent
-
-
-def _without_metadata(svg: bytes) -> bytes:
-    return re.sub(rb"\s*<metadata>.*?</metadata>", b"", svg, flags=re.DOTALL)
