@@ -8,10 +8,6 @@
 import { limits, numberFrom, shown } from "./controls.js";
 import { THEMES } from "./theme.js";
 
-/** @typedef {import("./types").PageData} PageData */
-/** @typedef {import("./types").Preset} Preset */
-/** @typedef {import("./types").State} State */
-
 /** The slowest and the fastest that the page plays, times the preset's speed. */
 const SPEEDS = /** @type {const} */ ([0.01, 100]);
 
@@ -27,7 +23,7 @@ const NUMBERS = /** @type {const} */ ({ t: [0, Number.MAX_VALUE], speed: SPEEDS 
  * The addresses of a page.
  *
  * @param {PageData} data
- * @param {import("./types").Offers} offers
+ * @param {Offers} offers
  */
 export function createAddresses(data, offers) {
   /** @type {Record<typeof WORDS[number], readonly string[]>} */
@@ -300,7 +296,7 @@ function short(text) {
   return text.length > 30 ? `${text.slice(0, 29)}…` : text;
 }
 
-function names(/** @type {import("./types").Choices} */ choices) {
+function names(/** @type {Choices} */ choices) {
   return choices.map(([name]) => name).filter(Boolean);
 }
 

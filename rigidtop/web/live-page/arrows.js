@@ -72,5 +72,3 @@ export function createArrows() {
     },
   };
 }
-
-/** @typedef {ReturnType<ReturnType<typeof createArrows>["add"]>} Arrow */

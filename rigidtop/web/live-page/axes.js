@@ -2,20 +2,6 @@
 
 import { readColours } from "./theme.js";
 
-/** @typedef {import("./types").Colours} Colours */
-/** @typedef {{left: number, right: number, top: number, bottom: number}} Box */
-/** @typedef {{low: number, high: number}} Range */
-/**
- * A sheet to draw on, with the size of its letters.
- *
- * @typedef {object} Paper
- * @property {CanvasRenderingContext2D} ctx
- * @property {number} width
- * @property {number} height
- * @property {number} em
- * @property {Colours} colours
- */
-
 const SUPERSCRIPTS = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷",
   8: "⁸", 9: "⁹" };
 const THIN_SPACE = "\u202f";
@@ -110,7 +96,7 @@ export function nice(size) {
 /**
  * The multiples of a step in a range.
  *
- * @param {Range} range
+ * @param {Span} range
  * @param {number} step
  */
 function ticks({ low, high }, step) {
@@ -128,7 +114,7 @@ const MOST_LINES = 12;
 /**
  * A nice step of which about `count` fit in a range.
  *
- * @param {Range} range
+ * @param {Span} range
  * @param {number} count
  */
 function niceStep({ low, high }, count) {
@@ -138,7 +124,7 @@ function niceStep({ low, high }, count) {
 /**
  * The map of a range onto pixels.
  *
- * @param {Range} range
+ * @param {Span} range
  * @param {number} from
  * @param {number} to
  */
@@ -294,7 +280,7 @@ export function line(ctx, x1, y1, x2, y2) {
 /**
  * Lines of a grid, or in high contrast marks, and numbers at the left of a box.
  *
- * @param {Paper} paper @param {Box} box @param {Range} range
+ * @param {Paper} paper @param {Box} box @param {Span} range
  */
 export function drawUpAxis(paper, box, range) {
   const { ctx, em, colours } = paper;
@@ -317,7 +303,7 @@ export function drawUpAxis(paper, box, range) {
  * Lines of a grid, or in high contrast marks, and, where there is a label, numbers below a box with
  * the label after them.
  *
- * @param {Paper} paper @param {Box} box @param {Range} range @param {string} label
+ * @param {Paper} paper @param {Box} box @param {Span} range @param {string} label
  * @param {number} step between the lines, instead of a nice one
  */
 export function drawAlongAxis(paper, box, range, label, step = 0) {

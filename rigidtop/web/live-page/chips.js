@@ -2,9 +2,6 @@
 
 import { element } from "./shell.js";
 
-/** @typedef {import("./types").Choices} Choices */
-/** @typedef {import("./types").Preset} Preset */
-
 /**
  * Inputs that look like keys, in a row.
  *

@@ -5,12 +5,6 @@
 import { createPieces, showCurve } from "./lines.js";
 import { enclosedAxis, invariants, polhodeOf, polhodePeriod } from "./polhode.js";
 
-/** @typedef {import("./types").Colours} Colours */
-/** @typedef {import("./types").Motion} Motion */
-/** @typedef {import("./types").Numbers} Numbers */
-/** @typedef {import("./types").Sample} Sample */
-/** @typedef {import("./palette").Palette} Palette */
-
 /** How long the sides of the cones are. */
 const SIDE = 0.95;
 /** The most points on the edge of a cone. */

@@ -1,12 +1,5 @@
 /** What sets the body and its start: sliders with numbers. */
 
-/** @typedef {import("./types").Clock} Clock */
-/** @typedef {import("./types").Facts} Facts */
-/** @typedef {import("./types").Kind} Kind */
-/** @typedef {import("./types").Parameter} Parameter */
-/** @typedef {import("./types").Preset} Preset */
-/** @typedef {import("./types").Values} Values */
-
 import { element } from "./shell.js";
 import { listen, trackOf } from "./track.js";
 

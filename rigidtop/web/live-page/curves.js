@@ -2,12 +2,6 @@
 
 import { line, scale } from "./axes.js";
 
-/** @typedef {import("./types").Sample} Sample */
-/** @typedef {import("./axes.js").Box} Box */
-/** @typedef {import("./axes.js").Paper} Paper */
-/** @typedef {import("./axes.js").Range} Range */
-/** @typedef {(sample: Sample) => number} Quantity */
-
 /**
  * A quantity against time, with the present as a thin line and a dot.
  *
@@ -16,7 +10,7 @@ import { line, scale } from "./axes.js";
  * largest: the picture is the same, and there are never more points than the canvas can show.
  *
  * @template {{ t: number }} S
- * @param {Paper} sheet @param {Box} box @param {Range} times @param {Range} range
+ * @param {Paper} sheet @param {Box} box @param {Span} times @param {Span} range
  * @param {readonly S[]} samples @param {S} now @param {(sample: S) => number} of
  * @param {string} colour
  */

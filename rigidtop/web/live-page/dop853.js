@@ -2,23 +2,10 @@
 // Wanner, "Solving Ordinary Differential Equations I", II.5 and II.6, with SciPy's coefficients and
 // step control.  The tableau comes from Python: `scipy.integrate.DOP853`.
 
-/** @typedef {import("./types").Tableau} Tableau */
-
 const SAFETY = 0.9;
 const LEAST_FACTOR = 0.2;
 const MOST_FACTOR = 10;
 const EXPONENT = -1 / 8;
-
-/**
- * A solver at the end of its last step, which went from `before` to `t`.
- *
- * @typedef {object} Solver
- * @property {number} t
- * @property {number} before
- * @property {number} h the next step, with its sign
- * @property {() => void} step
- * @property {(t: number, state: Float64Array) => void} at the state between `before` and `t`
- */
 
 /**
  * A solver of ẋ = rates(x) from `start` at the time t on; `h` is the first step to try, negative

@@ -5,9 +5,6 @@ import { element } from "./shell.js";
 import * as equations from "./equations.js";
 import { quantities } from "./motion.js";
 
-/** @typedef {import("./types").Equation} Equation */
-/** @typedef {import("./types").Motion} Motion */
-/** @typedef {import("./types").Sample} Sample */
 /** @typedef {(quantities: Record<string, number>) => readonly number[]} TermFunction */
 
 const ARROWS = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
@@ -17,7 +14,7 @@ const ARROWS = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
  *
  * @param {HTMLElement} container
  * @param {readonly Equation[]} list
- * @param {(arrow: import("./types").Term["arrow"]) => void} light Show what a term is part of.
+ * @param {(arrow: Term["arrow"]) => void} light Show what a term is part of.
  */
 export function createEquationPanel(container, list, light) {
   const hint = "Point at a term, tap it, or reach it with Tab and the arrow keys.";
@@ -42,7 +39,7 @@ export function createEquationPanel(container, list, light) {
  * One equation with the line that names a term of it.
  *
  * @param {Equation} equation
- * @param {(arrow: import("./types").Term["arrow"]) => void} light
+ * @param {(arrow: Term["arrow"]) => void} light
  */
 function createEntry({ tag, title, mathml, function: values, symmetric, terms }, light) {
   const heading = element("p");
@@ -161,7 +158,7 @@ function createEntry({ tag, title, mathml, function: values, symmetric, terms },
  * would not find the terms in it.
  *
  * @param {Element} part
- * @param {readonly import("./types").Term[]} terms
+ * @param {readonly Term[]} terms
  */
 function partOf(part, terms) {
   const math = /** @type {Element} */ (part.parentElement).cloneNode(false);

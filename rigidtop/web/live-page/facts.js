@@ -13,9 +13,6 @@ import {
 import { quantities } from "./motion.js";
 import { agm, nearestToMiddle, NEARLY_ALONG, polhodePeriod } from "./polhode.js";
 
-/** @typedef {import("./types").Facts} Facts */
-/** @typedef {import("./types").Motion} Motion */
-
 /** What rounding of the initial state does to what decides the regime. */
 const ROUNDING = 1e-11;
 const BISECTIONS = 100;

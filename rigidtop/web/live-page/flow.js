@@ -3,14 +3,6 @@
 import { measures, points, rates } from "./derived.js";
 import { createSolver } from "./dop853.js";
 
-/** @typedef {import("./types").SystemData} SystemData */
-
-/**
- * A system at one time: its state, its points (and attitudes), and E.
- *
- * @typedef {{ t: number, state: Float64Array, points: Float64Array, energy: number }} Moment
- */
-
 /** What is kept of the past, and how much of it at most. */
 const PER_STEP = 12;
 const KEPT = 8000;
@@ -19,11 +11,6 @@ const LOOK = 60;
 const ROUGH = { rtol: 1e-6, atol: 1e-300 };
 /** Of a step, on q and q̇ in units of the largest of either. */
 const ACCURACY = { rtol: 2.5e-14, atol: 1e-14 };
-
-/**
- * @typedef {import("./types").Moving<Moment> & { sizes: readonly number[] }} Flow `sizes` are the
- *   largest |q| and |q̇| of the first look.
- */
 
 /**
  * The motion; throws an Error with one sentence where it cannot start so.
@@ -118,7 +105,7 @@ export function createFlow({ tableau, state: letters, sides, points: count, bodi
   }
 
   /** What the last step of a solver passed through. */
-  function at(/** @type {import("./dop853.js").Solver} */ from, /** @type {number} */ t) {
+  function at(/** @type {Solver} */ from, /** @type {number} */ t) {
     const state = new Float64Array(size);
     from.at(t, state);
     return momentAt(state.map((x, k) => x * units[k]), t);

@@ -1,10 +1,5 @@
 /** The ghost: the same body beside itself, with one setting changed. */
 
-/** @typedef {import("./types").Facts} Facts */
-/** @typedef {import("./types").Kind} Kind */
-/** @typedef {import("./types").Numbers} Numbers */
-/** @typedef {import("./types").Sample} Sample */
-/** @typedef {import("./types").Values} Values */
 /** @typedef {(values: Values, facts: Facts) => Record<string, number> | null} Change */
 
 /** @type {(name: string, factor: number) => Change} */
@@ -36,7 +31,7 @@ const CHANGES = [
  * The ghosts of a page, by their names in the address, with words.
  *
  * @param {Kind} kind
- * @returns {import("./types").Choices}
+ * @returns {Choices}
  */
 export function ghostsOf(kind) {
   return CHANGES.filter(([, , of]) => of === null || of === kind).map(([name, words]) =>

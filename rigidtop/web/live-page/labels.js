@@ -1,5 +1,3 @@
-/** @typedef {import("./palette").Palette} Palette */
-
 /** The size of the letters: a part of the smaller side of the picture, but at least so much. */
 const SIZE = 0.031;
 const SMALLEST = 16;

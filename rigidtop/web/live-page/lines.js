@@ -3,8 +3,6 @@
  * so that a frame allocates nothing.
  */
 
-/** @typedef {import("./palette").Line} Line */
-
 /** Room for `capacity` pieces, at most 16383; `show(n)` draws the first n that were written. */
 export function createPieces(/** @type {number} */ capacity, /** @type {Line} */ line) {
   const here = new THREE.BufferAttribute(new Float32Array(12 * capacity), 3);
@@ -57,8 +55,6 @@ export function createPieces(/** @type {number} */ capacity, /** @type {Line} */
     },
   };
 }
-
-/** @typedef {ReturnType<typeof createPieces>} Pieces */
 
 /** Pieces that stay as they are, six numbers for the ends of each. */
 export function createStrokes(/** @type {number[]} */ ends, /** @type {Line} */ line) {

@@ -3,8 +3,6 @@
 import { atMostEvery, powerOfTen, scientific } from "./axes.js";
 import { element } from "./shell.js";
 
-/** @typedef {import("./types").Drift} Drift */
-
 /** Exponents of ten at the ends of the bars, and of what is promised. */
 const LEAST = -16;
 const MOST = -6;

@@ -19,13 +19,6 @@ import {
   quaternionOfAngles,
 } from "./equations.js";
 
-/** @typedef {import("./types").Drift} Drift */
-/** @typedef {import("./types").Motion} Motion */
-/** @typedef {import("./types").Numbers} Numbers */
-/** @typedef {import("./types").Sample} Sample */
-/** @typedef {import("./types").Setup} Setup */
-/** @typedef {import("./types").Tableau} Tableau */
-
 /** Of a step, on the components of the quaternion and of ω: near what rounding allows. */
 export const ACCURACY = { rtol: 2.5e-14, atol: 1e-14 };
 
@@ -188,7 +181,7 @@ export function createMotion(setup, tableau, pace) {
   /**
    * φ and ψ (without ω₃t) at the time t, continued from where they are known.
    *
-   * @param {import("./dop853.js").Solver} solver
+   * @param {Solver} solver
    * @param {Angles} known
    * @param {number} t
    * @returns {Angles}
@@ -217,7 +210,7 @@ export function createMotion(setup, tableau, pace) {
   };
 
   /**
-   * @param {import("./dop853.js").Solver} solver
+   * @param {Solver} solver
    * @param {Angles} known
    * @param {number} t
    * @returns {Sample}

@@ -15,10 +15,6 @@ import { createTour } from "./tour.js";
 import { createTransport } from "./transport.js";
 import { createVerdict } from "./verdict.js";
 
-/** @typedef {import("./types").State} State */
-/** @typedef {import("./types").Timed} Timed */
-/** @template {Timed} S @typedef {import("./types").Moving<S>} Moving */
-
 /** A single step and the farthest time that an address may ask for, in times of the motion. */
 const STEP = 1 / 10;
 const FARTHEST = 1e5;
@@ -40,8 +36,8 @@ const LOOKS = /** @type {const} */ ({
  *
  * @template {Timed} S
  * @template {Moving<S>} M
- * @param {import("./types").PageData} data
- * @param {import("./types").Subject<S, M>} subject
+ * @param {PageData} data
+ * @param {Subject<S, M>} subject
  */
 export function createPage(data, subject) {
   const { presets } = data;
@@ -203,7 +199,7 @@ export function createPage(data, subject) {
     fit();
   });
   themes.addEventListener("change", () => {
-    state = { ...state, theme: /** @type {import("./types").Theme} */ (themes.value) };
+    state = { ...state, theme: /** @type {Theme} */ (themes.value) };
     showTheme();
     address.changed();
   });
@@ -382,7 +378,7 @@ export function createPage(data, subject) {
     plots.setMotion(motion, ghost, state.plot);
   }
 
-  /** @param {import("./types").Preset} preset */
+  /** @param {Preset} preset */
   function choosePreset(preset) {
     const { theme, speed, embed, plot, ghost: ghostNow } = state;
     state = { ...addresses.stateOf(preset), theme, speed, embed, plot, ghost: ghostNow };

@@ -1,4 +1,3 @@
-/** @typedef {import("./types").Colours} Colours */
 /** @typedef {(colours: Colours) => THREE.Color} Pick */
 
 /**
@@ -46,12 +45,6 @@ void main() {
 
 /** In high contrast lines are so much thicker, and those that matter more so than thin ones. */
 const THICKER = 1.25;
-
-/**
- * @typedef {object} Line a material for ribbons
- * @property {THREE.ShaderMaterial} material
- * @property {{ value: number }} count how many pieces grow old, or 0
- */
 
 /** A colour on the way from one to another: part 0 is the first, 1 the second. */
 export function mix(
@@ -186,5 +179,3 @@ export function createPalette(/** @type {Colours} */ colours) {
     },
   };
 }
-
-/** @typedef {ReturnType<typeof createPalette>} Palette */

@@ -5,13 +5,6 @@ import { factsOf } from "./facts.js";
 import { apart } from "./ghost.js";
 import { fitted, UNIT } from "./time_plots.js";
 
-/** @typedef {import("./types").Kind} Kind */
-/** @typedef {import("./types").Motion} Motion */
-/** @typedef {import("./types").Sample} Sample */
-/** @typedef {import("./axes.js").Range} Range */
-/** @typedef {import("./curves.js").Quantity} Quantity */
-/** @template S @typedef {import("./time_plots.js").Panel<S>} Panel */
-
 /** The plots of a page, by their names in the address; the first is shown at first. */
 const PLOTS = /** @type {const} */ ({
   "heavy-top": [["angles", "θ, φ"], ["path", "θ(φ)"],
@@ -21,7 +14,7 @@ const PLOTS = /** @type {const} */ ({
 
 /**
  * @param {Exclude<Kind, "system">} kind
- * @returns {import("./types").Choices}
+ * @returns {Choices}
  */
 export function plotsOf(kind) {
   return PLOTS[kind];
@@ -46,7 +39,7 @@ const phi = (sample) => sample.phi * DEGREE;
  *
  * @param {Motion} motion
  * @param {string} plot
- * @returns {Panel<Sample>[]}
+ * @returns {Graph<Sample>[]}
  */
 function panelsOf(motion, plot) {
   const { clock } = motion.setup;
@@ -109,7 +102,7 @@ function panelsOf(motion, plot) {
 /**
  * @param {Motion} motion
  * @param {string} plot
- * @returns {import("./time_plots.js").Plotted<Sample>}
+ * @returns {Plotted<Sample>}
  */
 export function plottedOf(motion, plot) {
   const { clock, kind } = motion.setup;
@@ -139,7 +132,7 @@ function windowOf(motion) {
   return nice(nutates ? Math.min(NUTATIONS * nutationPeriod, MUCH_SLOWER * usual, most) : usual);
 }
 
-/** @param {import("./types").Numbers} vector */
+/** @param {Numbers} vector */
 function length(vector) {
   return Math.hypot(vector[0], vector[1], vector[2]);
 }
@@ -147,9 +140,9 @@ function length(vector) {
 /**
  * The range of an axis of rates around zero; the old one as long as it serves.
  *
- * @param {Range} old
- * @param {Range} seen
- * @returns {Range}
+ * @param {Span} old
+ * @param {Span} seen
+ * @returns {Span}
  */
 function around(old, seen) {
   const size = Math.max(-seen.low, seen.high) || 1;
@@ -161,9 +154,9 @@ function around(old, seen) {
 /**
  * The range of an axis of φ, which `seen` pushes up or down, and widens where it is too small.
  *
- * @param {Range} old
- * @param {Range} seen
- * @returns {Range}
+ * @param {Span} old
+ * @param {Span} seen
+ * @returns {Span}
  */
 function followed(old, seen) {
   const size = Math.max(1, seen.high - seen.low);

@@ -8,11 +8,6 @@ import { mix } from "./palette.js";
 import { enclosedAxis, familyOf, invariants, polhodeOf, polhodePoint } from "./polhode.js";
 import { createTrail } from "./trail.js";
 
-/** @typedef {import("./types").Motion} Motion */
-/** @typedef {import("./types").Sample} Sample */
-/** @typedef {import("./palette").Palette} Palette */
-/** @typedef {import("./lines").Pieces} Pieces */
-
 /** The longest semi-axis as drawn. */
 const LONGEST = 1.1;
 /** Where the neighbouring polhodes are, between the intermediate axis (0) and an outer one (1). */

@@ -2,11 +2,6 @@
 
 import { createPaper, line, listenToHand, write } from "./axes.js";
 
-/** @typedef {import("./types").SystemData} SystemData */
-/** @typedef {import("./axes.js").Paper} Paper */
-/** @typedef {import("./flow.js").Flow} Flow */
-/** @typedef {import("./flow.js").Moment} Moment */
-/** @typedef {import("./types").Past<Moment>} Past */
 /** @typedef {(at: ArrayLike<number>, from?: number) => [number, number]} Place */
 
 /** Where one looks from at first, as at a top. */
@@ -29,13 +24,13 @@ const AXES = /** @type {const} */ (["e1", "e2", "e3"]);
  * @param {HTMLElement} container
  * @param {SystemData} data
  * @param {number} look How much of the motion says what room it takes (s).
- * @returns {import("./types").Picture<Moment, Flow>}
+ * @returns {Picture<Moment, Flow>}
  */
 export function createPoints(container, { points: count, bodies, planar, follow }, look) {
   let { azimuth, elevation, zoom } = HOME;
-  /** @type {Past | null} */
+  /** @type {Past<Moment> | null} */
   let last = null;
-  /** @type {Past | null} */
+  /** @type {Past<Moment> | null} */
   let ghost = null;
   /** @type {[number, number][]} Points that are joined; −1 is the origin. */
   let rods = [];
@@ -100,7 +95,7 @@ export function createPoints(container, { points: count, bodies, planar, follow 
    *
    * @param {Paper} sheet
    * @param {Place} place
-   * @param {Past} past
+   * @param {Past<Moment>} past
    * @param {(k: number) => string} colourOf
    */
   function drawMotion(sheet, place, { sample, trail }, colourOf) {

@@ -2,8 +2,6 @@
 
 import { firstIntegrals, polhode } from "./equations.js";
 
-/** @typedef {import("./types").Numbers} Numbers */
-
 /** The axes 0, 1, 2 from the smallest moment to the largest. */
 export function axesByMoment(/** @type {Numbers} */ moments) {
   return [0, 1, 2].sort((i, j) => moments[i] - moments[j]);

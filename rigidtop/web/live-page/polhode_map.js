@@ -11,12 +11,6 @@ import { drawDot } from "./curves.js";
 import { axesByMoment, enclosedAxis, familyOf, invariants, nearestToMiddle, NEARLY_ALONG,
   polhodeOf, untilFlip } from "./polhode.js";
 
-/** @typedef {import("./types").Colours} Colours */
-/** @typedef {import("./types").Motion} Motion */
-/** @typedef {import("./axes.js").Paper} Paper */
-/** @typedef {import("./types").Numbers} Numbers */
-/** @typedef {import("./types").Sample} Sample */
-
 /** Seen from here, along the axes of the smallest, the intermediate and the largest moment. */
 const FROM = unit([0.52, 0.74, 0.42]);
 /** Cells of the coloured sphere, across and up. */

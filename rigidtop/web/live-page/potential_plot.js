@@ -5,11 +5,6 @@ import { createPaper, decimal, drawAlongAxis, drawUpAxis, line, scale, significa
 import { drawDot } from "./curves.js";
 import { factsOf, potentialOf } from "./facts.js";
 
-/** @typedef {import("./types").Motion} Motion */
-/** @typedef {import("./types").Sample} Sample */
-/** @typedef {import("./axes.js").Box} Box */
-/** @typedef {import("./axes.js").Paper} Paper */
-/** @typedef {import("./axes.js").Range} Range */
 /** @typedef {ReturnType<typeof landscapeOf>} Landscape */
 
 const DEGREE = 180 / Math.PI;
@@ -65,7 +60,7 @@ export function createPotentialPlot(container) {
   };
 }
 
-/** @type {Range} */
+/** @type {Span} */
 const ANGLES = { low: 0, high: 180 };
 
 /** Into how many steps the curve of the potential is cut. */
@@ -100,7 +95,7 @@ function landscapeOf(motion) {
  *
  * @param {readonly number[]} heights
  * @param {number} energy
- * @returns {Range}
+ * @returns {Span}
  */
 function rangeAround(heights, energy) {
   const low = Math.min(...heights);
@@ -119,7 +114,7 @@ function rangeAround(heights, energy) {
 /**
  * Decimals that show the kinetic part, if it is not too small to be seen.
  *
- * @param {Range} range
+ * @param {Span} range
  * @param {number} kinetic the most of it
  */
 function decimalsOf({ low, high }, kinetic) {

@@ -4,7 +4,7 @@
 const DELAY = 120;
 
 /**
- * @template {import("./types").Timed} S
+ * @template {Timed} S
  * @param {() => S[][]} compute Of the motion and its ghost.
  * @param {() => void} computed
  */

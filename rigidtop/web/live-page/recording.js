@@ -2,11 +2,6 @@
 
 import { measures, points } from "./derived.js";
 
-/** @typedef {import("./types").SystemData} SystemData */
-/** @typedef {import("./types").Recording} Recording */
-/** @typedef {import("./flow.js").Moment} Moment */
-/** @typedef {import("./flow.js").Flow} Flow */
-
 /** How many rows the trail keeps. */
 const KEPT = 4000;
 

@@ -7,13 +7,6 @@ import { smallestSpin, steadyRates } from "./equations.js";
 import { quantities } from "./motion.js";
 import { backwards } from "./regimes.js";
 
-/** @typedef {import("./types").Facts} Facts */
-/** @typedef {import("./types").Motion} Motion */
-/** @typedef {import("./axes.js").Box} Box */
-/** @typedef {import("./axes.js").Paper} Paper */
-/** @typedef {import("./axes.js").Range} Range */
-/** @typedef {import("./regimes.js").Top} Top */
-
 /** Cells of the map, across and up. */
 const CELLS = /** @type {const} */ ([140, 100]);
 
@@ -27,9 +20,9 @@ const CATCH = 0.7;
 export function createRegimeMap(container, chosen) {
   /** @type {{ top: Top, theta: number, phidot: number, omega3: number, unit: string } | null} */
   let shown = null;
-  /** @type {Range} */
+  /** @type {Span} */
   let across = { low: -1, high: 1 };
-  /** @type {Range} */
+  /** @type {Span} */
   let up = { low: -1, high: 1 };
   /** @type {Box | null} */
   let box = null;
@@ -67,7 +60,7 @@ export function createRegimeMap(container, chosen) {
   /** The cells where e₃ draws loops, if they are not drawn yet. */
   function fill(
     /** @type {Top} */ top, /** @type {number} */ theta,
-    /** @type {import("./types").Colours} */ colours,
+    /** @type {Colours} */ colours,
   ) {
     const now = JSON.stringify([top, theta, across, up, colours.trail]);
     if (now === made) return;
@@ -152,7 +145,7 @@ export function createRegimeMap(container, chosen) {
   /** Where the pointer is, on a branch if it is near one. */
   const dragging = listenToHand(container, (atX, atY, { shiftKey }) => {
     if (!box || !shown) return;
-    const clip = (/** @type {number} */ value, /** @type {Range} */ { low, high }) =>
+    const clip = (/** @type {number} */ value, /** @type {Span} */ { low, high }) =>
       Math.min(Math.max(value, low), high);
     const x = scale({ low: box.left, high: box.right }, across.low, across.high);
     const y = scale({ low: box.bottom, high: box.top }, up.low, up.high);

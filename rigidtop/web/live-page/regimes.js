@@ -8,8 +8,6 @@ import {
   precessionNumerator,
 } from "./equations.js";
 
-/** @typedef {{ M: number, R: number, g: number, lambda1: number, lambda3: number }} Top */
-
 /**
  * How much of the other end of the swing goes backwards: above 0 for waves, below for loops, 0 for
  * cusps, as a part of what φ̇ sin²θ is there at most.

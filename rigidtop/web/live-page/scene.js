@@ -9,14 +9,6 @@ import { createBodies } from "./shapes.js";
 import { AXIS, createSurroundings } from "./surroundings.js";
 import { createTrail } from "./trail.js";
 
-/** @typedef {import("./types").Colours} Colours */
-/** @typedef {import("./types").Layer} Layer */
-/** @typedef {import("./types").Motion} Motion */
-/** @typedef {import("./types").Numbers} Numbers */
-/** @typedef {import("./types").Sample} Sample */
-/** @typedef {import("./types").Shape} Shape */
-/** @typedef {import("./types").View} View */
-
 /** Half of the angle of sight along the shorter side of the picture. */
 const SIGHT = (13.5 * Math.PI) / 180;
 /** What stands on the origin needs room above: the origin is lower by this part of the height. */
@@ -104,13 +96,13 @@ export function createScene(container, colours) {
   let view = "space";
   /** @type {ReadonlySet<Layer>} */
   let layers = new Set(/** @type {Layer[]} */ (["e3", "omega", "L", "trail"]));
-  /** @type {import("./types").Term["arrow"]} */
+  /** @type {Term["arrow"]} */
   let lit = "";
   /** @type {Sample | null} */
   let sample = null;
   /** @type {readonly Sample[]} */
   let trail = [];
-  /** @type {import("./types").Past<Sample> | null} */
+  /** @type {Past<Sample> | null} */
   let ghost = null;
   let drawnTime = NaN;
   let dirty = true;
@@ -327,7 +319,7 @@ export function createScene(container, colours) {
   /** One frame; nothing is done if it would be the same as the last one. */
   function draw(
     /** @type {Sample} */ now, /** @type {readonly Sample[]} */ past,
-    /** @type {import("./types").Past<Sample> | null} */ beside = ghost,
+    /** @type {Past<Sample> | null} */ beside = ghost,
   ) {
     // Of the same moment another motion, or what is to come of it, is drawn too.
     if (past !== trail) dirty = true;
@@ -402,7 +394,7 @@ export function createScene(container, colours) {
     },
 
     /** Make an arrow stand out, whether or not it is drawn else; "" for none. */
-    light(/** @type {import("./types").Term["arrow"]} */ arrow) {
+    light(/** @type {Term["arrow"]} */ arrow) {
       if (lit === arrow) return;
       lit = arrow;
       arrange();
@@ -476,7 +468,7 @@ function kinetic(/** @type {Numbers} */ moments, /** @type {Numbers} */ omega) {
 
 /** Let an arrow show a vector. */
 function pointTo(
-  /** @type {import("./arrows").Arrow} */ arrow, /** @type {Numbers} */ v,
+  /** @type {Arrow} */ arrow, /** @type {Numbers} */ v,
   /** @type {number} */ scale,
 ) {
   arrow.point(v[0], v[1], v[2], Math.min(LONGEST, scale * norm(v)));

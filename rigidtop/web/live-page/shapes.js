@@ -7,11 +7,6 @@ import { createStrokes } from "./lines.js";
 import { markColour, mix } from "./palette.js";
 import { createWheelFace } from "./textures.js";
 
-/** @typedef {import("./types").Motion} Motion */
-/** @typedef {import("./types").Numbers} Numbers */
-/** @typedef {import("./types").Shape} Shape */
-/** @typedef {import("./palette").Palette} Palette */
-
 /** The colours of a rock, of brass and of steel, as far as a theme lets them be. */
 const [STONE, BRASS, STEEL] = ["#a3968a", "#c79a3a", "#aab4be"];
 /** How far a body may reach from the origin, in units of the sphere of e₃. */
@@ -233,7 +228,7 @@ function freeWheel(/** @type {THREE.Material} */ wood, /** @type {THREE.Material
 /** A brick with one end painted. */
 function brick(
   /** @type {THREE.Material} */ body, /** @type {THREE.Material} */ mark,
-  /** @type {import("./palette").Line} */ edge,
+  /** @type {Line} */ edge,
 ) {
   const object = new THREE.Group();
   const painted = 0.2;

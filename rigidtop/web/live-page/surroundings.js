@@ -2,8 +2,6 @@ import { createStrokes, ringOf } from "./lines.js";
 import { mix } from "./palette.js";
 import { shadowTexture } from "./textures.js";
 
-/** @typedef {import("./palette").Palette} Palette */
-
 /** How far the axes of the space frame go. */
 export const AXIS = 1.25;
 
@@ -79,7 +77,7 @@ export function createSurroundings(/** @type {Palette} */ palette) {
      *
      * @param {{ centre: THREE.Vector3, radius: number }} wheel in the body
      * @param {THREE.Quaternion} attitude
-     * @param {import("./types").Numbers} axis of the wheel, in space
+     * @param {Numbers} axis of the wheel, in space
      */
     shade({ centre, radius }, attitude, axis) {
       high.copy(centre).applyQuaternion(attitude);

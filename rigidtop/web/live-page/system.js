@@ -8,13 +8,6 @@ import { createRecording } from "./recording.js";
 import { find } from "./shell.js";
 import { createTimePlots, fitted, UNIT } from "./time_plots.js";
 
-/** @typedef {import("./types").Parameter} Parameter */
-/** @typedef {import("./types").State} State */
-/** @typedef {import("./types").SystemData} SystemData */
-/** @typedef {import("./flow.js").Flow} Flow */
-/** @typedef {import("./flow.js").Moment} Moment */
-/** @typedef {import("./time_plots.js").Colour} Colour */
-
 /** The first look at a motion is played in about so many seconds; the plots show so many. */
 const LOOK = 20;
 const WINDOW = 10;
@@ -45,7 +38,7 @@ for (const [name, value] of [["tabindex", "0"], ["role", "region"], ["aria-label
   equations.setAttribute(name, value);
 }
 
-createPage(data, /** @type {import("./types").Subject<Moment, Flow>} */ ({
+createPage(data, /** @type {Subject<Moment, Flow>} */ ({
   offers: {
     clock: [],
     view: [],
@@ -91,7 +84,7 @@ createPage(data, /** @type {import("./types").Subject<Moment, Flow>} */ ({
 }));
 
 /**
- * @param {import("./types").Preset} preset
+ * @param {Preset} preset
  * @param {Readonly<Record<string, number>>} values
  * @param {number} [beside]
  * @returns {Flow}
@@ -118,7 +111,7 @@ function reach(/** @type {Parameter} */ { name, angle }) {
 /**
  * @param {Flow} motion
  * @param {string} chosen
- * @returns {import("./time_plots.js").Plotted<Moment>}
+ * @returns {Plotted<Moment>}
  */
 function plottedOf({ start, sizes }, chosen) {
   const group = (/** @type {number} */ from) =>
@@ -148,7 +141,7 @@ function panel(/** @type {number} */ k, /** @type {number} */ size) {
  * @param {Colour} colour
  * @param {(value: number) => string} say
  * @param {number} size What is much less is drawn as if it rested.
- * @returns {import("./time_plots.js").Panel<Moment>}
+ * @returns {Graph<Moment>}
  */
 function line(title, of, colour, say, size) {
   return {

@@ -1,7 +1,5 @@
 /** What is painted on bodies and on the table: wood with a spiral, and a soft shadow. */
 
-/** @typedef {import("./types").Colours} Colours */
-
 const SIZE = 512;
 const WOOD = { light: "#d9ad75", grain: "#a8733f", paint: "#6d2b18" };
 /** Turns of the spiral from the hub to the rim. */

@@ -1,8 +1,5 @@
 /** The page's themes. Their colours stand in style.css, where they are read for what is drawn. */
 
-/** @typedef {import("./types").Colours} Colours */
-/** @typedef {import("./types").Theme} Theme */
-
 /** The themes by their names in the address, with the words for a reader. */
 export const THEMES = /** @type {const} */ ([
   ["light", "Light"],

@@ -4,41 +4,6 @@ import { createPaper, drawAlongAxis, drawUpAxis, line, nice, scale, significant,
   withUnit, write } from "./axes.js";
 import { drawCurve, drawDot, drawPath } from "./curves.js";
 
-/** @typedef {import("./types").Colours} Colours */
-/** @typedef {import("./axes.js").Box} Box */
-/** @typedef {import("./axes.js").Paper} Paper */
-/** @typedef {import("./axes.js").Range} Range */
-/** @typedef {import("./types").Timed} Timed */
-/** @template {Timed} S @typedef {import("./types").Past<S>} Past */
-/** @typedef {Exclude<keyof Colours, "highContrast">} Colour */
-
-/**
- * A panel: what is drawn in it, where its axis goes, and what stands above it.
- *
- * @template S
- * @typedef {object} Panel
- * @property {string} title
- * @property {readonly (readonly [(sample: S) => number, Colour])[]} curves
- * @property {(old: Range, seen: Range) => Range} follow
- * @property {readonly number[]} guides Dashed lines.
- * @property {(sample: S) => string} now
- * @property {Range} range
- * @property {Range | null} expected What is seen of it in the first window of time.
- */
-
-/**
- * What is plotted of a motion: panels against time, or the first of two across the other, up or
- * down; `apart` is how far, in radians, a ghost is.
- *
- * @template {Timed} S
- * @typedef {object} Plotted
- * @property {Panel<S>[]} panels
- * @property {"" | "up" | "down"} across
- * @property {string} clock
- * @property {number} duration The window of time.
- * @property {((one: S, other: S) => number) | null} apart
- */
-
 /** The part of the window of time that fills before it scrolls. */
 const FILLED = 0.9;
 
@@ -47,12 +12,12 @@ const LOOKS_AHEAD = 60;
 
 const DEGREE = 180 / Math.PI;
 
-/** @type {Range} */
+/** @type {Span} */
 export const UNIT = { low: 0, high: 1 };
 
 /**
  * @template {Timed} S
- * @template {import("./types").Moving<S>} M
+ * @template {Moving<S>} M
  * @param {HTMLElement} container
  * @param {(motion: M, plot: string) => Plotted<S>} plottedOf
  */
@@ -106,7 +71,7 @@ export function createTimePlots(container, plottedOf) {
 
   /** The panels one above the other; of two the ghost's distance takes the place of the last. */
   function drawPanels(
-    /** @type {Paper} */ sheet, /** @type {Range} */ times, /** @type {readonly S[]} */ shown,
+    /** @type {Paper} */ sheet, /** @type {Span} */ times, /** @type {readonly S[]} */ shown,
     /** @type {S} */ sample, /** @type {Past<S> | null} */ beside,
   ) {
     const { panels, clock, apart: between } = plotted;
@@ -115,7 +80,7 @@ export function createTimePlots(container, plottedOf) {
     const drawn = beside && between && panels.length === 2 ? panels.slice(0, 1) : panels;
     const count = drawn.length + (beside && between ? 1 : 0);
     const each = (height - 1.8 * em) / count - 2.2 * em;
-    const frame = (/** @type {number} */ k, /** @type {Range} */ range, title = "", now = "") => {
+    const frame = (/** @type {number} */ k, /** @type {Span} */ range, title = "", now = "") => {
       const top = 1.9 * em + k * (each + 2.2 * em);
       const box = { left, right, top, bottom: top + each };
       const label = k === count - 1 ? `t in ${clock}` : "";
@@ -217,7 +182,7 @@ export function createTimePlots(container, plottedOf) {
 /**
  * For the numbers beside the axes: more for those with a power of ten.
  *
- * @param {readonly { range: Range }[]} panels
+ * @param {readonly { range: Span }[]} panels
  */
 function room(panels) {
   const sizes = panels.map(({ range: { low, high } }) => Math.max(-low, high));
@@ -229,7 +194,7 @@ function room(panels) {
  *
  * @template {Timed} S
  * @param {readonly S[]} trail
- * @param {Range} times
+ * @param {Span} times
  */
 function within(trail, { low, high }) {
   return trail.slice(Math.max(0, firstAfter(trail, low) - 1), firstAfter(trail, high) + 1);
@@ -259,8 +224,8 @@ function firstAfter(trail, t) {
  * @param {readonly S[]} samples
  * @param {readonly ((sample: S) => number)[]} quantities
  * @param {readonly number[]} more
- * @param {Range} [known]
- * @returns {Range}
+ * @param {Span} [known]
+ * @returns {Span}
  */
 function extent(samples, quantities, more, known = { low: Infinity, high: -Infinity }) {
   let low = Math.min(...more, known.low);
@@ -278,12 +243,12 @@ function extent(samples, quantities, more, known = { low: Infinity, high: -Infin
 /**
  * The range of an axis on which `seen` has room, within its ends: the old one as long as it does.
  *
- * @param {Range} old
- * @param {Range} seen
+ * @param {Span} old
+ * @param {Span} seen
  * @param {number} least
  * @param {number} most
  * @param {number} [finest] What changes by less is drawn as if it rested.
- * @returns {Range}
+ * @returns {Span}
  */
 export function fitted(old, seen, least, most, finest = 0.005) {
   const still = seen.high - seen.low < finest;
@@ -300,7 +265,7 @@ export function fitted(old, seen, least, most, finest = 0.005) {
 /**
  * Dashed lines at the turning points.
  *
- * @param {Paper} sheet @param {Box} box @param {Range} range @param {readonly number[]} values
+ * @param {Paper} sheet @param {Box} box @param {Span} range @param {readonly number[]} values
  */
 function drawGuides({ ctx, em, colours }, box, range, values) {
   const y = scale(range, box.bottom, box.top);

@@ -12,11 +12,6 @@ import { createRegimeMap } from "./regime_map.js";
 import { createScene } from "./scene.js";
 import { find } from "./shell.js";
 
-/** @typedef {import("./types").Layer} Layer */
-/** @typedef {import("./types").Motion} Motion */
-/** @typedef {import("./types").PageData} PageData */
-/** @typedef {import("./types").Sample} Sample */
-
 /** How fast a blow makes a top that stands still, in √(MgR/λ₁). */
 const BLOW = 0.5;
 
@@ -37,7 +32,7 @@ const data = pageData();
 const kind = data.kind === "free" ? "free" : "heavy-top";
 const shapes = kind === "free" ? ["brick", "wheel", "asteroid", "T-handle"] : ["top"];
 
-createPage(data, /** @type {import("./types").Subject<Sample, Motion>} */ ({
+createPage(data, /** @type {Subject<Sample, Motion>} */ ({
   offers: {
     clock: kind === "free" ? [["s", "seconds"], ["d", "days"]] : [["s", "seconds"]],
     view: [["space", "space"], ["body", "the body"]],

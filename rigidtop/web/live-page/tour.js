@@ -2,8 +2,6 @@
 
 import { element } from "./shell.js";
 
-/** @typedef {import("./types").TourStep} TourStep */
-
 /**
  * The tour in its place; hidden until it is started.
  *

@@ -1,7 +1,5 @@
 /** Where a value stands on its slider: evenly, by its logarithm, or finer towards zero. */
 
-/** @typedef {import("./types").Parameter} Parameter */
-
 import { nice } from "./axes.js";
 
 const DEGREE = Math.PI / 180;

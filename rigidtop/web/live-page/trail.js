@@ -1,8 +1,5 @@
 import { createPieces } from "./lines.js";
 
-/** @typedef {import("./types").Sample} Sample */
-/** @typedef {import("./palette").Line} Line */
-
 /** The most pieces that are drawn. */
 const MOST = 3000;
 /** The way between two samples is cut into pieces not longer than this, but not into more. */

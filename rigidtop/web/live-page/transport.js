@@ -2,8 +2,6 @@
 
 import { element } from "./shell.js";
 
-/** @typedef {import("./types").Clock} Clock */
-
 /** The speeds that the slider offers, times the preset's own. */
 export const FACTORS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
 

@@ -1,16 +1,16 @@
-/** The shapes of what the modules of the page hand each other. */
+/** The shapes of what the modules of the page hand each other: names that all of them know. */
 
 /** Which page: a heavy body with one point held, a body without torque, or any system. */
-export type Kind = "heavy-top" | "free" | "system";
+type Kind = "heavy-top" | "free" | "system";
 
 /**
  * The unit of every time in a setup: all rates are per second, or all are per day.  By the day it
  * is an asteroid, whose moments are known in units of any one of them only.
  */
-export type Clock = "s" | "d";
+type Clock = "s" | "d";
 
 /** Numbers by the names that the Python package uses: `lambda1`, `phi_dot`, `omega3` … */
-export type Values = Readonly<Record<string, number>>;
+type Values = Readonly<Record<string, number>>;
 
 /**
  * A body and its state at t = 0, in SI units and radians, but for the clock.
@@ -19,22 +19,22 @@ export type Values = Readonly<Record<string, number>>;
  * theta_dot, phi, phi_dot, psi, omega3.  A free one has lambda1, lambda2, lambda3, omega1, omega2,
  * omega3, and theta, phi, psi of its attitude unless it starts with L along ẑ.
  */
-export interface Setup {
+interface Setup {
   readonly kind: Kind;
   readonly clock: Clock;
   readonly values: Values;
 }
 
 /** Three numbers, or four of a quaternion, scalar first. */
-export type Numbers = ArrayLike<number>;
+type Numbers = ArrayLike<number>;
 
 /** What is at one time. */
-export interface Timed {
+interface Timed {
   readonly t: number;
 }
 
 /** A top or a body at one time. */
-export interface Sample extends Timed {
+interface Sample extends Timed {
   /** Unit quaternion, body components to space components. */
   readonly q: Numbers;
   /** The same as a matrix, row by row; its columns are e₁, e₂, e₃ in space. */
@@ -63,7 +63,7 @@ export interface Sample extends Timed {
 }
 
 /** What the exact motion keeps, and by how much it has strayed. */
-export interface Drift {
+interface Drift {
   readonly name: string;
   /**
    * Relative: the energy to T₀ + MgR without the part of a constant ω₃, a momentum to what no |L|
@@ -77,7 +77,7 @@ export interface Drift {
 }
 
 /** A motion that can be moved to any time. */
-export interface Moving<S extends Timed> {
+interface Moving<S extends Timed> {
   /** About how long the fastest change takes, one radian of it; in units of the clock. */
   readonly timescale: number;
   /** The motion at t = 0, and where it is now. */
@@ -101,7 +101,7 @@ export interface Moving<S extends Timed> {
 }
 
 /** The motion of a top or a body; made by `createMotion`. */
-export interface Motion extends Moving<Sample> {
+interface Motion extends Moving<Sample> {
   readonly setup: Setup;
   /** Moments, the centre of mass, and Mg times that, in body components. */
   readonly moments: Numbers;
@@ -112,7 +112,7 @@ export interface Motion extends Moving<Sample> {
 }
 
 /** What can be said of a motion before it moves: see `facts.js`. */
-export interface Facts {
+interface Facts {
   /** Regime in words: "waves", "cusps", "loops", "steady precession", "sleeping" …; "" if none. */
   readonly regime: string;
   /** Smallest and largest θ, where θ moves between turning points; else null. */
@@ -130,7 +130,7 @@ export interface Facts {
 }
 
 /** A slider. */
-export interface Parameter {
+interface Parameter {
   readonly name: string;
   /** λ₁, φ̇₀ … as text, and as MathML. */
   readonly letter: string;
@@ -148,7 +148,7 @@ export interface Parameter {
 }
 
 /** A setup with a name and with what to look at. */
-export interface Preset {
+interface Preset {
   readonly name: string;
   readonly title: string;
   /** One or two sentences: what happens and why. */
@@ -161,13 +161,13 @@ export interface Preset {
   readonly speed: number;
 }
 
-export type View = "space" | "body";
-export type Shape = "top" | "wheel" | "brick" | "asteroid" | "T-handle";
-export type Layer =
+type View = "space" | "body";
+type Shape = "top" | "wheel" | "brick" | "asteroid" | "T-handle";
+type Layer =
   | "e1" | "e2" | "e3" | "omega" | "L" | "torque" | "trail" | "cones" | "poinsot";
 
 /** An equation in the notes' form; each term is an element with data-term="0", "1", … in it. */
-export interface Equation {
+interface Equation {
   /** "3.54". */
   readonly tag: string;
   readonly title: string;
@@ -179,7 +179,7 @@ export interface Equation {
   readonly terms: readonly Term[];
 }
 
-export interface Term {
+interface Term {
   /** The term as text: "MgR sin θ". */
   readonly text: string;
   /** "torque of gravity". */
@@ -190,7 +190,7 @@ export interface Term {
 }
 
 /** What Python writes into the page. */
-export interface PageData {
+interface PageData {
   readonly kind: Kind;
   readonly version: string;
   readonly title: string;
@@ -205,7 +205,7 @@ export interface PageData {
 }
 
 /** What Python writes into the page of a system besides. */
-export interface SystemData extends PageData {
+interface SystemData extends PageData {
   /** q, then q̇. */
   readonly state: readonly Letter[];
   /** q, q̇, and the time where the equations have it, and the values of all parameters. */
@@ -227,22 +227,22 @@ export interface SystemData extends PageData {
 }
 
 /** States at even steps of time, each of `width` numbers of four bytes, and why no more. */
-export interface Recording {
+interface Recording {
   readonly step: number;
   readonly width: number;
   readonly rows: string;
   readonly ended: string;
 }
 
-export type Letter = Pick<Parameter, "letter" | "math" | "meaning" | "unit" | "angle">;
+type Letter = Pick<Parameter, "letter" | "math" | "meaning" | "unit" | "angle">;
 
 /** Words that may be chosen, each with what a reader sees. */
-export type Choices = readonly (readonly [string, string])[];
+type Choices = readonly (readonly [string, string])[];
 
-export type Theme = "light" | "dark" | "contrast";
+type Theme = "light" | "dark" | "contrast";
 
 /** Everything that the address can say; "" where the reader's system decides, or for none. */
-export interface State {
+interface State {
   readonly preset: Preset;
   readonly values: Record<string, number>;
   readonly clock: Clock;
@@ -265,7 +265,7 @@ export interface State {
 }
 
 /** What the address and the switches of a page offer, with the usual one first; [] for none. */
-export interface Offers {
+interface Offers {
   readonly clock: Choices;
   readonly view: Choices;
   readonly shape: Choices;
@@ -275,13 +275,13 @@ export interface Offers {
 }
 
 /** The motion until now, as it is drawn. */
-export interface Past<S extends Timed> {
+interface Past<S extends Timed> {
   readonly sample: S;
   readonly trail: readonly S[];
 }
 
 /** The picture of a motion; what is optional is for pictures in three dimensions. */
-export interface Picture<S extends Timed, M extends Moving<S>> {
+interface Picture<S extends Timed, M extends Moving<S>> {
   setMotion(motion: M, shape: Shape): void;
   draw(sample: S, trail: readonly S[], ghost: Past<S> | null): void;
   setColours(colours: Colours): void;
@@ -298,21 +298,21 @@ export interface Picture<S extends Timed, M extends Moving<S>> {
 }
 
 /** Whatever else follows the motion. */
-export interface Panel<S extends Timed, M extends Moving<S>> {
+interface Panel<S extends Timed, M extends Moving<S>> {
   setMotion(motion: M): void;
   draw(sample: S): void;
   setColours(colours: Colours): void;
 }
 
 /** What is particular to a page: that of tops and bodies, or that of systems. */
-export interface Subject<S extends Timed, M extends Moving<S>> {
+interface Subject<S extends Timed, M extends Moving<S>> {
   readonly offers: Offers;
   /** Throws an Error with one sentence where there is none; `beside` is what it is a ghost of. */
   motionOf(state: State, beside?: M): M;
   factsOf(motion: M): Facts;
   /** The state with one thing changed; throws an Error where it cannot be. */
   ghostOf(ghost: string, state: State, facts: Facts): State;
-  plottedOf(motion: M, plot: string): import("./time_plots.js").Plotted<S>;
+  plottedOf(motion: M, plot: string): Plotted<S>;
   pictureIn(container: HTMLElement, colours: Colours): Picture<S, M>;
   panels(
     set: (values: Record<string, number>) => void, light: (arrow: Term["arrow"]) => void,
@@ -326,7 +326,7 @@ export interface Subject<S extends Timed, M extends Moving<S>> {
 }
 
 /** A question on a motion, and what is to be seen. */
-export interface TourStep {
+interface TourStep {
   /** An address of the page. */
   readonly show: string;
   readonly ask: string;
@@ -337,7 +337,7 @@ export interface TourStep {
 }
 
 /** An explicit Runge-Kutta method with dense output: names as in `scipy.integrate.DOP853`. */
-export interface Tableau {
+interface Tableau {
   readonly A: readonly (readonly number[])[];
   readonly B: readonly number[];
   readonly E3: readonly number[];
@@ -347,7 +347,7 @@ export interface Tableau {
 }
 
 /** Colours of the page's theme, for what is drawn: read from the style sheet by `theme.js`. */
-export interface Colours {
+interface Colours {
   readonly paper: string;
   readonly ink: string;
   readonly muted: string;
@@ -366,3 +366,81 @@ export interface Colours {
   /** Lines are thicker, and nothing is translucent. */
   readonly highContrast: boolean;
 }
+
+type Colour = Exclude<keyof Colours, "highContrast">;
+
+/** Where something is drawn on a sheet, and from where to where an axis goes. */
+type Box = Record<"left" | "right" | "top" | "bottom", number>;
+type Span = Record<"low" | "high", number>;
+
+/** A sheet to draw on, with the size of its letters. */
+interface Paper {
+  readonly ctx: CanvasRenderingContext2D;
+  readonly width: number;
+  readonly height: number;
+  readonly em: number;
+  readonly colours: Colours;
+}
+
+/** Curves of one quantity or more, where their axis goes, and what stands above it. */
+interface Graph<S> {
+  readonly title: string;
+  readonly curves: readonly (readonly [(sample: S) => number, Colour])[];
+  follow(old: Span, seen: Span): Span;
+  /** Dashed lines. */
+  readonly guides: readonly number[];
+  now(sample: S): string;
+  range: Span;
+  /** What is seen of it in the first window of time. */
+  expected: Span | null;
+}
+
+/** What is plotted of a motion: against time, or the first of two across the other, up or down. */
+interface Plotted<S extends Timed> {
+  readonly panels: Graph<S>[];
+  readonly across: "" | "up" | "down";
+  readonly clock: string;
+  /** The window of time. */
+  readonly duration: number;
+  /** How far, in radians, a ghost is. */
+  readonly apart: ((one: S, other: S) => number) | null;
+}
+
+type Quantity = (sample: Sample) => number;
+
+/** A solver at the end of its last step, which went from `before` to `t`. */
+interface Solver {
+  readonly t: number;
+  readonly before: number;
+  /** The next step, with its sign. */
+  readonly h: number;
+  step(): void;
+  /** The state between `before` and `t`. */
+  at(t: number, state: Float64Array): void;
+}
+
+/** A system at one time: its state, its points (and attitudes), and E. */
+interface Moment extends Timed {
+  readonly state: Float64Array;
+  readonly points: Float64Array;
+  readonly energy: number;
+}
+
+/** The motion of a system. */
+interface Flow extends Moving<Moment> {
+  /** The largest |q| and |q̇| of a first look. */
+  readonly sizes: readonly number[];
+}
+
+/** What decides what a symmetric top does. */
+type Top = Record<"M" | "R" | "g" | "lambda1" | "lambda3", number>;
+
+/** A material for ribbons, and how many of their pieces grow old, or 0. */
+interface Line {
+  readonly material: THREE.ShaderMaterial;
+  readonly count: { value: number };
+}
+
+type Palette = ReturnType<typeof import("./palette.js").createPalette>;
+type Pieces = ReturnType<typeof import("./lines.js").createPieces>;
+type Arrow = ReturnType<ReturnType<typeof import("./arrows.js").createArrows>["add"]>;

@@ -2,8 +2,6 @@
 
 import { element } from "./shell.js";
 
-/** @typedef {import("./types").Facts} Facts */
-
 /** How long a slider must rest before the verdict is read out, in ms. */
 const REST = 800;
 
