@@ -80,12 +80,7 @@ export function createPalette(/** @type {Colours} */ colours) {
     rule(current);
   }
 
-  /**
-   * @template {THREE.Material} T
-   * @param {T} material
-   * @param {Pick} pick
-   */
-  function keep(material, pick) {
+  function keep(/** @type {THREE.Material} */ material, /** @type {Pick} */ pick) {
     follow((c) => material.color.set(pick(c)));
     return material;
   }
