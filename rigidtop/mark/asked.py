@@ -9,7 +9,6 @@ bears out all that it cites; where none does the motion is a special one, and it
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -32,8 +31,8 @@ from rigidtop.proof.verdict import entries
 from rigidtop.theory import symbols as s
 from rigidtop.theory.symbols import const
 
-PLACES, ATTEMPTS = 3, 12
-"""So many places at which all is real are enough; so often they are looked for."""
+PLACES = 3
+"""So many places at which all is real are enough."""
 
 NEARLY = "it holds approximately"
 STRANGE = "no model knows its letters"
@@ -210,20 +209,7 @@ def _holds(line: Line, known: Known, model: Model) -> bool | None:
         for e in line.equations
         for gap in _gaps(e, model)
     ]
-    places = 0
-    for attempt in range(ATTEMPTS):
-        if any(not bound > 0 for bound in decide.values(bounds, attempt)):
-            continue
-        rows = [decide.values(sympy.Add.make_args(gap), attempt) for _, gap in gaps]
-        if not all(math.isfinite(x) for row in rows for x in row):
-            continue
-        for (relation, _), row in zip(gaps, rows, strict=True):
-            if not decide.holds(relation, sum(row), 1 + sum(map(abs, row))):
-                return False
-        places += 1
-        if places == PLACES:
-            break
-    return True if places else None
+    return decide.in_digits(gaps, PLACES, bounds)
 
 
 def _gaps(equation: Equation, model: Model) -> Iterator[Expr]:

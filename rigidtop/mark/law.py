@@ -219,17 +219,6 @@ def at_rest(residual: Expr, law: Law) -> str:
     return ""
 
 
-def accelerations(
-    vanishing: Sequence[Expr], a: Sequence[Symbol], point: Mapping[Symbol, Expr]
-) -> dict[Symbol, Expr] | None:
-    """The accelerations where numbers are put in for all else."""
-    used = [x for x in a if any(each.has(x) for each in vanishing)]
-    matrix, right = sympy.linear_eq_to_matrix([x.subs(point) for x in vanishing], used)
-    if not matrix.is_square or abs(matrix.det().evalf()) < decide.TOLERANCE:
-        return None
-    return dict(zip(used, matrix.evalf().LUsolve(right.evalf()), strict=True))
-
-
 def nearly(residual: Expr, sides: tuple[Expr, Expr], q: Sequence[Symbol]) -> bool:
     """Whether sides that are polynomials in coordinates and rates agree to their own order."""
     small = sympy.Dummy("small", positive=True)
@@ -286,32 +275,29 @@ def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:
     if names:
         return None
     left, right, *given = flat
-    rooted = decide.branches(left - right)
     a = law.highest if law is not None else []
-    needed = left.free_symbols | right.free_symbols
-    if needed & {*a}:
-        needed = needed.union(*(x.free_symbols for x in given))
-    symbols = sorted(needed - {*a}, key=str)
-    angles = {x for x in symbols if base(x)[:1] in ANGLES and not accent(x)}
+    free = left.free_symbols | right.free_symbols
+    if not free & {*a}:
+        given, a = [], []
+    free = free.union(*(x.free_symbols for x in given))
+
+    rooted = decide.branches(left - right)
+    angles = {x for x in free if base(x)[:1] in ANGLES and not accent(x)}
     # A length or a mass, whatever its letter, has no short number that is not positive.
-    drawn = {x: x if moves(x) else sympy.Dummy(x.name, positive=True) for x in symbols}
-    for found in decide.points([*drawn.values()], angles, 120):
-        point = {x: found[drawn[x]] for x in symbols}
-        solved: dict[Symbol, Expr] = {}
-        if (left - right).free_symbols & {*a}:
-            solved = accelerations(given, a, point) or {}
-            if not solved:
-                continue
-        one, other = decide.evaluate([left, right], {**point, **solved}, {})
+    drawn = {x: sympy.Dummy(x.name, positive=True) for x in free if not moves(x)}
+    for point, number in decide.places(
+        [left, right], given=given, unknowns=a, angles=angles, drawn=drawn, tries=120
+    ):
+        one, other = number(left), number(right)
         # A root may be meant with its other sign.
         if not decide.apart(*((one**2, other**2) if rooted else (one, other))):
             continue
-        values = ", ".join(f"{text(x)} = {text(v)}" for x, v in point.items())
+        solved = {x: v for x, v in point.items() if x in a}
+        values = ", ".join(f"{text(x)} = {text(v)}" for x, v in point.items() if x not in solved)
         rates = ", ".join(
             f"{text(x)} is {short(v)}" for x, v in solved.items() if (left - right).has(x)
         )
-        words = f" {law.words}" if law is not None and rates else ""
-        said = f"{rates}{words}; " if rates else ""
+        said = f"{rates} {law.words}; " if law is not None and rates else ""
         return f"at {values}: {said}the left side is {short(one)}, the right side {short(other)}"
     return None
 

@@ -82,7 +82,7 @@ def in_numbers(link: Link, model: Model, samples: Sequence[Sample]) -> list[tupl
     free = set().union(*(e.free_symbols for e in flat))
     made: list[tuple[Any, Any] | None] = []
     for sample in samples:
-        row = decide.evaluate(flat, sample.point, {}) if free <= {*sample.point} else [math.nan]
+        row = [*map(decide.at(sample.point), flat)] if free <= {*sample.point} else [math.nan]
         numbers = [*map(sympy.Float, row)] if all(map(math.isfinite, row)) else []
         pair = [
             sympy.Matrix(*side.shape, part) if _is_matrix(side) else part[0]

@@ -84,28 +84,33 @@ def evidence(expression: Expr) -> Verdict | None:
     """
     if expression == 0:
         return Verdict.PROVED
-    if zero_in_digits(expression) is False:
+    if in_digits([("=", expression)]) is False:
         return None
     if sympy.count_ops(expression) < MOST_SHOWN and vanishes(expression):
         return Verdict.PROVED
     return Verdict.SAMPLED if digits_vanish([expression]) else None
 
 
-def zero_in_digits(expression: Expr, tries: int = 2) -> bool | None:
-    """Whether a scalar vanishes at some points in double precision: False refutes for certain.
+def in_digits(
+    gaps: Sequence[tuple[str, Expr]], places: int = 2, bounds: Sequence[Expr] = ()
+) -> bool | None:
+    """Whether scalars are as relations to 0 where `bounds` are positive: False is for certain.
 
-    None where no point is found at which it is real: of √x + √−x there is none.
+    Asked at some points in double precision; None where there is none at which all is real, as of
+    √x + √−x.
     """
     found = None
-    for attempt in range(8 * tries):  # a root may be real at few points only
-        terms = values(sympy.Add.make_args(expression), attempt)
-        value, size = sum(terms), sum(map(abs, terms))
-        if not math.isfinite(value):
+    for attempt in range(8 * places):  # a root may be real at few points only
+        if bounds and not all(bound > 0 for bound in values(bounds, attempt)):
             continue
-        if not holds("=", value, 1 + size):
-            return False
-        found, tries = True, tries - 1
-        if not tries:
+        rows = [values(sympy.Add.make_args(gap), attempt) for _, gap in gaps]
+        if not all(math.isfinite(sum(row)) for row in rows):
+            continue
+        for (relation, _), row in zip(gaps, rows, strict=True):
+            if not holds(relation, sum(row), 1 + sum(map(abs, row))):
+                return False
+        found, places = True, places - 1
+        if not places:
             break
     return found
 
@@ -402,13 +407,50 @@ def angle_symbols(expressions: Sequence[Expr]) -> set[Symbol]:
     return set().union(*(argument.free_symbols for argument in inside)) if inside else set()
 
 
-def evaluate(expressions: Sequence[Expr], point: Point, hidden: Mapping[Symbol, Expr]) -> Floats:
-    """The expressions at a point, as floats: infinite where divided by zero, NaN if not real.
+Number = Callable[[Expr], float]
+"""What gives an expression's number at a point: infinite where divided by zero, NaN if not real."""
 
-    `hidden` are symbols of the expressions that are themselves expressions in the point's.
+
+def at(point: Point, hidden: Mapping[Symbol, Expr] = {}) -> Number:
+    """The numbers at a point; `hidden` are symbols that are themselves expressions in its own."""
+    known = _Values({x: _plain(v) for x, v in point.items()}, hidden)
+    return lambda expression: _number(expression, known)
+
+
+def places(
+    expressions: Sequence[Expr],
+    *,
+    hidden: Mapping[Symbol, Expr] = {},
+    given: Sequence[Expr] = (),
+    unknowns: Sequence[Symbol] = (),
+    angles: set[Symbol] | None = None,
+    drawn: Mapping[Symbol, Symbol] = {},
+    tries: int = 600,
+    exists: Callable[[Point], bool] = anything,
+) -> Iterator[tuple[dict[Symbol, Expr], Number]]:
+    """The points at which numbers are looked for, short ones first, and the numbers there.
+
+    Those of `unknowns` are not drawn: at them `given`, which are linear in them, vanish.  A symbol
+    is `drawn` as another one is: of its sign.
     """
-    at = _Values({x: _plain(v) for x, v in point.items()}, hidden)
-    return [_number(e, at) for e in expressions]
+    symbols = set().union(*(e.free_symbols for e in (*expressions, *given, *hidden.values())))
+    wanted = [x for x in unknowns if x in symbols]
+    none = dict.fromkeys(wanted, Integer(0))
+    rest = [e.xreplace(none) for e in given]
+    slopes = [[e.diff(x) for x in wanted] for e in given]
+    angles = angle_symbols([*expressions, *hidden.values()]) if angles is None else angles
+    names = {drawn.get(x, x): x for x in sorted(symbols - {*hidden, *wanted}, key=str)}
+    for found in points([*names], angles, tries, exists):
+        point = {names[x]: value for x, value in found.items()}
+        if wanted:
+            number = at(point)
+            matrix = Matrix([[number(slope) for slope in row] for row in slopes])
+            known = Matrix([-number(e) for e in rest])
+            finite = all(x.is_finite for x in (*matrix, *known))
+            if not (finite and matrix.is_square and abs(matrix.det()) > TOLERANCE):
+                continue
+            point |= dict(zip(wanted, matrix.LUsolve(known), strict=True))
+        yield point, at(point, hidden)
 
 
 class _Values(dict[Symbol, float]):

@@ -577,14 +577,11 @@ def _numbers(pair: Pair, letters: Letters) -> Diagnosis | None:
     if isinstance(pair.left, Vector) or isinstance(pair.right, Vector):
         return Diagnosis(False)
     flat, nodes = flattened(sympy.Tuple(pair.left, pair.right))
-    free = sorted(flat.free_symbols, key=str)
-    angles = decide.angle_symbols(list(flat))
-    for point in decide.points(free, angles, exists=letters.exists):
-        left, right = decide.evaluate(list(flat), point, {})
-        if decide.apart(left, right):
-            exact = [side.xreplace(dict(point)) for side in flat]
+    sides = list(flat)
+    for point, number in decide.places(sides, exists=letters.exists):
+        if decide.apart(*map(number, sides)):
             at = {nodes.get(x, x): value for x, value in point.items()}
-            return Diagnosis(False, at, exact[0], exact[1])
+            return Diagnosis(False, at, *(side.xreplace(point) for side in sides))
     return None
 
 

@@ -305,19 +305,20 @@ def assertions(claimed: Equation, meaning: Meaning) -> list[tuple[str, Expr, Exp
 
 def entries(left: Expr | MatrixBase, right: Expr | MatrixBase) -> list[Expr]:
     """The differences that decide: entry by entry for matrices; 0 fits every shape."""
-    if isinstance(left, sympy.MatrixBase) and isinstance(right, sympy.MatrixBase):
-        return list(left - right)
-    if isinstance(left, sympy.MatrixBase):
-        return _fitting(left, right)
-    if isinstance(right, sympy.MatrixBase):
-        return [-entry for entry in _fitting(right, left)]
-    return [sympy.sympify(left - right)]
+    return [a - b for a, b in _pairs(left, right)]
 
 
-def _fitting(matrix: sympy.MatrixBase, scalar: Expr) -> list[Expr]:
-    if scalar != 0:
+def _pairs(left: Expr | MatrixBase, right: Expr | MatrixBase) -> list[tuple[Expr, Expr]]:
+    shapes = {side.shape for side in (left, right) if _is_matrix(side)}
+    if not shapes:
+        return [(sympy.sympify(left), sympy.sympify(right))]
+    if len(shapes) > 1:
+        raise sympy.matrices.exceptions.ShapeError("matrices of different shapes can't be equal")
+    if any(not _is_matrix(side) and side != 0 for side in (left, right)):
         raise TypeError("a vector can't equal a number other than 0")
-    return list(matrix)
+    zeros = [Integer(0)] * math.prod(*shapes)
+    rows = [list(side) if _is_matrix(side) else zeros for side in (left, right)]
+    return list(zip(*rows, strict=True))
 
 
 def _split(assuming: Sequence[Assumption]) -> tuple[dict[Expr, Expr], list[Relational]]:
@@ -427,7 +428,7 @@ def _search(
 
     hidden = {dummy: both(expression) for dummy, expression in hidden.items()}
     sides = [
-        (relation, [(both(a), both(b)) for a, b in _sideentries(left, right)])
+        (relation, [(both(a), both(b)) for a, b in _pairs(left, right)])
         for relation, left, right in relations
     ]
     conditions = [c for c in map(both, conditions) if c != sympy.true]
@@ -443,25 +444,23 @@ def _search(
     # What the relation does not contain is no part of a counterexample to it.
     contained = set().union(*(e.free_symbols for e in everything))
     hidden = {dummy: expression for dummy, expression in hidden.items() if dummy in contained}
-    seen = [*everything, *hidden.values()]
-    symbols = sorted(set().union(*(e.free_symbols for e in seen)) - set(hidden), key=str)
     undefined: Failure | None = None
     patience = 20
-    for point in decide.points(symbols, decide.angle_symbols(seen), tries, letters.exists):
+    for point, number in decide.places(
+        everything, hidden=hidden, tries=tries, exists=letters.exists
+    ):
         # What is asked of a point first: most are not at places where the rest would count.
-        division, *rest = decide.evaluate([divisor, *given, *gaps], point, hidden)
-        zero, gap = rest[: len(given)], rest[len(given) :]
-        if abs(division) < decide.TOLERANCE or not all(abs(h) < decide.TOLERANCE for h in zero):
+        if abs(number(divisor)) < decide.TOLERANCE:
             continue
-        holds = [_holds(c, x) for c, x in zip(extra, gap, strict=True)]
+        if not all(abs(number(h)) < decide.TOLERANCE for h in given):
+            continue
+        holds = [_holds(c, number(gap)) for c, gap in zip(extra, gaps, strict=True)]
         if holds != [True] * len(conditions) + [False] * (len(extra) - len(conditions)):
             continue
-        numbers = decide.evaluate([*flat, *divisors], point, hidden)
-        values, divided_by = numbers[: len(flat)], numbers[len(flat) :]
-        if any(abs(d) < decide.TOLERANCE for d in divided_by):
+        if any(abs(number(d)) < decide.TOLERANCE for d in divisors):
             # Numbers that differ say more than a division by zero: look on for a while.
             undefined = undefined or (sides, point, hidden)
-        elif _fails(sides, values, undefined_counts=dropped is not None):
+        elif _fails(sides, number, undefined_counts=dropped is not None):
             return sides, point, hidden
         patience -= undefined is not None
         if patience == 0:
@@ -522,18 +521,6 @@ def _needed(condition: Boolean, divisor: Expr) -> bool:
     return isinstance(condition, sympy.Ne) and divisor.subs(condition.lhs, condition.rhs) == 0
 
 
-def _sideentries(left: Expr | MatrixBase, right: Expr | MatrixBase) -> list[tuple[Expr, Expr]]:
-    matrices = [side for side in (left, right) if isinstance(side, sympy.MatrixBase)]
-    if not matrices:
-        return [(sympy.sympify(left), sympy.sympify(right))]
-    count = len(matrices[0])
-    rows = [
-        list(side) if isinstance(side, sympy.MatrixBase) else [sympy.sympify(side)] * count
-        for side in (left, right)
-    ]
-    return list(zip(*rows, strict=True))
-
-
 _WRITTEN = {"==": "=", "!=": "≠", ">=": "≥", "<=": "≤"}
 
 
@@ -541,20 +528,17 @@ def _holds(condition: Relational, gap: float) -> bool:
     return decide.holds(_WRITTEN.get(condition.rel_op, condition.rel_op), gap)
 
 
-def _fails(sides: Any, values: Sequence[float], undefined_counts: bool) -> bool:
-    numbers = iter(values)
+def _fails(sides: Any, number: decide.Number, undefined_counts: bool) -> bool:
     for relation, pairs in sides:
-        differences = []
-        for _ in pairs:
-            left, right = next(numbers), next(numbers)
+        told = []
+        for pair in pairs:
+            left, right = map(number, pair)
             if math.isnan(left) or math.isnan(right):
                 return False
             if math.isinf(left) or math.isinf(right):
                 # Where an assumption is dropped, a side that stops being a number is the failure.
                 return undefined_counts and math.isinf(left) != math.isinf(right)
-            scale = 1 + abs(left) + abs(right)
-            differences.append((left - right) / scale)
-        told = [decide.holds(relation, d) for d in differences]
+            told.append(decide.holds(relation, left - right, 1 + abs(left) + abs(right)))
         if not (any(told) if relation == "≠" else all(told)):
             return True
     return False

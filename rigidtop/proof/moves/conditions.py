@@ -50,8 +50,7 @@ def _vanishes_somewhere(flat: Expr, relations: Sequence[Relational]) -> bool:
         return False
 
     def value(expression: Expr, x: Sequence[float]) -> float:
-        [found] = decide.evaluate([expression], dict(zip(symbols, x, strict=True)), {})
-        return found
+        return decide.at(dict(zip(symbols, x, strict=True)))(expression)
 
     ends: dict[bool, tuple[list[float], float]] = {}
     for attempt in range(DRAWS):
