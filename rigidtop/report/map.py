@@ -142,7 +142,6 @@ def picture(lecture: Lecture, whole: Map, notation: Notation = NOTES, wide: floa
             va="center",
             fontsize=style.SMALL,
             linespacing=0.95,
-            fontfamily="DejaVu Sans",
             color=style.INK,
             bbox={
                 "boxstyle": "round,pad=0.25",
@@ -156,7 +155,7 @@ def picture(lecture: Lecture, whole: Map, notation: Notation = NOTES, wide: floa
 
 def _half(words: str, wide: float) -> float:
     """Half the width of a label with its frame, in columns of this width."""
-    return (0.033 * max(map(len, words.split("\n"))) + 0.05) / wide
+    return (0.021 * max(map(len, words.split("\n"))) + 0.05) / wide
 
 
 def _broken(words: str, most: int = 20) -> str:

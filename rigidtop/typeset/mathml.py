@@ -112,7 +112,16 @@ def letter(glyph: Glyph) -> str:
         base = f"<mover>{base}{_ACCENTS[glyph.accent]}</mover>"
     if glyph.sub:
         base = f"<msub>{base}{subscript(glyph.sub)}</msub>"
-    return _group(f"{base}<mo>′</mo>") if glyph.prime else base
+    return primed(base) if glyph.prime else base
+
+
+def primed(base: str, prime: str = "′") -> str:
+    """A prime at the letter, not behind its index; fonts raise it by themselves."""
+    indexed = re.fullmatch(r"<msub>(<(\w+).*?</\2>)(.*)</msub>", base)
+    mark = f"<mo>{prime}</mo>"
+    if indexed:
+        return f"<msub>{_group(indexed[1] + mark)}{indexed[3]}</msub>"
+    return _group(base + mark)
 
 
 def subscript(sub: str) -> str:

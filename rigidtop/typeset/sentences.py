@@ -338,7 +338,7 @@ def _is_raised(piece: Piece) -> bool:
 def _attached(base: str, piece: Piece) -> str:
     """A base with a prime, an index or an exponent; an index and an exponent above each other."""
     if piece.kind == "sign":
-        return f"<mrow>{base}<mo>{piece.text}</mo></mrow>"
+        return ml.primed(base, piece.text)
     if piece.kind == "index":
         return f"<msub>{base}{ml.subscript(GREEK.get(piece.text, piece.text))}</msub>"
     if piece.kind == "sub":
