@@ -34,7 +34,7 @@ import traceback
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, redirect_stdout
 from dataclasses import dataclass, replace
-from functools import partial, wraps
+from functools import cached_property, partial, wraps
 from pathlib import Path
 from types import ModuleType
 from typing import Any, get_args
@@ -65,20 +65,25 @@ class Collection:
     """Pages and exercises with what stands in front of them; `folder` is None for the built-in.
 
     `notation` says which letters stand for which symbols, where formulas in LaTeX are read.  The
-    claims of the pages `besides` are judged when they are asked for by name.  `read` reads the
-    text, with the solutions of exercises that are named behind it; `letters` says what its letters
+    claims of the pages `besides` are judged when they are asked for by name.  `asked` finds the
+    exercises, which are loaded when something needs them; `read` reads the text, with the solutions of exercises that are named behind it; `letters` says what its letters
     are.
     """
 
     front: Front
     pages: tuple[Page, ...]
-    exercises: tuple[Exercise, ...] = ()
+    asked: Callable[[], tuple[Exercise, ...]] = tuple
     folder: Path | None = None
     notation: Notation = NOTATION
     besides: tuple[Page, ...] = ()
     read: Callable[[Sequence[str]], Lecture] = lambda _: Lecture()
     letters: Letters = LETTERS
     models: tuple[Any, ...] = ()
+
+    @cached_property
+    def exercises(self) -> tuple[Exercise, ...]:
+        """In reading order."""
+        return self.asked()
 
     @property
     def lecture(self) -> Lecture:
@@ -93,6 +98,8 @@ class Collection:
         """The exercises that some of these claims solve: those of no page."""
         told = {claim.name for page in self.pages for claim in page.claims}
         wanted = {claim.name for claim in claims} - told
+        if not wanted:
+            return ()
         return tuple(e for e in self.exercises if wanted & {claim.name for claim in e.claims})
 
     def command(self, name: str) -> str:
@@ -148,9 +155,15 @@ def built_in() -> Collection:
     """The lecture on the top."""
     from rigidtop.derivations import PAGES, lecture_with
     from rigidtop.derivations.conventions import CONVENTIONS
-    from rigidtop.derivations.exercises import EXERCISES
 
-    return Collection(NOTES, PAGES, EXERCISES, besides=CONVENTIONS, read=lecture_with)
+    return Collection(NOTES, PAGES, _exercises, besides=CONVENTIONS, read=lecture_with)
+
+
+def _exercises() -> tuple[Exercise, ...]:
+    from rigidtop.derivations import exercises
+
+    found: tuple[Exercise, ...] = exercises.EXERCISES
+    return found
 
 
 def is_folder(word: str) -> bool:
@@ -306,10 +319,11 @@ def _collection(module: ModuleType, folder: Path) -> Collection:
     def own(claims: Sequence[Claim]) -> tuple[Claim, ...]:
         return tuple(watched[id(claim)] for claim in claims)
 
+    asked = tuple(replace(exercise, claims=own(exercise.claims)) for exercise in exercises)
     return Collection(
         front,
         tuple(replace(page, claims=own(page.claims)) for page in pages),
-        tuple(replace(exercise, claims=own(exercise.claims)) for exercise in exercises),
+        lambda: asked,
         folder,
         notation := _notation(folder),
         read=partial(_lecture, folder, pages, notation, letters := letters_of(notation)),

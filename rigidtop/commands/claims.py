@@ -35,8 +35,11 @@ def every(collection: Collection) -> list[tuple[Page, Claim]]:
 
 def named(collection: Collection, names: Sequence[str]) -> list[tuple[Page, Claim]]:
     """The claims of these names and sections, in reading order; (3.57) is 3.57."""
-    claims = collection.claims()
+    claims = every(collection)
     known = {claim.name for _, claim in claims}
+    if not all(collection.section(name) or name.strip("()") in known for name in names):
+        claims = collection.claims()
+        known = {claim.name for _, claim in claims}
     wanted: set[str] = set()
     for name in names:
         bare, pages = name.strip("()"), collection.section(name)
