@@ -66,8 +66,8 @@ class Collection:
 
     `notation` says which letters stand for which symbols, where formulas in LaTeX are read.  The
     claims of the pages `besides` are judged when they are asked for by name.  `asked` finds the
-    exercises, which are loaded when something needs them; `read` reads the text, with the solutions of exercises that are named behind it; `letters` says what its letters
-    are.
+    exercises, which are loaded when something needs them; `read` reads the text, with the solutions
+    of exercises that are named behind it; `letters` says what its letters are.
     """
 
     front: Front

@@ -8,81 +8,22 @@ from math import acosh, log, pi, sqrt
 import numpy as np
 import sympy
 from scipy.special import ellipkm1
-from sympy import Expr
 
 from rigidtop.derivations.eulers_equations import axis_stability, principal_stays
-from rigidtop.derivations.printed import printed
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.body import FreeBody
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Evidence, Formal, Measure, claim
+from rigidtop.proof.page import Claim, Measure
 from rigidtop.theory import symbols as s
-from rigidtop.theory.euler import angular_momentum, body_accelerations, kinetic_energy
 
 START = {s.omega1: s.omega_0, s.omega2: s.omega, s.omega3: sympy.S.Zero}
 """ω₂ at its largest: ω off the middle axis by ω₀ towards e₁."""
 
 
-def middle_rate_squared() -> Expr:
-    """ω̇₂² of the motion from `START`, as a function of ω₂ (rad²/s⁴).
-
-    By Euler's second equation, ω₁² and ω₃² eliminated by the two first integrals.
-    """
-    twice_energy, squared = 2 * kinetic_energy(), angular_momentum().dot(angular_momentum())
-    kept = [integral - integral.subs(START) for integral in (twice_energy, squared)]
-    squares = sympy.symbols("square1 square3")
-    in_squares = [
-        sympy.expand(k).subs({s.omega1**2: squares[0], s.omega3**2: squares[1]}) for k in kept
-    ]
-    solution = sympy.solve(in_squares, squares, dict=True)[0]
-    rate = body_accelerations()[1] ** 2
-    return sympy.factor(
-        rate.subs({s.omega1**2: squares[0], s.omega3**2: squares[1]}).subs(solution)
-    )
-
-
-@claim(
+flip_time = Claim(
     "flip-time", "The time in which $ω$ turns over about the middle axis is an elliptic integral."
 )
-def flip_time() -> Iterator[Evidence]:
-    """$T$ and $L²$ leave $ω̇₂²$ as a polynomial in $ω₂²$, and the time is the integral of $dω₂/ω̇₂$.
-
-    With $ω₂ = ω sin χ$ it is Legendre's integral of the first kind: $sin χ$ is $sn(νt)$, so $ω₂$
-    goes from $ω$ to $−ω$ in $2K(m)/ν$ and is back in $4K(m)/ν$. As $ω₀$ goes to zero, $m$ goes to
-    1 and $K(m)$ to $∞$.
-    """
-    first = r"2\lambda_3T - L^2 - \lambda_2(\lambda_3 - \lambda_2)\omega_2^2"
-    third = r"L^2 - 2\lambda_1T - \lambda_2(\lambda_2 - \lambda_1)\omega_2^2"
-    both = (
-        r"(\lambda_1(\lambda_3 - \lambda_1)\omega_0^2 + \lambda_2(\lambda_3 - \lambda_2)\omega^2)"
-    )
-    momentum = angular_momentum()
-    meaning = {
-        s.T: kinetic_energy(),
-        s.L: momentum.dot(momentum) ** sympy.S.Half,
-        s.omega2dot: body_accelerations()[1],
-    }
-    for equation in (
-        rf"\lambda_1(\lambda_3 - \lambda_1)\omega_1^2 = {first}",
-        rf"\lambda_3(\lambda_3 - \lambda_1)\omega_3^2 = {third}",
-        rf"\lambda_1\lambda_2^2\lambda_3\dot\omega_2^2 = ({first})({third})",
-    ):
-        yield Formal(printed(equation), meaning)
-    # (dω₂/dχ)² over ω̇₂² is the square of dt/dχ; it has the form 1/(c − s sin² χ), and m = s/c.
-    sine = sympy.Symbol("sine")
-    against_chi = sympy.cancel(
-        middle_rate_squared().subs(s.omega2, s.omega * sine) / (s.omega**2 * (1 - sine**2))
-    )
-    start, end = against_chi.subs(sine, 0), against_chi.subs(sine, 1)
-    derived = sympy.cancel(1 - end / start)
-    yield Formal(printed(rf"m{both} = \lambda_2(\lambda_3 - \lambda_2)\omega^2"), {s.m: derived})
-    legendre = (
-        rf"{both}(\lambda_2 - \lambda_1)(1 - m\sin^2\chi)t^2_\chi = \lambda_1\lambda_2\lambda_3"
-    )
-    squared = 1 / against_chi.subs(sine, sympy.sin(s.chi))
-    yield Formal(printed(legendre), {s.m: derived, s.t_chi2: squared})
-    yield flip_measured((1.0, 1.7, 2.3), 2.0, 0.01)
 
 
 def flip_measured(moments: tuple[float, float, float], spin: float, kick: float) -> Measure:

@@ -7,27 +7,21 @@ from math import cos, exp, expm1, log, log1p, pi, sqrt
 from typing import Any
 
 import numpy as np
-import sympy
 from numpy.typing import NDArray
 from scipy.integrate import quad, simpson, solve_ivp
 from scipy.interpolate import CubicHermiteSpline
 from scipy.optimize import brentq
-from sympy import Expr, Function, Matrix, symbols
+from sympy import Matrix
 
-from rigidtop.derivations.euler_angles import TILTED
 from rigidtop.derivations.nutation import friction
-from rigidtop.derivations.printed import printed, worked
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.table.motion import SlidingMotion, SlidingTop
 from rigidtop.motion.table.trajectory import SlidingTrajectory
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Evidence, Formal, Measure, Step, claim
+from rigidtop.proof.page import Claim, Measure
 from rigidtop.theory import symbols as s
-from rigidtop.theory.euler import OMEGA, body_accelerations
-from rigidtop.theory.rotation import Z_AXIS, primed_matrix, total_derivative
-from rigidtop.theory.trig import reduce_trig
 
 from .bodies import GRAVITY
 from .sleeping_top import upright_potential
@@ -36,120 +30,23 @@ Complex = NDArray[np.complex128]
 
 TIGHT: Any = {"rtol": 1e-9, "atol": 1e-11}
 
-FORCE = Matrix(symbols("C_1 C_2 C_3", real=True))
-"""Any force at the contact."""
-
 
 def contact(figure_axis: Matrix, vertical: Matrix) -> Matrix:
     """From the centre of mass to the point of a round tip that touches the table (3×1, m)."""
     return -(s.R - s.r_t) * figure_axis - s.r_t * vertical
 
 
-def rate_under_contact_force(quantity: Expr, vertical: Matrix) -> Expr:
-    """d/dt in body components, with Euler's equations about the centre of mass and any force."""
-    torque = contact(Matrix(Z_AXIS), vertical).cross(FORCE)
-    turning = body_accelerations(torque).subs(s.lambda2, s.lambda1)
-    falling = -Matrix(OMEGA).cross(vertical)
-    rates = dict(zip([*OMEGA, *vertical], [*turning, *falling], strict=True))
-    return total_derivative(quantity, rates)
+jellett = Claim(
+    "jellett", "No force at the contact changes $(R − r₀)L₃ + r₀L_z$ of a top with a round tip."
+)
 
 
-@claim("jellett", "No force at the contact changes $(R − r₀)L₃ + r₀L_z$ of a top with a round tip.")
-def jellett() -> Iterator[Evidence]:
-    """The sum is $−𝐋·ρ$, with $ρ$ from the centre of mass to the contact: the torque $ρ × C$ is
-    orthogonal to $ρ$, and $ρ$ moves along $𝛚 × e₃$, orthogonal to $𝐋$, which lies in the plane of
-    both.
-
-    It is Jellett's integral. With it the spin of a top that has come upright is known.
-    """
-    vertical = Matrix(symbols("z_1 z_2 z_3", real=True))
-    momentum = Matrix([s.lambda1, s.lambda1, s.lambda3]).multiply_elementwise(Matrix(OMEGA))
-    kept = printed(r"(R - r_0)L_3 + r_0L_z = \text{const}")
-    yield Formal(
-        kept,
-        {
-            s.L3: momentum[2],
-            s.L_z: momentum.dot(vertical),
-            s.const: lambda integral: rate_under_contact_force(integral, vertical),
-        },
-        reason="In body components, with $ẑ$ turning backwards.",
-    )
-    integral = (s.R - s.r_t) * s.L3 + s.r_t * s.L_z
-    spin = s.lambda3 * s.omega_30
-    start = integral.subs({s.L3: spin, s.L_z: spin * sympy.cos(s.theta_i)})
-    end = integral.subs({s.L3: s.lambda3 * s.omega, s.L_z: s.lambda3 * s.omega})
-    [final] = sympy.solve(start - end, s.omega)
-    yield Formal(
-        worked.of("jellett", r"R\omega"),
-        {s.omega: final},
-        reason="From $ω₃$ along $e₃$ at $θᵢ$ to a spin $ω$ that is upright.",
-    )
+friction_raises = Claim("friction-raises", "Sliding friction at a round tip raises a fast top.")
 
 
-@claim("friction-raises", "Sliding friction at a round tip raises a fast top.")
-def friction_raises() -> Iterator[Evidence]:
-    """The spin drags the contact along $e₂′$, friction points the other way, and its torque about
-    the centre of mass brakes the spin and turns $e₃$ towards the vertical.
-
-    For a fast top $𝐋$ is along $e₃$, so that $L_z − L₃ cos θ$ stays zero. A sharp tip, $r₀ = 0$,
-    is not dragged by the spin, and one that rolls is not rubbed: then nothing rises.
-    """
-    axes = primed_matrix()
-    vertical, figure_axis, nodes = Matrix(Z_AXIS), axes[:, 2], axes[:, 1]
-    torque = reduce_trig(contact(figure_axis, vertical).cross(-s.mu * s.n * nodes))
-    along_axis, along_vertical = figure_axis.dot(torque), vertical.dot(torque)
-    slip = worked.of("friction-raises", r"\mathbf v_{tip}")
-    brakes = worked.of("friction-raises", r"\lambda_3\dot\omega_3")
-    raises = printed(r"L_3\dot\theta = -\mu n(R - r_0 + r_0\cos\theta)")
-    turned = (s.omega3 * figure_axis).cross(contact(figure_axis, vertical))
-    yield Formal(
-        slip,
-        {s.v_tip: turned, s.e2p: nodes},
-        reason="What the spin adds to the velocity of the contact.",
-    )
-    yield Formal(
-        brakes,
-        {s.omega3dot: reduce_trig(along_axis) / s.lambda3},
-        reason="The torque of $−μn e₂′$ along $e₃$,",
-    )
-    balance = (
-        along_vertical - along_axis * sympy.cos(s.theta) + s.L3 * sympy.sin(s.theta) * s.thetadot
-    )
-    yield Formal(
-        raises,
-        {},
-        (TILTED,),
-        "and what it does to $L_z − L₃ cos θ = 0$.",
-        given=(reduce_trig(balance),),
-    )
-
-
-def spin_in_air() -> Expr:
-    """ω₃(t) of a symmetric body that the air brakes by the torque −c₃ω₃ (rad/s)."""
-    spin = Function("spin")
-    drag = Matrix([0, 0, -s.c_3 * s.omega3])
-    law = body_accelerations(drag)[2].subs(s.lambda2, s.lambda1).subs(s.omega3, spin(s.t))
-    return sympy.dsolve(spin(s.t).diff(s.t) - law, spin(s.t), ics={spin(0): s.omega_30}).rhs
-
-
-@claim(
+spin_falls = Claim(
     "spin-in-air", "A sleeping top that the air brakes has its spin fall exponentially, and wakes."
 )
-def spin_falls() -> Iterator[Evidence]:
-    """Euler's third equation with the torque $−c₃ω₃$; no other torque is along $e₃$.
-
-    It wakes where $ω₃$ has come down to the sleeping spin; $λ₁$ is the moment about the tip.
-    """
-    spin, moment = (worked.of("spin-in-air", left) for left in (r"\omega_3", "t"))
-    asleep = worked.of(
-        "spin-in-air", r"(\lambda_3\omega_{3,0})^2\exp\left(-\frac{2c_3t}{\lambda_3}\right)"
-    )
-    falling = spin_in_air()
-    yield Formal(spin, {s.omega3: falling}, reason="Solved from $ω₃$ at $t = 0$.")
-    threshold = 2 * sympy.sqrt(s.lambda1 * s.M * s.g * s.R) / s.lambda3
-    [time] = sympy.solve(falling - threshold, s.t)
-    yield Formal(asleep, {s.t: time}, reason="Down to the sleeping spin,")
-    yield Step(moment, "which is at this time.")
 
 
 # --- a top that rises ----------------------------------------------------------------------------

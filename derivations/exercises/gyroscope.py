@@ -6,95 +6,32 @@ from collections.abc import Iterator
 from math import asin, atan, copysign, cos, hypot, pi, sin, sqrt
 
 import numpy as np
-import sympy
 from numpy.typing import NDArray
 from scipy.optimize import brentq
-from sympy import Matrix
 
-from rigidtop.derivations.printed import printed, worked
 from rigidtop.derivations.simplified_picture import precession_vector, torque_direction
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.top import ROUNDING, HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Evidence, Formal, Measure, claim
-from rigidtop.theory import symbols as s
-from rigidtop.theory import top as theory
-from rigidtop.theory.inertia import cylinder, parallel_axis, torus
-from rigidtop.theory.rotation import Z_AXIS
-from rigidtop.theory.trig import reduce_ratio
+from rigidtop.proof.page import Claim, Measure
 
 from .bodies import GRAVITY, least_spin, simple_rate, smallness
-from .parallel import bound_on_the_tilt, released
+from .parallel import bound_on_the_tilt
+
+spin_for_accuracy = Claim(
+    "spin-for-accuracy", "(3.52) is off by the share $τ$ where $ε = τ/(1 + τ)²$."
+)
 
 
-@claim("spin-for-accuracy", "(3.52) is off by the share $τ$ where $ε = τ/(1 + τ)²$.")
-def spin_for_accuracy() -> Iterator[Evidence]:
-    """$Ω₋$ of (3.57) over what it tends to depends on $ε = λ₁MgR cos θ/(λ₃ω₃)²$ alone; solved for
-    $ε$.
-
-    $τ$ grows with $ε$, to 1 at $ε = ¼$: the smallest spin of steady precession, where (3.52) gives
-    half of the truth.
-    """
-    off = theory.root_factors()[0] - 1
-    needed = worked.of("spin-for-accuracy", r"\varepsilon(1 + \tau)^2")
-    spin = printed(r"\varepsilon(\lambda_3\omega_3)^2 = \lambda_1MgR\cos\theta")
-    yield Formal(needed, {s.tau: off}, reason="$τ = Ω₋$ over (3.52), less 1.")
-    yield Formal(spin, {s.epsilon: theory.smallness()})
+disc_on_an_arm = Claim(
+    "disc-on-an-arm", "A disc on an axle without mass, held at $R$: the mass drops out of $Ω$."
+)
 
 
-def on_an_arm(about_centre: Matrix) -> Matrix:
-    """The tensor about a pivot on e₃ at R from the centre (3×3, kg m²)."""
-    return parallel_axis(about_centre, s.M, Matrix([0, 0, s.R]))
-
-
-@claim("disc-on-an-arm", "A disc on an axle without mass, held at $R$: the mass drops out of $Ω$.")
-def disc_on_an_arm() -> Iterator[Evidence]:
-    """A cylinder without height, and Steiner's theorem; (3.52) with its $λ₃$."""
-    tensor = on_an_arm(cylinder(s.radius, s.height).inertia(s.M).subs(s.height, 0))
-    across, along, *_ = worked.lines("disc-on-an-arm")
-    rate = printed(r"r^2\omega_3\Omega = 2gR")
-    moments = {s.lambda1: tensor[0, 0], s.lambda3: tensor[2, 2]}
-    yield Formal(along, moments)
-    yield Formal(across, moments)
-    simple = theory.leading_roots()[0].subs(s.lambda3, moments[s.lambda3])
-    yield Formal(rate, {s.Omega: simple}, reason="(3.52).")
-
-
-@claim("wheel-on-an-axle", "A hoop whose horizontal axle is held at one end: $Ω$ is exact.")
-def wheel_on_an_axle() -> Iterator[Evidence]:
-    """A torus without thickness, and Steiner's theorem; at $cos θ = 0$ (3.57) has one root, (3.52).
-
-    A cord that leans pulls along the horizontal axle with some $F$ besides: about the centre of
-    mass that has no torque, and the rate is the same. Let go at rest, the axle dips by $arcsin δ$.
-    """
-    tensor = on_an_arm(torus(s.radius, s.height).inertia(s.M).subs(s.height, 0))
-    axle, vertical = Matrix([sympy.cos(s.phi), sympy.sin(s.phi), 0]), Matrix(Z_AXIS)
-    pulled = (-s.R * axle).cross(s.M * s.g * vertical - s.F * axle)
-    moments = {s.lambda1: tensor[0, 0], s.lambda3: tensor[2, 2]}
-    horizontal = theory.steady_quadratic().subs(s.theta, sympy.pi / 2).subs(s.lambda3, tensor[2, 2])
-    along, across = printed.lines(r"\lambda_3 = Mr^2, \quad \lambda_1 = M(\tfrac12r^2 + R^2)")
-    rate = worked.of("wheel-on-an-axle", r"r^2\omega_3\Omega")
-    torque = worked.of("wheel-on-an-axle", r"\mathbf N")
-    dip = printed(r"2\varepsilon_0(1 - \delta^2) = \delta")
-    yield Formal(along, moments)
-    yield Formal(across, moments)
-    [root] = sympy.solve(horizontal, s.Omega, simplify=False)
-    yield Formal(rate, {s.Omega: root}, reason="(3.57) at $θ = 90°$.")
-    yield Formal(
-        torque,
-        {s.N_vec: pulled, s.zhat: vertical, s.e3: axle},
-        reason="About the centre of mass, by the cord at the end of the axle.",
-    )
-    # At the lowest point ω₂′ = 0, and released at 90°, δ = −cos θ: that takes a weight.
-    lowest = {name: x.subs(s.omega2p, 0) for name, x in released().items()}
-    [weight] = sympy.solve(lowest[s.delta] + sympy.cos(s.theta), s.M, simplify=False, check=False)
-    strength = reduce_ratio(lowest[s.epsilon_0].subs(s.M, weight))
-    yield Formal(
-        dip,
-        {s.delta: -sympy.cos(s.theta), s.epsilon_0: strength},
-        reason="Where the axle is lowest.",
-    )
+wheel_on_an_axle = Claim(
+    "wheel-on-an-axle", "A hoop whose horizontal axle is held at one end: $Ω$ is exact."
+)
 
 
 Grains = tuple[NDArray[np.float64], NDArray[np.float64]]

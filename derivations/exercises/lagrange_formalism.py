@@ -6,82 +6,25 @@ from collections.abc import Callable, Iterator
 from math import comb, cos, sqrt
 
 import numpy as np
-import sympy
 from scipy.optimize import brentq
-from sympy import Expr
 
-from rigidtop.derivations.lagrange_formalism import HORIZONTAL, SPINNING, two_roots
-from rigidtop.derivations.printed import printed, worked
+from rigidtop.derivations.lagrange_formalism import two_roots
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
-from rigidtop.proof.equation import Equation
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Evidence, Formal, Measure, claim
-from rigidtop.theory import symbols as s
-from rigidtop.theory import top as theory
+from rigidtop.proof.page import Claim, Measure
 
 from .bodies import HEAVY_TOP, SPIN, TILT, heavy_top, simple_rate, smallness
 
-
-@claim("roots-in-powers", "Both rates of a fast top as power series in $ε = λ₁MgR cos θ/(λ₃ω₃)²$.")
-def roots_in_powers() -> Iterator[Evidence]:
-    """The roots are expanded in $ε$; the coefficients of the slow one are Catalan's numbers.
-
-    The sum of the roots says why: $Ω₋ = (MgR + λ₁ cos θ Ω₋²)/(λ₃ω₃)$ builds every coefficient from
-    products of those before, and what the slow root has more than its leading term, the fast one
-    has less. Both series converge for $|ε| < ¼$, which for $cos θ > 0$ is the spin above its
-    threshold.
-    """
-    slow_root, fast_root = theory.steady_roots()
-    slow_series, fast_series = theory.steady_expansions(4)
-    total = printed(r"\lambda_1\cos\theta(\Omega_- + \Omega_+) = \lambda_3\omega_3")
-    product = printed(r"\lambda_1\cos\theta\,\Omega_-\Omega_+ = MgR")
-    slow, _, fast, _ = (Equation(*line.sides) for line in worked.lines("roots-in-powers")[4:])
-    roots = {s.Omega_minus: slow_root, s.Omega_plus: fast_root}
-    yield Formal(total, roots, reason="The sum of the roots of (3.57),")
-    yield Formal(product, roots, reason="and their product.")
-    yield Formal(
-        slow,
-        {s.Omega_minus: slow_series, s.epsilon: theory.smallness()},
-        (SPINNING,),
-        "The slow root, without terms of order $ε⁴$,",
-    )
-    yield Formal(
-        fast,
-        {s.Omega_plus: fast_series, s.epsilon: theory.smallness()},
-        (HORIZONTAL,),
-        "and the fast one.",
-    )
+roots_in_powers = Claim(
+    "roots-in-powers", "Both rates of a fast top as power series in $ε = λ₁MgR cos θ/(λ₃ω₃)²$."
+)
 
 
-def gravity_with(lead: Expr, ratio: Expr) -> Expr:
-    """g at which the leading term of a root of (3.57) is `ratio` times the root itself (m/s²)."""
-    [gravity] = sympy.solve(
-        theory.steady_quadratic().subs(s.Omega, lead / ratio), s.g, simplify=False
-    )
-    return gravity
-
-
-@claim(
+fast_enough = Claim(
     "fast-enough", "From which spin on the leading terms of both rates are as good as one wants."
 )
-def fast_enough() -> Iterator[Evidence]:
-    """A root that differs from its leading term by the factor 1 $∓ δ$ is put into (3.57).
-
-    The leading term of the slow rate is too small by $δ$ of that rate, that of the fast one too
-    large by $δ$; below the horizontal, where $cos θ < 0$, both $δ$ are negative.
-    """
-    slow_lead, fast_lead = theory.leading_roots()
-    _, slow, _, fast = worked.lines("fast-enough")
-    yield Formal(
-        slow, {s.g: gravity_with(slow_lead, 1 - s.delta)}, reason="Where $MgR/(λ₃ω₃) = (1 − δ)Ω₋$,"
-    )
-    yield Formal(
-        fast,
-        {s.g: gravity_with(fast_lead, 1 + s.delta)},
-        reason="and where $λ₃ω₃/(λ₁ cos θ) = (1 + δ)Ω₊$.",
-    )
 
 
 def catalan(n: int) -> int:

@@ -2,34 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import cache
 from math import cos, pi, sin
-from typing import Any
 
 import numpy as np
 import sympy
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
-from sympy import Matrix
 
-from rigidtop.derivations.net_torque import D3R, POSITION, gravity, over_body, potential, torque
-from rigidtop.derivations.printed import printed
+from rigidtop.derivations.net_torque import gravity, potential, torque
 from rigidtop.motion.attitude import from_euler_angles
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
-from rigidtop.proof.page import Evidence, Formal, Measure, claim
-from rigidtop.theory import symbols as s
-from rigidtop.theory.inertia import Solid, cone
-from rigidtop.theory.lettered import in_order, real
-from rigidtop.theory.rotation import (
-    EULER_RATES,
-    Z_AXIS,
-    euler_omega,
-    primed_matrix,
-    total_derivative,
-)
+from rigidtop.proof.page import Claim, Measure
+from rigidtop.theory.inertia import cone
 
 from .bodies import GRAVITY, least_spin
 
@@ -108,81 +96,14 @@ def gravity_on_points(g: float, **given: float) -> Iterator[Outcome]:
     )
 
 
-@claim(
+torque_along_the_nodes = Claim(
     "torque-along-the-nodes", "The torque $MgR sin θ$ on a top lies along $e₂′$, and drives $θ$."
 )
-def torque_along_the_nodes() -> Iterator[Evidence]:
-    """$𝐑_CM = R e₃$ put into (3.49): $ẑ × e₃$ is $sin θ e₂′$, the line of nodes.
-
-    It works on $θ̇$ alone, as $MgR cos θ$ depends on $θ$ alone: what $V$ loses $T$ gains.
-    """
-    axes = primed_matrix()
-    centre = s.R * axes[:, 2]
-    measure = over_body(centre)
-    acting = measure(POSITION.cross(-s.rho * s.g * Matrix(Z_AXIS)))
-    lost = -total_derivative(s.M * s.g * centre[2], EULER_RATES)
-    meaning = {
-        s.N_ext: acting,
-        s.e2p: axes[:, 1],
-        s.omega_vec: Matrix(euler_omega("space")),
-        s.Tdot: lost,
-    }
-    for equation in (
-        r"\mathbf N^{(e)} = MgR\sin\theta\,\mathbf e_2'",
-        r"\dot T = \mathbf N^{(e)}\cdot\boldsymbol\omega = MgR\dot\theta\sin\theta",
-    ):
-        yield Formal(printed(equation), meaning)
 
 
-def over_solid(solid: Solid) -> Callable[[Any], Any]:
-    """∫ d³r over a solid, of an expression in its parameters or of a vector of them."""
-
-    def integral(integrand: Any) -> Any:
-        if isinstance(integrand, Matrix):
-            return integrand.applyfunc(solid.integral)
-        return solid.integral(integrand)
-
-    return integral
-
-
-GRAIN = in_order(
-    real("u", s.Glyph("u"), "distance of a grain from the axis of the cone over its height", "1"),
-    real("eta", s.Glyph("η"), "azimuth of a grain about the axis of the cone", "rad"),
-    real("z", s.Glyph("z"), "height of a grain along the axis of the cone", "m"),
+cone_on_its_tip = Claim(
+    "cone-on-its-tip", "A cone on its tip: its centre, its moments, its torque and energy."
 )
-"""Where a grain of the cone is."""
-
-
-@claim("cone-on-its-tip", "A cone on its tip: its centre, its moments, its torque and energy.")
-def cone_on_its_tip() -> Iterator[Evidence]:
-    """Integrals over a uniform cone that stands on its tip, upright for the moments.
-
-    Tilted by $θ$, every grain $r$ has its own arm and its own height; (3.49) and $MgR cos θ$ come
-    out.
-    """
-    solid = cone(s.radius, s.height).named(*GRAIN)
-    tensor = solid.inertia(s.M)
-    shape = {s.R: solid.centre()[2], s.lambda1: tensor[0, 0], s.lambda3: tensor[2, 2]}
-    for equation in (
-        r"R = \tfrac34h",
-        r"\lambda_1 = \tfrac3{20}M(r^2 + 4h^2)",
-        r"\lambda_3 = \tfrac3{10}Mr^2",
-    ):
-        yield Formal(printed(equation), shape)
-    axes = primed_matrix(sympy.Integer(0))
-    tilted = {
-        D3R: over_solid(solid),
-        s.rho: s.M / solid.volume(),
-        s.r_vec: axes * solid.position,
-        s.zhat: Matrix(Z_AXIS),
-        s.e2p: axes[:, 1],
-    }
-    for equation in (
-        r"\int d^3\mathbf r\,\rho g\,\hat{\mathbf z}\cdot\mathbf r = \tfrac34Mgh\cos\theta",
-        r"-g\int d^3\mathbf r\,\rho\,\mathbf r\times\hat{\mathbf z}"
-        r" = \tfrac34Mgh\sin\theta\,\mathbf e_2'",
-    ):
-        yield Formal(printed(equation), tilted)
 
 
 def discs(radius: float, height: float, nodes: int = 8) -> tuple[Vectors, Vectors]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
@@ -10,21 +10,15 @@ from math import cos, inf, pi, sin, sqrt
 from typing import Any
 
 import numpy as np
-import sympy
 from scipy.optimize import brentq
-from sympy import Expr, Symbol
 
 from rigidtop.derivations.nutation import azimuth, nutation
-from rigidtop.derivations.printed import printed, worked
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Evidence, Formal, Measure, claim
-from rigidtop.theory import symbols as s
-from rigidtop.theory import top as theory
-from rigidtop.theory.trig import reduce_ratio
+from rigidtop.proof.page import Claim, Measure
 
 from .bodies import HEAVY_TOP, SPIN, TILT, heavy_top, smallness
 
@@ -34,124 +28,20 @@ INCLINED = replace(TILT, least=0.01, most=3.1)
 TIGHT: Any = {"rtol": 1e-12, "atol": 1e-14}
 
 
-def from_turning_point(momenta: Mapping[Symbol, Expr]) -> Expr:
-    """θ̇² of a top that has θ̇ = 0 at θᵢ, with these p_φ and p_ψ (rad²/s²)."""
-    potential = theory.top_effective_potential()
-    spent = potential.subs(s.theta, s.theta_i) - potential
-    return 2 * spent.subs(momenta, simultaneous=True) / s.lambda1
-
-
-def momenta_at_start() -> dict[Symbol, Expr]:
-    """p_φ and p_ψ of a top that is started at θᵢ with φ̇ᵢ and ω₃."""
-    rates = {s.psidot: s.omega3 - s.phidot_i * sympy.cos(s.theta), s.phidot: s.phidot_i}
-    _, p_vertical, p_axis = theory.symmetric_momenta().subs(rates)
-    return {s.p_phi: p_vertical.expand().subs(s.theta, s.theta_i), s.p_psi: p_axis.expand()}
-
-
-def first_shift(turning: Expr, start: Expr) -> Expr:
-    """How far a root θ of `turning` lies from `start`, its place at g = 0, to first order in g."""
-    slope = -turning.diff(s.g) / turning.diff(s.theta)
-    return reduce_ratio(s.g * slope.subs(s.g, 0).subs(s.theta, start))
-
-
-@claim(
+released_at_rest = Claim(
     "released-at-rest",
     "A top let go at $θᵢ$ with $𝛚$ along $e₃$ turns back where, and swings how far.",
 )
-def released_at_rest() -> Iterator[Evidence]:
-    """The energy with $p_φ = p_ψ cos θᵢ$; the first factor is the release, the second the turn.
-
-    For small $MgR/(λ₃ω₃)²$ the turn is at $θᵢ + 2A$, so that the axis swings by $A$ about an angle
-    that much below the release.
-    """
-    swing = worked.of("released-at-rest", r"\lambda_1^2(\dot\theta\sin\theta)^2")
-    amplitude = printed(r"(\lambda_3\omega_3)^2A = \lambda_1MgR\sin\theta_i")
-    rate = from_turning_point({x: p.subs(s.phidot_i, 0) for x, p in momenta_at_start().items()})
-    turning = reduce_ratio(rate / (sympy.cos(s.theta_i) - sympy.cos(s.theta)))
-    yield Formal(swing, {s.thetadot: sympy.sqrt(rate)}, reason="By energy.")
-    yield Formal(
-        amplitude,
-        {s.A: first_shift(turning, s.theta_i) / 2},
-        reason="Half the way to the other turning point, to first order in $g$.",
-    )
 
 
-@claim("turning-points", "The turning points of $θ$ are two roots of a cubic in $cos θ$.")
-def turning_points() -> Iterator[Evidence]:
-    """The energy with the momenta of (3.55) and (3.56), multiplied by $sin²θ$.
-
-    Of a top started at $θᵢ$ with $θ̇ = 0$ one root is known, and a quadratic is left. The third
-    root is no angle: for $cos θ ≥ 1$ the cubic is positive again at last.
-    """
-    cubic, *_, started = worked.lines("turning-points")
-    total = theory.symmetric_hamiltonian().subs(s.p_theta, s.lambda1 * s.thetadot)
-    height = s.M * s.g * s.R * sympy.cos(s.theta)
-    yield Formal(cubic, {s.T: total - height, s.V: height}, reason="By energy.")
-    momenta = momenta_at_start()
-    yield Formal(
-        started,
-        {s.thetadot: sympy.sqrt(from_turning_point(momenta)), **momenta},
-        reason="With $θ̇ = 0$, $φ̇ᵢ$ and $ω₃$ at $θᵢ$.",
-    )
+turning_points = Claim(
+    "turning-points", "The turning points of $θ$ are two roots of a cubic in $cos θ$."
+)
 
 
-def rate_on_the_vertical(side: int) -> Expr:
-    """θ̇² upright (`side` 1) or hanging (−1) of a top started with p_φ = ±p_ψ (rad²/s²)."""
-    momenta, cosine = momenta_at_start(), sympy.cos(s.theta)
-    [start] = sympy.solve(momenta[s.p_phi] - side * momenta[s.p_psi], s.phidot_i, simplify=False)
-    rate = from_turning_point(momenta).subs(s.phidot_i, start)
-    # Regular there once sin² is written as (1 − cos)(1 + cos).
-    return sympy.cancel(rate.subs(sympy.sin(s.theta) ** 2, 1 - cosine**2)).subs(cosine, side)
-
-
-@claim(
+waves_or_loops = Claim(
     "waves-or-loops", "At which $φ̇$ the path changes from waves to loops, for a start with $θ̇ = 0$."
 )
-def waves_or_loops() -> Iterator[Evidence]:
-    """The axis sinks where (3.57) with $φ̇$ for $Ω$ is positive, and rises where it is negative.
-
-    For $cos θ > 0$ it rises between the two roots, and nowhere below the spin at which there are
-    any; for $cos θ < 0$ it rises outside of them. $φ̇$ vanishes on the way, in loops, where $θ̇²$
-    comes out positive there; at $φ̇ = 0$ it vanishes at a turning point, in cusps, and if
-    $(λ₃ω₃)²$ exceeds $2λ₁MgR(1 + cos θ)$ also at $φ̇ = 2MgR/(λ₃ω₃)$. Where $p_φ = −p_ψ$ the axis
-    passes straight down, and where $p_φ = p_ψ$ through the upright if by the same condition it has
-    the energy to get there; beyond that $p_φ/p_ψ$ is no cosine and there are waves again.
-    """
-    sinks, *_, reached, upright, hanging = worked.lines("waves-or-loops")[:8]
-    upwards = printed(
-        r"\lambda_1^2(1 + \cos\theta_i)\dot\theta^2 = "
-        r"(1 - \cos\theta_i)((\lambda_3\omega_3)^2 - 2\lambda_1MgR(1 + \cos\theta_i))"
-    )
-    downwards = printed(
-        r"\lambda_1^2(1 - \cos\theta_i)\dot\theta^2 = "
-        r"(1 + \cos\theta_i)((\lambda_3\omega_3)^2 + 2\lambda_1MgR(1 - \cos\theta_i))"
-    )
-    spinning = {s.psidot: s.omega3 - s.phidot * sympy.cos(s.theta), s.thetadot: 0}
-    yield Formal(
-        sinks,
-        {s.thetaddot: theory.symmetric_top_accelerations()[0].subs(spinning)},
-        reason="(3.54) with $ω₃$: down where it is positive.",
-    )
-    momenta = momenta_at_start()
-    # Where φ̇ vanishes, only the height and θ̇ are left of the energy, besides the spin.
-    rest = momenta[s.p_phi] / momenta[s.p_psi]
-    kinetic = s.lambda1 * s.phidot_i**2 * sympy.sin(s.theta_i) ** 2 / 2
-    gained = kinetic + s.M * s.g * s.R * (sympy.cos(s.theta_i) - rest)
-    yield Formal(
-        reached,
-        {s.thetadot: sympy.sqrt(2 * gained / s.lambda1), **momenta},
-        reason="$θ̇²$ at $cos θ₀ = p_φ/p_ψ$, where $φ̇$ vanishes.",
-    )
-    yield Formal(upright, momenta, reason="Upright only with $p_φ = p_ψ$,")
-    yield Formal(
-        upwards,
-        {s.thetadot: sympy.sqrt(rate_on_the_vertical(1))},
-        reason="where $θ̇²$ comes out positive there;",
-    )
-    yield Formal(hanging, momenta, reason="hanging only with $p_φ = −p_ψ$,")
-    yield Formal(
-        downwards, {s.thetadot: sympy.sqrt(rate_on_the_vertical(-1))}, reason="where it always is."
-    )
 
 
 @dataclass(frozen=True)

@@ -6,53 +6,18 @@ from collections.abc import Iterator
 from math import cos, pi, sin
 
 import numpy as np
-import sympy
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
-from sympy import Integer, Matrix
 
-from rigidtop.derivations.opening import STICK, angular_momentum, two_mass_points
-from rigidtop.derivations.printed import printed
+from rigidtop.derivations.opening import two_mass_points
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
-from rigidtop.proof.page import Assumption, Evidence, Formal, Measure, claim
-from rigidtop.theory import symbols as s
-from rigidtop.theory.rotation import Z_AXIS, rotation_z
+from rigidtop.proof.page import Claim, Measure
 
-
-@claim(
+bearing_torque = Claim(
     "bearing-torque",
     "What keeps $𝛚$ constant is a torque $𝛚 × 𝐋$ across the plane of $𝛚$ and stick.",
 )
-def bearing_torque() -> Iterator[Evidence]:
-    """$𝐋̇ = 𝐍$ with $𝐋$ turned along with the stick; it is also the sum of $𝐫 × 𝐅$ over both masses.
-
-    Torque and force turn with the stick. The force vanishes when the bearing holds the centre of
-    mass, the torque does not: that is the difference between static and dynamic balance.
-    """
-    turned = angular_momentum(rotation_z(s.omega * s.t)).diff(s.t).subs(s.t, 0)
-    positions = [
-        (m, arm * rotation_z(s.omega * s.t) * STICK) for m, arm in ((s.M_1, s.a), (s.M_2, -s.b))
-    ]
-    pushes = [(r.subs(s.t, 0), m * r.diff(s.t, 2).subs(s.t, 0)) for m, r in positions]
-    axes = {s.xhat: Matrix([1, 0, 0]), s.yhat: Matrix([0, 1, 0])}
-    spin = {
-        s.omega_vec: s.omega * Matrix(Z_AXIS),
-        s.L_vec: angular_momentum(rotation_z(Integer(0))),
-    }
-    size = printed(r"\mathbf N = (M_1a^2 + M_2b^2)\omega^2\sin\alpha\cos\alpha\,\hat{\mathbf x}")
-    arms = sum((r.cross(f) for r, f in pushes), Matrix([0, 0, 0]))
-    total = sum((f for _, f in pushes), Matrix([0, 0, 0]))
-    centred = Assumption(
-        sympy.Eq(s.M_1, s.M_2 * s.b / s.a), "the bearing holds the centre of mass", stated=True
-    )
-    carried = printed(r"\dot{\mathbf L} = \boldsymbol\omega\times\mathbf L")
-    force = printed(r"\mathbf F = -(M_1a - M_2b)\omega^2\sin\alpha\,\hat{\mathbf y}")
-    yield Formal(carried, {**spin, s.L_vecdot: turned})
-    yield Formal(size, {**axes, s.N_vec: turned})
-    yield Formal(size, {**axes, s.N_vec: arms})
-    yield Formal(force, {**axes, s.F: total})
-    yield Formal(printed(r"\mathbf F = 0"), {s.F: total}, (centred,))
 
 
 def free_flight(

@@ -9,17 +9,15 @@ from math import atan, atan2, cos, factorial, hypot, pi, sin, sqrt
 import numpy as np
 import sympy
 from scipy.optimize import minimize_scalar
-from sympy import Expr, Gt, Matrix, Ne
+from sympy import Expr
 
-from rigidtop.derivations.euler_angles import TILTED
-from rigidtop.derivations.printed import printed, worked
-from rigidtop.derivations.simplified_picture import SPINNING, parallel
+from rigidtop.derivations.simplified_picture import parallel
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Assumption, Evidence, Formal, Measure, claim
+from rigidtop.proof.page import Claim, Measure
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top as theory
 from rigidtop.theory.lagrangian import energy
@@ -56,93 +54,21 @@ def released() -> dict[Expr, Expr]:
     return {**state, s.epsilon_0: reduce_ratio(weak.subs(state))}
 
 
-@claim(
+bound_on_the_axis = Claim(
     "bound-on-the-axis",
     "A top released with $𝛚$ along $e₃$ keeps $|ω⊥| ≤ 2Ω sin θ$, $Ω$ of (3.52).",
 )
-def bound_on_the_axis() -> Iterator[Evidence]:
-    """What the top has sunk, $δ = cos θᵢ − cos θ$, gives the energy of $ω⊥$, and $L_z$ its
-    direction.
-
-    Together: $|λ₃ω₃| |ω⊥| ≤ 2MgR sin θ$ at any spin, with both sides equal where $θ$ is largest.
-    """
-    sinking = printed(r"\lambda_1(\omega_{1'}^2 + \omega_{2'}^2) = 2MgR\delta")
-    turning = printed(r"\lambda_3\omega_3\delta = -\lambda_1\omega_{1'}\sin\theta")
-    *_, bound = worked.lines("bound-on-the-axis")
-    short_of = printed(
-        r"\delta(4(MgR)^2\sin^2\theta - (\lambda_3\omega_3)^2(\omega_{1'}^2 + \omega_{2'}^2)) = "
-        r"2\lambda_1MgR\omega_{2'}^2\sin^2\theta"
-    )
-    state = released()
-    yield Formal(sinking, state, reason="By energy: the top can only sink.")
-    yield Formal(turning, state, reason="$L_z$ is what it was.")
-    yield Formal(short_of, state, reason="From both.")
-    moving = Assumption(Ne(s.omega2p, 0), "$θ$ changes: at the lowest point both sides are equal")
-    yield Formal(bound, state, (moving, TILTED), "The square of the bound.")
 
 
-@claim("bound-on-the-tilt", "Where it is lowest, $sin²θ < sin²θᵢ/(1 − 4ε₀ cos θᵢ)$.")
-def bound_on_the_tilt() -> Iterator[Evidence]:
-    """$|ω⊥|$ is largest where the top is lowest, by energy; there $θ̇ = ω₂′ = 0$ and $δ = 2ε₀
-    sin²θ$.
-
-    So the top that starts at $θᵢ$ stays near it, and $|ω⊥|$ near $2Ω sin θᵢ$ at most, if $4ε₀ cos
-    θᵢ$ is small. It says nothing where that exceeds 1: below the spin of a steady precession at
-    $θᵢ$.
-    """
-    sine2 = 1 - (sympy.cos(s.theta_i) - s.delta) ** 2
-    sunk = {sympy.sin(s.theta): sympy.sqrt(sine2)}
-    lowest = worked.of("bound-on-the-tilt", r"\delta(\omega_{1'}^2 + \omega_{2'}^2)")
-    *_, tilts, bound = worked.lines("bound-on-the-tilt")
-    turned = {**sunk, s.epsilon_0: s.delta / (2 * sine2)}
-    yield Formal(lowest, released(), reason="$δ = 2ε₀ sin²θ$ at the lowest point.")
-    yield Formal(tilts, turned, reason="There, with $cos θ = cos θᵢ − δ$.")
-    yield Formal(
-        bound,
-        turned,
-        (Assumption(Ne(s.delta, 0), "the top has sunk: it is not at the start"),),
-        "$δ²$ is left.",
-    )
+bound_on_the_tilt = Claim(
+    "bound-on-the-tilt", "Where it is lowest, $sin²θ < sin²θᵢ/(1 − 4ε₀ cos θᵢ)$."
+)
 
 
-@claim(
+bound_on_the_angle = Claim(
     "bound-on-the-angle",
     "The tangent of the angle between $𝐋$ and $𝛚$ is at most $2ε₀|1 − λ₃/λ₁| sin θ$ at all times.",
 )
-def bound_on_the_angle() -> Iterator[Evidence]:
-    """The tangent of the angle is $|𝐋 × 𝛚|/𝐋·𝛚$, and $𝐋·𝛚$ is at least $λ₃ω₃²$.
-
-    With $ω⊥$ as large as it may be it is $2|λ₁ − λ₃| MgR sin θ/(λ₃ω₃)²$ at most: first order
-    in the torque, $ε₀ = λ₁MgR/(λ₃ω₃)²$. At the lowest point $sin θ$ is at most $sin θᵢ/√(1 − 4ε₀
-    cos θᵢ)$, so that $𝐋 ∥ 𝛚$ is as good an approximation as $ε₀$ is small.
-    """
-    parts = {
-        s.L_vec: Matrix([s.lambda1 * s.omega1p, s.lambda1 * s.omega2p, s.lambda3 * s.omega3]),
-        s.omega_vec: Matrix([s.omega1p, s.omega2p, s.omega3]),
-    }
-    size, *_, bound = worked.lines("bound-on-the-angle")
-    along = worked.of("bound-on-the-angle", r"\mathbf L\cdot\boldsymbol\omega")
-    yield Formal(size, parts, reason="Across each other,")
-    yield Formal(along, parts, reason="and along.")
-    # The bound on ω⊥ as an equality: 4(MgR)² sin²θ = (λ₃ω₃)²(ω⊥² + κ).
-    allowed = (
-        s.lambda3
-        * s.omega3
-        * sympy.sqrt(s.omega1p**2 + s.omega2p**2 + s.kappa)
-        / (2 * s.M * s.g * s.R)
-    )
-    yield Formal(
-        bound,
-        {**parts, sympy.sin(s.theta): allowed},
-        (
-            Assumption(
-                Ne(s.lambda1, s.lambda3), "not a spherical top, whose $𝐋$ and $𝛚$ are parallel"
-            ),
-            Assumption(Gt(s.kappa, 0), "$κ$ is by how much $ω⊥²$ stays below its bound"),
-            SPINNING,
-        ),
-        "The square of the bound.",
-    )
 
 
 def powers(expression: Expr, order: int) -> Expr:
@@ -154,63 +80,9 @@ def powers(expression: Expr, order: int) -> Expr:
     return sum(term * s.epsilon_0**n for n, term in enumerate(terms))
 
 
-@cache
-def mean_over_simple() -> Expr:
-    """Mean φ̇ over MgR/(λ₃ω₃) of a top released with ω along e₃, to first order in ε₀."""
-    total, momentum = conserved()
-    [azimuth] = sympy.solve(momentum, s.phidot, simplify=False)
-    square = sympy.Symbol("square")
-    [fall] = sympy.solve(
-        total.subs(s.phidot, azimuth).subs(s.thetadot**2, square), square, simplify=False
-    )
-    sine2 = 1 - (sympy.cos(s.theta_i) - s.delta) ** 2
-    weak = {s.M: s.epsilon_0 * (s.lambda3 * s.omega3) ** 2 / (s.lambda1 * s.g * s.R)}
-    # The square of dδ/dt = θ̇ sin θ is δ times a quadratic: δ is zero at the start, δ₂ at the lowest
-    # point, and the third zero δ₃ is negative.
-    cubic = sympy.expand(fall * sympy.sin(s.theta) ** 2).subs(sympy.sin(s.theta) ** 2, sine2)
-    c2, c1, c0 = sympy.Poly(sympy.cancel(cubic.subs(weak) / s.delta), s.delta).all_coeffs()
-    root = sympy.sqrt(sympy.cancel(1 - 4 * c2 * c0 / c1**2))
-    lowest = powers(sympy.cancel(-2 * c0 / c1) / (1 + root), 2)
-    # With δ = δ₂ sin²χ the time is an integral over χ from 0 to π/2 of 1/√(1 − δ/δ₃).
-    moved = lowest * sympy.sin(s.chi) ** 2
-    slowness = 1 / sympy.sqrt(1 - sympy.cancel(moved * lowest * c2 / c0))
-    simple = (s.M * s.g * s.R / (s.lambda3 * s.omega3)).subs(weak)
-    rate = sympy.cancel(
-        (azimuth.subs(sympy.sin(s.theta) ** 2, sine2) / simple).subs(s.delta, moved)
-    )
-    # The mean over χ of what goes as sin²χ and sin⁴χ is that of three.
-    over, whole = (
-        sum(powers(x, 1).subs(s.chi, k * sympy.pi / 3) for k in range(3)) / 3
-        for x in (rate * slowness, slowness)
-    )
-    return powers(over / whole, 1)
-
-
-@claim(
+mean_of_the_cusps = Claim(
     "mean-of-the-cusps", "The mean precession of a released top is (3.52) times $1 + ε₀ cos θᵢ$."
 )
-def mean_of_the_cusps() -> Iterator[Evidence]:
-    """$φ̇$ of $L_z$ averaged over a nutation, with $δ$ between its turning points, to first order
-    in $ε₀$.
-
-    It is the rate $Ω₋$ of a steady precession at $θᵢ$: to this order the nutation changes nothing.
-    """
-    simple = s.M * s.g * s.R / (s.lambda3 * s.omega3)
-    mean = mean_over_simple()
-    weak = (theory.smallness() / sympy.cos(s.theta)).subs(s.theta, s.theta_i)
-    faster = printed(r"\lambda_3\omega_3\Omega = MgR(1 + \varepsilon_0\cos\theta_i)")
-    steady = printed(r"\Omega = \Omega_-")
-    yield Formal(
-        faster, {s.Omega: simple * mean}, reason="To first order in $ε₀$ of the weak torque."
-    )
-    yield Formal(
-        steady,
-        {
-            s.Omega: simple * mean.subs(s.epsilon_0, weak),
-            s.Omega_minus: theory.steady_expansions(2)[0].subs(s.theta, s.theta_i),
-        },
-        reason="$Ω₋$ of (3.57), to the same order.",
-    )
 
 
 def bound_of_angle(top: HeavyTop, start: float, spin: float) -> float:

@@ -6,33 +6,21 @@ from collections.abc import Iterator
 from math import atan2, cos, hypot, pi, sin, sqrt, tan
 
 import numpy as np
-import sympy
 from numpy.typing import NDArray
-from sympy import Eq, Matrix, Ne
 
 from rigidtop.derivations.precession_of_rotation_axis import (
-    SYMMETRIC,
-    body_frequency,
     body_precession,
     constant_angle,
     coplanar,
     same_frequency,
     space_cone,
 )
-from rigidtop.derivations.printed import printed
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.trajectory import Trajectory
 from rigidtop.parameters import Parameter
-from rigidtop.proof.equation import BODY, SPACE, Rate
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Assumption, Evidence, Formal, Measure, claim
-from rigidtop.theory import symbols as s
-from rigidtop.theory import top as theory
-from rigidtop.theory.euler import OMEGA, angular_momentum, body_accelerations
-from rigidtop.theory.inertia import cylinder, point_masses
-from rigidtop.theory.lettered import in_order, real
-from rigidtop.theory.rotation import Z_AXIS
+from rigidtop.proof.page import Claim, Measure
 
 from .bodies import FREE1, LAMBDA3, angles
 
@@ -67,30 +55,9 @@ def way(vectors: Vectors, axis: Vectors) -> float:
 # --- angles and plane --------------------------------------------------------------------------
 
 
-@claim("widest-angle", "The angle between $𝛚$ and $𝐋$, and the widest that a body allows.")
-def widest_angle() -> Iterator[Evidence]:
-    """$𝛚 × 𝐋$ and $𝛚·𝐋$ of (3.38) and (3.39) at $t = 0$; with them the sine, which has a bound.
-
-    The last square vanishes where $𝛚$ and $𝐋$ lie as far on either side of $45°$, $tan² = λ₃/λ₁$;
-    there the sine of the angle is $|λ₁ − λ₃|/(λ₁ + λ₃)$. A flat body, $λ₃ = 2λ₁$, has at most
-    $19.5°$; a thin rod any angle up to $90°$.
-    """
-    # An arm of any direction across e₃ would do; the symmetric body has none that is special.
-    spin = Matrix([s.omega_0, 0, s.omega3])
-    moments = sympy.diag(s.lambda1, s.lambda2, s.lambda3)
-    general = {s.omega_vec: Matrix(OMEGA), s.L_vec: moments * Matrix(OMEGA), s.e3: Matrix(Z_AXIS)}
-    across = (
-        r"\boldsymbol\omega\times\mathbf L"
-        r" = (\lambda_1 - \lambda_3)(\omega_3\,\mathbf e_3\times\boldsymbol\omega)"
-    )
-    widest = (
-        r"(\lambda_1 - \lambda_3)^2"
-        r"(\boldsymbol\omega\cdot\boldsymbol\omega)(\mathbf L\cdot\mathbf L)"
-        r" = (\lambda_1 + \lambda_3)^2(\boldsymbol\omega\times\mathbf L)^2"
-        r" + (\lambda_1 - \lambda_3)^2(\lambda_1\omega_0^2 - \lambda_3\omega_3^2)^2"
-    )
-    yield Formal(printed(across), general, (SYMMETRIC,))
-    yield Formal(printed(widest), {s.omega_vec: spin, s.L_vec: moments * spin})
+widest_angle = Claim(
+    "widest-angle", "The angle between $𝛚$ and $𝐋$, and the widest that a body allows."
+)
 
 
 @exercise(
@@ -196,30 +163,7 @@ def cone_angles(path: Trajectory) -> dict[str, Vectors]:
 # --- cones that roll ---------------------------------------------------------------------------
 
 
-@claim("rolling-cones", "The body cone rolls on the space cone without slipping.")
-def rolling() -> Iterator[Evidence]:
-    """$𝛚$ is the sum of $L/λ₁$, with which the plane turns in space, and $Ω_b e₃$.
-
-    The point of the body that is on the line of contact, along $𝛚$, does not move: rolling. So
-    the contact runs at one speed over both cones. The sign of $λ₁ − λ₃$, which is that of $Ω_b/ω₃$,
-    decides whether the body cone rolls outside the space cone (prolate) or with the space cone
-    inside it (oblate).
-    """
-    meaning = {
-        s.omega_vec: Matrix(OMEGA),
-        s.L_vec: angular_momentum(),
-        s.e3: Matrix(Z_AXIS),
-        s.Omega_b: body_frequency(),
-        Rate(s.omega_vec, SPACE): body_accelerations(),
-    }
-    for equation in (
-        r"\boldsymbol\omega = \frac{\mathbf L}{\lambda_1} + \Omega_b\mathbf e_3",
-        r"\frac{\mathbf L}{\lambda_1}\times\boldsymbol\omega"
-        r" + \Omega_b\,\mathbf e_3\times\boldsymbol\omega = 0",
-        r"\left(\frac{\partial\boldsymbol\omega}{\partial t}\right)_{\text{space}}"
-        r" = -\Omega_b\,\mathbf e_3\times\boldsymbol\omega",
-    ):
-        yield Formal(printed(equation), meaning, (SYMMETRIC,))
+rolling = Claim("rolling-cones", "The body cone rolls on the space cone without slipping.")
 
 
 @exercise(
@@ -311,46 +255,9 @@ def cone_rates(
 # --- the Earth ---------------------------------------------------------------------------------
 
 
-@claim("euler-period", "The Euler period in turns of the body, and what a yielding bulge adds.")
-def euler_period() -> Iterator[Evidence]:
-    """(3.40) with $H = (λ₃ − λ₁)/λ₃$, and the same for a body whose bulge follows $𝛚$ in part.
-
-    With a share $k$ of the bulge turned from $e₃$ to $𝛚$, $I = λ₁ + (λ₃ − λ₁)((1 − k) e₃e₃ᵀ + k
-    𝛚̂𝛚̂ᵀ)$, so $I𝛚$ is that of a rigid body with the moments $λ₁ + k(λ₃ − λ₁)$ and $λ₃$, and $𝐋̇ +
-    𝛚 × 𝐋 = 0$ has the solution (3.38) with its $Ω_b$: slower, so the period is longer.
-    """
-    shape = {s.ellipticity: (s.lambda3 - s.lambda1) / s.lambda3, s.Omega_b: body_frequency()}
-    yield Formal(printed(r"(1 - H)\Omega_b = -H\omega_3"), shape)
-    spin, axis = Matrix(OMEGA), Matrix(Z_AXIS)
-    bulge = (1 - s.follows) * axis * axis.T + s.follows * spin * spin.T / spin.dot(spin)
-    momentum = ((s.lambda1 * sympy.eye(3) + (s.lambda3 - s.lambda1) * bulge) * spin).applyfunc(
-        sympy.cancel
-    )
-    like_rigid = (
-        r"\mathbf L = (\lambda_1 + k(\lambda_3 - \lambda_1))\boldsymbol\omega"
-        r" + (1 - k)(\lambda_3 - \lambda_1)\omega_3\mathbf e_3"
-    )
-    meaning = {s.L_vec: momentum, s.omega_vec: spin, s.e3: axis}
-    yield Formal(printed(like_rigid), meaning)
-    # Put (3.38) into the first component of L̇ + ω × L = 0 and solve it; then hold all three.
-    on_circle = Matrix([s.Omega_b * s.omega2, -s.Omega_b * s.omega1, 0])
-    rate = momentum.jacobian(OMEGA) * on_circle
-    balance = sympy.together((rate + spin.cross(momentum))[0])
-    [found] = sympy.solve(balance, s.Omega_b, simplify=False)
-    turning = {
-        s.L_vec: momentum,
-        s.omega_vec: spin,
-        Rate(s.L_vec, BODY): rate.subs(s.Omega_b, found),
-    }
-    conserved = (
-        r"0 = \left(\frac{\partial\mathbf L}{\partial t}\right)_{\text{body}}"
-        r" + \boldsymbol\omega\times\mathbf L"
-    )
-    yielding = (
-        r"(\lambda_1 + k(\lambda_3 - \lambda_1))\Omega_b = -(1 - k)(\lambda_3 - \lambda_1)\omega_3"
-    )
-    yield Formal(printed(conserved), turning)
-    yield Formal(printed(yielding), {s.Omega_b: found})
+euler_period = Claim(
+    "euler-period", "The Euler period in turns of the body, and what a yielding bulge adds."
+)
 
 
 ROUNDING = 1e-12
@@ -440,41 +347,9 @@ def earth_euler_period(
 # --- Feynman's plate ---------------------------------------------------------------------------
 
 
-X_1, Y_1, X_2, Y_2, ABOVE = in_order(
-    real("x_1", s.Glyph("x", "1"), "place of the first point, along e₁", "m"),
-    real("y_1", s.Glyph("y", "1"), "place of the first point, along e₂", "m"),
-    real("x_2", s.Glyph("x", "2"), "place of the second point, along e₁", "m"),
-    real("y_2", s.Glyph("y", "2"), "place of the second point, along e₂", "m"),
-    real("z", s.Glyph("z"), "place of the points along e₃", "m"),
+wobble_to_spin = Claim(
+    "wobble-to-spin", "A flat plate wobbles twice as fast as it spins, and faster when tilted."
 )
-
-
-@claim("wobble-to-spin", "A flat plate wobbles twice as fast as it spins, and faster when tilted.")
-def wobble_to_spin() -> Iterator[Evidence]:
-    """The free precession $Ω$ of (3.57) without weight, for a disc: $λ₁ cosθ Ω = λ₃ω₃$.
-
-    Of a body in a plane each point adds as much to $λ₃$ as to $λ₁$ and $λ₂$ together. $θ$ is the
-    angle between $e₃$ and $𝐋$.
-    """
-    points = [(s.M_1, Matrix([X_1, Y_1, ABOVE])), (s.M_2, Matrix([X_2, Y_2, ABOVE]))]
-    tensor = point_masses(points)
-    moments = {s.lambda1: tensor[0, 0], s.lambda2: tensor[1, 1], s.lambda3: tensor[2, 2]}
-    level = Assumption(Eq(ABOVE, 0), "no point lies above or below the plane", stated=True)
-    yield Formal(printed(r"\lambda_3 = \lambda_1 + \lambda_2"), moments, (level,))
-    # (3.57) without weight has another solution, Ω = 0, the rotation about e₃ at rest.
-    turns = Assumption(Ne(s.Omega, 0), "$𝐞₃$ moves", stated=True)
-    free = theory.steady_quadratic().subs(s.g, 0)
-    steady = printed(r"\lambda_1\cos\theta\,\Omega = \lambda_3\omega_3")
-    yield Formal(steady, {}, (turns,), given=(free,))
-    disc = cylinder(s.radius, s.height).inertia(s.M)
-    of_disc = free.subs({s.lambda1: disc[0, 0], s.lambda3: disc[2, 2]})
-    given = (sympy.cancel(of_disc * 12 / (s.M * s.Omega)),)
-    flat = Assumption(Eq(s.height, 0), "the plate is flat", stated=True)
-    round_ = Assumption(Ne(s.radius, 0), "it has a size", stated=True)
-    thick = printed(r"(3r^2 + h^2)\cos\theta\,\Omega = 6r^2\omega_3")
-    yield Formal(thick, given=given)
-    thin = printed(r"\cos\theta\,\Omega = 2\omega_3")
-    yield Formal(thin, assuming=(flat, round_), given=given)
 
 
 def plate(radius: float, thickness: float) -> FreeBody:

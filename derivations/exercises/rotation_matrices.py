@@ -10,20 +10,13 @@ import sympy
 from numpy.typing import NDArray
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
-from sympy import Matrix, cos
+from sympy import Matrix
 
-from rigidtop.derivations.printed import printed
 from rigidtop.derivations.rotation_matrices import rotation_group
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Evidence, Formal, Measure, claim
-from rigidtop.theory import symbols as s
-from rigidtop.theory.rotation import rotation, vee
-from rigidtop.theory.trig import reduce_trig
-
-FIRST_AXIS = Matrix([0, 0, 1])
-SECOND_AXIS = Matrix([sympy.sin(s.gamma), 0, cos(s.gamma)])
-"""Two axes at the angle γ: any two are these, seen in a frame that suits them."""
+from rigidtop.proof.page import Claim, Measure
+from rigidtop.theory.rotation import rotation
 
 
 def turn(axis: Matrix, half: sympy.Expr) -> Matrix:
@@ -31,58 +24,14 @@ def turn(axis: Matrix, half: sympy.Expr) -> Matrix:
     return rotation(axis, 2 * half).applyfunc(sympy.expand_trig)
 
 
-def axis_and_sine(matrix: Matrix) -> Matrix:
-    """The axis of a rotation times the sine of its angle: (O − Oᵀ)/2 as a vector (3×1)."""
-    return vee((matrix - matrix.T) / 2)
+product_of_rotations = Claim(
+    "product-of-rotations", "Two rotations in turn are one, by Rodrigues' half-angle formula."
+)
 
 
-@claim("product-of-rotations", "Two rotations in turn are one, by Rodrigues' half-angle formula.")
-def product_of_rotations() -> Iterator[Evidence]:
-    """First by $2α₂$ about $n₂$, then by $2α₁$ about $n₁$: trace and antisymmetric part give the
-    result.
-
-    A rotation by $2α₃$ about $n₃$ has the trace $4cos²α₃ − 1$ and the vector $2cos α₃ sin α₃ n₃$,
-    so the brackets are $cos α₃$ and $sin α₃ n₃$. The product $n₁ × n₂$ alone knows which came
-    first.
-    """
-    matrix = reduce_trig(turn(FIRST_AXIS, s.alpha1) * turn(SECOND_AXIS, s.alpha2))
-    meaning = {
-        s.n_1: FIRST_AXIS,
-        s.n_2: SECOND_AXIS,
-        s.trace_O: matrix.trace(),
-        s.s_vec: axis_and_sine(matrix),
-    }
-    scalar = r"(\cos\alpha_1\cos\alpha_2 - \sin\alpha_1\sin\alpha_2\,\mathbf n_1\cdot\mathbf n_2)"
-    vector = (
-        r"(\sin\alpha_1\cos\alpha_2\,\mathbf n_1 + \cos\alpha_1\sin\alpha_2\,\mathbf n_2"
-        r" + \sin\alpha_1\sin\alpha_2\,\mathbf n_1\times\mathbf n_2)"
-    )
-    for equation in (
-        rf"\operatorname{{tr}} O = 4{scalar}^2 - 1",
-        rf"\mathbf s = 2{scalar}{vector}",
-    ):
-        yield Formal(printed(equation), meaning)
-
-
-@claim("commutator-of-rotations", "Two small rotations fail to commute by the product of both.")
-def commutator_of_rotations() -> Iterator[Evidence]:
-    """$O = A B A⁻¹ B⁻¹$ undoes both turns in the wrong order; what is left is a rotation too.
-
-    Its angle is exact for turns of any size: $sin(χ/4) = |sin α₁ sin α₂ sin γ|$. $O$ is 1 where
-    either angle vanishes, so its series starts with the product of both: for small turns about
-    $x̂$ and $ŷ$, a turn about $ẑ$.
-    """
-    first, second = turn(FIRST_AXIS, s.alpha1), turn(SECOND_AXIS, s.alpha2)
-    matrix = first * second * first.T * second.T
-    # ∂O/∂α₁ where A is 1, of which the slope with α₂ where B is 1.
-    turning = first.diff(s.alpha1).subs(s.alpha1, 0)
-    slope = turning + second * turning.T * second.T
-    lowest = slope.diff(s.alpha2).subs(s.alpha2, 0)
-    trace = r"\operatorname{tr} O = 4(1 - 2\sin^2\alpha_1\sin^2\alpha_2\sin^2\gamma)^2 - 1"
-    yield Formal(printed(trace), {s.trace_O: reduce_trig(matrix.trace())})
-    small = r"\mathbf s = 4\alpha_1\alpha_2\,\mathbf n_1\times\mathbf n_2"
-    axes = {s.n_1: FIRST_AXIS, s.n_2: SECOND_AXIS}
-    yield Formal(printed(small), {s.s_vec: s.alpha1 * s.alpha2 * vee(lowest), **axes})
+commutator_of_rotations = Claim(
+    "commutator-of-rotations", "Two small rotations fail to commute by the product of both."
+)
 
 
 Square = NDArray[np.float64]

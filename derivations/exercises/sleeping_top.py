@@ -7,22 +7,16 @@ from dataclasses import dataclass, replace
 from math import asin, cos, log, pi, sin, sqrt
 
 import numpy as np
-import sympy
 from scipy.optimize import brentq
 from scipy.special import ellipkm1
-from sympy import Expr, Integer, Symbol
 
 from rigidtop.derivations.nutation import nutation
-from rigidtop.derivations.printed import printed, worked
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
-from rigidtop.proof.page import Evidence, Formal, Measure, Step, claim
-from rigidtop.theory import symbols as s
-from rigidtop.theory import top as theory
-from rigidtop.theory.trig import factored, reduce_ratio
+from rigidtop.proof.page import Claim, Measure
 
 from .bodies import HEAVY_TOP, SPIN, heavy_top
 from .nutation import TIGHT
@@ -31,100 +25,12 @@ RPM = 30 / pi
 """Turns a minute in 1 rad/s."""
 
 
-def potential_when_upright() -> Expr:
-    """U − p_ψ²/(2λ₃) of a top that is upright once in a while, p_φ = p_ψ = λ₃ω₃ (J)."""
-    spin = s.lambda3 * s.omega3
-    potential = theory.top_effective_potential() - s.p_psi**2 / (2 * s.lambda3)
-    same = potential.subs({s.p_phi: spin, s.p_psi: spin})
-    # Regular at θ = 0 once sin² is written as (1 − cos)(1 + cos).
-    return sympy.cancel(same.subs(sympy.sin(s.theta) ** 2, 1 - sympy.cos(s.theta) ** 2))
+upright_potential = Claim(
+    "upright-potential", "The upright top is stable if $(λ₃ω₃)²$ is at least $4λ₁MgR$."
+)
 
 
-def waking_rate(start: Expr) -> Expr:
-    """θ̇² of such a top with θ̇ = 0 at θ = `start` (rad²/s²)."""
-    potential = potential_when_upright()
-    return factored(2 * (potential.subs(s.theta, start) - potential) / s.lambda1)
-
-
-def spin_that_wakes(start: Expr, end: Expr) -> dict[Expr, Expr]:
-    """ω₃² with which a top that has θ̇ = 0 at θ = `start` has it at `end` too."""
-    square = Symbol("square")
-    balance = waking_rate(start).subs(s.theta, end).subs(s.omega3**2, square)
-    [solution] = sympy.solve(balance, square, simplify=False)
-    return {s.omega3**2: factored(solution)}
-
-
-def linear_growth() -> Expr:
-    """σ² of a small tilt e^{σt} that turns at λ₃ω₃/(2λ₁), from the quadratic at θ = 0 (1/s²)."""
-    return -theory.discriminant().subs(s.theta, 0) / (2 * s.lambda1) ** 2
-
-
-@claim("upright-potential", "The upright top is stable if $(λ₃ω₃)²$ is at least $4λ₁MgR$.")
-def upright_potential() -> Iterator[Evidence]:
-    """With $p_φ = p_ψ$ the potential of $θ$ is regular at $θ = 0$, and its curvature there decides.
-
-    A tilt grows as $exp(σt)$ where $σ²$ is positive. At the threshold itself the curvature
-    vanishes, but what is left of the potential has its minimum there: that top still sleeps.
-    """
-    upright = potential_when_upright()
-    regular = printed(
-        r"2\lambda_1(1 + \cos\theta)U = "
-        r"(\lambda_3\omega_3)^2(1 - \cos\theta) + 2\lambda_1MgR\cos\theta(1 + \cos\theta)"
-    )
-    growth = printed(r"4\lambda_1^2\sigma^2 = 4\lambda_1MgR - (\lambda_3\omega_3)^2")
-    threshold = printed(r"(1 + \cos\theta)(U - MgR) = MgR(1 - \cos\theta)^2")
-    yield Formal(regular, {s.U: upright}, reason="Less the energy of the spin.")
-    yield Formal(
-        growth,
-        {s.sigma2: -upright.diff(s.theta, 2).subs(s.theta, 0) / s.lambda1},
-        reason="$λ₁σ² = −U″$ at $θ = 0$.",
-    )
-    yield Formal(
-        growth,
-        {s.sigma2: linear_growth()},
-        reason="The same from the quadratic for the frequencies $Ω$, where these are not real.",
-    )
-    [critical] = sympy.solve(linear_growth().subs(s.omega3**2, s.A), s.A, simplify=False)
-    yield Formal(
-        threshold,
-        {s.U: upright.subs(s.omega3**2, critical)},
-        reason="At the threshold, $(λ₃ω₃)² = 4λ₁MgR$.",
-    )
-
-
-@claim("waking", "A top that spins more slowly wakes up to a known tilt, in a known time.")
-def waking() -> Iterator[Evidence]:
-    """The energy of a top with $p_φ = p_ψ$ that has $θ̇ = 0$ at $θᵢ$; the last factor is the turn
-    at $θ₁$.
-
-    Without disturbance, $θᵢ = 0$, the factor of the upright is double: the top could stay. With
-    $sin(θ/2) = sin(θ₁/2) √(1 − m sin²χ)$ and $1 − m = sin²(θᵢ/2)/sin²(θ₁/2)$ the time is Legendre's
-    integral of the first kind; it grows with the logarithm of $1/θᵢ$.
-    """
-    disturbed = worked.of("waking", r"\lambda_1^2(1 + \cos\theta_i)(\dot\theta\sin\theta)^2")
-    asleep = worked.of("waking", r"\lambda_1^2(\dot\theta\sin\theta)^2")
-    growth = printed(r"2\lambda_1\sigma^2 = MgR(1 - \cos\theta_1)")
-    legendre = printed(r"(1 - m\sin^2\chi)MgR(1 - \cos\theta_1)t^2_\chi = 2\lambda_1")
-    period = printed(r"t = 2\sqrt{\frac{2\lambda_1}{MgR(1 - \cos\theta_1)}}\operatorname{K}(m)")
-    rate, undisturbed = waking_rate(s.theta_i), waking_rate(Integer(0))
-    yield Formal(disturbed, {s.thetadot: sympy.sqrt(rate)}, reason="By energy.")
-    yield Formal(asleep, {s.thetadot: sympy.sqrt(undisturbed)}, reason="Started upright.")
-    yield Formal(
-        growth,
-        {s.sigma2: linear_growth().subs(spin_that_wakes(Integer(0), s.theta_1))},
-        reason="The rate of growth and the tilt to which it leads.",
-    )
-    width = 1 - sympy.cos(s.theta_1)
-    cosine, smallest = 1 - width * (1 - s.m * sympy.sin(s.chi) ** 2), 1 - width * (1 - s.m)
-    speed = rate.subs(spin_that_wakes(s.theta_i, s.theta_1)) * sympy.sin(s.theta) ** 2
-    along = speed.subs(sympy.sin(s.theta) ** 2, 1 - sympy.cos(s.theta) ** 2)
-    along = along.subs({sympy.cos(s.theta): cosine, sympy.cos(s.theta_i): smallest})
-    yield Formal(
-        legendre,
-        {s.t_chi2: reduce_ratio(cosine.diff(s.chi) ** 2 / along)},
-        reason="$(d cos θ/dχ)²$ over $(θ̇ sin θ)²$ is the square of $dt/dχ$.",
-    )
-    yield Step(period, "From one smallest $θ$ to the next: $χ$ goes from $−π/2$ to $π/2$.")
+waking = Claim("waking", "A top that spins more slowly wakes up to a known tilt, in a known time.")
 
 
 @dataclass(frozen=True)

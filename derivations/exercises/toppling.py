@@ -6,66 +6,20 @@ from collections.abc import Iterator
 from math import cos, pi, sin, sqrt
 
 import numpy as np
-import sympy
 from scipy.special import elliprf
-from sympy import Expr
 
-from rigidtop.derivations.printed import printed, worked
 from rigidtop.derivations.simplified_picture import toppling
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
-from rigidtop.proof.page import Evidence, Formal, Measure, Step, claim
-from rigidtop.theory import symbols as s
-from rigidtop.theory import top as theory
-from rigidtop.theory.lagrangian import energy
-from rigidtop.theory.trig import reduce_ratio
+from rigidtop.proof.page import Claim, Measure
 
 from .bodies import ARM, GRAVITY, LAMBDA1, MASS
 
-
-def fall_rate_squared() -> Expr:
-    """θ̇² of a top let go at θ_i without rotation, from its energy (rad²/s²)."""
-    falling = theory.symmetric_lagrangian().subs({s.phidot: 0, s.psidot: 0})
-    gained = energy(falling, [s.thetadot])
-    at_rest = gained.subs({s.thetadot: 0, s.theta: s.theta_i})
-    square = sympy.Symbol("square")
-    [rate] = sympy.solve((gained - at_rest).subs(s.thetadot**2, square), square, simplify=False)
-    return rate
-
-
-@claim(
+time_to_fall = Claim(
     "time-to-fall", "A top let go at $θᵢ$ at rest takes the time of an elliptic integral to fall."
 )
-def time_to_fall() -> Iterator[Evidence]:
-    """The energy gives $θ̇$, and the time is the integral of $dθ/θ̇$.
-
-    With $m = cos²(θᵢ/2)$ and $cos(θ/2) = √m sin χ$ it is Legendre's integral of the first kind;
-    $χ$ falls from $π/2$ at the start. A pendulum would take as long from $π − θᵢ$ to $π − θ$.
-    """
-    rate = worked.of("time-to-fall", r"\lambda_1\dot\theta^2")
-    legendre = printed(r"(1 - m\sin^2\chi)t^2_\chi = \frac{\lambda_1}{MgR}")
-    whole = worked.of("time-to-fall", "t")
-    derived = fall_rate_squared()
-    yield Formal(rate, {s.thetadot: sympy.sqrt(derived)}, reason="By energy.")
-    # cos θ = 2 cos²(θ/2) − 1, at the start and later.
-    cosine = 2 * s.m * sympy.sin(s.chi) ** 2 - 1
-    against_chi = cosine.diff(s.chi) ** 2 / (1 - cosine**2)
-    slope = against_chi / derived.subs(
-        {sympy.cos(s.theta): cosine, sympy.cos(s.theta_i): 2 * s.m - 1}
-    )
-    yield Formal(
-        legendre,
-        {s.t_chi2: reduce_ratio(slope)},
-        reason="$(dθ/dχ)²$ over $θ̇²$ is the square of $dt/dχ$.",
-    )
-    yield Step(whole, "Integrated from $χ$ to $π/2$.")
-    top = HeavyTop(lambda1=1.3, lambda3=0.7, M=0.8, R=0.6)
-    start, end = 0.4, 2.5
-    seconds, _ = fall(top, start, end)
-    fallen = top.motion(theta=start, omega3=0.0).integrate(seconds, rtol=1e-12, atol=1e-14)
-    yield Measure("$θ$ at that time, integrated (rad)", abs(float(fallen.theta[0]) - end), 1e-9)
 
 
 def fall(top: HeavyTop, start: float, end: float) -> tuple[float, float]:

@@ -7,39 +7,21 @@ from dataclasses import replace
 from math import atan2, pi
 
 import numpy as np
-from sympy import Matrix
 
 from rigidtop.derivations.lagrange_formalism import two_roots
-from rigidtop.derivations.printed import worked
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, exercise
-from rigidtop.proof.page import Evidence, Formal, Measure, claim
-from rigidtop.theory import symbols as s
-from rigidtop.theory.inertia import cylinder, parallel_axis
+from rigidtop.proof.page import Claim, Measure
 
 from .bodies import GRAVITY, SPIN, simple_rate
 from .nutation import INCLINED, TIGHT, small_frequency
 from .sleeping_top import RPM, upright_potential
 
-
-@claim("disc-on-a-stem", "Mass, centre of mass and moments of a disc on a thin stem.")
-def disc_on_a_stem() -> Iterator[Evidence]:
-    """Both are cylinders about their own centres, the stem without thickness; then Steiner."""
-    disc_height, stem_height = Matrix([0, 0, s.z_d]), Matrix([0, 0, s.l_s / 2])
-    stem = cylinder(s.r_d, s.l_s).inertia(s.M_s).subs(s.r_d, 0)
-    disc = parallel_axis(cylinder(s.r_d, s.h_d).inertia(s.M_d), s.M_d, disc_height)
-    about_tip = disc + parallel_axis(stem, s.M_s, stem_height)
-    disc_centre = disc_height + cylinder(s.r_d, s.h_d).centre()
-    stem_centre = stem_height + cylinder(s.r_d, s.l_s).centre()
-    centre = (s.M_d * disc_centre + s.M_s * stem_centre) / (s.M_d + s.M_s)
-    arm, along, across = (
-        worked.of("disc-on-a-stem", left) for left in ("MR", r"\lambda_3", r"\lambda_1")
-    )
-    yield Formal(arm, {s.M: s.M_d + s.M_s, s.R: centre[2]}, reason="From the tip.")
-    yield Formal(along, {s.lambda3: about_tip[2, 2]}, reason="The disc alone.")
-    yield Formal(across, {s.lambda1: about_tip[0, 0]}, reason="About the tip.")
+disc_on_a_stem = Claim(
+    "disc-on-a-stem", "Mass, centre of mass and moments of a disc on a thin stem."
+)
 
 
 def quadrature_moments(

@@ -18,7 +18,7 @@ from sympy.logic.boolalg import Boolean
 
 from rigidtop.proof.equation import Dot, Equation, Meaning, NoMeaningError, value
 from rigidtop.proof.page import Assumption, Correction, Step
-from rigidtop.proof.verdict import Finding, Judgement, Verdict
+from rigidtop.proof.verdict import Finding, Judgement, Led, Verdict
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.lettered import stands_for
@@ -98,7 +98,7 @@ def values(judgement: Judgement) -> Values:
     [('p_psi', lambda3*(phidot*cos(theta) + psidot))]
     """
     printed, others = _sources(judgement)
-    for group in (printed, others):
+    for group in (printed, others, _led(judgement)):
         found = _found(group)
         if found:
             return _values(judgement, found)
@@ -127,6 +127,17 @@ def _sources(judgement: Judgement) -> tuple[list[_Source], list[_Source]]:
         if isinstance(item, Step) or (isinstance(item, Finding) and item in unprinted)
     ]
     return printed, others
+
+
+def _led(judgement: Judgement) -> list[_Source]:
+    """The lines of the text that show a claim."""
+    return [
+        _Source(Line(equation), {})
+        for item in judgement.items
+        if isinstance(item, Led)
+        for id in item.lecture.names[item.name]
+        for equation in item.lecture.lines[id].equations
+    ]
 
 
 def _source(item: Finding | Step) -> _Source:

@@ -64,6 +64,7 @@ def run(options: argparse.Namespace) -> int:
 def _run(
     collection: Collection, names: Sequence[str], notation: Notation, options: argparse.Namespace
 ) -> int:
+    from rigidtop.proof.page import by_lines
     from rigidtop.proof.words import unmarked
     from rigidtop.report.records import measures, record
     from rigidtop.report.wording import Wording
@@ -72,7 +73,9 @@ def _run(
     found = claims.named(collection, names) if names else claims.every(collection)
     every = options.thorough and not names
     solved = collection.exercises if every else collection.solved_by(claim for _, claim in found)
-    lecture = None if options.quick else collection.lecture_with(solved)
+    # A claim that only its lines show is judged by them.
+    quick = options.quick and all(claim.evidence is not by_lines for _, claim in found)
+    lecture = None if quick else collection.lecture_with(solved)
     judgements = [judgement for _, judgement in claims.judged(found, collection.letters, lecture)]
     trials = tried(lecture, names) if lecture is not None and options.thorough else {}
     amiss = [line for place, trial in trials.items() for line in _amiss(place, trial)]

@@ -85,7 +85,7 @@ def _source(options: argparse.Namespace, judgement: Judgement, notation: Notatio
 
     try:
         made = source(rewritten(values(judgement), notation.written), options.format, text)
-    except NothingToEvaluateError as error:
+    except (NothingToEvaluateError, ValueError) as error:  # ValueError: no such function there
         raise RigidtopError(str(error)) from None
     if options.json:
         print_json(

@@ -112,13 +112,20 @@ class Measure:
 Evidence = Step | Check | Definition | Measure
 
 
+def by_lines() -> tuple[Evidence, ...]:
+    return ()
+
+
 @dataclass(frozen=True)
 class Claim:
-    """A row of the lecture.  `says` is what the notes assert, in our own words."""
+    """A row of the lecture.  `says` is what the notes assert, in our own words.
+
+    Without `evidence` of its own it is shown by the lines of its name in a text.
+    """
 
     name: str
     says: str
-    evidence: Callable[[], Iterable[Evidence]]
+    evidence: Callable[[], Iterable[Evidence]] = by_lines
 
     @property
     def reason(self) -> str:

@@ -128,8 +128,8 @@ def judge(
 ) -> Judgement:
     """Run the evidence of a claim and compute its verdict.
 
-    With a `lecture` that has lines for it, the moves that lead there are made too.  What the
-    `letters` stand for has to exist where numbers refute.
+    With a `lecture` that has lines for it, the moves that lead there are made too; a claim without
+    checks is proved by them.  What the `letters` stand for has to exist where numbers refute.
     """
     start = time.perf_counter()
     items: list[Item] = []
@@ -167,8 +167,9 @@ def _overall(judgement: Judgement) -> Verdict:
     verdicts = [finding.verdict for finding in judgement.findings()]
     if any(isinstance(item, Definition) for item in judgement.items):
         verdicts.append(Verdict.DEFINITION)
-    if not verdicts:
-        return Verdict.UNDECIDED
+    if not verdicts:  # what the lines lead to, from laws and definitions, is shown by them
+        led = [item for item in judgement.items if isinstance(item, Led)]
+        return Verdict.PROVED if led and not any(x.gaps for x in led) else Verdict.UNDECIDED
     return max(verdicts, key=order.index)
 
 
