@@ -21,7 +21,6 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 from typing import Literal, cast, get_args
 
 import numpy as np
@@ -32,7 +31,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks
 from rigidtop.motion.attitude import Complexes, Floats, spinors
 from rigidtop.motion.equations import Rates
-from rigidtop.motion.systems import Sizes, System
+from rigidtop.motion.systems import Sizes
 
 Method = Literal["DOP853", "RK45", "RK23", "Radau", "BDF", "LSODA"]
 TAYLOR = "taylor"
@@ -227,35 +226,6 @@ def on_both_sides(
     states = np.empty((len(parts[0][1]), len(times)))
     for rows, part in parts:
         states[:, rows] = part
-    return states
-
-
-def grid(
-    system: System,
-    parameters: Floats,
-    start: Floats,
-    times: Floats,
-    accuracy: Accuracy,
-    progress: Progress | None = None,
-) -> Floats:
-    """The states (T, n, N) of N motions at common `times` (T,), in any order, also negative.
-
-    `parameters` (P, N) are those of the system's equations, `start` (n, N) the states at t = 0.
-    One motion after the other; `progress` is called with the number of those done, and N.
-    """
-    total = start.shape[1]
-    states = np.empty((len(times), system.variables, total))
-    for k, (constants, first) in enumerate(zip(parameters.T.tolist(), start.T, strict=True)):
-        flows = partial(
-            flow,
-            system.equations(*constants),
-            first,
-            accuracy=accuracy,
-            sizes=system.sizes(constants),
-        )
-        states[..., k] = on_both_sides(flows, first, times, lambda motion, t: motion.path(t)).T
-        if progress is not None:
-            progress(k + 1, total)
     return states
 
 

@@ -17,11 +17,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
-from rigidtop.motion import checks, integrate, systems, taylor
+from rigidtop.motion import checks
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import free, heavy
-from rigidtop.motion.integrate import TAYLOR, Accuracy, Progress
-from rigidtop.motion.state import TopState, of_spinors, spinning
+from rigidtop.motion.integrate import Progress
+from rigidtop.motion.state import TopState
 
 CHUNK = 1 << 13
 """States at a time: so many that NumPy's calls cost little beside its loops."""
@@ -202,55 +202,6 @@ class TopMotions(_Motions):
         found = _in_chunks(states, times, self.shape, progress)
         return TopState(**dict(zip((each.name for each in fields(TopState)), found, strict=True)))
 
-    def integrate(
-        self,
-        t: ArrayLike,
-        method: str = TAYLOR,
-        rtol: float = 1e-15,
-        atol: float = 1e-15,
-        progress: Progress | None = None,
-    ) -> TopState:
-        """The states at the times `t` (T,) of all motions, of shape (T, *shape), integrated.
-
-        See `Motion.integrate`.  φ and ψ are those in (−π, π].  `progress` is called with the number
-        of motions that are done, and of all.
-        """
-        times = checks.times(t)
-        start = {
-            name: np.broadcast_to(value, self.shape).ravel()
-            for name, value in vars(self._start).items()
-        }
-        q = attitudes.from_spinors(
-            start["cos_half"], start["sin_half"], start["phi"], start["psi"]
-        ).T
-        sin_psi, cos_psi = np.sin(start["psi"]), np.cos(start["psi"])
-        across = (
-            start["v_theta"] * sin_psi - start["v_phi"] * cos_psi,
-            start["v_theta"] * cos_psi + start["v_phi"] * sin_psi,
-        )
-        names = ("lambda1", "lambda3", "M", "g", "R", "omega3")
-        parameters = np.array(
-            [np.broadcast_to(getattr(self, n), self.shape).ravel() for n in names]
-        )
-        accuracy = Accuracy(method, rtol, atol)
-        solver = taylor.grid if method == TAYLOR else integrate.grid
-        states = solver(
-            systems.TOP, parameters, np.concatenate([q, across]), times, accuracy, progress
-        )
-        states = np.moveaxis(states, 1, 0).reshape(6, len(times), *self.shape)
-        alpha, beta = attitudes.spinors(states[:4])
-        turn = np.exp(0.5j * self.omega3 * times.reshape(-1, *[1] * len(self.shape)))
-        alpha, beta = alpha * turn, beta * turn.conj()
-        half_sum, half_difference = np.angle(alpha), np.angle(beta)
-        phi, psi = half_sum + half_difference, half_sum - half_difference
-        across = (states[4] + 1j * states[5]) * turn.conj() ** 2
-        return TopState(
-            **of_spinors((alpha, beta), (across.real, across.imag), psi),
-            phi=_principal(phi),
-            psi=_principal(psi),
-            **spinning(self, self.omega3),
-        )
-
 
 @dataclass(frozen=True, eq=False)
 class FreeMotions(_Motions):
@@ -283,11 +234,6 @@ class FreeMotions(_Motions):
 
         quaternion, omega = _in_chunks(states, times, self.shape, progress)
         return quaternion, omega
-
-
-def _principal(angle: Floats) -> Floats:
-    """The same angle in (−π, π]."""
-    return np.pi - np.mod(np.pi - angle, 2 * np.pi)
 
 
 def _taken(

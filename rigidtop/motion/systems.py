@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -29,26 +28,23 @@ class System:
 
     equations: Callable[..., equations.Rates]
 
-    variables: int
-    """How many components the state has."""
-
     per_time: tuple[int, ...]
     """For each parameter the power of 1/s in its unit.  Of a state, q has 0 and ω has 1."""
 
-    rate: Callable[[Sequence[Any], Any], Any]
-    """Parameters (P, …) and states (n, …) in, out the fastest rate (1/s) of small changes (…)."""
+    rate: Callable[[Sequence[float], Floats], float]
+    """Parameters and a state in, out the fastest rate of small changes (1/s)."""
 
     sizes: Callable[[Sequence[float]], Sizes]
     """Parameters in, out what absolute tolerances are measured against: see `Motion.integrate`."""
 
 
-def _top_rate(parameters: Sequence[Any], state: Any) -> Any:
+def _top_rate(parameters: Sequence[float], state: Floats) -> float:
     lambda1, lambda3, M, g, R, omega3 = parameters
     steady = lambda3 / lambda1 * np.abs(omega3) + np.sqrt(np.abs(M * g * R) / lambda1)
     return steady + np.hypot(state[4], state[5])
 
 
-def _body_rate(parameters: Sequence[Any], state: Any) -> Any:
+def _body_rate(parameters: Sequence[float], state: Floats) -> float:
     moments, (M, g, R1, R2, R3) = parameters[:3], parameters[3:]
     arm = np.hypot(np.hypot(R1, R2), R3)
     speed = np.hypot(np.hypot(state[4], state[5]), state[6])
@@ -72,8 +68,8 @@ def _top_sizes(parameters: Sequence[float]) -> Sizes:
     return sizes
 
 
-TOP = System(equations.heavy_top, 6, (0, 0, 0, 2, 0, 1), _top_rate, _top_sizes)
+TOP = System(equations.heavy_top, (0, 0, 0, 2, 0, 1), _top_rate, _top_sizes)
 """Symmetric about e₃, in the frame that does not turn about it; ω₃ is a parameter."""
 
-BODY = System(equations.heavy_body, 7, (0, 0, 0, 0, 2, 0, 0, 0), _body_rate, lambda _: np.ones_like)
+BODY = System(equations.heavy_body, (0, 0, 0, 0, 2, 0, 0, 0), _body_rate, lambda _: np.ones_like)
 """Any body, in the body frame."""

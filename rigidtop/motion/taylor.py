@@ -19,18 +19,14 @@ import importlib
 import math
 from collections.abc import Callable, Sequence
 from functools import partial
-from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.integrate import Accuracy, Flow, Held, Progress, joined, sides
+from rigidtop.motion.integrate import Accuracy, Flow, Held, joined
 from rigidtop.motion.systems import SMALLEST_SIZE, System
-
-if TYPE_CHECKING:
-    import heyoka
 
 STEPS_AT_ONCE = 20_000
 """Between so many steps, some milliseconds, an interrupt from the keyboard is heard."""
@@ -50,15 +46,23 @@ def flow(
     Raises RigidtopError without heyoka, and where the motion overflows.
     """
     heyoka = loaded()
-    rate, unit = _rate_and_unit(system, np.array(parameters), start)
-    of_state, of_parameters = _units(system, unit)
+    rate = max(float(system.rate(parameters, start)), SMALLEST_SIZE)
+    if not math.isfinite(rate):
+        raise RigidtopError("the rates overflow at the start: the velocities are too large")
+    unit = 2.0 ** math.floor(math.log2(rate))
+    # By what states and parameters are divided when 1/unit is the unit of time.
+    of_state = np.array([1.0] * 4 + [unit] * (len(start) - 4))
+    of_parameters = np.array([unit**power for power in system.per_time])
+    # The shipped equations, run on heyoka's symbols.
+    state = heyoka.make_vars(*(f"x{k}" for k in range(len(start))))
+    right = system.equations(*(heyoka.par[k] for k in range(len(parameters))))(state)
     integrator = heyoka.taylor_adaptive(
-        _symbolic(heyoka, system),
+        list(zip(state, right, strict=True)),
         start / of_state,
         pars=parameters / of_parameters,
         tol=accuracy.rtol,
     )
-    return propagated(integrator, end, of_state, float(unit), float(unit / rate))
+    return propagated(integrator, end, of_state, unit, unit / rate)
 
 
 def propagated(
@@ -97,52 +101,6 @@ def _path(
     return np.ascontiguousarray((series(times * unit) * of_state).T)
 
 
-def grid(
-    system: System,
-    parameters: Floats,
-    start: Floats,
-    times: Floats,
-    accuracy: Accuracy,
-    progress: Progress | None = None,
-) -> Floats:
-    """Many motions at once: see `rigidtop.motion.integrate.grid`, which this is a fast one of.
-
-    A processor that adds eight numbers at once integrates eight motions at once.
-    """
-    heyoka = loaded()
-    lanes, total = heyoka.recommended_simd_size(), start.shape[1]
-    rate, unit = _rate_and_unit(system, parameters, start)
-    of_state, of_parameters = _units(system, unit)
-    scaled, scaled_parameters = start / of_state, parameters / of_parameters
-    integrator = heyoka.taylor_adaptive_batch(
-        _symbolic(heyoka, system),
-        np.zeros((system.variables, lanes)),
-        pars=np.zeros((len(parameters), lanes)),
-        tol=accuracy.rtol,
-    )
-    states = np.empty((len(times), system.variables, total))
-    for first in range(0, total, lanes):
-        # The last batch is filled up with its last motion.
-        batch = np.minimum(np.arange(first, first + lanes), total - 1)
-        for rows, ordered in sides(times):
-            # The solver's grid starts at 0 and has every time once.
-            nodes, at = np.unique(np.abs([0.0, *ordered]), return_inverse=True)
-            integrator.set_time(0.0)
-            integrator.state[:] = scaled[:, batch]
-            integrator.pars[:] = scaled_parameters[:, batch]
-            _, values = integrator.propagate_grid(
-                np.copysign(nodes, ordered[-1])[:, None] * unit[batch],
-                max_delta_t=(unit / rate)[batch],
-            )
-            for lane, (outcome, *_) in enumerate(integrator.propagate_res):
-                reached = float(integrator.time[lane] / unit[batch[lane]])
-                _check(outcome, reached, ordered[-1], values[..., lane])
-            states[np.ix_(rows, np.arange(system.variables), batch)] = values[at[1:]]
-        if progress is not None:
-            progress(min(first + lanes, total), total)
-    return states * of_state
-
-
 def loaded() -> Any:
     """heyoka.  Raises RigidtopError where it is not installed."""
     try:
@@ -151,29 +109,6 @@ def loaded() -> Any:
         raise RigidtopError(
             "method 'taylor' needs heyoka: pip install 'rigidtop[taylor]' (wheels for Linux only)"
         ) from None
-
-
-def _symbolic(
-    heyoka: ModuleType, system: System
-) -> list[tuple[heyoka.expression, heyoka.expression]]:
-    """The shipped equations, run on heyoka's symbols."""
-    state = heyoka.make_vars(*(f"x{k}" for k in range(system.variables)))
-    parameters = [heyoka.par[k] for k in range(len(system.per_time))]
-    return list(zip(state, system.equations(*parameters)(state), strict=True))
-
-
-def _rate_and_unit(system: System, parameters: Floats, start: Floats) -> tuple[Floats, Floats]:
-    """The rate (…) of each motion, and the power of two next below it."""
-    rate = np.maximum(system.rate(list(parameters), start), SMALLEST_SIZE)
-    if not np.all(np.isfinite(rate)):
-        raise RigidtopError("the rates overflow at the start: the velocities are too large")
-    return rate, np.exp2(np.floor(np.log2(rate)))
-
-
-def _units(system: System, unit: Floats) -> tuple[Floats, Floats]:
-    """By what states (n, …) and parameters (P, …) are divided when 1/unit is the unit of time."""
-    of_state = [np.ones_like(unit)] * 4 + [unit] * (system.variables - 4)
-    return np.stack(of_state), np.stack([unit**power for power in system.per_time])
 
 
 def _check(outcome: object, reached: float, end: float, states: Floats) -> None:

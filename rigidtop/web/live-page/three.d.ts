@@ -1,6 +1,6 @@
 /**
- * three.js r130, whose build is a classic script with a global THREE.  The package that ships it has
- * no types: what stands here says which of its classes is meant, and checks nothing of them.
+ * three.js r130, whose build is a classic script with a global THREE.  The package that ships it
+ * has no types: what stands here says which of its classes is meant, and checks nothing of them.
  */
 declare const THREE: any;
 declare namespace THREE {
