@@ -190,31 +190,19 @@ def _equations(kind: str) -> tuple[tuple[terms.TermsOf, bool | None], ...]:
 
 def _equation(pair: tuple[terms.TermsOf, bool | None]) -> dict[str, object]:
     each, symmetric = pair
+    names = ("text", "name", "unit", "arrow")
     return {
         "tag": each.equation.tag,
-        "title": each.title,
-        "mathml": each.mathml,
-        "function": each.function,
+        **{name: getattr(each, name) for name in ("title", "mathml", "function")},
         "symmetric": symmetric,
-        "terms": [
-            {"text": t.text, "name": t.name, "unit": t.unit, "arrow": t.arrow} for t in each.terms
-        ],
+        "terms": [{name: getattr(term, name) for name in names} for term in each.terms],
     }
 
 
 def _slider(slider: Slider) -> dict[str, object]:
-    return {
-        "name": slider.name,
-        "letter": slider.letter,
-        "math": slider.math,
-        "meaning": slider.meaning,
-        "unit": "" if slider.angle else slider.unit,
-        "least": slider.least,
-        "most": slider.most,
-        "logarithmic": slider.logarithmic,
-        "angle": slider.angle,
-        "start": slider.start,
-    }
+    own = {name: value for name, value in vars(slider).items() if name != "glyph"}
+    seen = {"letter": slider.letter, "math": slider.math, "angle": slider.angle}
+    return own | seen | {"unit": "" if slider.angle else slider.unit}
 
 
 def _preset(preset: Preset) -> dict[str, object]:
