@@ -6,7 +6,7 @@ is what the claims of `rigidtop.derivations.conventions` prove.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from sympy import Basic, Expr, Matrix, MatrixBase, pi
@@ -33,19 +33,30 @@ def judgement_in(notation: Notation, judgement: Judgement) -> Judgement:
 
 
 def _item(notation: Notation, item: Item) -> Item:
-    if isinstance(item, (Measure, Led)):  # lines are put into a notation where they are shown
+    if isinstance(item, Measure):
         return item
+    if isinstance(item, Led):  # lines are put into a notation where they are shown
+        return replace(item, assumptions=_tested(notation, item.assumptions))
     if isinstance(item, (Step, Definition)):
         return replace(item, equation=notation.written(item.equation))
     counterexample = item.counterexample
     return Finding(
         _check(notation, item.check),
         item.verdict,
-        tuple(
-            TestedAssumption(_assumption(notation, t.assumption), _numbers(notation, t.without))
-            for t in item.assumptions
-        ),
+        _tested(notation, item.assumptions),
         None if counterexample is None else _numbers(notation, counterexample),
+    )
+
+
+def _tested(
+    notation: Notation, assumptions: Iterable[TestedAssumption]
+) -> tuple[TestedAssumption, ...]:
+    return tuple(
+        TestedAssumption(
+            _assumption(notation, t.assumption),
+            None if t.without is None else _numbers(notation, t.without),
+        )
+        for t in assumptions
     )
 
 

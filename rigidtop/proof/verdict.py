@@ -50,10 +50,13 @@ class Counterexample:
 
 @dataclass(frozen=True)
 class TestedAssumption:
-    """An assumption with the counterexample that stands when it alone is dropped."""
+    """An assumption with the counterexample that stands when it alone is dropped.
+
+    What lines divide by, or whose sign they take, comes without one: there they say nothing.
+    """
 
     assumption: Assumption
-    without: Counterexample
+    without: Counterexample | None
 
 
 @dataclass(frozen=True)
@@ -70,7 +73,8 @@ class Finding:
 class Led:
     """The derivation of a claim, line by line: the lines that lead to it, and where they start.
 
-    `gaps` are the lines that do not follow.
+    `gaps` are the lines that do not follow, `assumptions` what those named hold under, but for
+    what their text sets.
     """
 
     lecture: Lecture
@@ -78,6 +82,7 @@ class Led:
     ids: tuple[str, ...]
     starts: tuple[str, ...]
     gaps: tuple[Judged, ...] = ()
+    assumptions: tuple[TestedAssumption, ...] = ()
 
 
 Item = Step | Definition | Measure | Finding | Led
@@ -159,7 +164,20 @@ def led(lecture: Lecture, name: str) -> Led:
     ids, starts = lecture.way(name)
     # What stands by itself has no move, but units that have to agree.
     judged = [lecture.judged(id) for id in (*ids, *(x for x in starts if x in lecture.laws))]
-    return Led(lecture, name, ids, starts, tuple(each for each in judged if not each.follows))
+    gaps = tuple(each for each in judged if not each.follows)
+    found = (c for id in lecture.names[name] for c in lecture.judged(id).known.conditions)
+    kept = dict.fromkeys(_RELATIONS[c.relation](c.expression, 0) for c in found
+                         if c.relation in _RELATIONS)  # fmt: skip
+    assumed = tuple(
+        TestedAssumption(Assumption(each), None)
+        for each in kept
+        if each != sympy.true and not (isinstance(each, sympy.Ne) and sympy.Gt(each.lhs, 0) in kept)
+    )
+    return Led(lecture, name, ids, starts, gaps, assumed)
+
+
+_RELATIONS = {"≠": sympy.Ne, ">": sympy.Gt, "≥": sympy.Ge}
+"""What is not set: a division, a root, a sign."""
 
 
 def _overall(judgement: Judgement) -> Verdict:
@@ -169,7 +187,9 @@ def _overall(judgement: Judgement) -> Verdict:
         verdicts.append(Verdict.DEFINITION)
     if not verdicts:  # what the lines lead to, from laws and definitions, is shown by them
         led = [item for item in judgement.items if isinstance(item, Led)]
-        return Verdict.PROVED if led and not any(x.gaps for x in led) else Verdict.UNDECIDED
+        if not led or any(x.gaps for x in led):
+            return Verdict.UNDECIDED
+        return Verdict.ASSUMING if any(x.assumptions for x in led) else Verdict.PROVED
     return max(verdicts, key=order.index)
 
 

@@ -218,7 +218,7 @@ class Condition:
     relation: Node
     words: str
     stated: bool
-    without: Numbers
+    without: Numbers | None
 
 
 @dataclass(frozen=True)

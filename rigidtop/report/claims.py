@@ -185,9 +185,10 @@ def _is_shown(symbol: Any, meaning: Any) -> bool:
 
 
 def tested(judgement: Judgement) -> list[TestedAssumption]:
-    """The assumptions of all findings, each once."""
+    """The assumptions of all findings, each once; of a claim without any those of its lines."""
     once: dict[tuple[str, str], TestedAssumption] = {}
-    for finding in judgement.findings():
+    led = [item for item in judgement.items if isinstance(item, Led)]
+    for finding in judgement.findings() or led:
         for tested in finding.assumptions:
             key = (str(tested.assumption.condition), tested.assumption.words)
             once.setdefault(key, tested)
@@ -214,12 +215,13 @@ def conditions(assumed: Sequence[TestedAssumption]) -> tuple[b.Condition, ...]:
 
 def _condition(items: Sequence[TestedAssumption]) -> b.Condition:
     relations = tuple(dict.fromkeys(condition(item.assumption) for item in items))
-    first = items[0].assumption
+    first, without = items[0].assumption, items[0].without
+    label = "Without it" if len(relations) == 1 else "Without the first"
     return b.Condition(
         relations[0] if len(relations) == 1 else lay.Listed(relations),
         first.words.rstrip("."),
         first.stated,
-        numbers(items[0].without, "Without it" if len(relations) == 1 else "Without the first"),
+        None if without is None else numbers(without, label),
     )
 
 

@@ -328,8 +328,12 @@ def results(solution: Solution) -> list[b.Block]:
 
 
 def checked(solution: Solution, told: Collection[str]) -> list[b.Block]:
-    """Under which assumptions a solution holds, and what its numbers were compared with."""
-    assumed = [t for j in solution.judgements if j.claim.name not in told for t in tested(j)]
+    """Under which assumptions a solution holds, and what its numbers were compared with.
+
+    What its lines hold under they say.
+    """
+    claims = [j for j in solution.judgements if j.claim.name not in told and j.findings()]
+    assumed = [t for j in claims for t in tested(j)]
     made: list[b.Block] = [b.Conditions(conditions(assumed))] if assumed else []
     if solution.measures:
         made.append(b.Measures(solution.measures, "Confirmed", "by a second way"))

@@ -248,10 +248,8 @@ def _(block: b.Conditions) -> str:
 def _condition(item: b.Condition) -> str:
     words = f", {prose_html(item.words)}" if item.words else ""
     kind, said = ("stated", "stated") if item.stated else ("unstated", "not stated")
-    return (
-        f'{mathml.mathml(item.relation)}{words} <span class="{kind}">({said})</span>. '
-        f"{_numbers(item.without)}"
-    )
+    without = "" if item.without is None else " " + _numbers(item.without)
+    return f'{mathml.mathml(item.relation)}{words} <span class="{kind}">({said})</span>.{without}'
 
 
 @html_block.register

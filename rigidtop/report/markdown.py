@@ -108,7 +108,8 @@ def _(block: b.Conditions) -> str:
 def _condition(item: b.Condition) -> str:
     said = f", {words(item.words)}" if item.words else ""
     stated = "stated in the notes" if item.stated else "**not stated**"
-    return f"{formula(item.relation)}{said} ({stated}). {_numbers(item.without)}"
+    without = "" if item.without is None else " " + _numbers(item.without)
+    return f"{formula(item.relation)}{said} ({stated}).{without}"
 
 
 @_block.register

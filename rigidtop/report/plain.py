@@ -76,7 +76,8 @@ def _(block: b.Conditions, width: int) -> list[str]:
 def _condition(item: b.Condition) -> str:
     words = f", {item.words}" if item.words else ""
     stated = "stated" if item.stated else "not stated"
-    return f"{text(item.relation)}{words} ({stated}). {_numbers(item.without)}"
+    without = "" if item.without is None else " " + _numbers(item.without)
+    return f"{text(item.relation)}{words} ({stated}).{without}"
 
 
 @_lines.register

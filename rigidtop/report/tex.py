@@ -427,7 +427,8 @@ def _(block: b.Conditions) -> str:
 def _condition(item: b.Condition) -> str:
     words = f", {prose(item.words)}" if item.words else ""
     stated = "stated" if item.stated else r"\textbf{not stated}"
-    return rf"${latex(item.relation)}${words} ({stated}). " + tex_block(item.without)
+    without = "" if item.without is None else " " + tex_block(item.without)
+    return rf"${latex(item.relation)}${words} ({stated}).{without}"
 
 
 @tex_block.register

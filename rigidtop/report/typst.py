@@ -216,7 +216,8 @@ def _(block: b.Conditions) -> str:
 def _condition(item: b.Condition) -> str:
     words = f", {prose(item.words)}" if item.words else ""
     stated = "stated" if item.stated else "*not stated*"
-    return f"${maths(latex(item.relation))}${words} ({stated}). {typst_block(item.without)}"
+    without = "" if item.without is None else " " + typst_block(item.without)
+    return f"${maths(latex(item.relation))}${words} ({stated}).{without}"
 
 
 @typst_block.register

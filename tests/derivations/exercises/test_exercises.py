@@ -17,6 +17,8 @@ from rigidtop.proof.page import Measure, by_lines
 from rigidtop.proof.verdict import Verdict, judge
 from rigidtop.proof.words import parts
 from rigidtop.read.page import read_exercises
+from rigidtop.report.claims import tested
+from rigidtop.report.records import record as claim_record
 from rigidtop.report.solutions import Solution, record
 from rigidtop.theory.symbols import VOCABULARY
 from rigidtop.typeset.sentences import prose
@@ -47,6 +49,18 @@ def test_names_are_told_apart_and_claims_have_one_home():
     for exercise in EXERCISES:
         for claim in exercise.claims:
             assert id(claim) in of_pages or claim is NEW_CLAIMS[claim.name]
+
+
+def test_a_claim_that_its_lines_show_holds_under_their_conditions():
+    lines = lecture_with(["exercises/fast_spin_roots", "exercises/gyroscope"])
+    claims = NEW_CLAIMS["roots-in-powers"], NEW_CLAIMS["disc-on-an-arm"]
+    with_conditions, without = (judge(claim, lecture=lines) for claim in claims)
+    assert with_conditions.verdict is Verdict.ASSUMING
+    kept = [str(item.assumption.condition) for item in tested(with_conditions)]
+    assert "Ne(cos(theta), 0)" in kept
+    assert "omega3 > 0" in kept
+    assert claim_record(with_conditions)["note"].startswith("holds if ")
+    assert (without.verdict, tested(without)) == (Verdict.PROVED, [])
 
 
 @pytest.mark.parametrize("exercise", EXERCISES, ids=NAMES)
