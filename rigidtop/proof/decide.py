@@ -20,8 +20,9 @@ import sympy
 from sympy import Expr, Integer, Matrix, Rational, Symbol, cos, pi, sin
 from sympy.core.relational import Relational
 
+from rigidtop.theory.polynomial import Polynomial
 from rigidtop.theory.symbols import t
-from rigidtop.theory.trig import factored, reduce_ratio, reduce_trig
+from rigidtop.theory.trig import factored, reduce_ratio
 
 
 class Verdict(StrEnum):
@@ -65,10 +66,7 @@ def vanishes(expression: Expr) -> bool:
         sympy.tan
     ):
         expression = sympy.expand_trig(expression.rewrite(sympy.tan, sin))
-    if all(power.exp.is_nonnegative for power in expression.atoms(sympy.Pow)):
-        return bool(reduce_trig(expression) == 0)
-    numerator, denominator = sympy.fraction(sympy.together(expression))
-    return bool(reduce_trig(numerator) == 0 and reduce_trig(denominator) != 0)
+    return Polynomial(expression).is_zero()
 
 
 MOST_SHOWN = 4000

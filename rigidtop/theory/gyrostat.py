@@ -16,8 +16,9 @@ from sympy import Expr, Matrix
 
 from rigidtop.theory import euler
 from rigidtop.theory import symbols as s
+from rigidtop.theory.polynomial import CACHED
 from rigidtop.theory.rotation import total_derivative
-from rigidtop.theory.trig import CACHED, reduce_ratio
+from rigidtop.theory.trig import reduce_ratio
 
 RELATIVE = (s.zeta1, s.zeta2, s.zeta3)
 
