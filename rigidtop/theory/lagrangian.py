@@ -29,10 +29,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy
-from sympy import Derivative, Expr, Matrix, MatrixBase, hessian
+from sympy import Derivative, Expr, Matrix, MatrixBase
 from sympy.solvers.solveset import NonlinearError
 
-from rigidtop.theory.rotation import total_derivative
+from rigidtop.theory.rates import slope, total_derivative
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
 Names = Sequence[Expr]
@@ -72,13 +72,18 @@ def _check_motion(L: Expr, q: Names, qdot: Names, qddot: Names = ()) -> None:
 def momenta(L: Expr, qdot: Names) -> Matrix:
     """p = ∂L/∂q̇ (n×1)."""
     _check(L, velocities=qdot)
-    return Matrix([sympy.factor_terms(L.diff(v)) for v in qdot])
+    return Matrix([sympy.factor_terms(slope(L, v)) for v in qdot])
 
 
 def mass_matrix(L: Expr, qdot: Names) -> Matrix:
     """∂²L/∂q̇∂q̇ (n×n), with products of sines and cosines in normal form."""
     _check(L, velocities=qdot)
-    return reduce_trig(hessian(L, list(qdot)), keep="sin")
+    return reduce_trig(_second(L, qdot), keep="sin")
+
+
+def _second(L: Expr, names: Names) -> Matrix:
+    """The second derivatives of L."""
+    return Matrix([[slope(slope(L, x), y) for y in names] for x in names])
 
 
 def euler_lagrange(L: Expr, q: Names, qdot: Names, qddot: Names) -> Matrix:
@@ -86,7 +91,7 @@ def euler_lagrange(L: Expr, q: Names, qdot: Names, qddot: Names) -> Matrix:
     _check(L, velocities=qdot, accelerations=qddot)
     _check_motion(L, q, qdot, qddot)
     rates = {**dict(zip(q, qdot, strict=True)), **dict(zip(qdot, qddot, strict=True))}
-    force = Matrix([L.diff(x) for x in q])
+    force = Matrix([slope(L, x) for x in q])
     return total_derivative(momenta(L, qdot), rates) - force
 
 
@@ -102,7 +107,7 @@ def accelerations(L: Expr, q: Names, qdot: Names) -> Matrix:
         raise ValueError("the mass matrix is singular: some velocity does not enter L")
     # What the accelerations add stands on the other side.
     rates = {**dict(zip(q, qdot, strict=True)), **dict.fromkeys(qdot, sympy.S.Zero)}
-    force = Matrix([L.diff(x) for x in q]) - total_derivative(momenta(L, qdot), rates)
+    force = Matrix([slope(L, x) for x in q]) - total_derivative(momenta(L, qdot), rates)
     return (adjugate * force / determinant).applyfunc(reduce_ratio)
 
 
@@ -211,7 +216,7 @@ def linearise(L: Expr, q: Names, qdot: Names, about: Mapping[Expr, Expr]) -> Lin
     second derivative of L changes.
     """
     _check_motion(L, q, qdot)
-    second = hessian(L, [*qdot, *q])
+    second = _second(L, [*qdot, *q])
     # What is at rest changes nothing, and need not be differentiated by.
     moving = {x: v for x, v in zip(q, qdot, strict=True) if v.subs(about) != 0}
     rates = {**moving, **dict.fromkeys(qdot, sympy.S.Zero)}
