@@ -117,8 +117,7 @@ class _Text:
 
     def checks(self, line: int) -> list[dict[str, ast.expr]]:
         """The arguments, by name, of the checks that are made where `line` is; else of all."""
-        calls = [node for node in ast.walk(self.body) if isinstance(node, ast.Call)]
-        made = [call for call in calls if _is_check(self.known(call.func))]
+        made = [call for call in _calls(self.body) if _is_check(self.known(call.func))]
         here = [call for call in made if call.lineno <= line <= (call.end_lineno or line)]
         return [
             {
@@ -231,12 +230,23 @@ def _is_check(thing: Any) -> bool:
 def _text(code: CodeType, names: Mapping[str, Any]) -> _Text | None:
     """The function with this code, or None where its source is not to be had."""
     linecache.checkcache(code.co_filename)
-    for node in ast.walk(_tree(code.co_filename)):
-        if isinstance(node, ast.FunctionDef) and node.name == code.co_name:
-            lines = (node.lineno, *(decorator.lineno for decorator in node.decorator_list))
-            if min(lines) == code.co_firstlineno:
-                return _Text(node, names)
-    return None
+    found = _functions(_tree(code.co_filename)).get((code.co_name, code.co_firstlineno))
+    return None if found is None else _Text(found, names)
+
+
+@lru_cache(maxsize=100)
+def _functions(tree: ast.AST) -> Mapping[tuple[str, int], ast.FunctionDef]:
+    """Those of a file, by name and first line, which may be a decorator's."""
+    functions = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
+    return {
+        (f.name, min([f.lineno, *(decorator.lineno for decorator in f.decorator_list)])): f
+        for f in functions
+    }
+
+
+@lru_cache(maxsize=1000)
+def _calls(body: ast.AST) -> Sequence[ast.Call]:
+    return [node for node in ast.walk(body) if isinstance(node, ast.Call)]
 
 
 def _tree(file: str | None) -> ast.Module:
