@@ -22,7 +22,7 @@ from sympy.core.relational import Relational
 
 from rigidtop.theory.polynomial import Polynomial
 from rigidtop.theory.symbols import t
-from rigidtop.theory.trig import factored, reduce_ratio
+from rigidtop.theory.trig import reduce_ratio
 
 
 class Verdict(StrEnum):
@@ -251,8 +251,10 @@ def _strict(condition: Relational) -> bool:
 
 
 def _factors(ratio: Expr) -> list[Expr]:
+    """What a ratio in lowest terms has above, of a sum what no number divides."""
     numerator, _ = sympy.fraction(ratio)
-    return [f.as_base_exp()[0] for f in sympy.Mul.make_args(factored(numerator))]
+    bases = [f.as_base_exp()[0] for f in sympy.Mul.make_args(numerator)]
+    return [base.primitive()[1] if base.is_Add else base for base in bases]
 
 
 def lost(wanted: Expr, given: Expr, conditions: Sequence[Relational] = ()) -> list[Expr]:

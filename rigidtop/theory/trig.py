@@ -12,9 +12,6 @@ from rigidtop.theory.polynomial import CACHED, Polynomial
 
 ExprOrMatrix = TypeVar("ExprOrMatrix", Expr, MatrixBase)
 
-factored = lru_cache(maxsize=CACHED)(sympy.factor)
-"""`sympy.factor`, of which SymPy keeps nothing."""
-
 
 def reduce_trig(expression: ExprOrMatrix, keep: str = "cos") -> ExprOrMatrix:
     """Expand a polynomial in sines and cosines and eliminate sin² by sin² = 1 − cos².
