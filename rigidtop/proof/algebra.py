@@ -37,6 +37,7 @@ from rigidtop.proof.equation import (
     Underbrace,
     VolumeIntegral,
 )
+from rigidtop.theory.rates import slope
 from rigidtop.theory.symbols import unit
 
 Value = Any
@@ -591,9 +592,8 @@ class Algebra:
 
     def _scalar_rate(self, expression: Expr) -> Expr:
         flat, atoms = flattened(expression)
-        return Add(*(flat.diff(x) * self._rate_of(x, atoms) for x in flat.free_symbols)).xreplace(
-            atoms
-        )
+        parts = (slope(flat, x) * self._rate_of(x, atoms) for x in flat.free_symbols)
+        return Add(*parts).xreplace(atoms)
 
     def _rate_of(self, x: Symbol, atoms: Mapping[Symbol, Expr]) -> Expr:
         node = atoms.get(x, x)

@@ -11,10 +11,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from typing import Any
 
 import sympy
-from sympy import Add, Expr, Integer, MatrixBase, Symbol
+from sympy import Add, Expr, Integer, MatrixBase, Rational, Symbol
 
 from rigidtop.proof import decide, units
 from rigidtop.proof.algebra import (
@@ -491,8 +492,8 @@ def _ratio(mine: Expr, theirs: Expr) -> Expr | None:
         a, b = decide.values(list(flat), attempt)
         if not (math.isfinite(a) and math.isfinite(b)) or abs(b) < decide.TOLERANCE:
             continue
-        guess = sympy.nsimplify(a / b, rational=True, tolerance=1e-8)
-        return guess if guess.q <= 64 and guess != 0 else None
+        guess = Fraction(a / b).limit_denominator(64)
+        return Rational(guess) if guess and math.isclose(guess, a / b, rel_tol=1e-8) else None
     return Integer(1)
 
 

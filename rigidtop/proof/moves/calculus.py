@@ -20,6 +20,7 @@ from rigidtop.proof.moves.move import (
     the_one,
 )
 from rigidtop.proof.moves.pairs import all_pairs
+from rigidtop.theory.rates import slope
 
 
 def differentiate(move: Move, algebra: Algebra) -> Performed:
@@ -61,13 +62,13 @@ def _slope(value: Value, by: Symbol, held: frozenset[Symbol], move: Move, algebr
         raise RefusedError("partial derivatives are taken of scalars")
     letters = algebra.letters
     flat, atoms = flattened(value)
-    slope = flat.diff(by)
+    made = slope(flat, by)
     for x in flat.free_symbols - held - {by, TIME}:  # the time is held fixed too
         node = atoms.get(x, x)
         if node in letters.functions and letters.arguments(node) <= held:
             if by in letters.functions[node]:
                 _is_function(node, move, algebra)
-                slope += flat.diff(x) * Partial(node, by)  # the chain rule
+                made += slope(flat, x) * Partial(node, by)  # the chain rule
         elif not (by in letters.velocities and letters.is_placed(node)):
             raise RefusedError(
                 "{} in {} depends on the coordinates and velocities: write it out before you "
@@ -76,7 +77,7 @@ def _slope(value: Value, by: Symbol, held: frozenset[Symbol], move: Move, algebr
                 name_of(the_one(move)),
                 by,
             )
-    return slope.xreplace(atoms)
+    return made.xreplace(atoms)
 
 
 def _is_function(letter: Symbol, move: Move, algebra: Algebra) -> None:

@@ -11,6 +11,7 @@ from sympy import Add, Expr, Integer, MatrixBase, Mul, Pow, Symbol, cos, exp, fa
 from rigidtop.proof.algebra import Algebra, Letters, Value, Vector, components, flattened, vanishes
 from rigidtop.proof.moves.move import Move, Order, Pair, Performed, RefusedError, name_of, the_one
 from rigidtop.proof.moves.pairs import all_pairs, put_in, scalars
+from rigidtop.theory.rates import slope
 
 NEGLECTED = Symbol("neglected")
 """What stands for all that an approximate equation leaves out, if no letter is small in it."""
@@ -71,16 +72,16 @@ def _series(counted: Expr, order: Order) -> Expr:
 
     A last derivative that is finite bounds the rest.
     """
-    made, slope, by = Integer(0), counted, order.small
+    made, derivative, by = Integer(0), counted, order.small
     if all(isinstance(part, _SMOOTH) for part in sympy.preorder_traversal(counted)):
         for power in range(order.power + 1):
-            at = slope.subs(by, 0)
+            at = derivative.subs(by, 0)
             if at.has(sympy.nan, sympy.zoo, sympy.oo):
                 break
             if power == order.power:
                 return sympy.expand(made)
             made += at * by**power / factorial(power)
-            slope = slope.diff(by)
+            derivative = slope(derivative, by)
     above = sympy.series(counted, by, 0, order.power).removeO()
     if not by.is_nonnegative:
         # SymPy's series holds for a small quantity above zero.
