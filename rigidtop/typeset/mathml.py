@@ -67,7 +67,12 @@ def element(inside: str, alt: str, block: bool) -> str:
     )
 
 
-_BESIDE = re.compile(r"([^ \n<>]*)(<math(?![^>]*display=)[^>]*>.*?</math>)([^ \n<]*)", re.S)
+# No place is looked at twice: a page has five million.
+_BESIDE = re.compile(
+    r"((?<![^ \n<>])[^ \n<>]++|)"
+    r"(<math(?![^>]*display=)(?:[^<]++|<(?!/math>))*+</math>)"
+    r"([^ \n<]*)"
+)
 
 
 def held(html: str) -> str:
