@@ -51,11 +51,21 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="the answer; - reads it from standard input; a folder of answers becomes a table of "
         "marks (CSV)",
     )
+    parser.add_argument("--from", dest="start", metavar="N", help="the equation to start from")
+    parser.add_argument("--to", dest="goal", metavar="N", help="the equation to arrive at")
     parser.add_argument(
-        "--from", dest="start", required=True, metavar="N", help="the equation to start from"
+        "--exercise",
+        metavar="NAME",
+        help="in place of both: the derivation that an exercise asks for, or its numbers, a line "
+        "each, such as time_to_fall = 1.55 s",
     )
     parser.add_argument(
-        "--to", dest="goal", required=True, metavar="N", help="the equation to arrive at"
+        "--set",
+        dest="given",
+        nargs="+",
+        default=(),
+        metavar="NAME=VALUE",
+        help="settings of the exercise, such as theta=30deg",
     )
     parser.add_argument(
         "--seconds", type=number, default=20.0, help="time for a line (default: %(default)g)"
@@ -64,22 +74,37 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Mark and print; 0 if every line follows and the derivation arrives."""
+    if (options.exercise is None) == (None in (options.start, options.goal)):
+        raise RigidtopError("say --from N --to N, or --exercise NAME")
+    if options.exercise is None and options.given:
+        raise RigidtopError("--set: only an exercise has settings")
     if not 0 < options.seconds <= 3600:
         raise RigidtopError(f"--seconds must be between 0 and 3600, not {options.seconds:g}")
     if options.file != "-" and Path(options.file).is_dir():
         return _class(Path(options.file), options)
     source = _typed() if options.file == "-" else text_of(options.file)
-    from rigidtop.mark.limits import marked
     from rigidtop.mark.record import record
 
-    found = marked(source, options.start, options.goal, options.seconds, 6 * options.seconds)
+    start, goal, found = _marked(source, options)
     if not found.lines:
         raise RigidtopError(f"no formula in {options.file}: put each between $$ and $$")
     if options.json:
-        print_json({"from": options.start, "to": options.goal, **record(found)})
+        print_json({"from": start, "to": goal, **record(found)})
     else:
         _print(found)
     return 0 if found.passed else FAILED
+
+
+def _marked(source: str, options: argparse.Namespace) -> tuple[str, str, Marking]:
+    """The marks of an answer, and the ends of the derivation, if it is one."""
+    from rigidtop.mark.exercise import answered
+    from rigidtop.mark.limits import marked
+
+    limits = options.seconds, 6 * options.seconds
+    if options.exercise is not None:
+        return answered(options.exercise, source, options.given, *limits)
+    start, goal = options.start, options.goal
+    return start, goal, marked(source, start, goal, *limits)
 
 
 COLUMNS = ("file", "points", "of", "passed", "wrong line", "slips", "summary")
@@ -87,8 +112,6 @@ COLUMNS = ("file", "points", "of", "passed", "wrong line", "slips", "summary")
 
 def _class(folder: Path, options: argparse.Namespace) -> int:
     """A row of CSV for each answer of a folder; below it, on stderr, the commonest slips."""
-    from rigidtop.mark.limits import marked
-
     files = sorted(path for path in folder.iterdir() if path.suffix in (".tex", ".md"))
     if not files:
         raise RigidtopError(f"{folder}: no answers in it, .tex or .md")
@@ -97,9 +120,7 @@ def _class(folder: Path, options: argparse.Namespace) -> int:
     kinds: Counter[str] = Counter()
     for path in files:
         try:
-            found = marked(
-                text_of(path), options.start, options.goal, options.seconds, 6 * options.seconds
-            )
+            *_, found = _marked(text_of(path), options)
         except RigidtopError as error:
             writer.writerow([_cell(path.name), 0, 0, False, "", "", _cell(str(error))])
             continue

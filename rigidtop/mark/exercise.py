@@ -1,0 +1,210 @@
+"""An answer to an exercise: a derivation between two equations, or the numbers that it asks for.
+
+Numbers stand by their names, a line each, in SI units or, where they are angles, in degrees:
+
+    time_to_fall = 1.548 s
+    theta_dot = 153 deg
+
+The solution's value decides, rounded or cut to as many digits as are given, two or more.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
+
+from rigidtop.derivations import lecture
+from rigidtop.derivations.exercises import EXERCISES
+from rigidtop.errors import RigidtopError
+from rigidtop.mark.answer import Mark, Marked, Marking
+from rigidtop.mark.limits import LONGEST, SECONDS, SECONDS_A_LINE, marked
+from rigidtop.mark.passages import passage
+from rigidtop.mark.slips import Slip
+from rigidtop.parameters import settings
+from rigidtop.proof.exercise import Answer, Exercise
+from rigidtop.proof.units import NUMBER, parsed
+
+_NAMED = re.compile(r"^[ \t]*(?:[-*][ \t]+)?`?([A-Za-z]\w*)`?[ \t]*=([^=\n]*)$", re.M)
+_NUMBER = re.compile(
+    r"(?P<digits>[+−-]?(?:\d{1,20}(?:\.\d{0,20})?|\.\d{1,20}))"
+    r"(?:e(?P<e>[+-]?\d{1,2})| ?[·×*] ?10\^?\{?(?P<ten>[-−⁻]?[\d⁰¹²³⁴-⁹]{1,2})\}?)?"
+    r"\s*(?P<unit>(?!e[+-]?\d)[^\d\s.,].*|1/.*)?"
+)
+_PLAIN = str.maketrans("−⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "--0123456789")
+_TURNS = {
+    ("°", "rad"): math.pi / 180,
+    ("°/s", "rad/s"): math.pi / 180,
+    ("rpm", "rad/s"): math.pi / 30,
+}
+"""Units of angles and of their rates, besides those in which they are asked."""
+_FACTORS = {
+    -1.0: ("sign", "its sign"),
+    2.0: ("factor", "a factor 2"),
+    0.5: ("factor", "a factor ½"),
+    2 * math.pi: ("factor", "a factor 2π"),
+    1 / (2 * math.pi): ("factor", "a factor 1/(2π)"),
+    180 / math.pi: ("unit", "degrees for radians"),
+}
+"""What a wrong number is to the right one, and what slip that is."""
+
+ZERO = 1e-12
+"""A solution's value below this is zero, which has no digits."""
+
+
+def answered(
+    name: str,
+    source: str,
+    given: Sequence[str] = (),
+    a_line: float = SECONDS_A_LINE,
+    altogether: float = SECONDS,
+) -> tuple[str, str, Marking]:
+    """The marks of an answer to an exercise, with the ends of the derivation, if it is one.
+
+    `given` are settings of the exercise other than its own, such as "theta=30deg".  Raises
+    RigidtopError for an exercise or a setting that is not there, and for an answer of which no
+    line can be marked, with what can be.
+
+    >>> _, _, found = answered("toppling-top", "growth_rate = 1.903 1/s")
+    >>> [line.mark.value for line in found.lines], found.passed
+    (['follows'], False)
+    """
+    exercise = _named(name)
+    if len(source) > LONGEST:
+        raise RigidtopError(f"an answer has no more than {LONGEST} characters, not {len(source)}")
+    asked = numbers(exercise, given)
+    if any(match[1] in asked for match in _NAMED.finditer(source)):
+        return "", "", _numeric(source, exercise.name, asked)
+    ends_here = ends(name)
+    return (*ends_here, marked(source, *ends_here, a_line, altogether))
+
+
+def numbers(exercise: Exercise, given: Sequence[str] = ()) -> Mapping[str, Answer]:
+    """The numbers of an exercise's solution, by their names."""
+    values = settings(exercise.parameters, given)
+    return {x.name: x for x in exercise.solve(**values) if isinstance(x, Answer)}
+
+
+def _named(name: str) -> Exercise:
+    found: dict[str, Exercise] = {exercise.name: exercise for exercise in EXERCISES}
+    if name not in found:
+        raise RigidtopError(f"no exercise is called {name!r}: {', '.join(found)}")
+    return found[name]
+
+
+@cache
+def ends(name: str) -> tuple[str, str]:
+    """The equations between which an answer to an exercise is marked.
+
+    The goal is the first of its claims that can be marked, the start the last equation with a
+    number that leads there.  Raises RigidtopError for an exercise that has none, with the numbers
+    that can be marked instead.
+
+    >>> ends("fast-spin-roots")
+    ('3.57', 'two-roots')
+    """
+    exercise = _named(name)
+    found = _ends(claim.name for claim in exercise.claims)
+    if found is None:
+        raise RigidtopError(
+            f"of {name} no derivation is marked, but its numbers are, a line each: "
+            f"{_listed(numbers(exercise).values())}"
+        )
+    return found
+
+
+def _ends(goals: Iterable[str]) -> tuple[str, str] | None:
+    """The first of some claims that can be marked, behind the last number that leads there."""
+    names = lecture().names
+    starts = [name for name in reversed(names) if name[:1].isdigit()]
+    for goal in goals:
+        for start in starts if goal in names else ():
+            try:
+                passage(start, goal)
+            except RigidtopError:
+                continue
+            return start, goal
+    return None
+
+
+def _listed(asked: Iterable[Answer]) -> str:
+    shown = (f"{x.name} = …{f' {x.unit}' * (x.unit != '1')}" for x in asked)
+    return ", ".join(shown)
+
+
+# --- Numbers -------------------------------------------------------------------------------------
+
+
+def _numeric(source: str, name: str, asked: Mapping[str, Answer]) -> Marking:
+    made = []
+    right = set()
+    for at, written in enumerate(source.split("\n"), start=1):
+        match = _NAMED.fullmatch(written)
+        if match is None:
+            if re.search(r"[=$\\]", written):
+                reason = (
+                    "beside numbers no formulas are marked: give them in an answer of their own"
+                )
+                made.append(Marked(at, written.strip(), Mark.UNREAD, reason))
+            continue
+        value = match[2].strip(" \t.,;")
+        said = f"{match[1]} = {value}"
+        if match[1] not in asked:
+            reason = f"{name} asks for no {match[1]}, but for {_listed(asked.values())}"
+            made.append(Marked(at, said, Mark.UNREAD, reason))
+            continue
+        made.append(_marked(at, said, value, asked[match[1]]))
+        if made[-1].mark is Mark.FOLLOWS:
+            right.add(match[1])
+    left = [x for x in asked.values() if x.name not in right]
+    if left:
+        told = f"{len(right)} of {len(asked)} numbers are right; asked are also {_listed(left)}"
+    else:
+        told = f"all {len(asked)} numbers are right"
+    return Marking(tuple(made), not left, name, problem=told)
+
+
+def _marked(at: int, said: str, written: str, asked: Answer) -> Marked:
+    """One number with its unit."""
+    what = asked.what.replace("$", "")
+    if isinstance(asked.value, str):
+        same = written.strip("“”\"'").casefold() == asked.value.casefold()
+        note = what if same else f"{what}: words are compared letter by letter"
+        return Marked(at, said, Mark.FOLLOWS if same else Mark.INCONCLUSIVE, note)
+    found = _NUMBER.fullmatch(written)
+    if found is None:
+        reason = f"a number with its unit, such as 1.25e-3 {asked.unit}, is read"
+        return Marked(at, said, Mark.UNREAD, reason)
+    unit = re.sub("^deg(?=$|/)", "°", found["unit"] or "")
+    problem = _other_unit(unit, asked.unit)
+    if problem and not unit:
+        return Marked(at, said, Mark.INCONCLUSIVE, problem)
+    if problem:
+        return Marked(at, said, Mark.WRONG, problem, (Slip("unit", problem),))
+    digits = found["digits"].translate(_PLAIN)
+    power = int((found["e"] or found["ten"] or "0").translate(_PLAIN))
+    given = float(f"{digits}e{power}")
+    if len(digits.lstrip("+-0.").replace(".", "")) < 2 and (given or abs(asked.value) > ZERO):
+        return Marked(at, said, Mark.INCONCLUSIVE, "give two digits or more")
+    last = 10.0 ** (power - len(digits.partition(".")[2]))
+    true, count = asked.value / _TURNS.get((unit, asked.unit), 1.0) / last, round(given / last)
+    for factor, (kind, words) in {1.0: ("", ""), **_FACTORS}.items():
+        if count not in (round(factor * true), math.trunc(factor * true)):
+            continue
+        if not words:
+            return Marked(at, said, Mark.FOLLOWS, what)
+        return Marked(at, said, Mark.WRONG, f"it is off by {words}", (Slip(kind, words),))
+    return Marked(at, said, Mark.WRONG, f"this is not the {what}")
+
+
+def _other_unit(unit: str, asked: str) -> str:
+    """Why a unit is not that of what is asked, or nothing."""
+    if unit == asked or (not unit and asked in ("1", "rad")):
+        return ""
+    if not unit:
+        return f"its unit is not said: {asked}"
+    known = parsed(unit)
+    # A number has no unit, and a turn a second is no radian a second.
+    alike = known is not None and known == parsed(asked) != NUMBER and "Hz" not in unit + asked
+    return "" if alike or (unit, asked) in _TURNS else f"{unit} is no unit of it: {asked}"
