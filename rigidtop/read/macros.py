@@ -13,11 +13,11 @@ macros may stand in macros, and how much may come of them, is limited.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
 
-from rigidtop.read.tex import Piece, UnreadError, pieces
+from rigidtop.read.tex import Piece, UnreadError, flat, pieces
 
 DEEPEST = 20
 """Macros are not put into macros deeper."""
@@ -102,15 +102,9 @@ def _braced(text: str, at: int) -> str | None:
 
 def expanded(items: Sequence[Piece], macros: Macros) -> tuple[Piece, ...]:
     """The pieces with all macros put in; each has the place of the macro that it comes from."""
-    if not macros or not any(piece.text in macros for piece in _all(items)):
+    if not macros or not any(piece.text in macros for piece in flat(items)):
         return tuple(items)
     return tuple(_Expansion(macros).of(items, 0))
-
-
-def _all(items: Sequence[Piece]) -> Iterator[Piece]:
-    for piece in items:
-        yield piece
-        yield from _all(piece.group)
 
 
 class _Expansion:
@@ -192,32 +186,36 @@ def _optional(ahead: list[tuple[Piece, int]]) -> tuple[Piece, ...] | None:
     return None
 
 
-def _of(count: int, tex: str, shorter: Macro | None = None) -> Macro:
-    return Macro(count, pieces(tex), shorter=shorter)
+def _macro(tex: str, *shorter: str) -> Macro:
+    """A macro with the arguments that its text has; `shorter` are those for fewer."""
+    count = max(map(int, re.findall(r"#(\d)", tex)), default=0)
+    return Macro(count, pieces(tex), None, _macro(*shorter) if shorter else None)
 
 
 PACKAGES: Macros = {
-    # physics, and the like
-    r"\dd": _of(0, r"\mathrm{d}"),
-    r"\dv": _of(2, r"\frac{\mathrm d #1}{\mathrm d #2}", _of(1, r"\frac{\mathrm d}{\mathrm d #1}")),
-    r"\pdv": _of(
-        3,
-        r"\frac{\partial^2 #1}{\partial #2\partial #3}",
-        _of(2, r"\frac{\partial #1}{\partial #2}", _of(1, r"\frac{\partial}{\partial #1}")),
-    ),
-    r"\vect": _of(1, r"\mathbf{#1}"),
-    r"\uvec": _of(1, r"\hat{\mathbf{#1}}"),
-    r"\vb": _of(1, r"\mathbf{#1}"),
-    r"\va": _of(1, r"\vec{#1}"),
-    r"\vu": _of(1, r"\hat{\mathbf{#1}}"),
-    r"\abs": _of(1, r"\lvert #1\rvert"),
-    r"\norm": _of(1, r"\lVert #1\rVert"),
-    r"\qty": _of(0, ""),
-    r"\grad": _of(0, r"\nabla"),
-    r"\curl": _of(0, r"\nabla\times"),
-    r"\cross": _of(0, r"\times"),
-    r"\vdot": _of(0, r"\cdot"),
-    r"\qq": _of(1, r"\quad\text{#1}\quad"),
-    r"\qc": _of(0, r",\quad"),
+    "\\" + name: _macro(*bodies)
+    for name, *bodies in (
+        ("dd", r"\mathrm{d}"),
+        ("dv", r"\frac{\mathrm d #1}{\mathrm d #2}", r"\frac{\mathrm d}{\mathrm d #1}"),
+        (
+            "pdv",
+            r"\frac{\partial^2 #1}{\partial #2\partial #3}",
+            r"\frac{\partial #1}{\partial #2}",
+            r"\frac{\partial}{\partial #1}",
+        ),
+        *((name, r"\mathbf{#1}") for name in ("vect", "vb")),
+        *((name, r"\hat{\mathbf{#1}}") for name in ("uvec", "vu")),
+        ("va", r"\vec{#1}"),
+        ("abs", r"\lvert #1\rvert"),
+        ("norm", r"\lVert #1\rVert"),
+        ("qty", ""),
+        ("grad", r"\nabla"),
+        ("curl", r"\nabla\times"),
+        ("cross", r"\times"),
+        ("vdot", r"\cdot"),
+        ("qq", r"\quad\text{#1}\quad"),
+        ("qc", r",\quad"),
+    )
 }
-"""What the packages that physicists load define; a file's own definitions come before them."""
+"""What the packages that physicists load define, such as physics; of each as many as it has
+numbers of arguments.  A file's own definitions come before them."""

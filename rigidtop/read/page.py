@@ -33,6 +33,7 @@ from rigidtop.proof.equation import Equation, symbols_of
 from rigidtop.proof.lecture import Block, Heading, Lecture, Prose, Shown, Text
 from rigidtop.proof.moves import Known, Move, Scope
 from rigidtop.read import sentence as language
+from rigidtop.read.document import places
 from rigidtop.read.formula import read
 from rigidtop.read.tex import unread
 
@@ -77,32 +78,17 @@ def _named(source: str) -> Iterator[tuple[str, int, str]]:
         yield text, at, name
 
 
+_BLOCK = re.compile(
+    r"^[ \t]*\$\$(?:(?s:.+?)\$\$[ \t]*$|(?s:.*)\Z)|^#[^\n]*"
+    r"|(?:^(?![ \t]*\$\$)[^\n]*[^\s][^\n]*(?:\n|\Z))+",
+    re.M,
+)
+
+
 def _paragraphs(source: str) -> list[tuple[str, int]]:
     """Blocks between empty lines, with the numbers of their first lines; a display is whole."""
-    made: list[tuple[str, int]] = []
-    lines = source.split("\n")
-    i = 0
-    while i < len(lines):
-        if not lines[i].strip():
-            i += 1
-            continue
-        start = i
-        if lines[i].lstrip().startswith("$$"):
-            while not (
-                (lines[i].rstrip().endswith("$$") and lines[i].strip() != "$$")
-                or (i > start and lines[i].strip().endswith("$$"))
-            ):
-                i += 1
-                if i == len(lines):
-                    break
-            i += 1
-        elif lines[i].startswith("#"):
-            i += 1
-        else:
-            while i < len(lines) and lines[i].strip() and not lines[i].lstrip().startswith("$$"):
-                i += 1
-        made.append(("\n".join(lines[start:i]), start + 1))
-    return made
+    place = places(source)
+    return [(m[0].rstrip("\n"), place(m.start())[0]) for m in _BLOCK.finditer(source)]
 
 
 @dataclass

@@ -37,7 +37,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from sympy import Expr, Symbol
 
@@ -52,9 +52,7 @@ class SentenceError(ValueError):
     """A sentence that is not of this language, and what would be right."""
 
 
-ORDERS = {"zeroth": 0, "first": 1, "second": 2, "third": 3, "fourth": 4}
 _MATH = re.compile(r"\$([^$]+)\$")
-_REF = r"(?P<{}>.+?)"
 
 
 @dataclass(frozen=True)
@@ -75,10 +73,10 @@ def move(sentence: str, context: Context) -> Move:
     plain = re.sub(r"^(?:Now|Then|Next|Again|Finally|And),? +", "", plain)
     plain = plain[:1].upper() + plain[1:]
     body, using, where = _suffixes(plain, context)
-    for pattern, build in _PATTERNS:
+    for pattern, shape in _PATTERNS:
         found = pattern.fullmatch(body)
         if found is not None:
-            made = build(_Words(found.groupdict(), context))
+            made = shape.move(found.groupdict(), context)
             return replace(
                 made, using=(*made.using, *using), where=(*made.where, *where), words=sentence
             )
@@ -132,29 +130,6 @@ def _expression(latex: str, context: Context) -> Expr:
     return side
 
 
-@dataclass(frozen=True)
-class _Words:
-    """The parts of a sentence that matched."""
-
-    parts: Mapping[str, str]
-    context: Context
-
-    def known(self, name: str) -> tuple[Known, ...]:
-        return _list(self.parts[name], self.context)
-
-    def math(self, name: str) -> tuple[Expr, ...]:
-        return tuple(_expression(latex, self.context) for latex in _only_and(self.parts[name]))
-
-    def equations(self, name: str) -> tuple[Equation, ...]:
-        found = []
-        for latex in _only_and(self.parts[name]):
-            equation = _equation(latex, self.context)
-            if equation.relation != "=" or len(equation.sides) != 2:
-                raise SentenceError(f"${latex}$: a letter is set with one =")
-            found.append(equation)
-        return tuple(found)
-
-
 def _only_and(said: str) -> list[str]:
     """Mathematics in dollars, with nothing but commas and "and" between."""
     found = _MATH.findall(said)
@@ -201,27 +176,25 @@ def _named(said: str, context: Context) -> Known | None:
 def _of_letter(letter: Expr, context: Context) -> Known | None:
     """The last equation of this page, else of those before, that says what a letter is."""
     for lines in (context.page, context.above):
-        for known in reversed(lines):
-            own = tuple(e for e in known.equations if _says_what(letter, e))
-            if own:
-                return replace(known, equations=own)
-        for known in reversed(lines):
-            own = tuple(e for e in known.equations if e.sides == (letter, const))
-            if own:
-                return replace(known, equations=own)
-        for known in reversed(lines):
-            own = tuple(e for e in known.equations if e.relation in "<≤≥>" and e.sides[0] == letter)
-            if own:
-                return replace(known, equations=own)
+        for says in (_says_what, _says_constant, _bounds):
+            for known in reversed(lines):
+                own = tuple(e for e in known.equations if says(letter, e))
+                if own:
+                    return replace(known, equations=own)
     return None
 
 
 def _says_what(letter: Expr, equation: Equation) -> bool:
-    return (
-        equation.sides[0] == letter
-        and equation.sides[1:] != (const,)
-        and equation.relation in ("=", "≡", "≈")
-    )
+    what = equation.sides[0] == letter and equation.sides[1:] != (const,)
+    return what and equation.relation in ("=", "≡", "≈")
+
+
+def _says_constant(letter: Expr, equation: Equation) -> bool:
+    return bool(equation.sides == (letter, const))
+
+
+def _bounds(letter: Expr, equation: Equation) -> bool:
+    return equation.relation in "<≤≥>" and bool(equation.sides[0] == letter)
 
 
 def is_taken(name: str, context: Context) -> bool:
@@ -245,132 +218,111 @@ def _unknown(said: str, context: Context) -> str:
     return f"nothing above is called {said!r}{hint}"
 
 
-def _simple(verb: str, **fixed: Any) -> Callable[[_Words], Move]:
-    return lambda w: Move(verb, w.known("a"), **fixed)
+_A, _B, _U = (f"(?P<{name}>.+?)" for name in "abu")
+_X, _L = r"(?P<x>.+?)", r"(?P<x>\$[^$]+\$)"
+_POWERS = {"zeroth": 0, "first": 1, "second": 2, "third": 3, "fourth": 4, "large": 1, "small": -1}
 
 
-def _by(verb: str, **fixed: Any) -> Callable[[_Words], Move]:
-    return lambda w: Move(verb, w.known("a"), by=w.math("x"), **fixed)
+class _Shape(NamedTuple):
+    """A sentence of the language, and the verb of its move.
+
+    The groups `a` and `b` name the lines that the move is of, `u` those that are put in, `x`, `y`
+    and `w` letters in dollars (as many as `w` has are to be without), `s` and `e` equations that
+    set a letter, `k` and `l` indices; `n` is a word for the power.
+    """
+
+    pattern: str
+    verb: str
+    power: int = 0
+    by: tuple[Any, ...] = ()
+
+    def move(self, parts: Mapping[str, str | None], context: Context) -> Move:
+        """The move that a sentence of this shape says."""
+
+        def each(names: str, take: Callable[[str, Context], Sequence[Any]]) -> tuple[Any, ...]:
+            return tuple(
+                x for name in names if (said := parts.get(name)) for x in take(said, context)
+            )
+
+        without = each("w", _math)
+        by = (*each("xy", _math), *without, *each("se", _settings), *each("kl", _index), *self.by)
+        of = each("ab", _list) * (2 if parts.get("twice") else 1)
+        power = len(without) or _POWERS.get(parts.get("n") or "", self.power)
+        return Move(self.verb, of, by=by, using=each("u", _list), power=power)
 
 
-def _multiply(w: _Words) -> Move:
-    if "$" in w.parts["x"]:
-        return Move("multiply", w.known("a"), by=w.math("x"))
-    return Move("multiply", (*w.known("a"), *w.known("x")))
+def _math(said: str, context: Context) -> tuple[Expr, ...]:
+    return tuple(_expression(latex, context) for latex in _only_and(said))
 
 
-def _put(w: _Words) -> Move:
-    return Move("put", w.known("b"), using=w.known("a"))
+def _settings(said: str, context: Context) -> tuple[Equation, ...]:
+    found = tuple(_equation(latex, context) for latex in _only_and(said))
+    for latex, equation in zip(_only_and(said), found, strict=True):
+        if equation.relation != "=" or len(equation.sides) != 2:
+            raise SentenceError(f"${latex}$: a letter is set with one =")
+    return found
 
 
-def _rate(frame: Expr | None = None) -> Callable[[_Words], Move]:
-    return lambda w: Move("rate", w.known("a"), by=() if frame is None else (frame,))
+def _index(said: str, _: Context) -> tuple[Symbol]:
+    return (Symbol(said),)
 
 
-def _product(verb: str) -> Callable[[_Words], Move]:
-    def build(w: _Words) -> Move:
-        a, b = w.parts["a"], w.parts["b"]
-        if b == "itself":
-            return Move(verb, w.known("a") * 2)
-        if _is_vector(b, w.context):
-            return Move(verb, w.known("a"), by=w.math("b"), power=1)
-        if _is_vector(a, w.context):
-            return Move(verb, w.known("b"), by=w.math("a"))
-        return Move(verb, (*w.known("a"), *w.known("b")))
-
-    return build
-
-
-def _is_vector(said: str, context: Context) -> bool:
-    """Whether a letter in dollars is meant as itself, not as the equation that says what it is."""
-    return _MATH.fullmatch(said.strip()) is not None
-
-
-def _combined(verb: str) -> Callable[[_Words], Move]:
-    def build(w: _Words) -> Move:
-        factor = w.math("x")[0] if w.parts.get("x") else None
-        by = () if factor is None else (factor, 1)
-        return Move(verb, (*w.known("a"), *w.known("b")), by=by)
-
-    return build
-
-
-def _solve(w: _Words) -> Move:
-    without = w.math("y") if w.parts.get("y") else ()
-    return Move("solve", w.known("a"), by=(*w.math("x"), *without), power=len(without))
-
-
-def _exchange(w: _Words) -> Move:
-    return Move("exchange", w.known("a"), by=tuple(Symbol(w.parts[x]) for x in "xy"))
-
-
-def _expand(w: _Words) -> Move:
-    return Move("expand", w.known("a"), by=w.math("x"), power=ORDERS[w.parts["n"]])
-
-
-def _neglect(w: _Words) -> Move:
-    power = 1 if w.parts["n"] == "large" else -1
-    return Move("neglect", w.known("a"), by=(*w.math("x"), *w.math("y")), power=power)
-
-
-def _between(w: _Words) -> Move:
-    begin, end = w.equations("x"), w.equations("y")
-    if len(begin) != 1 or len(end) != 1:
-        raise SentenceError("one letter is integrated over, from one value to another")
-    return Move("integrate", w.known("a"), by=(*begin, *end), power=1)
-
-
-def _integrate(w: _Words) -> Move:
-    return Move("integrate", w.known("a"), by=w.equations("x"))
-
-
-def _set(when: int) -> Callable[[_Words], Move]:
-    return lambda w: Move("set", w.known("a"), by=w.equations("x"), power=when)
-
-
-_A, _B, _X, _Y = (_REF.format(name) for name in "abxy")
-_SHAPES: tuple[tuple[str, Callable[[_Words], Move]], ...] = (
-    (rf"Put {_A} into {_B}", _put),
-    (rf"Compare {_A} with {_B}", _put),
-    (rf"Differentiate {_A} by {_X}", _by("differentiate")),
-    (rf"Take the rate of {_A} in the body", _rate(BODY)),
-    (rf"Take the rate of {_A} in space", _rate(SPACE)),
-    (rf"Take the rate of {_A}", _rate()),
-    (rf"Integrate {_A} from (?P<x>\$.+\$) to (?P<y>\$.+\$)", _between),
-    (rf"Integrate {_A} from (?P<x>\$.+\$)", _integrate),
-    (rf"Integrate {_A}", _simple("integrate")),
-    (rf"Take the component of {_A} along {_X}", _by("component")),
-    (rf"Resolve {_A} along {_X}", _by("component")),
-    (rf"Dot {_A} with {_B}", _product("dot")),
-    (rf"Cross {_A} with {_B}", _product("cross")),
-    (rf"Add (?:(?P<x>\$[^$]+\$) times )?{_A} to {_B}", _combined("add")),
-    (rf"Subtract (?:(?P<x>\$[^$]+\$) times )?{_A} from {_B}", _combined("subtract")),
-    (rf"Sum {_A} over all parts", _simple("sum", by=(Symbol("k"),))),
-    (rf"Multiply {_A} by (?P<x>\$[^$]+\$) from the right", _by("multiply", power=1)),
-    (rf"Multiply {_A} by {_X}", _multiply),
-    (rf"Take the transpose of {_A}", _simple("transpose")),
-    (rf"Take the determinant of {_A}", _simple("determinant")),
-    (rf"Exchange the factors in {_A}", _simple("turn factors")),
-    (rf"Strip {_X} from {_A}", _by("strip")),
-    (rf"Divide {_A} by {_X}", _by("divide")),
-    (rf"Expand {_A} to (?P<n>{'|'.join(ORDERS)}) order in {_X}", _expand),
-    (rf"(?:Rearrange|Expand|Factor|Rewrite) {_A}", _simple("rewrite")),
-    (rf"Collect {_A}(?: in {_X})?", _simple("rewrite")),
-    (rf"Exchange \$(?P<x>[a-z])\$ and \$(?P<y>[a-z])\$ in {_A}", _exchange),
-    (rf"Solve {_A} for (?P<x>\$.+\$), without (?P<y>\$.+\$)", _solve),
-    (rf"Solve {_A} for (?P<x>\$.+\$)", _solve),
-    (rf"Take the root of {_A}", _simple("root")),
-    (rf"Take the sign of {_A}", _simple("sign")),
-    *((rf"Take the {f} of {_A}", _simple(f)) for f in ("sine", "cosine", "logarithm")),
-    (rf"Square {_A}", _simple("square")),
-    (rf"Neglect {_X} in {_A}, for (?P<n>large|small) (?P<y>\$[^$]+\$)", _neglect),
-    (rf"Neglect {_X} in {_A}", _by("neglect")),
-    (rf"Set {_X} at all times in {_A}", _set(1)),
-    (rf"Set {_X} at the start in {_A}", _set(2)),
-    (rf"Set {_X} in {_A}", _set(0)),
+_SHAPES = (
+    _Shape(rf"Put {_U} into {_A}", "put"),
+    _Shape(rf"Compare {_U} with {_A}", "put"),
+    _Shape(rf"Differentiate {_A} by {_X}", "differentiate"),
+    _Shape(rf"Take the rate of {_A} in the body", "rate", by=(BODY,)),
+    _Shape(rf"Take the rate of {_A} in space", "rate", by=(SPACE,)),
+    _Shape(rf"Take the rate of {_A}", "rate"),
+    _Shape(rf"Integrate {_A} from (?P<s>\$[^$]+\$) to (?P<e>\$[^$]+\$)", "integrate", 1),
+    _Shape(rf"Integrate {_A} from (?P<s>\$.+\$)", "integrate"),
+    _Shape(rf"Integrate {_A}", "integrate"),
+    _Shape(rf"Take the component of {_A} along {_X}", "component"),
+    _Shape(rf"Resolve {_A} along {_X}", "component"),
+    *(
+        shape
+        for verb in ("dot", "cross")
+        for shape in (
+            _Shape(rf"{verb.title()} {_A} with (?P<twice>itself)", verb),
+            _Shape(rf"{verb.title()} {_A} with {_L}", verb, 1),
+            _Shape(rf"{verb.title()} {_L} with {_A}", verb),
+            _Shape(rf"{verb.title()} {_A} with {_B}", verb),
+        )
+    ),
+    _Shape(rf"Add {_L} times {_A} to {_B}", "add", by=(1,)),
+    _Shape(rf"Add {_A} to {_B}", "add"),
+    _Shape(rf"Subtract {_L} times {_A} from {_B}", "subtract", by=(1,)),
+    _Shape(rf"Subtract {_A} from {_B}", "subtract"),
+    _Shape(rf"Sum {_A} over all parts", "sum", by=(Symbol("k"),)),
+    _Shape(rf"Multiply {_A} by {_L} from the right", "multiply", 1),
+    _Shape(rf"Multiply {_A} by (?P<x>.*\$.*)", "multiply"),
+    _Shape(rf"Multiply {_A} by {_B}", "multiply"),
+    _Shape(rf"Take the transpose of {_A}", "transpose"),
+    _Shape(rf"Take the determinant of {_A}", "determinant"),
+    _Shape(rf"Exchange the factors in {_A}", "turn factors"),
+    _Shape(rf"Strip {_X} from {_A}", "strip"),
+    _Shape(rf"Divide {_A} by {_X}", "divide"),
+    _Shape(rf"Expand {_A} to (?P<n>{'|'.join([*_POWERS][:5])}) order in {_X}", "expand"),
+    _Shape(rf"(?:Rearrange|Expand|Factor|Rewrite) {_A}", "rewrite"),
+    _Shape(rf"Collect {_A}(?: in .+?)?", "rewrite"),
+    _Shape(rf"Exchange \$(?P<k>[a-z])\$ and \$(?P<l>[a-z])\$ in {_A}", "exchange"),
+    _Shape(rf"Solve {_A} for (?P<x>\$.+\$), without (?P<w>\$.+\$)", "solve"),
+    _Shape(rf"Solve {_A} for (?P<x>\$.+\$)", "solve"),
+    *(
+        _Shape(rf"Take the {what} of {_A}", what)
+        for what in ("root", "sign", "sine", "cosine", "logarithm")
+    ),
+    _Shape(rf"Square {_A}", "square"),
+    _Shape(rf"Neglect {_X} in {_A}, for (?P<n>large|small) (?P<y>\$[^$]+\$)", "neglect"),
+    _Shape(rf"Neglect {_X} in {_A}", "neglect"),
+    _Shape(rf"Set (?P<s>.+?) at all times in {_A}", "set", 1),
+    _Shape(rf"Set (?P<s>.+?) at the start in {_A}", "set", 2),
+    _Shape(rf"Set (?P<s>.+?) in {_A}", "set"),
 )
-_PATTERNS = tuple((re.compile(shape), build) for shape, build in _SHAPES)
-_FIRST = {shape.split()[0] for shape, _ in _SHAPES} | {"Rearrange", "Expand", "Factor", "Rewrite"}
+_PATTERNS = tuple((re.compile(shape.pattern), shape) for shape in _SHAPES)
+_FIRST = {shape.pattern.split()[0] for shape in _SHAPES} | {
+    *("Rearrange", "Expand", "Factor", "Rewrite")
+}
 DEFINES = re.compile(r"Call (?P<name>.+)")
 
 
