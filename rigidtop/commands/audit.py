@@ -6,7 +6,9 @@ import argparse
 import re
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,10 +22,12 @@ if TYPE_CHECKING:
     from rigidtop.mark.audit import Audited
     from rigidtop.mark.rows import Row
     from rigidtop.notation import Notation
+    from rigidtop.proof.equation import Equation
     from rigidtop.read.document import Formula
     from rigidtop.read.project import Source
     from rigidtop.report.annotated import Formula as Shown
     from rigidtop.report.annotated import Mark
+    from rigidtop.typeset.layout import Order
 
 ABOUT = "audit notes in Markdown, LaTeX or a notebook: anyone's, in any letters"
 
@@ -72,63 +76,54 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int:
-    from rigidtop.mark.audit import ABSENT, UNREAD, audit, missing
+    from rigidtop.mark.audit import SECONDS, audit, missing
     from rigidtop.mark.rows import rows
     from rigidtop.notation import OWN
-    from rigidtop.read.document import SECONDS
+    from rigidtop.read.document import places, problems
     from rigidtop.read.project import habits, sources
 
     until = time.process_time() + SECONDS
+
+    def left() -> float:
+        return max(until - time.process_time(), 1.0)
+
     found = sources(path)
     source = found[0].text
     output = Path(options.output) if options.output else None
     if output is not None and output.resolve() == path.resolve():
         raise RigidtopError(f"{output} is the file that is audited: write the page elsewhere")
-    audited = _of_collection(
-        audit(source, collection.pages, collection.notation, letters=collection.letters)
-    )
+    pages, notation = collection.pages, collection.notation
+    audited = _of_collection(audit(source, pages, notation, None, left(), collection.letters))
     judged = {formula.opens for each in audited for formula in each.group.formulas}
-    known = habits(found, OWN, until)
-    others = [
-        (each, row)
-        for each in found
-        if each.is_text
-        for row in rows(each.text, known, max(until - time.process_time(), 1.0))
-        if each is not found[0] or row.opens not in judged
+    known, place, form = habits(found, OWN, until), places(source), _forms(collection, until)
+    told = [
+        *map(_of_claim, audited),
+        *(_of_place(place(p.position)[0], p.reason) for p in problems(source) if not p.skipped),
+        *(
+            _of_file(row, each, len(found) > 1, form(row))
+            for each in found
+            if each.is_text
+            for row in rows(each.text, known, left())
+            if each is not found[0] or row.opens not in judged
+        ),
     ]
-    unread = _unread(source)
-    if not audited and not unread and not others:
+    if not told:
         raise RigidtopError(f"{path}: no formulas between dollars or the like that say something")
-    absent = [claim.name for claim in missing(audited, collection.pages)]
-    told = summary(audited, unread, absent, [row for _, row in others])
-    form = _forms(collection, until + SECONDS)
+    told += [_absent(claim.name) for claim in missing(audited, pages)]
     if output is not None:
         from rigidtop.report.annotated import write
         from rigidtop.terminal.files import write_whole
 
-        page = write(
-            path.name,
-            source,
-            *shown(source, audited, collection.notation),
-            told,
-            [f"line {line}: unread: {reason}" for line, reason in unread],
-        )
-        write_whole(output, page.encode())
+        unread = [f"{each.place}: unread: {each.note}" for each in told if each.of is Of.PLACE]
+        whole = *shown(source, audited, notation), summary(told), unread
+        write_whole(output, write(path.name, source, *whole).encode())
     if options.json:
-        print_json(
-            [
-                *(record(each) for each in audited),
-                *(_bare_record("", line, UNREAD, reason, False) for line, reason in unread),
-                *(own_record(row, each, form(row), len(found) > 1) for each, row in others),
-                *(_bare_record(name, None, ABSENT, "not in the file", True) for name in absent),
-            ]
-        )
+        print_json([each.record for each in told])
     else:
-        _print(audited, unread, others, form, told)
+        _print(told)
         if output is not None:
             print(output)
-    right = all(each.passed for each in audited) and not any(amiss(row) for _, row in others)
-    return 0 if right and not unread else FAILED
+    return FAILED if any(each.amiss for each in told) else 0
 
 
 def _of_collection(audited: tuple[Audited, ...]) -> tuple[Audited, ...]:
@@ -138,14 +133,116 @@ def _of_collection(audited: tuple[Audited, ...]) -> tuple[Audited, ...]:
     return known if any(each.passed for each in known) or not foreign else ()
 
 
-def amiss(row: Row) -> bool:
-    """Whether a formula is refuted, or bears a number and nothing can be said of it."""
-    from rigidtop.mark.notes import UNREAD
-    from rigidtop.proof.verdict import Verdict
+# --- What is told --------------------------------------------------------------------------------
 
-    open_ends = (Verdict.UNDECIDED.value, UNREAD)
-    return row.held.verdict == Verdict.FALSE.value or (
-        bool(row.number) and row.held.verdict in open_ends
+
+class Of(Enum):
+    """What something is told of."""
+
+    CLAIM = "a numbered equation of the collection"
+    PLACE = "a place where mathematics is not read"
+    FILE = "a formula that is held against the file itself"
+    ABSENT = "a number of the collection that is not there"
+
+
+@dataclass(frozen=True)
+class Told:
+    """What is said of one thing, in the table, in the summary and by `--json`.
+
+    `passed` is None for what was not judged; `display` says that the table has it in any case.
+    """
+
+    of: Of
+    name: str
+    line: int | None
+    verdict: str
+    note: str
+    passed: bool | None
+    amiss: bool = False
+    display: bool = True
+    more: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def place(self) -> str:
+        return f"({self.name})" if self.name else f"line {self.line}"
+
+    @property
+    def record(self) -> dict[str, Any]:
+        said = {key: getattr(self, key) for key in ("name", "line", "verdict", "passed", "note")}
+        return {"reference": "", "assumptions": [], "equations": [], **said, **self.more}
+
+    @property
+    def words(self) -> str:
+        """The note, with what the line rests on and the form that it has."""
+        rests, claim = self.more.get("from", ()), self.more.get("claim", "")
+        lines = f"line{'s' * (len(rests) > 1)} {', '.join(map(str, rests))}"
+        form = f"; the form of ({claim}): {self.more['letters']}" if claim else ""
+        return f"{self.note}{f' (from {lines})' * bool(rests)}{form}"
+
+
+def _of_claim(each: Audited) -> Told:
+    from rigidtop.report.records import record
+
+    equations = [
+        _equation((x.line, x.column), x.equation, "printed", x.verdict, x.ruling.problem)
+        for x in each.placed
+    ]
+    more: dict[str, Any] = {"equations": equations}
+    if each.judgement is not None:
+        judged = record(each.judgement)
+        more |= {key: judged[key] for key in ("reference", "assumptions")}
+    passed = each.passed
+    said = each.number, each.line, each.verdict, each.note, passed, not passed
+    return Told(Of.CLAIM, *said, more=more)
+
+
+def _equation(
+    at: tuple[int, int], equation: Equation | None, order: Order, verdict: str, problem: str
+) -> dict[str, Any]:
+    from rigidtop.typeset.text import text
+
+    read = text(equation, order) if equation is not None else None
+    said = {"line": at[0], "column": at[1], "read": read}
+    return {**said, "verdict": verdict, "problem": problem}
+
+
+def _of_place(line: int, reason: str) -> Told:
+    from rigidtop.mark.audit import UNREAD
+
+    return Told(Of.PLACE, "", line, UNREAD, reason, False, amiss=True)
+
+
+def _absent(name: str) -> Told:
+    from rigidtop.mark.audit import ABSENT
+
+    return Told(Of.ABSENT, name, None, ABSENT, "not in the file", True, display=False)
+
+
+def _of_file(row: Row, source: Source, several: bool, form: Alike | None) -> Told:
+    """A formula, which is amiss if it is refuted, or bears a number and nothing can be said."""
+    from rigidtop.read.labels import counted, row_of
+
+    held, line = row.held, row.held.line
+    named = row_of(counted(source.text), line.position)
+    at, verdict = (row.line, row.column), held.verdict
+    more: dict[str, Any] = {
+        "label": named.label if named is not None else "",
+        "claim": form.name if form is not None else "",
+        "letters": form.words if form is not None else "",
+        "from": list(row.lines),
+        "equations": [_equation(at, line.equation, "typed", verdict, line.problem)],
+    }
+    if several:
+        more["file"] = source.path.name
+    if source.cells:
+        more["cell"], more["line"] = source.place(row.line)
+    numbered, false = bool(row.number), verdict == "false"
+    return Told(
+        Of.FILE,
+        *(row.number, row.line, verdict, held.note, held.passed if numbered or false else None),
+        amiss=false or (numbered and verdict in _OPEN),
+        display=row.display or numbered or held.passed is False,
+        more=more,
     )
 
 
@@ -168,174 +265,55 @@ def _forms(collection: Collection, until: float) -> Form:
     return form
 
 
-def own_record(row: Row, source: Source, form: Alike | None, several: bool) -> dict[str, Any]:
-    """What `--json` says of a formula that is held against the file itself."""
-    from rigidtop.read.labels import counted, row_of
-    from rigidtop.typeset.text import text
-
-    equation = row.held.line.equation
-    passed = row.held.passed if row.number or row.held.verdict == "false" else None
-    made = _bare_record(row.number, row.line, row.held.verdict, row.held.note, passed)
-    named = row_of(counted(source.text), row.held.line.position)
-    made["label"] = named.label if named is not None else ""
-    made["claim"] = form.name if form is not None else ""
-    made["letters"] = form.words if form is not None else ""
-    made["from"] = list(row.lines)
-    made["equations"] = [
-        {
-            "line": row.line,
-            "column": row.column,
-            "read": text(equation, "typed") if equation is not None else None,
-            "verdict": row.held.verdict,
-            "problem": row.held.line.problem,
-        }
-    ]
-    if several:
-        made["file"] = source.path.name
-    if source.cells:
-        made["cell"], made["line"] = source.place(row.line)
-    return made
-
-
-def _unread(source: str) -> list[tuple[int, str]]:
-    """Line and reason of what may be mathematics and was not taken as a formula."""
-    from rigidtop.read.document import places, problems
-
-    place = places(source)
-    return [
-        (place(problem.position)[0], problem.reason)
-        for problem in problems(source)
-        if not problem.skipped
-    ]
-
-
-def _print(
-    audited: Sequence[Audited],
-    unread: Sequence[tuple[int, str]],
-    others: Sequence[tuple[Source, Row]],
-    form: Form,
-    told: str,
-) -> None:
+def _print(told: Sequence[Told]) -> None:
     from rigidtop.commands.check import VERDICT_COLORS
     from rigidtop.terminal.table import table, wants_color
 
     colors = None
     if wants_color(sys.stdout):
         colors = {**VERDICT_COLORS, "unread": "red", "unknown": "yellow"}
-    found: list[tuple[int, str, str, str]] = [
-        (each.line, f"({each.number})", each.verdict, each.note) for each in audited
+    of_claims = any(each.of is Of.CLAIM for each in told)  # then of the rest what is wrong
+    rows = [
+        (str(each.line), f"({each.name})" if each.name else "", each.verdict, each.words)
+        for each in sorted(told, key=lambda x: (x.of is Of.FILE, x.of is not Of.FILE and x.line))
+        if each.display and (each.of is not Of.FILE or not of_claims or each.verdict == "false")
     ]
-    found += [(line, "", "unread", reason) for line, reason in unread]
-    found.sort(key=lambda row: row[0])
-    of_own = [
-        (
-            row.line,
-            f"({row.number})" if row.number else "",
-            row.held.verdict,
-            _own_note(row, form(row)),
-        )
-        for _, row in others
-        if row.display or row.number or row.held.passed is False
-    ]
-    if audited:  # of the collection: only what is wrong is told of the rest
-        of_own = [row for row in of_own if row[2] == "false"]
-    cells = [[str(line), *more] for line, *more in [*found, *of_own]]
-    print(table(cells, ("line", "equation", "verdict", "note"), colors=colors, right=(0,)))
+    print(table(rows, ("line", "equation", "verdict", "note"), colors=colors, right=(0,)))
     print()
-    print(told)
+    print(summary(told))
 
 
-def _own_note(row: Row, form: Alike | None) -> str:
-    lines, note = ", ".join(map(str, row.lines)), row.held.note
-    if lines:
-        note = f"{note} (from line{'s' * (len(row.lines) > 1)} {lines})"
-    return note if form is None else f"{note}; the form of ({form.name}): {form.words}"
-
-
-def summary(
-    audited: Sequence[Audited],
-    unread: Sequence[tuple[int, str]] = (),
-    absent: Sequence[str] = (),
-    others: Sequence[Row] = (),
-) -> str:
+def summary(told: Sequence[Told]) -> str:
     """Counts of the verdicts, what is wrong, what became of the formulas that are held against the
     file itself, and which numbers the file does not have."""
-    from rigidtop.mark.audit import UNREAD
-    from rigidtop.proof.verdict import Verdict
-
-    names = [*(verdict.value for verdict in Verdict), UNREAD]
-    counts = [(name, sum(each.verdict == name for each in audited)) for name in names]
-    told = ", ".join(f"{count} {name}" for name, count in counts if count)
-    wrong = [f"({each.number})" for each in audited if not each.passed]
-    wrong += [f"line {line}" for line, _ in unread]
-    wrong += [
-        f"({row.number})" if row.number else f"line {row.line}" for row in others if amiss(row)
-    ]
-    what = f"{len(audited)} numbered equation{'s' * (len(audited) != 1)}"
-    parts = [f"{what}{': ' * bool(told)}{told}"] if audited or not others else []
+    of = {kind: [each for each in told if each.of is kind] for kind in Of}
+    claims, others = of[Of.CLAIM], of[Of.FILE]
+    parts = []
+    if claims or not others:
+        names = ("proved", "sampled", "assuming", "convention", "false", "definition", "undecided")
+        parts = [_counted(claims, "numbered equation", {x: {x} for x in (*names, "unread")})]
     if others:
-        parts.append(_counted(others, "other " * bool(audited)))
-    last = f"AMISS: {', '.join(wrong)}" if wrong else "nothing is found wrong"
-    left_out = f"; not in the file: {', '.join(f'({name})' for name in absent)}" if absent else ""
-    return f"{'; '.join([*parts, last])}{left_out}"
+        what = f"{'other ' * bool(claims)}formula"
+        parts.append(_counted(others, what, {**_FOLLOWS, **{x: {x} for x in _OPEN}}))
+    wrong = ", ".join(each.place for each in told if each.amiss)
+    absent = ", ".join(each.place for each in of[Of.ABSENT])
+    last = f"AMISS: {wrong}" if wrong else "nothing is found wrong"
+    return f"{'; '.join([*parts, last])}{f'; not in the file: {absent}' * bool(absent)}"
 
 
-def _counted(others: Sequence[Row], which: str) -> str:
-    """What became of the formulas that are held against the file itself."""
-    verdicts = [row.held.verdict for row in others]
-    said = [
-        (sum(verdicts.count(v) for v in ("proved", "sampled", "assuming")), "follow"),
-        (verdicts.count("false"), "false"),
-        (verdicts.count("premise"), "taken as they stand"),
-        (verdicts.count("undecided"), "undecided"),
-        (verdicts.count("unread"), "unread"),
-    ]
-    counts = ", ".join(f"{count} {words}" for count, words in said if count)
-    return f"{len(others)} {which}formula{'s' * (len(others) != 1)}: {counts}"
+_FOLLOWS = {
+    "follow": {"proved", "sampled", "assuming"},
+    "false": {"false"},
+    "taken as they stand": {"premise"},
+}
+_OPEN = ("undecided", "unread")
 
 
-def _bare_record(
-    name: str, line: int | None, verdict: str, note: str, passed: bool | None
-) -> dict[str, object]:
-    """What `--json` says where there is no numbered equation; `passed` null: not judged."""
-    return {
-        "name": name,
-        "reference": "",
-        "assumptions": [],
-        "line": line,
-        "verdict": verdict,
-        "passed": passed,
-        "note": note,
-        "equations": [],
-    }
-
-
-def record(each: Audited) -> dict[str, object]:
-    """What `--json` says of an equation: what `rigidtop check` does, and its places."""
-    from rigidtop.report.records import record as of_judgement
-    from rigidtop.typeset.text import text
-
-    made: dict[str, object] = {"name": each.number, "reference": "", "assumptions": []}
-    if each.judgement is not None:
-        judged = of_judgement(each.judgement)
-        made |= {key: judged[key] for key in ("reference", "assumptions")}
-    return {
-        **made,
-        "line": each.line,
-        "verdict": each.verdict,
-        "passed": each.passed,
-        "note": each.note,
-        "equations": [
-            {
-                "line": placed.line,
-                "column": placed.column,
-                "read": text(placed.equation, "printed") if placed.equation is not None else None,
-                "verdict": placed.verdict,
-                "problem": placed.ruling.problem,
-            }
-            for placed in each.placed
-        ],
-    }
+def _counted(told: Sequence[Told], what: str, words: Mapping[str, set[str]]) -> str:
+    """How many there are of each verdict: 3 formulas: 2 follow, 1 undecided."""
+    counts = [(sum(each.verdict in of for each in told), said) for said, of in words.items()]
+    shown = ", ".join(f"{count} {said}" for count, said in counts if count)
+    return f"{len(told)} {what}{'s' * (len(told) != 1)}{': ' * bool(shown)}{shown}"
 
 
 # --- The annotated page --------------------------------------------------------------------------

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands.output import print_json
@@ -13,10 +13,8 @@ if TYPE_CHECKING:
     from rigidtop.notation import Notation
     from rigidtop.read.formula import Line
     from rigidtop.read.habits import Habits
-    from rigidtop.read.kinds import Spoken
     from rigidtop.read.labels import Counted
     from rigidtop.read.project import Source
-    from rigidtop.theory.symbols import Glyph
 
 ABOUT = "read the equations of anyone's notes, and say which are not understood"
 
@@ -52,7 +50,7 @@ def run(options: argparse.Namespace) -> int:
         if source.is_text
         for row in _lines(source, notation, known, until, counts[source.path])
     ]
-    records = _records(rows, known.said, len(found) > 1)
+    records = _records(rows, known, len(found) > 1)
     if options.json:
         print_json(records)
     else:
@@ -67,19 +65,18 @@ def _lines(
 
     `rows` are those that bear a number.
     """
-    from rigidtop.read.document import bare, each, each_numbered, places, problems
+    from rigidtop.read.document import bare, each, grouped, places, problems
     from rigidtop.read.formula import Line
     from rigidtop.read.labels import row_of
 
     text = source.text
-    groups = list(each_numbered(text, notation, until - time.process_time(), habits))
-    inside = {formula.start for group, _ in groups for formula in group.formulas}
-    found = [(group.number, line) for group, lines in groups for line in lines]
-    found += [
-        ("", line)  # a symbol in a sentence is no equation
-        for formula, lines in each(text, notation, until - time.process_time(), habits, inside)
+    found = [
+        (group.number, line)  # a symbol in a sentence is no equation
+        for group, lines in each(grouped(text), notation, until - time.process_time(), habits)
         for line in lines
-        if line.equation is not None or formula.display or "=" in formula.text
+        if line.equation is not None
+        or group.number
+        or any(formula.display or "=" in formula.text for formula in group.formulas)
     ]
     told = {line.position for _, line in found if line.problem}
     found += [
@@ -96,16 +93,17 @@ def _lines(
 
 
 def _records(
-    rows: list[tuple[Source, int, int, str, str, Line]], said: Mapping[Glyph, Spoken], several: bool
+    rows: list[tuple[Source, int, int, str, str, Line]], habits: Habits, several: bool
 ) -> list[dict[str, object]]:
+    from rigidtop.read.look import products
     from rigidtop.typeset.letters import is_letter, roles
     from rigidtop.typeset.text import letter, text
 
     known = roles(
         [line.equation for *_, line in rows if line.equation is not None],
-        {glyph: spoken.role for glyph, spoken in said.items()},
+        {glyph: spoken.role for glyph, spoken in habits.said.items()},
     )
-    for glyph, spoken in said.items():  # what the file itself says of its letters
+    for glyph, spoken in habits.said.items():  # what the file itself says of its letters
         if letter(glyph) in known:
             known[letter(glyph)] += f"; line {spoken.line}: {spoken.words}"
     for _, row, *_, line in rows:
@@ -115,6 +113,12 @@ def _records(
     made = []
     for source, row, column, number, label, line in rows:
         own = roles([line.equation]) if line.equation is not None else {}
+        written = source.text[line.position : line.position + 200].split("$")[0]
+        multiplied = {
+            run: "a product: each a letter of this file"
+            for run in products(written, habits.letters)
+            if line.equation is not None
+        }
         record = {
             "line": row,
             "column": column,
@@ -123,7 +127,7 @@ def _records(
             "equation": text(line.equation, "typed") if line.equation is not None else None,
             "condition": line.condition or None,
             "problem": line.problem or None,
-            "letters": {letter: known[letter] for letter in own},
+            "letters": {letter: known[letter] for letter in own} | multiplied,
         }
         if several:
             record["file"] = source.path.name

@@ -22,8 +22,16 @@ from sympy import Expr, Ne, Pow, Symbol, cos, sin
 from rigidtop.derivations import models
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.mark import slips
-from rigidtop.mark.explain import explain, foreign, is_own, side_text, symbols_in, with_slopes
-from rigidtop.mark.links import ERRORS, Link, Verdict, judge, number_text, one_angle, pair_text
+from rigidtop.mark.explain import (
+    counterexample,
+    explain,
+    foreign,
+    is_own,
+    side_text,
+    symbols_in,
+    with_slopes,
+)
+from rigidtop.mark.links import ERRORS, Link, Verdict, judge, one_angle
 from rigidtop.mark.passages import letters_of, passage, way
 from rigidtop.mark.steps import Step, is_matrix, steps, too_large
 from rigidtop.proof import decide
@@ -314,7 +322,7 @@ class _Answer:
         link, verdict, model = failed
         [found] = self._wrong()
         where = f"{side_text(link.left)} = {side_text(link.right)}: " if len(links) > 1 else ""
-        note = where + _counterexample(link, verdict)
+        note = where + counterexample(link, verdict)
         assert step.line.equation is not None
         whole = _replaced(step.line.equation, self._own_replaced)
         if found is Mark.CARRIED:
@@ -323,7 +331,7 @@ class _Answer:
         self.wrong.append((step.number, whole))
         named = explain(link, self.passage) if self.explained else ()
         if named:
-            note = f"{' or '.join(slip.words for slip in named)}; {note}"
+            note = f"{', or '.join(slip.words for slip in named)}; {note}"
         return Marked(step.number, said, found, note, named)
 
     def _carried(self, number: int, equation: Equation) -> tuple[str, int]:
@@ -489,26 +497,3 @@ def _said(equation: Equation, source: str) -> str:
         return with_slopes(text(equation))
     except (TypeError, AttributeError, ValueError, KeyError):
         return source
-
-
-def _counterexample(link: Link, verdict: Verdict) -> str:
-    """The motion at which a link fails, in the symbols that stand in it, and its two sides."""
-    assert verdict.at is not None
-    sample = verdict.at
-    typed = sorted(symbols_in(link), key=str)
-    shown = []
-    for symbol in typed:
-        found = sample.point.get(symbol, sample.meaning.get(symbol))
-        if found is not None and not is_matrix(found):
-            shown.append(f"{side_text(symbol)} = {number_text(found)}")
-    if any(is_matrix(sample.meaning.get(symbol)) for symbol in typed) or link.right is None:
-        others = [x for x in sample.point if x not in typed]
-        shown += [f"{side_text(x)} = {number_text(sample.point[x])}" for x in others]
-    left = pair_text(verdict.left, verdict.right)
-    right = pair_text(verdict.right, verdict.left)
-    if left == right:
-        left = pair_text(verdict.left, verdict.right, digits=15)
-        right = pair_text(verdict.right, verdict.left, digits=15)
-    if link.right is None:
-        return f"at {', '.join(shown)} the rate is {left}, not 0"
-    return f"at {', '.join(shown)} the left side is {left}, the right side {right}"

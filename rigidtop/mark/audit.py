@@ -11,16 +11,15 @@ import re
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import accumulate, chain, pairwise
+from itertools import chain, pairwise
 from typing import Any
 
 import numpy as np
-import sympy
 
 from rigidtop.derivations import models
 from rigidtop.derivations.letters import LETTERS
-from rigidtop.mark.links import Link, number_text, pair_text
-from rigidtop.mark.links import Verdict as LinkVerdict
+from rigidtop.mark.explain import counterexample
+from rigidtop.mark.links import Link
 from rigidtop.mark.links import judge as judge_in
 from rigidtop.mark.ruling import HOLDS, ORDER, Ruling, asserted, check_of, judged, refutation
 from rigidtop.mark.surroundings import Near, among, scaled
@@ -31,7 +30,6 @@ from rigidtop.proof.page import Check, Claim, Correction, Definition, Evidence, 
 from rigidtop.proof.verdict import Finding, Judgement, Verdict, judge_check
 from rigidtop.read.document import Numbered, lines, numbered, places
 from rigidtop.read.formula import Line
-from rigidtop.read.values import kind
 from rigidtop.report.records import note as said_of
 from rigidtop.theory.symbols import const
 from rigidtop.typeset.text import text
@@ -148,7 +146,7 @@ class Memo:
     """
 
     claims: dict[str, _Known] = field(default_factory=dict)
-    groups: dict[tuple[str, tuple[str, ...]], _Outcome] = field(default_factory=dict)
+    groups: dict[tuple[str, tuple[tuple[str, int], ...]], _Outcome] = field(default_factory=dict)
 
 
 def audit(
@@ -212,7 +210,8 @@ def _audited(
     memo: Memo,
     end: float,
 ) -> Audited:
-    key = group.number, tuple(formula.text for formula in group.formulas)
+    first = group.formulas[0].start
+    key = group.number, tuple((formula.text, formula.start - first) for formula in group.formulas)
     if key in memo.groups:
         outcome = memo.groups[key]
     elif time.process_time() > end:
@@ -222,37 +221,19 @@ def _audited(
         outcome = memo.groups[key] = _outcome(_read(group, notation), known)
     placed = []
     for line, ruling in zip(outcome.lines, outcome.rulings, strict=True):
-        row, column = place(_position(group, line.position))
+        row, column = place(first + line.position)
         placed.append(Placed(row, column, line.equation, ruling))
     return Audited(group, tuple(placed), outcome.judgement, outcome.absent)
 
 
 def _read(group: Numbered, notation: Notation) -> tuple[Line, ...]:
-    """The lines of a group, with places that count through its formulas alone."""
-    places = zip(group.formulas, _starts(group), strict=True)
-    laid = tuple(replace(formula, start=start) for formula, start in places)
-    found = lines(replace(group, formulas=laid), notation)
+    """The lines of a group, with places that count from where it begins."""
+    first = group.formulas[0].start
+    found = [replace(x, position=x.position - first) for x in lines(group, notation)]
     if len(found) > MOST_LINES:
         more = f"more than {MOST_LINES} lines under one number"
-        found = (*found[:MOST_LINES], Line(found[MOST_LINES].position, None, more))
-    return found or (Line(0, None, "nothing stands there"),)
-
-
-def _starts(group: Numbered) -> list[int]:
-    return list(accumulate((len(f.text) + 1 for f in group.formulas[:-1]), initial=0))
-
-
-def _position(group: Numbered, position: int) -> int:
-    """The place in the file of a place that counts through the group's formulas."""
-    formula, start = max(
-        (
-            pair
-            for pair in zip(group.formulas, _starts(group), strict=True)
-            if pair[1] <= max(position, 0)
-        ),
-        key=lambda pair: pair[1],
-    )
-    return formula.start + min(max(position - start, 0), len(formula.text))
+        found[MOST_LINES:] = [Line(found[MOST_LINES].position, None, more)]
+    return tuple(found) or (Line(0, None, "nothing stands there"),)
 
 
 def _known(
@@ -492,7 +473,7 @@ def _by_facts(equation: Equation, known: _Known, place: int) -> Ruling | None:
         for link, found in [(link, judge_in(link, wide)) for link in said]:
             if found.holds is False and found.at is not None:
                 false = Finding(replace(check, claimed=equation), Verdict.FALSE)
-                return Ruling(false, _at(link, found))
+                return Ruling(false, counterexample(link, found))
         meant = {x: model.value(x) for x in sorted(numbers, key=str)}
         equal = {x: of for x, of in meant.items() if of.is_Symbol and of != x}
         if equal and all(judge_in(link, wide).holds for link in said):
@@ -500,27 +481,6 @@ def _by_facts(equation: Equation, known: _Known, place: int) -> Ruling | None:
             return Ruling(None, f"it holds where {where}, which the claim does not say")
         return None
     return None
-
-
-def _at(link: Link, found: LinkVerdict) -> str:
-    """A motion at which two sides differ, in words."""
-    assert found.at is not None
-    sides = [side for side in (link.left, link.right) if side is not None]
-    typed = sorted(set().union(*(side.free_symbols for side in sides)), key=str)
-    point = {x: found.at.point.get(x, found.at.meaning.get(x)) for x in typed} | {
-        x: v for x, v in found.at.point.items() if any(_is_spatial(y) for y in typed)
-    }
-    values = ", ".join(
-        f"{text(x)} = {number_text(v)}"
-        for x, v in point.items()
-        if v is not None and not isinstance(v, sympy.MatrixBase)
-    )
-    left, right = pair_text(found.left, found.right), pair_text(found.right, found.left)
-    return f"{f'at {values}: ' * bool(values)}the left side is {left}, the right side {right}"
-
-
-def _is_spatial(symbol: sympy.Expr) -> bool:
-    return kind(symbol) != "scalar"
 
 
 def _links(equation: Equation) -> list[Link]:

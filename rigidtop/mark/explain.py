@@ -11,7 +11,17 @@ from sympy import Expr, Pow, Symbol
 
 from rigidtop.derivations import models
 from rigidtop.mark import slips
-from rigidtop.mark.links import ERRORS, Link, apart, in_numbers, judge, one_angle
+from rigidtop.mark.links import (
+    ERRORS,
+    Link,
+    Verdict,
+    apart,
+    in_numbers,
+    judge,
+    number_text,
+    one_angle,
+    pair_text,
+)
 from rigidtop.mark.steps import is_matrix
 from rigidtop.proof import decide
 from rigidtop.proof.model import Model, Passage, samples
@@ -171,3 +181,22 @@ def side_text(side: Expr) -> str:
         return "const" if side is None else with_slopes(text(side))
     except (TypeError, AttributeError, ValueError, KeyError):
         return "…"
+
+
+def counterexample(link: Link, verdict: Verdict) -> str:
+    """The motion at which a link fails, in the symbols that stand in it, and its two sides."""
+    assert verdict.at is not None
+    point, meaning = verdict.at.point, verdict.at.meaning
+    typed = sorted(symbols_in(link), key=str)
+    values = {x: point.get(x, meaning.get(x)) for x in typed}
+    if any(is_matrix(value) for value in values.values()) or link.right is None:
+        values |= point
+    numbers = {x: v for x, v in values.items() if v is not None and not is_matrix(v)}
+    where = ", ".join(f"{side_text(x)} = {number_text(v)}" for x, v in numbers.items())
+    at, one, other = f"at {where}: " * bool(where), verdict.left, verdict.right
+    left, right = pair_text(one, other), pair_text(other, one)
+    if left == right:
+        left, right = pair_text(one, other, digits=15), pair_text(other, one, digits=15)
+    if link.right is None:
+        return f"{at}the rate is {left}, not 0"
+    return f"{at}the left side is {left}, the right side {right}"

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from rigidtop.mark.notes import Held, held
 from rigidtop.notation import OWN
-from rigidtop.read.document import Formula, each, numbered, places, states
+from rigidtop.read.document import Formula, alone, each, numbered, places, states
 from rigidtop.read.formula import Line
 from rigidtop.read.habits import Habits
 
@@ -51,7 +51,8 @@ def rows(source: str, habits: Habits, seconds: float) -> tuple[Row, ...]:
     }
     found: list[tuple[Formula, Line]] = [
         (formula, line)
-        for formula, lines in each(source, OWN, seconds, habits)
+        for group, lines in each(alone(source), OWN, seconds, habits)
+        for formula in group.formulas
         if states(formula)
         for line in lines
         if line.equation is not None or formula.display

@@ -82,11 +82,11 @@ def _of_term(term: Expr) -> Iterator[tuple[Expr, Single]]:
     yield Mul(Rational(1, 2), term), Single("factor", (term,), "a factor ½ at {}")
     for lost in (sin(s.theta), cos(s.theta), sin(s.theta) ** 2):
         if not term.has(*lost.atoms(sin, cos)):
-            yield Mul(lost, term), Single("factor lost", (lost, term), "{} is missing from {}")
+            yield Mul(lost, term), Single("factor lost", (lost, term), "{} missing from {}")
     for k, kept in enumerate(term.args if isinstance(term, Mul) else ()):
         if isinstance(kept, (sin, cos)):
             rest = Mul(*term.args[:k], *term.args[k + 1 :])
-            yield rest, Single("factor kept", (kept, term), "{} is too much at {}")
+            yield rest, Single("factor kept", (kept, term), "{} too much at {}")
 
 
 def _here(node: Expr) -> Iterator[tuple[Expr, Single]]:
@@ -103,7 +103,7 @@ def _here(node: Expr) -> Iterator[tuple[Expr, Single]]:
         return
     if node == s.psidot:
         spin = Group(Add(node, s.phidot * cos(s.theta)))
-        yield spin, Single("spin", (), "φ̇ cos θ is missing beside ψ̇")
+        yield spin, Single("spin", (), "φ̇ cos θ missing beside ψ̇")
     if isinstance(node, Pow):
         for step in (-1, 1) if node.exp.is_Integer and abs(node.exp) > 1 else ():
             new = Pow(node.base, Integer(int(node.exp) + step))
@@ -113,7 +113,7 @@ def _here(node: Expr) -> Iterator[tuple[Expr, Single]]:
         if single.kind == "order":
             yield new, Single("sign", node.args, "the order of {} × {}")
         elif single.kind == "too much" and not isinstance(single.of, Add):
-            yield new, Single(single.kind, (single.of,), "{} is too much")
+            yield new, Single(single.kind, (single.of,), "{} too much")
         elif single.kind == "power":
             yield new, Single(single.kind, (node,), power)
         elif single.kind in ("function", "index", "transpose"):

@@ -99,8 +99,11 @@ class _Cutter:
         elif inside and kind in ("LINE", "ALIGN") and self.nested == self.bracketed:
             return  # a bracket may be closed on another line, the entries of a matrix may not
         elif kind in _BLANK:
+            if kind == "SPACE" and self._comma != "NUMBER":
+                self._comma = ""
             if not inside and not self._goes_on(i):
                 self.close()
+                self._column = kind == "ALIGN"
         else:
             self.current.append(token)
 
@@ -150,21 +153,25 @@ class _Cutter:
             kept = []
         if number and self.parts and not self.parts[-1].tag:  # it stands behind a comma or a space
             self.parts[-1] = replace(self.parts[-1], tag=number)
-        elif kept and part.kinds == ["NUMBER"] and self.parts and self._listed:
+        elif self.parts and self._is_value(part):
             last = self.parts[-1]
-            problem = UnreadError(
+            problem = last.problem or UnreadError(
                 "a list of values, or a decimal comma: write each equation out, with a full stop "
                 "in numbers",
                 last.tokens[0].position,
             )
             self.parts[-1] = replace(last, tag=self.tag or last.tag, problem=problem)
         elif kept:
+            if self._column and self.parts and "RELATION" not in part.kinds:
+                reason = "behind the & a term could go on, or a comment stand"
+                problem = UnreadError(reason, kept[0].position)
+                self.parts[-1] = replace(self.parts[-1], problem=problem)
             self.parts.append(part)
         elif self.tag and self.parts and not self.parts[-1].tag:
             self.parts[-1] = replace(self.parts[-1], tag=self.tag)
         if kept:
-            self.tag, self.follows, self.problem = "", False, None
-            self._listed = stop == "," and kept[-1].kind == "NUMBER"
+            self.tag, self.follows, self.problem, self._column = "", False, None, False
+            self._comma = kept[-1].kind if stop == "," else ""
         elif self.tag:
             self.tag = ""
 
@@ -194,8 +201,17 @@ class _Cutter:
             said = words(self.text[start:end])
             self.parts[-1] = replace(self.parts[-1], condition=said)
 
-    _listed = False
-    """Whether the last part ended with a number and a comma."""
+    def _is_value(self, part: Part) -> bool:
+        """Whether one value more stands behind a comma: 0, π."""
+        number = part.kinds == ["NUMBER"] and self._comma == "NUMBER"
+        letter = part.kinds in (["SYMBOL"], ["SIGN", "SYMBOL"]) and self._comma != ""
+        related = letter and "RELATION" in self.parts[-1].kinds
+        return number or (related and part.tokens[-1].value != OMITTED)
+
+    _comma = ""
+    """The kind of what stands in front of a comma with which the last part ended."""
+    _column = False
+    """Whether it ended at an &."""
 
 
 def _ahead(found: Sequence[Token]) -> list[tuple[str, bool]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import time
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Container, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
@@ -113,7 +113,7 @@ _IN_MARKDOWN = re.compile(
     r"|(?P<fence>^[ \t]{0,3}(?P<ticks>`{3,}+|~{3,}+)(?P<info>[^\n`]*+)$)|(?P<code>`+)",
     re.M,
 )
-_FENCE = re.compile(r"[ \t]{0,3}(`{3,}+|~{3,}+)")
+_FENCED = re.compile(r"^[ \t]{0,3}(`{3,20}+|~{3,20}+)(?s:.*?)^[ \t]{0,3}\1[^\n]*", re.M)
 _TEX = re.compile(r"^[ \t]*\\(?:documentclass|begin\s*\{\s*document\s*\})", re.M)
 _N = r"(?:[A-Z]{1,4}\.?)?\d{1,3}(?:[.–-]\d{1,3})*[a-z]?'{0,3}|\*{1,3}"
 """(3.57), (7), (A.3), (12a), (*): a number as it stands in brackets; a year is none."""
@@ -211,30 +211,12 @@ def places(source: str) -> Callable[[int], tuple[int, int]]:
     return place
 
 
-def _unfenced(source: str) -> str:
-    """Markdown without its fenced code."""
-    kept: list[str] = []
-    inside: list[str] = []
-    opening = ""
-    for line in source.split("\n"):
-        found = _FENCE.match(line)
-        fence = found[1] if found else ""
-        if opening and fence.startswith(opening):
-            inside, opening = [], ""
-        elif opening or fence:
-            inside.append(line)
-            opening = opening or fence
-        else:
-            kept.append(line)
-    return "\n".join(kept + inside)
-
-
 class _Walk:
     """Goes through a file and takes formulas; what it can't take it tells."""
 
     def __init__(self, source: str) -> None:
         self.source = source
-        self.tex = _TEX.search(_unfenced(source)) is not None
+        self.tex = _TEX.search(_FENCED.sub("", source)) is not None
         self.found: list[Formula] = []
         self.problems: list[Problem] = []
         self.lost: list[Numbered] = []
@@ -635,42 +617,28 @@ def _of_number(made: Sequence[Line], number: str) -> Sequence[Line]:
     return made[max(before, default=0) : behind]
 
 
+def alone(source: str) -> tuple[Numbered, ...]:
+    """Every formula of a file by itself, without its number."""
+    return tuple(Numbered("", (formula,)) for formula in formulas(source))
+
+
+def grouped(source: str) -> tuple[Numbered, ...]:
+    """Every number of a file with its formulas, and every formula that has none, in order."""
+    made = numbered(source)
+    inside = {formula.start for group in made for formula in group.formulas}
+    others = [each for each in alone(source) if each.formulas[0].start not in inside]
+    return tuple(sorted((*made, *others), key=lambda group: group.formulas[0].start))
+
+
 def each(
-    source: str,
-    notation: Notation = NOTES,
-    seconds: float = SECONDS,
-    habits: Habits = NO_HABITS,
-    but: Container[int] = (),
-) -> Iterator[tuple[Formula, tuple[Line, ...]]]:
-    """Every formula with its equations; once the time is up the rest is unread, and says so.
-
-    Formulas that start where `but` says are left out.
-    """
-    end = time.process_time() + seconds
-    for formula in formulas(source):
-        if formula.start in but:
-            continue
-        if time.process_time() > end:
-            yield formula, (_late(formula, seconds),)
-            continue
-        yield (
-            formula,
-            tuple(
-                replace(line, position=formula.start + line.position)
-                for line in read(formula.text, notation, habits)
-            ),
-        )
-
-
-def each_numbered(
-    source: str,
+    groups: Iterable[Numbered],
     notation: Notation = NOTES,
     seconds: float = SECONDS,
     habits: Habits = NO_HABITS,
 ) -> Iterator[tuple[Numbered, tuple[Line, ...]]]:
-    """Every number with its equations, in the same way."""
+    """Formulas with their equations; once the time is up the rest is unread, and says so."""
     end = time.process_time() + seconds
-    for group in numbered(source):
+    for group in groups:
         late = time.process_time() > end
         yield (
             group,

@@ -21,8 +21,12 @@ class Habits:
     """Letters that depend on the time: x(t)."""
     said: Mapping[Glyph, Spoken] = field(default_factory=dict)
     """What the words say that a letter is."""
+    letters: frozenset[str] = frozenset()
+    """Letters that stand alone in the file: a row of them may be their product."""
     conditions: bool = False
     """Whether words behind a line, "for θ ≠ 0", are taken in the letters of a table too."""
+    signs: bool = False
+    """Whether ±, ≤, … and dots are taken in the letters of a table too."""
 
     def is_a(self, glyph: Glyph, sort: Sort) -> bool:
         """Whether the words say that a letter is of that sort."""

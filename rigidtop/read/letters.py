@@ -57,7 +57,11 @@ class Letters(Cursor):
         if not joined and signs.ENERGY.fullmatch(run) and self.peek(len(run)).text in ("=", ""):
             return run
         twice = cut == 3 and any(a == b for a, b in pairwise(run[:cut]))
-        return run if (twice or cut >= 4) and not joined and not is_product(run[:cut]) else ""
+        return (
+            run
+            if (twice or cut >= 4) and not joined and not is_product(run[:cut], self.habits.letters)
+            else ""
+        )
 
     def lettered(self) -> Iterator[Token]:
         """A letter, with the brackets behind it if it is a function of what they hold."""
@@ -73,18 +77,18 @@ class Letters(Cursor):
             if self.worn.setdefault(glyph, arrow) is not arrow:
                 reason = f"{glyph.base} in bold type, and with an arrow: one letter, or two?"
                 raise UnreadError(reason, position)
-        if glyph == Glyph("e") and self.peek().text == "^":
+        above = plain(self.peek(1)) if self.peek().text == "^" else ""
+        named = "e" in self.habits.letters and above.isdigit()  # an eccentricity, a charge
+        if glyph == Glyph("e") and above and not named:
             piece = self.take()
             yield Token("EXPONENTIAL", "e", position)
             yield from self.braced(self.argument(piece), piece.position)
             return
-        change = glyph == Glyph("Δ") or (glyph == Glyph("δ") and before != "NUMBER")
-        if (
-            self.open
-            and change
-            and self.starts_letter(self.at)
-            and not operator_at(self.items, self.at)[0]
-        ):
+        change = glyph.base == "Δ" or (glyph == Glyph("δ") and before != "NUMBER")
+        followed = self.starts_letter(self.at) and not operator_at(self.items, self.at)[0]
+        if self.open and change and followed:
+            if glyph.sub:
+                raise UnreadError("Δ with an index: the change of a letter, or a factor?", position)
             of = self.letter()
             glyph = replace(of, base=glyph.base + of.base)
         if glyph == Glyph("π"):
@@ -97,7 +101,7 @@ class Letters(Cursor):
         found = list(self.resolved(glyph, position))
         if self.open:
             self.arguments(glyph)
-            self.functional()
+            self.functional(glyph)
         else:
             self.of_time()
         yield from found
@@ -199,7 +203,7 @@ class Letters(Cursor):
             or self.commas(at)
             or is_list(inner)
             or glyph.base in signs.ORDERS
-            or any((glyph, term) in self.habits.functions for term in shifted(inner))
+            or self.of_known(glyph, inner)
             or self.habits.is_a(glyph, Sort.FUNCTION)
         ):
             self.calls.add(at)
@@ -210,7 +214,7 @@ class Letters(Cursor):
         elif function or glyph.base in signs.POTENTIALS or inside.replace(".", "").isdigit():
             raise UnreadError(f"{spelling(glyph)} of what stands in brackets, or times it?", place)
 
-    def functional(self) -> None:
+    def functional(self, glyph: Glyph) -> None:
         """Decide whether square brackets behind a letter hold what it is a functional of, S[q]."""
         at = self.behind(self.at, NOTHING - {" ", r"\,"})
         inner, end = self.bracketed(at, ("[", "]"))
@@ -219,8 +223,15 @@ class Letters(Cursor):
         texts = [piece.text for piece in inner]
         bracket = texts.index("(") if "(" in texts else len(inner)
         alone = self.one_letter(inner[:bracket]) and texts[-1:] in ([")"], texts[bracket - 1 :])
-        if self.commas(at) or alone:
+        if self.commas(at) or alone or self.of_known(glyph, inner):
             self.calls.add(at)
+        elif any(known == glyph for known, _ in self.habits.functions):
+            reason = f"{spelling(glyph)} of what stands in brackets, or times it?"
+            raise UnreadError(reason, self.items[at].position)
+
+    def of_known(self, glyph: Glyph, inner: Sequence[Piece]) -> bool:
+        """Whether a sum has a term that the letter is a function of elsewhere."""
+        return any((glyph, term) in self.habits.functions for term in shifted(inner))
 
     def letter(self) -> Glyph:
         """A letter with its fonts, accents, index and prime, in any order."""
@@ -288,6 +299,8 @@ class Letters(Cursor):
                 sub = sub if self.open else sub.replace(" ", "")
                 if not sub:
                     raise UnreadError("an empty index", piece.position)
+                if sub.startswith(","):
+                    raise UnreadError("a comma before an index: a derivative?", piece.position)
                 if glyph.sub and not glyph.sub.startswith("("):
                     raise UnreadError("two indices", piece.position)
                 glyph = replace(glyph, sub=",".join(filter(None, (sub, glyph.sub))))

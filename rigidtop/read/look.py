@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import unicodedata
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import replace
 
 from rigidtop.read import signs
@@ -162,9 +163,21 @@ def is_latin(text: str) -> bool:
     return len(text) == 1 and text.isalpha() and (text.isascii() or text in signs.ALPHABET)
 
 
-def is_product(run: str) -> bool:
-    """Whether a row of letters is rather a product, such as mgRh: no vowels in it."""
-    return not set(run.lower()) & set("aeiouy")
+def is_product(run: str, letters: Container[str] = ()) -> bool:
+    """Whether a row of letters is rather a product: no vowels, as mgRh, or one, all the file's own.
+
+    >>> is_product("mghu"), is_product("mghu", "ghmu"), is_product("spin", "inps")
+    (False, True, False)
+    """
+    vowels = [letter for letter in run if letter in "aeiouyAEIOUY"]
+    own = len(vowels) == 1 and run.lower() not in signs.WORDLIKE
+    return not vowels or (own and all(letter in letters for letter in run))
+
+
+def products(text: str, letters: Container[str]) -> list[str]:
+    """The rows of letters with a vowel that are products, since all are letters of the file."""
+    runs = re.findall(r"(?<![A-Za-z\\{])[A-Za-z]{4,}(?![A-Za-z}])", text)
+    return [run for run in runs if is_product(run, letters) and not is_product(run)]
 
 
 def styled(written: str, style: str, position: int) -> str:

@@ -40,6 +40,11 @@ _TAKES_IN = re.compile(
     r"\\(?:input|include|subfile|usepackage|RequirePackage)\s*(?:\[[^\]\n]*\]\s*)?"
     r"\{([^{}\n]{1,200})\}"
 )
+_SCRIPTS = re.compile(
+    r"(?:(?<![A-Za-z])e\s*(?=\^))?[_^]\s*(?:\{[^{}]*\}|\w)|\\[A-Za-z]+(?:\s*\{[A-Za-z .,]*\})?"
+)
+_ALONE = re.compile(r"(?<![A-Za-z])[A-Za-z](?![A-Za-z])")
+"""A letter between signs, outside of commands, their words and indices; e^x says nothing of e."""
 _COMMENT = re.compile(r"(?<!\\)%[^\n]*")
 
 
@@ -173,11 +178,21 @@ def habits(found: tuple[Source, ...], notation: Notation, until: float = float("
     for source in found:
         macros = defined(source.text, macros)
     if not notation.open:
-        return Habits(macros)
+        return Habits(macros, conditions=True, signs=True)
     said: dict[Glyph, Spoken] = {}
     for source in reversed(found):
         said |= spoken(source.text, notation)
-    made = Habits(macros, timed=frozenset(x for x, each in said.items() if each.timed), said=said)
+    made = Habits(
+        macros,
+        timed=frozenset(x for x, each in said.items() if each.timed),
+        said=said,
+        letters=frozenset(
+            letter
+            for source in found
+            for formula in formulas(source.text)
+            for letter in _ALONE.findall(_SCRIPTS.sub(" ", formula.text))
+        ),
+    )
     for source in found:
         for formula in formulas(source.text):
             if "(" not in formula.text or time.process_time() > until:

@@ -13,6 +13,7 @@ read, and the reason says which two.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from rigidtop.notation import Notation
@@ -158,7 +159,7 @@ class Scan(Calculus):
             reason = "dots for what is left out"
         if not found[0]:
             return None
-        if reason and not self.open:
+        if reason and not (self.open or self.habits.signs):
             raise UnreadError(reason, position)
         self.at += count
         return found
@@ -225,6 +226,9 @@ class Scan(Calculus):
             reason = "brackets with a comma: an interval, a row, a commutator or a Poisson bracket?"
             raise UnreadError(reason, position)
         entries = row or (text == "(" and self.last != "FUNCTION" and self.commas(self.at))
+        alone = text == "[" and self.one_letter(self.bracketed(self.at, ("[", "]"))[0])
+        if self.open and alone and not (called or row):
+            raise UnreadError("a letter in square brackets: its unit, or a factor?", position)
         self.take()
         if called or entries:
             kind, closes = ("OF", "FO") if called else ("LIST", "TSIL")
@@ -292,6 +296,9 @@ class Scan(Calculus):
             yield from self.inside(inner)
             yield Token("RAB", "|", position)
         elif (opens, closes) in ((".", "."), (r"\{", "."), (".", r"\}")):
+            if self.last == "RELATION" and plain(*inner[1:2], *inner[-1:]) == "array" * 2:
+                cases = replace(inner[1], group=pieces("cases"))  # its columns stand behind it
+                inner = [inner[0], cases, *inner[3:-1], cases]
             yield from self.inside(inner, nested=False)
             yield Token("SPACE", r"\right", position)
         else:
@@ -351,7 +358,9 @@ class Scan(Calculus):
         sign, count = operator_at(self.items, self.at)
         first = piece.group[0].text if piece.group else ""
         behind = self.peek(1).text
-        if sign:
+        if [inner.text for inner in piece.group] == [","]:
+            raise UnreadError("a comma within a number: a full stop, or thousands?", piece.position)
+        elif sign:
             yield from self.operator(sign, count)
         elif plain(piece).strip(".") in signs.CONSTANT:
             self.take()

@@ -131,6 +131,12 @@ LETTERS = {
 }
 ALPHABET = frozenset("αβγδεζηθικλμνξοπρσςτυφχψωΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩϕϑϖϵℓℒħℋ")
 SETS = frozenset("RNZCQ")
+WORDLIKE = listed(
+    "curl damp diff disc disk drag flux full grad half kick kind left link mass norm part path "
+    "pend plan push right roll rolls shift short small spin spins spring step string swing thin "
+    "tilt torq turn twist unit vert with work"
+)
+"""Words of one vowel: in formulas no products."""
 ENERGY = re.compile("E[ckmp][a-z]?")
 """A product, or the name of an energy."""
 TIME = own(Glyph("t"))

@@ -171,7 +171,7 @@ SLIPS = [
     # where, what is written, what is written instead, the line of the file, the kind, the words
     ("from-3.53-to-3.54-by-lagrange", "+ MgR", "- MgR", 6, "sign", "the sign of MgR sin θ"),
     ("from-3.53-to-3.54-by-lagrange", r"(\dot\psi + \dot\phi\cos\theta)", r"\dot\psi", 6,
-     "spin", "φ̇ cos θ is missing beside ψ̇"),
+     "spin", "φ̇ cos θ missing beside ψ̇"),
     ("from-3.53-to-3.54-by-lagrange", r"\dot\phi^2\sin\theta\cos\theta",
      r"\dot\phi\sin\theta\cos\theta", 6, "power", "the power of φ̇"),
     ("from-3.53-to-3.54-by-lagrange", r"MgR\sin", r"MgR\cos", 6, "function",
@@ -199,7 +199,7 @@ SLIPS = [
      "power", "the power of Ω"),
     ("from-3.54-to-3.57", r"\lambda_3\omega_3)\Omega + MgR",
      r"\lambda_3\omega_3)\Omega + MgR\sin\theta", 6,
-     "factor kept", "sin θ is too much at MgR sin θ"),
+     "factor kept", "sin θ too much at MgR sin θ"),
     ("from-3.53-to-3.57-spin-alone", r"$$\omega_3 = \frac{\lambda_1\cos\theta\,\Omega^2 + MgR}"
      r"{\lambda_3\Omega}$$",
      r"$$\Omega = \frac{\lambda_3\omega_3 - \sqrt{\lambda_3^2\omega_3^2 "
@@ -207,7 +207,7 @@ SLIPS = [
     ("from-3.41-to-3.42", r"\cos\theta\,\mathbf e_3 - \sin\theta\,\mathbf e_1'$$",
      r"\cos\theta\,\mathbf e_3 + \sin\theta\,\mathbf e_1'$$", 1, "sign", "the sign of"),
     ("from-3.42-to-3.43", r"\lambda_3(\dot\psi + \dot\phi\cos\theta)", r"\lambda_3\dot\psi", 3,
-     "spin", "φ̇ cos θ is missing beside ψ̇"),
+     "spin", "φ̇ cos θ missing beside ψ̇"),
     ("from-3.43-to-3.44", r"\frac{1}{2}\lambda_3\omega_3^2", r"\lambda_3\omega_3^2", 1, "factor",
      "a factor ½ at λ₃ω₃²"),
     ("from-3.43-to-3.45", r"L_3\cos\theta + \lambda_1", r"L_3\sin\theta + \lambda_1", 1,
@@ -255,7 +255,7 @@ THETA = (
          "a factor ½ at 2λ₁φ̇² sin θ cos θ"),
         (r"MgR\sin", r"MgR\cos", "function", "cos θ where sin θ is meant"),
         (r"(\dot\psi + \dot\phi\cos\theta)", r"\dot\psi", "spin",
-         "φ̇ cos θ is missing beside ψ̇"),
+         "φ̇ cos θ missing beside ψ̇"),
         (r" + MgR\sin\theta", "", "missing",
          "a term: the left side is more by MgR sin θ"),
     ],
@@ -438,7 +438,7 @@ def test_what_is_false_behind_a_wrong_line_is_not_the_first():
 
 def test_of_a_chain_the_wrong_link_is_named():
     found = mark(r"$$p_\psi = \lambda_3\omega_3 = \lambda_3\dot\psi$$", "3.53", "3.56")
-    assert found.lines[0].note.startswith("φ̇ cos θ is missing beside ψ̇; λ₃ω₃ = λ₃ψ̇: at ")
+    assert found.lines[0].note.startswith("φ̇ cos θ missing beside ψ̇; λ₃ω₃ = λ₃ψ̇: at ")
 
 
 def test_other_pairs_are_refused():

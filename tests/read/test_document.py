@@ -5,7 +5,7 @@ import json
 import pytest
 
 from rigidtop.cli import main
-from rigidtop.read.document import bare, each, formulas, lines, numbered, problems
+from rigidtop.read.document import alone, bare, each, formulas, lines, numbered, problems
 from rigidtop.typeset.text import text
 
 
@@ -221,7 +221,7 @@ def test_places_are_those_in_the_file():
         "$$T = V,$$",
         "$$q_9 = E \\tag{3.5}$$",
     ]
-    assert [source[line.position] for _, read in each(source) for line in read] == ["T", "q"]
+    assert [source[line.position] for _, read in each(alone(source)) for line in read] == ["T", "q"]
 
 
 def test_formulas_of_every_kind():

@@ -61,6 +61,7 @@ READ = {
     r"q_i = 0, \quad i = 1, 2, \ldots, n": ["qᵢ = 0"],
     r"a \leq b \ll c": ["a ≤ b", "b ≪ c"],
     r"L := T - V \propto m": ["L ≡ T − V", "T − V ∝ m"],
+    r"F = \left\{\begin{array}{rl} 0, & t < 0 \\ a, & t > 0 \end{array}\right.": ["F = 0", "F = a"],
     # functions, spelled and bare
     r"V = mglsin\theta": ["V = mgl sin θ"],
     r"x = A\cos\omega t": ["x = A cos(ωt)"],
@@ -72,6 +73,7 @@ READ = {
     r"{\vec F\cdot\vec v} = \underline{\underline{a + b}}": ["F · v = a + b"],
     r"y = \sqrt[3]{x}": ["y = ∛x"],
     r"y = a\cosh[x/a]": ["y = a cosh(x/a)"],
+    r"F[x] = a,\quad h = F[x + b]": ["F(x) = a", "h = F(x + b)"],
     # vectors and matrices
     r"\vec L = \vec r\times m\vec v": ["L = r × mv"],
     r"T = \frac12\boldsymbol\omega^T\mathbf I\boldsymbol\omega": ["T = ½ωᵀIω"],
@@ -132,6 +134,14 @@ ASKED = {
     r"a = 1/2 b": "above or below",
     r"x(t + T) = x(t)": "at the time in brackets, or times it",
     r"力 = m a": "words inside a formula",
+    r"[h_0] = [r] = L": "its unit, or a factor",
+    r"z = \Delta_{a}x": "the change of a letter",
+    r"\psi =& \\ \frac{1}{a} & \int x\,dx": "a term could go on",
+    r"F[x] = a, G = F[ay]": "or times it",
+    r"v \approx 7{,}909": "a full stop, or thousands",
+    r"p = L_{,\dot q}": "a derivative",
+    r"\theta = 0,\pi": "a list of values",
+    r"q = \{\phi, \theta\}": "a Poisson bracket",
     # what mutations of real files found
     r"\sum_{ij}__{ij} q = 0": "a sum whose index is no letter",
     r"\sum_\vec _iy_i = x\cdot y": "a sum whose index is no letter",

@@ -8,7 +8,7 @@ import pytest
 from rigidtop.cli import main
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import OWN
-from rigidtop.read.document import each
+from rigidtop.read.document import alone, each
 from rigidtop.read.project import habits, numbers, sources
 
 
@@ -97,7 +97,7 @@ def test_what_is_hostile_is_read_in_time(name, tmp_path):
     begun = time.process_time()
     found = sources(path)
     known = habits(found, OWN)
-    assert all(lines for _, lines in each(found[0].text, OWN, habits=known))
+    assert all(lines for _, lines in each(alone(found[0].text), OWN, habits=known))
     assert time.process_time() - begun < 20
 
 
@@ -121,3 +121,26 @@ def test_equations_are_counted_through_the_files_that_are_taken_in(tmp_path):
     for source in found:
         for row in counts[source.path]:
             assert source.text[row.start : row.end].strip().startswith("a = b")
+
+
+def test_letters_that_stand_alone_make_products_and_powers(tmp_path, capsys):
+    file = tmp_path / "a.md"
+    file.write_text(
+        "Mass $m$, height $h$, $g = 9.8$, $u = 2$, the eccentricity $e$, $s$, $p$, $i$, $n$:\n"
+        "$$E = mghu,\\quad spin = 3,\\quad b = a\\sqrt{1 - e^2},\\quad x = e^{2t}$$\n"
+    )
+    assert main(["read", str(file), "--json"]) == 0
+    read = {row["equation"] or row["problem"]: row for row in json.loads(capsys.readouterr().out)}
+    assert read["E = mghu"]["letters"]["mghu"] == "a product: each a letter of this file"
+    assert "spin: a word or a product? put words in \\text{}, spaces between letters" in read
+    assert {"b = a√(1 − e²)", "x = e^(2t)"} < set(read)
+    assert "e" in read["b = a√(1 − e²)"]["letters"]
+    assert "e" not in read["x = e^(2t)"]["letters"]
+
+
+def test_both_signs_are_read_in_the_letters_of_a_table_too(tmp_path, capsys):
+    file = tmp_path / "a.md"
+    file.write_text("$$\\theta = \\pm\\sqrt{2 - \\phi},\\quad\\phi \\leq 2$$\n")
+    assert main(["read", str(file), "--notation", "goldstein", "--json"]) == 0
+    read = [row["equation"] for row in json.loads(capsys.readouterr().out)]
+    assert read == ["θ = √(2 − φ)", "θ = −√(2 − φ)", "φ ≤ 2"]
