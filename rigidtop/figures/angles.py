@@ -10,20 +10,8 @@ from matplotlib.figure import Figure as Canvas
 from scipy.spatial.transform import Rotation
 
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.space import View, arrow, paper
-from rigidtop.figures.style import (
-    AXIS,
-    FIRST,
-    HIDDEN,
-    INK,
-    WIDE,
-    Floats,
-    canvas,
-    degrees,
-    head,
-    name_at,
-    spoken,
-)
+from rigidtop.figures.space import Scene, View, paper
+from rigidtop.figures.style import AXIS, FIRST, HIDDEN, INK, WIDE, Floats, canvas, degrees, spoken
 from rigidtop.motion.attitude import from_euler_angles
 from rigidtop.parameters import Parameter
 
@@ -61,28 +49,24 @@ def draw_rotation(
     `turned` says about which unit vector of space, by how much (rad), which of the three axes
     shows the angle, and the angle's name.
     """
-    view = VIEW
+    scene = Scene(axes, VIEW)
     axis, angle, shown, symbol = turned
     stripe = np.array([-0.18 * axis, 0.98 * axis])
-    axes.plot(*view(stripe)[:2], color=TURNED_ABOUT, lw=5, solid_capstyle="round", zorder=1)
+    scene.line(stripe, color=TURNED_ABOUT, lw=5, solid_capstyle="round", zorder=1)
     for k, words in enumerate(SPACE):
-        arrow(axes, view, 1.34 * np.eye(3)[k], words, color=FIRST, lw=0.8, zorder=2)
+        scene.arrow(1.34 * np.eye(3)[k], words, color=FIRST, lw=0.8, zorder=2)
     old, new = before.as_matrix().T, after.as_matrix().T
     for k in range(3):
         if np.linalg.norm(old[k] - new[k]) > 1e-9:
             ends = np.array([np.zeros(3), old[k]])
-            axes.plot(*view(ends)[:2], color=AXIS, lw=1.2, ls=HIDDEN, zorder=3)
-        arrow(axes, view, new[k], names[k], color=AXIS, lw=1.6, zorder=4)
+            scene.line(ends, color=AXIS, lw=1.2, ls=HIDDEN, zorder=3)
+        scene.arrow(new[k], names[k], color=AXIS, lw=1.6, zorder=4)
     # The way of one axis, at a part of its length, with a head where it ends.
     way = Rotation.from_rotvec(np.linspace(0, angle, 61)[:, None] * axis).apply(0.62 * old[shown])
-    x, y, _ = view(way)
-    axes.plot(x, y, color=ANGLE, lw=1.4, zorder=4)
+    scene.line(way, color=ANGLE, lw=1.4, zorder=4)
     if abs(angle) > 0.1:
-        piece = (x[-6], y[-6]), (x[-1], y[-1])
-        head(axes, *piece, width=0.16, length=0.3, color=ANGLE, lw=0.8, zorder=4.5)
-    middle = 1.24 * way[30]
-    x, y, _ = view(middle)
-    name_at(axes, float(x), float(y), symbol, color=ANGLE, ha="center", va="center", fontsize=11)
+        scene.head(way[[-6, -1]], width=0.16, length=0.3, color=ANGLE, lw=0.8, zorder=4.5)
+    scene.words(1.24 * way[30], symbol, color=ANGLE, ha="center", va="center", fontsize=11)
 
 
 def turns(phi: float, theta: float, psi: float) -> list[tuple[Floats, float, int, str]]:

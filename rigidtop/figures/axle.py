@@ -3,18 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
 
 from rigidtop.figures.rotors import ring, sense_of_turn
-from rigidtop.figures.space import (
-    UPRIGHT,
-    View,
-    arrow,
-    unit,
-)
+from rigidtop.figures.space import UPRIGHT, Scene, View, unit
 from rigidtop.figures.style import (
     DASHED,
     INK,
@@ -25,7 +18,6 @@ from rigidtop.figures.style import (
     TORQUE,
     Floats,
     in_math,
-    name_at,
     spoken,
 )
 from rigidtop.figures.torque import torque
@@ -58,24 +50,24 @@ def level(view: View, side: Floats) -> float:
     return 4.2 if float(side @ view.axes[2]) > 0 else 1.6
 
 
-def draw_axle(axes: Axes, view: View, motion: TopMotion, radius: float) -> None:
+def draw_axle(scene: Scene, motion: TopMotion, radius: float) -> None:
     """The axle, from the end that is held to a little beyond the rotor."""
     arm, half = to_scale(motion, radius)
     e3 = motion.start().e3[0]
     for ends, side in (((0.0, arm), -e3), ((arm, arm + 0.1 + 0.12 * half), e3)):
-        x, y, _ = view(np.outer(ends, e3))
-        order = level(view, side) - 0.1
-        axes.plot(x, y, color=NOTE, lw=2.6, solid_capstyle="round", zorder=order)
-    axes.plot(*view(np.zeros(3))[:2], "o", color=INK, ms=3.8, zorder=7)
+        order = level(scene.view, side) - 0.1
+        line = np.outer(ends, e3)
+        scene.line(line, color=NOTE, lw=2.6, solid_capstyle="round", zorder=order)
+    scene.dot(np.zeros(3), ms=3.8)
 
 
-def draw_arrows(axes: Axes, view: View, motion: TopMotion, radius: float) -> list[Floats]:
+def draw_arrows(scene: Scene, motion: TopMotion, radius: float) -> list[Floats]:
     """Mg, N, L, dL/dt and ω₃ at the start of a steady precession; points that must be seen.
 
     L and dL/dt begin at the centre of mass, N where the axle is held.  Dashed is the circle on
     which the tip of L goes, as seen from where L begins.
     """
-    start, top = motion.start(), motion.body
+    start, top, view = motion.start(), motion.body, scene.view
     arm, half = to_scale(motion, radius)
     e3, rate = start.e3[0], float(start.phi_dot[0])
     momentum, couple = unit(start.angular_momentum[0]), unit(torque(motion))
@@ -84,38 +76,30 @@ def draw_arrows(axes: Axes, view: View, motion: TopMotion, radius: float) -> lis
     tip = centre + (0.85 + 0.35 * half if outward else arm + 0.5) * momentum
     order = level(view, momentum)
     below = None if outward else (-2.0, -9.0)  # N is above
-    arrow(axes, view, tip, L_VEC, start=centre, shift=below, color=MOMENTUM, lw=1.8, zorder=order)
+    scene.arrow(tip, L_VEC, start=centre, shift=below, color=MOMENTUM, lw=1.8, zorder=order)
     spin = centre + (0.3 + 0.27 * half) * e3
     turning = sense_of_turn(
-        axes, view, spin, e3, 0.15, motion.omega[2], r"$\omega_3$", zorder=level(view, e3)
+        scene, spin, e3, 0.15, motion.omega[2], r"$\omega_3$", zorder=level(view, e3)
     )
     across = tip - centre - (tip - centre) * UPRIGHT
     distance, sweep = float(np.linalg.norm(across)), math.copysign(0.8, rate)
     way = ring(tip - across, UPRIGHT, distance, across, sweep)
-    axes.plot(*view(way)[:2], color=OMEGA, lw=0.9, ls=DASHED, zorder=1.3, label="_way")
+    scene.line(way, color=OMEGA, lw=0.9, ls=DASHED, zorder=1.3, label="_way")
     beyond = tip + 0.5 * couple
-    arrow(axes, view, beyond, start=tip, color=TORQUE, lw=1.4)
+    scene.arrow(beyond, start=tip, color=TORQUE, lw=1.4)
     words = r"$\dot{\mathbf{L}}=\mathbf{N}$"
     if momentum[2] > -0.2:
-        beside(axes, view, beyond, words, (0, 4), color=TORQUE, ha="center", va="bottom")
+        scene.words(beyond, words, (0, 4), color=TORQUE, ha="center", va="bottom", zorder=8)
     else:  # away from the axle, which is above
-        beside(axes, view, beyond, words, (-3, -3), color=TORQUE, ha="right", va="top")
+        scene.words(beyond, words, (-3, -3), color=TORQUE, ha="right", va="top", zorder=8)
     above = None if outward else (0.0, 9.0)
     words = r"$\mathbf{N}$"
-    arrow(axes, view, 0.6 * couple, words, shift=above, color=TORQUE, lw=1.9, zorder=6)
+    scene.arrow(0.6 * couple, words, shift=above, color=TORQUE, lw=1.9, zorder=6)
     weight = centre - max(0.6, 1.2 * half) * UPRIGHT
-    arrow(axes, view, weight, start=centre, color=INK, lw=1.5, zorder=6)
-    axes.plot(*view(centre)[:2], "o", color=INK, ms=3.5, zorder=7)
+    scene.arrow(weight, start=centre, color=INK, lw=1.5, zorder=6)
+    scene.dot(centre)
     # The axle may be where the words are else.
     aside, side = (-5, "right") if e3[2] < -0.85 else (5, "left")
     words = f"$Mg = {in_math(top.M * top.g)}$ N"
-    beside(axes, view, weight, words, (aside, 0), color=INK, ha=side)
+    scene.words(weight, words, (aside, 0), color=INK, ha=side, zorder=8)
     return [tip, beyond, 0.7 * couple, weight, centre, *turning, *way]
-
-
-def beside(
-    axes: Axes, view: View, point: Floats, words: str, shift: tuple[float, float], **style: Any
-) -> None:
-    """Words `shift` points away from a point of space, over everything."""
-    x, y, _ = view(point)
-    name_at(axes, float(x), float(y), words, shift, zorder=8, **style)

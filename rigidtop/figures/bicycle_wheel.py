@@ -14,21 +14,11 @@ from rigidtop.derivations.exercises.gyroscope import (
     slope_of_cord,
     spinning,
 )
-from rigidtop.figures.axle import (
-    beside,
-    draw_arrows,
-    draw_axle,
-    lean_of_momentum,
-    steady,
-    to_scale,
-)
+from rigidtop.figures.axle import draw_arrows, draw_axle, lean_of_momentum, steady, to_scale
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.rotors import fit, ring, sense_of_turn
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import (
-    UPRIGHT,
-    View,
-)
+from rigidtop.figures.space import UPRIGHT, Scene, View
 from rigidtop.figures.style import (
     COLUMN,
     DOTTED,
@@ -61,6 +51,7 @@ def draw_wheel(axes: Axes, motion: TopMotion, radius: float, cord: float) -> Non
 
     Wheel, axle and the lean of the cord are to scale, arrows are not; a long cord is cut off.
     """
+    scene = Scene(axes, VIEW)
     arm, half = to_scale(motion, radius)
     start, top = motion.start(), motion.body
     e3, rate = start.e3[0], float(start.phi_dot[0])
@@ -69,23 +60,21 @@ def draw_wheel(axes: Axes, motion: TopMotion, radius: float, cord: float) -> Non
     along = np.array([0.0, -slope, 1.0]) / math.hypot(1.0, slope)
     whole = cord / math.hypot(top.R, radius)
     upper = min(whole, LONGEST) * along
-    axes.plot(
-        *VIEW(np.array([np.zeros(3), upper]))[:2], color=NOTE, lw=1.1, zorder=5, label="_cord"
-    )
-    _end_of_cord(axes, upper, cut=whole > LONGEST)
-    draw_axle(axes, VIEW, motion, radius)
+    scene.line([np.zeros(3), upper], color=NOTE, lw=1.1, zorder=5, label="_cord")
+    _end_of_cord(scene, upper, cut=whole > LONGEST)
+    draw_axle(scene, motion, radius)
     centre = arm * e3
     rim = ring(centre, e3, half, VIEW.axes[2] + 0.1 * VIEW.axes[0])
     for point in ring(centre, e3, half, UPRIGHT, count=SPOKES + 1)[:-1]:
-        axes.plot(*VIEW(np.array([centre, point]))[:2], color=GREY, lw=0.6, zorder=2.2)
-    axes.plot(*VIEW(rim)[:2], color=INK, lw=3.4, zorder=2.4, label="_rim")
-    axes.plot(*VIEW(rim)[:2], color=MANTLE, lw=1.6, zorder=2.5)
-    drawn = draw_arrows(axes, VIEW, motion, radius)
-    around = _sense(axes, upper, rate)
-    fit(axes, VIEW, [*drawn, *rim, *around, 1.05 * upper], (0.2, 0.06, 0.05, 0.02))
+        scene.line([centre, point], color=GREY, lw=0.6, zorder=2.2)
+    scene.line(rim, color=INK, lw=3.4, zorder=2.4, label="_rim")
+    scene.line(rim, color=MANTLE, lw=1.6, zorder=2.5)
+    drawn = draw_arrows(scene, motion, radius)
+    around = _sense(scene, upper, rate)
+    fit(scene, [*drawn, *rim, *around, 1.05 * upper], (0.2, 0.06, 0.05, 0.02))
 
 
-def _sense(axes: Axes, upper: Floats, rate: float) -> Floats:
+def _sense(scene: Scene, upper: Floats, rate: float) -> Floats:
     """Ω about the vertical, beside a cord that ends at `upper`, or above a short one."""
     words = rf"$\Omega = {in_math(rate)}$ rad/s"
     middle = 0.8 * upper
@@ -93,22 +82,21 @@ def _sense(axes: Axes, upper: Floats, rate: float) -> Floats:
     if np.linalg.norm(upper) < 0.6:
         middle = 0.7 * UPRIGHT
         axis = np.outer([0.0, 0.9], UPRIGHT)
-        axes.plot(*VIEW(axis)[:2], color=GREY, lw=0.8, ls=DOTTED, zorder=1)
+        scene.line(axis, color=GREY, lw=0.8, ls=DOTTED, zorder=1)
         leans = False
     if leans:  # the cord is where the words would be
-        beside(axes, VIEW, middle, words, (0, 9), color=OMEGA, ha="center")
+        scene.words(middle, words, (0, 9), color=OMEGA, ha="center", zorder=8)
         words = ""
-    return sense_of_turn(axes, VIEW, middle, UPRIGHT, 0.17, rate, words, left=True, zorder=3.5)
+    return sense_of_turn(scene, middle, UPRIGHT, 0.17, rate, words, left=True, zorder=3.5)
 
 
-def _end_of_cord(axes: Axes, upper: Floats, *, cut: bool) -> None:
+def _end_of_cord(scene: Scene, upper: Floats, *, cut: bool) -> None:
     """Where it is fixed, or a stroke through it where it goes on."""
-    x, y, _ = VIEW(upper)
     if cut:
-        axes.plot(x, y, marker=(2, 0, 60), ms=9, color=NOTE, mew=1.0, zorder=5)
+        scene.line(upper, marker=(2, 0, 60), ms=9, color=NOTE, mew=1.0, zorder=5)
     else:
-        axes.plot(x, y, "s", ms=5, color=GREY, zorder=5)
-    beside(axes, VIEW, np.zeros(3), "$O$", (-4, -10), color=INK, ha="right")
+        scene.line(upper, "s", ms=5, color=GREY, zorder=5)
+    scene.words(np.zeros(3), "$O$", (-4, -10), color=INK, ha="right", zorder=8)
 
 
 def _motion(M: float, radius: float, R: float, g: float, omega3: float) -> TopMotion:

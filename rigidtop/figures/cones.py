@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 
 from rigidtop.figures.drawing import Drawing, Film, one
-from rigidtop.figures.space import View, arrow, circle, curve, paper, unit
+from rigidtop.figures.space import Scene, View, circle, paper, unit
 from rigidtop.figures.style import (
     AXIS,
     E3,
@@ -61,7 +61,7 @@ def draw_cones(axes: Axes, motion: Motion, *, space: bool) -> None:
 
     In the body frame ω and L go round e₃; in the space frame ω and e₃ go round L.
     """
-    view = View()
+    scene = Scene(axes)
     directions = three_directions(motion, space=space)
     upright = directions[2 if space else 0]
     drawn = ((E3, AXIS, 1.0), (OMEGA_VEC, OMEGA, 1.06), (L_VEC, MOMENTUM, 1.18))
@@ -71,22 +71,21 @@ def draw_cones(axes: Axes, motion: Motion, *, space: bool) -> None:
         )
         if angle > 1e-9:
             rim = circle(upright, angle, length=length)
-            _, _, near = view(rim)
-            curve(axes, view, rim, near < near.mean(), color=color, lw=0.9)
-            shade(axes, view, rim, color, 0.12 if color == OMEGA else 0.05)
+            scene.ring(rim, color=color, lw=0.9)
+            shade(scene, rim, color, 0.12 if color == OMEGA else 0.05)
     for direction, (words, color, length) in zip(directions, drawn, strict=True):
-        arrow(axes, view, length * direction, words, color=color, lw=1.5)
+        scene.arrow(length * direction, words, color=color, lw=1.5)
     paper(axes, (-1.0, 1.0), (-0.03, 1.3))
 
 
-def shade(axes: Axes, view: View, rim: Floats, color: str, alpha: float) -> None:
+def shade(scene: Scene, rim: Floats, color: str, alpha: float) -> None:
     """The mantle of a cone from the origin to its rim (N, 3), with its two edges."""
-    across, up, _ = view(rim)
-    axes.fill(np.append(across, 0.0), np.append(up, 0.0), color=color, alpha=alpha, lw=0, zorder=1)
+    across, up, _ = scene.view(rim)
+    scene.face([*rim, np.zeros(3)], color=color, alpha=alpha, lw=0, zorder=1)
     turn = np.unwrap(np.arctan2(across, up))
     if np.ptp(turn) < math.pi:  # else the eye looks into it, and there is no edge
         for i in (int(np.argmax(turn)), int(np.argmin(turn))):
-            axes.plot([0, across[i]], [0, up[i]], color=color, lw=0.6, alpha=0.7, zorder=2)
+            scene.line([np.zeros(3), rim[i]], color=color, lw=0.6, alpha=0.7, zorder=2)
 
 
 def _cones(**values: float) -> Canvas:
@@ -159,7 +158,7 @@ def draw_rolling_cones(axes: Axes, motion: Motion, t: float = 0.0) -> None:
     They touch along ω, which is the line that is at rest for a moment; L is upright.  Both have
     the length 1 along their mantles.
     """
-    view = View(elevation=0.34)
+    scene = Scene(axes, View(elevation=0.34))
     run = motion.exact([0.0, t])
     e3, _, momentum = three_directions(motion, space=True)
     # From the space frame of the motion to that of the paper, in which L is upright.
@@ -182,16 +181,15 @@ def draw_rolling_cones(axes: Axes, motion: Motion, t: float = 0.0) -> None:
         (axis, body, body_lines, AXIS, 1.0 if inside else 2.0),
     ):
         rim = circle(apex, half)
-        _, _, near = view(rim)
-        shade(axes, view, rim, color, 0.13)
-        curve(axes, view, rim, near < near.mean(), color=color, lw=1.0, zorder=2 + above)
+        shade(scene, rim, color, 0.13)
+        scene.ring(rim, color=color, lw=1.0, zorder=2 + above)
+        middle = scene.view(rim)[2].mean()
         for line in lines:
-            (x,), (y,), (depth,) = view(line[None, :])
-            front = depth >= near.mean()
-            axes.plot([0, x], [0, y], color=color, lw=0.6, alpha=0.6 if front else 0.2, zorder=2)
-    arrow(axes, view, 1.25 * axis, E3, color=AXIS, lw=1.3)
-    arrow(axes, view, 1.32 * momentum, L_VEC, color=MOMENTUM, lw=1.3)
-    arrow(axes, view, 1.2 * contact, OMEGA_VEC, color=OMEGA, lw=1.9, zorder=6)
+            alpha = 0.6 if scene.view(line)[2] >= middle else 0.2
+            scene.line([np.zeros(3), line], color=color, lw=0.6, alpha=alpha, zorder=2)
+    scene.arrow(1.25 * axis, E3, color=AXIS, lw=1.3)
+    scene.arrow(1.32 * momentum, L_VEC, color=MOMENTUM, lw=1.3)
+    scene.arrow(1.2 * contact, OMEGA_VEC, color=OMEGA, lw=1.9, zorder=6)
 
 
 def angle_between(first: Floats, second: Floats) -> float:

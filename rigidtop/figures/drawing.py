@@ -115,7 +115,8 @@ class _Vector(FigureCanvasSVG):
     def __init__(self, figure: Canvas) -> None:
         super().__init__(figure)
         self._page = StringIO()
-        self._renderer = RendererSVG(*(POINTS * figure.get_size_inches()), self._page)
+        width, height = POINTS * figure.get_size_inches()
+        self._renderer = RendererSVG(width, height, self._page)  # type: ignore[no-untyped-call]
 
     def get_renderer(self) -> RendererSVG:
         """The one that is asked for the sizes of letters."""
@@ -123,10 +124,10 @@ class _Vector(FigureCanvasSVG):
 
     def cropped(self, box: Bbox) -> bytes:
         """The SVG of what is in the box (inches)."""
-        for part in (self.figure, *self.figure.axes):
-            part.patch.set_visible(False)
+        for part in (self.figure.patch, *(axes.patch for axes in self.figure.axes)):
+            part.set_visible(False)
         self.figure.draw(self._renderer)
-        self._renderer.finalize()
+        self._renderer.finalize()  # type: ignore[no-untyped-call]
         left, low, width, height = (POINTS * x for x in box.bounds)
         top = POINTS * self.figure.get_figheight() - low - height
         size = f'width="{width:.6g}pt" height="{height:.6g}pt"'

@@ -10,16 +10,7 @@ from matplotlib.figure import Figure as Canvas
 
 from rigidtop.errors import RigidtopError
 from rigidtop.figures.drawing import Drawing, one
-from rigidtop.figures.space import (
-    View,
-    arrow,
-    circle,
-    curve,
-    on_sphere,
-    paper,
-    sphere,
-    unit,
-)
+from rigidtop.figures.space import UPRIGHT, Scene, View, circle, paper, unit
 from rigidtop.figures.style import (
     AXIS,
     COLUMN,
@@ -35,8 +26,6 @@ from rigidtop.figures.style import (
     WIDE,
     Floats,
     canvas,
-    head,
-    name_at,
     said,
     spoken,
 )
@@ -118,16 +107,22 @@ def draw_polhodes(axes: Axes, body: FreeBody) -> None:
     eye = view.axes[2] @ turn
     scale = math.sqrt(moments.min())  # the longest half axis is 1 on paper
 
+    scene = Scene(axes, view)
+
     def draw(points: Floats, **style: object) -> None:
-        curve(axes, view, scale * points @ turn.T, (points * moments) @ eye < 0, **style)
+        scene.curve(scale * points @ turn.T, (points * moments) @ eye < 0, **style)
 
     rim = circle(unit(np.sqrt(1 / moments) * eye * moments), math.pi / 2) / np.sqrt(moments)
-    across, up, _ = view(scale * rim @ turn.T)
-    axes.fill(across, up, fc="#f4f4f4", ec=GREY, lw=0.8, zorder=0)
+    scene.face(scale * rim @ turn.T, fc="#f4f4f4", ec=GREY, lw=0.8, zorder=0)
     for motion in polhodes(body):
         path = polhode(motion)
         draw(path, color=FIRST, lw=0.9)
-        _head(axes, *view(scale * path @ turn.T)[:2], (path * moments) @ eye)
+        # A head on the closed curve, where it is nearest to the eye, says which way it goes.
+        near = (path * moments) @ eye
+        at = int(np.argmax(near[:-8]))
+        if near[at] > 0:
+            ends = scale * path[[at, at + 7]] @ turn.T
+            scene.head(ends, width=0.12, length=0.3, color=FIRST, lw=0.5, zorder=4)
     for motion in on_separatrix(body):
         draw(polhode(motion), color=SECOND, lw=1.7)
     for k in range(3):
@@ -135,29 +130,12 @@ def draw_polhodes(axes: Axes, body: FreeBody) -> None:
         end[k] = 1 / math.sqrt(moments[k])
         for sign in (1.0, -1.0):
             shown = sign * eye[k] > 0
-            x, y, _ = view(scale * sign * turn @ end)
-            axes.plot(x, y, "o", ms=3.2, color=INK if shown else "none", mec=INK, zorder=6)
+            color = INK if shown else "none"
+            scene.dot(scale * sign * turn @ end, ms=3.2, color=color, mec=INK, zorder=6)
         longer = 0.5 if k == middle else 0.28
         tip = end * (1 + longer * math.sqrt(moments[k] / moments.min()))
-        arrow(
-            axes,
-            view,
-            scale * turn @ tip,
-            rf"$\omega_{k + 1}$",
-            start=scale * turn @ end,
-            lw=1.0,
-            color=INK,
-            zorder=5,
-        )
-
-
-def _head(axes: Axes, x: Floats, y: Floats, near: Floats) -> None:
-    """A head on a closed curve, where it is nearest to the eye, that says which way it goes."""
-    at = int(np.argmax(near[:-8]))
-    if near[at] <= 0:
-        return
-    ends = (x[at], y[at]), (x[at + 7], y[at + 7])
-    head(axes, *ends, width=0.12, length=0.3, color=FIRST, lw=0.5, zorder=4)
+        name, start = rf"$\omega_{k + 1}$", scale * turn @ end
+        scene.arrow(scale * turn @ tip, name, start=start, lw=1.0)
 
 
 def _draw_polhodes(**moments: float) -> Canvas:
@@ -331,52 +309,42 @@ NUTATIONS = 5
 
 def draw_tumbling(body_axes: Axes, space_axes: Axes, motion: Motion) -> None:
     """L in the body frame, once round; e₃ and e₁ in space about L, some nutations long."""
-    view = View(azimuth=0.5, elevation=0.42)
+    body, space = (Scene(axes, View(azimuth=0.5)) for axes in (body_axes, space_axes))
     steady = motion.regime == "steady"
     period = 2 * motion.nutation_period
     if steady or not math.isfinite(period):
         period = 2 * LATE / math.hypot(*motion.omega)
-    upright = np.array([0.0, 0.0, 1.0])
     moments = np.array(motion.body.moments)
     in_body = motion.exact(np.linspace(0.0, period, 601)).omega * moments
     in_body /= np.linalg.norm(in_body, axis=1)[:, None]
-    sphere(body_axes)
-    on_sphere(body_axes, view, circle(upright, math.pi / 2), color=RULE, lw=0.8)
+    body.sphere()
     for k in range(3):
-        arrow(
-            body_axes,
-            view,
-            1.4 * np.eye(3)[k],
-            rf"$\mathbf{{e}}_{k + 1}$",
-            start=np.eye(3)[k],
-            shift=(-13.0, 2.0) if k == 0 else None,  # beside the way of L of a long body
-            color=AXIS,
-            lw=1.0,
-        )
-    on_sphere(body_axes, view, in_body, color=INK, lw=1.4, label="_momentum")
-    _mark(body_axes, view, in_body[0], L_VEC)
+        axis, name = np.eye(3)[k], rf"$\mathbf{{e}}_{k + 1}$"
+        shift = (-13.0, 2.0) if k == 0 else None  # beside the way of L of a long body
+        body.arrow(1.4 * axis, name, start=axis, shift=shift, color=AXIS, lw=1.0)
+    body.on_sphere(in_body, color=INK, lw=1.4, label="_momentum")
+    _mark(body, in_body[0], L_VEC)
     turn = 2 * math.pi / math.hypot(*motion.omega)  # once round, if ω is constant
     run = motion.exact(np.linspace(0.0, turn if steady else NUTATIONS * period / 2, 2401))
     momentum = unit(run.angular_momentum[0])
     across = unit(np.cross(momentum, [1.0, 0.0, 0.0] if abs(momentum[0]) < 0.9 else [0, 1.0, 0]))
     frame = np.array([across, np.cross(momentum, across), momentum])
     path = run.e3 @ frame.T
-    sphere(space_axes)
-    on_sphere(space_axes, view, circle(upright, math.pi / 2), color=RULE, lw=0.8)
-    arrow(space_axes, view, 1.4 * upright, L_VEC, start=upright, color=INK, lw=1.0)
+    space.sphere()
+    space.arrow(1.4 * UPRIGHT, L_VEC, start=UPRIGHT, lw=1.0)
     first = run.rotation.as_matrix()[:, :, 0] @ frame.T
-    on_sphere(space_axes, view, first, color=GREY, lw=0.8)
-    on_sphere(space_axes, view, path, color=AXIS, lw=1.5, label="_axis")
-    _mark(space_axes, view, first[0], r"$\mathbf{e}_1$")
-    _mark(space_axes, view, path[0], r"$\mathbf{e}_3$")
+    space.on_sphere(first, color=GREY, lw=0.8)
+    space.on_sphere(path, color=AXIS, lw=1.5, label="_axis")
+    _mark(space, first[0], r"$\mathbf{e}_1$")
+    _mark(space, path[0], r"$\mathbf{e}_3$")
 
 
-def _mark(axes: Axes, view: View, point: Floats, words: str) -> None:
+def _mark(scene: Scene, point: Floats, words: str) -> None:
     """A dot with a name, open where it is behind."""
-    x, y, near = view(point)
-    axes.plot(x, y, "o", ms=4, color=INK if near > 0 else "white", mec=INK, zorder=6)
+    x, _, near = scene.view(point)
+    scene.dot(point, ms=4, color=INK if near > 0 else "white", mec=INK, zorder=6)
     inwards = -12 * float(x), 5.0  # away from the outline of the sphere
-    name_at(axes, float(x), float(y), words, inwards, ha="center", color=INK, zorder=7)
+    scene.words(point, words, inwards, ha="center", color=INK, zorder=7)
 
 
 def _tumbling(omega1: float, omega2: float, omega3: float, **moments: float) -> Motion:

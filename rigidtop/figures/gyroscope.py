@@ -9,34 +9,19 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 
 from rigidtop.derivations.exercises.bodies import simple_rate
-from rigidtop.derivations.exercises.gyroscope import (
-    disc_on_axle,
-    gyroscope,
-    spin_for,
-    spinning,
-)
-from rigidtop.figures.axle import (
-    beside,
-    draw_arrows,
-    draw_axle,
-    lean_of_momentum,
-    steady,
-    to_scale,
-)
+from rigidtop.derivations.exercises.gyroscope import disc_on_axle, gyroscope, spin_for, spinning
+from rigidtop.figures.axle import draw_arrows, draw_axle, lean_of_momentum, steady, to_scale
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.rotors import fit, ring, sense_of_turn, solid_disc
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import (
-    UPRIGHT,
-    View,
-    arc,
-)
+from rigidtop.figures.space import UPRIGHT, Scene, View, arc
 from rigidtop.figures.style import (
     COLUMN,
     DASHED,
     DOTTED,
     FIRST,
     GREY,
+    GROUND,
     INK,
     SECOND,
     Floats,
@@ -62,33 +47,34 @@ def draw_gyroscope(axes: Axes, motion: TopMotion, radius: float) -> None:
 
     Axle and disc are to scale, arrows are not.
     """
+    scene = Scene(axes, VIEW)
     arm, half = to_scale(motion, radius)
     e3 = motion.start().e3[0]
     height = height_of_post(float(motion.start().theta[0]), arm, half)
     post = np.outer([0.0, height], UPRIGHT)
     plate = ring(post[1], UPRIGHT, 0.28, VIEW.axes[0])
-    axes.fill(*VIEW(plate)[:2], fc="#ececec", ec=GREY, lw=0.7, zorder=0.5)
-    axes.plot(*VIEW(post)[:2], color=GREY, lw=3.2, solid_capstyle="butt", zorder=1)
-    draw_axle(axes, VIEW, motion, radius)
-    solid_disc(axes, VIEW, arm * e3, e3, half, 0.16 * half, zorder=2.5)
-    _angle(axes, e3, 0.55 * arm)
+    scene.face(plate, fc=GROUND, ec=GREY, lw=0.7, zorder=0.5)
+    scene.line(post, color=GREY, lw=3.2, solid_capstyle="butt", zorder=1)
+    draw_axle(scene, motion, radius)
+    solid_disc(scene, arm * e3, e3, half, 0.16 * half, zorder=2.5)
+    _angle(scene, e3, 0.55 * arm)
     rim = ring(arm * e3, e3, half, VIEW.axes[2] + 0.1 * VIEW.axes[0])
-    drawn = draw_arrows(axes, VIEW, motion, radius)
+    drawn = draw_arrows(scene, motion, radius)
     rate = float(motion.start().phi_dot[0])
     words = rf"$\Omega = {in_math(rate)}$ rad/s"
     around, left = 0.55 * post[1], rate > 0  # else L is there
-    drawn += [*sense_of_turn(axes, VIEW, around, UPRIGHT, 0.2, rate, words, left=left, zorder=3.5)]
-    fit(axes, VIEW, [*drawn, *rim, *plate], (0.25, 0.06, 0.02, 0.1))
+    drawn += [*sense_of_turn(scene, around, UPRIGHT, 0.2, rate, words, left=left, zorder=3.5)]
+    fit(scene, [*drawn, *rim, *plate], (0.25, 0.06, 0.02, 0.1))
 
 
-def _angle(axes: Axes, e3: Floats, size: float) -> None:
+def _angle(scene: Scene, e3: Floats, size: float) -> None:
     """θ, from the vertical through O to the axle."""
-    axes.plot(*VIEW(np.outer([0.0, 1.25 * size], UPRIGHT))[:2], color=GREY, lw=0.8, zorder=1)
+    scene.line(np.outer([0.0, 1.25 * size], UPRIGHT), color=GREY, lw=0.8, zorder=1)
     way = size * arc(UPRIGHT, e3)
-    axes.plot(*VIEW(way)[:2], color=GREY, lw=0.9, zorder=1, label="_theta")
+    scene.line(way, color=GREY, lw=0.9, zorder=1, label="_theta")
     middle = 1.1 * way[len(way) // 2]
-    beside(axes, VIEW, middle, r"$\theta$", (0, 0), ha="center", va="bottom", color=INK)
-    beside(axes, VIEW, np.zeros(3), "$O$", (5, -9), color=INK)
+    scene.words(middle, r"$\theta$", ha="center", va="bottom", color=INK, zorder=8)
+    scene.words(np.zeros(3), "$O$", (5, -9), color=INK, zorder=8)
 
 
 def height_of_post(theta: float, arm: float, half: float) -> float:

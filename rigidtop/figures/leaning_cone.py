@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -12,7 +13,7 @@ from rigidtop.derivations.exercises.net_torque import gravity_on_a_solid
 from rigidtop.figures.bodies import vertical
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import View, arrow, circle, paper, top_body
+from rigidtop.figures.space import Scene, View, circle, paper, top_body
 from rigidtop.figures.style import (
     AXIS,
     COLUMN,
@@ -28,7 +29,6 @@ from rigidtop.figures.style import (
     canvas,
     degrees,
     in_math,
-    name_at,
     said,
     spoken,
 )
@@ -56,52 +56,49 @@ def draw_leaning_cone(
     The cone is to scale, its mantle has the length 1; Mg and N have lengths of their own.  The
     paper is as large as they need.
     """
-    view = view_of(phi)
+    scene = Scene(axes, view_of(phi))
     attitude = from_euler_angles(theta, phi, 0.0).as_matrix()
     e3, nodes = attitude[:, 2], attitude[:, 1]
     level = np.array([math.cos(phi), math.sin(phi), 0.0])  # where it leans to
     size = math.hypot(radius, height)
     place = centre / size * e3
     weight = place - 0.42 * UP
-    top_body(axes, view, e3, height / size, radius / size)
-    arrow(axes, view, TALL * UP, Z, lw=0.8, color=GREY, shift=(-8, 0))
-    arrow(axes, view, 1.35 * e3, E3, color=AXIS, lw=1.0, shift=(9, 0))
-    arrow(axes, view, place, color=INK, lw=2.0)
+    top_body(scene, e3, height / size, radius / size)
+    scene.arrow(TALL * UP, Z, lw=0.8, color=GREY, shift=(-8, 0))
+    scene.arrow(1.35 * e3, E3, color=AXIS, lw=1.0, shift=(9, 0))
+    scene.arrow(place, color=INK, lw=2.0)
     lean = theta * np.linspace(0.0, 1.0, 61)
     way = 1.18 * (np.outer(np.cos(lean), UP) + np.outer(np.sin(lean), level))
     if not vertical(theta):
-        _draw_angle(axes, view, way, r"$\theta$", (-8, -2), zorder=3)
-        _draw_azimuth(axes, view, phi, level)
-    _draw_height(axes, view, place, level)
-    arrow(axes, view, weight, start=place, color=INK, lw=1.4)
-    x, y, _ = view(weight)
-    name_at(axes, float(x), float(y), r"$M\mathbf{g}$", (6, 2), color=INK)
-    x, y, _ = view(place)
-    axes.plot(x, y, "o", color=INK, ms=3.5, zorder=7)
-    name_at(axes, float(x), float(y), r"$\mathbf{R}_\mathrm{CM}$", (7, -9), color=INK, zorder=8)
+        _draw_angle(scene, way, r"$\theta$", (-8, -2), zorder=3)
+        _draw_azimuth(scene, phi, level)
+    _draw_height(scene, place, level)
+    scene.arrow(weight, start=place, color=INK, lw=1.4)
+    scene.words(weight, r"$M\mathbf{g}$", (6, 2), color=INK)
+    scene.dot(place)
+    scene.words(place, r"$\mathbf{R}_\mathrm{CM}$", (7, -9), color=INK, zorder=8)
     if vertical(theta):
-        name_at(axes, 0.0, 0.0, r"$\mathbf{N} = 0$", (20, -4), color=TORQUE)
+        scene.words(np.zeros(3), r"$\mathbf{N} = 0$", (20, -4), color=TORQUE)
     else:
-        arrow(axes, view, 0.85 * nodes, r"$\mathbf{N}$", color=TORQUE, lw=1.9)
+        scene.arrow(0.85 * nodes, r"$\mathbf{N}$", color=TORQUE, lw=1.9)
     shown = [circle(e3, math.atan2(radius, height)), TALL * UP, 1.35 * e3, weight, -0.2 * UP]
     if not vertical(theta):
         shown.append(1.1 * way)
-    x, y, _ = view(np.vstack(shown))
+    x, y, _ = scene.view(np.vstack(shown))
     paper(axes, (min(x.min(), -1.1), max(x.max(), 0.7) + 0.2), (y.min() - 0.1, y.max() + 0.1))
 
 
-def _draw_azimuth(axes: Axes, view: View, phi: float, level: Floats) -> None:
+def _draw_azimuth(scene: Scene, phi: float, level: Floats) -> None:
     """φ from x̂ to the direction into which the cone leans, under it."""
-    arrow(axes, view, [0.6, 0.0, 0.0], r"$\hat{\mathbf{x}}$", color=GREY, lw=0.7, zorder=1.5)
-    axes.plot(*view(np.outer([0.0, 0.5], level))[:2], color=GREY, lw=0.7, ls=DOTTED, zorder=1.5)
+    scene.arrow([0.6, 0.0, 0.0], r"$\hat{\mathbf{x}}$", color=GREY, lw=0.7, zorder=1.5)
+    scene.line(np.outer([0.0, 0.5], level), color=GREY, lw=0.7, ls=DOTTED, zorder=1.5)
     turned = math.remainder(phi, 2 * math.pi) * np.linspace(0.0, 1.0, 61)
     way = 0.4 * np.column_stack([np.cos(turned), np.sin(turned), 0 * turned])
-    _draw_angle(axes, view, way, r"$\phi$", (2, -8), zorder=1.5)
+    _draw_angle(scene, way, r"$\phi$", (2, -8), zorder=1.5)
 
 
 def _draw_angle(
-    axes: Axes,
-    view: View,
+    scene: Scene,
     way: Floats,
     words: str,
     aside: tuple[float, float],
@@ -109,38 +106,25 @@ def _draw_angle(
     zorder: float,
 ) -> None:
     """An arc (N, 3) about the origin, and its name: outside, or `aside` where there is no room."""
-    x, y, _ = view(way)
-    axes.plot(x, y, color=NOTE, lw=0.8, zorder=zorder, label="_angle")
+    x, y, _ = scene.view(way)
+    scene.line(way, color=NOTE, lw=0.8, zorder=zorder, label="_angle")
     narrow = float(np.linalg.norm(way[-1] - way[0])) < NARROW
     at = 0 if narrow else 2 * len(way) // 5
     away = 8 / math.hypot(x[at], y[at])
     shift = aside if narrow else (float(x[at]) * away, float(y[at]) * away)
     style = {"ha": "center", "va": "center", "zorder": zorder}
-    name_at(axes, float(x[at]), float(y[at]), words, shift, **style)
+    scene.words(way[at], words, shift, **style)
 
 
-def _draw_height(axes: Axes, view: View, place: Floats, level: Floats) -> None:
+def _draw_height(scene: Scene, place: Floats, level: Floats) -> None:
     """R cos θ, the height of the centre of mass over the tip, on the other side of ẑ."""
     beyond, height = -0.62 * level, place[2] * UP
     for start, above in ((place, height), (np.zeros(3), 0 * UP)):
-        line = np.array([start, 1.1 * beyond + above])
-        axes.plot(*view(line)[:2], color=GREY, lw=0.8, ls=DASHED, zorder=2.9)
-    x, y, _ = view(np.array([beyond, beyond + height]))
-    axes.annotate(
-        "",
-        (x[1], y[1]),
-        xytext=(x[0], y[0]),
-        arrowprops={
-            "arrowstyle": "<|-|>,head_width=0.12,head_length=0.25",
-            "color": NOTE,
-            "lw": 0.8,
-            "shrinkA": 0,
-            "shrinkB": 0,
-        },
-        zorder=3,
-    )
-    words = r"$R\,\cos\theta$"
-    name_at(axes, float(x[0]), float(y.mean()), words, (-4, 0), ha="right", va="center")
+        scene.line([start, 1.1 * beyond + above], color=GREY, lw=0.8, ls=DASHED, zorder=2.9)
+    both: dict[str, Any] = {"ends": "<|-|>", "width": 0.12, "length": 0.25, "zorder": 3}
+    scene.head(np.array([beyond, beyond + height]), color=NOTE, lw=0.8, **both)
+    middle = beyond + height / 2
+    scene.words(middle, r"$R\,\cos\theta$", (-4, 0), ha="right", va="center")
 
 
 def _draw(**values: float) -> Canvas:

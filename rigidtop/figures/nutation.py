@@ -25,15 +25,7 @@ from rigidtop.figures.bodies import (
     vertical,
 )
 from rigidtop.figures.drawing import Drawing, one
-from rigidtop.figures.space import (
-    UPRIGHT,
-    View,
-    arrow,
-    circle,
-    on_sphere,
-    paper,
-    sphere,
-)
+from rigidtop.figures.space import UPRIGHT, Scene, View, circle, paper
 from rigidtop.figures.style import (
     COLUMN,
     DASH_DOT,
@@ -67,14 +59,13 @@ MOST_NUTATIONS = 14
 def draw_path(axes: Axes, e3: ArrayLike, title: str = "") -> None:
     """The path of the figure axis, unit vectors (N, 3) in space, on the sphere."""
     path = np.asarray(e3, dtype=float)
-    view = View(elevation=0.5)
-    sphere(axes)
-    on_sphere(axes, view, circle(UPRIGHT, math.pi / 2), color=RULE, lw=0.8)
+    scene = Scene(axes, View(elevation=0.5))
+    scene.sphere()
     polar = np.arccos(np.clip(path[:, 2], -1, 1))
     for theta in (polar.min(), polar.max()):
-        on_sphere(axes, view, circle(UPRIGHT, float(theta)), color=GREY, lw=0.7)
-    on_sphere(axes, view, path, color=FIRST, lw=1.3, label="_path")
-    arrow(axes, view, 1.45 * UPRIGHT, Z, start=UPRIGHT, lw=0.9, shift=(7, -3))
+        scene.on_sphere(circle(UPRIGHT, float(theta)), color=GREY, lw=0.7)
+    scene.on_sphere(path, color=FIRST, lw=1.3, label="_path")
+    scene.arrow(1.45 * UPRIGHT, Z, start=UPRIGHT, lw=0.9, shift=(7, -3))
     paper(axes, (-1.04, 1.04), (-1.04, 1.34))
     if title:
         axes.set_title(title, color=INK)

@@ -18,12 +18,7 @@ from rigidtop.derivations.exercises.precession_of_rotation_axis import (
 from rigidtop.figures.drawing import Drawing, one
 from rigidtop.figures.rotors import solid_disc
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import (
-    UPRIGHT,
-    View,
-    arrow,
-    paper,
-)
+from rigidtop.figures.space import UPRIGHT, Scene, View, paper
 from rigidtop.figures.style import (
     AXIS,
     COLUMN,
@@ -97,25 +92,23 @@ def draw_plate(
     axes: Axes, attitude: Rotation, radius: float, thickness: float, *, named: bool = False
 ) -> None:
     """The plate at one moment, to scale, with the mark, e₃, and the direction of L, upright."""
-    view, (e1, _, e3) = VIEW, attitude.as_matrix().T
+    scene, (e1, _, e3) = Scene(axes, VIEW), attitude.as_matrix().T
     size = math.hypot(radius, thickness / 2)
     half, height = radius / size, thickness / size
-    solid_disc(axes, view, np.zeros(3), e3, half, height, zorder=2)
-    above = 3.0 if float(e3 @ view.axes[2]) > 0 else 1.0
+    solid_disc(scene, np.zeros(3), e3, half, height, zorder=2)
+    above = 3.0 if float(e3 @ VIEW.axes[2]) > 0 else 1.0
     # Both lines begin where they leave the upper face.
     face, vertical = 0.5 * height * e3, 0.5 * height / float(e3[2]) * UPRIGHT
     mark = face + half * e1
-    axes.plot(*view(np.array([face, mark]))[:2], color=FIRST, lw=1.1, zorder=above)
+    scene.line([face, mark], color=FIRST, lw=1.1, zorder=above)
     style: dict[str, Any] = {"color": FIRST, "ms": 4.2, "clip_on": False, "label": "_mark"}
-    axes.plot(*view(mark)[:2], "o", zorder=above + 0.1, **style)
-    along = np.array([vertical, REACH * UPRIGHT])
-    axes.plot(*view(along)[:2], color=MOMENTUM, lw=0.9, ls=DASHED, zorder=above)
+    scene.dot(mark, zorder=above + 0.1, **style)
+    scene.line([vertical, REACH * UPRIGHT], color=MOMENTUM, lw=0.9, ls=DASHED, zorder=above)
     tip = min(REACH, 0.98 / max(math.hypot(e3[0], e3[1]), 1e-9)) * e3
-    arrow(axes, view, tip, start=face, color=AXIS, lw=1.3, zorder=above + 0.2)
+    scene.arrow(tip, start=face, color=AXIS, lw=1.3, zorder=above + 0.2)
     if named:
-        x, y, _ = view(np.array([tip, along[1]]))
-        name_at(axes, float(x[0]), float(y[0]), E3, (1, 3), color=AXIS)
-        name_at(axes, float(x[1]), float(y[1]), L_VEC, (-2, 3), color=MOMENTUM, ha="right")
+        scene.words(tip, E3, (1, 3), color=AXIS)
+        scene.words(REACH * UPRIGHT, L_VEC, (-2, 3), color=MOMENTUM, ha="right")
 
 
 # --- Together ------------------------------------------------------------------------------------

@@ -13,18 +13,8 @@ from scipy.spatial.transform import Rotation
 from rigidtop.derivations.exercises.rotation_matrices import about, rotations_form_a_group
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import View, arrow, paper, unit
-from rigidtop.figures.style import (
-    COLUMN,
-    FIRST,
-    GREY,
-    Floats,
-    canvas,
-    degrees,
-    head,
-    said,
-    spoken,
-)
+from rigidtop.figures.space import Scene, View, paper, unit
+from rigidtop.figures.style import COLUMN, FIRST, GREY, Floats, canvas, degrees, said, spoken
 
 VIEW = View(azimuth=0.5, elevation=0.42)
 HALF = np.array([0.15, 0.5, 0.66])
@@ -88,19 +78,17 @@ def strokes(axis: int, side: int) -> list[Floats]:
     return [np.column_stack([[share * HALF[0]] * 2, ends[:, 1:]]) for share in (-0.4, 0.0, 0.4)]
 
 
-def draw_book(axes: Axes, turn: Floats) -> None:
+def draw_book(scene: Scene, turn: Floats) -> None:
     """The book, turned by a matrix (3, 3)."""
-    view = VIEW
     for axis, side, color in FACES:
-        if float(view(side * turn[:, axis])[2]) <= 1e-9:
+        if float(scene.view(side * turn[:, axis])[2]) <= 1e-9:
             continue
-        x, y, _ = view(corners(axis, side) @ turn.T)
-        axes.fill(x, y, fc=color, ec=EDGE, lw=0.8, zorder=3, joinstyle="round")
+        corner = corners(axis, side) @ turn.T
+        scene.face(corner, fc=color, ec=EDGE, lw=0.8, zorder=3, joinstyle="round")
         for stroke in strokes(axis, side) if color != SPINE else ():
-            x, y, _ = view(stroke @ turn.T)
             ink, width = (GREY, 0.4) if color == PAPER else (EDGE, 2.2)
             name = "_letter" if color == COVER else None
-            axes.plot(x, y, color=ink, lw=width, zorder=4, label=name)
+            scene.line(stroke @ turn.T, color=ink, lw=width, zorder=4, label=name)
 
 
 def leaves(turn: Floats, direction: Floats) -> tuple[Floats, bool]:
@@ -118,34 +106,32 @@ def draw_turned(axes: Axes, turn: Floats, gamma: float, last: Turn | None = None
 
     `last` says about which of the two it has just been turned, 0 or 1, and by how much (rad).
     """
-    view, ends = VIEW, 1.15 * axes_of_rotation(gamma)
+    scene, ends = Scene(axes, VIEW), 1.15 * axes_of_rotation(gamma)
     names = [r"$\mathbf{n}_1$", r"$\mathbf{n}_2$"]
     if gamma < CLOSE:
         names = ["", r"$\mathbf{n}_1, \mathbf{n}_2$"]
     if last is not None:
         k, angle = last
-        stripe = np.array([np.zeros(3), 0.95 * ends[k]])
-        axes.plot(*view(stripe)[:2], color=TURNED_ABOUT, lw=4.5, solid_capstyle="round", zorder=1)
+        stripe = [np.zeros(3), 0.95 * ends[k]]
+        scene.line(stripe, color=TURNED_ABOUT, lw=4.5, solid_capstyle="round", zorder=1)
         # Around the end of the axis, from above it.
         start = 0.82 * ends[k] + np.array([0.0, 0.0, 0.34])
         turns = np.outer(np.linspace(0, angle, 61), unit(ends[k]))
         way = Rotation.from_rotvec(turns).apply(start)
-        _draw_way(axes, way, angle, 5.5 if leaves(turn, ends[k])[1] else 2.5)
-    draw_book(axes, turn)
+        _draw_way(scene, way, angle, 5.5 if leaves(turn, ends[k])[1] else 2.5)
+    draw_book(scene, turn)
     below = (-3.0, -10.0) if gamma < CLOSE else None
     for end, name in zip(ends, names, strict=True):
         out, seen = leaves(turn, unit(end))
         above = 5 if seen else 2
-        arrow(axes, view, end, name, start=out, shift=below, color=FIRST, lw=1.0, zorder=above)
+        scene.arrow(end, name, start=out, shift=below, color=FIRST, lw=1.0, zorder=above)
 
 
-def _draw_way(axes: Axes, way: Floats, angle: float, zorder: float) -> None:
+def _draw_way(scene: Scene, way: Floats, angle: float, zorder: float) -> None:
     """An arc, with a head where it ends."""
-    x, y, _ = VIEW(way)
-    axes.plot(x, y, color=TURN, lw=1.2, zorder=zorder, label="_turn")
+    scene.line(way, color=TURN, lw=1.2, zorder=zorder, label="_turn")
     if abs(angle) > 0.2:
-        ends = (x[-9], y[-9]), (x[-1], y[-1])
-        head(axes, *ends, width=0.14, length=0.26, color=TURN, lw=0.8, zorder=zorder)
+        scene.head(way[[-9, -1]], width=0.14, length=0.26, color=TURN, lw=0.8, zorder=zorder)
 
 
 def orders(alpha: float, beta: float, gamma: float) -> list[list[tuple[str, Floats, Turn | None]]]:

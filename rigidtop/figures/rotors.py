@@ -6,11 +6,10 @@ import math
 from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
-from rigidtop.figures.space import View, curve, outline, paper, unit
-from rigidtop.figures.style import EDGE, FACE, MANTLE, OMEGA, Floats, head, name_at
+from rigidtop.figures.space import Scene, View, outline, paper, unit
+from rigidtop.figures.style import EDGE, FACE, MANTLE, OMEGA, Floats
 
 TAIL, HEAD = 3.6, 1.0
 """Where a curved arrow begins and ends, in angles from the side of the eye (rad)."""
@@ -44,8 +43,7 @@ def nearest_side(view: View, axis: ArrayLike) -> Floats:
 
 
 def solid_disc(
-    axes: Axes,
-    view: View,
+    scene: Scene,
     centre: ArrayLike,
     axis: ArrayLike,
     radius: float,
@@ -54,17 +52,16 @@ def solid_disc(
 ) -> None:
     """A cylinder with its middle at `centre`: its outline, and the face that is turned to us."""
     along, middle = unit(axis), np.asarray(centre, dtype=float)
-    side = nearest_side(view, along)
+    side = nearest_side(scene.view, along)
     faces = [ring(middle + half * thickness * along, along, radius, side) for half in (-0.5, 0.5)]
-    near = faces[1] if float(along @ view.axes[2]) > 0 else faces[0]
+    near = faces[1] if float(along @ scene.view.axes[2]) > 0 else faces[0]
     style: dict[str, Any] = {"ec": EDGE, "lw": 0.7, "joinstyle": "round"}
-    axes.fill(*outline(view, np.vstack(faces)).T, fc=MANTLE, zorder=zorder, **style)
-    axes.fill(*view(near)[:2], fc=FACE, zorder=zorder + 0.05, **style)
+    scene.axes.fill(*outline(scene.view, np.vstack(faces)).T, fc=MANTLE, zorder=zorder, **style)
+    scene.face(near, fc=FACE, zorder=zorder + 0.05, **style)
 
 
 def sense_of_turn(
-    axes: Axes,
-    view: View,
+    scene: Scene,
     centre: ArrayLike,
     axis: ArrayLike,
     radius: float,
@@ -80,23 +77,22 @@ def sense_of_turn(
     """
     along = math.copysign(1.0, rate) * unit(axis)
     middle = np.asarray(centre, dtype=float)
+    view = scene.view
     front = nearest_side(view, along)
     first = ring(np.zeros(3), along, 1.0, front, -TAIL, 2)[1]
     points = ring(middle, along, radius, first, TAIL + HEAD)
     behind = view(points)[2] < float(view(middle)[2]) - 1e-9
-    curve(axes, view, points, behind, color=OMEGA, lw=1.2, zorder=zorder)
-    x, y, _ = view(points[[-8, -1]])
-    ends = (x[0], y[0]), (x[1], y[1])
-    head(axes, *ends, width=0.16, length=0.34, color=OMEGA, lw=0.8, zorder=zorder + 0.1)
-    x, y, _ = view(points)
+    scene.curve(points, behind, color=OMEGA, lw=1.2, zorder=zorder)
+    tip = zorder + 0.1
+    scene.head(points[[-8, -1]], width=0.16, length=0.34, color=OMEGA, lw=0.8, zorder=tip)
+    x, _, _ = view(points)
     k, shift, side = (np.argmin(x), -4, "right") if left else (np.argmax(x), 4, "left")
-    name_at(axes, x[k], y[k], words, (shift, -3), color=OMEGA, ha=side, zorder=8)
+    scene.words(points[k], words, (shift, -3), color=OMEGA, ha=side, zorder=8)
     return points
 
 
 def fit(
-    axes: Axes,
-    view: View,
+    scene: Scene,
     points: ArrayLike,
     margins: tuple[float, float, float, float],
 ) -> None:
@@ -104,11 +100,11 @@ def fit(
 
     The margins are shares of the larger side: they are for words, whose size is that of letters.
     """
-    x, y, _ = view(points)
+    x, y, _ = scene.view(points)
     size = max(float(np.ptp(x)), float(np.ptp(y)))
     left, right, below, above = (size * margin for margin in margins)
     paper(
-        axes,
+        scene.axes,
         (float(x.min()) - left, float(x.max()) + right),
         (float(y.min()) - below, float(y.max()) + above),
     )

@@ -14,11 +14,13 @@ from scipy.spatial import ConvexHull
 from rigidtop.figures.style import (
     EDGE,
     FACE,
+    GROUND,
     HIDDEN,
     INK,
     MANTLE,
     RULE,
     Floats,
+    head,
     name_at,
 )
 
@@ -78,88 +80,97 @@ def arc(first: ArrayLike, last: ArrayLike, count: int = 61, length: float = 1.0)
     return length * (np.cos(turn) * a + np.sin(turn) * across)
 
 
-def curve(axes: Axes, view: View, points: Floats, hidden: NDArray[np.bool_], **style: Any) -> None:
-    """A curve (N, 3), dashed, thin and light where it is `hidden` (N,)."""
-    across, up, _ = view(points)
-    front, back = np.where(hidden, np.nan, 1.0), np.where(hidden, 1.0, np.nan)
-    # A front part goes on to the first point that is hidden, so that no gap is left.
-    front[1:][~hidden[:-1]] = 1.0
-    width = style.get("lw", 1.2)
-    style.setdefault("zorder", 3)
-    if np.any(hidden):
-        faint = {"lw": 0.65 * width, "alpha": 0.65, "ls": HIDDEN, "zorder": 1.5}
-        axes.plot(across * back, up * back, **{**style, **faint})
-    if not np.all(hidden):
-        axes.plot(across * front, up * front, **style)
+@dataclass(frozen=True)
+class Scene:
+    """Axes on which space is seen from a view.  Points are those of space, (N, 3) or (3,)."""
 
+    axes: Axes
+    view: View = View()
 
-def on_sphere(axes: Axes, view: View, points: Floats, **style: Any) -> None:
-    """A curve (N, 3) on the unit sphere, which hides its far half."""
-    curve(axes, view, points, view(points)[2] < -1e-9, **style)
+    def line(self, points: ArrayLike, *marker: str, **style: Any) -> None:
+        """What goes through these points, or marks at them."""
+        self.axes.plot(*self.view(points)[:2], *marker, **style)
 
+    def dot(self, point: ArrayLike, **style: Any) -> None:
+        """A point, over most of the rest."""
+        self.line(point, "o", **{"color": INK, "ms": 3.5, "zorder": 7, **style})
 
-def sphere(axes: Axes, radius: float = 1.0) -> None:
-    """The outline of a sphere about the origin."""
-    around = np.linspace(0.0, 2 * math.pi, 241)
-    axes.plot(radius * np.cos(around), radius * np.sin(around), color=RULE, lw=0.8, zorder=1)
+    def face(self, points: ArrayLike, **style: Any) -> None:
+        """The area within these points."""
+        self.axes.fill(*self.view(points)[:2], **style)
 
+    def words(
+        self, point: ArrayLike, words: str, shift: tuple[float, float] = (0, 0), **style: Any
+    ) -> None:
+        """Words `shift` points (of print) away from a point."""
+        x, y, _ = self.view(point)
+        name_at(self.axes, float(x), float(y), words, shift, **style)
 
-def arrow(
-    axes: Axes,
-    view: View,
-    tip: ArrayLike,
-    words: str = "",
-    *,
-    start: ArrayLike = (0.0, 0.0, 0.0),
-    shift: tuple[float, float] | None = None,
-    color: str = INK,
-    lw: float = 1.4,
-    ls: str = "-",
-    zorder: float = 5,
-) -> None:
-    """An arrow from `start` to `tip` (3,), with its name beyond the tip.
+    def head(self, piece: Floats, **style: Any) -> None:
+        """The head of a curved arrow, at the end of a short piece of it (2, 3)."""
+        (x0, x1), (y0, y1), _ = self.view(piece)
+        head(self.axes, (x0, y0), (x1, y1), **style)
 
-    One that points along the line of sight is drawn as the textbooks do: ⊙ towards the eye, ⊗ away
-    from it.
-    """
-    ends = np.array([start, tip], dtype=float)
-    (x0, x1), (y0, y1), (n0, n1) = view(ends)
-    length = math.hypot(x1 - x0, y1 - y0)
-    if length < 1e-3 * abs(n1 - n0):
-        axes.plot(x0, y0, "o", ms=9, mfc="white", mec=color, mew=lw, zorder=zorder)
-        axes.plot(x0, y0, "." if n1 > n0 else "x", ms=5, color=color, mew=lw, zorder=zorder + 0.1)
-    elif length:
-        axes.annotate(
-            "",
-            (x1, y1),
-            xytext=(x0, y0),
-            arrowprops={
-                "arrowstyle": "-|>,head_width=0.18,head_length=0.42",
-                "color": color,
-                "lw": lw,
-                "ls": ls,
-                "shrinkA": 0,
-                "shrinkB": 0,
-                "joinstyle": "miter",
-            },
-            zorder=zorder,
-        )
-    if words:
-        if shift is None:
-            towards = np.array([x1 - x0, y1 - y0]) / (length or 1.0)
-            shift = (9.0 * float(towards[0]), 9.0 * float(towards[1]))
-        name_at(
-            axes,
-            float(x1),
-            float(y1),
-            words,
-            shift,
-            ha="center",
-            va="center",
-            color=color,
-            fontsize=SIZE,
-            zorder=zorder + 0.2,
-        )
+    def curve(self, points: Floats, hidden: NDArray[np.bool_], **style: Any) -> None:
+        """A curve, dashed, thin and light where it is `hidden` (N,)."""
+        across, up, _ = self.view(points)
+        front, back = np.where(hidden, np.nan, 1.0), np.where(hidden, 1.0, np.nan)
+        # A front part goes on to the first point that is hidden, so that no gap is left.
+        front[1:][~hidden[:-1]] = 1.0
+        width = style.get("lw", 1.2)
+        style.setdefault("zorder", 3)
+        if np.any(hidden):
+            faint = {"lw": 0.65 * width, "alpha": 0.65, "ls": HIDDEN, "zorder": 1.5}
+            self.axes.plot(across * back, up * back, **{**style, **faint})
+        if not np.all(hidden):
+            self.axes.plot(across * front, up * front, **style)
+
+    def ring(self, points: Floats, **style: Any) -> None:
+        """A curve round an axis, whose far half is hidden."""
+        near = self.view(points)[2]
+        self.curve(points, near < near.mean(), **style)
+
+    def on_sphere(self, points: Floats, **style: Any) -> None:
+        """A curve on the unit sphere, which hides its far half."""
+        self.curve(points, self.view(points)[2] < -1e-9, **style)
+
+    def sphere(self) -> None:
+        """The outline of the unit sphere, and its equator."""
+        around = np.linspace(0.0, 2 * math.pi, 241)
+        self.axes.plot(np.cos(around), np.sin(around), color=RULE, lw=0.8, zorder=1)
+        self.on_sphere(circle(UPRIGHT, math.pi / 2), color=RULE, lw=0.8)
+
+    def arrow(
+        self,
+        tip: ArrayLike,
+        words: str = "",
+        *,
+        start: ArrayLike = (0.0, 0.0, 0.0),
+        shift: tuple[float, float] | None = None,
+        color: str = INK,
+        lw: float = 1.4,
+        zorder: float = 5,
+    ) -> None:
+        """An arrow from `start` to `tip` (3,), with its name beyond the tip.
+
+        One that points along the line of sight is drawn as the textbooks do: ⊙ towards the eye,
+        ⊗ away from it.
+        """
+        ends = np.array([start, tip], dtype=float)
+        (x0, x1), (y0, y1), (n0, n1) = self.view(ends)
+        length = math.hypot(x1 - x0, y1 - y0)
+        if length < 1e-3 * abs(n1 - n0):
+            style: dict[str, Any] = {"mec": color, "color": color, "mew": lw}
+            self.dot(start, ms=9, zorder=zorder, **style | {"mfc": "white"})
+            self.line(start, "." if n1 > n0 else "x", ms=5, zorder=zorder + 0.1, **style)
+        elif length:
+            style = {"width": 0.18, "length": 0.42, "joinstyle": "miter"}
+            head(self.axes, (x0, y0), (x1, y1), color=color, lw=lw, zorder=zorder, **style)
+        if words:
+            if shift is None:
+                shift = 9 * (x1 - x0) / (length or 1.0), 9 * (y1 - y0) / (length or 1.0)
+            style = {"ha": "center", "va": "center", "fontsize": SIZE}
+            self.words(tip, words, shift, color=color, zorder=zorder + 0.2, **style)
 
 
 def paper(axes: Axes, x: tuple[float, float], y: tuple[float, float]) -> None:
@@ -181,8 +192,7 @@ def outline(view: View, points: Floats) -> Floats:
 
 
 def top_body(
-    axes: Axes,
-    view: View,
+    scene: Scene,
     e3: ArrayLike,
     height: float = 0.9,
     radius: float = 0.36,
@@ -198,22 +208,22 @@ def top_body(
     axis = unit(e3)
     slant, angle = math.hypot(height, radius), math.atan2(radius, height)
     rim = circle(axis, angle, 121, slant)
-    seen_from_above = float(view(axis)[2]) > 0
-    mantle = outline(view, np.vstack([rim, np.zeros((1, 3))]))
-    lid = np.column_stack(view(rim)[:2])
+    seen_from_above = float(scene.view(axis)[2]) > 0
+    mantle = outline(scene.view, np.vstack([rim, np.zeros((1, 3))]))
+    lid = np.column_stack(scene.view(rim)[:2])
     parts = [(mantle, MANTLE), (lid, FACE)]
     if not seen_from_above:
         parts.reverse()
     for step, (shape, color) in enumerate(parts):
-        axes.fill(*shape.T, fc="white", ec="none", zorder=zorder + 0.1 * step)
-        axes.fill(*shape.T, fc=color, ec=EDGE, lw=0.7, zorder=zorder + 0.1 * step + 0.05)
+        scene.axes.fill(*shape.T, fc="white", ec="none", zorder=zorder + 0.1 * step)
+        scene.axes.fill(*shape.T, fc=color, ec=EDGE, lw=0.7, zorder=zorder + 0.1 * step + 0.05)
     if psi_mark is not None and seen_from_above:
         centre = height * axis
         line = np.array([centre, centre + radius * unit(psi_mark)])
-        axes.plot(*view(line)[:2], color=EDGE, lw=1.2, zorder=zorder + 0.3)
+        scene.line(line, color=EDGE, lw=1.2, zorder=zorder + 0.3)
 
 
-def table(axes: Axes, view: View, radius: float = 0.75) -> None:
+def table(scene: Scene, radius: float = 0.75) -> None:
     """The table on which the tip stands: a disc about the origin."""
-    rim = circle([0.0, 0.0, 1.0], math.pi / 2, length=radius)
-    axes.fill(*view(rim)[:2], fc="#ececec", ec=RULE, lw=0.6, zorder=0)
+    rim = circle(UPRIGHT, math.pi / 2, length=radius)
+    scene.face(rim, fc=GROUND, ec=RULE, lw=0.6, zorder=0)

@@ -3,29 +3,16 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 
-from rigidtop.figures.bodies import (
-    TOP,
-    has_phi,
-    rates_in_words,
-    start_in_words,
-    top_in_words,
-)
+from rigidtop.figures.bodies import TOP, has_phi, rates_in_words, start_in_words, top_in_words
 from rigidtop.figures.drawing import Drawing, Film, one
 from rigidtop.figures.nutation import nutation_times
-from rigidtop.figures.space import (
-    View,
-    arrow,
-    curve,
-    paper,
-    table,
-    top_body,
-    unit,
-)
+from rigidtop.figures.space import Scene, View, paper, table, top_body, unit
 from rigidtop.figures.style import (
     AXIS,
     COLUMN,
@@ -58,47 +45,38 @@ TRAIL = 1.3
 
 def draw_top(axes: Axes, motion: TopMotion, t: float, since: Floats) -> None:
     """The top at the time `t` (s) with e₃, ω and L, and the path of its axis at times `since`."""
-    view, run = VIEW, motion.exact(t)
+    scene, run = Scene(axes, VIEW), motion.exact(t)
     e3 = run.e3[0]
     if motion.turning_points[1] < STANDING:
-        table(axes, view, 0.6)
-    arrow(axes, view, [0, 0, 1.6], Z, lw=0.8, color=GREY, shift=(7, 2), zorder=1)
+        table(scene, 0.6)
+    scene.arrow([0, 0, 1.6], Z, lw=0.8, color=GREY, shift=(7, 2), zorder=1)
     path = TRAIL * motion.exact(since).e3
-    curve(axes, view, path, path[:, 0] < 0, color=FIRST, lw=1.2)
+    scene.curve(path, path[:, 0] < 0, color=FIRST, lw=1.2)
     mark = run.rotation.as_matrix()[0][:, 0]
-    top_body(axes, view, e3, psi_mark=mark, zorder=2 if e3[0] > 0 else 1.2)
-    arrow(axes, view, TRAIL * e3, E3, color=AXIS, lw=1.3, start=0.9 * e3)
-    arrow(axes, view, 1.2 * unit(run.angular_momentum[0]), L_VEC, color=MOMENTUM, lw=1.3)
-    arrow(axes, view, 1.05 * unit(run.omega_space[0]), OMEGA_VEC, color=OMEGA, lw=1.5)
+    top_body(scene, e3, psi_mark=mark, zorder=2 if e3[0] > 0 else 1.2)
+    scene.arrow(TRAIL * e3, E3, color=AXIS, lw=1.3, start=0.9 * e3)
+    scene.arrow(1.2 * unit(run.angular_momentum[0]), L_VEC, color=MOMENTUM, lw=1.3)
+    scene.arrow(1.05 * unit(run.omega_space[0]), OMEGA_VEC, color=OMEGA, lw=1.5)
 
 
 def draw_stroboscopic(axes: Axes, motion: TopMotion, times: Floats) -> None:
     """The top in some flashes of light, and the path of its axis between them."""
-    view = VIEW
+    scene = Scene(axes, VIEW)
     if motion.turning_points[1] < STANDING:
-        table(axes, view, 0.6)
-    arrow(axes, view, [0, 0, 1.6], Z, lw=0.8, color=GREY, shift=(7, 2), zorder=8)
+        table(scene, 0.6)
+    scene.arrow([0, 0, 1.6], Z, lw=0.8, color=GREY, shift=(7, 2), zorder=8)
     path = TRAIL * motion.exact(times).e3
-    curve(axes, view, path, path[:, 0] < 0, color=FIRST, lw=1.3, zorder=7)
+    scene.curve(path, path[:, 0] < 0, color=FIRST, lw=1.3, zorder=7)
     flashes = np.linspace(times[0], times[-1], FLASHES)
     run = motion.exact(flashes)
-    towards = view(run.e3)[2]
+    towards = VIEW(run.e3)[2]
     for place, k in enumerate(np.argsort(towards, kind="stable")):
         mark = run.rotation.as_matrix()[k][:, 0]
         e3 = run.e3[k]
         level = 2 + 0.5 * place
-        top_body(axes, view, e3, *BODY, psi_mark=mark, zorder=level)
-        arrow(
-            axes,
-            view,
-            TRAIL * e3,
-            rf"${k + 1}$",
-            color=AXIS,
-            lw=1.2,
-            start=BODY[0] * e3,
-            shift=(0, 10),
-            zorder=level + 0.4,
-        )
+        top_body(scene, e3, *BODY, psi_mark=mark, zorder=level)
+        about: dict[str, Any] = {"color": AXIS, "lw": 1.2, "zorder": level + 0.4}
+        scene.arrow(TRAIL * e3, rf"${k + 1}$", start=BODY[0] * e3, shift=(0, 10), **about)
 
 
 def _motion(theta: float, phi_dot: float, omega3: float, **top: float) -> TopMotion:

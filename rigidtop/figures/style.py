@@ -55,6 +55,9 @@ AXIS, OMEGA, MOMENTUM, TORQUE = SECOND, FIRST, INK, "#7d4e1d"
 FACE, MANTLE, EDGE = "#c3d6b1", "#dbe7cf", "#55703f"
 """A body: its lid, its side, its outline."""
 
+GROUND = "#ececec"
+"""The table, the foot of a stand."""
+
 DASHED: tuple[float, Sequence[float]] = (0, (4, 2))
 HIDDEN: tuple[float, Sequence[float]] = (0, (2.5, 2))
 DASH_DOT: tuple[float, Sequence[float]] = (0, (6, 1.5, 1, 1.5))
@@ -100,24 +103,14 @@ def head(
     *,
     width: float,
     length: float,
-    color: str,
-    lw: float,
     zorder: float,
+    ends: str = "-|>",
+    **style: Any,
 ) -> None:
-    """The head of a curved arrow, at the end of a short piece of it."""
-    axes.annotate(
-        "",
-        end,
-        xytext=start,
-        arrowprops={
-            "arrowstyle": f"-|>,head_width={width},head_length={length}",
-            "color": color,
-            "lw": lw,
-            "shrinkA": 0,
-            "shrinkB": 0,
-        },
-        zorder=zorder,
-    )
+    """A straight arrow, or the head of a curved one, at the end of a short piece of it."""
+    shape = f"{ends},head_width={width},head_length={length}"
+    about = {"arrowstyle": shape, "shrinkA": 0, "shrinkB": 0, **style}
+    axes.annotate("", end, xytext=start, arrowprops=about, zorder=zorder)
 
 
 # --- Numbers in words ----------------------------------------------------------------------------

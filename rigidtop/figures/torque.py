@@ -11,16 +11,7 @@ from matplotlib.figure import Figure as Canvas
 from rigidtop.errors import NoSteadyPrecession
 from rigidtop.figures.bodies import TOP, start_in_words, top_in_words
 from rigidtop.figures.drawing import Drawing, one
-from rigidtop.figures.space import (
-    View,
-    arrow,
-    circle,
-    curve,
-    paper,
-    table,
-    top_body,
-    unit,
-)
+from rigidtop.figures.space import Scene, View, circle, paper, table, top_body, unit
 from rigidtop.figures.style import (
     AXIS,
     COLUMN,
@@ -36,7 +27,6 @@ from rigidtop.figures.style import (
     Floats,
     Z,
     canvas,
-    name_at,
     said,
     spoken,
 )
@@ -70,45 +60,40 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
     start = motion.start()
     e3, momentum, omega = start.e3[0], unit(start.angular_momentum[0]), unit(start.omega_space[0])
     couple = direction_of_torque(motion)
-    view, centre = VIEW, 0.62 * e3
+    scene, centre = Scene(axes, VIEW), 0.62 * e3
     lean = math.acos(float(np.clip(e3[2], -1, 1)))
     half = 0.37
     if lean < 1.3:  # above the table, which it does not touch but with its tip
-        table(axes, view, 0.62)
+        table(scene, 0.62)
         half = min(half, 0.8 * (math.pi / 2 - lean))
-    top_body(axes, view, e3, 0.78, 0.78 * math.tan(half))
+    top_body(scene, e3, 0.78, 0.78 * math.tan(half))
     length = 1.42
     tilt = math.acos(float(np.clip(momentum[2], -1, 1)))
     rim = circle([0.0, 0.0, 1.0], tilt, length=length)
-    _, _, near = view(rim)
-    curve(axes, view, rim, near < near.mean(), color=OMEGA, lw=0.9, ls=DASHED)
-    arrow(axes, view, [0, 0, 1.95], Z, lw=0.8, color=GREY, shift=(7, 2))
-    arrow(axes, view, centre, start=(0, 0, 0), color=INK, lw=2.0)
-    arrow(axes, view, 1.62 * e3, E3, color=AXIS, lw=1.0, shift=(9, 0))
-    arrow(axes, view, length * momentum, L_VEC, color=MOMENTUM, lw=1.7, shift=(9, 2))
-    arrow(axes, view, 1.2 * omega, OMEGA_VEC, color=OMEGA, lw=1.7, shift=(9, -3))
+    scene.ring(rim, color=OMEGA, lw=0.9, ls=DASHED)
+    scene.arrow([0, 0, 1.95], Z, lw=0.8, color=GREY, shift=(7, 2))
+    scene.arrow(centre, start=(0, 0, 0), color=INK, lw=2.0)
+    scene.arrow(1.62 * e3, E3, color=AXIS, lw=1.0, shift=(9, 0))
+    scene.arrow(length * momentum, L_VEC, color=MOMENTUM, lw=1.7, shift=(9, 2))
+    scene.arrow(1.2 * omega, OMEGA_VEC, color=OMEGA, lw=1.7, shift=(9, -3))
     if np.any(couple):
-        _draw_couple(axes, length * momentum, couple)
+        _draw_couple(scene, length * momentum, couple)
     else:
-        name_at(axes, 0.0, 0.0, r"$\mathbf{N} = 0$", (-6, -10), color=TORQUE, ha="right")
-    arrow(axes, view, centre - [0, 0, 0.46], start=centre, color=INK, lw=1.4)
-    x, y, _ = view(centre - [0, 0, 0.46])
-    name_at(axes, float(x), float(y), r"$M\mathbf{g}$", (6, 2), color=INK)
-    x, y, _ = view(centre)
-    axes.plot(x, y, "o", color=INK, ms=3.5, zorder=7)
-    name_at(axes, float(x), float(y), r"$\mathbf{R}_\mathrm{CM}$", (7, -9), color=INK, zorder=8)
-    x, y, _ = view([0.0, 0.0, 0.0])
-    name_at(axes, float(x), float(y), "$O$", (5, -10), color=INK)
+        scene.words(np.zeros(3), r"$\mathbf{N} = 0$", (-6, -10), color=TORQUE, ha="right")
+    scene.arrow(centre - [0, 0, 0.46], start=centre, color=INK, lw=1.4)
+    scene.words(centre - [0, 0, 0.46], r"$M\mathbf{g}$", (6, 2), color=INK)
+    scene.dot(centre)
+    scene.words(centre, r"$\mathbf{R}_\mathrm{CM}$", (7, -9), color=INK, zorder=8)
+    scene.words([0.0, 0.0, 0.0], "$O$", (5, -10), color=INK)
 
 
-def _draw_couple(axes: Axes, tip: Floats, couple: Floats) -> None:
+def _draw_couple(scene: Scene, tip: Floats, couple: Floats) -> None:
     """N at the origin, and at the tip of L, which moves with it."""
-    arrow(axes, VIEW, 0.95 * couple, r"$\mathbf{N}$", color=TORQUE, lw=1.9)
+    scene.arrow(0.95 * couple, r"$\mathbf{N}$", color=TORQUE, lw=1.9)
     beyond = tip + 0.42 * couple
-    arrow(axes, VIEW, beyond, start=tip, color=TORQUE, lw=1.2)
-    x, y, _ = VIEW(beyond)
+    scene.arrow(beyond, start=tip, color=TORQUE, lw=1.2)
     words = r"$\dot{\mathbf{L}}=\mathbf{N}$"
-    name_at(axes, float(x), float(y), words, (2, 4), color=TORQUE, ha="center")
+    scene.words(beyond, words, (2, 4), color=TORQUE, ha="center")
 
 
 def _motion(theta: float, omega3: float, **top: float) -> TopMotion:

@@ -19,18 +19,14 @@ from rigidtop.derivations.exercises.toy_top import (
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.rotors import ring, sense_of_turn, solid_disc
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import (
-    UPRIGHT,
-    View,
-    arc,
-    paper,
-)
+from rigidtop.figures.space import UPRIGHT, Scene, View, arc, paper
 from rigidtop.figures.style import (
     COLUMN,
     DASHED,
     DOTTED,
     FIRST,
     GREY,
+    GROUND,
     INK,
     NOTE,
     RULE,
@@ -69,29 +65,27 @@ def draw_toy_top(
     stem_length: float,
 ) -> None:
     """Disc, stem and centre of mass (a dot) to scale, leaning to the right in the yz plane."""
-    view = VIEW
+    scene = Scene(axes, VIEW)
     size = max(stem_length, math.hypot(disc_radius, disc_height + disc_thickness / 2))
     e3 = np.array([0.0, math.sin(theta), math.cos(theta)])
     top, middle = stem_length / size, disc_height / size
     half, height = disc_radius / size, disc_thickness / size
-    ground = ring(np.zeros(3), UPRIGHT, 0.75, view.axes[0])
-    axes.fill(*view(ground)[:2], fc="#ececec", ec=RULE, lw=0.6, zorder=0)
+    ground = ring(np.zeros(3), UPRIGHT, 0.75, VIEW.axes[0])
+    scene.face(ground, fc=GROUND, ec=RULE, lw=0.6, zorder=0)
     upper = middle + height / 2
     for ends, order in (((0.0, middle), 1.5), ((upper, top), 3.0)):
-        x, y, _ = view(np.outer(ends, e3))
-        axes.plot(x, y, color=NOTE, lw=2.4, solid_capstyle="butt", zorder=order, label="_stem")
-    solid_disc(axes, view, middle * e3, e3, half, height, zorder=2)
-    x, y, _ = view(centre_of_mass / size * e3)
-    axes.plot(x, y, "o", color=INK, ms=3.5, zorder=7, label="_centre")
-    name_at(axes, float(x), float(y), r"$\mathbf{R}_\mathrm{CM}$", (5, -8), color=INK, zorder=8)
-    axis = np.array([top * e3, (top + 0.62) * e3])
-    axes.plot(*view(axis)[:2], color=GREY, lw=0.8, zorder=1)
-    axes.plot(*view(np.outer([0.0, top + 0.62], UPRIGHT))[:2], color=GREY, lw=0.8, zorder=1)
+        style = {"lw": 2.4, "solid_capstyle": "butt", "zorder": order, "label": "_stem"}
+        scene.line(np.outer(ends, e3), color=NOTE, **style)
+    solid_disc(scene, middle * e3, e3, half, height, zorder=2)
+    centre = centre_of_mass / size * e3
+    scene.dot(centre, label="_centre")
+    scene.words(centre, r"$\mathbf{R}_\mathrm{CM}$", (5, -8), color=INK, zorder=8)
+    scene.line([top * e3, (top + 0.62) * e3], color=GREY, lw=0.8, zorder=1)
+    scene.line(np.outer([0.0, top + 0.62], UPRIGHT), color=GREY, lw=0.8, zorder=1)
     way = (top + 0.5) * arc(UPRIGHT, e3)
-    axes.plot(*view(way)[:2], color=GREY, lw=0.9, zorder=1)
-    x, y, _ = view(1.05 * way[30])
-    name_at(axes, float(x), float(y), r"$\theta$", (0, 2), color=INK, ha="center")
-    sense_of_turn(axes, view, (top + 0.2) * e3, e3, 0.16, omega3, r"$\omega_3$", zorder=4)
+    scene.line(way, color=GREY, lw=0.9, zorder=1)
+    scene.words(1.05 * way[30], r"$\theta$", (0, 2), color=INK, ha="center")
+    sense_of_turn(scene, (top + 0.2) * e3, e3, 0.16, omega3, r"$\omega_3$", zorder=4)
     paper(axes, (-1.02, 1.02), (-0.25, 1.85))
 
 

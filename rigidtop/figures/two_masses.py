@@ -12,7 +12,7 @@ from matplotlib.figure import Figure as Canvas
 from rigidtop.derivations.exercises.opening import two_masses
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import View, arc, arrow, circle, curve, paper, unit
+from rigidtop.figures.space import UPRIGHT, Scene, View, arc, circle, paper, unit
 from rigidtop.figures.style import (
     COLUMN,
     DASHED,
@@ -31,7 +31,6 @@ from rigidtop.figures.style import (
     canvas,
     degrees,
     in_math,
-    name_at,
     said,
     spoken,
 )
@@ -88,55 +87,50 @@ def draw_two_masses(axes: Axes, held: Stick) -> None:
 
     The masses lie to scale, the longer arm has the length 1; the circles are their ways.
     """
-    view = VIEW
+    scene = Scene(axes, VIEW)
     places = held.positions / np.linalg.norm(held.positions, axis=1).max()
-    upright, along = np.array([0.0, 0.0, 1.0]), unit(places[0])
+    along = unit(places[0])
     shaft = np.array([[0.0, 0.0, -1.05], [0.0, 0.0, 0.0]])
-    axes.plot(*view(shaft)[:2], color=RULE, lw=3.5, solid_capstyle="butt", zorder=1)
+    scene.line(shaft, color=RULE, lw=3.5, solid_capstyle="butt", zorder=1)
     for place in places:
         distance = float(np.linalg.norm(place))
         tilt = math.acos(float(np.clip(place[2] / distance, -1, 1)))
-        way = circle(upright, tilt, length=distance)
-        _, _, near = view(way)
-        curve(axes, view, way, near < near.mean(), color=GREY, lw=0.8, ls=DASHED)
-    axes.plot(*view(places)[:2], color=NOTE, lw=2.6, zorder=4, label="_stick")
+        way = circle(UPRIGHT, tilt, length=distance)
+        scene.ring(way, color=GREY, lw=0.8, ls=DASHED)
+    scene.line(places, color=NOTE, lw=2.6, zorder=4, label="_stick")
     heaviest = held.masses.max()
     for k, (side, arm) in enumerate((("left", "$a$"), ("right", "$b$"))):
-        x, y, _ = view(places[k])
         size = 12 * float(np.cbrt(held.masses[k] / heaviest))  # as balls of one material
-        axes.plot(x, y, "o", ms=size, mfc=FACE, mec=EDGE, mew=0.8, zorder=6)
+        scene.dot(places[k], ms=size, mfc=FACE, mec=EDGE, mew=0.8, zorder=6)
         away = (0.5 * size + 3) * (1 - 2 * k)
         short = bool(np.linalg.norm(places[k]) < SHORT)  # beside F, which may lie there
         above = (5, -14)[k] if short else -3
-        name_at(axes, float(x), float(y), f"$M_{k + 1}$", (away, above), color=INK, ha=side)
+        scene.words(places[k], f"$M_{k + 1}$", (away, above), color=INK, ha=side)
         if short:
             continue
-        x, y, _ = view(0.62 * places[k])
         across = 8 * unit(np.array([places[k, 2], -places[k, 1]]))
         shift = (float(across[0]), float(across[1]))
-        name_at(axes, float(x), float(y), arm, shift, ha="center", va="center", zorder=7)
-    axes.plot(*view(np.outer([0.0, 0.55], along))[:2], color=GREY, lw=0.7, zorder=2)
-    angle = 0.5 * arc(upright, along)
-    axes.plot(*view(angle)[:2], color=GREY, lw=0.9, zorder=3)
-    x, y, _ = view(1.16 * angle[30])
+        scene.words(0.62 * places[k], arm, shift, ha="center", va="center", zorder=7)
+    scene.line(np.outer([0.0, 0.55], along), color=GREY, lw=0.7, zorder=2)
+    angle = 0.5 * arc(UPRIGHT, along)
+    scene.line(angle, color=GREY, lw=0.9, zorder=3)
     aside = (-9, 0) if float(along[1]) < SHORT else (0, 0)
-    name_at(axes, float(x), float(y), r"$\alpha$", aside, ha="center", va="center")
+    scene.words(1.16 * angle[30], r"$\alpha$", aside, ha="center", va="center")
     momentum = 1.15 * unit(held.momentum)
-    arrow(axes, view, 1.4 * upright, OMEGA_VEC, color=OMEGA, lw=1.7, shift=(9, -2))
+    scene.arrow(1.4 * UPRIGHT, OMEGA_VEC, color=OMEGA, lw=1.7, shift=(9, -2))
     beside = None if momentum[1] < -0.15 else (-9.0, -2.0)
-    arrow(axes, view, momentum, L_VEC, color=MOMENTUM, lw=1.9, shift=beside, zorder=5.2)
+    scene.arrow(momentum, L_VEC, color=MOMENTUM, lw=1.9, shift=beside, zorder=5.2)
     if np.any(held.force):
-        arrow(axes, view, 0.55 * unit(held.force), r"$\mathbf{F}$", color=INK, lw=1.2, shift=(0, 9))
+        scene.arrow(0.55 * unit(held.force), r"$\mathbf{F}$", color=INK, lw=1.2, shift=(0, 9))
     if np.any(held.torque):
         couple = unit(held.torque)
-        arrow(axes, view, couple, r"$\mathbf{N}$", color=TORQUE, lw=1.9)
-        arrow(axes, view, momentum + 0.5 * couple, start=momentum, color=TORQUE, lw=1.2)
-        x, y, _ = view(momentum)
+        scene.arrow(couple, r"$\mathbf{N}$", color=TORQUE, lw=1.9)
+        scene.arrow(momentum + 0.5 * couple, start=momentum, color=TORQUE, lw=1.2)
         words = r"$\dot{\mathbf{L}}=\mathbf{N}$"
-        name_at(axes, float(x), float(y), words, (-4, -17), color=TORQUE, ha="right")
+        scene.words(momentum, words, (-4, -17), color=TORQUE, ha="right")
     else:
-        name_at(axes, 0.0, 0.0, r"$\mathbf{N} = 0$", (8, -12), color=TORQUE)
-    axes.plot(0, 0, "o", color=INK, ms=3.5, zorder=7)
+        scene.words(np.zeros(3), r"$\mathbf{N} = 0$", (8, -12), color=TORQUE)
+    scene.dot(np.zeros(3))
 
 
 def _draw(**values: float) -> Canvas:

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure as Canvas
 from rigidtop.derivations.exercises.net_torque import POINTS, gravity_on_points
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import View, arrow, paper, unit
+from rigidtop.figures.space import Scene, View, paper, unit
 from rigidtop.figures.style import (
     COLUMN,
     DOTTED,
@@ -26,7 +26,6 @@ from rigidtop.figures.style import (
     Floats,
     canvas,
     in_math,
-    name_at,
     said,
     spoken,
 )
@@ -94,26 +93,25 @@ def draw_weights(axes: Axes, body: Points) -> None:
 
     The paper is as large as they need.
     """
-    view, drawn = VIEW, sketch(body)
+    scene, drawn = Scene(axes, VIEW), sketch(body)
     for tip, words in zip(0.45 * np.eye(3), SPACE, strict=True):
-        arrow(axes, view, tip, words, color=GREY, lw=0.7, zorder=1.5)
+        scene.arrow(tip, words, color=GREY, lw=0.7, zorder=1.5)
     for k, place in enumerate(drawn.places):
         size = 9 * float(np.cbrt(body.masses[k] / body.masses.max()))  # as balls of one material
-        _draw_point(axes, place, drawn.weights[k], f"$m_{k + 1}$", size)
+        _draw_point(scene, place, drawn.weights[k], f"$m_{k + 1}$", size)
     end = drawn.centre + drawn.weights.sum(axis=0)
-    arrow(axes, view, end, r"$M\mathbf{g}$", start=drawn.centre, color=INK, lw=2.0)
-    arrow(axes, view, drawn.centre, color=INK, lw=1.6, zorder=5.5)
-    x, y, _ = view(drawn.centre)
-    axes.plot(x, y, "o", color=INK, ms=4, zorder=7)
+    scene.arrow(end, r"$M\mathbf{g}$", start=drawn.centre, color=INK, lw=2.0)
+    scene.arrow(drawn.centre, color=INK, lw=1.6, zorder=5.5)
+    scene.dot(drawn.centre, ms=4)
     side, shift = ("left", (5, 3)) if _room_on_the_right(drawn) else ("right", (-5, 3))
     words = r"$\mathbf{R}_\mathrm{CM}$"
-    name_at(axes, float(x), float(y), words, shift, color=INK, ha=side, zorder=8)
+    scene.words(drawn.centre, words, shift, color=INK, ha=side, zorder=8)
     if np.any(drawn.couple):
-        arrow(axes, view, drawn.couple, r"$\mathbf{N}$", color=TORQUE, lw=1.9)
+        scene.arrow(drawn.couple, r"$\mathbf{N}$", color=TORQUE, lw=1.9)
     else:
-        name_at(axes, 0.0, 0.0, r"$\mathbf{N} = 0$", (10, -22), color=TORQUE)
+        scene.words(np.zeros(3), r"$\mathbf{N} = 0$", (10, -22), color=TORQUE)
     under = drawn.places + drawn.weights
-    x, y, _ = view(np.vstack([0.55 * np.eye(3), drawn.places, under, end, drawn.couple]))
+    x, y, _ = scene.view(np.vstack([0.55 * np.eye(3), drawn.places, under, end, drawn.couple]))
     paper(axes, (x.min() - 0.2, x.max() + 0.2), (y.min() - 0.15, y.max() + 0.15))
 
 
@@ -128,19 +126,17 @@ def _room_on_the_right(drawn: Sketch) -> bool:
     return bool(right >= left)
 
 
-def _draw_point(axes: Axes, place: Floats, weight: Floats, words: str, size: float) -> None:
+def _draw_point(scene: Scene, place: Floats, weight: Floats, words: str, size: float) -> None:
     """A ball on its rod, its weight, and a plumb line to the plane of x̂ and ŷ."""
-    view = VIEW
-    axes.plot(*view(np.array([np.zeros(3), place]))[:2], color=RULE, lw=2.0, zorder=2)
+    scene.line([np.zeros(3), place], color=RULE, lw=2.0, zorder=2)
     foot = np.array([place[0], place[1], 0.0])
-    axes.plot(*view(np.array([place, foot]))[:2], color=GREY, lw=0.7, ls=DOTTED, zorder=1)
-    x, y, _ = view(foot)
-    axes.plot(x, y, ".", color=GREY, ms=3, zorder=1)
-    arrow(axes, view, place + weight, start=place, color=FIRST, lw=1.3)
-    x, y, _ = view(place)
-    axes.plot(x, y, "o", ms=size, mfc=FACE, mec=EDGE, mew=0.8, zorder=6)
-    side, away = ("left", 0.5 * size + 3) if x >= 0 else ("right", -0.5 * size - 3)
-    name_at(axes, float(x), float(y), words, (away, 2), color=INK, ha=side, zorder=7)
+    scene.line([place, foot], color=GREY, lw=0.7, ls=DOTTED, zorder=1)
+    scene.line(foot, ".", color=GREY, ms=3, zorder=1)
+    scene.arrow(place + weight, start=place, color=FIRST, lw=1.3)
+    scene.dot(place, ms=size, mfc=FACE, mec=EDGE, mew=0.8, zorder=6)
+    right = scene.view(place)[0] >= 0
+    side, away = ("left", 0.5 * size + 3) if right else ("right", -0.5 * size - 3)
+    scene.words(place, words, (away, 2), color=INK, ha=side, zorder=7)
 
 
 def _draw(**values: float) -> Canvas:
