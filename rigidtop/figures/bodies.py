@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+
+from matplotlib.axes import Axes
 
 from rigidtop.errors import RigidtopError
 from rigidtop.figures.style import degrees, said
 from rigidtop.motion.rigid import SymmetricTop
+from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 
 TOP = (
@@ -20,6 +24,19 @@ TOP = (
 
 THETA = Parameter("theta", math.pi / 3, "$θ$ at the start", "rad", least=0, most=math.pi)
 SPIN = Parameter("omega3", 40.0, "$ω₃$", "rad/s", above=0)
+
+
+def of_top(draw: Callable[..., None]) -> Callable[..., None]:
+    """What draws on Axes by parameters, from what takes a heavy top and those that `TOP` has not.
+
+    Both have the Axes first.
+    """
+    names = [parameter.name for parameter in TOP]
+
+    def drawn(axes: Axes, **values: float) -> None:
+        draw(axes, HeavyTop(**{name: values.pop(name) for name in names}), **values)
+
+    return drawn
 
 
 def top_in_words(top: SymmetricTop) -> str:

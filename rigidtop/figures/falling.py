@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 from scipy.optimize import brentq
 
-from rigidtop.figures.bodies import TOP, top_in_words
+from rigidtop.figures.bodies import TOP, of_top, top_in_words
 from rigidtop.figures.drawing import Drawing, one
 from rigidtop.figures.style import (
-    COLUMN,
     DASHED,
     DOTTED,
     FIRST,
     GREY,
     INK,
     SECOND,
-    canvas,
+    alone,
     degrees,
     name_at,
     said,
@@ -29,6 +29,12 @@ from rigidtop.motion.many import top_motions
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
+
+ALL_TILTS: Mapping[str, Any] = {
+    "ylim": (0, 190),
+    "yticks": [0, 45, 90, 135, 180],
+    "ylabel": r"$\theta$  (degrees)",
+}
 
 # --- The toppling top ----------------------------------------------------------------------------
 
@@ -62,23 +68,13 @@ def draw_toppling(axes: Axes, motion: TopMotion) -> None:
         ha="right" if left else "left",
         color=INK,
     )
-    axes.set_xlim(0, period)
-    axes.set_ylim(0, 190)
-    axes.set_yticks([0, 45, 90, 135, 180])
-    axes.set_xlabel("$t$  (s)")
-    axes.set_ylabel(r"$\theta$  (degrees)")
+    axes.set(xlim=(0, period), xlabel="$t$  (s)", **ALL_TILTS)
 
 
 def _toppling(theta: float, lambda1: float, M: float, R: float, g: float) -> TopMotion:
     """As thin as can be: λ₃ plays no part without spin."""
     top = HeavyTop(lambda1=lambda1, lambda3=1e-9 * lambda1, M=M, R=R, g=g)
     return top.motion(theta=theta, omega3=0.0)
-
-
-def _draw_toppling(**values: float) -> Canvas:
-    drawn = canvas(COLUMN, 2.3)
-    draw_toppling(drawn.subplots(), _toppling(**values))
-    return drawn
 
 
 def _toppling_caption(**values: float) -> str:
@@ -111,7 +107,7 @@ TOPPLING = Drawing(
         *TOP[2:],
         Parameter("theta", 0.1, "$θ$ where it is let go", "rad", least=1e-6, most=1.57),
     ),
-    _draw_toppling,
+    alone(2.3, lambda axes, **values: draw_toppling(axes, _toppling(**values))),
     _toppling_caption,
     _toppling_in_words,
     motions=one(_toppling),
@@ -143,17 +139,7 @@ def draw_sleeping(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> Non
     for curve, words in ((second, r"$\theta_2$"), (first, r"$\theta_1$")):
         at = float(np.interp(0.3 * wakes, spins, curve))
         name_at(axes, 0.3 * wakes, at, words, (0, 5), ha="center", color=INK)
-    axes.set_xlim(0, last)
-    axes.set_ylim(0, 190)
-    axes.set_yticks([0, 45, 90, 135, 180])
-    axes.set_xlabel(r"$\omega_3$  (rad/s)")
-    axes.set_ylabel(r"$\theta$  (degrees)")
-
-
-def _draw_sleeping(theta: float, omega3: float, **top: float) -> Canvas:
-    drawn = canvas(COLUMN, 2.3)
-    draw_sleeping(drawn.subplots(), HeavyTop(**top), theta, omega3)
-    return drawn
+    axes.set(xlim=(0, last), xlabel=r"$\omega_3$  (rad/s)", **ALL_TILTS)
 
 
 def _sleeping_caption(theta: float, omega3: float, **top: float) -> str:
@@ -186,7 +172,7 @@ SLEEPING = Drawing(
         Parameter("theta", math.radians(2), "$θ$ where it is let go", "rad", least=1e-6, most=0.5),
         Parameter("omega3", 22.0, "$ω₃$ that is marked", "rad/s", least=0),
     ),
-    _draw_sleeping,
+    alone(2.3, of_top(draw_sleeping)),
     _sleeping_caption,
     _sleeping_in_words,
 )

@@ -13,7 +13,6 @@ from rigidtop.figures.drawing import Drawing, one
 from rigidtop.figures.space import UPRIGHT, Scene, View, circle, paper, unit
 from rigidtop.figures.style import (
     AXIS,
-    COLUMN,
     DASH_DOT,
     DASHED,
     DOTTED,
@@ -25,7 +24,9 @@ from rigidtop.figures.style import (
     SECOND,
     WIDE,
     Floats,
+    alone,
     canvas,
+    legend_above,
     said,
     spoken,
 )
@@ -136,14 +137,7 @@ def draw_polhodes(axes: Axes, body: FreeBody) -> None:
         tip = end * (1 + longer * math.sqrt(moments[k] / moments.min()))
         name, start = rf"$\omega_{k + 1}$", scale * turn @ end
         scene.arrow(scale * turn @ tip, name, start=start, lw=1.0)
-
-
-def _draw_polhodes(**moments: float) -> Canvas:
-    drawn = canvas(COLUMN, 2.7)
-    axes = drawn.subplots()
-    draw_polhodes(axes, FreeBody(**moments))
     paper(axes, (-1.35, 1.35), (-0.98, 1.12))
-    return drawn
 
 
 def _three(lambda1: float, lambda2: float, lambda3: float) -> str:
@@ -185,7 +179,7 @@ POLHODES = Drawing(
     "Polhodes on the energy ellipsoid, with the separatrix",
     "3.2.2",
     MOMENTS,
-    _draw_polhodes,
+    alone(2.7, lambda axes, **moments: draw_polhodes(axes, FreeBody(**moments))),
     _polhodes_caption,
     _polhodes_in_words,
 )
@@ -201,12 +195,8 @@ def draw_rates(axes: Axes, motion: Motion, t: Floats) -> None:
     for k, (color, style) in enumerate(((SECOND, DASH_DOT), (FIRST, "-"), (INK, DASHED))):
         axes.plot(t, omega[:, k], color=color, ls=style, label=rf"$\omega_{k + 1}$", lw=1.2)
     axes.axhline(0, color=RULE, lw=0.6, zorder=0)
-    axes.set_xlim(t[0], t[-1])
-    axes.set_xlabel("$t$  (s)")
-    axes.set_ylabel(r"$\omega_k$  (rad/s)")
-    axes.legend(
-        loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3, handlelength=2.4, borderpad=0
-    )
+    axes.set(xlim=(t[0], t[-1]), xlabel="$t$  (s)", ylabel=r"$\omega_k$  (rad/s)")
+    legend_above(axes, ncols=3)
 
 
 def flip(lambda1: float, lambda2: float, lambda3: float, omega: float, kick: float) -> Motion:
@@ -242,16 +232,12 @@ def share_near_ends(motion: Motion) -> float:
     return float(np.mean(rate > 0.9 * rate.max()))
 
 
-def _draw_flip(**values: float) -> Canvas:
+def _draw_flip(axes: Axes, **values: float) -> None:
     motion = flip(**values)
-    times = _flip_times(motion)
-    drawn = canvas(COLUMN, 2.35)
-    axes = drawn.subplots()
-    draw_rates(axes, motion, times)
+    draw_rates(axes, motion, _flip_times(motion))
     for k in range(FLIPS):
         at = (k + 0.5) * motion.nutation_period
         axes.axvline(at, color=GREY, lw=0.8, ls=DOTTED, zorder=0, label="_flip")
-    return drawn
 
 
 def _flip_caption(lambda1: float, lambda2: float, lambda3: float, omega: float, kick: float) -> str:
@@ -295,7 +281,7 @@ FLIP = Drawing(
         Parameter("omega", 2.0, "$ω$ about the middle axis", "rad/s", above=0),
         Parameter("kick", 0.01, "$ω$ about the axis of the least moment", "rad/s", above=0),
     ),
-    _draw_flip,
+    alone(2.35, _draw_flip),
     _flip_caption,
     _flip_in_words,
     motions=one(flip),

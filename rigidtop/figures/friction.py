@@ -34,6 +34,7 @@ from rigidtop.figures.style import (
     Floats,
     canvas,
     degrees,
+    legend_above,
     name_at,
     said,
     spoken,
@@ -104,8 +105,7 @@ def draw_tilt(axes: Axes, path: SlidingTrajectory, until: float) -> None:
     if then is not None:
         axes.plot(then, math.degrees(until), "o", color=SECOND, ms=4, label="_until")
         name_at(axes, then, math.degrees(until), f"{then:.3g} s", (5, 3), color=INK)
-    axes.set_ylim(0, None)
-    axes.set_ylabel(r"$\theta$  (degrees)")
+    axes.set(ylim=(0, None), ylabel=r"$\theta$  (degrees)")
 
 
 def parts(path: SlidingTrajectory) -> dict[str, Floats]:
@@ -141,15 +141,15 @@ def draw_budget(axes: Axes, path: SlidingTrajectory) -> None:
         axes.fill_between(path.t, below, above, fc=FILLS[name], ec="white", lw=0.3, label=name)
         below = above
     axes.plot(path.t, 1e3 * spent(path), color=INK, lw=1.1, ls=DASHED, label="lost by the spin")
-    axes.set_ylim(min(0.0, axes.get_ylim()[0]) if below.min() < 0 else 0.0, None)
-    axes.set_ylabel("energy  (mJ)")
+    axes.set(
+        ylim=(min(0.0, axes.get_ylim()[0]) if below.min() < 0 else 0.0, None), ylabel="energy  (mJ)"
+    )
 
 
 def draw_slip(axes: Axes, path: SlidingTrajectory) -> None:
     """|v(t)| of the contact over the table (m/s)."""
     axes.plot(path.t, np.hypot(*path.slip.T), color=FIRST, label="_slip")
-    axes.set_ylim(0, None)
-    axes.set_ylabel("slip  (m/s)")
+    axes.set(ylim=(0, None), ylabel="slip  (m/s)")
 
 
 def draw_track(axes: Axes, path: SlidingTrajectory) -> None:
@@ -180,8 +180,7 @@ def draw_track(axes: Axes, path: SlidingTrajectory) -> None:
             )
     axes.plot(x[0], y[0], "o", color=INK, ms=3.5)
     axes.set_aspect("equal", adjustable="datalim")
-    axes.set_xlabel("$x$  (cm)")
-    axes.set_ylabel("$y$  (cm)")
+    axes.set(xlabel="$x$  (cm)", ylabel="$y$  (cm)")
 
 
 def _draw_rising(until: float, **values: float) -> Canvas:
@@ -194,22 +193,13 @@ def _draw_rising(until: float, **values: float) -> Canvas:
     draw_track(track, path)
     rest = stands(path)
     for axes in (tilt, energy, slip):
-        axes.set_xlim(0, path.t[-1])
-        axes.set_xlabel("$t$  (s)")
+        axes.set(xlim=(0, path.t[-1]), xlabel="$t$  (s)")
         if rest is not None:
             axes.axvline(rest, color=INK, lw=0.8, ls=DOTTED, label="_standstill")
     if rest is not None:
         name_at(slip, rest, slip.get_ylim()[1], "standstill", (4, -2), va="top", color=INK)
-    energy.legend(
-        loc="lower center",
-        bbox_to_anchor=(0.5, 1.0),
-        ncols=4,
-        fontsize=SMALL,
-        borderpad=0,
-        handlelength=1.6,
-        handletextpad=0.4,
-        columnspacing=1.0,
-    )
+    room = {"handlelength": 1.6, "handletextpad": 0.4, "columnspacing": 1.0}
+    legend_above(energy, ncols=4, fontsize=SMALL, **room)
     return drawn
 
 
@@ -315,11 +305,9 @@ def draw_waking(
     Dotted: where ω₃ is `sleeping` (rad/s), and where θ is `visible` (rad) for the first time.
     """
     tilt.plot(path.t, np.degrees(path.theta), color=FIRST, label="_theta")
-    tilt.set_yscale("log")
-    tilt.set_ylabel(r"$\theta$  (degrees)")
+    tilt.set(yscale="log", ylabel=r"$\theta$  (degrees)")
     spin.plot(path.t, path.omega[:, 2], color=FIRST, label="_omega3")
-    spin.set_ylabel(r"$\omega_3$  (rad/s)")
-    spin.set_xlabel("$t$  (s)")
+    spin.set(ylabel=r"$\omega_3$  (rad/s)", xlabel="$t$  (s)")
     seen = crossing(path, visible)
     asleep = float(np.interp(-sleeping, -path.omega[:, 2], path.t))
     for axes in (tilt, spin):

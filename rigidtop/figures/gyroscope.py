@@ -110,8 +110,7 @@ def draw_simple_and_exact(
     now = top.steady_precession(theta, marked)[0]
     axes.plot(marked, now, "o", color=FIRST, ms=4.5, label="_now")
     highest = 1.12 * max(top.steady_precession(theta, first)[0], 1.5 * now)
-    axes.set_xlim(0.6 * first, last)
-    axes.set_ylim(0, highest)
+    axes.set(xlim=(0.6 * first, last), ylim=(0, highest))
     if least > 0.6 * first:
         axes.axvline(least, color=GREY, lw=0.9, ls=DOTTED, label="_least")
     if 0.6 * first < needed < last:
@@ -122,8 +121,7 @@ def draw_simple_and_exact(
         height = 0.4 if simple_rate(top, needed) < 0.3 * highest else 0.06
         name_at(axes, needed, height * highest, words, (aside, 0), ha=side, color=SECOND)
     axes.legend(loc="upper right", handlelength=2.2, borderaxespad=0.1)
-    axes.set_xlabel(r"$|\omega_3|$  (rad/s)")
-    axes.set_ylabel(r"$|\Omega|$  (rad/s)")
+    axes.set(xlabel=r"$|\omega_3|$  (rad/s)", ylabel=r"$|\Omega|$  (rad/s)")
 
 
 # --- Together ------------------------------------------------------------------------------------

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 
 from rigidtop.derivations.exercises.net_torque import gravity_on_a_solid
 from rigidtop.figures.bodies import vertical
@@ -16,7 +15,6 @@ from rigidtop.figures.solved import answers
 from rigidtop.figures.space import Scene, View, circle, paper, top_body
 from rigidtop.figures.style import (
     AXIS,
-    COLUMN,
     DASHED,
     DOTTED,
     E3,
@@ -26,7 +24,7 @@ from rigidtop.figures.style import (
     TORQUE,
     Floats,
     Z,
-    canvas,
+    alone,
     degrees,
     in_math,
     said,
@@ -127,9 +125,7 @@ def _draw_height(scene: Scene, place: Floats, level: Floats) -> None:
     scene.words(middle, r"$R\,\cos\theta$", (-4, 0), ha="right", va="center")
 
 
-def _draw(**values: float) -> Canvas:
-    drawn = canvas(COLUMN, 3.0)
-    axes = drawn.subplots()
+def _draw(axes: Axes, **values: float) -> None:
     found = answers(gravity_on_a_solid, **values)
     radius, height, theta, phi = (values[name] for name in ("radius", "height", "theta", "phi"))
     draw_leaning_cone(axes, radius, height, theta, phi, found["R"])
@@ -138,7 +134,6 @@ def _draw(**values: float) -> Canvas:
         rf"$MgR\,\sin\theta = {in_math(torque)}$ N m,  "
         rf"$MgR\,\cos\theta = {in_math(found['potential'])}$ J"
     )
-    return drawn
 
 
 def _caption(
@@ -189,7 +184,7 @@ LEANING_CONE = Drawing(
     "A solid cone on its tip: torque and potential energy",
     "",
     gravity_on_a_solid.parameters,
-    _draw,
+    alone(3.0, _draw),
     _caption,
     _in_words,
 )

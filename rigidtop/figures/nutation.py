@@ -19,6 +19,7 @@ from rigidtop.figures.bodies import (
     THETA,
     TOP,
     has_phi,
+    of_top,
     rates_in_words,
     start_in_words,
     top_in_words,
@@ -39,8 +40,10 @@ from rigidtop.figures.style import (
     WIDE,
     Floats,
     Z,
+    alone,
     canvas,
     degrees,
+    legend_above,
     name_at,
     said,
     spoken,
@@ -301,6 +304,7 @@ def draw_regimes(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_dot
     Solid: steady precession.  Dashed: cusps, where φ̇ vanishes at a turning point.  Dotted: through
     the vertical, p_φ = ±p_ψ; upright only above `spin_to_the_upright`.
     """
+    _leaning(theta)
     # No line of the grid lies on an axis, where the regimes are those of lines.
     spins = omega3 * (np.arange(COUNTS[0]) + 0.5) / COUNTS[0]
     rates = phi_dot * ((np.arange(COUNTS[1]) + 0.5) / COUNTS[1] * 2 - 1)
@@ -329,23 +333,18 @@ def draw_regimes(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_dot
     _steady_lines(axes, top, theta, omega3, phi_dot)
     for name in known:
         _name_area(axes, spins, rates, regimes == name, name)
-    axes.set_xlim(0, omega3)
-    axes.set_ylim(-phi_dot, phi_dot)
-    axes.set_xlabel(r"$\omega_3$  (rad/s)")
-    axes.set_ylabel(r"$\dot\phi$ at the start  (rad/s)")
+    axes.set(
+        xlim=(0, omega3),
+        ylim=(-phi_dot, phi_dot),
+        xlabel=r"$\omega_3$  (rad/s)",
+        ylabel=r"$\dot\phi$ at the start  (rad/s)",
+    )
     handles = [
         Line2D([], [], color=SECOND, lw=1.6, label="steady"),
         Line2D([], [], color=INK, lw=0.9, ls=DASHED, label="cusps"),
         Line2D([], [], color=INK, lw=0.9, ls=DOTTED, label="vertical"),
     ]
-    axes.legend(
-        handles=handles,
-        loc="lower center",
-        bbox_to_anchor=(0.5, 1.0),
-        ncols=3,
-        handlelength=2.4,
-        borderpad=0,
-    )
+    legend_above(axes, handles=handles, ncols=3)
 
 
 def _steady_lines(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_dot: float) -> None:
@@ -384,13 +383,6 @@ def _name_area(
             va="center",
             color=INK,
         )
-
-
-def _draw_regimes(theta: float, omega3: float, phi_dot: float, **top: float) -> Canvas:
-    _leaning(theta)
-    drawn = canvas(COLUMN, 2.8)
-    draw_regimes(drawn.subplots(), HeavyTop(**top), theta, omega3, phi_dot)
-    return drawn
 
 
 def _regimes_caption(theta: float, omega3: float, phi_dot: float, **top: float) -> str:
@@ -436,7 +428,7 @@ REGIMES = Drawing(
         Parameter("omega3", 60.0, "largest $ω₃$", "rad/s", above=0),
         Parameter("phi_dot", 30.0, "largest $|φ̇|$", "rad/s", above=0),
     ),
-    _draw_regimes,
+    alone(2.8, of_top(draw_regimes)),
     _regimes_caption,
     _regimes_in_words,
 )

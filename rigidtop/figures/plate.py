@@ -84,8 +84,7 @@ def draw_turns(axes: Axes, path: Trajectory) -> None:
         k = int(0.64 * len(turns))
         name_at(axes, float(path.t[k]), float(turns[k]), name, aside, ha=side, color=color)
     axes.locator_params(axis="x", nbins=6)
-    axes.set_xlabel("$t$  (s)")
-    axes.set_ylabel("turns")
+    axes.set(xlabel="$t$  (s)", ylabel="turns")
 
 
 def draw_plate(

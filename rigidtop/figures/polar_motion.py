@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 
 from rigidtop.derivations.exercises.precession_of_rotation_axis import DAY, earth_euler_period
 from rigidtop.figures.drawing import Drawing
@@ -15,7 +14,6 @@ from rigidtop.figures.solved import answers
 from rigidtop.figures.space import paper
 from rigidtop.figures.style import (
     AXIS,
-    COLUMN,
     DASHED,
     E3,
     GREY,
@@ -25,7 +23,7 @@ from rigidtop.figures.style import (
     SECOND,
     SMALL,
     Floats,
-    canvas,
+    alone,
     head,
     in_math,
     name_at,
@@ -118,13 +116,6 @@ def draw_polar_motion(
     paper(axes, (-1.3 * size, 1.3 * size), (-1.2 * size, 1.2 * size))
 
 
-def _draw(**values: float) -> Canvas:
-    drawn = canvas(COLUMN, 3.05)
-    axes = drawn.subplots()
-    draw_polar_motion(axes, **values)
-    return drawn
-
-
 def _caption(H: float, omega3: float, observed: float, angle: float, radius: float) -> str:
     found = answers(
         earth_euler_period, H=H, omega3=omega3, observed=observed, angle=angle, radius=radius
@@ -158,7 +149,7 @@ POLAR_MOTION = Drawing(
     "The wobble of the Earth: rigid, and as it is observed",
     "",
     earth_euler_period.parameters,
-    _draw,
+    alone(3.05, draw_polar_motion),
     _caption,
     _in_words,
 )

@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 from numpy.typing import ArrayLike
 
 from rigidtop.figures.bodies import (
@@ -21,14 +20,13 @@ from rigidtop.figures.bodies import (
 )
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.style import (
-    COLUMN,
     DOTTED,
     FIRST,
     GREY,
     INK,
     SECOND,
     Floats,
-    canvas,
+    alone,
     degrees,
     name_at,
     spoken,
@@ -87,21 +85,17 @@ def draw_effective_potential(axes: Axes, motion: TopMotion) -> None:
         place = float(np.degrees(angles[low])), float(potential[low])
         axes.plot(*place, "s", color=SECOND, ms=4.5)
         name_at(axes, *place, "steady", (0, -6), ha="center", va="top", color=SECOND)
-    axes.set_xlim(*np.degrees(shown))
-    axes.set_ylim(bottom, energy + 1.6 * depth)
-    axes.set_xlabel(r"$\theta$  (degrees)")
-    axes.set_ylabel(r"$U(\theta)$  (J)")
+    axes.set(
+        xlim=np.degrees(shown),
+        ylim=(bottom, energy + 1.6 * depth),
+        xlabel=r"$\theta$  (degrees)",
+        ylabel=r"$U(\theta)$  (J)",
+    )
 
 
 def _motion(theta: float, phi_dot: float, omega3: float, **top: float) -> TopMotion:
     has_phi(theta, phi_dot)
     return HeavyTop(**top).motion(theta=theta, phi_dot=phi_dot, omega3=omega3)
-
-
-def _draw(**values: float) -> Canvas:
-    drawn = canvas(COLUMN, 2.5)
-    draw_effective_potential(drawn.subplots(), _motion(**values))
-    return drawn
 
 
 def _caption(theta: float, phi_dot: float, omega3: float, **top: float) -> str:
@@ -132,7 +126,7 @@ EFFECTIVE_POTENTIAL = Drawing(
     "The effective potential with the turning points",
     "3.5.4",
     (*TOP, THETA, Parameter("phi_dot", 0.0, "$φ̇$ at the start", "rad/s"), SPIN),
-    _draw,
+    alone(2.5, lambda axes, **values: draw_effective_potential(axes, _motion(**values))),
     _caption,
     _in_words,
 )

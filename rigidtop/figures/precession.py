@@ -8,16 +8,14 @@ from functools import cache
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 
 from rigidtop.derivations.exercises import parallel
-from rigidtop.figures.bodies import SPIN, THETA, TOP, top_in_words
+from rigidtop.figures.bodies import SPIN, THETA, TOP, of_top, top_in_words
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.style import (
-    COLUMN,
     DASHED,
     DOTTED,
     FIRST,
@@ -25,7 +23,7 @@ from rigidtop.figures.style import (
     INK,
     SECOND,
     Floats,
-    canvas,
+    alone,
     degrees,
     name_at,
     said,
@@ -67,8 +65,7 @@ def draw_precession_rates(axes: Axes, top: HeavyTop, theta: float, omega3: float
     name_at(axes, last, rates[-1, 0], r"$\Omega_-$", (3, 0), va="center", color=FIRST)
     top_edge = max(rates[-1, 1] if leaning else 0.0, 0.0) or 4 * float(marked[0])
     bottom = min(rates[-1, 1], 0.0) if leaning else 0.0
-    axes.set_xlim(0.5 * least, last)
-    axes.set_ylim(1.02 * bottom, 1.08 * top_edge)
+    axes.set(xlim=(0.5 * least, last), ylim=(1.02 * bottom, 1.08 * top_edge))
     where = least + 0.55 * (last - least)
     if leaning:
         name_at(
@@ -98,14 +95,7 @@ def draw_precession_rates(axes: Axes, top: HeavyTop, theta: float, omega3: float
             va="top",
             color=INK,
         )
-    axes.set_xlabel(r"$\omega_3$  (rad/s)")
-    axes.set_ylabel(r"$\Omega$  (rad/s)")
-
-
-def _precession_rates(theta: float, omega3: float, **top: float) -> Canvas:
-    drawn = canvas(COLUMN, 2.5)
-    draw_precession_rates(drawn.subplots(), HeavyTop(**top), theta, omega3)
-    return drawn
+    axes.set(xlabel=r"$\omega_3$  (rad/s)", ylabel=r"$\Omega$  (rad/s)")
 
 
 def _precession_rates_caption(theta: float, omega3: float, **top: float) -> str:
@@ -150,7 +140,7 @@ PRECESSION_RATES = Drawing(
     "$Ω₋$ and $Ω₊$ against $ω₃$, with the threshold",
     "3.5.3",
     (*TOP, THETA, SPIN),
-    _precession_rates,
+    alone(2.5, of_top(draw_precession_rates)),
     _precession_rates_caption,
     _precession_rates_in_words,
 )
@@ -188,6 +178,7 @@ def draw_asymptotics(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> 
 
     The dots are those at the spin `omega3` (rad/s).
     """
+    top.steady_precession(theta, omega3)  # says so where there is none
     marked = top.smallest_spin(theta) / (2 * np.sqrt([weakness(top, theta, omega3)]))
     epsilon = np.geomspace(min(WEAKEST, weakness(top, theta, omega3) / 2), STRONGEST, 240)
     epsilon[-1] *= 1 - 1e-12
@@ -205,10 +196,9 @@ def draw_asymptotics(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> 
             axes.plot(epsilon, lines[order, root], color=color, ls=style, lw=width)
             axes.plot(weakness(top, theta, omega3), dots[order, root], "o", color=color, ms=3.5)
     axes.axhline(0.01, color=GREY, lw=0.8, ls=DOTTED)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.set_xlim(epsilon[0], 0.4)
-    axes.set_ylim(float(lines[1].min()) / 3, 2.0)
+    axes.set(
+        xscale="log", yscale="log", xlim=(epsilon[0], 0.4), ylim=(float(lines[1].min()) / 3, 2.0)
+    )
     name_at(axes, epsilon[0], 0.01, "1 %", (4, 3))
     for order, words in ((0, "leading order"), (1, "next order")):
         at = 90 + 40 * order
@@ -221,21 +211,15 @@ def draw_asymptotics(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> 
             ha="right",
             color=INK,
         )
-    axes.set_xlabel(r"$\epsilon = \lambda_1 MgR\,\cos\theta/(\lambda_3\omega_3)^2$")
-    axes.set_ylabel("relative error")
+    axes.set(
+        xlabel=r"$\epsilon = \lambda_1 MgR\,\cos\theta/(\lambda_3\omega_3)^2$",
+        ylabel="relative error",
+    )
     handles = [
         Line2D([], [], color=FIRST, label=r"$\Omega_-$"),
         Line2D([], [], color=SECOND, ls=DASHED, label=r"$\Omega_+$"),
     ]
     axes.legend(handles=handles, loc="lower right", handlelength=2.2)
-
-
-def _asymptotics(theta: float, omega3: float, **top: float) -> Canvas:
-    drawn = canvas(COLUMN, 2.6)
-    body = HeavyTop(**top)
-    body.steady_precession(theta, omega3)  # says so where there is none
-    draw_asymptotics(drawn.subplots(), body, theta, omega3)
-    return drawn
 
 
 def _large_spin_errors(theta: float, omega3: float, **top: float) -> tuple[float, float, float]:
@@ -274,7 +258,7 @@ ASYMPTOTICS = Drawing(
     "How good the formulas for large $ω₃$ are",
     "",
     (*TOP, UPWARD, SPIN),
-    _asymptotics,
+    alone(2.6, of_top(draw_asymptotics)),
     _asymptotics_caption,
     _asymptotics_in_words,
 )
@@ -358,8 +342,7 @@ def draw_parallel(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> Non
     bound = math.degrees(bound_of_angle(motion))
     axes.plot(times, angle, color=FIRST, label="_angle")
     axes.axhline(bound, color=SECOND, lw=1.1, ls=DASHED, label="_bound")
-    axes.set_xlim(0, times[-1])
-    axes.set_ylim(0, 1.3 * bound or 1.0)
+    axes.set(xlim=(0, times[-1]), ylim=(0, 1.3 * bound or 1.0))
     name_at(
         axes,
         0.0,
@@ -369,14 +352,9 @@ def draw_parallel(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> Non
         va="bottom",
         color=SECOND,
     )
-    axes.set_xlabel("$t$  (s)")
-    axes.set_ylabel(r"angle of $\mathbf{L}$ and $\boldsymbol{\omega}$  (degrees)")
-
-
-def _parallel(theta: float, omega3: float, **top: float) -> Canvas:
-    drawn = canvas(COLUMN, 2.3)
-    draw_parallel(drawn.subplots(), HeavyTop(**top), theta, omega3)
-    return drawn
+    axes.set(
+        xlabel="$t$  (s)", ylabel=r"angle of $\mathbf{L}$ and $\boldsymbol{\omega}$  (degrees)"
+    )
 
 
 def _parallel_caption(theta: float, omega3: float, **top: float) -> str:
@@ -424,7 +402,7 @@ PARALLEL = Drawing(
     "$𝐋$ and $𝛚$ of a fast top are nearly parallel",
     "",
     (*TOP, THETA, Parameter("omega3", 150.0, "$ω₃$", "rad/s", above=0)),
-    _parallel,
+    alone(2.3, of_top(draw_parallel)),
     _parallel_caption,
     _parallel_in_words,
 )

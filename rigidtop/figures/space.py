@@ -176,8 +176,7 @@ class Scene:
 def paper(axes: Axes, x: tuple[float, float], y: tuple[float, float]) -> None:
     """Equal scales, no frame, these limits."""
     axes.set_aspect("equal")
-    axes.set_xlim(*x)
-    axes.set_ylim(*y)
+    axes.set(xlim=x, ylim=y)
     axes.set_axis_off()
 
 

@@ -4,7 +4,7 @@ the equations, and colours that differ in grey too."""
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -74,6 +74,23 @@ E3, OMEGA_VEC, L_VEC, Z = (
 def canvas(width: float, height: float) -> Canvas:
     """An empty figure (inches), whose parts make room for each other."""
     return Canvas(figsize=(width, height), layout="constrained")
+
+
+def alone(height: float, draw: Callable[..., None]) -> Callable[..., Canvas]:
+    """What draws a figure of one panel in a column, which `draw` fills: its Axes, parameters."""
+
+    def drawn(**values: float) -> Canvas:
+        figure = canvas(COLUMN, height)
+        draw(figure.subplots(), **values)
+        return figure
+
+    return drawn
+
+
+def legend_above(axes: Axes, **style: Any) -> None:
+    """A legend over the frame."""
+    place = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "borderpad": 0}
+    axes.legend(**place, **{"handlelength": 2.4, **style})
 
 
 def name_at(

@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 
 from rigidtop.errors import NoSteadyPrecession
 from rigidtop.figures.bodies import TOP, start_in_words, top_in_words
@@ -14,7 +13,6 @@ from rigidtop.figures.drawing import Drawing, one
 from rigidtop.figures.space import Scene, View, circle, paper, table, top_body, unit
 from rigidtop.figures.style import (
     AXIS,
-    COLUMN,
     DASHED,
     E3,
     GREY,
@@ -26,7 +24,7 @@ from rigidtop.figures.style import (
     TORQUE,
     Floats,
     Z,
-    canvas,
+    alone,
     said,
     spoken,
 )
@@ -85,6 +83,7 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
     scene.dot(centre)
     scene.words(centre, r"$\mathbf{R}_\mathrm{CM}$", (7, -9), color=INK, zorder=8)
     scene.words([0.0, 0.0, 0.0], "$O$", (5, -10), color=INK)
+    paper(axes, (-1.45, 1.7), (min(-0.3, 1.6 * e3[2] - 0.4), 1.92))
 
 
 def _draw_couple(scene: Scene, tip: Floats, couple: Floats) -> None:
@@ -107,15 +106,6 @@ def _motion(theta: float, omega3: float, **top: float) -> TopMotion:
     except NoSteadyPrecession:
         rate = 0.0
     return body.motion(theta=theta, phi=math.pi / 2, phi_dot=rate, omega3=omega3)
-
-
-def _draw(**values: float) -> Canvas:
-    drawn = canvas(COLUMN, 2.75)
-    axes = drawn.subplots()
-    draw_torque(axes, _motion(**values))
-    low = min(-0.3, 1.6 * math.cos(values["theta"]) - 0.4)
-    paper(axes, (-1.45, 1.7), (low, 1.92))
-    return drawn
 
 
 def _caption(theta: float, omega3: float, **top: float) -> str:
@@ -163,7 +153,7 @@ TORQUE_ARROWS = Drawing(
         Parameter("theta", math.pi / 4, "$θ$", "rad", least=0, most=math.pi),
         Parameter("omega3", 30.0, "$ω₃$", "rad/s", above=0),
     ),
-    _draw,
+    alone(2.75, lambda axes, **values: draw_torque(axes, _motion(**values))),
     _caption,
     _in_words,
     motions=one(_motion),

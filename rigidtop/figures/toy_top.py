@@ -154,12 +154,10 @@ def draw_against_spin(axes: Axes, top: HeavyTop, theta: float, omega3: float) ->
         name_at(axes, spins[at] * RPM, rates[at, k], words, (0, 5), color=color, ha="center")
     axes.set_yscale("log")
     axes.yaxis.set_major_formatter("{x:g}")
-    axes.set_xlim(0.9 * least * RPM, last * RPM)
-    axes.set_ylim(0.6 * rates[-1, 0], 3 * rates[-1, 2])
+    axes.set(xlim=(0.9 * least * RPM, last * RPM), ylim=(0.6 * rates[-1, 0], 3 * rates[-1, 2]))
     axes.axvline(wakes * RPM, color=GREY, lw=0.9, ls=DOTTED, label="_sleeps")
     name_at(axes, wakes * RPM, 3 * rates[-1, 2], "sleeps", (4, -1), va="top", color=INK)
-    axes.set_xlabel("spin  (turns a minute)")
-    axes.set_ylabel("in a second")
+    axes.set(xlabel="spin  (turns a minute)", ylabel="in a second")
 
 
 # --- Together ------------------------------------------------------------------------------------

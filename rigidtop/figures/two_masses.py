@@ -7,14 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 
 from rigidtop.derivations.exercises.opening import two_masses
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import UPRIGHT, Scene, View, arc, circle, paper, unit
 from rigidtop.figures.style import (
-    COLUMN,
     DASHED,
     EDGE,
     FACE,
@@ -28,7 +26,7 @@ from rigidtop.figures.style import (
     RULE,
     TORQUE,
     Floats,
-    canvas,
+    alone,
     degrees,
     in_math,
     said,
@@ -133,9 +131,7 @@ def draw_two_masses(axes: Axes, held: Stick) -> None:
     scene.dot(np.zeros(3))
 
 
-def _draw(**values: float) -> Canvas:
-    drawn = canvas(COLUMN, 3.0)
-    axes = drawn.subplots()
+def _draw(axes: Axes, **values: float) -> None:
     held = stick(**values)
     draw_two_masses(axes, held)
     found = answers(two_masses, **values)
@@ -146,7 +142,6 @@ def _draw(**values: float) -> Canvas:
         f"$F = {in_math(force if np.any(held.force) else 0.0)}$ N",
     )
     paper(axes, (-1.5, 1.5), (-1.15, 1.35))
-    return drawn
 
 
 def _caption(M_1: float, M_2: float, a: float, b: float, alpha: float, omega: float) -> str:
@@ -196,7 +191,7 @@ TWO_MASSES = Drawing(
     "Two masses on a stick: $𝛚$, $𝐋$, and what the bearing exerts",
     "",
     two_masses.parameters,
-    _draw,
+    alone(3.0, _draw),
     _caption,
     _in_words,
 )

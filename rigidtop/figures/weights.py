@@ -7,14 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 
 from rigidtop.derivations.exercises.net_torque import POINTS, gravity_on_points
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import Scene, View, paper, unit
 from rigidtop.figures.style import (
-    COLUMN,
     DOTTED,
     EDGE,
     FACE,
@@ -24,7 +22,7 @@ from rigidtop.figures.style import (
     RULE,
     TORQUE,
     Floats,
-    canvas,
+    alone,
     in_math,
     said,
     spoken,
@@ -139,15 +137,12 @@ def _draw_point(scene: Scene, place: Floats, weight: Floats, words: str, size: f
     scene.words(place, words, (away, 2), color=INK, ha=side, zorder=7)
 
 
-def _draw(**values: float) -> Canvas:
-    drawn = canvas(COLUMN, 3.1)
-    axes = drawn.subplots()
+def _draw(axes: Axes, **values: float) -> None:
     body = points(**values)
     draw_weights(axes, body)
     size = in_math(float(np.linalg.norm(body.torque)))
     one = r"\sum\mathbf{r}_i \times m_i\mathbf{g} = \mathbf{R}_\mathrm{CM} \times M\mathbf{g}"
     axes.set_title(rf"$\mathbf{{N}} = {one}$,  $N = {size}$ N m")
-    return drawn
 
 
 def _caption(**values: float) -> str:
@@ -193,7 +188,7 @@ WEIGHTS = Drawing(
     "The weights of three points, and one at their centre of mass",
     "",
     gravity_on_points.parameters,
-    _draw,
+    alone(3.1, _draw),
     _caption,
     _in_words,
 )

@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 
 import rigidtop as rt
 from rigidtop.derivations.exercises import EXERCISES
-from rigidtop.figures import bicycle_wheel, gyroscope, plate, rotors, style, toy_top
+from rigidtop.figures import bicycle_wheel, gyroscope, plate, rotors, space, style, toy_top
 from rigidtop.figures.catalog import named
 from rigidtop.proof.words import unmarked
 
@@ -126,7 +126,7 @@ def test_what_cannot_be_is_refused_by_picture_and_words(drawing, given, message)
 @pytest.mark.parametrize("axis", [(0.0, 0.0, 1.0), (0.3, -1.0, 0.2), (1.0, 0.0, 0.0)])
 def test_a_curved_arrow_turns_as_its_rate_does(rate, axis):
     axes, view, centre = Canvas().subplots(), gyroscope.VIEW, np.array([0.1, 0.2, 0.3])
-    points = rotors.sense_of_turn(axes, view, centre, axis, 0.5, rate, "x")
+    points = rotors.sense_of_turn(space.Scene(axes, view), centre, axis, 0.5, rate, "x")
     arms = points - centre
     assert arms @ np.array(axis) == pytest.approx(0, abs=1e-12)
     assert np.linalg.norm(arms, axis=1) == pytest.approx(0.5)
