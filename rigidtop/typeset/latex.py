@@ -221,11 +221,8 @@ def _tex(node: lay.Node) -> str:
         case lay.Letter():
             return letter(node.glyph)
         case lay.Sum():
-            first, *rest = node.terms
-            text = ("-" if first.negative else "") + _tex(first.body)
-            if isinstance(node, lay.Continued):
-                text = ("- " if first.negative else "+ ") + _tex(first.body)
-            return text + "".join((" - " if t.negative else " + ") + _tex(t.body) for t in rest)
+            terms = (sign.replace("−", "-") + _tex(body) for sign, body in node.signed())
+            return "".join(terms).lstrip()
         case lay.Product():
             text = _tex(node.factors[0])
             for joint, factor in zip(node.joints, node.factors[1:], strict=True):
@@ -257,7 +254,8 @@ def _tex(node: lay.Node) -> str:
         case lay.Braced():
             return rf"\underbrace{{{_tex(node.body)}}}_{{\equiv {_tex(node.label)}}}"
         case lay.Infix():
-            return f"{_tex(node.left)} {SIGNS[node.sign]} {_tex(node.right)}"
+            left = _tex(node.left) if node.left else ""
+            return f"{left} {SIGNS[node.sign]} {_tex(node.right)}"
         case lay.TransposeOf():
             return f"{_tex(node.body)}^{{T}}"
         case lay.Derivative():
@@ -293,10 +291,10 @@ def _tex(node: lay.Node) -> str:
             between = ", " if node.between == "," else rf" \quad\text{{{node.between}}}\quad "
             return between.join(map(_tex, node.items))
         case lay.Chain():
-            text = _tex(node.sides[0])
-            for sign, side in zip(node.signs, node.sides[1:], strict=True):
-                text += f" {SIGNS[sign]} {_tex(side)}"
-            return text
+            rest = zip(node.signs, node.sides[1:], strict=True)
+            return _tex(node.sides[0]) + "".join(
+                f" {SIGNS[sign]} {_tex(side)}" for sign, side in rest
+            )
 
 
 _JOINTS = {"": "", "function": "", "thin": r"\,", "dot": r" \cdot "}

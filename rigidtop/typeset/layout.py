@@ -132,7 +132,7 @@ def _(tree: Expr, order: Order) -> lay.Node:
 
 @_node.register
 def _(tree: sympy.Number, order: Order) -> lay.Node:
-    if tree.is_negative:
+    if tree.is_extended_negative:
         return lay.negated(_node(-tree, order))
     if tree.is_Rational and tree.q != 1:
         return lay.Fraction(lay.Number(str(tree.p)), lay.Number(str(tree.q)), small=True)
@@ -146,16 +146,6 @@ def _(tree: sympy.Number, order: Order) -> lay.Node:
 @_node.register
 def _(tree: sympy.NumberSymbol, order: Order) -> lay.Node:
     return lay.Letter(Glyph({"Pi": "π", "Exp1": "e"}[type(tree).__name__]))
-
-
-@_node.register
-def _(tree: sympy.core.numbers.Infinity, order: Order) -> lay.Node:
-    return lay.Number("∞")
-
-
-@_node.register
-def _(tree: sympy.core.numbers.NegativeInfinity, order: Order) -> lay.Node:
-    return lay.negated(lay.Number("∞"))
 
 
 @_node.register(Add)
@@ -253,14 +243,15 @@ def _(tree: Expr, order: Order) -> lay.Node:
     return lay.Infix("×" if isinstance(tree, Cross) else "·", left, right)
 
 
-@_node.register
-def _(tree: Partial, order: Order) -> lay.Node:
+@_node.register(Partial)
+@_node.register(Slope)
+def _(tree: Expr, order: Order) -> lay.Node:
     body, *by = tree.args
-    inside = isinstance(body, Symbol)
-    shown = _node(body, order)
+    shown, inside = _node(body, order), isinstance(body, Symbol)
     for variable in reversed(by):
         shown = shown if inside else lay.bracketed(shown)
-        shown = lay.Derivative(shown, _node(variable, order), True, inside)
+        partial = isinstance(tree, Partial)
+        shown = lay.Derivative(shown, _node(variable, order), partial, inside)
         inside = False
     return shown
 
@@ -273,24 +264,9 @@ def _(tree: Rate, order: Order) -> lay.Node:
     dotted = {"": "dot", "dot": "ddot"}
     if len(tree.args) == 1 and isinstance(body, lay.Letter) and body.glyph.accent in dotted:
         return lay.Letter(replace(body.glyph, accent=dotted[body.glyph.accent]))
-    if len(tree.args) > 1:
-        frame = str(tree.args[1])
-        inside = isinstance(body, lay.Letter)
-        return lay.Derivative(body if inside else lay.bracketed(body), time, True, inside, frame)
-    inside = isinstance(body, lay.Letter)
-    return lay.Derivative(body if inside else lay.bracketed(body), time, False, inside)
-
-
-@_node.register
-def _(tree: Slope, order: Order) -> lay.Node:
-    body, *by = tree.args
-    inside = isinstance(body, Symbol)
-    shown = _node(body, order)
-    for variable in reversed(by):
-        shown = shown if inside else lay.bracketed(shown)
-        shown = lay.Derivative(shown, _node(variable, order), False, inside)
-        inside = False
-    return shown
+    inside, frame = isinstance(body, lay.Letter), "".join(map(str, tree.args[1:]))
+    body = body if inside else lay.bracketed(body)
+    return lay.Derivative(body, time, bool(frame), inside, frame)
 
 
 @_node.register

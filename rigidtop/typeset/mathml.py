@@ -154,18 +154,15 @@ def _group(inside: str) -> str:
 def _ml(node: lay.Node) -> str:
     match node:
         case lay.Number():
-            return f"<mn>{node.text}</mn>" * bool(node.text) if node.text != "∞" else "<mi>∞</mi>"
+            return "<mi>∞</mi>" if node.text == "∞" else f"<mn>{node.text}</mn>"
         case lay.Letter():
             return letter(node.glyph)
         case lay.Sum():
-            first, *rest = node.terms
             made = ""
-            if isinstance(node, lay.Continued):  # as an infix, with the space of one
-                made = f'<mo form="infix">{"−" if first.negative else "+"}</mo>'
-            elif first.negative:
-                made = '<mo form="prefix">−</mo>'
-            made += _ml(first.body)
-            made += "".join(f"<mo>{'−' if t.negative else '+'}</mo>{_ml(t.body)}" for t in rest)
+            for sign, body in node.signed():
+                # The first one of a line that goes on has the space of an infix, too.
+                form = f' form="{"infix" if " " in sign else "prefix"}"' * (not made)
+                made += f"<mo{form}>{sign.strip()}</mo>" * bool(sign) + _ml(body)
             return _group(made)
         case lay.Product():
             made = _ml(node.factors[0])
@@ -199,7 +196,8 @@ def _ml(node: lay.Node) -> str:
             label = _group(f"<mo>≡</mo>{_ml(node.label)}")
             return f'<munder><mrow style="{brace}">{_ml(node.body)}</mrow>{label}</munder>'
         case lay.Infix():
-            return _group(f"{_ml(node.left)}<mo>{node.sign}</mo>{_ml(node.right)}")
+            left = _ml(node.left) if node.left else ""
+            return _group(f"{left}<mo>{node.sign}</mo>{_ml(node.right)}")
         case lay.TransposeOf():
             return f"<msup>{_ml(node.body)}<mi>T</mi></msup>"
         case lay.Derivative():

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, fields, replace
 from itertools import pairwise
+from typing import get_args
 
 from rigidtop.notation.characters import GREEK
 from rigidtop.theory.lettered import BY_NAME
@@ -40,6 +41,13 @@ class Sum:
     """Signed terms; a single negative term is a negation."""
 
     terms: tuple[Signed, ...]
+
+    def signed(self) -> Iterator[tuple[str, Node]]:
+        """Each term with its sign: "−" or "" before the first, " + " or " − " between two."""
+        for k, term in enumerate(self.terms):
+            between = f" {'−' if term.negative else '+'} "
+            first = "−" if term.negative else ""
+            yield between if k or isinstance(self, Continued) else first, term.body
 
 
 @dataclass(frozen=True)
@@ -115,10 +123,10 @@ class Braced:
 
 @dataclass(frozen=True)
 class Infix:
-    """``left × right`` or ``left · right``."""
+    """``left × right`` or ``left · right``; nothing to the left where a line goes on."""
 
     sign: str
-    left: Node
+    left: Node | None
     right: Node
 
 
@@ -206,6 +214,17 @@ Node = (
     | Listed
     | Chain
 )
+
+
+def parts(node: object) -> Iterator[Node]:
+    """The nodes of which a node is put together."""
+    for field in fields(node):  # type: ignore[arg-type]
+        value = getattr(node, field.name)
+        for part in value if isinstance(value, tuple) else (value,):
+            if isinstance(part, (Signed, tuple)):
+                yield from part if isinstance(part, tuple) else (part.body,)
+            elif isinstance(part, get_args(Node)):
+                yield part
 
 
 # --- Symbols -------------------------------------------------------------------------------------

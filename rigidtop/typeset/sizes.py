@@ -4,34 +4,25 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sympy import Basic
-
 from rigidtop.proof.equation import (
     Equation,
 )
 from rigidtop.typeset import nodes as lay
 from rigidtop.typeset.layout import Order, layout
 
-_TALL = (lay.Fraction, lay.Braced, lay.Big, lay.Derivative, lay.Grid, lay.Root)
 
-
-def is_tall(node: Basic) -> bool:
+def is_tall(node: lay.Node) -> bool:
     """Whether brackets round a node must grow."""
-    if isinstance(node, lay.Fraction):
-        return not node.small
-    if isinstance(node, _TALL):
-        return True
-    if isinstance(node, lay.Sum):
-        return any(is_tall(term.body) for term in node.terms)
-    if isinstance(node, lay.Product):
-        return any(map(is_tall, node.factors))
-    if isinstance(node, lay.Listed):
-        return any(map(is_tall, node.items))
-    if isinstance(node, (lay.Power, lay.Brackets, lay.TransposeOf)):
-        return is_tall(node.base if isinstance(node, lay.Power) else node.body)
-    if isinstance(node, lay.Infix):
-        return is_tall(node.left) or is_tall(node.right)
-    return isinstance(node, lay.Chain) and any(map(is_tall, node.sides))
+    match node:
+        case lay.Fraction():
+            return not node.small
+        case lay.Braced() | lay.Big() | lay.Derivative() | lay.Grid() | lay.Root():
+            return True
+        case lay.Power():
+            return is_tall(node.base)
+        case lay.Apply() | lay.Measure():
+            return False
+    return any(map(is_tall, lay.parts(node)))
 
 
 def width(node: lay.Node) -> float:
@@ -61,7 +52,7 @@ def width(node: lay.Node) -> float:
         case lay.Braced():
             return max(width(node.body), 1 + 0.7 * width(node.label))
         case lay.Infix():
-            return width(node.left) + width(node.right) + 2
+            return (width(node.left) if node.left else 0) + width(node.right) + 2
         case lay.TransposeOf():
             return width(node.body) + 1
         case lay.Derivative():
@@ -158,8 +149,7 @@ def _broken(node: lay.Node, limit: float, whole: float) -> list[lay.Node]:
         case lay.Product(factors=(*before, lay.Brackets() as last)) if width(node) > whole:
             head = lay.Product(tuple(before), node.joints[:-1]) if before[1:] else before[0]
             first, *rest = _broken(last, limit, whole)
-            times = lay.Product((lay.Number(""), first), ("dot",))
-            return [*_broken(head, limit, whole), times, *rest]
+            return [*_broken(head, limit, whole), lay.Infix("·", None, first), *rest]
         case lay.Brackets(body=lay.Sum() as inside, shape="()") if width(node) > whole:
             first, *rest = _broken(inside, limit - 1.5, whole)
             if rest:

@@ -10,8 +10,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterable, Iterator
-from dataclasses import fields, is_dataclass
+from collections.abc import Iterator
 from typing import Any
 
 from sympy import Basic
@@ -60,11 +59,7 @@ def _text(node: lay.Node) -> str:
         case lay.Letter():
             return letter(node.glyph)
         case lay.Sum():
-            first, *rest = node.terms
-            made = ("−" if first.negative else "") + _text(first.body)
-            if isinstance(node, lay.Continued):
-                made = ("− " if first.negative else "+ ") + _text(first.body)
-            return made + "".join((" − " if t.negative else " + ") + _text(t.body) for t in rest)
+            return "".join(sign + _text(body) for sign, body in node.signed()).lstrip()
         case lay.Product():
             made = _factor(node.factors[0])
             for joint, factor in zip(node.joints, node.factors[1:], strict=True):
@@ -106,7 +101,7 @@ def _text(node: lay.Node) -> str:
             alone = isinstance(node.body, (lay.Letter, lay.Number, lay.Brackets))
             return body if alone else f"({body})"
         case lay.Infix():
-            return f"{_text(node.left)} {node.sign} {_text(node.right)}"
+            return f"{_text(node.left) if node.left else ''} {node.sign} {_text(node.right)}"
         case lay.TransposeOf():
             return _text(node.body) + "ᵀ"
         case lay.Derivative():
@@ -138,10 +133,8 @@ def _text(node: lay.Node) -> str:
             between = ", " if node.between == "," else f" {node.between} "
             return between.join(map(_text, node.items))
         case lay.Chain():
-            made = _text(node.sides[0])
-            for sign, side in zip(node.signs, node.sides[1:], strict=True):
-                made += f" {sign} {_text(side)}"
-            return made
+            rest = zip(node.signs, node.sides[1:], strict=True)
+            return _text(node.sides[0]) + "".join(f" {sign} {_text(side)}" for sign, side in rest)
 
 
 def _factor(node: Basic) -> str:
@@ -172,9 +165,5 @@ def _braced(node: Basic) -> Iterator[lay.Braced]:
     """The parts of a tree that have a brace beneath them."""
     if isinstance(node, lay.Braced):
         yield node
-    if isinstance(node, tuple):
-        parts: Iterable[Any] = node
-    else:
-        parts = (getattr(node, field.name) for field in fields(node)) if is_dataclass(node) else ()
-    for part in parts:
+    for part in lay.parts(node):
         yield from _braced(part)
