@@ -149,9 +149,16 @@ def _broken(node: lay.Node, limit: float, whole: float) -> list[lay.Node]:
         case lay.Product(factors=(*before, lay.Brackets() as last)) if width(node) > whole:
             head = lay.Product(tuple(before), node.joints[:-1]) if before[1:] else before[0]
             first, *rest = _broken(last, limit, whole)
-            return [*_broken(head, limit, whole), lay.Infix("·", None, first), *rest]
+            # Before a vector a · would be the product of two.
+            times = first if _has_vector(last) else lay.Infix("·", None, first)
+            return [*_broken(head, limit, whole), times, *rest]
         case lay.Brackets(body=lay.Sum() as inside, shape="()") if width(node) > whole:
             first, *rest = _broken(inside, limit - 1.5, whole)
             if rest:
                 return [lay.Brackets(first, "(."), *rest[:-1], lay.Brackets(rest[-1], ".)")]
     return [node]
+
+
+def _has_vector(node: lay.Node) -> bool:
+    bold = isinstance(node, lay.Letter) and node.glyph.bold
+    return bold or any(map(_has_vector, lay.parts(node)))
