@@ -11,14 +11,24 @@ from scipy.spatial.transform import Rotation
 
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.space import Scene, View, paper
-from rigidtop.figures.style import AXIS, FIRST, HIDDEN, INK, WIDE, Floats, canvas, degrees, spoken
+from rigidtop.figures.style import (
+    AXIS,
+    FIRST,
+    HIDDEN,
+    INK,
+    SPACE,
+    WIDE,
+    Floats,
+    canvas,
+    degrees,
+    spoken,
+)
 from rigidtop.motion.attitude import from_euler_angles
 from rigidtop.parameters import Parameter
 
 VIEW = View(azimuth=0.36, elevation=0.4)
 TURNED_ABOUT = "#8fd3e3"
 ANGLE = "#3f7d2a"
-SPACE = (r"$\hat{\mathbf{x}}$", r"$\hat{\mathbf{y}}$", r"$\hat{\mathbf{z}}$")
 NAMES = (
     ("", r"$\mathbf{e}_2'$", ""),
     (r"$\mathbf{e}_1'$", r"$\mathbf{e}_2'$", r"$\mathbf{e}_3$"),

@@ -11,7 +11,7 @@ import matplotlib
 from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, PillowWriter
 
 from rigidtop.errors import RigidtopError
-from rigidtop.figures.drawing import Drawing
+from rigidtop.figures.drawing import Drawing, Film
 from rigidtop.figures.style import STYLE
 
 KINDS = ("gif", "mp4")
@@ -53,16 +53,24 @@ def animated(
     """
     if drawing.animate is None:
         raise RigidtopError(f"figure {drawing.name!r} does not move: write it as svg, pdf or png")
-    values, out = drawing.values(given), writer(kind)
+    values = drawing.values(given)
     with matplotlib.rc_context(STYLE), TemporaryDirectory() as folder:
-        film = drawing.animate(**values)
-        path = Path(folder) / f"film.{kind}"
-        try:
-            with out.saving(film.canvas, str(path), DOTS):
-                for done in range(frames):
-                    film.show(done / frames)
-                    out.grab_frame()
-                    progress(done + 1, frames)
-            return path.read_bytes()
-        except (OSError, subprocess.CalledProcessError) as error:
-            raise RigidtopError(f"the {kind} cannot be written: {error}") from error
+        film, path = drawing.animate(**values), Path(folder) / f"film.{kind}"
+        record(path, film, frames, progress)
+        return path.read_bytes()
+
+
+def record(
+    path: Path, film: Film, frames: int, progress: Progress = lambda done, total: None
+) -> None:
+    """Write a film of so many frames, by the suffix of its file; see `animated`."""
+    kind = path.suffix.removeprefix(".")
+    out = writer(kind)
+    try:
+        with out.saving(film.canvas, str(path), DOTS):
+            for done in range(frames):
+                film.show(done / frames)
+                out.grab_frame()
+                progress(done + 1, frames)
+    except (OSError, subprocess.CalledProcessError) as error:
+        raise RigidtopError(f"the {kind} cannot be written: {error}") from error

@@ -11,8 +11,10 @@ from rigidtop.figures.space import UPRIGHT, Scene, View, unit
 from rigidtop.figures.style import (
     DASHED,
     INK,
+    L_DOT,
     L_VEC,
     MOMENTUM,
+    N_VEC,
     NOTE,
     OMEGA,
     TORQUE,
@@ -87,14 +89,12 @@ def draw_arrows(scene: Scene, motion: TopMotion, radius: float) -> list[Floats]:
     scene.line(way, color=OMEGA, lw=0.9, ls=DASHED, zorder=1.3, label="_way")
     beyond = tip + 0.5 * couple
     scene.arrow(beyond, start=tip, color=TORQUE, lw=1.4)
-    words = r"$\dot{\mathbf{L}}=\mathbf{N}$"
     if momentum[2] > -0.2:
-        scene.words(beyond, words, (0, 4), color=TORQUE, ha="center", va="bottom", zorder=8)
+        scene.words(beyond, L_DOT, (0, 4), color=TORQUE, ha="center", va="bottom", zorder=8)
     else:  # away from the axle, which is above
-        scene.words(beyond, words, (-3, -3), color=TORQUE, ha="right", va="top", zorder=8)
+        scene.words(beyond, L_DOT, (-3, -3), color=TORQUE, ha="right", va="top", zorder=8)
     above = None if outward else (0.0, 9.0)
-    words = r"$\mathbf{N}$"
-    scene.arrow(0.6 * couple, words, shift=above, color=TORQUE, lw=1.9, zorder=6)
+    scene.arrow(0.6 * couple, N_VEC, shift=above, color=TORQUE, lw=1.9, zorder=6)
     weight = centre - max(0.6, 1.2 * half) * UPRIGHT
     scene.arrow(weight, start=centre, color=INK, lw=1.5, zorder=6)
     scene.dot(centre)

@@ -12,7 +12,7 @@ from rigidtop.derivations.exercises.net_torque import gravity_on_a_solid
 from rigidtop.figures.bodies import vertical
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import Scene, View, circle, paper, top_body
+from rigidtop.figures.space import UPRIGHT, Scene, View, circle, paper, top_body
 from rigidtop.figures.style import (
     AXIS,
     DASHED,
@@ -21,8 +21,10 @@ from rigidtop.figures.style import (
     GREY,
     INK,
     NOTE,
-    TORQUE,
+    R_CM,
+    WEIGHT,
     Floats,
+    X,
     Z,
     alone,
     degrees,
@@ -32,7 +34,6 @@ from rigidtop.figures.style import (
 )
 from rigidtop.motion.attitude import from_euler_angles
 
-UP = np.array([0.0, 0.0, 1.0])
 TALL = 1.4
 """Of the arrow ẑ, where the mantle of the cone has the length 1."""
 
@@ -60,26 +61,29 @@ def draw_leaning_cone(
     level = np.array([math.cos(phi), math.sin(phi), 0.0])  # where it leans to
     size = math.hypot(radius, height)
     place = centre / size * e3
-    weight = place - 0.42 * UP
+    weight = place - 0.42 * UPRIGHT
     top_body(scene, e3, height / size, radius / size)
-    scene.arrow(TALL * UP, Z, lw=0.8, color=GREY, shift=(-8, 0))
+    scene.arrow(TALL * UPRIGHT, Z, lw=0.8, color=GREY, shift=(-8, 0))
     scene.arrow(1.35 * e3, E3, color=AXIS, lw=1.0, shift=(9, 0))
     scene.arrow(place, color=INK, lw=2.0)
     lean = theta * np.linspace(0.0, 1.0, 61)
-    way = 1.18 * (np.outer(np.cos(lean), UP) + np.outer(np.sin(lean), level))
+    way = 1.18 * (np.outer(np.cos(lean), UPRIGHT) + np.outer(np.sin(lean), level))
     if not vertical(theta):
         _draw_angle(scene, way, r"$\theta$", (-8, -2), zorder=3)
         _draw_azimuth(scene, phi, level)
     _draw_height(scene, place, level)
     scene.arrow(weight, start=place, color=INK, lw=1.4)
-    scene.words(weight, r"$M\mathbf{g}$", (6, 2), color=INK)
+    scene.words(weight, WEIGHT, (6, 2), color=INK)
     scene.dot(place)
-    scene.words(place, r"$\mathbf{R}_\mathrm{CM}$", (7, -9), color=INK, zorder=8)
-    if vertical(theta):
-        scene.words(np.zeros(3), r"$\mathbf{N} = 0$", (20, -4), color=TORQUE)
-    else:
-        scene.arrow(0.85 * nodes, r"$\mathbf{N}$", color=TORQUE, lw=1.9)
-    shown = [circle(e3, math.atan2(radius, height)), TALL * UP, 1.35 * e3, weight, -0.2 * UP]
+    scene.words(place, R_CM, (7, -9), color=INK, zorder=8)
+    scene.couple(0.0 * nodes if vertical(theta) else 0.85 * nodes, (20, -4))
+    shown = [
+        circle(e3, math.atan2(radius, height)),
+        TALL * UPRIGHT,
+        1.35 * e3,
+        weight,
+        -0.2 * UPRIGHT,
+    ]
     if not vertical(theta):
         shown.append(1.1 * way)
     x, y, _ = scene.view(np.vstack(shown))
@@ -88,7 +92,7 @@ def draw_leaning_cone(
 
 def _draw_azimuth(scene: Scene, phi: float, level: Floats) -> None:
     """φ from x̂ to the direction into which the cone leans, under it."""
-    scene.arrow([0.6, 0.0, 0.0], r"$\hat{\mathbf{x}}$", color=GREY, lw=0.7, zorder=1.5)
+    scene.arrow([0.6, 0.0, 0.0], X, color=GREY, lw=0.7, zorder=1.5)
     scene.line(np.outer([0.0, 0.5], level), color=GREY, lw=0.7, ls=DOTTED, zorder=1.5)
     turned = math.remainder(phi, 2 * math.pi) * np.linspace(0.0, 1.0, 61)
     way = 0.4 * np.column_stack([np.cos(turned), np.sin(turned), 0 * turned])
@@ -116,8 +120,8 @@ def _draw_angle(
 
 def _draw_height(scene: Scene, place: Floats, level: Floats) -> None:
     """R cos θ, the height of the centre of mass over the tip, on the other side of ẑ."""
-    beyond, height = -0.62 * level, place[2] * UP
-    for start, above in ((place, height), (np.zeros(3), 0 * UP)):
+    beyond, height = -0.62 * level, place[2] * UPRIGHT
+    for start, above in ((place, height), (np.zeros(3), 0 * UPRIGHT)):
         scene.line([start, 1.1 * beyond + above], color=GREY, lw=0.8, ls=DASHED, zorder=2.9)
     both: dict[str, Any] = {"ends": "<|-|>", "width": 0.12, "length": 0.25, "zorder": 3}
     scene.head(np.array([beyond, beyond + height]), color=NOTE, lw=0.8, **both)

@@ -18,7 +18,9 @@ from rigidtop.figures.style import (
     HIDDEN,
     INK,
     MANTLE,
+    N_VEC,
     RULE,
+    TORQUE,
     Floats,
     head,
     name_at,
@@ -26,6 +28,8 @@ from rigidtop.figures.style import (
 
 SIZE = 10
 """Of the names of arrows (points)."""
+
+ROUNDING = 1e-12
 
 UPRIGHT = np.array([0.0, 0.0, 1.0])
 """ẑ."""
@@ -171,6 +175,20 @@ class Scene:
                 shift = 9 * (x1 - x0) / (length or 1.0), 9 * (y1 - y0) / (length or 1.0)
             style = {"ha": "center", "va": "center", "fontsize": SIZE}
             self.words(tip, words, shift, color=color, zorder=zorder + 0.2, **style)
+
+    def couple(self, along: ArrayLike, shift: tuple[float, float], **style: Any) -> None:
+        """N at the origin, or that there is none, `shift` points (of print) away from it."""
+        if np.any(along):
+            self.arrow(along, N_VEC, color=TORQUE, lw=1.9)
+        else:
+            self.words(np.zeros(3), r"$\mathbf{N} = 0$", shift, color=TORQUE, **style)
+
+
+def total(vectors: Floats) -> Floats:
+    """The sum of vectors (N, 3); zero where it is no more than rounding."""
+    found: Floats = vectors.sum(axis=0)
+    most = np.linalg.norm(vectors, axis=1).sum()
+    return np.zeros(3) if np.linalg.norm(found) <= ROUNDING * most else found
 
 
 def paper(axes: Axes, x: tuple[float, float], y: tuple[float, float]) -> None:

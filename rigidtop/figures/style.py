@@ -13,6 +13,9 @@ from matplotlib.figure import Figure as Canvas
 from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
+from rigidtop.notation.characters import SUPERSCRIPTS
+from rigidtop.typeset.sentences import tex
+
 Floats = NDArray[np.float64]
 
 COLUMN, WIDE = 3.4, 7.0
@@ -63,12 +66,18 @@ HIDDEN: tuple[float, Sequence[float]] = (0, (2.5, 2))
 DASH_DOT: tuple[float, Sequence[float]] = (0, (6, 1.5, 1, 1.5))
 DOTTED: tuple[float, Sequence[float]] = (0, (1, 1.6))
 
-E3, OMEGA_VEC, L_VEC, Z = (
+E3, OMEGA_VEC, L_VEC, N_VEC = (
     r"$\mathbf{e}_3$",
     r"$\boldsymbol{\omega}$",
     r"$\mathbf{L}$",
-    r"$\hat{\mathbf{z}}$",
+    r"$\mathbf{N}$",
 )
+L_DOT, R_CM, WEIGHT = (
+    r"$\dot{\mathbf{L}}=\mathbf{N}$",
+    r"$\mathbf{R}_\mathrm{CM}$",
+    r"$M\mathbf{g}$",
+)
+SPACE = X, Y, Z = tuple(rf"$\hat{{\mathbf{{{axis}}}}}$" for axis in "xyz")
 
 
 def canvas(width: float, height: float) -> Canvas:
@@ -148,12 +157,9 @@ def said(value: float, digits: int = 3) -> str:
         mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
     if not exponent:
         return text.replace("-", "−")
-    raised = str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    raised = "".join({c: up for up, c in SUPERSCRIPTS.items()}[c] for c in str(int(exponent)))
     factor = {"1": "", "-1": "−"}.get(mantissa, f"{mantissa}·".replace("-", "−"))
     return f"{factor}10{raised}"
-
-
-RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
 def in_math(value: float, digits: int = 3) -> str:
@@ -162,10 +168,7 @@ def in_math(value: float, digits: int = 3) -> str:
     >>> print(in_math(-2.5), in_math(1.2345e-7), in_math(1e20))
     -2.5 1.23\\cdot10^{-7} 10^{20}
     """
-    text = said(value, digits).replace("−", "-").replace("·", r"\cdot").replace("∞", r"\infty")
-    plain = text.rstrip("⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-    raised = text[len(plain) :].translate(RAISED)
-    return f"{plain}^{{{raised}}}" if raised else plain
+    return tex(said(value, digits))
 
 
 def spoken(value: float) -> str:

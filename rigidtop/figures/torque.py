@@ -17,11 +17,14 @@ from rigidtop.figures.style import (
     E3,
     GREY,
     INK,
+    L_DOT,
     L_VEC,
     MOMENTUM,
     OMEGA,
     OMEGA_VEC,
+    R_CM,
     TORQUE,
+    WEIGHT,
     Floats,
     Z,
     alone,
@@ -74,25 +77,17 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
     scene.arrow(1.62 * e3, E3, color=AXIS, lw=1.0, shift=(9, 0))
     scene.arrow(length * momentum, L_VEC, color=MOMENTUM, lw=1.7, shift=(9, 2))
     scene.arrow(1.2 * omega, OMEGA_VEC, color=OMEGA, lw=1.7, shift=(9, -3))
+    scene.couple(0.95 * couple, (-6, -10), ha="right")
     if np.any(couple):
-        _draw_couple(scene, length * momentum, couple)
-    else:
-        scene.words(np.zeros(3), r"$\mathbf{N} = 0$", (-6, -10), color=TORQUE, ha="right")
+        beyond = length * momentum + 0.42 * couple
+        scene.arrow(beyond, start=length * momentum, color=TORQUE, lw=1.2)
+        scene.words(beyond, L_DOT, (2, 4), color=TORQUE, ha="center")
     scene.arrow(centre - [0, 0, 0.46], start=centre, color=INK, lw=1.4)
-    scene.words(centre - [0, 0, 0.46], r"$M\mathbf{g}$", (6, 2), color=INK)
+    scene.words(centre - [0, 0, 0.46], WEIGHT, (6, 2), color=INK)
     scene.dot(centre)
-    scene.words(centre, r"$\mathbf{R}_\mathrm{CM}$", (7, -9), color=INK, zorder=8)
+    scene.words(centre, R_CM, (7, -9), color=INK, zorder=8)
     scene.words([0.0, 0.0, 0.0], "$O$", (5, -10), color=INK)
     paper(axes, (-1.45, 1.7), (min(-0.3, 1.6 * e3[2] - 0.4), 1.92))
-
-
-def _draw_couple(scene: Scene, tip: Floats, couple: Floats) -> None:
-    """N at the origin, and at the tip of L, which moves with it."""
-    scene.arrow(0.95 * couple, r"$\mathbf{N}$", color=TORQUE, lw=1.9)
-    beyond = tip + 0.42 * couple
-    scene.arrow(beyond, start=tip, color=TORQUE, lw=1.2)
-    words = r"$\dot{\mathbf{L}}=\mathbf{N}$"
-    scene.words(beyond, words, (2, 4), color=TORQUE, ha="center")
 
 
 def _motion(theta: float, omega3: float, **top: float) -> TopMotion:

@@ -29,6 +29,7 @@ from rigidtop.figures.style import (
     GROUND,
     INK,
     NOTE,
+    R_CM,
     RULE,
     SECOND,
     canvas,
@@ -79,7 +80,7 @@ def draw_toy_top(
     solid_disc(scene, middle * e3, e3, half, height, zorder=2)
     centre = centre_of_mass / size * e3
     scene.dot(centre, label="_centre")
-    scene.words(centre, r"$\mathbf{R}_\mathrm{CM}$", (5, -8), color=INK, zorder=8)
+    scene.words(centre, R_CM, (5, -8), color=INK, zorder=8)
     scene.line([top * e3, (top + 0.62) * e3], color=GREY, lw=0.8, zorder=1)
     scene.line(np.outer([0.0, top + 0.62], UPRIGHT), color=GREY, lw=0.8, zorder=1)
     way = (top + 0.5) * arc(UPRIGHT, e3)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,6 +12,7 @@ from matplotlib.axes import Axes
 
 from rigidtop.errors import RigidtopError
 from rigidtop.figures import animation
+from rigidtop.figures.drawing import Film
 from rigidtop.figures.space import View
 from rigidtop.figures.style import FIRST, GREY, INK, SECOND, STYLE, THIRD, canvas
 from rigidtop.motion.rows import Rows
@@ -76,19 +76,16 @@ def filmed(run: Any, path: str, duration: float | None) -> None:
     if not seconds > 0:
         raise RigidtopError("a film takes some time: duration must be positive")
     frames = max(2, round(seconds * animation.PER_SECOND))
-    shown = np.linspace(0, len(run) - 1, frames).round().astype(int)
-    out = animation.writer(kind)
+    last = (len(run) - 1) * frames / (frames - 1)
     with matplotlib.rc_context(STYLE):
         figure = canvas(4.0, 4.0)
         axes = figure.add_subplot()
-        try:
-            with out.saving(figure, str(path), animation.DOTS):
-                for row in shown:
-                    axes.clear()
-                    draw(axes, places, attitudes, int(row))
-                    out.grab_frame()
-        except (OSError, subprocess.CalledProcessError) as error:
-            raise RigidtopError(f"{path} cannot be written: {error}") from error
+
+        def show(share: float) -> None:
+            axes.clear()
+            draw(axes, places, attitudes, round(share * last))
+
+        animation.record(Path(path), Film(figure, show), frames)
 
 
 def draw(axes: Axes, places: Floats, attitudes: Floats, row: int) -> None:

@@ -11,13 +11,14 @@ from matplotlib.axes import Axes
 from rigidtop.derivations.exercises.opening import two_masses
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import UPRIGHT, Scene, View, arc, circle, paper, unit
+from rigidtop.figures.space import UPRIGHT, Scene, View, arc, circle, paper, total, unit
 from rigidtop.figures.style import (
     DASHED,
     EDGE,
     FACE,
     GREY,
     INK,
+    L_DOT,
     L_VEC,
     MOMENTUM,
     NOTE,
@@ -36,7 +37,6 @@ from rigidtop.figures.style import (
 VIEW = View(azimuth=-0.35, elevation=0.5)
 """So that what points at the reader goes down and to the right."""
 
-ROUNDING = 1e-12
 SHORT = 0.15
 """No room for a name along an arm of this length, or between stick and axis."""
 
@@ -50,28 +50,26 @@ class Stick:
     omega: Floats
 
     @property
-    def momentum(self) -> Floats:
-        """L = Σ m r × (ω × r), J s."""
+    def momenta(self) -> Floats:
+        """m r × (ω × r) of each (2, 3), J s."""
         velocities = np.cross(self.omega, self.positions)
-        made: Floats = np.cross(self.positions, self.masses[:, None] * velocities).sum(axis=0)
-        return made
+        return np.cross(self.positions, self.masses[:, None] * velocities)
+
+    @property
+    def momentum(self) -> Floats:
+        """L (3,), J s."""
+        return total(self.momenta)
 
     @property
     def torque(self) -> Floats:
-        """N = ω × L, which turns L along with the stick, N m; zero where it is no more than
-        rounding."""
-        found = np.cross(self.omega, self.momentum)
-        most = np.linalg.norm(self.omega) * np.linalg.norm(self.momentum)
-        return np.zeros(3) if np.linalg.norm(found) <= ROUNDING * most else found
+        """N = ω × L (3,), which turns L along with the stick, N m."""
+        return total(np.cross(self.omega, self.momenta))
 
     @property
     def force(self) -> Floats:
-        """F, which keeps the centre of mass on its circle, N; zero where it is no more than
-        rounding."""
-        pushes = self.masses[:, None] * np.cross(self.omega, np.cross(self.omega, self.positions))
-        found = pushes.sum(axis=0)
-        most = np.linalg.norm(pushes, axis=1).sum()
-        return np.zeros(3) if np.linalg.norm(found) <= ROUNDING * most else found
+        """F (3,), which keeps the centre of mass on its circle, N."""
+        rates = np.cross(self.omega, np.cross(self.omega, self.positions))
+        return total(self.masses[:, None] * rates)
 
 
 def stick(M_1: float, M_2: float, a: float, b: float, alpha: float, omega: float) -> Stick:
@@ -120,14 +118,11 @@ def draw_two_masses(axes: Axes, held: Stick) -> None:
     scene.arrow(momentum, L_VEC, color=MOMENTUM, lw=1.9, shift=beside, zorder=5.2)
     if np.any(held.force):
         scene.arrow(0.55 * unit(held.force), r"$\mathbf{F}$", color=INK, lw=1.2, shift=(0, 9))
-    if np.any(held.torque):
-        couple = unit(held.torque)
-        scene.arrow(couple, r"$\mathbf{N}$", color=TORQUE, lw=1.9)
+    couple = unit(held.torque)
+    scene.couple(couple, (8, -12))
+    if np.any(couple):
         scene.arrow(momentum + 0.5 * couple, start=momentum, color=TORQUE, lw=1.2)
-        words = r"$\dot{\mathbf{L}}=\mathbf{N}$"
-        scene.words(momentum, words, (-4, -17), color=TORQUE, ha="right")
-    else:
-        scene.words(np.zeros(3), r"$\mathbf{N} = 0$", (8, -12), color=TORQUE)
+        scene.words(momentum, L_DOT, (-4, -17), color=TORQUE, ha="right")
     scene.dot(np.zeros(3))
 
 

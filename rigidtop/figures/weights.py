@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from rigidtop.derivations.exercises.net_torque import POINTS, gravity_on_points
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import Scene, View, paper, unit
+from rigidtop.figures.space import Scene, View, paper, total, unit
 from rigidtop.figures.style import (
     DOTTED,
     EDGE,
@@ -19,8 +19,10 @@ from rigidtop.figures.style import (
     FIRST,
     GREY,
     INK,
+    R_CM,
     RULE,
-    TORQUE,
+    SPACE,
+    WEIGHT,
     Floats,
     alone,
     in_math,
@@ -28,9 +30,7 @@ from rigidtop.figures.style import (
     spoken,
 )
 
-SPACE = (r"$\hat{\mathbf{x}}$", r"$\hat{\mathbf{y}}$", r"$\hat{\mathbf{z}}$")
 VIEW = View(azimuth=0.6, elevation=0.36)
-ROUNDING = 1e-12
 
 
 @dataclass(frozen=True)
@@ -55,11 +55,8 @@ class Points:
 
     @property
     def torque(self) -> Floats:
-        """N = Σ r × mg (3,), N m; zero where it is no more than rounding."""
-        each = np.cross(self.places, self.weights)
-        found = each.sum(axis=0)
-        most = np.linalg.norm(each, axis=1).sum()
-        return np.zeros(3) if np.linalg.norm(found) <= ROUNDING * most else found
+        """N = Σ r × mg (3,), N m."""
+        return total(np.cross(self.places, self.weights))
 
 
 def points(g: float, **given: float) -> Points:
@@ -98,16 +95,12 @@ def draw_weights(axes: Axes, body: Points) -> None:
         size = 9 * float(np.cbrt(body.masses[k] / body.masses.max()))  # as balls of one material
         _draw_point(scene, place, drawn.weights[k], f"$m_{k + 1}$", size)
     end = drawn.centre + drawn.weights.sum(axis=0)
-    scene.arrow(end, r"$M\mathbf{g}$", start=drawn.centre, color=INK, lw=2.0)
+    scene.arrow(end, WEIGHT, start=drawn.centre, color=INK, lw=2.0)
     scene.arrow(drawn.centre, color=INK, lw=1.6, zorder=5.5)
     scene.dot(drawn.centre, ms=4)
     side, shift = ("left", (5, 3)) if _room_on_the_right(drawn) else ("right", (-5, 3))
-    words = r"$\mathbf{R}_\mathrm{CM}$"
-    scene.words(drawn.centre, words, shift, color=INK, ha=side, zorder=8)
-    if np.any(drawn.couple):
-        scene.arrow(drawn.couple, r"$\mathbf{N}$", color=TORQUE, lw=1.9)
-    else:
-        scene.words(np.zeros(3), r"$\mathbf{N} = 0$", (10, -22), color=TORQUE)
+    scene.words(drawn.centre, R_CM, shift, color=INK, ha=side, zorder=8)
+    scene.couple(drawn.couple, (10, -22))
     under = drawn.places + drawn.weights
     x, y, _ = scene.view(np.vstack([0.55 * np.eye(3), drawn.places, under, end, drawn.couple]))
     paper(axes, (x.min() - 0.2, x.max() + 0.2), (y.min() - 0.15, y.max() + 0.15))
