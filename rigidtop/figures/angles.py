@@ -9,20 +9,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 from scipy.spatial.transform import Rotation
 
+from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.space import Scene, View, paper
-from rigidtop.figures.style import (
-    AXIS,
-    FIRST,
-    HIDDEN,
-    INK,
-    SPACE,
-    WIDE,
-    Floats,
-    canvas,
-    degrees,
-    spoken,
-)
+from rigidtop.figures.style import Floats, canvas, degrees, spoken
 from rigidtop.motion.attitude import from_euler_angles
 from rigidtop.parameters import Parameter
 
@@ -63,14 +53,14 @@ def draw_rotation(
     axis, angle, shown, symbol = turned
     stripe = np.array([-0.18 * axis, 0.98 * axis])
     scene.line(stripe, color=TURNED_ABOUT, lw=5, solid_capstyle="round", zorder=1)
-    for k, words in enumerate(SPACE):
-        scene.arrow(1.34 * np.eye(3)[k], words, color=FIRST, lw=0.8, zorder=2)
+    for k, words in enumerate(look.SPACE):
+        scene.arrow(1.34 * np.eye(3)[k], words, color=look.FIRST, lw=0.8, zorder=2)
     old, new = before.as_matrix().T, after.as_matrix().T
     for k in range(3):
         if np.linalg.norm(old[k] - new[k]) > 1e-9:
             ends = np.array([np.zeros(3), old[k]])
-            scene.line(ends, color=AXIS, lw=1.2, ls=HIDDEN, zorder=3)
-        scene.arrow(new[k], names[k], color=AXIS, lw=1.6, zorder=4)
+            scene.line(ends, color=look.AXIS, lw=1.2, ls=look.HIDDEN, zorder=3)
+        scene.arrow(new[k], names[k], color=look.AXIS, lw=1.6, zorder=4)
     # The way of one axis, at a part of its length, with a head where it ends.
     way = Rotation.from_rotvec(np.linspace(0, angle, 61)[:, None] * axis).apply(0.62 * old[shown])
     scene.line(way, color=ANGLE, lw=1.4, zorder=4)
@@ -90,7 +80,7 @@ def turns(phi: float, theta: float, psi: float) -> list[tuple[Floats, float, int
 
 
 def _draw(phi: float, theta: float, psi: float) -> Canvas:
-    drawn = canvas(WIDE, 2.65)
+    drawn = canvas(look.WIDE, 2.65)
     attitudes = steps(phi, theta, psi)
     words = (
         r"$\phi$ about $\hat{\mathbf{z}}$",
@@ -101,7 +91,7 @@ def _draw(phi: float, theta: float, psi: float) -> Canvas:
         zip(drawn.subplots(1, 3), turns(phi, theta, psi), strict=True)
     ):
         draw_rotation(axes, attitudes[i], attitudes[i + 1], turned, NAMES[i])
-        axes.set_title(f"({'i' * (i + 1)})  {words[i]}", color=INK)
+        axes.set_title(f"({'i' * (i + 1)})  {words[i]}", color=look.INK)
         paper(axes, (-1.42, 1.42), (-1.05, 1.5))
     return drawn
 

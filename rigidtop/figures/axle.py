@@ -6,22 +6,10 @@ import math
 
 import numpy as np
 
-from rigidtop.figures.rotors import ring, sense_of_turn
-from rigidtop.figures.space import UPRIGHT, Scene, View, unit
-from rigidtop.figures.style import (
-    DASHED,
-    INK,
-    L_DOT,
-    L_VEC,
-    MOMENTUM,
-    N_VEC,
-    NOTE,
-    OMEGA,
-    TORQUE,
-    Floats,
-    in_math,
-    spoken,
-)
+from rigidtop.figures import style as look
+from rigidtop.figures.rotors import sense_of_turn
+from rigidtop.figures.space import UPRIGHT, Scene, View, ring, unit
+from rigidtop.figures.style import Floats, in_math, spoken
 from rigidtop.figures.torque import torque
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
@@ -59,7 +47,7 @@ def draw_axle(scene: Scene, motion: TopMotion, radius: float) -> None:
     for ends, side in (((0.0, arm), -e3), ((arm, arm + 0.1 + 0.12 * half), e3)):
         order = level(scene.view, side) - 0.1
         line = np.outer(ends, e3)
-        scene.line(line, color=NOTE, lw=2.6, solid_capstyle="round", zorder=order)
+        scene.line(line, color=look.NOTE, lw=2.6, solid_capstyle="round", zorder=order)
     scene.dot(np.zeros(3), ms=3.8)
 
 
@@ -78,7 +66,9 @@ def draw_arrows(scene: Scene, motion: TopMotion, radius: float) -> list[Floats]:
     tip = centre + (0.85 + 0.35 * half if outward else arm + 0.5) * momentum
     order = level(view, momentum)
     below = None if outward else (-2.0, -9.0)  # N is above
-    scene.arrow(tip, L_VEC, start=centre, shift=below, color=MOMENTUM, lw=1.8, zorder=order)
+    scene.arrow(
+        tip, look.L_VEC, start=centre, shift=below, color=look.MOMENTUM, lw=1.8, zorder=order
+    )
     spin = centre + (0.3 + 0.27 * half) * e3
     turning = sense_of_turn(
         scene, spin, e3, 0.15, motion.omega[2], r"$\omega_3$", zorder=level(view, e3)
@@ -86,20 +76,22 @@ def draw_arrows(scene: Scene, motion: TopMotion, radius: float) -> list[Floats]:
     across = tip - centre - (tip - centre) * UPRIGHT
     distance, sweep = float(np.linalg.norm(across)), math.copysign(0.8, rate)
     way = ring(tip - across, UPRIGHT, distance, across, sweep)
-    scene.line(way, color=OMEGA, lw=0.9, ls=DASHED, zorder=1.3, label="_way")
+    scene.line(way, color=look.OMEGA, lw=0.9, ls=look.DASHED, zorder=1.3, label="_way")
     beyond = tip + 0.5 * couple
-    scene.arrow(beyond, start=tip, color=TORQUE, lw=1.4)
+    scene.arrow(beyond, start=tip, color=look.TORQUE, lw=1.4)
     if momentum[2] > -0.2:
-        scene.words(beyond, L_DOT, (0, 4), color=TORQUE, ha="center", va="bottom", zorder=8)
+        scene.words(
+            beyond, look.L_DOT, (0, 4), color=look.TORQUE, ha="center", va="bottom", zorder=8
+        )
     else:  # away from the axle, which is above
-        scene.words(beyond, L_DOT, (-3, -3), color=TORQUE, ha="right", va="top", zorder=8)
+        scene.words(beyond, look.L_DOT, (-3, -3), color=look.TORQUE, ha="right", va="top", zorder=8)
     above = None if outward else (0.0, 9.0)
-    scene.arrow(0.6 * couple, N_VEC, shift=above, color=TORQUE, lw=1.9, zorder=6)
+    scene.arrow(0.6 * couple, look.N_VEC, shift=above, color=look.TORQUE, lw=1.9, zorder=6)
     weight = centre - max(0.6, 1.2 * half) * UPRIGHT
-    scene.arrow(weight, start=centre, color=INK, lw=1.5, zorder=6)
+    scene.arrow(weight, start=centre, color=look.INK, lw=1.5, zorder=6)
     scene.dot(centre)
     # The axle may be where the words are else.
     aside, side = (-5, "right") if e3[2] < -0.85 else (5, "left")
     words = f"$Mg = {in_math(top.M * top.g)}$ N"
-    scene.words(weight, words, (aside, 0), color=INK, ha=side, zorder=8)
+    scene.words(weight, words, (aside, 0), color=look.INK, ha=side, zorder=8)
     return [tip, beyond, 0.7 * couple, weight, centre, *turning, *way]

@@ -14,26 +14,13 @@ from rigidtop.derivations.exercises.gyroscope import (
     slope_of_cord,
     spinning,
 )
+from rigidtop.figures import style as look
 from rigidtop.figures.axle import draw_arrows, draw_axle, lean_of_momentum, steady, to_scale
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.rotors import fit, ring, sense_of_turn
+from rigidtop.figures.rotors import fit, sense_of_turn
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import UPRIGHT, Scene, View
-from rigidtop.figures.style import (
-    COLUMN,
-    DOTTED,
-    GREY,
-    INK,
-    MANTLE,
-    NOTE,
-    OMEGA,
-    Floats,
-    canvas,
-    degrees,
-    in_math,
-    said,
-    spoken,
-)
+from rigidtop.figures.space import UPRIGHT, Scene, View, ring
+from rigidtop.figures.style import Floats, canvas, degrees, in_math, said, spoken
 from rigidtop.figures.torque import torque
 from rigidtop.motion.motion import TopMotion
 
@@ -60,15 +47,15 @@ def draw_wheel(axes: Axes, motion: TopMotion, radius: float, cord: float) -> Non
     along = np.array([0.0, -slope, 1.0]) / math.hypot(1.0, slope)
     whole = cord / math.hypot(top.R, radius)
     upper = min(whole, LONGEST) * along
-    scene.line([np.zeros(3), upper], color=NOTE, lw=1.1, zorder=5, label="_cord")
+    scene.line([np.zeros(3), upper], color=look.NOTE, lw=1.1, zorder=5, label="_cord")
     _end_of_cord(scene, upper, cut=whole > LONGEST)
     draw_axle(scene, motion, radius)
     centre = arm * e3
     rim = ring(centre, e3, half, VIEW.axes[2] + 0.1 * VIEW.axes[0])
     for point in ring(centre, e3, half, UPRIGHT, count=SPOKES + 1)[:-1]:
-        scene.line([centre, point], color=GREY, lw=0.6, zorder=2.2)
-    scene.line(rim, color=INK, lw=3.4, zorder=2.4, label="_rim")
-    scene.line(rim, color=MANTLE, lw=1.6, zorder=2.5)
+        scene.line([centre, point], color=look.GREY, lw=0.6, zorder=2.2)
+    scene.line(rim, color=look.INK, lw=3.4, zorder=2.4, label="_rim")
+    scene.line(rim, color=look.MANTLE, lw=1.6, zorder=2.5)
     drawn = draw_arrows(scene, motion, radius)
     around = _sense(scene, upper, rate)
     fit(scene, [*drawn, *rim, *around, 1.05 * upper], (0.2, 0.06, 0.05, 0.02))
@@ -82,10 +69,10 @@ def _sense(scene: Scene, upper: Floats, rate: float) -> Floats:
     if np.linalg.norm(upper) < 0.6:
         middle = 0.7 * UPRIGHT
         axis = np.outer([0.0, 0.9], UPRIGHT)
-        scene.line(axis, color=GREY, lw=0.8, ls=DOTTED, zorder=1)
+        scene.line(axis, color=look.GREY, lw=0.8, ls=look.DOTTED, zorder=1)
         leans = False
     if leans:  # the cord is where the words would be
-        scene.words(middle, words, (0, 9), color=OMEGA, ha="center", zorder=8)
+        scene.words(middle, words, (0, 9), color=look.OMEGA, ha="center", zorder=8)
         words = ""
     return sense_of_turn(scene, middle, UPRIGHT, 0.17, rate, words, left=True, zorder=3.5)
 
@@ -93,10 +80,10 @@ def _sense(scene: Scene, upper: Floats, rate: float) -> Floats:
 def _end_of_cord(scene: Scene, upper: Floats, *, cut: bool) -> None:
     """Where it is fixed, or a stroke through it where it goes on."""
     if cut:
-        scene.line(upper, marker=(2, 0, 60), ms=9, color=NOTE, mew=1.0, zorder=5)
+        scene.line(upper, marker=(2, 0, 60), ms=9, color=look.NOTE, mew=1.0, zorder=5)
     else:
-        scene.line(upper, "s", ms=5, color=GREY, zorder=5)
-    scene.words(np.zeros(3), "$O$", (-4, -10), color=INK, ha="right", zorder=8)
+        scene.line(upper, "s", ms=5, color=look.GREY, zorder=5)
+    scene.words(np.zeros(3), "$O$", (-4, -10), color=look.INK, ha="right", zorder=8)
 
 
 def _motion(M: float, radius: float, R: float, g: float, omega3: float) -> TopMotion:
@@ -105,7 +92,7 @@ def _motion(M: float, radius: float, R: float, g: float, omega3: float) -> TopMo
 
 
 def _draw(cord: float, **values: float) -> Canvas:
-    drawn = canvas(COLUMN, 2.9)
+    drawn = canvas(look.COLUMN, 2.9)
     draw_wheel(drawn.subplots(), _motion(**values), values["radius"], cord)
     return drawn
 

@@ -8,21 +8,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 
+from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing, Film, one
 from rigidtop.figures.space import Scene, View, circle, paper, unit
-from rigidtop.figures.style import (
-    AXIS,
-    E3,
-    L_VEC,
-    MOMENTUM,
-    OMEGA,
-    OMEGA_VEC,
-    WIDE,
-    Floats,
-    canvas,
-    said,
-    spoken,
-)
+from rigidtop.figures.style import Floats, canvas, said, spoken
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.motion import Motion
 from rigidtop.parameters import Parameter
@@ -64,7 +53,11 @@ def draw_cones(axes: Axes, motion: Motion, *, space: bool) -> None:
     scene = Scene(axes)
     directions = three_directions(motion, space=space)
     upright = directions[2 if space else 0]
-    drawn = ((E3, AXIS, 1.0), (OMEGA_VEC, OMEGA, 1.06), (L_VEC, MOMENTUM, 1.18))
+    drawn = (
+        (look.E3, look.AXIS, 1.0),
+        (look.OMEGA_VEC, look.OMEGA, 1.06),
+        (look.L_VEC, look.MOMENTUM, 1.18),
+    )
     for direction, (_, color, length) in zip(directions, drawn, strict=True):
         angle = math.atan2(
             float(np.linalg.norm(np.cross(upright, direction))), float(upright @ direction)
@@ -72,7 +65,7 @@ def draw_cones(axes: Axes, motion: Motion, *, space: bool) -> None:
         if angle > 1e-9:
             rim = circle(upright, angle, length=length)
             scene.ring(rim, color=color, lw=0.9)
-            shade(scene, rim, color, 0.12 if color == OMEGA else 0.05)
+            shade(scene, rim, color, 0.12 if color == look.OMEGA else 0.05)
     for direction, (words, color, length) in zip(directions, drawn, strict=True):
         scene.arrow(length * direction, words, color=color, lw=1.5)
     paper(axes, (-1.0, 1.0), (-0.03, 1.3))
@@ -89,7 +82,7 @@ def shade(scene: Scene, rim: Floats, color: str, alpha: float) -> None:
 
 
 def _cones(**values: float) -> Canvas:
-    drawn = canvas(WIDE, 2.8)
+    drawn = canvas(look.WIDE, 2.8)
     motion = free_motion(**values)
     left, right = drawn.subplots(1, 2)
     draw_cones(left, motion, space=False)
@@ -177,8 +170,8 @@ def draw_rolling_cones(axes: Axes, motion: Motion, t: float = 0.0) -> None:
     )
     space_lines = circle(momentum, space, STRIPES + 1)[:-1]
     for apex, half, lines, color, above in (
-        (momentum, space, space_lines, OMEGA, 2.0 if inside else 1.0),
-        (axis, body, body_lines, AXIS, 1.0 if inside else 2.0),
+        (momentum, space, space_lines, look.OMEGA, 2.0 if inside else 1.0),
+        (axis, body, body_lines, look.AXIS, 1.0 if inside else 2.0),
     ):
         rim = circle(apex, half)
         shade(scene, rim, color, 0.13)
@@ -187,9 +180,9 @@ def draw_rolling_cones(axes: Axes, motion: Motion, t: float = 0.0) -> None:
         for line in lines:
             alpha = 0.6 if scene.view(line)[2] >= middle else 0.2
             scene.line([np.zeros(3), line], color=color, lw=0.6, alpha=alpha, zorder=2)
-    scene.arrow(1.25 * axis, E3, color=AXIS, lw=1.3)
-    scene.arrow(1.32 * momentum, L_VEC, color=MOMENTUM, lw=1.3)
-    scene.arrow(1.2 * contact, OMEGA_VEC, color=OMEGA, lw=1.9, zorder=6)
+    scene.arrow(1.25 * axis, look.E3, color=look.AXIS, lw=1.3)
+    scene.arrow(1.32 * momentum, look.L_VEC, color=look.MOMENTUM, lw=1.3)
+    scene.arrow(1.2 * contact, look.OMEGA_VEC, color=look.OMEGA, lw=1.9, zorder=6)
 
 
 def angle_between(first: Floats, second: Floats) -> float:
@@ -219,7 +212,7 @@ def _rolling_film(**values: float) -> Film:
 
 def _rolling_cones(low: float, **values: float) -> Film:
     """A turn of each about L; `low` is the lower edge of the paper."""
-    drawn = Canvas(figsize=(WIDE, 3.0))
+    drawn = Canvas(figsize=(look.WIDE, 3.0))
     axes = [drawn.add_axes((left, 0.0, 0.48, 0.9)) for left in (0.01, 0.51)]
     motions = _rolling(**values)
 

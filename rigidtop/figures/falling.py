@@ -10,21 +10,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from scipy.optimize import brentq
 
+from rigidtop.figures import style as look
 from rigidtop.figures.bodies import TOP, of_top, top_in_words
 from rigidtop.figures.drawing import Drawing, one
-from rigidtop.figures.style import (
-    DASHED,
-    DOTTED,
-    FIRST,
-    GREY,
-    INK,
-    SECOND,
-    alone,
-    degrees,
-    name_at,
-    said,
-    spoken,
-)
+from rigidtop.figures.style import alone, degrees, name_at, said, spoken
 from rigidtop.motion.many import top_motions
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
@@ -52,12 +41,18 @@ def draw_toppling(axes: Axes, motion: TopMotion) -> None:
     """θ(t) of a top that is let go at rest, until it lies, and on as if there were no table."""
     fall, period = time_to_fall(motion), motion.nutation_period
     until, after = np.linspace(0.0, fall, 400), np.linspace(fall, period, 600)
-    for times, style in ((after, DASHED), (until, "-")):
+    for times, style in ((after, look.DASHED), (until, "-")):
         theta = np.degrees(motion.exact(times).theta)
-        width = 1.0 if style == DASHED else 1.6
-        axes.plot(times, theta, color=GREY if style == DASHED else FIRST, ls=style, lw=width)
-    axes.plot([0, fall, fall], [90, 90, 0], color=INK, lw=0.8, ls=DOTTED)
-    axes.plot(fall, 90, "o", color=SECOND, ms=4.5)
+        width = 1.0 if style == look.DASHED else 1.6
+        axes.plot(
+            times,
+            theta,
+            color=look.GREY if style == look.DASHED else look.FIRST,
+            ls=style,
+            lw=width,
+        )
+    axes.plot([0, fall, fall], [90, 90, 0], color=look.INK, lw=0.8, ls=look.DOTTED)
+    axes.plot(fall, 90, "o", color=look.SECOND, ms=4.5)
     left = fall > 0.3 * period
     name_at(
         axes,
@@ -66,7 +61,7 @@ def draw_toppling(axes: Axes, motion: TopMotion) -> None:
         rf"$\theta = \pi/2$ at $t = {fall:.3g}$ s",
         (-6, 5) if left else (7, -10),
         ha="right" if left else "left",
-        color=INK,
+        color=look.INK,
     )
     axes.set(xlim=(0, period), xlabel="$t$  (s)", **ALL_TILTS)
 
@@ -127,18 +122,18 @@ def draw_sleeping(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> Non
     spins = np.unique(np.append(np.linspace(0.0, last, 801), np.linspace(0.9, 1.1, 201) * wakes))
     tops = top_motions(**vars(top), theta=theta, omega3=spins)
     first, second = np.degrees(tops.turning_points)
-    axes.fill_between(spins, first, second, color=FIRST, alpha=0.12, lw=0)
-    axes.plot(spins, second, color=FIRST, label="_largest")
-    axes.plot(spins, first, color=SECOND, ls=DASHED, label="_smallest")
-    axes.axvline(wakes, color=GREY, lw=0.9, ls=DOTTED)
+    axes.fill_between(spins, first, second, color=look.FIRST, alpha=0.12, lw=0)
+    axes.plot(spins, second, color=look.FIRST, label="_largest")
+    axes.plot(spins, first, color=look.SECOND, ls=look.DASHED, label="_smallest")
+    axes.axvline(wakes, color=look.GREY, lw=0.9, ls=look.DOTTED)
     marked = np.degrees(top.motion(theta=theta, omega3=omega3).turning_points)
-    axes.plot([omega3, omega3], marked, "-o", color=INK, ms=3.5, lw=0.8)
+    axes.plot([omega3, omega3], marked, "-o", color=look.INK, ms=3.5, lw=0.8)
     name_at(axes, wakes, 190, r"$\frac{2}{\lambda_3}\sqrt{\lambda_1 MgR}$", (5, -2), va="top")
-    name_at(axes, 0.62 * wakes, 40, "wakes", ha="center", color=INK)
-    name_at(axes, 0.5 * (wakes + last), 40, "sleeps", ha="center", color=INK)
+    name_at(axes, 0.62 * wakes, 40, "wakes", ha="center", color=look.INK)
+    name_at(axes, 0.5 * (wakes + last), 40, "sleeps", ha="center", color=look.INK)
     for curve, words in ((second, r"$\theta_2$"), (first, r"$\theta_1$")):
         at = float(np.interp(0.3 * wakes, spins, curve))
-        name_at(axes, 0.3 * wakes, at, words, (0, 5), ha="center", color=INK)
+        name_at(axes, 0.3 * wakes, at, words, (0, 5), ha="center", color=look.INK)
     axes.set(xlim=(0, last), xlabel=r"$\omega_3$  (rad/s)", **ALL_TILTS)
 
 

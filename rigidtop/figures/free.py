@@ -9,27 +9,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 
 from rigidtop.errors import RigidtopError
+from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing, one
 from rigidtop.figures.space import UPRIGHT, Scene, View, circle, paper, unit
-from rigidtop.figures.style import (
-    AXIS,
-    DASH_DOT,
-    DASHED,
-    DOTTED,
-    FIRST,
-    GREY,
-    INK,
-    L_VEC,
-    RULE,
-    SECOND,
-    WIDE,
-    Floats,
-    alone,
-    canvas,
-    legend_above,
-    said,
-    spoken,
-)
+from rigidtop.figures.style import Floats, alone, canvas, legend_above, said, spoken
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.motion import Motion
 from rigidtop.parameters import Parameter
@@ -114,25 +97,25 @@ def draw_polhodes(axes: Axes, body: FreeBody) -> None:
         scene.curve(scale * points @ turn.T, (points * moments) @ eye < 0, **style)
 
     rim = circle(unit(np.sqrt(1 / moments) * eye * moments), math.pi / 2) / np.sqrt(moments)
-    scene.face(scale * rim @ turn.T, fc="#f4f4f4", ec=GREY, lw=0.8, zorder=0)
+    scene.face(scale * rim @ turn.T, fc="#f4f4f4", ec=look.GREY, lw=0.8, zorder=0)
     for motion in polhodes(body):
         path = polhode(motion)
-        draw(path, color=FIRST, lw=0.9)
+        draw(path, color=look.FIRST, lw=0.9)
         # A head on the closed curve, where it is nearest to the eye, says which way it goes.
         near = (path * moments) @ eye
         at = int(np.argmax(near[:-8]))
         if near[at] > 0:
             ends = scale * path[[at, at + 7]] @ turn.T
-            scene.head(ends, width=0.12, length=0.3, color=FIRST, lw=0.5, zorder=4)
+            scene.head(ends, width=0.12, length=0.3, color=look.FIRST, lw=0.5, zorder=4)
     for motion in on_separatrix(body):
-        draw(polhode(motion), color=SECOND, lw=1.7)
+        draw(polhode(motion), color=look.SECOND, lw=1.7)
     for k in range(3):
         end = np.zeros(3)
         end[k] = 1 / math.sqrt(moments[k])
         for sign in (1.0, -1.0):
             shown = sign * eye[k] > 0
-            color = INK if shown else "none"
-            scene.dot(scale * sign * turn @ end, ms=3.2, color=color, mec=INK, zorder=6)
+            color = look.INK if shown else "none"
+            scene.dot(scale * sign * turn @ end, ms=3.2, color=color, mec=look.INK, zorder=6)
         longer = 0.5 if k == middle else 0.28
         tip = end * (1 + longer * math.sqrt(moments[k] / moments.min()))
         name, start = rf"$\omega_{k + 1}$", scale * turn @ end
@@ -192,9 +175,11 @@ FLIPS = 4
 def draw_rates(axes: Axes, motion: Motion, t: Floats) -> None:
     """ω₁, ω₂, ω₃ (rad/s) of a motion against the time (s)."""
     omega = motion.exact(t).omega
-    for k, (color, style) in enumerate(((SECOND, DASH_DOT), (FIRST, "-"), (INK, DASHED))):
+    for k, (color, style) in enumerate(
+        ((look.SECOND, look.DASH_DOT), (look.FIRST, "-"), (look.INK, look.DASHED))
+    ):
         axes.plot(t, omega[:, k], color=color, ls=style, label=rf"$\omega_{k + 1}$", lw=1.2)
-    axes.axhline(0, color=RULE, lw=0.6, zorder=0)
+    axes.axhline(0, color=look.RULE, lw=0.6, zorder=0)
     axes.set(xlim=(t[0], t[-1]), xlabel="$t$  (s)", ylabel=r"$\omega_k$  (rad/s)")
     legend_above(axes, ncols=3)
 
@@ -237,7 +222,7 @@ def _draw_flip(axes: Axes, **values: float) -> None:
     draw_rates(axes, motion, _flip_times(motion))
     for k in range(FLIPS):
         at = (k + 0.5) * motion.nutation_period
-        axes.axvline(at, color=GREY, lw=0.8, ls=DOTTED, zorder=0, label="_flip")
+        axes.axvline(at, color=look.GREY, lw=0.8, ls=look.DOTTED, zorder=0, label="_flip")
 
 
 def _flip_caption(lambda1: float, lambda2: float, lambda3: float, omega: float, kick: float) -> str:
@@ -307,9 +292,9 @@ def draw_tumbling(body_axes: Axes, space_axes: Axes, motion: Motion) -> None:
     for k in range(3):
         axis, name = np.eye(3)[k], rf"$\mathbf{{e}}_{k + 1}$"
         shift = (-13.0, 2.0) if k == 0 else None  # beside the way of L of a long body
-        body.arrow(1.4 * axis, name, start=axis, shift=shift, color=AXIS, lw=1.0)
-    body.on_sphere(in_body, color=INK, lw=1.4, label="_momentum")
-    _mark(body, in_body[0], L_VEC)
+        body.arrow(1.4 * axis, name, start=axis, shift=shift, color=look.AXIS, lw=1.0)
+    body.on_sphere(in_body, color=look.INK, lw=1.4, label="_momentum")
+    _mark(body, in_body[0], look.L_VEC)
     turn = 2 * math.pi / math.hypot(*motion.omega)  # once round, if ω is constant
     run = motion.exact(np.linspace(0.0, turn if steady else NUTATIONS * period / 2, 2401))
     momentum = unit(run.angular_momentum[0])
@@ -317,10 +302,10 @@ def draw_tumbling(body_axes: Axes, space_axes: Axes, motion: Motion) -> None:
     frame = np.array([across, np.cross(momentum, across), momentum])
     path = run.e3 @ frame.T
     space.sphere()
-    space.arrow(1.4 * UPRIGHT, L_VEC, start=UPRIGHT, lw=1.0)
+    space.arrow(1.4 * UPRIGHT, look.L_VEC, start=UPRIGHT, lw=1.0)
     first = run.rotation.as_matrix()[:, :, 0] @ frame.T
-    space.on_sphere(first, color=GREY, lw=0.8)
-    space.on_sphere(path, color=AXIS, lw=1.5, label="_axis")
+    space.on_sphere(first, color=look.GREY, lw=0.8)
+    space.on_sphere(path, color=look.AXIS, lw=1.5, label="_axis")
     _mark(space, first[0], r"$\mathbf{e}_1$")
     _mark(space, path[0], r"$\mathbf{e}_3$")
 
@@ -328,9 +313,9 @@ def draw_tumbling(body_axes: Axes, space_axes: Axes, motion: Motion) -> None:
 def _mark(scene: Scene, point: Floats, words: str) -> None:
     """A dot with a name, open where it is behind."""
     x, _, near = scene.view(point)
-    scene.dot(point, ms=4, color=INK if near > 0 else "white", mec=INK, zorder=6)
+    scene.dot(point, ms=4, color=look.INK if near > 0 else "white", mec=look.INK, zorder=6)
     inwards = -12 * float(x), 5.0  # away from the outline of the sphere
-    scene.words(point, words, inwards, ha="center", color=INK, zorder=7)
+    scene.words(point, words, inwards, ha="center", color=look.INK, zorder=7)
 
 
 def _tumbling(omega1: float, omega2: float, omega3: float, **moments: float) -> Motion:
@@ -341,7 +326,7 @@ def _tumbling(omega1: float, omega2: float, omega3: float, **moments: float) -> 
 
 
 def _draw_tumbling(**values: float) -> Canvas:
-    drawn = canvas(WIDE, 2.9)
+    drawn = canvas(look.WIDE, 2.9)
     left, right = drawn.subplots(1, 2)
     draw_tumbling(left, right, _tumbling(**values))
     left.set_title(r"body frame: the way of $\mathbf{L}$")

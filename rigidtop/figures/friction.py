@@ -19,26 +19,9 @@ from rigidtop.derivations.exercises.friction import (
     time_to_grow,
 )
 from rigidtop.errors import RigidtopError
+from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.style import (
-    COLUMN,
-    DASHED,
-    DOTTED,
-    FIRST,
-    GREY,
-    INK,
-    SECOND,
-    SMALL,
-    THIRD,
-    WIDE,
-    Floats,
-    canvas,
-    degrees,
-    legend_above,
-    name_at,
-    said,
-    spoken,
-)
+from rigidtop.figures.style import Floats, canvas, degrees, legend_above, name_at, said, spoken
 from rigidtop.motion.table.motion import SlidingMotion, SlidingTop
 from rigidtop.motion.table.trajectory import SlidingTrajectory
 from rigidtop.parameters import Parameter
@@ -100,11 +83,11 @@ def _end_of(path: SlidingTrajectory) -> list[float]:
 
 def draw_tilt(axes: Axes, path: SlidingTrajectory, until: float) -> None:
     """θ(t) (degrees), and when it has come down to `until` (rad)."""
-    axes.plot(path.t, np.degrees(path.theta), color=FIRST, label="_theta")
+    axes.plot(path.t, np.degrees(path.theta), color=look.FIRST, label="_theta")
     then = crossing(path, until)
     if then is not None:
-        axes.plot(then, math.degrees(until), "o", color=SECOND, ms=4, label="_until")
-        name_at(axes, then, math.degrees(until), f"{then:.3g} s", (5, 3), color=INK)
+        axes.plot(then, math.degrees(until), "o", color=look.SECOND, ms=4, label="_until")
+        name_at(axes, then, math.degrees(until), f"{then:.3g} s", (5, 3), color=look.INK)
     axes.set(ylim=(0, None), ylabel=r"$\theta$  (degrees)")
 
 
@@ -127,7 +110,7 @@ def spent(path: SlidingTrajectory) -> Floats:
     return made
 
 
-FILLS = {"heat": SECOND, "weight": FIRST, "other motion": THIRD}
+FILLS = {"heat": look.SECOND, "weight": look.FIRST, "other motion": look.THIRD}
 
 
 def draw_budget(axes: Axes, path: SlidingTrajectory) -> None:
@@ -140,7 +123,9 @@ def draw_budget(axes: Axes, path: SlidingTrajectory) -> None:
         above = below + 1e3 * gain
         axes.fill_between(path.t, below, above, fc=FILLS[name], ec="white", lw=0.3, label=name)
         below = above
-    axes.plot(path.t, 1e3 * spent(path), color=INK, lw=1.1, ls=DASHED, label="lost by the spin")
+    axes.plot(
+        path.t, 1e3 * spent(path), color=look.INK, lw=1.1, ls=look.DASHED, label="lost by the spin"
+    )
     axes.set(
         ylim=(min(0.0, axes.get_ylim()[0]) if below.min() < 0 else 0.0, None), ylabel="energy  (mJ)"
     )
@@ -148,7 +133,7 @@ def draw_budget(axes: Axes, path: SlidingTrajectory) -> None:
 
 def draw_slip(axes: Axes, path: SlidingTrajectory) -> None:
     """|v(t)| of the contact over the table (m/s)."""
-    axes.plot(path.t, np.hypot(*path.slip.T), color=FIRST, label="_slip")
+    axes.plot(path.t, np.hypot(*path.slip.T), color=look.FIRST, label="_slip")
     axes.set(ylim=(0, None), ylabel="slip  (m/s)")
 
 
@@ -158,8 +143,13 @@ def draw_track(axes: Axes, path: SlidingTrajectory) -> None:
     rest = stands(path)
     first = len(x) if rest is None else int(np.searchsorted(path.t, rest))
     for piece, words, color, style in (
-        (slice(0, first + 1), "slides", FIRST, "-"),
-        (slice(first, None), "rolls, slips" if slips_again(path) else "rolls", SECOND, DASHED),
+        (slice(0, first + 1), "slides", look.FIRST, "-"),
+        (
+            slice(first, None),
+            "rolls, slips" if slips_again(path) else "rolls",
+            look.SECOND,
+            look.DASHED,
+        ),
     ):
         count = len(x[piece])
         if count > 1:
@@ -178,14 +168,14 @@ def draw_track(axes: Axes, path: SlidingTrajectory) -> None:
                 va="bottom" if beside[1] > 0 else "top",
                 color=color,
             )
-    axes.plot(x[0], y[0], "o", color=INK, ms=3.5)
+    axes.plot(x[0], y[0], "o", color=look.INK, ms=3.5)
     axes.set_aspect("equal", adjustable="datalim")
     axes.set(xlabel="$x$  (cm)", ylabel="$y$  (cm)")
 
 
 def _draw_rising(until: float, **values: float) -> Canvas:
     path = _risen(until, **values)
-    drawn = canvas(WIDE, 3.5)
+    drawn = canvas(look.WIDE, 3.5)
     (tilt, energy), (slip, track) = drawn.subplots(2, 2)
     draw_tilt(tilt, path, until)
     draw_budget(energy, path)
@@ -195,11 +185,11 @@ def _draw_rising(until: float, **values: float) -> Canvas:
     for axes in (tilt, energy, slip):
         axes.set(xlim=(0, path.t[-1]), xlabel="$t$  (s)")
         if rest is not None:
-            axes.axvline(rest, color=INK, lw=0.8, ls=DOTTED, label="_standstill")
+            axes.axvline(rest, color=look.INK, lw=0.8, ls=look.DOTTED, label="_standstill")
     if rest is not None:
-        name_at(slip, rest, slip.get_ylim()[1], "standstill", (4, -2), va="top", color=INK)
+        name_at(slip, rest, slip.get_ylim()[1], "standstill", (4, -2), va="top", color=look.INK)
     room = {"handlelength": 1.6, "handletextpad": 0.4, "columnspacing": 1.0}
-    legend_above(energy, ncols=4, fontsize=SMALL, **room)
+    legend_above(energy, ncols=4, fontsize=look.SMALL, **room)
     return drawn
 
 
@@ -304,18 +294,18 @@ def draw_waking(
 
     Dotted: where ω₃ is `sleeping` (rad/s), and where θ is `visible` (rad) for the first time.
     """
-    tilt.plot(path.t, np.degrees(path.theta), color=FIRST, label="_theta")
+    tilt.plot(path.t, np.degrees(path.theta), color=look.FIRST, label="_theta")
     tilt.set(yscale="log", ylabel=r"$\theta$  (degrees)")
-    spin.plot(path.t, path.omega[:, 2], color=FIRST, label="_omega3")
+    spin.plot(path.t, path.omega[:, 2], color=look.FIRST, label="_omega3")
     spin.set(ylabel=r"$\omega_3$  (rad/s)", xlabel="$t$  (s)")
     seen = crossing(path, visible)
     asleep = float(np.interp(-sleeping, -path.omega[:, 2], path.t))
     for axes in (tilt, spin):
         axes.set_xlim(0, path.t[-1])
-        axes.axvline(asleep, color=GREY, lw=0.9, ls=DOTTED, label="_asleep")
+        axes.axvline(asleep, color=look.GREY, lw=0.9, ls=look.DOTTED, label="_asleep")
         if seen is not None:
-            axes.axvline(seen, color=GREY, lw=0.9, ls=DOTTED, label="_seen")
-    spin.axhline(sleeping, color=GREY, lw=0.9, ls=DOTTED, label="_sleeping")
+            axes.axvline(seen, color=look.GREY, lw=0.9, ls=look.DOTTED, label="_seen")
+    spin.axhline(sleeping, color=look.GREY, lw=0.9, ls=look.DOTTED, label="_sleeping")
     low, high = spin.get_ylim()
     spin.set_ylim(low, max(high, sleeping + 0.3 * (high - low)))
     # Beside the curve, which is above this line at first and below it in the end.
@@ -329,15 +319,17 @@ def draw_waking(
         ha="center",
         va="bottom" if early else "top",
     )
-    tilt.plot(path.t[0], math.degrees(path.theta[0]), "o", color=INK, ms=3.5)
+    tilt.plot(path.t[0], math.degrees(path.theta[0]), "o", color=look.INK, ms=3.5)
     if seen is not None:
-        tilt.plot(seen, math.degrees(visible), "o", color=SECOND, ms=4, label="_visible")
-        name_at(tilt, seen, math.degrees(visible), f"{seen:.3g} s", (-5, 2), ha="right", color=INK)
+        tilt.plot(seen, math.degrees(visible), "o", color=look.SECOND, ms=4, label="_visible")
+        name_at(
+            tilt, seen, math.degrees(visible), f"{seen:.3g} s", (-5, 2), ha="right", color=look.INK
+        )
 
 
 def _draw_waking(**values: float) -> Canvas:
     path = _woken(**values)
-    drawn = canvas(COLUMN, 3.4)
+    drawn = canvas(look.COLUMN, 3.4)
     panels = drawn.subplots(2, 1, sharex=True)
     sleeping = about_tip(**{p.name: values[p.name] for p in ABOUT_CENTRE}).sleeping_spin()
     draw_waking(panels[0], panels[1], path, values["visible"], sleeping)

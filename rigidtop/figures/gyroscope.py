@@ -10,28 +10,13 @@ from matplotlib.figure import Figure as Canvas
 
 from rigidtop.derivations.exercises.bodies import simple_rate
 from rigidtop.derivations.exercises.gyroscope import disc_on_axle, gyroscope, spin_for, spinning
+from rigidtop.figures import style as look
 from rigidtop.figures.axle import draw_arrows, draw_axle, lean_of_momentum, steady, to_scale
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.rotors import fit, ring, sense_of_turn, solid_disc
+from rigidtop.figures.rotors import fit, sense_of_turn, solid_disc
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import UPRIGHT, Scene, View, arc
-from rigidtop.figures.style import (
-    COLUMN,
-    DASHED,
-    DOTTED,
-    FIRST,
-    GREY,
-    GROUND,
-    INK,
-    SECOND,
-    Floats,
-    canvas,
-    degrees,
-    in_math,
-    name_at,
-    said,
-    spoken,
-)
+from rigidtop.figures.space import UPRIGHT, Scene, View, arc, ring
+from rigidtop.figures.style import Floats, canvas, degrees, in_math, name_at, said, spoken
 from rigidtop.figures.torque import torque
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.rigid import SymmetricTop
@@ -53,8 +38,8 @@ def draw_gyroscope(axes: Axes, motion: TopMotion, radius: float) -> None:
     height = height_of_post(float(motion.start().theta[0]), arm, half)
     post = np.outer([0.0, height], UPRIGHT)
     plate = ring(post[1], UPRIGHT, 0.28, VIEW.axes[0])
-    scene.face(plate, fc=GROUND, ec=GREY, lw=0.7, zorder=0.5)
-    scene.line(post, color=GREY, lw=3.2, solid_capstyle="butt", zorder=1)
+    scene.face(plate, fc=look.GROUND, ec=look.GREY, lw=0.7, zorder=0.5)
+    scene.line(post, color=look.GREY, lw=3.2, solid_capstyle="butt", zorder=1)
     draw_axle(scene, motion, radius)
     solid_disc(scene, arm * e3, e3, half, 0.16 * half, zorder=2.5)
     _angle(scene, e3, 0.55 * arm)
@@ -69,12 +54,12 @@ def draw_gyroscope(axes: Axes, motion: TopMotion, radius: float) -> None:
 
 def _angle(scene: Scene, e3: Floats, size: float) -> None:
     """θ, from the vertical through O to the axle."""
-    scene.line(np.outer([0.0, 1.25 * size], UPRIGHT), color=GREY, lw=0.8, zorder=1)
+    scene.line(np.outer([0.0, 1.25 * size], UPRIGHT), color=look.GREY, lw=0.8, zorder=1)
     way = size * arc(UPRIGHT, e3)
-    scene.line(way, color=GREY, lw=0.9, zorder=1, label="_theta")
+    scene.line(way, color=look.GREY, lw=0.9, zorder=1, label="_theta")
     middle = 1.1 * way[len(way) // 2]
-    scene.words(middle, r"$\theta$", ha="center", va="bottom", color=INK, zorder=8)
-    scene.words(np.zeros(3), "$O$", (5, -9), color=INK, zorder=8)
+    scene.words(middle, r"$\theta$", ha="center", va="bottom", color=look.INK, zorder=8)
+    scene.words(np.zeros(3), "$O$", (5, -9), color=look.INK, zorder=8)
 
 
 def height_of_post(theta: float, arm: float, half: float) -> float:
@@ -105,21 +90,25 @@ def draw_simple_and_exact(
     exact = np.array([top.steady_precession(theta, spin)[0] for spin in spins])
     from_zero = np.linspace(0.6 * first, last, 400)
     words = r"$MgR/(\lambda_3\omega_3)$"
-    axes.plot(from_zero, simple_rate(top, from_zero), color=GREY, ls=DASHED, lw=1.1, label=words)
-    axes.plot(spins, exact, color=FIRST, label=r"$\Omega_-$ of (3.57)")
+    axes.plot(
+        from_zero, simple_rate(top, from_zero), color=look.GREY, ls=look.DASHED, lw=1.1, label=words
+    )
+    axes.plot(spins, exact, color=look.FIRST, label=r"$\Omega_-$ of (3.57)")
     now = top.steady_precession(theta, marked)[0]
-    axes.plot(marked, now, "o", color=FIRST, ms=4.5, label="_now")
+    axes.plot(marked, now, "o", color=look.FIRST, ms=4.5, label="_now")
     highest = 1.12 * max(top.steady_precession(theta, first)[0], 1.5 * now)
     axes.set(xlim=(0.6 * first, last), ylim=(0, highest))
     if least > 0.6 * first:
-        axes.axvline(least, color=GREY, lw=0.9, ls=DOTTED, label="_least")
+        axes.axvline(least, color=look.GREY, lw=0.9, ls=look.DOTTED, label="_least")
     if 0.6 * first < needed < last:
-        axes.plot([needed] * 2, [0, 0.45 * highest], color=SECOND, ls=DOTTED, label="_needed")
+        axes.plot(
+            [needed] * 2, [0, 0.45 * highest], color=look.SECOND, ls=look.DOTTED, label="_needed"
+        )
         words, right = f"{100 * tolerance:.3g} % apart", needed > 0.6 * (first + last)
         aside, side = (-4, "right") if right else (4, "left")
         # Where the curves are not: above them, or below where they are steep.
         height = 0.4 if simple_rate(top, needed) < 0.3 * highest else 0.06
-        name_at(axes, needed, height * highest, words, (aside, 0), ha=side, color=SECOND)
+        name_at(axes, needed, height * highest, words, (aside, 0), ha=side, color=look.SECOND)
     axes.legend(loc="upper right", handlelength=2.2, borderaxespad=0.1)
     axes.set(xlabel=r"$|\omega_3|$  (rad/s)", ylabel=r"$|\Omega|$  (rad/s)")
 
@@ -133,7 +122,7 @@ def _motion(M: float, radius: float, R: float, g: float, theta: float, omega3: f
 
 
 def _draw(tolerance: float, **values: float) -> Canvas:
-    drawn = canvas(COLUMN, 4.1)
+    drawn = canvas(look.COLUMN, 4.1)
     motion = _motion(**values)
     picture, chart = drawn.subplots(2, 1, height_ratios=(1.6, 1))
     draw_gyroscope(picture, motion, values["radius"])

@@ -9,29 +9,12 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.derivations.exercises.net_torque import gravity_on_a_solid
+from rigidtop.figures import style as look
 from rigidtop.figures.bodies import vertical
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import UPRIGHT, Scene, View, circle, paper, top_body
-from rigidtop.figures.style import (
-    AXIS,
-    DASHED,
-    DOTTED,
-    E3,
-    GREY,
-    INK,
-    NOTE,
-    R_CM,
-    WEIGHT,
-    Floats,
-    X,
-    Z,
-    alone,
-    degrees,
-    in_math,
-    said,
-    spoken,
-)
+from rigidtop.figures.style import Floats, alone, degrees, in_math, said, spoken
 from rigidtop.motion.attitude import from_euler_angles
 
 TALL = 1.4
@@ -63,19 +46,19 @@ def draw_leaning_cone(
     place = centre / size * e3
     weight = place - 0.42 * UPRIGHT
     top_body(scene, e3, height / size, radius / size)
-    scene.arrow(TALL * UPRIGHT, Z, lw=0.8, color=GREY, shift=(-8, 0))
-    scene.arrow(1.35 * e3, E3, color=AXIS, lw=1.0, shift=(9, 0))
-    scene.arrow(place, color=INK, lw=2.0)
+    scene.arrow(TALL * UPRIGHT, look.Z, lw=0.8, color=look.GREY, shift=(-8, 0))
+    scene.arrow(1.35 * e3, look.E3, color=look.AXIS, lw=1.0, shift=(9, 0))
+    scene.arrow(place, color=look.INK, lw=2.0)
     lean = theta * np.linspace(0.0, 1.0, 61)
     way = 1.18 * (np.outer(np.cos(lean), UPRIGHT) + np.outer(np.sin(lean), level))
     if not vertical(theta):
         _draw_angle(scene, way, r"$\theta$", (-8, -2), zorder=3)
         _draw_azimuth(scene, phi, level)
     _draw_height(scene, place, level)
-    scene.arrow(weight, start=place, color=INK, lw=1.4)
-    scene.words(weight, WEIGHT, (6, 2), color=INK)
+    scene.arrow(weight, start=place, color=look.INK, lw=1.4)
+    scene.words(weight, look.WEIGHT, (6, 2), color=look.INK)
     scene.dot(place)
-    scene.words(place, R_CM, (7, -9), color=INK, zorder=8)
+    scene.words(place, look.R_CM, (7, -9), color=look.INK, zorder=8)
     scene.couple(0.0 * nodes if vertical(theta) else 0.85 * nodes, (20, -4))
     shown = [
         circle(e3, math.atan2(radius, height)),
@@ -92,8 +75,8 @@ def draw_leaning_cone(
 
 def _draw_azimuth(scene: Scene, phi: float, level: Floats) -> None:
     """φ from x̂ to the direction into which the cone leans, under it."""
-    scene.arrow([0.6, 0.0, 0.0], X, color=GREY, lw=0.7, zorder=1.5)
-    scene.line(np.outer([0.0, 0.5], level), color=GREY, lw=0.7, ls=DOTTED, zorder=1.5)
+    scene.arrow([0.6, 0.0, 0.0], look.X, color=look.GREY, lw=0.7, zorder=1.5)
+    scene.line(np.outer([0.0, 0.5], level), color=look.GREY, lw=0.7, ls=look.DOTTED, zorder=1.5)
     turned = math.remainder(phi, 2 * math.pi) * np.linspace(0.0, 1.0, 61)
     way = 0.4 * np.column_stack([np.cos(turned), np.sin(turned), 0 * turned])
     _draw_angle(scene, way, r"$\phi$", (2, -8), zorder=1.5)
@@ -109,7 +92,7 @@ def _draw_angle(
 ) -> None:
     """An arc (N, 3) about the origin, and its name: outside, or `aside` where there is no room."""
     x, y, _ = scene.view(way)
-    scene.line(way, color=NOTE, lw=0.8, zorder=zorder, label="_angle")
+    scene.line(way, color=look.NOTE, lw=0.8, zorder=zorder, label="_angle")
     narrow = float(np.linalg.norm(way[-1] - way[0])) < NARROW
     at = 0 if narrow else 2 * len(way) // 5
     away = 8 / math.hypot(x[at], y[at])
@@ -122,9 +105,11 @@ def _draw_height(scene: Scene, place: Floats, level: Floats) -> None:
     """R cos θ, the height of the centre of mass over the tip, on the other side of ẑ."""
     beyond, height = -0.62 * level, place[2] * UPRIGHT
     for start, above in ((place, height), (np.zeros(3), 0 * UPRIGHT)):
-        scene.line([start, 1.1 * beyond + above], color=GREY, lw=0.8, ls=DASHED, zorder=2.9)
+        scene.line(
+            [start, 1.1 * beyond + above], color=look.GREY, lw=0.8, ls=look.DASHED, zorder=2.9
+        )
     both: dict[str, Any] = {"ends": "<|-|>", "width": 0.12, "length": 0.25, "zorder": 3}
-    scene.head(np.array([beyond, beyond + height]), color=NOTE, lw=0.8, **both)
+    scene.head(np.array([beyond, beyond + height]), color=look.NOTE, lw=0.8, **both)
     middle = beyond + height / 2
     scene.words(middle, r"$R\,\cos\theta$", (-4, 0), ha="right", va="center")
 

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.ndimage import distance_transform_edt, label
 
 from rigidtop.errors import RigidtopError
+from rigidtop.figures import style as look
 from rigidtop.figures.bodies import (
     SPIN,
     THETA,
@@ -28,18 +29,7 @@ from rigidtop.figures.bodies import (
 from rigidtop.figures.drawing import Drawing, one
 from rigidtop.figures.space import UPRIGHT, Scene, View, circle, paper
 from rigidtop.figures.style import (
-    COLUMN,
-    DASH_DOT,
-    DASHED,
-    DOTTED,
-    FIRST,
-    GREY,
-    INK,
-    RULE,
-    SECOND,
-    WIDE,
     Floats,
-    Z,
     alone,
     canvas,
     degrees,
@@ -66,12 +56,12 @@ def draw_path(axes: Axes, e3: ArrayLike, title: str = "") -> None:
     scene.sphere()
     polar = np.arccos(np.clip(path[:, 2], -1, 1))
     for theta in (polar.min(), polar.max()):
-        scene.on_sphere(circle(UPRIGHT, float(theta)), color=GREY, lw=0.7)
-    scene.on_sphere(path, color=FIRST, lw=1.3, label="_path")
-    scene.arrow(1.45 * UPRIGHT, Z, start=UPRIGHT, lw=0.9, shift=(7, -3))
+        scene.on_sphere(circle(UPRIGHT, float(theta)), color=look.GREY, lw=0.7)
+    scene.on_sphere(path, color=look.FIRST, lw=1.3, label="_path")
+    scene.arrow(1.45 * UPRIGHT, look.Z, start=UPRIGHT, lw=0.9, shift=(7, -3))
     paper(axes, (-1.04, 1.04), (-1.04, 1.34))
     if title:
-        axes.set_title(title, color=INK)
+        axes.set_title(title, color=look.INK)
 
 
 def nutation_times(motion: TopMotion, samples: int = 2400) -> Floats:
@@ -105,7 +95,7 @@ def _paths(theta: float, phi_dot: float, omega3: float, **top: float) -> list[To
 
 
 def _draw_paths(**values: float) -> Canvas:
-    drawn = canvas(WIDE, 2.55)
+    drawn = canvas(look.WIDE, 2.55)
     motions = _paths(**values)
     for axes, motion in zip(drawn.subplots(1, 3), motions, strict=True):
         draw_path(axes, motion.exact(nutation_times(motion)).e3, motion.regime)
@@ -153,11 +143,11 @@ PATHS = Drawing(
 
 def draw_theta(axes: Axes, motion: TopMotion, t: Floats) -> None:
     """θ(t) (degrees) between its turning points."""
-    axes.plot(t, np.degrees(motion.exact(t).theta), color=FIRST, label="_theta")
+    axes.plot(t, np.degrees(motion.exact(t).theta), color=look.FIRST, label="_theta")
     for angle, words in zip(
         np.degrees(motion.turning_points), (r"$\theta_1$", r"$\theta_2$"), strict=True
     ):
-        axes.axhline(float(angle), color=GREY, lw=0.8, ls=DOTTED)
+        axes.axhline(float(angle), color=look.GREY, lw=0.8, ls=look.DOTTED)
         name_at(axes, float(t[-1]), float(angle), words, (3, 0), va="center")
     axes.set_ylabel(r"$\theta$  (degrees)")
 
@@ -167,8 +157,8 @@ def draw_phi(axes: Axes, motion: TopMotion, t: Floats) -> None:
     phi = motion.exact(t).phi
     mean = motion.mean_precession
     if math.isfinite(mean):
-        axes.plot(t, np.degrees(phi[0] + mean * t), color=GREY, lw=0.9, ls=DASHED)
-    axes.plot(t, np.degrees(phi), color=FIRST, label="_phi")
+        axes.plot(t, np.degrees(phi[0] + mean * t), color=look.GREY, lw=0.9, ls=look.DASHED)
+    axes.plot(t, np.degrees(phi), color=look.FIRST, label="_phi")
     axes.set_ylabel(r"$\phi$  (degrees)")
 
 
@@ -179,9 +169,9 @@ def draw_energies(axes: Axes, motion: TopMotion, t: Floats) -> None:
     potential = run.vertical @ np.array(top.weight)
     energy = run.energy - constant
     for values, words, color, style in (
-        (energy - potential, "$T$", SECOND, DASH_DOT),
-        (potential, "$V$", FIRST, "-"),
-        (energy, "$E$", INK, DASHED),
+        (energy - potential, "$T$", look.SECOND, look.DASH_DOT),
+        (potential, "$V$", look.FIRST, "-"),
+        (energy, "$E$", look.INK, look.DASHED),
     ):
         axes.plot(t, values, color=color, ls=style, lw=1.2, label=words)
     low, high = axes.get_ylim()
@@ -205,7 +195,7 @@ def _shown_time(motion: TopMotion) -> float:
 def _draw_motion(**values: float) -> Canvas:
     motion = _start(**values)
     times = np.linspace(0.0, _shown_time(motion), 1201)
-    drawn = canvas(COLUMN, 4.3)
+    drawn = canvas(look.COLUMN, 4.3)
     panels = drawn.subplots(3, 1, sharex=True)
     for axes, draw in zip(panels, (draw_theta, draw_phi, draw_energies), strict=True):
         draw(axes, motion, times)
@@ -281,7 +271,12 @@ AREAS: Mapping[str, tuple[str, str]] = {
 """Colour and hatching of the regimes that fill areas; the others are lines and points."""
 
 
-VERTICAL: Mapping[str, Any] = {"color": INK, "lw": 1.0, "ls": DOTTED, "label": "_vertical"}
+VERTICAL: Mapping[str, Any] = {
+    "color": look.INK,
+    "lw": 1.0,
+    "ls": look.DOTTED,
+    "label": "_vertical",
+}
 
 
 def regime_map(top: HeavyTop, theta: float, spins: Floats, rates: Floats) -> NDArray[np.str_]:
@@ -315,20 +310,20 @@ def draw_regimes(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_dot
         inside = (regimes == name).astype(float)
         color, hatch = AREAS[name]
         if inside.all():
-            axes.axhspan(-phi_dot, phi_dot, fc=color, ec=RULE, hatch=hatch or None, lw=0)
+            axes.axhspan(-phi_dot, phi_dot, fc=color, ec=look.RULE, hatch=hatch or None, lw=0)
             continue
         axes.contourf(
             spins, rates, inside, levels=[0.5, 1.5], colors=[color], hatches=[hatch or None]
         )
     weight, high, low = top.M * top.g * top.R, 1 + math.cos(theta), 1 - math.cos(theta)
     whole = np.linspace(0.0, omega3, 2)
-    axes.plot(whole, 0 * whole, color=INK, lw=1.0, ls=DASHED, label="_cusps")
+    axes.plot(whole, 0 * whole, color=look.INK, lw=1.0, ls=look.DASHED, label="_cusps")
     axes.plot(whole, -top.lambda3 * whole / (top.lambda1 * low), **VERTICAL)
     least = spin_to_the_upright(top, theta)
     if least < omega3:
         fast = np.linspace(least, omega3, 200)[1:]
         second = 2 * weight / (top.lambda3 * fast)
-        axes.plot(fast, second, color=INK, lw=1.0, ls=DASHED, label="_cusps")
+        axes.plot(fast, second, color=look.INK, lw=1.0, ls=look.DASHED, label="_cusps")
         axes.plot(fast, top.lambda3 * fast / (top.lambda1 * high), **VERTICAL)
     _steady_lines(axes, top, theta, omega3, phi_dot)
     for name in known:
@@ -340,9 +335,9 @@ def draw_regimes(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_dot
         ylabel=r"$\dot\phi$ at the start  (rad/s)",
     )
     handles = [
-        Line2D([], [], color=SECOND, lw=1.6, label="steady"),
-        Line2D([], [], color=INK, lw=0.9, ls=DASHED, label="cusps"),
-        Line2D([], [], color=INK, lw=0.9, ls=DOTTED, label="vertical"),
+        Line2D([], [], color=look.SECOND, lw=1.6, label="steady"),
+        Line2D([], [], color=look.INK, lw=0.9, ls=look.DASHED, label="cusps"),
+        Line2D([], [], color=look.INK, lw=0.9, ls=look.DOTTED, label="vertical"),
     ]
     legend_above(axes, handles=handles, ncols=3)
 
@@ -355,10 +350,12 @@ def _steady_lines(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_do
     roots = np.array([top.steady_precession(theta, spin) for spin in spins])
     if least:  # both begin at one point
         spins = np.concatenate([spins[::-1], spins])
-        axes.plot(spins, np.append(roots[::-1, 1], roots[:, 0]), color=SECOND, lw=1.6)
+        axes.plot(spins, np.append(roots[::-1, 1], roots[:, 0]), color=look.SECOND, lw=1.6)
         return
     for root in roots.T:
-        axes.plot(spins, np.where(np.abs(root) < 10 * phi_dot, root, np.nan), color=SECOND, lw=1.6)
+        axes.plot(
+            spins, np.where(np.abs(root) < 10 * phi_dot, root, np.nan), color=look.SECOND, lw=1.6
+        )
 
 
 def _name_area(
@@ -381,7 +378,7 @@ def _name_area(
             name,
             ha="center",
             va="center",
-            color=INK,
+            color=look.INK,
         )
 
 

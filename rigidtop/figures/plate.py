@@ -15,25 +15,12 @@ from rigidtop.derivations.exercises.precession_of_rotation_axis import (
     plate_rates,
     wobbling_plate,
 )
+from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing, one
 from rigidtop.figures.rotors import solid_disc
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import UPRIGHT, Scene, View, paper
-from rigidtop.figures.style import (
-    AXIS,
-    COLUMN,
-    DASHED,
-    E3,
-    FIRST,
-    L_VEC,
-    MOMENTUM,
-    SECOND,
-    Floats,
-    degrees,
-    name_at,
-    said,
-    spoken,
-)
+from rigidtop.figures.style import Floats, degrees, name_at, said, spoken
 from rigidtop.motion.attitude import from_euler_angles
 from rigidtop.motion.motion import Motion
 from rigidtop.motion.trajectory import Trajectory
@@ -74,8 +61,8 @@ def turned(path: Trajectory) -> tuple[Floats, Floats]:
 def draw_turns(axes: Axes, path: Trajectory) -> None:
     """Turns of e₃ and of the mark against time (s); dots where `draw_plate` shows the plate."""
     pictures = slice(None, None, (len(path.t) - 1) // (PICTURES - 1))
-    styles = ((SECOND, "-", "_wobble"), (FIRST, DASHED, "_mark"))
-    words = ((f"{E3} about {L_VEC}", (-7, 5), "right"), ("mark", (3, -11), "left"))
+    styles = ((look.SECOND, "-", "_wobble"), (look.FIRST, look.DASHED, "_mark"))
+    words = ((f"{look.E3} about {look.L_VEC}", (-7, 5), "right"), ("mark", (3, -11), "left"))
     for turns, (color, style, label), (name, aside, side) in zip(
         turned(path), styles, words, strict=True
     ):
@@ -99,15 +86,17 @@ def draw_plate(
     # Both lines begin where they leave the upper face.
     face, vertical = 0.5 * height * e3, 0.5 * height / float(e3[2]) * UPRIGHT
     mark = face + half * e1
-    scene.line([face, mark], color=FIRST, lw=1.1, zorder=above)
-    style: dict[str, Any] = {"color": FIRST, "ms": 4.2, "clip_on": False, "label": "_mark"}
+    scene.line([face, mark], color=look.FIRST, lw=1.1, zorder=above)
+    style: dict[str, Any] = {"color": look.FIRST, "ms": 4.2, "clip_on": False, "label": "_mark"}
     scene.dot(mark, zorder=above + 0.1, **style)
-    scene.line([vertical, REACH * UPRIGHT], color=MOMENTUM, lw=0.9, ls=DASHED, zorder=above)
+    scene.line(
+        [vertical, REACH * UPRIGHT], color=look.MOMENTUM, lw=0.9, ls=look.DASHED, zorder=above
+    )
     tip = min(REACH, 0.98 / max(math.hypot(e3[0], e3[1]), 1e-9)) * e3
-    scene.arrow(tip, start=face, color=AXIS, lw=1.3, zorder=above + 0.2)
+    scene.arrow(tip, start=face, color=look.AXIS, lw=1.3, zorder=above + 0.2)
     if named:
-        scene.words(tip, E3, (1, 3), color=AXIS)
-        scene.words(REACH * UPRIGHT, L_VEC, (-2, 3), color=MOMENTUM, ha="right")
+        scene.words(tip, look.E3, (1, 3), color=look.AXIS)
+        scene.words(REACH * UPRIGHT, look.L_VEC, (-2, 3), color=look.MOMENTUM, ha="right")
 
 
 # --- Together ------------------------------------------------------------------------------------
@@ -120,7 +109,7 @@ def _path(motion: Motion) -> Trajectory:
 
 
 def _draw(theta: float, radius: float, thickness: float, omega3: float) -> Canvas:
-    drawn = Canvas(figsize=(COLUMN, 3.0))
+    drawn = Canvas(figsize=(look.COLUMN, 3.0))
     path = _path(thrown(theta, radius, thickness, omega3))
     left, width = 0.13, 0.84
     chart = drawn.add_axes((left, 0.15, width, 0.43))

@@ -9,27 +9,11 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.derivations.exercises.precession_of_rotation_axis import DAY, earth_euler_period
+from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import paper
-from rigidtop.figures.style import (
-    AXIS,
-    DASHED,
-    E3,
-    GREY,
-    INK,
-    OMEGA,
-    OMEGA_VEC,
-    SECOND,
-    SMALL,
-    Floats,
-    alone,
-    head,
-    in_math,
-    name_at,
-    said,
-    spoken,
-)
+from rigidtop.figures.style import Floats, alone, head, in_math, name_at, said, spoken
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.motion import Motion
 
@@ -76,9 +60,15 @@ def draw_polar_motion(
     once = np.linspace(0.0, found["period"], 361)
     way = way_of_the_pole(rigid, radius, once * DAY * omega3)
     size = found["ground"]
-    axes.plot(*way.T, color=OMEGA, lw=1.3, label="_way")
-    dot: dict[str, Any] = {"ms": 3.5, "mfc": INK, "mec": INK, "zorder": 5, "label": "_rigid"}
-    ring = {"ms": 5.5, "mfc": "white", "mec": SECOND, "zorder": 4.5, "label": "_yielding"}
+    axes.plot(*way.T, color=look.OMEGA, lw=1.3, label="_way")
+    dot: dict[str, Any] = {
+        "ms": 3.5,
+        "mfc": look.INK,
+        "mec": look.INK,
+        "zorder": 5,
+        "label": "_rigid",
+    }
+    ring = {"ms": 5.5, "mfc": "white", "mec": look.SECOND, "zorder": 4.5, "label": "_yielding"}
     for motion, period, outwards, mark in (
         (rigid, found["period"], 1, dot),
         (yielding, observed, -1, ring),
@@ -97,19 +87,19 @@ def draw_polar_motion(
                 color=mark["mec"],
                 ha="center",
                 va="center",
-                fontsize=SMALL,
+                fontsize=look.SMALL,
             )
     for k in (15, 195):  # where there are no days of either
-        head(axes, way[k], way[k + 5], width=0.18, length=0.4, color=OMEGA, lw=0.5, zorder=4)
-    axes.plot([0.0, size], [0.0, 0.0], color=GREY, lw=0.9, ls=DASHED, zorder=2)
-    axes.plot(0, 0, "o", color=AXIS, ms=4, zorder=5)
-    axes.plot(*way[0], "o", color=OMEGA, ms=6.5, zorder=6)
-    name_at(axes, 0.0, 0.0, E3, (-6, 0), color=AXIS, ha="right", va="center", fontsize=10)
-    name_at(axes, size, 0.0, OMEGA_VEC, (7, -3), color=OMEGA, fontsize=10)
-    name_at(axes, 0.5 * size, 0.0, f"${in_math(size)}$ m", (0, 3), ha="center", fontsize=SMALL)
+        head(axes, way[k], way[k + 5], width=0.18, length=0.4, color=look.OMEGA, lw=0.5, zorder=4)
+    axes.plot([0.0, size], [0.0, 0.0], color=look.GREY, lw=0.9, ls=look.DASHED, zorder=2)
+    axes.plot(0, 0, "o", color=look.AXIS, ms=4, zorder=5)
+    axes.plot(*way[0], "o", color=look.OMEGA, ms=6.5, zorder=6)
+    name_at(axes, 0.0, 0.0, look.E3, (-6, 0), color=look.AXIS, ha="right", va="center", fontsize=10)
+    name_at(axes, size, 0.0, look.OMEGA_VEC, (7, -3), color=look.OMEGA, fontsize=10)
+    name_at(axes, 0.5 * size, 0.0, f"${in_math(size)}$ m", (0, 3), ha="center", fontsize=look.SMALL)
     for words, period, up, color in (
-        ("outside: rigid", found["period"], 0.32, INK),
-        ("inside: observed", observed, -0.38, SECOND),
+        ("outside: rigid", found["period"], 0.32, look.INK),
+        ("inside: observed", observed, -0.38, look.SECOND),
     ):
         text = f"{words},\n${in_math(period)}$ days"
         name_at(axes, 0.0, up * size, text, color=color, ha="center", va="center")

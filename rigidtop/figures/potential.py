@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
+from rigidtop.figures import style as look
 from rigidtop.figures.bodies import (
     SPIN,
     THETA,
@@ -19,18 +20,7 @@ from rigidtop.figures.bodies import (
     vertical,
 )
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.style import (
-    DOTTED,
-    FIRST,
-    GREY,
-    INK,
-    SECOND,
-    Floats,
-    alone,
-    degrees,
-    name_at,
-    spoken,
-)
+from rigidtop.figures.style import Floats, alone, degrees, name_at, spoken
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.rigid import SymmetricTop
 from rigidtop.motion.top import HeavyTop
@@ -63,28 +53,28 @@ def draw_effective_potential(axes: Axes, motion: TopMotion) -> None:
     low = int(np.argmin(potential))
     depth = max(energy - float(potential[low]), 1e-3 * top.M * top.g * top.R)
     bottom = float(potential[low]) - 1.0 * depth
-    axes.plot(np.degrees(angles), potential, color=FIRST, label="_potential")
+    axes.plot(np.degrees(angles), potential, color=look.FIRST, label="_potential")
     inside = np.clip(np.linspace(turns[0], turns[1], 300), *shown)
     axes.fill_between(
         np.degrees(inside),
         np.minimum(effective_potential(top, inside, p_phi, p_psi), energy),
         energy,
-        color=FIRST,
+        color=look.FIRST,
         alpha=0.12,
         lw=0,
     )
     at = np.degrees(turns)
-    axes.plot(at, [energy, energy], "-o", color=INK, lw=1.0, ms=3.5, label="_energy")
+    axes.plot(at, [energy, energy], "-o", color=look.INK, lw=1.0, ms=3.5, label="_energy")
     same = float(turns[1] - turns[0]) < 1e-6
     names = (r"$\theta_1=\theta_2$",) if same else (r"$\theta_1$", r"$\theta_2$")
     for turn, name in zip(at, names, strict=False):
-        axes.plot([turn, turn], [bottom, energy], color=GREY, lw=0.8, ls=DOTTED)
-        name_at(axes, float(turn), bottom, name, (3, 4), color=INK)
-    name_at(axes, float(at[1]), energy, "$E$", (7, 0), va="center", color=INK)
+        axes.plot([turn, turn], [bottom, energy], color=look.GREY, lw=0.8, ls=look.DOTTED)
+        name_at(axes, float(turn), bottom, name, (3, 4), color=look.INK)
+    name_at(axes, float(at[1]), energy, "$E$", (7, 0), va="center", color=look.INK)
     if 0 < low < len(angles) - 1:
         place = float(np.degrees(angles[low])), float(potential[low])
-        axes.plot(*place, "s", color=SECOND, ms=4.5)
-        name_at(axes, *place, "steady", (0, -6), ha="center", va="top", color=SECOND)
+        axes.plot(*place, "s", color=look.SECOND, ms=4.5)
+        name_at(axes, *place, "steady", (0, -6), ha="center", va="top", color=look.SECOND)
     axes.set(
         xlim=np.degrees(shown),
         ylim=(bottom, energy + 1.6 * depth),

@@ -13,22 +13,10 @@ from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 
 from rigidtop.derivations.exercises import parallel
+from rigidtop.figures import style as look
 from rigidtop.figures.bodies import SPIN, THETA, TOP, of_top, top_in_words
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.style import (
-    DASHED,
-    DOTTED,
-    FIRST,
-    GREY,
-    INK,
-    SECOND,
-    Floats,
-    alone,
-    degrees,
-    name_at,
-    said,
-    spoken,
-)
+from rigidtop.figures.style import Floats, alone, degrees, name_at, said, spoken
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
@@ -51,18 +39,18 @@ def draw_precession_rates(axes: Axes, top: HeavyTop, theta: float, omega3: float
     weight, cosine = top.M * top.g * top.R, math.cos(theta)
     leaning = math.isfinite(marked[1])  # horizontal, there is no fast precession
     slow = weight / (top.lambda3 * spins)
-    axes.plot(spins, slow, color=GREY, lw=1.0, ls=DASHED)
+    axes.plot(spins, slow, color=look.GREY, lw=1.0, ls=look.DASHED)
     if least:
-        axes.axvline(least, color=GREY, lw=0.9, ls=DOTTED)
+        axes.axvline(least, color=look.GREY, lw=0.9, ls=look.DOTTED)
     if leaning:
         fast = top.lambda3 * spins / (top.lambda1 * cosine)
-        axes.plot(spins, fast, color=GREY, lw=1.0, ls=DASHED)
-        axes.plot(spins, rates[:, 1], color=SECOND, label="_fast")
-        axes.plot(omega3, marked[1], "o", color=SECOND, ms=4)
-        name_at(axes, last, rates[-1, 1], r"$\Omega_+$", (3, 0), va="center", color=SECOND)
-    axes.plot(spins, rates[:, 0], color=FIRST, label="_slow")
-    axes.plot(omega3, marked[0], "o", color=FIRST, ms=4)
-    name_at(axes, last, rates[-1, 0], r"$\Omega_-$", (3, 0), va="center", color=FIRST)
+        axes.plot(spins, fast, color=look.GREY, lw=1.0, ls=look.DASHED)
+        axes.plot(spins, rates[:, 1], color=look.SECOND, label="_fast")
+        axes.plot(omega3, marked[1], "o", color=look.SECOND, ms=4)
+        name_at(axes, last, rates[-1, 1], r"$\Omega_+$", (3, 0), va="center", color=look.SECOND)
+    axes.plot(spins, rates[:, 0], color=look.FIRST, label="_slow")
+    axes.plot(omega3, marked[0], "o", color=look.FIRST, ms=4)
+    name_at(axes, last, rates[-1, 0], r"$\Omega_-$", (3, 0), va="center", color=look.FIRST)
     top_edge = max(rates[-1, 1] if leaning else 0.0, 0.0) or 4 * float(marked[0])
     bottom = min(rates[-1, 1], 0.0) if leaning else 0.0
     axes.set(xlim=(0.5 * least, last), ylim=(1.02 * bottom, 1.08 * top_edge))
@@ -93,7 +81,7 @@ def draw_precession_rates(axes: Axes, top: HeavyTop, theta: float, omega3: float
             r"$\frac{2}{\lambda_3}\sqrt{\lambda_1 MgR\,\cos\theta}$",
             (4, -1),
             va="top",
-            color=INK,
+            color=look.INK,
         )
     axes.set(xlabel=r"$\omega_3$  (rad/s)", ylabel=r"$\Omega$  (rad/s)")
 
@@ -192,10 +180,10 @@ def draw_asymptotics(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> 
 
     lines, dots = errors(spins), errors(marked)
     for order, width in ((0, 1.5), (1, 1.0)):
-        for root, (color, style) in enumerate(((FIRST, "-"), (SECOND, DASHED))):
+        for root, (color, style) in enumerate(((look.FIRST, "-"), (look.SECOND, look.DASHED))):
             axes.plot(epsilon, lines[order, root], color=color, ls=style, lw=width)
             axes.plot(weakness(top, theta, omega3), dots[order, root], "o", color=color, ms=3.5)
-    axes.axhline(0.01, color=GREY, lw=0.8, ls=DOTTED)
+    axes.axhline(0.01, color=look.GREY, lw=0.8, ls=look.DOTTED)
     axes.set(
         xscale="log", yscale="log", xlim=(epsilon[0], 0.4), ylim=(float(lines[1].min()) / 3, 2.0)
     )
@@ -209,15 +197,15 @@ def draw_asymptotics(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> 
             words,
             (-4, 4),
             ha="right",
-            color=INK,
+            color=look.INK,
         )
     axes.set(
         xlabel=r"$\epsilon = \lambda_1 MgR\,\cos\theta/(\lambda_3\omega_3)^2$",
         ylabel="relative error",
     )
     handles = [
-        Line2D([], [], color=FIRST, label=r"$\Omega_-$"),
-        Line2D([], [], color=SECOND, ls=DASHED, label=r"$\Omega_+$"),
+        Line2D([], [], color=look.FIRST, label=r"$\Omega_-$"),
+        Line2D([], [], color=look.SECOND, ls=look.DASHED, label=r"$\Omega_+$"),
     ]
     axes.legend(handles=handles, loc="lower right", handlelength=2.2)
 
@@ -340,8 +328,8 @@ def draw_parallel(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> Non
     times = _over_nutations(motion)
     angle = np.degrees(angle_to_momentum(motion, times))
     bound = math.degrees(bound_of_angle(motion))
-    axes.plot(times, angle, color=FIRST, label="_angle")
-    axes.axhline(bound, color=SECOND, lw=1.1, ls=DASHED, label="_bound")
+    axes.plot(times, angle, color=look.FIRST, label="_angle")
+    axes.axhline(bound, color=look.SECOND, lw=1.1, ls=look.DASHED, label="_bound")
     axes.set(xlim=(0, times[-1]), ylim=(0, 1.3 * bound or 1.0))
     name_at(
         axes,
@@ -350,7 +338,7 @@ def draw_parallel(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> Non
         r"$\arctan(2\epsilon_0\,|1-\lambda_3/\lambda_1|\,\sin\theta_\mathrm{max})$",
         (4, 5),
         va="bottom",
-        color=SECOND,
+        color=look.SECOND,
     )
     axes.set(
         xlabel="$t$  (s)", ylabel=r"angle of $\mathbf{L}$ and $\boldsymbol{\omega}$  (degrees)"

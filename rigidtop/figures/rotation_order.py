@@ -11,10 +11,11 @@ from matplotlib.figure import Figure as Canvas
 from scipy.spatial.transform import Rotation
 
 from rigidtop.derivations.exercises.rotation_matrices import about, rotations_form_a_group
+from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import Scene, View, paper, unit
-from rigidtop.figures.style import COLUMN, FIRST, GREY, Floats, canvas, degrees, said, spoken
+from rigidtop.figures.style import Floats, canvas, degrees, said, spoken
 
 VIEW = View(azimuth=0.5, elevation=0.42)
 HALF = np.array([0.15, 0.5, 0.66])
@@ -86,7 +87,7 @@ def draw_book(scene: Scene, turn: Floats) -> None:
         corner = corners(axis, side) @ turn.T
         scene.face(corner, fc=color, ec=EDGE, lw=0.8, zorder=3, joinstyle="round")
         for stroke in strokes(axis, side) if color != SPINE else ():
-            ink, width = (GREY, 0.4) if color == PAPER else (EDGE, 2.2)
+            ink, width = (look.GREY, 0.4) if color == PAPER else (EDGE, 2.2)
             name = "_letter" if color == COVER else None
             scene.line(stroke @ turn.T, color=ink, lw=width, zorder=4, label=name)
 
@@ -124,7 +125,7 @@ def draw_turned(axes: Axes, turn: Floats, gamma: float, last: Turn | None = None
     for end, name in zip(ends, names, strict=True):
         out, seen = leaves(turn, unit(end))
         above = 5 if seen else 2
-        scene.arrow(end, name, start=out, shift=below, color=FIRST, lw=1.0, zorder=above)
+        scene.arrow(end, name, start=out, shift=below, color=look.FIRST, lw=1.0, zorder=above)
 
 
 def _draw_way(scene: Scene, way: Floats, angle: float, zorder: float) -> None:
@@ -156,7 +157,7 @@ def orders(alpha: float, beta: float, gamma: float) -> list[list[tuple[str, Floa
 
 
 def _draw(**values: float) -> Canvas:
-    drawn = canvas(COLUMN, 2.55)
+    drawn = canvas(look.COLUMN, 2.55)
     for row, panels in zip(orders(**values), drawn.subplots(2, 3), strict=True):
         for (words, turn, last), axes in zip(row, panels, strict=True):
             draw_turned(axes, turn, values["gamma"], last)

@@ -8,31 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rigidtop.figures.space import Scene, View, outline, paper, unit
-from rigidtop.figures.style import EDGE, FACE, MANTLE, OMEGA, Floats
+from rigidtop.figures import style as look
+from rigidtop.figures.space import Scene, View, outline, paper, ring, unit
+from rigidtop.figures.style import Floats
 
 TAIL, HEAD = 3.6, 1.0
 """Where a curved arrow begins and ends, in angles from the side of the eye (rad)."""
-
-
-def ring(
-    centre: ArrayLike,
-    axis: ArrayLike,
-    radius: float,
-    towards: ArrayLike,
-    sweep: float = 2 * math.pi,
-    count: int = 121,
-) -> Floats:
-    """Points (count, 3) on a circle: by the angle `sweep` (rad) about `axis`, by the right hand.
-
-    They begin on the side `towards` which a vector points that is not along the axis.
-    """
-    along, wanted = unit(axis), np.asarray(towards, dtype=float)
-    first = unit(wanted - (wanted @ along) * along)
-    turn = np.linspace(0.0, sweep, count)[:, None]
-    second = np.cross(along, first)
-    points = radius * (np.cos(turn) * first + np.sin(turn) * second)
-    return np.asarray(centre, dtype=float) + points
 
 
 def nearest_side(view: View, axis: ArrayLike) -> Floats:
@@ -55,9 +36,11 @@ def solid_disc(
     side = nearest_side(scene.view, along)
     faces = [ring(middle + half * thickness * along, along, radius, side) for half in (-0.5, 0.5)]
     near = faces[1] if float(along @ scene.view.axes[2]) > 0 else faces[0]
-    style: dict[str, Any] = {"ec": EDGE, "lw": 0.7, "joinstyle": "round"}
-    scene.axes.fill(*outline(scene.view, np.vstack(faces)).T, fc=MANTLE, zorder=zorder, **style)
-    scene.face(near, fc=FACE, zorder=zorder + 0.05, **style)
+    style: dict[str, Any] = {"ec": look.EDGE, "lw": 0.7, "joinstyle": "round"}
+    scene.axes.fill(
+        *outline(scene.view, np.vstack(faces)).T, fc=look.MANTLE, zorder=zorder, **style
+    )
+    scene.face(near, fc=look.FACE, zorder=zorder + 0.05, **style)
 
 
 def sense_of_turn(
@@ -82,12 +65,12 @@ def sense_of_turn(
     first = ring(np.zeros(3), along, 1.0, front, -TAIL, 2)[1]
     points = ring(middle, along, radius, first, TAIL + HEAD)
     behind = view(points)[2] < float(view(middle)[2]) - 1e-9
-    scene.curve(points, behind, color=OMEGA, lw=1.2, zorder=zorder)
+    scene.curve(points, behind, color=look.OMEGA, lw=1.2, zorder=zorder)
     tip = zorder + 0.1
-    scene.head(points[[-8, -1]], width=0.16, length=0.34, color=OMEGA, lw=0.8, zorder=tip)
+    scene.head(points[[-8, -1]], width=0.16, length=0.34, color=look.OMEGA, lw=0.8, zorder=tip)
     x, _, _ = view(points)
     k, shift, side = (np.argmin(x), -4, "right") if left else (np.argmax(x), 4, "left")
-    scene.words(points[k], words, (shift, -3), color=OMEGA, ha=side, zorder=8)
+    scene.words(points[k], words, (shift, -3), color=look.OMEGA, ha=side, zorder=8)
     return points
 
 

@@ -11,20 +11,8 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial import ConvexHull
 
-from rigidtop.figures.style import (
-    EDGE,
-    FACE,
-    GROUND,
-    HIDDEN,
-    INK,
-    MANTLE,
-    N_VEC,
-    RULE,
-    TORQUE,
-    Floats,
-    head,
-    name_at,
-)
+from rigidtop.figures import style as look
+from rigidtop.figures.style import Floats, head, name_at
 
 SIZE = 10
 """Of the names of arrows (points)."""
@@ -68,11 +56,29 @@ def circle(axis: ArrayLike, half_angle: float, count: int = 241, length: float =
     They go round it by the right hand.
     """
     along = unit(axis)
-    across = unit(np.cross(along, [1.0, 0.0, 0.0] if abs(along[0]) < 0.9 else [0.0, 1.0, 0.0]))
-    third = np.cross(along, across)
-    turn = np.linspace(0.0, 2 * math.pi, count)[:, None]
-    ring = np.cos(turn) * across + np.sin(turn) * third
-    return length * (math.cos(half_angle) * along + math.sin(half_angle) * ring)
+    across = np.cross(along, [1.0, 0.0, 0.0] if abs(along[0]) < 0.9 else [0.0, 1.0, 0.0])
+    centre, radius = length * math.cos(half_angle) * along, length * math.sin(half_angle)
+    return ring(centre, along, radius, across, count=count)
+
+
+def ring(
+    centre: ArrayLike,
+    axis: ArrayLike,
+    radius: float,
+    towards: ArrayLike,
+    sweep: float = 2 * math.pi,
+    count: int = 121,
+) -> Floats:
+    """Points (count, 3) on a circle: by the angle `sweep` (rad) about `axis`, by the right hand.
+
+    They begin on the side `towards` which a vector points that is not along the axis.
+    """
+    along, wanted = unit(axis), np.asarray(towards, dtype=float)
+    first = unit(wanted - (wanted @ along) * along)
+    turn = np.linspace(0.0, sweep, count)[:, None]
+    second = np.cross(along, first)
+    points = radius * (np.cos(turn) * first + np.sin(turn) * second)
+    return np.asarray(centre, dtype=float) + points
 
 
 def arc(first: ArrayLike, last: ArrayLike, count: int = 61, length: float = 1.0) -> Floats:
@@ -97,7 +103,7 @@ class Scene:
 
     def dot(self, point: ArrayLike, **style: Any) -> None:
         """A point, over most of the rest."""
-        self.line(point, "o", **{"color": INK, "ms": 3.5, "zorder": 7, **style})
+        self.line(point, "o", **{"color": look.INK, "ms": 3.5, "zorder": 7, **style})
 
     def face(self, points: ArrayLike, **style: Any) -> None:
         """The area within these points."""
@@ -124,7 +130,7 @@ class Scene:
         width = style.get("lw", 1.2)
         style.setdefault("zorder", 3)
         if np.any(hidden):
-            faint = {"lw": 0.65 * width, "alpha": 0.65, "ls": HIDDEN, "zorder": 1.5}
+            faint = {"lw": 0.65 * width, "alpha": 0.65, "ls": look.HIDDEN, "zorder": 1.5}
             self.axes.plot(across * back, up * back, **{**style, **faint})
         if not np.all(hidden):
             self.axes.plot(across * front, up * front, **style)
@@ -141,8 +147,8 @@ class Scene:
     def sphere(self) -> None:
         """The outline of the unit sphere, and its equator."""
         around = np.linspace(0.0, 2 * math.pi, 241)
-        self.axes.plot(np.cos(around), np.sin(around), color=RULE, lw=0.8, zorder=1)
-        self.on_sphere(circle(UPRIGHT, math.pi / 2), color=RULE, lw=0.8)
+        self.axes.plot(np.cos(around), np.sin(around), color=look.RULE, lw=0.8, zorder=1)
+        self.on_sphere(circle(UPRIGHT, math.pi / 2), color=look.RULE, lw=0.8)
 
     def arrow(
         self,
@@ -151,7 +157,7 @@ class Scene:
         *,
         start: ArrayLike = (0.0, 0.0, 0.0),
         shift: tuple[float, float] | None = None,
-        color: str = INK,
+        color: str = look.INK,
         lw: float = 1.4,
         zorder: float = 5,
     ) -> None:
@@ -179,15 +185,18 @@ class Scene:
     def couple(self, along: ArrayLike, shift: tuple[float, float], **style: Any) -> None:
         """N at the origin, or that there is none, `shift` points (of print) away from it."""
         if np.any(along):
-            self.arrow(along, N_VEC, color=TORQUE, lw=1.9)
+            self.arrow(along, look.N_VEC, color=look.TORQUE, lw=1.9)
         else:
-            self.words(np.zeros(3), r"$\mathbf{N} = 0$", shift, color=TORQUE, **style)
+            self.words(np.zeros(3), r"$\mathbf{N} = 0$", shift, color=look.TORQUE, **style)
 
 
-def total(vectors: Floats) -> Floats:
-    """The sum of vectors (N, 3); zero where it is no more than rounding."""
+def total(vectors: Floats, sizes: float = 0.0) -> Floats:
+    """The sum of vectors (N, 3); zero where it is no more than rounding.
+
+    `sizes` are those of the factors, where the vectors themselves may be no more than that.
+    """
     found: Floats = vectors.sum(axis=0)
-    most = np.linalg.norm(vectors, axis=1).sum()
+    most = max(sizes, float(np.linalg.norm(vectors, axis=1).sum()))
     return np.zeros(3) if np.linalg.norm(found) <= ROUNDING * most else found
 
 
@@ -228,19 +237,19 @@ def top_body(
     seen_from_above = float(scene.view(axis)[2]) > 0
     mantle = outline(scene.view, np.vstack([rim, np.zeros((1, 3))]))
     lid = np.column_stack(scene.view(rim)[:2])
-    parts = [(mantle, MANTLE), (lid, FACE)]
+    parts = [(mantle, look.MANTLE), (lid, look.FACE)]
     if not seen_from_above:
         parts.reverse()
     for step, (shape, color) in enumerate(parts):
         scene.axes.fill(*shape.T, fc="white", ec="none", zorder=zorder + 0.1 * step)
-        scene.axes.fill(*shape.T, fc=color, ec=EDGE, lw=0.7, zorder=zorder + 0.1 * step + 0.05)
+        scene.axes.fill(*shape.T, fc=color, ec=look.EDGE, lw=0.7, zorder=zorder + 0.1 * step + 0.05)
     if psi_mark is not None and seen_from_above:
         centre = height * axis
         line = np.array([centre, centre + radius * unit(psi_mark)])
-        scene.line(line, color=EDGE, lw=1.2, zorder=zorder + 0.3)
+        scene.line(line, color=look.EDGE, lw=1.2, zorder=zorder + 0.3)
 
 
 def table(scene: Scene, radius: float = 0.75) -> None:
     """The table on which the tip stands: a disc about the origin."""
     rim = circle(UPRIGHT, math.pi / 2, length=radius)
-    scene.face(rim, fc=GROUND, ec=RULE, lw=0.6, zorder=0)
+    scene.face(rim, fc=look.GROUND, ec=look.RULE, lw=0.6, zorder=0)

@@ -9,25 +9,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 
+from rigidtop.figures import style as look
 from rigidtop.figures.bodies import TOP, has_phi, rates_in_words, start_in_words, top_in_words
 from rigidtop.figures.drawing import Drawing, Film, one
 from rigidtop.figures.nutation import nutation_times
 from rigidtop.figures.space import Scene, View, paper, table, top_body, unit
-from rigidtop.figures.style import (
-    AXIS,
-    COLUMN,
-    E3,
-    FIRST,
-    GREY,
-    L_VEC,
-    MOMENTUM,
-    OMEGA,
-    OMEGA_VEC,
-    Floats,
-    Z,
-    said,
-    spoken,
-)
+from rigidtop.figures.style import Floats, said, spoken
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
@@ -49,14 +36,14 @@ def draw_top(axes: Axes, motion: TopMotion, t: float, since: Floats) -> None:
     e3 = run.e3[0]
     if motion.turning_points[1] < STANDING:
         table(scene, 0.6)
-    scene.arrow([0, 0, 1.6], Z, lw=0.8, color=GREY, shift=(7, 2), zorder=1)
+    scene.arrow([0, 0, 1.6], look.Z, lw=0.8, color=look.GREY, shift=(7, 2), zorder=1)
     path = TRAIL * motion.exact(since).e3
-    scene.curve(path, path[:, 0] < 0, color=FIRST, lw=1.2)
+    scene.curve(path, path[:, 0] < 0, color=look.FIRST, lw=1.2)
     mark = run.rotation.as_matrix()[0][:, 0]
     top_body(scene, e3, psi_mark=mark, zorder=2 if e3[0] > 0 else 1.2)
-    scene.arrow(TRAIL * e3, E3, color=AXIS, lw=1.3, start=0.9 * e3)
-    scene.arrow(1.2 * unit(run.angular_momentum[0]), L_VEC, color=MOMENTUM, lw=1.3)
-    scene.arrow(1.05 * unit(run.omega_space[0]), OMEGA_VEC, color=OMEGA, lw=1.5)
+    scene.arrow(TRAIL * e3, look.E3, color=look.AXIS, lw=1.3, start=0.9 * e3)
+    scene.arrow(1.2 * unit(run.angular_momentum[0]), look.L_VEC, color=look.MOMENTUM, lw=1.3)
+    scene.arrow(1.05 * unit(run.omega_space[0]), look.OMEGA_VEC, color=look.OMEGA, lw=1.5)
 
 
 def draw_stroboscopic(axes: Axes, motion: TopMotion, times: Floats) -> None:
@@ -64,9 +51,9 @@ def draw_stroboscopic(axes: Axes, motion: TopMotion, times: Floats) -> None:
     scene = Scene(axes, VIEW)
     if motion.turning_points[1] < STANDING:
         table(scene, 0.6)
-    scene.arrow([0, 0, 1.6], Z, lw=0.8, color=GREY, shift=(7, 2), zorder=8)
+    scene.arrow([0, 0, 1.6], look.Z, lw=0.8, color=look.GREY, shift=(7, 2), zorder=8)
     path = TRAIL * motion.exact(times).e3
-    scene.curve(path, path[:, 0] < 0, color=FIRST, lw=1.3, zorder=7)
+    scene.curve(path, path[:, 0] < 0, color=look.FIRST, lw=1.3, zorder=7)
     flashes = np.linspace(times[0], times[-1], FLASHES)
     run = motion.exact(flashes)
     towards = VIEW(run.e3)[2]
@@ -75,7 +62,7 @@ def draw_stroboscopic(axes: Axes, motion: TopMotion, times: Floats) -> None:
         e3 = run.e3[k]
         level = 2 + 0.5 * place
         top_body(scene, e3, *BODY, psi_mark=mark, zorder=level)
-        about: dict[str, Any] = {"color": AXIS, "lw": 1.2, "zorder": level + 0.4}
+        about: dict[str, Any] = {"color": look.AXIS, "lw": 1.2, "zorder": level + 0.4}
         scene.arrow(TRAIL * e3, rf"${k + 1}$", start=BODY[0] * e3, shift=(0, 10), **about)
 
 
@@ -92,7 +79,7 @@ def _times(motion: TopMotion, samples: int) -> Floats:
 
 
 def _empty() -> tuple[Canvas, Axes]:
-    drawn = Canvas(figsize=(COLUMN, 2.9))
+    drawn = Canvas(figsize=(look.COLUMN, 2.9))
     return drawn, drawn.add_axes((0.0, 0.0, 1.0, 1.0))
 
 

@@ -8,29 +8,11 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.errors import NoSteadyPrecession
+from rigidtop.figures import style as look
 from rigidtop.figures.bodies import TOP, start_in_words, top_in_words
 from rigidtop.figures.drawing import Drawing, one
 from rigidtop.figures.space import Scene, View, circle, paper, table, top_body, unit
-from rigidtop.figures.style import (
-    AXIS,
-    DASHED,
-    E3,
-    GREY,
-    INK,
-    L_DOT,
-    L_VEC,
-    MOMENTUM,
-    OMEGA,
-    OMEGA_VEC,
-    R_CM,
-    TORQUE,
-    WEIGHT,
-    Floats,
-    Z,
-    alone,
-    said,
-    spoken,
-)
+from rigidtop.figures.style import Floats, alone, said, spoken
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
@@ -71,22 +53,22 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
     length = 1.42
     tilt = math.acos(float(np.clip(momentum[2], -1, 1)))
     rim = circle([0.0, 0.0, 1.0], tilt, length=length)
-    scene.ring(rim, color=OMEGA, lw=0.9, ls=DASHED)
-    scene.arrow([0, 0, 1.95], Z, lw=0.8, color=GREY, shift=(7, 2))
-    scene.arrow(centre, start=(0, 0, 0), color=INK, lw=2.0)
-    scene.arrow(1.62 * e3, E3, color=AXIS, lw=1.0, shift=(9, 0))
-    scene.arrow(length * momentum, L_VEC, color=MOMENTUM, lw=1.7, shift=(9, 2))
-    scene.arrow(1.2 * omega, OMEGA_VEC, color=OMEGA, lw=1.7, shift=(9, -3))
+    scene.ring(rim, color=look.OMEGA, lw=0.9, ls=look.DASHED)
+    scene.arrow([0, 0, 1.95], look.Z, lw=0.8, color=look.GREY, shift=(7, 2))
+    scene.arrow(centre, start=(0, 0, 0), color=look.INK, lw=2.0)
+    scene.arrow(1.62 * e3, look.E3, color=look.AXIS, lw=1.0, shift=(9, 0))
+    scene.arrow(length * momentum, look.L_VEC, color=look.MOMENTUM, lw=1.7, shift=(9, 2))
+    scene.arrow(1.2 * omega, look.OMEGA_VEC, color=look.OMEGA, lw=1.7, shift=(9, -3))
     scene.couple(0.95 * couple, (-6, -10), ha="right")
     if np.any(couple):
         beyond = length * momentum + 0.42 * couple
-        scene.arrow(beyond, start=length * momentum, color=TORQUE, lw=1.2)
-        scene.words(beyond, L_DOT, (2, 4), color=TORQUE, ha="center")
-    scene.arrow(centre - [0, 0, 0.46], start=centre, color=INK, lw=1.4)
-    scene.words(centre - [0, 0, 0.46], WEIGHT, (6, 2), color=INK)
+        scene.arrow(beyond, start=length * momentum, color=look.TORQUE, lw=1.2)
+        scene.words(beyond, look.L_DOT, (2, 4), color=look.TORQUE, ha="center")
+    scene.arrow(centre - [0, 0, 0.46], start=centre, color=look.INK, lw=1.4)
+    scene.words(centre - [0, 0, 0.46], look.WEIGHT, (6, 2), color=look.INK)
     scene.dot(centre)
-    scene.words(centre, R_CM, (7, -9), color=INK, zorder=8)
-    scene.words([0.0, 0.0, 0.0], "$O$", (5, -10), color=INK)
+    scene.words(centre, look.R_CM, (7, -9), color=look.INK, zorder=8)
+    scene.words([0.0, 0.0, 0.0], "$O$", (5, -10), color=look.INK)
     paper(axes, (-1.45, 1.7), (min(-0.3, 1.6 * e3[2] - 0.4), 1.92))
 
 

@@ -16,28 +16,12 @@ from rigidtop.derivations.exercises.toy_top import (
     spinning_at,
     top_from_the_toy_box,
 )
+from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.rotors import ring, sense_of_turn, solid_disc
+from rigidtop.figures.rotors import sense_of_turn, solid_disc
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import UPRIGHT, Scene, View, arc, paper
-from rigidtop.figures.style import (
-    COLUMN,
-    DASHED,
-    DOTTED,
-    FIRST,
-    GREY,
-    GROUND,
-    INK,
-    NOTE,
-    R_CM,
-    RULE,
-    SECOND,
-    canvas,
-    degrees,
-    name_at,
-    said,
-    spoken,
-)
+from rigidtop.figures.space import UPRIGHT, Scene, View, arc, paper, ring
+from rigidtop.figures.style import canvas, degrees, name_at, said, spoken
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 
@@ -72,20 +56,20 @@ def draw_toy_top(
     top, middle = stem_length / size, disc_height / size
     half, height = disc_radius / size, disc_thickness / size
     ground = ring(np.zeros(3), UPRIGHT, 0.75, VIEW.axes[0])
-    scene.face(ground, fc=GROUND, ec=RULE, lw=0.6, zorder=0)
+    scene.face(ground, fc=look.GROUND, ec=look.RULE, lw=0.6, zorder=0)
     upper = middle + height / 2
     for ends, order in (((0.0, middle), 1.5), ((upper, top), 3.0)):
         style = {"lw": 2.4, "solid_capstyle": "butt", "zorder": order, "label": "_stem"}
-        scene.line(np.outer(ends, e3), color=NOTE, **style)
+        scene.line(np.outer(ends, e3), color=look.NOTE, **style)
     solid_disc(scene, middle * e3, e3, half, height, zorder=2)
     centre = centre_of_mass / size * e3
     scene.dot(centre, label="_centre")
-    scene.words(centre, R_CM, (5, -8), color=INK, zorder=8)
-    scene.line([top * e3, (top + 0.62) * e3], color=GREY, lw=0.8, zorder=1)
-    scene.line(np.outer([0.0, top + 0.62], UPRIGHT), color=GREY, lw=0.8, zorder=1)
+    scene.words(centre, look.R_CM, (5, -8), color=look.INK, zorder=8)
+    scene.line([top * e3, (top + 0.62) * e3], color=look.GREY, lw=0.8, zorder=1)
+    scene.line(np.outer([0.0, top + 0.62], UPRIGHT), color=look.GREY, lw=0.8, zorder=1)
     way = (top + 0.5) * arc(UPRIGHT, e3)
-    scene.line(way, color=GREY, lw=0.9, zorder=1)
-    scene.words(1.05 * way[30], r"$\theta$", (0, 2), color=INK, ha="center")
+    scene.line(way, color=look.GREY, lw=0.9, zorder=1)
+    scene.words(1.05 * way[30], r"$\theta$", (0, 2), color=look.INK, ha="center")
     sense_of_turn(scene, (top + 0.2) * e3, e3, 0.16, omega3, r"$\omega_3$", zorder=4)
     paper(axes, (-1.02, 1.02), (-0.25, 1.85))
 
@@ -120,17 +104,19 @@ def draw_path_from_above(axes: Axes, motion: TopMotion, touching: float) -> None
     count = min(1001 + each * int(min(last / motion.nutation_period, most)), most)
     run = motion.exact(np.linspace(0.0, last, count))
     theta, phi = np.degrees(run.theta), run.phi
-    axes.plot(theta * np.cos(phi), theta * np.sin(phi), color=FIRST, lw=1.0, label="_path")
-    axes.plot(theta[0] * np.cos(phi[0]), theta[0] * np.sin(phi[0]), "o", color=FIRST, ms=3.5)
+    axes.plot(theta * np.cos(phi), theta * np.sin(phi), color=look.FIRST, lw=1.0, label="_path")
+    axes.plot(theta[0] * np.cos(phi[0]), theta[0] * np.sin(phi[0]), "o", color=look.FIRST, ms=3.5)
     edge = math.degrees(touching)
     around = np.linspace(0, 2 * math.pi, 241)
-    axes.plot(edge * np.cos(around), edge * np.sin(around), color=SECOND, lw=0.9, ls=DOTTED)
-    name_at(axes, 0.0, edge, "rim touches", (0, 3), color=SECOND, ha="center")
-    axes.plot(0, 0, "+", color=GREY, ms=6)
+    axes.plot(
+        edge * np.cos(around), edge * np.sin(around), color=look.SECOND, lw=0.9, ls=look.DOTTED
+    )
+    name_at(axes, 0.0, edge, "rim touches", (0, 3), color=look.SECOND, ha="center")
+    axes.plot(0, 0, "+", color=look.GREY, ms=6)
     # In the middle, if there is room.
     below = 0.0 if theta[0] > 0.45 * edge else 0.5 * float(theta.max() + edge)
     words = rf"$\theta = {theta[0]:.3g}°$"
-    name_at(axes, 0.0, -below, words, (0, -11 if not below else -3), color=INK, ha="center")
+    name_at(axes, 0.0, -below, words, (0, -11 if not below else -3), color=look.INK, ha="center")
     paper(axes, (-1.04 * edge, 1.04 * edge), (-1.04 * edge, 1.25 * edge))
 
 
@@ -147,7 +133,7 @@ def draw_against_spin(axes: Axes, top: HeavyTop, theta: float, omega3: float) ->
     spins = least + (last - least) * np.linspace(1e-6, 1.0, 300) ** 2
     rates = np.array([spinning_at(top, theta, float(spin)) for spin in spins]) / (2 * math.pi)
     marked = np.array(spinning_at(top, theta, given)) / (2 * math.pi)
-    styles = ((2, SECOND, DASHED, "nutations"), (0, FIRST, "-", "turns of the axis"))
+    styles = ((2, look.SECOND, look.DASHED, "nutations"), (0, look.FIRST, "-", "turns of the axis"))
     for k, color, style, words in styles:
         axes.plot(spins * RPM, rates[:, k], color=color, ls=style, label=f"_{words}")
         axes.plot(given * RPM, marked[k], "o", color=color, ms=4.5, label=f"_{words} now")
@@ -156,8 +142,8 @@ def draw_against_spin(axes: Axes, top: HeavyTop, theta: float, omega3: float) ->
     axes.set_yscale("log")
     axes.yaxis.set_major_formatter("{x:g}")
     axes.set(xlim=(0.9 * least * RPM, last * RPM), ylim=(0.6 * rates[-1, 0], 3 * rates[-1, 2]))
-    axes.axvline(wakes * RPM, color=GREY, lw=0.9, ls=DOTTED, label="_sleeps")
-    name_at(axes, wakes * RPM, 3 * rates[-1, 2], "sleeps", (4, -1), va="top", color=INK)
+    axes.axvline(wakes * RPM, color=look.GREY, lw=0.9, ls=look.DOTTED, label="_sleeps")
+    name_at(axes, wakes * RPM, 3 * rates[-1, 2], "sleeps", (4, -1), va="top", color=look.INK)
     axes.set(xlabel="spin  (turns a minute)", ylabel="in a second")
 
 
@@ -175,7 +161,7 @@ def _top(values: dict[str, float]) -> tuple[HeavyTop, TopMotion, float]:
 
 def _draw(**values: float) -> Canvas:
     top, motion, touching = _top(values)
-    drawn = canvas(COLUMN, 3.6)
+    drawn = canvas(look.COLUMN, 3.6)
     parts = drawn.subplot_mosaic([["top", "path"], ["chart", "chart"]], height_ratios=(1.1, 1))
     sizes = {name: values[name] for name in (*DISC, "stem_length")}
     draw_toy_top(parts["top"], values["theta"], values["omega3"], top.R, **sizes)

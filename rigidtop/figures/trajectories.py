@@ -12,9 +12,10 @@ from matplotlib.axes import Axes
 
 from rigidtop.errors import RigidtopError
 from rigidtop.figures import animation
+from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Film
 from rigidtop.figures.space import View
-from rigidtop.figures.style import FIRST, GREY, INK, SECOND, STYLE, THIRD, canvas
+from rigidtop.figures.style import STYLE, canvas
 from rigidtop.motion.rows import Rows
 from rigidtop.typeset.latex import letter
 from rigidtop.typeset.nodes import glyph
@@ -22,7 +23,7 @@ from rigidtop.typeset.nodes import glyph
 if TYPE_CHECKING:
     from rigidtop.motion.attitude import Floats
 
-COLOURS = (FIRST, SECOND, INK, THIRD, GREY)
+COLOURS = (look.FIRST, look.SECOND, look.INK, look.THIRD, look.GREY)
 SIZE = (4.8, 3.0)
 """Of a figure (inches)."""
 
@@ -106,15 +107,15 @@ def draw(axes: Axes, places: Floats, attitudes: Floats, row: int) -> None:
     axes.set_axis_off()
     for first, second in _rods(places):
         ends = np.stack([first[row], second[row]])
-        axes.plot(*project(ends), color=INK, zorder=2)
-    axes.plot(*project(np.zeros((1, 3))), marker="+", color=GREY, zorder=1)
+        axes.plot(*project(ends), color=look.INK, zorder=2)
+    axes.plot(*project(np.zeros((1, 3))), marker="+", color=look.GREY, zorder=1)
     for k, (path, turning) in enumerate(zip(places, attitudes, strict=True)):
         colour = COLOURS[k % len(COLOURS)]
         axes.plot(*project(path[: row + 1]), color=colour, linewidth=0.6, alpha=0.6, zorder=1)
         axes.plot(*project(path[row : row + 1]), marker="o", markersize=7, color=colour, zorder=3)
         if np.allclose(turning, np.eye(3)):
             continue
-        for axis, shade in zip(turning[row].T, (SECOND, THIRD, FIRST), strict=True):
+        for axis, shade in zip(turning[row].T, (look.SECOND, look.THIRD, look.FIRST), strict=True):
             end = np.stack([path[row], path[row] + length * axis])
             axes.plot(*project(end), color=shade, zorder=2)
 

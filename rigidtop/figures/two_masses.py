@@ -9,30 +9,11 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.derivations.exercises.opening import two_masses
+from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import UPRIGHT, Scene, View, arc, circle, paper, total, unit
-from rigidtop.figures.style import (
-    DASHED,
-    EDGE,
-    FACE,
-    GREY,
-    INK,
-    L_DOT,
-    L_VEC,
-    MOMENTUM,
-    NOTE,
-    OMEGA,
-    OMEGA_VEC,
-    RULE,
-    TORQUE,
-    Floats,
-    alone,
-    degrees,
-    in_math,
-    said,
-    spoken,
-)
+from rigidtop.figures.style import Floats, alone, degrees, in_math, said, spoken
 
 VIEW = View(azimuth=-0.35, elevation=0.5)
 """So that what points at the reader goes down and to the right."""
@@ -63,7 +44,8 @@ class Stick:
     @property
     def torque(self) -> Floats:
         """N = ω × L (3,), which turns L along with the stick, N m."""
-        return total(np.cross(self.omega, self.momenta))
+        sizes = float(np.linalg.norm(self.omega) * np.linalg.norm(self.momenta))
+        return total(np.cross(self.omega, self.momenta), sizes)
 
     @property
     def force(self) -> Floats:
@@ -87,42 +69,42 @@ def draw_two_masses(axes: Axes, held: Stick) -> None:
     places = held.positions / np.linalg.norm(held.positions, axis=1).max()
     along = unit(places[0])
     shaft = np.array([[0.0, 0.0, -1.05], [0.0, 0.0, 0.0]])
-    scene.line(shaft, color=RULE, lw=3.5, solid_capstyle="butt", zorder=1)
+    scene.line(shaft, color=look.RULE, lw=3.5, solid_capstyle="butt", zorder=1)
     for place in places:
         distance = float(np.linalg.norm(place))
         tilt = math.acos(float(np.clip(place[2] / distance, -1, 1)))
         way = circle(UPRIGHT, tilt, length=distance)
-        scene.ring(way, color=GREY, lw=0.8, ls=DASHED)
-    scene.line(places, color=NOTE, lw=2.6, zorder=4, label="_stick")
+        scene.ring(way, color=look.GREY, lw=0.8, ls=look.DASHED)
+    scene.line(places, color=look.NOTE, lw=2.6, zorder=4, label="_stick")
     heaviest = held.masses.max()
     for k, (side, arm) in enumerate((("left", "$a$"), ("right", "$b$"))):
         size = 12 * float(np.cbrt(held.masses[k] / heaviest))  # as balls of one material
-        scene.dot(places[k], ms=size, mfc=FACE, mec=EDGE, mew=0.8, zorder=6)
+        scene.dot(places[k], ms=size, mfc=look.FACE, mec=look.EDGE, mew=0.8, zorder=6)
         away = (0.5 * size + 3) * (1 - 2 * k)
         short = bool(np.linalg.norm(places[k]) < SHORT)  # beside F, which may lie there
         above = (5, -14)[k] if short else -3
-        scene.words(places[k], f"$M_{k + 1}$", (away, above), color=INK, ha=side)
+        scene.words(places[k], f"$M_{k + 1}$", (away, above), color=look.INK, ha=side)
         if short:
             continue
         across = 8 * unit(np.array([places[k, 2], -places[k, 1]]))
         shift = (float(across[0]), float(across[1]))
         scene.words(0.62 * places[k], arm, shift, ha="center", va="center", zorder=7)
-    scene.line(np.outer([0.0, 0.55], along), color=GREY, lw=0.7, zorder=2)
+    scene.line(np.outer([0.0, 0.55], along), color=look.GREY, lw=0.7, zorder=2)
     angle = 0.5 * arc(UPRIGHT, along)
-    scene.line(angle, color=GREY, lw=0.9, zorder=3)
+    scene.line(angle, color=look.GREY, lw=0.9, zorder=3)
     aside = (-9, 0) if float(along[1]) < SHORT else (0, 0)
     scene.words(1.16 * angle[30], r"$\alpha$", aside, ha="center", va="center")
     momentum = 1.15 * unit(held.momentum)
-    scene.arrow(1.4 * UPRIGHT, OMEGA_VEC, color=OMEGA, lw=1.7, shift=(9, -2))
+    scene.arrow(1.4 * UPRIGHT, look.OMEGA_VEC, color=look.OMEGA, lw=1.7, shift=(9, -2))
     beside = None if momentum[1] < -0.15 else (-9.0, -2.0)
-    scene.arrow(momentum, L_VEC, color=MOMENTUM, lw=1.9, shift=beside, zorder=5.2)
+    scene.arrow(momentum, look.L_VEC, color=look.MOMENTUM, lw=1.9, shift=beside, zorder=5.2)
     if np.any(held.force):
-        scene.arrow(0.55 * unit(held.force), r"$\mathbf{F}$", color=INK, lw=1.2, shift=(0, 9))
+        scene.arrow(0.55 * unit(held.force), r"$\mathbf{F}$", color=look.INK, lw=1.2, shift=(0, 9))
     couple = unit(held.torque)
     scene.couple(couple, (8, -12))
     if np.any(couple):
-        scene.arrow(momentum + 0.5 * couple, start=momentum, color=TORQUE, lw=1.2)
-        scene.words(momentum, L_DOT, (-4, -17), color=TORQUE, ha="right")
+        scene.arrow(momentum + 0.5 * couple, start=momentum, color=look.TORQUE, lw=1.2)
+        scene.words(momentum, look.L_DOT, (-4, -17), color=look.TORQUE, ha="right")
     scene.dot(np.zeros(3))
 
 

@@ -9,26 +9,11 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.derivations.exercises.net_torque import POINTS, gravity_on_points
+from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import Scene, View, paper, total, unit
-from rigidtop.figures.style import (
-    DOTTED,
-    EDGE,
-    FACE,
-    FIRST,
-    GREY,
-    INK,
-    R_CM,
-    RULE,
-    SPACE,
-    WEIGHT,
-    Floats,
-    alone,
-    in_math,
-    said,
-    spoken,
-)
+from rigidtop.figures.style import Floats, alone, in_math, said, spoken
 
 VIEW = View(azimuth=0.6, elevation=0.36)
 
@@ -89,17 +74,17 @@ def draw_weights(axes: Axes, body: Points) -> None:
     The paper is as large as they need.
     """
     scene, drawn = Scene(axes, VIEW), sketch(body)
-    for tip, words in zip(0.45 * np.eye(3), SPACE, strict=True):
-        scene.arrow(tip, words, color=GREY, lw=0.7, zorder=1.5)
+    for tip, words in zip(0.45 * np.eye(3), look.SPACE, strict=True):
+        scene.arrow(tip, words, color=look.GREY, lw=0.7, zorder=1.5)
     for k, place in enumerate(drawn.places):
         size = 9 * float(np.cbrt(body.masses[k] / body.masses.max()))  # as balls of one material
         _draw_point(scene, place, drawn.weights[k], f"$m_{k + 1}$", size)
     end = drawn.centre + drawn.weights.sum(axis=0)
-    scene.arrow(end, WEIGHT, start=drawn.centre, color=INK, lw=2.0)
-    scene.arrow(drawn.centre, color=INK, lw=1.6, zorder=5.5)
+    scene.arrow(end, look.WEIGHT, start=drawn.centre, color=look.INK, lw=2.0)
+    scene.arrow(drawn.centre, color=look.INK, lw=1.6, zorder=5.5)
     scene.dot(drawn.centre, ms=4)
     side, shift = ("left", (5, 3)) if _room_on_the_right(drawn) else ("right", (-5, 3))
-    scene.words(drawn.centre, R_CM, shift, color=INK, ha=side, zorder=8)
+    scene.words(drawn.centre, look.R_CM, shift, color=look.INK, ha=side, zorder=8)
     scene.couple(drawn.couple, (10, -22))
     under = drawn.places + drawn.weights
     x, y, _ = scene.view(np.vstack([0.55 * np.eye(3), drawn.places, under, end, drawn.couple]))
@@ -119,15 +104,15 @@ def _room_on_the_right(drawn: Sketch) -> bool:
 
 def _draw_point(scene: Scene, place: Floats, weight: Floats, words: str, size: float) -> None:
     """A ball on its rod, its weight, and a plumb line to the plane of x̂ and ŷ."""
-    scene.line([np.zeros(3), place], color=RULE, lw=2.0, zorder=2)
+    scene.line([np.zeros(3), place], color=look.RULE, lw=2.0, zorder=2)
     foot = np.array([place[0], place[1], 0.0])
-    scene.line([place, foot], color=GREY, lw=0.7, ls=DOTTED, zorder=1)
-    scene.line(foot, ".", color=GREY, ms=3, zorder=1)
-    scene.arrow(place + weight, start=place, color=FIRST, lw=1.3)
-    scene.dot(place, ms=size, mfc=FACE, mec=EDGE, mew=0.8, zorder=6)
+    scene.line([place, foot], color=look.GREY, lw=0.7, ls=look.DOTTED, zorder=1)
+    scene.line(foot, ".", color=look.GREY, ms=3, zorder=1)
+    scene.arrow(place + weight, start=place, color=look.FIRST, lw=1.3)
+    scene.dot(place, ms=size, mfc=look.FACE, mec=look.EDGE, mew=0.8, zorder=6)
     right = scene.view(place)[0] >= 0
     side, away = ("left", 0.5 * size + 3) if right else ("right", -0.5 * size - 3)
-    scene.words(place, words, (away, 2), color=INK, ha=side, zorder=7)
+    scene.words(place, words, (away, 2), color=look.INK, ha=side, zorder=7)
 
 
 def _draw(axes: Axes, **values: float) -> None:

@@ -264,7 +264,7 @@ def test_rolling_cones_as_they_are_drawn(lambda3):
         cones.draw_rolling_cones(panel, motion, t)
         [tip] = [x.xy for x in panel.texts if x.get_text() == style.OMEGA_VEC]
         contact = np.array(tip) / 1.2
-        for color in (cones.AXIS, cones.OMEGA):
+        for color in (style.AXIS, style.OMEGA):
             rims = lines_like(panel, color, 241)
             points = np.vstack([rim.get_xydata() for rim in rims])
             distance = np.linalg.norm(points[np.isfinite(points[:, 0])] - contact, axis=1)
