@@ -5,6 +5,7 @@ import unicodedata
 from collections import defaultdict
 
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 
 from rigidtop.derivations.exercises import EXERCISES
@@ -101,19 +102,33 @@ def test_what_the_notes_alone_write_is_nowhere_else(known, solutions, notation):
         assert not {old for old in gone(notation) if old in words}, words[:60]
 
 
-@pytest.mark.parametrize("notation", NOTATIONS, ids=lambda notation: notation.name)
 @pytest.mark.parametrize("figure", FIGURES, ids=lambda figure: figure.name)
-def test_captions_and_names_in_figures(figure, notation, monkeypatch):
-    found = origins(monkeypatch, notation)
-    values, shown = figure.values(), Wording(notation).drawing(figure)
-    caption = shown.caption(**values)
-    assert ambiguous(found) == {}
-    assert not {old for old in gone(notation) if old in caption}
-    canvas = shown.draw(**values)
-    names = " ".join(name.get_text() for name in canvas.findobj(Text))
-    for old, tex in (("λ₁", r"\lambda"), ("ω₃", r"\omega"), ("MgR", "MgR")):
-        assert old not in gone(notation) or tex not in names
-    canvas.draw_without_rendering()  # Matplotlib knows the letters
+def test_captions_and_names_in_figures(figure, monkeypatch):
+    values = figure.values()
+    canvas = figure.draw(**values)
+    renderer = FigureCanvasAgg(canvas).get_renderer()
+    names = {name: name.get_text() for name in canvas.findobj(Text)}
+    for notation in NOTATIONS:
+        found, wording = origins(monkeypatch, notation), Wording(notation)
+        caption = wording.drawing(figure).caption(**values)
+        assert ambiguous(found) == {}
+        monkeypatch.undo()
+        assert not {old for old in gone(notation) if old in caption}
+        made = {name: wording.label(words) for name, words in names.items()}
+        for old, tex in (("λ₁", r"\lambda"), ("ω₃", r"\omega"), ("MgR", "MgR")):
+            assert old not in gone(notation) or tex not in " ".join(made.values())
+        for name, words in made.items():
+            name.set_text(words)
+            name.get_window_extent(renderer)  # Matplotlib knows the letters
+
+
+def test_a_figure_is_drawn_with_these_names():
+    figure, wording = FIGURES[0], Wording(named("landau"))
+    of_notes, of_landau = (
+        [name.get_text() for name in drawing.draw(**figure.values()).findobj(Text)]
+        for drawing in (figure, wording.drawing(figure))
+    )
+    assert of_landau == [wording.label(words) for words in of_notes] != of_notes
 
 
 def test_names_in_figures_are_other_letters():
