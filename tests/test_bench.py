@@ -129,7 +129,7 @@ def reference(monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "kind", [motions.EXAMPLE, *motions.KINDS[4::4]], ids=lambda kind: kind.name
+    "kind", [motions.EXAMPLE, *motions.KINDS[4::8]], ids=lambda kind: kind.name
 )
 def test_the_truth_of_a_kind_is_that_of_the_reference(kind, reference):
     alpha, beta = reference(kind)

@@ -325,9 +325,9 @@ def test_help_loads_nothing_heavy() -> None:
 
 
 def test_a_reader_that_leaves_is_no_error() -> None:
-    shell = f"{sys.executable} -m rigidtop list | head -n 1"
+    shell = f"{sys.executable} -m rigidtop simulate top --time 1 --samples 9999 | head -n 1"
     result = subprocess.run(shell, shell=True, capture_output=True, text=True, check=False)
-    assert result.stdout.startswith("section")
+    assert result.stdout.split()[:2] == ["t/s", "theta/rad"]
     assert result.stderr == ""
 
 
@@ -416,11 +416,11 @@ def test_a_full_disk_is_one_line() -> None:
     if not Path("/dev/full").is_char_device():
         pytest.skip("there is no /dev/full")
     result = subprocess.run(
-        f"{sys.executable} -m rigidtop list > /dev/full",
+        f"{sys.executable} -m rigidtop simulate top > /dev/full",
         shell=True,
         capture_output=True,
         text=True,
         check=False,
     )
     assert result.returncode == 2
-    assert result.stderr == "rigidtop list: No space left on device\n"
+    assert result.stderr == "rigidtop simulate: No space left on device\n"
