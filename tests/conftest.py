@@ -11,6 +11,25 @@ settings.register_profile("same", deadline=None, derandomize=True)
 settings.register_profile("other", deadline=None, derandomize=False)
 settings.load_profile("same")
 
+# Programs: what they need is long to load, and they have no examples in their words.
+collect_ignore = ["benchmarks", "motion/reference"]
+
+
+@pytest.fixture(scope="session")
+def judged():
+    """The pages of the lecture, each with its judgements, for all tests of a worker."""
+    from rigidtop.derivations import PAGES
+    from rigidtop.derivations.letters import LETTERS
+    from rigidtop.proof.verdict import judge_page
+
+    return [(page, judge_page(page, LETTERS)) for page in PAGES]
+
+
+@pytest.fixture(scope="session")
+def judgements(judged):
+    """Judgements by the claim's name, in reading order."""
+    return {each.claim.name: each for _, row in judged for each in row}
+
 
 @pytest.fixture(scope="session")
 def fallen():

@@ -100,11 +100,8 @@ def test_there_are_such_pages():
     assert sum(is_whole_lecture(words) for words, _ in asked) <= 5
 
 
-def test_the_verdicts_are_counted_as_they_are():
-    from rigidtop.derivations import PAGES as LECTURE
-    from rigidtop.proof.verdict import judge_page
-
-    verdicts = [judgement.verdict.value for page in LECTURE for judgement in judge_page(page)]
+def test_the_verdicts_are_counted_as_they_are(judgements):
+    verdicts = [judgement.verdict.value for judgement in judgements.values()]
     [sentence] = re.findall(r"^Of the (\d+ claims .*?)\.", README.read_text("utf-8"), re.M | re.S)
     assert sentence.startswith(f"{len(verdicts)} claims ")
     counted = re.findall(r"(\d+)(?: are)? `(\w+)`", sentence)

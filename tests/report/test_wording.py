@@ -56,14 +56,14 @@ def ambiguous(found):
 
 
 @pytest.fixture(scope="module")
-def solutions(known):
+def solutions(judgements):
     """Without their derivations, which have letters of their own."""
-    return [solved(exercise, judged=known) for exercise in EXERCISES]
+    return [solved(exercise, judged=judgements) for exercise in EXERCISES]
 
 
 @pytest.mark.parametrize("notation", NOTATIONS, ids=lambda notation: notation.name)
-def test_no_claim_has_a_letter_for_two_things(known, notation, monkeypatch):
-    for judgement in known.values():
+def test_no_claim_has_a_letter_for_two_things(judgements, notation, monkeypatch):
+    for judgement in judgements.values():
         found = origins(monkeypatch, notation)
         made = Wording(notation).judgement(judgement)
         of_symbols(found, symbols_used(claim_blocks(made)))
@@ -93,9 +93,9 @@ def gone(notation):
 
 
 @pytest.mark.parametrize("notation", NOTATIONS, ids=lambda notation: notation.name)
-def test_what_the_notes_alone_write_is_nowhere_else(known, solutions, notation):
+def test_what_the_notes_alone_write_is_nowhere_else(judgements, solutions, notation):
     made = [exercise_fragment(each, notation) for each in solutions]
-    made += [fragment(each, "text", notation) for each in known.values()]
+    made += [fragment(each, "text", notation) for each in judgements.values()]
     for text in made:
         words = re.sub(r"\nNotation: .*?\n\n", "\n", text, count=1, flags=re.DOTALL)
         words = re.sub("MgR[₁₂₃]|ω_n²", "", words)  # of these the tables have no other
@@ -152,9 +152,9 @@ def test_an_eigenvalue_is_no_tensor_of_inertia():
     assert landau("along $𝐋̇$ and $𝛚$") == "along $𝐌̇$ and $𝛀$"
 
 
-def test_the_notes_stay_as_they_are(known):
+def test_the_notes_stay_as_they_are(judgements):
     words = Wording(named("notes"))
-    each = known["3.52"]
+    each = judgements["3.52"]
     assert words.of(each) is each
     assert words.drawing(FIGURES[0]) is FIGURES[0]
     assert words("λ₁") == "λ₁"
