@@ -55,7 +55,7 @@ def _numbers(found):
 @pytest.fixture(scope="session")
 def engine():
     """All modules that compute."""
-    return Engine("equations", "dop853", "motion", "polhode", "facts", "regimes")
+    return Engine("equations", "dop853", "moving", "motion", "polhode", "facts", "regimes")
 
 
 @cache

@@ -81,7 +81,7 @@ MOTIONS = {
 def engine_of(motion, points=()):
     scene = Scene(motion.system, points)
     made = data(motion, scene, "")
-    engine = Engine("dop853")
+    engine = Engine("dop853", "moving")
     for text in (scene.module(), (FOLDER / "flow.js").read_text("utf-8")):
         engine.load(text)
     engine.run(

@@ -2,10 +2,10 @@
 
 import { measures, points, rates } from "./derived.js";
 import { createSolver } from "./dop853.js";
+import { createMoving } from "./moving.js";
 
-/** What is kept of the past, and how much of it at most. */
+/** How many samples the trail takes for the time of a step. */
 const PER_STEP = 12;
-const KEPT = 8000;
 /** A first look, so many steps long, tells how fast and how far things move. */
 const LOOK = 60;
 const ROUGH = { rtol: 1e-6, atol: 1e-300 };
@@ -52,13 +52,9 @@ export function createFlow({ tableau, state: letters, sides, points: count, bodi
   if (size > 2 * half) units.push(1);
 
   const inside = new Float64Array(size);
-  let solver = solverAt(start, 0, pace / 8);
-  const first = momentAt(start, 0);
-  if (!Number.isFinite(first.energy) || !Array.from(rateOf(start)).every(Number.isFinite)) {
+  if (!Number.isFinite(measured(start)[0]) || !Array.from(rateOf(start)).every(Number.isFinite)) {
     throw new Error("the accelerations cannot be computed there");
   }
-  let now = first;
-  let trail = [first];
   const beginning = measured(start);
   const sizes = kept.map((_, k) => Math.abs(beginning[2 + 2 * k]));
   const most = kept.map(() => 0);
@@ -81,14 +77,13 @@ export function createFlow({ tableau, state: letters, sides, points: count, bodi
   }
 
   /** A solver in which q and q̇ have the size 1. */
-  function solverAt(/** @type {ArrayLike<number>} */ state, /** @type {number} */ t,
-    /** @type {number} */ h) {
+  function solverAt(/** @type {ArrayLike<number>} */ state, /** @type {number} */ t) {
     const scaled = Array.from(state, (x, k) => x / units[k]);
     return createSolver(tableau, (s, out) => {
       for (let k = 0; k < size; k++) inside[k] = s[k] * units[k];
       rates(inside, values, out);
       for (let k = 0; k < size; k++) out[k] /= units[k];
-    }, scaled, t, h, ACCURACY);
+    }, scaled, t, pace / 8, ACCURACY);
   }
 
   function measured(/** @type {ArrayLike<number>} */ state) {
@@ -97,18 +92,11 @@ export function createFlow({ tableau, state: letters, sides, points: count, bodi
     return out;
   }
 
-  function momentAt(/** @type {ArrayLike<number>} */ state, /** @type {number} */ t) {
-    const made = Float64Array.from(state);
+  function sampleAt(/** @type {(t: number) => Float64Array} */ look, /** @type {number} */ t) {
+    const state = t === 0 ? Float64Array.from(start) : look(t).map((x, k) => x * units[k]);
     const places = new Float64Array(seen);
-    points(made, values, places);
-    return { t, state: made, points: places, energy: measured(made)[0] };
-  }
-
-  /** What the last step of a solver passed through. */
-  function at(/** @type {Solver} */ from, /** @type {number} */ t) {
-    const state = new Float64Array(size);
-    from.at(t, state);
-    return momentAt(state.map((x, k) => x * units[k]), t);
+    points(state, values, places);
+    return { t, state, points: places, energy: measured(state)[0] };
   }
 
   function check(/** @type {Moment} */ { state, t }) {
@@ -118,85 +106,29 @@ export function createFlow({ tableau, state: letters, sides, points: count, bodi
         throw new Error(`${letters[k].letter} was declared ${side}, and leaves that side`);
       }
     }
-    measured(state).forEach((value, k, all) => {
-      if (k === 0 || k % 2 === 0) return;
-      const which = (k - 1) / 2;
-      sizes[which] = Math.max(sizes[which], Math.abs(all[k + 1]));
-      const strayed = Math.abs(value - (kept[which].startsWith("constraint") ? 0 : beginning[k]));
-      most[which] = Math.max(most[which], strayed / (sizes[which] || 1));
-    });
+    const here = measured(state);
+    kept.forEach((_, k) => (sizes[k] = Math.max(sizes[k], Math.abs(here[2 + 2 * k]))));
+    strayed(here).forEach((drift, k) => (most[k] = Math.max(most[k], drift)));
     if (!Number.isFinite(state[0])) throw new Error(`the motion ends at t = ${t}`);
   }
 
-  /** From the last sample that is kept before t. */
-  function goBack(/** @type {number} */ t) {
-    while (trail.length > 1 && trail[trail.length - 1].t > t) trail.pop();
-    // What was so long ago that it is forgotten is computed anew.
-    if (trail[0].t > t) trail = [first];
-    const last = trail[trail.length - 1];
-    solver = solverAt(last.state, last.t, pace / 8);
-    now = last;
+  /** By how much each of what is kept has strayed, as measured at a state. */
+  function strayed(/** @type {Float64Array} */ here) {
+    return kept.map((name, k) => {
+      const usual = name.startsWith("constraint") ? 0 : beginning[1 + 2 * k];
+      return Math.abs(here[1 + 2 * k] - usual) / (sizes[k] || 1);
+    });
   }
 
-  /** The samples that are due until t, which lies in the solver's last step. */
-  function record(/** @type {number} */ t) {
-    for (;;) {
-      const due = trail[trail.length - 1].t + timescale / PER_STEP;
-      if (due > t) return;
-      trail.push(at(solver, due));
-      if (trail.length > 1.25 * KEPT) trail.splice(0, trail.length - KEPT);
-    }
-  }
-
-  return {
-    start: first,
+  const moving = createMoving(start, timescale / PER_STEP, {
+    solverAt, sampleAt, check, forget: () => most.fill(0),
+  });
+  return Object.assign(moving, {
     timescale,
     sizes: units.slice(0, 2 * half),
-    get now() {
-      return now;
-    },
-    get trail() {
-      return trail;
-    },
-    reset() {
-      goBack(0);
-      most.fill(0);
-    },
-    /** Whether t is reached before the deadline; an Error where the motion ends before. */
-    go(/** @type {number} */ t, deadline = Infinity) {
-      if (t < now.t) goBack(t);
-      record(Math.min(t, solver.t));
-      while (solver.t < t && performance.now() <= deadline) {
-        solver.step();
-        check(at(solver, solver.t));
-        record(Math.min(t, solver.t));
-      }
-      const reached = Math.min(t, solver.t);
-      if (reached > now.t) now = at(solver, reached);
-      return reached === t;
-    },
-    /** `count` moments from t = 0, as far as the motion goes. */
-    ahead(/** @type {number} */ duration, /** @type {number} */ count) {
-      const apart = solverAt(start, 0, pace / 8);
-      const made = [first];
-      try {
-        for (let k = 1; k < count; k++) {
-          const t = (duration * k) / (count - 1);
-          while (apart.t < t) apart.step();
-          made.push(at(apart, t));
-        }
-      } catch {
-        // As far as it goes.
-      }
-      return made;
-    },
     drift() {
-      const here = measured(now.state);
-      return kept.map((name, k) => {
-        const zero = name.startsWith("constraint") ? 0 : beginning[1 + 2 * k];
-        const strayed = Math.abs(here[1 + 2 * k] - zero) / (sizes[k] || 1);
-        return { name, now: strayed, most: most[k], exact: false };
-      });
+      const now = strayed(measured(moving.now.state));
+      return kept.map((name, k) => ({ name, now: now[k], most: most[k], exact: false }));
     },
-  };
+  });
 }

@@ -18,12 +18,12 @@ import {
   omegaOfRates,
   quaternionOfAngles,
 } from "./equations.js";
+import { createMoving } from "./moving.js";
 
 /** Of a step, on the components of the quaternion and of ω: near what rounding allows. */
 export const ACCURACY = { rtol: 2.5e-14, atol: 1e-14 };
 
-/** How many samples the trail keeps, and how many it takes for a radian of the fastest turning. */
-const KEPT = 8000;
+/** How many samples the trail takes for a radian of the fastest turning. */
 const PER_RADIAN = 4;
 
 /** The farthest that is computed ahead, in times of the motion: some hundredths of a second. */
@@ -169,33 +169,25 @@ export function createMotion(setup, tableau, pace) {
   const turning =
     Math.hypot(...initial.omega) + Math.sqrt(Math.hypot(...weight) / Math.min(...moments));
   const timescale = pace ?? (turning > 0 ? 1 / turning : 1);
-  const spacing = timescale / PER_RADIAN;
-  const state = new Float64Array(beginning.length);
-
-  const newSolver = (/** @type {ArrayLike<number>} */ from, t = 0, direction = 1) =>
-    createSolver(tableau, rates, from, t, (direction * timescale) / 8, ACCURACY);
-
-  /** Half the sum and half the difference of φ and the angle about e₃, without their turns. */
-  const halves = () => [Math.atan2(state[3], state[0]), Math.atan2(-state[1], state[2])];
-
   /**
    * φ and ψ (without ω₃t) at the time t, continued from where they are known.
    *
-   * @param {Solver} solver
+   * @param {(t: number) => Float64Array} look
    * @param {Angles} known
    * @param {number} t
    * @returns {Angles}
    */
-  const angles = (solver, known, t, looks = LOOKS) => {
-    solver.at(t, state);
-    const [sum, difference] = halves();
+  const angles = (look, known, t, looks = LOOKS) => {
+    const state = look(t);
+    const sum = Math.atan2(state[3], state[0]);
+    const difference = Math.atan2(-state[1], state[2]);
     const upright = state[1] === 0 && state[2] === 0;
     const hanging = state[0] === 0 && state[3] === 0;
     // At a pole only one of the two says anything; φ stays what it was.
     let phi = upright || hanging ? known.phi : nearest(sum + difference, known.phi);
     if (Math.abs(phi - known.phi) > LARGE_TURN && looks > 0) {
-      const middle = angles(solver, known, (known.t + t) / 2, looks - 1);
-      return angles(solver, middle, t, looks - 1);
+      const middle = angles(look, known, (known.t + t) / 2, looks - 1);
+      return angles(look, middle, t, looks - 1);
     }
     // An axis that goes through a pole itself turns its azimuth by half a turn, either way.
     const turned = phi - known.phi;
@@ -210,14 +202,16 @@ export function createMotion(setup, tableau, pace) {
   };
 
   /**
-   * @param {Solver} solver
-   * @param {Angles} known
+   * @param {(t: number) => Float64Array} look
    * @param {number} t
+   * @param {Sample | null} before
    * @returns {Sample}
    */
-  const sampleAt = (solver, known, t) => {
-    const { phi, psi } = angles(solver, known, t);
-    solver.at(t, state);
+  const sampleAt = (look, t, before) => {
+    const from = before ?? { t: 0, phi: initial.phi, psi: initial.psi };
+    const known = { t: from.t, phi: from.phi, psi: from.psi - spin * from.t };
+    const { phi, psi } = angles(look, known, t);
+    const state = look(t);
     const norm = Math.hypot(state[0], state[1], state[2], state[3]);
     let [q0, q1, q2, q3] = [state[0] / norm, state[1] / norm, state[2] / norm, state[3] / norm];
     let [omega1, omega2, omega3] = [state[4], state[5], symmetric ? spin : state[6]];
@@ -241,6 +235,7 @@ export function createMotion(setup, tableau, pace) {
         : eulerRates({ theta, psi: psiNow, omega1, omega2, omega3 });
     return {
       t,
+      state,
       q: [q0, q1, q2, q3],
       rotation: R,
       omega,
@@ -259,14 +254,6 @@ export function createMotion(setup, tableau, pace) {
       p_psi: lambda3 * omega3,
     };
   };
-
-  const atStart = () => ({ t: 0, phi: initial.phi, psi: initial.psi });
-  let solver = newSolver(beginning);
-  let known = atStart();
-  const start = sampleAt(solver, known, 0);
-  let now = start;
-  /** @type {Sample[]} */
-  let trail = [start];
 
   const kinetic = (/** @type {number} */ count) =>
     moments.slice(0, count).reduce((sum, l, k) => sum + (l * initial.omega[k] ** 2) / 2, 0);
@@ -287,110 +274,33 @@ export function createMotion(setup, tableau, pace) {
       if (name === "p_psi") return Math.abs(sample.p_psi - start.p_psi) / momentumScale;
       return distance(sample.momentum, start.momentum) / momentumScale;
     });
-  const watch = (/** @type {Sample} */ sample) =>
-    strayed(sample).forEach((drift, k) => {
+  const moving = createMoving(beginning, timescale / PER_RADIAN, {
+    solverAt: (from, t) => createSolver(tableau, rates, from, t, timescale / 8, ACCURACY),
+    sampleAt,
+    check: (sample) => strayed(sample).forEach((drift, k) => {
       most[k] = Math.max(most[k], drift);
-    });
-
-  const reset = () => {
-    solver = newSolver(beginning);
-    known = atStart();
-    now = start;
-    trail = [start];
-    most.fill(0);
-  };
-
-  /** Turn the solver round, or let it start at `now` afresh. */
-  const turnTo = (/** @type {number} */ direction) => {
-    const from = new Float64Array(beginning.length);
-    solver.at(now.t, from);
-    solver = newSolver(from, now.t, direction);
-    known = { t: now.t, phi: now.phi, psi: now.psi - spin * now.t };
-  };
-
-  /** The samples of the trail that are due until t, within the solver's last step. */
-  const record = (/** @type {number} */ t) => {
-    for (;;) {
-      const due = trail.length > 0 ? trail[trail.length - 1].t + spacing : t;
-      if (due > t) return;
-      now = sampleAt(solver, known, due);
-      known = knownAt(now);
-      trail.push(now);
-      if (trail.length > 1.25 * KEPT) trail.splice(0, trail.length - KEPT);
-    }
-  };
-
-  const knownAt = (/** @type {Sample} */ sample) => ({
-    t: sample.t,
-    phi: sample.phi,
-    psi: sample.psi - spin * sample.t,
+    }),
+    forget: () => most.fill(0),
   });
-
-  const go = (/** @type {number} */ t, deadline = Infinity) => {
-    if (!Number.isFinite(t)) throw new Error("a time wants to be a finite number");
-    const direction = t < now.t ? -1 : 1;
-    const covered = (t - solver.before) * (t - solver.t) <= 0;
-    if (!covered && solver.h * direction < 0) turnTo(direction);
-    let reached = t;
-    if (direction > 0) record(covered ? t : solver.t);
-    while (!covered && (t - solver.t) * direction > 0) {
-      if (performance.now() > deadline) {
-        reached = solver.t;
-        break;
-      }
-      known = angles(solver, known, solver.t);
-      solver.step();
-      if (direction > 0) record(Math.min(t, solver.t));
-      watch(sampleAt(solver, known, solver.t));
-    }
-    now = sampleAt(solver, known, reached);
-    known = knownAt(now);
-    while (trail.length > 0 && trail[trail.length - 1].t > reached) trail.pop();
-    watch(now);
-    return reached === t;
-  };
-
-  const ahead = (/** @type {number} */ duration, /** @type {number} */ count) => {
-    const apart = newSolver(beginning);
-    let there = atStart();
-    const end = Math.min(duration, FARTHEST_AHEAD * timescale);
-    return Array.from({ length: count }, (_, k) => {
-      const t = (end * k) / Math.max(count - 1, 1);
-      while (apart.t < t) {
-        there = angles(apart, there, apart.t);
-        apart.step();
-      }
-      const sample = sampleAt(apart, there, t);
-      there = knownAt(sample);
-      return sample;
-    });
-  };
-
-  return {
+  const { ahead } = moving;
+  const start = /** @type {Sample} */ (moving.start);
+  return Object.assign(moving, {
     setup,
     moments,
     arm,
     weight,
     symmetric,
     timescale,
-    start,
-    get now() {
-      return now;
-    },
-    get trail() {
-      return trail;
-    },
-    go,
-    reset,
-    ahead,
+    ahead: (/** @type {number} */ duration, /** @type {number} */ count) =>
+      ahead(Math.min(duration, FARTHEST_AHEAD * timescale), count),
     drift: () =>
-      strayed(now).map((drift, k) => ({
+      strayed(moving.now).map((drift, k) => ({
         name: kept[k],
         now: drift,
         most: most[k],
         exact: kept[k] === "p_psi",
       })),
-  };
+  });
 }
 
 /**

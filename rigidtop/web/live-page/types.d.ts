@@ -35,6 +35,8 @@ interface Timed {
 
 /** A top or a body at one time. */
 interface Sample extends Timed {
+  /** As the solver has it. */
+  readonly state: Float64Array;
   /** Unit quaternion, body components to space components. */
   readonly q: Numbers;
   /** The same as a matrix, row by row; its columns are e₁, e₂, e₃ in space. */
