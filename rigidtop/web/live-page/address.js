@@ -19,13 +19,8 @@ const WORDS = /** @type {const} */ (
   ["clock", "play", "view", "shape", "theme", "plot", "ghost", "embed"]);
 const NUMBERS = /** @type {const} */ ({ t: [0, Number.MAX_VALUE], speed: SPEEDS });
 
-/**
- * The addresses of a page.
- *
- * @param {PageData} data
- * @param {Offers} offers
- */
-export function createAddresses(data, offers) {
+/** The addresses of a page. */
+export function createAddresses(/** @type {PageData} */ data, /** @type {Offers} */ offers) {
   /** @type {Record<typeof WORDS[number], readonly string[]>} */
   const known = {
     clock: names(offers.clock),
@@ -42,10 +37,9 @@ export function createAddresses(data, offers) {
   /**
    * A preset as it stands.
    *
-   * @param {Preset} preset
    * @returns {State}
    */
-  function stateOf(preset) {
+  function stateOf(/** @type {Preset} */ preset) {
     return {
       preset,
       values: { ...preset.setup.values },
@@ -119,12 +113,8 @@ export function createAddresses(data, offers) {
     return { state: /** @type {State} */ (/** @type {unknown} */ (state)), complaints };
   }
 
-  /**
-   * The address of a state: only what differs from its preset.
-   *
-   * @param {State} state
-   */
-  function write(state) {
+  /** The address of a state: only what differs from its preset. */
+  function write(/** @type {State} */ state) {
     const { preset, values } = state;
     const usual = stateOf(preset);
     /** @type {string[]} */
@@ -152,10 +142,8 @@ export function createAddresses(data, offers) {
  * Keeps the address in step: at most twice a second.
  *
  * In a notebook's frame there is no address that could be written; then nothing happens.
- *
- * @param {() => string} hash
  */
-export function createAddressBar(hash) {
+export function createAddressBar(/** @type {() => string} */ hash) {
   const PAUSE = 500;
   let possible = location.protocol !== "about:";
   let last = -Infinity;
@@ -181,13 +169,8 @@ export function createAddressBar(hash) {
   };
 }
 
-/**
- * The names and texts of an address, each name once.
- *
- * @param {string} hash
- * @param {string[]} complaints
- */
-function pairs(hash, complaints) {
+/** The names and texts of an address, each name once. */
+function pairs(/** @type {string} */ hash, /** @type {string[]} */ complaints) {
   /** @type {Map<string, string>} */
   const found = new Map();
   for (const part of hash.replace(/^#/, "").split("&")) {
@@ -205,8 +188,7 @@ function pairs(hash, complaints) {
   return found;
 }
 
-/** @param {string} text */
-function decoded(text) {
+function decoded(/** @type {string} */ text) {
   try {
     return decodeURIComponent(text);
   } catch {
@@ -214,12 +196,10 @@ function decoded(text) {
   }
 }
 
-/**
- * @param {string | undefined} name
- * @param {PageData} data
- * @param {string[]} complaints
- */
-function presetNamed(name, data, complaints) {
+function presetNamed(
+  /** @type {string | undefined} */ name, /** @type {PageData} */ data,
+  /** @type {string[]} */ complaints,
+) {
   if (name === undefined) return data.first;
   const preset = data.presets.find((one) => one.name === name);
   if (preset) return preset;
@@ -276,23 +256,15 @@ function oneOf(name, text, known, used, complaints) {
   return null;
 }
 
-/**
- * The shorter of degrees and radians, each exact to twelve digits.
- *
- * @param {number} value
- */
-function angleText(value) {
+/** The shorter of degrees and radians, each exact to twelve digits. */
+function angleText(/** @type {number} */ value) {
   const degrees = `${Number(((value * 180) / Math.PI).toPrecision(12))}deg`;
   const radians = String(value);
   return degrees.length <= radians.length + 3 ? degrees : radians;
 }
 
-/**
- * Strangers' text, cut to what a line can hold.
- *
- * @param {string} text
- */
-function short(text) {
+/** Strangers' text, cut to what a line can hold. */
+function short(/** @type {string} */ text) {
   return text.length > 30 ? `${text.slice(0, 29)}…` : text;
 }
 
@@ -304,10 +276,6 @@ function has(/** @type {object} */ object, /** @type {string} */ name) {
   return Object.prototype.hasOwnProperty.call(object, name);
 }
 
-/**
- * @param {readonly string[]} one
- * @param {readonly string[]} other
- */
-function same(one, other) {
+function same(/** @type {readonly string[]} */ one, /** @type {readonly string[]} */ other) {
   return one.length === other.length && one.every((name) => other.includes(name));
 }

@@ -6,100 +6,59 @@ const SUPERSCRIPTS = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴"
   8: "⁸", 9: "⁹" };
 const THIN_SPACE = "\u202f";
 
-/**
- * An exponent of ten as superscript: −14 → "10⁻¹⁴".
- *
- * @param {number} exponent
- */
-export function powerOfTen(exponent) {
+/** An exponent of ten as superscript: −14 → "10⁻¹⁴". */
+export function powerOfTen(/** @type {number} */ exponent) {
   const digits = /** @type {(keyof typeof SUPERSCRIPTS)[]} */ ([...String(exponent)]);
   return "10" + digits.map((digit) => SUPERSCRIPTS[digit]).join("");
 }
 
-/**
- * `text` with the minus sign of mathematics.
- *
- * @param {string} text
- */
-function withMinus(text) {
+/** `text` with the minus sign of mathematics. */
+function withMinus(/** @type {string} */ text) {
   return text.replace(/^-/, "\u2212");
 }
 
-/**
- * As "3·10⁻¹⁴", with so many digits.
- *
- * @param {number} value
- * @param {number} digits
- */
-export function scientific(value, digits = 1) {
+/** As "3·10⁻¹⁴", with so many digits. */
+export function scientific(/** @type {number} */ value, digits = 1) {
   if (value === 0) return "0";
   if (!Number.isFinite(value)) return "—";
   const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
   return `${withMinus(mantissa)}·${powerOfTen(Number(exponent))}`;
 }
 
-/**
- * With four significant digits, as "1.240", "−31.62" or "6.674·10⁻¹¹".
- *
- * @param {number} value
- */
-export function significant(value) {
+/** With four significant digits, as "1.240", "−31.62" or "6.674·10⁻¹¹". */
+export function significant(/** @type {number} */ value) {
   const size = Math.abs(value);
   if (value === 0) return "0";
   if (size < 1e-3 || size >= 99995) return scientific(value, 4);
   return withMinus(size >= 1000 ? value.toFixed(0) : value.toPrecision(4));
 }
 
-/**
- * With so many decimals, and no minus before a zero.
- *
- * @param {number} value
- * @param {number} digits
- */
-export function decimal(value, digits) {
+/** With so many decimals, and no minus before a zero. */
+export function decimal(/** @type {number} */ value, /** @type {number} */ digits) {
   const text = value.toFixed(digits);
   return Number(text) === 0 ? text.replace("-", "") : withMinus(text);
 }
 
-/**
- * With so many decimals, or as "2.5·10⁻¹⁰" where that would be too long for an axis.
- *
- * @param {number} value
- * @param {number} digits
- */
-function short(value, digits) {
+/** With so many decimals, or as "2.5·10⁻¹⁰" where that would be too long for an axis. */
+function short(/** @type {number} */ value, /** @type {number} */ digits) {
   if (digits < 5 && Math.abs(value) < 1e5) return decimal(value, digits);
   return scientific(Math.abs(value) < 10 ** -digits / 2 ? 0 : value, 2);
 }
 
-/**
- * A number and its unit, which a thin space keeps together.
- *
- * @param {string} number
- * @param {string} unit
- */
-export function withUnit(number, unit) {
+/** A number and its unit, which a thin space keeps together. */
+export function withUnit(/** @type {string} */ number, /** @type {string} */ unit) {
   return unit && number + THIN_SPACE + unit.replace(/ /g, THIN_SPACE) || number;
 }
 
-/**
- * The smallest of 1, 2, 5 times a power of ten that is at least `size`.
- *
- * @param {number} size
- */
-export function nice(size) {
+/** The smallest of 1, 2, 5 times a power of ten that is at least `size`. */
+export function nice(/** @type {number} */ size) {
   const power = 10 ** Math.floor(Math.log10(size));
   const factor = [1, 2, 5].find((each) => each * power >= size * (1 - 1e-9));
   return (factor ?? 10) * power;
 }
 
-/**
- * The multiples of a step in a range.
- *
- * @param {Span} range
- * @param {number} step
- */
-function ticks({ low, high }, step) {
+/** The multiples of a step in a range. */
+function ticks(/** @type {Span} */ { low, high }, /** @type {number} */ step) {
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const values = [];
   for (let k = Math.ceil(low / step - 1e-6); k * step <= high + 1e-6 * step; k += 1) {
@@ -111,24 +70,15 @@ function ticks({ low, high }, step) {
 /** More lines of a grid than these are no help to the eye, however much room there is. */
 const MOST_LINES = 12;
 
-/**
- * A nice step of which about `count` fit in a range.
- *
- * @param {Span} range
- * @param {number} count
- */
-function niceStep({ low, high }, count) {
+/** A nice step of which about `count` fit in a range. */
+function niceStep(/** @type {Span} */ { low, high }, /** @type {number} */ count) {
   return nice((high - low) / Math.max(2, count));
 }
 
-/**
- * The map of a range onto pixels.
- *
- * @param {Span} range
- * @param {number} from
- * @param {number} to
- */
-export function scale({ low, high }, from, to) {
+/** The map of a range onto pixels. */
+export function scale(
+  /** @type {Span} */ { low, high }, /** @type {number} */ from, /** @type {number} */ to,
+) {
   const factor = (to - from) / (high - low);
   return (/** @type {number} */ value) => from + (value - low) * factor;
 }
@@ -264,25 +214,21 @@ export function write({ ctx, em }, text, x, y, align = "left") {
   return width;
 }
 
-/**
- * A straight line.
- *
- * @param {CanvasRenderingContext2D} ctx
- * @param {number} x1 @param {number} y1 @param {number} x2 @param {number} y2
- */
-export function line(ctx, x1, y1, x2, y2) {
+/** A straight line. */
+export function line(
+  /** @type {CanvasRenderingContext2D} */ ctx, /** @type {number} */ x1, /** @type {number} */ y1,
+  /** @type {number} */ x2, /** @type {number} */ y2,
+) {
   ctx.beginPath();
   ctx.moveTo(x1, y1);
   ctx.lineTo(x2, y2);
   ctx.stroke();
 }
 
-/**
- * Lines of a grid, or in high contrast marks, and numbers at the left of a box.
- *
- * @param {Paper} paper @param {Box} box @param {Span} range
- */
-export function drawUpAxis(paper, box, range) {
+/** Lines of a grid, or in high contrast marks, and numbers at the left of a box. */
+export function drawUpAxis(
+  /** @type {Paper} */ paper, /** @type {Box} */ box, /** @type {Span} */ range,
+) {
   const { ctx, em, colours } = paper;
   const room = Math.min(MOST_LINES, Math.abs(box.bottom - box.top) / (1.6 * em));
   const { values, digits } = ticks(range, niceStep(range, room));

@@ -20,14 +20,11 @@ function createChips(container, attributes, all) {
   return { group, inputs };
 }
 
-/**
- * The examples as a row of radio buttons, with the words on the one that is shown.
- *
- * @param {HTMLElement} container
- * @param {readonly Preset[]} presets
- * @param {(preset: Preset) => void} choose
- */
-export function createPresets(container, presets, choose) {
+/** The examples as a row of radio buttons, with the words on the one that is shown. */
+export function createPresets(
+  /** @type {HTMLElement} */ container, /** @type {readonly Preset[]} */ presets,
+  /** @type {(preset: Preset) => void} */ choose,
+) {
   const { group, inputs } = createChips(
     container,
     { class: "chips", role: "radiogroup", "aria-label": "Examples" },
@@ -84,22 +81,17 @@ export function createChecks(container, label, names, changed) {
       changed(names.filter((_, k) => inputs[k].checked).map(([one]) => one)));
   }
   return {
-    /** @param {readonly T[]} chosen */
-    show(chosen) {
+    show(/** @type {readonly T[]} */ chosen) {
       inputs.forEach((input, k) => (input.checked = chosen.includes(names[k][0])));
     },
   };
 }
 
-/**
- * Radio buttons in a row.
- *
- * @param {HTMLElement} container
- * @param {string} label
- * @param {Choices} names
- * @param {(chosen: string) => void} changed
- */
-export function createChoice(container, label, names, changed) {
+/** Radio buttons in a row. */
+export function createChoice(
+  /** @type {HTMLElement} */ container, /** @type {string} */ label, /** @type {Choices} */ names,
+  /** @type {(chosen: string) => void} */ changed,
+) {
   const { group, inputs } = createChips(
     container,
     { class: "chips", role: "radiogroup", "aria-label": label },
@@ -108,30 +100,24 @@ export function createChoice(container, label, names, changed) {
   group.prepend(element("span", { class: "legend", "aria-hidden": "true" }, label));
   inputs.forEach((input, k) => input.addEventListener("change", () => changed(names[k][0])));
   return {
-    /** @param {string} chosen */
-    show(chosen) {
+    show(/** @type {string} */ chosen) {
       inputs.forEach((input, k) => (input.checked = names[k][0] === chosen));
     },
   };
 }
 
-/**
- * One of a list, folded.
- *
- * @param {HTMLElement} container
- * @param {string} label
- * @param {Choices} names
- * @param {(chosen: string) => void} changed
- */
-export function createPick(container, label, names, changed) {
+/** One of a list, folded. */
+export function createPick(
+  /** @type {HTMLElement} */ container, /** @type {string} */ label, /** @type {Choices} */ names,
+  /** @type {(chosen: string) => void} */ changed,
+) {
   const select = element(
     "select", {}, ...names.map(([name, words]) => element("option", { value: name }, words)),
   );
   select.addEventListener("change", () => changed(select.value));
   container.append(element("label", { class: "pick" }, `${label} `, select));
   return {
-    /** @param {string} chosen */
-    show(chosen) {
+    show(/** @type {string} */ chosen) {
       select.value = chosen;
     },
   };

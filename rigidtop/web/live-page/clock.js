@@ -18,8 +18,7 @@ const BEHIND = 30;
  * @property {(rests: boolean) => void} [moved] Time moved on, or rests.
  */
 
-/** @param {Course} course */
-export function createClock({ now, go, rate, before, draw, moved }) {
+export function createClock(/** @type {Course} */ { now, go, rate, before, draw, moved }) {
   let playing = false;
   /** @type {1 | -1} */
   let direction = 1;
@@ -41,8 +40,7 @@ export function createClock({ now, go, rate, before, draw, moved }) {
     requestAnimationFrame(frame);
   }
 
-  /** @param {number} time */
-  function frame(time) {
+  function frame(/** @type {number} */ time) {
     asked = false;
     const passed = Number.isNaN(last) || document.hidden ? 0 : (time - last) / 1000;
     last = time;
@@ -61,8 +59,7 @@ export function createClock({ now, go, rate, before, draw, moved }) {
     moved?.(!playing);
   }
 
-  /** @param {number} seconds */
-  function moveOn(seconds) {
+  function moveOn(/** @type {number} */ seconds) {
     const shown = Math.min(seconds, LONGEST_FRAME);
     const t = Math.max(0, now() + direction * rate() * shown);
     const reached = go(t, performance.now() + FRAME) && shown === seconds;

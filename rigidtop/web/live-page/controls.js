@@ -5,12 +5,8 @@ import { listen, trackOf } from "./track.js";
 
 const DEGREE = Math.PI / 180;
 
-/**
- * A finite decimal number, and null for every other text.
- *
- * @param {string} text
- */
-export function numberFrom(text) {
+/** A finite decimal number, and null for every other text. */
+export function numberFrom(/** @type {string} */ text) {
   const plain = text.trim().replace("−", "-");
   if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain)) return null;
   const number = Number(plain);
@@ -23,11 +19,8 @@ const SUFFIXES = { deg: DEGREE, "°": DEGREE, rad: 1, rpm: Math.PI / 30 };
 /**
  * A number as it is typed, in SI units and radians; null for text that is none.  An angle is in
  * degrees, but for "1rad"; a rate may be in "rpm", or in "deg".
- *
- * @param {string} text
- * @param {Parameter} parameter
  */
-function typedValue(text, { angle, unit }) {
+function typedValue(/** @type {string} */ text, /** @type {Parameter} */ { angle, unit }) {
   const [, digits, suffix] = /^(.*?)\s*(deg|°|rad|rpm)?$/.exec(text.trim()) ?? ["", text, ""];
   const number = numberFrom(digits);
   if (number === null) return null;
@@ -39,64 +32,44 @@ function typedValue(text, { angle, unit }) {
 /**
  * The range of a parameter: its own, widened to what the preset needs.
  *
- * @param {Parameter} parameter
- * @param {Preset} preset
  * @returns {[number, number]}
  */
-export function limits(parameter, preset) {
+export function limits(/** @type {Parameter} */ parameter, /** @type {Preset} */ preset) {
   const value = preset.setup.values[parameter.name] ?? parameter.least;
   return [Math.min(parameter.least, value), Math.max(parameter.most, value)];
 }
 
-/**
- * @param {number} value
- * @param {number} digits
- */
-const rounded = (value, digits) => String(Number(value.toPrecision(digits))).replace("-", "−");
+const rounded = (
+  /** @type {number} */ value, /** @type {number} */ digits,
+) => String(Number(value.toPrecision(digits))).replace("-", "−");
 
-/**
- * The unit of a value; by the day moments are ratios.
- *
- * @param {Parameter} parameter
- * @param {Clock} clock
- */
-function unitOf(parameter, clock) {
+/** The unit of a value; by the day moments are ratios. */
+function unitOf(/** @type {Parameter} */ parameter, /** @type {Clock} */ clock) {
   if (parameter.angle) return "°";
   if (clock === "s") return parameter.unit;
   return parameter.unit.replace("kg m²", "").replace("/s", "/d");
 }
 
-/**
- * A value for a reader: "28.6°", "0.5 kg m²".
- *
- * @param {Parameter} parameter
- * @param {number} value
- * @param {Clock} clock
- */
-export function shown(parameter, value, clock) {
+/** A value for a reader: "28.6°", "0.5 kg m²". */
+export function shown(
+  /** @type {Parameter} */ parameter, /** @type {number} */ value, /** @type {Clock} */ clock,
+) {
   const unit = unitOf(parameter, clock);
   if (parameter.angle) return `${rounded(value / DEGREE, 3)}${unit}`;
   return unit ? `${rounded(value, 4)} ${unit}` : rounded(value, 4);
 }
 
-/**
- * The letter of a parameter as mathematics.
- *
- * @param {Parameter} parameter
- */
-function letterOf(parameter) {
+/** The letter of a parameter as mathematics. */
+function letterOf(/** @type {Parameter} */ parameter) {
   const holder = element("span", { class: "letter" });
   holder.innerHTML = parameter.math; // written by the package, as the whole page is
   return holder;
 }
 
-/**
- * A slider and a number field that go together; `changed` takes SI units and radians.
- *
- * @param {Parameter} parameter
- * @param {(value: number) => void} changed
- */
-function createRow(parameter, changed) {
+/** A slider and a number field that go together; `changed` takes SI units and radians. */
+function createRow(
+  /** @type {Parameter} */ parameter, /** @type {(value: number) => void} */ changed,
+) {
   const { name } = parameter;
   const scale = parameter.angle ? DEGREE : 1;
   const range = element("input", { type: "range", id: `slider-${name}` });
@@ -130,11 +103,7 @@ function createRow(parameter, changed) {
   /** @type {readonly number[]} */
   let marks = [0];
 
-  /**
-   * @param {string} sentence
-   * @param {Node[]} more
-   */
-  function complain(sentence, ...more) {
+  function complain(/** @type {string} */ sentence, /** @type {Node[]} */ ...more) {
     error.replaceChildren(sentence, ...more);
     field.setAttribute("aria-invalid", "true");
     row.closest("details")?.setAttribute("open", "");
@@ -196,12 +165,10 @@ function createRow(parameter, changed) {
     complain,
     restore,
     focus: () => range.focus(),
-    /**
-     * @param {number} now
-     * @param {Clock} time
-     * @param {readonly [number, number]} ends
-     */
-    show(now, time, ends) {
+    show(
+      /** @type {number} */ now, /** @type {Clock} */ time,
+      /** @type {readonly [number, number]} */ ends,
+    ) {
       [value, clock] = [now, time];
       if (ends[0] !== least || ends[1] !== most || !range.max) {
         [least, most] = ends;
@@ -227,13 +194,12 @@ function createRow(parameter, changed) {
 /**
  * The sliders. `changed` takes all the values that are asked for, and the name of the one that was
  * moved.
- *
- * @param {{ start: HTMLElement, body: HTMLElement }} places
- * @param {Kind} kind
- * @param {readonly Parameter[]} parameters
- * @param {(values: Record<string, number>, name: string) => void} changed
  */
-export function createSliders(places, kind, parameters, changed) {
+export function createSliders(
+  /** @type {{ start: HTMLElement, body: HTMLElement }} */ places, /** @type {Kind} */ kind,
+  /** @type {readonly Parameter[]} */ parameters,
+  /** @type {(values: Record<string, number>, name: string) => void} */ changed,
+) {
   /** @type {Record<string, number>} */
   let values = {};
   /** @type {Preset | null} */
@@ -260,16 +226,11 @@ export function createSliders(places, kind, parameters, changed) {
     if (made) (start ? places.start : places.body).append(made.row);
   }
 
-  /** @param {Parameter} parameter */
-  function rowOf(parameter) {
+  function rowOf(/** @type {Parameter} */ parameter) {
     return createRow(parameter, (value) => set(parameter.name, value));
   }
 
-  /**
-   * @param {string} name
-   * @param {number} value
-   */
-  function set(name, value) {
+  function set(/** @type {string} */ name, /** @type {number} */ value) {
     if (refused && refused.name !== name) {
       // What was refused does not stay, or another slider would be blamed for it.
       refused.back();
@@ -286,33 +247,22 @@ export function createSliders(places, kind, parameters, changed) {
     changed({ ...values }, name);
   }
 
-  /** @param {string} name */
-  function showRow(name) {
+  function showRow(/** @type {string} */ name) {
     const parameter = parameters.find((one) => one.name === name);
     if (!parameter || !preset) return;
     rows.get(name)?.show(values[name], clock, limits(parameter, preset));
   }
 
   const sliders = {
-    /**
-     * All values anew.
-     *
-     * @param {Values} now
-     * @param {Clock} time
-     * @param {Preset} example
-     */
-    show(now, time, example) {
+    /** All values anew. */
+    show(/** @type {Values} */ now, /** @type {Clock} */ time, /** @type {Preset} */ example) {
       [values, clock, preset, refused] = [{ ...now }, time, example, null];
       for (const { name } of parameters) showRow(name);
       symmetric.checked = values.lambda1 === values.lambda2;
       second?.setFollowing(symmetric.checked);
     },
-    /**
-     * As if the sliders were moved there, within their ranges.
-     *
-     * @param {Record<string, number>} asked
-     */
-    setAll(asked) {
+    /** As if the sliders were moved there, within their ranges. */
+    setAll(/** @type {Record<string, number>} */ asked) {
       for (const [name, value] of Object.entries(asked)) {
         const [least, most] = sliders.limits(name);
         values[name] = Math.min(Math.max(value, least), most);
@@ -320,12 +270,8 @@ export function createSliders(places, kind, parameters, changed) {
         set(name, values[name]);
       }
     },
-    /**
-     * What the sliders of a motion catch on.
-     *
-     * @param {Facts} facts
-     */
-    setMarks({ steady, smallestSpin }) {
+    /** What the sliders of a motion catch on. */
+    setMarks(/** @type {Facts} */ { steady, smallestSpin }) {
       rows.get("phi_dot")?.setMarks([0, ...(steady ?? [])].filter(Number.isFinite));
       const least = smallestSpin ?? 0;
       rows.get("omega3")?.setMarks([0, least, -least]);
@@ -333,21 +279,16 @@ export function createSliders(places, kind, parameters, changed) {
     /**
      * The range of a slider now.
      *
-     * @param {string} name
      * @returns {[number, number]}
      */
-    limits(name) {
+    limits(/** @type {string} */ name) {
       const parameter = parameters.find((one) => one.name === name);
       return parameter && preset ? limits(parameter, preset) : [-Infinity, Infinity];
     },
-    /**
-     * Say at the slider `name` why there is no such motion, and offer the way back.
-     *
-     * @param {string} name
-     * @param {string} sentence
-     * @param {() => void} back
-     */
-    refuse(name, sentence, back) {
+    /** Say at the slider `name` why there is no such motion, and offer the way back. */
+    refuse(
+      /** @type {string} */ name, /** @type {string} */ sentence, /** @type {() => void} */ back,
+    ) {
       refused = { name, back };
       const button = element("button", { type: "button" }, "Take it back");
       button.addEventListener("click", () => {

@@ -11,15 +11,14 @@ const EXPONENT = -1 / 8;
  * A solver of ẋ = rates(x) from `start` at the time t on; `h` is the first step to try, negative
  * to go back.  A step is as long as the errors allow: rtol |x| + atol for each component.
  *
- * @param {Tableau} tableau
- * @param {(state: ArrayLike<number>, rates: Float64Array) => void} rates
- * @param {ArrayLike<number>} start
- * @param {number} t
- * @param {number} h
- * @param {{ rtol: number, atol: number }} accuracy
  * @returns {Solver}
  */
-export function createSolver(tableau, rates, start, t, h, { rtol, atol }) {
+export function createSolver(
+  /** @type {Tableau} */ tableau,
+  /** @type {(state: ArrayLike<number>, rates: Float64Array) => void} */ rates,
+  /** @type {ArrayLike<number>} */ start, /** @type {number} */ t, /** @type {number} */ h,
+  /** @type {{ rtol: number, atol: number }} */ { rtol, atol },
+) {
   const { A, B, E3, E5, D, A_EXTRA } = tableau;
   const n = start.length;
   const stages = B.length;

@@ -35,13 +35,11 @@ export function createEquationPanel(container, list, light) {
   };
 }
 
-/**
- * One equation with the line that names a term of it.
- *
- * @param {Equation} equation
- * @param {(arrow: Term["arrow"]) => void} light
- */
-function createEntry({ tag, title, mathml, function: values, symmetric, terms }, light) {
+/** One equation with the line that names a term of it. */
+function createEntry(
+  /** @type {Equation} */ { tag, title, mathml, function: values, symmetric, terms },
+  /** @type {(arrow: Term["arrow"]) => void} */ light,
+) {
   const heading = element("p");
   setWords(heading, title);
   const formula = element("div", { class: "equation-formula" });
@@ -68,18 +66,13 @@ function createEntry({ tag, title, mathml, function: values, symmetric, terms },
 
   targets.forEach((target, k) => (target.tabIndex = k === 0 ? 0 : -1));
 
-  /**
-   * The target that an event is about.
-   *
-   * @param {Event} event
-   */
-  function targetOf(event) {
+  /** The target that an event is about. */
+  function targetOf(/** @type {Event} */ event) {
     const target = /** @type {Element} */ (event.target).closest("[data-term]");
     return /** @type {HTMLElement | null} */ (target);
   }
 
-  /** @param {number} term @param {HTMLElement} target */
-  function choose(term, target) {
+  function choose(/** @type {number} */ term, /** @type {HTMLElement} */ target) {
     chosen = term;
     for (const each of targets) {
       each.tabIndex = each === target ? 0 : -1;
@@ -102,12 +95,8 @@ function createEntry({ tag, title, mathml, function: values, symmetric, terms },
     setWords(meaning, shown < 0 ? "" : terms[shown].name);
   }
 
-  /**
-   * "MgR sin θ = 1.240 N m".
-   *
-   * @param {number} k
-   */
-  function amountOf(k) {
+  /** "MgR sin θ = 1.240 N m". */
+  function amountOf(/** @type {number} */ k) {
     const { text, unit } = terms[k];
     if (!present) return text;
     const value = termValues(values, ...present)[k];
@@ -144,8 +133,7 @@ function createEntry({ tag, title, mathml, function: values, symmetric, terms },
 
   return {
     figure,
-    /** @param {Sample} sample @param {Motion} motion */
-    update(sample, motion) {
+    update(/** @type {Sample} */ sample, /** @type {Motion} */ motion) {
       figure.hidden = symmetric !== null && symmetric !== motion.symmetric;
       present = [sample, motion];
       show();
@@ -156,11 +144,8 @@ function createEntry({ tag, title, mathml, function: values, symmetric, terms },
 /**
  * A term or a sign as mathematics of its own: one formula is one thing to a screen reader, which
  * would not find the terms in it.
- *
- * @param {Element} part
- * @param {readonly Term[]} terms
  */
-function partOf(part, terms) {
+function partOf(/** @type {Element} */ part, /** @type {readonly Term[]} */ terms) {
   const math = /** @type {Element} */ (part.parentElement).cloneNode(false);
   const term = part.getAttribute("data-term");
   const name = term && terms[Number(term)].name.replace(/_/g, " ");
@@ -172,22 +157,15 @@ function partOf(part, terms) {
   return element("span", { role: "button", "data-term": term }, math, words);
 }
 
-/**
- * The number of the term that an element stands for.
- *
- * @param {HTMLElement} target
- */
-function termOf(target) {
+/** The number of the term that an element stands for. */
+function termOf(/** @type {HTMLElement} */ target) {
   return Number(target.dataset.term);
 }
 
 /**
  * Words in which "p_φ" becomes p with an index; nothing is touched where they are there already.
- *
- * @param {HTMLElement} holder
- * @param {string} words
  */
-function setWords(holder, words) {
+function setWords(/** @type {HTMLElement} */ holder, /** @type {string} */ words) {
   if (holder.dataset.words === words) return;
   holder.dataset.words = words;
   const parts = words.split(/_(\p{L})/u);
@@ -195,14 +173,10 @@ function setWords(holder, words) {
     ...parts.map((part, k) => (k % 2 === 0 ? part : element("sub", {}, part))));
 }
 
-/**
- * The values of an equation's terms by its function in equations.js.
- *
- * @param {string} name
- * @param {Sample} sample
- * @param {Motion} motion
- */
-function termValues(name, sample, motion) {
+/** The values of an equation's terms by its function in equations.js. */
+function termValues(
+  /** @type {string} */ name, /** @type {Sample} */ sample, /** @type {Motion} */ motion,
+) {
   const functions = /** @type {Record<string, TermFunction>} */ (
     /** @type {unknown} */ (equations));
   return functions[name](quantities(sample, motion));
@@ -211,11 +185,8 @@ function termValues(name, sample, motion) {
 /**
  * A unit of the equations in the motion's own units: "N m" is "1/d²" by the day, where moments are
  * ratios.
- *
- * @param {string} unit
- * @param {Motion} motion
  */
-function unitIn(unit, { setup: { clock } }) {
+function unitIn(/** @type {string} */ unit, /** @type {Motion} */ { setup: { clock } }) {
   if (clock === "s") return unit;
   return unit.replace("N m", `1/${clock}²`).replace("J s", `1/${clock}`);
 }

@@ -27,10 +27,9 @@ const HARDLY_SEEN = 0.01;
 /**
  * All that is known of a motion at its start.
  *
- * @param {Motion} motion
  * @returns {Facts}
  */
-export function factsOf(motion) {
+export function factsOf(/** @type {Motion} */ motion) {
   const none = { turningPoints: null, smallestSpin: null, sleepingSpin: null, steady: null };
   if (motion.setup.kind === "free") return { ...none, ...freeFacts(motion) };
   if (!motion.symmetric) {
@@ -52,10 +51,9 @@ export function factsOf(motion) {
 /**
  * The potential in which θ moves, as a function of θ; of a symmetric body.
  *
- * @param {Motion} motion
  * @returns {(theta: number) => number}
  */
-export function potentialOf(motion) {
+export function potentialOf(/** @type {Motion} */ motion) {
   const { M, R, g, lambda1, lambda3, p_phi, p_psi } = quantities(motion.start, motion);
   return (theta) => effectivePotential({ M, R, g, lambda1, lambda3, p_phi, p_psi, theta });
 }
@@ -100,8 +98,7 @@ function inWords({ regime, turningPoints, nutationPeriod, meanPrecession }, asle
   return sentences[regime] ?? "";
 }
 
-/** @param {Motion} motion */
-function regimeOf(motion) {
+function regimeOf(/** @type {Motion} */ motion) {
   const { start, weight } = motion;
   const { M, R, g, lambda1, lambda3, p_phi, p_psi } = quantities(start, motion);
   const u = start.e3[2];
@@ -135,12 +132,10 @@ function regimeOf(motion) {
 /**
  * The time in which cos θ goes from one root of the cubic to the other and back:
  * 4K(k)/√(c(u₃ − u₁)) with k² = (u₂ − u₁)/(u₃ − u₁); infinite where the upper root is double.
- *
- * @param {readonly number[]} cubic
- * @param {number} low
- * @param {number} high
  */
-function periodBetween([c3, c2], low, high) {
+function periodBetween(
+  /** @type {readonly number[]} */ [c3, c2], /** @type {number} */ low, /** @type {number} */ high,
+) {
   if (!(high > low) || c3 === 0) return Infinity;
   const third = -c2 / c3 - low - high;
   // Of a body whose centre of mass is on the other side of the pivot the third root is below.
@@ -211,13 +206,8 @@ function cosines(cubic, poles, u, sine, resting) {
   return up > 0 ? [u, other] : [other, u];
 }
 
-/**
- * A polynomial, largest power first, divided by x − root, of which it has a factor.
- *
- * @param {readonly number[]} polynomial
- * @param {number} root
- */
-function without(polynomial, root) {
+/** A polynomial, largest power first, divided by x − root, of which it has a factor. */
+function without(/** @type {readonly number[]} */ polynomial, /** @type {number} */ root) {
   let carried = 0;
   return polynomial.slice(0, -1).map((c) => (carried = carried * root + c));
 }
@@ -241,10 +231,9 @@ function boundary(
 /**
  * The slow and the fast rate of steady precession; null where there are none.
  *
- * @param {Motion} motion
  * @returns {[number, number] | null}
  */
-function ratesOf(motion) {
+function ratesOf(/** @type {Motion} */ motion) {
   const { M, R, g, lambda1, lambda3, omega3 } = quantities(motion.start, motion);
   const { theta } = motion.start;
   const spin = { M, R, g, lambda1, lambda3, theta, omega3: Math.abs(omega3) };
@@ -253,8 +242,7 @@ function ratesOf(motion) {
   return omega3 < 0 ? [-slow, -fast] : [slow, fast];
 }
 
-/** @param {Motion} motion */
-function steadyFacts(motion) {
+function steadyFacts(/** @type {Motion} */ motion) {
   const { M, R, g, lambda1, lambda3, omega3 } = quantities(motion.start, motion);
   const { theta } = motion.start;
   const nothing = { smallestSpin: null, sleepingSpin: null, steady: null };
@@ -312,8 +300,7 @@ function steadyFacts(motion) {
   return { ...known, smallestSpin: least, steady, verdict };
 }
 
-/** @param {Motion} motion */
-function freeFacts(motion) {
+function freeFacts(/** @type {Motion} */ motion) {
   const moments = Array.from(motion.moments);
   const omega = Array.from(motion.start.omega);
   const L = omega.map((w, k) => w * moments[k]);

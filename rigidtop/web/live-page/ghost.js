@@ -30,10 +30,9 @@ const CHANGES = [
 /**
  * The ghosts of a page, by their names in the address, with words.
  *
- * @param {Kind} kind
  * @returns {Choices}
  */
-export function ghostsOf(kind) {
+export function ghostsOf(/** @type {Kind} */ kind) {
   return CHANGES.filter(([, , of]) => of === null || of === kind).map(([name, words]) =>
     [name, words]);
 }
@@ -41,12 +40,11 @@ export function ghostsOf(kind) {
 /**
  * The values of a ghost; null where there is none, as of a rate that does not exist.
  *
- * @param {string} ghost
- * @param {Values} values
- * @param {Facts} facts
  * @returns {Record<string, number> | null}
  */
-export function ghostValues(ghost, values, facts) {
+export function ghostValues(
+  /** @type {string} */ ghost, /** @type {Values} */ values, /** @type {Facts} */ facts,
+) {
   const change = CHANGES.find(([name]) => name === ghost)?.[3](values, facts) ?? null;
   return change && { ...values, ...change };
 }
@@ -55,10 +53,9 @@ export function ghostValues(ghost, values, facts) {
  * How far two bodies are apart, in radians: the angle between the axes e₃ of heavy ones, and of
  * free ones that of the turn from one attitude to the other.
  *
- * @param {Kind} kind
  * @returns {(one: Sample, other: Sample) => number}
  */
-export function apart(kind) {
+export function apart(/** @type {Kind} */ kind) {
   if (kind === "heavy-top") return (one, other) => angleBetween(one.e3, other.e3);
   return ({ q: a }, { q: b }) => {
     // Of the quaternions ±q that mean the same attitude, the nearer one.

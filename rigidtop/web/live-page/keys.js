@@ -81,13 +81,8 @@ export function createKeys(scene, dialog, commands) {
   dialog.querySelector("tbody")?.replaceChildren(...rows);
   dialog.querySelector("button")?.addEventListener("click", () => dialog.close());
 
-  /**
-   * What a key does there, if anything.
-   *
-   * @param {string} key
-   * @param {Element} target
-   */
-  function commandFor(key, target) {
+  /** What a key does there, if anything. */
+  function commandFor(/** @type {string} */ key, /** @type {Element} */ target) {
     if (target.closest(TYPING)) return null;
     if (key === " " && target.closest(PRESSED_BY_SPACE)) return null;
     if (key === "Home" && target.closest(WITH_ARROWS)) return null;

@@ -67,13 +67,10 @@ export function createStrokes(/** @type {number[]} */ ends, /** @type {Line} */ 
   return pieces.object;
 }
 
-/**
- * The pieces of a closed curve, given as a function of an angle.
- *
- * @param {(angle: number) => readonly number[]} curve
- * @param {number} count
- */
-export function ringOf(curve, count) {
+/** The pieces of a closed curve, given as a function of an angle. */
+export function ringOf(
+  /** @type {(angle: number) => readonly number[]} */ curve, /** @type {number} */ count,
+) {
   /** @type {number[]} */
   const ends = [];
   for (let i = 0; i < count; i++) {

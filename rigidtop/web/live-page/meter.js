@@ -16,12 +16,8 @@ const NAMES = {
   L: { symbol: "L", meaning: "angular momentum" },
 };
 
-/**
- * A row for each constant of the motion: its relative drift as a bar, as numbers and as a word.
- *
- * @param {HTMLElement} container
- */
-export function createMeter(container) {
+/** A row for each constant of the motion: its relative drift as a bar, as numbers and as a word. */
+export function createMeter(/** @type {HTMLElement} */ container) {
   container.classList.add("meter");
   container.style.setProperty("--promise", percent(10 ** PROMISE));
   /** @type {string} */
@@ -56,13 +52,8 @@ function heading() {
     span(""), scale, span("", "now"), span("", "largest"), span(""));
 }
 
-/**
- * A row at the end of the container, and the function that shows a drift in it.
- *
- * @param {HTMLElement} container
- * @param {string} name
- */
-function createRow(container, name) {
+/** A row at the end of the container, and the function that shows a drift in it. */
+function createRow(/** @type {HTMLElement} */ container, /** @type {string} */ name) {
   const { symbol, meaning } = NAMES[name] ?? { symbol: "", meaning: name };
   const letter = span("meter-name");
   if (symbol) letter.innerHTML = symbol;
@@ -92,30 +83,18 @@ function createRow(container, name) {
   };
 }
 
-/**
- * The exponent of ten of a drift, within the bar.
- *
- * @param {number} drift
- */
-function exponent(drift) {
+/** The exponent of ten of a drift, within the bar. */
+function exponent(/** @type {number} */ drift) {
   return drift < 10 ** MOST ? Math.max(Math.log10(drift), LEAST) : MOST;
 }
 
-/**
- * The place of a drift along the bar.
- *
- * @param {number} drift
- */
-function percent(drift) {
+/** The place of a drift along the bar. */
+function percent(/** @type {number} */ drift) {
   return `${(100 * (exponent(drift) - LEAST) / (MOST - LEAST)).toFixed(1)}%`;
 }
 
-/**
- * A drift as it is read aloud.
- *
- * @param {number} drift
- */
-function spoken(drift) {
+/** A drift as it is read aloud. */
+function spoken(/** @type {number} */ drift) {
   if (drift === 0) return "0";
   if (!Number.isFinite(drift)) return "unknown";
   const [mantissa, power] = drift.toExponential(0).split("e");

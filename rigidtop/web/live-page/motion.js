@@ -53,10 +53,9 @@ const LOOKS = 40;
 /**
  * What a setup says, complete; an Error with one sentence if there is no such body.
  *
- * @param {Setup} setup
  * @returns {Start}
  */
-export function startOf(setup) {
+export function startOf(/** @type {Setup} */ setup) {
   const { lambda1, lambda2, lambda3 } = setup.values;
   const moments = /** @type {[number, number, number]} */ ([lambda1, lambda2, lambda3]);
   const heavy = setup.kind === "heavy-top";
@@ -78,14 +77,11 @@ export function startOf(setup) {
   return { moments, M, g, arm, q: quaternionOfAngles(angles), omega, ...angles };
 }
 
-/**
- * θ, φ, ψ of a free body: as given, or those that put L along ẑ.
- *
- * @param {Setup} setup
- * @param {readonly number[]} moments
- * @param {readonly number[]} omega
- */
-function attitudeAngles(setup, moments, omega) {
+/** θ, φ, ψ of a free body: as given, or those that put L along ẑ. */
+function attitudeAngles(
+  /** @type {Setup} */ setup, /** @type {readonly number[]} */ moments,
+  /** @type {readonly number[]} */ omega,
+) {
   const { theta, phi = 0, psi = 0 } = setup.values;
   if (theta !== undefined) return { theta, phi, psi };
   const [L1, L2, L3] = omega.map((w, k) => w * moments[k]);
@@ -201,13 +197,10 @@ export function createMotion(setup, tableau, pace) {
     return { t, phi, psi };
   };
 
-  /**
-   * @param {(t: number) => Float64Array} look
-   * @param {number} t
-   * @param {Sample | null} before
-   * @returns {Sample}
-   */
-  const sampleAt = (look, t, before) => {
+  const sampleAt = (
+    /** @type {(t: number) => Float64Array} */ look, /** @type {number} */ t,
+    /** @type {Sample | null} */ before,
+  ) => {
     const from = before ?? { t: 0, phi: initial.phi, psi: initial.psi };
     const known = { t: from.t, phi: from.phi, psi: from.psi - spin * from.t };
     const { phi, psi } = angles(look, known, t);
@@ -306,11 +299,9 @@ export function createMotion(setup, tableau, pace) {
 /**
  * The numbers that the functions of `equations.js` take, by SymPy's names.
  *
- * @param {Sample} sample
- * @param {Motion} motion
  * @returns {Record<string, number>}
  */
-export function quantities(sample, motion) {
+export function quantities(/** @type {Sample} */ sample, /** @type {Motion} */ motion) {
   const { M = 1, g = 0, R1 = 0, R2 = 0, R = 0 } = motion.setup.values;
   const [lambda1, lambda2, lambda3] = Array.from(motion.moments);
   const [omega1, omega2, omega3] = Array.from(sample.omega);

@@ -233,12 +233,8 @@ export function createPage(data, subject) {
   });
   readState(location.hash);
 
-  /**
-   * The scene, or one sentence in its place.
-   *
-   * @param {HTMLElement} container
-   */
-  function sceneIn(container) {
+  /** The scene, or one sentence in its place. */
+  function sceneIn(/** @type {HTMLElement} */ container) {
     try {
       return subject.pictureIn(container, readColours());
     } catch (error) {
@@ -254,13 +250,8 @@ export function createPage(data, subject) {
     clock.wake();
   }
 
-  /**
-   * Towards t; where the motion ends it stands.
-   *
-   * @param {number} t
-   * @param {number} deadline
-   */
-  function go(t, deadline) {
+  /** Towards t; where the motion ends it stands. */
+  function go(/** @type {number} */ t, /** @type {number} */ deadline) {
     ended = "";
     try {
       const reached = motion.go(t, deadline);
@@ -349,8 +340,7 @@ export function createPage(data, subject) {
     showFacts();
   }
 
-  /** @param {M} next */
-  function begin(next) {
+  function begin(/** @type {M} */ next) {
     motion = next;
     facts = subject.factsOf(motion);
     ended = "";
@@ -378,8 +368,7 @@ export function createPage(data, subject) {
     plots.setMotion(motion, ghost, state.plot);
   }
 
-  /** @param {Preset} preset */
-  function choosePreset(preset) {
+  function choosePreset(/** @type {Preset} */ preset) {
     const { theme, speed, embed, plot, ghost: ghostNow } = state;
     state = { ...addresses.stateOf(preset), theme, speed, embed, plot, ghost: ghostNow };
     start(subject.motionOf(state), clock.playing);
@@ -458,8 +447,7 @@ export function createPage(data, subject) {
     clock.fresh();
   }
 
-  /** @param {number} now */
-  function draw(now) {
+  function draw(/** @type {number} */ now) {
     const sample = motion.now;
     const { ahead: [trail, ghostTrail], mirrored: [past, ghostPast] } = trailsNow();
     scene?.draw(sample, past, ghost && { sample: ghost.now, trail: ghostPast });

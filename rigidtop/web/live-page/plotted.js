@@ -12,11 +12,8 @@ const PLOTS = /** @type {const} */ ({
   free: [["rates", "ω₁,₂,₃"], ["angles", "θ, φ"], ["path", "θ(φ)"]],
 });
 
-/**
- * @param {Exclude<Kind, "system">} kind
- * @returns {Choices}
- */
-export function plotsOf(kind) {
+/** @returns {Choices} */
+export function plotsOf(/** @type {Exclude<Kind, "system">} */ kind) {
   return PLOTS[kind];
 }
 
@@ -37,11 +34,9 @@ const phi = (sample) => sample.phi * DEGREE;
 /**
  * The panels of a motion, one above the other.
  *
- * @param {Motion} motion
- * @param {string} plot
  * @returns {Graph<Sample>[]}
  */
-function panelsOf(motion, plot) {
+function panelsOf(/** @type {Motion} */ motion, /** @type {string} */ plot) {
   const { clock } = motion.setup;
   const usual = { guides: [], range: UNIT, expected: null };
   if (plot === "rates") {
@@ -99,12 +94,8 @@ function panelsOf(motion, plot) {
   ];
 }
 
-/**
- * @param {Motion} motion
- * @param {string} plot
- * @returns {Plotted<Sample>}
- */
-export function plottedOf(motion, plot) {
+/** @returns {Plotted<Sample>} */
+export function plottedOf(/** @type {Motion} */ motion, /** @type {string} */ plot) {
   const { clock, kind } = motion.setup;
   return {
     panels: panelsOf(motion, plot),
@@ -117,10 +108,8 @@ export function plottedOf(motion, plot) {
 
 /**
  * How much of time to show: some periods of what e₃ does, which may be slower than the body spins.
- *
- * @param {Motion} motion
  */
-function windowOf(motion) {
+function windowOf(/** @type {Motion} */ motion) {
   const { setup, moments, weight, start, timescale } = motion;
   if (setup.kind === "free") return nice(30 * timescale);
   const rate = length(start.momentum) / moments[0] + Math.sqrt(length(weight) / moments[0]);
@@ -132,33 +121,20 @@ function windowOf(motion) {
   return nice(nutates ? Math.min(NUTATIONS * nutationPeriod, MUCH_SLOWER * usual, most) : usual);
 }
 
-/** @param {Numbers} vector */
-function length(vector) {
+function length(/** @type {Numbers} */ vector) {
   return Math.hypot(vector[0], vector[1], vector[2]);
 }
 
-/**
- * The range of an axis of rates around zero; the old one as long as it serves.
- *
- * @param {Span} old
- * @param {Span} seen
- * @returns {Span}
- */
-function around(old, seen) {
+/** The range of an axis of rates around zero; the old one as long as it serves. */
+function around(/** @type {Span} */ old, /** @type {Span} */ seen) {
   const size = Math.max(-seen.low, seen.high) || 1;
   if (old.low === -old.high && size <= old.high && old.high < 2.6 * size) return old;
   const high = nice(size / 4) * Math.ceil((1.05 * size) / nice(size / 4));
   return { low: -high, high };
 }
 
-/**
- * The range of an axis of φ, which `seen` pushes up or down, and widens where it is too small.
- *
- * @param {Span} old
- * @param {Span} seen
- * @returns {Span}
- */
-function followed(old, seen) {
+/** The range of an axis of φ, which `seen` pushes up or down, and widens where it is too small. */
+function followed(/** @type {Span} */ old, /** @type {Span} */ seen) {
   const size = Math.max(1, seen.high - seen.low);
   const oldSpan = old.high - old.low;
   const kept = 1.04 * size < oldSpan && oldSpan < 4 * size;
@@ -194,13 +170,8 @@ const COLUMNS = [
   ["energy (J)", (s) => s.energy],
 ];
 
-/**
- * The motion from t = 0 as a table.
- *
- * @param {Motion} motion
- * @param {number} duration
- */
-export function tableOf(motion, duration) {
+/** The motion from t = 0 as a table. */
+export function tableOf(/** @type {Motion} */ motion, /** @type {number} */ duration) {
   const { clock } = motion.setup;
   const names = COLUMNS.map(([name]) => {
     if (name === "t") return `t (${clock})`;

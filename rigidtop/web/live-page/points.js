@@ -90,15 +90,11 @@ export function createPoints(container, { points: count, bodies, planar, follow 
     ctx.globalAlpha = 1;
   }
 
-  /**
-   * The trails, then rods and points, and the axes of bodies.
-   *
-   * @param {Paper} sheet
-   * @param {Place} place
-   * @param {Past<Moment>} past
-   * @param {(k: number) => string} colourOf
-   */
-  function drawMotion(sheet, place, { sample, trail }, colourOf) {
+  /** The trails, then rods and points, and the axes of bodies. */
+  function drawMotion(
+    /** @type {Paper} */ sheet, /** @type {Place} */ place,
+    /** @type {Past<Moment>} */ { sample, trail }, /** @type {(k: number) => string} */ colourOf,
+  ) {
     const { ctx, em, colours } = sheet;
     const { points, t } = sample;
     const thick = (colours.highContrast ? 1.5 : 1) * em;

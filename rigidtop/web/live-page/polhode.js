@@ -90,12 +90,10 @@ export function familyOf(moments, twiceEnergy, parts, count) {
 /**
  * What the closed form of ω on its polhode is made of: the axis k that it goes around, the one of
  * the intermediate moment and the other outer one, the rate p, and 1 − k² of its modulus.
- *
- * @param {Numbers} moments
- * @param {number} twiceEnergy
- * @param {number} squareL
  */
-function closedForm(moments, twiceEnergy, squareL) {
+function closedForm(
+  /** @type {Numbers} */ moments, /** @type {number} */ twiceEnergy, /** @type {number} */ squareL,
+) {
   const k = enclosedAxis(moments, twiceEnergy, squareL);
   const [a, middle, c] = axesByMoment(moments);
   const other = k === a ? c : a;
@@ -119,11 +117,8 @@ export function polhodePeriod(
  * The time until ω has next no component along the axis of the intermediate moment, of which a
  * body that flips turns over: that component is B sin φ, and φ runs through F(φ, k) = p t.
  * Infinite where there is no such time.
- *
- * @param {Numbers} moments
- * @param {Numbers} omega
  */
-export function untilFlip(moments, omega) {
+export function untilFlip(/** @type {Numbers} */ moments, /** @type {Numbers} */ omega) {
   const { twiceEnergy, squareL } = invariants(moments, omega);
   const half = polhodePeriod(moments, twiceEnergy, squareL) / 2;
   if (!Number.isFinite(half)) return Infinity;

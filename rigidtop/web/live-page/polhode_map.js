@@ -21,11 +21,9 @@ const POINTS = 96;
 /** How near the pointer has to come to the separatrix or an axis to be taken onto it (rad). */
 const CATCH = 0.035;
 
-/**
- * @param {HTMLElement} container
- * @param {(omega: number[]) => void} chosen
- */
-export function createPolhodeMap(container, chosen) {
+export function createPolhodeMap(
+  /** @type {HTMLElement} */ container, /** @type {(omega: number[]) => void} */ chosen,
+) {
   /** @type {Motion | null} */
   let motion = null;
   /** @type {Sample | null} */
@@ -195,12 +193,8 @@ export function createPolhodeMap(container, chosen) {
   }
 
   return {
-    /**
-     * Another motion; hides the map where every ω rests.
-     *
-     * @param {Motion} next
-     */
-    setMotion(next) {
+    /** Another motion; hides the map where every ω rests. */
+    setMotion(/** @type {Motion} */ next) {
       const { twiceEnergy, squareL } = invariants(next.moments, next.start.omega);
       container.hidden = !(twiceEnergy > 0) ||
         enclosedAxis(next.moments, twiceEnergy, squareL) < 0;
@@ -210,12 +204,8 @@ export function createPolhodeMap(container, chosen) {
       if (motion && !dragging()) view = viewOf(next.moments, next.start.omega);
       paper.redrawSoon();
     },
-    /**
-     * One frame.
-     *
-     * @param {Sample} sample
-     */
-    draw(sample) {
+    /** One frame. */
+    draw(/** @type {Sample} */ sample) {
       last = sample;
       paper.redrawSoon();
     },
@@ -233,13 +223,8 @@ function future(/** @type {Motion} */ { moments, setup }, /** @type {Sample} */ 
   return flips ? `it turns over in ${time}: ω_${middle} = 0` : `ω_${middle} = 0 in ${time}`;
 }
 
-/**
- * A point of the sphere, or that of an axis or the separatrix if it is near one.
- *
- * @param {Numbers} moments
- * @param {readonly number[]} u
- */
-function onto(moments, u) {
+/** A point of the sphere, or that of an axis or the separatrix if it is near one. */
+function onto(/** @type {Numbers} */ moments, /** @type {readonly number[]} */ u) {
   for (let k = 0; k < 3; k++) {
     if (Math.abs(u[k]) < Math.cos(CATCH)) continue;
     return [0, 1, 2].map((i) => (i === k ? Math.sign(u[k]) : 0));

@@ -9,12 +9,8 @@ import { factsOf, potentialOf } from "./facts.js";
 
 const DEGREE = 180 / Math.PI;
 
-/**
- * U_eff(θ) with the energy, the turning points and the moving point.
- *
- * @param {HTMLElement} container
- */
-export function createPotentialPlot(container) {
+/** U_eff(θ) with the energy, the turning points and the moving point. */
+export function createPotentialPlot(/** @type {HTMLElement} */ container) {
   /** @type {Landscape | null} */
   let landscape = null;
   /** @type {Sample | null} */
@@ -37,22 +33,14 @@ export function createPotentialPlot(container) {
   }
 
   return {
-    /**
-     * Another motion; hides the plot where there is no such potential.
-     *
-     * @param {Motion} motion
-     */
-    setMotion(motion) {
+    /** Another motion; hides the plot where there is no such potential. */
+    setMotion(/** @type {Motion} */ motion) {
       last = null;
       container.hidden = motion.setup.kind === "free" || !motion.symmetric;
       landscape = container.hidden ? null : landscapeOf(motion);
     },
-    /**
-     * One frame.
-     *
-     * @param {Sample} sample
-     */
-    draw(sample) {
+    /** One frame. */
+    draw(/** @type {Sample} */ sample) {
       last = sample;
       paper.redrawSoon();
     },
@@ -66,12 +54,8 @@ const ANGLES = { low: 0, high: 180 };
 /** Into how many steps the curve of the potential is cut. */
 const STEPS = 720;
 
-/**
- * What of the potential stays the same as long as the motion does.
- *
- * @param {Motion} motion
- */
-function landscapeOf(motion) {
+/** What of the potential stays the same as long as the motion does. */
+function landscapeOf(/** @type {Motion} */ motion) {
   const { setup, start, moments } = motion;
   const { energy } = start;
   const potential = potentialOf(motion);
@@ -92,12 +76,8 @@ function landscapeOf(motion) {
 /**
  * The part of the potential to show: its least value, the energy, and so much of the walls on both
  * sides that they are seen to be walls.
- *
- * @param {readonly number[]} heights
- * @param {number} energy
- * @returns {Span}
  */
-function rangeAround(heights, energy) {
+function rangeAround(/** @type {readonly number[]} */ heights, /** @type {number} */ energy) {
   const low = Math.min(...heights);
   const bottom = heights.indexOf(low);
   const reach = STEPS / 6;
@@ -121,24 +101,18 @@ function decimalsOf({ low, high }, kinetic) {
   return Math.max(0, 3 - Math.ceil(Math.log10(Math.max(kinetic, (high - low) / 1000))));
 }
 
-/**
- * The energy at a sample in two parts: the height of the potential, and ½λ₁θ̇².
- *
- * @param {Landscape} landscape
- * @param {Sample} sample
- */
-function splitEnergy(landscape, sample) {
+/** The energy at a sample in two parts: the height of the potential, and ½λ₁θ̇². */
+function splitEnergy(/** @type {Landscape} */ landscape, /** @type {Sample} */ sample) {
   const height = landscape.potential(sample.theta);
   const kinetic = 0.5 * landscape.lambda1 * sample.theta_dot ** 2;
   return { height: Number.isFinite(height) ? height : landscape.energy - kinetic, kinetic };
 }
 
-/**
- * Shade where θ may not be.
- *
- * @param {Paper} sheet @param {Box} box @param {Landscape} landscape
- */
-function drawForbidden({ ctx, em, colours }, box, { allowed }) {
+/** Shade where θ may not be. */
+function drawForbidden(
+  /** @type {Paper} */ { ctx, em, colours }, /** @type {Box} */ box,
+  /** @type {Landscape} */ { allowed },
+) {
   const x = scale(ANGLES, box.left, box.right);
   const [least, largest] = allowed.map((angle) => x(angle * DEGREE));
   const height = box.bottom - box.top;
@@ -156,12 +130,11 @@ function drawForbidden({ ctx, em, colours }, box, { allowed }) {
   ctx.restore();
 }
 
-/**
- * The curve, the energy, the turning points, and the point that moves between them.
- *
- * @param {Paper} sheet @param {Box} box @param {Landscape} landscape @param {Sample} sample
- */
-function drawLandscape(sheet, box, landscape, sample) {
+/** The curve, the energy, the turning points, and the point that moves between them. */
+function drawLandscape(
+  /** @type {Paper} */ sheet, /** @type {Box} */ box, /** @type {Landscape} */ landscape,
+  /** @type {Sample} */ sample,
+) {
   const { ctx, em, colours } = sheet;
   const { heights, energy, allowed, range } = landscape;
   const x = scale(ANGLES, box.left, box.right);
@@ -207,13 +180,8 @@ function drawLandscape(sheet, box, landscape, sample) {
   line(ctx, box.right - width - 0.6 * em, 0.3 * em, box.right - width - 0.6 * em, 1.2 * em);
 }
 
-/**
- * The plot in words.
- *
- * @param {Landscape} landscape
- * @param {Sample} sample
- */
-function describe(landscape, sample) {
+/** The plot in words. */
+function describe(/** @type {Landscape} */ landscape, /** @type {Sample} */ sample) {
   const { height, kinetic } = splitEnergy(landscape, sample);
   const [potential, moving, energy] = [height, kinetic, landscape.energy]
     .map((value) => withUnit(significant(value), landscape.unit));

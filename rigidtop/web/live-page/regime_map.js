@@ -13,11 +13,10 @@ const CELLS = /** @type {const} */ ([140, 100]);
 /** How near the pointer has to come to a branch to be taken onto it, in em. */
 const CATCH = 0.7;
 
-/**
- * @param {HTMLElement} container
- * @param {(phidot: number, omega3: number) => void} chosen
- */
-export function createRegimeMap(container, chosen) {
+export function createRegimeMap(
+  /** @type {HTMLElement} */ container,
+  /** @type {(phidot: number, omega3: number) => void} */ chosen,
+) {
   /** @type {{ top: Top, theta: number, phidot: number, omega3: number, unit: string } | null} */
   let shown = null;
   /** @type {Span} */
@@ -161,12 +160,8 @@ export function createRegimeMap(container, chosen) {
   });
 
   return {
-    /**
-     * Another motion; hides the map where θ₀ does not rest on a tilted symmetric top.
-     *
-     * @param {Motion} motion
-     */
-    setMotion(motion) {
+    /** Another motion; hides the map where θ₀ does not rest on a tilted symmetric top. */
+    setMotion(/** @type {Motion} */ motion) {
       const { setup, start, symmetric } = motion;
       const tilted = Math.sin(start.theta) > 1e-6;
       const { M, R, g, lambda1, lambda3, phidot, omega3, theta } = quantities(start, motion);

@@ -14,13 +14,11 @@ import {
  *
  * θ rests at the start, so that cos θ₀ is one root of the cubic; dividing it out leaves a
  * quadratic, whose one root between −1 and 1 is the other end.
- *
- * @param {Top} top
- * @param {number} theta
- * @param {number} phidot
- * @param {number} omega3
  */
-export function backwards(top, theta, phidot, omega3) {
+export function backwards(
+  /** @type {Top} */ top, /** @type {number} */ theta, /** @type {number} */ phidot,
+  /** @type {number} */ omega3,
+) {
   const u = Math.cos(theta);
   const { lambda1, lambda3 } = top;
   const rates = { phidot, psidot: omega3 - phidot * u, theta };

@@ -26,13 +26,8 @@ const LONGEST = 1.7;
 const FINEST = 2;
 const SETTLED = 400;
 
-/**
- * The scene in a container that it fills.  Throws an Error if the browser has no WebGL.
- *
- * @param {HTMLElement} container
- * @param {Colours} colours
- */
-export function createScene(container, colours) {
+/** The scene in a container that it fills.  Throws an Error if the browser has no WebGL. */
+export function createScene(/** @type {HTMLElement} */ container, /** @type {Colours} */ colours) {
   const canvas = document.createElement("canvas");
   const context = contextOf(canvas);
   const renderer = new THREE.WebGLRenderer({ canvas, context });
@@ -142,13 +137,10 @@ export function createScene(container, colours) {
   resize();
   home();
 
-  /**
-   * @param {string} text
-   * @param {(c: Colours) => string} pick
-   * @param {number} radius
-   * @param {THREE.Group} group
-   */
-  function arrowOf(text, pick, radius, group) {
+  function arrowOf(
+    /** @type {string} */ text, /** @type {(c: Colours) => string} */ pick,
+    /** @type {number} */ radius, /** @type {THREE.Group} */ group,
+  ) {
     const arrow = arrows.add(
       palette.solid((c) => new THREE.Color(pick(c))),
       palette.hidden((c) => mix(pick(c), c.body, c.highContrast ? 0.4 : 0.62)),

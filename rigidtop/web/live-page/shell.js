@@ -1,14 +1,12 @@
 /** What every page has around its motion: its elements, found and made, and one line to say. */
 
-/** @param {string} id */
-export function find(id) {
+export function find(/** @type {string} */ id) {
   const found = document.getElementById(id);
   if (!found) throw new Error(`the page has no #${id}`);
   return found;
 }
 
-/** @param {unknown} error */
-export function messageOf(error) {
+export function messageOf(/** @type {unknown} */ error) {
   return error instanceof Error ? error.message : String(error);
 }
 

@@ -108,12 +108,8 @@ function reach(/** @type {Parameter} */ { name, angle }) {
   return { least: -most, most };
 }
 
-/**
- * @param {Flow} motion
- * @param {string} chosen
- * @returns {Plotted<Moment>}
- */
-function plottedOf({ start, sizes }, chosen) {
+/** @returns {Plotted<Moment>} */
+function plottedOf(/** @type {Flow} */ { start, sizes }, /** @type {string} */ chosen) {
   const group = (/** @type {number} */ from) =>
     data.state.slice(from, from + half).map((_, k) => panel(from + k, sizes[from + k]));
   const energy = () => line("E", ({ energy: E }) => E, "ink", significant, start.energy);

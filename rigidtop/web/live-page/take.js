@@ -8,12 +8,10 @@ const PICTURES = 30;
 /** Bits in each of them: enough for thin lines. */
 const BITS = 8e6;
 
-/**
- * Comma-separated values; what is open, as φ̇ at a pole, stays empty.
- *
- * @param {{ names: readonly string[], rows: (string | number)[][] }} table
- */
-export function separated({ names, rows }) {
+/** Comma-separated values; what is open, as φ̇ at a pole, stays empty. */
+export function separated(
+  /** @type {{ names: readonly string[], rows: (string | number)[][] }} */ { names, rows },
+) {
   const written = rows.map((row) => row.map((x) => (x === x ? x : "")).join(","));
   return `${[names.join(","), ...written].join("\r\n")}\r\n`;
 }
@@ -55,13 +53,8 @@ function sheetLike(/** @type {HTMLCanvasElement} */ { width, height }) {
   return /** @type {CanvasRenderingContext2D} */ (sheet.getContext("2d"));
 }
 
-/**
- * Hand a file to the reader.
- *
- * @param {Blob} content
- * @param {string} name
- */
-function give(content, name) {
+/** Hand a file to the reader. */
+function give(/** @type {Blob} */ content, /** @type {string} */ name) {
   const link = element("a", { href: URL.createObjectURL(content), download: name });
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
@@ -84,8 +77,7 @@ export function createTake(container, { name, picture, scene, link, table, say }
   const list = element("div", { class: "menu-list" });
   menu.append(list);
   container.append(menu);
-  /** @param {string} words @param {() => void} act */
-  const add = (words, act) => {
+  const add = (/** @type {string} */ words, /** @type {() => void} */ act) => {
     const button = element("button", { type: "button" }, words);
     button.addEventListener("click", () => {
       menu.open = false;

@@ -5,13 +5,10 @@ const WOOD = { light: "#d9ad75", grain: "#a8733f", paint: "#6d2b18" };
 /** Turns of the spiral from the hub to the rim. */
 const TURNS = 1.5;
 
-/**
- * A texture and the sheet it is drawn on.
- *
- * @param {number} size
- * @param {(ctx: CanvasRenderingContext2D) => void} paint
- */
-function painted(size, paint) {
+/** A texture and the sheet it is drawn on. */
+function painted(
+  /** @type {number} */ size, /** @type {(ctx: CanvasRenderingContext2D) => void} */ paint,
+) {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = size;
   const ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));

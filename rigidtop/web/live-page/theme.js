@@ -17,12 +17,8 @@ export function preferredTheme() {
   return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
 }
 
-/**
- * Dress the page.
- *
- * @param {Theme} theme
- */
-export function setTheme(theme) {
+/** Dress the page. */
+export function setTheme(/** @type {Theme} */ theme) {
   document.documentElement.dataset.theme = theme;
 }
 

@@ -146,14 +146,8 @@ export function createTimePlots(container, plottedOf) {
   }
 
   return {
-    /**
-     * Another motion, another ghost or another plot; the window of time fits the motion.
-     *
-     * @param {M} next
-     * @param {M | null} beside
-     * @param {string} chosen
-     */
-    setMotion(next, beside, chosen) {
+    /** Another motion, another ghost or another plot; the window of time fits the motion. */
+    setMotion(/** @type {M} */ next, /** @type {M | null} */ beside, /** @type {string} */ chosen) {
       const before = plot === chosen ? plotted.panels : [];
       [motion, ghost, plot] = [next, beside, chosen];
       last = null;
@@ -164,13 +158,8 @@ export function createTimePlots(container, plottedOf) {
         panels.forEach((panel, k) => (panel.range = before[k].range));
       }
     },
-    /**
-     * One frame.
-     *
-     * @param {Past<S>} now
-     * @param {Past<S> | null} beside
-     */
-    draw(now, beside) {
+    /** One frame. */
+    draw(/** @type {Past<S>} */ now, /** @type {Past<S> | null} */ beside) {
       [last, lastGhost] = [now, beside];
       paper.redrawSoon();
     },
@@ -179,12 +168,8 @@ export function createTimePlots(container, plottedOf) {
   };
 }
 
-/**
- * For the numbers beside the axes: more for those with a power of ten.
- *
- * @param {readonly { range: Span }[]} panels
- */
-function room(panels) {
+/** For the numbers beside the axes: more for those with a power of ten. */
+function room(/** @type {readonly { range: Span }[]} */ panels) {
   const sizes = panels.map(({ range: { low, high } }) => Math.max(-low, high));
   return sizes.some((size) => size >= 1e5 || size < 1e-3) ? 6 : 4.4;
 }
@@ -200,13 +185,8 @@ function within(trail, { low, high }) {
   return trail.slice(Math.max(0, firstAfter(trail, low) - 1), firstAfter(trail, high) + 1);
 }
 
-/**
- * The index of the first sample after t.
- *
- * @param {readonly Timed[]} trail
- * @param {number} t
- */
-function firstAfter(trail, t) {
+/** The index of the first sample after t. */
+function firstAfter(/** @type {readonly Timed[]} */ trail, /** @type {number} */ t) {
   let low = 0;
   let high = trail.length;
   while (low < high) {
@@ -262,12 +242,11 @@ export function fitted(old, seen, least, most, finest = 0.005) {
   };
 }
 
-/**
- * Dashed lines at the turning points.
- *
- * @param {Paper} sheet @param {Box} box @param {Span} range @param {readonly number[]} values
- */
-function drawGuides({ ctx, em, colours }, box, range, values) {
+/** Dashed lines at the turning points. */
+function drawGuides(
+  /** @type {Paper} */ { ctx, em, colours }, /** @type {Box} */ box, /** @type {Span} */ range,
+  /** @type {readonly number[]} */ values,
+) {
   const y = scale(range, box.bottom, box.top);
   ctx.strokeStyle = colours.muted;
   ctx.lineWidth = colours.highContrast ? 2 : 1;

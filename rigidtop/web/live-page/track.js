@@ -16,14 +16,10 @@ const CATCH = 0.012;
 /** With Shift a slider moves so much less than the hand. */
 const SLOWER = 0.1;
 
-/**
- * The least and the largest position, the step, and the way there and back.
- *
- * @param {Parameter} parameter
- * @param {number} least
- * @param {number} most
- */
-export function trackOf(parameter, least, most) {
+/** The least and the largest position, the step, and the way there and back. */
+export function trackOf(
+  /** @type {Parameter} */ parameter, /** @type {number} */ least, /** @type {number} */ most,
+) {
   const clip = (/** @type {number} */ value) => Math.min(Math.max(value, least), most);
   if (parameter.logarithmic || (least < 0 && !parameter.angle)) {
     const size = Math.max(-least, most);
@@ -56,14 +52,10 @@ export function trackOf(parameter, least, most) {
 
 /** @typedef {ReturnType<typeof trackOf>} Track */
 
-/**
- * The value that a hand on a slider means: the nearest of those that it may be meant to hit.
- *
- * @param {Track} track
- * @param {number} at
- * @param {readonly number[]} marks
- */
-export function caught(track, at, marks) {
+/** The value that a hand on a slider means: the nearest of those that it may be meant to hit. */
+export function caught(
+  /** @type {Track} */ track, /** @type {number} */ at, /** @type {readonly number[]} */ marks,
+) {
   const near = marks
     .filter((mark) => Math.abs(track.at(mark) - at) <= CATCH * (track.high - track.low))
     .sort((a, b) => Math.abs(track.at(a) - at) - Math.abs(track.at(b) - at));

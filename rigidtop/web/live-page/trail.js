@@ -21,15 +21,12 @@ export function createTrail(/** @type {Line} */ line, fading = false) {
   return {
     object: pieces.object,
 
-    /**
-     * Draw what `vectorOf` writes for each sample, times `scale`.
-     *
-     * @param {Sample} now
-     * @param {readonly Sample[]} trail
-     * @param {(sample: Sample, out: THREE.Vector3) => void} vectorOf
-     * @param {number} scale
-     */
-    draw(now, trail, vectorOf, scale) {
+    /** Draw what `vectorOf` writes for each sample, times `scale`. */
+    draw(
+      /** @type {Sample} */ now, /** @type {readonly Sample[]} */ trail,
+      /** @type {(sample: Sample, out: THREE.Vector3) => void} */ vectorOf,
+      /** @type {number} */ scale,
+    ) {
       let count = 0;
       let next = trail.length - 1;
       // What is drawn is between the samples 0 and 1; 2 is the one before them.

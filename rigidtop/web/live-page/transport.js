@@ -16,8 +16,7 @@ const ICONS = {
   push: "M10 3h4v9h5l-7 9-7-9h5z",
 };
 
-/** @param {keyof typeof ICONS} name */
-function icon(name) {
+function icon(/** @type {keyof typeof ICONS} */ name) {
   const space = "http://www.w3.org/2000/svg";
   const picture = document.createElementNS(space, "svg");
   const path = document.createElementNS(space, "path");
@@ -49,20 +48,14 @@ function icon(name) {
  * @property {string} note "" or one line.
  */
 
-/**
- * The bar of time; `show` is called each frame and touches only what changed.
- *
- * @param {HTMLElement} container
- * @param {Actions} actions
- */
-export function createTransport(container, actions) {
-  /**
-   * @param {keyof typeof ICONS} name
-   * @param {string} label
-   * @param {string} key
-   * @param {() => void} act
-   */
-  function button(name, label, key, act) {
+/** The bar of time; `show` is called each frame and touches only what changed. */
+export function createTransport(
+  /** @type {HTMLElement} */ container, /** @type {Actions} */ actions,
+) {
+  function button(
+    /** @type {keyof typeof ICONS} */ name, /** @type {string} */ label, /** @type {string} */ key,
+    /** @type {() => void} */ act,
+  ) {
     const attributes = { type: "button", "aria-label": label, title: `${label} (${key})` };
     const made = element("button", attributes, icon(name));
     made.addEventListener("click", act);
@@ -99,19 +92,13 @@ export function createTransport(container, actions) {
   /** @type {Partial<Transport>} */
   let before = {};
 
-  /**
-   * @param {HTMLElement} what
-   * @param {string} text
-   */
-  function write(what, text) {
+  function write(/** @type {HTMLElement} */ what, /** @type {string} */ text) {
     if (what.textContent !== text) what.textContent = text;
   }
-  /**
-   * @param {HTMLButtonElement} what
-   * @param {boolean} runs
-   * @param {"play" | "backwards"} name
-   */
-  function showRunning(what, runs, name) {
+  function showRunning(
+    /** @type {HTMLButtonElement} */ what, /** @type {boolean} */ runs,
+    /** @type {"play" | "backwards"} */ name,
+  ) {
     const label = runs ? "Pause" : name === "play" ? "Play" : "Play backwards";
     what.replaceChildren(icon(runs ? "pause" : name));
     what.setAttribute("aria-label", label);
@@ -119,8 +106,7 @@ export function createTransport(container, actions) {
   }
 
   return {
-    /** @param {Transport} now */
-    show(now) {
+    show(/** @type {Transport} */ now) {
       const t = now.t.toFixed(now.digits);
       write(clock, `t = ${t.replace("-", "−")} ${now.clock}`);
       write(note, now.note);

@@ -20,13 +20,10 @@ function withRelations(/** @type {string} */ sentence) {
   });
 }
 
-/**
- * The verdict, and the buttons that set φ̇₀ to a steady precession.
- *
- * @param {HTMLElement} container
- * @param {(rate: number) => void} setPrecession
- */
-export function createVerdict(container, setPrecession) {
+/** The verdict, and the buttons that set φ̇₀ to a steady precession. */
+export function createVerdict(
+  /** @type {HTMLElement} */ container, /** @type {(rate: number) => void} */ setPrecession,
+) {
   const sentence = element("p", { class: "verdict" });
   const aloud = element("p", { class: "unseen", "aria-live": "polite" });
   const names = /** @type {const} */ ([
