@@ -214,6 +214,16 @@ export function write({ ctx, em }, text, x, y, align = "left") {
   return width;
 }
 
+/** From now on, until `ctx.restore()`, nothing is drawn outside of the box. */
+export function clipTo(
+  /** @type {CanvasRenderingContext2D} */ ctx, /** @type {Box} */ { left, right, top, bottom },
+) {
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(left, top, right - left, bottom - top);
+  ctx.clip();
+}
+
 /** A straight line. */
 export function line(
   /** @type {CanvasRenderingContext2D} */ ctx, /** @type {number} */ x1, /** @type {number} */ y1,

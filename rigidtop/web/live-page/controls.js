@@ -1,6 +1,6 @@
 /** What sets the body and its start: sliders with numbers. */
 
-import { element } from "./shell.js";
+import { button, element } from "./shell.js";
 import { listen, trackOf } from "./track.js";
 
 const DEGREE = Math.PI / 180;
@@ -290,12 +290,11 @@ export function createSliders(
       /** @type {string} */ name, /** @type {string} */ sentence, /** @type {() => void} */ back,
     ) {
       refused = { name, back };
-      const button = element("button", { type: "button" }, "Take it back");
-      button.addEventListener("click", () => {
+      const undo = button("Take it back", () => {
         back();
         rows.get(name)?.focus();
       });
-      rows.get(name)?.complain(`${sentence}. The motion shown is the last possible one. `, button);
+      rows.get(name)?.complain(`${sentence}. The motion shown is the last possible one. `, undo);
     },
   };
   return sliders;

@@ -1,6 +1,6 @@
 /** Curves against time on a canvas, and the dot that moves on them. */
 
-import { line, scale } from "./axes.js";
+import { clipTo, line, scale } from "./axes.js";
 
 /**
  * A quantity against time, with the present as a thin line and a dot.
@@ -24,10 +24,7 @@ export function drawCurve(sheet, box, times, range, samples, now, of, colour) {
   ctx.lineWidth = 1;
   line(ctx, present.x, box.top, present.x, box.bottom);
 
-  ctx.save();
-  ctx.beginPath();
-  ctx.rect(box.left, box.top, box.right - box.left, box.bottom - box.top);
-  ctx.clip();
+  clipTo(ctx, box);
   const toCome = samples.length > 0 && samples[samples.length - 1].t > now.t;
   ctx.strokeStyle = colour;
   ctx.lineWidth = (toCome ? 0.06 : 0.14) * em * (colours.highContrast ? 1.4 : 1);
@@ -78,10 +75,7 @@ export function drawCurve(sheet, box, times, range, samples, now, of, colour) {
  */
 export function drawPath({ ctx, em, colours }, box, samples, now, place, colour) {
   const toCome = samples.length > 0 && samples[samples.length - 1].t > now.t;
-  ctx.save();
-  ctx.beginPath();
-  ctx.rect(box.left, box.top, box.right - box.left, box.bottom - box.top);
-  ctx.clip();
+  clipTo(ctx, box);
   ctx.strokeStyle = colour;
   ctx.lineWidth = (toCome ? 0.08 : 0.14) * em * (colours.highContrast ? 1.4 : 1);
   ctx.beginPath();

@@ -7,7 +7,7 @@ import { createSliders, shown } from "./controls.js";
 import { createKeys } from "./keys.js";
 import { createMeter } from "./meter.js";
 import { createPreview } from "./preview.js";
-import { createNotice, element, find, messageOf } from "./shell.js";
+import { button, createNotice, element, find, messageOf } from "./shell.js";
 import { createTake, separated } from "./take.js";
 import { preferredTheme, readColours, setTheme, THEMES } from "./theme.js";
 import { createTimePlots } from "./time_plots.js";
@@ -183,10 +183,9 @@ export function createPage(data, subject) {
     say: (sentence) => notice.say([sentence]),
   });
   const tool = (/** @type {string} */ words, /** @type {string} */ title, act = () => {}) => {
-    const button = element("button", { type: "button", title }, words);
-    button.addEventListener("click", act);
-    tools.append(button);
-    return button;
+    const made = button(words, act, { title });
+    tools.append(made);
+    return made;
   };
   const starter = tool("Tour", "Guided tour (T)", tour?.start);
   starter.hidden = !tour;

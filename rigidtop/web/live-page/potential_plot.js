@@ -1,6 +1,6 @@
 /** The effective potential, with the energy and the point that moves between the turning points. */
 
-import { createPaper, decimal, drawAlongAxis, drawUpAxis, line, scale, significant,
+import { clipTo, createPaper, decimal, drawAlongAxis, drawUpAxis, line, scale, significant,
   withUnit, write } from "./axes.js";
 import { drawDot } from "./curves.js";
 import { factsOf, potentialOf } from "./facts.js";
@@ -142,10 +142,7 @@ function drawLandscape(
   const level = y(energy);
   const thick = (colours.highContrast ? 0.2 : 0.14) * em;
 
-  ctx.save();
-  ctx.beginPath();
-  ctx.rect(box.left, box.top, box.right - box.left, box.bottom - box.top);
-  ctx.clip();
+  clipTo(ctx, box);
   ctx.beginPath();
   heights.forEach((height, k) => {
     ctx.lineTo(x((k + 0.5) * 180 / STEPS), Math.max(y(height), box.top - 100));

@@ -1,6 +1,6 @@
 /** The map of starts as a control: φ̇₀ across, ω₃ up, one point to drag. */
 
-import { createPaper, drawAlongAxis, drawUpAxis, listenToHand, nice, scale,
+import { clipTo, createPaper, drawAlongAxis, drawUpAxis, listenToHand, nice, scale,
   significant, write } from "./axes.js";
 import { drawDot } from "./curves.js";
 import { smallestSpin, steadyRates } from "./equations.js";
@@ -107,10 +107,7 @@ export function createRegimeMap(
   function branches(/** @type {Paper} */ { ctx, colours }, /** @type {Box} */ place) {
     const x = scale(across, place.left, place.right);
     const y = scale(up, place.bottom, place.top);
-    ctx.save();
-    ctx.beginPath();
-    ctx.rect(place.left, place.top, place.right - place.left, place.bottom - place.top);
-    ctx.clip();
+    clipTo(ctx, place);
     ctx.lineWidth = (colours.highContrast ? 0.22 : 0.15) * em;
     for (const k of [0, 1]) {
       for (const side of [1, -1]) {

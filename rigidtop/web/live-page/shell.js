@@ -28,6 +28,16 @@ export function element(tag, attributes = {}, ...children) {
   return made;
 }
 
+/** A button with what stands on it, and what it does. */
+export function button(
+  /** @type {Node | string} */ content, /** @type {() => void} */ act,
+  /** @type {Record<string, string>} */ attributes = {},
+) {
+  const made = element("button", { type: "button", ...attributes }, content);
+  made.addEventListener("click", act);
+  return made;
+}
+
 /** The line on what is wrong, which the reader can send away. */
 export function createNotice() {
   const notice = find("notice");

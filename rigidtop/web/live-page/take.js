@@ -1,6 +1,6 @@
 /** What a reader takes along: the link, a picture, a table of numbers, a film. */
 
-import { element } from "./shell.js";
+import { button, element } from "./shell.js";
 
 /** How long a film is, in seconds, and its pictures in each of them. */
 const FILM = 10;
@@ -78,13 +78,11 @@ export function createTake(container, { name, picture, scene, link, table, say }
   menu.append(list);
   container.append(menu);
   const add = (/** @type {string} */ words, /** @type {() => void} */ act) => {
-    const button = element("button", { type: "button" }, words);
-    button.addEventListener("click", () => {
+    list.append(button(words, () => {
       menu.open = false;
       menu.querySelector("summary")?.focus();
       act();
-    });
-    list.append(button);
+    }));
   };
   add("Copy link", async () => {
     try {

@@ -1,6 +1,6 @@
 /** The guided tour: it asks what will happen, and then shows it. */
 
-import { element } from "./shell.js";
+import { button, element } from "./shell.js";
 
 /**
  * The tour in its place; hidden until it is started.
@@ -22,11 +22,6 @@ export function createTour(container, steps, { show, end }) {
     class: "chips", role: "group", "aria-labelledby": "tour-question",
   });
   const told = element("p", { class: "tour-told", "aria-live": "polite" });
-  const button = (/** @type {string} */ words, /** @type {() => void} */ act) => {
-    const made = element("button", { type: "button" }, words);
-    made.addEventListener("click", act);
-    return made;
-  };
   const back = button("Back", () => go(at - 1));
   const next = button("Next", () => (at + 1 < steps.length ? go(at + 1) : close()));
   const leave = button("End the tour", close);

@@ -1,6 +1,6 @@
 /** The buttons of time: to the start, backwards, one step, play and pause, how fast, the clock. */
 
-import { element } from "./shell.js";
+import { button, element } from "./shell.js";
 
 /** The speeds that the slider offers, times the preset's own. */
 export const FACTORS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
@@ -52,23 +52,18 @@ function icon(/** @type {keyof typeof ICONS} */ name) {
 export function createTransport(
   /** @type {HTMLElement} */ container, /** @type {Actions} */ actions,
 ) {
-  function button(
+  const made = (
     /** @type {keyof typeof ICONS} */ name, /** @type {string} */ label, /** @type {string} */ key,
     /** @type {() => void} */ act,
-  ) {
-    const attributes = { type: "button", "aria-label": label, title: `${label} (${key})` };
-    const made = element("button", attributes, icon(name));
-    made.addEventListener("click", act);
-    return made;
-  }
-  const start = button("start", "To the start", "R", actions.toStart);
-  const backwards = button("backwards", "Play backwards", "J", () => actions.toggle(-1));
-  const back = button("back", "One step back", ",", () => actions.step(-1));
-  const play = button("play", "Play", "space", () => actions.toggle(1));
-  const forward = button("forward", "One step on", ".", () => actions.step(1));
+  ) => button(icon(name), act, { "aria-label": label, title: `${label} (${key})` });
+  const start = made("start", "To the start", "R", actions.toStart);
+  const backwards = made("backwards", "Play backwards", "J", () => actions.toggle(-1));
+  const back = made("back", "One step back", ",", () => actions.step(-1));
+  const play = made("play", "Play", "space", () => actions.toggle(1));
+  const forward = made("forward", "One step on", ".", () => actions.step(1));
   play.classList.add("main");
   const { push } = actions;
-  const blow = push ? [button("push", "Push the axis down", "B", push)] : [];
+  const blow = push ? [made("push", "Push the axis down", "B", push)] : [];
 
   const speed = element("input", {
     type: "range",

@@ -1,6 +1,6 @@
 /** What the motion will do, in a sentence. */
 
-import { element } from "./shell.js";
+import { button, element } from "./shell.js";
 
 /** How long a slider must rest before the verdict is read out, in ms. */
 const REST = 800;
@@ -31,11 +31,7 @@ export function createVerdict(
     ["Ω₊", "fast"],
   ]);
   let rates = [0, 0];
-  const buttons = names.map((_, k) => {
-    const button = element("button", { type: "button" });
-    button.addEventListener("click", () => setPrecession(rates[k]));
-    return button;
-  });
+  const buttons = names.map((_, k) => button("", () => setPrecession(rates[k])));
   const steady = element("p", { class: "steady", hidden: true }, ...buttons);
   container.replaceChildren(sentence, steady, aloud);
   let timer = 0;
@@ -59,12 +55,12 @@ export function createVerdict(
       steady.hidden = facts.steady === null;
       if (facts.steady === null) return;
       rates = [...facts.steady];
-      buttons.forEach((button, k) => {
+      buttons.forEach((each, k) => {
         const [letter, word] = names[k];
         const possible = rates[k] >= range[0] && rates[k] <= range[1];
-        button.textContent = `set φ̇₀ to ${letter} (${word})`;
-        button.disabled = !possible;
-        button.title = possible ? "" : "beyond the range of φ̇₀";
+        each.textContent = `set φ̇₀ to ${letter} (${word})`;
+        each.disabled = !possible;
+        each.title = possible ? "" : "beyond the range of φ̇₀";
       });
     },
   };
