@@ -21,12 +21,9 @@ function createFan(
   const rays = createPieces(MOST / 8, line);
 
   const places = new THREE.BufferAttribute(new Float32Array(9 * MOST), 3);
-  const normals = new THREE.BufferAttribute(new Float32Array(9 * MOST), 3);
   places.setUsage(THREE.DynamicDrawUsage);
-  normals.setUsage(THREE.DynamicDrawUsage);
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", places);
-  geometry.setAttribute("normal", normals);
   const mesh = new THREE.Mesh(geometry, sheet);
   mesh.frustumCulled = false;
   const object = new THREE.Group();
@@ -46,23 +43,12 @@ function createFan(
   }
 
   function show() {
-    const p = points;
+    // Each triangle has the origin and two points that follow each other.
     for (let i = 0; i + 1 < count; i++) {
-      const [a, b, out] = [3 * i, 3 * i + 3, 9 * i];
-      const nx = p[a + 1] * p[b + 2] - p[a + 2] * p[b + 1];
-      const ny = p[a + 2] * p[b] - p[a] * p[b + 2];
-      const nz = p[a] * p[b + 1] - p[a + 1] * p[b];
-      const norm = Math.sqrt(nx * nx + ny * ny + nz * nz) || 1;
-      for (let k = 0; k < 3; k++) {
-        places.array[out + 3 + k] = p[a + k];
-        places.array[out + 6 + k] = p[b + k];
-        normals.array[out + 3 * k] = nx / norm;
-        normals.array[out + 3 * k + 1] = ny / norm;
-        normals.array[out + 3 * k + 2] = nz / norm;
-      }
+      places.array.set(points.subarray(3 * i, 3 * i + 6), 9 * i + 3);
     }
     places.needsUpdate = true;
-    normals.needsUpdate = true;
+    geometry.computeVertexNormals();
     geometry.setDrawRange(0, 3 * Math.max(0, count - 1));
     showCurve(edge, points, count);
     let shown = 0;

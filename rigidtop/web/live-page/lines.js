@@ -57,7 +57,9 @@ export function createPieces(/** @type {number} */ capacity, /** @type {Line} */
 }
 
 /** Pieces that stay as they are, six numbers for the ends of each. */
-export function createStrokes(/** @type {number[]} */ ends, /** @type {Line} */ line) {
+export function createStrokes(
+  /** @type {number[] | Float32Array} */ ends, /** @type {Line} */ line,
+) {
   const pieces = createPieces(ends.length / 6, line);
   for (let i = 0; i < pieces.capacity; i++) {
     const [ax, ay, az, bx, by, bz] = ends.slice(6 * i, 6 * i + 6);

@@ -12,48 +12,20 @@ const [STONE, BRASS, STEEL] = ["#a3968a", "#c79a3a", "#aab4be"];
 /** How far a body may reach from the origin, in units of the sphere of e₃. */
 const REACH = 0.72;
 
-/**
- * A surface of revolution about z from a profile of (radius, z), with an edge at each point of it.
- *
- * @param {readonly (readonly [number, number])[]} profile from bottom to top
- * @param {number} from angle
- * @param {number} to angle
- * @param {number} segments
- */
-function turned(profile, from, to, segments) {
-  /** @type {number[]} */
-  const places = [];
-  /** @type {number[]} */
-  const normals = [];
-  /** Seen along z. @type {number[]} */
-  const faces = [];
-  for (let p = 0; p + 1 < profile.length; p++) {
-    const [r0, z0] = profile[p];
-    const [r1, z1] = profile[p + 1];
-    const slope = Math.hypot(z1 - z0, r1 - r0);
-    const out = (z1 - z0) / slope;
-    const up = (r0 - r1) / slope;
-    for (let s = 0; s < segments; s++) {
-      const a = from + ((to - from) * s) / segments;
-      const b = from + ((to - from) * (s + 1)) / segments;
-      for (const [r, z, angle] of [
-        [r0, z0, a], [r0, z0, b], [r1, z1, b],
-        [r0, z0, a], [r1, z1, b], [r1, z1, a],
-      ]) {
-        places.push(r * Math.cos(angle), r * Math.sin(angle), z);
-        faces.push(0.5 + 0.5 * r * Math.cos(angle), 0.5 + 0.5 * r * Math.sin(angle));
-        normals.push(out * Math.cos(angle), out * Math.sin(angle), up);
-      }
-    }
+/** A surface of revolution about z from a profile of (radius, z), upwards, an edge at each point. */
+function turned(
+  /** @type {readonly (readonly [number, number])[]} */ profile, /** @type {number} */ segments,
+) {
+  // Each point twice: what is between the two has no size, and rounds no edge off.
+  const twice = profile.flatMap(([r, z]) => [new THREE.Vector2(r, z), new THREE.Vector2(r, z)]);
+  const geometry = new THREE.LatheGeometry(twice.slice(1, -1), segments).rotateX(Math.PI / 2);
+  const { position, uv } = geometry.attributes;
+  // Seen along z.
+  for (let k = 0; k < position.count; k++) {
+    uv.setXY(k, 0.5 + 0.5 * position.getX(k), 0.5 + 0.5 * position.getY(k));
   }
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(places), 3));
-  geometry.setAttribute("normal", new THREE.BufferAttribute(new Float32Array(normals), 3));
-  geometry.setAttribute("uv", new THREE.BufferAttribute(new Float32Array(faces), 2));
   return geometry;
 }
-
-const FULL = 2 * Math.PI;
 
 /** A wheel with a hub; radius 1, and 1 thick at the rim. */
 const WHEEL = /** @type {const} */ ([
@@ -150,10 +122,10 @@ export function createBodies(/** @type {Palette} */ palette) {
  */
 function heldTop(wood, rod, dot, ground) {
   const object = new THREE.Group();
-  const disc = new THREE.Mesh(turned(WHEEL, 0, FULL, 64), wood);
-  const stem = new THREE.Mesh(turned(ROD, 0, FULL, 16), rod);
-  const foot = new THREE.Mesh(turned(FOOT, 0, FULL, 16), rod);
-  const arm = new THREE.Mesh(turned(ROD, 0, FULL, 12), rod);
+  const disc = new THREE.Mesh(turned(WHEEL, 64), wood);
+  const stem = new THREE.Mesh(turned(ROD, 16), rod);
+  const foot = new THREE.Mesh(turned(FOOT, 16), rod);
+  const arm = new THREE.Mesh(turned(ROD, 12), rod);
   const centre = new THREE.Mesh(new THREE.SphereGeometry(0.02, 16, 10), dot);
   centre.renderOrder = 2;
   object.add(disc, stem, foot, arm, centre);
@@ -207,8 +179,8 @@ function heldTop(wood, rod, dot, ground) {
 /** A wheel with an axle, held nowhere. */
 function freeWheel(/** @type {THREE.Material} */ wood, /** @type {THREE.Material} */ rod) {
   const object = new THREE.Group();
-  const disc = new THREE.Mesh(turned(WHEEL, 0, FULL, 64), wood);
-  const axle = new THREE.Mesh(turned(ROD, 0, FULL, 16), rod);
+  const disc = new THREE.Mesh(turned(WHEEL, 64), wood);
+  const axle = new THREE.Mesh(turned(ROD, 16), rod);
   axle.position.set(0, 0, -0.4);
   axle.scale.set(0.026, 0.026, 0.8);
   object.add(disc, axle);
@@ -234,11 +206,7 @@ function brick(
   const painted = 0.2;
   const box = new THREE.BoxGeometry(2 - painted, 2, 2).translate(-painted / 2, 0, 0);
   const end = new THREE.BoxGeometry(painted, 2, 2).translate(1 - painted / 2, 0, 0);
-  /** @type {number[]} */
-  const edges = [];
-  for (const p of [-1, 1]) {
-    for (const q of [-1, 1]) edges.push(-1, p, q, 1, p, q, p, -1, q, p, 1, q, p, q, -1, p, q, 1);
-  }
+  const edges = new THREE.EdgesGeometry(new THREE.BoxGeometry(2, 2, 2)).attributes.position.array;
   object.add(
     new THREE.Mesh(box, body), new THREE.Mesh(end, mark), createStrokes(edges, edge),
   );
@@ -309,10 +277,10 @@ function handle(/** @type {THREE.Material} */ body, /** @type {THREE.Material} *
   const object = new THREE.Group();
   const t = new THREE.Group();
   const bar = new THREE.Group();
-  const stem = new THREE.Mesh(turned(HANDLE, 0, FULL, 20), body);
+  const stem = new THREE.Mesh(turned(HANDLE, 20), body);
   bar.add(
-    new THREE.Mesh(turned(HANDLE, 0, FULL, 20), body),
-    new THREE.Mesh(turned(HANDLE_END, 0, FULL, 20), mark),
+    new THREE.Mesh(turned(HANDLE, 20), body),
+    new THREE.Mesh(turned(HANDLE_END, 20), mark),
   );
   // The local axes are those of the smallest, the intermediate and the largest moment.
   const x = new THREE.Vector3(1, 0, 0);
