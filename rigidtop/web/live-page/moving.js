@@ -26,7 +26,8 @@ export function createMoving(beginning, spacing, { solverAt, sampleAt, check, fo
   let solver = solverAt(beginning, 0);
   const start = at(solver, 0, null);
   let now = start;
-  let known = start;
+  /** The newest that angles are counted on from, and the end of the solver's last step. */
+  let [known, end] = [start, start];
   let trail = [start];
   /** Of what the trail has forgotten a sample here and there, to begin from. */
   let marks = [start];
@@ -38,7 +39,7 @@ export function createMoving(beginning, spacing, { solverAt, sampleAt, check, fo
       marks = marks.filter((mark) => mark.t <= t);
       trail = marks.slice(-1);
     }
-    now = known = trail[trail.length - 1];
+    now = known = end = trail[trail.length - 1];
     solver = solverAt(now.state, now.t);
   }
 
@@ -71,9 +72,10 @@ export function createMoving(beginning, spacing, { solverAt, sampleAt, check, fo
       if (t < now.t) goBack(t);
       record(Math.min(t, solver.t));
       while (solver.t < t && performance.now() <= deadline) {
-        known = at(solver, solver.t, known);
+        known = end;
         solver.step();
-        check(at(solver, solver.t, known));
+        end = at(solver, solver.t, known);
+        check(end);
         record(Math.min(t, solver.t));
       }
       const reached = Math.min(t, solver.t);
