@@ -38,42 +38,38 @@ from rigidtop.theory.rotation import Z_AXIS, hat, quaternion_matrix, quaternion_
 from rigidtop.theory.symbols import Glyph, Quantity
 from rigidtop.theory.top import QUATERNION, body_accelerations_with
 
-
-def _real(names: str) -> tuple[Symbol, ...]:
-    made: tuple[Symbol, ...] = sympy.symbols(names, real=True, seq=True)
-    return made
+_ROWS: dict[Symbol, Quantity] = {}
 
 
-tip, viscosity, drag, drag1, drag3 = _real("tip viscosity drag drag1 drag3")
-v_x, v_y, V_x, V_y, V_z = _real("v_x v_y V_x V_y V_z")
-e_x, e_y, e_z, d_x, d_y = _real("e_x e_y e_z d_x d_y")
-a_x, a_y, a_z, F_x, F_y, N = _real("a_x a_y a_z F_x F_y N")
+def _real(name: str, glyph: Glyph, meaning: str, unit: str) -> Symbol:
+    symbol = Symbol(name, real=True)
+    _ROWS[symbol] = Quantity(glyph, meaning, unit)
+    return symbol
 
-VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(
-    {
-        tip: Quantity(Glyph("r"), "radius of the round tip", "m"),
-        viscosity: Quantity(Glyph("γ"), "viscous friction force over the slip", "N s/m"),
-        drag: Quantity(Glyph("c"), "drag force over the velocity of the centre of mass", "N s/m"),
-        drag1: Quantity(Glyph("c", "1"), "drag torque across e₃ over ω₁ or ω₂", "J s"),
-        drag3: Quantity(Glyph("c", "3"), "drag torque along e₃ over ω₃", "J s"),
-        V_x: Quantity(Glyph("V", "x"), "velocity of the centre of mass along x̂", "m/s"),
-        V_y: Quantity(Glyph("V", "y"), "velocity of the centre of mass along ŷ", "m/s"),
-        V_z: Quantity(Glyph("V", "z"), "velocity of the centre of mass along ẑ", "m/s"),
-        v_x: Quantity(Glyph("v", "x"), "slip along x̂", "m/s"),
-        v_y: Quantity(Glyph("v", "y"), "slip along ŷ", "m/s"),
-        e_x: Quantity(Glyph("e", "x"), "component of e₃ along x̂", "1"),
-        e_y: Quantity(Glyph("e", "y"), "component of e₃ along ŷ", "1"),
-        e_z: Quantity(Glyph("e", "z"), "component of e₃ along ẑ: cos θ", "1"),
-        d_x: Quantity(Glyph("d", "x"), "direction of the slip along x̂", "1"),
-        d_y: Quantity(Glyph("d", "y"), "direction of the slip along ŷ", "1"),
-        a_x: Quantity(Glyph("a", "x"), "slip's rate along x̂ without contact force", "m/s²"),
-        a_y: Quantity(Glyph("a", "y"), "slip's rate along ŷ without contact force", "m/s²"),
-        a_z: Quantity(Glyph("a", "z"), "slip's rate along ẑ without contact force", "m/s²"),
-        F_x: Quantity(Glyph("F", "x"), "friction force along x̂", "N"),
-        F_y: Quantity(Glyph("F", "y"), "friction force along ŷ", "N"),
-        N: Quantity(Glyph("N"), "normal force of the table", "N"),
-    }
-)
+
+tip = _real("tip", Glyph("r"), "radius of the round tip", "m")
+viscosity = _real("viscosity", Glyph("γ"), "viscous friction force over the slip", "N s/m")
+drag = _real("drag", Glyph("c"), "drag force over the velocity of the centre of mass", "N s/m")
+drag1 = _real("drag1", Glyph("c", "1"), "drag torque across e₃ over ω₁ or ω₂", "J s")
+drag3 = _real("drag3", Glyph("c", "3"), "drag torque along e₃ over ω₃", "J s")
+V_x = _real("V_x", Glyph("V", "x"), "velocity of the centre of mass along x̂", "m/s")
+V_y = _real("V_y", Glyph("V", "y"), "velocity of the centre of mass along ŷ", "m/s")
+V_z = _real("V_z", Glyph("V", "z"), "velocity of the centre of mass along ẑ", "m/s")
+v_x = _real("v_x", Glyph("v", "x"), "slip along x̂", "m/s")
+v_y = _real("v_y", Glyph("v", "y"), "slip along ŷ", "m/s")
+e_x = _real("e_x", Glyph("e", "x"), "component of e₃ along x̂", "1")
+e_y = _real("e_y", Glyph("e", "y"), "component of e₃ along ŷ", "1")
+e_z = _real("e_z", Glyph("e", "z"), "component of e₃ along ẑ: cos θ", "1")
+d_x = _real("d_x", Glyph("d", "x"), "direction of the slip along x̂", "1")
+d_y = _real("d_y", Glyph("d", "y"), "direction of the slip along ŷ", "1")
+a_x = _real("a_x", Glyph("a", "x"), "slip's rate along x̂ without contact force", "m/s²")
+a_y = _real("a_y", Glyph("a", "y"), "slip's rate along ŷ without contact force", "m/s²")
+a_z = _real("a_z", Glyph("a", "z"), "slip's rate along ẑ without contact force", "m/s²")
+F_x = _real("F_x", Glyph("F", "x"), "friction force along x̂", "N")
+F_y = _real("F_y", Glyph("F", "y"), "friction force along ŷ", "N")
+N = _real("N", Glyph("N"), "normal force of the table", "N")
+
+VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(_ROWS)
 """The symbols that only a top on a table needs."""
 
 SLIP = (v_x, v_y)
