@@ -9,7 +9,6 @@ from sympy import Eq, Expr, Matrix, diag, symbols
 from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Formal, Page, claim
 from rigidtop.theory import symbols as s
 from rigidtop.theory.euler import MOMENTS
-from rigidtop.theory.inertia import point_masses
 from rigidtop.theory.rotation import euler_matrix, total_derivative
 from rigidtop.theory.trig import reduce_trig
 
@@ -17,7 +16,6 @@ from .printed import printed
 
 POSITIONS = tuple(Matrix(symbols(f"x{k} y{k} z{k}", real=True)) for k in (1, 2))
 VELOCITIES = tuple(Matrix(symbols(f"u{k} v{k} w{k}", real=True)) for k in (1, 2))
-SPIN = Matrix(symbols("omega_x omega_y omega_z", real=True))
 MASSES = (s.M_1, s.M_2)
 
 TORQUE_FREE = Assumption(Eq(s.F_1, 0), "no external torque", stated=True)
@@ -41,31 +39,6 @@ def newton_rate() -> Matrix:
 def conservation() -> Iterator[Evidence]:
     """$𝐋̇ = 𝐍$ (1.20) with $𝐋 = I𝛚$ (3.26); the forces inside the body are central and cancel."""
     line = printed("3.33")
-    pairs = list(zip(MASSES, POSITIONS, strict=True))
-    momentum = sum((m * r.cross(SPIN.cross(r)) for m, r in pairs), Matrix([0, 0, 0]))
-    yield Formal(
-        printed(r"\mathbf L = I\boldsymbol\omega"),
-        {s.L_vec: momentum, s.inertia: point_masses(pairs), s.omega_vec: SPIN},
-    )
-    # İω + Iω̇, with İ from ṙ = ω × r and ω̇ left open, is Σ r × m r̈: both are d(Iω)/dt.
-    acceleration = Matrix(symbols("alpha_x alpha_y alpha_z", real=True))
-    rates = dict(zip(SPIN, acceleration, strict=True))
-    moved: list[Matrix] = []
-    for _, r in pairs:
-        velocity = SPIN.cross(r)
-        rates |= dict(zip(r, velocity, strict=True))
-        moved.append(acceleration.cross(r) + SPIN.cross(velocity))
-    product = printed(r"\frac{d}{dt}(I\boldsymbol\omega) = \dot{\mathbf L}")
-    yield Formal(
-        product,
-        {
-            product.sides[0]: total_derivative(point_masses(pairs) * SPIN, rates),
-            s.L_vecdot: sum(
-                (m * r.cross(v) for (m, r), v in zip(pairs, moved, strict=True)),
-                Matrix([0, 0, 0]),
-            ),
-        },
-    )
     rate = newton_rate()
     yield Check(line, {s.L_vecdot: rate, line.sides[2]: rate}, (TORQUE_FREE,))
 

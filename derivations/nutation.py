@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sympy import Eq, Expr, Ge, Gt, Matrix, Ne, cos, factor_list, pi, sin, symbols
+from sympy import Eq, Expr, Ge, Gt, Matrix, Ne, cos, pi, sin, symbols
 
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.page import Assumption, Evidence, Formal, Page, Remark, Step, claim
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
-from rigidtop.theory.euler import OMEGA, along_flow, kinetic_energy
-from rigidtop.theory.lagrangian import Linearisation, cyclic_velocities, energy, linearise
+from rigidtop.theory.lagrangian import cyclic_velocities, energy
 from rigidtop.theory.trig import reduce_ratio
 
 from .euler_angles import TILTED
@@ -49,19 +48,6 @@ def mean_shift(second: Expr, third: Expr) -> Expr:
     return s.A**2 * solution.subs({u2: second, u3: third})
 
 
-def upright() -> Linearisation:
-    """The symmetric top near θ = 0, in e₃ = (x, y, z): regular there, as φ and θ are not.
-
-    The Routhian with p_ψ = λ₃ω₃ constant; φ̇ cos θ is φ̇, the rate of an angle, which changes no
-    equation, less (1 − z)φ̇ = (xẏ − yẋ)/(1 + z).
-    """
-    x, y, u, v = symbols("x y u v", real=True)
-    z = 1 - (x**2 + y**2) / 2  # and smaller terms, which no second derivative at 0 sees
-    kinetic = s.lambda1 / 2 * (u**2 + v**2 + (x * u + y * v) ** 2)
-    routhian = kinetic - s.p_psi * (x * v - y * u) / (1 + z) - s.M * s.g * s.R * z
-    return linearise(routhian, (x, y), (u, v), {x: 0, y: 0, u: 0, v: 0})
-
-
 @claim(
     "nutation",
     "When started a little off, $θ$ oscillates about the value where it could be constant.",
@@ -77,22 +63,13 @@ def nutation() -> Iterator[Evidence]:
     from . import evidence
 
     curvature = potential_slope(2)
-    meaning = {s.omega_n2: curvature / s.lambda1, s.g: steady_state()[s.g]}
     yield Step(Equation(s.U, top.top_effective_potential()), "Minus the Routhian at $θ̇ = 0$.")
-    yield Formal(printed(r"U' = 0"), {s.U_slope: potential_slope(1)})
-    yield Formal(printed.lines("nutation")[1], meaning)
-    yield Formal(printed.lines("nutation")[0], meaning)
     yield Formal(
         printed(r"\delta_{\theta} = 0"),
         {s.mean_theta: mean_shift(curvature, potential_slope(3))},
         (SMALL,),
     )
-    characteristic = upright().characteristic(s.Omega)
-    [factor, _] = [f for f in factor_list(characteristic)[1] if f[0].has(s.p_psi)][:2]
-    spin = {s.p_psi: s.lambda3 * s.omega3}
     lean = 1 - cos(s.theta)
-    threshold = factor[0].as_poly(s.Omega).discriminant().subs(spin)
-    yield Formal(printed(r"D = (\lambda_3\omega_3)^2 - 4\lambda_1MgR"), {s.D: threshold})
     slower = {s.psidot: s.omega3 - s.phidot * cos(s.theta)}
     spinning = top.symmetric_momenta().subs(slower)
     momenta = dict(zip((s.p_theta, s.p_phi, s.p_psi), spinning, strict=True))
@@ -106,7 +83,7 @@ def nutation() -> Iterator[Evidence]:
             **momenta,
             s.E: energy(top.symmetric_lagrangian(), top.RATES).subs(slower),
             s.Omega: s.lambda3 * s.omega3 / (2 * s.lambda1),
-            s.D: threshold,
+            s.D: top.discriminant().subs(s.theta, 0),
         },
     )
     yield Formal(
@@ -143,13 +120,6 @@ def azimuth() -> Iterator[Evidence]:
         {s.p_phi: momenta[1], s.p_psi: momenta[2]},
         (TILTED,),
     )
-    yield Formal(
-        printed.lines("azimuth")[1], {s.phidot: rate.subs(s.p_phi, s.p_psi * cos(s.theta_0))}
-    )
-    yield Formal(
-        printed(r"p_{\phi} = p_{\psi}\cos\theta"),
-        {s.p_phi: momenta[1].subs(s.phidot, 0), s.p_psi: momenta[2].subs(s.phidot, 0)},
-    )
     turning = s.p_psi * (1 + cos(s.theta) ** 2) - 2 * s.p_phi * cos(s.theta)
     yield Formal(
         printed(r"\dot\phi_{\theta} \neq 0"),
@@ -172,18 +142,8 @@ def friction() -> Iterator[Evidence]:
     pivot. Held so, a round tip rolls over the table. Without any friction the contact moves as
     well: the tip slides round at $RΩ sin θ$, while the centre of mass stays above one spot.
     """
-    contact, force, velocity = (
-        Matrix(symbols(f"{x}_1 {x}_2 {x}_3", real=True)) for x in ("r", "f", "v")
-    )
-    torque = contact.cross(force)
-    # In body components about the centre of mass: v·F for the motion of the centre, gravity's
-    # power cancels against the potential energy, and Euler's equations give the rest.
-    rate = velocity.dot(force) + along_flow(kinetic_energy(), torque)
-    tip = velocity + Matrix(OMEGA).cross(contact)
-    yield Formal(printed.lines("friction")[0], {s.Edot: rate, s.F: force, s.v_tip: tip})
     direction = Matrix([cos(s.theta), sin(s.theta), 0])
     sliding = {s.F: -s.mu * s.n * direction, s.v_tip: s.slip * direction}
-    yield Formal(printed.lines("friction")[2], {s.Edot: sliding[s.F].dot(sliding[s.v_tip])})
     yield Formal(
         printed(r"\dot E < 0"),
         {s.Edot: sliding[s.F].dot(sliding[s.v_tip])},

@@ -94,7 +94,6 @@ def rotation_group() -> Iterator[Evidence]:
             {s.det_O: (A * B).det(method="berkowitz"), s.det_A: A.det(), s.det_B: B.det()},
         )
     attitude = euler_matrix()
-    yield Formal(printed(r"O^TO = 1"), {s.O_matrix: attitude, s.unit: eye(3)})
     yield Formal(
         printed(r"O^T = A"),
         {s.O_matrix: attitude, s.A_matrix: euler_matrix(-s.psi, -s.theta, -s.phi)},

@@ -25,8 +25,7 @@ not pair, and for derivatives in L that are no velocities.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 
 import sympy
 from sympy import Derivative, Expr, Matrix, MatrixBase
@@ -193,37 +192,3 @@ def hamilton_equations(H: Expr, q: Names, p: Names) -> Matrix:
     """
     _check(H, coordinates=q, momenta=p)
     return Matrix([*(H.diff(pk) for pk in p), *(-H.diff(x) for x in q)])
-
-
-@dataclass(frozen=True)
-class Linearisation:
-    """M δq̈ + G δq̇ + K δq = 0 about a steady motion; M and K symmetric, G antisymmetric (n×n)."""
-
-    mass: Matrix
-    gyroscopic: Matrix
-    stiffness: Matrix
-
-    def characteristic(self, frequency: Expr) -> Expr:
-        """The determinant whose zeros are the squares of the angular frequencies."""
-        pencil = -(frequency**2) * self.mass + self.stiffness
-        return (pencil + sympy.I * frequency * self.gyroscopic).det()
-
-
-def linearise(L: Expr, q: Names, qdot: Names, about: Mapping[Expr, Expr]) -> Linearisation:
-    """Small deviations from a steady motion, in which no second derivative of L changes in time.
-
-    `about` gives the steady values of coordinates and velocities.  Raises ValueError where a
-    second derivative of L changes.
-    """
-    _check_motion(L, q, qdot)
-    second = _second(L, [*qdot, *q])
-    # What is at rest changes nothing, and need not be differentiated by.
-    moving = {x: v for x, v in zip(q, qdot, strict=True) if v.subs(about) != 0}
-    rates = {**moving, **dict.fromkeys(qdot, sympy.S.Zero)}
-    if not reduce_trig(total_derivative(second, rates).subs(about)).is_zero_matrix:
-        raise ValueError("no steady motion: a second derivative of L changes in time")
-    n = len(qdot)
-    mixed = second[:n, n:]
-    return Linearisation(
-        second[:n, :n].subs(about), (mixed - mixed.T).subs(about), -second[n:, n:].subs(about)
-    )

@@ -203,7 +203,6 @@ gamma = _real("gamma", Glyph("γ"), "angle between the axes of two rotations", "
 theta_0 = _real("theta_0", Glyph("θ", "0"), "polar angle at which $φ̇$ vanishes", "rad")
 m = _real("m", Glyph("m"), "parameter of an elliptic integral", "1")
 chi = _real("chi", Glyph("χ"), "amplitude of an elliptic integral", "rad")
-t_chi2 = _real("t_chi2", Glyph("t²", "χ"), "square of $dt/dχ$", "s²")
 theta_i = _real("theta_i", Glyph("θ", "i"), "polar angle at the start", "rad")
 theta_1 = _real("theta_1", Glyph("θ", "1"), "polar angle of the other turning point", "rad")
 phi = _real("phi", Glyph("φ"), "first Euler angle: azimuth of $e₃$", "rad")

@@ -191,34 +191,6 @@ def test_frequency_of_a_conical_pendulum():
     assert float(frequency.subs(at)) == pytest.approx(wanted, rel=1e-13)
 
 
-def test_linearised_about_the_conical_pendulum_too():
-    rate = sympy.sqrt(g / (-l1 * cos(x)))
-    small = mechanics.linearise(spherical_pendulum(), (x, y), (u, v), {u: 0, v: rate})
-    f = symbols("f")
-    at = {x: 2.3, g: 9.81, l1: 0.7, m: 1.1}
-    polynomial = sympy.Poly(sympy.expand(small.characteristic(f).subs(at)), f)
-    roots = np.sort_complex(np.roots([complex(n) for n in polynomial.all_coeffs()]))
-    wanted = np.sqrt(9.81 / (-0.7 * np.cos(2.3)) * (1 + 3 * np.cos(2.3) ** 2))
-    assert roots.real == pytest.approx([-wanted, 0, 0, wanted], abs=1e-6)
-    assert roots.imag == pytest.approx(0, abs=1e-6)
-
-
-def test_gyroscopic_forces_of_a_charge():
-    small = mechanics.linearise(charge(), (x, y), (u, v), {x: 0, y: 0, u: 0, v: 0})
-    assert small.mass == m * sympy.eye(2)
-    assert small.stiffness == k * sympy.eye(2)
-    assert small.gyroscopic == Matrix([[0, -B * e], [B * e, 0]])
-    # ω = (±ω_c + √(ω_c² + 4k/m))/2 with the cyclotron frequency ω_c = eB/m.
-    f = symbols("f")
-    at = {m: 2, k: 3, B: 5, e: 1}
-    roots = np.roots(
-        [float(n) for n in sympy.Poly(small.characteristic(f).subs(at), f).all_coeffs()]
-    )
-    cyclotron, root = 2.5, np.sqrt(2.5**2 + 6)
-    wanted = [(s1 * cyclotron + s2 * root) / 2 for s1 in (1, -1) for s2 in (1, -1)]
-    assert np.sort(roots.real) == pytest.approx(np.sort(wanted))
-
-
 def test_sign_of_the_gyroscopic_force_is_newtons():
     # m r̈ = e ṙ × B ẑ − k r: to the right of its way goes a positive charge.
     found = mechanics.accelerations(charge(), (x, y), (u, v))
@@ -350,14 +322,6 @@ def test_functions_of_time_do_what_symbols_do(name):
     assert same(named, mechanics.euler_lagrange(plain, q, qdot, (a, b, c)[:n]))
 
 
-def test_linearised_in_functions_of_time():
-    rate = sympy.sqrt(g / (-l1 * cos(x)))
-    wanted = mechanics.linearise(spherical_pendulum(), (x, y), (u, v), {u: 0, v: rate})
-    L, q, qdot, _ = of_time(spherical_pendulum(), (x, y), (u, v))
-    found = mechanics.linearise(L, q, qdot, {qdot[0]: 0, qdot[1]: rate, q[0]: x})
-    assert found == wanted
-
-
 POWERS = st.tuples(*[st.integers(0, 2)] * 5)
 TERMS = st.lists(st.tuples(st.integers(-4, 4), POWERS), max_size=4)
 
@@ -392,8 +356,6 @@ def test_the_time_itself_in_plain_symbols():
     t = symbols("t", real=True)
     swing = m * u**2 * sympy.exp(k * t / m) / 2  # friction −k ẋ, by Caldirola and Kanai
     assert mechanics.accelerations(swing, [x], [u]) == Matrix([-k * u / m])
-    with pytest.raises(ValueError, match=r"^no steady motion: a second derivative of L changes in"):
-        mechanics.linearise(swing, [x], [u], {u: 0})
 
 
 def test_functions_whose_velocities_are_not_determined():

@@ -10,7 +10,7 @@ from sympy import Matrix, Rational, cos, sin
 from rigidtop.codegen import shipped
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
-from rigidtop.theory.lagrangian import energy, linearise, momenta
+from rigidtop.theory.lagrangian import energy, momenta
 from rigidtop.theory.rotation import euler_omega
 from rigidtop.theory.trig import reduce_ratio
 
@@ -219,32 +219,6 @@ def test_roots_are_leading_roots_times_functions_of_epsilon():
     ):
         product = float(lead.subs(values)) * float(factor.subs(s.epsilon, epsilon))
         assert product == pytest.approx(float(root.subs(values)), rel=1e-13)
-
-
-@pytest.mark.parametrize("fast", [False, True])
-def test_linearised_about_steady_precession_it_nutates(fast):
-    values = {x: float(n) for x, n in PARAMETERS.items()} | {s.theta: 0.8, s.omega3: 17.0}
-    rate = float(top.steady_roots()[fast].subs(values))
-    about = {
-        **values,
-        s.thetadot: 0,
-        s.phidot: rate,
-        s.psidot: values[s.omega3] - rate * np.cos(values[s.theta]),
-    }
-    del about[s.omega3]
-    small = linearise(top.symmetric_lagrangian(), top.ANGLES, top.RATES, about)
-    f = sympy.Symbol("f")
-    coefficients = sympy.Poly(sympy.expand(small.characteristic(f)), f).all_coeffs()
-    squares = np.roots([complex(n) for n in coefficients][::2])
-    moment, moment3, theta, spin = 1.3, 0.6, 0.8, 17.0
-    pull = 0.8 * 9.81 * 0.4
-    wanted = (
-        (moment3 * spin) ** 2
-        - 4 * moment * pull * np.cos(theta)
-        + (moment * rate * np.sin(theta)) ** 2
-    ) / moment**2
-    # φ and ψ may be shifted: two frequencies vanish.
-    assert np.sort(squares.real) == pytest.approx([0, 0, wanted], rel=1e-9, abs=1e-6)
 
 
 def test_size_of_what_is_shipped():
