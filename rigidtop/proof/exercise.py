@@ -26,7 +26,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from rigidtop.parameters import Parameter
-from rigidtop.proof.page import Claim, Measure
+from rigidtop.proof.page import Claim, Measure, paragraph
 
 
 @dataclass(frozen=True)
@@ -67,7 +67,7 @@ class Exercise:
     `asks` is where they do ("example 34"), `statement` the question in our own words, paragraphs
     separated by blank lines.  `figure` is the name of a figure; it is drawn with those parameters
     of the exercise that it has too.  `text` is the name of its solution in words and lines, a file
-    in Markdown behind those of the pages.
+    in Markdown behind those of the pages; `method` says how the numbers are found.
     """
 
     name: str
@@ -80,11 +80,7 @@ class Exercise:
     solve: Solve
     figure: str = ""
     text: str = ""
-
-    @property
-    def method(self) -> str:
-        """The docstring of the numeric solution, as one paragraph."""
-        return " ".join((self.solve.__doc__ or "").split())
+    method: str = ""
 
 
 def exercise(
@@ -101,5 +97,15 @@ def exercise(
 ) -> Callable[[Solve], Exercise]:
     """Make the decorated generator function an `Exercise`."""
     return lambda solve: Exercise(
-        name, title, section, asks, statement, claims, parameters, solve, figure, text
+        name,
+        title,
+        section,
+        asks,
+        statement,
+        claims,
+        parameters,
+        solve,
+        figure,
+        text,
+        paragraph(solve),
     )

@@ -118,7 +118,7 @@ def by_lines() -> tuple[Evidence, ...]:
 
 @dataclass(frozen=True)
 class Claim:
-    """A row of the lecture.  `says` is what the notes assert, in our own words.
+    """A row of the lecture.  `says` is what the notes assert, in our own words; `reason` why.
 
     Without `evidence` of its own it is shown by the lines of its name in a text.
     """
@@ -126,16 +126,17 @@ class Claim:
     name: str
     says: str
     evidence: Callable[[], Iterable[Evidence]] = by_lines
-
-    @property
-    def reason(self) -> str:
-        """The docstring of the evidence, as one paragraph."""
-        return " ".join((self.evidence.__doc__ or "").split())
+    reason: str = ""
 
 
 def claim(name: str, says: str) -> Callable[[Callable[[], Iterable[Evidence]]], Claim]:
-    """Make the decorated generator function a `Claim`."""
-    return lambda evidence: Claim(name, says, evidence)
+    """Make the decorated generator function a `Claim`; its docstring is the reason."""
+    return lambda evidence: Claim(name, says, evidence, paragraph(evidence))
+
+
+def paragraph(function: Callable[..., object]) -> str:
+    """The docstring of a function, as one paragraph."""
+    return " ".join((function.__doc__ or "").split())
 
 
 @dataclass(frozen=True)

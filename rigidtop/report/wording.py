@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -36,13 +36,10 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 WORDS = frozenset(
-    {"about", "asks", "columns", "content", "opens", "problem", "reason", "rows", "says"}
+    {"about", "asks", "columns", "content", "method", "opens", "problem", "reason", "rows", "says"}
     | {"statement", "title", "value", "what", "words"}
 )
 """The fields that are read as sentences."""
-
-TOLD = frozenset(("evidence", "solve"))
-"""The fields whose docstrings are read as sentences."""
 
 _LETTER = re.compile(
     rf"(?:{'|'.join(FUNCTIONS)}|const)(?![a-z])|R[xyz](?=\()|[a-z]{{3,}}"
@@ -145,12 +142,12 @@ class Wording:
         if not is_dataclass(tree) or isinstance(tree, type):
             return tree
         changed = {
-            field.name: _told(value, self) if field.name in TOLD else walked
+            field.name: walked
             for field in fields(tree)
             if field.init
             for value in [getattr(tree, field.name)]
             for walked in [self._walked(value, field.name in WORDS)]
-            if walked is not value or field.name in TOLD
+            if walked is not value
         }
         return replace(tree, **changed) if changed else tree
 
@@ -239,13 +236,3 @@ class Wording:
             for old, new in self._bases.items()
             if old != new
         }
-
-
-def _told(function: Callable[..., Any], words: Wording) -> Callable[..., Any]:
-    """The same function with its docstring in other words."""
-
-    def told(*given: Any, **named: Any) -> Any:
-        return function(*given, **named)
-
-    told.__doc__ = words(function.__doc__ or "")
-    return told

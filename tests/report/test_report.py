@@ -83,11 +83,7 @@ FIGURE = Figure("small", "The caption of λ₁.", 'A "quoted" thing & more.')
 
 
 def _claim(name: str, says: str, reason: str = "") -> Claim:
-    def evidence():
-        return ()
-
-    evidence.__doc__ = reason
-    return Claim(name, says, evidence)
+    return Claim(name, says, reason=reason)
 
 
 @pytest.fixture(scope="session")
