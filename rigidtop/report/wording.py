@@ -196,7 +196,9 @@ class Wording:
     @cached_property
     def _tex(self) -> Mapping[str, str]:
         """What becomes of a letter in the LaTeX of a figure."""
-        made = {}
+        # A rate is a letter of its own: that of an angle does not know where it is counted from.
+        dotted = [x for x, quantity in VOCABULARY.items() if quantity.glyph.accent]
+        made = {latex(x): latex(self.notation.written(x)) for x in dotted}
         for symbol, image in self.notation.images.items():
             shown = ("-" if image.negative else "") + latex(image.symbol)
             turn = {0: "", 1: r"+\pi/2", -1: r"-\pi/2"}[image.quarters]

@@ -137,6 +137,9 @@ def test_names_in_figures_are_other_letters():
     assert label(r"$\omega_k$, $\Omega_s$") == r"$\Omega_{k}$, $\Omega_{s}$"
     assert label(r"$\mathbf{R}_\mathrm{CM}$") == r"$\mathbf{R}_\mathrm{CM}$"
     assert label("M of N") == "M of N"
+    assert Wording(named("goldstein")).label(r"$\dot\phi$ at $\phi$") == (
+        r"$\dot{\phi}$ at $(\phi-\pi/2)$"
+    )
 
 
 def test_an_eigenvalue_is_no_tensor_of_inertia():
