@@ -48,11 +48,11 @@ from rigidtop.notation import MATRICES, Notation
 from rigidtop.notation import NOTES as NOTATION
 from rigidtop.parameters import Parameter
 from rigidtop.proof.algebra import Letters
-from rigidtop.proof.exercise import Exercise
+from rigidtop.proof.exercise import Exercise, texts
 from rigidtop.proof.independence import refuse_circular
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.model import Model
-from rigidtop.proof.page import Assumption, Check, Claim, Evidence, Measure, Page
+from rigidtop.proof.page import Assumption, Check, Claim, Evidence, Measure, Page, by_lines
 from rigidtop.read.page import read_exercises, read_lecture
 from rigidtop.report.blocks import NOTES, Front
 from rigidtop.terminal.files import text_of
@@ -91,8 +91,9 @@ class Collection:
         return self.read(())
 
     def lecture_with(self, exercises: Iterable[Exercise]) -> Lecture:
-        """The text with the solutions of these exercises behind it."""
-        return self.read([exercise.text for exercise in exercises if exercise.text])
+        """The text with the solutions of these exercises behind it, and what shows their claims."""
+        asked = [*exercises]
+        return self.read(texts(asked, self.exercises) if asked else [])
 
     def solved_by(self, claims: Iterable[Claim]) -> tuple[Exercise, ...]:
         """The exercises that some of these claims solve: those of no page."""
@@ -497,6 +498,8 @@ def _check_names(pages: Sequence[Page], exercises: Sequence[Exercise]) -> None:
 
 def _watched(claim: Claim, folder: Path) -> Claim:
     """The claim, whose errors say where they are: raises PageError while it is judged."""
+    if claim.evidence is by_lines:
+        return claim
 
     @wraps(claim.evidence)
     def evidence() -> Iterator[Evidence]:

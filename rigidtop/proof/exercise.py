@@ -22,11 +22,11 @@ numbers are found.  The solution in symbols are claims, judged like those of the
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 from rigidtop.parameters import Parameter
-from rigidtop.proof.page import Claim, Measure, paragraph
+from rigidtop.proof.page import Claim, Measure, by_lines, paragraph
 
 
 @dataclass(frozen=True)
@@ -109,3 +109,14 @@ def exercise(
         text,
         paragraph(solve),
     )
+
+
+def texts(exercises: Sequence[Exercise], every: Sequence[Exercise]) -> list[str]:
+    """The names of their texts, and of those of others that show a claim of theirs by its lines."""
+    own = {each.name for each in exercises}
+    shown = {c.name for each in exercises for c in each.claims if c.evidence is by_lines}
+    return [
+        each.text
+        for each in every
+        if each.text and (each.name in own or shown & {claim.name for claim in each.claims})
+    ]

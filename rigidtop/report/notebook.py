@@ -35,7 +35,7 @@ from rigidtop.figures.catalog import named
 from rigidtop.figures.style import STYLE, WIDE, canvas
 from rigidtop.parameters import settings
 from rigidtop.proof.equation import Equation
-from rigidtop.proof.exercise import Exercise
+from rigidtop.proof.exercise import Exercise, texts
 from rigidtop.proof.page import Claim
 from rigidtop.proof.verdict import Judgement, judge
 from rigidtop.proof.words import unmarked
@@ -214,7 +214,7 @@ def solution(name: str, **given: float) -> Solution:
     if name not in known:
         raise RigidtopError(f"no exercise {name!r}; there are {', '.join(known)}")
     exercise = known[name]
-    return solved(exercise, given, lines=lecture_with([exercise.text] if exercise.text else []))
+    return solved(exercise, given, lines=lecture_with(texts([exercise], EXERCISES)))
 
 
 @cache

@@ -81,12 +81,6 @@ def test_every_numbered_equation_has_its_lines() -> None:
     assert len(LECTURE.way("3.54")[0]) >= 4
 
 
-def test_every_claim_of_an_exercise_with_a_page_has_its_lines() -> None:
-    told = {claim.name for page in PAGES for claim in page.claims}
-    missing = {c.name for e in EXERCISES if e.text for c in e.claims} - told - set(LECTURE.names)
-    assert missing == set()
-
-
 def test_an_exercise_cites_the_lecture_and_no_other_exercise() -> None:
     for id, line in LECTURE.lines.items():
         for cited in LECTURE.cites(id):

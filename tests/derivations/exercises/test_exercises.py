@@ -13,7 +13,7 @@ from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.figures.catalog import FIGURES
 from rigidtop.notation import NOTES
 from rigidtop.parameters import settings
-from rigidtop.proof.exercise import Answer, Table
+from rigidtop.proof.exercise import Answer, Table, texts
 from rigidtop.proof.page import Measure, by_lines
 from rigidtop.proof.verdict import Verdict, judge
 from rigidtop.proof.words import parts
@@ -117,6 +117,15 @@ def test_mathematics_in_captions_is_marked():
         words += [figure.title, *(p.about for p in figure.parameters)]
         words.append(figure.caption(**figure.values()))
     assert [text for text in words if unmarked_letters(text)] == []
+
+
+@pytest.mark.parametrize("exercise", EXERCISES, ids=NAMES)
+def test_texts_show_its_claims(exercise):
+    """Its own, or that of another exercise that has the claim too."""
+    folder = files("rigidtop.derivations")
+    read = [folder.joinpath(f"{x}.md").read_text("utf-8") for x in texts([exercise], EXERCISES)]
+    shown = {name for text in read for name in re.findall(r'<a id="([^"]+)">', text)}
+    assert {claim.name for claim in exercise.claims} & {*NEW_CLAIMS} <= shown
 
 
 def test_the_lines_of_its_solution_show_a_claim():
