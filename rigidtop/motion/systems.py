@@ -41,14 +41,14 @@ class System:
 def _top_rate(parameters: Sequence[float], state: Floats) -> float:
     lambda1, lambda3, M, g, R, omega3 = parameters
     steady = lambda3 / lambda1 * np.abs(omega3) + np.sqrt(np.abs(M * g * R) / lambda1)
-    return steady + np.hypot(state[4], state[5])
+    return float(steady + np.hypot(state[4], state[5]))
 
 
 def _body_rate(parameters: Sequence[float], state: Floats) -> float:
     moments, (M, g, R1, R2, R3) = parameters[:3], parameters[3:]
     arm = np.hypot(np.hypot(R1, R2), R3)
     speed = np.hypot(np.hypot(state[4], state[5]), state[6])
-    return speed + np.sqrt(np.abs(M * g) * arm / np.minimum.reduce(moments))
+    return float(speed + np.sqrt(np.abs(M * g) * arm / np.minimum.reduce(moments)))
 
 
 def _top_sizes(parameters: Sequence[float]) -> Sizes:
