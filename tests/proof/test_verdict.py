@@ -7,11 +7,11 @@ import pytest
 import sympy
 from sympy import Eq, Gt, Lt, Matrix, Ne, Symbol, cos, sin, sqrt, symbols
 
+from rigidtop.proof import page
 from rigidtop.proof.equation import Cross, Dot, Equation, Underbrace, as_printed
 from rigidtop.proof.page import (
     Assumption,
     Check,
-    Claim,
     Correction,
     Definition,
     Measure,
@@ -41,8 +41,8 @@ def claim(*evidence, error=None):
         if error is not None:
             raise error
 
-    run.__doc__ = "Since it is so."
-    return Claim("made-up", "It is so.", run)
+    run.__doc__ = "Since it\n    is so."
+    return page.claim("made-up", "It is so.")(run)
 
 
 def typed(left, right, relation="="):
