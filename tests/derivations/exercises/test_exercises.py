@@ -18,7 +18,7 @@ from rigidtop.proof.page import Measure, by_lines
 from rigidtop.proof.verdict import Verdict, judge
 from rigidtop.proof.words import parts
 from rigidtop.read.page import read_exercises
-from rigidtop.report.claims import tested
+from rigidtop.report import claims as printed_claims
 from rigidtop.report.records import record as claim_record
 from rigidtop.report.solutions import Solution, record
 from rigidtop.theory.symbols import VOCABULARY
@@ -63,11 +63,11 @@ def test_a_claim_that_its_lines_show_holds_under_their_conditions():
     claims = NEW_CLAIMS["roots-in-powers"], NEW_CLAIMS["disc-on-an-arm"]
     with_conditions, without = (judge(claim, lecture=lines) for claim in claims)
     assert with_conditions.verdict is Verdict.ASSUMING
-    kept = [str(item.assumption.condition) for item in tested(with_conditions)]
+    kept = [str(item.assumption.condition) for item in printed_claims.tested(with_conditions)]
     assert "Ne(cos(theta), 0)" in kept
     assert "omega3 > 0" in kept
     assert claim_record(with_conditions)["note"].startswith("holds if ")
-    assert (without.verdict, tested(without)) == (Verdict.PROVED, [])
+    assert (without.verdict, printed_claims.tested(without)) == (Verdict.PROVED, [])
 
 
 @pytest.mark.parametrize("exercise", EXERCISES, ids=NAMES)
