@@ -45,7 +45,7 @@ def fallen():
 
     def refuted(check):
         try:
-            return is_refuted(check, check.assuming, 40, letters=LETTERS)
+            return is_refuted(check, 40, LETTERS)
         except (NoMeaningError, TypeError, AttributeError, ValueError):
             return None  # ∫ρ² d³r is nothing that a body has, the square of a vector no vector
 

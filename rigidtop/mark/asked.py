@@ -16,10 +16,10 @@ from functools import cached_property
 from itertools import pairwise
 
 import sympy
-from sympy import Expr, Integer, Symbol
+from sympy import Expr, Symbol
 
 from rigidtop.derivations import models
-from rigidtop.mark.links import ERRORS
+from rigidtop.mark.links import ERRORS, Link, sides_of
 from rigidtop.proof import decide
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.derivation import Line
@@ -217,10 +217,7 @@ def _gaps(equation: Equation, model: Model) -> Iterator[Expr]:
     for left, right in pairwise(equation.sides):
         if left == const:
             raise NoMeaningError("a constant of which nothing is known")
-        values = (
-            (model.rate(left), Integer(0)) if right == const else map(model.value, (left, right))
-        )
-        yield from entries(*values)
+        yield from entries(*sides_of(Link(left, None if right == const else right), model))
 
 
 def _where_set(conditions: Iterable[Condition], model: Model) -> Mapping[Symbol, Expr]:

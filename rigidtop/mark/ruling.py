@@ -97,7 +97,7 @@ def _one(check: Check, known: set[Symbol], letters: Letters) -> Ruling:
         if spatial:
             return Ruling(None, unsaid)
         # With a value at will for a symbol that the claim does not know, nothing is refuted.
-        if strangers and is_refuted(check, check.assuming, 40, letters=letters):
+        if strangers and is_refuted(check, 40, letters):
             return Ruling(None, unsaid)
         finding = _lightest(check, letters)
     except Exception as error:

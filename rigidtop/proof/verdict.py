@@ -222,23 +222,23 @@ def _problem(judgement: Judgement) -> str:
 
 def judge_check(check: Check, letters: Letters = _ANY) -> Finding:
     """The verdict on one check.  Raises UnneededAssumptionError."""
-    shown = _shown(check, check.meaning, check.assuming, letters)
+    shown = _shown(check, letters)
     if shown is not None:
         tested = tuple(_tested(check, assumption, letters) for assumption in check.assuming)
         unstated = any(not assumption.stated for assumption in check.assuming)
         return Finding(check, Verdict.ASSUMING if unstated else shown, tested)
-    counterexample = refute(check, check.assuming, letters=letters)
+    counterexample = refute(check, letters=letters)
     if counterexample is None:
         return Finding(check, Verdict.UNDECIDED)
     other = check.other_reading
-    if other is not None and _shown(check, other, check.assuming, letters):
+    if other is not None and _shown(replace(check, meaning=other), letters):
         return Finding(check, Verdict.CONVENTION, (), counterexample)
     return Finding(check, Verdict.FALSE, (), counterexample)
 
 
 def _tested(check: Check, assumption: Assumption, letters: Letters) -> TestedAssumption:
     others = tuple(other for other in check.assuming if other is not assumption)
-    without = refute(check, others, dropped=assumption, letters=letters)
+    without = refute(replace(check, assuming=others), assumption, letters=letters)
     if without is None:
         raise UnneededAssumptionError(
             f"{assumption.condition} is not needed, or no counterexample to dropping it was found"
@@ -246,16 +246,15 @@ def _tested(check: Check, assumption: Assumption, letters: Letters) -> TestedAss
     return TestedAssumption(assumption, without)
 
 
-def _shown(
-    check: Check, meaning: Meaning, assuming: Sequence[Assumption], letters: Letters
-) -> Verdict | None:
+def _shown(check: Check, letters: Letters) -> Verdict | None:
     """PROVED or SAMPLED where the relation holds under the assumptions, else None."""
-    relations = assertions(check.claimed, meaning)
-    equal, conditions = _split(assuming)
+    relations = assertions(check.claimed, check.meaning)
+    equal, conditions = _split(check.assuming)
     # Cheap refutation first: most claims that fail, fail at the first point.
-    if is_refuted(check, assuming, 8, meaning, letters):
+    if is_refuted(check, 8, letters):
         return None
-    if not all(_covered(d, equal, conditions) for d in typed_divisors(check.claimed, meaning)):
+    divisors = typed_divisors(check.claimed, check.meaning)
+    if not all(_covered(d, equal, conditions) for d in divisors):
         return None
     sampled = False
     for relation, left, right in relations:
@@ -268,8 +267,7 @@ def _shown(
                 found = decide.evidence(difference)
                 # Digits are evidence only where a wide search for a counterexample failed.
                 if found is None or (
-                    found is Verdict.SAMPLED
-                    and (given or is_refuted(check, assuming, 600, meaning, letters))
+                    found is Verdict.SAMPLED and (given or is_refuted(check, 600, letters))
                 ):
                     return None
                 sampled |= found is Verdict.SAMPLED
@@ -374,27 +372,16 @@ def _without_bars(expression: Expr, conditions: Sequence[Relational]) -> Expr:
 
 
 def refute(
-    check: Check,
-    assuming: Sequence[Assumption],
-    dropped: Assumption | None = None,
-    meaning: Meaning | None = None,
-    tries: int = 600,
-    letters: Letters = _ANY,
+    check: Check, dropped: Assumption | None = None, tries: int = 600, letters: Letters = _ANY
 ) -> Counterexample | None:
     """A point where the assumptions hold, `dropped` does not, and the claimed relation fails."""
-    failure = _failure(check, assuming, dropped, meaning, tries, letters)
+    failure = _failure(check, dropped, tries, letters)
     return None if failure is None else _counterexample(*failure)
 
 
-def is_refuted(
-    check: Check,
-    assuming: Sequence[Assumption],
-    tries: int,
-    meaning: Meaning | None = None,
-    letters: Letters = _ANY,
-) -> bool:
+def is_refuted(check: Check, tries: int, letters: Letters = _ANY) -> bool:
     """Whether `refute` finds a point; cheaper, since no exact numbers are made of it."""
-    return _failure(check, assuming, None, meaning, tries, letters) is not None
+    return _failure(check, None, tries, letters) is not None
 
 
 Failure = tuple[Any, Mapping[Symbol, Expr], Mapping[Symbol, Expr]]
@@ -402,47 +389,34 @@ Failure = tuple[Any, Mapping[Symbol, Expr], Mapping[Symbol, Expr]]
 
 
 def _failure(
-    check: Check,
-    assuming: Sequence[Assumption],
-    dropped: Assumption | None,
-    meaning: Meaning | None,
-    tries: int,
-    letters: Letters,
+    check: Check, dropped: Assumption | None, tries: int, letters: Letters
 ) -> Failure | None:
-    meaning = check.meaning if meaning is None else meaning
-    equal, _ = _split(assuming)
+    equal, _ = _split(check.assuming)
     if dropped is not None and dropped.otherwise is not None:
         equal = {**equal, dropped.condition.lhs: dropped.otherwise}
     given = [_impose(h, equal) for h in check.given]
     solved, left_over, divisor = _solve_given(given)
     found = None
     if dropped is None or not _needed(dropped.condition, divisor):
-        found = _search(
-            check, meaning, assuming, dropped, tries, letters, solved, left_over, divisor
-        )
+        found = _search(check, dropped, tries, letters, equal, (solved, left_over, divisor))
     if found is None and solved:
         # Solving divided by something; where that vanishes the equation may hold all the same.
-        found = _search(check, meaning, assuming, dropped, tries, letters, {}, given, Integer(1))
+        found = _search(check, dropped, tries, letters, equal, ({}, given, Integer(1)))
     return found
 
 
 def _search(
     check: Check,
-    meaning: Meaning,
-    assuming: Sequence[Assumption],
     dropped: Assumption | None,
     tries: int,
     letters: Letters,
-    solved: Mapping[Symbol, Expr],
-    given: Sequence[Expr],
-    divisor: Expr,
+    equal: Mapping[Expr, Expr],
+    known: tuple[Mapping[Symbol, Expr], Sequence[Expr], Expr],
 ) -> Failure | None:
-    """Among points where `given` vanish and `divisor`, by which `solved` divide, does not."""
-    meaning, hidden = _opaque(meaning)
-    relations = assertions(check.claimed, meaning)
-    equal, conditions = _split(assuming)
-    if dropped is not None and dropped.otherwise is not None:
-        equal = {**equal, dropped.condition.lhs: dropped.otherwise}
+    """Among points where what is given vanishes, and that by which `solved` divide does not."""
+    solved, given, divisor = known
+    meaning, hidden = _opaque(check.meaning)
+    _, conditions = _split(check.assuming)
 
     def both(expression: Expr) -> Any:
         return _impose(_impose(expression, equal), solved)
@@ -450,7 +424,7 @@ def _search(
     hidden = {dummy: both(expression) for dummy, expression in hidden.items()}
     sides = [
         (relation, [(both(a), both(b)) for a, b in _pairs(left, right)])
-        for relation, left, right in relations
+        for relation, left, right in assertions(check.claimed, meaning)
     ]
     conditions = [c for c in map(both, conditions) if c != sympy.true]
     violated = None if dropped is None else both(dropped.condition)

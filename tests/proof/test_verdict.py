@@ -305,15 +305,14 @@ def test_what_stands_under_a_brace_is_asserted():
 
 
 def test_a_counterexample_keeps_to_the_assumptions():
-    check = Check(typed(x * y, 0, ">"), {})
     within = (Assumption(Gt(x, 0)), Assumption(Eq(y, -x)))
-    found = refute(check, within)
+    found = refute(Check(typed(x * y, 0, ">"), {}, within))
     assert found.values[x] > 0
     assert found.left == -(found.values[x] ** 2)
 
 
 def test_a_counterexample_satisfies_what_is_given():
-    found = refute(Check(typed(x, 1), {}, given=(x * y - 2,)), ())
+    found = refute(Check(typed(x, 1), {}, given=(x * y - 2,)))
     at = np.array([float(found.values.get(k, np.nan)) for k in (x, y)])
     assert found.left != 1
     assert np.isnan(at).any() or at.prod() == pytest.approx(2)
@@ -367,7 +366,7 @@ def test_counterexamples_are_of_bodies_that_exist():
 
 def test_what_is_given_is_not_solved_by_a_division_by_zero():
     # x = 2/y has no counterexample at y = 0, where the given equation says 2 = 0.
-    found = refute(Check(typed(x * y, 1), {}, given=(x * y - 2,)), ())
+    found = refute(Check(typed(x * y, 1), {}, given=(x * y - 2,)))
     assert found.values[y] != 0
     assert found.left == 2
 
