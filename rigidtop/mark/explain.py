@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 
 import sympy
 from sympy import Expr, Pow, Symbol
@@ -24,6 +24,7 @@ from rigidtop.mark.links import (
 )
 from rigidtop.mark.steps import is_matrix
 from rigidtop.proof import decide
+from rigidtop.proof.changed import Families
 from rigidtop.proof.model import Model, Passage, samples
 from rigidtop.proof.verdict import entries
 from rigidtop.theory import symbols as s
@@ -46,7 +47,7 @@ def explain(link: Link, passage: Passage) -> tuple[slips.Slip, ...]:
     if forgotten:
         return (forgotten,)
     fitting = [model for model in passage.models if not foreign(link, model)]
-    for named in (_repaired, _missing):
+    for named in (partial(_repaired, passage.families), _missing):
         for model in fitting:
             found = named(link, model)
             if found:
@@ -54,14 +55,16 @@ def explain(link: Link, passage: Passage) -> tuple[slips.Slip, ...]:
     return ()
 
 
-def _repaired(link: Link, model: Model) -> tuple[slips.Slip, ...]:
+def _repaired(families: Families, link: Link, model: Model) -> tuple[slips.Slip, ...]:
     """The slips after whose repair a link holds for the motions of a model."""
     lost = _lost_root(link, model)
     if lost:
         return (lost,)
     if link.right is None:
-        return slips.found(link.left, s.const, lambda left, _: _holds(Link(left, None), model))
-    return slips.found(link.left, link.right, lambda a, b: _holds(Link(a, b), model))
+        return slips.found(
+            link.left, s.const, lambda left, _: _holds(Link(left, None), model), families
+        )
+    return slips.found(link.left, link.right, lambda a, b: _holds(Link(a, b), model), families)
 
 
 def _holds(link: Link, model: Model) -> bool:

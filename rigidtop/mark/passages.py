@@ -43,7 +43,8 @@ def passage(start: str, goal: str) -> Passage:
     if not _leads(start, goal):
         raise RigidtopError(f"{refused}: the lecture does not lead from the one to the other")
     try:
-        return replace(goals().get(goal) or _by_models(goal), start=start)
+        found = goals().get(goal) or _by_models(goal)
+        return replace(found, start=start, families=LETTERS.families)
     except _NoGoalError as why:
         raise RigidtopError(f"{refused}: {why}") from None
 

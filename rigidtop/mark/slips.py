@@ -9,14 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import sympy
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, cos, sin
 
-from rigidtop.derivations.letters import LETTERS
 from rigidtop.notation import MATRICES
-from rigidtop.proof.changed import Single, changes, walked
+from rigidtop.proof.changed import Families, Single, changes, walked
 from rigidtop.proof.equation import Group, Transposed, as_printed
 from rigidtop.theory import symbols as s
 from rigidtop.typeset.text import text
@@ -36,7 +36,7 @@ class Slip:
 Holds = Callable[[Any, Any], bool]
 
 
-def found(left: Expr, right: Expr, holds: Holds) -> tuple[Slip, ...]:
+def found(left: Expr, right: Expr, holds: Holds, families: Families = ()) -> tuple[Slip, ...]:
     """The slips that would explain why left = right fails, one of a kind.
 
     `holds` tells whether two sides are equal, by numbers; a repair for which it raises an
@@ -45,7 +45,7 @@ def found(left: Expr, right: Expr, holds: Holds) -> tuple[Slip, ...]:
     made: dict[str, Slip] = {}
     tried = 0
     for first, side, other in ((True, right, left), (False, left, right)):
-        for repaired, slip in repairs(side):
+        for repaired, slip in repairs(side, families):
             tried += 1
             if tried > MOST:
                 break
@@ -60,18 +60,18 @@ def found(left: Expr, right: Expr, holds: Holds) -> tuple[Slip, ...]:
     return tuple(made.values())
 
 
-def repairs(side: Expr) -> Iterator[tuple[Expr, Slip]]:
+def repairs(side: Expr, families: Families = ()) -> Iterator[tuple[Expr, Slip]]:
     """A side with one thing in it put right, for every thing that could be a slip."""
     if isinstance(side, sympy.MatrixBase):
         for k, entry in enumerate(side):
-            for new, slip in repairs(entry):
+            for new, slip in repairs(entry, families):
                 entries = [*side[:k], new, *side[k + 1 :]]
                 placed = Slip(slip.kind, f"{slip.words} (entry {k + 1})")
                 yield sympy.ImmutableMatrix(*side.shape, entries), placed
         return
     with as_printed():
         alone = [] if isinstance(side, Add) or side in (0, s.const) else [*_of_term(side)]
-    for new, single in [*alone, *walked(side, _here)]:
+    for new, single in [*alone, *walked(side, partial(_here, families))]:
         yield new, Slip(single.kind, single.words.format(*map(_shown, single.of)))
 
 
@@ -89,7 +89,7 @@ def _of_term(term: Expr) -> Iterator[tuple[Expr, Single]]:
             yield rest, Single("factor kept", (kept, term), "{} too much at {}")
 
 
-def _here(node: Expr) -> Iterator[tuple[Expr, Single]]:
+def _here(families: Families, node: Expr) -> Iterator[tuple[Expr, Single]]:
     """What can be wrong with a node; of a sum the terms are what has a sign and a factor."""
     power, other = "the power of {}", "{} where {} is meant"
     if isinstance(node, Add):
@@ -109,7 +109,7 @@ def _here(node: Expr) -> Iterator[tuple[Expr, Single]]:
             new = Pow(node.base, Integer(int(node.exp) + step))
             yield new, Single("power", (node.base,), power)
         return
-    for new, single in changes(node, LETTERS.families):
+    for new, single in changes(node, families):
         if single.kind == "order":
             yield new, Single("sign", node.args, "the order of {} × {}")
         elif single.kind == "too much" and not isinstance(single.of, Add):

@@ -124,6 +124,7 @@ class Passage:
     conserved: Symbol | None = None
     given: tuple[Any, ...] = ()
     start: str = ""
+    families: tuple[tuple[Symbol, ...], ...] = ()
 
 
 @dataclass(frozen=True)
