@@ -69,7 +69,8 @@ def words_of(meant: Mapping[Symbol, Expr]) -> str:
 class Law:
     """Equations that hold along the motion: coordinates, what vanishes, and whose lines they are.
 
-    `words` say what they are; `letters` are all that stand in them.
+    `words` say what they are; `letters` are all that stand in them, `besides` those of forces that
+    the Lagrangian has not.  They hold where the `condition` does.
     """
 
     q: tuple[Lettered, ...]
@@ -79,6 +80,8 @@ class Law:
     section: int
     lagrangian: Expr | None = None
     broken: bool = False
+    besides: frozenset[Symbol] = frozenset()
+    condition: str = ""
 
     @property
     def functions(self) -> set[Expr]:
@@ -90,6 +93,11 @@ class Law:
         """The rates for which the law is solved: ẍ, or ω̇ of an equation of first order."""
         stands = set().union(*(x.free_symbols for x in self.vanishing))
         return [dotted(x, 2 if dotted(x, 2) in stands else 1) for x in self.q]
+
+    def where(self, put: Mapping[Symbol, Expr]) -> Law:
+        """The law for a special motion; what says nothing of it falls out."""
+        given = (put_in(x, put) for x in self.vanishing)
+        return replace(self, vanishing=tuple(x for x in given if vanishes(x) is None))
 
     def misses(self, symbols: set[Symbol]) -> int:
         """How many numbers the equations of the accelerations among symbols have besides these; too
@@ -109,6 +117,11 @@ class Law:
         return frozenset(bare(x) for each in self.vanishing for x in each.free_symbols) | frozenset(
             self.q
         )
+
+
+def put_in(side: Expr, put: Mapping[Symbol, Expr]) -> Expr:
+    """A side with what is set put in, twice: one may bring in another's letter."""
+    return sympy.expand(side.subs(put).subs(put)) if put else side
 
 
 def plain(expression: Expr) -> tuple[Expr, dict[Expr, Symbol]]:
@@ -188,12 +201,55 @@ def degree(residual: Expr, letters: Sequence[Symbol]) -> int:
     return int(sympy.Poly(over, *letters).total_degree())
 
 
+_SMALL = sympy.Dummy("small", positive=True)
+
+
+def _shrunk(x: Expr, letters: Iterable[Symbol]) -> Expr:
+    """An expression where letters and their rates are small: times one small number."""
+    found = [y for y in letters if isinstance(y, Lettered)]
+    return x.subs({z: _SMALL * z for y in found for z in (y, dotted(y), dotted(y, 2))})
+
+
+def _of_order(x: Expr, order: int) -> Expr:
+    return x.diff(_SMALL, order).subs(_SMALL, 0)
+
+
 def is_linear(residual: Expr, law: Law) -> bool:
     """Whether a line is linear in what moves and the law is not: it may be of small deviations."""
-    scale = sympy.Dummy("scale", positive=True)
-    scaled = {y: scale * y for x in law.q for y in (x, dotted(x), dotted(x, 2))}
-    twice = [sympy.expand(x.subs(scaled)).diff(scale, 2) for x in (residual, *law.vanishing)]
+    put = (sympy.expand(_shrunk(x, law.q)) for x in (residual, *law.vanishing))
+    twice = [x.diff(_SMALL, 2) for x in put]
     return twice[0] == 0 and any(x != 0 for x in twice[1:])
+
+
+def nearly(sides: tuple[Expr, Expr], q: Iterable[Symbol]) -> bool:
+    """Whether sides that are polynomials in coordinates and rates agree to their own order."""
+    put = [_shrunk(side, q) for side in sides]
+    degrees = [sympy.degree(x, _SMALL) for x in put if x != 0 and x.is_polynomial(_SMALL)]
+    residual = put[0] - put[1]
+    if not degrees or not residual.has(_SMALL):
+        return False
+    return all(vanishes(_of_order(residual, k)) is not None for k in range(max(1, *degrees) + 1))
+
+
+def to_first_order(sides: tuple[Expr, Expr], law: Law | None, moving: Iterable[Symbol]) -> str:
+    """The letters in which two sides agree to first order, along a law that is at rest where they
+    are 0; none where they do not, or where one has more than that order."""
+    letters = sorted(law.q if law is not None else moving, key=str)
+    given = law.vanishing if law is not None else ()
+    put = [_shrunk(x, letters) for x in (*sides, *given)]
+    degrees = [sympy.degree(x, _SMALL) for x in put[:2] if x != 0 and x.is_polynomial(_SMALL)]
+    if max(degrees, default=0) != 1:
+        return ""
+    still, first = ([_of_order(x, k) for x in put] for k in (0, 1))
+    if any(x.has(sympy.nan, sympy.zoo, sympy.oo, -sympy.oo) for x in (*still, *first)):
+        return ""
+    if any(vanishes(x) is None for x in (still[0] - still[1], *still[2:])):
+        return ""
+    residual, a = first[0] - first[1], law.highest if law is not None else []
+    if vanishes(residual) is None and vanishes(residual, first[2:], a) is None:
+        return ""
+    stands = set().union(*(x.free_symbols for x in (*sides, *given)))
+    return ", ".join(text(x) for x in letters if stands & {x, *(dotted(x, k) for k in (1, 2))})
 
 
 def lost(wanted: Expr, given: Expr) -> tuple[Expr, ...] | None:
@@ -205,6 +261,28 @@ def lost(wanted: Expr, given: Expr) -> tuple[Expr, ...] | None:
     if any(x.has(Add) for x in found) or not sympy.factor(given).has(Add):
         return None
     return tuple(x for x in found if x.has(sympy.Function))
+
+
+def force_in(residual: Expr, law: Law) -> tuple[int, Expr] | None:
+    """Which of the law's equations a line is but for a force, and this on the side of ẍ.
+
+    None where that has terms of the equation itself: these may be a slip of the pen.
+    """
+    a = law.highest
+    for k, vanishing in enumerate(law.vanishing):
+        slopes = [(residual.diff(x), vanishing.diff(x)) for x in a if vanishing.has(x)]
+        if not slopes or not residual.has(*a):
+            continue
+        factor = sympy.cancel(slopes[0][0] / slopes[0][1])
+        own = sympy.cancel(factor * vanishing)
+        force = sympy.expand(sympy.cancel(residual - own))
+        terms = [
+            {term.as_coeff_Mul()[1] for term in Add.make_args(sympy.expand(each))}
+            for each in (force, own)
+        ]
+        if force != 0 and not force.has(*a) and not terms[0] & terms[1]:
+            return k, force
+    return None
 
 
 def at_rest(residual: Expr, law: Law) -> str:
@@ -219,60 +297,12 @@ def at_rest(residual: Expr, law: Law) -> str:
     return ""
 
 
-def nearly(residual: Expr, sides: tuple[Expr, Expr], q: Sequence[Symbol]) -> bool:
-    """Whether sides that are polynomials in coordinates and rates agree to their own order."""
-    small = sympy.Dummy("small", positive=True)
-    scaled = {
-        y: small * y
-        for x in q
-        if isinstance(x, Lettered)
-        for y in (x, dotted(x), dotted(x, 2))
-        if residual.has(y)
-    }
-    polynomial = [s for s in sides if all(s.is_polynomial(y) for y in scaled) and s != 0]
-    if not scaled or not polynomial:
-        return False
-    powers = [sympy.Poly(s.subs(scaled), small).degree() for s in polynomial]
-    highest = max(max(powers), 1)
-    series = residual.subs(scaled)
-    for order in range(highest + 1):
-        if vanishes(series.diff(small, order).subs(small, 0)) is None:
-            return False
-    return True
-
-
-def to_first_order(sides: tuple[Expr, Expr], law: Law | None, moving: Iterable[Symbol]) -> str:
-    """The letters in which two sides agree to first order, along a law that is at rest where they
-    are 0; none where they do not, or where one has more than that order."""
-    letters = sorted(law.q if law is not None else moving, key=str)
-    small = sympy.Dummy("small", positive=True)
-    scaled = {y: small * y for x in letters for y in (x, *(dotted(x, k) for k in (1, 2)))}
-    found = set().union(*(x.free_symbols for x in sides))
-    if not found & scaled.keys():
-        return ""
-    put = [x.subs(scaled) for x in (*sides, *(law.vanishing if law is not None else ()))]
-    degrees = [sympy.degree(x, small) for x in put[:2] if x != 0 and x.is_polynomial(small)]
-    if max(degrees, default=0) != 1:
-        return ""
-    still, first = ([x.diff(small, k).subs(small, 0) for x in put] for k in (0, 1))
-    if any(x.has(sympy.nan, sympy.zoo, sympy.oo, -sympy.oo) for x in (*still, *first)):
-        return ""
-    if any(vanishes(x) is None for x in (still[0] - still[1], *still[2:])):
-        return ""
-    a = law.highest if law is not None else []
-    residual = first[0] - first[1]
-    if vanishes(residual) is None and vanishes(residual, first[2:], a) is None:
-        return ""
-    stands = found.union(*(x.free_symbols for x in law.vanishing)) if law is not None else found
-    return ", ".join(text(x) for x in letters if stands & {x, *(dotted(x, k) for k in (1, 2))})
-
-
 def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:
     """Short numbers at which two sides differ, in words; accelerations are those of the law."""
     flat, names = plain(sympy.Tuple(*sides, *(law.vanishing if law is not None else ())))
     if names and law is not None:
         return "the two sides differ whatever the functions are"
-    if names:
+    if functions_of(sides[0] - sides[1]):
         return None
     left, right, *given = flat
     a = law.highest if law is not None else []
@@ -293,7 +323,11 @@ def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:
         if not decide.apart(*((one**2, other**2) if rooted else (one, other))):
             continue
         solved = {x: v for x, v in point.items() if x in a}
-        values = ", ".join(f"{text(x)} = {text(v)}" for x, v in point.items() if x not in solved)
+        values = ", ".join(
+            f"{text(x)} = {text(v)}"
+            for x, v in point.items()
+            if x not in {*solved, *names.values()}
+        )
         rates = ", ".join(
             f"{text(x)} is {short(v)}" for x, v in solved.items() if (left - right).has(x)
         )
@@ -303,4 +337,4 @@ def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:
 
 
 def short(number: Any) -> str:
-    return re.sub(r"\.?0+$", "", f"{float(number):.6f}").replace("-", "−") or "0"
+    return re.sub(r"\.?0+$", "", f"{round(float(number), 6) + 0.0:.6f}").replace("-", "−") or "0"

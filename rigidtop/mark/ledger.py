@@ -71,6 +71,8 @@ class Ledger:
     """Letters of functions, as V in V(x): V′(x) is then its slope."""
     section: int = 0
     used: set[int] = field(default_factory=set)
+    doubted: set[int] = field(default_factory=set)
+    """Lines that say what a letter stands for which is said to be another value below."""
     places: dict[int, int] = field(default_factory=dict)
     """The section of each line."""
 
@@ -99,7 +101,10 @@ class Ledger:
                     self.law = self.of_lagrangian(other) or self.law
                 elif base(other) in LAGRANGIANS and self.law is not None:
                     # x = Rθ may be kept by a force.
+                    made, kept = self.of_lagrangian(other), f"{text(letter)} = {text(value)}"
+                    kept += " is kept by forces that do no work"
                     self.law = replace(self.law, broken=True)
+                    self.other = replace(made, condition=kept) if made is not None else None
         for k in range(times):
             known = Given(value, rests, self.section, side=None if k else side)
             self.given[dotted(letter, k) if k else letter] = known
