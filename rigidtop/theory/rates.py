@@ -2,11 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import lru_cache
 
 import sympy
-from sympy import Add, Derivative, Dummy, Expr, Integer, Matrix, MatrixBase, Mul, Symbol
+from sympy import (
+    Add,
+    Derivative,
+    Dummy,
+    Expr,
+    Integer,
+    Matrix,
+    MatrixBase,
+    Mul,
+    Pow,
+    Symbol,
+    cos,
+    exp,
+    sin,
+    tan,
+)
 from sympy.core.function import AppliedUndef
 
 from rigidtop.theory.lettered import Lettered
@@ -35,9 +50,27 @@ def slope(expression: Expr, x: Symbol) -> Expr:
     if expression.is_Mul:
         kept = [(parts[:k], slope(part, x), parts[k + 1 :]) for k, part in enumerate(parts)]
         return Add(*(Mul(*before, part, *after) for before, part, after in kept if part != 0))
-    if isinstance(expression, (sympy.sin, sympy.cos)):
+    if isinstance(expression, (sin, cos)):
         return slope(parts[0], x) * expression.fdiff()
     return expression.diff(x)
+
+
+_SMOOTH = (Add, Mul, Pow, sin, cos, tan, exp, Symbol, sympy.Number, sympy.NumberSymbol)
+"""What has all its derivatives where one of them is finite: no bars, no steps."""
+
+
+def slopes_at_zero(expression: Expr, x: Symbol) -> Iterator[Expr]:
+    """f(0), f′(0), f″(0) …, as long as they are finite; nothing where f need not be smooth.
+
+    >>> from itertools import islice
+    >>> from sympy.abc import x
+    >>> [*islice(slopes_at_zero(sin(2*x)/(1 - x), x), 3)], [*slopes_at_zero(sympy.sqrt(x), x)]
+    ([0, 2, 4], [0])
+    """
+    if all(isinstance(part, _SMOOTH) for part in sympy.preorder_traversal(expression)):
+        while not (at := expression.subs(x, 0)).has(sympy.nan, sympy.zoo, sympy.oo):
+            yield at
+            expression = slope(expression, x)
 
 
 def total_derivative(expression: Expr | MatrixBase, rates: Mapping[Expr, Expr]) -> Expr | Matrix:

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from enum import IntEnum
+from itertools import islice
 from typing import Any
 
 import sympy
 from sympy import Expr, Symbol
 
-from rigidtop.proof.algebra import Value
+from rigidtop.proof.algebra import Value, vanishes
 from rigidtop.proof.equation import Equation
+from rigidtop.theory.rates import slopes_at_zero
 
 
 class RefusedError(Exception):
@@ -60,6 +62,9 @@ class Order:
         counted = self.counted(expression)
         if not counted.has(self.small):
             return 0
+        for power, at in enumerate(islice(slopes_at_zero(counted, self.small), self.power + 1)):
+            if not vanishes(at):
+                return power
         _, power = counted.as_leading_term(self.small).as_coeff_exponent(self.small)
         return int(sympy.floor(power))
 

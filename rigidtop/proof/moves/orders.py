@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import islice
 
 import sympy
-from sympy import Add, Expr, Integer, MatrixBase, Mul, Pow, Symbol, cos, exp, factorial, sin, tan
+from sympy import Add, Expr, Integer, MatrixBase, Symbol, factorial
 
 from rigidtop.proof.algebra import Algebra, Letters, Value, Vector, components, flattened, vanishes
 from rigidtop.proof.moves.move import Move, Order, Pair, Performed, RefusedError, name_of, the_one
 from rigidtop.proof.moves.pairs import all_pairs, put_in, scalars
-from rigidtop.theory.rates import slope
+from rigidtop.theory.rates import slopes_at_zero
 
 NEGLECTED = Symbol("neglected")
 """What stands for all that an approximate equation leaves out, if no letter is small in it."""
@@ -63,25 +64,16 @@ def expand(move: Move, algebra: Algebra) -> Performed:
     return Performed(tuple(pairs), known.scope, order=order)
 
 
-_SMOOTH = (Add, Mul, Pow, sin, cos, tan, exp, Symbol, sympy.Number, sympy.NumberSymbol)
-"""What has all its derivatives where one of them is finite: no bars, no steps."""
-
-
 def _series(counted: Expr, order: Order) -> Expr:
     """The terms below an order, by Taylor, or as far as that has no derivatives by SymPy's series.
 
     A last derivative that is finite bounds the rest.
     """
-    made, derivative, by = Integer(0), counted, order.small
-    if all(isinstance(part, _SMOOTH) for part in sympy.preorder_traversal(counted)):
-        for power in range(order.power + 1):
-            at = derivative.subs(by, 0)
-            if at.has(sympy.nan, sympy.zoo, sympy.oo):
-                break
-            if power == order.power:
-                return sympy.expand(made)
-            made += at * by**power / factorial(power)
-            derivative = slope(derivative, by)
+    by = order.small
+    known = [*islice(slopes_at_zero(counted, by), order.power + 1)]
+    if len(known) > order.power:
+        terms = (at * by**power / factorial(power) for power, at in enumerate(known[:-1]))
+        return sympy.expand(Add(*terms))
     above = sympy.series(counted, by, 0, order.power).removeO()
     if not by.is_nonnegative:
         # SymPy's series holds for a small quantity above zero.
