@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import get_args
 
@@ -218,13 +218,17 @@ Node = (
 
 def parts(node: object) -> Iterator[Node]:
     """The nodes of which a node is put together."""
-    for field in fields(node):  # type: ignore[arg-type]
-        value = getattr(node, field.name)
+    for value in vars(node).values():
         for part in value if isinstance(value, tuple) else (value,):
-            if isinstance(part, (Signed, tuple)):
-                yield from part if isinstance(part, tuple) else (part.body,)
-            elif isinstance(part, get_args(Node)):
+            if isinstance(part, Signed):
+                yield part.body
+            elif isinstance(part, tuple):  # a row of a grid
+                yield from part
+            elif isinstance(part, _NODES):
                 yield part
+
+
+_NODES = get_args(Node)
 
 
 # --- Symbols -------------------------------------------------------------------------------------
@@ -382,9 +386,10 @@ def lettered(shown: Glyph) -> Node:
     if argument:
         return Apply(name, (Letter(replace(shown, base=argument)),), brackets=False)
     stem = shown.base.rstrip("⁰¹²³⁴⁵⁶⁷⁸⁹")
+    if stem == shown.base:
+        return Letter(shown)
     exponent = unicodedata.normalize("NFKC", shown.base.removeprefix(stem))
-    letter = Letter(replace(shown, base=stem))
-    return Power(letter, Number(exponent)) if exponent else letter
+    return Power(Letter(replace(shown, base=stem)), Number(exponent))
 
 
 def decimal(number: float, digits_shown: int = 6) -> Node:
