@@ -16,13 +16,11 @@ from dataclasses import dataclass
 from sympy import Basic
 
 from rigidtop.notation.characters import LETTERS, MARKS, MATHS, SIGNS, TEX_GREEK, escape, joined
-from rigidtop.proof.equation import Equation
 from rigidtop.theory.symbols import Glyph
 from rigidtop.typeset import nodes as lay
 from rigidtop.typeset import sizes
 from rigidtop.typeset.layout import Order, layout
 from rigidtop.typeset.nodes import Node
-from rigidtop.typeset.sentences import prose
 from rigidtop.typeset.sizes import Line
 
 _ACCENTS = {"dot": r"\dot{%s}", "ddot": r"\ddot{%s}", "hat": r"\hat{%s}"}
@@ -51,30 +49,6 @@ class AlignRow:
     behind: str = ""
     label: str = ""
     hung: bool = False
-
-
-def aligned(
-    equations: Sequence[Equation],
-    *,
-    order: Order = "auto",
-    reasons: Sequence[str] = (),
-    limit: float = sizes.LINE,
-) -> str:
-    r"""An ``align`` with a line for each equation, more where it is long, and tags behind.
-
-    ``reasons[i]`` is prose that stands beside equation i if all fit there, else above it.
-    """
-    return align(
-        [
-            AlignRow(
-                tuple(sizes.lines(equation, order, limit)),
-                equation.tag,
-                prose(reasons[i]) if i < len(reasons) else "",
-            )
-            for i, equation in enumerate(equations)
-        ],
-        limit,
-    )
 
 
 def align(rows: Sequence[AlignRow], limit: float = sizes.LINE) -> str:

@@ -148,10 +148,11 @@ def _broken(node: lay.Node, limit: float, whole: float) -> list[lay.Node]:
             return made
         case lay.Product(factors=(*before, lay.Brackets() as last)) if width(node) > whole:
             head = lay.Product(tuple(before), node.joints[:-1]) if before[1:] else before[0]
+            if _is_vector(last):  # a · before it would be the product of two
+                first, *rest = _broken(last, limit - width(head), whole - width(head))
+                return [lay.Product((*before, first), node.joints), *rest]
             first, *rest = _broken(last, limit, whole)
-            # Before a vector a · would be the product of two.
-            times = first if _has_vector(last) else lay.Infix("·", None, first)
-            return [*_broken(head, limit, whole), times, *rest]
+            return [*_broken(head, limit, whole), lay.Infix("·", None, first), *rest]
         case lay.Brackets(body=lay.Sum() as inside, shape="()") if width(node) > whole:
             first, *rest = _broken(inside, limit - 1.5, whole)
             if rest:
@@ -159,6 +160,12 @@ def _broken(node: lay.Node, limit: float, whole: float) -> list[lay.Node]:
     return [node]
 
 
-def _has_vector(node: lay.Node) -> bool:
-    bold = isinstance(node, lay.Letter) and node.glyph.bold
-    return bold or any(map(_has_vector, lay.parts(node)))
+def _is_vector(node: lay.Node) -> bool:
+    match node:
+        case lay.Letter():
+            return node.glyph.bold
+        case lay.Infix():
+            return node.sign == "×"
+        case lay.Brackets() | lay.Sum() | lay.Product():
+            return any(map(_is_vector, lay.parts(node)))
+    return False

@@ -15,7 +15,7 @@ from rigidtop.proof.page import Check, Definition, Step
 from rigidtop.read.document import lines, numbered
 from rigidtop.read.formula import kind, read
 from rigidtop.theory import symbols as s
-from rigidtop.typeset.latex import AlignRow, align, aligned, latex
+from rigidtop.typeset.latex import AlignRow, align, latex
 from rigidtop.typeset.sizes import lines as broken
 from rigidtop.typeset.text import text
 
@@ -125,8 +125,10 @@ def test_what_is_printed_reads_back(name):
         if not known(equation):
             continue
         on_one_line = latex(equation, order)
-        several = align([AlignRow(tuple(broken(equation, order, 40)), "3.57", "The reason.")])
-        narrow = aligned([equation], order=order, limit=20, reasons=["Since it is so."])
+        several, narrow = (
+            align([AlignRow(tuple(broken(equation, order, limit)), "3.57", "The reason.")], limit)
+            for limit in (40, 20)
+        )
         for source in (on_one_line, *(x[x.index(r"\begin") :] for x in (several, narrow))):
             found = read(source)
             assert [line.problem for line in found] == [""], source

@@ -45,7 +45,7 @@ from rigidtop.theory.symbols import (
 )
 from rigidtop.typeset import nodes as lay
 from rigidtop.typeset import sizes
-from rigidtop.typeset.latex import aligned, latex, letter
+from rigidtop.typeset.latex import AlignRow, align, latex, letter
 from rigidtop.typeset.layout import is_typed, layout
 from rigidtop.typeset.mathml import display, mathml
 from rigidtop.typeset.nodes import glyph
@@ -375,9 +375,9 @@ def test_letters():
 
 
 def test_aligned_lines_with_reasons_and_a_tag(printed):
-    made = aligned(
-        [printed["3.57b"], printed["3.57"]], order="typed", reasons=["$ω₃$ is constant", ""]
-    )
+    first, second = (tuple(sizes.lines(printed[name], "typed")) for name in ("3.57b", "3.57"))
+    reason = r"$\omega_{3}$ is constant"
+    made = align([AlignRow(first, "3.57b", reason), AlignRow(second, "3.57")])
     assert made == "\n".join(
         [
             r"\begin{align}",
@@ -390,7 +390,7 @@ def test_aligned_lines_with_reasons_and_a_tag(printed):
 
 
 def test_a_long_chain_is_broken_before_a_relation(printed):
-    made = aligned([printed["3.49"]], order="typed")
+    made = align([AlignRow(tuple(sizes.lines(printed["3.49"], "typed")), "3.49")])
     assert made.count(r"\\") == 1
     assert made.count(r"\tag{3.49}") == 1
     assert made.count(r"\notag") == 1
