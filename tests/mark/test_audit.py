@@ -2,6 +2,7 @@
 
 import random
 import re
+from itertools import islice
 from pathlib import Path
 
 import pytest
@@ -121,34 +122,23 @@ def test_the_changed_files_are_many():
     assert SOURCE not in files
 
 
-OPEN = {
-    "3.33": 2,
-    "3.35": 2,
-    "3.40": 2,
-    "3.41": 1,
-    "3.42": 1,
-    "3.43": 1,
-    "3.44": 2,
-    "3.49": 1,
-    "3.50": 3,
-    "3.51": 3,
-    "3.52": 2,
-    "3.53": 2,
-    "3.54": 2,
-    "3.55": 1,
-    "3.57": 7,
-}
-"""How many changes of an equation may come back undecided or unread."""
+OPEN = {f"3.{n}" for n in (33, 35, 40, 41, 42, 44, 51, 52, 53, 54, 55, 57)}
+"""Equations of which one change may come back undecided or unread."""
+
+
+def half(number):
+    """Every second change."""
+    return islice(changed(number), 0, None, 2)
 
 
 def test_nearly_all_changes_are_found_false():
-    assert 10 * sum(OPEN.values()) < sum(1 for number in NUMBERS for _ in changed(number))
+    assert 10 * len(OPEN) < sum(1 for number in NUMBERS for _ in half(number))
 
 
 @pytest.mark.parametrize("number", NUMBERS)
 def test_a_change_is_told_at_its_equation_and_nowhere_else(number, memo, unchanged):
     left = 0
-    for change, text in changed(number):
+    for change, text in half(number):
         found = audit(text, PAGES, memo=memo)
         assert [each.number for each in found] == NUMBERS, change
         for new, old in zip(found, unchanged, strict=True):
@@ -161,7 +151,7 @@ def test_a_change_is_told_at_its_equation_and_nowhere_else(number, memo, unchang
                 assert not new.passed, change
                 assert new.note, change
                 left += new.verdict != "false"
-    assert left <= OPEN.get(number, 0)
+    assert left <= (number in OPEN)
 
 
 # Whether a change changes anything, found without the claims: by numbers.
