@@ -318,7 +318,7 @@ def test_a_change_is_never_passed(name):
     assert tried >= 5
 
 
-STRIDE = 2
+STRIDE = 4
 
 
 # --- Arrival -------------------------------------------------------------------------------------
