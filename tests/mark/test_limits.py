@@ -298,15 +298,15 @@ def test_a_command_refuses_in_one_line_what_is_too_much(name, arguments, tmp_pat
 
 
 LARGE = {
-    "brackets": "$$" + "(" * 1_900_000 + "$$",
-    "a line": "ab " * 600_000,
-    "tildes": "~" * 1_900_000,
-    "options": "\\a[" * 600_000,
-    "comments": "a <!-" * 300_000,
-    "an item": "- a\n" + "b\n" * 800_000,
-    "a heading": "# a" + " " * 1_900_000 + "x",
-    "links": "[x](" * 400_000,
-    "code": "` " * 900_000,
+    "brackets": "$$" + "(" * 950_000 + "$$",
+    "a line": "ab " * 300_000,
+    "tildes": "~" * 950_000,
+    "options": "\\a[" * 300_000,
+    "comments": "a <!-" * 150_000,
+    "an item": "- a\n" + "b\n" * 400_000,
+    "a heading": "# a" + " " * 950_000 + "x",
+    "links": "[x](" * 200_000,
+    "code": "` " * 450_000,
 }
 
 
