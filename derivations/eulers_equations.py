@@ -76,6 +76,8 @@ def with_torque() -> Iterator[Evidence]:
 @claim("principal-stays", "$𝛚$ along a principal axis stays constant.")
 def principal_stays() -> Iterator[Evidence]:
     """Two of the three $ωₖ$ vanish, so every product on the right of (3.36) does."""
+    for line in printed.lines("principal-stays")[:3]:
+        yield Formal(line, rates())
     for axis in range(3):
         others = [w for k, w in enumerate(OMEGA) if k != axis]
         yield Formal(

@@ -9,6 +9,7 @@ from sympy import Eq, Expr, Matrix, diag, symbols
 from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Formal, Page, claim
 from rigidtop.theory import symbols as s
 from rigidtop.theory.euler import MOMENTS
+from rigidtop.theory.inertia import point_masses
 from rigidtop.theory.rotation import euler_matrix, total_derivative
 from rigidtop.theory.trig import reduce_trig
 
@@ -16,6 +17,7 @@ from .printed import printed
 
 POSITIONS = tuple(Matrix(symbols(f"x{k} y{k} z{k}", real=True)) for k in (1, 2))
 VELOCITIES = tuple(Matrix(symbols(f"u{k} v{k} w{k}", real=True)) for k in (1, 2))
+SPIN = Matrix(symbols("omega_x omega_y omega_z", real=True))
 MASSES = (s.M_1, s.M_2)
 
 TORQUE_FREE = Assumption(Eq(s.F_1, 0), "no external torque", stated=True)
@@ -39,6 +41,12 @@ def newton_rate() -> Matrix:
 def conservation() -> Iterator[Evidence]:
     """$𝐋̇ = 𝐍$ (1.20) with $𝐋 = I𝛚$ (3.26); the forces inside the body are central and cancel."""
     line = printed("3.33")
+    pairs = list(zip(MASSES, POSITIONS, strict=True))
+    momentum = sum((m * r.cross(SPIN.cross(r)) for m, r in pairs), Matrix([0, 0, 0]))
+    yield Formal(
+        printed(r"\mathbf L = I\boldsymbol\omega"),
+        {s.L_vec: momentum, s.inertia: point_masses(pairs), s.omega_vec: SPIN},
+    )
     rate = newton_rate()
     yield Check(line, {s.L_vecdot: rate, line.sides[2]: rate}, (TORQUE_FREE,))
 

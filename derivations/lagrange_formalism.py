@@ -89,7 +89,8 @@ def constant_rate() -> Iterator[Evidence]:
     equations = top.symmetric_equations()
     balance = ((equations[1] - cos(s.theta) * equations[2]).expand(),)
     steady = (Assumption(Eq(s.thetadot, 0), "$θ$ is constant", stated=True), TILTED)
-    *_, constant = printed.lines("constant-rate")
+    rates, _, constant = printed.lines("constant-rate")
+    yield Formal(rates, given=balance)
     yield Formal(constant, {}, steady, given=balance)
 
 

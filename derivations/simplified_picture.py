@@ -121,6 +121,7 @@ def perpendicular() -> Iterator[Evidence]:
     figure_axis = axes[:, 2]
     torque = s.M * s.g * s.R * Matrix(Z_AXIS).cross(figure_axis)
     meaning = {s.N_vec: torque, s.L_vec: exact}
+    yield Formal(printed.lines("torque-perpendicular")[1], meaning)
     yield Formal(
         printed(r"\mathbf N\cdot\mathbf L = 0"),
         meaning,

@@ -98,7 +98,7 @@ def values(judgement: Judgement) -> Values:
     [('p_psi', lambda3*(phidot*cos(theta) + psidot))]
     """
     printed, others = _sources(judgement)
-    for group in (printed, others, _led(judgement)):
+    for group in (printed, others, [] if printed or others else _led(judgement)):
         found = _found(group)
         if found:
             return _values(judgement, found)
@@ -130,7 +130,7 @@ def _sources(judgement: Judgement) -> tuple[list[_Source], list[_Source]]:
 
 
 def _led(judgement: Judgement) -> list[_Source]:
-    """The lines of the text that show a claim."""
+    """The lines of the text that alone show a claim."""
     return [
         _Source(Line(equation), {})
         for item in judgement.items

@@ -5,7 +5,7 @@ import pytest
 from rigidtop.derivations import PAGES
 
 CLAIMS = [claim.name for page in PAGES for claim in page.claims]
-TOTAL = 2000
+TOTAL = 1300
 
 
 @pytest.fixture(scope="session")
