@@ -13,14 +13,12 @@ from sympy import Function, Matrix, cos, diag, dsolve
 import rigidtop as rt
 from rigidtop.figures.cones import draw_cones
 from rigidtop.figures.style import FIRST, SECOND, THIRD
-from rigidtop.proof.equation import Cross, Equation
-from rigidtop.report.notebook import enable, figure, plot, sliders
+from rigidtop.proof.equation import Equation
+from rigidtop.report.notebook import enable, figure, plot, sliders, steps
 from rigidtop.theory.euler import body_accelerations
 from rigidtop.theory.symbols import (
     L_vec,
     Omega_b,
-    e3,
-    e3dot,
     lambda1,
     lambda2,
     lambda3,
@@ -104,20 +102,12 @@ coplanar
 # %% [markdown]
 # ## In space
 #
-# Solve $\mathbf{L} = \lambda_1\boldsymbol{\omega} + (\lambda_3-\lambda_1)\omega_3\mathbf{e}_3$ for
-# $\boldsymbol{\omega}$:
-#
-# $$\boldsymbol{\omega}
-#   = \frac{\mathbf{L}}{\lambda_1} - \frac{\lambda_3-\lambda_1}{\lambda_1}\,\omega_3\mathbf{e}_3 .$$
-#
-# The body, and $\mathbf{e}_3$ with it, turns with $\boldsymbol{\omega}$, so $\dot{\mathbf{e}}_3 =
-# \boldsymbol{\omega}\times\mathbf{e}_3$. The second part is parallel to $\mathbf{e}_3$ and does not
-# move it. What is left turns $\mathbf{e}_3$ about the *constant* vector $\mathbf{L}$ with the rate
-# $\Omega_s = L/\lambda_1$. This is the proof that the notes leave out. In components:
+# $\boldsymbol{\omega}$ has a part along $\mathbf{L}$ and one along $\mathbf{e}_3$. The second does
+# not move $\mathbf{e}_3$; the first turns it about the *constant* vector $\mathbf{L}$ with the rate
+# $\Omega_s = L/\lambda_1$. This is the proof that the notes leave out:
 
 # %%
-difference = (in_body.cross(axis) - (L / lambda1).cross(axis)).expand()
-Equation(e3dot, Cross(L_vec / lambda1, e3)), difference.T
+steps("space-cone")
 
 # %% [markdown]
 # Two rates for one motion: $\Omega_b$ as seen from the body, $\Omega_s$ as seen from space. Here

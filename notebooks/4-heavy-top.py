@@ -13,7 +13,7 @@ from sympy import Matrix, Rational, cos, diff, sin
 import rigidtop as rt
 from rigidtop.figures.style import FIRST, GREY
 from rigidtop.proof.equation import Equation
-from rigidtop.report.notebook import enable, figure, plot, sliders
+from rigidtop.report.notebook import enable, figure, plot, sliders, steps
 from rigidtop.theory.symbols import (
     Lagrangian,
     M,
@@ -26,7 +26,6 @@ from rigidtop.theory.symbols import (
     omega3,
     p_phi,
     p_psi,
-    p_theta,
     phi,
     phiddot,
     phidot,
@@ -90,14 +89,10 @@ L = kinetic - potential
 Equation(Lagrangian, L)
 
 # %% [markdown]
-# Lagrange's equation for $\theta$ is $\frac{d}{dt}\frac{\partial\mathcal{L}}{\partial\dot\theta} =
-# \frac{\partial\mathcal{L}}{\partial\theta}$. The left side is $\lambda_1\ddot\theta$; the right
-# side is one derivative. Together they are (3.54):
+# The equation of motion for $\theta$ follows in four lines:
 
 # %%
-momentum_theta = diff(L, thetadot)
-force = diff(L, theta)
-[Equation(p_theta, momentum_theta), Equation(lambda1 * thetaddot, force)]
+steps("3.54")
 
 # %% [markdown]
 # $\phi$ and $\psi$ do not occur in $\mathcal{L}$, so their momenta are constant, (3.55) and (3.56):
@@ -278,7 +273,7 @@ solution("toppling-top", lambda1=0.02, M=1.0, R=0.1)
 frame = phidot * vertical + thetadot * Matrix([0, 1, 0])
 weight = Matrix([0, 0, R]).cross(-M * g * vertical)
 newton = (weight - frame.cross(momentum))[1]
-(newton - force).expand()
+(newton - diff(L, theta)).expand()
 
 # %% [markdown]
 # ### Exercise 4.3

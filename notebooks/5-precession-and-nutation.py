@@ -12,7 +12,7 @@ from sympy import Poly, cos, series, sin, solve, sqrt
 import rigidtop as rt
 from rigidtop.figures.style import FIRST, SECOND
 from rigidtop.proof.equation import Equation
-from rigidtop.report.notebook import enable, plot, sliders
+from rigidtop.report.notebook import enable, plot, sliders, steps
 from rigidtop.theory.symbols import (
     D,
     M,
@@ -28,13 +28,9 @@ from rigidtop.theory.symbols import (
     omega_n2,
     p_phi,
     p_psi,
-    phidot,
-    psidot,
     theta,
-    thetaddot,
-    thetadot,
 )
-from rigidtop.theory.top import symmetric_equations, top_effective_potential
+from rigidtop.theory.top import steady_quadratic, top_effective_potential
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
 enable()
@@ -42,25 +38,15 @@ enable()
 # %% [markdown]
 # ## Constant tilt
 #
-# Lagrange's equation for $\theta$ (3.54), with $\dot\theta = \ddot\theta = 0$, $\dot\phi = \Omega$
-# and $\dot\psi = \omega_3 - \Omega\cos\theta$, must vanish:
+# The lines of the lecture, from Lagrange's equation for $\theta$ to (3.57):
 
 # %%
-steady = {thetaddot: 0, thetadot: 0, phidot: Omega, psidot: omega3 - Omega * cos(theta)}
-balance = -symmetric_equations()[0].subs(steady).expand().factor()
-Equation(0, balance)
+steps("3.57")
 
 # %% [markdown]
-# Two factors. The second is (3.57), and it comes when we divide by the first:
-
-# %%
-quadratic = (balance / sin(theta)).expand().collect(Omega)
-Equation(0, quadratic)
-
-# %% [markdown]
-# But a product also vanishes with its *first* factor. For $\sin\theta = 0$, upright or hanging,
-# every $\Omega$ is a steady motion. The notes divide without a word; the verdict finds the lost
-# branch.
+# But a product also vanishes with the factor by which it is divided. For $\sin\theta = 0$, upright
+# or hanging, every $\Omega$ is a steady motion. The notes divide without a word; the verdict finds
+# the lost branch.
 
 # %%
 from rigidtop.derivations.lagrange_formalism import steady_precession
@@ -74,6 +60,7 @@ steady_precession
 # solutions:
 
 # %%
+quadratic = steady_quadratic()
 discriminant = Poly(quadratic, Omega).discriminant()
 minus, plus = (
     (lambda3 * omega3 + sign * sqrt(discriminant)) / (2 * lambda1 * cos(theta)) for sign in (-1, 1)

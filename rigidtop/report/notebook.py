@@ -27,7 +27,7 @@ from matplotlib.figure import Figure as Canvas
 from PIL import Image
 from sympy import Basic
 
-from rigidtop.derivations import lecture_with
+from rigidtop.derivations import lecture, lecture_with
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
@@ -45,6 +45,7 @@ from rigidtop.report.claims import claim_blocks
 from rigidtop.report.markdown import LINE, aligned, markdown
 from rigidtop.report.solutions import Solution, question, solved
 from rigidtop.report.solutions import blocks as solution_blocks
+from rigidtop.report.ways import way_blocks
 from rigidtop.theory.symbols import VOCABULARY
 from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import align_row, latex
@@ -78,7 +79,7 @@ def enable(formatter: Any = None) -> None:
         words.for_type(kind, lambda tree, printer, cycle: printer.text(_words(tree)))
     for kind in (sympy.Basic, sympy.MatrixBase, Equation, list, tuple, dict):
         tex.for_type(kind, typeset)
-    for kind in (Claim, Judgement, Exercise, Solution):
+    for kind in (Claim, Judgement, Exercise, Solution, Steps):
         words.for_type(
             kind, lambda thing, printer, cycle: printer.text(plain.fragment(shown_blocks(thing)))
         )
@@ -180,7 +181,27 @@ OWN_WAY = ("Derivation", "The engine's own expressions")
 """Labels of what a notebook derives itself, or need not see."""
 
 
-def shown_blocks(thing: Claim | Judgement | Exercise | Solution) -> list[Any]:
+@dataclass(frozen=True)
+class Steps:
+    """The lines of the lecture that lead to an equation or a claim."""
+
+    name: str
+
+
+def steps(name: str) -> Steps:
+    """The lines that lead to an equation by its number, or to a claim, as `derive` prints them.
+
+    Raises RigidtopError for a name that the lecture does not have.
+
+    >>> steps("3.57")
+    Steps(name='3.57')
+    """
+    if name not in lecture().names:
+        raise RigidtopError(f"no lines of the lecture lead to {name!r}")
+    return Steps(name)
+
+
+def shown_blocks(thing: Claim | Judgement | Exercise | Solution | Steps) -> list[Any]:
     """What a notebook shows of a claim, judged, and of an exercise, solved or not.
 
     Of a claim alone its verdict, its conditions and its counterexamples; the whole derivation is in
@@ -188,6 +209,8 @@ def shown_blocks(thing: Claim | Judgement | Exercise | Solution) -> list[Any]:
     """
     if isinstance(thing, Exercise):
         return question(thing, settings(thing.parameters))
+    if isinstance(thing, Steps):
+        return way_blocks(lecture(), thing.name)
     if isinstance(thing, Solution):
         made = solution_blocks(thing)
         left_out: tuple[str, ...] = OWN_WAY[1:]

@@ -118,6 +118,14 @@ def test_a_solution_has_no_digits_of_this_machine(shown):
     assert all(measure.what not in made for measure in solved(exercise).measures)
 
 
+def test_the_lines_of_the_lecture_as_derive_prints_them(shown):
+    made = shown(notebook.steps("3.54"))["text/markdown"]
+    assert "Put both into Lagrange's equation for $\\theta$:" in made
+    assert made.count("$$") == 8
+    with pytest.raises(RigidtopError, match=r"^no lines of the lecture lead to '3\.99'$"):
+        notebook.steps("3.99")
+
+
 def test_units_are_no_letters_of_formulas():
     rows = (("time t", Number("2"), "s"), ("moment", Number("1"), "kg m²"), ("share", "half", "1"))
     assert markdown([Quantities("Found", rows)]).splitlines()[2:] == [
