@@ -48,28 +48,21 @@ __all__ = [
     "top_motions",
 ]
 
-_HOMES = {
-    "Body": "rigidtop.system.parts",
-    "Mass": "rigidtop.system.parts",
-    "FreeBody": "rigidtop.motion.body",
-    "FreeMotions": "rigidtop.motion.many",
-    "HeavyBody": "rigidtop.motion.body",
-    "HeavyTop": "rigidtop.motion.top",
-    "Motion": "rigidtop.motion.motion",
-    "NoSteadyPrecession": "rigidtop.errors",
-    "RigidtopError": "rigidtop.errors",
-    "SlidingMotion": "rigidtop.motion.table.motion",
-    "SlidingTop": "rigidtop.motion.table.motion",
-    "SlidingTrajectory": "rigidtop.motion.table.trajectory",
-    "System": "rigidtop.system.system",
-    "SystemMotion": "rigidtop.system.motion",
-    "SystemTrajectory": "rigidtop.system.motion",
-    "TopMotions": "rigidtop.motion.many",
-    "Trajectory": "rigidtop.motion.trajectory",
-    "free_motions": "rigidtop.motion.many",
-    "show": "rigidtop.web.notebook",
-    "top_motions": "rigidtop.motion.many",
+_ROOMS = {
+    "errors": ("NoSteadyPrecession", "RigidtopError"),
+    "motion.body": ("FreeBody", "HeavyBody"),
+    "motion.many": ("FreeMotions", "TopMotions", "free_motions", "top_motions"),
+    "motion.motion": ("Motion",),
+    "motion.table.motion": ("SlidingMotion", "SlidingTop"),
+    "motion.table.trajectory": ("SlidingTrajectory",),
+    "motion.top": ("HeavyTop",),
+    "motion.trajectory": ("Trajectory",),
+    "system.motion": ("SystemMotion", "SystemTrajectory"),
+    "system.parts": ("Body", "Mass"),
+    "system.system": ("System",),
+    "web.notebook": ("show",),
 }
+_HOMES = {name: f"rigidtop.{room}" for room, names in _ROOMS.items() for name in names}
 
 
 def __getattr__(name: str) -> Any:
