@@ -17,7 +17,7 @@ false: at k = 1, m = 1, x = 2: ẍ is −2 by Lagrange's equations
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -31,6 +31,7 @@ from rigidtop.mark.law import (
     bare,
     base,
     degree,
+    differ_at,
     dotted,
     force_in,
     to_first_order,
@@ -66,11 +67,13 @@ def held(
     sections: Sequence[int] = (),
     until: float = float("inf"),
     kinds: Callable[[Glyph], str] = lambda _: "",
+    constant: Collection[int] = (),
 ) -> tuple[Held, ...]:
     """Each line that was read, judged by the lines above it.
 
     `functions`, `timed` and `kinds` are what `Habits` has of a file; `sections` says for each line
-    under which heading it stands.  After a time of `time.process_time` no more are judged.
+    under which heading it stands; of the `constant` ones, by number, words say that they give what
+    is conserved.  After a time of `time.process_time` no more are judged.
     """
     found = list(lines)
     places = list(sections) or [0] * len(found)
@@ -93,7 +96,11 @@ def held(
             made.append(Held(line, Verdict.UNDECIDED.value, "the time for the file was over"))
             continue
         ledger.section = places[i]
-        made.append(ledger.take(i, line))
+        before = {*ledger.given}
+        judged = ledger.take(i, line)
+        letter = next((x for x in ledger.given if x not in before and not accent(x)), None)
+        said = i in constant
+        made.append(judged if letter is None else ledger.conserved(i, judged, letter, said))
     return tuple(made)
 
 
@@ -220,6 +227,41 @@ class _Judge(Reasons):
             self.doubted |= self.given[first].rests
         rests = sorted({x for each in made for x in each.rests} - {number})
         return replace(worst, rests=tuple(rests))
+
+    def conserved(self, number: int, found: Held, letter: Symbol, said: bool) -> Held:
+        """What a letter stands for, and by Lagrange's equations whether that is conserved.
+
+        `said`: the words say so, and numbers may say otherwise.
+        """
+        law, known = self.law, self.given[letter]
+        moves = any(accent(x) == "dot" for x in letters(known.side))
+        if found.verdict != PREMISE or not self.sure or not moves or base(letter) in LAGRANGIANS:
+            return found
+        assert law is not None
+        rate = self.total(known.value)
+        sides = (rate, Integer(0))
+        case = Case(number, found.line, letter, Integer(0), sides, frozenset(known.rests))
+        try:
+            shown = self.shown(rate, law)
+        except NoMeaningError:
+            return found
+        if shown is not None and shown[0] in (Verdict.PROVED, Verdict.SAMPLED):
+            words = f"{law.words}, {text(letter)} is conserved"
+            return case.said(
+                shown[0] if said else PREMISE, words if said else f"{found.note}; {words}", law
+            )
+        if (
+            not said
+            or self.sets
+            or law.functions
+            or not {bare(x) for x in rate.free_symbols} <= law.letters
+        ):
+            return found
+        differs = differ_at(sides, law)
+        if differs is None:
+            return found
+        words = f"d{text(letter)}/dt is not 0: {differs}"
+        return case.said(Verdict.FALSE, words, law)
 
     def named(self, side: Expr) -> Expr:
         """V for V(x, θ), of which nothing was said above."""

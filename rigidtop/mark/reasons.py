@@ -103,10 +103,10 @@ class Case:
     def symbols(self) -> set[Symbol]:
         return letters(self.sides[0]) | letters(self.sides[1])
 
-    def said(self, verdict: Verdict, note: str, law: Law | None = None) -> Held:
+    def said(self, verdict: str, note: str, law: Law | None = None) -> Held:
         """What becomes of the line, which rests on what was put in, and on a law."""
         rests = self.rests | (law.rests if law is not None else set())
-        return Held(self.line, verdict.value, note, tuple(sorted(rests - {self.number})))
+        return Held(self.line, str(verdict), note, tuple(sorted(rests - {self.number})))
 
     def assuming(self, *conditions: str, law: Law | None = None) -> Held:
         said = ", ".join(x.removeprefix("where ") for x in conditions if x)
@@ -442,7 +442,7 @@ def turned(signs: Sequence[Symbol]) -> list[dict[Symbol, Expr]]:
     return [dict(zip(signs, each, strict=True)) for each in every]
 
 
-def letters(side: Expr) -> set[Symbol]:
+def letters(side: Expr | None) -> set[Symbol]:
     return set(getattr(side, "free_symbols", ()))
 
 

@@ -21,6 +21,21 @@ _HEADING = re.compile(
 )
 """Behind it another system may begin, and letters stand for other things."""
 
+_CONSTANT = re.compile(
+    r"\b(?:is|are|stays?|remains?)\s+(?:\w+ly\s+|also\s+|again\s+|a\s+)?"
+    r"(?:conserved|constant|integral of (?:the )?motion)\b"
+    r"|\bist\s+(?:\w+\s+)?(?:erhalten|konstant|Erhaltungsgröße)"
+)
+"""Words behind a formula which say that what it gives is conserved."""
+
+_DOUBT = re.compile(
+    r"\b(?:not?|neither|nor|only|if|when|where|unless|for|while|until|since|because|provided"
+    r"|absence|without|neglect\w*|limit|approximately|nearly|about|once|in case|case of|ohne"
+    r"|nicht|kein\w*|nur|wenn|falls|wo|für|solange)\b",
+    re.I,
+)
+"""With these words it may be said of a special case, or denied, or of something else."""
+
 _LABEL = re.compile(r"\\label\s*\{([^{}\n]{1,100})\}")
 
 
@@ -60,7 +75,8 @@ def rows(source: str, habits: Habits, seconds: float) -> tuple[Row, ...]:
     headings = [match.start() for match in _HEADING.finditer(source)]
     sections = [bisect_right(headings, line.position) for _, line in found]
     lines = [line for _, line in found]
-    judged = held(lines, habits.functions, habits.timed, sections, end, habits.kind)
+    constant = [i for i, (formula, _) in enumerate(found) if _is_called_constant(source, formula)]
+    judged = held(lines, habits.functions, habits.timed, sections, end, habits.kind, constant)
     place = places(source)
     at = [place(min(line.position, len(source))) for line in lines]
     made = []
@@ -73,3 +89,13 @@ def rows(source: str, habits: Habits, seconds: float) -> tuple[Row, ...]:
         rests = tuple(sorted({at[k][0] for k in judged[i].rests}))
         made.append(Row(*at[i], formula.opens, number, formula.display, judged[i], rests))
     return tuple(made)
+
+
+def _is_called_constant(source: str, formula: Formula) -> bool:
+    """Whether the sentence goes on behind a formula by saying that it is conserved."""
+    if formula.text.rstrip().endswith((".", ";")):
+        return False
+    rest = re.split(r"[.;:$]|\n\s*\n|\\[\[(]|\\begin", source[formula.end : formula.end + 200])[0]
+    sentence = re.split(r"[.;:]\s|\n\s*\n", source[max(0, formula.opens - 200) : formula.opens])[-1]
+    said = _CONSTANT.match(rest.strip(" ,\n").removeprefix("which ").removeprefix("that "))
+    return said is not None and not _DOUBT.search(f"{sentence} {rest}")

@@ -25,7 +25,7 @@ def verdicts(text):
     return [each.verdict for each in held(read(text, OWN))]
 
 
-@pytest.mark.parametrize(("name", "follow"), [*zip(FILES, (9, 6, 9, 8), strict=True)])
+@pytest.mark.parametrize(("name", "follow"), [*zip(FILES, (9, 7, 9, 8), strict=True)])
 def test_the_notes_of_four_authors_follow_from_themselves(name, follow):
     found = judged(AUTHORS / name)
     assert {each.held.verdict for each in found} <= FINE
@@ -179,3 +179,35 @@ def test_short_notes(number, tmp_path):
 def test_how_many_are_wrong_and_how_many_are_open():
     marks = [marked(line) for each in SETS for line in each.strip().split("\n")]
     assert (marks.count("!"), marks.count("!?"), marks.count("?")) == (132, 62, 21)
+
+
+SPRING = r"$$L = \frac12 m\dot x^2 - \frac12 kx^2$$" + "\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict", "said"),
+    [
+        (r"$E = \frac12 m\dot x^2 + \frac12 kx^2$ is conserved.", "proved", "E is conserved"),
+        (r"$$E = \frac12 m\dot x^2 + \frac12 kx^2$$", "premise", "E is conserved"),
+        (
+            r"$$E = \frac12 m\dot x^2 - \frac12 kx^2$$ is conserved.",
+            "false",
+            "dE/dt is not 0: at k =",
+        ),
+        (r"$E = \frac12 m\dot x^2 - \frac12 kx^2$, which is constant.", "false", "dE/dt is not 0"),
+        (r"Die Energie $E = m\dot x^2 - kx^2$ ist erhalten.", "false", "dE/dt is not 0"),
+        (r"$p = m\dot x$ is not conserved.", "premise", "what p stands for"),
+        (r"If $k = 0$ the momentum $p = m\dot x$ is conserved.", "premise", "what p stands for"),
+        (r"$p = m\dot x$ is conserved in the absence of a spring.", "premise", "what p stands for"),
+        (r"$$p = m\dot x.$$ It is conserved.", "premise", "what p stands for"),
+        (r"$a = kx$ is constant.", "premise", "what a stands for"),
+    ],
+)
+def test_what_words_call_conserved_is_asked_of_the_lagrangian(text, verdict, said, tmp_path):
+    path = tmp_path / "notes.md"
+    path.write_text(SPRING + text, "utf-8")
+    [found] = [each.held for each in judged(path)[1:] if "stands" in each.held.note
+               or "conserved" in each.held.note or "dt is" in each.held.note]  # fmt: skip
+    assert found.verdict == verdict
+    assert said in found.note
+    assert ("conserved" in found.note) == (said == "E is conserved")
