@@ -68,7 +68,7 @@ def euler_sequence() -> Iterator[Evidence]:
     yield Formal(Equation(s.O_matrix, euler_matrix()), turned)
 
 
-@claim("3.41", "$ω$ is the sum of the three turns' rotational velocities.")
+@claim("3.41", "$𝛚$ is the sum of the three turns' rotational velocities.")
 def omega_sum() -> Iterator[Evidence]:
     """$ω$ read off $ṘRᵀ$, with $R$ the product of the three turns."""
     turned = sequence()
@@ -92,7 +92,7 @@ def omega_primed() -> Iterator[Evidence]:
     yield Check(printed("3.42"), {s.omega_vec: Matrix(omega), **PRIMED, s.omega1p: omega[0]})
 
 
-@claim("skip-last-step", "For $λ₁ = λ₂$ the last rotation is not needed to write $L$ and $T$.")
+@claim("skip-last-step", "For $λ₁ = λ₂$ the last rotation is not needed to write $𝐋$ and $T$.")
 def skip_last_step() -> Iterator[Evidence]:
     """A turn about $e₃$ leaves $diag(λ₁, λ₁, λ₃)$ as it is, so $ψ$ drops out of $L$ and $T$; $ψ̇$
     does not."""

@@ -90,7 +90,7 @@ def principal_stays() -> Iterator[Evidence]:
         )
 
 
-@claim("off-axis-changes", "$ω$ that is not along a principal axis must change.")
+@claim("off-axis-changes", "$𝛚$ that is not along a principal axis must change.")
 def off_axis() -> Iterator[Evidence]:
     """Two components of $𝛚$ differ from zero, so one right side of (3.36) does.
 

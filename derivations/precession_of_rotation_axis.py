@@ -62,7 +62,7 @@ def oscillator() -> Iterator[Evidence]:
         yield Check(line, meaning, (SYMMETRIC,))
 
 
-@claim("3.38", "In the body frame $ω$ turns on the body cone.")
+@claim("3.38", "In the body frame $𝛚$ turns on the body cone.")
 def omega_on_body_cone() -> Iterator[Evidence]:
     """(3.37) is a turn about $e₃$ by $−Ω_b t$; the printed solution starts it at $ω₂ = 0$."""
     from . import evidence
@@ -71,7 +71,7 @@ def omega_on_body_cone() -> Iterator[Evidence]:
     yield from evidence.body_cone()
 
 
-@claim("3.39", "In the body frame $L$ turns on a cone of its own.")
+@claim("3.39", "In the body frame $𝐋$ turns on a cone of its own.")
 def momentum_on_body_cone() -> Iterator[Evidence]:
     """$Lₖ = λₖωₖ$ applied to (3.38)."""
     momentum = diag(s.lambda1, s.lambda2, s.lambda3) * body_cone()

@@ -109,7 +109,7 @@ def torque_balance() -> Iterator[Evidence]:
     yield from evidence.mean_precession()
 
 
-@claim("torque-perpendicular", "The torque is orthogonal to $L$ and turns it at constant length.")
+@claim("torque-perpendicular", "The torque is orthogonal to $𝐋$ and turns it at constant length.")
 def perpendicular() -> Iterator[Evidence]:
     """$𝐍 = MgR ẑ × e₃$ is orthogonal to $e₃$; $𝐋$ has a part $λ₁ e₃ × 𝐞̇₃$ besides, and $𝐍·𝐋 =
     λ₁MgR θ̇ sin θ$.
@@ -129,7 +129,7 @@ def perpendicular() -> Iterator[Evidence]:
     )
 
 
-@claim("3.51", "$e₃$ turns about a vertical $Ω$.")
+@claim("3.51", "$e₃$ turns about a vertical $𝛀$.")
 def axis_turns() -> Iterator[Evidence]:
     """$𝐑_CM = R e₃$ and $g = −g ẑ$ put into (3.50); $λ₃ω₃$ is divided out."""
     yield Check(
@@ -143,7 +143,7 @@ def axis_turns() -> Iterator[Evidence]:
     )
 
 
-@claim("3.52", "The precession vector $Ω$.")
+@claim("3.52", "The precession vector $𝛀$.")
 def precession_vector() -> Iterator[Evidence]:
     """Read off (3.51); $Ω$ is the rate at which $𝐋̇ = 𝐍$ keeps $θ$, exact for every spin."""
     slow = Assumption(Eq(s.Omega, steady_rate()), STEADY.words)
@@ -197,7 +197,7 @@ def parallel() -> Iterator[Evidence]:
     yield from evidence.parallel()
 
 
-@claim("example-34", "A top released tilted with $L = 0$: how $L$ evolves, and what motion it is.")
+@claim("example-34", "A top released tilted with $𝐋 = 0$: how $𝐋$ evolves, and what motion it is.")
 def toppling() -> Iterator[Evidence]:
     """$L_z = L₃ = 0$ stay zero, so $φ$ and $ψ$ rest: a plane pendulum that falls over.
 

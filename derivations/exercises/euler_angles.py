@@ -51,7 +51,7 @@ def vertical_in_primed_frame(phi: float, theta: float) -> Iterator[Outcome]:
     yield Table(
         "axes",
         "The axes in space components, and $ẑ$ along them",
-        ("axis", "x", "y", "z", "$ẑ$ by the formula"),
+        ("axis", "$x$", "$y$", "$z$", "$ẑ$ by the formula"),
         tuple(
             (name, *map(float, axis), along)
             for name, axis, along in zip(

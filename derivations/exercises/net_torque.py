@@ -37,7 +37,7 @@ def point_parameters() -> Iterator[Parameter]:
     for k, (mass, *place) in enumerate(PLACES, start=1):
         yield Parameter(f"m{k}", mass, f"mass of point {k}", "kg", above=0)
         for axis, x in zip("xyz", place, strict=True):
-            yield Parameter(f"{axis}{k}", x, f"{axis} of point {k}", "m")
+            yield Parameter(f"{axis}{k}", x, f"${axis}$ of point {k}", "m")
 
 
 @exercise(
@@ -65,11 +65,11 @@ def gravity_on_points(g: float, **given: float) -> Iterator[Outcome]:
     summed = np.cross(places, weights).sum(axis=0)
     energy = float(g * masses @ places[:, 2])
 
-    yield Answer("mass", "M", float(total), "kg")
+    yield Answer("mass", "$M$", float(total), "kg")
     for letter, x in zip("xyz", centre, strict=True):
-        yield Answer(f"centre_{letter}", f"centre of mass along {letter}", float(x), "m")
+        yield Answer(f"centre_{letter}", f"centre of mass along ${letter}$", float(x), "m")
     for letter, n in zip("xyz", summed, strict=True):
-        yield Answer(f"torque_{letter}", f"torque along {letter}", float(n), "N m")
+        yield Answer(f"torque_{letter}", f"torque along ${letter}$", float(n), "N m")
     yield Answer("potential", "potential energy", energy, "J")
 
     size = float(np.linalg.norm(places, axis=1) @ np.linalg.norm(weights, axis=1)) or 1.0
@@ -164,7 +164,7 @@ def gravity_on_a_solid(
     direction = np.array([-sin(phi), cos(phi), 0.0])
     energy = top.weight[2] * cos(theta)
 
-    yield Answer("mass", "M", mass, "kg")
+    yield Answer("mass", "$M$", mass, "kg")
     yield Answer("R", "$R$, from the tip to the centre of mass", centre, "m")
     yield Answer("lambda1", "$λ₁$ about the tip", top.lambda1, "kg m²")
     yield Answer("lambda3", "$λ₃$", top.lambda3, "kg m²")

@@ -189,7 +189,7 @@ def space_rate(lambda1: float, lambda3: float, omega_0: float, omega3: float) ->
     body_rate, space = cone_rates(lambda1, lambda3, omega_0, omega3)
     size = hypot(omega_0, omega3)
     tilt, momentum_tilt = atan2(omega_0, omega3), atan2(lambda1 * omega_0, lambda3 * omega3)
-    yield Answer("angular_momentum", "L", lambda1 * space, "J s")
+    yield Answer("angular_momentum", "$L$", lambda1 * space, "J s")
     yield Answer("Omega_b", "$Ω_b$, the rate of $ω$ about $−e₃$ in the body", body_rate, "rad/s")
     yield Answer("Omega_s", "$Ω_s$, the rate of $e₃$ and $𝛚$ about $𝐋$ in space", space, "rad/s")
     if body_rate:

@@ -57,23 +57,23 @@ HALVINGS = 6
     "Rotations form a group, but their order matters",
     section="3.4",
     asks="“these matrices form a group (see math)”",
-    statement="Let $A$ be a turn by the angle alpha about $n₁$, $B$ one by beta about $n₂$, and "
-    "gamma is the angle between these axes. Show that $A B$ is a rotation, and find its angle "
+    statement="Let $A$ be a turn by the angle $α$ about $𝐧₁$, $B$ one by $β$ about $𝐧₂$, and "
+    "$γ$ is the angle between these axes. Show that $A B$ is a rotation, and find its angle "
     "and axis. Convince yourself of what else makes a group: a neutral element, inverses, $(AB)C "
     "= A(BC)$.\n\nThe order matters: by what angle do $A B$ and $B A$ differ? Halve both angles "
     "again and again: what is that angle for small turns, and about which axis?",
     claims=(rotation_group, product_of_rotations, commutator_of_rotations),
     parameters=(
-        Parameter("alpha", pi / 2, "angle of $A$", "rad", least=-pi, most=pi),
-        Parameter("beta", pi / 2, "angle of $B$", "rad", least=-pi, most=pi),
-        Parameter("gamma", pi / 2, "angle between the axes", "rad", least=0, most=pi),
+        Parameter("alpha", pi / 2, "angle $α$ of $A$", "rad", least=-pi, most=pi),
+        Parameter("beta", pi / 2, "angle $β$ of $B$", "rad", least=-pi, most=pi),
+        Parameter("gamma", pi / 2, "angle $γ$ between the axes", "rad", least=0, most=pi),
     ),
     figure="order-of-rotations",
     text="exercises/rotations_form_a_group",
 )
 def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[Outcome]:
     """The matrices are exponentials of their generators; the angle and the axis of $A B$ come from
-    the half-angle formula, and from SciPy, which multiplies the matrices. $n₁$ is $x̂$ and $n₂$
+    the half-angle formula, and from SciPy, which multiplies the matrices. $𝐧₁$ is $x̂$ and $𝐧₂$
     lies in the plane of $x̂$ and $ŷ$. For $(AB)C$, $C$ is the turn that the half-angle formula
     gives."""
     first, second = np.array([1.0, 0.0, 0.0]), np.array([np.cos(gamma), np.sin(gamma), 0.0])
@@ -98,7 +98,7 @@ def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[
     apart = 4 * np.arcsin(abs(sines[0] * sines[1] * sin(gamma)))
     yield Answer("angle", "angle of $A B$", angle, "rad")
     for letter, component in zip("xyz", axis, strict=True):
-        yield Answer(f"axis_{letter}", f"axis of $A B$, along {letter}", float(component))
+        yield Answer(f"axis_{letter}", f"axis of $A B$, along ${letter}$", float(component))
     # 4 arcsin is at most 2π; a turn by more than π is one by less the other way.
     yield Answer(
         "commutator",
@@ -109,7 +109,7 @@ def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[
     yield Table(
         "small_turns",
         "Both angles halved: the angle of $A B A⁻¹B⁻¹$ and its axis",
-        ("$α$ (rad)", "$β$ (rad)", "angle (rad)", "angle over $α β$", "x", "y", "z"),
+        ("$α$ (rad)", "$β$ (rad)", "angle (rad)", "angle over $α β$", "$x$", "$y$", "$z$"),
         tuple(_commutator(first, second, alpha / 2**k, beta / 2**k) for k in range(HALVINGS + 1)),
     )
 

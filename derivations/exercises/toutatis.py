@@ -81,7 +81,7 @@ DAY = 86400.0
     "one turn of that axis about $𝐋$? Compute its attitude for every time at which radar saw it "
     "and compare.\n\nHow much of its energy could friction inside the body still take, and about "
     "which axis would it then rotate? Why do most asteroids rotate so already? (One degree per "
-    "day is $2.02·10⁻⁷$ rad/s; moments are in units of any one of them.)",
+    "day is $2.02 × 10⁻⁷$ rad/s; moments are in units of any one of them.)",
     claims=(example_33,),
     parameters=(
         Parameter("lambda1", float(MOMENTS[0]), "$λ₁$, about the body's $x$ axis", above=0),

@@ -174,11 +174,11 @@ def _caption(alpha: float, beta: float, gamma: float) -> str:
     if apart < SAME:
         differ = "Both end alike."
     return (
-        f"A book turned by $A$, $α = {degrees(alpha)}$ about $n₁$, and by $B$, $β = "
-        f"{degrees(beta)}$ about $n₂$, axes at $γ = {degrees(gamma)}$ that stay where they are. "
+        f"A book turned by $A$, $α = {degrees(alpha)}$ about $𝐧₁$, and by $B$, $β = "
+        f"{degrees(beta)}$ about $𝐧₂$, axes at $γ = {degrees(gamma)}$ that stay where they are. "
         "Above $B$ comes first, below $A$; the matrix of what comes later stands to the left. $A "
-        f"B$ is one turn, by {degrees(found['angle'])} about the axis ({axis}), $n₁$ being along "
-        f"$x̂$ and $n₂$ in the plane of $x̂$ and $ŷ$. {differ}"
+        f"B$ is one turn, by {degrees(found['angle'])} about the axis ({axis}), $𝐧₁$ being along "
+        f"$x̂$ and $𝐧₂$ in the plane of $x̂$ and $ŷ$. {differ}"
     )
 
 
