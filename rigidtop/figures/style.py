@@ -146,7 +146,7 @@ def said(value: float, digits: int = 3) -> str:
     """A number as captions print it.
 
     >>> said(-2.5), said(40.0), said(1.2345e-7), said(-1e20)
-    ('−2.5', '40', '1.23·10⁻⁷', '−10²⁰')
+    ('−2.5', '40', '1.23\\u202f×\\u202f10⁻⁷', '−10²⁰')
     """
     if not math.isfinite(value):
         return "∞" if value > 0 else "−∞"
@@ -158,7 +158,7 @@ def said(value: float, digits: int = 3) -> str:
     if not exponent:
         return text.replace("-", "−")
     raised = "".join({c: up for up, c in SUPERSCRIPTS.items()}[c] for c in str(int(exponent)))
-    factor = {"1": "", "-1": "−"}.get(mantissa, f"{mantissa}·".replace("-", "−"))
+    factor = {"1": "", "-1": "−"}.get(mantissa, f"{mantissa}\u202f×\u202f".replace("-", "−"))
     return f"{factor}10{raised}"
 
 
@@ -166,7 +166,7 @@ def in_math(value: float, digits: int = 3) -> str:
     """The same in a formula of Matplotlib's, whose letters have no raised digits.
 
     >>> print(in_math(-2.5), in_math(1.2345e-7), in_math(1e20))
-    -2.5 1.23\\cdot10^{-7} 10^{20}
+    -2.5 1.23\\,\\times\\,10^{-7} 10^{20}
     """
     return tex(said(value, digits))
 

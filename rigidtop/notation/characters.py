@@ -46,6 +46,7 @@ SIGNS = {
     "≤": r"\leq",
     "≈": r"\approx",
     "×": r"\times",
+    "/": "/",
     "·": r"\cdot",
     "∥": r"\parallel",
     "⇒": r"\Rightarrow",

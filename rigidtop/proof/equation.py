@@ -119,7 +119,8 @@ Side: TypeAlias = Expr | MatrixBase
 class Equation:
     """``Equation(a, b, c, tag="3.49")`` is printed a = b = c with its number behind it.
 
-    `relation` stands between all sides: ``"="``, ``"≡"``, ``"≠"``, ``">"``, ``"<"`` or ``"≈"``.
+    `relation` stands between all sides: ``"="``, ``"≡"``, ``"≠"``, ``">"``, ``"<"`` or ``"≈"``;
+    where an equation is only printed it may be one for each pair, such as ``"≈ ="``.
     """
 
     sides: tuple[Side, ...]

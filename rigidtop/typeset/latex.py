@@ -87,9 +87,9 @@ def _intertext(words: str) -> str:
 def _all_fit_beside(rows: Sequence[AlignRow], limit: float) -> bool:
     """Whether all reasons fit into a column right of the widest line.
 
-    A sentence that ends in a colon stands in front of its equation.
+    A sentence that ends in a colon, or with a note, stands in front of its equation.
     """
-    if any(row.reason.endswith(":") for row in rows):
+    if any(row.reason.endswith((":", "}")) for row in rows):
         return False
     widest = max(_line_width(line) for row in rows for line in row.lines)
     longest = max(0.8 * len(seen(row.reason) + row.mark) + (8 if row.tag else 0) for row in rows)
@@ -180,7 +180,7 @@ def _base(base: str) -> str:
 def _subscript(sub: str) -> str:
     plain = sub.rstrip("′")
     primes = "'" * (len(sub) - len(plain))
-    if len(plain) > 1 and plain.isalpha() and not set(plain) <= set("xyzijk"):
+    if len(plain) > 1 and plain.isalpha() and not set(plain) <= set("xyzijkl"):
         return rf"\text{{{plain}}}" + primes
     return "".join(MATHS.get(c, c) for c in plain) + primes
 

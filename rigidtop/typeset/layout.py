@@ -104,7 +104,8 @@ def layout(tree: Basic, order: Order = "auto") -> lay.Node:
     """The layout of an expression, a matrix, a condition or an `Equation`, each side by itself."""
     if isinstance(tree, Equation):
         sides = tuple(layout(side, order) for side in tree.sides)
-        return lay.Chain(sides, (tree.relation,) * (len(sides) - 1))
+        signs = tuple(tree.relation.split())
+        return lay.Chain(sides, signs if signs[1:] else signs * (len(sides) - 1))
     tree = sympy.sympify(tree)
     if order == "auto":
         order = "typed" if is_typed(tree) else "mechanics"
@@ -176,7 +177,7 @@ def _(tree: Expr, order: Order) -> lay.Node:
     if exponent == 1:
         return _node(base, order)
     if base == sympy.E:
-        return lay.Power(lay.Letter(Glyph("e")), _node(exponent, order))
+        return lay.Power(lay.Letter(Glyph("e")), lay.flat(_node(exponent, order)))
     if exponent.is_Rational and exponent.p == 1:
         index = "" if exponent.q == 2 else str(exponent.q)
         return lay.Root(_node(base, order), index)
@@ -206,7 +207,7 @@ def _(tree: Expr, order: Order) -> lay.Node:
 
 @_node.register
 def _(tree: sympy.exp, order: Order) -> lay.Node:
-    return lay.Power(lay.Letter(Glyph("e")), _node(tree.args[0], order))
+    return lay.Power(lay.Letter(Glyph("e")), lay.flat(_node(tree.args[0], order)))
 
 
 @_node.register

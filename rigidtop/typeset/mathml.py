@@ -24,8 +24,8 @@ from rigidtop.typeset.text import text
 
 # Not accent="true": browsers then lay a dot into the letter beneath it.
 _ACCENTS = {
-    "dot": '<mo scriptlevel="0">˙</mo>',
-    "ddot": '<mo scriptlevel="0">¨</mo>',
+    "dot": '<mstyle scriptlevel="0"><mo>˙</mo></mstyle>',
+    "ddot": '<mstyle scriptlevel="0"><mo>¨</mo></mstyle>',
     "hat": '<mo stretchy="false">^</mo>',
 }
 _SHAPES = {"φ": "ϕ", "ε": "ϵ"}  # as LaTeX draws them
@@ -138,7 +138,7 @@ def subscript(sub: str) -> str:
         made = f"<mo>{plain}</mo>"
     elif not plain.isalpha():
         made = f"<mn>{escape(plain)}</mn>"
-    elif len(plain) > 1 and set(plain) <= set("xyzijk"):
+    elif len(plain) > 1 and set(plain) <= set("xyzijkl"):
         made = _group("".join(f"<mi>{c}</mi>" for c in plain))
     elif len(plain) > 1:
         made = f"<mtext>{escape(plain)}</mtext>"

@@ -361,7 +361,19 @@ def raised(base: Node, exponent: Node) -> Node:
     if isinstance(base, Apply) and base.power is None and isinstance(base.name, str):
         return replace(base, power=exponent)
     simple = (Letter, Number, Brackets, Grid)
-    return Power(base if isinstance(base, simple) else Brackets(base), exponent)
+    return Power(base if isinstance(base, simple) else Brackets(base), flat(exponent))
+
+
+def flat(node: Node) -> Node:
+    """A fraction with a slash, as it stands in an exponent; any other node as it is."""
+    match node:
+        case Sum(terms=(Signed(body=body) as term,)):
+            return replace(node, terms=(replace(term, body=flat(body)),))
+        case Fraction(small=False):
+            single = isinstance(node.under, Letter | Number | Power | Root)
+            under = node.under if single else bracketed(node.under)
+            return Infix("/", as_factor(node.over, False), under)
+    return node
 
 
 def ratio(over: Node, under: Node) -> Node:

@@ -67,7 +67,10 @@ def tied(text: str) -> str:
 
 _NAMES = r"(?:kg|rad|[cmk]?m|[mkμ]?J|[NWs%])(?![A-Za-z])"
 _COUNTED = re.compile(r"(?<=\d) (?=(?:days|turns)\b)|(?<=\d\$) (?=(?:days|turns)\b)")
-_APART = re.compile(rf"(?<=[\d∞]) (?={_NAMES})|(?<=[\d∞]\$) (?={_NAMES})|(?<=\b[gNJ]) (?=[ms]\b)")
+_APART = re.compile(
+    rf"(?<=[\d∞]) (?={_NAMES})|(?<=[\d∞]\$) (?={_NAMES})"
+    r"|(?:(?<=\b[NJ])|(?<=\bkg)) (?=[ms](?![A-Za-z]))"
+)
 
 
 @dataclass(frozen=True)

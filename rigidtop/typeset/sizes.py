@@ -26,57 +26,76 @@ def is_tall(node: lay.Node) -> bool:
 
 
 def width(node: lay.Node) -> float:
-    """About how many letters wide a node is printed."""
+    """About how wide a node is printed, in digits: 5 pt in letters of 10 pt."""
     match node:
         case lay.Number():
-            return len(node.text)
+            return sum(map(_letter, node.text))
         case lay.Letter():
-            return len(node.glyph.base) + 0.6 * len(node.glyph.sub)
+            return sum(map(_letter, node.glyph.base)) + _script(node.glyph.sub)
         case lay.Sum():
-            return sum(width(term.body) for term in node.terms) + 2.5 * len(node.terms) - 1
+            first = 1.6 * (node.terms[0].negative or isinstance(node, lay.Continued))
+            return (
+                first + sum(width(term.body) for term in node.terms) + 2.45 * (len(node.terms) - 1)
+            )
         case lay.Product():
-            spaces = sum(0.4 for joint in node.joints if joint)
-            return sum(map(width, node.factors)) + spaces
+            return sum(map(width, node.factors)) + sum(map(_SIGNS.__getitem__, node.joints))
         case lay.Fraction():
-            return max(width(node.over), width(node.under)) * (0.6 if node.small else 1) + 0.4
+            return max(width(node.over), width(node.under)) * (0.75 if node.small else 1) + 0.5
+        case lay.Power(base=lay.Letter(glyph=glyph)):  # the exponent stands above the index
+            above = SCRIPT * width(node.exponent)
+            return sum(map(_letter, glyph.base)) + max(above, _script(glyph.sub))
         case lay.Power():
-            return width(node.base) + 0.6 * width(node.exponent)
+            return width(node.base) + SCRIPT * width(node.exponent)
         case lay.Root():
-            return width(node.body) + 1.5
+            return width(node.body) + 1.8
         case lay.Apply():
-            name = len(node.name) if isinstance(node.name, str) else width(node.name)
-            power = 0.6 * width(node.power) if node.power else 0
-            return name + power + sum(map(width, node.arguments)) + (1.5 if node.brackets else 0.4)
+            name = 0.9 * len(node.name) if isinstance(node.name, str) else width(node.name)
+            power = SCRIPT * width(node.power) if node.power else 0
+            inside = sum(map(width, node.arguments))
+            return name + power + inside + (_BRACKETS if node.brackets else 0.33)
         case lay.Brackets():
-            return width(node.body) + 1.5
+            return width(node.body) + _BRACKETS * (1.5 if is_tall(node.body) else 1)
         case lay.Braced():
-            return max(width(node.body), 1 + 0.7 * width(node.label))
+            return max(width(node.body), 1 + SCRIPT * width(node.label))
         case lay.Infix():
-            return (width(node.left) if node.left else 0) + width(node.right) + 2
+            left = width(node.left) if node.left else 0
+            return left + width(node.right) + _SIGNS.get(node.sign, 2.45)
         case lay.TransposeOf():
             return width(node.body) + 1
         case lay.Derivative():
-            inner = width(node.body)
-            head = 1.5 + (inner if node.inside else 0)
-            return (
-                head
-                + (0 if node.inside else inner)
-                + (2 + 0.6 * len(node.frame) if node.frame else 0)
-            )
+            over = 1.2 + width(node.body) * node.inside
+            apart = width(node.body) * (not node.inside)
+            frame = 3 + SCRIPT * len(node.frame) if node.frame else 0
+            return max(over, 1.2 + width(node.by)) + 0.5 + apart + frame
         case lay.Big():
             measure = width(node.index) if node.sign == "∫" and node.index is not None else 0
-            return 2.5 + measure + width(node.body)
+            return 3.2 + measure + width(node.body)
         case lay.Measure():
-            return 1.6 + width(node.variable) + max(map(width, node.bounds), default=0.0)
+            return 1.6 + width(node.variable) + SCRIPT * max(map(width, node.bounds), default=0.0)
         case lay.Grid():
             columns = zip(*node.rows, strict=True)
             return sum(max(map(width, column)) + 2 for column in columns)
         case lay.Listed():
-            return sum(map(width, node.items)) + (1.5 if node.between == "," else 5) * len(
-                node.items
-            )
+            between = 0.9 if node.between == "," else 4 + len(node.between)
+            return sum(map(width, node.items)) + between * (len(node.items) - 1)
         case lay.Chain():
-            return sum(map(width, node.sides)) + 3 * len(node.signs)
+            return sum(map(width, node.sides)) + 2.7 * len(node.signs)
+
+
+SCRIPT = 0.8
+"""The size of indices and exponents."""
+
+_BRACKETS = 1.56
+_SIGNS = {"": 0.0, "function": 0.33, "thin": 0.33, "dot": 1.45, "·": 1.45, "/": 1.0}
+_WIDTHS = {"M": 2.15, "m": 1.75, "I": 1.0, ".": 0.55, "i": 0.7, "l": 0.65, "t": 0.75, "Ω": 1.45}
+
+
+def _letter(c: str) -> float:
+    return _WIDTHS.get(c) or (1.0 if c.isdigit() else 1.5 if c.isascii() and c.isupper() else 1.15)
+
+
+def _script(sub: str) -> float:
+    return SCRIPT * sum(map(_letter, sub)) + 0.1 if sub else 0.0
 
 
 @dataclass(frozen=True)

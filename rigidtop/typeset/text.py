@@ -101,7 +101,8 @@ def _text(node: lay.Node) -> str:
             alone = isinstance(node.body, (lay.Letter, lay.Number, lay.Brackets))
             return body if alone else f"({body})"
         case lay.Infix():
-            return f"{_text(node.left) if node.left else ''} {node.sign} {_text(node.right)}"
+            sign = node.sign if node.sign == "/" else f" {node.sign} "
+            return f"{_text(node.left) if node.left else ''}{sign}{_text(node.right)}"
         case lay.TransposeOf():
             return _text(node.body) + "ᵀ"
         case lay.Derivative():
