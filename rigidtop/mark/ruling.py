@@ -22,7 +22,8 @@ from rigidtop.proof.verdict import (
     judge_check,
 )
 from rigidtop.read.values import kind
-from rigidtop.report.claims import numbers
+from rigidtop.report import plain
+from rigidtop.report.claims import refuted, sides
 from rigidtop.theory.symbols import const, phi, phidot, psi, psidot, theta, thetadot
 from rigidtop.typeset.text import text
 
@@ -197,16 +198,15 @@ def asserted(equation: Equation, check: Check) -> list[Equation]:
 def refutation(found: Finding, counterexample: Counterexample) -> str:
     """The numbers that refute a line: two sides that differ, or a rate that does not vanish."""
     visible = _visible(found, counterexample)
-    shown = numbers(visible)
-    said = shown.said(text)
+    at, left, right = refuted(visible)
+    said = plain.rich(sides(left, right))
     if None not in (visible.left, visible.right) and _apart(visible.left, visible.right) == 0:
         said = "it does not hold"
-    elif shown.left == shown.right and shown.left is not None:
+    elif left == right != "undefined":
         said = "it does not hold, by less than the digits that are shown"
-    if visible.right == 0 and found.check.claimed.sides[-1] == const and shown.left is not None:
-        said = f"what is to be constant changes at the rate {text(shown.left)}"
-    values = ", ".join(f"{text(symbol)} = {text(at)}" for symbol, at in shown.values)
-    return f"at {values}: {said}" if values else said
+    if visible.right == 0 and found.check.claimed.sides[-1] == const and left != "undefined":
+        said = f"what is to be constant changes at the rate {plain.rich((left,))}"
+    return f"{plain.rich(at)}: {said}" if at else said
 
 
 def _visible(found: Finding, counterexample: Counterexample) -> Counterexample:

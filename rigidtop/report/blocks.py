@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from rigidtop.proof.equation import Equation
-from rigidtop.proof.page import Measure, Page
+from rigidtop.proof.page import Page
 from rigidtop.proof.verdict import (
     Judgement,
     Verdict,
@@ -94,9 +94,9 @@ class Unit:
         return self.letters if self.letters[:1] in "°″%" else "\u2009" + self.letters
 
 
-Piece = str | Node | Cited | Unit
+Piece = str | Node | Cited | Unit | Verdict
 Rich = tuple[Piece, ...]
-"""Running text: prose, with formulas as layout nodes, units and citations between."""
+"""Running text: prose, with formulas as layout nodes, units, citations, verdicts between."""
 
 
 # --- Blocks --------------------------------------------------------------------------------------
@@ -193,73 +193,21 @@ class ClaimHead:
 
 
 @dataclass(frozen=True)
-class Numbers:
-    """Values of symbols at which two sides differ."""
+class Items:
+    """Sentences below each other, each an item of a list, under a short label."""
 
+    items: tuple[Rich, ...]
     label: str
-    values: tuple[tuple[Node, Node], ...]
-    left: Node | None
-    right: Node | None
-
-    def said(self, written: Callable[[Node], str]) -> str:
-        """The two sides in words, each number `written` by the target."""
-        left, right = (
-            "undefined" if side is None else written(side) for side in (self.left, self.right)
-        )
-        if left == right:
-            return f"both sides are {left}"
-        return f"the left side is {left}, the right side {right}"
 
 
 @dataclass(frozen=True)
-class Condition:
-    """An assumption: the relation, words for it, and what happens without it."""
+class Listing:
+    """A table of running text; `widths` are the shares of the line that its columns take, 0 for
+    one that is as wide as its words."""
 
-    relation: Node
-    words: str
-    stated: bool
-    without: Numbers | None
-
-
-@dataclass(frozen=True)
-class Conditions:
-    """The assumptions of a claim."""
-
-    items: tuple[Condition, ...]
-
-
-@dataclass(frozen=True)
-class Measures:
-    """What was compared: on computed motions, or by a second way to the same number."""
-
-    rows: tuple[Measure, ...]
-    label: str = "Measured"
-    compared: str = "on a computed motion"
-
-
-@dataclass(frozen=True)
-class Summary:
-    """How many claims got which verdict."""
-
-    rows: tuple[tuple[Verdict, int, str], ...]
-
-
-@dataclass(frozen=True)
-class Found:
-    """A line of the list of what was found in the notes."""
-
-    section: str
-    name: str
-    anchor: str
-    verdict: Verdict
-    content: Rich
-
-
-@dataclass(frozen=True)
-class FoundList:
-    """What was found in the notes."""
-
-    rows: tuple[Found, ...]
+    head: tuple[str, ...]
+    rows: tuple[tuple[Rich, ...], ...]
+    widths: tuple[float, ...]
 
 
 @dataclass(frozen=True)
@@ -363,11 +311,8 @@ Block = (
     | Paragraph
     | Display
     | ClaimHead
-    | Numbers
-    | Conditions
-    | Measures
-    | Summary
-    | FoundList
+    | Items
+    | Listing
     | Figure
     | ExerciseHead
     | Subhead

@@ -51,29 +51,24 @@ def claim_blocks(judgement: Judgement, *, marks: bool = True) -> list[b.Block]:
             blocks.append(b.Display(meanings, "The engine's own expressions"))
     assumed = tested(judgement)
     if assumed:
-        blocks.append(b.Conditions(conditions(assumed)))
+        blocks.append(b.Items(conditions(assumed), "Assumptions"))
     blocks.extend(
-        numbers(finding.counterexample)
+        b.Paragraph((*said_at(finding.counterexample), "."), "Counterexample")
         for finding in findings
         if finding.counterexample is not None
     )
-    corrected = judgement.corrections()
-    if corrected:
-        made = tuple(replace(_notes_row(item, False), tag="") for item in corrected)
-        blocks.append(b.Display(made, "Corrected form"))
-        under = conditions([t for c in corrected for t in c.assumptions])
-        if under:
-            blocks.append(b.Conditions(under))
-    remarks = judgement.remarks()
-    if remarks:
-        made = tuple(replace(_notes_row(item, False), tag="") for item in remarks)
-        blocks.append(b.Display(made, "Besides"))
-        under = conditions([t for r in remarks for t in r.assumptions])
-        if under:
-            blocks.append(b.Conditions(under))
+    for label, more in (
+        ("Corrected form", judgement.corrections()),
+        ("Besides", judgement.remarks()),
+    ):
+        if more:
+            made = tuple(replace(_notes_row(item, False), tag="") for item in more)
+            blocks.append(b.Display(made, label))
+            under = conditions([t for item in more for t in item.assumptions])
+            blocks += [b.Items(under, "Assumptions")] if under else []
     measures = tuple(item for item in judgement.items if isinstance(item, Measure))
     if measures:
-        blocks.append(b.Measures(measures))
+        blocks.append(measured(measures))
     if judgement.problem and not any(isinstance(i, Led) and i.gaps for i in judgement.items):
         blocks.append(
             b.Paragraph((f"This claim does not pass. {_sentence(judgement.problem)}",), "")
@@ -203,7 +198,17 @@ def condition(assumption: Assumption) -> Node:
     return relation
 
 
-def conditions(assumed: Sequence[TestedAssumption]) -> tuple[b.Condition, ...]:
+def measured(
+    rows: Sequence[Measure], title: str = "Measured", compared: str = "on a computed motion"
+) -> b.DataTable:
+    """What was compared: on computed motions, or by a second way to the same number."""
+    cells = tuple(
+        (row.what, *(lay.decimal(x, 2) for x in (row.error, row.tolerance))) for row in rows
+    )
+    return b.DataTable(title, (compared, "error", "tolerance"), cells)
+
+
+def conditions(assumed: Sequence[TestedAssumption]) -> tuple[b.Rich, ...]:
     """Assumptions as they are listed: those with the same words together, one counterexample."""
     together: dict[tuple[str, bool], list[TestedAssumption]] = {}
     for item in assumed:
@@ -213,23 +218,40 @@ def conditions(assumed: Sequence[TestedAssumption]) -> tuple[b.Condition, ...]:
     return tuple(map(_condition, together.values()))
 
 
-def _condition(items: Sequence[TestedAssumption]) -> b.Condition:
+def _condition(items: Sequence[TestedAssumption]) -> b.Rich:
     relations = tuple(dict.fromkeys(condition(item.assumption) for item in items))
-    first, without = items[0].assumption, items[0].without
-    label = "Without it" if len(relations) == 1 else "Without the first"
-    return b.Condition(
-        relations[0] if len(relations) == 1 else lay.Listed(relations),
-        first.words.rstrip("."),
-        first.stated,
-        None if without is None else numbers(without, label),
-    )
+    first = items[0].assumption
+    words = f", {first.words.rstrip('.')}" if first.words.rstrip(".") else ""
+    stated = "stated" if first.stated else "not stated"
+    dropped = "it" if len(relations) == 1 else "the first"
+    shown = relations[0] if len(relations) == 1 else lay.Listed(relations)
+    said: b.Rich = (shown, f"{words} ({stated}).")
+    if items[0].without is None:
+        return said
+    return (*said, f" Without {dropped}, ", *said_at(items[0].without), ".")
 
 
-def numbers(found: Counterexample, label: str = "Counterexample") -> b.Numbers:
-    """A counterexample in the order of the vocabulary, its numbers shortened."""
+def refuted(found: Counterexample) -> tuple[b.Rich, b.Piece, b.Piece]:
+    """Where two sides differ, "at a = 1, b = 2", in the order of the vocabulary; and the two."""
     ordered = sorted(found.values.items(), key=lambda kv: (known(kv[0])[0], str(kv[0])))
-    values = tuple((layout(symbol), short_number(value)) for symbol, value in ordered)
-    return b.Numbers(label, values, _real_number(found.left), _real_number(found.right))
+    at: list[b.Piece] = []
+    for symbol, value in ordered:
+        at += [", " if at else "at ", lay.Chain((layout(symbol), short_number(value)), ("=",))]
+    left, right = (_real_number(side) for side in (found.left, found.right))
+    return tuple(at), left or "undefined", right or "undefined"
+
+
+def sides(left: b.Piece, right: b.Piece) -> b.Rich:
+    """What two sides are, in words."""
+    if left == right:
+        return ("both sides are ", left)
+    return ("the left side is ", left, ", the right side ", right)
+
+
+def said_at(found: Counterexample) -> b.Rich:
+    """A counterexample in words."""
+    at, left, right = refuted(found)
+    return (*at, ": ", *sides(left, right)) if at else sides(left, right)
 
 
 def _real_number(side: Expr) -> Node | None:

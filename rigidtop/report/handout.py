@@ -20,12 +20,13 @@ from rigidtop.proof.lecture import Lecture, Prose, Text
 from rigidtop.proof.page import Claim, Page
 from rigidtop.proof.verdict import Judgement, Verdict
 from rigidtop.report import blocks as b
-from rigidtop.report.claims import condition, conditions, derivation, numbers, tagged_rows, tested
-from rigidtop.report.solutions import DIGITS, SMALLEST_ANGLE, TABLE_DIGITS, Solution, shown
+from rigidtop.report import plain
+from rigidtop.report.claims import condition, derivation, refuted, sides, tagged_rows, tested
+from rigidtop.report.solutions import SMALLEST_ANGLE, TABLE_DIGITS, Solution, shown
 from rigidtop.report.symbols import symbol_list
 from rigidtop.report.ways import cited_figures, text_blocks
 from rigidtop.typeset.layout import layout
-from rigidtop.typeset.nodes import Chain, Node, decimal, negated
+from rigidtop.typeset.nodes import Chain, Grid, Node
 from rigidtop.typeset.sizes import width
 
 LEGEND: Mapping[Verdict, str] = {
@@ -41,11 +42,16 @@ LEGEND: Mapping[Verdict, str] = {
 # --- Marks ---------------------------------------------------------------------------------------
 
 
-def marked(judgement: Judgement) -> tuple[b.Mark | b.Block, ...]:
-    """The mark of a claim; behind it, where the notes are wrong, the numbers and the right form."""
+def marked(judgement: Judgement, text: Text | None = None) -> tuple[b.Mark | b.Block, ...]:
+    """The mark of a claim; behind it, where the notes are wrong, the numbers and the right form.
+
+    What the `text` has as a line of its own is not said again.
+    """
     claim, verdict = judgement.claim, judgement.verdict
     if verdict in (Verdict.FALSE, Verdict.CONVENTION):
-        return (b.Mark(claim.name, verdict), *_set_right(judgement))
+        lines = text.lines if text is not None else ()
+        there = {each.sides for line in lines for each in line.equations}
+        return (b.Mark(claim.name, verdict), *_set_right(judgement, there))
     return (b.Mark(claim.name, verdict, _note(judgement)),)
 
 
@@ -72,7 +78,12 @@ SHORT = 45.0
 """An equation of so many letters stands in a sentence."""
 
 
-def _set_right(judgement: Judgement) -> Iterable[b.Block]:
+def _in_words(equation: Node) -> bool:
+    grid = isinstance(equation, Chain) and any(isinstance(each, Grid) for each in equation.sides)
+    return width(equation) < SHORT and not grid
+
+
+def _set_right(judgement: Judgement, there: Collection[Any]) -> Iterable[b.Block]:
     """A statement that is wrong, its numbers, and its corrected form, in a sentence."""
     claim = judgement.claim
     said = {
@@ -80,16 +91,16 @@ def _set_right(judgement: Judgement) -> Iterable[b.Block]:
         Verdict.CONVENTION: " This is at odds with the notes’ own definitions",
     }[judgement.verdict]
     words: list[b.Piece] = [f"The notes say: {claim.says.rstrip('.')}.{said}"]
-    found = next((f.counterexample for f in judgement.findings() if f.counterexample), None)
-    if found is not None:
-        against = numbers(found)
-        for k, (name, value) in enumerate(against.values):
-            words += [", " if k else ": with ", Chain((name, value), ("=",))]
-        words += [", " if against.values else ": ", *_sides(against.left, against.right)]
-    corrected = judgement.corrections()
+    found = next((f for f in judgement.findings() if f.counterexample), None)
+    if found is not None and found.counterexample is not None:
+        at, left, right = refuted(found.counterexample)
+        claimed = layout(found.check.claimed, "printed")
+        words += [": ", claimed, " fails "] if _in_words(claimed) else [": "]
+        words += [*at, ", where " if at else "", *sides(left, right)]
+    corrected = [c for c in judgement.corrections() if c.check.claimed.sides not in there]
     equations = [finding.check.claimed for finding in corrected]
     short = [layout(equation, "printed") for equation in equations]
-    if len(short) == 1 and width(short[0]) < SHORT and not corrected[0].check.reason:
+    if len(short) == 1 and _in_words(short[0]) and not corrected[0].check.reason:
         words += [". It should be ", short[0], *_under(corrected[0]), "."]
         yield b.Paragraph(tuple(words), mark=None)
         return
@@ -100,13 +111,6 @@ def _set_right(judgement: Judgement) -> Iterable[b.Block]:
     )
     if rows:
         yield b.Display(rows)
-
-
-def _sides(left: Node | None, right: Node | None) -> list[Any]:
-    if left == right and left is not None:
-        return ["both sides are ", left]
-    sides = [piece if piece is not None else "undefined" for piece in (left, right)]
-    return ["the left side is ", sides[0], ", the right side ", sides[1]]
 
 
 def _under(finding: Any) -> list[Any]:
@@ -148,7 +152,7 @@ def sections(judged: b.Judged, exercises: Sequence[Solution], parts: Parts) -> l
         if text is None:
             made.append(b.Paragraph((page.about,), held=True))
         else:
-            marks = {j.claim.name: marked(j) for j in judgements}
+            marks = {j.claim.name: marked(j, text) for j in judgements}
             made += text_blocks(parts.lines, text, parts.notation, marks, parts.figures)
         for judgement in judgements:
             if text is None or judgement.claim.name not in parts.lines.names:
@@ -225,31 +229,31 @@ def question(
         name = parameter.name
         if len(name) > 2 and re.search(rf"\b{re.escape(name)}\b", exercise.statement):
             given.append(f" (“{name}”)")
-        given += [": ", *written(values[name], parameter.unit)]
+        given += [": ", *_given(values[name], parameter.unit)]
     if given:
         made.append(b.Paragraph((*(piece for piece in given if piece), "."), "Given"))
     return made
 
 
-def written(value: float | str, unit: str, digits: int = DIGITS) -> b.Rich:
-    """A number with its unit, an angle in degrees, a small one in seconds of arc.
+def _given(value: float | str, unit: str) -> b.Rich:
+    """A setting in the unit in which it has fewer digits: 30°, but 0.5 rad."""
+    made, other = written(value, unit), written(value, unit, angles=False)
+    return min(made, other, key=lambda pieces: len(plain.rich(pieces[:1])))
+
+
+def written(value: float | str, unit: str, *, angles: bool = True) -> b.Rich:
+    """A number with its unit; `angles` in degrees, small ones in seconds of arc.
 
     >>> written(0.5235987755982988, "rad"), written(4.84813681e-07, "rad")
     ((Number(text='30'), Unit(letters='°')), (Number(text='0.1'), Unit(letters='″')))
     """
-    if isinstance(value, str):
-        return (value,)
-    if unit == "rad":
+    if not isinstance(value, str) and unit == "rad" and angles:
         small = 0 < abs(value) < SMALLEST_ANGLE
         value = math.degrees(value) * (3600 if small else 1)
         unit = "″" if small else "°"
-    number = _number(value, digits)
-    return (number, b.Unit(unit)) if unit != "1" else (number,)
-
-
-def _number(value: float, digits: int) -> Node:
-    node = decimal(abs(value), digits)
-    return negated(node) if value < 0 else node
+    if isinstance(value, str) or unit == "1":
+        return (shown(value),)
+    return shown(value), b.Unit(unit)
 
 
 def solutions(
@@ -261,22 +265,15 @@ def solutions(
     made: list[b.Block] = [b.Heading(1, "", "Solutions of the exercises", "solutions")]
     known = dict(told)
     for number, each in enumerate(exercises, 1):
-        made += solution(each, number, parts, known)
+        place = f"{b.anchor(each.exercise.name)}-solution"
+        made.append(b.ExerciseHead(each.exercise.title, place, "", number))
+        made += answer(each, parts, known)
         known |= {j.claim.name: "" for j in each.judgements}
     return made
 
 
-def solution(
-    solution: Solution, number: int, parts: Parts, told: Mapping[str, str]
-) -> list[b.Block]:
-    """What an exercise comes to, in symbols and in numbers."""
-    exercise = solution.exercise
-    head = b.ExerciseHead(exercise.title, f"{b.anchor(exercise.name)}-solution", "", number)
-    return [head, *answer(solution, parts, told)]
-
-
 def answer(solution: Solution, parts: Parts, told: Mapping[str, str]) -> list[b.Block]:
-    """The same without its title."""
+    """What an exercise comes to, in symbols and in numbers."""
     exercise = solution.exercise
     made: list[b.Block] = []
     there = [j.claim for j in solution.judgements if j.claim.name in told]
@@ -291,7 +288,7 @@ def answer(solution: Solution, parts: Parts, told: Mapping[str, str]) -> list[b.
     here = {line.id for line in text.lines} if text is not None else set()
     said = {name for name, ids in lines.names.items() if here & set(ids)}
     if text is not None:
-        marks = {j.claim.name: marked(j) for j in new}
+        marks = {j.claim.name: marked(j, text) for j in new}
         made += text_blocks(lines, text, parts.notation, marks, parts.figures)
     for judgement in new:
         if judgement.claim.name not in said:
@@ -321,24 +318,27 @@ def results(solution: Solution) -> list[b.Block]:
         made.append(b.Quantities("", rows))
     for outcome in solution.outcomes:
         if isinstance(outcome, Table):
-            cells = tuple(tuple(shown(x, TABLE_DIGITS) for x in row) for row in outcome.rows)
+            columns = map(_clean, zip(*outcome.rows, strict=True))
+            cells = tuple(
+                tuple(shown(x, TABLE_DIGITS) for x in row) for row in zip(*columns, strict=True)
+            )
             whole = len(cells) <= LONGEST
             made.append(b.DataTable(outcome.title, outcome.columns, cells, whole))
     return made
 
 
-def checked(solution: Solution, told: Collection[str]) -> list[b.Block]:
-    """Under which assumptions a solution holds, and what its numbers were compared with.
+def _clean(column: Sequence[float | str]) -> list[float | str]:
+    """Numbers of a column, those zero that rounding alone keeps from it.
 
-    What its lines hold under they say.
+    >>> _clean(("axis", 0.5, 3e-17))
+    ['axis', 0.5, 0.0]
     """
-    claims = [j for j in solution.judgements if j.claim.name not in told and j.findings()]
-    assumed = [t for j in claims for t in tested(j)]
-    made: list[b.Block] = [b.Conditions(conditions(assumed))] if assumed else []
-    if solution.measures:
-        made.append(b.Measures(solution.measures, "Confirmed", "by a second way"))
-    return made
+    largest = max((abs(x) for x in column if not isinstance(x, str)), default=0.0)
+    return [x if isinstance(x, str) or abs(x) > NOISE * largest else 0.0 for x in column]
 
+
+NOISE = 1e-14
+"""What is smaller beside the largest number of its column is rounding."""
 
 LONGEST = 30
 """Rows of a table that stands on one page."""
@@ -372,7 +372,9 @@ def summary(judged: b.Judged) -> list[b.Block]:
                 printed = tagged_rows(judgement)
                 corrected = [f.check.claimed for f in judgement.corrections()]
                 shown_ = corrected[:1] or [row.equation for row in printed]
-                rows.append((name, tuple(shown_), judgement.claim.says, judgement.verdict))
+                amiss = judgement.verdict in (Verdict.FALSE, Verdict.CONVENTION)
+                words = f"{'The notes say: ' * amiss}{judgement.claim.says}"
+                rows.append((name, tuple(shown_), words, judgement.verdict))
     if not rows:
         return []
     return [b.Heading(1, "", "Summary of results", "results"), b.Results(tuple(rows))]
@@ -433,21 +435,34 @@ def linked(blocks: Sequence[b.Block]) -> list[b.Block]:
     return made
 
 
-ROOM = 54.0
+def _once(mark: b.Mark | None, noted: dict[b.Rich, b.Mark]) -> b.Mark | None:
+    """A mark whose note refers to that of a mark above if it says the same."""
+    if mark is None or not mark.note:
+        return mark
+    first = noted.setdefault(mark.note, mark)
+    if first is mark:
+        return mark
+    above = b.Cited(f"({first.name})", b.anchor(first.name)) if b.is_number(first.name) else "above"
+    return replace(mark, note=("as ", above))
+
+
+ROOM = 65.0
 """Letters of a line beside a margin for notes."""
 
-COLUMN = 42.0
+COLUMN = 51.0
 """Letters of a line in one of two columns."""
 
 
 def parted(blocks: Sequence[b.Block]) -> list[b.Block]:
     """Displays apart that have a sentence each, the lines of each with their anchors."""
     made: list[b.Block] = []
-    seen: set[str] = set()
+    seen = {block.name for block in blocks if isinstance(block, b.ClaimHead)}
+    noted: dict[b.Rich, b.Mark] = {}
     level, part, nameless, room = 1, 0, 0, ROOM
     for block in blocks:
         if isinstance(block, b.Heading):
             level, part = block.level, 0
+            noted.clear()
             room = COLUMN if block.anchor == "solutions" else ROOM
             made.append(block)
         elif isinstance(block, b.Subhead):
@@ -460,7 +475,7 @@ def parted(blocks: Sequence[b.Block]) -> list[b.Block]:
             place = b.anchor(name) if name not in seen and not b.is_number(name) else ""
             seen.add(name if place else "")
             made.append(replace(block, anchor=place))
-        elif isinstance(block, b.Display):
+        elif isinstance(block, b.Display) and not block.label:
             groups: list[list[b.Row]] = []
             for row in block.rows:
                 if row.reason or not groups:
@@ -468,7 +483,7 @@ def parted(blocks: Sequence[b.Block]) -> list[b.Block]:
                 name = row.tag or (row.mark.name if row.mark is not None else "")
                 place = b.anchor(name) if name and name not in seen else row.anchor
                 seen.add(name)
-                groups[-1].append(replace(row, anchor=place))
+                groups[-1].append(replace(row, anchor=place, mark=_once(row.mark, noted)))
             for rows in groups:
                 if not any(row.anchor for row in rows):
                     nameless += 1

@@ -126,17 +126,15 @@ def _figure(block: b.Figure, figures: Mapping[str, str]) -> str:
     svg = svg[svg.index("<svg") :].strip()
     svg = re.sub(r'\bid="', f'id="{block.name}-', svg)
     svg = re.sub(r'(href="#|url\(#)', rf"\g<1>{block.name}-", svg)
+    svg = re.sub(r"<path (?![^>]*\bd=)", '<path d="" ', svg)  # of a space
     label = escape(block.alternative)
     # Larger than in print, where figures have their own size.
     size = re.search(r'width="([\d.]+)pt"', svg)
     room = f' style="max-width: {float(size[1]) / 8:.1f}rem"' if size else ""
     svg = svg.replace("<svg", f'<svg role="img" aria-label="{label}"{room}', 1)
-    caption = prose_html(block.caption)
-    if block.number:
-        caption = f"<strong>{block.label}.</strong> {caption}"
-    place = f' id="{block.anchor}"' if block.number else ""
-    place += f' data-figure="{block.name}"'
-    return f"<figure{place}>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>"
+    caption = f"<strong>{block.label}.</strong> {prose_html(block.caption)}"
+    place = f'id="{block.anchor}" data-figure="{block.name}"'
+    return f"<figure {place}>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>"
 
 
 def rich(content: b.Rich) -> str:
@@ -147,6 +145,8 @@ def rich(content: b.Rich) -> str:
 def _piece(piece: b.Piece) -> str:
     if isinstance(piece, b.Unit):
         return escape(piece.spaced)
+    if isinstance(piece, Verdict):
+        return badge(piece)
     if isinstance(piece, b.Cited):
         return f'<a href="#{piece.anchor}">{escape(piece.words)}</a>'
     return prose_html(piece) if isinstance(piece, str) else mathml.mathml(piece)
@@ -239,32 +239,6 @@ def _classed(math: str, name: str) -> str:
     return math.replace("<math", f'<math class="{name}"', 1)
 
 
-@html_block.register
-def _(block: b.Conditions) -> str:
-    items = "\n".join(f"<li>{_condition(item)}</li>" for item in block.items)
-    return f'<p class="label">Assumptions</p>\n<ul class="conditions">\n{items}\n</ul>'
-
-
-def _condition(item: b.Condition) -> str:
-    words = f", {prose_html(item.words)}" if item.words else ""
-    kind, said = ("stated", "stated") if item.stated else ("unstated", "not stated")
-    without = "" if item.without is None else " " + _numbers(item.without)
-    return f'{mathml.mathml(item.relation)}{words} <span class="{kind}">({said})</span>.{without}'
-
-
-@html_block.register
-def _(block: b.Numbers) -> str:
-    return f"<p>{_numbers(block)}</p>"
-
-
-def _numbers(block: b.Numbers) -> str:
-    values = ", ".join(
-        mathml.mathml(lay.Chain((name, value), ("=",))) for name, value in block.values
-    )
-    sides = block.said(mathml.mathml)
-    return f"{_label(block.label)}{sides}" + (f" at {values}." if values else ".")
-
-
 def _table(
     head: Sequence[str],
     rows: Iterable[Sequence[str]],
@@ -304,41 +278,18 @@ def _title(words: str) -> str:
     if re.sub(r"<math.*?</math>", "", words).strip():
         return words
     said = " ".join(re.findall(r'alttext="([^"]*)"', words))
-    hidden = words.replace("<math", '<math aria-hidden="true"')
-    return f'<span class="unseen">{said}</span>{hidden}'
+    return f'<span class="unseen">{said}</span><span aria-hidden="true">{words}</span>'
 
 
 @html_block.register
-def _(block: b.Measures) -> str:
-    rows = ((prose_html(r.what), _power(r.error), _power(r.tolerance)) for r in block.rows)
-    head = (prose_html(block.compared), "error", "tolerance")
-    return f'<p class="label">{prose_html(block.label)}</p>\n{_table(head, rows, numbers=(1, 2))}'
-
-
-def _power(number: float) -> str:
-    return mathml.mathml(lay.decimal(number, 2))
+def _(block: b.Items) -> str:
+    items = "\n".join(f"<li>{rich(item)}</li>" for item in block.items)
+    return f'<p class="label">{prose_html(block.label)}</p>\n<ul class="items">\n{items}\n</ul>'
 
 
 @html_block.register
-def _(block: b.Summary) -> str:
-    rows = [(badge(verdict), str(n), prose_html(meaning)) for verdict, n, meaning in block.rows]
-    rows.append(("all", str(sum(count for _, count, _ in block.rows)), ""))
-    return _table(("verdict", "claims", "what it says"), rows, numbers=(1,))
-
-
-@html_block.register
-def _(block: b.FoundList) -> str:
-    rows = (
-        (
-            prose_html(row.section),
-            f'<a href="#{row.anchor}">{escape(row.name)}</a>',
-            badge(row.verdict),
-            rich(row.content),
-        )
-        for row in block.rows
-    )
-    head = ("section", "claim", "verdict", "what is amiss")
-    return _table(head, rows, titles=1, kind="found")
+def _(block: b.Listing) -> str:
+    return _table(block.head, (list(map(rich, row)) for row in block.rows), kind="found")
 
 
 @html_block.register
@@ -352,7 +303,7 @@ def _(block: b.Symbols) -> str:
 
 @html_block.register
 def _(block: b.ExerciseHead) -> str:
-    title = f"{block.label}{'.' if block.number else ':'} {prose_html(block.title)}"
+    title = f"{block.label}. {prose_html(block.title)}"
     points = f" {escape(block.points)}" if block.points else ""
     return (
         f'<div class="head"><h{block.level + 1}>{title}</h{block.level + 1}>'
@@ -413,4 +364,9 @@ def _(block: b.DataTable) -> str:
 
 
 def _cell(value: str | lay.Node) -> str:
-    return prose_html(value) if isinstance(value, str) else mathml.mathml(value)
+    if not isinstance(value, str):
+        return mathml.mathml(value)
+    return f"<time>{value}</time>" if _DATE.fullmatch(value) else prose_html(value)
+
+
+_DATE = re.compile(r"\d{4}-\d\d-\d\d")

@@ -83,12 +83,11 @@ class Picture:
         of = self.drawing.motions
         return of(**self.drawing.values(self.given)) if of else ()
 
-    def described(self) -> b.Figure:
+    def described(self, number: int) -> b.Figure:
         """As the blocks of a document know it."""
         values = self.drawing.values(self.given)
-        return b.Figure(
-            self.name, self.drawing.caption(**values), self.drawing.alternative(**values)
-        )
+        caption, alternative = self.drawing.caption(**values), self.drawing.alternative(**values)
+        return b.Figure(self.name, caption, alternative, number)
 
 
 def picture(solution: Solution, notation: Notation | None = None) -> Picture | None:
@@ -237,7 +236,7 @@ def lecture(
         own = picture(each, edition.notation)
         if own is not None and not any(own.shows_what(other) for other in pictures):
             pictures.append(own)
-    numbered = {p.name: replace(p.described(), number=k) for k, p in enumerate(pictures, 1)}
+    numbered = {p.name: p.described(k) for k, p in enumerate(pictures, 1)}
     parts = Parts(lines, notation, numbered, closing, edition.points)
     everything = [judgement for _, judgements in judged for judgement in judgements]
     told = {j.claim.name: page.section for page, judgements in judged for j in judgements}
@@ -250,7 +249,7 @@ def lecture(
     if chart is not None:
         pictures.append(chart)
         blocks.append(b.Heading(1, "", "What rests on what", "map"))
-        blocks.append(replace(chart.described(), number=len(pictures)))
+        blocks.append(chart.described(len(pictures)))
     blocks = handout.linked(handout.parted([*blocks, *first_used(blocks)]))
     front = edition.front
     return edition.handed_out(front.title, front.subtitle, blocks), pictures
@@ -319,16 +318,19 @@ def record(
     sections = {page.section for page, _ in judged}
     pictures = [Picture(each.name, each, {}) for each in figures if each.section in sections]
     closing: list[tuple[str, b.Block]] = [
-        (picture.drawing.section, picture.described()) for picture in pictures
+        (each.drawing.section, each.described(k)) for k, each in enumerate(pictures, 1)
     ]
     told = {judgement.claim.name for _, judgements in judged for judgement in judgements}
-    for solution in solutions:
+    for number, solution in enumerate(solutions, 1):
         own = None if student else picture(solution, notation)
         if own and any(own.shows_what(other) for other in pictures):
             own = None  # the section has it
-        made = _exercise(solution, own, student, told, edition.letters)
-        closing += [(solution.exercise.section, block) for block in made]
         pictures += [own] if own else []
+        figure = own.described(len(pictures)) if own else None
+        head, *made = _exercise(solution, figure, student, told, edition.letters)
+        assert isinstance(head, b.ExerciseHead)
+        made = [replace(head, number=number), *made]
+        closing += [(solution.exercise.section, block) for block in made]
         told |= {judgement.claim.name for judgement in solution.judgements}
     named = {text.name: text for text in edition.lines.texts}
     texts = {
@@ -373,7 +375,7 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
         solutions = [solution_in(notation, each) for each in solutions]
     own = [] if student else [picture(each, notation) for each in solutions]
     pictures = [each for each in own if each is not None]
-    numbered = {p.name: replace(p.described(), number=k) for k, p in enumerate(pictures, 1)}
+    numbered = {p.name: p.described(k) for k, p in enumerate(pictures, 1)}
     parts = Parts(Lecture(), edition.letters, numbered, {}, points)
     made: list[b.Block] = [b.NameLine()] if student else []
     told: dict[str, str] = {}
@@ -382,7 +384,6 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
         if not student:
             made.append(b.Subhead("Solution"))
             made += handout.answer(each, parts, told)
-            made += handout.checked(each, told)
             told |= {j.claim.name: "" for j in each.judgements}
     made = handout.linked(handout.parted([*made, *handout.first_used(made)]))
     subtitle = "Questions" if student else "Questions and solutions"
@@ -391,7 +392,7 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
 
 def _exercise(
     solution: Solution,
-    own: Picture | None,
+    figure: b.Figure | None,
     student: bool,
     told: Collection[str],
     notation: Notation,
@@ -399,7 +400,7 @@ def _exercise(
     """The exercise; claims that were told before are named only."""
     if student:
         return question(solution.exercise, solution.settings, named=not notation.images)
-    return blocks(solution, own.described() if own else None, told=told, notation=notation)
+    return blocks(solution, figure, told=told, notation=notation)
 
 
 def _write(

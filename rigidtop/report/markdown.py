@@ -12,7 +12,6 @@ from functools import singledispatch
 from sympy import Basic
 
 from rigidtop.report import blocks as b
-from rigidtop.typeset import nodes as lay
 from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import align_row, latex
 from rigidtop.typeset.nodes import Node
@@ -101,26 +100,8 @@ def aligned(lines: Sequence[str]) -> str:
 
 
 @_block.register
-def _(block: b.Conditions) -> str:
-    return "*Assumptions.*\n\n" + "\n".join(f"- {_condition(item)}" for item in block.items)
-
-
-def _condition(item: b.Condition) -> str:
-    said = f", {words(item.words)}" if item.words else ""
-    stated = "stated in the notes" if item.stated else "**not stated**"
-    without = "" if item.without is None else " " + _numbers(item.without)
-    return f"{formula(item.relation)}{said} ({stated}).{without}"
-
-
-@_block.register
-def _(block: b.Numbers) -> str:
-    return _numbers(block)
-
-
-def _numbers(block: b.Numbers) -> str:
-    values = ", ".join(f"${latex(name)} = {latex(value)}$" for name, value in block.values)
-    label = f"*{words(block.label)}:* " if block.label else ""
-    return label + block.said(formula) + (f" at {values}." if values else ".")
+def _(block: b.Items) -> str:
+    return f"{_label(block.label).strip()}\n\n" + "\n".join(f"- {running(x)}" for x in block.items)
 
 
 @_block.register
@@ -131,16 +112,6 @@ def _(block: b.ExerciseHead) -> str:
 @_block.register
 def _(block: b.Subhead) -> str:
     return f"**{words(block.words)}**"
-
-
-@_block.register
-def _(block: b.Measures) -> str:
-    rows = [
-        (words(row.what), *(formula(lay.decimal(x, 2)) for x in (row.error, row.tolerance)))
-        for row in block.rows
-    ]
-    head = (words(block.compared), "error", "tolerance")
-    return f"*{words(block.label)}*\n\n{_table(head, rows)}"
 
 
 @_block.register

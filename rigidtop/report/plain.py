@@ -66,37 +66,11 @@ def _(block: b.Display, width: int) -> list[str]:
 
 
 @_lines.register
-def _(block: b.Conditions, width: int) -> list[str]:
-    made = ["", "Assumptions:"]
+def _(block: b.Items, width: int) -> list[str]:
+    made = ["", f"{block.label}:"]
     for item in block.items:
-        made += _wrapped(_condition(item), width, "  • ", "    ")
+        made += _wrapped(rich(item), width, "  • ", "    ")
     return made
-
-
-def _condition(item: b.Condition) -> str:
-    words = f", {item.words}" if item.words else ""
-    stated = "stated" if item.stated else "not stated"
-    without = "" if item.without is None else " " + _numbers(item.without)
-    return f"{text(item.relation)}{words} ({stated}).{without}"
-
-
-@_lines.register
-def _(block: b.Numbers, width: int) -> list[str]:
-    return ["", *_wrapped(_numbers(block), width)]
-
-
-def _numbers(block: b.Numbers) -> str:
-    values = ", ".join(f"{text(name)} = {text(value)}" for name, value in block.values)
-    return f"{block.label}: {block.said(text)}" + (f" at {values}." if values else ".")
-
-
-@_lines.register
-def _(block: b.Measures, width: int) -> list[str]:
-    rows = [
-        f"  {unmarked(row.what)}: error {row.error:.1e}, tolerance {row.tolerance:.1e}"
-        for row in block.rows
-    ]
-    return ["", f"{block.label}:", *rows]
 
 
 @_lines.register

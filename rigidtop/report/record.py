@@ -16,6 +16,7 @@ from rigidtop.proof.verdict import (
 )
 from rigidtop.report import blocks as b
 from rigidtop.report.claims import claim_blocks, condition, tested
+from rigidtop.report.handout import parted
 from rigidtop.report.symbols import symbol_list
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.nodes import Node
@@ -48,7 +49,7 @@ def document(
         for judgement in judgements:
             blocks.extend(claim_blocks(judgement))
         blocks.extend(after.get(page.section, ()))
-    whole = (*blocks, *symbol_list(blocks))
+    whole = (*parted(blocks), *symbol_list(blocks))
     return b.Document(front.title, front.subtitle, whole, front.source, front.author)
 
 
@@ -57,17 +58,22 @@ def _front(judged: b.Judged) -> Iterable[b.Block]:
     yield b.Heading(1, "", "How to read the verdicts", "verdicts")
     yield b.Paragraph((READING,))
     counts = [(v, sum(j.verdict is v for j in everything)) for v in Verdict]
-    yield b.Summary(tuple((v, count, b.MEANINGS[v]) for v, count in counts if count))
+    rows: list[tuple[b.Rich, ...]] = [
+        ((v,), (str(count),), (b.MEANINGS[v],)) for v, count in counts if count
+    ]
+    rows.append((("all",), (str(len(everything)),), ()))
+    yield b.Listing(("verdict", "claims", "what it says"), tuple(rows), (0, 0, 0.68))
     found = tuple(_found(judgement) for judgement in everything if judgement.verdict in _NOTED)
     if found:
         yield b.Heading(1, "", "What was found in the notes", "found")
-        yield b.FoundList(found)
+        head = ("section", "claim", "verdict", "what is amiss")
+        yield b.Listing(head, found, (0, 0.17, 0, 0.5))
 
 
 _NOTED = (Verdict.ASSUMING, Verdict.CONVENTION, Verdict.FALSE, Verdict.UNDECIDED)
 
 
-def _found(judgement: Judgement) -> b.Found:
+def _found(judgement: Judgement) -> tuple[b.Rich, ...]:
     claim = judgement.claim
     content: b.Rich
     if judgement.verdict is Verdict.ASSUMING:
@@ -84,7 +90,8 @@ def _found(judgement: Judgement) -> b.Found:
             content = (*content, "; more at the claim" if short else " Corrected at the claim")
         if corrected:
             content = (*content, ".")
-    return b.Found(judgement.section, claim.name, b.anchor(claim.name), judgement.verdict, content)
+    name = b.Cited(claim.name, b.anchor(claim.name))
+    return (judgement.section,), (name,), (judgement.verdict,), content
 
 
 def _has_matrix(equation: Equation) -> bool:

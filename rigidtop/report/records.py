@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from rigidtop.proof.page import Claim, Measure
 from rigidtop.proof.verdict import Finding, Judgement, Led, TestedAssumption, Verdict
 from rigidtop.proof.words import unmarked
-from rigidtop.report.blocks import Numbers
-from rigidtop.report.claims import condition, numbers, tested
+from rigidtop.report import plain
+from rigidtop.report.claims import condition, said_at, tested
 from rigidtop.report.ways import gap
 from rigidtop.typeset.text import text
 
@@ -87,7 +87,7 @@ def _conditioned(finding: Finding) -> str:
 def _refuted(findings: Iterable[Finding]) -> list[str]:
     """The first counterexample with its numbers, if there is one."""
     return [
-        f"{_where(finding)}{_point(numbers(finding.counterexample))}"
+        f"{_where(finding)}{plain.rich(said_at(finding.counterexample))}"
         for finding in findings
         if finding.counterexample is not None
     ][:1]
@@ -104,9 +104,3 @@ def _assumption(item: TestedAssumption) -> str:
     words = item.assumption.words.rstrip(".")
     said = f"{relation} ({words})" if words else relation
     return unmarked(f"{said} [stated]" if item.assumption.stated else said)
-
-
-def _point(found: Numbers) -> str:
-    values = ", ".join(f"{text(symbol)} = {text(value)}" for symbol, value in found.values)
-    said = found.said(text)
-    return f"at {values}: {said}" if values else said

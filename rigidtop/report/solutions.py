@@ -17,7 +17,7 @@ from rigidtop.proof.page import Measure
 from rigidtop.proof.verdict import Judgement, judge
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
-from rigidtop.report.claims import claim_blocks
+from rigidtop.report.claims import claim_blocks, measured
 from rigidtop.report.plain import cell
 from rigidtop.report.records import measure_record
 from rigidtop.report.records import record as judgement_record
@@ -132,7 +132,7 @@ def blocks(
             cells = tuple(tuple(shown(x, TABLE_DIGITS) for x in row) for row in outcome.rows)
             made.append(b.DataTable(outcome.title, outcome.columns, cells))
     if solution.measures:
-        made.append(b.Measures(solution.measures, "Confirmed", "by a second way"))
+        made.append(measured(solution.measures, "Confirmed", "by a second way"))
     if figure is not None:
         made.append(figure)
     return made

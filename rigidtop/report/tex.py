@@ -11,6 +11,7 @@ from importlib.resources import files
 from typing import Any
 
 from rigidtop.notation.characters import MATHS, SIGNS, SUPERSCRIPTS, escape
+from rigidtop.proof.verdict import Verdict
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
 from rigidtop.report.languages import said
@@ -80,7 +81,8 @@ def chapters(document: b.Document, figures: Mapping[str, str]) -> dict[str, str]
             parts.setdefault(name.replace(".", "-"), []).append(block)
     for name, blocks in parts.items():
         head = USE.replace("@NAME@", name).replace("@OUT@", "./")
-        made[f"chapters/{name}.tex"] = head + "\n\n".join(_joined(blocks, figures)) + "\n"
+        text = "\n\n".join(_joined(blocks, figures))
+        made[f"chapters/{name}.tex"] = f"{head}\\begingroup\\rttext\n{text}\n\\par\\endgroup\n"
     return made
 
 
@@ -174,20 +176,8 @@ def _note(mark: b.Mark | None) -> str:
 
 
 def _figure(block: b.Figure, path: str) -> str:
-    if block.number:
-        about = (path, block.anchor, block.label, prose(block.caption))
-        return r"\rtfigure" + "".join(f"{{{part}}}" for part in about)
-    return "\n".join(
-        [
-            r"\begin{figure}[!ht]\centering",
-            rf"\rtdrawn{{{path}}}",
-            r"\par\vspace{2pt}",
-            r"\begin{minipage}{0.86\linewidth}\footnotesize",
-            prose(block.caption),
-            r"\end{minipage}",
-            r"\end{figure}",
-        ]
-    )
+    about = (path, block.anchor, block.label, prose(block.caption))
+    return r"\rtfigure" + "".join(f"{{{part}}}" for part in about)
 
 
 def fragment(blocks: Sequence[b.Block]) -> str:
@@ -200,7 +190,7 @@ def fragment(blocks: Sequence[b.Block]) -> str:
             if first.follows and first.reason:  # no sentence: it would stand alone
                 made += [f"% {line}" for line in textwrap.wrap(plain.rich(first.spoken), 88)]
                 first = replace(first, reason="")
-            made.append(display((first, *rest)))
+            made.append(align([_align_row(row, sizes.LINE) for row in (first, *rest)]))
         else:
             made += [f"% {line}" for line in plain.fragment([block]).splitlines() if line]
     return "\n".join(made) + "\n"
@@ -214,6 +204,8 @@ def rich(content: b.Rich) -> str:
 def _piece(piece: b.Piece) -> str:
     if isinstance(piece, b.Unit):
         return _unit(piece.spaced)
+    if isinstance(piece, Verdict):
+        return rf"\verdict{{{piece}}}"
     if isinstance(piece, b.Cited):
         return rf"\hyperref[{piece.anchor}]{{{prose(piece.words)}}}"
     return prose(piece) if isinstance(piece, str) else f"${_in_words(piece)}$"
@@ -254,7 +246,7 @@ def _(block: b.Heading) -> str:
     title = prose(f"{block.number}\u2002{block.title}" if block.number else block.title)
     plain = escape_for_bookmark(f"{block.number} {block.title}".strip())
     # Figures that wait for room come before the list of symbols, not behind it.
-    begins = "\\clearpage\n" if block.anchor in APART else ""
+    begins = APART.get(block.anchor, "")
     return begins + (
         rf"\room\{command}*{{{title}}}\phantomsection\label{{{block.anchor}}}"
         rf"\addcontentsline{{toc}}{{{'sub' * (level - 1)}section}}"
@@ -262,8 +254,8 @@ def _(block: b.Heading) -> str:
     )
 
 
-APART = ("symbols", "results", "map")
-"""What begins a page."""
+APART = {"symbols": "\\clearpage\n", "results": "\\rtalone\n", "map": "\\clearpage\n"}
+"""How what begins a page begins it."""
 
 
 def escape_for_bookmark(text: str) -> str:
@@ -303,28 +295,24 @@ def _(block: b.Display) -> str:
 
 
 def _beside(rows: Sequence[b.Row], room: float) -> Sequence[b.Row]:
-    """Short equations of one step side by side, as many as have room in a line."""
+    """Short equations of one step side by side, in lines of as many as have room in each."""
     if any(row.tag or row.beside or row.reason for row in rows[1:]) or rows[0].tag:
         return rows
-    made: list[b.Row] = []
-    used = 0.0
-    for row in rows:
-        needed = sizes.width(layout(row.equation, row.order)) + 5
-        if made and used + needed <= room:
-            made[-1] = replace(
-                made[-1],
-                beside=(*made[-1].beside, row.equation),
-                mark=row.mark or made[-1].mark,
-                anchor=row.anchor or made[-1].anchor,
-            )
-        else:
-            made.append(row)
-            used = 0.0
-        used += needed
-    return made
+    widths = [sizes.width(layout(row.equation, row.order)) + 5 for row in rows]
+    for k in range(len(rows), 1, -1):
+        starts = range(0, len(rows), k)
+        if len(rows) % k == 0 and all(sum(widths[i : i + k]) <= room + 5 for i in starts):
+            return [_together(rows[i : i + k]) for i in starts]
+    return rows
 
 
-WORD = 0.66
+def _together(rows: Sequence[b.Row]) -> b.Row:
+    mark = next((row.mark for row in reversed(rows) if row.mark is not None), None)
+    anchor = next((row.anchor for row in reversed(rows) if row.anchor), "")
+    return replace(rows[0], beside=tuple(r.equation for r in rows[1:]), mark=mark, anchor=anchor)
+
+
+WORD = 0.9
 """The width of a letter of a sentence in letters of an equation."""
 
 
@@ -362,7 +350,7 @@ def display(rows: Sequence[b.Row], room: float = sizes.LINE) -> str:
     return rf"{{\interlinepenalty10000 {made}\par}}" if notes else made
 
 
-WIDE = 1.12
+WIDE = 1.04
 """A line that is wider than this, in its room, does not fit in its usual size."""
 
 
@@ -413,83 +401,26 @@ def _align_row(row: b.Row, room: float) -> AlignRow:
 
 
 @tex_block.register
-def _(block: b.Conditions) -> str:
-    items = "\n".join(r"\item " + _condition(item) for item in block.items)
+def _(block: b.Items) -> str:
+    items = "\n".join(rf"\item {rich(item)}" for item in block.items)
     return (
-        r"\lab{Assumptions}\par\nobreak\vspace{-0.6\baselineskip}"
-        + "\n"
-        + r"\begin{itemize}\setlength{\itemsep}{1pt}\setlength{\parskip}{0pt}"
-        + f"\n{items}\n"
-        + r"\end{itemize}"
+        rf"\lab{{{prose(block.label)}}}\par\nobreak\vspace{{-0.6\baselineskip}}"
+        "\n\\begin{itemize}\\setlength{\\itemsep}{1pt}\\setlength{\\parskip}{0pt}"
+        f"\n{items}\n\\end{{itemize}}"
     )
 
 
-def _condition(item: b.Condition) -> str:
-    words = f", {prose(item.words)}" if item.words else ""
-    stated = "stated" if item.stated else r"\textbf{not stated}"
-    without = "" if item.without is None else " " + tex_block(item.without)
-    return rf"${latex(item.relation)}${words} ({stated}).{without}"
-
-
 @tex_block.register
-def _(block: b.Numbers) -> str:
-    values = ", ".join(rf"${latex(name)} = {latex(value)}$" for name, value in block.values)
-    sides = block.said(lambda node: f"${latex(node)}$")
-    return rf"\lab{{{prose(block.label)}}}{sides}" + (f" at {values}." if values else ".")
-
-
-@tex_block.register
-def _(block: b.Measures) -> str:
-    rows = "\n".join(
-        rf"{prose(row.what)} & {_power_of_ten(row.error)} & {_power_of_ten(row.tolerance)} \\"
-        for row in block.rows
+def _(block: b.Listing) -> str:
+    columns = "".join(
+        rf">{{\raggedright\arraybackslash}}p{{{width}\linewidth}}" if width else "l"
+        for width in block.widths
     )
+    rows = "\n".join(" & ".join(map(rich, row)) + r" \\[3pt]" for row in block.rows)
     return "\n".join(
         [
-            rf"\lab{{{prose(block.label)}}}\par\nopagebreak{{\small\hspace*{{2em}}%",
-            r"\begin{tabular}{@{}p{0.62\linewidth}rr@{}}",
-            rf"\toprule {prose(block.compared)} & error & tolerance \\ \midrule",
-            rows,
-            r"\bottomrule\end{tabular}\par}",
-        ]
-    )
-
-
-def _power_of_ten(number: float) -> str:
-    return f"${latex(lay.decimal(number, 2))}$"
-
-
-@tex_block.register
-def _(block: b.Summary) -> str:
-    rows = "\n".join(
-        rf"\verdict{{{verdict}}} & {count} & {prose(meaning)} \\[3pt]"
-        for verdict, count, meaning in block.rows
-    )
-    total = sum(count for _, count, _ in block.rows)
-    return "\n".join(
-        [
-            r"\begin{center}\begin{tabular}{@{}lr@{\quad}p{0.68\linewidth}@{}}",
-            r"\toprule verdict & claims & what it says \\ \midrule",
-            rows,
-            rf"\midrule & {total} & \\ \bottomrule",
-            r"\end{tabular}\end{center}",
-        ]
-    )
-
-
-@tex_block.register
-def _(block: b.FoundList) -> str:
-    rows = "\n".join(
-        rf"{prose(row.section)} & \hyperref[{row.anchor}]{{{escape(row.name)}}} & "
-        rf"\verdict{{{row.verdict}}} & {rich(row.content)} \\[3pt]"
-        for row in block.rows
-    )
-    return "\n".join(
-        [
-            r"{\small",
-            r"\begin{longtable}{@{}l>{\raggedright}p{0.17\linewidth}l"
-            r">{\raggedright\arraybackslash}p{0.50\linewidth}@{}}",
-            r"\toprule section & claim & verdict & what is amiss \\ \midrule \endhead",
+            rf"{{\small\begin{{longtable}}[l]{{@{{}}{columns}@{{}}}}",
+            rf"\toprule {' & '.join(map(prose, block.head))} \\ \midrule \endhead",
             rows,
             r"\bottomrule\end{longtable}}",
         ]
@@ -519,11 +450,9 @@ def _(block: b.Symbols) -> str:
 
 @tex_block.register
 def _(block: b.ExerciseHead) -> str:
-    parts = (prose(block.title), block.anchor, prose(block.asks))
-    if not block.number:
-        return r"\exercise" + "".join(f"{{{part}}}" for part in parts)
-    title = prose(f"{block.label}. {block.title}")
-    return rf"\rtexercise{{{title}}}{{{parts[1]}}}{{{parts[2]}}}{{{prose(block.points)}}}"
+    parts = (f"{block.label}. {block.title}", block.asks, block.points)
+    title, asks, points = map(prose, parts)
+    return rf"\rtexercise{{{title}}}{{{block.anchor}}}{{{asks}}}{{{points}}}"
 
 
 @tex_block.register
@@ -531,7 +460,7 @@ def _(block: b.Legend) -> str:
     items = r"\quad ".join(
         rf"\mbox{{\rtmark{{{verdict}}}}}~{prose(words)}." for verdict, words in block.rows
     )
-    return rf"{{\footnotesize\color{{muted}} {prose(block.head)}: {items}\par}}"
+    return rf"{{\medskip\footnotesize\color{{muted}} {prose(block.head)}: {items}\par}}"
 
 
 @tex_block.register
@@ -592,6 +521,8 @@ def _(block: b.DataTable) -> str:
         " & ".join(map(_cell, row)) + (r" \\*" if i < together else r" \\")
         for i, row in enumerate(block.rows)
     )
+    # Long words at the left have room for two lines.
+    left = r"p{0.62\linewidth}" if max(_letters(row[0]) for row in block.rows) > LONG else "l"
     if block.whole:
         inside = rows.replace(r"\\*", r"\\")
         return (
@@ -604,7 +535,7 @@ def _(block: b.DataTable) -> str:
     return "\n".join(
         [
             r"{\scriptsize\setlength{\tabcolsep}{3pt}" if _is_wide(block) else r"{\footnotesize",
-            rf"\begin{{longtable}}[l]{{@{{\hspace*{{2em}}}}l*{{{count - 1}}}{{r}}@{{}}}}",
+            rf"\begin{{longtable}}[l]{{@{{\hspace*{{2em}}}}{left}*{{{count - 1}}}{{r}}@{{}}}}",
             rf"{title} \toprule {head} \\ \midrule \endfirsthead",
             rf"\toprule {head} \\ \midrule \endhead",
             rows,
@@ -612,6 +543,9 @@ def _(block: b.DataTable) -> str:
         ]
     )
 
+
+LONG = 45
+"""Letters of a cell that has no room in one line beside others."""
 
 WHOLE = 14
 """A table of no more rows stays on one page."""
@@ -630,9 +564,15 @@ NARROW = 13
 """Letters of a line in the head of a table, where its words allow it."""
 
 
+TIE = "\ue000"
+"""In place of a space at which no line ends."""
+
+
 def _stacked(words: str) -> list[str]:
-    """The head of a column in lines."""
-    return textwrap.wrap(words, NARROW, break_long_words=False, break_on_hyphens=False) or [""]
+    """The head of a column in lines; formulas and units are not broken."""
+    whole = re.sub(r"\$[^$]*\$|\([^()]*\)", lambda m: m[0].replace(" ", TIE), words)
+    lines = textwrap.wrap(whole, NARROW, break_long_words=False, break_on_hyphens=False)
+    return [line.replace(TIE, " ") for line in lines] or [""]
 
 
 def _head(lines: Sequence[str], side: str) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from functools import singledispatch
 from importlib.resources import files
 
+from rigidtop.proof.verdict import Verdict
 from rigidtop.report import blocks as b
 from rigidtop.report.languages import said
 from rigidtop.typeset import nodes as lay
@@ -17,10 +18,18 @@ from rigidtop.typeset.sentences import tex, tied, written
 
 def write(document: b.Document, figures: Mapping[str, str]) -> str:
     """The document.  `figures` says where the file of each figure lies, as seen from it."""
-    body = "\n\n".join(
-        _figure(block, figures[block.name]) if isinstance(block, b.Figure) else typst_block(block)
-        for block in document.blocks
-    )
+    made: list[str] = []
+    ends: list[str] = []
+    for block in document.blocks:
+        if isinstance(block, b.Heading):
+            made += ends
+            ends = ["]"] if block.anchor == "solutions" else []
+            made += ["#solutions["] * len(ends)
+        if isinstance(block, b.Figure):
+            made.append(_figure(block, figures[block.name]))
+        else:
+            made.append(typst_block(block))
+    body = "\n\n".join(made + ends)
     depth = 2 if document.lecture else 3
     contents = said("Contents", document.look.language)
     return "\n".join(
@@ -69,12 +78,10 @@ def fragment(blocks: Sequence[b.Block]) -> str:
 
 def _figure(block: b.Figure, path: str) -> str:
     alternative = block.alternative.replace('"', "'")
-    label = f"*{block.label}.* " if block.number else ""
-    made = (
+    return (
         f'#figure(image("{path}", alt: "{alternative}"), placement: top, numbering: none, '
-        f"caption: [{label}{prose(block.caption)}])"
+        f"caption: [*{block.label}.* {prose(block.caption)}]) <{block.anchor}>"
     )
-    return f"{made} <{block.anchor}>" if block.number else made
 
 
 # --- Text and formulas ---------------------------------------------------------------------------
@@ -136,6 +143,8 @@ def rich(content: b.Rich) -> str:
 def _piece(piece: b.Piece) -> str:
     if isinstance(piece, b.Unit):
         return plain(piece.spaced)
+    if isinstance(piece, Verdict):
+        return f'#verdict("{piece}")'
     if isinstance(piece, b.Cited):
         return f'#link(label("{piece.anchor}"))[{plain(piece.words)}]'
     return prose(piece) if isinstance(piece, str) else f"${maths(latex(piece))}$"
@@ -189,13 +198,13 @@ def _(block: b.ClaimHead) -> str:
 @typst_block.register
 def _(block: b.Display) -> str:
     label = _head(block.label) + "\n\n" if block.label else ""
-    return label + "\n\n".join(_rows(group) for group in b.groups(block))
+    return label + "\n\n".join(_rows(group, block.room) for group in b.groups(block))
 
 
-def _rows(group: Sequence[b.Row]) -> str:
+def _rows(group: Sequence[b.Row], room: float) -> str:
     last = group[-1]
     reason = rich(group[0].spoken)
-    rows = [align_row(line) for row in group for line in sizes.lines(row.equation, row.order)]
+    rows = [align_row(line) for row in group for line in sizes.lines(row.equation, row.order, room)]
     body = maths(r" \\ ".join(rows))
     shown = f'#eq("{last.tag}", "{last.verdict or ""}", $ {body} $)'
     mark = next((row.mark for row in group if row.mark is not None), None)
@@ -208,23 +217,9 @@ def _rows(group: Sequence[b.Row]) -> str:
 
 
 @typst_block.register
-def _(block: b.Conditions) -> str:
-    items = "\n".join(f"- {_condition(item)}" for item in block.items)
-    return f"{_head('Assumptions')}\n{items}"
-
-
-def _condition(item: b.Condition) -> str:
-    words = f", {prose(item.words)}" if item.words else ""
-    stated = "stated" if item.stated else "*not stated*"
-    without = "" if item.without is None else " " + typst_block(item.without)
-    return f"${maths(latex(item.relation))}${words} ({stated}).{without}"
-
-
-@typst_block.register
-def _(block: b.Numbers) -> str:
-    values = ", ".join(f"${maths(f'{latex(n)} = {latex(v)}')}$" for n, v in block.values)
-    sides = block.said(lambda node: f"${maths(latex(node))}$")
-    return f"{_label(block.label)}{sides}" + (f" at {values}." if values else ".")
+def _(block: b.Items) -> str:
+    items = "\n".join(f"- {rich(item)}" for item in block.items)
+    return f"{_head(block.label)}\n{items}"
 
 
 WHOLE = 14
@@ -237,7 +232,7 @@ def _table(columns: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> 
     header = f"table.header({heads}), table.hline(stroke: 0.4pt)," if head else ""
     breakable = "true" if len(rows) > WHOLE else "false"
     return (
-        f"#block(breakable: {breakable}, text(size: 9.5pt)[#set par(justify: false)\n"
+        f"#block(breakable: {breakable}, text(size: 0.9em)[#set par(justify: false)\n"
         f"#table(columns: {columns}, stroke: none, inset: (x: 5pt, y: 3.5pt),\n"
         f"  table.hline(stroke: 0.8pt), {header}\n"
         f"{cells}\n  table.hline(stroke: 0.8pt))])"
@@ -245,36 +240,9 @@ def _table(columns: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> 
 
 
 @typst_block.register
-def _(block: b.Measures) -> str:
-    rows = [(prose(r.what), _power(r.error), _power(r.tolerance)) for r in block.rows]
-    head = (prose(block.compared), "error", "tolerance")
-    return _head(block.label) + "\n" + _table("(1fr, auto, auto)", head, rows)
-
-
-def _power(number: float) -> str:
-    return f"${maths(latex(lay.decimal(number, 2)))}$"
-
-
-@typst_block.register
-def _(block: b.Summary) -> str:
-    rows = [(f'#verdict("{v}")', str(count), prose(meaning)) for v, count, meaning in block.rows]
-    rows.append(("all", str(sum(count for _, count, _ in block.rows)), ""))
-    return _table("(auto, auto, 1fr)", ("verdict", "claims", "what it says"), rows)
-
-
-@typst_block.register
-def _(block: b.FoundList) -> str:
-    rows = [
-        (
-            prose(row.section),
-            f'#link(label("{row.anchor}"))[{plain(row.name)}]',
-            f'#verdict("{row.verdict}")',
-            rich(row.content),
-        )
-        for row in block.rows
-    ]
-    head = ("section", "claim", "verdict", "what is amiss")
-    return _table("(auto, 7.5em, auto, 1fr)", head, rows)
+def _(block: b.Listing) -> str:
+    columns = ", ".join(f"{width:g}fr" if width else "auto" for width in block.widths)
+    return _table(f"({columns})", block.head, [[*map(rich, row)] for row in block.rows])
 
 
 @typst_block.register
@@ -288,11 +256,8 @@ def _(block: b.Symbols) -> str:
 
 @typst_block.register
 def _(block: b.ExerciseHead) -> str:
-    title, asks = prose(block.title), prose(block.asks)
-    if block.number:
-        points = prose(block.points)
-        return f'#asked([{block.label}. {title}], "{block.anchor}", [{asks}], [{points}])'
-    return f'#exercise([{title}], "{block.anchor}", [{asks}])'
+    title, asks, points = map(prose, (block.title, block.asks, block.points))
+    return f'#asked([{block.label}. {title}], "{block.anchor}", [{asks}], [{points}])'
 
 
 @typst_block.register
@@ -341,8 +306,12 @@ def _(block: b.DataTable) -> str:
     rows = [(_cell(row[0]), *(f"#align(right)[{_cell(x)}]" for x in row[1:])) for row in block.rows]
     columns = ", ".join(["auto"] * len(block.columns))
     head = [prose(words) for words in block.columns]
-    title = f"#title[{prose(block.title)}]"
-    return title + "\n" + _table(f"({columns},)", head, rows)
+    made = f"#title[{prose(block.title)}]\n" + _table(f"({columns},)", head, rows)
+    return f"#over[{made}]" if len(block.columns) > NARROW else made
+
+
+NARROW = 5
+"""Columns of a table that has room in one of two columns of a page."""
 
 
 def _cell(value: str | lay.Node) -> str:

@@ -155,7 +155,8 @@ def line_rows(
     words = _without_it(lecture, judged.line, above, notation, figures)
     words = _spoken(words, judged, notation)
     place = "line-" + re.sub(r"[^A-Za-z0-9]+", "-", id)
-    last = len(judged.line.equations) - 1
+    equations = chained(judged.line.equations)
+    last = len(equations) - 1
     return [
         b.Row(
             notation.written(equation),
@@ -164,8 +165,25 @@ def line_rows(
             words if k == 0 else "",
             anchor=place if k == last else "",
         )
-        for k, equation in enumerate(judged.line.equations)
+        for k, equation in enumerate(equations)
     ]
+
+
+def chained(equations: Sequence[Equation]) -> list[Equation]:
+    """Equations as they are printed: a ≈ b, b = c as a ≈ b = c."""
+    made: list[Equation] = []
+    for each in equations:
+        if made and not made[-1].tag and made[-1].sides[-1] == each.sides[0]:
+            signs = [sign for e in (made[-1], each) for sign in _signs(e)]
+            sides = (*made.pop().sides, *each.sides[1:])
+            each = Equation(*sides, relation=" ".join(signs), tag=each.tag)
+        made.append(each)
+    return made
+
+
+def _signs(equation: Equation) -> list[str]:
+    signs = equation.relation.split()
+    return signs if signs[1:] else signs * (len(equation.sides) - 1)
 
 
 def gaps(lecture: Lecture, ids: Iterable[str]) -> list[b.Block]:
@@ -211,6 +229,7 @@ def _spoken(words: b.Rich, judged: Judged, notation: Notation) -> b.Rich:
     old = [c for known in cited for c in known.conditions]
     old += () if move is None else move.where
     new = [c for c in judged.known.conditions if c not in old and c.relation not in ("=", "start")]
+    new = [c for c in new if not (c.relation == "≥" and c.expression.is_nonnegative)]
     if not (new and words and isinstance(words[-1], str)):
         return words
     made: list[Any] = [*words[:-1], words[-1].rstrip().rstrip(":")]

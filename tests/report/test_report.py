@@ -38,24 +38,20 @@ from rigidtop.proof.verdict import (
 from rigidtop.report import html, pdf, plain, tex, typst
 from rigidtop.report.blocks import (
     ClaimHead,
-    Conditions,
     DataTable,
     Display,
     Document,
-    ExerciseHead,
     Figure,
-    FoundList,
     Heading,
-    Measures,
-    Numbers,
+    Items,
+    Listing,
     Paragraph,
     Row,
-    Summary,
     anchor,
     groups,
     is_number,
 )
-from rigidtop.report.claims import claim_blocks, short_number
+from rigidtop.report.claims import claim_blocks, said_at, short_number
 from rigidtop.report.lecture import FORMATS, Picture, Wanted, fragment, write_lecture
 from rigidtop.report.record import document
 from rigidtop.terminal import files
@@ -79,7 +75,7 @@ from rigidtop.typeset.layout import layout
 from rigidtop.typeset.text import text
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="9pt"><g id="a"><use href="#a"/></g></svg>'
-FIGURE = Figure("small", "The caption of λ₁.", 'A "quoted" thing & more.')
+FIGURE = Figure("small", "The caption of λ₁.", 'A "quoted" thing & more.', 1)
 
 
 def _claim(name: str, says: str, reason: str = "") -> Claim:
@@ -160,8 +156,8 @@ def test_the_order_of_a_claim(judged):
         Paragraph,
         Display,
         Display,
-        Conditions,
-        Measures,
+        Items,
+        DataTable,
     ]
     assert [b.label for b in blocks if isinstance(b, Display)] == [
         "The notes print",
@@ -206,29 +202,31 @@ def test_the_engines_meaning_is_shown_where_it_says_something(judged):
 
 def test_a_false_claim_has_its_numbers_and_its_correction(judged):
     blocks = claim_blocks(judged[0][1][1])
-    (numbers,) = [block for block in blocks if isinstance(block, Numbers)]
-    assert numbers.said(text) == "the left side is undefined, the right side 343√2"
-    assert [(text(a), text(b)) for a, b in numbers.values] == [("Ω", "½"), ("θ", "0")]
+    (numbers,) = [b for b in blocks if isinstance(b, Paragraph) and b.label == "Counterexample"]
+    said = "at Ω = ½, θ = 0: the left side is undefined, the right side 343√2."
+    assert plain.rich(numbers.content) == said
     corrected = _labelled(judged[0][1][1], "Corrected form")
     assert text(corrected.rows[0].equation, "printed") == "I = λ₃ − λ₁"
     assert blocks[-1] == Paragraph(("This claim does not pass. It fails <somehow>.",))
 
 
 def test_equal_sides_are_said_once():
-    assert Numbers("", (), short_number(2), short_number(2)).said(text) == "both sides are 2"
+    assert plain.rich(said_at(Counterexample({}, Integer(2), Integer(2)))) == "both sides are 2"
 
 
 def test_the_front_counts_and_lists(lecture):
-    (summary,) = [block for block in lecture.blocks if isinstance(block, Summary)]
-    assert [(str(v), n) for v, n, _ in summary.rows] == [
-        ("proved", 1),
-        ("assuming", 1),
-        ("false", 1),
+    summary, found = [block for block in lecture.blocks if isinstance(block, Listing)]
+    assert [(*verdict, *count) for verdict, count, _ in summary.rows] == [
+        ("proved", "1"),
+        ("assuming", "1"),
+        ("false", "1"),
+        ("all", "3"),
     ]
-    (found,) = [block for block in lecture.blocks if isinstance(block, FoundList)]
-    assert [row.name for row in found.rows] == ["3.57", "no-number"]
-    assert plain.rich(found.rows[0].content) == "Not stated: sin θ ≠ 0 (the top is not upright)."
-    assert plain.rich(found.rows[1].content) == "I is λ₁ − λ₃. Corrected: I = λ₃ − λ₁."
+    assert [plain.rich(row[1]) for row in found.rows] == ["3.57", "no-number"]
+    assert [plain.rich(row[3]) for row in found.rows] == [
+        "Not stated: sin θ ≠ 0 (the top is not upright).",
+        "I is λ₁ − λ₃. Corrected: I = λ₃ − λ₁.",
+    ]
 
 
 def _listed(printed, *numbers):
@@ -239,8 +237,8 @@ def _listed(printed, *numbers):
     page = Page("3.2", "x", "y", ())
     judgement = Judgement(_claim("false", "It is not."), "3.2", Verdict.FALSE, made, 0.1)
     blocks = document([(page, (judgement,))]).blocks
-    (found,) = [block for block in blocks if isinstance(block, FoundList)]
-    return found.rows[0].content
+    _, found = [block for block in blocks if isinstance(block, Listing)]
+    return found.rows[0][3]
 
 
 def test_a_correction_with_a_fraction_is_listed(printed):
@@ -388,7 +386,7 @@ def test_latex_document(lecture):
     assert source.isascii() or "ü" in source
     assert {c for c in source if not c.isascii()} <= {"ü"}
     assert r"\tag{3.57}" in source
-    assert r"\rtdrawn{figures/small.pdf}" in source
+    assert r"\rtfigure{figures/small.pdf}{figure-small}{Figure 1}" in source
     assert source.count(r"\begin{align") == source.count(r"\end{align")
     used = set(re.findall(r"\\usepackage(?:\[[^]]*\])?\{([^}]*)\}", source))
     basic = (
@@ -473,41 +471,6 @@ def test_pdf_by_latexmk(lecture):
     source = tex.write(replace(lecture, blocks=tuple(b for b in lecture.blocks if b != FIGURE)), {})
     made = pdf.by_latexmk(shutil.which("latexmk") or "", source, {})
     assert made.startswith(b"%PDF")
-
-
-BESIDE = ExerciseHead("A short title", "claim-short", "asks little")
-BENEATH = ExerciseHead(
-    "A top that friction raises",
-    "claim-long",
-    "“friction will cause the point of contact of the top to do something that takes long to say”",
-)
-
-
-def _lines_of_a_pdf(made: bytes) -> list[str]:
-    pages = pypdf.PdfReader(io.BytesIO(made)).pages
-    return [line.strip() for page in pages for line in page.extract_text().splitlines()]
-
-
-def _heads(lines: list[str]) -> list[str]:
-    """Behind the contents."""
-    return lines[max(i for i, line in enumerate(lines) if line.startswith("Exercise: A short")) :]
-
-
-@pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
-def test_a_long_remark_stands_beneath_its_heading_in_latex():
-    source = tex.write(Document("T", "S", (BESIDE, BENEATH), "C"), {})
-    lines = _heads(_lines_of_a_pdf(pdf.by_latexmk(shutil.which("latexmk") or "", source, {})))
-    assert lines[0] == "Exercise: A short title asks little"
-    assert lines[1] == "Exercise: A top that friction raises"
-    assert lines[2].startswith("“friction will cause")
-
-
-def test_a_long_remark_stands_beneath_its_heading_in_typst():
-    source = typst.write(Document("T", "S", (BESIDE, BENEATH), "C"), {})
-    lines = _heads(_lines_of_a_pdf(pdf.by_typst(source, {})))
-    title = next(i for i, line in enumerate(lines) if "friction raises" in line)
-    assert lines[title] == "Exercise: A top that friction raises"
-    assert lines[title + 1].startswith("“friction will cause")
 
 
 def test_a_long_remark_may_stand_beneath_its_heading_in_html():
@@ -682,7 +645,7 @@ def test_the_printers_load_neither_matplotlib_nor_scipy():
 
 
 def test_every_figure_of_the_lecture_has_words():
-    for figure in (Picture(each.name, each, {}).described() for each in FIGURES):
+    for figure in (Picture(each.name, each, {}).described(1) for each in FIGURES):
         assert len(figure.alternative) > 80
         assert figure.alternative.isascii()  # it is spoken
         assert tex.rich((figure.caption,))

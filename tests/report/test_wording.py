@@ -78,7 +78,7 @@ def test_no_exercise_has_a_letter_for_two_things(solutions, notation, monkeypatc
         solution = solution_in(notation, each)
         drawn = picture(solution, notation)
         if drawn is not None:
-            drawn.described()
+            drawn.described(1)
         of_symbols(found, symbols_used(blocks(solution, notation=notation)))
         assert found
         assert ambiguous(found) == {}, solution.exercise.name

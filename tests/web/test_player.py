@@ -65,7 +65,7 @@ def test_it_is_markup_of_its_own_and_one_page(made):
 
 def lecture_of(made, *names):
     figures = "".join(
-        html._figure(each.described(), {each.name: both(each.drawing)[1].decode()})
+        html._figure(each.described(1), {each.name: both(each.drawing)[1].decode()})
         for each in PICTURES
         if each.name in names
     )
