@@ -87,6 +87,9 @@ class Ledger:
         """A letter that changes in time gives its rates too."""
         times = 3 if letter in self.moving else 1
         meant = {letter: value}
+        if times > 1 and value.free_symbols and not value.is_Symbol and self.total(value) == 0:
+            # T of ½mv² changes, and nothing says which of the letters there does.
+            times = 1
         for k in range(1, times):
             meant[dotted(letter, k)] = self.total(meant[dotted(letter, k - 1) if k > 1 else letter])
         coordinates = {*self.law.q} if self.law is not None else set()

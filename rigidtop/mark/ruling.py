@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy
-from sympy import Eq, Expr, Symbol
+from sympy import Expr, Symbol
 
 from rigidtop.proof.algebra import Letters
 from rigidtop.proof.equation import Equation, Meaning, Underbrace, as_printed, symbols_of, value
@@ -17,7 +17,6 @@ from rigidtop.proof.verdict import (
     Finding,
     UnneededAssumptionError,
     Verdict,
-    assertions,
     is_refuted,
     judge_check,
 )
@@ -197,54 +196,13 @@ def asserted(equation: Equation, check: Check) -> list[Equation]:
 
 def refutation(found: Finding, counterexample: Counterexample) -> str:
     """The numbers that refute a line: two sides that differ, or a rate that does not vanish."""
-    visible = _visible(found, counterexample)
-    at, left, right = refuted(visible)
+    at, left, right = refuted(counterexample)
     said = plain.rich(sides(left, right))
-    if None not in (visible.left, visible.right) and _apart(visible.left, visible.right) == 0:
+    if counterexample.left == counterexample.right and counterexample.left is not None:
         said = "it does not hold"
     elif left == right != "undefined":
         said = "it does not hold, by less than the digits that are shown"
-    if visible.right == 0 and found.check.claimed.sides[-1] == const and left != "undefined":
+    rate = counterexample.right == 0 and found.check.claimed.sides[-1] == const
+    if rate and left != "undefined":
         said = f"what is to be constant changes at the rate {plain.rich((left,))}"
     return f"{plain.rich(at)}: {said}" if at else said
-
-
-def _visible(found: Finding, counterexample: Counterexample) -> Counterexample:
-    """The counterexample with that pair of sides that differs most, where its own is equal."""
-    if counterexample.left is None or counterexample.right is None:
-        return counterexample
-    if _apart(counterexample.left, counterexample.right) > _VISIBLE:
-        return counterexample
-    pairs = []
-    for _, left, right in assertions(found.check.claimed, found.check.meaning):
-        shape = next((m.shape for m in (left, right) if isinstance(m, sympy.MatrixBase)), None)
-        sides = [
-            list(m)
-            if isinstance(m, sympy.MatrixBase)
-            else [m] * (shape[0] * shape[1] if shape else 1)
-            for m in (left, right)
-        ]
-        pairs += list(zip(*sides, strict=True))
-    equal = {a.condition.lhs: a.condition.rhs for a in found.check.assuming
-             if isinstance(a.condition, Eq)}  # fmt: skip
-    at = dict(counterexample.values)
-    exact = [
-        tuple(sympy.sympify(m).subs(equal).subs(equal).xreplace(at) for m in pair) for pair in pairs
-    ]
-    known = [pair for pair in exact if all(m.is_number for m in pair)]
-    left, right = max(known, key=lambda pair: _apart(*pair), default=(None, None))
-    if left is None or _apart(left, right) <= _VISIBLE:
-        return counterexample
-    return Counterexample(counterexample.values, left, right)
-
-
-_VISIBLE = 1e-9
-
-
-def _apart(left: Expr, right: Expr) -> float:
-    """How far two numbers are from each other, relative to them; 0 where one is none."""
-    try:
-        one, other = complex(left), complex(right)
-    except (TypeError, ValueError, OverflowError, ZeroDivisionError):
-        return 0.0
-    return abs(one - other) / (1 + abs(one) + abs(other))

@@ -542,14 +542,17 @@ def _fails(sides: Any, number: decide.Number, undefined_counts: bool) -> bool:
 def _counterexample(
     sides: Any, point: Mapping[Symbol, Expr], hidden: Mapping[Symbol, Expr]
 ) -> Counterexample:
-    """The first pair of sides that differ, exactly; else the first pair."""
+    """The first pair of sides that differ visibly, else exactly; else the first pair."""
     at = {
         **point,
         **{dummy: expression.xreplace(dict(point)) for dummy, expression in hidden.items()},
     }
     exact = [(_at(left, at), _at(right, at)) for _, pairs in sides for left, right in pairs]
-    left, right = next(((a, b) for a, b in exact if a != b), exact[0])
-    return Counterexample(dict(point), left, right)
+    number = decide.at({})
+    differ = [(a, b) for a, b in exact if a != b]
+    # A zero that is not seen to be one has digits far behind the point.
+    visible = ((a, b) for a, b in differ if None in (a, b) or decide.apart(number(a), number(b)))
+    return Counterexample(dict(point), *next(visible, [*differ, *exact][0]))
 
 
 def _at(expression: Expr, point: Mapping[Symbol, Expr]) -> Expr | None:
