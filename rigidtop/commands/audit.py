@@ -275,7 +275,9 @@ def _print(told: Sequence[Told]) -> None:
     of_claims = any(each.of is Of.CLAIM for each in told)  # then of the rest what is wrong
     rows = [
         (str(each.line), f"({each.name})" if each.name else "", each.verdict, each.words)
-        for each in sorted(told, key=lambda x: (x.of is Of.FILE, x.of is not Of.FILE and x.line))
+        for each in sorted(
+            told, key=lambda x: (x.of is Of.FILE, 0 if x.of is Of.FILE else x.line or 0)
+        )
         if each.display and (each.of is not Of.FILE or not of_claims or each.verdict == "false")
     ]
     print(table(rows, ("line", "equation", "verdict", "note"), colors=colors, right=(0,)))

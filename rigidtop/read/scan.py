@@ -413,19 +413,14 @@ class Scan(Calculus):
 
     def named_environment(self) -> tuple[str, int]:
         r"""The name of the environment that begins here, and where its ``\end`` stands."""
-        position = self.peek().position
-        name = plain(self.peek(1))
-        depth = 0
-        for i in range(self.at, len(self.items)):
-            depth += {r"\begin": 1, r"\end": -1}.get(self.items[i].text, 0)
-            if depth > DEEPEST:
-                raise UnreadError(f"nested deeper than {DEEPEST}", position)
-            if depth == 0:
-                ends = plain(*self.items[i + 1 : i + 2])
-                if ends != name:
-                    raise UnreadError(rf"\begin{{{name}}} that ends as {ends}", position)
-                return name, i
-        raise UnreadError(rf"\begin{{{name}}} without its \end", position)
+        position, name = self.peek().position, plain(self.peek(1))
+        end = self.closing(self.at, (r"\begin", r"\end"))
+        if end is None:
+            raise UnreadError(rf"\begin{{{name}}} without its \end", position)
+        ends = plain(*self.items[end + 1 : end + 2])
+        if ends != name:
+            raise UnreadError(rf"\begin{{{name}}} that ends as {ends}", position)
+        return name, end
 
     def system(self, name: str, inner: Sequence[Piece], position: int) -> Iterator[Token]:
         """Equations below one another, or the values that one side has in several cases."""

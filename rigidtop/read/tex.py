@@ -98,7 +98,8 @@ def pieces(text: str) -> tuple[Piece, ...]:
 def _atoms(text: str) -> Iterator[tuple[str, int]]:
     for match in _TEX.finditer(text):
         found = match[0]
-        if found.isspace() or (found[0] == "%" and found != "%"):
+        ends = text[match.end() : match.end() + 1]
+        if found.isspace() or (found[0] == "%" and (found != "%" or ends == "\n")):
             continue
         written = _written(found)
         if written is None:

@@ -192,7 +192,7 @@ SLIPS = [
      "a factor 2 at λ₁φ̇θ̇ sin θ cos θ"),
     ("from-3.53-to-3.56", r" - \dot\phi\dot\theta\sin\theta", "", 3, "partial", "∂/∂t where d/dt"),
     ("from-3.53-to-3.56", r"\lambda_3\dot\phi\cos\theta", r"\lambda_3\dot\phi", 2, "factor lost",
-     "cos θ is missing"),
+     "cos θ missing"),
     ("from-3.54-to-3.57", r"- (\lambda_3\omega_3)", r"+ (\lambda_3\omega_3)", 6, "sign",
      "the sign of (λ₃ω₃)Ω"),
     ("from-3.54-to-3.57", r"(\lambda_1\cos\theta)\Omega^2", r"(\lambda_1\cos\theta)\Omega", 6,
