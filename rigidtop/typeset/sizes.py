@@ -168,15 +168,23 @@ def _broken(node: lay.Node, limit: float, whole: float) -> list[lay.Node]:
         case lay.Product(factors=(*before, lay.Brackets() as last)) if width(node) > whole:
             head = lay.Product(tuple(before), node.joints[:-1]) if before[1:] else before[0]
             if _is_vector(last):  # a · before it would be the product of two
-                first, *rest = _broken(last, limit - width(head), whole - width(head))
+                first, *rest = _opened(last, limit - width(head), whole)
                 return [lay.Product((*before, first), node.joints), *rest]
             first, *rest = _broken(last, limit, whole)
             return [*_broken(head, limit, whole), lay.Infix("·", None, first), *rest]
-        case lay.Brackets(body=lay.Sum() as inside, shape="()") if width(node) > whole:
-            first, *rest = _broken(inside, limit - 1.5, whole)
-            if rest:
-                return [lay.Brackets(first, "(."), *rest[:-1], lay.Brackets(rest[-1], ".)")]
+        case lay.Brackets(shape="()") if width(node) > whole:
+            return _opened(node, limit, whole)
     return [node]
+
+
+def _opened(node: lay.Brackets, limit: float, whole: float) -> list[lay.Node]:
+    """A sum in round brackets, in lines."""
+    if node.shape != "()" or not isinstance(node.body, lay.Sum):
+        return [node]
+    first, *rest = _broken(node.body, limit - 1.5, whole)
+    if not rest:
+        return [node]
+    return [lay.Brackets(first, "(."), *rest[:-1], lay.Brackets(rest[-1], ".)")]
 
 
 def _is_vector(node: lay.Node) -> bool:
