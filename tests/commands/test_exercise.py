@@ -56,7 +56,7 @@ def test_settings_reach_the_numbers(capsys):
     assert found["passed"] is True
     answers = {answer["name"]: answer["value"] for answer in found["answers"]}
     assert answers["growth_rate"] == pytest.approx((0.8 * 9.81 * 0.6 / 2) ** 0.5)
-    assert [claim["verdict"] for claim in found["claims"]] == ["proved", "proved"]
+    assert [claim["verdict"] for claim in found["claims"]] == ["proved", "assuming"]
 
 
 def test_the_name_may_stand_behind_the_settings(capsys):
@@ -97,7 +97,7 @@ def test_a_number_that_is_not_confirmed_fails(capsys, monkeypatch):
     guess = Exercise("guess", "A guess", "3.2", "nowhere", "Guess.", (), (), solve)
     monkeypatch.setattr(home, "EXERCISES", (guess,))
     assert main(["exercise", "guess"]) == 1
-    assert "error 1.0e+00, tolerance 1.0e-09" in capsys.readouterr().out
+    assert re.search(r"the guess against the truth +1 +1 × 10⁻⁹", capsys.readouterr().out)
 
 
 @pytest.mark.parametrize("student", [True, False])
