@@ -98,6 +98,8 @@ def off_axis() -> Iterator[Evidence]:
     the plane of $e₁$ and $e₂$ is a principal axis, and $𝛚$ rests on it. Without naming axes: $𝛚$
     rests where $𝛚 × 𝐋 = 0$, that is along any eigenvector of $I$.
     """
+    for line in printed.lines("principal-stays")[:3]:
+        yield Formal(line, rates())
     yield Formal(
         printed(CONSTANT.replace("=", r"\neq")),
         rates(),
@@ -132,7 +134,7 @@ def axis_stability() -> Iterator[Evidence]:
     """
     from . import evidence
 
-    stable, unstable = itemgetter(5, 7)(printed.lines("axis-stability"))
+    growth, stable, unstable = itemgetter(2, 5, 7)(printed.lines("axis-stability"))
     momentum = printed(r"L^2 = \text{const}")
     turning = "+".join(rf"(1 - \frac{{\lambda_0}}{{\lambda_{k}}})\zeta_{k}^2" for k in (1, 2, 3))
     with_ball = printed(
@@ -140,6 +142,7 @@ def axis_stability() -> Iterator[Evidence]:
         rf" + \frac{{\lambda_3 - \lambda_2}}{{\lambda_2}}L_2^2 + \lambda_0\lambda_3({turning})"
     )
     meaning = {s.sigma2: axis_growth(3)}
+    yield Formal(growth, meaning)
     spins = Assumption(Ne(s.omega3, 0), "the body rotates", stated=True)
     differs = "no other moment equals that of the axis"
     unequal = (

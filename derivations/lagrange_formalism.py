@@ -48,7 +48,9 @@ def lagrangian() -> Iterator[Evidence]:
 @claim("3.54", "Equation of motion for $θ$.")
 def theta_equation() -> Iterator[Evidence]:
     """Lagrange's equation of (3.53) for $θ$."""
-    yield Check(printed("3.54"), {s.thetaddot: top.newton_euler_thetaddot()})
+    line = printed("3.54")
+    yield Check(line, {s.thetaddot: top.symmetric_top_accelerations()[0]})
+    yield Formal(line, {s.thetaddot: top.newton_euler_thetaddot()})  # without a Lagrangian
 
 
 @claim("3.55", "$p_φ$ is constant.")

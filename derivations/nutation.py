@@ -64,6 +64,8 @@ def nutation() -> Iterator[Evidence]:
 
     curvature = potential_slope(2)
     yield Step(Equation(s.U, top.top_effective_potential()), "Minus the Routhian at $θ̇ = 0$.")
+    meaning = {s.omega_n2: curvature / s.lambda1, s.g: steady_state()[s.g]}
+    yield Formal(printed.lines("nutation")[1], meaning)
     yield Formal(
         printed(r"\delta_{\theta} = 0"),
         {s.mean_theta: mean_shift(curvature, potential_slope(3))},
@@ -144,6 +146,7 @@ def friction() -> Iterator[Evidence]:
     """
     direction = Matrix([cos(s.theta), sin(s.theta), 0])
     sliding = {s.F: -s.mu * s.n * direction, s.v_tip: s.slip * direction}
+    yield Formal(printed.lines("friction")[2], {s.Edot: sliding[s.F].dot(sliding[s.v_tip])})
     yield Formal(
         printed(r"\dot E < 0"),
         {s.Edot: sliding[s.F].dot(sliding[s.v_tip])},

@@ -8,6 +8,7 @@ from dataclasses import replace
 from sympy import Eq, Expr, Gt, Matrix, Ne, Rational, cos, diag, pi, sin, symbols
 
 from rigidtop.proof.page import Assumption, Check, Correction, Evidence, Formal, Page, claim
+from rigidtop.theory import gyrostat
 from rigidtop.theory import symbols as s
 from rigidtop.theory.euler import (
     OMEGA,
@@ -269,7 +270,7 @@ def example_33() -> Iterator[Evidence]:
     spin = Matrix(toutatis.OMEGA_1992)
     momentum = diag(*toutatis.MOMENTS) * spin
     changes = dict(zip(OMEGA, spin, strict=True))
-    _, least, *_, falls = printed.lines("example-33")
+    _, least, *_, lost, falls = printed.lines("example-33")
     for line in printed.lines(
         r"\lambda_1 \neq \lambda_2, \lambda_2 \neq \lambda_3, \lambda_3 \neq \lambda_1"
     ):
@@ -294,6 +295,8 @@ def example_33() -> Iterator[Evidence]:
             Assumption(Ne(s.omega1, 0), "the rotation is another than about $e₃$", stated=True),
         ),
     )
+    rate, relative = gyrostat.along_flow(gyrostat.kinetic_energy()), Matrix(gyrostat.RELATIVE)
+    yield Formal(lost, {s.T_totdot: rate, s.zeta_vec: relative})
     yield Formal(
         falls,
         {s.T_totdot: -s.damping * s.delta**2},
