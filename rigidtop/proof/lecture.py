@@ -202,7 +202,7 @@ class Lecture:
 
     def judged(self, id: str) -> Judged:
         """What becomes of a line, and of all that it rests on."""
-        for each in (*self._ordered(self._closed(id)),):
+        for each in () if id in self._found else self._ordered(self._closed(id)):
             if each not in self._found:
                 standing = {cited: self._found[cited].known for cited in self.cites(each)}
                 line = with_standing(self.lines[each], standing)
