@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from sympy import cos, sin, sqrt, symbols
 
 from rigidtop.theory.polynomial import Polynomial
+from rigidtop.theory.rates import slope
 
 x, y, a, b = symbols("x y a b")
 p, q = symbols("p q", positive=True)
@@ -37,6 +38,12 @@ def test_a_ratio_keeps_its_value_in_every_form(above, below):
         assert float(made.subs(AT)) == pytest.approx(value, rel=1e-9, abs=1e-12)
         assert Polynomial(above / below - made).is_zero()
         assert not Polynomial(above / below - made + 1).is_zero()
+
+
+@settings(max_examples=40, deadline=None)
+@given(EXPRESSIONS, st.sampled_from([x, a, p]))
+def test_a_slope_is_the_derivative(expression, by):
+    assert Polynomial(slope(expression, by) - expression.diff(by)).is_zero()
 
 
 @pytest.mark.parametrize(
