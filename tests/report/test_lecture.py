@@ -125,7 +125,7 @@ def test_pages_have_no_white_gaps(paper, tmp_path):
     command = ["pdftoppm", "-r", "36", "-gray", "lecture.pdf", "page"]
     subprocess.run(command, cwd=tmp_path, check=True, timeout=120)
     reader = pypdf.PdfReader(io.BytesIO(paper))
-    # By Typst, which is there for those without LaTeX, the solutions are in one column.
+    # By Typst, which is there for those without LaTeX, pages are looser.
     columns = "TeX" in reader.metadata.get("/Creator", "")
     assert len(reader.pages) < (60 if columns else 100)
     starts = {
