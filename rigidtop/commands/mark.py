@@ -97,11 +97,12 @@ def run(options: argparse.Namespace) -> int:
 
 def _marked(source: str, options: argparse.Namespace) -> tuple[str, str, Marking]:
     """The marks of an answer, and the ends of the derivation, if it is one."""
-    from rigidtop.mark.exercise import answered
     from rigidtop.mark.limits import marked
 
     limits = options.seconds, 6 * options.seconds
     if options.exercise is not None:
+        from rigidtop.mark.exercise import answered  # with it NumPy, which a browser may not have
+
         return answered(options.exercise, source, options.given, *limits)
     start, goal = options.start, options.goal
     return start, goal, marked(source, start, goal, *limits)

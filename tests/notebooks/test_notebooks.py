@@ -125,7 +125,7 @@ def test_symbols_print_as_in_the_notes():
     }
     assert r"\lambda_{1}\dot{\omega}_{1} &= (\lambda_{2} - \lambda_{3})" in shown["1"]
     assert r"\dot{\psi} + \dot{\phi}\cos\theta" in shown["3"]
-    assert r"\lambda_{1}\ddot{\theta} &= \lambda_{1}\dot{\phi}^{2}" in shown["4"]
+    assert r"\ddot{\theta} &= \frac{(\lambda_{1}\dot{\phi}^{2}\cos\theta" in shown["4"]
     assert "lambda1" not in "".join(shown.values())
     assert "varphi" not in "".join(shown.values())
 
