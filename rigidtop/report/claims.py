@@ -225,10 +225,9 @@ def _condition(items: Sequence[TestedAssumption]) -> b.Rich:
     stated = "stated" if first.stated else "not stated"
     dropped = "it" if len(relations) == 1 else "the first"
     shown = relations[0] if len(relations) == 1 else lay.Listed(relations)
-    said: b.Rich = (shown, f"{words} ({stated}).")
-    if items[0].without is None:
-        return said
-    return (*said, f" Without {dropped}, ", *said_at(items[0].without), ".")
+    if items[0].without is None:  # its lines say it
+        return (shown, f"{words}.")
+    return (shown, f"{words} ({stated}). Without {dropped}, ", *said_at(items[0].without), ".")
 
 
 def refuted(found: Counterexample) -> tuple[b.Rich, b.Piece, b.Piece]:
