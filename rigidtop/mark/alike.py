@@ -92,13 +92,17 @@ def _says_enough(residual: Expr) -> bool:
     return len(letters) >= 4 and (rates or residual.has(sympy.Function, Rate, Partial))
 
 
-@lru_cache(maxsize=512)
 def _residuals(equation: Equation) -> tuple[Expr, ...]:
-    """What vanishes by each two sides: a sum of terms without quotients."""
-    made = []
-    sides = [side for side in equation.sides if side != const]
+    """What vanishes by each two sides: a sum of terms without quotients; of matrices nothing."""
+    sides = equation.sides
     if equation.relation not in ("=", "≡") or any(isinstance(x, sympy.MatrixBase) for x in sides):
         return ()
+    return _differences(tuple(side for side in sides if side != const))
+
+
+@lru_cache(maxsize=512)
+def _differences(sides: tuple[Expr, ...]) -> tuple[Expr, ...]:
+    made = []
     for left, right in combinations(sides[:4], 2):
         try:
             over, _ = sympy.fraction(sympy.together(_bare(left) - _bare(right)))
