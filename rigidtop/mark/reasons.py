@@ -375,6 +375,8 @@ class Reasons(Ledger):
         """
         written = letters(case.left) | letters(case.right)
         given = {x: self.given[x] for x in written if x in self.given}
+        if not case.symbols:  # a number of one case, and of another
+            return False
         if case.rests & self.doubted or any(x.section != self.section for x in given.values()):
             return False
         if [*given] == [case.left]:
