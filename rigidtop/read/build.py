@@ -360,7 +360,7 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
         for entry in entries:
             if entry.kind != "scalar" and (entry.explicit or not self.notation.open):
                 raise UnreadError(f"a {entry.kind} as an entry", entry.position)
-        tree = sympy.Matrix([[entry.tree for entry in row] for row in rows])
+        tree = sympy.ImmutableMatrix([[entry.tree for entry in row] for row in rows])
         digits = max(entry.digits for entry in entries)
         return built(tree, kind(tree), *entries, digits=digits, position=position)
 

@@ -12,7 +12,7 @@ const [STONE, BRASS, STEEL] = ["#a3968a", "#c79a3a", "#aab4be"];
 /** How far a body may reach from the origin, in units of the sphere of e₃. */
 const REACH = 0.72;
 
-/** A surface of revolution about z from a profile of (radius, z), upwards; each point is an edge. */
+/** A surface of revolution about z from a profile of (radius, z) upwards; each point is an edge. */
 function turned(
   /** @type {readonly (readonly [number, number])[]} */ profile, /** @type {number} */ segments,
 ) {
