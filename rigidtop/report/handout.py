@@ -27,12 +27,16 @@ from rigidtop.report.symbols import symbol_list
 from rigidtop.report.ways import cited_figures, text_blocks
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.nodes import Chain, Grid, Node
+from rigidtop.typeset.sentences import printed_unit
 from rigidtop.typeset.sizes import width
 
 LEGEND: Mapping[Verdict, str] = {
     Verdict.PROVED: "the line was shown to hold, in symbols",
     Verdict.SAMPLED: "it holds at random points to 40 digits, and was not shown in symbols",
-    Verdict.ASSUMING: "it holds under the condition beside it, which the notes do not state",
+    Verdict.ASSUMING: (
+        "it holds under the condition beside it, which the notes do not state, or under one that "
+        "its lines say"
+    ),
     Verdict.CONVENTION: "right in content, at odds with the notes’ own definitions",
     Verdict.FALSE: "it does not hold as the notes have it; the right form stands beneath",
     Verdict.UNDECIDED: "neither shown nor refuted",
@@ -56,12 +60,15 @@ def marked(judgement: Judgement, text: Text | None = None) -> tuple[b.Mark | b.B
 
 
 def _note(judgement: Judgement) -> b.Rich:
-    """Under which conditions that the notes do not state a claim holds."""
+    """Under which conditions that the notes do not state a claim holds.
+
+    What its lines divide by, they say themselves.
+    """
     if judgement.verdict is not Verdict.ASSUMING:
         return ()
     together: dict[str, list[Node]] = {}
     for item in tested(judgement):
-        if not item.assumption.stated:
+        if not item.assumption.stated and item.without is not None:
             words = item.assumption.words.rstrip(".")
             together.setdefault(words, []).append(condition(item.assumption))
     pieces: list[b.Piece] = []
@@ -350,7 +357,7 @@ def _apart(value: float | str, unit: str) -> tuple[str | Node, str]:
         return value, ""
     number, *rest = written(value, unit)
     assert not isinstance(number, b.Cited | b.Unit)
-    return number, rest[0].letters if rest and isinstance(rest[0], b.Unit) else "1"
+    return number, printed_unit(rest[0].letters) if rest and isinstance(rest[0], b.Unit) else "1"
 
 
 # --- Front and back ------------------------------------------------------------------------------
