@@ -15,6 +15,7 @@ from rigidtop.proof.verdict import (
 from rigidtop.typeset import sizes
 from rigidtop.typeset.layout import Order
 from rigidtop.typeset.nodes import Node
+from rigidtop.typeset.sentences import printed_unit
 
 Judged = Sequence[tuple[Page, Sequence[Judgement]]]
 
@@ -91,7 +92,7 @@ class Unit:
     @property
     def spaced(self) -> str:
         """With the thin space that stands before it."""
-        return self.letters if self.letters[:1] in "°″%" else "\u2009" + self.letters
+        return self.letters if self.letters[:1] in "°″%" else "\u2009" + printed_unit(self.letters)
 
 
 Piece = str | Node | Cited | Unit | Verdict

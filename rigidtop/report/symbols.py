@@ -10,6 +10,7 @@ from rigidtop.report.blocks import Block, Display, Heading, Symbols
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import VOCABULARY
 from rigidtop.typeset.layout import layout
+from rigidtop.typeset.sentences import printed_unit
 
 
 def symbol_list(
@@ -34,7 +35,7 @@ def symbol_list(
     if order is not None:
         quantities.sort(key=lambda pair: order.get(pair[0].name, len(order)))
     rows = tuple(
-        (layout(symbol), quantity.meaning, quantity.unit)
+        (layout(symbol), quantity.meaning, printed_unit(quantity.unit))
         for symbol, quantity in quantities
         if quantity.glyph.base != "const"
     )

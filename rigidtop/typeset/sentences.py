@@ -62,13 +62,23 @@ def tied(text: str) -> str:
 
     A thin space stands there, as in the tables; before a word, such as days, a whole one.
     """
-    return _APART.sub("\u202f", _COUNTED.sub("\u00a0", text))
+    return _APART.sub("\u202f", _COUNTED.sub("\u00a0", printed_unit(text)))
 
 
+def printed_unit(text: str) -> str:
+    """A unit, or a sentence with units, as it is printed.
+
+    >>> printed_unit("1/s²"), printed_unit("rate (1/s)"), printed_unit("rad/s")
+    ('s⁻²', 'rate (s⁻¹)', 'rad/s')
+    """
+    return _PER_SECOND.sub(lambda found: f"s⁻{found[1] or '¹'}", text)
+
+
+_PER_SECOND = re.compile(r"(?<![\w$/.)])1/s(²?)(?![\w²³])")
 _NAMES = r"(?:kg|rad|[cmk]?m|[mkμ]?J|[NWs%])(?![A-Za-z])"
 _COUNTED = re.compile(r"(?<=\d) (?=(?:days|turns)\b)|(?<=\d\$) (?=(?:days|turns)\b)")
 _APART = re.compile(
-    rf"(?<=[\d∞]) (?={_NAMES})|(?<=[\d∞]\$) (?={_NAMES})"
+    rf"(?<=[\d∞⁰¹²³⁴-⁹]) (?={_NAMES})|(?<=[\d∞⁰¹²³⁴-⁹]\$) (?={_NAMES})"
     r"|(?:(?<=\b[NJ])|(?<=\bkg)) (?=[ms](?![A-Za-z]))"
 )
 
