@@ -82,6 +82,11 @@ class Notation:
         """
         return translated(tree, self.images)
 
+    def named(self, tree: Expr) -> Any:
+        """As `written`; a letter alone is the name of an angle, wherever that is counted from."""
+        image = self.images.get(tree) if isinstance(tree, Symbol) else None
+        return image.symbol if image is not None and image.quarters else self.written(tree)
+
     def in_notes(self, tree: Expr) -> Expr:
         """The way back: what is in this notation's symbols, in those of the notes."""
         return translated(tree, self._back)

@@ -8,7 +8,7 @@ result reads as a book would print it.  What was typed stays in the order of typ
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from typing import Any
@@ -23,8 +23,10 @@ from rigidtop.proof.equation import (
     Group,
     IntegralOver,
     Matrices,
+    Partial,
     Printed,
     Rate,
+    Slope,
     SumOver,
     Transposed,
     Underbrace,
@@ -122,6 +124,10 @@ def _signed(tree: Expr, images: Images) -> Signed:
         return _power(tree, images)
     if isinstance(tree, Derivative):
         return _derivative(tree, images)
+    if isinstance(tree, (Partial, Slope)) and all(x.is_Symbol for x in tree.args[1:]):
+        negative, by = _variables([(x, 1) for x in tree.args[1:]], images)
+        minus, body = _signed(tree.args[0], images)
+        return negative ^ minus, tree.func(body, *(x for x, _ in by))
     if isinstance(tree, Underbrace):
         return _brace(tree, images)
     if isinstance(tree, (Mul, Cross, Dot)):
@@ -205,12 +211,20 @@ def _power(tree: Pow, images: Images) -> Signed:
 
 def _derivative(tree: Derivative, images: Images) -> Signed:
     negative, body = _signed(tree.expr, images)
-    variables = []
-    for variable, count in tree.variable_count:
+    minus, variables = _variables(tree.variable_count, images)
+    return negative ^ minus, Derivative(body, *variables)
+
+
+def _variables(
+    variables: Iterable[tuple[Symbol, int]], images: Images
+) -> tuple[bool, list[tuple[Symbol, int]]]:
+    """What is differentiated by, and the sign that comes up: an offset changes no derivative."""
+    negative, made = False, []
+    for variable, count in variables:
         image = images.get(variable, Image(variable))
         negative ^= image.negative and bool(count % 2)
-        variables.append((image.symbol, count))
-    return negative, Derivative(body, *variables)
+        made.append((image.symbol, count))
+    return negative, made
 
 
 def _trigonometric(tree: Expr, images: Images) -> Signed:

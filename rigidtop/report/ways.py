@@ -257,7 +257,7 @@ def running(
             made += _with_figures(piece, figures)
         else:
             unread = getattr(piece, "latex", None)
-            made.append(_marked(unread) if unread else layout(notation.written(piece), "printed"))
+            made.append(_marked(unread) if unread else layout(notation.named(piece), "printed"))
     return tuple(made)
 
 

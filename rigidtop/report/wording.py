@@ -91,6 +91,11 @@ class Wording:
         if _A_UNIT.fullmatch(piece):
             return piece
         whole = opened(piece)
+        named = self._images.get(unicodedata.normalize("NFC", whole.strip()))
+        if (
+            named is not None and named.quarters
+        ):  # the name of an angle, wherever it is counted from
+            return text(named.symbol)
 
         def other(found: re.Match[str]) -> str:
             if not found["letter"] or (turned and found["letter"][0] == "R"):
@@ -158,7 +163,7 @@ class Wording:
         symbol = names.get(parameter.name.replace("_dot", "dot"))
         shown = "" if symbol is None else self(f"${letter(VOCABULARY[symbol].glyph)}$")
         there = re.search(rf"(?<!\w){re.escape(unmarked(shown))}(?!\w)", unmarked(about))
-        return about if there else f"{about}, {shown}"
+        return about if there or not shown else f"{about}, {shown}"
 
     def symbols(self, block: Block) -> Block:
         """A list of symbols with their meanings in the notation; any other block as it is."""

@@ -11,7 +11,8 @@ from sympy import Matrix, Ne, Rational, cos, diff, pi, sin, tan
 
 from rigidtop.notation import BUILT_IN, GOLDSTEIN, NOTES, named
 from rigidtop.notation.translate import is_typed
-from rigidtop.proof.equation import Cross, Equation, Group, Underbrace, as_printed, value
+from rigidtop.proof.equation import Cross, Equation, Group, Partial, Underbrace, as_printed, value
+from rigidtop.report.wording import Wording
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.rotation import euler_matrix, euler_omega, rotation_x, rotation_z
@@ -178,6 +179,17 @@ def test_a_typed_equation_stays_typed():
 def test_a_derivative_is_by_the_angle_itself():
     potential = sympy.Derivative(s.V, s.phi)
     assert GOLDSTEIN.written(potential) == sympy.Derivative(s.V, GOLDSTEIN.letters[s.phi])
+    phi, omega = GOLDSTEIN.letters[s.phi], GOLDSTEIN.letters[s.omega2p]
+    assert GOLDSTEIN.written(Partial(s.Lagrangian, s.phi)).args[1] == phi
+    assert text(GOLDSTEIN.written(Partial(s.T, s.omega1p))) == f"−∂T/∂{text(omega)}"
+
+
+def test_the_name_of_an_angle_does_not_know_where_it_is_counted_from():
+    assert text(GOLDSTEIN.named(s.phi)) == "φ"
+    assert text(GOLDSTEIN.named(sympy.Eq(s.phi, 0))) == text(GOLDSTEIN.written(sympy.Eq(s.phi, 0)))
+    assert Wording(GOLDSTEIN)("Neither $φ$ nor $ψ$, but $φ = 0$") == (
+        "Neither $φ$ nor $ψ$, but $φ − ½π = 0$"
+    )
 
 
 def test_the_same_letter_for_another_angle_is_another_symbol():

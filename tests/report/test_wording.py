@@ -11,6 +11,7 @@ from matplotlib.text import Text
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.figures.catalog import FIGURES
 from rigidtop.notation import BUILT_IN, named
+from rigidtop.parameters import Parameter
 from rigidtop.report.claims import claim_blocks
 from rigidtop.report.lecture import exercise_fragment, fragment, picture, solution_in
 from rigidtop.report.solutions import blocks, solved
@@ -161,3 +162,8 @@ def test_the_notes_stay_as_they_are(judgements):
     assert words.of(each) is each
     assert words.drawing(FIGURES[0]) is FIGURES[0]
     assert words("λ₁") == "λ₁"
+
+
+def test_a_setting_without_a_letter_is_its_words():
+    mass = Parameter("m1", 1.0, "mass of point 1", "kg")
+    assert Wording(named("goldstein")).of(mass).about == "mass of point 1"
