@@ -381,6 +381,10 @@ def is_number(name: str) -> bool:
     return bool(re.fullmatch(r"\d+\.\d+[a-z]?", name))
 
 
+IN_COLUMNS = ("solutions", "laws")
+"""The anchors of headings beneath which the page has two columns."""
+
+
 def anchor(name: str) -> str:
     """A name for links: letters, digits and hyphens."""
     return "claim-" + re.sub(r"[^A-Za-z0-9]+", "-", name).strip("-")

@@ -24,7 +24,7 @@ from rigidtop.report import plain
 from rigidtop.report.claims import condition, derivation, refuted, sides, tagged_rows, tested
 from rigidtop.report.solutions import SMALLEST_ANGLE, TABLE_DIGITS, Solution, shown
 from rigidtop.report.symbols import symbol_list
-from rigidtop.report.ways import cited_figures, text_blocks
+from rigidtop.report.ways import cited_figures, law_blocks, text_blocks
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.nodes import Chain, Grid, Node
 from rigidtop.typeset.sentences import printed_unit
@@ -307,6 +307,12 @@ def answer(solution: Solution, parts: Parts, told: Mapping[str, str]) -> list[b.
     return made
 
 
+def laws(lines: Lecture, shown: Collection[str], notation: Notation) -> list[b.Block]:
+    """What the derivations of the `shown` pages start from."""
+    made = law_blocks(lines, shown, notation)
+    return [b.Heading(1, "", "Laws and definitions", "laws"), *made] if made else []
+
+
 def _called(claim: Claim, section: str) -> b.Rich:
     """A claim of the lecture, to be looked up."""
     name = b.Cited(f"({claim.name})", b.anchor(claim.name)) if b.is_number(claim.name) else None
@@ -470,7 +476,7 @@ def parted(blocks: Sequence[b.Block]) -> list[b.Block]:
         if isinstance(block, b.Heading):
             level, part = block.level, 0
             noted.clear()
-            room = COLUMN if block.anchor == "solutions" else ROOM
+            room = COLUMN if block.anchor in b.IN_COLUMNS else ROOM
             made.append(block)
         elif isinstance(block, b.Subhead):
             part = 1

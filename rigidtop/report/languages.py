@@ -20,6 +20,8 @@ Exercises | Aufgaben | Exercices | Ejercicios | Esercizi
 Solution | Lösung | Solution | Solución | Soluzione
 Solutions of the exercises | Lösungen der Aufgaben | Solutions des exercices \
 | Soluciones de los ejercicios | Soluzioni degli esercizi
+Laws and definitions | Gesetze und Definitionen | Lois et définitions | Leyes y definiciones \
+| Leggi e definizioni
 Summary of results | Zusammenfassung der Ergebnisse | Résumé des résultats \
 | Resumen de los resultados | Riassunto dei risultati
 What rests on what | Was worauf beruht | Ce qui repose sur quoi | Qué se apoya en qué \

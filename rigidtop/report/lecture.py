@@ -244,6 +244,9 @@ def lecture(
     blocks += handout.sections(judged, solutions, parts)
     if not student and solutions:
         blocks += handout.solutions(solutions, parts, told)
+    if not student:
+        texts |= {each.text.name for each in solutions if each.text is not None}
+    blocks += handout.laws(lines, texts, notation)
     blocks += handout.summary(judged)
     chart = _map(lines, notation)
     if chart is not None:

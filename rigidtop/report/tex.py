@@ -91,7 +91,7 @@ def _joined(blocks: Sequence[b.Block], figures: Mapping[str, str]) -> Iterator[s
     pending = ""
     solved = False
     for block, after in zip(blocks, [*blocks[1:], None], strict=True):
-        if isinstance(block, b.Heading) and solved != (block.anchor == "solutions"):
+        if isinstance(block, b.Heading) and solved != (block.anchor in b.IN_COLUMNS):
             solved = not solved
             pending = "\\rtsolutions\n" if solved else "\\rtrest\n"
         words = pending + _shown(block, figures)

@@ -23,7 +23,7 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
     for block in document.blocks:
         if isinstance(block, b.Heading):
             made += ends
-            ends = ["]"] if block.anchor == "solutions" else []
+            ends = ["]"] if block.anchor in b.IN_COLUMNS else []
             made += ["#solutions["] * len(ends)
         if isinstance(block, b.Figure):
             made.append(_figure(block, figures[block.name]))

@@ -17,7 +17,7 @@ from rigidtop.notation.characters import TEX_GREEK
 from rigidtop.proof.algebra import Letters
 from rigidtop.proof.derivation import Judged, Line, diagnose
 from rigidtop.proof.equation import Equation
-from rigidtop.proof.lecture import Heading, Lecture, Shown, Text
+from rigidtop.proof.lecture import Heading, Lecture, Prose, Shown, Text
 from rigidtop.proof.moves import Condition
 from rigidtop.proof.units import UnitsError
 from rigidtop.proof.verdict import Judgement, Led
@@ -113,6 +113,37 @@ def text_blocks(
             place(block.pieces)
     close()
     return [*blocks, *gaps(lecture, [line.id for line in text.lines])]
+
+
+def law_blocks(
+    lecture: Lecture, shown: Collection[str], notation: Notation = NOTES
+) -> list[b.Block]:
+    """The laws and definitions that the `shown` pages cite, as they stand on other pages."""
+    cited = {
+        id
+        for page in lecture.texts
+        if page.name in shown
+        for line in page.lines
+        for id in lecture.cites(line.id)
+    } & lecture.laws
+    blocks: list[b.Block] = []
+    for page in lecture.texts:
+        if page.name in shown or not cited & {line.id for line in page.lines}:
+            continue
+        head: list[b.Block] = []
+        for block in page.blocks[1:] if _is_title(page) else page.blocks:
+            if isinstance(block, Heading):
+                name = plain.rich(running(block.pieces, notation)).removeprefix("Laws: ")
+                head = [b.Subhead(name[:1].upper() + name[1:])]
+            elif isinstance(block, Prose):
+                (head or blocks).append(b.Paragraph(running(block.pieces, notation)))
+            elif block.line is not None and block.line.id in cited:
+                first, *rest = line_rows(lecture, block.line.id, notation)
+                source = running(block.line.source, notation)
+                words = (*source, " ", *first.spoken) if source else first.spoken
+                blocks += [*head, b.Display((replace(first, reason=words), *rest))]
+                head = []
+    return blocks
 
 
 _FIGURE = re.compile(r"\[([^\]]+)\]\(#figure-([\w-]+)\)")

@@ -38,6 +38,7 @@ from rigidtop.report.handout import written
 from rigidtop.report.languages import SHOWN, WORDS, translated
 from rigidtop.report.lecture import FORMATS, Edition, fragment, lecture, record, sheet
 from rigidtop.report.symbols import symbols_used
+from rigidtop.report.ways import law_blocks
 from rigidtop.theory import symbols as s
 from rigidtop.theory.lettered import known
 from rigidtop.typeset.text import text
@@ -323,6 +324,18 @@ def test_a_false_statement_stands_with_its_numbers_and_its_right_form(document):
 
 def _paragraph(document, place):
     return [block for block in document.blocks if isinstance(block, Paragraph)][place]
+
+
+def test_the_laws_that_pages_cite_are_printed(document, lines):
+    rows = [row for block in document.blocks if isinstance(block, Display) for row in block.rows]
+    laws = {"1.20", "2.84", "2.85", "3.12", "3.26", "3.32"}
+    assert laws <= {row.tag for row in rows}
+    cited = {p.anchor for row in rows for p in row.reason if isinstance(p, Cited)}
+    assert "claim-1-20" in cited
+    alone = law_blocks(lines, {"opening"})
+    own = {row.tag for block in alone if isinstance(block, Display) for row in block.rows}
+    assert laws & own == {"3.12"}
+    assert law_blocks(lines, {"laws"}) == []
 
 
 def test_figures_are_numbered_in_order_and_cited(document):
