@@ -57,15 +57,15 @@ HALVINGS = 6
     "Rotations form a group, but their order matters",
     section="3.4",
     asks="“these matrices form a group (see math)”",
-    statement="Let $A$ be a turn by the angle $α$ about $𝐧₁$, $B$ one by $β$ about $𝐧₂$, and "
-    "$γ$ is the angle between these axes. Show that $A B$ is a rotation, and find its angle "
+    statement="Let $A$ be a turn by the angle $2α₁$ about $𝐧₁$, $B$ one by $2α₂$ about $𝐧₂$, and "
+    "$γ$ the angle between these axes. Show that $A B$ is a rotation, and find its angle "
     "and axis. Convince yourself of what else makes a group: a neutral element, inverses, $(AB)C "
     "= A(BC)$.\n\nThe order matters: by what angle do $A B$ and $B A$ differ? Halve both angles "
     "again and again: what is that angle for small turns, and about which axis?",
     claims=(rotation_group, product_of_rotations, commutator_of_rotations),
     parameters=(
-        Parameter("alpha", pi / 2, "angle $α$ of $A$", "rad", least=-pi, most=pi),
-        Parameter("beta", pi / 2, "angle $β$ of $B$", "rad", least=-pi, most=pi),
+        Parameter("alpha", pi / 2, "angle $2α₁$ of $A$", "rad", least=-pi, most=pi),
+        Parameter("beta", pi / 2, "angle $2α₂$ of $B$", "rad", least=-pi, most=pi),
         Parameter("gamma", pi / 2, "angle $γ$ between the axes", "rad", least=0, most=pi),
     ),
     figure="order-of-rotations",
@@ -109,7 +109,7 @@ def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[
     yield Table(
         "small_turns",
         "Both angles halved: the angle of $A B A⁻¹B⁻¹$ and its axis",
-        ("$α$ (rad)", "$β$ (rad)", "angle (rad)", "angle over $α β$", "$x$", "$y$", "$z$"),
+        ("$2α₁$ (rad)", "$2α₂$ (rad)", "angle (rad)", "angle over $4α₁α₂$", "$x$", "$y$", "$z$"),
         tuple(_commutator(first, second, alpha / 2**k, beta / 2**k) for k in range(HALVINGS + 1)),
     )
 

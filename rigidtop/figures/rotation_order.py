@@ -174,7 +174,7 @@ def _caption(alpha: float, beta: float, gamma: float) -> str:
     if apart < SAME:
         differ = "Both end alike."
     return (
-        f"A book turned by $A$, $α = {degrees(alpha)}$ about $𝐧₁$, and by $B$, $β = "
+        f"A book turned by $A$, $2α₁ = {degrees(alpha)}$ about $𝐧₁$, and by $B$, $2α₂ = "
         f"{degrees(beta)}$ about $𝐧₂$, axes at $γ = {degrees(gamma)}$ that stay where they are. "
         "Above $B$ comes first, below $A$; the matrix of what comes later stands to the left. $A "
         f"B$ is one turn, by {degrees(found['angle'])} about the axis ({axis}), $𝐧₁$ being along "
