@@ -124,8 +124,8 @@ def draw_polhodes(axes: Axes, body: FreeBody) -> None:
 
 
 def _three(lambda1: float, lambda2: float, lambda3: float) -> str:
-    values = ", ".join(map(said, (lambda1, lambda2, lambda3)))
-    return f"$λ₁$, $λ₂$, $λ₃ = {values}$ kg m²"
+    values = ", ".join(said(moment, 4) for moment in (lambda1, lambda2, lambda3))
+    return f"$λ₁$, $λ₂$, $λ₃ = {values}$"
 
 
 def _polhodes_caption(**moments: float) -> str:
@@ -140,7 +140,7 @@ def _polhodes_caption(**moments: float) -> str:
         which = "two moments are equal, and all of them are circles"
     return (
         "Polhodes: the ways of $𝛚$ in the body frame on the energy ellipsoid "
-        f"$Σ λₖωₖ² = 2T$, for {_three(**moments)}; {which}. Dashed: behind."
+        f"$Σ λₖωₖ² = 2T$, for {_three(**moments)} kg m²; {which}. Dashed: behind."
     )
 
 
@@ -230,7 +230,7 @@ def _flip_caption(lambda1: float, lambda2: float, lambda3: float, omega: float, 
     least, middle = _order(FreeBody(lambda1, lambda2, lambda3))
     return (
         f"The flip about the middle axis $e{'₁₂₃'[middle]}$: $ω$ in the body frame for "
-        f"{_three(lambda1, lambda2, lambda3)}, from {said(omega)} rad/s about that axis and "
+        f"{_three(lambda1, lambda2, lambda3)} kg m², from {said(omega)} rad/s about that axis and "
         f"{said(kick)} rad/s about $e{'₁₂₃'[least]}$. The body turns over every "
         f"{said(motion.nutation_period)} s (dotted)."
     )
@@ -390,8 +390,9 @@ def _tumbling_caption(omega1: float, omega2: float, omega3: float, **moments: fl
     rates = ", ".join(map(said, motion.omega))
     in_body, in_space = _tumbling_course(motion)
     return (
-        f"A free body with {_three(**moments)} and at first $ω₁$, $ω₂$, $ω₃ = {rates}$ rad/s. "
-        f"Left: in the body {in_body}. Right: in space {in_space}. Dots: at first."
+        f"A free body with {_three(**moments)} (in any unit) and at first $ω₁$, $ω₂$, "
+        f"$ω₃ = {rates}$ rad/s. Left: in the body {in_body}. Right: in space {in_space}. "
+        "Dots: at first."
     )
 
 
@@ -430,9 +431,9 @@ TUMBLING = Drawing(
     "A tumbling body such as Toutatis, in the body frame and in space",
     "",
     (
-        Parameter("lambda1", 3.0836, "moment about $e₁$", "kg m²", above=0),
-        Parameter("lambda2", 3.235, "moment about $e₂$", "kg m²", above=0),
-        Parameter("lambda3", 1.0, "moment about $e₃$", "kg m²", above=0),
+        Parameter("lambda1", 3.0836, "moment about $e₁$", above=0),
+        Parameter("lambda2", 3.235, "moment about $e₂$", above=0),
+        Parameter("lambda3", 1.0, "moment about $e₃$, in the same unit", above=0),
         Parameter("omega1", _per_day(14.51), "$ω₁$ at the start", "rad/s"),
         Parameter("omega2", _per_day(33.529), "$ω₂$ at the start", "rad/s"),
         Parameter("omega3", _per_day(-98.709), "$ω₃$ at the start", "rad/s"),
