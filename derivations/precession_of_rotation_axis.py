@@ -246,9 +246,10 @@ def free_fall() -> Iterator[Evidence]:
         torque,
         {symbols("k"): terms, s.R_CM: centre},
         (
-            Assumption(Eq(s.kappa, 0), "gravity is uniform across the body"),
+            Assumption(Eq(s.kappa, 0), "gravity has no gradient $κ$ across the body"),
             Assumption(
-                Eq(s.F_1, 0), "no air pushes one part more than another, here the first particle"
+                Eq(s.F_1, 0),
+                "beside the weights there is no push $F₁$ of the air on one particle alone",
             ),
         ),
     )

@@ -28,12 +28,10 @@ WEAK = Assumption(
     stated=True,
     otherwise=top.smallness(),
 )
-NO_NUTATION = Assumption(Eq(s.thetadot, 0), "$θ$ does not change: there is no nutation")
+NO_NUTATION = Assumption(Eq(s.thetadot, 0), "$θ$ does not change")
 STEADY = Assumption(
     Eq(s.thetaddot, 0),
-    "the top is set going steadily; released with $𝛚$ along $e₃$ it nutates, and the equation "
-    "holds on "
-    "average",
+    "the top precesses steadily, or on average over its nutation",
 )
 SPINNING = Assumption(Ne(s.omega3, 0), "the top spins about $e₃$", stated=True)
 
