@@ -139,7 +139,9 @@ def azimuth_of_a_motion(
     error = float(np.abs(by_momenta - seen).max()) / largest
     yield Measure("$φ̇$ by (3.45) against the azimuth of $e₃$, relative", error, 1e-8)
 
-    yield Answer("at_the_upright", "$φ̇ → L₃/2λ₁$ for $L_z = L₃$", spin / (2 * top.lambda1), "rad/s")
+    yield Answer(
+        "at_the_upright", "$φ̇ → L₃/(2λ₁)$ for $L_z = L₃$", spin / (2 * top.lambda1), "rad/s"
+    )
     passes = tuple(_pass(top, theta, omega3, miss) for miss in MISSES)
     yield Table(
         "near_the_upright",

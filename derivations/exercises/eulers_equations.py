@@ -111,13 +111,16 @@ def stable_axes(
     part, _ = flip_constants(moments, omega, kick)
     yield Answer("growth_rate", "rate $σ$ at which $ω$ leaves the middle axis", rate, "1/s")
     yield Answer(
-        "time_to_leave", "time until $ω₁ = ω$ by kick $· cosh σt$", acosh(omega / kick) / rate, "s"
+        "time_to_leave",
+        "time until $ω₁$ is $ω$ if it grows as kick $· cosh σt$",
+        acosh(omega / kick) / rate,
+        "s",
     )
     yield Answer("flip_time", "time of one flip, from $ω$ to $−ω$ about $e₂$", seconds, "s")
     yield Answer("period", "time until $ω$ in the body is what it was", 2 * seconds, "s")
     yield Answer(
         "flip_estimate",
-        "the flip for a small kick, ($2/σ$) $ln(4/√m₁)$, for comparison",
+        "the flip for a small kick, ($2/σ$) $ln(4/√(1 − m))$, for comparison",
         2 / rate * log(4 / sqrt(part)),
         "s",
     )

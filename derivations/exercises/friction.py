@@ -311,7 +311,7 @@ def small_tilt_time(
     "waking-top",
     "A sleeping top that the air wakes",
     section="3.5.4",
-    asks="“the overall rotation to loose energy”",
+    asks="“the overall rotation to loose [sic] energy”",
     statement="A top with a sharp tip that friction holds in place sleeps upright with the spin "
     "$ω₃$. The air brakes its spin with the torque $c₃ω₃$. When has the spin come down to the "
     "sleeping spin? A disturbance leaves a small tilt with $θ̇ = 0$ and with $φ̇$ halfway "

@@ -47,7 +47,7 @@ def point_parameters() -> Iterator[Parameter]:
     asks="(3.48) and (3.49)",
     statement="Three masses are held together by light rods, and the body is held at the origin. "
     "Add up the torque of gravity and the potential energy, mass by mass. Then put all the mass "
-    "at the centre of mass, and compare.\n\nA third way: turn the body by a quarter to either "
+    "at the centre of mass, and compare.\n\nA third way: give the body a quarter turn to either "
     "side about $x̂$, about $ŷ$ and about $ẑ$. What do the potential energies say about the "
     "torque?",
     claims=(torque, gravity, potential),

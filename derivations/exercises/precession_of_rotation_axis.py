@@ -130,7 +130,10 @@ def cone_plane(
         else:
             variation = float(abs(ends[1] - ends[0]))
             yield Answer(
-                "variation", "by how much that angle varies if $λ₂ ≠ λ₁$", variation, "rad"
+                "variation",
+                "by how much the angle between $𝛚$ and $𝐋$ varies if $λ₂ ≠ λ₁$",
+                variation,
+                "rad",
             )
             yield Measure(
                 "this variation along the integrated motion (rad)",
@@ -285,7 +288,9 @@ DAY = 86400.0
         Parameter("H", 3273795e-9, "dynamical ellipticity $(C − A)/C$", above=0, most=0.5),
         Parameter("omega3", 7.292115e-5, "rate of rotation", "rad/s", above=0),
         Parameter("observed", 433.0, "period of Chandler's wobble", "days", above=0),
-        Parameter("angle", pi / 180 / 36000, "between $ω$ and $e₃$", "rad", above=0, most=0.1),
+        Parameter(
+            "angle", pi / 180 / 36000, "angle between $ω$ and $e₃$", "rad", above=0, most=0.1
+        ),
         Parameter("radius", 6356751.9, "distance of the pole from the centre", "m", above=0),
     ),
     figure="polar-motion",
@@ -402,12 +407,12 @@ def wobbling_plate(
     yield Answer("mark", "mean rate of a mark on the rim, seen along $𝐋$", mark, "rad/s")
     yield Answer("wobble_to_mark", "wobble over mark", wobble / mark)
     yield Answer("memory", "wobble over mark as Feynman remembered it", 0.5)
-    tilts = [pi / 180 * degrees for degrees in (1, 5, 10, 20, 45)]
+    tilts = [(f"{degrees}°", pi / 180 * degrees) for degrees in (1, 5, 10, 20, 45)]
     yield Table(
         "tilts",
         "The same plate, and a flat one, at other tilts",
-        ("$θ$ (rad)", "$Ω_s/ω₃$", "$Ω_s/ω₃$, flat", "wobble over mark, flat"),
-        tuple((x, flatness / cos(x), 2 / cos(x), 2 / (2 - cos(x))) for x in tilts),
+        ("$θ$", "$Ω_s/ω₃$", "$Ω_s/ω₃$, flat", "wobble over mark, flat"),
+        tuple((said, flatness / cos(x), 2 / cos(x), 2 / (2 - cos(x))) for said, x in tilts),
     )
     turns = 5
     start = body.motion(omega=(wobble * sin(theta), 0.0, omega3))

@@ -81,7 +81,7 @@ DAY = 86400.0
     "one turn of that axis about $𝐋$? Compute its attitude for every time at which radar saw it "
     "and compare.\n\nHow much of its energy could friction inside the body still take, and about "
     "which axis would it then rotate? Why do most asteroids rotate so already? (One degree per "
-    "day is $2.02 × 10⁻⁷$ rad/s; moments are in units of any one of them.)",
+    "day is $2.02 × 10⁻⁷$ rad/s; moments are in units of $λ₃$.)",
     claims=(example_33,),
     parameters=(
         Parameter("lambda1", float(MOMENTS[0]), "$λ₁$, about the body's $x$ axis", above=0),
@@ -155,7 +155,7 @@ def toutatis(
     yield Answer("greatest_tilt", "largest angle between $𝐋$ and this axis", greatest, "rad")
     yield Table(
         "periods",
-        "Periods, computed, and published of the long axis of Toutatis",
+        "Periods: computed, and published for the long axis of Toutatis",
         ("source", "turn of $ω$ about its axis (days)", "turn of this axis about $𝐋$ (days)"),
         ((f"this motion, {mode}", 2 * half, precession), *PERIODS),
     )
