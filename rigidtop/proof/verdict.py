@@ -41,11 +41,15 @@ class UnneededAssumptionError(Exception):
 
 @dataclass(frozen=True)
 class Counterexample:
-    """Values at which a claimed relation fails, and its two sides there (None: undefined)."""
+    """Values at which a claimed relation fails, and its two sides there (None: undefined).
+
+    Of vectors and matrices these are an `entry` of the sides, from 1: of a matrix row and column.
+    """
 
     values: Mapping[Symbol, Expr]
     left: Expr
     right: Expr
+    entry: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -376,7 +380,13 @@ def refute(
 ) -> Counterexample | None:
     """A point where the assumptions hold, `dropped` does not, and the claimed relation fails."""
     failure = _failure(check, dropped, tries, letters)
-    return None if failure is None else _counterexample(*failure)
+    if failure is None:
+        return None
+    shapes = [
+        next((side.shape for side in (left, right) if _is_matrix(side)), ())
+        for _, left, right in assertions(check.claimed, check.meaning)
+    ]
+    return _counterexample(*failure, shapes)
 
 
 def is_refuted(check: Check, tries: int, letters: Letters = _ANY) -> bool:
@@ -540,19 +550,34 @@ def _fails(sides: Any, number: decide.Number, undefined_counts: bool) -> bool:
 
 
 def _counterexample(
-    sides: Any, point: Mapping[Symbol, Expr], hidden: Mapping[Symbol, Expr]
+    sides: Any,
+    point: Mapping[Symbol, Expr],
+    hidden: Mapping[Symbol, Expr],
+    shapes: Sequence[tuple[int, ...]],
 ) -> Counterexample:
     """The first pair of sides that differ visibly, else exactly; else the first pair."""
     at = {
         **point,
         **{dummy: expression.xreplace(dict(point)) for dummy, expression in hidden.items()},
     }
-    exact = [(_at(left, at), _at(right, at)) for _, pairs in sides for left, right in pairs]
+    exact = [
+        (_at(left, at), _at(right, at), _entry(k, shape))
+        for (_, pairs), shape in zip(sides, shapes, strict=True)
+        for k, (left, right) in enumerate(pairs)
+    ]
     number = decide.at({})
-    differ = [(a, b) for a, b in exact if a != b]
+    differ = [each for each in exact if each[0] != each[1]]
     # A zero that is not seen to be one has digits far behind the point.
-    visible = ((a, b) for a, b in differ if None in (a, b) or decide.apart(number(a), number(b)))
+    visible = (x for x in differ if None in x or decide.apart(number(x[0]), number(x[1])))
     return Counterexample(dict(point), *next(visible, [*differ, *exact][0]))
+
+
+def _entry(k: int, shape: tuple[int, ...]) -> tuple[int, ...]:
+    """The place of the k-th number of a side, from 1: nothing, a component, row and column."""
+    if not shape:
+        return ()
+    row, column = divmod(k, shape[1])
+    return (k + 1,) if 1 in shape else (row + 1, column + 1)
 
 
 def _at(expression: Expr, point: Mapping[Symbol, Expr]) -> Expr | None:

@@ -240,17 +240,33 @@ def refuted(found: Counterexample) -> tuple[b.Rich, b.Piece, b.Piece]:
     return tuple(at), left or "undefined", right or "undefined"
 
 
-def sides(left: b.Piece, right: b.Piece) -> b.Rich:
-    """What two sides are, in words."""
+def sides(left: b.Piece, right: b.Piece, place: str = "") -> b.Rich:
+    """What two sides are, in words; of vectors and matrices in one `place`."""
     if left == right:
         return ("both sides are ", left)
-    return ("the left side is ", left, ", the right side ", right)
+    return (f"{place}the left side is ", left, ", the right side ", right)
+
+
+def place(found: Counterexample) -> str:
+    """Which entry of a vector or of a matrix differs.
+
+    >>> one = sympy.Integer(1)
+    >>> [place(Counterexample({}, one, -one, entry)) for entry in ((), (2,), (1, 3))]
+    ['', 'in component 2 ', 'in row 1, column 3 ']
+    """
+    match found.entry:
+        case (row, column):
+            return f"in row {row}, column {column} "
+        case (component,):
+            return f"in component {component} "
+    return ""
 
 
 def said_at(found: Counterexample) -> b.Rich:
     """A counterexample in words."""
     at, left, right = refuted(found)
-    return (*at, ": ", *sides(left, right)) if at else sides(left, right)
+    said = sides(left, right, place(found))
+    return (*at, ": ", *said) if at else said
 
 
 def _real_number(side: Expr) -> Node | None:

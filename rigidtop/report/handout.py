@@ -21,7 +21,7 @@ from rigidtop.proof.page import Claim, Page
 from rigidtop.proof.verdict import Judgement, Verdict
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
-from rigidtop.report.claims import condition, derivation, refuted, sides, tagged_rows, tested
+from rigidtop.report.claims import condition, derivation, place, refuted, sides, tagged_rows, tested
 from rigidtop.report.solutions import SMALLEST_ANGLE, TABLE_DIGITS, Solution, shown
 from rigidtop.report.symbols import symbol_list
 from rigidtop.report.ways import cited_figures, law_blocks, text_blocks
@@ -98,12 +98,18 @@ def _set_right(judgement: Judgement, there: Collection[Any]) -> Iterable[b.Block
         Verdict.CONVENTION: " This is at odds with the notes’ own definitions",
     }[judgement.verdict]
     words: list[b.Piece] = [f"The notes say: {claim.says.rstrip('.')}.{said}"]
-    found = next((f for f in judgement.findings() if f.counterexample), None)
-    if found is not None and found.counterexample is not None:
-        at, left, right = refuted(found.counterexample)
-        claimed = layout(found.check.claimed, "printed")
-        words += [": ", claimed, " fails "] if _in_words(claimed) else [": "]
-        words += [*at, ", where " if at else "", *sides(left, right)]
+    failed = next((f for f in judgement.findings() if f.counterexample), None)
+    if failed is not None and failed.counterexample is not None:
+        at, left, right = refuted(failed.counterexample)
+        claimed = layout(failed.check.claimed, "printed")
+        what = f"({claim.name})" if b.is_number(claim.name) else "the equation"
+        words += [": ", *((claimed,) if _in_words(claimed) else (what, " as the notes print it"))]
+        words += [
+            " fails ",
+            *at,
+            ", where " if at else ": ",
+            *sides(left, right, place(failed.counterexample)),
+        ]
     corrected = [c for c in judgement.corrections() if c.check.claimed.sides not in there]
     equations = [finding.check.claimed for finding in corrected]
     short = [layout(equation, "printed") for equation in equations]
@@ -268,7 +274,7 @@ def solutions(
     parts: Parts,
     told: Mapping[str, str],
 ) -> list[b.Block]:
-    """The appendix.  `told` says in which section a claim of the lecture was derived."""
+    """The appendix.  `told` says under which heading a claim of the lecture was derived."""
     made: list[b.Block] = [b.Heading(1, "", "Solutions of the exercises", "solutions")]
     known = dict(told)
     for number, each in enumerate(exercises, 1):
@@ -318,7 +324,8 @@ def _called(claim: Claim, section: str) -> b.Rich:
     name = b.Cited(f"({claim.name})", b.anchor(claim.name)) if b.is_number(claim.name) else None
     if name is not None:
         return (name,)
-    where = f" (section {section.partition(' ')[0]})" if section else ""
+    head = re.fullmatch(r"[\d.]+", section)
+    where = f" (section {section})" if head else f" (in “{section}”)" if section else ""
     return (f"“{claim.says.rstrip('.')}”{where}",)
 
 

@@ -239,7 +239,10 @@ def lecture(
     numbered = {p.name: p.described(k) for k, p in enumerate(pictures, 1)}
     parts = Parts(lines, notation, numbered, closing, edition.points)
     everything = [judgement for _, judgements in judged for judgement in judgements]
-    told = {j.claim.name: page.section for page, judgements in judged for j in judgements}
+    told: dict[str, str] = {}
+    for page, judgements in judged:
+        *_, head = b.headings(page)
+        told |= {j.claim.name: head.number or head.title for j in judgements}
     blocks: list[b.Block] = [handout.legend(everything)]
     blocks += handout.sections(judged, solutions, parts)
     if not student and solutions:

@@ -313,6 +313,9 @@ def test_a_false_statement_stands_with_its_numbers_and_its_right_form(document):
     (words,) = [each for each in said if each.startswith("The notes say: In the space frame all")]
     assert "This is false: I_xz ≠ 0 fails at λ₁ = 1, λ₂ = 2" in words
     assert "both sides are 0" in words
+    assert any("ψ = 0, where in component 1 the left side is 1, the right" in x for x in said)
+    assert any("(3.47) as the notes print it fails at φ = " in each for each in said)
+    assert any("in row 1, column 2 the left side is ¼√3" in each for each in said)
     place = said.index(words)
     (row,) = next(
         b.rows
