@@ -304,10 +304,11 @@ def digits_vanish(expressions: Sequence[Expr], digits: int = 40) -> bool:
         if not found and attempt == 100:
             return False  # it is hardly ever real
         point = {x: _anywhere(x, rng) for x in symbols}
-        numbers = [
-            [term.evalf(digits + 10, subs=point) for term in sympy.Add.make_args(e)]
-            for e in expressions
-        ]
+        rows = [sympy.Add.make_args(e) for e in expressions]
+        number = at(point)
+        if any(math.isnan(number(term)) for row in rows for term in row):
+            continue  # digits of what is not real cost SymPy minutes
+        numbers = [[term.evalf(digits + 10, subs=point) for term in row] for row in rows]
         if not all(v.is_number and v.is_finite and v.is_real for row in numbers for v in row):
             continue
         limit = Rational(10) ** -digits
