@@ -22,7 +22,7 @@ from rigidtop.proof.verdict import Judgement, Verdict
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
 from rigidtop.report.claims import condition, derivation, place, refuted, sides, tagged_rows, tested
-from rigidtop.report.solutions import SMALLEST_ANGLE, TABLE_DIGITS, Solution, shown
+from rigidtop.report.solutions import SMALLEST_ANGLE, Solution, cells, shown
 from rigidtop.report.symbols import symbol_list
 from rigidtop.report.ways import cited_figures, law_blocks, text_blocks
 from rigidtop.typeset.layout import layout
@@ -339,11 +339,9 @@ def results(solution: Solution) -> list[b.Block]:
     for outcome in solution.outcomes:
         if isinstance(outcome, Table):
             columns = map(_clean, zip(*outcome.rows, strict=True))
-            cells = tuple(
-                tuple(shown(x, TABLE_DIGITS) for x in row) for row in zip(*columns, strict=True)
-            )
-            whole = len(cells) <= LONGEST
-            made.append(b.DataTable(outcome.title, outcome.columns, cells, whole))
+            found = cells(list(zip(*columns, strict=True)))
+            whole = len(found) <= LONGEST
+            made.append(b.DataTable(outcome.title, outcome.columns, found, whole))
     return made
 
 

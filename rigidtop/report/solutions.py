@@ -22,7 +22,7 @@ from rigidtop.report.plain import cell
 from rigidtop.report.records import measure_record
 from rigidtop.report.records import record as judgement_record
 from rigidtop.report.ways import led_blocks, text_blocks
-from rigidtop.typeset.nodes import Node, decimal, negated
+from rigidtop.typeset.nodes import Infix, Node, Number, Power, decimal, negated
 
 DIGITS = 6
 """Of a number in print."""
@@ -129,8 +129,7 @@ def blocks(
         made.append(b.Quantities("Found", rows))
     for outcome in solution.outcomes:
         if isinstance(outcome, Table):
-            cells = tuple(tuple(shown(x, TABLE_DIGITS) for x in row) for row in outcome.rows)
-            made.append(b.DataTable(outcome.title, outcome.columns, cells))
+            made.append(b.DataTable(outcome.title, outcome.columns, cells(outcome.rows)))
     if solution.measures:
         made.append(measured(solution.measures, "Confirmed", "by a second way"))
     if figure is not None:
@@ -165,6 +164,55 @@ def shown(value: float | str, digits: int = DIGITS) -> str | Node:
     if isinstance(value, str):
         return value
     node = decimal(abs(value), digits)
+    return negated(node) if value < 0 else node
+
+
+def cells(rows: Sequence[Sequence[float | str]]) -> tuple[tuple[str | Node, ...], ...]:
+    """The rows of a table, the numbers of a column with points one beneath the other.
+
+    >>> from rigidtop.typeset.text import text
+    >>> [text(x) for x, in cells([(12.1,), (12.0912,), (0.0,)])]
+    ['12.10', '12.09', '0.00']
+    >>> [text(x) for x, in cells([(0.000122,), (3.05e-05,)])]
+    ['1.220 × 10⁻⁴', '3.050 × 10⁻⁵']
+    """
+    return tuple(zip(*map(_column, zip(*rows, strict=True)), strict=True))
+
+
+def _column(values: Sequence[float | str]) -> list[str | Node]:
+    sizes = [abs(x) for x in values if not isinstance(x, str) and x]
+    if not sizes or not all(map(math.isfinite, sizes)):
+        return [shown(x, TABLE_DIGITS) for x in values]
+    short = [f"{x:.{TABLE_DIGITS}g}" for x in sizes]
+    # Powers of ten of the largest number and of the smallest.
+    large, small = (math.floor(math.log10(end)) for end in (max(sizes), min(sizes)))
+    powers = any("e" in number for number in short)
+    if large - small > SPAN - powers or large < LEAST:
+        return [x if isinstance(x, str) else _number(x, powers=powers) for x in values]
+    wanted = max(TABLE_DIGITS - 1 - max(small, large - 1), 0)
+    there = max(len(f"{float(x):.{wanted}f}".rstrip("0").partition(".")[2]) for x in short)
+    return [x if isinstance(x, str) else _number(x, min(wanted, there)) for x in values]
+
+
+SPAN = 3
+"""Over more powers of ten, or as many where one is written so, points are not aligned."""
+
+LEAST = -3
+"""A column of numbers that are all smaller has powers of ten (as such a power)."""
+
+
+def _number(value: float, decimals: int | None = None, *, powers: bool = False) -> str | Node:
+    """A number with so many decimals, or with a power of ten; else as it is shown alone."""
+    if decimals is None and not (powers and value):
+        return shown(value, TABLE_DIGITS)
+    if decimals is None:
+        digits, _, power = f"{abs(value):.{TABLE_DIGITS - 1}e}".partition("e")
+        exponent = Number(str(abs(int(power))))
+        ten = Power(Number("10"), exponent if int(power) >= 0 else negated(exponent))
+        node: Node = Infix("×", Number(digits), ten)
+    else:
+        node = Number(f"{abs(value):.{decimals}f}")
+        value = round(value, decimals)
     return negated(node) if value < 0 else node
 
 
