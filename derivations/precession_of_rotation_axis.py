@@ -138,7 +138,7 @@ def coplanar() -> Iterator[Evidence]:
     yield Formal(
         printed(r"\boldsymbol\omega\cdot\mathbf w = \text{const}"),
         {**behind, s.const: lambda product: product.diff(s.phi)},
-        reason="But $ω$ and any vector $𝐰$ that follows it by $δ$ keep their angle as $φ$ grows,",
+        reason="But $ω$ and a vector $𝐰$ that goes round with it, $δ$ apart, keep their angle,",
     )
     yield Formal(
         printed(r"\mathbf e_3\cdot(\boldsymbol\omega\times\mathbf w) = 0"),
@@ -195,7 +195,7 @@ def space_cone() -> Iterator[Evidence]:
     """
     from . import evidence
 
-    _, _, axis, _, omega_rate, _, rate, _ = printed.lines("space-cone")
+    _, _, axis, _, omega_rate, _, rate, square, _ = printed.lines("space-cone")
     momentum = angular_momentum()
     meaning = {
         s.e3: Matrix(Z_AXIS),
@@ -222,6 +222,7 @@ def space_cone() -> Iterator[Evidence]:
             ),
         ),
     )
+    yield Formal(square, {**meaning, s.Omega_s: azimuth, s.L: size}, (SYMMETRIC,))
     yield from evidence.space_cone()
 
 
