@@ -250,7 +250,7 @@ def free_fall() -> Iterator[Evidence]:
             Assumption(Eq(s.kappa, 0), "gravity has no gradient $κ$ across the body"),
             Assumption(
                 Eq(s.F_1, 0),
-                "beside the weights there is no push $F₁$ of the air on one particle alone",
+                "no air pushes one particle alone, with a force $F₁$ beside its weight",
             ),
         ),
     )
