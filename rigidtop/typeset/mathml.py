@@ -24,8 +24,8 @@ from rigidtop.typeset.text import text
 
 # Not accent="true": browsers then lay a dot into the letter beneath it.
 _ACCENTS = {
-    "dot": '<mstyle scriptlevel="0"><mo>˙</mo></mstyle>',
-    "ddot": '<mstyle scriptlevel="0"><mo>¨</mo></mstyle>',
+    "dot": '<mo scriptlevel="0">˙</mo>',
+    "ddot": '<mo scriptlevel="0">¨</mo>',
     "hat": '<mo stretchy="false">^</mo>',
 }
 _SHAPES = {"φ": "ϕ", "ε": "ϵ"}  # as LaTeX draws them
