@@ -417,8 +417,8 @@ def test_mathml_of_an_underbrace(printed):
     brace = (
         '<munder><mrow style="border-bottom:2px dotted;padding-bottom:0.15em">'
         '<mrow><mo form="prefix" fence="true" stretchy="false">(</mo><mrow>'
-        '<mover><mi>ψ</mi><mstyle scriptlevel="0"><mo>˙</mo></mstyle></mover><mo>+</mo><mrow>'
-        '<mover><mi>ϕ</mi><mstyle scriptlevel="0"><mo>˙</mo></mstyle></mover>'
+        '<mover><mi>ψ</mi><mo scriptlevel="0">˙</mo></mover><mo>+</mo><mrow>'
+        '<mover><mi>ϕ</mi><mo scriptlevel="0">˙</mo></mover>'
         '<mo>&#x2062;</mo><mspace width="0.1667em"/><mrow><mi>cos</mi><mo>&#x2061;</mo>'
         '<mspace width="0.1667em"/><mi>θ</mi></mrow></mrow></mrow>'
         '<mo form="postfix" fence="true" stretchy="false">)</mo></mrow>'

@@ -128,8 +128,8 @@ HTML = {
     "<msub><mi>λ</mi><mn>3</mn></msub></mrow>⟧ &amp; "
     f"⟦<mrow><mi>cos</mi>{APPLY}{THIN}<mi>θ</mi></mrow>⟧",
     "a <b>'s": "a &lt;b&gt;’s",
-    "$φ̇$, $θ̈$": '⟦<mover><mi>ϕ</mi><mstyle scriptlevel="0"><mo>˙</mo></mstyle></mover>⟧, '
-    '⟦<mover><mi>θ</mi><mstyle scriptlevel="0"><mo>¨</mo></mstyle></mover>⟧',
+    "$φ̇$, $θ̈$": '⟦<mover><mi>ϕ</mi><mo scriptlevel="0">˙</mo></mover>⟧, '
+    '⟦<mover><mi>θ</mi><mo scriptlevel="0">¨</mo></mover>⟧',
     "is $√3$": "is ⟦<msqrt><mn>3</mn></msqrt>⟧",
     "$√D$ apart": "⟦<msqrt><mi>D</mi></msqrt>⟧ apart",
     "$√(1 − m)$": "⟦<msqrt><mrow><mn>1</mn><mo>−</mo><mi>m</mi></mrow></msqrt>⟧",
