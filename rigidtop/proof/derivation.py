@@ -58,8 +58,8 @@ class Line:
     """A line of a derivation: what it says and what is done to get there.
 
     `words` are the sentence in pieces: text, and trees where mathematics stands.  Without a move a
-    line stands by itself: a law (`source` says whose, in pieces too) or a definition, which gives a
-    name to what is on its other side.  `at` is the number of the line in its `file`.
+    line stands by itself: a law (`source` says whose, `origin` in pieces) or a definition, which
+    gives a name to what is on its other side.  `at` is the number of the line in its `file`.
     """
 
     id: str
@@ -69,7 +69,8 @@ class Line:
     move: Move | None = None
     scope: Scope = Scope.IDENTITY
     called: str = ""
-    source: tuple[Any, ...] = ()
+    source: str = ""
+    origin: tuple[Any, ...] = ()
     file: str = ""
     at: int = 0
 

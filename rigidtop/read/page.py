@@ -183,8 +183,8 @@ class _Reader:
             scope = Scope.IDENTITY
             if where is not None:
                 scope = Scope.MOTION if where[1].startswith("Along") else Scope.SET
-            source = pieces(self.source, self.notation)
-            return replace(made, scope=scope, called=called, source=source)
+            origin = pieces(self.source, self.notation)
+            return replace(made, scope=scope, called=called, source=self.source, origin=origin)
         defines = language.DEFINES.fullmatch(said)
         context = language.Context(self.above, self.notation, self.page, self.near)
         if defines is not None:

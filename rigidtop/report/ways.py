@@ -139,8 +139,8 @@ def law_blocks(
                 (head or blocks).append(b.Paragraph(running(block.pieces, notation)))
             elif block.line is not None and block.line.id in cited:
                 first, *rest = line_rows(lecture, block.line.id, notation)
-                source = running(block.line.source, notation)
-                words = (*source, " ", *first.spoken) if source else first.spoken
+                origin = running(block.line.origin, notation)
+                words = (*origin, " ", *first.spoken) if origin else first.spoken
                 blocks += [*head, b.Display((replace(first, reason=words), *rest))]
                 head = []
     return blocks
