@@ -274,7 +274,7 @@ def _print(told: Sequence[Told]) -> None:
         colors = {**VERDICT_COLORS, "unread": "red", "unknown": "yellow"}
     of_claims = any(each.of is Of.CLAIM for each in told)  # then of the rest what is wrong
     rows = [
-        (str(each.line), f"({each.name})" if each.name else "", each.verdict, each.words)
+        (str(each.line), _label(each.name), each.verdict, each.words)
         for each in sorted(
             told, key=lambda x: (x.of is Of.FILE, 0 if x.of is Of.FILE else x.line or 0)
         )
@@ -283,6 +283,11 @@ def _print(told: Sequence[Told]) -> None:
     print(table(rows, ("line", "equation", "verdict", "note"), colors=colors, right=(0,)))
     print()
     print(summary(told))
+
+
+def _label(name: str, longest: int = 24) -> str:
+    """(3.54), and of the name of a label as much as leaves the notes beside it their room."""
+    return f"({name if len(name) <= longest else name[: longest - 1] + '…'})" if name else ""
 
 
 def summary(told: Sequence[Told]) -> str:

@@ -138,7 +138,8 @@ def judge(
     """Run the evidence of a claim and compute its verdict.
 
     With a `lecture` that has lines for it, the moves that lead there are made too; a claim without
-    checks is proved by them.  What the `letters` stand for has to exist where numbers refute.
+    checks is judged by them, under the conditions that they record.  What the `letters` stand for
+    has to exist where numbers refute.
     """
     start = time.perf_counter()
     items: list[Item] = []

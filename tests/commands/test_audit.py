@@ -369,3 +369,13 @@ def test_markdown_is_shown_simply(tmp_path, file):
     assert "<p>words <code>\\omega_k</code> and <code>\\mathbf{L}(t)</code> &amp;" in source
     assert "<code>(3 \\times 3)</code>" in source
     assert "<code>\\qux</code>" in source
+
+
+def test_a_long_label_leaves_room_for_the_notes(capsys, tmp_path):
+    path = tmp_path / "long.tex"
+    label = "chapter-ten-and-the-action-of-a-top"
+    path.write_text(rf"\begin{{equation}} p = mv + q \label{{{label}}} \end{{equation}}", "utf-8")
+    main(["audit", str(path)])
+    table = capsys.readouterr().out.split("\n\n")[0]
+    assert f"({label[:23]}…)" in table
+    assert label not in table
