@@ -77,7 +77,7 @@ class Calculus(Letters):
         if sign == "∂" and self.peek().text == "_":
             piece = self.take()
             index = self.argument(piece)
-            if plain(index[0] if len(index) == 1 else piece) in frozenset("ijklμν_"):
+            if plain(index[0] if len(index) == 1 else piece) in signs.RUNNING | {"_"}:
                 raise UnreadError("∂ with an index: by what is it differentiated?", position)
             yield from self.derivative("∂", [], [self.variable(index, position)], position)
             return
@@ -172,7 +172,8 @@ class Calculus(Letters):
         """A function; what stands in braces behind it must not be a sum."""
         at = self.behind(self.at + 2 * (self.peek().text == "^"))
         inner, end = self.bracketed(at, ("[", "]"))
-        if end >= 0 and plain(*inner).isdigit() and end + 1 < len(self.items):
+        followed = self.items[end + 1].text if 0 <= end < len(self.items) - 1 else ""
+        if followed == "(" or (followed and plain(*inner).isdigit()):
             power = Piece("^", self.items[at].position)  # \cos[2](x) of the package physics
             self.items[at : end + 1] = [power, Piece("{}", power.position, tuple(inner))]
         elif end >= 0:

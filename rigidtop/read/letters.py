@@ -49,8 +49,10 @@ class Letters(Cursor):
         if not self.open:
             return ""
         bracketed = self.peek(len(run)).text in ("(", "[", r"\left", r"\{")
-        if run in ("Re", "Im") and bracketed:
+        if run == "det" or (bracketed and run in signs.DOUBTFUL | {"Re", "Im"}):
             return run
+        if run.startswith("ln"):
+            return "ln"
         before = self.items[self.at - 1] if self.at else Piece("", -9)
         joined = is_latin(before.text) and before.position + 1 == self.peek().position
         cut = min((run.find(name) for name in signs.SPELLED if name in run), default=len(run))
@@ -84,6 +86,13 @@ class Letters(Cursor):
             yield Token("EXPONENTIAL", "e", position)
             yield from self.braced(self.argument(piece), piece.position)
             return
+        on = self.behind(self.at + 2 * bool(above))
+        letter_behind = self.open and self.starts_letter(on)
+        bracket_behind = self.open and self.peek(on - self.at).text == "("
+        if above and glyph.base in signs.ORDERS and (letter_behind or bracket_behind):
+            raise UnreadError(f"{glyph.base} with a power, and then what it is of?", position)
+        if glyph == Glyph("Σ") and letter_behind and glyph not in self.habits.said:
+            raise UnreadError("Σ before a letter: a factor, or a sum, \\sum?", position)
         change = glyph.base == "Δ" or (glyph == Glyph("δ") and before != "NUMBER")
         followed = self.starts_letter(self.at) and not operator_at(self.items, self.at)[0]
         if self.open and change and followed:
@@ -186,6 +195,13 @@ class Letters(Cursor):
         inside, place = plain(*inner), self.items[at].position
         texts = {piece.text for piece in inner}
         function = any(known == glyph for known, _ in self.habits.functions)
+        raised = end + 1 < len(self.items) and self.items[end + 1].text == "^"
+        if raised and self.one_letter(inner) and not function and texts & signs.RATED:
+            reason = f"{spelling(glyph)} of what stands in brackets, or times its power?"
+            raise UnreadError(reason, place)
+        worked = texts & signs.FUNCTIONS or not any(p.text.strip("0123456789.,+-") for p in inner)
+        if self.commas(at) and worked and not function:
+            raise UnreadError(f"{spelling(glyph)} of what stands in brackets, or a row?", place)
         if inside == "t":
             if self.called is not None and glyph.base not in signs.TIMELY:
                 reason = "of the time, or times t? leave (t) out, or t without brackets"
@@ -211,7 +227,12 @@ class Letters(Cursor):
             raise UnreadError(f"{spelling(glyph)} at the time in brackets, or times it?", place)
         elif self.habits.is_a(glyph, Sort.NUMBER) and not function and "t" not in texts:
             return  # a mass, a length: times what stands in brackets
-        elif function or glyph.base in signs.POTENTIALS or inside.replace(".", "").isdigit():
+        elif (
+            function
+            or glyph.base in signs.POTENTIALS
+            or inside.replace(".", "").isdigit()
+            or (not raised and re.fullmatch(r"\w/\w", inside))
+        ):
             raise UnreadError(f"{spelling(glyph)} of what stands in brackets, or times it?", place)
 
     def functional(self, glyph: Glyph) -> None:
@@ -223,7 +244,8 @@ class Letters(Cursor):
         texts = [piece.text for piece in inner]
         bracket = texts.index("(") if "(" in texts else len(inner)
         alone = self.one_letter(inner[:bracket]) and texts[-1:] in ([")"], texts[bracket - 1 :])
-        if self.commas(at) or alone or self.of_known(glyph, inner):
+        several = self.commas(at) and glyph.base[0].isupper()  # no commutator behind an i
+        if several or alone or self.of_known(glyph, inner):
             self.calls.add(at)
         elif any(known == glyph for known, _ in self.habits.functions):
             reason = f"{spelling(glyph)} of what stands in brackets, or times it?"
@@ -334,7 +356,8 @@ class Letters(Cursor):
         if bracketed or worded or (written == "ext" and not self.open):
             sub = f"({written.strip('()')})"
             return replace(glyph, sub=",".join(filter(None, (glyph.sub, sub))))
-        if self.open and written in signs.INDEXES and not glyph.bold:
+        indices = len(written) > 1 and {*written} <= signs.RUNNING
+        if self.open and (indices or (written in signs.INDEXES and not glyph.bold)):
             raise UnreadError(f"{written} above a letter: an index, or a power?", above.position)
         return None
 

@@ -40,6 +40,8 @@ def operator(
     order = 1
     if count < len(over) - 1 and over[count].text == "^":
         if not plain(over[count + 1]).isdigit():
+            if operator_at(below, 0)[0] == sign:
+                raise UnreadError("a derivative of an order that is no number", position)
             return None
         order, count = int(plain(over[count + 1])[:2]), count + 2
     by: list[Sequence[Piece]] = []

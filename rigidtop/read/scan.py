@@ -201,14 +201,16 @@ class Scan(Calculus):
     def symbol(self) -> Iterator[Token]:
         position = self.peek().position
         sign, count = operator_at(self.items, self.at)
-        word = "" if sign else self.spelled()
+        word = self.spelled()
+        if word in ("Re", "Im"):
+            raise UnreadError("a real or imaginary part: that is not read", position)
+        if word in signs.DOUBTFUL:
+            raise UnreadError(f"{word}: a function, or a product of letters?", position)
         if sign:
             yield from self.operator(sign, count)
         elif word in signs.SPELLED:
             self.at += len(word)
             yield from self.function(word, position)
-        elif word in ("Re", "Im"):
-            raise UnreadError("a real or imaginary part: that is not read", position)
         elif word:
             reason = "a word or a product? put words in \\text{}, spaces between letters"
             raise UnreadError(f"{word}: {reason}", position)
@@ -498,8 +500,10 @@ class Scan(Calculus):
             raise UnreadError(f"words inside a formula: {bare!r}", piece.position)
         elif not self.open:
             yield Token("WORDS", bare, piece.position)
-        elif signs.UNIT.fullmatch(bare) and self.last in ("NUMBER", "_END", "CLOSE"):
-            base = bare if len(bare) > 1 else f" {bare}"  # metres are no masses
+        elif self.is_unit(bare):
+            base = (bare if len(bare) > 1 else f" {bare}").replace(" ", "\u2009")  # no mass m
+            if self.peek().text == "^" and not bare.isalpha():  # of the last one, as in m/s^2
+                base += self.take().text + plain(*self.argument(piece))
             yield Token("SYMBOL", self.notation.symbol(Glyph(base)), piece.position)
         elif self.is_quantity(bare):
             yield Token("SYMBOL", self.notation.symbol(self.scripts(Glyph(bare))), piece.position)
@@ -509,6 +513,12 @@ class Scan(Calculus):
             raise UnreadError(f"words inside a formula: {bare[:40]!r}", piece.position)
         else:
             yield Token("WORDS", bare, piece.position)
+
+    def is_unit(self, written: str) -> bool:
+        """Whether words are a unit: behind a number any short one is, or what has a stroke."""
+        if self.last == "NUMBER" and written.lower() not in signs.CONDITIONS | signs.CONNECTIVES:
+            return signs.SHORT.fullmatch(written) is not None
+        return self.last in ("_END", "CLOSE") and signs.UNIT.fullmatch(written) is not None
 
     def is_quantity(self, written: str) -> bool:
         """Whether words stand where a quantity would: with nothing but signs around them."""

@@ -88,13 +88,17 @@ FRACTIONS = commands("dfrac cfrac tfrac frac nicefrac")
 FUNCTIONS = commands(
     "sin cos tan arcsin arccos arctan sinh cosh tanh exp log ln det cot sec csc coth"
 )
-SPELLED = ("sin", "cos", "tan", "exp", "log")
+SPELLED = ("arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "sin", "cos", "tan", "exp", "log")
+DOUBTFUL = listed("ln det tr abs sqrt max min arg sgn div rot dim ker lim mod rank curl")
+"""Names of functions that may be products too, where they are spelled with single letters."""
 WORDS = frozenset(name[1:] for name in FUNCTIONS) | {"tr", "Tr"}
 """Functions that are written as words."""
 ELLIPTIC = frozenset({"K", "F"})
 """In the letters of a table these are functions too: ``\\operatorname{K}``."""
 
 OVER = {r"\dot": 1, r"\ddot": 2}
+RATED = frozenset(OVER) | {"'", "^"}
+"""What a letter has that needs brackets before a power: (y′)²."""
 MARKS = {
     **dict.fromkeys(commands("bar overline"), "\u0304"),
     **dict.fromkeys(commands("tilde widetilde"), "\u0303"),
@@ -144,6 +148,8 @@ ANGLES = frozenset("θφψϕϑαβγχϖ")
 TIMELY = frozenset("xyzrqθφψϕsuvω")
 INDEXES = frozenset("ijklμνcefgos") | frozenset("ABCDEFGHIJKLMOPQRSUVWXYZ")
 """Letters that above another may be its index; n, m, p, x are rather a power."""
+RUNNING = frozenset("ijklmnμνρσαβκλ")
+"""Letters that are indices where two of them stand together."""
 ORDERS = frozenset({"O", "o", "𝒪", "Δ", "δ", "Γ"})
 """Letters whose brackets never hold a factor."""
 POTENTIALS = frozenset({"f", "F", "U", "V", "H", "ψ", "Ψ"})
@@ -163,6 +169,7 @@ UNIT = re.compile(
     r"(?:\^?\{?[-−]?\d\}?)?(?:[·/ ]?(?:[kmcMGμn]?(?:m|g|s|N|J|W|Hz|Pa|K|C|V|A)|rad|kg|min|h|hr)"
     r"(?:\^?\{?[-−]?\d\}?)?)*\)?"
 )
+SHORT = re.compile(rf"{UNIT.pattern}|[^\W\d]{{1,6}}|\S*/\S*")
 LENGTH = re.compile(r"\s*-?[\d.,]+\s*(?:pt|em|ex|mm|cm|in)\s*")
 NUMBER_OF = re.compile(r"\(\d+(?:\.\d+)*[a-z]?\)")
 

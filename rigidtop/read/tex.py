@@ -177,7 +177,7 @@ _SAID |= {r"\intercal": "T", r"\prime": "′", "'": "′", r"\to": "→", r"\rig
 _SAID |= {r"\ll": "≪", r"\gg": "≫", r"\le": "≤", r"\leq": "≤", r"\ge": "≥", r"\geq": "≥"}
 _SAID |= {r"\neq": "≠", r"\ne": "≠", r"\approx": "≈", r"\dots": "…", r"\ldots": "…", r"\cdots": "…"}
 _SAID |= {r"\leqslant": "≤", r"\geqslant": "≥", r"\pm": "±", r"\mp": "∓", r"\times": "×"}
-_SAID |= {r"\bot": "⊥"}
+_SAID |= {r"\bot": "⊥", r"\cdot": "·", r"\ell": "ℓ", r"\infty": "∞"}
 
 
 def flat(items: Sequence[Piece]) -> Iterator[Piece]:

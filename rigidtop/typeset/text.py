@@ -47,6 +47,8 @@ def letter(glyph: Glyph) -> str:
     plain = glyph.sub.rstrip("′")
     if plain and all(c in "0123456789−+i" for c in plain):
         shown += glyph.sub.translate(_SUBSCRIPTS)
+    elif re.search(r"\w ?[-+−/]|\w \w", glyph.sub):
+        shown += f"_{{{glyph.sub}}}"
     elif glyph.sub:
         shown += "_" + glyph.sub
     return shown + ("′" if glyph.prime else "")

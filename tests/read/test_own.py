@@ -25,6 +25,12 @@ def shown(source, habits=Habits(PACKAGES)):  # noqa: B008
 
 
 READ = {
+    r"I = 4.0\text{ kg·m}^2": ["I = 4 kg·m^2"],
+    r"T = 3\text{ s}^2": ["T = 3\u2009s²"],
+    r"y = sinh(x) + arcsin x": ["y = sinh x + arcsin x"],
+    r"\int_0^1 \sin[m](x)\,dx = a_{n-2}": ["∫[0, 1] sin^m x dx = a_{n−2}"],
+    r"\omega = 1.5\text{ rev/s}": ["ω = (3/2) rev/s"],
+    r"r_0 = 2\:\text{fm}": ["r₀ = 2 fm"],
     r"F = m\ddot x": ["F = mẍ"],
     r"\tau^{(1)} = I_\mathrm{cm}\,\alpha": ["τ_(1) = I_cm α"],
     r"\bar x' = \tilde y'' + \mathcal H": ["x̄′ = ỹ′′ + ℋ"],
@@ -100,6 +106,20 @@ def test_what_is_written_is_read(source):
 
 
 ASKED = {
+    r"H = \frac{d^n}{dy^n} e^{-y^2}": "an order that is no number",
+    r"J = q\delta^4(X - R)": "with a power, and then what it is of",
+    r"L = F_{\mu\nu}F^{\mu\nu}": "an index, or a power",
+    r"\Sigma F = ma": "a factor, or a sum",
+    r"det(K - M) = 0": "a function, or a product",
+    r"y = ln(x)": "a function, or a product",
+    r"\delta^2 S = 0": "with a power, and then what it is of",
+    r"a = i [H, \psi]": "brackets with a comma",
+    r"a = p_1(\cos\theta, \sin\theta, 0)": "or a row",
+    r"a = p_1(1, 0, 0)": "or a row",
+    r"\Omega = 2\omega_B(k/2)": "or times it",
+    r"E = m\gamma(v/c)": "or times it",
+    r"a = max(x, y)": "a function, or a product",
+    r"\lambda g (y')^2 = 1": "or times its power",
     r"y = \cos kx": "of how much the function is",
     r"y = \sin\alpha t": "of how much the function is",
     r"W = m d \cos\theta + d x": "differential or a letter",
