@@ -270,9 +270,8 @@ def _map(lines: Lecture, notation: Notation) -> Picture | None:
     numbered = contracted(lines.map, {name for name in lines.names if b.is_number(name)})
     if len(numbered) < LEAST:
         return None
-    kept = {
-        name for name, on in numbered.items() if on or any(name in x for x in numbered.values())
-    }
+    used = {name for on in numbered.values() for name in on}
+    kept = {name for name in numbered if name not in lines.laws or name in used}
     shown = {name: on for name, on in numbered.items() if name in kept}
     caption = (
         "Which numbered equation rests on which, by the lines of the text; arrows that a chain of "

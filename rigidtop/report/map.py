@@ -7,6 +7,9 @@ from collections.abc import Collection, Mapping, Sequence
 from io import BytesIO
 from typing import TYPE_CHECKING
 
+import numpy as np
+from scipy.optimize import isotonic_regression
+
 from rigidtop.notation import NOTES, Notation
 from rigidtop.proof.lecture import Lecture
 from rigidtop.report import plain
@@ -47,27 +50,66 @@ def reduced(whole: Map) -> dict[str, tuple[str, ...]]:
     }
 
 
-def layers(whole: Map) -> list[list[str]]:
-    """Names by the length of the longest chain to them, neighbours near what they rest on."""
+Cell = tuple[str, int]
+"""A name and 0, or a lane for its arrows, so many columns behind it."""
+
+
+def columns(whole: Map) -> tuple[list[list[Cell]], list[tuple[Cell, Cell]]]:
+    """Names by the length of the longest chain to them, and the arrows from column to column.
+
+    What rests on nothing stands just before what rests on it.
+    """
     depth: dict[str, int] = {}
-    for name, on in whole.items():
+    for name, on in whole.items():  # in reading order: what a name rests on comes first
         depth[name] = 1 + max((depth[each] for each in on), default=-1)
-    made: list[list[str]] = [[] for _ in range(max(depth.values(), default=-1) + 1)]
-    for name, k in depth.items():
-        made[k].append(name)
-    uses: dict[str, list[str]] = {name: [] for name in whole}
+    uses = {name: [other for other, on in whole.items() if name in on] for name in whole}
     for name, on in whole.items():
-        for each in on:
-            uses[each].append(name)
-    for sweep in range(8):
-        forth = sweep % 2 == 0
-        rows = made[1:] if forth else made[-2::-1]
-        place = {x: i / max(1, len(row) - 1) for row in made for i, x in enumerate(row)}
-        for row in rows:
-            near = {x: [place[e] for e in (whole[x] if forth else uses[x])] for x in row}
-            row.sort(key=lambda x: sum(near[x]) / len(near[x]) if near[x] else place[x])
-            place |= {x: i / max(1, len(row) - 1) for i, x in enumerate(row)}
-    return made
+        if not on:
+            depth[name] = min((depth[other] for other in uses[name]), default=1) - 1
+    made: list[list[Cell]] = [[] for _ in range(max(depth.values(), default=-1) + 1)]
+    arrows: list[tuple[Cell, Cell]] = []
+    for name, at in depth.items():
+        for k in range(max((depth[other] for other in uses[name]), default=at + 1) - at):
+            made[at + k].append((name, k))
+            arrows += [((name, k - 1), (name, k))] * (k > 0)
+        arrows += [((name, depth[other] - at - 1), (other, 0)) for other in uses[name]]
+    return made, arrows
+
+
+def heights(
+    made: Sequence[Sequence[Cell]], arrows: Sequence[tuple[Cell, Cell]], room: Mapping[Cell, float]
+) -> dict[Cell, float]:
+    """How far down each cell stands: near what it is joined to, `room` around it."""
+    near: tuple[dict[Cell, list[Cell]], ...] = ({}, {})
+    for start, end in arrows:
+        near[0].setdefault(end, []).append(start)
+        near[1].setdefault(start, []).append(end)
+    place = {cell: float(k) for column in made for k, cell in enumerate(column)}
+
+    def wanted(cell: Cell, *sides: Mapping[Cell, list[Cell]]) -> float:
+        found = [place[each] for side in sides for each in side.get(cell, ())]
+        return sum(found) / len(found) if found else place[cell]
+
+    for sweep in range(SWEEPS):
+        sides = near if sweep >= SORTING else near[sweep % 2 : sweep % 2 + 1]
+        for column in made[:: -1 if sweep % 2 else 1]:
+            aims = {cell: wanted(cell, *sides) for cell in column}
+            order = sorted(column, key=(aims if sweep < SORTING else place).__getitem__)
+            least = np.cumsum([room[cell] for cell in order])
+            least -= [room[cell] / 2 for cell in order]
+            aim = np.array([aims[cell] for cell in order])
+            place |= zip(order, isotonic_regression(aim - least).x + least, strict=True)
+    tops = {cell: place[cell] - room[cell] / 2 for cell in place}
+    filled, empty = min(tops.values()), min(tops.values())
+    for cell in sorted(tops, key=tops.__getitem__):  # what stands by itself follows close behind
+        empty += max(tops[cell] - filled, 0.0)
+        filled = max(filled, tops[cell] + room[cell])
+        place[cell] -= empty
+    return place
+
+
+SWEEPS, SORTING = 24, 12
+"""To and fro over the columns, and in how many of them cells may change their order."""
 
 
 def contracted(whole: Map, kept: Collection[str]) -> dict[str, tuple[str, ...]]:
@@ -96,47 +138,48 @@ def drawn(lecture: Lecture, whole: Map, kind: str, notation: Notation = NOTES) -
 def picture(lecture: Lecture, whole: Map, notation: Notation = NOTES, wide: float = 1.9) -> Figure:
     """The map as a figure whose columns are so `wide` (inches)."""
     from matplotlib.figure import Figure
+    from matplotlib.patches import FancyArrowPatch
+    from matplotlib.path import Path
 
     from rigidtop.figures import style
 
-    arrows = reduced(whole)
-    columns = layers(arrows)
+    made, arrows = columns(reduced(whole))
     labels = {name: _broken(label(lecture, name, notation)) for name in whole}
-    rows = {name: 0.6 + words.count("\n") + 1 for name, words in labels.items()}
-    tallest = max((sum(rows[name] for name in column) for column in columns), default=1)
-    width, height = wide * len(columns), max(2.0, 0.17 * tallest + 0.3)
-    canvas = Figure(figsize=(width, height))
+    at = {cell: k for k, column in enumerate(made) for cell in column}
+    room = {cell: 0.8 if cell[1] else 1.6 + labels[cell[0]].count("\n") for cell in at}
+    down = heights(made, arrows, room)
+    bottom = max(down[cell] + room[cell] / 2 for cell in down)
+    canvas = Figure(figsize=(wide * len(made), LINE * bottom))
     axes = canvas.add_axes((0, 0, 1, 1))
     axes.set_axis_off()
-    axes.set_xlim(-0.5, len(columns) - 0.5)
-    axes.set_ylim(-0.02, 1.02)
-    place: dict[str, tuple[float, float]] = {}
-    for x, column in enumerate(columns):
-        total, above = sum(rows[name] for name in column), 0.0
-        for name in column:
-            place[name] = (float(x), 1 - (above + rows[name] / 2) / total)
-            above += rows[name]
-    for name, on in arrows.items():
-        for each in on:
-            start, end = place[each], place[name]
-            axes.annotate(
-                "",
-                (end[0] - _half(labels[name], wide), end[1]),
-                (start[0] + _half(labels[each], wide), start[1]),
-                arrowprops={
-                    "arrowstyle": "-|>,head_length=0.25,head_width=0.12",
-                    "connectionstyle": "arc3,rad=0.06",
-                    "color": style.GREY if each in lecture.laws else style.FIRST,
-                    "linewidth": 0.5,
-                    "alpha": 0.7,
-                    "shrinkA": 0,
-                    "shrinkB": 0,
-                },
+    axes.set_xlim(-0.5, len(made) - 0.5)
+    axes.set_ylim(bottom, 0)
+    half = {cell: _half(labels[cell[0]], wide) for cell in at if not cell[1]}
+    for column in made:  # a lane is as long as the boxes above it and below
+        widest = max((half[cell] for cell in column if cell in half), default=0.0)
+        half |= {cell: widest for cell in column if cell[1]}
+    for start, end in arrows:
+        from_, to = at[start] + half[start], at[end] - half[end]
+        bend, y0, y1 = (from_ + to) / 2, down[start], down[end]
+        curve = [(from_, y0), (bend, y0), (bend, y1), (to, y1)]
+        codes = [Path.MOVETO, Path.CURVE4, Path.CURVE4, Path.CURVE4]
+        if end[1]:  # along the lane
+            curve, codes = [*curve, (at[end] + half[end], y1)], [*codes, Path.LINETO]
+        axes.add_patch(
+            FancyArrowPatch(
+                path=Path(curve, codes),
+                arrowstyle="-" if end[1] else "-|>,head_length=2.5,head_width=1.2",
+                color=style.GREY if start[0] in lecture.laws else style.FIRST,
+                linewidth=0.5,
+                shrinkA=0,
+                shrinkB=0,
             )
-    for name, at in place.items():
+        )
+    for name in labels:
         law = name in lecture.laws
         axes.text(
-            *at,
+            at[name, 0],
+            down[name, 0],
             labels[name],
             ha="center",
             va="center",
@@ -151,6 +194,10 @@ def picture(lecture: Lecture, whole: Map, notation: Notation = NOTES, wide: floa
             },
         )
     return canvas
+
+
+LINE = 0.17
+"""The height of a line of a label (inches)."""
 
 
 def _half(words: str, wide: float) -> float:

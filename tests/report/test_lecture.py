@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 from dataclasses import replace
+from itertools import pairwise
 from xml.etree import ElementTree
 
 import numpy as np
@@ -37,6 +38,7 @@ from rigidtop.report.claims import claim_blocks
 from rigidtop.report.handout import written
 from rigidtop.report.languages import SHOWN, WORDS, translated
 from rigidtop.report.lecture import FORMATS, Edition, fragment, lecture, record, sheet
+from rigidtop.report.map import columns, heights, reduced
 from rigidtop.report.symbols import symbols_used
 from rigidtop.report.ways import law_blocks
 from rigidtop.theory import symbols as s
@@ -349,6 +351,23 @@ def test_figures_are_numbered_in_order_and_cited(document):
     cited = {piece.anchor for c in contents for piece in c if isinstance(piece, Cited)}
     spoken = {f.anchor for f in figures if not f.name.startswith("exercise-")} - {"figure-map"}
     assert spoken <= cited
+
+
+def test_the_map_has_every_number_and_nothing_in_its_arrows_way(pictures, lines):
+    shown = next(each for each in pictures if each.name == "map").drawing.draw()
+    words = {each.get_text() for each in shown.axes[0].texts}
+    assert {f"(3.{n})" for n in range(33, 58)} <= words
+    made, arrows = columns(reduced(lines.map))
+    at = {cell: k for k, column in enumerate(made) for cell in column}
+    assert all(at[end] == at[start] + 1 for start, end in arrows)
+    boxes = [cell for cell in at if not cell[1]]
+    assert sorted(name for name, _ in boxes) == sorted(lines.map)
+    room = {cell: 0.8 if cell[1] else 1.6 for cell in at}
+    down = heights(made, arrows, room)
+    for column in made:
+        order = sorted(column, key=down.__getitem__)
+        for upper, lower in pairwise(order):
+            assert down[lower] - down[upper] >= (room[lower] + room[upper]) / 2 - 1e-9
 
 
 def test_numbers_are_written_as_people_do():
