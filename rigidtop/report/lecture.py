@@ -224,7 +224,8 @@ def lecture(
     """
     lines, notation, student = edition.lines, edition.letters, edition.student
     judged, figures, solutions = _written(edition, judged, solutions)
-    drawings = {each.name: each for each in (*figures, *(FIGURES if figures else ()))}
+    every = map(Wording(notation).drawing, FIGURES if figures else ())
+    drawings = {each.name: each for each in (*every, *figures)}
     sections = {page.section for page, _ in judged}
     closing = {each.name: each.section for each in figures if each.section in sections}
     texts = {page.text for page, _ in judged}
