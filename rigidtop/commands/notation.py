@@ -74,7 +74,7 @@ def run(options: argparse.Namespace) -> int:
             f"  {unmarked(turns(notation))}",
         ]
         if notation.note:
-            head.append(f"  {notation.note}")
+            head.append(f"  {unmarked(notation.note)}")
         found = rows(notation)
         if found:
             columns = ("here", "in the notes", "in code", "meaning")

@@ -36,6 +36,17 @@ SEQUENCES: Mapping[str, Mapping[Symbol, Image]] = {
 """The sequences of Euler angles, and what the notes' symbols are in each: the letters of the same
 role, with minus signs and quarter turns.  The claim ``euler-zxz`` proves it."""
 
+MEANINGS: Mapping[str, Mapping[Symbol, str]] = {
+    "zyz": {},
+    "zxz": {
+        s.phi: "first Euler angle: azimuth of the line of nodes",
+        s.psi: "third Euler angle: turn about $e₃$ from the line of nodes",
+        s.e1p: "line of nodes: $e₁$ after $φ$",
+        s.e2p: "$e₂$ before the last Euler rotation",
+    },
+}
+"""What the letters mean there, where that is not what they mean in the notes."""
+
 
 def own(glyph: Glyph) -> Lettered:
     """The symbol of a letter that no table has: a number, or a vector if it is bold."""

@@ -38,7 +38,7 @@ from typing import Any
 from sympy import Symbol
 
 from rigidtop.errors import RigidtopError
-from rigidtop.notation.convention import SEQUENCES, Notation
+from rigidtop.notation.convention import MEANINGS, SEQUENCES, Notation
 from rigidtop.terminal.files import text_of
 from rigidtop.theory.lettered import instead
 from rigidtop.theory.symbols import VOCABULARY, Glyph
@@ -108,7 +108,7 @@ def _notation(table: Toml, name: str) -> Notation:
     sequence, angles = _euler(table.get("euler", {}))
     glyphs, names = dict(_PRINTED), {symbol: symbol.name for symbol in VOCABULARY}
     changes = {**_renamed_angles(angles), **_lettered(table.get("letters", {}))}
-    meanings: dict[Symbol, str] = {}
+    meanings = dict(MEANINGS[sequence])
     for symbol, glyph in changes.items():
         glyphs[symbol], names[symbol] = glyph, identifier(glyph)
     for key, entry in table.get("symbols", {}).items():
@@ -117,7 +117,8 @@ def _notation(table: Toml, name: str) -> Notation:
         names[symbol] = _typed(
             entry.get("name", identifier(glyphs[symbol])), str, f"symbols.{key}.name"
         )
-        meanings[symbol] = _typed(entry.get("meaning", ""), str, f"symbols.{key}.meaning")
+        meaning = _typed(entry.get("meaning", ""), str, f"symbols.{key}.meaning")
+        meanings[symbol] = meaning or meanings.get(symbol, "")
     changed = {x for x in VOCABULARY if glyphs[x] != _PRINTED[x] or names[x] != x.name}
     changed |= set(meanings) | {image.symbol for image in SEQUENCES[sequence].values()}
     _unambiguous(glyphs, names, changed)

@@ -10,8 +10,10 @@ from sympy import Symbol
 from rigidtop.notation import Notation
 from rigidtop.proof.words import unmarked
 from rigidtop.report.blocks import Block, DataTable, Heading, Paragraph, Rich
+from rigidtop.report.wording import Wording
 from rigidtop.theory import symbols as s
 from rigidtop.theory.lettered import Lettered, stands_for
+from rigidtop.theory.symbols import VOCABULARY
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.text import text
 
@@ -33,30 +35,32 @@ def turns(notation: Notation) -> str:
 
 
 def different(notation: Notation, among: Iterable[Symbol] | None = None) -> list[Lettered]:
-    """The symbols that look otherwise than in the notes or are others, in order of print."""
+    """The symbols that look or mean otherwise than in the notes, in order of print."""
     used = None if among is None else set(among)
     return [
         letter
-        for letter in notation.letters.values()
-        if (used is None or letter in used) and text(letter) != text(notation.in_notes(letter))
+        for symbol, letter in notation.letters.items()
+        if (used is None or letter in used) and letter.quantity != VOCABULARY[symbol]
     ]
 
 
 def rows(notation: Notation) -> list[list[str]]:
     """Letter, the same in the notes, name in code, meaning."""
+    means = Wording(notation).meaning
     return [
-        [text(x), text(notation.in_notes(x)), x.name, unmarked(x.quantity.meaning)]
+        [text(x), text(notation.in_notes(x)), x.name, unmarked(means(x.quantity.meaning))]
         for x in different(notation)
     ]
 
 
 def record(notation: Notation) -> dict[str, object]:
     """What `rigidtop notation --json` says."""
+    means = Wording(notation).meaning
     return {
         "name": notation.name,
         "title": notation.title,
         "source": notation.source,
-        "note": notation.note,
+        "note": unmarked(notation.note),
         "euler": notation.sequence,
         "symbols": [
             {
@@ -65,7 +69,7 @@ def record(notation: Notation) -> dict[str, object]:
                 "letter": text(x),
                 "notes": text(notation.in_notes(x)),
                 "glyph": asdict(x.quantity.glyph),
-                "meaning": unmarked(x.quantity.meaning),
+                "meaning": unmarked(means(x.quantity.meaning)),
                 "unit": x.quantity.unit,
             }
             for x in different(notation)
@@ -86,7 +90,10 @@ def front(notation: Notation, used: Iterable[Symbol]) -> list[Block]:
     if notation.images:
         made.append(Paragraph((f"{notation.note} {WORDS}".strip(),)))
     if found:
-        cells = tuple((x.quantity.meaning, layout(x), layout(notation.in_notes(x))) for x in found)
+        means = Wording(notation).meaning
+        cells = tuple(
+            (means(x.quantity.meaning), layout(x), layout(notation.in_notes(x))) for x in found
+        )
         made.append(DataTable("Written otherwise", ("meaning", "here", "in the notes"), cells))
     return made
 

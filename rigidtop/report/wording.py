@@ -18,6 +18,7 @@ from sympy import Basic
 
 from rigidtop.notation import Notation
 from rigidtop.notation.characters import FUNCTIONS, TEX_GREEK, opened
+from rigidtop.notation.convention import MEANINGS
 from rigidtop.notation.judged import judgement_in
 from rigidtop.notation.translate import Image
 from rigidtop.parameters import Parameter
@@ -47,6 +48,9 @@ _LETTER = re.compile(
     r"(?:[₀-₉₊₋ᵢⱼₖₙₓ]+|_(?:\d,\d|[A-Za-z0-9]+|[^\W\d_])|⊥)?)(?P<primes>′*)"
 )
 _A_UNIT = re.compile(r"(?:kg|rad|[msNJW])(?:[·/](?:kg|rad|[msNJW]))*[²³]")
+_SAID = {quantity.meaning for quantity in VOCABULARY.values()} | {
+    meaning for turned in MEANINGS.values() for meaning in turned.values()
+}
 _TURNED = re.compile(r"\bR[xyz]\(|R\u0307|Rᵀ")
 """Beside these R is the matrix of a rotation, and no distance."""
 
@@ -169,11 +173,23 @@ class Wording:
         """A list of symbols with their meanings in the notation; any other block as it is."""
         if not isinstance(block, Symbols) or not self.notation.images:
             return block
-        # What the table says itself is in its own letters.
-        own = {x.quantity.meaning for x in self.notation.letters.values()}
-        own -= {quantity.meaning for quantity in VOCABULARY.values()}
-        rows = [(x, said if said in own else self(said), unit) for x, said, unit in block.rows]
-        return Symbols(tuple(rows))
+        return Symbols(tuple((x, self.meaning(said), unit) for x, said, unit in block.rows))
+
+    def meaning(self, said: str) -> str:
+        """What a symbol of the notation stands for, in its letters.
+
+        It is of these that it speaks: of the notation's own angles and axes.  What a table says
+        itself stays.
+
+        >>> from rigidtop.notation import named
+        >>> Wording(named("goldstein")).meaning("rotational velocity along $e₁′$")
+        'rotational velocity along $e₁′$'
+        """
+        return self._roles(said) if said in _SAID else said
+
+    @cached_property
+    def _roles(self) -> Wording:
+        return Wording(replace(self.notation, sequence="zyz"))
 
     def drawing(self, drawing: Drawing) -> Drawing:
         """A figure whose caption and names are in the notation; it does not move."""
