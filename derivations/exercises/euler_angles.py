@@ -36,7 +36,7 @@ vertical_trap = Claim(
     "does the vector point that has it wrong?",
     claims=(vertical, vertical_trap),
     parameters=(
-        Parameter("phi", 0.7, "$φ$, azimuth of $e₃$", "rad"),
+        Parameter("phi", 0.7, "azimuth of $e₃$", "rad"),
         Parameter("theta", pi / 6, "$θ$, polar angle of $e₃$", "rad", least=0, most=pi),
     ),
     figure="euler-angles",

@@ -134,7 +134,7 @@ def discs(radius: float, height: float, nodes: int = 8) -> tuple[Vectors, Vector
     section="3.5.1",
     asks="exercise: the potential energy is $MgR cos θ$",
     statement="A solid cone of uniform density stands on its tip, which is held so high that no "
-    "table is in the way, and leans at $θ$ towards the azimuth $φ$. Every bit of it has a "
+    "table is in the way, and leans at $θ$ towards some azimuth. Every bit of it has a "
     "weight, an arm and a height of its own. Find the torque and the potential energy as "
     "integrals over the cone, and compare with one force $Mg$ at the centre of mass.\n\nFind its "
     "moments about the tip too: then the cone is a top. How fast must it spin so that it can "
@@ -145,7 +145,7 @@ def discs(radius: float, height: float, nodes: int = 8) -> tuple[Vectors, Vector
         Parameter("height", 0.06, "height", "m", above=0),
         Parameter("density", 700.0, "density: that of beech", "kg/m³", above=0),
         Parameter("theta", pi / 9, "$θ$, tilt of the axis", "rad", least=0, most=pi),
-        Parameter("phi", 0.7, "$φ$, azimuth of the axis", "rad"),
+        Parameter("phi", 0.7, "azimuth of the axis", "rad"),
         GRAVITY,
     ),
     figure="leaning-cone",

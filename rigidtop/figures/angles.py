@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -13,27 +16,29 @@ from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.space import Scene, View, paper
 from rigidtop.figures.style import Floats, canvas, degrees, spoken
-from rigidtop.motion.attitude import from_euler_angles
 from rigidtop.parameters import Parameter
 
 VIEW = View(azimuth=0.36, elevation=0.4)
 TURNED_ABOUT = "#8fd3e3"
 ANGLE = "#3f7d2a"
-NAMES = (
-    ("", r"$\mathbf{e}_2'$", ""),
-    (r"$\mathbf{e}_1'$", r"$\mathbf{e}_2'$", r"$\mathbf{e}_3$"),
-    (r"$\mathbf{e}_1$", r"$\mathbf{e}_2$", r"$\mathbf{e}_3$"),
-)
-"""Of the axes after each step."""
+NODES = {"zyz": 1, "zxz": 0}
+"""Which axis of the first turn is the line of nodes, about which the second goes."""
+
+NAMES = {
+    "zyz": (r"$\mathbf{e}_1'$", r"$\mathbf{e}_2'$", r"$\mathbf{e}_3$"),
+    "zxz": (r"$\mathbf{e}_2'$", r"$-\mathbf{e}_1'$", r"$\mathbf{e}_3$"),
+}
+"""Of the axes after the second step, in the letters of the notes."""
+
+BODY = (r"$\mathbf{e}_1$", r"$\mathbf{e}_2$", r"$\mathbf{e}_3$")
 
 
-def steps(phi: float, theta: float, psi: float) -> list[Rotation]:
+def steps(sequence: str, *angles: float) -> list[Rotation]:
     """The attitude before the first rotation and after each of the three."""
+    axes = sequence.upper()  # capitals: about the axes as they are turned
     return [
         Rotation.identity(),
-        from_euler_angles(0.0, phi, 0.0),
-        from_euler_angles(theta, phi, 0.0),
-        from_euler_angles(theta, phi, psi),
+        *(Rotation.from_euler(axes, (*angles[:k], *[0.0] * (3 - k))) for k in (1, 2, 3)),
     ]
 
 
@@ -69,63 +74,80 @@ def draw_rotation(
     scene.words(1.24 * way[30], symbol, color=ANGLE, ha="center", va="center", fontsize=11)
 
 
-def turns(phi: float, theta: float, psi: float) -> list[tuple[Floats, float, int, str]]:
-    """About which axis each step turns, by how much, and which axis shows it: ẑ, e₂′, e₃."""
-    after = steps(phi, theta, psi)
+def turns(sequence: str, *angles: float) -> list[tuple[Floats, float, int, str]]:
+    """About which axis each step turns, by how much, and which axis shows it: ẑ, the nodes, e₃."""
+    after = steps(sequence, *angles)
+    about = (2, NODES[sequence], 2)
+    names = (r"$\phi$", r"$\theta$", r"$\psi$")
     return [
-        (np.array([0.0, 0.0, 1.0]), phi, 0, r"$\phi$"),
-        (after[1].as_matrix()[:, 1], theta, 2, r"$\theta$"),
-        (after[2].as_matrix()[:, 2], psi, 0, r"$\psi$"),
+        (after[k].as_matrix()[:, axis], angle, 2 if k == 1 else 0, name)
+        for k, (axis, angle, name) in enumerate(zip(about, angles, names, strict=True))
     ]
 
 
-def _draw(phi: float, theta: float, psi: float) -> Canvas:
+def _draw(sequence: str, *angles: float) -> Canvas:
     drawn = canvas(look.WIDE, 2.65)
-    attitudes = steps(phi, theta, psi)
-    words = (
-        r"$\phi$ about $\hat{\mathbf{z}}$",
-        r"$\theta$ about $\mathbf{e}_2'$",
-        r"$\psi$ about $\mathbf{e}_3$",
-    )
-    for i, (axes, turned) in enumerate(
-        zip(drawn.subplots(1, 3), turns(phi, theta, psi), strict=True)
-    ):
-        draw_rotation(axes, attitudes[i], attitudes[i + 1], turned, NAMES[i])
-        axes.set_title(f"({'i' * (i + 1)})  {words[i]}", color=look.INK)
+    attitudes, nodes = steps(sequence, *angles), NODES[sequence]
+    tilted = NAMES[sequence]
+    first = tuple(name if k == nodes else "" for k, name in enumerate(tilted))
+    about = (look.Z, tilted[nodes], BODY[2])
+    all_turned = zip(drawn.subplots(1, 3), turns(sequence, *angles), strict=True)
+    for i, (axes, turned) in enumerate(all_turned):
+        names = (first, tilted, BODY)[i]
+        draw_rotation(axes, attitudes[i], attitudes[i + 1], turned, names)
+        axes.set_title(f"({'i' * (i + 1)})  {turned[3]} about {about[i]}", color=look.INK)
         paper(axes, (-1.42, 1.42), (-1.05, 1.5))
     return drawn
 
 
-def _caption(phi: float, theta: float, psi: float) -> str:
+def _caption(_: str, *angles: float) -> str:
+    phi, theta, psi = map(degrees, angles)
     return (
-        f"Euler's angles, here $φ = {degrees(phi)}$, $θ = {degrees(theta)}$ and $ψ = "
-        f"{degrees(psi)}$: three rotations, each about the axis on the broad stripe, from $x̂ŷẑ$ "
-        "(thin) to $e₁e₂e₃$. The axes that move are dashed before and solid after the step."
+        f"Euler's angles $φ$, $θ$ and $ψ$, here {phi}, {theta} and {psi}: three rotations, "
+        "each about the axis on the broad stripe, from $x̂ŷẑ$ (thin) to $e₁e₂e₃$. The "
+        "axes that move are dashed before and solid after the step."
     )
 
 
-def _in_words(phi: float, theta: float, psi: float) -> str:
-    by = [spoken(math.degrees(angle)) for angle in (phi, theta, psi)]
+def _in_words(sequence: str, *angles: float) -> str:
+    by = [spoken(math.degrees(angle)) for angle in angles]
+    nodes = f"e{NODES[sequence] + 1} prime"
     return (
         "Three drawings of a space-fixed frame x, y, z and of a body frame that is turned, first "
-        f"by phi, {by[0]} degrees, about z, which gives e2 prime; then by theta, {by[1]} degrees, "
-        f"about e2 prime, which brings e3 where it stays; last by psi, {by[2]} degrees, about e3, "
+        f"by phi, {by[0]} degrees, about z, which gives {nodes}; then by theta, {by[1]} degrees, "
+        f"about {nodes}, which brings e3 where it stays; last by psi, {by[2]} degrees, about e3, "
         "which brings e1 and e2 to their final places."
     )
 
 
-FULL = 2 * math.pi
+def euler_angles(sequence: str) -> Drawing:
+    """The three turns of a sequence, "zyz" as in the notes or "zxz", in the notes' letters.
 
-EULER_ANGLES = Drawing(
-    "euler-angles",
-    "Euler's angles: $φ$ about $ẑ$, $θ$ about $e₂′$, $ψ$ about $e₃$",
-    "3.3",
-    (
-        Parameter("phi", math.radians(60), "first, about $ẑ$", "rad", least=-FULL, most=FULL),
-        Parameter("theta", math.radians(45), "second, about $e₂′$", "rad", least=0, most=math.pi),
-        Parameter("psi", math.radians(45), "third, about $e₃$", "rad", least=-FULL, most=FULL),
-    ),
-    _draw,
-    _caption,
-    _in_words,
-)
+    Its parameters are the angles of the notes: those of z–x′–z″ are φ + π/2, θ and ψ − π/2.
+    """
+    quarter = math.pi / 2 if sequence == "zxz" else 0.0
+
+    def counted(of: Callable[..., Any]) -> Callable[..., Any]:
+        return lambda phi, theta, psi: of(sequence, phi + quarter, theta, psi - quarter)
+
+    def angle(name: str, degrees: float, about: str, shift: float) -> Parameter:
+        value = math.radians(degrees) + shift
+        return Parameter(name, value, about, "rad", least=-2 * math.pi, most=2 * math.pi)
+
+    return Drawing(
+        "euler-angles",
+        "Euler's angles: $φ$ about $ẑ$, $θ$ about $e₂′$, $ψ$ about $e₃$",
+        "3.3",
+        (
+            angle("phi", 60, "first, about $ẑ$", -quarter),
+            replace(angle("theta", 45, "second, about $e₂′$", 0.0), least=0, most=math.pi),
+            angle("psi", 45, "third, about $e₃$", quarter),
+        ),
+        counted(_draw),
+        counted(_caption),
+        counted(_in_words),
+        turned=euler_angles,
+    )
+
+
+EULER_ANGLES = euler_angles("zyz")

@@ -61,6 +61,8 @@ class Drawing:
     animate: Callable[..., Film] | None = None
     motions: Callable[..., Sequence[Motion]] | None = None
     """Those that it shows, to be played."""
+    turned: Callable[[str], Drawing] | None = None
+    """The same for another sequence of Euler angles, "zyz" or "zxz", where that is its matter."""
 
     def values(self, given: Mapping[str, float] | None = None) -> dict[str, float]:
         """Every parameter's value, those `given` checked against their ranges."""

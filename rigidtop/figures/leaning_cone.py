@@ -74,12 +74,12 @@ def draw_leaning_cone(
 
 
 def _draw_azimuth(scene: Scene, phi: float, level: Floats) -> None:
-    """φ from x̂ to the direction into which the cone leans, under it."""
+    """The azimuth from x̂ to the direction into which the cone leans, under it."""
     scene.arrow([0.6, 0.0, 0.0], look.X, color=look.GREY, lw=0.7, zorder=1.5)
     scene.line(np.outer([0.0, 0.5], level), color=look.GREY, lw=0.7, ls=look.DOTTED, zorder=1.5)
     turned = math.remainder(phi, 2 * math.pi) * np.linspace(0.0, 1.0, 61)
     way = 0.4 * np.column_stack([np.cos(turned), np.sin(turned), 0 * turned])
-    _draw_angle(scene, way, r"$\phi$", (2, -8), zorder=1.5)
+    _draw_angle(scene, way, degrees(phi), (2, -8), zorder=1.5)
 
 
 def _draw_angle(
@@ -139,11 +139,11 @@ def _caption(
     )
     weight = f"$g = {said(g)}$ m/s²"
     if vertical(theta):
-        leans = f"on the vertical, $θ = {degrees(theta)}$, where $φ$ has no meaning and $N = 0$"
+        leans = f"on the vertical, $θ = {degrees(theta)}$, where it has no azimuth and $N = 0$"
     else:
         leans = (
-            f"leaning at $θ = {degrees(theta)}$ towards $φ = {degrees(phi)}$; $N$, along $e₂′$, is "
-            f"$MgR sin θ = {said(found['torque'])}$ N m, horizontal and into the paper"
+            f"leaning at $θ = {degrees(theta)}$ towards the azimuth {degrees(phi)}; $N$, along "
+            f"$e₂′$, is $MgR sin θ = {said(found['torque'])}$ N m, horizontal and into the paper"
         )
     return (
         f"A solid cone on its tip, of radius {said(radius)} m, height {said(height)} m and density "

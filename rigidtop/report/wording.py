@@ -21,11 +21,10 @@ from rigidtop.notation.characters import FUNCTIONS, TEX_GREEK, opened
 from rigidtop.notation.convention import MEANINGS
 from rigidtop.notation.judged import judgement_in
 from rigidtop.notation.translate import Image
-from rigidtop.parameters import Parameter
 from rigidtop.proof.verdict import Judgement
-from rigidtop.proof.words import bold, light, parts, unmarked
+from rigidtop.proof.words import bold, light, parts
 from rigidtop.report.blocks import Block, Symbols
-from rigidtop.theory.symbols import VOCABULARY
+from rigidtop.theory.symbols import VOCABULARY, phi, psi
 from rigidtop.typeset.latex import latex
 from rigidtop.typeset.text import letter, text
 
@@ -51,6 +50,7 @@ _A_UNIT = re.compile(r"(?:kg|rad|[msNJW])(?:[·/](?:kg|rad|[msNJW]))*[²³]")
 _SAID = {quantity.meaning for quantity in VOCABULARY.values()} | {
     meaning for turned in MEANINGS.values() for meaning in turned.values()
 }
+_ANGLES = {latex(angle): angle for angle in (phi, psi)}
 _TURNED = re.compile(r"\bR[xyz]\(|R\u0307|Rᵀ")
 """Beside these R is the matrix of a rotation, and no distance."""
 
@@ -146,8 +146,6 @@ class Wording:
         if isinstance(tree, tuple):
             parts = tuple(self._walked(each, are_words) for each in tree)
             return parts if any(a is not b for a, b in zip(parts, tree, strict=True)) else tree
-        if isinstance(tree, Parameter):
-            return replace(tree, about=self._named(tree))
         if not is_dataclass(tree) or isinstance(tree, type):
             return tree
         changed = {
@@ -159,15 +157,6 @@ class Wording:
             if walked is not value
         }
         return replace(tree, **changed) if changed else tree
-
-    def _named(self, parameter: Parameter) -> str:
-        """What a setting is, with its letter: its name in the shell is that of the notes."""
-        about = self(parameter.about)
-        names = {symbol.name: symbol for symbol in VOCABULARY}
-        symbol = names.get(parameter.name.replace("_dot", "dot"))
-        shown = "" if symbol is None else self(f"${letter(VOCABULARY[symbol].glyph)}$")
-        there = re.search(rf"(?<!\w){re.escape(unmarked(shown))}(?!\w)", unmarked(about))
-        return about if there or not shown else f"{about}, {shown}"
 
     def symbols(self, block: Block) -> Block:
         """A list of symbols with their meanings in the notation; any other block as it is."""
@@ -197,6 +186,9 @@ class Wording:
             return drawing
         from matplotlib.text import Text  # claims are judged without it
 
+        if drawing.turned is not None:
+            drawing = drawing.turned(self.notation.sequence)
+
         def draw(**values: float) -> Canvas:
             canvas = drawing.draw(**values)
             for name in dict.fromkeys(canvas.findobj(Text)):
@@ -206,7 +198,8 @@ class Wording:
         def caption(**values: float) -> str:
             return self(drawing.caption(**values))
 
-        return replace(drawing, draw=draw, caption=caption, animate=None)
+        title = self(drawing.title)
+        return replace(drawing, title=title, draw=draw, caption=caption, animate=None)
 
     def judgement(self, judgement: Judgement) -> Judgement:
         """A judgement with equations and words in the notation."""
@@ -238,6 +231,8 @@ class Wording:
         return "$".join(parts)
 
     def _label(self, tex: str) -> str:
+        if tex in _ANGLES:  # a name, wherever the angle is counted from
+            return latex(self.notation.named(_ANGLES[tex]))
         tex = re.sub(r"_(\\[a-z]+(?!\{)|[^{\\])(?![a-z]*\{)", r"_{\1}", tex)
         tex = re.sub(r"\\(dot|hat)\s*(\\[a-z]+)", r"\\\1{\2}", tex)
         known, bases = (
@@ -250,7 +245,7 @@ class Wording:
             f"{self._tex[m[1]]} " if m[1] else f"{self._tex_bases[m[2]]}" if m[2] else m[0]
             for m in parts
         )
-        return "".join(made).strip()
+        return "".join(made).strip().replace("--", "")
 
     @cached_property
     def _tex_bases(self) -> Mapping[str, str]:

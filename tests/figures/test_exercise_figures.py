@@ -441,4 +441,4 @@ def test_a_vertical_cone_has_no_torque(axes, theta):
     leaning_cone.draw_leaning_cone(axes, 0.03, 0.06, theta, 0.7, 0.045)
     assert r"$\mathbf{N} = 0$" in [text.get_text() for text in axes.texts]
     assert lines(axes, "_angle") == []
-    assert "φ has no meaning and N = 0" in caption("leaning-cone", theta=theta)
+    assert "it has no azimuth and N = 0" in caption("leaning-cone", theta=theta)

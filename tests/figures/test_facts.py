@@ -205,30 +205,34 @@ def test_no_torque_on_the_vertical(axes):
 # --- Euler's angles ------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("sequence", ["zyz", "zxz"])
 @pytest.mark.parametrize("chosen", [(1.0, 0.7, 0.8), (-2.0, 2.5, 4.0), (0.0, 0.0, 0.0)])
-def test_every_step_is_a_proper_rotation_about_its_axis(chosen):
+def test_every_step_is_a_proper_rotation_about_its_axis(sequence, chosen):
     phi, theta, psi = chosen
-    steps = angles.steps(*chosen)
+    steps = angles.steps(sequence, *chosen)
+    quarter = math.pi / 2 if sequence == "zxz" else 0.0
     assert steps[3].as_matrix() == pytest.approx(
-        from_euler_angles(theta, phi, psi).as_matrix(), abs=1e-15
+        from_euler_angles(theta, phi - quarter, psi + quarter).as_matrix(), abs=1e-15
     )
     for before, after, (axis, angle, _, _) in zip(
-        steps, steps[1:], angles.turns(*chosen), strict=False
+        steps, steps[1:], angles.turns(sequence, *chosen), strict=False
     ):
         turn = (after * before.inv()).as_matrix()
         assert np.linalg.det(turn) == pytest.approx(1)
         assert turn @ axis == pytest.approx(axis, abs=1e-15)
         assert np.trace(turn) == pytest.approx(1 + 2 * math.cos(angle))
-    axes_turned_about = [axis for axis, _, _, _ in angles.turns(*chosen)]
+    axes_turned_about = [axis for axis, _, _, _ in angles.turns(sequence, *chosen)]
+    nodes = [-math.sin(phi - quarter), math.cos(phi - quarter), 0]
     assert axes_turned_about[0] == pytest.approx([0, 0, 1])
-    assert axes_turned_about[1] == pytest.approx([-math.sin(phi), math.cos(phi), 0], abs=1e-15)
+    assert axes_turned_about[1] == pytest.approx(nodes, abs=1e-15)
     assert axes_turned_about[2] == pytest.approx(steps[3].as_matrix()[:, 2], abs=1e-15)
 
 
-def test_angles_end_where_the_axes_are(axes):
+@pytest.mark.parametrize("sequence", ["zyz", "zxz"])
+def test_angles_end_where_the_axes_are(axes, sequence):
     chosen = (1.0, 0.7, 0.8)
-    steps = angles.steps(*chosen)
-    for i, turned in enumerate(angles.turns(*chosen)):
+    steps = angles.steps(sequence, *chosen)
+    for i, turned in enumerate(angles.turns(sequence, *chosen)):
         panel = Canvas().subplots()
         angles.draw_rotation(panel, steps[i], steps[i + 1], turned, ("", "", ""))
         [way] = lines_like(panel, angles.ANGLE, 61)

@@ -10,8 +10,8 @@ from matplotlib.text import Text
 
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.figures.catalog import FIGURES
+from rigidtop.figures.catalog import named as figure
 from rigidtop.notation import BUILT_IN, named
-from rigidtop.parameters import Parameter
 from rigidtop.report.claims import claim_blocks
 from rigidtop.report.lecture import exercise_fragment, fragment, picture, solution_in
 from rigidtop.report.solutions import blocks, solved
@@ -138,8 +138,8 @@ def test_names_in_figures_are_other_letters():
     assert label(r"$\omega_k$, $\Omega_s$") == r"$\Omega_{k}$, $\Omega_{s}$"
     assert label(r"$\mathbf{R}_\mathrm{CM}$") == r"$\mathbf{R}_\mathrm{CM}$"
     assert label("M of N") == "M of N"
-    assert Wording(named("goldstein")).label(r"$\dot\phi$ at $\phi$") == (
-        r"$\dot{\phi}$ at $(\phi-\pi/2)$"
+    assert Wording(named("goldstein")).label(r"$\dot\phi$ by $\phi$ to $R\phi$") == (
+        r"$\dot{\phi}$ by $\phi$ to $l (\phi-\pi/2)$"
     )
 
 
@@ -164,6 +164,15 @@ def test_the_notes_stay_as_they_are(judgements):
     assert words("λ₁") == "λ₁"
 
 
-def test_a_setting_without_a_letter_is_its_words():
-    mass = Parameter("m1", 1.0, "mass of point 1", "kg")
-    assert Wording(named("goldstein")).of(mass).about == "mass of point 1"
+def test_euler_angles_are_drawn_in_the_sequence_of_the_notation():
+    drawing = Wording(named("goldstein")).drawing(figure("euler-angles"))
+    titles = [axes.get_title() for axes in drawing.draw(**drawing.values()).axes]
+    assert titles == [
+        r"(i)  $\phi$ about $\hat{\mathbf{z}}$",
+        r"(ii)  $\theta$ about $\mathbf{e}_{1}'$",
+        r"(iii)  $\psi$ about $\mathbf{e}_{3}$",
+    ]
+    # the attitude is that of the notes' angles, which are others there
+    assert drawing.caption(phi=0.0, theta=0.0, psi=0.0).startswith(
+        "Euler's angles $φ$, $θ$ and $ψ$, here 90°, 0° and −90°:"
+    )
