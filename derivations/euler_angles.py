@@ -57,8 +57,8 @@ def sequence() -> dict[Expr, Expr]:
 
 @claim(
     "euler-sequence",
-    "Turn about $ẑ$ by $φ$, about $e₂′$ by $θ$, about $e₃$ by $ψ$; $φ$ and $θ$ are azimuth and "
-    "polar angle of $e₃$.",
+    "Turn about $ẑ$ by $φ$, about $e₂′$ by $θ$, about $e₃$ by $ψ$; $e₃$ has the polar angle $θ$ "
+    "and the azimuth of $cos φ x̂ + sin φ ŷ$.",
 )
 def euler_sequence() -> Iterator[Evidence]:
     """Rodrigues' formula about each axis in turn; the product is $Rz(φ) Ry(θ) Rz(ψ)$."""

@@ -146,7 +146,7 @@ def friction() -> Iterator[Evidence]:
     """
     direction = Matrix([cos(s.theta), sin(s.theta), 0])
     sliding = {s.F: -s.mu * s.n * direction, s.v_tip: s.slip * direction}
-    yield Formal(printed.lines("friction")[2], {s.Edot: sliding[s.F].dot(sliding[s.v_tip])})
+    yield Formal(printed.lines("friction")[-1], {s.Edot: sliding[s.F].dot(sliding[s.v_tip])})
     yield Formal(
         printed(r"\dot E < 0"),
         {s.Edot: sliding[s.F].dot(sliding[s.v_tip])},
@@ -155,17 +155,17 @@ def friction() -> Iterator[Evidence]:
     figure_axis = Matrix([sin(s.theta), 0, cos(s.theta)])
     turning = s.Omega * Matrix([0, 0, 1])
     yield Formal(
-        printed(r"\boldsymbol\omega\times\delta\hat{\mathbf z} \neq [0, 0, 0]^T"),
+        printed(r"\boldsymbol\omega\times r_0\hat{\mathbf z} \neq [0, 0, 0]^T"),
         {s.omega_vec: Matrix([s.omega1, s.omega2, s.omega3]), s.zhat: Matrix([0, 0, 1])},
         (
             Assumption(
-                Ne(s.delta, 0), "the tip is round, with radius $δ$: held by friction it rolls"
+                Ne(s.r_t, 0), "the tip is round, with radius $r₀$: held by friction it rolls"
             ),
             Assumption(Ne(s.omega1, 0), "the top does not turn about the vertical alone"),
         ),
     )
     yield Remark(
-        printed.lines("friction")[6],
+        printed.lines("friction")[4],
         {s.v_tip: -s.R * turning.cross(figure_axis)},
         reason="Without friction the centre keeps its place and the tip, at $−R e₃$, goes round.",
     )

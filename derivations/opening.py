@@ -68,14 +68,14 @@ def two_mass_points() -> Iterator[Evidence]:
         {
             **meaning,
             s.omega_perp: before / moment,
-            s.r_1: s.a * STICK + s.delta * Matrix([1, 0, 0]),
+            s.r_1: s.a * STICK + s.radius * Matrix([1, 0, 0]),
         },
         (
             TURNING,
             OBLIQUE,
             Assumption(
-                Ne(s.delta, 0),
-                "the stick has a thickness $δ$, so that it shows a turn about itself",
+                Ne(s.radius, 0),
+                "the stick has a radius $r$, so that it shows a turn about itself",
             ),
         ),
     )

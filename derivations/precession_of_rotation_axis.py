@@ -130,19 +130,20 @@ def coplanar() -> Iterator[Evidence]:
     yield Formal(
         printed.lines("coplanar")[2], meaning, (SYMMETRIC,), "So the three are in one plane."
     )
+    gone = s.Omega_b * s.t
     behind = {
         s.e3: axis,
-        s.omega_vec: Matrix([s.omega_0 * cos(s.phi), -s.omega_0 * sin(s.phi), s.omega3]),
-        s.follower: Matrix([s.L1 * cos(s.phi + s.delta), -s.L1 * sin(s.phi + s.delta), s.L3]),
+        s.omega_vec: Matrix([s.omega_0 * cos(gone), -s.omega_0 * sin(gone), s.omega3]),
+        s.follower: Matrix([s.L1 * cos(gone + s.delta), -s.L1 * sin(gone + s.delta), s.L3]),
     }
     yield Formal(
         printed(r"\boldsymbol\omega\cdot\mathbf w = \text{const}"),
-        {**behind, s.const: lambda product: product.diff(s.phi)},
+        {**behind, s.const: lambda product: product.diff(s.t)},
         reason="But $ω$ and a vector $𝐰$ that goes round with it, $δ$ apart, keep their angle,",
     )
     yield Formal(
         printed(r"\mathbf e_3\cdot(\boldsymbol\omega\times\mathbf w) = 0"),
-        behind,
+        {vector: means.subs(s.t, 0) for vector, means in behind.items()},
         reason="yet they are not in one plane with $e₃$.",
     )
     yield Correction(
