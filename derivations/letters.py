@@ -51,7 +51,17 @@ LETTERS = Letters(
         {
             *(x for x, _ in _ROWS if x.is_positive and x not in (s.n, s.mu)),
             *(s.R1, s.R2, s.R3, s.alpha, s.beta, s.kappa, s.omega_0, s.omega_20, s.omega_30),
-            *(s.theta_0, s.theta_i, s.theta_1, s.phidot_i, s.A, s.epsilon_0, s.m, s.Omega_b),
+            *(
+                s.theta_0,
+                s.theta_i,
+                s.theta_2,
+                s.phidot_i,
+                s.A,
+                s.eta_0,
+                s.epsilon_0,
+                s.m,
+                s.Omega_b,
+            ),
             *(s.damping, s.ellipticity, s.follows, s.nu, s.radius, s.height, s.r_t, s.c_3),
             *(s.M_d, s.M_s, s.r_d, s.h_d, s.z_d, s.l_s, s.lambda_d, s.lambda_s),
             *(s.xhat, s.yhat, s.zhat, s.g_vec, s.F_grav, s.lambda_r, s.lambda_i),

@@ -16,7 +16,7 @@ from rigidtop.theory.trig import reduce_ratio
 from .euler_angles import TILTED
 from .printed import printed
 
-SMALL = Assumption(Eq(s.A, 0), "small oscillations", stated=True, otherwise=s.A)
+SMALL = Assumption(Eq(s.eta_0, 0), "small oscillations", stated=True, otherwise=s.eta_0)
 
 
 def steady_state() -> dict[Expr, Expr]:
@@ -39,13 +39,13 @@ def mean_shift(second: Expr, third: Expr) -> Expr:
     term of what is of order A² has to vanish.
     """
     phase, shift, overtone, u2, u3 = symbols("x c_0 c_2 u_2 u_3")
-    swing = s.A * cos(phase) + s.A**2 * (shift + overtone * cos(2 * phase))
+    swing = s.eta_0 * cos(phase) + s.eta_0**2 * (shift + overtone * cos(2 * phase))
     balance = u2 * (swing.diff(phase, 2) + swing) + u3 * swing**2 / 2
-    order = (balance.diff(s.A, 2) / 2).subs(s.A, 0)
+    order = (balance.diff(s.eta_0, 2) / 2).subs(s.eta_0, 0)
     # The mean over four quarters of a turn is exact: there is no harmonic above the third.
     constant = sum(order.subs(phase, k * pi / 2) for k in range(4)) / 4
     solution = -constant.subs(shift, 0) / constant.diff(shift)
-    return s.A**2 * solution.subs({u2: second, u3: third})
+    return s.eta_0**2 * solution.subs({u2: second, u3: third})
 
 
 @claim(

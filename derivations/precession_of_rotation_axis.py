@@ -134,12 +134,12 @@ def coplanar() -> Iterator[Evidence]:
     behind = {
         s.e3: axis,
         s.omega_vec: Matrix([s.omega_0 * cos(gone), -s.omega_0 * sin(gone), s.omega3]),
-        s.follower: Matrix([s.L1 * cos(gone + s.delta), -s.L1 * sin(gone + s.delta), s.L3]),
+        s.follower: Matrix([s.L1 * cos(gone + s.gamma), -s.L1 * sin(gone + s.gamma), s.L3]),
     }
     yield Formal(
         printed(r"\boldsymbol\omega\cdot\mathbf w = \text{const}"),
         {**behind, s.const: lambda product: product.diff(s.t)},
-        reason="But $ω$ and a vector $𝐰$ that goes round with it, $δ$ apart, keep their angle,",
+        reason="But $ω$ and a vector $𝐰$ that goes round with it, $γ$ apart, keep their angle,",
     )
     yield Formal(
         printed(r"\mathbf e_3\cdot(\boldsymbol\omega\times\mathbf w) = 0"),

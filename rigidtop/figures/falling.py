@@ -131,7 +131,7 @@ def draw_sleeping(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> Non
     name_at(axes, wakes, 190, r"$\frac{2}{\lambda_3}\sqrt{\lambda_1 MgR}$", (5, -2), va="top")
     name_at(axes, 0.62 * wakes, 40, "wakes", ha="center", color=look.INK)
     name_at(axes, 0.5 * (wakes + last), 40, "sleeps", ha="center", color=look.INK)
-    for curve, words in ((second, r"$\theta_1$"), (first, r"$\theta_i$")):
+    for curve, words in ((second, r"$\theta_2$"), (first, r"$\theta_i$")):
         at = float(np.interp(0.3 * wakes, spins, curve))
         name_at(axes, 0.3 * wakes, at, words, (0, 5), ha="center", color=look.INK)
     axes.set(xlim=(0, last), xlabel=r"$\omega_3$  (rad/s)", **ALL_TILTS)
@@ -142,7 +142,7 @@ def _sleeping_caption(theta: float, omega3: float, **top: float) -> str:
     first, last = body.motion(theta=theta, omega3=omega3).turning_points
     return (
         f"How far a top with {top_in_words(body)} falls that is let go at $θ = {degrees(theta)}$ "
-        "with $φ̇ = θ̇ = 0$: its turning points, the start $θᵢ$ and $θ₁$, against $ω₃$. Left "
+        "with $φ̇ = θ̇ = 0$: its turning points, the start $θᵢ$ and $θ₂$, against $ω₃$. Left "
         f"of the dotted line, $ω₃ = {said(body.sleeping_spin())}$ rad/s, the upright top is "
         f"not stable. Dots: at $ω₃ = {said(omega3)}$ rad/s $θ$ runs between {degrees(first)} and "
         f"{degrees(last)}."
