@@ -77,7 +77,7 @@ def test_the_hand_written_equations_are_the_derived_ones():
         assert motions._by_hand(*state) == pytest.approx(derived(state), rel=1e-13)
 
 
-@pytest.mark.parametrize("k", [0, 2, 3, 4, 5])
+@pytest.mark.parametrize("k", [0, 2, 3, 4])
 def test_every_way_arrives_at_the_truth(k):
     """θ, φ and ψ after 10 s, which the reference code of the tests gives with 50 digits."""
     way = motions._trajectory(50)[k]

@@ -8,11 +8,9 @@ the motion: other kinds, of the same top and of free bodies, stand beside it.
 
 from __future__ import annotations
 
-import contextlib
 import importlib
 import math
-import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from types import ModuleType
@@ -230,7 +228,6 @@ def _trajectory(samples: int) -> list[Way]:
         heyoka,
         Way("solve_ivp DOP853, 1e-12", dop853, exact.error),
         Way("odeint, 1e-12", lsoda, exact.error, rounds=2 if samples > 100_000 else ROUNDS),
-        _pydy(t, exact.error),
     ]
 
 
@@ -288,60 +285,6 @@ def _heyoka_grid(
         return integrator.propagate_grid(t)[-1].T
 
     return Way(name, go, last)
-
-
-def _pydy(t: Floats, last: Callable[[Any], float] | None) -> Way:
-    """The same top from Kane's equations, as PyDy's manual has it."""
-    name = "PyDy System.integrate, 1e-12"
-    with _quiet():
-        system_module = _module("pydy.system")
-    if system_module is None:
-        return missing(name, "pydy")
-    import sympy
-    from sympy.physics import mechanics
-
-    lambda1, lambda3, M, g, R = parameters = sympy.symbols(list(TOP))
-    theta, phi, psi = angles = mechanics.dynamicsymbols("theta phi psi")
-    speeds = mechanics.dynamicsymbols("u_theta u_phi u_psi")
-    space = mechanics.ReferenceFrame("N")
-    turned = space.orientnew("A", "Axis", [phi, space.z])
-    tilted = turned.orientnew("B", "Axis", [theta, turned.y])
-    body = tilted.orientnew("C", "Axis", [psi, tilted.z])
-    kinematic = [
-        u - q.diff(mechanics.dynamicsymbols._t) for q, u in zip(angles, speeds, strict=True)
-    ]
-    pivot = mechanics.Point("O")
-    pivot.set_vel(space, 0)
-    centre = pivot.locatenew("G", R * body.z)
-    centre.v2pt_theory(pivot, space, body)
-    across = lambda1 - M * R**2
-    inertia = mechanics.inertia(body, across, across, lambda3)
-    top = mechanics.RigidBody("top", centre, body, M, (inertia, centre))
-    kane = mechanics.KanesMethod(space, q_ind=angles, u_ind=speeds, kd_eqs=kinematic)
-    with _quiet():
-        kane.kanes_equations([top], [(centre, -M * g * space.z)])
-        system = system_module.System(
-            kane,
-            constants=dict(zip(parameters, TOP.values(), strict=True)),
-            initial_conditions=dict(zip([*angles, *speeds], STATE, strict=True)),
-            times=t,
-        )
-        system.generate_ode_function(generator="lambdify")
-    order = [system.states.index(x) for x in (*angles, *speeds)]
-
-    def go() -> object:
-        with _quiet():
-            return system.integrate(rtol=TOLERANCE, atol=TOLERANCE, mxstep=100_000).T[order]
-
-    return Way(name, go, last, rounds=1)
-
-
-@contextlib.contextmanager
-def _quiet() -> Iterator[None]:
-    """PyDy warns of what it will change."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        yield
 
 
 # --- One time ---

@@ -1,4 +1,4 @@
-"""Systems: n pendulums in a row, beside SymPy's LagrangesMethod, and two of them beside PyDy.
+"""Derivations of systems beside SymPy's LagrangesMethod, and a motion of one beside PyDy.
 
 Run ``python tests/benchmarks/systems.py``.  A derivation runs in a process of its own, where
 nothing is in SymPy's caches; its import is not counted.
@@ -22,37 +22,42 @@ from rigidtop.bench.motions import END, TOLERANCE
 from rigidtop.bench.rows import ROUNDS, Row, Task, Way, measured, missing, table
 from rigidtop.system.parts import Mass
 from rigidtop.system.system import System
-
-SOLVED = 4
-"""More pendulums than these SymPy does not solve in a reasonable time."""
+from rigidtop.theory import top
 
 m, length, g = sympy.symbols("m length g", positive=True)
 PARAMETERS = {m: 1.0, length: 1.0, g: 9.81}
 
 
-def masses(n: int) -> tuple[list[Any], list[Mass]]:
-    """Of pendulums in a row their angles to the vertical, and the masses with their places."""
-    angles = [dynamicsymbols(f"theta{k + 1}") for k in range(n)]
-    x, y, found = sympy.S.Zero, sympy.S.Zero, []
-    for angle in angles:
-        x, y = x + length * sympy.sin(angle), y - length * sympy.cos(angle)
-        found.append(Mass(m, [x, y]))
-    return angles, found
-
-
 def pendulums(n: int) -> System:
     """n equal masses, each on a rod from the one before, by their angles to the vertical."""
-    angles, parts = masses(n)
+    angles = [dynamicsymbols(f"theta{k + 1}") for k in range(n)]
+    x, y, parts = sympy.S.Zero, sympy.S.Zero, []
+    for angle in angles:
+        x, y = x + length * sympy.sin(angle), y - length * sympy.cos(angle)
+        parts.append(Mass(m, [x, y]))
     return System.of_parts(parts, angles, gravity=[0, -g])
 
 
-def by_sympy(n: int) -> LagrangesMethod:
+def in_euler_angles(L: sympy.Expr) -> System:
+    """A body about a pivot, by a Lagrangian of the theory."""
+    angles = dynamicsymbols("theta phi psi")
+    own = zip((*top.ANGLES, *top.RATES), (*angles, *(x.diff() for x in angles)), strict=True)
+    return System(L.xreplace(dict(own)), angles)
+
+
+DERIVED = {
+    "2 pendulums in a row": ("pendulums(2)", True),
+    "4 pendulums in a row": ("pendulums(4)", True),
+    "10 pendulums in a row": ("pendulums(10)", False),
+    "the symmetric top": ("in_euler_angles(top.symmetric_lagrangian())", True),
+    "a heavy body, three moments, any centre of mass": ("in_euler_angles(top.lagrangian())", False),
+}
+"""Systems, and whether SymPy solves them for q̈ in a reasonable time."""
+
+
+def by_sympy(system: System) -> LagrangesMethod:
     """With its equations formed."""
-    angles, parts = masses(n)
-    t = dynamicsymbols._t
-    T = sum(part.mass * part.place.diff(t).dot(part.place.diff(t)) for part in parts) / 2
-    V = sum(part.mass * g * part.place[1] for part in parts)
-    method = LagrangesMethod(T - V, angles)
+    method = LagrangesMethod(system.L, list(system.q))
     method.form_lagranges_equations()
     return method
 
@@ -63,30 +68,27 @@ def operations(expressions: Any) -> int:
     return int(sympy.count_ops([*(value for _, value in shared), *reduced]))
 
 
-def derivation(n: int) -> list[Row]:
-    """To q̈ as lines, or, where SymPy does not get there, to M and f of Mq̈ = f."""
-    task = f"derive {n} pendulums in a row, to the right-hand side"
-    told = "rhs()" if n <= SOLVED else "mass_matrix, *method.forcing"
-    imports = f"import sys; sys.path.insert(0, {str(Path(__file__).parent)!r}); import systems"
-    counted = f"systems.operations([*method.{told}])"
-    made = pendulums(n).program.operations
-    seconds, count = fresh(imports, f"method = systems.by_sympy({n}); count = {counted}", "count")
-    said = f"{count:.0f} operations" + ("" if n <= SOLVED else ", not solved")
+def derivation(name: str) -> list[Row]:
+    """From L to q̈ as lines, or, where SymPy does not get there, to M and f of Mq̈ = f."""
+    made, is_solved = DERIVED[name]
+    task = f"derive {name}, to the right-hand side"
+    told = "rhs()" if is_solved else "mass_matrix, *method.forcing"
+    folder = str(Path(__file__).parent)
+    given = f"import sys; sys.path.insert(0, {folder!r}); from systems import *; system = {made}"
+    ours = fresh(given, "program = system.program", "program.operations")
+    counted = f"operations([*method.{told}])"
+    theirs = fresh(given, f"method = by_sympy(system); count = {counted}", "count")
+    said = f"{theirs[1]:.0f} operations" + ("" if is_solved else ", not solved")
     return [
-        Row(
-            task,
-            "rigidtop.System",
-            fresh(imports, f"systems.pendulums({n}).program", "0")[0],
-            note=f"{made} operations",
-        ),
-        Row(task, "sympy LagrangesMethod, cse", seconds, note=said),
+        Row(task, "rigidtop.System", ours[0], note=f"{ours[1]:.0f} operations"),
+        Row(task, "sympy LagrangesMethod, cse", theirs[0], note=said),
     ]
 
 
-def fresh(imports: str, statement: str, told: str) -> tuple[float, float]:
+def fresh(given: str, statement: str, told: str) -> tuple[float, float]:
     """Seconds of a statement in a new process, and a number of it."""
     code = (
-        f"from time import perf_counter\n{imports}\nbegin = perf_counter()\n{statement}\n"
+        f"from time import perf_counter\n{given}\nbegin = perf_counter()\n{statement}\n"
         f"print(perf_counter() - begin, {told})"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
@@ -117,7 +119,7 @@ def by_pydy(t: NDArray[np.float64], error: Callable[[Any], float]) -> Way:
         return missing("PyDy, odeint", "PyDy")
     from scipy.integrate import odeint
 
-    method = by_sympy(2)
+    method = by_sympy(pendulums(2))
     speeds = sympy.symbols("w1 w2")
     rates = {x.diff(): w for x, w in zip(method.q, speeds, strict=True)}
     with warnings.catch_warnings():
@@ -140,7 +142,8 @@ def by_pydy(t: NDArray[np.float64], error: Callable[[Any], float]) -> Way:
 
 
 def main(quick: bool) -> None:
-    rows = [row for n in ((2,) if quick else (2, 4, 10)) for row in derivation(n)]
+    names = [*DERIVED][:1] if quick else [*DERIVED]
+    rows = [row for name in names for row in derivation(name)]
     task = Task("10 s of two pendulums, 1,000 samples", two_pendulums, 1000)
     print(table([*rows, *measured([task], 1 if quick else ROUNDS)]))
 
