@@ -25,52 +25,39 @@ adds W C with the mobility W (`mobility`).  This is all that the law of contact 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from functools import cache
-from types import MappingProxyType
 
 import sympy
-from sympy import ImmutableMatrix, Matrix, Symbol, eye
+from sympy import ImmutableMatrix, Matrix, eye
 
 from rigidtop.theory import symbols as s
 from rigidtop.theory.euler import OMEGA, body_accelerations
+from rigidtop.theory.lettered import real
 from rigidtop.theory.rotation import Z_AXIS, hat, quaternion_matrix, quaternion_rates
-from rigidtop.theory.symbols import Glyph, Quantity
+from rigidtop.theory.symbols import Glyph
 from rigidtop.theory.top import QUATERNION, body_accelerations_with
 
-_ROWS: dict[Symbol, Quantity] = {}
-
-
-def _real(name: str, glyph: Glyph, meaning: str, unit: str) -> Symbol:
-    symbol = Symbol(name, real=True)
-    _ROWS[symbol] = Quantity(glyph, meaning, unit)
-    return symbol
-
-
-tip = _real("tip", Glyph("r"), "radius of the round tip", "m")
-viscosity = _real("viscosity", Glyph("γ"), "viscous friction force over the slip", "N s/m")
-drag = _real("drag", Glyph("c"), "drag force over the velocity of the centre of mass", "N s/m")
-drag1 = _real("drag1", Glyph("c", "1"), "drag torque across e₃ over ω₁ or ω₂", "J s")
-drag3 = _real("drag3", Glyph("c", "3"), "drag torque along e₃ over ω₃", "J s")
-V_x = _real("V_x", Glyph("V", "x"), "velocity of the centre of mass along x̂", "m/s")
-V_y = _real("V_y", Glyph("V", "y"), "velocity of the centre of mass along ŷ", "m/s")
-V_z = _real("V_z", Glyph("V", "z"), "velocity of the centre of mass along ẑ", "m/s")
-v_x = _real("v_x", Glyph("v", "x"), "slip along x̂", "m/s")
-v_y = _real("v_y", Glyph("v", "y"), "slip along ŷ", "m/s")
-e_x = _real("e_x", Glyph("e", "x"), "component of e₃ along x̂", "1")
-e_y = _real("e_y", Glyph("e", "y"), "component of e₃ along ŷ", "1")
-e_z = _real("e_z", Glyph("e", "z"), "component of e₃ along ẑ: cos θ", "1")
-d_x = _real("d_x", Glyph("d", "x"), "direction of the slip along x̂", "1")
-d_y = _real("d_y", Glyph("d", "y"), "direction of the slip along ŷ", "1")
-a_x = _real("a_x", Glyph("a", "x"), "slip's rate along x̂ without contact force", "m/s²")
-a_y = _real("a_y", Glyph("a", "y"), "slip's rate along ŷ without contact force", "m/s²")
-a_z = _real("a_z", Glyph("a", "z"), "slip's rate along ẑ without contact force", "m/s²")
-F_x = _real("F_x", Glyph("F", "x"), "friction force along x̂", "N")
-F_y = _real("F_y", Glyph("F", "y"), "friction force along ŷ", "N")
-N = _real("N", Glyph("N"), "normal force of the table", "N")
-
-VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(_ROWS)
-"""The symbols that only a top on a table needs."""
+tip = real("tip", Glyph("r"), "radius of the round tip", "m")
+viscosity = real("viscosity", Glyph("γ"), "viscous friction force over the slip", "N s/m")
+drag = real("drag", Glyph("c"), "drag force over the velocity of the centre of mass", "N s/m")
+drag1 = real("drag1", Glyph("c", "1"), "drag torque across e₃ over ω₁ or ω₂", "J s")
+drag3 = real("drag3", Glyph("c", "3"), "drag torque along e₃ over ω₃", "J s")
+V_x = real("V_x", Glyph("V", "x"), "velocity of the centre of mass along x̂", "m/s")
+V_y = real("V_y", Glyph("V", "y"), "velocity of the centre of mass along ŷ", "m/s")
+V_z = real("V_z", Glyph("V", "z"), "velocity of the centre of mass along ẑ", "m/s")
+v_x = real("v_x", Glyph("v", "x"), "slip along x̂", "m/s")
+v_y = real("v_y", Glyph("v", "y"), "slip along ŷ", "m/s")
+e_x = real("e_x", Glyph("e", "x"), "component of e₃ along x̂", "1")
+e_y = real("e_y", Glyph("e", "y"), "component of e₃ along ŷ", "1")
+e_z = real("e_z", Glyph("e", "z"), "component of e₃ along ẑ: cos θ", "1")
+d_x = real("d_x", Glyph("d", "x"), "direction of the slip along x̂", "1")
+d_y = real("d_y", Glyph("d", "y"), "direction of the slip along ŷ", "1")
+a_x = real("a_x", Glyph("a", "x"), "slip's rate along x̂ without contact force", "m/s²")
+a_y = real("a_y", Glyph("a", "y"), "slip's rate along ŷ without contact force", "m/s²")
+a_z = real("a_z", Glyph("a", "z"), "slip's rate along ẑ without contact force", "m/s²")
+F_x = real("F_x", Glyph("F", "x"), "friction force along x̂", "N")
+F_y = real("F_y", Glyph("F", "y"), "friction force along ŷ", "N")
+N = real("N", Glyph("N"), "normal force of the table", "N")
 
 SLIP = (v_x, v_y)
 AXIS = (e_x, e_y, e_z)
