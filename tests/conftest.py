@@ -20,9 +20,12 @@ def judged():
     """The pages of the lecture, each with its judgements, for all tests of a worker."""
     from rigidtop.derivations import PAGES
     from rigidtop.derivations.letters import LETTERS
-    from rigidtop.proof.verdict import judge_page
+    from rigidtop.proof.verdict import judge
 
-    return [(page, judge_page(page, LETTERS)) for page in PAGES]
+    return [
+        (page, tuple(judge(claim, page.section, letters=LETTERS) for claim in page.claims))
+        for page in PAGES
+    ]
 
 
 @pytest.fixture(scope="session")

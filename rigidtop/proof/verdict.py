@@ -28,7 +28,6 @@ from rigidtop.proof.page import (
     Correction,
     Definition,
     Measure,
-    Page,
     Remark,
     Step,
 )
@@ -125,11 +124,6 @@ class Judgement:
 
 
 _ANY = Letters()
-
-
-def judge_page(page: Page, letters: Letters = _ANY) -> tuple[Judgement, ...]:
-    """Judge every claim of a page, in order."""
-    return tuple(judge(claim, page.section, letters=letters) for claim in page.claims)
 
 
 def judge(

@@ -10,7 +10,7 @@ from rigidtop.codegen.languages import source
 from rigidtop.codegen.values import NothingToEvaluateError, rewritten, values
 from rigidtop.derivations.euler_angles import page
 from rigidtop.notation import GOLDSTEIN, named
-from rigidtop.proof.verdict import judge_page
+from rigidtop.proof.verdict import judge
 from rigidtop.proof.words import unmarked
 from rigidtop.report.blocks import Symbols
 from rigidtop.report.html import write as html
@@ -144,7 +144,7 @@ def test_the_change_of_angles_is_a_claim(capsys):
 
 
 def test_a_document_says_its_notation_first():
-    judged = [(page, judge_page(page))]
+    judged = [(page, tuple(judge(claim, page.section) for claim in page.claims))]
     whole, _ = lecture(judged, (), Edition(figures=(), notation=GOLDSTEIN))
     for made in (tex(whole, {}), html(whole, {}), typst(whole, {})):
         assert "Goldstein, Poole and Safko" in made

@@ -15,17 +15,14 @@ from rigidtop.proof.page import (
     Correction,
     Definition,
     Measure,
-    Page,
     Step,
 )
 from rigidtop.proof.verdict import (
-    Finding,
     UnneededAssumptionError,
     Verdict,
     assertions,
     judge,
     judge_check,
-    judge_page,
     refute,
 )
 from rigidtop.theory.symbols import const
@@ -316,15 +313,6 @@ def test_a_counterexample_satisfies_what_is_given():
     at = np.array([float(found.values.get(k, np.nan)) for k in (x, y)])
     assert found.left != 1
     assert np.isnan(at).any() or at.prod() == pytest.approx(2)
-
-
-def test_a_page_is_judged_in_order():
-    page = Page("9.9", "Title", "About.", (claim(square()), claim(WRONG)))
-    judged = judge_page(page)
-    assert [j.verdict for j in judged] == ["proved", "false"]
-    assert {j.section for j in judged} == {"9.9"}
-    assert all(isinstance(item, Finding) for j in judged for item in j.items)
-    assert all(j.seconds > 0 for j in judged)
 
 
 def test_the_reason_is_the_docstring():

@@ -1,4 +1,4 @@
-"""Judges computed motions by the reference: `python judge.py [family] [-n ROWS]`.
+"""Judges computed motions by the reference.
 
 The error of an attitude is the angle of the rotation between the two (rad), of ω the norm of the
 difference (rad/s).  Allowed are
@@ -11,7 +11,6 @@ the error divided by what is allowed: at most 1 is right.
 
 from __future__ import annotations
 
-import argparse
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -207,42 +206,3 @@ def describe(reference: Reference, run: Run = exact) -> str:
         attitude, omega = (f"{x:.1e} of {y:.1e}" for x, y in zip(error, most, strict=True))
         lines.append(f"  t={t!r}: attitude {attitude}, ω {omega}")
     return "\n".join(lines)
-
-
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
-    parser.add_argument("family", nargs="*", help="families, or tops, bodies, far (default: all)")
-    parser.add_argument("-n", type=int, default=0, help="describe the worst n of each family")
-    parser.add_argument(
-        "--integrate", action="store_true", help="judge the integrator at rtol=1e-12, not `exact`"
-    )
-    parser.add_argument("--compiled", action="store_true", help="judge `exact` by Numba")
-    parser.add_argument(
-        "--axis", action="store_true", help="judge sin θ exp(iφ) of tops, relative to the tilt"
-    )
-    options = parser.parse_args()
-    measure = axis_ratios if options.axis else ratios
-    run: Run = compiled if options.compiled else exact
-    if options.integrate:
-        run = lambda motion, times: motion.integrate(times, rtol=1e-12, atol=1e-14)  # noqa: E731
-    print(f"{'family':28}{'motions':>8}{'fail':>6}{'median':>9}{'worst':>9}  worst motion")
-    for name in families():
-        judged = of_family(name)
-        if options.family and name not in options.family and judged[0].kind not in options.family:
-            continue
-        if options.axis and len(judged[0].inputs) != 11:
-            continue
-        found = sorted(worst(judged, run, measure), key=lambda one: -one[0])
-        values = [one[0] for one in found]
-        failures = sum(value > 1 for value in values)
-        print(
-            f"{name:28}{len(judged):8}{failures:6}{np.median(values):9.2g}{values[0]:9.2g}"
-            f"  {found[0][1].name} {found[0][2][:60]}",
-            flush=True,
-        )
-        for _, reference, _ in found[: options.n]:
-            print(describe(reference, run))
-
-
-if __name__ == "__main__":
-    main()
