@@ -1,6 +1,7 @@
 """The arrow of imports: each room reads only the rooms before it."""
 
 import ast
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -141,6 +142,31 @@ def test_every_room_is_known_and_has_modules():
 )
 def test_a_breach_is_seen(room, text, complaint):
     assert complaints(room, text, f"rigidtop.{room}") == [complaint]
+
+
+ROUND = {("motion.rows", "figures.trajectories")}
+"""A method that only hands on: `Rows.plot`."""
+
+
+def imports():
+    """Of each file of the package which others of it it imports, also for types alone."""
+    known = {
+        ".".join(p.relative_to(PACKAGE).with_suffix("").parts): p for p in PACKAGE.rglob("*.py")
+    }
+    made = {}
+    for name, path in known.items():
+        package = ".".join(["rigidtop", *name.split(".")[:-1]])
+        found = {
+            x.removeprefix("rigidtop.")
+            for x in imported(ast.parse(path.read_text("utf-8")), package)
+        }
+        made[name] = {x for x in found & {*known} - {name} if (name, x) not in ROUND}
+    return made
+
+
+def test_no_files_import_one_another_in_a_circle():
+    """Methods of a system import what computes: that may not import the system, not for types."""
+    TopologicalSorter(imports()).prepare()  # raises CycleError, with the files
 
 
 def test_neighbours_in_a_room_are_allowed():

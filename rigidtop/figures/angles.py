@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -47,7 +47,7 @@ def draw_rotation(
     before: Rotation,
     after: Rotation,
     turned: tuple[Floats, float, int, str],
-    names: tuple[str, str, str],
+    names: Sequence[str],
 ) -> None:
     """One step: the axes before (dashed) and after (solid) it, among x̂ŷẑ.
 

@@ -15,13 +15,13 @@ from rigidtop.system.names import numbers
 from rigidtop.system.parts import newton_euler
 
 if TYPE_CHECKING:
-    from rigidtop.system.system import System
+    from rigidtop.system.numeric import Computed
 
 STATES = 20
 """States that are drawn."""
 
 
-def certify(system: System, parameters: Mapping[Expr, object], seed: int = 0) -> dict[str, float]:
+def certify(system: Computed, parameters: Mapping[Expr, object], seed: int = 0) -> dict[str, float]:
     """See `System.certify`."""
     values = [float(x) for x in numbers(system.parameters, parameters).values()]
     n = len(system.q)
@@ -53,7 +53,7 @@ def _apart(one: Any, other: Any) -> float:
     return float(np.max(np.abs(one - other) / np.where(size > 0, size, 1.0)))
 
 
-def _hamilton(system: System, times: Any, rows: Any, values: Any) -> Any:
+def _hamilton(system: Computed, times: Any, rows: Any, values: Any) -> Any:
     """q̈ from Hamilton's equations: q̇(q, p), ṗ(q, p), by the chain rule."""
     names, n = system.names, len(system.q)
     momenta = system.numeric.of(system.conjugate).array(times, *rows, *values)
@@ -77,7 +77,7 @@ def _hamilton(system: System, times: Any, rows: Any, values: Any) -> Any:
     return made.array(times, *rows[:n], *momenta, *values)
 
 
-def _newton_euler(system: System) -> Any:
+def _newton_euler(system: Computed) -> Any:
     names = system.names
     potential = names.plain(system.potential or sympy.S.Zero)
     acting = [
@@ -98,7 +98,7 @@ def _symmetric(matrix: MatrixBase) -> MatrixBase:
     return sympy.Matrix(matrix.rows, matrix.cols, lambda i, j: lower[max(i, j), min(i, j)])
 
 
-def _balance(system: System, times: Any, rows: Any, values: Any) -> float:
+def _balance(system: Computed, times: Any, rows: Any, values: Any) -> float:
     """dE/dt by the accelerations less the power of the forces, relative to the terms of both."""
     names = system.names
     rates = [system.jacobi.diff(x) for x in (*names.q, *names.v)]

@@ -25,9 +25,9 @@ from rigidtop.proof.moves import Known, Move, Scope
 from rigidtop.report import html, plain, tex
 from rigidtop.report.blocks import Display
 from rigidtop.report.ways import gap, step, text_blocks
+from rigidtop.system.derived import Derived
 from rigidtop.system.forms import parts_of, short
 from rigidtop.system.names import own_functions
-from rigidtop.system.system import System
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import VOCABULARY, E, Lagrangian, Quantity, const
 from rigidtop.typeset.latex import latex
@@ -52,7 +52,7 @@ class Derivation:
     `lecture` is what the engine judges: `rigidtop.proof.lecture.Lecture`.
     """
 
-    system: System
+    system: Derived
     lecture: Lecture = field(repr=False)
 
     @cached_property
@@ -128,7 +128,7 @@ class Derivation:
         return [step(self.lecture, id) for id in self.lecture.lines]
 
 
-def derivation(system: System, section: str = "") -> Derivation:
+def derivation(system: Derived, section: str = "") -> Derivation:
     """See `System.derivation`."""
     for x in own_functions([system.plain, *system.rules, *system.generalised_forces]):
         raise RigidtopError(f"L has the function {x}: put in what it is before you derive")
@@ -153,7 +153,7 @@ def _lettered(symbol: Symbol, place: int) -> Symbol:
 class _Writer:
     """Writes the lines in order, in letters that have their places in print."""
 
-    system: System
+    system: Derived
     section: str = ""
     blocks: list[Block] = field(default_factory=list)
     name: str = ""

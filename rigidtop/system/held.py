@@ -12,7 +12,7 @@ from rigidtop.codegen.numpy import Function
 from rigidtop.motion.attitude import Floats
 
 if TYPE_CHECKING:
-    from rigidtop.system.system import System
+    from rigidtop.system.numeric import Computed
 
 STEPS = 2
 """Of Newton's method, from what is as near as a solver's error."""
@@ -26,7 +26,7 @@ class Surface:
     the coordinates, and then for the velocities with what is left of A q̇ + b.
     """
 
-    system: System
+    system: Computed
     parameters: tuple[float, ...]
 
     @cached_property

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import builtins
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from html import escape
 from itertools import pairwise
-from keyword import kwlist
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import sympy
@@ -18,9 +16,7 @@ from numpy.typing import ArrayLike
 from scipy.optimize import brentq, minimize_scalar
 from sympy import Expr, Symbol
 
-from rigidtop.codegen import numpy as plain
 from rigidtop.codegen.heyoka import on_symbols
-from rigidtop.codegen.numpy import Function
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks, taylor
 from rigidtop.motion.attitude import Floats
@@ -28,10 +24,8 @@ from rigidtop.motion.integrate import TAYLOR, Accuracy, Flow, flow, on_both_side
 from rigidtop.motion.rows import Rows
 from rigidtop.parameters import in_one_line
 from rigidtop.system.held import Surface
-from rigidtop.system.names import Given, expression, numbers, own_functions
-
-if TYPE_CHECKING:
-    from rigidtop.system.system import System
+from rigidtop.system.names import Given, expression, numbers
+from rigidtop.system.numeric import Computed, computed, magnitude
 
 HOLDS = 1e-9
 """How well a constraint has to hold at the start, relative to its terms."""
@@ -53,15 +47,12 @@ BETWEEN = np.vander(PLACES[1::2], LOOKS // 2 + 1) @ np.linalg.inv(
 )
 """Takes the values of a polynomial at every other of these places to those between them."""
 
-MEANT = {*kwlist, *dir(builtins), *dir(math), *dir(np)}
-"""Names that mean something else in the functions that are made."""
-
 TOO_SMALL = 1e-3
 """A motion that stays below this part of what its tolerances are fractions of is done again."""
 
 
 def started(
-    system: System, parameters: Mapping[Expr, object], q: Given, qdot: Given
+    system: Computed, parameters: Mapping[Expr, object], q: Given, qdot: Given
 ) -> SystemMotion:
     """See `System.motion`."""
     values = numbers(system.parameters, parameters).values()
@@ -72,7 +63,7 @@ def started(
     return made
 
 
-def _initial(what: str, given: Given, letters: Sequence[Symbol], system: System) -> list[float]:
+def _initial(what: str, given: Given, letters: Sequence[Symbol], system: Computed) -> list[float]:
     """A row of n numbers, in the order of the coordinates."""
     if given is None and what == "qdot":
         return [0.0] * len(letters)
@@ -97,7 +88,7 @@ def _initial(what: str, given: Given, letters: Sequence[Symbol], system: System)
     return [checks.number(x.name, value) for x, value in zip(letters, row, strict=True)]
 
 
-def _place(key: Expr, letters: Sequence[Symbol], system: System) -> int | None:
+def _place(key: Expr, letters: Sequence[Symbol], system: Computed) -> int | None:
     """Which coordinate is meant, also where its velocity is: by symbol, function or name."""
     names = system.names
     for k, x in enumerate(letters):
@@ -111,7 +102,7 @@ def _place(key: Expr, letters: Sequence[Symbol], system: System) -> int | None:
 class SystemMotion:
     """The motion of a system from its state at t = 0; made by `System.motion`."""
 
-    system: System
+    system: Computed
     parameters: tuple[float, ...]
     """In the order of `System.parameters`."""
 
@@ -169,7 +160,7 @@ class SystemMotion:
 
     def _rates_at(self, state: Sequence[float]) -> tuple[float, ...]:
         """The same, what can't be computed in one line."""
-        made, why = _computed(self._rates, state)
+        made, why = computed(self._rates, state)
         if why:
             n = len(self.q)
             place = ", ".join(
@@ -281,7 +272,7 @@ class SystemMotion:
 
         def at(time: float, state: Floats) -> float:
             row = (time, *state[: 2 * n].tolist(), *self.parameters)
-            found, why = _computed(lambda row: made.scalar(*row), row)
+            found, why = computed(lambda row: made.scalar(*row), row)
             if why:
                 raise RigidtopError(f"the event {name} can't be computed at t = {time:g}: {why}")
             return float(found[0])
@@ -329,7 +320,9 @@ class SystemMotion:
         return taylor.propagated(integrator, end, unit, held=held)
 
 
-def many(system: System, parameters: Mapping[Expr, object], q: Given, qdot: Given) -> SystemMotions:
+def many(
+    system: Computed, parameters: Mapping[Expr, object], q: Given, qdot: Given
+) -> SystemMotions:
     """See `System.motions`."""
     rows = {"q": system.names.q, "qdot": system.names.v}
     given: dict[Expr, Expr] = dict(parameters)
@@ -399,21 +392,6 @@ class SystemMotions:
             raise RigidtopError("there are no motions: an array that was given is empty")
         stacked = np.stack(found, axis=1)
         return stacked.reshape(2, *self.shape, *stacked.shape[2:])
-
-
-def _computed(
-    function: Callable[[Sequence[float]], Sequence[float]], at: Sequence[float]
-) -> tuple[tuple[float, ...], str]:
-    """The values, and why there are none, if there are none."""
-    try:
-        made = tuple(function(at))
-        return made, "" if all(map(math.isfinite, made)) else "it is not finite"
-    except RigidtopError:
-        raise  # no numbers at all
-    except (ZeroDivisionError, OverflowError, ValueError) as error:
-        return (math.nan,), str(error)
-    except TypeError:
-        return (math.nan,), "a power of a negative number is not real"
 
 
 UNTIL = ""
@@ -556,7 +534,7 @@ class SystemTrajectory(Rows):
         return made
 
     @property
-    def _system(self) -> System:
+    def _system(self) -> Computed:
         return self.motion.system
 
     def _arrays(self, expressions: Sequence[Expr]) -> Floats:
@@ -626,7 +604,7 @@ def _header(x: Symbol, name: str = "") -> str:
     return f"{name}/({unit})" if "/" in unit else f"{name}/{unit}"
 
 
-def _in_si(system: System) -> bool:
+def _in_si(system: Computed) -> bool:
     """Whether the coordinates say in which units they are."""
     return all("/" in _header(x) for x in system.names.q)
 
@@ -634,113 +612,3 @@ def _in_si(system: System) -> bool:
 def _relative(change: Floats, sizes: Floats, size: float) -> float:
     largest = max(float(np.max(sizes, initial=0.0)), size)
     return float(np.max(np.abs(change), initial=0.0)) / (largest or 1.0)
-
-
-@dataclass(frozen=True, eq=False)
-class Numeric:
-    """A system's functions of numbers: time, q, q̇ and parameters in, in this order."""
-
-    system: System
-
-    @cached_property
-    def arguments(self) -> tuple[Symbol, ...]:
-        """The symbols for which numbers go in, in their order."""
-        names = self.system.names
-        return (names.t, *names.q, *names.v, *self.system.parameters)
-
-    @cached_property
-    def _python(self) -> dict[Symbol, Symbol]:
-        """Names for those whose own are none in Python, such as lambda, m_{1} or pi."""
-        letters = (*self.arguments, *self.system.names.p)
-        taken = {x.name for x in letters} | {x.name for x, _ in self.system.program.shared}
-        free = (x for x in sympy.numbered_symbols("a") if x.name not in taken)
-        wrong = (x for x in letters if not x.name.isidentifier() or x.name in MEANT)
-        return {x: Symbol(next(free).name, **x.assumptions0) for x in wrong}
-
-    def made(
-        self,
-        expressions: Sequence[Expr],
-        name: str,
-        shared: Sequence[tuple[Symbol, Expr]] = (),
-        arguments: Sequence[Symbol] | None = None,
-    ) -> Function:
-        """Expressions as a function of numbers.  Raises RigidtopError where they have none."""
-        own = self._python
-        for x in own_functions([*expressions, *(value for _, value in shared)]):
-            raise RigidtopError(f"{self.system.names.back(x)} has no numbers: put in what it is")
-        try:
-            return plain.function(
-                [x.xreplace(own) for x in expressions],
-                [own.get(x, x) for x in arguments or self.arguments],
-                name,
-                [(x, value.xreplace(own)) for x, value in shared],
-            )
-        except ValueError as error:
-            raise RigidtopError(str(error).removeprefix(f"{name}: ")) from None
-
-    @cached_property
-    def works(self) -> bool:
-        """Whether the work of the forces is followed: the energy is not conserved."""
-        return "energy" not in self.system.constant
-
-    @cached_property
-    def timed(self) -> bool:
-        """Whether the equations contain the time."""
-        system = self.system
-        values = [value for _, value in system.program.shared]
-        values += [*system.program.results, system.work_rate if self.works else sympy.S.Zero]
-        return any(x.has(system.names.t) for x in values)
-
-    @cached_property
-    def solved(self) -> Function:
-        """q̈ and −λ."""
-        return self._function(self.system.program.results, "solved")
-
-    @cached_property
-    def rates(self) -> Function:
-        """q̇, q̈, and the power where it is followed."""
-        n = len(self.system.names.q)
-        results = self.system.program.results
-        more: tuple[Expr, ...] = ()
-        if self.works:
-            forces = dict(zip(self.system.multipliers, (-x for x in results[n:]), strict=True))
-            more = (self.system.work_rate.xreplace(forces),)
-        return self._function((*self.system.names.v, *results[:n], *more), "rates")
-
-    def _function(self, results: Sequence[Expr], name: str) -> Function:
-        return self.made(results, name, self.system.program.shared)
-
-    def of(self, expressions: tuple[Expr, ...]) -> Function:
-        """Other quantities.  Raises RigidtopError for letters that the system does not have."""
-        unknown = set().union(*(x.free_symbols for x in expressions)) - {*self.arguments}
-        if unknown:
-            names = ", ".join(sorted(map(str, unknown)))
-            there = ", ".join(map(self.system.names.spelled, self.arguments))
-            raise RigidtopError(f"no number for {names}: the system has {there}")
-        return self.made(expressions, "quantity")
-
-    def sized(self, value: Expr) -> Callable[..., tuple[float, float]]:
-        """A quantity, and the sum of the magnitudes of its terms."""
-        made = self.of((value, magnitude(value)))
-
-        def at(*row: float) -> tuple[float, float]:
-            (found, size), why = _computed(lambda row: made.scalar(*row), row)
-            if why:
-                raise RigidtopError(f"{value} can't be computed at the start: {why}")
-            return float(found), float(size)
-
-        return at
-
-
-def magnitude(value: Expr) -> Expr:
-    """The sum of the magnitudes of the terms, of which rounding is a small part; as it stands.
-
-    >>> x, y = sympy.symbols("x y")
-    >>> magnitude((x - y)**2 * sympy.cos(x - y))
-    (Abs(x) + Abs(y))**2*Abs(cos(x - y))
-    """
-    if value.is_Add or value.is_Mul:
-        return value.func(*map(magnitude, value.args))
-    if value.is_Pow and value.exp.is_Integer and value.exp > 0:
-        return magnitude(value.base) ** value.exp
-    return sympy.Abs(value, evaluate=False) if value.args else sympy.Abs(value)

@@ -13,10 +13,10 @@ from rigidtop.system.names import like
 from rigidtop.typeset.text import text
 
 if TYPE_CHECKING:
-    from rigidtop.system.system import System
+    from rigidtop.system.derived import Derived
 
 
-def source(system: System, language: str, name: str) -> str:
+def source(system: Derived, language: str, name: str) -> str:
     """See `System.source`."""
     if language not in languages.LANGUAGES:
         there = ", ".join(languages.LANGUAGES)

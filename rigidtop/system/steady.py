@@ -21,7 +21,7 @@ from rigidtop.proof import decide
 from rigidtop.system.names import expression, numbers
 
 if TYPE_CHECKING:
-    from rigidtop.system.system import System
+    from rigidtop.system.derived import Derived
 
 MOST_ANGLES = 6
 """Of so many coordinates all angles of 0 and π are tried."""
@@ -51,7 +51,7 @@ class Small:
     With constraints δ are the deviations of the coordinates that are `free`; the others follow.
     """
 
-    system: System
+    system: Derived
     about: Mapping[Expr, Expr]
     mass: Matrix
     damping: Matrix
@@ -189,7 +189,7 @@ def _grows(s: mpc, M: matrix, C: matrix, K: matrix, times: int) -> bool:
     return bool(sum(size <= NEUTRAL * max(sizes) for size in sizes) < times)
 
 
-def balance(system: System, rates: Sequence[Symbol] = ()) -> Matrix:
+def balance(system: Derived, rates: Sequence[Symbol] = ()) -> Matrix:
     """∂L/∂q + Q + Aᵀλ with all velocities zero but the `rates`, which are constant (n×1, plain)."""
     names = system.names
     still = {v: sympy.S.Zero for v in names.v if v not in rates}
@@ -200,7 +200,7 @@ def balance(system: System, rates: Sequence[Symbol] = ()) -> Matrix:
     return Matrix(forces) + _held(system)
 
 
-def _held(system: System) -> Matrix:
+def _held(system: Derived) -> Matrix:
     """Aᵀλ, the forces of the constraints (n×1)."""
     n = len(system.q)
     if not system.constraints:
@@ -208,7 +208,7 @@ def _held(system: System) -> Matrix:
     return system.rolling[:, :n].T * Matrix(system.multipliers)
 
 
-def equilibria(system: System) -> tuple[dict[Expr, Expr], ...]:
+def equilibria(system: Derived) -> tuple[dict[Expr, Expr], ...]:
     """See `System.equilibria`."""
     _of_places(system)
     names = system.names
@@ -269,7 +269,7 @@ def _is_among(place: Mapping[Expr, Expr], found: Mapping[Expr, Expr]) -> bool:
     return all(sympy.expand(value.subs(place) - place[x]) == 0 for x, value in found.items())
 
 
-def small(system: System, about: Mapping[Expr, object]) -> Small:
+def small(system: Derived, about: Mapping[Expr, object]) -> Small:
     """See `System.small`."""
     _of_places(system)
     names = system.names
@@ -313,18 +313,18 @@ def small(system: System, about: Mapping[Expr, object]) -> Small:
     return Small(system, given, mass, damping, stiffness, own)
 
 
-def _acts(system: System, x: Symbol) -> bool:
+def _acts(system: Derived, x: Symbol) -> bool:
     return any(y.has(x) for y in (system.plain, *system.generalised_forces, *system.rules))
 
 
-def _of_places(system: System) -> None:
+def _of_places(system: Derived) -> None:
     for rule, of_places in zip(system.constraints, system.holonomic, strict=True):
         if not of_places:
             raise RigidtopError(f"{rule} = 0 is a constraint of velocities: see S.balance")
 
 
 def _tangents(
-    system: System, place: Mapping[Expr, Expr]
+    system: Derived, place: Mapping[Expr, Expr]
 ) -> tuple[Matrix, list[int], dict[Expr, Expr]]:
     """The deviations that the constraints allow as columns, whose they are, the multipliers."""
     names, n = system.names, len(system.q)

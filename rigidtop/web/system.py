@@ -15,9 +15,9 @@ from rigidtop.codegen.javascript import of_arrays
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import in_one_line
 from rigidtop.proof.equation import Equation
-from rigidtop.system.motion import SystemMotion, magnitude
+from rigidtop.system.motion import SystemMotion
+from rigidtop.system.numeric import Computed, magnitude
 from rigidtop.system.parts import Body, Mass
-from rigidtop.system.system import System
 from rigidtop.typeset.mathml import display, mathml
 from rigidtop.typeset.text import text
 from rigidtop.web.page import Page, common, document, json_text
@@ -40,7 +40,7 @@ def page_of_system(motion: SystemMotion, points: Points = (), height: int = Page
 class Scene:
     """Where a system's points are, in plain symbols, and which of them are bodies."""
 
-    def __init__(self, system: System, points: Points = ()) -> None:
+    def __init__(self, system: Computed, points: Points = ()) -> None:
         self.system = system
         if points:
             parts: Sequence[Mass | Body] = [Mass(1, each) for each in _several(points)]
@@ -191,7 +191,7 @@ def _range(x: Symbol, value: float) -> dict[str, Any]:
     return {"least": least, "most": 0.0 if x.is_nonpositive else size, "logarithmic": False}
 
 
-def _equations(system: System) -> Iterator[Equation]:
+def _equations(system: Computed) -> Iterator[Equation]:
     """L and the accelerations, where they are short enough to be read."""
     from rigidtop.theory.symbols import Lagrangian
 

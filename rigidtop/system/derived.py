@@ -1,0 +1,604 @@
+"""What follows from a Lagrangian, its forces and its constraints: expressions of SymPy."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, fields, replace
+from functools import cached_property
+from typing import Any
+
+import sympy
+from sympy import Dummy, Expr, Integer, Matrix, Rational, Symbol
+from sympy.core.function import AppliedUndef
+
+from rigidtop.codegen.solve import SingularError, StraightLine, points, solved
+from rigidtop.errors import RigidtopError
+from rigidtop.proof import decide
+from rigidtop.system.forms import LARGEST, expanded, grouped, parts_of, readable, short
+from rigidtop.system.names import (
+    Given,
+    Names,
+    expression,
+    multipliers,
+    named,
+    own_functions,
+)
+from rigidtop.system.parts import Part
+from rigidtop.theory import lagrangian as mechanics
+
+CRAMER = 3
+"""Rows of a part of the mass matrix up to which determinants are written out."""
+
+
+@dataclass(frozen=True, repr=False)
+class Derived:
+    """What a system is given, and all that is derived from it when it is asked for.
+
+    Results are in the names that were given.  Raises RigidtopError, in one line, for what is no
+    system.
+    """
+
+    L: Expr
+    q: tuple[Expr, ...]
+    qdot: tuple[Expr, ...]
+    forces: tuple[Expr, ...]
+    constraints: tuple[Expr, ...]
+    rayleigh: Expr
+
+    def __init__(
+        self,
+        L: Expr,
+        q: Given,
+        qdot: Given = None,
+        forces: Given = None,
+        constraints: Given = (),
+        *,
+        rayleigh: Given = 0,
+    ) -> None:
+        L, rayleigh = expression("L", L), expression("rayleigh", rayleigh)
+        if isinstance(constraints, (Expr, sympy.Eq)):
+            constraints = (constraints,)
+        rules = tuple(expression("a constraint", each) for each in constraints)
+        coordinates = (q,) if isinstance(q, Expr) else q
+        acting = _forces(forces, coordinates)
+        letters = set().union(*(x.free_symbols for x in (L, rayleigh, *rules, *acting)))
+        names = named(coordinates, (qdot,) if isinstance(qdot, Expr) else qdot, letters)
+        plain = all(x.is_Symbol for x in coordinates)
+        pushed = rayleigh != 0 or any(Q != 0 for Q in acting)
+        for v in names.v:
+            lost = pushed or not all(_even(each, v) for each in (L, *rules))
+            if (v.is_positive or v.is_negative) and lost:
+                raise RigidtopError(
+                    f"{v} is declared to have one sign, and |{v}| is {v} then: "
+                    "a velocity has both, declare it real"
+                )
+        times = {x for x in letters if x.name == names.t.name} - {*names.q, *names.v}
+        if len(times | ({names.t} if not plain else set())) > 1:
+            raise RigidtopError(
+                f"two symbols named {names.t}: there is only one time"
+                + ("" if plain else f", that of {coordinates[0]}")
+            )
+        if times:
+            names = replace(names, t=times.pop())
+        for name, value in (
+            ("L", L),
+            ("q", tuple(names.back(x) for x in names.q)),
+            ("qdot", tuple(names.back(x) for x in names.v)),
+            ("forces", acting or (Integer(0),) * len(names.q)),
+            ("constraints", rules),
+            ("rayleigh", rayleigh),
+            ("names", names),
+            ("parts", ()),
+            ("potential", None),
+        ):
+            object.__setattr__(self, name, value)
+        self._check()
+
+    names: Names = field(init=False, repr=False, compare=False)
+    """The plain symbols inside: see `rigidtop.system.names`."""
+
+    parts: tuple[Part, ...] = field(init=False, repr=False, compare=False)
+    """The masses and bodies that it was made of, if it was."""
+
+    potential: Expr | None = field(init=False, repr=False, compare=False)
+    """V, where it is known apart."""
+
+    def _check(self) -> None:
+        n, names = len(self.q), self.names
+        if len(self.forces) != n:
+            raise RigidtopError(f"{len(self.forces)} forces for {n} coordinates: give one for each")
+        given = {"L": (self.L,), "rayleigh": (self.rayleigh,), "a force": self.forces}
+        for what, group in {**given, "a constraint": self.constraints}.items():
+            for each in map(names.plain, group):
+                if each.has(*names.a):
+                    raise RigidtopError(
+                        f"{what} has an acceleration: coordinates, velocities and "
+                        "the time may stand there"
+                    )
+                for x in own_functions([each]):
+                    if x.has(*(y.func for y in self.q if isinstance(y, AppliedUndef))):
+                        raise RigidtopError(f"{what} has {x}, which is none of the velocities")
+        known: dict[str, Symbol] = {}
+        for x in self._letters:
+            if not x.name.strip():
+                raise RigidtopError("there is a symbol without a name")
+            if known.setdefault(x.name, x) != x:
+                raise RigidtopError(f"two different symbols are called {x.name}")
+        for each, rule in zip(self.rules, self.constraints, strict=True):
+            if not each.has(*names.q, *names.v):
+                raise RigidtopError(f"the constraint {rule} = 0 has no coordinate and no velocity")
+            if any(each.diff(v).has(*names.v) for v in names.v):
+                raise RigidtopError(f"the constraint {rule} = 0 is not linear in the velocities")
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Without what was computed: functions that are made cannot be pickled."""
+        return {each.name: getattr(self, each.name) for each in fields(self)}
+
+    # --- in plain symbols, for what computes ------------------------------------------------------
+
+    @cached_property
+    def plain(self) -> Expr:
+        """L in plain symbols."""
+        return self.names.plain(self.L)
+
+    @cached_property
+    def rules(self) -> tuple[Expr, ...]:
+        """The constraints, plain: what vanishes."""
+        return tuple(map(self.names.plain, self.constraints))
+
+    @cached_property
+    def holonomic(self) -> tuple[bool, ...]:
+        """Of each constraint whether it is one of coordinates and time alone."""
+        return tuple(not rule.has(*self.names.v) for rule in self.rules)
+
+    @cached_property
+    def rolling(self) -> Matrix:
+        """The constraints as A q̇ + b = 0: A with b behind it (k×(n+1)), plain."""
+        names = self.names
+        rows = []
+        for rule, of_places in zip(self.rules, self.holonomic, strict=True):
+            if of_places:
+                rows.append([*(rule.diff(x) for x in names.q), rule.diff(names.t)])
+            else:
+                rows.append(
+                    [*(rule.diff(v) for v in names.v), rule.subs(dict.fromkeys(names.v, 0))]
+                )
+        return Matrix(len(rows), len(names.q) + 1, [x for row in rows for x in row])
+
+    @cached_property
+    def generalised_forces(self) -> tuple[Expr, ...]:
+        """Q − ∂ℱ/∂q̇, plain."""
+        given = map(self.names.plain, self.forces)
+        dissipation = self.names.plain(self.rayleigh)
+        return tuple(Q - dissipation.diff(v) for Q, v in zip(given, self.names.v, strict=True))
+
+    @cached_property
+    def conjugate(self) -> tuple[Expr, ...]:
+        """∂L/∂q̇, plain."""
+        return tuple(self.plain.diff(v) for v in self.names.v)
+
+    @cached_property
+    def _balance(self) -> tuple[Matrix, list[Expr]]:
+        """M and f of M q̈ = f, as they come; multipliers apart."""
+        names, momenta = self.names, self.conjugate
+        n = len(momenta)
+        lower = {(i, j): momenta[i].diff(names.v[j]) for i in range(n) for j in range(i + 1)}
+        mass = Matrix(n, n, lambda i, j: lower[max(i, j), min(i, j)])
+        rates = dict(zip(names.q, names.v, strict=True))
+        force = [
+            self.plain.diff(x) - self._rate(p, rates) + Q
+            for x, p, Q in zip(names.q, momenta, self.generalised_forces, strict=True)
+        ]
+        return mass, force
+
+    def _rate(self, value: Expr, rates: Mapping[Expr, Expr]) -> Expr:
+        """d/dt by the chain rule, explicit time too."""
+        made = [value.diff(x) * rate for x, rate in rates.items()]
+        return sympy.Add(*made, value.diff(self.names.t))
+
+    @cached_property
+    def multipliers(self) -> tuple[Symbol, ...]:
+        """λ of each constraint; its force on the coordinate qᵢ is λ ∂(constraint rate)/∂q̇ᵢ."""
+        taken = {*self.parameters, *self.names.q, *self.names.v}
+        return multipliers(len(self.constraints), taken)
+
+    @cached_property
+    def program(self) -> StraightLine:
+        """q̈, then the multipliers, as the shortest straight-line program that was found.
+
+        Raises RigidtopError where the mass matrix is singular for every motion.
+        """
+        mass, force = self._balance
+        raw = [*mass, *force]
+        sizes = [x.count_ops() for x in raw]
+        forms = [
+            [
+                grouped(x, self.names.v) if k < LARGEST else x
+                for x, k in zip(raw, sizes, strict=True)
+            ]
+        ]
+        if sum(sizes) < LARGEST:  # otherwise the first is the shortest by far
+            forms += [raw, [short(x) for x in raw]]
+        n = len(force)
+        taken = {x.name for x in self._letters} | {x.name for x in self.multipliers}
+        found: list[StraightLine] = []
+        for entries in forms:
+            free = (x for x in sympy.numbered_symbols("x") if x.name not in taken)
+            matrix, right = self.with_constraints(Matrix(n, n, entries[: n * n]), entries[n * n :])
+            try:
+                found.append(solved(matrix, right, free))
+            except SingularError:
+                raise RigidtopError(self._why_singular(mass)) from None
+        return min(found, key=lambda each: each.operations)
+
+    def with_constraints(self, mass: Matrix, force: list[Expr]) -> tuple[Matrix, list[Expr]]:
+        """With a row for each constraint, derived by time until it has accelerations."""
+        if not self.constraints:
+            return mass, force
+        names, n = self.names, len(force)
+        A = self.rolling[:, :n]
+        k = A.rows
+        rates = dict(zip(names.q, names.v, strict=True))
+        held = [
+            short(
+                -sympy.Add(
+                    *(self._rate(A[i, j], rates) * names.v[j] for j in range(n)),
+                    self._rate(self.rolling[i, n], rates),
+                )
+            )
+            for i in range(k)
+        ]
+        # With −λ as unknowns the matrix is symmetric.
+        return Matrix([[mass, A.T], [A, sympy.zeros(k, k)]]), [*force, *held]
+
+    def _why_singular(self, mass: Matrix) -> str:
+        for v, column in zip(self.qdot, range(mass.cols), strict=True):
+            if mass[:, column].is_zero_matrix:
+                return f"the mass matrix is singular: L is not quadratic in {v}"
+        if self.constraints and not self.unconstrained_is_singular:
+            return "the constraints depend on one another: leave one out"
+        return (
+            "the mass matrix is singular: some combination of the velocities does not enter L, "
+            "or enters it only linearly"
+        )
+
+    @cached_property
+    def unconstrained_is_singular(self) -> bool:
+        """Whether the mass matrix has no inverse."""
+        mass, force = self._balance
+        try:
+            solved(mass, force, sympy.numbered_symbols("x"))
+        except SingularError:
+            return True
+        return False
+
+    @cached_property
+    def one_sided(self) -> tuple[tuple[int, int], ...]:
+        """Which coordinates have to stay on the side on which they were declared, and that sign.
+
+        SymPy has taken |x| for x where x is positive.  What is the same for x and −x has no such
+        place; nor is one looked for within a function, where nobody would write it.
+        """
+        names = self.names
+        declared = [names.given.get(x, x) for x in names.q]
+        signs = [bool(x.is_positive) - bool(x.is_negative) for x in declared]
+        whole = (self.plain, *self.generalised_forces, *self.rules)
+        return tuple(
+            (k, sign)
+            for k, (x, sign) in enumerate(zip(names.q, signs, strict=True))
+            if sign and not all(_even(each, x) for each in whole)
+        )
+
+    @cached_property
+    def _letters(self) -> tuple[Symbol, ...]:
+        """All that L, the forces and the constraints have."""
+        group = (self.plain, *self.generalised_forces, *self.rules)
+        return tuple(sorted(set().union(*(x.free_symbols for x in group)), key=str))
+
+    @cached_property
+    def parameters(self) -> tuple[Symbol, ...]:
+        """The symbols that are constant, in the order of their names."""
+        moving = {*self.names.q, *self.names.v, self.names.t}
+        return tuple(x for x in self._letters if x not in moving)
+
+    # --- what is derived, in the names that were given --------------------------------------------
+
+    @cached_property
+    def equations(self) -> Matrix:
+        """d/dt ∂L/∂q̇ − ∂L/∂q − Q − Σ λA (n×1), which vanishes along the motion: Lagrange (2.29)."""
+        names = self.names
+        rates = names.rates
+        pushed = [Integer(0)] * len(self.q)
+        if self.constraints:
+            A = self.rolling[:, : len(self.q)]
+            pushed = list(A.T * Matrix(self.multipliers))
+        rows = [
+            self._rate(p, rates) - self.plain.diff(x) - Q - force
+            for p, x, Q, force in zip(
+                self.conjugate, names.q, self.generalised_forces, pushed, strict=True
+            )
+        ]
+        made = [short(row) if row.count_ops() < LARGEST else row for row in rows]
+        return names.back(Matrix(made))
+
+    @cached_property
+    def accelerations(self) -> Matrix:
+        """q̈(q, q̇, t) (n×1), multipliers eliminated.
+
+        Raises RigidtopError where the mass matrix is singular for every motion.
+        """
+        made = self.program.written_out()[: len(self.q)]
+        if not self.constraints:
+            made = self._over_mass(self._balance[1]) or made
+        return self.names.back(Matrix([readable(x) for x in made]))
+
+    def _over_mass(self, right: Sequence[Expr]) -> tuple[Expr, ...]:
+        """M⁻¹ times a column, to be read: by Cramer's rule, part by part.
+
+        Nothing where a part of M that does not fall apart is large.
+        """
+        mass = self._balance[0].applyfunc(short)
+        made = dict.fromkeys(range(mass.rows), Integer(0))
+        for part in parts_of(mass):
+            if len(part) > CRAMER:
+                return ()
+            own = mass.extract(part, part)
+            column = own.adjugate() * Matrix([short(right[k]) for k in part])
+            below = short(own.det(method="berkowitz"))
+            for k, above in zip(part, column, strict=True):
+                made[k] = short(above) / below
+        return tuple(made[k] for k in range(mass.rows))
+
+    @cached_property
+    def constraint_forces(self) -> Matrix:
+        """The multipliers along the motion (k×1)."""
+        made = self.program.written_out()[len(self.q) :]
+        return self.names.back(Matrix([readable(-x) for x in made]))
+
+    @cached_property
+    def mass_matrix(self) -> Matrix:
+        """∂²L/∂q̇∂q̇ (n×n)."""
+        return self.names.back(self._balance[0].applyfunc(short))
+
+    @cached_property
+    def momenta(self) -> Matrix:
+        """p = ∂L/∂q̇ (n×1)."""
+        return self.names.back(Matrix([sympy.factor_terms(p) for p in self.conjugate]))
+
+    @property
+    def p(self) -> tuple[Symbol, ...]:
+        """The letters of the momenta in the Hamiltonian and the Routhian, in the order of `q`."""
+        return self.names.p
+
+    @cached_property
+    def energy(self) -> Expr:
+        """Jacobi's integral Σ p q̇ − L, which is T + V for a natural system."""
+        return self.names.back(self.jacobi)
+
+    @cached_property
+    def jacobi(self) -> Expr:
+        """Jacobi's integral, plain."""
+        turned = sympy.Add(*(p * v for p, v in zip(self.conjugate, self.names.v, strict=True)))
+        return expanded(turned - self.plain)
+
+    @cached_property
+    def cyclic(self) -> tuple[Expr, ...]:
+        """The coordinates on which L does not depend, and no force and no constraint acts.
+
+        The momentum of each is conserved.
+        """
+        A = self.rolling
+        return tuple(
+            self.q[k]
+            for k, x in enumerate(self.names.q)
+            if decide.vanishes(self.plain.diff(x))
+            and decide.vanishes(self.generalised_forces[k])
+            and all(A[i, k] == 0 for i in range(A.rows))
+        )
+
+    @cached_property
+    def power(self) -> Expr:
+        """The rate of the energy, ∂L/∂t left out of it as the negative: Q·q̇ − ∂L/∂t − λ·b."""
+        return self.names.back(self.work_rate)
+
+    @cached_property
+    def work_rate(self) -> Expr:
+        """The rate of Jacobi's integral, plain."""
+        work = [Q * v for Q, v in zip(self.generalised_forces, self.names.v, strict=True)]
+        b = [self.rolling[i, len(self.q)] for i in range(self.rolling.rows)]
+        work += [-x * y for x, y in zip(self.multipliers, b, strict=True)]
+        return sympy.expand(sympy.Add(*work, -self.plain.diff(self.names.t)))
+
+    @cached_property
+    def conserved(self) -> dict[str, Expr]:
+        """What is constant along every motion, as far as L shows it: the energy, momenta.
+
+        The energy is, where L does not contain the time and forces do no work.
+        """
+        return {name: self.names.back(x) for name, x in self.constant.items()}
+
+    @cached_property
+    def constant(self) -> dict[str, Expr]:
+        """What is conserved, plain."""
+        found = {"energy": self.jacobi} if decide.vanishes(self.work_rate) else {}
+        for x, p, name in zip(self.q, self.conjugate, self.names.p, strict=True):
+            if x in self.cyclic:
+                found[name.name] = p
+        return found
+
+    def rate(self, quantity: Expr) -> Expr:
+        """d/dt of a quantity (of q, q̇, p and t) along the motion."""
+        names = self.names
+        plain = self.quantity(expression("the quantity", quantity))
+        motion = dict(zip(names.a, self.program.written_out(), strict=False))
+        rates = {x: rate.xreplace(motion) for x, rate in names.rates.items()}
+        return names.back(readable(self._rate(plain, rates)))
+
+    def is_conserved(self, quantity: Expr) -> bool:
+        """Whether a quantity is constant along every motion, shown symbolically.
+
+        Raises RigidtopError where it is neither shown nor refuted.
+
+        >>> from sympy import symbols
+        >>> from rigidtop import System
+        >>> m, k = symbols("m k", positive=True)
+        >>> x, y, u, v = symbols("x y u v", real=True)
+        >>> well = System(m*(u**2 + v**2)/2 - k*(x**2 + y**2)/2, [x, y], [u, v])
+        >>> well.is_conserved(x*v - y*u), well.is_conserved(x*v + y*u)
+        (True, False)
+        """
+        rate = self.names.plain(self.rate(quantity))
+        if decide.vanishes(rate):
+            return True
+        if self.constraints:
+            raise RigidtopError(
+                "that it changes where the constraints do not hold tells nothing: see drift()"
+            )
+        for point in points(sorted(rate.free_symbols, key=str)):
+            value = sympy.N(rate.xreplace(point), 50)
+            if value.is_comparable and abs(value) > Rational(1, 10**30):
+                return False
+        raise RigidtopError(
+            "its rate is zero, or not real, wherever it was tried: neither shown nor refuted"
+        )
+
+    def quantity(self, quantity: Expr) -> Expr:
+        """With the momenta's letters, if there are any, written out."""
+        values = dict(zip(self.names.p, self.conjugate, strict=True))
+        return self._own(quantity).xreplace(values)
+
+    def _own(self, quantity: Expr) -> Expr:
+        """A quantity, plain.  Raises RigidtopError where a letter only looks like the system's."""
+        made = self.names.plain(quantity)
+        own = {x.name: x for x in (self.names.t, *self.names.p, *self._letters)}
+        for x in made.free_symbols:
+            if own.get(x.name, x) != x:
+                raise RigidtopError(f"two different symbols are called {x.name}")
+        return made
+
+    # --- Hamilton, Routh --------------------------------------------------------------------------
+
+    @cached_property
+    def _velocities(self) -> dict[Expr, Expr]:
+        """q̇(q, p)."""
+        names = self.names
+        still = dict.fromkeys(names.v, Integer(0))
+        try:
+            self.program  # noqa: B018 - raises where the mass matrix is singular
+            if not self._balance[0].has(*names.v):
+                moved = [p - x.subs(still) for p, x in zip(names.p, self.conjugate, strict=True)]
+                found = self._over_mass(moved)
+                if found:
+                    return dict(zip(names.v, found, strict=True))
+            return mechanics.inverse_momenta(self.plain, names.v, names.p)
+        except ValueError as error:
+            raise RigidtopError(str(error)) from None
+
+    @cached_property
+    def hamiltonian(self) -> Expr:
+        """H(q, p, t) = Σ p q̇ − L, with the letters `p`; without the constraints.
+
+        >>> from sympy import symbols
+        >>> from rigidtop import System
+        >>> m, k = symbols("m k", positive=True)
+        >>> x, v = symbols("x v", real=True)
+        >>> System(m*v**2/2 - k*x**2/2, [x], [v]).hamiltonian
+        k*x**2/2 + p_x**2/(2*m)
+        """
+        return self.names.back(self.reduced_hamiltonian)
+
+    @cached_property
+    def reduced_hamiltonian(self) -> Expr:
+        """H(q, p, t), plain."""
+        names = self.names
+        if self._balance[0].has(*names.v):
+            turned = sympy.Add(*(p * v for p, v in zip(names.p, names.v, strict=True)))
+            return readable((turned - self.plain).xreplace(self._velocities))
+        # ½ (p − a)·q̇ − L₀, where L = ½ q̇·Mq̇ + a·q̇ + L₀
+        still = dict.fromkeys(names.v, Integer(0))
+        kinetic = [
+            (p - x.subs(still)) * self._velocities[v] / 2
+            for p, x, v in zip(names.p, self.conjugate, names.v, strict=True)
+        ]
+        parts = parts_of(self._balance[0].applyfunc(short))
+        together = [readable(sympy.Add(*(kinetic[k] for k in part))) for part in parts]
+        return sympy.Add(*together, -sympy.expand(self.plain.subs(still)))
+
+    @cached_property
+    def hamilton_equations(self) -> Matrix:
+        """q̇ = ∂H/∂p and ṗ = −∂H/∂q + Q + Σ λA (2n×1), the coordinates first."""
+        names = self.names
+        made = mechanics.hamilton_equations(self.reduced_hamiltonian, names.q, names.p)
+        n = len(self.q)
+        A = self.rolling[:, :n]
+        acting = Matrix(self.generalised_forces)
+        if self.constraints:
+            acting += A.T * Matrix(self.multipliers)
+        pushed = Matrix([*sympy.zeros(n, 1), *acting]).xreplace(self._velocities)
+        return names.back((made + pushed).applyfunc(sympy.factor_terms))
+
+    def poisson(self, first: Expr, second: Expr) -> Expr:
+        """The bracket {f, g} = Σ ∂f/∂q ∂g/∂p − ∂f/∂p ∂g/∂q of quantities of q, q̇ and p.
+
+        What comes out has q and p.
+
+        >>> from sympy import symbols
+        >>> from rigidtop import System
+        >>> m = symbols("m", positive=True)
+        >>> x, y, u, v = symbols("x y u v", real=True)
+        >>> free = System(m*(u**2 + v**2)/2, [x, y], [u, v])
+        >>> p_x, p_y = free.p
+        >>> free.poisson(x, p_x), free.poisson(x*p_y - y*p_x, p_x)
+        (1, p_y)
+        """
+        names = self.names
+        f, g = (self._own(expression("the quantity", each)) for each in (first, second))
+        f, g = (x.xreplace(self._velocities) if x.has(*names.v) else x for x in (f, g))
+        pairs = zip(names.q, names.p, strict=True)
+        bracket = [f.diff(x) * g.diff(p) - f.diff(p) * g.diff(x) for x, p in pairs]
+        return names.back(readable(sympy.Add(*bracket)))
+
+    @cached_property
+    def routhian(self) -> Expr:
+        """L − Σ p q̇ over the cyclic coordinates, their velocities given by the constant `p`."""
+        return self.names.back(self._routhian)
+
+    @cached_property
+    def _routhian(self) -> Expr:
+        names = self.names
+        chosen = [k for k, x in enumerate(self.q) if x in self.cyclic]
+        if not chosen:
+            return self.plain
+        velocities, momenta = ([group[k] for k in chosen] for group in (names.v, names.p))
+        try:
+            return readable(mechanics.routhian(self.plain, velocities, momenta))
+        except ValueError as error:
+            raise RigidtopError(str(error)) from None
+
+    @cached_property
+    def effective_potential(self) -> Expr:
+        """Minus the Routhian where the velocities of the other coordinates vanish."""
+        return self.names.back(-self._routhian.subs(dict.fromkeys(self.names.v, 0)))
+
+
+def _forces(forces: Given, q: Given) -> tuple[Expr, ...]:
+    """In the order of the coordinates; nothing for None."""
+    if forces is None:
+        return ()
+    if isinstance(forces, Mapping):
+        unknown = [x for x in forces if x not in tuple(q)]
+        if unknown:
+            raise RigidtopError(
+                f"a force on {unknown[0]}, which is none of the coordinates "
+                f"{', '.join(map(str, q))}"
+            )
+        forces = [forces.get(x, 0) for x in q]
+    if isinstance(forces, (Expr, int, float)):
+        forces = [forces]
+    return tuple(expression("a force", each) for each in forces)
+
+
+def _even(value: Expr, x: Symbol) -> bool:
+    """Whether −x gives the same as x, but for what stands within a function."""
+    inside = value.replace(lambda e: isinstance(e, sympy.Function) and e.has(x), lambda e: Dummy())
+    return bool(sympy.expand(inside - inside.subs(x, -x)) == 0)

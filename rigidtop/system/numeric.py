@@ -1,0 +1,158 @@
+"""A system's expressions as functions of numbers."""
+
+from __future__ import annotations
+
+import builtins
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from keyword import kwlist
+
+import numpy as np
+import sympy
+from sympy import Expr, Symbol
+
+from rigidtop.codegen import numpy as plain
+from rigidtop.codegen.numpy import Function
+from rigidtop.errors import RigidtopError
+from rigidtop.system.derived import Derived
+from rigidtop.system.names import own_functions
+
+MEANT = {*kwlist, *dir(builtins), *dir(math), *dir(np)}
+"""Names that mean something else in the functions that are made."""
+
+
+@dataclass(frozen=True, eq=False)
+class Numeric:
+    """A system's functions of numbers: time, q, q̇ and parameters in, in this order."""
+
+    system: Derived
+
+    @cached_property
+    def arguments(self) -> tuple[Symbol, ...]:
+        """The symbols for which numbers go in, in their order."""
+        names = self.system.names
+        return (names.t, *names.q, *names.v, *self.system.parameters)
+
+    @cached_property
+    def _python(self) -> dict[Symbol, Symbol]:
+        """Names for those whose own are none in Python, such as lambda, m_{1} or pi."""
+        letters = (*self.arguments, *self.system.names.p)
+        taken = {x.name for x in letters} | {x.name for x, _ in self.system.program.shared}
+        free = (x for x in sympy.numbered_symbols("a") if x.name not in taken)
+        wrong = (x for x in letters if not x.name.isidentifier() or x.name in MEANT)
+        return {x: Symbol(next(free).name, **x.assumptions0) for x in wrong}
+
+    def made(
+        self,
+        expressions: Sequence[Expr],
+        name: str,
+        shared: Sequence[tuple[Symbol, Expr]] = (),
+        arguments: Sequence[Symbol] | None = None,
+    ) -> Function:
+        """Expressions as a function of numbers.  Raises RigidtopError where they have none."""
+        own = self._python
+        for x in own_functions([*expressions, *(value for _, value in shared)]):
+            raise RigidtopError(f"{self.system.names.back(x)} has no numbers: put in what it is")
+        try:
+            return plain.function(
+                [x.xreplace(own) for x in expressions],
+                [own.get(x, x) for x in arguments or self.arguments],
+                name,
+                [(x, value.xreplace(own)) for x, value in shared],
+            )
+        except ValueError as error:
+            raise RigidtopError(str(error).removeprefix(f"{name}: ")) from None
+
+    @cached_property
+    def works(self) -> bool:
+        """Whether the work of the forces is followed: the energy is not conserved."""
+        return "energy" not in self.system.constant
+
+    @cached_property
+    def timed(self) -> bool:
+        """Whether the equations contain the time."""
+        system = self.system
+        values = [value for _, value in system.program.shared]
+        values += [*system.program.results, system.work_rate if self.works else sympy.S.Zero]
+        return any(x.has(system.names.t) for x in values)
+
+    @cached_property
+    def solved(self) -> Function:
+        """q̈ and −λ."""
+        return self._function(self.system.program.results, "solved")
+
+    @cached_property
+    def rates(self) -> Function:
+        """q̇, q̈, and the power where it is followed."""
+        n = len(self.system.names.q)
+        results = self.system.program.results
+        more: tuple[Expr, ...] = ()
+        if self.works:
+            forces = dict(zip(self.system.multipliers, (-x for x in results[n:]), strict=True))
+            more = (self.system.work_rate.xreplace(forces),)
+        return self._function((*self.system.names.v, *results[:n], *more), "rates")
+
+    def _function(self, results: Sequence[Expr], name: str) -> Function:
+        return self.made(results, name, self.system.program.shared)
+
+    def of(self, expressions: tuple[Expr, ...]) -> Function:
+        """Other quantities.  Raises RigidtopError for letters that the system does not have."""
+        unknown = set().union(*(x.free_symbols for x in expressions)) - {*self.arguments}
+        if unknown:
+            names = ", ".join(sorted(map(str, unknown)))
+            there = ", ".join(map(self.system.names.spelled, self.arguments))
+            raise RigidtopError(f"no number for {names}: the system has {there}")
+        return self.made(expressions, "quantity")
+
+    def sized(self, value: Expr) -> Callable[..., tuple[float, float]]:
+        """A quantity, and the sum of the magnitudes of its terms."""
+        made = self.of((value, magnitude(value)))
+
+        def at(*row: float) -> tuple[float, float]:
+            (found, size), why = computed(lambda row: made.scalar(*row), row)
+            if why:
+                raise RigidtopError(f"{value} can't be computed at the start: {why}")
+            return float(found), float(size)
+
+        return at
+
+
+def magnitude(value: Expr) -> Expr:
+    """The sum of the magnitudes of the terms, of which rounding is a small part; as it stands.
+
+    >>> x, y = sympy.symbols("x y")
+    >>> magnitude((x - y)**2 * sympy.cos(x - y))
+    (Abs(x) + Abs(y))**2*Abs(cos(x - y))
+    """
+    if value.is_Add or value.is_Mul:
+        return value.func(*map(magnitude, value.args))
+    if value.is_Pow and value.exp.is_Integer and value.exp > 0:
+        return magnitude(value.base) ** value.exp
+    return sympy.Abs(value, evaluate=False) if value.args else sympy.Abs(value)
+
+
+def computed(
+    function: Callable[[Sequence[float]], Sequence[float]], at: Sequence[float]
+) -> tuple[tuple[float, ...], str]:
+    """The values, and why there are none, if there are none."""
+    try:
+        made = tuple(function(at))
+        return made, "" if all(map(math.isfinite, made)) else "it is not finite"
+    except RigidtopError:
+        raise  # no numbers at all
+    except (ZeroDivisionError, OverflowError, ValueError) as error:
+        return (math.nan,), str(error)
+    except TypeError:
+        return (math.nan,), "a power of a negative number is not real"
+
+
+@dataclass(frozen=True, repr=False, init=False)
+class Computed(Derived):
+    """What is derived, with numbers for its symbols."""
+
+    @cached_property
+    def numeric(self) -> Numeric:
+        """Functions of numbers."""
+        return Numeric(self)
