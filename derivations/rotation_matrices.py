@@ -18,7 +18,7 @@ from .printed import printed
 
 @claim(
     "3.46",
-    "$r′ = Oᵀr$; a rotation matrix is an orthogonal matrix $O$ which, multiplied to $r$, gives "
+    "$r′ = Oᵀr$; a rotation matrix is an orthogonal matrix $O$ which, applied to $r$, gives "
     "$r′$.",
 )
 def rotated_components() -> Iterator[Evidence]:
@@ -35,7 +35,7 @@ def rotated_components() -> Iterator[Evidence]:
     yield Formal(
         printed(r"\mathbf r' = O\mathbf r"),
         meaning,
-        reason="As the sentence has it: “multiplied to $r$”.",
+        reason="As the sentence has it: “applied to $r$”.",
         other_reading={**meaning, s.O_matrix: attitude.T},
     )
     yield Formal(
@@ -49,7 +49,7 @@ def rotated_components() -> Iterator[Evidence]:
         "A rotation times $s$ with $s² = 1$ is orthogonal for both signs of $s$.",
         given=(handed**2 - 1,),
     )
-    yield Correction(line, meaning, reason="It is $Oᵀ$ that is multiplied to $r$.")
+    yield Correction(line, meaning, reason="It is $Oᵀ$ that is applied to $r$.")
 
 
 @claim("3.47", "$Oᵀ$ in Euler angles.")

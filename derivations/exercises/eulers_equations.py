@@ -60,12 +60,11 @@ def flip_constants(
     section="3.2.2",
     asks="assignment 5",
     statement="A body with three different moments $λ₁ < λ₂ < λ₃$, thrown in the air, turns with "
-    "the "
-    "same speed $ω$ about one principal axis after the other. Show that a small kick makes $ω$ "
+    "the same speed $ω$ about one principal axis after the other. Show that a small kick makes $ω$ "
     "oscillate about two of the axes and run away from the third. How fast does it oscillate, "
-    "how fast run away?\n\nAbout the middle axis, and with a kick that adds $ω₁ =$ kick, how "
-    "long does it take until $ω$ is well away from the axis? In the end the body turns over: how "
-    "long does one flip take, and after what time is $ω$ in the body what it was?",
+    "how fast run away?\n\nAbout the middle axis, and with a kick that adds a small "
+    "$ω₁$, how long does it take until $ω$ is well away from the axis? In the end the body turns "
+    "over: how long does one flip take, and after what time is $ω$ in the body what it was?",
     claims=(principal_stays, axis_stability, flip_time),
     parameters=(
         Parameter("lambda1", 1.0, "$λ₁$, the smallest moment", "kg m²", above=0),
@@ -112,7 +111,7 @@ def stable_axes(
     yield Answer("growth_rate", "rate $σ$ at which $ω$ leaves the middle axis", rate, "1/s")
     yield Answer(
         "time_to_leave",
-        "time until $ω₁$ is $ω$ if it grows as kick $· cosh σt$",
+        "time until $ω₁$ is $ω$ if it grows as $cosh σt$",
         acosh(omega / kick) / rate,
         "s",
     )

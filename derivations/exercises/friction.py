@@ -172,7 +172,7 @@ def budget(path: SlidingTrajectory, rows: int, last: int, title: str) -> Table:
     statement="A fast top with a round tip stands at the tilt $θ$ on a table and precesses slowly; "
     "its tip slides with the friction $μ$. Show that friction raises the top although it brakes "
     "the spin. Which quantity does no force at the contact change, and which spin does it leave "
-    "to the upright top?\n\nHow long does the top take to rise to the tilt “until”? How much "
+    "to the upright top?\n\nHow long does the top take to rise to the final tilt? How much "
     "energy has the spin lost by then, and where has it gone?",
     claims=(friction, jellett, friction_raises),
     parameters=(
@@ -180,7 +180,7 @@ def budget(path: SlidingTrajectory, rows: int, last: int, title: str) -> Table:
         Parameter("tip", 0.01, "radius of the round tip", "m", above=0),
         Parameter("mu", 0.1, "coefficient of sliding friction", above=0),
         Parameter("theta", 0.5, "$θ$ at the start", "rad", least=0.05, most=1.2),
-        Parameter("until", 0.25, "$θ$ at the end", "rad", least=0.01, most=1.2),
+        Parameter("until", 0.25, "final $θ$", "rad", least=0.01, most=1.2),
         Parameter("omega3", 200.0, "$ω₃$ at the start", "rad/s", above=0),
     ),
     figure="rising-top",
@@ -203,7 +203,7 @@ def rising_top(
     yield Answer(
         "phi_dot", "$φ̇$ at the start, steady if nothing rubs", float(path.phi_dot[0]), "rad/s"
     )
-    yield Answer("time_to_rise", "time until $θ$ has the value “until”", seconds, "s")
+    yield Answer("time_to_rise", "time until $θ$ has its final value", seconds, "s")
     yield Answer(
         "time_gyroscope", "by $L₃θ̇ = −μMg(R − r₀ + r₀ cos θ)$, for comparison", expected, "s"
     )
@@ -335,8 +335,8 @@ def waking_top(
     drag3: float, omega3: float, disturbance: float, visible: float, **shape: float
 ) -> Iterator[Outcome]:
     """The time to the sleeping spin is a closed form, and so is the integral of the growth rate
-    from then on, which is good if ln(visible/disturbance) is large: it is off by about one part in
-    that. The top with its disturbance is integrated on the table, and so is the
+    from then on, which is good if the tilt grows many times over: it is off by about one part in
+    the logarithm of that. The top with its disturbance is integrated on the table, and so is the
     linear equation of a small tilt."""
     top = SlidingTop(**shape, mu=HELD, drag3=drag3)
     pivot = about_tip(**shape)

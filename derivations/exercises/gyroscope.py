@@ -136,13 +136,13 @@ FACTORS = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
     "on a stand, at the distance $R$ from the disc, and the axle makes the angle $θ$ with the "
     "vertical. In which direction does it precess, how fast, and how long does one turn take?\n\n"
     "Compare (3.52) with the exact rate. How fast must the disc spin so that (3.52) is wrong by no "
-    "more than a share “tolerance”, and how fast so that it can precess steadily at all?",
+    "more than the error allowed, and how fast so that it can precess steadily at all?",
     claims=(precession_vector, torque_direction, disc_on_an_arm, spin_for_accuracy),
     parameters=(
         Parameter("M", 0.17, "mass of the disc", "kg", above=0),
         Parameter("radius", 0.055, "radius of the disc", "m", above=0),
         Parameter("R", 0.105, "from the stand to the disc", "m", above=0),
-        Parameter("omega3", 90 * pi, "$ω₃$: 45 turns a second", "rad/s"),
+        Parameter("omega3", 90 * pi, "$ω₃$", "rad/s"),
         Parameter("theta", pi / 3, "$θ$ of the axle", "rad", above=0, most=3.1),
         Parameter("tolerance", 0.01, "error allowed, relative", above=0, most=0.9),
         GRAVITY,
@@ -216,7 +216,7 @@ def gyroscope(
         Parameter("M", 1.5, "mass of the rim", "kg", above=0),
         Parameter("radius", 0.31, "radius of the rim", "m", above=0),
         Parameter("R", 0.15, "from the cord to the wheel", "m", above=0),
-        Parameter("omega3", 6 * pi, "$ω₃$: 180 turns a minute", "rad/s"),
+        Parameter("omega3", 6 * pi, "$ω₃$", "rad/s"),
         Parameter("cord", 1.0, "length of the cord", "m", least=0),
         GRAVITY,
     ),

@@ -143,7 +143,7 @@ def discs(radius: float, height: float, nodes: int = 8) -> tuple[Vectors, Vector
     parameters=(
         Parameter("radius", 0.03, "radius of the base", "m", above=0),
         Parameter("height", 0.06, "height", "m", above=0),
-        Parameter("density", 700.0, "density: that of beech", "kg/m³", above=0),
+        Parameter("density", 700.0, "density, that of beech", "kg/m³", above=0),
         Parameter("theta", pi / 9, "$θ$, tilt of the axis", "rad", least=0, most=pi),
         Parameter("phi", 0.7, "azimuth of the axis", "rad"),
         GRAVITY,

@@ -274,18 +274,16 @@ DAY = 86400.0
     "The Euler period of the Earth",
     section="3.2.3",
     asks="free rotation in the solar system",
-    statement="The Earth bulges at the equator: with its moments $A = λ₁$ and $C = λ₃$ the "
-    "quantity "
-    "$H = (C − A)/C$ is known from the precession of the equinoxes (IERS Conventions 2010, "
-    "Table 1.1). How long would its axis of rotation take to go once around the pole of its figure "
-    "if it were rigid, and which way around?\n\n"
-    "The wobble that Chandler found has a period of 433 days today. What share of the bulge must "
-    "follow the axis of rotation to explain that? How far from the pole of figure does the axis "
-    "meet the ground if the angle is $0.1″$?",
+    statement="The Earth bulges at the equator: $H = (λ₃ − λ₁)/λ₃$ is known from the precession of "
+    "the equinoxes (IERS Conventions 2010, Table 1.1). How long would its axis of rotation take to "
+    "go once around the pole of its figure if it were rigid, and which way around?\n\n"
+    "The wobble that Chandler found has another period today. What share of the bulge must follow "
+    "the axis of rotation to explain it? How far from the pole of the figure does the axis meet "
+    "the ground?",
     claims=(body_precession, euler_period),
     parameters=(
         # IERS Conventions 2010 (TN 36), Tables 1.1 and 1.2: H, Ω, and the polar radius a(1 − f).
-        Parameter("H", 3273795e-9, "dynamical ellipticity $(C − A)/C$", above=0, most=0.5),
+        Parameter("H", 3273795e-9, "$H$, the dynamical ellipticity", above=0, most=0.5),
         Parameter("omega3", 7.292115e-5, "rate of rotation", "rad/s", above=0),
         Parameter("observed", 433.0, "period of Chandler's wobble", "days", above=0),
         Parameter(

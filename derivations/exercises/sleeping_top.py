@@ -146,7 +146,7 @@ def _awake(waking: Waking) -> Iterator[Outcome]:
     yield Answer("growth_rate", "growth rate $σ$ of a small tilt", waking.growth, "1/s")
     yield Answer("tilt", "$θ$ to which the top wakes", waking.tilt, "rad")
     yield Answer("period", "time until it is upright again", waking.period, "s")
-    yield Answer("period_log", "the same by ($2/σ$) $ln(8 sin(θ₂/2)/disturbance)$", back, "s")
+    yield Answer("period_log", "the same by ($2/σ$) $ln(8 sin(θ₂/2)/θᵢ)$", back, "s")
     error = abs(motion.turning_points[1] - waking.tilt)
     yield Measure("largest $θ$ of the disturbed top, in closed form (rad)", error, 1e-9)
     error = abs(motion.nutation_period / waking.period - 1)

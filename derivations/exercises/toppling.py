@@ -40,14 +40,13 @@ def fall(top: HeavyTop, start: float, end: float) -> tuple[float, float]:
     section="3.5.2",
     asks="example 34",
     statement="A top leans at the angle $θ$ and is let go without any rotation, so that $L = 0$. "
-    "How "
-    "does $L$ evolve, and what motion is this? How long does the top take to fall to the angle "
-    "“until”, and how fast does it fall then? Compare with the "
-    "time that exponential growth, which holds for small angles, would give.",
+    "How does $L$ evolve, and what motion is this? How long does the top take to fall to the "
+    "final angle, and how fast does it fall then? Compare with the time that exponential growth, "
+    "which holds for small angles, would give.",
     claims=(toppling, time_to_fall),
     parameters=(
         Parameter("theta", pi / 18, "$θ$ at the start", "rad", above=0, most=pi),
-        Parameter("until", pi / 2, "$θ$ at the end", "rad", above=0, most=pi),
+        Parameter("until", pi / 2, "final $θ$", "rad", above=0, most=pi),
         LAMBDA1,
         MASS,
         ARM,
@@ -68,7 +67,7 @@ def toppling_top(
     seconds, rate = fall(top, theta, until)
     growth = sqrt(top.weight[2] / lambda1)
     yield Answer("growth_rate", "growth rate $κ = √(MgR/λ₁)$ of a small tilt", growth, "1/s")
-    yield Answer("time_to_fall", "time until $θ$ has the value “until”", seconds, "s")
+    yield Answer("time_to_fall", "time until $θ$ has its final value", seconds, "s")
     yield Answer("theta_dot", "$θ̇$ then", rate, "rad/s")
     yield Answer("angular_momentum", "$L$ then, along $e₂′$", lambda1 * rate, "J s")
     yield Answer(

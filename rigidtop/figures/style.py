@@ -139,6 +139,9 @@ def head(
     axes.annotate("", end, xytext=start, arrowprops=about, zorder=zorder)
 
 
+TINY = 1e-4
+"""Angles that say nothing in degrees (rad)."""
+
 # --- Numbers in words ----------------------------------------------------------------------------
 
 
@@ -181,9 +184,11 @@ def spoken(value: float) -> str:
 
 
 def degrees(angle: float) -> str:
-    """An angle (rad) in degrees.
+    """An angle (rad) in degrees, but a tiny one as it is.
 
-    >>> degrees(math.pi / 3)
-    '60°'
+    >>> degrees(math.pi / 3), degrees(1e-6)
+    ('60°', '10⁻⁶ rad')
     """
+    if 0 < abs(angle) < TINY:
+        return f"{said(angle)} rad"
     return f"{said(math.degrees(angle))}°"

@@ -22,7 +22,7 @@ from rigidtop.proof.verdict import Judgement, Verdict
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
 from rigidtop.report.claims import condition, derivation, place, refuted, sides, tagged_rows, tested
-from rigidtop.report.solutions import SMALLEST_ANGLE, Solution, cells, shown
+from rigidtop.report.solutions import DIGITS, SMALLEST_ANGLE, TABLE_DIGITS, Solution, cells, shown
 from rigidtop.report.symbols import symbol_list
 from rigidtop.report.ways import cited_figures, law_blocks, text_blocks
 from rigidtop.typeset.layout import layout
@@ -238,24 +238,35 @@ def question(
     made: list[b.Block] = [head, *(b.Paragraph((part,)) for part in parts)]
     given: list[Any] = []
     for parameter in exercise.parameters:
-        given += ["; " if given else "", parameter.about]
-        name = parameter.name
-        if len(name) > 2 and re.search(rf"\b{re.escape(name)}\b", exercise.statement):
-            given.append(f" (“{name}”)")
-        given += [": ", *_given(values[name], parameter.unit)]
+        given += ["; " if given else "", parameter.about, ": "]
+        given += _given(values[parameter.name], parameter.unit)
     if given:
         made.append(b.Paragraph((*(piece for piece in given if piece), "."), "Given"))
     return made
 
 
-def _given(value: float | str, unit: str) -> b.Rich:
-    """A setting in the unit in which it has fewer digits: 30°, but 0.5 rad."""
-    made, other = written(value, unit), written(value, unit, angles=False)
-    return min(made, other, key=lambda pieces: len(plain.rich(pieces[:1])))
+def _given(value: float, unit: str) -> b.Rich:
+    """A setting in the unit in which it has fewest digits: 30°, but 0.5 rad; 180 turns a minute."""
+    made = [written(value, unit), written(value, unit, angles=False)]
+    if unit == "rad/s" and abs(value) > 1:
+        made.append((shown(value * 30 / math.pi), b.Unit("rpm")))
+    return min(made, key=_significant)
 
 
-def written(value: float | str, unit: str, *, angles: bool = True) -> b.Rich:
+def _significant(pieces: b.Rich) -> int:
+    """How many digits of a number say something, zeros at either end left out.
+
+    >>> [_significant(written(value, "m")) for value in (0.0105, -2700.0, 7.29e-05)]
+    [3, 2, 3]
+    """
+    digits = re.sub(r"\D", "", plain.rich(pieces[:1]).partition("×")[0])
+    return len(digits.strip("0"))
+
+
+def written(value: float | str, unit: str, *, angles: bool = True, digits: int = DIGITS) -> b.Rich:
     """A number with its unit; `angles` in degrees, small ones in seconds of arc.
+
+    It is rounded to so many significant `digits`.
 
     >>> written(0.5235987755982988, "rad"), written(4.84813681e-07, "rad")
     ((Number(text='30'), Unit(letters='°')), (Number(text='0.1'), Unit(letters='″')))
@@ -264,6 +275,8 @@ def written(value: float | str, unit: str, *, angles: bool = True) -> b.Rich:
         small = 0 < abs(value) < SMALLEST_ANGLE
         value = math.degrees(value) * (3600 if small else 1)
         unit = "″" if small else "°"
+    if not isinstance(value, str):
+        value = float(f"{value:.{digits}g}")
     if isinstance(value, str) or unit == "1":
         return (shown(value),)
     return shown(value), b.Unit(unit)
@@ -363,10 +376,10 @@ LONGEST = 30
 
 
 def _apart(value: float | str, unit: str) -> tuple[str | Node, str]:
-    """A number and its unit for two columns."""
+    """A number and its unit for two columns, with as many digits as in tables."""
     if isinstance(value, str):
         return value, ""
-    number, *rest = written(value, unit)
+    number, *rest = written(value, unit, digits=TABLE_DIGITS)
     assert not isinstance(number, b.Cited | b.Unit)
     return number, printed_unit(rest[0].letters) if rest and isinstance(rest[0], b.Unit) else "1"
 
