@@ -24,7 +24,7 @@ from rigidtop.report import plain
 from rigidtop.report.claims import condition, derivation, place, refuted, sides, tagged_rows, tested
 from rigidtop.report.solutions import DIGITS, SMALLEST_ANGLE, TABLE_DIGITS, Solution, cells, shown
 from rigidtop.report.symbols import symbol_list
-from rigidtop.report.ways import cited_figures, law_blocks, text_blocks
+from rigidtop.report.ways import chained, cited_figures, law_blocks, text_blocks
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.nodes import Chain, Grid, Node
 from rigidtop.typeset.sentences import printed_unit
@@ -393,8 +393,8 @@ def legend(judgements: Iterable[Judgement]) -> b.Legend:
     return b.Legend(tuple((v, words) for v, words in LEGEND.items() if v in used))
 
 
-def summary(judged: b.Judged) -> list[b.Block]:
-    """Every numbered equation once, on one page."""
+def summary(judged: b.Judged, parts: Parts) -> list[b.Block]:
+    """Every numbered equation once, on one page: as the text has it, if it does."""
     rows = []
     for _, judgements in judged:
         for judgement in judgements:
@@ -402,13 +402,22 @@ def summary(judged: b.Judged) -> list[b.Block]:
             if b.is_number(name):
                 printed = tagged_rows(judgement)
                 corrected = [f.check.claimed for f in judgement.corrections()]
-                shown_ = corrected[:1] or [row.equation for row in printed]
+                shown_ = (
+                    numbered(parts, name) or corrected[:1] or [row.equation for row in printed]
+                )
                 amiss = judgement.verdict in (Verdict.FALSE, Verdict.CONVENTION)
                 words = f"{'The notes say: ' * amiss}{judgement.claim.says}"
                 rows.append((name, tuple(shown_), words, judgement.verdict))
     if not rows:
         return []
     return [b.Heading(1, "", "Summary of results", "results"), b.Results(tuple(rows))]
+
+
+def numbered(parts: Parts, number: str) -> list[Any]:
+    """The equations of the line that has a number."""
+    lines = (parts.lines.lines[id] for id in parts.lines.names.get(number, ()))
+    found = (x.equations for x in lines if any(each.tag == number for each in x.equations))
+    return [parts.notation.written(each) for each in chained(next(found, ()))]
 
 
 def first_used(blocks: Sequence[b.Block]) -> list[b.Block]:

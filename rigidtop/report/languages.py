@@ -6,7 +6,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
@@ -100,28 +99,5 @@ def _block(block: b.Block, language: str) -> Any:
         case b.Symbols() | b.Results() | b.Quantities():
             return replace(block, head=tuple(said(words, language) for words in block.head))
         case b.Paragraph():
-            content = _rich(block.content, language)
-            return replace(block, content=content, label=said(block.label, language))
-        case b.Display():
-            reasons = [(r.reason,) if isinstance(r.reason, str) else r.reason for r in block.rows]
-            rows = (
-                replace(row, reason=_rich(words, language) if row.reason else "")
-                for row, words in zip(block.rows, reasons, strict=True)
-            )
-            return replace(block, rows=tuple(rows))
+            return replace(block, label=said(block.label, language))
     return block
-
-
-def _rich(content: b.Rich, language: str) -> b.Rich:
-    """Running text that cites figures."""
-    name = said("Figure", language)
-    # A noun has a capital in German everywhere.
-    inside = name if language == "de" else name.lower()
-
-    def cited(piece: Any) -> Any:
-        if not isinstance(piece, b.Cited):
-            return piece
-        words = re.sub(r"^Figure\b", name, re.sub(r"^figure\b", inside, piece.words))
-        return replace(piece, words=words)
-
-    return tuple(map(cited, content))

@@ -251,7 +251,7 @@ def lecture(
     if not student:
         texts |= {each.text.name for each in solutions if each.text is not None}
     blocks += handout.laws(lines, texts, notation)
-    blocks += handout.summary(judged)
+    blocks += handout.summary(judged, parts)
     chart = _map(lines, notation)
     if chart is not None:
         pictures.append(chart)

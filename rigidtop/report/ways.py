@@ -22,7 +22,7 @@ from rigidtop.proof.moves import Condition
 from rigidtop.proof.units import UnitsError
 from rigidtop.proof.verdict import Judgement, Led
 from rigidtop.report import blocks as b
-from rigidtop.report import plain
+from rigidtop.report import languages, plain
 from rigidtop.typeset.latex import latex
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.nodes import Node
@@ -154,8 +154,14 @@ def cited_figures(words: Sequence[b.Piece]) -> list[str]:
     return [m[2] for piece in words if isinstance(piece, str) for m in _FIGURE.finditer(piece)]
 
 
+_NOUNS = {fixed["Figure"] for fixed in languages.WORDS.values()}
+
+
 def _with_figures(words: str, figures: Mapping[str, b.Figure]) -> b.Rich:
-    """Text that cites figures by their numbers; in its own words where they have none."""
+    """Text that cites figures by their numbers; in its own words where they have none.
+
+    The noun is that of the author's own words, in their language; a German one has a capital.
+    """
     made: list[Any] = []
     end = 0
     for found in _FIGURE.finditer(words):
@@ -164,8 +170,9 @@ def _with_figures(words: str, figures: Mapping[str, b.Figure]) -> b.Rich:
         if figure is None:
             made.append(found[1])
         else:
-            label = figure.label if found[1][:1].isupper() else figure.label.lower()
-            made.append(b.Cited(label, figure.anchor))
+            noun = next((x for x in _NOUNS if x.lower() in found[1].lower()), "Figure")
+            noun = noun if found[1][:1].isupper() or noun == "Abbildung" else noun.lower()
+            made.append(b.Cited(f"{noun} {figure.number}", figure.anchor))
         end = found.end()
     return tuple(piece for piece in (*made, words[end:]) if piece)
 
