@@ -29,27 +29,6 @@ def test_wrong_sign_doubles_the_angle(solve, theta):
     assert found["angle_of_wrong_sign"] == pytest.approx(2 * theta, abs=1e-14)
 
 
-def test_azimuth_of_a_free_top_goes_round_at_l_over_lambda1(solve):
-    """Landau & Lifshitz, Mechanics, (33.5): the axis precesses about M at the rate M/I₁."""
-    theta, spin, lambda1, lambda3 = 0.6, 5.0, 2.0, 1.5
-    along_axis = lambda3 * spin
-    momentum = along_axis / cos(theta)
-    found = solve(
-        "azimuthal-rate",
-        theta=theta,
-        phi_dot=momentum / lambda1,
-        omega3=spin,
-        lambda1=lambda1,
-        lambda3=lambda3,
-        R=0.1,
-        g=1e-13,
-    )
-    assert found["L_z"] == pytest.approx(momentum, rel=1e-14)
-    for row in found["nutation"].rows:
-        assert row[1] == pytest.approx(theta, abs=1e-9)
-        assert row[2:] == pytest.approx([momentum / lambda1] * 2, rel=1e-9)
-
-
 @pytest.mark.parametrize("spin", [20.0, 5.0, 0.5])
 def test_passing_the_upright_turns_phi_at_the_speed_of_passing(solve, spin):
     """θφ̇ tends to the speed at which a top with L_z = L₃ crosses the vertical, by its energy.

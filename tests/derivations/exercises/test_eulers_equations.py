@@ -2,10 +2,7 @@
 
 from math import log, pi, sqrt
 
-import mpmath
-import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 from rigidtop.errors import RigidtopError
 from rigidtop.proof.words import unmarked
@@ -22,26 +19,6 @@ def test_rates_of_a_body_with_moments_1_2_3(solve):
     assert period == pytest.approx(2 * pi / (6 * sqrt(2 * 1 / 6)), rel=1e-14)
 
 
-@pytest.mark.parametrize("kick", [3.0, 0.3, 1e-3, 1e-6])
-def test_flip_is_a_quadrature(solve, kick):
-    """∫ dω₂/ω̇₂ by tanh-sinh quadrature at 30 digits, from the two first integrals alone."""
-    with mpmath.workdps(30):
-        i1, i2, i3, spin = (mpmath.mpf(x) for x in (1.0, 1.7, 2.3, 6.0))
-        energy, momentum = i1 * kick**2 + i2 * spin**2, (i1 * kick) ** 2 + (i2 * spin) ** 2
-
-        def slowness(angle):
-            y = spin * mpmath.sin(angle)
-            first = (i3 * energy - momentum - i2 * (i3 - i2) * y**2) / (i1 * (i3 - i1))
-            # ω₃² without the factor cos², which dω₂ = ω cos(angle) d(angle) cancels.
-            third = i2 * (i2 - i1) / (i3 * (i3 - i1))
-            return i2 / ((i3 - i1) * mpmath.sqrt(first * third))
-
-        # Nearly singular at the end: in steps of a decade, and the other half is the same.
-        steps = [0, *(mpmath.pi / 2 - mpmath.mpf(10) ** -k for k in range(9)), mpmath.pi / 2]
-        time = float(2 * mpmath.quad(slowness, steps))
-    assert solve("stable-axes", kick=kick)["flip_time"] == pytest.approx(time, rel=1e-13)
-
-
 def test_each_tenth_of_the_kick_costs_the_logarithm(solve):
     """2 ln 10/σ: the kick must grow tenfold more, and die out tenfold more."""
     found = [solve("stable-axes", kick=kick) for kick in (1e-6, 1e-7)]
@@ -50,33 +27,10 @@ def test_each_tenth_of_the_kick_costs_the_logarithm(solve):
     assert found[1]["flip_estimate"] == pytest.approx(found[1]["flip_time"], rel=1e-9)
 
 
-def test_linear_growth_to_a_tenth(solve):
-    """ω₁ = kick cosh σt, against (3.36) with Radau."""
-    spin, kick, moments = 6.0, 6e-6, np.array([1.0, 1.7, 2.3])
-    rate = solve("stable-axes", kick=kick)["growth_rate"]
-    time = log(2000) / rate
-    path = solve_ivp(
-        lambda _, w: -np.cross(w, moments * w) / moments,
-        (0, time),
-        (kick, spin, 0),
-        method="Radau",
-        rtol=1e-10,
-        atol=1e-14,
-    )
-    assert path.y[0, -1] == pytest.approx(kick * np.cosh(rate * time), rel=1e-5)
-
-
 def test_period_of_ω_is_two_flips(solve):
     found = solve("stable-axes")
     assert found["period"] == 2 * found["flip_time"]
     assert found["time_to_leave"] == pytest.approx(found["flip_time"] / 2, rel=0.1)
-
-
-def test_almost_equal_moments_keep_the_measures(solve):
-    """The two smaller moments one part in 10⁴ apart: a slow flip."""
-    found = solve("stable-axes", lambda1=1.6999, kick=1.0)
-    assert all(measure.passed for measure in found.measures)
-    assert found["growth_rate"] < 0.1
 
 
 @pytest.mark.parametrize(

@@ -21,14 +21,6 @@ def test_roots_in_whole_numbers(solve):
         assert found[name] == pytest.approx(value, rel=1e-14), name
 
 
-def test_roots_below_the_horizontal(solve):
-    """−Ω² − 3Ω + 4 = −(Ω − 1)(Ω + 4): signs differ, and both leading terms err the other way."""
-    found = solve("fast-spin-roots", **BELOW, omega3=6)
-    expected = {"slow": 1, "fast": -4, "slow_error": 1 / 3, "fast_error": -0.25, "threshold": 0}
-    for name, value in expected.items():
-        assert found[name] == pytest.approx(value, rel=1e-14, abs=1e-300), name
-
-
 @pytest.mark.parametrize(
     ("top", "accuracy", "name", "spin"),
     [
@@ -50,23 +42,6 @@ def test_small_errors_need_the_inverse_root_of_the_error(solve):
     for name in ("slow_spin", "fast_spin"):
         assert found[name] == pytest.approx(2e4 / 0.5, rel=2e-8)
     assert all(measure.passed for measure in found.measures)
-
-
-def test_errors_fall_as_catalan_numbers_times_powers(solve):
-    """1, 1, 2, 5, 14, 42 (DLMF table 26.5.1): what n terms leave out is the next term."""
-    found = solve("fast-spin-roots", **WHOLE, omega3=800)
-    catalan = (1, 1, 2, 5, 14, 42)
-    for terms, _, slow_error, _, fast_error in found["orders"].rows[:3]:
-        power = found["epsilon"] ** terms
-        assert slow_error == pytest.approx(-catalan[terms] * power, rel=2e-3, abs=4e-16)
-        assert fast_error == pytest.approx(catalan[terms - 1] * power, rel=2e-3, abs=4e-16)
-
-
-def test_roots_change_sign_with_the_spin(solve):
-    forward, backward = (solve("fast-spin-roots", omega3=spin) for spin in (20, -20))
-    for name in ("slow", "fast", "slow_next", "fast_next"):
-        assert backward[name] == -forward[name]
-    assert backward["slow_spin"] == forward["slow_spin"]
 
 
 def test_settings_without_both_roots_are_refused(solve):

@@ -4,8 +4,6 @@ from math import pi, sqrt
 
 import pytest
 
-from rigidtop.errors import RigidtopError
-
 
 def test_dumbbell_at_45_degrees(solve):
     """Two masses of 1 kg, 1 m from the bearing: Kleppner & Kolenkow, chapter 7, the skew rod.
@@ -27,22 +25,9 @@ def test_a_single_mass_is_held_by_its_centripetal_force(solve):
     assert found["drift"] == pytest.approx(5 * 0.15, rel=1e-9)
 
 
-def test_across_the_stick_no_torque_is_needed(solve):
-    """At right angles L ∥ ω and the stick turns on as before when it is let go."""
-    found = solve("two-masses", alpha=pi / 2)
-    assert found["torque"] == pytest.approx(0, abs=1e-15)
-    assert found["angle"] == 0
-    assert found["free_rate"] == 3
-
-
 @pytest.mark.parametrize("alpha", [0.05, 0.7, 1.4])
 @pytest.mark.parametrize("b", [0.1, 3.0])
 def test_measures_hold_elsewhere(solve, alpha, b):
     measures = solve("two-masses", alpha=alpha, b=b, omega=11).measures
     assert len(measures) == 4
     assert all(measure.passed for measure in measures)
-
-
-def test_a_stick_along_the_axis_is_refused(solve):
-    with pytest.raises(RigidtopError, match="alpha must be more than 0 rad"):
-        solve("two-masses", alpha=0)

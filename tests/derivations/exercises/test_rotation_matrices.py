@@ -1,41 +1,10 @@
 """Section 3.4."""
 
-from math import pi, sqrt
+from math import pi
 
 import pytest
 
 NAME = "rotations-form-a-group"
-
-
-def test_two_quarter_turns_are_a_third_of_a_turn_about_the_diagonal(solve):
-    """About x̂ after ŷ they take ẑ to x̂, x̂ to ŷ and ŷ to ẑ: the cube turns about its diagonal."""
-    found = solve(NAME)
-    assert found["angle"] == pytest.approx(2 * pi / 3, rel=1e-15)
-    axis = [found[f"axis_{letter}"] for letter in "xyz"]
-    assert axis == pytest.approx([1 / sqrt(3)] * 3, rel=1e-14)
-    # In the other order about the diagonal of (1, 1, −1): these third turns differ by one.
-    assert found["commutator"] == pytest.approx(2 * pi / 3, rel=1e-14)
-
-
-@pytest.mark.parametrize("gamma", [0.05, 0.3, 0.7, 1.2])
-def test_two_half_turns_turn_by_twice_the_angle_between_their_axes(solve, gamma):
-    """Mirrored in n₂ and then in n₁, within their plane: from n₂ towards n₁, by 2γ.
-
-    The other order turns as far the other way, so the two differ by 4γ, or by what is left of a
-    whole turn.
-    """
-    found = solve(NAME, alpha=pi, beta=pi, gamma=gamma)
-    assert found["angle"] == pytest.approx(2 * gamma, rel=1e-13)
-    assert found["axis_z"] == pytest.approx(-1, rel=1e-13)
-    assert found["commutator"] == pytest.approx(min(4 * gamma, 2 * pi - 4 * gamma))
-
-
-def test_turns_about_one_axis_add_up_and_commute(solve):
-    found = solve(NAME, alpha=2.0, beta=-0.5, gamma=0.0)
-    assert found["angle"] == pytest.approx(1.5, rel=1e-14)
-    assert found["axis_x"] == pytest.approx(1.0, rel=1e-14)
-    assert found["commutator"] == 0.0
-    assert found["small_turns"].rows[0][2] == pytest.approx(0.0, abs=1e-15)
 
 
 def test_more_than_half_a_turn_is_less_the_other_way(solve):
