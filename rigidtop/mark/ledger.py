@@ -75,6 +75,16 @@ class Ledger:
     """Lines that say what a letter stands for which is said to be another value below."""
     places: dict[int, int] = field(default_factory=dict)
     """The section of each line."""
+    paths: dict[int, tuple[int, ...]] = field(default_factory=dict)
+    """Where each line lies among the cases of the file, its heading first."""
+    path: tuple[int, ...] = ()
+    """Where the line lies which is taken."""
+
+    def holds(self, section: int, rests: Iterable[int]) -> bool:
+        """Whether what lines say is of this case: they stand under this heading, and in no item or
+        part of an exercise that ends before."""
+        of = [self.paths.get(x, ()) for x in rests]
+        return section == self.section and all(len(x) < 2 or self.path[: len(x)] == x for x in of)
 
     @property
     def moving(self) -> frozenset[Symbol]:

@@ -24,6 +24,7 @@ from itertools import pairwise
 import sympy
 from sympy import Expr, Integer, Pow, Rational, Symbol
 
+from rigidtop.mark.indices import running
 from rigidtop.mark.law import (
     TIME,
     Law,
@@ -64,19 +65,21 @@ def held(
     lines: Iterable[Line],
     functions: Iterable[tuple[Glyph, str]] = (),
     timed: Iterable[Glyph] = (),
-    sections: Sequence[int] = (),
+    cases: Sequence[tuple[int, ...]] = (),
     until: float = float("inf"),
     kinds: Callable[[Glyph], str] = lambda _: "",
     constant: Collection[int] = (),
 ) -> tuple[Held, ...]:
     """Each line that was read, judged by the lines above it.
 
-    `functions`, `timed` and `kinds` are what `Habits` has of a file; `sections` says for each line
-    under which heading it stands; of the `constant` ones, by number, words say that they give what
-    is conserved.  After a time of `time.process_time` no more are judged.
+    `functions`, `timed` and `kinds` are what `Habits` has of a file; `cases` says for each line in
+    which case it stands (`rigidtop.read.cases`), its heading first; of the `constant` ones, by
+    number, words say that they give what is conserved.  After a time of `time.process_time` no
+    more are judged.
     """
     found = list(lines)
-    places = list(sections) or [0] * len(found)
+    paths = list(cases) or [(0,)] * len(found)
+    places = [path[0] for path in paths]
     under: dict[int, list[Line]] = {}
     for line, place in zip(found, places, strict=True):
         under.setdefault(place, []).append(line)
@@ -96,12 +99,25 @@ def held(
             made.append(Held(line, Verdict.UNDECIDED.value, "the time for the file was over"))
             continue
         ledger.section = places[i]
+        ledger.path = ledger.paths[i] = paths[i]
         before = {*ledger.given}
         judged = ledger.take(i, line)
+        if judged.verdict == Verdict.FALSE.value:
+            judged = _unless_summed(judged, found)
         letter = next((x for x in ledger.given if x not in before and not accent(x)), None)
         said = i in constant
         made.append(judged if letter is None else ledger.conserved(i, judged, letter, said))
     return tuple(made)
+
+
+def _unless_summed(judged: Held, lines: Sequence[Line]) -> Held:
+    """What contradicts the lines above, unless an index there, or here, may be summed over."""
+    equations = [judged.line.equation, *(lines[k].equation for k in judged.rests)]
+    for index in (running(equation) for equation in equations if equation is not None):
+        if index:
+            note = f"the index {index} runs, and what is summed over it is not judged"
+            return replace(judged, verdict=Verdict.UNDECIDED.value, note=note)
+    return judged
 
 
 def _twins(lines: Sequence[Line]) -> dict[int, Equation]:
@@ -145,7 +161,7 @@ class _Judge(Reasons):
         equation = line.equation
         assert equation is not None
         self.places[number] = self.section
-        self.sets = {x: g for x, g in self.sets.items() if g.section == self.section}
+        self.sets = {x: g for x, g in self.sets.items() if self.holds(g.section, g.rests)}
         try:
             if equation.relation not in ("=", "≡", "≈"):
                 raise NoMeaningError(f"{equation.relation} is not judged")
@@ -163,6 +179,9 @@ class _Judge(Reasons):
             found = Held(line, Verdict.UNDECIDED.value, f"it says nothing to compare ({said})")
         except RecursionError:
             found = Held(line, Verdict.UNDECIDED.value, "nested too deeply")
+        if found.verdict == Verdict.FALSE.value and not self.holds(self.section, found.rests):
+            note = "in another case, of which the lines above speak, it would be false"
+            return replace(found, verdict=Verdict.UNDECIDED.value, note=note)
         if found.verdict == Verdict.FALSE.value and line.condition:
             note = f"holds at most “{line.condition}”, which is not judged"
             return replace(found, verdict=Verdict.UNDECIDED.value, note=note)
@@ -281,7 +300,8 @@ class _Judge(Reasons):
             return False
         known = self.given.get(first)
         if known is not None:
-            return known.section != self.section and first not in letters(others[0])
+            free = not self.holds(known.section, known.rests)
+            return free and first not in letters(others[0])
         if first in self.primitive() and self.is_set(first, others[-1]):
             return False
         side = others[-1] if others[-1] != const else others[0]
@@ -290,10 +310,11 @@ class _Judge(Reasons):
         return first not in letters(side) | made
 
     def defined(self, number: int, line: Line, first: Lettered, others: Sequence[Expr]) -> Held:
-        if first in self.given and self.given[first].section != self.section:
-            old = self.section
-            self.given = {x: g for x, g in self.given.items() if g.section == old}
-            if self.law is not None and self.law.section != old:
+        known = self.given.get(first)
+        if known is not None and not self.holds(known.section, known.rests):
+            given = self.given.items()
+            self.given = {x: g for x, g in given if self.holds(g.section, g.rests)}
+            if self.law is not None and not self.holds(self.law.section, self.law.rests):
                 self.law, self.sets = None, {}
         values: list[tuple[Expr, Expr, set[int]]] = []
         last: NoMeaningError | None = None
@@ -468,7 +489,7 @@ class _Judge(Reasons):
     def newton(self, case: Case, newest: Sequence[Expr]) -> Held | None:
         """An equation of motion that is taken as it stands."""
         law = self.law
-        if law is None or law.section != self.section:
+        if law is None or not self.holds(law.section, law.rests):
             law = Law((), (), frozenset(), "by the equations of motion above", self.section)
         q = tuple(dict.fromkeys([*law.q, *newest]))
         if law.lagrangian is not None or len(law.vanishing) == len(q):

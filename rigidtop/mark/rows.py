@@ -4,22 +4,14 @@ from __future__ import annotations
 
 import re
 import time
-from bisect import bisect_right
 from dataclasses import dataclass
 
 from rigidtop.mark.notes import Held, held
 from rigidtop.notation import OWN
+from rigidtop.read.cases import cases
 from rigidtop.read.document import Formula, alone, each, numbered, places, states
 from rigidtop.read.formula import Line
 from rigidtop.read.habits import Habits
-
-_HEADING = re.compile(
-    r"^[ \t]{0,3}#{1,6}[ \t]"
-    r"|\\(?:chapter|(?:sub)*section)\*?[ \t]*[\[{]"
-    r"|\\begin[ \t]*\{(?:example|problem|exercise|question|solution|theorem|proof)s?\}",
-    re.M,
-)
-"""Behind it another system may begin, and letters stand for other things."""
 
 _CONSTANT = re.compile(
     r"\b(?:is|are|stays?|remains?)\s+(?:\w+ly\s+|also\s+|again\s+|a\s+)?"
@@ -72,11 +64,10 @@ def rows(source: str, habits: Habits, seconds: float) -> tuple[Row, ...]:
         for line in lines
         if line.equation is not None or formula.display
     ]
-    headings = [match.start() for match in _HEADING.finditer(source)]
-    sections = [bisect_right(headings, line.position) for _, line in found]
     lines = [line for _, line in found]
+    paths = [*map(cases(source), (line.position for line in lines))]
     constant = [i for i, (formula, _) in enumerate(found) if _is_called_constant(source, formula)]
-    judged = held(lines, habits.functions, habits.timed, sections, end, habits.kind, constant)
+    judged = held(lines, habits.functions, habits.timed, paths, end, habits.kind, constant)
     place = places(source)
     at = [place(min(line.position, len(source))) for line in lines]
     made = []

@@ -196,6 +196,11 @@ def _walked(source: str) -> _Walked:
     )
 
 
+def is_tex(source: str) -> bool:
+    """Whether a text is LaTeX by itself, and no Markdown."""
+    return _TEX.search(_FENCED.sub("", source)) is not None
+
+
 def places(source: str) -> Callable[[int], tuple[int, int]]:
     r"""What tells the line and the column, counted from 1, of a position in a text.
 
@@ -216,7 +221,7 @@ class _Walk:
 
     def __init__(self, source: str) -> None:
         self.source = source
-        self.tex = _TEX.search(_FENCED.sub("", source)) is not None
+        self.tex = is_tex(source)
         self.found: list[Formula] = []
         self.problems: list[Problem] = []
         self.lost: list[Numbered] = []

@@ -211,3 +211,19 @@ def test_what_words_call_conserved_is_asked_of_the_lagrangian(text, verdict, sai
     assert found.verdict == verdict
     assert said in found.note
     assert ("conserved" in found.note) == (said == "E is conserved")
+
+
+def test_what_is_said_in_one_item_does_not_hold_in_the_next(tmp_path):
+    path = tmp_path / "items.md"
+    path.write_text(
+        "# A\n\nA bead has $v = 2 a$.\n\n1. Let $x = 3 a$ and $y = 2 x$. Then $y = 6 a$.\n"
+        "2. Let $x = 5 a$ and $y = 2 x$. Then $y = 10 a$.\n\n(a) Take $u = 2 a$.\n\n"
+        "(b) Then $u = 5 a$, so $u = 4 a$.\n\n# B\n\n\\begin{enumerate}\n"
+        "\\item $L = \\frac12 m\\dot x^2 - \\frac12 k x^2$, so $m\\ddot x = -kx$.\n"
+        "\\item $L = \\frac12 m\\dot x^2 - m g x$, so $m\\ddot x = -mg$ and $m\\ddot x = mg$.\n"
+        "\\end{enumerate}\n"
+    )
+    verdicts = [row.held.verdict for row in judged(path)]
+    assert verdicts[:7] == ["premise"] * 3 + ["proved"] + ["premise"] * 2 + ["proved"]
+    assert verdicts[7:10] == ["premise", "premise", "undecided"]
+    assert verdicts[10:] == ["premise", "proved", "premise", "proved", "false"]
