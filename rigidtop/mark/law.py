@@ -99,6 +99,18 @@ class Law:
         given = (put_in(x, put) for x in self.vanishing)
         return replace(self, vanishing=tuple(x for x in given if vanishes(x) is None))
 
+    def left_of(self, values: Mapping[Symbol, Expr]) -> list[Expr]:
+        """What its equations say of coordinates that are functions of the time, of such alone."""
+        paths = {
+            y: values[y]
+            for x in self.q
+            if x in values and not {bare(z) for z in values[x].free_symbols} & {*self.q}
+            for y in (x, dotted(x), dotted(x, 2))
+            if y in values
+        }
+        left = (put_in(x, paths) for x in self.vanishing if x.has(*paths))
+        return [x for x in left if not {bare(z) for z in x.free_symbols} & {*self.q}]
+
     def misses(self, symbols: set[Symbol]) -> int:
         """How many numbers the equations of the accelerations among symbols have besides these; too
         many where they have coordinates besides."""

@@ -116,8 +116,9 @@ class Ledger:
                     # x = Rθ may be kept by a force.
                     made, kept = self.of_lagrangian(other), f"{text(letter)} = {text(value)}"
                     kept += " is kept by forces that do no work"
-                    self.law = replace(self.law, broken=True)
-                    self.other = replace(made, condition=kept) if made is not None else None
+                    if made is not None or not value.has(TIME):
+                        self.law = replace(self.law, broken=True)
+                        self.other = replace(made, condition=kept) if made is not None else None
         for k in range(times):
             known = Given(value, rests, self.section, side=None if k else side)
             self.given[dotted(letter, k) if k else letter] = known

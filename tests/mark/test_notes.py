@@ -227,3 +227,27 @@ def test_what_is_said_in_one_item_does_not_hold_in_the_next(tmp_path):
     assert verdicts[:7] == ["premise"] * 3 + ["proved"] + ["premise"] * 2 + ["proved"]
     assert verdicts[7:10] == ["premise", "premise", "undecided"]
     assert verdicts[10:] == ["premise", "proved", "premise", "proved", "false"]
+
+
+CYCLOTRON = r"$$m\ddot x = qB\dot y$$ $$m\ddot y = -qB\dot x$$ With $w = qB/m$ $$x = R\cos wt$$ "
+ROD = r"$$L = \frac12 m(\dot r^2 + r^2\dot\varphi^2)$$ The rod turns: $$\varphi = \omega t$$ "
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict", "said"),
+    [
+        (SPRING + r"With $w = \sqrt{k/m}$ $$x = A\cos wt + B\sin wt$$", "proved", "it solves Lag"),
+        (SPRING + r"With $w = \sqrt{k/m}$ $$x = A\cosh wt$$", "premise", "for special A at most"),
+        (CYCLOTRON + r"$$y = -R\sin wt$$", "proved", "it solves the equations of motion above"),
+        (CYCLOTRON + r"$$y = R\sin wt$$", "premise", "for special R at most"),
+        (r"$$\ddot z = -g$$ $$z = vt - \frac12 gt^2$$", "proved", "it solves the equations"),
+        (r"$$\ddot z = -g$$ $$z = \frac12 gt^2$$", "undecided", "slip? at g = 1 it does not solve"),
+        (ROD + r"$$r = a\cosh\omega t$$", "assuming", "where φ = tω is kept by forces"),
+        (ROD + r"$$r = a\cos\omega t$$", "premise", "what r stands for"),
+    ],
+)
+def test_a_motion_in_time_is_put_into_its_equations(text, verdict, said, tmp_path):
+    path = tmp_path / "notes.md"
+    path.write_text(text + "\n", "utf-8")
+    held = judged(path)[-1].held
+    assert (held.verdict, said in held.note) == (verdict, True), held.note
