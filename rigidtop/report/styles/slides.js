@@ -23,12 +23,14 @@
   place.setAttribute("aria-live", "polite");
   document.body.append(place);
   document.documentElement.classList.add("shown");
-  let part = 0;
+  let part = -1;
   let line = 0;
   const show = (to, uncovered) => {
+    const before = part;
     part = Math.max(0, Math.min(slides.length - 1, to));
     line = Math.max(0, Math.min(lines[part].length, uncovered));
     slides.forEach((slide, k) => slide.classList.toggle("now", k === part));
+    if (part !== before) dispatchEvent(new Event("resize")); // its equations are measured
     lines[part].forEach((each, k) => each.classList.toggle("covered", k >= line));
     place.textContent = `${part + 1} / ${slides.length}`;
     history.replaceState(null, "", `#${part + 1}.${line}`);
