@@ -42,7 +42,7 @@ def body_cone() -> Matrix:
     return rotation_z(-s.Omega_b * s.t) * Matrix([s.omega_0, s.omega_20, s.omega3])
 
 
-@claim("3.37", "$ω̇₁ = Ω_b ω₂$, $ω̇₂ = −Ω_b ω₁$, and $ω₃$ is constant.")
+@claim("3.37", "$ω₁$ and $ω₂$ drive each other, and $ω₃$ is constant.")
 def oscillating_pair() -> Iterator[Evidence]:
     """$λ₂ = λ₁$ in (3.36): the third equation has no right side left, and $ω₃$ is a number."""
     meaning = {**RATES, s.Omega_b: body_frequency()}
