@@ -402,9 +402,7 @@ def summary(judged: b.Judged, parts: Parts) -> list[b.Block]:
             if b.is_number(name):
                 printed = tagged_rows(judgement)
                 corrected = [f.check.claimed for f in judgement.corrections()]
-                shown_ = (
-                    numbered(parts, name) or corrected[:1] or [row.equation for row in printed]
-                )
+                shown_ = numbered(parts, name) or corrected[:1] or [row.equation for row in printed]
                 amiss = judgement.verdict in (Verdict.FALSE, Verdict.CONVENTION)
                 words = f"{'The notes say: ' * amiss}{judgement.claim.says}"
                 rows.append((name, tuple(shown_), words, judgement.verdict))

@@ -23,6 +23,7 @@ from rigidtop.proof.units import UnitsError
 from rigidtop.proof.verdict import Judgement, Led
 from rigidtop.report import blocks as b
 from rigidtop.report import languages, plain
+from rigidtop.report.wording import Wording
 from rigidtop.typeset.latex import latex
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.nodes import Node
@@ -295,7 +296,11 @@ def running(
             made += _with_figures(piece, figures)
         else:
             unread = getattr(piece, "latex", None)
-            made.append(_marked(unread) if unread else layout(notation.named(piece), "printed"))
+            made.append(
+                Wording(notation)(_marked(unread))
+                if unread
+                else layout(notation.named(piece), "printed")
+            )
     return tuple(made)
 
 
