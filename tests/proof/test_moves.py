@@ -1091,3 +1091,13 @@ $$\\frac{\\mathbf N_{\\text{in}}}{M} = 0$$
     lecture = read_lecture([("laws", LAWS), ("page", page)], LETTERS, NOTES)
     [(_, _, problem)] = lecture.problems()
     assert "is an equation: its left side says which is meant" in problem
+
+
+def test_what_equals_a_square_is_not_negative():
+    """Of θ² = χ the root says nothing of χ; of a letter that is no square it does."""
+    squared = judged(FOLLOWS["a negative root"])[-1]
+    bare = judged("Take the root of the other deviation:\n\n$$\\sqrt\\delta = \\sqrt2$$")[-1]
+    assert squared.follows
+    assert bare.follows
+    assert "≥" not in {c.relation for c in squared.known.conditions}
+    assert "≥" in {c.relation for c in bare.known.conditions}

@@ -32,7 +32,10 @@ def root(move: Move, algebra: Algebra) -> Performed:
         if isinstance(pair.left, Vector) or is_operator(pair.left) or not is_equation(pair):
             raise RefusedError("the root of what is no scalar")
         flat, nodes = flattened(pair.left)  # what stands for itself is real
-        left = sympy.sqrt(sympy.factor(flat)).xreplace(nodes)
+        made = sympy.sqrt(sympy.factor(flat))
+        if not made.is_real:  # what equals a square is not negative
+            conditions.append(Condition(pair.right, "≥"))
+        left = made.xreplace(nodes)
         for base in (abs_.args[0] for abs_ in left.atoms(sympy.Abs)):
             if not _known_sign(base, move.where):
                 raise RefusedError(
@@ -40,7 +43,6 @@ def root(move: Move, algebra: Algebra) -> Performed:
                 )
         left = left.replace(sympy.Abs, lambda x: _known_sign(x, move.where) * x)
         pairs.append(Pair(left, _root_of(pair.right, move.where)))
-        conditions.append(Condition(pair.right, "≥"))
     return Performed(tuple(pairs), known.scope, tuple(conditions))
 
 
