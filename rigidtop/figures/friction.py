@@ -15,8 +15,10 @@ from rigidtop.derivations.exercises.friction import (
     about_tip,
     crossing,
     rising,
+    rising_top,
     time_asleep,
     time_to_grow,
+    waking_top,
 )
 from rigidtop.errors import RigidtopError
 from rigidtop.figures import style as look
@@ -24,7 +26,6 @@ from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.style import Floats, canvas, degrees, legend_above, name_at, said, spoken
 from rigidtop.motion.table.motion import SlidingMotion, SlidingTop
 from rigidtop.motion.table.trajectory import SlidingTrajectory
-from rigidtop.parameters import Parameter
 
 MOST_TURNS = 1000
 """About e₃; a motion is followed no longer."""
@@ -243,14 +244,7 @@ RISING = Drawing(
     "rising-top",
     "Friction raises a fast top: $θ$, energy, slip and path",
     "3.5.4",
-    (
-        *ABOUT_CENTRE,
-        Parameter("tip", 0.01, "radius of the round tip", "m", above=0),
-        Parameter("mu", 0.1, "coefficient of sliding friction", above=0),
-        Parameter("theta", 0.5, "$θ$ at the start", "rad", least=0.05, most=1.2),
-        Parameter("until", 0.25, "$θ$ that is marked", "rad", least=0.01, most=1.2),
-        Parameter("omega3", 200.0, "$ω₃$ at the start", "rad/s", above=0),
-    ),
+    rising_top.parameters,
     _draw_rising,
     _rising_caption,
     _rising_in_words,
@@ -378,15 +372,7 @@ WAKING = Drawing(
     "waking-top",
     "The air wakes a sleeping top: $θ(t)$ and $ω₃(t)$",
     "",
-    (
-        *ABOUT_CENTRE,
-        Parameter("drag3", 5e-6, "$c₃$, drag torque over $ω₃$", "J s", above=0),
-        Parameter("omega3", 165.0, "$ω₃$ at the start", "rad/s", above=0),
-        Parameter("disturbance", 1e-6, "$θ$ at the start", "rad", least=1e-9, most=1e-3),
-        Parameter(
-            "visible", 0.1, "$θ$ at which the top is seen to wake", "rad", least=0.01, most=0.3
-        ),
-    ),
+    waking_top.parameters,
     _draw_waking,
     _waking_caption,
     _waking_in_words,

@@ -10,7 +10,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 import rigidtop as rt
-from rigidtop.derivations.exercises.friction import rising_top, small_tilt_time, waking_top
+from rigidtop.derivations.exercises.friction import small_tilt_time
 from rigidtop.figures import friction, style
 from rigidtop.figures.catalog import named
 from rigidtop.motion.table.motion import SlidingTop
@@ -57,15 +57,6 @@ def again():
     top = SlidingTop(**BODY, tip=0.01, mu=0.1)
     motion = top.motion(theta=0.5, phi_dot=rate, omega3=200.0)
     return lambda times: motion.integrate(times, method="LSODA", rtol=1e-11, atol=1e-13)
-
-
-@pytest.mark.parametrize(("drawing", "exercise"), [(RISING, rising_top), (WAKING, waking_top)])
-def test_parameters_are_those_of_the_exercise(drawing, exercise):
-    here, there = (
-        {p.name: (p.default, p.unit, p.above, p.least, p.most) for p in each.parameters}
-        for each in (drawing, exercise)
-    )
-    assert here == there
 
 
 def test_theta_slip_and_path_are_those_of_the_motion(risen, again):

@@ -11,16 +11,12 @@ from scipy.optimize import brentq
 from scipy.spatial.transform import Rotation
 
 import rigidtop as rt
-from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.figures import bicycle_wheel, gyroscope, plate, rotors, space, style, toy_top
 from rigidtop.figures.catalog import named
 from rigidtop.proof.words import unmarked
 
 GYROSCOPE, WHEEL = named("gyroscope"), named("bicycle-wheel")
 PLATE, TOY = named("wobbling-plate"), named("toy-top")
-ALL = (GYROSCOPE, WHEEL, PLATE, TOY)
-
-of_each = pytest.mark.parametrize("drawing", ALL, ids=lambda drawing: drawing.name)
 
 
 def line(axes, label):
@@ -64,12 +60,6 @@ def drawn(drawing, given):
 
 
 # --- All four ------------------------------------------------------------------------------------
-
-
-@of_each
-def test_parameters_are_those_of_the_exercise(drawing):
-    [exercise] = [each for each in EXERCISES if each.figure == drawing.name]
-    assert drawing.parameters == exercise.parameters
 
 
 @pytest.mark.parametrize(
