@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import combinations
 from typing import Any
 
 import sympy
@@ -24,6 +25,9 @@ MOST_MISSING = 2
 
 MOST_SOLVED = 3
 """Of more equations of motion at once it is not asked by what they are divided."""
+
+MOST_ROOTS = 4
+"""Of more roots not every sign is tried."""
 
 TIME = own(Glyph("t"))
 
@@ -144,6 +148,27 @@ def plain(expression: Expr) -> tuple[Expr, dict[Expr, Symbol]]:
     nodes.sort(key=sympy.count_ops, reverse=True)
     names = {node: sympy.Dummy(f"f{i}", real=True) for i, node in enumerate(nodes)}
     return expression.xreplace(names), names
+
+
+def written(node: Expr) -> str:
+    """A number, a function, or a slope: that of several letters by the places of these.
+
+    >>> U, (x, y) = sympy.Function("U"), sympy.symbols("x y")
+    >>> written(U(x)), written(U(x).diff(x, 2)), written(U(x - y).diff(x))
+    ('U(x)', 'U″(x)', 'U′(x − y)')
+    >>> written(U(x, y).diff(x, y))
+    '∂₁₂U(x, y)'
+    """
+    at = dict(zip(node.variables, node.point, strict=True)) if isinstance(node, sympy.Subs) else {}
+    slope = node.expr if at else node
+    if not isinstance(slope, sympy.Derivative):
+        return text(node) if not at else str(node)
+    name, args = text(slope.expr).partition("(")[0], slope.expr.args
+    said = ", ".join(text(x.xreplace(at)) for x in args)
+    if len(args) == 1:
+        return f"{name}{'′″‴⁗'[slope.derivative_count - 1]}({said})"
+    by = "".join("₁₂₃₄₅₆₇₈₉"[args.index(x)] for x in slope.variables)
+    return f"∂{by}{name}({said})"
 
 
 def vanishes(
@@ -310,12 +335,15 @@ def at_rest(residual: Expr, law: Law) -> str:
 
 
 def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:
-    """Short numbers at which two sides differ, in words; accelerations are those of the law."""
-    flat, names = plain(sympy.Tuple(*sides, *(law.vanishing if law is not None else ())))
-    if names and law is not None:
-        return "the two sides differ whatever the functions are"
-    if functions_of(sides[0] - sides[1]):
-        return None
+    """Short numbers at which two sides differ, in words; accelerations are those of the law.
+
+    Functions of which nothing is known, and their slopes, have any numbers there; roots differ with
+    either sign.
+    """
+    vanishing = law.vanishing if law is not None else ()
+    if functions_of(sides[0] - sides[1]) - functions_of(*vanishing):
+        return None  # nothing binds them
+    flat, names = plain(sympy.Tuple(*sides, *vanishing))
     left, right, *given = flat
     a = law.highest if law is not None else []
     free = left.free_symbols | right.free_symbols
@@ -323,29 +351,39 @@ def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:
         given, a = [], []
     free = free.union(*(x.free_symbols for x in given))
 
-    rooted = decide.branches(left - right)
+    signed = [(left.xreplace(put), right.xreplace(put)) for put in of_roots(left - right)]
     angles = {x for x in free if base(x)[:1] in ANGLES and not accent(x)}
     # A length or a mass, whatever its letter, has no short number that is not positive.
     drawn = {x: sympy.Dummy(x.name, positive=True) for x in free if not moves(x)}
+    kept = {new: old for old, new in names.items()}
     for point, number in decide.places(
         [left, right], given=given, unknowns=a, angles=angles, drawn=drawn, tries=120
     ):
-        one, other = number(left), number(right)
-        # A root may be meant with its other sign.
-        if not decide.apart(*((one**2, other**2) if rooted else (one, other))):
+        if not all(decide.apart(number(one), number(other)) for one, other in signed):
             continue
         solved = {x: v for x, v in point.items() if x in a}
         values = ", ".join(
-            f"{text(x)} = {text(v)}"
-            for x, v in point.items()
-            if x not in {*solved, *names.values()}
+            f"{written(kept.get(x, x))} = {text(v)}" for x, v in point.items() if x not in solved
         )
         rates = ", ".join(
             f"{text(x)} is {short(v)}" for x, v in solved.items() if (left - right).has(x)
         )
         said = f"{rates} {law.words}; " if law is not None and rates else ""
-        return f"at {values}: {said}the left side is {short(one)}, the right side {short(other)}"
+        sizes = f"the left side is {short(number(left))}, the right side {short(number(right))}"
+        return f"at {values}: {said}{sizes}"
     return None
+
+
+def of_roots(residual: Expr) -> list[dict[Expr, Expr]]:
+    """What roots in an expression may be meant to be: each with either sign, √a² = |a| too."""
+    roots = [x for x in residual.atoms(Pow, sympy.Abs) if x.is_Function or getattr(x.exp, "q", 1) == 2]
+    roots = sorted((x for x in roots if x.free_symbols), key=str)
+    under = [*dict.fromkeys(x.args[0] for x in roots)][:MOST_ROOTS]
+    return [
+        {x: -x for x in roots if x.args[0] in negative}
+        for k in range(len(under) + 1)
+        for negative in combinations(under, k)
+    ]
 
 
 def short(number: Any) -> str:

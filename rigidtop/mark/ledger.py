@@ -209,6 +209,7 @@ class Ledger:
     def slope(self, node: Expr) -> Expr:
         of, *by = node.args
         value = self.value(of)
+        of = of.args[0] if isinstance(of, eq.At) else of
         if isinstance(of, Symbol) and value == of:
             raise NoMeaningError(f"nothing above says what {text(of)} is")
         momenta = self.momenta()
