@@ -37,6 +37,7 @@ All other formulas, and anyone's notes in letters of their own, are held against
 themselves: a line follows from the lines above it and from Lagrange's equations of the
 file's own L, or contradicts them, with numbers; what nothing above speaks of is a
 premise, taken as it stands, and not called right.
+What is open is told by its reason, with the first places; `--json` has each formula.
 The exit code is 1 if a formula is false, or if one that has a number is undecided or
 unread, else 0 (a convention at odds with a definition is a finding, not a failure).
 Numbers of the collection that the file leaves out between its first and its last are
@@ -164,7 +165,12 @@ class Told:
 
     @property
     def place(self) -> str:
-        return f"({self.name})" if self.name else f"line {self.line}"
+        return _label(self.name) or f"line {self.line}"
+
+    @property
+    def is_open(self) -> bool:
+        """Whether nothing is said against it, only nothing for it."""
+        return self.of in (Of.FILE, Of.PLACE) and self.verdict in _OPEN
 
     @property
     def record(self) -> dict[str, Any]:
@@ -273,16 +279,43 @@ def _print(told: Sequence[Told]) -> None:
     if wants_color(sys.stdout):
         colors = {**VERDICT_COLORS, "unread": "red", "unknown": "yellow"}
     of_claims = any(each.of is Of.CLAIM for each in told)  # then of the rest what is wrong
-    rows = [
-        (str(each.line), _label(each.name), each.verdict, each.words)
+    told_of = [
+        each
         for each in sorted(
             told, key=lambda x: (x.of is Of.FILE, 0 if x.of is Of.FILE else x.line or 0)
         )
         if each.display and (each.of is not Of.FILE or not of_claims or each.verdict == "false")
     ]
+    rows = [
+        (str(each.line), _label(each.name), each.verdict, each.words)
+        for each in told_of
+        if not each.is_open
+    ]
     print(table(rows, ("line", "equation", "verdict", "note"), colors=colors, right=(0,)))
+    alike: dict[tuple[str, str], list[str]] = {}
+    for each in told_of:
+        if each.is_open:
+            why = re.sub(r"\bwhat .+ is$", "what its letters are", each.note)
+            alike.setdefault((each.verdict, why), []).append(_label(each.name) or str(each.line))
+    reasons = sorted(alike.items(), key=lambda x: -len(x[1]))
+    open_rows = [(str(len(at)), verdict, note, _few(at)) for (verdict, note), at in reasons]
     print()
+    if open_rows:
+        heads = ("", "verdict", "why", "where")
+        print(table(open_rows, heads, colors=colors, right=(0,)))
+        print()
     print(summary(told))
+
+
+MOST_WRONG, MOST_OPEN = 40, 6
+"""So many are named of what is wrong, and of what is open alike; `--json` has all."""
+
+
+def _few(names: Sequence[str], most: int = MOST_OPEN) -> str:
+    """The first ones, and how many more there are."""
+    names = list(dict.fromkeys(names))
+    more = len(names) - most
+    return ", ".join(names) if more < 2 else f"{', '.join(names[:most])} and {more} more"
 
 
 def _label(name: str, longest: int = 24) -> str:
@@ -302,10 +335,14 @@ def summary(told: Sequence[Told]) -> str:
     if others:
         what = f"{'other ' * bool(claims)}formula"
         parts.append(_counted(others, what, {**_FOLLOWS, **{x: {x} for x in _OPEN}}))
-    wrong = ", ".join(each.place for each in told if each.amiss)
+    wrong = _few([each.place for each in told if each.amiss and not each.is_open], MOST_WRONG)
+    left = _few([each.place for each in told if each.amiss and each.is_open])
     absent = ", ".join(each.place for each in of[Of.ABSENT])
-    last = f"AMISS: {wrong}" if wrong else "nothing is found wrong"
-    return f"{'; '.join([*parts, last])}{f'; not in the file: {absent}' * bool(absent)}"
+    parts.append(f"AMISS: {wrong}" if wrong else "nothing is found wrong")
+    others_said = {"to be looked at": left, "not in the file": absent}
+    return "; ".join(
+        [*parts, *(f"{said}: {which}" for said, which in others_said.items() if which)]
+    )
 
 
 _FOLLOWS = {

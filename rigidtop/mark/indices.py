@@ -11,7 +11,6 @@ r"""Indices that run: what Einstein summed is no product of numbers.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
 
 import sympy
 from sympy import Add, Expr, Mul
@@ -43,8 +42,8 @@ def running(equation: Equation) -> str:
     return ""
 
 
-def _terms(side: Expr) -> Iterable[Expr]:
-    return Add.make_args(side.args[0] if isinstance(side, Group) else side)
+def _terms(side: Expr) -> tuple[Expr, ...]:
+    return tuple(Add.make_args(side.args[0] if isinstance(side, Group) else side))
 
 
 def _indices(*sides: Expr) -> set[str]:

@@ -300,18 +300,23 @@ def digits_vanish(expressions: Sequence[Expr], digits: int = 40) -> bool:
     rng = random.Random(7)
     symbols = sorted(set().union(*(e.free_symbols for e in expressions)), key=str)
     found = 0
+    rows = [sympy.Add.make_args(e) for e in expressions]
+    # SymPy looks for the digits of what stands in a term twice more than twice as long.
+    parts, terms = sympy.cse([term for row in rows for term in row], order="none")
+    limit = Rational(10) ** -digits
     for attempt in range(20 * points):
         if not found and attempt == 100:
             return False  # it is hardly ever real
-        point = {x: _anywhere(x, rng) for x in symbols}
-        rows = [sympy.Add.make_args(e) for e in expressions]
+        point: dict[Expr, Expr] = {x: _anywhere(x, rng) for x in symbols}
         number = at(point)
         if any(math.isnan(number(term)) for row in rows for term in row):
             continue  # digits of what is not real cost SymPy minutes
-        numbers = [[term.evalf(digits + 10, subs=point) for term in row] for row in rows]
+        for x, part in parts:
+            point[x] = part.evalf(digits + 30, subs=point)
+        values = iter([term.evalf(digits + 10, subs=point) for term in terms])
+        numbers = [[next(values) for _ in row] for row in rows]
         if not all(v.is_number and v.is_finite and v.is_real for row in numbers for v in row):
             continue
-        limit = Rational(10) ** -digits
         if any(abs(sympy.Add(*row)) > limit * (1 + sympy.Add(*map(abs, row))) for row in numbers):
             return False
         found += 1

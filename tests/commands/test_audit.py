@@ -79,8 +79,8 @@ def test_what_was_not_taken_as_a_formula_is_told(capsys, file, tmp_path):
     name = file(MATRIX + "\n$$T = 0\n")
     assert main(["audit", name]) == 1
     shown = capsys.readouterr().out
-    assert re.search(r"^ +3 +unread +\S", shown, re.M)
-    assert "AMISS: line 3" in shown
+    assert re.search(r"^1 +unread +\S.* 3$", shown, re.M)
+    assert "to be looked at: line 3" in shown
     assert main(["audit", name, "--json"]) == 1
     row = json.loads(capsys.readouterr().out)[-1]
     assert (row["verdict"], row["line"], row["passed"]) == ("unread", 3, False)
@@ -127,8 +127,19 @@ def test_a_number_of_no_claim_is_told_with_its_line(written, number, capsys, fil
 def test_what_is_unread_has_its_reason_where_no_claim_has_the_number(capsys, file):
     assert main(["audit", file("$$T = \\oops$$ (9.9)\n")]) == 1
     shown = " ".join(capsys.readouterr().out.split())
-    assert "(9.9) unread the command \\oops is not known of TeX" in shown
-    assert "1 formula: 1 unread; AMISS: (9.9)" in shown
+    assert "1 unread the command \\oops is not known of TeX (9.9)" in shown
+    assert "1 formula: 1 unread; nothing is found wrong; to be looked at: (9.9)" in shown
+
+
+def test_what_is_open_is_told_by_reason_and_not_line_by_line(capsys, file):
+    lines = "".join(
+        f"$$\\oops = {n} \\tag{{{n}}}$$\n\n$$a_{n} = b_{n} c_{n}$$\n\n" for n in range(9)
+    )
+    assert main(["audit", file(lines)]) == 1
+    shown = " ".join(capsys.readouterr().out.split())
+    assert "9 unread the command \\oops is not known of TeX" in shown
+    assert shown.endswith("to be looked at: (0), (1), (2), (3), (4), (5) and 3 more")
+    assert "AMISS" not in shown
 
 
 PENDULA = r"""
