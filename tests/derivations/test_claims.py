@@ -201,14 +201,14 @@ def test_vectors_that_keep_their_angle_out_of_one_plane(judgements):
 
     def triple(angle):
         omega = np.array([at["omega_0"] * np.cos(angle), -at["omega_0"] * np.sin(angle), 0.3])
-        behind = angle + at["delta"]
+        behind = angle + at["gamma"]
         follower = np.array([at["L1"] * np.cos(behind), -at["L1"] * np.sin(behind), 0.7])
         return omega @ follower, np.cross(omega, follower)[2]
 
-    products, volumes = zip(*(triple(phi) for phi in (0.0, at["phi"], 5.0)), strict=True)
+    products, volumes = zip(*(triple(angle) for angle in (0.0, 1.0, 5.0)), strict=True)
     assert np.ptp(products) < 1e-14
-    assert volumes[1] == pytest.approx(float(found.left), abs=1e-12)
-    assert abs(volumes[1]) > 0.1
+    assert volumes[0] == pytest.approx(float(found.left), abs=1e-12)
+    assert abs(volumes[0]) > 0.1
 
 
 def test_printed_matrix_is_not_the_transpose(judgements):
