@@ -242,14 +242,16 @@ def _touching(motion: Motion) -> str:
     if lambda1 == lambda3:
         return "$𝛚$, $𝐋$ and the space cone are one line"
     how = "rolls on the outside of" if lambda1 > lambda3 else "rolls with its inside on"
-    return f"the body cone (${said(body)}°$) {how} the space cone (${said(space)}°$)"
+    return (
+        f"the body cone, of half angle ${said(body)}°$, {how} the space cone, of ${said(space)}°$"
+    )
 
 
 def _rolling_caption(**values: float) -> str:
     left, right = _rolling(**values)
     return (
         "The body cone (red, about $e₃$) rolls without slipping on the space cone (blue, about "
-        "$𝐋$): they touch along $𝛚$. The half angles stand in brackets. Left, "
+        "$𝐋$): they touch along $𝛚$. Left, "
         f"{_shape(values['lambda1'], values['lambda3'])}: {_touching(left)}. Right, "
         f"{_shape(values['lambda1'], values['lambda3_right'])}: {_touching(right)}. $ω₀ = "
         f"{said(values['omega_0'])}$ and $ω₃ = {said(values['omega3'])}$ rad/s."

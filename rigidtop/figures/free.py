@@ -139,7 +139,7 @@ def _polhodes_caption(**moments: float) -> str:
     else:
         which = "two moments are equal, and all of them are circles"
     return (
-        "Polhodes: the ways of $𝛚$ in the body frame on the energy ellipsoid "
+        "Polhodes: the paths of $𝛚$ in the body frame on the energy ellipsoid "
         f"$Σ λₖωₖ² = 2T$, for {_three(**moments)} kg m²; {which}. Dashed: behind."
     )
 
@@ -329,8 +329,8 @@ def _draw_tumbling(**values: float) -> Canvas:
     drawn = canvas(look.WIDE, 2.9)
     left, right = drawn.subplots(1, 2)
     draw_tumbling(left, right, _tumbling(**values))
-    left.set_title(r"body frame: the way of $\mathbf{L}$")
-    right.set_title(r"space frame: the ways of $\mathbf{e}_3$ and $\mathbf{e}_1$")
+    left.set_title(r"body frame: the path of $\mathbf{L}$")
+    right.set_title(r"space frame: the paths of $\mathbf{e}_3$ and $\mathbf{e}_1$")
     for axes in (left, right):
         paper(axes, (-1.3, 1.3), (-1.08, 1.45))
     return drawn

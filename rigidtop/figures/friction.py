@@ -212,7 +212,7 @@ def _rising_caption(until: float, **values: float) -> str:
         f"$ω₃ = {said(values['omega3'])}$ rad/s: $θ$ {reached}. {_contact_in_words(path)} Of the "
         f"{said(1e3 * lost)} mJ that the spin has lost in the end (dashed), {heat} % went into "
         f"heat, {weight} % into the height and {other} % into other motion. Below on the right: "
-        f"the way of the contact on the table, seen from above{dashed}."
+        f"the path of the contact on the table, seen from above{dashed}."
     )
 
 

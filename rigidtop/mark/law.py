@@ -376,7 +376,9 @@ def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:
 
 def of_roots(residual: Expr) -> list[dict[Expr, Expr]]:
     """What roots in an expression may be meant to be: each with either sign, √a² = |a| too."""
-    roots = [x for x in residual.atoms(Pow, sympy.Abs) if x.is_Function or getattr(x.exp, "q", 1) == 2]
+    roots = [
+        x for x in residual.atoms(Pow, sympy.Abs) if x.is_Function or getattr(x.exp, "q", 1) == 2
+    ]
     roots = sorted((x for x in roots if x.free_symbols), key=str)
     under = [*dict.fromkeys(x.args[0] for x in roots)][:MOST_ROOTS]
     return [
