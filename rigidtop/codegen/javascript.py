@@ -7,7 +7,6 @@
  * Height of the centre of mass (m).
  *
  * @param {{ R: number, theta: number }} quantities
- * @returns {number}
  */
 export function height({ R, theta }) {
   return R*Math.cos(theta);
@@ -38,11 +37,7 @@ def quantity(name: str, about: str, wanted: Expr | Iterable[Expr]) -> str:
     expressions: list[Expr] = [wanted] if isinstance(wanted, Expr) else list(wanted)
     names = sorted({x.name for e in expressions for x in e.free_symbols})
     typed = ", ".join(f"{n}: number" for n in names)
-    lines = _comment(
-        about,
-        f"@param {{{{ {typed} }}}} quantities",
-        f"@returns {{{'number' if single else 'number[]'}}}",
-    )
+    lines = _comment(about, f"@param {{{{ {typed} }}}} quantities")
     lines += _broken(f"export function {name}({{ {', '.join(names)} }}) {{")
     shared, results = _texts(expressions)
     lines += shared

@@ -95,7 +95,6 @@ export function heavyBody(lambda1, lambda2, lambda3, M, g, R1, R2, R3) {
  * R row by row, body to space.
  *
  * @param {{ q0: number, q1: number, q2: number, q3: number }} quantities
- * @returns {number[]}
  */
 export function attitudeMatrix({ q0, q1, q2, q3 }) {
   const x0 = 2*q2*q2;
@@ -123,7 +122,6 @@ export function attitudeMatrix({ q0, q1, q2, q3 }) {
  * The unit quaternion of R = Rz(φ) Ry(θ) Rz(ψ).
  *
  * @param {{ phi: number, psi: number, theta: number }} quantities
- * @returns {number[]}
  */
 export function quaternionOfAngles({ phi, psi, theta }) {
   const x0 = theta/2;
@@ -146,7 +144,6 @@ export function quaternionOfAngles({ phi, psi, theta }) {
  *
  * @param {{ phidot: number, psi: number, psidot: number, theta: number, thetadot: number }}
  *   quantities
- * @returns {number[]}
  */
 export function omegaOfRates({ phidot, psi, psidot, theta, thetadot }) {
   const x0 = Math.sin(psi);
@@ -164,7 +161,6 @@ export function omegaOfRates({ phidot, psi, psidot, theta, thetadot }) {
  *
  * @param {{ omega1: number, omega2: number, omega3: number, psi: number, theta: number }}
  *   quantities
- * @returns {number[]}
  */
 export function eulerRates({ omega1, omega2, omega3, psi, theta }) {
   const x0 = Math.sin(psi);
@@ -183,7 +179,6 @@ export function eulerRates({ omega1, omega2, omega3, psi, theta }) {
  *
  * @param {{ lambda1: number, lambda2: number, lambda3: number, omega1: number, omega2: number,
  *   omega3: number, q0: number, q1: number, q2: number, q3: number }} quantities
- * @returns {number[]}
  */
 export function angularMomentum({ lambda1, lambda2, lambda3, omega1, omega2, omega3, q0, q1, q2,
     q3 }) {
@@ -210,7 +205,6 @@ export function angularMomentum({ lambda1, lambda2, lambda3, omega1, omega2, ome
  *
  * @param {{ M: number, R1: number, R2: number, R3: number, g: number, q0: number, q1: number, q2:
  *   number, q3: number }} quantities
- * @returns {number[]}
  */
 export function gravityTorque({ M, R1, R2, R3, g, q0, q1, q2, q3 }) {
   const x0 = 2*q0;
@@ -230,7 +224,6 @@ export function gravityTorque({ M, R1, R2, R3, g, q0, q1, q2, q3 }) {
  * @param {{ M: number, R1: number, R2: number, R3: number, g: number, lambda1: number, lambda2:
  *   number, lambda3: number, omega1: number, omega2: number, omega3: number, q0: number, q1:
  *   number, q2: number, q3: number }} quantities
- * @returns {number}
  */
 export function energy({ M, R1, R2, R3, g, lambda1, lambda2, lambda3, omega1, omega2, omega3, q0,
     q1, q2, q3 }) {
@@ -244,7 +237,6 @@ export function energy({ M, R1, R2, R3, g, lambda1, lambda2, lambda3, omega1, om
  *
  * @param {{ M: number, R: number, g: number, lambda1: number, lambda3: number, p_phi: number,
  *   p_psi: number, theta: number }} quantities
- * @returns {number}
  */
 export function effectivePotential({ M, R, g, lambda1, lambda3, p_phi, p_psi, theta }) {
   const x0 = Math.cos(theta);
@@ -258,7 +250,6 @@ export function effectivePotential({ M, R, g, lambda1, lambda3, p_phi, p_psi, th
  *
  * @param {{ M: number, R: number, g: number, lambda1: number, lambda3: number, theta: number }}
  *   quantities
- * @returns {number}
  */
 export function smallestSpin({ M, R, g, lambda1, lambda3, theta }) {
   return 2*Math.sqrt(M)*Math.sqrt(R)*Math.sqrt(g)*Math.sqrt(lambda1)*Math.sqrt(Math.cos(theta))/
@@ -270,7 +261,6 @@ export function smallestSpin({ M, R, g, lambda1, lambda3, theta }) {
  *
  * @param {{ M: number, R: number, g: number, lambda1: number, lambda3: number, omega3: number,
  *   theta: number }} quantities
- * @returns {number[]}
  */
 export function steadyRates({ M, R, g, lambda1, lambda3, omega3, theta }) {
   const x0 = Math.cos(theta);
@@ -287,7 +277,6 @@ export function steadyRates({ M, R, g, lambda1, lambda3, omega3, theta }) {
  *
  * @param {{ E: number, M: number, R: number, g: number, lambda1: number, lambda3: number, p_phi:
  *   number, p_psi: number }} quantities
- * @returns {number[]}
  */
 export function nutationCubic({ E, M, R, g, lambda1, lambda3, p_phi, p_psi }) {
   const x0 = M*R*g;
@@ -308,7 +297,6 @@ export function nutationCubic({ E, M, R, g, lambda1, lambda3, p_phi, p_psi }) {
  * Coefficients of u and 1 in φ̇ sin²θ, where u = cos θ.
  *
  * @param {{ lambda1: number, p_phi: number, p_psi: number }} quantities
- * @returns {number[]}
  */
 export function precessionNumerator({ lambda1, p_phi, p_psi }) {
   const x0 = 1/lambda1;
@@ -322,7 +310,6 @@ export function precessionNumerator({ lambda1, p_phi, p_psi }) {
  * Ω_b of (3.37), for λ₂ = λ₁ (rad/s).
  *
  * @param {{ lambda1: number, lambda3: number, omega3: number }} quantities
- * @returns {number}
  */
 export function bodyConeRate({ lambda1, lambda3, omega3 }) {
   return omega3*(lambda1 - lambda3)/lambda1;
@@ -333,7 +320,6 @@ export function bodyConeRate({ lambda1, lambda3, omega3 }) {
  *
  * @param {{ lambda1: number, lambda2: number, lambda3: number, omega1: number, omega2: number,
  *   omega3: number }} quantities
- * @returns {number[]}
  */
 export function firstIntegrals({ lambda1, lambda2, lambda3, omega1, omega2, omega3 }) {
   const x0 = omega1*omega1;
@@ -350,7 +336,6 @@ export function firstIntegrals({ lambda1, lambda2, lambda3, omega1, omega2, omeg
  *
  * @param {{ L_squared: number, angle: number, lambda1: number, lambda2: number, lambda3: number,
  *   twice_T: number }} quantities
- * @returns {number[]}
  */
 export function polhode({ L_squared, angle, lambda1, lambda2, lambda3, twice_T }) {
   const x0 = Math.cos(angle);
@@ -372,7 +357,6 @@ export function polhode({ L_squared, angle, lambda1, lambda2, lambda3, twice_T }
  *
  * @param {{ M: number, R: number, g: number, lambda1: number, lambda3: number, phidot: number,
  *   psidot: number, theta: number }} quantities
- * @returns {number[]}
  */
 export function thetaTerms({ M, R, g, lambda1, lambda3, phidot, psidot, theta }) {
   const x0 = Math.sin(theta);
@@ -394,7 +378,6 @@ export function thetaTerms({ M, R, g, lambda1, lambda3, phidot, psidot, theta })
  *
  * @param {{ lambda1: number, lambda3: number, p_phi: number, phidot: number, psidot: number, theta:
  *   number }} quantities
- * @returns {number[]}
  */
 export function pPhiTerms({ lambda1, lambda3, p_phi, phidot, psidot, theta }) {
   const x0 = Math.sin(theta);
@@ -411,7 +394,6 @@ export function pPhiTerms({ lambda1, lambda3, p_phi, phidot, psidot, theta }) {
  *
  * @param {{ lambda3: number, p_psi: number, phidot: number, psidot: number, theta: number }}
  *   quantities
- * @returns {number[]}
  */
 export function pPsiTerms({ lambda3, p_psi, phidot, psidot, theta }) {
   return [
@@ -426,7 +408,6 @@ export function pPsiTerms({ lambda3, p_psi, phidot, psidot, theta }) {
  * @param {{ M: number, R2: number, R3: number, g: number, lambda1: number, lambda2: number,
  *   lambda3: number, omega2: number, omega3: number, q0: number, q1: number, q2: number, q3: number
  *   }} quantities
- * @returns {number[]}
  */
 export function euler1({ M, R2, R3, g, lambda1, lambda2, lambda3, omega2, omega3, q0, q1, q2,
     q3 }) {
@@ -446,7 +427,6 @@ export function euler1({ M, R2, R3, g, lambda1, lambda2, lambda3, omega2, omega3
  * @param {{ M: number, R1: number, R3: number, g: number, lambda1: number, lambda2: number,
  *   lambda3: number, omega1: number, omega3: number, q0: number, q1: number, q2: number, q3: number
  *   }} quantities
- * @returns {number[]}
  */
 export function euler2({ M, R1, R3, g, lambda1, lambda2, lambda3, omega1, omega3, q0, q1, q2,
     q3 }) {
@@ -468,7 +448,6 @@ export function euler2({ M, R1, R3, g, lambda1, lambda2, lambda3, omega1, omega3
  * @param {{ M: number, R1: number, R2: number, g: number, lambda1: number, lambda2: number,
  *   lambda3: number, omega1: number, omega2: number, q0: number, q1: number, q2: number, q3: number
  *   }} quantities
- * @returns {number[]}
  */
 export function euler3({ M, R1, R2, g, lambda1, lambda2, lambda3, omega1, omega2, q0, q1, q2,
     q3 }) {
