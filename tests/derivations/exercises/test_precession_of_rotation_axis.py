@@ -1,6 +1,6 @@
 """Section 3.2.3, with the Earth and the plate."""
 
-from math import acos, atan2, cos, hypot, pi, radians, sin, sqrt, tan
+from math import acos, cos, hypot, pi, sin, sqrt, tan
 
 import numpy as np
 import pytest
@@ -62,29 +62,10 @@ def test_angles_of_ω_and_L(solve):
         assert abs(apart) == pytest.approx(found["omega_L"], rel=1e-14)
 
 
-def test_variation_of_a_body_without_symmetry(solve):
-    """The angle of ω and L along (3.36), integrated here with LSODA."""
-    found = solve("cone-plane", lambda2=1.8)
-    omega = body_path((1.3, 1.8, 0.7), (0.6, 0, 2), np.linspace(0, 30, 6001))
-    momentum = omega * np.array([1.3, 1.8, 0.7])
-    cosine = np.sum(omega * momentum, axis=1) / np.linalg.norm(omega, axis=1)
-    angle = np.arccos(cosine / np.linalg.norm(momentum, axis=1))
-    assert found["variation"] == pytest.approx(np.ptp(angle), rel=1e-5)
-    out_of_plane = [row for row in found["angles"].rows if "plane" in row[1]]
-    assert out_of_plane[0][3] < 1e-12  # symmetric
-    assert out_of_plane[1][3] > 0.05
-
-
 @pytest.mark.parametrize("given", [{"lambda3": 1.3}, {"omega_0": 1e-9}, {"omega3": 1e-9}])
 def test_parallel_vectors_span_no_plane(solve, given):
     with pytest.raises(RigidtopError, match="span no plane"):
         solve("cone-plane", **given)
-
-
-def test_without_asymmetry_nothing_varies(solve):
-    found = solve("cone-plane", lambda2=1.3)
-    assert all(measure.passed for measure in found.measures)
-    assert all(row[3] - row[2] < 1e-9 for row in found["angles"].rows)
 
 
 # --- space-rate ---
@@ -176,30 +157,6 @@ def test_a_bulge_that_follows_never_shortens_the_period(solve):
         solve("earth-euler-period", observed=200)
 
 
-def test_yielding_earth_integrated(solve):
-    """L̇ + ω × L = 0 with the tensor that follows ω, ω from L by iteration, at H = 0.2."""
-    H, share = 0.2, 0.3
-    period = 2 * pi * (1 - H + share * H) / ((1 - share) * H)
-
-    def omega_of(momentum):
-        omega = momentum.copy()
-        for _ in range(60):
-            unit = omega / np.linalg.norm(omega)
-            bulge = (1 - share) * np.diag([0, 0, 1.0]) + share * np.outer(unit, unit)
-            omega = np.linalg.solve((1 - H) * np.eye(3) + H * bulge, momentum)
-        return omega
-
-    start = np.array([(1 - H + share * H) * 0.05, 0, 1.0])
-    path = solve_ivp(
-        lambda _, x: -np.cross(omega_of(x), x), (0, period), start, rtol=1e-9, atol=1e-11
-    )
-    spin = omega_of(start)[2]
-    assert spin == pytest.approx(1, rel=1e-12)
-    assert path.y[:, -1] == pytest.approx(start, abs=1e-6)
-    found = solve("earth-euler-period", H=H, omega3=2 * pi / 86400, observed=period / 2 / pi)
-    assert found["share"] == pytest.approx(share, rel=1e-9)
-
-
 # --- the plate ---
 
 
@@ -216,22 +173,3 @@ def test_thick_plate_and_long_rod(solve):
     assert found["moments"] == pytest.approx(1, rel=1e-14)
     assert found["ratio"] == pytest.approx(1, rel=1e-7)
     assert solve("wobbling-plate", radius=0.01, thickness=1)["ratio"] < 0.001
-
-
-@pytest.mark.parametrize("theta", [5, 30, 70])
-def test_tilted_plate_by_its_points(solve, theta):
-    """Four equal masses on a cross: L from r × v, then Ω_s = L/λ₁ and the tilt of e₃ from L."""
-    theta = radians(theta)
-    found = solve("wobbling-plate", theta=theta, thickness=1e-7)
-    points = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0.0]])
-    omega = np.array([found["wobble"] * sin(theta), 0, 15])
-    momentum = np.cross(points, np.cross(omega, points)).sum(axis=0)
-    assert atan2(momentum[0], momentum[2]) == pytest.approx(theta, rel=1e-9)
-    assert np.linalg.norm(momentum) / 2 == pytest.approx(found["wobble"], rel=1e-9)
-    assert found["ratio"] == pytest.approx(2 / cos(theta), rel=1e-9)
-    assert all(measure.passed for measure in found.measures)
-
-
-def test_a_plate_on_edge_is_refused(solve):
-    with pytest.raises(RigidtopError, match=r"theta must be at most 1\.4 rad"):
-        solve("wobbling-plate", theta=1.5)
