@@ -19,8 +19,7 @@ from typing import Any
 import sympy
 from sympy import Expr, Ne, Pow, Symbol, cos, sin
 
-from rigidtop.derivations import models
-from rigidtop.derivations.letters import LETTERS
+from rigidtop.derivations import lecture, models
 from rigidtop.mark import slips
 from rigidtop.mark.explain import (
     counterexample,
@@ -338,7 +337,7 @@ class _Answer:
         """Whether what is false follows from a false line above it, in words, and that line."""
         for line, above in reversed(self.wrong):
             try:
-                found = diagnose([equation], [Known("", (above,))], LETTERS)
+                found = diagnose([equation], [Known("", (above,))], lecture().letters)
             except ERRORS:
                 continue
             if found is not None and found.entailed:

@@ -18,7 +18,6 @@ from sympy import Expr, MatrixBase, Symbol
 
 from rigidtop.derivations import lecture, models
 from rigidtop.derivations.goals import goals
-from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
 from rigidtop.mark.links import ERRORS, Link, judge
 from rigidtop.notation import NOTES, Notation
@@ -44,7 +43,7 @@ def passage(start: str, goal: str) -> Passage:
         raise RigidtopError(f"{refused}: the lecture does not lead from the one to the other")
     try:
         found = goals().get(goal) or _by_models(goal)
-        return replace(found, start=start, families=LETTERS.families)
+        return replace(found, start=start, families=lecture().letters.families)
     except _NoGoalError as why:
         raise RigidtopError(f"{refused}: {why}") from None
 
@@ -125,8 +124,9 @@ def _by_models(goal: str) -> Passage:
             loose = _loose(equations, model)
             if loose is not None:
                 told = {x for e in equations for x in _told(e, model)}
+                known = {*lecture().letters.units}
                 for x in letters - told:
-                    letters |= getattr(model.value(x), "free_symbols", set()) & {*LETTERS.units}
+                    letters |= getattr(model.value(x), "free_symbols", set()) & known
                 return Passage(goal, family[: k + 1], loose, equations, frozenset(letters))
     if strange:
         named = ", ".join(sorted(map(text, strange)))
@@ -181,9 +181,9 @@ class Way:
     def next(self, shown: Collection[Equation]) -> Line | None:
         """The line behind the last one that is shown; the first where none is."""
         said = [each for equation in shown for each in _of_page(equation)]
-        behind = 0
+        behind, letters = 0, lecture().letters
         for k, line in enumerate(self.lines):
-            if any(same(one, e, LETTERS) for e in line.equations for one in said):
+            if any(same(one, e, letters) for e in line.equations for one in said):
                 behind = k + 1
         return self.lines[behind] if behind < len(self.lines) else None
 
