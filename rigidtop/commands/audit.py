@@ -86,7 +86,7 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
     until = time.process_time() + SECONDS
 
     def left() -> float:
-        return max(until - time.process_time(), 1.0)
+        return max(until - time.process_time(), 0.0)
 
     found = sources(path)
     source = found[0].text

@@ -34,6 +34,8 @@ LONGEST_TICKS = 20
 SECONDS = 60.0
 """A file is not read for longer than this (of the processor's time)."""
 
+LATE = "the time for the file was over"
+
 DEEPEST = 40
 """Environments are not followed deeper."""
 
@@ -644,12 +646,7 @@ def each(
     """Formulas with their equations; once the time is up the rest is unread, and says so."""
     end = time.process_time() + seconds
     for group in groups:
-        late = time.process_time() > end
-        yield (
-            group,
-            (_late(group.formulas[0], seconds),) if late else lines(group, notation, habits),
-        )
-
-
-def _late(formula: Formula, seconds: float) -> Line:
-    return Line(formula.start, None, f"not read: {seconds:g} s for the file were over")
+        if time.process_time() > end:
+            yield group, (Line(group.formulas[0].start, None, LATE),)
+        else:
+            yield group, lines(group, notation, habits)
