@@ -1,4 +1,4 @@
-r"""Where a text comes to another case: headings, items of lists, the parts of an exercise.
+r"""Where a text comes to another case: headings, items, rows of tables, parts of exercises.
 
 A place lies in a path of cases, from its heading inwards.  What is said holds in its own case and
 in those within it, not beside it.
@@ -27,7 +27,8 @@ _CUTS = re.compile(
     rf"|^[ \t]{{0,3}}{_BOLD}(?:{_NAMED}[ ~]*(?:\d|[A-Z]\b|\()|\([a-hivx]{{1,3}}\)[ \t*}}]))"
     rf"|(?P<open>\\begin[ \t]*\{{(?:{_LISTS})\}})|(?P<close>\\end[ \t]*\{{(?:{_LISTS})\}})"
     r"|(?P<item>\\(?:item|part|subpart|question|task)(?![A-Za-z]))"
-    r"|(?P<entry>^[ \t]*(?:[-*+]|\d{1,3}[.)])[ \t]+(?=\S))|(?P<text>\n[ \t]*\n(?=[^\W\d_]))",
+    r"|(?P<entry>^[ \t]*(?:[-*+]|\d{1,3}[.)])[ \t]+(?=\S)|<tr\b|^\|(?=.*\|[ \t]*$))"
+    r"|(?P<text>\n[ \t]*\n(?=[^\W\d_]))",
     re.M,
 )
 

@@ -116,6 +116,7 @@ _IN_MARKDOWN = re.compile(
     re.M,
 )
 _FENCED = re.compile(r"^[ \t]{0,3}(`{3,20}+|~{3,20}+)(?s:.*?)^[ \t]{0,3}\1[^\n]*", re.M)
+_QUOTED = re.compile(r"^[ \t]{0,3}>", re.M)
 _TEX = re.compile(r"^[ \t]*\\(?:documentclass|begin\s*\{\s*document\s*\})", re.M)
 _N = r"(?:[A-Z]{1,4}\.?)?\d{1,3}(?:[.–-]\d{1,3})*[a-z]?'{0,3}|\*{1,3}"
 """(3.57), (7), (A.3), (12a), (*): a number as it stands in brackets; a year is none."""
@@ -332,7 +333,10 @@ class _Walk:
         return None
 
     def add(self, start: int, stop: int, end: int, opens: int, display: bool = True) -> None:
-        self.found.append(Formula(self.source[start:stop], start, end, display, opens))
+        text, line = self.source[start:stop], self.source.rfind("\n", 0, opens) + 1
+        if not self.tex and _QUOTED.match(self.source, line, opens):
+            text = _QUOTED.sub(lambda found: " " * len(found[0]), text)
+        self.found.append(Formula(text, start, end, display, opens))
         self.count()
 
     def count(self) -> None:

@@ -120,6 +120,8 @@ def _written(found: str) -> str | None:
         return _written(character) or character
     if found[0] == "<" and len(found) > 1:
         return _TAGS.get(re.sub(r"\s.*|(?<=br)/", "", found[:-1], flags=re.S) + ">", "")
+    if found == r"\_":
+        return "_"  # Markdown has it so, lest it be taken for a slanted word
     if found[0].isascii():
         return None
     if found[0] in SUPERSCRIPTS:

@@ -328,7 +328,7 @@ def test_what_is_not_judged_or_read_in_time_says_so():
         ("unread", False, "not judged: the time for the file was over")
     ] * 2
     late = list(document.each(document.numbered(source), seconds=-1))
-    assert ["for the file were over" in line.problem for _, [line] in late] == [True] * 2
+    assert ["for the file was over" in line.problem for _, [line] in late] == [True] * 2
     [(_, lines)] = document.each(document.numbered(source[:18]))
     assert lines[0].equation is not None
 
@@ -350,7 +350,7 @@ def test_once_the_time_is_up_the_rest_is_unread_and_says_so():
     source = "$E = T$ and $E = V$"
     found = list(document.each(document.alone(source), seconds=-1))
     assert len(found) == 2
-    assert all("s for the file" in line.problem for _, lines in found for line in lines)
+    assert all("the file was over" in line.problem for _, lines in found for line in lines)
     assert all(
         line.equation for _, lines in document.each(document.alone(source)) for line in lines
     )

@@ -23,6 +23,7 @@ from rigidtop.read.cases import cases
             "# A\nx\n(a) x\n**(b)** x\n\\paragraph{C} x\n**Problem 2.** x\n# B\nx",
             [(1,), (1, 2), (1, 3), (1, 4), (1, 5), (2,)],
         ),
+        ("# A\n\n| x | x |\n| x |\n\nNow x <tr><td>x", [(1, 2), (1, 2), (1, 3), (1,), (1, 5)]),
         ("$$a\n + x$$ x\n", [(0,), (0,)]),
         ("\\begin{document}\n- x\n- x", [(0,), (0,)]),
     ],

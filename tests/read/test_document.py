@@ -281,3 +281,9 @@ def test_a_file_that_is_no_text_is_bad_input(tmp_path, capsys):
     path.write_bytes(b"\xff\xfe\x00")
     assert main(["read", str(path)]) == 2
     assert "not text" in capsys.readouterr().err
+
+
+def test_the_signs_of_a_quotation_are_no_relations():
+    [formula] = formulas("> Note\n> $$\n> a = b\n> + c > 0\n> $$\n")
+    assert formula.text.split() == ["a", "=", "b", "+", "c", ">", "0"]
+    assert formulas("$$\n> a\n$$\n")[0].text.split() == [">", "a"]

@@ -31,6 +31,7 @@ READ = {
     r"\int_0^1 \sin[m](x)\,dx = a_{n-2}": ["∫[0, 1] sin^m x dx = a_{n−2}"],
     r"\omega = 1.5\text{ rev/s}": ["ω = (3/2) rev/s"],
     r"r_0 = 2\:\text{fm}": ["r₀ = 2 fm"],
+    r"x\_1 = \Gamma\_{max}": ["x₁ = Γ_max"],
     r"F = m\ddot x": ["F = mẍ"],
     r"\tau^{(1)} = I_\mathrm{cm}\,\alpha": ["τ_(1) = I_cm α"],
     r"\bar x' = \tilde y'' + \mathcal H": ["x̄′ = ỹ′′ + ℋ"],
