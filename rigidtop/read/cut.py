@@ -17,7 +17,6 @@ class Part:
 
     tokens: tuple[Token, ...]
     tag: str = ""
-    follows: bool = False
     problem: UnreadError | None = None
     condition: str = ""
 
@@ -51,7 +50,7 @@ class _Cutter:
         self.found, self.text = found, text
         self.parts: list[Part] = []
         self.current: list[Token] = []
-        self.tag, self.follows, self.nested, self.bracketed = "", False, 0, 0
+        self.tag, self.nested, self.bracketed = "", 0, 0
         self.problem: UnreadError | None = None
         self.ahead = _ahead(found)
         """For each token the kind of the next one that is not blank, and whether a relation
@@ -84,7 +83,6 @@ class _Cutter:
                     self._conditioned(len(self.text))
         elif kind == "ARROW":
             self.close()
-            self.follows = True
         elif kind == "SEPARATOR":
             if self._is_list(i):
                 self.condition = self.current[0].position
@@ -144,7 +142,7 @@ class _Cutter:
         """What was taken so far is an equation."""
         kept, self.current = self.current, []
         unread = next((token.value for token in kept if token.kind == "UNREAD"), self.problem)
-        part = Part(tuple(kept), self.tag, self.follows, unread)
+        part = Part(tuple(kept), self.tag, unread)
         number = _bracketed(kept)
         if self.parts and _is_range(kept):  # "(i = 1, 2)": for which i
             said = words(self.text[kept[0].position : kept[-1].position + 1])
@@ -170,7 +168,7 @@ class _Cutter:
         elif self.tag and self.parts and not self.parts[-1].tag:
             self.parts[-1] = replace(self.parts[-1], tag=self.tag)
         if kept:
-            self.tag, self.follows, self.problem, self._column = "", False, None, False
+            self.tag, self.problem, self._column = "", None, False
             self._comma = kept[-1].kind if stop == "," else ""
         elif self.tag:
             self.tag = ""

@@ -31,14 +31,13 @@ from rigidtop.theory.lettered import Lettered
 class Line:
     """An equation that was read, or why it was not.
 
-    `position` is where it begins in the text, or where what can't be read stands; `follows` says
-    that ⇒ stands before it; `tag` is the equation's number.
+    `position` is where it begins in the text, or where what can't be read stands; `tag`
+    is the equation's number.
     """
 
     position: int
     equation: Equation | None
     problem: str = ""
-    follows: bool = False
     tag: str = ""
     condition: str = ""
     """Words behind it, such as "for small angles", as they are written."""
@@ -69,7 +68,7 @@ def _unconditioned(line: Line) -> Line:
     if not line.condition:
         return line
     reason = f"words inside a formula: {line.condition[:40]!r}"
-    return Line(line.position, None, reason, line.follows, line.tag)
+    return Line(line.position, None, reason, line.tag)
 
 
 def scanned(text: str, notation: Notation, habits: Habits) -> list[Token]:
@@ -116,8 +115,7 @@ def _read(part: Part, notation: Notation) -> list[Line]:
             for line in _lines(chosen, notation)
         ]
     except UnreadError as error:
-        return [Line(error.position, None, error.reason, part.follows, part.tag)]
-    lines = [replace(line, follows=part.follows) for line in lines]
+        return [Line(error.position, None, error.reason, part.tag)]
     if part.tag:
         last = lines[-1]
         assert last.equation is not None
