@@ -33,25 +33,42 @@ def add_look(parser: argparse.ArgumentParser) -> None:
 
 def front_of(options: argparse.Namespace, front: Front) -> Front:
     """The first page with one's own title, author, course and date."""
-    from rigidtop.notation.characters import escape
-
-    told = [options.author, options.course, options.date]
-    for name in ("title", "author", "course", "date"):
-        words = getattr(options, name)
-        if words is not None and not words.strip():
-            raise RigidtopError(f"--{name} wants some words")
-        try:
-            escape(words or "")
-        except ValueError as error:
-            raise RigidtopError(f"--{name}: {error}") from error
-    title = options.title or front.title
+    title, *told = (_words(options, name) for name in ("title", "author", "course", "date"))
     return replace(
         front,
-        title=title,
-        exercises=options.title or front.exercises,
-        author=options.author or front.author,
-        byline=", ".join(words for words in told if words),
+        title=title or front.title,
+        exercises=title or front.exercises,
+        author=told[0] or front.author,
+        byline=", ".join(filter(None, told)),
     )
+
+
+def _words(options: argparse.Namespace, name: str) -> str:
+    """What an option says, its formulas, in LaTeX between dollars, as sentences have them."""
+    from rigidtop.notation import NOTES
+    from rigidtop.proof.words import parts
+    from rigidtop.read.page import Raw, pieces
+    from rigidtop.typeset.sentences import prose
+    from rigidtop.typeset.text import text
+
+    words: str | None = getattr(options, name)
+    if words is None:
+        return ""
+    if not words.strip():
+        raise RigidtopError(f"--{name} wants some words")
+    made = ""
+    for is_maths, part in parts(" ".join(words.split())):
+        if is_maths and "\\" in part:
+            (tree,) = pieces(f"${part}$", NOTES)
+            if isinstance(tree, Raw):
+                raise RigidtopError(f"--{name}: ${part}$ is not read as a formula")
+            part = text(tree)
+        made += f"${part}$" if is_maths else part
+    try:
+        prose(made)
+    except ValueError as error:
+        raise RigidtopError(f"--{name}: {error}") from error
+    return made
 
 
 def look_of(options: argparse.Namespace) -> Look:

@@ -1,11 +1,13 @@
 """Sentences with mathematics in them, which stands between dollars.
 
 What stands there is written as it is read: $λ₁ sin² θ$.  A letter that is a vector is bold, 𝐋 or 𝛚.
+A dollar that opens has its formula close behind it, one that closes has it close in front and no
+digit behind: all others are money.
 
 >>> [*parts("the angle between $𝛚$ and $𝐋$")]
 [(False, 'the angle between '), (True, '𝛚'), (False, ' and '), (True, '𝐋')]
->>> unmarked("the angle between $𝛚$ and $𝐋$")
-'the angle between ω and L'
+>>> unmarked("the angle between $𝛚$ and $𝐋$, for $5 or $6")
+'the angle between ω and L, for $5 or $6'
 """
 
 from __future__ import annotations
@@ -14,19 +16,20 @@ import re
 import unicodedata
 from collections.abc import Iterator
 
+_FORMULA = re.compile(r"\$(?!\s)([^$]+)(?<!\s)\$(?!\d)")
 _BOLD = re.compile("[\U0001d400-\U0001d433\U0001d6a8-\U0001d6e1]")
 
 
 def parts(words: str) -> Iterator[tuple[bool, str]]:
     """The parts of a sentence, each with whether it is mathematics."""
-    for k, part in enumerate(words.split("$")):
+    for k, part in enumerate(_FORMULA.split(words)):
         if part:
             yield k % 2 == 1, part
 
 
 def unmarked(words: str) -> str:
     """A sentence for the terminal and for programs: without dollars, its vectors as letters."""
-    return unbold(words.replace("$", ""))
+    return unbold("".join(part for _, part in parts(words)))
 
 
 def unbold(words: str) -> str:

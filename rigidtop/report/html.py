@@ -10,6 +10,7 @@ from html import escape
 from importlib.resources import files
 
 from rigidtop.proof.verdict import Verdict
+from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report.languages import SHOWN, said
 from rigidtop.typeset import mathml, sizes
@@ -40,7 +41,7 @@ def write(
     As `slides` it is for the projector: a derivation is uncovered line by line with the keys.
     """
     body = mathml.held("\n".join(_sections(document, figures)))
-    byline = f'\n<p class="byline">{escape(document.byline)}</p>' if document.byline else ""
+    byline = f'\n<p class="byline">{prose_html(document.byline)}</p>' if document.byline else ""
     kinds = ["page.css", *["lecture.css"] * document.lecture, *["slides.css"] * slides]
     scripts = ["lecture.js"] * document.lecture + ["slides.js"] * slides
     own = {each: said(each, document.look.language) for each in SHOWN}
@@ -53,7 +54,7 @@ def write(
 <meta charset="utf-8"/>
 <meta name="viewport" content="width=device-width, initial-scale=1"/>
 <meta name="color-scheme" content="light dark"/>
-<title>{escape(document.title)}</title>
+<title>{escape(unmarked(document.title))}</title>
 <style>{style(*kinds)}</style>
 </head>
 <body>

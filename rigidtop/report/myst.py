@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 
+from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report import markdown
 from rigidtop.typeset import sizes
@@ -27,7 +28,7 @@ def write(document: b.Document, claims: Claims = ()) -> dict[str, str]:
         parts[-1][1].append(block)
     made = {f"myst/{name}.md": _page(blocks) for name, blocks in parts if name != "index"}
     front = [f"# {markdown.words(document.title)}", markdown.words(document.subtitle)]
-    front += [document.byline] if document.byline else []
+    front += [markdown.words(document.byline)] if document.byline else []
     front += [_page(parts[0][1]), markdown.words(document.colophon)]
     made["myst/index.md"] = "\n\n".join(front) + "\n"
     names = [name for name, _ in parts]
@@ -44,7 +45,8 @@ def write(document: b.Document, claims: Claims = ()) -> dict[str, str]:
 def _project(document: b.Document, names: Sequence[str]) -> str:
     """myst.yml; what stands in quotes for JSON does so for YAML."""
     pages = "\n".join(f"    - file: {name}.md" for name in names)
-    title, author = (json.dumps(x, ensure_ascii=False) for x in (document.title, document.author))
+    about = (document.title, document.author)
+    title, author = (json.dumps(unmarked(x), ensure_ascii=False) for x in about)
     return (
         f"version: 1\nproject:\n  title: {title}\n"
         f"  authors:\n    - name:\n        literal: {author}\n"

@@ -10,8 +10,9 @@ from functools import singledispatch
 from importlib.resources import files
 from typing import Any
 
-from rigidtop.notation.characters import MATHS, SIGNS, SUPERSCRIPTS, escape
+from rigidtop.notation.characters import ESCAPES, MATHS, SIGNS, SUPERSCRIPTS, escape
 from rigidtop.proof.verdict import Verdict
+from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
 from rigidtop.report.languages import said
@@ -36,7 +37,7 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
     elif document.lecture:
         words = prose(said("Contents", document.look.language))
         contents += rf"\markboth{{{words}}}{{}}\thispagestyle{{plain}}"
-    byline = [rf"{{\normalsize {escape(document.byline)}\par}}"] if document.byline else []
+    byline = [rf"{{\normalsize {prose(document.byline)}\par}}"] if document.byline else []
     return "\n".join(
         [
             _preamble(document),
@@ -161,7 +162,7 @@ def _preamble(document: b.Document) -> str:
         made = made.replace("{article}", f"{{{look.documentclass}}}", 1)
     made += look.preamble
     for place, words in about.items():
-        made = made.replace(place, escape_for_bookmark(words))
+        made = made.replace(place, as_string(words))
     return made
 
 
@@ -244,7 +245,7 @@ def tex_block(block: b.Block) -> str:
 def _(block: b.Heading) -> str:
     command, level = ("section", 1) if block.level == 1 else ("subsection", 2)
     title = prose(f"{block.number}\u2002{block.title}" if block.number else block.title)
-    plain = escape_for_bookmark(f"{block.number} {block.title}".strip())
+    plain = as_string(f"{block.number} {block.title}".strip())
     # Figures that wait for room come before the list of symbols, not behind it.
     begins = APART.get(block.anchor, "")
     return begins + (
@@ -258,9 +259,13 @@ APART = {"symbols": "\\clearpage\n", "results": "\\rtalone\n", "map": "\\clearpa
 """How what begins a page begins it."""
 
 
-def escape_for_bookmark(text: str) -> str:
-    """Bookmarks are Unicode, without mathematics."""
-    return "".join(c if c.isalnum() or c in " .,:;()'-" else " " for c in text)
+def as_string(text: str) -> str:
+    r"""What a PDF says in Unicode, without mathematics: of itself and in its bookmarks.
+
+    >>> print(as_string("R&D 100 %: costs $5, $θ$"))
+    R\&D 100 \%: costs \$5, θ
+    """
+    return "".join(ESCAPES.get(c, c) if c.isascii() else c for c in unmarked(text))
 
 
 @tex_block.register

@@ -8,6 +8,7 @@ from functools import singledispatch
 from importlib.resources import files
 
 from rigidtop.proof.verdict import Verdict
+from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report.languages import said
 from rigidtop.typeset import nodes as lay
@@ -37,7 +38,7 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
             _preamble(document),
             f'#text(size: 17pt, weight: "bold")[{prose(document.title)}]',
             f"#v(-0.4em)\n#text(size: 12pt, fill: muted)[{prose(document.subtitle)}]\n",
-            *([plain(document.byline) + "\n"] if document.byline else []),
+            *([prose(document.byline) + "\n"] if document.byline else []),
             f"#text(size: 9pt, fill: muted)[{prose(document.colophon)}]",
             f"#text(size: 9.5pt)[#outline(title: [{contents}], depth: {depth})]",
             body,
@@ -48,10 +49,10 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
 
 def _preamble(document: b.Document) -> str:
     about = {
-        "@TITLE@": _quoted(document.title),
-        "@AUTHOR@": _quoted(document.author),
-        "@SUBJECT@": _quoted(document.subtitle),
-        "@KEYWORDS@": "".join(f"{_quoted(words)}, " for words in document.keywords),
+        "@TITLE@": _quoted(unmarked(document.title)),
+        "@AUTHOR@": _quoted(unmarked(document.author)),
+        "@SUBJECT@": _quoted(unmarked(document.subtitle)),
+        "@KEYWORDS@": "".join(f"{_quoted(unmarked(words))}, " for words in document.keywords),
     }
     about["@PAPER@"] = {"a4": "a4", "letter": "us-letter"}[document.look.paper]
     about["@LANGUAGE@"] = document.look.language

@@ -14,7 +14,16 @@ def written(tmp_path_factory):
     assert main(["new", str(folder / "my_course")]) == 0
     preamble = folder / "own.tex"
     preamble.write_text("% my own preamble\n", "utf-8")
-    own = ["--title", "Pendulums", "--author", "A. Lecturer", "--course", "PHY 1", "--points", "4"]
+    own = [
+        "--title",
+        r"Pendulums at $5: $\dot\theta$",
+        "--author",
+        "A. Lecturer",
+        "--course",
+        "PHY 1",
+        "--points",
+        "4",
+    ]
     look = ["--paper", "letter", "--language", "de", "--preamble", str(preamble)]
     kinds = ["--slides", "--fragment", "--format", "myst"]
     out = folder / "out"
@@ -30,7 +39,8 @@ def test_every_kind_of_file_is_written(written):
 
 def test_title_author_course_paper_and_preamble_are_ones_own(written):
     source = (written / "lecture.tex").read_text("utf-8")
-    assert r"\bfseries\raggedright Pendulums\par" in source
+    assert r"\bfseries\raggedright Pendulums at \$5:" in source
+    assert r"\dot{\theta}$\par}" in source
     assert "A. Lecturer, PHY 1" in source
     assert "letterpaper" in source
     assert r"\usepackage[ngerman]{babel}" in source
@@ -40,7 +50,7 @@ def test_title_author_course_paper_and_preamble_are_ones_own(written):
     assert '<html lang="de" class="lecture"' in page
     assert "{&quot;Results only&quot;: &quot;Nur Ergebnisse" in page
     assert '<p class="byline">A. Lecturer, PHY 1</p>' in page
-    assert "<title>Pendulums</title>" in page
+    assert "<title>Pendulums at $5: θ̇</title>" in page
 
 
 def test_a_verdict_is_a_mark_with_its_word(written):
@@ -72,6 +82,7 @@ def test_every_link_of_a_course_site_leads_somewhere(written):
         (["--points", "0"], "--points wants a number from 1 to 1000"),
         (["--title", " "], "--title wants some words"),
         (["--author", "日本"], "--author: no LaTeX for the character '日'"),
+        (["--title", r"On $\frac{$"], r"--title: $\frac{$ is not read as a formula"),
     ],
 )
 def test_what_makes_no_sense_is_one_line(capsys, tmp_path, asked, said):

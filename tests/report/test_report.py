@@ -473,6 +473,26 @@ def test_pdf_by_latexmk(lecture):
     assert made.startswith(b"%PDF")
 
 
+PLAIN = "R&D 100 % #x, a_b {q} ~ ^ \\ <x> in Zürich: $5 or $6"
+
+
+@pytest.mark.parametrize("by", ["latexmk", "typst"])
+def test_a_title_is_its_words_whatever_means_something_elsewhere(by):
+    way = shutil.which("latexmk")
+    if by == "latexmk" and not way:
+        pytest.skip("needs latexmk")
+    whole = Document(f"{PLAIN}, $θ̇$", "S", (Paragraph(("A.",)),), "C", "J. #1 & Söhne", PLAIN)
+    made = pdf.by_latexmk(way, tex.write(whole, {}), {}) if way and by == "latexmk" else None
+    made = pdf.by_typst(typst.write(whole, {}), {}) if made is None else made
+    reader = pypdf.PdfReader(io.BytesIO(made))
+    assert (reader.metadata.title, reader.metadata.author) == (f"{PLAIN}, θ̇", "J. #1 & Söhne")
+    assert PLAIN in " ".join(reader.pages[0].extract_text().split())
+    page = ElementTree.fromstring(html.write(whole, {}).removeprefix("<!DOCTYPE html>\n"))
+    assert next(page.iter("title")).text == f"{PLAIN}, θ̇"
+    (byline,) = (each.text for each in page.iter("p") if each.get("class") == "byline")
+    assert byline.replace("\u202f", " ") == PLAIN
+
+
 def test_a_long_remark_may_stand_beneath_its_heading_in_html():
     assert re.search(r"\.head \{[^}]*flex-wrap: wrap", html.style("page.css"))
 
