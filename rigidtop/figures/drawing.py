@@ -83,17 +83,21 @@ def rendered(drawing: Drawing, kind: str, given: Mapping[str, float] | None = No
 
 
 def both(drawing: Drawing, given: Mapping[str, float] | None = None) -> tuple[bytes, bytes]:
-    """A figure as PDF and as SVG, drawn and laid out once.
+    """A figure of a document as PDF and as SVG, drawn and laid out once, as wide as is drawn.
 
     The letters of the PDF are outlines (Type 3): to cut a font for each figure takes longer than
     all the rest of it.
     """
-    paper, page = _saved(drawing, given, "pdf", "svg", fonttype=3)
+    paper, page = _saved(drawing, given, "pdf", "svg", wide=False, fonttype=3)
     return paper, page
 
 
 def _saved(
-    drawing: Drawing, given: Mapping[str, float] | None, *kinds: str, fonttype: int = 42
+    drawing: Drawing,
+    given: Mapping[str, float] | None,
+    *kinds: str,
+    wide: bool = True,
+    fonttype: int = 42,
 ) -> list[bytes]:
     """A figure as each of the kinds, "svg" last, which has no white behind it."""
     with matplotlib.rc_context({**STYLE, "pdf.fonttype": fonttype}):
@@ -104,8 +108,9 @@ def _saved(
             engine.execute(figure)
             figure.set_layout_engine(None)
         extents = [each for axes in figure.axes for each in _extents(axes, vector.get_renderer())]
-        low, high = (y / POINTS for y in Bbox.union(extents).intervaly)
-        box = Bbox.from_extents(0, low - RIM, figure.get_figwidth(), high + RIM)
+        box = Bbox(Bbox.union(extents).get_points() / POINTS).padded(RIM)
+        if wide:
+            box = Bbox.from_extents(0, box.y0, figure.get_figwidth(), box.y1)
         return [
             vector.cropped(box) if kind == "svg" else _bytes(figure, box, kind) for kind in kinds
         ]

@@ -297,7 +297,7 @@ class Legend:
     """What the marks in the margin mean."""
 
     rows: tuple[tuple[Verdict, str], ...]
-    head: str = "In the margin"
+    head: str = "In the margin, at the last line of each statement of the notes"
 
 
 @dataclass(frozen=True)
@@ -382,7 +382,7 @@ def is_number(name: str) -> bool:
 
 
 IN_COLUMNS = ("solutions", "laws")
-"""The anchors of headings beneath which the page has two columns."""
+"""The anchors of headings from which on pages have two columns."""
 
 
 def anchor(name: str) -> str:

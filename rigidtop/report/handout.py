@@ -11,9 +11,6 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-import sympy
-from sympy import Symbol
-
 from rigidtop.notation import Notation
 from rigidtop.proof.exercise import Answer, Exercise, Table
 from rigidtop.proof.lecture import Lecture, Prose, Text
@@ -23,7 +20,6 @@ from rigidtop.report import blocks as b
 from rigidtop.report import plain
 from rigidtop.report.claims import condition, derivation, place, refuted, sides, tagged_rows, tested
 from rigidtop.report.solutions import DIGITS, SMALLEST_ANGLE, TABLE_DIGITS, Solution, cells, shown
-from rigidtop.report.symbols import symbol_list
 from rigidtop.report.ways import chained, cited_figures, law_blocks, text_blocks
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.nodes import Chain, Grid, Node
@@ -31,7 +27,7 @@ from rigidtop.typeset.sentences import printed_unit
 from rigidtop.typeset.sizes import width
 
 LEGEND: Mapping[Verdict, str] = {
-    Verdict.PROVED: "the line was shown to hold, in symbols",
+    Verdict.PROVED: "it was shown to hold, in symbols",
     Verdict.SAMPLED: "it holds at random points to 40 digits, and was not shown in symbols",
     Verdict.ASSUMING: (
         "it holds under the condition beside it, which the notes do not state, or under one that "
@@ -275,11 +271,9 @@ def written(value: float | str, unit: str, *, angles: bool = True, digits: int =
         small = 0 < abs(value) < SMALLEST_ANGLE
         value = math.degrees(value) * (3600 if small else 1)
         unit = "″" if small else "°"
-    if not isinstance(value, str):
-        value = float(f"{value:.{digits}g}")
     if isinstance(value, str) or unit == "1":
-        return (shown(value),)
-    return shown(value), b.Unit(unit)
+        return (shown(value, digits),)
+    return shown(value, digits), b.Unit(unit)
 
 
 def solutions(
@@ -418,20 +412,6 @@ def numbered(parts: Parts, number: str) -> list[Any]:
     return [parts.notation.written(each) for each in chained(next(found, ()))]
 
 
-def first_used(blocks: Sequence[b.Block]) -> list[b.Block]:
-    """The symbols of all displays under a heading, in the order of first use."""
-    order: dict[str, int] = {}
-    for block in blocks:
-        if isinstance(block, b.Display):
-            for row in block.rows:
-                for side in row.equation.sides:
-                    for node in sympy.preorder_traversal(side):
-                        if isinstance(node, Symbol):
-                            order.setdefault(node.name, len(order))
-    head, *rest = symbol_list(blocks, order) or (None,)
-    return [b.Heading(1, "", "List of symbols", "letters"), *rest] if head is not None else []
-
-
 def linked(blocks: Sequence[b.Block]) -> list[b.Block]:
     """The same, every (3.54) in a sentence leading to its equation."""
     there = {
@@ -513,7 +493,7 @@ def parted(blocks: Sequence[b.Block]) -> list[b.Block]:
             place = b.anchor(name) if name not in seen and not b.is_number(name) else ""
             seen.add(name if place else "")
             made.append(replace(block, anchor=place))
-        elif isinstance(block, b.Display) and not block.label:
+        elif isinstance(block, b.Display) and block.label in ("", "Derivation"):
             groups: list[list[b.Row]] = []
             for row in block.rows:
                 if row.reason or not groups:
@@ -526,7 +506,11 @@ def parted(blocks: Sequence[b.Block]) -> list[b.Block]:
                 if not any(row.anchor for row in rows):
                     nameless += 1
                     rows[-1] = replace(rows[-1], anchor=f"equation-{nameless}")
-            made += [replace(block, rows=tuple(rows), room=room, step=True) for rows in groups]
+            label = (block.label, *[""] * len(groups))
+            made += [
+                replace(block, rows=tuple(rows), label=words, room=room, step=True)
+                for rows, words in zip(groups, label, strict=False)
+            ]
         else:
             made.append(block)
     return made

@@ -35,7 +35,11 @@ Name | Name | Nom | Nombre | Nome
 Date | Datum | Date | Fecha | Data
 point | Punkt | point | punto | punto
 points | Punkte | points | puntos | punti
-In the margin | Am Rand | En marge | Al margen | A margine
+In the margin, at the last line of each statement of the notes \
+| Am Rand, bei der letzten Zeile jeder Aussage des Skripts \
+| En marge, à la dernière ligne de chaque énoncé des notes \
+| Al margen, en la última línea de cada enunciado de los apuntes \
+| A margine, all'ultima riga di ogni enunciato degli appunti
 Results only | Nur Ergebnisse | Résultats seuls | Solo resultados | Solo i risultati
 Steps | Schritte | Étapes | Pasos | Passi
 Steps and reasons | Schritte und Gründe | Étapes et raisons | Pasos y razones | Passi e ragioni

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -16,17 +16,16 @@ from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.verdict import Judgement
 from rigidtop.report import blocks as b
 from rigidtop.report import handout, html, myst, notations, plain, tex, typst
-from rigidtop.report.claims import claim_blocks
-from rigidtop.report.handout import Parts, first_used, order_of_figures, spoken_of
+from rigidtop.report.handout import Parts, order_of_figures, spoken_of
 from rigidtop.report.languages import translated
 from rigidtop.report.map import contracted
 from rigidtop.report.map import label as map_label
 from rigidtop.report.map import picture as map_picture
 from rigidtop.report.pdf import make_pdf
 from rigidtop.report.record import document
-from rigidtop.report.solutions import Solution, blocks, question
-from rigidtop.report.symbols import symbols_used
-from rigidtop.report.ways import led_blocks, text_blocks
+from rigidtop.report.solutions import Solution, blocks
+from rigidtop.report.symbols import symbol_list, symbols_used
+from rigidtop.report.ways import claim_told
 from rigidtop.report.wording import Wording
 from rigidtop.terminal.files import write_all
 from rigidtop.terminal.progress import over
@@ -59,8 +58,7 @@ def _told(
     judgement: Judgement, notation: Notation, deep: bool = False, *, marks: bool = False
 ) -> list[b.Block]:
     """A claim with its derivation and all that was found, its head first."""
-    made = claim_blocks(Wording(notation).judgement(judgement), marks=marks)
-    made[1:1] = led_blocks(judgement, notation, deep)
+    made = claim_told(Wording(notation).judgement(judgement), notation, deep, marks=marks)
     made[1:1] = notations.remark(notation, symbols_used(made))
     return made
 
@@ -233,6 +231,8 @@ def lecture(
     closing |= {name: "" for name in spoken if name in drawings and name not in closing}
     order = order_of_figures(lines, [page for page, _ in judged], closing)
     pictures = [Picture(name, drawings[name], {}) for name in order]
+    chart = _map(lines, notation)
+    pictures += [chart] if chart is not None else []
     for each in () if student else solutions:
         own = picture(each, edition.notation)
         if own is not None and not any(own.shows_what(other) for other in pictures):
@@ -246,21 +246,20 @@ def lecture(
         told |= {j.claim.name: head.number or head.title for j in judgements}
     blocks: list[b.Block] = [handout.legend(everything)]
     blocks += handout.sections(judged, solutions, parts)
+    if chart is not None:
+        blocks += [b.Heading(1, "", "What rests on what", "map"), numbered[chart.name]]
+    blocks += handout.summary(judged, parts)
     if not student and solutions:
         blocks += handout.solutions(solutions, parts, told)
     if not student:
         texts |= {each.text.name for each in solutions if each.text is not None}
     blocks += handout.laws(lines, texts, notation)
-    blocks += handout.summary(judged, parts)
-    chart = _map(lines, notation)
-    if chart is not None:
-        pictures.append(chart)
-        blocks.append(b.Heading(1, "", "What rests on what", "map"))
-        blocks.append(chart.described(len(pictures)))
-    blocks = handout.linked(handout.parted([*blocks, *first_used(blocks)]))
+    blocks = handout.linked(handout.parted([*blocks, *symbol_list(blocks, LETTERS)]))
     front = edition.front
     return edition.handed_out(front.title, front.subtitle, blocks), pictures
 
+
+LETTERS = b.Heading(1, "", "List of symbols", "letters")
 
 LEAST = 4
 """So many numbered equations make a map."""
@@ -315,36 +314,11 @@ def _written(
 def record(
     judged: b.Judged, solutions: Sequence[Solution] = (), edition: Edition = Edition()
 ) -> Illustrated:
-    """The record of every verdict: the lecture's text with its lines, then what was found.
-
-    Figures and exercises close the sections that they belong to.
-    """
-    notation, student = edition.notation, edition.student
-    judged, figures, solutions = _written(edition, judged, solutions)
-    sections = {page.section for page, _ in judged}
-    pictures = [Picture(each.name, each, {}) for each in figures if each.section in sections]
-    closing: list[tuple[str, b.Block]] = [
-        (each.drawing.section, each.described(k)) for k, each in enumerate(pictures, 1)
-    ]
-    told = {judgement.claim.name for _, judgements in judged for judgement in judgements}
-    for number, solution in enumerate(solutions, 1):
-        own = None if student else picture(solution, notation)
-        if own and any(own.shows_what(other) for other in pictures):
-            own = None  # the section has it
-        pictures += [own] if own else []
-        figure = own.described(len(pictures)) if own else None
-        head, *made = _exercise(solution, figure, student, told, edition.letters)
-        assert isinstance(head, b.ExerciseHead)
-        made = [replace(head, number=number), *made]
-        closing += [(solution.exercise.section, block) for block in made]
-        told |= {judgement.claim.name for judgement in solution.judgements}
-    named = {text.name: text for text in edition.lines.texts}
-    texts = {
-        page.section: text_blocks(edition.lines, named[page.text], edition.letters)
-        for page, _ in judged
-        if page.text in named
-    }
-    return _introduced(document(judged, closing, edition.front, texts), notation), pictures
+    """The record of every verdict: each claim with its lines, then what was found."""
+    judged, _, solutions = _written(edition, judged, solutions)
+    told = () if edition.student else solutions
+    whole = document(judged, told, edition.front, edition.letters)
+    return _introduced(whole, edition.notation), ()
 
 
 def _introduced(whole: b.Document, notation: Notation | None) -> b.Document:
@@ -391,22 +365,9 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
             made.append(b.Subhead("Solution"))
             made += handout.answer(each, parts, told)
             told |= {j.claim.name: "" for j in each.judgements}
-    made = handout.linked(handout.parted([*made, *handout.first_used(made)]))
+    made = handout.linked(handout.parted([*made, *symbol_list(made, LETTERS)]))
     subtitle = "Questions" if student else "Questions and solutions"
     return edition.handed_out(edition.front.exercises, subtitle, made), pictures
-
-
-def _exercise(
-    solution: Solution,
-    figure: b.Figure | None,
-    student: bool,
-    told: Collection[str],
-    notation: Notation,
-) -> list[b.Block]:
-    """The exercise; claims that were told before are named only."""
-    if student:
-        return question(solution.exercise, solution.settings, named=not notation.images)
-    return blocks(solution, figure, told=told, notation=notation)
 
 
 def _write(

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from types import MappingProxyType
+from collections.abc import Collection, Iterable, Sequence
 
 import sympy
 from sympy import MatrixBase
 
+from rigidtop.notation import NOTES, Notation
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.verdict import (
     Judgement,
@@ -15,9 +15,11 @@ from rigidtop.proof.verdict import (
     Verdict,
 )
 from rigidtop.report import blocks as b
-from rigidtop.report.claims import claim_blocks, condition, tested
+from rigidtop.report.claims import condition, tested
 from rigidtop.report.handout import parted
+from rigidtop.report.solutions import Solution, numbers
 from rigidtop.report.symbols import symbol_list
+from rigidtop.report.ways import claim_told
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.nodes import Node
 from rigidtop.typeset.sizes import width
@@ -31,26 +33,45 @@ READING = (
 
 def document(
     judged: b.Judged,
-    closing: Iterable[tuple[str, b.Block]] = (),
+    solutions: Sequence[Solution] = (),
     front: b.Front = b.NOTES,
-    texts: Mapping[str, Sequence[b.Block]] = MappingProxyType({}),
+    notation: Notation = NOTES,
 ) -> b.Document:
-    """The lecture.  The blocks `closing` a section come with its number: figures, exercises.
+    """Every claim with the lines that lead to it and what was found, section by section.
 
-    `texts` are the sections' texts by their numbers; behind them stand the verdicts.
+    The exercises of a section close it.
     """
-    after: dict[str, list[b.Block]] = {}
-    for section, block in closing:
-        after.setdefault(section, []).append(block)
     blocks: list[b.Block] = [*_front(judged)]
+    told = {judgement.claim.name for _, judgements in judged for judgement in judgements}
+    numbered = [*enumerate(solutions, 1)]
     for page, judgements in judged:
-        blocks.extend(b.headings(page))
-        blocks.extend(texts.get(page.section, [b.Paragraph((page.about,), held=True)]))
+        blocks += b.headings(page)
+        blocks.append(b.Paragraph((page.about,), held=True))
         for judgement in judgements:
-            blocks.extend(claim_blocks(judgement))
-        blocks.extend(after.get(page.section, ()))
-    whole = (*parted(blocks), *symbol_list(blocks))
+            blocks += claim_told(judgement, notation)
+        for number, solution in numbered:
+            if solution.exercise.section == page.section:
+                blocks += _solved(solution, number, told, notation)
+                told |= {judgement.claim.name for judgement in solution.judgements}
+    whole = (*parted(blocks), *symbol_list(blocks, b.Heading(1, "", "Symbols", "symbols")))
     return b.Document(front.title, front.subtitle, whole, front.source, front.author)
+
+
+def _solved(
+    solution: Solution, number: int, told: Collection[str], notation: Notation
+) -> Iterable[b.Block]:
+    """An exercise; claims that were `told` before are named only."""
+    exercise = solution.exercise
+    yield b.ExerciseHead(exercise.title, b.anchor(exercise.name), exercise.asks, number)
+    there = [each.claim for each in solution.judgements if each.claim.name in told]
+    if there:
+        names = ", ".join(f"({c.name})" if b.is_number(c.name) else c.name for c in there)
+        kind = "claim" if len(there) == 1 else "claims"
+        yield b.Paragraph((f"See the {kind} {names} above.",))
+    for judgement in solution.judgements:
+        if judgement.claim.name not in told:
+            yield from claim_told(judgement, notation)
+    yield from numbers(solution)
 
 
 def _front(judged: b.Judged) -> Iterable[b.Block]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from rigidtop.derivations.letters import LETTERS
@@ -17,11 +17,11 @@ from rigidtop.proof.page import Measure
 from rigidtop.proof.verdict import Judgement, judge
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
-from rigidtop.report.claims import claim_blocks, measured
+from rigidtop.report.claims import measured
 from rigidtop.report.plain import cell
 from rigidtop.report.records import measure_record
 from rigidtop.report.records import record as judgement_record
-from rigidtop.report.ways import led_blocks, text_blocks
+from rigidtop.report.ways import claim_told, text_blocks
 from rigidtop.typeset.nodes import Infix, Node, Number, Power, decimal, negated
 
 DIGITS = 6
@@ -97,44 +97,31 @@ def _numbers(outcome: Outcome) -> list[float | str]:
     return []
 
 
-def blocks(
-    solution: Solution,
-    figure: b.Figure | None = None,
-    *,
-    told: Collection[str] = (),
-    notation: Notation = NOTES,
-) -> list[b.Block]:
-    """The exercise and its solution; claims that were `told` before are named only."""
-    exercise = solution.exercise
-    made = question(exercise, solution.settings, named=not notation.images)
+def blocks(solution: Solution, *, notation: Notation = NOTES) -> list[b.Block]:
+    """The exercise and its solution."""
+    made = question(solution.exercise, solution.settings, named=not notation.images)
     made.append(b.Subhead("Solution in symbols"))
     own = {shown.name for shown in solution.text.shown} if solution.text else set()
     if solution.text is not None:
         made.extend(text_blocks(solution.lines, solution.text, notation))
-    there = [judgement.claim for judgement in solution.judgements if judgement.claim.name in told]
-    if there:
-        names = ", ".join(f"({c.name})" if b.is_number(c.name) else c.name for c in there)
-        kind = "claim" if len(there) == 1 else "claims"
-        made.append(b.Paragraph((f"See the {kind} {names} above.",)))
     for judgement in solution.judgements:
-        if judgement.claim.name not in told:
-            head, *rest = claim_blocks(judgement)
-            way = [] if judgement.claim.name in own else led_blocks(judgement, notation)
-            made.extend((head, *way, *rest))
-    made.append(b.Subhead("Solution in numbers"))
-    made.append(b.Paragraph((exercise.method,)))
+        made += claim_told(judgement, notation, led=judgement.claim.name not in own)
+    return [*made, *numbers(solution)]
+
+
+def numbers(solution: Solution) -> Iterable[b.Block]:
+    """What was found, and what confirms it."""
+    yield b.Subhead("Solution in numbers")
+    yield b.Paragraph((solution.exercise.method,))
     answers = [outcome for outcome in solution.outcomes if isinstance(outcome, Answer)]
     if answers:
         rows = tuple((a.what, shown(a.value), _unit(a.unit, a.value)) for a in answers)
-        made.append(b.Quantities("Found", rows))
+        yield b.Quantities("Found", rows)
     for outcome in solution.outcomes:
         if isinstance(outcome, Table):
-            made.append(b.DataTable(outcome.title, outcome.columns, cells(outcome.rows)))
+            yield b.DataTable(outcome.title, outcome.columns, cells(outcome.rows))
     if solution.measures:
-        made.append(measured(solution.measures, "Confirmed", "by a second way"))
-    if figure is not None:
-        made.append(figure)
-    return made
+        yield measured(solution.measures, "Confirmed", "by a second way")
 
 
 def question(

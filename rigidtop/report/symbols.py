@@ -2,53 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from sympy import Symbol
 
 from rigidtop.report.blocks import Block, Display, Heading, Symbols
-from rigidtop.theory.lettered import Lettered
-from rigidtop.theory.symbols import VOCABULARY
+from rigidtop.theory.lettered import known
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.sentences import printed_unit
 
 
-def symbol_list(
-    blocks: Sequence[Block], order: Mapping[str, int] | None = None
-) -> tuple[Block, ...]:
+def symbol_list(blocks: Sequence[Block], heading: Heading) -> tuple[Block, ...]:
     """The symbols of all displays under a heading; nothing where there are none.
 
-    They stand in an `order` of their names, or in that of the vocabulary.
+    They stand in the order of first use, each letter with all that is made of it.
     """
-    used = symbols_used(blocks)
-    names = {symbol.name for symbol in used if not isinstance(symbol, Lettered)}
-    # A symbol of another notation stands where that of the notes does, others before.
-    own = {x for x in used if isinstance(x, Lettered)}
-    alone = sorted((x for x in own if x.stands is None), key=lambda x: (x.place, x.name))
-    placed = {x.place: x for x in own if x.stands is not None}
-    quantities = [(symbol, symbol.quantity) for symbol in alone]
-    for place, (symbol, quantity) in enumerate(VOCABULARY.items()):
-        if symbol.name in names:
-            quantities.append((symbol, quantity))
-        if place in placed:
-            quantities.append((placed[place], placed[place].quantity))
-    if order is not None:
-        quantities.sort(key=lambda pair: order.get(pair[0].name, len(order)))
-    rows = tuple(
-        (layout(symbol), quantity.meaning, printed_unit(quantity.unit))
-        for symbol, quantity in quantities
-        if quantity.glyph.base != "const"
-    )
-    return (Heading(1, "", "Symbols", "symbols"), Symbols(rows)) if rows else ()
+    rows = []
+    letters: dict[str, int] = {}
+    for symbol in dict.fromkeys(_in_order(blocks)):
+        place, quantity = known(symbol)
+        if quantity is not None and quantity.glyph.base != "const":
+            at = letters.setdefault(quantity.glyph.base, len(letters))
+            row = (layout(symbol), quantity.meaning, printed_unit(quantity.unit))
+            rows.append(((at, len(quantity.glyph.accent), place, symbol.name), row))
+    shown = tuple(row for _, row in sorted(rows, key=lambda pair: pair[0]))
+    return (heading, Symbols(shown)) if shown else ()
 
 
 def symbols_used(blocks: Iterable[Block]) -> set[Symbol]:
     """The symbols of all displays."""
-    return {
-        symbol
-        for block in blocks
-        if isinstance(block, Display)
-        for row in block.rows
-        for side in row.equation.sides
-        for symbol in side.free_symbols
-    }
+    return set(_in_order(blocks))
+
+
+def _in_order(blocks: Iterable[Block]) -> Iterator[Symbol]:
+    for block in blocks:
+        if isinstance(block, Display):
+            for row in block.rows:
+                for side in row.equation.sides:
+                    yield from sorted(side.free_symbols, key=lambda x: (known(x)[0], x.name))

@@ -92,9 +92,8 @@ def _joined(blocks: Sequence[b.Block], figures: Mapping[str, str]) -> Iterator[s
     pending = ""
     solved = False
     for block, after in zip(blocks, [*blocks[1:], None], strict=True):
-        if isinstance(block, b.Heading) and solved != (block.anchor in b.IN_COLUMNS):
-            solved = not solved
-            pending = "\\rtsolutions\n" if solved else "\\rtrest\n"
+        if not solved and isinstance(block, b.Heading) and block.anchor in b.IN_COLUMNS:
+            solved, pending = True, "\\rtsolutions\n"
         words = pending + _shown(block, figures)
         pending = ""
         if (
@@ -255,7 +254,7 @@ def _(block: b.Heading) -> str:
     )
 
 
-APART = {"symbols": "\\clearpage\n", "results": "\\rtalone\n", "map": "\\clearpage\n"}
+APART = {"symbols": "\\clearpage\n", "results": "\\rtalone\n"}
 """How what begins a page begins it."""
 
 
@@ -449,8 +448,7 @@ def _(block: b.Symbols) -> str:
         rf"\rtsymbol{{${latex(node)}$}}{{{prose(meaning)}}}{{{'' if unit == '1' else _unit(unit)}}}"
         for node, meaning, unit in block.rows
     )
-    begin = r"\begin{multicols}{2}\footnotesize\setlength{\parskip}{2pt}"
-    return f"{begin}{rows}\\end{{multicols}}"
+    return f"\\begin{{rtsymbols}}{rows}\\end{{rtsymbols}}"
 
 
 @tex_block.register
@@ -486,7 +484,7 @@ def _(block: b.Results) -> str:
     return "\n".join(
         [
             r"\rtonepage{\begin{tabular}{@{}r@{\ }l@{\ \ }"
-            r"l@{\quad}>{\raggedright\arraybackslash}p{48mm}@{}}",
+            r"l@{\quad}>{\raggedright\arraybackslash}p{43mm}@{}}",
             *made,
             r"\end{tabular}}",
         ]

@@ -20,17 +20,16 @@ from rigidtop.typeset.sentences import tex, tied, written
 def write(document: b.Document, figures: Mapping[str, str]) -> str:
     """The document.  `figures` says where the file of each figure lies, as seen from it."""
     made: list[str] = []
-    ends: list[str] = []
+    ends = ""
     for block in document.blocks:
-        if isinstance(block, b.Heading):
-            made += ends
-            ends = ["]"] if block.anchor in b.IN_COLUMNS else []
-            made += ["#solutions["] * len(ends)
+        if not ends and isinstance(block, b.Heading) and block.anchor in b.IN_COLUMNS:
+            made.append("#solutions[")
+            ends = "]"
         if isinstance(block, b.Figure):
             made.append(_figure(block, figures[block.name]))
         else:
             made.append(typst_block(block))
-    body = "\n\n".join(made + ends)
+    body = "\n\n".join([*made, ends])
     depth = 2 if document.lecture else 3
     contents = said("Contents", document.look.language)
     return "\n".join(

@@ -23,6 +23,7 @@ from rigidtop.proof.units import UnitsError
 from rigidtop.proof.verdict import Judgement, Led
 from rigidtop.report import blocks as b
 from rigidtop.report import languages, plain
+from rigidtop.report.claims import claim_blocks
 from rigidtop.report.wording import Wording
 from rigidtop.typeset.latex import latex
 from rigidtop.typeset.layout import layout
@@ -46,16 +47,23 @@ def way_blocks(
     return [*blocks, *gaps(lecture, (*ids, *(x for x in starts if x in lecture.laws)))]
 
 
-def led_blocks(
-    judgement: Judgement, notation: Notation = NOTES, deep: bool = False
+def claim_told(
+    judgement: Judgement,
+    notation: Notation = NOTES,
+    deep: bool = False,
+    *,
+    led: bool = True,
+    marks: bool = True,
 ) -> list[b.Block]:
-    """The lines that lead to a claim that was judged with them; none where there are none."""
-    return [
+    """A claim, its head first, with the lines that `led` to it and all that was found."""
+    head, *found = claim_blocks(judgement, marks=marks)
+    way = [
         block
         for item in judgement.items
-        if isinstance(item, Led)
+        if led and isinstance(item, Led)
         for block in way_blocks(item.lecture, item.name, notation, deep)
     ]
+    return [head, *way, *found]
 
 
 def text_blocks(

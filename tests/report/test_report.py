@@ -137,7 +137,8 @@ def judged(printed):
 
 @pytest.fixture(scope="session")
 def lecture(judged):
-    return document(judged, [("3.5.3", FIGURE)])
+    made = document(judged)
+    return replace(made, blocks=(*made.blocks, FIGURE))
 
 
 # --- What is said ---------------------------------------------------------------------------------
