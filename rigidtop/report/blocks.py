@@ -268,12 +268,11 @@ class Quantities:
 
 @dataclass(frozen=True)
 class DataTable:
-    """Many numbers, under their columns; on one page where it is kept `whole`."""
+    """Many numbers, under their columns."""
 
     title: str
     columns: tuple[str, ...]
     rows: tuple[tuple[str | Node, ...], ...]
-    whole: bool = False
 
 
 @dataclass(frozen=True)

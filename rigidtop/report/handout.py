@@ -347,8 +347,7 @@ def results(solution: Solution) -> list[b.Block]:
         if isinstance(outcome, Table):
             columns = map(_clean, zip(*outcome.rows, strict=True))
             found = cells(list(zip(*columns, strict=True)))
-            whole = len(found) <= LONGEST
-            made.append(b.DataTable(outcome.title, outcome.columns, found, whole))
+            made.append(b.DataTable(outcome.title, outcome.columns, found))
     return made
 
 
@@ -364,9 +363,6 @@ def _clean(column: Sequence[float | str]) -> list[float | str]:
 
 NOISE = 1e-14
 """What is smaller beside the largest number of its column is rounding."""
-
-LONGEST = 30
-"""Rows of a table that stands on one page."""
 
 
 def _apart(value: float | str, unit: str) -> tuple[str | Node, str]:

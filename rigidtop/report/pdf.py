@@ -1,4 +1,8 @@
-"""A PDF of the lecture: by latexmk where there is one, else by Typst (extra ``pdf``)."""
+"""A PDF of the lecture: by latexmk where there is one, else by Typst (extra ``pdf``).
+
+Typst's is tagged, for screen readers.  LaTeX's has an outline and metadata and is not tagged: that
+needs a TeX Live newer than those that we know.
+"""
 
 from __future__ import annotations
 

@@ -291,11 +291,10 @@ def _(block: b.ClaimHead) -> str:
 
 @tex_block.register
 def _(block: b.Display) -> str:
-    label = rf"\lab{{{prose(block.label)}}}" + "\n" if block.label else ""
-    if block.step:
-        rows = _beside(block.rows, block.room)
-        return label + (_in_line(rows, block.room) or display(rows, block.room))
-    return label + display(block.rows, block.room)
+    label = rf"\lab{{{prose(block.label)}}}" if block.label else ""
+    rows = _beside(block.rows, block.room) if block.step else block.rows
+    step = _in_line(rows, block.room, label) if block.step else ""
+    return step or label + "\n" * bool(label) + display(rows, block.room)
 
 
 def _beside(rows: Sequence[b.Row], room: float) -> Sequence[b.Row]:
@@ -320,7 +319,7 @@ WORD = 0.9
 """The width of a letter of a sentence in letters of an equation."""
 
 
-def _in_line(rows: Sequence[b.Row], room: float) -> str:
+def _in_line(rows: Sequence[b.Row], room: float, label: str = "") -> str:
     """A short step in one line with its sentence; nothing where it is longer, or has a number."""
     row, *more = rows
     if more or row.tag or row.mark is not None or not row.reason:
@@ -331,7 +330,7 @@ def _in_line(rows: Sequence[b.Row], room: float) -> str:
     if WORD * len(seen(words)) + width > room:
         return ""
     shown = r" \qquad ".join(latex(each, row.order) for each in equations)
-    return rf"\rtstep{{{words}}}{{{shown}}}"
+    return rf"\rtstep{{{label}{words}}}{{{shown}}}"
 
 
 def display(rows: Sequence[b.Row], room: float = sizes.LINE) -> str:
@@ -420,7 +419,7 @@ def _(block: b.Listing) -> str:
         rf">{{\raggedright\arraybackslash}}p{{{width}\linewidth}}" if width else "l"
         for width in block.widths
     )
-    rows = "\n".join(" & ".join(map(rich, row)) + r" \\[3pt]" for row in block.rows)
+    rows = "\n".join(" & ".join(map(rich, row)) + r" \\[2pt]" for row in block.rows)
     return "\n".join(
         [
             rf"{{\small\begin{{longtable}}[l]{{@{{}}{columns}@{{}}}}",
@@ -516,52 +515,24 @@ def _(block: b.Quantities) -> str:
 
 @tex_block.register
 def _(block: b.DataTable) -> str:
-    first, *others = (_stacked(words) for words in block.columns)
-    head = " & ".join([_head(first, "l"), *(_head(lines, "r") for lines in others)])
-    count = len(block.columns)
-    together = WHOLE if len(block.rows) <= WHOLE else 3
-    rows = "\n".join(
-        " & ".join(map(_cell, row)) + (r" \\*" if i < together else r" \\")
-        for i, row in enumerate(block.rows)
-    )
+    first, *others = block.columns
+    head = " & ".join([prose(first), *(_head(_stacked(words)) for words in others)])
     # Long words at the left have room for two lines.
     left = r"p{0.62\linewidth}" if max(_letters(row[0]) for row in block.rows) > LONG else "l"
-    if block.whole:
-        inside = rows.replace(r"\\*", r"\\")
-        return (
-            rf"\rttable{{{prose(block.title)}}}{{"
-            rf"\begin{{tabular}}{{@{{}}l*{{{count - 1}}}{{r}}@{{}}}}"
-            rf"\toprule {head} \\ \midrule {inside} \bottomrule\end{{tabular}}}}"
-        )
-    # The title is part of the head, or a page could end beneath it.
-    title = rf"\multicolumn{{{count}}}{{@{{}}l@{{}}}}{{\tabletitle{{{prose(block.title)}}}}} \\*"
-    return "\n".join(
-        [
-            r"{\scriptsize\setlength{\tabcolsep}{3pt}" if _is_wide(block) else r"{\footnotesize",
-            rf"\begin{{longtable}}[l]{{@{{\hspace*{{2em}}}}{left}*{{{count - 1}}}{{r}}@{{}}}}",
-            rf"{title} \toprule {head} \\ \midrule \endfirsthead",
-            rf"\toprule {head} \\ \midrule \endhead",
-            rows,
-            r"\bottomrule\end{longtable}}",
-        ]
+    columns = f"{left}*{{{len(others)}}}{{r}}"
+    rows = [" & ".join(map(_cell, row)) + r" \\" for row in block.rows]
+    return "\n\n".join(
+        rf"\rttable{{{prose(block.title)}}}{{\begin{{tabular}}{{@{{}}{columns}@{{}}}}"
+        rf"\toprule {head} \\ \midrule {' '.join(rows[k : k + MOST])} \bottomrule\end{{tabular}}}}"
+        for k in range(0, len(rows), MOST)
     )
 
 
 LONG = 45
 """Letters of a cell that has no room in one line beside others."""
 
-WHOLE = 14
-"""A table of no more rows stays on one page."""
-
-WIDEST = 84
-"""Letters of a table in its usual size; a wider one is set smaller."""
-
-
-def _is_wide(block: b.DataTable) -> bool:
-    heads = (max(_stacked(words), key=len) for words in block.columns)
-    columns = zip(heads, *block.rows, strict=True)
-    return sum(2 + max(_letters(value) for value in column) for column in columns) > WIDEST
-
+MOST = 30
+"""Rows of a table that stand on one page."""
 
 NARROW = 13
 """Letters of a line in the head of a table, where its words allow it."""
@@ -578,12 +549,12 @@ def _stacked(words: str) -> list[str]:
     return [line.replace(TIE, " ") for line in lines] or [""]
 
 
-def _head(lines: Sequence[str], side: str) -> str:
+def _head(lines: Sequence[str]) -> str:
     shown = [prose(line) for line in lines]
     if len(shown) == 1:
         return shown[0]
     inner = r" \\ ".join(shown)
-    return rf"\begin{{tabular}}[b]{{@{{}}{side}@{{}}}}{inner}\end{{tabular}}"
+    return rf"\begin{{tabular}}[b]{{@{{}}r@{{}}}}{inner}\end{{tabular}}"
 
 
 def _letters(value: str | lay.Node) -> float:
