@@ -33,7 +33,8 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
     title = prose(document.title)
     contents = r"{\small\setlength{\parskip}{0pt}\tableofcontents}"
     if document.lecture and not any(block.number for block in _headings(document)):
-        contents = r"\thispagestyle{plain}"
+        # A sheet of exercises has no sections: its title stands above its pages.
+        contents = rf"\markboth{{{title}}}{{}}\def\markboth#1#2{{}}\thispagestyle{{plain}}"
     elif document.lecture:
         words = prose(said("Contents", document.look.language))
         contents += rf"\markboth{{{words}}}{{}}\thispagestyle{{plain}}"
@@ -254,7 +255,7 @@ def _(block: b.Heading) -> str:
     )
 
 
-APART = {"symbols": "\\clearpage\n", "results": "\\rtalone\n"}
+APART = {"symbols": "\\clearpage\n", "results": "\\rtalone\n", "map": "\\rtneed{24}\n"}
 """How what begins a page begins it."""
 
 
