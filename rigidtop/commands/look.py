@@ -74,6 +74,7 @@ def _words(options: argparse.Namespace, name: str) -> str:
 def look_of(options: argparse.Namespace) -> Look:
     """Paper, language, preamble and class; RigidtopError where one of them is none."""
     from rigidtop.report.blocks import Look
+    from rigidtop.report.pdf import latexmk_for
     from rigidtop.report.tex import LANGUAGES
 
     language = options.language or "en"
@@ -83,7 +84,10 @@ def look_of(options: argparse.Namespace) -> Look:
     own = options.own_class or ""
     if own and not own.replace("-", "").replace("_", "").isalnum():
         raise RigidtopError(f"--class wants the name of a LaTeX class, not {own!r}")
-    return Look(options.paper, language, preamble, own)
+    look = Look(options.paper, language, preamble, own)
+    if options.pdf:
+        latexmk_for(look)  # before half a minute of work, not after it
+    return look
 
 
 def points_of(options: argparse.Namespace) -> str:
