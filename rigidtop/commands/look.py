@@ -28,7 +28,7 @@ def add_look(parser: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--class", dest="own_class", metavar="NAME", help="a LaTeX class in place of article"
     )
-    group.add_argument("--points", type=int, metavar="N", help="that each exercise can bring")
+    group.add_argument("--points", type=float, metavar="N", help="that each exercise can bring")
 
 
 def front_of(options: argparse.Namespace, front: Front) -> Front:
@@ -92,8 +92,10 @@ def look_of(options: argparse.Namespace) -> Look:
 
 def points_of(options: argparse.Namespace) -> str:
     """What stands at each exercise."""
+    from rigidtop.report.handout import counted
+
     if options.points is None:
         return ""
-    if not 0 < options.points <= MOST_POINTS:
-        raise RigidtopError(f"--points wants a number from 1 to {MOST_POINTS}")
-    return f"{options.points} point{'s' * (options.points != 1)}"
+    if not 0 < options.points <= MOST_POINTS:  # nor is NaN
+        raise RigidtopError(f"--points wants a number above 0, up to {MOST_POINTS}")
+    return counted(options.points)

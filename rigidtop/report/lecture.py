@@ -357,7 +357,7 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
     own = [] if student else [picture(each, notation) for each in solutions]
     pictures = [each for each in own if each is not None]
     numbered = {p.name: p.described(k) for k, p in enumerate(pictures, 1)}
-    parts = Parts(Lecture(), edition.letters, numbered, {}, points)
+    parts = Parts(edition.lines, edition.letters, numbered, {}, points)
     made: list[b.Block] = [b.NameLine()] if student else []
     told: dict[str, str] = {}
     for number, each in enumerate(solutions, 1):
@@ -366,8 +366,10 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
             made.append(b.Subhead("Solution"))
             made += handout.answer(each, parts, told)
             told |= {j.claim.name: "" for j in each.judgements}
+    made += handout.looked_up(made, parts)
     made = handout.linked(handout.parted([*made, *symbol_list(made, LETTERS)]))
     subtitle = "Questions" if student else "Questions and solutions"
+    subtitle += f", {handout.total(points, len(solutions))}" if points else ""
     return edition.handed_out(edition.front.exercises, subtitle, made), pictures
 
 

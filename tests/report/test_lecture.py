@@ -377,12 +377,28 @@ def test_numbers_are_written_as_people_do():
     assert written("waves", "1") == ("waves",)
 
 
-def test_a_sheet_is_signed_and_numbered(solutions):
-    document, pictures = sheet(solutions, Edition(student=True, points="5 points"))
+def test_a_sheet_is_signed_and_numbered(solutions, lines):
+    edition = Edition(student=True, points="2.5 points", lines=lines)
+    document, pictures = sheet(solutions, edition)
+    assert document.subtitle == f"Questions, {2.5 * len(EXERCISES):g} points"
+    german = sheet(solutions[:2], replace(edition, look=Look(language="de")))[0]
+    assert german.subtitle == "Fragen, 5 Punkte"
+    # What a question cites stands beneath.
+    rows = [row for block in document.blocks if isinstance(block, Display) for row in block.rows]
+    assert {row.tag for row in rows} >= {"3.52", "3.57"}
+    assert all(row.anchor == f"claim-{row.tag.replace('.', '-')}" for row in rows if row.tag)
+    cited = {
+        piece.anchor
+        for block in document.blocks
+        if isinstance(block, Paragraph)
+        for piece in block.content
+        if isinstance(piece, Cited)
+    }
+    assert cited == {row.anchor for row in rows if row.tag}
     assert isinstance(document.blocks[0], NameLine)
     heads = [block for block in document.blocks if isinstance(block, ExerciseHead)]
     assert [head.number for head in heads] == list(range(1, len(EXERCISES) + 1))
-    assert {head.points for head in heads} == {"5 points"}
+    assert {head.points for head in heads} == {"2.5 points"}
     assert pictures == []
 
 
