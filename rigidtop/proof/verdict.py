@@ -21,6 +21,7 @@ from rigidtop.proof.derivation import Judged
 from rigidtop.proof.equation import Equation, Meaning, Underbrace, value
 from rigidtop.proof.independence import refuse_circular
 from rigidtop.proof.lecture import Lecture
+from rigidtop.proof.moves.move import Condition
 from rigidtop.proof.page import (
     Assumption,
     Check,
@@ -165,8 +166,7 @@ def led(lecture: Lecture, name: str) -> Led:
     judged = [lecture.judged(id) for id in (*ids, *(x for x in starts if x in lecture.laws))]
     gaps = tuple(each for each in judged if not each.follows)
     found = (c for id in lecture.names[name] for c in lecture.judged(id).known.conditions)
-    kept = dict.fromkeys(_RELATIONS[c.relation](c.expression, 0) for c in found
-                         if c.relation in _RELATIONS)  # fmt: skip
+    kept = dict.fromkeys(_relation(c) for c in found if c.relation in _RELATIONS)
     assumed = tuple(
         TestedAssumption(Assumption(each), None)
         for each in kept
@@ -177,6 +177,13 @@ def led(lecture: Lecture, name: str) -> Led:
 
 _RELATIONS = {"≠": sympy.Ne, ">": sympy.Gt, "≥": sympy.Ge}
 """What is not set: a division, a root, a sign."""
+
+
+def _relation(condition: Condition) -> Boolean:
+    """As people write it: χ̇ < 0 for −χ̇ > 0."""
+    relation = _RELATIONS[condition.relation](condition.expression, 0)
+    negative = condition.expression.as_coeff_Mul()[0].is_negative
+    return relation.reversedsign if negative and isinstance(relation, Relational) else relation
 
 
 def _overall(judgement: Judgement) -> Verdict:

@@ -166,4 +166,5 @@ def test_a_claim_of_an_exercise_is_found_by_name(capsys):
     assert main(["check", "time-to-fall", "3.57"]) == 0
     shown = capsys.readouterr().out
     assert "time-to-fall" in shown
+    assert "χ̇ < 0" in shown  # not −χ̇ > 0
     assert "2 claims" in shown
