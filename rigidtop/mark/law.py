@@ -334,6 +334,33 @@ def at_rest(residual: Expr, law: Law) -> str:
     return ""
 
 
+def may_vanish(residual: Expr, always: Iterable[Symbol]) -> bool:
+    """Whether numbers for its letters may make an expression vanish whatever those are that are
+    `always` free, and what stands in a sine or cosine: an equation for these numbers."""
+    over = sympy.expand(sympy.fraction(sympy.together(residual))[0])
+    free = {*always}.union(*(f.free_symbols for f in over.atoms(sympy.sin, sympy.cos)))
+    parts: dict[Expr, Expr] = {}
+    for term in Add.make_args(over):
+        number, rest = term.as_independent(*free, as_Add=False)
+        parts[rest] = parts.get(rest, sympy.S.Zero) + number
+    bases = (
+        {x.as_base_exp()[0] for x in sympy.Mul.make_args(sympy.factor(part))}
+        for part in parts.values()
+    )
+    return all(any(x.is_Add and _has_both_signs(x) for x in each) for each in bases)
+
+
+def _has_both_signs(part: Expr) -> bool:
+    """Whether it does, where some of its letters are negative too."""
+    found = set()
+    for attempt in range(32):
+        letters = sorted(part.free_symbols, key=str)
+        negative = {x: -x for k, x in enumerate(letters) if attempt >> k % 5 & 1}
+        [number] = decide.values([part.xreplace(negative)], attempt)
+        found |= {number > 0} if decide.apart(number, 0) else set()
+    return len(found) > 1
+
+
 def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:
     """Short numbers at which two sides differ, in words; accelerations are those of the law.
 
@@ -376,10 +403,8 @@ def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:
 
 def of_roots(residual: Expr) -> list[dict[Expr, Expr]]:
     """What roots in an expression may be meant to be: each with either sign, √a² = |a| too."""
-    roots = [
-        x for x in residual.atoms(Pow, sympy.Abs) if x.is_Function or getattr(x.exp, "q", 1) == 2
-    ]
-    roots = sorted((x for x in roots if x.free_symbols), key=str)
+    found = (x for x in residual.atoms(Pow, sympy.Abs) if x.free_symbols)
+    roots = sorted((x for x in found if x.is_Function or getattr(x.exp, "q", 1) == 2), key=str)
     under = [*dict.fromkeys(x.args[0] for x in roots)][:MOST_ROOTS]
     return [
         {x: -x for x in roots if x.args[0] in negative}

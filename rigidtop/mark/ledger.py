@@ -69,6 +69,8 @@ class Ledger:
     """What stands in values for the sign, 1 or −1, of a letter that is known by its square."""
     at_places: set[Symbol] = field(default_factory=set)
     """Letters of functions, as V in V(x): V′(x) is then its slope."""
+    accelerated: frozenset[Symbol] = frozenset()
+    """The letters with an acceleration somewhere."""
     section: int = 0
     used: set[int] = field(default_factory=set)
     doubted: set[int] = field(default_factory=set)
@@ -294,6 +296,12 @@ class Ledger:
         values = [g.value for g in self.given.values() if g.section == self.section]
         made = {bare(x) for value in values for x in value.free_symbols}
         return made | (set(self.law.letters) if self.law is not None else set())
+
+    def is_initial(self, left: Symbol, value: Expr) -> bool:
+        """ẏ = v₀ cos θ, where ÿ stands elsewhere: it need not stay so."""
+        changes = {x for x in self.moving if x.quantity.glyph.sub != "0"} | {TIME}
+        stays = not {bare(x) for x in value.free_symbols} & changes
+        return accent(left) == "dot" and bare(left) in self.accelerated and stays
 
     def is_set(self, left: Lettered, right: Expr) -> bool:
         """θ̇ = 0, φ̇ = Ω, l₁ = l: a letter of the motion, or a number, and what does not change."""

@@ -90,6 +90,7 @@ def held(
     known = frozenset().union(*moving.values())
     of = {x: args for x, args in _arguments(functions).items() if x not in known}
     ledger = _Judge(moving, of, kinds, _twins(found))
+    ledger.accelerated = _moving(found, "ddot")
     made = []
     for i, line in enumerate(found):
         if line.equation is None:
@@ -132,15 +133,19 @@ def _twins(lines: Sequence[Line]) -> dict[int, Equation]:
     return made
 
 
-def _moving(lines: Iterable[Line]) -> frozenset[Symbol]:
-    """The letters that have a dot somewhere."""
+def _moving(lines: Iterable[Line], least: str = "dot") -> frozenset[Symbol]:
+    """The letters that have a dot somewhere, or two."""
     found: set[Symbol] = set()
     for line in lines:
         for side in line.equation.sides if line.equation is not None else ():
             for node in sympy.preorder_traversal(side):
-                if isinstance(node, Lettered) and node.quantity.glyph.accent in ("dot", "ddot"):
+                if isinstance(node, Lettered) and node.quantity.glyph.accent in (least, "ddot"):
                     found.add(own(replace(node.quantity.glyph, accent="")))
-                elif isinstance(node, eq.Rate) and isinstance(node.args[0], Lettered):
+                elif (
+                    least == "dot"
+                    and isinstance(node, eq.Rate)
+                    and isinstance(node.args[0], Lettered)
+                ):
                     found.add(node.args[0])
     return frozenset(found)
 
@@ -179,13 +184,27 @@ class _Judge(Reasons):
             found = Held(line, Verdict.UNDECIDED.value, f"it says nothing to compare ({said})")
         except RecursionError:
             found = Held(line, Verdict.UNDECIDED.value, "nested too deeply")
-        if found.verdict == Verdict.FALSE.value and not self.holds(self.section, found.rests):
-            note = "in another case, of which the lines above speak, it would be false"
-            return replace(found, verdict=Verdict.UNDECIDED.value, note=note)
-        if found.verdict == Verdict.FALSE.value and line.condition:
-            note = f"holds at most “{line.condition}”, which is not judged"
+        doubt = self.doubt(found) if found.verdict == Verdict.FALSE.value else ""
+        if doubt:
+            note = f"{doubt}: {found.note}"
             return replace(found, verdict=Verdict.UNDECIDED.value, note=note)
         return found
+
+    def doubt(self, found: Held) -> str:
+        """Why what numbers tell apart may yet be meant otherwise, in words."""
+        sides = found.line.equation.sides if found.line.equation is not None else ()
+        if found.line.condition:
+            return f"holds at most “{found.line.condition}”, which is not judged"
+        if not self.holds(self.section, found.rests):
+            return "at odds with another case"
+        far = {x for x in found.rests if self.places[x] != self.section}
+        if self.law is not None and self.sure and self.law.section == self.section - 1:
+            far -= self.law.rests  # equations of motion often stand under a heading of their own
+        if far:
+            return "at odds with what stands under another heading"
+        if any(isinstance(x.args[0], Symbol) for side in sides for x in side.atoms(sympy.Abs)):
+            return "|…| may be a norm, or another measure"
+        return ""
 
     def approximate(self, line: Line, *sides: Expr) -> Held:
         """A line of motions that are small: it holds to first order, or is open."""
@@ -510,6 +529,8 @@ class _Judge(Reasons):
             self.law = forced or law
             words = "Lagrange's equation with a force besides"
             return Held(line, PREMISE, words, ()) if forced is not None else None
+        if isinstance(left, Symbol) and self.is_initial(left, case.sides[1]):
+            return Held(line, PREMISE, "a velocity, always or at the start: which is not said")
         newest = sorted({bare(x) for x in residual.free_symbols if accent(x) == "ddot"}, key=str)
         told = not isinstance(left, Symbol) and left.free_symbols <= {*self.given}
         rates = [x for x in residual.free_symbols if accent(x) == "dot" and not told]

@@ -30,6 +30,7 @@ from rigidtop.mark.law import (
     is_linear,
     is_polynomial,
     lost,
+    may_vanish,
     moves,
     nearly,
     put_in,
@@ -94,6 +95,8 @@ class Case:
     """Whether every letter is one of the law's, or of what is said."""
     closed: bool = False
     """Whether the file says by itself what the line must be, in any case."""
+    solvable: bool = False
+    """Whether numbers for its letters make it hold."""
 
     @property
     def residual(self) -> Expr:
@@ -307,9 +310,12 @@ class Reasons(Ledger):
             )
         misses = law.misses(case.symbols)
         special = misses > MOST_MISSING or law.functions - functions_of(*case.sides)
-        # Of what is defined there is no other case that is the same in all its letters.
+        # Of what is defined there is no other case that is the same in all its letters; an equation
+        # of motion in other letters than that above is of another motion.
         told = case.rests or differentiates(case.left)
-        other = law.lagrangian is None and (not told or misses > 0)
+        own = (x for x in law.vanishing if x.has(case.sides[0]))
+        alike = case.sides[0] not in law.highest or next(own).free_symbols == case.symbols
+        other = law.lagrangian is None and (not told or misses > 0 or not alike)
         if special or other or law.besides - case.symbols or is_linear(case.residual, law):
             return case.undecided("a special case of what is above, or a slip?")
         found = differ_at(case.sides, law)
@@ -334,6 +340,8 @@ class Reasons(Ledger):
         if not case.closed:
             return None
         found = differ_at(case.sides, None)
+        if found is not None and case.solvable:
+            return case.undecided(f"an equation for its letters, or a slip? {found}")
         return case.said(Verdict.FALSE, found) if found is not None else None
 
     def resting(self, case: Case) -> Held | None:
@@ -362,8 +370,9 @@ class Reasons(Ledger):
             self.law.letters | known
         )
         closed = bool(case.rests) and any(map(self.is_closed, (case, put)))
-        closed = closed or self.is_general(case) or self.is_carried_out(put)
-        put = replace(put, along=along, closed=closed)
+        closed = closed or self.is_carried_out(put)
+        solvable = not closed and self.is_solvable(case)
+        put = replace(put, along=along, closed=closed or self.is_general(case), solvable=solvable)
         found = (reason(self, put) for reason in REFUTING)
         return next((each for each in found if each is not None), None) or self.open(put)
 
@@ -391,6 +400,17 @@ class Reasons(Ledger):
         names = {str(f) for f in functions_of(*values)}
         written = {x for x in written if x.name not in names}
         return written <= said and len(said - written) < len(given)
+
+    def is_solvable(self, case: Case) -> bool:
+        """Whether a line may be an equation for its letters, or give the value of one in a unit."""
+        if any(isinstance(x, Expr) and x.is_number and x != 0 for x in (case.left, case.right)):
+            return True
+        one, other = case.sides
+        # What is worked out, or said again of a letter, is no equation for others.
+        again = case.left in self.given or case.left.as_base_exp()[0] in self.signs.values()
+        if case.inner or again or (other != 0 != one and sympy.cancel(one / other).is_number):
+            return False
+        return may_vanish(case.residual, self.moving | {TIME})
 
     def is_carried_out(self, case: Case) -> bool:
         """Whether a derivative is worked out on the right: its highest rate stands there too."""

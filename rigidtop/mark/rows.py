@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rigidtop.mark.notes import Held, held
 from rigidtop.notation import OWN
+from rigidtop.proof.verdict import Verdict
 from rigidtop.read.cases import cases
 from rigidtop.read.document import Formula, alone, each, numbered, places, states
 from rigidtop.read.formula import Line
@@ -20,13 +21,23 @@ _CONSTANT = re.compile(
 )
 """Words behind a formula which say that what it gives is conserved."""
 
+_CASES = (
+    r"if|iff|suppos\w*|assum\w*|instead|otherwise|alternatively|whereas|unless|similarly|likewise"
+    r"|provided|cases?|wenn|falls|sonst"
+)
+_CASE = re.compile(rf"(?<![\\{{])\b({_CASES})\b", re.I)
+"""With these words something is said of another case, however it is printed."""
+
 _DOUBT = re.compile(
-    r"\b(?:not?|neither|nor|only|if|when|where|unless|for|while|until|since|because|provided"
-    r"|absence|without|neglect\w*|limit|approximately|nearly|about|once|in case|case of|ohne"
-    r"|nicht|kein\w*|nur|wenn|falls|wo|für|solange)\b",
+    rf"(?<![\\{{])\b({_CASES}|not?|neither|nor|only|when|where|for|while|until|since|because|absence|then|or"
+    r"|without|neglect\w*|limit|approximately|nearly|about|at|once|ohne|nicht|kein\w*|nur|wo|für"
+    r"|solange)\b",
     re.I,
 )
 """With these words it may be said of a special case, or denied, or of something else."""
+
+_ASIDE = re.compile(r"\\(?:text|mbox)\s*\{\s*\(([^(){}]{1,80})\)")
+"""Words in brackets beside an equation."""
 
 _LABEL = re.compile(r"\\label\s*\{([^{}\n]{1,100})\}")
 
@@ -78,15 +89,31 @@ def rows(source: str, habits: Habits, seconds: float) -> tuple[Row, ...]:
         number = line.tag or (tags.get(formula.start, "") if last else "")
         number = number or (label[1] if label else "")
         rests = tuple(sorted({at[k][0] for k in judged[i].rests}))
-        made.append(Row(*at[i], formula.opens, number, formula.display, judged[i], rests))
+        said = _of_a_case(source, formula, judged[i])
+        made.append(Row(*at[i], formula.opens, number, formula.display, said, rests))
     return tuple(made)
+
+
+def _sentence(source: str, formula: Formula) -> tuple[str, str]:
+    """What stands before and behind a formula in its sentence."""
+    before = re.split(r"[.;:]\s|\n\s*\n", source[max(0, formula.opens - 200) : formula.opens])[-1]
+    behind = re.split(r"[.;:$]|\n\s*\n|\\[\[(]|\\begin", source[formula.end : formula.end + 200])
+    ended = formula.text.rstrip().endswith((".", ";"))
+    return before, "" if ended else behind[0]
 
 
 def _is_called_constant(source: str, formula: Formula) -> bool:
     """Whether the sentence goes on behind a formula by saying that it is conserved."""
-    if formula.text.rstrip().endswith((".", ";")):
-        return False
-    rest = re.split(r"[.;:$]|\n\s*\n|\\[\[(]|\\begin", source[formula.end : formula.end + 200])[0]
-    sentence = re.split(r"[.;:]\s|\n\s*\n", source[max(0, formula.opens - 200) : formula.opens])[-1]
-    said = _CONSTANT.match(rest.strip(" ,\n").removeprefix("which ").removeprefix("that "))
-    return said is not None and not _DOUBT.search(f"{sentence} {rest}")
+    before, behind = _sentence(source, formula)
+    said = _CONSTANT.match(behind.strip(" ,\n").removeprefix("which ").removeprefix("that "))
+    return said is not None and not _DOUBT.search(f"{before} {behind}")
+
+
+def _of_a_case(source: str, formula: Formula, found: Held) -> Held:
+    """What numbers refute is open where its sentence may speak of a case."""
+    words = _CASE if formula.display else _DOUBT
+    said = words.search(" ".join(_sentence(source, formula))) or _ASIDE.search(formula.text)
+    if found.verdict != Verdict.FALSE.value or said is None:
+        return found
+    note = f"another case, or a slip? “{said[1]}” stands beside it: {found.note}"
+    return replace(found, verdict=Verdict.UNDECIDED.value, note=note)

@@ -49,11 +49,7 @@ class Letters(Cursor):
         if not self.open:
             return ""
         bracketed = self.peek(len(run)).text in ("(", "[", r"\left", r"\{")
-        if (
-            run == "det"
-            or (run == "ve" and self.last == "SIGN")
-            or (bracketed and run in signs.DOUBTFUL | {"Re", "Im"})
-        ):
+        if run == "det" or (bracketed and run in signs.DOUBTFUL | {"Re", "Im"}):
             return run
         if run.startswith("ln"):
             return "ln"
@@ -109,7 +105,7 @@ class Letters(Cursor):
                 raise UnreadError("π of the time: another letter than the number", position)
             yield Token("SYMBOL", sympy.pi, position)
             return
-        if glyph == Glyph("D") and letter_behind:
+        if self.open and glyph == Glyph("D") and self.starts_letter(self.at):
             raise UnreadError("D before a letter: a derivative, or a factor?", position)
         found = list(self.resolved(glyph, position))
         if self.open:
@@ -235,7 +231,7 @@ class Letters(Cursor):
             function
             or glyph.base in signs.POTENTIALS
             or inside.replace(".", "").isdigit()
-            or (not raised and re.fullmatch(r"\|?\w\|?/\w", inside))
+            or (not raised and re.fullmatch(r"\w/\w", inside))
         ):
             raise UnreadError(f"{spelling(glyph)} of what stands in brackets, or times it?", place)
 
