@@ -22,7 +22,14 @@ def add_look(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--author", help="beneath the title, and in the PDF")
     group.add_argument("--course", help="beneath the title")
     group.add_argument("--date", help="beneath the title, in any words")
-    group.add_argument("--language", metavar="CODE", help="of its words, for hyphens: en, de, fr …")
+    group.add_argument(
+        "--language",
+        metavar="CODE",
+        help=(
+            "of its fixed words and hyphens, such as de; the text stays as its pages have it: "
+            "en, de, fr, es, it"
+        ),
+    )
     group.add_argument("--paper", choices=["a4", "letter"], default="a4", help="(default: a4)")
     group.add_argument("--preamble", metavar="FILE", help="LaTeX to be added to the preamble")
     group.add_argument(

@@ -47,9 +47,10 @@ def _project(document: b.Document, names: Sequence[str]) -> str:
     pages = "\n".join(f"    - file: {name}.md" for name in names)
     about = (document.title, document.author)
     title, author = (json.dumps(unmarked(x), ensure_ascii=False) for x in about)
+    by = f"  authors:\n    - name:\n        literal: {author}\n"
     return (
         f"version: 1\nproject:\n  title: {title}\n"
-        f"  authors:\n    - name:\n        literal: {author}\n"
+        f"{by if document.author in document.byline else ''}"
         # Equations and figures bring their own numbers.
         f"  numbering:\n    equation: false\n    figure: false\n"
         f"  toc:\n{pages}\nsite:\n  template: book-theme\n"

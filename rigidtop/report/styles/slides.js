@@ -55,9 +55,22 @@
     keys[event.key]();
   });
   addEventListener("click", (event) => { if (!event.target.closest("a, button")) forth(); });
-  const start = /^#(\d+)\.(\d+)$/.exec(location.hash);
-  const target = start ? null : document.getElementById(location.hash.slice(1));
-  const of = target ? slides.findIndex((slide) => slide.contains(target)) : -1;
-  if (start) show(start[1] - 1, Number(start[2]));
-  else show(Math.max(of, 0), 1);
+  // #68.6 is a line of a part, #claim-3-57 or #3-57 an equation, which is uncovered.
+  const open = () => {
+    const name = location.hash.slice(1);
+    const at = /^(\d+)\.(\d+)$/.exec(name);
+    if (at) return show(at[1] - 1, Number(at[2]));
+    const ids = [name, `claim-${name}`].map((id) => document.getElementById(id));
+    const target = ids.find((each) => main.contains(each) && each);
+    const to = target ? slides.findIndex((slide) => slide.contains(target)) : -1;
+    if (to < 0) {
+      show(Math.max(part, 0), Math.max(line, 1));
+      if (name && target !== main) place.textContent = `no #${name}: ${place.textContent}`;
+      return undefined;
+    }
+    const row = lines[to].findIndex((each) => each.contains(target) || target.contains(each));
+    return show(to, Math.max(row, 0) + 1);
+  };
+  addEventListener("hashchange", open);
+  open();
 })();
