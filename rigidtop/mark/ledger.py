@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -69,7 +69,8 @@ class Ledger:
     """What stands in values for the sign, 1 or −1, of a letter that is known by its square."""
     at_places: set[Symbol] = field(default_factory=set)
     """Letters of functions, as V in V(x): V′(x) is then its slope."""
-    accelerated: frozenset[Symbol] = frozenset()
+    equations: Sequence[Equation | None] = ()
+    accelerated: set[Symbol] = field(default_factory=set)
     """The letters with an acceleration somewhere."""
     section: int = 0
     used: set[int] = field(default_factory=set)

@@ -90,7 +90,9 @@ def held(
     known = frozenset().union(*moving.values())
     of = {x: args for x, args in _arguments(functions).items() if x not in known}
     ledger = _Judge(moving, of, kinds, _twins(found))
-    ledger.accelerated = _moving(found, "ddot")
+    ledger.equations = [line.equation for line in found]
+    sides = (side for x in found if x.equation is not None for side in x.equation.sides)
+    ledger.accelerated = {bare(x) for side in sides for x in letters(side) if accent(x) == "ddot"}
     made = []
     for i, line in enumerate(found):
         if line.equation is None:
@@ -103,22 +105,10 @@ def held(
         ledger.path = ledger.paths[i] = paths[i]
         before = {*ledger.given}
         judged = ledger.take(i, line)
-        if judged.verdict == Verdict.FALSE.value:
-            judged = _unless_summed(judged, found)
         letter = next((x for x in ledger.given if x not in before and not accent(x)), None)
         said = i in constant
         made.append(judged if letter is None else ledger.conserved(i, judged, letter, said))
     return tuple(made)
-
-
-def _unless_summed(judged: Held, lines: Sequence[Line]) -> Held:
-    """What contradicts the lines above, unless an index there, or here, may be summed over."""
-    equations = [judged.line.equation, *(lines[k].equation for k in judged.rests)]
-    for index in (running(equation) for equation in equations if equation is not None):
-        if index:
-            note = f"the index {index} runs, and what is summed over it is not judged"
-            return replace(judged, verdict=Verdict.UNDECIDED.value, note=note)
-    return judged
 
 
 def _twins(lines: Sequence[Line]) -> dict[int, Equation]:
@@ -133,19 +123,15 @@ def _twins(lines: Sequence[Line]) -> dict[int, Equation]:
     return made
 
 
-def _moving(lines: Iterable[Line], least: str = "dot") -> frozenset[Symbol]:
-    """The letters that have a dot somewhere, or two."""
+def _moving(lines: Iterable[Line]) -> frozenset[Symbol]:
+    """The letters that have a dot somewhere."""
     found: set[Symbol] = set()
     for line in lines:
         for side in line.equation.sides if line.equation is not None else ():
             for node in sympy.preorder_traversal(side):
-                if isinstance(node, Lettered) and node.quantity.glyph.accent in (least, "ddot"):
+                if isinstance(node, Lettered) and node.quantity.glyph.accent in ("dot", "ddot"):
                     found.add(own(replace(node.quantity.glyph, accent="")))
-                elif (
-                    least == "dot"
-                    and isinstance(node, eq.Rate)
-                    and isinstance(node.args[0], Lettered)
-                ):
+                elif isinstance(node, eq.Rate) and isinstance(node.args[0], Lettered):
                     found.add(node.args[0])
     return frozenset(found)
 
@@ -204,6 +190,10 @@ class _Judge(Reasons):
             return "at odds with what stands under another heading"
         if any(isinstance(x.args[0], Symbol) for side in sides for x in side.atoms(sympy.Abs)):
             return "|…| may be a norm, or another measure"
+        equations = (found.line.equation, *(self.equations[x] for x in found.rests))
+        for index in (running(equation) for equation in equations if equation is not None):
+            if index:
+                return f"the index {index} runs, and what is summed over it is not judged"
         return ""
 
     def approximate(self, line: Line, *sides: Expr) -> Held:
