@@ -40,6 +40,32 @@ In the margin, at the last line of each statement of the notes \
 | En marge, à la dernière ligne de chaque énoncé des notes \
 | Al margen, en la última línea de cada enunciado de los apuntes \
 | A margine, all'ultima riga di ogni enunciato degli appunti
+it was shown to hold, in symbols | in Symbolen bewiesen | démontré en symboles \
+| demostrado con símbolos | dimostrato in simboli
+it holds at random points to 40 digits, and was not shown in symbols \
+| gilt an zufälligen Stellen auf 40 Ziffern, in Symbolen nicht bewiesen \
+| vrai à 40 chiffres en des points au hasard, non démontré en symboles \
+| vale con 40 cifras en puntos al azar, no demostrado con símbolos \
+| vale con 40 cifre in punti a caso, non dimostrato in simboli
+it holds under the condition beside it, which the notes do not state, or under one that its lines \
+say | gilt unter der Bedingung daneben, die im Skript nicht steht, oder unter einer, die in den \
+Zeilen steht | vrai sous la condition à côté, que le cours ne dit pas, ou sous une que disent ses \
+lignes | vale con la condición de al lado, que los apuntes no dicen, o con una que dicen sus \
+líneas | vale con la condizione accanto, che gli appunti non dicono, o con una detta nelle righe
+right in content, at odds with the notes’ own definitions \
+| dem Inhalt nach richtig, anders als das Skript selbst definiert \
+| juste au fond, contraire aux définitions du cours lui-même \
+| correcto en el fondo, contrario a las definiciones de los propios apuntes \
+| giusto nella sostanza, contrario alle definizioni degli appunti stessi
+it does not hold as the notes have it; the right form stands beneath \
+| gilt nicht so, wie es im Skript steht; die richtige Form steht darunter \
+| faux tel que le cours le donne; la forme juste est au-dessous \
+| no vale como está en los apuntes; la forma correcta está debajo \
+| non vale come sta negli appunti; la forma giusta sta sotto
+neither shown nor refuted | weder bewiesen noch widerlegt | ni démontré ni réfuté \
+| ni demostrado ni refutado | né dimostrato né confutato
+as | wie | comme | como | come
+above | oben | ci-dessus | arriba | sopra
 Results only | Nur Ergebnisse | Résultats seuls | Solo resultados | Solo i risultati
 Steps | Schritte | Étapes | Pasos | Passi
 Steps and reasons | Schritte und Gründe | Étapes et raisons | Pasos y razones | Passi e ragioni
@@ -99,9 +125,22 @@ def _block(block: b.Block, language: str) -> Any:
         case b.NameLine():
             return replace(block, words=tuple(said(words, language) for words in block.words))
         case b.Legend():
-            return replace(block, head=said(block.head, language))
+            rows = tuple((verdict, said(words, language)) for verdict, words in block.rows)
+            return replace(block, head=said(block.head, language), rows=rows)
         case b.Symbols() | b.Results() | b.Quantities():
             return replace(block, head=tuple(said(words, language) for words in block.head))
         case b.Paragraph():
-            return replace(block, label=said(block.label, language))
+            mark = _referring(block.mark, language)
+            return replace(block, label=said(block.label, language), mark=mark)
+        case b.Display():
+            marked = (replace(row, mark=_referring(row.mark, language)) for row in block.rows)
+            return replace(block, rows=tuple(marked))
     return block
+
+
+def _referring(mark: b.Mark | None, language: str) -> b.Mark | None:
+    """A mark whose note refers to another has fixed words alone: as above."""
+    if mark is None or mark.note[:1] != ("as ",):
+        return mark
+    rest = (said(x, language) if isinstance(x, str) else x for x in mark.note[1:])
+    return replace(mark, note=(f"{said('as', language)} ", *rest))

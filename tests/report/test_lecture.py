@@ -26,6 +26,7 @@ from rigidtop.report.blocks import (
     ExerciseHead,
     Figure,
     Heading,
+    Legend,
     Look,
     NameLine,
     Paragraph,
@@ -35,7 +36,7 @@ from rigidtop.report.blocks import (
     Symbols,
 )
 from rigidtop.report.claims import claim_blocks
-from rigidtop.report.handout import written
+from rigidtop.report.handout import LEGEND, written
 from rigidtop.report.languages import SHOWN, WORDS, translated
 from rigidtop.report.lecture import FORMATS, Edition, fragment, lecture, record, sheet
 from rigidtop.report.map import columns, heights, reduced
@@ -464,9 +465,20 @@ def test_fixed_words_are_in_the_language_of_the_lecture(document):
     shown = html.html_block(symbols)
     assert all(f'<th scope="col">{word}</th>' in shown for word in symbols.head)
     assert translated(document) is document
+    [legend] = [block for block in own.blocks if isinstance(block, Legend)]
+    assert dict(legend.rows)["proved"] == "in Symbolen bewiesen"
+    notes = [
+        plain.rich(row.mark.note)
+        for block in own.blocks
+        if isinstance(block, Display)
+        for row in block.rows
+        if row.mark
+    ]
+    assert "wie oben" in notes
+    assert "as above" not in notes
     for language, fixed in WORDS.items():
         assert language in tex.LANGUAGES
-        assert set(SHOWN) <= set(fixed)
+        assert {*SHOWN, *LEGEND.values()} <= set(fixed)
         assert all(fixed.values())
 
 
