@@ -134,7 +134,10 @@ def _write(
 
     look, front, points = look_of(options), front_of(options, collection.front), points_of(options)
     check_folder(options.sheet)
-    edition = Edition(options.student, front, notation=notation, points=points, look=look)
+    lines = collection.lecture_with([each.exercise for each in solutions])
+    edition = Edition(
+        options.student, front, notation=notation, lines=lines, points=points, look=look
+    )
     files = write_sheet(solutions, options.sheet, edition, Wanted(options.pdf))
     if options.json:
         passed = all(solution.passed for solution in solutions)

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import argparse
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rigidtop.commands import claims
@@ -67,6 +70,20 @@ def run(options: argparse.Namespace) -> int:
         return _run(collection, options)
 
 
+def _listed(files: Sequence[Path], folder: str) -> str:
+    """What was written, files of folders counted.
+
+    >>> _listed([Path("out/lecture.tex"), Path("out/figures/a.pdf")], "out")
+    'out: lecture.tex, figures (1 file)'
+    """
+    tops = Counter(file.relative_to(folder).parts[0] for file in files)
+    names = (
+        name if Path(folder, name) in files else f"{name} ({count} file{'s' * (count != 1)})"
+        for name, count in tops.items()
+    )
+    return f"{folder}: {', '.join(sorted(names, key=lambda name: '(' in name))}"
+
+
 def _run(collection: Collection, options: argparse.Namespace) -> int:
     from rigidtop.figures.catalog import FIGURES
     from rigidtop.report.lecture import Edition, Wanted, write_lecture
@@ -124,8 +141,7 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
     if options.json:
         print_json({"files": [str(file) for file in files], "passed": passed})
     else:
-        for file in files:
-            print(file)
+        print(_listed(files, options.output))
         print(claims.summary(judgements))
         said = f"NOT CONFIRMED: {', '.join(unsolved)}" if unsolved else "every number confirmed"
         print(f"{len(solutions)} exercise{'s' * (len(solutions) != 1)} solved; {said}")

@@ -35,7 +35,7 @@ def add_look(parser: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--class", dest="own_class", metavar="NAME", help="a LaTeX class in place of article"
     )
-    group.add_argument("--points", type=int, metavar="N", help="that each exercise can bring")
+    group.add_argument("--points", type=float, metavar="N", help="that each exercise can bring")
 
 
 def front_of(options: argparse.Namespace, front: Front) -> Front:
@@ -81,6 +81,7 @@ def _words(options: argparse.Namespace, name: str) -> str:
 def look_of(options: argparse.Namespace) -> Look:
     """Paper, language, preamble and class; RigidtopError where one of them is none."""
     from rigidtop.report.blocks import Look
+    from rigidtop.report.pdf import latexmk_for
     from rigidtop.report.tex import LANGUAGES
 
     language = options.language or "en"
@@ -90,13 +91,18 @@ def look_of(options: argparse.Namespace) -> Look:
     own = options.own_class or ""
     if own and not own.replace("-", "").replace("_", "").isalnum():
         raise RigidtopError(f"--class wants the name of a LaTeX class, not {own!r}")
-    return Look(options.paper, language, preamble, own)
+    look = Look(options.paper, language, preamble, own)
+    if options.pdf:
+        latexmk_for(look)  # before half a minute of work, not after it
+    return look
 
 
 def points_of(options: argparse.Namespace) -> str:
     """What stands at each exercise."""
+    from rigidtop.report.handout import counted
+
     if options.points is None:
         return ""
-    if not 0 < options.points <= MOST_POINTS:
-        raise RigidtopError(f"--points wants a number from 1 to {MOST_POINTS}")
-    return f"{options.points} point{'s' * (options.points != 1)}"
+    if not 0 < options.points <= MOST_POINTS:  # nor is NaN
+        raise RigidtopError(f"--points wants a number above 0, up to {MOST_POINTS}")
+    return counted(options.points)

@@ -8,6 +8,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 
+from rigidtop.derivations.exercises.eulers_equations import stable_axes
+from rigidtop.derivations.exercises.toutatis import toutatis
 from rigidtop.errors import RigidtopError
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing, one
@@ -261,11 +263,7 @@ FLIP = Drawing(
     "flip",
     "The flip about the middle axis",
     "",
-    (
-        *MOMENTS,
-        Parameter("omega", 2.0, "$ω$ about the middle axis", "rad/s", above=0),
-        Parameter("kick", 0.01, "$ω$ about the axis of the least moment", "rad/s", above=0),
-    ),
+    stable_axes.parameters,
     alone(2.35, _draw_flip),
     _flip_caption,
     _flip_in_words,
@@ -422,26 +420,14 @@ def _tumbling_in_words(**values: float) -> str:
     return f"Two spheres. On the left, in the body frame, {left}. On the right, in space, {right}."
 
 
-def _per_day(degrees_a_day: float) -> float:
-    return math.radians(degrees_a_day) / DAY
-
-
 TUMBLING = Drawing(
     "tumbling",
     "A tumbling body such as Toutatis, in the body frame and in space",
     "",
-    (
-        Parameter("lambda1", 3.0836, "moment about $e₁$", above=0),
-        Parameter("lambda2", 3.235, "moment about $e₂$", above=0),
-        Parameter("lambda3", 1.0, "moment about $e₃$, in the same unit", above=0),
-        Parameter("omega1", _per_day(14.51), "$ω₁$ at the start", "rad/s"),
-        Parameter("omega2", _per_day(33.529), "$ω₂$ at the start", "rad/s"),
-        Parameter("omega3", _per_day(-98.709), "$ω₃$ at the start", "rad/s"),
-    ),
+    toutatis.parameters[:6],
     _draw_tumbling,
     _tumbling_caption,
     _tumbling_in_words,
     motions=one(_tumbling),
 )
-"""By default the asteroid of example 33: Takahashi, Busch & Scheeres 2013; moments in units of the
-smallest."""
+"""By default the asteroid of example 33, its moments in units of the smallest."""

@@ -77,6 +77,7 @@ class _Cutter:
                 self.current.append(Token("UNREAD", UnreadError(reason, token.position), 0))
                 return
             self.close()
+            self._worded = True
             if token.value.split()[0].lower() in CONDITIONS:
                 self.condition = token.position
                 if token is self.found[-1]:
@@ -111,6 +112,10 @@ class _Cutter:
 
     def _line(self, i: int) -> None:
         kind, related = self.ahead[i]
+        if self._worded and kind == "RELATION":
+            reason = "a line that goes on behind words: with which equation in front?"
+            self.problem = UnreadError(reason, self.found[i].position)
+        self._worded = False
         if not self._goes_on(i) or kind == "TAG":
             self.close()
         elif kind == "SIGN" and related and self.current:
@@ -208,6 +213,8 @@ class _Cutter:
 
     _comma = ""
     """The kind of what stands in front of a comma with which the last part ended."""
+    _worded = False
+    """Whether words stand in front on the same line."""
     _column = False
     """Whether it ended at an &."""
 

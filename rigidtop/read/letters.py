@@ -49,7 +49,11 @@ class Letters(Cursor):
         if not self.open:
             return ""
         bracketed = self.peek(len(run)).text in ("(", "[", r"\left", r"\{")
-        if run == "det" or (bracketed and run in signs.DOUBTFUL | {"Re", "Im"}):
+        if (
+            run == "det"
+            or (run == "ve" and self.last == "SIGN")
+            or (bracketed and run in signs.DOUBTFUL | {"Re", "Im"})
+        ):
             return run
         if run.startswith("ln"):
             return "ln"
@@ -105,7 +109,7 @@ class Letters(Cursor):
                 raise UnreadError("π of the time: another letter than the number", position)
             yield Token("SYMBOL", sympy.pi, position)
             return
-        if self.open and glyph == Glyph("D") and self.starts_letter(self.at):
+        if glyph == Glyph("D") and letter_behind:
             raise UnreadError("D before a letter: a derivative, or a factor?", position)
         found = list(self.resolved(glyph, position))
         if self.open:
@@ -231,7 +235,7 @@ class Letters(Cursor):
             function
             or glyph.base in signs.POTENTIALS
             or inside.replace(".", "").isdigit()
-            or (not raised and re.fullmatch(r"\w/\w", inside))
+            or (not raised and re.fullmatch(r"\|?\w\|?/\w", inside))
         ):
             raise UnreadError(f"{spelling(glyph)} of what stands in brackets, or times it?", place)
 

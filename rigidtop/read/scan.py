@@ -204,7 +204,7 @@ class Scan(Calculus):
         word = self.spelled()
         if word in ("Re", "Im"):
             raise UnreadError("a real or imaginary part: that is not read", position)
-        if word in signs.DOUBTFUL:
+        if word in signs.DOUBTFUL | {"ve"}:
             raise UnreadError(f"{word}: a function, or a product of letters?", position)
         if sign:
             yield from self.operator(sign, count)
@@ -228,6 +228,10 @@ class Scan(Calculus):
             reason = "brackets with a comma: an interval, a row, a commutator or a Poisson bracket?"
             raise UnreadError(reason, position)
         entries = row or (text == "(" and self.last != "FUNCTION" and self.commas(self.at))
+        end = self.closing(self.at, ("[", "]")) if text == "[" else None
+        apart = [p.text for p in self.items[self.at : end or self.at] if p.text in signs.APART]
+        if self.open and (row or len(apart) > 1) and not self.commas(self.at):
+            raise UnreadError("a row without commas: a vector, or a product?", position)
         alone = text == "[" and self.one_letter(self.bracketed(self.at, ("[", "]"))[0])
         if self.open and alone and not (called or row):
             raise UnreadError("a letter in square brackets: its unit, or a factor?", position)

@@ -9,6 +9,8 @@ from rigidtop.read.tex import FONTS, GREEKS, TEXTS, UPRIGHT, commands, listed
 from rigidtop.theory.symbols import Glyph
 
 SPACES = commands("quad qquad enspace hfill")
+APART = SPACES | {r"\:", r"\;", r"\ "}
+"""What stands between the entries of a row."""
 SKIPPED = commands("label hspace vspace phantom hphantom vphantom color textcolor mspace hskip")
 SKIPPED |= commands("colorbox cite")
 """Commands that are left out with their first argument."""

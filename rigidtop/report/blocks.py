@@ -353,6 +353,13 @@ class Document:
     look: Look = Look()
 
     @property
+    def contents(self) -> tuple[Heading | ExerciseHead, ...]:
+        """What its contents list; nothing where a lecture has no sections, as a sheet has none."""
+        kinds = Heading if self.lecture else Heading | ExerciseHead
+        listed = tuple(b for b in self.blocks if isinstance(b, kinds))
+        return listed if any(b.anchor.startswith("section-") for b in listed) else ()
+
+    @property
     def keywords(self) -> tuple[str, ...]:
         """The titles of its numbered sections, or else of its exercises."""
         sections = [b.title for b in self.blocks if isinstance(b, Heading) and b.number]

@@ -241,6 +241,23 @@ def question(
     return made
 
 
+def counted(points: float) -> str:
+    """
+    >>> counted(1), counted(2.5)
+    ('1 point', '2.5 points')
+    """
+    return f"{points:g} point{'s' * (points != 1)}"
+
+
+def total(points: str, exercises: int) -> str:
+    """What a sheet can bring whose exercises can bring so much each.
+
+    >>> total("2.5 points", 4)
+    '10 points'
+    """
+    return counted(float(points.partition(" ")[0]) * exercises)
+
+
 def _given(value: float, unit: str) -> b.Rich:
     """A setting in the unit in which it has fewest digits: 30°, but 0.5 rad; 180 turns a minute."""
     made = [written(value, unit), written(value, unit, angles=False)]
@@ -408,11 +425,35 @@ def numbered(parts: Parts, number: str) -> list[Any]:
     return [parts.notation.written(each) for each in chained(next(found, ()))]
 
 
+def looked_up(blocks: Sequence[b.Block], parts: Parts) -> list[b.Block]:
+    """The numbered equations that blocks cite and do not have, as the lecture has them."""
+    pieces: list[b.Piece] = []
+    for block in blocks:
+        pieces += block.content if isinstance(block, b.Paragraph) else ()
+        for row in block.rows if isinstance(block, b.Display) else ():
+            pieces += row.spoken
+    words = (x.words if isinstance(x, b.Cited) else x for x in pieces)
+    found = {n for x in words if isinstance(x, str) for n in NUMBER.findall(x)}
+    rows = tuple(
+        b.Row(equation, "printed", equation.tag)
+        for number in sorted(found - tags(blocks))
+        for equation in numbered(parts, number)
+    )
+    return [b.Heading(1, "", "Equations cited", "cited"), b.Display(rows)] if rows else []
+
+
+NUMBER = re.compile(r"\((\d+\.\d+[a-z]?)\)")
+
+
+def tags(blocks: Iterable[b.Block]) -> set[str]:
+    """The numbers of the equations that stand there."""
+    rows = (row for block in blocks if isinstance(block, b.Display) for row in block.rows)
+    return {row.tag for row in rows} - {""}
+
+
 def linked(blocks: Sequence[b.Block]) -> list[b.Block]:
     """The same, every (3.54) in a sentence leading to its equation."""
-    there = {
-        row.tag for block in blocks if isinstance(block, b.Display) for row in block.rows if row.tag
-    }
+    there = tags(blocks)
 
     def cited(content: b.Rich) -> b.Rich:
         made: list[Any] = []
@@ -420,7 +461,7 @@ def linked(blocks: Sequence[b.Block]) -> list[b.Block]:
             if not isinstance(piece, str):
                 made.append(piece)
                 continue
-            for k, part in enumerate(re.split(r"\((\d+\.\d+[a-z]?)\)", piece)):
+            for k, part in enumerate(NUMBER.split(piece)):
                 if k % 2:
                     made.append(
                         b.Cited(f"({part})", b.anchor(part)) if part in there else f"({part})"

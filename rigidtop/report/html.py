@@ -74,8 +74,9 @@ def write(
 
 
 def _contents(document: b.Document) -> str:
-    listed = b.Heading if document.lecture else (b.Heading, b.ExerciseHead)
-    items = "\n".join(_entry(block) for block in document.blocks if isinstance(block, listed))
+    items = "\n".join(map(_entry, document.contents))
+    if not items:
+        return ""
     # On a narrow page the contents of a lecture are closed, or its title would stand below them.
     state = "" if document.lecture else ' open="open"'
     title = said("Contents", document.look.language)

@@ -26,6 +26,7 @@ Summary of results | Zusammenfassung der Ergebnisse | Résumé des résultats \
 What rests on what | Was worauf beruht | Ce qui repose sur quoi | Qué se apoya en qué \
 | Che cosa poggia su che cosa
 List of symbols | Formelzeichen | Liste des symboles | Lista de símbolos | Elenco dei simboli
+Equations cited | Zitierte Gleichungen | Équations citées | Ecuaciones citadas | Equazioni citate
 Contents | Inhalt | Table des matières | Índice | Indice
 Given | Gegeben | Données | Datos | Dati
 Questions | Fragen | Questions | Preguntas | Domande
@@ -107,7 +108,19 @@ def translated(document: b.Document) -> b.Document:
     if language not in WORDS:
         return document
     blocks = tuple(_block(block, language) for block in document.blocks)
-    return replace(document, blocks=blocks, subtitle=said(document.subtitle, language))
+    subtitle = ", ".join(_counted(words, language) for words in document.subtitle.split(", "))
+    return replace(document, blocks=blocks, subtitle=subtitle)
+
+
+def _counted(words: str, language: str) -> str:
+    """Fixed words, or so many of something.
+
+    >>> _counted("10 points", "de"), _counted("Questions and solutions", "de")
+    ('10 Punkte', 'Fragen und Lösungen')
+    """
+    count, between, unit = words.partition(" ")
+    whole = said(words, language)
+    return whole if whole != words else count + between + said(unit, language)
 
 
 def _block(block: b.Block, language: str) -> Any:
@@ -119,8 +132,7 @@ def _block(block: b.Block, language: str) -> Any:
         case b.Figure():
             return replace(block, kind=said("Figure", language))
         case b.ExerciseHead():
-            count, _, unit = block.points.partition(" ")
-            points = f"{count} {said(unit, language)}".strip()
+            points = _counted(block.points, language)
             return replace(block, kind=said("Exercise", language), points=points)
         case b.NameLine():
             return replace(block, words=tuple(said(words, language) for words in block.words))

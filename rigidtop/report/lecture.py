@@ -21,7 +21,7 @@ from rigidtop.report.languages import translated
 from rigidtop.report.map import contracted
 from rigidtop.report.map import label as map_label
 from rigidtop.report.map import picture as map_picture
-from rigidtop.report.pdf import make_pdf
+from rigidtop.report.pdf import LatexError, make_pdf
 from rigidtop.report.record import document
 from rigidtop.report.solutions import Solution, blocks
 from rigidtop.report.symbols import symbol_list, symbols_used
@@ -198,7 +198,8 @@ def write_lecture(
 
     With `recorded` it is the record of every verdict, record.tex and record.html.  Everything is
     made before anything is written, and each file is replaced only by a whole one.  Raises
-    RigidtopError, with one line, where the PDF cannot be made or the folder not written.
+    RigidtopError, with one line, where the PDF cannot be made or the folder not written; where
+    LaTeX found an error, its log is there beside all other files.
     """
     if recorded:
         return _write("record", *record(judged, solutions, edition), out, wanted)
@@ -356,7 +357,7 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
     own = [] if student else [picture(each, notation) for each in solutions]
     pictures = [each for each in own if each is not None]
     numbered = {p.name: p.described(k) for k, p in enumerate(pictures, 1)}
-    parts = Parts(Lecture(), edition.letters, numbered, {}, points)
+    parts = Parts(edition.lines, edition.letters, numbered, {}, points)
     made: list[b.Block] = [b.NameLine()] if student else []
     told: dict[str, str] = {}
     for number, each in enumerate(solutions, 1):
@@ -365,8 +366,10 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
             made.append(b.Subhead("Solution"))
             made += handout.answer(each, parts, told)
             told |= {j.claim.name: "" for j in each.judgements}
+    made += handout.looked_up(made, parts)
     made = handout.linked(handout.parted([*made, *symbol_list(made, LETTERS)]))
     subtitle = "Questions" if student else "Questions and solutions"
+    subtitle += f", {handout.total(points, len(solutions))}" if points else ""
     return edition.handed_out(edition.front.exercises, subtitle, made), pictures
 
 
@@ -400,7 +403,11 @@ def _write(
         contents |= {name: text.encode() for name, text in myst.write(whole, claims).items()}
     if wanted.pdf:
         vectors = {name: f"figures/{name}.svg" for name in drawn}
-        contents[f"{stem}.pdf"] = make_pdf(
-            lambda: source, lambda: typst.write(whole, vectors), files
-        )
+        try:
+            contents[f"{stem}.pdf"] = make_pdf(
+                lambda: source, lambda: typst.write(whole, vectors), files, whole.look
+            )
+        except LatexError as error:
+            write_all(Path(out), contents | {f"{stem}.log": error.log.encode()})
+            raise RigidtopError(f"{error}; see {Path(out, stem)}.tex and .log") from None
     return write_all(Path(out), contents)

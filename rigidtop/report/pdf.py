@@ -7,6 +7,7 @@ needs a TeX Live newer than those that we know.
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -16,6 +17,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from rigidtop.errors import RigidtopError
+from rigidtop.report.blocks import Look
 from rigidtop.terminal.progress import ticking
 
 SECONDS = 180.0
@@ -24,25 +26,67 @@ SECONDS = 180.0
 EVERY = 0.2
 """How often it is asked whether it is ready (s)."""
 
+PLAIN = Look()
+
+DAY = 86_400
+"""Seconds of a day."""
+
+OWN = (
+    "no PDF: a preamble and a class of one's own are for LaTeX, and no latexmk is on the PATH; "
+    "without --pdf they stand in the .tex"
+)
+
 NEITHER = (
     "no PDF: neither latexmk is on the PATH, nor are typst and tylax installed "
     "(pip install 'rigidtop[pdf]')"
 )
 
 
+class LatexError(RigidtopError):
+    """LaTeX found an error; `log` is what it says itself."""
+
+    def __init__(self, words: str, log: str = "") -> None:
+        super().__init__(words)
+        self.log = log
+
+
+def latexmk_for(look: Look) -> str:
+    """The path of latexmk, empty where Typst is there instead and does for this `look`.
+
+    Raises RigidtopError where there is no way to a PDF.
+    """
+    latexmk = shutil.which("latexmk")
+    if not latexmk and (look.preamble or look.documentclass):
+        raise RigidtopError(OWN)
+    if not latexmk and not (find_spec("typst") and find_spec("tylax")):
+        raise RigidtopError(NEITHER)
+    return latexmk or ""
+
+
 def make_pdf(
-    tex: Callable[[], str], typst: Callable[[], str], figures: Mapping[str, bytes]
+    tex: Callable[[], str],
+    typst: Callable[[], str],
+    figures: Mapping[str, bytes],
+    look: Look = PLAIN,
 ) -> bytes:
     """The PDF of the document by the first way there is.
 
     `tex` and `typst` give the sources; `figures` are the files they include, by relative path.
     """
-    latexmk = shutil.which("latexmk")
-    if latexmk:
-        return by_latexmk(latexmk, tex(), figures)
-    if find_spec("typst") and find_spec("tylax"):
-        return by_typst(typst(), figures)
-    raise RigidtopError(NEITHER)
+    latexmk = latexmk_for(look)
+    return by_latexmk(latexmk, tex(), figures) if latexmk else by_typst(typst(), figures)
+
+
+def written_at() -> int:
+    """When a PDF says that it was made, in seconds since 1970: SOURCE_DATE_EPOCH, or else today.
+
+    So it is the same file all day.
+    """
+    told = os.environ.get("SOURCE_DATE_EPOCH", "")
+    if told and not (told.isascii() and told.isdigit()):
+        raise RigidtopError(f"SOURCE_DATE_EPOCH wants seconds since 1970, not {told!r}")
+    now = time.time()
+    return int(told) if told else int(now - now % DAY)
 
 
 def _lay_out(folder: Path, figures: Mapping[str, bytes]) -> None:
@@ -67,10 +111,10 @@ def by_latexmk(latexmk: str, source: str, figures: Mapping[str, bytes]) -> bytes
             "-halt-on-error",
             "lecture.tex",
         ]
-        # The same source gives the same file: no dates, paths only inside the folder.
+        # The same source gives the same file on one day; paths only inside the folder.
         environment = {
             **os.environ,
-            "SOURCE_DATE_EPOCH": "0",
+            "SOURCE_DATE_EPOCH": str(written_at()),
             "FORCE_SOURCE_DATE": "1",
             "openin_any": "p",
             "openout_any": "p",
@@ -78,7 +122,9 @@ def by_latexmk(latexmk: str, source: str, figures: Mapping[str, bytes]) -> bytes
         code = _run(command, folder, environment)
         made = folder / "lecture.pdf"
         if code or not made.exists():
-            raise RigidtopError(f"no PDF: latexmk failed: {_first_error(folder / 'lecture.log')}")
+            path = folder / "lecture.log"
+            log = path.read_text(encoding="utf-8", errors="replace") if path.exists() else ""
+            raise LatexError(f"no PDF: latexmk failed: {_first_error(log)}", log)
         return made.read_bytes()
 
 
@@ -109,16 +155,18 @@ def _run(command: Sequence[str], folder: Path, environment: Mapping[str, str]) -
         show(-1)
 
 
-def _first_error(log: Path) -> str:
-    """The first error of a log in one line."""
-    if not log.exists():
-        return "it left no log"
-    lines = log.read_text(encoding="utf-8", errors="replace").splitlines()
-    for i, line in enumerate(lines):
-        if line.startswith("!"):
-            where = next((follow for follow in lines[i:] if follow.startswith("l.")), "")
-            return " ".join(f"{line[1:].strip()} {where}".split())
-    return "its log names no error"
+def _first_error(log: str) -> str:
+    r"""The first error of a log in one line, with its place.
+
+    >>> _first_error("! Undefined control sequence.\nl.3 A \\nonsense\n")
+    'Undefined control sequence \\nonsense (line 3 of the .tex)'
+    """
+    found = re.search(r"^! (.*)(?:.|\n)*?(?:^l\.(\d+)(.*)|\Z)", log, re.MULTILINE)
+    if found is None:
+        return "its log names no error" if log else "it left no log"
+    words, line, source = found[1].strip().rstrip("."), found[2], found[3] or ""
+    command = re.findall(r"\\[A-Za-z@]+", source) if words == "Undefined control sequence" else []
+    return " ".join([words, *command[-1:], *([f"(line {line} of the .tex)"] if line else [])])
 
 
 def by_typst(source: str, figures: Mapping[str, bytes]) -> bytes:

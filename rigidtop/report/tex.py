@@ -31,13 +31,14 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
         parts.insert(1, r"\clearpage")
     body = "\n\n".join(parts)
     title = prose(document.title)
-    contents = r"{\small\setlength{\parskip}{0pt}\tableofcontents}"
-    if document.lecture and not any(block.number for block in _headings(document)):
-        # A sheet of exercises has no sections: its title stands above its pages.
-        contents = rf"\markboth{{{title}}}{{}}\def\markboth#1#2{{}}\thispagestyle{{plain}}"
-    elif document.lecture:
-        words = prose(said("Contents", document.look.language))
-        contents += rf"\markboth{{{words}}}{{}}\thispagestyle{{plain}}"
+    # \tableofcontents begins a page in classes that have chapters.
+    contents = r"{\small\setlength{\parskip}{0pt}\section*{\contentsname}\rttoc}"
+    contents *= bool(document.contents)
+    if document.lecture:
+        words = prose(said("Contents", document.look.language)) if contents else title
+        # Without sections the title stands above all pages.
+        kept = "" if contents else r"\def\markboth#1#2{}"
+        contents += rf"\markboth{{{words}}}{{}}{kept}\thispagestyle{{plain}}"
     byline = [rf"{{\normalsize {prose(document.byline)}\par}}"] if document.byline else []
     return "\n".join(
         [
@@ -83,19 +84,28 @@ def chapters(document: b.Document, figures: Mapping[str, str]) -> dict[str, str]
             parts.setdefault(name.replace(".", "-"), []).append(block)
     for name, blocks in parts.items():
         head = USE.replace("@NAME@", name).replace("@OUT@", "./")
-        text = "\n\n".join(_joined(blocks, figures))
+        text = "\n\n".join(_joined(blocks, figures, measured=True))
         made[f"chapters/{name}.tex"] = f"{head}\\begingroup\\rttext\n{text}\n\\par\\endgroup\n"
     return made
 
 
-def _joined(blocks: Sequence[b.Block], figures: Mapping[str, str]) -> Iterator[str]:
-    """The blocks; a sentence in front of an equation goes on the paragraph above it."""
+def _joined(
+    blocks: Sequence[b.Block], figures: Mapping[str, str], *, measured: bool = False
+) -> Iterator[str]:
+    """The blocks; a sentence in front of an equation goes on the paragraph above it.
+
+    Where the line is to be `measured` equations are there for a column too.
+    """
     pending = ""
     solved = False
     for block, after in zip(blocks, [*blocks[1:], None], strict=True):
         if not solved and isinstance(block, b.Heading) and block.anchor in b.IN_COLUMNS:
             solved, pending = True, "\\rtsolutions\n"
-        words = pending + _shown(block, figures)
+        shown = _shown(block, figures)
+        if measured and isinstance(block, b.Display):
+            narrow = tex_block(replace(block, room=min(block.room, COLUMN)))
+            shown = shown if narrow == shown else rf"\rtbroken{{{shown}}}{{{narrow}}}"
+        words = pending + shown
         pending = ""
         if (
             isinstance(block, b.Paragraph)
@@ -108,6 +118,10 @@ def _joined(blocks: Sequence[b.Block], figures: Mapping[str, str]) -> Iterator[s
             yield words
     if solved:
         yield r"\rtrest"
+
+
+COLUMN = 36.0
+"""Letters of a line in a column of a page of one's own."""
 
 
 def _stands_alone(block: b.Display) -> bool:
@@ -208,7 +222,7 @@ def _piece(piece: b.Piece) -> str:
     if isinstance(piece, Verdict):
         return rf"\verdict{{{piece}}}"
     if isinstance(piece, b.Cited):
-        return rf"\hyperref[{piece.anchor}]{{{prose(piece.words)}}}"
+        return rf"\rtcited{{{piece.anchor}}}{{{prose(piece.words)}}}"
     return prose(piece) if isinstance(piece, str) else f"${_in_words(piece)}$"
 
 
@@ -478,7 +492,7 @@ def _(block: b.Results) -> str:
         lines = [line for each in equations for line in sizes.lines(each, "printed", ROOM)]
         shown = r" \\ ".join(map(align_row, lines))
         made.append(
-            rf"\rtmark{{{verdict}}} & \hyperref[{b.anchor(number)}]{{({number})}} & "
+            rf"\rtmark{{{verdict}}} & \rtcited{{{b.anchor(number)}}}{{({number})}} & "
             rf"\rtrows{{{shown}}} & {prose(words)} \\"
         )
     return "\n".join(

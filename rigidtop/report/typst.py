@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Mapping, Sequence
 from functools import singledispatch
 from importlib.resources import files
@@ -11,6 +12,7 @@ from rigidtop.proof.verdict import Verdict
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report.languages import said
+from rigidtop.report.pdf import written_at
 from rigidtop.typeset import nodes as lay
 from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import align_row, latex
@@ -31,7 +33,8 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
             made.append(typst_block(block))
     body = "\n\n".join([*made, ends])
     depth = 2 if document.lecture else 3
-    contents = said("Contents", document.look.language)
+    title = said("Contents", document.look.language)
+    contents = f"#text(size: 9.5pt)[#outline(title: [{title}], depth: {depth})]"
     return "\n".join(
         [
             _preamble(document),
@@ -39,7 +42,7 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
             f"#v(-0.4em)\n#text(size: 12pt, fill: muted)[{prose(document.subtitle)}]\n",
             *([prose(document.byline) + "\n"] if document.byline else []),
             f"#text(size: 9pt, fill: muted)[{prose(document.colophon)}]",
-            f"#text(size: 9.5pt)[#outline(title: [{contents}], depth: {depth})]",
+            contents if document.contents else "",
             body,
             "",
         ]
@@ -53,6 +56,7 @@ def _preamble(document: b.Document) -> str:
         "@SUBJECT@": _quoted(unmarked(document.subtitle)),
         "@KEYWORDS@": "".join(f"{_quoted(unmarked(words))}, " for words in document.keywords),
     }
+    about["@DATE@"] = time.strftime("year: %Y, month: %m, day: %d", time.gmtime(written_at()))
     about["@PAPER@"] = {"a4": "a4", "letter": "us-letter"}[document.look.paper]
     about["@LANGUAGE@"] = document.look.language
     about["@RIGHT@"] = "52mm" if document.lecture else "28mm"

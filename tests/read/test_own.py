@@ -107,6 +107,12 @@ def test_what_is_written_is_read(source):
 
 
 ASKED = {
+    r"\alpha = +ve": "a function, or a product",
+    r"\Omega = 2\omega(|\mathbf{k}|/2)": "or times it",
+    r"m D^2x = 0": "a derivative, or a factor",
+    r"v = [v_1\:v_2\:v_3]^T": "a row without commas",
+    r"a = [a_1\:\:a_2\:\:a_3]": "a row without commas",
+    r"a = b \text{ where } c = d \\ &= e": "with which equation in front",
     r"H = \frac{d^n}{dy^n} e^{-y^2}": "an order that is no number",
     r"J = q\delta^4(X - R)": "with a power, and then what it is of",
     r"L = F_{\mu\nu}F^{\mu\nu}": "an index, or a power",

@@ -378,12 +378,28 @@ def test_numbers_are_written_as_people_do():
     assert written("waves", "1") == ("waves",)
 
 
-def test_a_sheet_is_signed_and_numbered(solutions):
-    document, pictures = sheet(solutions, Edition(student=True, points="5 points"))
+def test_a_sheet_is_signed_and_numbered(solutions, lines):
+    edition = Edition(student=True, points="2.5 points", lines=lines)
+    document, pictures = sheet(solutions, edition)
+    assert document.subtitle == f"Questions, {2.5 * len(EXERCISES):g} points"
+    german = sheet(solutions[:2], replace(edition, look=Look(language="de")))[0]
+    assert german.subtitle == "Fragen, 5 Punkte"
+    # What a question cites stands beneath.
+    rows = [row for block in document.blocks if isinstance(block, Display) for row in block.rows]
+    assert {row.tag for row in rows} >= {"3.52", "3.57"}
+    assert all(row.anchor == f"claim-{row.tag.replace('.', '-')}" for row in rows if row.tag)
+    cited = {
+        piece.anchor
+        for block in document.blocks
+        if isinstance(block, Paragraph)
+        for piece in block.content
+        if isinstance(piece, Cited)
+    }
+    assert cited == {row.anchor for row in rows if row.tag}
     assert isinstance(document.blocks[0], NameLine)
     heads = [block for block in document.blocks if isinstance(block, ExerciseHead)]
     assert [head.number for head in heads] == list(range(1, len(EXERCISES) + 1))
-    assert {head.points for head in heads} == {"5 points"}
+    assert {head.points for head in heads} == {"2.5 points"}
     assert pictures == []
 
 
@@ -398,24 +414,35 @@ def test_a_sheet_has_the_claims_in_full(solutions):
     }
 
 
-def test_chapters_can_be_read_into_another_document(document, drawn, tmp_path):
+@pytest.mark.parametrize(
+    ("kind", "names"),
+    [("{report}", ("3-5-3", "solutions")), ("[twocolumn]{article}", ("3-5-3", "3-3", "letters"))],
+)
+def test_chapters_can_be_read_into_another_document(document, drawn, tmp_path, kind, names):
     paths = {name: f"figures/{name}.pdf" for name in drawn}
     made = tex.chapters(document, paths)
-    assert {"rigidtop.sty", "chapters/3-5-3.tex", "chapters/solutions.tex"} <= set(made)
+    wanted = ["rigidtop.sty", *(f"chapters/{name}.tex" for name in names)]
+    assert set(wanted) <= set(made)
     if not shutil.which("pdflatex"):
         pytest.skip("needs pdflatex")
-    for name in ("rigidtop.sty", "chapters/3-5-3.tex", "chapters/solutions.tex"):
+    for name in wanted:
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(made[name], "utf-8")
     (tmp_path / "figures").mkdir()
     for name, (figure, _) in drawn.items():
         (tmp_path / paths[name]).write_bytes(figure)
-    chosen = r"\input{chapters/3-5-3}\input{chapters/solutions}"
-    own = rf"\documentclass{{report}}\usepackage{{rigidtop}}\begin{{document}}{chosen}"
+    chosen = "".join(rf"\input{{chapters/{name}}}" for name in names)
+    used = r"\usepackage{rigidtop}\usepackage{hyperref}\begin{document}"
+    own = rf"\documentclass{kind}{used}{chosen}"
     (tmp_path / "own.tex").write_text(own + r"\end{document}", "utf-8")
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "own.tex"]
     subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, timeout=120)
     assert (tmp_path / "own.pdf").exists()
+    log = (tmp_path / "own.log").read_text("utf-8", errors="replace")
+    # What a chapter cites and does not stand there is words.
+    assert "undefined" not in log
+    # In columns there is no place for what sticks out.
+    assert kind == "{report}" or "Overfull" not in log
 
 
 def test_a_myst_project_has_every_numbered_equation(document):

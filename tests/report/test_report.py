@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 from dataclasses import replace
+from datetime import date
 from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
@@ -45,6 +46,7 @@ from rigidtop.report.blocks import (
     Heading,
     Items,
     Listing,
+    Look,
     Paragraph,
     Row,
     anchor,
@@ -52,7 +54,7 @@ from rigidtop.report.blocks import (
     is_number,
 )
 from rigidtop.report.claims import claim_blocks, said_at, short_number
-from rigidtop.report.lecture import FORMATS, Picture, Wanted, fragment, write_lecture
+from rigidtop.report.lecture import FORMATS, Edition, Picture, Wanted, fragment, write_lecture
 from rigidtop.report.record import document
 from rigidtop.terminal import files
 from rigidtop.theory.symbols import (
@@ -566,11 +568,26 @@ def test_a_long_table_may_be_broken():
 @pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
 def test_an_error_of_latex_is_one_line():
     source = "\\documentclass{article}\n\\begin{document}\n\\nonsense\n\\end{document}\n"
-    with pytest.raises(RigidtopError) as caught:
+    with pytest.raises(pdf.LatexError) as caught:
         pdf.by_latexmk(shutil.which("latexmk") or "", source, {})
     assert str(caught.value) == (
-        r"no PDF: latexmk failed: Undefined control sequence. l.3 \nonsense"
+        r"no PDF: latexmk failed: Undefined control sequence \nonsense (line 3 of the .tex)"
     )
+    assert "! Undefined control sequence." in caught.value.log
+
+
+@pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
+def test_where_latex_fails_its_log_is_left(judged, tmp_path):
+    look = Look(documentclass="nosuch")
+    with pytest.raises(RigidtopError) as caught:
+        write_lecture(judged, (), tmp_path, Edition(figures=(), look=look), Wanted(pdf=True))
+    said = (
+        r"no PDF: latexmk failed: LaTeX Error: File `nosuch.cls' not found \(line \d of the .tex\)"
+    )
+    assert re.fullmatch(rf"{said}; see {tmp_path}/lecture.tex and .log", str(caught.value))
+    there = {path.name for path in tmp_path.iterdir()}
+    assert there >= {"lecture.tex", "lecture.log", "lecture.html"}
+    assert "lecture.pdf" not in there
 
 
 def _sleeper(folder: Path) -> str:
@@ -600,6 +617,51 @@ def test_an_error_of_typst_is_one_line():
 def test_without_latexmk_typst_is_used(monkeypatch):
     monkeypatch.setattr(pdf.shutil, "which", lambda name: None)
     assert pdf.make_pdf(lambda: "", lambda: "A page.", {}).startswith(b"%PDF")
+
+
+def test_a_class_of_ones_own_needs_latex(monkeypatch):
+    monkeypatch.setattr(pdf.shutil, "which", lambda name: None)
+    for look in (Look(documentclass="scrartcl"), Look(preamble="% mine")):
+        with pytest.raises(RigidtopError, match="are for LaTeX, and no latexmk is on the PATH"):
+            pdf.make_pdf(lambda: "", lambda: "A page.", {}, look)
+
+
+@pytest.mark.parametrize("by", ["latexmk", "typst"])
+def test_a_pdf_has_its_day(monkeypatch, by):
+    if by == "latexmk" and not shutil.which("latexmk"):
+        pytest.skip("needs latexmk")
+    if by == "typst":
+        monkeypatch.setattr(pdf.shutil, "which", lambda name: None)
+    whole = Document("T", "S", (Paragraph(("A.",)),), "C")
+
+    def made():
+        return pdf.make_pdf(lambda: tex.write(whole, {}), lambda: typst.write(whole, {}), {})
+
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1700006400")
+    first = made()
+    assert pypdf.PdfReader(io.BytesIO(first)).metadata.creation_date.date() == date(2023, 11, 15)
+    assert made() == first
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "yesterday")
+    with pytest.raises(RigidtopError, match="wants seconds since 1970, not 'yesterday'"):
+        made()
+
+
+def test_without_a_date_a_pdf_is_of_today(monkeypatch):
+    monkeypatch.delenv("SOURCE_DATE_EPOCH", raising=False)
+    monkeypatch.setattr(pdf.time, "time", lambda: 1700006400 + 3600.5)
+    assert pdf.written_at() == 1700006400
+
+
+def test_contents_stand_where_there_are_sections():
+    sheet = Document("T", "S", (Heading(1, "", "List of symbols", "letters"),), "C", lecture=True)
+    whole = replace(sheet, blocks=(*OPENING, *sheet.blocks))
+    for by, mark in (
+        (tex, "contentsname}\\rttoc}"),
+        (typst, "#outline("),
+        (html, '<nav class="toc"'),
+    ):
+        assert mark in by.write(whole, {})
+        assert mark not in by.write(sheet, {})
 
 
 def test_without_either_one_line_names_both(monkeypatch, judged, tmp_path):
