@@ -180,7 +180,7 @@ def same_frequency() -> Iterator[Evidence]:
         (
             Assumption(Ne(s.omega1, 0), "$𝛚$ is not along $e₃$", stated=True),
             Assumption(Ne(s.omega3, 0), "$𝛚$ is not across $e₃$ either"),
-            Assumption(Ne(s.lambda1, s.lambda3), "the third moment is another"),
+            Assumption(Ne(s.lambda1, s.lambda3), "the third moment differs"),
         ),
     )
 

@@ -316,8 +316,8 @@ def small_tilt_time(
     "$ω₃$. The air brakes its spin with the torque $c₃ω₃$. When has the spin come down to the "
     "sleeping spin? A disturbance leaves a small tilt with $θ̇ = 0$ and with $φ̇$ halfway "
     "between the two frequencies that it has: $λ₃ω₃/2$ over the moment $λ₁ + MR²$ about the tip. "
-    "When has it become visible, and how large is the spin then? When would it from $φ̇ = 0$? "
-    "Where has the energy gone?",
+    "When has it become visible, and how large is the spin then? When would it become visible "
+    "from $φ̇ = 0$? Where has the energy gone?",
     claims=(upright_potential, spin_falls, friction),
     parameters=(
         *ABOUT_CENTRE,
@@ -335,9 +335,9 @@ def waking_top(
     drag3: float, omega3: float, disturbance: float, visible: float, **shape: float
 ) -> Iterator[Outcome]:
     """The time to the sleeping spin is a closed form, and so is the integral of the growth rate
-    from then on, which is good if the tilt grows many times over: it is off by about one part in
-    the logarithm of that. The top with its disturbance is integrated on the table, and so is the
-    linear equation of a small tilt."""
+    from then on. It is good if the tilt grows by a large factor: the time is then wrong by about
+    one part in the logarithm of this factor. The top with its disturbance is integrated on the
+    table, and so is the linear equation of a small tilt."""
     top = SlidingTop(**shape, mu=HELD, drag3=drag3)
     pivot = about_tip(**shape)
     asleep = time_asleep(omega3, drag3, **shape)

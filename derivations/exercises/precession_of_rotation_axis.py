@@ -185,7 +185,7 @@ rolling = Claim("rolling-cones", "The body cone rolls on the space cone without 
     text="exercises/space_rate",
 )
 def space_rate(lambda1: float, lambda3: float, omega_0: float, omega3: float) -> Iterator[Outcome]:
-    """Rates and angles are those of the claims. The motion is integrated over one turn in space;
+    """Rates and angles are those of section 3.2.3. The motion is integrated over one turn in space;
     the turns of $e₃$ about $𝐋$ and of $𝛚$ about $e₃$ are counted, and the paths of the tip of $𝛚$
     over the two cones measured, which are equally long if nothing slips."""
     body = FreeBody(lambda1, lambda1, lambda3)
@@ -297,9 +297,9 @@ DAY = 86400.0
 def earth_euler_period(
     H: float, omega3: float, observed: float, angle: float, radius: float
 ) -> Iterator[Outcome]:
-    """The period is that of (3.40). The motion of such a body in closed form is where it started
-    after that time, and integrated it has made a tenth of a turn after a tenth of it. The share of
-    the bulge follows from the claim, solved for $k$ with the period that is observed."""
+    """The period is that of (3.40). By the closed form of the motion the axis is back after this
+    time; the integrated motion, followed for a tenth of it, makes a tenth of the circle. The share
+    of the bulge is the rate of the wobble solved for $k$, with the period that is observed."""
     turns = (1 - H) / H
     sidereal = 2 * pi / omega3
     period = turns * sidereal / DAY
@@ -392,7 +392,7 @@ def plate_rates(body: FreeBody, theta: float, omega3: float) -> tuple[float, flo
 def wobbling_plate(
     theta: float, radius: float, thickness: float, omega3: float
 ) -> Iterator[Outcome]:
-    """Moments of a disc, and the rates of the claim: it is the wobble that is twice as fast, and
+    """Moments of a disc, and the rates derived here: it is the wobble that is twice as fast, and
     Feynman remembered the two exchanged (Chao 1989, Physics Today 42:15). The motion is integrated
     over five wobbles: the turns of $e₃$ about $𝐋$ are counted, and those of a mark on the rim as
     seen along $𝐋$."""

@@ -95,8 +95,9 @@ def _caption(theta: float, phi_dot: float, omega3: float, **top: float) -> str:
     if phi_dot == 0 and not vertical(theta):
         rates = "$φ̇ = θ̇ = 0$"
     return (
-        "The effective potential $U$, with $E$ less the constant $p_ψ²/(2λ₃)$, of a top with "
-        f"{top_in_words(motion.body)} that starts at {start_in_words(theta, omega3)} with {rates}. "
+        "The effective potential $U$ and the energy $E$, both less the constant $p_ψ²/(2λ₃)$, of a "
+        f"top with {top_in_words(motion.body)} that starts at "
+        f"{start_in_words(theta, omega3)} with {rates}. "
         f"$θ$ runs between the turning points $θ₁ = {degrees(first)}$ and $θ₂ = {degrees(last)}$; "
         "the square marks the steady precession with the same momenta."
     )

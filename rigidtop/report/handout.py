@@ -313,7 +313,8 @@ def answer(solution: Solution, parts: Parts, told: Mapping[str, str]) -> list[b.
     """What an exercise comes to, in symbols and in numbers."""
     exercise = solution.exercise
     made: list[b.Block] = []
-    there = [j.claim for j in solution.judgements if j.claim.name in told]
+    had = [j for j in solution.judgements if j.claim.name in told]
+    there = [j.claim for j in had if j.verdict is not Verdict.FALSE]
     if there:
         names: list[Any] = []
         for k, claim in enumerate(there):
