@@ -129,7 +129,8 @@ def azimuth() -> Iterator[Evidence]:
         (
             Assumption(
                 Ne(turning, 0),
-                "$p_φ$ and $p_ψ$ do not both vanish, and $θ$ is not the one extremum",
+                "for $φ̇$ to change, $p_φ$ and $p_ψ$ do not both vanish, and $θ$ is not where "
+                "it has its extremum",
             ),
         ),
     )
@@ -150,7 +151,7 @@ def friction() -> Iterator[Evidence]:
     yield Formal(
         printed(r"\dot E < 0"),
         {s.Edot: sliding[s.F].dot(sliding[s.v_tip])},
-        (Assumption(Gt(s.slip, 0), "the contact point slips over the table"),),
+        (Assumption(Gt(s.slip, 0), "the contact slips, for energy to be lost"),),
     )
     figure_axis = Matrix([sin(s.theta), 0, cos(s.theta)])
     turning = s.Omega * Matrix([0, 0, 1])
@@ -159,7 +160,7 @@ def friction() -> Iterator[Evidence]:
         {s.omega_vec: Matrix([s.omega1, s.omega2, s.omega3]), s.zhat: Matrix([0, 0, 1])},
         (
             Assumption(
-                Ne(s.r_t, 0), "the tip is round, with radius $r₀$: held by friction it rolls"
+                Ne(s.r_t, 0), "the tip is round, with radius $r₀$, for a held contact to move"
             ),
             Assumption(Ne(s.omega1, 0), "the top does not turn about the vertical alone"),
         ),
