@@ -19,6 +19,7 @@ from sympy import Add, Expr, Mul
 
 from rigidtop.proof.equation import Equation, Group
 from rigidtop.theory.lettered import Lettered
+from rigidtop.theory.symbols import Glyph
 
 _INDEX = re.compile("[i-n]|[αβγκλμνρσ]")
 _INDICES = re.compile("(?!in|kin|min|lin|ini|mn)(?:[i-np-s]{2,5}|[αβγκλμνρσ]{2,5})")
@@ -33,14 +34,16 @@ def running(equation: Equation) -> str:
     """
     if any(isinstance(side, sympy.MatrixBase) for side in equation.sides):
         return ""
+    glyphs = {x.quantity.glyph for x in _letters(*equation.sides)}
     for index in sorted(_indices(*equation.sides), key=lambda x: (-len(x), x)):
         if _INDICES.fullmatch(index):
             return index
+        if index in "ijn" and any(x == Glyph(index) for x in glyphs):
+            return index  # a number that counts: x_n = 1/n
         terms = [term for side in equation.sides for term in _terms(side) if term != 0]
         products = [node for term in terms for node in term.atoms(Mul)]
-        others = {x.quantity.glyph for x in _letters(*equation.sides)}
-        of = {glyph.base for glyph in others if glyph.sub == index}
-        if any(x.base in of and x.sub != index and _INDEX.fullmatch(x.sub) for x in others):
+        of = {glyph.base for glyph in glyphs if glyph.sub == index}
+        if any(x.base in of and x.sub != index and _INDEX.fullmatch(x.sub) for x in glyphs):
             return index
         twice = any(sum(index in _indices(x) for x in node.args) > 1 for node in products)
         if twice and not all(index in _indices(term) for term in terms):

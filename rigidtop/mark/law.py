@@ -402,8 +402,8 @@ def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:
 
 
 def of_roots(residual: Expr) -> list[dict[Expr, Expr]]:
-    """What roots in an expression may be meant to be: each with either sign, √a² = |a| too."""
-    found = (x for x in residual.atoms(Pow, sympy.Abs) if x.free_symbols)
+    """What roots in an expression may be meant to be: each with either sign, |a| and arccos too."""
+    found = (x for x in residual.atoms(Pow, sympy.Abs, sympy.acos) if x.free_symbols)
     roots = sorted((x for x in found if x.is_Function or getattr(x.exp, "q", 1) == 2), key=str)
     under = [*dict.fromkeys(x.args[0] for x in roots)][:MOST_ROOTS]
     return [

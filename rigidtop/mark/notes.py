@@ -24,7 +24,7 @@ from itertools import pairwise
 import sympy
 from sympy import Expr, Integer, Pow, Rational, Symbol
 
-from rigidtop.mark.indices import running
+from rigidtop.mark.doubts import doubt
 from rigidtop.mark.law import (
     TIME,
     Law,
@@ -170,31 +170,11 @@ class _Judge(Reasons):
             found = Held(line, Verdict.UNDECIDED.value, f"it says nothing to compare ({said})")
         except RecursionError:
             found = Held(line, Verdict.UNDECIDED.value, "nested too deeply")
-        doubt = self.doubt(found) if found.verdict == Verdict.FALSE.value else ""
-        if doubt:
-            note = f"{doubt}: {found.note}"
+        said = doubt(self, found) if found.verdict == Verdict.FALSE.value else ""
+        if said:
+            note = f"{said}: {found.note}"
             return replace(found, verdict=Verdict.UNDECIDED.value, note=note)
         return found
-
-    def doubt(self, found: Held) -> str:
-        """Why what numbers tell apart may yet be meant otherwise, in words."""
-        sides = found.line.equation.sides if found.line.equation is not None else ()
-        if found.line.condition:
-            return f"holds at most “{found.line.condition}”, which is not judged"
-        if not self.holds(self.section, found.rests):
-            return "at odds with another case"
-        far = {x for x in found.rests if self.places[x] != self.section}
-        if self.law is not None and self.sure and self.law.section == self.section - 1:
-            far -= self.law.rests  # equations of motion often stand under a heading of their own
-        if far:
-            return "at odds with what stands under another heading"
-        if any(isinstance(x.args[0], Symbol) for side in sides for x in side.atoms(sympy.Abs)):
-            return "|…| may be a norm, or another measure"
-        equations = (found.line.equation, *(self.equations[x] for x in found.rests))
-        for index in (running(equation) for equation in equations if equation is not None):
-            if index:
-                return f"the index {index} runs, and what is summed over it is not judged"
-        return ""
 
     def approximate(self, line: Line, *sides: Expr) -> Held:
         """A line of motions that are small: it holds to first order, or is open."""
@@ -292,12 +272,13 @@ class _Judge(Reasons):
         return case.said(Verdict.FALSE, words, law)
 
     def named(self, side: Expr) -> Expr:
-        """V for V(x, θ), of which nothing was said above."""
+        """V for V(x, θ), of which nothing was said above, and θ̇ for θ̇(t)."""
         if not isinstance(side, eq.At) or side.args[0] in self.given:
             return side
         letter, *of = side.args
         known = self.moving | {TIME}
-        return letter if len(of) > 1 and all(bare(x) in known for x in of) else side
+        many = len(of) > 1 or accent(letter)
+        return letter if many and all(bare(x) in known for x in of) else side
 
     def defines(self, first: Expr, others: Sequence[Expr]) -> bool:
         """Whether a line says what a letter stands for, of which nothing was said above."""

@@ -388,13 +388,15 @@ class Reasons(Ledger):
             return False
         if case.rests & self.doubted or any(x.section != self.section for x in given.values()):
             return False
-        if [*given] == [case.left]:
-            [known] = given.values()
-            if known.side is not None and len(known.rests) == 1:
-                return False
+        known = given.get(case.left)
+        written_so = {*self.given} & letters(known.side if known is not None else None)
+        again = known is not None and known.side is not None
+        again = again and written_so == {*given} - {case.left}
         one, other = case.sides
         if given and one != 0 != other and sympy.cancel(one / other).is_number:
-            return True
+            return not again or len(given) > 1
+        if again:
+            return False
         values = [reduced(known.value) for known in given.values()]
         said = {*given}.union(*(x.free_symbols for x in values)) - {*self.signs}
         names = {str(f) for f in functions_of(*values)}
@@ -407,8 +409,14 @@ class Reasons(Ledger):
             return True
         one, other = case.sides
         # What is worked out, or said again of a letter, is no equation for others.
-        again = case.left in self.given or case.left.as_base_exp()[0] in self.signs.values()
-        if case.inner or again or (other != 0 != one and sympy.cancel(one / other).is_number):
+        again = case.left.as_base_exp()[0] in self.signs.values()
+        if case.left in self.given:  # and not by what was made of it
+            of = self.given[case.left].rests
+            made = [self.given[x].rests for x in letters(case.right) if x in self.given]
+            again = not any(of < each for each in made)
+        if again or (case.inner and other != 0):
+            return False
+        if other != 0 != one and sympy.cancel(one / other).is_number:
             return False
         return may_vanish(case.residual, self.moving | {TIME})
 
