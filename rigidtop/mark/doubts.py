@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import chain
 
 import sympy
 from sympy import Symbol
 
 from rigidtop.mark.indices import running
-from rigidtop.mark.law import TIME, accent, bare, base, dotted
+from rigidtop.mark.law import accent, base
 from rigidtop.mark.reasons import IMAGINARY, Held, Reasons
 from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import Equation
+from rigidtop.read.values import kind
 from rigidtop.theory.lettered import Lettered
 from rigidtop.typeset.text import text
 
@@ -20,8 +22,7 @@ def doubt(ledger: Reasons, found: Held) -> str:
     """What a line that numbers refute may be meant to say, in words; "" where it is wrong."""
     rests = [ledger.equations[x] for x in found.rests]
     equations = [x for x in (found.line.equation, *rests) if x is not None]
-    said = (*_of_places(ledger, found), *_of_letters(equations), *_of_motions(ledger, found))
-    return next(iter(said), "")
+    return next(chain(_of_places(ledger, found), _of_letters(equations)), "")
 
 
 def _of_places(ledger: Reasons, found: Held) -> Iterator[str]:
@@ -36,6 +37,12 @@ def _of_places(ledger: Reasons, found: Held) -> Iterator[str]:
         far -= law.rests  # equations of motion often stand under a heading of their own
     if far:
         yield "at odds with what stands under another heading"
+    assert found.line.equation is not None
+    stand = set().union(*(side.free_symbols for side in found.line.equation.sides))
+    made = stand.union(*(ledger.given[x].value.free_symbols for x in stand & {*ledger.given}))
+    for x in ledger.sets:
+        if x in made and not accent(x) and x not in ledger.moving:
+            yield f"{text(x)} = {text(ledger.sets[x].value)} was said above"
 
 
 def _of_letters(equations: Sequence[Equation]) -> Iterator[str]:
@@ -46,7 +53,7 @@ def _of_letters(equations: Sequence[Equation]) -> Iterator[str]:
     if any(IMAGINARY in side.free_symbols for side in sides):
         yield "i: a number, or the imaginary unit? nothing says"
     for node in (x for side in sides for x in side.atoms(eq.Dot)):
-        one, *others = ({base(y) for y in x.free_symbols} for x in node.args)
+        one, *others = ({base(y) for y in x.free_symbols if kind(y) == "scalar"} for x in node.args)
         if any(one & other for other in others):
             yield f"{text(node)} may be a product of vectors"
     for equation in equations[1:]:
@@ -56,26 +63,3 @@ def _of_letters(equations: Sequence[Equation]) -> Iterator[str]:
     for index in map(running, equations):
         if index:
             yield f"the index {index} runs, and what is summed over it is not judged"
-
-
-def _of_motions(ledger: Reasons, found: Held) -> Iterator[str]:
-    """It may be of another motion than the one above."""
-    assert found.line.equation is not None
-    stand = set().union(*(side.free_symbols for side in found.line.equation.sides))
-    made = stand.union(*(ledger.given[x].value.free_symbols for x in stand & {*ledger.given}))
-    known = {*ledger.given}.union(*(x.value.free_symbols for x in ledger.given.values()))
-    for x in sorted((bare(x) for x in stand if isinstance(x, Lettered)), key=str):
-        path, rates = ledger.given.get(x), {x, dotted(x), dotted(x, 2)} & stand
-        if path is not None and path.value.has(TIME) and len(rates) > 1 and stand - known:
-            yield f"of another motion than {text(x)} above, or a slip"
-    for x in ledger.sets:
-        if x in made and not accent(x) and x not in ledger.moving:
-            yield f"{text(x)} = {text(ledger.sets[x].value)} was said above"
-    law = ledger.law
-    if law is None or law.lagrangian is not None or not law.rests & {*found.rests}:
-        return
-    before = [x for x in ledger.equations[: max(law.rests)] if x is not None]
-    accelerated = {x for each in before for side in each.sides for x in side.free_symbols}
-    for x in law.highest:
-        if accent(x) == "dot" and dotted(x) in accelerated:
-            yield f"{text(x)} may be of one motion: {text(dotted(x))} stands above"

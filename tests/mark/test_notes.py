@@ -254,6 +254,26 @@ def test_another_case_is_not_condemned(text, verdict, said, tmp_path):
     assert (found.verdict, said in found.note) == (verdict, True), found.note
 
 
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (r"$$z = r e^{i\theta}$$ $$z + 1 = r e^{i\theta}$$", "the imaginary unit?"),
+        (r"$$x_n = \frac1n,\ y_n = \frac2n$$ $$x_n - y_n = \frac1n$$", "the index n runs"),
+        (r"$$q = p - p'$$ $$Q^2 = -q^2 = 2p\cdot p'$$", "a product of vectors"),
+        (r"$$y = 0$$ $$d = \sqrt{(x-a)^2 + y^2}$$ $$d = \sqrt{a^2 + x^2}$$", "of one place"),
+        (r"$$q = ne,\ n = 1$$ $$\rho = nq = -ne$$", "n = 1 was said above"),
+        (r"$$h = |H|,\ d = 2h$$ $$d = 3H$$", "|…| may be a norm"),
+        (r"$$k = cg - b$$ $$a = \frac{c}{k+b}$$ $$k = ca + b$$", "an equation for its letters"),
+        (r"$$P = 1 + c,\ Q = 1 - c$$ $$QP = PQ = 0$$", "an equation for its letters"),
+    ],
+)
+def test_what_may_be_meant_otherwise_is_open(text, said, tmp_path):
+    path = tmp_path / "notes.tex"
+    path.write_text(text, "utf-8")
+    found = judged(path)[-1].held
+    assert (found.verdict, said in found.note) == ("undecided", True), found.note
+
+
 SPRING = r"$$L = \frac12 m\dot x^2 - \frac12 kx^2$$" + "\n"
 
 
