@@ -60,9 +60,8 @@ def inertia_full() -> Iterator[Evidence]:
         printed.lines("inertia-full")[3],
         {s.I_xz: tensor[0, 2]},
         (Assumption(Eq(s.lambda2, s.lambda1), "a symmetric top"),),
-        "It vanishes for every upright top, and at all times for a sphere. What makes (3.33) hard "
-        "to use is that $I$ changes in the space frame, unless the body turns about an axis of "
-        "symmetry.",
+        "It vanishes for every upright top, and at all times for a sphere. Of a symmetric top "
+        "whose axis leans by $θ$ towards the azimuth $φ$ (section 3.3) it is",
     )
 
 

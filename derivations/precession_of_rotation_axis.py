@@ -134,7 +134,9 @@ def coplanar() -> Iterator[Evidence]:
     behind = {
         s.e3: axis,
         s.omega_vec: Matrix([s.omega_0 * cos(gone), -s.omega_0 * sin(gone), s.omega3]),
-        s.follower: Matrix([s.L1 * cos(gone + s.gamma), -s.L1 * sin(gone + s.gamma), s.L3]),
+        s.follower: Matrix(
+            [s.omega_0 * cos(gone - s.gamma), -s.omega_0 * sin(gone - s.gamma), s.omega3]
+        ),
     }
     yield Formal(
         printed(r"\boldsymbol\omega\cdot\mathbf w = \text{const}"),

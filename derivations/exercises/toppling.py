@@ -66,13 +66,13 @@ def toppling_top(
     top = HeavyTop(lambda1=lambda1, lambda3=lambda1 - M * R**2, M=M, R=R, g=g)
     seconds, rate = fall(top, theta, until)
     growth = sqrt(top.weight[2] / lambda1)
-    yield Answer("growth_rate", "growth rate $κ = √(MgR/λ₁)$ of a small tilt", growth, "1/s")
+    yield Answer("growth_rate", "growth rate $σ = √(MgR/λ₁)$ of a small tilt", growth, "1/s")
     yield Answer("time_to_fall", "time until $θ$ has its final value", seconds, "s")
     yield Answer("theta_dot", "$θ̇$ then", rate, "rad/s")
     yield Answer("angular_momentum", "$L$ then, along $e₂′$", lambda1 * rate, "J s")
     yield Answer(
         "time_linear",
-        "time by $θ = θᵢ cosh κt$, for comparison",
+        "time by $θ = θᵢ cosh σt$, for comparison",
         float(np.arccosh(until / theta)) / growth,
         "s",
     )

@@ -201,8 +201,9 @@ def test_vectors_that_keep_their_angle_out_of_one_plane(judgements):
 
     def triple(angle):
         omega = np.array([at["omega_0"] * np.cos(angle), -at["omega_0"] * np.sin(angle), 0.3])
-        behind = angle + at["gamma"]
-        follower = np.array([at["L1"] * np.cos(behind), -at["L1"] * np.sin(behind), 0.7])
+        behind = angle - at["gamma"]
+        across = at["omega_0"]
+        follower = np.array([across * np.cos(behind), -across * np.sin(behind), 0.3])
         return omega @ follower, np.cross(omega, follower)[2]
 
     products, volumes = zip(*(triple(angle) for angle in (0.0, 1.0, 5.0)), strict=True)
