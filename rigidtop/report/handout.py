@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -51,7 +51,13 @@ def marked(judgement: Judgement, text: Text | None = None) -> tuple[b.Mark | b.B
     if verdict in (Verdict.FALSE, Verdict.CONVENTION):
         lines = text.lines if text is not None else ()
         there = {each.sides for line in lines for each in line.equations}
-        return (b.Mark(claim.name, verdict), *_set_right(judgement, there))
+        mark = b.Mark(claim.name, verdict)
+        if text is not None and verdict is Verdict.FALSE:
+            # The lines above are right: the mark is that of the sentence in the notes.
+            said, *behind = _set_right(judgement, there)
+            assert isinstance(said, b.Paragraph)
+            return (replace(said, mark=mark), *behind)
+        return (mark, *_set_right(judgement, there))
     return (b.Mark(claim.name, verdict, _note(judgement)),)
 
 
@@ -86,7 +92,7 @@ def _in_words(equation: Node) -> bool:
     return width(equation) < SHORT and not grid
 
 
-def _set_right(judgement: Judgement, there: Collection[Any]) -> Iterable[b.Block]:
+def _set_right(judgement: Judgement, there: Collection[Any]) -> Iterator[b.Block]:
     """A statement that is wrong, its numbers, and its corrected form, in a sentence."""
     claim = judgement.claim
     said = {
@@ -393,6 +399,12 @@ def _apart(value: float | str, unit: str) -> tuple[str | Node, str]:
 
 
 # --- Front and back ------------------------------------------------------------------------------
+
+
+STARTS = (
+    "What a sentence cites by its name, or by the number of an equation that is not derived here, "
+    "stands under “Laws and definitions” at the end."
+)
 
 
 def legend(judgements: Iterable[Judgement]) -> b.Legend:

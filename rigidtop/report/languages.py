@@ -63,6 +63,16 @@ it does not hold as the notes have it; the right form stands beneath \
 | faux tel que le cours le donne; la forme juste est au-dessous \
 | no vale como está en los apuntes; la forma correcta está debajo \
 | non vale come sta negli appunti; la forma giusta sta sotto
+What a sentence cites by its name, or by the number of an equation that is not derived here, \
+stands under “Laws and definitions” at the end. \
+| Was ein Satz beim Namen nennt, oder mit der Nummer einer Gleichung, die hier nicht hergeleitet \
+wird, steht am Ende unter „Gesetze und Definitionen“. \
+| Ce qu’une phrase cite par son nom, ou par le numéro d’une équation non démontrée ici, se trouve \
+à la fin sous « Lois et définitions ». \
+| Lo que una frase cita por su nombre, o por el número de una ecuación que aquí no se deduce, está \
+al final en «Leyes y definiciones». \
+| Ciò che una frase cita per nome, o col numero di un’equazione che qui non si deriva, sta alla \
+fine sotto «Leggi e definizioni».
 neither shown nor refuted | weder bewiesen noch widerlegt | ni démontré ni réfuté \
 | ni demostrado ni refutado | né dimostrato né confutato
 as | wie | comme | como | come
@@ -143,7 +153,9 @@ def _block(block: b.Block, language: str) -> Any:
             return replace(block, head=tuple(said(words, language) for words in block.head))
         case b.Paragraph():
             mark = _referring(block.mark, language)
-            return replace(block, label=said(block.label, language), mark=mark)
+            only = block.content if len(block.content) == 1 else ()
+            fixed = tuple(said(x, language) for x in only if isinstance(x, str)) or block.content
+            return replace(block, content=fixed, label=said(block.label, language), mark=mark)
         case b.Display():
             marked = (replace(row, mark=_referring(row.mark, language)) for row in block.rows)
             return replace(block, rows=tuple(marked))

@@ -246,15 +246,17 @@ def lecture(
         *_, head = b.headings(page)
         told |= {j.claim.name: head.number or head.title for j in judgements}
     blocks: list[b.Block] = [handout.legend(everything)]
+    if not student:
+        texts |= {each.text.name for each in solutions if each.text is not None}
+    laws = handout.laws(lines, texts, notation)
+    blocks += [b.Paragraph((handout.STARTS,))] if laws else []
     blocks += handout.sections(judged, solutions, parts)
     if chart is not None:
         blocks += [b.Heading(1, "", "What rests on what", "map"), numbered[chart.name]]
     blocks += handout.summary(judged, parts)
     if not student and solutions:
         blocks += handout.solutions(solutions, parts, told)
-    if not student:
-        texts |= {each.text.name for each in solutions if each.text is not None}
-    blocks += handout.laws(lines, texts, notation)
+    blocks += laws
     blocks = handout.linked(handout.parted([*blocks, *symbol_list(blocks, LETTERS)]))
     front = edition.front
     return edition.handed_out(front.title, front.subtitle, blocks), pictures

@@ -304,7 +304,12 @@ def test_every_claim_of_the_notes_has_its_mark(document, judged):
     assert names <= _marked(document)
     rows = (row for b in document.blocks if isinstance(b, Display) for row in b.rows)
     marks = {row.mark.name: row.mark for row in rows if row.mark is not None}
-    assert marks["coplanar"].verdict.value == "false"
+    # What is false is marked at the words of the notes, not at the right lines above them.
+    said = [x for x in document.blocks if isinstance(x, Paragraph) and x.mark is not None]
+    false = {x.mark.name: x for x in said if x.mark.verdict.value == "false"}
+    assert set(false) == {"coplanar", "inertia-full"}
+    assert all(str(x.content[0]).startswith("The notes say: ") for x in false.values())
+    assert not set(false) & set(marks)
     assert plain.rich(marks["3.45"].note) == (
         "if the top is not upright and does not hang (sin θ ≠ 0)"
     )
