@@ -28,7 +28,7 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
     parts = list(_joined(document.blocks, figures))
     if isinstance(document.blocks[0], b.Legend) and len(_headings(document)) > FEW:
         # Then the pages of all that follows do not depend on how long the contents are.
-        parts.insert(1, r"\clearpage")
+        parts.insert(1 + isinstance(document.blocks[1], b.Paragraph), r"\clearpage")
     body = "\n\n".join(parts)
     title = prose(document.title)
     # \tableofcontents begins a page in classes that have chapters.
