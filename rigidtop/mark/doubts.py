@@ -22,7 +22,7 @@ def doubt(ledger: Reasons, found: Held) -> str:
     """What a line that numbers refute may be meant to say, in words; "" where it is wrong."""
     rests = [ledger.equations[x] for x in found.rests]
     equations = [x for x in (found.line.equation, *rests) if x is not None]
-    return next(chain(_of_places(ledger, found), _of_letters(equations)), "")
+    return next(chain(_of_places(ledger, found), _of_letters(ledger, equations)), "")
 
 
 def _of_places(ledger: Reasons, found: Held) -> Iterator[str]:
@@ -45,12 +45,12 @@ def _of_places(ledger: Reasons, found: Held) -> Iterator[str]:
             yield f"{text(x)} = {text(ledger.sets[x].value)} was said above"
 
 
-def _of_letters(equations: Sequence[Equation]) -> Iterator[str]:
+def _of_letters(ledger: Reasons, equations: Sequence[Equation]) -> Iterator[str]:
     """Its letters may be no numbers, or have a value at one place alone."""
     sides = [side for equation in equations for side in equation.sides]
     if any(isinstance(x.args[0], Symbol) for side in sides for x in side.atoms(sympy.Abs)):
         yield "|…| may be a norm, or another measure"
-    if any(IMAGINARY in side.free_symbols for side in sides):
+    if ledger.is_open(IMAGINARY) and any(IMAGINARY in side.free_symbols for side in sides):
         yield "i: a number, or the imaginary unit? nothing says"
     for node in (x for side in sides for x in side.atoms(eq.Dot)):
         one, *others = ({base(y) for y in x.free_symbols if kind(y) == "scalar"} for x in node.args)
