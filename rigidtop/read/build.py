@@ -345,6 +345,9 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
         entries = [item.closed for item in items if isinstance(item, Value)]
         if len(entries) == 1:
             return self.brackets(items)
+        if self.notation.open and [entry.kind for entry in entries] == ["vector", "vector"]:
+            reason = "two vectors in brackets: a row, or their product?"
+            raise UnreadError(reason, items[0].position)
         return self._matrix([entries], items[0].position)
 
     def matrix(self, items: Items) -> Value:

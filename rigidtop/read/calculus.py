@@ -136,7 +136,7 @@ class Calculus(Letters):
         piece = self.take()
         letter, function = self.last == "SYMBOL", self.last == "FUNCTION"
         raised = self.argument(piece)
-        if plain(*raised) in (r"\circ", "°"):
+        if plain(*raised) in ("∘", "°"):
             raise UnreadError(signs.DEGREES, piece.position)
         if letter and plain(*raised) in ("0", "1"):
             raise UnreadError("0 or 1 above a letter: an index, or a power?", piece.position)

@@ -9,18 +9,22 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise, takewhile
+from typing import Any
+
+from sympy import Add, MatrixBase, Mul, Pow
 
 from rigidtop.notation import MATRICES, NOTES, Notation
-from rigidtop.proof.equation import Equation
+from rigidtop.proof.equation import At, Equation
 from rigidtop.read.build import NAMED, parsed
 from rigidtop.read.cursor import Token
 from rigidtop.read.cut import Part, parts
 from rigidtop.read.habits import NO_HABITS, Habits
 from rigidtop.read.macros import expanded
 from rigidtop.read.scan import Scan, limited
+from rigidtop.read.signs import ACTED_ON
 from rigidtop.read.tex import UnreadError, pieces
 from rigidtop.read.values import kind as kind
 from rigidtop.theory import symbols as s
@@ -170,11 +174,56 @@ def _of_its_kind(found: Sequence[Token]) -> list[Token]:
     return [replace(t, value=s.A_matrix) if t.value == s.A else t for t in found]
 
 
+def _is_eigen(sides: Sequence[Any]) -> bool:
+    """Whether it is an equation such as Lu = μu: nobody writes a factor that cancels."""
+    factors = list(_factors(sides[0]))
+    if len(factors) != 2:
+        return False
+    acts, on = factors
+    if not (isinstance(acts, Lettered) and isinstance(on, (Lettered, At))):
+        return False
+    above = acts.quantity.glyph.base[0].isupper() and not acts.quantity.glyph.bold
+    named = isinstance(on, At) or on.quantity.glyph.base in ACTED_ON
+    return above and named and any(on in list(_factors(side))[1:] for side in sides[1:])
+
+
+def _is_small_power(side: Any) -> bool:
+    """Whether it is λ⁴: a power of a small letter, which is no matrix."""
+    small = isinstance(side, Pow) and isinstance(side.base, Lettered)
+    return small and side.base.quantity.glyph.base.islower()
+
+
+def _is_conjugate(side: Any) -> bool:
+    """Whether a letter and its inverse stand in a product, such as RAR⁻¹: a number would cancel."""
+    for term in side.args if isinstance(side, Add) else (side,):
+        factors = list(_factors(term))
+        inverse = {x.base for x in factors if isinstance(x, Pow) and x.exp.args == (-1, 1)}
+        if any(isinstance(x, Lettered) and x in inverse for x in factors):
+            return True
+    return False
+
+
+def _factors(side: Any) -> Iterator[Any]:
+    """What a product is made of, without its sign."""
+    if not isinstance(side, Mul):
+        yield from () if side == -1 else (side,)
+        return
+    for factor in side.args:
+        yield from _factors(factor)
+
+
 def _lines(found: Sequence[Token], notation: Notation) -> list[Line]:
     position = found[0].position
     sides, relations = parsed(_of_its_kind(found), notation)
     if not relations:
         raise UnreadError("no relation: an equation has two sides", position)
+    if notation.open and _is_eigen(sides):
+        raise UnreadError("an operator before what it acts on, or a factor?", position)
+    if notation.open and any(map(_is_conjugate, sides)):
+        raise UnreadError("a letter and what undoes it: numbers, or operators?", position)
+    matrix = any(isinstance(side, MatrixBase) for side in sides)
+    if notation.open and matrix and any(map(_is_small_power, sides)):
+        raise UnreadError("a power of a letter is a matrix: an index, or a power?", position)
     if set(relations) == {"=", "≡"}:  # p_φ ≡ … = const is one statement
         relations = ["="] * len(relations)
     lines = []

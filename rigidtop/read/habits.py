@@ -22,7 +22,12 @@ class Habits:
     said: Mapping[Glyph, Spoken] = field(default_factory=dict)
     """What the words say that a letter is."""
     letters: frozenset[str] = frozenset()
-    """Letters that stand alone in the file: a row of them may be their product."""
+    """Letters that stand alone in the file: a row of them may be their product.
+
+    π is one where it is what an equation is for, or has a dot.
+    """
+    components: frozenset[tuple[str, str]] = frozenset()
+    """A letter and a number above it that may be an index, since the file has x¹ or x^μ."""
     conditions: bool = False
     """Whether words behind a line, "for θ ≠ 0", are taken in the letters of a table too."""
     signs: bool = False

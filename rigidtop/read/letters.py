@@ -62,6 +62,12 @@ class Letters(Cursor):
         cut = min((run.find(name) for name in signs.SPELLED if name in run), default=len(run))
         if not joined and signs.ENERGY.fullmatch(run) and self.peek(len(run)).text in ("=", ""):
             return run
+        begins = self.last in signs.BEFORE_SIDE and self.peek(len(run)).text in ("=", "")
+        named = len(run) > 2 and run.isupper() and self.peek(len(run)).text == "_"
+        if not joined and (
+            (begins and signs.SEGMENT.fullmatch(run)) or (named and self.last in signs.BEFORE_SIDE)
+        ):
+            return run
         twice = cut == 3 and any(a == b for a, b in pairwise(run[:cut]))
         return (
             run
@@ -72,12 +78,7 @@ class Letters(Cursor):
     def lettered(self) -> Iterator[Token]:
         """A letter, with the brackets behind it if it is a function of what they hold."""
         position, before, dress = self.peek().position, self.last, self.peek().text
-        pair = self.peek().text + self.peek(1).text
-        if self.open and pair in ("KE", "PE") and self.peek(1).position == position + 1:
-            self.at += 2
-            glyph = self.scripts(Glyph(pair))
-        else:
-            glyph = self.letter()
+        glyph = self.letter_or_energy()
         if self.open and dress in BOLD:
             arrow = dress in signs.ARROWS_OVER
             if self.worn.setdefault(glyph, arrow) is not arrow:
@@ -102,15 +103,21 @@ class Letters(Cursor):
         if self.open and change and followed:
             if glyph.sub:
                 raise UnreadError("Δ with an index: the change of a letter, or a factor?", position)
-            of = self.letter()
+            of = self.letter_or_energy()
             glyph = replace(of, base=glyph.base + of.base)
         if glyph == Glyph("π"):
+            if "π" in self.habits.letters and before != "NUMBER":
+                raise UnreadError("π: the number, or the letter that the file has?", position)
             if [self.peek(i).text for i in range(3)] == ["(", "t", ")"]:
                 raise UnreadError("π of the time: another letter than the number", position)
             yield Token("SYMBOL", sympy.pi, position)
             return
-        if glyph == Glyph("D") and letter_behind:
-            raise UnreadError("D before a letter: a derivative, or a factor?", position)
+        acts = (
+            glyph.base in signs.OPERATORS and not glyph.sub and not operator_at(self.items, on)[0]
+        )
+        if acts and (letter_behind or (bracket_behind and glyph.base == "𝒟")):
+            reason = f"{glyph.base} before a letter: a derivative or an operator, or a factor?"
+            raise UnreadError(reason, position)
         found = list(self.resolved(glyph, position))
         if self.open:
             self.arguments(glyph)
@@ -118,6 +125,15 @@ class Letters(Cursor):
         else:
             self.of_time()
         yield from found
+
+    def letter_or_energy(self) -> Glyph:
+        """A letter, or KE and PE, which are one."""
+        self.skip()
+        pair, position = self.peek().text + self.peek(1).text, self.peek().position
+        if self.open and pair in ("KE", "PE") and self.peek(1).position == position + 1:
+            self.at += 2
+            return self.scripts(Glyph(pair))
+        return self.letter()
 
     def resolved(self, glyph: Glyph, position: int) -> Iterator[Token]:
         """The symbol of a letter; of one with dots or several indices, what it is made of."""
@@ -200,7 +216,8 @@ class Letters(Cursor):
         texts = {piece.text for piece in inner}
         function = any(known == glyph for known, _ in self.habits.functions)
         raised = end + 1 < len(self.items) and self.items[end + 1].text == "^"
-        if raised and self.one_letter(inner) and not function and texts & signs.RATED:
+        doubtful = inside == "0" or (self.one_letter(inner) and texts & signs.RATED)
+        if raised and doubtful and not function:
             reason = f"{spelling(glyph)} of what stands in brackets, or times its power?"
             raise UnreadError(reason, place)
         worked = texts & signs.FUNCTIONS or not any(p.text.strip("0123456789.,+-") for p in inner)
@@ -360,7 +377,12 @@ class Letters(Cursor):
         if bracketed or worded or (written == "ext" and not self.open):
             sub = f"({written.strip('()')})"
             return replace(glyph, sub=",".join(filter(None, (glyph.sub, sub))))
-        indices = len(written) > 1 and {*written} <= signs.RUNNING
+        if (glyph.base, written) in self.habits.components and not glyph.sub:
+            reason = f"{written} above {glyph.base}: a component, or a power?"
+            raise UnreadError(reason, above.position)
+        indices = len(written) > 1 and (
+            written.isalpha() or re.fullmatch(r"\(.*[a-z].*\)", written)
+        )
         if self.open and (indices or (written in signs.INDEXES and not glyph.bold)):
             raise UnreadError(f"{written} above a letter: an index, or a power?", above.position)
         return None
@@ -379,6 +401,8 @@ class Letters(Cursor):
 
     def starts_letter(self, at: int) -> bool:
         """Whether a letter begins there."""
+        while at < len(self.items) and self.items[at].text in signs.LEFT_OUT:
+            at += 1
         text = self.items[at].text if at < len(self.items) else ""
         if text == "{}":
             group = self.items[at].group

@@ -176,6 +176,41 @@ def is_product(run: str, letters: Container[str] = ()) -> bool:
     return not vowels or (own and all(letter in letters for letter in run))
 
 
+def components(text: str) -> set[tuple[str, str]]:
+    r"""Letters with a number above that may be an index: the text has them as x^1, or as x^\mu.
+
+    >>> sorted(components(r"u = u^1, y = x^\mu + e^{-1} + z^{10}"))
+    [('u', '2'), ('u', '3'), ('x', '3')]
+    """
+    found = [(m[1], m[2] or m[3]) for m in _ABOVE.finditer(text)]
+    return {
+        (signs.LETTERS.get(letter, letter), power)
+        for letter, above in found
+        for power in ("23" if above == "1" else "3")
+    }
+
+
+_ABOVE = re.compile(
+    r"(\\[A-Za-z]+|(?<![A-Za-z\\])[A-Za-z])\s*\^\s*"
+    r"(?:\{\s*([01ijk]|\\(?:mu|nu|rho))\s*\}|([01](?!\d)|[ijk]|\\(?:mu|nu|rho)\b))"
+)
+
+
+def has_own_pi(text: str) -> bool:
+    r"""Whether π is no number there: it has a dot, or an equation that says what it is.
+
+    >>> [has_own_pi(x) for x in (r"\pi &= Rx", r"\dot{\pi} = 0", r"\pi = 3.14", r"x = 2\pi")]
+    [True, True, False, False]
+    """
+    return _OWN_PI.search(text) is not None
+
+
+_OWN_PI = re.compile(
+    r"\\d?dot\s*\{?\s*\\pi\b(?!\s*\}?\s*_)|\\pi\s*(?:\^\s*\{?\s*(?:[ijk]|\\[mn]u)|\(\s*[xtr]\s*[,)])|(?:^|&|\\\\)\s*\\pi\s*&?\s*(?:=|:=|\\equiv\b)\s*&?"
+    r"(?!\s*(?:\d|\\(?:frac\{?\d|arc|int|lim|sum)))"
+)
+
+
 def products(text: str, letters: Container[str]) -> list[str]:
     """The rows of letters with a vowel that are products, since all are letters of the file."""
     runs = re.findall(r"(?<![A-Za-z\\{])[A-Za-z]{4,}(?![A-Za-z}])", text)

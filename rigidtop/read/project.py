@@ -21,6 +21,7 @@ from rigidtop.read.formula import with_habits
 from rigidtop.read.habits import Habits
 from rigidtop.read.kinds import Spoken
 from rigidtop.read.labels import Counted, counted
+from rigidtop.read.look import components, has_own_pi
 from rigidtop.read.macros import PACKAGES, Macros, defined
 from rigidtop.read.spoken import spoken
 from rigidtop.read.tex import UnreadError
@@ -179,6 +180,7 @@ def habits(found: tuple[Source, ...], notation: Notation, until: float = float("
         macros = defined(source.text, macros)
     if not notation.open:
         return Habits(macros, conditions=True, signs=True)
+    texts = [formula.text for source in found for formula in formulas(source.text)]
     said: dict[Glyph, Spoken] = {}
     for source in reversed(found):
         said |= spoken(source.text, notation)
@@ -187,18 +189,16 @@ def habits(found: tuple[Source, ...], notation: Notation, until: float = float("
         timed=frozenset(x for x, each in said.items() if each.timed),
         said=said,
         letters=frozenset(
-            letter
-            for source in found
-            for formula in formulas(source.text)
-            for letter in _ALONE.findall(_SCRIPTS.sub(" ", formula.text))
-        ),
+            letter for written in texts for letter in _ALONE.findall(_SCRIPTS.sub(" ", written))
+        )
+        | ({"π"} if any(map(has_own_pi, texts)) else set()),
+        components=frozenset().union(*map(components, texts)),
     )
-    for source in found:
-        for formula in formulas(source.text):
-            if "(" not in formula.text or time.process_time() > until:
-                continue
-            try:
-                made = with_habits(made, formula.text, notation)
-            except UnreadError:
-                continue
+    for written in texts:
+        if "(" not in written or time.process_time() > until:
+            continue
+        try:
+            made = with_habits(made, written, notation)
+        except UnreadError:
+            continue
     return made

@@ -74,7 +74,13 @@ class Scan(Calculus):
             except UnreadError as error:
                 if self.nested:
                     raise
-                self.at = max(self.at, begun + 1)
+                closes = _CLOSES.get(self.items[begun].text, "")
+                end = self.closing(begun, (self.items[begun].text, closes)) if closes else None
+                if end is None or self.at > begun + 1:
+                    end = begun
+                self.at = max(self.at, end + 1)
+                while self.peek().text in ("_", "^", "{}"):
+                    self.at += 1  # what it takes, or stands in brackets, is no equation of its own
                 yield Token("UNREAD", error, error.position)
 
     def next(self) -> Iterator[Token]:
@@ -154,15 +160,25 @@ class Scan(Calculus):
         elif text in signs.SIGNS:
             found = ("SIGNS", signs.SIGNS[text])
             reason = "two signs at once: write an equation for each"
+            if self.is_measured():
+                raise UnreadError("± of a measured number: how far it may be off", position)
         elif text in signs.OMITTED or (text == behind == self.peek(2).text == "."):
             count, found = 1 if text in signs.OMITTED else 3, ("SYMBOL", own(Glyph("…")))
             reason = "dots for what is left out"
+            if self.last == "NUMBER" and self.items[self.at - 1].text in signs.DECIMALS:
+                raise UnreadError("a number of which digits are left out", position)
         if not found[0]:
             return None
         if reason and not (self.open or self.habits.signs):
             raise UnreadError(reason, position)
         self.at += count
         return found
+
+    def is_measured(self) -> bool:
+        """Whether ± stands between numbers with decimals."""
+        around = [piece.text for piece in self.items[max(0, self.at - 6) : self.at + 7]]
+        ahead = self.peek(self.behind(self.at + 1) - self.at).text
+        return self.last == "NUMBER" and ahead in signs.DECIMALS and "." in around
 
     def number(self) -> Token:
         first = self.peek()
@@ -175,7 +191,23 @@ class Scan(Calculus):
             digits += self.take().text
             if len(digits) > DIGITS:
                 raise UnreadError(f"a number of more than {DIGITS} digits", first.position)
+        if (
+            self.open
+            and not self.nested
+            and (signs.DECIMAL_UNIT if "." in digits else signs.UNITED).match(self.written())
+        ):
+            reason = "its unit, or factors? put a unit in \\text{}"
+            raise UnreadError(reason, self.peek().position)
         return Token("NUMBER", digits, first.position)
+
+    def written(self) -> str:
+        """What stands next, as it is written."""
+        made, end = "", self.items[self.at - 1].position + 1
+        for piece in self.items[self.at : self.at + 24]:
+            made += " " * (piece.position > end)
+            made += f"{{{plain(piece)}}}" if piece.text == "{}" else piece.text
+            end = piece.position + len(piece.text)
+        return made
 
     def tag(self) -> Iterator[Token]:
         piece = self.take()
@@ -202,10 +234,14 @@ class Scan(Calculus):
         position = self.peek().position
         sign, count = operator_at(self.items, self.at)
         word = self.spelled()
-        if word in ("Re", "Im"):
+        if word in ("Re", "Im") and not (word == "Re" and self.peek(2).text in ("=", "")):
             raise UnreadError("a real or imaginary part: that is not read", position)
         if word in signs.DOUBTFUL | {"ve"}:
             raise UnreadError(f"{word}: a function, or a product of letters?", position)
+        if word and signs.SEGMENT.fullmatch(word):
+            raise UnreadError(
+                f"{word}: a name, of a distance say, or a product of letters?", position
+            )
         if sign:
             yield from self.operator(sign, count)
         elif word in signs.SPELLED:
@@ -232,6 +268,10 @@ class Scan(Calculus):
         apart = [p.text for p in self.items[self.at : end or self.at] if p.text in signs.APART]
         if self.open and (row or len(apart) > 1) and not self.commas(self.at):
             raise UnreadError("a row without commas: a vector, or a product?", position)
+        applied = text == "(" and self.last == "CLOSE"
+        if self.open and applied and self.one_letter(self.bracketed(self.at)[0]):
+            reason = "brackets of what stands in the next, or times it?"
+            raise UnreadError(reason, position)
         alone = text == "[" and self.one_letter(self.bracketed(self.at, ("[", "]"))[0])
         if self.open and alone and not (called or row):
             raise UnreadError("a letter in square brackets: its unit, or a factor?", position)
@@ -520,9 +560,12 @@ class Scan(Calculus):
 
     def is_unit(self, written: str) -> bool:
         """Whether words are a unit: behind a number any short one is, or what has a stroke."""
+        if self.last == "NUMBER" and self.peek().text == "^":
+            return True
         if self.last == "NUMBER" and written.lower() not in signs.CONDITIONS | signs.CONNECTIVES:
             return signs.SHORT.fullmatch(written) is not None
-        return self.last in ("_END", "CLOSE") and signs.UNIT.fullmatch(written) is not None
+        ended = self.last in ("_END", "CLOSE") or (self.last == "SYMBOL" and "/" in written)
+        return ended and signs.UNIT.fullmatch(written) is not None
 
     def is_quantity(self, written: str) -> bool:
         """Whether words stand where a quantity would: with nothing but signs around them."""
@@ -535,6 +578,8 @@ class Scan(Calculus):
         aligned = behind == "&" and self.peek(1).text in signs.SIGNS_AROUND
         return self.last in signs.BEFORE and (follows or aligned)
 
+
+_CLOSES = {"(": ")", "[": "]", r"\{": r"\}"}
 
 _TAKES: Mapping[str, Callable[[Scan], Iterator[Token]]] = {
     "^": Scan.power,

@@ -145,15 +145,21 @@ WORDLIKE = listed(
 """Words of one vowel: in formulas no products."""
 ENERGY = re.compile("E[ckmp][a-z]?")
 """A product, or the name of an energy."""
+SEGMENT = re.compile("[A-EO-Q]{2}|Re")
+"""A product, or the distance of two points or a number's name, where it is a whole side."""
 TIME = own(Glyph("t"))
 ANGLES = frozenset("θφψϕϑαβγχϖ")
 TIMELY = frozenset("xyzrqθφψϕsuvω")
-INDEXES = frozenset("ijklμνcefgos") | frozenset("ABCDEFGHIJKLMOPQRSUVWXYZ")
+INDEXES = frozenset("ijklμνρσκcefgosabd") | frozenset("ABCDEFGHIJKLMOPQRSUVWXYZ")
 """Letters that above another may be its index; n, m, p, x are rather a power."""
 RUNNING = frozenset("ijklmnμνρσαβκλ")
 """Letters that are indices where two of them stand together."""
 ORDERS = frozenset({"O", "o", "𝒪", "Δ", "δ", "Γ"})
 """Letters whose brackets never hold a factor."""
+OPERATORS = frozenset({"D", "𝒟", "ℒ", "T*"})
+"""Letters that act on what stands behind them, if a letter does."""
+ACTED_ON = frozenset("uyfψΨφΦχ")
+"""Letters of functions that an operator may have in front."""
 POTENTIALS = frozenset({"f", "F", "U", "V", "H", "ψ", "Ψ"})
 """Letters whose brackets may hold either: it is not guessed."""
 
@@ -165,12 +171,24 @@ CONNECTIVES = listed(
     "and or where with so then thus hence but is are from by to let we that which e ed ou et oder "
     "und wobei dove con med og y avec où soit i.e. e.g. otherwise therefore now"
 )
-CONSTANT = frozenset({"const", "constant", "konst"})
+CONSTANT = listed("const constant konst konstant costante constante 常数 常量")
 UNIT = re.compile(
     r"\(?(?:[kmcMGμn]?(?:m|g|s|N|J|W|Hz|Pa|K|C|V|A|eV|cal)|rad|deg|kg|min|h|hr|km|mi|yr|AU|sec)"
     r"(?:\^?\{?[-−]?\d\}?)?(?:[·/ ]?(?:[kmcMGμn]?(?:m|g|s|N|J|W|Hz|Pa|K|C|V|A)|rad|kg|min|h|hr)"
     r"(?:\^?\{?[-−]?\d\}?)?)*\)?"
 )
+_FACTOR = r"(?:kg|km|cm|mm|ms|Hz|Pa|rad|eV|[msNJWKCVA])(?:\s?\^\s?\{?[-−]?\d\}?)?"
+_APART = r"(?:\s|~|\\[,:; ]|\\cdot(?![a-z])|·)*"
+_TENS = r"\s?(?:\\times|\\cdot|×)\s?10\s?\^\s?\{?[-−]?\d+\}?"
+_LAST = r"\s?(?=[,;.=&]|$|\\(?:quad|qquad|\\|approx|text|rightarrow|Rightarrow|end))"
+_RUN = rf"{_FACTOR}(?:{_APART}/?{_APART}{_FACTOR})*"
+DECIMAL_UNIT = re.compile(rf"(?:{_TENS})?{_APART}{_RUN}{_LAST}")
+"""What stands behind a number with decimals, and is rather its unit than letters."""
+UNITED = re.compile(
+    rf"{_TENS}{_APART}{_RUN}{_LAST}|{_APART}{_FACTOR}(?:{_APART}{_FACTOR})*/{_RUN}{_LAST}"
+    rf"|(?:~|\s?\\[,:; ]){_APART}{_RUN}{_LAST}|\s?(?:kg|km|cm|mm|ms|Hz|Pa|rad){_LAST}"
+)
+"""What stands behind a whole number: 10³ m, m/s, ~s, kg."""
 SHORT = re.compile(rf"{UNIT.pattern}|[^\W\d]{{1,6}}|\S*/\S*")
 LENGTH = re.compile(r"\s*-?[\d.,]+\s*(?:pt|em|ex|mm|cm|in)\s*")
 NUMBER_OF = re.compile(r"\(\d+(?:\.\d+)*[a-z]?\)")
@@ -189,4 +207,5 @@ DECIMALS = frozenset("0123456789")
 SIGNS_AROUND = frozenset({*RELATIONS, "+", "-", "_", "^", "/", r"\cdot", r"\times"})
 BEFORE_LAST = frozenset({"RELATION", "SIGN", "SIGNS", "SLASH", "DOT", "CROSS"})
 BEFORE = BEFORE_LAST | {"", "NUMBER", "ALIGN", "LINE", "SPACE", "SEPARATOR", "ARROW", "WORDS"}
+BEFORE_SIDE = frozenset({"", "ALIGN", "LINE", "SPACE", "SEPARATOR", "ARROW", "WORDS"})
 BEFORE |= {"OPEN", "LIST", "OF", "COMMA"}

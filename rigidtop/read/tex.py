@@ -170,6 +170,7 @@ BOLD = commands("mathbf boldsymbol bm vec bf pmb bold overrightarrow underline o
 BOLD |= commands("mathbfit boldmath mathbold bfseries")
 UPRIGHT = commands("mathrm mathit mathnormal mathsf rm it")
 FONTS = BOLD | UPRIGHT
+SIZES = commands("tiny scriptsize footnotesize small normalsize large displaystyle textstyle")
 TEXTS = commands("text textrm textit mbox hbox operatorname operatorname* mathrm textnormal mathit")
 GREEKS = {"\\" + name: letter for name, letter in GREEK.items()}
 GREEKS |= {r"\varphi": "φ", r"\vartheta": "θ", r"\varepsilon": "ε", r"\varrho": "ρ"}
@@ -179,6 +180,7 @@ _SAID |= {r"\intercal": "T", r"\prime": "′", "'": "′", r"\to": "→", r"\rig
 _SAID |= {r"\ll": "≪", r"\gg": "≫", r"\le": "≤", r"\leq": "≤", r"\ge": "≥", r"\geq": "≥"}
 _SAID |= {r"\neq": "≠", r"\ne": "≠", r"\approx": "≈", r"\dots": "…", r"\ldots": "…", r"\cdots": "…"}
 _SAID |= {r"\leqslant": "≤", r"\geqslant": "≥", r"\pm": "±", r"\mp": "∓", r"\times": "×"}
+_SAID |= {r"\odot": "⊙", r"\oplus": "⊕", r"\cap": "∩", r"\cup": "∪", r"\in": "∈", r"\circ": "∘"}
 _SAID |= {r"\bot": "⊥", r"\cdot": "·", r"\ell": "ℓ", r"\infty": "∞"}
 
 
@@ -206,7 +208,7 @@ def said(items: Sequence[Piece]) -> str:
     """Words with the spaces between them, as far as places tell."""
     made, end = "", -1
     for piece in flat(items):
-        if piece.text in NOTHING | TEXTS | FONTS | {"$"}:
+        if piece.text in NOTHING | TEXTS | FONTS | SIZES | {"$"}:
             continue
         made += " " * (end >= 0 and piece.position > end)
         named = piece.text[:1] == "\\" and piece.text[1:].isalpha()

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from rigidtop.notation import OWN
 from rigidtop.read.formula import read
 from rigidtop.read.habits import Habits
+from rigidtop.read.look import components
 from rigidtop.read.macros import PACKAGES, defined
 from rigidtop.theory.symbols import Glyph
 from rigidtop.typeset.latex import latex
@@ -78,6 +79,9 @@ READ = {
     r"\hspace*{40pt} K = r_{\max}\hspace{1em}": ["K = r_max"],
     r"T = a^2(\dot x\,b) + c(x\,y)": ["T = a²(ẋb) + c(xy)"],
     r"{\vec F\cdot\vec v} = \underline{\underline{a + b}}": ["F · v = a + b"],
+    r"I_{\small\text{Drift}} = GM_\odot": ["I_Drift = G M_⊙"],
+    r"W = -\Delta PE": ["W = −ΔPE"],
+    r"t = \text{常数}": ["t = const"],
     r"y = \sqrt[3]{x}": ["y = ∛x"],
     r"y = a\cosh[x/a]": ["y = a cosh(x/a)"],
     r"F[x] = a,\quad h = F[x + b]": ["F(x) = a", "h = F(x + b)"],
@@ -109,7 +113,7 @@ def test_what_is_written_is_read(source):
 ASKED = {
     r"\alpha = +ve": "a function, or a product",
     r"\Omega = 2\omega(|\mathbf{k}|/2)": "or times it",
-    r"m D^2x = 0": "a derivative, or a factor",
+    r"m D^2x = 0": "an operator, or a factor",
     r"v = [v_1\:v_2\:v_3]^T": "a row without commas",
     r"a = [a_1\:\:a_2\:\:a_3]": "a row without commas",
     r"a = b \text{ where } c = d \\ &= e": "with which equation in front",
@@ -149,7 +153,7 @@ ASKED = {
     r"\dot x = [x, H]": "a commutator",
     r"\{x, p\} = 1": "a Poisson bracket",
     r"x = Re(z)": "real or imaginary part",
-    r"y = D x": "a derivative, or a factor",
+    r"y = D x": "an operator, or a factor",
     r"L = \vec r\times\vec p": "compared",
     r"\vec a\vec b = c": "· or ×",
     r"a \times b = c": "× between",
@@ -169,6 +173,21 @@ ASKED = {
     r"p = L_{,\dot q}": "a derivative",
     r"\theta = 0,\pi": "a list of values",
     r"q = \{\phi, \theta\}": "a Poisson bracket",
+    r"v = 90 m/s": "put a unit in",
+    r"v = 2\,m/s": "put a unit in",
+    r"T = 300\,K, m = 2.5\ kg": "put a unit in",
+    r"h = 6.6 \times 10^{-34} \ m^{2} kg s^{-1}": "put a unit in",
+    r"a &= 5.0 ms^{-2} \\ b &= 1": "put a unit in",
+    r"U = A^{(k - 1)}": "an index, or a power",
+    r"T = m(0)^2": "or times its power",
+    r"RAR^{-1} = h": "or operators",
+    r"h = 6.626... \times 10^3": "digits are left out",
+    r"\lambda^4 = \begin{pmatrix} 0 & 1 \\ 1 & 0 \end{pmatrix}": "an index, or a power",
+    r"\beta = 0.2 \pm 2.5": "of a measured number",
+    r"a = (\vec u, \vec v)": "a row, or their product",
+    r"ZMP_x = a": "a word or a product",
+    r"Re = \rho v": "a name",
+    r"v = (\nabla\omega)(\mathbf{k})": "or times it",
     # what mutations of real files found
     r"\sum_{ij}__{ij} q = 0": "a sum whose index is no letter",
     r"\sum_\vec _iy_i = x\cdot y": "a sum whose index is no letter",
@@ -200,6 +219,37 @@ def test_a_letter_is_a_function_where_the_file_says_so():
     assert product.equation != called.equation
     habits = Habits(functions=frozenset({(Glyph("g"), "x")}))
     assert "or times it" in shown("y = g(a + b)", habits)[0]
+
+
+def test_what_is_not_read_takes_what_stands_at_it_along():
+    assert shown(r"\lim_{x\to a} y = b") == ["[a limit: that is not read]"]
+    assert shown(r"\foo{S}{0,0} = 0") == [r"[the command \foo is not known of TeX]"]
+    assert shown(r"W = \{v: T(v) = 0, \forall T\}, x = a")[1:] == ["x = a"]
+    place = r"\left. \bar{\foo} \right|_{Q = R, P = S}, a = b"
+    assert shown(place) == [r"[the command \foo is not known of TeX]", "a = b"]
+
+
+def test_components_above_letters_are_no_powers():
+    habits = Habits(components=frozenset(components("u = u^1") | components(r"p^\mu")))
+    assert "a component, or a power" in shown("v = u^2", habits)[0]
+    assert "a component, or a power" in shown("p^3 = 0", habits)[0]
+    assert shown("E = p^2 + u_1^2", habits) == ["E = p² + u₁²"]
+    assert "an index, or a power" in shown(r"x = q^\rho")[0]
+
+
+def test_operators_and_distances_are_no_factors():
+    for source in (r"L(t)\psi(x) = h\psi(x)", r"Lu = -\mu u", r"-Hy_1 = \lambda_1 w y_1"):
+        assert shown(source) == ["[an operator before what it acts on, or a factor?]"]
+    assert "an operator, or a factor" in shown(r"\mathcal{L} G = a")[0]
+    assert "of a distance say, or a product" in shown("AB = c")[0]
+    assert "a sum" in shown(r"\Sigma\ensuremath{F} = 0")[0]
+    kept = ["Mg = 2mg", "m = 2s", "T = 3N/k", "PV = nRT", "R = AB", "x = ABc"]
+    assert [shown(source) for source in kept] == [[source] for source in kept]
+
+
+def test_pi_is_a_letter_where_a_file_has_it_as_one():
+    assert "the number, or the letter" in shown(r"x = \pi", Habits(letters=frozenset("π")))[0]
+    assert shown(r"v = 331 + 2 T_C \text{ m/s}") == ["v = 331 + 2T_C m/s"]
 
 
 MACROS = r"""
