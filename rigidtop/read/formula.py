@@ -17,7 +17,7 @@ from typing import Any
 from sympy import Add, MatrixBase, Mul, Pow
 
 from rigidtop.notation import MATRICES, NOTES, Notation
-from rigidtop.proof.equation import At, Equation
+from rigidtop.proof.equation import At, Equation, Group
 from rigidtop.read.build import NAMED, parsed
 from rigidtop.read.cursor import Token
 from rigidtop.read.cut import Part, parts
@@ -189,8 +189,12 @@ def _is_eigen(sides: Sequence[Any]) -> bool:
 
 def _is_small_power(side: Any) -> bool:
     """Whether it is λ⁴: a power of a small letter, which is no matrix."""
-    small = isinstance(side, Pow) and isinstance(side.base, Lettered)
-    return small and side.base.quantity.glyph.base.islower()
+    powers = [x for x in _factors(side) if isinstance(x, Pow) and isinstance(x.base, Lettered)]
+    alone = isinstance(side, Pow)
+    return any(
+        x.base.quantity.glyph.base.islower() and (alone or (x.exp.is_Integer and x.exp > 3))
+        for x in powers
+    )
 
 
 def _is_conjugate(side: Any) -> bool:
@@ -200,11 +204,16 @@ def _is_conjugate(side: Any) -> bool:
         inverse = {x.base for x in factors if isinstance(x, Pow) and x.exp.args == (-1, 1)}
         if any(isinstance(x, Lettered) and x in inverse for x in factors):
             return True
+        maps = any(x.quantity.glyph.base in "fghφψ" for x in inverse if isinstance(x, Lettered))
+        if maps and any(isinstance(x, At) for x in factors):
+            return True
     return False
 
 
 def _factors(side: Any) -> Iterator[Any]:
     """What a product is made of, without its sign."""
+    if isinstance(side, Group):
+        side = side.args[0]
     if not isinstance(side, Mul):
         yield from () if side == -1 else (side,)
         return

@@ -65,7 +65,9 @@ class Letters(Cursor):
         begins = self.last in signs.BEFORE_SIDE and self.peek(len(run)).text in ("=", "")
         named = len(run) > 2 and run.isupper() and self.peek(len(run)).text == "_"
         if not joined and (
-            (begins and signs.SEGMENT.fullmatch(run)) or (named and self.last in signs.BEFORE_SIDE)
+            run in ("and", "for")
+            or (begins and signs.SEGMENT.fullmatch(run))
+            or (named and self.last in signs.BEFORE_SIDE)
         ):
             return run
         twice = cut == 3 and any(a == b for a, b in pairwise(run[:cut]))

@@ -180,13 +180,13 @@ def components(text: str) -> set[tuple[str, str]]:
     r"""Letters with a number above that may be an index: the text has them as x^1, or as x^\mu.
 
     >>> sorted(components(r"u = u^1, y = x^\mu + e^{-1} + z^{10}"))
-    [('u', '2'), ('u', '3'), ('x', '3')]
+    [('u', '2'), ('u', '3'), ('x', '3'), ('x', '5')]
     """
     found = [(m[1], m[2] or m[3]) for m in _ABOVE.finditer(text)]
     return {
         (signs.LETTERS.get(letter, letter), power)
         for letter, above in found
-        for power in ("23" if above == "1" else "3")
+        for power in ("23" if above == "1" else "35")
     }
 
 
@@ -199,13 +199,14 @@ _ABOVE = re.compile(
 def has_own_pi(text: str) -> bool:
     r"""Whether π is no number there: it has a dot, or an equation that says what it is.
 
-    >>> [has_own_pi(x) for x in (r"\pi &= Rx", r"\dot{\pi} = 0", r"\pi = 3.14", r"x = 2\pi")]
-    [True, True, False, False]
+    >>> [has_own_pi(x) for x in (r"\pi &= Rx", r"\dot{\pi} = 0", r"\pi_x = p", r"x = 2\pi")]
+    [True, True, True, False]
     """
     return _OWN_PI.search(text) is not None
 
 
 _OWN_PI = re.compile(
+    r"(?<!\d)\\pi\s*(?:\\,)?\s*\\dot|\\pi\s*_\s*(?:\{[^{}]*\}|\\[a-z]+|\w)\s*&?=|"
     r"\\d?dot\s*\{?\s*\\pi\b(?!\s*\}?\s*_)|\\pi\s*(?:\^\s*\{?\s*(?:[ijk]|\\[mn]u)|\(\s*[xtr]\s*[,)])|(?:^|&|\\\\)\s*\\pi\s*&?\s*(?:=|:=|\\equiv\b)\s*&?"
     r"(?!\s*(?:\d|\\(?:frac\{?\d|arc|int|lim|sum)))"
 )

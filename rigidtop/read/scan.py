@@ -525,10 +525,12 @@ class Scan(Calculus):
         bare = written.strip(" .,;:")
         if not bare:
             yield Token("SEPARATOR" if written and not self.depth else "SPACE", "", piece.position)
-        elif bare.lower() in signs.CONSTANT:
+        elif bare.lower().removeprefix("a ") in signs.CONSTANT:
             yield Token("CONSTANT", "const", piece.position)
         elif bare in signs.WORDS or (bare in signs.ELLIPTIC and not self.open):
             yield from self.function({"ln": "log", "Tr": "tr"}.get(bare, bare), piece.position)
+        elif bare in ("Re", "Im"):
+            raise UnreadError("a real or imaginary part: that is not read", piece.position)
         elif signs.NUMBER_OF.fullmatch(bare):
             yield Token("TAG", bare.strip("()"), piece.position)
         elif mathematical(inner):
@@ -569,7 +571,11 @@ class Scan(Calculus):
 
     def is_quantity(self, written: str) -> bool:
         """Whether words stand where a quantity would: with nothing but signs around them."""
-        if len(written) > 40 or written.split()[0].lower() in signs.CONDITIONS | signs.CONNECTIVES:
+        if (
+            len(written) > 40
+            or written[0] == "("
+            or written.split()[0].lower() in signs.CONDITIONS | signs.CONNECTIVES
+        ):
             return False
         self.skip()
         behind = self.peek().text
