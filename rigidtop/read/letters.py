@@ -382,6 +382,7 @@ class Letters(Cursor):
         if (glyph.base, written) in self.habits.components and not glyph.sub:
             reason = f"{written} above {glyph.base}: a component, or a power?"
             raise UnreadError(reason, above.position)
+        written = re.sub(r"\\(?:dot|bar)", "", written)
         indices = len(written) > 1 and (
             written.isalpha() or re.fullmatch(r"\(.*[a-z].*\)", written)
         )

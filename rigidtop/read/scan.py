@@ -341,7 +341,10 @@ class Scan(Calculus):
             yield Token("BAR", "|", position)
             yield from self.inside(inner)
             yield Token("RAB", "|", position)
-        elif (opens, closes) in ((".", "."), (r"\{", "."), (".", r"\}")):
+        elif (opens, closes) == (".", ".") or (
+            (opens, closes) in ((r"\{", "."), (".", r"\}"))
+            and any(piece.text in (r"\begin", r"\\") for piece in inner)
+        ):
             if self.last == "RELATION" and plain(*inner[1:2], *inner[-1:]) == "array" * 2:
                 cases = replace(inner[1], group=pieces("cases"))  # its columns stand behind it
                 inner = [inner[0], cases, *inner[3:-1], cases]

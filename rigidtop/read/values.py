@@ -173,7 +173,11 @@ def definite(factors: Sequence[Value]) -> None:
         if not (isinstance(last, (Symbol, eq.Group, eq.At)) or last.is_number):
             continue
         time = isinstance(last, Lettered) and last.quantity.glyph == Glyph("t")
-        if is_differential(last) or (factor.pending is None) != time:
+        within = [x.quantity.glyph.base for x in factor.tree.free_symbols if is_open(x)]
+        place = isinstance(last, Lettered) and last.quantity.glyph.base in ("x", "y", "z")
+        wave = place and not last.quantity.glyph.accent and bool(within)
+        wave = wave and set(within) <= {"α", "β", "γ", "χ"}  # sin α x is rather sin(αx)
+        if is_differential(last) or ((factor.pending is None) != time and not wave):
             continue
         raise UnreadError(
             "of how much the function is: put brackets round all that it is of", after.position
