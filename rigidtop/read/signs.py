@@ -150,7 +150,7 @@ SEGMENT = re.compile("[A-EO-Q]{2}|Re")
 TIME = own(Glyph("t"))
 ANGLES = frozenset("θφψϕϑαβγχϖ")
 TIMELY = frozenset("xyzrqθφψϕsuvω")
-INDEXES = frozenset("ijklμνρσκcefgosabd") | frozenset("ABCDEFGHIJKLMOPQRSUVWXYZ")
+INDEXES = frozenset("ijklαβμνρσκcefgosabd") | frozenset("ABCDEFGHIJKLMOPQRSUVWXYZ")
 """Letters that above another may be its index; n, m, p, x are rather a power."""
 RUNNING = frozenset("ijklmnμνρσαβκλ")
 """Letters that are indices where two of them stand together."""

@@ -184,6 +184,7 @@ ASKED = {
     r"D\left\{(a\right.\\ \left.+b)c\right\}=d": "on one side alone",
     r"E = U\tan^2\alpha x_2": "of how much the function is",
     r"C = \epsilon^{\dot\alpha\dot\beta}": "an index, or a power",
+    r"a = g_{\alpha\beta}X^{\alpha}": "an index, or a power",
     r"a = g^{-1}f(z)": "or operators",
     r"\varepsilon = \text{(antisymmetric)}": "ends too early",
     r"g = h^{-1}(hk)": "or operators",
