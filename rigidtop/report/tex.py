@@ -269,7 +269,7 @@ def _(block: b.Heading) -> str:
     )
 
 
-APART = {"symbols": "\\clearpage\n", "results": "\\rtalone\n", "map": "\\rtwith{24}\n"}
+APART = {"symbols": "\\clearpage\n", "results": "\\rtalone\n", "map": "\\rtwith{20}\n"}
 """How what begins a page begins it."""
 
 
