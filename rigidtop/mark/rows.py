@@ -39,7 +39,7 @@ _DOUBT = re.compile(
 _ASIDE = re.compile(r"\\(?:text|mbox)\s*\{\s*\(([^(){}]{1,80})\)")
 """Words in brackets beside an equation."""
 
-_LABEL = re.compile(r"\\label\s*\{([^{}\n]{1,100})\}")
+_LABEL = re.compile(r"\\label\s*(?:\[\w*\]\s*)?\{([^{}\n]{1,100})\}")
 
 
 @dataclass(frozen=True)

@@ -138,7 +138,7 @@ _TOLD = re.compile(r"=|\\(?:tag|equiv|approx|neq?)(?![A-Za-z])")
 _MATHEMATICAL = re.compile(r"\$|\\[\[(]|\\begin\s*\{|\\tag")
 _BARE = re.compile(
     r"\\[A-Za-z]+\*?\s*\[[^\]\n]{0,400}\]|<[A-Za-z/!][^<>]{0,400}>|https?://\S+"
-    r"|\\(?:url|href|label|hypersetup|setlength|geometry)\s*\{[^{}\n]{0,400}\}"
+    r"|\\(?:url|href|label|hypersetup|setlength|geometry)\s*(?:\[\w*\]\s*)?\{[^{}\n]{0,400}\}"
     r"|\\(?:(?:re)?newcommand|providecommand|def|DeclareMathOperator)(?![A-Za-z])[^\n]{0,400}"
     r"|\]\([^)\n]{0,400}\)|\{:?\s*[#.][^{}\n]{0,400}\}|^[ \t]*=+[ \t]*$"
     r"|(?P<hit>(?<!\\)[=≈≡≠≤≥∝≃≅]|(?<=[^\s>][ ])[<>](?=[ ])|\\tag\*?\s*\{"

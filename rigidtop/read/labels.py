@@ -45,7 +45,7 @@ _DISPLAY = re.compile(r"\\begin\s*\{\s*(\w+)(\*?)\s*\}")
 _ONE = frozenset({"equation", "multline", "dmath"})
 _ROWS = frozenset({"align", "gather", "alignat", "flalign", "eqnarray", "IEEEeqnarray", "xalignat"})
 _ROW = re.compile(r"\\(?P<side>begin|end)\s*\{|(?P<row>\\\\)|(?<!\\)%[^\n]*")
-_LABEL = re.compile(r"\\label\s*\{([^{}\n]{1,200})\}")
+_LABEL = re.compile(r"\\label\s*(?:\[\w*\]\s*)?\{([^{}\n]{1,200})\}")
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}\n]{1,200})\}")
 _NONE = re.compile(r"\\no(?:number|tag)(?![A-Za-z])")
 

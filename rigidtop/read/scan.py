@@ -97,6 +97,8 @@ class Scan(Calculus):
                 self.take()
         elif text in signs.SKIPPED:
             self.at += 1 + (self.peek(1).text == "*")
+            if text == r"\label" and self.peek().text == "[":  # cleveref's kind of it
+                self.at = 1 + (self.closing(self.at, ("[", "]")) or self.at)
             self.argument(piece)
         elif text == r"\underline" and not self.is_letter(self.at):
             self.take()

@@ -2,7 +2,10 @@
 
 import pytest
 
+from rigidtop.notation import OWN
+from rigidtop.read.formula import read
 from rigidtop.read.labels import counted
+from rigidtop.typeset.text import text
 
 EQ = "\\begin{equation}\\label{%s} a = b \\end{equation}\n"
 
@@ -14,6 +17,13 @@ def numbers(source):
 def test_an_article_counts_through():
     source = "\\documentclass{article}\\section{A}" + EQ % "x" + "\\section{B}" + EQ % "y"
     assert numbers(source) == [("1", "x"), ("2", "y")]
+
+
+def test_a_label_with_its_kind_is_no_formula():
+    source = EQ.replace("label", "label[equation]") % "x"
+    assert numbers(source) == [("1", "x")]
+    [line] = read(r"\label[equation]{x} a = b", OWN)
+    assert text(line.equation) == "a = b"
 
 
 @pytest.mark.parametrize(
