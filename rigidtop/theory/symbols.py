@@ -203,9 +203,7 @@ alpha2 = _real("alpha2", Glyph("α", "2"), "half the angle of the second rotatio
 gamma = _real("gamma", Glyph("γ"), "angle between two axes, or of one vector behind another", "rad")
 theta_0 = _real("theta_0", Glyph("θ", "0"), "polar angle at which $φ̇$ vanishes", "rad")
 m = _real("m", Glyph("m"), "parameter of an elliptic integral", "1")
-chi = _real(
-    "chi", Glyph("χ"), "amplitude of an elliptic integral, or angle of a product of turns", "rad"
-)
+chi = _real("chi", Glyph("χ"), "amplitude of an elliptic integral, or angle of two turns", "rad")
 theta_i = _real("theta_i", Glyph("θ", "i"), "polar angle at the start", "rad")
 theta_2 = _real("theta_2", Glyph("θ", "2"), "polar angle of the lower turning point", "rad")
 phi = _real("phi", Glyph("φ"), "first Euler angle: azimuth of $e₃$", "rad")

@@ -264,7 +264,7 @@ def test_another_case_is_not_condemned(text, verdict, said, tmp_path):
         (r"$$q = ne,\ n = 1$$ $$\rho = nq = -ne$$", "n = 1 was said above"),
         (r"$$h = |H|,\ d = 2h$$ $$d = 3H$$", "|…| may be a norm"),
         (r"$$k = cg - b$$ $$a = \frac{c}{k+b}$$ $$k = ca + b$$", "an equation for its letters"),
-        (r"$$P = 1 + c,\ Q = 1 - c$$ $$QP = PQ = 0$$", "an equation for its letters"),
+        (r"$$P = 1 + c,\ Q = 1 - c$$ $$Q P = P Q = 0$$", "an equation for its letters"),
     ],
 )
 def test_what_may_be_meant_otherwise_is_open(text, said, tmp_path):
