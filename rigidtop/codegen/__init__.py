@@ -8,7 +8,7 @@ source, in C, Fortran, JavaScript, Julia, Octave and Python.
 >>> m, g, l, theta = symbols("m g l theta")
 >>> potential = function([-m*g*l*cos(theta)], [m, g, l, theta], "potential")
 >>> potential(1.0, 9.81, 2.0, 0.0)
-[-19.62]
+(-19.62,)
 >>> potential(1.0, 9.81, [1.0, 2.0], 0.0)
 array([[ -9.81, -19.62]])
 """

@@ -21,10 +21,9 @@ from collections.abc import Iterable, Mapping, Sequence
 import sympy
 from sympy import Expr, Symbol
 
-from rigidtop.codegen.languages import JavaScript, broken, shared_parts
+from rigidtop.codegen.languages import JavaScript, shared_parts
 from rigidtop.codegen.shipped import RightHandSide, split
-
-WIDTH = 100
+from rigidtop.codegen.source import WIDTH, broken
 
 
 def quantity(name: str, about: str, wanted: Expr | Iterable[Expr]) -> str:
@@ -38,13 +37,13 @@ def quantity(name: str, about: str, wanted: Expr | Iterable[Expr]) -> str:
     names = sorted({x.name for e in expressions for x in e.free_symbols})
     typed = ", ".join(f"{n}: number" for n in names)
     lines = _comment(about, f"@param {{{{ {typed} }}}} quantities")
-    lines += _broken(f"export function {name}({{ {', '.join(names)} }}) {{")
+    lines += broken(f"export function {name}({{ {', '.join(names)} }}) {{")
     shared, results = _texts(expressions)
     lines += shared
     if single:
-        lines += _broken(f"  return {results[0]};")
+        lines += broken(f"  return {results[0]};")
     else:
-        lines += ["  return [", *(x for r in results for x in _broken(f"    {r},")), "  ];"]
+        lines += ["  return [", *(x for r in results for x in broken(f"    {r},")), "  ];"]
     return "\n".join([*lines, "}"])
 
 
@@ -56,10 +55,10 @@ def rates(name: str, side: RightHandSide) -> str:
         *(f"@param {{number}} {p.name}" for p in side.parameters),
         "@returns {(state: ArrayLike<number>, rates: Float64Array) => void}",
     )
-    lines += _broken(f"export function {name}({', '.join(p.name for p in side.parameters)}) {{")
+    lines += broken(f"export function {name}({', '.join(p.name for p in side.parameters)}) {{")
     printer = JavaScript()
     for symbol, constant in parts.constants.items():
-        lines += _broken(f"  const {symbol.name} = {printer.text(constant)};")
+        lines += broken(f"  const {symbol.name} = {printer.text(constant)};")
     lines.append("  return (state, rates) => {")
     for index, symbol in enumerate(side.state):
         if any(symbol in e.free_symbols for e in parts.expressions):
@@ -67,7 +66,7 @@ def rates(name: str, side: RightHandSide) -> str:
     shared, results = _texts(parts.expressions)
     lines += ["  " + line for line in shared]
     for index, result in enumerate(results):
-        lines += _broken(f"    rates[{index}] = {result};")
+        lines += broken(f"    rates[{index}] = {result};")
     return "\n".join([*lines, "  };", "}"])
 
 
@@ -115,9 +114,9 @@ def of_arrays(
         lines += [f"  const {group}{k} = {group}[{k}];" for k in read]
     printer = JavaScript()
     for x, value in once:
-        lines += _broken(f"  const {x.name} = {printer.text(value)};")
+        lines += broken(f"  const {x.name} = {printer.text(value)};")
     for k, result in enumerate(results):
-        lines += _broken(f"  out[{k}] = {printer.text(result)};")
+        lines += broken(f"  out[{k}] = {printer.text(result)};")
     return "\n".join([*lines, "}"])
 
 
@@ -129,7 +128,7 @@ def _texts(expressions: Sequence[Expr]) -> tuple[list[str], list[str]]:
     plain = {x: Symbol(x.name) for e in expressions for x in e.free_symbols}
     shared, reduced = shared_parts([e.xreplace(plain) for e in expressions], fresh)
     printer = JavaScript()
-    lines = [line for x, e in shared for line in _broken(f"  const {x.name} = {printer.text(e)};")]
+    lines = [line for x, e in shared for line in broken(f"  const {x.name} = {printer.text(e)};")]
     return lines, [printer.text(e) for e in reduced]
 
 
@@ -141,7 +140,3 @@ def _comment(about: str, *tags: str) -> list[str]:
         for line in textwrap.wrap(tag, WIDTH - 3, subsequent_indent="  ", break_long_words=False)
     ]
     return ["/**", *(f" * {line}".rstrip() for line in [*said, "", *wrapped]), " */"]
-
-
-def _broken(line: str) -> list[str]:
-    return [piece.rstrip() for piece in broken(line, width=WIDTH)]

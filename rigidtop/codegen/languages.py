@@ -33,16 +33,13 @@ import sympy
 from sympy import Basic, Expr, Pow, Symbol
 from sympy.core.relational import Relational
 from sympy.printing.c import C99CodePrinter
-from sympy.printing.codeprinter import CodePrinter
 from sympy.printing.fortran import FCodePrinter
 from sympy.printing.jscode import JavascriptCodePrinter
 from sympy.printing.julia import JuliaCodePrinter
 from sympy.printing.octave import OctaveCodePrinter
-from sympy.printing.precedence import PRECEDENCE
 
-from rigidtop.codegen import numpy
-from rigidtop.codegen.solve import in_pieces, trimmed
-from rigidtop.codegen.source import INDENT, WIDTH, body, signature
+from rigidtop.codegen.solve import StraightLine, in_pieces
+from rigidtop.codegen.source import INDENT, WIDTH, Printer, body, broken, signature
 from rigidtop.codegen.values import Line, Value, Values
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.page import Assumption
@@ -249,73 +246,14 @@ def _aligned(rows: Sequence[tuple[str, str]]) -> Iterator[str]:
 # --- Expressions ---------------------------------------------------------------------------------
 
 
-class _Printer(CodePrinter):
-    """A quotient with one stroke, numbers in front: a*b/2 for (1.0/2.0)*a*b."""
-
-    times, over = "*", "/"
-    powers_as_products = False
-
-    def text(self, expression: Expr) -> str:
-        """One expression on one line."""
-        self._not_supported: set[Expr] = set()
-        self._number_symbols: set[Expr] = set()
-        text = str(self._print(expression))
-        unknown = self._not_supported | self._number_symbols
-        if unknown:
-            raise ValueError(f"{type(self).__name__} has no words for {expression}")
-        return text
-
-    def _print_Mul(self, expr: Expr) -> str:
-        number, rest = expr.as_coeff_Mul()
-        if not number.is_Rational:
-            number, rest = sympy.S.One, expr
-        above, below = [], []
-        for factor in rest.as_ordered_factors():
-            if factor.is_Pow and factor.exp.is_Rational and factor.exp < 0:
-                below += self._factors(Pow(factor.base, -factor.exp))
-            elif factor != 1:
-                above += self._factors(factor)
-        if abs(number.p) != 1 or not above:
-            above = [str(abs(number.p)), *above]
-        if number.q != 1:
-            below = [str(number.q), *below]
-        sign = "-" if number < 0 else ""
-        if not below:
-            return sign + self._product(above)
-        under = below[0] if len(below) == 1 else f"({self._product(below)})"
-        stroke = "/" if under.isdigit() else self.over
-        return f"{sign}{self._product(above)}{stroke}{under}"
-
-    def _factors(self, factor: Expr) -> list[str]:
-        if self._is_small_power(factor):
-            return [self.parenthesize(factor.base, PRECEDENCE["Mul"])] * int(factor.exp)
-        return [self.parenthesize(factor, PRECEDENCE["Mul"])]
-
-    def _is_small_power(self, factor: Expr) -> bool:
-        whole = self.powers_as_products and factor.is_Pow and factor.exp.is_Integer
-        return bool(whole and 2 <= factor.exp <= 4)
-
-    def _product(self, factors: Sequence[str]) -> str:
-        first, *others = factors
-        times = "*" if first.isdigit() else self.times
-        return times.join([first, self.times.join(others)]) if others else first
-
-    def _print_Pow(self, expr: Expr) -> str:
-        if expr.exp.is_Rational and expr.exp < 0:
-            return self._print_Mul(expr)
-        if self._is_small_power(expr):
-            return self._product(self._factors(expr))
-        return str(super()._print_Pow(expr))
-
-
-class _C(_Printer, C99CodePrinter):
+class _C(Printer, C99CodePrinter):
     powers_as_products = True
 
     def _print_Pi(self, expr: Expr) -> str:
         return repr(math.pi)
 
 
-class _Fortran(_Printer, FCodePrinter):
+class _Fortran(Printer, FCodePrinter):
     def _print_Pi(self, expr: Expr) -> str:
         return f"{math.pi!r}d0"
 
@@ -337,42 +275,27 @@ def _real(value: Expr) -> Expr:
     return sympy.Float(value) if value.is_Integer else value
 
 
-class JavaScript(_Printer, JavascriptCodePrinter):
+class JavaScript(Printer, JavascriptCodePrinter):
     """Expressions in JavaScript."""
 
     powers_as_products = True
 
 
-class _Julia(_Printer, JuliaCodePrinter):
+class _Julia(Printer, JuliaCodePrinter):
     def _print_Pow(self, expr: Expr) -> str:
         return super()._print_Pow(expr).replace(" .^ ", "^").replace(" ^ ", "^")
 
 
-class _Octave(_Printer, OctaveCodePrinter):
+class _Octave(Printer, OctaveCodePrinter):
     times, over = ".*", "./"
 
 
-def _printed(program: Program, printer: _Printer) -> tuple[list[tuple[str, str]], ...]:
+def _printed(program: Program, printer: Printer) -> tuple[list[tuple[str, str]], ...]:
     """Shared parts and results as text."""
     return tuple(
         [(name, printer.text(expression)) for name, expression in pairs]
         for pairs in (program.shared, program.results)
     )
-
-
-_BREAKS = re.compile(r"(?<= [-+] )|(?<=, )|(?<=[\w)][*/])(?=[\w(])|(?<=\.[*/])")
-
-
-def broken(line: str, more: str = "", width: int = WIDTH) -> list[str]:
-    """A long line, broken behind operators and commas; `more` says that it goes on."""
-    indent = " " * (len(line) - len(line.lstrip()) + 4)
-    lines = [""]
-    for piece in _BREAKS.split(line):
-        if lines[-1].strip() and len(lines[-1]) + len(piece.rstrip()) + len(more) > width:
-            lines[-1] = lines[-1].rstrip() + more
-            lines.append(indent)
-        lines[-1] += piece
-    return lines
 
 
 # --- Files ---------------------------------------------------------------------------------------
@@ -472,29 +395,23 @@ def _octave(program: Program) -> Iterator[str]:
 
 
 def _python(program: Program) -> Iterator[str]:
-    symbols = [Symbol(name) for name in program.arguments]
-    lines = [(Symbol(name), value) for name, value in program.shared]
-    brief = trimmed(lines, [value for _, value in program.results])
-    made = numpy.function(brief.results, symbols, program.name, brief.shared)
-    imported = sorted(_from_math(made.definition))
+    shared = tuple((Symbol(name), value) for name, value in program.shared)
+    lines = body(StraightLine(shared, tuple(value for _, value in program.results)))
+    head = signature(program.name, program.arguments)
+    tree = ast.parse("\n".join([*head, *lines]))
+    used = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    imported = sorted(name for name in used - {*program.arguments} if hasattr(math, name))
     if imported:
         yield f"from math import {', '.join(imported)}  # from numpy, and it takes arrays"
         yield ""
         yield ""
-    yield from signature(program.name, list(program.arguments))
+    yield from head
     about = _comment(program, "", f"Returns a tuple of {_numbers(len(program.results))}")
     first, *others = (line.removeprefix(" ") for line in about)
     yield f'{INDENT}"""{first.removeprefix(program.name + ": ")}'
     yield from (INDENT + line for line in others)
     yield f'{INDENT}"""'
-    yield from body(made.definition)
-
-
-def _from_math(definition: ast.FunctionDef) -> set[str]:
-    """The functions and constants that come from `math`; abs does not."""
-    used = {node.id for node in ast.walk(definition) if isinstance(node, ast.Name)}
-    own = {argument.arg for argument in definition.args.args}
-    return {name for name in used - own if hasattr(math, name)}
+    yield from lines
 
 
 def _numbers(count: int) -> str:

@@ -7,10 +7,10 @@
 def pendulum(theta, thetadot):
     return (
         thetadot,
-        -sin(theta) / 2,
+        -sin(theta)/2,
     )
 >>> pendulum.scalar(0.5, 3.0)
-[3.0, -0.2397127693021015]
+(3.0, -0.2397127693021015)
 >>> pendulum.array([[0.0, 0.5]], 1.0).shape    # two expressions, each of shape (1, 2)
 (2, 1, 2)
 >>> pendulum(0.5, 3.0) == pendulum.scalar(0.5, 3.0)    # of arrays it is `array`
@@ -24,6 +24,7 @@ from __future__ import annotations
 import ast
 import builtins
 import keyword
+import math
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -35,7 +36,7 @@ from numpy.typing import NDArray
 from sympy import Expr, Symbol
 
 from rigidtop.codegen import source
-from rigidtop.codegen.solve import in_pieces
+from rigidtop.codegen.solve import StraightLine, in_pieces
 
 
 @dataclass(frozen=True)
@@ -48,14 +49,23 @@ class Function:
     array: Callable[..., NDArray[np.float64]]
     """Arrays in, one array out, of shape (expressions, *shape to which the arguments broadcast)."""
 
+    program: StraightLine
+    """What is computed, shared subexpressions once."""
+
     source: str
-    """The Python that both run, as text for a reader."""
+    """The Python that `scalar` runs, as text for a reader."""
 
-    operations: int
-    """Sums, products, powers, signs and calls in one evaluation, shared subexpressions once."""
+    @property
+    def definition(self) -> ast.FunctionDef:
+        """The syntax tree of `source`."""
+        [definition] = ast.parse(self.source).body
+        assert isinstance(definition, ast.FunctionDef)
+        return definition
 
-    definition: ast.FunctionDef
-    """The syntax tree behind `source`."""
+    @property
+    def operations(self) -> int:
+        """Sums, products, powers, signs and calls in one evaluation."""
+        return source.operations(self.definition)
 
     def __call__(self, *values: Any) -> Any:
         """`scalar` of numbers, `array` as soon as one argument is no single number."""
@@ -86,16 +96,19 @@ def function(
     for word in (name, *(a.name for a in arguments)):
         if not word.isidentifier() or keyword.iskeyword(word):
             raise ValueError(f"{word!r} cannot be a name in Python")
+    made, reduced = (shared, wanted) if shared else sympy.cse(wanted)
+    taken = {x.name for x in (*arguments, *(x for x, _ in made))}
+    free = (x for x in sympy.numbered_symbols("x") if x.name not in taken)
+    lines, results = in_pieces(made, reduced, free)
+    program = StraightLine(tuple(lines), tuple(results))
     try:
-        scalar = _lambdified(wanted, arguments, "math", shared)
-        over_arrays = _lambdified(wanted, arguments, "numpy", shared)
+        text = source.signature(name, [a.name for a in arguments]) + source.body(program)
+        over_arrays = _over_arrays(program, arguments)
     except NotImplementedError as error:
         [what] = re.findall(r"\w+(?='>)", str(error))[-1:] or [str(error)]
         raise ValueError(f"{name}: Python has no {what}") from None
-    definition = source.syntax_tree(scalar)
-    missing = source.names_called(definition) - {*scalar.__globals__, *dir(builtins)}
-    if missing:
-        raise ValueError(f"{name}: Python has no {', '.join(sorted(missing))}")
+    known = {word: value for word, value in vars(math).items() if not word.startswith("_")}
+    exec("\n".join(text), known)
 
     def array(*values: Any) -> NDArray[np.float64]:
         inputs = [np.asarray(value, dtype=float) for value in values]
@@ -103,35 +116,22 @@ def function(
         # An expression that is constant comes back as one number, whatever the shape.
         return np.stack([np.broadcast_to(value, shape) for value in over_arrays(*inputs)])
 
-    header = source.signature(name, [a.name for a in arguments])
-    return Function(
-        scalar=scalar,
-        array=array,
-        source="\n".join([*header, *source.body(definition)]),
-        operations=source.operations(definition),
-        definition=definition,
-    )
+    function = Function(known[name], array, program, "\n".join(text))
+    missing = source.names_called(function.definition) - {*known, *dir(builtins)}
+    if missing:
+        raise ValueError(f"{name}: Python has no {', '.join(sorted(missing))}")
+    return function
 
 
-def _lambdified(
-    expressions: list[Expr],
-    arguments: Sequence[Symbol],
-    module: str,
-    shared: Sequence[tuple[Symbol, Expr]],
-) -> Any:
-    def lines(wanted: Sequence[Expr]) -> tuple[list[tuple[Symbol, Expr]], list[Any]]:
-        made, reduced = (shared, wanted) if shared else sympy.cse(wanted)
-        taken = {x.name for x in (*arguments, *(name for name, _ in made))}
-        free = (x for x in sympy.numbered_symbols("x") if x.name not in taken)
-        return in_pieces(made, reduced, free)
-
-    modules: Any = module
-    if module == "numpy" and any(e.has(*OF_SCIPY) for e in (*expressions, *(x for _, x in shared))):
+def _over_arrays(program: StraightLine, arguments: Sequence[Symbol]) -> Any:
+    modules: Any = "numpy"
+    if any(e.has(*OF_SCIPY) for e in (*program.results, *(x for _, x in program.shared))):
         from scipy import special
 
         names = {"erf": "erf", "erfc": "erfc", "gamma": "gamma", "lgamma": "gammaln"}
         modules = [{name: getattr(special, own) for name, own in names.items()}, "numpy"]
-    return sympy.lambdify(list(arguments), expressions, modules=modules, cse=lines)
+    lines = list(program.shared), list(program.results)
+    return sympy.lambdify(list(arguments), lines[1], modules=modules, cse=lambda _: lines)
 
 
 OF_SCIPY = (sympy.erf, sympy.erfc, sympy.gamma, sympy.loggamma)

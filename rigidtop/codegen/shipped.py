@@ -217,16 +217,6 @@ class Split:
     """The rates, in terms of these."""
     rates: Function
 
-    @property
-    def operations(self) -> int:
-        """In one call of the rates."""
-        return self.rates.operations
-
-    @property
-    def operations_once(self) -> int:
-        """In the constants."""
-        return sum(source.operations(source.expression(c)) for c in self.constants.values())
-
 
 def split(side: RightHandSide) -> Split:
     """Take everything that depends on parameters alone out of the rates."""
@@ -314,14 +304,11 @@ def _text(side: RightHandSide) -> str:
         f"    The state is ({', '.join(x.name for x in side.state)}).",
         '    """',
         f"    {_row(side.parameters)} = parameters",
-    ]
-    for name, constant in parts.constants.items():
-        lines += source.assignment(name.name, source.expression(constant))
-    lines += [
+        *source.assignments([*parts.constants.items()]),
         "",
         "    def rates(state: Sequence[Number]) -> tuple[Number, ...]:",
         f"        {_row(side.state)} = state",
-        *source.body(parts.rates.definition, depth=2),
+        *source.body(parts.rates.program, depth=2),
         "",
         "    return rates",
     ]

@@ -1,29 +1,132 @@
-"""Python text of a lambdified function, laid out for a reader.
+"""Expressions as text: how SymPy's printers write them here, and functions of Python.
 
-`sympy.lambdify` writes correct Python on lines of any length.  The functions here take its text
-apart and lay it out as `ruff format` would, so that what is printed is what runs.
+What several values share is computed once, each on a line of its own.
 """
 
 from __future__ import annotations
 
 import ast
-import inspect
 import re
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Sequence
 
 import sympy
+from sympy import Expr, Pow, Symbol
+from sympy.printing.codeprinter import CodePrinter
+from sympy.printing.precedence import PRECEDENCE
+from sympy.printing.pycode import PythonCodePrinter
+
+from rigidtop.codegen.solve import StraightLine
 
 WIDTH = 100
 INDENT = "    "
 
 
-def syntax_tree(function: Callable[..., Any]) -> ast.FunctionDef:
-    """The definition that `lambdify` wrote for a function, with 1/2·x rewritten as x/2."""
-    (definition,) = ast.parse(inspect.getsource(function)).body
-    assert isinstance(definition, ast.FunctionDef)
-    made: ast.FunctionDef = ast.fix_missing_locations(_FractionsLast().visit(definition))
-    return made
+class Printer(CodePrinter):
+    """A quotient with one stroke, numbers in front: a*b/2 for (1.0/2.0)*a*b.
+
+    So no fraction of two integers stands alone, which Python would round before a symbol meets it.
+    """
+
+    times, over = "*", "/"
+    powers_as_products = False
+
+    def text(self, expression: Expr) -> str:
+        """One expression on one line."""
+        self._not_supported: set[Expr] = set()
+        self._number_symbols: set[Expr] = set()
+        text = str(self._print(expression))
+        unknown = self._not_supported | self._number_symbols
+        if unknown:
+            raise ValueError(f"{type(self).__name__} has no words for {expression}")
+        return text
+
+    def _print_Mul(self, expr: Expr) -> str:
+        number, rest = expr.as_coeff_Mul()
+        if not number.is_Rational:
+            number, rest = sympy.S.One, expr
+        above, below = [], []
+        for factor in rest.as_ordered_factors():
+            if factor.is_Pow and factor.exp.is_Rational and factor.exp < 0:
+                below += self._factors(Pow(factor.base, -factor.exp))
+            elif factor != 1:
+                above += self._factors(factor)
+        if abs(number.p) != 1 or not above:
+            above = [str(abs(number.p)), *above]
+        if number.q != 1:
+            below = [str(number.q), *below]
+        sign = "-" if number < 0 else ""
+        if not below:
+            return sign + self._product(above)
+        under = below[0] if len(below) == 1 else f"({self._product(below)})"
+        stroke = "/" if under.isdigit() else self.over
+        return f"{sign}{self._product(above)}{stroke}{under}"
+
+    def _factors(self, factor: Expr) -> list[str]:
+        if self._is_small_power(factor):
+            return [self.parenthesize(factor.base, PRECEDENCE["Mul"])] * int(factor.exp)
+        return [self.parenthesize(factor, PRECEDENCE["Mul"])]
+
+    def _is_small_power(self, factor: Expr) -> bool:
+        whole = self.powers_as_products and factor.is_Pow and factor.exp.is_Integer
+        return bool(whole and 2 <= factor.exp <= 4)
+
+    def _product(self, factors: Sequence[str]) -> str:
+        first, *others = factors
+        times = "*" if first.isdigit() else self.times
+        return times.join([first, self.times.join(others)]) if others else first
+
+    def _print_Pow(self, expr: Expr) -> str:
+        if expr.exp.is_Rational and expr.exp < 0:
+            return self._print_Mul(expr)
+        if self._is_small_power(expr):
+            return self._product(self._factors(expr))
+        return str(super()._print_Pow(expr))
+
+
+class Python(Printer, PythonCodePrinter):
+    """Functions as `math` names them; one that nobody knows keeps its name."""
+
+    def __init__(self) -> None:
+        super().__init__({"fully_qualified_modules": False, "allow_unknown_functions": True})
+
+
+_BREAKS = re.compile(r"(?<= [-+] )|(?<=, )|(?<=[\w)][*/])(?=[\w(])|(?<=\.[*/])")
+
+
+def broken(line: str, more: str = "", width: int = WIDTH) -> list[str]:
+    """A long line, broken behind operators and commas; `more` says that it goes on."""
+    indent = " " * (len(line) - len(line.lstrip()) + 4)
+    lines = [""]
+    for piece in _BREAKS.split(line):
+        if lines[-1].strip() and len(lines[-1]) + len(piece.rstrip()) + len(more) > width:
+            lines[-1] = lines[-1].rstrip() + more
+            lines.append(indent)
+        lines[-1] += piece
+    return [part.rstrip() for part in lines]
+
+
+def signature(name: str, parameters: Sequence[str], returns: str = "") -> list[str]:
+    """``def name(parameters):``."""
+    line = f"def {name}({', '.join(parameters)}){f' -> {returns}' * bool(returns)}:"
+    first, *others = broken(line, width=WIDTH - len(INDENT))
+    return [first, *(INDENT + other for other in others)]
+
+
+def assignments(pairs: Sequence[tuple[Symbol, Expr]], depth: int = 1) -> list[str]:
+    """``x0 = sin(theta)`` and so on, indented `depth` times."""
+    lines: list[str] = []
+    for name, value in pairs:
+        line = f"{INDENT * depth}{name} = {Python().text(value)}"
+        lines += [line] if len(line) <= WIDTH else broken(line.replace(" = ", " = (", 1) + ")")
+    return lines
+
+
+def body(program: StraightLine, depth: int = 1) -> list[str]:
+    """The statements of a function that returns the results as a tuple, indented `depth` times."""
+    lines = [*assignments(program.shared, depth), INDENT * depth + "return ("]
+    for value in program.results:
+        lines += broken(f"{INDENT * (depth + 1)}{Python().text(value)},")
+    return [*lines, INDENT * depth + ")"]
 
 
 def operations(tree: ast.AST) -> int:
@@ -36,122 +139,3 @@ def names_called(definition: ast.FunctionDef) -> set[str]:
     """The functions, such as sin, that a definition calls."""
     calls = (node.func for node in ast.walk(definition) if isinstance(node, ast.Call))
     return {called.id for called in calls if isinstance(called, ast.Name)}
-
-
-def signature(name: str, parameters: list[str], returns: str = "") -> list[str]:
-    """``def name(parameters):``, broken over lines where it is too long for one."""
-    end = f") -> {returns}:" if returns else "):"
-    for inside in (f"{', '.join(parameters)}", f"\n{INDENT}{', '.join(parameters)}\n"):
-        text = f"def {name}({inside}{end}"
-        if all(len(line) <= WIDTH for line in text.splitlines()):
-            return text.splitlines()
-    return [f"def {name}(", *(f"{INDENT}{p}," for p in parameters), end]
-
-
-def body(definition: ast.FunctionDef, depth: int = 1) -> list[str]:
-    """The statements of a definition, indented `depth` times; a list is returned as a tuple."""
-    lines: list[str] = []
-    for statement in definition.body:
-        if isinstance(statement, ast.Assign):
-            (target,) = statement.targets
-            lines += assignment(_text(target), statement.value, depth)
-        elif isinstance(statement, ast.Return) and isinstance(statement.value, ast.List):
-            lines += [INDENT * depth + "return ("]
-            for entry in statement.value.elts:
-                lines += _entry(entry, depth + 1)
-            lines += [INDENT * depth + ")"]
-        else:
-            raise TypeError(f"lambdify wrote a {type(statement).__name__}: not laid out here")
-    return lines
-
-
-def expression(value: sympy.Expr) -> ast.expr:
-    """The syntax tree of one expression."""
-    tree = ast.parse(sympy.pycode(value, fully_qualified_modules=False), mode="eval").body
-    made: ast.expr = ast.fix_missing_locations(_FractionsLast().visit(tree))
-    return made
-
-
-def assignment(target: str, value: ast.expr, depth: int = 1) -> list[str]:
-    """``target = value``, indented `depth` times."""
-    line = f"{INDENT * depth}{target} = {_text(value)}"
-    if len(line) <= WIDTH:
-        return [line]
-    terms = [INDENT * (depth + 1) + term for term in _terms(value)]
-    return [f"{INDENT * depth}{target} = (", *terms, INDENT * depth + ")"]
-
-
-def _entry(value: ast.expr, depth: int) -> list[str]:
-    line = f"{INDENT * depth}{_text(value)},"
-    if len(line) <= WIDTH:
-        return [line]
-    terms = [INDENT * depth + term for term in _terms(value)]
-    return [*terms[:-1], terms[-1] + ","]
-
-
-def _terms(value: ast.expr) -> list[str]:
-    """A sum as lines that begin with their sign, a product likewise; anything else as one line."""
-    for kind in ((ast.Add, ast.Sub), (ast.Mult, ast.Div)):
-        if isinstance(value, ast.BinOp) and isinstance(value.op, kind):
-            return _operands(value, kind)
-    return [_text(value)]
-
-
-def _operands(value: ast.expr, kind: tuple[type[ast.operator], ...]) -> list[str]:
-    if isinstance(value, ast.BinOp) and isinstance(value.op, kind):
-        sign = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}[type(value.op)]
-        return [*_operands(value.left, kind), f"{sign} {_operand(value.right, value.op)}"]
-    return [_operand(value, kind[0]())]
-
-
-def _operand(value: ast.expr, beside: ast.operator) -> str:
-    """The text of an operand, in the parentheses that it has as the right one of `beside`."""
-    whole = _text(ast.BinOp(ast.Name("_"), beside, value))
-    return whole.split(" ", 2)[2]
-
-
-def _text(node: ast.expr) -> str:
-    # ruff writes a power of two plain names without blanks
-    return re.sub(r"\b(\w+) \*\* (\w+)\b", r"\1**\2", ast.unparse(node))
-
-
-class _FractionsLast(ast.NodeTransformer):
-    """(1/2)·a·b → a·b/2.
-
-    The value is the same, but no fraction of two integers remains, which Python would round before
-    a symbol can meet it.
-    """
-
-    def visit_BinOp(self, node: ast.BinOp) -> ast.expr:
-        self.generic_visit(node)
-        match _chain(node):
-            case [(_, p), (ast.Div(), ast.Constant() as q), (ast.Mult(), first), *rest]:
-                match p:
-                    case ast.Constant(value=1):
-                        leading = [first]
-                    case ast.UnaryOp(op=ast.USub(), operand=ast.Constant(value=1)):
-                        leading = [ast.UnaryOp(ast.USub(), first)]
-                    case _:
-                        leading = [p, first]
-                numerator = [(ast.Mult(), factor) for factor in leading]
-                return _product([*numerator, *rest, (ast.Div(), q)])
-            case [one, (ast.Div(), ast.Constant()) as divisor, *rest] if rest:
-                return _product([one, *rest, divisor])
-        return node
-
-
-_Factor = tuple[ast.operator, ast.expr]
-
-
-def _chain(node: ast.expr) -> list[_Factor]:
-    """a·b/c as [(·, a), (·, b), (/, c)]."""
-    if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Mult, ast.Div)):
-        return [*_chain(node.left), (node.op, node.right)]
-    return [(ast.Mult(), node)]
-
-
-def _product(factors: list[_Factor]) -> ast.expr:
-    (_, product), *rest = factors
-    for operator, factor in rest:
-        product = ast.BinOp(product, operator, factor)
-    return product

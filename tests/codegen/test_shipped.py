@@ -63,7 +63,7 @@ def test_a_changed_module_is_not_what_was_derived(current):
     ],
 )
 def test_operations(name, most):
-    counted = shipped.split(shipped.named(name)).operations
+    counted = shipped.split(shipped.named(name)).rates.operations
     (definition,) = (
         node
         for node in ast.walk(ast.parse(shipped.PATH.read_text("utf-8")))

@@ -66,7 +66,7 @@ def test_operations_count_shared_parts_once():
 
 
 def test_a_matrix_is_taken_entry_by_entry():
-    assert function(Matrix([x, y]), (x, y), "f").scalar(1.0, 2.0) == [1.0, 2.0]
+    assert function(Matrix([x, y]), (x, y), "f").scalar(1.0, 2.0) == (1.0, 2.0)
 
 
 def test_a_symbol_that_is_no_argument_is_named():
@@ -95,4 +95,4 @@ def test_a_sum_of_thousands_of_terms_is_one_too():
     letters = symbols("a:3000")
     made = function([y * Add(*letters)], (y, *letters), "long")
     assert made(0.5, *range(3000)) == pytest.approx([0.25 * 2999 * 3000], rel=1e-12)
-    assert made.source.count(" + ") + made.source.count("\n        + ") > 2900
+    assert made.source.count(" +") > 2900

@@ -87,7 +87,7 @@ def test_a_program_in_python_keeps_its_lines():
     names = symbols("a0:40")
     rungs = [(names[0], x + k), *((b, a * (a + k)) for a, b in pairwise(names))]
     ladder.__dict__["program"] = StraightLine(tuple(rungs), (names[-1],))
-    assert ladder.source("python").count(" = ") == 39
+    assert ladder.source("python").count(" = ") == 40
 
 
 def test_fortran_takes_reals_and_letters_of_one_case(tmp_path):

@@ -224,7 +224,7 @@ def test_shipped_equals_derived(name):
 
 @pytest.mark.parametrize(("name", "most"), list(zip(NAMES, (175, 70, 90, 110), strict=True)))
 def test_operations(name, most):
-    assert shipped.split(shipped.named(name)).operations <= most
+    assert shipped.split(shipped.named(name)).rates.operations <= most
 
 
 def test_constants_do_not_contain_the_state():

@@ -222,7 +222,7 @@ def test_roots_are_leading_roots_times_functions_of_epsilon():
 
 
 def test_size_of_what_is_shipped():
-    counted = {side.name: shipped.split(side).operations for side in shipped.SHIPPED}
+    counted = {side.name: shipped.split(side).rates.operations for side in shipped.SHIPPED}
     assert len(counted) == 7
     assert counted["top_in_euler_angles"] <= 60  # the symmetric top
     assert counted["heavy_body"] <= 60  # any moments, any centre
