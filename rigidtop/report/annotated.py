@@ -111,7 +111,7 @@ def write(
 <meta name="viewport" content="width=device-width, initial-scale=1"/>
 <meta name="color-scheme" content="light dark"/>
 <title>{escape(title)}, audited</title>
-<style>{style("page.css")}{_OWN_STYLE}</style>
+<style>{style("page.css", "print.css")}{_OWN_STYLE}</style>
 </head>
 <body>
 <a class="skip" href="#content">Skip to the notes</a>

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.page import Page
@@ -115,11 +115,20 @@ class Heading:
 
 @dataclass(frozen=True)
 class Mark:
-    """The verdict on a claim in the margin beside it; the `note` tells its conditions."""
+    """The verdict on a claim in the margin beside it; the `note` tells its conditions.
+
+    Where it only says "as above", `above` has what is said there.
+    """
 
     name: str
     verdict: Verdict
     note: Rich = ()
+    above: Rich = ()
+
+    @property
+    def in_full(self) -> Mark:
+        """For where what is above is not in sight."""
+        return replace(self, note=self.above or self.note)
 
 
 @dataclass(frozen=True)

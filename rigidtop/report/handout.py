@@ -511,7 +511,7 @@ def _once(mark: b.Mark | None, noted: dict[b.Rich, b.Mark]) -> b.Mark | None:
     if first is mark:
         return mark
     above = b.Cited(f"({first.name})", b.anchor(first.name)) if b.is_number(first.name) else "above"
-    return replace(mark, note=("as ", above))
+    return replace(mark, note=("as ", above), above=mark.note)
 
 
 ROOM = 65.0

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import replace
 from functools import singledispatch
 from html import escape
 from importlib.resources import files
@@ -40,9 +41,15 @@ def write(
 
     As `slides` it is for the projector: a derivation is uncovered line by line with the keys.
     """
+    if slides:
+        document = replace(document, blocks=tuple(map(_in_full, document.blocks)))
     body = mathml.held("\n".join(_sections(document, figures)))
     byline = f'\n<p class="byline">{prose_html(document.byline)}</p>' if document.byline else ""
-    kinds = ["page.css", *["lecture.css"] * document.lecture, *["slides.css"] * slides]
+    kinds = [
+        "page.css",
+        *["lecture.css"] * document.lecture,
+        f"{'slides' if slides else 'print'}.css",
+    ]
     scripts = ["lecture.js"] * document.lecture + ["slides.js"] * slides
     own = {each: said(each, document.look.language) for each in SHOWN}
     words = f' data-words="{escape(json.dumps(own, ensure_ascii=False))}"' * document.lecture
@@ -71,6 +78,14 @@ def write(
 {player}{script}</body>
 </html>
 """
+
+
+def _in_full(block: b.Block) -> b.Block:
+    """A display whose notes say in full what is "as above" on a page: that is another slide."""
+    if not isinstance(block, b.Display):
+        return block
+    rows = (row if row.mark is None else replace(row, mark=row.mark.in_full) for row in block.rows)
+    return replace(block, rows=tuple(rows))
 
 
 def _contents(document: b.Document) -> str:

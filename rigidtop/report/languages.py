@@ -91,6 +91,7 @@ equation | Gleichung | équation | ecuación | equazione
 what it says | was sie sagt | ce qu'elle dit | lo que dice | che cosa dice
 what | was | quoi | qué | che cosa
 value | Wert | valeur | valor | valore
+continued | Fortsetzung | suite | continuación | continua
 Copied | Kopiert | Copié | Copiado | Copiato
 """
 _CODES = ("de", "fr", "es", "it")
@@ -102,9 +103,9 @@ WORDS: Mapping[str, Mapping[str, str]] = {
 
 SHOWN = (
     *("Results only", "Steps", "Steps and reasons", "Light or dark"),
-    *("Link", "Copy LaTeX", "Copied"),
+    *("Link", "Copy LaTeX", "Copied", "continued"),
 )
-"""What the buttons of a page say."""
+"""What the buttons of a page and the headings of slides say."""
 
 
 def said(words: str, language: str) -> str:

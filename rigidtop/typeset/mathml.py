@@ -121,12 +121,10 @@ def letter(glyph: Glyph) -> str:
 
 
 def primed(base: str, prime: str = "′") -> str:
-    """A prime at the letter, not behind its index; fonts raise it by themselves."""
-    indexed = re.fullmatch(r"<msub>(<(\w+).*?</\2>)(.*)</msub>", base)
-    mark = f"<mo>{prime}</mo>"
-    if indexed:
-        return f"<msub>{_group(indexed[1] + mark)}{indexed[3]}</msub>"
-    return _group(base + mark)
+    """A prime above the index of a letter; without an index fonts raise it by themselves."""
+    if base.startswith("<msub>"):
+        return with_superscript(base, f"<mo>{prime}</mo>")
+    return _group(f"{base}<mo>{prime}</mo>")
 
 
 def subscript(sub: str) -> str:

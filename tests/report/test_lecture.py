@@ -46,6 +46,8 @@ from rigidtop.theory import symbols as s
 from rigidtop.theory.lettered import known
 from rigidtop.typeset.text import text
 
+from ..web.conftest import chrome
+
 
 @pytest.fixture(scope="module")
 def recorded(judged, solutions):
@@ -463,11 +465,57 @@ def test_a_myst_project_has_every_numbered_equation(document):
     assert len(set(labels)) == len(labels)
 
 
-def test_slides_have_their_keys(document, pictures):
-    svg = {p.name: "<svg width='9pt'/>" for p in pictures}
-    made = html.write(document, svg, slides=True)
-    assert "ArrowRight" in made
-    assert "ArrowRight" not in html.write(document, svg)
+@pytest.fixture(scope="module")
+def projector(document, drawn, tmp_path_factory):
+    """The slides in a browser: presses a key, or goes to a place, and says what is then shown."""
+    path = tmp_path_factory.mktemp("slides") / "slides.html"
+    svg = {name: page.decode() for name, (_, page) in drawn.items()}
+    path.write_text(html.write(document, svg, slides=True), "utf-8")
+    driver = chrome()
+    driver.get(path.as_uri())
+    yield driver
+    driver.quit()
+
+
+SLIDES = """const size = (math) => parseFloat(getComputedStyle(math).fontSize);
+const beside = (node) => node.scrollWidth - node.clientWidth;
+return [...document.querySelectorAll(".slide")].map((slide) => [
+  slide.scrollHeight - slide.clientHeight,
+  Math.max(beside(slide), ...[...slide.querySelectorAll(".eq")].map(beside)),
+  Math.min(...[...slide.querySelectorAll(".eq math")].map(size)),
+  slide.textContent,
+])"""
+PRESS = "dispatchEvent(new KeyboardEvent('keydown', { key: arguments[0] }))"
+SHOWN_NOW = """const now = document.querySelector(".slide.now");
+return [now.textContent, now.querySelectorAll(".covered").length, location.hash]"""
+
+
+def test_no_slide_is_longer_than_the_screen(projector):
+    slides = projector.execute_script(SLIDES)
+    assert len(slides) > 300
+    for over, beside, letters, words in slides:
+        assert over <= 0, words
+        assert beside <= 1, words
+        assert letters is None or letters >= 28, words
+        assert "as above" not in words
+
+
+def test_the_arrow_keys_uncover_lines(projector):
+    def shown(key):
+        projector.execute_script(PRESS, key)
+        return projector.execute_script(SHOWN_NOW)
+
+    words, covered, place = shown("Home")
+    assert "Rigid rotation" in words
+    projector.execute_script("location.replace('#3-57')")
+    assert "(3.57)" in projector.execute_script(SHOWN_NOW)[0]
+    words, covered, place = shown("ArrowDown")
+    assert place.endswith(".1")
+    lines = 1 + covered
+    for k in range(1, lines):
+        assert shown("ArrowRight")[:2] == [words, covered - k]
+    assert shown("ArrowRight")[0] != words
+    assert shown("ArrowLeft")[:2] == [words, 0]
 
 
 @pytest.mark.parametrize(
