@@ -129,8 +129,7 @@ def azimuth() -> Iterator[Evidence]:
         (
             Assumption(
                 Ne(turning, 0),
-                "for $φ̇$ to change, $p_φ$ and $p_ψ$ do not both vanish, and $θ$ is not where "
-                "it has its extremum",
+                "$p_φ$ and $p_ψ$ do not both vanish, and $θ$ is not where $φ̇$ is largest or least",
             ),
         ),
     )
@@ -151,18 +150,20 @@ def friction() -> Iterator[Evidence]:
     yield Formal(
         printed(r"\dot E < 0"),
         {s.Edot: sliding[s.F].dot(sliding[s.v_tip])},
-        (Assumption(Gt(s.slip, 0), "the contact slips, for energy to be lost"),),
+        (Assumption(Gt(s.slip, 0), "the contact slips, else no energy is lost"),),
     )
     figure_axis = Matrix([sin(s.theta), 0, cos(s.theta)])
     turning = s.Omega * Matrix([0, 0, 1])
+    moves = (
+        "the tip is round and the top does not turn about the vertical alone, else a contact that "
+        "is held does not move"
+    )
     yield Formal(
         printed(r"\boldsymbol\omega\times r_0\hat{\mathbf z} \neq [0, 0, 0]^T"),
         {s.omega_vec: Matrix([s.omega1, s.omega2, s.omega3]), s.zhat: Matrix([0, 0, 1])},
         (
-            Assumption(
-                Ne(s.r_t, 0), "the tip is round, with radius $r₀$, for a held contact to move"
-            ),
-            Assumption(Ne(s.omega1, 0), "the top does not turn about the vertical alone"),
+            Assumption(Ne(s.r_t, 0), moves),
+            Assumption(Ne(s.omega1, 0), moves),
         ),
     )
     yield Remark(

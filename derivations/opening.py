@@ -17,7 +17,7 @@ STICK = Matrix([0, sin(s.alpha), cos(s.alpha)])
 
 TILTED = Assumption(Ne(sin(s.alpha), 0), "the stick is tilted against $𝛚$", stated=True)
 TURNING = Assumption(Ne(s.omega, 0), "the masses move", stated=True)
-OBLIQUE = Assumption(Ne(cos(s.alpha), 0), "the stick is not at right angles to $𝛚$ either")
+OBLIQUE = Assumption(Ne(cos(s.alpha), 0), "the stick is not at right angles to $𝛚$")
 
 
 def angular_momentum(turn: Matrix) -> Matrix:
@@ -75,7 +75,7 @@ def two_mass_points() -> Iterator[Evidence]:
             OBLIQUE,
             Assumption(
                 Ne(s.radius, 0),
-                "the stick has a radius $r$, so that it shows a turn about itself",
+                "the stick is thick enough to show a turn about itself",
             ),
         ),
     )

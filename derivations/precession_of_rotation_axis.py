@@ -25,7 +25,7 @@ from .printed import printed
 SYMMETRIC = Assumption(Eq(s.lambda2, s.lambda1), "two equal moments", stated=True)
 START = Assumption(
     Eq(s.omega_20, 0),
-    "$e₁$, which is free to choose when $λ₁ = λ₂$, points along the part of $𝛚$ across $e₃$ at "
+    "$e₁$, which may be chosen freely since $λ₁ = λ₂$, points along the part of $𝛚$ across $e₃$ at "
     "$t = 0$",
 )
 FROM_START = replace(START, stated=True)  # (3.38) is given there
@@ -181,8 +181,8 @@ def same_frequency() -> Iterator[Evidence]:
         meaning,
         (
             Assumption(Ne(s.omega1, 0), "$𝛚$ is not along $e₃$", stated=True),
-            Assumption(Ne(s.omega3, 0), "$𝛚$ is not across $e₃$ either"),
-            Assumption(Ne(s.lambda1, s.lambda3), "the third moment differs"),
+            Assumption(Ne(s.omega3, 0), "$𝛚$ is not at right angles to $e₃$"),
+            Assumption(Ne(s.lambda1, s.lambda3), "the third moment differs from the others"),
         ),
     )
 
@@ -250,10 +250,10 @@ def free_fall() -> Iterator[Evidence]:
         torque,
         {symbols("k"): terms, s.R_CM: centre},
         (
-            Assumption(Eq(s.kappa, 0), "gravity has no gradient $κ$ across the body"),
+            Assumption(Eq(s.kappa, 0), "gravity is the same all over the body"),
             Assumption(
                 Eq(s.F_1, 0),
-                "no air pushes one particle alone, with a force $F₁$ beside its weight",
+                "no air pushes a part of it",
             ),
         ),
     )

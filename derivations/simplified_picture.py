@@ -28,10 +28,7 @@ WEAK = Assumption(
     stated=True,
     otherwise=top.smallness(),
 )
-STEADY = Assumption(
-    Eq(s.thetaddot, 0),
-    "the top precesses steadily, or on average over its nutation",
-)
+STEADY = Assumption(Eq(s.thetaddot, 0), "the top precesses steadily")
 NO_NUTATION = Assumption(Eq(s.thetadot, 0), STEADY.words)
 SPINNING = Assumption(Ne(s.omega3, 0), "the top spins about $e₃$", stated=True)
 
@@ -144,7 +141,7 @@ def axis_turns() -> Iterator[Evidence]:
 @claim("3.52", "The precession vector $𝛀$.")
 def precession_vector() -> Iterator[Evidence]:
     """Read off (3.51); $Ω$ is the rate at which $𝐋̇ = 𝐍$ keeps $θ$, exact for every spin."""
-    slow = Assumption(Eq(s.Omega, steady_rate()), f"{STEADY.words}, with $ε$ of section 3.5.3")
+    slow = Assumption(Eq(s.Omega, steady_rate()), STEADY.words)
     yield Check(printed("3.52"), picture(), (slow, WEAK, SPINNING))
 
 

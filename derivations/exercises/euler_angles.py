@@ -43,8 +43,8 @@ vertical_trap = Claim(
     text="exercises/vertical_in_primed_frame",
 )
 def vertical_in_primed_frame(phi: float, theta: float) -> Iterator[Outcome]:
-    """SciPy turns $x̂$, $ŷ$ and $ẑ$ by $φ$ about $ẑ$ and by $θ$ about the new $e₂′$, step by step;
-    the rows are the axes that come out, and their products with $ẑ$ stand beside the formula."""
+    """The two turns, made one after the other, give the axes of the table. Beside their components
+    along $ẑ$ stands what the formula has for these."""
     first = Rotation.from_rotvec([0.0, 0.0, phi])
     second = Rotation.from_rotvec(theta * first.apply([0.0, 1.0, 0.0]))
     axes = (second * first).apply(np.eye(3))
@@ -105,11 +105,10 @@ MISSES = (0.1, 0.03, 0.01, 0.003, 0.001)
 def azimuth_of_a_motion(
     theta: float, phi_dot: float, omega3: float, **shape: float
 ) -> Iterator[Outcome]:
-    """The motion is integrated over a nutation with quaternions, which know neither $φ$ nor $L_z$;
-    the axis moves by $𝐞̇₃ = 𝛚 × e₃$, and its azimuth at the rate $(xẏ − yẋ)/(x² + y²)$. Tops that
-    pass the vertical closely start with $φ̇$ chosen for their $L_z$ and on the way up, as fast as
-    a top without rotation falls from the upright to $θ$: so they get there at any spin. Their
-    smallest $θ$ is that of the motion in closed form."""
+    """The motion is integrated over one nutation without Euler angles, by $𝐞̇₃ = 𝛚 × e₃$; the
+    azimuth of the axis then changes at the rate $(xẏ − yẋ)/(x² + y²)$. The tops that pass the
+    vertical closely start on their way up, with the $φ̇$ of their $L_z$, and as fast as a top
+    without rotation that has fallen from the upright to $θ$: so they get there at any spin."""
     if omega3 == 0:
         raise RigidtopError("omega3 must not be 0: L_z/L₃ says how closely a spinning top passes")
     top = heavy_top(**shape)

@@ -79,9 +79,8 @@ def flip_constants(
 def stable_axes(
     lambda1: float, lambda2: float, lambda3: float, omega: float, kick: float
 ) -> Iterator[Outcome]:
-    """Growth rates and frequencies are those of (3.36) linearised about each axis. The flip is a
-    complete elliptic integral; the period of the product's closed form must agree with it, and so
-    must the integrated motion."""
+    """Growth rates and frequencies are those of (3.36), linearised about each axis. The time of a
+    flip is a complete elliptic integral; an integrated motion turns over in the same time."""
     moments = (lambda1, lambda2, lambda3)
     if not lambda1 < lambda2 < lambda3:
         raise RigidtopError(

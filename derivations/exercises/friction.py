@@ -189,8 +189,8 @@ def budget(path: SlidingTrajectory, rows: int, last: int, title: str) -> Table:
 def rising_top(
     tip: float, mu: float, theta: float, until: float, omega3: float, **shape: float
 ) -> Iterator[Outcome]:
-    """The motion with Coulomb friction is integrated. Jellett's integral and the sum of all
-    energies must keep their values, and $L_z$ must grow by the time integral of the torque."""
+    """The motion is integrated with Coulomb's friction. Jellett's integral and the sum of all
+    energies keep their values in it."""
     if until >= theta:
         raise RigidtopError(f"until = {until:g} must be less than theta = {theta:g}: the top rises")
     motion = rising(theta, omega3, tip=tip, mu=mu, **shape)
@@ -334,10 +334,10 @@ def small_tilt_time(
 def waking_top(
     drag3: float, omega3: float, disturbance: float, visible: float, **shape: float
 ) -> Iterator[Outcome]:
-    """The time to the sleeping spin is a closed form, and so is the integral of the growth rate
-    from then on. It is good if the tilt grows by a large factor: the time is then wrong by about
-    one part in the logarithm of this factor. The top with its disturbance is integrated on the
-    table, and so is the linear equation of a small tilt."""
+    """From the sleeping spin on, the growth rate is integrated until the tilt is visible. That is
+    good if the tilt grows by a large factor: the time is wrong by about one part in the logarithm
+    of this factor. So the top with its disturbance is integrated as well, and the linear equation
+    of a small tilt for the start with $φ̇ = 0$."""
     top = SlidingTop(**shape, mu=HELD, drag3=drag3)
     pivot = about_tip(**shape)
     asleep = time_asleep(omega3, drag3, **shape)

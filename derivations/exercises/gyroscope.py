@@ -153,9 +153,9 @@ FACTORS = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
 def gyroscope(
     M: float, radius: float, R: float, omega3: float, theta: float, tolerance: float, g: float
 ) -> Iterator[Outcome]:
-    """The exact rate is the slow root of (3.57). By Newton's law grain by grain, without moments of
-    inertia or Euler's equations, it is checked that a disc so moved needs the torque of its weight
-    and no other; and the spin for the tolerance by the exact rate there."""
+    """The exact rate is the slow root of (3.57). Newton's law for each grain of a disc that moves
+    so, without moments of inertia or Euler's equations, asks for the torque of its weight and no
+    other."""
     spinning(omega3)
     top = disc_on_axle(M, radius, R, g)
     exact, _ = top.steady_precession(theta, omega3)
@@ -226,9 +226,9 @@ def gyroscope(
 def bicycle_wheel(
     M: float, radius: float, R: float, omega3: float, cord: float, g: float
 ) -> Iterator[Outcome]:
-    """The cord leans until its horizontal part keeps the wheel on its circle: a root is found. That
-    the rate needs no other torque, and the cord no other force, is checked by Newton's law for six
-    grains of the rim; the dip against the turning points of the exact motion."""
+    """The cord leans until its horizontal part keeps the wheel on its circle: its angle is the root
+    of an equation. Newton's law for six grains of the rim asks for no other torque, and no other
+    force."""
     spinning(omega3)
     top = hoop_on_axle(M, radius, R, g)
     rate, _ = top.steady_precession(pi / 2, omega3)

@@ -95,8 +95,8 @@ def spin_by_search(top: HeavyTop, tilt: float, accuracy: float) -> tuple[float, 
 def fast_spin_roots(
     theta: float, omega3: float, accuracy: float, **shape: float
 ) -> Iterator[Outcome]:
-    """Both roots are compared order by order with the series in $ε$; the spin from which the
-    leading terms suffice is known in closed form, and found once more by searching for it."""
+    """The table compares both roots with their series, order by order. The spin from which the
+    leading terms suffice follows from the two conditions just derived."""
     top = heavy_top(**shape)
     if abs(cos(theta)) < 1e-9:
         raise RigidtopError(

@@ -154,8 +154,8 @@ def discs(radius: float, height: float, nodes: int = 8) -> tuple[Vectors, Vector
 def gravity_on_a_solid(
     radius: float, height: float, density: float, theta: float, phi: float, g: float
 ) -> Iterator[Outcome]:
-    """Mass, centre and moments are the integrals above, with numbers put in. Besides, the tilted
-    cone is summed disc by disc with Gauss's nodes, which is exact for these integrals."""
+    """Mass, centre and moments follow from these formulas. A sum over the tilted cone, disc by
+    disc, has the same torque and energy."""
     shape = dict(zip(_SHAPE, (radius, height, density), strict=True))
     volume, centre, across, along = (float(x.subs(shape)) for x in _of_a_cone())
     mass = density * volume

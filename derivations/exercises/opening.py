@@ -71,10 +71,9 @@ def free_flight(
 def two_masses(
     M_1: float, M_2: float, a: float, b: float, alpha: float, omega: float
 ) -> Iterator[Outcome]:
-    """$𝐋$ and $𝐍$ are those derived here, and sums over the two masses give the same. The
-    flight is integrated by Newton's law for each mass with the pull of the stick: about its centre
-    of mass the stick turns with the part of $𝛚$ across it, about an axis parallel to the $𝐋$ of
-    then."""
+    """$𝐋$ and $𝐍$ follow from these formulas; sums over the two masses give the same. The flight is
+    that of Newton's law for each mass, with the pull of the stick: about its centre of mass the
+    stick turns with the part of $𝛚$ across it, about an axis parallel to the last $𝐋$."""
     moment = M_1 * a**2 + M_2 * b**2
     momentum = moment * omega * sin(alpha)
     torque = moment * omega**2 * sin(alpha) * cos(alpha)

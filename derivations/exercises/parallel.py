@@ -158,9 +158,9 @@ DOUBLINGS = 8
     text="exercises/parallel_bound",
 )
 def parallel_bound(theta: float, omega3: float, **shape: float) -> Iterator[Outcome]:
-    """The largest angle is a closed form: at the lowest point of a fast top, on the way to it of a
-    slow one. The mean precession of the exact motion is a closed form too. The table doubles the
-    spin from row to row. The motion integrated with quaternions is searched for the same angle."""
+    """The largest angle is that at the lowest point of a fast top, and one on the way to it of a
+    slow top. It and the mean precession are those of the exact motion, which an integrated one
+    confirms. From row to row of the table the spin doubles."""
     top = heavy_top(**shape)
     if omega3 == 0:
         raise RigidtopError(

@@ -85,10 +85,9 @@ widest_angle = Claim(
 def cone_plane(
     lambda1: float, lambda2: float, lambda3: float, omega_0: float, omega3: float
 ) -> Iterator[Outcome]:
-    """The angles follow from (3.38) and (3.39). Both bodies are integrated, and their angles looked
-    at on the way. Where $λ₂ ≠ λ₁$ the angle between $𝛚$ and $𝐋$ has its extremes where $ω₂ = 0$
-    and half a period of the closed form later, since $|ω|²$ is linear in $ω₂²$ at given $T$ and
-    $L²$."""
+    """The angles follow from (3.38) and (3.39). Both bodies are followed by integration. Where $λ₂
+    ≠ λ₁$, the angle between $𝛚$ and $𝐋$ is least and greatest where $ω₂ = 0$ and half a period
+    later, since at given $T$ and $L²$ the square $|ω|²$ is linear in $ω₂²$."""
     tilt, momentum_tilt = atan2(omega_0, omega3), atan2(lambda1 * omega_0, lambda3 * omega3)
     between = abs(momentum_tilt - tilt)
     if between < PARALLEL:
@@ -297,9 +296,8 @@ DAY = 86400.0
 def earth_euler_period(
     H: float, omega3: float, observed: float, angle: float, radius: float
 ) -> Iterator[Outcome]:
-    """The period is that of (3.40). By the closed form of the motion the axis is back after this
-    time; the integrated motion, followed for a tenth of it, makes a tenth of the circle. The share
-    of the bulge is the rate of the wobble solved for $k$, with the period that is observed."""
+    """The period is that of (3.40). The share of the bulge follows from the rate of the wobble,
+    solved for $k$, and the period that is observed."""
     turns = (1 - H) / H
     sidereal = 2 * pi / omega3
     period = turns * sidereal / DAY
@@ -392,10 +390,9 @@ def plate_rates(body: FreeBody, theta: float, omega3: float) -> tuple[float, flo
 def wobbling_plate(
     theta: float, radius: float, thickness: float, omega3: float
 ) -> Iterator[Outcome]:
-    """Moments of a disc, and the rates derived here: it is the wobble that is twice as fast, and
-    Feynman remembered the two exchanged (Chao 1989, Physics Today 42:15). The motion is integrated
-    over five wobbles: the turns of $e₃$ about $𝐋$ are counted, and those of a mark on the rim as
-    seen along $𝐋$."""
+    """It is the wobble that is twice as fast; Feynman remembered the two exchanged (Chao 1989,
+    Physics Today 42:15). In a motion integrated over five wobbles the turns of $e₃$ about $𝐋$, and
+    those of a mark on the rim as seen along $𝐋$, come out the same."""
     body = plate(radius, thickness)
     flatness = body.lambda3 / body.lambda1
     wobble, mark = plate_rates(body, theta, omega3)

@@ -72,10 +72,10 @@ HALVINGS = 6
     text="exercises/rotations_form_a_group",
 )
 def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[Outcome]:
-    """The matrices are exponentials of their generators; the angle and the axis of $A B$ come from
-    the half-angle formula, and from SciPy, which multiplies the matrices. $𝐧₁$ is $x̂$ and $𝐧₂$
-    lies in the plane of $x̂$ and $ŷ$. For $(AB)C$, $C$ is the turn that the half-angle formula
-    gives."""
+    """Angle and axis of $A B$ come from the half-angle formula, and are those of the product of the
+    matrices. $𝐧₁$ is $x̂$, and $𝐧₂$ lies in the plane of $x̂$ and $ŷ$. The unit matrix is a turn by
+    zero, the inverse a turn by the opposite angle, and a product of three matrices does not depend
+    on the brackets."""
     first, second = np.array([1.0, 0.0, 0.0]), np.array([np.cos(gamma), np.sin(gamma), 0.0])
     A, B = about(first, alpha), about(second, beta)
     one = np.eye(3)

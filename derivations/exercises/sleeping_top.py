@@ -99,9 +99,9 @@ class Waking:
     text="exercises/sleeping_top",
 )
 def sleeping_top(omega3: float, disturbance: float, **shape: float) -> Iterator[Outcome]:
-    """Threshold, growth and tilt are closed forms, the time of waking is a complete elliptic
-    integral. The motion from the disturbance is integrated and compared, and so is a search for
-    the spin at which the potential of $θ$ changes its curvature."""
+    """Threshold, growth and tilt follow from these formulas, the time of waking from the complete
+    elliptic integral. A motion integrated from the disturbance has the same tilt and the same
+    time."""
     top = heavy_top(**shape)
     threshold = top.sleeping_spin()
     waking = Waking(top, omega3, disturbance)

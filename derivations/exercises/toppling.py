@@ -58,8 +58,7 @@ def fall(top: HeavyTop, start: float, end: float) -> tuple[float, float]:
 def toppling_top(
     theta: float, until: float, lambda1: float, M: float, R: float, g: float
 ) -> Iterator[Outcome]:
-    """The elliptic integral is evaluated. The closed form of the motion, by theta functions, has
-    the same angle at that time."""
+    """The time is this elliptic integral, and the speed follows from the energy."""
     if until <= theta:
         raise RigidtopError(f"until = {until:g} must be more than theta = {theta:g}: the top falls")
     # λ₃ plays no part: that of a body with three equal moments about its centre of mass.

@@ -106,15 +106,14 @@ def toutatis(
     ball: float,
     friction: float,
 ) -> Iterator[Outcome]:
-    """The start is carried on in closed form as a free body without friction; integration must
-    agree with it, and counted turns with the closed forms of the periods. From the published
-    moments and start, half of the radar attitudes of December 1992 are met to $5.6°$, and all to
-    $15.9°$; two of the observed $ω$, of 7 and 14 December, do not go with the $L$ of all others. In
-    2008 $L$ still points where it did, but the phase is lost: over a thousand turns the last
-    printed digits of the start add up to some ten degrees, and the tides of the Sun and the Earth,
-    which are left out here, to far more. For friction the body gets the ball in oil of section
-    3.2.3, far stronger than what rubs in a rock, and is integrated with its attitude: $L$ in space
-    must stay, and the heat of the oil must be the energy that is missing at the end."""
+    """The motion is that of a free body without friction, carried on from the start in closed form.
+    From the published moments and start, half of the radar attitudes of December 1992 are met to
+    $5.6°$, and all to $15.9°$; two of the observed $ω$, of 7 and 14 December, do not go with the
+    $L$ of all others. In 2008 $L$ still points where it did, but the phase is lost: over a thousand
+    turns the last printed digits of the start add up to some ten degrees, and the tides of the Sun
+    and the Earth, which are left out here, to far more. With friction the body has the ball in oil
+    of section 3.2.3, far stronger than what rubs in a rock; $L$ in space stays, and the oil takes
+    the energy that is missing at the end."""
     moments = np.array([lambda1, lambda2, lambda3])
     omega = np.array([omega1, omega2, omega3]) * DAY  # the unit of time from here on: a day
     if lambda3 >= min(lambda1, lambda2):

@@ -125,8 +125,8 @@ def top_from_the_toy_box(
     theta: float,
     omega3: float,
 ) -> Iterator[Outcome]:
-    """The moments are put together from disc and stem, and summed once more over points in both;
-    precession and nutation come from the formulas and from the integrated motion."""
+    """The moments are put together from disc and stem; precession and nutation are those of a heavy
+    top with them."""
     top = measured(disc_mass, disc_radius, disc_thickness, disc_height, stem_mass, stem_length, g)
     mass, arm, lambda1, lambda3 = top.M, top.R, top.lambda1, top.lambda3
     touching = free_of_the_table(theta, disc_radius, disc_thickness, disc_height)

@@ -71,7 +71,9 @@ def draw_rotation(
     scene.line(way, color=ANGLE, lw=1.4, zorder=4)
     if abs(angle) > 0.1:
         scene.head(way[[-6, -1]], width=0.16, length=0.3, color=ANGLE, lw=0.8, zorder=4.5)
-    scene.words(1.24 * way[30], symbol, color=ANGLE, ha="center", va="center", fontsize=11)
+    x, y, _ = VIEW(way[30])
+    outwards = (9 * float(x) / math.hypot(x, y), 9 * float(y) / math.hypot(x, y))
+    scene.words(way[30], symbol, outwards, color=ANGLE, ha="center", va="center", fontsize=11)
 
 
 def turns(sequence: str, *angles: float) -> list[tuple[Floats, float, int, str]]:

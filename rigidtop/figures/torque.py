@@ -67,7 +67,7 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
     scene.arrow(centre - [0, 0, 0.46], start=centre, color=look.INK, lw=1.4)
     scene.words(centre - [0, 0, 0.46], look.WEIGHT, (6, 2), color=look.INK)
     scene.dot(centre)
-    scene.words(centre, look.R_CM, (7, -9), color=look.INK, zorder=8)
+    scene.words(centre, look.R_CM, (26, -9), color=look.INK, zorder=8)
     scene.words([0.0, 0.0, 0.0], "$O$", (5, -10), color=look.INK)
     paper(axes, (-1.45, 1.7), (min(-0.3, 1.6 * e3[2] - 0.4), 1.92))
 

@@ -95,9 +95,9 @@ def _room_on_the_right(drawn: Sketch) -> bool:
     """Whether the name of the centre of mass is farther from balls and other names on the right."""
     x, y, _ = VIEW(drawn.centre)
     balls = np.column_stack(VIEW(drawn.places)[:2])
-    beside = balls + np.outer(np.where(balls[:, 0] >= 0, 0.09, -0.09), [1.0, 0.0])
+    above = balls + [0.0, 0.09]
     tips = np.column_stack(VIEW(np.vstack([0.55 * np.eye(3), 1.15 * drawn.couple]))[:2])
-    others = np.vstack([balls, beside, tips])
+    others = np.vstack([balls, above, tips])
     right, left = (np.linalg.norm(others - [x + k * 0.1, y + 0.03], axis=1).min() for k in (1, -1))
     return bool(right >= left)
 
@@ -110,9 +110,7 @@ def _draw_point(scene: Scene, place: Floats, weight: Floats, words: str, size: f
     scene.line(foot, ".", color=look.GREY, ms=3, zorder=1)
     scene.arrow(place + weight, start=place, color=look.FIRST, lw=1.3)
     scene.dot(place, ms=size, mfc=look.FACE, mec=look.EDGE, mew=0.8, zorder=6)
-    right = scene.view(place)[0] >= 0
-    side, away = ("left", 0.5 * size + 3) if right else ("right", -0.5 * size - 3)
-    scene.words(place, words, (away, 2), color=look.INK, ha=side, zorder=7)
+    scene.words(place, words, (0, 0.5 * size + 3), color=look.INK, ha="center", zorder=7)
 
 
 def _draw(axes: Axes, **values: float) -> None:

@@ -21,7 +21,8 @@ a move (`rigidtop.proof.moves`), what it is done with, and what is put in beside
     Solve A for $x$.                        Solve A for $x$, without $y$.
     Take the root of A.                     Square A.
     Take the sine of A.                     (or the cosine, or the logarithm)
-    Take the sign of A.  (A's right side is < 0, > 0 or ≠ 0)
+    Take the sign of A.  (A's right side is < 0 or > 0)
+    Ask whether A vanishes.  (it is ≠ 0)
     Set $x = 0$ in A.                       Set $x = 0$ at all times in A.
     Set $x = 0$ at the start in A.  (what A says is constant, with what is cited)
     Expand A to second order in $x$.        Neglect $f$ in A, for large $x$.  (or small)
@@ -312,6 +313,7 @@ _SHAPES = (
         _Shape(rf"Take the {what} of {_A}", what)
         for what in ("root", "sign", "sine", "cosine", "logarithm")
     ),
+    _Shape(rf"Ask whether {_A} vanishes", "sign"),
     _Shape(rf"Square {_A}", "square"),
     _Shape(rf"Neglect {_X} in {_A}, for (?P<n>large|small) (?P<y>\$[^$]+\$)", "neglect"),
     _Shape(rf"Neglect {_X} in {_A}", "neglect"),

@@ -236,7 +236,10 @@ def refuted(found: Counterexample) -> tuple[b.Rich, b.Piece, b.Piece]:
     at: list[b.Piece] = []
     for symbol, value in ordered:
         at += [", " if at else "at ", lay.Chain((layout(symbol), short_number(value)), ("=",))]
-    left, right = (_real_number(side) for side in (found.left, found.right))
+    pair = found.left, found.right
+    left, right = map(_real_number, pair)
+    if left == right and pair[0] != pair[1]:
+        left, right = (_real_number(side, 12) for side in pair)
     return tuple(at), left or "undefined", right or "undefined"
 
 
@@ -269,22 +272,24 @@ def said_at(found: Counterexample) -> b.Rich:
     return (*at, ": ", *said) if at else said
 
 
-def _real_number(side: Expr) -> Node | None:
+def _real_number(side: Expr, digits: int = 4) -> Node | None:
     """A side of a counterexample; None where it has no real value there."""
     if side is None or not sympy.sympify(side).evalf(12).is_real:
         return None
-    return short_number(side)
+    return short_number(side, digits)
 
 
-def short_number(number: Expr) -> Node:
-    """An exact number where it is short, else six digits of it.
+def short_number(number: Expr, digits: int = 4) -> Node:
+    """An exact number where it is short, else so many digits of it.
 
     >>> third = sympy.Rational(3, 7)
     >>> text(short_number(third)), text(short_number(sympy.sin(third / 3 * 2)))
-    ('3/7', '0.281843')
+    ('3/7', '0.2818')
     """
     number = sympy.sympify(number)
     exact = layout(number)
     if width(exact) <= 6 and not number.has(sympy.Function):
         return exact
-    return layout(sympy.Float(number.evalf(12)))
+    value = float(number.evalf(15))
+    node = lay.decimal(abs(value), max(digits, len(str(int(abs(value))))))
+    return lay.negated(node) if value < 0 else node

@@ -11,10 +11,12 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from sympy import Basic
+
 from rigidtop.notation import Notation
 from rigidtop.proof.exercise import Answer, Exercise, Table
 from rigidtop.proof.lecture import Lecture, Prose, Text
-from rigidtop.proof.page import Claim, Page
+from rigidtop.proof.page import Assumption, Claim, Page
 from rigidtop.proof.verdict import Judgement, Verdict
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
@@ -58,29 +60,36 @@ def marked(judgement: Judgement, text: Text | None = None) -> tuple[b.Mark | b.B
             assert isinstance(said, b.Paragraph)
             return (replace(said, mark=mark), *behind)
         return (mark, *_set_right(judgement, there))
-    return (b.Mark(claim.name, verdict, _note(judgement)),)
+    return (b.Mark(claim.name, verdict, _note(judgement, text)),)
 
 
-def _note(judgement: Judgement) -> b.Rich:
+def _note(judgement: Judgement, text: Text | None) -> b.Rich:
     """Under which conditions that the notes do not state a claim holds.
 
-    What its lines divide by, they say themselves.
+    What its lines divide by, they say themselves; letters that the `text` does not have, words say.
     """
     if judgement.verdict is not Verdict.ASSUMING:
         return ()
-    together: dict[str, list[Node]] = {}
+    together: dict[str, list[Assumption]] = {}
     for item in tested(judgement):
         if not item.assumption.stated and item.without is not None:
-            words = item.assumption.words.rstrip(".")
-            together.setdefault(words, []).append(condition(item.assumption))
+            together.setdefault(item.assumption.words.rstrip("."), []).append(item.assumption)
+    lines = text.lines if text is not None else ()
+    letters = {x for line in lines for each in line.equations for x in _letters(*each.sides)}
     pieces: list[b.Piece] = []
-    for words, relations in together.items():
-        pieces.append("; if " if pieces else "if ")
-        pieces.append(f"{words} (" if words else "")
-        for k, relation in enumerate(relations):
-            pieces += [", " if k else "", relation]
+    for words, assumed in together.items():
+        pieces += ["; " if pieces else "", "if ", words]
+        if words and lines and not letters.issuperset(_letters(*(a.condition for a in assumed))):
+            continue
+        pieces.append(" (" if words else "")
+        for k, assumption in enumerate(assumed):
+            pieces += [", " if k else "", condition(assumption)]
         pieces.append(")" if words else "")
     return tuple(piece for piece in pieces if piece != "")
+
+
+def _letters(*parts: Basic) -> set[Basic]:
+    return {letter for part in parts for letter in part.free_symbols}
 
 
 SHORT = 45.0
@@ -266,10 +275,19 @@ def total(points: str, exercises: int) -> str:
 
 def _given(value: float, unit: str) -> b.Rich:
     """A setting in the unit in which it has fewest digits: 30°, but 0.5 rad; 180 turns a minute."""
-    made = [written(value, unit), written(value, unit, angles=False)]
-    if unit == "rad/s" and abs(value) > 1:
-        made.append((shown(value * 30 / math.pi), b.Unit("rpm")))
+    made = [written(value, unit, angles=angles, digits=GIVEN_DIGITS) for angles in (True, False)]
+    if unit == "rad/s":
+        slow = abs(value) < SMALLEST_ANGLE
+        other = math.degrees(value) * DAY if slow else value * 30 / math.pi
+        made.append((shown(other, GIVEN_DIGITS), b.Unit("°/day" if slow else "rpm")))
     return min(made, key=_significant)
+
+
+GIVEN_DIGITS = 7
+"""As many as anybody measures."""
+
+DAY = 86400.0
+"""In seconds."""
 
 
 def _significant(pieces: b.Rich) -> int:
@@ -294,9 +312,8 @@ def written(value: float | str, unit: str, *, angles: bool = True, digits: int =
         small = 0 < abs(value) < SMALLEST_ANGLE
         value = math.degrees(value) * (3600 if small else 1)
         unit = "″" if small else "°"
-    if isinstance(value, str) or unit == "1":
-        return (shown(value, digits),)
-    return shown(value, digits), b.Unit(unit)
+    number = shown(value, digits, kept=digits == TABLE_DIGITS)
+    return (number,) if isinstance(value, str) or unit == "1" else (number, b.Unit(unit))
 
 
 def solutions(
@@ -326,7 +343,7 @@ def answer(solution: Solution, parts: Parts, told: Mapping[str, str]) -> list[b.
         for k, claim in enumerate(there):
             between = "" if k == 0 else " and " if k == len(there) - 1 else ", "
             names += [between, *_called(claim, told[claim.name])]
-        made.append(b.Paragraph(("We have ", *(n for n in names if n), ".")))
+        made.append(b.Paragraph(("We have shown: ", *(n for n in names if n), ".")))
     text, lines = solution.text, solution.lines
     new = [j for j in solution.judgements if j.claim.name not in told]
     here = {line.id for line in text.lines} if text is not None else set()

@@ -33,6 +33,9 @@ SMALLEST_ANGLE = 1e-4
 TABLE_DIGITS = 4
 """Of a number in a table."""
 
+EXACT = 1e-12
+"""A number this near to a shorter one is that one (relative)."""
+
 
 @dataclass(frozen=True)
 class Solution:
@@ -141,16 +144,19 @@ def question(
     return [*made, b.Quantities("Given", given)] if given else made
 
 
-def shown(value: float | str, digits: int = DIGITS) -> str | Node:
-    """A cell as it is printed.
+def shown(value: float | str, digits: int = DIGITS, *, kept: bool = False) -> str | Node:
+    """A cell as it is printed; zeros at its end are `kept` of what was rounded to these digits.
 
     >>> from rigidtop.typeset.text import text
     >>> text(shown(-0.25)), shown("waves")
     ('−0.25', 'waves')
+    >>> [text(shown(x, 4, kept=True)) for x in (12.0961, 0.15 + 0.15, 1e-8)]
+    ['12.10', '0.3', '10⁻⁸']
     """
     if isinstance(value, str):
         return value
-    node = decimal(abs(value), digits)
+    rounded = kept and not math.isclose(value, float(f"{value:.{digits}g}"), rel_tol=EXACT)
+    node = decimal(abs(value), digits, kept=rounded)
     return negated(node) if value < 0 else node
 
 
@@ -171,12 +177,14 @@ def _column(values: Sequence[float | str]) -> list[str | Node]:
     if not sizes or not all(map(math.isfinite, sizes)):
         return [shown(x, TABLE_DIGITS) for x in values]
     short = [f"{x:.{TABLE_DIGITS}g}" for x in sizes]
-    # Powers of ten of the largest number and of the smallest.
-    large, small = (math.floor(math.log10(end)) for end in (max(sizes), min(sizes)))
+    # Powers of ten of the largest number and of the smallest, as they are printed.
+    rounded = [math.floor(math.log10(float(x))) for x in short]
+    large, small = max(rounded), min(rounded)
     powers = any("e" in number for number in short)
     if large - small > SPAN - powers or large < LEAST:
         return [x if isinstance(x, str) else _number(x, powers=powers) for x in values]
-    wanted = max(TABLE_DIGITS - 1 - max(small, large - 1), 0)
+    # All digits of the largest number, and two at least of the smallest.
+    wanted = max(TABLE_DIGITS - 1 - large, 1 - small, 0)
     there = max(len(f"{float(x):.{wanted}f}".rstrip("0").partition(".")[2]) for x in short)
     return [x if isinstance(x, str) else _number(x, min(wanted, there)) for x in values]
 

@@ -404,16 +404,19 @@ def lettered(shown: Glyph) -> Node:
     return Power(Letter(replace(shown, base=stem)), Number(exponent))
 
 
-def decimal(number: float, digits_shown: int = 6) -> Node:
+def decimal(number: float, digits_shown: int = 6, *, kept: bool = False) -> Node:
     """A decimal number that is not negative, with a power of ten where it needs one.
 
-    >>> decimal(0.25)
-    Number(text='0.25')
+    Zeros at its end are left out, if they are not to be `kept`.
+
+    >>> decimal(0.25), decimal(0.25, 3, kept=True)
+    (Number(text='0.25'), Number(text='0.250'))
     """
-    digits, _, exponent = f"{number:.{digits_shown}g}".partition("e")
+    digits, _, exponent = f"{number:{'#' * kept}.{digits_shown}g}".partition("e")
+    digits = digits.rstrip(".")
     if not exponent:
         return Number(digits)
     size = abs(int(exponent))
     power = Number(str(size))
     ten = Power(Number("10"), power if int(exponent) > 0 else negated(power))
-    return Infix("×", Number(digits), ten)
+    return ten if digits == "1" else Infix("×", Number(digits), ten)

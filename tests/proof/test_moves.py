@@ -180,7 +180,7 @@ Take the sign of the rate of spin, for $\lambda_1 > \lambda_2$, $\omega_1 > 0$ a
 $$\dot\omega_3 < 0$$
 """,
     "unequal": r"""
-Take the sign of the rate of spin, for $\lambda_1 \ne \lambda_2$,
+Ask whether the rate of spin vanishes, for $\lambda_1 \ne \lambda_2$,
 $\omega_1 \ne 0$ and $\omega_2 \ne 0$:
 
 $$\dot\omega_3 \ne 0$$

@@ -560,6 +560,8 @@ def test_fixed_words_are_in_the_language_of_the_lecture(document):
         assert language in tex.LANGUAGES
         assert {*SHOWN, *LEGEND.values()} <= set(fixed)
         assert all(fixed.values())
+        there = translated(replace(document, look=Look(language=language)))
+        assert tex.write(there, {b.name: "x" for b in there.blocks if isinstance(b, Figure)})
 
 
 def test_a_lecture_of_ones_own_looks(document):

@@ -308,7 +308,7 @@ def test_names():
 
 def test_short_numbers():
     assert text(short_number(sqrt(3) / 16)) == "(1/16)√3"
-    assert text(short_number(sin(Rational(2, 7)))) == "0.281843"
+    assert text(short_number(sin(Rational(2, 7)))) == "0.2818"
     assert text(short_number(Rational(-123456789, 1000))) == "−123457"
 
 
