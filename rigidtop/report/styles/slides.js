@@ -44,14 +44,15 @@
     }
   }
 
-  // Parts begin with a heading, but for one that a sentence introduces; a figure has its own slide.
+  // Parts begin with a heading, but where one paragraph introduces it; a figure has its own slide.
   const parts = [];
   for (const piece of pieces) {
     const last = parts.at(-1);
     const figure = piece.whole.matches("figure");
-    const title = last?.every((each, k) => heads(each.whole) || (k === 1 && each.whole.matches("h2 + p, h3 + p")));
+    const rest = last?.filter((each) => !heads(each.whole)) ?? [];
+    const intro = rest.length === 1 && rest[0].whole.matches("p") && piece.whole.matches(".sub");
     const begins = heads(piece.whole) || figure || last?.at(-1).whole.matches("figure, header");
-    if (last && (title || !begins)) last.push(piece);
+    if (last && (!rest.length || intro || !begins)) last.push(piece);
     else parts.push([piece]);
   }
 
