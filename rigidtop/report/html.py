@@ -113,21 +113,23 @@ def _entry(block: b.Heading | b.ExerciseHead) -> str:
 
 
 def _sections(document: b.Document, figures: Mapping[str, str]) -> list[str]:
-    """The blocks, those of each claim in an element of its own."""
+    """The blocks, those of each claim in an element of its own, so what has columns on paper."""
     made: list[str] = []
-    inside = False
+    section = columns = ""  # what ends them, while they are open
     for block in document.blocks:
-        if inside and isinstance(
-            block, (b.ClaimHead, b.ExerciseHead, b.Heading, b.Figure, b.Subhead)
-        ):
-            made.append("</section>")
-            inside = False
+        if isinstance(block, (b.ClaimHead, b.ExerciseHead, b.Heading, b.Figure, b.Subhead)):
+            made.append(section)
+            section = ""
+        if isinstance(block, b.Heading) and block.level == 1:
+            wide = block.anchor not in b.IN_COLUMNS
+            made += [columns, "" if wide else '<div class="columns">']
+            columns = "" if wide else "</div>"
         if isinstance(block, (b.ClaimHead, b.ExerciseHead)):
             kind = "claim" if isinstance(block, b.ClaimHead) else "exercise"
             made.append(f'<section class="{kind}" id="{block.anchor}">')
-            inside = True
+            section = "</section>"
         made.append(_figure(block, figures) if isinstance(block, b.Figure) else html_block(block))
-    return [*made, "</section>"] if inside else made
+    return [each for each in (*made, section, columns) if each]
 
 
 def fragment(blocks: Sequence[b.Block]) -> str:

@@ -14,7 +14,7 @@
 
   // What is on slides: the children of sections and of displays, one below the other.
   const opened = (node) => {
-    if (!node.matches("section, .display")) return node.matches(".tools, footer") ? [] : [node];
+    if (!node.matches("section, .display, .columns")) return node.matches(".tools, footer") ? [] : [node];
     const inner = [...node.children].flatMap(opened);
     if (node.id) inner[0].id = node.id;
     return inner;
