@@ -343,11 +343,7 @@ def _solve(k: Kit, moments: Triple, omega: Triple) -> Orbit:
     middle = k.both(m1 == 0, k.over(sn, cn) == math.inf)
     uniform = k.either(k.either(idle, middle), k.both(w1 == 0, w2 == 0))
     ratio, late = k.where(uniform, 0.0, ratio), k.where(uniform, False, late)
-    z0 = k.pick(
-        mod.circular,
-        lambda: (theta.circular_angle(k, mod, ratio),),
-        lambda: (theta.hyperbolic_angle(k, mod, ratio),),
-    )[0]
+    z0 = theta.angle(k, mod, ratio)
     z0 = k.where(late, mod.half - z0, z0)
     # e₁ and e₃ point to where L₁, L₃ ≥ 0; e₂ so that the axes are right-handed.
     sign1, sign2, sign3 = (k.where(_picked(k, omega, axis) < 0, -1.0, 1.0) for axis in axes)

@@ -104,6 +104,12 @@ def modulus(k: Kit, m: Real, m1: Real) -> Modulus:
     )
 
 
+def angle(k: Kit, modulus: Modulus, r: Real) -> Real:
+    """z ≥ 0 from r, which is sn/cn, or for m > ½ sn of an imaginary argument over i."""
+    ways = (lambda: (circular_angle(k, modulus, r),), lambda: (hyperbolic_angle(k, modulus, r),))
+    return k.pick(modulus.circular, *ways)[0]
+
+
 def circular_angle(k: Kit, modulus: Modulus, r: Real) -> Real:
     """z ≥ 0 from r = sn/cn, by Landen's descending transformation."""
     angle = k.atan(r)
