@@ -115,10 +115,20 @@ def body_rates(
     theta: float, psi: float, theta_dot: float, phi_dot: float, psi_dot: float
 ) -> tuple[float, float, float]:
     """ω in body components (rad/s) from Euler angles and their rates: (3.42) turned by ψ."""
-    omega1p, omega2p = -phi_dot * of_polar_angle(theta)[2], theta_dot
-    c, s = math.cos(psi), math.sin(psi)
-    spin = psi_dot + phi_dot * math.cos(theta)
-    return omega1p * c + omega2p * s, omega2p * c - omega1p * s, spin
+    first, second = from_nodes(theta_dot, phi_dot * of_polar_angle(theta)[2], psi)
+    return first, second, psi_dot + phi_dot * math.cos(theta)
+
+
+def from_nodes(theta_dot: Any, v_phi: Any, psi: Any, library: Any = math) -> tuple[Any, Any]:
+    """ω₁ and ω₂ from θ̇ and φ̇ sin θ, which are ω along e₂′ and −e₁′ (3.42)."""
+    sine, cosine = library.sin(psi), library.cos(psi)
+    return theta_dot * sine - v_phi * cosine, theta_dot * cosine + v_phi * sine
+
+
+def to_nodes(omega1: float, omega2: float, psi: float) -> tuple[float, float]:
+    """The way back: θ̇ and φ̇ sin θ."""
+    sine, cosine = math.sin(psi), math.cos(psi)
+    return omega1 * sine + omega2 * cosine, omega2 * sine - omega1 * cosine
 
 
 def azimuth_and_spin(rotation: Rotation, omega: tuple[float, float, float]) -> tuple[float, float]:

@@ -347,10 +347,8 @@ class _Start:
         theta, phi, psi = angles
         theta_dot, phi_dot, psi_dot = velocities
         turned = attitudes.from_spinors(np.cos(theta / 2), np.sin(theta / 2), phi, psi)
-        across, sin_psi, cos_psi = phi_dot * np.sin(theta), np.sin(psi), np.cos(psi)
         omega = [
-            theta_dot * sin_psi - across * cos_psi,
-            theta_dot * cos_psi + across * sin_psi,
+            *attitudes.from_nodes(theta_dot, phi_dot * np.sin(theta), psi, np),
             psi_dot + phi_dot * np.cos(theta),
         ]
         rotation = self.frame * attitudes.rotation(turned)
@@ -366,23 +364,13 @@ def _start(motion: Motion, times: Floats) -> _Start:
         raise _at_pole(theta, 0.0)
     phi, psi = attitudes.azimuth_and_spin(attitude, motion.omega)
     sine, cosine = math.sin(theta), math.cos(theta)
-    sin_psi, cos_psi = math.sin(psi), math.cos(psi)
-    omega1, omega2, omega3 = motion.omega
-    theta_dot, phi_dot = (
-        omega1 * sin_psi + omega2 * cos_psi,
-        (omega2 * sin_psi - omega1 * cos_psi) / sine,
-    )
+    theta_dot, v_phi = attitudes.to_nodes(*motion.omega[:2], psi)
+    velocities = theta_dot, v_phi / sine, motion.omega[2] - v_phi / sine * cosine
     L1, L2, L3 = (
         moment * rate for moment, rate in zip(motion.body.moments, motion.omega, strict=True)
     )
-    momenta = (
-        L1 * sin_psi + L2 * cos_psi,
-        (L2 * sin_psi - L1 * cos_psi) * sine + L3 * cosine,
-        L3,
-    )
-    return _Start(
-        frame, (theta, phi, psi), (theta_dot, phi_dot, omega3 - phi_dot * cosine), momenta
-    )
+    p_theta, across = attitudes.to_nodes(L1, L2, psi)
+    return _Start(frame, (theta, phi, psi), velocities, (p_theta, across * sine + L3 * cosine, L3))
 
 
 def _top(motion: Motion) -> tuple[float, ...]:

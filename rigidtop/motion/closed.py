@@ -68,17 +68,12 @@ def solved(body: RigidBody, attitude: Rotation, omega: tuple[float, float, float
         rates = first, second, third
     phi, psi = attitudes.azimuth_and_spin(attitudes.rotation(q), rates)
     alpha, beta = attitudes.spinors(q)
-    # ω = −φ̇ sin θ e₁′ + θ̇ e₂′ + ω₃e₃, and the body is turned by ψ about e₃ (3.42).
-    sin_psi, cos_psi = math.sin(psi), math.cos(psi)
     return heavy.solved(
         start(
             found,
             omega3=rates[2],
             halves=(float(abs(alpha)), float(abs(beta))),
-            rates=(
-                rates[0] * sin_psi + rates[1] * cos_psi,
-                rates[1] * sin_psi - rates[0] * cos_psi,
-            ),
+            rates=attitudes.to_nodes(*rates[:2], psi),
             angles=(phi, psi),
         )
     )

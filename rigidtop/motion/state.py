@@ -74,9 +74,7 @@ class TopState:
     @property
     def omega(self) -> Floats:
         """Rotational velocity in body components, shape (*S, 3) (rad/s)."""
-        sin_psi, cos_psi = np.sin(self.psi), np.cos(self.psi)
-        first = self.theta_dot * sin_psi - self.v_phi * cos_psi
-        second = self.theta_dot * cos_psi + self.v_phi * sin_psi
+        first, second = attitude.from_nodes(self.theta_dot, self.v_phi, self.psi, np)
         return np.stack([first, second, np.broadcast_to(self.omega3, first.shape)], axis=-1)
 
 

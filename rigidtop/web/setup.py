@@ -15,6 +15,7 @@ from rigidtop.motion.attitude import (
     quaternions,
     rotation,
     spinors,
+    to_nodes,
 )
 from rigidtop.motion.body import FreeBody, HeavyBody
 from rigidtop.motion.motion import Motion, TopMotion
@@ -99,21 +100,20 @@ def setup_of(motion: Motion) -> Setup:
         centre = body.centre_of_mass
     else:
         raise RigidtopError(f"the page knows free and heavy bodies, no {type(body).__name__}")
-    omega1, omega2, omega3 = motion.omega
+    theta_dot, v_phi = to_nodes(*motion.omega[:2], psi)
     # At a pole φ̇ is nothing: ω has no component along e₁′.
     sine = 0.0 if theta == math.pi else math.sin(theta)
-    across = _along_e1(motion.omega, psi)
     return heavy(
         body,
         body.M,
         body.g,
         centre,
         theta=theta,
-        theta_dot=omega1 * math.sin(psi) + omega2 * math.cos(psi),
+        theta_dot=theta_dot,
         phi=phi,
-        phi_dot=-across / sine if sine else 0.0,
+        phi_dot=v_phi / sine if sine else 0.0,
         psi=psi,
-        omega3=omega3,
+        omega3=motion.omega[2],
     )
 
 
@@ -126,13 +126,8 @@ def _angles(motion: Motion) -> tuple[float, float, float]:
         phi, psi = motion.phi, motion.psi
     else:
         phi, psi = azimuth_and_spin(motion.attitude, motion.omega)
-    across = abs(_along_e1(motion.omega, psi))
-    if theta in (0.0, math.pi) and across > ROUNDING * math.hypot(*motion.omega):
+    _, v_phi = to_nodes(*motion.omega[:2], psi)
+    if theta in (0.0, math.pi) and abs(v_phi) > ROUNDING * math.hypot(*motion.omega):
         vertical = np.where([theta == 0, theta > 0, theta > 0, theta == 0], q, 0.0)
         phi, psi = azimuth_and_spin(rotation(vertical), motion.omega)
     return theta, phi, psi
-
-
-def _along_e1(omega: tuple[float, float, float], psi: float) -> float:
-    """The component of ω along e₁′, which is −φ̇ sin θ (3.42)."""
-    return omega[0] * math.cos(psi) - omega[1] * math.sin(psi)
