@@ -24,6 +24,8 @@ from rigidtop.motion.attitude import from_euler_angles
 from rigidtop.proof.exercise import Answer
 from rigidtop.proof.words import unmarked
 
+from .conftest import direction
+
 OF = {
     "two-masses": "two-masses",
     "earth-euler-period": "polar-motion",
@@ -31,11 +33,6 @@ OF = {
     "gravity-on-points": "weights",
     "gravity-on-a-solid": "leaning-cone",
 }
-
-
-@pytest.fixture
-def axes():
-    return Canvas().subplots()
 
 
 def lines(axes, label):
@@ -56,10 +53,6 @@ def arrows(axes):
 
 def on_paper(view, vector):
     return np.array(view(vector)[:2])
-
-
-def direction(vector):
-    return np.asarray(vector) / np.linalg.norm(vector)
 
 
 def caption(name, **given):

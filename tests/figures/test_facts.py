@@ -27,18 +27,10 @@ from rigidtop.figures.catalog import named
 from rigidtop.motion.attitude import from_euler_angles
 from rigidtop.proof.words import unmarked
 
+from .conftest import line
+
 TOP = rt.HeavyTop(lambda1=0.02, lambda3=0.01, M=1.0, R=0.1, g=9.81)
 WEIGHT = 0.981
-
-
-@pytest.fixture
-def axes():
-    return Canvas().subplots()
-
-
-def line(axes, label):
-    [found] = [each for each in axes.lines if each.get_label() == label]
-    return np.asarray(found.get_xydata(), dtype=float)
 
 
 def lines_like(axes, color, count):

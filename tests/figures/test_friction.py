@@ -5,7 +5,6 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from matplotlib.figure import Figure as Canvas
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
@@ -16,18 +15,10 @@ from rigidtop.figures.catalog import named
 from rigidtop.motion.table.motion import SlidingTop
 from rigidtop.proof.words import unmarked
 
+from .conftest import line
+
 RISING, WAKING = named("rising-top"), named("waking-top")
 BODY = {"lambda1": 4e-5, "lambda3": 2.5e-5, "M": 0.1, "R": 0.03, "g": 9.81}
-
-
-@pytest.fixture
-def axes():
-    return Canvas().subplots()
-
-
-def line(axes, label):
-    [found] = [each for each in axes.lines if each.get_label() == label]
-    return np.asarray(found.get_xydata(), dtype=float)
 
 
 def bands(axes):

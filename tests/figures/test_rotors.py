@@ -15,13 +15,10 @@ from rigidtop.figures import bicycle_wheel, gyroscope, plate, rotors, space, sty
 from rigidtop.figures.catalog import named
 from rigidtop.proof.words import unmarked
 
+from .conftest import direction, line
+
 GYROSCOPE, WHEEL = named("gyroscope"), named("bicycle-wheel")
 PLATE, TOY = named("wobbling-plate"), named("toy-top")
-
-
-def line(axes, label):
-    [found] = [each for each in axes.lines if each.get_label() == label]
-    return np.asarray(found.get_xydata(), dtype=float)
 
 
 def arrows(axes, color):
@@ -32,10 +29,6 @@ def arrows(axes, color):
 
 def words(axes):
     return [text.get_text() for text in axes.texts if text.get_text()]
-
-
-def direction(vector):
-    return np.asarray(vector) / np.linalg.norm(vector)
 
 
 def senses(axes):
