@@ -371,7 +371,9 @@ HOSTILE = {
     "view=toString": "which is none of",
     "t=1e300": "which is more than",
     "t=-1": "which is out of range",
-    "%E0%A4%A": "which is not of the form name=value",
+    "%E0%A4%A": "which this page does not know",
+    "=5": "names “”, which this page does not know",
+    "omega3=+5&omega3=6": "sets omega3 twice; the first is used",
     "lambda3=9": "there is no motion as the address has it",
 }
 

@@ -173,27 +173,13 @@ export function createAddressBar(/** @type {() => string} */ hash) {
 function pairs(/** @type {string} */ hash, /** @type {string[]} */ complaints) {
   /** @type {Map<string, string>} */
   const found = new Map();
-  for (const part of hash.replace(/^#/, "").split("&")) {
-    if (part === "") continue;
-    const at = part.indexOf("=");
-    const [name, text] = [decoded(part.slice(0, at)), decoded(part.slice(at + 1))];
-    if (at < 1 || name === null || text === null) {
-      complaints.push(`the address holds “${short(part)}”, which is not of the form name=value`);
-    } else if (found.has(name)) {
-      complaints.push(`the address sets ${short(name)} twice; the first is used`);
-    } else {
-      found.set(name, text);
-    }
+  // A plus is that of a number, no blank.
+  const said = new URLSearchParams(hash.replace(/^#/, "").replaceAll("+", "%2B"));
+  for (const [name, text] of said) {
+    if (!found.has(name)) found.set(name, text);
+    else complaints.push(`the address sets ${short(name)} twice; the first is used`);
   }
   return found;
-}
-
-function decoded(/** @type {string} */ text) {
-  try {
-    return decodeURIComponent(text);
-  } catch {
-    return null;
-  }
 }
 
 function presetNamed(
