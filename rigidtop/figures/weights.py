@@ -95,7 +95,7 @@ def _room_on_the_right(drawn: Sketch) -> bool:
     """Whether the name of the centre of mass is farther from balls and other names on the right."""
     x, y, _ = VIEW(drawn.centre)
     balls = np.column_stack(VIEW(drawn.places)[:2])
-    above = balls + [0.0, 0.09]
+    above = balls + np.array([0.0, 0.09])
     tips = np.column_stack(VIEW(np.vstack([0.55 * np.eye(3), 1.15 * drawn.couple]))[:2])
     others = np.vstack([balls, above, tips])
     right, left = (np.linalg.norm(others - [x + k * 0.1, y + 0.03], axis=1).min() for k in (1, -1))

@@ -243,26 +243,26 @@ def refuted(found: Counterexample) -> tuple[b.Rich, b.Piece, b.Piece]:
     return tuple(at), left or "undefined", right or "undefined"
 
 
-def sides(left: b.Piece, right: b.Piece, place: str = "") -> b.Rich:
+def sides(left: b.Piece, right: b.Piece, place: b.Rich = ()) -> b.Rich:
     """What two sides are, in words; of vectors and matrices in one `place`."""
     if left == right:
         return ("both sides are ", left)
-    return (f"{place}the left side is ", left, ", the right side ", right)
+    return (*place, " " * bool(place), "the left side is ", left, ", the right side ", right)
 
 
-def place(found: Counterexample) -> str:
+def place(found: Counterexample) -> b.Rich:
     """Which entry of a vector or of a matrix differs.
 
     >>> one = sympy.Integer(1)
-    >>> [place(Counterexample({}, one, -one, entry)) for entry in ((), (2,), (1, 3))]
-    ['', 'in component 2 ', 'in row 1, column 3 ']
+    >>> ["".join(place(Counterexample({}, one, -one, entry))) for entry in ((), (2,), (1, 3))]
+    ['', 'in component 2', 'in row 1, column 3']
     """
     match found.entry:
         case (row, column):
-            return f"in row {row}, column {column} "
+            return ("in row ", f"{row}, ", "column ", f"{column}")
         case (component,):
-            return f"in component {component} "
-    return ""
+            return ("in component ", f"{component}")
+    return ()
 
 
 def said_at(found: Counterexample) -> b.Rich:

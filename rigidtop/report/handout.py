@@ -20,7 +20,7 @@ from rigidtop.proof.page import Assumption, Claim, Page
 from rigidtop.proof.verdict import Judgement, Verdict
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
-from rigidtop.report.claims import condition, derivation, place, refuted, sides, tagged_rows, tested
+from rigidtop.report.claims import condition, derivation, place, refuted, tagged_rows, tested
 from rigidtop.report.solutions import DIGITS, SMALLEST_ANGLE, TABLE_DIGITS, Solution, cells, shown
 from rigidtop.report.ways import chained, cited_figures, law_blocks, text_blocks
 from rigidtop.typeset.layout import layout
@@ -92,6 +92,8 @@ def _letters(*parts: Basic) -> set[Basic]:
     return {letter for part in parts for letter in part.free_symbols}
 
 
+SAID = "The notes say: "
+
 SHORT = 45.0
 """An equation of so many letters stands in a sentence."""
 
@@ -105,22 +107,20 @@ def _set_right(judgement: Judgement, there: Collection[Any]) -> Iterator[b.Block
     """A statement that is wrong, its numbers, and its corrected form, in a sentence."""
     claim = judgement.claim
     said = {
-        Verdict.FALSE: " This is false",
-        Verdict.CONVENTION: " This is at odds with the notes’ own definitions",
+        Verdict.FALSE: "This is false",
+        Verdict.CONVENTION: "This is at odds with the notes’ own definitions",
     }[judgement.verdict]
-    words: list[b.Piece] = [f"The notes say: {claim.says.rstrip('.')}.{said}"]
+    words: list[b.Piece] = [SAID, f"{claim.says.rstrip('.')}. ", said]
     failed = next((f for f in judgement.findings() if f.counterexample), None)
     if failed is not None and failed.counterexample is not None:
         at, left, right = refuted(failed.counterexample)
         claimed = layout(failed.check.claimed, "printed")
         what = f"({claim.name})" if b.is_number(claim.name) else "the equation"
-        words += [": ", *((claimed,) if _in_words(claimed) else (what, " as the notes print it"))]
-        words += [
-            " fails ",
-            *at,
-            ", where " if at else ": ",
-            *sides(left, right, place(failed.counterexample)),
-        ]
+        words += [": ", *at, ", " if at else ""]
+        words += [claimed] if _in_words(claimed) else [what, " as the notes print it"]
+        entry = place(failed.counterexample)
+        words += [" would be", *((", ", *entry, ", ") if entry else " ")]
+        words += [left, f" {failed.check.claimed.relation} ", right]
     corrected = [c for c in judgement.corrections() if c.check.claimed.sides not in there]
     equations = [finding.check.claimed for finding in corrected]
     short = [layout(equation, "printed") for equation in equations]
@@ -128,7 +128,7 @@ def _set_right(judgement: Judgement, there: Collection[Any]) -> Iterator[b.Block
         words += [". It should be ", short[0], *_under(corrected[0]), "."]
         yield b.Paragraph(tuple(words), mark=None)
         return
-    yield b.Paragraph((*words, "."), held=bool(corrected))
+    yield b.Paragraph((*(each for each in words if each != ""), "."), held=bool(corrected))
     rows = tuple(
         b.Row(finding.check.claimed, "printed", reason=_colon(finding.check.reason, finding))
         for finding in corrected
@@ -373,8 +373,8 @@ def _called(claim: Claim, section: str) -> b.Rich:
     if name is not None:
         return (name,)
     head = re.fullmatch(r"[\d.]+", section)
-    where = f" (section {section})" if head else f" (in “{section}”)" if section else ""
-    return (f"“{claim.says.rstrip('.')}”{where}",)
+    where = (" (section ", f"{section})") if head else (f" (“{section}”)" * bool(section),)
+    return (f"“{claim.says.rstrip('.')}”", *where)
 
 
 def results(solution: Solution) -> list[b.Block]:
@@ -441,7 +441,7 @@ def summary(judged: b.Judged, parts: Parts) -> list[b.Block]:
                 corrected = [f.check.claimed for f in judgement.corrections()]
                 shown_ = numbered(parts, name) or corrected[:1] or [row.equation for row in printed]
                 amiss = judgement.verdict in (Verdict.FALSE, Verdict.CONVENTION)
-                words = f"{'The notes say: ' * amiss}{judgement.claim.says}"
+                words = f"{SAID * amiss}{judgement.claim.says}"
                 rows.append((name, tuple(shown_), words, judgement.verdict))
     if not rows:
         return []

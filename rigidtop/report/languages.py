@@ -38,31 +38,50 @@ point | Punkt | point | punto | punto
 points | Punkte | points | puntos | punti
 In the margin, at the last line of each statement of the notes \
 | Am Rand, bei der letzten Zeile jeder Aussage des Skripts \
-| En marge, à la dernière ligne de chaque énoncé des notes \
+| En marge, à la dernière ligne de chaque énoncé du cours \
 | Al margen, en la última línea de cada enunciado de los apuntes \
 | A margine, all'ultima riga di ogni enunciato degli appunti
-it was shown to hold, in symbols | in Symbolen bewiesen | démontré en symboles \
-| demostrado con símbolos | dimostrato in simboli
+it was shown to hold, in symbols | symbolisch bewiesen | démontré par le calcul formel \
+| demostrado simbólicamente | dimostrato simbolicamente
 it holds at random points to 40 digits, and was not shown in symbols \
-| gilt an zufälligen Stellen auf 40 Ziffern, in Symbolen nicht bewiesen \
-| vrai à 40 chiffres en des points au hasard, non démontré en symboles \
-| vale con 40 cifras en puntos al azar, no demostrado con símbolos \
-| vale con 40 cifre in punti a caso, non dimostrato in simboli
+| gilt an zufälligen Punkten auf 40 Stellen, symbolisch nicht bewiesen \
+| vérifié à 40 chiffres en des points pris au hasard, non démontré par le calcul formel \
+| se cumple con 40 cifras en puntos al azar, sin demostración simbólica \
+| vale con 40 cifre in punti presi a caso, senza dimostrazione simbolica
 it holds under the condition beside it, which the notes do not state, or under one that its lines \
-say | gilt unter der Bedingung daneben, die im Skript nicht steht, oder unter einer, die in den \
-Zeilen steht | vrai sous la condition à côté, que le cours ne dit pas, ou sous une que disent ses \
-lignes | vale con la condición de al lado, que los apuntes no dicen, o con una que dicen sus \
-líneas | vale con la condizione accanto, che gli appunti non dicono, o con una detta nelle righe
+say | gilt unter der Bedingung daneben, die im Skript nicht steht, oder unter einer, die seine \
+Zeilen nennen | vrai sous la condition ci-contre, que le cours n’énonce pas, ou sous une condition \
+que ses lignes énoncent | se cumple con la condición de al lado, que los apuntes no mencionan, o \
+con una que mencionan sus líneas | vale sotto la condizione accanto, che gli appunti non dicono, o \
+sotto una che le sue righe dicono
 right in content, at odds with the notes’ own definitions \
-| dem Inhalt nach richtig, anders als das Skript selbst definiert \
-| juste au fond, contraire aux définitions du cours lui-même \
-| correcto en el fondo, contrario a las definiciones de los propios apuntes \
-| giusto nella sostanza, contrario alle definizioni degli appunti stessi
+| inhaltlich richtig, aber im Widerspruch zu den Definitionen des Skripts \
+| juste sur le fond, mais contraire aux définitions du cours \
+| correcto en el fondo, pero contrario a las definiciones de los propios apuntes \
+| giusto nella sostanza, ma contrario alle definizioni degli appunti stessi
 it does not hold as the notes have it; the right form stands beneath \
 | gilt nicht so, wie es im Skript steht; die richtige Form steht darunter \
-| faux tel que le cours le donne; la forme juste est au-dessous \
-| no vale como está en los apuntes; la forma correcta está debajo \
-| non vale come sta negli appunti; la forma giusta sta sotto
+| faux tel que le cours l’énonce, la forme juste est en dessous \
+| no se cumple tal como está en los apuntes; debajo está la forma correcta \
+| non vale così come sta negli appunti; la forma giusta è sotto
+The notes say | Im Skript steht | Le cours dit | Los apuntes dicen | Gli appunti dicono
+This is false | Das ist falsch | Cela est faux | Esto es falso | Questo è falso
+This is at odds with the notes’ own definitions | Das widerspricht den Definitionen des Skripts \
+| Cela contredit les définitions du cours | Esto contradice las definiciones de los apuntes \
+| Questo contraddice le definizioni degli appunti
+at | bei | pour | para | per
+if | falls | si | si | se
+would be | wäre | serait | sería | sarebbe
+the equation | die Gleichung | l’équation | la ecuación | l’equazione
+as the notes print it | wie im Skript | telle que dans le cours | como en los apuntes \
+| come negli appunti
+in component | in Komponente | à la composante | en la componente | nella componente
+in row | in Zeile | à la ligne | en la fila | nella riga
+column | Spalte | colonne | columna | colonna
+It should be | Richtig ist | La forme juste est | Debería ser | Dovrebbe essere
+We have shown | Wir haben gezeigt | Nous avons montré | Hemos mostrado | Abbiamo mostrato
+and | und | et | y | e
+section | Abschnitt | section | sección | sezione
 What a sentence cites by its name, or by the number of an equation that is not derived here, \
 stands under “Laws and definitions” at the end. \
 | Was ein Satz beim Namen nennt, oder mit der Nummer einer Gleichung, die hier nicht hergeleitet \
@@ -88,8 +107,8 @@ meaning | Bedeutung | signification | significado | significato
 unit | Einheit | unité | unidad | unità
 number | Nummer | numéro | número | numero
 equation | Gleichung | équation | ecuación | equazione
-what it says | was sie sagt | ce qu'elle dit | lo que dice | che cosa dice
-what | was | quoi | qué | che cosa
+what it says | Aussage | énoncé | enunciado | enunciato
+what | Größe | grandeur | magnitud | grandezza
 value | Wert | valeur | valor | valore
 continued | Fortsetzung | suite | continuación | continua
 Copied | Kopiert | Copié | Copiado | Copiato
@@ -150,22 +169,52 @@ def _block(block: b.Block, language: str) -> Any:
         case b.Legend():
             rows = tuple((verdict, said(words, language)) for verdict, words in block.rows)
             return replace(block, head=said(block.head, language), rows=rows)
-        case b.Symbols() | b.Results() | b.Quantities():
+        case b.Symbols() | b.Quantities():
             return replace(block, head=tuple(said(words, language) for words in block.head))
+        case b.Results():
+            head = tuple(said(words, language) for words in block.head)
+            led = ((*row[:2], _led(row[2], language), row[3]) for row in block.rows)
+            return replace(block, head=head, rows=tuple(led))
         case b.Paragraph():
-            mark = _referring(block.mark, language)
-            only = block.content if len(block.content) == 1 else ()
-            fixed = tuple(said(x, language) for x in only if isinstance(x, str)) or block.content
+            mark = _marked(block.mark, language)
+            first, *more = block.content or ("",)
+            fixed = block.content
+            if isinstance(first, str) and not more:
+                fixed = (said(first, language),)
+            elif isinstance(first, str) and first.endswith(": ") and first[:-2] in LEADING:
+                fixed = _pieces(fixed, language)
             return replace(block, content=fixed, label=said(block.label, language), mark=mark)
         case b.Display():
-            marked = (replace(row, mark=_referring(row.mark, language)) for row in block.rows)
+            marked = (replace(row, mark=_marked(row.mark, language)) for row in block.rows)
             return replace(block, rows=tuple(marked))
     return block
 
 
-def _referring(mark: b.Mark | None, language: str) -> b.Mark | None:
-    """A mark whose note refers to another has fixed words alone: as above."""
-    if mark is None or mark.note[:1] != ("as ",):
-        return mark
-    rest = (said(x, language) if isinstance(x, str) else x for x in mark.note[1:])
-    return replace(mark, note=(f"{said('as', language)} ", *rest))
+LEADING = ("The notes say", "We have shown")
+"""So a sentence begins that is made of fixed words and of authors'."""
+
+
+def _led(words: str, language: str) -> str:
+    """
+    >>> _led("The notes say: L is along ω.", "de"), _led("T: kinetic energy.", "de")
+    ('Im Skript steht: L is along ω.', 'T: kinetic energy.')
+    """
+    first, colon, rest = words.partition(": ")
+    return (said(first, language) if first in LEADING else first) + colon + rest
+
+
+def _marked(mark: b.Mark | None, language: str) -> b.Mark | None:
+    return mark and replace(mark, note=_pieces(mark.note, language))
+
+
+def _pieces(pieces: b.Rich, language: str) -> b.Rich:
+    """A sentence whose pieces are fixed words, stops and blanks left out, or are an author's.
+
+    >>> _pieces(("if ", "the top spins", ", in row ", "3"), "de")
+    ('falls ', 'the top spins', ', in Zeile ', '3')
+    """
+    words = (x.strip(" ,;:.(") if isinstance(x, str) else "" for x in pieces)
+    return tuple(
+        x.replace(core, said(core, language)) if isinstance(x, str) and core else x
+        for x, core in zip(pieces, words, strict=True)
+    )

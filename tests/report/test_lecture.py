@@ -321,11 +321,12 @@ def test_every_claim_of_the_notes_has_its_mark(document, judged):
 def test_a_false_statement_stands_with_its_numbers_and_its_right_form(document):
     said = [plain.rich(b.content) for b in document.blocks if isinstance(b, Paragraph)]
     (words,) = [each for each in said if each.startswith("The notes say: In the space frame all")]
-    assert "This is false: I_xz ≠ 0 fails at λ₁ = 1, λ₂ = 2" in words
-    assert "both sides are 0" in words
-    assert any("ψ = 0, where in component 1 the left side is 1, the right" in x for x in said)
-    assert any("(3.47) as the notes print it fails at φ = " in each for each in said)
-    assert any("in row 1, column 2 the left side is ¼√3" in each for each in said)
+    assert "This is false: at λ₁ = 1, λ₂ = 2" in words
+    assert "ψ = 0, I_xz ≠ 0 would be 0 ≠ 0" in words
+    assert any("ψ = 0, r′ = Or would be, in component 1, 1 = −2.253" in x for x in said)
+    assert any(
+        "(3.47) as the notes print it would be, in row 1, column 2, ¼√3 = " in x for x in said
+    )
     place = said.index(words)
     (row,) = next(
         b.rows
@@ -546,7 +547,7 @@ def test_fixed_words_are_in_the_language_of_the_lecture(document):
     assert all(f'<th scope="col">{word}</th>' in shown for word in symbols.head)
     assert translated(document) is document
     [legend] = [block for block in own.blocks if isinstance(block, Legend)]
-    assert dict(legend.rows)["proved"] == "in Symbolen bewiesen"
+    assert dict(legend.rows)["proved"] == "symbolisch bewiesen"
     notes = [
         plain.rich(row.mark.note)
         for block in own.blocks
@@ -556,6 +557,12 @@ def test_fixed_words_are_in_the_language_of_the_lecture(document):
     ]
     assert "wie oben" in notes
     assert "as above" not in notes
+    assert "falls the top is not upright and does not hang (sin θ ≠ 0)" in notes
+    said = [plain.rich(block.content) for block in own.blocks if isinstance(block, Paragraph)]
+    assert any(x.startswith("Wir haben gezeigt: (3.40) und “In the space") for x in said)
+    [wrong] = [each for each in said if each.startswith("Im Skript steht: In the space frame all")]
+    assert "Das ist falsch: bei λ₁ = 1" in wrong
+    assert "wäre 0 ≠ 0" in wrong
     for language, fixed in WORDS.items():
         assert language in tex.LANGUAGES
         assert {*SHOWN, *LEGEND.values()} <= set(fixed)
