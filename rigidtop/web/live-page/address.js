@@ -88,7 +88,7 @@ export function createAddresses(/** @type {PageData} */ data, /** @type {Offers}
         const used = shown(parameter, usual[name], begun.clock);
         values[name] = numberIn(name, text, least, most, parameter.angle, used, complaints)
           ?? values[name];
-      } else if (has(usual, name)) {
+      } else if (Object.hasOwn(usual, name)) {
         // What has no slider: θ̇₀, φ₀ and ψ₀ of a motion that was given.
         const angle = ["theta", "phi", "psi"].includes(name);
         const used = String(usual[name]);
@@ -96,7 +96,7 @@ export function createAddresses(/** @type {PageData} */ data, /** @type {Offers}
           ?? values[name];
       } else if (word) {
         state[word] = oneOf(word, text, known[word], state[word], complaints) ?? state[word];
-      } else if (has(NUMBERS, name)) {
+      } else if (Object.hasOwn(NUMBERS, name)) {
         const [least, most] = NUMBERS[/** @type {keyof typeof NUMBERS} */ (name)];
         state[name] = numberIn(name, text, least, most, false, String(state[name]), complaints)
           ?? state[name];
@@ -256,10 +256,6 @@ function short(/** @type {string} */ text) {
 
 function names(/** @type {Choices} */ choices) {
   return choices.map(([name]) => name).filter(Boolean);
-}
-
-function has(/** @type {object} */ object, /** @type {string} */ name) {
-  return Object.prototype.hasOwnProperty.call(object, name);
 }
 
 function same(/** @type {readonly string[]} */ one, /** @type {readonly string[]} */ other) {
