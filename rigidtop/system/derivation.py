@@ -172,8 +172,8 @@ class _Writer:
         names, shown = self.system.names, self.shown
         q, v, a = (tuple(shown[x] for x in group) for group in (names.q, names.v, names.a))
         every = (*self.system.parameters, *names.q, *names.v, *names.a)
-        known = {shown.get(x, x): _quantity(x) for x in every}
-        units = {x: quantity.unit for x, quantity in known.items() if quantity is not None}
+        # A plain symbol is called as it likes: a is no length because the lecture's is one.
+        units = {shown.get(x, x): x.quantity.unit for x in every if isinstance(x, Lettered)}
         return Letters(
             numbers=frozenset(self.system.parameters),
             coordinates=q,

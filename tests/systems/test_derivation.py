@@ -16,6 +16,9 @@ SYSTEMS = {
     "forced and damped": rt.System(
         m * u**2 / 2 - k * x**2 / 2, x, u, forces=F * cos(3 * t), rayleigh=c * u**2 / 2
     ),
+    "with letters that have other units in the lecture": rt.System(
+        m * u**2 / 2 - k * x**2 / 2, x, u, forces=R * cos(g * t) - length * u
+    ),
     "with the time": rt.System(m * u**2 / 2 - k * x**2 * cos(3 * t) / 2, x, u),
     "by a constraint": rt.System(
         m * (u**2 + v**2) / 2 - m * g * y, [x, y], [u, v], constraints=x**2 + y**2 - length**2
