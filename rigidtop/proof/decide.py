@@ -402,10 +402,10 @@ def somewhere(atom: Expr, attempt: int) -> float:
     return 0.5 + zlib.crc32(f"{attempt} {atom}".encode()) % 9973 / 9973
 
 
-def values(expressions: Sequence[Expr], attempt: int, names: Mapping[Expr, Expr] = {}) -> Floats:
-    """The expressions where each symbol, or what it names, is `somewhere`."""
+def values(expressions: Sequence[Expr], attempt: int) -> Floats:
+    """The expressions where each symbol is `somewhere`."""
     free = set().union(*(e.free_symbols for e in expressions))
-    at = {x: somewhere(names.get(x, x), attempt) for x in free}
+    at = {x: somewhere(x, attempt) for x in free}
     return [_number(e, at) for e in expressions]
 
 
@@ -474,13 +474,9 @@ class _Values(dict[Symbol, float]):
 
 
 def _number(expression: Expr, at: Mapping[Symbol, float]) -> float:
-    return defined(_float, expression, at)
-
-
-def defined(function: Callable[..., float], *arguments: Any) -> float:
-    """The value of a function: infinite where divided by zero, NaN if not real."""
+    """The value of an expression: infinite where divided by zero, NaN if not real."""
     try:
-        return function(*arguments)
+        return _float(expression, at)
     except ZeroDivisionError:
         return math.inf
     except (OverflowError, ValueError):
@@ -496,7 +492,7 @@ def _power(base: float, exponent: float) -> float:
     return float(base**exponent)
 
 
-FUNCTIONS: Mapping[Any, Callable[..., float]] = {
+_FUNCTIONS: Mapping[Any, Callable[..., float]] = {
     sympy.Pow: _power,
     sin: math.sin,
     cos: math.cos,
@@ -518,7 +514,7 @@ def _float(node: Expr, at: Mapping[Symbol, float]) -> float:
         return math.fsum(_float(term, at) for term in node.args)
     if isinstance(node, sympy.Mul):
         return math.prod(_float(factor, at) for factor in node.args)
-    function = FUNCTIONS.get(node.func)
+    function = _FUNCTIONS.get(node.func)
     if function is not None:
         return function(*(_float(argument, at) for argument in node.args))
     if node.args:

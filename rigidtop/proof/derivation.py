@@ -9,7 +9,8 @@ line that is not arrived at is a gap.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
@@ -24,6 +25,7 @@ from rigidtop.proof.algebra import (
     Letters,
     Value,
     Vector,
+    agree,
     atoms_of,
     components,
     flattened,
@@ -34,7 +36,6 @@ from rigidtop.proof.changed import perturbations
 from rigidtop.proof.equation import Equation, NoMeaningError, Rate, symbols_of
 from rigidtop.proof.moves import (
     NEGLECTED,
-    Condition,
     Known,
     Move,
     Order,
@@ -43,13 +44,15 @@ from rigidtop.proof.moves import (
     RefusedError,
     Scope,
     braces_of,
+    flat_with,
+    give,
     named_components,
     nonzero,
     pairs_of,
     perform,
     put_in,
+    where_set,
 )
-from rigidtop.proof.numbers import Numbers
 from rigidtop.theory.symbols import const
 
 
@@ -89,8 +92,11 @@ class Judged:
         return self.problem is None
 
 
-def judge_line(line: Line, letters: Letters) -> Judged:
-    """Make a line's move and see whether it arrives at the line; its units come first."""
+def judge_line(line: Line, letters: Letters, above: Iterable[Known] = ()) -> Judged:
+    """Make a line's move and see whether it arrives at the line; its units come first.
+
+    What it rests on, all that is `above` it, has to hold together with its conditions.
+    """
     bare = Known(line.id, line.equations, line.scope, called=line.called)
     set_to = () if line.move is None else line.move.by
     try:
@@ -100,7 +106,9 @@ def judge_line(line: Line, letters: Letters) -> Judged:
         return Judged(line, bare, problem)
     if line.move is None:
         nearly = any(equation.relation == "≈" for equation in line.equations)
-        return Judged(line, replace(bare, order=Order(NEGLECTED, 1) if nearly else None))
+        scope = _holds(line, line.scope, letters)
+        order = Order(NEGLECTED, 1) if nearly else None
+        return Judged(line, replace(bare, scope=scope, order=order))
     if line.move.verb == "call":
         try:
             letter = define(line, letters)
@@ -115,12 +123,10 @@ def judge_line(line: Line, letters: Letters) -> Judged:
         _each_needed(line.equations, line.move, performed, letters)
     except RefusedError as problem:
         return Judged(line, bare, problem)
-    against = _contradiction(line.equations, performed.conditions, letters)
-    if against is not None:
-        return Judged(line, bare, against)
-    known = replace(
-        bare, scope=performed.scope, conditions=performed.conditions, order=performed.order
-    )
+    if against := _contradiction(line, performed, above, letters):
+        return Judged(line, bare, RefusedError(against))
+    scope = _holds(line, performed.scope, letters)
+    known = replace(bare, scope=scope, conditions=performed.conditions, order=performed.order)
     return Judged(line, known)
 
 
@@ -194,21 +200,60 @@ def define(line: Line, letters: Letters) -> Symbol:
     return letter
 
 
+def _holds(line: Line, scope: Scope, letters: Letters) -> Scope:
+    """Where a line holds: along the motion at most if it ties coordinates and velocities."""
+    free = {*letters.coordinates}
+    for _ in range(2):  # q̇ and q̈
+        free |= {letters.rates[x] for x in free if x in letters.rates}
+    for equation in line.equations if scope is Scope.IDENTITY else ():
+        here = symbols_of(equation)
+        ties = here & free and here <= free | letters.numbers | {TIME}
+        if equation.relation in ("=", "≡") and (ties or const in here):
+            pairs = pairs_of(equation, Algebra(letters))
+            if not all(agree(pair.left, pair.right) for pair in pairs):
+                return Scope.MOTION
+    return scope
+
+
 def _contradiction(
-    equations: Sequence[Equation], conditions: Sequence[Condition], letters: Letters
-) -> RefusedError | None:
-    """Why equations can't hold under conditions: two sides are known to differ."""
-    algebra = Algebra(letters)
-    pairs = [p for equation in equations for p in pairs_of(equation, algebra)]
-    apart = [p.left - p.right for p in pairs if p.relation in ("=", "≈") and _is_scalar(p)]
+    line: Line, performed: Performed, above: Iterable[Known], letters: Letters
+) -> str:
+    """Why a line, its conditions and what it rests on can't all hold, or nothing."""
+    conditions = performed.conditions
+    bounded = {x for c in conditions for x in atoms_of(c.expression)}
+    cited = line.move.cited if line.move is not None else ()
+    values: dict[Expr, Value] = {}
+    if len(cited) != 1 or {*conditions} != {*cited[0].conditions}:  # else asked for above
+        values = where_set(conditions, performed.scope, letters)
+        for each in above if bounded else ():
+            for equation in each.equations if each.order is None else ():
+                if equation.relation in ("=", "≡") and bounded & {*equation.sides}:
+                    with suppress(RefusedError, NoMeaningError):
+                        give(equation, each, values, letters)
+    there = Algebra(letters, values)
+    for condition in conditions:
+        if condition.relation in ("≠", ">") and {*values} & {*atoms_of(condition.expression)}:
+            value = there.value(condition.expression)
+            if vanishes(value):
+                return "a division by 0" if condition.lost else _AGAINST
+            flat, strict = flat_with(-value, [c for c in conditions if c is not condition])
+            bounds = [each.lhs for each in strict if each.rel_op == ">"]
+            asked = condition.relation == ">" and not decide.branches(flat)
+            negative = asked and decide.in_digits([(">", flat)], bounds=bounds)
+            if negative and decide.positive(flat, strict):
+                return _AGAINST
+    pairs = [p for e in line.equations for p in pairs_of(e, Algebra(letters)) if _is_scalar(p)]
+    if any(p.relation in ("<", ">", "≠") and vanishes(p.left - p.right) for p in pairs):
+        return _AGAINST
+    apart = [p.left - p.right for p in pairs if p.relation in ("=", "≈")]
     # A limit, such as g = 0, is set for a letter of which g > 0 is known.
     apart += [c.expression for c in conditions if c.relation == "=" and len(c.expression.args) > 0]
     # Where a letter of either sign stands that no condition speaks of, nothing is known.
-    bounded = {x for c in conditions for x in atoms_of(c.expression)}
     known = [x for x in apart if all(y.is_nonzero or y in bounded for y in _open(x))]
-    if any(nonzero(difference, conditions) for difference in known):
-        return RefusedError("this can't hold: what is cited contradicts what is set or divided by")
-    return None
+    return _AGAINST if any(nonzero(difference, conditions) for difference in known) else ""
+
+
+_AGAINST = "this can't hold: what is cited contradicts what is set or divided by"
 
 
 def _open(expression: Expr) -> set[Expr]:
@@ -254,6 +299,10 @@ def arrive(
     """
     performed = perform(move, letters) if performed is None else performed
     algebra = Algebra(letters, performed.given)
+    gone = [e.sides[0] for e in move.by] if move.verb == "set" and move.power < 2 else []
+    if performed.scope is Scope.SET:  # what was set to a number, here or above
+        fixed, numbers = where_set(performed.conditions, Scope.SET, letters), letters.numbers
+        gone += [x for x, v in fixed.items() if x not in numbers and {*atoms_of(v)} <= numbers]
     shown: set[int] = set()
     says_something = False
     try:
@@ -268,8 +317,7 @@ def arrive(
         for equation in equations:
             if performed.scope is Scope.SET:
                 _at_a_moment(equation, performed)
-            if move.verb == "set" and move.power < 2:
-                _is_gone([e.sides[0] for e in move.by], equation)
+            _is_gone(gone, equation)
             for pair in pairs_of(equation, algebra):
                 if move.verb == "integrate" and not move.power and const not in equation.sides:
                     raise RefusedError("say from where: “from $x = x_0$”, or that it is constant")
@@ -515,7 +563,11 @@ def _approximate(pair: Pair, made: Pair, order: Order, move: Move) -> RefusedErr
     if factor is None:
         return RefusedError("the move does not arrive here")
     counted = [flattened(part)[0] for part in _difference(pair).values()]
-    if min((order.lowest(x) for x in counted), default=0) >= order.power:
+    if order.small == NEGLECTED:  # it is small against the largest term that stands there
+        nothing = sum(len(Add.make_args(x)) for x in map(sympy.expand, counted) if x != 0) < 2
+    else:
+        nothing = min((order.lowest(x) for x in counted), default=0) >= order.power
+    if nothing:
         return RefusedError("the error is as large as what stands there: nothing is known")
     for flat in map(order.counted, counted):
         if flat.has(order.small) and _highest(flat, order.small) >= order.power:
@@ -629,12 +681,10 @@ def survivors(
     """How many changes of a line that follows say something else, and which of them follow too.
 
     What says the same as the line, such as cos(−θ) for cos θ, or as another of its equations,
-    is no change.  Numbers first: nearly all fall by them.
+    is no change.
     """
     assert line.move is not None
     performed = perform(line.move, letters)
-    numbers = Numbers(Algebra(letters, performed.given), performed.pairs)
-    compared = line.move.verb != "integrate" and not performed.every
     tried, survived = 0, []
     for change in changes(line, letters, others):
         tried += 1
@@ -643,8 +693,6 @@ def survivors(
         made = performed if move is line.move else None
         changed = [e for e in new if e not in line.equations]
         try:
-            if made and compared and any(map(numbers.refute, changed)):
-                continue
             arrive(new, move, letters, made)
         except RefusedError:
             continue

@@ -206,7 +206,8 @@ class Lecture:
             if each not in self._found:
                 standing = {cited: self._found[cited].known for cited in self.cites(each)}
                 line = with_standing(self.lines[each], standing)
-                self._found[each] = judge_line(line, self._with_units)
+                above = (self._found[one].known for one in self.above(each))
+                self._found[each] = judge_line(line, self._with_units, above)
         return self._found[id]
 
     @cached_property

@@ -6,6 +6,7 @@ from sympy import Matrix, Rational, Symbol, cos, sin
 
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.proof.changed import perturbations
+from rigidtop.proof.derivation import Line, survivors
 from rigidtop.proof.equation import (
     SPACE,
     Cross,
@@ -19,6 +20,7 @@ from rigidtop.proof.equation import (
     VolumeIntegral,
     as_printed,
 )
+from rigidtop.proof.moves import Known, Move
 from rigidtop.proof.page import Check
 from rigidtop.proof.verdict import Finding, judge_check
 from rigidtop.theory import symbols as s
@@ -99,3 +101,14 @@ def test_a_convention_is_changed_in_the_reading_in_which_it_holds(fallen):
     check = Check(printed, {s.L1: -sin(s.theta)}, other_reading={s.L1: sin(s.theta)})
     fell, stood = fallen(SimpleNamespace(items=(judge_check(check),)))
     assert fell > len(stood)
+
+
+def test_a_change_that_stands_is_seen_and_what_says_the_same_is_none():
+    with as_printed():
+        cited, equal = Equation(s.a, 2 * s.omega1), Equation(s.omega1, s.omega2)
+        said = Equation(s.a, 2 * s.omega2 * cos(-s.theta) / cos(s.theta))
+    move = Move("put", of=(Known("one", (cited,)),), using=(Known("two", (equal,)),))
+    tried, stood = survivors(Line("three", (said,), "", move=move), LETTERS)
+    assert stood == ("omega1 for omega2",)
+    changes = len(perturbations(said, LETTERS.families))
+    assert 5 < tried < changes + 2  # two other moves besides

@@ -842,7 +842,7 @@ Take the sign of it, for $\lambda_1 > \lambda_2$, $\omega_1 > 0$ and $\omega_2 >
 
 $$\dot\omega_3 > 0$$
 """,
-        "is approximate: its sign is not known",
+        "is approximate: what is left out of it is not known",
     ),
     "small together, claimed too well": (
         r"""
@@ -894,7 +894,7 @@ Integrate it from $\omega_3 = \omega_{3,0}$:
 
 $$\omega_3 = \omega_{3,0}$$
 """,
-        "approximately, can't be integrated",
+        "is approximate: what is left out of it is not known",
     ),
     "indices do not change places by themselves": (
         r"""

@@ -105,6 +105,46 @@ $$\frac{\mu}{\varepsilon^2} = \beta$$
 The far:
 
 $$\omega_2 = \frac{\omega_1}{\varepsilon} + \frac{\omega_1}{1-\varepsilon}$$
+
+The bound:
+
+$$U > MgR\cos\theta + MgR$$
+
+The steady angle:
+
+$$\theta = \theta_0$$
+
+The spin:
+
+$$c_3 = \lambda_3\dot\psi\cos\theta$$
+
+The use of spin:
+
+$$T = \tfrac12\lambda_3\dot\psi^2$$
+
+Equal ones:
+
+$$L_1 = L_2$$
+
+The opposite:
+
+$$L_1 = -\lambda_1\omega_1$$
+
+The use of angles:
+
+$$T_{tot} = MgR\,\theta^2$$
+
+The turned:
+
+$$L_1\cos\theta = L_2\,\theta\cos\theta$$
+
+The sum:
+
+$$\tau = \delta + \varepsilon$$
+
+The share:
+
+$$\epsilon_0 = \frac{\tau - \delta + \varepsilon^2}{\varepsilon}$$
 """
 
 
@@ -570,6 +610,138 @@ Rewrite the rate of spin:
 $$\dot\omega_3 = \frac{\lambda_1 - \lambda_2}{\lambda_3}\omega_1\omega_2 \tag{9.9}$$
 """,
         "does not arrive",
+    ),
+    "the slope of a bound": (
+        r"""
+Differentiate the bound by $\theta$:
+
+$$\frac{\partial U}{\partial\theta} = -MgR\sin\theta$$
+""",
+        "a relation > can't be treated so",
+    ),
+    "neglected in a bound": (
+        r"""
+Neglect $MgR$ in the bound, for small $g$:
+
+$$U \approx MgR\cos\theta$$
+""",
+        "a relation > can't be treated so",
+    ),
+    "an inequality where both sides vanish": (
+        r"""
+Set $\dot\omega_3 = 0$ in the drift:
+
+$$0 > 0$$
+""",
+        "this can't hold",
+    ),
+    "a steady angle is put in and differentiated": (
+        r"""
+Put the steady angle into the use:
+
+$$T = MgR\cos\theta_0$$
+
+Differentiate it by $\theta$:
+
+$$\frac{\partial T}{\partial\theta} = 0$$
+""",
+        "holds along the motion only",
+    ),
+    "a number that velocities make is put in and differentiated": (
+        r"""
+Solve the spin for $\dot\psi$:
+
+$$\dot\psi = \frac{c_3}{\lambda_3\cos\theta}$$
+
+Put it into the use of spin:
+
+$$T = \frac{c_3^2}{2\lambda_3\cos^2\theta}$$
+
+Differentiate it by $\theta$:
+
+$$\frac{\partial T}{\partial\theta} = \frac{c_3^2\sin\theta}{\lambda_3\cos^3\theta}$$
+""",
+        "holds along the motion only",
+    ),
+    "divided by what a law says is 0": (
+        r"""
+Multiply equal ones by $L_1$:
+
+$$L_1^2 = L_1L_2$$
+
+Multiply equal ones by $L_2$:
+
+$$L_1L_2 = L_2^2$$
+
+Subtract it from $L_1^2$:
+
+$$L_1^2 - L_1L_2 = L_1L_2 - L_2^2$$
+
+Divide it by $L_1 - L_2$:
+
+$$L_1 = L_2$$
+""",
+        "a division by 0",
+    ),
+    "a root with two signs that a law excludes": (
+        r"""
+Square the opposite:
+
+$$L_1^2 = \lambda_1^2\omega_1^2$$
+
+Take the root of it, for $L_1 > 0$ and $\omega_1 > 0$:
+
+$$L_1 = \lambda_1\omega_1$$
+""",
+        "this can't hold",
+    ),
+    "set in what was divided by": (
+        r"""
+Divide the turned by $\cos\theta$:
+
+$$L_1 = L_2\,\theta$$
+
+Set $\theta = \frac\pi2$ in it:
+
+$$L_1 = \tfrac\pi2L_2$$
+""",
+        "a division by 0",
+    ),
+    "what was set stands there again": (
+        r"""
+Set $\theta = 0$ in the use:
+
+$$T = MgR$$
+
+Add it to the use of angles:
+
+$$T + T_{tot} = MgR + MgR\,\theta^2$$
+""",
+        "theta is set and stands there still",
+    ),
+    "what was neglected is all that is left": (
+        r"""
+Neglect $\varepsilon$ in the sum, for small $\varepsilon$:
+
+$$\tau \approx \delta$$
+
+Put it into the share:
+
+$$\epsilon_0 \approx \varepsilon$$
+""",
+        "of what is neglected no order is known",
+    ),
+    "what is kept beside the neglected is set to 0": (
+        r"""
+Neglect $\varepsilon$ in the sum, for small $\varepsilon$:
+
+$$\tau \approx \delta$$
+
+Set $\delta = 0$ in it:
+
+$$\tau \approx 0$$
+""",
+        "nothing is known",
     ),
     "a brace of an integral that lies": (
         r"""

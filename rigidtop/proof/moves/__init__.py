@@ -5,7 +5,7 @@ in the equations that are cited, it does not use.  What can't be done raises `Re
 the reason in words.
 """
 
-from rigidtop.proof.moves.conditions import nonzero
+from rigidtop.proof.moves.conditions import flat_with, nonzero
 from rigidtop.proof.moves.move import (
     Condition,
     Known,
@@ -17,7 +17,14 @@ from rigidtop.proof.moves.move import (
     Scope,
 )
 from rigidtop.proof.moves.orders import NEGLECTED
-from rigidtop.proof.moves.pairs import braces_of, named_components, pairs_of, put_in
+from rigidtop.proof.moves.pairs import (
+    braces_of,
+    give,
+    named_components,
+    pairs_of,
+    put_in,
+    where_set,
+)
 from rigidtop.proof.moves.perform import perform
 
 __all__ = [
@@ -31,9 +38,12 @@ __all__ = [
     "RefusedError",
     "Scope",
     "braces_of",
+    "flat_with",
+    "give",
     "named_components",
     "nonzero",
     "pairs_of",
     "perform",
     "put_in",
+    "where_set",
 ]

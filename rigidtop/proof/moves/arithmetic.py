@@ -9,7 +9,7 @@ from functools import partial
 from sympy import Expr, Integer, MatrixBase, Symbol
 
 from rigidtop.proof import decide
-from rigidtop.proof.algebra import Algebra, Letters, Value, Vector, vanishes
+from rigidtop.proof.algebra import Algebra, Value, Vector, vanishes
 from rigidtop.proof.equation import Equation, SumOver, VolumeIntegral, as_printed
 from rigidtop.proof.moves.conditions import divided_by, flat_with
 from rigidtop.proof.moves.move import (
@@ -20,11 +20,17 @@ from rigidtop.proof.moves.move import (
     Performed,
     RefusedError,
     Scope,
-    is_equation,
     the_one,
 )
-from rigidtop.proof.moves.orders import NEGLECTED
-from rigidtop.proof.moves.pairs import all_pairs, mapped, pairs_of, said_pairs, scalars, settle
+from rigidtop.proof.moves.orders import NEGLECTED, OF_NO_ORDER
+from rigidtop.proof.moves.pairs import (
+    all_pairs,
+    equal_pairs,
+    mapped,
+    pairs_of,
+    said_pairs,
+    scalars,
+)
 
 
 def put(move: Move, algebra: Algebra) -> Performed:
@@ -52,12 +58,9 @@ def cross(move: Move, algebra: Algebra) -> Performed:
 
 def _product(move: Move, algebra: Algebra, times: Callable[[Value, Value], Value]) -> Performed:
     if len(move.of) == 2:
-        first, second = (all_pairs(k, algebra) for k in move.of)
+        first, second = (equal_pairs(k, algebra) for k in move.of)
         pairs = [
-            Pair(times(p.left, q.left), times(p.right, q.right))
-            for p in first
-            for q in second
-            if is_equation(p) and is_equation(q)
+            Pair(times(p.left, q.left), times(p.right, q.right)) for p in first for q in second
         ]
         return Performed(tuple(pairs), max(k.scope for k in move.of))
     [by] = move.by
@@ -97,9 +100,7 @@ def _of_both(orders: Sequence[Order | None]) -> Order | None:
     """The order of the error of a sum, from those of the two that are added: the larger error."""
     known = [order for order in orders if order is not None]
     if any(order.small == NEGLECTED for order in known):
-        raise RefusedError(
-            "of what is neglected no order is known: beside what is added it may not be small"
-        )
+        raise RefusedError(OF_NO_ORDER)
     if len({(order.small, order.together) for order in known}) > 1:
         raise RefusedError("two small quantities at once: expand in one after the other")
     return min(known, key=lambda order: order.power, default=None)
@@ -164,31 +165,10 @@ def divide(move: Move, algebra: Algebra) -> Performed:
     factor = algebra.value(by)
     if isinstance(factor, (Vector, MatrixBase)) or not factor.is_commutative:
         raise RefusedError("a division by what is no scalar")
-    known = the_one(move)
-    if vanishes(factor) or vanishes(_where_set(known, algebra.letters).value(factor)):
+    if vanishes(factor):
         raise RefusedError("a division by 0")
     made = multiply(replace(move, by=(1 / factor,)), algebra)
     return replace(made, conditions=divided_by(factor, ()))
-
-
-def _where_set(known: Known, letters: Letters) -> Algebra:
-    """What has been set for an equation to hold, put in: at all times with its rate."""
-    given: dict[Expr, Value] = {}
-    for condition in known.conditions:
-        if condition.relation != "=":
-            continue
-        difference = Algebra(letters, given).value(condition.expression)
-        for x in sorted(difference.free_symbols, key=str):
-            slope = difference.diff(x)
-            if slope.is_number and slope != 0:
-                value = x - difference / slope
-                settle(given, x, value, letters)
-                if known.scope is not Scope.SET and value.free_symbols <= letters.numbers:
-                    while x in letters.rates:
-                        x = letters.rates[x]
-                        given[x] = Integer(0)
-                break
-    return Algebra(letters, given)
 
 
 def _shifted(order: Order | None, factor: Expr) -> Order | None:

@@ -15,11 +15,10 @@ from rigidtop.proof.moves.move import (
     Performed,
     RefusedError,
     Scope,
-    is_equation,
     name_of,
     the_one,
 )
-from rigidtop.proof.moves.pairs import all_pairs
+from rigidtop.proof.moves.pairs import all_pairs, equal_pairs
 from rigidtop.theory.rates import slope
 
 
@@ -36,12 +35,8 @@ def differentiate(move: Move, algebra: Algebra) -> Performed:
             holds,
             by,
         )
-    if known.order is not None:
-        raise RefusedError(
-            "{} is approximate: the slope of what is neglected is not known", name_of(known)
-        )
     made: list[Pair] = []
-    for pair in all_pairs(known, algebra):
+    for pair in equal_pairs(known, algebra):
         if not isinstance(pair.left, Symbol):
             continue
         held = algebra.letters.arguments(pair.left)
@@ -106,17 +101,12 @@ def rate(move: Move, algebra: Algebra) -> Performed:
         raise RefusedError(
             "{} holds where something is set, at a moment: its rate does not follow", name_of(known)
         )
-    if known.order is not None:
-        raise RefusedError(
-            "{} is approximate: the rate of what is neglected is not known", name_of(known)
-        )
     pairs = []
-    for pair in all_pairs(known, algebra):
+    for pair in equal_pairs(known, algebra):
         for side in (pair.left, pair.right):
             for letter in algebra.letters.functions.keys() & {*atoms_of(side)}:
                 _is_function(letter, move, algebra)
-        if is_equation(pair):
-            pairs.append(Pair(algebra.rate(pair.left, frame), algebra.rate(pair.right, frame)))
+        pairs.append(Pair(algebra.rate(pair.left, frame), algebra.rate(pair.right, frame)))
     return Performed(tuple(pairs), known.scope)
 
 
@@ -128,7 +118,7 @@ def integrate(move: Move, algebra: Algebra) -> Performed:
     if move.power:
         return _time(known, move, algebra)
     starts = tuple(Condition(e.sides[0] - e.sides[1], "start") for e in move.by)
-    return Performed(tuple(all_pairs(known, algebra)), Scope.MOTION, starts, known.order)
+    return Performed(tuple(equal_pairs(known, algebra)), Scope.MOTION, starts)
 
 
 def _time(known: Known, move: Move, algebra: Algebra) -> Performed:
@@ -140,14 +130,12 @@ def _time(known: Known, move: Move, algebra: Algebra) -> Performed:
     letter = begin.sides[0]
     if end.sides[0] != letter:
         raise RefusedError("from one value of {} to another, not of {}", letter, end.sides[0])
-    if known.order is not None:
-        raise RefusedError("what holds approximately can't be integrated")
     low, high = algebra.value(begin.sides[1]), algebra.value(end.sides[1])
     rate = algebra.rate(algebra.value(letter))
     pairs: list[Pair] = []
     conditions: list[Condition] = [Condition(letter - low, "start")]
-    for pair in all_pairs(known, algebra):
-        if pair.left != rate or not is_equation(pair):
+    for pair in equal_pairs(known, algebra):
+        if pair.left != rate:
             continue
         allowed = algebra.letters.numbers | {letter}
         if pair.right.atoms(Printed) or not pair.right.free_symbols <= allowed:

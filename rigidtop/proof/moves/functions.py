@@ -17,11 +17,9 @@ from rigidtop.proof.moves.move import (
     Pair,
     Performed,
     RefusedError,
-    is_equation,
-    name_of,
     the_one,
 )
-from rigidtop.proof.moves.pairs import all_pairs, is_operator
+from rigidtop.proof.moves.pairs import equal_pairs, is_operator
 
 
 def function(of: FunctionClass) -> Callable[[Move, Algebra], Performed]:
@@ -29,9 +27,7 @@ def function(of: FunctionClass) -> Callable[[Move, Algebra], Performed]:
 
     def taken(move: Move, algebra: Algebra) -> Performed:
         known = the_one(move)
-        if known.order is not None:
-            raise RefusedError("{} is approximate", name_of(known))
-        pairs = [p for p in all_pairs(known, algebra) if is_equation(p)]
+        pairs = equal_pairs(known, algebra)
         sides = [side for pair in pairs for side in (pair.left, pair.right)]
         if any(isinstance(x, (Vector, MatrixBase)) or is_operator(x) for x in sides):
             raise RefusedError("a function of what is no scalar")

@@ -15,11 +15,17 @@ from rigidtop.proof.moves.move import (
     Performed,
     RefusedError,
     Scope,
-    is_equation,
     name_of,
     the_one,
 )
-from rigidtop.proof.moves.pairs import all_pairs, atom_of, is_operator, mapped, single_atom
+from rigidtop.proof.moves.pairs import (
+    all_pairs,
+    atom_of,
+    equal_pairs,
+    is_operator,
+    mapped,
+    single_atom,
+)
 
 
 def of_operators(
@@ -40,8 +46,8 @@ def exchange_factors(move: Move, algebra: Algebra) -> Performed:
     """Where a product of square matrices is 1, it is with its factors in turn: XY = 1, YX = 1."""
     known = the_one(move)
     pairs: list[Pair] = []
-    for pair in all_pairs(known, algebra):
-        if not is_equation(pair) or pair.right != 1 or not is_operator(pair.left):
+    for pair in equal_pairs(known, algebra):
+        if pair.right != 1 or not is_operator(pair.left):
             raise RefusedError("only where a product is 1 can its factors be exchanged")
         scalars, factors = pair.left.args_cnc()
         for k in range(1, len(factors)):
@@ -56,9 +62,7 @@ def strip(move: Move, algebra: Algebra) -> Performed:
     u·Av = … for all pairs of axes gives the entries of A; `by` may also be letters for any vector.
     """
     axes = [atom_of(algebra.value(x), x) for x in move.by]
-    if any(known.order is not None for known in move.of):
-        raise RefusedError("{} is approximate", name_of(move.of[0]))
-    pairs = [p for known in move.of for p in all_pairs(known, algebra) if is_equation(p)]
+    pairs = [p for known in move.of for p in equal_pairs(known, algebra)]
     scope = max(known.scope for known in move.of)
     letters = algebra.letters
     if any(set(axes) == set(frame) for frame in letters.frames) and len(axes) == 3:

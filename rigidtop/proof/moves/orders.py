@@ -11,12 +11,14 @@ from sympy import Add, Expr, Integer, MatrixBase, Symbol, factorial
 
 from rigidtop.proof.algebra import Algebra, Letters, Value, Vector, components, flattened, vanishes
 from rigidtop.proof.moves.move import Move, Order, Pair, Performed, RefusedError, name_of, the_one
-from rigidtop.proof.moves.pairs import all_pairs, put_in, scalars
+from rigidtop.proof.moves.pairs import put_in, said_pairs, scalars
 from rigidtop.theory.rates import slopes_at_zero
 
 NEGLECTED = Symbol("neglected")
 """What stands for all that an approximate equation leaves out, if no letter is small in it."""
 
+
+OF_NO_ORDER = "of what is neglected no order is known: beside what is added it may not be small"
 
 SMALL = Symbol("small", positive=True)
 """What letters that are small together are counted by."""
@@ -56,11 +58,7 @@ def expand(move: Move, algebra: Algebra) -> Performed:
         made = _series(counted, order)
         return (made.subs(SMALL, 1) if together else made).xreplace(nodes)
 
-    pairs = [
-        Pair(pair.left, series(pair.right), "≈")
-        for pair in all_pairs(known, algebra)
-        if pair.relation in ("=", "≈")
-    ]
+    pairs = [Pair(pair.left, series(pair.right), "≈") for pair in said_pairs(known, algebra)]
     return Performed(tuple(pairs), known.scope, order=order)
 
 
@@ -94,7 +92,7 @@ def neglect(move: Move, algebra: Algebra) -> Performed:
         raise RefusedError("say where it is small: “…, for large $x$” or “…, for small $x$”")
     left_out = [algebra.value(x) for x in move.by[:-1]]
     pairs = []
-    for pair in all_pairs(known, algebra):
+    for pair in said_pairs(known, algebra):
         for k, side in enumerate((pair.left, pair.right)):
             rest = side
             for term in left_out:

@@ -13,11 +13,13 @@ from rigidtop.proof.algebra import Algebra, Letters, Value, Vector, agree, atoms
 from rigidtop.proof.equation import Dot, Equation, Printed, Rate, Underbrace
 from rigidtop.proof.moves.conditions import nonzero
 from rigidtop.proof.moves.move import (
+    Condition,
     Known,
     Move,
     Pair,
     Performed,
     RefusedError,
+    Scope,
     is_equation,
     name_of,
     the_one,
@@ -66,11 +68,12 @@ def put_in(known: Sequence[Known], letters: Letters) -> dict[Expr, Value]:
     given: dict[Expr, Value] = {}
     for each in known:
         for equation in each.equations:
-            _give(equation, each, given, letters)
+            give(equation, each, given, letters)
     return given
 
 
-def _give(equation: Equation, source: Known, given: dict[Expr, Value], letters: Letters) -> None:
+def give(equation: Equation, source: Known, given: dict[Expr, Value], letters: Letters) -> None:
+    """Put what an equation says of an atom to what is given.  Raises RefusedError."""
     if equation.relation not in ("=", "≡", "≈"):
         raise RefusedError(
             "{} says {}: only an equation can be put in", name_of(source), equation.relation
@@ -113,6 +116,26 @@ def _give(equation: Equation, source: Known, given: dict[Expr, Value], letters: 
             raise RefusedError(
                 "{} gives no letter to put in: solve it for one first", name_of(source)
             )
+
+
+def where_set(conditions: Sequence[Condition], scope: Scope, letters: Letters) -> dict[Expr, Value]:
+    """What has been set, to put in: at all times with its rate."""
+    given: dict[Expr, Value] = {}
+    for condition in conditions:
+        if condition.relation != "=":
+            continue
+        difference = Algebra(letters, given).value(condition.expression)
+        for x in sorted(difference.free_symbols, key=str):
+            slope = difference.diff(x)
+            if slope.is_number and slope != 0:
+                value = x - difference / slope
+                settle(given, x, value, letters)
+                if scope is not Scope.SET and value.free_symbols <= letters.numbers:
+                    while x in letters.rates:
+                        x = letters.rates[x]
+                        given[x] = Integer(0)
+                break
+    return given
 
 
 def _differ_by_number(left: Value, right: Value) -> bool:
@@ -167,6 +190,13 @@ def nodes_of(tree: Expr) -> set[Expr]:
 def all_pairs(known: Known, algebra: Algebra) -> list[Pair]:
     """Any two sides of every equation."""
     return [p for e in known.equations for p in pairs_of(e, algebra, chain=True)]
+
+
+def equal_pairs(known: Known, algebra: Algebra) -> list[Pair]:
+    """Any two sides of every equation.  Raises RefusedError for another relation, ≈ too."""
+    if known.order is not None:
+        raise RefusedError("{} is approximate: what is left out of it is not known", name_of(known))
+    return [p for p in all_pairs(known, algebra) if is_equation(p)]
 
 
 def said_pairs(known: Known, algebra: Algebra) -> list[Pair]:

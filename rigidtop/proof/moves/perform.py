@@ -6,11 +6,12 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 import sympy
-from sympy import Dummy, Expr, MatrixBase
+from sympy import Dummy, Expr, Integer, MatrixBase, Tuple
 
 from rigidtop.proof.algebra import (
     Algebra,
     Letters,
+    Value,
     Vector,
     atoms_of,
     components,
@@ -38,7 +39,9 @@ from rigidtop.proof.moves.move import (
     Scope,
     name_of,
 )
+from rigidtop.proof.moves.orders import NEGLECTED, OF_NO_ORDER
 from rigidtop.proof.moves.pairs import nodes_of, put_in
+from rigidtop.theory.trig import reduce_ratio
 
 
 def perform(move: Move, letters: Letters) -> Performed:
@@ -101,22 +104,32 @@ def _error(made: Performed, using: Sequence[Known], letters: Letters) -> Order |
 
 
 def _carried(pairs: Sequence[Pair], known: Known, order: Order, letters: Letters) -> Order:
-    """The order of the error that an approximate value brings into what it is put in for."""
+    """The order of the error that an approximate value brings into what it is put in for.
+
+    Beside terms that are neglected this is a share of the value: it stays one in a product.
+    """
     mark = Dummy("error")
     given = put_in([known], letters)
+    share = order.small == NEGLECTED
     error = mark * order.small**order.power
-    wrong = {
-        atom: value + (Vector({atom: error}) if isinstance(value, Vector) else error)
-        for atom, value in given.items()
-        if not isinstance(value, MatrixBase)
-    }
+    right = Algebra(letters, given)
+
+    def wrong(atom: Expr, value: Value) -> Value:
+        if share:
+            return right.times(1 + mark, value)
+        return value + (Vector({atom: error}) if isinstance(value, Vector) else error)
+
+    off = {x: wrong(x, v) for x, v in given.items() if share or not isinstance(v, MatrixBase)}
     lowest = order.power
-    right, off = Algebra(letters, given), Algebra(letters, {**given, **wrong})
     for side in (side for pair in pairs for side in (pair.left, pair.right)):
-        for change in components(off.value(side), right.value(side)):
-            slope = flattened(change)[0].diff(mark).subs(mark, 0)
-            if slope != 0:
+        value, changed = (Algebra(letters, {**given, **x}).value(side) for x in ({}, off))
+        rows = components(changed, value), components(changed, Integer(0))
+        for change, whole in (flattened(Tuple(*row))[0] for row in zip(*rows, strict=True)):
+            slope = change.diff(mark).subs(mark, 0)
+            if slope != 0 and not share:
                 lowest = min(lowest, order.lowest(slope))
+            elif slope != 0 and not reduce_ratio(slope / whole.subs(mark, 0)).is_number:
+                raise RefusedError(OF_NO_ORDER)
     return replace(order, power=lowest)
 
 

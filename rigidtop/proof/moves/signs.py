@@ -16,11 +16,9 @@ from rigidtop.proof.moves.move import (
     Pair,
     Performed,
     RefusedError,
-    is_equation,
-    name_of,
     the_one,
 )
-from rigidtop.proof.moves.pairs import all_pairs, is_operator
+from rigidtop.proof.moves.pairs import equal_pairs, is_operator
 
 
 def root(move: Move, algebra: Algebra) -> Performed:
@@ -28,8 +26,8 @@ def root(move: Move, algebra: Algebra) -> Performed:
     known = the_one(move)
     pairs = []
     conditions: list[Condition] = []
-    for pair in all_pairs(known, algebra):
-        if isinstance(pair.left, Vector) or is_operator(pair.left) or not is_equation(pair):
+    for pair in equal_pairs(known, algebra):
+        if isinstance(pair.left, Vector) or is_operator(pair.left):
             raise RefusedError("the root of what is no scalar")
         flat, nodes = flattened(pair.left)  # what stands for itself is real
         made = sympy.sqrt(sympy.factor(flat))
@@ -67,11 +65,9 @@ def _known_sign(base: Expr, conditions: Sequence[Condition]) -> int:
 def sign(move: Move, algebra: Algebra) -> Performed:
     """The sign of a right side, under the conditions that are given, each of which is needed."""
     known = the_one(move)
-    if known.order is not None:
-        raise RefusedError("{} is approximate: its sign is not known", name_of(known))
     pairs = []
-    for pair in all_pairs(known, algebra):
-        if isinstance(pair.right, (Vector, MatrixBase)) or not is_equation(pair):
+    for pair in equal_pairs(known, algebra):
+        if isinstance(pair.right, (Vector, MatrixBase)):
             continue
         relation = _sign_of(pair.right, move.where)
         if relation is None:

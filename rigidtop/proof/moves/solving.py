@@ -17,9 +17,8 @@ from rigidtop.proof.moves.move import (
     Performed,
     RefusedError,
     Scope,
-    is_equation,
 )
-from rigidtop.proof.moves.pairs import all_pairs, atom_of, components_of, is_operator
+from rigidtop.proof.moves.pairs import atom_of, components_of, equal_pairs, is_operator
 from rigidtop.theory.trig import reduce_trig
 
 
@@ -28,7 +27,7 @@ def solve(move: Move, algebra: Algebra) -> Performed:
     unknowns = [atom_of(algebra.value(x), x) for x in move.by]
     if len(move.of) > len(unknowns):
         raise RefusedError("more equations than unknowns")
-    pairs = [p for k in move.of for p in all_pairs(k, algebra) if is_equation(p)]
+    pairs = [p for k in move.of for p in equal_pairs(k, algebra)]
     if any(is_operator(side) for p in pairs for side in (p.left, p.right)):
         raise RefusedError("a matrix equation is not solved so: multiply by what takes it away")
     scope = max(k.scope for k in move.of)
