@@ -707,6 +707,22 @@ $$L_1 = \tfrac\pi2L_2$$
 """,
         "a division by 0",
     ),
+    "two moments in one line": (
+        r"""
+Set $\theta = 0$ in the use:
+
+$$T = MgR$$
+
+Set $\theta = \theta_0$ in the use of angles:
+
+$$T_{tot} = MgR\,\theta_0^2$$
+
+Add it to $T$:
+
+$$T + T_{tot} = MgR + MgR\,\theta_0^2$$
+""",
+        "is set in two ways",
+    ),
     "what was set stands there again": (
         r"""
 Set $\theta = 0$ in the use:

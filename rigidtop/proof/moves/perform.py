@@ -59,18 +59,19 @@ def perform(move: Move, letters: Letters) -> Performed:
     for each in (*move.of, *move.using):
         conditions += [c for c in each.conditions if c not in conditions]
     conditions += [c for c in move.where if c not in conditions]
-    _one_start([c.expression for c in conditions if c.relation == "start"], letters)
+    for relation, word in (("start", "starts"), ("=", "is set")):
+        _one_way([c.expression for c in conditions if c.relation == relation], word, letters)
     scope = max((made.scope, *(k.scope for k in move.cited)), default=made.scope)
     return replace(made, scope=scope, conditions=tuple(conditions))
 
 
-def _one_start(starts: Sequence[Expr], letters: Letters) -> None:
-    """Refuse what is cited of two motions, which start with different values of a letter."""
+def _one_way(starts: Sequence[Expr], word: str, letters: Letters) -> None:
+    """Refuse what is cited of two motions or moments, with different values of a letter."""
     for k, start in enumerate(starts):
-        for other in starts[:k]:
+        for other in starts[:k] if start.free_symbols - letters.numbers else ():
             difference = sympy.expand(start - other)
             if difference.free_symbols <= letters.numbers and not vanishes(difference):
-                raise RefusedError("what is cited starts in two ways: {} and {}", other, start)
+                raise RefusedError("what is cited {} in two ways: {} and {}", word, other, start)
 
 
 def _with(made: Performed, move: Move, letters: Letters) -> Performed:
