@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from itertools import chain
 
 import sympy
-from sympy import Symbol
+from sympy import Pow, Symbol
 
 from rigidtop.mark.indices import running
 from rigidtop.mark.law import accent, base
@@ -29,6 +29,10 @@ def _of_places(ledger: Reasons, found: Held) -> Iterator[str]:
     """It stands in another case than what it is held against."""
     if found.line.condition:
         yield f"holds at most “{found.line.condition}”, which is not judged"
+    equation = found.line.equation
+    assert equation is not None
+    if max(ledger.places) in ledger.twins and len(equation.sides) > 2:
+        yield "one of the two signs is meant"
     if not ledger.holds(ledger.section, found.rests):
         yield "at odds with another case"
     far = {x for x in found.rests if ledger.places[x] != ledger.section}
@@ -37,8 +41,7 @@ def _of_places(ledger: Reasons, found: Held) -> Iterator[str]:
         far -= law.rests  # equations of motion often stand under a heading of their own
     if far:
         yield "at odds with what stands under another heading"
-    assert found.line.equation is not None
-    stand = set().union(*(side.free_symbols for side in found.line.equation.sides))
+    stand = set().union(*(side.free_symbols for side in equation.sides))
     made = stand.union(*(ledger.given[x].value.free_symbols for x in stand & {*ledger.given}))
     for x in ledger.sets:
         if x in made and not accent(x) and x not in ledger.moving:
@@ -52,6 +55,9 @@ def _of_letters(ledger: Reasons, equations: Sequence[Equation]) -> Iterator[str]
         yield "|…| may be a norm, or another measure"
     if ledger.is_open(IMAGINARY) and any(IMAGINARY in side.free_symbols for side in sides):
         yield "i: a number, or the imaginary unit? nothing says"
+    squares = [x for x in sides if isinstance(x, Pow) and x.exp.is_even]
+    if squares and any(x.is_number and x < 0 for x in sides):
+        yield f"{text(squares[0])} < 0: its letter is no number"
     for node in (x for side in sides for x in side.atoms(eq.Dot)):
         one, *others = ({base(y) for y in x.free_symbols if kind(y) == "scalar"} for x in node.args)
         if any(one & other for other in others):

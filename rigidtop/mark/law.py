@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
+from itertools import combinations, product
+from math import isfinite
+from operator import truediv
 from typing import Any
 
 import sympy
@@ -28,6 +30,9 @@ MOST_SOLVED = 3
 
 MOST_ROOTS = 4
 """Of more roots not every sign is tried."""
+
+MOST_WITH_ROOTS = 150
+"""What has roots and more operations is not expanded: there would be no end to it."""
 
 TIME = own(Glyph("t"))
 
@@ -54,6 +59,11 @@ def base(letter: Symbol) -> str:
 
 def accent(letter: Symbol) -> str:
     return letter.quantity.glyph.accent if isinstance(letter, Lettered) else ""
+
+
+def is_differential(x: Symbol) -> bool:
+    """dφ, Δx, δr: it is small, and what is said of it may be said to an order."""
+    return len(base(x)) > 1 and base(x)[0] in "dΔδ"
 
 
 def moves(x: Symbol) -> bool:
@@ -137,7 +147,10 @@ class Law:
 
 def put_in(side: Expr, put: Mapping[Symbol, Expr]) -> Expr:
     """A side with what is set put in, twice: one may bring in another's letter."""
-    return sympy.expand(side.subs(put).subs(put)) if put else side
+    made = side.subs(put).subs(put) if put else side
+    rooted = any(not p.exp.is_Integer for p in made.atoms(Pow))
+    large = rooted and sympy.count_ops(made) > MOST_WITH_ROOTS
+    return made if large or not put else sympy.expand(made)
 
 
 def plain(expression: Expr) -> tuple[Expr, dict[Expr, Symbol]]:
@@ -294,10 +307,41 @@ def lost(wanted: Expr, given: Expr) -> tuple[Expr, ...] | None:
 
     The two are multiples of one sum; what they have besides are letters, sines and cosines.
     """
+    if not may_be_multiples(wanted, given):
+        return None
     found = decide.lost(wanted, given)
     if any(x.has(Add) for x in found) or not sympy.factor(given).has(Add):
         return None
     return tuple(x for x in found if x.has(sympy.Function))
+
+
+def are_proportional(one: Expr, other: Expr) -> bool:
+    """Whether, as far as numbers tell, one side is the other one times a number that is not 0."""
+    pair = plain(sympy.Tuple(one, other))[0]
+    ratios = [decide.defined(truediv, *decide.values([*pair], k)) for k in range(3)]
+    return all(isfinite(x) and x and not decide.apart(x, ratios[0]) for x in ratios)
+
+
+def may_be_multiples(one: Expr, other: Expr) -> bool:
+    """Whether, as far as numbers tell, the ratio of two is one of factors of a letter each.
+
+    >>> x, y, m = sympy.symbols("x y m")
+    >>> may_be_multiples(m * (x + y), (x + y) / sympy.sin(x)), may_be_multiples(x + y, x - y)
+    (True, False)
+    """
+    one, other = plain(sympy.Tuple(one, other))[0]
+    letters = sorted(one.free_symbols | other.free_symbols, key=str)
+    for half in ({*letters[::2]}, {*letters[: len(letters) // 2]}):
+        ratios = []
+        for inside, outside in product((0, 1), repeat=2):
+            number = decide.at(
+                {x: decide.somewhere(x, inside if x in half else outside) for x in letters}
+            )
+            ratios.append(decide.defined(truediv, number(one), number(other)))
+        across = ratios[0] * ratios[3], ratios[1] * ratios[2]
+        if decide.apart(*across) or not all(map(isfinite, across)):
+            return False
+    return True
 
 
 def force_in(residual: Expr, law: Law) -> tuple[int, Expr] | None:

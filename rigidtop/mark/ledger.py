@@ -23,6 +23,9 @@ LAGRANGIANS = frozenset({"L", "ℒ"})
 
 ENERGIES = frozenset({"H", "ℋ"})
 
+MOST_OF_LAW = 1000
+"""Equations of motion with more operations are not judged by: SymPy would work for minutes."""
+
 NAMES: Mapping[Any, str] = {
     eq.SumOver: "a sum",
     eq.SumFrom: "a sum",
@@ -141,6 +144,8 @@ class Ledger:
             return None
         vanishing = [self.total(value.diff(y)) - value.diff(x) for x, y in zip(q, v, strict=True)]
         expanded = tuple(sympy.expand(x) for x in vanishing)
+        if sympy.count_ops(expanded) > MOST_OF_LAW:
+            return None
         return Law(q, expanded, known.rests, "by Lagrange's equations", known.section, value)
 
     def bare(self, side: Expr) -> Expr:

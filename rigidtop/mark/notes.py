@@ -50,8 +50,8 @@ from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import Glyph, const
 from rigidtop.typeset.text import text
 
-MOST_OPERATIONS = 400
-"""An expression has no more operations, or it is not judged."""
+MOST_OPERATIONS, MOST_PUT_IN = 400, 1000
+"""An expression as it is written, and with all that is said put in, has no more operations."""
 
 UNREAD = "unread"
 
@@ -118,7 +118,7 @@ def _twins(lines: Sequence[Line]) -> dict[int, Equation]:
         a, b = one.equation, two.equation
         if a is None or b is None or one.position != two.position:
             continue
-        if a.sides[0] == b.sides[0] and len(a.sides) == len(b.sides) == 2:
+        if a.sides[0] == b.sides[0] and len(a.sides) == len(b.sides):
             made |= {i: b, k: a}
     return made
 
@@ -156,9 +156,7 @@ class _Judge(Reasons):
         try:
             if equation.relation not in ("=", "≡", "≈"):
                 raise NoMeaningError(f"{equation.relation} is not judged")
-            if any(sympy.count_ops(side, visual=False) > MOST_OPERATIONS for side in equation.sides
-                   if not isinstance(side, sympy.MatrixBase)):  # fmt: skip
-                raise NoMeaningError(f"more than {MOST_OPERATIONS} operations")
+            few(equation.sides, MOST_OPERATIONS)
             if equation.relation == "≈":
                 found = self.approximate(line, *map(self.named, equation.sides))
             else:
@@ -294,10 +292,9 @@ class _Judge(Reasons):
             return free and first not in letters(others[0])
         if first in self.primitive() and self.is_set(first, others[-1]):
             return False
-        side = others[-1] if others[-1] != const else others[0]
-        made = {y for x in letters(side) if x in self.given
-                for y in self.given[x].value.free_symbols}  # fmt: skip
-        return first not in letters(side) | made
+        found = set[Symbol]().union(*map(letters, others))
+        made = (self.given[x].value.free_symbols for x in found if x in self.given)
+        return first not in found.union(*made)
 
     def defined(self, number: int, line: Line, first: Lettered, others: Sequence[Expr]) -> Held:
         known = self.given.get(first)
@@ -384,6 +381,7 @@ class _Judge(Reasons):
             sides = (self.total(self.value(left)), Integer(0))
         else:
             sides = (self.value(left), self.value(right))
+        few(sides, MOST_PUT_IN)
         return Case(number, line, left, right, sides, frozenset(self.used), inner)
 
     def positive(self, case: Case) -> Case:
@@ -524,6 +522,12 @@ class _Judge(Reasons):
         vanishing = (*law.vanishing, case.residual)
         self.law = replace(law, q=q, vanishing=vanishing, rests=law.rests | {case.number})
         return Held(case.line, PREMISE, "an equation of motion, taken as it stands", ())
+
+
+def few(sides: Iterable[Expr], most: int) -> None:
+    """Raises NoMeaningError for what SymPy would work at for minutes."""
+    if any(sympy.count_ops(x) > most for x in sides if not isinstance(x, sympy.MatrixBase)):
+        raise NoMeaningError(f"more than {most} operations")
 
 
 def has_slopes(*sides: Expr) -> bool:

@@ -20,6 +20,7 @@ from rigidtop.mark.law import (
     TIME,
     Law,
     accent,
+    are_proportional,
     at_rest,
     bare,
     differ_at,
@@ -27,6 +28,7 @@ from rigidtop.mark.law import (
     dotted,
     force_in,
     functions_of,
+    is_differential,
     is_linear,
     is_polynomial,
     lost,
@@ -287,6 +289,8 @@ class Reasons(Ledger):
         """It may be meant to hold nearly."""
         if nearly(case.sides, self.law.q if self.law else self.moving):
             return case.undecided("it holds to the lowest order in the coordinates only: write ≈")
+        if nearly(case.sides, [x for x in case.symbols if is_differential(x)]):
+            return case.undecided("it holds to the lowest order in differentials only: write ≈")
         left, right = case.sides
         if is_polynomial(right, self.moving) and not is_polynomial(left, self.moving):
             return case.undecided("it may be an expansion about another place: write ≈")
@@ -393,7 +397,7 @@ class Reasons(Ledger):
         again = known is not None and known.side is not None
         again = again and written_so == {*given} - {case.left}
         one, other = case.sides
-        if given and one != 0 != other and sympy.cancel(one / other).is_number:
+        if given and are_proportional(one, other):
             return not again or len(given) > 1
         if again:
             return False
@@ -416,7 +420,7 @@ class Reasons(Ledger):
             again = not any(of < each for each in made)
         if again or (case.inner and other != 0):
             return False
-        if other != 0 != one and sympy.cancel(one / other).is_number:
+        if are_proportional(one, other):
             return False
         return may_vanish(case.residual, self.moving | {TIME})
 
@@ -427,7 +431,10 @@ class Reasons(Ledger):
         rates = any(accent(x) and x in self.given for x in letters(case.left))
         if not highest or not (rates or differentiates(case.left)):
             return False
-        within = {bare(x) for x in theirs} <= {bare(x) for x in mine}
+        here, there = ({bare(x) for x in each} for each in (mine, theirs))
+        # A letter of the left side alone, of which nothing was said, may be said by this line.
+        known = self.letters_of({*case.rests}) | (self.law.letters if self.law else set())
+        within = there <= here <= there | known | {TIME}
         return within and {x for x in mine if accent(x) == highest} <= theirs
 
     def is_closed(self, case: Case) -> bool:

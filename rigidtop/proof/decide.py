@@ -118,13 +118,15 @@ def eliminated(
 ) -> tuple[Expr, Matrix] | None:
     """What vanishes where `wanted` does because `given` do, all linear in unknowns.
 
-    None where they are not, or where what is given says nothing of the unknowns.  As many of these
-    are eliminated as there are equations; the others stand in what is left.  With it the matrix of
+    None where they are not, where what is given says nothing of the unknowns, where numbers show
+    that it does not vanish, or where it is too large to be written.  As many unknowns are
+    eliminated as there are equations; the others stand in what is left.  With it the matrix of
     slopes, of `given` and in the last row of `wanted`, whose minor was multiplied by.
 
     >>> a, b, x = sympy.symbols("a b x")
     >>> eliminated(a + b - 3*x, [a - x, b - 2*x], [a, b])[0], eliminated(a, [b - x], [a, b])
     (0, None)
+    >>> eliminated(a + b - 4*x, [a - x, b - 2*x], [a, b])
     """
     everything = [*given, wanted]
     slopes = sympy.Matrix([[e.diff(x) for x in unknowns] for e in everything])
@@ -133,11 +135,30 @@ def eliminated(
         return None
     for chosen in combinations(used, len(given)):
         matrix = slopes[:, list(chosen)]
-        if evidence(matrix[:-1, :].det(method="berkowitz")) is None:
-            none = dict.fromkeys((unknowns[k] for k in chosen), Integer(0))
-            whole = matrix.row_join(sympy.Matrix([e.subs(none) for e in everything]))
+        none = dict.fromkeys((unknowns[k] for k in chosen), Integer(0))
+        whole = matrix.row_join(sympy.Matrix([e.subs(none) for e in everything]))
+        gaps = [gap for gap in (_gap(whole, attempt) for attempt in range(4)) if gap is not None]
+        if not all(holds("=", gap) for gap in gaps):
+            return None
+        if gaps and len(given) * sympy.count_ops(whole) > MOST_SHOWN:
+            return None
+        if gaps or evidence(matrix[:-1, :].det(method="berkowitz")) is None:
             return whole.det(method="berkowitz"), matrix
     return None
+
+
+def _gap(whole: Matrix, attempt: int) -> float | None:
+    """By how much the last row is no sum of multiples of the others, beside its terms' size.
+
+    None where numbers do not tell: the others depend on one another there, or are not real.
+    """
+    numbers = Matrix(*whole.shape, values([*whole], attempt))
+    minor, last = numbers[:-1, :-1], numbers[:-1, -1]
+    if not all(map(math.isfinite, numbers)) or not abs(minor.det()) > TOLERANCE:
+        return None
+    factors = minor.T.LUsolve(numbers[-1, :-1].T)
+    terms = [numbers[-1, -1], *(-x * y for x, y in zip(factors, last, strict=True))]
+    return float(sum(terms) / (1 + sum(map(abs, terms))))
 
 
 def divided_by(slopes: Matrix) -> list[Expr]:

@@ -9,7 +9,7 @@ from typing import Any, Self
 from rigidtop.notation import Notation
 from rigidtop.read import signs
 from rigidtop.read.habits import NO_HABITS, Habits
-from rigidtop.read.look import crossed, infix, lonely_d
+from rigidtop.read.look import below, crossed, infix, lonely_d
 from rigidtop.read.tex import BOLD, DEEPEST, NOTHING, Piece, UnreadError, flat
 from rigidtop.theory.symbols import Glyph
 
@@ -63,6 +63,9 @@ class Cursor:
         self.two_signs: bool = outer.two_signs if outer else bool(texts & set(signs.SIGNS))
         self.integrals: bool = outer.integrals if outer else r"\int" in texts
         self.lonely_d: bool = outer.lonely_d if outer else lonely_d(items)
+        summed = r"\sum" in texts
+        self.below: set[str] = outer.below if outer else set() if summed else below(items)
+        """Letters that stand as indices, where nothing is summed."""
 
     # Moving
 

@@ -386,7 +386,8 @@ class Letters(Cursor):
         indices = len(written) > 1 and (
             written.isalpha() or re.fullmatch(r"\(.*[a-z].*\)", written)
         )
-        if self.open and (indices or (written in signs.INDEXES and not glyph.bold)):
+        index = written in signs.INDEXES | self.below
+        if self.open and (indices or (index and not glyph.bold)):
             raise UnreadError(f"{written} above a letter: an index, or a power?", above.position)
         return None
 

@@ -6,6 +6,7 @@ import re
 import unicodedata
 from collections.abc import Container, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from rigidtop.read import signs
 from rigidtop.read.tex import BOLD, NOTHING, TEXTS, UPRIGHT, Piece, UnreadError, flat, plain, split
@@ -102,9 +103,17 @@ def lonely_d(items: Sequence[Piece]) -> bool:
         if piece.text != "d" or (i and items[i - 1].text in signs.WORDED | {"_", "^"}):
             continue
         behind = items[i + 1].text if i + 1 < len(items) else ""
+        if behind == "(" and (not i or items[i - 1].text in ("+", "-", "=")):
+            return True
         if behind in ends and not (i and items[i - 1].text == r"\frac"):
             return True
     return False
+
+
+def below(items: Sequence[Piece]) -> set[str]:
+    """The single letters that stand below others."""
+    found = {plain(b) for a, b in pairwise(items) if a.text == "_" and is_latin(plain(b))}
+    return found.union(*(below(piece.group) for piece in items if piece.group))
 
 
 def mathematical(words: Sequence[Piece]) -> bool:

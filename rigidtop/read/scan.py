@@ -578,6 +578,7 @@ class Scan(Calculus):
         """Whether words stand where a quantity would: with nothing but signs around them."""
         if (
             len(written) > 40
+            or not any(map(str.isalpha, written))
             or written[0] == "("
             or written.split()[0].lower() in signs.CONDITIONS | signs.CONNECTIVES
         ):

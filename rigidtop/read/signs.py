@@ -186,7 +186,7 @@ DECIMAL_UNIT = re.compile(rf"(?:{_TENS})?{_APART}{_RUN}{_LAST}")
 """What stands behind a number with decimals, and is rather its unit than letters."""
 UNITED = re.compile(
     rf"{_TENS}{_APART}{_RUN}{_LAST}|{_APART}{_FACTOR}(?:{_APART}{_FACTOR})*/{_RUN}{_LAST}"
-    rf"|(?:~|\s?\\[,:; ]){_APART}{_RUN}{_LAST}|\s?(?:kg|km|cm|mm|ms|Hz|Pa|rad){_LAST}"
+    rf"|(?:~|\s?\\[,:; ]){_APART}{_RUN}{_LAST}|\s?(?:kg|km|cm|mm|ms|Hz|Pa|rad)(?:{_LAST}|(?=[-+]))"
 )
 """What stands behind a whole number: 10³ m, m/s, ~s, kg."""
 SHORT = re.compile(rf"{UNIT.pattern}|[^\W\d]{{1,6}}|\S*/\S*")

@@ -198,6 +198,10 @@ ASKED = {
     r"ZMP_x = a": "a word or a product",
     r"Re = \rho v": "a name",
     r"v = (\nabla\omega)(\mathbf{k})": "or times it",
+    r"\dot q^n = \frac{\partial H}{\partial p_n}": "an index, or a power",
+    r"d(x - x_0) = e \\\\ dx + ey = C": "a differential or a letter",
+    r"F = 20kg-3kg": "its unit, or factors",
+    r"x = \mbox{0.33}": "the formula ends too early",
     # what mutations of real files found
     r"\sum_{ij}__{ij} q = 0": "a sum whose index is no letter",
     r"\sum_\vec _iy_i = x\cdot y": "a sum whose index is no letter",
@@ -253,6 +257,7 @@ def test_operators_and_distances_are_no_factors():
     assert "an operator, or a factor" in shown(r"\mathcal{L} G = a")[0]
     assert "of a distance say, or a product" in shown("AB = c")[0]
     assert "a sum" in shown(r"\Sigma\ensuremath{F} = 0")[0]
+    assert shown(r"y = \sum_n a_nx^n") == ["y = Σ_n a_n x^n"]
     kept = ["Mg = 2mg", "m = 2s", "T = 3N/k", "PV = nRT", "R = AB", "x = ABc"]
     assert [shown(source) for source in kept] == [[source] for source in kept]
 
