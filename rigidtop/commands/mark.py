@@ -16,7 +16,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.terminal.files import LONGEST, text_of
 
 if TYPE_CHECKING:
-    from rigidtop.mark.answer import Marking
+    from rigidtop.mark.marking import Marking
 
 ABOUT = "mark a derivation: the first line that does not follow, and the slip"
 
@@ -83,13 +83,12 @@ def run(options: argparse.Namespace) -> int:
     if options.file != "-" and Path(options.file).is_dir():
         return _class(Path(options.file), options)
     source = _typed() if options.file == "-" else text_of(options.file)
-    from rigidtop.mark.record import record
 
     start, goal, found = _marked(source, options)
     if not found.lines:
         raise RigidtopError(f"no formula in {options.file}: put each between $$ and $$")
     if options.json:
-        print_json({"from": start, "to": goal, **record(found)})
+        print_json({"from": start, "to": goal, **found.record})
     else:
         _print(found)
     return 0 if found.passed else FAILED

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field
-from enum import StrEnum
 from itertools import combinations, pairwise
 from typing import Any
 
@@ -20,7 +19,6 @@ import sympy
 from sympy import Expr, Ne, Pow, Symbol, cos, sin
 
 from rigidtop.derivations import lecture, models
-from rigidtop.mark import slips
 from rigidtop.mark.explain import (
     counterexample,
     explain,
@@ -30,9 +28,10 @@ from rigidtop.mark.explain import (
     symbols_in,
     with_slopes,
 )
-from rigidtop.mark.links import ERRORS, Link, Verdict, judge, one_angle
+from rigidtop.mark.links import ERRORS, Link, Verdict, is_matrix, judge, one_angle
+from rigidtop.mark.marking import Mark, Marked, Marking
 from rigidtop.mark.passages import letters_of, passage, way
-from rigidtop.mark.steps import Step, is_matrix, steps, too_large
+from rigidtop.mark.steps import Step, steps, too_large
 from rigidtop.proof import decide
 from rigidtop.proof.derivation import diagnose
 from rigidtop.proof.equation import Equation, Rate, Underbrace
@@ -42,88 +41,6 @@ from rigidtop.proof.verdict import entries
 from rigidtop.theory import symbols as s
 from rigidtop.theory.trig import reduce_ratio
 from rigidtop.typeset.text import text
-
-
-class Mark(StrEnum):
-    """What becomes of a line."""
-
-    FOLLOWS = "follows"
-    DEFINITION = "definition"
-    ASSUMPTION = "assumption"
-    WRONG = "wrong"
-    CARRIED = "carried"
-    INCONCLUSIVE = "inconclusive"
-    UNREAD = "unread"
-
-
-@dataclass(frozen=True)
-class Marked:
-    """A line of the answer: where it stands in the file, what was read, what became of it."""
-
-    line: int
-    said: str
-    mark: Mark
-    note: str = ""
-    slips: tuple[slips.Slip, ...] = ()
-    behind: int = 0
-    """The wrong line that it follows from, if it does."""
-
-
-@dataclass(frozen=True)
-class Marking:
-    """A derivation, marked.
-
-    `lost` are branches that a right line leaves out; `way` says what the pages have and it has not.
-    """
-
-    lines: tuple[Marked, ...]
-    arrives: bool
-    goal: str
-    lost: tuple[str, ...] = ()
-    problem: str = ""
-    way: str = ""
-
-    @property
-    def first_wrong(self) -> Marked | None:
-        return next((line for line in self.lines if line.mark is Mark.WRONG), None)
-
-    @property
-    def points(self) -> tuple[int, int]:
-        """How many lines are right, those right behind a wrong one among them, of how many."""
-        right = [line.mark in _SOUND or bool(line.behind) for line in self.lines]
-        return sum(right), len(right)
-
-    @property
-    def passed(self) -> bool:
-        """Every line was read and follows, and the goal is reached."""
-        return self.arrives and all(line.mark in _SOUND for line in self.lines)
-
-    @property
-    def summary(self) -> str:
-        """One line for the whole."""
-        wrong = self.first_wrong
-        if wrong is not None:
-            points = "{} of {}".format(*self.points)
-            behind = [str(line.line) for line in self.lines if line.behind]
-            lines = f"line{'s' * (len(behind) > 1)} {', '.join(behind)}"
-            right = f"; {lines} right from there" if behind else ""
-            return f"line {wrong.line} does not follow{right}: {points} lines"
-        unsure = [line for line in self.lines if line.mark in (Mark.INCONCLUSIVE, Mark.UNREAD)]
-        if unsure:
-            return f"inconclusive: line {unsure[0].line} was {_UNSURE[unsure[0].mark]}"
-        if not self.lines:
-            return "there is no line to mark"
-        if self.problem:
-            return self.problem
-        arrives = "and the derivation arrives"
-        if not self.arrives:
-            arrives = "but the derivation does not arrive"
-        said = f"every line follows, {arrives} at ({self.goal})"
-        return f"{said}; {self.way}" if self.way else said
-
-
-_SOUND = (Mark.FOLLOWS, Mark.DEFINITION, Mark.ASSUMPTION)
-_UNSURE = {Mark.INCONCLUSIVE: "neither shown nor refuted", Mark.UNREAD: "not read"}
 
 
 def mark(

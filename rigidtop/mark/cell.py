@@ -20,10 +20,9 @@ from pathlib import Path
 from typing import Any
 
 from rigidtop.errors import RigidtopError
-from rigidtop.mark.answer import Marking
 from rigidtop.mark.exercise import answered
 from rigidtop.mark.limits import marked
-from rigidtop.mark.record import record
+from rigidtop.mark.marking import Marking
 
 RECORD = "application/vnd.rigidtop.marking+json"
 """The kind of output in which a notebook keeps the record."""
@@ -47,7 +46,7 @@ class Answered:
     def record(self) -> dict[str, object]:
         """What the teacher keeps."""
         named = {"exercise": self.asked, "from": self.start, "to": self.goal}
-        return {**named, **record(self.marking)}
+        return {**named, **self.marking.record}
 
     def __repr__(self) -> str:
         said = [f"line {x.line}: {x.mark.value}{': ' * bool(x.note)}{x.note}" for x in self.lines]

@@ -8,9 +8,10 @@ from itertools import chain
 import sympy
 from sympy import Pow, Symbol
 
+from rigidtop.mark.case import Held
 from rigidtop.mark.indices import running
 from rigidtop.mark.law import accent, base
-from rigidtop.mark.reasons import IMAGINARY, Held, Reasons
+from rigidtop.mark.reasons import IMAGINARY, Reasons
 from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import Equation
 from rigidtop.read.values import kind

@@ -18,8 +18,8 @@ from functools import cache
 from rigidtop.derivations import lecture
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.errors import RigidtopError
-from rigidtop.mark.answer import Mark, Marked, Marking
 from rigidtop.mark.limits import LONGEST, SECONDS, SECONDS_A_LINE, marked
+from rigidtop.mark.marking import Mark, Marked, Marking
 from rigidtop.mark.passages import passage
 from rigidtop.mark.slips import Slip
 from rigidtop.parameters import settings

@@ -17,12 +17,12 @@ from rigidtop.mark.links import (
     Verdict,
     apart,
     in_numbers,
+    is_matrix,
     judge,
     number_text,
     one_angle,
     pair_text,
 )
-from rigidtop.mark.steps import is_matrix
 from rigidtop.proof import decide
 from rigidtop.proof.changed import Families
 from rigidtop.proof.model import Model, Passage, samples

@@ -6,8 +6,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, product
-from math import isfinite
-from operator import truediv
+from math import inf, isfinite
 from typing import Any
 
 import sympy
@@ -318,8 +317,12 @@ def lost(wanted: Expr, given: Expr) -> tuple[Expr, ...] | None:
 def are_proportional(one: Expr, other: Expr) -> bool:
     """Whether, as far as numbers tell, one side is the other one times a number that is not 0."""
     pair = plain(sympy.Tuple(one, other))[0]
-    ratios = [decide.defined(truediv, *decide.values([*pair], k)) for k in range(3)]
+    ratios = [_over(*decide.values([*pair], k)) for k in range(3)]
     return all(isfinite(x) and x and not decide.apart(x, ratios[0]) for x in ratios)
+
+
+def _over(one: float, other: float) -> float:
+    return one / other if other else inf
 
 
 def may_be_multiples(one: Expr, other: Expr) -> bool:
@@ -337,7 +340,7 @@ def may_be_multiples(one: Expr, other: Expr) -> bool:
             number = decide.at(
                 {x: decide.somewhere(x, inside if x in half else outside) for x in letters}
             )
-            ratios.append(decide.defined(truediv, number(one), number(other)))
+            ratios.append(_over(number(one), number(other)))
         across = ratios[0] * ratios[3], ratios[1] * ratios[2]
         if decide.apart(*across) or not all(map(isfinite, across)):
             return False

@@ -7,7 +7,8 @@ import time
 from typing import TYPE_CHECKING
 
 from rigidtop.errors import RigidtopError
-from rigidtop.mark.answer import Mark, Marked, Marking, mark
+from rigidtop.mark.answer import mark
+from rigidtop.mark.marking import Mark, Marked, Marking
 
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection

@@ -70,22 +70,22 @@ def sides_of(link: Link, model: Model) -> tuple[Expr, Expr]:
     """The values of the two sides in the free symbols; a rate and 0 of what is constant."""
     if link.right is None:
         left = model.rate(link.left)
-        return left, sympy.zeros(*left.shape) if _is_matrix(left) else sympy.Integer(0)
+        return left, sympy.zeros(*left.shape) if is_matrix(left) else sympy.Integer(0)
     return model.value(link.left), model.value(link.right)
 
 
 def in_numbers(link: Link, model: Model, samples: Sequence[Sample]) -> list[tuple[Any, Any] | None]:
     """The two sides for each of some motions; None where a side has no finite real value."""
     sides = sides_of(link, model)
-    flat = [e for side in sides for e in (side if _is_matrix(side) else [sympy.sympify(side)])]
-    count = len(sides[0]) if _is_matrix(sides[0]) else 1
+    flat = [e for side in sides for e in (side if is_matrix(side) else [sympy.sympify(side)])]
+    count = len(sides[0]) if is_matrix(sides[0]) else 1
     free = set().union(*(e.free_symbols for e in flat))
     made: list[tuple[Any, Any] | None] = []
     for sample in samples:
         row = [*map(decide.at(sample.point), flat)] if free <= {*sample.point} else [math.nan]
         numbers = [*map(sympy.Float, row)] if all(map(math.isfinite, row)) else []
         pair = [
-            sympy.Matrix(*side.shape, part) if _is_matrix(side) else part[0]
+            sympy.Matrix(*side.shape, part) if is_matrix(side) else part[0]
             for side, part in zip(sides, (numbers[:count], numbers[count:]), strict=True)
             if numbers
         ]
@@ -95,7 +95,7 @@ def in_numbers(link: Link, model: Model, samples: Sequence[Sample]) -> list[tupl
 
 def apart(left: Expr, right: Expr) -> bool:
     """Whether two values differ by more than rounding."""
-    size = 1 + max(abs(e) for side in (left, right) for e in (side if _is_matrix(side) else [side]))
+    size = 1 + max(abs(e) for side in (left, right) for e in (side if is_matrix(side) else [side]))
     return any(decide.holds("≠", difference, size) for difference in entries(left, right))
 
 
@@ -110,18 +110,18 @@ def one_angle(expression: Expr) -> Expr:
     return expression.xreplace({angle: sympy.cancel(angle) for angle in angles})
 
 
-def _is_matrix(side: Expr) -> bool:
+def is_matrix(side: Expr) -> bool:
     return isinstance(side, MatrixBase)
 
 
 def pair_text(found: Any, other: Expr, digits: int = 6) -> str:
     """One side of two; what is nothing beside the largest number in them is 0."""
-    largest = max(abs(e) for side in (found, other) for e in (side if _is_matrix(side) else [side]))
+    largest = max(abs(e) for side in (found, other) for e in (side if is_matrix(side) else [side]))
 
     def shown(number: Any) -> str:
         return "0" if abs(number) <= _NOISE * largest else number_text(number, digits)
 
-    return "[" + ", ".join(map(shown, found)) + "]" if _is_matrix(found) else shown(found)
+    return "[" + ", ".join(map(shown, found)) + "]" if is_matrix(found) else shown(found)
 
 
 _NOISE = 1e-13

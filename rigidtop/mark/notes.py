@@ -24,6 +24,7 @@ from itertools import pairwise
 import sympy
 from sympy import Expr, Integer, Pow, Rational, Symbol
 
+from rigidtop.mark.case import PREMISE, Case, Held, letters
 from rigidtop.mark.doubts import doubt
 from rigidtop.mark.law import (
     TIME,
@@ -38,8 +39,7 @@ from rigidtop.mark.law import (
     to_first_order,
 )
 from rigidtop.mark.ledger import LAGRANGIANS, Given
-from rigidtop.mark.reasons import MOST_SIGNS, PREMISE, Case, Reasons, letters, turned
-from rigidtop.mark.reasons import Held as Held
+from rigidtop.mark.reasons import MOST_SIGNS, Reasons, turned
 from rigidtop.notation.convention import own
 from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import Equation, NoMeaningError
@@ -319,40 +319,6 @@ class _Judge(Reasons):
             return self.lagrangian(number, line, first, side)
         said = Held(line, PREMISE, f"what {text(first)} stands for", tuple(sorted(used)))
         return self.solution(number, said, first, value)
-
-    def solution(self, number: int, said: Held, letter: Lettered, value: Expr) -> Held:
-        """A coordinate as a function of the time is put into what holds along the motion."""
-        held = self.other is not None  # what was given before may be kept by a force
-        laws = [x for x in (self.law, self.other) if x is not None and (held or not x.broken)]
-        if not value.has(TIME) or not any(letter in law.q for law in laws):
-            return said
-        values = {x: g.value for x, g in self.given.items()}
-        left = [(law, law.left_of(values)) for law in laws if letter in law.q]
-        for law, residuals in left:
-            found = [self.shown(x, None) for x in residuals]
-            shown = [x for x in found if x is not None and x[0] != Verdict.UNDECIDED]
-            if not shown or len(shown) < len(found):
-                continue
-            if law.broken:  # by nothing: it moves so by itself
-                self.law, self.other = replace(law, broken=False), None
-            words = f"it solves {law.words.removeprefix('by ')}"
-            case = Case(number, said.line, letter, value, (value, value), frozenset(said.rests))
-            where = {law.condition: None, **{x[1]: None for x in shown}}
-            if any(where):
-                return case.assuming(*where, law=law)
-            return case.said(max((x[0] for x in shown), key=[*Verdict].index), words, law)
-        law, residuals = left[0]
-        new = sorted(value.free_symbols - law.letters - {TIME}, key=str)
-        if not residuals or law.broken:
-            return said
-        of = law.words.removeprefix("by ")
-        if new:
-            special = f"it solves {of} for special {', '.join(map(text, new))} at most"
-            return replace(said, note=f"{said.note}; {special}")
-        at = (differ_at((x, Integer(0)), None) for x in residuals)
-        numbers = next((f"{each.partition(':')[0]} " for each in at if each is not None), "")
-        note = f"another motion, or a slip? {numbers}it does not solve {of}"
-        return replace(said, verdict=str(Verdict.UNDECIDED), note=note)
 
     def lagrangian(self, number: int, line: Line, letter: Lettered, side: Expr) -> Held:
         """Lagrange's equations of an ℒ that is written in coordinates and rates."""

@@ -15,6 +15,7 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, Integer, Pow, Symbol
 
+from rigidtop.mark.case import Case, Held, letters
 from rigidtop.mark.law import (
     MOST_MISSING,
     TIME,
@@ -35,7 +36,6 @@ from rigidtop.mark.law import (
     may_vanish,
     moves,
     nearly,
-    put_in,
     reduced,
     vanishes,
     words_of,
@@ -45,7 +45,6 @@ from rigidtop.notation.convention import own
 from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import NoMeaningError
 from rigidtop.proof.verdict import Verdict
-from rigidtop.read.formula import Line
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import Glyph
 from rigidtop.typeset.text import text
@@ -53,75 +52,7 @@ from rigidtop.typeset.text import text
 MOST_SIGNS = 3
 """So many letters of a line may be known by their squares alone."""
 
-PREMISE = "premise"
-"""Said of what is taken as it stands: a law, a quantity of the file's own, a special motion."""
-
 IMAGINARY = own(Glyph("i"))
-
-
-@dataclass(frozen=True)
-class Held:
-    """What became of a line; `rests` are the numbers of the lines that it follows from."""
-
-    line: Line
-    verdict: str
-    note: str = ""
-    rests: tuple[int, ...] = ()
-
-    @property
-    def passed(self) -> bool | None:
-        """None: it was not judged."""
-        if self.verdict == PREMISE:
-            return None
-        return self.verdict in _HOLDS
-
-
-_HOLDS = frozenset(v.value for v in (Verdict.PROVED, Verdict.SAMPLED, Verdict.ASSUMING))
-
-
-@dataclass(frozen=True)
-class Case:
-    """Two sides of a line as they are written, and their values with all that is said put in.
-
-    `rests` are the lines that say so; `inner` is a link of a chain behind the first one.
-    """
-
-    number: int
-    line: Line
-    left: Expr
-    right: Expr
-    sides: tuple[Expr, Expr]
-    rests: frozenset[int]
-    inner: bool = False
-    along: bool = False
-    """Whether every letter is one of the law's, or of what is said."""
-    closed: bool = False
-    """Whether the file says by itself what the line must be, in any case."""
-    solvable: bool = False
-    """Whether numbers for its letters make it hold."""
-
-    @property
-    def residual(self) -> Expr:
-        return self.sides[0] - self.sides[1]
-
-    @property
-    def symbols(self) -> set[Symbol]:
-        return letters(self.sides[0]) | letters(self.sides[1])
-
-    def said(self, verdict: str, note: str, law: Law | None = None) -> Held:
-        """What becomes of the line, which rests on what was put in, and on a law."""
-        rests = self.rests | (law.rests if law is not None else set())
-        return Held(self.line, str(verdict), note, tuple(sorted(rests - {self.number})))
-
-    def assuming(self, *conditions: str, law: Law | None = None) -> Held:
-        said = ", ".join(x.removeprefix("where ") for x in conditions if x)
-        return self.said(Verdict.ASSUMING, f"where {said}", law)
-
-    def undecided(self, note: str) -> Held:
-        return self.said(Verdict.UNDECIDED, note)
-
-    def where(self, put: Mapping[Symbol, Expr]) -> Case:
-        return replace(self, sides=(put_in(self.sides[0], put), put_in(self.sides[1], put)))
 
 
 @dataclass
@@ -251,6 +182,40 @@ class Reasons(Ledger):
                 said += [f"{text(self.signs[y])} > 0" for y in signs]
                 return Verdict.ASSUMING, "where " + ", ".join(sorted(said))
         return None
+
+    def solution(self, number: int, said: Held, letter: Lettered, value: Expr) -> Held:
+        """A coordinate as a function of the time is put into what holds along the motion."""
+        held = self.other is not None  # what was given before may be kept by a force
+        laws = [x for x in (self.law, self.other) if x is not None and (held or not x.broken)]
+        if not value.has(TIME) or not any(letter in law.q for law in laws):
+            return said
+        values = {x: g.value for x, g in self.given.items()}
+        left = [(law, law.left_of(values)) for law in laws if letter in law.q]
+        for law, residuals in left:
+            found = [self.shown(x, None) for x in residuals]
+            shown = [x for x in found if x is not None and x[0] != Verdict.UNDECIDED]
+            if not shown or len(shown) < len(found):
+                continue
+            if law.broken:  # by nothing: it moves so by itself
+                self.law, self.other = replace(law, broken=False), None
+            words = f"it solves {law.words.removeprefix('by ')}"
+            case = Case(number, said.line, letter, value, (value, value), frozenset(said.rests))
+            where = {law.condition: None, **{x[1]: None for x in shown}}
+            if any(where):
+                return case.assuming(*where, law=law)
+            return case.said(max((x[0] for x in shown), key=[*Verdict].index), words, law)
+        law, residuals = left[0]
+        new = sorted(value.free_symbols - law.letters - {TIME}, key=str)
+        if not residuals or law.broken:
+            return said
+        of = law.words.removeprefix("by ")
+        if new:
+            special = f"it solves {of} for special {', '.join(map(text, new))} at most"
+            return replace(said, note=f"{said.note}; {special}")
+        at = (differ_at((x, Integer(0)), None) for x in residuals)
+        numbers = next((f"{each.partition(':')[0]} " for each in at if each is not None), "")
+        note = f"another motion, or a slip? {numbers}it does not solve {of}"
+        return replace(said, verdict=str(Verdict.UNDECIDED), note=note)
 
     # --- why a line does not hold ------------------------------------------------------------
 
@@ -477,10 +442,6 @@ def turned(signs: Sequence[Symbol]) -> list[dict[Symbol, Expr]]:
     """All that signs can be, first all positive."""
     every = product((Integer(1), Integer(-1)), repeat=len(signs))
     return [dict(zip(signs, each, strict=True)) for each in every]
-
-
-def letters(side: Expr | None) -> set[Symbol]:
-    return set(getattr(side, "free_symbols", ()))
 
 
 def differentiates(side: Expr) -> bool:

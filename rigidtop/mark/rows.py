@@ -6,13 +6,15 @@ import re
 import time
 from dataclasses import dataclass, replace
 
-from rigidtop.mark.notes import Held, held
+from rigidtop.mark.case import Held
+from rigidtop.mark.notes import held
 from rigidtop.notation import OWN
 from rigidtop.proof.verdict import Verdict
 from rigidtop.read.cases import cases
 from rigidtop.read.document import Formula, alone, each, numbered, places, states
 from rigidtop.read.formula import Line
 from rigidtop.read.habits import Habits
+from rigidtop.read.labels import LABEL
 
 _CONSTANT = re.compile(
     r"\b(?:is|are|stays?|remains?)\s+(?:\w+ly\s+|also\s+|again\s+|a\s+)?"
@@ -38,8 +40,6 @@ _DOUBT = re.compile(
 
 _ASIDE = re.compile(r"\\(?:text|mbox)\s*\{\s*\(([^(){}]{1,80})\)")
 """Words in brackets beside an equation."""
-
-_LABEL = re.compile(r"\\label\s*(?:\[\w*\]\s*)?\{([^{}\n]{1,100})\}")
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ def rows(source: str, habits: Habits, seconds: float) -> tuple[Row, ...]:
     for i, (formula, line) in enumerate(found):
         last = i + 1 == len(found) or found[i + 1][0] is not formula
         stop = formula.end if last else lines[i + 1].position
-        label = _LABEL.search(source, line.position, stop)
+        label = LABEL.search(source, line.position, stop)
         number = line.tag or (tags.get(formula.start, "") if last else "")
         number = number or (label[1] if label else "")
         rests = tuple(sorted({at[k][0] for k in judged[i].rests}))

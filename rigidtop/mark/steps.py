@@ -8,9 +8,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy
-from sympy import Expr, MatrixBase, Pow, Symbol
+from sympy import Pow, Symbol
 
 from rigidtop.derivations import models
+from rigidtop.mark.links import is_matrix
 from rigidtop.notation import Notation
 from rigidtop.proof.equation import Equation, symbols_of, value
 from rigidtop.read.cursor import Token
@@ -237,7 +238,3 @@ def too_large(equation: Equation) -> str:
         if any(max(abs(n.p), n.q) > LARGEST_NUMBER for n in tree.atoms(sympy.Rational)):
             return f"a number beyond {LARGEST_NUMBER:.0e}"
     return ""
-
-
-def is_matrix(side: Expr) -> bool:
-    return isinstance(side, MatrixBase)

@@ -122,6 +122,9 @@ class _Builder(Transformer_NonRecursive[Lexeme, Any]):
         for before, side in pairwise(sides):
             free = (0, s.const, OMITTED)
             if self.notation.open and before.explicit != side.explicit:
+                lone = side if before.explicit else before
+                if lone.tree.is_number and lone.tree != 0:
+                    raise UnreadError("a row and a number are compared", side.position)
                 continue  # a letter that is equal to a matrix is one
             if before.kind != side.kind and before.tree not in free and side.tree not in free:
                 raise UnreadError(

@@ -45,7 +45,7 @@ _DISPLAY = re.compile(r"\\begin\s*\{\s*(\w+)(\*?)\s*\}")
 _ONE = frozenset({"equation", "multline", "dmath"})
 _ROWS = frozenset({"align", "gather", "alignat", "flalign", "eqnarray", "IEEEeqnarray", "xalignat"})
 _ROW = re.compile(r"\\(?P<side>begin|end)\s*\{|(?P<row>\\\\)|(?<!\\)%[^\n]*")
-_LABEL = re.compile(r"\\label\s*(?:\[\w*\]\s*)?\{([^{}\n]{1,200})\}")
+LABEL = re.compile(r"\\label\s*(?:\[\w*\]\s*)?\{([^{}\n]{1,200})\}")
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}\n]{1,200})\}")
 _NONE = re.compile(r"\\no(?:number|tag)(?![A-Za-z])")
 
@@ -87,7 +87,7 @@ def counted(source: str) -> tuple[Counted, ...]:
             continue
         for start, end in _numbered_rows(source, what.opens, what.start, what.end):
             text = source[start:end]
-            tag, label = _TAG.search(text), _LABEL.search(text)
+            tag, label = _TAG.search(text), LABEL.search(text)
             if tag is None:
                 letter, count = (letter + 1, count) if lettered else (0, count + 1)
             first = 0 if heads[0] else 1

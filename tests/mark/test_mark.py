@@ -11,7 +11,8 @@ from rigidtop.derivations.goals import goals
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
 from rigidtop.mark import limits
-from rigidtop.mark.answer import Mark, mark
+from rigidtop.mark.answer import mark
+from rigidtop.mark.marking import Mark
 from rigidtop.mark.passages import letters_of, passage
 from rigidtop.mark.steps import steps
 from rigidtop.proof.changed import perturbations

@@ -201,6 +201,7 @@ ASKED = {
     r"\dot q^n = \frac{\partial H}{\partial p_n}": "an index, or a power",
     r"d(x - x_0) = e \\\\ dx + ey = C": "a differential or a letter",
     r"F = 20kg-3kg": "its unit, or factors",
+    r"(a, c) = 1": "a row and a number are compared",
     r"x = \mbox{0.33}": "the formula ends too early",
     # what mutations of real files found
     r"\sum_{ij}__{ij} q = 0": "a sum whose index is no letter",

@@ -1,0 +1,111 @@
+"""What becomes of an answer: each line with its mark, and the whole."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from rigidtop.mark import slips
+
+
+class Mark(StrEnum):
+    """What becomes of a line."""
+
+    FOLLOWS = "follows"
+    DEFINITION = "definition"
+    ASSUMPTION = "assumption"
+    WRONG = "wrong"
+    CARRIED = "carried"
+    INCONCLUSIVE = "inconclusive"
+    UNREAD = "unread"
+
+
+_SOUND = (Mark.FOLLOWS, Mark.DEFINITION, Mark.ASSUMPTION)
+_UNSURE = {Mark.INCONCLUSIVE: "neither shown nor refuted", Mark.UNREAD: "not read"}
+
+
+@dataclass(frozen=True)
+class Marked:
+    """A line of the answer: where it stands in the file, what was read, what became of it."""
+
+    line: int
+    said: str
+    mark: Mark
+    note: str = ""
+    slips: tuple[slips.Slip, ...] = ()
+    behind: int = 0
+    """The wrong line that it follows from, if it does."""
+
+
+@dataclass(frozen=True)
+class Marking:
+    """A derivation, marked.
+
+    `lost` are branches that a right line leaves out; `way` says what the pages have and it has not.
+    """
+
+    lines: tuple[Marked, ...]
+    arrives: bool
+    goal: str
+    lost: tuple[str, ...] = ()
+    problem: str = ""
+    way: str = ""
+
+    @property
+    def first_wrong(self) -> Marked | None:
+        return next((line for line in self.lines if line.mark is Mark.WRONG), None)
+
+    @property
+    def points(self) -> tuple[int, int]:
+        """How many lines are right, those right behind a wrong one among them, of how many."""
+        right = [line.mark in _SOUND or bool(line.behind) for line in self.lines]
+        return sum(right), len(right)
+
+    @property
+    def passed(self) -> bool:
+        """Every line was read and follows, and the goal is reached."""
+        return self.arrives and all(line.mark in _SOUND for line in self.lines)
+
+    @property
+    def summary(self) -> str:
+        """One line for the whole."""
+        wrong = self.first_wrong
+        if wrong is not None:
+            points = "{} of {}".format(*self.points)
+            behind = [str(line.line) for line in self.lines if line.behind]
+            lines = f"line{'s' * (len(behind) > 1)} {', '.join(behind)}"
+            right = f"; {lines} right from there" if behind else ""
+            return f"line {wrong.line} does not follow{right}: {points} lines"
+        unsure = [line for line in self.lines if line.mark in (Mark.INCONCLUSIVE, Mark.UNREAD)]
+        if unsure:
+            return f"inconclusive: line {unsure[0].line} was {_UNSURE[unsure[0].mark]}"
+        if not self.lines:
+            return "there is no line to mark"
+        if self.problem:
+            return self.problem
+        arrives = "and the derivation arrives"
+        if not self.arrives:
+            arrives = "but the derivation does not arrive"
+        said = f"every line follows, {arrives} at ({self.goal})"
+        return f"{said}; {self.way}" if self.way else said
+
+    @property
+    def record(self) -> dict[str, object]:
+        """As plain values, for JSON.
+
+        >>> Marking((), True, "3.57").record["summary"]
+        'there is no line to mark'
+        """
+        lines = [
+            {
+                "line": line.line,
+                "read": line.said,
+                "verdict": line.mark.value,
+                "note": line.note,
+                "slips": [{"kind": slip.kind, "words": slip.words} for slip in line.slips],
+            }
+            for line in self.lines
+        ]
+        points = dict(zip(("points", "of"), self.points, strict=True))
+        found = {"arrives": self.arrives, "lost": [*self.lost], "passed": self.passed}
+        return {"lines": lines, **points, **found, "summary": self.summary}
