@@ -34,6 +34,8 @@ def _of_places(ledger: Reasons, found: Held) -> Iterator[str]:
     assert equation is not None
     if max(ledger.places) in ledger.twins and len(equation.sides) > 2:
         yield "one of the two signs is meant"
+    if ledger.special & {*found.rests}:
+        yield "what it rests on is said of a case"
     if not ledger.holds(ledger.section, found.rests):
         yield "at odds with another case"
     far = {x for x in found.rests if ledger.places[x] != ledger.section}

@@ -75,6 +75,8 @@ class Ledger:
     equations: Sequence[Equation | None] = ()
     accelerated: set[Symbol] = field(default_factory=set)
     """The letters with an acceleration somewhere."""
+    special: frozenset[int] = frozenset()
+    """Lines that stand in a sentence with “if”, by their numbers."""
     section: int = 0
     used: set[int] = field(default_factory=set)
     doubted: set[int] = field(default_factory=set)

@@ -69,12 +69,14 @@ def held(
     until: float = float("inf"),
     kinds: Callable[[Glyph], str] = lambda _: "",
     constant: Collection[int] = (),
+    special: Collection[int] = (),
 ) -> tuple[Held, ...]:
     """Each line that was read, judged by the lines above it.
 
     `functions`, `timed` and `kinds` are what `Habits` has of a file; `cases` says for each line in
     which case it stands (`rigidtop.read.cases`), its heading first; of the `constant` ones, by
-    number, words say that they give what is conserved.  After a time of `time.process_time` no
+    number, words say that they give what is conserved, of the `special` that they are of a case.
+    After a time of `time.process_time` no
     more are judged.
     """
     found = list(lines)
@@ -91,6 +93,7 @@ def held(
     of = {x: args for x, args in _arguments(functions).items() if x not in known}
     ledger = _Judge(moving, of, kinds, _twins(found))
     ledger.equations = [line.equation for line in found]
+    ledger.special = frozenset(special)
     sides = (side for x in found if x.equation is not None for side in x.equation.sides)
     ledger.accelerated = {bare(x) for side in sides for x in letters(side) if accent(x) == "ddot"}
     made = []

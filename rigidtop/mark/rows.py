@@ -25,9 +25,9 @@ _CONSTANT = re.compile(
 
 _CASES = (
     r"if|iff|suppos\w*|assum\w*|instead|otherwise|alternatively|whereas|unless|similarly|likewise"
-    r"|provided|cases?|wenn|falls|sonst"
+    r"|provided|cases?|wenn|falls|sonst|cuando|quando|quand|lorsque|пусть|если"
 )
-_CASE = re.compile(rf"(?<![\\{{])\b({_CASES})\b", re.I)
+_CASE = re.compile(rf"(?<![\\{{])(\b(?:{_CASES})\b|如果|若|当|場合)", re.I)
 """With these words something is said of another case, however it is printed."""
 
 _DOUBT = re.compile(
@@ -78,7 +78,9 @@ def rows(source: str, habits: Habits, seconds: float) -> tuple[Row, ...]:
     lines = [line for _, line in found]
     paths = [*map(cases(source), (line.position for line in lines))]
     constant = [i for i, (formula, _) in enumerate(found) if _is_called_constant(source, formula)]
-    judged = held(lines, habits.functions, habits.timed, paths, end, habits.kind, constant)
+    before = (_sentence(source, formula)[0] for formula, _ in found)
+    special = [i for i, words in enumerate(before) if _CASE.search(words)]
+    judged = held(lines, habits.functions, habits.timed, paths, end, habits.kind, constant, special)
     place = places(source)
     at = [place(min(line.position, len(source))) for line in lines]
     made = []

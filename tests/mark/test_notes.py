@@ -265,6 +265,8 @@ def test_another_case_is_not_condemned(text, verdict, said, tmp_path):
         (r"$$h = |H|,\ d = 2h$$ $$d = 3H$$", "|…| may be a norm"),
         (r"$$k = cg - b$$ $$a = \frac{c}{k+b}$$ $$k = ca + b$$", "an equation for its letters"),
         (r"$$P = 1 + c,\ Q = 1 - c$$ $$Q P = P Q = 0$$", "an equation for its letters"),
+        (r"If $a = -2$, all is well. $$v = w - a + a^2$$ $$v = w + 2$$", "said of a case"),
+        (r"如果$a=-2$。 $$v = w - a + a^2$$ $$v = w + 2$$", "said of a case"),
     ],
 )
 def test_what_may_be_meant_otherwise_is_open(text, said, tmp_path):
