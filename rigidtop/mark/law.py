@@ -24,9 +24,6 @@ from rigidtop.typeset.text import text
 MOST_MISSING = 2
 """A line with accelerations that lacks more numbers of the law is of a special case."""
 
-MOST_SOLVED = 3
-"""Of more equations of motion at once it is not asked by what they are divided."""
-
 MOST_ROOTS = 4
 """Of more roots not every sign is tried."""
 
@@ -58,11 +55,6 @@ def base(letter: Symbol) -> str:
 
 def accent(letter: Symbol) -> str:
     return letter.quantity.glyph.accent if isinstance(letter, Lettered) else ""
-
-
-def is_differential(x: Symbol) -> bool:
-    """dφ, Δx, δr: it is small, and what is said of it may be said to an order."""
-    return len(base(x)) > 1 and base(x)[0] in "dΔδ"
 
 
 def moves(x: Symbol) -> bool:
@@ -196,8 +188,6 @@ def vanishes(
 
 def divided(residual: Expr, given: Sequence[Expr], unknowns: Sequence[Symbol]) -> str:
     """What must not vanish for a line to follow, in words: beside what it divides by itself."""
-    if len(given) > MOST_SOLVED:
-        return ""
     flat, names = plain(sympy.Tuple(residual, *given))
     open_to_vanish = {bare(x) for x in unknowns}
     flat = flat.xreplace(

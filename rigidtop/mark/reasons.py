@@ -24,12 +24,12 @@ from rigidtop.mark.law import (
     are_proportional,
     at_rest,
     bare,
+    base,
     differ_at,
     divided,
     dotted,
     force_in,
     functions_of,
-    is_differential,
     is_linear,
     is_polynomial,
     lost,
@@ -254,7 +254,9 @@ class Reasons(Ledger):
         """It may be meant to hold nearly."""
         if nearly(case.sides, self.law.q if self.law else self.moving):
             return case.undecided("it holds to the lowest order in the coordinates only: write ≈")
-        if nearly(case.sides, [x for x in case.symbols if is_differential(x)]):
+        if nearly(
+            case.sides, [x for x in case.symbols if len(base(x)) > 1 and base(x)[0] in "dΔδ"]
+        ):
             return case.undecided("it holds to the lowest order in differentials only: write ≈")
         left, right = case.sides
         if is_polynomial(right, self.moving) and not is_polynomial(left, self.moving):
