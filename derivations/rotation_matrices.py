@@ -51,7 +51,7 @@ def rotated_components() -> Iterator[Evidence]:
     yield Correction(line, meaning, reason="It is $Oᵀ$ that is applied to $r$.")
 
 
-@claim("3.47", "$Oᵀ$ in Euler angles.")
+@claim("3.47", "This matrix of Euler angles is $Oᵀ$.")
 def euler_angle_matrix() -> Iterator[Evidence]:
     """The printed matrix has $e₁$, $e₂$, $e₃$ as columns: by (3.34) that is $O$, not $Oᵀ$.
 

@@ -14,6 +14,7 @@ from typing import Any
 from sympy import Basic
 
 from rigidtop.notation import Notation
+from rigidtop.proof.equation import Equation
 from rigidtop.proof.exercise import Answer, Exercise, Table
 from rigidtop.proof.lecture import Lecture, Prose, Text
 from rigidtop.proof.page import Assumption, Claim, Page
@@ -44,29 +45,28 @@ LEGEND: Mapping[Verdict, str] = {
 # --- Marks ---------------------------------------------------------------------------------------
 
 
-def marked(judgement: Judgement, text: Text | None = None) -> tuple[b.Mark | b.Block, ...]:
+def marked(judgement: Judgement, lines: Sequence[Equation] = ()) -> tuple[b.Mark | b.Block, ...]:
     """The mark of a claim; behind it, where the notes are wrong, the numbers and the right form.
 
-    What the `text` has as a line of its own is not said again.
+    What its text has among its `lines` is not said again.
     """
     claim, verdict = judgement.claim, judgement.verdict
     if verdict in (Verdict.FALSE, Verdict.CONVENTION):
-        lines = text.lines if text is not None else ()
-        there = {each.sides for line in lines for each in line.equations}
+        there = {each.sides for each in lines}
         mark = b.Mark(claim.name, verdict)
-        if text is not None and verdict is Verdict.FALSE:
+        if lines and verdict is Verdict.FALSE:
             # The lines above are right: the mark is that of the sentence in the notes.
             said, *behind = _set_right(judgement, there)
             assert isinstance(said, b.Paragraph)
             return (replace(said, mark=mark), *behind)
         return (mark, *_set_right(judgement, there))
-    return (b.Mark(claim.name, verdict, _note(judgement, text)),)
+    return (b.Mark(claim.name, verdict, _note(judgement, lines)),)
 
 
-def _note(judgement: Judgement, text: Text | None) -> b.Rich:
+def _note(judgement: Judgement, lines: Sequence[Equation]) -> b.Rich:
     """Under which conditions that the notes do not state a claim holds.
 
-    What its lines divide by, they say themselves; letters that the `text` does not have, words say.
+    What its lines divide by, they say themselves; letters that no line has, words say.
     """
     if judgement.verdict is not Verdict.ASSUMING:
         return ()
@@ -74,8 +74,7 @@ def _note(judgement: Judgement, text: Text | None) -> b.Rich:
     for item in tested(judgement):
         if not item.assumption.stated and item.without is not None:
             together.setdefault(item.assumption.words.rstrip("."), []).append(item.assumption)
-    lines = text.lines if text is not None else ()
-    letters = {x for line in lines for each in line.equations for x in _letters(*each.sides)}
+    letters = {x for each in lines for x in _letters(*each.sides)}
     pieces: list[b.Piece] = []
     for words, assumed in together.items():
         pieces += ["; " if pieces else "", "if ", words]
@@ -164,6 +163,10 @@ class Parts:
     """To which section a figure belongs, by its name."""
     points: str = ""
 
+    def equations(self, text: Text) -> list[Equation]:
+        """Those of its lines."""
+        return [self.notation.written(each) for line in text.lines for each in line.equations]
+
 
 def sections(judged: b.Judged, exercises: Sequence[Solution], parts: Parts) -> list[b.Block]:
     """The lecture section by section: text with figures, then exercises."""
@@ -176,7 +179,8 @@ def sections(judged: b.Judged, exercises: Sequence[Solution], parts: Parts) -> l
         if text is None:
             made.append(b.Paragraph((page.about,), held=True))
         else:
-            marks = {j.claim.name: marked(j, text) for j in judgements}
+            lines = parts.equations(text)
+            marks = {j.claim.name: marked(j, lines) for j in judgements}
             made += text_blocks(parts.lines, text, parts.notation, marks, parts.figures)
         for judgement in judgements:
             if text is None or judgement.claim.name not in parts.lines.names:
@@ -349,7 +353,8 @@ def answer(solution: Solution, parts: Parts, told: Mapping[str, str]) -> list[b.
     here = {line.id for line in text.lines} if text is not None else set()
     said = {name for name, ids in lines.names.items() if here & set(ids)}
     if text is not None:
-        marks = {j.claim.name: marked(j, text) for j in new}
+        shown_ = parts.equations(text)
+        marks = {j.claim.name: marked(j, shown_) for j in new}
         made += text_blocks(lines, text, parts.notation, marks, parts.figures)
     for judgement in new:
         if judgement.claim.name not in said:
