@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sympy import Eq, Expr, Matrix, Ne, Rational, diag, sin
+from sympy import Eq, Expr, Matrix, Ne, diag, sin
 
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.page import Assumption, Check, Evidence, Formal, Page, claim
@@ -23,7 +23,6 @@ from rigidtop.theory.trig import reduce_trig
 
 from .printed import printed
 
-HALF = Rational(1, 2)
 SYMMETRIC = Assumption(Eq(s.lambda2, s.lambda1), "a symmetric top", stated=True)
 TILTED = Assumption(Ne(sin(s.theta), 0), "the top is not upright and does not hang")
 

@@ -3,6 +3,3 @@
 from rigidtop.read.page import Displays
 
 printed = Displays(__package__)
-
-worked = Displays(f"{__package__}.exercises")
-"""Those of the solutions of exercises."""

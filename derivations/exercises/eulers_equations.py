@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from math import acosh, log, pi, sqrt
 
 import numpy as np
-import sympy
 from scipy.special import ellipkm1
 
 from rigidtop.derivations.eulers_equations import axis_stability, principal_stays
@@ -15,11 +14,6 @@ from rigidtop.motion.body import FreeBody
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Claim, Measure
-from rigidtop.theory import symbols as s
-
-START = {s.omega1: s.omega_0, s.omega2: s.omega, s.omega3: sympy.S.Zero}
-"""ω₂ at its largest: ω off the middle axis by ω₀ towards e₁."""
-
 
 flip_time = Claim(
     "flip-time", "The time in which $ω$ turns over about the middle axis is an elliptic integral."

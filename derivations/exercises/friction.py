@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from scipy.integrate import quad, simpson, solve_ivp
 from scipy.interpolate import CubicHermiteSpline
 from scipy.optimize import brentq
-from sympy import Matrix
 
 from rigidtop.derivations.nutation import friction
 from rigidtop.errors import RigidtopError
@@ -21,7 +20,6 @@ from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Claim, Measure
-from rigidtop.theory import symbols as s
 
 from .bodies import GRAVITY
 from .sleeping_top import upright_potential
@@ -29,11 +27,6 @@ from .sleeping_top import upright_potential
 Complex = NDArray[np.complex128]
 
 TIGHT: Any = {"rtol": 1e-9, "atol": 1e-11}
-
-
-def contact(figure_axis: Matrix, vertical: Matrix) -> Matrix:
-    """From the centre of mass to the point of a round tip that touches the table (3×1, m)."""
-    return -(s.R - s.r_t) * figure_axis - s.r_t * vertical
 
 
 jellett = Claim(

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cache
-from math import atan, atan2, cos, factorial, hypot, pi, sin, sqrt
+from math import atan, atan2, cos, hypot, pi, sin, sqrt
 
 import numpy as np
-import sympy
 from scipy.optimize import minimize_scalar
-from sympy import Expr
 
 from rigidtop.derivations.simplified_picture import parallel
 from rigidtop.errors import RigidtopError
@@ -18,41 +15,8 @@ from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Claim, Measure
-from rigidtop.theory import symbols as s
-from rigidtop.theory import top as theory
-from rigidtop.theory.lagrangian import energy
-from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
 from .bodies import HEAVY_TOP, SPIN, angles, heavy_top, simple_rate, smallness
-
-
-@cache
-def conserved() -> tuple[Expr, Expr]:
-    """What has not changed since a top was released at θ_i with ω along e₃: E (J) and p_φ (J s).
-
-    Both as they are now less as they were, which is zero; cos θ_i = cos θ + δ.
-    """
-    now = {s.psidot: s.omega3 - s.phidot * sympy.cos(s.theta)}
-    start = {s.psidot: s.omega3, s.phidot: 0, s.thetadot: 0}
-    total = energy(theory.symmetric_lagrangian(), theory.RATES)
-    changed = []
-    for quantity in (total, theory.symmetric_momenta()[1]):
-        then = quantity.subs(start).subs(sympy.cos(s.theta), sympy.cos(s.theta) + s.delta)
-        changed.append(reduce_trig(quantity.subs(now) - then, keep="sin"))
-    return changed[0], changed[1]
-
-
-@cache
-def released() -> dict[Expr, Expr]:
-    """δ, ω₃ and ε₀ of the release from which a top came to be at θ with ω₁′ and ω₂′ across e₃."""
-    total, momentum = conserved()
-    [sunk] = sympy.solve(total, s.delta, simplify=False)
-    [spin] = sympy.solve(momentum.subs(s.delta, sunk), s.omega3, simplify=False)
-    across = {s.phidot: -s.omega1p / sympy.sin(s.theta), s.thetadot: s.omega2p}
-    state = {name: reduce_ratio(x.subs(across)) for name, x in ((s.delta, sunk), (s.omega3, spin))}
-    weak = theory.smallness() / sympy.cos(s.theta)
-    return {**state, s.epsilon_0: reduce_ratio(weak.subs(state))}
-
 
 bound_on_the_axis = Claim(
     "bound-on-the-axis",
@@ -69,15 +33,6 @@ bound_on_the_angle = Claim(
     "bound-on-the-angle",
     "The tangent of the angle between $𝐋$ and $𝛚$ is at most $2ε₀|1 − λ₃/λ₁| sin θ$ at all times.",
 )
-
-
-def powers(expression: Expr, order: int) -> Expr:
-    """The Taylor series of an expression in ε₀, up to this power."""
-    terms = (
-        expression.diff(s.epsilon_0, n).subs(s.epsilon_0, 0) / factorial(n)
-        for n in range(order + 1)
-    )
-    return sum(term * s.epsilon_0**n for n, term in enumerate(terms))
 
 
 mean_of_the_cusps = Claim(

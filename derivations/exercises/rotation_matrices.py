@@ -6,23 +6,14 @@ from collections.abc import Iterator
 from math import atan2, pi, sin
 
 import numpy as np
-import sympy
 from numpy.typing import NDArray
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
-from sympy import Matrix
 
 from rigidtop.derivations.rotation_matrices import rotation_group
 from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Claim, Measure
-from rigidtop.theory.rotation import rotation
-
-
-def turn(axis: Matrix, half: sympy.Expr) -> Matrix:
-    """Rodrigues' matrix of a turn by twice `half` about the unit vector `axis`."""
-    return rotation(axis, 2 * half).applyfunc(sympy.expand_trig)
-
 
 product_of_rotations = Claim(
     "product-of-rotations", "Two rotations in turn are one, by Rodrigues' half-angle formula."
