@@ -8,7 +8,7 @@ from functools import lru_cache
 from sympy import Expr, Integer, Symbol
 
 from rigidtop.notation import MATRICES
-from rigidtop.proof.algebra import Letters
+from rigidtop.proof.letters import Letters
 from rigidtop.theory import symbols as s
 
 _ROWS = s.VOCABULARY.items()

@@ -47,10 +47,10 @@ from rigidtop.errors import RigidtopError
 from rigidtop.notation import MATRICES, Notation
 from rigidtop.notation import NOTES as NOTATION
 from rigidtop.parameters import Parameter
-from rigidtop.proof.algebra import Letters
 from rigidtop.proof.exercise import Exercise, texts
 from rigidtop.proof.independence import refuse_circular
 from rigidtop.proof.lecture import Lecture
+from rigidtop.proof.letters import Letters
 from rigidtop.proof.model import Model
 from rigidtop.proof.page import Assumption, Check, Claim, Evidence, Measure, Page, by_lines
 from rigidtop.read.page import read_exercises, read_lecture

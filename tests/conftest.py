@@ -43,8 +43,9 @@ def fallen():
     """
     from rigidtop.derivations.letters import LETTERS
     from rigidtop.proof.changed import Perturbation, perturbations
+    from rigidtop.proof.counterexample import is_refuted
     from rigidtop.proof.equation import Equation, NoMeaningError
-    from rigidtop.proof.verdict import Finding, Verdict, is_refuted
+    from rigidtop.proof.verdict import Finding, Verdict
 
     def refuted(check):
         try:

@@ -12,8 +12,8 @@ from rigidtop.terminal.progress import over
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
-    from rigidtop.proof.algebra import Letters
     from rigidtop.proof.lecture import Lecture
+    from rigidtop.proof.letters import Letters
     from rigidtop.proof.page import Claim, Page
     from rigidtop.proof.verdict import Judgement
 

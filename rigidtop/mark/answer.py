@@ -33,11 +33,11 @@ from rigidtop.mark.marking import Mark, Marked, Marking
 from rigidtop.mark.passages import letters_of, passage, way
 from rigidtop.mark.steps import Step, steps, too_large
 from rigidtop.proof import decide
-from rigidtop.proof.derivation import diagnose
+from rigidtop.proof.counterexample import entries
 from rigidtop.proof.equation import Equation, Rate, Underbrace
 from rigidtop.proof.model import Model, Passage
 from rigidtop.proof.moves import Known
-from rigidtop.proof.verdict import entries
+from rigidtop.proof.trial import diagnose
 from rigidtop.theory import symbols as s
 from rigidtop.theory.trig import reduce_ratio
 from rigidtop.typeset.text import text

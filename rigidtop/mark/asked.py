@@ -22,12 +22,12 @@ from rigidtop.derivations import models
 from rigidtop.mark.links import ERRORS, Link, sides_of
 from rigidtop.proof import decide
 from rigidtop.proof.algebra import Algebra
+from rigidtop.proof.counterexample import entries
 from rigidtop.proof.derivation import Line
 from rigidtop.proof.equation import BODY, SPACE, Equation, NoMeaningError, Partial
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.model import Model
 from rigidtop.proof.moves import Condition, Known, Scope
-from rigidtop.proof.verdict import entries
 from rigidtop.theory import symbols as s
 from rigidtop.theory.symbols import const
 

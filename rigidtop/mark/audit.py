@@ -24,8 +24,8 @@ from rigidtop.mark.links import judge as judge_in
 from rigidtop.mark.ruling import HOLDS, ORDER, Ruling, asserted, check_of, judged, refutation
 from rigidtop.mark.surroundings import Near, among, scaled
 from rigidtop.notation import NOTES, Notation
-from rigidtop.proof.algebra import Letters
 from rigidtop.proof.equation import Equation, symbols_of
+from rigidtop.proof.letters import Letters
 from rigidtop.proof.page import Check, Claim, Correction, Definition, Evidence, Page, Remark
 from rigidtop.proof.verdict import Finding, Judgement, Verdict, judge_check
 from rigidtop.read.document import Numbered, lines, numbered, places

@@ -25,8 +25,8 @@ from rigidtop.mark.links import (
 )
 from rigidtop.proof import decide
 from rigidtop.proof.changed import Families
+from rigidtop.proof.counterexample import entries
 from rigidtop.proof.model import Model, Passage, samples
-from rigidtop.proof.verdict import entries
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.lettered import Lettered

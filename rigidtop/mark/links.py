@@ -11,9 +11,9 @@ import sympy
 from sympy import Expr, MatrixBase, cos, sin
 
 from rigidtop.proof import decide
+from rigidtop.proof.counterexample import entries
 from rigidtop.proof.equation import NoMeaningError
 from rigidtop.proof.model import Model, Sample, samples
-from rigidtop.proof.verdict import entries
 from rigidtop.typeset.text import text
 
 

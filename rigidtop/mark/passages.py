@@ -21,10 +21,11 @@ from rigidtop.derivations.goals import goals
 from rigidtop.errors import RigidtopError
 from rigidtop.mark.links import ERRORS, Link, judge
 from rigidtop.notation import NOTES, Notation
-from rigidtop.proof.derivation import Line, same
+from rigidtop.proof.counterexample import entries
+from rigidtop.proof.derivation import Line
 from rigidtop.proof.equation import Equation, Partial, Rate, symbols_of
 from rigidtop.proof.model import Model, Passage, unknown
-from rigidtop.proof.verdict import entries
+from rigidtop.proof.trial import same
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.typeset.text import text

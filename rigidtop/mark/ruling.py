@@ -9,17 +9,11 @@ from typing import Any
 import sympy
 from sympy import Expr, Symbol
 
-from rigidtop.proof.algebra import Letters
+from rigidtop.proof.counterexample import Counterexample, is_refuted
 from rigidtop.proof.equation import Equation, Meaning, Underbrace, as_printed, symbols_of, value
+from rigidtop.proof.letters import Letters
 from rigidtop.proof.page import Check, Definition, Evidence
-from rigidtop.proof.verdict import (
-    Counterexample,
-    Finding,
-    UnneededAssumptionError,
-    Verdict,
-    is_refuted,
-    judge_check,
-)
+from rigidtop.proof.verdict import Finding, UnneededAssumptionError, Verdict, judge_check
 from rigidtop.read.values import kind
 from rigidtop.report import plain
 from rigidtop.report.claims import refuted, sides

@@ -16,9 +16,9 @@ import numpy as np
 import sympy
 from sympy import Eq, Expr, MatrixBase, Symbol
 
+from rigidtop.proof.counterexample import assertions, entries
 from rigidtop.proof.equation import Equation, Meaning, Underbrace, as_printed
 from rigidtop.proof.page import Check
-from rigidtop.proof.verdict import assertions, entries
 from rigidtop.theory.symbols import const, unit
 
 _CLOSE = 1e-7

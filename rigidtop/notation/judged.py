@@ -12,15 +12,9 @@ from dataclasses import replace
 from sympy import Basic, Expr, Matrix, MatrixBase, pi
 
 from rigidtop.notation.convention import Notation
+from rigidtop.proof.counterexample import Counterexample
 from rigidtop.proof.page import Assumption, Check, Definition, Measure, Step
-from rigidtop.proof.verdict import (
-    Counterexample,
-    Finding,
-    Item,
-    Judgement,
-    Led,
-    TestedAssumption,
-)
+from rigidtop.proof.verdict import Finding, Item, Judgement, Led, TestedAssumption
 from rigidtop.theory import symbols as s
 from rigidtop.theory.rotation import X_AXIS, Y_AXIS, Z_AXIS
 

@@ -10,19 +10,16 @@ What is known of a letter comes with the `Letters` of the subject; there is no t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property, reduce
+from functools import reduce
 from typing import Any
 
 import sympy
 from sympy import Add, Dummy, Expr, Integer, MatrixBase, Mul, Pow, Symbol
-from sympy.integrals.manualintegrate import manualintegrate
 
-from rigidtop.proof import decide
 from rigidtop.proof.equation import (
     BODY,
-    SPACE,
     Cross,
     Dot,
     Group,
@@ -37,115 +34,22 @@ from rigidtop.proof.equation import (
     Underbrace,
     VolumeIntegral,
 )
+from rigidtop.proof.letters import Letters
+from rigidtop.proof.values import (
+    ELLIPTIC,
+    TIME,
+    ZERO,
+    Applied,
+    Value,
+    Vector,
+    antiderivative,
+    flattened,
+    has_operators,
+    is_zero,
+    without_zeros,
+)
 from rigidtop.theory.rates import slope
 from rigidtop.theory.symbols import unit
-
-Value = Any
-"""A scalar, a `Vector`, an operator (an expression of letters that do not commute) or a matrix."""
-
-
-@dataclass(frozen=True)
-class Letters:
-    """What a subject's letters are.
-
-    `numbers` do not change in time, be they scalars or vectors; `coordinates` and `rates` (of each
-    letter that has a rate with a letter of its own) are what a Lagrangian is a function of; every
-    other scalar depends on the motion.  `vectors` and `operators` say what is no scalar;
-    `determinants` have letters of their own; `arbitrary` vectors stand for any; `frames` are
-    right-handed triples of unit vectors, of which `body` is fixed in the body; `indexed` letters
-    belong to one particle of many, or to one place, named by the indices that a Σ or ∫ goes over;
-    `exchanged` says what letter each becomes when two indices change places, r_k for r_l;
-    `components` name the
-    scalar product of an axis and a vector, `branches` the roots of an equation for a letter, with
-    their places, 0 for the one with − before the square root;
-    `placed` are vectors, operators and scalars that coordinates alone determine, and `functions`
-    letters with the other letters that they are a function of, such as an effective potential of
-    an angle and of momenta; a slip of the pen exchanges letters of one of the `families`;
-    `exists` tells whether there is something with these numbers, as far as they are given: a body
-    with these moments;
-    `units` are SI; `defined` says what stands in the definition of a letter that has been read.
-    """
-
-    numbers: frozenset[Symbol] = frozenset()
-    coordinates: tuple[Symbol, ...] = ()
-    rates: Mapping[Symbol, Symbol] = field(default_factory=dict)
-    vectors: frozenset[Symbol] = frozenset()
-    operators: frozenset[Symbol] = frozenset()
-    determinants: Mapping[Symbol, Symbol] = field(default_factory=dict)
-    arbitrary: frozenset[Symbol] = frozenset()
-    frames: tuple[tuple[Symbol, Symbol, Symbol], ...] = ()
-    body: tuple[Symbol, ...] = ()
-    indexed: Mapping[Symbol, frozenset[Symbol]] = field(default_factory=dict)
-    exchanged: Mapping[Symbol, Symbol] = field(default_factory=dict)
-    components: Mapping[tuple[Symbol, Symbol], Symbol] = field(default_factory=dict)
-    branches: Mapping[Symbol, tuple[Symbol, int]] = field(default_factory=dict)
-    families: tuple[tuple[Symbol, ...], ...] = ()
-    exists: Callable[[Mapping[Symbol, Expr]], bool] = decide.anything
-    placed: frozenset[Symbol] = frozenset()
-    functions: Mapping[Symbol, tuple[Symbol, ...]] = field(default_factory=dict)
-    units: Mapping[Symbol, str] = field(default_factory=dict)
-    defined: Mapping[Symbol, frozenset[Symbol]] = field(default_factory=dict)
-
-    @cached_property
-    def unit_vectors(self) -> frozenset[Symbol]:
-        return frozenset(e for frame in self.frames for e in frame)
-
-    def made_of(self, letter: Symbol) -> frozenset[Symbol]:
-        """What a letter is made of, by its definition and by those of what stands in that."""
-        direct = self.defined.get(letter, frozenset())
-        return direct.union(*(self.made_of(x) for x in direct))
-
-    @cached_property
-    def velocities(self) -> frozenset[Symbol]:
-        return frozenset(self.rates[q] for q in self.coordinates if q in self.rates)
-
-    @cached_property
-    def fixed_components(self) -> Mapping[Symbol, tuple[Symbol, Symbol]]:
-        """The letters that are components along an axis that does not turn: (axis, vector)."""
-        return {x: (e, v) for (e, v), x in self.components.items() if e in self.numbers}
-
-    def arguments(self, letter: Symbol) -> frozenset[Symbol]:
-        """What a partial derivative of a letter holds fixed: numbers and what it is a function of.
-
-        What is no function of other letters is one of coordinates and velocities.
-        """
-        return self.numbers | (
-            frozenset(self.functions.get(letter, ())) or self.velocities | {*self.coordinates}
-        )
-
-    def is_placed(self, node: Expr) -> bool:
-        """Whether coordinates alone determine an atom: no velocity changes it."""
-        names = {x.name for x in self.placed | self.numbers | {*self.coordinates}}
-        return not node.has(Rate, Partial) and all(
-            x.name.removesuffix("ᵀ") in names for x in node.free_symbols
-        )
-
-
-@dataclass(frozen=True, eq=False)
-class Vector:
-    """A sum of atoms, each with its scalar: ``Vector({e1: omega1, e2: omega2})``."""
-
-    terms: Mapping[Expr, Expr]
-
-    def __add__(self, other: Vector) -> Vector:
-        total = dict(self.terms)
-        for atom, factor in other.terms.items():
-            total[atom] = total.get(atom, Integer(0)) + factor
-        return Vector(total)
-
-    def times(self, factor: Expr) -> Vector:
-        return Vector({atom: factor * old for atom, old in self.terms.items()})
-
-
-ZERO = Vector({})
-
-
-class Applied(Printed):
-    """``Applied(I, ω)``: what an operator makes of an atom."""
-
-
-class Entry(Printed):
-    """``Entry(O, i, j)``: the entry of an operator that is compared with a matrix written out."""
 
 
 @dataclass(frozen=True)
@@ -252,15 +156,15 @@ class Algebra:
         """The sum; 0 fits every kind."""
         made: Value = Integer(0)
         for part in parts:
-            if _is_zero(made):
+            if is_zero(made):
                 made = part
-            elif _is_zero(part):
+            elif is_zero(part):
                 continue
             elif isinstance(made, Vector) != isinstance(part, Vector):
                 raise NoMeaningError("a vector and a scalar are added")
             elif isinstance(made, MatrixBase) != isinstance(part, MatrixBase):
                 scalar, matrix = (part, made) if isinstance(made, MatrixBase) else (made, part)
-                if _operators(scalar):
+                if has_operators(scalar):
                     raise NoMeaningError("a matrix that is written out and one that is not")
                 made = matrix + scalar * sympy.eye(matrix.shape[0])
             else:
@@ -289,10 +193,10 @@ class Algebra:
         if all(written) and left.shape[1] != right.shape[0]:
             raise NoMeaningError("matrices of different sizes are multiplied")
         if any(written):
-            if _operators(*(s for s in (left, right) if not isinstance(s, MatrixBase))):
+            if has_operators(*(s for s in (left, right) if not isinstance(s, MatrixBase))):
                 raise NoMeaningError("a matrix that is written out times one that is not")
             return left * right
-        return self._shortened(left * right) if _operators(left, right) else left * right
+        return self._shortened(left * right) if has_operators(left, right) else left * right
 
     def _applied(self, term: Expr, vector: Vector) -> Vector:
         """A product of operators, with a scalar before it, acting on a vector."""
@@ -323,7 +227,7 @@ class Algebra:
         return product
 
     def dot(self, left: Value, right: Value) -> Expr:
-        if _is_zero(left) or _is_zero(right):
+        if is_zero(left) or is_zero(right):
             return Integer(0)
         if not (isinstance(left, Vector) and isinstance(right, Vector)):
             raise NoMeaningError("a scalar product of what is no vector")
@@ -384,7 +288,7 @@ class Algebra:
         return self.atom(made or Dot(*sorted((a, b), key=_place)))
 
     def cross(self, left: Value, right: Value) -> Vector:
-        if _is_zero(left) or _is_zero(right):
+        if is_zero(left) or is_zero(right):
             return ZERO
         if not (isinstance(left, Vector) and isinstance(right, Vector)):
             raise NoMeaningError("a vector product of what is no vector")
@@ -583,7 +487,7 @@ class Algebra:
             for atom, factor in value.terms.items():
                 parts.append(Vector({atom: self._scalar_rate(factor)}))
                 parts.append(self._atom_rate(atom, frame).times(factor))
-            return _without_zeros(self.total(parts))
+            return without_zeros(self.total(parts))
         if isinstance(value, MatrixBase):
             return value.applyfunc(self._scalar_rate)
         if not value.is_commutative:
@@ -669,119 +573,6 @@ def _as_vector(made: Value) -> Vector:
     return ZERO if made == 0 else Vector({made: Integer(1)})
 
 
-TIME = Symbol("t", real=True)
-
-
-def antiderivative(integrand: Expr, x: Symbol) -> Expr | None:
-    """A function whose derivative is a smooth integrand; None where none is known.
-
-    Polynomials in x, sin x and cos x, and Legendre's integral F(x, m) of the first kind (DLMF
-    19.2.4), whose derivative is 1/√(1 − m sin²x): others may have poles between two ends.
-    """
-    if is_smooth(integrand, (x,)):
-        made = manualintegrate(sympy.expand(integrand), x)
-        sound = is_smooth(made, (x,)) and vanishes(made.diff(x) - integrand)
-        return made if sound else None
-    first = integrand.subs(x, 0)
-    if first.is_zero or (not first.is_finite and first.is_number):
-        return None
-    square = (first / integrand) ** 2
-    m = sympy.factor(1 - square.subs(x, sympy.pi / 2))
-    if not vanishes(square - (1 - m * sympy.sin(x) ** 2)):
-        return None
-    return first * sympy.elliptic_f(x, m)
-
-
-def is_smooth(node: Expr, of: Sequence[Symbol]) -> bool:
-    """Whether an expression is a polynomial in letters, their sines and cosines."""
-    if not node.has(*of) or isinstance(node, Symbol):
-        return True
-    if isinstance(node, Pow) and not (node.exp.is_Integer and node.exp > 0):
-        return False
-    if not isinstance(node, (Add, Mul, Pow, sympy.sin, sympy.cos)):
-        return False
-    return all(is_smooth(part, of) for part in node.args)
-
-
-ELLIPTIC = (sympy.elliptic_k, sympy.elliptic_f)
-"""Functions that stand for themselves: of the same numbers they are the same."""
-
-
-def flattened(expression: Expr) -> tuple[Expr, dict[Symbol, Expr]]:
-    """An expression with a dummy for every atom that is no letter, and what each stands for."""
-    atoms: dict[Symbol, Expr] = {}
-
-    def go(node: Expr) -> Expr:
-        if isinstance(node, Printed):
-            found = next((d for d, known in atoms.items() if known == node), None)
-            if found is None:
-                found = Dummy(real=True)
-                atoms[found] = node
-            return found
-        if not node.args or not node.has(Printed):
-            return node
-        return node.func(*(go(part) for part in node.args))
-
-    return go(expression), atoms
-
-
-def components(left: Value, right: Value) -> list[Expr]:
-    """The scalars that vanish where two values agree."""
-    if isinstance(left, Vector) or isinstance(right, Vector):
-        for side in (left, right):
-            if not isinstance(side, Vector) and not _is_zero(side):
-                raise NoMeaningError("a vector is compared with a scalar")
-        first, second = (side if isinstance(side, Vector) else ZERO for side in (left, right))
-        difference = first + second.times(Integer(-1))
-        return list(difference.terms.values())
-    if isinstance(left, MatrixBase) or isinstance(right, MatrixBase):
-        shape = (left if isinstance(left, MatrixBase) else right).shape
-        sides = [x if isinstance(x, MatrixBase) else _entries(x, *shape) for x in (left, right)]
-        if sides[0].shape != sides[1].shape:
-            raise NoMeaningError("matrices of different sizes are compared")
-        return list(sides[0] - sides[1])
-    return [sympy.expand(left - right) if _operators(left, right) else left - right]
-
-
-def _entries(operator: Expr, rows: int, columns: int) -> MatrixBase:
-    """A number times the unit matrix, or an operator, entry by entry."""
-    if rows != columns:
-        raise NoMeaningError("matrices of different sizes are compared")
-    if _operators(operator):
-        made = sympy.expand(operator)
-        return sympy.Matrix(rows, columns, lambda i, j: Entry(made, Integer(i), Integer(j)))
-    return operator * sympy.eye(rows)
-
-
-def _operators(*sides: Expr) -> bool:
-    return any(not sympy.sympify(side).is_commutative for side in sides)
-
-
-def agree(left: Value, right: Value) -> bool:
-    """Whether two values are the same, by normal form."""
-    return all(vanishes(part) for part in components(left, right))
-
-
-def vanishes(expression: Expr) -> bool:
-    """Whether a scalar with atoms in it, or an operator, is zero."""
-    if expression == 0:
-        return True
-    if not expression.is_commutative:
-        return bool(sympy.expand(expression) == 0)
-    flat, _ = flattened(expression)
-    flat = flat.xreplace({node: Dummy(real=True) for node in flat.atoms(*ELLIPTIC)})
-    found = decide.in_digits([("=", flat)])
-    if found is False:
-        return False
-    # What is real at no point is not worth a long search.
-    return decide.vanishes(flat) or (found is True and decide.vanishes(_rooted(flat)))
-
-
-def _rooted(expression: Expr) -> Expr:
-    """√(x²y) as |x|√y where signs are known: a last attempt, on what is zero in digits."""
-    return sympy.radsimp(sympy.powdenest(sympy.together(sympy.expand(expression)), force=False))
-
-
 def _factors(term: Expr) -> Iterator[Expr]:
     """What a term is linear in: its factors, also those of its vector and scalar products."""
     yield term
@@ -797,32 +588,3 @@ def _outside(node: Expr) -> tuple[bool, str]:
 
 def _place(node: Expr) -> str:
     return str(sympy.srepr(node))
-
-
-def _is_zero(value: Value) -> bool:
-    return (isinstance(value, Vector) and not value.terms) or (
-        not isinstance(value, (Vector, MatrixBase)) and value == 0
-    )
-
-
-def _without_zeros(value: Value) -> Value:
-    if not isinstance(value, Vector):
-        return value
-    return Vector({atom: factor for atom, factor in value.terms.items() if factor != 0})
-
-
-def atoms_of(value: Value) -> Iterator[Expr]:
-    """The atoms of a value: letters, products of vectors, rates, slopes."""
-    if isinstance(value, Vector):
-        for atom, factor in value.terms.items():
-            yield atom
-            yield from atoms_of(factor)
-    elif isinstance(value, MatrixBase):
-        for entry in value:
-            yield from atoms_of(entry)
-    else:
-        yield from value.free_symbols
-        yield from value.atoms(Printed)
-
-
-__all__ = ["BODY", "SPACE", "Algebra", "Applied", "Letters", "Vector", "agree", "components"]

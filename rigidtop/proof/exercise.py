@@ -24,6 +24,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from rigidtop.parameters import Parameter
 from rigidtop.proof.page import Claim, Measure, by_lines, paragraph
@@ -83,32 +84,9 @@ class Exercise:
     method: str = ""
 
 
-def exercise(
-    name: str,
-    title: str,
-    *,
-    section: str,
-    asks: str,
-    statement: str,
-    claims: tuple[Claim, ...],
-    parameters: tuple[Parameter, ...],
-    figure: str = "",
-    text: str = "",
-) -> Callable[[Solve], Exercise]:
-    """Make the decorated generator function an `Exercise`."""
-    return lambda solve: Exercise(
-        name,
-        title,
-        section,
-        asks,
-        statement,
-        claims,
-        parameters,
-        solve,
-        figure,
-        text,
-        paragraph(solve),
-    )
+def exercise(name: str, title: str, **given: Any) -> Callable[[Solve], Exercise]:
+    """Make the decorated generator function an `Exercise`; its docstring is the method."""
+    return lambda solve: Exercise(name, title, solve=solve, method=paragraph(solve), **given)
 
 
 def texts(exercises: Sequence[Exercise], every: Sequence[Exercise]) -> list[str]:

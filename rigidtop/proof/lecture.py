@@ -16,9 +16,10 @@ from sympy import Symbol
 
 from rigidtop.errors import RigidtopError
 from rigidtop.proof import units
-from rigidtop.proof.algebra import Letters
-from rigidtop.proof.derivation import Judged, Line, judge_line, survivors, unneeded
+from rigidtop.proof.derivation import Judged, Line, judge_line
+from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import Known
+from rigidtop.proof.trial import survivors, unneeded
 
 
 @dataclass(frozen=True)

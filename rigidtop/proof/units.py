@@ -25,7 +25,6 @@ from functools import cache
 import sympy
 from sympy import Add, Expr, MatrixBase, Mul, Pow, Symbol
 
-from rigidtop.proof.algebra import Applied, Letters
 from rigidtop.proof.equation import (
     Cross,
     Dot,
@@ -41,7 +40,9 @@ from rigidtop.proof.equation import (
     VolumeIntegral,
     value,
 )
+from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import RefusedError
+from rigidtop.proof.values import Applied
 
 Dimension = tuple[Fraction, ...]
 """The exponents of kg, m and s."""

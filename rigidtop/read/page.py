@@ -27,10 +27,10 @@ from sympy import Symbol
 
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import NOTES, Notation
-from rigidtop.proof.algebra import Letters
 from rigidtop.proof.derivation import Line
 from rigidtop.proof.equation import Equation, symbols_of
 from rigidtop.proof.lecture import Block, Heading, Lecture, Prose, Shown, Text
+from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import Known, Move, Scope
 from rigidtop.read import sentence as language
 from rigidtop.read.document import places

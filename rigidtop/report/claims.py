@@ -9,16 +9,10 @@ from typing import Any
 import sympy
 from sympy import Expr, Symbol
 
+from rigidtop.proof.counterexample import Counterexample
 from rigidtop.proof.equation import Equation, Printed
 from rigidtop.proof.page import Assumption, Correction, Definition, Measure, Step
-from rigidtop.proof.verdict import (
-    Counterexample,
-    Finding,
-    Judgement,
-    Led,
-    TestedAssumption,
-    Verdict,
-)
+from rigidtop.proof.verdict import Finding, Judgement, Led, TestedAssumption, Verdict
 from rigidtop.report import blocks as b
 from rigidtop.theory.lettered import known
 from rigidtop.typeset import nodes as lay

@@ -14,11 +14,12 @@ from sympy import Basic
 
 from rigidtop.notation import NOTES, Notation
 from rigidtop.notation.characters import TEX_GREEK
-from rigidtop.proof.algebra import Letters
-from rigidtop.proof.derivation import Judged, Line, diagnose
+from rigidtop.proof.derivation import Judged, Line
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.lecture import Heading, Lecture, Prose, Shown, Text
+from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import Condition
+from rigidtop.proof.trial import diagnose
 from rigidtop.proof.units import UnitsError
 from rigidtop.proof.verdict import Judgement, Led
 from rigidtop.report import blocks as b

@@ -17,11 +17,12 @@ import sympy
 from sympy import Expr, Symbol
 
 from rigidtop.errors import RigidtopError
-from rigidtop.proof.algebra import TIME, Letters
 from rigidtop.proof.derivation import Judged, Line
 from rigidtop.proof.equation import Equation, Partial, Rate
 from rigidtop.proof.lecture import Block, Heading, Lecture, Prose, Shown, Text
+from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import Known, Move, Scope
+from rigidtop.proof.values import TIME
 from rigidtop.report import html, plain, tex
 from rigidtop.report.blocks import Display
 from rigidtop.report.ways import gap, step, text_blocks

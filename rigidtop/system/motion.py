@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from html import escape
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import sympy
 from numpy.typing import ArrayLike
-from scipy.optimize import brentq, minimize_scalar
 from sympy import Expr, Symbol
 
 from rigidtop.codegen.heyoka import on_symbols
@@ -23,6 +21,7 @@ from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import TAYLOR, Accuracy, Flow, flow, on_both_sides
 from rigidtop.motion.rows import Rows
 from rigidtop.parameters import in_one_line
+from rigidtop.system.events import zeros
 from rigidtop.system.held import Surface
 from rigidtop.system.names import Given, expression, numbers
 from rigidtop.system.numeric import Computed, computed, magnitude
@@ -30,22 +29,6 @@ from rigidtop.system.numeric import Computed, computed, magnitude
 HOLDS = 1e-9
 """How well a constraint has to hold at the start, relative to its terms."""
 
-LOOKS = 8
-"""A step of the solver, or a part of it, is looked at so many times for an event."""
-
-DEEPEST = 8
-"""A step is halved so many times, where a quantity changes faster than what moves."""
-
-NOISE = 1e-10
-"""A quantity that goes less beyond zero, relative to its largest, is said to touch it only."""
-
-PLACES = (1 - np.cos(np.arange(LOOKS + 1) * np.pi / LOOKS)) / 2
-"""Where it is looked at, from 0 to 1: not evenly, which what is periodic could meet."""
-
-BETWEEN = np.vander(PLACES[1::2], LOOKS // 2 + 1) @ np.linalg.inv(
-    np.vander(PLACES[::2], LOOKS // 2 + 1)
-)
-"""Takes the values of a polynomial at every other of these places to those between them."""
 
 TOO_SMALL = 1e-3
 """A motion that stays below this part of what its tolerances are fractions of is done again."""
@@ -213,7 +196,7 @@ class SystemMotion:
 
         def sample(motion: Flow, ordered: Floats) -> Floats:
             for name, value in wanted.items():
-                seen[name] += _zeros(motion, value, float(ordered[-1]))
+                seen[name] += zeros(motion, value, float(ordered[-1]))
             states = motion.path(ordered)
             return self._surface.onto(ordered, states) if self.system.constraints else states
 
@@ -320,138 +303,7 @@ class SystemMotion:
         return taylor.propagated(integrator, end, unit, held=held)
 
 
-def many(
-    system: Computed, parameters: Mapping[Expr, object], q: Given, qdot: Given
-) -> SystemMotions:
-    """See `System.motions`."""
-    rows = {"q": system.names.q, "qdot": system.names.v}
-    given: dict[Expr, Expr] = dict(parameters)
-    for what, value in (("q", q), ("qdot", qdot)):
-        if value is None and what == "qdot":
-            continue
-        if isinstance(value, Mapping):
-            given |= {(what, key): each for key, each in value.items()}
-        elif not np.iterable(value) or len(list(value)) != len(rows[what]):
-            shown = ", ".join(map(system.names.spelled, rows[what]))
-            raise RigidtopError(f"{what} has a number, or an array, for each of {shown}")
-        else:
-            given |= {(what, x): each for x, each in zip(rows[what], value, strict=True)}
-    arrays = {key: checks.numbers(_spoken(key), value) for key, value in given.items()}
-    shape = checks.common_shape({_spoken(key): value for key, value in arrays.items()})
-    flat = {key: np.broadcast_to(value, shape).ravel() for key, value in arrays.items()}
-    made = []
-    for k in range(math.prod(shape)):
-        one: dict[str, dict[Expr, float]] = {"": {}, "q": {}, "qdot": {}}
-        for key, values in flat.items():
-            what, name = key if isinstance(key, tuple) else ("", key)
-            one[what][name] = float(values[k])
-        made.append(started(system, one[""], one["q"], one["qdot"]))
-    return SystemMotions(tuple(made), shape)
-
-
-def _spoken(key: Any) -> str:
-    return str(key[1] if isinstance(key, tuple) else key)
-
-
-@dataclass(frozen=True)
-class SystemMotions:
-    """Many motions of a system; made by `System.motions`.  It is a sequence of `SystemMotion`s."""
-
-    motions: tuple[SystemMotion, ...] = field(repr=False)
-    """In the order of an array that is read row by row."""
-
-    shape: tuple[int, ...]
-    """Of the arrays that were given, broadcast: S."""
-
-    def __len__(self) -> int:
-        return len(self.motions)
-
-    def __getitem__(self, index: int) -> SystemMotion:
-        return self.motions[index]
-
-    def integrate(
-        self,
-        t: ArrayLike,
-        method: str = "DOP853",
-        rtol: float = 1e-10,
-        atol: float = 1e-12,
-        progress: Callable[[int, int], None] | None = None,
-    ) -> Floats:
-        """The coordinates and velocities at the N times `t`, shape (2, *S, N, n).
-
-        As `SystemMotion.integrate` has them; `progress` is called with the number of motions that
-        are done, and of all.
-        """
-        found = []
-        for done, motion in enumerate(self.motions):
-            run = motion.integrate(t, method, rtol, atol)
-            found.append(np.stack([run.q, run.qdot]))
-            if progress is not None:
-                progress(done + 1, len(self.motions))
-        if not found:
-            raise RigidtopError("there are no motions: an array that was given is empty")
-        stacked = np.stack(found, axis=1)
-        return stacked.reshape(2, *self.shape, *stacked.shape[2:])
-
-
 UNTIL = ""
-
-
-def _zeros(motion: Flow, value: Callable[[float, Floats], float], end: float) -> list[float]:
-    """The times at which a quantity goes through zero, t = 0 left out."""
-
-    def of(times: Floats) -> Floats:
-        states = motion.path(times).T
-        return np.array([value(float(t), state) for t, state in zip(times, states, strict=True)])
-
-    def at(time: float) -> float:
-        return float(of(np.array([time]))[0])
-
-    looks = [look for span in pairwise(motion.steps) for look in _looks(of, *span, DEEPEST)]
-    times, values = np.array([(0.0, at(0.0)), *looks]).T
-    # Between two zeros near each other, of three values with one sign the middle one is the least.
-    size = np.abs(values)
-    for k in np.flatnonzero((size[1:-1] < size[:-2]) & (size[1:-1] < size[2:])) + 1:
-        sign = np.sign(values[k])
-        if sign == np.sign(values[k - 1]) == np.sign(values[k + 1]):
-            around = sorted((float(times[k - 1]), float(times[k + 1])))
-            least, depth = _least(at, sign, *around)
-            if depth < -NOISE * size.max():
-                times, values = np.append(times, least), np.append(values, sign * depth)
-    order = np.argsort(np.abs(times))
-    found = []
-    for (left, before), (right, after) in pairwise(zip(times[order], values[order], strict=True)):
-        if after == 0 != before:
-            found.append(float(right))
-        elif before * after < 0:
-            zero = float(brentq(at, left, right, xtol=1e-14, rtol=4 * np.finfo(float).eps))
-            if abs(at(zero)) <= max(abs(before), abs(after)):  # at a pole the sign changes too
-                found.append(zero)
-    return [x for x in found if abs(x) <= abs(end)]
-
-
-def _least(
-    value: Callable[[float], float], sign: float, left: float, right: float
-) -> tuple[float, float]:
-    """Where between two times ±value is least, and what it is there."""
-    found = minimize_scalar(lambda t: sign * value(t), bounds=(left, right), method="bounded")
-    return float(found.x), float(found.fun)
-
-
-def _looks(
-    of: Callable[[Floats], Floats], start: float, end: float, depth: int
-) -> Iterator[tuple[float, float]]:
-    """Times and values behind `start`, so dense that every other value follows from the rest."""
-    times = start + (end - start) * PLACES
-    times[-1] = end
-    values = of(times)
-    missed = np.abs(BETWEEN @ values[::2] - values[1::2]).max()
-    if depth == 0 or missed <= max(0.05 * np.ptp(values), 1e-12 * np.abs(values).max()):
-        yield from zip(times[1:], values[1:], strict=True)
-    else:
-        middle = (start + end) / 2
-        yield from _looks(of, start, middle, depth - 1)
-        yield from _looks(of, middle, end, depth - 1)
 
 
 @dataclass(frozen=True, eq=False, repr=False)

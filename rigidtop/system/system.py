@@ -20,7 +20,8 @@ from rigidtop.system.parts import Body, Mass, Part, kinetic_energy, potential_en
 if TYPE_CHECKING:
     from rigidtop.proof.equation import Equation
     from rigidtop.system.derivation import Derivation
-    from rigidtop.system.motion import SystemMotion, SystemMotions
+    from rigidtop.system.many import SystemMotions
+    from rigidtop.system.motion import SystemMotion
     from rigidtop.system.steady import Small
 
 SHOWN = 60
@@ -249,6 +250,6 @@ class System(Computed):
         >>> len(springs), springs.integrate([0, 1]).shape
         (3, (2, 3, 2, 1))
         """
-        from rigidtop.system.motion import many
+        from rigidtop.system.many import many
 
         return many(self, parameters or {}, q, qdot)

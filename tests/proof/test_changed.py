@@ -6,7 +6,7 @@ from sympy import Matrix, Rational, Symbol, cos, sin
 
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.proof.changed import perturbations
-from rigidtop.proof.derivation import Line, survivors
+from rigidtop.proof.derivation import Line
 from rigidtop.proof.equation import (
     SPACE,
     Cross,
@@ -22,6 +22,7 @@ from rigidtop.proof.equation import (
 )
 from rigidtop.proof.moves import Known, Move
 from rigidtop.proof.page import Check
+from rigidtop.proof.trial import survivors
 from rigidtop.proof.verdict import Finding, judge_check
 from rigidtop.theory import symbols as s
 

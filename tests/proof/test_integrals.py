@@ -7,8 +7,9 @@ import sympy
 
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.notation import NOTES
-from rigidtop.proof.algebra import Algebra, antiderivative
+from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import IntegralOver, NoMeaningError
+from rigidtop.proof.values import antiderivative
 from rigidtop.read.formula import read
 from rigidtop.read.page import read_lecture
 from rigidtop.theory import symbols as s

@@ -16,7 +16,6 @@ from rigidtop.derivations import PAGES, lecture
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.notation import NOTES
-from rigidtop.proof.algebra import Applied, Letters
 from rigidtop.proof.equation import (
     Cross,
     Dot,
@@ -31,8 +30,10 @@ from rigidtop.proof.equation import (
     as_printed,
 )
 from rigidtop.proof.lecture import Lecture
+from rigidtop.proof.letters import Letters
 from rigidtop.proof.page import Check
 from rigidtop.proof.units import UnitsError, check, defining, dimension, named, parsed
+from rigidtop.proof.values import Applied
 from rigidtop.proof.verdict import led
 from rigidtop.read.page import read_lecture
 from rigidtop.report.ways import gap

@@ -8,6 +8,7 @@ import sympy
 from sympy import Eq, Gt, Lt, Matrix, Ne, Symbol, cos, sin, sqrt, symbols
 
 from rigidtop.proof import page
+from rigidtop.proof.counterexample import assertions, refute
 from rigidtop.proof.equation import Cross, Dot, Equation, Underbrace, as_printed
 from rigidtop.proof.page import (
     Assumption,
@@ -17,14 +18,7 @@ from rigidtop.proof.page import (
     Measure,
     Step,
 )
-from rigidtop.proof.verdict import (
-    UnneededAssumptionError,
-    Verdict,
-    assertions,
-    judge,
-    judge_check,
-    refute,
-)
+from rigidtop.proof.verdict import UnneededAssumptionError, Verdict, judge, judge_check
 from rigidtop.theory.symbols import const
 
 x, y, z = symbols("x y z", real=True)

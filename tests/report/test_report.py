@@ -19,6 +19,7 @@ from sympy import Add, Eq, Integer, Ne, Rational, cos, sin, sqrt, symbols
 from rigidtop.errors import RigidtopError
 from rigidtop.figures.catalog import FIGURES
 from rigidtop.proof import verdict
+from rigidtop.proof.counterexample import Counterexample
 from rigidtop.proof.equation import Equation, as_printed
 from rigidtop.proof.page import (
     Assumption,
@@ -30,12 +31,7 @@ from rigidtop.proof.page import (
     Page,
     Step,
 )
-from rigidtop.proof.verdict import (
-    Counterexample,
-    Finding,
-    Judgement,
-    Verdict,
-)
+from rigidtop.proof.verdict import Finding, Judgement, Verdict
 from rigidtop.report import html, pdf, plain, tex, typst
 from rigidtop.report.blocks import (
     ClaimHead,

@@ -9,7 +9,7 @@ from functools import partial
 from sympy import Expr, Integer, MatrixBase, Symbol
 
 from rigidtop.proof import decide
-from rigidtop.proof.algebra import Algebra, Value, Vector, vanishes
+from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Equation, SumOver, VolumeIntegral, as_printed
 from rigidtop.proof.moves.conditions import divided_by, flat_with
 from rigidtop.proof.moves.move import (
@@ -31,6 +31,7 @@ from rigidtop.proof.moves.pairs import (
     said_pairs,
     scalars,
 )
+from rigidtop.proof.values import Value, Vector, vanishes
 
 
 def put(move: Move, algebra: Algebra) -> Performed:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sympy import Expr, MatrixBase, Symbol
 
-from rigidtop.proof.algebra import TIME, Algebra, Value, Vector, atoms_of, flattened
+from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Partial, Printed
 from rigidtop.proof.moves.conditions import divided_by
 from rigidtop.proof.moves.move import (
@@ -19,6 +19,7 @@ from rigidtop.proof.moves.move import (
     the_one,
 )
 from rigidtop.proof.moves.pairs import all_pairs, equal_pairs
+from rigidtop.proof.values import TIME, Value, Vector, atoms_of, flattened
 from rigidtop.theory.rates import slope
 
 

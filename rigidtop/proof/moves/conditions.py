@@ -10,8 +10,8 @@ from sympy import Expr, Mul
 from sympy.core.relational import Relational
 
 from rigidtop.proof import decide
-from rigidtop.proof.algebra import flattened
 from rigidtop.proof.moves.move import Condition
+from rigidtop.proof.values import flattened
 from rigidtop.theory.trig import reduce_ratio
 
 

@@ -9,7 +9,7 @@ from sympy import MatrixBase
 from sympy.core.function import FunctionClass
 
 from rigidtop.proof import decide
-from rigidtop.proof.algebra import Algebra, Vector
+from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.moves.conditions import flat_with
 from rigidtop.proof.moves.move import (
     Condition,
@@ -20,6 +20,7 @@ from rigidtop.proof.moves.move import (
     the_one,
 )
 from rigidtop.proof.moves.pairs import equal_pairs, is_operator
+from rigidtop.proof.values import Vector
 
 
 def function(of: FunctionClass) -> Callable[[Move, Algebra], Performed]:

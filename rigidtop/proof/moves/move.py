@@ -11,8 +11,8 @@ from typing import Any
 import sympy
 from sympy import Expr, Symbol
 
-from rigidtop.proof.algebra import Value, vanishes
 from rigidtop.proof.equation import Equation
+from rigidtop.proof.values import Value, vanishes
 from rigidtop.theory.rates import slopes_at_zero
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 import sympy
 from sympy import Add, Expr, Integer, MatrixBase, Mul
 
-from rigidtop.proof.algebra import Algebra, Applied, Value, Vector
+from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Dot
 from rigidtop.proof.moves.move import (
     Move,
@@ -26,6 +26,7 @@ from rigidtop.proof.moves.pairs import (
     mapped,
     single_atom,
 )
+from rigidtop.proof.values import Applied, Value, Vector
 
 
 def of_operators(

@@ -9,9 +9,11 @@ from itertools import islice
 import sympy
 from sympy import Add, Expr, Integer, MatrixBase, Symbol, factorial
 
-from rigidtop.proof.algebra import Algebra, Letters, Value, Vector, components, flattened, vanishes
+from rigidtop.proof.algebra import Algebra
+from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves.move import Move, Order, Pair, Performed, RefusedError, name_of, the_one
 from rigidtop.proof.moves.pairs import put_in, said_pairs, scalars
+from rigidtop.proof.values import Value, Vector, components, flattened, vanishes
 from rigidtop.theory.rates import slopes_at_zero
 
 NEGLECTED = Symbol("neglected")

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any
 
 import sympy
 from sympy import Expr, Integer, MatrixBase, Mul, Symbol
 
-from rigidtop.proof.algebra import Algebra, Letters, Value, Vector, agree, atoms_of, components
+from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Dot, Equation, Printed, Rate, Underbrace
+from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves.conditions import nonzero
 from rigidtop.proof.moves.move import (
     Condition,
@@ -24,6 +24,7 @@ from rigidtop.proof.moves.move import (
     name_of,
     the_one,
 )
+from rigidtop.proof.values import Value, Vector, agree, atoms_of, components
 from rigidtop.theory.symbols import const
 
 
@@ -235,15 +236,6 @@ def atom_of(value: Value, typed: Expr) -> Expr:
     if single is None:
         raise RefusedError("{} is nothing to solve for", typed)
     return single[0]
-
-
-def components_of(pair: Pair) -> Any:
-    """left − right: a scalar, or a vector as a mapping."""
-    if isinstance(pair.left, Vector) or isinstance(pair.right, Vector):
-        left = pair.left if isinstance(pair.left, Vector) else Vector({})
-        right = pair.right if isinstance(pair.right, Vector) else Vector({})
-        return dict((left + right.times(Integer(-1))).terms)
-    return pair.left - pair.right
 
 
 def scalars(value: Value) -> Sequence[Expr]:

@@ -8,17 +8,9 @@ from dataclasses import replace
 import sympy
 from sympy import Dummy, Expr, Integer, MatrixBase, Tuple
 
-from rigidtop.proof.algebra import (
-    Algebra,
-    Letters,
-    Value,
-    Vector,
-    atoms_of,
-    components,
-    flattened,
-    vanishes,
-)
+from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import NoMeaningError, Rate
+from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import (
     arithmetic,
     calculus,
@@ -41,6 +33,7 @@ from rigidtop.proof.moves.move import (
 )
 from rigidtop.proof.moves.orders import NEGLECTED, OF_NO_ORDER
 from rigidtop.proof.moves.pairs import nodes_of, put_in
+from rigidtop.proof.values import Value, Vector, atoms_of, components, flattened, vanishes
 from rigidtop.theory.trig import reduce_ratio
 
 

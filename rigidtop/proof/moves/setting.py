@@ -7,8 +7,9 @@ from dataclasses import replace
 
 from sympy import Expr, Integer, MatrixBase
 
-from rigidtop.proof.algebra import TIME, Algebra, Letters, Value, Vector, agree, atoms_of, vanishes
+from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Rate
+from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves.move import (
     Condition,
     Known,
@@ -22,6 +23,7 @@ from rigidtop.proof.moves.move import (
     the_one,
 )
 from rigidtop.proof.moves.pairs import all_pairs, atom_of, nodes_of, put_in
+from rigidtop.proof.values import TIME, Value, Vector, agree, atoms_of, vanishes
 
 
 def set_to(move: Move, algebra: Algebra) -> Performed:

@@ -8,7 +8,7 @@ import sympy
 from sympy import Expr, Integer, MatrixBase, Mul
 
 from rigidtop.proof import decide
-from rigidtop.proof.algebra import Algebra, Vector, flattened
+from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.moves.conditions import flat_with
 from rigidtop.proof.moves.move import (
     Condition,
@@ -19,6 +19,7 @@ from rigidtop.proof.moves.move import (
     the_one,
 )
 from rigidtop.proof.moves.pairs import equal_pairs, is_operator
+from rigidtop.proof.values import Vector, flattened
 
 
 def root(move: Move, algebra: Algebra) -> Performed:

@@ -8,7 +8,7 @@ from typing import Any
 import sympy
 from sympy import Dummy, Expr, Integer, Symbol
 
-from rigidtop.proof.algebra import Algebra, Vector, flattened
+from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.moves.conditions import divided_by
 from rigidtop.proof.moves.move import (
     Condition,
@@ -18,7 +18,8 @@ from rigidtop.proof.moves.move import (
     RefusedError,
     Scope,
 )
-from rigidtop.proof.moves.pairs import atom_of, components_of, equal_pairs, is_operator
+from rigidtop.proof.moves.pairs import atom_of, equal_pairs, is_operator
+from rigidtop.proof.values import Vector, difference, flattened
 from rigidtop.theory.trig import reduce_trig
 
 
@@ -32,7 +33,7 @@ def solve(move: Move, algebra: Algebra) -> Performed:
         raise RefusedError("a matrix equation is not solved so: multiply by what takes it away")
     scope = max(k.scope for k in move.of)
     atoms = {x: Dummy() for x in unknowns}
-    rows = [_linear(components_of(pair), atoms) for pair in pairs]
+    rows = [_linear(pair, atoms) for pair in pairs]
     if all(row is not None for row in rows):
         return _solved_linear(move, [r for row in rows if row for r in row], atoms, scope)
     if len(unknowns) == 1 and len(pairs) == 1:
@@ -40,15 +41,13 @@ def solve(move: Move, algebra: Algebra) -> Performed:
     raise RefusedError("this is not linear in {}", *move.by)
 
 
-def _linear(
-    difference: Expr, atoms: Mapping[Expr, Symbol]
-) -> list[tuple[dict[Expr, Expr], Any]] | None:
+def _linear(pair: Pair, atoms: Mapping[Expr, Symbol]) -> list[tuple[dict[Expr, Expr], Any]] | None:
     """(coefficients of the unknowns, the rest), where they enter linearly; vectors are one row."""
-    if isinstance(difference, dict):
-        coefficients = {x: difference.get(x, Integer(0)) for x in atoms}
-        rest = {a: f for a, f in difference.items() if a not in atoms}
-        return [(coefficients, Vector(rest))]
-    flat, nodes = flattened(difference)
+    if isinstance(pair.left, Vector) or isinstance(pair.right, Vector):
+        gap = difference(pair.left, pair.right)
+        coefficients = {x: gap.get(x, Integer(0)) for x in atoms}
+        return [(coefficients, Vector({a: f for a, f in gap.items() if a not in atoms}))]
+    flat, nodes = flattened(pair.left - pair.right)
     back = {node: dummy for dummy, node in nodes.items()}
     unknowns = [back.get(x, x) for x in atoms]
     expanded = sympy.expand(flat)
@@ -101,10 +100,9 @@ def _roots(pair: Pair, unknown: Expr, scope: Scope) -> Performed:
 
     No condition makes them change places: Ω₋ is the slow one below the horizontal too.
     """
-    difference = components_of(pair)
-    if isinstance(difference, dict):
+    if isinstance(pair.left, Vector) or isinstance(pair.right, Vector):
         raise RefusedError("a vector equation that is not linear")
-    flat, nodes = flattened(difference)
+    flat, nodes = flattened(pair.left - pair.right)
     back = {node: dummy for dummy, node in nodes.items()}
     x = back.get(unknown, unknown)
     polynomial = sympy.Poly(sympy.expand(flat), x) if flat.is_polynomial(x) else None

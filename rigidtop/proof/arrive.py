@@ -1,0 +1,329 @@
+"""Whether a move arrives at a line: it may differ by a number's factor from what is made."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+import sympy
+from sympy import Add, Expr, Integer, MatrixBase, Rational, Symbol
+
+from rigidtop.proof import decide
+from rigidtop.proof.algebra import Algebra
+from rigidtop.proof.equation import Equation, NoMeaningError, Rate, symbols_of
+from rigidtop.proof.letters import Letters
+from rigidtop.proof.moves import (
+    NEGLECTED,
+    Move,
+    Order,
+    Pair,
+    Performed,
+    RefusedError,
+    Scope,
+    braces_of,
+    named_components,
+    nonzero,
+    pairs_of,
+    perform,
+    put_in,
+    where_set,
+)
+from rigidtop.proof.values import (
+    TIME,
+    Value,
+    Vector,
+    atoms_of,
+    components,
+    difference,
+    flattened,
+    is_smooth,
+    vanishes,
+)
+from rigidtop.theory.symbols import const
+
+
+def arrive(
+    equations: Sequence[Equation],
+    move: Move,
+    letters: Letters,
+    performed: Performed | None = None,
+) -> Performed:
+    """What a move makes, if the equations are that.  Raises RefusedError.
+
+    What was `performed` already need not be again.
+    """
+    performed = perform(move, letters) if performed is None else performed
+    algebra = Algebra(letters, performed.given)
+    gone = [e.sides[0] for e in move.by] if move.verb == "set" and move.power < 2 else []
+    if performed.scope is Scope.SET:  # what was set to a number, here or above
+        fixed, numbers = where_set(performed.conditions, Scope.SET, letters), letters.numbers
+        gone += [x for x, v in fixed.items() if x not in numbers and {*atoms_of(v)} <= numbers]
+    shown: set[int] = set()
+    says_something = False
+    try:
+        if move.verb == "integrate" and move.by and not move.power:
+            if any(equation.sides[0] in letters.rates for equation in equations):
+                solves(equations, move, letters)
+            else:
+                _first_integral(equations, performed, move, letters)
+            for equation in equations:
+                check_braces(equation, performed, move, algebra)
+            return performed
+        for equation in equations:
+            if performed.scope is Scope.SET:
+                _at_a_moment(equation, performed)
+            _is_gone(gone, equation)
+            for pair in pairs_of(equation, algebra):
+                if move.verb == "integrate" and not move.power and const not in equation.sides:
+                    raise RefusedError("say from where: “from $x = x_0$”, or that it is constant")
+                found = _matching(pair, _named(performed, pair, letters), move)
+                says_something |= found is not None
+                if found is not None:
+                    shown.add(found)
+            check_braces(equation, performed, move, algebra)
+    except NoMeaningError as error:
+        raise RefusedError(str(error)) from None
+    if not says_something:
+        raise RefusedError("this holds whatever the letters are: it says nothing")
+    if performed.every:
+        _both_roots(equations, performed, shown)
+    return performed
+
+
+def check_braces(equation: Equation, performed: Performed, move: Move, algebra: Algebra) -> None:
+    """Raises RefusedError unless what stands beneath a brace is what is in it, or a component."""
+    if braces := braces_of(equation, algebra):
+        named = named_components(performed.pairs, algebra)
+        widened = replace(performed, pairs=(*performed.pairs, *named))
+        for pair in braces:
+            _matching(pair, widened, move)
+
+
+def _at_a_moment(equation: Equation, performed: Performed) -> None:
+    """Raises RefusedError where a line speaks of rates of what is set at a moment."""
+    if const in equation.sides:
+        raise RefusedError("what is set at a moment does not say that something is constant")
+    for side in equation.sides:
+        for rate in side.atoms(Rate):
+            if any(part in performed.given for part in sympy.preorder_traversal(rate.args[0])):
+                raise RefusedError(
+                    "{} stands there: what is set at a moment says nothing of a derivative", rate
+                )
+
+
+def _is_gone(letters: Sequence[Expr], equation: Equation) -> None:
+    for letter in letters:
+        if letter in symbols_of(equation):
+            raise RefusedError("{} is set and stands there still", letter)
+
+
+def _both_roots(equations: Sequence[Equation], performed: Performed, shown: set[int]) -> None:
+    if len(shown) < len(performed.pairs):
+        raise RefusedError("there is another root: show both, or say which by a condition")
+    names = [e.sides[0] for e in equations]
+    if len(set(names)) < len(names):
+        raise RefusedError("two roots need two letters")
+
+
+def _named(performed: Performed, pair: Pair, letters: Letters) -> Performed:
+    """Roots by the letters that the line gives them: Ω₋ and Ω₊, each its own root for Ω."""
+    unknown, place = letters.branches.get(pair.left, (None, 0))
+    if not performed.every or unknown is None or unknown != performed.pairs[0].left:
+        return performed
+    roots = list(performed.pairs)
+    roots[place] = replace(roots[place], left=pair.left)
+    if vanishes(pair.right - roots[1 - place].right):
+        raise RefusedError("{} is the other root", pair.left)
+    return replace(performed, pairs=tuple(roots))
+
+
+def solves(equations: Sequence[Equation], move: Move, letters: Letters) -> None:
+    """Raises RefusedError unless letters as functions of time solve what is cited.
+
+    They have to satisfy every equation and the values at t = 0.  A solution that does is the only
+    one: the equations give the rate of each letter, as a smooth function of the letters.
+    """
+    if any(known.scope is Scope.SET or known.order is not None for known in move.cited):
+        raise RefusedError("what holds at a moment, or approximately, can't be integrated")
+    bare = Algebra(letters)
+    given = put_in(move.using, letters)
+    found: dict[Expr, Value] = {}
+    for equation in equations:
+        for pair in pairs_of(equation, bare):
+            if pair.left in letters.numbers or pair.left not in letters.rates:
+                raise RefusedError("a solution gives a letter as a function of the time")
+            found[pair.left] = pair.right
+    motion = dict(found)
+    for letter, value in found.items():
+        motion[letters.rates[letter]] = bare.rate(value)
+    known = Algebra(letters, given)
+    motion = {x: known.value(value) for x, value in motion.items()}
+    algebra = Algebra(letters, motion)
+    algebra = Algebra(letters, {**{x: algebra.value(v) for x, v in given.items()}, **motion})
+    cited = [p for k in move.of for e in k.equations for p in pairs_of(e, bare)]
+    if not all(_is_identity(_valued(p, algebra), move) for p in cited):
+        raise RefusedError("this does not satisfy the equations that are integrated")
+    _gives_rates([_valued(p, known) for p in cited], list(found), letters)
+    start = {e.sides[0]: bare.value(e.sides[1]) for e in move.by}
+    for letter, value in found.items():
+        if letter not in start:
+            raise RefusedError("where {} starts is not said", letter)
+        if not {*atoms_of(start[letter])} <= letters.numbers:
+            raise RefusedError("{} starts at what is no number", letter)
+        if not _zero(value.subs(TIME, 0) - start[letter], move):
+            raise RefusedError("{} does not start there", letter)
+
+
+def _gives_rates(pairs: Sequence[Pair], of: Sequence[Symbol], letters: Letters) -> None:
+    """Raises RefusedError unless equations give rates of letters as smooth functions of them."""
+    rates = [letters.rates[x] for x in of]
+    rows = []
+    for pair in pairs:
+        if pair.relation != "=" or isinstance(pair.left, (Vector, MatrixBase)):
+            raise RefusedError("scalar equations are integrated")
+        flat, _ = flattened(sympy.expand(pair.left - pair.right))
+        row = [flat.diff(rate) for rate in rates]
+        if any(slope != 0 for slope in row):
+            rest = flat.subs(dict.fromkeys(rates, 0))
+            if any(slope.has(*rates, *of) for slope in row) or not is_smooth(rest, of):
+                raise RefusedError("the rates are not smooth functions of the letters")
+            rows.append(row)
+    matrix = sympy.Matrix(rows[: len(rates)])
+    if len(rows) < len(rates) or not nonzero(sympy.factor(matrix.det()), ()):
+        raise RefusedError("as many equations of the first order as letters have to be integrated")
+
+
+def _first_integral(
+    equations: Sequence[Equation], performed: Performed, move: Move, letters: Letters
+) -> None:
+    """Raises RefusedError unless equations have the rates that are cited, and hold at the start."""
+    if performed.order is not None:
+        raise RefusedError("what holds approximately can't be integrated")
+    bare, given = Algebra(letters), Algebra(letters, performed.given)
+    at_start = {e.sides[0]: bare.value(e.sides[1]) for e in move.by}
+    start = Algebra(letters, at_start)
+    for equation in equations:
+        for letter, value in at_start.items():
+            if letter not in symbols_of(equation):
+                raise RefusedError("{} does not stand there", letter)
+            if not {*atoms_of(value)} <= letters.numbers:
+                raise RefusedError("{} starts at what is no number", letter)
+        for pair in pairs_of(equation, bare):
+            rates = [given.value(bare.rate(side)) for side in (pair.left, pair.right)]
+            if _matching(replace(pair, left=rates[0], right=rates[1]), performed, move) is None:
+                raise RefusedError("this is constant whatever is cited: it is no integral")
+            if not _is_identity(_valued(pair, start), move):
+                raise RefusedError("this does not hold at the start")
+
+
+def _valued(pair: Pair, algebra: Algebra) -> Pair:
+    return replace(pair, left=algebra.value(pair.left), right=algebra.value(pair.right))
+
+
+def _matching(pair: Pair, performed: Performed, move: Move) -> int | None:
+    """The number of the performed pair that a pair of the line is; None for an identity."""
+    wrong: RefusedError | None = None
+    if pair.relation == "=" and _is_identity(pair, move):
+        return None
+    for number, made in enumerate(performed.pairs):
+        problem = _problem(pair, made, performed, move)
+        if problem is None:
+            return number
+        wrong = wrong or problem
+    raise wrong or RefusedError("nothing comes of this move")
+
+
+def _is_identity(pair: Pair, move: Move) -> bool:
+    return all(_zero(part, move) for part in components(pair.left, pair.right))
+
+
+def _problem(pair: Pair, made: Pair, performed: Performed, move: Move) -> RefusedError | None:
+    """Why a pair of the line is not the one that was made; None if it is."""
+    order = performed.order
+    if order is not None:
+        return _approximate(pair, made, order, move)
+    if pair.relation == "≈":
+        return RefusedError("nothing was neglected: write =")
+    factor = factor_of(pair, made, move)
+    if factor is None:
+        return RefusedError("the move does not arrive here")
+    turned = {"<": ">", ">": "<", "≤": "≥", "≥": "≤"}
+    expected = made.relation
+    if expected in turned and factor < 0:
+        expected = turned[expected]
+    if pair.relation != expected:
+        return RefusedError("the move gives {}, the line says {}", expected, pair.relation)
+    return None
+
+
+def factor_of(pair: Pair, made: Pair, move: Move) -> Expr | None:
+    """The number c for which line = c × performed; None where there is none."""
+    mine, theirs = difference(pair.left, pair.right), difference(made.left, made.right)
+    if mine.keys() != theirs.keys():
+        mine = {k: v for k, v in mine.items() if not _zero(v, move)}
+        theirs = {k: v for k, v in theirs.items() if not _zero(v, move)}
+        if mine.keys() != theirs.keys():
+            return None
+    factor = Integer(1)
+    for key in mine:
+        guess = _ratio(mine[key], theirs[key])
+        if guess is not None:
+            factor = guess
+            break
+    if all(_zero(mine[key] - factor * theirs[key], move) for key in mine):
+        return factor
+    return None
+
+
+def _ratio(mine: Expr, theirs: Expr) -> Expr | None:
+    """A simple number that two expressions may differ by, guessed at one point."""
+    flat, _ = flattened(sympy.Tuple(mine, theirs))
+    if not getattr(mine, "is_commutative", True):
+        return Integer(1) if sympy.expand(mine - theirs) == 0 else Integer(-1)
+    for attempt in range(4):
+        a, b = decide.values(list(flat), attempt)
+        if not (math.isfinite(a) and math.isfinite(b)) or abs(b) < decide.TOLERANCE:
+            continue
+        guess = Fraction(a / b).limit_denominator(64)
+        return Rational(guess) if guess and math.isclose(guess, a / b, rel_tol=1e-8) else None
+    return Integer(1)
+
+
+def _zero(expression: Expr, move: Move) -> bool:
+    """Whether an expression vanishes, letters of known sign being so."""
+    positive = {
+        c.expression: sympy.Dummy(positive=True)
+        for c in move.where
+        if c.relation == ">" and isinstance(c.expression, Symbol)
+    }
+    return vanishes(expression.xreplace(positive) if positive else expression)
+
+
+def _approximate(pair: Pair, made: Pair, order: Order, move: Move) -> RefusedError | None:
+    if pair.relation != "≈":
+        return RefusedError("only ≈ follows: something is neglected")
+    factor = factor_of(pair, made, move)
+    if factor is None:
+        return RefusedError("the move does not arrive here")
+    counted = [flattened(part)[0] for part in components(pair.left, pair.right)]
+    if order.small == NEGLECTED:  # it is small against the largest term that stands there
+        nothing = sum(len(Add.make_args(x)) for x in map(sympy.expand, counted) if x != 0) < 2
+    else:
+        nothing = min((order.lowest(x) for x in counted), default=0) >= order.power
+    if nothing:
+        return RefusedError("the error is as large as what stands there: nothing is known")
+    for flat in map(order.counted, counted):
+        if flat.has(order.small) and _highest(flat, order.small) >= order.power:
+            return RefusedError(
+                "the line claims more than it has: its error is of order {} in {}",
+                str(order.power),
+                order.small,
+            )
+    return None
+
+
+def _highest(expression: Expr, small: Symbol) -> int:
+    expanded = sympy.expand(expression)
+    return max((int(t.as_coeff_exponent(small)[1]) for t in Add.make_args(expanded)), default=0)
