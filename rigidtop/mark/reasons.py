@@ -254,9 +254,8 @@ class Reasons(Ledger):
         """It may be meant to hold nearly."""
         if nearly(case.sides, self.law.q if self.law else self.moving):
             return case.undecided("it holds to the lowest order in the coordinates only: write ≈")
-        if nearly(
-            case.sides, [x for x in case.symbols if len(base(x)) > 1 and base(x)[0] in "dΔδ"]
-        ):
+        small = [x for x in case.symbols if len(base(x)) > 1 and base(x)[0] in "dΔδ"]
+        if nearly(case.sides, small):
             return case.undecided("it holds to the lowest order in differentials only: write ≈")
         left, right = case.sides
         if is_polynomial(right, self.moving) and not is_polynomial(left, self.moving):
