@@ -17,7 +17,7 @@ false: at k = 1, m = 1, x = 2: ẍ is −2 by Lagrange's equations
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -45,6 +45,7 @@ from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import Equation, NoMeaningError
 from rigidtop.proof.verdict import Verdict
 from rigidtop.read.formula import Line
+from rigidtop.read.habits import NO_HABITS, Habits
 from rigidtop.read.values import kind
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import Glyph, const
@@ -63,21 +64,17 @@ _ORDER: tuple[str, ...] = (
 
 def held(
     lines: Iterable[Line],
-    functions: Iterable[tuple[Glyph, str]] = (),
-    timed: Iterable[Glyph] = (),
+    habits: Habits = NO_HABITS,
     cases: Sequence[tuple[int, ...]] = (),
     until: float = float("inf"),
-    kinds: Callable[[Glyph], str] = lambda _: "",
     constant: Collection[int] = (),
     special: Collection[int] = (),
 ) -> tuple[Held, ...]:
     """Each line that was read, judged by the lines above it.
 
-    `functions`, `timed` and `kinds` are what `Habits` has of a file; `cases` says for each line in
-    which case it stands (`rigidtop.read.cases`), its heading first; of the `constant` ones, by
-    number, words say that they give what is conserved, of the `special` that they are of a case.
-    After a time of `time.process_time` no
-    more are judged.
+    `cases` says for each line in which case it stands (`rigidtop.read.cases`), its heading first;
+    of the `constant` ones, by number, words say that they give what is conserved, of the `special`
+    ones that they are of a case.  After a time of `time.process_time` no more are judged.
     """
     found = list(lines)
     paths = list(cases) or [(0,)] * len(found)
@@ -85,13 +82,13 @@ def held(
     under: dict[int, list[Line]] = {}
     for line, place in zip(found, places, strict=True):
         under.setdefault(place, []).append(line)
-    always = frozenset(own(glyph) for glyph in timed)
+    always = frozenset(own(glyph) for glyph in habits.timed)
     dotted = {place: _moving(some) | always for place, some in under.items()}
     # Equations of motion often stand under a heading of their own.
     moving = {place: some | dotted.get(place + 1, frozenset()) for place, some in dotted.items()}
     known = frozenset().union(*moving.values())
-    of = {x: args for x, args in _arguments(functions).items() if x not in known}
-    ledger = _Judge(moving, of, kinds, _twins(found))
+    of = {x: args for x, args in _arguments(habits.functions).items() if x not in known}
+    ledger = _Judge(moving, of, habits.kind, _twins(found))
     ledger.equations = [line.equation for line in found]
     ledger.special = frozenset(special)
     sides = (side for x in found if x.equation is not None for side in x.equation.sides)

@@ -80,7 +80,7 @@ def rows(source: str, habits: Habits, seconds: float) -> tuple[Row, ...]:
     constant = [i for i, (formula, _) in enumerate(found) if _is_called_constant(source, formula)]
     before = (_sentence(source, formula)[0] for formula, _ in found)
     special = [i for i, words in enumerate(before) if _CASE.search(words)]
-    judged = held(lines, habits.functions, habits.timed, paths, end, habits.kind, constant, special)
+    judged = held(lines, habits, paths, end, constant, special)
     place = places(source)
     at = [place(min(line.position, len(source))) for line in lines]
     made = []
