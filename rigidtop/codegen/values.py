@@ -16,6 +16,7 @@ import sympy
 from sympy import Eq, Expr, Mul, Symbol
 from sympy.logic.boolalg import Boolean
 
+from rigidtop.notation import MATRICES
 from rigidtop.proof.equation import Dot, Equation, Meaning, NoMeaningError, value
 from rigidtop.proof.page import Assumption, Correction, Step
 from rigidtop.proof.verdict import Finding, Judgement, Led, Verdict
@@ -284,8 +285,7 @@ def _imposed(assumption: Assumption) -> Boolean:
 
 def _is_vector(symbol: Expr) -> bool:
     quantity = s.VOCABULARY.get(symbol)
-    matrices = (s.inertia, s.Lambda, s.O_matrix, s.A_matrix, s.B_matrix, s.C_matrix, s.unit)
-    return symbol in matrices or (quantity is not None and quantity.glyph.bold)
+    return symbol in MATRICES or (quantity is not None and quantity.glyph.bold)
 
 
 def _is_constant(entries: Sequence[Expr]) -> bool:

@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 
 from rigidtop.derivations.exercises.gyroscope import (
     bicycle_wheel,
@@ -20,7 +19,7 @@ from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.rotors import fit, sense_of_turn
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import UPRIGHT, Scene, View, ring
-from rigidtop.figures.style import Floats, canvas, degrees, in_math, said, spoken
+from rigidtop.figures.style import Floats, alone, degrees, in_math, said, spoken
 from rigidtop.figures.torque import torque
 from rigidtop.motion.motion import TopMotion
 
@@ -91,10 +90,8 @@ def _motion(M: float, radius: float, R: float, g: float, omega3: float) -> TopMo
     return steady(hoop_on_axle(M, radius, R, g), math.pi / 2, omega3)
 
 
-def _draw(cord: float, **values: float) -> Canvas:
-    drawn = canvas(look.COLUMN, 2.9)
-    draw_wheel(drawn.subplots(), _motion(**values), values["radius"], cord)
-    return drawn
+def _draw(axes: Axes, cord: float, **values: float) -> None:
+    draw_wheel(axes, _motion(**values), values["radius"], cord)
 
 
 def _caption(cord: float, **values: float) -> str:
@@ -131,7 +128,7 @@ BICYCLE_WHEEL = Drawing(
     "The bicycle wheel on a cord: weight, torque and the change of $L$",
     "",
     bicycle_wheel.parameters,
-    _draw,
+    alone(2.9, _draw),
     _caption,
     _in_words,
     motions=lambda cord, **values: (_motion(**values),),
