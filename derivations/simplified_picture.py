@@ -58,7 +58,7 @@ def steady_rate() -> Expr:
 
 @cache
 def steady() -> Assumption:
-    """At the other rate, Ω₊, what (3.50) leaves out is as large as what it keeps, at any spin."""
+    """At the other rate, Ω₊, what (3.50) leaves out is half of what it keeps, or more."""
     return Assumption(
         Eq(s.Omega, steady_rate()), "the top precesses steadily, at the slower of its two rates"
     )
