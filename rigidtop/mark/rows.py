@@ -23,11 +23,15 @@ _CONSTANT = re.compile(
 )
 """Words behind a formula which say that what it gives is conserved."""
 
+_IFS = "if|iff|unless|wenn|falls|cuando|quando|quand|lorsque|если"
 _CASES = (
-    r"if|iff|suppos\w*|assum\w*|instead|otherwise|alternatively|whereas|unless|similarly|likewise"
-    r"|provided|cases?|wenn|falls|sonst|cuando|quando|quand|lorsque|пусть|если"
+    rf"{_IFS}|suppos\w*|assum\w*|instead|otherwise|alternatively|whereas|similarly|likewise"
+    r"|provided|cases?|sonst"
 )
-_CASE = re.compile(rf"(?<![\\{{])(\b(?:{_CASES})\b|如果|若|当|場合)", re.I)
+_IF = re.compile(rf"(?<![\\{{])(\b(?:{_IFS})\b|如果|若|当)", re.I)
+"""What is said with these words holds there and no further."""
+
+_CASE = re.compile(rf"(?<![\\{{])(\b(?:{_CASES})\b|如果|若|当)", re.I)
 """With these words something is said of another case, however it is printed."""
 
 _DOUBT = re.compile(
@@ -79,7 +83,7 @@ def rows(source: str, habits: Habits, seconds: float) -> tuple[Row, ...]:
     paths = [*map(cases(source), (line.position for line in lines))]
     constant = [i for i, (formula, _) in enumerate(found) if _is_called_constant(source, formula)]
     before = (_sentence(source, formula)[0] for formula, _ in found)
-    special = [i for i, words in enumerate(before) if _CASE.search(words)]
+    special = [i for i, words in enumerate(before) if _IF.search(words)]
     judged = held(lines, habits, paths, end, constant, special)
     place = places(source)
     at = [place(min(line.position, len(source))) for line in lines]
