@@ -18,7 +18,7 @@ from .printed import printed
 
 @claim(
     "3.46",
-    "$r′ = Oᵀr$; a rotation matrix is an orthogonal matrix $O$ which, applied to $r$, gives $r′$.",
+    "$𝐫′ = Oᵀ𝐫$; a rotation matrix is an orthogonal matrix $O$ which, applied to $𝐫$, gives $𝐫′$.",
 )
 def rotated_components() -> Iterator[Evidence]:
     """(3.34) again. But the sentence beside it has $O$ where the equation has $Oᵀ$.

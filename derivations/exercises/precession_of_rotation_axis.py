@@ -286,7 +286,7 @@ DAY = 86400.0
         Parameter("omega3", 7.292115e-5, "rate of rotation", "rad/s", above=0),
         Parameter("observed", 433.0, "period of Chandler's wobble", "days", above=0),
         Parameter(
-            "angle", pi / 180 / 36000, "angle between $ω$ and $e₃$", "rad", above=0, most=0.1
+            "angle", pi / 180 / 36000, "angle between $𝛚$ and $e₃$", "rad", above=0, most=0.1
         ),
         Parameter("radius", 6356751.9, "distance of the pole from the centre", "m", above=0),
     ),

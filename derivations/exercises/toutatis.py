@@ -76,9 +76,10 @@ DAY = 86400.0
     section="3.2.3",
     asks="example 33",
     statement="Takahashi, Busch & Scheeres (AJ 146:95, 2013) give the moments of the asteroid "
-    "Toutatis and its state of rotation on 9 November 1992; our $e₃$ is its long axis. About "
-    "which axis does $𝛚$ circle, how long does one turn about the long axis take, and how long "
-    "one turn of that axis about $𝐋$? Compute its attitude for every time at which radar saw it "
+    "Toutatis and its state of rotation on 9 November 1992; our $e₃$ is its long axis, "
+    "so that $λ₃$ is the smallest moment here. About which axis does $𝛚$ circle, how long does one "
+    "turn about the long axis take, and how long one turn of that axis about $𝐋$? Compute its "
+    "attitude for every time at which radar saw it "
     "and compare.\n\nHow much of its energy could friction inside the body still take, and about "
     "which axis would it then rotate? Why do most asteroids rotate so already? (One degree per "
     "day is $2.02 × 10⁻⁷$ rad/s; moments are in units of $λ₃$.)",
@@ -92,7 +93,13 @@ DAY = 86400.0
             for k, rate in enumerate(START.rates)
         ),
         Parameter("ball", 0.5, "$λ₀$, moment of a ball in oil inside", above=0),
-        Parameter("friction", 0.2, "$c/(λ₀ω)$, drag of the oil on the ball", least=0.05, most=2),
+        Parameter(
+            "friction",
+            0.2,
+            "$c/(λ₀ω)$, drag of the oil on the ball, with $ω$ at the start",
+            least=0.05,
+            most=2,
+        ),
     ),
     figure="tumbling",
 )

@@ -204,15 +204,15 @@ def _rising_caption(until: float, **values: float) -> str:
     )
     lost = float(spent(path)[-1])
     heat, weight, other = (said(100 * float(gain[-1]) / lost) for gain in parts(path).values())
-    dashed = ", dashed after its standstill" if stands(path) is not None else ""
+    dashed = ", dashed once it rolls" if stands(path) is not None else ""
     return (
         f"A top with {_top_in_words(top)}, a round tip of {said(top.tip)} m and the friction "
         f"$μ = {said(top.mu)}$, from $θ = {degrees(values['theta'])}$, $θ̇ = 0$, "
         f"$φ̇ = {said(float(path.phi_dot[0]))}$ rad/s (steady if nothing rubs) and "
         f"$ω₃ = {said(values['omega3'])}$ rad/s: $θ$ {reached}. {_contact_in_words(path)} Of the "
         f"{said(1e3 * lost)} mJ that the spin has lost in the end (dashed), {heat} % went into "
-        f"heat, {weight} % into the height and {other} % into other motion. Below on the right: "
-        f"the path of the contact on the table, seen from above{dashed}."
+        f"heat, {weight} % into lifting the weight and {other} % into other motion. Below on the "
+        f"right: the path of the contact on the table, seen from above{dashed}."
     )
 
 
@@ -220,7 +220,7 @@ def _contact_in_words(path: SlidingTrajectory) -> str:
     rest, end = stands(path), said(float(path.t[-1]))
     if rest is not None:
         later = "then rolls, but slips again and again" if slips_again(path) else "then rolls"
-        told = f"stands still after {said(rest)} s (dotted) and {later}"
+        told = f"stops slipping after {said(rest)} s (dotted) and {later}"
     else:
         told = f"slides all the {end} s that are shown"
     ending = f" Then it ends with a {path.ended.kind}." if path.ended else ""

@@ -108,7 +108,7 @@ def _paths_caption(theta: float, phi_dot: float, omega3: float, **top: float) ->
     return (
         f"The path of $e₃$ on the sphere from {start_in_words(theta, omega3)} with $θ̇ = 0$ and "
         f"$φ̇ = {said(phi_dot)}$, 0 and {said(-phi_dot)} rad/s, for {top_in_words(body)}. "
-        "The thin circles are the turning points of $θ$."
+        "The circles that a path touches are the turning points of $θ$."
     )
 
 

@@ -89,7 +89,11 @@ def _caption(theta: float, omega3: float, **top: float) -> str:
     motion = _motion(theta, omega3, **top)
     size = float(np.linalg.norm(torque(motion)))
     steady = motion.start().phi_dot[0]
-    goes = f"$Ω₋ = {said(steady)}$ rad/s" if steady else "$𝛚$ is along $e₃$ at first"
+    goes = (
+        f"the top goes round at {said(steady)} rad/s, its exact slow rate"
+        if steady
+        else "$𝛚$ is along $e₃$ at first"
+    )
     where = "it points into the paper, and the tip of $𝐋$ follows it round $ẑ$"
     if not np.any(direction_of_torque(motion)):
         where = "on the vertical there is none"

@@ -526,14 +526,14 @@ def linked(blocks: Sequence[b.Block]) -> list[b.Block]:
 
 
 def _once(mark: b.Mark | None, noted: dict[b.Rich, b.Mark]) -> b.Mark | None:
-    """A mark whose note refers to that of a mark above if it says the same."""
+    """A mark whose note refers to that of a numbered equation above if it says the same."""
     if mark is None or not mark.note:
         return mark
     first = noted.setdefault(mark.note, mark)
-    if first is mark:
+    if first is mark or not b.is_number(first.name):
         return mark
-    above = b.Cited(f"({first.name})", b.anchor(first.name)) if b.is_number(first.name) else "above"
-    return replace(mark, note=("as ", above), above=mark.note)
+    there = b.Cited(f"({first.name})", b.anchor(first.name))
+    return replace(mark, note=("as ", there), above=mark.note)
 
 
 ROOM = 65.0

@@ -95,7 +95,6 @@ fine sotto «Leggi e definizioni».
 neither shown nor refuted | weder bewiesen noch widerlegt | ni démontré ni réfuté \
 | ni demostrado ni refutado | né dimostrato né confutato
 as | wie | comme | como | come
-above | oben | ci-dessus | arriba | sopra
 Results only | Nur Ergebnisse | Résultats seuls | Solo resultados | Solo i risultati
 Steps | Schritte | Étapes | Pasos | Passi
 Steps and reasons | Schritte und Gründe | Étapes et raisons | Pasos y razones | Passi e ragioni
@@ -204,7 +203,10 @@ def _led(words: str, language: str) -> str:
 
 
 def _marked(mark: b.Mark | None, language: str) -> b.Mark | None:
-    return mark and replace(mark, note=_pieces(mark.note, language))
+    if mark is None:
+        return None
+    note, above = (_pieces(each, language) for each in (mark.note, mark.above))
+    return replace(mark, note=note, above=above)
 
 
 def _pieces(pieces: b.Rich, language: str) -> b.Rich:

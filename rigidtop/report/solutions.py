@@ -34,7 +34,7 @@ TABLE_DIGITS = 4
 """Of a number in a table."""
 
 EXACT = 1e-12
-"""A number this near to a shorter one is that one (relative)."""
+"""A number this near to a whole one is that one (relative)."""
 
 
 @dataclass(frozen=True)
@@ -145,17 +145,17 @@ def question(
 
 
 def shown(value: float | str, digits: int = DIGITS, *, kept: bool = False) -> str | Node:
-    """A cell as it is printed; zeros at its end are `kept` of what was rounded to these digits.
+    """A cell as it is printed; zeros at its end are `kept`, but of a whole number.
 
     >>> from rigidtop.typeset.text import text
     >>> text(shown(-0.25)), shown("waves")
     ('−0.25', 'waves')
-    >>> [text(shown(x, 4, kept=True)) for x in (12.0961, 0.15 + 0.15, 1e-8)]
-    ['12.10', '0.3', '10⁻⁸']
+    >>> [text(shown(x, 4, kept=True)) for x in (12.0961, 0.3, 120.00000000000001)]
+    ['12.10', '0.3000', '120']
     """
     if isinstance(value, str):
         return value
-    rounded = kept and not math.isclose(value, float(f"{value:.{digits}g}"), rel_tol=EXACT)
+    rounded = kept and not math.isclose(value, round(value), rel_tol=EXACT)
     node = decimal(abs(value), digits, kept=rounded)
     return negated(node) if value < 0 else node
 

@@ -71,7 +71,7 @@ def test_standstill_is_where_the_event_is(risen, again):
     t, speed = line(slip, "_slip").T
     assert np.all(speed[t < event.time] > 0)
     assert np.all(speed[t > event.time + 1e-9] == 0)
-    assert f"stands still after {style.said(event.time)} s" in unmarked(
+    assert f"stops slipping after {style.said(event.time)} s" in unmarked(
         RISING.caption(**RISING.values())
     )
 

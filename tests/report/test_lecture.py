@@ -555,8 +555,8 @@ def test_fixed_words_are_in_the_language_of_the_lecture(document):
         for row in block.rows
         if row.mark
     ]
-    assert "wie oben" in notes
-    assert "as above" not in notes
+    assert "wie (3.38)" in notes
+    assert not any(each.startswith("as ") for each in notes)
     assert "falls the top is not upright and does not hang (sin θ ≠ 0)" in notes
     said = [plain.rich(block.content) for block in own.blocks if isinstance(block, Paragraph)]
     assert any(x.startswith("Wir haben gezeigt: (3.40) und “In the space") for x in said)
