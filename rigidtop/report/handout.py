@@ -330,7 +330,7 @@ def solutions(
     known = dict(told)
     for number, each in enumerate(exercises, 1):
         place = f"{b.anchor(each.exercise.name)}-solution"
-        made.append(b.ExerciseHead(each.exercise.title, place, "", number))
+        made.append(b.ExerciseHead(each.exercise.title, place, "", number, kind="Solution"))
         made += answer(each, parts, known)
         known |= {j.claim.name: "" for j in each.judgements}
     return made

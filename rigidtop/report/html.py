@@ -42,7 +42,7 @@ def write(
     As `slides` it is for the projector: a derivation is uncovered line by line with the keys.
     """
     if slides:
-        document = replace(document, blocks=tuple(map(_in_full, document.blocks)))
+        document = replace(document, blocks=tuple(map(_in_full, document.blocks[: _end(document)])))
     body = mathml.held("\n".join(_sections(document, figures)))
     byline = f'\n<p class="byline">{prose_html(document.byline)}</p>' if document.byline else ""
     kinds = [
@@ -78,6 +78,12 @@ def write(
 {player}{script}</body>
 </html>
 """
+
+
+def _end(document: b.Document) -> int | None:
+    """Where the list of symbols begins, which nobody projects: it is the last of a lecture."""
+    last = document.blocks[-1:]
+    return -2 if last and isinstance(last[0], b.Symbols) else None
 
 
 def _in_full(block: b.Block) -> b.Block:

@@ -162,7 +162,7 @@ def _block(block: b.Block, language: str) -> Any:
             return replace(block, kind=said("Figure", language))
         case b.ExerciseHead():
             points = _counted(block.points, language)
-            return replace(block, kind=said("Exercise", language), points=points)
+            return replace(block, kind=said(block.kind, language), points=points)
         case b.NameLine():
             return replace(block, words=tuple(said(words, language) for words in block.words))
         case b.Legend():

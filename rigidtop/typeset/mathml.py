@@ -121,9 +121,11 @@ def letter(glyph: Glyph) -> str:
 
 
 def primed(base: str, prime: str = "′") -> str:
-    """A prime above the index of a letter; without an index fonts raise it by themselves."""
-    if base.startswith("<msub>"):
-        return with_superscript(base, f"<mo>{prime}</mo>")
+    """A prime above the index of a letter; fonts raise it by themselves."""
+    indexed = re.fullmatch(r"<msub>(<(\w+).*?</\2>)(.*)</msub>", base)
+    if indexed:
+        above = f'<mpadded width="0"><mo>{prime}</mo></mpadded>'
+        return f"<msub>{_group(indexed[1] + above)}{indexed[3]}</msub>"
     return _group(f"{base}<mo>{prime}</mo>")
 
 
@@ -264,7 +266,7 @@ _JOINTS = {
 
 def with_superscript(base: str, exponent: str) -> str:
     """An index and an exponent of one letter stand above each other."""
-    if base.startswith("<msub>") and base.endswith("</msub>"):
+    if base.startswith("<msub>") and base.endswith("</msub>") and "<mpadded" not in base:
         return f"<msubsup>{base[6:-7]}{exponent}</msubsup>"
     return f"<msup>{base}{exponent}</msup>"
 

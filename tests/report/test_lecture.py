@@ -483,7 +483,7 @@ const beside = (node) => node.scrollWidth - node.clientWidth;
 return [...document.querySelectorAll(".slide")].map((slide) => [
   slide.scrollHeight - slide.clientHeight,
   Math.max(beside(slide), ...[...slide.querySelectorAll(".eq")].map(beside)),
-  Math.min(...[...slide.querySelectorAll(".eq math")].map(size)),
+  Math.min(...[...slide.querySelectorAll(".eq:not(.recalled) math")].map(size)),
   slide.textContent,
 ])"""
 PRESS = "dispatchEvent(new KeyboardEvent('keydown', { key: arguments[0] }))"

@@ -135,8 +135,8 @@ HTML = {
     "$√(1 − m)$": "⟦<msqrt><mrow><mn>1</mn><mo>−</mo><mi>m</mi></mrow></msqrt>⟧",
     "$p_φ$, $ω₃²$, $e₂′$": "⟦<msub><mi>p</mi><mi>ϕ</mi></msub>⟧, "
     "⟦<msubsup><mi>ω</mi><mn>3</mn><mn>2</mn></msubsup>⟧, "
-    '⟦<msubsup><mi mathvariant="normal" style="font-weight:bold">e</mi><mn>2</mn>'
-    "<mo>′</mo></msubsup>⟧",
+    '⟦<msub><mrow><mi mathvariant="normal" style="font-weight:bold">e</mi>'
+    '<mpadded width="0"><mo>′</mo></mpadded></mrow><mn>2</mn></msub>⟧',
     "$e^{σt}$": "⟦<msup><mi>e</mi><mrow><mi>σ</mi><mi>t</mi></mrow></msup>⟧",
     "$sin²θ$": f"⟦<mrow><msup><mi>sin</mi><mn>2</mn></msup>{APPLY}{THIN}<mi>θ</mi></mrow>⟧",
     "$|ω|$": '⟦<mrow><mo form="prefix" fence="true" stretchy="false">|</mo><mi>ω</mi>'

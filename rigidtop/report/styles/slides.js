@@ -20,104 +20,143 @@
     return inner;
   };
   main.replaceChildren(...[...main.children].flatMap(opened));
+  // A figure has a slide of its own behind that of the text before it.
+  const figures = new Map();
+  for (const figure of main.querySelectorAll("figure")) {
+    const { width: w, height: h } = figure.querySelector("svg").viewBox.baseVal;
+    figure.classList.toggle("tall", !upright && w < 1.6 * h);
+    const before = figure.previousElementSibling;
+    figures.set(before, [...(figures.get(before) ?? []), figure]);
+    figure.remove();
+  }
   dispatchEvent(new Event("resize")); // equations are measured in this width
 
-  // What a slide cannot part: a row of a table, an item, or a block, with how high it is.
+  // What a slide cannot part: a row of a table, an item, a block with its side note.  Parts begin
+  // with a heading that is no subheading.
   const heads = (node) => node.matches("h2, h3, h4, h5, .head");
-  const held = (node) => heads(node) || node.matches(".label") || /[:：]$/.test(node.textContent.trim());
   const box = (node) => node.getBoundingClientRect();
-  const pieces = [];
-  for (const node of [...main.children]) {
-    if (node.matches(".side")) {
-      pieces.at(-1).nodes.push(node);
-      pieces.at(-1).end = box(node).bottom;
+  const parts = [];
+  for (const whole of [...main.children]) {
+    const last = parts.at(-1);
+    if (whole.matches(".side")) {
+      last.at(-1).nodes.push(whole);
+      last.at(-1).end = box(whole).bottom;
       continue;
     }
-    const table = node.matches(".scroll") && node.firstElementChild;
+    const begins = !last || last[0].whole.matches("header") || (heads(whole) && !whole.matches(".sub"));
+    const titles = last ? last.findLastIndex((each) => !heads(each.whole) || figures.has(each.whole)) + 1 : 0;
+    if (begins && (!last || titles)) parts.push(last?.splice(titles) ?? []); // what only has a title goes on
+    const table = whole.matches(".scroll") && whole.firstElementChild;
     for (const each of table ? table.tHead.rows[0].cells : []) each.style.width = `${box(each).width}px`;
-    const inner = table ? table.tBodies[0].rows : node.matches("ul") ? node.children : [node];
+    const inner = table ? table.tBodies[0].rows : whole.matches("ul") ? whole.children : [whole];
+    const { top, height: tall } = box(whole);
     for (const [k, each] of [...inner].entries()) {
-      const { top, bottom } = box(each);
-      const above = k && table ? box(inner[0]).top - box(node).top : 0;
-      const nodes = [each];
-      pieces.push({ nodes, whole: node, start: k ? top : box(node).top, above, end: bottom });
+      const start = k ? box(each).top : top;
+      const above = k && table ? box(inner[0]).top - top : 0;
+      parts.at(-1).push({ nodes: [each], whole, start, above, end: box(each).bottom, tall, k, of: inner.length });
     }
   }
 
-  // Parts begin with a heading, but where one paragraph introduces it; a figure has its own slide.
-  const parts = [];
-  for (const piece of pieces) {
-    const last = parts.at(-1);
-    const figure = piece.whole.matches("figure");
-    const rest = last?.filter((each) => !heads(each.whole)) ?? [];
-    const intro = rest.length === 1 && rest[0].whole.matches("p") && piece.whole.matches(".sub");
-    const begins = heads(piece.whole) || figure || last?.at(-1).whole.matches("figure, header");
-    if (last && (!rest.length || intro || !begins)) last.push(piece);
-    else parts.push([piece]);
-  }
-
-  // So many pieces to a slide that none is longer, and none much shorter than the others.
-  const room = height - 112;
-  const split = (part, limit) => {
-    const title = part.findIndex((each) => !heads(each.whole));
-    const head = part[0].start - part[Math.max(title, 0)].start;
-    const made = [[]];
-    for (const piece of part) {
-      const now = made.at(-1);
-      const least = made.length > 1 ? 0 : title;
-      const top = made.length > 1 ? now[0].start - now[0].above + Math.min(head, -48) : part[0].start;
-      if (now.length > least && piece.end - top > limit) {
-        let from = now.length;
-        while (from > least + 1 && held(now[from - 1].whole)) from -= 1;
-        made.push([...now.splice(from), piece]);
-      } else now.push(piece);
-    }
-    return made;
+  const room = height - 116;
+  // The lines that a sentence means by "it" and "both", where it is the first on a slide.
+  const formulas = [...main.querySelectorAll(".row")];
+  const meant = ({ whole, start, end }) => {
+    if (!whole.matches(".row") || end - start > room - 120) return []; // no place for them
+    const words = whole.querySelector(".why")?.textContent;
+    const count = /\ball three\b/i.test(words) ? 3 : /\bboth\b/i.test(words) ? 2 : /\bit\b/i.test(words) ? 1 : 0;
+    const is = formulas.indexOf(whole);
+    return formulas.slice(Math.max(is - count, 0), is).map((row) => row.querySelector(".eq"));
   };
-  const balanced = (part) => {
-    const least = split(part, room);
-    let limit = room;
-    while (limit > 0 && split(part, limit - 20).length === least.length) limit -= 20;
-    return split(part, limit);
+
+  // The best breaks: few slides, evenly filled, before a subheading, not before what says "it".
+  const breaks = (piece, before, earlier) => {
+    if (heads(before.whole) || before.whole.matches(".label") || /:$/.test(before.whole.textContent.trim())) return 100;
+    if (piece.k) return piece.tall < room - 100 || Math.min(piece.k, piece.of - piece.k) < 3 ? 4 : 0.5;
+    if (heads(piece.whole)) return -1.3;
+    return meant(piece).length || (earlier && heads(earlier.whole)) ? 0.4 : 0;
+  };
+  const divided = (part) => {
+    const best = [{ cost: 0, groups: [] }];
+    for (let to = 1; to <= part.length; to += 1) {
+      const after = part[to] ? breaks(part[to], part[to - 1], part[to - 2]) : 0;
+      for (let from = to - 1; from >= 0; from -= 1) {
+        const first = part[from];
+        const again = meant(first).reduce((sum, each) => sum + 0.8 * box(each).height, 0);
+        const head = from && !heads(first.whole) ? 56 + first.above + again : 0;
+        const over = part[to - 1].end - first.start + head - room;
+        if (over > 0 && from < to - 1) break;
+        const cost = best[from].cost + 1 + 0.5 * (over / room) ** 2 + after;
+        if (!(best[to]?.cost <= cost)) best[to] = { cost, groups: [...best[from].groups, part.slice(from, to)] };
+      }
+    }
+    return best.at(-1).groups;
   };
 
   const words = JSON.parse(root.dataset.words);
-  let title;
-  const slides = parts.flatMap(balanced).map((group, k) => {
-    const slide = document.createElement("section");
-    slide.className = "slide";
-    if (heads(group[0].nodes[0])) title = group.findLast((each) => heads(each.nodes[0])).nodes[0];
-    else if (title && k) {
-      const again = title.cloneNode(true);
-      again.removeAttribute("id");
-      (again.querySelector("h3, h4, h5") ?? again).append(`, ${words.continued}`);
-      slide.append(again);
-    }
-    let shell;
-    for (const { nodes, whole } of group) {
-      if (nodes[0] === whole) {
-        slide.append(...nodes);
-        continue;
-      }
-      if (shell?.whole !== whole) {
-        const copy = whole.cloneNode(true);
-        for (const each of copy.querySelectorAll("tbody tr, li")) each.remove();
-        shell = { whole, copy, inside: copy.querySelector("tbody") ?? copy };
+  const text = (title) => [...title.childNodes].map((each) => each.textContent).join(" ");
+  const again = (title) => {
+    const made = title.cloneNode(true);
+    made.removeAttribute("id");
+    (made.querySelector("h3, h4, h5") ?? made).append(` (${words.continued})`);
+    return made;
+  };
+  const slides = parts.map(divided).flatMap((groups) => {
+    let title;
+    let open;
+    const about = heads(groups[0][0].whole) ? groups[0].findLast((each) => heads(each.whole) && !each.whole.matches(".sub")) : 0;
+    return groups.flatMap((group) => {
+      const slide = document.createElement("section");
+      slide.className = "slide";
+      slide.dataset.about = about ? text(about.whole.querySelector("h3, h4, h5") ?? about.whole) : "";
+      if (title && !heads(group[0].whole)) slide.append(again(title));
+      const first = group.find((each) => !heads(each.whole));
+      for (const each of heads(group[0].whole) ? [] : meant(group[0])) {
+        const copy = each.cloneNode(true);
+        copy.classList.add("recalled");
         slide.append(copy);
       }
-      shell.inside.append(...nodes);
-    }
-    return slide;
+      const behind = [];
+      for (const { nodes, whole, k, of } of group) {
+        if (heads(whole)) title = whole;
+        if (nodes[0] === whole) slide.append(...nodes);
+        else {
+          if (!k || open.at !== slide) {
+            const copy = whole.cloneNode(true);
+            for (const each of copy.querySelectorAll("tbody tr, li")) each.remove();
+            if (k) copy.querySelector("caption")?.append(` (${words.continued})`);
+            open = { at: slide, copy, inside: copy.querySelector("tbody") ?? copy };
+            slide.append(copy);
+          }
+          open.inside.append(...nodes);
+          open.copy.classList.toggle("goes-on", k < of - 1);
+        }
+        for (const node of [whole, ...nodes]) {
+          if (k === of - 1 || nodes[0] === whole) behind.push(...(figures.get(node) ?? []).map((figure) => [figure, title]));
+          figures.delete(node);
+        }
+      }
+      const shown = behind.map(([figure, above]) => {
+        if (!first) return slide.append(figure);
+        const own = document.createElement("section");
+        Object.assign(own, { className: "slide" }).dataset.about = slide.dataset.about;
+        own.append(...(above ? [again(above)] : []), figure);
+        return own;
+      });
+      return [slide, ...shown.filter(Boolean)];
+    });
   });
   main.replaceChildren(...slides);
 
   const lines = slides.map((slide) =>
-    [...slide.children].filter((each) => !heads(each) && !each.matches(".side, .label"))
+    [...slide.children].filter((each) => !heads(each) && !each.matches(".side, .label, .recalled"))
       .flatMap((each) => (each.matches("ul") ? [...each.children] : [each])));
   const place = document.createElement("div");
-  place.className = "place-of";
+  place.className = "unseen";
   place.setAttribute("aria-live", "polite");
   main.append(place);
+  slides.forEach((slide, k) => {
+    slide.dataset.place = `${slide.dataset.about} \u2003 ${k + 1} / ${slides.length}`;
+  });
   let part = -1;
   let line = 0;
   const show = (to, uncovered) => {
@@ -158,7 +197,7 @@
     const to = target ? slides.findIndex((slide) => slide.contains(target)) : -1;
     if (to < 0) {
       show(Math.max(part, 0), Math.max(line, 1));
-      if (name && target !== main) place.textContent = `no #${name}: ${place.textContent}`;
+      if (name && target !== main) slides[part].dataset.place = `no #${name} \u2003 ${place.textContent}`;
       return undefined;
     }
     const row = lines[to].findIndex((each) => each.contains(target) || target.contains(each));
