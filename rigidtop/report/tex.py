@@ -106,6 +106,8 @@ def _joined(
             narrow = tex_block(replace(block, room=min(block.room, COLUMN)))
             shown = shown if narrow == shown else rf"\rtbroken{{{shown}}}{{{narrow}}}"
         words = pending + shown
+        if isinstance(block, b.Heading) and block.anchor == "laws":
+            words += "\n\\rtcolumns"
         pending = ""
         if (
             isinstance(block, b.Paragraph)
@@ -263,7 +265,7 @@ def _(block: b.Heading) -> str:
     # Figures that wait for room come before the list of symbols, not behind it.
     begins = APART.get(block.anchor, "")
     return begins + (
-        rf"\room\{command}*{{{title}}}\phantomsection\label{{{block.anchor}}}"
+        rf"\rtheading\{command}*{{{title}}}\phantomsection\label{{{block.anchor}}}"
         rf"\addcontentsline{{toc}}{{{'sub' * (level - 1)}section}}"
         rf"{{\texorpdfstring{{{title}}}{{{plain}}}}}\markboth{{{title}}}{{}}"
     )

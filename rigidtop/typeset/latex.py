@@ -73,7 +73,8 @@ def align(rows: Sequence[AlignRow], limit: float = sizes.LINE) -> str:
                 tex += r" \notag"
             if last and row.label:
                 tex += rf"\label{{{row.label}}}"
-            made.append(tex if last and i == len(rows) - 1 else tex + r" \\")
+            # A page may end between equations, not within one.
+            made.append(tex + (r" \\*" if not last else r" \\" * (i < len(rows) - 1)))
     # What stands above the first line is a paragraph of its own.
     before = rows[0].reason + "\n" if rows[0].reason and not beside else ""
     body = "\n".join(made)
