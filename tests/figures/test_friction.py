@@ -123,7 +123,7 @@ def test_other_fates(given, words, monkeypatch):
     assert words in unmarked(RISING.caption(**values))
     slip = RISING.draw(**values).axes[2]
     shown = [each for each in slip.lines if each.get_label() == "_standstill"]
-    assert len(shown) == ("stands still" in unmarked(RISING.caption(**values)))
+    assert len(shown) == ("stops slipping" in unmarked(RISING.caption(**values)))
 
 
 @pytest.mark.parametrize(
