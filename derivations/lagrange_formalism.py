@@ -32,7 +32,7 @@ FAST = Assumption(
     otherwise=top.smallness(),
 )
 SPINNING = Assumption(Ne(s.omega3, 0), "the top spins about $e₃$", stated=True)
-HORIZONTAL = Assumption(Ne(cos(s.theta), 0), "the top is not horizontal: else there is one root")
+HORIZONTAL = Assumption(Ne(cos(s.theta), 0), "the top is not horizontal, where there is one root")
 ON_AXIS = tuple(
     Assumption(Eq(x, place), "the centre of mass lies on $e₃$, at $R$ from the pivot", stated=True)
     for x, place in zip(top.CENTRE_OF_MASS, (0, 0, s.R), strict=True)

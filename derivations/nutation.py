@@ -94,7 +94,7 @@ def nutation() -> Iterator[Evidence]:
         (
             Assumption(
                 Ge(s.D, 0),
-                "an upright top has at least the sleeping spin, else it falls away from $θ = 0$",
+                "an upright top spins so fast that it sleeps and does not fall away from $θ = 0$",
             ),
             Assumption(Ne(s.omega3, 0), "the top spins", stated=True),
             Assumption(Gt(lean, 0), "off the upright", stated=True),
@@ -150,7 +150,7 @@ def friction() -> Iterator[Evidence]:
     yield Formal(
         printed(r"\dot E < 0"),
         {s.Edot: sliding[s.F].dot(sliding[s.v_tip])},
-        (Assumption(Gt(s.slip, 0), "the contact slips, else no energy is lost"),),
+        (Assumption(Gt(s.slip, 0), "the contact slips: without that no energy is lost"),),
     )
     figure_axis = Matrix([sin(s.theta), 0, cos(s.theta)])
     turning = s.Omega * Matrix([0, 0, 1])

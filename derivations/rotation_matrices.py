@@ -73,7 +73,11 @@ def euler_angle_matrix() -> Iterator[Evidence]:
         reason="With $c$ and $s$ for cosine and sine.",
         other_reading={s.O_matrix: attitude.T, **short},
     )
-    yield Correction(Equation(s.O_matrix, matrix), {s.O_matrix: attitude, **short})
+    yield Correction(
+        Equation(s.O_matrix, matrix),
+        {s.O_matrix: attitude, **short},
+        reason="Its columns are the axes of the body: it is $O$.",
+    )
 
 
 @claim("rotation-group", "Rotation matrices form a group; SO(N) has $det O = 1$.")

@@ -106,9 +106,10 @@ def azimuth_of_a_motion(
     theta: float, phi_dot: float, omega3: float, **shape: float
 ) -> Iterator[Outcome]:
     """The motion is integrated over one nutation without Euler angles, by $𝐞̇₃ = 𝛚 × e₃$; the
-    azimuth of the axis then changes at the rate $(xẏ − yẋ)/(x² + y²)$. The tops that pass the
-    vertical closely start on their way up, with the $φ̇$ of their $L_z$, and as fast as a top
-    without rotation that has fallen from the upright to $θ$: so they get there at any spin."""
+    azimuth of the axis then changes at the rate $(xẏ − yẋ)/(x² + y²)$, where $x$ and $y$ are the
+    horizontal components of $e₃$. The tops that pass the vertical closely start on their way up,
+    with the $φ̇$ of their $L_z$ and with the $θ̇$ of a top that falls from the upright without
+    spin, which is enough at any spin of theirs."""
     if omega3 == 0:
         raise RigidtopError("omega3 must not be 0: L_z/L₃ says how closely a spinning top passes")
     top = heavy_top(**shape)

@@ -86,8 +86,9 @@ def cone_plane(
     lambda1: float, lambda2: float, lambda3: float, omega_0: float, omega3: float
 ) -> Iterator[Outcome]:
     """The angles follow from (3.38) and (3.39). Both bodies are followed by integration. Where $λ₂
-    ≠ λ₁$, the angle between $𝛚$ and $𝐋$ is least and greatest where $ω₂ = 0$ and half a period
-    later, since at given $T$ and $L²$ the square $|ω|²$ is linear in $ω₂²$."""
+    ≠ λ₁$, the angle between $𝛚$ and $𝐋$ is least and greatest where $ω₂ = 0$ and where $ω₂²$ is
+    largest, a quarter of a turn of $𝛚$ in the body later, since at given $T$ and $L²$ the square
+    $|ω|²$ is linear in $ω₂²$."""
     tilt, momentum_tilt = atan2(omega_0, omega3), atan2(lambda1 * omega_0, lambda3 * omega3)
     between = abs(momentum_tilt - tilt)
     if between < PARALLEL:

@@ -188,7 +188,7 @@ def _draw_rising(until: float, **values: float) -> Canvas:
         if rest is not None:
             axes.axvline(rest, color=look.INK, lw=0.8, ls=look.DOTTED, label="_standstill")
     if rest is not None:
-        name_at(slip, rest, slip.get_ylim()[1], "standstill", (4, -2), va="top", color=look.INK)
+        name_at(slip, rest, slip.get_ylim()[1], "slip ends", (4, -2), va="top", color=look.INK)
     room = {"handlelength": 1.6, "handletextpad": 0.4, "columnspacing": 1.0}
     legend_above(energy, ncols=4, fontsize=look.SMALL, **room)
     return drawn

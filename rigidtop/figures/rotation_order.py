@@ -170,7 +170,7 @@ def _caption(alpha: float, beta: float, gamma: float) -> str:
     found = answers(rotations_form_a_group, alpha=alpha, beta=beta, gamma=gamma)
     axis = ", ".join(said(round(found[f"axis_{letter}"], 3) + 0.0) for letter in "xyz")
     apart = found["commutator"]
-    differ = f"From one end to the other it is a turn by {degrees(apart)}."
+    differ = f"From where one ends to where the other ends it is a turn by {degrees(apart)}."
     if apart < SAME:
         differ = "Both end alike."
     return (

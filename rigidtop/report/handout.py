@@ -446,7 +446,10 @@ def summary(judged: b.Judged, parts: Parts) -> list[b.Block]:
                 corrected = [f.check.claimed for f in judgement.corrections()]
                 shown_ = numbered(parts, name) or corrected[:1] or [row.equation for row in printed]
                 amiss = judgement.verdict in (Verdict.FALSE, Verdict.CONVENTION)
-                words = f"{SAID * amiss}{judgement.claim.says}"
+                words = judgement.claim.says
+                if amiss:
+                    right = (f.check.reason for f in judgement.corrections())
+                    words = " ".join((f"{SAID}{words.rstrip('.')}.", *filter(None, right)))
                 rows.append((name, tuple(shown_), words, judgement.verdict))
     if not rows:
         return []

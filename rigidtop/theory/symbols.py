@@ -154,9 +154,11 @@ slip = _real("slip", Glyph("v"), "speed of the contact point over the table", "m
 Omega_b = _real("Omega_b", Glyph("Ω", "b"), "free precession in the body frame", "rad/s")
 Omega_s = _real("Omega_s", Glyph("Ω", "s"), "free precession in the space frame", "rad/s")
 omega = _real("omega", Glyph("ω"), "magnitude of the rotational velocity", "rad/s")
-omega_20 = _real("omega_20", Glyph("ω", "2,0"), "$ω₂$ at $t = 0$", "rad/s")
+omega_20 = _real("omega_20", Glyph("ω", "2,0"), "$|ω₂|$ at $t = 0$", "rad/s")
 omega_30 = _real("omega_30", Glyph("ω", "3,0"), "$ω₃$ at $t = 0$", "rad/s")
-omega_0 = _real("omega_0", Glyph("ω", "0"), "amplitude of $𝛚$ across $e₃$", "rad/s")
+omega_0 = _real(
+    "omega_0", Glyph("ω", "0"), "part of $𝛚$ across $e₃$, or $ω₁$, at the start", "rad/s"
+)
 omega1 = _real("omega1", Glyph("ω", "1"), "rotational velocity along $e₁$", "rad/s")
 omega2 = _real("omega2", Glyph("ω", "2"), "rotational velocity along $e₂$", "rad/s")
 omega3 = _real("omega3", Glyph("ω", "3"), "rotational velocity along $e₃$", "rad/s")
