@@ -144,12 +144,13 @@ def terms(inner: Sequence[Piece]) -> set[str]:
 
 
 def length(items: Sequence[Piece]) -> int:
-    """How many pieces are the distance to the next line: `\\\\[2pt]`."""
+    """How many pieces say how the next line follows, and how far down: `\\\\*[2pt]`."""
     texts = [piece.text for piece in items[:12]]
-    if texts[:1] != ["["] or "]" not in texts:
-        return 0
+    star = texts[:1] == ["*"]
+    if texts[star : star + 1] != ["["] or "]" not in texts:
+        return int(star)
     end = texts.index("]")
-    return end + 1 if signs.LENGTH.fullmatch("".join(texts[1:end])) else 0
+    return end + 1 if signs.LENGTH.fullmatch("".join(texts[1 + star : end])) else int(star)
 
 
 def rows(inner: Sequence[Piece]) -> list[Sequence[Piece]]:

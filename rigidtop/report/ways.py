@@ -105,7 +105,7 @@ def text_blocks(
         if isinstance(block, Shown):
             if block.line is not None:
                 beside = at.get(block.line.id, ())
-                made = line_rows(lecture, block.line.id, notation, figures=figures)
+                made = told_rows(lecture, block.line, notation, figures)
                 marked = [each for each in beside if isinstance(each, b.Mark)]
                 rows += [*made[:-1], replace(made[-1], mark=marked[0] if marked else None)]
                 behind = [each for each in beside if not isinstance(each, b.Mark)]
@@ -123,6 +123,20 @@ def text_blocks(
             place(block.pieces)
     close()
     return [*blocks, *gaps(lecture, [line.id for line in text.lines])]
+
+
+def told_rows(
+    lecture: Lecture,
+    line: Line,
+    notation: Notation = NOTES,
+    figures: Mapping[str, b.Figure] = MappingProxyType({}),
+) -> list[b.Row]:
+    """The rows of a line; a law has the words in front that say what its letters are."""
+    rows = line_rows(lecture, line.id, notation, figures=figures)
+    origin = running(line.origin, notation)
+    if origin:
+        rows[0] = replace(rows[0], reason=(*origin, " ", *rows[0].spoken))
+    return rows
 
 
 def law_blocks(
@@ -148,10 +162,7 @@ def law_blocks(
             elif isinstance(block, Prose):
                 (head or blocks).append(b.Paragraph(running(block.pieces, notation)))
             elif block.line is not None and block.line.id in cited:
-                first, *rest = line_rows(lecture, block.line.id, notation)
-                origin = running(block.line.origin, notation)
-                words = (*origin, " ", *first.spoken) if origin else first.spoken
-                blocks += [*head, b.Display((replace(first, reason=words), *rest))]
+                blocks += [*head, b.Display(tuple(told_rows(lecture, block.line, notation)))]
                 head = []
     return blocks
 

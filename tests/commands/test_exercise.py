@@ -97,7 +97,7 @@ def test_a_number_that_is_not_confirmed_fails(capsys, monkeypatch):
     guess = Exercise("guess", "A guess", "3.2", "nowhere", "Guess.", (), (), solve)
     monkeypatch.setattr(home, "EXERCISES", (guess,))
     assert main(["exercise", "guess"]) == 1
-    assert re.search(r"the guess against the truth +1 +1 × 10⁻⁹", capsys.readouterr().out)
+    assert re.search(r"the guess against the truth +1 +10⁻⁹", capsys.readouterr().out)
 
 
 @pytest.mark.parametrize("student", [True, False])

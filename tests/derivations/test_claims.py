@@ -7,6 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy
+from hypothesis import given
+from hypothesis import strategies as st
 
 from rigidtop.derivations import PAGES
 from rigidtop.derivations.euler_angles import page as euler_angles
@@ -344,21 +346,41 @@ def test_a_middling_torque_does_not_leave_l_along_omega(judgements):
 
 
 def test_a_strong_torque_goes_round_at_another_rate(judgements):
-    """Without the limit: a rate and a spin that keep θ, as (3.57) says, and not those of (3.50)."""
+    """Without the limit: the slow rate at a spin, as (3.57) says, and not that of (3.50)."""
     found, at = without(judgements["3.50"], sympy.Eq(s.epsilon, 0))
-    pull, rate = at["M"] * at["g"] * at["R"], at["Omega"]
-    spin = at["lambda1"] * np.cos(at["theta"]) * rate + pull / rate  # λ₃ω₃ by (3.57)
+    pull, spin = at["M"] * at["g"] * at["R"], at["lambda3"] * at["omega3"]
+    twice = 2 * at["lambda1"] * np.cos(at["theta"])
+    rate = (spin - np.sign(spin) * np.sqrt(spin**2 - 2 * twice * pull)) / twice
     sides = spin * rate * np.sin(at["theta"]), pull * np.sin(at["theta"])
     assert sorted(sides) == pytest.approx(sorted([float(found.left), float(found.right)]))
     assert abs(sides[0] - sides[1]) > 0.1
 
 
-def test_a_top_let_go_at_rest_does_not_go_round(judgements):
-    """Without θ̈ = 0: λ₁θ̈ is the part of the torque that is not kept in balance."""
-    found, at = without(judgements["3.50"], sympy.Eq(s.thetaddot, 0))
+def test_a_top_at_another_rate_has_another_torque(judgements):
+    """Without the slow rate: λ₃ω₃Ω sin θ is not the torque, at Ω₊ as little as at any other."""
+    (slow,) = {
+        tested.assumption.condition
+        for finding in judgements["3.50"].findings()
+        for tested in finding.assumptions
+        if s.Omega in tested.assumption.condition.free_symbols
+    }
+    found, at = without(judgements["3.50"], slow)
     torque = at["M"] * at["g"] * at["R"] * np.sin(at["theta"])
+    moved = at["lambda3"] * at["omega3"] * at["Omega"] * np.sin(at["theta"])
     sides = sorted([float(found.left), float(found.right)])
-    assert sides == pytest.approx(sorted([torque, torque - at["lambda1"] * at["thetaddot"]]))
+    assert sides == pytest.approx(sorted([torque, moved]))
+    assert abs(torque - moved) > 0.1
+
+
+@given(st.floats(0.05, 1.5), st.floats(1.01, 1e4))
+def test_what_is_left_out_is_half_of_what_is_kept_at_the_faster_rate(theta, times):
+    """−λ₁Ω₊ cos θ ė₃ of (3.50) beside λ₃ω₃ė₃, at any spin that allows the rate."""
+    top = HeavyTop(lambda1=0.03, lambda3=0.01, M=0.5, R=0.2)
+    least = 2 * np.sqrt(top.lambda1 * top.M * top.g * top.R * np.cos(theta)) / top.lambda3
+    slow, fast = top.steady_precession(theta, times * least)
+    kept = top.lambda3 * times * least
+    assert 0.5 <= top.lambda1 * fast * np.cos(theta) / kept <= 1 + 1e-12
+    assert top.lambda1 * slow * np.cos(theta) / kept <= 0.5
 
 
 def test_a_falling_top_has_its_torque_along_l(judgements):

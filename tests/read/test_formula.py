@@ -245,7 +245,7 @@ SPELLINGS = {
         "ω̇₁ = Ω_b ω₂",
         "&#x3c9;̇<sub>1</sub> = &Omega;<sub>b</sub>&nbsp;&omega;<sub>2</sub>",
         r"\begin{array}{rcl} \dot\omega_1 &=& \Omega_b\omega_2 \\[2pt] \end{array}",
-        r"\begin{aligned}\dot\omega_1 &= \Omega_b\omega_2\end{aligned}",
+        r"\begin{aligned}\dot\omega_1 \\* &= \Omega_b\omega_2 \\*[2pt] \end{aligned}",
         r"\left.\dot\omega_1 = \Omega_b\omega_2\right.",
     ],
     "θ̈ = 0": [
