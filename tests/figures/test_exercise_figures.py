@@ -233,9 +233,8 @@ def test_both_orders_end_where_the_rotations_do(chosen):
     apart = Rotation.from_matrix(upper[2][1]) * Rotation.from_matrix(lower[2][1]).inv()
     names = {"alpha": alpha, "beta": beta, "gamma": gamma}
     words = caption("order-of-rotations", **names)
-    assert (
-        f"From one end to the other it is a turn by {math.degrees(apart.magnitude()):.3g}°" in words
-    )
+    turned = f"{math.degrees(apart.magnitude()):.3g}°"
+    assert f"From where one ends to where the other ends it is a turn by {turned}" in words
     whole = math.degrees(Rotation.from_matrix(upper[2][1]).magnitude())
     assert f"A B is one turn, by {whole:.3g}°" in words
 
