@@ -199,7 +199,7 @@ LEAST = -3
 def _number(value: float, decimals: int | None = None, *, powers: bool = False) -> str | Node:
     """A number with so many decimals, or with a power of ten; else as it is shown alone."""
     if decimals is None and not (powers and value):
-        return shown(value, TABLE_DIGITS)
+        return shown(value, TABLE_DIGITS, kept=True)
     if decimals is None:
         digits, _, power = f"{abs(value):.{TABLE_DIGITS - 1}e}".partition("e")
         exponent = Number(str(abs(int(power))))
