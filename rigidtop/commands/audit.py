@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from rigidtop.mark.rows import Row
     from rigidtop.notation import Notation
     from rigidtop.proof.equation import Equation
-    from rigidtop.read.document import Formula
     from rigidtop.read.project import Source
+    from rigidtop.read.walk import Formula
     from rigidtop.report.annotated import Formula as Shown
     from rigidtop.report.annotated import Mark
     from rigidtop.typeset.layout import Order
@@ -80,8 +80,9 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
     from rigidtop.mark.audit import SECONDS, audit, missing
     from rigidtop.mark.rows import rows
     from rigidtop.notation import OWN
-    from rigidtop.read.document import places, problems
+    from rigidtop.read.document import problems
     from rigidtop.read.project import habits, sources
+    from rigidtop.read.walk import places
 
     until = time.process_time() + SECONDS
 

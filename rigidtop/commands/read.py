@@ -65,9 +65,10 @@ def _lines(
 
     `rows` are those that bear a number.
     """
-    from rigidtop.read.document import bare, each, grouped, places, problems
+    from rigidtop.read.document import bare, each, grouped, problems
     from rigidtop.read.formula import Line
     from rigidtop.read.labels import row_of
+    from rigidtop.read.walk import places
 
     text = source.text
     found = [

@@ -28,8 +28,9 @@ from rigidtop.proof.equation import Equation, symbols_of
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.page import Check, Claim, Correction, Definition, Evidence, Page, Remark
 from rigidtop.proof.verdict import Finding, Judgement, Verdict, judge_check
-from rigidtop.read.document import Numbered, lines, numbered, places
+from rigidtop.read.document import Numbered, lines, numbered
 from rigidtop.read.formula import Line
+from rigidtop.read.walk import places
 from rigidtop.report.records import note as said_of
 from rigidtop.theory.symbols import const
 from rigidtop.typeset.text import text

@@ -11,10 +11,11 @@ from rigidtop.mark.notes import held
 from rigidtop.notation import OWN
 from rigidtop.proof.verdict import Verdict
 from rigidtop.read.cases import cases
-from rigidtop.read.document import Formula, alone, each, numbered, places, states
+from rigidtop.read.document import alone, each, numbered, states
 from rigidtop.read.formula import Line
 from rigidtop.read.habits import Habits
 from rigidtop.read.labels import LABEL
+from rigidtop.read.walk import Formula, places
 
 _CONSTANT = re.compile(
     r"\b(?:is|are|stays?|remains?)\s+(?:\w+ly\s+|also\s+|again\s+|a\s+)?"

@@ -15,11 +15,12 @@ from rigidtop.mark.links import is_matrix
 from rigidtop.notation import Notation
 from rigidtop.proof.equation import Equation, symbols_of, value
 from rigidtop.read.cursor import Token
-from rigidtop.read.document import Formula, Problem, bare, formulas, places, problems
+from rigidtop.read.document import bare, formulas, problems
 from rigidtop.read.formula import Line, read
 from rigidtop.read.habits import Habits
 from rigidtop.read.scan import tokens
 from rigidtop.read.tex import UnreadError
+from rigidtop.read.walk import Formula, Problem, places
 from rigidtop.theory import symbols as s
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import Glyph, Quantity

@@ -15,7 +15,8 @@ from bisect import bisect_right
 from collections.abc import Callable
 from operator import attrgetter, itemgetter
 
-from rigidtop.read.document import formulas, is_tex
+from rigidtop.read.document import formulas
+from rigidtop.read.walk import is_tex
 
 _LISTS = "enumerate|itemize|description|parts|subparts|subsubparts|questions|tasks"
 _NAMED = r"(?:Example|Problem|Exercise|Question|Case|Part|Beispiel|Aufgabe|Fall)"

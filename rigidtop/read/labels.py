@@ -16,7 +16,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
-from rigidtop.read.document import Formula, formulas
+from rigidtop.read.document import formulas
+from rigidtop.read.walk import Formula
 
 
 @dataclass(frozen=True)

@@ -33,9 +33,9 @@ from rigidtop.proof.lecture import Block, Heading, Lecture, Prose, Shown, Text
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import Known, Move, Scope
 from rigidtop.read import sentence as language
-from rigidtop.read.document import places
 from rigidtop.read.formula import read
 from rigidtop.read.tex import unread
+from rigidtop.read.walk import places
 
 _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z])")
 _HIDDEN = re.compile(r"\$\$|\\\[|\\begin\{|^```+ *math", re.M)

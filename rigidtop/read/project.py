@@ -16,7 +16,7 @@ from pathlib import Path
 
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import Notation
-from rigidtop.read.document import LONGEST, formulas
+from rigidtop.read.document import formulas
 from rigidtop.read.formula import with_habits
 from rigidtop.read.habits import Habits
 from rigidtop.read.kinds import Spoken
@@ -25,6 +25,7 @@ from rigidtop.read.look import components, has_own_pi
 from rigidtop.read.macros import PACKAGES, Macros, defined
 from rigidtop.read.spoken import spoken
 from rigidtop.read.tex import UnreadError
+from rigidtop.read.walk import LONGEST
 from rigidtop.terminal.files import text_of
 from rigidtop.theory.symbols import Glyph
 

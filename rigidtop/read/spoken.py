@@ -19,10 +19,11 @@ from __future__ import annotations
 import re
 
 from rigidtop.notation import Notation
-from rigidtop.read.document import Formula, formulas, places
+from rigidtop.read.document import formulas
 from rigidtop.read.kinds import Spoken, kind_of, named_last
 from rigidtop.read.scan import Scan, limited
 from rigidtop.read.tex import UnreadError, pieces, words
+from rigidtop.read.walk import Formula, places
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import Glyph
 

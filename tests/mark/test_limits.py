@@ -18,7 +18,7 @@ from rigidtop.cli import main
 from rigidtop.derivations import PAGES
 from rigidtop.errors import RigidtopError
 from rigidtop.mark.audit import audit
-from rigidtop.read import document, tex
+from rigidtop.read import document, tex, walk
 from rigidtop.read.formula import read
 from rigidtop.read.values import DEEPEST
 from rigidtop.theory.symbols import VOCABULARY
@@ -263,7 +263,7 @@ def test_a_file_takes_time_in_proportion_to_its_length(part, monkeypatch):
 
 def test_a_file_that_is_too_long_is_bad_input():
     with pytest.raises(RigidtopError, match="more than"):
-        document.formulas(" " * (document.LONGEST + 1))
+        document.formulas(" " * (walk.LONGEST + 1))
 
 
 TAG = "\\tag{3.57} "
@@ -381,7 +381,7 @@ def calls(source):
     }
 
 
-@pytest.mark.parametrize("module", ["tex.py", "scan.py", "formula.py", "document.py"])
+@pytest.mark.parametrize("module", ["tex.py", "scan.py", "formula.py", "document.py", "walk.py"])
 def test_no_module_evaluates_text(module):
     [path] = [path for path in MODULES if path.name == module]
     assert calls(path.read_text("utf-8")) == set()

@@ -1,0 +1,355 @@
+"""A file gone through once: where its formulas stand, in Markdown with dollars or in LaTeX."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left, bisect_right
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from rigidtop.errors import RigidtopError
+
+LONGEST = 2_000_000
+"""A file is no longer than this (characters)."""
+
+MOST = 20_000
+"""A file has no more formulas, and no more places where one is not taken."""
+
+LONGEST_TICKS = 20
+"""Longer rows of ` or ~ do not begin code: looking for the end of each takes time."""
+
+DEEPEST = 40
+"""Environments are not followed deeper."""
+
+
+@dataclass(frozen=True)
+class Formula:
+    """The text between two dollars, say: where it stands in the file, whether on its own.
+
+    The text goes from `start` on; the formula with its dollars from `opens` to `end`.  `problem`
+    is why it could not be taken: only what bears a number comes with one.
+    """
+
+    text: str
+    start: int
+    end: int
+    display: bool
+    opens: int = 0
+    problem: str = ""
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A place in the file where mathematics stands that was not taken as a formula, and why.
+
+    `skipped` says that it is none by the file's own words: a comment, or code.
+    """
+
+    position: int
+    reason: str
+    skipped: bool = False
+
+
+_MATHS = frozenset(
+    name + star
+    for name in (
+        *("equation", "align", "alignat", "xalignat", "xxalignat", "flalign", "gather", "math"),
+        *("multline", "eqnarray", "displaymath", "dmath", "IEEEeqnarray"),
+    )
+    for star in ("", "*")
+)
+_WITH_ARGUMENTS = {
+    "alignat": re.compile(r"\s*\{\s*\d*\s*\}"),
+    "IEEEeqnarray": re.compile(r"\s*(?:\[[^\]\n]*\]\s*)?\{[^{}\n]*\}"),
+    "dmath": re.compile(r"\s*\[[^\]\n]*\]"),
+}
+_WITH_ARGUMENTS |= dict.fromkeys(("xalignat", "xxalignat"), _WITH_ARGUMENTS["alignat"])
+_VERBATIM = frozenset({"verbatim", "Verbatim", "lstlisting", "minted", "comment", "alltt"})
+
+_BOTH = (
+    r"(?P<escaped>\\\\|\\[$%`])"
+    r"|(?P<blank>\n[ \t]*(?=\n))"
+    r"|(?P<off>\\iffalse(?![A-Za-z]))"
+    r"|\\(?P<side>begin|end)\s*\{\s*(?P<name>[A-Za-z]+\*?)\s*\}"
+    r"|(?P<sign>\$\$?|\\[\[\]()])"
+)
+_IN_TEX = re.compile(rf"{_BOTH}|(?P<percent>%[^\n]*)|(?P<verb>\\verb\*?[^A-Za-z\s*])", re.M)
+_IN_MARKDOWN = re.compile(
+    rf"{_BOTH}|(?P<percent>^[ \t]*%[^\n]*)|(?P<html><!--)"
+    r"|(?P<fence>^[ \t]{0,3}(?P<ticks>`{3,}+|~{3,}+)(?P<info>[^\n`]*+)$)|(?P<code>`+)",
+    re.M,
+)
+_FENCED = re.compile(r"^[ \t]{0,3}(`{3,20}+|~{3,20}+)(?s:.*?)^[ \t]{0,3}\1[^\n]*", re.M)
+_QUOTED = re.compile(r"^[ \t]{0,3}>", re.M)
+_TEX = re.compile(r"^[ \t]*\\(?:documentclass|begin\s*\{\s*document\s*\})", re.M)
+_BLANK_LINE = re.compile(r"\n[ \t]*\n")
+_PARAGRAPH = re.compile(r"\n(?=[ \t]*\n)")
+_TOLD = re.compile(r"=|\\(?:tag|equiv|approx|neq?)(?![A-Za-z])")
+"""What makes a skipped part worth telling, if mathematics stands in it at all."""
+_MATHEMATICAL = re.compile(r"\$|\\[\[(]|\\begin\s*\{|\\tag")
+_SAID = re.compile(r"\s+[a-z]{2,}\s")
+"""How text begins that stands between two dollars by mistake."""
+
+
+def is_tex(source: str) -> bool:
+    """Whether a text is LaTeX by itself, and no Markdown."""
+    return _TEX.search(_FENCED.sub("", source)) is not None
+
+
+def places(source: str) -> Callable[[int], tuple[int, int]]:
+    r"""What tells the line and the column, counted from 1, of a position in a text.
+
+    >>> places("a\nbc")(3)
+    (2, 2)
+    """
+    starts = [0, *(match.end() for match in re.finditer("\n", source))]
+
+    def place(position: int) -> tuple[int, int]:
+        line = bisect_right(starts, position)
+        return line, position - starts[line - 1] + 1
+
+    return place
+
+
+class Walk:
+    """Goes through a file and takes formulas; what it can't take it tells."""
+
+    def __init__(self, source: str) -> None:
+        if len(source) > LONGEST:
+            raise RigidtopError(f"a file of more than {LONGEST} characters: split it")
+        self.source = source
+        self.tex = is_tex(source)
+        self.found: list[Formula] = []
+        self.problems: list[Problem] = []
+        self.counted = 0
+        self.skipped: list[tuple[int, int]] = []
+        self.refused: list[tuple[int, int, str]] = []
+        """From where to where something was not taken, and why."""
+        self.dollars: list[int] = []
+        """Those of this paragraph that are alone."""
+        self.open: list[tuple[str, int]] = []
+        self.unknown: list[tuple[str, int, int]] = []
+        self.missing: set[str] = set()  # closings that do not come any more: looked for only once
+        pattern = _IN_TEX if self.tex else _IN_MARKDOWN
+        at = 0
+        while match := pattern.search(self.source, at):
+            at = self.take(match)
+        self.end_paragraph()
+        self.unknown += [(name, begun, self.paragraph_end(begun)) for name, begun in self.open]
+        self.found.sort(key=lambda formula: formula.opens)
+
+    def take(self, match: re.Match[str]) -> int:
+        """Go behind what was found."""
+        kind = match.lastgroup
+        if kind == "blank":
+            self.end_paragraph()
+        elif kind == "percent":
+            self.skip(match.start(), match.end(), "a comment")
+        elif kind == "html":
+            return self.skip_until(match, r"-->", "a comment")
+        elif kind == "off":
+            return self.skip_until(match, r"\\fi(?![A-Za-z])", "a comment")
+        elif kind == "verb":
+            return self.skip_until(match, re.escape(match[0][-1]), "code")
+        elif kind == "code":
+            return self.code(match)
+        elif match.groupdict().get("fence"):
+            return self.fence(match)
+        elif match["name"]:
+            return self.environment(match)
+        elif kind == "sign":
+            return self.sign(match)
+        return match.end()
+
+    # What is no mathematics
+
+    def skip(self, start: int, end: int, what: str) -> None:
+        self.skipped.append((start, end))
+        inside = self.source[start:end]
+        if _TOLD.search(inside) and (what == "code" or _MATHEMATICAL.search(inside)):
+            self.problems.append(Problem(start, f"skipped: {what}", skipped=True))
+            self.count()
+
+    def skip_until(self, match: re.Match[str], closing: str, what: str) -> int:
+        end = self.find(closing, match.end())
+        if end is None:
+            self.refuse(match.start(), f"{match[0].strip()} without its end")
+            return match.end()
+        self.skip(match.start(), end.end(), what)
+        return end.end()
+
+    def code(self, match: re.Match[str]) -> int:
+        if len(self.dollars) % 2 or len(match[0]) > LONGEST_TICKS:
+            return match.end()
+        end = self.find(rf"(?<!`){match[0]}(?!`)", match.end())
+        if end is None or _BLANK_LINE.search(self.source, match.end(), end.start()):
+            return match.end()
+        self.skip(match.start(), end.end(), "code")
+        return end.end()
+
+    def fence(self, match: re.Match[str]) -> int:
+        if len(match["ticks"]) > LONGEST_TICKS:
+            return match.end()
+        end = self.find(rf"\n[ \t]{{0,3}}{match['ticks']}[`~]*", match.end())
+        self.end_paragraph()
+        if end is not None and match["info"].strip() == "math":
+            self.add(match.end(), end.start(), end.end(), match.start())
+            return end.end()
+        return self.skip_until(match, rf"\n[ \t]{{0,3}}{match['ticks']}[`~]*", "code")
+
+    # Formulas
+
+    def find(self, pattern: str, at: int) -> re.Match[str] | None:
+        """The next place of it; one that does not come any more is looked for only once."""
+        if pattern in self.missing:
+            return None
+        found = re.compile(pattern).search(self.source, at)
+        if found is None:
+            self.missing.add(pattern)
+        return found
+
+    def closing(self, pattern: str, at: int) -> re.Match[str] | None:
+        r"""The next place of it outside comments and \\\\."""
+        if pattern in self.missing:
+            return None
+        passed = r"\\\\|\\[$%]|%[^\n]*" if self.tex else r"\\\\|\\[$%]"
+        for found in re.compile(rf"(?P<wanted>{pattern})|{passed}").finditer(self.source, at):
+            if found["wanted"]:
+                return found
+        self.missing.add(pattern)
+        return None
+
+    def add(self, start: int, stop: int, end: int, opens: int, display: bool = True) -> None:
+        text, line = self.source[start:stop], self.source.rfind("\n", 0, opens) + 1
+        if not self.tex and _QUOTED.match(self.source, line, opens):
+            text = _QUOTED.sub(lambda found: " " * len(found[0]), text)
+        self.found.append(Formula(text, start, end, display, opens))
+        self.count()
+
+    def count(self) -> None:
+        """Raises RigidtopError for too many formulas, and places where one is not taken."""
+        self.counted += 1
+        if self.counted > MOST:
+            raise RigidtopError(
+                f"a file of more than {MOST} formulas, or places where one is not taken: split it"
+            )
+
+    def refuse(self, position: int, reason: str, end: int | None = None) -> None:
+        """Tell what can't be taken; a number behind it, in its paragraph, is lost with it."""
+        self.problems.append(Problem(position, reason))
+        self.count()
+        stop = self.paragraph_end(position) if end is None else end
+        self.refused.append((position, stop, reason))
+
+    def paragraph_end(self, position: int) -> int:
+        i = bisect_left(self.ends, position)
+        return self.ends[i] if i < len(self.ends) else len(self.source)
+
+    @cached_property
+    def ends(self) -> list[int]:
+        """Where paragraphs end."""
+        return [match.start() for match in _PARAGRAPH.finditer(self.source)]
+
+    def environment(self, match: re.Match[str]) -> int:
+        name, begins = match["name"], match["side"] == "begin"
+        if name in _MATHS and not begins:
+            self.refuse(match.start(), rf"\end{{{name}}} without its \begin", match.end())
+        elif name in _MATHS:
+            end = self.closing(rf"\\(?:begin|end)\s*\{{\s*{re.escape(name)}\s*\}}", match.end())
+            if end is None or end[0].startswith(r"\begin"):
+                self.refuse(match.start(), rf"\begin{{{name}}} without its \end")
+                return match.end()
+            arguments = _WITH_ARGUMENTS.get(name.rstrip("*"))
+            given = arguments.match(self.source, match.end()) if arguments else None
+            start = given.end() if given else match.end()
+            self.add(start, end.start(), end.end(), match.start(), name != "math")
+            return end.end()
+        elif name.rstrip("*") in _VERBATIM and begins:
+            what = "a comment" if name == "comment" else "code"
+            return self.skip_until(match, rf"\\end\s*\{{\s*{re.escape(name)}\s*\}}", what)
+        elif begins:
+            if not len(self.dollars) % 2 and len(self.open) < DEEPEST:
+                self.open.append((name, match.end()))
+        elif name == "document" and self.tex:
+            self.skip(match.end(), len(self.source), "behind the end of the document")
+            return len(self.source)
+        elif any(name == opened for opened, _ in self.open):
+            while self.open:
+                opened, begun = self.open.pop()
+                self.unknown.append((opened, begun, match.start()))
+                if opened == name:
+                    break
+        return match.end()
+
+    def sign(self, match: re.Match[str]) -> int:
+        sign, begun, at = match[0], match.start(), match.end()
+        if sign == "$":
+            self.dollars.append(begun)
+            return at
+        if sign in (r"\]", r"\)"):
+            self.refuse(begun, f"{sign} without its opening", at)
+            return at
+        if sign == "$$":
+            first_in_line = not self.source[
+                self.source.rfind("\n", max(0, begun - 40), begun) + 1 : begun
+            ].strip()
+            if len(self.dollars) % 2 and not first_in_line:  # $a$$b$
+                self.dollars.append(begun)
+                return begun + 1
+            end = self.closing(r"\$\$", at)
+        else:
+            closes = {r"\[": r"\]", r"\(": r"\)"}[sign]
+            end = self.closing(f"{re.escape(sign)}|{re.escape(closes)}", at)
+            if end is not None and end[0] == sign:
+                end = None
+        if end is not None and sign != r"\[" and _BLANK_LINE.search(self.source, at, end.start()):
+            end = None
+        if end is None:
+            self.refuse(begun, f"{sign} without its closing in the same paragraph")
+            return at
+        self.add(at, end.start(), end.end(), begun, sign != r"\(")
+        return end.end()
+
+    # Dollars
+
+    def end_paragraph(self) -> None:
+        """Take what stands between the dollars of a paragraph, if they come in pairs."""
+        dollars, self.dollars = self.dollars, []
+        if len(dollars) % 2:
+            stray = self.stray(dollars)
+            reason = "an odd number of $ in this paragraph: one is missing, or is meant as \\$"
+            if stray is None:
+                self.refuse(dollars[0], reason)
+                return
+            line_end = self.source.find("\n", dollars[stray])
+            self.refuse(dollars[stray], reason, line_end if line_end >= 0 else len(self.source))
+            del dollars[stray]
+        pairs = list(zip(dollars[::2], dollars[1::2], strict=True))
+        wrong = [pair for pair in pairs if self.is_text(*pair)]
+        if wrong:
+            self.refuse(wrong[0][0], "words between two $: is one of them meant as \\$?")
+            return
+        for opens, closes in pairs:
+            self.add(opens + 1, closes, closes + 1, opens, display=False)
+
+    def is_text(self, opens: int, closes: int) -> bool:
+        if _SAID.match(self.source, opens + 1, closes):
+            return True
+        last = max(self.found[-1:], key=lambda formula: formula.opens, default=None)
+        return last is not None and opens < last.opens < closes
+
+    def stray(self, dollars: Sequence[int]) -> int | None:
+        """The dollar without which the others are pairs, if there is just one."""
+        around = [(self.source[max(i - 1, 0) : i], self.source[i + 1 : i + 2]) for i in dollars]
+        opening = [bool(after.strip()) for _, after in around]
+        closing = [bool(before.strip()) and not after.isdigit() for before, after in around]
+        before = [True]
+        for i in range(0, len(dollars) - 1, 2):
+            before.append(before[-1] and opening[i] and closing[i + 1])
+        behind = [True]
+        for i in range(len(dollars) - 2, 0, -2):
+            behind.append(behind[-1] and opening[i] and closing[i + 1])
+        behind.reverse()
+        fitting = [2 * i for i in range(len(before)) if before[i] and behind[i]]
+        return fitting[0] if len(fitting) == 1 else None
