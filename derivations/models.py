@@ -14,7 +14,7 @@ import sympy
 from sympy import Expr, Integer, Matrix, MatrixBase, Symbol, cos, eye, sin
 
 from rigidtop.derivations.letters import is_a_body
-from rigidtop.proof.equation import BODY, SPACE, Rate
+from rigidtop.proof.equation import BODY, SPACE, Partial, Rate
 from rigidtop.proof.model import Model
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
@@ -49,19 +49,10 @@ def _dotted(symbol: Symbol) -> Symbol:
     return _lettered(f"{symbol.name}dot", replace(glyph, accent="dot"), f"rate of {symbol.name}")
 
 
-SLOPES: Mapping[Symbol, Symbol] = {
-    q: _lettered(f"dL_d{q.name}", Glyph("Ł", s.VOCABULARY[q].glyph.base)) for q in top.ANGLES
+SLOPES_IN_RATES: Mapping[Expr, Symbol] = {
+    Partial(s.Lagrangian, rate): p for p, rate in zip(top.CONJUGATE, top.RATES, strict=True)
 }
-"""∂ℒ/∂q, as one symbol each: the reader has no partial derivatives."""
-
-SLOPES_IN_RATES: Mapping[Symbol, Symbol] = {
-    p: _lettered(f"dL_d{q.name}dot", Glyph("Đ", s.VOCABULARY[q].glyph.base))
-    for p, q in zip(top.CONJUGATE, top.ANGLES, strict=True)
-}
-"""∂ℒ/∂q̇ likewise, by the momentum that it is."""
-
-EXPLICIT = _lettered("dL_dt", Glyph("Ł", "t"))
-"""∂ℒ/∂t: ℒ knows of time only by the angles and their rates, so this is zero."""
+"""∂ℒ/∂q̇, and the momentum that it is."""
 
 MOMENTUM_RATES: Mapping[Symbol, Symbol] = {p: _dotted(p) for p in top.CONJUGATE}
 OTHER_RATES: Mapping[Symbol, Symbol] = {x: _dotted(x) for x in (s.L_z, s.L3, s.Omega, s.E)}
@@ -135,8 +126,7 @@ def heavy_top(along: bool) -> Model:
         s.E: lagrangian + 2 * potential,
         s.Lagrangian: lagrangian,
         **dict(zip(top.CONJUGATE, p, strict=True)),
-        **{slope: lagrangian.diff(q) for q, slope in SLOPES.items()},
-        EXPLICIT: Integer(0),
+        **{Partial(s.Lagrangian, x): lagrangian.diff(x) for x in (*EULER_RATES, s.t)},
         **{
             pdot: total_derivative(px, rates)
             for px, pdot in zip(p, MOMENTUM_RATES.values(), strict=True)

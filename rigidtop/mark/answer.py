@@ -26,7 +26,6 @@ from rigidtop.mark.explain import (
     is_own,
     side_text,
     symbols_in,
-    with_slopes,
 )
 from rigidtop.mark.links import ERRORS, Link, Verdict, is_matrix, judge, one_angle
 from rigidtop.mark.marking import Mark, Marked, Marking
@@ -71,9 +70,7 @@ class _Answer:
     passage: Passage
     marked: list[Marked] = field(default_factory=list)
     true: list[Equation] = field(default_factory=list)
-    definitions: dict[Expr, Expr] = field(
-        default_factory=lambda: {slope: p for p, slope in models.SLOPES_IN_RATES.items()}
-    )
+    definitions: dict[Expr, Expr] = field(default_factory=lambda: {**models.SLOPES_IN_RATES})
     wrong: list[tuple[int, Equation]] = field(default_factory=list)
     stated: list[Any] = field(default_factory=list)
     lost: list[str] = field(default_factory=list)
@@ -179,7 +176,7 @@ class _Answer:
             return side.applyfunc(self._own_replaced)
         if side in self.definitions:
             return self.definitions[side]
-        if not side.args or not (side.free_symbols & set(self.definitions)):
+        if not side.args or not side.has(*self.definitions):
             return side
         with sympy.evaluate(False):
             return side.func(*(self._own_replaced(argument) for argument in side.args))
@@ -408,8 +405,8 @@ def _replaced(equation: Equation, change: Any) -> Equation:
 
 
 def _said(equation: Equation, source: str) -> str:
-    """The equation as it was read, with Ł as what it stands for."""
+    """The equation as it was read."""
     try:
-        return with_slopes(text(equation))
+        return text(equation)
     except (TypeError, AttributeError, ValueError, KeyError):
         return source

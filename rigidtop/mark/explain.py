@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from functools import cache, partial
 
@@ -26,6 +25,7 @@ from rigidtop.mark.links import (
 from rigidtop.proof import decide
 from rigidtop.proof.changed import Families
 from rigidtop.proof.counterexample import entries
+from rigidtop.proof.equation import Partial
 from rigidtop.proof.model import Model, Passage, samples
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
@@ -80,9 +80,8 @@ def _partial(link: Link, passage: Passage) -> slips.Slip | None:
         return None
     free = models.heavy_top(along=False)
     angles = frozenset(top.ANGLES)
-    momenta = {p: free.meaning[p] for p in top.CONJUGATE}
     forgetful = replace(free, frozen=angles)
-    rates = {p: forgetful._derivative(momentum) for p, momentum in momenta.items()}
+    rates = {p: forgetful.rate(p) for p in top.CONJUGATE}
     forgetful = replace(
         forgetful,
         meaning={**free.meaning, **{models.MOMENTUM_RATES[p]: r for p, r in rates.items()}},
@@ -156,17 +155,24 @@ def _missing(link: Link, model: Model) -> tuple[slips.Slip, ...]:
 
 
 @cache
-def known_in(model: Model) -> set[Symbol]:
-    return model.symbols()
+def known_in(model: Model) -> set[Expr]:
+    return model.symbols() | {x for x in model.meaning if isinstance(x, Partial)}
 
 
-def symbols_in(link: Link) -> set[Symbol]:
-    sides = [side for side in (link.left, link.right) if side is not None]
-    return set().union(*(side.free_symbols for side in sides))
+def symbols_in(link: Link) -> set[Expr]:
+    """The letters of a link; a slope is one thing."""
+    todo, found = [link.left, *([] if link.right is None else [link.right])], set[Expr]()
+    while todo:
+        node = todo.pop()
+        if isinstance(node, (Symbol, Partial)):
+            found.add(node)
+        else:
+            todo += [*node] if is_matrix(node) else [*node.args]
+    return found
 
 
-def foreign(link: Link, model: Model) -> set[Symbol]:
-    """The symbols of a link that mean nothing in a model."""
+def foreign(link: Link, model: Model) -> set[Expr]:
+    """The letters of a link that mean nothing in a model."""
     return {x for x in symbols_in(link) if not is_own(x)} - known_in(model)
 
 
@@ -174,14 +180,9 @@ def is_own(node: Expr) -> bool:
     return isinstance(node, Lettered) and node.quantity.meaning == "defined in the answer"
 
 
-def with_slopes(said: str) -> str:
-    said = re.sub(r"dĐ_(\w)/dt", r"d/dt Đ_\1", said)
-    return re.sub(r"Đ_(\w)", "∂ℒ/∂\\1\u0307", re.sub(r"Ł_(\w)", r"∂ℒ/∂\1", said))
-
-
 def side_text(side: Expr) -> str:
     try:
-        return "const" if side is None else with_slopes(text(side))
+        return "const" if side is None else text(side)
     except (TypeError, AttributeError, ValueError, KeyError):
         return "…"
 

@@ -27,7 +27,6 @@ from rigidtop.proof.equation import Equation, Partial, Rate, symbols_of
 from rigidtop.proof.model import Model, Passage, unknown
 from rigidtop.proof.trial import same
 from rigidtop.theory import symbols as s
-from rigidtop.theory import top
 from rigidtop.typeset.text import text
 
 
@@ -54,10 +53,7 @@ def letters_of(passage: Passage) -> Notation:
     known = set().union(*(model.symbols() for model in passage.models))
     glyphs = {x: glyph for x, glyph in NOTES.glyphs.items() if x in known}
     spellings = {g: x for g, x in NOTES.spellings.items() if x in known}
-    if s.p_phi in known:
-        known |= set(models.SLOPES_IN_RATES.values())
-    made = (models.SLOPES, models.SLOPES_IN_RATES, models.MOMENTUM_RATES, models.OTHER_RATES)
-    for x in (models.EXPLICIT, *(x for symbols in made for x in symbols.values())):
+    for x in (*models.MOMENTUM_RATES.values(), *models.OTHER_RATES.values()):
         if x in known:
             glyphs[x] = x.quantity.glyph
     return replace(NOTES, glyphs=glyphs, spellings=spellings)
@@ -214,15 +210,10 @@ def way(start: str, goal: str) -> Way:
 
 def _of_page(equation: Equation) -> Iterator[Equation]:
     """An equation of an answer as the pages may have it: ∂ℒ/∂q̇ is the momentum, or not yet."""
-    slopes: dict[Expr, Expr] = {
-        **{slope: Partial(s.Lagrangian, q) for q, slope in models.SLOPES.items()},
-        **{dotted: Rate(p) for p, dotted in models.MOMENTUM_RATES.items()},
-    }
-    momenta: dict[Expr, Expr] = {
-        p: Partial(s.Lagrangian, rate) for p, rate in zip(top.CONJUGATE, top.RATES, strict=True)
-    }
+    rates: dict[Expr, Expr] = {dotted: Rate(p) for p, dotted in models.MOMENTUM_RATES.items()}
+    momenta = {p: slope for slope, p in models.SLOPES_IN_RATES.items()}
     with sympy.evaluate(False):
-        named = [side.xreplace(slopes) for side in equation.sides]
+        named = [side.xreplace(rates) for side in equation.sides]
         both = [side.xreplace(momenta) for side in named]
     for sides in (named, both):
         yield Equation(*sides, relation=equation.relation, tag=equation.tag)

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import Any
+from contextlib import suppress
+from dataclasses import dataclass, field, fields, replace
 
 import sympy
 from sympy import Pow, Symbol
 
-from rigidtop.derivations import models
 from rigidtop.mark.links import is_matrix
 from rigidtop.notation import Notation
 from rigidtop.proof.equation import Equation, symbols_of, value
@@ -47,45 +45,6 @@ class Step:
     own: frozenset[Symbol] = frozenset()
 
 
-_D = r"\\[td]?frac\s*\{\s*\\partial\s*(?:\\mathcal\s*\{\s*L\s*\}|\\mathcal\s+L|L)\s*\}"
-_ANGLE = r"\\(?:var)?(?P<angle>theta|phi|psi)\b"
-_SLOPE = re.compile(rf"{_D}\s*\{{\s*\\partial\s*(?:{_ANGLE})\s*\}}")
-_MOMENTUM = re.compile(
-    rf"{_D}\s*\{{\s*\\partial\s*\\dot\s*(?:\{{\s*)?(?:{_ANGLE})\s*(?:\}}\s*)?\}}"
-)
-_OVER_TIME = r"\s*\{\s*\\partial\s*t\s*\}"
-_EXPLICIT = re.compile(
-    r"\\[td]?frac\s*\{\s*\\partial\s*\\mathcal\s*(?:\{\s*L\s*\}|L)\s*\}" + _OVER_TIME
-)
-_EITHER_L = re.compile(r"\\[td]?frac\s*\{\s*\\partial\s*L\s*\}" + _OVER_TIME)
-_BY_PARTIAL = re.compile(r"\\[td]?frac\s*(?:\{\s*)?\\partial")
-_OF_TIME = re.compile(r"\(\s*t\s*\)")
-_UPRIGHT = re.compile(r"\\mathrm\s*(?:\{d\}|d)(?=\s*[\\}a-zA-Z])")
-
-
-def prepared(formula: str, explicit: bool = True) -> str:
-    r"""A formula with ∂ℒ/∂q̇ written as the momentum that it is, and ∂ℒ/∂q as one letter.
-
-    So is ∂ℒ/∂t, if `explicit`: elsewhere L is the angular momentum, and this its rate.
-
-    Whatever stands behind keeps its place.
-
-    >>> " ".join(prepared(r"\frac{d}{dt}\frac{\partial L}{\partial\dot\theta} = 0").split())
-    '\\frac{d}{dt}Đ_{\\theta} = 0'
-    """
-    made = _UPRIGHT.sub(lambda found: _padded(found, "d"), formula)
-    if explicit:
-        made = _EXPLICIT.sub(lambda found: _padded(found, "Ł_t"), made)
-    made = _MOMENTUM.sub(lambda found: _padded(found, rf"Đ_{{\{found['angle']}}}"), made)
-    return _SLOPE.sub(lambda found: _padded(found, rf"Ł_{{\{found['angle']}}}"), made)
-
-
-def _padded(found: re.Match[str], new: str) -> str:
-    """A replacement with as many characters and lines as what it replaces."""
-    spaces = re.sub(r"[^\n]", " ", found[0])
-    return new + (spaces[len(new) :] if "\n" not in spaces[: len(new)] else spaces.strip(" "))
-
-
 _ENDS = frozenset(
     {"RELATION", "SIGN", "COMMA", "SEPARATOR", "CLOSE", "RAB", "_END", "TAG", "XIRTAM"}
 )
@@ -99,19 +58,22 @@ def _doubtful(scanned: Sequence[Token], written: str, known: Notation) -> dict[i
     """Where a line could say two things, by position: what a derivative is of, what (t) is."""
     found: dict[int, str] = {}
     for i, token in enumerate(scanned):
-        behind = next((x.position for x in scanned[i + 1 :]), len(written))
-        if token.value in _STEADY and _OF_TIME.search(written, token.position, behind):
+        ahead = (x.position for x in scanned[i + 1 :] if x.position > token.position)
+        behind = next(ahead, len(written))
+        if token.value in _STEADY and "(t)" in "".join(written[token.position : behind].split()):
             found[token.position] = f"(t) behind {text(token.value)}: a factor, or that it changes?"
         if token.kind != "RATE":
             continue
         operand = _operand(scanned, i + 1)
         bracketed = scanned[i + 1 : i + 2] and scanned[i + 1].kind == "_BEGIN"
-        glyphs = [known.glyphs.get(x.value) for x in operand if x.kind == "SYMBOL"]
+        letters = [x for x in operand if x.kind == "SYMBOL"]
+        glyphs = [known.glyphs.get(x.value) for x in letters]
         of_vector = any(glyph is not None and glyph.bold for glyph in glyphs)
-        either = _EITHER_L.match(written, token.position) and models.EXPLICIT in known.glyphs
-        if either:
+        if r"\partial" not in written[token.position : behind]:
+            pass
+        elif s.Lagrangian in known.glyphs and written.startswith("L", letters[0].position):
             found[token.position] = "∂L/∂t: write \\mathcal L for the Lagrangian"
-        elif _BY_PARTIAL.match(written, token.position) and not of_vector:
+        elif not of_vector:
             found[token.position] = "∂/∂t: write d/dt, or with a dot, if all that changes is meant"
         if not bracketed and _goes_on(scanned[i + 1 + len(operand) :]):
             found[token.position] = "the derivative could go on here: put brackets"
@@ -128,25 +90,27 @@ def _goes_on(behind: Sequence[Token]) -> bool:
 
 
 def _operand(scanned: Sequence[Token], at: int) -> Sequence[Token]:
-    """The symbol, or all to the closing bracket, that stands behind d/dt."""
+    """The symbol, slope or fraction, or all to the closing bracket, that stands behind d/dt."""
     depth = 0
     for end in range(at, len(scanned)):
         depth += {"OPEN": 1, "_BEGIN": 1, "CLOSE": -1, "_END": -1}.get(scanned[end].kind, 0)
-        if depth <= 0:
+        if depth <= 0 and [x.kind for x in scanned[end + 1 : end + 2]] != ["_BEGIN"]:
             return scanned[at : end + 1]
     return scanned[at:]
 
 
+@dataclass(frozen=True)
 class _Listening(Notation):
     """Takes letters that it does not know down."""
+
+    heard: dict[Glyph, Symbol] = field(default_factory=dict)
 
     def symbol(self, glyph: Glyph) -> Symbol | None:
         known = super().symbol(glyph)
         if known is None and not (glyph.accent or glyph.bold or glyph.prime):
-            heard: dict[Glyph, Symbol] = self.__dict__.setdefault("heard", {})
             name = "own_" + glyph.base + glyph.sub
             meaning = Quantity(glyph, "defined in the answer", "")
-            return heard.setdefault(glyph, Lettered(name, meaning, real=True))
+            return self.heard.setdefault(glyph, Lettered(name, meaning, real=True))
         return known
 
 
@@ -178,16 +142,12 @@ def _steps(
         rest = source[formula.position : formula.position + 60].split("\n", 1)[0]
         yield Step(place(formula.position)[0], Line(0, None, formula.reason), rest)
         return
-    written = prepared(formula.text, explicit=models.EXPLICIT in notation.glyphs)
-    listening = _Listening(**vars_of(notation))
+    written = formula.text
+    listening = _Listening(**{x.name: getattr(notation, x.name) for x in fields(notation)})
     scanned: list[Token] = []
-    try:
+    with suppress(UnreadError, RecursionError):  # `read` says so again, with the line
         scanned = tokens(written, listening)
-    except UnreadError:
-        pass  # `read` says so again, with the line
-    except RecursionError:
-        pass
-    heard: dict[Glyph, Symbol] = listening.__dict__.get("heard", {})
+    heard = listening.heard
     known = replace(
         notation, glyphs={**notation.glyphs, **{x: glyph for glyph, x in heard.items()}}
     )
@@ -217,11 +177,6 @@ def _with_doubts(lines: Sequence[Line], doubts: Mapping[int, str], written: str)
         if made and made[i].equation is not None:
             made[i] = Line(made[i].position, None, problem)
     return made
-
-
-def vars_of(notation: Notation) -> dict[str, Any]:
-    """The fields of a notation, to make another one of them."""
-    return {name: getattr(notation, name) for name in notation.__dataclass_fields__}
 
 
 def too_large(equation: Equation) -> str:

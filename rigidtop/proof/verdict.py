@@ -68,7 +68,7 @@ class Finding:
 
 @dataclass(frozen=True)
 class Led:
-    """The derivation of a claim, line by line: the lines that lead to it, and where they start.
+    """The derivation of a claim, line by line.
 
     `gaps` are the lines that do not follow, `assumptions` what those named hold under, but for
     what their text sets.
@@ -77,7 +77,6 @@ class Led:
     lecture: Lecture
     name: str
     ids: tuple[str, ...]
-    starts: tuple[str, ...]
     gaps: tuple[Judged, ...] = ()
     assumptions: tuple[TestedAssumption, ...] = ()
 
@@ -162,7 +161,7 @@ def led(lecture: Lecture, name: str) -> Led:
         for each in kept
         if each != sympy.true and not (isinstance(each, sympy.Ne) and sympy.Gt(each.lhs, 0) in kept)
     )
-    return Led(lecture, name, ids, starts, gaps, assumed)
+    return Led(lecture, name, ids, gaps, assumed)
 
 
 _RELATIONS = {"≠": sympy.Ne, ">": sympy.Gt, "≥": sympy.Ge}

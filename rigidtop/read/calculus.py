@@ -12,6 +12,7 @@ from rigidtop.read.cursor import Token
 from rigidtop.read.letters import Letters
 from rigidtop.read.look import operator, operator_at, terms
 from rigidtop.read.tex import Piece, UnreadError, flat, plain, said
+from rigidtop.theory import symbols as s
 from rigidtop.theory.symbols import Glyph
 
 
@@ -31,6 +32,8 @@ class Calculus(Letters):
         self.taken_of(piece.position)
         body = [list(self.inside(rest))] if rest else []
         variables = [self.variable(part, piece.position) for part in by]
+        if sign == "∂" and s.Lagrangian in self.notation.glyphs:
+            body, variables = self.of_lagrangian(rest, body, variables)
         yield from self.derivative(sign, body, variables, piece.position)
 
     def variable(self, part: Sequence[Piece], position: int) -> list[Token]:
@@ -38,6 +41,20 @@ class Calculus(Letters):
         if [piece.text for piece in flat(part)] == ["t"]:
             return [Token("SYMBOL", signs.TIME, position)]
         return list(self.inside(part))
+
+    def of_lagrangian(
+        self, rest: Sequence[Piece], body: list[list[Token]], by: list[list[Token]]
+    ) -> tuple[list[list[Token]], list[list[Token]]]:
+        """∂L/∂θ is of ℒ, whatever L is elsewhere; ∂ℒ/∂t is what ℒ has of the time by itself."""
+        if self.is_time(by):
+            if [[x.value for x in part] for part in body] == [[s.Lagrangian]]:
+                by = [[replace(x, value=s.t) for x in part] for part in by]
+        elif [piece.text for piece in rest] == ["L"]:
+            body = [[Token("SYMBOL", s.Lagrangian, rest[0].position)]]
+        return body, by
+
+    def is_time(self, by: Sequence[Sequence[Token]]) -> bool:
+        return all(len(part) == 1 and part[0].value == signs.TIME for part in by)
 
     def taken_of(self, position: int) -> None:
         """Refuse brackets behind a derivative that may say where it is taken."""
@@ -55,8 +72,7 @@ class Calculus(Letters):
         self, sign: str, body: list[list[Token]], by: list[list[Token]], position: int
     ) -> Iterator[Token]:
         """The tokens of d^n…/dx^n, of a body that stands above the bar, or of none."""
-        times = all(len(part) == 1 and part[0].value == signs.TIME for part in by)
-        if times and len(by) <= 2 and (sign == "d" or not self.open):
+        if self.is_time(by) and len(by) <= 2 and (sign == "d" or not self.open):
             yield Token("RATE", len(by), position)
             by = []
         else:

@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 import sympy
 
-from rigidtop.proof.equation import Cross, Dot, Group, Rate, Transposed, Underbrace
+from rigidtop.proof.equation import Cross, Dot, Group, Partial, Rate, Transposed, Underbrace
 from rigidtop.theory import symbols as s
 
 STEP = 1e-4
@@ -188,6 +188,8 @@ def number(node, motion, t=0.0, own=None):
             return at(node.args[0]) @ at(node.args[1])
         if isinstance(node, Transposed):
             return at(node.args[0]).T
+        if isinstance(node, Partial):
+            return values[f"dL_d{node.args[1].name}"]
         if isinstance(node, Rate):
             return rate(node.args[0], motion)
         if isinstance(node, sympy.Add):
