@@ -24,35 +24,38 @@ line beside it.
 
 from __future__ import annotations
 
-import hashlib
-import importlib.util
 import os
-import re
 import shlex
 import sys
-import traceback
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager, redirect_stdout
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from functools import cached_property, partial, wraps
+from functools import cached_property, partial
 from pathlib import Path
 from types import ModuleType
-from typing import Any, get_args
+from typing import Any
 
 from sympy import Symbol
-from sympy.core.relational import Relational
 
+from rigidtop.collection.folder import PageError as PageError
+from rigidtop.collection.folder import imported, in_one_line, module_name, said, watched
+from rigidtop.collection.kinds import (
+    check_exercises,
+    check_names,
+    check_pages,
+    claims,
+    many,
+    text,
+)
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import MATRICES, Notation
 from rigidtop.notation import NOTES as NOTATION
-from rigidtop.parameters import Parameter
 from rigidtop.proof.exercise import Exercise, texts
-from rigidtop.proof.independence import refuse_circular
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.model import Model
-from rigidtop.proof.page import Assumption, Check, Claim, Evidence, Measure, Page, by_lines
+from rigidtop.proof.page import Claim, Page
 from rigidtop.read.page import read_exercises, read_lecture
 from rigidtop.report.blocks import NOTES, Front
 from rigidtop.terminal.files import text_of
@@ -148,10 +151,6 @@ def typed(folder: Path) -> str:
     return shlex.quote(f"{folder}{os.sep}")
 
 
-class PageError(Exception):
-    """A claim of a collection that breaks.  The message is one line with file and line number."""
-
-
 def built_in() -> Collection:
     """The lecture on the top."""
     from rigidtop.derivations import PAGES, lecture_with
@@ -188,7 +187,7 @@ def opened(words: Sequence[str]) -> Iterator[tuple[Collection, list[str]]]:
     """
     if words and is_folder(words[0]):
         collection = load(words[0])
-        with _in_one_line(Path(words[0])):
+        with in_one_line(Path(words[0])):
             yield collection, list(words[1:])
     else:
         yield built_in(), list(words)
@@ -202,141 +201,52 @@ def load(folder: Path | str) -> Collection:
     if not (folder / "__init__.py").is_file():
         raise RigidtopError(f"{folder} is no collection: it has no __init__.py")
     try:
-        module = _imported(folder)
+        module = imported(folder)
     except (Exception, SystemExit) as error:
-        raise RigidtopError(_said(error, folder)) from None
+        raise RigidtopError(said(error, folder)) from None
     try:
         return _collection(module, folder)
     except RigidtopError as error:
         raise RigidtopError(f"{folder / '__init__.py'}: {error}") from None
 
 
-# --- Importing -----------------------------------------------------------------------------------
-
-
-def _module_name(folder: Path) -> str:
-    """A name that nothing else has, so that no module is shadowed, whatever the folder's name."""
-    path = str(folder.resolve()).encode("utf-8", "surrogateescape")
-    return f"_rigidtop_collection_{hashlib.sha256(path).hexdigest()[:16]}"
-
-
-def _imported(folder: Path) -> ModuleType:
-    name, root = _module_name(folder), folder.resolve()
-    _forget(name)  # it may have been changed
-    importlib.invalidate_caches()
-    spec = importlib.util.spec_from_file_location(
-        name, root / "__init__.py", submodule_search_locations=[str(root)]
-    )
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[name] = module  # for imports with a dot
-    try:
-        with redirect_stdout(sys.stderr):  # stdout is for results
-            spec.loader.exec_module(module)
-    except BaseException:
-        _forget(name)
-        raise
-    return module
-
-
-def _forget(name: str) -> None:
-    for known in [m for m in sys.modules if m == name or m.startswith(f"{name}.")]:
-        del sys.modules[known]
-
-
-# --- One line for what is wrong ------------------------------------------------------------------
-
-
-@contextmanager
-def _in_one_line(folder: Path) -> Iterator[None]:
-    try:
-        yield
-    except RigidtopError:
-        raise
-    except (Exception, SystemExit) as error:
-        if isinstance(error, (OSError, SystemExit)) and _place(error, folder) is None:
-            raise  # of the terminal or the disk, not of the folder
-        raise RigidtopError(_said(error, folder)) from None
-
-
-def _said(error: BaseException, folder: Path, default: str = "") -> str:
-    """File, line, kind of error and its message, in one line."""
-    words = " ".join(str(getattr(error, "msg", "") or error).split())
-    words = words.replace(_module_name(folder), folder.resolve().name)
-    if isinstance(error, ModuleNotFoundError) and error.name:
-        own = folder / error.name.partition(".")[0]
-        if own.is_dir() or own.with_suffix(".py").is_file():
-            words += f"; a file of the folder is imported with a dot: from .{own.name} import …"
-    place = _place(error, folder) or default or str(folder)
-    return f"{place}: {type(error).__name__}: {words}".rstrip(": ")
-
-
-def _place(error: BaseException, folder: Path) -> str | None:
-    """The innermost line of the folder that an error comes from, or None."""
-    places = [(f.filename, f.lineno) for f in traceback.extract_tb(error.__traceback__)]
-    if isinstance(error, SyntaxError):
-        places.append((error.filename or "", error.lineno))
-    for filename, line in reversed(places):
-        shown = _shown(filename, folder)
-        if shown:
-            return f"{shown}, line {line}"
-    return None
-
-
-def _shown(filename: str, folder: Path) -> str:
-    """The path of a file of the folder, as the folder was named; "" for another file."""
-    try:
-        return str(folder / Path(filename).resolve().relative_to(folder.resolve()))
-    except ValueError:
-        return ""
-
-
 # --- From a module to a collection ---------------------------------------------------------------
-
-_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9.-]*")
 
 
 def _collection(module: ModuleType, folder: Path) -> Collection:
     if not hasattr(module, "PAGES"):
         raise RigidtopError("defines no PAGES, the tuple of its pages")
-    pages = _many(module.PAGES, Page, "PAGES")
+    pages = many(module.PAGES, Page, "PAGES")
     if not pages:
         raise RigidtopError("PAGES is empty")
-    exercises = _many(getattr(module, "EXERCISES", ()), Exercise, "EXERCISES")
-    _check_pages(pages)
-    _check_exercises(exercises, pages)
-    _check_names(pages, exercises)
-    title = _text(module, "TITLE", folder.resolve().name)
+    exercises = many(getattr(module, "EXERCISES", ()), Exercise, "EXERCISES")
+    check_pages(pages)
+    check_exercises(exercises, pages)
+    check_names(pages, exercises)
+    title = text(module, "TITLE", folder.resolve().name)
     front = Front(
         title,
-        _text(module, "SUBTITLE", ""),
-        _text(module, "SOURCE", ""),
+        text(module, "SUBTITLE", ""),
+        text(module, "SOURCE", ""),
         f"{title}: exercises",
-        _text(module, "AUTHOR", NOTES.author),
+        text(module, "AUTHOR", NOTES.author),
     )
-    watched = {id(claim): _watched(claim, folder) for claim in _claims(pages, exercises)}
+    once = {id(claim): watched(claim, folder) for claim in claims(pages, exercises)}
 
-    def own(claims: Sequence[Claim]) -> tuple[Claim, ...]:
-        return tuple(watched[id(claim)] for claim in claims)
+    def own(owner: Any) -> Any:
+        return replace(owner, claims=tuple(once[id(claim)] for claim in owner.claims))
 
-    asked = tuple(replace(exercise, claims=own(exercise.claims)) for exercise in exercises)
+    asked = tuple(map(own, exercises))
     return Collection(
         front,
-        tuple(replace(page, claims=own(page.claims)) for page in pages),
+        tuple(map(own, pages)),
         lambda: asked,
         folder,
         notation := _notation(folder),
         read=partial(_lecture, folder, pages, notation, letters := letters_of(notation)),
         letters=letters,
-        models=_models(module),
+        models=many(getattr(module, "MODELS", ()), Model, "MODELS"),
     )
-
-
-def _models(module: ModuleType) -> tuple[Any, ...]:
-    if not hasattr(module, "MODELS"):
-        return ()
-    return _many(module.MODELS, Model, "MODELS")
 
 
 LAWS = "laws"
@@ -399,7 +309,7 @@ def letters_of(notation: Notation) -> Letters:
 
 def _notation(folder: Path) -> Notation:
     """The letters of the symbols that the folder's modules have: its own, and the lecture's."""
-    name = _module_name(folder)
+    name = module_name(folder)
     modules = [vars(m) for known, m in sys.modules.items() if f"{known}.".startswith(f"{name}.")]
     values = [value for names in modules for value in names.values()]
     used = {value for value in values if isinstance(value, Symbol)} | {symbols.const}
@@ -411,137 +321,3 @@ def _notation(folder: Path) -> Notation:
     theirs = {x: g for x, g in NOTATION.glyphs.items() if x in used and g not in taken}
     spellings = {g: x for g, x in NOTATION.spellings.items() if x in theirs and g not in taken}
     return Notation(folder.resolve().name, {**theirs, **glyphs}, spellings)
-
-
-def _claims(pages: Sequence[Page], exercises: Sequence[Exercise]) -> list[Claim]:
-    made = [claim for page in pages for claim in page.claims]
-    return made + [claim for exercise in exercises for claim in exercise.claims]
-
-
-def _a(value: Any) -> str:
-    return "None" if value is None else _kind(type(value))
-
-
-def _kind(kind: type) -> str:
-    return f"{'an' if kind.__name__[0] in 'AEIOaeiou' else 'a'} {kind.__name__}"
-
-
-def _many(values: Any, kind: type, what: str) -> tuple[Any, ...]:
-    """A tuple of one kind; RigidtopError says what it is instead."""
-    if isinstance(values, kind):
-        raise RigidtopError(f"{what} is {_a(values)}, not a tuple: (x,) has a comma")
-    if not isinstance(values, (tuple, list)):
-        raise RigidtopError(f"{what} is {_a(values)}, not a tuple")
-    for i, value in enumerate(values):
-        if not isinstance(value, kind):
-            hint = "; is @claim(name, says) missing?" if kind is Claim and callable(value) else ""
-            raise RigidtopError(f"{what}[{i}] is {_a(value)}, not {_kind(kind)}{hint}")
-    return tuple(values)
-
-
-def _text(module: ModuleType, name: str, default: str) -> str:
-    value = getattr(module, name, default)
-    if not isinstance(value, str):
-        raise RigidtopError(f"{name} is {_a(value)}, not text")
-    return value
-
-
-def _check_texts(owner: Any, names: Sequence[str], what: str) -> None:
-    for name in names:
-        if not isinstance(getattr(owner, name), str):
-            raise RigidtopError(f"the {name} of {what} is {_a(getattr(owner, name))}, not text")
-
-
-def _check_pages(pages: Sequence[Page]) -> None:
-    for i, page in enumerate(pages):
-        _check_texts(page, ("section", "title", "about", "opens"), f"PAGES[{i}]")
-        _many(page.claims, Claim, f"PAGES[{i}].claims")
-
-
-def _check_exercises(exercises: Sequence[Exercise], pages: Sequence[Page]) -> None:
-    for i, exercise in enumerate(exercises):
-        texts = ("name", "title", "section", "asks", "statement", "figure", "text")
-        _check_texts(exercise, texts, f"EXERCISES[{i}]")
-        _many(exercise.claims, Claim, f"EXERCISES[{i}].claims")
-        _many(exercise.parameters, Parameter, f"EXERCISES[{i}].parameters")
-        sections = [page.section for page in pages]
-        if exercise.section not in sections:
-            there = ", ".join(sections)
-            raise RigidtopError(
-                f"exercise {exercise.name!r} is in section {exercise.section!r}; there are {there}"
-            )
-
-
-def _check_names(pages: Sequence[Page], exercises: Sequence[Exercise]) -> None:
-    """Every name finds one thing, in the shell and as a link."""
-    once = {id(claim): claim for claim in _claims(pages, exercises)}.values()
-    for claim in once:
-        _check_texts(claim, ("name", "says"), "a claim")
-    named = [
-        *(("section", page.section) for page in pages),
-        *(("claim", claim.name) for claim in once),
-        *(("exercise", exercise.name) for exercise in exercises),
-    ]
-    kinds: dict[str, str] = {}
-    for kind, name in named:
-        if kind != "section" and not _NAME.fullmatch(name):
-            raise RigidtopError(f"the {kind} {name!r} needs a name of letters, digits, . and -")
-        link = re.sub(r"\W+", "-", name).strip("-")
-        if link in kinds:
-            both = f"two {kind}s" if kinds[link] == kind else f"a {kinds[link]} and a {kind}"
-            raise RigidtopError(f"{both} have the name {name!r}")
-        kinds[link] = kind
-
-
-# --- Claims, watched -----------------------------------------------------------------------------
-
-
-def _watched(claim: Claim, folder: Path) -> Claim:
-    """The claim, whose errors say where they are: raises PageError while it is judged."""
-    if claim.evidence is by_lines:
-        return claim
-
-    @wraps(claim.evidence)
-    def evidence() -> Iterator[Evidence]:
-        found: Any = None
-        try:
-            found = claim.evidence()
-            if not isinstance(found, Iterable):
-                raise TypeError(f"{claim.name} yields nothing")
-            for item in found:
-                sound = _sound(item)
-                if isinstance(sound, Check):
-                    refuse_circular(sound, found, claim.evidence)
-                yield sound
-        except Exception as error:
-            raise PageError(_said(error, folder, _stands(claim, found, folder))) from error
-
-    return replace(claim, evidence=evidence)
-
-
-def _stands(claim: Claim, found: Any, folder: Path) -> str:
-    """Where a claim has come to, or else where it begins."""
-    code = getattr(claim.evidence, "__code__", None)
-    if code is None:
-        return ""
-    frame = getattr(found, "gi_frame", None)
-    line = code.co_firstlineno if frame is None else frame.f_lineno
-    return f"{_shown(code.co_filename, folder)}, line {line}"
-
-
-def _sound(item: Any) -> Evidence:
-    """What a claim yields, if it is evidence; raises TypeError."""
-    if not isinstance(item, get_args(Evidence)):
-        raise TypeError(f"{_a(item)} is no Step, Check, Definition or Measure")
-    if isinstance(item, Measure):  # a number of another kind is not printed as one
-        return replace(item, error=float(item.error), tolerance=float(item.tolerance))
-    if isinstance(item, Check):
-        if not isinstance(item.assuming, tuple):
-            raise TypeError(f"assuming is {_a(item.assuming)}, not a tuple: (x,) has a comma")
-        for assumption in item.assuming:
-            if not isinstance(assumption, Assumption):
-                raise TypeError(f"{_a(assumption)} is no Assumption")
-            if not isinstance(assumption.condition, Relational):
-                raise TypeError(f"the assumption is {assumption.condition}: it says nothing")
-    sound: Evidence = item
-    return sound
