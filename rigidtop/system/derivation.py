@@ -189,15 +189,15 @@ class _Writer:
         self.heading("The equations of motion for ", *letters, level=1)
         self.heading("Laws")
         self.L = self.law("The Lagrangian", Equation(Lagrangian, self.own(system.plain)))
-        A = system.rolling[:, : len(names.q)]
         laws = []
         for k, x in enumerate(self.own(y) for y in names.q):
-            pushed = sympy.Add(*(y * A[i, k] for i, y in enumerate(system.multipliers)))
-            right = Partial(Lagrangian, x) + self.own(system.generalised_forces[k] + pushed)
+            pushed = system.generalised_forces[k] + system.reactions[k]
+            right = Partial(Lagrangian, x) + self.own(pushed)
             equation = Equation(Rate(Partial(Lagrangian, self.own(names.v[k]))), right)
             laws.append(self.law("Lagrange's equation for ", equation, x, along=True))
+        count = len(system.rules)
         rules = [
-            self.law(_numbered("the constraint", i, A.rows), Equation(self.own(x), 0), along=True)
+            self.law(_numbered("the constraint", i, count), Equation(self.own(x), 0), along=True)
             for i, x in enumerate(system.rules)
         ]
         slopes = {self.own(v): Partial(Lagrangian, self.own(v)) for v in names.v}

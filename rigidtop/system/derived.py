@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any
@@ -24,7 +25,6 @@ from rigidtop.system.names import (
     own_functions,
 )
 from rigidtop.system.parts import Part
-from rigidtop.theory import lagrangian as mechanics
 
 CRAMER = 3
 """Rows of a part of the mass matrix up to which determinants are written out."""
@@ -203,6 +203,16 @@ class Derived:
         return multipliers(len(self.constraints), taken)
 
     @cached_property
+    def reactions(self) -> Matrix:
+        """Aᵀλ, the forces of the constraints on the coordinates (n×1), plain."""
+        A = self.rolling
+        rows = [
+            sympy.Add(*(x * A[i, k] for i, x in enumerate(self.multipliers)))
+            for k in range(len(self.q))
+        ]
+        return Matrix(rows)
+
+    @cached_property
     def program(self) -> StraightLine:
         """q̈, then the multipliers, as the shortest straight-line program that was found.
 
@@ -255,22 +265,13 @@ class Derived:
         for v, column in zip(self.qdot, range(mass.cols), strict=True):
             if mass[:, column].is_zero_matrix:
                 return f"the mass matrix is singular: L is not quadratic in {v}"
-        if self.constraints and not self.unconstrained_is_singular:
+        with suppress(SingularError):
+            solved(mass, self._balance[1], sympy.numbered_symbols("x"))
             return "the constraints depend on one another: leave one out"
         return (
             "the mass matrix is singular: some combination of the velocities does not enter L, "
             "or enters it only linearly"
         )
-
-    @cached_property
-    def unconstrained_is_singular(self) -> bool:
-        """Whether the mass matrix has no inverse."""
-        mass, force = self._balance
-        try:
-            solved(mass, force, sympy.numbered_symbols("x"))
-        except SingularError:
-            return True
-        return False
 
     @cached_property
     def one_sided(self) -> tuple[tuple[int, int], ...]:
@@ -307,15 +308,10 @@ class Derived:
     def equations(self) -> Matrix:
         """d/dt ∂L/∂q̇ − ∂L/∂q − Q − Σ λA (n×1), which vanishes along the motion: Lagrange (2.29)."""
         names = self.names
-        rates = names.rates
-        pushed = [Integer(0)] * len(self.q)
-        if self.constraints:
-            A = self.rolling[:, : len(self.q)]
-            pushed = list(A.T * Matrix(self.multipliers))
         rows = [
-            self._rate(p, rates) - self.plain.diff(x) - Q - force
+            self._rate(p, names.rates) - self.plain.diff(x) - Q - force
             for p, x, Q, force in zip(
-                self.conjugate, names.q, self.generalised_forces, pushed, strict=True
+                self.conjugate, names.q, self.generalised_forces, self.reactions, strict=True
             )
         ]
         made = [short(row) if row.count_ops() < LARGEST else row for row in rows]
@@ -475,110 +471,6 @@ class Derived:
             if own.get(x.name, x) != x:
                 raise RigidtopError(f"two different symbols are called {x.name}")
         return made
-
-    # --- Hamilton, Routh --------------------------------------------------------------------------
-
-    @cached_property
-    def _velocities(self) -> dict[Expr, Expr]:
-        """q̇(q, p)."""
-        names = self.names
-        still = dict.fromkeys(names.v, Integer(0))
-        try:
-            self.program  # noqa: B018 - raises where the mass matrix is singular
-            if not self._balance[0].has(*names.v):
-                moved = [p - x.subs(still) for p, x in zip(names.p, self.conjugate, strict=True)]
-                found = self._over_mass(moved)
-                if found:
-                    return dict(zip(names.v, found, strict=True))
-            return mechanics.inverse_momenta(self.plain, names.v, names.p)
-        except ValueError as error:
-            raise RigidtopError(str(error)) from None
-
-    @cached_property
-    def hamiltonian(self) -> Expr:
-        """H(q, p, t) = Σ p q̇ − L, with the letters `p`; without the constraints.
-
-        >>> from sympy import symbols
-        >>> from rigidtop import System
-        >>> m, k = symbols("m k", positive=True)
-        >>> x, v = symbols("x v", real=True)
-        >>> System(m*v**2/2 - k*x**2/2, [x], [v]).hamiltonian
-        k*x**2/2 + p_x**2/(2*m)
-        """
-        return self.names.back(self.reduced_hamiltonian)
-
-    @cached_property
-    def reduced_hamiltonian(self) -> Expr:
-        """H(q, p, t), plain."""
-        names = self.names
-        if self._balance[0].has(*names.v):
-            turned = sympy.Add(*(p * v for p, v in zip(names.p, names.v, strict=True)))
-            return readable((turned - self.plain).xreplace(self._velocities))
-        # ½ (p − a)·q̇ − L₀, where L = ½ q̇·Mq̇ + a·q̇ + L₀
-        still = dict.fromkeys(names.v, Integer(0))
-        kinetic = [
-            (p - x.subs(still)) * self._velocities[v] / 2
-            for p, x, v in zip(names.p, self.conjugate, names.v, strict=True)
-        ]
-        parts = parts_of(self._balance[0].applyfunc(short))
-        together = [readable(sympy.Add(*(kinetic[k] for k in part))) for part in parts]
-        return sympy.Add(*together, -sympy.expand(self.plain.subs(still)))
-
-    @cached_property
-    def hamilton_equations(self) -> Matrix:
-        """q̇ = ∂H/∂p and ṗ = −∂H/∂q + Q + Σ λA (2n×1), the coordinates first."""
-        names = self.names
-        made = mechanics.hamilton_equations(self.reduced_hamiltonian, names.q, names.p)
-        n = len(self.q)
-        A = self.rolling[:, :n]
-        acting = Matrix(self.generalised_forces)
-        if self.constraints:
-            acting += A.T * Matrix(self.multipliers)
-        pushed = Matrix([*sympy.zeros(n, 1), *acting]).xreplace(self._velocities)
-        return names.back((made + pushed).applyfunc(sympy.factor_terms))
-
-    def poisson(self, first: Expr, second: Expr) -> Expr:
-        """The bracket {f, g} = Σ ∂f/∂q ∂g/∂p − ∂f/∂p ∂g/∂q of quantities of q, q̇ and p.
-
-        What comes out has q and p.
-
-        >>> from sympy import symbols
-        >>> from rigidtop import System
-        >>> m = symbols("m", positive=True)
-        >>> x, y, u, v = symbols("x y u v", real=True)
-        >>> free = System(m*(u**2 + v**2)/2, [x, y], [u, v])
-        >>> p_x, p_y = free.p
-        >>> free.poisson(x, p_x), free.poisson(x*p_y - y*p_x, p_x)
-        (1, p_y)
-        """
-        names = self.names
-        f, g = (self._own(expression("the quantity", each)) for each in (first, second))
-        f, g = (x.xreplace(self._velocities) if x.has(*names.v) else x for x in (f, g))
-        pairs = zip(names.q, names.p, strict=True)
-        bracket = [f.diff(x) * g.diff(p) - f.diff(p) * g.diff(x) for x, p in pairs]
-        return names.back(readable(sympy.Add(*bracket)))
-
-    @cached_property
-    def routhian(self) -> Expr:
-        """L − Σ p q̇ over the cyclic coordinates, their velocities given by the constant `p`."""
-        return self.names.back(self._routhian)
-
-    @cached_property
-    def _routhian(self) -> Expr:
-        names = self.names
-        chosen = [k for k, x in enumerate(self.q) if x in self.cyclic]
-        if not chosen:
-            return self.plain
-        velocities, momenta = ([group[k] for k in chosen] for group in (names.v, names.p))
-        try:
-            return readable(mechanics.routhian(self.plain, velocities, momenta))
-        except ValueError as error:
-            raise RigidtopError(str(error)) from None
-
-    @cached_property
-    def effective_potential(self) -> Expr:
-        """Minus the Routhian where the velocities of the other coordinates vanish."""
-        return self.names.back(-self._routhian.subs(dict.fromkeys(self.names.v, 0)))
 
 
 def _forces(forces: Given, q: Given) -> tuple[Expr, ...]:

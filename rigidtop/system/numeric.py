@@ -16,7 +16,7 @@ from sympy import Expr, Symbol
 from rigidtop.codegen import numpy as plain
 from rigidtop.codegen.numpy import Function
 from rigidtop.errors import RigidtopError
-from rigidtop.system.derived import Derived
+from rigidtop.system.canonical import Canonical
 from rigidtop.system.names import own_functions
 
 MEANT = {*kwlist, *dir(builtins), *dir(math), *dir(np)}
@@ -27,7 +27,7 @@ MEANT = {*kwlist, *dir(builtins), *dir(math), *dir(np)}
 class Numeric:
     """A system's functions of numbers: time, q, q̇ and parameters in, in this order."""
 
-    system: Derived
+    system: Canonical
 
     @cached_property
     def arguments(self) -> tuple[Symbol, ...]:
@@ -149,7 +149,7 @@ def computed(
 
 
 @dataclass(frozen=True, repr=False, init=False)
-class Computed(Derived):
+class Computed(Canonical):
     """What is derived, with numbers for its symbols."""
 
     @cached_property

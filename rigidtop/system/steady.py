@@ -197,15 +197,7 @@ def balance(system: Derived, rates: Sequence[Symbol] = ()) -> Matrix:
         (system.plain.diff(x) + Q).subs(still)
         for x, Q in zip(names.q, system.generalised_forces, strict=True)
     ]
-    return Matrix(forces) + _held(system)
-
-
-def _held(system: Derived) -> Matrix:
-    """Aᵀλ, the forces of the constraints (n×1)."""
-    n = len(system.q)
-    if not system.constraints:
-        return sympy.zeros(n, 1)
-    return system.rolling[:, :n].T * Matrix(system.multipliers)
+    return Matrix(forces) + system.reactions
 
 
 def equilibria(system: Derived) -> tuple[dict[Expr, Expr], ...]:
