@@ -178,6 +178,8 @@ def _(tree: Expr, order: Order) -> lay.Node:
         return _node(base, order)
     if base == sympy.E:
         return lay.Power(lay.Letter(Glyph("e")), lay.flat(_node(exponent, order)))
+    if exponent == sympy.Rational(1, 2) and isinstance(base, Dot) and base.args[0] == base.args[1]:
+        return lay.Brackets(_node(base.args[0], order), "||")
     if exponent.is_Rational and exponent.p == 1:
         index = "" if exponent.q == 2 else str(exponent.q)
         return lay.Root(_node(base, order), index)

@@ -338,7 +338,8 @@ def product(factors: Iterable[Node]) -> Node:
         return Number("1")
     if len(flat) == 1:
         return flat[0]
-    parts = [as_factor(factor, last=i == len(flat) - 1) for i, factor in enumerate(flat)]
+    alone = not any(isinstance(factor, Infix) for factor in flat[:-1])
+    parts = [as_factor(x, last=alone and i == len(flat) - 1) for i, x in enumerate(flat)]
     return Product(tuple(parts), tuple(_joint(a, b) for a, b in pairwise(parts)))
 
 
