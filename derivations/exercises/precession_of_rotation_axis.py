@@ -120,11 +120,11 @@ def cone_plane(
         path = motion.integrate(np.linspace(0, span, 401), rtol=1e-11, atol=1e-13)
         seen = cone_angles(path)
         rows += [(name, what, float(x.min()), float(x.max())) for what, x in seen.items()]
-        found = seen["$𝛚$ and $𝐋$ (rad)"]
-        ends = cone_angles(motion.exact([0.0, span / 2]))["$𝛚$ and $𝐋$ (rad)"]
+        found = seen["$𝛚$ and $𝐋$"]
+        ends = cone_angles(motion.exact([0.0, span / 2]))["$𝛚$ and $𝐋$"]
         if second == lambda1:
-            expected = {"$e₃$ and $𝛚$ (rad)": tilt, "$e₃$ and $𝐋$ (rad)": momentum_tilt}
-            expected |= {"$𝛚$ and $𝐋$ (rad)": between, "$e₃$ out of their plane (rad)": 0.0}
+            expected = {"$e₃$ and $𝛚$": tilt, "$e₃$ and $𝐋$": momentum_tilt}
+            expected |= {"$𝛚$ and $𝐋$": between, "$e₃$ out of their plane": 0.0}
             errors = [abs(values - expected[what]).max() for what, values in seen.items()]
             yield Measure("angles of the integrated motion (rad)", float(max(errors)), 1e-8)
         else:
@@ -143,7 +143,7 @@ def cone_plane(
     yield Table(
         "angles",
         "Over a period of an integrated motion",
-        ("body", "angle", "least", "greatest"),
+        ("body", "angle", "least (rad)", "greatest (rad)"),
         tuple(rows),
     )
 
@@ -154,10 +154,10 @@ def cone_angles(path: Trajectory) -> dict[str, Vectors]:
     normal = np.cross(omega, momentum)
     height = np.abs(np.sum(axis * normal, axis=1))
     return {
-        "$e₃$ and $𝛚$ (rad)": angles(axis, omega),
-        "$e₃$ and $𝐋$ (rad)": angles(axis, momentum),
-        "$𝛚$ and $𝐋$ (rad)": angles(omega, momentum),
-        "$e₃$ out of their plane (rad)": np.arctan2(
+        "$e₃$ and $𝛚$": angles(axis, omega),
+        "$e₃$ and $𝐋$": angles(axis, momentum),
+        "$𝛚$ and $𝐋$": angles(omega, momentum),
+        "$e₃$ out of their plane": np.arctan2(
             height, np.linalg.norm(np.cross(axis, normal), axis=1)
         ),
     }

@@ -100,7 +100,15 @@ def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[
     yield Table(
         "small_turns",
         "Both angles halved: the angle of $A B A⁻¹B⁻¹$ and its axis",
-        ("$2α₁$ (rad)", "$2α₂$ (rad)", "angle (rad)", "angle over $4α₁α₂$", "$x$", "$y$", "$z$"),
+        (
+            "$2α₁$ (rad)",
+            "$2α₂$ (rad)",
+            "angle (rad)",
+            "angle over $4α₁α₂$, in radians",
+            "$x$",
+            "$y$",
+            "$z$",
+        ),
         tuple(_commutator(first, second, alpha / 2**k, beta / 2**k) for k in range(HALVINGS + 1)),
     )
 

@@ -118,8 +118,8 @@ def _set_right(judgement: Judgement, there: Collection[Any]) -> Iterator[b.Block
         words += [": ", *at, ", " if at else ""]
         words += [claimed] if _in_words(claimed) else [what, " as the notes print it"]
         entry = place(failed.counterexample)
-        words += [" would be", *((", ", *entry, ", ") if entry else " ")]
-        words += [left, f" {failed.check.claimed.relation} ", right]
+        words += [" would be ", left, f" {failed.check.claimed.relation} ", right]
+        words += [" ", *entry] if entry else []
     corrected = [c for c in judgement.corrections() if c.check.claimed.sides not in there]
     equations = [finding.check.claimed for finding in corrected]
     short = [layout(equation, "printed") for equation in equations]
@@ -278,13 +278,19 @@ def total(points: str, exercises: int) -> str:
 
 
 def _given(value: float, unit: str) -> b.Rich:
-    """A setting in the unit in which it has fewest digits: 30°, but 0.5 rad; 180 turns a minute."""
+    """A setting in the unit in which it has fewest digits: 30°, but 0.5 rad (28.65°); 180 rpm."""
     made = [written(value, unit, angles=angles, digits=GIVEN_DIGITS) for angles in (True, False)]
     if unit == "rad/s":
         slow = abs(value) < SMALLEST_ANGLE
         other = math.degrees(value) * DAY if slow else value * 30 / math.pi
         made.append((shown(other, GIVEN_DIGITS), b.Unit("°/day" if slow else "rpm")))
-    return min(made, key=_significant)
+    best = min(made, key=_significant)
+    if best is not made[1]:
+        return best
+    if abs(value) < SMALLEST_ANGLE:
+        return best
+    # The solution has degrees.
+    return (*best, " (", *written(value, unit, digits=TABLE_DIGITS), ")")
 
 
 GIVEN_DIGITS = 7
@@ -391,10 +397,22 @@ def results(solution: Solution) -> list[b.Block]:
         made.append(b.Quantities("", rows))
     for outcome in solution.outcomes:
         if isinstance(outcome, Table):
-            columns = map(_clean, zip(*outcome.rows, strict=True))
-            found = cells(list(zip(*columns, strict=True)))
-            made.append(b.DataTable(outcome.title, outcome.columns, found))
+            columns = tuple(map(_in_degrees, outcome.columns, zip(*outcome.rows, strict=True)))
+            found = cells(list(zip(*(_clean(column) for _, column in columns), strict=True)))
+            made.append(b.DataTable(outcome.title, tuple(head for head, _ in columns), found))
     return made
+
+
+def _in_degrees(head: str, column: Sequence[float | str]) -> tuple[str, Sequence[float | str]]:
+    """A column of a table, angles in degrees.
+
+    >>> _in_degrees("tilt (rad)", ("none", math.pi))
+    ('tilt ($°$)', ['none', 180.0])
+    """
+    if not head.endswith("(rad)"):
+        return head, column
+    turned = [x if isinstance(x, str) else math.degrees(x) for x in column]
+    return f"{head.removesuffix('(rad)')}($°$)", turned
 
 
 def _clean(column: Sequence[float | str]) -> list[float | str]:

@@ -204,7 +204,7 @@ def _number(value: float, decimals: int | None = None, *, powers: bool = False) 
         digits, _, power = f"{abs(value):.{TABLE_DIGITS - 1}e}".partition("e")
         exponent = Number(str(abs(int(power))))
         ten = Power(Number("10"), exponent if int(power) >= 0 else negated(exponent))
-        node: Node = Infix("×", Number(digits), ten)
+        node: Node = Infix("×", Number(digits), ten) if int(power) else Number(digits)
     else:
         node = Number(f"{abs(value):.{decimals}f}")
         value = round(value, decimals)
