@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from sympy import Symbol
+from sympy import Basic, Symbol, elliptic_f, elliptic_k
 
 from rigidtop.report.blocks import Block, Display, Heading, Symbols
 from rigidtop.theory.lettered import known
+from rigidtop.theory.symbols import Glyph, Quantity
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.sentences import printed_unit
 
@@ -20,23 +21,36 @@ def symbol_list(blocks: Sequence[Block], heading: Heading) -> tuple[Block, ...]:
     rows = []
     letters: dict[str, int] = {}
     for symbol in dict.fromkeys(_in_order(blocks)):
-        place, quantity = known(symbol)
+        place, quantity = _quantity(symbol)
         if quantity is not None and quantity.glyph.base != "const":
             at = letters.setdefault(quantity.glyph.base, len(letters))
             row = (layout(symbol), quantity.meaning, printed_unit(quantity.unit))
-            rows.append(((at, len(quantity.glyph.accent), place, symbol.name), row))
+            rows.append(((at, len(quantity.glyph.accent), place, str(symbol)), row))
     shown = tuple(row for _, row in sorted(rows, key=lambda pair: pair[0]))
     return (heading, Symbols(shown)) if shown else ()
 
 
 def symbols_used(blocks: Iterable[Block]) -> set[Symbol]:
     """The symbols of all displays."""
-    return set(_in_order(blocks))
+    return {symbol for symbol in _in_order(blocks) if isinstance(symbol, Symbol)}
 
 
-def _in_order(blocks: Iterable[Block]) -> Iterator[Symbol]:
+INTEGRALS = {
+    elliptic_f: Quantity(Glyph("F"), "Legendre's integral of the first kind", "1"),
+    elliptic_k: Quantity(Glyph("K"), "Legendre's complete integral of the first kind", "1"),
+}
+"""Functions that have no letter in the vocabulary."""
+
+
+def _quantity(symbol: Basic) -> tuple[int, Quantity | None]:
+    return known(symbol) if isinstance(symbol, Symbol) else (0, INTEGRALS[symbol.func])
+
+
+def _in_order(blocks: Iterable[Block]) -> Iterator[Basic]:
+    """The letters of displays, and the integrals that have one."""
     for block in blocks:
         if isinstance(block, Display):
             for row in block.rows:
                 for side in row.equation.sides:
-                    yield from sorted(side.free_symbols, key=lambda x: (known(x)[0], x.name))
+                    used = side.free_symbols | side.atoms(*INTEGRALS)
+                    yield from sorted(used, key=lambda x: (_quantity(x)[0], str(x)))

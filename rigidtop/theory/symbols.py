@@ -139,9 +139,9 @@ T_totdot = _real(
 )
 damping = _real("damping", Glyph("c"), "torque of the friction inside the body over $ζ$", "J s")
 c_3 = _real("c_3", Glyph("c", "3"), "drag torque of the air along $e₃$ over $ω₃$", "J s")
-sigma2 = _real("sigma2", Glyph("σ²"), "square of a growth rate", "1/s²")
+sigma2 = _real("sigma2", Glyph("σ²"), "square of the rate $σ$ of growth", "1/s²")
 nu = _real("nu", Glyph("ν"), "frequency of a nutation, rate of a flip", "rad/s")
-omega_n2 = _real("omega_n2", Glyph("ω²", "n"), "square of the nutation frequency", "1/s²")
+omega_n2 = _real("omega_n2", Glyph("ω²", "n"), "square of the frequency $ω_n$ of nutation", "1/s²")
 A = _real("A", Glyph("A"), "an amplitude", "rad")
 eta_0 = _real("eta_0", Glyph("η", "0"), "amplitude of the nutation", "rad")
 delta = _real("delta", Glyph("δ"), "how far the tip of $e₃$ is above or below a level", "1")
@@ -225,8 +225,8 @@ e3 = _real("e3", Glyph("e", "3", bold=True), "third principal axis: figure axis"
 e3dot = _real(
     "e3dot", Glyph("e", "3", accent="dot", bold=True), "velocity of the tip of $e₃$", "1/s"
 )
-n_1 = _real("n_1", Glyph("n", "1", bold=True), "axis of the first rotation", "")
-n_2 = _real("n_2", Glyph("n", "2", bold=True), "axis of the second rotation", "")
+n_1 = _real("n_1", Glyph("n", "1", bold=True), "axis of the first rotation, a unit vector", "")
+n_2 = _real("n_2", Glyph("n", "2", bold=True), "axis of the second rotation, a unit vector", "")
 s_vec = _real("s_vec", Glyph("s", bold=True), "axis of a rotation times sine of its angle", "")
 h_vec = _real("h_vec", Glyph("h", bold=True), "horizontal direction in which $e₃$ leans", "")
 omega_phi = _real("omega_phi", Glyph("ω", "φ", bold=True), "rotational velocity of $φ$", "rad/s")

@@ -71,10 +71,10 @@ def printed_unit(text: str) -> str:
     >>> printed_unit("1/s²"), printed_unit("rate (1/s)"), printed_unit("rad/s")
     ('s⁻²', 'rate (s⁻¹)', 'rad/s')
     """
-    return _PER_SECOND.sub(lambda found: f"s⁻{found[1] or '¹'}", text)
+    return _PER_UNIT.sub(lambda found: f"{found[1]}⁻{found[2] or '¹'}", text)
 
 
-_PER_SECOND = re.compile(r"(?<![\w$/.)])1/s(²?)(?![\w²³])")
+_PER_UNIT = re.compile(r"(?<![\w$/.)])1/([ms])([²³]?)(?![\w²³])")
 _NAMES = r"(?:kg|rad|[cmk]?m|[mkμ]?J|[NWs%])(?![A-Za-z])"
 _COUNTED = re.compile(r"(?<=\d) (?=(?:days|turns)\b)|(?<=\d\$) (?=(?:days|turns)\b)")
 _APART = re.compile(
