@@ -80,7 +80,7 @@ def euler_angle_matrix() -> Iterator[Evidence]:
     )
 
 
-@claim("rotation-group", "Rotation matrices form a group; SO(N) has $det O = 1$.")
+@claim("rotation-group", "Rotation matrices form a group, SO(3), in which $det O = 1$.")
 def rotation_group() -> Iterator[Evidence]:
     """Products and inverses of orthogonal matrices are orthogonal, and determinants multiply.
 

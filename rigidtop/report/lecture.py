@@ -277,9 +277,9 @@ def _map(lines: Lecture, notation: Notation) -> Picture | None:
     kept = {name for name in numbered if name not in lines.laws or name in used}
     shown = {name: on for name, on in numbered.items() if name in kept}
     caption = (
-        "Which numbered statement, with all that stands under its number, rests on which, by the "
-        "lines of the text; arrows that a chain of others says too are left out. Light: what the "
-        "lecture starts from."
+        "Which numbered statement rests on which, by the lines of the text. A number stands for "
+        "all lines of its statement, and has its place at the last of them. Arrows that a chain of "
+        "others says too are left out. Light: what the lecture starts from."
     )
     alternative = "A chart from left to right: " + "; ".join(
         f"{name} rests on {', '.join(on)}" for name, on in shown.items() if on
