@@ -117,7 +117,7 @@ def _draw(axes: Axes, **values: float) -> None:
     body = points(**values)
     draw_weights(axes, body)
     size = in_math(float(np.linalg.norm(body.torque)))
-    one = r"\sum\mathbf{r}_i \times m_i\mathbf{g} = \mathbf{R}_\mathrm{CM} \times M\mathbf{g}"
+    one = r"\sum\mathbf{r}_k \times m_k\mathbf{g} = \mathbf{R}_\mathrm{CM} \times M\mathbf{g}"
     axes.set_title(rf"$\mathbf{{N}} = {one}$,  $N = {size}$ N m")
 
 
@@ -132,7 +132,7 @@ def _caption(**values: float) -> str:
     return (
         f"Three masses, {masses} kg, held together by light rods and held at the origin, and their "
         f"weights at $g = {said(values['g'])}$ m/s². The whole mass $M = {said(found['mass'])}$ "
-        f"kg at the centre of mass, $𝐑_CM = ({centre})$ m, has their torque: $Σ 𝐫_i × m_i𝐠 = "
+        f"kg at the centre of mass, $𝐑_CM = ({centre})$ m, has their torque: $Σ 𝐫_k × m_k𝐠 = "
         f"𝐑_CM × M𝐠$, {turning}; and their potential energy, {said(found['potential'])} J. Weights "
         "are drawn to one scale, places to another; dotted lines lead to the plane of $x̂$ and $ŷ$."
     )

@@ -41,7 +41,7 @@ WORDS = frozenset(
 )
 """The fields that are read as sentences."""
 
-_LETTER = re.compile(
+LETTER = re.compile(
     rf"(?:{'|'.join(FUNCTIONS)}|const)(?![a-z])|R[xyz](?=\()|[a-z]{{3,}}"
     r"|(?P<letter>[^\W\d_][\u0302\u0307\u0308]?"
     r"(?:[₀-₉₊₋ᵢⱼₖₙₓ]+|_(?:\d,\d|[A-Za-z0-9]+|[^\W\d_])|⊥)?)(?P<primes>′*)"
@@ -110,7 +110,7 @@ class Wording:
             made = opened(self._other(old, found["primes"], alone))
             return made if old == found["letter"] else bold(made[0]) + made[1:]
 
-        return unicodedata.normalize("NFC", _LETTER.sub(other, whole))
+        return unicodedata.normalize("NFC", LETTER.sub(other, whole))
 
     def _other(self, old: str, primes: str, alone: bool) -> str:
         old = unicodedata.normalize("NFC", old)

@@ -5,7 +5,7 @@ import math
 import re
 import shutil
 import subprocess
-from dataclasses import replace
+from dataclasses import fields, is_dataclass, replace
 from itertools import pairwise
 from xml.etree import ElementTree
 
@@ -17,6 +17,8 @@ from rigidtop.derivations import PAGES
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.figures.catalog import FIGURES
 from rigidtop.figures.drawing import both, rendered
+from rigidtop.notation.characters import opened
+from rigidtop.proof.words import light, parts
 from rigidtop.report import html, myst, pdf, plain, tex, typst
 from rigidtop.report.blocks import (
     Cited,
@@ -34,6 +36,7 @@ from rigidtop.report.blocks import (
     Results,
     Subhead,
     Symbols,
+    Unit,
 )
 from rigidtop.report.claims import claim_blocks
 from rigidtop.report.handout import LEGEND, written
@@ -42,8 +45,10 @@ from rigidtop.report.lecture import FORMATS, Edition, fragment, lecture, record,
 from rigidtop.report.map import columns, heights, reduced
 from rigidtop.report.symbols import symbols_used
 from rigidtop.report.ways import law_blocks, running
+from rigidtop.report.wording import LETTER
 from rigidtop.theory import symbols as s
 from rigidtop.theory.lettered import known
+from rigidtop.typeset.nodes import Node
 from rigidtop.typeset.text import text
 
 from ..web.conftest import chrome
@@ -322,9 +327,9 @@ def test_a_false_statement_stands_with_its_numbers_and_its_right_form(document):
     (words,) = [each for each in said if each.startswith("The notes say: In the space frame all")]
     assert "This is false: at λ₁ = 1, λ₂ = 2" in words
     assert "ψ = 0, I_xz ≠ 0 would be 0 ≠ 0" in words
-    assert any("ψ = 0, r′ = Or would be, in component 1, 1 = −2.253" in x for x in said)
+    assert any("ψ = 0, r′ = Or would be 1 = −2.253 in component 1" in x for x in said)
     assert any(
-        "(3.47) as the notes print it would be, in row 1, column 2, ¼√3 = " in x for x in said
+        "(3.47) as the notes print it would be ¼√3 = −½√3 in row 1, column 2" in x for x in said
     )
     place = said.index(words)
     (row,) = next(
@@ -337,6 +342,37 @@ def test_a_false_statement_stands_with_its_numbers_and_its_right_form(document):
 
 def _paragraph(document, place):
     return [block for block in document.blocks if isinstance(block, Paragraph)][place]
+
+
+def _formulas(tree):
+    """What a block says in letters, but in its displays."""
+    if isinstance(tree, str):
+        yield from (part for formal, part in parts(tree) if formal)
+    elif isinstance(tree, tuple):
+        for each in tree:
+            yield from _formulas(each)
+    elif isinstance(tree, Node):
+        yield text(tree)
+    elif is_dataclass(tree) and not isinstance(tree, (Unit, Cited, Display, Symbols, Results)):
+        for field in fields(tree):
+            yield from _formulas(getattr(tree, field.name))
+
+
+def _letters_of(tree):
+    found = [each for words in _formulas(tree) for each in LETTER.finditer(opened(words))]
+    return {light(x["letter"]) + x["primes"] for x in found if x["letter"] and x[0][0].isalpha()}
+
+
+def test_every_letter_is_listed_or_introduced(document):
+    (symbols,) = [block for block in document.blocks if isinstance(block, Symbols)]
+    said = _letters_of(tuple(b for b in document.blocks if b is not symbols))
+    listed = _letters_of(tuple(node for node, *_ in symbols.rows))
+    # Coordinates, any vector and any axis, indices and the imaginary unit, a turning point.
+    introduced = {*"xyzwnilπΣᵀ", "m₁", "m₂", "m₃", "θ₁"}
+    assert introduced < said
+    known = listed | introduced
+    others = {re.sub("[\u0307\u0308]", "", x.replace("_i", "ᵢ")) for x in said - known}
+    assert {re.sub("ₖ|_k", "₁", x) for x in others - known} <= known
 
 
 def test_the_laws_that_pages_cite_are_printed(document, lines):
