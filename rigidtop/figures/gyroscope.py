@@ -122,9 +122,9 @@ def _motion(M: float, radius: float, R: float, g: float, theta: float, omega3: f
 
 
 def _draw(tolerance: float, **values: float) -> Canvas:
-    drawn = canvas(look.COLUMN, 4.1)
+    drawn = canvas(look.WIDE, 2.4)
     motion = _motion(**values)
-    picture, chart = drawn.subplots(2, 1, height_ratios=(1.6, 1))
+    picture, chart = drawn.subplots(1, 2)
     draw_gyroscope(picture, motion, values["radius"])
     draw_simple_and_exact(chart, motion.body, values["theta"], values["omega3"], tolerance)
     return drawn

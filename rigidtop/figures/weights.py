@@ -164,7 +164,7 @@ WEIGHTS = Drawing(
     "The weights of three points, and one at their centre of mass",
     "",
     gravity_on_points.parameters,
-    alone(3.1, _draw),
+    alone(2.7, _draw),
     _caption,
     _in_words,
 )

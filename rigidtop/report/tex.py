@@ -29,16 +29,17 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
     if isinstance(document.blocks[0], b.Legend) and len(_headings(document)) > FEW:
         # Then the pages of all that follows do not depend on how long the contents are.
         parts.insert(1 + isinstance(document.blocks[1], b.Paragraph), r"\clearpage")
+        parts.insert(0, r"\vskip 0pt plus 4fil")
     body = "\n\n".join(parts)
     title = prose(document.title)
     # \tableofcontents begins a page in classes that have chapters.
-    contents = r"{\small\setlength{\parskip}{0pt}\section*{\contentsname}\rttoc}"
+    contents = r"{\setlength{\parskip}{0pt plus 1fil}\section*{\contentsname}\rttoc}"
     contents *= bool(document.contents)
     if document.lecture:
         words = prose(said("Contents", document.look.language)) if contents else title
         # Without sections the title stands above all pages.
         kept = "" if contents else r"\def\markboth#1#2{}"
-        contents += rf"\markboth{{{words}}}{{}}{kept}\thispagestyle{{plain}}"
+        contents += rf"\markboth{{}}{{{words}}}{kept}\thispagestyle{{plain}}"
     byline = [rf"{{\normalsize {prose(document.byline)}\par}}"] if document.byline else []
     return "\n".join(
         [
@@ -267,7 +268,7 @@ def _(block: b.Heading) -> str:
     return begins + (
         rf"\rtheading\{command}*{{{title}}}\phantomsection\label{{{block.anchor}}}"
         rf"\addcontentsline{{toc}}{{{'sub' * (level - 1)}section}}"
-        rf"{{\texorpdfstring{{{title}}}{{{plain}}}}}\markboth{{{title}}}{{}}"
+        rf"{{\texorpdfstring{{{title}}}{{{plain}}}}}\rthead{{{title}}}"
     )
 
 

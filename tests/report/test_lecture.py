@@ -157,12 +157,15 @@ def test_pages_have_no_white_gaps(paper, tmp_path):
         _, size, _, dots = path.read_bytes().split(b"\n", 3)
         width, height = map(int, size.split())
         page = np.frombuffer(dots, np.uint8).reshape(height, width)
-        rows = np.flatnonzero((page < 250).any(axis=1)) / height
-        body = rows[rows < (0.94 if columns else 0.905)]
-        assert np.diff(body).max() < 0.06, f"inside page {k + 1}"
-        if k not in ends:
-            least = 0.06 if columns else 0.22
-            assert body[-1] > (0.94 if columns else 0.905) - least, f"beneath page {k + 1}"
+        two = columns and k >= solved
+        for part in (page[:, : width // 2], page[:, width // 2 :]) if two else (page,):
+            rows = np.flatnonzero((part < 250).any(axis=1)) / height
+            body = rows[rows < (0.94 if columns else 0.905)]
+            # Above a table at the foot of a column its text may end early.
+            assert np.diff(body).max() < (0.1 if two else 0.06), f"inside page {k + 1}"
+            if k not in ends:
+                least = 0.06 if columns else 0.22
+                assert body[-1] > (0.94 if columns else 0.905) - least, f"beneath page {k + 1}"
 
 
 def test_no_heading_ends_a_page(words, document):
