@@ -25,6 +25,10 @@ Summary of results | Zusammenfassung der Ergebnisse | Résumé des résultats \
 | Resumen de los resultados | Riassunto dei risultati
 What rests on what | Was worauf beruht | Ce qui repose sur quoi | Qué se apoya en qué \
 | Che cosa poggia su che cosa
+Notation | Notation | Notation | Notación | Notazione
+Written otherwise | Anders geschrieben | Autre notation | Notación distinta | Notazione diversa
+here | hier | ici | aquí | qui
+in the notes | im Skript | dans le cours | en los apuntes | negli appunti
 List of symbols | Formelzeichen | Liste des symboles | Lista de símbolos | Elenco dei simboli
 Equations cited | Zitierte Gleichungen | Équations citées | Ecuaciones citadas | Equazioni citate
 Contents | Inhalt | Table des matières | Índice | Indice
@@ -69,7 +73,7 @@ This is false | Das ist falsch | Cela est faux | Esto es falso | Questo è falso
 This is at odds with the notes’ own definitions | Das widerspricht den Definitionen des Skripts \
 | Cela contredit les définitions du cours | Esto contradice las definiciones de los apuntes \
 | Questo contraddice le definizioni degli appunti
-at | bei | pour | para | per
+at | für | pour | para | per
 if | falls | si | si | se
 would be | wäre | serait | sería | sarebbe
 the equation | die Gleichung | l’équation | la ecuación | l’equazione
@@ -170,6 +174,9 @@ def _block(block: b.Block, language: str) -> Any:
             return replace(block, head=said(block.head, language), rows=rows)
         case b.Symbols() | b.Quantities():
             return replace(block, head=tuple(said(words, language) for words in block.head))
+        case b.DataTable():
+            columns = tuple(said(words, language) for words in block.columns)
+            return replace(block, title=said(block.title, language), columns=columns)
         case b.Results():
             head = tuple(said(words, language) for words in block.head)
             led = ((*row[:2], _led(row[2], language), row[3]) for row in block.rows)

@@ -169,7 +169,7 @@ class Edition:
         front = self.front
         about = front.source, front.author, front.byline
         whole = b.Document(title, subtitle, tuple(blocks), *about, True, self.look)
-        return _introduced(translated(whole), self.notation)
+        return translated(_introduced(whole, self.notation))
 
 
 @dataclass(frozen=True)

@@ -22,13 +22,14 @@ from rigidtop.proof.moves import Condition
 from rigidtop.proof.trial import diagnose
 from rigidtop.proof.units import UnitsError
 from rigidtop.proof.verdict import Judgement, Led
+from rigidtop.proof.words import bold
 from rigidtop.report import blocks as b
 from rigidtop.report import languages, plain
 from rigidtop.report.claims import claim_blocks
 from rigidtop.report.wording import Wording
 from rigidtop.typeset.latex import latex
 from rigidtop.typeset.layout import layout
-from rigidtop.typeset.nodes import Node
+from rigidtop.typeset.nodes import Letter, Node
 from rigidtop.typeset.text import text
 
 
@@ -117,7 +118,7 @@ def text_blocks(
         close()
         content = running(block.pieces, notation, figures)
         if isinstance(block, Heading):
-            blocks.append(b.Subhead(plain.rich(content)))
+            blocks.append(b.Subhead(_titled(content)))
         else:
             blocks.append(b.Paragraph(content))
             place(block.pieces)
@@ -157,7 +158,7 @@ def law_blocks(
         head: list[b.Block] = []
         for block in page.blocks[1:] if _is_title(page) else page.blocks:
             if isinstance(block, Heading):
-                name = plain.rich(running(block.pieces, notation)).removeprefix("Laws: ")
+                name = _titled(running(block.pieces, notation)).removeprefix("Laws: ")
                 head = [b.Subhead(name[:1].upper() + name[1:])]
             elif isinstance(block, Prose):
                 (head or blocks).append(b.Paragraph(running(block.pieces, notation)))
@@ -165,6 +166,17 @@ def law_blocks(
                 blocks += [*head, b.Display(tuple(told_rows(lecture, block.line, notation)))]
                 head = []
     return blocks
+
+
+def _titled(content: b.Rich) -> str:
+    """Running text as the words of a title, its letters marked as in sentences."""
+    made = []
+    for piece in content:
+        words = plain.rich((piece,))
+        if isinstance(piece, Letter) and piece.glyph.bold:
+            words = bold(words[0]) + words[1:]
+        made.append(f"${words}$" if isinstance(piece, Node) else words)
+    return "".join(made)
 
 
 _FIGURE = re.compile(r"\[([^\]]+)\]\(#figure-([\w-]+)\)")

@@ -131,7 +131,9 @@ class Wording:
 
     @cached_property
     def _notes(self) -> frozenset[str]:
-        return frozenset(letter(quantity.glyph) for quantity in VOCABULARY.values())
+        glyphs = (quantity.glyph for quantity in VOCABULARY.values())
+        # Beside a square its root has the same letter.
+        return frozenset(letter(replace(x, base=x.base.removesuffix("²"))) for x in glyphs)
 
     def of(self, tree: T) -> T:
         """A claim, a page, a solution, a block …, with all its sentences in the notation."""

@@ -599,7 +599,7 @@ def test_fixed_words_are_in_the_language_of_the_lecture(document):
     said = [plain.rich(block.content) for block in own.blocks if isinstance(block, Paragraph)]
     assert any(x.startswith("Wir haben gezeigt: (3.40) und “In the space") for x in said)
     [wrong] = [each for each in said if each.startswith("Im Skript steht: In the space frame all")]
-    assert "Das ist falsch: bei λ₁ = 1" in wrong
+    assert "Das ist falsch: für λ₁ = 1" in wrong
     assert "wäre 0 ≠ 0" in wrong
     for language, fixed in WORDS.items():
         assert language in tex.LANGUAGES
