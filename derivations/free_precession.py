@@ -61,7 +61,7 @@ def inertia_full() -> Iterator[Evidence]:
         {s.I_xz: tensor[0, 2]},
         (Assumption(Eq(s.lambda2, s.lambda1), "a symmetric top"),),
         "It vanishes for every upright top, and at all times for a sphere. Of a symmetric top "
-        "whose axis leans by $θ$ towards the azimuth $φ$ (section 3.3) it is",
+        "with the Euler angles of section 3.3 it is",
     )
 
 

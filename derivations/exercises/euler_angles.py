@@ -109,7 +109,7 @@ def azimuth_of_a_motion(
     azimuth of the axis then changes at the rate $(xẏ − yẋ)/(x² + y²)$, where $x$ and $y$ are the
     horizontal components of $e₃$. The tops that pass the vertical closely start on their way up,
     with the $φ̇$ of their $L_z$ and with the $θ̇$ of a top that falls from the upright without
-    spin, which is enough at any spin of theirs."""
+    spin, which is enough for all of them."""
     if omega3 == 0:
         raise RigidtopError("omega3 must not be 0: L_z/L₃ says how closely a spinning top passes")
     top = heavy_top(**shape)

@@ -175,7 +175,7 @@ def _caption(**values: float) -> str:
     found = answers(top_from_the_toy_box, **values)
     lowest = motion.turning_points[1]
     end = touches(motion, touching)
-    goes = f"for {said(time_shown(motion, touching))} s, down to {degrees(lowest)}"
+    goes = f"for one turn, {said(time_shown(motion, touching))} s, down to {degrees(lowest)}"
     if end is not None:
         goes = f"until its rim touches the table, at {degrees(touching)}, after {said(end)} s"
     return (
@@ -184,8 +184,8 @@ def _caption(**values: float) -> str:
         f"stem of {said(values['stem_mass'])} kg and {said(values['stem_length'])} m, with $g = "
         f"{said(values['g'])}$ m/s², leaning by $θ = {degrees(values['theta'])}$, to scale. "
         f"Right: its axis from above, let go with {said(found['spin_rpm'], 4)} turns a minute and "
-        f"$𝛚$ along $e₃$, {goes}. Below: against the spin, at this tilt. Here the axis takes "
-        f"{said(found['slow_turn'])} s for a turn of steady precession, and nutates "
+        f"$𝛚$ along $e₃$, {goes}. Below: against the spin, at this tilt. In steady precession "
+        f"the axis takes {said(found['slow_turn'])} s for a turn, and nutates "
         f"{said(found['nutation'])} times a second; upright, the top sleeps from "
         f"{said(found['sleeping_rpm'], 4)} turns a minute on. The spin has {said(found['energy'])} "
         f"J, which could lift it by {said(found['height'])} m."
