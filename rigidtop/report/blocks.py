@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass, replace
+from typing import Any, TypeVar
 
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.page import Page
@@ -17,6 +18,7 @@ from rigidtop.typeset.layout import Order
 from rigidtop.typeset.nodes import Node
 from rigidtop.typeset.sentences import printed_unit
 
+T = TypeVar("T")
 Judged = Sequence[tuple[Page, Sequence[Judgement]]]
 
 
@@ -389,6 +391,24 @@ def groups(block: Display) -> list[list[Row]]:
         else:
             made[-1].append(row)
     return made
+
+
+def walked(tree: T, change: Callable[[Any, str], Any], name: str = "") -> T:
+    """A block, a claim, a tuple of them …, its parts changed, the smallest first.
+
+    The `change` is told a part and the name of its field; what it leaves is the same object.
+    """
+    made: Any = tree
+    if isinstance(tree, tuple):
+        parts = tuple(walked(each, change, name) for each in tree)
+        made = parts if any(a is not b for a, b in zip(parts, tree, strict=True)) else tree
+    elif is_dataclass(tree) and not isinstance(tree, type):
+        had = {field.name: getattr(tree, field.name) for field in fields(tree) if field.init}
+        new = {field: walked(part, change, field) for field, part in had.items()}
+        new = {field: part for field, part in new.items() if part is not had[field]}
+        made = replace(tree, **new) if new else tree
+    changed: T = change(made, name)
+    return changed
 
 
 def is_number(name: str) -> bool:

@@ -526,24 +526,17 @@ def linked(blocks: Sequence[b.Block]) -> list[b.Block]:
                     made.append(part)
         return tuple(made)
 
-    made: list[b.Block] = []
-    for block in blocks:
-        if isinstance(block, b.Paragraph):
-            made.append(replace(block, content=cited(block.content)))
-        elif isinstance(block, b.Display):
-            rows = (
-                replace(
-                    row,
-                    reason=cited((row.reason,) if isinstance(row.reason, str) else row.reason)
-                    if row.reason
-                    else "",
-                )
-                for row in block.rows
-            )
-            made.append(replace(block, rows=tuple(rows)))
-        else:
-            made.append(block)
-    return made
+    def leading(part: Any, _: str) -> Any:
+        match part:
+            case b.Paragraph():
+                return replace(part, content=cited(part.content))
+            case b.Row(reason=str(words)):
+                return replace(part, reason=cited((words,))) if words else part
+            case b.Row(reason=tuple(words)):
+                return replace(part, reason=cited(words))
+        return part
+
+    return [b.walked(block, leading) for block in blocks]
 
 
 def _once(mark: b.Mark | None, noted: dict[b.Rich, b.Mark]) -> b.Mark | None:

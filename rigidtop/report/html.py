@@ -87,11 +87,8 @@ def _end(document: b.Document) -> int | None:
 
 
 def _in_full(block: b.Block) -> b.Block:
-    """A display whose notes say in full what is "as above" on a page: that is another slide."""
-    if not isinstance(block, b.Display):
-        return block
-    rows = (row if row.mark is None else replace(row, mark=row.mark.in_full) for row in block.rows)
-    return replace(block, rows=tuple(rows))
+    """A block whose notes say in full what is "as above" on a page: that is another slide."""
+    return b.walked(block, lambda part, _: part.in_full if isinstance(part, b.Mark) else part)
 
 
 def _contents(document: b.Document) -> str:

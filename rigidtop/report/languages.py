@@ -140,9 +140,21 @@ def translated(document: b.Document) -> b.Document:
     language = document.look.language
     if language not in WORDS:
         return document
-    blocks = tuple(_block(block, language) for block in document.blocks)
+    leading = {said(words, language) for words in LEADING}
+
+    def other(part: Any, name: str) -> Any:
+        match part:
+            case str():
+                return (_counted if name == "points" else _led)(part, language)
+            case b.Mark():
+                note, above = (_pieces(each, language) for each in (part.note, part.above))
+                return replace(part, note=note, above=above)
+            case b.Paragraph(content=(str(first), _, *_)) if first.rstrip(": ") in leading:
+                return replace(part, content=_pieces(part.content, language))
+        return part
+
     subtitle = ", ".join(_counted(words, language) for words in document.subtitle.split(", "))
-    return replace(document, blocks=blocks, subtitle=subtitle)
+    return replace(document, blocks=b.walked(document.blocks, other), subtitle=subtitle)
 
 
 def _counted(words: str, language: str) -> str:
@@ -156,64 +168,18 @@ def _counted(words: str, language: str) -> str:
     return whole if whole != words else count + between + said(unit, language)
 
 
-def _block(block: b.Block, language: str) -> Any:
-    match block:
-        case b.Heading(number=""):
-            return replace(block, title=said(block.title, language))
-        case b.Subhead():
-            return replace(block, words=said(block.words, language))
-        case b.Figure():
-            return replace(block, kind=said("Figure", language))
-        case b.ExerciseHead():
-            points = _counted(block.points, language)
-            return replace(block, kind=said(block.kind, language), points=points)
-        case b.NameLine():
-            return replace(block, words=tuple(said(words, language) for words in block.words))
-        case b.Legend():
-            rows = tuple((verdict, said(words, language)) for verdict, words in block.rows)
-            return replace(block, head=said(block.head, language), rows=rows)
-        case b.Symbols() | b.Quantities():
-            return replace(block, head=tuple(said(words, language) for words in block.head))
-        case b.DataTable():
-            columns = tuple(said(words, language) for words in block.columns)
-            return replace(block, title=said(block.title, language), columns=columns)
-        case b.Results():
-            head = tuple(said(words, language) for words in block.head)
-            led = ((*row[:2], _led(row[2], language), row[3]) for row in block.rows)
-            return replace(block, head=head, rows=tuple(led))
-        case b.Paragraph():
-            mark = _marked(block.mark, language)
-            first, *more = block.content or ("",)
-            fixed = block.content
-            if isinstance(first, str) and not more:
-                fixed = (said(first, language),)
-            elif isinstance(first, str) and first.endswith(": ") and first[:-2] in LEADING:
-                fixed = _pieces(fixed, language)
-            return replace(block, content=fixed, label=said(block.label, language), mark=mark)
-        case b.Display():
-            marked = (replace(row, mark=_marked(row.mark, language)) for row in block.rows)
-            return replace(block, rows=tuple(marked))
-    return block
-
-
 LEADING = ("The notes say", "We have shown")
 """So a sentence begins that is made of fixed words and of authors'."""
 
 
 def _led(words: str, language: str) -> str:
-    """
+    """Fixed words, or a sentence of an author's that they lead.
+
     >>> _led("The notes say: L is along ω.", "de"), _led("T: kinetic energy.", "de")
     ('Im Skript steht: L is along ω.', 'T: kinetic energy.')
     """
     first, colon, rest = words.partition(": ")
-    return (said(first, language) if first in LEADING else first) + colon + rest
-
-
-def _marked(mark: b.Mark | None, language: str) -> b.Mark | None:
-    if mark is None:
-        return None
-    note, above = (_pieces(each, language) for each in (mark.note, mark.above))
-    return replace(mark, note=note, above=above)
+    return said(first, language) + colon + rest if first in LEADING else said(words, language)
 
 
 def _pieces(pieces: b.Rich, language: str) -> b.Rich:

@@ -10,11 +10,9 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Mapping
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeVar
-
-from sympy import Basic
+from typing import TYPE_CHECKING, TypeVar
 
 from rigidtop.notation import Notation
 from rigidtop.notation.characters import FUNCTIONS, TEX_GREEK, opened
@@ -23,7 +21,7 @@ from rigidtop.notation.judged import judgement_in
 from rigidtop.notation.translate import Image
 from rigidtop.proof.verdict import Judgement
 from rigidtop.proof.words import bold, light, parts
-from rigidtop.report.blocks import Block, Symbols
+from rigidtop.report.blocks import Block, Symbols, walked
 from rigidtop.theory.symbols import VOCABULARY, phi, psi
 from rigidtop.typeset.latex import latex
 from rigidtop.typeset.text import letter, text
@@ -139,26 +137,7 @@ class Wording:
         """A claim, a page, a solution, a block …, with all its sentences in the notation."""
         if not self.notation.images:
             return tree
-        made: T = self._walked(tree, False)
-        return made
-
-    def _walked(self, tree: Basic, are_words: bool) -> Any:
-        if isinstance(tree, str):
-            return self(tree) if are_words else tree
-        if isinstance(tree, tuple):
-            parts = tuple(self._walked(each, are_words) for each in tree)
-            return parts if any(a is not b for a, b in zip(parts, tree, strict=True)) else tree
-        if not is_dataclass(tree) or isinstance(tree, type):
-            return tree
-        changed = {
-            field.name: walked
-            for field in fields(tree)
-            if field.init
-            for value in [getattr(tree, field.name)]
-            for walked in [self._walked(value, field.name in WORDS)]
-            if walked is not value
-        }
-        return replace(tree, **changed) if changed else tree
+        return walked(tree, lambda x, name: self(x) if name in WORDS and isinstance(x, str) else x)
 
     def symbols(self, block: Block) -> Block:
         """A list of symbols with their meanings in the notation; any other block as it is."""
