@@ -45,12 +45,16 @@ def write(
         document = replace(document, blocks=tuple(map(_in_full, document.blocks[: _end(document)])))
     body = mathml.held("\n".join(_sections(document, figures)))
     byline = f'\n<p class="byline">{prose_html(document.byline)}</p>' if document.byline else ""
+    end = f'\n<footer class="colophon"><p>{prose_html(document.colophon)}</p></footer>' * (
+        not slides
+    )
     kinds = [
         "page.css",
         *["lecture.css"] * document.lecture,
         f"{'slides' if slides else 'print'}.css",
     ]
-    scripts = ["lecture.js"] * document.lecture + ["slides.js"] * slides
+    own_scripts = ("slides.js", "projector.js") if slides else ("lecture.js",)
+    scripts = ("fit.js", *own_scripts) if document.lecture else ()
     own = {each: said(each, document.look.language) for each in SHOWN}
     words = f' data-words="{escape(json.dumps(own, ensure_ascii=False))}"' * document.lecture
     # The marks of CDATA are comments to a browser, and keep the page well-formed XML.
@@ -72,8 +76,7 @@ def write(
 <h1>{prose_html(document.title)}</h1>
 <p class="subtitle">{prose_html(document.subtitle)}</p>{byline}
 </header>
-{body}
-<footer class="colophon"><p>{prose_html(document.colophon)}</p></footer>
+{body}{end}
 </main>
 {player}{script}</body>
 </html>
@@ -116,30 +119,22 @@ def _entry(block: b.Heading | b.ExerciseHead) -> str:
 
 
 def _sections(document: b.Document, figures: Mapping[str, str]) -> list[str]:
-    """The blocks, those of each claim in an element of its own, so what has columns on paper."""
+    """The blocks, those together that have columns on paper."""
     made: list[str] = []
-    section = columns = ""  # what ends them, while they are open
+    end = ""
     for block in document.blocks:
-        if isinstance(block, (b.ClaimHead, b.ExerciseHead, b.Heading, b.Figure, b.Subhead)):
-            made.append(section)
-            section = ""
         if isinstance(block, b.Heading) and block.level == 1:
             wide = block.anchor not in b.IN_COLUMNS
-            made += [columns, "" if wide else '<div class="columns">']
-            columns = "" if wide else "</div>"
-        if isinstance(block, (b.ClaimHead, b.ExerciseHead)):
-            kind = "claim" if isinstance(block, b.ClaimHead) else "exercise"
-            made.append(f'<section class="{kind}" id="{block.anchor}">')
-            section = "</section>"
+            made += [end, "" if wide else '<div class="columns">']
+            end = "" if wide else "</div>"
         made.append(_figure(block, figures) if isinstance(block, b.Figure) else html_block(block))
-    return [each for each in (*made, section, columns) if each]
+    return [each for each in (*made, end) if each]
 
 
 def fragment(blocks: Sequence[b.Block]) -> str:
     """The blocks of one claim, to be pasted into a page."""
-    (head,) = [block for block in blocks if isinstance(block, b.ClaimHead)]
-    inner = mathml.held("\n".join(html_block(block) for block in blocks))
-    return f'<section class="claim" id="{head.anchor}">\n{inner}\n</section>\n'
+    inner = mathml.held("\n".join(map(html_block, blocks)))
+    return f"<section>\n{inner}\n</section>\n"
 
 
 def _figure(block: b.Figure, figures: Mapping[str, str]) -> str:
@@ -221,7 +216,8 @@ def _label(words: str) -> str:
 @html_block.register
 def _(block: b.ClaimHead) -> str:
     return (
-        f'<div class="head"><h4>{escape(block.shown)}</h4>{badge(block.verdict)}</div>\n'
+        f'<div class="head claim" id="{block.anchor}"><h4>{escape(block.shown)}</h4>'
+        f"{badge(block.verdict)}</div>\n"
         f'<p class="says">{prose_html(block.says)}</p>'
     )
 
@@ -230,7 +226,7 @@ def _(block: b.ClaimHead) -> str:
 def _(block: b.Display) -> str:
     label = f'<p class="label">{prose_html(block.label)}</p>\n' if block.label else ""
     rows = "\n".join(_row(group, block.step) for group in b.groups(block))
-    return f'{label}<div class="display">\n{rows}\n</div>'
+    return f"{label}{rows}"
 
 
 def _row(group: Sequence[b.Row], step: bool = False) -> str:
@@ -325,10 +321,11 @@ def _(block: b.Symbols) -> str:
 
 @html_block.register
 def _(block: b.ExerciseHead) -> str:
-    title = f"{block.label}. {prose_html(block.title)}"
+    level = f"h{block.level + 1}"
+    title = f"<{level}>{block.label}. {prose_html(block.title)}</{level}>"
     points = f" {escape(block.points)}" if block.points else ""
     return (
-        f'<div class="head"><h{block.level + 1}>{title}</h{block.level + 1}>'
+        f'<div class="head exercise" id="{block.anchor}">{title}'
         f'<span class="asks">{prose_html(block.asks)}{points}</span></div>'
     )
 

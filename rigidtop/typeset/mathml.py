@@ -42,20 +42,42 @@ def mathml(tree: Basic, order: Order = "auto", *, display: bool = False) -> str:
 
 
 def display(equations: Sequence[Equation], order: Order = "auto", limit: float = sizes.LINE) -> str:
-    """A block ``<math>``: the lines of the equations, aligned at their relation signs."""
+    """A block ``<math>``: the lines of the equations, aligned at their relation signs.
+
+    Where the left sides leave no room for that, what follows them is hung beneath them.
+    """
     broken = [line for equation in equations for line in sizes.lines(equation, order, limit)]
     alt = "; ".join(text(equation, order) for equation in equations)
     if len(broken) == 1:
         return element(_ml(layout(equations[0], order)), alt, True)
-    rows = "".join(map(_row, broken))
+    left = max(sizes.width(line.left) for line in broken if line.left)
+    aligned = left + 3 + max(sizes.width(line.right) for line in broken) <= limit
+    rows = "".join(_row(line) if aligned else _hung(line, limit) for line in broken)
     return element(f'<mtable displaystyle="true">{rows}</mtable>', alt, True)
 
 
 def _row(line: Line) -> str:
     left = _ml(line.left) if line.left is not None else ""
-    sign = f"<mo>{escape(line.sign)}</mo>" if line.sign else '<mspace width="2em"/>'
-    start, end = (f'<mtd style="text-align:{side};padding:0.25em 0">' for side in ("right", "left"))
-    return f"<mtr>{start}{left}</mtd>{end}<mrow><mi></mi>{sign}{_ml(line.right)}</mrow></mtd></mtr>"
+    sign = _sign(line) or '<mspace width="2em"/>'
+    return f"<mtr>{_cell(left, 'right')}{_cell(_group(f'<mi></mi>{sign}{_ml(line.right)}'))}</mtr>"
+
+
+def _hung(line: Line, limit: float) -> str:
+    right = _group(_sign(line) + _ml(line.right))
+    if line.left is None:
+        return f"<mtr>{_cell(right, inset=2)}</mtr>"
+    left = _ml(line.left)
+    if sizes.width(line.left) + 3 + sizes.width(line.right) > limit:
+        return f"<mtr>{_cell(left)}</mtr><mtr>{_cell(right, inset=2)}</mtr>"
+    return f"<mtr>{_cell(_group(left + right))}</mtr>"
+
+
+def _sign(line: Line) -> str:
+    return f'<mo form="infix">{escape(line.sign)}</mo>' if line.sign else ""
+
+
+def _cell(inside: str, side: str = "left", inset: int = 0) -> str:
+    return f'<mtd style="text-align:{side};padding:0.25em 0 0.25em {inset}em">{inside}</mtd>'
 
 
 def element(inside: str, alt: str, block: bool) -> str:

@@ -516,7 +516,10 @@ def projector(document, drawn, tmp_path_factory):
     driver.quit()
 
 
-SLIDES = """const size = (math) => parseFloat(getComputedStyle(math).fontSize);
+SLIDES = """const all = document.createElement("style");
+all.textContent = ".shown .slide { display: flow-root } .slide:has(figure) { display: flex }";
+document.head.append(all);
+const size = (math) => parseFloat(getComputedStyle(math).fontSize);
 const beside = (node) => node.scrollWidth - node.clientWidth;
 return [...document.querySelectorAll(".slide")].map((slide) => [
   slide.scrollHeight - slide.clientHeight,

@@ -1,5 +1,4 @@
 // What a reader may do: fold derivations, copy an equation as LaTeX, choose light or dark.
-"use strict";
 (() => {
   const root = document.documentElement;
   const words = JSON.parse(root.dataset.words);
@@ -52,25 +51,6 @@
     take.append(link, copy);
     row.append(take);
   }
-  // An equation that is too wide is broken into more lines, then set smaller; what can still be
-  // scrolled can be reached by the keys.
-  const share = (each) => each.clientWidth / each.scrollWidth;
-  const fit = () => {
-    const equations = [...document.querySelectorAll(".eq")];
-    for (const each of equations) {
-      each.classList.remove("tight");
-      each.style.fontSize = "";
-    }
-    const wide = equations.filter((each) => share(each) < 1);
-    for (const each of wide) each.classList.add("tight");
-    for (const [each, part] of wide.map((each) => [each, share(each)])) {
-      if (part < 1) each.style.fontSize = `${Math.max(0.75, part - 0.02)}em`;
-    }
-    for (const each of document.querySelectorAll(".eq, .scroll")) {
-      if (share(each) < 1) each.tabIndex = 0;
-      else each.removeAttribute("tabindex");
-    }
-  };
-  addEventListener("resize", fit);
-  fit();
+  addEventListener("resize", fitted);
+  fitted();
 })();
