@@ -15,6 +15,7 @@ from sympy.core.function import AppliedUndef
 
 from rigidtop.notation.convention import own
 from rigidtop.proof import decide
+from rigidtop.proof.equation import NoMeaningError
 from rigidtop.proof.verdict import Verdict
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import Glyph
@@ -35,12 +36,20 @@ TIME = own(Glyph("t"))
 ANGLES = frozenset("θφψϕϑαβγχ")
 
 
+_DOTS = ("", "dot", "ddot", "dddot")
+
+
+def dots(letter: Symbol) -> int:
+    """0 for x, 1 for ẋ, 2 for ẍ."""
+    return _DOTS.index(accent(letter)) if accent(letter) in _DOTS else 0
+
+
 def dotted(letter: Lettered, times: int = 1) -> Lettered:
-    """ẋ of x, ẍ of ẋ; what comes then has no letter that is written."""
-    glyph = letter.quantity.glyph
-    for _ in range(times):
-        glyph = replace(glyph, accent={"": "dot", "dot": "ddot", "ddot": "dddot"}[glyph.accent])
-    return own(glyph)
+    """ẋ of x, ẍ of ẋ; what comes then has no letter that is written.  Raises NoMeaningError."""
+    glyph, count = letter.quantity.glyph, dots(letter) + times
+    if glyph.accent not in _DOTS or count >= len(_DOTS):
+        raise NoMeaningError("a fourth rate, or of a letter with a hat, is not judged")
+    return own(replace(glyph, accent=_DOTS[count]))
 
 
 def bare(letter: Symbol) -> Symbol:
@@ -49,8 +58,11 @@ def bare(letter: Symbol) -> Symbol:
     return own(replace(glyph, accent="")) if "dot" in glyph.accent else letter
 
 
-def base(letter: Symbol) -> str:
-    return letter.quantity.glyph.base if isinstance(letter, Lettered) else letter.name
+def base(letter: Expr) -> str:
+    """Its letter without index and dots; none of what is no letter."""
+    return (
+        letter.quantity.glyph.base if isinstance(letter, Lettered) else getattr(letter, "name", "")
+    )
 
 
 def accent(letter: Symbol) -> str:
@@ -374,7 +386,8 @@ def at_rest(residual: Expr, law: Law) -> str:
 def may_vanish(residual: Expr, always: Iterable[Symbol]) -> bool:
     """Whether numbers for its letters may make an expression vanish whatever those are that are
     `always` free, and what stands in a sine or cosine: an equation for these numbers."""
-    over = sympy.expand(sympy.fraction(sympy.together(residual))[0])
+    flat, _ = plain(residual)
+    over = sympy.expand(sympy.fraction(sympy.together(flat))[0])
     free = {*always}.union(*(f.free_symbols for f in over.atoms(sympy.sin, sympy.cos)))
     parts: dict[Expr, Expr] = {}
     for term in Add.make_args(over):

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import sympy
 from sympy import Expr, Function, Mul, Symbol
 
-from rigidtop.mark.law import TIME, Law, accent, bare, base, dotted
+from rigidtop.mark.law import TIME, Law, accent, bare, base, dots, dotted
 from rigidtop.notation.convention import own
 from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import Equation, NoMeaningError
@@ -108,8 +109,10 @@ class Ledger:
         if times > 1 and value.free_symbols and not value.is_Symbol and self.total(value) == 0:
             # T of ½mv² changes, and nothing says which of the letters there does.
             times = 1
-        for k in range(1, times):
-            meant[dotted(letter, k)] = self.total(meant[dotted(letter, k - 1) if k > 1 else letter])
+        with suppress(NoMeaningError):  # of F = mẍ two rates are no letters
+            for k in range(1, times):
+                last = dotted(letter, k - 1) if k > 1 else letter
+                meant[dotted(letter, k)] = self.total(meant[last])
         coordinates = {*self.law.q} if self.law is not None else set()
         turned = {bare(x) for x in value.free_symbols} & self.moving - coordinates
         for other, known in self.given.items():
@@ -127,10 +130,9 @@ class Ledger:
                     if made is not None or not value.has(TIME):
                         self.law = replace(self.law, broken=True)
                         self.other = replace(made, condition=kept) if made is not None else None
-        for k in range(times):
-            known = Given(value, rests, self.section, side=None if k else side)
-            self.given[dotted(letter, k) if k else letter] = known
-            value = self.total(value) if k + 1 < times else value
+        for x, known_value in meant.items():
+            rate = x != letter
+            self.given[x] = Given(known_value, rests, self.section, side=None if rate else side)
 
     def of_lagrangian(self, letter: Lettered) -> Law | None:
         known = self.given[letter]
@@ -191,7 +193,7 @@ class Ledger:
         if isinstance(node, eq.At):
             return self.at(node)
         if isinstance(node, eq.Dot):
-            return self.value(Mul(*node.args, evaluate=False))
+            return Mul(*map(self.value, node.args))
         if isinstance(node, eq.Printed):
             raise NoMeaningError(f"{NAMES.get(type(node), 'what stands here')} is not judged")
         return node.func(*map(self.value, node.args))
@@ -290,7 +292,7 @@ class Ledger:
         """d/dt."""
         made: Any = value.diff(TIME)
         for x in value.free_symbols:
-            if x in self.moving or (isinstance(x, Lettered) and accent(x) in ("dot", "ddot")):
+            if x in self.moving or dots(x):
                 made += value.diff(x) * dotted(x)
         return made
 

@@ -34,6 +34,7 @@ from rigidtop.mark.law import (
     base,
     degree,
     differ_at,
+    dots,
     dotted,
     force_in,
     to_first_order,
@@ -163,7 +164,7 @@ class _Judge(Reasons):
                 found = self.judged(number, line, equation)
         except NoMeaningError as error:
             found = Held(line, Verdict.UNDECIDED.value, str(error))
-        except (ArithmeticError, TypeError, ValueError, AttributeError, KeyError) as error:
+        except (ArithmeticError, TypeError, ValueError) as error:
             said = " ".join(str(error).split())[:80]
             found = Held(line, Verdict.UNDECIDED.value, f"it says nothing to compare ({said})")
         except RecursionError:
@@ -244,13 +245,13 @@ class _Judge(Reasons):
         if found.verdict != PREMISE or not self.sure or not moves or base(letter) in LAGRANGIANS:
             return found
         assert law is not None
-        rate = self.total(known.value)
-        sides = (rate, Integer(0))
-        case = Case(number, found.line, letter, Integer(0), sides, frozenset(known.rests))
         try:
+            rate = self.total(known.value)
             shown = self.shown(rate, law)
         except NoMeaningError:
             return found
+        sides = (rate, Integer(0))
+        case = Case(number, found.line, letter, Integer(0), sides, frozenset(known.rests))
         if shown is not None and shown[0] in (Verdict.PROVED, Verdict.SAMPLED):
             words = f"{law.words}, {text(letter)} is conserved"
             return case.said(
@@ -276,13 +277,14 @@ class _Judge(Reasons):
         letter, *of = side.args
         known = self.moving | {TIME}
         many = len(of) > 1 or accent(letter)
-        return letter if many and all(bare(x) in known for x in of) else side
+        times = all(isinstance(x, Symbol) and bare(x) in known for x in of)
+        return letter if many and times else side
 
     def defines(self, first: Expr, others: Sequence[Expr]) -> bool:
         """Whether a line says what a letter stands for, of which nothing was said above."""
         if not isinstance(first, Lettered) or kind(first) != "scalar" or others[0] == const:
             return False
-        if first.quantity.glyph.accent in ("dot", "ddot") or self.by_law(first) is not None:
+        if dots(first) or self.by_law(first) is not None:
             return False
         if first in self.set_to:
             return False
@@ -450,7 +452,7 @@ class _Judge(Reasons):
                 return Held(line, PREMISE, words, tuple(self.used))
         if isinstance(left, Lettered) and self.is_set(left, right):
             value = self.value(right)
-            for k in range(3 - ["", "dot", "ddot"].index(left.quantity.glyph.accent)):
+            for k in range(3 - dots(left)):
                 self.sets[dotted(left, k) if k else left] = Given(
                     value, frozenset(here), self.section, k == 0
                 )

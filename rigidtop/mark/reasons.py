@@ -14,6 +14,7 @@ from typing import Any
 
 import sympy
 from sympy import Add, Expr, Integer, Pow, Symbol
+from sympy.core.function import AppliedUndef
 
 from rigidtop.mark.case import Case, Held, letters
 from rigidtop.mark.law import (
@@ -27,6 +28,7 @@ from rigidtop.mark.law import (
     base,
     differ_at,
     divided,
+    dots,
     dotted,
     force_in,
     functions_of,
@@ -172,7 +174,11 @@ class Reasons(Ledger):
                  if not (p.is_Pow and p.exp.is_Integer)} - {*signs}  # fmt: skip
         positive: dict[Symbol, Any] = {x: sympy.Dummy(positive=True) for x in roots}
         plus = dict.fromkeys(signs, Integer(1))
-        for negative in ({}, *({x: -positive[x]} for x in roots if bare(x) in self.moving)):
+        # What a function of x is where x is negative is not known.
+        functions = [f for x in (residual, *vanishing) for f in x.atoms(AppliedUndef)]
+        within = set().union(*(f.free_symbols for f in functions))
+        turning = [x for x in roots - within if bare(x) in self.moving]
+        for negative in ({}, *({x: -positive[x]} for x in turning)):
             put = {**plus, **positive, **negative}
             if roots and holds(put) is not None:
                 needed = [
@@ -393,7 +399,7 @@ class Reasons(Ledger):
     def is_carried_out(self, case: Case) -> bool:
         """Whether a derivative is worked out on the right: its highest rate stands there too."""
         mine, theirs = (reduced(side).free_symbols for side in case.sides)
-        highest = max(map(accent, mine), key=["", "dot", "ddot", "dddot"].index, default="")
+        highest = max(map(dots, mine), default=0)
         rates = any(accent(x) and x in self.given for x in letters(case.left))
         if not highest or not (rates or differentiates(case.left)):
             return False
@@ -401,7 +407,7 @@ class Reasons(Ledger):
         # A letter of the left side alone, of which nothing was said, may be said by this line.
         known = self.letters_of({*case.rests}) | (self.law.letters if self.law else set())
         within = there <= here <= there | known | {TIME}
-        return within and {x for x in mine if accent(x) == highest} <= theirs
+        return within and {x for x in mine if dots(x) == highest} <= theirs
 
     def is_closed(self, case: Case) -> bool:
         """Whether ℒ says by itself what a line must be, all under one heading: a derivative, or a

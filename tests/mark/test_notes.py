@@ -87,6 +87,11 @@ def test_a_slip_is_found_where_it_is_and_nothing_else_is_condemned(name, right, 
         ),
         (r"x = y, x = y", "proved", "by what is said above"),
         (r"q = q", "undecided", "says nothing"),
+        # a slope of what is no letter, a function at a place, a rate of a rate of a force
+        (r"T = \frac12 mv^2, U = kx, \frac{\partial}{\partial v}(T - U) = mv", "proved", "above"),
+        (r"S(E) = k\ln\Omega(E)", "undecided", "nothing above says what E, k is"),
+        (r"\psi(0, y, z) = \psi(a, y, z)", "undecided", "nothing above says what a, y, z is"),
+        (r"\dot x = v, F = m\ddot x", "premise", "what F stands for"),
         (r"T = \frac12 m\dot x^2, V = mgx, L = T + V", "false", "a Lagrangian is T − V"),
         # approximations and special motions are neither passed nor condemned
         (
@@ -346,3 +351,12 @@ def test_a_motion_in_time_is_put_into_its_equations(text, verdict, said, tmp_pat
     path.write_text(text + "\n", "utf-8")
     held = judged(path)[-1].held
     assert (held.verdict, said in held.note) == (verdict, True), held.note
+
+
+def test_an_error_of_ours_is_not_hidden(monkeypatch):
+    def broken(*_):
+        raise AttributeError("'NoneType' object has no attribute 'name'")
+
+    monkeypatch.setattr("rigidtop.mark.notes.few", broken)
+    with pytest.raises(AttributeError):
+        verdicts("x = y")
