@@ -212,7 +212,8 @@ export function createPage(data, subject) {
     event.preventDefault();
     find("column").focus();
   });
-  window.addEventListener("hashchange", () => readState(location.hash));
+  // As it was then: meanwhile the page may have written the address anew.
+  window.addEventListener("hashchange", ({ newURL }) => readState(new URL(newURL).hash));
   new ResizeObserver(fit).observe(picture);
 
   // For tests and the curious, and for who shows the page in a frame.
