@@ -210,15 +210,17 @@ def divided(residual: Expr, given: Sequence[Expr], unknowns: Sequence[Symbol]) -
         }
     )
     wanted, *known = flat
-    # A multiple of one of them is divided by nothing else.
-    if any(decide.follows(sympy.expand_trig(wanted), sympy.expand_trig(one)) for one in known):
-        return ""
     found = decide.eliminated(sympy.fraction(sympy.together(wanted))[0], known, unknowns)
     lost = [] if found is None else decide.divided_by(found[1])
     typed = sympy.fraction(sympy.together(wanted))[1]
     kept = {new: old for old, new in names.items()}
     lost = [x for x in lost if not has_sign(x) and typed.subs(x, 0) != 0]
-    return "where " + ", ".join(f"{text(x.xreplace(kept))} ≠ 0" for x in lost) if lost else ""
+    # A multiple of one of them is divided by nothing else, which takes long to be seen.
+    if not lost or any(
+        decide.follows(sympy.expand_trig(wanted), sympy.expand_trig(one)) for one in known
+    ):
+        return ""
+    return "where " + ", ".join(f"{text(x.xreplace(kept))} ≠ 0" for x in lost)
 
 
 def has_sign(x: Expr) -> bool:
