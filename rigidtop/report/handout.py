@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -20,13 +19,12 @@ from rigidtop.proof.lecture import Lecture, Prose, Text
 from rigidtop.proof.page import Assumption, Claim, Page
 from rigidtop.proof.verdict import Judgement, Verdict
 from rigidtop.report import blocks as b
-from rigidtop.report import plain
 from rigidtop.report.claims import condition, derivation, place, refuted, tagged_rows, tested
-from rigidtop.report.solutions import DIGITS, SMALLEST_ANGLE, TABLE_DIGITS, Solution, cells, shown
+from rigidtop.report.numbers import apart, cells, cleaned, given, in_degrees
+from rigidtop.report.solutions import Solution
 from rigidtop.report.ways import chained, cited_figures, law_blocks, text_blocks
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.nodes import Chain, Grid, Node
-from rigidtop.typeset.sentences import printed_unit
 from rigidtop.typeset.sizes import width
 
 LEGEND: Mapping[Verdict, str] = {
@@ -251,12 +249,12 @@ def question(
     head = b.ExerciseHead(exercise.title, b.anchor(exercise.name), exercise.asks, number, points)
     parts = [" ".join(part.split()) for part in exercise.statement.split("\n\n")]
     made: list[b.Block] = [head, *(b.Paragraph((part,)) for part in parts)]
-    given: list[Any] = []
+    settings: list[Any] = []
     for parameter in exercise.parameters:
-        given += ["; " if given else "", parameter.about, ": "]
-        given += _given(values[parameter.name], parameter.unit)
-    if given:
-        made.append(b.Paragraph((*(piece for piece in given if piece), "."), "Given"))
+        settings += ["; " if settings else "", parameter.about, ": "]
+        settings += given(values[parameter.name], parameter.unit)
+    if settings:
+        made.append(b.Paragraph((*(piece for piece in settings if piece), "."), "Given"))
     return made
 
 
@@ -275,55 +273,6 @@ def total(points: str, exercises: int) -> str:
     '10 points'
     """
     return counted(float(points.partition(" ")[0]) * exercises)
-
-
-def _given(value: float, unit: str) -> b.Rich:
-    """A setting in the unit in which it has fewest digits: 30°, but 0.5 rad (28.65°); 180 rpm."""
-    made = [written(value, unit, angles=angles, digits=GIVEN_DIGITS) for angles in (True, False)]
-    if unit == "rad/s":
-        slow = abs(value) < SMALLEST_ANGLE
-        other = math.degrees(value) * DAY if slow else value * 30 / math.pi
-        made.append((shown(other, GIVEN_DIGITS), b.Unit("°/day" if slow else "rpm")))
-    best = min(made, key=_significant)
-    if best is not made[1]:
-        return best
-    if abs(value) < SMALLEST_ANGLE:
-        return best
-    # The solution has degrees.
-    return (*best, " (", *written(value, unit, digits=TABLE_DIGITS), ")")
-
-
-GIVEN_DIGITS = 7
-"""As many as anybody measures."""
-
-DAY = 86400.0
-"""In seconds."""
-
-
-def _significant(pieces: b.Rich) -> int:
-    """How many digits of a number say something, zeros at either end left out.
-
-    >>> [_significant(written(value, "m")) for value in (0.0105, -2700.0, 7.29e-05)]
-    [3, 2, 3]
-    """
-    digits = re.sub(r"\D", "", plain.rich(pieces[:1]).partition("×")[0])
-    return len(digits.strip("0"))
-
-
-def written(value: float | str, unit: str, *, angles: bool = True, digits: int = DIGITS) -> b.Rich:
-    """A number with its unit; `angles` in degrees, small ones in seconds of arc.
-
-    It is rounded to so many significant `digits`.
-
-    >>> written(0.5235987755982988, "rad"), written(4.84813681e-07, "rad")
-    ((Number(text='30'), Unit(letters='°')), (Number(text='0.1'), Unit(letters='″')))
-    """
-    if not isinstance(value, str) and unit == "rad" and angles:
-        small = 0 < abs(value) < SMALLEST_ANGLE
-        value = math.degrees(value) * (3600 if small else 1)
-        unit = "″" if small else "°"
-    number = shown(value, digits, kept=digits == TABLE_DIGITS)
-    return (number,) if isinstance(value, str) or unit == "1" else (number, b.Unit(unit))
 
 
 def solutions(
@@ -393,49 +342,14 @@ def results(solution: Solution) -> list[b.Block]:
     made: list[b.Block] = [b.Paragraph((solution.exercise.method,))]
     answers = [outcome for outcome in solution.outcomes if isinstance(outcome, Answer)]
     if answers:
-        rows = tuple((a.what, *_apart(a.value, a.unit)) for a in answers)
+        rows = tuple((a.what, *apart(a.value, a.unit)) for a in answers)
         made.append(b.Quantities("", rows))
     for outcome in solution.outcomes:
         if isinstance(outcome, Table):
-            columns = tuple(map(_in_degrees, outcome.columns, zip(*outcome.rows, strict=True)))
-            found = cells(list(zip(*(_clean(column) for _, column in columns), strict=True)))
+            columns = tuple(map(in_degrees, outcome.columns, zip(*outcome.rows, strict=True)))
+            found = cells(list(zip(*(cleaned(column) for _, column in columns), strict=True)))
             made.append(b.DataTable(outcome.title, tuple(head for head, _ in columns), found))
     return made
-
-
-def _in_degrees(head: str, column: Sequence[float | str]) -> tuple[str, Sequence[float | str]]:
-    """A column of a table, angles in degrees.
-
-    >>> _in_degrees("tilt (rad)", ("none", math.pi))
-    ('tilt ($°$)', ['none', 180.0])
-    """
-    if not head.endswith("(rad)"):
-        return head, column
-    turned = [x if isinstance(x, str) else math.degrees(x) for x in column]
-    return f"{head.removesuffix('(rad)')}($°$)", turned
-
-
-def _clean(column: Sequence[float | str]) -> list[float | str]:
-    """Numbers of a column, those zero that rounding alone keeps from it.
-
-    >>> _clean(("axis", 0.5, 3e-17))
-    ['axis', 0.5, 0.0]
-    """
-    largest = max((abs(x) for x in column if not isinstance(x, str)), default=0.0)
-    return [x if isinstance(x, str) or abs(x) > NOISE * largest else 0.0 for x in column]
-
-
-NOISE = 1e-14
-"""What is smaller beside the largest number of its column is rounding."""
-
-
-def _apart(value: float | str, unit: str) -> tuple[str | Node, str]:
-    """A number and its unit for two columns, with as many digits as in tables."""
-    if isinstance(value, str):
-        return value, ""
-    number, *rest = written(value, unit, digits=TABLE_DIGITS)
-    assert not isinstance(number, b.Cited | b.Unit)
-    return number, printed_unit(rest[0].letters) if rest and isinstance(rest[0], b.Unit) else "1"
 
 
 # --- Front and back ------------------------------------------------------------------------------

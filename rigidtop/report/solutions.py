@@ -18,23 +18,11 @@ from rigidtop.proof.verdict import Judgement, judge
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report.claims import measured
+from rigidtop.report.numbers import SMALLEST_ANGLE, cells, shown
 from rigidtop.report.plain import cell
 from rigidtop.report.records import measure_record
 from rigidtop.report.records import record as judgement_record
 from rigidtop.report.ways import claim_told, text_blocks
-from rigidtop.typeset.nodes import Infix, Node, Number, Power, decimal, negated
-
-DIGITS = 6
-"""Of a number in print."""
-
-SMALLEST_ANGLE = 1e-4
-"""Smaller angles say nothing in degrees (rad)."""
-
-TABLE_DIGITS = 4
-"""Of a number in a table."""
-
-EXACT = 1e-12
-"""A number this near to a whole one is that one (relative)."""
 
 
 @dataclass(frozen=True)
@@ -142,73 +130,6 @@ def question(
     )
     made: list[b.Block] = [head, *(b.Paragraph((part,)) for part in paragraphs)]
     return [*made, b.Quantities("Given", given)] if given else made
-
-
-def shown(value: float | str, digits: int = DIGITS, *, kept: bool = False) -> str | Node:
-    """A cell as it is printed; zeros at its end are `kept`, but of a whole number.
-
-    >>> from rigidtop.typeset.text import text
-    >>> text(shown(-0.25)), shown("waves")
-    ('−0.25', 'waves')
-    >>> [text(shown(x, 4, kept=True)) for x in (12.0961, 0.3, 120.00000000000001)]
-    ['12.10', '0.3000', '120']
-    """
-    if isinstance(value, str):
-        return value
-    rounded = kept and not math.isclose(value, round(value), rel_tol=EXACT)
-    node = decimal(abs(value), digits, kept=rounded)
-    return negated(node) if value < 0 else node
-
-
-def cells(rows: Sequence[Sequence[float | str]]) -> tuple[tuple[str | Node, ...], ...]:
-    """The rows of a table, the numbers of a column with points one beneath the other.
-
-    >>> from rigidtop.typeset.text import text
-    >>> [text(x) for x, in cells([(12.1,), (12.0912,), (0.0,)])]
-    ['12.10', '12.09', '0.00']
-    >>> [text(x) for x, in cells([(0.000122,), (3.05e-05,)])]
-    ['1.220 × 10⁻⁴', '3.050 × 10⁻⁵']
-    """
-    return tuple(zip(*map(_column, zip(*rows, strict=True)), strict=True))
-
-
-def _column(values: Sequence[float | str]) -> list[str | Node]:
-    sizes = [abs(x) for x in values if not isinstance(x, str) and x]
-    if not sizes or not all(map(math.isfinite, sizes)):
-        return [shown(x, TABLE_DIGITS) for x in values]
-    short = [f"{x:.{TABLE_DIGITS}g}" for x in sizes]
-    # Powers of ten of the largest number and of the smallest, as they are printed.
-    rounded = [math.floor(math.log10(float(x))) for x in short]
-    large, small = max(rounded), min(rounded)
-    powers = any("e" in number for number in short)
-    if large - small > SPAN - powers or large < LEAST:
-        return [x if isinstance(x, str) else _number(x, powers=powers) for x in values]
-    # All digits of the largest number, and two at least of the smallest.
-    wanted = max(TABLE_DIGITS - 1 - large, 1 - small, 0)
-    there = max(len(f"{float(x):.{wanted}f}".rstrip("0").partition(".")[2]) for x in short)
-    return [x if isinstance(x, str) else _number(x, min(wanted, there)) for x in values]
-
-
-SPAN = 3
-"""Over more powers of ten, or as many where one is written so, points are not aligned."""
-
-LEAST = -3
-"""A column of numbers that are all smaller has powers of ten (as such a power)."""
-
-
-def _number(value: float, decimals: int | None = None, *, powers: bool = False) -> str | Node:
-    """A number with so many decimals, or with a power of ten; else as it is shown alone."""
-    if decimals is None and not (powers and value):
-        return shown(value, TABLE_DIGITS, kept=True)
-    if decimals is None:
-        digits, _, power = f"{abs(value):.{TABLE_DIGITS - 1}e}".partition("e")
-        exponent = Number(str(abs(int(power))))
-        ten = Power(Number("10"), exponent if int(power) >= 0 else negated(exponent))
-        node: Node = Infix("×", Number(digits), ten) if int(power) else Number(digits)
-    else:
-        node = Number(f"{abs(value):.{decimals}f}")
-        value = round(value, decimals)
-    return negated(node) if value < 0 else node
 
 
 def _unit(unit: str, value: float | str) -> str:
