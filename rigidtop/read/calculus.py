@@ -45,11 +45,11 @@ class Calculus(Letters):
     def of_lagrangian(
         self, rest: Sequence[Piece], body: list[list[Token]], by: list[list[Token]]
     ) -> tuple[list[list[Token]], list[list[Token]]]:
-        """∂L/∂θ is of ℒ, whatever L is elsewhere; ∂ℒ/∂t is what ℒ has of the time by itself."""
+        """∂L/∂θ is of ℒ where L is no number itself; ∂ℒ/∂t is what ℒ has of the time by itself."""
         if self.is_time(by):
             if [[x.value for x in part] for part in body] == [[s.Lagrangian]]:
                 by = [[replace(x, value=s.t) for x in part] for part in by]
-        elif [piece.text for piece in rest] == ["L"]:
+        elif [piece.text for piece in rest] == ["L"] and Glyph("L") not in self.notation.names:
             body = [[Token("SYMBOL", s.Lagrangian, rest[0].position)]]
         return body, by
 
