@@ -78,14 +78,7 @@ def _partial(link: Link, passage: Passage) -> slips.Slip | None:
     """∂/∂t for d/dt: the line holds if only velocities change, the angles being forgotten."""
     if not set(top.RATES) <= set(passage.models[0].rates):
         return None
-    free = models.heavy_top(along=False)
-    angles = frozenset(top.ANGLES)
-    forgetful = replace(free, frozen=angles)
-    rates = {p: forgetful.rate(p) for p in top.CONJUGATE}
-    forgetful = replace(
-        forgetful,
-        meaning={**free.meaning, **{models.MOMENTUM_RATES[p]: r for p, r in rates.items()}},
-    )
+    free, forgetful = _forgetful()
     slip = slips.Slip("partial", "∂/∂t where d/dt is meant: the angles change in time too")
     try:
         if link.right is None or not symbols_in(link) <= known_in(free):
@@ -95,13 +88,23 @@ def _partial(link: Link, passage: Passage) -> slips.Slip | None:
         # What is left of d/dt p = 0 without the angles' rates.
         [difference] = entries(free.value(link.left), free.value(link.right))
         for p in (s.p_phi, s.p_psi):
-            if rates[p] != 0 and reduce_ratio(difference / rates[p]).is_number:
-                complete = free.meaning[models.MOMENTUM_RATES[p]]
-                if not decide.vanishes(complete - rates[p]) and difference != 0:
-                    return slip
+            complete, rate = (each.meaning[models.MOMENTUM_RATES[p]] for each in (free, forgetful))
+            if rate == 0 or difference == 0 or decide.vanishes(complete - rate):
+                continue
+            if reduce_ratio(difference / rate).is_number:
+                return slip
     except ERRORS:
         return None
     return None
+
+
+@cache
+def _forgetful() -> tuple[Model, Model]:
+    """A top of which every motion is allowed, and one in whose rates the angles are forgotten."""
+    free = models.heavy_top(along=False)
+    still = replace(free, frozen=frozenset(top.ANGLES))
+    rates = {models.MOMENTUM_RATES[p]: still.rate(p) for p in top.CONJUGATE}
+    return free, replace(still, meaning={**free.meaning, **rates})
 
 
 def _lost_root(link: Link, model: Model) -> slips.Slip | None:

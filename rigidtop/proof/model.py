@@ -6,6 +6,7 @@ terms of a few that are free, each of these a rate, and something may hold besid
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
@@ -129,10 +130,16 @@ class Passage:
 
 @dataclass(frozen=True)
 class Sample:
-    """A motion in numbers: the free symbols' short values, and the value of every symbol."""
+    """A motion in numbers: the free symbols' short values, and in these every symbol."""
 
     point: Mapping[Symbol, Expr]
-    meaning: Meaning
+    facts: Meaning
+
+    @property
+    def meaning(self) -> Meaning:
+        """The value of every symbol."""
+        numbers = {x: number(v) for x, v in self.point.items()}
+        return {k: number(sympy.sympify(v).xreplace(numbers)) for k, v in self.facts.items()}
 
 
 DIGITS = 30
@@ -146,9 +153,10 @@ def samples(model: Model, count: int = 30) -> tuple[Sample, ...]:
     }
     for symbol in sorted(model.symbols() - set(meaning) - {const}, key=str):
         meaning[symbol] = model.limited(symbol)
-    flat = [e for v in meaning.values() for e in (list(v) if isinstance(v, MatrixBase) else [v])]
-    free = sorted(set().union(*(sympy.sympify(e).free_symbols for e in flat)), key=str)
-    angles = decide.angle_symbols([sympy.sympify(e) for e in flat])
+    entries = (e for v in meaning.values() for e in (v if isinstance(v, MatrixBase) else [v]))
+    flat = [sympy.sympify(e) for e in entries]
+    free = sorted(set().union(*(e.free_symbols for e in flat)), key=str)
+    angles = decide.angle_symbols(flat)
     # In digits, a sine that is zero would be divided by all the same.
     points = [
         point
@@ -158,11 +166,9 @@ def samples(model: Model, count: int = 30) -> tuple[Sample, ...]:
     found: list[Sample] = []
     # The choice of numbers widens slowly: some of the first, some of the later ones.
     for point in points[:: max(1, len(points) // (3 * count))]:
-        numbers = {x: number(v) for x, v in point.items()}
-        made = {k: number(sympy.sympify(v).xreplace(numbers)) for k, v in meaning.items()}
         # Where something is divided by zero, the symbols do not describe the motion.
-        if all(_is_finite(v) for v in made.values()):
-            found.append(Sample(dict(point), made))
+        if not any(map(math.isinf, map(decide.at(point), flat))):
+            found.append(Sample(dict(point), meaning))
         if len(found) == count:
             break
     return tuple(found)
@@ -174,10 +180,6 @@ def number(found: Any) -> Any:
         return found.applyfunc(number)
     found = sympy.sympify(found)
     return found if (found / sympy.pi).is_Rational else sympy.N(found, DIGITS)
-
-
-def _is_finite(found: Any) -> bool:
-    return all(e.is_finite for e in (found if isinstance(found, MatrixBase) else [found]))
 
 
 def unknown(name: str, rows: int, columns: int = 1) -> Matrix:
