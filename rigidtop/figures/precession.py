@@ -221,7 +221,7 @@ def _large_spin_errors(theta: float, omega3: float, **top: float) -> tuple[float
 def _asymptotics_caption(theta: float, omega3: float, **top: float) -> str:
     epsilon, slow, fast = _large_spin_errors(theta, omega3, **top)
     return (
-        "The relative error of $Ω₋ = MgR/(λ₃ω₃)$ and $Ω₊ = λ₃ω₃/(λ₁ cos θ)$, and of the same with "
+        "The relative error of $Ω₋ ≈ MgR/(λ₃ω₃)$ and $Ω₊ ≈ λ₃ω₃/(λ₁ cos θ)$, and of the same with "
         "the next term in $ε$, against $ε$; at $ε = 1/4$ the two roots of (3.57) meet. Dots: a "
         f"top with {top_in_words(HeavyTop(**top))} at $θ = {degrees(theta)}$ and $ω₃ = "
         f"{said(omega3)}$ rad/s, $ε = {said(epsilon)}$, where the first are off by "
