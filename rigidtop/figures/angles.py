@@ -24,13 +24,16 @@ ANGLE = "#3f7d2a"
 NODES = {"zyz": 1, "zxz": 0}
 """Which axis of the first turn is the line of nodes, about which the second goes."""
 
+E1, E2, E3 = (rf"$\mathbf{{e}}_{k}$" for k in (1, 2, 3))
+NODE = r"$\mathbf{e}_2'$"
 NAMES = {
-    "zyz": (r"$\mathbf{e}_1'$", r"$\mathbf{e}_2'$", r"$\mathbf{e}_3$"),
-    "zxz": (r"$\mathbf{e}_2'$", r"$-\mathbf{e}_1'$", r"$\mathbf{e}_3$"),
+    "zyz": ((r"$\mathbf{h}$", NODE, ""), (r"$\mathbf{e}_1'$", NODE, E3), (E1, E2, E3)),
+    "zxz": ((NODE, r"$-\mathbf{h}$", ""), (NODE, r"$-\mathbf{e}_1'$", E3), (E1, E2, E3)),
 }
-"""Of the axes after the second step, in the letters of the notes."""
+"""Of the axes after each step, in the letters of the notes."""
 
-BODY = (r"$\mathbf{e}_1$", r"$\mathbf{e}_2$", r"$\mathbf{e}_3$")
+NARROW = 0.3
+"""An arc that goes less far has no room for a name: it stands where the arc begins."""
 
 
 def steps(sequence: str, *angles: float) -> list[Rotation]:
@@ -71,9 +74,12 @@ def draw_rotation(
     scene.line(way, color=ANGLE, lw=1.4, zorder=4)
     if abs(angle) > 0.1:
         scene.head(way[[-6, -1]], width=0.16, length=0.3, color=ANGLE, lw=0.8, zorder=4.5)
-    x, y, _ = VIEW(way[30])
-    outwards = (9 * float(x) / math.hypot(x, y), 9 * float(y) / math.hypot(x, y))
-    scene.words(way[30], symbol, outwards, color=ANGLE, ha="center", va="center", fontsize=11)
+    x, y, _ = VIEW(way[[0, 30, 60]])
+    narrow = math.hypot(x[2] - x[0], y[2] - y[0]) < NARROW
+    at, away = (0, (x[0] - x[2], y[0] - y[2])) if narrow else (30, (x[1], y[1]))
+    shift = 9 / (math.hypot(*away) or 1.0) * np.array(away)
+    style = {"ha": "center", "va": "center", "fontsize": 11}
+    scene.words(way[at], symbol, (float(shift[0]), float(shift[1])), color=ANGLE, **style)
 
 
 def turns(sequence: str, *angles: float) -> list[tuple[Floats, float, int, str]]:
@@ -88,17 +94,13 @@ def turns(sequence: str, *angles: float) -> list[tuple[Floats, float, int, str]]
 
 
 def _draw(sequence: str, *angles: float) -> Canvas:
-    drawn = canvas(look.WIDE, 2.65)
-    attitudes, nodes = steps(sequence, *angles), NODES[sequence]
-    tilted = NAMES[sequence]
-    first = tuple(name if k == nodes else "" for k, name in enumerate(tilted))
-    about = (look.Z, tilted[nodes], BODY[2])
+    drawn = canvas(look.TEXT, 2.5)
+    attitudes, about = steps(sequence, *angles), (look.Z, NODE, E3)
     all_turned = zip(drawn.subplots(1, 3), turns(sequence, *angles), strict=True)
     for i, (axes, turned) in enumerate(all_turned):
-        names = (first, tilted, BODY)[i]
-        draw_rotation(axes, attitudes[i], attitudes[i + 1], turned, names)
+        draw_rotation(axes, attitudes[i], attitudes[i + 1], turned, NAMES[sequence][i])
         axes.set_title(f"({'i' * (i + 1)})  {turned[3]} about {about[i]}", color=look.INK)
-        paper(axes, (-1.42, 1.42), (-1.05, 1.5))
+        paper(axes, (-1.1, 1.42), (-1.05, 1.5))
     return drawn
 
 

@@ -82,7 +82,7 @@ def shade(scene: Scene, rim: Floats, color: str, alpha: float) -> None:
 
 
 def _cones(**values: float) -> Canvas:
-    drawn = canvas(look.WIDE, 2.8)
+    drawn = canvas(look.TEXT, 2.15)
     motion = free_motion(**values)
     left, right = drawn.subplots(1, 2)
     draw_cones(left, motion, space=False)
@@ -212,7 +212,7 @@ def _rolling_film(**values: float) -> Film:
 
 def _rolling_cones(low: float, **values: float) -> Film:
     """A turn of each about L; `low` is the lower edge of the paper."""
-    drawn = Canvas(figsize=(look.WIDE, 3.0))
+    drawn = Canvas(figsize=(look.TEXT, 2.3))
     axes = [drawn.add_axes((left, 0.0, 0.48, 0.9)) for left in (0.01, 0.51)]
     motions = _rolling(**values)
 

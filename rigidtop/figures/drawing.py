@@ -12,6 +12,7 @@ import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_svg import FigureCanvasSVG, RendererSVG
 from matplotlib.figure import Figure as Canvas
+from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
 from rigidtop.figures.style import STYLE
@@ -102,6 +103,9 @@ def _saved(
     """A figure as each of the kinds, "svg" last, which has no white behind it."""
     with matplotlib.rc_context({**STYLE, "pdf.fonttype": fonttype}):
         figure = drawing.draw(**drawing.values(given))
+        # Matplotlib's own prime stands high above an index.
+        for name in figure.findobj(Text):
+            name.set_text(re.sub(r"(_\{?\w\}?)'", r"\1′", name.get_text()))
         figure.dpi = POINTS
         vector = _Vector(figure)
         if engine := figure.get_layout_engine():
@@ -163,6 +167,7 @@ def _bytes(figure: Canvas, box: Bbox, kind: str) -> bytes:
 
 def _extents(axes: Axes, renderer: RendererSVG) -> Iterator[Bbox]:
     """Where something is drawn (dots): without a frame, that of each curve, face and name."""
+    axes.apply_aspect()
     parts = [*axes.lines, *axes.patches, *axes.collections, *axes.texts, axes.title]
     for part in [axes] if axes.axison else parts:
         extent = part.get_tightbbox(renderer)

@@ -69,7 +69,7 @@ def polhodes(body: FreeBody, between: int = 4) -> list[Motion]:
     return found
 
 
-def polhode(motion: Motion, samples: int = 481) -> Floats:
+def polhode(motion: Motion, samples: int = 1441) -> Floats:
     """ω in the body (N, 3) once round, or on the separatrix from one end to the other."""
     period = 2 * motion.nutation_period  # θ from L is smallest twice on the way
     if math.isfinite(period):
@@ -105,9 +105,9 @@ def draw_polhodes(axes: Axes, body: FreeBody) -> None:
         draw(path, color=look.FIRST, lw=0.9)
         # A head on the closed curve, where it is nearest to the eye, says which way it goes.
         near = (path * moments) @ eye
-        at = int(np.argmax(near[:-8]))
+        at = int(np.argmax(near[:-22]))
         if near[at] > 0:
-            ends = scale * path[[at, at + 7]] @ turn.T
+            ends = scale * path[[at, at + 21]] @ turn.T
             scene.head(ends, width=0.12, length=0.3, color=look.FIRST, lw=0.5, zorder=4)
     for motion in on_separatrix(body):
         draw(polhode(motion), color=look.SECOND, lw=1.7)

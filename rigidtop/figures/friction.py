@@ -159,6 +159,8 @@ def draw_track(axes: Axes, path: SlidingTrajectory) -> None:
             k = count // 2
             along = np.array([x[piece][k + 1] - x[piece][k - 1], y[piece][k + 1] - y[piece][k - 1]])
             beside = 6 * np.array([along[1], -along[0]]) / np.hypot(*along)
+            # Inside the bend there is room.
+            beside *= math.copysign(1, beside @ [x.mean() - x[piece][k], y.mean() - y[piece][k]])
             name_at(
                 axes,
                 float(x[piece][k]),
@@ -176,7 +178,7 @@ def draw_track(axes: Axes, path: SlidingTrajectory) -> None:
 
 def _draw_rising(until: float, **values: float) -> Canvas:
     path = _risen(until, **values)
-    drawn = canvas(look.WIDE, 3.5)
+    drawn = canvas(look.TEXT, 2.9)
     (tilt, energy), (slip, track) = drawn.subplots(2, 2)
     draw_tilt(tilt, path, until)
     draw_budget(energy, path)

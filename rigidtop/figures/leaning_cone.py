@@ -95,7 +95,7 @@ def _draw_angle(
     scene.line(way, color=look.NOTE, lw=0.8, zorder=zorder, label="_angle")
     narrow = float(np.linalg.norm(way[-1] - way[0])) < NARROW
     at = 0 if narrow else 2 * len(way) // 5
-    away = 8 / math.hypot(x[at], y[at])
+    away = (8 if words.startswith("$") else 15) / math.hypot(x[at], y[at])
     shift = aside if narrow else (float(x[at]) * away, float(y[at]) * away)
     style = {"ha": "center", "va": "center", "zorder": zorder}
     scene.words(way[at], words, shift, **style)

@@ -95,7 +95,7 @@ def _paths(theta: float, phi_dot: float, omega3: float, **top: float) -> list[To
 
 
 def _draw_paths(**values: float) -> Canvas:
-    drawn = canvas(look.WIDE, 2.55)
+    drawn = canvas(look.TEXT, 1.95)
     motions = _paths(**values)
     for axes, motion in zip(drawn.subplots(1, 3), motions, strict=True):
         draw_path(axes, motion.exact(nutation_times(motion)).e3, motion.regime)

@@ -18,8 +18,8 @@ from rigidtop.typeset.sentences import tex
 
 Floats = NDArray[np.float64]
 
-COLUMN, WIDE = 3.4, 7.0
-"""Widths of a figure (inches): one column, 8.6 cm, and two."""
+COLUMN, TEXT, WIDE = 3.4, 5.25, 7.0
+"""Widths of a figure (inches): one column, 8.6 cm, the text beside a margin, and two columns."""
 
 SMALL = 8
 """The smallest letters (points)."""

@@ -56,7 +56,7 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
     scene.ring(rim, color=look.OMEGA, lw=0.9, ls=look.DASHED)
     scene.arrow([0, 0, 1.95], look.Z, lw=0.8, color=look.GREY, shift=(7, 2))
     scene.arrow(centre, start=(0, 0, 0), color=look.INK, lw=2.0)
-    scene.arrow(1.62 * e3, look.E3, color=look.AXIS, lw=1.0, shift=(9, 0))
+    scene.arrow(1.05 * e3, look.E3, color=look.AXIS, lw=1.0, shift=(9, 0))
     scene.arrow(length * momentum, look.L_VEC, color=look.MOMENTUM, lw=1.7, shift=(9, 2))
     scene.arrow(1.2 * omega, look.OMEGA_VEC, color=look.OMEGA, lw=1.7, shift=(9, -3))
     scene.couple(0.95 * couple, (-6, -10), ha="right")
@@ -67,7 +67,7 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
     scene.arrow(centre - [0, 0, 0.46], start=centre, color=look.INK, lw=1.4)
     scene.words(centre - [0, 0, 0.46], look.WEIGHT, (6, 2), color=look.INK)
     scene.dot(centre)
-    scene.words(centre, look.R_CM, (26, -9), color=look.INK, zorder=8)
+    scene.words(centre, look.R_CM, (6, -8), color=look.INK, zorder=8)
     scene.words([0.0, 0.0, 0.0], "$O$", (5, -10), color=look.INK)
     paper(axes, (-1.45, 1.7), (min(-0.3, 1.6 * e3[2] - 0.4), 1.92))
 
