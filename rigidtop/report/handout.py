@@ -21,7 +21,7 @@ from rigidtop.proof.verdict import Judgement, Verdict
 from rigidtop.report import blocks as b
 from rigidtop.report.claims import condition, derivation, place, refuted, tagged_rows, tested
 from rigidtop.report.numbers import apart, cells, cleaned, given, in_degrees
-from rigidtop.report.solutions import Solution
+from rigidtop.report.solutions import Solution, posed
 from rigidtop.report.ways import chained, cited_figures, law_blocks, text_blocks
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.nodes import Chain, Grid, Node
@@ -246,9 +246,7 @@ def question(
     exercise: Exercise, values: Mapping[str, float], number: int, points: str = ""
 ) -> list[b.Block]:
     """An exercise as it is asked, its numbers as people write them."""
-    head = b.ExerciseHead(exercise.title, b.anchor(exercise.name), exercise.asks, number, points)
-    parts = [" ".join(part.split()) for part in exercise.statement.split("\n\n")]
-    made: list[b.Block] = [head, *(b.Paragraph((part,)) for part in parts)]
+    made = posed(exercise, number, points)
     settings: list[Any] = []
     for parameter in exercise.parameters:
         settings += ["; " if settings else "", parameter.about, ": "]
@@ -403,7 +401,7 @@ def looked_up(blocks: Sequence[b.Block], parts: Parts) -> list[b.Block]:
         for row in block.rows if isinstance(block, b.Display) else ():
             pieces += row.spoken
     words = (x.words if isinstance(x, b.Cited) else x for x in pieces)
-    found = {n for x in words if isinstance(x, str) for n in NUMBER.findall(x)}
+    found = {n[1:-1] for x in words if isinstance(x, str) for n in NUMBER.findall(x)}
     rows = tuple(
         b.Row(equation, "printed", equation.tag)
         for number in sorted(found - tags(blocks))
@@ -412,7 +410,7 @@ def looked_up(blocks: Sequence[b.Block], parts: Parts) -> list[b.Block]:
     return [b.Heading(1, "", "Equations cited", "cited"), b.Display(rows)] if rows else []
 
 
-NUMBER = re.compile(r"\((\d+\.\d+[a-z]?)\)")
+NUMBER = re.compile(r"(\(\d+\.\d+[a-z]?\))")
 
 
 def tags(blocks: Iterable[b.Block]) -> set[str]:
@@ -423,21 +421,13 @@ def tags(blocks: Iterable[b.Block]) -> set[str]:
 
 def linked(blocks: Sequence[b.Block]) -> list[b.Block]:
     """The same, every (3.54) in a sentence leading to its equation."""
-    there = tags(blocks)
+    there = {f"({tag})" for tag in tags(blocks)}
 
     def cited(content: b.Rich) -> b.Rich:
         made: list[Any] = []
         for piece in content:
-            if not isinstance(piece, str):
-                made.append(piece)
-                continue
-            for k, part in enumerate(NUMBER.split(piece)):
-                if k % 2:
-                    made.append(
-                        b.Cited(f"({part})", b.anchor(part)) if part in there else f"({part})"
-                    )
-                elif part:
-                    made.append(part)
+            parts = NUMBER.split(piece) if isinstance(piece, str) else [piece]
+            made += [b.Cited(x, b.anchor(x)) if x in there else x for x in parts if x != ""]
         return tuple(made)
 
     def leading(part: Any, _: str) -> Any:

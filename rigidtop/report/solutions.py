@@ -122,14 +122,19 @@ def question(
 
     The settings are `named` as in the shell, where that is no other letter than in the formulas.
     """
-    head = b.ExerciseHead(exercise.title, b.anchor(exercise.name), exercise.asks)
-    paragraphs = [" ".join(part.split()) for part in exercise.statement.split("\n\n")]
     given = tuple(
         (p.about + f" ({p.name})" * named, shown(values[p.name]), _unit(p.unit, values[p.name]))
         for p in exercise.parameters
     )
-    made: list[b.Block] = [head, *(b.Paragraph((part,)) for part in paragraphs)]
+    made = posed(exercise)
     return [*made, b.Quantities("Given", given)] if given else made
+
+
+def posed(exercise: Exercise, number: int = 0, points: str = "") -> list[b.Block]:
+    """Its title and its statement."""
+    head = b.ExerciseHead(exercise.title, b.anchor(exercise.name), exercise.asks, number, points)
+    paragraphs = (" ".join(part.split()) for part in exercise.statement.split("\n\n"))
+    return [head, *(b.Paragraph((part,)) for part in paragraphs)]
 
 
 def _unit(unit: str, value: float | str) -> str:
