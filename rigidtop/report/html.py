@@ -166,7 +166,7 @@ def _piece(piece: b.Piece) -> str:
         return badge(piece)
     if isinstance(piece, b.Cited):
         return f'<a href="#{piece.anchor}">{escape(piece.words)}</a>'
-    return prose_html(piece) if isinstance(piece, str) else mathml.mathml(piece)
+    return prose_html(piece) if isinstance(piece, str) else mathml.mathml(lay.flat(piece))
 
 
 def badge(verdict: Verdict) -> str:

@@ -151,7 +151,7 @@ def _piece(piece: b.Piece) -> str:
         return f'#verdict("{piece}")'
     if isinstance(piece, b.Cited):
         return f'#link(label("{piece.anchor}"))[{plain(piece.words)}]'
-    return prose(piece) if isinstance(piece, str) else f"${maths(latex(piece))}$"
+    return prose(piece) if isinstance(piece, str) else f"${maths(latex(lay.flat(piece)))}$"
 
 
 def _note(mark: b.Mark | None) -> str:

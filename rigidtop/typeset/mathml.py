@@ -219,7 +219,8 @@ def _ml(node: lay.Node) -> str:
             return f'<munder><mrow style="{brace}">{_ml(node.body)}</mrow>{label}</munder>'
         case lay.Infix():
             left = _ml(node.left) if node.left else ""
-            return _group(f"{left}<mo>{node.sign}</mo>{_ml(node.right)}")
+            space = ' lspace="0" rspace="0"' * (node.sign == "/")
+            return _group(f"{left}<mo{space}>{node.sign}</mo>{_ml(node.right)}")
         case lay.TransposeOf():
             return f"<msup>{_ml(node.body)}<mi>T</mi></msup>"
         case lay.Derivative():

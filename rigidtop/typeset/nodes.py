@@ -326,6 +326,8 @@ def _joint(left: Node, right: Node) -> str:
         return "function"
     if isinstance(right, Derivative) or isinstance(left, Derivative):
         return "thin"
+    if isinstance(right, Fraction) and isinstance(left, Fraction):
+        return "thin"
     return "thin" if _is_word(left) or _is_word(right) else ""
 
 
@@ -366,10 +368,17 @@ def raised(base: Node, exponent: Node) -> Node:
 
 
 def flat(node: Node) -> Node:
-    """A fraction with a slash, as it stands in an exponent; any other node as it is."""
+    """Fractions with a slash, as they stand in an exponent or a sentence."""
     match node:
-        case Sum(terms=(Signed(body=body) as term,)):
-            return replace(node, terms=(replace(term, body=flat(body)),))
+        case Sum():
+            return replace(node, terms=tuple(replace(x, body=flat(x.body)) for x in node.terms))
+        case Chain():
+            return replace(node, sides=tuple(map(flat, node.sides)))
+        case Brackets():
+            return replace(node, body=flat(node.body))
+        case Product():
+            inner = (flat(x) if isinstance(x, Brackets) else x for x in node.factors)
+            return replace(node, factors=tuple(inner))
         case Fraction(small=False):
             single = isinstance(node.under, Letter | Number | Power | Root)
             under = node.under if single else bracketed(node.under)
@@ -381,7 +390,7 @@ def ratio(over: Node, under: Node) -> Node:
     small = isinstance(over, Number) and isinstance(under, Number)
     if isinstance(over, Sum) and len(over.terms) == 1:  # the minus stands before the fraction
         return negated(ratio(over.terms[0].body, under))
-    return Fraction(over, under, small)
+    return Fraction(over, under.body if isinstance(under, Brackets) else under, small)
 
 
 # --- From SymPy ----------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ def is_tall(node: lay.Node) -> bool:
     match node:
         case lay.Fraction():
             return not node.small
-        case lay.Braced() | lay.Big() | lay.Derivative() | lay.Grid() | lay.Root():
+        case lay.Braced() | lay.Big() | lay.Derivative() | lay.Grid():
             return True
         case lay.Power():
             return is_tall(node.base)

@@ -518,7 +518,8 @@ def projector(document, drawn, tmp_path_factory):
 
 
 SLIDES = """const all = document.createElement("style");
-all.textContent = ".shown .slide { display: flow-root } .slide:has(figure) { display: flex }";
+const each = ".shown .slide";
+all.textContent = `${each} { display: flow-root } ${each}:has(figure) { display: flex }`;
 document.head.append(all);
 const size = (math) => parseFloat(getComputedStyle(math).fontSize);
 const beside = (node) => node.scrollWidth - node.clientWidth;

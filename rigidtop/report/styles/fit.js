@@ -13,6 +13,10 @@ const fitted = () => {
   for (const [each, part] of wide.map((each) => [each, share(each)])) {
     if (part < 1) each.style.fontSize = `${Math.max(0.75, part - 0.02)}em`;
   }
+  // Chrome leaves room behind a root for a larger sign than it draws.
+  const roots = [...document.querySelectorAll("msqrt")].filter((each) => !each.style.marginRight);
+  const ends = roots.map((each) => [each, each.lastElementChild].map((one) => one.getBoundingClientRect().right));
+  roots.forEach((each, k) => { each.style.marginRight = `${ends[k][1] - ends[k][0]}px`; });
   for (const each of document.querySelectorAll(".eq, .scroll")) {
     if (share(each) < 1) each.tabIndex = 0;
     else each.removeAttribute("tabindex");

@@ -53,10 +53,13 @@ const slides = (() => {
   const begun = (k) => {
     const [earlier, before, unit] = [units[k - 2], units[k - 1], units[k]];
     if (heads(before.whole) ? !before.figures.length
-      : before.whole.matches(".label") || /:\s*$/.test(before.nodes[0].textContent)) return 100;
+      : before.whole.matches(".label") || (before.whole.matches("p") && /:\s*$/.test(before.whole.textContent))) return 100;
     if (unit.k) return unit.tall < room - 100 || Math.min(unit.k, unit.of - unit.k) < 3 ? 4 : 0.5;
-    if (heads(unit.whole)) return unit.whole.matches(".sub") ? -0.8 : -100;
-    return unit.recalled.length || (earlier && heads(earlier.whole)) ? 0.4 : 0;
+    const shown = before.figures.length ? -0.5 : 0; // its figures come next
+    const first = unit.whole.matches(".sub") && units[k + 1] ? units[k + 1] : unit; // Exercises
+    if (heads(first.whole) && !first.whole.matches(".sub")) return -100;
+    if (heads(unit.whole)) return shown - 1.1;
+    return shown + (unit.recalled.length || (earlier && heads(earlier.whole)) ? 0.4 : 0);
   };
   const best = [{ cost: 0 }];
   units.forEach((last, k) => {
@@ -64,7 +67,7 @@ const slides = (() => {
     for (let from = k; from >= 0; from -= 1) {
       const over = last.end - units[from].start + (from && units[from].again) - room;
       if (over > 0 && from < k) break;
-      const cost = best[from].cost + 1 + 6 * (over / room) ** 4 + after;
+      const cost = best[from].cost + 1 + 8 * (over / room) ** 4 + after;
       if (!(best[k + 1]?.cost <= cost)) best[k + 1] = { cost, from };
     }
   });
