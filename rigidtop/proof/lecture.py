@@ -245,8 +245,11 @@ class Lecture:
                 if shown.problem:
                     yield text.file, shown.at, shown.problem
 
-    def trial(self, id: str) -> Trial:
-        """Drop what a line cites, change it, cite other lines, move otherwise: each has to fall."""
+    def trial(self, id: str, every: int = 1) -> Trial:
+        """Drop what a line cites, change it, cite other lines, move otherwise: each has to fall.
+
+        Of the changes every so many are tried.
+        """
         judged = self.judged(id)
         move = judged.line.move
         if move is None or move.verb == "call" or not judged.follows:
@@ -258,7 +261,9 @@ class Lecture:
         far = islice((each for each in self.lines if each not in near), OTHERS)
         others = [self.judged(each).known for each in far]
         needless = tuple(known.id for known in unneeded(judged.line, self._with_units))
-        return Trial(len(move.using), needless, *survivors(judged.line, self._with_units, others))
+        return Trial(
+            len(move.using), needless, *survivors(judged.line, self._with_units, others, every)
+        )
 
 
 def with_standing(line: Line, standing: dict[str, Known]) -> Line:

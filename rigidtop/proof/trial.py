@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import islice
 
 import sympy
 from sympy import Expr, Integer, Symbol
@@ -105,17 +106,17 @@ def changes(line: Line, letters: Letters, others: Sequence[Known] = ()) -> Itera
 
 
 def survivors(
-    line: Line, letters: Letters, others: Sequence[Known] = ()
+    line: Line, letters: Letters, others: Sequence[Known] = (), every: int = 1
 ) -> tuple[int, tuple[str, ...]]:
     """How many changes of a line that follows say something else, and which of them follow too.
 
-    What says the same as the line, such as cos(−θ) for cos θ, or as another of its equations,
-    is no change.
+    Every so many are tried.  What says the same as the line, such as cos(−θ) for cos θ, or as
+    another of its equations, is no change.
     """
     assert line.move is not None
     performed = perform(line.move, letters)
     tried, survived = 0, []
-    for change in changes(line, letters, others):
+    for change in islice(changes(line, letters, others), 0, None, every):
         tried += 1
         new, move = change.line.equations, change.line.move
         assert move is not None

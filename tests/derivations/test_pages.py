@@ -22,8 +22,8 @@ from rigidtop.read.page import Raw
 LECTURE = lecture_with([each.text for each in EXERCISES if each.text])
 MOVED = [id for id, line in LECTURE.lines.items() if line.move is not None]
 MADE = [id for id in MOVED if LECTURE.lines[id].move.verb != "call"]
-CHANGES = 10
-"""A line is changed at least so often."""
+CHANGES, EVERY = 10, 3
+"""A line has at least so many changes; one of so many is tried, all by `check --thorough`."""
 
 
 def test_everything_is_read() -> None:
@@ -41,9 +41,9 @@ def test_a_line_follows_from_what_it_cites(id: str) -> None:
 @pytest.mark.parametrize("id", MADE)
 def test_a_changed_line_falls(id: str) -> None:
     """Without what it cites, with something changed, from other lines, by other moves."""
-    trial = LECTURE.trial(id)
+    trial = LECTURE.trial(id, EVERY)
     assert trial.unneeded == ()
-    assert trial.changes >= CHANGES
+    assert trial.changes >= CHANGES // EVERY
     assert trial.survived == ()
 
 
@@ -60,7 +60,7 @@ def test_a_later_equation_does_not_take_the_place_of_a_line() -> None:
     refused = 0
     for place, id in enumerate(MADE):
         line = LECTURE.judged(id).line
-        for other in MADE[place + 1 : place + 4]:
+        for other in MADE[place + 1 + place % 3 :][:1]:
             equations = LECTURE.lines[other].equations
             move = LECTURE.lines[other].move
             if equations == line.equations or move == LECTURE.lines[id].move:
@@ -70,7 +70,7 @@ def test_a_later_equation_does_not_take_the_place_of_a_line() -> None:
             found = judge_line(replace(line, equations=equations), LETTERS)
             assert not found.follows, (id, other)
             refused += 1
-    assert refused >= 600
+    assert refused >= 200
 
 
 def test_every_numbered_equation_has_its_lines() -> None:
