@@ -317,7 +317,7 @@ def test_help_loads_nothing_heavy() -> None:
         "assert not heavy, heavy"
     )
     result = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=False
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=120
     )
     assert result.returncode == 0, result.stderr
     for command in ("list", "check", "derive", "lecture", "simulate", "certify", "sweep", "bench"):
@@ -326,7 +326,9 @@ def test_help_loads_nothing_heavy() -> None:
 
 def test_a_reader_that_leaves_is_no_error() -> None:
     shell = f"{sys.executable} -m rigidtop simulate top --time 1 --samples 9999 | head -n 1"
-    result = subprocess.run(shell, shell=True, capture_output=True, text=True, check=False)
+    result = subprocess.run(
+        shell, shell=True, capture_output=True, text=True, check=False, timeout=120
+    )
     assert result.stdout.split()[:2] == ["t/s", "theta/rad"]
     assert result.stderr == ""
 
@@ -387,7 +389,7 @@ def test_interrupt_is_one_line() -> None:
         "raise SystemExit(main(['list']))"
     )
     result = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=False
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=120
     )
     assert result.returncode == 130
     assert result.stderr == "rigidtop list: interrupted\n"
@@ -407,7 +409,7 @@ def test_interrupt_while_modules_load_is_one_line() -> None:
         "raise SystemExit(main(['list']))"
     )
     result = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=False
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=120
     )
     assert (result.returncode, result.stderr) == (130, "rigidtop: interrupted\n")
 
@@ -421,6 +423,7 @@ def test_a_full_disk_is_one_line() -> None:
         capture_output=True,
         text=True,
         check=False,
+        timeout=120,
     )
     assert result.returncode == 2
     assert result.stderr == "rigidtop simulate: No space left on device\n"

@@ -16,7 +16,9 @@ def test_import_loads_nothing_heavy():
         "heavy = {'numpy', 'scipy', 'sympy', 'matplotlib', 'importlib.metadata'};"
         "print(sorted(heavy & set(sys.modules)))"
     )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=120
+    )
     assert done.stdout.strip() == "[]"
 
 

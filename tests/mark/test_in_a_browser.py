@@ -70,7 +70,10 @@ def test_a_browser_marks_the_same(node_modules, tmp_path, monkeypatch, capsys):
     page = node_modules / "page.mjs"
     page.write_text(PAGE, "utf-8")
     done = subprocess.run(
-        ["node", str(page), json.dumps([folders, MARK])], capture_output=True, text=True
+        ["node", str(page), json.dumps([folders, MARK])],
+        capture_output=True,
+        text=True,
+        timeout=120,
     )
     assert done.returncode == 0, done.stderr
     assert json.loads(done.stdout) == here
@@ -89,5 +92,5 @@ for room in map(import_module, {[f"rigidtop.{room}" for room in ROOMS]}):
         import_module(module.name)
 import rigidtop.mark.limits
 """
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr

@@ -320,7 +320,7 @@ def test_a_killed_run_loses_little(tmp_path):
         process.send_signal(signal.SIGKILL)
     assert process.returncode == -signal.SIGKILL
     assert json.loads(store.about_path(path).read_text())["complete"] is False
-    again = subprocess.run([*command, "0"], capture_output=True, text=True, check=True)
+    again = subprocess.run([*command, "0"], capture_output=True, text=True, check=True, timeout=120)
     assert int(again.stdout.split()[0]) > 0
     found = load(path)
     assert np.array_equal(found.values.ravel(), in_blocks(found.sweep, 1000))
@@ -496,7 +496,7 @@ def test_few_blocks_are_on_their_way(tmp_path):
 
 
 def test_the_grid_is_never_in_memory(tmp_path):
-    grid = Sweep("theta_min", {"omega3": Span(0, 60, 2000), "phi_dot": Span(-5, 5, 500)}, TOP)
+    grid = Sweep("theta_min", {"omega3": Span(0, 60, 1000), "phi_dot": Span(-5, 5, 500)}, TOP)
     run(SMALL, tmp_path / "small.npy")
     tracemalloc.start()
     try:
@@ -504,8 +504,8 @@ def test_the_grid_is_never_in_memory(tmp_path):
         peak = tracemalloc.get_traced_memory()[1]
     finally:
         tracemalloc.stop()
-    assert (tmp_path / "map.npy").stat().st_size > 8_000_000
-    assert peak < 5_000_000
+    assert (tmp_path / "map.npy").stat().st_size > 4_000_000
+    assert peak < 3_900_000
 
 
 @pytest.mark.parametrize("ahead", [1, 2, 64])

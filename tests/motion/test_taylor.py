@@ -173,7 +173,7 @@ def test_heyoka_is_loaded_by_the_method_alone():
         "top.motion(theta=0.5, omega3=40.0).integrate([0.0, 0.1]);"
         "sys.exit('heyoka' in sys.modules)"
     )
-    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+    assert subprocess.run([sys.executable, "-c", code], check=False, timeout=120).returncode == 0
 
 
 @needs_heyoka

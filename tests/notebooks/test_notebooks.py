@@ -43,7 +43,9 @@ def test_they_run_and_the_copies_are_what_they_make():
 
     It fails where a cell fails, warns or shows an address.
     """
-    done = subprocess.run([sys.executable, str(BUILD), "--check"], capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, str(BUILD), "--check"], capture_output=True, text=True, timeout=600
+    )
     assert done.returncode == 0, f"{done.stderr}\nmend it, or run python notebooks/build.py"
 
 

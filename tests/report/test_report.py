@@ -719,7 +719,9 @@ def test_the_printers_load_neither_matplotlib_nor_scipy():
         "import sys, rigidtop.typeset.latex, rigidtop.typeset.text, rigidtop.terminal.table;"
         "print([m for m in ('matplotlib', 'scipy', 'typst', 'tylax') if m in sys.modules])"
     )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=120
+    )
     assert done.stdout.strip() == "[]"
 
 

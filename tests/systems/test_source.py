@@ -50,8 +50,12 @@ def test_c(tmp_path):
     }}"""
     (tmp_path / "bob.c").write_text(BOB.source("c", "bob") + main, "utf-8")
     strict = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-Wno-unused-parameter")
-    subprocess.run(["gcc", *strict, "bob.c", "-o", "bob", "-lm"], cwd=tmp_path, check=True)
-    said = subprocess.run([tmp_path / "bob"], capture_output=True, text=True, check=True).stdout
+    subprocess.run(
+        ["gcc", *strict, "bob.c", "-o", "bob", "-lm"], cwd=tmp_path, check=True, timeout=120
+    )
+    said = subprocess.run(
+        [tmp_path / "bob"], capture_output=True, text=True, check=True, timeout=120
+    ).stdout
     assert [float(line) for line in said.split()] == pytest.approx(expected(), rel=1e-12)
 
 
@@ -113,8 +117,10 @@ def test_fortran_takes_reals_and_letters_of_one_case(tmp_path):
         "end program",
     ]
     (tmp_path / "stop.f90").write_text("\n".join([*lines, *main, ""]), "utf-8")
-    subprocess.run(["gfortran", "stop.f90", "-o", "stop"], cwd=tmp_path, check=True)
-    said = subprocess.run([tmp_path / "stop"], capture_output=True, text=True, check=True).stdout
+    subprocess.run(["gfortran", "stop.f90", "-o", "stop"], cwd=tmp_path, check=True, timeout=120)
+    said = subprocess.run(
+        [tmp_path / "stop"], capture_output=True, text=True, check=True, timeout=120
+    ).stdout
     assert [float(value) for value in said.split()] == pytest.approx(
         stop.numeric.solved.scalar(0.0, *row), rel=1e-14
     )

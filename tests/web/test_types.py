@@ -15,7 +15,11 @@ TSC = shutil.which("tsc")
 @pytest.mark.skipif(TSC is None, reason="tsc, the compiler of TypeScript, is not installed")
 def test_types():
     done = subprocess.run(
-        [TSC, "-p", FOLDER / "jsconfig.json"], capture_output=True, text=True, check=False
+        [TSC, "-p", FOLDER / "jsconfig.json"],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=120,
     )
     assert done.stdout == ""
     assert done.returncode == 0
@@ -31,7 +35,11 @@ def test_a_wrong_type_is_found(tmp_path):
     text = module.read_text("utf-8")
     module.write_text(text.replace("energy: energy(all),", 'energy: "much",', 1), "utf-8")
     done = subprocess.run(
-        [TSC, "-p", tmp_path / "jsconfig.json"], capture_output=True, text=True, check=False
+        [TSC, "-p", tmp_path / "jsconfig.json"],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=120,
     )
     assert "'string' is not assignable to type 'number'" in done.stdout
 
