@@ -31,7 +31,7 @@ from rigidtop.mark.links import ERRORS, Link, Verdict, is_matrix, judge, one_ang
 from rigidtop.mark.marking import Mark, Marked, Marking
 from rigidtop.mark.passages import letters_of, passage, way
 from rigidtop.mark.steps import Step, steps, too_large
-from rigidtop.proof import decide
+from rigidtop.proof import bounds, decide
 from rigidtop.proof.counterexample import entries
 from rigidtop.proof.equation import Equation, Rate, Underbrace
 from rigidtop.proof.model import Model, Passage
@@ -270,7 +270,7 @@ class _Answer:
     def _lost(self, links: Sequence[Link], model: Model) -> str:
         """What a line leaves out that the facts allow."""
         if model.lost is None or any(
-            decide.nonzero(model.lost, [condition]) for condition in self.stated
+            bounds.nonzero(model.lost, [condition]) for condition in self.stated
         ):
             return ""
         for branch in model.branch:
@@ -324,7 +324,7 @@ class _Answer:
         if factor.is_number:
             return bool(factor != 0)  # 0 = 0 implies nothing
         # Its numerator: what the line divides by is not zero where the line says anything.
-        return decide.nonzero(factor, conditions)
+        return bounds.nonzero(factor, conditions)
 
     def _constants_in(self, equation: Equation, goal: Expr) -> list[Any]:
         """The momentum of the goal, in all forms in which a line says that it is constant."""

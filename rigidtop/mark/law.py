@@ -14,7 +14,7 @@ from sympy import Add, Expr, Pow, Symbol
 from sympy.core.function import AppliedUndef
 
 from rigidtop.notation.convention import own
-from rigidtop.proof import decide
+from rigidtop.proof import bounds, decide, floats
 from rigidtop.proof.equation import NoMeaningError
 from rigidtop.proof.verdict import Verdict
 from rigidtop.theory.lettered import Lettered
@@ -211,13 +211,13 @@ def divided(residual: Expr, given: Sequence[Expr], unknowns: Sequence[Symbol]) -
     )
     wanted, *known = flat
     found = decide.eliminated(sympy.fraction(sympy.together(wanted))[0], known, unknowns)
-    lost = [] if found is None else decide.divided_by(found[1])
+    lost = [] if found is None else bounds.divided_by(found[1])
     typed = sympy.fraction(sympy.together(wanted))[1]
     kept = {new: old for old, new in names.items()}
     lost = [x for x in lost if not has_sign(x) and typed.subs(x, 0) != 0]
     # A multiple of one of them is divided by nothing else, which takes long to be seen.
     if not lost or any(
-        decide.follows(sympy.expand_trig(wanted), sympy.expand_trig(one)) for one in known
+        bounds.follows(sympy.expand_trig(wanted), sympy.expand_trig(one)) for one in known
     ):
         return ""
     return "where " + ", ".join(f"{text(x.xreplace(kept))} ≠ 0" for x in lost)
@@ -229,7 +229,7 @@ def has_sign(x: Expr) -> bool:
         squares = [p for p in form.atoms(Pow) if p.exp.is_even]
         if form.xreplace({p: sympy.Dummy(nonnegative=True) for p in squares}).is_positive:
             return True
-    return decide.nonzero(x)
+    return bounds.nonzero(x)
 
 
 def reduced(side: Expr) -> Expr:
@@ -312,7 +312,7 @@ def lost(wanted: Expr, given: Expr) -> tuple[Expr, ...] | None:
     """
     if not may_be_multiples(wanted, given):
         return None
-    found = decide.lost(wanted, given)
+    found = bounds.lost(wanted, given)
     if any(x.has(Add) for x in found) or not sympy.factor(given).has(Add):
         return None
     return tuple(x for x in found if x.has(sympy.Function))
@@ -321,8 +321,8 @@ def lost(wanted: Expr, given: Expr) -> tuple[Expr, ...] | None:
 def are_proportional(one: Expr, other: Expr) -> bool:
     """Whether, as far as numbers tell, one side is the other one times a number that is not 0."""
     pair = plain(sympy.Tuple(one, other))[0]
-    ratios = [_over(*decide.values([*pair], k)) for k in range(3)]
-    return all(isfinite(x) and x and not decide.apart(x, ratios[0]) for x in ratios)
+    ratios = [_over(*floats.values([*pair], k)) for k in range(3)]
+    return all(isfinite(x) and x and not floats.apart(x, ratios[0]) for x in ratios)
 
 
 def _over(one: float, other: float) -> float:
@@ -341,12 +341,12 @@ def may_be_multiples(one: Expr, other: Expr) -> bool:
     for half in ({*letters[::2]}, {*letters[: len(letters) // 2]}):
         ratios = []
         for inside, outside in product((0, 1), repeat=2):
-            number = decide.at(
-                {x: decide.somewhere(x, inside if x in half else outside) for x in letters}
+            number = floats.at(
+                {x: floats.somewhere(x, inside if x in half else outside) for x in letters}
             )
             ratios.append(_over(number(one), number(other)))
         across = ratios[0] * ratios[3], ratios[1] * ratios[2]
-        if decide.apart(*across) or not all(map(isfinite, across)):
+        if floats.apart(*across) or not all(map(isfinite, across)):
             return False
     return True
 
@@ -408,8 +408,8 @@ def _has_both_signs(part: Expr) -> bool:
     for attempt in range(32):
         letters = sorted(part.free_symbols, key=str)
         negative = {x: -x for k, x in enumerate(letters) if attempt >> k % 5 & 1}
-        [number] = decide.values([part.xreplace(negative)], attempt)
-        found |= {number > 0} if decide.apart(number, 0) else set()
+        [number] = floats.values([part.xreplace(negative)], attempt)
+        found |= {number > 0} if floats.apart(number, 0) else set()
     return len(found) > 1
 
 
@@ -426,6 +426,8 @@ def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:
     left, right, *given = flat
     a = law.highest if law is not None else []
     free = left.free_symbols | right.free_symbols
+    if any(dots(x) > 2 for x in free):
+        return None  # a rate of an acceleration is of no file's own
     if not free & {*a}:
         given, a = [], []
     free = free.union(*(x.free_symbols for x in given))
@@ -435,10 +437,10 @@ def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:
     # A length or a mass, whatever its letter, has no short number that is not positive.
     drawn = {x: sympy.Dummy(x.name, positive=True) for x in free if not moves(x)}
     kept = {new: old for old, new in names.items()}
-    for point, number in decide.places(
+    for point, number in floats.places(
         [left, right], given=given, unknowns=a, angles=angles, drawn=drawn, tries=120
     ):
-        if not all(decide.apart(number(one), number(other)) for one, other in signed):
+        if not all(floats.apart(number(one), number(other)) for one, other in signed):
             continue
         solved = {x: v for x, v in point.items() if x in a}
         values = ", ".join(

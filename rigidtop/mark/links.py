@@ -10,7 +10,7 @@ from typing import Any
 import sympy
 from sympy import Expr, MatrixBase, cos, sin
 
-from rigidtop.proof import decide
+from rigidtop.proof import decide, floats
 from rigidtop.proof.counterexample import entries
 from rigidtop.proof.equation import NoMeaningError
 from rigidtop.proof.model import Model, Sample, samples
@@ -82,7 +82,7 @@ def in_numbers(link: Link, model: Model, samples: Sequence[Sample]) -> list[tupl
     free = set().union(*(e.free_symbols for e in flat))
     made: list[tuple[Any, Any] | None] = []
     for sample in samples:
-        row = [*map(decide.at(sample.point), flat)] if free <= {*sample.point} else [math.nan]
+        row = [*map(floats.at(sample.point), flat)] if free <= {*sample.point} else [math.nan]
         numbers = [*map(sympy.Float, row)] if all(map(math.isfinite, row)) else []
         pair = [
             sympy.Matrix(*side.shape, part) if is_matrix(side) else part[0]
@@ -96,7 +96,7 @@ def in_numbers(link: Link, model: Model, samples: Sequence[Sample]) -> list[tupl
 def apart(left: Expr, right: Expr) -> bool:
     """Whether two values differ by more than rounding."""
     size = 1 + max(abs(e) for side in (left, right) for e in (side if is_matrix(side) else [side]))
-    return any(decide.holds("≠", difference, size) for difference in entries(left, right))
+    return any(floats.holds("≠", difference, size) for difference in entries(left, right))
 
 
 def is_shown(link: Link, model: Model) -> bool:

@@ -10,7 +10,7 @@ from fractions import Fraction
 import sympy
 from sympy import Add, Expr, Integer, MatrixBase, Rational, Symbol
 
-from rigidtop.proof import decide
+from rigidtop.proof import floats
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Equation, NoMeaningError, Rate, symbols_of
 from rigidtop.proof.letters import Letters
@@ -283,8 +283,8 @@ def _ratio(mine: Expr, theirs: Expr) -> Expr | None:
     if not getattr(mine, "is_commutative", True):
         return Integer(1) if sympy.expand(mine - theirs) == 0 else Integer(-1)
     for attempt in range(4):
-        a, b = decide.values(list(flat), attempt)
-        if not (math.isfinite(a) and math.isfinite(b)) or abs(b) < decide.TOLERANCE:
+        a, b = floats.values(list(flat), attempt)
+        if not (math.isfinite(a) and math.isfinite(b)) or abs(b) < floats.TOLERANCE:
             continue
         guess = Fraction(a / b).limit_denominator(64)
         return Rational(guess) if guess and math.isclose(guess, a / b, rel_tol=1e-8) else None

@@ -13,7 +13,7 @@ from sympy import Eq, Expr, Integer, MatrixBase, Symbol
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import Boolean
 
-from rigidtop.proof import decide
+from rigidtop.proof import floats
 from rigidtop.proof.equation import Equation, Meaning, Underbrace, value
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.page import Assumption, Check
@@ -184,18 +184,18 @@ def _search(
     hidden = {dummy: expression for dummy, expression in hidden.items() if dummy in contained}
     undefined: Failure | None = None
     patience = 20
-    for point, number in decide.places(
+    for point, number in floats.places(
         everything, hidden=hidden, tries=tries, exists=letters.exists
     ):
         # What is asked of a point first: most are not at places where the rest would count.
-        if abs(number(divisor)) < decide.TOLERANCE:
+        if abs(number(divisor)) < floats.TOLERANCE:
             continue
-        if not all(abs(number(h)) < decide.TOLERANCE for h in given):
+        if not all(abs(number(h)) < floats.TOLERANCE for h in given):
             continue
         holds = [_holds(c, number(gap)) for c, gap in zip(extra, gaps, strict=True)]
         if holds != [True] * len(conditions) + [False] * (len(extra) - len(conditions)):
             continue
-        if any(abs(number(d)) < decide.TOLERANCE for d in divisors):
+        if any(abs(number(d)) < floats.TOLERANCE for d in divisors):
             # Numbers that differ say more than a division by zero: look on for a while.
             undefined = undefined or (sides, point, hidden)
         elif _fails(sides, number, undefined_counts=dropped is not None):
@@ -263,10 +263,10 @@ _WRITTEN = {"==": "=", "!=": "≠", ">=": "≥", "<=": "≤"}
 
 
 def _holds(condition: Relational, gap: float) -> bool:
-    return decide.holds(_WRITTEN.get(condition.rel_op, condition.rel_op), gap)
+    return floats.holds(_WRITTEN.get(condition.rel_op, condition.rel_op), gap)
 
 
-def _fails(sides: Any, number: decide.Number, undefined_counts: bool) -> bool:
+def _fails(sides: Any, number: floats.Number, undefined_counts: bool) -> bool:
     for relation, pairs in sides:
         told = []
         for pair in pairs:
@@ -276,7 +276,7 @@ def _fails(sides: Any, number: decide.Number, undefined_counts: bool) -> bool:
             if math.isinf(left) or math.isinf(right):
                 # Where an assumption is dropped, a side that stops being a number is the failure.
                 return undefined_counts and math.isinf(left) != math.isinf(right)
-            told.append(decide.holds(relation, left - right, 1 + abs(left) + abs(right)))
+            told.append(floats.holds(relation, left - right, 1 + abs(left) + abs(right)))
         if not (any(told) if relation == "≠" else all(told)):
             return True
     return False
@@ -298,10 +298,10 @@ def _counterexample(
         for (_, pairs), shape in zip(sides, shapes, strict=True)
         for k, (left, right) in enumerate(pairs)
     ]
-    number = decide.at({})
+    number = floats.at({})
     differ = [each for each in exact if each[0] != each[1]]
     # A zero that is not seen to be one has digits far behind the point.
-    visible = (x for x in differ if None in x or decide.apart(number(x[0]), number(x[1])))
+    visible = (x for x in differ if None in x or floats.apart(number(x[0]), number(x[1])))
     return Counterexample(dict(point), *next(visible, [*differ, *exact][0]))
 
 

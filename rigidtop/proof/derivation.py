@@ -15,7 +15,7 @@ from typing import Any
 
 from sympy import Expr, Integer, MatrixBase, Symbol
 
-from rigidtop.proof import decide, units
+from rigidtop.proof import bounds, decide, units
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.arrive import arrive, check_braces
 from rigidtop.proof.equation import Equation, NoMeaningError, symbols_of
@@ -232,10 +232,10 @@ def _contradiction(
             if vanishes(value):
                 return "a division by 0" if condition.lost else _AGAINST
             flat, strict = flat_with(-value, [c for c in conditions if c is not condition])
-            bounds = [each.lhs for each in strict if each.rel_op == ">"]
+            sizes = [each.lhs for each in strict if each.rel_op == ">"]
             asked = condition.relation == ">" and not decide.branches(flat)
-            negative = asked and decide.in_digits([(">", flat)], bounds=bounds)
-            if negative and decide.positive(flat, strict):
+            negative = asked and decide.in_digits([(">", flat)], bounds=sizes)
+            if negative and bounds.positive(flat, strict):
                 return _AGAINST
     pairs = [p for e in line.equations for p in pairs_of(e, Algebra(letters)) if _is_scalar(p)]
     if any(p.relation in ("<", ">", "≠") and vanishes(p.left - p.right) for p in pairs):

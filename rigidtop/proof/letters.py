@@ -8,7 +8,7 @@ from functools import cached_property
 
 from sympy import Expr, Symbol
 
-from rigidtop.proof import decide
+from rigidtop.proof import floats
 from rigidtop.proof.equation import Partial, Rate
 
 
@@ -48,7 +48,7 @@ class Letters:
     components: Mapping[tuple[Symbol, Symbol], Symbol] = field(default_factory=dict)
     branches: Mapping[Symbol, tuple[Symbol, int]] = field(default_factory=dict)
     families: tuple[tuple[Symbol, ...], ...] = ()
-    exists: Callable[[Mapping[Symbol, Expr]], bool] = decide.anything
+    exists: Callable[[Mapping[Symbol, Expr]], bool] = floats.anything
     placed: frozenset[Symbol] = frozenset()
     functions: Mapping[Symbol, tuple[Symbol, ...]] = field(default_factory=dict)
     units: Mapping[Symbol, str] = field(default_factory=dict)

@@ -15,7 +15,7 @@ from typing import Any
 import sympy
 from sympy import Expr, Matrix, MatrixBase, Symbol, sin
 
-from rigidtop.proof import decide
+from rigidtop.proof import floats
 from rigidtop.proof.equation import BODY, Equation, Meaning, NoMeaningError, Rate, value
 from rigidtop.theory.rates import total_derivative
 from rigidtop.theory.symbols import const
@@ -46,7 +46,7 @@ class Model:
     """Symbols whose rate is left out: for a derivative that forgets them."""
     along: bool = False
     """Whether its accelerations are those of the motion: an identity holds for any."""
-    exists: Callable[[Mapping[Symbol, Expr]], bool] = decide.anything
+    exists: Callable[[Mapping[Symbol, Expr]], bool] = floats.anything
     """Whether there is something with these numbers: a body with these moments."""
 
     def before_limits(self, node: Expr) -> Any:
@@ -156,18 +156,18 @@ def samples(model: Model, count: int = 30) -> tuple[Sample, ...]:
     entries = (e for v in meaning.values() for e in (v if isinstance(v, MatrixBase) else [v]))
     flat = [sympy.sympify(e) for e in entries]
     free = sorted(set().union(*(e.free_symbols for e in flat)), key=str)
-    angles = decide.angle_symbols(flat)
+    angles = floats.angle_symbols(flat)
     # In digits, a sine that is zero would be divided by all the same.
     points = [
         point
-        for point in decide.points(free, angles, 30 * count, model.exists)
+        for point in floats.points(free, angles, 30 * count, model.exists)
         if all(sin(2 * point[x]) != 0 for x in angles & set(point))
     ]
     found: list[Sample] = []
     # The choice of numbers widens slowly: some of the first, some of the later ones.
     for point in points[:: max(1, len(points) // (3 * count))]:
         # Where something is divided by zero, the symbols do not describe the motion.
-        if not any(map(math.isinf, map(decide.at(point), flat))):
+        if not any(map(math.isinf, map(floats.at(point), flat))):
             found.append(Sample(dict(point), meaning))
         if len(found) == count:
             break

@@ -9,7 +9,7 @@ from itertools import islice
 import sympy
 from sympy import Expr, Integer, Symbol
 
-from rigidtop.proof import decide
+from rigidtop.proof import floats
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.arrive import arrive, factor_of
 from rigidtop.proof.changed import perturbations
@@ -65,8 +65,8 @@ def _numbers(pair: Pair, letters: Letters) -> Diagnosis | None:
         return Diagnosis(False)
     flat, nodes = flattened(sympy.Tuple(pair.left, pair.right))
     sides = list(flat)
-    for point, number in decide.places(sides, exists=letters.exists):
-        if decide.apart(*map(number, sides)):
+    for point, number in floats.places(sides, exists=letters.exists):
+        if floats.apart(*map(number, sides)):
             at = {nodes.get(x, x): value for x, value in point.items()}
             return Diagnosis(False, at, *(side.xreplace(point) for side in sides))
     return None

@@ -11,7 +11,7 @@ from sympy import Expr
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import Boolean
 
-from rigidtop.proof import decide
+from rigidtop.proof import bounds, decide
 from rigidtop.proof.counterexample import (
     ANY,
     Counterexample,
@@ -259,7 +259,7 @@ def _shown(check: Check, letters: Letters) -> Verdict | None:
         if relation in ("=", "≡"):
             given = [imposed_on(h, equal) for h in check.given]
             for difference in differences:
-                if any(decide.follows(difference, h, conditions) for h in given):
+                if any(bounds.follows(difference, h, conditions) for h in given):
                     continue
                 found = decide.evidence(difference)
                 # Digits are evidence only where a wide search for a counterexample failed.
@@ -269,11 +269,11 @@ def _shown(check: Check, letters: Letters) -> Verdict | None:
                     return None
                 sampled |= found is Verdict.SAMPLED
         elif relation == "≠":
-            if not any(decide.nonzero(d, conditions) for d in differences):
+            if not any(bounds.nonzero(d, conditions) for d in differences):
                 return None
         elif relation in (">", "<"):
             sign = 1 if relation == ">" else -1
-            if not all(decide.positive(sign * d, conditions) for d in differences):
+            if not all(bounds.positive(sign * d, conditions) for d in differences):
                 return None
         else:
             raise ValueError(f"a check can't judge the relation {relation!r}")
@@ -283,8 +283,8 @@ def _shown(check: Check, letters: Letters) -> Verdict | None:
 def _covered(divisor: Expr, equal: Mapping[Expr, Expr], conditions: Sequence[Relational]) -> bool:
     """Whether the symbols or the conditions keep a divisor from vanishing."""
     imposed = _without_bars(imposed_on(divisor, equal), conditions)
-    return decide.nonzero(imposed, conditions) or any(
-        decide.positive(sign * imposed, conditions) for sign in (1, -1)
+    return bounds.nonzero(imposed, conditions) or any(
+        bounds.positive(sign * imposed, conditions) for sign in (1, -1)
     )
 
 
@@ -292,6 +292,6 @@ def _without_bars(expression: Expr, conditions: Sequence[Relational]) -> Expr:
     """|x| as x or −x where the conditions give its sign."""
     for bars in expression.atoms(sympy.Abs):
         for sign in (1, -1):
-            if decide.positive(sign * bars.args[0], conditions):
+            if bounds.positive(sign * bars.args[0], conditions):
                 expression = expression.subs(bars, sign * bars.args[0])
     return expression

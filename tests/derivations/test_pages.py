@@ -13,7 +13,7 @@ from rigidtop.derivations import PAGES, lecture_with
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.mark.asked import NAMES, NEARLY, NOWHERE, SPECIAL, STRANGE, ask
-from rigidtop.proof import decide
+from rigidtop.proof import bounds
 from rigidtop.proof.derivation import judge_line
 from rigidtop.proof.equation import Printed
 from rigidtop.proof.page import Check, Correction, Remark
@@ -140,8 +140,8 @@ DIFFER = {
 
 
 def known_nonzero(expression: sympy.Expr, conditions: list[sympy.Rel]) -> bool:
-    return decide.nonzero(expression, conditions) or any(
-        decide.positive(sign * expression, conditions) for sign in (1, -1)
+    return bounds.nonzero(expression, conditions) or any(
+        bounds.positive(sign * expression, conditions) for sign in (1, -1)
     )
 
 
@@ -163,7 +163,7 @@ def test_conditions_of_the_pages_are_the_assumptions_of_the_claims() -> None:
         unequal = [c for c in assumed if isinstance(c, Ne)]
         agree = (
             all(known_nonzero(c.expression, assumed) for c in own if c.relation == "≠")
-            and all(decide.positive(c.expression, assumed) for c in own if c.relation == ">")
+            and all(bounds.positive(c.expression, assumed) for c in own if c.relation == ">")
             and all(known_nonzero(c.lhs - c.rhs, recorded) for c in unequal)
         )
         assert all(isinstance(c, (Ne, Gt, Lt, Ge, Le)) for c in assumed)

@@ -8,7 +8,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from sympy import Abs, Gt, Lt, Ne, Rational, Symbol, cos, pi, sin, sqrt, symbols, tan
 
-from rigidtop.proof import decide
+from rigidtop.proof import bounds, decide, floats
 
 x, y = symbols("x y", real=True)
 a, b = symbols("a b", positive=True)
@@ -105,7 +105,7 @@ def test_zero_over_zero_does_not_vanish():
     ],
 )
 def test_nonzero(expression, conditions, known):
-    assert decide.nonzero(expression, conditions) is known
+    assert bounds.nonzero(expression, conditions) is known
 
 
 @pytest.mark.parametrize(
@@ -137,7 +137,7 @@ def test_nonzero(expression, conditions, known):
     ],
 )
 def test_positive(expression, conditions, known):
-    assert decide.positive(expression, conditions) is known
+    assert bounds.positive(expression, conditions) is known
 
 
 @quick
@@ -145,9 +145,9 @@ def test_positive(expression, conditions, known):
 def test_what_is_called_positive_is(rows, at_x, at_y, at_a):
     expression = trigonometric(rows)
     values = {x: at_x, y: at_y, a: at_a}
-    if decide.positive(expression):
+    if bounds.positive(expression):
         assert expression.subs(values) > 0
-    if decide.nonzero(expression):
+    if bounds.nonzero(expression):
         assert expression.subs(values) != 0
 
 
@@ -170,7 +170,7 @@ def test_what_is_called_positive_is(rows, at_x, at_y, at_a):
     ],
 )
 def test_follows(residual, given_, conditions, known):
-    assert decide.follows(residual, given_, conditions) is known
+    assert bounds.follows(residual, given_, conditions) is known
 
 
 # --- digits ------------------------------------------------------------------------------------
@@ -214,55 +214,55 @@ def test_digits_need_points_where_there_is_a_number():
 @given(polynomials, polynomials, st.integers(0, 500))
 def test_evaluate_agrees_with_evalf(top, bottom, seed):
     expression = trigonometric(top) / trigonometric(bottom) + sqrt(a) * Abs(sin(x)) - tan(y) / 3
-    point = list(decide.points([x, y, a], {x, y}, seed + 1))[-1]
+    point = list(floats.points([x, y, a], {x, y}, seed + 1))[-1]
     # One symbol after the other, subs would cancel a zero above with a zero below.
     assume(trigonometric(bottom).subs(point) != 0)
     exact = expression.subs(point)
-    number = decide.at(point)(expression)
+    number = floats.at(point)(expression)
     assume(exact.is_finite and abs(exact.evalf(30)) < 1e9)
     assert number == pytest.approx(float(exact.evalf(30)), rel=1e-9, abs=1e-9)
 
 
 def test_evaluate_where_there_is_no_number():
     point = {x: sympy.Integer(0), y: sympy.Integer(-1)}
-    division, root, fine = map(decide.at(point), (1 / sin(x), sqrt(y), x - y))
+    division, root, fine = map(floats.at(point), (1 / sin(x), sqrt(y), x - y))
     assert (division, math.isnan(root), fine) == (math.inf, True, 1.0)
 
 
 def test_sine_of_pi_counts_as_zero_below_a_fraction():
-    assert decide.at({x: pi})(1 / sin(x)) == math.inf
+    assert floats.at({x: pi})(1 / sin(x)) == math.inf
 
 
 def test_evaluate_knows_every_function_of_sympy():
     point = {x: Rational(1, 2), y: sympy.Integer(-2)}
     asked = (sympy.atan(x) + sympy.exp(y), sympy.log(y), sympy.log(x - x))
-    found = [*map(decide.at(point), asked)]
+    found = [*map(floats.at(point), asked)]
     assert found[0] == pytest.approx(math.atan(0.5) + math.exp(-2), rel=1e-14)
     assert all(math.isnan(number) for number in found[1:])
 
 
 def test_evaluate_puts_in_what_is_hidden():
     dummy = sympy.Dummy(real=True)
-    assert decide.at({x: sympy.Integer(3)}, {dummy: 2 * x})(dummy**2 + x) == 39.0
-    values = [*map(decide.at({x: sympy.Integer(0)}, {dummy: 1 / x}), (x, dummy, 1 / dummy))]
+    assert floats.at({x: sympy.Integer(3)}, {dummy: 2 * x})(dummy**2 + x) == 39.0
+    values = [*map(floats.at({x: sympy.Integer(0)}, {dummy: 1 / x}), (x, dummy, 1 / dummy))]
     assert values[0] == 0.0
     assert math.isnan(values[1])
     assert math.isnan(values[2])
 
 
 def test_points_can_be_read_aloud():
-    found = list(decide.points([a, c, x], {x}, 600))
+    found = list(floats.points([a, c, x], {x}, 600))
     assert len(found) == 600
     assert all(p[a] > 0 and p[a].q <= 3 and p[a].p <= 5 for p in found)
     assert all((p[x] / pi).q <= 6 for p in found)
     assert {p[c] for p in found[:60]} <= {0, 1, 2}
     assert any(p[c] < 0 for p in found)
-    assert found == list(decide.points([a, c, x], {x}, 600))  # the same in every run
+    assert found == list(floats.points([a, c, x], {x}, 600))  # the same in every run
 
 
 def test_angles_are_what_stands_inside_a_sine():
-    assert decide.angle_symbols([sin(x) + y, cos(2 * c), a]) == {x, c}
-    assert decide.angle_symbols([a + x]) == set()
+    assert floats.angle_symbols([sin(x) + y, cos(2 * c), a]) == {x, c}
+    assert floats.angle_symbols([a + x]) == set()
 
 
 @pytest.mark.parametrize("names", [("a", "b"), ("b", "a"), ("x", "y"), ("p", "m")])

@@ -7,7 +7,7 @@ import pytest
 import sympy
 from sympy import Eq, Gt, Lt, Matrix, Ne, Symbol, cos, sin, sqrt, symbols
 
-from rigidtop.proof import page
+from rigidtop.proof import floats, page
 from rigidtop.proof.counterexample import assertions, refute
 from rigidtop.proof.equation import Cross, Dot, Equation, Underbrace, as_printed
 from rigidtop.proof.page import (
@@ -331,11 +331,10 @@ def test_counterexamples_are_of_bodies_that_exist():
     """λ₃ ≤ 2(λ₁ − MR²): what `HeavyTop` accepts."""
     from rigidtop.derivations.letters import LETTERS
     from rigidtop.motion.top import HeavyTop
-    from rigidtop.proof import decide
     from rigidtop.theory import symbols as s
 
     names = (s.lambda1, s.lambda3, s.M, s.R, s.omega3)
-    points = list(decide.points(names, set(), 200, LETTERS.exists))
+    points = list(floats.points(names, set(), 200, LETTERS.exists))
     assert len(points) == 200
     for point in points:
         HeavyTop(

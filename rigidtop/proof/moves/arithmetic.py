@@ -8,7 +8,7 @@ from functools import partial
 
 from sympy import Expr, Integer, MatrixBase, Symbol
 
-from rigidtop.proof import decide
+from rigidtop.proof import bounds
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Equation, SumOver, VolumeIntegral, as_printed
 from rigidtop.proof.moves.conditions import divided_by, flat_with
@@ -119,7 +119,7 @@ def _compared(known: Known, algebra: Algebra) -> list[Pair]:
 
 def _times(factor: Value, pair: Pair, algebra: Algebra, move: Move) -> Pair:
     """Both sides with a factor, which has to be positive where one side is larger."""
-    if pair.relation in _TURNED and not decide.positive(*flat_with(factor, move.where)):
+    if pair.relation in _TURNED and not bounds.positive(*flat_with(factor, move.where)):
         raise RefusedError("{} has no known sign: an inequality may turn round", factor)
     left, right = algebra.times(factor, pair.left), algebra.times(factor, pair.right)
     return replace(pair, left=left, right=right)

@@ -9,7 +9,7 @@ import sympy
 from sympy import Expr, Mul
 from sympy.core.relational import Relational
 
-from rigidtop.proof import decide
+from rigidtop.proof import bounds, floats
 from rigidtop.proof.moves.move import Condition
 from rigidtop.proof.values import flattened
 from rigidtop.theory.trig import reduce_ratio
@@ -30,8 +30,8 @@ def nonzero(factor: Expr, conditions: Sequence[Condition]) -> bool:
     flat, relations = flat_with(factor, conditions)
     if _vanishes_somewhere(flat, relations):
         return False
-    return decide.nonzero(flat, relations) or any(
-        decide.positive(sign * flat, relations) for sign in (1, -1)
+    return bounds.nonzero(flat, relations) or any(
+        bounds.positive(sign * flat, relations) for sign in (1, -1)
     )
 
 
@@ -50,11 +50,11 @@ def _vanishes_somewhere(flat: Expr, relations: Sequence[Relational]) -> bool:
         return False
 
     def value(expression: Expr, x: Sequence[float]) -> float:
-        return decide.at(dict(zip(symbols, x, strict=True)))(expression)
+        return floats.at(dict(zip(symbols, x, strict=True)))(expression)
 
     ends: dict[bool, tuple[list[float], float]] = {}
     for attempt in range(DRAWS):
-        drawn = [(x.is_positive, decide.somewhere(x, attempt)) for x in symbols]
+        drawn = [(x.is_positive, floats.somewhere(x, attempt)) for x in symbols]
         point = [at**3 if positive else 3 * at - 3 for positive, at in drawn]
         height = value(flat, point)
         if math.isfinite(height):
@@ -64,7 +64,7 @@ def _vanishes_somewhere(flat: Expr, relations: Sequence[Relational]) -> bool:
     else:
         return False
     (low, below), (high, above) = ends[False], ends[True]
-    least, stays = decide.TOLERANCE * (above - below), 0
+    least, stays = floats.TOLERANCE * (above - below), 0
     for _ in range(STEPS):
         share = below / (below - above)
         middle = [a + share * (b - a) for a, b in zip(low, high, strict=True)]

@@ -8,7 +8,7 @@ import sympy
 from sympy import MatrixBase
 from sympy.core.function import FunctionClass
 
-from rigidtop.proof import decide
+from rigidtop.proof import bounds
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.moves.conditions import flat_with
 from rigidtop.proof.moves.move import (
@@ -43,5 +43,5 @@ def _defined(pairs: list[Pair]) -> tuple[Condition, ...]:
     for pair in pairs:
         if any(side.is_nonpositive for side in (pair.left, pair.right)):
             raise RefusedError("the logarithm of what is not positive")
-    rights = [pair.right for pair in pairs if not decide.positive(*flat_with(pair.right, ()))]
+    rights = [pair.right for pair in pairs if not bounds.positive(*flat_with(pair.right, ()))]
     return tuple(Condition(right, ">") for right in rights)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy
 from sympy import Expr, Integer, MatrixBase, Mul
 
-from rigidtop.proof import decide
+from rigidtop.proof import bounds
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.moves.conditions import flat_with
 from rigidtop.proof.moves.move import (
@@ -60,7 +60,7 @@ def _root_of(value: Expr, conditions: Sequence[Condition]) -> Expr:
 def _known_sign(base: Expr, conditions: Sequence[Condition]) -> int:
     """1 or −1 where a condition says so, else 0."""
     strict = [c for c in conditions if c.relation == ">"]
-    return next((k for k in (1, -1) if decide.positive(*flat_with(k * base, strict))), 0)
+    return next((k for k in (1, -1) if bounds.positive(*flat_with(k * base, strict))), 0)
 
 
 def sign(move: Move, algebra: Algebra) -> Performed:
@@ -82,6 +82,6 @@ def sign(move: Move, algebra: Algebra) -> Performed:
 def _sign_of(value: Expr, conditions: Sequence[Condition]) -> str | None:
     flat, relations = flat_with(value, conditions)
     for sign, relation in ((1, ">"), (-1, "<")):
-        if decide.positive(sign * flat, relations):
+        if bounds.positive(sign * flat, relations):
             return relation
-    return "≠" if decide.nonzero(flat, relations) else None
+    return "≠" if bounds.nonzero(flat, relations) else None

@@ -1,0 +1,158 @@
+"""Signs: whether an expression differs from zero or exceeds it, where conditions hold.
+
+Factors of known sign decide; the answer "yes" is a proof, "no" is that it is not known.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy
+from sympy import Expr, Matrix
+from sympy.core.relational import Relational
+
+from rigidtop.proof.decide import vanishes
+from rigidtop.theory.trig import reduce_ratio
+
+
+def divided_by(slopes: Matrix) -> list[Expr]:
+    """The factors by which the last row is divided where it is a sum of multiples of the others.
+
+    >>> r, x = sympy.symbols("r x")
+    >>> divided_by(Matrix([[r**2, 0], [0, x], [r, x]])), divided_by(Matrix([[r], [r**2]]))
+    ([r], [])
+    """
+    factors = slopes[:-1, :].T.LUsolve(slopes[-1, :].T)
+    below = [sympy.fraction(reduce_ratio(factor))[1] for factor in factors]
+    return list(dict.fromkeys(x for each in below for x in _factors(each) if x.free_symbols))
+
+
+def nonzero(expression: Expr, conditions: Sequence[Relational] = ()) -> bool:
+    """True only if every factor is known to differ from zero, by its symbols or a condition.
+
+    >>> from sympy import sin
+    >>> x, m = sympy.Symbol("x", real=True), sympy.Symbol("m", positive=True)
+    >>> nonzero(m*sin(x)**2), nonzero(m*sin(x)**2, [sympy.Ne(sin(x), 0)])
+    (False, True)
+    """
+    known = [condition.lhs - condition.rhs for condition in conditions if _strict(condition)]
+    known_factors = [f for k in known for f in _factors(reduce_ratio(k))]
+    return all(
+        factor.is_nonzero or any(vanishes(factor**2 - k**2) for k in known_factors)
+        for factor in _factors(reduce_ratio(expression))
+    )
+
+
+def positive(expression: Expr, conditions: Sequence[Relational] = ()) -> bool:
+    """True only if the sign of every factor is known and their product is positive.
+
+    >>> a, b = sympy.symbols("a b", real=True)
+    >>> positive((a - b)**3, [sympy.Gt(a, b)]), positive(a - b)
+    (True, False)
+    """
+    ratio = reduce_ratio(expression)
+    if ratio.is_positive or _sign(ratio, conditions) == 1:
+        return True
+    # A condition may bound a product that stands in the ratio as a whole.
+    return any(_sign(reduce_ratio(ratio / fact), conditions) == 1 for fact in _facts(conditions))
+
+
+def _facts(conditions: Sequence[Relational]) -> list[Expr]:
+    """What the conditions say to be positive; a ≥ b together with a ≠ b is a > b."""
+    strict = [c.gts - c.lts for c in conditions if isinstance(c, (sympy.Gt, sympy.Lt))]
+    weak = [c.gts - c.lts for c in conditions if isinstance(c, (sympy.Ge, sympy.Le))]
+    unequal = [c.lhs - c.rhs for c in conditions if isinstance(c, sympy.Ne)]
+    return strict + [w for w in weak if any(sympy.expand(w**2 - u**2) == 0 for u in unequal)]
+
+
+def _sign(ratio: Expr, conditions: Sequence[Relational]) -> int:
+    """1 or −1 where the sign of a product is known, else 0."""
+    sign = 1
+    for factor in sympy.Mul.make_args(ratio):
+        base, power = factor.as_base_exp()
+        if power.is_even:
+            known = 1 if nonzero(base, conditions) else 0
+        else:
+            known = _base_sign(base, conditions)
+        if known == 0:
+            return 0
+        sign *= known
+    return sign
+
+
+def _base_sign(base: Expr, conditions: Sequence[Relational]) -> int:
+    if base.is_positive:
+        return 1
+    if base.is_negative:
+        return -1
+    for fact in _facts(conditions):
+        quotient = reduce_ratio(base / fact)
+        if quotient.is_number:
+            return 1 if quotient > 0 else -1
+        if quotient.is_positive:
+            return 1
+    if isinstance(base, sympy.Add):
+        for sign in (1, -1):
+            terms = [sign * term for term in _grouped(base)]
+            if all(_at_least_zero(t, conditions) for t in terms) and any(
+                t.is_positive or _sign(reduce_ratio(t), conditions) == 1 for t in terms
+            ):
+                return sign
+    return 0
+
+
+def _grouped(total: Expr) -> list[Expr]:
+    """The terms of a sum, those with a common square of a symbol taken together."""
+    factors = {f for term in total.args for f in term.args}
+    squares = {f for f in factors if f.is_Pow and f.exp == 2 and not f.base.is_positive}
+    for square in sorted(squares, key=str):
+        grouped = sympy.collect(total, [square, *sorted(squares - {square}, key=str)])
+        if isinstance(grouped, sympy.Add):
+            return list(grouped.args)
+    return list(total.args)
+
+
+def _at_least_zero(term: Expr, conditions: Sequence[Relational]) -> bool:
+    factored = reduce_ratio(term)
+    bases = [f.as_base_exp() for f in sympy.Mul.make_args(factored)]
+    odd = sympy.Mul(*(b**p for b, p in bases if not p.is_even))
+    if odd.is_nonnegative or _sign(odd, conditions) == 1:
+        return True
+    weak = [c.gts - c.lts for c in conditions if isinstance(c, (sympy.Ge, sympy.Le))]
+    return any(reduce_ratio(odd / fact).is_positive for fact in weak)
+
+
+def _strict(condition: Relational) -> bool:
+    return isinstance(condition, (sympy.Ne, sympy.Gt, sympy.Lt))
+
+
+def _factors(ratio: Expr) -> list[Expr]:
+    """What a ratio in lowest terms has above, of a sum what no number divides."""
+    numerator, _ = sympy.fraction(ratio)
+    bases = [f.as_base_exp()[0] for f in sympy.Mul.make_args(numerator)]
+    return [base.primitive()[1] if base.is_Add else base for base in bases]
+
+
+def lost(wanted: Expr, given: Expr, conditions: Sequence[Relational] = ()) -> list[Expr]:
+    """What may vanish of that by which given = 0 is divided to make wanted = 0.
+
+    Where it is no multiple, this is given itself.
+
+    >>> x, y = sympy.symbols("x y", real=True)
+    >>> lost(y - 1, x*(y - 1)), lost(x*(y - 1), y - 1)
+    ([x], [])
+    """
+    if vanishes(wanted):
+        return []
+    factor = reduce_ratio(given / wanted)
+    return [x for x in _factors(factor) if not nonzero(x, conditions)]
+
+
+def follows(residual: Expr, given: Expr, conditions: Sequence[Relational] = ()) -> bool:
+    """True only if given = 0 implies residual = 0: their ratio is a factor known to be nonzero.
+
+    >>> x, y = sympy.symbols("x y", real=True)
+    >>> follows(y - 1, x*(y - 1)), follows(y - 1, x*(y - 1), [sympy.Ne(x, 0)])
+    (False, True)
+    """
+    return not lost(residual, given, conditions)
