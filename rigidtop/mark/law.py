@@ -430,6 +430,8 @@ def differ_at(sides: tuple[Expr, Expr], law: Law | None) -> str | None:
         return None  # a rate of an acceleration is of no file's own
     if not free & {*a}:
         given, a = [], []
+    if any(x.diff(y).has(*a) for x in given for y in a):
+        return None  # it gives no rates: it is not linear in them
     free = free.union(*(x.free_symbols for x in given))
 
     signed = [(left.xreplace(put), right.xreplace(put)) for put in of_roots(left - right)]

@@ -167,6 +167,10 @@ class _Judge(Reasons):
         except (ArithmeticError, TypeError, ValueError) as error:
             said = " ".join(str(error).split())[:80]
             found = Held(line, Verdict.UNDECIDED.value, f"it says nothing to compare ({said})")
+        except (AttributeError, LookupError) as error:  # ours; the other lines are judged
+            said = f"{type(error).__name__}: {error}".replace("\n", " ")[:80]
+            note = f"rigidtop itself fails here, please report it ({said})"
+            found = Held(line, Verdict.UNDECIDED.value, note)
         except RecursionError:
             found = Held(line, Verdict.UNDECIDED.value, "nested too deeply")
         said = doubt(self, found) if found.verdict == Verdict.FALSE.value else ""
