@@ -18,7 +18,8 @@ from sympy import Add, MatrixBase, Mul, Pow
 
 from rigidtop.notation import MATRICES, NOTES, Notation
 from rigidtop.proof.equation import At, Equation, Group
-from rigidtop.read.build import NAMED, parsed
+from rigidtop.read.build import parsed
+from rigidtop.read.called import NAMED
 from rigidtop.read.cursor import Token
 from rigidtop.read.cut import Part, parts
 from rigidtop.read.habits import NO_HABITS, Habits

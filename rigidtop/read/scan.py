@@ -12,29 +12,26 @@ read, and the reason says which two.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
 from rigidtop.notation import Notation
 from rigidtop.notation.convention import own
 from rigidtop.read import signs
-from rigidtop.read.calculus import Calculus
 from rigidtop.read.cursor import Token
-from rigidtop.read.look import behind, length, mathematical, operator_at, rows, spelling
+from rigidtop.read.environments import Environments
+from rigidtop.read.look import length, mathematical, operator_at, spelling
 from rigidtop.read.tex import (
     DEEPEST,
     NOTHING,
     TEXTS,
-    UPRIGHT,
     Piece,
     UnreadError,
     commands,
-    flat,
     pieces,
     plain,
     said,
-    split,
 )
 from rigidtop.theory.symbols import Glyph
 
@@ -60,7 +57,7 @@ def limited(scan: Scan) -> list[Token]:
     return found
 
 
-class Scan(Calculus):
+class Scan(Environments):
     """Takes all that stands in formulas."""
 
     def tokens(self) -> Iterator[Token]:
@@ -437,158 +434,6 @@ class Scan(Calculus):
         else:
             self.take()
             yield from self.inside(piece.group, nested=False)
-
-    # Environments
-
-    def environment(self) -> Iterator[Token]:
-        piece = self.peek()
-        name, end = self.named_environment()
-        kind = name.rstrip("*")
-        inner = self.items[self.at + 2 : end]
-        if kind in ("array", *signs.ARGUED):
-            while inner and inner[0].text in ("[", "{}"):
-                inner = inner[behind(inner) :]
-        self.at = end + 2
-        whole = self.last != "OPEN" and not self.depth
-        if (name in signs.CASES and self.open) or (kind in ("array", "matrix") and whole):
-            yield from self.system(name, inner, piece.position)
-        elif name in signs.MATRICES or kind == "array":
-            yield from self.rows(name, inner, piece.position)
-        elif kind in signs.LINES:
-            yield from self.inside(inner, nested=False)
-            yield Token("SPACE", r"\end", piece.position)
-        elif kind.endswith("vmatrix") or kind == "Vmatrix":
-            raise UnreadError("a determinant that is written out", piece.position)
-        else:
-            raise UnreadError(f"the environment {name}", piece.position)
-
-    def named_environment(self) -> tuple[str, int]:
-        r"""The name of the environment that begins here, and where its ``\end`` stands."""
-        position, name = self.peek().position, plain(self.peek(1))
-        end = self.closing(self.at, (r"\begin", r"\end"))
-        if end is None:
-            raise UnreadError(rf"\begin{{{name}}} without its \end", position)
-        ends = plain(*self.items[end + 1 : end + 2])
-        if ends != name:
-            raise UnreadError(rf"\begin{{{name}}} that ends as {ends}", position)
-        return name, end
-
-    def system(self, name: str, inner: Sequence[Piece], position: int) -> Iterator[Token]:
-        """Equations below one another, or the values that one side has in several cases."""
-        cells = [split(row, "&") for row in rows(inner) if row]
-        heads = [p for row in cells for p in (*flat(row[0]), *(q for x in row[1:2] for q in x[:1]))]
-        related = any(p.text in signs.RELATIONS for p in heads)
-        if name not in signs.CASES or (self.last != "RELATION" and related):
-            yield from self.inside(inner, nested=False)
-            yield Token("SPACE", r"\end", position)
-            return
-        branches = []
-        for row in cells:
-            value = [t for t in self.inside(row[0]) if t.kind not in ("ALIGN", "SPACE")]
-            while value and value[-1].kind in ("COMMA", "SEPARATOR"):
-                value.pop()
-            condition = " ".join(filter(None, map(said, row[1:])))
-            branches.append((tuple(value), condition))
-        if not branches:
-            raise UnreadError("cases without any", position)
-        yield Token("BRANCHES", tuple(branches), position)
-
-    def rows(self, name: str, inner: Sequence[Piece], position: int) -> Iterator[Token]:
-        yield Token("MATRIX", name, position)
-        for i, row in enumerate(rows(inner)):
-            if i:
-                yield Token("LINE", r"\\", position)
-            for j, cell in enumerate(split(row, "&")):
-                if j:
-                    yield Token("COMMA", "&", position)
-                yield from self.inside(cell)
-        yield Token("XIRTAM", name, position)
-
-    # Words
-
-    def constant_spelled(self) -> bool:
-        for word in ("constant", "const"):
-            if all(self.peek(i).text == letter for i, letter in enumerate(word)):
-                self.at += len(word)
-                if self.peek().text == "." and word == "const" and self.depth:
-                    self.take()
-                return True
-        return False
-
-    def are_words(self) -> bool:
-        """Whether text is more than a letter; in a table's letters an index may be upright."""
-        written = plain(self.peek(1))
-        if self.open:
-            return written != "d" and not (self.peek().text in UPRIGHT and len(written) < 2)
-        named = written in signs.WORDS or written.strip(". ") in signs.CONSTANT or len(written) > 3
-        return named or self.peek().text not in UPRIGHT
-
-    def words(self) -> Iterator[Token]:
-        piece = self.take()
-        inner = self.argument(piece)
-        written = said(inner)
-        bare = written.strip(" .,;:")
-        if not bare:
-            yield Token("SEPARATOR" if written and not self.depth else "SPACE", "", piece.position)
-        elif bare.lower().removeprefix("a ") in signs.CONSTANT:
-            yield Token("CONSTANT", "const", piece.position)
-        elif bare in signs.WORDS or (bare in signs.ELLIPTIC and not self.open):
-            yield from self.function({"ln": "log", "Tr": "tr"}.get(bare, bare), piece.position)
-        elif bare in ("Re", "Im"):
-            raise UnreadError("a real or imaginary part: that is not read", piece.position)
-        elif signs.NUMBER_OF.fullmatch(bare):
-            yield Token("TAG", bare.strip("()"), piece.position)
-        elif mathematical(inner):
-            if self.open and bare.split()[0].lower() in signs.CONDITIONS and not self.depth:
-                yield Token("WORDS", bare, piece.position)
-                return
-            raise UnreadError("mathematics in words inside a formula", piece.position)
-        elif self.commented >= 0 and self.at - self.commented <= 3:
-            return
-        elif not self.open and bare.lower() == "and" and not self.depth:
-            yield Token("SEPARATOR", bare, piece.position)
-        elif not self.open and (self.depth or bare.split()[0].lower() not in signs.CONDITIONS):
-            raise UnreadError(f"words inside a formula: {bare!r}", piece.position)
-        elif not self.open:
-            yield Token("WORDS", bare, piece.position)
-        elif self.is_unit(bare):
-            base = (bare if len(bare) > 1 else f" {bare}").replace(" ", "\u2009")  # no mass m
-            if self.peek().text == "^" and not bare.isalpha():  # of the last one, as in m/s^2
-                base += self.take().text + plain(*self.argument(piece))
-            yield Token("SYMBOL", self.notation.symbol(Glyph(base)), piece.position)
-        elif self.is_quantity(bare):
-            yield Token("SYMBOL", self.notation.symbol(self.scripts(Glyph(bare))), piece.position)
-        elif piece.text in signs.UPRIGHT_ALONE and bare.isalnum():
-            raise UnreadError(f"the function {bare} is not known", piece.position)
-        elif self.depth:
-            raise UnreadError(f"words inside a formula: {bare[:40]!r}", piece.position)
-        else:
-            yield Token("WORDS", bare, piece.position)
-
-    def is_unit(self, written: str) -> bool:
-        """Whether words are a unit: behind a number any short one is, or what has a stroke."""
-        if self.last == "NUMBER" and self.peek().text == "^":
-            return True
-        if self.last == "NUMBER" and written.lower() not in signs.CONDITIONS | signs.CONNECTIVES:
-            return signs.SHORT.fullmatch(written) is not None
-        ended = self.last in ("_END", "CLOSE") or (self.last == "SYMBOL" and "/" in written)
-        return ended and signs.UNIT.fullmatch(written) is not None
-
-    def is_quantity(self, written: str) -> bool:
-        """Whether words stand where a quantity would: with nothing but signs around them."""
-        if (
-            len(written) > 40
-            or not any(map(str.isalpha, written))
-            or written[0] == "("
-            or written.split()[0].lower() in signs.CONDITIONS | signs.CONNECTIVES
-        ):
-            return False
-        self.skip()
-        behind = self.peek().text
-        ends = {"", ")", "]", r"\right"} if self.depth or self.last in signs.BEFORE_LAST else set()
-        follows = behind in signs.SIGNS_AROUND | ends
-        aligned = behind == "&" and self.peek(1).text in signs.SIGNS_AROUND
-        return self.last in signs.BEFORE and (follows or aligned)
 
 
 _CLOSES = {"(": ")", "[": "]", r"\{": r"\}"}
