@@ -19,7 +19,7 @@ from rigidtop.errors import RigidtopError
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
     from rigidtop.mark.alike import Alike
-    from rigidtop.mark.audit import Audited
+    from rigidtop.mark.audited import Audited
     from rigidtop.mark.rows import Row
     from rigidtop.notation import Notation
     from rigidtop.proof.equation import Equation
@@ -77,7 +77,8 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int:
-    from rigidtop.mark.audit import SECONDS, audit, missing
+    from rigidtop.mark.audit import SECONDS, audit
+    from rigidtop.mark.audited import missing
     from rigidtop.mark.rows import rows
     from rigidtop.notation import OWN
     from rigidtop.read.document import problems
@@ -214,13 +215,13 @@ def _equation(
 
 
 def _of_place(line: int, reason: str) -> Told:
-    from rigidtop.mark.audit import UNREAD
+    from rigidtop.mark.audited import UNREAD
 
     return Told(Of.PLACE, "", line, UNREAD, reason, False, amiss=True)
 
 
 def _absent(name: str) -> Told:
-    from rigidtop.mark.audit import ABSENT
+    from rigidtop.mark.audited import ABSENT
 
     return Told(Of.ABSENT, name, None, ABSENT, "not in the file", True, display=False)
 

@@ -14,6 +14,9 @@ from rigidtop.read.formula import Line
 PREMISE = "premise"
 """Said of what is taken as it stands: a law, a quantity of the file's own, a special motion."""
 
+UNREAD = "unread"
+"""Said of what is not understood."""
+
 
 @dataclass(frozen=True)
 class Held:

@@ -12,7 +12,8 @@ from sympy import Symbol, cos, sin
 from rigidtop.derivations import PAGES
 from rigidtop.mark import audit as home
 from rigidtop.mark import ruling
-from rigidtop.mark.audit import UNKNOWN, UNREAD, Memo, audit
+from rigidtop.mark.audit import Memo, audit
+from rigidtop.mark.audited import UNKNOWN, UNREAD
 from rigidtop.proof.equation import Equation, Rate, Underbrace, value
 from rigidtop.proof.page import Assumption, Check, Correction, Definition, Page, claim
 from rigidtop.proof.verdict import judge

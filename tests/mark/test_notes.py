@@ -357,7 +357,7 @@ def test_an_error_of_ours_is_not_hidden(monkeypatch):
     def broken(*_):
         raise AttributeError("'NoneType' object has no attribute 'name'")
 
-    monkeypatch.setattr("rigidtop.mark.notes.few", broken)
+    monkeypatch.setattr("rigidtop.mark.judge.few", broken)
     [found] = held(read("x = y", OWN))
     assert found.verdict == "undecided"
     assert found.note.startswith("rigidtop itself fails here, please report it (AttributeError: ")
