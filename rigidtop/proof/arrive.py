@@ -163,9 +163,9 @@ def solves(equations: Sequence[Equation], move: Move, letters: Letters) -> None:
     algebra = Algebra(letters, motion)
     algebra = Algebra(letters, {**{x: algebra.value(v) for x, v in given.items()}, **motion})
     cited = [p for k in move.of for e in k.equations for p in pairs_of(e, bare)]
-    if not all(_is_identity(_valued(p, algebra), move) for p in cited):
+    if not all(_is_identity(p.valued(algebra), move) for p in cited):
         raise RefusedError("this does not satisfy the equations that are integrated")
-    _gives_rates([_valued(p, known) for p in cited], list(found), letters)
+    _gives_rates([p.valued(known) for p in cited], list(found), letters)
     start = {e.sides[0]: bare.value(e.sides[1]) for e in move.by}
     for letter, value in found.items():
         if letter not in start:
@@ -211,15 +211,11 @@ def _first_integral(
             if not {*atoms_of(value)} <= letters.numbers:
                 raise RefusedError("{} starts at what is no number", letter)
         for pair in pairs_of(equation, bare):
-            rates = [given.value(bare.rate(side)) for side in (pair.left, pair.right)]
+            rates = [given.value(bare.rate(side)) for side in pair.sides]
             if _matching(replace(pair, left=rates[0], right=rates[1]), performed, move) is None:
                 raise RefusedError("this is constant whatever is cited: it is no integral")
-            if not _is_identity(_valued(pair, start), move):
+            if not _is_identity(pair.valued(start), move):
                 raise RefusedError("this does not hold at the start")
-
-
-def _valued(pair: Pair, algebra: Algebra) -> Pair:
-    return replace(pair, left=algebra.value(pair.left), right=algebra.value(pair.right))
 
 
 def _matching(pair: Pair, performed: Performed, move: Move) -> int | None:

@@ -259,8 +259,7 @@ def _open(expression: Expr) -> set[Expr]:
 
 def _is_scalar(pair: Pair) -> bool:
     return not any(
-        isinstance(side, (Vector, MatrixBase)) or not side.is_commutative
-        for side in (pair.left, pair.right)
+        isinstance(side, (Vector, MatrixBase)) or not side.is_commutative for side in pair.sides
     )
 
 

@@ -228,7 +228,7 @@ def square(move: Move, algebra: Algebra) -> Performed:
     known = the_one(move)
     order = known.order
     if order is not None:  # (a + O)² has the error a O
-        sides = [v for p in all_pairs(known, algebra) for v in (p.left, p.right)]
+        sides = [v for p in all_pairs(known, algebra) for v in p.sides]
         lowest = min((order.lowest(x) for side in sides for x in scalars(side)), default=0)
         order = replace(order, power=order.power + min(0, lowest))
     return replace(mapped(move, algebra, squared), order=order)

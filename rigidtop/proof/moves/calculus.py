@@ -104,7 +104,7 @@ def rate(move: Move, algebra: Algebra) -> Performed:
         )
     pairs = []
     for pair in equal_pairs(known, algebra):
-        for side in (pair.left, pair.right):
+        for side in pair.sides:
             for letter in algebra.letters.functions.keys() & {*atoms_of(side)}:
                 _is_function(letter, move, algebra)
         pairs.append(Pair(algebra.rate(pair.left, frame), algebra.rate(pair.right, frame)))

@@ -29,7 +29,7 @@ def function(of: FunctionClass) -> Callable[[Move, Algebra], Performed]:
     def taken(move: Move, algebra: Algebra) -> Performed:
         known = the_one(move)
         pairs = equal_pairs(known, algebra)
-        sides = [side for pair in pairs for side in (pair.left, pair.right)]
+        sides = [side for pair in pairs for side in pair.sides]
         if any(isinstance(x, (Vector, MatrixBase)) or is_operator(x) for x in sides):
             raise RefusedError("a function of what is no scalar")
         made = tuple(Pair(of(p.left), of(p.right)) for p in pairs)
@@ -41,7 +41,7 @@ def function(of: FunctionClass) -> Callable[[Move, Algebra], Performed]:
 def _defined(pairs: list[Pair]) -> tuple[Condition, ...]:
     """That what a logarithm is taken of is positive, where this is not known."""
     for pair in pairs:
-        if any(side.is_nonpositive for side in (pair.left, pair.right)):
+        if any(side.is_nonpositive for side in pair.sides):
             raise RefusedError("the logarithm of what is not positive")
     rights = [pair.right for pair in pairs if not bounds.positive(*flat_with(pair.right, ()))]
     return tuple(Condition(right, ">") for right in rights)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import IntEnum
 from itertools import islice
 from typing import Any
@@ -11,6 +11,7 @@ from typing import Any
 import sympy
 from sympy import Expr, Symbol
 
+from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.values import Value, vanishes
 from rigidtop.theory.rates import slopes_at_zero
@@ -88,6 +89,14 @@ class Pair:
     left: Value
     right: Value
     relation: str = "="
+
+    @property
+    def sides(self) -> tuple[Value, Value]:
+        return self.left, self.right
+
+    def valued(self, algebra: Algebra) -> Pair:
+        """With what an algebra knows put in."""
+        return replace(self, left=algebra.value(self.left), right=algebra.value(self.right))
 
 
 @dataclass(frozen=True)

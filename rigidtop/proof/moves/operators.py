@@ -156,7 +156,7 @@ def _on_any(pairs: Sequence[Pair], axes: Sequence[Expr], algebra: Algebra) -> li
     for pair in pairs:
         left, right = (
             _acting(side, axes[0]) if len(axes) == 1 else _between(side, axes[0], axes[1], algebra)
-            for side in (pair.left, pair.right)
+            for side in pair.sides
         )
         if left is None or right is None or (left.free_symbols | right.free_symbols) & {*axes}:
             continue

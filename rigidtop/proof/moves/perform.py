@@ -79,10 +79,7 @@ def _with(made: Performed, move: Move, letters: Letters) -> Performed:
     for old, new in made.given.items():
         given.setdefault(old, new)
     algebra = Algebra(letters, given)
-    pairs = tuple(
-        replace(pair, left=algebra.value(pair.left), right=algebra.value(pair.right))
-        for pair in made.pairs
-    )
+    pairs = tuple(pair.valued(algebra) for pair in made.pairs)
     return replace(made, pairs=pairs, given=given, order=_error(made, move.using, letters))
 
 
@@ -115,7 +112,7 @@ def _carried(pairs: Sequence[Pair], known: Known, order: Order, letters: Letters
 
     off = {x: wrong(x, v) for x, v in given.items() if share or not isinstance(v, MatrixBase)}
     lowest = order.power
-    for side in (side for pair in pairs for side in (pair.left, pair.right)):
+    for side in (side for pair in pairs for side in pair.sides):
         value, changed = (Algebra(letters, {**given, **x}).value(side) for x in ({}, off))
         rows = components(changed, value), components(changed, Integer(0))
         for change, whole in (flattened(Tuple(*row))[0] for row in zip(*rows, strict=True)):
@@ -131,7 +128,7 @@ def _reaches_into(known: Known, pairs: Sequence[Pair], letters: Letters) -> None
     """Refuse to put what is set at a moment under a rate or a slope."""
     atoms = set(put_in([known], letters))
     for pair in pairs:
-        for side in (pair.left, pair.right):
+        for side in pair.sides:
             for node in atoms_of(side):
                 inner = {x for part in getattr(node, "args", ()) for x in (part, *nodes_of(part))}
                 if isinstance(node, Rate) and inner & atoms:

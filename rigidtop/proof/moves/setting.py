@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 from sympy import Expr, Integer, MatrixBase
 
@@ -50,16 +49,11 @@ def set_to(move: Move, algebra: Algebra) -> Performed:
                 or given[atom].free_symbols - letters.numbers
             ):
                 raise RefusedError("only to a number can a letter be set at all times")
-            while atom in letters.rates:
-                atom = letters.rates[atom]
-                given[atom] = Integer(0)
+            given |= dict.fromkeys(_with_rates(atom, letters) - {atom}, Integer(0))
     else:
         _not_under_a_rate(given, known, algebra)
     put = Algebra(algebra.letters, given)
-    pairs = [
-        replace(pair, left=put.value(pair.left), right=put.value(pair.right))
-        for pair in all_pairs(known, algebra)
-    ]
+    pairs = [pair.valued(put) for pair in all_pairs(known, algebra)]
     _stand_there(move, known, given, algebra)
     if at_start:
         _constant(pairs, known, move, letters)
@@ -80,7 +74,7 @@ def _stand_there(move: Move, known: Known, given: Mapping[Expr, Value], algebra:
         side
         for cited in (known, *move.using)
         for pair in all_pairs(cited, algebra)
-        for side in (pair.left, pair.right)
+        for side in pair.sides
     ]
     made = [Algebra(algebra.letters, given).value(side) for side in sides]
     for equation in move.by:
@@ -106,7 +100,7 @@ def _constant(pairs: Sequence[Pair], known: Known, move: Move, letters: Letters)
         raise RefusedError("{} does not hold at all times", name_of(known))
     bare, later = Algebra(letters), Algebra(letters, put_in(move.using, letters))
     for pair in pairs:
-        rates = (later.value(bare.rate(side)) for side in (pair.left, pair.right))
+        rates = (later.value(bare.rate(side)) for side in pair.sides)
         if not is_equation(pair) or not agree(*rates):
             raise RefusedError("this changes after the start: cite what keeps it")
         if isinstance(pair.left, (Vector, MatrixBase)) or isinstance(pair.right, Vector):
@@ -123,7 +117,7 @@ def _values(move: Move, algebra: Algebra) -> dict[Expr, Value]:
 
 def _not_under_a_rate(given: Mapping[Expr, Value], known: Known, algebra: Algebra) -> None:
     for pair in all_pairs(known, algebra):
-        for side in (pair.left, pair.right):
+        for side in pair.sides:
             for node in atoms_of(side):
                 if isinstance(node, Rate) and node not in given:
                     inner = {x for part in node.args for x in nodes_of(part)}

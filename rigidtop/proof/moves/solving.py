@@ -29,7 +29,7 @@ def solve(move: Move, algebra: Algebra) -> Performed:
     if len(move.of) > len(unknowns):
         raise RefusedError("more equations than unknowns")
     pairs = [p for k in move.of for p in equal_pairs(k, algebra)]
-    if any(is_operator(side) for p in pairs for side in (p.left, p.right)):
+    if any(is_operator(side) for p in pairs for side in p.sides):
         raise RefusedError("a matrix equation is not solved so: multiply by what takes it away")
     scope = max(k.scope for k in move.of)
     atoms = {x: Dummy() for x in unknowns}
