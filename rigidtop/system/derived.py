@@ -186,15 +186,10 @@ class Derived:
         mass = Matrix(n, n, lambda i, j: lower[max(i, j), min(i, j)])
         rates = dict(zip(names.q, names.v, strict=True))
         force = [
-            self.plain.diff(x) - self._rate(p, rates) + Q
+            self.plain.diff(x) - names.rate(p, rates) + Q
             for x, p, Q in zip(names.q, momenta, self.generalised_forces, strict=True)
         ]
         return mass, force
-
-    def _rate(self, value: Expr, rates: Mapping[Expr, Expr]) -> Expr:
-        """d/dt by the chain rule, explicit time too."""
-        made = [value.diff(x) * rate for x, rate in rates.items()]
-        return sympy.Add(*made, value.diff(self.names.t))
 
     @cached_property
     def multipliers(self) -> tuple[Symbol, ...]:
@@ -252,8 +247,8 @@ class Derived:
         held = [
             short(
                 -sympy.Add(
-                    *(self._rate(A[i, j], rates) * names.v[j] for j in range(n)),
-                    self._rate(self.rolling[i, n], rates),
+                    *(names.rate(A[i, j], rates) * names.v[j] for j in range(n)),
+                    names.rate(self.rolling[i, n], rates),
                 )
             )
             for i in range(k)
@@ -309,7 +304,7 @@ class Derived:
         """d/dt ∂L/∂q̇ − ∂L/∂q − Q − Σ λA (n×1), which vanishes along the motion: Lagrange (2.29)."""
         names = self.names
         rows = [
-            self._rate(p, names.rates) - self.plain.diff(x) - Q - force
+            names.rate(p, names.rates) - self.plain.diff(x) - Q - force
             for p, x, Q, force in zip(
                 self.conjugate, names.q, self.generalised_forces, self.reactions, strict=True
             )
@@ -428,7 +423,7 @@ class Derived:
         plain = self.quantity(expression("the quantity", quantity))
         motion = dict(zip(names.a, self.program.written_out(), strict=False))
         rates = {x: rate.xreplace(motion) for x, rate in names.rates.items()}
-        return names.back(readable(self._rate(plain, rates)))
+        return names.back(readable(names.rate(plain, rates)))
 
     def is_conserved(self, quantity: Expr) -> bool:
         """Whether a quantity is constant along every motion, shown symbolically.

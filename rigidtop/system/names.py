@@ -59,6 +59,12 @@ class Names:
         """Which symbol is whose rate."""
         return dict(zip((*self.q, *self.v), (*self.v, *self.a), strict=True))
 
+    def rate(self, value: ExprOrMatrix, rates: Mapping[Expr, Expr]) -> ExprOrMatrix:
+        """d/dt by the chain rule, explicit time too; in plain symbols."""
+        if isinstance(value, MatrixBase):
+            return value.applyfunc(lambda entry: self.rate(entry, rates))
+        return sympy.Add(*(value.diff(x) * v for x, v in rates.items()), value.diff(self.t))
+
     def spelled(self, x: Symbol) -> str:
         """A name in tables and source: theta_dot, theta_ddot, or the one that it was given."""
         of_functions = isinstance(self.given.get(self.v[0]), Derivative)

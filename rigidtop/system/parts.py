@@ -76,19 +76,7 @@ def _place(given: Given) -> MatrixBase:
 
 def velocity(place: MatrixBase, names: Names) -> Matrix:
     """ṙ of a place in plain symbols (3×1)."""
-    return _rate(place, names, (names.q, names.v))
-
-
-def _rate(value: MatrixBase, names: Names, *pairs: tuple[Sequence[Expr], Sequence[Expr]]) -> Matrix:
-    changing = [(x, rate) for group, rates in pairs for x, rate in zip(group, rates, strict=True)]
-    return Matrix(
-        value.rows,
-        value.cols,
-        [
-            sympy.Add(*(entry.diff(x) * rate for x, rate in changing), entry.diff(names.t))
-            for entry in value
-        ],
-    )
+    return names.rate(place, dict(zip(names.q, names.v, strict=True)))
 
 
 def spin(attitude: MatrixBase, names: Names) -> Matrix:
@@ -129,7 +117,7 @@ def newton_euler(
     n = len(names.q)
     mass = sympy.zeros(n, n)
     force = [*forces]
-    still = (names.v, [Integer(0)] * n)
+    freely = {**names.rates, **dict.fromkeys(names.v, Integer(0))}
     for part in parts:
         v = velocity(names.plain(part.place), names)
         rows = [(v, names.plain(part.mass), Matrix([0, 0, 0]))]
@@ -139,7 +127,7 @@ def newton_euler(
             rows.append((omega, moments, omega.cross(moments * omega)))
         for moved, inertia, turning in rows:
             jacobian = moved.jacobian(list(names.v))
-            bias = _rate(moved, names, (names.q, names.v), still)
+            bias = names.rate(moved, freely)
             mass += jacobian.T * (inertia * jacobian)
             pushed = jacobian.T * (inertia * bias + turning)
             force = [f - x for f, x in zip(force, pushed, strict=True)]
