@@ -272,7 +272,7 @@ def waves_cusps_loops(
     yield Table(
         "boundaries",
         "For which $φ̇$ the path is what",
-        ("from $φ̇$ (rad/s)", "to $φ̇$ (rad/s)", "path", "at first the axis", "at the second $φ̇$"),
+        ("from $φ̇$ (rad/s)", "to $φ̇$ (rad/s)", "path", "at first the axis", "at the upper $φ̇$"),
         tuple(rows),
     )
     yield Answer("path", "path for the given $φ̇$", drawn)

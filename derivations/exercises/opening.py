@@ -83,7 +83,7 @@ def two_masses(
     yield Answer("angular_momentum", "$L$, at right angles to the stick", momentum, "J s")
     yield Answer("angle", "angle between $𝐋$ and $𝛚$, $π/2 − α$", pi / 2 - alpha, "rad")
     yield Answer(
-        "torque", "torque of the bearing, across the plane of stick and $ω$", torque, "N m"
+        "torque", "torque of the bearing, across the plane of stick and $𝛚$", torque, "N m"
     )
     yield Answer("force", "force of the bearing, from the centre of mass to the axis", force, "N")
     yield Answer("free_rate", "$|ω|$ after it lets go, $ω sin α$", free_rate, "rad/s")

@@ -96,7 +96,7 @@ def cone_plane(
             "ω and L are parallel, as far as numbers tell, and span no plane: let lambda1 and "
             "lambda3 differ more, and omega_0 and omega3 less"
         )
-    nearest = "$ω$" if lambda1 > lambda3 else "L"
+    nearest = "$𝛚$" if lambda1 > lambda3 else "$𝐋$"
     yield Answer("e3_omega", "angle between $e₃$ and $𝛚$", tilt, "rad")
     yield Answer("e3_L", "angle between $e₃$ and $𝐋$", momentum_tilt, "rad")
     yield Answer("omega_L", "angle between $𝛚$ and $𝐋$", between, "rad")

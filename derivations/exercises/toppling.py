@@ -39,8 +39,8 @@ def fall(top: HeavyTop, start: float, end: float) -> tuple[float, float]:
     "The toppling top",
     section="3.5.2",
     asks="example 34",
-    statement="A top leans at the angle $θ$ and is let go without any rotation, so that $L = 0$. "
-    "How does $L$ evolve, and what motion is this? How long does the top take to fall to the "
+    statement="A top leans at the angle $θ$ and is let go without any rotation, so that $𝐋 = 0$. "
+    "How does $𝐋$ evolve, and what motion is this? How long does the top take to fall to the "
     "final angle, and how fast does it fall then? Compare with the time that exponential growth, "
     "which holds for small angles, would give.",
     claims=(toppling, time_to_fall),

@@ -116,10 +116,10 @@ def toutatis(
     """The motion is that of a free body without friction, carried on from the start in closed form.
     From the published moments and start, half of the radar attitudes of December 1992 are met to
     $5.6°$, and all to $15.9°$; two of the observed $ω$, of 7 and 14 December, do not go with the
-    $L$ of all others. In 2008 $L$ still points where it did, but the phase is lost: over a thousand
+    $L$ of all others. In 2008 $𝐋$ still points where it did, but the phase is lost: over a thousand
     turns the last printed digits of the start add up to some ten degrees, and the tides of the Sun
     and the Earth, which are left out here, to far more. With friction the body has the ball in oil
-    of section 3.2.3, far stronger than what rubs in a rock; $L$ in space stays, and the oil takes
+    of section 3.2.3, far stronger than what rubs in a rock; $𝐋$ in space stays, and the oil takes
     the energy that is missing at the end."""
     moments = np.array([lambda1, lambda2, lambda3])
     omega = np.array([omega1, omega2, omega3]) * DAY  # the unit of time from here on: a day
@@ -261,7 +261,7 @@ def _energies(moments: Vectors, omega: Vectors, ball: float, friction: float) ->
     yield Table(
         "friction",
         "With friction inside: the way to rotation with the largest moment",
-        ("time (days)", "energy over that of now", "$L$ from the nearest axis with it (rad)"),
+        ("time (days)", "energy over that of now", "$𝐋$ from its axis (rad)"),
         tuple(
             (float(time), float(part), float(tilt))
             for time, part, tilt in zip(run.t, run.energy / energy, tilts, strict=True)

@@ -142,7 +142,7 @@ def _caption(tolerance: float, **values: float) -> str:
         f"{said(values['g'])}$ m/s²: $L = {said(momentum)}$ J s, and the torque about $O$ of "
         f"{said(couple)} N m turns it {found['direction']}, as seen from above, at $Ω₋ = "
         f"{said(found['exact'])}$ rad/s, a turn in {said(found['period'])} s; dashed is the circle "
-        "of the tip of $𝐋$. Below: this rate against the spin; (3.52) gives "
+        "of the tip of $𝐋$. The curve: this rate against the spin; (3.52) gives "
         f"{said(found['simple'])} rad/s, and is "
         f"{_how_good(tolerance, found['spin_needed'])}.{_threshold(found['smallest_spin'])} "
         "Directions are computed, lengths of arrows are not to scale."

@@ -113,14 +113,14 @@ def _caption(H: float, omega3: float, observed: float, angle: float, radius: flo
     seconds = math.degrees(angle) * 3600
     nearer = radius * (math.tan(angle) - math.tan(angle - found["space_cone"]))
     return (
-        "The pole of rotation, where $ω$ meets the ground, goes round the pole of the figure, "
+        "The pole of rotation, where $𝛚$ meets the ground, goes round the pole of the figure, "
         f"$e₃$: {found['direction']}; seen from above. With $H = {said(H)}$ and $ω₃ = "
         f"{said(omega3)}$ rad/s a rigid Earth needs {said(found['period'])} days (dots, days "
         f"outside). Observed are {said(observed, 4)} (circles, days inside), as if "
-        f"{said(100 * found['share'])} % of the bulge followed $ω$. At ${said(seconds)}″$ from "
+        f"{said(100 * found['share'])} % of the bulge followed $𝛚$. At ${said(seconds)}″$ from "
         f"$e₃$ and {said(radius)} m from the centre the circle has a radius of "
-        f"{said(found['ground'])} m; for a rigid Earth $L$ is {said(nearer)} m nearer to $e₃$ than "
-        "$ω$."
+        f"{said(found['ground'])} m; for a rigid Earth $𝐋$ is {said(nearer)} m nearer to $e₃$ than "
+        "$𝛚$."
     )
 
 

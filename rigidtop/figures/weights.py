@@ -132,7 +132,7 @@ def _caption(**values: float) -> str:
     return (
         f"Three masses, {masses} kg, held together by light rods and held at the origin, and their "
         f"weights at $g = {said(values['g'])}$ m/s². The whole mass $M = {said(found['mass'])}$ "
-        f"kg at the centre of mass, $𝐑_CM = ({centre})$ m, has their torque: $Σ 𝐫_k × m_k𝐠 = "
+        f"kg at the centre of mass, $𝐑_CM = ({centre})$ m, has their torque: $Σ 𝐫ₖ × mₖ𝐠 = "
         f"𝐑_CM × M𝐠$, {turning}; and their potential energy, {said(found['potential'])} J. Weights "
         "are drawn to one scale, places to another; dotted lines lead to the plane of $x̂$ and $ŷ$."
     )

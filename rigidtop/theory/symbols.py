@@ -257,8 +257,12 @@ f_r = _real("f_r", Glyph("f", bold=True), "force density", "N/m³")
 R_CM = _real("R_CM", Glyph("R", "CM", bold=True), "centre of mass from the pivot", "m")
 g_vec = _real("g_vec", Glyph("g", bold=True), "acceleration of gravity as a vector", "m/s²")
 follower = _real("follower", Glyph("w", bold=True), "a vector that turns along behind $ω$", "")
-r_1 = _real("r_1", Glyph("r", "1", bold=True), "position of the first mass", "m")
-r_2 = _real("r_2", Glyph("r", "2", bold=True), "position of the second mass", "m")
+r_1 = _real(
+    "r_1", Glyph("r", "1", bold=True), "position of the first mass, or the middle of a disc", "m"
+)
+r_2 = _real(
+    "r_2", Glyph("r", "2", bold=True), "position of the second mass, or the middle of a stem", "m"
+)
 v_1 = _real("v_1", Glyph("v", "1", bold=True), "velocity of the first mass", "m/s")
 v_2 = _real("v_2", Glyph("v", "2", bold=True), "velocity of the second mass", "m/s")
 u_vec = _real("u_vec", Glyph("u", bold=True), "any vector", "")
