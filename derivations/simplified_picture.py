@@ -60,7 +60,8 @@ def steady_rate() -> Expr:
 def steady() -> Assumption:
     """At the other rate, Ω₊, what (3.50) leaves out is half of what it keeps, or more."""
     return Assumption(
-        Eq(s.Omega, steady_rate()), "the top precesses steadily, at the slower of its two rates"
+        Eq(s.Omega, steady_rate()),
+        "a fast top, or one under a weak torque, precesses steadily, at the slower of its rates",
     )
 
 

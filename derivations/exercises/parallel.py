@@ -115,7 +115,8 @@ DOUBLINGS = 8
 def parallel_bound(theta: float, omega3: float, **shape: float) -> Iterator[Outcome]:
     """The largest angle is that at the lowest point of a fast top, and one on the way to it of a
     slow top. It and the mean precession are those of the exact motion, which an integrated one
-    confirms. From row to row of the table the spin doubles."""
+    confirms. For $sin θ$ the bound has its own, $sin θᵢ/√(1 − 4ε₀ cos θᵢ)$. From row to row of the
+    table the spin doubles."""
     top = heavy_top(**shape)
     if omega3 == 0:
         raise RigidtopError(

@@ -79,7 +79,7 @@ def draw_effective_potential(axes: Axes, motion: TopMotion) -> None:
         xlim=np.degrees(shown),
         ylim=(bottom, energy + 1.6 * depth),
         xlabel=r"$\theta$  (degrees)",
-        ylabel=r"$U(\theta)$  (J)",
+        ylabel=r"$U - p_\psi^2/(2\lambda_3)$  (J)",
     )
 
 

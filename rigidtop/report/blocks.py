@@ -307,7 +307,7 @@ class Legend:
     """What the marks in the margin mean."""
 
     rows: tuple[tuple[Verdict, str], ...]
-    head: str = "In the margin, at the last line of each statement of the notes"
+    head: str = "In the margin, at each statement of the notes"
 
 
 @dataclass(frozen=True)

@@ -29,7 +29,9 @@ Notation | Notation | Notation | Notación | Notazione
 Written otherwise | Anders geschrieben | Autre notation | Notación distinta | Notazione diversa
 here | hier | ici | aquí | qui
 in the notes | im Skript | dans le cours | en los apuntes | negli appunti
-List of symbols | Formelzeichen | Liste des symboles | Lista de símbolos | Elenco dei simboli
+Symbols in the order of first use | Formelzeichen in der Reihenfolge ihres Auftretens \
+| Symboles dans l’ordre d’apparition | Símbolos por orden de aparición \
+| Simboli in ordine di apparizione
 Equations cited | Zitierte Gleichungen | Équations citées | Ecuaciones citadas | Equazioni citate
 Contents | Inhalt | Table des matières | Índice | Indice
 Given | Gegeben | Données | Datos | Dati
@@ -40,11 +42,9 @@ Name | Name | Nom | Nombre | Nome
 Date | Datum | Date | Fecha | Data
 point | Punkt | point | punto | punto
 points | Punkte | points | puntos | punti
-In the margin, at the last line of each statement of the notes \
-| Am Rand, bei der letzten Zeile jeder Aussage des Skripts \
-| En marge, à la dernière ligne de chaque énoncé du cours \
-| Al margen, en la última línea de cada enunciado de los apuntes \
-| A margine, all'ultima riga di ogni enunciato degli appunti
+In the margin, at each statement of the notes | Am Rand, bei jeder Aussage des Skripts \
+| En marge, à chaque énoncé du cours | Al margen, en cada enunciado de los apuntes \
+| A margine, a ogni enunciato degli appunti
 it was shown to hold, in symbols | symbolisch bewiesen | démontré par le calcul formel \
 | demostrado simbólicamente | dimostrato simbolicamente
 it holds at random points to 40 digits, and was not shown in symbols \

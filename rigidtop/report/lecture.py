@@ -262,7 +262,7 @@ def lecture(
     return edition.handed_out(front.title, front.subtitle, blocks), pictures
 
 
-LETTERS = b.Heading(1, "", "List of symbols", "letters")
+LETTERS = b.Heading(1, "", "Symbols in the order of first use", "letters")
 
 LEAST = 4
 """So many numbered equations make a map."""

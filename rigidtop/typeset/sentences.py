@@ -113,6 +113,8 @@ def pieces(text: str) -> tuple[Piece, ...]:
 
     >>> [piece.kind for piece in pieces("e^{σt} ≤ √(λ₁ sin θ)")]
     ['letter', 'power', 'space', 'sign', 'space', 'root']
+    >>> [piece.text for piece in pieces("m_k𝐠")]
+    ['m', 'k', 'g']
     """
     opened_text = opened(text)
     text = light(opened_text)
@@ -144,7 +146,8 @@ def _read(text: str, i: int, bold: frozenset[int]) -> tuple[Piece, int]:
     if c in SUBSCRIPTS or c in SUPERSCRIPTS:
         return _script(text, i)
     if c == "_":
-        named = _NAMED_INDEX.match(text, i + 1)
+        vector = min((k for k in bold if k > i), default=len(text))  # m_k𝐠: no unit
+        named = _NAMED_INDEX.match(text, i + 1, vector)
         return (Piece("index", named[0]), named.end()) if named else (Piece("sign", c), i + 1)
     if c == "⊥" and i and text[i - 1].isalpha():
         return Piece("sub", c), i + 1
