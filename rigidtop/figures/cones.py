@@ -88,8 +88,8 @@ def _cones(**values: float) -> Canvas:
     draw_cones(left, motion, space=False)
     draw_cones(right, motion, space=True)
     in_body, in_space = _rates(motion)
-    left.set_title(rf"body frame: $\Omega_b = {in_body:.3g}$ rad/s")
-    right.set_title(rf"space frame: $\Omega_s = L/\lambda_1 = {in_space:.3g}$ rad/s")
+    left.set_title(rf"body frame: $\Omega_b = {in_body:#.3g}$ rad/s")
+    right.set_title(rf"space frame: $\Omega_s = L/\lambda_1 = {in_space:#.3g}$ rad/s")
     return drawn
 
 
@@ -223,7 +223,7 @@ def _rolling_cones(low: float, **values: float) -> Film:
             paper(each, (-1.3, 1.3), (low, 1.45))
             lambda1, _, lambda3 = motion.body.moments
             sign = ">" if lambda1 > lambda3 else "<" if lambda1 < lambda3 else "="
-            rate = rf"$\Omega_s = {_rates(motion)[1]:.3g}$ rad/s"
+            rate = rf"$\Omega_s = {_rates(motion)[1]:#.3g}$ rad/s"
             each.set_title(rf"$\lambda_1 {sign} \lambda_3$:  {rate}")
 
     show(0.0)

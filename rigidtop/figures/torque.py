@@ -53,7 +53,7 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
     length = 1.42
     tilt = math.acos(float(np.clip(momentum[2], -1, 1)))
     rim = circle([0.0, 0.0, 1.0], tilt, length=length)
-    scene.ring(rim, color=look.OMEGA, lw=0.9, ls=look.DASHED)
+    scene.ring(rim, color=look.MOMENTUM, lw=0.9, ls=look.DASHED)
     scene.arrow([0, 0, 1.95], look.Z, lw=0.8, color=look.GREY, shift=(7, 2))
     scene.arrow(centre, start=(0, 0, 0), color=look.INK, lw=2.0)
     scene.arrow(1.05 * e3, look.E3, color=look.AXIS, lw=1.0, shift=(9, 0))

@@ -148,12 +148,12 @@ def picture(lecture: Lecture, whole: Map, notation: Notation = NOTES, wide: floa
     at = {cell: k for k, column in enumerate(made) for cell in column}
     room = {cell: 0.8 if cell[1] else 1.6 + labels[cell[0]].count("\n") for cell in at}
     down = heights(made, arrows, room)
-    bottom = max(down[cell] + room[cell] / 2 for cell in down)
-    canvas = Figure(figsize=(wide * len(made), LINE * bottom))
+    bottom = max(down[cell] + room[cell] / 2 for cell in down) + EDGE
+    canvas = Figure(figsize=(wide * len(made), LINE * (bottom + EDGE)))
     axes = canvas.add_axes((0, 0, 1, 1))
     axes.set_axis_off()
     axes.set_xlim(-0.5, len(made) - 0.5)
-    axes.set_ylim(bottom, 0)
+    axes.set_ylim(bottom, -EDGE)
     half = {cell: _half(labels[cell[0]], wide) for cell in at if not cell[1]}
     for column in made:  # a lane is as long as the boxes above it and below
         widest = max((half[cell] for cell in column if cell in half), default=0.0)
@@ -198,6 +198,9 @@ def picture(lecture: Lecture, whole: Map, notation: Notation = NOTES, wide: floa
 
 LINE = 0.17
 """The height of a line of a label (inches)."""
+
+EDGE = 0.2
+"""Above and below the boxes (lines)."""
 
 
 def _half(words: str, wide: float) -> float:
