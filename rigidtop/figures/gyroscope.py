@@ -171,9 +171,9 @@ def _in_words(tolerance: float, **values: float) -> str:
         f"A disc on an axle that is held at its other end O, {tilt} degrees from the upright. The "
         f"weight points down from the centre of the disc, and L points {momentum}. The torque "
         "N at O is horizontal, at right angles to the axle, and so is the change of L at its tip. "
-        f"Seen from above it goes {found['direction']}. Beside it the rate of precession falls with "
-        f"the spin, to {spoken(abs(found['exact']))} radians per second at a dot; a dashed curve "
-        f"beside it, M g R over lambda3 omega3, is at {spoken(abs(found['simple']))} there."
+        f"Seen from above it goes {found['direction']}. Beside it the rate of precession falls "
+        f"with the spin, to {spoken(abs(found['exact']))} radians per second at a dot; a dashed "
+        f"curve beside it, M g R over lambda3 omega3, is at {spoken(abs(found['simple']))} there."
     )
 
 

@@ -126,18 +126,6 @@ def text_blocks(
     return [*blocks, *gaps(lecture, [line.id for line in text.lines])]
 
 
-def _titled(content: Sequence[b.Piece]) -> str:
-    """A heading, its formulas as in sentences: How parallel $𝐋$ and $𝛚$ are."""
-    made = ""
-    for piece in content:
-        if isinstance(piece, Letter) and piece.glyph.bold:
-            made += f"${bold(piece.glyph.base)}$"
-        else:
-            words = plain.rich((piece,))
-            made += words if isinstance(piece, str) else f"${words}$"
-    return made
-
-
 def told_rows(
     lecture: Lecture,
     line: Line,
