@@ -32,6 +32,7 @@ _SHAPES = {"φ": "ϕ", "ε": "ϵ"}  # as LaTeX draws them
 _VECTOR = ' mathvariant="normal" style="font-weight:bold"'
 _BOLD_GREEK = ' style="font-weight:bold"'
 THIN = '<mspace width="0.1667em"/>'
+STRUT = '<mspace height="0.75em" depth="0.4em"/>'
 APPLY = "<mo>&#x2061;</mo>"
 
 
@@ -48,12 +49,16 @@ def display(equations: Sequence[Equation], order: Order = "auto", limit: float =
     """
     broken = [line for equation in equations for line in sizes.lines(equation, order, limit)]
     alt = "; ".join(text(equation, order) for equation in equations)
-    if len(broken) == 1:
-        return element(_ml(layout(equations[0], order)), alt, True)
     left = max(sizes.width(line.left) for line in broken if line.left)
-    aligned = left + 3 + max(sizes.width(line.right) for line in broken) <= limit
+    aligned = left + 3 + max(sizes.width(line.right) for line in broken) <= SPARE * limit
+    if aligned and len(broken) == 1:
+        return element(_ml(layout(equations[0], order)), alt, True)
     rows = "".join(_row(line) if aligned else _hung(line, limit) for line in broken)
     return element(f'<mtable displaystyle="true">{rows}</mtable>', alt, True)
+
+
+SPARE = 1.15
+"""A screen's line has room for a little more letters than its limit says."""
 
 
 def _row(line: Line) -> str:
@@ -67,7 +72,7 @@ def _hung(line: Line, limit: float) -> str:
     if line.left is None:
         return f"<mtr>{_cell(right, inset=2)}</mtr>"
     left = _ml(line.left)
-    if sizes.width(line.left) + 3 + sizes.width(line.right) > limit:
+    if sizes.width(line.left) + 3 + sizes.width(line.right) > SPARE * limit:
         return f"<mtr>{_cell(left)}</mtr><mtr>{_cell(right, inset=2)}</mtr>"
     return f"<mtr>{_cell(_group(left + right))}</mtr>"
 
@@ -262,8 +267,9 @@ def _ml(node: lay.Node) -> str:
                 return _group(f"<mi>d</mi>{_ml(node.variable)}")
             return _group(f"<msup><mi>d</mi><mn>{node.dimension}</mn></msup>{_ml(node.variable)}")
         case lay.Grid():
+            # Rows of one height, so that those of matrices side by side are in line.
             rows = "".join(
-                "<mtr>" + "".join(f"<mtd>{_ml(entry)}</mtd>" for entry in row) + "</mtr>"
+                "<mtr>" + "".join(f"<mtd>{STRUT}{_ml(entry)}</mtd>" for entry in row) + "</mtr>"
                 for row in node.rows
             )
             return _fenced(f"<mtable>{rows}</mtable>", "[]", True)
