@@ -466,18 +466,19 @@ def parted(blocks: Sequence[b.Block]) -> list[b.Block]:
     made: list[b.Block] = []
     seen = {block.name for block in blocks if isinstance(block, b.ClaimHead)}
     noted: dict[b.Rich, b.Mark] = {}
-    level, part, nameless, room = 1, 0, 0, ROOM
+    level, asked, nameless, room = 1, 0, 0, ROOM
     for block in blocks:
         if isinstance(block, b.Heading):
-            level, part = block.level, 0
+            level, asked = block.level, 0
             noted.clear()
             room = COLUMN if block.anchor in b.IN_COLUMNS else ROOM
             made.append(block)
         elif isinstance(block, b.Subhead):
-            part = 1
-            made.append(replace(block, level=level + 1))
+            made.append(replace(block, level=(asked or level) + 1))
         elif isinstance(block, b.ExerciseHead):
-            made.append(replace(block, level=level + part + 1))
+            # Beneath “Exercises”, where there are several.
+            asked = asked or level + 1 + bool(made and isinstance(made[-1], b.Subhead))
+            made.append(replace(block, level=asked))
         elif isinstance(block, b.Paragraph) and block.mark is not None:
             name = block.mark.name
             place = b.anchor(name) if name not in seen and not b.is_number(name) else ""

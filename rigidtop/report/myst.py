@@ -99,7 +99,7 @@ def _block(block: b.Block, above: int) -> str:
             title = f"{block.number} {block.title}".strip()
             return f"({block.anchor})=\n# {markdown.words(title)}"
         case b.Subhead():
-            return f"## {markdown.words(block.words)}"
+            return f"{'#' * (block.level - above)} {markdown.words(block.words)}"
         case b.ExerciseHead():
             head = f"{block.label}. {block.title}"
             level = "#" * (block.level - above)

@@ -106,6 +106,10 @@ def test_html_of_all_pages(document, drawn):
     places = {e.get("id") for e in root.iter("div") if e.get("data-tex")}
     assert None not in places  # every equation can be linked to
     assert len(places) > 300
+    levels = [int(e.tag[1]) for e in root.iter() if re.fullmatch("h[1-6]", e.tag)]
+    assert all(below <= above + 1 for above, below in pairwise(levels))
+    titles = [e for e in document.blocks if isinstance(e, ExerciseHead) and e.kind == "Solution"]
+    assert {title.level for title in titles} == {2}
 
 
 @pytest.fixture(scope="module", params=["latexmk", "typst"])
