@@ -11,7 +11,7 @@ What is known of a letter comes with the `Letters` of the subject; there is no t
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import reduce
 from typing import Any
 
@@ -34,7 +34,7 @@ from rigidtop.proof.equation import (
     Underbrace,
     VolumeIntegral,
 )
-from rigidtop.proof.letters import Letters
+from rigidtop.proof.operators import Operators
 from rigidtop.proof.values import (
     ELLIPTIC,
     TIME,
@@ -53,11 +53,8 @@ from rigidtop.theory.symbols import unit
 
 
 @dataclass(frozen=True)
-class Algebra:
+class Algebra(Operators):
     """Computes with printed trees; `known` has the values that are put in for atoms."""
-
-    letters: Letters
-    known: Mapping[Expr, Value] = field(default_factory=dict)
 
     # --- trees -------------------------------------------------------------------------------
 
@@ -74,7 +71,7 @@ class Algebra:
         if node in self.known:
             return self.known[node]
         if isinstance(node, Symbol):
-            return self._letter(node) if node.is_commutative else self._operator(node)
+            return self._letter(node) if node.is_commutative else self.operator(node)
         if not node.args:
             return node
         if isinstance(node, (Group, Underbrace)):
@@ -105,17 +102,8 @@ class Algebra:
         if letter == unit:
             return Integer(1)
         if letter in self.letters.operators:
-            return self._operator(Symbol(letter.name, commutative=False))
+            return self.operator(Symbol(letter.name, commutative=False))
         return letter
-
-    def _operator(self, letter: Symbol) -> Value:
-        """An operator, or what is put in for it or for its transpose."""
-        if self._is_symmetric(letter):
-            return _base(letter)
-        if letter in self.known:
-            return self.known[letter]
-        flipped = self._flipped(letter)
-        return self.transposed(self.known[flipped]) if flipped in self.known else letter
 
     def _written_out(self, matrix: MatrixBase) -> Value:
         entries = matrix.applyfunc(self.value)
@@ -146,10 +134,6 @@ class Algebra:
             return self.times(*parts)
         raise NoMeaningError(f"no meaning for {type(node).__name__}")
 
-    def atom(self, node: Expr) -> Value:
-        """An atom, or what is put in for it."""
-        return self.known.get(node, node)
-
     # --- sums and products -------------------------------------------------------------------
 
     def total(self, parts: Any) -> Value:
@@ -178,7 +162,7 @@ class Algebra:
         if turned:
             left, right = right, left
         if not isinstance(right, Vector):
-            return self._matrices(left, right)
+            return self.matrices(left, right)
         if isinstance(left, MatrixBase):
             raise NoMeaningError("a matrix that is written out acts on no vector without a frame")
         if left.is_commutative:
@@ -187,20 +171,9 @@ class Algebra:
             raise NoMeaningError("a vector before a matrix")
         return self.total(self._applied(term, right) for term in Add.make_args(sympy.expand(left)))
 
-    def _matrices(self, left: Value, right: Value) -> Value:
-        """A product of scalars, operators and matrices."""
-        written = [isinstance(side, MatrixBase) for side in (left, right)]
-        if all(written) and left.shape[1] != right.shape[0]:
-            raise NoMeaningError("matrices of different sizes are multiplied")
-        if any(written):
-            if has_operators(*(s for s in (left, right) if not isinstance(s, MatrixBase))):
-                raise NoMeaningError("a matrix that is written out times one that is not")
-            return left * right
-        return self._shortened(left * right) if has_operators(left, right) else left * right
-
     def _applied(self, term: Expr, vector: Vector) -> Vector:
         """A product of operators, with a scalar before it, acting on a vector."""
-        scalars, factors = self._shortened(term).args_cnc()
+        scalars, factors = self.shortened(term).args_cnc()
         made: Value = vector
         for base, power in (factor.as_base_exp() for factor in reversed(factors)):
             for _ in range(power):
@@ -213,18 +186,11 @@ class Algebra:
     def _image(self, operator: Expr, atom: Expr) -> Vector:
         """What an operator makes of an atom."""
         if isinstance(atom, Applied):
-            operator, atom = self._shortened(operator * atom.args[0]), atom.args[1]
+            operator, atom = self.shortened(operator * atom.args[0]), atom.args[1]
             scalars, factors = operator.args_cnc()
             if scalars or not factors or operator.is_Add:
                 return _as_vector(self.times(operator, self._one(atom)))
         return _as_vector(self.atom(Applied(operator, atom)))
-
-    def _shortened(self, product: Expr) -> Expr:
-        """A product of operators with what is known of products put in, such as OᵀO = 1."""
-        for old, new in self.known.items():
-            if isinstance(old, Mul) and not old.is_commutative and not isinstance(new, MatrixBase):
-                product = sympy.expand(product.subs(old, new))
-        return product
 
     def dot(self, left: Value, right: Value) -> Expr:
         if is_zero(left) or is_zero(right):
@@ -267,8 +233,8 @@ class Algebra:
     def _dot_images(self, a: Expr, b: Expr) -> Expr:
         """Pu·Qv = u·(PᵀQ)v = v·(QᵀP)u, the one of the two that comes first."""
         (p, u), (q, v) = (x.args if isinstance(x, Applied) else (Integer(1), x) for x in (a, b))
-        operator = self._shortened(self.transposed(p) * q)
-        back = self._shortened(self.transposed(operator))
+        operator = self.shortened(self.transposed(p) * q)
+        back = self.shortened(self.transposed(operator))
         for left, made, right in ((u, operator, v), (v, back, u)):
             if made.is_commutative:
                 return made * self._dot_atoms(left, right)
@@ -316,50 +282,6 @@ class Algebra:
         if _place(b) < _place(a):
             a, b, sign = b, a, -1
         return _as_vector(self.atom(Cross(a, b))).times(Integer(sign))
-
-    def transposed(self, operator: Value) -> Value:
-        if isinstance(operator, MatrixBase):
-            return operator.T
-        if isinstance(operator, Vector):
-            raise NoMeaningError("a vector is transposed")
-        made: Expr = Integer(0)
-        for term in Add.make_args(sympy.expand(operator)):
-            scalars, factors = term.args_cnc()
-            made += Mul(*scalars, *(self._flipped(f) for f in reversed(factors)))
-        return made
-
-    def determinant(self, operator: Value) -> Expr:
-        """Of a product the product of those of its factors; each has a letter for its own."""
-        if isinstance(operator, Vector):
-            raise NoMeaningError("the determinant of a vector")
-        if isinstance(operator, MatrixBase):
-            if operator.rows != operator.cols:
-                raise NoMeaningError("the determinant of what is no square matrix")
-            return operator.det(method="berkowitz")
-        scalars, factors = operator.args_cnc()
-        named = {x.name: det for x, det in self.letters.determinants.items()}
-        made: Expr = Integer(1)
-        for base, power in (factor.as_base_exp() for factor in factors):
-            letter = named.get(str(base).removesuffix("ᵀ"))
-            if letter is None:
-                raise NoMeaningError("a determinant that has no letter")
-            made *= self.atom(letter) ** power
-        if Mul(*scalars) != 1:
-            raise NoMeaningError("a determinant that has no letter")
-        return made
-
-    def _flipped(self, factor: Expr) -> Expr:
-        base, power = factor.as_base_exp()
-        if self._is_symmetric(base):
-            return _base(base) ** power
-        name = base.name[:-1] if base.name.endswith("ᵀ") else base.name + "ᵀ"
-        return Symbol(name, commutative=False) ** power
-
-    def _is_symmetric(self, letter: Expr) -> bool:
-        """Whether what is put in says that an operator is its own transpose."""
-        base = _base(letter)
-        flipped = Symbol(base.name + "ᵀ", commutative=False)
-        return bool(self.known.get(base) == flipped or self.known.get(flipped) == base)
 
     # --- sums over particles, integrals over a body ------------------------------------------
 
@@ -559,11 +481,6 @@ class Algebra:
         if isinstance(node, (SumOver, VolumeIntegral)):
             return any(map(self._is_vector, Mul.make_args(node.args[1])))
         return node in self.letters.vectors or isinstance(node, (Cross, Applied, Rate))
-
-
-def _base(letter: Expr) -> Symbol:
-    """An operator's letter, without its ᵀ."""
-    return Symbol(letter.name.removesuffix("ᵀ"), commutative=False)
 
 
 def _as_vector(made: Value) -> Vector:
