@@ -372,7 +372,8 @@ def waking_top(
     awake = int(np.searchsorted(path.t, seen))
     largest = float(np.max(path.theta[path.t <= asleep]))
     yield Answer("tilt_asleep", "largest $θ$ before the sleeping spin", largest, "rad")
-    yield budget(path, 9, awake, "Where the energy is until the tilt is visible")
+    until = motion.integrate(np.linspace(0, seen, 9), **accuracy)
+    yield budget(until, 9, 8, "Where the energy is until the tilt is visible")
     error = float(
         np.max(np.abs(path.omega[:awake, 2] / omega3 * np.exp(decay * path.t[:awake]) - 1))
     )

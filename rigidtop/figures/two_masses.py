@@ -138,7 +138,8 @@ def _caption(M_1: float, M_2: float, a: float, b: float, alpha: float, omega: fl
         f"kg at $b = {said(b)}$ m, which a bearing turns at $ω = {said(omega)}$ rad/s, tilted by "
         f"$α = {degrees(alpha)}$. $𝐋$ is at right angles to the stick, {degrees(found['angle'])} "
         f"from $𝛚$, of magnitude {said(found['angular_momentum'])} J s. {torque}, and {force}. "
-        "Directions are computed, lengths of arrows are not to one scale."
+        "Grey: the shaft of the bearing. Directions are computed, lengths of arrows are not to one "
+        "scale."
     )
 
 

@@ -121,8 +121,8 @@ def _column(values: Sequence[float | str]) -> list[str | Node]:
     powers = any("e" in number for number in short)
     if large - small > SPAN - powers or large < LEAST:
         return [x if isinstance(x, str) else _number(x, powers=powers) for x in values]
-    # All digits of the largest number, and two at least of the smallest.
-    wanted = max(TABLE_DIGITS - 1 - large, 1 - small, 0)
+    # All digits of the largest number, and three at least of the smallest.
+    wanted = max(TABLE_DIGITS - 1 - large, 2 - small, 0)
     there = max(len(f"{float(x):.{wanted}f}".rstrip("0").partition(".")[2]) for x in short)
     return [x if isinstance(x, str) else _number(x, min(wanted, there)) for x in values]
 
