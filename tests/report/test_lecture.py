@@ -527,9 +527,12 @@ all.textContent = `${each} { display: flow-root } ${each}:has(figure) { display:
 document.head.append(all);
 const size = (math) => parseFloat(getComputedStyle(math).fontSize);
 const beside = (node) => node.scrollWidth - node.clientWidth;
+const right = (node) => node.getBoundingClientRect().right;
+const out = (node) => right(node) - right(node.parentNode);
 return [...document.querySelectorAll(".slide")].map((slide) => [
   slide.scrollHeight - slide.clientHeight,
-  Math.max(beside(slide), ...[...slide.querySelectorAll(".eq")].map(beside)),
+  Math.max(beside(slide), ...[...slide.querySelectorAll(".eq")].map(beside),
+    ...[...slide.querySelectorAll("figcaption")].map(out)),
   Math.min(...[...slide.querySelectorAll(".eq:not(.recalled) math")].map(size)),
   slide.textContent,
 ])"""
