@@ -390,7 +390,9 @@ def ratio(over: Node, under: Node) -> Node:
     small = isinstance(over, Number) and isinstance(under, Number)
     if isinstance(over, Sum) and len(over.terms) == 1:  # the minus stands before the fraction
         return negated(ratio(over.terms[0].body, under))
-    return Fraction(over, under.body if isinstance(under, Brackets) else under, small)
+    if isinstance(under, Brackets) and under.shape == "()":  # the bar holds it together
+        under = under.body
+    return Fraction(over, under, small)
 
 
 # --- From SymPy ----------------------------------------------------------------------------------

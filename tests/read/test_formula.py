@@ -6,7 +6,7 @@ import pytest
 import sympy
 from sympy import Matrix, Rational
 
-from rigidtop.derivations import PAGES
+from rigidtop.derivations import PAGES, lecture_with
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.notation import MATRICES, NOTES
 from rigidtop.proof.equation import Equation, Printed, Rate, SumOver, VolumeIntegral, as_printed
@@ -51,9 +51,9 @@ def known(equation):
 
 
 def number(name, salt=0):
-    """A rational number that belongs to a name."""
+    """A rational number of either sign that belongs to a name."""
     seed = sum((i + 7 + salt) * ord(c) for i, c in enumerate(name)) % 9973
-    return Rational(seed + 101, 5003)
+    return (-1) ** seed * Rational(seed + 101, 5003)
 
 
 def meanings(equation):
@@ -134,6 +134,18 @@ def test_what_is_printed_reads_back(name):
             assert [line.problem for line in found] == [""], source
             assert same(found[0].equation, equation), source
             assert latex(found[0].equation, "typed") == on_one_line
+
+
+def test_every_line_of_the_lecture_means_in_print_what_it_says():
+    """Bars that are lost, or brackets, change what is said."""
+    whole = lecture_with([exercise.text for exercise in EXERCISES if exercise.text])
+    equations = [each for line in whole.lines.values() for each in line.equations]
+    assert len(equations) > 700
+    for equation in equations:
+        source = latex(equation, "printed")
+        found = read(source)
+        assert [line.problem for line in found] == [""], source
+        assert same(found[0].equation, equation), source
 
 
 def test_rows_of_a_display_read_back_with_their_reasons_and_tags(printed_again):
