@@ -79,7 +79,7 @@ def momentum_on_body_cone() -> Iterator[Evidence]:
     yield Check(printed("3.39"), {s.L_vec: momentum}, (SYMMETRIC, START))
 
 
-@claim("3.40", "The frequency $Ω_b$ of the precession in the body, and its period $τ_b$.")
+@claim("3.40", "The frequency $Ω_b$ of the precession in the body, and its period $2π/|Ω_b|$.")
 def body_precession() -> Iterator[Evidence]:
     """$Ω_b$ from (3.37); $ω(t)$ has the period of $cos Ω_b t$, which is $2π/|Ω_b|$.
 
@@ -93,7 +93,7 @@ def body_precession() -> Iterator[Evidence]:
         (
             Assumption(
                 Gt(s.Omega_b, 0),
-                "$(λ₁ − λ₃)ω₃ > 0$: a prolate body with $ω₃ > 0$, or an oblate one with $ω₃ < 0$",
+                "$(λ₁ − λ₃)ω₃ > 0$: a long body with $ω₃ > 0$, or a flat one with $ω₃ < 0$",
             ),
         ),
     )

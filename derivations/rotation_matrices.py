@@ -34,7 +34,7 @@ def rotated_components() -> Iterator[Evidence]:
     yield Formal(
         printed(r"\mathbf r' = O\mathbf r"),
         meaning,
-        reason="As the sentence has it: “applied to $r$”.",
+        reason="As the sentence has it: “applied to $𝐫$”.",
         other_reading={**meaning, s.O_matrix: attitude.T},
     )
     yield Formal(
@@ -48,7 +48,7 @@ def rotated_components() -> Iterator[Evidence]:
         "A rotation times $s$ with $s² = 1$ is orthogonal for both signs of $s$.",
         given=(handed**2 - 1,),
     )
-    yield Correction(line, meaning, reason="It is $Oᵀ$ that is applied to $r$.")
+    yield Correction(line, meaning, reason="It is $Oᵀ$ that is applied to $𝐫$.")
 
 
 @claim("3.47", "This matrix of Euler angles is $Oᵀ$.")

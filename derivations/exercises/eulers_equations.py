@@ -54,11 +54,11 @@ def flip_constants(
     section="3.2.2",
     asks="assignment 5",
     statement="A body with three different moments $λ₁ < λ₂ < λ₃$, thrown in the air, turns with "
-    "the same speed $ω$ about one principal axis after the other. Show that a small kick makes $ω$ "
+    "the same speed $ω$ about one principal axis after the other. Show that a small kick makes $𝛚$ "
     "oscillate about two of the axes and run away from the third. How fast does it oscillate, "
     "how fast run away?\n\nAbout the middle axis, and with a kick that adds a small "
-    "$ω₁$, how long does it take until $ω$ is well away from the axis? In the end the body turns "
-    "over: how long does one flip take, and after what time is $ω$ in the body what it was?",
+    "$ω₁$, how long does it take until $𝛚$ is well away from the axis? In the end the body turns "
+    "over: how long does one flip take, and after what time is $𝛚$ in the body what it was?",
     claims=(principal_stays, axis_stability, flip_time),
     parameters=(
         Parameter("lambda1", 1.0, "$λ₁$, the smallest moment", "kg m²", above=0),
@@ -95,13 +95,13 @@ def stable_axes(
     yield Table(
         "axes",
         "A small kick: rate of growth and time to grow by e, or frequency and period",
-        ("axis", "moment (kg $m²$)", "$ω$", "rate (1/s)", "time (s)"),
+        ("axis", "moment (kg $m²$)", "$𝛚$", "rate (1/s)", "time (s)"),
         tuple(rows),
     )
     rate = sqrt(growths[1])
     seconds = flip_seconds(moments, omega, kick)
     part, _ = flip_constants(moments, omega, kick)
-    yield Answer("growth_rate", "rate $σ$ at which $ω$ leaves the middle axis", rate, "1/s")
+    yield Answer("growth_rate", "rate $σ$ at which $𝛚$ leaves the middle axis", rate, "1/s")
     yield Answer(
         "time_to_leave",
         "time until $ω₁$ is $ω$ if it grows as $cosh σt$",
@@ -109,7 +109,7 @@ def stable_axes(
         "s",
     )
     yield Answer("flip_time", "time of one flip, from $ω$ to $−ω$ about $e₂$", seconds, "s")
-    yield Answer("period", "time until $ω$ in the body is what it was", 2 * seconds, "s")
+    yield Answer("period", "time until $𝛚$ in the body is what it was", 2 * seconds, "s")
     yield Answer(
         "flip_estimate",
         "the flip for a small kick, ($2/σ$) $ln(4/√(1 − m))$, for comparison",

@@ -124,9 +124,11 @@ def friction_impulse(path: SlidingTrajectory) -> float:
 def energies(path: SlidingTrajectory, k: int) -> tuple[float, ...]:
     """Of the spin, of all other motion, of the weight; heat by friction and by air; their sum."""
     body = path.motion.body
-    spin = body.lambda3 * float(path.omega[k, 2]) ** 2 / 2
+    *across, along = 0.5 * np.array(body.moments) * path.omega[k] ** 2
+    spin = float(along)
     height = body.M * body.g * float(path.position[k, 2])
-    rest = float(path.energy[k]) - spin - height
+    # Of its parts: what is left of a sum of joules is rounded at their last digit.
+    rest = float(sum(across) + 0.5 * body.M * path.velocity[k] @ path.velocity[k])
     heat = float(path.dissipated_by_friction[k]), float(path.dissipated_by_air[k])
     return spin, rest, height, *heat, spin + rest + height + sum(heat)
 

@@ -271,8 +271,14 @@ def waves_cusps_loops(
     rows, wrong = _between(top, theta, omega3)
     yield Table(
         "boundaries",
-        "For which $φ̇$ the path is what",
-        ("from $φ̇$ (rad/s)", "to $φ̇$ (rad/s)", "path", "at first the axis", "at the upper $φ̇$"),
+        "The path for each $φ̇$ at the start",
+        (
+            "from $φ̇$ (rad/s)",
+            "to $φ̇$ (rad/s)",
+            "path",
+            "at first the axis",
+            "at the end of the range",
+        ),
         tuple(rows),
     )
     yield Answer("path", "path for the given $φ̇$", drawn)

@@ -193,12 +193,12 @@ def space_rate(lambda1: float, lambda3: float, omega_0: float, omega3: float) ->
     size = hypot(omega_0, omega3)
     tilt, momentum_tilt = atan2(omega_0, omega3), atan2(lambda1 * omega_0, lambda3 * omega3)
     yield Answer("angular_momentum", "$L$", lambda1 * space, "J s")
-    yield Answer("Omega_b", "$Ω_b$, the rate of $ω$ about $−e₃$ in the body", body_rate, "rad/s")
+    yield Answer("Omega_b", "$Ω_b$, the rate of $𝛚$ about $−e₃$ in the body", body_rate, "rad/s")
     yield Answer("Omega_s", "$Ω_s$, the rate of $e₃$ and $𝛚$ about $𝐋$ in space", space, "rad/s")
     if body_rate:
         yield Answer("period_body", "period in the body", 2 * pi / abs(body_rate), "s")
     yield Answer("period_space", "period in space", 2 * pi / space, "s")
-    yield Answer("body_cone", "half angle of the body cone, of $ω$ about $e₃$", tilt, "rad")
+    yield Answer("body_cone", "half angle of the body cone, of $𝛚$ about $e₃$", tilt, "rad")
     space_half = abs(momentum_tilt - tilt)
     yield Answer("space_cone", "half angle of the space cone, of $𝛚$ about $𝐋$", space_half, "rad")
     yield Answer("axis_cone", "half angle of the cone of $e₃$ about $𝐋$", momentum_tilt, "rad")
@@ -213,7 +213,7 @@ def space_rate(lambda1: float, lambda3: float, omega_0: float, omega3: float) ->
     shapes = (("rod, $λ₃ ≪ λ₁$", 0.0), ("cube", 1.0), ("plate, $λ₃ = 2λ₁$", 2.0))
     yield Table(
         "shapes",
-        "Other bodies with the same $ω$",
+        "Other bodies with the same $𝛚$",
         ("body", "$Ω_b/ω₃$", "$Ω_s/ω₃$", "space cone (rad)"),
         tuple(
             (
@@ -236,7 +236,7 @@ def space_rate(lambda1: float, lambda3: float, omega_0: float, omega3: float) ->
     )
     about_axis = turned(path.omega, np.array(UPWARD))
     yield Measure(
-        "$ω$ about $e₃$ meanwhile, against $−2π Ω_b/Ω_s$ (rad)",
+        "$𝛚$ about $e₃$ meanwhile, against $−2π Ω_b/Ω_s$ (rad)",
         abs(about_axis + 2 * pi * body_rate / space),
         1e-8 * (1 + abs(body_rate) / space),
     )
@@ -312,9 +312,9 @@ def earth_euler_period(
         )
     yield Answer("turns", "Euler period in turns of the Earth (sidereal days)", turns)
     yield Answer("period", "Euler period", period, "days")
-    yield Answer("direction", "$ω$ goes around $e₃$", "eastwards, as the Earth turns")
+    yield Answer("direction", "$𝛚$ goes around $e₃$", "eastwards, as the Earth turns")
     yield Answer("observed", "Chandler's period over Euler's", ratio)
-    yield Answer("share", "share $k$ of the bulge that follows $ω$ to explain it", share)
+    yield Answer("share", "share $k$ of the bulge that follows $𝛚$ to explain it", share)
     yield Answer("ground", "distance of the poles on the ground", radius * tan(angle), "m")
     space = omega3 * hypot(tan(angle), 1 / (1 - H))
     yield Answer("space_period", "turn of $e₃$ about $𝐋$ in space", 2 * pi / space / DAY, "days")

@@ -151,8 +151,8 @@ def toutatis(
         )
     # Two equal moments, which are the largest here, leave the long axis as the one it circles.
     mode = "short axis" if motion.regime == "short axis" else "long axis"
-    yield Answer("mode", "$ω$ circles about the", mode)
-    yield Answer("rotation", "turn about the axis about which $ω$ circles", 2 * half, "days")
+    yield Answer("mode", "$𝛚$ circles about the", mode)
+    yield Answer("rotation", "turn about the axis about which $𝛚$ circles", 2 * half, "days")
     precession = 2 * pi / abs(motion.mean_precession)
     yield Answer("precession", "turn of this axis about $𝐋$, on average", precession, "days")
     least, greatest = motion.turning_points
@@ -161,7 +161,7 @@ def toutatis(
     yield Table(
         "periods",
         "Periods: computed, and published for the long axis of Toutatis",
-        ("source", "turn of $ω$ about its axis (days)", "turn of this axis about $𝐋$ (days)"),
+        ("source", "turn of $𝛚$ about its axis (days)", "turn of this axis about $𝐋$ (days)"),
         ((f"this motion, {mode}", 2 * half, precession), *PERIODS),
     )
     rows = tuple(comparison(motion, seen) for seen in OBSERVATIONS)
@@ -174,7 +174,7 @@ def toutatis(
             "error of attitude ($°$)",
             "tilt of long axis ($°$)",
             "turn about long axis ($°$)",
-            "$ω$, direction ($°$)",
+            "$𝛚$, direction ($°$)",
             "$ω$ ($°/day$)",
             "$L$, direction ($°$)",
             "$|L|$, observed over computed",

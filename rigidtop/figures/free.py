@@ -231,7 +231,7 @@ def _flip_caption(lambda1: float, lambda2: float, lambda3: float, omega: float, 
     motion = flip(lambda1, lambda2, lambda3, omega, kick)
     least, middle = _order(FreeBody(lambda1, lambda2, lambda3))
     return (
-        f"The flip about the middle axis $e{'₁₂₃'[middle]}$: $ω$ in the body frame for "
+        f"The flip about the middle axis $e{'₁₂₃'[middle]}$: $𝛚$ in the body frame for "
         f"{_three(lambda1, lambda2, lambda3)} kg m², from {said(omega)} rad/s about that axis and "
         f"{said(kick)} rad/s about $e{'₁₂₃'[least]}$. The body turns over every "
         f"{said(motion.nutation_period)} s (dotted)."

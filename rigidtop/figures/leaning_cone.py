@@ -147,10 +147,10 @@ def _caption(
         )
     return (
         f"A solid cone on its tip, of radius {said(radius)} m, height {said(height)} m and density "
-        f"{said(density)} kg/m³, {leans}. Its centre of mass is at $R = ¾$ of the height $= "
-        f"{said(found['R'])}$ m, and with $M = {said(found['mass'])}$ kg and {weight} its "
-        f"potential energy is $MgR cos θ = {said(found['potential'])}$ J. The cone is to scale, "
-        "the arrows are not."
+        f"{said(density)} kg/m³, {leans}. Its centre of mass is at $R = "
+        f"{said(found['R'])}$ m, three quarters of its height, and with "
+        f"$M = {said(found['mass'])}$ kg and {weight} its potential energy is "
+        f"$MgR cos θ = {said(found['potential'])}$ J. The cone is to scale, the arrows are not."
     )
 
 

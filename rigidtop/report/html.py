@@ -348,11 +348,11 @@ def _(block: b.NameLine) -> str:
 def _(block: b.Results) -> str:
     rows = (
         (
-            f'<a href="#{b.anchor(number)}">({number})</a>',
+            f'<a href="#{b.anchor(number)}">({number})</a> {seal(b.Mark(number, verdict))}',
             mathml.display(equations, "printed", NARROW),
             prose_html(words),
         )
-        for number, equations, words, _ in block.rows
+        for number, equations, words, verdict in block.rows
     )
     return _table(block.head, rows, kind="results")
 

@@ -330,7 +330,7 @@ def test_both_roots_make_the_residual_vanish():
 
 def test_a_condition_stands_with_the_line_that_needs_it():
     made = source(everything()["3.40"], "julia", text).text
-    assert "# τ_b = 2π/Ω_b\n#   if Ω_b > 0 ((λ₁ − λ₃)ω₃ > 0: a prolate body" in made
+    assert "# τ_b = 2π/Ω_b\n#   if Ω_b > 0 ((λ₁ − λ₃)ω₃ > 0: a long body" in made
     assert "Holds if" not in made
 
 

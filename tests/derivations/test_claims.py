@@ -430,7 +430,7 @@ def test_the_mean_of_a_finite_nutation_lies_off_the_steady_angle():
 @pytest.mark.parametrize(
     ("claim", "condition", "words"),
     [
-        ("3.40", sympy.Gt(s.Omega_b, 0), "or an oblate one with ω₃ < 0"),
+        ("3.40", sympy.Gt(s.Omega_b, 0), "or a flat one with ω₃ < 0"),
         ("space-cone", sympy.Ne(s.omega1**2 + s.omega2**2, 0), "ω is not along e₃"),
         ("free-fall", sympy.Eq(s.F_1, 0), "no air"),
         ("axis-stability", sympy.Eq(s.damping, 0), "no friction inside"),
