@@ -261,7 +261,11 @@ def _energies(moments: Vectors, omega: Vectors, ball: float, friction: float) ->
     yield Table(
         "friction",
         "With friction inside: the way to rotation with the largest moment",
-        ("time (days)", "energy over that at the start", "$𝐋$ from the axis of largest moment (rad)"),
+        (
+            "time (days)",
+            "energy over that at the start",
+            "$𝐋$ from the axis of largest moment (rad)",
+        ),
         tuple(
             (float(time), float(part), float(tilt))
             for time, part, tilt in zip(run.t, run.energy / energy, tilts, strict=True)
