@@ -43,7 +43,7 @@ STYLE: Any = {
     "svg.fonttype": "path",
     "svg.hashsalt": "rigidtop",
     "pdf.fonttype": 42,
-    "path.simplify_threshold": 0.3,
+    "path.simplify_threshold": 0.03,
 }
 
 INK, FIRST, SECOND, THIRD = "#1a1a1a", "#0b4f8a", "#cf5b2e", "#86b56b"
