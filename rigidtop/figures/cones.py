@@ -67,8 +67,9 @@ def draw_cones(axes: Axes, motion: Motion, *, space: bool) -> None:
             scene.ring(rim, color=color, lw=0.9)
             shade(scene, rim, color, 0.12 if color == look.OMEGA else 0.05)
     for direction, (words, color, length) in zip(directions, drawn, strict=True):
-        scene.arrow(length * direction, words, color=color, lw=1.5)
-    paper(axes, (-1.0, 1.0), (-0.03, 1.3))
+        high = 1.35 if direction is upright else length  # its name above the rims
+        scene.arrow(high * direction, words, color=color, lw=1.5)
+    paper(axes, (-1.0, 1.0), (-0.03, 1.4))
 
 
 def shade(scene: Scene, rim: Floats, color: str, alpha: float) -> None:
@@ -87,9 +88,8 @@ def _cones(**values: float) -> Canvas:
     left, right = drawn.subplots(1, 2)
     draw_cones(left, motion, space=False)
     draw_cones(right, motion, space=True)
-    in_body, in_space = _rates(motion)
-    left.set_title(rf"body frame: $\Omega_b = {in_body:#.3g}$ rad/s")
-    right.set_title(rf"space frame: $\Omega_s = L/\lambda_1 = {in_space:#.3g}$ rad/s")
+    left.set_title("body frame")
+    right.set_title("space frame")
     return drawn
 
 
@@ -99,9 +99,12 @@ def _rates(motion: Motion) -> tuple[float, float]:
     return (lambda1 - lambda3) * motion.omega[2] / lambda1, motion.mean_precession
 
 
+def _relation(lambda1: float, lambda3: float) -> str:
+    return ">" if lambda1 > lambda3 else "<" if lambda1 < lambda3 else "="
+
+
 def _shape(lambda1: float, lambda3: float) -> str:
-    relation = ">" if lambda1 > lambda3 else "<" if lambda1 < lambda3 else "="
-    return f"$λ₁ = {said(lambda1)} {relation} λ₃ = {said(lambda3)}$ kg m²"
+    return f"$λ₁ = {said(lambda1)} {_relation(lambda1, lambda3)} λ₃ = {said(lambda3)}$ kg m²"
 
 
 def _cones_caption(lambda1: float, lambda3: float, omega_0: float, omega3: float) -> str:
@@ -110,7 +113,7 @@ def _cones_caption(lambda1: float, lambda3: float, omega_0: float, omega3: float
         f"The cones of a free symmetric body with {_shape(lambda1, lambda3)}, $ω₀ = "
         f"{said(omega_0)}$ and $ω₃ = {said(omega3)}$ rad/s. Left: in the body frame $𝛚$ and $𝐋$ go "
         f"round $e₃$ at $Ω_b = {said(in_body)}$ rad/s. Right: in the space frame $𝐋$ stands still, "
-        f"and the plane of the three turns about it at $Ω_s = {said(in_space)}$ rad/s."
+        f"and the plane of the three turns about it at $Ω_s = L/λ₁ = {said(in_space)}$ rad/s."
     )
 
 
@@ -182,7 +185,8 @@ def draw_rolling_cones(axes: Axes, motion: Motion, t: float = 0.0) -> None:
             scene.line([np.zeros(3), line], color=color, lw=0.6, alpha=alpha, zorder=2)
     scene.arrow(1.25 * axis, look.E3, color=look.AXIS, lw=1.3)
     scene.arrow(1.32 * momentum, look.L_VEC, color=look.MOMENTUM, lw=1.3)
-    scene.arrow(1.2 * contact, look.OMEGA_VEC, color=look.OMEGA, lw=1.9, zorder=6)
+    aside = math.copysign(10, scene.view(contact)[0]), 0.0  # away from the name of L
+    scene.arrow(1.2 * contact, look.OMEGA_VEC, shift=aside, color=look.OMEGA, lw=1.9, zorder=6)
 
 
 def angle_between(first: Floats, second: Floats) -> float:
@@ -222,9 +226,7 @@ def _rolling_cones(low: float, **values: float) -> Film:
             draw_rolling_cones(each, motion, share * 2 * math.pi / motion.mean_precession)
             paper(each, (-1.3, 1.3), (low, 1.45))
             lambda1, _, lambda3 = motion.body.moments
-            sign = ">" if lambda1 > lambda3 else "<" if lambda1 < lambda3 else "="
-            rate = rf"$\Omega_s = {_rates(motion)[1]:#.3g}$ rad/s"
-            each.set_title(rf"$\lambda_1 {sign} \lambda_3$:  {rate}")
+            each.set_title(rf"$\lambda_1 {_relation(lambda1, lambda3)} \lambda_3$")
 
     show(0.0)
     return Film(drawn, show)
@@ -243,7 +245,8 @@ def _touching(motion: Motion) -> str:
         return "$𝛚$, $𝐋$ and the space cone are one line"
     how = "rolls on the outside of" if lambda1 > lambda3 else "rolls with its inside on"
     return (
-        f"the body cone, of half angle ${said(body)}°$, {how} the space cone, of ${said(space)}°$"
+        f"the body cone, of half angle ${said(body)}°$, {how} the space cone, of ${said(space)}°$, "
+        f"and goes round $𝐋$ at $Ω_s = {said(_rates(motion)[1])}$ rad/s"
     )
 
 

@@ -142,7 +142,7 @@ def _polhodes_caption(**moments: float) -> str:
         which = "two moments are equal, and all of them are circles"
     return (
         "Polhodes: the paths of $𝛚$ in the body frame on the energy ellipsoid "
-        f"$Σ λₖωₖ² = 2T$, for {_three(**moments)} kg m²; {which}. Dashed: behind."
+        f"$Σ λₖωₖ² = 2T$, for {_three(**moments)} kg m²; {which}. Dashed and open: behind."
     )
 
 
@@ -324,11 +324,11 @@ def _tumbling(omega1: float, omega2: float, omega3: float, **moments: float) -> 
 
 
 def _draw_tumbling(**values: float) -> Canvas:
-    drawn = canvas(look.WIDE, 2.9)
+    drawn = canvas(look.TEXT, 2.6)
     left, right = drawn.subplots(1, 2)
     draw_tumbling(left, right, _tumbling(**values))
-    left.set_title(r"body frame: the path of $\mathbf{L}$")
-    right.set_title(r"space frame: the paths of $\mathbf{e}_3$ and $\mathbf{e}_1$")
+    left.set_title("body frame")
+    right.set_title("space frame")
     for axes in (left, right):
         paper(axes, (-1.3, 1.3), (-1.08, 1.45))
     return drawn
@@ -390,7 +390,7 @@ def _tumbling_caption(omega1: float, omega2: float, omega3: float, **moments: fl
     return (
         f"A free body with {_three(**moments)} (in any unit) and at first $ω₁$, $ω₂$, "
         f"$ω₃ = {rates}$ rad/s. Left: in the body {in_body}. Right: in space {in_space}. "
-        "Dots: at first."
+        "Dots, open where they are behind: at first."
     )
 
 

@@ -14,7 +14,7 @@ from rigidtop.figures.bodies import vertical
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import UPRIGHT, Scene, View, circle, paper, top_body
-from rigidtop.figures.style import Floats, alone, degrees, in_math, said, spoken
+from rigidtop.figures.style import Floats, alone, degrees, said, spoken
 from rigidtop.motion.attitude import from_euler_angles
 
 TALL = 1.4
@@ -118,11 +118,6 @@ def _draw(axes: Axes, **values: float) -> None:
     found = answers(gravity_on_a_solid, **values)
     radius, height, theta, phi = (values[name] for name in ("radius", "height", "theta", "phi"))
     draw_leaning_cone(axes, radius, height, theta, phi, found["R"])
-    torque = 0.0 if vertical(theta) else found["torque"]
-    axes.set_title(
-        rf"$MgR\,\sin\theta = {in_math(torque)}$ N m,  "
-        rf"$MgR\,\cos\theta = {in_math(found['potential'])}$ J"
-    )
 
 
 def _caption(

@@ -13,7 +13,7 @@ from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import UPRIGHT, Scene, View, arc, circle, paper, total, unit
-from rigidtop.figures.style import Floats, alone, degrees, in_math, said, spoken
+from rigidtop.figures.style import Floats, alone, degrees, said, spoken
 
 VIEW = View(azimuth=-0.35, elevation=0.5)
 """So that what points at the reader goes down and to the right."""
@@ -106,18 +106,6 @@ def draw_two_masses(axes: Axes, held: Stick) -> None:
         scene.arrow(momentum + 0.5 * couple, start=momentum, color=look.TORQUE, lw=1.2)
         scene.words(momentum, look.L_DOT, (-4, -17), color=look.TORQUE, ha="right")
     scene.dot(np.zeros(3))
-
-
-def _draw(axes: Axes, **values: float) -> None:
-    held = stick(**values)
-    draw_two_masses(axes, held)
-    found = answers(two_masses, **values)
-    size, force = found["torque"], found["force"]
-    axes.set_title(
-        f"$L = {in_math(found['angular_momentum'])}$ J s,  "
-        f"$N = {in_math(size if np.any(held.torque) else 0.0)}$ N m,  "
-        f"$F = {in_math(force if np.any(held.force) else 0.0)}$ N",
-    )
     paper(axes, (-1.5, 1.5), (-1.15, 1.35))
 
 
@@ -169,7 +157,7 @@ TWO_MASSES = Drawing(
     "Two masses on a stick: $𝛚$, $𝐋$, and what the bearing exerts",
     "",
     two_masses.parameters,
-    alone(3.0, _draw),
+    alone(2.8, lambda axes, **values: draw_two_masses(axes, stick(**values))),
     _caption,
     _in_words,
 )

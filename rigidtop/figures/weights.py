@@ -13,7 +13,7 @@ from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import Scene, View, paper, total, unit
-from rigidtop.figures.style import Floats, alone, in_math, said, spoken
+from rigidtop.figures.style import Floats, alone, said, spoken
 
 VIEW = View(azimuth=0.6, elevation=0.36)
 
@@ -113,14 +113,6 @@ def _draw_point(scene: Scene, place: Floats, weight: Floats, words: str, size: f
     scene.words(place, words, (0, 0.5 * size + 3), color=look.INK, ha="center", zorder=7)
 
 
-def _draw(axes: Axes, **values: float) -> None:
-    body = points(**values)
-    draw_weights(axes, body)
-    size = in_math(float(np.linalg.norm(body.torque)))
-    one = r"\sum\mathbf{r}_k \times m_k\mathbf{g} = \mathbf{R}_\mathrm{CM} \times M\mathbf{g}"
-    axes.set_title(rf"$\mathbf{{N}} = {one}$,  $N = {size}$ N m")
-
-
 def _caption(**values: float) -> str:
     body, found = points(**values), answers(gravity_on_points, **values)
     masses = ", ".join(f"$m{'₁₂₃'[k]} = {said(mass)}$" for k, mass in enumerate(body.masses))
@@ -164,7 +156,7 @@ WEIGHTS = Drawing(
     "The weights of three points, and one at their centre of mass",
     "",
     gravity_on_points.parameters,
-    alone(2.7, _draw),
+    alone(2.7, lambda axes, **values: draw_weights(axes, points(**values))),
     _caption,
     _in_words,
 )

@@ -60,7 +60,7 @@ def content(drawing, given):
     found = []
     for axes in canvas.axes:
         found += [axes.get_title(), *axes.get_xlim(), *axes.get_ylim()]
-        found += [line.get_xydata().tobytes() for line in axes.lines]
+        found += [(line.get_xydata().tobytes(), line.get_markersize()) for line in axes.lines]
         found += [patch.get_path().vertices.tobytes() for patch in axes.patches]
         found += [(text.get_text(), *text.xy) for text in axes.texts]
         for area in axes.collections:
@@ -79,9 +79,11 @@ def test_every_parameter_changes_the_picture_and_its_caption(drawing):
     assert words.isascii()
     assert len(words) > 80
     of_the_frame = ("omega3", "phi_dot") if drawing.name == "regimes" else ()
+    # Arrows have directions, and what these make only larger stands in the caption.
+    larger = {"two-masses": ("omega",), "leaning-cone": ("density", "g")}.get(drawing.name, ())
     for parameter in drawing.parameters:
         given = {parameter.name: 0.97 * parameter.default or 0.3}
-        assert content(drawing, given) != picture, parameter.name
+        assert (content(drawing, given) != picture) == (parameter.name not in larger), parameter
         if parameter.name not in of_the_frame:
             assert drawing.caption(**drawing.values(given)) != caption, parameter.name
 
