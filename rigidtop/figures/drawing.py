@@ -103,9 +103,10 @@ def _saved(
     """A figure as each of the kinds, "svg" last, which has no white behind it."""
     with matplotlib.rc_context({**STYLE, "pdf.fonttype": fonttype}):
         figure = drawing.draw(**drawing.values(given))
-        # Matplotlib's own prime stands high above an index.
+        # Matplotlib's own prime stands high above an index, its own sign apart from the letter.
         for name in figure.findobj(Text):
-            name.set_text(re.sub(r"(_\{?\w\}?)'", r"\1′", name.get_text()))
+            primed = re.sub(r"(_\{?\w\}?)'", r"\1′", name.get_text())
+            name.set_text(re.sub(r"_\{?([+-])\}?", r"_{{\1}}", primed))
         figure.dpi = POINTS
         vector = _Vector(figure)
         if engine := figure.get_layout_engine():

@@ -95,10 +95,18 @@ def _paths(theta: float, phi_dot: float, omega3: float, **top: float) -> list[To
 
 
 def _draw_paths(**values: float) -> Canvas:
-    drawn = canvas(look.TEXT, 1.95)
-    motions = _paths(**values)
-    for axes, motion in zip(drawn.subplots(1, 3), motions, strict=True):
-        draw_path(axes, motion.exact(nutation_times(motion)).e3, motion.regime)
+    drawn = canvas(look.TEXT, 2.7)
+    spheres, strips = drawn.subplots(2, 3, sharey="row", height_ratios=(2, 1))
+    for sphere, strip, motion in zip(spheres, strips, _paths(**values), strict=True):
+        run = motion.exact(nutation_times(motion))
+        draw_path(sphere, run.e3, motion.regime)
+        few = run.t <= 4 * motion.nutation_period
+        turned = np.degrees(run.phi[few] - run.phi[0])
+        strip.plot(turned, np.degrees(run.theta[few]), color=look.FIRST, lw=1.1)
+        strip.set_xlabel(r"$\phi$  (degrees)")
+    strips[0].set_ylabel(r"$\theta$  (degrees)")
+    strips[0].margins(y=0.1)
+    strips[0].invert_yaxis()
     return drawn
 
 
@@ -108,7 +116,8 @@ def _paths_caption(theta: float, phi_dot: float, omega3: float, **top: float) ->
     return (
         f"The path of $e₃$ on the sphere from {start_in_words(theta, omega3)} with $θ̇ = 0$ and "
         f"$φ̇ = {said(phi_dot)}$, 0 and {said(-phi_dot)} rad/s, for {top_in_words(body)}. "
-        "The circles that a path touches are the turning points of $θ$."
+        "The circles that a path touches are the turning points of $θ$. "
+        "Below: $θ$ against $φ$ from the start, for four nutations at most."
     )
 
 
@@ -117,7 +126,8 @@ def _paths_in_words(**values: float) -> str:
     return (
         "Three spheres with the path of the figure axis between two circles of latitude, for a "
         f"start with phi dot {spoken(values['phi_dot'])}, zero and {spoken(-values['phi_dot'])} "
-        f"radians per second: {', '.join(regimes)}."
+        f"radians per second: {', '.join(regimes)}. Below each theta, "
+        "downwards, against phi."
     )
 
 
@@ -144,11 +154,8 @@ PATHS = Drawing(
 def draw_theta(axes: Axes, motion: TopMotion, t: Floats) -> None:
     """θ(t) (degrees) between its turning points."""
     axes.plot(t, np.degrees(motion.exact(t).theta), color=look.FIRST, label="_theta")
-    for angle, words in zip(
-        np.degrees(motion.turning_points), (r"$\theta_1$", r"$\theta_2$"), strict=True
-    ):
+    for angle in np.degrees(motion.turning_points):
         axes.axhline(float(angle), color=look.GREY, lw=0.8, ls=look.DOTTED)
-        name_at(axes, float(t[-1]), float(angle), words, (3, 0), va="center")
     axes.set_ylabel(r"$\theta$  (degrees)")
 
 
@@ -195,7 +202,7 @@ def _shown_time(motion: TopMotion) -> float:
 def _draw_motion(**values: float) -> Canvas:
     motion = _start(**values)
     times = np.linspace(0.0, _shown_time(motion), 1201)
-    drawn = canvas(look.COLUMN, 4.3)
+    drawn = canvas(look.COLUMN, 3.2)
     panels = drawn.subplots(3, 1, sharex=True)
     for axes, draw in zip(panels, (draw_theta, draw_phi, draw_energies), strict=True):
         draw(axes, motion, times)
@@ -217,7 +224,7 @@ def _motion_caption(
         course = f"$θ$ stays ${said(first)}°$, and $φ$ goes on at {mean}."
     else:
         course = (
-            f"$θ$ runs between ${said(first)}°$ and ${said(last)}°$ in "
+            f"$θ$ runs between ${said(first)}°$ and ${said(last)}°$ (dotted) in "
             f"{said(motion.nutation_period)} s; dashed, $φ$ at its mean rate, {mean}."
         )
     return (

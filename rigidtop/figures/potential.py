@@ -65,11 +65,8 @@ def draw_effective_potential(axes: Axes, motion: TopMotion) -> None:
     )
     at = np.degrees(turns)
     axes.plot(at, [energy, energy], "-o", color=look.INK, lw=1.0, ms=3.5, label="_energy")
-    same = float(turns[1] - turns[0]) < 1e-6
-    names = (r"$\theta_1=\theta_2$",) if same else (r"$\theta_1$", r"$\theta_2$")
-    for turn, name in zip(at, names, strict=False):
+    for turn in at:
         axes.plot([turn, turn], [bottom, energy], color=look.GREY, lw=0.8, ls=look.DOTTED)
-        name_at(axes, float(turn), bottom, name, (3, 4), color=look.INK)
     name_at(axes, float(at[1]), energy, "$E$", (7, 0), va="center", color=look.INK)
     if 0 < low < len(angles) - 1:
         place = float(np.degrees(angles[low])), float(potential[low])
@@ -79,7 +76,7 @@ def draw_effective_potential(axes: Axes, motion: TopMotion) -> None:
         xlim=np.degrees(shown),
         ylim=(bottom, energy + 1.6 * depth),
         xlabel=r"$\theta$  (degrees)",
-        ylabel=r"$U - p_\psi^2/(2\lambda_3)$  (J)",
+        ylabel=r"$U - {p_\psi}^2/(2\lambda_3)$  (J)",
     )
 
 
@@ -98,7 +95,7 @@ def _caption(theta: float, phi_dot: float, omega3: float, **top: float) -> str:
         "The effective potential $U$ and the energy $E$, both less the constant $p_ψ²/(2λ₃)$, of a "
         f"top with {top_in_words(motion.body)} that starts at "
         f"{start_in_words(theta, omega3)} with {rates}. "
-        f"$θ$ runs between the turning points $θ₁ = {degrees(first)}$ and $θ₂ = {degrees(last)}$; "
+        f"$θ$ runs between the turning points, {degrees(first)} and {degrees(last)} (dotted); "
         "the square marks the steady precession with the same momenta."
     )
 
