@@ -58,7 +58,7 @@ def draw_toppling(axes: Axes, motion: TopMotion) -> None:
         axes,
         fall,
         90,
-        rf"$\theta = \pi/2$ at $t = {fall:.3g}$ s",
+        f"{fall:.3g} s",
         (-6, 5) if left else (7, -10),
         ha="right" if left else "left",
         color=look.INK,

@@ -178,7 +178,7 @@ def draw_track(axes: Axes, path: SlidingTrajectory) -> None:
 
 def _draw_rising(until: float, **values: float) -> Canvas:
     path = _risen(until, **values)
-    drawn = canvas(look.TEXT, 2.9)
+    drawn = canvas(look.TEXT, 2.6)
     (tilt, energy), (slip, track) = drawn.subplots(2, 2)
     draw_tilt(tilt, path, until)
     draw_budget(energy, path)
@@ -324,7 +324,7 @@ def draw_waking(
 
 def _draw_waking(**values: float) -> Canvas:
     path = _woken(**values)
-    drawn = canvas(look.COLUMN, 3.4)
+    drawn = canvas(look.COLUMN, 2.8)
     panels = drawn.subplots(2, 1, sharex=True)
     sleeping = about_tip(**{p.name: values[p.name] for p in ABOUT_CENTRE}).sleeping_spin()
     draw_waking(panels[0], panels[1], path, values["visible"], sleeping)
@@ -348,7 +348,7 @@ def _waking_caption(**values: float) -> str:
         if seen is not None
         else f"a tilt of {degrees(values['visible'])} is not seen in the time that is shown"
     )
-    end = f" It falls after {said(path.ended.time)} s." if path.ended else ""
+    end = f" It lies after {said(path.ended.time)} s." if path.ended else ""
     return (
         f"A top with {_top_in_words(path.motion.body)} sleeps on a sharp tip that friction holds, "
         f"from $ω₃ = {said(values['omega3'])}$ rad/s, $θ = {degrees(values['disturbance'])}$, $θ̇ "

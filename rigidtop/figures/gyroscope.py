@@ -122,7 +122,7 @@ def _motion(M: float, radius: float, R: float, g: float, theta: float, omega3: f
 
 
 def _draw(tolerance: float, **values: float) -> Canvas:
-    drawn = canvas(look.WIDE, 2.4)
+    drawn = canvas(look.TEXT, 2.2)
     motion = _motion(**values)
     picture, chart = drawn.subplots(1, 2)
     draw_gyroscope(picture, motion, values["radius"])

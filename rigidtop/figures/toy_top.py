@@ -161,7 +161,7 @@ def _top(values: dict[str, float]) -> tuple[HeavyTop, TopMotion, float]:
 
 def _draw(**values: float) -> Canvas:
     top, motion, touching = _top(values)
-    drawn = canvas(look.COLUMN, 3.6)
+    drawn = canvas(look.COLUMN, 3.2)
     parts = drawn.subplot_mosaic([["top", "path"], ["chart", "chart"]], height_ratios=(1.1, 1))
     sizes = {name: values[name] for name in (*DISC, "stem_length")}
     draw_toy_top(parts["top"], values["theta"], values["omega3"], top.R, **sizes)
@@ -175,7 +175,7 @@ def _caption(**values: float) -> str:
     found = answers(top_from_the_toy_box, **values)
     lowest = motion.turning_points[1]
     end = touches(motion, touching)
-    goes = f"for one turn, {said(time_shown(motion, touching))} s, down to {degrees(lowest)}"
+    goes = f"for one turn, down to {degrees(lowest)}"
     if end is not None:
         goes = f"until its rim touches the table, at {degrees(touching)}, after {said(end)} s"
     return (

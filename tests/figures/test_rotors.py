@@ -448,7 +448,8 @@ def test_path_of_the_toy_top(given):
     assert np.abs(shown[::200].T - expected).max() < 1e-5
     turned = np.ptp(np.unwrap(np.arctan2(*shown.T[::-1])))
     assert turned == pytest.approx(2 * math.pi, rel=0.05)
-    assert f"for one turn, {style.said(last)} s, down to" in unmarked(TOY.caption(**values))
+    lowest = style.said(float(np.hypot(*shown.T).max()))
+    assert f"for one turn, down to {lowest}°." in unmarked(TOY.caption(**values))
 
 
 def test_toy_top_whose_rim_touches():
