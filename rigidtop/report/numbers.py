@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
+from decimal import ROUND_HALF_UP, Decimal
 
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
@@ -23,26 +24,22 @@ GIVEN_DIGITS = 7
 SMALLEST_ANGLE = 1e-4
 """Smaller angles say nothing in degrees (rad)."""
 
-EXACT = 1e-12
-"""A number this near to a whole one is that one (relative)."""
-
 DAY = 86400.0
 """In seconds."""
 
 
 def shown(value: float | str, digits: int = DIGITS, *, kept: bool = False) -> str | Node:
-    """A cell as it is printed; zeros at its end are `kept`, but of a whole number.
+    """A cell as it is printed; zeros at its end are `kept`, so that its digits can be counted.
 
     >>> from rigidtop.typeset.text import text
     >>> text(shown(-0.25)), shown("waves")
     ('−0.25', 'waves')
-    >>> [text(shown(x, 4, kept=True)) for x in (12.0961, 0.3, 120.00000000000001)]
-    ['12.10', '0.3000', '120']
+    >>> [text(shown(x, 4, kept=True)) for x in (12.0961, 14.0, 0.0)]
+    ['12.10', '14.00', '0.000']
     """
     if isinstance(value, str):
         return value
-    rounded = kept and not math.isclose(value, round(value), rel_tol=EXACT)
-    node = decimal(abs(value), digits, kept=rounded)
+    node = decimal(abs(value), digits, kept=kept)
     return negated(node) if value < 0 else node
 
 
@@ -104,8 +101,8 @@ def cells(rows: Sequence[Sequence[float | str]]) -> tuple[tuple[str | Node, ...]
     >>> from rigidtop.typeset.text import text
     >>> [text(x) for x, in cells([(12.1,), (12.0912,), (0.0,)])]
     ['12.10', '12.09', '0.00']
-    >>> [text(x) for x, in cells([(0.000122,), (3.05e-05,)])]
-    ['1.220 × 10⁻⁴', '3.050 × 10⁻⁵']
+    >>> [text(x) for x, in cells([(90.0,), (5.625,)])], [text(x) for x, in cells([(3e-05,)])]
+    (['90.00', '5.63'], ['3.000 × 10⁻⁵'])
     """
     return tuple(zip(*map(_column, zip(*rows, strict=True)), strict=True))
 
@@ -118,34 +115,35 @@ def _column(values: Sequence[float | str]) -> list[str | Node]:
     # Powers of ten of the largest number and of the smallest, as they are printed.
     rounded = [math.floor(math.log10(float(x))) for x in short]
     large, small = max(rounded), min(rounded)
-    powers = any("e" in number for number in short)
-    if large - small > SPAN - powers or large < LEAST:
-        return [x if isinstance(x, str) else _number(x, powers=powers) for x in values]
+    if large < LEAST or large - small > (SPAN // 2 if small < LEAST else SPAN):
+        return [x if isinstance(x, str) else _power(x) for x in values]
     # All digits of the largest number, and three at least of the smallest.
     wanted = max(TABLE_DIGITS - 1 - large, 2 - small, 0)
     there = max(len(f"{float(x):.{wanted}f}".rstrip("0").partition(".")[2]) for x in short)
     return [x if isinstance(x, str) else _number(x, min(wanted, there)) for x in values]
 
 
-SPAN = 3
-"""Over more powers of ten, or as many where one is written so, points are not aligned."""
+SPAN = 4
+"""Over more powers of ten each number has its own, and over half as many where some are small."""
 
-LEAST = -3
-"""A column of numbers that are all smaller has powers of ten (as such a power)."""
+LEAST = -4
+"""Numbers below this power of ten are small."""
 
 
-def _number(value: float, decimals: int | None = None, *, powers: bool = False) -> str | Node:
-    """A number with so many decimals, or with a power of ten; else as it is shown alone."""
-    if decimals is None and not (powers and value):
-        return shown(value, TABLE_DIGITS, kept=True)
-    if decimals is None:
-        digits, _, power = f"{abs(value):.{TABLE_DIGITS - 1}e}".partition("e")
-        exponent = Number(str(abs(int(power))))
-        ten = Power(Number("10"), exponent if int(power) >= 0 else negated(exponent))
-        node: Node = Infix("×", Number(digits), ten) if int(power) else Number(digits)
-    else:
-        node = Number(f"{abs(value):.{decimals}f}")
-        value = round(value, decimals)
+def _number(value: float, decimals: int) -> Node:
+    """A number with so many decimals, a half rounded up: 5.63 for 5.625."""
+    exact = Decimal(repr(float(value))).quantize(Decimal(1).scaleb(-decimals), ROUND_HALF_UP)
+    node = Number(f"{abs(exact):f}")
+    return negated(node) if exact < 0 else node
+
+
+def _power(value: float) -> Node:
+    """A number times a power of ten, but of those of the size of one."""
+    digits, _, power = f"{abs(value):.{TABLE_DIGITS - 1}e}".partition("e")
+    node: Node = Number(digits if value else "0")
+    if int(power):
+        size = Number(str(abs(int(power))))
+        node = Infix("×", node, Power(Number("10"), size if int(power) > 0 else negated(size)))
     return negated(node) if value < 0 else node
 
 
