@@ -8,6 +8,7 @@ from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any, TypeVar
 
 from rigidtop.proof.equation import Equation
+from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.page import Page
 from rigidtop.proof.verdict import (
     Judgement,
@@ -397,8 +398,11 @@ def walked(tree: T, change: Callable[[Any, str], Any], name: str = "") -> T:
     """A block, a claim, a tuple of them …, its parts changed, the smallest first.
 
     The `change` is told a part and the name of its field; what it leaves is the same object.
+    Formulas are one part, and so are the lines of a lecture, which are not of this tree.
     """
     made: Any = tree
+    if isinstance(tree, Node | Equation | Lecture):
+        return tree
     if isinstance(tree, tuple):
         parts = tuple(walked(each, change, name) for each in tree)
         made = parts if any(a is not b for a, b in zip(parts, tree, strict=True)) else tree
