@@ -107,8 +107,6 @@ def _joined(
             narrow = tex_block(replace(block, room=min(block.room, COLUMN)))
             shown = shown if narrow == shown else rf"\rtbroken{{{shown}}}{{{narrow}}}"
         words = pending + shown
-        if isinstance(block, b.Heading) and block.anchor == "laws":
-            words += "\n\\rtcolumns"
         pending = ""
         if (
             isinstance(block, b.Paragraph)
@@ -345,7 +343,8 @@ def _in_line(rows: Sequence[b.Row], room: float, label: str = "") -> str:
     equations = (row.equation, *row.beside)
     words = rich(row.spoken)
     width = sum(sizes.width(layout(each, row.order)) + 3 for each in equations)
-    if WORD * len(seen(words)) + width > room:
+    # Neither its indent nor the place of a number is needed.
+    if WORD * len(seen(words)) + width > 1.1 * room:
         return ""
     shown = r" \qquad ".join(latex(each, row.order) for each in equations)
     return rf"\rtstep{{{label}{words}}}{{{shown}}}"
@@ -524,11 +523,14 @@ def _(block: b.Quantities) -> str:
         rf"\rtquantity{{{prose(what)}}}{{{_cell(value)}{behind}}}"
         for (what, value, _), behind in zip(block.rows, units, strict=True)
     ]
-    # Two of them at least stay together.
-    rows[1:1] = [r"\nobreak"]
-    rows[-1:-1] = [r"\nobreak"] * (len(block.rows) > 2)
+    # A list is parted, if at all, between at least so many rows.
+    rows = [r"\nobreak" * (min(k, len(rows) - k) < TOGETHER) + row for k, row in enumerate(rows)]
     label = rf"\lab{{{prose(block.label)}}}\par\nopagebreak" if block.label else ""
     return f"{label}\\rtquantities{{{''.join(rows)}}}"
+
+
+TOGETHER = 5
+"""Quantities of a list that stay together."""
 
 
 @tex_block.register
