@@ -61,7 +61,7 @@ def steady() -> Assumption:
     """At the other rate, Ω₊, what (3.50) leaves out is half of what it keeps, or more."""
     return Assumption(
         Eq(s.Omega, steady_rate()),
-        "a fast top, or one under a weak torque, precesses steadily, at the slower of its rates",
+        "a fast top, or one under a weak torque, goes round at the slower of its steady rates",
     )
 
 
