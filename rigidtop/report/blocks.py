@@ -23,6 +23,12 @@ T = TypeVar("T")
 Judged = Sequence[tuple[Page, Sequence[Judgement]]]
 
 
+class Fixed(str):
+    """Words of the document itself, which are said in its language; all others are authors'."""
+
+    __slots__ = ()
+
+
 @dataclass(frozen=True)
 class Front:
     """What stands on the first page of a lecture and of its exercises, and whose claims it has."""
@@ -231,7 +237,7 @@ class Figure:
     caption: str
     alternative: str
     number: int = 0
-    kind: str = "Figure"
+    kind: str = Fixed("Figure")
 
     @property
     def anchor(self) -> str:
@@ -253,7 +259,7 @@ class ExerciseHead:
     number: int = 0
     points: str = ""
     level: int = 3
-    kind: str = "Exercise"
+    kind: str = Fixed("Exercise")
 
     @property
     def label(self) -> str:
@@ -275,7 +281,7 @@ class Quantities:
 
     label: str
     rows: tuple[tuple[str, str | Node, str], ...]
-    head: tuple[str, ...] = ("what", "value", "unit")
+    head: tuple[str, ...] = (Fixed("what"), Fixed("value"), Fixed("unit"))
 
 
 @dataclass(frozen=True)
@@ -292,15 +298,15 @@ class Symbols:
     """The list of symbols: glyph, meaning, unit."""
 
     rows: tuple[tuple[Node, str, str], ...]
-    head: tuple[str, ...] = ("symbol", "meaning", "unit")
+    head: tuple[str, ...] = (Fixed("symbol"), Fixed("meaning"), Fixed("unit"))
 
 
 @dataclass(frozen=True)
 class Results:
     """The numbered equations on one page: each number with its lines, its words, its verdict."""
 
-    rows: tuple[tuple[str, tuple[Equation, ...], str, Verdict], ...]
-    head: tuple[str, ...] = ("number", "equation", "what it says")
+    rows: tuple[tuple[str, tuple[Equation, ...], Rich, Verdict], ...]
+    head: tuple[str, ...] = (Fixed("number"), Fixed("equation"), Fixed("what it says"))
 
 
 @dataclass(frozen=True)
@@ -308,14 +314,14 @@ class Legend:
     """What the marks in the margin mean."""
 
     rows: tuple[tuple[Verdict, str], ...]
-    head: str = "In the margin, at each statement of the notes"
+    head: str = Fixed("In the margin, at each statement of the notes")
 
 
 @dataclass(frozen=True)
 class NameLine:
     """Where a student writes a name, and a date."""
 
-    words: tuple[str, ...] = ("Name", "Date")
+    words: tuple[str, ...] = (Fixed("Name"), Fixed("Date"))
 
 
 Block = (

@@ -229,7 +229,10 @@ def refuted(found: Counterexample) -> tuple[b.Rich, b.Piece, b.Piece]:
     ordered = sorted(found.values.items(), key=lambda kv: (known(kv[0])[0], str(kv[0])))
     at: list[b.Piece] = []
     for symbol, value in ordered:
-        at += [", " if at else "at ", lay.Chain((layout(symbol), short_number(value)), ("=",))]
+        at += [
+            ", " if at else b.Fixed("at "),
+            lay.Chain((layout(symbol), short_number(value)), ("=",)),
+        ]
     pair = found.left, found.right
     left, right = map(_real_number, pair)
     if left == right and pair[0] != pair[1]:
@@ -253,9 +256,9 @@ def place(found: Counterexample) -> b.Rich:
     """
     match found.entry:
         case (row, column):
-            return ("in row ", f"{row}, ", "column ", f"{column}")
+            return (b.Fixed("in row "), f"{row}, ", b.Fixed("column "), f"{column}")
         case (component,):
-            return ("in component ", f"{component}")
+            return (b.Fixed("in component "), f"{component}")
     return ()
 
 

@@ -28,15 +28,17 @@ from rigidtop.typeset.nodes import Chain, Grid, Node
 from rigidtop.typeset.sizes import width
 
 LEGEND: Mapping[Verdict, str] = {
-    Verdict.PROVED: "it was shown to hold, in symbols",
-    Verdict.SAMPLED: "it holds at random points to 40 digits, and was not shown in symbols",
-    Verdict.ASSUMING: (
+    Verdict.PROVED: b.Fixed("it was shown to hold, in symbols"),
+    Verdict.SAMPLED: b.Fixed(
+        "it holds at random points to 40 digits, and was not shown in symbols"
+    ),
+    Verdict.ASSUMING: b.Fixed(
         "it holds under the condition beside it, which the notes do not state, or under one that "
         "its lines say"
     ),
-    Verdict.CONVENTION: "right in content, at odds with the notes’ own definitions",
-    Verdict.FALSE: "it does not hold as the notes have it; the right form stands beneath",
-    Verdict.UNDECIDED: "neither shown nor refuted",
+    Verdict.CONVENTION: b.Fixed("right in content, at odds with the notes’ own definitions"),
+    Verdict.FALSE: b.Fixed("it does not hold as the notes have it; the right form stands beneath"),
+    Verdict.UNDECIDED: b.Fixed("neither shown nor refuted"),
 }
 
 
@@ -75,7 +77,7 @@ def _note(judgement: Judgement, lines: Sequence[Equation]) -> b.Rich:
     letters = {x for each in lines for x in _letters(*each.sides)}
     pieces: list[b.Piece] = []
     for words, assumed in together.items():
-        pieces += ["; " if pieces else "", "if ", words]
+        pieces += ["; " if pieces else "", b.Fixed("if "), words]
         if words and lines and not letters.issuperset(_letters(*(a.condition for a in assumed))):
             continue
         pieces.append(" (" if words else "")
@@ -89,7 +91,7 @@ def _letters(*parts: Basic) -> set[Basic]:
     return {letter for part in parts for letter in part.free_symbols}
 
 
-SAID = "The notes say: "
+SAID = b.Fixed("The notes say: ")
 
 SHORT = 45.0
 """An equation of so many letters stands in a sentence."""
@@ -104,25 +106,25 @@ def _set_right(judgement: Judgement, there: Collection[Any]) -> Iterator[b.Block
     """A statement that is wrong, its numbers, and its corrected form, in a sentence."""
     claim = judgement.claim
     said = {
-        Verdict.FALSE: "This is false",
-        Verdict.CONVENTION: "This is at odds with the notes’ own definitions",
+        Verdict.FALSE: b.Fixed("This is false"),
+        Verdict.CONVENTION: b.Fixed("This is at odds with the notes’ own definitions"),
     }[judgement.verdict]
     words: list[b.Piece] = [SAID, f"{claim.says.rstrip('.')}. ", said]
     failed = next((f for f in judgement.findings() if f.counterexample), None)
     if failed is not None and failed.counterexample is not None:
         at, left, right = refuted(failed.counterexample)
         claimed = layout(failed.check.claimed, "printed")
-        what = f"({claim.name})" if b.is_number(claim.name) else "the equation"
+        what = f"({claim.name})" if b.is_number(claim.name) else b.Fixed("the equation")
         words += [": ", *at, ", " if at else ""]
-        words += [claimed] if _in_words(claimed) else [what, " as the notes print it"]
+        words += [claimed] if _in_words(claimed) else [what, b.Fixed(" as the notes print it")]
         entry = place(failed.counterexample)
-        words += [" would be ", left, f" {failed.check.claimed.relation} ", right]
+        words += [b.Fixed(" would be "), left, f" {failed.check.claimed.relation} ", right]
         words += [" ", *entry] if entry else []
     corrected = [c for c in judgement.corrections() if c.check.claimed.sides not in there]
     equations = [finding.check.claimed for finding in corrected]
     short = [layout(equation, "printed") for equation in equations]
     if len(short) == 1 and _in_words(short[0]) and not corrected[0].check.reason:
-        words += [". It should be ", short[0], *_under(corrected[0]), "."]
+        words += [b.Fixed(". It should be "), short[0], *_under(corrected[0]), "."]
         yield b.Paragraph(tuple(words), mark=None)
         return
     yield b.Paragraph((*(each for each in words if each != ""), "."), held=bool(corrected))
@@ -191,7 +193,7 @@ def sections(judged: b.Judged, exercises: Sequence[Solution], parts: Parts) -> l
         ]
         asked = [each for each in exercises if each.exercise.section == page.section]
         if len(asked) > 1:  # one says by itself what it is
-            made.append(b.Subhead("Exercises"))
+            made.append(b.Subhead(b.Fixed("Exercises")))
         for each in asked:
             made += question(each.exercise, each.settings, numbered[id(each)], parts.points)
     return made
@@ -252,19 +254,19 @@ def question(
         settings += ["; " if settings else "", parameter.about, ": "]
         settings += given(values[parameter.name], parameter.unit)
     if settings:
-        made.append(b.Paragraph((*(piece for piece in settings if piece), "."), "Given"))
+        made.append(b.Paragraph((*(piece for piece in settings if piece), "."), b.Fixed("Given")))
     return made
 
 
-def counted(points: float) -> str:
+def counted(points: float) -> b.Fixed:
     """
     >>> counted(1), counted(2.5)
     ('1 point', '2.5 points')
     """
-    return f"{points:g} point{'s' * (points != 1)}"
+    return b.Fixed(f"{points:g} point{'s' * (points != 1)}")
 
 
-def total(points: str, exercises: int) -> str:
+def total(points: str, exercises: int) -> b.Fixed:
     """What a sheet can bring whose exercises can bring so much each.
 
     >>> total("2.5 points", 4)
@@ -279,11 +281,13 @@ def solutions(
     told: Mapping[str, str],
 ) -> list[b.Block]:
     """The appendix.  `told` says under which heading a claim of the lecture was derived."""
-    made: list[b.Block] = [b.Heading(1, "", "Solutions of the exercises", "solutions")]
+    made: list[b.Block] = [b.Heading(1, "", b.Fixed("Solutions of the exercises"), "solutions")]
     known = dict(told)
     for number, each in enumerate(exercises, 1):
         place = f"{b.anchor(each.exercise.name)}-solution"
-        made.append(b.ExerciseHead(each.exercise.title, place, "", number, kind="Solution"))
+        made.append(
+            b.ExerciseHead(each.exercise.title, place, "", number, kind=b.Fixed("Solution"))
+        )
         made += answer(each, parts, known)
         known |= {j.claim.name: "" for j in each.judgements}
     return made
@@ -298,9 +302,9 @@ def answer(solution: Solution, parts: Parts, told: Mapping[str, str]) -> list[b.
     if there:
         names: list[Any] = []
         for k, claim in enumerate(there):
-            between = "" if k == 0 else " and " if k == len(there) - 1 else ", "
+            between = "" if k == 0 else b.Fixed(" and ") if k == len(there) - 1 else ", "
             names += [between, *_called(claim, told[claim.name])]
-        made.append(b.Paragraph(("We have shown: ", *(n for n in names if n), ".")))
+        made.append(b.Paragraph((b.Fixed("We have shown: "), *(n for n in names if n), ".")))
     text, lines = solution.text, solution.lines
     new = [j for j in solution.judgements if j.claim.name not in told]
     here = {line.id for line in text.lines} if text is not None else set()
@@ -322,7 +326,7 @@ def answer(solution: Solution, parts: Parts, told: Mapping[str, str]) -> list[b.
 def laws(lines: Lecture, shown: Collection[str], notation: Notation) -> list[b.Block]:
     """What the derivations of the `shown` pages start from."""
     made = law_blocks(lines, shown, notation)
-    return [b.Heading(1, "", "Laws and definitions", "laws"), *made] if made else []
+    return [b.Heading(1, "", b.Fixed("Laws and definitions"), "laws"), *made] if made else []
 
 
 def _called(claim: Claim, section: str) -> b.Rich:
@@ -331,7 +335,7 @@ def _called(claim: Claim, section: str) -> b.Rich:
     if name is not None:
         return (name,)
     head = re.fullmatch(r"[\d.]+", section)
-    where = (" (section ", f"{section})") if head else (f" (“{section}”)" * bool(section),)
+    where = (b.Fixed(" (section "), f"{section})") if head else (f" (“{section}”)" * bool(section),)
     return (f"“{claim.says.rstrip('.')}”", *where)
 
 
@@ -353,7 +357,7 @@ def results(solution: Solution) -> list[b.Block]:
 # --- Front and back ------------------------------------------------------------------------------
 
 
-STARTS = (
+STARTS = b.Fixed(
     "What a sentence cites by its name, or by the number of an equation that is not derived here, "
     "stands under “Laws and definitions” at the end."
 )
@@ -376,14 +380,15 @@ def summary(judged: b.Judged, parts: Parts) -> list[b.Block]:
                 corrected = [f.check.claimed for f in judgement.corrections()]
                 shown_ = numbered(parts, name) or corrected[:1] or [row.equation for row in printed]
                 amiss = judgement.verdict in (Verdict.FALSE, Verdict.CONVENTION)
-                words = judgement.claim.says
+                words: b.Rich = (judgement.claim.says,)
                 if amiss:
                     right = (f.check.reason for f in judgement.corrections())
-                    words = " ".join((f"{SAID}{words.rstrip('.')}.", *filter(None, right)))
+                    said = judgement.claim.says.rstrip(".")
+                    words = (SAID, " ".join((f"{said}.", *filter(None, right))))
                 rows.append((name, tuple(shown_), words, judgement.verdict))
     if not rows:
         return []
-    return [b.Heading(1, "", "Summary of results", "results"), b.Results(tuple(rows))]
+    return [b.Heading(1, "", b.Fixed("Summary of results"), "results"), b.Results(tuple(rows))]
 
 
 def numbered(parts: Parts, number: str) -> list[Any]:
@@ -407,7 +412,7 @@ def looked_up(blocks: Sequence[b.Block], parts: Parts) -> list[b.Block]:
         for number in sorted(found - tags(blocks))
         for equation in numbered(parts, number)
     )
-    return [b.Heading(1, "", "Equations cited", "cited"), b.Display(rows)] if rows else []
+    return [b.Heading(1, "", b.Fixed("Equations cited"), "cited"), b.Display(rows)] if rows else []
 
 
 NUMBER = re.compile(r"(\(\d+\.\d+[a-z]?\))")
@@ -426,7 +431,7 @@ def linked(blocks: Sequence[b.Block]) -> list[b.Block]:
     def cited(content: b.Rich) -> b.Rich:
         made: list[Any] = []
         for piece in content:
-            parts = NUMBER.split(piece) if isinstance(piece, str) else [piece]
+            parts = NUMBER.split(piece) if type(piece) is str else [piece]
             made += [b.Cited(x, b.anchor(x)) if x in there else x for x in parts if x != ""]
         return tuple(made)
 
@@ -451,7 +456,7 @@ def _once(mark: b.Mark | None, noted: dict[b.Rich, b.Mark]) -> b.Mark | None:
     if first is mark or not b.is_number(first.name):
         return mark
     there = b.Cited(f"({first.name})", b.anchor(first.name))
-    return replace(mark, note=("as ", there), above=mark.note)
+    return replace(mark, note=(b.Fixed("as "), there), above=mark.note)
 
 
 ROOM = 65.0

@@ -350,7 +350,7 @@ def _(block: b.Results) -> str:
         (
             f'<a href="#{b.anchor(number)}">({number})</a> {seal(b.Mark(number, verdict))}',
             mathml.display(equations, "printed", NARROW),
-            prose_html(words),
+            rich(words),
         )
         for number, equations, words, verdict in block.rows
     )

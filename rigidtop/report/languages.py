@@ -131,8 +131,16 @@ SHOWN = (
 
 
 def said(words: str, language: str) -> str:
-    """The words in a language; as they are where it has no others for them."""
-    return WORDS.get(language, {}).get(words, words)
+    """The words in a language; as they are where it has no others for them.
+
+    Stops, blanks and numbers around them stay.
+
+    >>> said(", in row ", "de"), said("2.5 points", "de")
+    (', in Zeile ', '2.5 Punkte')
+    """
+    known = WORDS.get(language, {})
+    core = words if words in known else words.strip(" ,;:.(0123456789")
+    return words.replace(core, known.get(core, core), 1)
 
 
 def translated(document: b.Document) -> b.Document:
@@ -140,56 +148,8 @@ def translated(document: b.Document) -> b.Document:
     language = document.look.language
     if language not in WORDS:
         return document
-    leading = {said(words, language) for words in LEADING}
 
-    def other(part: Any, name: str) -> Any:
-        match part:
-            case str():
-                return (_counted if name == "points" else _led)(part, language)
-            case b.Mark():
-                note, above = (_pieces(each, language) for each in (part.note, part.above))
-                return replace(part, note=note, above=above)
-            case b.Paragraph(content=(str(first), _, *_)) if first.rstrip(": ") in leading:
-                return replace(part, content=_pieces(part.content, language))
-        return part
+    def other(part: Any, _: str) -> Any:
+        return said(part, language) if isinstance(part, b.Fixed) else part
 
-    subtitle = ", ".join(_counted(words, language) for words in document.subtitle.split(", "))
-    return replace(document, blocks=b.walked(document.blocks, other), subtitle=subtitle)
-
-
-def _counted(words: str, language: str) -> str:
-    """Fixed words, or so many of something.
-
-    >>> _counted("10 points", "de"), _counted("Questions and solutions", "de")
-    ('10 Punkte', 'Fragen und Lösungen')
-    """
-    count, between, unit = words.partition(" ")
-    whole = said(words, language)
-    return whole if whole != words else count + between + said(unit, language)
-
-
-LEADING = ("The notes say", "We have shown")
-"""So a sentence begins that is made of fixed words and of authors'."""
-
-
-def _led(words: str, language: str) -> str:
-    """Fixed words, or a sentence of an author's that they lead.
-
-    >>> _led("The notes say: L is along ω.", "de"), _led("T: kinetic energy.", "de")
-    ('Im Skript steht: L is along ω.', 'T: kinetic energy.')
-    """
-    first, colon, rest = words.partition(": ")
-    return said(first, language) + colon + rest if first in LEADING else said(words, language)
-
-
-def _pieces(pieces: b.Rich, language: str) -> b.Rich:
-    """A sentence whose pieces are fixed words, stops and blanks left out, or are an author's.
-
-    >>> _pieces(("if ", "the top spins", ", in row ", "3"), "de")
-    ('falls ', 'the top spins', ', in Zeile ', '3')
-    """
-    words = (x.strip(" ,;:.(") if isinstance(x, str) else "" for x in pieces)
-    return tuple(
-        x.replace(core, said(core, language)) if isinstance(x, str) and core else x
-        for x, core in zip(pieces, words, strict=True)
-    )
+    return replace(document, blocks=b.walked(document.blocks, other))

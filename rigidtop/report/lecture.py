@@ -17,7 +17,7 @@ from rigidtop.proof.verdict import Judgement
 from rigidtop.report import blocks as b
 from rigidtop.report import handout, html, myst, notations, plain, tex, typst
 from rigidtop.report.handout import Parts, order_of_figures, spoken_of
-from rigidtop.report.languages import translated
+from rigidtop.report.languages import said, translated
 from rigidtop.report.map import contracted
 from rigidtop.report.map import label as map_label
 from rigidtop.report.map import picture as map_picture
@@ -130,8 +130,8 @@ def claims_told(
         head, *told = _told(judgement, notation)
         assert isinstance(head, b.ClaimHead)
         if name in lines.names:
-            said = {"Rests on": lines.map[name], "On it rest": lines.resting(name)}
-            told += [named(label, names) for label, names in said.items() if names]
+            resting = {"Rests on": lines.map[name], "On it rest": lines.resting(name)}
+            told += [named(label, names) for label, names in resting.items() if names]
         made.append((head, told))
     return made
 
@@ -252,7 +252,7 @@ def lecture(
     blocks += [b.Paragraph((handout.STARTS,))] if laws else []
     blocks += handout.sections(judged, solutions, parts)
     if chart is not None:
-        blocks += [b.Heading(1, "", "What rests on what", "map"), numbered[chart.name]]
+        blocks += [b.Heading(1, "", b.Fixed("What rests on what"), "map"), numbered[chart.name]]
     blocks += handout.summary(judged, parts)
     if not student and solutions:
         blocks += handout.solutions(solutions, parts, told)
@@ -262,7 +262,7 @@ def lecture(
     return edition.handed_out(front.title, front.subtitle, blocks), pictures
 
 
-LETTERS = b.Heading(1, "", "Symbols in the order of first use", "letters")
+LETTERS = b.Heading(1, "", b.Fixed("Symbols in the order of first use"), "letters")
 
 LEAST = 4
 """So many numbered equations make a map."""
@@ -333,9 +333,9 @@ def _introduced(whole: b.Document, notation: Notation | None) -> b.Document:
     if notation is None or (whole.lecture and not notation.images):
         return whole
     first = notations.front(notation, symbols_used(whole.blocks))
-    said = f"{whole.colophon} {notations.origin(notation)}"
+    colophon = f"{whole.colophon} {notations.origin(notation)}"
     blocks = (*first, *map(Wording(notation).symbols, whole.blocks))
-    return replace(whole, blocks=blocks, colophon=said)
+    return replace(whole, blocks=blocks, colophon=colophon)
 
 
 def _in(notation: Notation, judgements: Sequence[Judgement]) -> tuple[Judgement, ...]:
@@ -366,13 +366,14 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
     for number, each in enumerate(solutions, 1):
         made += handout.question(each.exercise, each.settings, number, points)
         if not student:
-            made.append(b.Subhead("Solution"))
+            made.append(b.Subhead(b.Fixed("Solution")))
             made += handout.answer(each, parts, told)
             told |= {j.claim.name: "" for j in each.judgements}
     made += handout.looked_up(made, parts)
     made = handout.linked(handout.parted([*made, *symbol_list(made, LETTERS)]))
-    subtitle = "Questions" if student else "Questions and solutions"
-    subtitle += f", {handout.total(points, len(solutions))}" if points else ""
+    about = ["Questions" if student else "Questions and solutions"]
+    about += [handout.total(points, len(solutions))] if points else []
+    subtitle = ", ".join(said(words, edition.look.language) for words in about)
     return edition.handed_out(edition.front.exercises, subtitle, made), pictures
 
 

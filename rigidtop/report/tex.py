@@ -495,7 +495,7 @@ def _(block: b.Results) -> str:
         shown = r" \\ ".join(map(align_row, lines))
         made.append(
             rf"\rtmark{{{verdict}}} & \rtcited{{{b.anchor(number)}}}{{({number})}} & "
-            rf"\rtrows{{{shown}}} & {prose(words)} \\"
+            rf"\rtrows{{{shown}}} & {rich(words)} \\"
         )
     return "\n".join(
         [

@@ -289,7 +289,7 @@ def _(block: b.Results) -> str:
         (
             f'#link(label("{b.anchor(number)}"))[{plain(f"({number})")}]',
             "".join(f"$ {maths(latex(each, 'printed'))} $" for each in equations),
-            prose(words),
+            rich(words),
         )
         for number, equations, words, _ in block.rows
     ]

@@ -1,4 +1,4 @@
-"""What `rigidtop lecture` is asked for in the shell; the documents are judged in tests/present."""
+"""What `rigidtop lecture` is asked for in the shell; the documents are judged in tests/report."""
 
 import re
 
@@ -12,6 +12,9 @@ def written(tmp_path_factory):
     """Every kind of file of a small collection, with what is one's own in it."""
     folder = tmp_path_factory.mktemp("lecture")
     assert main(["new", str(folder / "my_course")]) == 0
+    page = folder / "my_course" / "pendulum.py"
+    own_words = page.read_text("utf-8").replace("The period of a wide swing", "value")
+    page.write_text(own_words.replace("the pendulum moves", "at"), "utf-8")
     preamble = folder / "own.tex"
     preamble.write_text("% my own preamble\n", "utf-8")
     own = [
@@ -51,6 +54,12 @@ def test_title_author_course_paper_and_preamble_are_ones_own(written):
     assert "{&quot;Results only&quot;: &quot;Nur Ergebnisse" in page
     assert '<p class="byline">A. Lecturer, PHY 1</p>' in page
     assert "<title>Pendulums at $5: θ̇</title>" in page
+
+
+def test_ones_own_words_are_not_translated(written):
+    source = (written / "lecture.tex").read_text("utf-8")
+    assert r"\rtexercise{Aufgabe 1. value}" in source
+    assert r"\rtnote{falls at" in source
 
 
 def test_a_verdict_is_a_mark_with_its_word(written):
