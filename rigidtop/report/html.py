@@ -151,6 +151,7 @@ def _figure(block: b.Figure, figures: Mapping[str, str]) -> str:
     svg = svg.replace("<svg", f'<svg role="img" aria-label="{label}"{room}', 1)
     caption = f"<strong>{block.label}.</strong> {prose_html(block.caption)}"
     place = f'id="{block.anchor}" data-figure="{block.name}"'
+    place += ' class="broad"' * (size is not None and float(size[1]) > 350)  # two columns on paper
     return f"<figure {place}>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>"
 
 
@@ -323,10 +324,10 @@ def _(block: b.Symbols) -> str:
 def _(block: b.ExerciseHead) -> str:
     level = f"h{block.level + 1}"
     title = f"<{level}>{block.label}. {prose_html(block.title)}</{level}>"
-    points = f" {escape(block.points)}" if block.points else ""
+    points = f' <span class="points">{escape(block.points)}</span>' if block.points else ""
     return (
         f'<div class="head exercise" id="{block.anchor}">{title}'
-        f'<span class="asks">{prose_html(block.asks)}{points}</span></div>'
+        f'<span class="asks">{prose_html(block.asks)}</span>{points}</div>'
     )
 
 

@@ -43,7 +43,7 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
     byline = [rf"{{\normalsize {prose(document.byline)}\par}}"] if document.byline else []
     return "\n".join(
         [
-            _preamble(document),
+            _preamble(document, r"\rtnote" in body),
             r"\begin{document}",
             rf"{{\LARGE\bfseries\raggedright {title.replace(': ', TURN)}\par}}",
             rf"{{\large\raggedright {prose(document.subtitle)}\par}}",
@@ -160,7 +160,7 @@ def _style(name: str) -> str:
     return files("rigidtop.report").joinpath("styles", name).read_text("utf-8")
 
 
-def _preamble(document: b.Document) -> str:
+def _preamble(document: b.Document, noted: bool) -> str:
     about = {
         "@TITLE@": document.title,
         "@AUTHOR@": document.author,
@@ -169,6 +169,8 @@ def _preamble(document: b.Document) -> str:
     }
     look = document.look
     made = _style("lecture.tex" if document.lecture else "record.tex")
+    if document.lecture and not noted:  # a sheet: nothing stands beside it
+        made = made.replace("textwidth=134mm", "textwidth=146mm").replace("left=25mm", "hcentering")
     made = made.replace("@PAPER@", f"{look.paper}paper")
     made = made.replace("@LANGUAGE@", LANGUAGES[look.language])
     made = made.replace("@CONTENTS@", prose(said("Contents", look.language)))
