@@ -10,16 +10,23 @@ from functools import singledispatch
 from importlib.resources import files
 from typing import Any
 
-from rigidtop.notation.characters import ESCAPES, MATHS, SIGNS, SUPERSCRIPTS, escape
-from rigidtop.proof.verdict import Verdict
+from rigidtop.notation.characters import ESCAPES
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
 from rigidtop.report.languages import said
+from rigidtop.report.tex_lines import (
+    aligned,
+    beside,
+    display,
+    in_line,
+    rich,
+    stands_alone,
+    upright,
+)
 from rigidtop.typeset import nodes as lay
 from rigidtop.typeset import sizes
-from rigidtop.typeset.latex import AlignRow, align, align_row, latex, row_lines, seen
-from rigidtop.typeset.layout import layout
+from rigidtop.typeset.latex import align, align_row, latex
 from rigidtop.typeset.sentences import prose
 
 
@@ -112,7 +119,7 @@ def _joined(
             isinstance(block, b.Paragraph)
             and isinstance(after, b.Display)
             and (after.step and after.rows[0].reason and not block.held)
-            and not _stands_alone(after)
+            and not stands_alone(after)
         ):
             pending = words + "\n"
         else:
@@ -123,11 +130,6 @@ def _joined(
 
 COLUMN = 36.0
 """Letters of a line in a column of a page of one's own."""
-
-
-def _stands_alone(block: b.Display) -> bool:
-    """Whether a step is a line of its own."""
-    return bool(_in_line(_beside(block.rows, block.room), block.room))
 
 
 def _headings(document: b.Document) -> list[b.Heading]:
@@ -189,10 +191,6 @@ def _shown(block: b.Block, figures: Mapping[str, str]) -> str:
     return tex_block(block)
 
 
-def _note(mark: b.Mark | None) -> str:
-    return rf"\rtnote{{{rich(mark.note)}}}" if mark is not None and mark.note else ""
-
-
 def _figure(block: b.Figure, path: str) -> str:
     about = (path, block.anchor, block.label, prose(block.caption))
     return r"\rtfigure" + "".join(f"{{{part}}}" for part in about)
@@ -208,48 +206,10 @@ def fragment(blocks: Sequence[b.Block]) -> str:
             if first.follows and first.reason:  # no sentence: it would stand alone
                 made += [f"% {line}" for line in textwrap.wrap(plain.rich(first.spoken), 88)]
                 first = replace(first, reason="")
-            made.append(align([_align_row(row, sizes.LINE) for row in (first, *rest)]))
+            made.append(align([aligned(row, sizes.LINE) for row in (first, *rest)]))
         else:
             made += [f"% {line}" for line in plain.fragment([block]).splitlines() if line]
     return "\n".join(made) + "\n"
-
-
-def rich(content: b.Rich) -> str:
-    """Running text with formulas."""
-    return "".join(map(_piece, content))
-
-
-def _piece(piece: b.Piece) -> str:
-    if isinstance(piece, b.Unit):
-        return _unit(piece.spaced)
-    if isinstance(piece, Verdict):
-        return rf"\verdict{{{piece}}}"
-    if isinstance(piece, b.Cited):
-        return rf"\rtcited{{{piece.anchor}}}{{{prose(piece.words)}}}"
-    return prose(piece) if isinstance(piece, str) else f"${_in_words(piece)}$"
-
-
-def _in_words(node: lay.Node) -> str:
-    """Mathematics in a sentence: fractions with a slash; what is long may be broken."""
-    match node:
-        case lay.Chain():
-            signs = ["", *(f" {SIGNS[sign]} " for sign in node.signs)]
-            sides = zip(signs, node.sides, strict=True)
-            return "".join(sign + _in_words(side) for sign, side in sides)
-        case lay.Sum(terms=(lay.Signed(negative=True, body=body),)):
-            return "-" + _in_words(body)
-        case lay.Derivative(body=lay.Letter(), inside=True, order=1):
-            d = r"\partial " if node.partial else "d"
-            flat = f"{d}{latex(node.body)}/{d}{latex(node.by)}"
-            return rf"({flat})_{{\text{{{escape(node.frame)}}}}}" if node.frame else flat
-        case lay.Fraction(small=False):
-            ends = [node.over.factors[-1] if isinstance(node.over, lay.Product) else node.over]
-            bare = any(isinstance(end, lay.Apply) and not end.brackets for end in ends)
-            over = lay.Brackets(node.over) if bare else lay.as_factor(node.over, False)
-            single = isinstance(node.under, lay.Letter | lay.Number | lay.Power | lay.Root)
-            under = node.under if single else lay.bracketed(node.under)
-            return rf"{_in_words(over)}/\penalty500 {latex(under)}"
-    return latex(node).replace(")(", r")\allowbreak (")
 
 
 @singledispatch
@@ -310,116 +270,9 @@ def _(block: b.ClaimHead) -> str:
 @tex_block.register
 def _(block: b.Display) -> str:
     label = rf"\lab{{{prose(block.label)}}}" if block.label else ""
-    rows = _beside(block.rows, block.room) if block.step else block.rows
-    step = _in_line(rows, block.room, label) if block.step else ""
+    rows = beside(block.rows, block.room) if block.step else block.rows
+    step = in_line(rows, block.room, label) if block.step else ""
     return step or label + "\n" * bool(label) + display(rows, block.room)
-
-
-def _beside(rows: Sequence[b.Row], room: float) -> Sequence[b.Row]:
-    """Short equations of one step side by side, in lines of as many as have room in each."""
-    if any(row.tag or row.beside or row.reason for row in rows[1:]) or rows[0].tag:
-        return rows
-    widths = [sizes.width(layout(row.equation, row.order)) + 5 for row in rows]
-    for k in range(len(rows), 1, -1):
-        starts = range(0, len(rows), k)
-        if len(rows) % k == 0 and all(sum(widths[i : i + k]) <= room + 5 for i in starts):
-            return [_together(rows[i : i + k]) for i in starts]
-    return rows
-
-
-def _together(rows: Sequence[b.Row]) -> b.Row:
-    mark = next((row.mark for row in reversed(rows) if row.mark is not None), None)
-    anchor = next((row.anchor for row in reversed(rows) if row.anchor), "")
-    return replace(rows[0], beside=tuple(r.equation for r in rows[1:]), mark=mark, anchor=anchor)
-
-
-WORD = 0.9
-"""The width of a letter of a sentence in letters of an equation."""
-
-
-def _in_line(rows: Sequence[b.Row], room: float, label: str = "") -> str:
-    """A short step in one line with its sentence; nothing where it is longer, or has a number."""
-    row, *more = rows
-    if more or row.tag or row.mark is not None or not row.reason:
-        return ""
-    equations = (row.equation, *row.beside)
-    words = rich(row.spoken)
-    width = sum(sizes.width(layout(each, row.order)) + 3 for each in equations)
-    # Neither its indent nor the place of a number is needed.
-    if WORD * len(seen(words)) + width > 1.1 * room:
-        return ""
-    shown = r" \qquad ".join(latex(each, row.order) for each in equations)
-    return rf"\rtstep{{{label}{words}}}{{{shown}}}"
-
-
-def display(rows: Sequence[b.Row], room: float = sizes.LINE) -> str:
-    """The rows in ``align``, smaller where a line is too wide for the page.
-
-    Rows share their = sign as long as that does not make them too wide together.
-    """
-    together: list[list[AlignRow]] = []
-    for row in rows:
-        lines = _align_row(row, room)
-        if together and _width([*together[-1], lines]) <= WIDE * room:
-            together[-1].append(lines)
-        else:
-            together.append([lines])
-    # Side notes go out from the sentence: inside the display there is no place for them.
-    notes = "".join(_note(row.mark) for row in rows)
-    together[0][0] = replace(together[0][0], reason=together[0][0].reason + notes)
-    made = "\n".join(_sized(rows, room) for rows in together)
-    # Behind a side note LaTeX would allow the page to end.
-    return rf"{{\interlinepenalty10000 {made}\par}}" if notes else made
-
-
-WIDE = 1.04
-"""A line that is wider than this, in its room, does not fit in its usual size."""
-
-
-def _sized(rows: Sequence[AlignRow], room: float) -> str:
-    if _width(rows) <= WIDE * room:
-        return align(rows, room)
-    (row,) = rows
-    inside = r" \\ ".join(row_lines(_hung(row)))
-    place = rf"\phantomsection\label{{{row.label}}}" if row.label else ""
-    behind = (f"({row.tag})" if row.tag else "") + row.behind
-    return (
-        rf"{row.reason}\rtfit{{{place}}}{{$\begin{{aligned}}{inside}\end{{aligned}}$}}{{{behind}}}"
-    )
-
-
-def _hung(row: AlignRow) -> AlignRow:
-    """A row with its left side in a line of its own, where that makes it less wide."""
-    first, *rest = row.lines
-    if first.left is None or sizes.width(first.left) < HUNG:
-        return row
-    left = sizes.Line(None, "", first.left)
-    return replace(row, lines=(left, replace(first, left=None), *rest), hung=True)
-
-
-HUNG = 6.0
-"""A left side that is shorter than this gives no room where it stands alone."""
-
-
-def _width(rows: Sequence[AlignRow]) -> float:
-    """What rows need that share their = sign, in letters."""
-    lines = [line for row in rows for line in row.lines]
-    left = max(sizes.width(line.left) if line.left else 0 for line in lines)
-    return left + 3 + max(sizes.width(line.right) for line in lines)
-
-
-def _align_row(row: b.Row, room: float) -> AlignRow:
-    mark = f"({row.verdict})" if row.verdict is not None else ""
-    lines = tuple(sizes.lines(row.equation, row.order, room))
-    if row.beside:
-        every = [layout(each, row.order) for each in (row.equation, *row.beside)]
-        first, *more = every
-        assert isinstance(first, lay.Chain)
-        (line,) = sizes.lines(first, row.order, 10 * room)
-        lines = (replace(line, right=lay.Listed((line.right, *more), "")),)
-    seal = rf"\rtseal{{{row.mark.verdict}}}" if row.mark is not None else ""
-    label = row.anchor if seal or row.tag else ""
-    return AlignRow(lines, row.tag, rich(row.spoken), mark, seal, label)
 
 
 @tex_block.register
@@ -449,21 +302,10 @@ def _(block: b.Listing) -> str:
     )
 
 
-def _unit(unit: str) -> str:
-    """A unit in upright letters."""
-    return "".join(map(_unit_character, unit))
-
-
-def _unit_character(c: str) -> str:
-    if c in SUPERSCRIPTS:
-        return f"$^{{{SUPERSCRIPTS[c]}}}$"
-    return f"${MATHS[c]}$" if c in "−×″" else r"\," if c == " " else escape(c)
-
-
 @tex_block.register
 def _(block: b.Symbols) -> str:
     rows = "\n".join(
-        rf"\rtsymbol{{${latex(node)}$}}{{{prose(meaning)}}}{{{'' if unit == '1' else _unit(unit)}}}"
+        rf"\rtsymbol{{${latex(node)}$}}{{{prose(meaning)}}}{{{upright(unit * (unit != '1'))}}}"
         for node, meaning, unit in block.rows
     )
     return f"\\begin{{rtsymbols}}{rows}\\end{{rtsymbols}}"
@@ -520,7 +362,7 @@ def _(block: b.Subhead) -> str:
 
 @tex_block.register
 def _(block: b.Quantities) -> str:
-    units = ["" if unit in ("", "1") else _piece(b.Unit(unit)) for _, _, unit in block.rows]
+    units = ["" if unit in ("", "1") else rich((b.Unit(unit),)) for _, _, unit in block.rows]
     rows = [
         rf"\rtquantity{{{prose(what)}}}{{{_cell(value)}{behind}}}"
         for (what, value, _), behind in zip(block.rows, units, strict=True)

@@ -12,7 +12,7 @@ from rigidtop.figures import friction, nutation
 from rigidtop.figures.catalog import FIGURES, named
 from rigidtop.figures.drawing import rendered
 from rigidtop.figures.style import COLUMN, STYLE, TEXT, WIDE
-from rigidtop.report import tex
+from rigidtop.report import tex_lines
 
 every_figure = pytest.mark.parametrize("drawing", FIGURES, ids=lambda drawing: drawing.name)
 
@@ -75,7 +75,7 @@ def test_every_parameter_changes_the_picture_and_its_caption(drawing):
     picture, caption = content(drawing, {}), drawing.caption(**values)
     assert picture == content(drawing, {})
     words = drawing.alternative(**values)
-    assert tex.rich((caption,))
+    assert tex_lines.rich((caption,))
     assert words.isascii()
     assert len(words) > 80
     of_the_frame = ("omega3", "phi_dot") if drawing.name == "regimes" else ()

@@ -32,7 +32,7 @@ from rigidtop.proof.page import (
     Step,
 )
 from rigidtop.proof.verdict import Finding, Judgement, Verdict
-from rigidtop.report import html, pdf, plain, tex, typst
+from rigidtop.report import html, pdf, plain, tex, tex_lines, typst
 from rigidtop.report.blocks import (
     ClaimHead,
     DataTable,
@@ -244,7 +244,7 @@ def test_a_correction_with_a_fraction_is_listed(printed):
     content = _listed(printed, "3.45")
     assert plain.rich(content) == "It is not. Corrected: φ̇ = (L_z − L₃ cos θ)/(λ₁ sin² θ)."
     flat = r"(L_{z} - L_{3}\cos\theta)/\penalty500 (\lambda_{1}\sin^{2}\theta)"
-    assert flat in tex.rich(content)
+    assert flat in tex_lines.rich(content)
 
 
 def test_fractions_in_sentences_have_brackets_where_they_need_them():
@@ -258,7 +258,7 @@ def test_fractions_in_sentences_have_brackets_where_they_need_them():
         Rational(1, 2) * a: r"\tfrac{1}{2}a",
     }
     for value, written in shown.items():
-        assert tex.rich((layout(value),)).replace(r"\penalty500 ", "") == f"${written}$"
+        assert tex_lines.rich((layout(value),)).replace(r"\penalty500 ", "") == f"${written}$"
 
 
 def test_products_too_long_for_a_line_are_broken_before_and_inside_brackets():
@@ -729,7 +729,7 @@ def test_every_figure_of_the_lecture_has_words():
     for figure in (Picture(each.name, each, {}).described(1) for each in FIGURES):
         assert len(figure.alternative) > 80
         assert figure.alternative.isascii()  # it is spoken
-        assert tex.rich((figure.caption,))
+        assert tex_lines.rich((figure.caption,))
 
 
 def test_equality_of_conditions():
