@@ -221,9 +221,12 @@ class Wording:
             for found in (sorted(self._tex, key=len, reverse=True), self._tex_bases)
         )
         other = r"\\(?:mathrm|mathbf|boldsymbol)\{[^}]*\}|\\[A-Za-z]+|."
-        parts = re.finditer(rf"({known})(?!_)|({bases or '(?!)'})|{other}", tex)
+        parts = re.finditer(rf"({known})(?!_)|({bases or '(?!)'})|_\{{(\\[a-z]+)\}}|{other}", tex)
         made = (
-            f"{self._tex[m[1]]} " if m[1] else f"{self._tex_bases[m[2]]}" if m[2] else m[0]
+            (m[1] and f"{self._tex[m[1]]} ")
+            or (m[2] and self._tex_bases[m[2]])
+            or (m[3] and f"_{{{self._label(m[3])}}}")  # what names a letter, such as p_ψ
+            or m[0]
             for m in parts
         )
         return "".join(made).strip().replace("--", "")

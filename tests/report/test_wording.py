@@ -138,6 +138,7 @@ def test_names_in_figures_are_other_letters():
     assert label(r"$\omega_k$, $\Omega_s$") == r"$\Omega_{k}$, $\Omega_{s}$"
     assert label(r"$\mathbf{R}_\mathrm{CM}$") == r"$\mathbf{R}_\mathrm{CM}$"
     assert label("M of N") == "M of N"
+    assert Wording(named("goldstein")).label(r"${p_\psi}^2$") == r"${p_{\psi}}^2$"
     assert Wording(named("goldstein")).label(r"$\dot\phi$ by $\phi$ to $R\phi$") == (
         r"$\dot{\phi}$ by $\phi$ to $l (\phi-\pi/2)$"
     )
