@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import TypeVar
 
 from matplotlib.axes import Axes
 
@@ -12,6 +13,8 @@ from rigidtop.figures.style import degrees, said
 from rigidtop.motion.rigid import SymmetricTop
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
+
+T = TypeVar("T")
 
 TOP = (
     Parameter("lambda1", 0.02, "moment across the axis, about the pivot", "kg m²", above=0),
@@ -26,17 +29,17 @@ THETA = Parameter("theta", math.pi / 3, "$θ$ at the start", "rad", least=0, mos
 SPIN = Parameter("omega3", 40.0, "$ω₃$", "rad/s", above=0)
 
 
-def of_top(draw: Callable[..., None]) -> Callable[..., None]:
-    """What draws on Axes by parameters, from what takes a heavy top and those that `TOP` has not.
+def of_top(told: Callable[..., T]) -> Callable[..., T]:
+    """What takes all parameters by name, from what takes a heavy top and those that `TOP` has not.
 
-    Both have the Axes first.
+    Axes stand before both.
     """
     names = [parameter.name for parameter in TOP]
 
-    def drawn(axes: Axes, **values: float) -> None:
-        draw(axes, HeavyTop(**{name: values.pop(name) for name in names}), **values)
+    def of_all(*axes: Axes, **values: float) -> T:
+        return told(*axes, HeavyTop(**{name: values.pop(name) for name in names}), **values)
 
-    return drawn
+    return of_all
 
 
 def top_in_words(top: SymmetricTop) -> str:

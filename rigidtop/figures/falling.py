@@ -137,8 +137,7 @@ def draw_sleeping(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> Non
     axes.set(xlim=(0, last), xlabel=r"$\omega_3$  (rad/s)", **ALL_TILTS)
 
 
-def _sleeping_caption(theta: float, omega3: float, **top: float) -> str:
-    body = HeavyTop(**top)
+def _sleeping_caption(body: HeavyTop, theta: float, omega3: float) -> str:
     first, last = body.motion(theta=theta, omega3=omega3).turning_points
     return (
         f"How far a top with {top_in_words(body)} falls that is let go at $θ = {degrees(theta)}$ "
@@ -149,8 +148,7 @@ def _sleeping_caption(theta: float, omega3: float, **top: float) -> str:
     )
 
 
-def _sleeping_in_words(theta: float, omega3: float, **top: float) -> str:
-    body = HeavyTop(**top)
+def _sleeping_in_words(body: HeavyTop, theta: float, omega3: float) -> str:
     return (
         "The largest theta against the spin falls from 180 degrees without spin, ever more "
         f"steeply, to nearly its start, {spoken(math.degrees(theta))} degrees, at the spin "
@@ -169,6 +167,6 @@ SLEEPING = Drawing(
         Parameter("omega3", 22.0, "$ω₃$ that is marked", "rad/s", least=0),
     ),
     alone(2.3, of_top(draw_sleeping)),
-    _sleeping_caption,
-    _sleeping_in_words,
+    of_top(_sleeping_caption),
+    of_top(_sleeping_in_words),
 )

@@ -110,9 +110,8 @@ def _draw_paths(**values: float) -> Canvas:
     return drawn
 
 
-def _paths_caption(theta: float, phi_dot: float, omega3: float, **top: float) -> str:
+def _paths_caption(body: HeavyTop, theta: float, phi_dot: float, omega3: float) -> str:
     _leaning(theta)
-    body = HeavyTop(**top)
     return (
         f"The path of $e₃$ on the sphere from {start_in_words(theta, omega3)} with $θ̇ = 0$ and "
         f"$φ̇ = {said(phi_dot)}$, 0 and {said(-phi_dot)} rad/s, for {top_in_words(body)}. "
@@ -142,7 +141,7 @@ PATHS = Drawing(
         SPIN,
     ),
     _draw_paths,
-    _paths_caption,
+    of_top(_paths_caption),
     _paths_in_words,
     motions=_paths,
 )
@@ -389,9 +388,8 @@ def _name_area(
         )
 
 
-def _regimes_caption(theta: float, omega3: float, phi_dot: float, **top: float) -> str:
+def _regimes_caption(body: HeavyTop, theta: float, omega3: float, phi_dot: float) -> str:
     _leaning(theta)
-    body = HeavyTop(**top)
     least = body.smallest_spin(theta)
     begins = f" It begins at $ω₃ = {said(least)}$ rad/s." if 0 < least < omega3 else ""
     reached = spin_to_the_upright(body, theta)
@@ -407,9 +405,8 @@ def _regimes_caption(theta: float, omega3: float, phi_dot: float, **top: float) 
     )
 
 
-def _regimes_in_words(theta: float, omega3: float, phi_dot: float, **top: float) -> str:
+def _regimes_in_words(body: HeavyTop, theta: float, omega3: float, phi_dot: float) -> str:
     _leaning(theta)
-    body = HeavyTop(**top)
     points = np.linspace(0.05, 1, 20) * omega3, np.linspace(-0.99, 0.99, 20) * phi_dot
     regimes = regime_map(body, theta, *points)
     share = float(np.mean(regimes == "loops"))
@@ -433,6 +430,6 @@ REGIMES = Drawing(
         Parameter("phi_dot", 30.0, "largest $|φ̇|$", "rad/s", above=0),
     ),
     alone(2.8, of_top(draw_regimes)),
-    _regimes_caption,
-    _regimes_in_words,
+    of_top(_regimes_caption),
+    of_top(_regimes_in_words),
 )

@@ -86,8 +86,7 @@ def draw_precession_rates(axes: Axes, top: HeavyTop, theta: float, omega3: float
     axes.set(xlabel=r"$\omega_3$  (rad/s)", ylabel=r"$\Omega$  (rad/s)")
 
 
-def _precession_rates_caption(theta: float, omega3: float, **top: float) -> str:
-    body = HeavyTop(**top)
+def _precession_rates_caption(body: HeavyTop, theta: float, omega3: float) -> str:
     slow, fast = body.steady_precession(theta, omega3)
     least = body.smallest_spin(theta)
     roots = f"$Ω₋ = {said(slow)}$ rad/s"
@@ -105,8 +104,7 @@ def _precession_rates_caption(theta: float, omega3: float, **top: float) -> str:
     )
 
 
-def _precession_rates_in_words(theta: float, omega3: float, **top: float) -> str:
-    body = HeavyTop(**top)
+def _precession_rates_in_words(body: HeavyTop, theta: float, omega3: float) -> str:
     slow, fast = body.steady_precession(theta, omega3)
     least = body.smallest_spin(theta)
     if not least:
@@ -129,8 +127,8 @@ PRECESSION_RATES = Drawing(
     "3.5.3",
     (*TOP, THETA, SPIN),
     alone(2.5, of_top(draw_precession_rates)),
-    _precession_rates_caption,
-    _precession_rates_in_words,
+    of_top(_precession_rates_caption),
+    of_top(_precession_rates_in_words),
 )
 
 # --- How good the formulas for large ω₃ are ------------------------------------------------------
@@ -210,27 +208,26 @@ def draw_asymptotics(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> 
     axes.legend(handles=handles, loc="lower right", handlelength=2.2)
 
 
-def _large_spin_errors(theta: float, omega3: float, **top: float) -> tuple[float, float, float]:
-    body = HeavyTop(**top)
+def _large_spin_errors(body: HeavyTop, theta: float, omega3: float) -> tuple[float, float, float]:
     exact = body.steady_precession(theta, omega3)
     lead, _ = large_spin_formulas(body, theta, np.array([omega3]))
     slow, fast = (abs(float(a[0]) / b - 1) for a, b in zip(lead, exact, strict=True))
     return weakness(body, theta, omega3), slow, fast
 
 
-def _asymptotics_caption(theta: float, omega3: float, **top: float) -> str:
-    epsilon, slow, fast = _large_spin_errors(theta, omega3, **top)
+def _asymptotics_caption(body: HeavyTop, theta: float, omega3: float) -> str:
+    epsilon, slow, fast = _large_spin_errors(body, theta, omega3)
     return (
         "The relative error of $Ω₋ ≈ MgR/(λ₃ω₃)$ and $Ω₊ ≈ λ₃ω₃/(λ₁ cos θ)$, and of the same with "
         "the next term in $ε$, against $ε$; at $ε = 1/4$ the two roots of (3.57) meet. Dots: a "
-        f"top with {top_in_words(HeavyTop(**top))} at $θ = {degrees(theta)}$ and $ω₃ = "
+        f"top with {top_in_words(body)} at $θ = {degrees(theta)}$ and $ω₃ = "
         f"{said(omega3)}$ rad/s, $ε = {said(epsilon)}$, where the first are off by "
         f"{said(100 * slow)} and {said(100 * fast)} %."
     )
 
 
-def _asymptotics_in_words(theta: float, omega3: float, **top: float) -> str:
-    epsilon, slow, fast = _large_spin_errors(theta, omega3, **top)
+def _asymptotics_in_words(body: HeavyTop, theta: float, omega3: float) -> str:
+    epsilon, slow, fast = _large_spin_errors(body, theta, omega3)
     return (
         "Relative errors against epsilon on logarithmic scales. To leading order the errors of "
         "both rates are about epsilon itself; with the next term they are of the order of its "
@@ -247,8 +244,8 @@ ASYMPTOTICS = Drawing(
     "",
     (*TOP, UPWARD, SPIN),
     alone(2.6, of_top(draw_asymptotics)),
-    _asymptotics_caption,
-    _asymptotics_in_words,
+    of_top(_asymptotics_caption),
+    of_top(_asymptotics_in_words),
 )
 
 # --- L and ω of a fast top are nearly parallel ---------------------------------------------------
@@ -345,8 +342,7 @@ def draw_parallel(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> Non
     )
 
 
-def _parallel_caption(theta: float, omega3: float, **top: float) -> str:
-    body = HeavyTop(**top)
+def _parallel_caption(body: HeavyTop, theta: float, omega3: float) -> str:
     motion = body.motion(theta=theta, omega3=omega3)
     weak = body.lambda1 * body.M * body.g * body.R / (body.lambda3 * omega3) ** 2
     largest = largest_angle(motion)
@@ -368,8 +364,8 @@ def _parallel_caption(theta: float, omega3: float, **top: float) -> str:
     )
 
 
-def _parallel_in_words(theta: float, omega3: float, **top: float) -> str:
-    motion = HeavyTop(**top).motion(theta=theta, omega3=omega3)
+def _parallel_in_words(body: HeavyTop, theta: float, omega3: float) -> str:
+    motion = body.motion(theta=theta, omega3=omega3)
     largest = largest_angle(motion)
     if not largest:
         course = "is zero all the time"
@@ -391,6 +387,6 @@ PARALLEL = Drawing(
     "",
     (*TOP, THETA, Parameter("omega3", 150.0, "$ω₃$", "rad/s", above=0)),
     alone(2.3, of_top(draw_parallel)),
-    _parallel_caption,
-    _parallel_in_words,
+    of_top(_parallel_caption),
+    of_top(_parallel_in_words),
 )
