@@ -45,7 +45,8 @@ def mathml(tree: Basic, order: Order = "auto", *, display: bool = False) -> str:
 def display(equations: Sequence[Equation], order: Order = "auto", limit: float = sizes.LINE) -> str:
     """A block ``<math>``: the lines of the equations, aligned at their relation signs.
 
-    Where the left sides leave no room for that, what follows them is hung beneath them.
+    Where the left sides leave no room for that, what follows them is hung beneath them, unless
+    that gains nothing, beneath a letter.
     """
     broken = [line for equation in equations for line in sizes.lines(equation, order, limit)]
     alt = "; ".join(text(equation, order) for equation in equations)
@@ -59,6 +60,8 @@ def display(equations: Sequence[Equation], order: Order = "auto", limit: float =
 
 SPARE = 1.15
 """A screen's line has room for a little more letters than its limit says."""
+INSET = 2
+"""By how many em a line stands in that is hung beneath another."""
 
 
 def _row(line: Line) -> str:
@@ -70,10 +73,11 @@ def _row(line: Line) -> str:
 def _hung(line: Line, limit: float) -> str:
     right = _group(_sign(line) + _ml(line.right))
     if line.left is None:
-        return f"<mtr>{_cell(right, inset=2)}</mtr>"
+        return f"<mtr>{_cell(right, inset=INSET)}</mtr>"
     left = _ml(line.left)
-    if sizes.width(line.left) + 3 + sizes.width(line.right) > SPARE * limit:
-        return f"<mtr>{_cell(left)}</mtr><mtr>{_cell(right, inset=2)}</mtr>"
+    left_side = sizes.width(line.left)
+    if left_side > INSET and left_side + 3 + sizes.width(line.right) > SPARE * limit:
+        return f"<mtr>{_cell(left)}</mtr><mtr>{_cell(right, inset=INSET)}</mtr>"
     return f"<mtr>{_cell(_group(left + right))}</mtr>"
 
 

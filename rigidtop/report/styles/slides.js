@@ -12,7 +12,7 @@ const slides = (() => {
   root.classList.add("shown");
   for (const each of main.querySelectorAll("figure")) {
     const { width: w, height: h } = each.querySelector("svg").viewBox.baseVal;
-    each.classList.toggle("tall", !upright && w < 1.6 * h);
+    each.classList.toggle("tall", !upright && w < 1.9 * h);
   }
   fitted();
 
@@ -22,7 +22,10 @@ const slides = (() => {
   const heads = (node) => node.matches("h2, h3, h4, h5, .head");
   const box = (node) => node.getBoundingClientRect();
   const units = [];
+  const letters = (node) => node.textContent.replace(/[\s\u2061-\u2064]/g, "");
   const rows = [];
+  const names = new Map();
+  let said;
   for (const whole of [...main.children].flatMap((each) => (each.matches(".columns") ? [...each.children] : each))) {
     const last = units.at(-1);
     if (whole.matches("figure")) last.figures.push(whole);
@@ -34,17 +37,30 @@ const slides = (() => {
       const inner = [...(table ? table.tBodies[0].rows : whole.matches("ul") ? whole.children : [whole])];
       const widths = table ? [...table.tHead.rows[0].cells].map((each) => box(each).width) : [];
       const { top, height: tall } = box(whole);
-      // The lines that its sentence means by "it" and "both" are said again above it.
-      const words = whole.matches(".row") ? whole.querySelector(".why")?.textContent : "";
+      // What the one sentence of a move is about: "it" and "both" are the lines just above it, others
+      // have the names of their left sides.  More sentences are a law, which rests on none.
+      const why = whole.matches(".step, .result") && whole.querySelector(".why");
+      const words = why && !/\.\s/.test(why.textContent) ? why.textContent : "";
       const meant = /\ball three\b/i.test(words) ? 3 : /\bboth\b/i.test(words) ? 2 : /\bit\b/i.test(words) ? 1 : 0;
-      const recalled = meant ? rows.slice(-meant).map((row) => row.querySelector(".eq")) : [];
-      const grey = recalled.reduce((sum, eq) => sum + 0.8 * box(eq).height, 0);
-      if (56 + grey + tall > room) recalled.length = 0; // no place for them
-      if (whole.matches(".row")) rows.push(whole);
+      const named = [...(words ? why.querySelectorAll("math") : [])].map((each) => names.get(letters(each)));
+      const needs = [...rows.slice(rows.length - meant), ...named.filter(Boolean)];
+      if (whole.matches("h2, h3, .exercise")) names.clear();
+      if (heads(whole)) said = undefined;
+      const goesOn = words || whole.matches("p:not(.label)") ? said : undefined;
+      const at = rows.length;
       for (const [k, each] of inner.entries()) {
-        const above = table && k ? box(inner[0]).top - top : recalled.length && grey;
-        units.push({ nodes: [each], whole, k, of: inner.length, tall, widths, recalled, figures: [],
+        const above = table && k ? box(inner[0]).top - top : 0;
+        units.push({ nodes: [each], whole, k, of: inner.length, tall, widths, at, needs, goesOn, figures: [],
           start: k ? box(each).top : top, end: box(each).bottom, again: heads(whole) ? 0 : 56 + above });
+      }
+      if (whole.matches(".row")) {
+        const eq = whole.querySelector(".eq");
+        said = { at, eq, tag: whole.querySelector(".tag"), tall: 8 + 0.75 * box(eq).height };
+        rows.push(said);
+        for (const line of eq.querySelectorAll("math, mtr")) {
+          const [, name] = /^([^=≈<>≠]{3,})[=≈]/.exec(letters(line)) ?? [];
+          if (name) names.set(name, said);
+        }
       }
     }
   }
@@ -57,16 +73,27 @@ const slides = (() => {
     if (unit.k) return unit.tall < room - 100 || Math.min(unit.k, unit.of - unit.k) < 3 ? 4 : 0.5;
     const shown = before.figures.length ? -0.5 : 0; // its figures come next
     const first = unit.whole.matches(".sub") && units[k + 1] ? units[k + 1] : unit; // Exercises
-    if (heads(first.whole) && !first.whole.matches(".sub")) return -100;
-    if (heads(unit.whole)) return shown - 1.1;
-    return shown + (unit.recalled.length || (earlier && heads(earlier.whole)) ? 0.4 : 0);
+    if (heads(first.whole) && (shown || !first.whole.matches(".sub"))) return -100;
+    if (heads(unit.whole)) return -1.1;
+    const leads = before.whole.matches("p") && unit.whole.matches(".row"); // to what comes next
+    return shown + (leads ? 0.4 : 0) + (earlier && heads(earlier.whole) ? 0.4 + leads : 0);
+  };
+  // A slide stands by itself: what it speaks of and the last line, where it goes on, are shown again.
+  const laid = (group) => {
+    const [first, end] = [group[0], group.at(-1).end];
+    const over = end - first.start + (first === units[0] ? 0 : first.again) - room;
+    const again = [...new Set(group.flatMap(({ needs }) => needs).concat(first.goesOn ?? []))]
+      .filter(({ at }) => at < first.at).sort((a, b) => a.at - b.at).slice(-3);
+    const all = again.reduce((sum, { tall }) => sum + tall, over);
+    return group.length === 1 && all > 0 ? { over, bare: over, recalled: [] } : { over: all, bare: over, recalled: again };
   };
   const best = [{ cost: 0 }];
-  units.forEach((last, k) => {
+  units.forEach((_, k) => {
     const after = units[k + 1] ? begun(k + 1) : 0;
     for (let from = k; from >= 0; from -= 1) {
-      const over = last.end - units[from].start + (from && units[from].again) - room;
-      if (over > 0 && from < k) break;
+      const { over, bare } = laid(units.slice(from, k + 1));
+      if (bare > 0 && from < k) break;
+      if (over > 0 && from < k) continue;
       const cost = best[from].cost + 1 + 8 * (over / room) ** 4 + after;
       if (!(best[k + 1]?.cost <= cost)) best[k + 1] = { cost, from };
     }
@@ -103,11 +130,12 @@ const slides = (() => {
     const first = group.find(({ whole }) => !heads(whole));
     if (group[0] !== first) title = undefined;
     const slide = page();
-    for (const each of group[0].recalled) {
-      const copy = again(each);
+    const recalled = laid(group).recalled.map(({ eq, tag }) => {
+      const copy = again(eq);
+      if (tag) copy.append(again(tag));
       copy.classList.add("recalled");
-      slide.append(copy);
-    }
+      return copy;
+    });
     const behind = [];
     for (const { nodes, whole, k, of, widths, figures } of group) {
       if (heads(whole)) title = whole;
@@ -131,6 +159,7 @@ const slides = (() => {
         if (first) behind.push(footed(own));
       }
     }
+    [...slide.children].find((each) => !heads(each))?.before(...recalled);
     return [footed(slide), ...behind];
   });
   main.replaceChildren(...made);
