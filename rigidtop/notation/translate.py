@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
+from itertools import repeat
 from typing import Any
 
 import sympy
@@ -70,6 +71,10 @@ def translated(tree: Expr, images: Images) -> Any:
     """
     if isinstance(tree, Equation):
         sides = [translated(side, images) for side in tree.sides]
+        positive = [_without_minuses(side) for side in sides]
+        moved = tree.relation not in "<>" and any(map(_concerns, tree.sides, repeat(images)))
+        if moved and all(x is not None for x in positive):
+            sides = positive
         return Equation(*sides, relation=tree.relation, tag=tree.tag)
     if not isinstance(tree, (Basic, sympy.MatrixBase)) or not _concerns(tree, images):
         return tree
@@ -173,6 +178,16 @@ def _without_minus(tree: Expr) -> Expr | None:
         if body is not None:
             return Mul(*tree.args[:i], body, *tree.args[i + 1 :])
     return None
+
+
+def _without_minuses(side: Expr) -> Expr | None:
+    """A side of an equation without the minus sign before each of its terms."""
+    terms = side.args if isinstance(side, Add) else (side,)
+    made = [_without_minus(term) if isinstance(term, Expr) else None for term in terms]
+    if None in made:
+        return None
+    with as_printed() if is_typed(side) else nullcontext():
+        return Add(*made) if len(made) > 1 else made[0]
 
 
 def _product(tree: Expr, parts: list[Signed]) -> Signed:

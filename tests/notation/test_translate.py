@@ -176,6 +176,13 @@ def test_a_typed_equation_stays_typed():
     assert text(GOLDSTEIN.written(crossed), "printed") == "L̇ = −Mle₂′ × g"
 
 
+def test_a_minus_before_both_sides_is_left_out_where_it_says_nothing():
+    equal = Equation(s.omega1p, -s.phidot * sin(s.theta))
+    assert text(GOLDSTEIN.written(equal)) == "ω₂′ = φ̇ sin θ"
+    less = Equation(s.omega1p, -s.phidot * sin(s.theta), relation="<")
+    assert text(GOLDSTEIN.written(less)) == "−ω₂′ < −φ̇ sin θ"
+
+
 def test_a_derivative_is_by_the_angle_itself():
     potential = sympy.Derivative(s.V, s.phi)
     assert GOLDSTEIN.written(potential) == sympy.Derivative(s.V, GOLDSTEIN.letters[s.phi])
