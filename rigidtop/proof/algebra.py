@@ -16,7 +16,7 @@ from functools import reduce
 from typing import Any
 
 import sympy
-from sympy import Add, Dummy, Expr, Integer, MatrixBase, Mul, Pow, Symbol
+from sympy import Add, Dummy, Expr, Integer, MatrixBase, Mul, Pow, Symbol, srepr
 
 from rigidtop.proof.equation import (
     BODY,
@@ -224,7 +224,7 @@ class Algebra(Operators):
             three = (*a.args, b)
             if len(set(three)) < 3:
                 return Integer(0)
-            order = sorted(range(3), key=lambda k: _place(three[k]))
+            order = sorted(range(3), key=lambda k: srepr(three[k]))
             sign = 1 if order in ([0, 1, 2], [1, 2, 0], [2, 0, 1]) else -1
             x, y, z = (three[k] for k in order)
             return sign * self.atom(Dot(Cross(x, y), z))
@@ -242,8 +242,8 @@ class Algebra(Operators):
             if set(image.terms) != {Applied(made, right)}:
                 return self.dot(self._one(left), image)
         _, left, right, made = min(
-            (_place(sympy.Tuple(u, v, operator)), u, v, operator),
-            (_place(sympy.Tuple(v, u, back)), v, u, back),
+            (srepr(sympy.Tuple(u, v, operator)), u, v, operator),
+            (srepr(sympy.Tuple(v, u, back)), v, u, back),
             key=lambda found: found[0],
         )
         return self.atom(Dot(left, Applied(made, right)))
@@ -251,7 +251,7 @@ class Algebra(Operators):
     def _ordered(self, a: Expr, b: Expr) -> Expr:
         named = self.letters.components
         made = named.get((a, b)) or named.get((b, a))
-        return self.atom(made or Dot(*sorted((a, b), key=_place)))
+        return self.atom(made or Dot(*sorted((a, b), key=srepr)))
 
     def cross(self, left: Value, right: Value) -> Vector:
         if is_zero(left) or is_zero(right):
@@ -279,7 +279,7 @@ class Algebra(Operators):
         if isinstance(a, Cross):
             return self._cross_atoms(b, a).times(Integer(-1))
         sign = 1
-        if _place(b) < _place(a):
+        if srepr(b) < srepr(a):
             a, b, sign = b, a, -1
         return _as_vector(self.atom(Cross(a, b))).times(Integer(sign))
 
@@ -441,12 +441,8 @@ class Algebra(Operators):
             axis, vector = self.letters.fixed_components[node]
             return self.dot(self._one(axis), self._atom_rate(vector, None))
         if node in self.letters.functions:  # the chain rule
-            return Add(
-                *(
-                    self.atom(Partial(node, y)) * self._rate_of(y, {})
-                    for y in self.letters.functions[node]
-                )
-            )
+            known = self.letters.functions[node]
+            return Add(*(self.atom(Partial(node, y)) * self._rate_of(y, {}) for y in known))
         return self.atom(Rate(node))
 
     def _node_vector(self, node: Expr) -> Vector:
@@ -471,11 +467,9 @@ class Algebra(Operators):
             [inner] = [f for f in factors if self._is_vector(f)]
             scalar = Mul(*(f for f in factors if f is not inner))
             return _as_vector(self.summed(atom, self.rate(Vector({inner: scalar}), frame)))
-        if seen is None and atom in self.letters.rates:
-            made = self.atom(self.letters.rates[atom])
-        else:
-            made = self.atom(Rate(atom) if seen is None else Rate(atom, seen))
-        return _as_vector(made)
+        if seen is None:
+            return _as_vector(self.atom(self.letters.rates.get(atom, Rate(atom))))
+        return _as_vector(self.atom(Rate(atom, seen)))
 
     def _is_vector(self, node: Expr) -> bool:
         if isinstance(node, (SumOver, VolumeIntegral)):
@@ -501,7 +495,3 @@ def _factors(term: Expr) -> Iterator[Expr]:
 def _outside(node: Expr) -> tuple[bool, str]:
     """The order in which sums are written: Σ outside ∫, k outside l."""
     return isinstance(node, VolumeIntegral), str(node.args[0])
-
-
-def _place(node: Expr) -> str:
-    return str(sympy.srepr(node))
