@@ -282,15 +282,15 @@ def pieces(words: str, notation: Notation) -> tuple[Any, ...]:
         if k % 2 == 0:
             made.append(piece)
             continue
-        found = read(piece, notation)
-        if len(found) != 1 or found[0].equation is None:
-            found = read(piece + " = 0", notation)
-            tree = found[0].equation.sides[0] if len(found) == 1 and found[0].equation else None
-            if tree is None:  # an index is no symbol of the notation
-                tree = Symbol(piece) if re.fullmatch("[a-z]", piece) else Raw(piece, unread(piece))
-            made.append(tree)
-        else:
-            made.append(found[0].equation)
+        for side in (piece + " = 0", piece):  # most are no equation, and a side of one
+            found = read(side, notation)
+            tree = found[0].equation if len(found) == 1 else None
+            if tree is not None and (side == piece or len(tree.sides) == 2):
+                made.append(tree if side == piece else tree.sides[0])
+                break
+        else:  # an index is no symbol of the notation
+            letter = re.fullmatch("[a-z]", piece)
+            made.append(Symbol(piece) if letter else Raw(piece, unread(piece)))
     return tuple(piece for piece in made if piece != "")
 
 
