@@ -7,13 +7,18 @@ mystmd and Sphinx have alike is used; each claim has a page, to which its mark i
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
+from rigidtop.proof.equation import Equation
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report import markdown
 from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import align_row, latex
+from rigidtop.typeset.layout import Order
+
+CELL = 56.0
+"""How many letters wide the equations of a table are."""
 
 Claims = Sequence[tuple[b.ClaimHead, Sequence[b.Block]]]
 """Claims, and what their pages tell: the derivation, what it rests on, what rests on it."""
@@ -39,6 +44,9 @@ def write(document: b.Document, claims: Claims = ()) -> dict[str, str]:
             stands = any(f"({head.anchor})=" in page for page in made.values())
             made[f"myst/{_path(head.anchor)}.md"] = _claim(head, blocks, stands)
     made["myst/myst.yml"] = _project(document, names)
+    # The contents for a Jupyter Book before its version 2, and for Sphinx.
+    pages = "".join(f"  - file: {name}\n" for name in names[1:])
+    made["myst/_toc.yml"] = f"format: jb-book\nroot: index\nchapters:\n{pages}"
     return made
 
 
@@ -117,15 +125,12 @@ def _block(block: b.Block, above: int) -> str:
         case b.Legend():
             return "\n".join(f"- {b.MARKS[v]} {markdown.words(words)}" for v, words in block.rows)
         case b.Results():
-            return "\n".join(
-                ["| | |", "|---|---|"]
-                + [
-                    f"| [({name})](#{b.anchor(name)}) | "
-                    + " <br/> ".join(f"${latex(each, 'printed')}$" for each in equations)
-                    + " |"
-                    for name, equations, _, _ in block.rows
-                ]
+            cells = (
+                (name, markdown.aligned(_lines(equations, "printed", CELL)).replace("\n", " "))
+                for name, equations, _, _ in block.rows
             )
+            rows = (f"| [({name})](#{b.anchor(name)}) | ${cell}$ |" for name, cell in cells)
+            return "\n".join(["| | |", "|---|---|", *rows])
         case b.Symbols():
             return "\n".join(
                 ["| | | |", "|---|---|---|"]
@@ -150,11 +155,7 @@ def _display(block: b.Display) -> list[str]:
                 made.append(_margin(mark))
             if group[0].reason:
                 made.append(markdown.running(group[0].spoken))
-            lines = [
-                align_row(line)
-                for each in group
-                for line in sizes.lines(each.equation, each.order, markdown.LINE)
-            ]
+            lines = _lines([each.equation for each in group], row.order, markdown.LINE)
             number = rf" \tag{{{row.tag}}}" if row.tag else ""
             # Sphinx puts what has \\ into a split, in which there is no \tag.
             equation = markdown.aligned(lines).replace("\\\\\n", "\\cr\n") + number
@@ -162,6 +163,10 @@ def _display(block: b.Display) -> list[str]:
             made.append("\n".join([*place, "```{math}", equation, "```"]))
             group = []
     return made
+
+
+def _lines(equations: Iterable[Equation], order: Order, limit: float) -> list[str]:
+    return [align_row(line) for each in equations for line in sizes.lines(each, order, limit)]
 
 
 def _margin(mark: b.Mark) -> str:

@@ -503,7 +503,8 @@ def test_a_myst_project_has_every_numbered_equation(document):
             rf"^\(claim-3-{number}\)=\n```{{math}}[^`]*\\tag{{3.{number}}}$", whole, re.M
         )
     files = re.findall(r"- file: (\S+)", made["myst/myst.yml"])
-    assert {f"myst/{file}" for file in files} == set(made) - {"myst/myst.yml"}
+    assert {f"myst/{file}" for file in files} == set(made) - {"myst/myst.yml", "myst/_toc.yml"}
+    assert files[1:] == [f"{x}.md" for x in re.findall(r"- file: (\S+)", made["myst/_toc.yml"])]
     labels = re.findall(r"^\((\S+)\)=$", whole, re.M)
     assert len(set(labels)) == len(labels)
 
