@@ -471,7 +471,7 @@ def parted(blocks: Sequence[b.Block]) -> list[b.Block]:
     made: list[b.Block] = []
     seen = {block.name for block in blocks if isinstance(block, b.ClaimHead)}
     noted: dict[b.Rich, b.Mark] = {}
-    level, asked, nameless, room = 1, 0, 0, ROOM
+    level, asked, nameless, room = 0, 0, 0, ROOM
     for block in blocks:
         if isinstance(block, b.Heading):
             level, asked = block.level, 0
