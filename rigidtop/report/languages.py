@@ -2,6 +2,9 @@
 
 >>> said("Exercise", "de"), said("Exercise", "fr"), said("Exercise", "en")
 ('Aufgabe', 'Exercice', 'Exercise')
+
+Numbers keep their decimal points: they stand in sentences, tables and figures whose text stays
+English, where a comma parts items (1, 2, 2.9), and a work has one decimal sign throughout.
 """
 
 from __future__ import annotations
