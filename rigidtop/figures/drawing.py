@@ -28,6 +28,13 @@ RIM = 0.03
 DOTS, POINTS = 300, 72
 """Of a png, and of what is drawn in lines, to the inch."""
 
+MATHTEXT = (
+    (r"(_\{?\w\}?)'", r"\1′"),  # its own prime stands high above an index,
+    (r"_\{?([+-])\}?", r"_{{\1}}"),  # a sign apart from its letter,
+    (r"\\dot\{\\mathbf\{(\w)\}\}", r"\\mathbf{\\dot{\1}}"),  # a dot is lost on a vector
+)
+"""What Matplotlib sets better in other words."""
+
 
 @dataclass(frozen=True)
 class Film:
@@ -103,10 +110,9 @@ def _saved(
     """A figure as each of the kinds, "svg" last, which has no white behind it."""
     with matplotlib.rc_context({**STYLE, "pdf.fonttype": fonttype}):
         figure = drawing.draw(**drawing.values(given))
-        # Matplotlib's own prime stands high above an index, its own sign apart from the letter.
         for name in figure.findobj(Text):
-            primed = re.sub(r"(_\{?\w\}?)'", r"\1′", name.get_text())
-            name.set_text(re.sub(r"_\{?([+-])\}?", r"_{{\1}}", primed))
+            for ours, theirs in MATHTEXT:
+                name.set_text(re.sub(ours, theirs, name.get_text()))
         figure.dpi = POINTS
         vector = _Vector(figure)
         if engine := figure.get_layout_engine():
