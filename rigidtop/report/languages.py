@@ -116,6 +116,11 @@ equation | Gleichung | équation | ecuación | equazione
 what it says | Aussage | énoncé | enunciado | enunciato
 what | Größe | grandeur | magnitud | grandezza
 value | Wert | valeur | valor | valore
+→ ← a line, ↓ ↑ a slide, a all of it, f full screen\
+ | → ← eine Zeile, ↓ ↑ eine Folie, a alles, f ganzer Schirm\
+ | → ← une ligne, ↓ ↑ une diapositive, a tout, f plein écran\
+ | → ← una línea, ↓ ↑ una diapositiva, a todo, f pantalla completa\
+ | → ← una riga, ↓ ↑ una diapositiva, a tutto, f schermo intero
 continued | Fortsetzung | suite | continuación | continua
 Copied | Kopiert | Copié | Copiado | Copiato
 """
@@ -129,6 +134,7 @@ WORDS: Mapping[str, Mapping[str, str]] = {
 SHOWN = (
     *("Results only", "Steps", "Steps and reasons", "Light or dark"),
     *("Link", "Copy LaTeX", "Copied", "continued"),
+    "→ ← a line, ↓ ↑ a slide, a all of it, f full screen",
 )
 """What the buttons of a page and the headings of slides say."""
 

@@ -8,10 +8,13 @@
   place.className = "unseen";
   place.setAttribute("aria-live", "polite");
   document.querySelector("main").append(place);
+  const help = document.createElement("span");
+  help.textContent = `${JSON.parse(root.dataset.words)["→ ← a line, ↓ ↑ a slide, a all of it, f full screen"]} \u2003 `;
   let part = -1;
   let line = 0;
   const show = (to, uncovered) => {
     slides[part]?.classList.remove("now");
+    help.remove();
     part = Math.max(0, Math.min(slides.length - 1, to));
     line = Math.max(0, Math.min(lines[part].length, uncovered));
     slides[part].classList.add("now");
@@ -27,6 +30,7 @@
     ArrowDown: () => show(part + 1, 1), ArrowUp: () => show(part - 1, 1),
     Home: () => show(0, 1), End: () => show(slides.length - 1, 1),
     a: () => show(part, Infinity),
+    "?": () => (help.isConnected ? help.remove() : slides[part].lastChild.prepend(help)),
     f: () => document.fullscreenElement ? document.exitFullscreen() : root.requestFullscreen(),
   };
   addEventListener("keydown", (event) => {

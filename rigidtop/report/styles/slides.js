@@ -9,7 +9,7 @@ const slides = (() => {
   screen.textContent =
     `.shown { --width: ${width}px; --height: ${height}px; } @page { size: ${width}px ${height}px; }`;
   document.head.append(screen);
-  root.classList.add("shown");
+  root.classList.add("shown", ...(upright ? ["upright"] : []));
   for (const each of main.querySelectorAll("figure")) {
     const { width: w, height: h } = each.querySelector("svg").viewBox.baseVal;
     each.classList.toggle("tall", !upright && w < 1.9 * h);
