@@ -536,6 +536,12 @@ return [...document.querySelectorAll(".slide")].map((slide) => [
   Math.min(...[...slide.querySelectorAll(".eq:not(.recalled) math")].map(size)),
   slide.textContent,
 ])"""
+ALONE = """return slides.flatMap((slide) => [...slide.querySelectorAll(".why")].filter((why) => {
+  const [, meant] = /^(?!.*\\. ).*\\b(it|both)\\b/.exec(why.textContent) ?? [];
+  const before = [...slide.querySelectorAll(".eq")].filter(
+    (eq) => why.compareDocumentPosition(eq) & Node.DOCUMENT_POSITION_PRECEDING);
+  return meant && before.length < (meant === "both" ? 2 : 1);
+}).map((why) => why.textContent))"""
 PRESS = "dispatchEvent(new KeyboardEvent('keydown', { key: arguments[0] }))"
 SHOWN_NOW = """const now = document.querySelector(".slide.now");
 return [now.textContent, now.querySelectorAll(".covered").length, location.hash]"""
@@ -549,6 +555,8 @@ def test_no_slide_is_longer_than_the_screen(projector):
         assert beside <= 1, words
         assert letters is None or letters >= 28, words
         assert "as above" not in words
+    # What a sentence means by "it" and "both" is on its slide, but where a line fills that.
+    assert len(projector.execute_script(ALONE)) <= 1
 
 
 def test_the_arrow_keys_uncover_lines(projector):

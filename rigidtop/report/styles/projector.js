@@ -1,6 +1,5 @@
 // The slides on the projector: scaled to the screen, uncovered line by line with the arrow keys.
 (() => {
-  const root = document.documentElement;
   const lines = slides.map((slide) =>
     [...slide.children].filter((each) => !each.matches("h2, h3, h4, h5, .head, .side, .label, .recalled, footer"))
       .flatMap((each) => (each.matches("ul") ? [...each.children] : [each])));
@@ -9,7 +8,7 @@
   place.setAttribute("aria-live", "polite");
   document.querySelector("main").append(place);
   const help = document.createElement("span");
-  help.textContent = `${JSON.parse(root.dataset.words)["→ ← a line, ↓ ↑ a slide, a all of it, f full screen"]} \u2003 `;
+  help.textContent = `${JSON.parse(view.dataset.words)["→ ← a line, ↓ ↑ a slide, a all of it, f full screen"]} \u2003 `;
   let part = -1;
   let line = 0;
   const show = (to, uncovered) => {
@@ -31,7 +30,7 @@
     Home: () => show(0, 1), End: () => show(slides.length - 1, 1),
     a: () => show(part, Infinity),
     "?": () => (help.isConnected ? help.remove() : slides[part].lastChild.prepend(help)),
-    f: () => document.fullscreenElement ? document.exitFullscreen() : root.requestFullscreen(),
+    f: () => document.fullscreenElement ? document.exitFullscreen() : view.requestFullscreen(),
   };
   addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || !keys[event.key]) return;
@@ -40,7 +39,7 @@
   });
   addEventListener("click", (event) => {
     if (event.target.closest("a, button, input, canvas")) return;
-    if (event.clientX < innerWidth / 4) back();
+    if (event.clientX < view.clientWidth / 4) back();
     else forth();
   });
   // #68.6 is a line of a slide, #claim-3-57 or #3-57 an equation, which is uncovered.
@@ -59,8 +58,8 @@
     return show(to, Math.max(row, 0) + 1);
   };
   const fit = () => {
-    if (innerHeight > innerWidth !== upright) location.reload(); // other slides
-    root.style.setProperty("--scale", Math.min(innerWidth / width, innerHeight / height));
+    if (view.clientHeight > view.clientWidth !== upright) location.reload(); // other slides
+    view.style.setProperty("--scale", Math.min(view.clientWidth / width, view.clientHeight / height));
   };
   addEventListener("resize", fit);
   addEventListener("hashchange", open);

@@ -1,15 +1,15 @@
 // The lecture cut into slides of one size: on each what there is room for, its heading said again.
-const upright = innerHeight > innerWidth;
-const [width, height] = upright ? [640, Math.round((640 * innerHeight) / innerWidth)] : [1280, 720];
+const view = document.documentElement; // not the window: a phone's grows with what is wide in it
+const upright = view.clientHeight > view.clientWidth;
+const [width, height] = upright ? [640, Math.round((640 * view.clientHeight) / view.clientWidth)] : [1280, 720];
 const slides = (() => {
-  const root = document.documentElement;
   const main = document.querySelector("main");
-  const { continued } = JSON.parse(root.dataset.words);
+  const { continued } = JSON.parse(view.dataset.words);
   const screen = document.createElement("style");
   screen.textContent =
     `.shown { --width: ${width}px; --height: ${height}px; } @page { size: ${width}px ${height}px; }`;
   document.head.append(screen);
-  root.classList.add("shown", ...(upright ? ["upright"] : []));
+  view.classList.add("shown", ...(upright ? ["upright"] : []));
   for (const each of main.querySelectorAll("figure")) {
     const { width: w, height: h } = each.querySelector("svg").viewBox.baseVal;
     each.classList.toggle("tall", !upright && w < 1.9 * h);
