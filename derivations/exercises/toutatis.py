@@ -162,7 +162,8 @@ def toutatis(
         "periods",
         "Periods: computed, and published for the long axis of Toutatis",
         ("source", "turn of $𝛚$ about its axis (days)", "turn of this axis about $𝐋$ (days)"),
-        ((f"this motion, {mode}", 2 * half, precession), *PERIODS),
+        # With as many digits as are published.
+        ((f"this motion, {mode}", float(f"{2 * half:.3g}"), float(f"{precession:.3g}")), *PERIODS),
     )
     rows = tuple(comparison(motion, seen) for seen in OBSERVATIONS)
     yield Table(
