@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.exact import free, heavy, samples
+from rigidtop.motion.exact import free, heavy, heavy_orbit, samples
 from rigidtop.motion.rigid import RigidBody
 from rigidtop.trace import Solved
 
@@ -85,10 +85,10 @@ def start(
     halves: tuple[float, float],
     rates: tuple[float, float],
     angles: tuple[float, float],
-) -> heavy.Start:
+) -> heavy_orbit.Start:
     """From cos(θ/2) and sin(θ/2), θ̇ and φ̇ sin θ, φ and ψ."""
     mu, b = body.weight / body.lambda1, body.lambda3 * omega3 / body.lambda1
-    return heavy.Start(mu, b, omega3, *halves, *rates, *angles)
+    return heavy_orbit.Start(mu, b, omega3, *halves, *rates, *angles)
 
 
 def states(

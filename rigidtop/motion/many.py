@@ -19,7 +19,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
 from rigidtop.motion import checks
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.exact import free, heavy
+from rigidtop.motion.exact import free, heavy, heavy_orbit
 from rigidtop.motion.integrate import Progress
 from rigidtop.motion.state import TopState
 
@@ -113,7 +113,7 @@ class _Motions(ABC):
     shape: tuple[int, ...]
 
     @abstractmethod
-    def _orbits(self, index: NDArray[np.intp]) -> free.Orbit | heavy.Orbit:
+    def _orbits(self, index: NDArray[np.intp]) -> free.Orbit | heavy_orbit.Orbit:
         """Of the motions whose place in the flattened array is `index`."""
 
     def _each(self, name: str) -> Any:
@@ -171,9 +171,9 @@ class TopMotions(_Motions):
     shape: tuple[int, ...]
 
     @cached_property
-    def _start(self) -> heavy.Start:
+    def _start(self) -> heavy_orbit.Start:
         cos_half, sin_half, sine = attitudes.of_polar_angle(self.theta, np)
-        return heavy.Start(
+        return heavy_orbit.Start(
             mu=self.M * self.g * self.R / self.lambda1,
             b=self.lambda3 * self.omega3 / self.lambda1,
             omega3=self.omega3,
@@ -185,8 +185,8 @@ class TopMotions(_Motions):
             psi=self.psi,
         )
 
-    def _orbits(self, index: NDArray[np.intp]) -> heavy.Orbit:
-        return heavy.solve(heavy.Start(**_taken(vars(self._start), self.shape, index)))
+    def _orbits(self, index: NDArray[np.intp]) -> heavy_orbit.Orbit:
+        return heavy.solve(heavy_orbit.Start(**_taken(vars(self._start), self.shape, index)))
 
     def exact(self, t: ArrayLike, progress: Progress | None = None) -> TopState:
         """The states at the times `t` (s), which broadcast against `shape`.

@@ -15,7 +15,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
 from rigidtop.motion import checks, closed, systems, taylor
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.exact import free, heavy, samples
+from rigidtop.motion.exact import free, heavy, heavy_orbit, samples
 from rigidtop.motion.integrate import (
     TAYLOR,
     Accuracy,
@@ -123,9 +123,9 @@ class Motion:
         return closed.solved(self.body, self.attitude, self.omega)
 
     @property
-    def orbit(self) -> free.Orbit | heavy.Orbit:
+    def orbit(self) -> free.Orbit | heavy_orbit.Orbit:
         """The closed form: its periods, its turning points and its state at any times."""
-        found: free.Orbit | heavy.Orbit = self.solved.orbit
+        found: free.Orbit | heavy_orbit.Orbit = self.solved.orbit
         return found
 
     @property
@@ -250,14 +250,16 @@ class TopMotion(Motion):
         )
 
     @property
-    def _solvable(self) -> heavy.Start:
+    def _solvable(self) -> heavy_orbit.Start:
         first = self.start()
         return self._of_halves(
             halves=(float(first.cos_half[0]), float(first.sin_half[0])),
             rates=(float(first.theta_dot[0]), float(first.v_phi[0])),
         )
 
-    def _of_halves(self, halves: tuple[float, float], rates: tuple[float, float]) -> heavy.Start:
+    def _of_halves(
+        self, halves: tuple[float, float], rates: tuple[float, float]
+    ) -> heavy_orbit.Start:
         axis = closed.Axis(self.body.lambda1, self.body.lambda3, self.body.weight[2], None)
         return closed.start(axis, self.omega[2], halves, rates, (self.phi, self.psi))
 
@@ -289,7 +291,7 @@ class TopMotion(Motion):
             return self._row(times, self.solved.at(float(times[0])))
         even = None
         if not compiled or len(times) > samples.MANY:
-            orbit: heavy.Orbit = self.solved.orbit
+            orbit: heavy_orbit.Orbit = self.solved.orbit
             states = partial(heavy.states, self.solved, compiled=compiled)
             even = samples.samples(times, orbit.course, states, orbit.sizes)
         if even is not None:
@@ -357,7 +359,7 @@ class EulerTopMotion(TopMotion):
         return self._row(np.zeros(1), (*angles, s.v_theta, s.v_phi, s.omega3, s.b / 2))
 
     @property
-    def _solvable(self) -> heavy.Start:
+    def _solvable(self) -> heavy_orbit.Start:
         cos_half, sin_half, sine = attitudes.of_polar_angle(self.euler.theta)
         rates = self.euler.theta_dot, self.euler.phi_dot * sine
         return self._of_halves((cos_half, sin_half), rates)

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks, store
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.exact import heavy
+from rigidtop.motion.exact import heavy_orbit
 from rigidtop.motion.integrate import Progress
 from rigidtop.motion.many import CHUNK, TopMotions, top_motions
 
@@ -33,7 +33,7 @@ BLOCK = 1 << 17
 AHEAD = 64
 """Blocks on their way at a time: some for each worker, and together not much memory."""
 
-REGIMES = ("not computed", *heavy.REGIMES)
+REGIMES = ("not computed", *heavy_orbit.REGIMES)
 """Names of regimes by code; 0 is what a file holds that is not complete."""
 
 OF_MOTION = (
