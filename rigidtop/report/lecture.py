@@ -15,7 +15,7 @@ from rigidtop.notation import Notation
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.verdict import Judgement
 from rigidtop.report import blocks as b
-from rigidtop.report import handout, html, myst, notations, plain, tex, typst
+from rigidtop.report import handout, html, marks, myst, notations, plain, tex, typst
 from rigidtop.report.handout import Parts, order_of_figures, spoken_of
 from rigidtop.report.languages import said, translated
 from rigidtop.report.map import contracted
@@ -245,7 +245,7 @@ def lecture(
     for page, judgements in judged:
         *_, head = b.headings(page)
         told |= {j.claim.name: head.number or head.title for j in judgements}
-    blocks: list[b.Block] = [handout.legend(everything)]
+    blocks: list[b.Block] = [marks.legend(everything)]
     if not student:
         texts |= {each.text.name for each in solutions if each.text is not None}
     laws = handout.laws(lines, texts, notation)

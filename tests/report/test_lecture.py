@@ -39,10 +39,10 @@ from rigidtop.report.blocks import (
     Unit,
 )
 from rigidtop.report.claims import claim_blocks
-from rigidtop.report.handout import LEGEND
 from rigidtop.report.languages import SHOWN, WORDS, translated
 from rigidtop.report.lecture import FORMATS, Edition, fragment, lecture, record, sheet
 from rigidtop.report.map import columns, heights, reduced
+from rigidtop.report.marks import LEGEND
 from rigidtop.report.numbers import written
 from rigidtop.report.symbols import symbols_used
 from rigidtop.report.ways import law_blocks, running

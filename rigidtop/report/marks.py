@@ -1,0 +1,142 @@
+"""Verdicts as marks in the margin: their legend, their notes, and what is set right behind them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from sympy import Basic
+
+from rigidtop.proof.equation import Equation
+from rigidtop.proof.page import Assumption
+from rigidtop.proof.verdict import Judgement, Verdict
+from rigidtop.report import blocks as b
+from rigidtop.report.claims import condition, place, refuted, tested
+from rigidtop.typeset.layout import layout
+from rigidtop.typeset.nodes import Chain, Grid, Node
+from rigidtop.typeset.sizes import width
+
+LEGEND: Mapping[Verdict, str] = {
+    Verdict.PROVED: b.Fixed("it was shown to hold, in symbols"),
+    Verdict.SAMPLED: b.Fixed(
+        "it holds at random points to 40 digits, and was not shown in symbols"
+    ),
+    Verdict.ASSUMING: b.Fixed(
+        "it holds under the condition beside it, which the notes do not state, or under one that "
+        "its lines say"
+    ),
+    Verdict.CONVENTION: b.Fixed("right in content, at odds with the notes’ own definitions"),
+    Verdict.FALSE: b.Fixed("it does not hold as the notes have it; the right form stands beneath"),
+    Verdict.UNDECIDED: b.Fixed("neither shown nor refuted"),
+}
+
+
+def legend(judgements: Iterable[Judgement]) -> b.Legend:
+    """What the marks mean that are used."""
+    used = {judgement.verdict for judgement in judgements}
+    return b.Legend(tuple((v, words) for v, words in LEGEND.items() if v in used))
+
+
+def marked(judgement: Judgement, lines: Sequence[Equation] = ()) -> tuple[b.Mark | b.Block, ...]:
+    """The mark of a claim; behind it, where the notes are wrong, the numbers and the right form.
+
+    What its text has among its `lines` is not said again.
+    """
+    claim, verdict = judgement.claim, judgement.verdict
+    if verdict in (Verdict.FALSE, Verdict.CONVENTION):
+        there = {each.sides for each in lines}
+        mark = b.Mark(claim.name, verdict)
+        if lines and verdict is Verdict.FALSE:
+            # The lines above are right: the mark is that of the sentence in the notes.
+            said, *behind = _set_right(judgement, there)
+            assert isinstance(said, b.Paragraph)
+            return (replace(said, mark=mark), *behind)
+        return (mark, *_set_right(judgement, there))
+    return (b.Mark(claim.name, verdict, _note(judgement, lines)),)
+
+
+def _note(judgement: Judgement, lines: Sequence[Equation]) -> b.Rich:
+    """Under which conditions that the notes do not state a claim holds.
+
+    What its lines divide by, they say themselves; letters that no line has, words say.
+    """
+    if judgement.verdict is not Verdict.ASSUMING:
+        return ()
+    together: dict[str, list[Assumption]] = {}
+    for item in tested(judgement):
+        if not item.assumption.stated and item.without is not None:
+            together.setdefault(item.assumption.words.rstrip("."), []).append(item.assumption)
+    letters = {x for each in lines for x in _letters(*each.sides)}
+    pieces: list[b.Piece] = []
+    for words, assumed in together.items():
+        pieces += ["; " if pieces else "", b.Fixed("if "), words]
+        if words and lines and not letters.issuperset(_letters(*(a.condition for a in assumed))):
+            continue
+        pieces.append(" (" if words else "")
+        for k, assumption in enumerate(assumed):
+            pieces += [", " if k else "", condition(assumption)]
+        pieces.append(")" if words else "")
+    return tuple(piece for piece in pieces if piece != "")
+
+
+def _letters(*parts: Basic) -> set[Basic]:
+    return {letter for part in parts for letter in part.free_symbols}
+
+
+SAID = b.Fixed("The notes say: ")
+
+SHORT = 45.0
+"""An equation of so many letters stands in a sentence."""
+
+
+def _in_words(equation: Node) -> bool:
+    grid = isinstance(equation, Chain) and any(isinstance(each, Grid) for each in equation.sides)
+    return width(equation) < SHORT and not grid
+
+
+def _set_right(judgement: Judgement, there: Collection[Any]) -> Iterator[b.Block]:
+    """A statement that is wrong, its numbers, and its corrected form, in a sentence."""
+    claim = judgement.claim
+    said = {
+        Verdict.FALSE: b.Fixed("This is false"),
+        Verdict.CONVENTION: b.Fixed("This is at odds with the notes’ own definitions"),
+    }[judgement.verdict]
+    words: list[b.Piece] = [SAID, f"{claim.says.rstrip('.')}. ", said]
+    failed = next((f for f in judgement.findings() if f.counterexample), None)
+    if failed is not None and failed.counterexample is not None:
+        at, left, right = refuted(failed.counterexample)
+        claimed = layout(failed.check.claimed, "printed")
+        what = f"({claim.name})" if b.is_number(claim.name) else b.Fixed("the equation")
+        words += [": ", *at, ", " if at else ""]
+        words += [claimed] if _in_words(claimed) else [what, b.Fixed(" as the notes print it")]
+        entry = place(failed.counterexample)
+        words += [b.Fixed(" would be "), left, f" {failed.check.claimed.relation} ", right]
+        words += [" ", *entry] if entry else []
+    corrected = [c for c in judgement.corrections() if c.check.claimed.sides not in there]
+    equations = [finding.check.claimed for finding in corrected]
+    short = [layout(equation, "printed") for equation in equations]
+    if len(short) == 1 and _in_words(short[0]) and not corrected[0].check.reason:
+        words += [b.Fixed(". It should be "), short[0], *_under(corrected[0]), "."]
+        yield b.Paragraph(tuple(words), mark=None)
+        return
+    yield b.Paragraph((*(each for each in words if each != ""), "."), held=bool(corrected))
+    rows = tuple(
+        b.Row(finding.check.claimed, "printed", reason=_colon(finding.check.reason, finding))
+        for finding in corrected
+    )
+    if rows:
+        yield b.Display(rows)
+
+
+def _under(finding: Any) -> list[Any]:
+    """The conditions of a corrected form."""
+    made: list[Any] = []
+    for k, item in enumerate(finding.assumptions):
+        made += [", " if k else ", where ", condition(item.assumption)]
+    return made
+
+
+def _colon(reason: str, finding: Any) -> b.Rich:
+    words = reason.strip().rstrip(".:") or "What holds"
+    return (words, *_under(finding), ":")
