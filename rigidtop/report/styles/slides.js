@@ -79,19 +79,20 @@ const slides = (() => {
     return shown + (leads ? 0.4 : 0) + (earlier && heads(earlier.whole) ? 0.4 + leads : 0);
   };
   // A slide stands by itself: what it speaks of and the last line, where it goes on, are shown again.
-  const laid = (group) => {
-    const [first, end] = [group[0], group.at(-1).end];
-    const over = end - first.start + (first === units[0] ? 0 : first.again) - room;
-    const again = [...new Set(group.flatMap(({ needs }) => needs).concat(first.goesOn ?? []))]
-      .filter(({ at }) => at < first.at).sort((a, b) => a.at - b.at).slice(-3);
-    const all = again.reduce((sum, { tall }) => sum + tall, over);
-    return group.length === 1 && all > 0 ? { over, bare: over, recalled: [] } : { over: all, bare: over, recalled: again };
+  const laid = (first, last, needs) => {
+    const bare = last.end - first.start + (first === units[0] ? 0 : first.again) - room;
+    const recalled = [...new Set([...needs, first.goesOn])]
+      .filter((row) => row?.at < first.at).sort((a, b) => a.at - b.at).slice(-3);
+    const over = recalled.reduce((sum, { tall }) => sum + tall, bare);
+    return first === last && over > 0 ? { bare, over: bare, recalled: [] } : { bare, over, recalled };
   };
   const best = [{ cost: 0 }];
-  units.forEach((_, k) => {
+  units.forEach((last, k) => {
+    const needs = [];
     const after = units[k + 1] ? begun(k + 1) : 0;
     for (let from = k; from >= 0; from -= 1) {
-      const { over, bare } = laid(units.slice(from, k + 1));
+      needs.push(...units[from].needs);
+      const { over, bare } = laid(units[from], last, needs);
       if (bare > 0 && from < k) break;
       if (over > 0 && from < k) continue;
       const cost = best[from].cost + 1 + 8 * (over / room) ** 4 + after;
@@ -130,7 +131,8 @@ const slides = (() => {
     const first = group.find(({ whole }) => !heads(whole));
     if (group[0] !== first) title = undefined;
     const slide = page();
-    const recalled = laid(group).recalled.map(({ eq, tag }) => {
+    const needed = group.flatMap(({ needs }) => needs);
+    const recalled = laid(group[0], group.at(-1), needed).recalled.map(({ eq, tag }) => {
       const copy = again(eq);
       if (tag) copy.append(again(tag));
       copy.classList.add("recalled");
