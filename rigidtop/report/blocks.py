@@ -204,6 +204,7 @@ class ClaimHead:
     anchor: str
     says: str
     verdict: Verdict
+    level: int = 3
 
     @property
     def shown(self) -> str:

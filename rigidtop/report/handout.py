@@ -348,7 +348,7 @@ def parted(blocks: Sequence[b.Block]) -> list[b.Block]:
             made.append(block)
         elif isinstance(block, b.Subhead):
             made.append(replace(block, level=(asked or level) + 1))
-        elif isinstance(block, b.ExerciseHead):
+        elif isinstance(block, b.ExerciseHead | b.ClaimHead):
             # Beneath “Exercises”, where there are several.
             asked = asked or level + 1 + bool(made and isinstance(made[-1], b.Subhead))
             made.append(replace(block, level=asked))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
@@ -14,9 +15,10 @@ from rigidtop.proof.verdict import Verdict
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report.languages import SHOWN, said
+from rigidtop.report.markdown import aligned
 from rigidtop.typeset import mathml, sizes
 from rigidtop.typeset import nodes as lay
-from rigidtop.typeset.latex import latex
+from rigidtop.typeset.latex import align_row, latex
 from rigidtop.typeset.sentences import prose_html
 
 NARROW = 36.0
@@ -216,8 +218,9 @@ def _label(words: str) -> str:
 
 @html_block.register
 def _(block: b.ClaimHead) -> str:
+    level = f"h{block.level + 1}"
     return (
-        f'<div class="head claim" id="{block.anchor}"><h4>{escape(block.shown)}</h4>'
+        f'<div class="head claim" id="{block.anchor}"><{level}>{escape(block.shown)}</{level}>'
         f"{badge(block.verdict)}</div>\n"
         f'<p class="says">{prose_html(block.says)}</p>'
     )
@@ -249,9 +252,12 @@ def _row(group: Sequence[b.Row], step: bool = False) -> str:
     if not step:
         return f'<div class="row">{why}{line}</div>'
     kind = "row result" if last.tag or mark is not None else "row step"
-    source = escape(r" \\ ".join(latex(each, last.order) for each in equations))
+    source = latex(equations[0], last.order)
+    if equations[1:]:
+        lines = [sizes.lines(each, last.order, math.inf) for each in equations]
+        source = aligned([align_row(line) for each in lines for line in each])
     name = f' id="{place}"' if place else ""
-    return f'<div class="{kind}"{name} data-tex="{source}">{why}{line}</div>{_aside(mark)}'
+    return f'<div class="{kind}"{name} data-tex="{escape(source)}">{why}{line}</div>{_aside(mark)}'
 
 
 def _classed(math: str, name: str) -> str:
