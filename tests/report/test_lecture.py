@@ -374,8 +374,8 @@ def test_every_letter_is_listed_or_introduced(document):
     (symbols,) = [block for block in document.blocks if isinstance(block, Symbols)]
     said = _letters_of(tuple(b for b in document.blocks if b is not symbols))
     listed = _letters_of(tuple(node for node, *_ in symbols.rows))
-    # Coordinates, any vector and any axis, indices and the imaginary unit, a turning point.
-    introduced = {*"xyzwnilπΣᵀ", "m₁", "m₂", "m₃", "θ₁"}
+    # Coordinates, any vector and any axis, indices and the imaginary unit.
+    introduced = {*"xyzwnilπΣᵀ", "m₁", "m₂", "m₃"}
     assert introduced < said
     known = listed | introduced
     others = {re.sub("[\u0307\u0308]", "", x.replace("_i", "ᵢ")) for x in said - known}
