@@ -115,7 +115,7 @@ def constant_angle() -> Iterator[Evidence]:
 
 @claim(
     "coplanar",
-    "$e₃$, $𝛚$ and $𝐋$ remain in one plane, because the angle of $𝛚$ and $𝐋$ is constant.",
+    "It is because the angle of $𝛚$ and $𝐋$ is constant that $e₃$, $𝛚$ and $𝐋$ stay in one plane.",
 )
 def coplanar() -> Iterator[Evidence]:
     """They do, since $𝐋 = λ₁𝛚 + (λ₃ − λ₁)ω₃e₃$; but the reason given does not show it.
