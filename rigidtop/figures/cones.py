@@ -112,8 +112,9 @@ def _cones_caption(lambda1: float, lambda3: float, omega_0: float, omega3: float
     return (
         f"The cones of a free symmetric body with {_shape(lambda1, lambda3)}, $ω₀ = "
         f"{said(omega_0)}$ and $ω₃ = {said(omega3)}$ rad/s. Left: in the body frame $𝛚$ and $𝐋$ go "
-        f"round $e₃$ at $Ω_b = {said(in_body)}$ rad/s. Right: in the space frame $𝐋$ stands still, "
-        f"and the plane of the three turns about it at $Ω_s = L/λ₁ = {said(in_space)}$ rad/s."
+        f"round $-e₃$ at $Ω_b = {said(in_body)}$ rad/s. Right: in the space frame $𝐋$ stands "
+        f"still, and the plane of the three turns about it at $Ω_s = L/λ₁ = "
+        f"{said(in_space)}$ rad/s."
     )
 
 

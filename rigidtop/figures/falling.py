@@ -79,7 +79,7 @@ def _toppling_caption(**values: float) -> str:
         f"$θ$ of a top with $λ₁ = {said(top.lambda1)}$ kg m² and $MgR = "
         f"{said(top.M * top.g * top.R)}$ J that is let go without rotation at $θ = "
         f"{degrees(values['theta'])}$: it lies after {said(time_to_fall(motion))} s. Dashed: what "
-        "it would do without the table, a pendulum that is back after "
+        "it would do without the table, a pendulum that rests as high on the other side after "
         f"{said(motion.nutation_period)} s."
     )
 

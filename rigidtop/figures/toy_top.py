@@ -184,11 +184,11 @@ def _caption(**values: float) -> str:
         f"stem of {said(values['stem_mass'])} kg and {said(values['stem_length'])} m, with $g = "
         f"{said(values['g'])}$ m/s², leaning by $θ = {degrees(values['theta'])}$, to scale. "
         f"Right: its axis from above, let go with {said(found['spin_rpm'], 4)} turns a minute and "
-        f"$𝛚$ along $e₃$, {goes}. Below: against the spin, at this tilt. In steady precession "
-        f"the axis takes {said(found['slow_turn'])} s for a turn, and nutates "
-        f"{said(found['nutation'])} times a second; upright, the top sleeps from "
-        f"{said(found['sleeping_rpm'], 4)} turns a minute on. The spin has {said(found['energy'])} "
-        f"J, which could lift it by {said(found['height'])} m."
+        f"$𝛚$ along $e₃$, {goes}. Below: turns and nutations in a second, against the "
+        f"spin, at this tilt. In steady precession the axis takes {said(found['slow_turn'])} s for "
+        f"a turn, and nutates {said(found['nutation'])} times a second; upright, it sleeps "
+        f"from {said(found['sleeping_rpm'], 4)} turns a minute on. The spin has "
+        f"{said(found['energy'])} J, which could lift it by {said(found['height'])} m."
     )
 
 
