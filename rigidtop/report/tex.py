@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import singledispatch
 from importlib.resources import files
+from itertools import accumulate
 from typing import Any
 
 from rigidtop.notation.characters import ESCAPES
@@ -33,7 +34,8 @@ from rigidtop.typeset.sentences import prose
 def write(document: b.Document, figures: Mapping[str, str]) -> str:
     """The document.  `figures` says where the file of each figure lies, as seen from it."""
     parts = list(_joined(document.blocks, figures))
-    if isinstance(document.blocks[0], b.Legend) and len(_headings(document)) > FEW:
+    headings = sum(isinstance(block, b.Heading) for block in document.blocks)
+    if isinstance(document.blocks[0], b.Legend) and headings > FEW:
         # Then the pages of all that follows do not depend on how long the contents are.
         parts.insert(1 + isinstance(document.blocks[1], b.Paragraph), r"\clearpage")
         parts.insert(0, r"\vskip 0pt plus 4fil")
@@ -104,11 +106,12 @@ def _joined(
 
     Where the line is to be `measured` equations are there for a column too.
     """
+    at = (k for k, e in enumerate(blocks) if isinstance(e, b.Heading) and e.anchor in b.IN_COLUMNS)
+    solved = next(at, len(blocks))
+    blocks = [*blocks[:solved], *_floating(blocks[solved:])]
     pending = ""
-    solved = False
-    for block, after in zip(blocks, [*blocks[1:], None], strict=True):
-        if not solved and isinstance(block, b.Heading) and block.anchor in b.IN_COLUMNS:
-            solved, pending = True, "\\rtsolutions\n"
+    for k, (block, after) in enumerate(zip(blocks, [*blocks[1:], None], strict=True)):
+        pending += "\\rtsolutions\n" * (k == solved)
         shown = _shown(block, figures)
         if measured and isinstance(block, b.Display):
             narrow = tex_block(replace(block, room=min(block.room, COLUMN)))
@@ -124,16 +127,28 @@ def _joined(
             pending = words + "\n"
         else:
             yield words
-    if solved:
+    if solved < len(blocks):
         yield r"\rtrest"
+
+
+def _floating(blocks: Sequence[b.Block]) -> Iterator[b.Block]:
+    """What floats told behind the head of its solution, so that it has room there.
+
+    Narrow tables come before what goes over both columns, which would hold them up.
+    """
+    places = accumulate(isinstance(each, b.Heading | b.ExerciseHead) for each in blocks)
+    turns = [(place, _turn(each)) for place, each in zip(places, blocks, strict=True)]
+    return (blocks[k] for k in sorted(range(len(blocks)), key=turns.__getitem__))
+
+
+def _turn(block: b.Block) -> int:
+    if isinstance(block, b.DataTable):
+        return 1 + (len(block.columns) > 6)
+    return 0 if isinstance(block, b.Heading | b.ExerciseHead) else 3 - isinstance(block, b.Figure)
 
 
 COLUMN = 36.0
 """Letters of a line in a column of a page of one's own."""
-
-
-def _headings(document: b.Document) -> list[b.Heading]:
-    return [block for block in document.blocks if isinstance(block, b.Heading)]
 
 
 LANGUAGES = {"en": "british", "de": "ngerman", "fr": "french", "es": "spanish", "it": "italian"}
@@ -151,10 +166,8 @@ def style_file() -> str:
 
 def _inside(style: str) -> str:
     """A style file as a part of a preamble."""
-    lines = (
-        line for line in style.splitlines() if not re.match(r"\\(Needs|Provides|endinput)", line)
-    )
-    body = "\n".join(lines).replace(r"\RequirePackage", r"\usepackage")
+    body = re.sub(r"(?m)^\\(Needs|Provides|endinput).*\n", "", style)
+    body = body.replace(r"\RequirePackage", r"\usepackage")
     return "\\makeatletter\n" + body + "\n\\makeatother"
 
 
@@ -186,13 +199,9 @@ def _preamble(document: b.Document, noted: bool) -> str:
 
 
 def _shown(block: b.Block, figures: Mapping[str, str]) -> str:
-    if isinstance(block, b.Figure):
-        return _figure(block, figures[block.name])
-    return tex_block(block)
-
-
-def _figure(block: b.Figure, path: str) -> str:
-    about = (path, block.anchor, block.label, prose(block.caption))
+    if not isinstance(block, b.Figure):
+        return tex_block(block)
+    about = (figures[block.name], block.anchor, block.label, prose(block.caption))
     return r"\rtfigure" + "".join(f"{{{part}}}" for part in about)
 
 
@@ -313,9 +322,8 @@ def _(block: b.Symbols) -> str:
 
 @tex_block.register
 def _(block: b.ExerciseHead) -> str:
-    parts = (f"{block.label}. {block.title}", block.asks, block.points)
-    title, asks, points = map(prose, parts)
-    return rf"\rtexercise{{{title}}}{{{block.anchor}}}{{{asks}}}{{{points}}}"
+    parts = (prose(f"{block.label}. {block.title}"), block.anchor, prose(block.asks))
+    return r"\rtexercise" + "".join(f"{{{part}}}" for part in (*parts, prose(block.points)))
 
 
 @tex_block.register
@@ -363,10 +371,8 @@ def _(block: b.Subhead) -> str:
 @tex_block.register
 def _(block: b.Quantities) -> str:
     units = ["" if unit in ("", "1") else rich((b.Unit(unit),)) for _, _, unit in block.rows]
-    rows = [
-        rf"\rtquantity{{{prose(what)}}}{{{_cell(value)}{behind}}}"
-        for (what, value, _), behind in zip(block.rows, units, strict=True)
-    ]
+    told = zip(block.rows, units, strict=True)
+    rows = [rf"\rtquantity{{{prose(what)}}}{{{_cell(v)}{unit}}}" for (what, v, _), unit in told]
     # A list is parted, if at all, between at least so many rows.
     rows = [r"\nobreak" * (min(k, len(rows) - k) < TOGETHER) + row for k, row in enumerate(rows)]
     label = rf"\lab{{{prose(block.label)}}}\par\nopagebreak" if block.label else ""
@@ -382,7 +388,8 @@ def _(block: b.DataTable) -> str:
     first, *others = block.columns
     head = " & ".join([prose(first), *(_head(_stacked(words)) for words in others)])
     # Long words at the left have room for two lines.
-    left = r"p{0.62\linewidth}" if max(_letters(row[0]) for row in block.rows) > LONG else "l"
+    long = any(isinstance(row[0], str) and len(row[0]) > LONG for row in block.rows)
+    left = r"p{0.62\linewidth}" if long else "l"
     columns = f"{left}*{{{len(others)}}}{{r}}"
     rows = [" & ".join(map(_cell, row)) + r" \\" for row in block.rows]
     return "\n\n".join(
@@ -414,15 +421,8 @@ def _stacked(words: str) -> list[str]:
 
 
 def _head(lines: Sequence[str]) -> str:
-    shown = [prose(line) for line in lines]
-    if len(shown) == 1:
-        return shown[0]
-    inner = r" \\ ".join(shown)
-    return rf"\begin{{tabular}}[b]{{@{{}}r@{{}}}}{inner}\end{{tabular}}"
-
-
-def _letters(value: str | lay.Node) -> float:
-    return len(value) if isinstance(value, str) else sizes.width(value)
+    inner = r" \\ ".join(map(prose, lines))
+    return rf"\begin{{tabular}}[b]{{@{{}}r@{{}}}}{inner}\end{{tabular}}" if lines[1:] else inner
 
 
 def _cell(value: str | lay.Node) -> str:
