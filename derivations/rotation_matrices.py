@@ -18,7 +18,7 @@ from .printed import printed
 
 @claim(
     "3.46",
-    "$𝐫′ = Oᵀ𝐫$; a rotation matrix is an orthogonal matrix $O$ which, applied to $𝐫$, gives $𝐫′$.",
+    "A rotation matrix is an orthogonal $O$ which, applied to $𝐫$, gives $𝐫′$, as $𝐫′ = Oᵀ𝐫$ does.",
 )
 def rotated_components() -> Iterator[Evidence]:
     """(3.34) again. But the sentence beside it has $O$ where the equation has $Oᵀ$.
