@@ -349,14 +349,9 @@ def _(block: b.Results) -> str:
             rf"\rtmark{{{verdict}}} & \rtcited{{{b.anchor(number)}}}{{({number})}} & "
             rf"\rtrows{{{shown}}} & {rich(words)} \\"
         )
-    return "\n".join(
-        [
-            r"\rtonepage{\begin{tabular}{@{}r@{\ }l@{\ \ }"
-            r"l@{\quad}>{\raggedright\arraybackslash}p{43mm}@{}}",
-            *made,
-            r"\end{tabular}}",
-        ]
-    )
+    columns = r"@{}r@{\ }l@{\ \ }l@{\quad}>{\raggedright\arraybackslash}p{43mm}@{}"
+    begin = rf"\rtonepage{{\begin{{tabular}}{{{columns}}}"
+    return "\n".join([begin, *made, r"\end{tabular}}"])
 
 
 ROOM = 62.0
@@ -386,14 +381,16 @@ TOGETHER = 5
 @tex_block.register
 def _(block: b.DataTable) -> str:
     first, *others = block.columns
-    head = " & ".join([prose(first), *(_head(_stacked(words)) for words in others)])
+    # Words begin, numbers end beneath each other.
+    cells = zip(*block.rows, strict=True)
+    sides = ["r" if any(not isinstance(c, str) for c in column) else "l" for column in cells][1:]
+    head = " & ".join([prose(first), *map(_head, map(_stacked, others), sides)])
     # Long words at the left have room for two lines.
     long = any(isinstance(row[0], str) and len(row[0]) > LONG for row in block.rows)
     left = r"p{0.62\linewidth}" if long else "l"
-    columns = f"{left}*{{{len(others)}}}{{r}}"
     rows = [" & ".join(map(_cell, row)) + r" \\" for row in block.rows]
     return "\n\n".join(
-        rf"\rttable{{{prose(block.title)}}}{{\begin{{tabular}}{{@{{}}{columns}@{{}}}}"
+        rf"\rttable{{{prose(block.title)}}}{{\begin{{tabular}}{{@{{}}{left}{''.join(sides)}@{{}}}}"
         rf"\toprule {head} \\ \midrule {' '.join(rows[k : k + MOST])} \bottomrule\end{{tabular}}}}"
         for k in range(0, len(rows), MOST)
     )
@@ -408,7 +405,6 @@ MOST = 30
 NARROW = 13
 """Letters of a line in the head of a table, where its words allow it."""
 
-
 TIE = "\ue000"
 """In place of a space at which no line ends."""
 
@@ -420,9 +416,9 @@ def _stacked(words: str) -> list[str]:
     return [line.replace(TIE, " ") for line in lines] or [""]
 
 
-def _head(lines: Sequence[str]) -> str:
-    inner = r" \\ ".join(map(prose, lines))
-    return rf"\begin{{tabular}}[b]{{@{{}}r@{{}}}}{inner}\end{{tabular}}" if lines[1:] else inner
+def _head(lines: Sequence[str], side: str) -> str:
+    made = r" \\ ".join(map(prose, lines))
+    return rf"\begin{{tabular}}[b]{{@{{}}{side}@{{}}}}{made}\end{{tabular}}" if lines[1:] else made
 
 
 def _cell(value: str | lay.Node) -> str:
