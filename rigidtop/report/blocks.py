@@ -221,13 +221,31 @@ class Items:
 
 
 @dataclass(frozen=True)
-class Listing:
-    """A table of running text; `widths` are the shares of the line that its columns take, 0 for
-    one that is as wide as its words."""
+class Table:
+    """Rows of cells under the heads of their columns.
+
+    Its `kind` is one of "values" (words, number, unit), "numbers", "symbols" and "text";  `widths`
+    are the shares of the line that its columns take, 0 for one that is as wide as its words.
+    """
 
     head: tuple[str, ...]
-    rows: tuple[tuple[Rich, ...], ...]
-    widths: tuple[float, ...]
+    rows: tuple[tuple[Piece | Rich, ...], ...]
+    title: str = ""
+    kind: str = "numbers"
+    widths: tuple[float, ...] = ()
+
+    @property
+    def cells(self) -> list[list[Rich]]:
+        """Each as running text."""
+        return [[x if isinstance(x, tuple) else (x,) for x in row] for row in self.rows]
+
+    @property
+    def right(self) -> Sequence[int]:
+        """The columns of numbers, which end beneath each other; words begin there."""
+        if self.kind != "numbers":
+            return (1,) if self.kind == "values" else ()
+        columns = enumerate(zip(*self.rows, strict=True))
+        return [k for k, cells in columns if k and any(isinstance(x, Node) for x in cells)]
 
 
 @dataclass(frozen=True)
@@ -277,32 +295,6 @@ class Subhead:
 
 
 @dataclass(frozen=True)
-class Quantities:
-    """What was given or found: words, value, unit."""
-
-    label: str
-    rows: tuple[tuple[str, str | Node, str], ...]
-    head: tuple[str, ...] = (Fixed("what"), Fixed("value"), Fixed("unit"))
-
-
-@dataclass(frozen=True)
-class DataTable:
-    """Many numbers, under their columns."""
-
-    title: str
-    columns: tuple[str, ...]
-    rows: tuple[tuple[str | Node, ...], ...]
-
-
-@dataclass(frozen=True)
-class Symbols:
-    """The list of symbols: glyph, meaning, unit."""
-
-    rows: tuple[tuple[Node, str, str], ...]
-    head: tuple[str, ...] = (Fixed("symbol"), Fixed("meaning"), Fixed("unit"))
-
-
-@dataclass(frozen=True)
 class Results:
     """The numbered equations on one page: each number with its lines, its words, its verdict."""
 
@@ -331,13 +323,10 @@ Block = (
     | Display
     | ClaimHead
     | Items
-    | Listing
+    | Table
     | Figure
     | ExerciseHead
     | Subhead
-    | Quantities
-    | DataTable
-    | Symbols
     | Results
     | Legend
     | NameLine
@@ -399,6 +388,18 @@ def groups(block: Display) -> list[list[Row]]:
         else:
             made[-1].append(row)
     return made
+
+
+def quantities(title: str, rows: Iterable[tuple[str, Piece, str]]) -> Table:
+    """What was given or found: words, value, unit."""
+    head = (Fixed("what"), Fixed("value"), Fixed("unit"))
+    cells = tuple((what, value, in_unit(unit)) for what, value, unit in rows)
+    return Table(head, cells, title, "values", (1, 0, 0))
+
+
+def in_unit(letters: str) -> Rich:
+    """A cell with a unit, empty for a bare number."""
+    return (Unit(letters),) if letters not in ("", "1") else ()
 
 
 def walked(tree: T, change: Callable[[Any, str], Any], name: str = "") -> T:

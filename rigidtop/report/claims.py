@@ -194,12 +194,12 @@ def condition(assumption: Assumption) -> Node:
 
 def measured(
     rows: Sequence[Measure], title: str = "Measured", compared: str = "on a computed motion"
-) -> b.DataTable:
+) -> b.Table:
     """What was compared: on computed motions, or by a second way to the same number."""
     cells = tuple(
         (row.what, *(lay.decimal(x, 2) for x in (row.error, row.tolerance))) for row in rows
     )
-    return b.DataTable(title, (compared, "error", "tolerance"), cells)
+    return b.Table((compared, "error", "tolerance"), cells, title)
 
 
 def conditions(assumed: Sequence[TestedAssumption]) -> tuple[b.Rich, ...]:

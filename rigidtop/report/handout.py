@@ -219,12 +219,12 @@ def results(solution: Solution) -> list[b.Block]:
     answers = [outcome for outcome in solution.outcomes if isinstance(outcome, Answer)]
     if answers:
         rows = tuple((a.what, *apart(a.value, a.unit)) for a in answers)
-        made.append(b.Quantities("", rows))
+        made.append(b.quantities("", rows))
     for outcome in solution.outcomes:
         if isinstance(outcome, Table):
             columns = tuple(map(in_degrees, outcome.columns, zip(*outcome.rows, strict=True)))
             found = cells(list(zip(*(cleaned(column) for _, column in columns), strict=True)))
-            made.append(b.DataTable(outcome.title, tuple(head for head, _ in columns), found))
+            made.append(b.Table(tuple(head for head, _ in columns), found, outcome.title))
     return made
 
 

@@ -88,7 +88,7 @@ def write(
 def _end(document: b.Document) -> int | None:
     """Where the list of symbols begins, which nobody projects: it is the last of a lecture."""
     last = document.blocks[-1:]
-    return -2 if last and isinstance(last[0], b.Symbols) else None
+    return -2 if last and isinstance(last[0], b.Table) and last[0].kind == "symbols" else None
 
 
 def _in_full(block: b.Block) -> b.Block:
@@ -280,6 +280,7 @@ def _table(
 
     def cell(words: str, k: int, scope: str = "") -> str:
         style = ' class="num"' if k in numbers else ""
+        words = f"<time>{words}</time>" if _DATE.fullmatch(words) else words.strip()
         if not scope or not words:
             return f"<td{style}>{words}</td>"
         return f'<th scope="{scope}"{style}>{_title(words)}</th>'
@@ -313,17 +314,15 @@ def _(block: b.Items) -> str:
 
 
 @html_block.register
-def _(block: b.Listing) -> str:
-    return _table(block.head, (list(map(rich, row)) for row in block.rows), kind="found")
-
-
-@html_block.register
-def _(block: b.Symbols) -> str:
-    rows = (
-        (mathml.mathml(node), prose_html(meaning), escape(unit))
-        for node, meaning, unit in block.rows
-    )
-    return _table(block.head, rows)
+def _(block: b.Table) -> str:
+    rows = [[*map(rich, row)] for row in block.cells]
+    title = prose_html(block.title)
+    listed = block.kind == "values"
+    kind = {"values": "unseen", "text": "found"}.get(block.kind, "")
+    caption = "" if listed else title
+    head = [*map(prose_html, block.head)]
+    table = _table(head, rows, numbers=block.right, kind=kind, caption=caption)
+    return f'<p class="label">{title}</p>\n{table}' if listed and title else table
 
 
 @html_block.register
@@ -369,30 +368,6 @@ def _(block: b.Subhead) -> str:
     level = block.level + 1 if block.level else 5
     kind = ' class="sub"' if block.level else ""
     return f"<h{level}{kind}>{prose_html(block.words)}</h{level}>"
-
-
-@html_block.register
-def _(block: b.Quantities) -> str:
-    rows = (
-        (prose_html(what), _cell(value), "" if unit == "1" else escape(unit))
-        for what, value, unit in block.rows
-    )
-    table = _table(block.head, rows, numbers=(1,), kind="unseen")
-    return (f'<p class="label">{prose_html(block.label)}</p>\n' if block.label else "") + table
-
-
-@html_block.register
-def _(block: b.DataTable) -> str:
-    head = [*map(prose_html, block.columns)]
-    rows = ([*map(_cell, row)] for row in block.rows)
-    numbers = range(1, len(head))
-    return _table(head, rows, numbers=numbers, caption=prose_html(block.title))
-
-
-def _cell(value: str | lay.Node) -> str:
-    if not isinstance(value, str):
-        return mathml.mathml(value)
-    return f"<time>{value}</time>" if _DATE.fullmatch(value) else prose_html(value)
 
 
 _DATE = re.compile(r"\d{4}-\d\d-\d\d")

@@ -6,7 +6,7 @@ has executed; Markdown they show in any case, in the colours of their theme.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from functools import singledispatch
 
 from sympy import Basic
@@ -14,7 +14,6 @@ from sympy import Basic
 from rigidtop.report import blocks as b
 from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import align_row, latex
-from rigidtop.typeset.nodes import Node
 from rigidtop.typeset.sentences import tex, written
 
 LINE = 84.0
@@ -115,25 +114,15 @@ def _(block: b.Subhead) -> str:
 
 
 @_block.register
-def _(block: b.Quantities) -> str:
-    rows = [
-        (words(what), _cell(value), "" if unit == "1" else _plain(unit))  # s is a second, no letter
-        for what, value, unit in block.rows
-    ]
-    return _table((words(block.label), "", ""), rows)
+def _(block: b.Table) -> str:
+    rows = [[running(cell).strip() for cell in row] for row in block.cells]
+    if block.kind == "values":
+        return _table((words(block.title), "", ""), rows, block.right)
+    title = f"*{words(block.title)}*\n\n" if block.title else ""
+    return title + _table([*map(words, block.head)], rows, block.right)
 
 
-@_block.register
-def _(block: b.DataTable) -> str:
-    rows = [tuple(map(_cell, row)) for row in block.rows]
-    return f"*{words(block.title)}*\n\n" + _table(tuple(map(words, block.columns)), rows)
-
-
-def _cell(value: str | Node) -> str:
-    return words(value) if isinstance(value, str) else formula(value)
-
-
-def _table(head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> str:
-    rule = ":--" + "|--:" * (len(head) - 1)
-    lines = [" | ".join(head), rule, *(" | ".join(row) for row in rows)]
-    return "\n".join(f"| {line} |" if line is not rule else f"|{line}|" for line in lines)
+def _table(head: Sequence[str], rows: Sequence[Sequence[str]], right: Collection[int]) -> str:
+    rule = "|".join("--:" if k in right else ":--" for k in range(len(head)))
+    lines = [f"| {' | '.join(row)} |" for row in (head, *rows)]
+    return "\n".join([lines[0], f"|{rule}|", *lines[1:]])

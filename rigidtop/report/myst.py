@@ -14,7 +14,7 @@ from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report import markdown
 from rigidtop.typeset import sizes
-from rigidtop.typeset.latex import align_row, latex
+from rigidtop.typeset.latex import align_row
 from rigidtop.typeset.layout import Order
 
 CELL = 56.0
@@ -131,14 +131,6 @@ def _block(block: b.Block, above: int) -> str:
             )
             rows = (f"| [({name})](#{b.anchor(name)}) | ${cell}$ |" for name, cell in cells)
             return "\n".join(["| | |", "|---|---|", *rows])
-        case b.Symbols():
-            return "\n".join(
-                ["| | | |", "|---|---|---|"]
-                + [
-                    f"| ${latex(x)}$ | {markdown.words(words)} | {u} |"
-                    for x, words, u in block.rows
-                ]
-            )
     return markdown.markdown([block])
 
 

@@ -9,7 +9,7 @@ from sympy import Symbol
 
 from rigidtop.notation import Notation
 from rigidtop.proof.words import unmarked
-from rigidtop.report.blocks import Block, DataTable, Fixed, Heading, Paragraph, Rich
+from rigidtop.report.blocks import Block, Fixed, Heading, Paragraph, Rich, Table
 from rigidtop.report.wording import Wording
 from rigidtop.theory import symbols as s
 from rigidtop.theory.lettered import Lettered, stands_for
@@ -95,7 +95,7 @@ def front(notation: Notation, used: Iterable[Symbol]) -> list[Block]:
             (means(x.quantity.meaning), layout(x), layout(notation.in_notes(x))) for x in found
         )
         head = (Fixed("meaning"), Fixed("here"), Fixed("in the notes"))
-        made.append(DataTable(Fixed("Written otherwise"), head, cells))
+        made.append(Table(head, cells, Fixed("Written otherwise")))
     return made
 
 

@@ -40,7 +40,7 @@ from rigidtop.proof.page import Claim
 from rigidtop.proof.verdict import Judgement, judge
 from rigidtop.proof.words import unmarked
 from rigidtop.report import plain
-from rigidtop.report.blocks import DataTable, Display
+from rigidtop.report.blocks import Display, Table
 from rigidtop.report.claims import claim_blocks
 from rigidtop.report.markdown import LINE, aligned, markdown
 from rigidtop.report.solutions import Solution, question, solved
@@ -220,7 +220,7 @@ def shown_blocks(thing: Claim | Judgement | Exercise | Solution | Steps) -> list
     return [
         block
         for block in made
-        if not (isinstance(block, DataTable) and block.columns[-1] == "tolerance")
+        if not (isinstance(block, Table) and block.head[-1] == "tolerance")
         and not (isinstance(block, Display) and block.label in left_out)
     ]
 

@@ -9,7 +9,6 @@ from functools import singledispatch
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.terminal.table import table
-from rigidtop.typeset.nodes import Node
 from rigidtop.typeset.text import text
 
 
@@ -84,26 +83,15 @@ def _(block: b.Subhead, width: int) -> list[str]:
 
 
 @_lines.register
-def _(block: b.Quantities, width: int) -> list[str]:
-    rows = [
-        (cell(value), "" if unit == "1" else unit, unmarked(what))
-        for what, value, unit in block.rows
-    ]
-    return ["", f"{block.label}:", *_indented(table(rows, right=(0,), width=width - 2))]
-
-
-@_lines.register
-def _(block: b.DataTable, width: int) -> list[str]:
+def _(block: b.Table, width: int) -> list[str]:
+    rows = [[*map(rich, row)] for row in block.cells]
+    if block.kind == "values":
+        values = [(value, unit.strip(), what) for what, value, unit in rows]
+        return ["", f"{block.title}:", *_indented(table(values, right=(0,), width=width - 2))]
     # The last column of a table is text: here one without any.
-    rows = [(*map(cell, row), "") for row in block.rows]
-    right = range(1, len(block.columns))
-    made = table(rows, (*map(unmarked, block.columns), ""), right=right, width=width - 2)
+    head = (*map(unmarked, block.head), "")
+    made = table([(*row, "") for row in rows], head, right=block.right, width=width - 2)
     return ["", *_wrapped(f"{block.title}:", width), *_indented(made)]
-
-
-def cell(value: str | Node) -> str:
-    """A cell of a table."""
-    return unmarked(value) if isinstance(value, str) else text(value)
 
 
 def _indented(lines: str) -> list[str]:

@@ -83,12 +83,12 @@ def _front(judged: b.Judged) -> Iterable[b.Block]:
         ((v,), (str(count),), (b.MEANINGS[v],)) for v, count in counts if count
     ]
     rows.append((("all",), (str(len(everything)),), ()))
-    yield b.Listing(("verdict", "claims", "what it says"), tuple(rows), (0, 0, 0.68))
+    yield b.Table(("verdict", "claims", "what it says"), tuple(rows), "", "text", (0, 0, 0.68))
     found = tuple(_found(judgement) for judgement in everything if judgement.verdict in _NOTED)
     if found:
         yield b.Heading(1, "", "What was found in the notes", "found")
         head = ("section", "claim", "verdict", "what is amiss")
-        yield b.Listing(head, found, (0, 0.17, 0, 0.5))
+        yield b.Table(head, found, "", "text", (0, 0.17, 0, 0.5))
 
 
 _NOTED = (Verdict.ASSUMING, Verdict.CONVENTION, Verdict.FALSE, Verdict.UNDECIDED)

@@ -19,7 +19,7 @@ from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report.claims import measured
 from rigidtop.report.numbers import SMALLEST_ANGLE, cells, shown
-from rigidtop.report.plain import cell
+from rigidtop.report.plain import rich
 from rigidtop.report.records import measure_record
 from rigidtop.report.records import record as judgement_record
 from rigidtop.report.ways import claim_told, text_blocks
@@ -107,10 +107,10 @@ def numbers(solution: Solution) -> Iterable[b.Block]:
     answers = [outcome for outcome in solution.outcomes if isinstance(outcome, Answer)]
     if answers:
         rows = tuple((a.what, shown(a.value), _unit(a.unit, a.value)) for a in answers)
-        yield b.Quantities("Found", rows)
+        yield b.quantities("Found", rows)
     for outcome in solution.outcomes:
         if isinstance(outcome, Table):
-            yield b.DataTable(outcome.title, outcome.columns, cells(outcome.rows))
+            yield b.Table(outcome.columns, cells(outcome.rows), outcome.title)
     if solution.measures:
         yield measured(solution.measures, "Confirmed", "by a second way")
 
@@ -127,7 +127,7 @@ def question(
         for p in exercise.parameters
     )
     made = posed(exercise)
-    return [*made, b.Quantities("Given", given)] if given else made
+    return [*made, b.quantities("Given", given)] if given else made
 
 
 def posed(exercise: Exercise, number: int = 0, points: str = "") -> list[b.Block]:
@@ -146,7 +146,7 @@ def _unit(unit: str, value: float | str) -> str:
     if unit != "rad" or isinstance(value, str) or abs(value) < SMALLEST_ANGLE:
         return unit
     degrees = shown(math.degrees(value), 4)
-    return f"rad = {cell(degrees)}°"
+    return f"rad = {rich((degrees,))}°"
 
 
 def record(solution: Solution) -> dict[str, object]:

@@ -6,11 +6,10 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from sympy import Basic, Symbol, elliptic_f, elliptic_k
 
-from rigidtop.report.blocks import Block, Display, Heading, Symbols
+from rigidtop.report.blocks import Block, Display, Fixed, Heading, Table, in_unit
 from rigidtop.theory.lettered import known
 from rigidtop.theory.symbols import Glyph, Quantity
 from rigidtop.typeset.layout import layout
-from rigidtop.typeset.sentences import printed_unit
 
 
 def symbol_list(blocks: Sequence[Block], heading: Heading) -> tuple[Block, ...]:
@@ -24,10 +23,11 @@ def symbol_list(blocks: Sequence[Block], heading: Heading) -> tuple[Block, ...]:
         place, quantity = _quantity(symbol)
         if quantity is not None and quantity.glyph.base != "const":
             at = letters.setdefault(quantity.glyph.base, len(letters))
-            row = (layout(symbol), quantity.meaning, printed_unit(quantity.unit))
+            row = (layout(symbol), quantity.meaning, in_unit(quantity.unit))
             rows.append(((at, len(quantity.glyph.accent), place, str(symbol)), row))
     shown = tuple(row for _, row in sorted(rows, key=lambda pair: pair[0]))
-    return (heading, Symbols(shown)) if shown else ()
+    head = (Fixed("symbol"), Fixed("meaning"), Fixed("unit"))
+    return (heading, Table(head, shown, "", "symbols", (0, 1, 0))) if shown else ()
 
 
 def symbols_used(blocks: Iterable[Block]) -> set[Symbol]:

@@ -23,11 +23,9 @@ from rigidtop.report.tex_lines import (
     in_line,
     rich,
     stands_alone,
-    upright,
 )
-from rigidtop.typeset import nodes as lay
 from rigidtop.typeset import sizes
-from rigidtop.typeset.latex import align, align_row, latex
+from rigidtop.typeset.latex import align, align_row
 from rigidtop.typeset.sentences import prose
 
 
@@ -142,8 +140,8 @@ def _floating(blocks: Sequence[b.Block]) -> Iterator[b.Block]:
 
 
 def _turn(block: b.Block) -> int:
-    if isinstance(block, b.DataTable):
-        return 1 + (len(block.columns) > 6)
+    if isinstance(block, b.Table) and block.kind == "numbers":
+        return 1 + (len(block.head) > 6)
     return 0 if isinstance(block, b.Heading | b.ExerciseHead) else 3 - isinstance(block, b.Figure)
 
 
@@ -295,29 +293,92 @@ def _(block: b.Items) -> str:
 
 
 @tex_block.register
-def _(block: b.Listing) -> str:
+def _(block: b.Table) -> str:
+    rows = [[*map(rich, row)] for row in block.cells]
+    kinds = {"text": _text, "symbols": _symbols, "values": _values, "numbers": _numbers}
+    return kinds[block.kind](block, rows)
+
+
+Cells = Sequence[Sequence[str]]
+
+
+def _text(block: b.Table, rows: Cells) -> str:
     columns = "".join(
         rf">{{\raggedright\arraybackslash}}p{{{width}\linewidth}}" if width else "l"
         for width in block.widths
     )
-    rows = "\n".join(" & ".join(map(rich, row)) + r" \\[2pt]" for row in block.rows)
     return "\n".join(
         [
             rf"{{\small\begin{{longtable}}[l]{{@{{}}{columns}@{{}}}}",
             rf"\toprule {' & '.join(map(prose, block.head))} \\ \midrule \endhead",
-            rows,
+            *(" & ".join(row) + r" \\[2pt]" for row in rows),
             r"\bottomrule\end{longtable}}",
         ]
     )
 
 
-@tex_block.register
-def _(block: b.Symbols) -> str:
-    rows = "\n".join(
-        rf"\rtsymbol{{${latex(node)}$}}{{{prose(meaning)}}}{{{upright(unit * (unit != '1'))}}}"
-        for node, meaning, unit in block.rows
+def _symbols(_: b.Table, rows: Cells) -> str:
+    made = "\n".join(
+        rf"\rtsymbol{{{symbol}}}{{{meaning}}}{{{unit.removeprefix(THIN)}}}"
+        for symbol, meaning, unit in rows
     )
-    return f"\\begin{{rtsymbols}}{rows}\\end{{rtsymbols}}"
+    return f"\\begin{{rtsymbols}}{made}\\end{{rtsymbols}}"
+
+
+THIN = r"\,"
+
+
+def _values(block: b.Table, rows: Cells) -> str:
+    made = [rf"\rtquantity{{{what}}}{{{value}{unit}}}" for what, value, unit in rows]
+    # A list is parted, if at all, between at least so many rows.
+    made = [r"\nobreak" * (min(k, len(made) - k) < TOGETHER) + row for k, row in enumerate(made)]
+    label = rf"\lab{{{prose(block.title)}}}\par\nopagebreak" if block.title else ""
+    return f"{label}\\rtquantities{{{''.join(made)}}}"
+
+
+TOGETHER = 5
+"""Quantities of a list that stay together."""
+
+
+def _numbers(block: b.Table, rows: Cells) -> str:
+    first, *others = block.head
+    sides = ["r" if k in block.right else "l" for k in range(1, len(block.head))]
+    head = " & ".join([prose(first), *map(_head, map(_stacked, others), sides)])
+    # Long words at the left have room for two lines.
+    long = any(isinstance(row[0], str) and len(row[0]) > LONG for row in block.rows)
+    left = r"p{0.62\linewidth}" if long else "l"
+    lines = [" & ".join(row) + r" \\" for row in rows]
+    return "\n\n".join(
+        rf"\rttable{{{prose(block.title)}}}{{\begin{{tabular}}{{@{{}}{left}{''.join(sides)}@{{}}}}"
+        rf"\toprule {head} \\ \midrule {' '.join(lines[k : k + MOST])} \bottomrule\end{{tabular}}}}"
+        for k in range(0, len(lines), MOST)
+    )
+
+
+LONG = 45
+"""Letters of a cell that has no room in one line beside others."""
+
+MOST = 30
+"""Rows of a table that stand on one page."""
+
+NARROW = 13
+"""Letters of a line in the head of a table, where its words allow it."""
+
+
+TIE = "\ue000"
+"""In place of a space at which no line ends."""
+
+
+def _stacked(words: str) -> list[str]:
+    """The head of a column in lines; formulas and units are not broken."""
+    whole = re.sub(r"\$[^$]*\$|\([^()]*\)", lambda m: m[0].replace(" ", TIE), words)
+    lines = textwrap.wrap(whole, NARROW, break_long_words=False, break_on_hyphens=False)
+    return [line.replace(TIE, " ") for line in lines] or [""]
+
+
+def _head(lines: Sequence[str], side: str) -> str:
+    made = r" \\ ".join(map(prose, lines))
+    return rf"\begin{{tabular}}[b]{{@{{}}{side}@{{}}}}{made}\end{{tabular}}" if lines[1:] else made
 
 
 @tex_block.register
@@ -361,65 +422,3 @@ ROOM = 62.0
 @tex_block.register
 def _(block: b.Subhead) -> str:
     return rf"\{'rtsub' if block.level else 'subhead'}{{{prose(block.words)}}}"
-
-
-@tex_block.register
-def _(block: b.Quantities) -> str:
-    units = ["" if unit in ("", "1") else rich((b.Unit(unit),)) for _, _, unit in block.rows]
-    told = zip(block.rows, units, strict=True)
-    rows = [rf"\rtquantity{{{prose(what)}}}{{{_cell(v)}{unit}}}" for (what, v, _), unit in told]
-    # A list is parted, if at all, between at least so many rows.
-    rows = [r"\nobreak" * (min(k, len(rows) - k) < TOGETHER) + row for k, row in enumerate(rows)]
-    label = rf"\lab{{{prose(block.label)}}}\par\nopagebreak" if block.label else ""
-    return f"{label}\\rtquantities{{{''.join(rows)}}}"
-
-
-TOGETHER = 5
-"""Quantities of a list that stay together."""
-
-
-@tex_block.register
-def _(block: b.DataTable) -> str:
-    first, *others = block.columns
-    # Words begin, numbers end beneath each other.
-    cells = zip(*block.rows, strict=True)
-    sides = ["r" if any(not isinstance(c, str) for c in column) else "l" for column in cells][1:]
-    head = " & ".join([prose(first), *map(_head, map(_stacked, others), sides)])
-    # Long words at the left have room for two lines.
-    long = any(isinstance(row[0], str) and len(row[0]) > LONG for row in block.rows)
-    left = r"p{0.62\linewidth}" if long else "l"
-    rows = [" & ".join(map(_cell, row)) + r" \\" for row in block.rows]
-    return "\n\n".join(
-        rf"\rttable{{{prose(block.title)}}}{{\begin{{tabular}}{{@{{}}{left}{''.join(sides)}@{{}}}}"
-        rf"\toprule {head} \\ \midrule {' '.join(rows[k : k + MOST])} \bottomrule\end{{tabular}}}}"
-        for k in range(0, len(rows), MOST)
-    )
-
-
-LONG = 45
-"""Letters of a cell that has no room in one line beside others."""
-
-MOST = 30
-"""Rows of a table that stand on one page."""
-
-NARROW = 13
-"""Letters of a line in the head of a table, where its words allow it."""
-
-TIE = "\ue000"
-"""In place of a space at which no line ends."""
-
-
-def _stacked(words: str) -> list[str]:
-    """The head of a column in lines; formulas and units are not broken."""
-    whole = re.sub(r"\$[^$]*\$|\([^()]*\)", lambda m: m[0].replace(" ", TIE), words)
-    lines = textwrap.wrap(whole, NARROW, break_long_words=False, break_on_hyphens=False)
-    return [line.replace(TIE, " ") for line in lines] or [""]
-
-
-def _head(lines: Sequence[str], side: str) -> str:
-    made = r" \\ ".join(map(prose, lines))
-    return rf"\begin{{tabular}}[b]{{@{{}}{side}@{{}}}}{made}\end{{tabular}}" if lines[1:] else made
-
-
-def _cell(value: str | lay.Node) -> str:
-    return prose(value) if isinstance(value, str) else f"${latex(value)}$"

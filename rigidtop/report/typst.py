@@ -244,18 +244,22 @@ def _table(columns: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> 
 
 
 @typst_block.register
-def _(block: b.Listing) -> str:
-    columns = ", ".join(f"{width:g}fr" if width else "auto" for width in block.widths)
-    return _table(f"({columns})", block.head, [[*map(rich, row)] for row in block.rows])
-
-
-@typst_block.register
-def _(block: b.Symbols) -> str:
+def _(block: b.Table) -> str:
     rows = [
-        (f"${maths(latex(node))}$", prose(meaning), plain(unit))
-        for node, meaning, unit in block.rows
+        [f"#align(right)[{rich(x)}]" if k in block.right else rich(x) for k, x in enumerate(row)]
+        for row in block.cells
     ]
-    return _table("(auto, 1fr, auto)", block.head, rows)
+    widths = block.widths or (0,) * len(block.head)
+    columns = ", ".join(f"{width:g}fr" if width else "auto" for width in widths)
+    listed = block.kind == "values"
+    made = _table(f"({columns},)", () if listed else [*map(prose, block.head)], rows)
+    if block.title:
+        made = f"{_head(block.title) if listed else f'#title[{prose(block.title)}]'}\n{made}"
+    return f"#over[{made}]" if len(block.head) > NARROW else made
+
+
+NARROW = 5
+"""Columns of a table that has room in one of two columns of a page."""
 
 
 @typst_block.register
@@ -294,29 +298,3 @@ def _(block: b.Results) -> str:
         for number, equations, words, _ in block.rows
     ]
     return _table("(auto, 1fr, 30%)", block.head, rows)
-
-
-@typst_block.register
-def _(block: b.Quantities) -> str:
-    rows = [
-        (prose(what), f"#align(right)[{_cell(value)}]", plain("" if unit == "1" else unit))
-        for what, value, unit in block.rows
-    ]
-    return _head(block.label) + "\n" + _table("(1fr, auto, auto)", (), rows)
-
-
-@typst_block.register
-def _(block: b.DataTable) -> str:
-    rows = [(_cell(row[0]), *(f"#align(right)[{_cell(x)}]" for x in row[1:])) for row in block.rows]
-    columns = ", ".join(["auto"] * len(block.columns))
-    head = [prose(words) for words in block.columns]
-    made = f"#title[{prose(block.title)}]\n" + _table(f"({columns},)", head, rows)
-    return f"#over[{made}]" if len(block.columns) > NARROW else made
-
-
-NARROW = 5
-"""Columns of a table that has room in one of two columns of a page."""
-
-
-def _cell(value: str | lay.Node) -> str:
-    return prose(value) if isinstance(value, str) else f"${maths(latex(value))}$"

@@ -21,7 +21,7 @@ from rigidtop.notation.judged import judgement_in
 from rigidtop.notation.translate import Image
 from rigidtop.proof.verdict import Judgement
 from rigidtop.proof.words import bold, light, parts
-from rigidtop.report.blocks import Block, Symbols, walked
+from rigidtop.report.blocks import Block, Table, walked
 from rigidtop.theory.symbols import VOCABULARY, phi, psi
 from rigidtop.typeset.latex import latex
 from rigidtop.typeset.text import letter, text
@@ -141,9 +141,10 @@ class Wording:
 
     def symbols(self, block: Block) -> Block:
         """A list of symbols with their meanings in the notation; any other block as it is."""
-        if not isinstance(block, Symbols) or not self.notation.images:
+        if not (isinstance(block, Table) and block.kind == "symbols" and self.notation.images):
             return block
-        return Symbols(tuple((x, self.meaning(said), unit) for x, said, unit in block.rows))
+        rows = ((x, self.meaning(str(said)), unit) for x, said, unit in block.rows)
+        return replace(block, rows=tuple(rows))
 
     def meaning(self, said: str) -> str:
         """What a symbol of the notation stands for, in its letters.

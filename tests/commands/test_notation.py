@@ -12,7 +12,7 @@ from rigidtop.derivations.euler_angles import page
 from rigidtop.notation import GOLDSTEIN, named
 from rigidtop.proof.verdict import judge
 from rigidtop.proof.words import unmarked
-from rigidtop.report.blocks import Symbols
+from rigidtop.report.blocks import Table
 from rigidtop.report.html import write as html
 from rigidtop.report.lecture import Edition, lecture
 from rigidtop.report.notations import different
@@ -151,7 +151,9 @@ def test_a_document_says_its_notation_first():
     for words in ("Goldstein, Poole and Safko", "3rd edition (2002)", "z–x′–z″: R = Rz(φ) Rx(θ)"):
         assert words in unmarked(whole.colophon)
     assert whole.blocks[0].title == "Notation"
-    [symbols] = [block for block in whole.blocks if isinstance(block, Symbols)]
+    [symbols] = [
+        block for block in whole.blocks if isinstance(block, Table) and block.kind == "symbols"
+    ]
     listed = [text(node) for node, _, _ in symbols.rows]
     assert {"I₁", "I₂", "I₃"} <= set(listed)
     assert not {"λ₁", "λ₃"} & set(listed)

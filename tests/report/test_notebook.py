@@ -20,7 +20,7 @@ from rigidtop.motion.top import HeavyTop
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.verdict import judge
 from rigidtop.report import notebook
-from rigidtop.report.blocks import Quantities
+from rigidtop.report.blocks import quantities
 from rigidtop.report.markdown import markdown
 from rigidtop.report.solutions import solved
 from rigidtop.theory.symbols import (
@@ -128,7 +128,7 @@ def test_the_lines_of_the_lecture_as_derive_prints_them(shown):
 
 def test_units_are_no_letters_of_formulas():
     rows = (("time t", Number("2"), "s"), ("moment", Number("1"), "kg m²"), ("share", "half", "1"))
-    assert markdown([Quantities("Found", rows)]).splitlines()[2:] == [
+    assert markdown([quantities("Found", rows)]).splitlines()[2:] == [
         "| time t | $2$ | s |",
         "| moment | $1$ | kg m² |",
         "| share | half |  |",

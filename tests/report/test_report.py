@@ -35,16 +35,15 @@ from rigidtop.proof.verdict import Finding, Judgement, Verdict
 from rigidtop.report import html, pdf, plain, tex, tex_lines, typst
 from rigidtop.report.blocks import (
     ClaimHead,
-    DataTable,
     Display,
     Document,
     Figure,
     Heading,
     Items,
-    Listing,
     Look,
     Paragraph,
     Row,
+    Table,
     anchor,
     groups,
     is_number,
@@ -156,7 +155,7 @@ def test_the_order_of_a_claim(judged):
         Display,
         Display,
         Items,
-        DataTable,
+        Table,
     ]
     assert [b.label for b in blocks if isinstance(b, Display)] == [
         "The notes print",
@@ -213,8 +212,12 @@ def test_equal_sides_are_said_once():
     assert plain.rich(said_at(Counterexample({}, Integer(2), Integer(2)))) == "both sides are 2"
 
 
+def _texts(blocks):
+    return [block for block in blocks if isinstance(block, Table) and block.kind == "text"]
+
+
 def test_the_front_counts_and_lists(lecture):
-    summary, found = [block for block in lecture.blocks if isinstance(block, Listing)]
+    summary, found = _texts(lecture.blocks)
     assert [(*verdict, *count) for verdict, count, _ in summary.rows] == [
         ("proved", "1"),
         ("assuming", "1"),
@@ -236,7 +239,7 @@ def _listed(printed, *numbers):
     page = Page("3.2", "x", "y", ())
     judgement = Judgement(_claim("false", "It is not."), "3.2", Verdict.FALSE, made, 0.1)
     blocks = document([(page, (judgement,))]).blocks
-    _, found = [block for block in blocks if isinstance(block, Listing)]
+    _, found = _texts(blocks)
     return found.rows[0][3]
 
 
@@ -527,7 +530,7 @@ def test_a_section_opens_with_its_first_claim_in_typst():
 
 
 FILL = tuple(Paragraph((f"Line {i}.",)) for i in range(90))
-TABLE = DataTable("The title of the table", ("first", "second"), ((lay.Number("1.5"),) * 2,) * 6)
+TABLE = Table(("first", "second"), ((lay.Number("1.5"),) * 2,) * 6, "The title of the table")
 
 
 def _places(made: bytes) -> dict[str, int]:
