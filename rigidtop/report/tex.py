@@ -346,7 +346,7 @@ def _numbers(block: b.Table, rows: Cells) -> str:
     head = " & ".join([prose(first), *map(_head, map(_stacked, others), sides)])
     # Long words at the left have room for two lines.
     long = any(isinstance(row[0], str) and len(row[0]) > LONG for row in block.rows)
-    left = r"p{0.62\linewidth}" if long else "l"
+    left = r">{\raggedright\arraybackslash}p{0.62\linewidth}" if long else "l"
     lines = [" & ".join(row) + r" \\" for row in rows]
     return "\n\n".join(
         rf"\rttable{{{prose(block.title)}}}{{\begin{{tabular}}{{@{{}}{left}{''.join(sides)}@{{}}}}"
