@@ -180,7 +180,7 @@ def same_frequency() -> Iterator[Evidence]:
         printed.lines("same-frequency")[6],
         meaning,
         (
-            Assumption(Ne(s.omega1, 0), "$𝛚$ is not along $e₃$", stated=True),
+            Assumption(Ne(s.omega1, 0), "$𝛚$ is not along $e₃$"),
             Assumption(Ne(s.omega3, 0), "$𝛚$ is not at right angles to $e₃$"),
             Assumption(Ne(s.lambda1, s.lambda3), "the third moment differs from the others"),
         ),
