@@ -32,9 +32,11 @@ Notation | Notation | Notation | Notación | Notazione
 Written otherwise | Anders geschrieben | Autre notation | Notación distinta | Notazione diversa
 here | hier | ici | aquí | qui
 in the notes | im Skript | dans le cours | en los apuntes | negli appunti
-Symbols in the order of first use | Formelzeichen in der Reihenfolge ihres Auftretens \
-| Symboles dans l’ordre d’apparition | Símbolos por orden de aparición \
-| Simboli in ordine di apparizione
+Symbols, letter by letter in the order of first use \
+| Formelzeichen, nach Buchstaben in der Reihenfolge ihres Auftretens \
+| Symboles, par lettres dans l’ordre d’apparition \
+| Símbolos, por letras en orden de aparición \
+| Simboli, per lettere in ordine di apparizione
 Equations cited | Zitierte Gleichungen | Équations citées | Ecuaciones citadas | Equazioni citate
 Contents | Inhalt | Table des matières | Índice | Indice
 Given | Gegeben | Données | Datos | Dati

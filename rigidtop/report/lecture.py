@@ -262,7 +262,9 @@ def lecture(
     return edition.handed_out(front.title, front.subtitle, blocks), pictures
 
 
-LETTERS = b.Heading(1, "", b.Fixed("Symbols in the order of first use"), "letters")
+LETTERS = b.Heading(
+    1, "", b.Fixed("Symbols, letter by letter in the order of first use"), "letters"
+)
 
 LEAST = 4
 """So many numbered equations make a map."""
