@@ -233,7 +233,7 @@ def _(block: b.Heading) -> str:
     # Figures that wait for room come before the list of symbols, not behind it.
     begins = APART.get(block.anchor, "")
     return begins + (
-        rf"\rtheading\{command}*{{{title}}}\phantomsection\label{{{block.anchor}}}"
+        rf"\rtheading\{command}*{{\raggedright {title}}}\phantomsection\label{{{block.anchor}}}"
         rf"\addcontentsline{{toc}}{{{'sub' * (level - 1)}section}}"
         rf"{{\texorpdfstring{{{title}}}{{{plain}}}}}\rthead{{{title}}}"
     )
