@@ -209,8 +209,8 @@ def rising_top(
     yield Answer("omega3_then", "$ω₃$ at the end", float(path.omega[-1, 2]), "rad/s")
     yield Answer(
         "omega3_upright",
-        "$ω₃$ of the upright top, if it gets there",
-        omega3 * (1 - tip / top.R * (1 - cos(theta))),
+        "$ω₃$ of the upright top, if it gets there, by Jellett's integral",
+        float(path.jellett[0]) / (top.lambda3 * top.R),
         "rad/s",
     )
     yield Answer("rise", "rise of the centre of mass", (after[2] - before[2]) / weight, "m")

@@ -86,7 +86,7 @@ def two_masses(
         "torque", "torque of the bearing, across the plane of stick and $𝛚$", torque, "N m"
     )
     yield Answer("force", "force of the bearing, from the centre of mass to the axis", force, "N")
-    yield Answer("free_rate", "$|ω|$ after it lets go, $ω sin α$", free_rate, "rad/s")
+    yield Answer("free_rate", "$|𝛚|$ after it lets go, $ω sin α$", free_rate, "rad/s")
     yield Answer("free_period", "time of one turn then", 2 * pi / free_rate, "s")
     yield Answer("drift", "speed of the centre of mass then", drift, "m/s")
 

@@ -113,10 +113,10 @@ DOUBLINGS = 8
     text="exercises/parallel_bound",
 )
 def parallel_bound(theta: float, omega3: float, **shape: float) -> Iterator[Outcome]:
-    """The largest angle is that at the lowest point of a fast top, and one on the way to it of a
-    slow top. It and the mean precession are those of the exact motion, which an integrated one
-    confirms. For $sin θ$ the bound has its own, $sin θᵢ/√(1 − 4ε₀ cos θᵢ)$. From row to row of the
-    table the spin doubles."""
+    """A fast top has its largest angle at its lowest point, a slow one on the way there. This angle
+    and the mean precession are those of the exact motion, which an integrated one confirms. In
+    place of $sin θ$ the bound of the table has what bounds it, $sin θᵢ/√(1 − 4ε₀ cos θᵢ)$. From
+    row to row the spin doubles."""
     top = heavy_top(**shape)
     if omega3 == 0:
         raise RigidtopError(

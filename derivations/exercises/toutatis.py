@@ -115,8 +115,8 @@ def toutatis(
 ) -> Iterator[Outcome]:
     """The motion is that of a free body without friction, carried on from the start in closed form.
     From the published moments and start, half of the radar attitudes of December 1992 are met to
-    $5.6°$, and all to $15.9°$; two of the observed $ω$, of 7 and 14 December, do not go with the
-    $L$ of all others. In 2008 $𝐋$ still points where it did, but the phase is lost: over a thousand
+    $5.6°$, and all to $15.9°$; two of the observed $𝛚$, of 7 and 14 December, do not go with the
+    $𝐋$ of all others. In 2008 $𝐋$ still points where it did, but the phase is lost: over a thousand
     turns the last printed digits of the start add up to some ten degrees, and the tides of the Sun
     and the Earth, which are left out here, to far more. With friction the body has the ball in oil
     of section 3.2.3, far stronger than what rubs in a rock; $𝐋$ in space stays, and the oil takes
@@ -176,9 +176,9 @@ def toutatis(
             "tilt of long axis ($°$)",
             "turn about long axis ($°$)",
             "$𝛚$, direction ($°$)",
-            "$ω$ ($°/day$)",
-            "$L$, direction ($°$)",
-            "$|L|$, observed over computed",
+            "$𝛚$ ($°/day$)",
+            "$𝐋$, direction ($°$)",
+            "$|𝐋|$, observed over computed",
         ),
         rows,
     )
@@ -225,7 +225,7 @@ def _last_digits(motion: Motion) -> Table:
     return Table(
         "last_digits",
         "Half of the last printed digit of the start, and the attitude of 2008",
-        ("changed", "by ($°/day$ for $ω$)", "change of attitude ($°$)"),
+        ("changed", "by, of $ω$ in $°/day$", "change of attitude ($°$)"),
         tuple(rows),
     )
 

@@ -138,7 +138,7 @@ def top_from_the_toy_box(
     yield Answer("lambda3", "$λ₃$", lambda3, "kg m²")
     yield Answer("touching", "tilt at which the rim touches the table", touching, "rad")
     yield Answer("sleeping_rpm", "spin from which on it sleeps", top.sleeping_spin() * RPM, "rpm")
-    yield Answer("least_rpm", "least spin at this tilt", top.smallest_spin(theta) * RPM, "rpm")
+    yield Answer("least_rpm", "least spin at $θ$", top.smallest_spin(theta) * RPM, "rpm")
     yield Answer("spin_rpm", "the given spin", omega3 * RPM, "rpm")
     yield Answer("slow", "slow precession $Ω₋$", slow, "rad/s")
     yield Answer("slow_leading", "by $MgR/(λ₃ω₃)$", simple_rate(top, omega3), "rad/s")

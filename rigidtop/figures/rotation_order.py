@@ -176,9 +176,10 @@ def _caption(alpha: float, beta: float, gamma: float) -> str:
     return (
         f"A book turned by $A$, $2α₁ = {degrees(alpha)}$ about $𝐧₁$, and by $B$, $2α₂ = "
         f"{degrees(beta)}$ about $𝐧₂$, axes at $γ = {degrees(gamma)}$ that stay where they are. "
-        "Above $B$ comes first, below $A$; the matrix of what comes later stands to the left. $A "
-        f"B$ is one turn, by {degrees(found['angle'])} about the axis ({axis}), $𝐧₁$ being along "
-        f"$x̂$ and $𝐧₂$ in the plane of $x̂$ and $ŷ$. {differ}"
+        "The cover bears an F, the darker back a bar. Above $B$ comes first, below $A$; the matrix "
+        "of what comes later stands to the left. $A B$ is one turn, by "
+        f"{degrees(found['angle'])} about the axis ({axis}), $𝐧₁$ being along $x̂$ and $𝐧₂$ in the "
+        f"plane of $x̂$ and $ŷ$. {differ}"
     )
 
 
