@@ -225,6 +225,11 @@ def test_no_line_leaves_the_page(document, recorded, pictures, tmp_path, which):
     wide = [float(points) for points in re.findall(r"Overfull \\hbox \(([\d.]+)pt", log)]
     # A lecture has none; a record, of 444 points of a line and of 77 points of margin, small ones.
     assert max(wide, default=0) < (0.6 if which == "lecture" else 12)
+    # What follows an exercise is as large again as what stands before it.
+    sizes: set[float] = set()
+    for page in pypdf.PdfReader(tmp_path / "lecture.pdf").pages[1::9]:
+        page.extract_text(visitor_text=lambda *about: sizes.add(about[-1]))
+    assert min(sizes) > 4.9
 
 
 @pytest.mark.parametrize("paper", ["typst"], indirect=True)
