@@ -182,7 +182,7 @@ def axis_stability() -> Iterator[Evidence]:
         (Assumption(Eq(s.damping, 0), "no friction inside takes energy"),),
     )
     yield Remark(momentum, inside, reason="With friction $L$ is kept all the same,")
-    yield Remark(with_ball, inside, reason="but this, the form above with the ball in it,")
+    yield Remark(with_ball, inside, reason="but $2λ₃T − L²$, with the ball in it,")
     yield Remark(
         printed(r"\dot T_{\text{tot}} = -c\boldsymbol\zeta\cdot\boldsymbol\zeta"),
         inside,

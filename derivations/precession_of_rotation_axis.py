@@ -79,7 +79,7 @@ def momentum_on_body_cone() -> Iterator[Evidence]:
     yield Check(printed("3.39"), {s.L_vec: momentum}, (SYMMETRIC, START))
 
 
-@claim("3.40", "The frequency $Ω_b$ of the precession in the body, and its period $2π/|Ω_b|$.")
+@claim("3.40", "The frequency $Ω_b$ of the precession in the body, and its period $2π/Ω_b$.")
 def body_precession() -> Iterator[Evidence]:
     """$Ω_b$ from (3.37); $ω(t)$ has the period of $cos Ω_b t$, which is $2π/|Ω_b|$.
 

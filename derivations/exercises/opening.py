@@ -51,9 +51,9 @@ def free_flight(
     section="3.2 (opening)",
     asks="opening example",
     statement="The masses $M₁$ and $M₂$ sit at the distances $a$ and $b$ on either side of the "
-    "origin on a "
-    "stick without mass, which a bearing at the origin turns at constant $𝛚$, tilted to $𝛚$ by the "
-    "angle $α$. Gravity is left out. Which direction has $𝐋$, and how far is it from $𝛚$?\n\n"
+    "origin on a stick without mass, which a bearing at the origin turns at constant $𝛚$, tilted "
+    "against $𝛚$ by the angle $α$. Gravity is left out. Which direction has $𝐋$, and how "
+    "far is it from $𝛚$?\n\n"
     "What torque, and what force, must the bearing exert, and in which directions? What do stick "
     "and masses do when the bearing lets go?",
     claims=(two_mass_points, bearing_torque),

@@ -25,7 +25,7 @@ bound_on_the_axis = Claim(
 
 
 bound_on_the_tilt = Claim(
-    "bound-on-the-tilt", "Where it is lowest, $sin²θ < sin²θᵢ/(1 − 4ε₀ cos θᵢ)$."
+    "bound-on-the-tilt", "Where it is lowest, $(1 − 4ε₀ cos θᵢ) sin²θ < sin²θᵢ$."
 )
 
 
@@ -36,7 +36,8 @@ bound_on_the_angle = Claim(
 
 
 mean_of_the_cusps = Claim(
-    "mean-of-the-cusps", "The mean precession of a released top is (3.52) times $1 + ε₀ cos θᵢ$."
+    "mean-of-the-cusps",
+    "To first order in $ε₀$ the mean precession of a released top is (3.52) times $1 + ε₀ cos θᵢ$.",
 )
 
 

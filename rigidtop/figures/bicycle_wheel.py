@@ -105,9 +105,10 @@ def _caption(cord: float, **values: float) -> str:
         f"{said(values['omega3'])}$ rad/s and $g = {said(values['g'])}$ m/s²: $L = "
         f"{said(momentum)}$ J s, and the torque about $O$, $N = {said(couple)}$ N m, turns it "
         f"{found['direction']}, as seen from above, at $Ω = {said(found['precession'])}$ rad/s, a "
-        f"turn in {said(found['period'])} s. The cord of {said(cord)} m pulls with "
-        f"{said(found['tension'])} N and leans by {degrees(found['lean'])}. Dashed: the circle of "
-        "the tip of $𝐋$. Directions are computed, lengths of arrows are not to scale."
+        f"turn in {said(found['period'])} s. The cord of {said(cord)} m, drawn "
+        f"shorter, pulls with {said(found['tension'])} N and leans by {degrees(found['lean'])}. "
+        "Dashed: the circle of the tip of $𝐋$. Directions are computed, lengths of "
+        "arrows are not to scale."
     )
 
 

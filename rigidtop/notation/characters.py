@@ -23,7 +23,7 @@ FUNCTIONS = (
 """Whose names stand upright."""
 
 TEX_GREEK = {letter: "\\" + name for name, letter in GREEK.items()} | {
-    "ε": r"\epsilon",
+    "ε": r"\varepsilon",
     "ο": "o",
     "ϕ": r"\varphi",
     "ϑ": r"\vartheta",

@@ -161,7 +161,8 @@ class Row:
     `reason` is the sentence that belongs to it; `follows` says that it follows from the line
     above, which `spoken` says too; `verdict` is shown where the verdicts of one claim differ, a
     `mark` stands in the margin; `anchor` is its place for what cites it.
-    Equations `beside` it stand in the same line.
+    Equations `beside` it stand in the same line.  `line` is the line of the lecture that it is of,
+    `cites` are those that its move rests on.
     """
 
     equation: Equation
@@ -173,6 +174,8 @@ class Row:
     mark: Mark | None = None
     anchor: str = ""
     beside: tuple[Equation, ...] = ()
+    line: str = ""
+    cites: tuple[str, ...] = ()
 
     @property
     def spoken(self) -> Rich:
@@ -245,7 +248,7 @@ class Table:
         if self.kind != "numbers":
             return (1,) if self.kind == "values" else ()
         columns = enumerate(zip(*self.rows, strict=True))
-        return [k for k, cells in columns if k and any(isinstance(x, Node) for x in cells)]
+        return [k for k, cells in columns if any(isinstance(x, Node) for x in cells)]
 
 
 @dataclass(frozen=True)

@@ -125,7 +125,7 @@ def question(
     made = posed(exercise, number, points)
     settings: list[Any] = []
     for parameter in exercise.parameters:
-        settings += ["; " if settings else "", parameter.about, ": "]
+        settings += ["; " if settings else "", parameter.about, ":\u00a0"]
         settings += given(values[parameter.name], parameter.unit)
     if settings:
         made.append(b.Paragraph((*(piece for piece in settings if piece), "."), b.Fixed("Given")))
@@ -152,9 +152,9 @@ def total(points: str, exercises: int) -> b.Fixed:
 def solutions(
     exercises: Sequence[Solution],
     parts: Parts,
-    told: Mapping[str, str],
+    told: Mapping[str, b.Rich],
 ) -> list[b.Block]:
-    """The appendix.  `told` says under which heading a claim of the lecture was derived."""
+    """The appendix.  `told` says where a claim of the lecture was derived."""
     made: list[b.Block] = [b.Heading(1, "", b.Fixed("Solutions of the exercises"), "solutions")]
     known = dict(told)
     for number, each in enumerate(exercises, 1):
@@ -163,11 +163,12 @@ def solutions(
             b.ExerciseHead(each.exercise.title, place, "", number, kind=b.Fixed("Solution"))
         )
         made += answer(each, parts, known)
-        known |= {j.claim.name: "" for j in each.judgements}
+        there = b.Fixed("Solution"), b.Cited(f" {number}", place)
+        known = {j.claim.name: there for j in each.judgements} | known
     return made
 
 
-def answer(solution: Solution, parts: Parts, told: Mapping[str, str]) -> list[b.Block]:
+def answer(solution: Solution, parts: Parts, told: Mapping[str, b.Rich]) -> list[b.Block]:
     """What an exercise comes to, in symbols and in numbers."""
     exercise = solution.exercise
     made: list[b.Block] = []
@@ -203,14 +204,12 @@ def laws(lines: Lecture, shown: Collection[str], notation: Notation) -> list[b.B
     return [b.Heading(1, "", b.Fixed("Laws and definitions"), "laws"), *made] if made else []
 
 
-def _called(claim: Claim, section: str) -> b.Rich:
-    """A claim of the lecture, to be looked up."""
+def _called(claim: Claim, place: b.Rich) -> b.Rich:
+    """A claim that stands in another place, to be looked up."""
     name = b.Cited(f"({claim.name})", b.anchor(claim.name)) if b.is_number(claim.name) else None
     if name is not None:
         return (name,)
-    head = re.fullmatch(r"[\d.]+", section)
-    where = (b.Fixed(" (section "), f"{section})") if head else (f" (“{section}”)" * bool(section),)
-    return (f"“{claim.says.rstrip('.')}”", *where)
+    return (f"“{claim.says.rstrip('.')}”", *((" (", *place, ")") if place else ()))
 
 
 def results(solution: Solution) -> list[b.Block]:

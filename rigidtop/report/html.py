@@ -257,7 +257,11 @@ def _row(group: Sequence[b.Row], step: bool = False) -> str:
         lines = [sizes.lines(each, last.order, math.inf) for each in equations]
         source = aligned([align_row(line) for each in lines for line in each])
     name = f' id="{place}"' if place else ""
-    return f'<div class="{kind}"{name} data-tex="{escape(source)}">{why}{line}</div>{_aside(mark)}'
+    known = f' data-line="{speaker.line}" data-cites="{" ".join(speaker.cites)}"'
+    return (
+        f'<div class="{kind}"{name}{known * bool(speaker.line)} data-tex="{escape(source)}">'
+        f"{why}{line}</div>{_aside(mark)}"
+    )
 
 
 def _classed(math: str, name: str) -> str:

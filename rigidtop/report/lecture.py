@@ -81,11 +81,11 @@ class Picture:
         of = self.drawing.motions
         return of(**self.drawing.values(self.given)) if of else ()
 
-    def described(self, number: int) -> b.Figure:
-        """As the blocks of a document know it."""
+    def described(self, number: int, student: bool = False) -> b.Figure:
+        """As the blocks of a document know it, for a `student` without the answers of exercises."""
         values = self.drawing.values(self.given)
-        caption, alternative = self.drawing.caption(**values), self.drawing.alternative(**values)
-        return b.Figure(self.name, caption, alternative, number)
+        caption = (student and self.drawing.asked) or self.drawing.caption
+        return b.Figure(self.name, caption(**values), self.drawing.alternative(**values), number)
 
 
 def picture(solution: Solution, notation: Notation | None = None) -> Picture | None:
@@ -238,13 +238,14 @@ def lecture(
         own = picture(each, edition.notation)
         if own is not None and not any(own.shows_what(other) for other in pictures):
             pictures.append(own)
-    numbered = {p.name: p.described(k) for k, p in enumerate(pictures, 1)}
+    numbered = {p.name: p.described(k, student) for k, p in enumerate(pictures, 1)}
     parts = Parts(lines, notation, numbered, closing, edition.points)
     everything = [judgement for _, judgements in judged for judgement in judgements]
-    told: dict[str, str] = {}
+    told: dict[str, b.Rich] = {}
     for page, judgements in judged:
         *_, head = b.headings(page)
-        told |= {j.claim.name: head.number or head.title for j in judgements}
+        place = (b.Fixed("section"), f" {head.number}") if head.number else (f"“{head.title}”",)
+        told |= {j.claim.name: place for j in judgements}
     blocks: list[b.Block] = [marks.legend(everything)]
     if not student:
         texts |= {each.text.name for each in solutions if each.text is not None}
@@ -323,7 +324,7 @@ def record(
     """The record of every verdict: each claim with its lines, then what was found."""
     judged, _, solutions = _written(edition, judged, solutions)
     told = () if edition.student else solutions
-    whole = document(judged, told, edition.front, edition.letters)
+    whole = document(judged, told, edition.lines, edition.front, edition.letters)
     return _introduced(whole, edition.notation), ()
 
 
@@ -364,13 +365,13 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
     numbered = {p.name: p.described(k) for k, p in enumerate(pictures, 1)}
     parts = Parts(edition.lines, edition.letters, numbered, {}, points)
     made: list[b.Block] = [b.NameLine()] if student else []
-    told: dict[str, str] = {}
+    told: dict[str, b.Rich] = {}
     for number, each in enumerate(solutions, 1):
         made += handout.question(each.exercise, each.settings, number, points)
         if not student:
             made.append(b.Subhead(b.Fixed("Solution")))
             made += handout.answer(each, parts, told)
-            told |= {j.claim.name: "" for j in each.judgements}
+            told = {j.claim.name: () for j in each.judgements} | told
     made += handout.looked_up(made, parts)
     made = handout.linked(handout.parted([*made, *symbol_list(made, LETTERS)]))
     about = ["Questions" if student else "Questions and solutions"]

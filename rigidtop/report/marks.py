@@ -24,7 +24,7 @@ LEGEND: Mapping[Verdict, str] = {
     ),
     Verdict.ASSUMING: b.Fixed(
         "it holds under the condition beside it, which the notes do not state, or under one that "
-        "its lines say"
+        "stands in its lines"
     ),
     Verdict.CONVENTION: b.Fixed("right in content, at odds with the notes’ own definitions"),
     Verdict.FALSE: b.Fixed("it does not hold as the notes have it; the right form stands beneath"),

@@ -9,6 +9,7 @@ from sympy import MatrixBase
 
 from rigidtop.notation import NOTES, Notation
 from rigidtop.proof.equation import Equation
+from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.verdict import (
     Judgement,
     TestedAssumption,
@@ -17,12 +18,14 @@ from rigidtop.proof.verdict import (
 from rigidtop.report import blocks as b
 from rigidtop.report.claims import condition, tested
 from rigidtop.report.handout import parted
-from rigidtop.report.solutions import Solution, numbers
+from rigidtop.report.solutions import Solution, numbers, question
 from rigidtop.report.symbols import symbol_list
-from rigidtop.report.ways import claim_told
+from rigidtop.report.ways import claim_told, told_rows
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.nodes import Node
 from rigidtop.typeset.sizes import width
+
+NO_LINES = Lecture()
 
 READING = (
     "Each claim of the notes is typed as it is printed there and held against what a computer "
@@ -34,12 +37,13 @@ READING = (
 def document(
     judged: b.Judged,
     solutions: Sequence[Solution] = (),
+    lines: Lecture = NO_LINES,
     front: b.Front = b.NOTES,
     notation: Notation = NOTES,
 ) -> b.Document:
     """Every claim with the lines that lead to it and what was found, section by section.
 
-    The exercises of a section close it.
+    The exercises of a section close it.  What the lines start from stands at the end.
     """
     blocks: list[b.Block] = [*_front(judged)]
     told = {judgement.claim.name for _, judgements in judged for judgement in judgements}
@@ -53,6 +57,7 @@ def document(
             if solution.exercise.section == page.section:
                 blocks += _solved(solution, number, told, notation)
                 told |= {judgement.claim.name for judgement in solution.judgements}
+    blocks += _cited(lines, told, notation)
     whole = (*parted(blocks), *symbol_list(blocks, b.Heading(1, "", "Symbols", "symbols")))
     return b.Document(front.title, front.subtitle, whole, front.source, front.author)
 
@@ -61,8 +66,7 @@ def _solved(
     solution: Solution, number: int, told: Collection[str], notation: Notation
 ) -> Iterable[b.Block]:
     """An exercise; claims that were `told` before are named only."""
-    exercise = solution.exercise
-    yield b.ExerciseHead(exercise.title, b.anchor(exercise.name), exercise.asks, number)
+    yield from question(solution.exercise, solution.settings, number=number, named=False)
     there = [each.claim for each in solution.judgements if each.claim.name in told]
     if there:
         names = ", ".join(f"({c.name})" if b.is_number(c.name) else c.name for c in there)
@@ -72,6 +76,17 @@ def _solved(
         if judgement.claim.name not in told:
             yield from claim_told(judgement, notation)
     yield from numbers(solution)
+
+
+def _cited(lines: Lecture, told: Collection[str], notation: Notation) -> Iterable[b.Block]:
+    """The laws and other lines from which those of the claims start, and which are not shown."""
+    ways = [lines.way(name) for name in lines.names if name in told]
+    shown = {id for way, _ in ways for id in way}
+    starts = {id for _, starts in ways for id in starts} - shown
+    rows = [told_rows(lines, lines.lines[id], notation) for id in lines.lines if id in starts]
+    if rows:
+        yield b.Heading(1, "", "Laws, definitions and other lines that are cited", "cited")
+        yield b.Display(tuple(row for each in rows for row in each))
 
 
 def _front(judged: b.Judged) -> Iterable[b.Block]:
@@ -84,6 +99,7 @@ def _front(judged: b.Judged) -> Iterable[b.Block]:
     ]
     rows.append((("all",), (str(len(everything)),), ()))
     yield b.Table(("verdict", "claims", "what it says"), tuple(rows), "", "text", (0, 0, 0.68))
+    yield b.Paragraph(("The claims that only exercises make are ours, and are not counted here.",))
     found = tuple(_found(judgement) for judgement in everything if judgement.verdict in _NOTED)
     if found:
         yield b.Heading(1, "", "What was found in the notes", "found")

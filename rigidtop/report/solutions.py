@@ -18,7 +18,7 @@ from rigidtop.proof.verdict import Judgement, judge
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report.claims import measured
-from rigidtop.report.numbers import SMALLEST_ANGLE, cells, shown
+from rigidtop.report.numbers import SMALLEST_ANGLE, cells, cleaned, shown
 from rigidtop.report.plain import rich
 from rigidtop.report.records import measure_record
 from rigidtop.report.records import record as judgement_record
@@ -110,13 +110,14 @@ def numbers(solution: Solution) -> Iterable[b.Block]:
         yield b.quantities("Found", rows)
     for outcome in solution.outcomes:
         if isinstance(outcome, Table):
-            yield b.Table(outcome.columns, cells(outcome.rows), outcome.title)
+            columns = map(cleaned, zip(*outcome.rows, strict=True))
+            yield b.Table(outcome.columns, cells([*zip(*columns, strict=True)]), outcome.title)
     if solution.measures:
         yield measured(solution.measures, "Confirmed", "by a second way")
 
 
 def question(
-    exercise: Exercise, values: Mapping[str, float], *, named: bool = True
+    exercise: Exercise, values: Mapping[str, float], *, number: int = 0, named: bool = True
 ) -> list[b.Block]:
     """The exercise as a student gets it, with nothing of its solution.
 
@@ -126,7 +127,7 @@ def question(
         (p.about + f" ({p.name})" * named, shown(values[p.name]), _unit(p.unit, values[p.name]))
         for p in exercise.parameters
     )
-    made = posed(exercise)
+    made = posed(exercise, number)
     return [*made, b.quantities("Given", given)] if given else made
 
 

@@ -342,11 +342,11 @@ TOGETHER = 5
 
 def _numbers(block: b.Table, rows: Cells) -> str:
     first, *others = block.head
-    sides = ["r" if k in block.right else "l" for k in range(1, len(block.head))]
+    side, *sides = ["r" if k in block.right else "l" for k in range(len(block.head))]
     head = " & ".join([prose(first), *map(_head, map(_stacked, others), sides)])
     # Long words at the left have room for two lines.
     long = any(isinstance(row[0], str) and len(row[0]) > LONG for row in block.rows)
-    left = r">{\raggedright\arraybackslash}p{0.62\linewidth}" if long else "l"
+    left = r">{\raggedright\arraybackslash}p{0.62\linewidth}" if long else side
     lines = [" & ".join(row) + r" \\" for row in rows]
     return "\n\n".join(
         rf"\rttable{{{prose(block.title)}}}{{\begin{{tabular}}{{@{{}}{left}{''.join(sides)}@{{}}}}"

@@ -235,6 +235,8 @@ def line_rows(
             equation.tag,
             words if k == 0 else "",
             anchor=place if k == last else "",
+            line=id,
+            cites=lecture.cites(id) if k == 0 else (),
         )
         for k, equation in enumerate(equations)
     ]

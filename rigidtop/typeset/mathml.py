@@ -28,7 +28,7 @@ _ACCENTS = {
     "ddot": '<mo scriptlevel="0">¨</mo>',
     "hat": '<mo stretchy="false">^</mo>',
 }
-_SHAPES = {"φ": "ϕ", "ε": "ϵ"}  # as LaTeX draws them
+_SHAPES = {"φ": "ϕ"}  # as LaTeX draws them
 _VECTOR = ' mathvariant="normal" style="font-weight:bold"'
 _BOLD_GREEK = ' style="font-weight:bold"'
 THIN = '<mspace width="0.1667em"/>'

@@ -22,9 +22,8 @@ const slides = (() => {
   const heads = (node) => node.matches("h2, h3, h4, h5, .head");
   const box = (node) => node.getBoundingClientRect();
   const units = [];
-  const letters = (node) => node.textContent.replace(/[\s\u2061-\u2064]/g, "");
-  const rows = [];
-  const names = new Map();
+  const told = new Map();
+  let count = 0;
   let said;
   for (const whole of [...main.children].flatMap((each) => (each.matches(".columns") ? [...each.children] : each))) {
     const last = units.at(-1);
@@ -37,17 +36,12 @@ const slides = (() => {
       const inner = [...(table ? table.tBodies[0].rows : whole.matches("ul") ? whole.children : [whole])];
       const widths = table ? [...table.tHead.rows[0].cells].map((each) => box(each).width) : [];
       const { top, height: tall } = box(whole);
-      // What the one sentence of a move is about: "it" and "both" are the lines just above it, others
-      // have the names of their left sides.  More sentences are a law, which rests on none.
-      const why = whole.matches(".step, .result") && whole.querySelector(".why");
-      const words = why && !/\.\s/.test(why.textContent) ? why.textContent : "";
-      const meant = /\ball three\b/i.test(words) ? 3 : /\bboth\b/i.test(words) ? 2 : /\bit\b/i.test(words) ? 1 : 0;
-      const named = [...(words ? why.querySelectorAll("math") : [])].map((each) => names.get(letters(each)));
-      const needs = [...rows.slice(rows.length - meant), ...named.filter(Boolean)];
-      if (whole.matches("h2, h3, .exercise")) names.clear();
+      // The lines that a move rests on, of the same section.
+      if (whole.matches("h2, h3, .exercise")) told.clear();
+      const needs = (whole.dataset.cites ?? "").split(" ").flatMap((id) => told.get(id) ?? []);
       if (heads(whole)) said = undefined;
-      const goesOn = words || whole.matches("p:not(.label)") ? said : undefined;
-      const at = rows.length;
+      const goesOn = needs.length || whole.matches("p:not(.label)") ? said : undefined;
+      const at = count;
       for (const [k, each] of inner.entries()) {
         const above = table && k ? box(inner[0]).top - top : 0;
         units.push({ nodes: [each], whole, k, of: inner.length, tall, widths, at, needs, goesOn, figures: [],
@@ -56,11 +50,9 @@ const slides = (() => {
       if (whole.matches(".row")) {
         const eq = whole.querySelector(".eq");
         said = { at, eq, tag: whole.querySelector(".tag"), tall: 8 + 0.75 * box(eq).height };
-        rows.push(said);
-        for (const line of eq.querySelectorAll("math, mtr")) {
-          const [, name] = /^([^=≈<>≠]{3,})[=≈]/.exec(letters(line)) ?? [];
-          if (name) names.set(name, said);
-        }
+        count += 1;
+        const { line } = whole.dataset;
+        if (line) told.set(line, [...(told.get(line) ?? []), said]);
       }
     }
   }
