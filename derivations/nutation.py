@@ -103,7 +103,7 @@ def nutation() -> Iterator[Evidence]:
     yield from evidence.nutation()
 
 
-@claim("azimuth", "$φ̇$ then varies by (3.45): waves, cusps, loops.")
+@claim("azimuth", "$φ̇$ varies with $θ$ by (3.45): waves, cusps, loops.")
 def azimuth() -> Iterator[Evidence]:
     """$φ̇$ has the sign of $p_φ − p_ψ cos θ$, which changes at $cos θ₀ = p_φ/p_ψ$.
 
@@ -155,8 +155,8 @@ def friction() -> Iterator[Evidence]:
     figure_axis = Matrix([sin(s.theta), 0, cos(s.theta)])
     turning = s.Omega * Matrix([0, 0, 1])
     moves = (
-        "the tip, where friction holds it, is round and the top does not turn about the vertical "
-        "alone: else the contact stays where it is"
+        "it does not slip but rolls: then the tip has to be round and the top not to turn about "
+        "the vertical alone, or the contact stays where it is"
     )
     yield Formal(
         printed(r"\boldsymbol\omega\times r_0\hat{\mathbf z} \neq [0, 0, 0]^T"),

@@ -18,7 +18,7 @@ from .printed import printed
 
 @claim(
     "3.46",
-    "A rotation matrix is an orthogonal $O$ which, applied to $𝐫$, gives $𝐫′$, as $𝐫′ = Oᵀ𝐫$ does.",
+    "A rotation matrix is an orthogonal $O$ which, applied to $𝐫$, gives $𝐫′$: $𝐫′ = Oᵀ𝐫$.",
 )
 def rotated_components() -> Iterator[Evidence]:
     """(3.34) again. But the sentence beside it has $O$ where the equation has $Oᵀ$.

@@ -94,7 +94,7 @@ def stable_axes(
         rows.append((f"$e{'₁₂₃'[axis]}$", moments[axis], kind, rate, time))
     yield Table(
         "axes",
-        "A small kick: rate of growth and time to grow by e, or frequency and period",
+        "A small kick: rate of growth and time to grow by the factor e, or frequency and period",
         ("axis", "moment (kg $m²$)", "$𝛚$", "rate (1/s)", "time (s)"),
         tuple(rows),
     )

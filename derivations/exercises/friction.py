@@ -209,7 +209,7 @@ def rising_top(
     yield Answer("omega3_then", "$ω₃$ at the end", float(path.omega[-1, 2]), "rad/s")
     yield Answer(
         "omega3_upright",
-        "$ω₃$ of the upright top, if it gets there, by Jellett's integral",
+        "$ω₃$ of the upright top, if it gets there, by Jellett's integral with this start's $L_z$",
         float(path.jellett[0]) / (top.lambda3 * top.R),
         "rad/s",
     )
@@ -366,7 +366,9 @@ def waking_top(
             f"the tilt does not become visible in time: drag3 = {drag3:g} brakes the spin so fast "
             "that the growth rate of a moment says little"
         )
-    yield Answer("phi_dot", "$φ̇$ at the start, $λ₃ω₃/2$ over $λ₁ + MR²$", turning, "rad/s")
+    yield Answer(
+        "phi_dot", "$φ̇$ at the start, $λ₃ω₃/2$ over the moment about the tip", turning, "rad/s"
+    )
     yield Answer("seen", "time until the tilt is visible, integrated", seen, "s")
     yield Answer("omega3_then", "$ω₃$ then", omega3 * exp(-decay * seen), "rad/s")
     at_rest = small_tilt_time(pivot, omega3, decay, disturbance, visible, 0.0)

@@ -35,9 +35,9 @@ PLACES: tuple[tuple[float, float, float, float], ...] = (
 def point_parameters() -> Iterator[Parameter]:
     """m1, x1, y1, z1, and so on."""
     for k, (mass, *place) in enumerate(PLACES, start=1):
-        yield Parameter(f"m{k}", mass, f"mass of point {k}", "kg", above=0)
+        yield Parameter(f"m{k}", mass, f"mass of point\u00a0{k}", "kg", above=0)
         for axis, x in zip("xyz", place, strict=True):
-            yield Parameter(f"{axis}{k}", x, f"${axis}$ of point {k}", "m")
+            yield Parameter(f"{axis}{k}", x, f"${axis}$ of point\u00a0{k}", "m")
 
 
 @exercise(

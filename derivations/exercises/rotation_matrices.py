@@ -49,9 +49,9 @@ HALVINGS = 6
     section="3.4",
     asks="“these matrices form a group (see math)”",
     statement="Let $A$ be a turn by the angle $2α₁$ about $𝐧₁$, $B$ one by $2α₂$ about $𝐧₂$, and "
-    "$γ$ the angle between these axes. Show that $A B$ is a rotation, and find its angle "
-    "and axis. Convince yourself of what else makes a group: a neutral element, inverses, $(AB)C "
-    "= A(BC)$.\n\nThe order matters: by what angle do $A B$ and $B A$ differ? Halve both angles "
+    "$γ$ the angle between these axes. Show that $AB$ is a rotation, and find its angle "
+    "and axis. Convince yourself of what else makes a group: a neutral element, inverses, $(AB)D "
+    "= A(BD)$.\n\nThe order matters: by what angle do $AB$ and $BA$ differ? Halve both angles "
     "again and again: what is that angle for small turns, and about which axis?",
     claims=(rotation_group, product_of_rotations, commutator_of_rotations),
     parameters=(
@@ -63,7 +63,7 @@ HALVINGS = 6
     text="exercises/rotations_form_a_group",
 )
 def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[Outcome]:
-    """Angle and axis of $A B$ come from the half-angle formula, and are those of the product of the
+    """Angle and axis of $AB$ come from the half-angle formula, and are those of the product of the
     matrices. $𝐧₁$ is $x̂$, and $𝐧₂$ lies in the plane of $x̂$ and $ŷ$. The unit matrix is a turn by
     zero, the inverse a turn by the opposite angle, and a product of three matrices does not depend
     on the brackets."""
@@ -87,19 +87,19 @@ def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[
     C = about(axis, angle)
 
     apart = 4 * np.arcsin(abs(sines[0] * sines[1] * sin(gamma)))
-    yield Answer("angle", "angle of $A B$", angle, "rad")
+    yield Answer("angle", "angle of $AB$", angle, "rad")
     for letter, component in zip("xyz", axis, strict=True):
-        yield Answer(f"axis_{letter}", f"axis of $A B$, along ${letter}$", float(component))
+        yield Answer(f"axis_{letter}", f"axis of $AB$, along ${letter}$", float(component))
     # 4 arcsin is at most 2π; a turn by more than π is one by less the other way.
     yield Answer(
         "commutator",
-        "angle by which $A B$ and $B A$ differ",
+        "angle by which $AB$ and $BA$ differ",
         float(min(apart, 2 * pi - apart)),
         "rad",
     )
     yield Table(
         "small_turns",
-        "Both angles halved: the angle of $A B A⁻¹B⁻¹$ and its axis",
+        "Both angles halved: the angle of $ABA⁻¹B⁻¹$ and its axis",
         (
             "$2α₁$ (rad)",
             "$2α₂$ (rad)",
@@ -116,18 +116,18 @@ def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[
     apart_by_scipy = (Rotation.from_matrix(A @ B) * Rotation.from_matrix(B @ A).inv()).magnitude()
     product = about(axis, angle)
     errors = {
-        "$A B$ by the half-angle formula, against the product": product - A @ B,
-        "$A B$ is orthogonal": (A @ B).T @ (A @ B) - one,
-        "det $A B − 1$": np.linalg.det(A @ B) - 1,
+        "$AB$ by the half-angle formula, against the product": product - A @ B,
+        "$AB$ is orthogonal": (A @ B).T @ (A @ B) - one,
+        "det $AB − 1$": np.linalg.det(A @ B) - 1,
         "$A⁻¹$ is a turn by the opposite angle": about(first, -alpha) @ A - one,
         "$(AB)C − A(BC)$": (A @ B) @ C - A @ (B @ C),
-        "angle of $A B$ against SciPy (rad)": np.linalg.norm(by_scipy) - angle,
+        "angle of $AB$ against SciPy (rad)": np.linalg.norm(by_scipy) - angle,
     }
     for what, error in errors.items():
         yield Measure(what, float(np.max(np.abs(error))), 1e-14)
     # Near half a turn the angle of a matrix has half of its digits.
     cosine = np.cos(apart_by_scipy) - np.cos(apart)
-    yield Measure("cosine of the angle between $A B$ and $B A$, against SciPy", abs(cosine), 1e-14)
+    yield Measure("cosine of the angle between $AB$ and $BA$, against SciPy", abs(cosine), 1e-14)
 
 
 def _commutator(

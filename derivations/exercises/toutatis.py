@@ -79,10 +79,10 @@ DAY = 86400.0
     "Toutatis and its state of rotation on 9 November 1992; our $e₃$ is its long axis, "
     "so that $λ₃$ is the smallest moment here. About which axis does $𝛚$ circle, how long does one "
     "turn about the long axis take, and how long one turn of that axis about $𝐋$? Compute its "
-    "attitude for every time at which radar saw it "
-    "and compare.\n\nHow much of its energy could friction inside the body still take, and about "
-    "which axis would it then rotate? Why do most asteroids rotate so already? (One degree per "
-    "day is $2.02 × 10⁻⁷$ rad/s; moments are in units of $λ₃$.)",
+    "attitude for the times at which they give what radar saw, and compare.\n\nHow much of its "
+    "energy could friction inside the body still take, and about which axis would it then rotate? "
+    "Why do most asteroids rotate so already? (One degree per day is $2.02 × 10⁻⁷$ "
+    "rad/s; moments are in units of $λ₃$.)",
     claims=(example_33,),
     parameters=(
         Parameter("lambda1", float(MOMENTS[0]), "$λ₁$, about the body's $x$ axis", above=0),
@@ -171,7 +171,7 @@ def toutatis(
         "Computed against observed: how far apart",
         (
             "date",
-            "days",
+            "days from the start",
             "error of attitude ($°$)",
             "tilt of long axis ($°$)",
             "turn about long axis ($°$)",
@@ -225,7 +225,7 @@ def _last_digits(motion: Motion) -> Table:
     return Table(
         "last_digits",
         "Half of the last printed digit of the start, and the attitude of 2008",
-        ("changed", "by, of $ω$ in $°/day$", "change of attitude ($°$)"),
+        ("changed", "by ($ω$: in $°/day$)", "change of attitude ($°$)"),
         tuple(rows),
     )
 
@@ -274,7 +274,7 @@ def _energies(moments: Vectors, omega: Vectors, ball: float, friction: float) ->
     )
     yield Answer(
         "tilt_at_end",
-        "angle of $𝐋$ and the nearest axis of the largest moment at the end",
+        "angle of $𝐋$ and the axis of the largest moment at the end",
         float(tilts[-1]),
         "rad",
     )

@@ -177,7 +177,7 @@ def _caption(alpha: float, beta: float, gamma: float) -> str:
         f"A book turned by $A$, $2α₁ = {degrees(alpha)}$ about $𝐧₁$, and by $B$, $2α₂ = "
         f"{degrees(beta)}$ about $𝐧₂$, axes at $γ = {degrees(gamma)}$ that stay where they are. "
         "The cover bears an F, the darker back a bar. Above $B$ comes first, below $A$; the matrix "
-        "of what comes later stands to the left. $A B$ is one turn, by "
+        "of what comes later stands to the left. $AB$ is one turn, by "
         f"{degrees(found['angle'])} about the axis ({axis}), $𝐧₁$ being along $x̂$ and $𝐧₂$ in the "
         f"plane of $x̂$ and $ŷ$. {differ}"
     )
@@ -200,7 +200,7 @@ def _in_words(alpha: float, beta: float, gamma: float) -> str:
 
 ORDER_OF_ROTATIONS = Drawing(
     "order-of-rotations",
-    "Two turns of a book: $A B$ is not $B A$",
+    "Two turns of a book: $AB$ is not $BA$",
     "",
     rotations_form_a_group.parameters,
     _draw,

@@ -186,8 +186,8 @@ def _caption(**values: float) -> str:
         f"Right: its axis from above, let go with {said(found['spin_rpm'], 4)} turns a minute and "
         f"$𝛚$ along $e₃$, {goes}. Below: turns and nutations in a second, against the "
         f"spin, at this tilt. In steady precession the axis takes {said(found['slow_turn'])} s for "
-        f"a turn, and nutates {said(found['nutation'])} times a second; upright, it sleeps "
-        f"from {said(found['sleeping_rpm'], 4)} turns a minute on. The spin has "
+        f"a turn; pushed a little, it nutates {said(found['nutation'])} times a second. "
+        f"Upright, it sleeps from {said(found['sleeping_rpm'], 4)} turns a minute on. The spin has "
         f"{said(found['energy'])} J, which could lift it by {said(found['height'])} m."
     )
 

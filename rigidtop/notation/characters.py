@@ -90,7 +90,7 @@ PUNCTUATION = {
     "»": r"\guillemotright{}",
     "…": r"\ldots{}",
     "§": r"\S{}",
-    "°": r"\textdegree{}",
+    "°": r"\ensuremath{^{\circ}}",
     "\u00a0": "~",
     "\u202f": r"\,",
     "\u2009": r"\,",

@@ -163,7 +163,7 @@ def solutions(
             b.ExerciseHead(each.exercise.title, place, "", number, kind=b.Fixed("Solution"))
         )
         made += answer(each, parts, known)
-        there = b.Fixed("Solution"), b.Cited(f" {number}", place)
+        there = b.Fixed("Solution"), "\u00a0", b.Cited(f"{number}", place)
         known = {j.claim.name: there for j in each.judgements} | known
     return made
 

@@ -47,9 +47,8 @@ def write(
         document = replace(document, blocks=tuple(map(_in_full, document.blocks[: _end(document)])))
     body = mathml.held("\n".join(_sections(document, figures)))
     byline = f'\n<p class="byline">{prose_html(document.byline)}</p>' if document.byline else ""
-    end = f'\n<footer class="colophon"><p>{prose_html(document.colophon)}</p></footer>' * (
-        not slides
-    )
+    source = f'<p class="colophon">{prose_html(document.colophon)}</p>'
+    begin, end = (f"\n{source}", "") if slides else ("", f"\n<footer>{source}</footer>")
     kinds = [
         "page.css",
         *["lecture.css"] * document.lecture,
@@ -76,7 +75,7 @@ def write(
 <main class="page" id="content">
 <header>
 <h1>{prose_html(document.title)}</h1>
-<p class="subtitle">{prose_html(document.subtitle)}</p>{byline}
+<p class="subtitle">{prose_html(document.subtitle)}</p>{byline}{begin}
 </header>
 {body}{end}
 </main>

@@ -57,12 +57,12 @@ it holds at random points to 40 digits, and was not shown in symbols \
 | vérifié à 40 chiffres en des points pris au hasard, non démontré par le calcul formel \
 | se cumple con 40 cifras en puntos al azar, sin demostración simbólica \
 | vale con 40 cifre in punti presi a caso, senza dimostrazione simbolica
-it holds under the condition beside it, which the notes do not state, or under one that stands in \
-its lines | gilt unter der Bedingung daneben, die im Skript nicht steht, oder unter einer, die \
-seine Zeilen nennen | vrai sous la condition ci-contre, que le cours n’énonce pas, ou sous une \
-condition que ses lignes énoncent | se cumple con la condición de al lado, que los apuntes no \
-mencionan, o con una que mencionan sus líneas | vale sotto la condizione accanto, che gli \
-appunti non dicono, o sotto una che le sue righe dicono
+it holds under the condition noted with it, which the notes do not state, or under one that \
+stands in its lines | gilt unter der Bedingung daneben, die im Skript nicht steht, oder unter \
+einer, die seine Zeilen nennen | vrai sous la condition ci-contre, que le cours n’énonce pas, ou \
+sous une condition que ses lignes énoncent | se cumple con la condición de al lado, que los \
+apuntes no mencionan, o con una que mencionan sus líneas | vale sotto la condizione accanto, che \
+gli appunti non dicono, o sotto una che le sue righe dicono
 right in content, at odds with the notes’ own definitions \
 | inhaltlich richtig, aber im Widerspruch zu den Definitionen des Skripts \
 | juste sur le fond, mais contraire aux définitions du cours \

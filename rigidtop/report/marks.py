@@ -23,8 +23,8 @@ LEGEND: Mapping[Verdict, str] = {
         "it holds at random points to 40 digits, and was not shown in symbols"
     ),
     Verdict.ASSUMING: b.Fixed(
-        "it holds under the condition beside it, which the notes do not state, or under one that "
-        "stands in its lines"
+        "it holds under the condition noted with it, which the notes do not state, or under one "
+        "that stands in its lines"
     ),
     Verdict.CONVENTION: b.Fixed("right in content, at odds with the notes’ own definitions"),
     Verdict.FALSE: b.Fixed("it does not hold as the notes have it; the right form stands beneath"),

@@ -8,7 +8,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import singledispatch
 from importlib.resources import files
-from itertools import accumulate
 from typing import Any
 
 from rigidtop.notation.characters import ESCAPES
@@ -130,19 +129,32 @@ def _joined(
 
 
 def _floating(blocks: Sequence[b.Block]) -> Iterator[b.Block]:
-    """What floats told behind the head of its solution, so that it has room there.
+    """What floats told behind the head of its solution and the first paragraph.
 
-    Narrow tables come before what goes over both columns, which would hold them up.
+    So it has room there, and never takes that of the head.  Narrow tables come before what goes
+    over both columns, which would hold them up.
     """
-    places = accumulate(isinstance(each, b.Heading | b.ExerciseHead) for each in blocks)
-    turns = [(place, _turn(each)) for place, each in zip(places, blocks, strict=True)]
+    turns: list[tuple[int, int]] = []
+    place, begins = 0, False
+    for each in blocks:
+        headed = isinstance(each, b.Heading | b.ExerciseHead)
+        place += headed
+        turn = 0 if headed else _turn(each)
+        if begins and turn == TEXT:
+            turn, begins = 0, isinstance(each, b.Paragraph) and each.held
+        begins = headed or begins
+        turns.append((place, turn))
     return (blocks[k] for k in sorted(range(len(blocks)), key=turns.__getitem__))
 
 
 def _turn(block: b.Block) -> int:
     if isinstance(block, b.Table) and block.kind == "numbers":
         return 1 + (len(block.head) > 6)
-    return 0 if isinstance(block, b.Heading | b.ExerciseHead) else 3 - isinstance(block, b.Figure)
+    return 2 if isinstance(block, b.Figure) else TEXT
+
+
+TEXT = 3
+"""The turn of what does not float."""
 
 
 COLUMN = 36.0

@@ -49,7 +49,7 @@ def _in_words(node: lay.Node) -> str:
             over = lay.Brackets(node.over) if bare else lay.as_factor(node.over, False)
             single = isinstance(node.under, lay.Letter | lay.Number | lay.Power | lay.Root)
             under = node.under if single else lay.bracketed(node.under)
-            return rf"{_in_words(over)}/\penalty3000 {latex(under)}"
+            return rf"{_in_words(over)}/{latex(under)}"
     return latex(node).replace(")(", r")\allowbreak (")
 
 

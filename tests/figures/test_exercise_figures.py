@@ -236,7 +236,7 @@ def test_both_orders_end_where_the_rotations_do(chosen):
     turned = f"{math.degrees(apart.magnitude()):.3g}°"
     assert f"From where one ends to where the other ends it is a turn by {turned}" in words
     whole = math.degrees(Rotation.from_matrix(upper[2][1]).magnitude())
-    assert f"A B is one turn, by {whole:.3g}°" in words
+    assert f"AB is one turn, by {whole:.3g}°" in words
 
 
 @pytest.mark.parametrize("chosen", TURNS)

@@ -174,6 +174,16 @@ def test_pages_have_no_white_gaps(paper, tmp_path):
     assert len(reader.pages) < (56 if columns else 100)
 
 
+@pytest.mark.parametrize("paper", ["latexmk"], indirect=True)
+def test_no_table_stands_above_the_head_of_its_solution(words, document):
+    """The first that is said of a solution is its title; those of its tables come later."""
+    titles = {b.number: b.title for b in document.blocks if isinstance(b, ExerciseHead)}
+    told = re.findall(r"^Solution (\d+)\. (\w+)", "\n".join(words), re.MULTILINE)
+    first = dict(reversed(told))
+    assert first == {str(k): re.match(r"\w+", title)[0] for k, title in titles.items()}
+    assert len(told) > len(first)
+
+
 def test_no_heading_ends_a_page(words, document):
     kinds = (Heading, ExerciseHead, Subhead)
     titles = {

@@ -24,6 +24,7 @@ const slides = (() => {
   const units = [];
   const told = new Map();
   let count = 0;
+  let section = 0;
   let said;
   for (const whole of [...main.children].flatMap((each) => (each.matches(".columns") ? [...each.children] : each))) {
     const last = units.at(-1);
@@ -36,11 +37,12 @@ const slides = (() => {
       const inner = [...(table ? table.tBodies[0].rows : whole.matches("ul") ? whole.children : [whole])];
       const widths = table ? [...table.tHead.rows[0].cells].map((each) => box(each).width) : [];
       const { top, height: tall } = box(whole);
-      // The lines that a move rests on, of the same section.
-      if (whole.matches("h2, h3, .exercise")) told.clear();
-      const needs = (whole.dataset.cites ?? "").split(" ").flatMap((id) => told.get(id) ?? []);
+      // The lines that a move rests on, but for those with a number in another section: it is a link.
+      section += whole.matches("h2, h3:not(.sub), .exercise");
+      const cites = (whole.dataset.cites ?? "").split(" ");
+      const needs = cites.flatMap((id) => told.get(id) ?? []).filter((row) => !row.tag || row.section === section);
       if (heads(whole)) said = undefined;
-      const goesOn = needs.length || whole.matches("p:not(.label)") ? said : undefined;
+      const goesOn = whole.matches("p:not(.label)") ? said : undefined;
       const at = count;
       for (const [k, each] of inner.entries()) {
         const above = table && k ? box(inner[0]).top - top : 0;
@@ -49,7 +51,7 @@ const slides = (() => {
       }
       if (whole.matches(".row")) {
         const eq = whole.querySelector(".eq");
-        said = { at, eq, tag: whole.querySelector(".tag"), tall: 8 + 0.75 * box(eq).height };
+        said = { at, section, eq, tag: whole.querySelector(".tag"), tall: 8 + 0.75 * box(eq).height };
         count += 1;
         const { line } = whole.dataset;
         if (line) told.set(line, [...(told.get(line) ?? []), said]);
@@ -73,7 +75,7 @@ const slides = (() => {
   // A slide stands by itself: what it speaks of and the last line, where it goes on, are shown again.
   const laid = (first, last, needs) => {
     const bare = last.end - first.start + (first === units[0] ? 0 : first.again) - room;
-    const recalled = [...new Set([...needs, first.goesOn])]
+    const recalled = [...new Set(needs.length ? needs : [first.goesOn])]
       .filter((row) => row?.at < first.at).sort((a, b) => a.at - b.at).slice(-3);
     const over = recalled.reduce((sum, { tall }) => sum + tall, bare);
     return first === last && over > 0 ? { bare, over: bare, recalled: [] } : { bare, over, recalled };
