@@ -342,13 +342,17 @@ THIN = r"\,"
 
 def _values(block: b.Table, rows: Cells) -> str:
     made = [rf"\rtquantity{{{what}}}{{{value}{unit}}}" for what, value, unit in rows]
-    # A list is parted, if at all, between at least so many rows.
-    made = [r"\nobreak" * (min(k, len(made) - k) < TOGETHER) + row for k, row in enumerate(made)]
+    # A list is parted, if at all, between at least so many rows, and only where nothing else is.
+    parts = (min(k, len(made) - k) for k in range(len(made)))
+    made = [
+        (r"\nobreak" if least < TOGETHER else r"\penalty500 ") + row
+        for least, row in zip(parts, made, strict=True)
+    ]
     label = rf"\lab{{{prose(block.title)}}}\par\nopagebreak" if block.title else ""
     return f"{label}\\rtquantities{{{''.join(made)}}}"
 
 
-TOGETHER = 5
+TOGETHER = 4
 """Quantities of a list that stay together."""
 
 
