@@ -205,7 +205,7 @@ def axis_stability() -> Iterator[Evidence]:
 page = Page(
     "3.2.2",
     "Euler's equations",
-    "The rate of change of $ω$ in the frame of the principal axes.",
+    "The rate of change of $𝛚$ in the frame of the principal axes.",
     (
         transport,
         euler_equations,

@@ -68,7 +68,7 @@ def inertia_full() -> Iterator[Evidence]:
 page = Page(
     "3.2",
     "Free precession",
-    "Without external torque $L$ is constant in the space frame, where $I$ as a rule is not.",
+    "Without external torque $𝐋$ is constant in the space frame, where $I$ as a rule is not.",
     (conservation, inertia_full),
     text="free_precession",
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from sympy import Eq, Gt, Lt, Matrix, Ne, cos, sin
 
@@ -74,7 +75,7 @@ def p_phi_is_l_z() -> Iterator[Evidence]:
     meaning = {s.p_phi: momenta(top.lagrangian(), top.RATES)[1], **momentum_along_axes()}
     formula = Equation(s.L_z, printed("3.55").sides[1])
     yield Formal(printed("p-phi-is-Lz"), meaning)
-    yield Formal(formula, meaning, (SYMMETRIC,))
+    yield Formal(formula, meaning, (replace(SYMMETRIC, words="a symmetric top has (3.55)"),))
 
 
 @claim("p-psi-is-L3", "$p_ψ$ is $L₃$.")
@@ -126,7 +127,7 @@ def two_roots() -> Iterator[Evidence]:
     spin = s.lambda3**2 * s.omega3**2
     above = Assumption(Gt(spin, spin - top.discriminant()), "the spin is above the threshold")
     yield Formal(two, meaning, (above,))
-    yield Remark(two, meaning, (below,), "No threshold there.")
+    yield Remark(two, meaning, (below,), "Below the horizontal there is no threshold.")
     yield Check(printed(r"\Omega_- = \frac{MgR}{\lambda_3\omega_3}"), ROOTS, (FAST, SPINNING))
     yield Check(printed(WITHOUT_G), ROOTS, (FAST, HORIZONTAL))
 

@@ -104,7 +104,7 @@ def torque() -> Iterator[Evidence]:
     )
 
 
-@claim("3.49", "Gravity turns a body as if all its mass sat at the centre of mass.")
+@claim("3.49", "The torque of gravity is that of all the mass at the centre of mass.")
 def gravity() -> Iterator[Evidence]:
     """The integral of $ρ r$ is $M 𝐑_CM$ by definition; the same $g$ everywhere is part of $f$.
 

@@ -155,8 +155,8 @@ def friction() -> Iterator[Evidence]:
     figure_axis = Matrix([sin(s.theta), 0, cos(s.theta)])
     turning = s.Omega * Matrix([0, 0, 1])
     moves = (
-        "it does not slip but rolls: then the tip has to be round and the top not to turn about "
-        "the vertical alone, or the contact stays where it is"
+        "where it rolls instead the tip is round, and the top does not turn about the vertical "
+        "alone: else the contact stays where it is"
     )
     yield Formal(
         printed(r"\boldsymbol\omega\times r_0\hat{\mathbf z} \neq [0, 0, 0]^T"),

@@ -39,7 +39,7 @@ def body_frequency() -> Expr:
 
 def body_cone() -> Matrix:
     """The solution of (3.37) from ω₀, ω₂,₀, ω₃ at t = 0: a turn about e₃ by −Ω_b t (3×1, rad/s)."""
-    return rotation_z(-s.Omega_b * s.t) * Matrix([s.omega_0, s.omega_20, s.omega3])
+    return rotation_z(-body_frequency() * s.t) * Matrix([s.omega_0, s.omega_20, s.omega3])
 
 
 @claim("3.37", "$ω₁$ and $ω₂$ drive each other, and $ω₃$ is constant.")
@@ -68,7 +68,7 @@ def omega_on_body_cone() -> Iterator[Evidence]:
     """(3.37) is a turn about $e₃$ by $−Ω_b t$; the printed solution starts it at $ω₂ = 0$."""
     from . import evidence
 
-    yield Check(printed("3.38"), {s.omega_vec: body_cone()}, (START,))
+    yield Check(printed("3.38"), {s.omega_vec: body_cone(), s.Omega_b: body_frequency()}, (START,))
     yield from evidence.body_cone()
 
 
@@ -76,7 +76,9 @@ def omega_on_body_cone() -> Iterator[Evidence]:
 def momentum_on_body_cone() -> Iterator[Evidence]:
     """$Lₖ = λₖωₖ$ applied to (3.38)."""
     momentum = diag(s.lambda1, s.lambda2, s.lambda3) * body_cone()
-    yield Check(printed("3.39"), {s.L_vec: momentum}, (SYMMETRIC, START))
+    yield Check(
+        printed("3.39"), {s.L_vec: momentum, s.Omega_b: body_frequency()}, (SYMMETRIC, START)
+    )
 
 
 @claim("3.40", "The frequency $Ω_b$ of the precession in the body, and its period $2π/Ω_b$.")

@@ -38,7 +38,9 @@ friction_raises = Claim("friction-raises", "Sliding friction at a round tip rais
 
 
 spin_falls = Claim(
-    "spin-in-air", "A sleeping top that the air brakes has its spin fall exponentially, and wakes."
+    "spin-in-air",
+    "A sleeping top that the air brakes has its spin fall exponentially, and wakes; $λ₁$ is the "
+    "moment about the tip.",
 )
 
 

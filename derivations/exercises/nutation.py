@@ -30,7 +30,7 @@ TIGHT: Any = {"rtol": 1e-12, "atol": 1e-14}
 
 released_at_rest = Claim(
     "released-at-rest",
-    "A top let go at $θᵢ$ with $𝛚$ along $e₃$ turns back where, and swings how far.",
+    "Where a top let go at $θᵢ$ with $𝛚$ along $e₃$ turns back, and how far it swings.",
 )
 
 
@@ -147,7 +147,7 @@ def small_nutation(theta: float, omega3: float, **shape: float) -> Iterator[Outc
         "fast_amplitude", "for a fast top, $λ₁MgR sin θ/(λ₃ω₃)²$", predicted * sin(theta), "rad"
     )
     yield Answer("centre", "middle between the turning points", (turn + theta) / 2, "rad")
-    yield Answer("fast_centre", "for a fast top", theta + predicted * sin(theta), "rad")
+    yield Answer("fast_centre", "that middle for a fast top", theta + predicted * sin(theta), "rad")
     steady = lowest_potential(released)
     yield Answer("steady_angle", "angle at which its potential is lowest", steady.tilt, "rad")
     yield Answer("released_frequency", "frequency of this nutation", 2 * pi / period, "rad/s")
@@ -159,7 +159,7 @@ def small_nutation(theta: float, omega3: float, **shape: float) -> Iterator[Outc
     )
     yield Table(
         "spins",
-        "Let go at rest with other spins",
+        "Let go at rest with other spins; $ω_n$ at the lowest potential",
         (
             "$ω₃$ (rad/s)",
             "frequency (rad/s)",
@@ -234,7 +234,7 @@ def seen(motion: TopMotion, period: float) -> str:
     "waves-cusps-loops",
     "Waves, cusps, loops",
     section="3.5.4",
-    asks="“the azimuthal progress of the top becomes more complicated”",
+    asks="“the azimuthal progress of the top … becomes more complicated”",
     statement="A top starts at $θ$ with the spin $ω₃$ and with $θ̇ = 0$. For which $φ̇$ does its "
     "axis draw "
     "waves, for which loops, and what is drawn at the boundaries between them? For which $φ̇$ "

@@ -102,7 +102,7 @@ def two_masses(
         abs(float(np.linalg.norm(summed)) / momentum - 1),
         1e-12,
     )
-    yield Measure("its angle to $ω$ (rad)", abs(float(direction) - (pi / 2 - alpha)), 1e-12)
+    yield Measure("its angle to $𝛚$ (rad)", abs(float(direction) - (pi / 2 - alpha)), 1e-12)
     pushes = masses[:, None] * np.cross(axis, velocities)
     held = np.cross(positions, pushes).sum(axis=0) - np.array([torque, 0.0, 0.0])
     across = float(np.linalg.norm(held)) / (moment * omega**2)

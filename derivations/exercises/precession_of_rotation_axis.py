@@ -317,9 +317,16 @@ def earth_euler_period(
     yield Answer("share", "share $k$ of the bulge that follows $𝛚$ to explain it", share)
     yield Answer("ground", "distance of the poles on the ground", radius * tan(angle), "m")
     space = omega3 * hypot(tan(angle), 1 / (1 - H))
-    yield Answer("space_period", "turn of $e₃$ about $𝐋$ in space", 2 * pi / space / DAY, "days")
+    yield Answer(
+        "space_period",
+        "of a rigid Earth: turn of $e₃$ about $𝐋$ in space",
+        2 * pi / space / DAY,
+        "days",
+    )
     momentum_tilt = atan2((1 - H) * tan(angle), 1.0)
-    yield Answer("space_cone", "angle of $𝛚$ and $𝐋$", angle - momentum_tilt, "rad")
+    yield Answer(
+        "space_cone", "of a rigid Earth: angle of $𝛚$ and $𝐋$", angle - momentum_tilt, "rad"
+    )
 
     # A = 1 − H in units of C, and time in turns over 2π.
     body = FreeBody(1 - H, 1 - H, 1.0)

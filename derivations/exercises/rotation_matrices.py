@@ -120,7 +120,7 @@ def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[
         "$AB$ is orthogonal": (A @ B).T @ (A @ B) - one,
         "det $AB − 1$": np.linalg.det(A @ B) - 1,
         "$A⁻¹$ is a turn by the opposite angle": about(first, -alpha) @ A - one,
-        "$(AB)C − A(BC)$": (A @ B) @ C - A @ (B @ C),
+        "$(AB)D − A(BD)$": (A @ B) @ C - A @ (B @ C),
         "angle of $AB$ against SciPy (rad)": np.linalg.norm(by_scipy) - angle,
     }
     for what, error in errors.items():

@@ -199,8 +199,8 @@ def _draw_rising(until: float, **values: float) -> Canvas:
 def _rising_start(path: SlidingTrajectory, **values: float) -> str:
     top = path.motion.body
     return (
-        f"A top with {_top_in_words(top)}, a round tip of {said(top.tip)} m and the friction "
-        f"$μ = {said(top.mu)}$, from $θ = {degrees(values['theta'])}$, $θ̇ = 0$, "
+        f"A top with {_top_in_words(top)}, a round tip of radius {said(top.tip)} m and the "
+        f"friction $μ = {said(top.mu)}$, from $θ = {degrees(values['theta'])}$, $θ̇ = 0$, "
         f"$φ̇ = {said(float(path.phi_dot[0]))}$ rad/s (steady if nothing rubs) and "
         f"$ω₃ = {said(values['omega3'])}$ rad/s: $θ$"
     )
@@ -241,11 +241,11 @@ def _contact_in_words(path: SlidingTrajectory) -> str:
     rest, end = stands(path), said(float(path.t[-1]))
     if rest is not None:
         later = "then rolls, but slips again and again" if slips_again(path) else "then rolls"
-        told = f"stops slipping after {said(rest)} s (dotted) and {later}"
+        told = f"until {said(rest)} s (dotted), {later}"
     else:
-        told = f"slides all the {end} s that are shown"
+        told = f"all the {end} s that are shown"
     ending = f" Then it ends with a {path.ended.kind}." if path.ended else ""
-    return f"Its contact, at first at {said(float(np.hypot(*path.slip[0])))} m/s, {told}.{ending}"
+    return f"It slips, at first at {said(float(np.hypot(*path.slip[0])))} m/s, {told}.{ending}"
 
 
 def _rising_in_words(until: float, **values: float) -> str:

@@ -115,7 +115,7 @@ def _paths_caption(body: HeavyTop, theta: float, phi_dot: float, omega3: float) 
     return (
         f"The path of $e₃$ on the sphere from {start_in_words(theta, omega3)} with $θ̇ = 0$ and "
         f"$φ̇ = {said(phi_dot)}$, 0 and {said(-phi_dot)} rad/s, for {top_in_words(body)}. "
-        "The circles that a path touches are the turning points of $θ$. "
+        "The circles that a path touches lie at the turning points of $θ$. "
         "Below: $θ$ against $φ$ from the start, for four nutations at most."
     )
 

@@ -146,12 +146,12 @@ def orders(alpha: float, beta: float, gamma: float) -> list[list[tuple[str, Floa
         [
             ("at first", one, None),
             (f"first $B$: {degrees(beta)}", b, of_b),
-            ("then $A$: $A\\,B$", a @ b, of_a),
+            ("then $A$: $AB$", a @ b, of_a),
         ],
         [
             ("at first", one, None),
             (f"first $A$: {degrees(alpha)}", a, of_a),
-            ("then $B$: $B\\,A$", b @ a, of_b),
+            ("then $B$: $BA$", b @ a, of_b),
         ],
     ]
 

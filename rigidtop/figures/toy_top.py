@@ -95,7 +95,7 @@ def time_shown(motion: TopMotion, touching: float) -> float:
 
 
 def draw_path_from_above(axes: Axes, motion: TopMotion, touching: float) -> None:
-    """Where e₃ leans, seen from above: θ as the distance from the middle, φ as the angle.
+    """Where e₃ leans: θ as the distance from the middle, φ as the angle.
 
     Dotted is the tilt at which the rim touches the table.
     """
@@ -183,11 +183,12 @@ def _caption(**values: float) -> str:
         f"and thickness {said(values['disc_thickness'])} m at {said(values['disc_height'])} m on a "
         f"stem of {said(values['stem_mass'])} kg and {said(values['stem_length'])} m, with $g = "
         f"{said(values['g'])}$ m/s², leaning by $θ = {degrees(values['theta'])}$, to scale. "
-        f"Right: its axis from above, let go with {said(found['spin_rpm'], 4)} turns a minute and "
-        f"$𝛚$ along $e₃$, {goes}. Below: turns and nutations in a second, against the "
-        f"spin, at this tilt. In steady precession the axis takes {said(found['slow_turn'])} s for "
-        f"a turn; pushed a little, it nutates {said(found['nutation'])} times a second. "
-        f"Upright, it sleeps from {said(found['sleeping_rpm'], 4)} turns a minute on. The spin has "
+        f"Right: its axis, $θ$ outwards and $φ$ around, let go with {said(found['spin_rpm'], 4)} "
+        f"turns a minute and $𝛚$ along $e₃$, {goes}. Below: turns and nutations in a second, "
+        f"against the spin, at this tilt. In steady precession the axis takes "
+        f"{said(found['slow_turn'])} s for a turn; pushed a little, it nutates "
+        f"{said(found['nutation'])} times a second. Upright, it sleeps from "
+        f"{said(found['sleeping_rpm'], 4)} turns a minute on. The spin has "
         f"{said(found['energy'])} J, which could lift it by {said(found['height'])} m."
     )
 

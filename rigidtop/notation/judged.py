@@ -49,6 +49,7 @@ def _tested(
         TestedAssumption(
             _assumption(notation, t.assumption),
             None if t.without is None else _numbers(notation, t.without),
+            None if t.claimed is None else notation.written(t.claimed),
         )
         for t in assumptions
     )

@@ -288,7 +288,7 @@ def _counterexample(
     hidden: Mapping[Symbol, Expr],
     shapes: Sequence[tuple[int, ...]],
 ) -> Counterexample:
-    """The first pair of sides that differ visibly, else exactly; else the first pair."""
+    """The first pair of sides that differ visibly, else exactly or are undefined; else any."""
     at = {
         **point,
         **{dummy: expression.xreplace(dict(point)) for dummy, expression in hidden.items()},
@@ -299,7 +299,7 @@ def _counterexample(
         for k, (left, right) in enumerate(pairs)
     ]
     number = floats.at({})
-    differ = [each for each in exact if each[0] != each[1]]
+    differ = [each for each in exact if each[0] != each[1] or each[0] is None]
     # A zero that is not seen to be one has digits far behind the point.
     visible = (x for x in differ if None in x or floats.apart(number(x[0]), number(x[1])))
     return Counterexample(dict(point), *next(visible, [*differ, *exact][0]))

@@ -25,6 +25,7 @@ from rigidtop.proof.counterexample import (
 )
 from rigidtop.proof.decide import Verdict as Verdict
 from rigidtop.proof.derivation import Judged
+from rigidtop.proof.equation import Equation
 from rigidtop.proof.independence import refuse_circular
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.letters import Letters
@@ -54,6 +55,8 @@ class TestedAssumption:
 
     assumption: Assumption
     without: Counterexample | None
+    claimed: Equation | None = None
+    """What fails without it."""
 
 
 @dataclass(frozen=True)
@@ -238,7 +241,7 @@ def _tested(check: Check, assumption: Assumption, letters: Letters) -> TestedAss
         raise UnneededAssumptionError(
             f"{assumption.condition} is not needed, or no counterexample to dropping it was found"
         )
-    return TestedAssumption(assumption, without)
+    return TestedAssumption(assumption, without, check.claimed)
 
 
 def _shown(check: Check, letters: Letters) -> Verdict | None:

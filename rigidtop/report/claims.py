@@ -203,16 +203,20 @@ def measured(
 
 
 def conditions(assumed: Sequence[TestedAssumption]) -> tuple[b.Rich, ...]:
-    """Assumptions as they are listed: those with the same words together, one counterexample."""
+    """Assumptions as they are listed: those with the same words together, one counterexample.
+
+    Where they are of several equations, it is said which fails.
+    """
     together: dict[tuple[str, bool], list[TestedAssumption]] = {}
     for item in assumed:
         words = item.assumption.words.rstrip(".")
         key = (words or str(item.assumption.condition), item.assumption.stated)
         together.setdefault(key, []).append(item)
-    return tuple(map(_condition, together.values()))
+    several = len({item.claimed for item in assumed} - {None}) > 1
+    return tuple(_condition(items, several) for items in together.values())
 
 
-def _condition(items: Sequence[TestedAssumption]) -> b.Rich:
+def _condition(items: Sequence[TestedAssumption], several: bool) -> b.Rich:
     relations = tuple(dict.fromkeys(condition(item.assumption) for item in items))
     first = items[0].assumption
     words = f", {first.words.rstrip('.')}" if first.words.rstrip(".") else ""
@@ -221,7 +225,23 @@ def _condition(items: Sequence[TestedAssumption]) -> b.Rich:
     shown = relations[0] if len(relations) == 1 else lay.Listed(relations)
     if items[0].without is None:  # its lines say it
         return (shown, f"{words}.")
-    return (shown, f"{words} ({stated}). Without {dropped}, ", *said_at(items[0].without), ".")
+    failing: b.Rich = ()
+    if several and items[0].claimed is not None:
+        equation = layout(items[0].claimed, "printed")
+        failing = (equation, " fails: ") if in_words(equation) else ()
+    behind = " " if failing else ", "
+    said = said_at(items[0].without)
+    return (shown, f"{words} ({stated}). Without {dropped}{behind}", *failing, *said, ".")
+
+
+SHORT = 45.0
+"""An equation of so many letters stands in a sentence."""
+
+
+def in_words(equation: Node) -> bool:
+    sides = equation.sides if isinstance(equation, lay.Chain) else ()
+    grid = any(isinstance(each, lay.Grid) for each in sides)
+    return width(equation) < SHORT and not grid
 
 
 def refuted(found: Counterexample) -> tuple[b.Rich, b.Piece, b.Piece]:

@@ -54,12 +54,12 @@ def write(
         *["lecture.css"] * document.lecture,
         f"{'slides' if slides else 'print'}.css",
     ]
-    own_scripts = ("slides.js", "projector.js") if slides else ("lecture.js",)
-    scripts = ("fit.js", *own_scripts) if document.lecture else ()
+    shown = ("slides.js", "projector.js") if slides else ("fitting.js",)
+    scripts = ("fit.js", *["lecture.js"] * (document.lecture and not slides), *shown)
     own = {each: said(each, document.look.language) for each in SHOWN}
     words = f' data-words="{escape(json.dumps(own, ensure_ascii=False))}"' * document.lecture
     # The marks of CDATA are comments to a browser, and keep the page well-formed XML.
-    script = f"<script>/*<![CDATA[*/{style(*scripts)}/*]]>*/</script>\n" if scripts else ""
+    script = f"<script>/*<![CDATA[*/{style(*scripts)}/*]]>*/</script>\n"
     return f"""<!DOCTYPE html>
 <html lang="{document.look.language}"{' class="lecture"' * document.lecture}{words}>
 <head>

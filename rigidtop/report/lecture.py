@@ -244,7 +244,9 @@ def lecture(
     told: dict[str, b.Rich] = {}
     for page, judgements in judged:
         *_, head = b.headings(page)
-        place = (b.Fixed("section"), f" {head.number}") if head.number else (f"“{head.title}”",)
+        place = (
+            (b.Fixed("section"), f"\u00a0{head.number}") if head.number else (f"“{head.title}”",)
+        )
         told |= {j.claim.name: place for j in judgements}
     blocks: list[b.Block] = [marks.legend(everything)]
     if not student:
@@ -331,9 +333,9 @@ def record(
 def _introduced(whole: b.Document, notation: Notation | None) -> b.Document:
     """A document that begins with its notation, where one is given.
 
-    A lecture in the notation of the notes needs no words about it.
+    The notation of the notes needs no words about it.
     """
-    if notation is None or (whole.lecture and not notation.images):
+    if notation is None or not notation.images:
         return whole
     first = notations.front(notation, symbols_used(whole.blocks))
     colophon = f"{whole.colophon} {notations.origin(notation)}"

@@ -12,10 +12,9 @@ from rigidtop.proof.equation import Equation
 from rigidtop.proof.page import Assumption
 from rigidtop.proof.verdict import Judgement, Verdict
 from rigidtop.report import blocks as b
-from rigidtop.report.claims import condition, place, refuted, tested
+from rigidtop.report.claims import condition, in_words, place, refuted, tested
 from rigidtop.typeset.layout import layout
-from rigidtop.typeset.nodes import Chain, Grid, Node
-from rigidtop.typeset.sizes import width
+from rigidtop.typeset.nodes import Chain, Node
 
 LEGEND: Mapping[Verdict, str] = {
     Verdict.PROVED: b.Fixed("it was shown to hold, in symbols"),
@@ -86,13 +85,12 @@ def _letters(*parts: Basic) -> set[Basic]:
 
 SAID = b.Fixed("The notes say: ")
 
-SHORT = 45.0
-"""An equation of so many letters stands in a sentence."""
 
-
-def _in_words(equation: Node) -> bool:
-    grid = isinstance(equation, Chain) and any(isinstance(each, Grid) for each in equation.sides)
-    return width(equation) < SHORT and not grid
+def _related(left: b.Piece, relation: str, right: b.Piece) -> b.Rich:
+    """Two sides with the sign between them; one of them may be words, "undefined"."""
+    if isinstance(left, Node) and isinstance(right, Node):
+        return (Chain((left, right), (relation,)),)
+    return left, f" {relation} ", right
 
 
 def _set_right(judgement: Judgement, there: Collection[Any]) -> Iterator[b.Block]:
@@ -109,14 +107,14 @@ def _set_right(judgement: Judgement, there: Collection[Any]) -> Iterator[b.Block
         claimed = layout(failed.check.claimed, "printed")
         what = f"({claim.name})" if b.is_number(claim.name) else b.Fixed("the equation")
         words += [": ", *at, ", " if at else ""]
-        words += [claimed] if _in_words(claimed) else [what, b.Fixed(" as the notes print it")]
+        words += [claimed] if in_words(claimed) else [what, b.Fixed(" as the notes print it")]
         entry = place(failed.counterexample)
-        words += [b.Fixed(" would be "), left, f" {failed.check.claimed.relation} ", right]
+        words += [b.Fixed(" would be "), *_related(left, failed.check.claimed.relation, right)]
         words += [" ", *entry] if entry else []
     corrected = [c for c in judgement.corrections() if c.check.claimed.sides not in there]
     equations = [finding.check.claimed for finding in corrected]
     short = [layout(equation, "printed") for equation in equations]
-    if len(short) == 1 and _in_words(short[0]) and not corrected[0].check.reason:
+    if len(short) == 1 and in_words(short[0]) and not corrected[0].check.reason:
         words += [b.Fixed(". It should be "), short[0], *_under(corrected[0]), "."]
         yield b.Paragraph(tuple(words), mark=None)
         return

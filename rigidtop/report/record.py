@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
+from dataclasses import replace
 
 import sympy
 from sympy import MatrixBase
@@ -83,10 +84,17 @@ def _cited(lines: Lecture, told: Collection[str], notation: Notation) -> Iterabl
     ways = [lines.way(name) for name in lines.names if name in told]
     shown = {id for way, _ in ways for id in way}
     starts = {id for _, starts in ways for id in starts} - shown
-    rows = [told_rows(lines, lines.lines[id], notation) for id in lines.lines if id in starts]
+    rows: list[b.Row] = []
+    said: set[tuple[Equation, ...]] = set()
+    for id, line in lines.lines.items():
+        if id in starts and line.equations not in said:
+            said.add(line.equations)
+            first, *others = told_rows(lines, line, notation)
+            # What was done to get to another line stands in the lecture.
+            rows += [first if id in lines.laws else replace(first, reason=""), *others]
     if rows:
         yield b.Heading(1, "", "Laws, definitions and other lines that are cited", "cited")
-        yield b.Display(tuple(row for each in rows for row in each))
+        yield b.Display(tuple(rows))
 
 
 def _front(judged: b.Judged) -> Iterable[b.Block]:

@@ -319,14 +319,21 @@ def _text(block: b.Table, rows: Cells) -> str:
         rf">{{\raggedright\arraybackslash}}p{{{width}\linewidth}}" if width else "l"
         for width in block.widths
     )
+    # A short one has no head to be said again: where a page ends before it, none is left behind.
+    parted = len(rows) > MOST_KEPT
+    kind, place, head = ("longtable", "[l]", r"\endhead") if parted else ("tabular", "", "")
     return "\n".join(
         [
-            rf"{{\small\begin{{longtable}}[l]{{@{{}}{columns}@{{}}}}",
-            rf"\toprule {' & '.join(map(prose, block.head))} \\ \midrule \endhead",
+            rf"{{\small\noindent\begin{{{kind}}}{place}{{@{{}}{columns}@{{}}}}",
+            rf"\toprule {' & '.join(map(prose, block.head))} \\ \midrule {head}",
             *(" & ".join(row) + r" \\[2pt]" for row in rows),
-            r"\bottomrule\end{longtable}}",
+            rf"\bottomrule\end{{{kind}}}\par}}",
         ]
     )
+
+
+MOST_KEPT = 10
+"""Rows of a table of words that is not parted."""
 
 
 def _symbols(_: b.Table, rows: Cells) -> str:

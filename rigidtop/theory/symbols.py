@@ -182,7 +182,7 @@ psiddot = _real("psiddot", Glyph("ψ", accent="ddot"), "second derivative of $ψ
 phidot = _real("phidot", Glyph("φ", accent="dot"), "rate of $φ$: precession", "rad/s")
 phidot_i = _real("phidot_i", Glyph("φ", "i", accent="dot"), "rate of $φ$ at the start", "rad/s")
 thetadot = _real("thetadot", Glyph("θ", accent="dot"), "rate of $θ$: nutation", "rad/s")
-psidot = _real("psidot", Glyph("ψ", accent="dot"), "rate of $ψ$: spin", "rad/s")
+psidot = _real("psidot", Glyph("ψ", accent="dot"), "rate of $ψ$", "rad/s")
 Omega = _real("Omega", Glyph("Ω"), "rate of steady precession", "rad/s")
 Omega_minus = _real("Omega_minus", Glyph("Ω", "−"), "slow steady precession", "rad/s")
 Omega_plus = _real("Omega_plus", Glyph("Ω", "+"), "fast steady precession", "rad/s")

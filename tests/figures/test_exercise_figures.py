@@ -222,7 +222,7 @@ def test_both_orders_end_where_the_rotations_do(chosen):
     vectors = Rotation.random(5, random_state=3).as_matrix()[:, :, 0]
     upper, lower = rotation_order.orders(*chosen)
     # B first, then A: each vector is turned by one after the other.
-    for row, first, second, title in ((upper, b, a, "$A\\,B$"), (lower, a, b, "$B\\,A$")):
+    for row, first, second, title in ((upper, b, a, "$AB$"), (lower, a, b, "$BA$")):
         (_, start, _), (_, middle, by), (words, end, last) = row
         assert start == pytest.approx(np.eye(3))
         assert vectors @ middle.T == pytest.approx(first.apply(vectors), abs=1e-14)

@@ -19,6 +19,16 @@ const fitted = () => {
     if (part < 1) each.style.fontSize = `${Math.max(0.75, part - 0.02)}em`;
   }
   for (const [each, end, inner] of roots) each.style.marginRight = `${inner - end}px`;
+  // A mark stands at the sign of the last line, wherever braces and fractions put that.
+  const marks = [...document.querySelectorAll(".row .seal")].flatMap((seal) => {
+    const row = seal.closest(".row");
+    const sign = [...row.querySelectorAll(".eq mo")].findLast((mo) => /^[=≈<>≤≥≠]$/.test(mo.textContent.trim())
+      && mo.getClientRects().length && !mo.closest("munder, msub"));
+    if (!sign) return [];
+    const { y, height } = sign.getBoundingClientRect();
+    return [[seal, y + height / 2 - row.getBoundingClientRect().y - seal.offsetHeight / 2]];
+  });
+  for (const [seal, down] of marks) seal.style.setProperty("inset-block-start", `${down}px`);
   for (const each of document.querySelectorAll(".eq, .scroll")) {
     if (share(each) < 1) each.tabIndex = 0;
     else each.removeAttribute("tabindex");

@@ -51,6 +51,4 @@
     take.append(link, copy);
     row.append(take);
   }
-  addEventListener("resize", fitted);
-  fitted();
 })();

@@ -75,10 +75,11 @@ const slides = (() => {
   // A slide stands by itself: what it speaks of and the last line, where it goes on, are shown again.
   const laid = (first, last, needs) => {
     const bare = last.end - first.start + (first === units[0] ? 0 : first.again) - room;
-    const recalled = [...new Set(needs.length ? needs : [first.goesOn])]
+    const recalled = [...new Set([...needs, first.goesOn])]
       .filter((row) => row?.at < first.at).sort((a, b) => a.at - b.at).slice(-3);
-    const over = recalled.reduce((sum, { tall }) => sum + tall, bare);
-    return first === last && over > 0 ? { bare, over: bare, recalled: [] } : { bare, over, recalled };
+    const over = () => recalled.reduce((sum, { tall }) => sum + tall, bare);
+    while (first === last && recalled.length && over() > 0) recalled.shift();
+    return { bare, over: over(), recalled };
   };
   const best = [{ cost: 0 }];
   units.forEach((last, k) => {
