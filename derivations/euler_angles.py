@@ -84,7 +84,7 @@ def vertical() -> Iterator[Evidence]:
     yield Check(printed("z-hat"), {s.zhat: Z, s.e1p: axes[:, 0], s.e3: axes[:, 2]})
 
 
-@claim("3.42", "$𝛚$ along $e₁′$, $e₂′$ and $e₃$.")
+@claim("3.42", "$𝛚$ along the axes after two turns.")
 def omega_primed() -> Iterator[Evidence]:
     """$ẑ$ of the exercise put into (3.41); the engine resolves $ω$ of $ṘRᵀ$ along the same axes."""
     omega = euler_omega("primed")
@@ -105,7 +105,7 @@ def skip_last_step() -> Iterator[Evidence]:
     yield Formal(turned, {s.T: top.kinetic_energy()}, (SYMMETRIC,))
 
 
-@claim("3.43", "$𝐋$ along $e₁′$, $e₂′$ and $e₃$.")
+@claim("3.43", "$𝐋$ along the axes after two turns.")
 def momentum() -> Iterator[Evidence]:
     """$Lₖ = λₖωₖ$ along $e₁′$, $e₂′$ and $e₃$, which are principal axes when $λ₂ = λ₁$."""
     components = momentum_primed()

@@ -134,7 +134,7 @@ def axis_stability() -> Iterator[Evidence]:
     """
     from . import evidence
 
-    growth, stable, unstable = itemgetter(2, 5, 7)(printed.lines("axis-stability"))
+    growth, stable, unstable = itemgetter(2, 5, 6)(printed.lines("axis-stability"))
     momentum = printed(r"L^2 = \text{const}")
     turning = "+".join(rf"(1 - \frac{{\lambda_0}}{{\lambda_{k}}})\zeta_{k}^2" for k in (1, 2, 3))
     with_ball = printed(

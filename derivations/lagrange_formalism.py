@@ -141,11 +141,11 @@ def slow_agrees() -> Iterator[Evidence]:
     does."""
     meaning = {**ROOTS, **UP, s.Omega_vec: value(printed("3.52").sides[1], UP)}
     scaled = Assumption(Ne(s.delta, 0), "the spin is multiplied by $δ$", stated=True)
-    spun = {s.epsilon: top.smallness().subs(s.omega3, s.delta * s.omega3)}
     footnote = printed(
-        r"\varepsilon = \frac{\lambda_1(MgR/\delta^2)\cos\theta}{(\lambda_3\omega_3)^2}"
+        r"\frac{\lambda_1MgR\cos\theta}{(\lambda_3\delta\omega_3)^2}"
+        r" = \frac{\varepsilon}{\delta^2}"
     )
-    yield Formal(footnote, spun, (scaled, SPINNING))
+    yield Formal(footnote, {s.epsilon: top.smallness()}, (scaled, SPINNING))
     yield Formal(printed(r"\Omega_- = \boldsymbol\Omega\cdot\hat{\mathbf z}"), meaning, (FAST,))
 
 

@@ -150,13 +150,13 @@ def friction() -> Iterator[Evidence]:
     yield Formal(
         printed(r"\dot E < 0"),
         {s.Edot: sliding[s.F].dot(sliding[s.v_tip])},
-        (Assumption(Gt(s.slip, 0), "the contact slips: without that no energy is lost"),),
+        (Assumption(Gt(s.slip, 0), "the contact slips"),),
     )
     figure_axis = Matrix([sin(s.theta), 0, cos(s.theta)])
     turning = s.Omega * Matrix([0, 0, 1])
     moves = (
-        "where it rolls instead the tip is round, and the top does not turn about the vertical "
-        "alone: else the contact stays where it is"
+        "the tip is round and the top does not turn about the vertical alone, where it rolls "
+        "instead: else the contact stays where it is"
     )
     yield Formal(
         printed(r"\boldsymbol\omega\times r_0\hat{\mathbf z} \neq [0, 0, 0]^T"),

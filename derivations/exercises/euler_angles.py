@@ -30,10 +30,9 @@ vertical_trap = Claim(
     "The vertical in the primed frame",
     section="3.3",
     asks="exercise before (3.42)",
-    statement="After the first two Euler rotations, by $φ$ and by $θ$, the axes are $e₁′$, $e₂′$ "
-    "and $e₃$. "
-    "Write the vertical $ẑ$ in these axes. A sign is easily lost here: how far from the vertical "
-    "does the vector point that has it wrong?",
+    statement="After the first two Euler rotations, by $φ$ and by $θ$, the axes of the body "
+    "are the primed ones. Write the vertical $ẑ$ in these axes. A sign is easily lost "
+    "here: how far from the vertical does the vector point that has it wrong?",
     claims=(vertical, vertical_trap),
     parameters=(
         Parameter("phi", 0.7, "azimuth of $e₃$", "rad"),

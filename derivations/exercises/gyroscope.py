@@ -204,7 +204,7 @@ def gyroscope(
     "bicycle-wheel",
     "The bicycle wheel on a cord",
     section="3.5.2",
-    asks="example 35: the wheel of the videos",
+    asks="example 35: the videos",
     statement="A bicycle wheel, all of its mass in the rim, spins on a horizontal axle. One end of "
     "the axle, at the distance $R$ from the wheel, is held up by a cord. Which way does the "
     "wheel go round, and how fast? What is the force in the cord, and by what angle does the "

@@ -69,7 +69,7 @@ def gravity_on_points(g: float, **given: float) -> Iterator[Outcome]:
     for letter, x in zip("xyz", centre, strict=True):
         yield Answer(f"centre_{letter}", f"centre of mass along ${letter}$", float(x), "m")
     for letter, n in zip("xyz", summed, strict=True):
-        yield Answer(f"torque_{letter}", f"torque along ${letter}$", float(n), "N m")
+        yield Answer(f"torque_{letter}", f"torque along ${letter}̂$", float(n), "N m")
     yield Answer("potential", "potential energy", energy, "J")
 
     size = float(np.linalg.norm(places, axis=1) @ np.linalg.norm(weights, axis=1)) or 1.0
@@ -154,8 +154,9 @@ def discs(radius: float, height: float, nodes: int = 8) -> tuple[Vectors, Vector
 def gravity_on_a_solid(
     radius: float, height: float, density: float, theta: float, phi: float, g: float
 ) -> Iterator[Outcome]:
-    """Mass, centre and moments follow from these formulas. A sum over the tilted cone, disc by
-    disc, has the same torque and energy."""
+    """Mass, centre and moments follow from these formulas, the smallest spins from the discriminant
+    of (3.57), at $θ$ and upright. A sum over the tilted cone, disc by disc, has the same torque and
+    energy."""
     shape = dict(zip(_SHAPE, (radius, height, density), strict=True))
     volume, centre, across, along = (float(x.subs(shape)) for x in _of_a_cone())
     mass = density * volume

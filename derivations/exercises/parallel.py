@@ -114,7 +114,8 @@ DOUBLINGS = 8
     text="exercises/parallel_bound",
 )
 def parallel_bound(theta: float, omega3: float, **shape: float) -> Iterator[Outcome]:
-    """A fast top has its largest angle at its lowest point, a slow one on the way there. This angle
+    """A fast top has its largest angle between $𝐋$ and $𝛚$ at its lowest point, a slow one on the
+    way there. This angle
     and the mean precession are those of the exact motion, which an integrated one confirms. In
     place of $sin θ$ the bound of the table has what bounds it, $sin θᵢ/√(1 − 4ε₀ cos θᵢ)$."""
     top = heavy_top(**shape)

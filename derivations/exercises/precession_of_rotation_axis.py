@@ -297,7 +297,7 @@ DAY = 86400.0
 def earth_euler_period(
     H: float, omega3: float, observed: float, angle: float, radius: float
 ) -> Iterator[Outcome]:
-    """The period is that of (3.40). The share of the bulge follows from the rate of the wobble,
+    """Euler's period is that of (3.40). The share of the bulge follows from the rate of the wobble,
     solved for $k$, and the period that is observed."""
     turns = (1 - H) / H
     sidereal = 2 * pi / omega3

@@ -51,8 +51,9 @@ HALVINGS = 6
     statement="Let $A$ be a turn by the angle $2α₁$ about $𝐧₁$, $B$ one by $2α₂$ about $𝐧₂$, and "
     "$γ$ the angle between these axes. Show that $AB$ is a rotation, and find its angle "
     "and axis. Convince yourself of what else makes a group: a neutral element, inverses, $(AB)D "
-    "= A(BD)$.\n\nThe order matters: by what angle do $AB$ and $BA$ differ? Halve both angles "
-    "again and again: what is that angle for small turns, and about which axis?",
+    "= A(BD)$ for a third turn $D$.\n\nThe order matters: by what angle do $AB$ and $BA$ "
+    "differ? Halve both angles again and again: what is that angle for small turns, and about "
+    "which axis?",
     claims=(rotation_group, product_of_rotations, commutator_of_rotations),
     parameters=(
         Parameter("alpha", pi / 2, "angle $2α₁$ of $A$", "rad", least=-pi, most=pi),
@@ -118,7 +119,7 @@ def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[
     errors = {
         "$AB$ by the half-angle formula, against the product": product - A @ B,
         "$AB$ is orthogonal": (A @ B).T @ (A @ B) - one,
-        "det $AB − 1$": np.linalg.det(A @ B) - 1,
+        "$det(AB) − 1$": np.linalg.det(A @ B) - 1,
         "$A⁻¹$ is a turn by the opposite angle": about(first, -alpha) @ A - one,
         "$(AB)D − A(BD)$": (A @ B) @ C - A @ (B @ C),
         "angle of $AB$ against SciPy (rad)": np.linalg.norm(by_scipy) - angle,

@@ -117,10 +117,10 @@ def toutatis(
     From the published moments and start, half of the radar attitudes of December 1992 are met to
     $5.6°$, and all to $15.9°$; two of the observed $𝛚$, of 7 and 14 December, do not go with the
     $𝐋$ of all others. In 2008 $𝐋$ still points where it did, but the phase is lost: over a thousand
-    turns the last printed digits of the start can add up to some twenty degrees, and the tides of
-    the Sun and the Earth, which are left out here, to far more. With friction the body has the ball
-    in oil of section 3.2.3, far stronger than what rubs in a rock; $𝐋$ in space stays, and the oil
-    takes the energy that is missing at the end."""
+    turns the last printed digits of moments and start can add up to some twenty degrees, and the
+    tides of the Sun and the Earth, which are left out here, to far more. With friction the body has
+    the ball in oil of section 3.2.3, far stronger than what rubs in a rock; $𝐋$ in space stays, and
+    the oil takes the energy that is missing at the end."""
     moments = np.array([lambda1, lambda2, lambda3])
     omega = np.array([omega1, omega2, omega3]) * DAY  # the unit of time from here on: a day
     if lambda3 >= min(lambda1, lambda2):
@@ -224,7 +224,7 @@ def _last_digits(motion: Motion) -> Table:
         rows.append((f"${letter}$", change, degrees(turn)))
     return Table(
         "last_digits",
-        "Half of the last printed digit of the start, and the attitude of 2008",
+        "Half of the last printed digit of moments and start, and the attitude of 2008",
         ("changed", "by ($ω$: in $°/day$)", "change of attitude ($°$)"),
         tuple(rows),
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from io import BytesIO, StringIO
 from typing import Any
 
@@ -49,8 +49,8 @@ class Film:
 
 @dataclass(frozen=True)
 class Drawing:
-    """A figure.  `draw`, `caption`, `asked`, `alternative`, `animate` and `motions` take its
-    parameters by name.
+    """A figure.  `draw`, `caption`, `alternative`, `animate` and `motions` take its parameters by
+    name.
 
     `section` is the section of the notes that it closes in the lecture; "" for none.  `alternative`
     says in ASCII what is to be seen.  No number of a caption can disagree with the picture: both
@@ -69,8 +69,8 @@ class Drawing:
     animate: Callable[..., Film] | None = None
     motions: Callable[..., Sequence[Motion]] | None = None
     """Those that it shows, to be played."""
-    asked: Callable[..., str] | None = None
-    """Its caption without what an exercise asks, for who is to find that out."""
+    asked: Mapping[str, float] = field(default_factory=dict)
+    """Other settings for who is to find out, in an exercise, what it shows at the usual ones."""
     turned: Callable[[str], Drawing] | None = None
     """The same for another sequence of Euler angles, "zyz" or "zxz", where that is its matter."""
 

@@ -378,7 +378,7 @@ def _tumbling_course(motion: Motion) -> tuple[str, str]:
         )
     return (
         f"$𝐋$ comes back after {back} ({kind})",
-        f"its axis turns about $𝐋$, on the mean once in {turn}, and $e₃$ (thick) and $e₁$ never "
+        f"this axis turns about $𝐋$, on the mean once in {turn}, and $e₃$ (thick) and $e₁$ never "
         f"come back; {drawn}",
     )
 

@@ -196,27 +196,9 @@ def _draw_rising(until: float, **values: float) -> Canvas:
     return drawn
 
 
-def _rising_start(path: SlidingTrajectory, **values: float) -> str:
-    top = path.motion.body
-    return (
-        f"A top with {_top_in_words(top)}, a round tip of radius {said(top.tip)} m and the "
-        f"friction $μ = {said(top.mu)}$, from $θ = {degrees(values['theta'])}$, $θ̇ = 0$, "
-        f"$φ̇ = {said(float(path.phi_dot[0]))}$ rad/s (steady if nothing rubs) and "
-        f"$ω₃ = {said(values['omega3'])}$ rad/s: $θ$"
-    )
-
-
-def _rising_asked(until: float, **values: float) -> str:
-    path = _risen(until, **values)
-    return (
-        f"{_rising_start(path, **values)}, the slip of its contact, and where the energy went that "
-        f"the spin has lost (dashed). {_track_in_words(path)}"
-    )
-
-
 def _rising_caption(until: float, **values: float) -> str:
     path = _risen(until, **values)
-    then = crossing(path, until)
+    top, then = path.motion.body, crossing(path, until)
     reached = (
         f"is down to {degrees(until)} after {said(then)} s"
         if then is not None
@@ -224,17 +206,16 @@ def _rising_caption(until: float, **values: float) -> str:
     )
     lost = float(spent(path)[-1])
     heat, weight, other = (said(100 * float(gain[-1]) / lost) for gain in parts(path).values())
-    return (
-        f"{_rising_start(path, **values)} {reached}. {_contact_in_words(path)} Of the "
-        f"{said(1e3 * lost)} mJ that the spin has lost in the end (dashed), {heat} % went into "
-        f"heat, {weight} % into lifting the weight and {other} % into other motion. "
-        f"{_track_in_words(path)}"
-    )
-
-
-def _track_in_words(path: SlidingTrajectory) -> str:
     dashed = ", dashed once it rolls" if stands(path) is not None else ""
-    return f"Below on the right: the path of the contact on the table, seen from above{dashed}."
+    return (
+        f"A top with {_top_in_words(top)}, a round tip of radius {said(top.tip)} m and the "
+        f"friction $μ = {said(top.mu)}$, from $θ = {degrees(values['theta'])}$, $θ̇ = 0$, "
+        f"$φ̇ = {said(float(path.phi_dot[0]))}$ rad/s (steady if nothing rubs) and "
+        f"$ω₃ = {said(values['omega3'])}$ rad/s: $θ$ {reached}. {_contact_in_words(path)} Of the "
+        f"{said(1e3 * lost)} mJ that the spin has lost in the end (dashed), {heat} % went into "
+        f"heat, {weight} % into lifting the weight and {other} % into other motion. Below on the "
+        f"right: the path of the contact on the table, seen from above{dashed}."
+    )
 
 
 def _contact_in_words(path: SlidingTrajectory) -> str:
@@ -269,7 +250,7 @@ RISING = Drawing(
     _draw_rising,
     _rising_caption,
     _rising_in_words,
-    asked=_rising_asked,
+    asked={"mu": 0.15, "theta": 0.6, "until": 0.35, "omega3": 230.0},
 )
 
 

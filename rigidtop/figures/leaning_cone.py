@@ -137,8 +137,9 @@ def _caption(
         leans = f"on the vertical, $θ = {degrees(theta)}$, where it has no azimuth and $N = 0$"
     else:
         leans = (
-            f"leaning at $θ = {degrees(theta)}$ towards the azimuth {degrees(phi)}; $N$, along "
-            f"$e₂′$, is $MgR sin θ = {said(found['torque'])}$ N m, horizontal and into the paper"
+            f"leaning at $θ = {degrees(theta)}$ towards the azimuth {degrees(phi)}; $𝐍$, along "
+            f"$e₂′$, of magnitude $MgR sin θ = {said(found['torque'])}$ N m, is horizontal and "
+            "points into the paper"
         )
     return (
         f"A solid cone on its tip, of radius {said(radius)} m, height {said(height)} m and density "

@@ -223,7 +223,7 @@ def _motion_caption(
         course = f"$θ$ stays ${said(first)}°$, and $φ$ goes on at {mean}."
     else:
         course = (
-            f"$θ$ runs between ${said(first)}°$ and ${said(last)}°$ (dotted) in "
+            f"$θ$ runs between ${said(first)}°$ and ${said(last)}°$ (dotted), there and back in "
             f"{said(motion.nutation_period)} s; dashed, $φ$ at its mean rate, {mean}."
         )
     return (

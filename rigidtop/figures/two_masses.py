@@ -109,26 +109,9 @@ def draw_two_masses(axes: Axes, held: Stick) -> None:
     paper(axes, (-1.5, 1.5), (-1.15, 1.35))
 
 
-def _held(M_1: float, M_2: float, a: float, b: float, alpha: float, omega: float) -> str:
-    return (
-        f"Two masses on a stick, $M₁ = {said(M_1)}$ kg at $a = {said(a)}$ m and $M₂ = {said(M_2)}$ "
-        f"kg at $b = {said(b)}$ m, which a bearing turns at $ω = {said(omega)}$ rad/s, tilted by "
-        f"$α = {degrees(alpha)}$."
-    )
-
-
-SCALE = (
-    "Grey: the shaft of the bearing. Directions are computed, lengths of arrows are not to one "
-    "scale."
-)
-
-
-def _asked(**values: float) -> str:
-    return f"{_held(**values)} {SCALE}"
-
-
-def _caption(**values: float) -> str:
-    held, found = stick(**values), answers(two_masses, **values)
+def _caption(M_1: float, M_2: float, a: float, b: float, alpha: float, omega: float) -> str:
+    held = stick(M_1, M_2, a, b, alpha, omega)
+    found = answers(two_masses, M_1=M_1, M_2=M_2, a=a, b=b, alpha=alpha, omega=omega)
     torque = "$L$ stays where it is: the bearing exerts no torque"
     if np.any(held.torque):
         torque = (
@@ -139,8 +122,12 @@ def _caption(**values: float) -> str:
     if np.any(held.force):
         force = f"the force $F = {said(found['force'])}$ N, from the centre of mass to the axis"
     return (
-        f"{_held(**values)} $𝐋$ is at right angles to the stick, {degrees(found['angle'])} from "
-        f"$𝛚$, of magnitude {said(found['angular_momentum'])} J s. {torque}, and {force}. {SCALE}"
+        f"Two masses on a stick, $M₁ = {said(M_1)}$ kg at $a = {said(a)}$ m and $M₂ = {said(M_2)}$ "
+        f"kg at $b = {said(b)}$ m, which a bearing turns at $ω = {said(omega)}$ rad/s, tilted by "
+        f"$α = {degrees(alpha)}$. $𝐋$ is at right angles to the stick, {degrees(found['angle'])} "
+        f"from $𝛚$, of magnitude {said(found['angular_momentum'])} J s. {torque}, and {force}. "
+        "Grey: the shaft of the bearing. Directions are computed, lengths of arrows are not to one "
+        "scale."
     )
 
 
@@ -173,5 +160,5 @@ TWO_MASSES = Drawing(
     alone(2.8, lambda axes, **values: draw_two_masses(axes, stick(**values))),
     _caption,
     _in_words,
-    asked=_asked,
+    asked={"M_1": 1.0, "M_2": 1.2, "a": 0.5, "b": 0.3, "alpha": math.radians(40), "omega": 2.0},
 )

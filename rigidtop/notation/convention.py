@@ -98,6 +98,11 @@ class Notation:
         image = self.images.get(tree) if isinstance(tree, Symbol) else None
         return image.symbol if image is not None and image.quarters else self.written(tree)
 
+    def axis(self, tree: Expr) -> Any:
+        """As `named`; of an axis, not of a direction, so that −e₂′ is e₂′."""
+        image = self.images.get(tree) if isinstance(tree, Symbol) else None
+        return image.symbol if image is not None and image.negative else self.named(tree)
+
     def in_notes(self, tree: Expr) -> Expr:
         """The way back: what is in this notation's symbols, in those of the notes."""
         return translated(tree, self._back)

@@ -47,7 +47,7 @@ def claim_blocks(judgement: Judgement, *, marks: bool = True) -> list[b.Block]:
     if assumed:
         blocks.append(b.Items(conditions(assumed), "Assumptions"))
     blocks.extend(
-        b.Paragraph((*said_at(finding.counterexample), "."), "Counterexample")
+        b.Paragraph((*_failing(finding), *said_at(finding.counterexample), "."), "Counterexample")
         for finding in findings
         if finding.counterexample is not None
     )
@@ -225,23 +225,34 @@ def _condition(items: Sequence[TestedAssumption], several: bool) -> b.Rich:
     shown = relations[0] if len(relations) == 1 else lay.Listed(relations)
     if items[0].without is None:  # its lines say it
         return (shown, f"{words}.")
-    failing: b.Rich = ()
-    if several and items[0].claimed is not None:
-        equation = layout(items[0].claimed, "printed")
-        failing = (equation, " fails: ") if in_words(equation) else ()
+    failing = _fails(items[0].claimed) if several else ()
     behind = " " if failing else ", "
     said = said_at(items[0].without)
     return (shown, f"{words} ({stated}). Without {dropped}{behind}", *failing, *said, ".")
+
+
+def _failing(finding: Finding) -> b.Rich:
+    """Which equation it is that fails, if that has no number of the notes."""
+    return () if finding.check.claimed.tag else _fails(finding.check.claimed)
+
+
+def _fails(claimed: Equation | None) -> b.Rich:
+    equation = None if claimed is None else layout(claimed, "printed")
+    return () if equation is None or not in_words(equation, LONG) else (equation, " fails: ")
 
 
 SHORT = 45.0
 """An equation of so many letters stands in a sentence."""
 
 
-def in_words(equation: Node) -> bool:
+LONG = 60.0
+"""And of so many where lines are as wide as the page."""
+
+
+def in_words(equation: Node, most: float = SHORT) -> bool:
     sides = equation.sides if isinstance(equation, lay.Chain) else ()
     grid = any(isinstance(each, lay.Grid) for each in sides)
-    return width(equation) < SHORT and not grid
+    return width(equation) < most and not grid
 
 
 def refuted(found: Counterexample) -> tuple[b.Rich, b.Piece, b.Piece]:

@@ -255,7 +255,11 @@ def summary(judged: b.Judged, parts: Parts) -> list[b.Block]:
                 rows.append((name, tuple(shown_), words, judgement.verdict))
     if not rows:
         return []
-    return [b.Heading(1, "", b.Fixed("Summary of results"), "results"), b.Results(tuple(rows))]
+    head = b.Heading(1, "", b.Fixed("Summary of results"), "results")
+    return [head, b.Paragraph((CONDITIONS,)), b.Results(tuple(rows))]
+
+
+CONDITIONS = b.Fixed("The conditions of the marks stand in the text, with these statements.")
 
 
 def numbered(parts: Parts, number: str) -> list[Any]:

@@ -168,7 +168,12 @@ def _piece(piece: b.Piece) -> str:
         return badge(piece)
     if isinstance(piece, b.Cited):
         return f'<a href="#{piece.anchor}">{escape(piece.words)}</a>'
-    return prose_html(piece) if isinstance(piece, str) else mathml.mathml(lay.flat(piece))
+    return prose_html(piece) if isinstance(piece, str) else _flat(piece)
+
+
+def _flat(formula: lay.Node) -> str:
+    """A formula in a sentence, which is no higher than its line."""
+    return mathml.mathml(lay.flat(formula)).replace('stretchy="true"', 'stretchy="false"')
 
 
 def badge(verdict: Verdict) -> str:

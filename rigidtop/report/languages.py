@@ -26,6 +26,11 @@ Laws and definitions | Gesetze und Definitionen | Lois et définitions | Leyes y
 | Leggi e definizioni
 Summary of results | Zusammenfassung der Ergebnisse | Résumé des résultats \
 | Resumen de los resultados | Riassunto dei risultati
+The conditions of the marks stand in the text, with these statements. \
+| Die Bedingungen der Zeichen stehen im Text, bei diesen Aussagen. \
+| Les conditions des signes sont dans le texte, avec ces énoncés. \
+| Las condiciones de los signos están en el texto, con estos enunciados. \
+| Le condizioni dei segni sono nel testo, con questi enunciati.
 What rests on what | Was worauf beruht | Ce qui repose sur quoi | Qué se apoya en qué \
 | Che cosa poggia su che cosa
 Notation | Notation | Notation | Notación | Notazione

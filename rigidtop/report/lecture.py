@@ -81,11 +81,11 @@ class Picture:
         of = self.drawing.motions
         return of(**self.drawing.values(self.given)) if of else ()
 
-    def described(self, number: int, student: bool = False) -> b.Figure:
-        """As the blocks of a document know it, for a `student` without the answers of exercises."""
+    def described(self, number: int) -> b.Figure:
+        """As the blocks of a document know it."""
         values = self.drawing.values(self.given)
-        caption = (student and self.drawing.asked) or self.drawing.caption
-        return b.Figure(self.name, caption(**values), self.drawing.alternative(**values), number)
+        caption, alternative = self.drawing.caption(**values), self.drawing.alternative(**values)
+        return b.Figure(self.name, caption, alternative, number)
 
 
 def picture(solution: Solution, notation: Notation | None = None) -> Picture | None:
@@ -231,14 +231,16 @@ def lecture(
     spoken = [name for text in lines.texts if text.name in texts for name in spoken_of(text)]
     closing |= {name: "" for name in spoken if name in drawings and name not in closing}
     order = order_of_figures(lines, [page for page, _ in judged], closing)
-    pictures = [Picture(name, drawings[name], {}) for name in order]
+    pictures = [
+        Picture(name, drawings[name], drawings[name].asked if student else {}) for name in order
+    ]
     chart = _map(lines, notation)
     pictures += [chart] if chart is not None else []
     for each in () if student else solutions:
         own = picture(each, edition.notation)
         if own is not None and not any(own.shows_what(other) for other in pictures):
             pictures.append(own)
-    numbered = {p.name: p.described(k, student) for k, p in enumerate(pictures, 1)}
+    numbered = {p.name: p.described(k) for k, p in enumerate(pictures, 1)}
     parts = Parts(lines, notation, numbered, closing, edition.points)
     everything = [judgement for _, judgements in judged for judgement in judgements]
     told: dict[str, b.Rich] = {}
@@ -284,7 +286,7 @@ def _map(lines: Lecture, notation: Notation) -> Picture | None:
     caption = (
         "Which numbered statement rests on which, by the lines of the text. A number stands for "
         "all lines of its statement, and has its place at the last of them. Arrows that a chain of "
-        "others says too are left out. Light: what the lecture starts from."
+        "others says too are left out. Light: what the lecture starts from and cites by number."
     )
     alternative = "A chart from left to right: " + "; ".join(
         f"{name} rests on {', '.join(on)}" for name, on in shown.items() if on
@@ -362,12 +364,15 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
     notation, student, points = edition.notation, edition.student, edition.points
     if notation is not None:
         solutions = [solution_in(notation, each) for each in solutions]
-    own = [] if student else [picture(each, notation) for each in solutions]
-    pictures = [each for each in own if each is not None]
+    drawn = [] if student else [picture(each, notation) for each in solutions]
+    pictures = [each for each in drawn if each is not None]
     numbered = {p.name: p.described(k) for k, p in enumerate(pictures, 1)}
     parts = Parts(edition.lines, edition.letters, numbered, {}, points)
     made: list[b.Block] = [b.NameLine()] if student else []
-    told: dict[str, b.Rich] = {}
+    own = {each.text.name for each in solutions if each.text is not None}
+    lines = edition.lines
+    shown = {line.id for text in lines.texts if text.name not in own for line in text.lines}
+    told: dict[str, b.Rich] = {name: () for name, ids in lines.names.items() if shown & {*ids}}
     for number, each in enumerate(solutions, 1):
         made += handout.question(each.exercise, each.settings, number, points)
         if not student:

@@ -21,7 +21,7 @@ from rigidtop.report.claims import condition, tested
 from rigidtop.report.handout import parted
 from rigidtop.report.solutions import Solution, numbers, question
 from rigidtop.report.symbols import symbol_list
-from rigidtop.report.ways import claim_told, told_rows
+from rigidtop.report.ways import called, claim_told, told_rows
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.nodes import Node
 from rigidtop.typeset.sizes import width
@@ -91,7 +91,10 @@ def _cited(lines: Lecture, told: Collection[str], notation: Notation) -> Iterabl
             said.add(line.equations)
             first, *others = told_rows(lines, line, notation)
             # What was done to get to another line stands in the lecture.
-            rows += [first if id in lines.laws else replace(first, reason=""), *others]
+            named = (
+                first if id in lines.laws else replace(first, reason=(*called(line, notation), ":"))
+            )
+            rows += [named, *others]
     if rows:
         yield b.Heading(1, "", "Laws, definitions and other lines that are cited", "cited")
         yield b.Display(tuple(rows))
@@ -126,7 +129,11 @@ def _found(judgement: Judgement) -> tuple[b.Rich, ...]:
         content = ("Not stated: ", *_joined(silent), ".")
     else:
         content = (claim.says,)
-        corrected = [c.check.claimed for c in judgement.corrections()]
+        printed = {f.check.claimed.sides for f in judgement.findings() if f.check.printed}
+        amended = [c.check for c in judgement.corrections()]
+        corrected = [check.claimed for check in amended if check.claimed.sides not in printed]
+        reasons = [] if corrected else [check.reason for check in amended]
+        content = (" ".join([claim.says, *filter(None, reasons)]),)
         shown = [layout(equation, "printed") for equation in corrected if not _has_matrix(equation)]
         short = [node for node in shown if width(node) < 45]
         for i, node in enumerate(short):

@@ -49,7 +49,7 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
     byline = [rf"{{\normalsize {prose(document.byline)}\par}}"] if document.byline else []
     return "\n".join(
         [
-            _preamble(document, r"\rtnote" in body),
+            _preamble(document, bool(NOTED.search(body))),
             r"\begin{document}",
             rf"{{\LARGE\bfseries\raggedright {title.replace(': ', TURN)}\par}}",
             rf"{{\large\raggedright {prose(document.subtitle)}\par}}",
@@ -64,6 +64,9 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
         ]
     )
 
+
+NOTED = re.compile(r"\\rtnote|\\rtmarked\{\w+\}\{[^}]")
+"""What stands in the margin."""
 
 FEW = 8
 """With more headings the contents have a page of their own."""
@@ -115,15 +118,15 @@ def _joined(
             shown = shown if narrow == shown else rf"\rtbroken{{{shown}}}{{{narrow}}}"
         words = pending + shown
         pending = ""
-        if (
-            isinstance(block, b.Paragraph)
-            and isinstance(after, b.Display)
-            and (after.step and after.rows[0].reason and not block.held)
-            and not stands_alone(after)
-        ):
-            pending = words + "\n"
-        else:
-            yield words
+        if isinstance(block, b.Paragraph) and isinstance(after, b.Display):
+            reason = after.rows[0].reason
+            if block.held and not reason:  # an equation in its midst
+                pending = words.removesuffix(r"\held") + "\n"
+                continue
+            if after.step and reason and not (block.held or stands_alone(after)):
+                pending = words + "\n"
+                continue
+        yield words
     if solved < len(blocks):
         yield r"\rtrest"
 
@@ -194,7 +197,9 @@ def _preamble(document: b.Document, noted: bool) -> str:
     }
     look = document.look
     made = _style("lecture.tex" if document.lecture else "record.tex")
-    if document.lecture and not noted:  # a sheet: nothing stands beside it
+    if not document.contents:  # a sheet: what belongs to an exercise stays there
+        made += "\\rtinline\n"
+    if document.lecture and not noted:  # nothing stands beside it
         made = made.replace("textwidth=134mm", "textwidth=146mm").replace("left=25mm", "hcentering")
     made = made.replace("@PAPER@", f"{look.paper}paper")
     made = made.replace("@LANGUAGE@", LANGUAGES[look.language])
@@ -251,7 +256,7 @@ def _(block: b.Heading) -> str:
     )
 
 
-APART = {"symbols": "\\clearpage\n", "results": "\\rtalone\n", "map": "\\rtwith{20}\n"}
+APART = {"symbols": "\\clearpage\n", "results": "\\rtalone\n", "map": "\\rtwith{25}\n"}
 """How what begins a page begins it."""
 
 

@@ -47,7 +47,9 @@ def _in_words(node: lay.Node) -> str:
             ends = [node.over.factors[-1] if isinstance(node.over, lay.Product) else node.over]
             bare = any(isinstance(end, lay.Apply) and not end.brackets for end in ends)
             over = lay.Brackets(node.over) if bare else lay.as_factor(node.over, False)
-            single = isinstance(node.under, lay.Letter | lay.Number | lay.Power | lay.Root)
+            single = isinstance(
+                node.under, lay.Letter | lay.Number | lay.Power | lay.Root | lay.Apply
+            )
             under = node.under if single else lay.bracketed(node.under)
             return rf"{_in_words(over)}/{latex(under)}"
     return latex(node).replace(")(", r")\allowbreak (")

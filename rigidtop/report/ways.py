@@ -280,7 +280,8 @@ def _without_it(
     figures: Mapping[str, b.Figure],
 ) -> b.Rich:
     """A sentence in which "it" is a name where the line just above is not shown."""
-    words = running(line.words, notation, figures)
+    along = line.move.by if line.move is not None and line.move.verb == "component" else ()
+    words = running(line.words, notation, figures, along)
     if line.move is None:
         return words
     before = lecture.before(line.id)
@@ -322,8 +323,9 @@ def running(
     words: Sequence[b.Piece],
     notation: Notation = NOTES,
     figures: Mapping[str, b.Figure] = MappingProxyType({}),
+    axes: Collection[Any] = (),
 ) -> b.Rich:
-    """Running text with its mathematics laid out."""
+    """Running text with its mathematics laid out; along `axes` something has its components."""
     made: list[Any] = []
     for piece in words:
         if isinstance(piece, str):
@@ -333,7 +335,7 @@ def running(
             made.append(
                 Wording(notation)(_marked(unread))
                 if unread
-                else layout(notation.named(piece), "printed")
+                else layout((notation.axis if piece in axes else notation.named)(piece), "printed")
             )
     return tuple(made)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, TypeVar
@@ -177,12 +177,11 @@ class Wording:
                 name.set_text(self.label(name.get_text()))
             return canvas
 
-        def worded(caption: Callable[..., str]) -> Callable[..., str]:
-            return lambda **values: self(caption(**values))
+        def caption(**values: float) -> str:
+            return self(drawing.caption(**values))
 
-        title, caption = self(drawing.title), worded(drawing.caption)
-        asked = worded(drawing.asked) if drawing.asked else None
-        return replace(drawing, title=title, draw=draw, caption=caption, asked=asked, animate=None)
+        title = self(drawing.title)
+        return replace(drawing, title=title, draw=draw, caption=caption, animate=None)
 
     def judgement(self, judgement: Judgement) -> Judgement:
         """A judgement with equations and words in the notation."""

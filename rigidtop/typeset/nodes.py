@@ -379,8 +379,10 @@ def flat(node: Node) -> Node:
         case Product():
             inner = (flat(x) if isinstance(x, Brackets) else x for x in node.factors)
             return replace(node, factors=tuple(inner))
+        case Apply():
+            return replace(node, arguments=tuple(map(flat, node.arguments)))
         case Fraction(small=False):
-            single = isinstance(node.under, Letter | Number | Power | Root)
+            single = isinstance(node.under, Letter | Number | Power | Root | Apply)
             under = node.under if single else bracketed(node.under)
             return Infix("/", as_factor(node.over, False), under)
     return node

@@ -78,7 +78,7 @@ _PER_UNIT = re.compile(r"(?<![\w$/.)])1/([ms])([²³]?)(?![\w²³])")
 _NAMES = r"(?:kg|rad|[cmk]?m|[mkμ]?J|[NWs%])(?![A-Za-z])"
 _COUNTED = re.compile(
     r"(?<=\d) (?=(?:days|turns)\b)|(?<=\d\$) (?=(?:days|turns)\b)"
-    r"|(?:(?<=\b[Ss]ection)|(?<=\b[Ff]igure)) (?=\d)"
+    r"|(?:(?<=\b[Ss]ection)|(?<=\b[Ff]igure)|(?<=\bassignment)) (?=\d)"
 )
 _APART = re.compile(
     rf"(?<=[\d∞⁰¹²³⁴-⁹]) (?={_NAMES})|(?<=[\d∞⁰¹²³⁴-⁹]\$) (?={_NAMES})"

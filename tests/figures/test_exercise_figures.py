@@ -424,7 +424,8 @@ def test_the_caption_of_the_cone():
     mass = 700 * math.pi * 0.03**2 * 0.06 / 3
     assert f"M = {mass:.3g} kg" in said
     assert "R = 0.045 m, three quarters of its height" in said
-    assert f"N, along e₂′, is MgR sin θ = {mass * 9.81 * 0.045 * math.sin(0.5):.3g} N m" in said
+    torque = mass * 9.81 * 0.045 * math.sin(0.5)
+    assert f"N, along e₂′, of magnitude MgR sin θ = {torque:.3g} N m" in said
     assert f"MgR cos θ = {mass * 9.81 * 0.045 * math.cos(0.5):.3g} J" in said
 
 

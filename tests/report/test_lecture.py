@@ -310,6 +310,13 @@ def test_a_student_sees_no_solution(judged, solutions, lines):
     (document, pictures), (whole, _) = (
         lecture(judged, solutions, Edition(student, lines=lines)) for student in (True, False)
     )
+    told, known = (
+        " ".join(b.caption for b in each.blocks if isinstance(b, Figure))
+        for each in (document, whole)
+    )
+    for answer in ("0.66", "1.71 N m", "0.391 s", "76.5 %"):
+        assert answer in known
+        assert answer not in told
     assert not any(picture.name.startswith("exercise-") for picture in pictures)
     assert not any(_is(block, "numbers", "values") for block in document.blocks)
     heads = [b.number for b in document.blocks if isinstance(b, ExerciseHead)]
@@ -574,6 +581,25 @@ def test_no_slide_is_longer_than_the_screen(projector):
         assert "as above" not in words
     # What a sentence means by "it" and "both" is on its slide, but where a line fills that.
     assert len(projector.execute_script(ALONE)) <= 1
+    # Whose notes they are is said.
+    assert "Wüster" in slides[0][3]
+
+
+MARK = """const row = document.querySelector(".slide.now .row:has(.seal)");
+const middle = (node) => {
+  const { y, height } = node.getBoundingClientRect();
+  return y + height / 2;
+};
+const signs = [...row.querySelectorAll(".eq mo")].filter(
+  (mo) => mo.textContent === "=" && mo.getClientRects().length);
+return middle(row.querySelector(".seal")) - middle(signs.at(-1))"""
+
+
+def test_a_mark_stands_at_the_sign_of_the_last_line(projector):
+    """Also where a brace hangs beneath that."""
+    for place in ("3-37", "3-49", "3-57"):
+        projector.execute_script(f"location.replace('#{place}')")
+        assert abs(projector.execute_script(MARK)) < 2
 
 
 def test_the_arrow_keys_uncover_lines(projector):

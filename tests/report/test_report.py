@@ -201,7 +201,7 @@ def test_the_engines_meaning_is_shown_where_it_says_something(judged):
 def test_a_false_claim_has_its_numbers_and_its_correction(judged):
     blocks = claim_blocks(judged[0][1][1])
     (numbers,) = [b for b in blocks if isinstance(b, Paragraph) and b.label == "Counterexample"]
-    said = "at Ω = ½, θ = 0: the left side is undefined, the right side 343√2."
+    said = "I = λ₁ − λ₃ fails: at Ω = ½, θ = 0: the left side is undefined, the right side 343√2."
     assert plain.rich(numbers.content) == said
     corrected = _labelled(judged[0][1][1], "Corrected form")
     assert text(corrected.rows[0].equation, "printed") == "I = λ₃ − λ₁"

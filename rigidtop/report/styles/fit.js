@@ -28,7 +28,7 @@ const fitted = () => {
     const { y, height } = sign.getBoundingClientRect();
     return [[seal, y + height / 2 - row.getBoundingClientRect().y - seal.offsetHeight / 2]];
   });
-  for (const [seal, down] of marks) seal.style.setProperty("inset-block-start", `${down}px`);
+  for (const [seal, down] of marks) seal.style.insetBlock = `${down}px auto`;
   for (const each of document.querySelectorAll(".eq, .scroll")) {
     if (share(each) < 1) each.tabIndex = 0;
     else each.removeAttribute("tabindex");

@@ -64,13 +64,14 @@ const slides = (() => {
     const [earlier, before, unit] = [units[k - 2], units[k - 1], units[k]];
     if (heads(before.whole) ? !before.figures.length
       : before.whole.matches(".label") || (before.whole.matches("p") && /:\s*$/.test(before.whole.textContent))) return 100;
+    if (before.whole.querySelector(".seal:is(.convention, .false)") && unit.whole.matches("p")) return 4; // what is amiss
     if (unit.k) return unit.tall < room - 100 || Math.min(unit.k, unit.of - unit.k) < 3 ? 4 : 0.5;
     const shown = before.figures.length ? -0.5 : 0; // its figures come next
     const first = unit.whole.matches(".sub") && units[k + 1] ? units[k + 1] : unit; // Exercises
     if (heads(first.whole) && (shown || !first.whole.matches(".sub"))) return -100;
     if (heads(unit.whole)) return -1.1;
     const leads = before.whole.matches("p") && unit.whole.matches(".row"); // to what comes next
-    return shown + (leads ? 0.4 : 0) + (earlier && heads(earlier.whole) ? 0.4 + leads : 0);
+    return shown + (leads ? 0.9 : 0) + (earlier && heads(earlier.whole) ? 0.4 + leads : 0);
   };
   // A slide stands by itself: what it speaks of and the last line, where it goes on, are shown again.
   const laid = (first, last, needs) => {
