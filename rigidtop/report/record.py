@@ -128,7 +128,6 @@ def _found(judgement: Judgement) -> tuple[b.Rich, ...]:
         silent = [t for t in tested(judgement) if not t.assumption.stated]
         content = ("Not stated: ", *_joined(silent), ".")
     else:
-        content = (claim.says,)
         printed = {f.check.claimed.sides for f in judgement.findings() if f.check.printed}
         amended = [c.check for c in judgement.corrections()]
         corrected = [check.claimed for check in amended if check.claimed.sides not in printed]

@@ -7,7 +7,7 @@ import pytest
 from rigidtop.derivations import lecture
 from rigidtop.notation import NOTES, named
 from rigidtop.report import html, plain, tex, typst
-from rigidtop.report.ways import steps, text_blocks, way_blocks
+from rigidtop.report.ways import line_rows, steps, text_blocks, way_blocks
 
 LECTURE = lecture()
 
@@ -33,3 +33,34 @@ def test_a_way_is_shown_from_the_laws(name: str) -> None:
         assert step["verdict"] in ("follows", "definition")
         assert step["equation"]
         assert step["latex"]
+
+
+@pytest.mark.parametrize(
+    ("notation", "along"),
+    [
+        ("notes", "Resolve it along e₁′, e₂′ and e₃:"),
+        ("goldstein", "Resolve it along e₂′, e₁′ and e₃:"),
+    ],
+)
+def test_axes_along_which_something_is_resolved_have_no_sign(notation: str, along: str) -> None:
+    """Of the direction −e₂′ what comes out would have the other sign."""
+    (id,) = [
+        k
+        for k, x in LECTURE.lines.items()
+        if x.sentence.startswith("Resolve it along $\\mathbf e_1'")
+    ]
+    letters = NOTES if notation == "notes" else named(notation)
+    first = line_rows(LECTURE, id, letters)[0]
+    assert plain.rich(first.spoken) == along
+
+
+@pytest.mark.parametrize(
+    ("words", "noted"),
+    [
+        (r"\rtmarked{assuming}{if $x$}{So it is.}", True),
+        (r"$x = 0$\rtnote{if $x$}", True),
+        (r"\rtmarked{proved}{}{So it is.}", False),
+    ],
+)
+def test_a_document_has_a_margin_where_something_stands_in_it(words: str, noted: bool) -> None:
+    assert bool(tex.NOTED.search(words)) is noted
