@@ -155,8 +155,8 @@ def friction() -> Iterator[Evidence]:
     figure_axis = Matrix([sin(s.theta), 0, cos(s.theta)])
     turning = s.Omega * Matrix([0, 0, 1])
     moves = (
-        "the tip is round and the top does not turn about the vertical alone, where it rolls "
-        "instead: else the contact stays where it is"
+        "it rolls instead, for the contact to move: a round tip, and not a turn about the vertical "
+        "alone"
     )
     yield Formal(
         printed(r"\boldsymbol\omega\times r_0\hat{\mathbf z} \neq [0, 0, 0]^T"),

@@ -89,7 +89,7 @@ def picture() -> dict[Expr, Expr | MatrixBase]:
     }
 
 
-@claim("3.50", "With $𝐋$ along $𝛚$ the torque of the weight moves the axis.")
+@claim("3.50", "With $𝐋 = λ₃ω₃e₃$ the torque of the weight moves the axis.")
 def torque_balance() -> Iterator[Evidence]:
     """$𝐋̇ = 𝐍$ for the exact $𝐋 = λ₃ω₃e₃ + λ₁ e₃ × 𝐞̇₃$; $λ₁ e₃ × 𝐞̈₃$ is smaller by $ε$ and left out.
 

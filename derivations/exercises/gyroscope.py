@@ -169,7 +169,7 @@ def gyroscope(
     yield Answer("off", "by how much it exceeds (3.52), relative", off)
     yield Answer("period", "time for one turn", 2 * pi / abs(exact), "s")
     yield Answer("direction", "direction, seen from above", seen_from_above(exact))
-    yield Answer("epsilon_0", "$ε₀$", smallness(top, omega3))
+    yield Answer("epsilon_0", "$ε₀ = λ₁MgR/(λ₃ω₃)²$", smallness(top, omega3))
     yield Answer("good", "is (3.52) good enough?", "yes" if abs(off) <= tolerance else "no")
     least = least_spin(top, theta)
     yield Answer("spin_needed", "it is for $|ω₃|$ from", needed or least, "rad/s")
@@ -244,7 +244,7 @@ def bicycle_wheel(
     yield Answer("direction", "direction, seen from above", seen_from_above(rate))
     yield Answer("tension", "force in the cord", tension, "N")
     yield Answer("lean", "angle of the cord with the vertical", atan(slope), "rad")
-    yield Answer("epsilon_0", "$ε₀$", weak)
+    yield Answer("epsilon_0", "$ε₀ = λ₁MgR/(λ₃ω₃)²$", weak)
     yield Answer("dip", "dip of the axle, let go at rest", dip, "rad")
     yield Answer("dip_period", "time from dip to dip", motion.nutation_period, "s")
 

@@ -142,7 +142,7 @@ def parallel_bound(theta: float, omega3: float, **shape: float) -> Iterator[Outc
     yield Answer("simple", "$Ω$ by (3.52)", simple_rate(top, omega3), "rad/s")
     yield Answer("mean", "mean precession", mean, "rad/s")
     yield Answer("off", "by how much it exceeds (3.52), relative", off)
-    yield Answer("off_first_order", "$ε₀ cos θ$, the same to first order", weak * cos(theta))
+    yield Answer("off_first_order", "$ε₀ cos θᵢ$, the same to first order", weak * cos(theta))
     yield Table(
         "spins",
         "The spin doubled again and again",

@@ -145,7 +145,7 @@ def _awake(waking: Waking) -> Iterator[Outcome]:
     back = 2 / waking.growth * log(8 * sqrt(waking.sine2) / waking.disturbance)
     yield Answer("growth_rate", "growth rate $σ$ of a small tilt", waking.growth, "1/s")
     yield Answer("tilt", "$θ$ to which the top wakes", waking.tilt, "rad")
-    yield Answer("period", "time until it is upright again", waking.period, "s")
+    yield Answer("period", "time until the tilt is smallest again", waking.period, "s")
     yield Answer("period_log", "the same by ($2/σ$) $ln(8 sin(θ₂/2)/θᵢ)$", back, "s")
     error = abs(motion.turning_points[1] - waking.tilt)
     yield Measure("largest $θ$ of the disturbed top, in closed form (rad)", error, 1e-9)

@@ -146,7 +146,7 @@ def top_from_the_toy_box(
     yield Answer("fast", "fast precession $Ω₊$", fast, "rad/s")
     yield Answer("nutation", "nutations in a second", frequency / (2 * pi), "1/s")
     yield Answer("energy", "energy of the spin", energy, "J")
-    yield Answer("height", "height to which it could lift the top", energy / (mass * g), "m")
+    yield Answer("height", "height by which it could lift the top", energy / (mass * g), "m")
     summed = quadrature_moments(
         disc_mass, disc_radius, disc_thickness, disc_height, stem_mass, stem_length
     )

@@ -143,7 +143,7 @@ def _caption(
         )
     return (
         f"A solid cone on its tip, of radius {said(radius)} m, height {said(height)} m and density "
-        f"{said(density)} kg/m³, {leans}. Its centre of mass is at $R = "
+        f"{said(density)} kg/m³, {leans}. The centre of mass of the cone is at $R = "
         f"{said(found['R'])}$ m, three quarters of its height, and with "
         f"$M = {said(found['mass'])}$ kg and {weight} its potential energy is "
         f"$MgR cos θ = {said(found['potential'])}$ J. The cone is to scale, the arrows are not."

@@ -44,10 +44,10 @@ class Front:
 NOTES = Front(
     "Rigid rotation and the spinning top: derived and judged",
     "Free precession, Euler angles and the heavy symmetric top, equations (3.33) to (3.57)",
-    "The numbered equations, but for (3.50a), and the claims are those of the lecture notes of "
-    "Sebastian Wüster, PHY 305 Classical Mechanics, IISER Bhopal, 2020, week 8. The wording, the "
-    "derivations and the verdicts are ours. Every verdict on these pages was computed when they "
-    "were written.",
+    "The numbered equations and the claims, but for what is called ours, are those of the lecture "
+    "notes of Sebastian Wüster, PHY 305 Classical Mechanics, IISER Bhopal, 2020, week 8. The "
+    "wording, the derivations and the verdicts are ours. Every verdict on these pages was computed "
+    "when they were written.",
     "Rigid rotation and the spinning top: exercises",
 )
 """The lecture notes on the top."""

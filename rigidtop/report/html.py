@@ -172,8 +172,9 @@ def _piece(piece: b.Piece) -> str:
 
 
 def _flat(formula: lay.Node) -> str:
-    """A formula in a sentence, which is no higher than its line."""
-    return mathml.mathml(lay.flat(formula)).replace('stretchy="true"', 'stretchy="false"')
+    """A formula in a sentence; its brackets do not grow where it is no higher than its line."""
+    made = mathml.mathml(lay.flat(formula))
+    return made if "<mfrac" in made else made.replace('stretchy="true"', 'stretchy="false"')
 
 
 def badge(verdict: Verdict) -> str:

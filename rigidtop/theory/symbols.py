@@ -254,7 +254,7 @@ F_kl = _real("F_kl", Glyph("F", "kl", bold=True), "force on particle $k$ from pa
 F_lk = _real("F_lk", Glyph("F", "lk", bold=True), "force on particle $l$ from particle $k$", "N")
 N_in = _real("N_in", Glyph("N", "in", bold=True), "torque of the inner forces", "N m")
 f_r = _real("f_r", Glyph("f", bold=True), "force density", "N/m³")
-R_CM = _real("R_CM", Glyph("R", "CM", bold=True), "centre of mass from the pivot", "m")
+R_CM = _real("R_CM", Glyph("R", "CM", bold=True), "centre of mass from the origin", "m")
 g_vec = _real("g_vec", Glyph("g", bold=True), "acceleration of gravity as a vector", "m/s²")
 follower = _real("follower", Glyph("w", bold=True), "a vector that turns along behind $ω$", "")
 r_1 = _real(

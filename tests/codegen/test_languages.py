@@ -471,7 +471,7 @@ def test_a_small_one_as_it_stands(language):
 
 def test_the_comment_says_what_goes_in_and_what_comes_out():
     comment = """\
-// equation_3_43: L along e₁′, e₂′ and e₃.
+// equation_3_43: L along the axes after two turns.
 //
 // L = (−λ₁φ̇ sin θ)e₁′ + λ₁θ̇e₂′ + (λ₃(ψ̇ + φ̇ cos θ))e₃, with λ₃(ψ̇ + φ̇ cos θ) ≡ L₃
 // Components with e₁′ = (1, 0, 0), e₂′ = (0, 1, 0), e₃ = (0, 0, 1).
@@ -481,7 +481,7 @@ def test_the_comment_says_what_goes_in_and_what_comes_out():
 //   theta     θ, second Euler angle: polar angle of e₃ (rad)
 //   thetadot  θ̇, rate of θ: nutation (rad/s)
 //   phidot    φ̇, rate of φ: precession (rad/s)
-//   psidot    ψ̇, rate of ψ: spin (rad/s)
+//   psidot    ψ̇, rate of ψ (rad/s)
 //   lambda1   λ₁, principal moment of inertia about e₁ (kg m²)
 //   lambda3   λ₃, principal moment of inertia about e₃ (kg m²)
 // Returns an array of 3 numbers:
