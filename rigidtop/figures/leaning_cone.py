@@ -138,8 +138,7 @@ def _caption(
     else:
         leans = (
             f"leaning at $θ = {degrees(theta)}$ towards the azimuth {degrees(phi)}; $𝐍$, along "
-            f"$e₂′$, of magnitude $MgR sin θ = {said(found['torque'])}$ N m, is horizontal and "
-            "points into the paper"
+            f"$e₂′$, of magnitude $MgR sin θ = {said(found['torque'])}$ N m, is horizontal"
         )
     return (
         f"A solid cone on its tip, of radius {said(radius)} m, height {said(height)} m and density "
