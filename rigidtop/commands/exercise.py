@@ -52,6 +52,8 @@ def run(options: argparse.Namespace) -> int:
     """Solve, print or write; 0 if every claim holds and every number is confirmed."""
     if options.pdf and not options.sheet:
         raise RigidtopError("--pdf goes with --sheet DIR")
+    if options.points is not None and not options.sheet:
+        raise RigidtopError("--points goes with --sheet DIR")
     if options.json and options.student:
         raise RigidtopError("--json gives the solutions: leave --student out")
     from rigidtop.collection import is_folder, opened
@@ -65,14 +67,12 @@ def run(options: argparse.Namespace) -> int:
 
 def _run(collection: Collection, names: Sequence[str], options: argparse.Namespace) -> int:
     notation = chosen_notation(options)
-    if options.student and notation.images:
-        raise RigidtopError("--notation writes the solutions otherwise: leave --student out")
     if options.set and len(names) != 1:
         raise RigidtopError("--set wants one exercise: rigidtop exercise NAME --set name=value")
     if not names and not options.sheet:
         return _list(collection, options.json)
     if options.student:
-        return _questions(collection, names, options)
+        return _questions(collection, names, options, notation)
     from rigidtop.report.solutions import solved
 
     exercises = chosen(collection, names)
@@ -107,19 +107,24 @@ def chosen(collection: Collection, names: Sequence[str]) -> list[Exercise]:
     return [by_name[name] for name in names] if names else list(collection.exercises)
 
 
-def _questions(collection: Collection, names: Sequence[str], options: argparse.Namespace) -> int:
+def _questions(
+    collection: Collection, names: Sequence[str], options: argparse.Namespace, notation: Notation
+) -> int:
     from rigidtop.parameters import settings
     from rigidtop.report.plain import fragment
     from rigidtop.report.solutions import Solution, question
+    from rigidtop.report.wording import Wording
 
     exercises = chosen(collection, names)
     asked = [(each, settings(each.parameters, options.set)) for each in exercises]
     if options.sheet:
         # A sheet of questions needs nothing solved.
         unsolved = [Solution(exercise, values, (), (), 0.0) for exercise, values in asked]
-        _write(collection, unsolved, options, None)
+        _write(collection, unsolved, options, notation if notation.images else None)
     else:
-        print("\n\n".join(fragment(question(*each)) for each in asked), end="")
+        named = not notation.images
+        told = [question(Wording(notation).of(x), values, named=named) for x, values in asked]
+        print("\n\n".join(map(fragment, told)), end="")
     return 0
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 from dataclasses import replace
+from datetime import date
 from typing import TYPE_CHECKING
 
 from rigidtop.errors import RigidtopError
@@ -21,7 +22,7 @@ def add_look(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--title", help="in place of the lecture's")
     group.add_argument("--author", help="beneath the title, and in the PDF")
     group.add_argument("--course", help="beneath the title")
-    group.add_argument("--date", help="beneath the title, in any words")
+    group.add_argument("--date", help="beneath the title, in any words, or today")
     group.add_argument(
         "--language",
         metavar="CODE",
@@ -41,6 +42,8 @@ def add_look(parser: argparse.ArgumentParser) -> None:
 def front_of(options: argparse.Namespace, front: Front) -> Front:
     """The first page with one's own title, author, course and date."""
     title, *told = (_words(options, name) for name in ("title", "author", "course", "date"))
+    if told[-1] == "today":
+        told[-1] = date.today().isoformat()
     return replace(
         front,
         title=title or front.title,

@@ -17,6 +17,7 @@ from rigidtop.proof.lecture import Lecture, Prose, Text
 from rigidtop.proof.page import Claim, Page
 from rigidtop.proof.verdict import Judgement, Verdict
 from rigidtop.report import blocks as b
+from rigidtop.report import plain
 from rigidtop.report.claims import derivation, tagged_rows
 from rigidtop.report.marks import SAID, marked
 from rigidtop.report.numbers import apart, cells, cleaned, given, in_degrees
@@ -125,11 +126,17 @@ def question(
     made = posed(exercise, number, points)
     settings: list[Any] = []
     for parameter in exercise.parameters:
-        settings += ["; " if settings else "", parameter.about, ":\u00a0"]
-        settings += given(values[parameter.name], parameter.unit)
+        value = given(values[parameter.name], parameter.unit)
+        # A line does not begin with a few digits.
+        space = "\u00a0" if len(plain.rich(value)) < SHORT else " "
+        settings += ["; " if settings else "", parameter.about, f":{space}", *value]
     if settings:
         made.append(b.Paragraph((*(piece for piece in settings if piece), "."), b.Fixed("Given")))
     return made
+
+
+SHORT = 12
+"""Letters of a value that stays with its name."""
 
 
 def counted(points: float) -> b.Fixed:

@@ -373,6 +373,8 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
     lines = edition.lines
     shown = {line.id for text in lines.texts if text.name not in own for line in text.lines}
     told: dict[str, b.Rich] = {name: () for name, ids in lines.names.items() if shown & {*ids}}
+    new = [j for each in solutions for j in each.judgements if j.claim.name not in told]
+    made += [marks.legend(new)] if new else []
     for number, each in enumerate(solutions, 1):
         made += handout.question(each.exercise, each.settings, number, points)
         if not student:
@@ -384,6 +386,9 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
     about = ["Questions" if student else "Questions and solutions"]
     about += [handout.total(points, len(solutions))] if points else []
     subtitle = ", ".join(said(words, edition.look.language) for words in about)
+    if student:  # it has neither derivations nor verdicts
+        source = edition.front.source.split(". ")[0].removesuffix(".") + "."
+        edition = replace(edition, front=replace(edition.front, source=source))
     return edition.handed_out(edition.front.exercises, subtitle, made), pictures
 
 

@@ -95,7 +95,7 @@ def front(notation: Notation, used: Iterable[Symbol]) -> list[Block]:
             (means(x.quantity.meaning), layout(x), layout(notation.in_notes(x))) for x in found
         )
         head = (Fixed("meaning"), Fixed("here"), Fixed("in the notes"))
-        made.append(Table(head, cells, Fixed("Written otherwise")))
+        made.append(Table(head, cells, Fixed("Written otherwise"), "text", (0.62, 0, 0)))
     return made
 
 

@@ -32,6 +32,8 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
     """The document.  `figures` says where the file of each figure lies, as seen from it."""
     parts = list(_joined(document.blocks, figures))
     headings = sum(isinstance(block, b.Heading) for block in document.blocks)
+    if isinstance(document.blocks[0], b.Heading) and headings > FEW:
+        parts.insert(0, r"\clearpage")
     if isinstance(document.blocks[0], b.Legend) and headings > FEW:
         # Then the pages of all that follows do not depend on how long the contents are.
         parts.insert(1 + isinstance(document.blocks[1], b.Paragraph), r"\clearpage")
@@ -85,13 +87,12 @@ def chapters(document: b.Document, figures: Mapping[str, str]) -> dict[str, str]
     """Each numbered section as a file to be read into another document, and rigidtop.sty."""
     made = {"rigidtop.sty": style_file()}
     parts: dict[str, list[Any]] = {}
-    name = ""
+    name = "marks"  # what they mean comes first
     for block in document.blocks:
         if isinstance(block, b.Heading):
             name = block.number or block.anchor
             name = name if name not in parts else f"{name}-{block.anchor}"
-        if name:
-            parts.setdefault(name.replace(".", "-"), []).append(block)
+        parts.setdefault(name.replace(".", "-"), []).append(block)
     for name, blocks in parts.items():
         head = USE.replace("@NAME@", name).replace("@OUT@", "./")
         text = "\n\n".join(_joined(blocks, figures, measured=True))

@@ -2,6 +2,7 @@
 
 import json
 import re
+from datetime import date
 
 import pytest
 
@@ -132,6 +133,20 @@ def test_in_another_notation(capsys, tmp_path):
     assert r"I_{1}" in made
 
 
+def test_a_question_in_another_notation(capsys, tmp_path):
+    arguments = ["exercise", "toppling-top", "--notation", "goldstein", "--student"]
+    assert main(arguments) == 0
+    shown = capsys.readouterr().out
+    assert "I₁ about the pivot" in shown
+    assert "λ" not in shown
+    assert main([*arguments, "--sheet", str(tmp_path), "--date", "today"]) == 0
+    made = (tmp_path / "exercises.html").read_text("utf-8")
+    assert date.today().isoformat() in made
+    # A sheet of questions has no derivation and no verdict.
+    assert "Sebastian Wüster" in made
+    assert "verdict" not in re.sub("<style.*?</style>|<script.*?</script>", "", made, flags=re.S)
+
+
 @pytest.mark.parametrize(
     ("arguments", "complaint"),
     [
@@ -151,7 +166,7 @@ def test_in_another_notation(capsys, tmp_path):
         (["toppling-top", "--json", "--student"], "--json gives the solutions"),
         (["toppling-top", "--notation", "taylr"], "no notation 'taylr'"),
         (["--notation", "taylr"], "no notation 'taylr'"),
-        (["toppling-top", "--notation", "taylor", "--student"], "--notation writes the solutions"),
+        (["toppling-top", "--points", "5"], "--points goes with --sheet DIR"),
     ],
 )
 def test_bad_input_is_one_line(capsys, arguments, complaint):
