@@ -39,16 +39,21 @@ class Front:
     exercises: str
     author: str = "rigidtop"
     byline: str = ""
+    questions: str = ""
+    """What a sheet of questions says in place of the `source`, if it does."""
 
 
+_OF_THE_NOTES = (
+    "The numbered equations and the claims, but for what is called ours, are those of the lecture "
+    "notes of Sebastian Wüster, PHY 305 Classical Mechanics, IISER Bhopal, 2020, week 8."
+)
 NOTES = Front(
     "Rigid rotation and the spinning top: derived and judged",
     "Free precession, Euler angles and the heavy symmetric top, equations (3.33) to (3.57)",
-    "The numbered equations and the claims, but for what is called ours, are those of the lecture "
-    "notes of Sebastian Wüster, PHY 305 Classical Mechanics, IISER Bhopal, 2020, week 8. The "
-    "wording, the derivations and the verdicts are ours. Every verdict on these pages was computed "
-    "when they were written.",
+    f"{_OF_THE_NOTES} The wording, the derivations and the verdicts are ours. Every verdict on "
+    "these pages was computed when they were written.",
     "Rigid rotation and the spinning top: exercises",
+    questions=_OF_THE_NOTES,
 )
 """The lecture notes on the top."""
 

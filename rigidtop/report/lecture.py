@@ -386,10 +386,10 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
     about = ["Questions" if student else "Questions and solutions"]
     about += [handout.total(points, len(solutions))] if points else []
     subtitle = ", ".join(said(words, edition.look.language) for words in about)
-    if student:  # it has neither derivations nor verdicts
-        source = edition.front.source.split(". ")[0].removesuffix(".") + "."
-        edition = replace(edition, front=replace(edition.front, source=source))
-    return edition.handed_out(edition.front.exercises, subtitle, made), pictures
+    front = edition.front
+    if student and front.questions:
+        edition = replace(edition, front=replace(front, source=front.questions))
+    return edition.handed_out(front.exercises, subtitle, made), pictures
 
 
 def _write(
