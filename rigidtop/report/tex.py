@@ -248,7 +248,6 @@ def _(block: b.Heading) -> str:
     command, level = ("section", 1) if block.level == 1 else ("subsection", 2)
     title = prose(f"{block.number}\u2002{block.title}" if block.number else block.title)
     plain = as_string(f"{block.number} {block.title}".strip())
-    # Figures that wait for room come before the list of symbols, not behind it.
     begins = APART.get(block.anchor, "")
     return begins + (
         rf"\rtheading\{command}*{{\raggedright {title}}}\phantomsection\label{{{block.anchor}}}"
@@ -257,7 +256,7 @@ def _(block: b.Heading) -> str:
     )
 
 
-APART = {"symbols": "\\clearpage\n", "results": "\\rtalone\n", "map": "\\rtwith{25}\n"}
+APART = {"results": "\\rtalone\n", "map": "\\rtwith{25}\n"}
 """How what begins a page begins it."""
 
 
