@@ -31,7 +31,7 @@ vertical_trap = Claim(
     section="3.3",
     asks="exercise before (3.42)",
     statement="After the first two Euler rotations, by $φ$ and by $θ$, the axes of the body "
-    "are the primed ones. Write the vertical $ẑ$ in these axes. A sign is easily lost "
+    "are those of the primed frame. Write the vertical $ẑ$ in them. A sign is easily lost "
     "here: how far from the vertical does the vector point that has it wrong?",
     claims=(vertical, vertical_trap),
     parameters=(

@@ -225,8 +225,8 @@ def gyroscope(
 def bicycle_wheel(
     M: float, radius: float, R: float, omega3: float, cord: float, g: float
 ) -> Iterator[Outcome]:
-    """The cord leans until its pull keeps the wheel on its circle: its angle is the root
-    of an equation. Newton's law for six grains of the rim asks for no other torque, and no other
+    """The cord leans until its pull keeps the wheel on its circle: its angle is the root of an
+    equation. Newton's law for six grains of the rim asks for no other torque, and no other
     force."""
     spinning(omega3)
     top = hoop_on_axle(M, radius, R, g)

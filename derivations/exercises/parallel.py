@@ -115,9 +115,9 @@ DOUBLINGS = 8
 )
 def parallel_bound(theta: float, omega3: float, **shape: float) -> Iterator[Outcome]:
     """A fast top has its largest angle between $𝐋$ and $𝛚$ at its lowest point, a slow one on the
-    way there. This angle
-    and the mean precession are those of the exact motion, which an integrated one confirms. In
-    place of $sin θ$ the bound of the table has what bounds it, $sin θᵢ/√(1 − 4ε₀ cos θᵢ)$."""
+    way there. This angle and the mean precession are those of the exact motion, which an
+    integrated one confirms. In place of $sin θ$ the bound of the table has what bounds it,
+    $sin θᵢ/√(1 − 4ε₀ cos θᵢ)$."""
     top = heavy_top(**shape)
     if omega3 == 0:
         raise RigidtopError(

@@ -142,10 +142,9 @@ def _sleeping_caption(body: HeavyTop, theta: float, omega3: float) -> str:
     return (
         f"How far a top with {top_in_words(body)} falls that is let go at $θ = {degrees(theta)}$ "
         "with $φ̇ = θ̇ = 0$, so $p_φ ≠ p_ψ$: its turning points, the start $θᵢ$ and $θ₂$, against "
-        "$ω₃$. Left "
-        f"of the dotted line, $ω₃ = {said(body.sleeping_spin())}$ rad/s, the upright top is "
-        f"not stable. Dots: at $ω₃ = {said(omega3)}$ rad/s $θ$ runs between {degrees(first)} and "
-        f"{degrees(last)}."
+        f"$ω₃$. Left of the dotted line, $ω₃ = {said(body.sleeping_spin())}$ rad/s, the upright "
+        f"top is not stable. Dots: at $ω₃ = {said(omega3)}$ rad/s $θ$ runs between "
+        f"{degrees(first)} and {degrees(last)}."
     )
 
 

@@ -250,9 +250,12 @@ LONG = 60.0
 
 
 def in_words(equation: Node, most: float = SHORT) -> bool:
-    sides = equation.sides if isinstance(equation, lay.Chain) else ()
-    grid = any(isinstance(each, lay.Grid) for each in sides)
-    return width(equation) < most and not grid
+    """Whether an equation stands in a sentence: of fewer than `most` letters, without a matrix."""
+    return width(equation) < most and not _has_grid(equation)
+
+
+def _has_grid(node: Node) -> bool:
+    return isinstance(node, lay.Grid) or any(_has_grid(part) for part in lay.parts(node))
 
 
 def refuted(found: Counterexample) -> tuple[b.Rich, b.Piece, b.Piece]:

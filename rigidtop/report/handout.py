@@ -263,7 +263,8 @@ def summary(judged: b.Judged, parts: Parts) -> list[b.Block]:
     if not rows:
         return []
     head = b.Heading(1, "", b.Fixed("Summary of results"), "results")
-    return [head, b.Paragraph((CONDITIONS,)), b.Results(tuple(rows))]
+    marked = any(verdict is Verdict.ASSUMING for *_, verdict in rows)
+    return [head, *[b.Paragraph((CONDITIONS,))] * marked, b.Results(tuple(rows))]
 
 
 CONDITIONS = b.Fixed("The conditions of the marks stand in the text, with these statements.")

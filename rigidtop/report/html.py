@@ -54,7 +54,7 @@ def write(
         *["lecture.css"] * document.lecture,
         f"{'slides' if slides else 'print'}.css",
     ]
-    shown = ("slides.js", "projector.js") if slides else ("fitting.js",)
+    shown = ("slides.js", "projector.js") if slides else ("refit.js",)
     scripts = ("fit.js", *["lecture.js"] * (document.lecture and not slides), *shown)
     own = {each: said(each, document.look.language) for each in SHOWN}
     words = f' data-words="{escape(json.dumps(own, ensure_ascii=False))}"' * document.lecture

@@ -22,7 +22,7 @@ from rigidtop.report.map import contracted
 from rigidtop.report.map import label as map_label
 from rigidtop.report.map import picture as map_picture
 from rigidtop.report.pdf import LatexError, make_pdf
-from rigidtop.report.record import document
+from rigidtop.report.record import NO_LINES, document
 from rigidtop.report.solutions import Solution, blocks
 from rigidtop.report.symbols import symbol_list, symbols_used
 from rigidtop.report.ways import claim_told
@@ -30,7 +30,7 @@ from rigidtop.report.wording import Wording
 from rigidtop.terminal.files import write_all
 from rigidtop.terminal.progress import over
 
-NO_LINES, PLAIN = Lecture(), b.Look()
+PLAIN = b.Look()
 
 FORMATS = ("text", "latex", "html", "typst")
 

@@ -5,9 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
-import sympy
-from sympy import MatrixBase
-
 from rigidtop.notation import NOTES, Notation
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.lecture import Lecture
@@ -17,14 +14,13 @@ from rigidtop.proof.verdict import (
     Verdict,
 )
 from rigidtop.report import blocks as b
-from rigidtop.report.claims import condition, tested
+from rigidtop.report.claims import condition, in_words, tested
 from rigidtop.report.handout import parted
 from rigidtop.report.solutions import Solution, numbers, question
 from rigidtop.report.symbols import symbol_list
 from rigidtop.report.ways import called, claim_told, told_rows
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.nodes import Node
-from rigidtop.typeset.sizes import width
 
 NO_LINES = Lecture()
 
@@ -133,8 +129,7 @@ def _found(judgement: Judgement) -> tuple[b.Rich, ...]:
         corrected = [check.claimed for check in amended if check.claimed.sides not in printed]
         reasons = [] if corrected else [check.reason for check in amended]
         content = (" ".join([claim.says, *filter(None, reasons)]),)
-        shown = [layout(equation, "printed") for equation in corrected if not _has_matrix(equation)]
-        short = [node for node in shown if width(node) < 45]
+        short = [each for each in (layout(c, "printed") for c in corrected) if in_words(each)]
         for i, node in enumerate(short):
             content = (*content, "; " if i else " Corrected: ", node)
         if len(short) < len(corrected):
@@ -143,11 +138,6 @@ def _found(judgement: Judgement) -> tuple[b.Rich, ...]:
             content = (*content, ".")
     name = b.Cited(claim.name, b.anchor(claim.name))
     return (judgement.section,), (name,), (judgement.verdict,), content
-
-
-def _has_matrix(equation: Equation) -> bool:
-    nodes = (node for side in equation.sides for node in sympy.preorder_traversal(side))
-    return any(isinstance(node, MatrixBase) for node in nodes)
 
 
 def _joined(tested: Sequence[TestedAssumption]) -> b.Rich:

@@ -17,7 +17,10 @@ from rigidtop.derivations import PAGES
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.figures.catalog import FIGURES
 from rigidtop.figures.drawing import both, rendered
+from rigidtop.notation import NOTES
 from rigidtop.notation.characters import opened
+from rigidtop.proof.lecture import Lecture
+from rigidtop.proof.verdict import Verdict
 from rigidtop.proof.words import light, parts
 from rigidtop.report import html, myst, pdf, plain, tex, typst
 from rigidtop.report.blocks import (
@@ -35,8 +38,10 @@ from rigidtop.report.blocks import (
     Subhead,
     Table,
     Unit,
+    is_number,
 )
 from rigidtop.report.claims import claim_blocks
+from rigidtop.report.handout import CONDITIONS, Parts, summary
 from rigidtop.report.languages import SHOWN, WORDS, translated
 from rigidtop.report.lecture import FORMATS, Edition, fragment, lecture, record, sheet
 from rigidtop.report.map import columns, heights, reduced
@@ -694,3 +699,13 @@ def test_a_matrix_keeps_its_columns_in_the_summary(document):
     (rows,) = re.findall(r"\\begin{bmatrix}(.*?)\\end{bmatrix}", tex.tex_block(Results((row,))))
     assert [line.count("&") for line in rows.split(r"\\")] == [2, 2, 2]
     assert len({number for number, *_ in results.rows}) == len(results.rows)
+
+
+def test_the_summary_speaks_of_conditions_where_a_mark_has_some(judged):
+    parts = Parts(Lecture(), NOTES, {}, {})
+    for page, judgements in judged:
+        marks = {each.verdict for each in judgements if is_number(each.claim.name)}
+        said = [
+            block for block in summary([(page, judgements)], parts) if isinstance(block, Paragraph)
+        ]
+        assert said == [Paragraph((CONDITIONS,))] * (Verdict.ASSUMING in marks), page.section

@@ -287,7 +287,9 @@ def test_every_correction_is_listed_or_said_to_stand_elsewhere(printed):
     assert plain.rich(_listed(printed, "3.47")) == "It is not. Corrected at the claim."
     assert plain.rich(_listed(printed, "3.49")) == "It is not. Corrected at the claim."
     some = "It is not. Corrected: r′ = Oᵀr; more at the claim."
-    assert plain.rich(_listed(printed, "3.34", "3.38")) == some
+    assert plain.rich(_listed(printed, "3.34", "3.47")) == some
+    column = "It is not. Corrected: ω = [ω₀ cos(Ω_b t), −ω₀ sin(Ω_b t), ω₃]ᵀ."
+    assert plain.rich(_listed(printed, "3.38")) == column
 
 
 def test_rows_are_grouped_between_reasons_and_tags(judged):
