@@ -56,7 +56,7 @@ from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.model import Model
 from rigidtop.proof.page import Claim, Page
-from rigidtop.read.page import read_exercises, read_lecture
+from rigidtop.read.page import read_beside, read_exercises, read_lecture
 from rigidtop.report.blocks import NOTES, Front
 from rigidtop.terminal.files import text_of
 from rigidtop.theory import symbols
@@ -90,13 +90,35 @@ class Collection:
 
     @property
     def lecture(self) -> Lecture:
-        """The text, with every line and the move that leads to it; read when it is asked for."""
-        return self.read(())
+        """The text, with every line and the move that leads to it; read when it is asked for.
+
+        Raises RigidtopError, with file and line, for displays that can't be read.
+        """
+        return self.lecture_with(())
 
     def lecture_with(self, exercises: Iterable[Exercise]) -> Lecture:
-        """The text with the solutions of these exercises behind it, and what shows their claims."""
+        """The text with the solutions of these exercises behind it, and what shows their claims.
+
+        Raises RigidtopError, with file and line, for displays that can't be read.
+        """
+        lecture = self.as_written(exercises)
+        home = self.folder or Path()
+        unread = [f"{home / file}, line {at}: {problem}" for file, at, problem in lecture.unread()]
+        if unread:
+            raise RigidtopError("\n".join(unread))
+        return lecture
+
+    def as_written(self, exercises: Iterable[Exercise] = ()) -> Lecture:
+        """The same with whatever is wrong with it: `Lecture.unread` and `Lecture.faults`."""
         asked = [*exercises]
         return self.read(texts(asked, self.exercises) if asked else [])
+
+    def with_page(self, path: Path) -> Lecture:
+        """The lecture with one more page, which may cite it, as it is written.
+
+        A page with the name of one of its own stands in the place of that and of all behind it.
+        """
+        return read_beside(str(path), text_of(path), self.lecture, self.notation)
 
     def solved_by(self, claims: Iterable[Claim]) -> tuple[Exercise, ...]:
         """The exercises that some of these claims solve: those of no page."""
@@ -260,10 +282,7 @@ def _lecture(
     letters: Letters,
     exercises: Sequence[str],
 ) -> Lecture:
-    """The texts of a folder, laws.md first, those of exercises last.
-
-    Raises RigidtopError, with file and line, if one is amiss.
-    """
+    """The texts of a folder, laws.md first, those of exercises last."""
     names = [LAWS] if (folder / f"{LAWS}.md").is_file() else []
     names += [page.text for page in pages if page.text]
 
@@ -271,10 +290,7 @@ def _lecture(
         return [(name, text_of(folder / f"{name}.md")) for name in names]
 
     lecture = read_lecture(sources(names), letters, notation)
-    lecture = read_exercises(sources(exercises), lecture, notation)
-    for file, line, problem in lecture.problems():
-        raise RigidtopError(f"{folder / file}, line {line}: {problem}")
-    return lecture
+    return read_exercises(sources(exercises), lecture, notation)
 
 
 def letters_of(notation: Notation) -> Letters:

@@ -5,18 +5,20 @@ from __future__ import annotations
 import argparse
 import sys
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands import claims
 from rigidtop.commands.notation import add_notation, chosen
 from rigidtop.commands.output import print_json
+from rigidtop.errors import RigidtopError
 from rigidtop.terminal.progress import over
 
 if TYPE_CHECKING:
-    from rigidtop.collection import Collection
+    from rigidtop import collection as collections
     from rigidtop.notation import Notation
-    from rigidtop.proof.lecture import Lecture, Trial
+    from rigidtop.proof.lecture import Lecture, Text, Trial
 
 ABOUT = "judge every claim and compare the numbers"
 
@@ -29,6 +31,14 @@ VERDICT_COLORS = {
     "sampled": "blue",
     "definition": "dim",
 }
+LINE_COLORS = {
+    "follows": "green",
+    "definition": "dim",
+    "premise": "dim",
+    "gap": "red",
+    "unread": "red",
+    "fault": "red",
+}
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -37,7 +47,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "name",
         nargs="*",
         help="only these claims or sections, such as 3.57, axis-stability, 3.5.4 or 3.5, which is "
-        "all of 3.5.1 to 3.5.4; " + claims.FOLDER,
+        f"all of 3.5.1 to 3.5.4; {claims.FOLDER}; or one page, such as my_page.md, that is written "
+        "in the letters of the lecture and may cite it",
+    )
+    parser.add_argument(
+        "--lines",
+        action="store_true",
+        help="the verdict on every line of every page, not on claims",
     )
     depth = parser.add_mutually_exclusive_group()
     depth.add_argument(
@@ -54,15 +70,54 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Judge and print; 0 if nothing failed that the notes get right."""
-    from rigidtop.collection import opened
+    from rigidtop.collection import built_in, opened
 
     notation = chosen(options)
+    if options.name and (page := Path(options.name[0])).suffix == ".md":
+        if len(options.name) > 1:
+            raise RigidtopError("one page at a time")
+        lecture = built_in().with_page(page)
+        return _lines(lecture, lecture.texts[-1:], notation, options)
     with opened(options.name) as (collection, names):
+        if options.lines:
+            if names:
+                raise RigidtopError("--lines is about whole pages: leave the names out")
+            lecture = collection.as_written(collection.exercises)
+            return _lines(lecture, lecture.texts, notation, options)
         return _run(collection, names, notation, options)
 
 
+def _lines(
+    lecture: Lecture, pages: Sequence[Text], notation: Notation, options: argparse.Namespace
+) -> int:
+    """Print the verdict on every line of some pages; 0 if all follow and nothing else is wrong."""
+    from rigidtop.report.ways import line_records
+    from rigidtop.terminal.table import table, wants_color
+
+    records = line_records(lecture, pages, notation)
+    counts = Counter(str(record["verdict"]) for record in records)
+    if options.json:
+        print_json(records)
+    else:
+        rows = [
+            [f"{each['file']}, line {each['line']}", str(each["verdict"]), _beside(each)]
+            for each in records
+        ]
+        colors = LINE_COLORS if wants_color(sys.stdout) else None
+        print(table(rows, ("place", "verdict", "conditions"), colors=colors))
+        print(", ".join(f"{count} {verdict}" for verdict, count in counts.items()))
+    return claims.FAILED if counts.keys() & {"gap", "unread", "fault"} else 0
+
+
+def _beside(record: Mapping[str, Any]) -> str:
+    return str(record["note"]) or ", ".join(record["conditions"])
+
+
 def _run(
-    collection: Collection, names: Sequence[str], notation: Notation, options: argparse.Namespace
+    collection: collections.Collection,
+    names: Sequence[str],
+    notation: Notation,
+    options: argparse.Namespace,
 ) -> int:
     from rigidtop.proof.page import by_lines
     from rigidtop.proof.words import unmarked
@@ -72,13 +127,16 @@ def _run(
 
     found = claims.named(collection, names) if names else claims.every(collection)
     every = options.thorough and not names
-    solved = collection.exercises if every else collection.solved_by(claim for _, claim in found)
+    solved = collection.solved_by(claim for _, claim in found) if names else collection.exercises
     # A claim that only its lines show is judged by them.
     quick = options.quick and all(claim.evidence is not by_lines for _, claim in found)
-    lecture = None if quick else collection.lecture_with(solved)
+    lecture = None if quick else collection.as_written(solved)
     judgements = [judgement for _, judgement in claims.judged(found, collection.letters, lecture)]
     trials = tried(lecture, names) if lecture is not None and options.thorough else {}
     amiss = [line for place, trial in trials.items() for line in _amiss(place, trial)]
+    if lecture is not None:
+        ids = lecture.leading(claim.name for _, claim in found) if names else None
+        amiss = [*faults(lecture, ids), *amiss]
     model: list[str] = []
     if lecture is not None and (collection.models or collection.folder is None):
         model = asked(
@@ -118,6 +176,15 @@ def _run(
         print(line)
     print(claims.summary(judgements))
     return 0 if passed else claims.FAILED
+
+
+def faults(lecture: Lecture, ids: Collection[str] | None = None) -> list[str]:
+    """What is wrong with the pages, and which of these lines, or of all, do not follow."""
+    from rigidtop.report.ways import gap
+
+    wrong = [*lecture.unread(), *lecture.faults()]
+    said = [f"{file}, line {at}: {problem}" for file, at, problem in wrong]
+    return [*said, *(gap(each, lecture.letters) for each in lecture.gaps(ids))]
 
 
 def asked(lecture: Lecture, models: Sequence[Any], names: Sequence[str]) -> list[str]:

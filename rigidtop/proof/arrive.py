@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from operator import itemgetter
+from typing import Any
 
 import sympy
 from sympy import Add, Expr, Integer, MatrixBase, Rational, Symbol
@@ -39,6 +41,7 @@ from rigidtop.proof.values import (
     difference,
     flattened,
     is_smooth,
+    tree,
     vanishes,
 )
 from rigidtop.theory.symbols import const
@@ -220,15 +223,23 @@ def _first_integral(
 
 def _matching(pair: Pair, performed: Performed, move: Move) -> int | None:
     """The number of the performed pair that a pair of the line is; None for an identity."""
-    wrong: RefusedError | None = None
     if pair.relation == "=" and _is_identity(pair, move):
         return None
+    wrong: list[tuple[bool, RefusedError]] = []
     for number, made in enumerate(performed.pairs):
         problem = _problem(pair, made, performed, move)
         if problem is None:
             return number
-        wrong = wrong or problem
-    raise wrong or RefusedError("nothing comes of this move")
+        wrong.append((not _same_side(pair, made), problem))
+    if not wrong:
+        raise RefusedError("nothing comes of this move")
+    raise min(wrong, key=itemgetter(0))[1]  # of that which the line is nearest to
+
+
+def _same_side(pair: Pair, made: Pair) -> bool:
+    """Whether two pairs have a side in common that is not 0, as it is written."""
+    sides = [{str(tree(side)) for side in each.sides} - {"0"} for each in (pair, made)]
+    return not sides[0].isdisjoint(sides[1])
 
 
 def _is_identity(pair: Pair, move: Move) -> bool:
@@ -244,7 +255,7 @@ def _problem(pair: Pair, made: Pair, performed: Performed, move: Move) -> Refuse
         return RefusedError("nothing was neglected: write =")
     factor = factor_of(pair, made, move)
     if factor is None:
-        return RefusedError("the move does not arrive here")
+        return _disagreement(pair, made, move)
     turned = {"<": ">", ">": "<", "≤": "≥", "≥": "≤"}
     expected = made.relation
     if expected in turned and factor < 0:
@@ -252,6 +263,38 @@ def _problem(pair: Pair, made: Pair, performed: Performed, move: Move) -> Refuse
     if pair.relation != expected:
         return RefusedError("the move gives {}, the line says {}", expected, pair.relation)
     return None
+
+
+LONGEST = 150
+"""What has more operations is not shown beside what a line says."""
+
+
+def _disagreement(pair: Pair, made: Pair, move: Move) -> RefusedError:
+    """What a move gives instead of what a line says, and in which of their parts they differ."""
+    message = "the move does not arrive here"
+    nodes: list[Any] = []
+    given = Equation(*map(tree, made.sides), relation=made.relation)
+    if sum(sympy.count_ops(side) for side in given.sides) <= LONGEST:
+        message += ": it gives {}"
+        nodes.append(given)
+    if sympy.sympify(tree(pair.left)) == given.sides[0]:
+        for where, is_given, stands in _parts(made.right, pair.right):
+            if not _zero(is_given - stands, move):
+                message += f"; {where[0]} it gives {{}}, the line has {{}}"
+                nodes += [*where[1:], tree(is_given), tree(stands)]
+    return RefusedError(message, *nodes)
+
+
+def _parts(made: Value, line: Value) -> Iterator[tuple[tuple[Any, ...], Expr, Expr]]:
+    """The components of two vectors, or the entries of two matrices, each with its place."""
+    if isinstance(made, Vector) and isinstance(line, Vector):
+        for atom in {**made.terms, **line.terms}:
+            of = (x.terms.get(atom, Integer(0)) for x in (made, line))
+            yield ("along {}", tree(atom)), *of
+    elif isinstance(made, MatrixBase) and isinstance(line, MatrixBase) and made.shape == line.shape:
+        for k, (one, other) in enumerate(zip(made, line, strict=True)):
+            row, column = divmod(k, made.shape[1])
+            yield (f"in row {row + 1}, column {column + 1}",), one, other
 
 
 def factor_of(pair: Pair, made: Pair, move: Move) -> Expr | None:
@@ -302,7 +345,7 @@ def _approximate(pair: Pair, made: Pair, order: Order, move: Move) -> RefusedErr
         return RefusedError("only ≈ follows: something is neglected")
     factor = factor_of(pair, made, move)
     if factor is None:
-        return RefusedError("the move does not arrive here")
+        return _disagreement(pair, made, move)
     counted = [flattened(part)[0] for part in components(pair.left, pair.right)]
     if order.small == NEGLECTED:  # it is small against the largest term that stands there
         nothing = sum(len(Add.make_args(x)) for x in map(sympy.expand, counted) if x != 0) < 2

@@ -6,7 +6,8 @@ Lines cite lines above them only, so that every chain ends in laws and definitio
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+import re
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import islice
@@ -59,12 +60,21 @@ Block = Prose | Heading | Shown
 
 
 @dataclass(frozen=True)
+class Fault:
+    """What is wrong with a page besides its displays; `at` is the line of its file."""
+
+    at: int
+    problem: str
+
+
+@dataclass(frozen=True)
 class Text:
-    """A page, read."""
+    """A page, read to its end, with all its faults."""
 
     file: str
     name: str
     blocks: tuple[Block, ...]
+    faults: tuple[Fault, ...] = ()
 
     @property
     def shown(self) -> tuple[Shown, ...]:
@@ -74,6 +84,9 @@ class Text:
     def lines(self) -> tuple[Line, ...]:
         return tuple(block.line for block in self.shown if block.line is not None)
 
+
+_NUMBER = re.compile(r"\((\d+(?:\.\d+)+[a-z]?)\)")
+"""How running text cites a numbered equation."""
 
 OTHERS = 12
 """So many other lines are tried in the place of a cited one."""
@@ -193,6 +206,16 @@ class Lecture:
         """The ids of all lines that a line rests on."""
         return self._ordered(self._closed(id) - {id})
 
+    def leading(self, names: Iterable[str]) -> tuple[str, ...]:
+        """The ids of the lines that have these names, and of all that they rest on."""
+        ids = [id for name in names for id in self.names.get(name, ())]
+        return self._ordered(set().union(*map(self._closed, ids)))
+
+    def gaps(self, ids: Iterable[str] | None = None) -> tuple[Judged, ...]:
+        """Of these lines, or of all, those that do not follow."""
+        judged = map(self.judged, self.lines if ids is None else ids)
+        return tuple(each for each in judged if not each.follows)
+
     def below(self, id: str) -> tuple[str, ...]:
         """The ids of all lines that rest on a line: what falls if it falls."""
         found = {id}
@@ -238,12 +261,26 @@ class Lecture:
             waiting += new
         return wanted
 
-    def problems(self) -> Iterator[tuple[str, int, str]]:
-        """File, line and reason of what was not read."""
+    def unread(self) -> Iterator[tuple[str, int, str]]:
+        """File, line and reason of each display that was not read."""
         for text in self.texts:
             for shown in text.shown:
                 if shown.problem:
                     yield text.file, shown.at, shown.problem
+
+    def faults(self) -> Iterator[tuple[str, int, str]]:
+        """File, line and reason of what else is wrong with the pages."""
+        numbers = {e.tag for line in self.lines.values() for e in line.equations if e.tag}
+        for text in self.texts:
+            unknown = [
+                Fault(block.at, f"no line has the number ({number})")
+                for block in text.blocks
+                if isinstance(block, Prose)
+                for number in dict.fromkeys(_NUMBER.findall(block.words))
+                if number not in numbers
+            ]
+            for fault in sorted((*text.faults, *unknown), key=lambda fault: fault.at):
+                yield text.file, fault.at, fault.problem
 
     def trial(self, id: str, every: int = 1) -> Trial:
         """Drop what a line cites, change it, cite other lines, move otherwise: each has to fall.

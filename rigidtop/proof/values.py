@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import sympy
-from sympy import Add, Dummy, Expr, Integer, MatrixBase, Mul, Pow, Symbol
+from sympy import Add, Basic, Dummy, Expr, Integer, MatrixBase, Mul, Pow, Symbol
 from sympy.integrals.manualintegrate import manualintegrate
 
 from rigidtop.proof import decide
-from rigidtop.proof.equation import NoMeaningError, Printed
+from rigidtop.proof.equation import NoMeaningError, Printed, Transposed
 
 Value = Any
 """A scalar, a `Vector`, an operator (an expression of letters that do not commute) or a matrix."""
@@ -159,6 +159,25 @@ def vanishes(expression: Expr) -> bool:
 def _rooted(expression: Expr) -> Expr:
     """√(x²y) as |x|√y where signs are known: a last attempt, on what is zero in digits."""
     return sympy.radsimp(sympy.powdenest(sympy.together(sympy.expand(expression)), force=False))
+
+
+def tree(value: Value) -> Expr | MatrixBase:
+    """A value as an expression that can be printed: a vector as a sum, what acts as a factor."""
+    if isinstance(value, Vector):
+        return Add(*(Mul(factor, tree(atom)) for atom, factor in value.terms.items()))
+    if isinstance(value, MatrixBase):
+        return value.applyfunc(tree)
+    return sympy.sympify(value).replace(_is_applied_or_turned, _as_written)
+
+
+def _is_applied_or_turned(node: Basic) -> bool:
+    return isinstance(node, Applied) or (isinstance(node, Symbol) and node.name.endswith("ᵀ"))
+
+
+def _as_written(node: Basic) -> Basic:
+    if isinstance(node, Symbol):
+        return Transposed(Symbol(node.name.removesuffix("ᵀ")))
+    return Mul(*node.args, evaluate=False)
 
 
 def is_zero(value: Value) -> bool:

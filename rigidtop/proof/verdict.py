@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from difflib import get_close_matches
 
 import sympy
 from sympy import Expr
@@ -73,8 +74,8 @@ class Finding:
 class Led:
     """The derivation of a claim, line by line.
 
-    `gaps` are the lines that do not follow, `assumptions` what those named hold under, but for
-    what their text sets.
+    `gaps` are the lines below it that do not follow, behind numbered equations too; `assumptions`
+    what those named hold under, but for what their text sets.
     """
 
     lecture: Lecture
@@ -141,6 +142,8 @@ def judge(
             )
         if lecture is not None and claim.name in lecture.names:
             items.append(led(lecture, claim.name))
+        elif lecture is not None and not items:
+            problem = _nowhere(claim.name, lecture)
     except Exception as error:  # a claim that breaks is shown as undecided, never as a pass
         problem = f"{type(error).__name__}: {error}"
     judgement = Judgement(claim, section, Verdict.UNDECIDED, tuple(items), 0.0, problem)
@@ -151,12 +154,16 @@ def judge(
     return replace(judgement, seconds=time.perf_counter() - start)
 
 
+def _nowhere(name: str, lecture: Lecture) -> str:
+    """What is said of a claim that no line of the pages has, such as for a mistyped anchor."""
+    near = get_close_matches(name, lecture.names, n=1)
+    return f"no line of the pages is called {name}" + (f"; one is {near[0]}" if near else "")
+
+
 def led(lecture: Lecture, name: str) -> Led:
     """Make the moves that lead to what a name of the lecture names."""
-    ids, starts = lecture.way(name)
-    # What stands by itself has no move, but units that have to agree.
-    judged = [lecture.judged(id) for id in (*ids, *(x for x in starts if x in lecture.laws))]
-    gaps = tuple(each for each in judged if not each.follows)
+    ids, _ = lecture.way(name)
+    gaps = lecture.gaps(lecture.leading([name]))
     found = (c for id in lecture.names[name] for c in lecture.judged(id).known.conditions)
     kept = dict.fromkeys(_relation(c) for c in found if c.relation in _RELATIONS)
     assumed = tuple(

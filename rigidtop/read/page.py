@@ -21,6 +21,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from importlib.resources import files
+from itertools import takewhile
+from pathlib import Path
 from typing import Any
 
 from sympy import Symbol
@@ -29,7 +31,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.notation import NOTES, Notation
 from rigidtop.proof.derivation import Line
 from rigidtop.proof.equation import Equation, symbols_of
-from rigidtop.proof.lecture import Block, Heading, Lecture, Prose, Shown, Text
+from rigidtop.proof.lecture import Block, Fault, Heading, Lecture, Prose, Shown, Text
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import Known, Move, Scope
 from rigidtop.read import sentence as language
@@ -41,6 +43,8 @@ _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z])")
 _HIDDEN = re.compile(r"\$\$|\\\[|\\begin\{|^```+ *math", re.M)
 _TAG = re.compile(r"\\tag\{([^}]+)\}")
 _ANCHOR = re.compile(r'\s*<a id="([\w.-]+)"></a>\s*')
+_NEARLY_ANCHOR = re.compile(r"\s*<a\b(?![^>]*\bhref)", re.I)
+_LIST = re.compile(r"\s*(?:[-*+]|\d+[.)])\s")
 
 
 def read_page(
@@ -55,7 +59,9 @@ def read_page(
     for text, at, reader.anchor in _named(source):
         reader.take(text, at)
     reader.end()
-    return Text(file, name, tuple(reader.blocks))
+    if not any(isinstance(block, (Prose, Shown)) for block in reader.blocks):
+        reader.faults.append(Fault(1, "the page is empty: it has neither words nor displays"))
+    return Text(file, name, tuple(reader.blocks), tuple(reader.faults))
 
 
 def _named(source: str) -> Iterator[tuple[str, int, str]]:
@@ -105,6 +111,7 @@ class _Reader:
     page: list[Known] = field(default_factory=list)
     near: list[Known] = field(default_factory=list)
     pending: tuple[str, int] | None = None
+    faults: list[Fault] = field(default_factory=list)
     anchor: str = ""
     source: str = ""
 
@@ -122,7 +129,11 @@ class _Reader:
             problem = "a display stands by itself, between empty lines and in $$"
             self.blocks.append(Shown(text, at, None, problem, self.anchor))
         else:
-            self.end()
+            if _NEARLY_ANCHOR.match(text):
+                self.fault(
+                    at, 'an anchor is written <a id="its-name"></a>, of letters, digits, - . _'
+                )
+            self.end(at_list=bool(_LIST.match(text)))
             *before, last = _SENTENCE.split(text)
             if last.rstrip().endswith(":"):
                 if before and not self.laws:
@@ -139,10 +150,15 @@ class _Reader:
         self.near = []
         self.blocks.append(Heading(level, words, at, pieces(words, self.notation)))
 
-    def end(self) -> None:
-        """A sentence that ends in a colon was followed by no display."""
+    def fault(self, at: int, problem: str) -> None:
+        self.faults.append(Fault(at, problem))
+
+    def end(self, at_list: bool = False) -> None:
+        """A sentence that ends in a colon was followed by no display; a list may follow it."""
         if self.pending is not None:
             words, at = self.pending
+            if not at_list:
+                self.fault(at, "a sentence ends in a colon, and no display stands below it")
             self.prose(words, at)
             self.pending = None
 
@@ -171,6 +187,8 @@ class _Reader:
                 raise RigidtopError(f"not read: {each.problem}")
             equations.append(each.equation)
         tag = next((e.tag for e in equations if e.tag), "")
+        for again in {e.tag for e in equations if e.tag} & {k.tag for k in self.above}:
+            self.fault(at, f"({again}) is the number of a line above: a number names one line")
         number = sum(isinstance(b, Shown) for b in self.blocks) + 1
         # A number that stands above already names that line, not this one.
         id = tag if tag and all(k.id != tag for k in self.above) else f"{self.name}:{number}"
@@ -183,6 +201,8 @@ class _Reader:
             scope = Scope.IDENTITY
             if where is not None:
                 scope = Scope.MOTION if where[1].startswith("Along") else Scope.SET
+            if not self.source:
+                self.fault(at, f"{called!r} has no source: say in front of it whose law it is")
             origin = pieces(self.source, self.notation)
             return replace(made, scope=scope, called=called, source=self.source, origin=origin)
         defines = language.DEFINES.fullmatch(said)
@@ -314,6 +334,17 @@ def read_exercises(
     above = [known for text in lecture.texts for known in _known(text)]
     texts = [read_page(source, f"{name}.md", name, notation, above) for name, source in sources]
     return Lecture(lecture.letters, (*lecture.texts, *texts))
+
+
+def read_beside(file: str, source: str, lecture: Lecture, notation: Notation) -> Lecture:
+    """A lecture with one more page behind it, which may cite it.
+
+    A page with the name of one of the lecture's stands in the place of that and of all behind it.
+    """
+    name = Path(file).stem
+    before = tuple(takewhile(lambda text: text.name != name, lecture.texts))
+    above = [known for text in before for known in _known(text)]
+    return Lecture(lecture.letters, (*before, read_page(source, file, name, notation, above)))
 
 
 def _known(text: Text) -> list[Known]:

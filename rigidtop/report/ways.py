@@ -10,7 +10,6 @@ from types import MappingProxyType
 from typing import Any
 
 import sympy
-from sympy import Basic
 
 from rigidtop.notation import NOTES, Notation
 from rigidtop.notation.characters import TEX_GREEK
@@ -18,9 +17,10 @@ from rigidtop.proof.derivation import Judged, Line
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.lecture import Heading, Lecture, Prose, Shown, Text
 from rigidtop.proof.letters import Letters
-from rigidtop.proof.moves import Condition
+from rigidtop.proof.moves import NEGLECTED, Condition, Known
 from rigidtop.proof.trial import diagnose
 from rigidtop.proof.units import UnitsError
+from rigidtop.proof.values import tree
 from rigidtop.proof.verdict import Judgement, Led
 from rigidtop.proof.words import bold
 from rigidtop.report import blocks as b
@@ -46,7 +46,7 @@ def way_blocks(
     if starts:
         names = [called(lecture.lines[id], notation) for id in starts]
         blocks.append(b.Paragraph((*_listed(names), "."), "From"))
-    return [*blocks, *gaps(lecture, (*ids, *(x for x in starts if x in lecture.laws)))]
+    return [*blocks, *gaps(lecture, lecture.leading([name]))]
 
 
 def claim_told(
@@ -261,12 +261,7 @@ def _signs(equation: Equation) -> list[str]:
 
 def gaps(lecture: Lecture, ids: Iterable[str]) -> list[b.Block]:
     """What does not follow, with its place."""
-    found = [lecture.judged(id) for id in ids]
-    return [
-        b.Paragraph((f"{gap(each, lecture.letters)}.",), "Gap")
-        for each in found
-        if not each.follows
-    ]
+    return [b.Paragraph((f"{gap(each, lecture.letters)}.",), "Gap") for each in lecture.gaps(ids)]
 
 
 _IT = re.compile(r"\bit\b(?! is)")
@@ -379,25 +374,32 @@ def called(line: Line, notation: Notation = NOTES) -> b.Rich:
 def gap(judged: Judged, letters: Letters, notation: Notation = NOTES) -> str:
     """Why a line does not follow, with its place, and numbers against it where there are."""
     line, problem = judged.line, judged.problem
+    by_itself = line.move is None or isinstance(problem, UnitsError)
+    verdict = "" if by_itself else ", does not follow"
+    return f"{line.file}, line {line.at}{verdict}: {reason(judged, letters, notation)}"
+
+
+def reason(judged: Judged, letters: Letters, notation: Notation = NOTES) -> str:
+    """Why a line does not follow, and numbers against it where there are."""
+    line, problem = judged.line, judged.problem
     assert problem is not None
 
-    def said(node: Basic) -> str:
-        return text(notation.written(node))
+    def said(node: Any) -> str:
+        return text(notation.written(node if isinstance(node, Equation) else tree(node)))
 
-    if line.move is None or isinstance(problem, UnitsError):
-        return f"{line.file}, line {line.at}: {problem.words(said)}"
-    cited = line.move.cited
-    found = None if line.move.verb == "call" else diagnose(line.equations, cited, letters)
-    place = f"{line.file}, line {line.at}, does not follow: {problem.words(said)}"
+    why = problem.words(said)
+    if line.move is None or line.move.verb == "call" or isinstance(problem, UnitsError):
+        return why
+    found = diagnose(line.equations, line.move.cited, letters)
     if found is None:
-        return place
+        return why
     if found.entailed:
-        return f"{place}; it follows from what is cited, but not by this move"
+        return f"{why}; it follows from what is cited, but not by this move"
     if not found.at:
-        return place
+        return why
     values = ", ".join(f"{said(x)} = {said(value)}" for x, value in found.at.items())
     sides = f"the left side is {said(found.left)}, the right side {said(found.right)}"
-    return f"{place}; with what is cited, at {values}, {sides}"
+    return f"{why}; with what is cited, at {values}, {sides}"
 
 
 def _listed(names: Sequence[b.Rich]) -> b.Rich:
@@ -406,6 +408,10 @@ def _listed(names: Sequence[b.Rich]) -> b.Rich:
         between = "" if k == 0 else " and " if k == len(names) - 1 else ", "
         made += [between, *name] if between else name
     return tuple(made)
+
+
+Record = dict[str, object]
+"""A line for programs."""
 
 
 def steps(
@@ -425,14 +431,23 @@ def step(lecture: Lecture, id: str, notation: Notation = NOTES) -> dict[str, obj
         "latex": r",\quad ".join(latex(equation) for equation in equations),
         "move": " ".join(each.line.sentence.split()).rstrip(":"),
         "from": list(lecture.cites(id)),
-        "conditions": [_condition(c, notation) for c in each.known.conditions],
+        "conditions": conditions(each.known, notation),
         "verdict": _verdict(each),
     }
 
 
-def _condition(condition: Condition, notation: Notation) -> str:
-    when = " at the start" if condition.relation == "start" else ""
-    return text(relation(condition, notation)) + when
+def conditions(known: Known, notation: Notation = NOTES) -> list[str]:
+    """What an equation holds under, and the order of what is left out of it, as text."""
+    made = []
+    for condition in known.conditions:
+        when = " at the start" if condition.relation == "start" else ""
+        made.append(text(relation(condition, notation)) + when)
+    order = known.order
+    if order is not None and order.small != NEGLECTED:
+        for x in order.together or (order.small,):
+            said, error = (text(notation.written(each)) for each in (x, x**order.power))
+            made.append(f"{said} small, with an error of order O({error})")
+    return made
 
 
 def way_record(
@@ -451,3 +466,35 @@ def _verdict(judged: Judged) -> str:
         return "gap"
     move = judged.line.move
     return "definition" if move is None or move.verb == "call" else "follows"
+
+
+def line_records(lecture: Lecture, texts: Iterable[Text], notation: Notation) -> list[Record]:
+    """What `rigidtop check --lines --json` says: an object for every display of some pages.
+
+    `line` is where the display begins in its `file`.  A fault of a page is an object too, without
+    an `id`.
+    """
+    faults = [*lecture.faults()]
+    made: list[Record] = []
+    for page in texts:
+        for shown in page.shown:
+            row: Record = {"file": page.file, "line": shown.at}
+            if shown.line is None:
+                more = {"id": "", "verdict": "unread", "conditions": [], "note": shown.problem}
+            else:
+                judged = lecture.judged(shown.line.id)
+                more = {
+                    "id": shown.line.id,
+                    "verdict": "premise"
+                    if shown.line.move is None and judged.follows
+                    else _verdict(judged),
+                    "conditions": conditions(judged.known, notation),
+                    "note": "" if judged.follows else reason(judged, lecture.letters, notation),
+                }
+            made.append(row | more)
+        made += [
+            {"file": file, "line": at, "id": "", "verdict": "fault", "conditions": [], "note": why}
+            for file, at, why in faults
+            if file == page.file
+        ]
+    return made

@@ -118,7 +118,8 @@ class Derivation:
             elif block.line is not None:
                 tag = next((e.tag for e in block.line.equations if e.tag), "")
                 number = rf" \tag{{{tag}}}" if tag else ""
-                made += [block.line.sentence, f"$${block.latex}{number}$$"]
+                sentence = f"{block.line.source} {block.line.sentence}".lstrip()
+                made += [sentence, f"$${block.latex}{number}$$"]
         return "\n\n".join(made) + "\n"
 
     def _repr_html_(self) -> str:
@@ -188,21 +189,25 @@ class _Writer:
         letters = _between([self.own(x) for x in names.q])
         self.heading("The equations of motion for ", *letters, level=1)
         self.heading("Laws")
-        self.L = self.law("The Lagrangian", Equation(Lagrangian, self.own(system.plain)))
+        self.L = self.law("Given", "The Lagrangian", Equation(Lagrangian, self.own(system.plain)))
         laws = []
         for k, x in enumerate(self.own(y) for y in names.q):
             pushed = system.generalised_forces[k] + system.reactions[k]
             right = Partial(Lagrangian, x) + self.own(pushed)
             equation = Equation(Rate(Partial(Lagrangian, self.own(names.v[k]))), right)
-            laws.append(self.law("Lagrange's equation for ", equation, x, along=True))
+            laws.append(
+                self.law("Lagrange 1788", "Lagrange's equation for ", equation, x, along=True)
+            )
         count = len(system.rules)
         rules = [
-            self.law(_numbered("the constraint", i, count), Equation(self.own(x), 0), along=True)
+            self.law(
+                "Given", _numbered("the constraint", i, count), Equation(self.own(x), 0), along=True
+            )
             for i, x in enumerate(system.rules)
         ]
         slopes = {self.own(v): Partial(Lagrangian, self.own(v)) for v in names.v}
         turned = sympy.Add(*(v * slope for v, slope in slopes.items()), -Lagrangian)
-        self.jacobi = self.law("The energy", Equation(E, turned))
+        self.jacobi = self.law("Jacobi's integral", "The energy", Equation(E, turned))
         coordinates = [self.coordinate(k, law) for k, law in enumerate(laws)]
         held = [self.held(rule, i) for i, rule in enumerate(rules)]
         solved = self.solved([balanced for balanced, _ in coordinates], held)
@@ -222,11 +227,13 @@ class _Writer:
         self.name = name
         self.blocks.append(Heading(level, _said(words), len(self.blocks) + 1, words))
 
-    def law(self, called: str, equation: Equation, *more: Expr, along: bool = False) -> Known:
-        """What stands by itself; some of it holds along the motion only."""
+    def law(
+        self, source: str, called: str, equation: Equation, *more: Expr, along: bool = False
+    ) -> Known:
+        """What stands by itself, with its source; some of it holds along the motion only."""
         words = ("Along the motion, " + called if along else called, *more)
         scope = Scope.MOTION if along else Scope.IDENTITY
-        return self.line(words, equation, None, scope, called + _said(more))
+        return self.line(words, equation, None, scope, called + _said(more), f"{source}.")
 
     def line(
         self,
@@ -235,6 +242,7 @@ class _Writer:
         move: Move | None,
         scope: Scope = Scope.IDENTITY,
         called: str = "",
+        source: str = "",
     ) -> Known:
         """A line with its sentence."""
         spoken, at = (*words, ":"), len(self.blocks) + 1
@@ -247,6 +255,7 @@ class _Writer:
             move=move,
             scope=scope,
             called=called,
+            source=source,
             file="the derivation",
             at=at,
         )

@@ -31,7 +31,7 @@ $$\lambda_1\ddot\theta = \lambda_1\dot\phi^2\sin\theta\cos\theta - p_\psi\dot\ph
 def asked(page: str, laws: str = LAWS) -> list[tuple[bool | None, bool, str]]:
     """Of the lines of a page: what the models say, whether they follow, why they can't be asked."""
     read = read_lecture([("laws", laws), ("page", page)], LETTERS, NOTES)
-    assert not list(read.problems())
+    assert not list(read.unread())
     found = ask(read)
     return [
         (found[x.id].holds, read.judged(x.id).follows, found[x.id].why)

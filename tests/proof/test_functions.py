@@ -304,7 +304,7 @@ $$\dot p_\theta = 0$$
 def last(page: str) -> str:
     """Why the last line of a page does not follow, or nothing."""
     lecture = read_lecture([("laws", LAWS), ("page", page)], LETTERS, NOTES)
-    assert not list(lecture.problems())
+    assert not list(lecture.unread())
     *before, line = [lecture.judged(line.id) for line in lecture.texts[1].lines]
     assert all(each.follows for each in before), [str(each.problem) for each in before]
     return str(line.problem or "")

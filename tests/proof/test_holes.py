@@ -55,7 +55,7 @@ def read(page: str) -> Lecture:
 def last(page: str) -> str:
     """Why the last line of a page does not follow, or nothing."""
     lecture = read(page)
-    problems = [problem for _, _, problem in lecture.problems()]
+    problems = [problem for _, _, problem in lecture.unread()]
     if problems:
         return problems[-1]
     return str(lecture.judged(lecture.texts[1].lines[-1].id).problem or "")

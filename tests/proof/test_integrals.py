@@ -48,7 +48,7 @@ $$r^3 = \int_0^h dr_3\,\frac{r_3^2}9$$
 def last(page: str) -> str:
     """What is wrong with the last line of a page; nothing where it follows."""
     lecture = read_lecture([("page", LAWS + page)], LETTERS, NOTES)
-    assert not list(lecture.problems())
+    assert not list(lecture.unread())
     *_, id = lecture.lines
     return str(lecture.judged(id).problem or "")
 

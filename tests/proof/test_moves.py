@@ -119,7 +119,7 @@ $$\mathbf N^{(e)} = \int d^3\mathbf r\,\mathbf r\times f(\mathbf r)$$
 def judged(page: str, laws: str = LAWS):
     """The lines of a page below the laws, each with what became of it."""
     lecture = read_lecture([("laws", laws), ("page", page)], LETTERS, NOTES)
-    assert not list(lecture.problems())
+    assert not list(lecture.unread())
     return [lecture.judged(line.id) for line in lecture.texts[1].lines]
 
 
@@ -1089,7 +1089,7 @@ Divide $\\mathbf N_{\\text{in}} = 0$ by $M$:
 $$\\frac{\\mathbf N_{\\text{in}}}{M} = 0$$
 """
     lecture = read_lecture([("laws", LAWS), ("page", page)], LETTERS, NOTES)
-    [(_, _, problem)] = lecture.problems()
+    [(_, _, problem)] = lecture.unread()
     assert "is an equation: its left side says which is meant" in problem
 
 

@@ -151,7 +151,7 @@ $$\epsilon_0 = \frac{\tau - \delta + \varepsilon^2}{\varepsilon}$$
 def problems(page: str) -> list[str]:
     """What is said against a page below the laws."""
     lecture = read_lecture([("laws", LAWS), ("page", page)], LETTERS, NOTES)
-    found = [problem for _, _, problem in lecture.problems()]
+    found = [problem for _, _, problem in lecture.unread()]
     judged = [lecture.judged(line.id) for line in lecture.texts[1].lines]
     return found + [str(each.problem) for each in judged if each.problem is not None]
 

@@ -273,7 +273,7 @@ $$\lambda_1\ddot\theta = MgR\sin\theta$$
 def judged(page: str, laws: str = LAWS, letters: Letters = LETTERS):
     """The lines of a page below the laws, each with what became of it."""
     read = read_lecture([("laws", laws), ("page", page)], letters, NOTES)
-    assert not list(read.problems())
+    assert not list(read.unread())
     return [read.judged(line.id) for line in read.texts[1].lines]
 
 
@@ -331,7 +331,7 @@ Divide the balance by $\lambda_1$:
 $$\ddot\theta = Mg\sin\theta/\lambda_1 \tag{1}$$
 """
     read = read_lecture([("laws", laws), ("page", page)], LETTERS, NOTES)
-    law, line = led(read, "1").gaps[::-1]
+    law, line = led(read, "1").gaps
     assert law.line.file == "laws.md"
     assert gap(law, LETTERS) == (
         "laws.md, line 8: the units disagree: λ₁θ̈ is in J, Mg sin θ is in N"

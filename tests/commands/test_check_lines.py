@@ -1,0 +1,167 @@
+"""`rigidtop check`: each line of every page is judged; pages are read to their end."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from rigidtop.cli import main
+from rigidtop.commands import new
+from rigidtop.terminal.files import write_all
+
+
+@pytest.fixture
+def course(tmp_path: Path) -> Path:
+    """The collection that `rigidtop new` writes."""
+    folder = tmp_path / "my_course"
+    starter = new.STARTER
+    write_all(folder, {f.name: f.read_bytes() for f in starter.glob("*") if f.is_file()})
+    return folder
+
+
+def add(course: Path, text: str) -> Path:
+    page = course / "pendulum.md"
+    page.write_text(page.read_text("utf-8") + f"\n{text}\n", "utf-8")
+    return page
+
+
+def lines(path: Path, capsys: pytest.CaptureFixture[str]) -> tuple[int, list[dict]]:
+    code = main(["check", str(path), "--lines", "--json"])
+    return code, json.loads(capsys.readouterr().out)
+
+
+WRONG_REMARK = """## A remark
+
+Multiply the kinetic energy by $2$:
+
+$$2T = 3 m l^2\\dot\\theta^2$$"""
+
+
+def test_a_line_that_no_claim_needs_is_judged(course, capsys):
+    assert main(["check", f"{course}/"]) == 0
+    add(course, WRONG_REMARK)
+    capsys.readouterr()
+    assert main(["check", f"{course}/"]) == 1
+    out = capsys.readouterr().out
+    assert "pendulum.md, line" in out
+    assert "does not follow" in out
+    assert "nothing failed that the notes get right" in out  # of the claims none rests on it
+
+
+def test_each_display_has_a_verdict_and_its_place(course, capsys):
+    page = add(course, WRONG_REMARK)
+    code, rows = lines(course, capsys)
+    assert code == 1
+    source = page.read_text("utf-8").splitlines()
+    begins = [k for k, text in enumerate(source, 1) if text.startswith("$$")]
+    assert [row["line"] for row in rows if row["file"] == "pendulum.md"] == begins
+    assert rows[-1]["verdict"] == "gap"
+    assert rows[-1]["note"].startswith("the move does not arrive here: it gives 2T = ml²θ̇²;")
+    assert {row["verdict"] for row in rows[:-1]} == {"premise", "follows"}
+
+
+def test_a_claim_behind_a_numbered_gap_does_not_pass(course, capsys):
+    page = course / "pendulum.md"
+    text = page.read_text("utf-8")
+    numbered = text.replace(
+        r"$$\frac{\partial\mathcal L}{\partial\theta} = -mgl\sin\theta$$",
+        r"$$\frac{\partial\mathcal L}{\partial\theta} = -2mgl\sin\theta \tag{1.0}$$",
+    )
+    assert numbered != text
+    page.write_text(numbered, "utf-8")
+    assert main(["check", f"{course}/", "1.1"]) == 1
+    out = capsys.readouterr().out
+    assert "NOT PASSED: 1.1" in out
+    assert main(["derive", f"{course}/", "1.1"]) == 1
+    assert "does not follow" in capsys.readouterr().out
+
+
+def test_a_page_by_itself_is_judged_in_the_letters_of_the_lecture(tmp_path, capsys):
+    page = tmp_path / "own.md"
+    page.write_text(
+        "# Mine\n\nSolve (3.57) for $\\Omega$, with the discriminant:\n\n"
+        "$$\\Omega_- = \\frac{\\lambda_3\\omega_3 - \\sqrt D}{2\\lambda_1\\cos\\theta}, \\quad"
+        "\\Omega_+ = \\frac{\\lambda_3\\omega_3 + \\sqrt D}{2\\lambda_1\\cos\\theta}$$\n\n"
+        "Square (3.44):\n\n$$T^2 = 0$$\n",
+        "utf-8",
+    )
+    code, (roots, wrong) = lines(page, capsys)
+    assert code == 1
+    assert (roots["line"], roots["verdict"]) == (5, "follows")
+    assert "cos θ ≠ 0" in roots["conditions"]
+    assert (wrong["line"], wrong["verdict"]) == (9, "gap")
+    assert wrong["file"] == str(page)
+
+
+def test_a_changed_page_of_the_lecture_stands_in_its_place(tmp_path, capsys):
+    from importlib.resources import files
+
+    source = files("rigidtop.derivations").joinpath("nutation.md").read_text("utf-8")
+    page = tmp_path / "nutation.md"
+    page.write_text(source, "utf-8")
+    code, rows = lines(page, capsys)
+    assert code == 0
+    assert len(rows) == source.count("\n$$")
+
+
+FAULTS = {
+    "## Empty": "",
+    "Twice the kinetic energy is:\n\nNothing stands here.": "a sentence ends in a colon",
+    "It follows from (7.77) at once.": "no line has the number (7.77)",
+    '<a name="mine"></a>\n\nWords.': "an anchor is written",
+    "Multiply the kinetic energy by $2$:\n\n$$2T = m l^2\\dot\\theta^2 \\tag{1.1}$$": (
+        "(1.1) is the number of a line above"
+    ),
+    "## Laws\n\nThe weight:\n\n$$V = 2V$$": "'The weight' has no source",
+}
+
+
+@pytest.mark.parametrize("text", [*FAULTS][1:])
+def test_a_fault_of_a_page_is_told(text, course, capsys):
+    add(course, text)
+    assert main(["check", f"{course}/"]) == 1
+    assert FAULTS[text] in capsys.readouterr().out
+
+
+def test_a_page_is_read_to_its_end(course, capsys):
+    for text in [*FAULTS][1:]:
+        add(course, text)
+    add(course, "Frobnicate it:\n\n$$x = $$")
+    assert main(["check", f"{course}/"]) == 1
+    out = capsys.readouterr().out
+    assert all(said in out for said in FAULTS.values())
+    assert "not read" in out
+    assert main(["derive", f"{course}/", "1.1"]) == 2
+    assert "pendulum.md, line" in capsys.readouterr().err
+
+
+def test_an_empty_page_is_told(course, capsys):
+    (course / "pendulum.md").write_text("# Nothing\n", "utf-8")
+    assert main(["check", f"{course}/"]) == 1
+    assert "the page is empty" in capsys.readouterr().out
+
+
+def test_a_list_may_follow_a_colon(course, capsys):
+    add(course, "There are two of them:\n\n- one\n- two")
+    assert main(["check", f"{course}/"]) == 0
+
+
+def test_a_mistyped_anchor_is_named(course, capsys):
+    page = course / "pendulum.md"
+    text = page.read_text("utf-8")
+    assert '<a id="from-energy"></a>' in text
+    module = course / "pendulum.py"
+    source = module.read_text("utf-8")
+    start = source.index('@claim("from-energy"')
+    end = source.index("page = Page(")
+    claim = 'from_energy = Claim("from-energy", "It follows.")\n\n\n'
+    module.write_text(source[:start] + claim + source[end:], "utf-8")
+    module.write_text(module.read_text("utf-8").replace("Page, Step", "Claim, Page, Step"), "utf-8")
+    assert main(["check", f"{course}/"]) == 0, capsys.readouterr().out
+    page.write_text(text.replace('id="from-energy"', 'id="from-enregy"'), "utf-8")
+    capsys.readouterr()
+    assert main(["check", f"{course}/"]) == 1
+    out = " ".join(capsys.readouterr().out.split())
+    assert "no line of the pages is called from-energy; one is from-enregy" in out
