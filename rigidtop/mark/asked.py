@@ -223,10 +223,9 @@ def _gaps(equation: Equation, model: Model) -> Iterator[Expr]:
 def _where_set(conditions: Iterable[Condition], model: Model) -> Mapping[Symbol, Expr]:
     """What is set, as values for free letters.  Raises NoMeaningError where it gives none."""
     put: dict[Symbol, Expr] = {}
-    for condition in conditions:
-        if condition.relation != "=":
-            continue
-        gap = sympy.sympify(model.value(condition.expression)).xreplace(put)
+    vanishing = (model.value(c.expression) for c in conditions if c.relation == "=")
+    for entry in (x for value in vanishing for x in entries(value, sympy.Integer(0))):
+        gap = sympy.sympify(entry).xreplace(put)
         for x in sorted(gap.free_symbols, key=str):
             slope = gap.diff(x)
             if slope.is_number and slope != 0:

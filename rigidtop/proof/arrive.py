@@ -62,7 +62,11 @@ def arrive(
     gone = [e.sides[0] for e in move.by] if move.verb == "set" and move.power < 2 else []
     if performed.scope is Scope.SET:  # what was set to a number, here or above
         fixed, numbers = where_set(performed.conditions, Scope.SET, letters), letters.numbers
-        gone += [x for x, v in fixed.items() if x not in numbers and {*atoms_of(v)} <= numbers]
+        gone += [
+            x
+            for x, v in fixed.items()
+            if not ({x} & numbers or isinstance(v, Vector)) and {*atoms_of(v)} <= numbers
+        ]
     shown: set[int] = set()
     says_something = False
     try:

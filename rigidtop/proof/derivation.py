@@ -8,7 +8,7 @@ line that is not arrived at is a gap.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
@@ -22,6 +22,7 @@ from rigidtop.proof.equation import Equation, NoMeaningError, symbols_of
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import (
     NEGLECTED,
+    Condition,
     Known,
     Move,
     Order,
@@ -29,8 +30,10 @@ from rigidtop.proof.moves import (
     Performed,
     RefusedError,
     Scope,
+    domain,
     flat_with,
     give,
+    never_vanishes,
     nonzero,
     pairs_of,
     put_in,
@@ -43,6 +46,7 @@ from rigidtop.proof.values import (
     agree,
     atoms_of,
     components,
+    difference,
     flattened,
     vanishes,
 )
@@ -101,26 +105,48 @@ def judge_line(line: Line, letters: Letters, above: Iterable[Known] = ()) -> Jud
         nearly = any(equation.relation == "≈" for equation in line.equations)
         scope = _holds(line, line.scope, letters)
         order = Order(NEGLECTED, 1) if nearly else None
-        return Judged(line, replace(bare, scope=scope, order=order))
+        known = replace(bare, scope=scope, order=order, tied=_ties(line, letters))
+        return Judged(line, replace(known, conditions=_domain(line, (), letters)))
     if line.move.verb == "call":
         try:
             letter = define(line, letters)
             # What keeps a number holds where that does which is cited for it.
             scope = max((line.scope, *(known.scope for known in line.move.using)))
             conditions = tuple(c for known in line.move.using for c in known.conditions)
-            return Judged(line, replace(bare, scope=scope, conditions=conditions, defines=letter))
+            conditions += _domain(line, conditions, letters)
+            tied = _ties(line, letters).union(*(known.tied for known in line.move.using))
+            known = replace(bare, scope=scope, conditions=conditions, defines=letter, tied=tied)
+            return Judged(line, known)
         except RefusedError as problem:
             return Judged(line, bare, problem)
     try:
         performed = arrive(line.equations, line.move, letters)
         _each_needed(line.equations, line.move, performed, letters)
+        conditions = (*performed.conditions, *line.move.where)
+        defined = _domain(line, conditions, letters)
+        performed = replace(performed, conditions=(*performed.conditions, *defined))
     except RefusedError as problem:
         return Judged(line, bare, problem)
     if against := _contradiction(line, performed, above, letters):
         return Judged(line, bare, RefusedError(against))
     scope = _holds(line, performed.scope, letters)
-    known = replace(bare, scope=scope, conditions=performed.conditions, order=performed.order)
+    known = replace(
+        bare,
+        scope=scope,
+        conditions=performed.conditions,
+        order=performed.order,
+        tied=performed.tied | _ties(line, letters),
+    )
     return Judged(line, known)
+
+
+def _domain(line: Line, conditions: Sequence[Condition], letters: Letters) -> tuple[Condition, ...]:
+    """What must not vanish, or is positive, for a line to say something, if it is not known."""
+    found: tuple[Condition, ...] = ()
+    for equation in line.equations:
+        with suppress(NoMeaningError):
+            found += domain(equation, Algebra(letters), (*conditions, *found))
+    return found
 
 
 def _each_needed(
@@ -210,22 +236,102 @@ def _holds(line: Line, scope: Scope, letters: Letters) -> Scope:
     return scope
 
 
+def _ties(line: Line, letters: Letters) -> frozenset[Symbol]:
+    """The numbers that a line ties to one another: it holds for some of them only."""
+    tied: set[Symbol] = set()
+    for equation in line.equations:
+        here = symbols_of(equation)
+        if equation.relation in ("=", "≡") and here <= letters.numbers - {*letters.indexed}:
+            pairs = pairs_of(equation, Algebra(letters))
+            if any(_is_scalar(p) and not agree(p.left, p.right) for p in pairs):
+                tied |= here
+    return frozenset(tied - letters.vectors)
+
+
 def _contradiction(
     line: Line, performed: Performed, above: Iterable[Known], letters: Letters
 ) -> str:
     """Why a line, its conditions and what it rests on can't all hold, or nothing."""
     conditions = performed.conditions
-    bounded = {x for c in conditions for x in atoms_of(c.expression)}
     cited = line.move.cited if line.move is not None else ()
-    values: dict[Expr, Value] = {}
     if len(cited) != 1 or {*conditions} != {*cited[0].conditions}:  # else asked for above
-        values = where_set(conditions, performed.scope, letters)
-        for each in above if bounded else ():
-            for equation in each.equations if each.order is None else ():
-                if equation.relation in ("=", "≡") and bounded & {*equation.sides}:
-                    with suppress(RefusedError, NoMeaningError):
-                        give(equation, each, values, letters)
+        resting = [
+            (known, equation)
+            for known in above
+            if known.order is None
+            for equation in known.equations
+            if equation.relation in ("=", "≡")
+        ]
+        for backwards in (False, True) if any(c.relation == "=" for c in conditions) else (False,):
+            values = _settled(performed, resting, letters, backwards)
+            for _, equation in resting:
+                # Where a letter is left that nothing gives, no number comes of it.
+                if symbols_of(equation) <= {*values} | letters.unit_vectors and _is_false(
+                    equation, values, letters
+                ):
+                    return _AGAINST
+            if against := _against_conditions(conditions, values, letters):
+                return against
+    pairs = [p for e in line.equations for p in pairs_of(e, Algebra(letters)) if _is_scalar(p)]
+    if any(p.relation in ("<", ">", "≠") and vanishes(p.left - p.right) for p in pairs):
+        return _AGAINST
+    for relation, sign in ((">", -1), ("<", 1)):
+        wrong = [sign * (p.left - p.right) for p in pairs if p.relation == relation]
+        if any(bounds.positive(*flat_with(x, conditions)) for x in wrong):
+            return _AGAINST
+    apart = [p.left - p.right for p in pairs if p.relation in ("=", "≈")]
+    if any(never_vanishes(x, conditions) for x in apart):
+        return _AGAINST
+    # A limit, such as g = 0, is set for a letter of which g > 0 is known.
+    settings = [c.expression for c in conditions if c.relation == "=" and c.expression.args]
+    unset = [c for c in conditions if c.relation != "="]
+    scalar = [x for x in settings if not {*letters.vectors} & x.free_symbols]
+    return _AGAINST if any(never_vanishes(x, unset) for x in scalar) else ""
+
+
+def _settled(
+    performed: Performed,
+    resting: Sequence[tuple[Known, Equation]],
+    letters: Letters,
+    backwards: bool,
+) -> dict[Expr, Value]:
+    """The values that letters have by what is set, and by what gives a letter of a condition."""
+    values = where_set(performed.conditions, performed.scope, letters, backwards)
+    bounded = {x for c in performed.conditions for x in atoms_of(c.expression)}
+    waiting = [*resting] if bounded else []
+    while used := [each for each in waiting if bounded & {*each[1].sides}]:
+        waiting = [each for each in waiting if each not in used]
+        for known, equation in used:
+            with suppress(RefusedError, NoMeaningError):
+                give(equation, known, values, letters)
+            if not any(side.args for side in equation.sides):  # another name for a letter
+                bounded |= symbols_of(equation)
+    return values
+
+
+def _is_false(equation: Equation, values: Mapping[Expr, Value], letters: Letters) -> bool:
+    """Whether an equation becomes one between different numbers, or different vectors."""
+    with suppress(NoMeaningError):
+        for pair in pairs_of(equation, Algebra(letters, values)):
+            apart = {x: part for x, part in difference(pair.left, pair.right).items() if part != 0}
+            if isinstance(pair.left, Vector) or isinstance(pair.right, Vector):
+                if not any({*apart} <= {*frame} for frame in letters.frames):
+                    continue
+            elif isinstance(pair.left, MatrixBase) or isinstance(pair.right, MatrixBase):
+                continue
+            if any(part.is_number and not vanishes(part) for part in apart.values()):
+                return True
+    return False
+
+
+def _against_conditions(
+    conditions: Sequence[Condition], values: Mapping[Expr, Value], letters: Letters
+) -> str:
+    """Which condition does not hold with these values, or nothing."""
     there = Algebra(letters, values)
+    positive = [there.value(c.expression) for c in conditions if c.relation == ">"]
+    if any(flattened(value)[0].is_nonpositive for value in positive):
+        return _AGAINST
     for condition in conditions:
         if condition.relation in ("≠", ">") and {*values} & {*atoms_of(condition.expression)}:
             value = there.value(condition.expression)
@@ -237,24 +343,10 @@ def _contradiction(
             negative = asked and decide.in_digits([(">", flat)], bounds=sizes)
             if negative and bounds.positive(flat, strict):
                 return _AGAINST
-    pairs = [p for e in line.equations for p in pairs_of(e, Algebra(letters)) if _is_scalar(p)]
-    if any(p.relation in ("<", ">", "≠") and vanishes(p.left - p.right) for p in pairs):
-        return _AGAINST
-    apart = [p.left - p.right for p in pairs if p.relation in ("=", "≈")]
-    # A limit, such as g = 0, is set for a letter of which g > 0 is known.
-    apart += [c.expression for c in conditions if c.relation == "=" and len(c.expression.args) > 0]
-    # Where a letter of either sign stands that no condition speaks of, nothing is known.
-    known = [x for x in apart if all(y.is_nonzero or y in bounded for y in _open(x))]
-    return _AGAINST if any(nonzero(difference, conditions) for difference in known) else ""
+    return ""
 
 
 _AGAINST = "this can't hold: what is cited contradicts what is set or divided by"
-
-
-def _open(expression: Expr) -> set[Expr]:
-    """The letters of an expression, and its atoms that are none."""
-    flat, nodes = flattened(expression)
-    return {nodes.get(x, x) for x in flat.free_symbols}
 
 
 def _is_scalar(pair: Pair) -> bool:

@@ -8,18 +8,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import islice
 from typing import Any
 
-from sympy import Symbol
+from sympy import Expr, Symbol
 
 from rigidtop.errors import RigidtopError
 from rigidtop.proof import units
+from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.derivation import Judged, Line, judge_line
+from rigidtop.proof.equation import NoMeaningError, Printed
 from rigidtop.proof.letters import Letters
-from rigidtop.proof.moves import Known
+from rigidtop.proof.moves import Known, RefusedError, Scope
 from rigidtop.proof.trial import survivors, unneeded
 
 
@@ -108,6 +111,8 @@ class Lecture:
 
     letters: Letters = field(default_factory=Letters)
     texts: tuple[Text, ...] = ()
+    main: int | None = None
+    """So many texts are the lecture's; those behind are exercises, each by itself."""
 
     @cached_property
     def lines(self) -> dict[str, Line]:
@@ -231,22 +236,33 @@ class Lecture:
                 standing = {cited: self._found[cited].known for cited in self.cites(each)}
                 line = with_standing(self.lines[each], standing)
                 above = (self._found[one].known for one in self.above(each))
-                self._found[each] = judge_line(line, self._with_units, above)
+                self._found[each] = self._judged(line, above)
         return self._found[id]
 
+    def _judged(self, line: Line, above: Iterable[Known]) -> Judged:
+        """What becomes of a line; where the engine itself breaks, it is a gap that says so."""
+        try:
+            return judge_line(line, self.letters_at(line.id), above)
+        except Exception as error:
+            broken = f"rigidtop breaks here, please report it: {type(error).__name__}: {error}"
+            bare = Known(line.id, line.equations, line.scope, called=line.called)
+            return Judged(line, bare, RefusedError("{}", broken))
+
+    def letters_at(self, id: str) -> Letters:
+        """The letters, with the units and meanings of those that the pages define.
+
+        What an exercise defines is its own.
+        """
+        file = self.lines[id].file
+        if file not in self._letters:
+            own = [text for text in self.texts[self.main :] if text.file == file]
+            self._letters[file] = _defined(self.letters, (*self.texts[: self.main], *own), file)
+        return self._letters[file]
+
     @cached_property
-    def _with_units(self) -> Letters:
-        """The letters, with units of what is defined by a line, and what it is made of."""
-        letters = self.letters
-        made_of: dict[Symbol, frozenset[Symbol]] = {}
-        for line in self.lines.values():
-            if line.move is not None and line.move.verb == "call":
-                letters = units.defining(letters, line.equations[0])
-                letter, *meant = line.equations[0].sides
-                made_of[letter] = frozenset(
-                    x for side in meant for x in getattr(side, "free_symbols", ())
-                )
-        return replace(letters, defined=made_of)
+    def _letters(self) -> dict[str, Letters]:
+        """What `letters_at` has been asked for, by the file."""
+        return {}
 
     @cached_property
     def _found(self) -> dict[str, Judged]:
@@ -297,10 +313,31 @@ class Lecture:
             near |= {*self.below(cited), *self.above(cited)}
         far = islice((each for each in self.lines if each not in near), OTHERS)
         others = [self.judged(each).known for each in far]
-        needless = tuple(known.id for known in unneeded(judged.line, self._with_units))
-        return Trial(
-            len(move.using), needless, *survivors(judged.line, self._with_units, others, every)
-        )
+        letters = self.letters_at(id)
+        needless = tuple(known.id for known in unneeded(judged.line, letters))
+        return Trial(len(move.using), needless, *survivors(judged.line, letters, others, every))
+
+
+def _defined(letters: Letters, texts: Iterable[Text], file: str) -> Letters:
+    """With what definitions say of their letters, their units too, and the laws of one page."""
+    defined: dict[Symbol, frozenset[Symbol]] = {}
+    means: dict[Symbol, Expr] = {}
+    for line in (line for text in texts for line in text.lines):
+        is_named = line.move is not None and line.move.verb == "call"
+        for equation in line.equations if is_named or line.move is None else ():
+            letter, *meant = equation.sides
+            given = line.file == file and line.scope is Scope.IDENTITY and equation.relation in "=≡"
+            if not (is_named or (given and isinstance(letter, Symbol) and len(meant) == 1)):
+                continue
+            if is_named:
+                letters = units.defining(letters, equation)
+                free: set[Symbol] = set().union(*(side.free_symbols for side in meant))
+                defined[letter] = frozenset(free)
+            with suppress(NoMeaningError):
+                value = Algebra(letters).value(meant[0])
+                if isinstance(value, Expr) and not value.has(Printed):
+                    means[letter] = value
+    return replace(letters, defined=defined, means=means)
 
 
 def with_standing(line: Line, standing: dict[str, Known]) -> Line:

@@ -31,7 +31,8 @@ class Letters:
     an angle and of momenta; a slip of the pen exchanges letters of one of the `families`;
     `exists` tells whether there is something with these numbers, as far as they are given: a body
     with these moments;
-    `units` are SI; `defined` says what stands in the definition of a letter that has been read.
+    `units` are SI; `defined` says what stands in the definition of a letter that has been read, and
+    `means` what a scalar is by its definition, or by a law.
     """
 
     numbers: frozenset[Symbol] = frozenset()
@@ -53,6 +54,7 @@ class Letters:
     functions: Mapping[Symbol, tuple[Symbol, ...]] = field(default_factory=dict)
     units: Mapping[Symbol, str] = field(default_factory=dict)
     defined: Mapping[Symbol, frozenset[Symbol]] = field(default_factory=dict)
+    means: Mapping[Symbol, Expr] = field(default_factory=dict)
 
     @cached_property
     def unit_vectors(self) -> frozenset[Symbol]:

@@ -333,7 +333,7 @@ def read_exercises(
     """A lecture with pages of exercises behind it: they may cite it, and not one another."""
     above = [known for text in lecture.texts for known in _known(text)]
     texts = [read_page(source, f"{name}.md", name, notation, above) for name, source in sources]
-    return Lecture(lecture.letters, (*lecture.texts, *texts))
+    return Lecture(lecture.letters, (*lecture.texts, *texts), len(lecture.texts))
 
 
 def read_beside(file: str, source: str, lecture: Lecture, notation: Notation) -> Lecture:
@@ -344,7 +344,8 @@ def read_beside(file: str, source: str, lecture: Lecture, notation: Notation) ->
     name = Path(file).stem
     before = tuple(takewhile(lambda text: text.name != name, lecture.texts))
     above = [known for text in before for known in _known(text)]
-    return Lecture(lecture.letters, (*before, read_page(source, file, name, notation, above)))
+    page = read_page(source, file, name, notation, above)
+    return Lecture(lecture.letters, (*before, page), len(before))
 
 
 def _known(text: Text) -> list[Known]:

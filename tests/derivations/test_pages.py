@@ -127,7 +127,7 @@ DIFFER = {
     "principal-axes": "the page: for two moments that differ, orthogonality is to be shown",
     "space-cone": "the page takes positive roots; the claim says that ω is off the axis",
     "example-33": "the page says it of ζ, the claim of an angle",
-    "3.52": "the page calls it Ω, and that it divides is said of (3.51)",
+    "3.51": "the page has it from (3.52), which divides by it",
     "parallel-approximation": "the page compares terms, the claim divides by them",
     "two-roots": "the page takes ω₃ > 0, so that a root has a sign",
     "slow-agrees": "the page takes ω₃ > 0, so that a root has a sign",

@@ -5,7 +5,7 @@ in the equations that are cited, it does not use.  What can't be done raises `Re
 the reason in words.
 """
 
-from rigidtop.proof.moves.conditions import flat_with, nonzero
+from rigidtop.proof.moves.conditions import domain, flat_with, never_vanishes, nonzero
 from rigidtop.proof.moves.move import (
     Condition,
     Known,
@@ -38,9 +38,11 @@ __all__ = [
     "RefusedError",
     "Scope",
     "braces_of",
+    "domain",
     "flat_with",
     "give",
     "named_components",
+    "never_vanishes",
     "nonzero",
     "pairs_of",
     "perform",

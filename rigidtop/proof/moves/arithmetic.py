@@ -20,6 +20,7 @@ from rigidtop.proof.moves.move import (
     Performed,
     RefusedError,
     Scope,
+    the_factor,
     the_one,
 )
 from rigidtop.proof.moves.orders import NEGLECTED, OF_NO_ORDER
@@ -64,8 +65,7 @@ def _product(move: Move, algebra: Algebra, times: Callable[[Value, Value], Value
             Pair(times(p.left, q.left), times(p.right, q.right)) for p in first for q in second
         ]
         return Performed(tuple(pairs), max(k.scope for k in move.of))
-    [by] = move.by
-    vector = algebra.value(by)
+    vector = algebra.value(the_factor(move))
     return mapped(
         move, algebra, lambda v: times(vector, v) if move.power == 0 else times(v, vector)
     )
@@ -148,8 +148,7 @@ def sum_over(move: Move, algebra: Algebra) -> Performed:
 def multiply(move: Move, algebra: Algebra) -> Performed:
     if len(move.of) == 2:  # by an equation: side by side
         return _product(move, algebra, algebra.times)
-    [by] = move.by
-    factor = algebra.value(by)
+    factor = algebra.value(the_factor(move))
     known = the_one(move)
     if any(p.relation in _TURNED for p in all_pairs(known, algebra)):
         pairs = [_times(factor, p, algebra, move) for p in all_pairs(known, algebra)]
@@ -162,14 +161,13 @@ def multiply(move: Move, algebra: Algebra) -> Performed:
 
 
 def divide(move: Move, algebra: Algebra) -> Performed:
-    [by] = move.by
-    factor = algebra.value(by)
+    factor = algebra.value(the_factor(move))
     if isinstance(factor, (Vector, MatrixBase)) or not factor.is_commutative:
         raise RefusedError("a division by what is no scalar")
     if vanishes(factor):
         raise RefusedError("a division by 0")
     made = multiply(replace(move, by=(1 / factor,)), algebra)
-    return replace(made, conditions=divided_by(factor, ()))
+    return replace(made, conditions=divided_by(factor, move.settings))
 
 
 def _shifted(order: Order | None, factor: Expr) -> Order | None:

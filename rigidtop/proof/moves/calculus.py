@@ -5,7 +5,7 @@ from __future__ import annotations
 from sympy import Expr, MatrixBase, Symbol
 
 from rigidtop.proof.algebra import Algebra
-from rigidtop.proof.equation import Partial, Printed
+from rigidtop.proof.equation import Partial, Printed, symbols_of
 from rigidtop.proof.moves.conditions import divided_by
 from rigidtop.proof.moves.move import (
     Condition,
@@ -24,8 +24,28 @@ from rigidtop.theory.rates import slope
 
 
 def differentiate(move: Move, algebra: Algebra) -> Performed:
+    """By a letter, or by each of several."""
     known = the_one(move)
-    [by] = move.by
+    made: list[Pair] = []
+    for by in move.by:
+        _may_differentiate(known, by, algebra)
+        for pair in equal_pairs(known, algebra):
+            if not isinstance(pair.left, Symbol):
+                continue
+            held = algebra.letters.arguments(pair.left)
+            if by not in held:
+                raise RefusedError("{} is no function of {}", pair.left, by)
+            slope = _slope(pair.right, by, held, move, algebra)
+            made.append(Pair(Partial(pair.left, by), slope))
+    if not made:
+        raise RefusedError(
+            "{} does not give a letter as a function: solve it for one", name_of(known)
+        )
+    return Performed(tuple(made), known.scope)
+
+
+def _may_differentiate(known: Known, by: Expr, algebra: Algebra) -> None:
+    """Raises RefusedError where an equation does not say what happens as a letter changes alone."""
     if not isinstance(by, Symbol):
         raise RefusedError("{} is no letter to differentiate by", by)
     if known.scope is not Scope.IDENTITY:
@@ -36,20 +56,15 @@ def differentiate(move: Move, algebra: Algebra) -> Performed:
             holds,
             by,
         )
-    made: list[Pair] = []
-    for pair in equal_pairs(known, algebra):
-        if not isinstance(pair.left, Symbol):
-            continue
-        held = algebra.letters.arguments(pair.left)
-        if by not in held:
-            raise RefusedError("{} is no function of {}", pair.left, by)
-        slope = _slope(pair.right, by, held, move, algebra)
-        made.append(Pair(Partial(pair.left, by), slope))
-    if not made:
+    if by in known.tied:
         raise RefusedError(
-            "{} does not give a letter as a function: solve it for one", name_of(known)
+            "{} holds where {} is set, or tied to other letters: it can't be differentiated by it",
+            name_of(known),
+            by,
         )
-    return Performed(tuple(made), known.scope)
+    for x in {x for e in known.equations for x in symbols_of(e)}:
+        if by in algebra.letters.numbers & algebra.letters.made_of(x):
+            raise RefusedError("{} is defined by {}: put its definition in first", x, by)
 
 
 def _slope(value: Value, by: Symbol, held: frozenset[Symbol], move: Move, algebra: Algebra) -> Expr:

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import sympy
-from sympy import Expr, Mul
+from sympy import Expr, MatrixBase, Mul, Pow, Symbol
 from sympy.core.relational import Relational
 
 from rigidtop.proof import bounds, floats
+from rigidtop.proof.algebra import Algebra
+from rigidtop.proof.equation import Equation, IntegralOver, SumOver, VolumeIntegral
 from rigidtop.proof.moves.move import Condition
-from rigidtop.proof.values import flattened
+from rigidtop.proof.values import flattened, vanishes
 from rigidtop.theory.trig import reduce_ratio
 
 
@@ -21,18 +23,85 @@ def divided_by(factor: Expr, conditions: Sequence[Condition]) -> tuple[Condition
         return ()
     flat, nodes = flattened(factor)
     bases = [f.as_base_exp()[0] for f in Mul.make_args(reduce_ratio(flat))]
+    bases = [b.args[0] if isinstance(b, sympy.Abs) else b for b in bases]
     made = [b.xreplace(nodes) for b in bases if not b.is_number]
     return tuple(Condition(b, "≠", lost=True) for b in made if not nonzero(b, conditions))
 
 
+def domain(
+    equation: Equation, algebra: Algebra, conditions: Sequence[Condition]
+) -> tuple[Condition, ...]:
+    """What has to hold for an equation to say something: no divisor vanishes, logarithms exist.
+
+    What stands under a sum or an integral has another value at each place, and is not asked.
+    """
+    found: list[Condition] = []
+    for node in (node for side in equation.sides for node in _outside_sums(side)):
+        if isinstance(node, Pow) and node.exp.is_number and node.exp < 0:
+            base = algebra.value(node.base)
+            if isinstance(base, Expr) and base.is_commutative and not base.is_number:
+                found += divided_by(base, (*conditions, *found))
+        elif isinstance(node, sympy.log):
+            value = algebra.value(node.args[0])
+            if not bounds.positive(*flat_with(value, (*conditions, *found))):
+                found.append(Condition(value, ">"))
+    return tuple(dict.fromkeys(each for each in found if each not in conditions))
+
+
+def _outside_sums(node: Expr) -> Iterator[Expr]:
+    """The parts of a printed tree but for those under a sum or an integral."""
+    if not isinstance(node, (SumOver, VolumeIntegral, IntegralOver)):
+        yield node
+        for part in [*node] if isinstance(node, MatrixBase) else node.args:
+            yield from _outside_sums(part)
+
+
 def nonzero(factor: Expr, conditions: Sequence[Condition]) -> bool:
-    """Whether an expression is known not to vanish."""
+    """Whether an expression is known not to vanish; what is set to 0 does, whatever its sign."""
+    if _is_set_to_zero(factor, conditions):
+        return False
     flat, relations = flat_with(factor, conditions)
     if _vanishes_somewhere(flat, relations):
         return False
     return bounds.nonzero(flat, relations) or any(
         bounds.positive(sign * flat, relations) for sign in (1, -1)
     )
+
+
+def never_vanishes(expression: Expr, conditions: Sequence[Condition]) -> bool:
+    """As `nonzero`, and sooner: not asked where numbers of both signs are drawn.
+
+    Where a condition says ≠, only points count together that are on the same side of it.
+    """
+    flat, relations = flat_with(expression, conditions)
+    seen: dict[tuple[bool, ...], bool] = {}
+    for attempt in range(DRAWS):
+        point = _drawn(flat, relations, attempt)
+        number = floats.at(point)
+        height, sides = number(flat), [number(each.lhs) for each in relations]
+        if any(x.func is sympy.Gt and not y > 0 for x, y in zip(relations, sides, strict=True)):
+            continue
+        if math.isfinite(height) and seen.setdefault(tuple(y > 0 for y in sides), height > 0) != (
+            height > 0
+        ):
+            return False
+    return nonzero(expression, conditions)
+
+
+def _drawn(flat: Expr, relations: Sequence[Relational], attempt: int) -> dict[Symbol, Expr]:
+    """A number for each symbol, of either sign unless it is positive."""
+    symbols = flat.free_symbols.union(*(each.free_symbols for each in relations))
+    near = {x: floats.somewhere(x, attempt) for x in symbols}
+    return {x: sympy.Float(at**3 if x.is_positive else 3 * at - 3) for x, at in near.items()}
+
+
+def _is_set_to_zero(factor: Expr, conditions: Sequence[Condition]) -> bool:
+    for gap in (c.expression for c in conditions if c.relation == "="):
+        for x in gap.free_symbols & factor.free_symbols:
+            slope = gap.diff(x)
+            if slope.is_number and slope != 0 and vanishes(factor.subs(x, x - gap / slope)):
+                return True
+    return False
 
 
 DRAWS, STEPS = 8, 24
@@ -104,4 +173,6 @@ def flat_with(value: Expr, conditions: Sequence[Condition]) -> tuple[Expr, list[
     """A value and strict relations, what is no letter being the same in all of them."""
     strict = [c for c in conditions if c.relation in _STRICT]
     [flat, *known] = flattened(sympy.Tuple(value, *(c.expression for c in strict)))[0]
-    return flat, [_STRICT[c.relation](x, 0) for c, x in zip(strict, known, strict=True)]
+    relations = (_STRICT[c.relation](x, 0) for c, x in zip(strict, known, strict=True))
+    # What is plainly so, or not so, is no relation: SymPy makes it true or false.
+    return flat, [each for each in relations if isinstance(each, Relational)]

@@ -103,7 +103,8 @@ class Pair:
 class Known:
     """Equations that may be cited: a law, a definition, a line that stands.
 
-    `called` is what sentences call it; `defines` is the letter that it introduces.
+    `called` is what sentences call it; `defines` is the letter that it introduces.  Of numbers that
+    are `tied`, such as by k = mω², one can't change while the others stay.
     """
 
     id: str
@@ -113,6 +114,7 @@ class Known:
     order: Order | None = None
     called: str = ""
     defines: Symbol | None = None
+    tied: frozenset[Symbol] = frozenset()
 
     @property
     def tag(self) -> str:
@@ -139,6 +141,11 @@ class Move:
     def cited(self) -> tuple[Known, ...]:
         return (*self.of, *(k for k in self.using if k not in self.of))
 
+    @property
+    def settings(self) -> tuple[Condition, ...]:
+        """What has been set where the cited equations hold."""
+        return tuple(c for known in self.cited for c in known.conditions if c.relation == "=")
+
 
 @dataclass(frozen=True)
 class Performed:
@@ -151,6 +158,7 @@ class Performed:
     given: Mapping[Expr, Value] = field(default_factory=dict)
     every: bool = False
     """Whether the line has to show all pairs (both roots)."""
+    tied: frozenset[Symbol] = frozenset()
 
 
 def name_of(known: Known) -> str:
@@ -161,8 +169,15 @@ def name_of(known: Known) -> str:
 def the_one(move: Move) -> Known:
     """What a move is done with, where that is one equation.  Raises RefusedError."""
     if len(move.of) != 1:
-        raise RefusedError("{} acts on one equation, not on {}", move.verb, len(move.of))
+        raise RefusedError("{} acts on one equation, not on {}", move.verb, str(len(move.of)))
     return move.of[0]
+
+
+def the_factor(move: Move) -> Expr:
+    """What a move is made by, such as a factor, where that is one thing.  Raises RefusedError."""
+    if len(move.by) != 1:
+        raise RefusedError("{} by one thing at a time, not by {}", move.verb, str(len(move.by)))
+    return move.by[0]
 
 
 def is_equation(pair: Pair) -> bool:

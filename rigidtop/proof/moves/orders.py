@@ -5,13 +5,25 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import islice
+from typing import Any
 
 import sympy
 from sympy import Add, Expr, Integer, MatrixBase, Symbol, factorial
 
+from rigidtop.proof import floats
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.letters import Letters
-from rigidtop.proof.moves.move import Move, Order, Pair, Performed, RefusedError, name_of, the_one
+from rigidtop.proof.moves.move import (
+    Known,
+    Move,
+    Order,
+    Pair,
+    Performed,
+    RefusedError,
+    Scope,
+    name_of,
+    the_one,
+)
 from rigidtop.proof.moves.pairs import put_in, said_pairs, scalars
 from rigidtop.proof.values import Value, Vector, components, flattened, vanishes
 from rigidtop.theory.rates import slopes_at_zero
@@ -31,7 +43,8 @@ def expand(move: Move, algebra: Algebra) -> Performed:
     known = the_one(move)
     together = move.by if len(move.by) > 1 else ()
     order = Order(SMALL if together else move.by[0], move.power + 1, together)
-    algebra = Algebra(algebra.letters, put_in(move.using, algebra.letters))
+    letters = algebra.letters
+    algebra = Algebra(letters, put_in(move.using, letters))
     if known.order is not None and replace(known.order, power=order.power) != order:
         raise RefusedError("two small quantities at once: expand in one after the other")
     if known.order is not None and known.order.power <= move.power:
@@ -52,16 +65,61 @@ def expand(move: Move, algebra: Algebra) -> Performed:
         counted = order.counted(flat)
         if not counted.has(order.small):
             return value
-        for x in flat.free_symbols:
-            if algebra.letters.made_of(x) & {*move.by}:
-                raise RefusedError(
-                    "{} is defined by {}: put its definition in first", x, move.by[0]
-                )
+        _nothing_hidden(flat, known, move.by, algebra.letters)
         made = _series(counted, order)
+        for x in {*move.by} & letters.means.keys():
+            _kept_is_larger(flat, made.subs(SMALL, 1), x, move.by, letters)
         return (made.subs(SMALL, 1) if together else made).xreplace(nodes)
 
     pairs = [Pair(pair.left, series(pair.right), "≈") for pair in said_pairs(known, algebra)]
     return Performed(tuple(pairs), known.scope, order=order)
+
+
+def _nothing_hidden(flat: Expr, known: Known, small: Sequence[Expr], letters: Letters) -> None:
+    """Raises RefusedError where a letter of an expression changes with what is small.
+
+    Along the motion a law may give a letter that is constant.
+    """
+    for x in flat.free_symbols:
+        laws = letters.means.get(x, Integer(0)).free_symbols
+        hidden = letters.made_of(x) | (laws if known.scope is Scope.IDENTITY else set())
+        for by in hidden & {*small}:
+            raise RefusedError("{} is defined by {}: put its definition in first", x, by)
+
+
+DEPTHS = (10, 12)
+"""What is small is 10⁻¹⁰ and 10⁻¹² where its share is looked for."""
+
+
+def _kept_is_larger(
+    whole: Expr, kept: Expr, small: Symbol, together: Sequence[Expr], letters: Letters
+) -> None:
+    """Raises RefusedError unless what is left out vanishes beside each term that is kept.
+
+    A letter that stands for a ratio, such as ε, becomes small by one of those in it, whichever
+    that is: where another term has them too, that becomes small as well.
+    """
+    meaning = letters.means[small]
+    for x in sorted(meaning.free_symbols & kept.free_symbols, key=str):
+        solutions = [s for s in sympy.solve(meaning - small, x) if not s.has(sympy.I)]
+        for term in Add.make_args(sympy.expand(kept)) if solutions else ():
+            shares = [
+                _share((whole - kept) / term, {x: solutions[-1]}, together, n) for n in DEPTHS
+            ]
+            if not shares[1] < shares[0] / 2:
+                raise RefusedError(
+                    "{} stands for {}: what is left out is not small beside {}",
+                    small,
+                    meaning,
+                    term,
+                )
+
+
+def _share(ratio: Expr, small: Sequence[Expr], n: int) -> Any:
+    """The size of a ratio at a point, where the letters that are small are 10⁻ⁿ."""
+    point = {y: sympy.Rational(floats.somewhere(y, 0)) for y in ratio.free_symbols}
+    point |= dict.fromkeys(small, sympy.Rational(10) ** -n)
+    return abs(sympy.N(ratio.xreplace(point), 5 * n, maxn=20 * n))
 
 
 def _series(counted: Expr, order: Order) -> Expr:
@@ -93,6 +151,8 @@ def neglect(move: Move, algebra: Algebra) -> Performed:
     if not move.power:
         raise RefusedError("say where it is small: “…, for large $x$” or “…, for small $x$”")
     left_out = [algebra.value(x) for x in move.by[:-1]]
+    for each in (part for value in left_out for part in scalars(value)):
+        _nothing_hidden(flattened(each)[0], known, move.by[-1:], algebra.letters)
     pairs = []
     for pair in said_pairs(known, algebra):
         for k, side in enumerate((pair.left, pair.right)):

@@ -119,24 +119,46 @@ def give(equation: Equation, source: Known, given: dict[Expr, Value], letters: L
             )
 
 
-def where_set(conditions: Sequence[Condition], scope: Scope, letters: Letters) -> dict[Expr, Value]:
-    """What has been set, to put in: at all times with its rate."""
+def where_set(
+    conditions: Sequence[Condition], scope: Scope, letters: Letters, backwards: bool = False
+) -> dict[Expr, Value]:
+    """What has been set, to put in: at all times with its rate.
+
+    Of two letters that are equal the first gives way, or `backwards` the last.
+    """
     given: dict[Expr, Value] = {}
     for condition in conditions:
         if condition.relation != "=":
             continue
-        difference = Algebra(letters, given).value(condition.expression)
-        for x in sorted(difference.free_symbols, key=str):
-            slope = difference.diff(x)
-            if slope.is_number and slope != 0:
-                value = x - difference / slope
-                settle(given, x, value, letters)
-                if scope is not Scope.SET and value.free_symbols <= letters.numbers:
-                    while x in letters.rates:
-                        x = letters.rates[x]
-                        given[x] = Integer(0)
-                break
+        found = _solved(Algebra(letters, given).value(condition.expression), backwards)
+        if found is None:
+            continue
+        x, value = found
+        settle(given, x, value, letters)
+        if scope is not Scope.SET and {*atoms_of(value)} <= letters.numbers:
+            while x in letters.rates:
+                x = letters.rates[x]
+                given[x] = Integer(0)
     return given
+
+
+def _solved(vanishing: Value, backwards: bool = False) -> tuple[Symbol, Value] | None:
+    """A letter of what vanishes, with what it is: one that stands there with a number's factor."""
+    if isinstance(vanishing, MatrixBase):
+        return None
+    if isinstance(vanishing, Vector):
+        for x, factor in sorted(
+            vanishing.terms.items(), key=lambda term: str(term[0]), reverse=backwards
+        ):
+            if isinstance(x, Symbol) and factor.is_number and factor != 0:
+                rest = {y: other for y, other in vanishing.terms.items() if y != x}
+                return x, Vector(rest).times(-1 / factor)
+        return None
+    for x in sorted(vanishing.free_symbols, key=str, reverse=backwards):
+        slope = vanishing.diff(x)
+        if slope.is_number and slope != 0:
+            return x, x - vanishing / slope
+    return None
 
 
 def _differ_by_number(left: Value, right: Value) -> bool:

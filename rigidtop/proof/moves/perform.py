@@ -32,7 +32,7 @@ from rigidtop.proof.moves.move import (
     name_of,
 )
 from rigidtop.proof.moves.orders import NEGLECTED, OF_NO_ORDER
-from rigidtop.proof.moves.pairs import nodes_of, put_in
+from rigidtop.proof.moves.pairs import nodes_of, put_in, scalars
 from rigidtop.proof.values import Value, Vector, atoms_of, components, flattened, vanishes
 from rigidtop.theory.trig import reduce_ratio
 
@@ -48,6 +48,9 @@ def perform(move: Move, letters: Letters) -> Performed:
             made = _with(made, move, letters)
     except NoMeaningError as error:
         raise RefusedError(str(error)) from None
+    sides = [side for pair in made.pairs for side in pair.sides]
+    if any(part.has(*_NO_NUMBERS) for side in sides for part in scalars(side)):
+        raise RefusedError("a division by 0")
     conditions = list(made.conditions)
     for each in (*move.of, *move.using):
         conditions += [c for c in each.conditions if c not in conditions]
@@ -55,7 +58,8 @@ def perform(move: Move, letters: Letters) -> Performed:
     for relation, word in (("start", "starts"), ("=", "is set")):
         _one_way([c.expression for c in conditions if c.relation == relation], word, letters)
     scope = max((made.scope, *(k.scope for k in move.cited)), default=made.scope)
-    return replace(made, scope=scope, conditions=tuple(conditions))
+    tied = made.tied.union(*(known.tied for known in move.cited))
+    return replace(made, scope=scope, conditions=tuple(conditions), tied=tied)
 
 
 def _one_way(starts: Sequence[Expr], word: str, letters: Letters) -> None:
@@ -137,6 +141,8 @@ def _reaches_into(known: Known, pairs: Sequence[Pair], letters: Letters) -> None
                         name_of(known),
                     )
 
+
+_NO_NUMBERS = (sympy.nan, sympy.zoo, sympy.oo, -sympy.oo)
 
 _VERBS: Mapping[str, Callable[[Move, Algebra], Performed]] = {
     "put": arithmetic.put,

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from sympy import Expr, Integer, MatrixBase
+from sympy import Expr, Integer, MatrixBase, Symbol
 
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Rate
@@ -22,7 +22,7 @@ from rigidtop.proof.moves.move import (
     the_one,
 )
 from rigidtop.proof.moves.pairs import all_pairs, atom_of, nodes_of, put_in
-from rigidtop.proof.values import TIME, Value, Vector, agree, atoms_of, vanishes
+from rigidtop.proof.values import TIME, Value, Vector, agree, atoms_of, tree, vanishes
 
 
 def set_to(move: Move, algebra: Algebra) -> Performed:
@@ -61,11 +61,18 @@ def set_to(move: Move, algebra: Algebra) -> Performed:
         return Performed(tuple(pairs), Scope.MOTION, premises)
     scope = known.scope if always and not move.power else Scope.MOTION if always else Scope.SET
     conditions = tuple(
-        Condition(algebra.value(e.sides[0]) - algebra.value(e.sides[1]), "=")
+        Condition(tree(algebra.value(e.sides[0])) - tree(algebra.value(e.sides[1])), "=")
         for e in move.by
-        if not isinstance(algebra.value(e.sides[0]), Vector)
     )
-    return Performed(tuple(pairs), scope, conditions, known.order, given)
+    tied = frozenset(x for x in _letters_of(given) if x in letters.numbers)
+    return Performed(tuple(pairs), scope, conditions, known.order, given, tied=tied)
+
+
+def _letters_of(given: Mapping[Expr, Value]) -> Iterator[Expr]:
+    """What is set, and what it is set to, as far as these are scalars."""
+    for atom, value in given.items():
+        if isinstance(atom, Symbol) and not isinstance(value, (Vector, MatrixBase)):
+            yield from (atom, *value.free_symbols)
 
 
 def _stand_there(move: Move, known: Known, given: Mapping[Expr, Value], algebra: Algebra) -> None:

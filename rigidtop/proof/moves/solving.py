@@ -37,7 +37,7 @@ def solve(move: Move, algebra: Algebra) -> Performed:
     if all(row is not None for row in rows):
         return _solved_linear(move, [r for row in rows if row for r in row], atoms, scope)
     if len(unknowns) == 1 and len(pairs) == 1:
-        return _roots(pairs[0], unknowns[0], scope)
+        return _roots(pairs[0], unknowns[0], move, scope)
     raise RefusedError("this is not linear in {}", *move.by)
 
 
@@ -86,7 +86,7 @@ def _solved_linear(
         is_vector = isinstance(rows[0][1], Vector)
         pairs.append(Pair(Vector({x: Integer(1)}) if is_vector else x, total))
     kept = pairs[: len(pairs) - move.power]  # `power` unknowns are only eliminated
-    conditions = divided_by(determinant, move.where)
+    conditions = divided_by(determinant, (*move.where, *move.settings))
     return Performed(tuple(kept), scope, conditions)
 
 
@@ -95,7 +95,7 @@ def _reduced(expression: Expr) -> Expr:
     return reduce_trig(flat).xreplace(nodes)
 
 
-def _roots(pair: Pair, unknown: Expr, scope: Scope) -> Performed:
+def _roots(pair: Pair, unknown: Expr, move: Move, scope: Scope) -> Performed:
     """Both roots of a quadratic: that with − before the square root, then that with +.
 
     No condition makes them change places: Ω₋ is the slow one below the horizontal too.
@@ -114,6 +114,6 @@ def _roots(pair: Pair, unknown: Expr, scope: Scope) -> Performed:
     discriminant = b**2 - 4 * a * c
     roots = [(-b + sign * sympy.sqrt(discriminant)) / (2 * a) for sign in (-1, 1)]
     conditions = [Condition(discriminant, "≥")]
-    conditions += divided_by(a, ())
+    conditions += divided_by(a, move.settings)
     pairs = tuple(Pair(unknown, root) for root in roots)
     return Performed(pairs, scope, tuple(conditions), every=True)
