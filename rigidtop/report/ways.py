@@ -310,7 +310,8 @@ def _spoken(words: b.Rich, judged: Judged, notation: Notation) -> b.Rich:
 def relation(condition: Condition, notation: Notation = NOTES) -> Node:
     """A condition as it is printed: sin θ ≠ 0."""
     sign = "=" if condition.relation == "start" else condition.relation
-    equation = Equation(condition.expression, sympy.Integer(0), relation=sign)
+    beside = sympy.Integer(1 if sign == "≪" else 0)
+    equation = Equation(condition.expression, beside, relation=sign)
     return layout(notation.written(equation), "auto")
 
 

@@ -72,7 +72,7 @@ class Order:
 
 @dataclass(frozen=True)
 class Condition:
-    """What has to hold besides: `expression` ≠, >, ≥ or = 0, or 0 at the "start".
+    """What has to hold besides: `expression` ≠, >, ≥ or = 0, ≪ 1, or 0 at the "start".
 
     `lost`: a branch ends there.
     """

@@ -13,7 +13,9 @@ from sympy import Add, Expr, Integer, MatrixBase, Symbol, factorial
 from rigidtop.proof import floats
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.letters import Letters
+from rigidtop.proof.moves.conditions import nonzero
 from rigidtop.proof.moves.move import (
+    Condition,
     Known,
     Move,
     Order,
@@ -72,7 +74,19 @@ def expand(move: Move, algebra: Algebra) -> Performed:
         return (made.subs(SMALL, 1) if together else made).xreplace(nodes)
 
     pairs = [Pair(pair.left, series(pair.right), "≈") for pair in said_pairs(known, algebra)]
-    return Performed(tuple(pairs), known.scope, order=order)
+    return Performed(tuple(pairs), known.scope, _at_zero(known, move.by), order)
+
+
+def _at_zero(known: Known, small: Sequence[Expr]) -> tuple[Condition, ...]:
+    """What an equation divides by, and takes the logarithm of, where what is small is 0."""
+    made = []
+    for condition in known.conditions:
+        flat, nodes = flattened(condition.expression)
+        there = flat.subs(dict.fromkeys(small, 0)).xreplace(nodes)
+        if condition.relation in ("≠", ">") and there not in (condition.expression, 0):
+            known_so = nonzero(there, ()) if condition.relation == "≠" else there.is_positive
+            made += [] if known_so else [replace(condition, expression=there)]
+    return tuple(made)
 
 
 def _nothing_hidden(flat: Expr, known: Known, small: Sequence[Expr], letters: Letters) -> None:
@@ -103,10 +117,9 @@ def _kept_is_larger(
     for x in sorted(meaning.free_symbols & kept.free_symbols, key=str):
         solutions = [s for s in sympy.solve(meaning - small, x) if not s.has(sympy.I)]
         for term in Add.make_args(sympy.expand(kept)) if solutions else ():
-            shares = [
-                _share((whole - kept) / term, {x: solutions[-1]}, together, n) for n in DEPTHS
-            ]
-            if not shares[1] < shares[0] / 2:
+            ratio = ((whole - kept) / term).xreplace({x: solutions[-1]})
+            far, near = (_share(ratio, together, n) for n in DEPTHS)
+            if not near < far / 2:
                 raise RefusedError(
                     "{} stands for {}: what is left out is not small beside {}",
                     small,
@@ -154,6 +167,7 @@ def neglect(move: Move, algebra: Algebra) -> Performed:
     for each in (part for value in left_out for part in scalars(value)):
         _nothing_hidden(flattened(each)[0], known, move.by[-1:], algebra.letters)
     pairs = []
+    conditions: list[Condition] = []
     for pair in said_pairs(known, algebra):
         for k, side in enumerate((pair.left, pair.right)):
             rest = side
@@ -164,40 +178,50 @@ def neglect(move: Move, algebra: Algebra) -> Performed:
             else:
                 if all(vanishes(part) for part in components(rest, Integer(0))):
                     raise RefusedError("nothing is left of a side: what is larger has to stay")
-                _outweighed(left_out, rest, move, algebra.letters)
+                conditions += _outweighed(left_out, rest, move, algebra.letters)
                 sides = (rest, pair.right) if k == 0 else (pair.left, rest)
                 pairs.append(Pair(*sides, "≈"))
     if not pairs:
         raise RefusedError("what is neglected does not stand there")
-    return Performed(tuple(pairs), known.scope, order=Order(NEGLECTED, 1))
+    return Performed(tuple(pairs), known.scope, tuple(conditions), Order(NEGLECTED, 1))
 
 
-def _outweighed(left_out: Sequence[Value], kept: Value, move: Move, letters: Letters) -> None:
-    """Raises RefusedError unless terms are small against the largest of those that are kept.
+def _outweighed(
+    left_out: Sequence[Value], kept: Value, move: Move, letters: Letters
+) -> list[Condition]:
+    """That terms are small beside the largest of those that are kept, where it is to be said.
 
     Beside one that is known to be no larger than what is left out, a line claims more than it has:
-    of a letter that changes in time the size is not known.
+    of a letter that changes in time the size is not known.  Raises RefusedError.
     """
     letter = move.by[-1]
     if not isinstance(letter, Symbol):
         raise RefusedError("{} is no letter that could be large or small", letter)
     where = "large" if move.power > 0 else "small"
 
-    def terms(value: Value) -> list[Expr]:
-        parts = [flattened(part)[0] for part in scalars(value) if part != 0]
-        return [t for part in parts for t in Add.make_args(sympy.expand(part))]
+    def terms(value: Value) -> list[tuple[Expr, Expr]]:
+        parts = [flattened(part) for part in scalars(value) if part != 0]
+        return [
+            (t, t.xreplace(nodes))
+            for flat, nodes in parts
+            for t in Add.make_args(sympy.expand(flat))
+        ]
 
     def least(term: Expr) -> int:
         return Order(SMALL, 1).lowest(term.subs(letter, letter * SMALL**-move.power))
 
-    largest = min(map(least, terms(kept)))
-    for term in (t for value in left_out for t in terms(value)):
+    largest = min(least(term) for term, _ in terms(kept))
+    conditions = []
+    for term, small in (t for value in left_out for t in terms(value)):
         if least(term) <= largest:
             raise RefusedError("for {} {} it is not small against what is kept", where, letter)
-        for other in terms(kept):
+        for other, large in terms(kept):
             known = (term / other).free_symbols <= {letter, *letters.numbers}
             if known and least(term) <= least(other):
-                raise RefusedError("for {} {} it is no smaller than {}", where, letter, other)
+                raise RefusedError("for {} {} it is no smaller than {}", where, letter, large)
+            if not known and least(other) == largest:
+                conditions.append(Condition(small / large, "≪"))
+    return conditions
 
 
 def _contains(value: Value, term: Value) -> bool:

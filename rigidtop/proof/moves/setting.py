@@ -38,6 +38,7 @@ def set_to(move: Move, algebra: Algebra) -> Performed:
     for atom in letters.unit_vectors & {*given}:
         if not vanishes(algebra.dot(given[atom], given[atom]) - 1):
             raise RefusedError("{} is a unit vector", atom)
+    _small_stays(given, known)
     at_start = move.power == 2
     always = move.power == 1 or all(
         x in letters.numbers and value.free_symbols <= letters.numbers for x, value in given.items()
@@ -57,8 +58,9 @@ def set_to(move: Move, algebra: Algebra) -> Performed:
     _stand_there(move, known, given, algebra)
     if at_start:
         _constant(pairs, known, move, letters)
-        premises = tuple(Condition(p.left - p.right, "=") for p in pairs)
-        return Performed(tuple(pairs), Scope.MOTION, premises)
+        premises = [Condition(p.left - p.right, "=") for p in pairs]
+        premises += [Condition(x - tree(value), "start") for x, value in given.items()]
+        return Performed(tuple(pairs), Scope.MOTION, tuple(premises))
     scope = known.scope if always and not move.power else Scope.MOTION if always else Scope.SET
     conditions = tuple(
         Condition(tree(algebra.value(e.sides[0])) - tree(algebra.value(e.sides[1])), "=")
@@ -66,6 +68,14 @@ def set_to(move: Move, algebra: Algebra) -> Performed:
     )
     tied = frozenset(x for x in _letters_of(given) if x in letters.numbers)
     return Performed(tuple(pairs), scope, conditions, known.order, given, tied=tied)
+
+
+def _small_stays(given: Mapping[Expr, Value], known: Known) -> None:
+    """Refuse to set a letter to a number that is small in what is cited."""
+    order = known.order
+    for x in () if order is None else order.together or (order.small,):
+        if x in given and given[x] != 0 and getattr(given[x], "is_number", False):
+            raise RefusedError("{} is small in {}: it can't be set", x, name_of(known))
 
 
 def _letters_of(given: Mapping[Expr, Value]) -> Iterator[Expr]:
