@@ -32,8 +32,8 @@ from rigidtop.proof.moves.move import (
     name_of,
 )
 from rigidtop.proof.moves.orders import NEGLECTED, OF_NO_ORDER
-from rigidtop.proof.moves.pairs import nodes_of, put_in, scalars
-from rigidtop.proof.values import Value, Vector, atoms_of, components, flattened, vanishes
+from rigidtop.proof.moves.pairs import nodes_of, put_in, scalars, where_set
+from rigidtop.proof.values import Value, Vector, atoms_of, components, flattened, tree, vanishes
 from rigidtop.theory.trig import reduce_ratio
 
 
@@ -55,8 +55,12 @@ def perform(move: Move, letters: Letters) -> Performed:
     for each in (*move.of, *move.using):
         conditions += [c for c in each.conditions if c not in conditions]
     conditions += [c for c in move.where if c not in conditions]
-    for relation, word in (("start", "starts"), ("=", "is set")):
-        _one_way([c.expression for c in conditions if c.relation == relation], word, letters)
+    settings = [c for c in conditions if c.relation == "="]
+    _one_way([c.expression for c in settings], "is set", letters)
+    always = [c for c in settings if c.expression.free_symbols <= letters.numbers]
+    there = Algebra(letters, where_set(always, Scope.SET, letters))
+    starts = [tree(there.value(c.expression)) for c in conditions if c.relation == "start"]
+    _one_way(starts, "starts", letters)
     scope = max((made.scope, *(k.scope for k in move.cited)), default=made.scope)
     tied = made.tied.union(*(known.tied for known in move.cited))
     return replace(made, scope=scope, conditions=tuple(conditions), tied=tied)
