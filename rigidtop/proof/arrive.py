@@ -12,12 +12,13 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, Integer, MatrixBase, Rational, Symbol
 
-from rigidtop.proof import floats
+from rigidtop.proof import bounds, floats
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Equation, NoMeaningError, Rate, symbols_of
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import (
     NEGLECTED,
+    Condition,
     Move,
     Order,
     Pair,
@@ -25,6 +26,7 @@ from rigidtop.proof.moves import (
     RefusedError,
     Scope,
     braces_of,
+    flat_with,
     named_components,
     nonzero,
     pairs_of,
@@ -71,8 +73,10 @@ def arrive(
     says_something = False
     try:
         if move.verb == "integrate" and move.by and not move.power:
-            if any(equation.sides[0] in letters.rates for equation in equations):
-                solves(equations, move, letters)
+            if all(_is_solution(equation, letters) for equation in equations):
+                performed = replace(
+                    performed, conditions=(*performed.conditions, *solves(equations, move, letters))
+                )
             else:
                 _first_integral(equations, performed, move, letters)
             for equation in equations:
@@ -146,46 +150,79 @@ def _named(performed: Performed, pair: Pair, letters: Letters) -> Performed:
     return replace(performed, pairs=tuple(roots))
 
 
-def solves(equations: Sequence[Equation], move: Move, letters: Letters) -> None:
-    """Raises RefusedError unless letters as functions of time solve what is cited.
+def _is_solution(equation: Equation, letters: Letters) -> bool:
+    """Whether an equation gives a letter as a function of the time."""
+    letter, *rest = equation.sides
+    given = {x for side in rest for x in side.free_symbols}
+    return (
+        letter in letters.rates
+        and letter not in letters.numbers
+        and given <= (letters.numbers | {TIME, const})
+    )
 
-    They have to satisfy every equation and the values at t = 0.  A solution that does is the only
-    one: the equations give the rate of each letter, as a smooth function of the letters.
+
+def solves(equations: Sequence[Equation], move: Move, letters: Letters) -> list[Condition]:
+    """Where a solution ends, if equations are one of those that are cited.  Raises RefusedError.
+
+    Letters as functions of time have to satisfy every equation and the values at t = 0.  A solution
+    that does is the only one: the equations give the highest rate of each letter, as a smooth
+    function of the letters and their lower rates.  What it divides by keeps its sign.
     """
     if any(known.scope is Scope.SET or known.order is not None for known in move.cited):
         raise RefusedError("what holds at a moment, or approximately, can't be integrated")
     bare = Algebra(letters)
     given = put_in(move.using, letters)
-    found: dict[Expr, Value] = {}
-    for equation in equations:
-        for pair in pairs_of(equation, bare):
-            if pair.left in letters.numbers or pair.left not in letters.rates:
-                raise RefusedError("a solution gives a letter as a function of the time")
-            found[pair.left] = pair.right
-    motion = dict(found)
-    for letter, value in found.items():
-        motion[letters.rates[letter]] = bare.rate(value)
+    cited = [p for k in move.of for e in k.equations for p in pairs_of(e, bare)]
     known = Algebra(letters, given)
-    motion = {x: known.value(value) for x, value in motion.items()}
+    asked = {x for p in cited for side in p.valued(known).sides for x in atoms_of(side)}
+    states: list[list[Expr]] = []
+    motion: dict[Expr, Value] = {}
+    for pair in (pair for equation in equations for pair in pairs_of(equation, bare)):
+        chain = _with_rates(pair.left, letters)
+        order = max((k for k, rate in enumerate(chain) if k and rate in asked), default=0)
+        states.append(chain[:order])
+        value = pair.right
+        for letter in chain[: order + 1]:
+            motion[letter], value = known.value(value), bare.rate(value)
     algebra = Algebra(letters, motion)
     algebra = Algebra(letters, {**{x: algebra.value(v) for x, v in given.items()}, **motion})
-    cited = [p for k in move.of for e in k.equations for p in pairs_of(e, bare)]
     if not all(_is_identity(p.valued(algebra), move) for p in cited):
         raise RefusedError("this does not satisfy the equations that are integrated")
-    _gives_rates([p.valued(known) for p in cited], list(found), letters)
+    _gives_rates([p.valued(known) for p in cited], states, letters)
     start = {e.sides[0]: bare.value(e.sides[1]) for e in move.by}
-    for letter, value in found.items():
+    for letter in (x for lower in states for x in lower):
         if letter not in start:
             raise RefusedError("where {} starts is not said", letter)
         if not {*atoms_of(start[letter])} <= letters.numbers:
             raise RefusedError("{} starts at what is no number", letter)
-        if not _zero(value.subs(TIME, 0) - start[letter], move):
+        if not _zero(motion[letter].subs(TIME, 0) - start[letter], move):
             raise RefusedError("{} does not start there", letter)
+    return [c for lower in states for c in _until(motion[lower[0]])]
 
 
-def _gives_rates(pairs: Sequence[Pair], of: Sequence[Symbol], letters: Letters) -> None:
-    """Raises RefusedError unless equations give rates of letters as smooth functions of them."""
-    rates = [letters.rates[x] for x in of]
+def _with_rates(letter: Expr, letters: Letters) -> list[Expr]:
+    """A letter, its rate, the rate of that, as far as they have letters."""
+    chain = [letter]
+    while chain[-1] in letters.rates:
+        chain.append(letters.rates[chain[-1]])
+    return chain
+
+
+def _until(solution: Expr) -> list[Condition]:
+    """That what a solution divides by has the sign that it has at t = 0."""
+    made = []
+    for power in solution.atoms(sympy.Pow):
+        if power.exp.is_negative and power.base.has(TIME):
+            begins = power.base.subs(TIME, 0)
+            sign = 1 if begins.is_positive else -1 if begins.is_negative else 1 / begins
+            made.append(Condition(sympy.expand(sign * power.base), ">"))
+    return made
+
+
+def _gives_rates(pairs: Sequence[Pair], states: Sequence[Sequence[Expr]], letters: Letters) -> None:
+    """Raises RefusedError unless equations give the highest rates as smooth functions of states."""
+    rates = [letters.rates[lower[-1]] for lower in states if lower]
+    of = [x for lower in states for x in lower]
     rows = []
     for pair in pairs:
         if pair.relation != "=" or isinstance(pair.left, (Vector, MatrixBase)):
@@ -197,9 +234,11 @@ def _gives_rates(pairs: Sequence[Pair], of: Sequence[Symbol], letters: Letters) 
             if any(slope.has(*rates, *of) for slope in row) or not is_smooth(rest, of):
                 raise RefusedError("the rates are not smooth functions of the letters")
             rows.append(row)
+    if len(rows) < len(states) or len(rates) < len(states):
+        raise RefusedError("as many equations as letters have to be integrated")
     matrix = sympy.Matrix(rows[: len(rates)])
-    if len(rows) < len(rates) or not nonzero(sympy.factor(matrix.det()), ()):
-        raise RefusedError("as many equations of the first order as letters have to be integrated")
+    if not nonzero(sympy.factor(matrix.det()), ()):
+        raise RefusedError("the equations do not give the highest rate of each letter")
 
 
 def _first_integral(
@@ -336,12 +375,21 @@ def _ratio(mine: Expr, theirs: Expr) -> Expr | None:
 
 def _zero(expression: Expr, move: Move) -> bool:
     """Whether an expression vanishes, letters of known sign being so."""
-    positive = {
-        c.expression: sympy.Dummy(positive=True)
-        for c in move.where
-        if c.relation == ">" and isinstance(c.expression, Symbol)
-    }
-    return vanishes(expression.xreplace(positive) if positive else expression)
+    if expression == 0:
+        return True
+    bounded = [c for c in (*move.where, *move.bounds) if c.relation == ">"]
+    signs: dict[Expr, Expr] = {}
+    for each in bounded:
+        number, letter = each.expression.as_coeff_Mul()
+        if isinstance(letter, Symbol):
+            signs[letter] = sympy.sign(number) * sympy.Dummy(positive=True)
+    signed = expression.xreplace(signs) if signs else expression
+    if vanishes(signed):
+        return True
+    if not signed.is_commutative or not signed.has(sympy.Pow):
+        return False
+    flat, relations = flat_with(expression, bounded)
+    return bounds.vanishes_by_squares(flat.xreplace(signs), [x.xreplace(signs) for x in relations])
 
 
 def _approximate(pair: Pair, made: Pair, order: Order, move: Move) -> RefusedError | None:

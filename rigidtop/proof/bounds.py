@@ -148,6 +148,26 @@ def lost(wanted: Expr, given: Expr, conditions: Sequence[Relational] = ()) -> li
     return [x for x in _factors(factor) if not nonzero(x, conditions)]
 
 
+def vanishes_by_squares(expression: Expr, conditions: Sequence[Relational] = ()) -> bool:
+    """True only if A√ρ + B is zero because A²ρ is B², and A and B are of opposite signs.
+
+    >>> a, b = sympy.symbols("a b", positive=True)
+    >>> vanishes_by_squares(sympy.sqrt(a + b + 2*sympy.sqrt(a*b)) - sympy.sqrt(a) - sympy.sqrt(b))
+    True
+    >>> vanishes_by_squares(sympy.sqrt(a + b - 2*sympy.sqrt(a*b)) - sympy.sqrt(a) + sympy.sqrt(b))
+    False
+    """
+    above = sympy.expand(sympy.fraction(sympy.together(expression))[0])
+    roots = [p for p in above.atoms(sympy.Pow) if p.exp == sympy.S.Half and p.base.is_Add]
+    for root in sorted(roots, key=sympy.count_ops, reverse=True):
+        factor, rest = above.coeff(root), above.coeff(root, 0)
+        if factor == 0 or not vanishes(above - factor * root - rest):
+            continue
+        if vanishes(factor**2 * root.base - rest**2) and positive(-factor * rest, conditions):
+            return True
+    return False
+
+
 def follows(residual: Expr, given: Expr, conditions: Sequence[Relational] = ()) -> bool:
     """True only if given = 0 implies residual = 0: their ratio is a factor known to be nonzero.
 

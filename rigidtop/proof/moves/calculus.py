@@ -128,13 +128,14 @@ def rate(move: Move, algebra: Algebra) -> Performed:
 
 def integrate(move: Move, algebra: Algebra) -> Performed:
     """Over time: what has no rate is constant.  A line that says more is tried by its rate."""
-    known = the_one(move)
-    if known.scope is Scope.SET:
-        raise RefusedError("{} holds at a moment: it can't be integrated", name_of(known))
+    for known in move.of:
+        if known.scope is Scope.SET:
+            raise RefusedError("{} holds at a moment: it can't be integrated", name_of(known))
     if move.power:
-        return _time(known, move, algebra)
+        return _time(the_one(move), move, algebra)
     starts = tuple(Condition(e.sides[0] - e.sides[1], "start") for e in move.by)
-    return Performed(tuple(equal_pairs(known, algebra)), Scope.MOTION, starts)
+    pairs = tuple(pair for known in move.of for pair in equal_pairs(known, algebra))
+    return Performed(pairs, Scope.MOTION, starts)
 
 
 def _time(known: Known, move: Move, algebra: Algebra) -> Performed:

@@ -142,6 +142,11 @@ class Move:
         return (*self.of, *(k for k in self.using if k not in self.of))
 
     @property
+    def bounds(self) -> tuple[Condition, ...]:
+        """What is positive where the cited equations hold."""
+        return tuple(c for known in self.cited for c in known.conditions if c.relation == ">")
+
+    @property
     def settings(self) -> tuple[Condition, ...]:
         """What has been set where the cited equations hold."""
         return tuple(c for known in self.cited for c in known.conditions if c.relation == "=")

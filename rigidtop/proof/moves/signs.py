@@ -54,7 +54,13 @@ def _root_of(value: Expr, conditions: Sequence[Condition]) -> Expr:
         if sign:
             apart.append(sign * factor)
         together *= sign or factor
-    return Mul(sympy.sqrt(together), *map(sympy.sqrt, apart)).xreplace(nodes)
+    made = Mul(sympy.sqrt(together), *map(sympy.sqrt, apart)).xreplace(nodes)
+
+    def without_bars(x: Expr) -> Expr:
+        sign = _known_sign(x, conditions)
+        return sign * x if sign else sympy.Abs(x)
+
+    return made.replace(sympy.Abs, without_bars)
 
 
 def _known_sign(base: Expr, conditions: Sequence[Condition]) -> int:

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import sympy
 from sympy import Dummy, Expr, Integer, Symbol
 
+from rigidtop.proof import bounds
 from rigidtop.proof.algebra import Algebra
-from rigidtop.proof.moves.conditions import divided_by
+from rigidtop.proof.equation import Equation
+from rigidtop.proof.moves.conditions import divided_by, flat_with
 from rigidtop.proof.moves.move import (
     Condition,
+    Known,
     Move,
     Pair,
     Performed,
@@ -20,6 +24,7 @@ from rigidtop.proof.moves.move import (
 )
 from rigidtop.proof.moves.pairs import atom_of, equal_pairs, is_operator
 from rigidtop.proof.values import Vector, difference, flattened
+from rigidtop.theory.symbols import const
 from rigidtop.theory.trig import reduce_trig
 
 
@@ -28,7 +33,7 @@ def solve(move: Move, algebra: Algebra) -> Performed:
     unknowns = [atom_of(algebra.value(x), x) for x in move.by]
     if len(move.of) > len(unknowns):
         raise RefusedError("more equations than unknowns")
-    pairs = [p for k in move.of for p in equal_pairs(k, algebra)]
+    pairs = [p for k in move.of for p in equal_pairs(_without_const(k), algebra)]
     if any(is_operator(side) for p in pairs for side in p.sides):
         raise RefusedError("a matrix equation is not solved so: multiply by what takes it away")
     scope = max(k.scope for k in move.of)
@@ -39,6 +44,17 @@ def solve(move: Move, algebra: Algebra) -> Performed:
     if len(unknowns) == 1 and len(pairs) == 1:
         return _roots(pairs[0], unknowns[0], move, scope)
     raise RefusedError("this is not linear in {}", *move.by)
+
+
+def _without_const(known: Known) -> Known:
+    """Of a chain that ends in a constant, such as ℓ = mr²θ̇ = const, what it says besides."""
+    equations = []
+    for equation in known.equations:
+        sides = [side for side in equation.sides if side != const]
+        if 1 < len(sides) < len(equation.sides):
+            equation = Equation(*sides, relation=equation.relation, tag=equation.tag)
+        equations.append(equation)
+    return replace(known, equations=tuple(equations))
 
 
 def _linear(pair: Pair, atoms: Mapping[Expr, Symbol]) -> list[tuple[dict[Expr, Expr], Any]] | None:
@@ -102,6 +118,11 @@ def _roots(pair: Pair, unknown: Expr, move: Move, scope: Scope) -> Performed:
     """
     if isinstance(pair.left, Vector) or isinstance(pair.right, Vector):
         raise RefusedError("a vector equation that is not linear")
+    signs = {
+        c.expression: Dummy(positive=True)
+        for c in move.where
+        if c.relation == ">" and isinstance(c.expression, Symbol) and c.expression != unknown
+    }
     flat, nodes = flattened(pair.left - pair.right)
     back = {node: dummy for dummy, node in nodes.items()}
     x = back.get(unknown, unknown)
@@ -112,8 +133,22 @@ def _roots(pair: Pair, unknown: Expr, move: Move, scope: Scope) -> Performed:
     if a.could_extract_minus_sign():  # the first of the roots is the same whatever is divided by
         a, b, c = -a, -b, -c
     discriminant = b**2 - 4 * a * c
-    roots = [(-b + sign * sympy.sqrt(discriminant)) / (2 * a) for sign in (-1, 1)]
+    named = {sign: letter for letter, sign in signs.items()}
+    root = sympy.sqrt(discriminant.xreplace(signs)).xreplace(named)
+    roots = [(-b + sign * root) / (2 * a) for sign in (-1, 1)]
     conditions = [Condition(discriminant, "≥")]
-    conditions += divided_by(a, move.settings)
-    pairs = tuple(Pair(unknown, root) for root in roots)
-    return Performed(pairs, scope, tuple(conditions), every=True)
+    conditions += divided_by(a, (*move.where, *move.settings))
+    allowed = [each for each in roots if not _against(each, unknown, move.where)]
+    pairs = tuple(Pair(unknown, each) for each in allowed)
+    return Performed(pairs, scope, tuple(conditions), every=len(pairs) == len(roots))
+
+
+def _against(root: Expr, unknown: Expr, conditions: Sequence[Condition]) -> bool:
+    """Whether a root is known not to fulfil one of the conditions on what is asked for."""
+    for condition in conditions:
+        if condition.relation == ">" and condition.expression.has(unknown):
+            others = [c for c in conditions if c is not condition]
+            value = condition.expression.xreplace({unknown: root})
+            if bounds.positive(*flat_with(-value, others)):
+                return True
+    return False
