@@ -360,7 +360,10 @@ def factor_of(pair: Pair, made: Pair, move: Move) -> Expr | None:
 
 
 def _ratio(mine: Expr, theirs: Expr) -> Expr | None:
-    """A simple number that two expressions may differ by, guessed at one point."""
+    """A simple number that two expressions may differ by, guessed at one point.
+
+    It is a ratio of whole numbers, or its square is.
+    """
     flat, _ = flattened(sympy.Tuple(mine, theirs))
     if not getattr(mine, "is_commutative", True):
         return Integer(1) if sympy.expand(mine - theirs) == 0 else Integer(-1)
@@ -368,9 +371,21 @@ def _ratio(mine: Expr, theirs: Expr) -> Expr | None:
         a, b = floats.values(list(flat), attempt)
         if not (math.isfinite(a) and math.isfinite(b)) or abs(b) < floats.TOLERANCE:
             continue
-        guess = Fraction(a / b).limit_denominator(64)
-        return Rational(guess) if guess and math.isclose(guess, a / b, rel_tol=1e-8) else None
+        number, square = _simple(a / b), _simple((a / b) ** 2)
+        if number is None and square is not None:
+            return sympy.sqrt(square) * (1 if a / b > 0 else -1)
+        return number
     return Integer(1)
+
+
+LARGEST = 10_000
+"""No larger denominator is guessed."""
+
+
+def _simple(value: float) -> Rational | None:
+    """The ratio of whole numbers that a number is."""
+    guess = Fraction(value).limit_denominator(LARGEST)
+    return Rational(guess) if guess and math.isclose(guess, value, rel_tol=1e-11) else None
 
 
 def _zero(expression: Expr, move: Move) -> bool:

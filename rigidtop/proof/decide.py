@@ -65,9 +65,28 @@ def evidence(expression: Expr) -> Verdict | None:
         return Verdict.PROVED
     if in_digits([("=", expression)]) is False:
         return None
-    if sympy.count_ops(expression) < MOST_SHOWN and vanishes(expression):
-        return Verdict.PROVED
+    if sympy.count_ops(expression) < MOST_SHOWN:
+        if vanishes(expression):
+            return Verdict.PROVED
+        if _has_normal_form(expression):
+            return None
     return Verdict.SAMPLED if digits_vanish([expression]) else None
+
+
+def _has_normal_form(expression: Expr) -> bool:
+    """Whether "no" is certain too: of ratios in symbols, their sines and cosines it is.
+
+    >>> from sympy.abc import x
+    >>> _has_normal_form(sin(x) ** 2 / x), _has_normal_form(sympy.sqrt(x)), evidence(sin(x) - x)
+    (True, False, None)
+    """
+    if isinstance(expression, (sin, cos)):
+        return bool(expression.args[0].is_Symbol)
+    if isinstance(expression, sympy.Pow):
+        return expression.exp.is_Integer is True and _has_normal_form(expression.base)
+    if isinstance(expression, (sympy.Add, sympy.Mul)):
+        return all(map(_has_normal_form, expression.args))
+    return bool(expression.is_Symbol or expression.is_Rational)
 
 
 def in_digits(
@@ -75,8 +94,8 @@ def in_digits(
 ) -> bool | None:
     """Whether scalars are as relations to 0 where `bounds` are positive: False is for certain.
 
-    Asked at some points in double precision; None where there is none at which all is real, as of
-    √x + √−x.
+    Asked at some points in double precision, in which what is lost by cancelling is no difference;
+    None where there is none at which all is real, as of √x + √−x.
     """
     found = None
     for attempt in range(8 * places):  # a root may be real at few points only
@@ -85,8 +104,10 @@ def in_digits(
         rows = [floats.values(sympy.Add.make_args(gap), attempt) for _, gap in gaps]
         if not all(math.isfinite(sum(row)) for row in rows):
             continue
-        for (relation, _), row in zip(gaps, rows, strict=True):
-            if not floats.holds(relation, sum(row), 1 + sum(map(abs, row))):
+        for (relation, gap), row in zip(gaps, rows, strict=True):
+            if not floats.holds(relation, sum(row), 1 + sum(map(abs, row))) and (
+                relation != "=" or not floats.holds("=", sum(row), floats.magnitude(gap, attempt))
+            ):
                 return False
         found, places = True, places - 1
         if not places:
@@ -177,7 +198,7 @@ def digits_vanish(expressions: Sequence[Expr], digits: int = 40) -> bool:
         numbers = [[next(values) for _ in row] for row in rows]
         if not all(v.is_number and v.is_finite and v.is_real for row in numbers for v in row):
             continue
-        if any(abs(sympy.Add(*row)) > limit * (1 + sympy.Add(*map(abs, row))) for row in numbers):
+        if any(abs(sympy.Add(*row)) > limit * sympy.Add(*map(abs, row)) for row in numbers):
             return False
         found += 1
         if found == points:

@@ -105,6 +105,32 @@ def values(expressions: Sequence[Expr], attempt: int) -> list[float]:
     return [_number(e, at) for e in expressions]
 
 
+def magnitude(expression: Expr, attempt: int) -> float:
+    """The size of the largest numbers that cancel in an expression where `values` are taken.
+
+    Less than its rounding can't be told from zero there.
+
+    >>> x = sympy.Symbol("x")
+    >>> magnitude((10**9 + x) ** 2 - 10**18, 0) > 1e18
+    True
+    """
+    at = {x: somewhere(x, attempt) for x in expression.free_symbols}
+    try:
+        return _magnitude(expression, at)
+    except (ZeroDivisionError, OverflowError, ValueError):
+        return math.inf
+
+
+def _magnitude(node: Expr, at: Mapping[Symbol, float]) -> float:
+    if isinstance(node, sympy.Add):
+        return math.fsum(_magnitude(term, at) for term in node.args)
+    if isinstance(node, sympy.Mul):
+        return math.prod(_magnitude(factor, at) for factor in node.args)
+    if isinstance(node, sympy.Pow) and node.exp.is_number and node.exp > 0:
+        return float(_magnitude(node.base, at) ** float(node.exp))
+    return abs(_float(node, at))
+
+
 def angle_symbols(expressions: Sequence[Expr]) -> set[Symbol]:
     """The symbols that stand inside a sine or a cosine, but for factors of the time."""
     inside = {f.args[0].xreplace({t: Integer(0)}) for e in expressions for f in e.atoms(sin, cos)}

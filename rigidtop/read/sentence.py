@@ -43,10 +43,10 @@ from typing import Any, NamedTuple
 from sympy import Expr, Symbol
 
 from rigidtop.notation import Notation
-from rigidtop.proof.equation import BODY, SPACE, Equation
+from rigidtop.proof.equation import BODY, SPACE, Equation, symbols_of
 from rigidtop.proof.moves import Condition, Known, Move
 from rigidtop.read.formula import read
-from rigidtop.theory.symbols import const
+from rigidtop.theory.symbols import Glyph, const
 
 
 class SentenceError(ValueError):
@@ -78,11 +78,26 @@ def move(sentence: str, context: Context) -> Move:
         found = pattern.fullmatch(body)
         if found is not None:
             made = shape.move(found.groupdict(), context)
-            return replace(
-                made, using=(*made.using, *using), where=(*made.where, *where), words=sentence
-            )
+            using = (*made.using, *using)
+            by = _as_cited(made.by, (*made.of, *using), context.notation)
+            return replace(made, by=by, using=using, where=(*made.where, *where), words=sentence)
     first = plain.split()[0] if plain else ""
     raise SentenceError(f"no move begins with {first!r}" if first not in _FIRST else _hint(first))
+
+
+def _as_cited(by: Sequence[Any], cited: Sequence[Known], notation: Notation) -> tuple[Any, ...]:
+    """Letters as those of what is cited, where others are written alike: A as a matrix."""
+    there = {x for known in cited for e in known.equations for x in symbols_of(e)}
+    glyphs = {notation.glyphs[x]: x for x in there if x in notation.glyphs}
+    return tuple(
+        each if each in there or not isinstance(each, Symbol) else _alike(each, glyphs, notation)
+        for each in by
+    )
+
+
+def _alike(letter: Symbol, glyphs: Mapping[Glyph, Symbol], notation: Notation) -> Symbol:
+    glyph = notation.glyphs.get(letter)
+    return letter if glyph is None else glyphs.get(glyph, letter)
 
 
 def _suffixes(plain: str, context: Context) -> tuple[str, tuple[Known, ...], tuple[Condition, ...]]:

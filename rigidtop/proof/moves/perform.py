@@ -9,7 +9,7 @@ import sympy
 from sympy import Dummy, Expr, Integer, MatrixBase, Tuple
 
 from rigidtop.proof.algebra import Algebra
-from rigidtop.proof.equation import NoMeaningError, Rate
+from rigidtop.proof.equation import Dot, NoMeaningError, Rate
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import (
     arithmetic,
@@ -32,7 +32,7 @@ from rigidtop.proof.moves.move import (
     name_of,
 )
 from rigidtop.proof.moves.orders import NEGLECTED, OF_NO_ORDER
-from rigidtop.proof.moves.pairs import nodes_of, put_in, scalars, where_set
+from rigidtop.proof.moves.pairs import nodes_of, put_in, scalars, single_atom, where_set
 from rigidtop.proof.values import Value, Vector, atoms_of, components, flattened, tree, vanishes
 from rigidtop.theory.trig import reduce_ratio
 
@@ -81,9 +81,16 @@ def _with(made: Performed, move: Move, letters: Letters) -> Performed:
         if each.scope is Scope.SET:
             _reaches_into(each, made.pairs, letters)
     given = put_in(move.using, letters)
-    if made.scope is not Scope.SET:  # what is set at all times is set in what is put in as well
-        always = Algebra(letters, made.given)
-        given = {old: always.value(new) for old, new in given.items()}
+    # What is set is set in what is put in as well; at a moment it says nothing of a rate.
+    there = Algebra(letters, made.given)
+    for old, new in given.items():
+        if made.scope is not Scope.SET or not any(isinstance(x, Rate) for x in atoms_of(new)):
+            given[old] = there.value(new)
+    for product in [atom for atom in given if isinstance(atom, Dot)]:
+        # e·e = 1 says n·n = 1 where e is n.
+        alone = single_atom(there.value(product))
+        if alone is not None and alone[1] == 1:
+            given.setdefault(alone[0], given[product])
     for old, new in made.given.items():
         given.setdefault(old, new)
     algebra = Algebra(letters, given)
