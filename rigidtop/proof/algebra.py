@@ -389,16 +389,18 @@ class Algebra(Operators):
         return scalar * self._dot_atoms(atom, other)
 
     def integrated(self, variable: Symbol, low: Expr, high: Expr, body: Expr) -> Expr:
-        """The integral of a scalar, where a primitive of it is known."""
+        """The integral of a scalar, by a primitive where one is known, else as it stands."""
         bound = Dummy(real=True)
         flat, nodes = flattened(self.value(body.xreplace({variable: bound})))
         if any(node.has(bound) for node in nodes.values()):
             raise NoMeaningError("an integral over what stands in a product or a rate")
         primitive = antiderivative(flat, bound)
+        ends = [self.value(end) for end in (low, high)]
         if primitive is None:
-            raise NoMeaningError("an integral that is none of powers, sines and square roots")
-        ends = [primitive.subs(bound, self.value(end)) for end in (high, low)]
-        return (ends[0] - ends[1]).xreplace(nodes)
+            return self.atom(
+                IntegralOver(variable, *ends, flat.xreplace({**nodes, bound: variable}))
+            )
+        return (primitive.subs(bound, ends[1]) - primitive.subs(bound, ends[0])).xreplace(nodes)
 
     # --- rates -------------------------------------------------------------------------------
 

@@ -12,9 +12,9 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, Integer, MatrixBase, Rational, Symbol
 
-from rigidtop.proof import bounds, floats
+from rigidtop.proof import bounds, floats, quadrature
 from rigidtop.proof.algebra import Algebra
-from rigidtop.proof.equation import Equation, NoMeaningError, Rate, symbols_of
+from rigidtop.proof.equation import Equation, IntegralOver, NoMeaningError, Rate, symbols_of
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import (
     NEGLECTED,
@@ -360,21 +360,26 @@ def factor_of(pair: Pair, made: Pair, move: Move) -> Expr | None:
 
 
 def _ratio(mine: Expr, theirs: Expr) -> Expr | None:
-    """A simple number that two expressions may differ by, guessed at one point.
+    """A simple number that two expressions may differ by, guessed at two points.
 
-    It is a ratio of whole numbers, or its square is.
+    It is a ratio of whole numbers, or its square is; None where they differ by no number.
     """
     flat, _ = flattened(sympy.Tuple(mine, theirs))
     if not getattr(mine, "is_commutative", True):
         return Integer(1) if sympy.expand(mine - theirs) == 0 else Integer(-1)
+    ratios: list[float] = []
     for attempt in range(4):
         a, b = floats.values(list(flat), attempt)
         if not (math.isfinite(a) and math.isfinite(b)) or abs(b) < floats.TOLERANCE:
             continue
-        number, square = _simple(a / b), _simple((a / b) ** 2)
-        if number is None and square is not None:
-            return sympy.sqrt(square) * (1 if a / b > 0 else -1)
-        return number
+        ratios.append(a / b)
+        if floats.apart(ratios[0], ratios[-1]):
+            return None
+        if len(ratios) == 2:
+            number, square = _simple(ratios[0]), _simple(ratios[0] ** 2)
+            if number is None and square is not None:
+                return sympy.sqrt(square) * (1 if ratios[0] > 0 else -1)
+            return number
     return Integer(1)
 
 
@@ -401,6 +406,8 @@ def _zero(expression: Expr, move: Move) -> bool:
     signed = expression.xreplace(signs) if signs else expression
     if vanishes(signed):
         return True
+    if signed.atoms(IntegralOver):
+        return quadrature.vanishes(signed)
     if not signed.is_commutative or not signed.has(sympy.Pow):
         return False
     flat, relations = flat_with(expression, bounded)

@@ -73,7 +73,7 @@ def last(page: str) -> str:
             "K(m)/\\omega_0",
             "from one value of chi to another, not of theta",
         ),
-        ("Integrate the fall from $\\chi = 1$ to $\\chi = 0$", "1/\\omega_0", "none of powers"),
+        ("Integrate the fall from $\\chi = 1$ to $\\chi = 0$", "1/\\omega_0", "does not arrive"),
         (
             "Integrate the drift from $\\chi = 1$ to $\\chi = 2$",
             "1/\\omega_0",

@@ -866,7 +866,7 @@ Integrate the sum of the pair from $\omega_1 = 0$ and $\omega_2 = 0$:
 
 $$\omega_1 = \omega_0^2t, \quad \omega_2 = -\omega_0^2t$$
 """,
-        "as many equations of the first order as letters",
+        "as many equations as letters",
     ),
     "a solution that is not the only one": (
         r"""
