@@ -1,9 +1,9 @@
 """An array in a file that fills block by block, in as many runs as it takes.
 
 Three files: PATH, a .npy that `numpy.load` reads; PATH.json, which says what it holds; and, until
-it is complete, PATH.journal, a line for each block that has been written, with a checksum.  A run
-may end anywhere: what the journal does not name is computed again, and so is what is no longer, or
-never came to be, what was written.
+it is complete, PATH.journal, a line for each block that has been written, with a checksum.  Of what
+is complete PATH.json has these lines.  A run may end anywhere: what they do not name is computed
+again, and so is what is no longer, or never came to be, what was written.
 """
 
 from __future__ import annotations
@@ -30,6 +30,9 @@ from rigidtop.terminal.files import write_whole
 PIECE = 1 << 20
 """Bytes at a time, of a block that is read again."""
 
+CHECKSUMS = "checksums"
+"""What PATH.json calls the lines of the journal."""
+
 Interval = tuple[int, int]
 """First index and the one past the last, of the flattened array."""
 
@@ -48,6 +51,8 @@ class Store:
     """What was not there when the file was opened."""
     done: int
     """How many numbers are there."""
+    lines: dict[Interval, str]
+    """Of the journal, for the blocks that are there."""
     damaged: int = 0
     """How many of those missing had been there, and were no longer what was written."""
 
@@ -58,7 +63,9 @@ class Store:
         written = np.ascontiguousarray(values).data
         self.data.write(written)
         self.data.flush()
-        self.journal.write(f"{_line((start, start + len(values)), [written])}\n".encode())
+        block = start, start + len(values)
+        self.lines[block] = _line(block, [written])
+        self.journal.write(f"{self.lines[block]}\n".encode())
         self.journal.flush()
         self.done += len(values)
 
@@ -76,12 +83,14 @@ def open_store(
     total = int(np.prod(shape, dtype=object))
     size = total * dtype.itemsize
     with readable_errors(path):
-        if path.is_file() and read_about(path) == {**about, "complete": True}:
-            _check(path, dtype, shape)
-            with path.open("rb") as data:
-                yield Store(path, total, data, io.BytesIO(), 0, [], total)
-            return
-        if not _begun(path, about):
+        begun = _begun(path, about)
+        if begun and _is_complete(path):
+            lines = sound(path, dtype, shape)
+            if not gaps(lines, total):
+                with path.open("rb") as data:
+                    yield Store(path, total, data, io.BytesIO(), 0, [], total, lines)
+                return
+        if not begun:
             path.parent.mkdir(parents=True, exist_ok=True)
             free = shutil.disk_usage(path.absolute().parent).free
             if size > free:
@@ -95,20 +104,28 @@ def open_store(
                 part = path.with_name(f".{path.name}.{os.getpid()}.part")
                 np.lib.format.open_memmap(part, "w+", dtype, shape)  # a header, and a hole
                 os.replace(part, path)
-            _check(path, dtype, shape)
+            elif _is_complete(path):  # and damaged
+                journal.truncate(0)
+                journal.writelines(
+                    f"{line}\n".encode() for line in read_lines(path, total).values()
+                )
+                journal.flush()
+                _say(path, about, complete=False)
+            offset = data_offset(path, dtype, shape)
             journal.seek(0)
-            lines = read_journal(journal.read(), total)
+            named = read_journal(journal.read(), total)
             journal.write(b"\n")  # behind what may be a torn line
             with path.open("r+b") as data:
-                offset = data.seek(0, os.SEEK_END) - size
-                sound = _sound(data, lines, offset, dtype.itemsize)
-                missing = gaps(sound, total)
-                there, named = (total - _size(gaps(part, total)) for part in (sound, lines))
-                store = Store(path, total, data, journal, offset, missing, there, named - there)
+                lines = _sound(data, named, offset, dtype.itemsize)
+                missing = gaps(lines, total)
+                there, before = (total - _size(gaps(part, total)) for part in (lines, named))
+                store = Store(
+                    path, total, data, journal, offset, missing, there, lines, before - there
+                )
                 yield store
                 os.fsync(data.fileno())
             if store.done == total:
-                _say(path, about, complete=True)
+                _say(path, {**about, CHECKSUMS: list(store.lines.values())}, complete=True)
                 journal_path(path).unlink(missing_ok=True)
 
 
@@ -147,6 +164,12 @@ def read_about(path: Path) -> dict[str, Any] | None:
     return about if isinstance(about, dict) else None
 
 
+def read_lines(path: Path, total: int) -> dict[Interval, str]:
+    """The blocks of a file that is complete, with the lines of its journal."""
+    lines = (read_about(path) or {}).get(CHECKSUMS)
+    return read_journal("\n".join(map(str, lines or ())).encode(), total)
+
+
 def read_journal(text: bytes, total: int) -> dict[Interval, str]:
     r"""The blocks that it names, with their lines; a line that a crash has torn names none.
 
@@ -156,6 +179,14 @@ def read_journal(text: bytes, total: int) -> dict[Interval, str]:
     lines = re.findall(rb"^((\d{1,19}) (\d{1,19}) [0-9a-f]{8})$", text, re.MULTILINE)
     found = {(int(start), int(stop)): line.decode() for line, start, stop in lines}
     return {(start, stop): line for (start, stop), line in found.items() if start < stop <= total}
+
+
+def sound(path: Path, dtype: DTypeLike, shape: tuple[int, ...]) -> dict[Interval, str]:
+    """The blocks of a file that is complete that are what was written, with their lines."""
+    dtype = np.dtype(dtype)
+    lines = read_lines(path, int(np.prod(shape, dtype=object)))
+    with path.open("rb") as data:
+        return _sound(data, lines, data_offset(path, dtype, shape), dtype.itemsize)
 
 
 def gaps(done: Iterable[Interval], total: int) -> list[Interval]:
@@ -187,8 +218,8 @@ def _line(block: Interval, content: Iterable[bytes | memoryview]) -> str:
 
 def _sound(
     data: BinaryIO, lines: Mapping[Interval, str], offset: int, itemsize: int
-) -> list[Interval]:
-    """The blocks that are what was written."""
+) -> dict[Interval, str]:
+    """The blocks that are what was written, with their lines."""
 
     def pieces(start: int, stop: int) -> Iterator[bytes]:
         data.seek(offset + start * itemsize)
@@ -197,7 +228,11 @@ def _sound(
             left -= len(piece)
             yield piece
 
-    return [block for block, line in lines.items() if _line(block, pieces(*block)) == line]
+    return {block: line for block, line in lines.items() if _line(block, pieces(*block)) == line}
+
+
+def _is_complete(path: Path) -> bool:
+    return bool((read_about(path) or {}).get("complete"))
 
 
 def _begun(path: Path, about: Mapping[str, object]) -> bool:
@@ -207,30 +242,33 @@ def _begun(path: Path, about: Mapping[str, object]) -> bool:
     if not path.is_file():
         raise RigidtopError(f"cannot write {path}: it is there, and is not an ordinary file")
     there = read_about(path)
-    if there == {**about, "complete": False}:
-        return True
     if there is None:
         raise RigidtopError(
             f"{path} is there, and no {about_path(path).name} says that a sweep wrote it: delete "
             "it, or write elsewhere"
         )
-    now: Mapping[str, object] = {**about, "complete": there.get("complete")}
-    differ = " and ".join(
-        name for name in sorted({*there, *now}) if there.get(name) != now.get(name)
-    )
-    raise RigidtopError(
-        f"{path} holds another sweep (other {differ}): delete it, or write elsewhere"
-    )
+    names = sorted({*there, *about} - {"complete", CHECKSUMS})
+    differ = " and ".join(name for name in names if there.get(name) != about.get(name))
+    if differ:
+        raise RigidtopError(
+            f"{path} holds another sweep (other {differ}): delete it, or write elsewhere"
+        )
+    return True
 
 
-def _check(path: Path, dtype: np.dtype[np.generic], shape: tuple[int, ...]) -> None:
-    """Raises RigidtopError for a file that has been replaced or cut since."""
+def data_offset(path: Path, dtype: np.dtype[np.generic], shape: tuple[int, ...]) -> int:
+    """Where the numbers begin, bytes; raises RigidtopError for a file that is not as it was left.
+
+    That is one that has been replaced since, or is shorter or longer.
+    """
     try:
         found = np.load(path, mmap_mode="r")
+        as_left = (found.dtype, found.shape, found.flags.c_contiguous) == (dtype, shape, True)
     except (ValueError, EOFError):
-        found = None
-    if found is None or (found.dtype, found.shape) != (dtype, shape):
+        as_left = False
+    if not as_left or path.stat().st_size != found.offset + found.nbytes:
         raise RigidtopError(f"{path} is not as the sweep left it: delete it, or write elsewhere")
+    return int(found.offset)
 
 
 def _say(path: Path, about: Mapping[str, object], complete: bool) -> None:

@@ -213,7 +213,7 @@ class Map:
     def pieces(self, size: int = BLOCK) -> Iterator[NDArray[np.generic]]:
         """The same, flattened, so many at a time: for maps that are larger than the memory."""
         with store.readable_errors(self.path), self.path.open("rb") as file:
-            file.seek(-self.sweep.size * self.sweep.dtype.itemsize, os.SEEK_END)
+            file.seek(store.data_offset(self.path, self.sweep.dtype, self.sweep.shape))
             for first in range(0, self.sweep.size, size):
                 count = min(size, self.sweep.size - first)
                 yield np.frombuffer(file.read(count * self.sweep.dtype.itemsize), self.sweep.dtype)
@@ -300,7 +300,10 @@ def run(
 
 
 def load(path: Path | str) -> Map:
-    """The map that `run` wrote; raises RigidtopError where there is none, or not all of it."""
+    """The map that `run` wrote; raises RigidtopError where there is none, or not all of it.
+
+    All of it is read once, and held against its checksums.
+    """
     path = store.place(path)
     with store.readable_errors(path):
         about = store.read_about(path)
@@ -313,9 +316,16 @@ def load(path: Path | str) -> Map:
             name: Listed(tuple(axis["values"])) if "values" in axis else Span(**axis)
             for name, axis in about["axes"].items()
         }
-        return Map(Sweep(about["quantity"], axes, about["fixed"]), path)
+        sweep = Sweep(about["quantity"], axes, about["fixed"])
     except (KeyError, TypeError, AttributeError):
         raise RigidtopError(f"{store.about_path(path)} is not what a sweep wrote") from None
+    with store.readable_errors(path):
+        damaged = store.gaps(store.sound(path, sweep.dtype, sweep.shape), sweep.size)
+    if damaged:
+        raise RigidtopError(
+            f"{path} is no longer what was written: run its sweep again, which mends it"
+        )
+    return Map(sweep, path)
 
 
 def _blocks(missing: list[store.Interval], size: int) -> Iterator[store.Interval]:

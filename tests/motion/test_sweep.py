@@ -249,6 +249,25 @@ def test_what_was_damaged_and_computed_again_stays(tmp_path):
     assert found.values.ravel() == pytest.approx(block(SMALL, 0, 1000), rel=1e-15)
 
 
+def test_what_was_damaged_after_its_end_is_computed_again(tmp_path):
+    path = stop_after(tmp_path, 600)
+    run(SMALL, path, Serial(), block_size=100)
+    with path.open("r+b") as file:
+        file.seek(128 + 8 * 450)
+        file.write(b"damaged!")
+    with pytest.raises(rt.RigidtopError, match=r"map\.npy is no longer what was written: run its"):
+        load(path)
+    with pytest.raises(rt.RigidtopError, match="900 of 1000 points are in"):
+        run(SMALL, path, Serial(0), block_size=100)
+    assert files(tmp_path) == ["map.npy", "map.npy.journal", "map.npy.json"]
+    again = Serial()
+    found = run(SMALL, path, again, block_size=64)
+    assert again.blocks == [(400, 464), (464, 500)]
+    assert found.damaged == 100
+    assert files(tmp_path) == ["map.npy", "map.npy.json"]
+    assert load(path).values.ravel() == pytest.approx(block(SMALL, 0, 1000), rel=1e-15)
+
+
 @pytest.mark.parametrize(
     "tail", [b"300 4", b"300 400", b"300 400\n", b"\0\0\0\n", b"900 1100 0\n", b"7 7\n1 2\n"]
 )
@@ -350,12 +369,18 @@ def test_a_file_of_something_else_is_refused(tmp_path):
     assert np.load(tmp_path / "map.npy").tolist() == [0, 1, 2]
 
 
+@pytest.mark.parametrize("change", ["cut", "longer"])
 @pytest.mark.parametrize("complete", [False, True])
-def test_a_file_that_was_cut_is_refused(tmp_path, complete):
+def test_a_file_of_another_length_is_refused(tmp_path, complete, change):
     path = stop_after(tmp_path, 300)
     if complete:
         run(SMALL, path)
-    os.truncate(path, 1000)
+    with path.open("r+b") as file:
+        if change == "cut":
+            file.truncate(1000)
+        else:
+            file.seek(0, os.SEEK_END)
+            file.write(b"\n")
     with pytest.raises(rt.RigidtopError, match="is not as the sweep left it"):
         run(SMALL, path)
 
