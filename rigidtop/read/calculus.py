@@ -10,7 +10,7 @@ from rigidtop.notation.convention import own
 from rigidtop.read import signs
 from rigidtop.read.cursor import Token
 from rigidtop.read.letters import Letters
-from rigidtop.read.look import operator, operator_at, terms
+from rigidtop.read.look import operator, operator_at, spelling, terms
 from rigidtop.read.tex import Piece, UnreadError, flat, plain, said
 from rigidtop.theory import symbols as s
 from rigidtop.theory.symbols import Glyph
@@ -144,7 +144,10 @@ class Calculus(Letters):
         if order > 3:
             raise UnreadError("a differential of higher order", position)
         raised = ("", "²", "³")[order - 1]
-        [of] = self.resolved(glyph, position)
+        of, *more = self.resolved(glyph, position)
+        if more or of.kind != "SYMBOL":
+            reason = f"a differential of {spelling(glyph)}, which is no letter of this notation"
+            raise UnreadError(reason, position)
         dressed = replace(glyph, base=f"d{raised}{glyph.base}", bold=glyph.bold and order == 1)
         yield Token("DIFFERENTIAL", (own(dressed), order, of.value), position)
 

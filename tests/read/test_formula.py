@@ -8,7 +8,7 @@ from sympy import Matrix, Rational
 
 from rigidtop.derivations import PAGES, lecture_with
 from rigidtop.derivations.exercises import EXERCISES
-from rigidtop.notation import MATRICES, NOTES
+from rigidtop.notation import MATRICES, NOTES, OWN
 from rigidtop.proof.equation import Equation, Printed, Rate, SumOver, VolumeIntegral, as_printed
 from rigidtop.proof.equation import value as meaning_of
 from rigidtop.proof.page import Check, Definition, Step
@@ -317,6 +317,29 @@ def test_spellings(said, source):
     found = read(source)
     assert [line.problem for line in found] == [""]
     assert latex(found[0].equation, "typed") == latex(wanted, "typed")
+
+
+@pytest.mark.parametrize("notation", [NOTES, OWN])
+@pytest.mark.parametrize("sign", ["d", r"\mathrm d", "d^2", r"\delta ", r"\partial "])
+@pytest.mark.parametrize(
+    "letter",
+    [
+        *(r"\dot{\boldsymbol\omega}", r"\ddot{\mathbf r}", r"\dot{\mathbf{\dot L}}", r"\dot\phi_1"),
+        *(r"\hat{\mathbf n}", r"\vec r", r"\omega_{1,2}", r"\Omega_\pm", r"\bar x", r"\pi"),
+    ],
+)
+def test_a_differential_of_any_letter_is_read_or_says_why_not(letter, sign, notation):
+    for source in (r"E = \int \mathbf L\cdot %s", r"\frac{%s}{dt} = 0", "%s = 0", r"E = \pm %s"):
+        for line in read(source % f"{sign}{letter}", notation):
+            assert (line.equation is None) == bool(line.problem)
+
+
+def test_a_differential_of_what_is_no_letter_is_unread():
+    [line] = read(r"\int \mathbf L\cdot d\dot{\boldsymbol\omega} = 0")
+    assert line.position == 20
+    assert line.problem == (
+        "a differential of ω with a dot and bold type, which is no letter of this notation"
+    )
 
 
 def test_several_equations():
