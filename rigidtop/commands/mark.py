@@ -27,7 +27,7 @@ equations, in whatever form and order.  It is judged by its truth for these, not
 the line before; where nothing of the way is shown, that is said.  N is the number of
 an equation, or the name of a claim, such as two-roots.  The exit code is 0 only
 if every line follows and the last equation is reached; a line that is wrong, unread
-or inconclusive gives 1.
+or inconclusive gives 1.  For a folder it is 0 if each answer could be marked.
 
 example:
   rigidtop mark answer.tex --from 3.53 --to 3.57"""
@@ -84,14 +84,19 @@ def run(options: argparse.Namespace) -> int:
         return _class(Path(options.file), options)
     source = _typed() if options.file == "-" else text_of(options.file)
 
-    start, goal, found = _marked(source, options)
-    if not found.lines:
-        raise RigidtopError(f"no formula in {options.file}: put each between $$ and $$")
+    start, goal, found = _with_lines(options.file, _marked(source, options))
     if options.json:
         print_json({"from": start, "to": goal, **found.record})
     else:
         _print(found)
     return 0 if found.passed else FAILED
+
+
+def _with_lines(name: str, marked: tuple[str, str, Marking]) -> tuple[str, str, Marking]:
+    """The marks of the answer of that name, if there is anything that has been marked."""
+    if not marked[-1].lines:
+        raise RigidtopError(f"no formula in {name}: put each between $$ and $$")
+    return marked
 
 
 def _marked(source: str, options: argparse.Namespace) -> tuple[str, str, Marking]:
@@ -111,18 +116,23 @@ COLUMNS = ("file", "points", "of", "passed", "wrong line", "slips", "summary")
 
 
 def _class(folder: Path, options: argparse.Namespace) -> int:
-    """A row of CSV for each answer of a folder; below it, on stderr, the commonest slips."""
+    """A row of CSV for each answer of a folder; below it, on stderr, the commonest slips.
+
+    0 if each could be marked.
+    """
     files = sorted(path for path in folder.iterdir() if path.suffix in (".tex", ".md"))
     if not files:
         raise RigidtopError(f"{folder}: no answers in it, .tex or .md")
     writer = csv.writer(sys.stdout, lineterminator="\n")
     writer.writerow(COLUMNS)
     kinds: Counter[str] = Counter()
+    unmarked = 0
     for path in files:
         try:
-            *_, found = _marked(text_of(path), options)
+            *_, found = _with_lines(path.name, _marked(text_of(path), options))
         except RigidtopError as error:
             writer.writerow([_cell(path.name), 0, 0, False, "", "", _cell(str(error))])
+            unmarked += 1
             continue
         slips = [slip for line in found.lines for slip in line.slips]
         kinds.update({slip.kind for slip in slips})
@@ -133,8 +143,9 @@ def _class(folder: Path, options: argparse.Namespace) -> int:
         row = [_cell(path.name), *found.points, found.passed, line, words, summary]
         writer.writerow(row)
     told = ", ".join(f"{kind} ({count})" for kind, count in kinds.most_common())
-    print(f"{len(files)} answers; slips: {told or 'none that is named'}", file=sys.stderr)
-    return 0
+    count = f"{len(files)} answers{f', {unmarked} of them not marked' * bool(unmarked)}"
+    print(f"{count}; slips: {told or 'none that is named'}", file=sys.stderr)
+    return FAILED if unmarked else 0
 
 
 def _cell(said: str) -> str:

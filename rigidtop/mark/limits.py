@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 import time
 from typing import TYPE_CHECKING
@@ -21,7 +22,22 @@ SECONDS = 120.0
 STARTING = 60.0
 """What loading may take."""
 
-_BYTES = 4 * 2**30
+_ENDING = 5.0
+"""What a process may take to end whose pipe is closed."""
+
+_GIBIBYTES = 4
+"""What marking may take of the memory."""
+
+
+class MarkingError(RigidtopError):
+    """The marking came to no end for a reason that is not the answer's: a failure of ours."""
+
+    def __init__(self, reason: str) -> None:
+        super().__init__(f"rigidtop itself failed, which says nothing of the answer: {reason}")
+        self.reason = reason
+
+    def __reduce__(self) -> tuple[type[MarkingError], tuple[str]]:
+        return type(self), (self.reason,)
 
 
 def marked(
@@ -33,7 +49,8 @@ def marked(
 ) -> Marking:
     """`rigidtop.mark.answer.mark` in limited time (seconds): what takes longer is inconclusive.
 
-    Raises RigidtopError for a pair of numbers without facts, and for a text that is too long.
+    Raises RigidtopError for a pair of numbers without facts, and for a text that is too long, and
+    MarkingError where the process breaks, is killed or runs out of memory.
     """
     if len(source) > LONGEST:
         raise RigidtopError(f"an answer has no more than {LONGEST} characters, not {len(source)}")
@@ -83,7 +100,8 @@ def _run(
             if isinstance(said, Marked):
                 lines.append(said)
     except EOFError:
-        pass  # out of memory: as good as out of time
+        process.join(_ENDING)
+        raise MarkingError(f"the process that marks {_ended(process.exitcode)}") from None
     finally:
         process.kill()
         process.join()
@@ -96,7 +114,7 @@ def _work(pipe: Connection, source: str, start: str, goal: str, skip: frozenset[
     try:
         import resource
 
-        resource.setrlimit(resource.RLIMIT_DATA, (_BYTES, _BYTES))
+        resource.setrlimit(resource.RLIMIT_DATA, (_GIBIBYTES * 2**30,) * 2)
     except (ImportError, ValueError, OSError):
         pass  # not on every system; time is limited all the same
     try:
@@ -106,4 +124,17 @@ def _work(pipe: Connection, source: str, start: str, goal: str, skip: frozenset[
     except RigidtopError as error:
         pipe.send(error)
     except MemoryError:
-        pass  # the end of the pipe says so
+        pipe.send(MarkingError(f"it takes more than {_GIBIBYTES} GiB of memory"))
+    except Exception as error:
+        pipe.send(MarkingError(" ".join(f"{type(error).__name__}: {error}".split())))
+
+
+def _ended(code: int | None) -> str:
+    """How a process ended, in words.
+
+    >>> _ended(-9), _ended(1)
+    ('was killed (SIGKILL)', 'ended with exit code 1')
+    """
+    if code is not None and code < 0:
+        return f"was killed ({signal.Signals(-code).name})"
+    return f"ended with exit code {code}"

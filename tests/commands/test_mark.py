@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from rigidtop.cli import main
+from rigidtop.mark import answer
 
 ANSWERS = Path(__file__).parents[1] / "mark" / "answers"
 RIGHT = ANSWERS / "from-3.54-to-3.57.tex"
@@ -56,6 +57,35 @@ def test_a_folder_becomes_a_table_of_marks(capsys, tmp_path):
     (tmp_path / "none").mkdir()
     assert main(["mark", str(tmp_path / "none"), "--from", "3.54", "--to", "3.57"]) == 2
     assert "no answers in it" in capsys.readouterr().err
+
+
+def test_a_folder_with_what_cannot_be_marked_says_so(capsys, tmp_path, monkeypatch):
+    """A failure of ours too: no row says anything of an answer that was not judged."""
+    (tmp_path / "ann.tex").write_text(RIGHT.read_text("utf-8"), "utf-8")
+    (tmp_path / "bob.md").write_text("I could not do it.", "utf-8")
+    asked = ["mark", str(tmp_path), "--from", "3.54", "--to", "3.57"]
+    assert main(asked) == 1
+    out, err = capsys.readouterr()
+    _, ann, bob = csv.reader(out.splitlines())
+    assert ann[3] == "True"
+    assert bob[1:] == [
+        "0",
+        "0",
+        "False",
+        "",
+        "",
+        "no formula in bob.md: put each between $$ and $$",
+    ]
+    assert err == "2 answers, 1 of them not marked; slips: none that is named\n"
+
+    def broken(*arguments):
+        raise ZeroDivisionError("a slip of ours")
+
+    monkeypatch.setattr(answer, "judge", broken)
+    assert main([*asked[:1], str(tmp_path / "ann.tex"), *asked[2:]]) == 2
+    assert "ZeroDivisionError: a slip of ours" in capsys.readouterr().err
+    assert main(asked) == 1
+    assert "rigidtop itself failed" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("text", ["$$0 = 0$$", r"$$\ddot\theta \approx 0$$", "$$Q = Q$$"])

@@ -1,12 +1,17 @@
 """Right derivations are accepted in any form; a slip is found at its line, and named."""
 
 import importlib.util
+import os
 import re
+import signal
+import sys
+import time
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+import rigidtop.mark.answer as home
 from rigidtop.derivations.goals import goals
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
@@ -660,10 +665,6 @@ def test_a_bomb_is_no_pass_and_takes_no_time(bomb):
 
 
 def test_a_line_that_takes_too_long_is_passed_over(monkeypatch):
-    import time
-
-    import rigidtop.mark.answer as home
-
     judge = home.judge
 
     def slow(link, model):
@@ -683,6 +684,38 @@ def test_a_line_that_takes_too_long_is_passed_over(monkeypatch):
     late = limits.marked(source, "3.53", "3.54", a_line=30, altogether=3)
     assert late.problem == "the marking takes longer than 3 s"
     assert not late.passed
+
+
+def dies():
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def leaves():
+    os._exit(3)
+
+
+def breaks():
+    raise ZeroDivisionError("of\nours")
+
+
+def runs_out():
+    raise MemoryError
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the process is no fork")
+@pytest.mark.parametrize(
+    ("failure", "said"),
+    [
+        (dies, r"was killed \(SIGKILL\)$"),
+        (leaves, "ended with exit code 3$"),
+        (breaks, ": ZeroDivisionError: of ours$"),
+        (runs_out, "it takes more than 4 GiB of memory$"),
+    ],
+)
+def test_a_process_that_dies_is_a_failure_and_no_lack_of_time(monkeypatch, failure, said):
+    monkeypatch.setattr(home, "judge", lambda link, model: failure())
+    with pytest.raises(limits.MarkingError, match=f"^rigidtop itself failed, .*{said}"):
+        limits.marked("$$T = T$$", "3.53", "3.54", a_line=20, altogether=60)
 
 
 def test_too_much_is_refused():
