@@ -15,12 +15,14 @@ sentences stands between dollars: `rigidtop.proof.words`::
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
 from sympy import Expr
 from sympy.logic.boolalg import Boolean
 
+from rigidtop.errors import RigidtopError
 from rigidtop.proof.equation import Equation, Meaning
 
 
@@ -98,15 +100,25 @@ class Step:
 
 @dataclass(frozen=True)
 class Measure:
-    """A number from a computed motion: what was compared, its error, and what is allowed."""
+    """A number from a computed motion: what was compared, its error, and what is allowed.
+
+    An error of either sign counts by its size.  Raises RigidtopError, a ValueError, for a
+    tolerance that is not finite, or negative.
+    """
 
     what: str
     error: float
     tolerance: float
 
+    def __post_init__(self) -> None:
+        if not 0 <= self.tolerance < math.inf:
+            raise RigidtopError(
+                f"{self.what}: a tolerance must be finite and zero or more, not {self.tolerance}"
+            )
+
     @property
     def passed(self) -> bool:
-        return bool(self.error <= self.tolerance)  # False for NaN
+        return bool(abs(self.error) <= self.tolerance)  # False for NaN
 
 
 Evidence = Step | Check | Definition | Measure

@@ -154,6 +154,8 @@ def test_a_correction_is_no_part_of_the_verdict():
             "a corrected form stands beside a claim that needs none",
         ),
         ((TAUTOLOGY, Measure("a rate", 2e-9, 1e-9)), "a rate: error 2.0e-09 exceeds 1.0e-09"),
+        ((TAUTOLOGY, Measure("a rate", -5.0, 1e-6)), "a rate: error -5.0e+00 exceeds 1.0e-06"),
+        ((TAUTOLOGY, Measure("a rate", -math.inf, 1.0)), "a rate: error -inf exceeds 1.0e+00"),
         ((TAUTOLOGY, Measure("a rate", math.nan, 1.0)), "a rate: error nan exceeds 1.0e+00"),
         ((Measure("a rate", 0.0, 1.0),), "neither shown nor refuted"),
         ((Step(typed(x, x), "so"),), "neither shown nor refuted"),
@@ -163,6 +165,13 @@ def test_a_correction_is_no_part_of_the_verdict():
 def test_problems(evidence, problem):
     judged = judge(claim(*evidence))
     assert (judged.passed, judged.problem) == (False, problem)
+
+
+@pytest.mark.parametrize("tolerance", [math.nan, math.inf, -1e-9])
+def test_a_tolerance_is_a_number_from_zero_on(tolerance):
+    with pytest.raises(ValueError, match=f"^a rate: a tolerance must be .*, not {tolerance}$"):
+        Measure("a rate", 0.0, tolerance)
+    assert Measure("a rate", -1e-9, 1e-9).passed
 
 
 def test_a_claim_that_breaks_is_undecided():
