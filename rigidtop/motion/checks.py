@@ -27,7 +27,7 @@ SMALLEST = 1e-100
 
 
 def number(name: str, value: object) -> float:
-    """A finite float of at most `LARGEST` in magnitude."""
+    """A finite float of at most `LARGEST` in magnitude; −0.0, whose quotients differ, is 0.0."""
     try:
         result = real(value)
     except TypeError as error:
@@ -38,7 +38,7 @@ def number(name: str, value: object) -> float:
         raise RigidtopError(
             f"{name} must be at most {LARGEST:g} in magnitude, not {result:g}: use other units"
         )
-    return result
+    return result + 0.0
 
 
 def positive(name: str, value: object) -> float:
@@ -114,7 +114,7 @@ def triangle(moments: Sequence[float], scale: float) -> bool:
 
 
 def _floats(value: ArrayLike) -> NDArray[np.float64]:
-    """An array of floats; TypeError, with what it is, for what NumPy would take for one.
+    """An array of floats, −0.0 as 0.0; TypeError, with what it is, for what NumPy takes for one.
 
     See `parameters.real`.  An array with masked elements is none: what is under the mask would be
     taken for numbers.
@@ -129,7 +129,7 @@ def _floats(value: ArrayLike) -> NDArray[np.float64]:
         raise TypeError(f"an array of {found.dtype}" if found.ndim else repr(found[()]))
     if found.dtype.kind == "O" and not {*map(type, found.flat)} <= {float, np.float64}:
         found = np.reshape([real(x) for x in found.flat], found.shape)
-    return found.astype(float, copy=False)
+    return found.astype(float, copy=False) + 0.0
 
 
 def _masked(value: object) -> bool:
@@ -189,7 +189,7 @@ SPAN = 501
 def times(value: Any) -> NDArray[np.float64]:
     """Finite times, shape (N,) with N ≥ 1; a tuple (start, end) is a span, as SciPy has it."""
     if type(value) is float and abs(value) <= LARGEST:
-        return np.array([value])
+        return np.array([value + 0.0])
     if isinstance(value, tuple) and len(value) == 2:
         start, end = times(list(value)).tolist()
         return np.linspace(start, end, SPAN)

@@ -48,6 +48,10 @@ class Motion:
         checks.single_rotation(self.attitude)
         object.__setattr__(self, "omega", checks.vector("omega", self.omega))
 
+    def __getstate__(self) -> dict[str, object]:
+        """What a copy in another process needs: it writes out the closed form anew."""
+        return {name: value for name, value in vars(self).items() if name != "solved"}
+
     def start(self) -> Trajectory:
         """The initial state, as a trajectory of one row."""
         return BodyTrajectory(self, np.zeros(1), *self._attitudes(self._initial(), np.zeros(1)))

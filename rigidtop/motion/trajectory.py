@@ -83,7 +83,8 @@ class Trajectory(Turning):
     def energy(self) -> Floats:
         """½ Σ λₖωₖ² + Mg × (height of the centre of mass above the pivot), shape (N,), in J."""
         body = self.motion.body
-        kinetic = self.omega**2 @ np.array(body.moments) / 2
+        # No matrix product, whose last digit depends on how its rows lie in the memory.
+        kinetic = (self.omega**2 * body.moments).sum(axis=1) / 2
         made: Floats = kinetic + self.vertical @ np.array(body.weight)
         return made
 
@@ -195,6 +196,15 @@ class SampledTop(TopTrajectory):
         values = {"motion": motion, "t": times, "samples": samples}
         for name, value in (values | spinning(motion.body, motion.omega[2])).items():
             object.__setattr__(self, name, value)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """What a copy is made of: the samples themselves, computed."""
+        computed = {
+            name: getattr(self, name)
+            for name, value in vars(SampledTop).items()
+            if isinstance(value, cached_property)
+        }
+        return SampledTop, (self.motion, self.t, computed.__getitem__)
 
     cos_half = _sampled("cos_half")
     sin_half = _sampled("sin_half")

@@ -1,6 +1,7 @@
 """Motions keep what they must keep, wherever they go, and agree with closed forms."""
 
 import math
+import pickle
 import subprocess
 import sys
 from dataclasses import replace
@@ -204,3 +205,60 @@ def test_numbers_load_no_sympy():
         "sys.exit(any(name.split('.')[0] == 'sympy' for name in sys.modules))"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False, timeout=120).returncode == 0
+
+
+# --- In other processes --------------------------------------------------------------------------
+
+COPIED = {
+    "angles": start_of(0.5),
+    "attitude": TOP.motion(attitude=Rotation.from_euler("y", 0.4), omega=(1, 2, 30)),
+    "free": rt.FreeBody(3.0, 2.0, 1.5).motion(omega=(1, 2, 3)),
+    "free symmetric": rt.FreeBody(2.0, 2.0, 1.5).motion(omega=(1, 2, 3)),
+    "heavy": BRICK.motion(omega=(1, 2, 3)),
+}
+
+
+@pytest.mark.parametrize("name", COPIED)
+@pytest.mark.parametrize("count", [1, 5, 5000])
+def test_a_copy_by_pickle_is_the_same(name, count):
+    """Before and after a motion is used, and what it gave; 5000 times are sampled."""
+    motion, t = COPIED[name], np.linspace(0.1, 2.0, count)
+    ways = ["integrate"] if name == "heavy" else ["integrate", "exact"]
+    fresh = pickle.loads(pickle.dumps(motion))
+    assert fresh.body == motion.body
+    for way in ways:
+        path = getattr(motion, way)(t)
+        used = pickle.loads(pickle.dumps(motion))
+        copy = pickle.loads(pickle.dumps(path))
+        assert path == getattr(fresh, way)(t) == getattr(used, way)(t) == copy
+        assert copy.drift() == path.drift()
+        assert np.array_equal(copy.rotation.as_quat(), path.rotation.as_quat())
+        assert np.array_equal(copy.motion.start().omega, motion.start().omega)
+
+
+# --- Zero of either sign -------------------------------------------------------------------------
+
+NOUGHT = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "R": 0.5, "g": 9.81, "theta": 0.5} | {
+    "theta_dot": 0.3, "phi": 0.1, "phi_dot": 1.0, "psi": 0.2, "omega3": 20.0,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "name", [name for name in NOUGHT if name not in ("lambda1", "lambda3", "M")]
+)
+def test_zero_has_no_sign(name):
+    def values(zero):
+        given = NOUGHT | {name: zero}
+        body = {key: given.pop(key) for key in ("lambda1", "lambda3", "M", "R", "g")}
+        one, many = rt.HeavyTop(**body).motion(**given), rt.top_motions(**body, **given)
+        path = one.exact([zero, 1.7])
+        of_all = ("nutation_period", "mean_precession", "precession_per_period", "turning_points")
+        return [
+            *path.columns().values(),
+            *(getattr(many.exact(1.7), angle) for angle in ("theta", "phi", "psi")),
+            *(getattr(each, key) for each in (one, many) for key in of_all),
+        ]
+
+    for mine, theirs in zip(values(-0.0), values(0.0), strict=True):
+        assert np.array_equal(mine, theirs)
+        assert not np.any(np.isnan(mine))
