@@ -22,19 +22,24 @@ from dataclasses import replace
 from itertools import pairwise
 
 import sympy
-from sympy import Symbol
+from sympy import Expr, Symbol
 
 from rigidtop.mark.case import UNREAD, Held, letters
 from rigidtop.mark.judge import Judge
-from rigidtop.mark.law import accent, bare
+from rigidtop.mark.law import accent, bare, base
+from rigidtop.mark.ledger import LAGRANGIANS
 from rigidtop.notation.convention import own
 from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.verdict import Verdict
 from rigidtop.read.formula import Line
 from rigidtop.read.habits import NO_HABITS, Habits
+from rigidtop.terminal.limit import TooLong, within
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import Glyph
+
+A_FORMULA = 10.0
+"""No formula is judged for longer than this (s, of the processor's time)."""
 
 
 def held(
@@ -49,7 +54,8 @@ def held(
 
     `cases` says for each line in which case it stands (`rigidtop.read.cases`), its heading first;
     of the `constant` ones, by number, words say that they give what is conserved, of the `special`
-    ones that they are of a case.  After a time of `time.process_time` no more are judged.
+    ones that they are of a case.  After a time of `time.process_time` no more are judged, and none
+    for longer than `A_FORMULA`.
     """
     found = list(lines)
     paths = list(cases) or [(0,)] * len(found)
@@ -79,11 +85,25 @@ def held(
         ledger.section = places[i]
         ledger.path = ledger.paths[i] = paths[i]
         before = {*ledger.given}
-        judged = ledger.take(i, line)
-        letter = next((x for x in ledger.given if x not in before and not accent(x)), None)
-        said = i in constant
-        made.append(judged if letter is None else ledger.conserved(i, judged, letter, said))
+        try:
+            with within(A_FORMULA):
+                judged = ledger.take(i, line)
+                letter = next((x for x in ledger.given if x not in before and not accent(x)), None)
+                if letter is not None:
+                    judged = ledger.conserved(i, judged, letter, i in constant)
+        except TooLong:
+            _forget(ledger, line.equation.sides[0])
+            note = f"judging it takes longer than {A_FORMULA:g} s"
+            judged = Held(line, Verdict.UNDECIDED.value, note)
+        made.append(judged)
     return tuple(made)
+
+
+def _forget(ledger: Judge, first: Expr) -> None:
+    """Judge nothing further by what stood for a letter whose line was not finished."""
+    ledger.given.pop(first, None)
+    if isinstance(first, Symbol) and base(first) in LAGRANGIANS:
+        ledger.law, ledger.sets, ledger.other = None, {}, None
 
 
 def _twins(lines: Sequence[Line]) -> dict[int, Equation]:

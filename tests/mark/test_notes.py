@@ -1,10 +1,12 @@
 """Anyone's notes held against themselves: what is right follows, what is wrong is told."""
 
 import re
+import time
 from pathlib import Path
 
 import pytest
 
+from rigidtop.mark import notes
 from rigidtop.mark.notes import held
 from rigidtop.mark.rows import rows
 from rigidtop.notation import OWN
@@ -361,3 +363,26 @@ def test_an_error_of_ours_is_not_hidden(monkeypatch):
     [found] = held(read("x = y", OWN))
     assert found.verdict == "undecided"
     assert found.note.startswith("rigidtop itself fails here, please report it (AttributeError: ")
+
+
+def test_a_formula_that_takes_too_long_is_undecided_and_nothing_is_judged_by_it(monkeypatch):
+    kept = notes.Judge.take
+
+    def slow(judge, number, line):
+        found = kept(judge, number, line)
+        end = time.process_time() + 5
+        while number in (1, 2) and time.process_time() < end:
+            pass
+        return found
+
+    monkeypatch.setattr(notes, "A_FORMULA", 0.5)
+    monkeypatch.setattr(notes.Judge, "take", slow)
+    source = (
+        r"L = \frac12 m\dot x^2 - \frac12 kx^2,\quad m\ddot x = -kx,\quad L = 2m\dot x^2 - kx^2,"
+        r"\quad m\ddot x = kx"
+    )
+    found = [(each.verdict, each.note) for each in notes.held(read(source, OWN))]
+    late = ("undecided", "judging it takes longer than 0.5 s")
+    assert found[0][0] == "premise"
+    assert found[1:3] == [late, late]
+    assert found[3][0] == "premise"  # by no Lagrangian, since which one is meant is not known
