@@ -9,8 +9,8 @@ from contextlib import contextmanager
 from types import FrameType
 
 
-class TooLong(BaseException):  # noqa: N818 - like KeyboardInterrupt, which no `except` takes for ours
-    """The time is over."""
+class TooLong(BaseException):
+    """The time is over; like KeyboardInterrupt it is no Exception, which a library may catch."""
 
 
 @contextmanager
