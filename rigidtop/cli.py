@@ -7,7 +7,6 @@ so that an interrupt is one line from the start.
 
 from __future__ import annotations
 
-import io
 import os
 import sys
 
@@ -22,11 +21,19 @@ BAD_INPUT, INTERRUPTED = 2, 130
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command; returns its exit code."""
+    kept = sys.stdout, sys.stderr
+    try:
+        return _main(arguments)
+    finally:
+        sys.stdout, sys.stderr = kept
+
+
+def _main(arguments: Sequence[str] | None) -> int:
     asked = "rigidtop"
     try:
-        if isinstance(sys.stdout, io.TextIOWrapper):
-            # A terminal that can't show θ gets an escape in its place, not an error.
-            sys.stdout.reconfigure(errors="backslashreplace")
+        from rigidtop.terminal.visible import shown_on
+
+        sys.stdout, sys.stderr = shown_on(sys.stdout), shown_on(sys.stderr)
         from rigidtop.commands.parser import parsed
 
         options = parsed(arguments)

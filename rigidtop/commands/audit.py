@@ -82,7 +82,7 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
     from rigidtop.mark.rows import rows
     from rigidtop.notation import OWN
     from rigidtop.read.document import problems
-    from rigidtop.read.project import habits, sources
+    from rigidtop.read.project import habits, left_out, sources
     from rigidtop.read.walk import places
 
     until = time.process_time() + SECONDS
@@ -93,8 +93,10 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
     found = sources(path)
     source = found[0].text
     output = Path(options.output) if options.output else None
-    if output is not None and output.resolve() == path.resolve():
-        raise RigidtopError(f"{output} is the file that is audited: write the page elsewhere")
+    for each in found:
+        if output is not None and _is_same(output, each.path):
+            which = "the file that is audited" if each is found[0] else "a file that it takes in"
+            raise RigidtopError(f"{output} is {which}: write the page elsewhere")
     pages, notation = collection.pages, collection.notation
     audited = _of_collection(audit(source, pages, notation, None, left(), collection.letters))
     judged = {formula.opens for each in audited for formula in each.group.formulas}
@@ -102,6 +104,11 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
     told = [
         *map(_of_claim, audited),
         *(_of_place(place(p.position)[0], p.reason) for p in problems(source) if not p.skipped),
+        *(
+            _of_place(places(each.text)(at)[0], reason, each, len(found) > 1)
+            for each in found
+            for at, reason in left_out(each, found)
+        ),
         *(
             _of_file(row, each, len(found) > 1, form(row))
             for each in found
@@ -127,6 +134,11 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
         if output is not None:
             print(output)
     return FAILED if any(each.amiss for each in told) else 0
+
+
+def _is_same(one: Path, other: Path) -> bool:
+    """Whether two names, or a link, are one file."""
+    return one.resolve() == other.resolve() or (one.exists() and one.samefile(other))
 
 
 def _of_collection(audited: tuple[Audited, ...]) -> tuple[Audited, ...]:
@@ -214,10 +226,12 @@ def _equation(
     return {**said, "verdict": verdict, "problem": problem}
 
 
-def _of_place(line: int, reason: str) -> Told:
+def _of_place(line: int, reason: str, inside: Source | None = None, several: bool = False) -> Told:
+    """A place that is not read; a file that TeX may have elsewhere is told, and not amiss."""
     from rigidtop.mark.audited import UNREAD
 
-    return Told(Of.PLACE, "", line, UNREAD, reason, False, amiss=True)
+    more = {"file": inside.path.name} if inside is not None and several else {}
+    return Told(Of.PLACE, "", line, UNREAD, reason, False, amiss=inside is None, more=more)
 
 
 def _absent(name: str) -> Told:

@@ -48,7 +48,7 @@ def run(options: argparse.Namespace) -> int:
         (source, *row)
         for source in found
         if source.is_text
-        for row in _lines(source, notation, known, until, counts[source.path])
+        for row in _lines(source, found, notation, known, until, counts[source.path])
     ]
     records = _records(rows, known, len(found) > 1)
     if options.json:
@@ -59,7 +59,12 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _lines(
-    source: Source, notation: Notation, habits: Habits, until: float, rows: Sequence[Counted]
+    source: Source,
+    sources: tuple[Source, ...],
+    notation: Notation,
+    habits: Habits,
+    until: float,
+    rows: Sequence[Counted],
 ) -> Iterator[tuple[int, int, str, str, Line]]:
     """Line and column, number, label and equation, of what a file has, and of what was not taken.
 
@@ -68,6 +73,7 @@ def _lines(
     from rigidtop.read.document import bare, each, grouped, problems
     from rigidtop.read.formula import Line
     from rigidtop.read.labels import row_of
+    from rigidtop.read.project import left_out
     from rigidtop.read.walk import places
 
     text = source.text
@@ -85,6 +91,7 @@ def _lines(
         for problem in (*problems(text), *bare(text))
         if problem.position not in told
     ]
+    found += [("", Line(at, None, reason)) for at, reason in left_out(source, sources)]
     place = places(text)
     for number, line in sorted(found, key=lambda row: row[1].position):
         row = row_of(rows, line.position)

@@ -62,7 +62,9 @@ body has such moments about its centre of mass (physical=False lets them through
     def __post_init__(self) -> None:
         for name in ("lambda1", "lambda2", "lambda3"):
             object.__setattr__(self, name, checks.positive(name, getattr(self, name)))
-        if self.physical and not checks.triangle(self.moments, max(self.moments)):
+        if checks.truth("physical", self.physical) and not checks.triangle(
+            self.moments, max(self.moments)
+        ):
             largest = int(np.argmax(self.moments))
             rest = sum(self.moments) - self.moments[largest]
             raise RigidtopError(
@@ -102,7 +104,9 @@ class HeavyBody(AnyBody):
         arm = np.array(centre)
         shift = self.M * (arm @ arm * np.eye(3) - np.outer(arm, arm))
         central = np.linalg.eigvalsh(np.diag(self.moments) - shift)
-        if self.physical and not checks.triangle(central.tolist(), max(self.moments)):
+        if checks.truth("physical", self.physical) and not checks.triangle(
+            central.tolist(), max(self.moments)
+        ):
             found = ", ".join(f"{moment:.4g}" for moment in central)
             raise RigidtopError(
                 f"the moments about the centre of mass would be {found}, the largest more than the "

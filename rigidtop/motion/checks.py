@@ -68,6 +68,13 @@ def _not_tiny(name: str, value: float) -> float:
     return value
 
 
+def truth(name: str, value: object) -> bool:
+    """True or False, also as a number, 1 or 0."""
+    if not isinstance(value, (bool, np.bool_)) and number(name, value) not in (0.0, 1.0):
+        raise RigidtopError(f"{name} must be True or False, not {value}")
+    return bool(value)
+
+
 def vector(name: str, value: object) -> tuple[float, float, float]:
     """Three finite floats."""
     first, second, third = _row(name, value, 3, "three numbers")

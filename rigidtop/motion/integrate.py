@@ -74,9 +74,10 @@ class Accuracy:
         if self.method not in METHODS:
             raise RigidtopError(f"unknown method {self.method!r}: {', '.join(METHODS)}")
         smallest = ROUNDING if self.method == TAYLOR else SMALLEST_RTOL
-        if checks.number("rtol", self.rtol) < smallest:
+        object.__setattr__(self, "rtol", checks.number("rtol", self.rtol))
+        object.__setattr__(self, "atol", checks.positive("atol", self.atol))
+        if self.rtol < smallest:
             raise RigidtopError(f"rtol must be at least {smallest:g}, not {self.rtol:g}")
-        checks.positive("atol", self.atol)
         for name, value in (("rtol", self.rtol), ("atol", self.atol)):
             if value > LARGEST_TOLERANCE:
                 raise RigidtopError(f"{name} must be at most {LARGEST_TOLERANCE:g}, not {value:g}")

@@ -72,7 +72,7 @@ def top_motions(
     central = values["lambda1"] - values["M"] * values["R"] ** 2
     slack = checks.TOLERANCE * np.maximum(values["lambda1"], values["lambda3"])
     wrong = 2 * np.maximum(central, values["lambda3"]) > 2 * central + values["lambda3"] + slack
-    if physical and np.any(wrong):
+    if checks.truth("physical", physical) and np.any(wrong):
         raise RigidtopError(
             f"lambda1 is too small in {np.count_nonzero(wrong)} of {wrong.size}: "
             "it must be at least MR² + lambda3/2"

@@ -56,7 +56,7 @@ class HeavyTop(SymmetricTop):
             object.__setattr__(self, name, checks.not_negative(name, getattr(self, name)))
         shift = self.M * self.R**2
         central = self.lambda1 - shift
-        if self.physical and not checks.triangle(
+        if checks.truth("physical", self.physical) and not checks.triangle(
             (central, central, self.lambda3), max(self.moments)
         ):
             raise RigidtopError(
@@ -110,7 +110,8 @@ class HeavyTop(SymmetricTop):
         rigidtop.errors.NoSteadyPrecession: no steady precession at theta = 0 with omega3 = 1: \
 |omega3| must be at least 8 rad/s
         """
-        cosine = _cosine(checks.polar_angle(theta))
+        theta = checks.polar_angle(theta)
+        cosine = _cosine(theta)
         spin = checks.number("omega3", omega3)
         a, b, c = self.lambda1 * cosine, self.lambda3 * spin, self.weight[2]
         threshold = self._threshold(cosine)

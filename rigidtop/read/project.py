@@ -39,7 +39,7 @@ LARGEST = 10_000_000
 """All files together have no more characters."""
 
 _TAKES_IN = re.compile(
-    r"\\(?:input|include|subfile|usepackage|RequirePackage)\s*(?:\[[^\]\n]*\]\s*)?"
+    r"\\(input|include|subfile|usepackage|RequirePackage)\s*(?:\[[^\]\n]*\]\s*)?"
     r"\{([^{}\n]{1,200})\}"
 )
 _SCRIPTS = re.compile(
@@ -79,7 +79,7 @@ def sources(path: Path | str) -> tuple[Source, ...]:
     if top.suffix == ".ipynb":
         return (_notebook(top),)
     found = [Source(top, text_of(top))]
-    if top.suffix in (".tex", ".ltx", ".latex"):
+    if top.suffix in _LATEX:
         folder = top.resolve().parent
         _take_in(found, found[0], folder, {top.resolve()}, 1)
     if sum(len(source.text) for source in found) > LARGEST:
@@ -92,22 +92,34 @@ def _take_in(
 ) -> None:
     if depth > DEEPEST:
         return
-    for _, inner in _inputs(source, folder):
-        if inner in seen or len(found) >= MOST:
+    for _, _, inner in _inputs(source, folder):
+        if inner is None or inner in seen or len(found) >= MOST:
             continue
         seen.add(inner)
         found.append(Source(inner, text_of(inner)))
         _take_in(found, found[-1], folder, seen, depth + 1)
 
 
-def _inputs(source: Source, folder: Path) -> Iterator[tuple[re.Match[str], Path]]:
-    """Where a file takes others in, in order, and which."""
+def _inputs(source: Source, folder: Path) -> Iterator[tuple[re.Match[str], str, Path | None]]:
+    """Where a file takes others in, in order, by which name, and which, if they are there."""
     bare = _COMMENT.sub(lambda found: " " * len(found[0]), source.text)
     for match in _TAKES_IN.finditer(bare):
-        for name in match[1].split(","):
-            inner = _within(folder, source.path.resolve().parent, name.strip())
-            if inner is not None:
-                yield match, inner
+        for name in match[2].split(","):
+            yield match, name, _within(folder, source.path.resolve().parent, name.strip())
+
+
+def left_out(source: Source, found: tuple[Source, ...]) -> Iterator[tuple[int, str]]:
+    """Where a file takes in what was not read, a package aside, and why it was not."""
+    if found[0].path.suffix not in _LATEX:
+        return
+    taken = {each.path.resolve() for each in found}
+    for match, name, inner in _inputs(source, found[0].path.resolve().parent):
+        if match[1].endswith("ackage") or inner in taken:
+            continue
+        why = "there is no such file in the folder"
+        if inner is not None:
+            why = f"files are taken in no deeper than {DEEPEST}, and no more than {MOST}"
+        yield match.start(), f"\\{match[1]}{{{name.strip()}}} is not read: {why}"
 
 
 def numbers(found: tuple[Source, ...]) -> dict[Path, list[Counted]]:
@@ -123,8 +135,8 @@ def numbers(found: tuple[Source, ...]) -> dict[Path, list[Counted]]:
 
     def lay_out(source: Source) -> None:
         at = 0
-        for match, inner in _inputs(source, found[0].path.resolve().parent) if left else ():
-            if inner in left:
+        for match, _, inner in _inputs(source, found[0].path.resolve().parent) if left else ():
+            if inner is not None and inner in left:
                 lay(source, at, match.start())
                 lay_out(left.pop(inner))
                 at = match.end()
@@ -155,6 +167,7 @@ def _within(folder: Path, beside: Path, name: str) -> Path | None:
 
 
 _TAKEN = frozenset({".tex", ".sty", ".ltx", ".cls"})
+_LATEX = frozenset({".tex", ".ltx", ".latex"})
 
 
 def _notebook(path: Path) -> Source:

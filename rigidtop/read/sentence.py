@@ -355,9 +355,10 @@ def _hint(first: str) -> str:
     return f"written so: {', or '.join(f'“{e}:”' for e in _EXAMPLES if e.startswith(first))}"
 
 
+_TABLE = "".join((__doc__ or "").split("\n\n")[2:3])  # none under python -OO
 _EXAMPLES = tuple(
     " ".join(each.split())
-    for each in re.findall(r"(?:Put|Take|[A-Z][a-z]+) [^.:\n]+(?=[.:])", __doc__.split("\n\n")[2])
+    for each in re.findall(r"(?:Put|Take|[A-Z][a-z]+) [^.:\n]+(?=[.:])", _TABLE)
 )
 """The sentences of the table at the top."""
 

@@ -15,6 +15,7 @@ from typing import Any
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.verdict import Verdict
 from rigidtop.report.html import NARROW, badge, style
+from rigidtop.terminal.visible import visible
 from rigidtop.typeset import mathml, sizes
 from rigidtop.typeset.sentences import prose_html
 
@@ -97,7 +98,7 @@ def write(
     framed = {mark.start: (mark.end, _framed(mark, n)) for n, mark in enumerate(marks)}
     body = _text(source, inside, framed)
     found = "\n".join(
-        f'<li><a href="#{_anchor(mark, n)}">({escape(mark.number)})</a>'
+        f'<li><a href="#{_anchor(mark, n)}">({escape(_clean(mark.number))})</a>'
         f"{_badge(mark.verdict)} line {mark.line}: {_said(mark.note)}</li>"
         for n, mark in enumerate(marks)
         if not mark.passed or mark.verdict in (Verdict.CONVENTION, Verdict.FALSE)
@@ -110,15 +111,15 @@ def write(
 <meta charset="utf-8"/>
 <meta name="viewport" content="width=device-width, initial-scale=1"/>
 <meta name="color-scheme" content="light dark"/>
-<title>{escape(title)}, audited</title>
+<title>{escape(_clean(title))}, audited</title>
 <style>{style("page.css", "print.css")}{_OWN_STYLE}</style>
 </head>
 <body>
 <a class="skip" href="#content">Skip to the notes</a>
 <main class="page">
 <header class="summary">
-<h1>{escape(title)}, audited</h1>
-<p>{escape(summary)}</p>{listed}
+<h1>{escape(_clean(title))}, audited</h1>
+<p>{escape(_clean(summary))}</p>{listed}
 </header>
 <div class="notes" id="content">
 {body}
@@ -163,14 +164,14 @@ def _framed(mark: Mark, n: int) -> str:
     why = f'<span class="why">{_said(mark.note)}</span>' if mark.note else ""
     return (
         f'<span class="audited{amiss}" id="{_anchor(mark, n)}"><span class="eq">{shown}</span>'
-        f'<span class="side"><span class="tag">({escape(mark.number)})</span>'
+        f'<span class="side"><span class="tag">({escape(_clean(mark.number))})</span>'
         f"{_badge(mark.verdict)}</span>{why}</span>"
     )
 
 
 def _block(formula: Formula) -> str:
     if not formula.trees:
-        return f"<code>{escape(formula.source.strip())}</code>"
+        return f"<code>{escape(_clean(formula.source.strip()))}</code>"
     wide, narrow = (
         mathml.display(formula.trees, "printed", limit) for limit in (sizes.LINE, NARROWER)
     )
@@ -185,7 +186,7 @@ def _inline(formula: Formula) -> str:
     if formula.display and all(isinstance(tree, Equation) for tree in formula.trees):
         return f'<span class="shown eq">{_block(formula)}</span>'
     if not formula.trees:
-        return f"<code>{escape(formula.source.strip())}</code>"
+        return f"<code>{escape(_clean(formula.source.strip()))}</code>"
     return ", ".join(mathml.mathml(tree, "printed") for tree in formula.trees)
 
 
@@ -193,8 +194,8 @@ def _inline(formula: Formula) -> str:
 
 _OPEN, _CLOSE = "\ue000", "\ue001"
 _PLACE = re.compile(f"{_OPEN}(\\d+){_CLOSE}")
-_UNSHOWN = re.compile("[\x00-\x08\x0b-\x1f\x7f\ue000\ue001\u202a-\u202e\u2066-\u2069]")
-"""Characters that have no shape, that turn the direction of text, or that mark places here."""
+_PLACES = re.compile("[\ue000\ue001]")
+"""Characters that mark places here."""
 
 # The lengths are limited where many may begin and none ends.
 _LEFT_OUT = re.compile(r"!\[[^][\n]*\]\([^)\n]{0,1000}\)|<span[^<>\n]*></span>")
@@ -233,7 +234,7 @@ def _text(
 
 
 def _clean(text: str) -> str:
-    return _UNSHOWN.sub("\ufffd", text)
+    return visible(_PLACES.sub("\ufffd", text))
 
 
 def _html_blocks(block: str, frames: set[int]) -> list[str]:

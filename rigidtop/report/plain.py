@@ -9,13 +9,14 @@ from functools import singledispatch
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.terminal.table import table
+from rigidtop.terminal.visible import visible
 from rigidtop.typeset.text import text
 
 
 def fragment(blocks: Sequence[b.Block], width: int = 88) -> str:
     """The blocks of a claim or an exercise in `width` columns; equations are never wrapped."""
     made = "\n".join(line for block in blocks for line in _lines(block, width))
-    return made.lstrip("\n") + "\n"
+    return visible(made.lstrip("\n") + "\n")
 
 
 def rich(content: b.Rich) -> str:

@@ -20,12 +20,13 @@ from rigidtop.report.tex_lines import (
     beside,
     display,
     in_line,
+    prose,
     rich,
     stands_alone,
 )
+from rigidtop.terminal.visible import visible
 from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import align, align_row
-from rigidtop.typeset.sentences import prose
 
 
 def write(document: b.Document, figures: Mapping[str, str]) -> str:
@@ -49,21 +50,23 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
         kept = "" if contents else r"\def\markboth#1#2{}"
         contents += rf"\markboth{{}}{{{words}}}{kept}\thispagestyle{{plain}}"
     byline = [rf"{{\normalsize {prose(document.byline)}\par}}"] if document.byline else []
-    return "\n".join(
-        [
-            _preamble(document, bool(NOTED.search(body))),
-            r"\begin{document}",
-            rf"{{\LARGE\bfseries\raggedright {title.replace(': ', TURN)}\par}}",
-            rf"{{\large\raggedright {prose(document.subtitle)}\par}}",
-            *byline,
-            r"\vspace{0.5\baselineskip}",
-            rf"{{\footnotesize\color{{muted}} {prose(document.colophon)}\par}}",
-            r"\vspace{0.5\baselineskip}",
-            contents,
-            body,
-            r"\end{document}",
-            "",
-        ]
+    return visible(
+        "\n".join(
+            [
+                _preamble(document, bool(NOTED.search(body))),
+                r"\begin{document}",
+                rf"{{\LARGE\bfseries\raggedright {title.replace(': ', TURN)}\par}}",
+                rf"{{\large\raggedright {prose(document.subtitle)}\par}}",
+                *byline,
+                r"\vspace{0.5\baselineskip}",
+                rf"{{\footnotesize\color{{muted}} {prose(document.colophon)}\par}}",
+                r"\vspace{0.5\baselineskip}",
+                contents,
+                body,
+                r"\end{document}",
+                "",
+            ]
+        )
     )
 
 
@@ -96,7 +99,9 @@ def chapters(document: b.Document, figures: Mapping[str, str]) -> dict[str, str]
     for name, blocks in parts.items():
         head = USE.replace("@NAME@", name).replace("@OUT@", "./")
         text = "\n\n".join(_joined(blocks, figures, measured=True))
-        made[f"chapters/{name}.tex"] = f"{head}\\begingroup\\rttext\n{text}\n\\par\\endgroup\n"
+        made[f"chapters/{name}.tex"] = visible(
+            f"{head}\\begingroup\\rttext\n{text}\n\\par\\endgroup\n"
+        )
     return made
 
 
@@ -234,7 +239,7 @@ def fragment(blocks: Sequence[b.Block]) -> str:
             made.append(align([aligned(row, sizes.LINE) for row in (first, *rest)]))
         else:
             made += [f"% {line}" for line in plain.fragment([block]).splitlines() if line]
-    return "\n".join(made) + "\n"
+    return visible("\n".join(made) + "\n")
 
 
 @singledispatch
@@ -266,7 +271,7 @@ def as_string(text: str) -> str:
     >>> print(as_string("R&D 100 %: costs $5, $θ$"))
     R\&D 100 \%: costs \$5, θ
     """
-    return "".join(ESCAPES.get(c, c) if c.isascii() else c for c in unmarked(text))
+    return "".join(ESCAPES.get(c, c) if c.isascii() else c for c in unmarked(visible(text)))
 
 
 @tex_block.register

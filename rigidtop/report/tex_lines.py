@@ -8,16 +8,21 @@ from dataclasses import replace
 from rigidtop.notation.characters import MATHS, SIGNS, SUPERSCRIPTS, escape
 from rigidtop.proof.verdict import Verdict
 from rigidtop.report import blocks as b
+from rigidtop.terminal.visible import visible
 from rigidtop.typeset import nodes as lay
-from rigidtop.typeset import sizes
+from rigidtop.typeset import sentences, sizes
 from rigidtop.typeset.latex import AlignRow, align, latex, row_lines, seen
 from rigidtop.typeset.layout import layout
-from rigidtop.typeset.sentences import prose
 
 
 def rich(content: b.Rich) -> str:
     """Running text with formulas."""
     return "".join(map(_piece, content))
+
+
+def prose(text: str) -> str:
+    """A sentence as LaTeX; what nobody sees in it is shown by its number."""
+    return sentences.prose(visible(text))
 
 
 def _piece(piece: b.Piece) -> str:

@@ -18,8 +18,11 @@ def text_of(path: Path | str) -> str:
 
     Raises RigidtopError for what is not there, is no text, or is too long.
     """
+    there = Path(path)
+    if there.exists() and not (there.is_file() or there.is_dir()):  # a pipe may never be written
+        raise RigidtopError(f"cannot read {path}: it is not an ordinary file")
     try:
-        with Path(path).open("rb") as file:
+        with there.open("rb") as file:
             content = file.read(LONGEST + 1)
     except OSError as error:
         raise RigidtopError(f"cannot read {path}: {error.strerror or error}") from None

@@ -10,6 +10,8 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import TextIO
 
+from rigidtop.terminal.visible import visible
+
 _COLORS = {"green": "32", "yellow": "33", "red": "31", "blue": "34", "magenta": "35", "dim": "2"}
 
 
@@ -80,7 +82,7 @@ def table(
     if not rows:
         return ""
     width = width if width is not None else shutil.get_terminal_size((80, 24)).columns
-    every = [list(row) for row in ([head, *rows] if head else rows)]
+    every = [[*map(visible, row)] for row in ([head, *rows] if head else rows)]
     rooms = [max(columns(row[i]) for row in every) for i in range(len(every[0]) - 1)]
     indent = sum(rooms) + 2 * len(rooms)
     rest = max(width - indent, 12)

@@ -390,3 +390,35 @@ def test_a_long_label_leaves_room_for_the_notes(capsys, tmp_path):
     table = capsys.readouterr().out.split("\n\n")[0]
     assert f"({label[:23]}…)" in table
     assert label not in table
+
+
+def test_no_file_that_was_read_is_written_over(tmp_path, capsys):
+    main_file, chapter, link = (tmp_path / name for name in ("main.tex", "ch.tex", "link.html"))
+    main_file.write_text("\\documentclass{article}\n\\input{ch}\n$$E = T$$\n", "utf-8")
+    chapter.write_text("$$F = ma$$\n", "utf-8")
+    link.symlink_to(chapter)
+    for page in (main_file, chapter, link):
+        assert main(["audit", str(main_file), "-o", str(page)]) == 2
+        which = "the file that is audited" if page == main_file else "a file that it takes in"
+        said = f"rigidtop audit: {page} is {which}: write the page elsewhere\n"
+        assert capsys.readouterr().err == said
+    assert chapter.read_text("utf-8") == "$$F = ma$$\n"
+
+
+def test_a_file_that_is_taken_in_and_is_not_there_is_told(tmp_path, capsys):
+    file = tmp_path / "main.tex"
+    file.write_text(
+        "\\documentclass{article}\\usepackage{amsmath}\n\\input{ch}\n% \\input{old}\n"
+        "\\include{../out}\n$$E = T$$\n",
+        "utf-8",
+    )
+    (tmp_path / "ch.tex").write_text("$$F = ma$$\n\\input{gone}\n", "utf-8")
+    assert main(["audit", str(file), "--json"]) == 0
+    told = [each for each in json.loads(capsys.readouterr().out) if "is not read" in each["note"]]
+    assert [(each["file"], each["line"], each["verdict"]) for each in told] == [
+        ("main.tex", 4, "unread"),
+        ("ch.tex", 2, "unread"),
+    ]
+    assert told[1]["note"] == "\\input{gone} is not read: there is no such file in the folder"
+    assert main(["read", str(file)]) == 0
+    assert "unread: \\input{gone} is not read" in capsys.readouterr().out

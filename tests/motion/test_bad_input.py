@@ -248,6 +248,32 @@ def test_polar_angles_of_rates():
         TOP.smallest_spin(-1e-9)
 
 
+def test_tolerances_and_angles_of_any_kind_of_number():
+    with pytest.raises(rt.RigidtopError, match=r"rtol must be at most 0\.1, not 0\.333333$"):
+        TOP.motion(**TILTED).integrate(1.0, rtol=Fraction(1, 3))
+    assert TOP.motion(**TILTED).integrate(1.0, rtol=Fraction(1, 10**6)).theta.shape == (1,)
+    with pytest.raises(rt.NoSteadyPrecession, match=r"theta = 0\.5 with omega3 = 0\.333333:"):
+        TOP.steady_precession(Fraction(1, 2), Fraction(1, 3))
+
+
+@pytest.mark.parametrize(
+    ("value", "said"),
+    [(math.nan, "finite, not nan"), (2, "True or False, not 2"), ("no", "a number, not 'no'")],
+)
+def test_what_is_physical_is_a_truth(value, said):
+    for make in (
+        lambda: rt.HeavyTop(lambda1=1, lambda3=0.5, M=1, R=0.5, physical=value),
+        lambda: rt.FreeBody(1, 1, 1, physical=value),
+        lambda: rt.HeavyBody(3, 2, 1.5, 1, (0.2, 0.3, 0.4), physical=value),
+        lambda: rt.top_motions(
+            lambda1=1, lambda3=0.5, M=1, R=0.5, theta=0.5, omega3=1, physical=value
+        ),
+    ):
+        with pytest.raises(rt.RigidtopError, match=f"^physical must be {said}$"):
+            make()
+    assert rt.FreeBody(1, 1, 3, physical=0.0).lambda3 == 3.0
+
+
 def test_bodies_are_values():
     assert rt.FreeBody(1, 2, 2.5) == rt.FreeBody(1.0, 2.0, 2.5)
     with pytest.raises(AttributeError):

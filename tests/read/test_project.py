@@ -39,6 +39,7 @@ def test_a_project_is_read_with_what_it_takes_in(project, capsys):
     records = json.loads(capsys.readouterr().out)
     shown = [(r["file"], r["number"], r["equation"] or r["problem"]) for r in records]
     assert shown == [
+        ("main.tex", "", r"\include{../outside} is not read: there is no such file in the folder"),
         ("main.tex", "1", "F = ½p"),
         ("one.tex", "", "V(x) = ½kx²"),
         ("two.tex", "", r"the command \x is not known of TeX"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -21,6 +22,7 @@ BAD = {
     "folder.toml": "Is a directory",
     "bytes.toml": "it is not text in UTF-8",
     "long.toml": "it has more than 4000000 bytes",
+    "pipe.toml": "it is not an ordinary file",
 }
 
 
@@ -32,6 +34,7 @@ def test_one_wording(
     (tmp_path / "folder.toml").mkdir()
     (tmp_path / "bytes.toml").write_bytes(b"\xff\xfe\x00")
     (tmp_path / "long.toml").write_bytes(b" " * 4_000_001)
+    os.mkfifo(tmp_path / "pipe.toml")
     file = tmp_path / name
     assert main([word.format(file) for word in COMMANDS[command]]) == 2
     said = capsys.readouterr()
