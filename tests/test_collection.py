@@ -300,6 +300,74 @@ def test_notes_are_audited_in_the_letters_of_the_collection():
     }
 
 
+@pytest.fixture
+def own(tmp_path):
+    """A collection whose eight claims are shown by the lines of its page, with models."""
+    folder = shutil.copytree(STARTER, tmp_path / "own", ignore=lambda *_: ["__pycache__"])
+    page = folder / "pendulum.md"
+    pieces = page.read_text("utf-8").replace(r" \tag{1.1}", "").split("$$")
+    for n in range(1, 9):  # five laws come first
+        pieces[2 * n + 9] += rf" \tag{{1.{n}}}"
+    page.write_text("$$".join(pieces), "utf-8")
+    claims = """
+from rigidtop.proof.page import Claim, Page
+PAGES = (
+    Page("1", "x", "y", tuple(Claim(f"1.{n}", "so") for n in range(1, 9)), text="pendulum"),
+)
+EXERCISES = ()
+"""
+    init = folder / "__init__.py"
+    init.write_text(init.read_text("utf-8") + MODEL + claims, "utf-8")
+    return folder
+
+
+def verdicts(capsys, *command):
+    assert main(["audit", *map(str, command), "--json"]) < 2
+    return {x["name"]: x["verdict"] for x in json.loads(capsys.readouterr().out) if x["name"]}
+
+
+def test_a_page_is_audited_by_the_lines_of_its_own_collection(own, capsys):
+    page = own / "pendulum.md"
+    assert verdicts(capsys, f"{own}/", page) == {f"1.{n}": "proved" for n in range(1, 9)}
+    notes = own.parent / "notes.md"
+    other = r"l\ddot\theta + g\sin\theta = 0"
+    forms = {
+        r"ml^2\ddot\theta = -mgl\sin\theta": r"ml^2\ddot\theta = -mgl\cos\theta",  # (1.5)
+        r"\ddot\theta = -\frac gl\sin\theta \tag": other + r" \tag",  # (1.6), in another form
+        r"\dot E = ml^2": r"2\dot E = ml^2",  # (1.8)
+    }
+    changed = page.read_text("utf-8")
+    for right, written in forms.items():
+        assert right in changed
+        changed = changed.replace(right, written)
+    notes.write_text(changed, "utf-8")
+    assert main(["audit", f"{own}/", str(notes)]) == 1
+    assert "; the claim has ml²θ̈ = −mgl sin θ" in " ".join(capsys.readouterr().out.split())
+    found = verdicts(capsys, own, notes)
+    assert {x for x, verdict in found.items() if verdict == "false"} == {"1.5", "1.8"}
+    assert found["1.6"] == "proved"
+
+
+def test_an_answer_is_marked_by_a_collection_of_ones_own(own, capsys):
+    ends = ["--from", "1.1", "--to", "1.5"]
+    answer = own.parent / "answer.md"
+    answer.write_text("$$m l^2\\ddot\\theta + mgl\\sin\\theta = 0$$\n", "utf-8")
+    assert main(["mark", f"{own}/", str(answer), *ends]) == 0
+    assert "and the derivation arrives at (1.5)" in capsys.readouterr().out
+    answer.write_text("$$m l^2\\ddot\\theta - mgl\\sin\\theta = 0$$\n", "utf-8")
+    assert main(["mark", f"{own}/", str(answer), *ends]) == 1
+    assert "line 1 does not follow: 0 of 1 lines" in capsys.readouterr().out
+    for words, said in (
+        ([own], "is a collection, no answer: the answer stands behind it"),
+        ([STARTER, answer], "starter has no MODELS, by which answers are marked"),
+        ([answer, answer, answer], "one answer at a time: 3 names are too many"),
+    ):
+        assert main(["mark", *map(str, words), *ends]) == 2
+        assert said in capsys.readouterr().err
+    assert main(["mark", str(own), str(answer), "--exercise", "period"]) == 2
+    assert "are not marked" in capsys.readouterr().err
+
+
 def test_a_letter_of_the_lecture_is_known_where_it_is_used(tmp_path):
     init = PAGE + "from rigidtop.theory.symbols import lambda1\nPAGES = (page,)"
     glyphs = load(course(tmp_path, init)).notation.glyphs

@@ -98,7 +98,11 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
             which = "the file that is audited" if each is found[0] else "a file that it takes in"
             raise RigidtopError(f"{output} is {which}: write the page elsewhere")
     pages, notation = collection.pages, collection.notation
-    audited = _of_collection(audit(source, pages, notation, None, left(), collection.letters))
+    # What the built-in lecture prints has checks of its own.
+    lecture = collection.lecture if collection.folder is not None else None
+    audited = _of_collection(
+        audit(source, pages, notation, None, left(), collection.letters, lecture)
+    )
     judged = {formula.opens for each in audited for formula in each.group.formulas}
     known, place, form = habits(found, OWN, until), places(source), _forms(collection, until)
     told = [

@@ -6,6 +6,8 @@ import argparse
 import csv
 import sys
 from collections import Counter
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,6 +19,7 @@ from rigidtop.terminal.files import LONGEST, text_of
 
 if TYPE_CHECKING:
     from rigidtop.mark.marking import Marking
+    from rigidtop.mark.passages import Subject
 
 ABOUT = "mark a derivation: the first line that does not follow, and the slip"
 
@@ -47,9 +50,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """What can be asked."""
     parser.add_argument(
         "file",
+        nargs="+",
         metavar="FILE",
         help="the answer; - reads it from standard input; a folder of answers becomes a table of "
-        "marks (CSV)",
+        "marks (CSV); before it a folder with a collection of one's own that has MODELS, if they "
+        "are to be marked by that",
     )
     parser.add_argument("--from", dest="start", metavar="N", help="the equation to start from")
     parser.add_argument("--to", dest="goal", metavar="N", help="the equation to arrive at")
@@ -80,11 +85,21 @@ def run(options: argparse.Namespace) -> int:
         raise RigidtopError("--set: only an exercise has settings")
     if not 0 < options.seconds <= 3600:
         raise RigidtopError(f"--seconds must be between 0 and 3600, not {options.seconds:g}")
-    if options.file != "-" and Path(options.file).is_dir():
-        return _class(Path(options.file), options)
-    source = _typed() if options.file == "-" else text_of(options.file)
+    *folders, file = options.file
+    if len(folders) > 1:
+        raise RigidtopError(f"one answer at a time: {len(options.file)} names are too many")
+    if (Path(file) / "__init__.py").is_file():
+        raise RigidtopError(f"{file} is a collection, no answer: the answer stands behind it")
+    subject = partial(_subject, folders[0]) if folders else None
+    if subject is not None:
+        if options.exercise is not None:
+            raise RigidtopError("--exercise: those of a collection of one's own are not marked")
+        subject()  # what is wrong with it is told once, and first
+    if file != "-" and Path(file).is_dir():
+        return _class(Path(file), options, subject)
+    source = _typed() if file == "-" else text_of(file)
 
-    start, goal, found = _with_lines(options.file, _marked(source, options))
+    start, goal, found = _with_lines(file, _marked(source, options, subject))
     if options.json:
         print_json({"from": start, "to": goal, **found.record})
     else:
@@ -99,7 +114,21 @@ def _with_lines(name: str, marked: tuple[str, str, Marking]) -> tuple[str, str, 
     return marked
 
 
-def _marked(source: str, options: argparse.Namespace) -> tuple[str, str, Marking]:
+def _subject(folder: str) -> Subject:
+    """A collection of one's own as what answers are judged by."""
+    from rigidtop.collection import opened
+    from rigidtop.mark.passages import Subject
+
+    with opened([f"{folder}/"]) as (collection, _):
+        if not collection.models:
+            raise RigidtopError(f"{folder} has no MODELS, by which answers are marked")
+        families = tuple((model,) for model in collection.models)
+        return Subject(collection.lecture, families, collection.notation)
+
+
+def _marked(
+    source: str, options: argparse.Namespace, subject: Callable[[], Subject] | None
+) -> tuple[str, str, Marking]:
     """The marks of an answer, and the ends of the derivation, if it is one."""
     from rigidtop.mark.limits import marked
 
@@ -109,13 +138,13 @@ def _marked(source: str, options: argparse.Namespace) -> tuple[str, str, Marking
 
         return answered(options.exercise, source, options.given, *limits)
     start, goal = options.start, options.goal
-    return start, goal, marked(source, start, goal, *limits)
+    return start, goal, marked(source, start, goal, *limits, subject)
 
 
 COLUMNS = ("file", "points", "of", "passed", "wrong line", "slips", "summary")
 
 
-def _class(folder: Path, options: argparse.Namespace) -> int:
+def _class(folder: Path, options: argparse.Namespace, subject: Callable[[], Subject] | None) -> int:
     """A row of CSV for each answer of a folder; below it, on stderr, the commonest slips.
 
     0 if each could be marked.
@@ -129,7 +158,7 @@ def _class(folder: Path, options: argparse.Namespace) -> int:
     unmarked = 0
     for path in files:
         try:
-            *_, found = _with_lines(path.name, _marked(text_of(path), options))
+            *_, found = _with_lines(path.name, _marked(text_of(path), options, subject))
         except RigidtopError as error:
             writer.writerow([_cell(path.name), 0, 0, False, "", "", _cell(str(error))])
             unmarked += 1

@@ -18,7 +18,7 @@ from typing import Any
 import sympy
 from sympy import Expr, Ne, Pow, Symbol, cos, sin
 
-from rigidtop.derivations import lecture, models
+from rigidtop.derivations import models
 from rigidtop.mark.explain import (
     counterexample,
     explain,
@@ -29,7 +29,7 @@ from rigidtop.mark.explain import (
 )
 from rigidtop.mark.links import ERRORS, Link, Verdict, is_matrix, judge, one_angle
 from rigidtop.mark.marking import Mark, Marked, Marking
-from rigidtop.mark.passages import letters_of, passage, way
+from rigidtop.mark.passages import Subject, letters_of, passage, top, way
 from rigidtop.mark.steps import Step, steps, too_large
 from rigidtop.proof import bounds, decide
 from rigidtop.proof.counterexample import entries
@@ -48,14 +48,17 @@ def mark(
     goal: str,
     skip: Collection[int] = (),
     heard: Callable[[Marked], None] = lambda _: None,
+    subject: Subject | None = None,
 ) -> Marking:
     """Mark a derivation, the text of a file, from one numbered equation to another.
 
     The lines `skip`, counted from 0, are not judged: they are inconclusive.  `heard` is told each
-    line as soon as it is marked.  Raises RigidtopError where there are no facts for these two.
+    line as soon as it is marked.  The subject is the top if none is given.  Raises RigidtopError
+    where there are no facts for these two.
     """
-    answer = _Answer(passage(start, goal))
-    for i, step in enumerate(steps(source, letters_of(answer.passage))):
+    subject = subject or top()
+    answer = _Answer(passage(start, goal, subject), subject)
+    for i, step in enumerate(steps(source, letters_of(answer.passage, subject.notation))):
         heard(answer.take(step, judged=i not in skip))
     return answer.marking()
 
@@ -68,6 +71,7 @@ class _Answer:
     """Takes one line after the other."""
 
     passage: Passage
+    subject: Subject = field(default_factory=top)
     marked: list[Marked] = field(default_factory=list)
     true: list[Equation] = field(default_factory=list)
     definitions: dict[Expr, Expr] = field(default_factory=lambda: {**models.SLOPES_IN_RATES})
@@ -86,7 +90,7 @@ class _Answer:
 
     def marking(self) -> Marking:
         goal, lost = self.passage.goal, tuple(dict.fromkeys(self.lost))
-        arrives, pages = self._arrives(), way(self.passage.start, self.passage.goal)
+        arrives, pages = self._arrives(), way(self.passage.start, self.passage.goal, self.subject)
         if not arrives:
             note = pages.missing(self.true)
         else:
@@ -251,7 +255,7 @@ class _Answer:
         """Whether what is false follows from a false line above it, in words, and that line."""
         for line, above in reversed(self.wrong):
             try:
-                found = diagnose([equation], [Known("", (above,))], lecture().letters)
+                found = diagnose([equation], [Known("", (above,))], self.subject.lecture.letters)
             except ERRORS:
                 continue
             if found is not None and found.entailed:

@@ -14,6 +14,7 @@ from itertools import chain, pairwise
 from typing import Any
 
 import numpy as np
+from sympy import Symbol
 
 from rigidtop.derivations import models
 from rigidtop.derivations.letters import LETTERS
@@ -21,13 +22,15 @@ from rigidtop.mark.audited import LATE, Audited, Placed
 from rigidtop.mark.explain import counterexample
 from rigidtop.mark.links import Link
 from rigidtop.mark.links import judge as judge_in
-from rigidtop.mark.ruling import HOLDS, ORDER, Ruling, asserted, check_of, judged
+from rigidtop.mark.ruling import HOLDS, ORDER, Ruling, any_value, asserted, check_of, judged
 from rigidtop.mark.surroundings import Near, among, scaled
 from rigidtop.notation import NOTES, Notation
-from rigidtop.proof.equation import Equation, symbols_of
+from rigidtop.proof.counterexample import assertions, entries
+from rigidtop.proof.equation import Equation, Partial, Rate, Slope, symbols_of
+from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.page import Check, Claim, Correction, Definition, Evidence, Page, Remark
-from rigidtop.proof.verdict import Finding, Judgement, Verdict, judge_check
+from rigidtop.proof.verdict import Finding, Judgement, Verdict, judge, judge_check
 from rigidtop.read.document import Numbered, lines, numbered
 from rigidtop.read.formula import Line
 from rigidtop.read.walk import places
@@ -59,16 +62,19 @@ def audit(
     memo: Memo | None = None,
     seconds: float = SECONDS,
     letters: Letters = LETTERS,
+    lecture: Lecture | None = None,
 ) -> tuple[Audited, ...]:
     """Every numbered equation of a file, in order, judged by the claim of its number.
 
-    Once the time is up the rest is undecided, and says so.
+    A claim without checks of its own says what the lines of its number in the `lecture` say.  Once
+    the time is up the rest is undecided, and says so.
     """
     memo = memo if memo is not None else Memo()
     claims = {claim.name: (page, claim) for page in pages for claim in page.claims}
     place, end = places(source), time.process_time() + seconds
     return tuple(
-        _audited(place, group, claims, notation, letters, memo, end) for group in numbered(source)
+        _audited(place, group, claims, notation, letters, memo, end, lecture)
+        for group in numbered(source)
     )
 
 
@@ -112,6 +118,7 @@ def _audited(
     letters: Letters,
     memo: Memo,
     end: float,
+    lecture: Lecture | None,
 ) -> Audited:
     first = group.formulas[0].start
     key = group.number, tuple((formula.text, formula.start - first) for formula in group.formulas)
@@ -120,7 +127,7 @@ def _audited(
     elif time.process_time() > end:
         outcome = _Outcome((Line(0, None, LATE),), (Ruling(None, LATE),), None, ())
     else:
-        known = _known(group.number, claims, letters, memo)
+        known = _known(group.number, claims, letters, memo, lecture)
         outcome = memo.groups[key] = _outcome(_read(group, notation), known)
     placed = []
     for line, ruling in zip(outcome.lines, outcome.rulings, strict=True):
@@ -140,7 +147,11 @@ def _read(group: Numbered, notation: Notation) -> tuple[Line, ...]:
 
 
 def _known(
-    name: str, claims: Mapping[str, tuple[Page, Claim]], letters: Letters, memo: Memo
+    name: str,
+    claims: Mapping[str, tuple[Page, Claim]],
+    letters: Letters,
+    memo: Memo,
+    lecture: Lecture | None,
 ) -> _Known | None:
     if name not in claims:
         return None
@@ -148,16 +159,37 @@ def _known(
         page, claim = claims[name]
         evidence: tuple[Evidence, ...] = ()
         others: dict[int, Finding] = {}
+        own: dict[int, Finding] = {}
         problem = ""
         try:
             evidence = tuple(claim.evidence())
+            if not evidence and lecture is not None and name in lecture.names:
+                checks = _of_lines(lecture, name)
+                verdict = judge(claim, page.section, lecture, letters).verdict
+                evidence, own = checks, {i: Finding(x, verdict) for i, x in enumerate(checks)}
             for i, item in enumerate(evidence):
                 if isinstance(item, Check) and not _is_printed(item):
                     others[i] = judge_check(item, letters)
         except Exception as error:  # a claim that breaks lets nothing pass
             problem = f"the claim cannot be judged: {type(error).__name__}: {error}"
-        memo.claims[name] = _Known(page.section, claim, evidence, letters, others, problem)
+        memo.claims[name] = _Known(page.section, claim, evidence, letters, others, problem, own)
     return memo.claims[name]
+
+
+def _of_lines(lecture: Lecture, name: str) -> tuple[Check, ...]:
+    """What the lines of a number say: given, each letter and each derivative having any value."""
+    lines = [lecture.lines[id] for id in lecture.names[name]]
+    stated = dict.fromkeys(e for line in lines for e in line.equations if e.tag in ("", name))
+    return tuple(map(_stated, stated))
+
+
+def _stated(equation: Equation) -> Check:
+    nodes = set().union(*(side.atoms(Symbol, Rate, Partial, Slope) for side in equation.sides))
+    meaning = {node: any_value(node) for node in nodes - {const}}
+    if const in equation.sides or equation.relation not in ("=", "≡"):
+        return Check(equation, meaning)
+    said = assertions(equation, meaning)
+    return Check(equation, meaning, given=tuple(x for _, a, b in said for x in entries(a, b)))
 
 
 def _is_printed(item: Evidence) -> bool:

@@ -5,11 +5,13 @@ from __future__ import annotations
 import signal
 import sys
 import time
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from rigidtop.errors import RigidtopError
 from rigidtop.mark.answer import mark
 from rigidtop.mark.marking import Mark, Marked, Marking
+from rigidtop.mark.passages import Subject
 
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection
@@ -46,8 +48,11 @@ def marked(
     goal: str,
     a_line: float = SECONDS_A_LINE,
     altogether: float = SECONDS,
+    subject: Callable[[], Subject] | None = None,
 ) -> Marking:
     """`rigidtop.mark.answer.mark` in limited time (seconds): what takes longer is inconclusive.
+
+    The process makes the `subject`, which is the top if none is given.
 
     Raises RigidtopError for a pair of numbers without facts, and for a text that is too long, and
     MarkingError where the process breaks, is killed or runs out of memory.
@@ -55,11 +60,11 @@ def marked(
     if len(source) > LONGEST:
         raise RigidtopError(f"an answer has no more than {LONGEST} characters, not {len(source)}")
     if sys.platform == "emscripten":  # a browser has no processes; its reader can close the page
-        return mark(source, start, goal)
+        return mark(source, start, goal, subject=subject and subject())
     end = time.monotonic() + altogether
     skip: set[int] = set()
     while True:
-        found, lines = _run(source, start, goal, frozenset(skip), a_line, end)
+        found, lines = _run(source, start, goal, frozenset(skip), a_line, end, subject)
         if found is not None:
             return found
         if time.monotonic() >= end:
@@ -74,7 +79,13 @@ def marked(
 
 
 def _run(
-    source: str, start: str, goal: str, skip: frozenset[int], a_line: float, end: float
+    source: str,
+    start: str,
+    goal: str,
+    skip: frozenset[int],
+    a_line: float,
+    end: float,
+    subject: Callable[[], Subject] | None,
 ) -> tuple[Marking | None, tuple[Marked, ...]]:
     """The marking, or the lines that were marked before one took too long."""
     import multiprocessing
@@ -83,7 +94,7 @@ def _run(
     context = multiprocessing.get_context("fork" if sys.platform == "linux" else "spawn")
     ours, theirs = context.Pipe(duplex=False)
     process = context.Process(  # type: ignore[attr-defined]
-        target=_work, args=(theirs, source, start, goal, skip), daemon=True
+        target=_work, args=(theirs, source, start, goal, skip, subject), daemon=True
     )
     process.start()
     theirs.close()
@@ -109,7 +120,14 @@ def _run(
     return None, tuple(lines)
 
 
-def _work(pipe: Connection, source: str, start: str, goal: str, skip: frozenset[int]) -> None:
+def _work(
+    pipe: Connection,
+    source: str,
+    start: str,
+    goal: str,
+    skip: frozenset[int],
+    subject: Callable[[], Subject] | None,
+) -> None:
     """Mark, and say each line."""
     try:
         import resource
@@ -118,9 +136,10 @@ def _work(pipe: Connection, source: str, start: str, goal: str, skip: frozenset[
     except (ImportError, ValueError, OSError):
         pass  # not on every system; time is limited all the same
     try:
-        mark("", start, goal)  # what is loaded once
+        made = subject and subject()
+        mark("", start, goal, subject=made)  # what is loaded once
         pipe.send("ready")
-        pipe.send(mark(source, start, goal, skip, pipe.send))
+        pipe.send(mark(source, start, goal, skip, pipe.send, made))
     except RigidtopError as error:
         pipe.send(error)
     except MemoryError:

@@ -7,8 +7,8 @@ between say how much of the way an answer shows, and what comes next.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import pairwise
 from typing import Any
@@ -24,48 +24,67 @@ from rigidtop.notation import NOTES, Notation
 from rigidtop.proof.counterexample import entries
 from rigidtop.proof.derivation import Line
 from rigidtop.proof.equation import Equation, Partial, Rate, symbols_of
+from rigidtop.proof.lecture import Lecture
+from rigidtop.proof.letters import Letters
 from rigidtop.proof.model import Model, Passage, unknown
 from rigidtop.proof.trial import same
 from rigidtop.theory import symbols as s
 from rigidtop.typeset.text import text
 
 
+@dataclass(frozen=True, eq=False)
+class Subject:
+    """What answers are judged by: a lecture, models of which each family goes from the general to
+    the special, letters, and `goals` that are no matter of models alone."""
+
+    lecture: Lecture
+    families: tuple[tuple[Model, ...], ...]
+    notation: Notation
+    goals: Mapping[str, Passage] = field(default_factory=dict)
+
+
 @cache
-def passage(start: str, goal: str) -> Passage:
+def top() -> Subject:
+    """The lecture on the top."""
+    return Subject(lecture(), models.families(), NOTES, goals())
+
+
+@cache
+def passage(start: str, goal: str, subject: Subject | None = None) -> Passage:
     """The passage between two numbers or names.  Raises RigidtopError where there is none."""
+    subject = subject or top()
     start, goal = start.strip("()"), goal.strip("()")
     refused = f"no derivation from {start} to {goal} is marked"
-    names = lecture().names
+    names = subject.lecture.names
     for name in (start, goal):
         if name not in names:
             raise RigidtopError(f"{refused}: no line of the lecture is called {name!r}")
-    if not _leads(start, goal):
+    if not _leads(start, goal, subject.lecture):
         raise RigidtopError(f"{refused}: the lecture does not lead from the one to the other")
     try:
-        found = goals().get(goal) or _by_models(goal)
-        return replace(found, start=start, families=lecture().letters.families)
+        found = subject.goals.get(goal) or _by_models(goal, subject)
+        return replace(found, start=start, families=subject.lecture.letters.families)
     except _NoGoalError as why:
         raise RigidtopError(f"{refused}: {why}") from None
 
 
-def letters_of(passage: Passage) -> Notation:
+def letters_of(passage: Passage, notation: Notation = NOTES) -> Notation:
     """The notes' letters, but only those that mean something here."""
     known = set().union(*(model.symbols() for model in passage.models))
-    glyphs = {x: glyph for x, glyph in NOTES.glyphs.items() if x in known}
-    spellings = {g: x for g, x in NOTES.spellings.items() if x in known}
+    glyphs = {x: glyph for x, glyph in notation.glyphs.items() if x in known}
+    spellings = {g: x for g, x in notation.spellings.items() if x in known}
     for x in (*models.MOMENTUM_RATES.values(), *models.OTHER_RATES.values()):
         if x in known:
             glyphs[x] = x.quantity.glyph
-    return replace(NOTES, glyphs=glyphs, spellings=spellings)
+    return replace(notation, glyphs=glyphs, spellings=spellings)
 
 
 class _NoGoalError(Exception):
     """Why a line of the lecture is not marked as a goal."""
 
 
-def _leads(start: str, goal: str) -> bool:
+def _leads(start: str, goal: str, pages: Lecture) -> bool:
     """Whether the goal rests on the start, or stands behind it on the same page."""
-    pages = lecture()
     first, last = pages.names[start], pages.names[goal]
     if first == last:
         return False
@@ -73,22 +92,23 @@ def _leads(start: str, goal: str) -> bool:
         return True
     lines = list(pages.lines)
     same_page = pages.lines[first[0]].file == pages.lines[last[0]].file
-    return same_page and bool(_derived(goal)) and lines.index(first[-1]) < lines.index(last[0])
+    return (
+        same_page and bool(_derived(goal, pages)) and lines.index(first[-1]) < lines.index(last[0])
+    )
 
 
-def between(start: str, goal: str) -> tuple[Line, ...]:
+def between(start: str, goal: str, subject: Subject) -> tuple[Line, ...]:
     """The lines of the pages that rest on the start and that the goal rests on."""
-    pages, stated = lecture(), passage(start, goal).equations
-    goals = {line.id for line in _derived(goal) if {*stated} & {*line.equations}}
+    pages, stated = subject.lecture, passage(start, goal, subject).equations
+    goals = {line.id for line in _derived(goal, pages) if {*stated} & {*line.equations}}
     above = {x for id in goals for x in pages.above(id)}
     below = {x for id in pages.names[start] for x in pages.below(id)}
     ids = (above & below) - {*pages.names[start]} - goals
     return tuple(line for id, line in pages.lines.items() if id in ids)
 
 
-def _derived(goal: str) -> tuple[Line, ...]:
+def _derived(goal: str, pages: Lecture) -> tuple[Line, ...]:
     """What the lecture derives under a number, or a name; a number may be that of a definition."""
-    pages = lecture()
     lines = [pages.lines[id] for id in pages.names[goal] if id not in pages.laws]
     numbered = [line for line in lines if any(e.tag == goal for e in line.equations)]
     return tuple(numbered or (x for x in lines if x.move is not None and x.move.verb != "call"))
@@ -97,12 +117,12 @@ def _derived(goal: str) -> tuple[Line, ...]:
 # --- A goal that is judged by the models there are ------------------------------------------------
 
 
-def _by_models(goal: str) -> Passage:
+def _by_models(goal: str, subject: Subject) -> Passage:
     """The facts under which a goal holds: the most general ones, and all that are more general.
 
     Raises _NoGoalError.
     """
-    lines = _derived(goal)
+    lines = _derived(goal, subject.lecture)
     if len(lines) != 1:
         raise _NoGoalError(f"{goal} is {len(lines)} lines there, not one")
     equations = lines[0].equations
@@ -113,7 +133,7 @@ def _by_models(goal: str) -> Passage:
         raise _NoGoalError(f"{goal} is about a derivative, which every line of it could rename")
     letters = {x for e in equations for x in symbols_of(e)}
     strange: set[Symbol] = set(letters)
-    for family in models.families():
+    for family in subject.families:
         for k, model in enumerate(family):
             strange = min(strange, letters - model.symbols(), key=len)
             if not (letters <= model.symbols() and all(_holds(e, model) for e in equations)):
@@ -121,7 +141,7 @@ def _by_models(goal: str) -> Passage:
             loose = _loose(equations, model)
             if loose is not None:
                 told = {x for e in equations for x in _told(e, model)}
-                known = {*lecture().letters.units}
+                known = {*subject.lecture.letters.units}
                 for x in letters - told:
                     letters |= getattr(model.value(x), "free_symbols", set()) & known
                 return Passage(goal, family[: k + 1], loose, equations, frozenset(letters))
@@ -174,13 +194,14 @@ class Way:
     start: str
     goal: str
     lines: tuple[Line, ...]
+    letters: Letters
 
     def next(self, shown: Collection[Equation]) -> Line | None:
         """The line behind the last one that is shown; the first where none is."""
         said = [each for equation in shown for each in _of_page(equation)]
-        behind, letters = 0, lecture().letters
+        behind = 0
         for k, line in enumerate(self.lines):
-            if any(same(one, e, letters) for e in line.equations for one in said):
+            if any(same(one, e, self.letters) for e in line.equations for one in said):
                 behind = k + 1
         return self.lines[behind] if behind < len(self.lines) else None
 
@@ -203,9 +224,9 @@ class Way:
 
 
 @cache
-def way(start: str, goal: str) -> Way:
+def way(start: str, goal: str, subject: Subject) -> Way:
     """The way between the ends of a passage."""
-    return Way(start, goal, between(start, goal))
+    return Way(start, goal, between(start, goal, subject), subject.lecture.letters)
 
 
 def _of_page(equation: Equation) -> Iterator[Equation]:

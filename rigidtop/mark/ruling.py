@@ -60,13 +60,14 @@ def check_of(item: Evidence) -> Check:
     return Check(item.equation, meaning, reason=item.reason)
 
 
-def any_value(symbol: Symbol) -> Any:
-    """The symbol as a number, a vector or a matrix of which nothing is known."""
-    rows, columns = {"vector": (3, 1), "matrix": (3, 3)}.get(kind(symbol), (0, 0))
+def any_value(node: Expr) -> Any:
+    """A letter or a derivative as a number, a vector or a matrix of which nothing is known."""
+    rows, columns = {"vector": (3, 1), "matrix": (3, 3)}.get(kind(node), (0, 0))
     if not rows:
-        return symbol
-    entries = sympy.symbols(f"{symbol.name}_(:{rows * columns})", real=True)
-    return sympy.Matrix(rows, columns, list(entries))
+        return node if isinstance(node, Symbol) else Symbol(text(node), real=True)
+    name = text(node)
+    entries = [Symbol(f"{name}_{k}", real=True) for k in range(rows * columns)]
+    return sympy.Matrix(rows, columns, entries)
 
 
 def judged(equation: Equation, check: Check, letters: Letters) -> Ruling:
