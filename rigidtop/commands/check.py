@@ -16,9 +16,13 @@ from rigidtop.errors import RigidtopError
 from rigidtop.terminal.progress import over
 
 if TYPE_CHECKING:
+    from sympy import Expr
+
     from rigidtop import collection as collections
     from rigidtop.notation import Notation
     from rigidtop.proof.lecture import Lecture, Text, Trial
+    from rigidtop.proof.page import Claim, Page
+    from rigidtop.proof.verdict import Judgement
 
 ABOUT = "judge every claim and compare the numbers"
 
@@ -63,7 +67,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--thorough",
         action="store_true",
         help="besides, drop each line's premises one by one, and change it in ten ways or more: "
-        "all have to fall",
+        "all have to fall; and confirm what was found to be zero by another arithmetic",
     )
     add_notation(parser)
 
@@ -131,9 +135,10 @@ def _run(
     # A claim that only its lines show is judged by them.
     quick = options.quick and all(claim.evidence is not by_lines for _, claim in found)
     lecture = None if quick else collection.as_written(solved)
-    judgements = [judgement for _, judgement in claims.judged(found, collection.letters, lecture)]
+    judgements, vanishing = judged(found, collection, lecture, not names)
+    denied, confirmation = confirmed(vanishing) if options.thorough else ([], [])
     trials = tried(lecture, names) if lecture is not None and options.thorough else {}
-    amiss = [line for place, trial in trials.items() for line in _amiss(place, trial)]
+    amiss = [line for place, trial in trials.items() for line in _amiss(place, trial)] + denied
     if lecture is not None:
         ids = lecture.leading(claim.name for _, claim in found) if names else None
         amiss = [*faults(lecture, ids), *amiss]
@@ -172,7 +177,7 @@ def _run(
         print(line)
     if trials:
         print(_counts([*trials.values()]))
-    for line in model[-1:]:
+    for line in (*confirmation, *model[-1:]):
         print(line)
     print(claims.summary(judgements))
     return 0 if passed else claims.FAILED
@@ -220,6 +225,50 @@ def tried(lecture: Lecture, names: Sequence[str]) -> dict[str, Trial]:
         f"{line.file}, line {line.at}": lecture.trial(line.id)
         for line in over("changing lines", lines)
     }
+
+
+def judged(
+    found: Sequence[tuple[Page, Claim]],
+    collection: collections.Collection,
+    lecture: Lecture | None,
+    lines: bool,
+) -> tuple[list[Judgement], dict[Expr, str]]:
+    """Claims judged, with all `lines` if asked; and what was found to be zero, and where."""
+    from rigidtop.proof.confirmation import zeros
+
+    judgements: list[Judgement] = []
+    places: dict[Expr, str] = {}
+
+    def take(place: str) -> None:
+        for zero in here:
+            places.setdefault(zero, place)
+        here.clear()
+
+    with zeros() as here:
+        if lecture is not None and lines:
+            for line in over("following lines", [*lecture.lines.values()]):
+                lecture.judged(line.id)
+                take(f"{line.file}, line {line.at}")
+        for _, judgement in claims.judged(found, collection.letters, lecture):
+            judgements.append(judgement)
+            take(judgement.claim.name)
+    return judgements, places
+
+
+def confirmed(zeros: Mapping[Expr, str]) -> tuple[list[str], list[str]]:
+    """What another arithmetic refutes of what was found to be zero, a line each, and the counts."""
+    from rigidtop.proof.confirmation import confirmed
+
+    found = {zero: confirmed(zero) for zero in over("confirming", [*zeros])}
+    denied = [
+        f"{zeros[x]}: another arithmetic refutes that this is 0: {x}"
+        for x, each in found.items()
+        if each is False
+    ]
+    right, unknown = (sum(each is said for each in found.values()) for said in (True, None))
+    more = f", {unknown} of which it knows no value" if unknown else ""
+    counts = f"{right} zero{'s' * (right != 1)} confirmed by another arithmetic, {len(denied)} not"
+    return denied, [counts + more]
 
 
 def _amiss(place: str, trial: Trial) -> list[str]:

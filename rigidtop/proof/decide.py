@@ -17,6 +17,7 @@ import sympy
 from sympy import Expr, Integer, Matrix, Rational, Symbol, cos, sin
 
 from rigidtop.proof import floats
+from rigidtop.proof.confirmation import heard
 from rigidtop.theory.polynomial import Polynomial
 
 
@@ -32,6 +33,7 @@ class Verdict(StrEnum):
     UNDECIDED = "undecided"
 
 
+@heard
 def vanishes(expression: Expr) -> bool:
     """True only if the expression is identically zero, shown by its normal form.
 
@@ -54,6 +56,7 @@ MOST_SHOWN = 4000
 """Beyond so many operations nothing is shown by normal forms: numbers only."""
 
 
+@heard
 def evidence(expression: Expr) -> Verdict | None:
     """PROVED or SAMPLED where an expression vanishes whatever its symbols are; None where not.
 

@@ -11,6 +11,7 @@ from sympy import Add, Basic, Dummy, Expr, Integer, MatrixBase, Mul, Pow, Symbol
 from sympy.integrals.manualintegrate import manualintegrate
 
 from rigidtop.proof import decide
+from rigidtop.proof.confirmation import heard
 from rigidtop.proof.equation import NoMeaningError, Printed, Transposed
 
 Value = Any
@@ -141,6 +142,7 @@ def agree(left: Value, right: Value) -> bool:
     return all(vanishes(part) for part in components(left, right))
 
 
+@heard
 def vanishes(expression: Expr) -> bool:
     """Whether a scalar with atoms in it, or an operator, is zero."""
     if expression == 0:
