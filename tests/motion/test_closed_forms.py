@@ -233,6 +233,21 @@ def test_equal_momenta_without_the_energy_to_reach_the_upright():
     assert pushed.regime == "through the vertical"
 
 
+@pytest.mark.parametrize(
+    ("off", "regime"), [(0.0, "through the vertical"), (1e-13, "waves"), (-1e-13, "loops")]
+)
+def test_opposite_momenta_lead_through_the_hanging_position_to_rounding(off, regime):
+    top = rt.HeavyTop(lambda1=1.3, lambda3=0.7, M=0.8, R=0.6)
+    theta, omega3 = (
+        x.ravel() for x in np.meshgrid(np.radians(range(91, 172, 4)), (3.0, -7.1, 0.3))
+    )
+    spin = top.lambda3 * omega3 / top.lambda1
+    phi_dot = -spin * (1 + np.cos(theta)) / np.sin(theta) ** 2 * (1 + off)
+    starts = zip(theta, phi_dot, omega3, strict=True)
+    motions = [top.motion(theta=x, theta_dot=0.4, phi_dot=y, omega3=z) for x, y, z in starts]
+    assert {motion.regime for motion in motions} == {regime}
+
+
 def test_regime_of_a_top_without_weight():
     top = rt.HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5, g=0.0)
     assert top.motion(theta=0.5, phi_dot=1.0, omega3=3.0).regime == "free precession"

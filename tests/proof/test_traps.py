@@ -250,6 +250,22 @@ $$\Omega_b = \frac{(\lambda_1 - \lambda_3)\omega_3}{\lambda_1}$$
 """,
         "at a moment, or approximately, does not keep it",
     ),
+    "a definition holds where that does which keeps it": (
+        r"""
+Set $\omega_1 = 0$ at all times in the rate of spin:
+
+$$\dot\omega_3 = 0$$
+
+Call the number, with it:
+
+$$\Omega_b = \frac{(\lambda_1 - \lambda_3)\omega_3}{\lambda_1}$$
+
+Differentiate it by $\omega_3$:
+
+$$0 = \frac{\lambda_1 - \lambda_3}{\lambda_1}$$
+""",
+        "the number holds along the motion only",
+    ),
     "a number that is kept approximately": (
         r"""
 Expand the rate of spin to first order in $\omega_1$ and $\omega_2$:

@@ -567,6 +567,40 @@ def test_a_long_table_may_be_broken():
 
 
 @pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
+def test_wide_tables_and_figures_stand_behind_narrow_tables_of_their_solution():
+    """They go over both columns, and would hold up what stands in one."""
+
+    def numbered(title, columns):
+        return Table(tuple(f"$c_{k}$" for k in range(columns)), (("1",) * columns,), title)
+
+    def words(text):
+        return Paragraph((text,))
+
+    first, second = (Heading(2, "", title, title) for title in ("First", "Second"))
+    values = Table(("what", "", ""), (("a", "1", ""),), "listed", "values")
+    blocks = [
+        *(
+            words("above"),
+            numbered("kept", 7),
+            numbered("here", 6),
+        ),  # in one column all stand still
+        Heading(1, "", "Solutions", "solutions"),
+        *(first, words("begins"), words("goes on"), values),
+        *(numbered("wide", 7), FIGURE, numbered("narrow", 6), words("ends")),
+        *(second, words("then"), numbered("wider", 9), words("last"), numbered("small", 2)),
+    ]
+    source = tex.write(Document("T", "S", tuple(blocks), "C"), {"small": "figures/small.pdf"})
+    body = source[source.index(r"\begin{document}") :]
+    order = [
+        *("above", "kept", "here", "Solutions"),
+        *("First", "begins", "narrow", "wide", "figures/small", "goes on", "listed", "ends"),
+        *("Second", "then", "small", "wider", "last"),
+    ]
+    marks = {x: rf"rttable{{{x}}}" for x in ("kept", "here", "narrow", "wide", "small", "wider")}
+    places = [body.index(marks.get(each, each)) for each in order]
+    assert places == sorted(places)
+
+
 def test_an_error_of_latex_is_one_line():
     source = "\\documentclass{article}\n\\begin{document}\n\\nonsense\n\\end{document}\n"
     with pytest.raises(pdf.LatexError) as caught:
