@@ -609,6 +609,32 @@ def test_a_mark_stands_at_the_sign_of_the_last_line(projector):
         assert abs(projector.execute_script(MARK)) < 2
 
 
+ASTRAY = """const [words] = arguments;
+[...document.querySelectorAll(".tools button")].find((each) => each.textContent === words).click();
+const every = [...document.querySelectorAll(".row .seal")];
+const seals = every.filter((seal) => seal.getClientRects().length);
+return [seals.length, seals.filter((seal) => {
+  const { y, height } = seal.getBoundingClientRect();
+  const { top, bottom } = seal.closest(".row").querySelector(".eq").getBoundingClientRect();
+  return y + height / 2 < top || y + height / 2 > bottom;
+}).length]"""
+
+
+def test_a_mark_stays_beside_its_equation_in_every_view(document, drawn, tmp_path):
+    path = tmp_path / "lecture.html"
+    svg = {name: page.decode() for name, (_, page) in drawn.items()}
+    path.write_text(html.write(document, svg), "utf-8")
+    driver = chrome()
+    try:
+        driver.get(path.as_uri())
+        for view in ("Results only", "Steps", "Steps and reasons"):
+            marks, astray = driver.execute_script(ASTRAY, view)
+            assert marks > 80, view
+            assert astray == 0, view
+    finally:
+        driver.quit()
+
+
 def test_the_arrow_keys_uncover_lines(projector):
     def shown(key):
         projector.execute_script(PRESS, key)

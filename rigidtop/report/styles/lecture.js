@@ -17,7 +17,10 @@
     return made;
   };
   const ways = [["Results only", "results"], ["Steps", "steps"], ["Steps and reasons", "all"]];
-  const choices = ways.map(([said, way]) => [button(said, () => show(way)), way]);
+  const choices = ways.map(([said, way]) => [button(said, () => {
+    show(way);
+    fitted(); // what was hidden, or stands elsewhere now
+  }), way]);
   const show = (way) => {
     root.dataset.show = way;
     for (const [made, each] of choices) made.setAttribute("aria-pressed", String(each === way));
