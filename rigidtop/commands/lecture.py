@@ -53,7 +53,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--format", choices=["myst"], help="also the pages as a MyST project, for a course site"
     )
     parser.add_argument(
-        "--live", action="store_true", help="figures of motions can be played in the HTML"
+        "--live",
+        action=argparse.BooleanOptionalAction,
+        help="figures of motions can be played in the HTML (default: where the extra 'web' is "
+        "installed)",
     )
     add_look(parser)
     add_notation(parser)
@@ -86,20 +89,36 @@ def _listed(files: Sequence[Path], folder: str) -> str:
     return f"{folder}: {', '.join(sorted(names, key=lambda name: '(' in name))}"
 
 
+def playable(wished: bool | None) -> bool:
+    """Whether figures can be played: as it is wished, else where what plays them is installed.
+
+    Raises RigidtopError where it is wished and not installed, before half a minute of work.
+    """
+    from rigidtop.web.page import three
+
+    if wished is False:
+        return False
+    try:
+        three()
+    except RigidtopError:
+        if wished:
+            raise
+        return False
+    return True
+
+
 def _run(collection: Collection, options: argparse.Namespace) -> int:
     from rigidtop.figures.catalog import FIGURES
     from rigidtop.report.lecture import Edition, Wanted, write_lecture
     from rigidtop.report.solutions import solved
     from rigidtop.terminal.files import check_folder
-    from rigidtop.web.page import three
     from rigidtop.web.player import player
 
     if options.record and (options.slides or options.fragment or options.format or options.live):
         raise RigidtopError(
             "--record is the record alone: leave --slides, --fragment, --format, --live out"
         )
-    if options.live:
-        three()  # before half a minute of work, not after it
+    live = not options.record and playable(options.live)
     notation, look = chosen(options), look_of(options)
     front, points = front_of(options, collection.front), points_of(options)
     check_folder(options.output)  # before half a minute of work, not after it
@@ -134,7 +153,7 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
             options.slides,
             options.fragment,
             options.format == "myst",
-            player if options.live else None,
+            player if live else None,
         ),
         options.record,
     )

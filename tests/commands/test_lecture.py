@@ -5,6 +5,8 @@ import re
 import pytest
 
 from rigidtop.cli import main
+from rigidtop.commands import lecture
+from rigidtop.web.page import THREE
 
 
 @pytest.fixture(scope="module")
@@ -100,3 +102,26 @@ def test_what_makes_no_sense_is_one_line(capsys, tmp_path, asked, said):
     error = capsys.readouterr().err
     assert said in error
     assert error.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("wished", "installed", "plays"),
+    [
+        (None, True, True),
+        (None, False, False),
+        (True, True, True),
+        (False, True, False),
+        (False, False, False),
+    ],
+)
+def test_figures_play_where_what_plays_them_is_installed(monkeypatch, wished, installed, plays):
+    monkeypatch.setattr("rigidtop.web.page.THREE", THREE if installed else "nowhere.js")
+    assert lecture.playable(wished) is plays
+
+
+def test_a_wish_for_play_that_cannot_be_is_one_line(monkeypatch, capsys, tmp_path):
+    monkeypatch.setattr("rigidtop.web.page.THREE", "nowhere.js")
+    assert main(["lecture", "--live", "-o", str(tmp_path / "out")]) == 2
+    assert capsys.readouterr().err == (
+        "rigidtop lecture: the live page wants three.js: pip install 'rigidtop[web]'\n"
+    )
