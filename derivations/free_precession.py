@@ -60,8 +60,9 @@ def inertia_full() -> Iterator[Evidence]:
         printed.lines("inertia-full")[3],
         {s.I_xz: tensor[0, 2]},
         (Assumption(Eq(s.lambda2, s.lambda1), "a symmetric top"),),
-        "It vanishes for every upright top, and at all times for a sphere. Of a symmetric top "
-        "with the Euler angles of section 3.3 it is",
+        "It vanishes for every upright top, and at all times for a sphere. Of a symmetric top, "
+        "for which it vanishes too where the axis is horizontal, it is in the Euler angles of "
+        "section 3.3",
     )
 
 

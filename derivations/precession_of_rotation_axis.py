@@ -269,9 +269,11 @@ def free_fall() -> Iterator[Evidence]:
 def example_33() -> Iterator[Evidence]:
     """At given $L$ the energy is least about the axis of the largest moment.
 
-    Friction inside the body lowers $T$ and leaves $L$ in space alone, so a body that loses energy
-    ends there; Toutatis has not yet. A ball in oil inside stands for whatever rubs. (Moments and
-    spin state: Takahashi, Busch & Scheeres 2013.)
+    Friction inside the body takes energy while something moves in it, and leaves $L$ in space
+    alone. Off the principal axes $𝛚$ changes, so that a ball in oil, which stands for whatever
+    rubs, does not stay at rest in the body. A body that has lost what it can turns about the axis
+    of the largest moment; Toutatis does not yet. (Moments and spin state: Takahashi, Busch &
+    Scheeres 2013.)
     """
     observed = dict(zip((s.lambda1, s.lambda2, s.lambda3), toutatis.MOMENTS, strict=True))
     spin = Matrix(toutatis.OMEGA_1992)
@@ -309,7 +311,7 @@ def example_33() -> Iterator[Evidence]:
         {s.T_totdot: -s.damping * s.delta**2},
         (
             Assumption(Gt(s.damping, 0), "energy is lost inside the body"),
-            Assumption(Ne(s.delta, 0), "$𝛚$ is not along a principal axis", stated=True),
+            Assumption(Ne(s.delta, 0), "the ball turns in the body", stated=True),
         ),
     )
 
