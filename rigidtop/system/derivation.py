@@ -28,11 +28,10 @@ from rigidtop.report.blocks import Display
 from rigidtop.report.ways import gap, step, text_blocks
 from rigidtop.system.derived import Derived
 from rigidtop.system.forms import parts_of, short
-from rigidtop.system.names import own_functions
+from rigidtop.system.names import lettered, own_functions
 from rigidtop.theory.lettered import Lettered
-from rigidtop.theory.symbols import VOCABULARY, E, Lagrangian, Quantity, const
+from rigidtop.theory.symbols import E, Lagrangian, const
 from rigidtop.typeset.latex import latex
-from rigidtop.typeset.nodes import glyph
 
 if TYPE_CHECKING:
     from rigidtop.report.blocks import Block as Written
@@ -140,17 +139,6 @@ def derivation(system: Derived, section: str = "") -> Derivation:
     return Derivation(system, Lecture(writer.letters, (page,)))
 
 
-def _quantity(symbol: Symbol) -> Quantity | None:
-    """What is known of a symbol: of the lecture's own, and of one that brings its letter."""
-    return VOCABULARY.get(symbol) or getattr(symbol, "quantity", None)
-
-
-def _lettered(symbol: Symbol, place: int) -> Symbol:
-    """The same with a letter and a place in print."""
-    quantity = _quantity(symbol) or Quantity(glyph(symbol.name), "", "")
-    return Lettered(symbol.name, quantity, place, **symbol.assumptions0)
-
-
 @dataclass
 class _Writer:
     """Writes the lines in order, in letters that have their places in print."""
@@ -166,7 +154,7 @@ class _Writer:
         """Rates and coordinates with their places in print; parameters have none of their own."""
         names = self.system.names
         row = [*names.a, *names.v, *names.q]
-        return {x: _lettered(x, place) for place, x in enumerate(row)} | {names.t: TIME}
+        return {x: lettered(x, place) for place, x in enumerate(row)} | {names.t: TIME}
 
     @cached_property
     def letters(self) -> Letters:

@@ -20,6 +20,7 @@ from rigidtop.motion import checks
 from rigidtop.parameters import in_one_line
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import Glyph, Quantity
+from rigidtop.typeset.nodes import glyph
 
 ExprOrMatrix = TypeVar("ExprOrMatrix", Expr, MatrixBase)
 
@@ -186,6 +187,12 @@ def like(x: Symbol, name: str, **assumed: bool) -> Symbol:
     if isinstance(x, Lettered):
         return Lettered(name, x.quantity, x.place, **assumptions)
     return Symbol(name, **assumptions)
+
+
+def lettered(x: Symbol, place: int = 0) -> Lettered:
+    """The same symbol with its letter, and a place in print; a plain one means what it likes."""
+    quantity = x.quantity if isinstance(x, Lettered) else Quantity(glyph(x.name), "", "")
+    return Lettered(x.name, quantity, place, **x.assumptions0)
 
 
 def _dotted(x: Symbol, free: _Free, order: int) -> Symbol:

@@ -9,7 +9,7 @@ from rigidtop.codegen import languages
 from rigidtop.codegen.values import Value, Values
 from rigidtop.errors import RigidtopError
 from rigidtop.proof.equation import Equation
-from rigidtop.system.names import like
+from rigidtop.system.names import lettered, like
 from rigidtop.typeset.text import text
 
 if TYPE_CHECKING:
@@ -27,10 +27,9 @@ def source(system: Derived, language: str, name: str) -> str:
     n = len(names.q)
     letters = (*names.a, *system.multipliers)
     results = (*program.results[:n], *(-x for x in program.results[n:]))
-    own = {v: like(v, names.spelled(v)) for v in names.v}
-    back = {x: v for v, x in own.items()}
+    own = {v: like(lettered(v), names.spelled(v)) for v in names.v}
     outputs = tuple(
-        Value(names.spelled(x), value.xreplace(own), Equation(x, value), x)
+        Value(names.spelled(x), value.xreplace(own), Equation(x, value), lettered(x))
         for x, value in zip(letters, results, strict=True)
     )
     used = set().union(*(x.free_symbols for x in (*results, *(e for _, e in program.shared))))
@@ -40,12 +39,17 @@ def source(system: Derived, language: str, name: str) -> str:
         claim=name,
         says="the accelerations of " + ", ".join(text(x) for x in names.q),
         outputs=outputs,
-        arguments=(*time, *names.q, *own.values(), *(x for x in given if x not in time)),
+        arguments=(
+            *time,
+            *map(lettered, names.q),
+            *own.values(),
+            *(lettered(x) for x in given if x not in time),
+        ),
         lines=(),
         shared=tuple((x, value.xreplace(own)) for x, value in program.shared),
     )
     try:
-        return languages.source(made, language, lambda x: text(back.get(x, x))).text
+        return languages.source(made, language, text).text
     except NotImplementedError as error:
         [what] = re.findall(r"by <class '[^']*'>: (?:<class '[\w.]*\.)?(\w+)", str(error))[:1] or [
             error

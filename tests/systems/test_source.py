@@ -1,6 +1,7 @@
 """Source of a system evaluates to what its own functions evaluate to."""
 
 import json
+import re
 import shutil
 import subprocess
 from itertools import pairwise
@@ -134,3 +135,13 @@ def test_bad_input_is_one_line():
         BOB.source("rust")
     with pytest.raises(rt.RigidtopError, match="'my code' is no name for a function"):
         BOB.source("c", "my code")
+
+
+def test_a_letter_of_ones_own_has_no_meaning_of_the_lectures():
+    """There a is a distance and θ an Euler angle."""
+    a, (theta, rate) = symbols("a", positive=True), symbols("theta thetadot", real=True)
+    made = rt.System(m * rate**2 / 2 - a * theta**2 / 2, theta, rate).source("c")
+    comment = made[: made.index("*/")]
+    for meaning in ("distance", "angle", "(m)", "(rad"):
+        assert meaning not in comment
+    assert re.search(r"theta +θ\n", comment)
