@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from rigidtop.mark.rows import Row
     from rigidtop.notation import Notation
     from rigidtop.proof.equation import Equation
+    from rigidtop.read.macros import Macros
     from rigidtop.read.project import Source
     from rigidtop.read.walk import Formula
     from rigidtop.report.annotated import Formula as Shown
@@ -129,7 +130,7 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
         from rigidtop.terminal.files import write_whole
 
         unread = [f"{each.place}: unread: {each.note}" for each in told if each.of is Of.PLACE]
-        whole = *shown(source, audited, notation), summary(told), unread
+        whole = *shown(source, audited, notation, known.macros), summary(told), unread
         write_whole(output, write(path.name, source, *whole).encode())
     if options.json:
         print_json([each.record for each in told])
@@ -388,7 +389,7 @@ _OPENING = re.compile(r"(?:\$\$|\$|\\\(|\\\[|\\begin\{\w+\*?\})$")
 
 
 def shown(
-    source: str, audited: Sequence[Audited], notation: Notation
+    source: str, audited: Sequence[Audited], notation: Notation, macros: Macros
 ) -> tuple[list[Shown], list[Mark]]:
     """The formulas of the text and the marks beside those with a number."""
     from rigidtop.read.document import SECONDS, formulas
@@ -409,26 +410,30 @@ def shown(
                 verdict=each.verdict,
                 passed=each.passed,
                 note=each.note,
-                formulas=tuple(_whole(source, each)),
+                formulas=tuple(_whole(each, macros)),
             )
         )
     taken = {formula.start for each in audited for formula in each.group.formulas}
     others = [
-        _shown(source, each, notation, until)
+        _shown(source, each, notation, macros, until)
         for each in formulas(source)
         if each.start not in taken
     ]
     return others, marks
 
 
-def _whole(source: str, each: Audited) -> list[Shown]:
+def _whole(each: Audited, macros: Macros) -> list[Shown]:
     """A group as one formula with all its equations; as its sources where one is unread."""
     from rigidtop.report.annotated import Formula
+    from rigidtop.report.transcript import transcript
 
     equations = tuple(placed.equation for placed in each.placed if placed.equation is not None)
     if len(equations) == len(each.placed):
         return [Formula(0, 0, "", equations, display=True)]
-    return [Formula(0, 0, formula.text, display=True) for formula in each.group.formulas]
+    return [
+        Formula(0, 0, x.text, display=True, signs=transcript(x.text, macros, display=True))
+        for x in each.group.formulas
+    ]
 
 
 def _opening(source: str, formula: Formula) -> int:
@@ -438,10 +443,13 @@ def _opening(source: str, formula: Formula) -> int:
     return first + opening.start() if opening else formula.start
 
 
-def _shown(source: str, formula: Formula, notation: Notation, until: float) -> Shown:
+def _shown(
+    source: str, formula: Formula, notation: Notation, macros: Macros, until: float
+) -> Shown:
     """A formula of the text, typeset if it is read, in time, and nothing of it is lost."""
     from rigidtop.read.formula import read
     from rigidtop.report.annotated import Formula as Shown
+    from rigidtop.report.transcript import transcript
 
     text = formula.text.strip()
     late = time.process_time() > until
@@ -452,4 +460,5 @@ def _shown(source: str, formula: Formula, notation: Notation, until: float) -> S
         trees = tuple(line.equation and line.equation.sides[1] for line in lines)
     if None in trees or _LOST.search(text):
         trees = ()
-    return Shown(_opening(source, formula), formula.end, text, trees, formula.display)
+    signs = "" if trees else transcript(text, macros, formula.display)
+    return Shown(_opening(source, formula), formula.end, text, trees, formula.display, signs)

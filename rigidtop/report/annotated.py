@@ -27,8 +27,8 @@ NARROWER = NARROW - 4
 class Formula:
     """A formula and its place in the text, dollars included.
 
-    `trees` are the equations, or the expression, that were read; the TeX `source` is shown where
-    nothing was.
+    `trees` are the equations, or the expression, that were read.  Where nothing was, its `signs`
+    are shown, a ``<math>`` element, and where it has none the TeX `source`.
     """
 
     start: int
@@ -36,6 +36,7 @@ class Formula:
     source: str
     trees: tuple[Any, ...] = ()
     display: bool = False
+    signs: str = ""
 
 
 @dataclass(frozen=True)
@@ -125,8 +126,8 @@ def write(
 {body}
 </div>
 <footer class="colophon"><p>Each numbered equation as it was read, with the verdict of the
-collection of derivations; of other formulas only counts are given. What was not read is shown as
-its TeX.</p></footer>
+collection of derivations; of other formulas only counts are given. What was not read is set
+sign by sign, as it is written.</p></footer>
 </main>
 </body>
 </html>
@@ -171,7 +172,7 @@ def _framed(mark: Mark, n: int) -> str:
 
 def _block(formula: Formula) -> str:
     if not formula.trees:
-        return f"<code>{escape(_clean(formula.source.strip()))}</code>"
+        return _unread(formula)
     wide, narrow = (
         mathml.display(formula.trees, "printed", limit) for limit in (sizes.LINE, NARROWER)
     )
@@ -182,11 +183,15 @@ def _block(formula: Formula) -> str:
     )
 
 
+def _unread(formula: Formula) -> str:
+    return formula.signs or f"<code>{escape(_clean(formula.source.strip()))}</code>"
+
+
 def _inline(formula: Formula) -> str:
     if formula.display and all(isinstance(tree, Equation) for tree in formula.trees):
         return f'<span class="shown eq">{_block(formula)}</span>'
     if not formula.trees:
-        return f"<code>{escape(_clean(formula.source.strip()))}</code>"
+        return _unread(formula)
     return ", ".join(mathml.mathml(tree, "printed") for tree in formula.trees)
 
 

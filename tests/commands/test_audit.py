@@ -377,8 +377,8 @@ def test_markdown_is_shown_simply(tmp_path, file):
     assert "<h2>A <i>fine</i> title</h2>\n<h3>Below</h3>" in source
     assert "<b>bold</b> word, <u>under</u>lined, 2*3*4 and 1<sup>st</sup>." in source
     assert "</math>,</li><li>two   lines</li>" in source
-    assert "<p>words <code>\\omega_k</code> and <code>\\mathbf{L}(t)</code> &amp;" in source
-    assert "<code>(3 \\times 3)</code>" in source
+    assert "<msub><mi>ω</mi><mi>k</mi></msub></math> and <math" in source
+    assert 'alttext="(3 \\times 3)"' in source
     assert "<code>\\qux</code>" in source
 
 

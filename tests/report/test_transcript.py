@@ -1,0 +1,92 @@
+"""A formula of which nothing is understood is set all the same, or left as it is."""
+
+import re
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from rigidtop.cli import main
+from rigidtop.read.macros import defined
+from rigidtop.report.transcript import transcript
+from rigidtop.typeset.mathml import THIN
+
+DOT = '<mo scriptlevel="0">˙</mo>'
+AUTHORS = sorted((Path(__file__).parents[1] / "mark" / "authors").iterdir())
+
+
+def inside(source, macros=""):
+    made = transcript(source, defined(macros))
+    return re.sub(r"^<math[^>]*>|</math>$", "", made)
+
+
+def text(source):
+    return "".join(ElementTree.fromstring(transcript(source, {})).itertext())
+
+
+@pytest.mark.parametrize(
+    ("source", "made"),
+    [
+        (r"\frac{a}2", "<mfrac><mi>a</mi><mn>2</mn></mfrac>"),
+        (r"x'", "<msup><mi>x</mi><mrow><mo>′</mo></mrow></msup>"),
+        (r"\sqrt[3]{x}", "<mroot><mi>x</mi><mn>3</mn></mroot>"),
+        (r"12.5", "<mn>12.5</mn>"),
+        (r"-x", '<mrow><mo form="prefix">−</mo><mi>x</mi></mrow>'),
+        (r"\dot a+x", f"<mrow><mover><mi>a</mi>{DOT}</mover><mo>+</mo><mi>x</mi></mrow>"),
+        (r"a-x", "<mrow><mi>a</mi><mo>−</mo><mi>x</mi></mrow>"),
+        (r"\mathcal{L}", "<mi>ℒ</mi>"),
+        (r"\mathbf r", '<mi mathvariant="normal" style="font-weight:bold">r</mi>'),
+        (r"\text{for all }", f"<mrow>{THIN}<mtext>for all</mtext>{THIN}</mrow>"),
+        (r"x\sin y", f"<mrow><mi>x</mi>{THIN}<mi>sin</mi>{THIN}<mi>y</mi></mrow>"),
+        (r"\mathrm{CM}", "<mtext>CM</mtext>"),
+    ],
+)
+def test_signs_are_set_as_they_are_written(source, made):
+    assert inside(source) == made
+
+
+def test_macros_of_the_author_are_put_in():
+    assert inside(r"\dt\ph", r"\def\ph{\varphi}\newcommand{\dt}[1]{\dot{#1}}") == (
+        f"<mover><mi>φ</mi>{DOT}</mover>"
+    )
+
+
+def test_lines_and_matrices_are_tables():
+    assert transcript(r"a &= b \\ &= c", {}).count("<mtr>") == 2
+    matrix = transcript(r"\begin{pmatrix} 1 & 0 \\ 0 & 1 \end{pmatrix}", {})
+    assert matrix.count("<mtd") == 4
+    assert '<mo stretchy="true">(</mo>' in matrix
+    assert text(r"x = \left[\frac12\right. \tag{2}") == "x=[12(2)"
+
+
+@pytest.mark.parametrize(
+    "source",
+    [r"\strange", r"\frac{a}", "x^2^3", r"\left(", r"\begin{matrix} a", "a\u202eb", "{", ""],
+)
+def test_what_is_not_known_is_left_as_it_is(source):
+    assert transcript(source, {}) == ""
+
+
+@pytest.mark.parametrize("source", [r"\dot" * 500 + "x", r"\left(" * 500 + r"\right)" * 500])
+def test_what_is_nested_without_end_is_left_as_it_is(source):
+    assert transcript(source, {}) == ""
+
+
+SOME = [r"\frac", r"\sqrt", "^", "_", "{", "}", "&", r"\\", r"\left", r"\right", "(", "]", "|", "'"]
+SOME += [r"\begin{cases}", r"\end{cases}", r"\dot", r"\mathbf", r"\text", "x", "<", "7", "-", r"\,"]
+
+
+@given(st.lists(st.sampled_from(SOME), max_size=12).map(" ".join))
+@example(r"\text{<script>} < x")
+def test_whatever_is_set_is_well_formed(source):
+    made = transcript(source, {})
+    if made:
+        ElementTree.fromstring(made)
+
+
+@pytest.mark.parametrize("notes", AUTHORS, ids=lambda path: path.stem)
+def test_an_annotated_page_shows_no_formula_as_its_source(notes, tmp_path, capsys):
+    main(["audit", str(notes), "-o", str(tmp_path / "page.html")])
+    assert "<code>" not in (tmp_path / "page.html").read_text("utf-8")
