@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import doctest
 import importlib
 import re
@@ -17,6 +18,7 @@ from rigidtop.commands.parser import parsed
 ROOT = Path(__file__).parents[1]
 README = ROOT / "README.md"
 SITE = ROOT / "notebooks" / "site"
+CONFIGURATION = (SITE / "conf.py").read_text("utf-8")
 MADE = {"figures", "lecture", "notebooks"}
 """Folders of the site that its configuration writes."""
 PAGES = [
@@ -143,3 +145,9 @@ def test_every_link_to_a_file_leads_there():
         for target in re.findall(r"\]\(([^)#:]+?)(?:#[\w-]+)?\)", page.read_text("utf-8")):
             made = target.partition("/")[0] in MADE
             assert made or (page.parent / target).exists(), f"{page.name}: {target}"
+
+
+def test_the_gallery_shows_what_its_examples_print_and_nothing_else():
+    """Not <matplotlib.legend.Legend object at 0x…>, which the last line of one may give."""
+    settings = re.search(r"^sphinx_gallery_conf = (\{.*?^\})", CONFIGURATION, re.M | re.S)
+    assert ast.literal_eval(settings[1])["capture_repr"] == ()

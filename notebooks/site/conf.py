@@ -47,6 +47,7 @@ sphinx_gallery_conf = {
     "filename_pattern": r"\.py$",
     "download_all_examples": False,
     "remove_config_comments": True,
+    "capture_repr": (),  # what an example prints, and no object that its last line happens to give
     "show_signature": False,
     "min_reported_time": 1e9,
     "within_subsection_order": "FileNameSortKey",
